@@ -1,0 +1,94 @@
+#ifndef DRILL_RIG_SIM_SIM_SIMULATOR_H
+#define DRILL_RIG_SIM_SIM_SIMULATOR_H
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/sim/commands.h"
+#include "drill_rig_sim/sim/measurements.h"
+
+namespace drill_rig_sim
+{
+class Wellbore;
+struct SimulatorState;
+
+enum class FrameStatus
+{
+  running,  ///< the frame was computed
+  failed    ///< it could not be: time stands at the last good state until restore() or a rebuilt Simulator
+};
+
+/// Counters since the start, for diagnostics and the runner's summary.
+struct SimulatorStatistics
+{
+  std::uint64_t frames = 0;
+  std::uint64_t steps = 0;              ///< physics steps that were accepted
+  std::uint64_t newton_iterations = 0;
+  std::uint64_t rejected_steps = 0;     ///< attempts that were repeated with half the step
+  std::uint64_t commands_clamped = 0;
+  std::uint64_t commands_refused = 0;
+  int nodes = 0;
+  int coordinates = 0;
+  const char* level = "";
+  const char* integrator = "";
+  double step = 0.0;                    ///< [s]
+  double last_error_estimate = 0.0;     ///< of the last step, relative
+};
+
+/// A rig, a string and a well that commands drive through time. Knows no wall clock and no ROS.
+/// After construction nothing here but save() allocates, and frame() never throws.
+class Simulator
+{
+public:
+  /// Builds the rig at rest in static equilibrium, winch braked, as `scene.start` says.
+  /// Throws std::runtime_error with one line (what, where, what is allowed) if the scene cannot be built.
+  explicit Simulator(const Scene& scene, std::uint64_t seed = 0);
+  ~Simulator();
+  Simulator(Simulator&&) noexcept;
+  Simulator& operator=(Simulator&&) noexcept;
+
+  CommandResult command(const WinchCommand& c) noexcept;
+  CommandResult command(const TopDriveCommand& c) noexcept;
+  CommandResult command(const PumpCommand& c) noexcept;
+  /// Winch and drive streams silent for longer than this set the brake and coast the drive [s]; 0 = off.
+  void set_command_timeout(double seconds) noexcept;
+
+  /// Advances by `duration` [s], a multiple of the scene's step, in as many physics steps.
+  FrameStatus frame(double duration) noexcept;
+  /// Why the last frame failed, one line; empty while running.
+  const char* failure() const noexcept;
+
+  const Measurements& measurements() const noexcept;
+  /// Fills the arrays in place; they allocate on first use only.
+  void profile(StringProfile& out) const;
+  /// Named bottom-hole parts and every `every`-th pipe joint.
+  void part_poses(int every, std::vector<PartPose>& out) const;
+  const Wellbore& wellbore() const noexcept;
+  /// The uncorrected path of the last metres drilled, oldest first (a bounded buffer).
+  void raw_path(std::vector<Eigen::Vector3d>& out) const;
+  const SimulatorStatistics& statistics() const noexcept;
+  const Scene& scene() const noexcept;
+
+  /// Zero of surface WOB and differential pressure. False (unchanged) on bottom.
+  bool tare() noexcept;
+  /// Grips the pipe within a joint of measured depth `md`; false if no pipe is there.
+  bool stick_pipe(double md) noexcept;
+  void free_pipe() noexcept;
+
+  /// A copy of everything that the next frame depends on.
+  std::shared_ptr<const SimulatorState> save() const;
+  /// Back to a saved state of this same scene; the next frames are bit-identical to those that followed save().
+  /// `keep_time`: simulated time runs on from now instead of jumping back.
+  void restore(const SimulatorState& state, bool keep_time = false);
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace drill_rig_sim
+
+#endif
