@@ -1,0 +1,69 @@
+#ifndef DRILL_RIG_SIM_MATH_ROTATION_H
+#define DRILL_RIG_SIM_MATH_ROTATION_H
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace drill_rig_sim
+{
+/// The matrix of the cross product: skew(a) b = a x b.
+inline Eigen::Matrix3d skew(const Eigen::Vector3d& a)
+{
+  Eigen::Matrix3d s;
+  s << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
+  return s;
+}
+
+/// Quaternion of the rotation vector `r` [rad]; exact for any size, without division by zero at 0.
+inline Eigen::Quaterniond rotation_from_vector(const Eigen::Vector3d& r)
+{
+  const double square = r.squaredNorm();
+  if (square < 1e-4)  // series to order 6: relative error below 1e-17 for |r| < 0.01
+  {
+    const double factor = 0.5 - square * (1.0 / 48.0 - square * (1.0 / 3840.0));
+    const double w = 1.0 - square * (1.0 / 8.0 - square * (1.0 / 384.0 - square / 46080.0));
+    return Eigen::Quaterniond(w, factor * r.x(), factor * r.y(), factor * r.z());
+  }
+  const double angle = std::sqrt(square);
+  const double factor = std::sin(0.5 * angle) / angle;
+  return Eigen::Quaterniond(std::cos(0.5 * angle), factor * r.x(), factor * r.y(), factor * r.z());
+}
+
+/// The body's x axis in world axes: first column of the rotation matrix.
+inline Eigen::Vector3d x_axis(const Eigen::Quaterniond& q)
+{
+  return Eigen::Vector3d(1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()), 2.0 * (q.x() * q.y() + q.w() * q.z()),
+                         2.0 * (q.x() * q.z() - q.w() * q.y()));
+}
+
+/// The body's y axis in world axes: second column of the rotation matrix.
+inline Eigen::Vector3d y_axis(const Eigen::Quaterniond& q)
+{
+  return Eigen::Vector3d(2.0 * (q.x() * q.y() - q.w() * q.z()), 1.0 - 2.0 * (q.x() * q.x() + q.z() * q.z()),
+                         2.0 * (q.y() * q.z() + q.w() * q.x()));
+}
+
+/// Twist about x that takes section `from` to section `to` when the tilt between their normals is undone by the shortest
+/// rotation (swing-twist decomposition); in (-pi, pi], exact for any number of turns that both have made together.
+inline double twist_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to)
+{
+  double w = from.w() * to.w() + from.x() * to.x() + from.y() * to.y() + from.z() * to.z();
+  double x = from.w() * to.x() - from.x() * to.w() - from.y() * to.z() + from.z() * to.y();
+  if (w < 0.0)
+  {
+    w = -w;
+    x = -x;
+  }
+  if (std::abs(x) < 0.01 * w)  // atan's series: relative error below 1e-17
+  {
+    const double t = x / w;
+    const double s = t * t;
+    return 2.0 * t * (1.0 - s * (1.0 / 3.0 - s * (1.0 / 5.0 - s * (1.0 / 7.0 - s / 9.0))));
+  }
+  return 2.0 * std::atan2(x, w);
+}
+
+}  // namespace drill_rig_sim
+
+#endif

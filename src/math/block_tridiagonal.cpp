@@ -1,0 +1,109 @@
+#include "drill_rig_sim/math/block_tridiagonal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr int kWidth = 14;  // a row of [D | U | b], padded to an even number of doubles
+
+using Work = double[6][kWidth];
+
+/// work = [D - L W | U | b - L y], with W and y the eliminated row above.
+void load(Work work, const double* diagonal, const double* upper, const double* b) noexcept
+{
+  for (int r = 0; r < 6; ++r)
+  {
+    for (int c = 0; c < 6; ++c) work[r][c] = diagonal[6 * r + c];
+    for (int c = 0; c < 6; ++c) work[r][6 + c] = upper[6 * r + c];
+    work[r][12] = b[r];
+    work[r][13] = 0.0;
+  }
+}
+
+void subtract_above(Work work, const double* lower, const double* above_w, const double* above_y) noexcept
+{
+  for (int r = 0; r < 6; ++r)
+  {
+    double sum[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    double right = 0.0;
+    for (int k = 0; k < 6; ++k)
+    {
+      const double factor = lower[6 * r + k];
+      for (int c = 0; c < 6; ++c) sum[c] += factor * above_w[6 * k + c];
+      right += factor * above_y[k];
+    }
+    for (int c = 0; c < 6; ++c) work[r][c] -= sum[c];
+    work[r][12] -= right;
+  }
+}
+
+/// Gauss-Jordan: leaves D^-1 U and D^-1 b in the right part of work.
+bool eliminate(Work work) noexcept
+{
+  for (int p = 0; p < 6; ++p)
+  {
+    const double pivot = work[p][p];
+    if (!(std::abs(pivot) > 1e-200)) return false;  // also catches NaN
+    const double inverse = 1.0 / pivot;
+    for (int c = 0; c < kWidth; ++c) work[p][c] *= inverse;
+    for (int r = 0; r < 6; ++r)
+    {
+      if (r == p) continue;
+      const double factor = work[r][p];
+      for (int c = 0; c < kWidth; ++c) work[r][c] -= factor * work[p][c];
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void BlockTridiagonal::resize(int n)
+{
+  n_ = n;
+  diagonal_.assign(36 * n, 0.0);
+  upper_.assign(36 * n, 0.0);
+  lower_.assign(36 * n, 0.0);
+}
+
+void BlockTridiagonal::set_zero() noexcept
+{
+  std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
+  std::fill(upper_.begin(), upper_.end(), 0.0);
+  std::fill(lower_.begin(), lower_.end(), 0.0);
+}
+
+bool BlockTridiagonal::solve(double* b) noexcept
+{
+  // downward sweep: upper_ becomes W = D'^-1 U, b becomes y = D'^-1 b'
+  for (int i = 0; i < n_; ++i)
+  {
+    alignas(64) Work work;
+    load(work, diagonal_.data() + 36 * i, upper_.data() + 36 * i, b + 6 * i);
+    if (i > 0) subtract_above(work, lower_.data() + 36 * (i - 1), upper_.data() + 36 * (i - 1), b + 6 * (i - 1));
+    if (!eliminate(work)) return false;
+    for (int r = 0; r < 6; ++r)
+    {
+      for (int c = 0; c < 6; ++c) upper_[36 * i + 6 * r + c] = work[r][6 + c];
+      b[6 * i + r] = work[r][12];
+    }
+  }
+  // upward sweep: x_i = y_i - W_i x_{i+1}
+  for (int i = n_ - 2; i >= 0; --i)
+  {
+    const double* w = upper_.data() + 36 * i;
+    const double* next = b + 6 * (i + 1);
+    for (int r = 0; r < 6; ++r)
+    {
+      double sum = 0.0;
+      for (int c = 0; c < 6; ++c) sum += w[6 * r + c] * next[c];
+      b[6 * i + r] -= sum;
+    }
+  }
+  return true;
+}
+
+}  // namespace drill_rig_sim

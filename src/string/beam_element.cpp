@@ -1,0 +1,158 @@
+#include "drill_rig_sim/string/beam_element.h"
+
+#include <cmath>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/math/units.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace
+{
+// mean of w'^2/2 of the cubic with end tilts a1, a2: (near/2)(|a1|^2 + |a2|^2) + far a1.a2
+constexpr double kShorteningNear = 4.0 / 30.0;
+constexpr double kShorteningFar = -1.0 / 30.0;
+constexpr double kShortening = kShorteningNear + kShorteningFar;
+
+/// What forces and tangent share.
+struct Shape
+{
+  double l, inverse_l;
+  Vector3d e, sum;  // chord's direction, n1 + n2
+  double c12;
+  Vector3d binormal;  // gradient of the twist with respect to the lower end's rotation
+  double tension, torque, chord, normals;  // chord P = -dU/dc1 = -dU/dc2, normals Q = dU/dc12
+  Vector3d g1, g2;  // dU/dn1, dU/dn2, load included
+};
+
+Shape shape_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& damping, const Vector3d& load, BeamStrain& strain)
+{
+  Shape f;
+  const Vector3d d = pose.lower_position - pose.upper_position;
+  f.l = d.norm();
+  f.inverse_l = 1.0 / f.l;
+  f.e = f.inverse_l * d;
+  f.sum = pose.upper_normal + pose.lower_normal;
+  f.c12 = pose.upper_normal.dot(pose.lower_normal);
+  f.binormal = f.sum / (1.0 + f.c12);
+  const double tilt = f.e.dot(f.sum);  // c1 + c2
+  strain.stretch = (f.l - s.length) / s.length + kShorteningNear * (2.0 - tilt) + kShorteningFar * (f.c12 - tilt + 1.0);
+  strain.twist = pose.twist;
+  f.tension = s.axial * (strain.stretch + damping.ratio * (strain.stretch - damping.start.stretch));
+  f.torque = s.torsion * (strain.twist + damping.ratio * (strain.twist - damping.start.twist));
+  f.chord = s.bending_near + s.bending_far + f.tension * s.length * kShortening;
+  f.normals = s.bending_far + f.tension * s.length * kShorteningFar;
+  const Vector3d end_load = (s.length / 12.0) * load;
+  f.g1 = -f.chord * f.e + f.normals * pose.lower_normal - end_load;
+  f.g2 = -f.chord * f.e + f.normals * pose.upper_normal + end_load;
+  return f;
+}
+
+BeamForces forces_of(const Shape& f, const BeamPose& pose)
+{
+  BeamForces out;
+  const Vector3d across = f.sum - f.e * f.e.dot(f.sum);
+  out.force = f.tension * f.e - (f.chord * f.inverse_l) * across;
+  out.moment_upper = pose.upper_normal.cross(f.g1) - f.torque * f.binormal;
+  out.moment_lower = pose.lower_normal.cross(f.g2) + f.torque * f.binormal;
+  out.tension = f.tension;
+  out.torque = f.torque;
+  return out;
+}
+
+/// d binormal / d theta_i for the normal n_i and the other end's n_j.
+Matrix3d binormal_derivative(const Shape& f, const Vector3d& n_i, const Vector3d& n_j)
+{
+  const double inverse = 1.0 / (1.0 + f.c12);
+  return (-inverse) * (skew(n_i) + f.binormal * n_i.cross(n_j).transpose());
+}
+
+void tangent_of(const BeamSection& s, const Shape& f, const BeamPose& pose, const BeamDamping& damping, BeamTangent& t)
+{
+  const Vector3d& n1 = pose.upper_normal;
+  const Vector3d& n2 = pose.lower_normal;
+  const Matrix3d across = Matrix3d::Identity() - f.e * f.e.transpose();
+  const Vector3d sum_across = across * f.sum;
+  const double p_l = f.chord * f.inverse_l;
+
+  // at constant tension
+  t.force_d = (f.tension * f.inverse_l + p_l * f.inverse_l * f.e.dot(f.sum)) * across +
+              (p_l * f.inverse_l) * (sum_across * f.e.transpose() + f.e * sum_across.transpose());
+  t.force_upper = p_l * (skew(n1) - f.e * f.e.cross(n1).transpose());
+  t.force_lower = p_l * (skew(n2) - f.e * f.e.cross(n2).transpose());
+  t.upper_upper = n1 * f.g1.transpose();
+  t.upper_upper.diagonal().array() -= f.g1.dot(n1);
+  t.lower_lower = n2 * f.g2.transpose();
+  t.lower_lower.diagonal().array() -= f.g2.dot(n2);
+  t.upper_lower = (-f.normals) * (n2 * n1.transpose());
+  t.upper_lower.diagonal().array() += f.normals * f.c12;
+  t.lower_upper = (-f.normals) * (n1 * n2.transpose());
+  t.lower_upper.diagonal().array() += f.normals * f.c12;
+
+  // twist
+  const double torsion = s.torsion * (1.0 + damping.ratio);
+  const Matrix3d twist_square = torsion * f.binormal * f.binormal.transpose();
+  const Matrix3d by_upper = f.torque * binormal_derivative(f, n1, n2);
+  const Matrix3d by_lower = f.torque * binormal_derivative(f, n2, n1);
+  t.upper_upper += twist_square - by_upper;
+  t.upper_lower -= twist_square + by_lower;
+  t.lower_upper += by_upper - twist_square;
+  t.lower_lower += twist_square + by_lower;
+
+  // change of tension: EA L grad(eps) grad(eps)^T
+  const double axial = s.axial * s.length * (1.0 + damping.ratio);
+  const Vector3d stretch_d = f.e / s.length - (kShortening * f.inverse_l) * sum_across;
+  const Vector3d stretch_upper = n1.cross(kShorteningFar * n2 - kShortening * f.e);
+  const Vector3d stretch_lower = n2.cross(kShorteningFar * n1 - kShortening * f.e);
+  t.force_d += (axial * stretch_d) * stretch_d.transpose();
+  t.force_upper += (axial * stretch_d) * stretch_upper.transpose();
+  t.force_lower += (axial * stretch_d) * stretch_lower.transpose();
+  t.upper_upper += (axial * stretch_upper) * stretch_upper.transpose();
+  t.upper_lower += (axial * stretch_upper) * stretch_lower.transpose();
+  t.lower_upper += (axial * stretch_lower) * stretch_upper.transpose();
+  t.lower_lower += (axial * stretch_lower) * stretch_lower.transpose();
+  t.upper_d = t.force_upper.transpose();
+  t.lower_d = t.force_lower.transpose();
+}
+
+}  // namespace
+
+BeamSection tube_section(double length, double outer_diameter, double inner_diameter, double young_modulus, double poisson_ratio)
+{
+  const double square_o = outer_diameter * outer_diameter;
+  const double square_i = inner_diameter * inner_diameter;
+  const double area = pi / 4.0 * (square_o - square_i);
+  const double inertia = pi / 64.0 * (square_o * square_o - square_i * square_i);
+  const double shear_modulus = young_modulus / (2.0 * (1.0 + poisson_ratio));
+  // Cowper (1966), thick tube
+  const double m2 = square_i / square_o;
+  const double ring = (1.0 + m2) * (1.0 + m2);
+  const double kappa = 6.0 * (1.0 + poisson_ratio) * ring / ((7.0 + 6.0 * poisson_ratio) * ring + (20.0 + 12.0 * poisson_ratio) * m2);
+  const double phi = 12.0 * young_modulus * inertia / (kappa * shear_modulus * area * length * length);
+  BeamSection s;
+  s.length = length;
+  s.axial = young_modulus * area;
+  s.bending_near = (4.0 + phi) / (1.0 + phi) * young_modulus * inertia / length;
+  s.bending_far = (2.0 - phi) / (1.0 + phi) * young_modulus * inertia / length;
+  s.torsion = shear_modulus * 2.0 * inertia / length;
+  return s;
+}
+
+BeamForces beam_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping, const Vector3d& load,
+                       BeamStrain& strain) noexcept
+{
+  return forces_of(shape_of(section, pose, damping, load, strain), pose);
+}
+
+BeamForces beam_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping, const Vector3d& load,
+                       BeamStrain& strain, BeamTangent& tangent) noexcept
+{
+  const Shape f = shape_of(section, pose, damping, load, strain);
+  tangent_of(section, f, pose, damping, tangent);
+  return forces_of(f, pose);
+}
+
+}  // namespace drill_rig_sim
