@@ -13,13 +13,15 @@ enum class TopDriveMode
 };
 
 /// Set points, in the signs of the interface: block velocity + up, spin and torque + clockwise looking downhole.
-struct WinchCommand
+/// Called set points because the generated messages own the names WinchCommand, TopDriveCommand, RigState, RigLimits,
+/// DrillstringState, ... of this namespace.
+struct WinchSetpoint
 {
   double block_velocity = 0.0;  ///< [m/s]
   bool brake = true;
 };
 
-struct TopDriveCommand
+struct TopDriveSetpoint
 {
   TopDriveMode mode = TopDriveMode::speed;
   double speed = 0.0;         ///< [rad/s]
@@ -28,7 +30,7 @@ struct TopDriveCommand
   double torque_limit = 0.0;  ///< [N m]; 0 = the rig's
 };
 
-struct PumpCommand
+struct PumpSetpoint
 {
   double flow = 0.0;  ///< [m3/s]
 };
@@ -36,9 +38,9 @@ struct PumpCommand
 /// The set points in force.
 struct Setpoints
 {
-  WinchCommand winch;
-  TopDriveCommand top_drive;
-  PumpCommand pump;
+  WinchSetpoint winch;
+  TopDriveSetpoint top_drive;
+  PumpSetpoint pump;
 };
 
 /// What became of a command.

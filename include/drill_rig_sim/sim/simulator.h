@@ -50,9 +50,9 @@ public:
   Simulator(Simulator&&) noexcept;
   Simulator& operator=(Simulator&&) noexcept;
 
-  CommandResult command(const WinchCommand& c) noexcept;
-  CommandResult command(const TopDriveCommand& c) noexcept;
-  CommandResult command(const PumpCommand& c) noexcept;
+  CommandResult command(const WinchSetpoint& c) noexcept;
+  CommandResult command(const TopDriveSetpoint& c) noexcept;
+  CommandResult command(const PumpSetpoint& c) noexcept;
   /// Winch and drive streams silent for longer than this set the brake and coast the drive [s]; 0 = off.
   void set_command_timeout(double seconds) noexcept;
 
