@@ -1,0 +1,47 @@
+#ifndef DRILL_RIG_SIM_CONTACT_NORMAL_LAW_H
+#define DRILL_RIG_SIM_CONTACT_NORMAL_LAW_H
+
+#include <cmath>
+
+#include "drill_rig_sim/scene/scene.h"
+
+namespace drill_rig_sim
+{
+/// Normal contact force and its partial derivatives.
+struct NormalForce
+{
+  double value = 0.0;      ///< F [N], >= 0
+  double stiffness = 0.0;  ///< dF/d(penetration) [N/m]
+  double damping = 0.0;    ///< dF/d(penetration rate) [N s/m]
+};
+
+/// Hunt-Crossley form of Hertz' law, F = max(0, k delta^e (1 + c_d delta')).
+///
+/// The damping is proportional to the elastic force, so that F rises from zero at first touch and never pulls. With c_d = 0 an
+/// impact is elastic; for small impact speeds v the coefficient of restitution is about 1 - 2/3 c_d v for every exponent.
+/// @param law          k [N/m^e], e >= 1, c_d [s/m]
+/// @param penetration  delta [m]; <= 0 gives all zeros
+/// @param rate         d delta/dt [m/s]
+/// Source: Hunt and Crossley, Coefficient of restitution interpreted as damping in vibroimpact, J. Appl. Mech. 42 (1975),
+/// 440-445.
+inline NormalForce normal_force(const ContactLaw& law, double penetration, double rate) noexcept
+{
+  NormalForce out;
+  const double factor = 1.0 + law.damping * rate;
+  if (penetration <= 0.0 || factor <= 0.0)
+  {
+    return out;
+  }
+
+  // The usual exponent deserves better than pow().
+  const double power = law.exponent == 1.5 ? std::sqrt(penetration) : std::pow(penetration, law.exponent - 1.0);
+  const double slope = law.stiffness * power;  // elastic force / delta
+  out.value = slope * penetration * factor;
+  out.stiffness = law.exponent * slope * factor;
+  out.damping = slope * penetration * law.damping;
+  return out;
+}
+
+}  // namespace drill_rig_sim
+
+#endif
