@@ -1,0 +1,78 @@
+# Shared by launch/demo and test/run: the apt packages, the environment and the build. Sourced, not run.
+
+# The only list of what the package needs on Debian 12.
+packages_build="g++ make cmake catkin ros-std-msgs ros-geometry-msgs libdiagnostic-msgs-dev libgeometry-msgs-dev libnav-msgs-dev
+  libroscpp-dev libroslib-dev libros-rosgraph-msgs-dev libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev libvisualization-msgs-dev
+  libeigen3-dev libsundials-dev libyaml-cpp-dev libgtest-dev librostest-dev"
+packages_run="python3-rospy python3-roslaunch python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-sensor-msgs
+  python3-std-srvs python3-tf2-msgs python3-visualization-msgs"
+packages_rviz="rviz librviz-dev"
+packages_test="python3-rostest xvfb xauth imagemagick valgrind"
+packages_tidy="clang-tidy"
+
+package_dir=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+say() { printf '%s: %s\n' "${0##*/}" "$*"; }
+complain() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }
+
+# Debian's own ROS and nothing in front of it; whatever the tools write at home goes into the build folder.
+set_environment()
+{
+  if [ -z "${ROS_DISTRO:-}" ]; then
+    export PATH=/usr/sbin:/usr/bin:/sbin:/bin
+    unset PYTHONPATH ROS_PACKAGE_PATH CMAKE_PREFIX_PATH ROS_IP ROS_HOSTNAME
+  fi
+  export ROS_HOME=$1/ros_home ROS_LOG_DIR=$1/ros_home/log MPLCONFIGDIR=$1/matplotlib
+  mkdir -p "$ROS_LOG_DIR" "$MPLCONFIGDIR"
+}
+
+missing_packages()
+{
+  local package
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || printf '%s ' "$package"
+  done
+}
+
+# Installs what is missing of the packages named; status 1 where apt fails, exit 2 where nobody may install.
+install_packages()
+{
+  local missing apt
+  if [ -n "${ROS_DISTRO:-}" ] || ! (. /etc/os-release && [ "$ID $VERSION_ID" = "debian 12" ]); then
+    say "this is not plain Debian 12: installing nothing, using what is there"
+    return 0
+  fi
+  missing=$(missing_packages "$@")
+  [ -n "$missing" ] || return 0
+  apt="apt-get -o DPkg::Lock::Timeout=600"
+  if [ "$(id -u)" = 0 ]; then
+    apt="env DEBIAN_FRONTEND=noninteractive $apt"
+  elif command -v sudo >/dev/null; then
+    apt="sudo env DEBIAN_FRONTEND=noninteractive $apt"
+  else
+    complain "packages are missing, and there is neither root nor sudo. As root, run:"
+    complain "  apt-get update && apt-get install -y --no-install-recommends $missing"
+    exit 2
+  fi
+  say "installing $(wc -w <<<"$missing") packages: $missing"
+  { $apt update -qq && $apt install -y -qq --no-install-recommends $missing; } >"$build_dir/apt.log" 2>&1 ||
+    { tail -n 5 "$build_dir/apt.log" >&2; complain "apt failed; all it said is in $build_dir/apt.log"; return 1; }
+}
+
+# Configures and builds: build DIR "TARGETS" [cmake options]. All output goes to DIR/build.log, its end to the screen on failure.
+build()
+{
+  local dir=$1 targets=$2
+  shift 2
+  say "building in $dir ($(nproc) jobs)"
+  { cmake -S "$package_dir" -B "$dir" "$@" && make -C "$dir" -j"$(nproc)" $targets; } >"$dir/build.log" 2>&1 ||
+    { grep -E -A 5 'error|Error' "$dir/build.log" | head -n 40 >&2; complain "the build failed; all it said is in $dir/build.log"; return 1; }
+}
+
+# The first port from 11311 on where nobody listens.
+free_port()
+{
+  local port=11311
+  while (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null; do port=$((port + 1)); done
+  echo "$port"
+}

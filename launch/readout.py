@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+"""The demo's driller's readout: goes fast to just before the bit tags bottom, then shows the rig in real time, line by line."""
+import argparse
+import os
+import sys
+import threading
+import time
+
+import rospy
+from drill_rig_sim.msg import RigState
+from drill_rig_sim.srv import SetSpeed
+
+GAP_BEFORE_TAG = 0.03  # bit above bottom where the fast part ends [m]
+LONGEST_WAIT = 1800.0  # simulated seconds to wait for the bit to come near bottom
+
+
+class Rig:
+    """The last state that the rig sent, and what was seen since mark()."""
+
+    def __init__(self):
+        self.lock = threading.Lock()
+        self.state = None
+        self.heard = threading.Event()
+        self.mark()
+        rospy.Subscriber("rig_state", RigState, self.take, queue_size=100)
+
+    def take(self, state):
+        with self.lock:
+            self.state = state
+            if self.since is None:
+                self.since = (state.header.stamp.to_sec(), time.monotonic(), state.hole_depth)
+            if state.on_bottom and state.rop > 0:
+                self.drilling.append((state.hook_load, state.torque, state.surface_wob, state.rop))
+        self.heard.set()
+
+    def mark(self):
+        with self.lock:
+            self.since = None
+            self.drilling = []
+
+    def elapsed(self):
+        """Simulated seconds since mark(), the wall's, and the hole's depth then."""
+        with self.lock:
+            if self.since is None:
+                return 0.0, 1e-9, self.state.hole_depth
+            stamp, wall, depth = self.since
+            return self.state.header.stamp.to_sec() - stamp, max(time.monotonic() - wall, 1e-9), depth
+
+
+def line(state, factor):
+    return ("t %8.2f s  rtf %5.2f  hook %6.1f kN  torque %6.2f kN m  WOB %6.1f kN  ROP %6.2f m/h  bit %8.3f m  %s" %
+            (state.header.stamp.to_sec(), factor, state.hook_load / 1e3, state.torque / 1e3, state.surface_wob / 1e3,
+             state.rop * 3600, state.bit_depth, "on bottom" if state.on_bottom else "off bottom"))
+
+
+def show(text, last=False):
+    if sys.stdout.isatty():
+        print("\r" + text + "\x1b[K", end="\n" if last else "", flush=True)
+    else:
+        print(text, flush=True)
+
+
+def alive(pid):
+    if pid is None:
+        return True
+    try:
+        os.kill(pid, 0)
+        return True
+    except OSError:
+        return False
+
+
+def set_speed(speed):
+    answer = rospy.ServiceProxy("set_speed", SetSpeed)(speed)
+    if not answer.success:
+        print("set_speed %g: %s" % (speed, answer.message))
+
+
+def near_bottom(state):
+    return state.on_bottom or state.hole_depth - state.bit_depth < GAP_BEFORE_TAG
+
+
+def wait_for(rig, pid, timeout):
+    deadline = time.monotonic() + timeout
+    while not rig.heard.wait(0.2):
+        if not alive(pid) or time.monotonic() > deadline or rospy.is_shutdown():
+            return False
+    return True
+
+
+def watch(rig, pid, until, every):
+    """Shows a line each `every` wall seconds until `until(state, simulated, wall)`. False where the rig went silent or away."""
+    silent_since, stamp, next_line = time.monotonic(), None, 0.0
+    while not rospy.is_shutdown():
+        time.sleep(0.01)
+        now = time.monotonic()
+        state = rig.state
+        if state.header.stamp != stamp:
+            stamp, silent_since = state.header.stamp, now
+        if not alive(pid) or now - silent_since > 20:
+            return False
+        simulated, wall, _ = rig.elapsed()
+        if until(state, simulated):
+            return True
+        if now >= next_line:
+            next_line = now + every
+            show(line(state, simulated / wall))
+    return False
+
+
+def summary(rig):
+    simulated, wall, depth = rig.elapsed()
+    state = rig.state
+    print("simulated %.2f s in %.2f s: real-time factor %.3f" % (simulated, wall, simulated / wall))
+    print("hole depth %.3f m, of it %.3f m drilled in this time" % (state.hole_depth, state.hole_depth - depth))
+    if rig.drilling:
+        last = rig.drilling[len(rig.drilling) // 2:]
+        means = [sum(column) / len(last) for column in zip(*last)]
+        print("drilling, mean of the second half: hook load %.1f kN, torque %.2f kN m, WOB %.1f kN, ROP %.2f m/h" %
+              (means[0] / 1e3, means[1] / 1e3, means[2] / 1e3, means[3] * 3600))
+    else:
+        print("the bit did not drill: hook load %.1f kN, torque %.2f kN m, WOB %.1f kN, ROP %.2f m/h" %
+              (state.hook_load / 1e3, state.torque / 1e3, state.surface_wob / 1e3, state.rop * 3600))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--duration", type=float, default=0.0, help="simulated seconds from just before the tag; 0: until Ctrl-C")
+    parser.add_argument("--namespace", default="rig", help="of the rig")
+    parser.add_argument("--watch", type=int, help="process id of the launcher; its end ends the readout")
+    options = parser.parse_args()
+    os.environ["ROS_NAMESPACE"] = options.namespace
+    rospy.names.initialize_mappings("readout")
+    deadline = time.monotonic() + 60
+    while not rospy.core.rosgraph.is_master_online():  # the launcher may still be starting it
+        if time.monotonic() > deadline or not alive(options.watch):
+            return 1
+        time.sleep(0.2)
+    rospy.init_node("readout", anonymous=True, disable_signals=True)
+
+    rig = Rig()
+    if not wait_for(rig, options.watch, 120):
+        return 1
+    every = 0.2 if sys.stdout.isatty() else 1.0
+    if not near_bottom(rig.state):
+        show("fast-forward to just before the bit tags bottom", last=True)
+        set_speed(0.0)
+        rig.mark()
+        if not watch(rig, options.watch, lambda state, simulated: near_bottom(state) or simulated > LONGEST_WAIT, every):
+            return 1
+        set_speed(1.0)
+        show("real time from here", last=True)
+    rig.mark()
+    if not watch(rig, options.watch, lambda state, simulated: 0 < options.duration <= simulated, every):
+        return 1
+    simulated, wall, _ = rig.elapsed()
+    show(line(rig.state, simulated / wall), last=True)
+    summary(rig)
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (KeyboardInterrupt, rospy.ROSInterruptException):
+        print()
+        sys.exit(130)

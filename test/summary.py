@@ -1,0 +1,25 @@
+#!/usr/bin/env python3
+"""Counts the cases in JUnit files under a folder: names those that failed, ends with 'N passed, N failed, N skipped'."""
+import pathlib
+import sys
+import xml.etree.ElementTree as xml
+
+passed = failed = skipped = 0
+for file in sorted(pathlib.Path(sys.argv[1]).rglob("*.xml")):
+    try:
+        cases = list(xml.parse(file).iter("testcase"))
+    except xml.ParseError as error:
+        print("%s: not readable: %s" % (file, error))
+        failed += 1
+        continue
+    for case in cases:
+        if case.find("failure") is not None or case.find("error") is not None:
+            failed += 1
+            print("FAILED %s.%s (%s)" % (case.get("classname"), case.get("name"), file.name))
+        elif case.find("skipped") is not None or case.get("result") == "skipped" or case.get("status") == "notrun":
+            skipped += 1
+            print("skipped %s.%s" % (case.get("classname"), case.get("name")))
+        else:
+            passed += 1
+print("%d passed, %d failed, %d skipped" % (passed, failed, skipped))
+sys.exit(1 if failed or not passed else 0)
