@@ -1,9 +1,8 @@
 #include "drill_rig_sim/contact/wall_contact.h"
 
-#include <Eigen/Geometry>
-
 #include "drill_rig_sim/contact/friction_law.h"
 #include "drill_rig_sim/contact/normal_law.h"
+#include "drill_rig_sim/math/rotation.h"
 
 namespace drill_rig_sim
 {
@@ -23,14 +22,6 @@ struct Geometry
   double rho;
   double penetration;  ///< delta
 };
-
-/// The cross product matrix: skew(a) b = a x b.
-Matrix3d skew(const Vector3d& a) noexcept
-{
-  Matrix3d m;
-  m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return m;
-}
 
 /// [a x m_1, a x m_2, a x m_3].
 Matrix3d cross_columns(const Vector3d& a, const Matrix3d& m) noexcept

@@ -1,0 +1,76 @@
+#include "drill_rig_sim/contact/bit_torque.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drill_rig_sim/contact/bit_bottom.h"
+
+namespace drill_rig_sim
+{
+TorqueLimit stribeck_bit_torque(const BitTorqueSpec& spec, double diameter, double force, double speed) noexcept
+{
+  const double excess = (spec.static_friction - spec.kinetic_friction) * std::exp(-std::abs(speed) / spec.speed);
+  const double arm = diameter / 3.0;
+  const double weight = std::max(0.0, force);
+  TorqueLimit out;
+  out.force_slope = force > 0.0 ? (spec.kinetic_friction + excess) * arm : 0.0;
+  out.value = out.force_slope * weight;
+  out.speed_slope = -excess / spec.speed * weight * arm;
+  return out;
+}
+
+TorqueLimit detournay_bit_torque(const BitTorqueSpec& spec, double diameter, double force, double speed,
+                                 const FormationLayer& rock) noexcept
+{
+  constexpr double least_speed = 1.0;
+  const double a = 0.5 * diameter;
+  const double turning = std::max(least_speed, std::abs(speed));
+  const double per_turn = 2.0 * pi * std::pow(turning, rock.speed_exponent - 1.0);
+  const RockBreakingSpeed v = rock_breaking_speed({rock.drillability * per_turn, rock.weight_exponent, rock.threshold}, force);
+  const double cutting = 0.5 * spec.cutting_energy * a * a;  // torque per depth of cut
+  const double rubbing = 0.5 * spec.wear_friction * a;       // torque per weight on the flats
+
+  TorqueLimit out;
+  out.value = cutting * v.value + rubbing * std::clamp(force, 0.0, std::max(0.0, spec.wear_weight));
+  out.force_slope = cutting * v.slope + (force > 0.0 && force < spec.wear_weight ? rubbing : 0.0);
+  out.speed_slope = std::abs(speed) > least_speed ? cutting * v.value * (rock.speed_exponent - 1.0) / turning : 0.0;
+  return out;
+}
+
+TorqueLimit bit_torque_limit(const BitTorqueSpec& spec, double diameter, double force, double speed,
+                             const FormationLayer& rock) noexcept
+{
+  return spec.model == BitTorqueModel::stribeck ? stribeck_bit_torque(spec, diameter, force, speed)
+                                                : detournay_bit_torque(spec, diameter, force, speed, rock);
+}
+
+BitTorque bit_torque(const TorqueLimit& limit, double stiffness, double twist, double slip, double speed,
+                     double speed_coefficient) noexcept
+{
+  const double trial = twist + slip;
+  BitTorque out;
+  if (std::abs(stiffness * trial) <= limit.value)
+  {
+    out.value = stiffness * trial;
+    out.spin_slope = stiffness;
+    out.twist = trial;
+    return out;
+  }
+
+  const double sign = trial > 0.0 ? 1.0 : -1.0;
+  out.value = sign * limit.value;
+  out.spin_slope = sign * limit.speed_slope * std::copysign(speed_coefficient, speed);
+  out.force_slope = sign * limit.force_slope;
+  out.twist = out.value / stiffness;
+  out.slipping = true;
+  return out;
+}
+
+double bit_bristle_stiffness(const BitTorqueSpec& spec, double diameter) noexcept
+{
+  constexpr double weight_per_diameter = 300e3;
+  constexpr double breakaway_twist = 0.01;
+  return spec.static_friction * weight_per_diameter * diameter * diameter / 3.0 / breakaway_twist;
+}
+
+}  // namespace drill_rig_sim
