@@ -2,35 +2,150 @@
 #define DRILL_RIG_SIM_WELL_WELLBORE_H
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/well/history.h"
+#include "drill_rig_sim/well/hole_segment.h"
+#include "drill_rig_sim/well/well_node.h"
 
 namespace drill_rig_sim
 {
-/// The nine numbers of a wellbore node.
-struct WellNode
-{
-  double md = 0.0;                                    ///< material coordinate l [m]
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
-  Eigen::Vector3d tangent = -Eigen::Vector3d::UnitZ(); ///< unit, down the hole
-  double radius = 0.0;                                ///< [m]
-  double friction = 0.0;                              ///< kinetic [-]
-};
-
 /// The hole's cross section nearest to a point D: where c(md) satisfies (r_D - c) . c' = 0.
 struct HoleSite
 {
   double md = 0.0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  Eigen::Vector3d tangent = -Eigen::Vector3d::UnitZ();      ///< unit
-  Eigen::Vector3d centre_slope = -Eigen::Vector3d::UnitZ(); ///< dc/dmd, nearly the tangent
-  Eigen::Vector3d md_gradient = -Eigen::Vector3d::UnitZ();  ///< d md / d r_D = c' / (|c'|^2 - (r_D - c) . c'')
+  Eigen::Vector3d tangent = -Eigen::Vector3d::UnitZ();       ///< unit
+  Eigen::Vector3d centre_slope = -Eigen::Vector3d::UnitZ();  ///< dc/dmd, nearly the tangent
+  Eigen::Vector3d md_gradient = -Eigen::Vector3d::UnitZ();   ///< d md / d r_D = c' / (|c'|^2 - (r_D - c) . c'')
   double radius = 0.0;
   double radius_slope = 0.0;  ///< dR/dmd
   double friction = 0.0;
   int segment = 0;     ///< start of the next search
   int iterations = 0;  ///< Newton iterations used
+};
+
+/// The hole: permanent nodes joined by cubic Hermites, and below the last of them, P, the straight fresh end that is being
+/// drilled.
+///
+/// Drilling, in two stages (the seed's correction). Stage I, each step: the bottom centre C moves by what the bit drilled; the
+/// raw path goes to a bounded buffer for pictures and nothing else. Stage II, each time |C - P| reaches the stage-two length L2
+/// (or every N drilling steps): C becomes a permanent node with tangent (C - P)/|C - P| and md = md_P + |C - P|; all between is
+/// dropped.
+///
+/// The fresh end is the straight line through C with the direction
+///   d = normalised( t_P max(L2 - |C - P|, 0) + (C - P) ),
+/// so it is always measured over at least L2: raw nodes lie microns apart and their directions swing by a degree. When a Stage II
+/// commit happens d is the chord before and t_P after: the line does not jump. (By steps, L2 is the previous interval's length,
+/// and d turns by what the interval's length changed.) Measured depth along the line is md_P + (r - P) . d, hence
+///   hole depth = md_P + (C - P) . d,
+/// continuous along the hole and in time; on commit it is md_P + |C - P|. At P the line is offset sideways by up to
+/// (1 - |C - P|/L2) times C's distance from the tangent at P: tens of microns in a raw helix of 30 um.
+///
+/// Segments are numbered 0: the straight vertical line above the first node (md = -z), 1 .. n: permanent, n + 1: the fresh end.
+/// Copies are snapshots. Assignment between copies of one well costs what was drilled in between and does not allocate.
+class Wellbore
+{
+public:
+  /// Drilled nodes that a Wellbore has room for by default: 1.6 km at 0.1 m.
+  static constexpr int default_capacity = 16384;
+
+  /// A hole with its first node at the origin. `spec.survey`'s first station must be at md 0; `bit_radius` [m] is the radius of
+  /// everything drilled and of the hole at its bottom; `drilled_capacity`: most drilled nodes, a power of two.
+  /// Throws std::invalid_argument with one line if survey, sections, depth or trajectory are not usable.
+  Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius, int drilled_capacity = default_capacity);
+
+  /// The cross section nearest to `point` [m]. `segment_hint` < 0 searches the whole hole (nearest of all); otherwise the search
+  /// walks from that segment to the nearest cross section in reach. Newton's method on f(s) = (r_D - c(s)) . c'(s),
+  /// f' = -|c'|^2 + (r_D - c) . c''; s outside 0 .. 1 moves to the neighbour. Exact while the point is nearer than the hole's
+  /// radius of curvature. Any hint is safe; a point that is not finite gives a site that is not.
+  HoleSite locate(const Eigen::Vector3d& point, int segment_hint) const noexcept;
+
+  /// Stage I, and Stage II when due. `bottom_displacement`: how far the bit moved the bottom in this step, world axes [m];
+  /// `bit_axis`: the raw node's tangent, unit, downhole. No displacement changes nothing. False and nothing changed if a number
+  /// is not finite. About a hundred flops, whatever the drilled length.
+  bool extend(const Eigen::Vector3d& bottom_displacement, const Eigen::Vector3d& bit_axis) noexcept;
+
+  /// Measured depth of the bottom [m], md_P + (C - P) . d.
+  double hole_depth() const noexcept { return hole_depth_; }
+  /// C, the centre of the bottom [m].
+  const Eigen::Vector3d& bottom_position() const noexcept { return bottom_; }
+  /// Normal of the bottom plane: the direction v/|v| of the last displacement, the tangent of the well's last raw node in the
+  /// rock-penetration equations (the start's tangent until something is drilled). It belongs to the plane that the bit presses
+  /// on: the rock just cut. It swings with the bit's tilt (about 1 deg); with side cutting i_b < 1 it converges to the bit's
+  /// axis.
+  const Eigen::Vector3d& bottom_normal() const noexcept { return bottom_normal_; }
+  /// Tangent that Stage I gives the raw node: the bit's axis at the last displacement.
+  const Eigen::Vector3d& raw_tangent() const noexcept { return raw_tangent_; }
+  /// d, the smoothed direction of the fresh end: for the wall, and for the hole's inclination and azimuth at bottom.
+  const Eigen::Vector3d& end_direction() const noexcept { return fresh_.c1; }
+  double bottom_radius() const noexcept { return fresh_.radius; }
+  /// Length of the raw path drilled since construction [m], the sum of |displacement|.
+  double drilled_path_length() const noexcept { return drilled_path_; }
+
+  /// Permanent nodes, from the top down.
+  int node_count() const noexcept { return original_count() + static_cast<int>(drilled_.count()); }
+  WellNode node(int i) const noexcept;
+  /// The hole at measured depth `md`; above 0 on the vertical line, below the last node on the fresh end.
+  WellNode at(double md) const noexcept;
+  /// Changes when permanent nodes change, and back when a snapshot is restored.
+  std::uint64_t version() const noexcept { return drilled_.hash(); }
+  /// Nearly full: Stage II intervals have been lengthened to make the room last (or, when full, no more nodes are added and the
+  /// fresh end runs on straight from the last one).
+  bool capacity_strained() const noexcept { return strained_; }
+
+  /// The uncorrected path of the last metres, oldest first: points 0.5 mm or more of raw path apart, then C. At most 16385.
+  void raw_path(std::vector<Eigen::Vector3d>& out) const;
+
+private:
+  // What never changes, shared by all copies.
+  struct Original
+  {
+    std::vector<WellNode> nodes;
+    std::vector<HoleSegment> segments;  // [0]: above the first node; [i]: from node i - 1 to node i
+    std::vector<Box> boxes;             // of segments; [0] unused
+    std::vector<HoleSection> sections;
+    double stage_two_length;
+    int stage_two_steps;
+  };
+  // A drilled node and the segment that ends in it.
+  struct Drilled
+  {
+    HoleSegment segment;
+    Box box;
+    WellNode node;
+  };
+
+  static std::shared_ptr<const Original> build(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius);
+  int original_count() const noexcept { return static_cast<int>(original_->nodes.size()); }
+  int fresh_index() const noexcept { return node_count(); }
+  const HoleSegment& segment(int i) const noexcept;
+  const Box& box(int i) const noexcept;
+  int neighbour(int i, double s, const Eigen::Vector3d& point) const noexcept;
+  int nearest_segment(const Eigen::Vector3d& point) const noexcept;
+  double friction_at(double md) const noexcept;
+  bool stage_two_due() const noexcept;
+  void commit_stage_two() noexcept;
+  void update_fresh_end() noexcept;
+
+  std::shared_ptr<const Original> original_;
+  History<Drilled> drilled_;
+  History<Eigen::Vector3d> raw_;
+
+  WellNode last_;      // P
+  HoleSegment fresh_;  // the line, from the plane through P, s in metres
+  Eigen::Vector3d bottom_;
+  Eigen::Vector3d bottom_normal_;
+  Eigen::Vector3d raw_tangent_;
+  double hole_depth_ = 0.0;
+  double drilled_path_ = 0.0;
+  double pictured_path_ = 0.0;  // drilled_path_ when the last raw point was kept
+  double interval_ = 0.0;       // L2
+  int interval_steps_ = 0;      // drilling steps since P
+  bool strained_ = false;
 };
 
 }  // namespace drill_rig_sim

@@ -1,0 +1,20 @@
+#ifndef DRILL_RIG_SIM_WELL_WELL_NODE_H
+#define DRILL_RIG_SIM_WELL_WELL_NODE_H
+
+#include <Eigen/Core>
+
+namespace drill_rig_sim
+{
+/// The nine numbers of a wellbore node.
+struct WellNode
+{
+  double md = 0.0;                                      ///< material coordinate l [m]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< [m]
+  Eigen::Vector3d tangent = -Eigen::Vector3d::UnitZ();  ///< unit, down the hole
+  double radius = 0.0;                                  ///< [m]
+  double friction = 0.0;                                ///< kinetic [-]
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,157 @@
+#include "drill_rig_sim/well/wellbore.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "drill_rig_sim/well/hole_nodes.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr std::size_t raw_capacity = 16384;
+constexpr double raw_spacing = 5e-4;             // [m]
+constexpr double first_interval_by_steps = 0.1;  // L2 until the first Stage II when steps are counted [m]
+constexpr double shortest_chord = 1e-3;          // Stage II waits for it: shorter segments would bound no node count [m]
+
+std::size_t checked_capacity(int capacity)
+{
+  if (capacity < 1 || (capacity & (capacity - 1)) != 0)
+    throw std::invalid_argument("wellbore: drilled_capacity must be a positive power of two");
+  return static_cast<std::size_t>(capacity);
+}
+}  // namespace
+
+Wellbore::Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius, int drilled_capacity)
+    : original_(build(spec, trajectory, bit_radius)), drilled_(checked_capacity(drilled_capacity)), raw_(raw_capacity)
+{
+  last_ = original_->nodes.back();
+  bottom_ = last_.position;
+  bottom_normal_ = last_.tangent;
+  raw_tangent_ = last_.tangent;
+  interval_ = original_->stage_two_steps > 0 ? first_interval_by_steps : original_->stage_two_length;
+  update_fresh_end();
+}
+
+std::shared_ptr<const Wellbore::Original> Wellbore::build(const WellSpec& spec, const TrajectorySpec& trajectory,
+                                                          double bit_radius)
+{
+  const Survey survey(spec.survey);
+  if (survey.first_md() != 0.0) throw std::invalid_argument("well: the first station must be at md 0");
+  if (trajectory.stage_two_steps < 0 || (trajectory.stage_two_steps == 0 && !(trajectory.stage_two_length >= shortest_chord)))
+    throw std::invalid_argument("trajectory: stage_two_length must be 1 mm or more, or stage_two_steps positive");
+  auto hole = std::make_shared<Original>();
+  hole->nodes = place_nodes(spec, survey, bit_radius);
+  hole->sections = spec.sections;
+  hole->stage_two_length = trajectory.stage_two_length;
+  hole->stage_two_steps = trajectory.stage_two_steps;
+  const WellNode& top = hole->nodes.front();
+  hole->segments.push_back(HoleSegment::line(top.position, -Eigen::Vector3d::UnitZ(), top.md, top.radius, top.friction));
+  for (std::size_t i = 1; i < hole->nodes.size(); ++i)
+    hole->segments.push_back(HoleSegment::between(hole->nodes[i - 1], hole->nodes[i]));
+  for (const HoleSegment& segment : hole->segments) hole->boxes.push_back(Box::around(segment));
+  return hole;
+}
+
+WellNode Wellbore::node(int i) const noexcept
+{
+  const int originals = original_count();
+  return i < originals ? original_->nodes[static_cast<std::size_t>(i)] : drilled_[static_cast<std::size_t>(i - originals)].node;
+}
+
+WellNode Wellbore::at(double md) const noexcept
+{
+  // the last node at or above md, by bisection; -1: above the first
+  int above = -1;
+  int below = node_count();
+  while (below - above > 1)
+  {
+    const int middle = (above + below) / 2;
+    (node(middle).md <= md ? above : below) = middle;
+  }
+  const HoleSegment& g = segment(above + 1);
+  return g.at((md - g.md) / g.length);
+}
+
+double Wellbore::friction_at(double md) const noexcept
+{
+  for (const HoleSection& section : original_->sections)
+    if (md < section.to) return section.friction;
+  return original_->sections.back().friction;
+}
+
+bool Wellbore::extend(const Eigen::Vector3d& bottom_displacement, const Eigen::Vector3d& bit_axis) noexcept
+{
+  const double drilled = bottom_displacement.norm();
+  if (!std::isfinite(drilled) || !std::isfinite(bit_axis.sum())) return false;
+  if (drilled == 0.0) return true;
+
+  // stage I: a raw node
+  bottom_ += bottom_displacement;
+  bottom_normal_ = bottom_displacement / drilled;
+  raw_tangent_ = bit_axis;
+  drilled_path_ += drilled;
+  ++interval_steps_;
+  if (drilled_path_ - pictured_path_ >= raw_spacing)
+  {
+    raw_.push(bottom_, bottom_.x(), bottom_.y(), bottom_.z());
+    pictured_path_ = drilled_path_;
+  }
+
+  if (stage_two_due()) commit_stage_two();
+  update_fresh_end();
+  return true;
+}
+
+bool Wellbore::stage_two_due() const noexcept
+{
+  if (drilled_.count() == drilled_.capacity()) return false;
+  const double chord2 = (bottom_ - last_.position).squaredNorm();
+  if (original_->stage_two_steps == 0 || strained_) return chord2 >= interval_ * interval_;
+  return interval_steps_ >= original_->stage_two_steps && chord2 >= shortest_chord * shortest_chord;
+}
+
+void Wellbore::commit_stage_two() noexcept
+{
+  const Eigen::Vector3d chord = bottom_ - last_.position;
+  const double length = chord.norm();
+  WellNode node;
+  node.md = last_.md + length;
+  node.position = bottom_;
+  node.tangent = chord / length;
+  node.radius = fresh_.radius;
+  node.friction = fresh_.friction;
+  const HoleSegment segment = HoleSegment::between(last_, node);
+  drilled_.push({segment, Box::around(segment), node}, bottom_.x(), bottom_.y(), bottom_.z());
+  last_ = node;
+  last_.friction = friction_at(node.md);
+  interval_steps_ = 0;
+  if (original_->stage_two_steps > 0 && !strained_) interval_ = length;
+
+  // Each time half of the room that was left is used the interval doubles, so it lasts log2(capacity) times as long.
+  const std::size_t left = drilled_.capacity() - drilled_.count();
+  if ((left & (left - 1)) == 0)
+  {
+    interval_ *= 2.0;
+    strained_ = true;
+  }
+}
+
+void Wellbore::update_fresh_end() noexcept
+{
+  const Eigen::Vector3d chord = bottom_ - last_.position;
+  const Eigen::Vector3d d = (last_.tangent * std::max(interval_ - chord.norm(), 0.0) + chord).normalized();
+  const double along = chord.dot(d);
+  fresh_ = HoleSegment::line(bottom_ - along * d, d, last_.md, last_.radius, last_.friction);
+  hole_depth_ = last_.md + along;
+}
+
+void Wellbore::raw_path(std::vector<Eigen::Vector3d>& out) const
+{
+  out.clear();
+  for (std::size_t i = raw_.first(); i < raw_.count(); ++i) out.push_back(raw_[i]);
+  out.push_back(bottom_);
+}
+
+}  // namespace drill_rig_sim

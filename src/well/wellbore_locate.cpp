@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "drill_rig_sim/well/wellbore.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr int most_iterations = 12;
+constexpr int most_moves = 32;
+// The error after a Newton step ds is below ds^2: steps shorter than this leave nothing above round-off.
+constexpr double step_tolerance = 1e-8;
+// A first guess this far outside the segment is not worth refining.
+constexpr double far_outside = 0.1;
+
+// Where the point's cross section meets a segment's curve, extended beyond its ends.
+struct Foot
+{
+  double s;
+  Eigen::Vector3d centre, first, second;  // c, c', c'' by s
+  double decline;                         // -f'(s) = |c'|^2 - (r_D - c) . c''
+  int iterations = 0;
+};
+
+double first_guess(const HoleSegment& g, const Eigen::Vector3d& point) noexcept
+{
+  return (point - g.c0).dot(g.chord);
+}
+
+// Returns f(s) and fills the foot at s.
+double evaluate(const HoleSegment& g, const Eigen::Vector3d& point, Foot& foot) noexcept
+{
+  const double s = foot.s;
+  const Eigen::Vector3d cubic = s * g.c3;
+  foot.second = 2.0 * g.c2 + 6.0 * cubic;
+  foot.first = g.c1 + s * (2.0 * g.c2 + 3.0 * cubic);
+  foot.centre = g.c0 + s * (g.c1 + s * (g.c2 + cubic));
+  const Eigen::Vector3d offset = point - foot.centre;
+  const double speed2 = foot.first.squaredNorm();
+  // Beyond the centre of curvature f' changes sign; a tenth of |c'|^2 keeps the step bounded and downhill.
+  foot.decline = std::max(speed2 - offset.dot(foot.second), 0.1 * speed2);
+  return offset.dot(foot.first);
+}
+
+void refine(const HoleSegment& g, const Eigen::Vector3d& point, Foot& foot) noexcept
+{
+  for (int i = 0; i < most_iterations; ++i)
+  {
+    const double step = evaluate(g, point, foot) / foot.decline;
+    foot.s += step;
+    ++foot.iterations;
+    if (!(std::abs(step) > step_tolerance)) break;
+  }
+  evaluate(g, point, foot);
+}
+
+HoleSite site(const HoleSegment& g, const Foot& foot, int segment) noexcept
+{
+  HoleSite site;
+  const double inverse_length = 1.0 / g.length;
+  site.md = g.md + foot.s * g.length;
+  site.centre = foot.centre;
+  site.tangent = foot.first * (1.0 / foot.first.norm());
+  site.centre_slope = foot.first * inverse_length;
+  site.md_gradient = foot.first * (g.length / foot.decline);
+  site.radius = g.radius + foot.s * g.radius_change;
+  site.radius_slope = g.radius_change * inverse_length;
+  site.friction = g.friction + foot.s * g.friction_change;
+  site.segment = segment;
+  site.iterations = foot.iterations;
+  return site;
+}
+}  // namespace
+
+const HoleSegment& Wellbore::segment(int i) const noexcept
+{
+  const int originals = original_count();
+  if (i < originals) return original_->segments[static_cast<std::size_t>(i)];
+  if (i < fresh_index()) return drilled_[static_cast<std::size_t>(i - originals)].segment;
+  return fresh_;
+}
+
+const Box& Wellbore::box(int i) const noexcept
+{
+  const int originals = original_count();
+  return i < originals ? original_->boxes[static_cast<std::size_t>(i)] : drilled_[static_cast<std::size_t>(i - originals)].box;
+}
+
+// The segment to go on with from segment i when the point's cross section is at s there: i itself to stay. The curve is smooth
+// at permanent nodes. At its two kinks, the first node and P, one plane each decides for both sides: z = 0 and the fresh line's.
+int Wellbore::neighbour(int i, double s, const Eigen::Vector3d& point) const noexcept
+{
+  constexpr double slack = 1e-9;
+  const int fresh = fresh_index();
+  if (i == 0) return s > 0.0 ? 1 : 0;
+  if (i == fresh) return s < 0.0 ? fresh - 1 : fresh;
+  if (s < 0.5)
+  {
+    if (i == 1)
+    {
+      const HoleSegment& first = segment(1);
+      const bool above = first_guess(segment(0), point) <= 0.0 && s * first.length <= 2.0 * first.radius;
+      return above ? 0 : 1;
+    }
+    return s < -slack ? i - 1 : i;
+  }
+  if (i == fresh - 1) return first_guess(fresh_, point) >= 0.0 ? fresh : i;
+  return s > 1.0 + slack ? i + 1 : i;
+}
+
+int Wellbore::nearest_segment(const Eigen::Vector3d& point) const noexcept
+{
+  const int fresh = fresh_index();
+  int nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  const auto consider = [&](int i, double low, double high)
+  {
+    const HoleSegment& g = segment(i);
+    Foot foot;
+    foot.s = std::clamp(first_guess(g, point), low, high);
+    refine(g, point, foot);
+    const double distance2 = (point - g.centre(std::clamp(foot.s, low, high))).squaredNorm();
+    if (distance2 < least)
+    {
+      least = distance2;
+      nearest = i;
+    }
+  };
+  consider(0, -std::numeric_limits<double>::infinity(), 0.0);
+  consider(fresh, 0.0, std::numeric_limits<double>::infinity());
+  for (int i = 1; i < fresh; ++i)
+    if (box(i).squared_distance(point) < least) consider(i, 0.0, 1.0);
+  return nearest;
+}
+
+HoleSite Wellbore::locate(const Eigen::Vector3d& point, int segment_hint) const noexcept
+{
+  bool searched = segment_hint < 0;
+  int i = searched ? nearest_segment(point) : std::min(segment_hint, fresh_index());
+  Foot foot;
+  for (int moves = 0;; ++moves)
+  {
+    const HoleSegment& g = segment(i);
+    foot.s = first_guess(g, point);
+    int next = i;
+    if (moves < most_moves && (foot.s < -far_outside || foot.s > 1.0 + far_outside)) next = neighbour(i, foot.s, point);
+    if (next == i)
+    {
+      refine(g, point, foot);
+      next = neighbour(i, foot.s, point);
+      if (next == i || (moves >= most_moves && searched)) return site(g, foot, i);
+    }
+    i = next;
+    if (moves >= most_moves)  // a hint from somewhere else in the hole
+    {
+      searched = true;
+      moves = 0;
+      i = nearest_segment(point);
+    }
+  }
+}
+
+}  // namespace drill_rig_sim
