@@ -69,9 +69,9 @@ struct ContactLaw
 struct ContactSpec
 {
   ContactLaw law;
-  double stribeck_speed = 0.05;        ///< slip speed over which friction falls from static to kinetic [m/s]
-  double static_ratio = 1.2;           ///< static / kinetic friction [-], >= 1
-  double tangential_stiffness = 5e6;   ///< of the bristle that carries sticking friction [N/m]
+  double stribeck_speed = 0.05;       ///< slip speed over which friction falls from static to kinetic [m/s]
+  double static_ratio = 1.2;          ///< static / kinetic friction [-], >= 1
+  double tangential_stiffness = 5e6;  ///< of the bristle that carries sticking friction [N/m]
 };
 
 enum class PartType
@@ -93,12 +93,12 @@ enum class BitTorqueModel
 struct BitTorqueSpec
 {
   BitTorqueModel model = BitTorqueModel::stribeck;
-  double static_friction = 0.6;       ///< YAML `static` [-]
-  double kinetic_friction = 0.4;      ///< YAML `kinetic` [-]
-  double speed = 30.0 * rpm;  ///< YAML `speed_rpm`: bit speed over which it falls [rad/s]
-  double cutting_energy = 60e6;       ///< detournay: intrinsic specific energy epsilon [J/m3]
-  double wear_friction = 0.6;         ///< detournay: mu * gamma of the wear flat [-]
-  double wear_weight = 0.0;           ///< detournay: weight carried by the wear flats [N]
+  double static_friction = 0.6;   ///< YAML `static` [-]
+  double kinetic_friction = 0.4;  ///< YAML `kinetic` [-]
+  double speed = 30.0 * rpm;      ///< YAML `speed_rpm`: bit speed over which it falls [rad/s]
+  double cutting_energy = 60e6;   ///< detournay: intrinsic specific energy epsilon [J/m3]
+  double wear_friction = 0.6;     ///< detournay: mu * gamma of the wear flat [-]
+  double wear_weight = 0.0;       ///< detournay: weight carried by the wear flats [N]
 };
 
 /// One entry of the `string` list; entries go from the bit up. Values that a type does not use stay at their defaults.
@@ -137,11 +137,11 @@ struct PartSpec
 
 struct HoistingSpec
 {
-  int sheaves = 5;               ///< n in the travelling block; 2 n lines
-  double line_ea = 4e7;          ///< E A of the drill line [N]
-  double crown_height = 46.0;    ///< of the crown block above the rotary table [m]
-  double fixed_length = 60.0;    ///< strung length outside the block: fast and dead line [m]
-  double block_mass = 17500.0;   ///< travelling block, hook and top drive [kg]
+  int sheaves = 5;              ///< n in the travelling block; 2 n lines
+  double line_ea = 4e7;         ///< E A of the drill line [N]
+  double crown_height = 46.0;   ///< of the crown block above the rotary table [m]
+  double fixed_length = 60.0;   ///< strung length outside the block: fast and dead line [m]
+  double block_mass = 17500.0;  ///< travelling block, hook and top drive [kg]
   double sheave_efficiency = 0.98;
   double max_speed = 1.5;         ///< of the block [m/s]
   double max_acceleration = 0.5;  ///< of the block [m/s2]
@@ -152,13 +152,13 @@ struct HoistingSpec
 
 struct TopDriveSpec
 {
-  double inertia = 2500.0;              ///< [kg m2]
-  double proportional_gain = 20000.0;   ///< [N m s/rad]
-  double integral_gain = 5000.0;        ///< [N m/rad]
-  double max_torque = 50000.0;          ///< [N m]
-  double max_speed = 220.0 * rpm;  ///< [rad/s]
-  double max_power = 750e3;             ///< [W]
-  double meter_stiffness = 1e6;         ///< torque meter spring [N m/rad]
+  double inertia = 2500.0;             ///< [kg m2]
+  double proportional_gain = 20000.0;  ///< [N m s/rad]
+  double integral_gain = 5000.0;       ///< [N m/rad]
+  double max_torque = 50000.0;         ///< [N m]
+  double max_speed = 220.0 * rpm;      ///< [rad/s]
+  double max_power = 750e3;            ///< [W]
+  double meter_stiffness = 1e6;        ///< torque meter spring [N m/rad]
 };
 
 struct MudPumpSpec
@@ -196,7 +196,8 @@ struct NumericsSpec
   double step = 0.005;              ///< [s]
   double element_length = 9.5;      ///< longest element [m]
   double tolerance = 0.01;          ///< relative, of the scene's outputs; level auto only
-  double structural_damping = 1e-4; ///< stiffness-proportional, axial and torsional: stress = E (strain + value * strain rate) [s]
+  double structural_damping =
+      1e-4;  ///< stiffness-proportional, axial and torsional: stress = E (strain + value * strain rate) [s]
 };
 
 struct SensorSpec
@@ -209,11 +210,11 @@ struct SensorSpec
 
 struct MwdSpec
 {
-  double period = 30.0;                  ///< between surveys [s]; 0 = only after a pumps-off/on cycle
-  double latency = 8.0;                  ///< measurement to surface [s]
-  double inclination_resolution = 0.0;   ///< [rad]
-  double noise = 0.0;                    ///< standard deviation of inclination and azimuth [rad]
-  double scribe_offset = 0.0;            ///< added to the sensor's toolface to name the bend's [rad]
+  double period = 30.0;                 ///< between surveys [s]; 0 = only after a pumps-off/on cycle
+  double latency = 8.0;                 ///< measurement to surface [s]
+  double inclination_resolution = 0.0;  ///< [rad]
+  double noise = 0.0;                   ///< standard deviation of inclination and azimuth [rad]
+  double scribe_offset = 0.0;           ///< added to the sensor's toolface to name the bend's [rad]
 };
 
 struct ToolfaceSpec
@@ -226,8 +227,8 @@ struct InstrumentsSpec
 {
   MwdSpec mwd;
   ToolfaceSpec toolface;
-  SensorSpec hook_load;  ///< dead-line sensor [N]
-  SensorSpec torque;     ///< torque meter [N m]
+  SensorSpec hook_load;            ///< dead-line sensor [N]
+  SensorSpec torque;               ///< torque meter [N m]
   SensorSpec stand_pipe_pressure;  ///< [Pa]
 };
 
@@ -241,12 +242,12 @@ enum class Connections
 struct ProgramStep
 {
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
-  double at = 0.0;                 ///< simulated time [s]
-  double block_velocity = unset;   ///< [m/s], + up; releases the brake
-  double top_drive_speed = unset;  ///< [rad/s]
-  double top_drive_torque = unset; ///< [N m]: torque mode
-  double flow = unset;             ///< [m3/s]
-  double brake = unset;            ///< 1 sets, 0 releases
+  double at = 0.0;                  ///< simulated time [s]
+  double block_velocity = unset;    ///< [m/s], + up; releases the brake
+  double top_drive_speed = unset;   ///< [rad/s]
+  double top_drive_torque = unset;  ///< [N m]: torque mode
+  double flow = unset;              ///< [m3/s]
+  double brake = unset;             ///< 1 sets, 0 releases
 };
 
 struct Scene

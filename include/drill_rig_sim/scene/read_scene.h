@@ -1,0 +1,36 @@
+#ifndef DRILL_RIG_SIM_SCENE_READ_SCENE_H
+#define DRILL_RIG_SIM_SCENE_READ_SCENE_H
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "drill_rig_sim/scene/scene.h"
+
+namespace drill_rig_sim
+{
+/// A scene or survey file that cannot be used. what() holds one line per problem,
+/// `file:LINE: key: what is wrong, what is allowed`, without a newline at its end.
+class SceneError : public std::runtime_error
+{
+public:
+  explicit SceneError(std::vector<std::string> problems);
+  const std::vector<std::string>& problems() const noexcept { return problems_; }
+
+private:
+  std::vector<std::string> problems_;
+};
+
+/// Reads and checks a scene file; a survey path in it counts from the scene file's folder.
+/// Either a complete, checked Scene comes back or SceneError is thrown with all problems found.
+Scene read_scene(const std::string& file);
+
+/// The same from text. `name_for_messages` stands for the file's name in messages; a survey path counts from its folder.
+Scene parse_scene(const std::string& yaml_text, const std::string& name_for_messages);
+
+/// The scene file's reference as Markdown: every block with its keys, units, defaults, allowed ranges and meanings.
+std::string scene_reference();
+
+}  // namespace drill_rig_sim
+
+#endif

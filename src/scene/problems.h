@@ -1,0 +1,41 @@
+#ifndef DRILL_RIG_SIM_SRC_SCENE_PROBLEMS_H
+#define DRILL_RIG_SIM_SRC_SCENE_PROBLEMS_H
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace drill_rig_sim
+{
+/// Collects what is wrong with a file, and remembers on which line each key stands so that checks between keys can name it.
+class Problems
+{
+public:
+  explicit Problems(std::string file) : file_(std::move(file)) {}
+
+  /// Key `path` (dots and [index]) stands on `line`, counted from 1.
+  void note(const std::string& path, int line) { lines_[path] = line; }
+  bool has(const std::string& path) const { return lines_.count(path) != 0; }
+
+  /// A problem with the key `path`, on its own line or, if it was left out, on that of the block around it.
+  void add(const std::string& path, const std::string& text) { add_at(line_of(path), path, text); }
+  void add_at(int line, const std::string& path, const std::string& text);
+
+  bool empty() const { return problems_.empty(); }
+  /// Throws SceneError if there is any problem.
+  void raise() const;
+
+private:
+  int line_of(std::string path) const;
+
+  std::string file_;
+  std::map<std::string, int> lines_;
+  std::vector<std::string> problems_;
+};
+
+/// A number as a person writes it: the fewest digits, at most six, that show it.
+std::string plain(double value);
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,307 @@
+#include "drill_rig_sim/scene/read_scene.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "check_scene.h"
+#include "drill_rig_sim/scene/survey_csv.h"
+#include "problems.h"
+#include "scene_keys.h"
+#include "yaml_reader.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+using Entries = std::map<std::string, YAML::Node>;
+
+constexpr std::size_t longest_file = 4u << 20;  // [bytes]; a larger one is no scene
+
+std::string item_path(const std::string& list, std::size_t index)
+{
+  return list + "[" + std::to_string(index) + "]";
+}
+
+/// Walks a parsed document table by table and fills a Scene.
+class SceneReader
+{
+public:
+  explicit SceneReader(std::string name) : name_(std::move(name)), problems_(name_) {}
+
+  Scene read(const std::string& text)
+  {
+    const YAML::Node root = load(text);
+    Scene scene;
+    scene.file = name_;
+    const Entries top = read_block(root, "", scene_keys, every_kind, scene, problems_);
+    in(top, "", "well", [&](const YAML::Node& n, const std::string& p) { read_well(n, p, scene.well); });
+    read_list(top, "", "formation", layer_keys, scene.formation);
+    read_one(top, "", "mud", mud_keys, scene.mud);
+    read_string(top, scene.string);
+    in(top, "", "rig", [&](const YAML::Node& n, const std::string& p) { read_rig(n, p, scene.rig); });
+    read_one(top, "", "contact", contact_keys, scene.contact);
+    read_one(top, "", "trajectory", trajectory_keys, scene.trajectory);
+    if (!scene.well.survey.empty() && !problems_.has("well.hole_depth")) scene.well.hole_depth = scene.well.survey.back().md;
+    scene.start.bit_depth = scene.well.hole_depth;
+    read_one(top, "", "start", start_keys, scene.start);
+    read_one(top, "", "numerics", numerics_keys, scene.numerics);
+    in(top, "", "instruments", [&](const YAML::Node& n, const std::string& p) { read_instruments(n, p, scene.instruments); });
+    read_list(top, "", "program", program_keys, scene.program);
+
+    // checks between keys make sense only once every key alone is right
+    problems_.raise();
+    check_scene(scene, problems_);
+    problems_.raise();
+    return scene;
+  }
+
+private:
+  YAML::Node load(const std::string& text)
+  {
+    if (text.size() > longest_file) fail(0, "larger than 4 MB, this is no scene");
+    try
+    {
+      const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+      if (documents.empty() || documents[0].IsNull()) fail(1, "the file is empty, needed: a scene");
+      if (documents.size() > 1) fail(line_of(documents[1]), "a second YAML document begins, allowed: one");
+      return documents[0];
+    }
+    catch (const YAML::Exception& e)
+    {
+      fail(e.mark.line + 1, "this is not YAML: " + e.msg);
+    }
+    return {};
+  }
+
+  void fail(int line, const std::string& text)
+  {
+    problems_.add_at(line, "", text);
+    problems_.raise();
+  }
+
+  // calls read(node, path) if the entry is there
+  template <class Read>
+  void in(const Entries& entries, const std::string& block, const char* key, const Read& read)
+  {
+    const auto found = entries.find(key);
+    if (found != entries.end()) read(found->second, join(block, key));
+  }
+
+  template <class Spec>
+  void read_one(const Entries& entries, const std::string& block, const char* key, const Table<Spec>& table, Spec& spec)
+  {
+    in(entries, block, key,
+       [&](const YAML::Node& n, const std::string& p) { read_block(n, p, table, every_kind, spec, problems_); });
+  }
+
+  // calls read(node, path) for each item of a list and notes its line
+  template <class Read>
+  void for_each_item(const YAML::Node& node, const std::string& path, const Read& read)
+  {
+    if (!node.IsSequence())
+    {
+      problems_.add(path, describe(node) + " is given, allowed: a list");
+      return;
+    }
+    for (std::size_t i = 0; i < node.size(); ++i)
+    {
+      problems_.note(item_path(path, i), line_of(node[i]));
+      read(node[i], item_path(path, i));
+    }
+  }
+
+  template <class Spec>
+  void read_list(const Entries& entries, const std::string& block, const char* key, const Table<Spec>& table,
+                 std::vector<Spec>& list)
+  {
+    in(entries, block, key,
+       [&](const YAML::Node& n, const std::string& p)
+       {
+         for_each_item(n, p,
+                       [&](const YAML::Node& item, const std::string& path)
+                       {
+                         list.emplace_back();
+                         read_block(item, path, table, every_kind, list.back(), problems_);
+                       });
+       });
+  }
+
+  void read_well(const YAML::Node& node, const std::string& path, WellSpec& well)
+  {
+    const Entries entries = read_block(node, path, well_keys, every_kind, well, problems_);
+    read_list(entries, path, "sections", section_keys, well.sections);
+    if (entries.count("survey") + entries.count("stations") != 1)
+    {
+      problems_.add(path, "both or neither of `survey` and `stations` are given, needed: one of them");
+      return;
+    }
+    in(entries, path, "survey", [&](const YAML::Node& n, const std::string& p) { read_survey_file(n, p, well); });
+    in(entries, path, "stations", [&](const YAML::Node& n, const std::string& p) { read_stations(n, p, well); });
+  }
+
+  void read_survey_file(const YAML::Node& node, const std::string& path, WellSpec& well)
+  {
+    std::string file;
+    if (!read_text(node, path, file, problems_)) return;
+    const std::size_t folder_end = name_.find_last_of('/');
+    if (file[0] != '/' && folder_end != std::string::npos) file = name_.substr(0, folder_end + 1) + file;
+    try
+    {
+      well.survey = read_survey_csv(file);
+    }
+    catch (const SceneError& e)
+    {
+      for (const std::string& problem : e.problems()) problems_.add(path, problem);
+    }
+  }
+
+  void read_stations(const YAML::Node& node, const std::string& path, WellSpec& well)
+  {
+    bool good = true;
+    for_each_item(node, path,
+                  [&](const YAML::Node& item, const std::string& p)
+                  {
+                    double value[3] = {};
+                    if (!item.IsSequence() || item.size() != 3)
+                    {
+                      problems_.add(p, describe(item) + " is given, allowed: [measured depth m, inclination deg, azimuth deg]");
+                      good = false;
+                      return;
+                    }
+                    const Range ranges[3] = {between(0.0, 20000.0), between(0.0, 180.0), between(-360.0, 360.0)};
+                    const char* units[3] = {"m", "deg", "deg"};
+                    for (std::size_t i = 0; i < 3; ++i)
+                      good = read_number(item[i], p, ranges[i], units[i], value[i], problems_) && good;
+                    well.survey.push_back({value[0], value[1] * degree, value[2] * degree});
+                  });
+    if (!good || !node.IsSequence()) return;
+    for (const SurveyProblem& problem : survey_problems(well.survey))
+      problems_.add(item_path(path, problem.station), problem.text);
+  }
+
+  void read_string(const Entries& top, std::vector<PartSpec>& parts)
+  {
+    in(top, "", "string",
+       [&](const YAML::Node& n, const std::string& p)
+       {
+         for_each_item(n, p,
+                       [&](const YAML::Node& item, const std::string& path)
+                       {
+                         parts.emplace_back();
+                         read_part(item, path, parts.back());
+                       });
+       });
+  }
+
+  void read_part(const YAML::Node& node, const std::string& path, PartSpec& part)
+  {
+    // which keys a part may have depends on its type, so that comes first
+    const YAML::Node type = node.IsMap() ? node["type"] : YAML::Node(YAML::NodeType::Undefined);
+    int word = -1;
+    if (node.IsMap() && type.IsDefined())
+    {
+      problems_.note(join(path, "type"), line_of(type));
+      if (!read_word(type, join(path, "type"), part_type_words, word, problems_)) return;
+    }
+    const unsigned kinds = word < 0 ? every_kind : 1u << word;
+    const Entries entries = read_block(node, path, part_keys, kinds, part, problems_);
+    in(entries, path, "contact",
+       [&](const YAML::Node& n, const std::string& p)
+       {
+         part.has_contact = true;
+         part.contact = ContactLaw{};
+         read_block(n, p, part_contact_keys, every_kind, part.contact, problems_);
+       });
+    in(entries, path, "bottom",
+       [&](const YAML::Node& n, const std::string& p) { read_block(n, p, bit_bottom_keys, every_kind, part.bottom, problems_); });
+    in(entries, path, "torque", [&](const YAML::Node& n, const std::string& p) { read_bit_torque(n, p, part.torque); });
+    finish_length(entries, path, part);
+  }
+
+  void read_bit_torque(const YAML::Node& node, const std::string& path, BitTorqueSpec& torque)
+  {
+    const YAML::Node model = node.IsMap() ? node["model"] : YAML::Node(YAML::NodeType::Undefined);
+    int word = static_cast<int>(torque.model);
+    if (node.IsMap() && model.IsDefined())
+    {
+      problems_.note(join(path, "model"), line_of(model));
+      if (!read_word(model, join(path, "model"), bit_torque_words, word, problems_)) return;
+    }
+    read_block(node, path, bit_torque_keys, 1u << word, torque, problems_);
+  }
+
+  // a part has either one length or joints of one length
+  void finish_length(const Entries& entries, const std::string& path, PartSpec& part)
+  {
+    const bool has_length = entries.count("length") != 0;
+    const bool has_joints = entries.count("joints") != 0 || entries.count("joint_length") != 0;
+    if (part.type == PartType::pipe || part.type == PartType::collar)
+    {
+      if (has_length == has_joints)
+        problems_.add(path,
+                      "both or neither of `length` and `joints` are given, needed: `length`, or `joints` and `joint_length`");
+      if (has_joints && !has_length && entries.count("joints") + entries.count("joint_length") != 2)
+      {
+        problems_.add(path, "only one of `joints` and `joint_length` is given, needed: both");
+      }
+    }
+    if (has_joints)
+    {
+      part.length = part.joints * part.joint_length;
+    }
+    else
+    {
+      part.joints = 1;
+      part.joint_length = part.length;
+    }
+  }
+
+  void read_rig(const YAML::Node& node, const std::string& path, RigSpec& rig)
+  {
+    const Entries entries = read_block(node, path, rig_keys, every_kind, rig, problems_);
+    read_one(entries, path, "hoisting", hoisting_keys, rig.hoisting);
+    read_one(entries, path, "top_drive", top_drive_keys, rig.top_drive);
+    read_one(entries, path, "mud_pump", mud_pump_keys, rig.mud_pump);
+  }
+
+  void read_instruments(const YAML::Node& node, const std::string& path, InstrumentsSpec& instruments)
+  {
+    const Entries entries = read_block(node, path, instruments_keys, every_kind, instruments, problems_);
+    read_one(entries, path, "mwd", mwd_keys, instruments.mwd);
+    read_one(entries, path, "toolface", toolface_keys, instruments.toolface);
+    in(entries, path, "surface",
+       [&](const YAML::Node& n, const std::string& p)
+       {
+         const Entries gauges = read_block(n, p, surface_keys, every_kind, instruments, problems_);
+         read_one(gauges, p, "hook_load", sensor_keys, instruments.hook_load);
+         read_one(gauges, p, "torque", sensor_keys, instruments.torque);
+         read_one(gauges, p, "stand_pipe_pressure", sensor_keys, instruments.stand_pipe_pressure);
+       });
+  }
+
+  std::string name_;
+  Problems problems_;
+};
+}  // namespace
+
+Scene parse_scene(const std::string& yaml_text, const std::string& name_for_messages)
+{
+  return SceneReader(name_for_messages).read(yaml_text);
+}
+
+Scene read_scene(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  // a folder opens like a file but cannot be read
+  if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(text << in.rdbuf())) || in.bad())
+  {
+    throw SceneError({file + ": cannot be read, needed: a scene file"});
+  }
+  return parse_scene(text.str(), file);
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,245 @@
+#include "scene_keys.h"
+
+#include <algorithm>
+
+namespace drill_rig_sim
+{
+const std::vector<const char*> part_type_words = {"bit", "mud_motor", "collar", "stabilizer", "mwd", "pipe"};
+const std::vector<const char*> bit_torque_words = {"stribeck", "detournay"};
+
+namespace
+{
+const std::vector<const char*> connections_words = {"off", "auto"};
+const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybrid", "beam3d", "auto"};
+
+constexpr unsigned bit = kind(PartType::bit), motor = kind(PartType::mud_motor), stabilizer = kind(PartType::stabilizer),
+                   mwd = kind(PartType::mwd), pipe = kind(PartType::pipe);
+constexpr unsigned tube = every_kind & ~bit;
+constexpr unsigned jointed = pipe | kind(PartType::collar);
+constexpr unsigned stribeck = kind(BitTorqueModel::stribeck), detournay = kind(BitTorqueModel::detournay);
+constexpr unsigned must = every_kind;
+constexpr Range turn = between(-360.0, 360.0);
+constexpr Range none{};
+}  // namespace
+
+// clang-format off
+const Table<Scene> scene_keys = {"", "The scene file's top level.", {
+  // key                    unit      field                                allowed               meaning
+  {"name",                  "",       &Scene::name,                        none,                 "what the scene is called", must},
+  {"well",                  "",       Nested{},                            none,                 "the hole", must},
+  {"formation",             "",       Nested{},                            none,                 "list of rock layers, top down by true vertical depth", must},
+  {"mud",                   "",       Nested{},                            none,                 "the drilling fluid"},
+  {"string",                "",       Nested{},                            none,                 "list of drillstring parts, from the bit up", must},
+  {"rig",                   "",       Nested{},                            none,                 "hoisting, top drive and mud pump"},
+  {"contact",               "",       Nested{},                            none,                 "contact of string and wall"},
+  {"trajectory",            "",       Nested{},                            none,                 "correction of the drilled path"},
+  {"start",                 "",       Nested{},                            none,                 "the state at time 0", must},
+  {"numerics",              "",       Nested{},                            none,                 "how the equations are solved"},
+  {"instruments",           "",       Nested{},                            none,                 "what the sensors make of the truth"},
+  {"connections",           "",       Choice<Scene>{connections_words, [](Scene& s, int word) { s.connections = static_cast<Connections>(word); },
+                                                    [](const Scene& s) { return static_cast<int>(s.connections); }},
+                                                                           none,                 "auto: a stand is added whenever the block reaches its lowest height"},
+  {"program",               "",       Nested{},                            none,                 "list of commands at simulated times, for the offline runner and demos"},
+}};
+
+const Table<WellSpec> well_keys = {"well", "The hole before drilling starts. Give `survey` or `stations`.", {
+  {"survey",                "",       Nested{},                            none,                 "CSV file with columns md_m, inclination_deg, azimuth_deg; counts from the scene file's folder"},
+  {"stations",              "m, deg", Nested{},                            none,                 "list of [measured depth, inclination, azimuth], the first at depth 0"},
+  {"hole_depth",            "m",      &WellSpec::hole_depth,               above(0.0, 20000.0),  "measured depth of the hole's bottom", no_kind, every_kind, "the last station"},
+  {"sections",              "",       Nested{},                            none,                 "list of hole sections, top down; the last reaches hole_depth", must},
+}};
+
+const Table<HoleSection> section_keys = {"well.sections[]", "A stretch of hole, from the end of the section above it.", {
+  {"to",                    "m",      &HoleSection::to,                    above(0.0, 20000.0),  "measured depth of its lower end", must},
+  {"diameter",              "m",      &HoleSection::diameter,              between(0.03, 2.0),   "hole diameter", must},
+  {"friction",              "-",      &HoleSection::friction,              between(0.0, 5.0),    "kinetic friction coefficient of string on wall", must},
+}};
+
+const Table<FormationLayer> layer_keys = {"formation[]", "A layer of rock; the last one goes on below its base. ROP = drillability (weight - threshold)^weight_exponent bit_speed^speed_exponent.", {
+  {"to_tvd",                "m",      &FormationLayer::to_tvd,             above(0.0, 1e6),      "true vertical depth of its base", must},
+  {"drillability",          "m/s; N; rad/s", &FormationLayer::drillability, above(0.0, 1.0),     "factor K of the rate of penetration", must},
+  {"weight_exponent",       "-",      &FormationLayer::weight_exponent,    between(0.5, 3.0),    "exponent of the weight"},
+  {"speed_exponent",        "-",      &FormationLayer::speed_exponent,     between(0.0, 2.0),    "exponent of the bit's speed"},
+  {"threshold",             "N",      &FormationLayer::threshold,          between(0.0, 1e6),    "weight below which the rock does not break"},
+  {"dip_deg",               "deg",    &FormationLayer::dip,                between(0.0, 90.0),   "dip of the beds below the horizontal"},
+  {"strike_deg",            "deg",    &FormationLayer::strike,             turn,                 "azimuth of the strike; the beds dip to its right"},
+  {"anisotropy",            "-",      &FormationLayer::anisotropy,         below(0.0, 1.0),      "0: drills alike in all directions"},
+}};
+
+const Table<MudSpec> mud_keys = {"mud", "The drilling fluid around and inside the string.", {
+  {"density",               "kg/m3",  &MudSpec::density,                   between(0.0, 3000.0), "0: air, no buoyancy"},
+  {"axial_damping",         "N s/m per m", &MudSpec::axial_damping,        between(0.0, 1e4),    "viscous drag along the string"},
+  {"lateral_damping",       "N s/m per m", &MudSpec::lateral_damping,      between(0.0, 1e5),    "viscous drag across the string"},
+  {"torsional_damping",     "N m s/rad per m", &MudSpec::torsional_damping, between(0.0, 100.0), "viscous drag against spin"},
+  {"added_mass",            "-",      &MudSpec::added_mass,                between(0.0, 5.0),    "factor on the displaced mud's mass, sideways motion only"},
+}};
+
+const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the first is the bit. Masses are in air.", {
+  {"name",                  "",       &PartSpec::name,                     none,                 "unique; letters, digits and _", must},
+  {"type",                  "",       Choice<PartSpec>{part_type_words, [](PartSpec& p, int word) { p.type = static_cast<PartType>(word); },
+                                                       [](const PartSpec& p) { return static_cast<int>(p.type); }},
+                                                                           none,                 "what it is", must},
+  {"length",                "m",      &PartSpec::length,                   above(0.0, 2000.0),   "length of a part that has no `joints`", bit | motor | stabilizer | mwd, every_kind, "joints * joint_length"},
+  {"joints",                "",       CountOrFill<PartSpec>{&PartSpec::joints}, between(1, 10000), "number of joints; `fill`, the last part only: as many as reach the surface", no_kind, jointed},
+  {"joint_length",          "m",      &PartSpec::joint_length,             between(0.5, 30.0),   "length of one joint", no_kind, jointed, "length"},
+  {"outer_diameter",        "m",      &PartSpec::outer_diameter,           between(0.01, 1.0),   "of the body", tube, tube},
+  {"inner_diameter",        "m",      &PartSpec::inner_diameter,           between(0.0, 1.0),    "of the bore", tube, tube},
+  {"linear_mass",           "kg/m",   &PartSpec::linear_mass,              between(0.1, 5000.0), "in air, tool joints included", tube, tube},
+  {"young_modulus",         "Pa",     &PartSpec::young_modulus,            between(1e9, 1e12),   "steel 206e9"},
+  {"poisson_ratio",         "-",      &PartSpec::poisson_ratio,            between(0.0, 0.49),   "steel 0.3"},
+  {"density",               "kg/m3",  &PartSpec::density,                  between(500.0, 20000.0), "of its material; displaced volume = mass / density"},
+  {"contact",               "",       Nested{},                            none,                 "its own law of wall contact instead of the scene's"},
+  {"tool_joint_diameter",   "m",      &PartSpec::tool_joint_diameter,      between(0.01, 1.0),   "outer diameter at the joints' ends", no_kind, pipe, "outer_diameter"},
+  {"blade_diameter",        "m",      &PartSpec::blade_diameter,           between(0.01, 1.0),   "outer diameter over the blades", stabilizer, stabilizer},
+  {"sensor_offset",         "m",      &PartSpec::sensor_offset,            between(0.0, 2000.0), "from the part's lower end up to the sensor", no_kind, mwd},
+  {"mass",                  "kg",     &PartSpec::mass,                     above(0.0, 1e5),      "of the bit", bit, bit},
+  {"diameter",              "m",      &PartSpec::diameter,                 between(0.03, 1.0),   "gauge of the bit: it drills this hole", bit, bit},
+  {"side_cutting",          "-",      &PartSpec::side_cutting,             between(0.0, 1.0),    "how well the bit cuts sideways, relative to ahead", no_kind, bit},
+  {"torque",                "",       Nested{},                            none,                 "law of the torque on bit", no_kind, bit},
+  {"bottom",                "",       Nested{},                            none,                 "law of the bit's contact with the hole's bottom", no_kind, bit},
+  {"bend_deg",              "deg",    &PartSpec::bend,                     between(0.0, 5.0),    "angle of the bent housing", no_kind, motor},
+  {"bit_to_bend",           "m",      &PartSpec::bit_to_bend,              above(0.0, 100.0),    "from the bit's face to the bend; lies inside the motor", motor, motor},
+  {"displacement_per_rev",  "m3/rev", &PartSpec::displacement_per_rev,     above(0.0, 1.0),      "mud volume that turns the motor once", motor, motor},
+  {"stall_torque",          "N m",    &PartSpec::stall_torque,             above(0.0, 1e6),      "torque at which the motor stalls", motor, motor},
+}};
+
+namespace
+{
+// the same keys for the three places that take a contact law; each place has its own defaults
+std::vector<Key<ContactLaw>> contact_law_keys()
+{
+  return {
+  {"stiffness",             "N/m^e",  &ContactLaw::stiffness,              between(1e3, 1e13),   "k of F = k d^e (1 + c d')"},
+  {"exponent",              "-",      &ContactLaw::exponent,               between(1.0, 3.0),    "e; Hertz 1.5"},
+  {"damping",               "s/m",    &ContactLaw::damping,                between(0.0, 100.0),  "c"},
+  };
+}
+}  // namespace
+
+const Table<ContactLaw> part_contact_keys = {"string[].contact", "Wall contact of one part.", contact_law_keys()};
+const Table<ContactLaw> bit_bottom_keys = {"string[].bottom", "Contact of the bit with the hole's bottom.", contact_law_keys()};
+
+const Table<BitTorqueSpec> bit_torque_keys = {"string[].torque", "Torque on bit. stribeck: mu(speed) weight diameter / 3, mu falling from static to kinetic; detournay: cutting plus wear-flat friction.", {
+  {"model",                 "",       Choice<BitTorqueSpec>{bit_torque_words, [](BitTorqueSpec& t, int word) { t.model = static_cast<BitTorqueModel>(word); },
+                                                            [](const BitTorqueSpec& t) { return static_cast<int>(t.model); }},
+                                                                           none,                 "which law"},
+  {"static",                "-",      &BitTorqueSpec::static_friction,     between(0.0, 5.0),    "mu of the bit at rest, at least `kinetic`", no_kind, stribeck},
+  {"kinetic",               "-",      &BitTorqueSpec::kinetic_friction,    between(0.0, 5.0),    "mu of the bit turning fast", no_kind, stribeck},
+  {"speed_rpm",             "rpm",    &BitTorqueSpec::speed,               between(0.1, 1000.0), "bit speed over which mu falls", no_kind, stribeck},
+  {"cutting_energy",        "J/m3",   &BitTorqueSpec::cutting_energy,      between(0.0, 1e10),   "intrinsic specific energy of the rock", no_kind, detournay},
+  {"wear_friction",         "-",      &BitTorqueSpec::wear_friction,       between(0.0, 5.0),    "friction coefficient times bit constant of the wear flats", no_kind, detournay},
+  {"wear_weight",           "N",      &BitTorqueSpec::wear_weight,         between(0.0, 1e6),    "weight that the wear flats carry", no_kind, detournay},
+}};
+
+const Table<RigSpec> rig_keys = {"rig", "The rig above the rotary table.", {
+  {"hoisting",              "",       Nested{},                            none,                 "drill line, block and winch"},
+  {"top_drive",             "",       Nested{},                            none,                 "rotary drive and torque meter"},
+  {"mud_pump",              "",       Nested{},                            none,                 "pump and stand pipe"},
+}};
+
+const Table<HoistingSpec> hoisting_keys = {"rig.hoisting", "Drill line, travelling block and winch.", {
+  {"sheaves",               "",       &HoistingSpec::sheaves,              between(1, 12),       "in the travelling block; twice as many lines"},
+  {"line_ea",               "N",      &HoistingSpec::line_ea,              between(1e5, 1e10),   "E A of the drill line"},
+  {"crown_height",          "m",      &HoistingSpec::crown_height,         between(5.0, 200.0),  "crown block above the rotary table"},
+  {"fixed_length",          "m",      &HoistingSpec::fixed_length,         between(0.0, 1000.0), "strung length outside the block: fast and dead line"},
+  {"block_mass",            "kg",     &HoistingSpec::block_mass,           between(1.0, 3e5),    "travelling block and top drive"},
+  {"sheave_efficiency",     "-",      &HoistingSpec::sheave_efficiency,    between(0.8, 1.0),    "of one sheave"},
+  {"max_speed",             "m/s",    &HoistingSpec::max_speed,            between(0.001, 20.0), "of the block"},
+  {"max_acceleration",      "m/s2",   &HoistingSpec::max_acceleration,     between(0.001, 50.0), "of the block"},
+  {"max_hook_load",         "N",      &HoistingSpec::max_hook_load,        between(1e3, 5e7),    "the winch does not pull more"},
+  {"lowest_block_height",   "m",      &HoistingSpec::lowest_block_height,  between(0.0, 200.0),  "top-drive shaft above the rotary table"},
+  {"highest_block_height",  "m",      &HoistingSpec::highest_block_height, between(0.0, 200.0),  "below crown_height"},
+}};
+
+const Table<TopDriveSpec> top_drive_keys = {"rig.top_drive", "Rotary drive with a PI speed loop, and the spring of the torque meter.", {
+  {"inertia",               "kg m2",  &TopDriveSpec::inertia,              between(1.0, 1e6),    "of the rotor, at the shaft"},
+  {"proportional_gain",     "N m s/rad", &TopDriveSpec::proportional_gain, between(0.0, 1e7),    "of the speed loop"},
+  {"integral_gain",         "N m/rad", &TopDriveSpec::integral_gain,       between(0.0, 1e7),    "of the speed loop"},
+  {"max_torque",            "N m",    &TopDriveSpec::max_torque,           between(1.0, 1e6),    "of the drive"},
+  {"max_speed_rpm",         "rpm",    &TopDriveSpec::max_speed,            between(1.0, 1000.0), "of the drive"},
+  {"max_power",             "W",      &TopDriveSpec::max_power,            between(1e3, 1e8),    "of the drive"},
+  {"meter_stiffness",       "N m/rad", &TopDriveSpec::meter_stiffness,     between(1e3, 1e9),    "of the torque meter's spring"},
+}};
+
+const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe.", {
+  {"max_flow",              "m3/s",   &MudPumpSpec::max_flow,              above(0.0, 1.0),      "of the pump"},
+  {"pressure_coefficient",  "Pa s2/m6", &MudPumpSpec::pressure_coefficient, between(0.0, 1e12),  "stand-pipe pressure without motor / flow^2"},
+}};
+
+const Table<ContactSpec> contact_keys = {"contact", "Contact of string and wall, F = k d^e (1 + c d'), and the shape of the friction law; `friction` of the hole sections is kinetic.", {
+  {"stiffness",             "N/m^e",  Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.law.stiffness; }}, between(1e3, 1e13), "k"},
+  {"exponent",              "-",      Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.law.exponent; }},  between(1.0, 3.0),  "e; Hertz 1.5"},
+  {"damping",               "s/m",    Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.law.damping; }},   between(0.0, 100.0), "c"},
+  {"stribeck_speed",        "m/s",    &ContactSpec::stribeck_speed,        between(1e-4, 10.0),  "slip speed over which friction falls from static to kinetic"},
+  {"static_ratio",          "-",      &ContactSpec::static_ratio,          between(1.0, 5.0),    "static / kinetic friction"},
+  {"tangential_stiffness",  "N/m",    &ContactSpec::tangential_stiffness,  between(1e3, 1e12),   "of the bristle that carries sticking friction"},
+}};
+
+const Table<TrajectorySpec> trajectory_keys = {"trajectory", "Second stage of the correction of the drilled path. Give one of the two.", {
+  {"stage_two_length",      "m",      &TrajectorySpec::stage_two_length,   between(0.001, 10.0), "drilled length between corrections"},
+  {"stage_two_steps",       "",       &TrajectorySpec::stage_two_steps,    between(1, 1000000),  "physics steps between corrections", no_kind, every_kind, "by length"},
+}};
+
+const Table<StartSpec> start_keys = {"start", "At rest, in static equilibrium, winch braked.", {
+  {"bit_depth",             "m",      &StartSpec::bit_depth,               above(0.0, 20000.0),  "measured depth of the bit's face", no_kind, every_kind, "hole_depth"},
+  {"block_height",          "m",      &StartSpec::block_height,            between(0.0, 200.0),  "top-drive shaft above the rotary table"},
+  {"weight_on_bit",         "N",      &StartSpec::weight_on_bit,           between(0.0, 1e6),    "on bottom only: the winch is set so that the bit carries it"},
+  {"torque_on_bit",         "N m",    &StartSpec::torque_on_bit,           between(0.0, 1e5),    "on bottom only"},
+  {"toolface_deg",          "deg",    &StartSpec::toolface,                turn,                 "of the bend, after the equilibrium"},
+}};
+
+const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are solved.", {
+  {"level",                 "",       Choice<NumericsSpec>{level_words,
+                                        [](NumericsSpec& n, int word) { n.level = level_words[static_cast<std::size_t>(word)]; },
+                                        [](const NumericsSpec& n) { return static_cast<int>(std::find(level_words.begin(), level_words.end(), n.level) - level_words.begin()); }},
+                                                                           none,                 "which motions are modelled"},
+  {"integrator",            "",       &NumericsSpec::integrator,           none,                 "name of a stepper, or auto"},
+  {"step",                  "s",      &NumericsSpec::step,                 between(1e-5, 0.05),  "physics step"},
+  {"element_length",        "m",      &NumericsSpec::element_length,       between(0.1, 50.0),   "longest element"},
+  {"tolerance",             "-",      &NumericsSpec::tolerance,            between(1e-6, 0.5),   "relative, of the scene's outputs; level auto"},
+  {"structural_damping",    "s",      &NumericsSpec::structural_damping,   between(0.0, 0.1),    "c of stress = E (strain + c strain rate)"},
+}};
+
+const Table<InstrumentsSpec> instruments_keys = {"instruments", "What the sensors make of the truth.", {
+  {"mwd",                   "",       Nested{},                            none,                 "survey tool"},
+  {"toolface",              "",       Nested{},                            none,                 "toolface between surveys"},
+  {"surface",               "",       Nested{},                            none,                 "gauges of the rig"},
+}};
+
+const Table<MwdSpec> mwd_keys = {"instruments.mwd", "Survey tool in the string's `mwd` part.", {
+  {"period",                "s",      &MwdSpec::period,                    between(0.0, 3600.0), "between surveys; 0: only after the pumps went off and on"},
+  {"latency",               "s",      &MwdSpec::latency,                   between(0.0, 600.0),  "from measurement to surface"},
+  {"inclination_resolution_deg", "deg", &MwdSpec::inclination_resolution,  between(0.0, 5.0),    "0: exact"},
+  {"noise_deg",             "deg",    &MwdSpec::noise,                     between(0.0, 5.0),    "standard deviation of inclination and azimuth"},
+  {"scribe_offset_deg",     "deg",    &MwdSpec::scribe_offset,             turn,                 "added to the sensor's toolface to name the bend's"},
+}};
+
+const Table<ToolfaceSpec> toolface_keys = {"instruments.toolface", "Toolface sent between surveys.", {
+  {"period",                "s",      &ToolfaceSpec::period,               above(0.0, 600.0),    "between readings"},
+  {"latency",               "s",      &ToolfaceSpec::latency,              between(0.0, 600.0),  "from measurement to surface"},
+}};
+
+const Table<InstrumentsSpec> surface_keys = {"instruments.surface", "Gauges of the rig.", {
+  {"hook_load",             "N",      Nested{},                            none,                 "sensor at the dead line"},
+  {"torque",                "N m",    Nested{},                            none,                 "torque meter"},
+  {"stand_pipe_pressure",   "Pa",     Nested{},                            none,                 "pressure gauge"},
+}};
+
+const Table<SensorSpec> sensor_keys = {"instruments.surface.*", "One gauge, in the unit of its signal.", {
+  {"noise",                 "signal", &SensorSpec::noise,                  between(0.0, 1e9),    "standard deviation"},
+  {"bias",                  "signal", &SensorSpec::bias,                   between(-1e9, 1e9),   "constant error"},
+  {"delay",                 "s",      &SensorSpec::delay,                  between(0.0, 60.0),   "dead time"},
+  {"filter_time",           "s",      &SensorSpec::filter_time,            between(0.0, 60.0),   "first-order time constant"},
+}};
+
+const Table<ProgramStep> program_keys = {"program[]", "Set points at a simulated time; a key that is left out leaves its set point alone.", {
+  {"at",                    "s",      &ProgramStep::at,                    between(0.0, 1e7),    "simulated time, ascending", must},
+  {"block_velocity",        "m/s",    &ProgramStep::block_velocity,        between(-20.0, 20.0), "+ up; releases the brake", no_kind, every_kind, "as before"},
+  {"top_drive_speed_rpm",   "rpm",    &ProgramStep::top_drive_speed,       between(-1000.0, 1000.0), "speed mode, + clockwise", no_kind, every_kind, "as before"},
+  {"top_drive_torque",      "N m",    &ProgramStep::top_drive_torque,      between(-1e6, 1e6),   "torque mode, + clockwise", no_kind, every_kind, "as before"},
+  {"flow",                  "m3/s",   &ProgramStep::flow,                  between(0.0, 1.0),    "of the mud pump", no_kind, every_kind, "as before"},
+  {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},
+}};
+// clang-format on
+
+}  // namespace drill_rig_sim

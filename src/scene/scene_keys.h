@@ -1,0 +1,48 @@
+#ifndef DRILL_RIG_SIM_SRC_SCENE_SCENE_KEYS_H
+#define DRILL_RIG_SIM_SRC_SCENE_SCENE_KEYS_H
+
+#include "drill_rig_sim/scene/scene.h"
+#include "key_table.h"
+
+/// THE table of the scene file: key, unit, field (its initialiser in scene.h is the default), allowed range, meaning.
+/// It drives the reader's checks, the defaults and the README's scene reference.
+namespace drill_rig_sim
+{
+/// Bit of a kind for the columns `required` and `kinds`.
+template <class Enum>
+constexpr unsigned kind(Enum e)
+{
+  return 1u << static_cast<unsigned>(e);
+}
+
+/// The words of an enumeration in the order of its enumerators.
+extern const std::vector<const char*> part_type_words;
+extern const std::vector<const char*> bit_torque_words;
+
+extern const Table<Scene> scene_keys;
+extern const Table<WellSpec> well_keys;
+extern const Table<HoleSection> section_keys;
+extern const Table<FormationLayer> layer_keys;
+extern const Table<MudSpec> mud_keys;
+extern const Table<PartSpec> part_keys;
+extern const Table<ContactLaw> part_contact_keys;
+extern const Table<ContactLaw> bit_bottom_keys;
+extern const Table<BitTorqueSpec> bit_torque_keys;
+extern const Table<RigSpec> rig_keys;
+extern const Table<HoistingSpec> hoisting_keys;
+extern const Table<TopDriveSpec> top_drive_keys;
+extern const Table<MudPumpSpec> mud_pump_keys;
+extern const Table<ContactSpec> contact_keys;
+extern const Table<TrajectorySpec> trajectory_keys;
+extern const Table<StartSpec> start_keys;
+extern const Table<NumericsSpec> numerics_keys;
+extern const Table<InstrumentsSpec> instruments_keys;
+extern const Table<MwdSpec> mwd_keys;
+extern const Table<ToolfaceSpec> toolface_keys;
+extern const Table<InstrumentsSpec> surface_keys;
+extern const Table<SensorSpec> sensor_keys;
+extern const Table<ProgramStep> program_keys;
+
+}  // namespace drill_rig_sim
+
+#endif

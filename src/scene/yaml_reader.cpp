@@ -1,0 +1,240 @@
+#include "yaml_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <locale>
+#include <sstream>
+
+namespace drill_rig_sim
+{
+namespace
+{
+// edits (insert, delete, replace) that turn a into b
+std::size_t edit_distance(const std::string& a, const std::string& b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i)
+  {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j)
+    {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+// a text from the file, short enough for a one-line message
+std::string shortened(const std::string& text)
+{
+  constexpr std::size_t longest = 40;
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+std::string unknown_key(const std::string& key, const std::vector<const char*>& known)
+{
+  const std::string shown = shortened(key);
+  const char* nearest = nullptr;
+  std::size_t least = 1 + std::max<std::size_t>(2, shown.size() / 3);
+  for (const char* candidate : known)
+  {
+    const std::size_t distance = edit_distance(shown, candidate);
+    if (distance < least)
+    {
+      least = distance;
+      nearest = candidate;
+    }
+  }
+  if (nearest) return std::string("unknown key; did you mean `") + nearest + "`?";
+  return "unknown key, allowed: " + to_text(known);
+}
+
+bool plain_scalar(const YAML::Node& node)
+{
+  return node.IsScalar() && node.Tag() != "!";
+}
+
+// the whole of `text` as a decimal number, whatever the process's locale
+bool parse_decimal(const std::string& text, double& value)
+{
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  return static_cast<bool>(in >> value) && in.peek() == std::istringstream::traits_type::eof();
+}
+
+bool is_infinite_or_nan(const std::string& text)
+{
+  std::string lower;
+  for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string bare = lower.substr(std::min(lower.find_first_not_of("+-."), lower.size()));
+  return bare == "nan" || bare == "inf" || bare == "infinity";
+}
+
+bool inside(double value, const Range& r)
+{
+  return (r.low_open ? value > r.low : value >= r.low) && (r.high_open ? value < r.high : value <= r.high);
+}
+}  // namespace
+
+int line_of(const YAML::Node& node)
+{
+  return node.Mark().line + 1;
+}
+
+std::string describe(const YAML::Node& node)
+{
+  if (node.IsMap()) return "a block";
+  if (node.IsSequence()) return "a list";
+  if (node.IsScalar()) return "text '" + shortened(node.Scalar()) + "'";
+  return "nothing";
+}
+
+std::string to_text(const Range& range)
+{
+  const std::string low = plain(range.low), high = plain(range.high);
+  if (range.low_open) return "above " + low + ", up to " + high;
+  if (range.high_open) return low + " to below " + high;
+  return low + " to " + high;
+}
+
+std::string to_text(const std::vector<const char*>& words)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + std::string(words[i]);
+  return text;
+}
+
+std::string join(const std::string& path, const std::string& key)
+{
+  return path.empty() ? key : path + "." + key;
+}
+
+bool read_number(const YAML::Node& node, const std::string& path, const Range& allowed, const char* unit, double& value,
+                 Problems& problems)
+{
+  const std::string suffix = " " + to_text(allowed) + (unit[0] && unit[0] != '-' ? std::string(" ") + unit : "");
+  double read = 0.0;
+  if (!plain_scalar(node) || !parse_decimal(node.Scalar(), read))
+  {
+    const bool weird = plain_scalar(node) && is_infinite_or_nan(node.Scalar());
+    problems.add(
+        path, (weird ? node.Scalar() + " is not a finite number" : describe(node) + " is not a number") + ", allowed:" + suffix);
+    return false;
+  }
+  if (!inside(read, allowed))
+  {
+    problems.add(path, plain(read) + " is out of range, allowed:" + suffix);
+    return false;
+  }
+  value = read;
+  return true;
+}
+
+bool read_whole(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems)
+{
+  double read = 0.0;
+  if (!plain_scalar(node) || !parse_decimal(node.Scalar(), read) || read != std::floor(read))
+  {
+    problems.add(path, describe(node) + " is not a whole number, allowed: " + to_text(allowed));
+    return false;
+  }
+  if (!inside(read, allowed))
+  {
+    problems.add(path, plain(read) + " is out of range, allowed: " + to_text(allowed));
+    return false;
+  }
+  value = static_cast<int>(read);
+  return true;
+}
+
+bool read_word(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, int& word,
+               Problems& problems)
+{
+  for (std::size_t i = 0; node.IsScalar() && i < words.size(); ++i)
+  {
+    if (node.Scalar() != words[i]) continue;
+    word = static_cast<int>(i);
+    return true;
+  }
+  problems.add(path, describe(node) + " is not known, allowed: " + to_text(words));
+  return false;
+}
+
+bool read_text(const YAML::Node& node, const std::string& path, std::string& value, Problems& problems)
+{
+  if (!node.IsScalar() || node.Scalar().empty())
+  {
+    problems.add(path, describe(node) + " is given, allowed: a text");
+    return false;
+  }
+  value = node.Scalar();
+  return true;
+}
+
+bool read_flag(const YAML::Node& node, const std::string& path, double& value, Problems& problems)
+{
+  int word = 0;
+  if (!read_word(node, path, {"false", "true"}, word, problems)) return false;
+  value = word;
+  return true;
+}
+
+bool read_count_or_fill(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems)
+{
+  if (node.IsScalar() && node.Scalar() == "fill")
+  {
+    value = 0;
+    return true;
+  }
+  double read = 0.0;
+  if (!plain_scalar(node) || !parse_decimal(node.Scalar(), read))
+  {
+    problems.add(path, describe(node) + " is no count, allowed: " + to_text(allowed) + ", or fill");
+    return false;
+  }
+  return read_whole(node, path, allowed, value, problems);
+}
+
+std::map<std::string, YAML::Node> read_entries(const YAML::Node& node, const std::string& path,
+                                               const std::vector<const char*>& known, Problems& problems)
+{
+  std::map<std::string, YAML::Node> entries;
+  if (!node.IsMap())
+  {
+    problems.add(path, describe(node) + " is given, allowed: a block with the keys " + to_text(known));
+    return entries;
+  }
+  for (const auto& item : node)
+  {
+    if (!item.first.IsScalar())
+    {
+      problems.add_at(line_of(item.first), path, describe(item.first) + " as a key, allowed: " + to_text(known));
+      continue;
+    }
+    const std::string key = item.first.Scalar();
+    const std::string full = join(path, shortened(key));
+    const bool is_known = std::any_of(known.begin(), known.end(), [&](const char* k) { return key == k; });
+    if (!is_known)
+    {
+      problems.add_at(line_of(item.first), full, unknown_key(key, known));
+    }
+    else if (!entries.emplace(key, item.second).second)
+    {
+      problems.add_at(line_of(item.first), full, "is given twice, allowed: once");
+    }
+    else
+    {
+      problems.note(full, line_of(item.first));
+    }
+  }
+  return entries;
+}
+
+}  // namespace drill_rig_sim

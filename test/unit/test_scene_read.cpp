@@ -1,0 +1,168 @@
+// Good scenes: every key lands in its field in SI units, keys left out take the defaults, the reference lists every key.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/scene/survey_csv.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+std::string source(const std::string& path)
+{
+  return std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/" + path;
+}
+
+constexpr const char* smallest = R"(
+name: smallest
+well:
+  stations: [[0, 0, 0], [50, 0, 0]]
+  sections: [{to: 50, diameter: 0.3, friction: 0.2}]
+formation: [{to_tvd: 100, drillability: 1e-8}]
+string:
+  - {name: bit, type: bit, length: 0.3, mass: 50, diameter: 0.25}
+  - {name: pipe, type: pipe, joints: fill, joint_length: 9.5, outer_diameter: 0.127, inner_diameter: 0.1086, linear_mass: 31.9}
+start: {}
+)";
+
+TEST(SceneRead, BohaiHoldsWhatItsFileSays)
+{
+  const Scene scene = read_scene(source("config/scenes/bohai.yaml"));
+  EXPECT_EQ(scene.name, "bohai_compound");
+  EXPECT_DOUBLE_EQ(scene.well.hole_depth, 730.0);
+  ASSERT_EQ(scene.well.sections.size(), 2u);
+  EXPECT_DOUBLE_EQ(scene.well.sections[1].friction, 0.28);
+  EXPECT_DOUBLE_EQ(scene.formation.at(0).drillability, 8.6e-9);
+
+  ASSERT_EQ(scene.string.size(), 7u);
+  const PartSpec& bit = scene.string[0];
+  EXPECT_EQ(bit.type, PartType::bit);
+  EXPECT_DOUBLE_EQ(bit.torque.speed, 30.0 * rpm);
+  EXPECT_DOUBLE_EQ(bit.bottom.stiffness, 1e9);
+  const PartSpec& motor = scene.string[1];
+  EXPECT_DOUBLE_EQ(motor.bend, 1.25 * degree);
+  EXPECT_DOUBLE_EQ(motor.bit_to_bend, 2.0);
+  const PartSpec& hwdp = scene.string[5];
+  EXPECT_EQ(hwdp.joints, 14);
+  EXPECT_DOUBLE_EQ(hwdp.length, 14 * 9.3);
+  EXPECT_EQ(scene.string[6].joints, 0) << "fill";
+
+  EXPECT_DOUBLE_EQ(scene.rig.top_drive.max_speed, 220.0 * rpm);
+  EXPECT_DOUBLE_EQ(scene.instruments.mwd.inclination_resolution, 0.1 * degree);
+  EXPECT_EQ(scene.connections, Connections::off);
+  ASSERT_EQ(scene.program.size(), 3u);
+  EXPECT_DOUBLE_EQ(scene.program[0].top_drive_speed, 53.0 * rpm);
+  EXPECT_TRUE(std::isnan(scene.program[0].block_velocity)) << "not set by this line";
+  EXPECT_DOUBLE_EQ(scene.program[2].block_velocity, -0.00908);
+}
+
+TEST(SceneRead, BohaiSurveyBuildsThreeDegreesPerThirtyMetres)
+{
+  const auto survey = read_survey_csv(source("config/surveys/bohai.csv"));
+  EXPECT_DOUBLE_EQ(survey.front().md, 0.0);
+  EXPECT_DOUBLE_EQ(survey.back().md, 730.0);
+  for (const SurveyStation& s : survey)
+  {
+    EXPECT_NEAR(s.inclination / degree, std::min(51.0, std::max(0.0, (s.md - 200.0) * 0.1)), 1e-12) << s.md;
+    EXPECT_NEAR(s.azimuth, 297.0 * degree, 1e-12);
+  }
+}
+
+TEST(SceneRead, ShippedAndTestScenesAreGood)
+{
+  for (const char* file : {"config/scenes/quick.yaml", "test/scenes/vertical_frictionless.yaml",
+                           "test/scenes/inclined_straight_20deg.yaml", "test/scenes/curved_well.yaml"})
+  {
+    EXPECT_NO_THROW(read_scene(source(file))) << file;
+  }
+}
+
+TEST(SceneRead, KeysLeftOutTakeTheDefaults)
+{
+  const Scene scene = parse_scene(smallest, "smallest.yaml");
+  EXPECT_DOUBLE_EQ(scene.well.hole_depth, 50.0) << "the last station";
+  EXPECT_DOUBLE_EQ(scene.start.bit_depth, 50.0) << "the hole's depth";
+  EXPECT_DOUBLE_EQ(scene.start.block_height, StartSpec{}.block_height);
+  EXPECT_DOUBLE_EQ(scene.mud.density, 1150.0);
+  EXPECT_DOUBLE_EQ(scene.contact.law.stiffness, 5e7);
+  EXPECT_EQ(scene.numerics.level, "beam3d");
+  EXPECT_EQ(scene.trajectory.stage_two_steps, 0);
+  EXPECT_FALSE(scene.string[1].has_contact);
+  EXPECT_EQ(scene.string[0].joints, 1);
+  EXPECT_DOUBLE_EQ(scene.string[0].joint_length, 0.3);
+  EXPECT_TRUE(scene.program.empty());
+}
+
+TEST(SceneRead, APartMaySetItsOwnContactLaw)
+{
+  std::string text = smallest;
+  text.replace(text.find("diameter: 0.25}"), 15, "diameter: 0.25, contact: {stiffness: 2e8}}");
+  const Scene scene = parse_scene(text, "own_contact.yaml");
+  EXPECT_TRUE(scene.string[0].has_contact);
+  EXPECT_DOUBLE_EQ(scene.string[0].contact.stiffness, 2e8);
+  EXPECT_DOUBLE_EQ(scene.string[0].contact.exponent, 1.5);
+}
+
+TEST(SceneRead, DetournayTorqueTakesItsOwnKeys)
+{
+  std::string text = smallest;
+  text.replace(text.find("diameter: 0.25}"), 15,
+               "diameter: 0.25, torque: {model: detournay, cutting_energy: 5e7, wear_weight: 1000}}");
+  const Scene scene = parse_scene(text, "detournay.yaml");
+  EXPECT_EQ(scene.string[0].torque.model, BitTorqueModel::detournay);
+  EXPECT_DOUBLE_EQ(scene.string[0].torque.cutting_energy, 5e7);
+  EXPECT_DOUBLE_EQ(scene.string[0].torque.wear_weight, 1000.0);
+}
+
+TEST(SceneRead, NumbersDoNotDependOnNotation)
+{
+  std::string text = smallest;
+  text.replace(text.find("drillability: 1e-8"), 18, "drillability: 0.00000001");
+  EXPECT_DOUBLE_EQ(parse_scene(text, "x").formation[0].drillability, 1e-8);
+}
+
+TEST(SurveyCsv, ColumnsMayStandInAnyOrderBesideOthers)
+{
+  const std::string file = testing::TempDir() + "/drill_rig_sim_survey_order.csv";
+  std::FILE* out = std::fopen(file.c_str(), "w");
+  ASSERT_NE(out, nullptr);
+  std::fputs("# comment\r\nazimuth_deg,tvd_m,md_m,inclination_deg\r\n90,0,0,0\r\n\r\n91, 99 , 100 ,1\r\n", out);
+  std::fclose(out);
+  const auto survey = read_survey_csv(file);
+  ASSERT_EQ(survey.size(), 2u);
+  EXPECT_DOUBLE_EQ(survey[1].md, 100.0);
+  EXPECT_DOUBLE_EQ(survey[1].azimuth, 91.0 * degree);
+}
+
+TEST(SurveyProblems, NameTheStation)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(survey_problems({{0, 0, 0}, {100, 0.1, 1}}).empty());
+  EXPECT_EQ(survey_problems({{0, 0, 0}}).size(), 1u);
+  EXPECT_EQ(survey_problems({{0, 0, 0}, {100, nan, 1}}).at(0).station, 1u);
+  EXPECT_EQ(survey_problems({{0, 0, 0}, {100, 200 * degree, 1}}).at(0).station, 1u);
+  EXPECT_EQ(survey_problems({{0, 0, 0}, {100, 0, 1}, {100, 0, 1}}).at(0).station, 2u);
+  EXPECT_EQ(survey_problems({{5, 0, 0}, {100, 0, 1}}).at(0).station, 0u);
+}
+
+TEST(SceneReference, ListsKeysWithUnitsAndDefaults)
+{
+  const std::string reference = scene_reference();
+  EXPECT_NE(reference.find("| `max_speed_rpm` | rpm | 220 | 1 to 1000 |"), std::string::npos) << reference;
+  EXPECT_NE(reference.find("| `blade_diameter` | m | **required** |"), std::string::npos);
+  EXPECT_NE(reference.find("| `level` |  | beam3d | rigid, axial_torsional, hybrid, beam3d or auto |"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
