@@ -1,0 +1,48 @@
+#ifndef DRILL_RIG_SIM_RIG_SETPOINTS_H
+#define DRILL_RIG_SIM_RIG_SETPOINTS_H
+
+namespace drill_rig_sim
+{
+enum class TopDriveMode
+{
+  speed = 0,
+  torque = 1,
+  angle = 2,
+  soft_torque = 3,
+  z_torque = 4
+};
+
+/// Set points, in the signs of the interface: block velocity + up, spin and torque + clockwise looking downhole.
+/// Called set points because the generated messages own the names WinchCommand, TopDriveCommand, RigState, RigLimits,
+/// DrillstringState, ... of this namespace.
+struct WinchSetpoint
+{
+  double block_velocity = 0.0;  ///< [m/s]
+  bool brake = true;
+};
+
+struct TopDriveSetpoint
+{
+  TopDriveMode mode = TopDriveMode::speed;
+  double speed = 0.0;         ///< [rad/s]
+  double torque = 0.0;        ///< [N m], torque mode
+  double angle = 0.0;         ///< [rad], angle mode
+  double torque_limit = 0.0;  ///< [N m]; 0 = the rig's
+};
+
+struct PumpSetpoint
+{
+  double flow = 0.0;  ///< [m3/s]
+};
+
+/// The set points in force.
+struct Setpoints
+{
+  WinchSetpoint winch;
+  TopDriveSetpoint top_drive;
+  PumpSetpoint pump;
+};
+
+}  // namespace drill_rig_sim
+
+#endif
