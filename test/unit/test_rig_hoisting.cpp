@@ -1,0 +1,188 @@
+// Hoisting: line statics, winch ramps and limits, steady block speed, the dead line's reading.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/rig/hoisting.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+WinchSetpoint velocity(double value)
+{
+  return {value, false};
+}
+
+TEST(DrillLine, TensionStiffnessAndSlack)
+{
+  const HoistingSpec spec;
+  EXPECT_DOUBLE_EQ(strung_length(spec, 34.0), 10.0 * 12.0 + 60.0);
+  const double unstretched = line_length_for(spec, 34.0, 407e3);
+  const LinePull pull = line_pull(spec, 34.0, unstretched);
+  // L0 from L - L0 loses digits: 180 m of line, 0.2 m of stretch
+  EXPECT_NEAR(pull.hook_force, 407e3, 1e-6);
+  EXPECT_NEAR(pull.tension, 40.7e3, 1e-7);
+  EXPECT_FALSE(pull.slack);
+  const double h = 1e-3;
+  const double k =
+      (line_pull(spec, 34.0 - h, unstretched).hook_force - line_pull(spec, 34.0 + h, unstretched).hook_force) / (2 * h);
+  EXPECT_NEAR(pull.stiffness, k, 1e-8 * k);
+  EXPECT_NEAR(pull.stiffness, 100.0 * spec.line_ea / unstretched, 1e-6);
+
+  const LinePull slack = line_pull(spec, 34.1, unstretched);
+  EXPECT_TRUE(slack.slack);
+  EXPECT_EQ(slack.hook_force, 0.0);
+  EXPECT_EQ(slack.stiffness, 0.0);
+}
+
+TEST(Winch, ConstantCommandGivesExactlyThatBlockSpeedAtSteadyLoad)
+{
+  // at a constant hook force the block sits where the line's pull equals it
+  const HoistingSpec spec;
+  const double hook = 400e3;
+  const double command = -0.00908;
+  const double h = 0.005;
+  double height = 34.0;
+  double line = line_length_for(spec, height, hook);
+  double speed = command;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const WinchStep w = advance_winch(spec, velocity(command), line, speed, height, hook, h);
+    line = w.line_length;
+    speed = w.speed;
+    const double strung = line * (1.0 + hook / (2.0 * spec.sheaves) / spec.line_ea);
+    height = spec.crown_height - (strung - spec.fixed_length) / (2.0 * spec.sheaves);
+    EXPECT_FALSE(w.limits.any());
+  }
+  EXPECT_NEAR(height, 34.0 + command * 10.0, 1e-10);
+}
+
+TEST(Winch, RampsAtTheAccelerationLimit)
+{
+  const HoistingSpec spec;
+  const double h = 0.01;
+  double line = strung_length(spec, 20.0);
+  double speed = 0.0;
+  double reeled = 0.0;
+  for (int i = 0; i < 10; ++i)
+  {
+    const WinchStep w = advance_winch(spec, velocity(-0.042), line, speed, 20.0, 0.0, h);
+    reeled += (w.line_length - line) / line * strung_length(spec, 20.0) / (2.0 * spec.sheaves);
+    line = w.line_length;
+    speed = w.speed;
+    EXPECT_EQ(w.limits.acceleration, i < 8);
+  }
+  EXPECT_DOUBLE_EQ(speed, -0.042);
+  // Area under the ramp: 0.084 s to 0.042 m/s, then constant to 0.1 s; the step in which the ramp ends is exact too.
+  // What is left is rounding of 320 m of line.
+  EXPECT_NEAR(reeled, 0.5 * 0.084 * 0.042 + 0.016 * 0.042, 1e-13);
+}
+
+TEST(Winch, SpeedIsClampedAndFlagged)
+{
+  const HoistingSpec spec;
+  const WinchStep w = advance_winch(spec, velocity(-9.0), 100.0, -spec.max_speed, 20.0, 0.0, 0.01);
+  EXPECT_EQ(w.speed, -spec.max_speed);
+  EXPECT_TRUE(w.limits.speed);
+  EXPECT_FALSE(w.limits.acceleration);
+}
+
+TEST(Winch, BrakeRampsToRestAndHolds)
+{
+  const HoistingSpec spec;
+  double line = 200.0;
+  double speed = 0.5;
+  for (int i = 0; i < 101; ++i)
+  {
+    const WinchStep w = advance_winch(spec, {1.0, true}, line, speed, 20.0, 0.0, 0.01);
+    line = w.line_length;
+    speed = w.speed;
+  }
+  EXPECT_EQ(speed, 0.0);
+  EXPECT_EQ(advance_winch(spec, {1.0, true}, line, speed, 20.0, 0.0, 0.01).line_length, line);
+}
+
+TEST(Winch, StopsAtTheHeightLimitsWithinTheRamp)
+{
+  const HoistingSpec spec;
+  const double h = 0.01;
+  for (double command : {1.5, -1.5})
+  {
+    double height = 20.0;
+    double speed = 0.0;
+    double line = strung_length(spec, height);  // no load: the block follows the drum
+    bool flagged = false;
+    for (int i = 0; i < 4000; ++i)
+    {
+      const WinchStep w = advance_winch(spec, velocity(command), line, speed, height, 0.0, h);
+      EXPECT_LE(std::abs(w.speed - speed), spec.max_acceleration * h * (1.0 + 1e-9));
+      speed = w.speed;
+      line = w.line_length;
+      height = spec.crown_height - (line - spec.fixed_length) / (2.0 * spec.sheaves);
+      flagged = w.limits.height;
+    }
+    const double stop = command > 0.0 ? spec.highest_block_height : spec.lowest_block_height;
+    EXPECT_NEAR(height, stop, 1e-9);
+    EXPECT_TRUE(flagged);
+    // free to leave
+    EXPECT_FALSE(advance_winch(spec, velocity(-command), line, speed, height, 0.0, h).limits.height);
+    EXPECT_NE(advance_winch(spec, velocity(-command), line, speed, height, 0.0, h).speed, 0.0);
+  }
+}
+
+TEST(Winch, HookLoadLimitStopsRaisingOnly)
+{
+  const HoistingSpec spec;
+  const WinchStep up = advance_winch(spec, velocity(1.0), 200.0, 1.0, 20.0, 2.5e6, 0.01);
+  EXPECT_EQ(up.speed, 0.0);
+  EXPECT_EQ(up.line_length, 200.0);
+  EXPECT_TRUE(up.limits.load);
+  const WinchStep down = advance_winch(spec, velocity(-1.0), 200.0, -1.0, 20.0, 2.6e6, 0.01);
+  EXPECT_EQ(down.speed, -1.0);
+  EXPECT_FALSE(down.limits.load);
+}
+
+TEST(DeadLine, SheaveTheoryByHand)
+{
+  // Ten lines, e = 0.98: 1 - e^10 = 0.1829272, lowering reads 10 * 0.02 / 0.1829272 = 1.0933314 of the load,
+  // hoisting that times e^9 = 0.8337478.
+  EXPECT_NEAR(dead_line_hook_load(400e3, -0.1, 5, 0.98), 400e3 * 1.0933314, 0.1);
+  EXPECT_NEAR(dead_line_hook_load(400e3, 0.1, 5, 0.98), 400e3 * 1.0933314 * 0.8337478, 0.1);
+  EXPECT_DOUBLE_EQ(dead_line_hook_load(400e3, 0.0, 5, 0.98), 400e3);
+  EXPECT_DOUBLE_EQ(dead_line_hook_load(400e3, 0.1, 5, 1.0), 400e3);
+}
+
+TEST(DeadLine, AgreesWithTheFastLineFactor)
+{
+  // API RP 9B, efficiency of the block with N lines and S = N sheaves of factor K: (K^N - 1) / (K^N N (K - 1)); the published
+  // table gives 0.811 for ten lines on roller bearings, K = 1.04. The dead line is the fast line's tension over K^N.
+  const double k = 1.04;
+  const double kn = std::pow(k, 10);
+  const double efficiency = (kn - 1.0) / (kn * 10.0 * (k - 1.0));
+  EXPECT_NEAR(efficiency, 0.811, 5e-4);
+  const double fast_line = 400e3 / (10.0 * efficiency);
+  EXPECT_NEAR(dead_line_hook_load(400e3, 1.0, 5, 1.0 / k), 10.0 * fast_line / kn, 1e-6);
+}
+
+TEST(DeadLine, DirectionIsSmoothOverFiveMillimetresPerSecond)
+{
+  double last = dead_line_hook_load(1.0, -0.006, 5, 0.98);
+  EXPECT_EQ(dead_line_hook_load(1.0, -0.005, 5, 0.98), last);
+  for (double v = -0.006; v < 0.006; v += 1e-5)
+  {
+    const double now = dead_line_hook_load(1.0, v, 5, 0.98);
+    EXPECT_LE(now, last + 1e-15);
+    EXPECT_GT(now, last - 1e-3);
+    last = now;
+  }
+}
+
+}  // namespace
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
