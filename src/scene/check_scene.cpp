@@ -33,7 +33,7 @@ void check_well(const WellSpec& well, Problems& problems)
     problems.add(item("well.sections", i, "to"), metres(well.sections[i].to) + " does not exceed the " +
                                                      metres(well.sections[i - 1].to) + " of the section above it");
   }
-  if (well.sections.back().to < well.hole_depth)
+  if (well.sections.back().to < std::min(well.hole_depth, last))
   {
     problems.add(item("well.sections", well.sections.size() - 1, "to"),
                  "the last section ends at " + metres(well.sections.back().to) + ", needed: down to hole_depth, " +
@@ -189,7 +189,7 @@ void check_part_inside(const std::vector<PartSpec>& parts, Problems& problems)
 
 void check_string_length(const Scene& scene, Problems& problems)
 {
-  if (scene.string.empty()) return;
+  if (scene.string.size() < 2) return;
   const double needed = scene.start.bit_depth + scene.start.block_height;
   double length = 0.0;
   for (const PartSpec& part : scene.string) length += part.length;
@@ -230,7 +230,8 @@ void check_start(const Scene& scene, Problems& problems)
     problems.add("start.bit_depth",
                  metres(start.bit_depth) + " is below the hole's bottom, allowed: up to " + metres(scene.well.hole_depth));
   }
-  if (start.block_height < h.lowest_block_height || start.block_height > h.highest_block_height)
+  const bool can_travel = h.lowest_block_height < h.highest_block_height;
+  if (can_travel && (start.block_height < h.lowest_block_height || start.block_height > h.highest_block_height))
   {
     problems.add("start.block_height", metres(start.block_height) + " is outside the block's travel, allowed: " +
                                            plain(h.lowest_block_height) + " to " + metres(h.highest_block_height));

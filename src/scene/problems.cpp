@@ -50,9 +50,9 @@ int Problems::line_of(std::string path) const
   {
     const auto found = lines_.find(path);
     if (found != lines_.end()) return found->second;
+    if (path.empty()) return 1;
     const std::size_t end = path.find_last_of(".[");
-    if (end == std::string::npos) return 1;
-    path.resize(end);
+    path.resize(end == std::string::npos ? 0 : end);
   }
 }
 

@@ -36,6 +36,7 @@ public:
     const YAML::Node root = load(text);
     Scene scene;
     scene.file = name_;
+    problems_.note("", line_of(root));
     const Entries top = read_block(root, "", scene_keys, every_kind, scene, problems_);
     in(top, "", "well", [&](const YAML::Node& n, const std::string& p) { read_well(n, p, scene.well); });
     read_list(top, "", "formation", layer_keys, scene.formation);
@@ -71,14 +72,14 @@ private:
     }
     catch (const YAML::Exception& e)
     {
-      fail(e.mark.line + 1, "this is not YAML: " + e.msg);
+      fail(e.mark.line + 1, "cannot be parsed: " + e.msg);
     }
     return {};
   }
 
   void fail(int line, const std::string& text)
   {
-    problems_.add_at(line, "", text);
+    problems_.add_at(line, "YAML", text);
     problems_.raise();
   }
 
@@ -196,18 +197,23 @@ private:
        });
   }
 
+  // the word under `key` decides which other keys a block may have, so it is read ahead of them
+  bool read_kind(const YAML::Node& node, const std::string& path, const char* key, const std::vector<const char*>& words,
+                 int& word)
+  {
+    if (!node.IsMap() || !node[key].IsDefined())
+    {
+      problems_.add(join(path, key), "is missing, allowed: " + to_text(words));
+      return false;
+    }
+    return read_word(node[key], join(path, key), words, word, problems_);
+  }
+
   void read_part(const YAML::Node& node, const std::string& path, PartSpec& part)
   {
-    // which keys a part may have depends on its type, so that comes first
-    const YAML::Node type = node.IsMap() ? node["type"] : YAML::Node(YAML::NodeType::Undefined);
-    int word = -1;
-    if (node.IsMap() && type.IsDefined())
-    {
-      problems_.note(join(path, "type"), line_of(type));
-      if (!read_word(type, join(path, "type"), part_type_words, word, problems_)) return;
-    }
-    const unsigned kinds = word < 0 ? every_kind : 1u << word;
-    const Entries entries = read_block(node, path, part_keys, kinds, part, problems_);
+    int word = 0;
+    if (!read_kind(node, path, "type", part_type_words, word)) return;
+    const Entries entries = read_block(node, path, part_keys, 1u << word, part, problems_);
     in(entries, path, "contact",
        [&](const YAML::Node& n, const std::string& p)
        {
@@ -223,13 +229,8 @@ private:
 
   void read_bit_torque(const YAML::Node& node, const std::string& path, BitTorqueSpec& torque)
   {
-    const YAML::Node model = node.IsMap() ? node["model"] : YAML::Node(YAML::NodeType::Undefined);
     int word = static_cast<int>(torque.model);
-    if (node.IsMap() && model.IsDefined())
-    {
-      problems_.note(join(path, "model"), line_of(model));
-      if (!read_word(model, join(path, "model"), bit_torque_words, word, problems_)) return;
-    }
+    if (node.IsMap() && node["model"].IsDefined() && !read_kind(node, path, "model", bit_torque_words, word)) return;
     read_block(node, path, bit_torque_keys, 1u << word, torque, problems_);
   }
 

@@ -49,16 +49,16 @@ bool is_number(const std::string& text, double& value)
 // where the three columns stand; false (and problems noted) if one is missing
 bool find_columns(const std::vector<std::string>& header, int line, std::array<std::size_t, 3>& place, Problems& problems)
 {
-  bool complete = true;
+  std::string missing;
   for (std::size_t i = 0; i < columns.size(); ++i)
   {
     const auto found = std::find(header.begin(), header.end(), columns[i]);
     place[i] = static_cast<std::size_t>(found - header.begin());
-    if (found != header.end()) continue;
-    complete = false;
-    problems.add_at(line, columns[i], "no such column in the header, needed: md_m, inclination_deg, azimuth_deg");
+    if (found == header.end()) missing += (missing.empty() ? "" : ", ") + std::string(columns[i]);
   }
-  return complete;
+  if (!missing.empty())
+    problems.add_at(line, missing, "no such column in the header, needed: md_m, inclination_deg, azimuth_deg");
+  return missing.empty();
 }
 
 // one station out of a line's cells; false (and problems noted) if a cell is missing or no number
