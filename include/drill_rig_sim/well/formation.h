@@ -1,0 +1,69 @@
+#ifndef DRILL_RIG_SIM_WELL_FORMATION_H
+#define DRILL_RIG_SIM_WELL_FORMATION_H
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "drill_rig_sim/scene/scene.h"
+
+/// The rock, and how fast a bit breaks it: the three-dimensional drilling equation
+///   v = K N^beta g(|F|) A_f A_b F/|F|,   g(F) = max(F - F_0, 0)^alpha,
+///   A_b = a a^T + i_b (1 - a a^T),   A_f = (1 - h) 1 + h n n^T,
+/// with F the force of the bit on the rock (bottom's and gauge's normal forces, friction excluded) [N], N the bit's speed
+/// [rad/s], a the bit's axis, i_b its side cutting, n the beds' upward normal, h the anisotropy; K in m/s per (N^alpha
+/// (rad/s)^beta). On the axis of a bit in isotropic rock it is ROP = K N^beta (W - F_0)^alpha.
+///
+/// It says how fast, not how the rock breaks: constants are calibrated per bit and layer, and no force is carried over from one
+/// turn to the next.
+namespace drill_rig_sim
+{
+/// The layers by true vertical depth.
+class Formation
+{
+public:
+  /// `layers`: at least one, to_tvd strictly increasing. Throws std::invalid_argument with one line otherwise.
+  explicit Formation(std::vector<FormationLayer> layers);
+  /// The layer at true vertical depth `tvd` = -z [m]; above the first base the first, below the last base the last.
+  const FormationLayer& at(double tvd) const noexcept;
+  const std::vector<FormationLayer>& layers() const noexcept { return layers_; }
+
+private:
+  std::vector<FormationLayer> layers_;
+};
+
+/// Unit upward normal of the layer's beds. Right-hand rule: they dip towards azimuth strike + 90 deg, and the normal leans that
+/// way.
+Eigen::Vector3d bed_normal(const FormationLayer& layer) noexcept;
+
+/// Rock breaking at unit weight above the threshold: K N^beta [m/s per N^alpha], 0 where N <= 0.
+/// For beta < 1 it is multiplied by N^2/(N^2 + N_s^2), N_s = 0.05 rad/s (half a turn a minute), so that it goes smoothly to zero
+/// with the speed: a bit that does not turn drills nothing, also for beta = 0; at 5 rad/s the factor is 1 - 1e-4.
+double drilling_coefficient(const FormationLayer& layer, double bit_speed) noexcept;
+
+/// ROP of a bit that pushes and turns along its axis in isotropic rock, K N^beta (W - F_0)^alpha [m/s]; 0 for W <= F_0.
+double on_axis_rop(const FormationLayer& layer, double bit_speed, double weight) noexcept;
+
+/// d ROP / d W of on_axis_rop [m/s/N]. For alpha < 1 it is unbounded at the threshold: held at its value 1 N above.
+double on_axis_rop_slope(const FormationLayer& layer, double bit_speed, double weight) noexcept;
+
+/// A_f A_b u: what the bit's and the rock's directions make of a unit force direction u [-].
+Eigen::Vector3d cutting_direction(const FormationLayer& layer, const Eigen::Vector3d& bit_axis, double side_cutting,
+                                  const Eigen::Vector3d& force_direction) noexcept;
+
+/// v of the drilling equation [m/s], world axes.
+///
+/// The bit drills where its face presses: with F_a = max(F . a, 0) and F_l the rest of F, v carries the factor
+/// F_a^2/(F_a^2 + (0.01 |F_l|)^2): 1 on the axis, 1 - 1e-4 where the side force equals the weight, smoothly 0 where only the
+/// gauge touches. Strong anisotropy with a side force could point v backwards: its component along the bit's axis is held at zero
+/// or more.
+/// @param layer         the rock at the bit
+/// @param force         F, bit on rock, world axes [N]
+/// @param bit_speed     N [rad/s]; zero or negative drills nothing
+/// @param bit_axis      a, unit, downhole
+/// @param side_cutting  i_b, 0 .. 1
+Eigen::Vector3d rock_breaking_velocity(const FormationLayer& layer, const Eigen::Vector3d& force, double bit_speed,
+                                       const Eigen::Vector3d& bit_axis, double side_cutting) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif
