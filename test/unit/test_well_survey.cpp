@@ -1,0 +1,308 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "drill_rig_sim/well/hole_nodes.h"
+#include "drill_rig_sim/well/survey.h"
+#include "well_fixtures.h"
+
+#ifndef DRILL_RIG_SIM_SOURCE_DIR
+#define DRILL_RIG_SIM_SOURCE_DIR "."
+#endif
+
+namespace drill_rig_sim
+{
+namespace
+{
+using Eigen::Vector3d;
+
+TEST(Directions, TangentAndBack)
+{
+  EXPECT_NEAR((tangent_from(0.0, 2.0) - Vector3d(0, 0, -1)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((tangent_from(90 * degree, 90 * degree) - Vector3d(1, 0, 0)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((tangent_from(90 * degree, 0.0) - Vector3d(0, 1, 0)).norm(), 0.0, 1e-15);
+  for (double inclination : {1e-6, 0.3, 1.5, 3.1})
+    for (double azimuth : {0.0, 1.0, 3.0, 5.18, 6.28})
+    {
+      const Vector3d t = tangent_from(inclination, azimuth);
+      EXPECT_NEAR(inclination_of(t), inclination, 1e-14);
+      EXPECT_NEAR(azimuth_of(t), azimuth, 1e-9);
+    }
+  EXPECT_EQ(azimuth_of(-Vector3d::UnitZ()), 0.0);
+  EXPECT_EQ(azimuth_of(tangent_from(0.0, 4.0)), 0.0);
+  EXPECT_GE(azimuth_of(Vector3d(-1e-300, 1.0, 0.0)), 0.0);
+  EXPECT_LT(azimuth_of(Vector3d(-1e-300, 1.0, 0.0)), 2.0 * pi);
+}
+
+// A hole inclined to the east: up is towards the west and up, right of it looking downhole (east) is south.
+TEST(Directions, HighSideAndRightSide)
+{
+  const Vector3d t = tangent_from(60 * degree, 90 * degree);
+  const Vector3d high = high_side(t);
+  EXPECT_NEAR((high - Vector3d(std::cos(60 * degree), 0, std::sin(60 * degree))).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(angle_about(t, high, high), 0.0, 1e-15);
+  EXPECT_NEAR(angle_about(t, high, -Vector3d::UnitY()), 90 * degree, 1e-15);
+  EXPECT_NEAR(angle_about(t, high, Vector3d::UnitY()), -90 * degree, 1e-15);
+  EXPECT_EQ(angle_about(t, high, Vector3d::Zero()), 0.0);
+}
+
+// Looking straight down with north ahead, east is to the right: clockwise.
+TEST(Directions, BelowFiveDegreesNorthIsTheReference)
+{
+  const Vector3d down = tangent_from(0.0, 1.0);
+  const ToolfaceReference reference = toolface_reference(down);
+  EXPECT_TRUE(reference.magnetic);
+  EXPECT_NEAR((reference.direction - Vector3d::UnitY()).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(angle_about(down, reference.direction, Vector3d::UnitX()), 90 * degree, 1e-15);
+  EXPECT_TRUE(toolface_reference(tangent_from(4.9 * degree, 1.0)).magnetic);
+  EXPECT_FALSE(toolface_reference(tangent_from(5.1 * degree, 1.0)).magnetic);
+  EXPECT_TRUE(toolface_reference(tangent_from(5.9 * degree, 1.0), true).magnetic);
+  EXPECT_FALSE(toolface_reference(tangent_from(6.1 * degree, 1.0), true).magnetic);
+  EXPECT_FALSE(toolface_reference(tangent_from(4.1 * degree, 1.0), false).magnetic);
+  EXPECT_TRUE(toolface_reference(tangent_from(3.9 * degree, 1.0), false).magnetic);
+}
+
+// From vertical to I in a vertical plane: radius D/I, north = R (1 - cos I), depth = R sin I.
+TEST(Survey, BuildSectionIsACircularArc)
+{
+  for (double inclination : {1e-9, 1e-5, 1e-3, 0.1, 1.0, 2.0, 3.0, 3.139})
+  {
+    const Survey survey({{0.0, 0.0, 2.0}, {300.0, inclination, 0.0}});
+    const double radius = 300.0 / inclination;
+    for (double u : {0.1, 0.5, 0.77, 1.0})
+    {
+      const PathPoint p = survey.at(300.0 * u);
+      const double angle = u * inclination;
+      const double north = 2.0 * radius * std::pow(std::sin(0.5 * angle), 2);
+      EXPECT_NEAR((p.position - Vector3d(0, north, -radius * std::sin(angle))).norm(), 0.0, 1e-10) << inclination << " " << u;
+      EXPECT_NEAR((p.tangent - tangent_from(angle, 0.0)).norm(), 0.0, 1e-12) << inclination << " " << u;
+    }
+    EXPECT_NEAR(survey.dogleg(0), inclination, 1e-12);
+    EXPECT_NEAR(survey.dogleg_severity(0), 0.1 * inclination, 1e-12);
+  }
+}
+
+// In a horizontal plane, 90 deg to the right: by hand (R, R) with R = 2 D/pi.
+TEST(Survey, HorizontalTurn)
+{
+  const Survey survey({{0.0, 90 * degree, 0.0}, {100.0, 90 * degree, 90 * degree}});
+  const double radius = 200.0 / pi;
+  EXPECT_NEAR((survey.station(1).position - Vector3d(radius, radius, 0)).norm(), 0.0, 1e-12);
+}
+
+// By hand, ratio factor: stations (0, 15 deg, N20E) and (100 ft ...) of the classic form r = D/2 (t1 + t2) 2/a tan(a/2).
+TEST(Survey, AgreesWithTheRatioFactorForm)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const SurveyStation a{0.0, 2.0 * uniform(random), 6.28 * uniform(random)};
+    const SurveyStation b{30.0, 2.0 * uniform(random), 6.28 * uniform(random)};
+    const Vector3d t1 = tangent_from(a.inclination, a.azimuth), t2 = tangent_from(b.inclination, b.azimuth);
+    const double dogleg = std::acos(std::cos(b.inclination - a.inclination) -
+                                    std::sin(a.inclination) * std::sin(b.inclination) * (1.0 - std::cos(b.azimuth - a.azimuth)));
+    if (dogleg < 0.01 || dogleg > 3.0) continue;
+    const Vector3d expected = 15.0 * 2.0 / dogleg * std::tan(0.5 * dogleg) * (t1 + t2);
+    const Survey survey({a, b});
+    EXPECT_NEAR(survey.dogleg(0), dogleg, 1e-10);
+    EXPECT_LT((survey.station(1).position - expected).norm(), 1e-9);
+  }
+}
+
+TEST(Survey, StraightHoleAndMeaninglessAzimuth)
+{
+  const Survey slant({{0.0, 0.5, 1.0}, {100.0, 0.5, 1.0}, {1000.0, 0.5, 1.0}});
+  EXPECT_LT((slant.at(777.0).position - 777.0 * tangent_from(0.5, 1.0)).norm(), 1e-11);
+  EXPECT_EQ(slant.dogleg_severity(1), 0.0);
+  const Survey vertical({{0.0, 0.0, 0.0}, {50.0, 0.0, 4.0}, {100.0, 0.0, 2.0}, {130.0, 3 * degree, 5.0}});
+  EXPECT_NEAR((vertical.station(2).position - Vector3d(0, 0, -100)).norm(), 0.0, 1e-13);
+  EXPECT_NEAR(vertical.dogleg_severity(2), 3 * degree, 1e-14);
+  EXPECT_NEAR(azimuth_of(vertical.station(3).position), 5.0, 1e-12);
+}
+
+// Position and tangent are continuous at the stations, the tangent is the position's derivative, |t| = 1.
+TEST(Survey, InterpolationIsConsistent)
+{
+  const Survey survey(crooked_well().survey);
+  for (double md = 0.5; md < survey.last_md(); md += 3.7)
+  {
+    constexpr double h = 1e-3;
+    const Vector3d slope = (survey.at(md + h).position - survey.at(md - h).position) / (2.0 * h);
+    EXPECT_LT((slope - survey.at(md).tangent).norm(), 1e-5) << md;  // a curvature step of 0.02/m within h
+    EXPECT_NEAR(survey.at(md).tangent.norm(), 1.0, 1e-14);
+  }
+  for (int i = 0; i < survey.size(); ++i)
+    EXPECT_LT((survey.at(survey.station(i).md - 1e-9).position - survey.station(i).position).norm(), 2e-9);
+}
+
+TEST(Survey, RefusesWhatIsNoSurvey)
+{
+  const double nan = std::nan("");
+  EXPECT_THROW(Survey({{0.0, 0.0, 0.0}}), std::invalid_argument);
+  EXPECT_THROW(Survey({{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}), std::invalid_argument);
+  EXPECT_THROW(Survey({{0.0, 0.0, 0.0}, {10.0, nan, 0.0}}), std::invalid_argument);
+  EXPECT_THROW(Survey({{0.0, 0.0, 0.0}, {10.0, 200 * degree, 0.0}}), std::invalid_argument);
+  EXPECT_THROW(Survey({{0.0, 90 * degree, 0.0}, {10.0, 90 * degree, 180 * degree}}), std::invalid_argument);
+  try
+  {
+    Survey({{0.0, 0.0, 0.0}, {10.0, 0.0, 0.0}, {5.0, 0.0, 0.0}});
+    FAIL();
+  }
+  catch (const std::invalid_argument& e)
+  {
+    EXPECT_NE(std::string(e.what()).find("station 3"), std::string::npos) << e.what();
+  }
+}
+
+// The nodes' Hermite against the arcs themselves, every 0.37 m.
+TEST(HoleNodes, HermiteFollowsTheArcWithinATenthOfAMillimetre)
+{
+  for (const WellSpec& spec : {bohai_well(), crooked_well()})
+  {
+    const Survey survey(spec.survey);
+    const Wellbore hole(spec, {}, 0.1556);
+    double worst = 0.0;
+    for (double md = 0.0; md <= spec.hole_depth; md += 0.37)
+      worst = std::max(worst, (hole.at(md).position - survey.at(md).position).norm());
+    std::printf("Hermite against arc: %.4f mm with %d nodes\n", 1e3 * worst, hole.node_count());
+    EXPECT_LT(worst, 1e-4);
+  }
+  WellSpec sharp;  // 170 deg in 40 m
+  sharp.survey = {{0.0, 0.0, 0.0}, {40.0, 170 * degree, 1.0}};
+  sharp.hole_depth = 40.0;
+  sharp.sections = {{40.0, 0.2, 0.2}};
+  const Survey survey(sharp.survey);
+  const Wellbore hole(sharp, {}, 0.1);
+  for (double md = 0.0; md <= 40.0; md += 0.013) ASSERT_LT((hole.at(md).position - survey.at(md).position).norm(), 1e-4);
+}
+
+TEST(HoleNodes, SectionsChangeWithinAMillimetreAndTheHoleEndsAtItsDepth)
+{
+  WellSpec spec = bohai_well();
+  spec.hole_depth = 729.25;
+  const Wellbore hole(spec, {}, 0.1);
+  EXPECT_EQ(hole.hole_depth(), 729.25);
+  EXPECT_NEAR(hole.at(199.9999).radius, 0.1602, 1e-12);
+  EXPECT_NEAR(hole.at(200.0).friction, 0.20, 1e-12);
+  EXPECT_NEAR(hole.at(200.0005).radius, 0.5 * (0.1602 + 0.1556), 1e-9);
+  EXPECT_NEAR(hole.at(200.0010001).radius, 0.1556, 1e-12);
+  EXPECT_NEAR(hole.at(200.0010001).friction, 0.28, 1e-12);
+  EXPECT_NEAR(hole.at(729.248).radius, 0.1556, 1e-12);  // the bit's radius differs: the hole's end is the bit's
+  EXPECT_NEAR(hole.at(729.25).radius, 0.1, 1e-12);
+  EXPECT_EQ(hole.bottom_radius(), 0.1);
+  EXPECT_NEAR((hole.at(-12.0).position - Vector3d(0, 0, 12)).norm(), 0.0, 1e-15);
+  EXPECT_EQ(hole.at(-12.0).radius, 0.1602);
+}
+
+TEST(HoleNodes, RefusesSectionsThatDoNotFit)
+{
+  const auto refused = [](WellSpec spec) { EXPECT_THROW(Wellbore(spec, {}, 0.15), std::invalid_argument); };
+  WellSpec spec = bohai_well();
+  spec.hole_depth = 731.0;
+  refused(spec);
+  spec = bohai_well();
+  spec.sections = {};
+  refused(spec);
+  spec = bohai_well();
+  spec.sections[1].to = 700.0;
+  refused(spec);
+  spec = bohai_well();
+  spec.sections[1].to = 100.0;
+  refused(spec);
+  spec = bohai_well();
+  spec.survey[0].md = 1.0;
+  refused(spec);
+  EXPECT_THROW(Wellbore(bohai_well(), {}, 0.0), std::invalid_argument);
+  EXPECT_THROW(Wellbore(bohai_well(), {0.0, 0}, 0.15), std::invalid_argument);
+}
+
+struct ListedWell
+{
+  std::vector<SurveyStation> stations;
+  std::vector<Vector3d> positions;
+};
+
+// Columns [well,] md_m, inclination_deg, azimuth_deg, tvd_m, north_m, east_m.
+std::map<std::string, ListedWell> read_wells(const std::string& file, bool named)
+{
+  std::map<std::string, ListedWell> wells;
+  std::ifstream in(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/../shared/data/" + file);
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line))
+  {
+    std::string name = file;
+    std::istringstream row(line);
+    if (named) std::getline(row, name, ',');
+    double v[6];
+    char comma;
+    for (double& x : v) row >> x >> comma;
+    wells[name].stations.push_back({v[0], v[1] * degree, v[2] * degree});
+    wells[name].positions.push_back({v[5], v[4], -v[3]});
+  }
+  return wells;
+}
+
+// Largest distance from the listed positions, the first station's offset taken off.
+double worst_difference(const std::string& name, const ListedWell& well)
+{
+  const Survey survey(well.stations);
+  double worst = 0.0, step = 0.0;
+  int where = 0;
+  Vector3d before = Vector3d::Zero();
+  for (int i = 0; i < survey.size(); ++i)
+  {
+    const Vector3d difference = survey.station(i).position - (well.positions[static_cast<std::size_t>(i)] - well.positions[0]);
+    if (difference.norm() > worst)
+    {
+      worst = difference.norm();
+      where = i;
+    }
+    step = std::max(step, (difference - before).norm());
+    before = difference;
+  }
+  std::printf("%-16s %3d stations to %7.1f m: worst %.4f m at md %.1f, largest change between stations %.4f m\n", name.c_str(),
+              survey.size(), survey.last_md(), worst, survey.station(where).md, step);
+  return worst;
+}
+
+TEST(Survey, StandardWellPathsAgreeWithPublishedPositions)
+{
+  const auto wells = read_wells("iscwsa/wells.csv", true);
+  if (wells.empty()) GTEST_SKIP() << "../shared/data/iscwsa is absent";
+  for (const auto& [name, well] : wells) EXPECT_LT(worst_difference(name, well), 0.05) << name;
+}
+
+TEST(Survey, RealWellboresAgreeWithListedPositions)
+{
+  int found = 0;
+  for (const char* file : {"ullrigg/u1.csv", "ullrigg/u3.csv", "ullrigg/u4.csv", "ullrigg/u5.csv"})
+    for (auto& [name, well] : read_wells(file, false))
+    {
+      ++found;
+      // u1 contradicts itself at eight stations: its positions follow 360 deg - A where the azimuth A is listed (at 600 m 210.1
+      // deg, listed 149.9 deg): azimuths of the western half noted as eastern. North and depth agree either way, east only when
+      // mended.
+      if (name == "ullrigg/u1.csv")
+        for (SurveyStation& s : well.stations)
+          if (s.md > 499.0 && s.md < 901.0 && s.md != 750.0) s.azimuth = 2.0 * pi - s.azimuth;
+      EXPECT_LT(worst_difference(name, well), 0.05) << name;
+    }
+  if (found == 0) GTEST_SKIP() << "../shared/data/ullrigg is absent";
+}
+}  // namespace
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
