@@ -58,6 +58,12 @@ void refine(const HoleSegment& g, const Eigen::Vector3d& point, Foot& foot) noex
   foot.first += step * foot.second;
 }
 
+// A foot this far away may belong to another part of the hole than the point.
+bool far_from_axis(const HoleSegment& g, const Eigen::Vector3d& point, const Foot& foot) noexcept
+{
+  return (point - foot.centre).squaredNorm() > 16.0 * g.radius * g.radius;
+}
+
 HoleSite site(const HoleSegment& g, const Foot& foot, int segment) noexcept
 {
   HoleSite site;
@@ -146,16 +152,20 @@ HoleSite Wellbore::locate(const Eigen::Vector3d& point, int segment_hint) const 
   {
     const HoleSegment& g = segment(i);
     foot.s = first_guess(g, point);
+    foot.iterations = 0;
     int next = i;
     if (moves < most_moves && (foot.s < -far_outside || foot.s > 1.0 + far_outside)) next = neighbour(i, foot.s, point);
     if (next == i)
     {
       refine(g, point, foot);
       next = neighbour(i, foot.s, point);
-      if (next == i || (moves >= most_moves && searched)) return site(g, foot, i);
+      const bool arrived = next == i;
+      if (searched && (arrived || moves >= most_moves)) return site(g, foot, i);
+      if (arrived && !far_from_axis(g, point, foot)) return site(g, foot, i);
+      if (arrived) moves = most_moves;
     }
     i = next;
-    if (moves >= most_moves)  // a hint from somewhere else in the hole
+    if (moves >= most_moves && !searched)  // a hint from somewhere else in the hole
     {
       searched = true;
       moves = 0;

@@ -19,40 +19,96 @@ Wellbore drilled_on(const WellSpec& spec, double metres)
   return hole;
 }
 
-// The nearest point of the axis by sampling every millimetre near the best of a coarse sweep, refined by golden section.
-WellNode nearest_by_force(const Wellbore& hole, const Eigen::Vector3d& point)
+// The nearest point of the axis by distances alone: a sweep of the whole hole, then golden section about the best of it.
+class BruteForce
 {
-  const auto distance = [&](double md) { return (hole.at(md).position - point).norm(); };
-  double best = 0.0;
-  for (double md = -1.0; md < hole.hole_depth() + 1.0; md += 0.5)
-    if (distance(md) < distance(best)) best = md;
-  double low = best - 0.6, high = best + 0.6;
-  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  while (high - low > 1e-7)
+public:
+  explicit BruteForce(const Wellbore& hole) : hole_(hole)
   {
-    const double a = high - golden * (high - low);
-    const double b = low + golden * (high - low);
-    (distance(a) < distance(b) ? high : low) = distance(a) < distance(b) ? b : a;
+    for (double md = -1.0; md < hole.hole_depth() + 1.0; md += 0.5) sweep_.push_back(hole.at(md));
   }
-  return hole.at(0.5 * (low + high));
-}
+
+  WellNode nearest(const Eigen::Vector3d& point) const
+  {
+    const WellNode* best = &sweep_.front();
+    for (const WellNode& node : sweep_)
+      if ((node.position - point).squaredNorm() < (best->position - point).squaredNorm()) best = &node;
+    const auto distance2 = [&](double md) { return (hole_.at(md).position - point).squaredNorm(); };
+    double low = best->md - 0.6, high = best->md + 0.6;
+    const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+    double a = high - golden * (high - low), b = low + golden * (high - low);
+    double at_a = distance2(a), at_b = distance2(b);
+    while (high - low > 1e-7)
+    {
+      if (at_a < at_b)
+      {
+        high = b, b = a, at_b = at_a, a = high - golden * (high - low), at_a = distance2(a);
+      }
+      else
+      {
+        low = a, a = b, at_a = at_b, b = low + golden * (high - low), at_b = distance2(b);
+      }
+    }
+    return hole_.at(0.5 * (low + high));
+  }
+
+private:
+  const Wellbore& hole_;
+  std::vector<WellNode> sweep_;
+};
 
 class LocateIn : public testing::TestWithParam<WellSpec>
 {
 };
 
-// Distances near a minimum d are flat: sampling finds md to about sqrt(1e-16 * 1600 m * d) = 1e-7 m, the distance to 1e-12 m.
+// Near its minimum the squared distance (of size 0.1 m2, known to 1e-13 m2 at coordinates of 1 km) is flat to md differences of
+// 1e-6 m and less, where the distance itself does not change. At P alone, where the fresh end begins a little sideways and
+// turned, the plane rule and the least distance may choose differently: by less than radius times turn, 0.6 m * 3e-4.
 TEST_P(LocateIn, AgreesWithBruteForceWithinTwoRadii)
 {
   const Wellbore hole = drilled_on(GetParam(), 0.35);
+  const double end = hole.node(hole.node_count() - 1).md;
+  const BruteForce force(hole);
   std::mt19937 random(7);
-  for (int i = 0; i < 400; ++i)
+  double worst = 0.0;
+  for (int i = 0; i < 10000; ++i)
   {
     const Eigen::Vector3d point = point_near(hole, 4.0 * bit_radius, random);
     const HoleSite site = hole.locate(point, -1);
-    const WellNode force = nearest_by_force(hole, point);
-    ASSERT_NEAR(site.md, force.md, 2e-4) << i;  // sideways step of the fresh end where it begins
-    ASSERT_NEAR((site.centre - point).norm(), (force.position - point).norm(), 1e-7) << i;
+    const WellNode expected = force.nearest(point);
+    const bool at_kink = std::abs(site.md - end) < 1e-3;
+    ASSERT_NEAR(site.md, expected.md, at_kink ? 2e-4 : 3e-6) << i;
+    ASSERT_NEAR((site.centre - point).norm(), (expected.position - point).norm(), at_kink ? 6e-5 : 1e-10) << i;
+    if (!at_kink) worst = std::max(worst, std::abs(site.md - expected.md));
+  }
+  std::printf("largest difference in md %.2g m\n", worst);
+}
+
+// A hint from anywhere gives the same answer as none.
+TEST_P(LocateIn, WrongHintsAreHarmless)
+{
+  const Wellbore hole = drilled_on(GetParam(), 0.35);
+  std::mt19937 random(11);
+  for (int i = 0; i < 3000; ++i)
+  {
+    const Eigen::Vector3d point = point_near(hole, 3.0 * bit_radius, random);
+    const int hint = static_cast<int>(random() % static_cast<unsigned>(hole.node_count() + 5));
+    ASSERT_NEAR(hole.locate(point, hint).md, hole.locate(point, -1).md, 1e-7) << i;
+  }
+}
+
+// From 30 m above the rotary table to the bottom in millimetres: one centre line, md and radius without jumps.
+TEST_P(LocateIn, SiteMovesContinuouslyFromTheTopDriveToTheBottom)
+{
+  const Wellbore hole = drilled_on(GetParam(), 0.35);
+  HoleSite before = hole.locate(hole.at(-30.0).position, -1);
+  EXPECT_EQ(before.segment, 0);
+  for (double md = -30.0; md < hole.hole_depth(); md += 0.001)
+  {
+    const HoleSite site = hole.locate(hole.at(md).position, before.segment);
+    ASSERT_NEAR(site.md, md, 1e-7);
+    ASSERT_LE((site.centre - before.centre).norm(), 0.001 + 2.0 * 30e-6) << md;
+    before = site;
   }
 }
 

@@ -59,9 +59,10 @@ public:
   Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius, int drilled_capacity = default_capacity);
 
   /// The cross section nearest to `point` [m]. `segment_hint` < 0 searches the whole hole (nearest of all); otherwise the search
-  /// walks from that segment to the nearest cross section in reach. Newton's method on f(s) = (r_D - c(s)) . c'(s),
-  /// f' = -|c'|^2 + (r_D - c) . c''; s outside 0 .. 1 moves to the neighbour. Exact while the point is nearer than the hole's
-  /// radius of curvature. Any hint is safe; a point that is not finite gives a site that is not.
+  /// walks from that segment, and turns to the whole hole if it walks far or ends more than four radii from the axis. Newton's
+  /// method on f(s) = (r_D - c(s)) . c'(s), f' = -|c'|^2 + (r_D - c) . c''; s outside 0 .. 1 moves to the neighbour. Exact while
+  /// the point is nearer than the hole's radius of curvature. Any hint is safe; a point that is not finite gives a site that is
+  /// not.
   HoleSite locate(const Eigen::Vector3d& point, int segment_hint) const noexcept;
 
   /// Stage I, and Stage II when due. `bottom_displacement`: how far the bit moved the bottom in this step, world axes [m];

@@ -1,0 +1,377 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <complex>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+#include "well_fixtures.h"
+
+namespace
+{
+std::atomic<long> allocations{0};
+}
+
+// not inlined: GCC would pair the library's new with this free and warn
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
+  ++allocations;
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept
+{
+  std::free(p);
+}
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept
+{
+  std::free(p);
+}
+
+namespace drill_rig_sim
+{
+namespace
+{
+using Eigen::Vector3d;
+
+constexpr double bit_radius = 0.1556;
+constexpr double pitch = 10.3e-3;
+constexpr double helix_radius = 30e-6;
+constexpr double advance = 45e-6;  // 9 mm/s times 5 ms
+
+TrajectorySpec every_metres(double length)
+{
+  return {length, 0};
+}
+TrajectorySpec every_steps(int steps)
+{
+  return {0.1, steps};
+}
+
+// Everything that the next step depends on and shows, bit by bit.
+void expect_identical(const Wellbore& a, const Wellbore& b)
+{
+  ASSERT_EQ(a.node_count(), b.node_count());
+  ASSERT_EQ(a.version(), b.version());
+  for (int i = 0; i < a.node_count(); ++i)
+  {
+    ASSERT_EQ(a.node(i).md, b.node(i).md);
+    ASSERT_EQ(a.node(i).position, b.node(i).position);
+    ASSERT_EQ(a.node(i).tangent, b.node(i).tangent);
+  }
+  ASSERT_EQ(a.hole_depth(), b.hole_depth());
+  ASSERT_EQ(a.bottom_position(), b.bottom_position());
+  ASSERT_EQ(a.bottom_normal(), b.bottom_normal());
+  ASSERT_EQ(a.raw_tangent(), b.raw_tangent());
+  ASSERT_EQ(a.end_direction(), b.end_direction());
+  ASSERT_EQ(a.drilled_path_length(), b.drilled_path_length());
+  std::vector<Vector3d> pa, pb;
+  a.raw_path(pa);
+  b.raw_path(pb);
+  ASSERT_EQ(pa, pb);
+}
+
+// What the bit drills is what the hole gains: 30 m straight, in displacements of uneven length.
+TEST(WellExtension, LengthAndVolumeAreThoseDrilled)
+{
+  const Vector3d axis = tangent_from(0.9, 5.2);
+  Wellbore hole(straight_well(500.0, 0.9, 5.2), every_metres(0.1), bit_radius);
+  const int before = hole.node_count();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0.0, 2.0);
+  double drilled = 0.0;
+  while (drilled < 30.0)
+  {
+    const double step = advance * uniform(random);
+    drilled += step;
+    ASSERT_TRUE(hole.extend(step * axis, axis));
+    ASSERT_NEAR(hole.hole_depth(), 500.0 + drilled, 1e-9);
+  }
+  EXPECT_NEAR(hole.drilled_path_length(), drilled, 1e-9);
+  EXPECT_LT((hole.bottom_position() - hole.hole_depth() * axis).norm(), 1e-9);
+  double volume = 0.0;
+  for (int i = before; i < hole.node_count(); ++i)
+    volume += pi * hole.node(i).radius * hole.node(i).radius * (hole.node(i).md - hole.node(i - 1).md);
+  volume += pi * hole.bottom_radius() * hole.bottom_radius() * (hole.hole_depth() - hole.node(hole.node_count() - 1).md);
+  EXPECT_NEAR(volume / (pi * bit_radius * bit_radius * drilled), 1.0, 1e-10);
+  EXPECT_NEAR(hole.node_count() - before, drilled / 0.1, 1.0 + drilled / 0.1 * 2.0 * advance / 0.1);
+}
+
+// Stage II: tangent along the chord, md grown by the chord's length, not by the path's.
+TEST(WellExtension, StageTwoTakesTheChord)
+{
+  Wellbore hole(bohai_well(), every_metres(0.1), bit_radius);
+  HelixDriller bit(hole.end_direction(), pitch, helix_radius, advance);
+  const Vector3d axis = hole.end_direction();
+  int committed = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const WellNode last = hole.node(hole.node_count() - 1);
+    const int nodes = hole.node_count();
+    hole.extend(bit.next(), axis);
+    if (hole.node_count() == nodes) continue;
+    ++committed;
+    const WellNode node = hole.node(nodes);
+    const Vector3d chord = node.position - last.position;
+    ASSERT_EQ(node.position, hole.bottom_position());
+    ASSERT_NEAR(node.md - last.md, chord.norm(), 1e-12);
+    ASSERT_LT((node.tangent - chord.normalized()).norm(), 1e-14);
+    ASSERT_GE(chord.norm(), 0.1);
+    ASSERT_LT(chord.norm(), 0.1 + 1.1 * advance);
+    ASSERT_EQ(node.radius, bit_radius);
+    ASSERT_EQ(node.friction, 0.28);
+  }
+  EXPECT_EQ(committed, 8);
+  // the path winds: (2 pi r/p)^2/2 = 1.67e-4 longer than the axis; the corrected length does not
+  const double wound = hole.drilled_path_length() / (20000 * advance) - 1.0;
+  EXPECT_NEAR(wound, 0.5 * std::pow(2.0 * pi * helix_radius / pitch, 2), 1e-6);
+  EXPECT_NEAR((hole.hole_depth() - 730.0) / (20000 * advance), 1.0, 1e-6);
+}
+
+// The raw tangents swing by 2 pi r/p = 1.05 deg; the corrected ones by at most 4 r/L2 = 0.07 deg, and the curve between them too.
+TEST(WellExtension, HelixBecomesSmooth)
+{
+  Wellbore hole(straight_well(500.0), every_metres(0.1), bit_radius);
+  const Vector3d axis = hole.end_direction();
+  HelixDriller bit(axis, pitch, helix_radius, advance);
+  double raw_swing = 0.0, end_swing = 0.0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    hole.extend(bit.next(), axis);
+    raw_swing = std::max(raw_swing, std::acos(std::min(1.0, hole.bottom_normal().dot(axis))));
+    end_swing = std::max(end_swing, hole.end_direction().cross(axis).norm());
+  }
+  EXPECT_NEAR(raw_swing / degree, std::atan(2.0 * pi * helix_radius / pitch) / degree, 1e-3);
+  double corrected_swing = 0.0;
+  for (double md = 500.0; md < hole.hole_depth(); md += 1e-3)
+    corrected_swing = std::max(corrected_swing, hole.at(md).tangent.cross(axis).norm());
+  std::printf("swing: raw %.3f deg, corrected %.4f deg, fresh end %.4f deg\n", raw_swing / degree, corrected_swing / degree,
+              end_swing / degree);
+  EXPECT_LT(corrected_swing, 4.0 * helix_radius / 0.1);
+  EXPECT_LT(end_swing, 4.0 * helix_radius / 0.1);
+}
+
+// Complex amplitude of the drilled nodes' sideways position at wavelength w: twice the mean of (x - i y) e^{...} is r for a pure
+// helix.
+double amplitude(const Wellbore& hole, int from, double wavelength)
+{
+  std::complex<double> mean = 0.0, sum = 0.0;
+  const int count = hole.node_count() - from;
+  for (int i = from; i < hole.node_count(); ++i)
+    mean += std::complex<double>(hole.node(i).position.x(), hole.node(i).position.y()) / static_cast<double>(count);
+  for (int i = from; i < hole.node_count(); ++i)
+  {
+    const std::complex<double> z(hole.node(i).position.x(), hole.node(i).position.y());
+    sum += (z - mean) * std::polar(1.0, 2.0 * pi * hole.node(i).md / wavelength);
+  }
+  return std::abs(sum) / count;
+}
+
+// Sampled every L2 = 0.1 m, 10.3 mm of pitch are 9.709 turns: the nodes see -0.291 turns and draw a helix of pitch 0.343 m, the
+// "much longer thread pitch". Sampled at ten pitches they see none.
+TEST(WellExtension, LongHelixIsTheAliasOfTheShortOne)
+{
+  const double exact_advance = pitch / 256.0;
+  const auto drill = [&](double interval)
+  {
+    Wellbore hole(straight_well(500.0), every_metres(interval), bit_radius);
+    HelixDriller bit(hole.end_direction(), pitch, helix_radius, exact_advance);
+    for (int i = 0; i < 500000; ++i) hole.extend(bit.next(), -Vector3d::UnitZ());
+    return hole;
+  };
+  const Wellbore aliased = drill(0.1);
+  const int first = aliased.node_count() - 190;
+  const double interval = (aliased.node(aliased.node_count() - 1).md - aliased.node(first).md) / 189.0;
+  const double turns = interval / pitch - std::round(interval / pitch);
+  const double long_pitch = interval / std::abs(turns);
+  const double in = std::max(amplitude(aliased, first, long_pitch), amplitude(aliased, first, -long_pitch));
+  std::printf("aliased pitch %.4f m, amplitude %.2f um\n", long_pitch, 1e6 * in);
+  EXPECT_NEAR(long_pitch, 0.343, 0.01);
+  EXPECT_NEAR(in, helix_radius, 0.02 * helix_radius);
+
+  const Wellbore matched = drill(10.0 * pitch - 1e-9);
+  double spread = 0.0;
+  const Vector3d reference = matched.node(matched.node_count() - 1).position;
+  for (int i = matched.node_count() - 150; i < matched.node_count(); ++i)
+    spread = std::max(spread, (matched.node(i).position - reference).head<2>().norm());
+  EXPECT_LT(spread, 0.01 * helix_radius);
+}
+
+// Counted in drilled length the filter does not know the step size; counted in steps it does.
+TEST(WellExtension, CountingStepsTiesTheFilterToTheStep)
+{
+  const auto nodes_per_metre = [](const TrajectorySpec& trajectory, double step)
+  {
+    Wellbore hole(straight_well(500.0), trajectory, bit_radius);
+    const int before = hole.node_count();
+    HelixDriller bit(hole.end_direction(), pitch, helix_radius, step);
+    while (hole.hole_depth() < 502.0) hole.extend(bit.next(), -Vector3d::UnitZ());
+    return 0.5 * (hole.node_count() - before);
+  };
+  EXPECT_NEAR(nodes_per_metre(every_metres(0.1), advance), 10.0, 0.6);
+  EXPECT_NEAR(nodes_per_metre(every_metres(0.1), 0.4 * advance), 10.0, 0.6);
+  EXPECT_NEAR(nodes_per_metre(every_steps(1000), advance), 1.0 / (1000 * advance), 0.6);
+  EXPECT_NEAR(nodes_per_metre(every_steps(1000), 0.4 * advance), 1.0 / (400 * advance), 0.6);
+  // a crawling bit: an interval waits for a millimetre of chord
+  EXPECT_LE(nodes_per_metre(every_steps(10), 2e-6), 1000.0);
+}
+
+// The drilled hole neither jumps nor turns suddenly, whatever the bit does: d turns by less than |displacement|/L2 a step.
+TEST(WellExtension, FreshEndMovesContinuously)
+{
+  Wellbore hole(bohai_well(), every_metres(0.1), bit_radius);
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 50000; ++i)
+  {
+    const Vector3d d = hole.end_direction();
+    const double depth = hole.hole_depth();
+    const Vector3d displacement = advance * (d + 0.3 * Vector3d(normal(random), normal(random), normal(random)));
+    hole.extend(displacement, d);
+    ASSERT_LE((hole.end_direction() - d).norm(), 1.05 * displacement.norm() / 0.1) << i;
+    ASSERT_LE(std::abs(hole.hole_depth() - depth), 1.05 * displacement.norm()) << i;
+    // measured depth of the bottom is the hole's depth, on the very centre
+    const HoleSite site = hole.locate(hole.bottom_position(), hole.node_count());
+    ASSERT_NEAR(site.md, hole.hole_depth(), 1e-11);
+    ASSERT_LT((site.centre - hole.bottom_position()).norm(), 1e-11);
+  }
+  EXPECT_LE(hole.node_count(), Wellbore(bohai_well(), {}, bit_radius).node_count() + (hole.hole_depth() - 730.0) / 0.1 + 1.0);
+}
+
+TEST(WellExtension, SitesBelowTheLastNodeAreOnTheStraightEnd)
+{
+  Wellbore hole(bohai_well(), every_metres(0.1), bit_radius);
+  HelixDriller bit(hole.end_direction(), pitch, helix_radius, advance);
+  for (int i = 0; i < 13000; ++i) hole.extend(bit.next(), hole.end_direction());
+  const WellNode last = hole.node(hole.node_count() - 1);
+  const Vector3d d = hole.end_direction();
+  Vector3d u, v;
+  cross_section(d, u, v);
+  for (double beyond : {0.01, 0.05, 0.4})
+  {
+    const Vector3d point = hole.bottom_position() + (last.md + beyond - hole.hole_depth()) * d + 0.1 * u;
+    const HoleSite site = hole.locate(point, -1);
+    EXPECT_EQ(site.segment, hole.node_count());
+    EXPECT_NEAR(site.md, last.md + beyond, 1e-10);
+    EXPECT_LT((site.tangent - d).norm(), 1e-15);
+    EXPECT_LT((site.md_gradient - d).norm(), 1e-15);
+    EXPECT_EQ(site.radius, bit_radius);
+    EXPECT_LT((hole.at(last.md + beyond).position + 0.1 * u - point).norm(), 1e-10);
+  }
+  // where the permanent hole ends the line is within the helix' size of it
+  EXPECT_LT((hole.at(last.md + 1e-12).position - last.position).norm(), 2.0 * helix_radius);
+}
+
+TEST(WellExtension, NoDisplacementOrBadNumbersChangeNothing)
+{
+  Wellbore hole(bohai_well(), every_metres(0.1), bit_radius);
+  const Vector3d axis = hole.end_direction();
+  HelixDriller bit(axis, pitch, helix_radius, advance);
+  for (int i = 0; i < 5000; ++i) hole.extend(bit.next(), axis);
+  const Wellbore before(hole);
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(hole.extend(Vector3d::Zero(), axis));
+  EXPECT_FALSE(hole.extend({nan, 0.0, 0.0}, axis));
+  EXPECT_FALSE(hole.extend({0.0, -infinity, 0.0}, axis));
+  EXPECT_FALSE(hole.extend({1e200, 1e200, 0.0}, axis));
+  EXPECT_FALSE(hole.extend(advance * axis, {0.0, nan, 0.0}));
+  expect_identical(hole, before);
+  // locate answers, whatever it is asked
+  for (double bad : {nan, infinity, -infinity, 1e300})
+    for (int hint : {-1, 0, 5, hole.node_count(), 1000000})
+    {
+      const int segment = hole.locate({bad, 1.0, -100.0}, hint).segment;
+      EXPECT_GE(segment, 0);
+      EXPECT_LE(segment, hole.node_count());
+    }
+}
+
+// Saved in the middle of an interval, run on past the raw buffer's end, restored, run again: the same bits.
+TEST(WellExtension, RestoredHoleGoesOnBitForBit)
+{
+  for (const TrajectorySpec& trajectory : {every_metres(0.1), every_steps(777)})
+  {
+    Wellbore hole(bohai_well(), trajectory, bit_radius);
+    const Vector3d axis = hole.end_direction();
+    HelixDriller bit(axis, pitch, helix_radius, 10.0 * advance);
+    for (int i = 0; i < 25300; ++i) hole.extend(bit.next(), axis);
+    const Wellbore saved(hole);
+    const HelixDriller saved_bit = bit;
+    for (int i = 0; i < 9000; ++i) hole.extend(bit.next(), axis);
+    const Wellbore first(hole);
+
+    hole = saved;
+    bit = saved_bit;
+    expect_identical(hole, saved);
+    for (int i = 0; i < 9000; ++i) hole.extend(bit.next(), axis);
+    expect_identical(hole, first);
+
+    hole = saved;  // another course, then back again
+    for (int i = 0; i < 9000; ++i) hole.extend(2.0 * advance * axis, axis);
+    EXPECT_NE(hole.version(), first.version());
+    hole = first;
+    expect_identical(hole, first);
+  }
+}
+
+TEST(WellExtension, NothingIsAllocatedInAFrame)
+{
+  Wellbore hole(bohai_well(), every_metres(0.1), bit_radius);
+  const Vector3d axis = hole.end_direction();
+  HelixDriller bit(axis, pitch, helix_radius, advance);
+  Wellbore snapshot(hole);
+  Wellbore other(snapshot);
+  const long before = allocations;
+  HoleSite site;
+  for (int i = 0; i < 1000000; ++i)
+  {
+    hole.extend(bit.next(), axis);
+    if (i % 1000 == 0) site = hole.locate(hole.bottom_position() - 0.2 * axis, site.segment);
+    if (i % 5000 == 0) snapshot = hole;
+    if (i % 60000 == 0) other = hole;
+    if (i == 700000) hole = snapshot;
+  }
+  other = snapshot;
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(hole.hole_depth(), 730.0 + 40.0);
+}
+
+// A bit that nobody stops: the room for nodes is shared out over ever longer intervals, and the hole goes on after that.
+TEST(WellExtension, FullCapacityIsSaidAndSurvived)
+{
+  Wellbore hole(straight_well(100.0), every_metres(0.1), bit_radius, 16);
+  const int before = hole.node_count();
+  const Vector3d axis = hole.end_direction();
+  while (hole.hole_depth() < 100.75) hole.extend(advance * axis, axis);
+  EXPECT_FALSE(hole.capacity_strained());
+  while (hole.hole_depth() < 100.95) hole.extend(advance * axis, axis);
+  EXPECT_TRUE(hole.capacity_strained());
+  while (hole.hole_depth() < 120.0) hole.extend(advance * axis, axis);
+  EXPECT_EQ(hole.node_count() - before, 16);
+  const HoleSite site = hole.locate(hole.bottom_position(), -1);
+  EXPECT_NEAR(site.md, hole.hole_depth(), 1e-9);
+  EXPECT_LT((hole.at(115.0).position - 115.0 * axis).norm(), 1e-9);
+  EXPECT_THROW(Wellbore(straight_well(100.0), every_metres(0.1), bit_radius, 100), std::invalid_argument);
+}
+
+// The next section's friction holds for what is drilled in it; the diameter is the bit's.
+TEST(WellExtension, FrictionFollowsTheSections)
+{
+  WellSpec spec = straight_well(100.0);
+  spec.sections = {{100.5, 0.3112, 0.2}, {200.0, 0.3112, 0.3}};
+  Wellbore hole(spec, every_metres(0.1), bit_radius);
+  const Vector3d axis = hole.end_direction();
+  while (hole.hole_depth() < 101.0) hole.extend(advance * axis, axis);
+  EXPECT_NEAR(hole.at(100.3).friction, 0.2, 1e-12);
+  EXPECT_NEAR(hole.at(100.8).friction, 0.3, 1e-12);
+}
+}  // namespace
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
