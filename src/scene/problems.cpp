@@ -35,7 +35,7 @@ void Problems::add_at(int line, const std::string& path, const std::string& text
 {
   if (problems_.size() == most_problems) problems_.push_back(file_ + ": and more problems");
   if (problems_.size() > most_problems) return;
-  const std::string where = line > 0 ? file_ + ":" + std::to_string(line) : file_;
+  const std::string where = line == from_outside ? "setting" : line > 0 ? file_ + ":" + std::to_string(line) : file_;
   problems_.push_back(printable(where + ": " + (path.empty() ? "" : path + ": ") + text));
 }
 

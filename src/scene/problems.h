@@ -14,7 +14,9 @@ public:
   explicit Problems(std::string file) : file_(std::move(file)) {}
 
   /// Key `path` (dots and [index]) stands on `line`, counted from 1.
-  void note(const std::string& path, int line) { lines_[path] = line; }
+  void note(const std::string& path, int line) { lines_.emplace(path, line); }
+  /// Key `path` was set from outside the file; messages name that instead of a line.
+  void note_setting(const std::string& path) { lines_[path] = from_outside; }
   bool has(const std::string& path) const { return lines_.count(path) != 0; }
 
   /// A problem with the key `path`, on its own line or, if it was left out, on that of the block around it.
@@ -26,6 +28,7 @@ public:
   void raise() const;
 
 private:
+  static constexpr int from_outside = -1;
   int line_of(std::string path) const;
 
   std::string file_;

@@ -10,6 +10,7 @@
 #include "drill_rig_sim/scene/survey_csv.h"
 #include "problems.h"
 #include "scene_keys.h"
+#include "settings.h"
 #include "yaml_reader.h"
 
 namespace drill_rig_sim
@@ -31,12 +32,14 @@ class SceneReader
 public:
   explicit SceneReader(std::string name) : name_(std::move(name)), problems_(name_) {}
 
-  Scene read(const std::string& text)
+  Scene read(const std::string& text, const std::vector<std::string>& settings)
   {
     const YAML::Node root = load(text);
     Scene scene;
     scene.file = name_;
     problems_.note("", line_of(root));
+    apply_settings(root, settings, problems_);
+    problems_.raise();
     const Entries top = read_block(root, "", scene_keys, every_kind, scene, problems_);
     in(top, "", "well", [&](const YAML::Node& n, const std::string& p) { read_well(n, p, scene.well); });
     read_list(top, "", "formation", layer_keys, scene.formation);
@@ -288,12 +291,12 @@ private:
 };
 }  // namespace
 
-Scene parse_scene(const std::string& yaml_text, const std::string& name_for_messages)
+Scene parse_scene(const std::string& yaml_text, const std::string& name_for_messages, const std::vector<std::string>& settings)
 {
-  return SceneReader(name_for_messages).read(yaml_text);
+  return SceneReader(name_for_messages).read(yaml_text, settings);
 }
 
-Scene read_scene(const std::string& file)
+Scene read_scene(const std::string& file, const std::vector<std::string>& settings)
 {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
@@ -302,7 +305,7 @@ Scene read_scene(const std::string& file)
   {
     throw SceneError({file + ": cannot be read, needed: a scene file"});
   }
-  return parse_scene(text.str(), file);
+  return parse_scene(text.str(), file, settings);
 }
 
 }  // namespace drill_rig_sim

@@ -223,7 +223,8 @@ std::map<std::string, YAML::Node> read_entries(const YAML::Node& node, const std
     const bool is_known = std::any_of(known.begin(), known.end(), [&](const char* k) { return key == k; });
     if (!is_known)
     {
-      problems.add_at(line_of(item.first), full, unknown_key(key, known));
+      problems.note(full, line_of(item.first));
+      problems.add(full, unknown_key(key, known));
     }
     else if (!entries.emplace(key, item.second).second)
     {

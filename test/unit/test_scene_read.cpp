@@ -126,6 +126,38 @@ TEST(SceneRead, NumbersDoNotDependOnNotation)
   EXPECT_DOUBLE_EQ(parse_scene(text, "x").formation[0].drillability, 1e-8);
 }
 
+TEST(SceneRead, SettingsReplaceWhatTheFileSays)
+{
+  const Scene scene =
+      parse_scene(smallest, "x", {"numerics.step=0.001", "well.sections[0].friction=0", "rig.top_drive.max_speed_rpm=100"});
+  EXPECT_DOUBLE_EQ(scene.numerics.step, 0.001);
+  EXPECT_DOUBLE_EQ(scene.well.sections[0].friction, 0.0);
+  EXPECT_DOUBLE_EQ(scene.rig.top_drive.max_speed, 100.0 * rpm);
+}
+
+TEST(SceneRead, WrongSettingsAreRefusedByName)
+{
+  const auto message = [](const std::string& setting) -> std::string
+  {
+    try
+    {
+      parse_scene(smallest, "x", {setting});
+    }
+    catch (const SceneError& e)
+    {
+      return e.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(message("numerics.step=1").rfind("setting: numerics.step: 1 is out of range", 0), 0u) << message("numerics.step=1");
+  EXPECT_EQ(message("numerics.stepp=1").rfind("setting: numerics.stepp: unknown key", 0), 0u) << message("numerics.stepp=1");
+  EXPECT_EQ(message("well.sections[7].friction=0").rfind("setting: well.sections[7].friction: there is no such", 0), 0u);
+  EXPECT_EQ(message("numerics.step").rfind("setting: numerics.step: has no value", 0), 0u);
+  EXPECT_EQ(message("name.step=1").rfind("setting: name.step: leads through", 0), 0u);
+  for (const char* nonsense : {"=", "..=1", "a[=1", "a[]=1", "well[0]=1", "name=[", "[0]=1", "string[0]..x=1"})
+    EXPECT_NE(message(nonsense), "accepted") << nonsense;
+}
+
 TEST(SurveyCsv, ColumnsMayStandInAnyOrderBesideOthers)
 {
   const std::string file = testing::TempDir() + "/drill_rig_sim_survey_order.csv";

@@ -21,12 +21,14 @@ private:
   std::vector<std::string> problems_;
 };
 
-/// Reads and checks a scene file; a survey path in it counts from the scene file's folder.
+/// Reads and checks a scene file; a survey path in it counts from the scene file's folder. `settings`, such as
+/// `numerics.step=0.002` or `well.sections[0].friction=0`, replace what the file says before anything is checked.
 /// Either a complete, checked Scene comes back or SceneError is thrown with all problems found.
-Scene read_scene(const std::string& file);
+Scene read_scene(const std::string& file, const std::vector<std::string>& settings = {});
 
 /// The same from text. `name_for_messages` stands for the file's name in messages; a survey path counts from its folder.
-Scene parse_scene(const std::string& yaml_text, const std::string& name_for_messages);
+Scene parse_scene(const std::string& yaml_text, const std::string& name_for_messages,
+                  const std::vector<std::string>& settings = {});
 
 /// The scene file's reference as Markdown: every block with its keys, units, defaults, allowed ranges and meanings.
 std::string scene_reference();
