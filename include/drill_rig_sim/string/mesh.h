@@ -1,0 +1,64 @@
+#ifndef DRILL_RIG_SIM_STRING_MESH_H
+#define DRILL_RIG_SIM_STRING_MESH_H
+
+#include <vector>
+
+#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/string/beam_element.h"
+
+namespace drill_rig_sim
+{
+/// A node of the string's mesh: rigid cross-section, contact point where it touches the wall, lumped inertia.
+struct MeshNode
+{
+  double from_bit = 0.0;        ///< unstretched distance from the bit's face [m]
+  double contact_radius = 0.0;  ///< [m]
+  ContactLaw contact;
+  double mass = 0.0;          ///< in air [kg]
+  double added_mass = 0.0;    ///< of mud, lateral motion only [kg]
+  double spin_inertia = 0.0;  ///< about the string's axis [kg m2]
+  double tilt_inertia = 0.0;  ///< about any axis across it [kg m2]
+  double length = 0.0;        ///< share of the string, for the mud's damping [m]
+  double film_damping = 0.0;  ///< of lateral motion by the mud squeezed between blades or gauge and wall [N s/m]
+  int part = 0;               ///< index into Scene::string of the part below it
+  int joint = 0;              ///< joint of that part, counted from its lower end
+  bool joint_end = false;     ///< upper end of a joint
+};
+
+/// The beam between nodes i (lower) and i + 1 (upper).
+struct MeshElement
+{
+  BeamSection section;
+  double linear_mass = 0.0;  ///< in air, averaged over the element [kg/m]
+  double displaced = 0.0;    ///< volume of mud displaced per length [m3/m]
+  double bend = 0.0;         ///< its upper end's normal is turned by this about the upper node's z axis, towards y [rad]
+  Eigen::Quaterniond upper_end = Eigen::Quaterniond::Identity();  ///< that turn
+  double outer_area = 0.0;   ///< [m2]
+  double bore_area = 0.0;    ///< [m2]
+  double outer_diameter = 0.0;
+  int part = 0;
+};
+
+/// The drillstring as nodes and elements, bit first. Node 0 is the centre of the bit's ball, half a diameter above the bit's face; the
+/// bit is a rigid body on it. The last node is the top-drive shaft. Every joint's end, part's end, stabiliser's blade and bend is a node.
+struct Mesh
+{
+  std::vector<MeshNode> nodes;
+  std::vector<MeshElement> elements;
+  double total_length = 0.0;  ///< unstretched, bit's face to top-drive shaft [m]
+  double bit_radius = 0.0;    ///< [m]
+  double bit_mass = 0.0;      ///< [kg]
+  double bit_displaced = 0.0; ///< volume [m3]
+  int bend_node = -1;         ///< -1: straight string
+  double sensor_from_bit = -1.0;    ///< the MWD's sensor; -1: none
+  std::vector<double> part_bottom;  ///< from_bit of each part's lower end [m]
+  std::vector<double> part_top;
+};
+
+/// Cuts the scene's string into elements no longer than `numerics.element_length`. `total_length` [m] fixes how many joints the `fill`
+/// entry has and how long its last one is. Throws std::runtime_error if the string does not fit.
+Mesh build_mesh(const Scene& scene, double total_length);
+
+}  // namespace drill_rig_sim
+
+#endif
