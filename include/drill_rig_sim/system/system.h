@@ -1,0 +1,156 @@
+#ifndef DRILL_RIG_SIM_SYSTEM_SYSTEM_H
+#define DRILL_RIG_SIM_SYSTEM_SYSTEM_H
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "drill_rig_sim/contact/wall_contact.h"
+#include "drill_rig_sim/math/block_tridiagonal.h"
+#include "drill_rig_sim/rig/setpoints.h"
+#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/string/mesh.h"
+#include "drill_rig_sim/system/state.h"
+#include "drill_rig_sim/well/formation.h"
+
+namespace drill_rig_sim
+{
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+
+/// Friction between string and wall.
+enum class FrictionMode
+{
+  sticking,  ///< bristle law: dynamics
+  none,      ///< frictionless statics
+  up,        ///< full slip of a string that moves up the hole
+  down,      ///< down the hole
+  rotate     ///< that turns clockwise
+};
+
+/// How a stage of an implicit method ties rates to the unknown increments u of the step: rate = c u + rate_0, acceleration =
+/// c rate + acceleration_0, node by node. Translation in world axes; rotation as tilt (world axes, across the section normal at the
+/// step's start) plus spin about that normal, added up in one vector.
+struct Stage
+{
+  double step = 0.0;         ///< length of the step, for the laws that advance their own state [s]
+  double coefficient = 0.0;  ///< c [1/s]; 0 = statics
+  std::vector<Vector6d> rate;          ///< rate_0
+  std::vector<Vector6d> acceleration;  ///< acceleration_0
+  double drive_rate = 0.0;             ///< the same for the top drive's rotor
+  double drive_acceleration = 0.0;
+};
+
+/// Forces at the state that finish() made, for measurements and energy books.
+struct SystemForces
+{
+  std::vector<double> tension;          ///< of the elements [N]
+  std::vector<double> torque;           ///< of the elements [N m]
+  std::vector<double> bending_moment;   ///< at the nodes, from the element below [N m]
+  std::vector<double> contact;          ///< normal, at the nodes [N]
+  std::vector<Eigen::Vector3d> wall;    ///< wall on string, at the nodes [N]
+  Eigen::Vector3d bit_force = Eigen::Vector3d::Zero();   ///< rock on bit [N]
+  Eigen::Vector3d bit_moment = Eigen::Vector3d::Zero();  ///< rock on bit about its centre [N m]
+  Eigen::Vector3d rock_force = Eigen::Vector3d::Zero();  ///< bit on rock that breaks it: bottom normal and gauge normal [N]
+  double wob = 0.0;         ///< [N]
+  double bit_torque = 0.0;  ///< rock against the bit's turning [N m]
+  double bit_speed = 0.0;   ///< [rad/s]
+  double hook_load = 0.0;   ///< of the lines on the block [N]
+  double meter_torque = 0.0;  ///< [N m]
+};
+
+/// The mechanics of rig, string, well and rock at one instant: residual and tangent of one implicit stage. Holds the constant model
+/// and scratch space, no time and no state.
+///
+/// Coordinates: six per node, u = (displacement, tilt + spin) since the start of the step; the rotation is exp(tilt) exp(spin n), n the
+/// section normal at the start: spin is a scalar however large, and the tilt of one step is small.
+/// The top node is the shaft of the top drive: height and spin are free, the rest is held by the guide rail (rows of the identity).
+/// The block's mass moves with it; the rotor is condensed into the spin's row.
+class System
+{
+public:
+  System(const Scene& scene, Mesh mesh);
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+
+  const Mesh& mesh() const noexcept { return mesh_; }
+  const Scene& scene() const noexcept { return scene_; }
+  const Formation& formation() const noexcept { return formation_; }
+  int nodes() const noexcept { return static_cast<int>(mesh_.nodes.size()); }
+  Stage& stage() noexcept { return stage_; }
+
+  /// Takes `state` as the start of a step of length `step` [s]; set points act from here. The state must outlive the calls below.
+  void begin(const SystemState& state, double step, const Setpoints& setpoints) noexcept;
+  /// Statics instead: friction as given, top node held at its height and spin, no rig.
+  /// `coefficient` c [1/s] > 0 adds the inertia of a start from rest, M c^2 u: a step of pseudo-transient continuation.
+  void begin_static(const SystemState& state, FrictionMode friction, double coefficient = 0.0) noexcept;
+
+  /// Residual R(u) and, unless null, its tangent dR/du. u, residual: 6 per node, bit first.
+  void evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept;
+  /// Writes the state of the last evaluate(): configuration, rates, bristles, drive, hoist, bit. Its history becomes that of this step.
+  /// `state` may be the one that begin() took.
+  void finish(SystemState& state) const noexcept;
+  /// Forces at the last evaluate().
+  const SystemForces& forces() const noexcept { return forces_; }
+  /// What must hold the top node in statics: vertical force [N] and torque about the string [N m] on the string.
+  double top_force() const noexcept { return top_force_; }
+  double top_torque() const noexcept { return top_torque_; }
+
+  /// Of the bristle that carries a stuck bit's torque [N m/rad].
+  double bit_bristle_stiffness() const noexcept { return bit_bristle_; }
+
+  /// Velocity of the hole's bottom under the bit as finish() left it (three-dimensional rock-breaking velocity) [m/s].
+  Eigen::Vector3d rock_velocity(const SystemState& state) const noexcept;
+
+private:
+  struct NodeScratch
+  {
+    Eigen::Vector3d normal_start;  // n at the start of the step
+    Eigen::Vector3d position, normal;
+    Eigen::Quaterniond orientation;
+    Eigen::Vector3d tilt;
+    double spin;
+    Vector6d increment, rate, acceleration;
+    double immersed;  // 1 below the rotary table
+    HoleSite site;
+    Eigen::Vector3d bristle;
+  };
+
+  void begin_common(const SystemState& state) noexcept;
+  void configure(const double* u) noexcept;
+  void add_elements(double* residual, BlockTridiagonal* tangent) noexcept;
+  void add_inertia(double* residual, BlockTridiagonal* tangent) noexcept;
+  WallForce wall_force(int i, double radius, Eigen::Matrix<double, 6, 6>* block) noexcept;
+  void add_walls(double* residual, BlockTridiagonal* tangent) noexcept;
+  void add_grip(double* residual, BlockTridiagonal* tangent) noexcept;
+  void add_bit(double* residual, BlockTridiagonal* tangent) noexcept;
+  void add_rig(double* residual, BlockTridiagonal* tangent) noexcept;
+  void hold_top(double* residual, BlockTridiagonal* tangent) noexcept;
+  static void scatter(const BeamTangent& t, int e, BlockTridiagonal& tangent) noexcept;
+  double element_weight(int e, double z_lower, double z_upper) const noexcept;
+  HoistState advance_hoist(const SystemState& state, double step) const noexcept;
+
+  Scene scene_;
+  Mesh mesh_;
+  Formation formation_;
+  std::vector<ContactSpec> contact_;  // per node
+  const PartSpec* motor_ = nullptr;     // into scene_; null: none
+  double bit_bristle_ = 0.0;            // [N m/rad]
+  Stage stage_;
+  Setpoints setpoints_;
+  const SystemState* start_ = nullptr;
+  bool static_ = false;
+  FrictionMode friction_ = FrictionMode::sticking;
+  std::vector<NodeScratch> scratch_;
+  std::vector<Eigen::Vector3d> loads_;  // weight of the elements in mud [N]
+  std::vector<BeamStrain> strain_;
+  double damping_ratio_ = 0.0;  // structural damping time / step
+  SystemForces forces_;
+  HoistState hoist_end_;
+  DriveState drive_end_;
+  BitState bit_end_;
+  double top_force_ = 0.0;
+  double top_torque_ = 0.0;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,265 @@
+#include "drill_rig_sim/system/system.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drill_rig_sim/contact/bit_torque.h"
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/math/units.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+System::System(const Scene& scene, Mesh mesh) : scene_(scene), mesh_(std::move(mesh)), formation_(scene.formation)
+{
+  const std::size_t n = mesh_.nodes.size();
+  contact_.assign(n, scene.contact);
+  for (std::size_t i = 0; i < n; ++i) contact_[i].law = mesh_.nodes[i].contact;
+  stage_.rate.assign(n, Vector6d::Zero());
+  stage_.acceleration.assign(n, Vector6d::Zero());
+  scratch_.resize(n);
+  loads_.assign(n - 1, Vector3d::Zero());
+  strain_.resize(n - 1);
+  for (const PartSpec& part : scene_.string)
+    if (part.type == PartType::mud_motor) motor_ = &part;
+  const PartSpec& bit = scene_.string.front();
+  bit_bristle_ = drill_rig_sim::bit_bristle_stiffness(bit.torque, bit.diameter);
+  forces_.tension.assign(n - 1, 0.0);
+  forces_.torque.assign(n - 1, 0.0);
+  forces_.bending_moment.assign(n, 0.0);
+  forces_.contact.assign(n, 0.0);
+  forces_.wall.assign(n, Vector3d::Zero());
+}
+
+void System::begin(const SystemState& state, double step, const Setpoints& setpoints) noexcept
+{
+  static_ = false;
+  friction_ = FrictionMode::sticking;
+  stage_.step = step;
+  damping_ratio_ = scene_.numerics.structural_damping / step;
+  setpoints_ = setpoints;
+  begin_common(state);
+  hoist_end_ = advance_hoist(state, step);
+}
+
+void System::begin_static(const SystemState& state, FrictionMode friction, double coefficient) noexcept
+{
+  static_ = true;
+  friction_ = friction;
+  stage_.coefficient = coefficient;
+  damping_ratio_ = 0.0;
+  std::fill(stage_.rate.begin(), stage_.rate.end(), Vector6d::Zero());
+  std::fill(stage_.acceleration.begin(), stage_.acceleration.end(), Vector6d::Zero());
+  begin_common(state);
+}
+
+void System::begin_common(const SystemState& state) noexcept
+{
+  start_ = &state;
+  for (std::size_t i = 0; i < scratch_.size(); ++i)
+  {
+    NodeScratch& s = scratch_[i];
+    s.normal_start = x_axis(state.nodes[i].orientation);
+    s.immersed = state.nodes[i].position.z() < 0.0 ? 1.0 : 0.0;
+    s.site.segment = state.nodes[i].segment;
+    s.bristle = state.nodes[i].bristle;
+  }
+  for (std::size_t e = 0; e < loads_.size(); ++e)
+    loads_[e].z() = -element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z());
+}
+
+double System::element_weight(int e, double z_lower, double z_upper) const noexcept
+{
+  const MeshElement& element = mesh_.elements[e];
+  const double height = std::max(z_upper - z_lower, 1e-9);
+  const double immersed = z_upper <= 0.0 ? 1.0 : std::clamp(-z_lower / height, 0.0, 1.0);
+  return standard_gravity * (element.linear_mass - scene_.mud.density * element.displaced * immersed) * element.section.length;
+}
+
+void System::configure(const double* u) noexcept
+{
+  const double c = stage_.coefficient;
+  for (std::size_t i = 0; i < scratch_.size(); ++i)
+  {
+    NodeScratch& s = scratch_[i];
+    const NodeState& start = start_->nodes[i];
+    s.increment = Eigen::Map<const Vector6d>(u + 6 * i);
+    s.position = start.position + s.increment.head<3>();
+    s.spin = s.increment.tail<3>().dot(s.normal_start);
+    s.tilt = s.increment.tail<3>() - s.spin * s.normal_start;
+    s.orientation = rotation_from_vector(s.tilt) * rotation_from_vector(s.spin * s.normal_start) * start.orientation;
+    s.normal = x_axis(s.orientation);
+    s.rate = c * s.increment + stage_.rate[i];
+    s.acceleration = c * s.rate + stage_.acceleration[i];
+  }
+}
+
+void System::evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  std::fill(residual, residual + 6 * scratch_.size(), 0.0);
+  if (tangent) tangent->set_zero();
+  configure(u);
+  add_elements(residual, tangent);
+  if (stage_.coefficient > 0.0) add_inertia(residual, tangent);
+  add_walls(residual, tangent);
+  add_bit(residual, tangent);
+  if (start_->grip.node >= 0) add_grip(residual, tangent);
+  if (!static_) add_rig(residual, tangent);
+  hold_top(residual, tangent);
+}
+
+void System::add_elements(double* residual, BlockTridiagonal* tangent) noexcept
+{
+  BeamTangent t;
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e)
+  {
+    const MeshElement& element = mesh_.elements[e];
+    const NodeScratch& lower = scratch_[e];
+    const NodeScratch& upper = scratch_[e + 1];
+    BeamPose pose{upper.position, lower.position, upper.normal, lower.normal, 0.0};
+    if (element.bend != 0.0)
+    {
+      const Eigen::Quaterniond bent = upper.orientation * element.upper_end;
+      pose.upper_normal = x_axis(bent);
+      pose.twist = twist_between(bent, lower.orientation);
+    }
+    else
+      pose.twist = twist_between(upper.orientation, lower.orientation);
+
+    const BeamDamping damping{damping_ratio_, start_->strain[e]};
+    const BeamForces f = tangent ? beam_forces(element.section, pose, damping, loads_[e], strain_[e], t)
+                                 : beam_forces(element.section, pose, damping, loads_[e], strain_[e]);
+    Eigen::Map<Vector6d> r_lower(residual + 6 * e), r_upper(residual + 6 * e + 6);
+    r_lower.head<3>() += f.force - 0.5 * loads_[e];
+    r_lower.tail<3>() += f.moment_lower;
+    r_upper.head<3>() -= f.force + 0.5 * loads_[e];
+    r_upper.tail<3>() += f.moment_upper;
+    forces_.tension[e] = f.tension;
+    forces_.torque[e] = -f.torque;
+    forces_.bending_moment[e + 1] = (f.moment_upper - pose.upper_normal * pose.upper_normal.dot(f.moment_upper)).norm();
+    if (tangent) scatter(t, static_cast<int>(e), *tangent);
+  }
+}
+
+/// Node e is the element's lower end, node e + 1 its upper end; d = lower - upper.
+void System::scatter(const BeamTangent& t, int e, BlockTridiagonal& tangent) noexcept
+{
+  auto lower = tangent.diagonal(e);
+  lower.topLeftCorner<3, 3>() += t.force_d;
+  lower.topRightCorner<3, 3>() += t.force_lower;
+  lower.bottomLeftCorner<3, 3>() += t.lower_d;
+  lower.bottomRightCorner<3, 3>() += t.lower_lower;
+  auto upper = tangent.diagonal(e + 1);
+  upper.topLeftCorner<3, 3>() = t.force_d;
+  upper.topRightCorner<3, 3>() = -t.force_upper;
+  upper.bottomLeftCorner<3, 3>() = -t.upper_d;
+  upper.bottomRightCorner<3, 3>() = t.upper_upper;
+  auto lower_by_upper = tangent.upper(e);
+  lower_by_upper.topLeftCorner<3, 3>() = -t.force_d;
+  lower_by_upper.topRightCorner<3, 3>() = t.force_upper;
+  lower_by_upper.bottomLeftCorner<3, 3>() = -t.lower_d;
+  lower_by_upper.bottomRightCorner<3, 3>() = t.lower_upper;
+  auto upper_by_lower = tangent.lower(e);
+  upper_by_lower.topLeftCorner<3, 3>() = -t.force_d;
+  upper_by_lower.topRightCorner<3, 3>() = -t.force_lower;
+  upper_by_lower.bottomLeftCorner<3, 3>() = t.upper_d;
+  upper_by_lower.bottomRightCorner<3, 3>() = t.upper_lower;
+}
+
+void System::add_inertia(double* residual, BlockTridiagonal* tangent) noexcept
+{
+  const double c = stage_.coefficient;
+  const MudSpec& mud = scene_.mud;
+  const std::size_t top = scratch_.size() - 1;
+  for (std::size_t i = 0; i <= top; ++i)
+  {
+    const MeshNode& node = mesh_.nodes[i];
+    const NodeScratch& s = scratch_[i];
+    const Vector3d& n = s.normal_start;
+    Eigen::Map<Vector6d> r(residual + 6 * i);
+    const double damped_length = static_ ? 0.0 : s.immersed * node.length;
+    const double added = s.immersed * node.added_mass;
+    const double mass = node.mass + added + (i == top && !static_ ? scene_.rig.hoisting.block_mass : 0.0);
+
+    // translation: scalar across the string, less the added mass along it
+    const double across = damped_length * mud.lateral_damping + (static_ ? 0.0 : s.immersed * node.film_damping);
+    const double along = damped_length * mud.axial_damping - across;  // along the string, less what acts across it
+    const Vector3d v = s.rate.head<3>(), a = s.acceleration.head<3>();
+    r.head<3>() += mass * a + across * v + (along * n.dot(v) - added * n.dot(a)) * n;
+
+    // rotation of a symmetric top in axes that tilt but do not spin
+    const Vector3d w = s.rate.tail<3>(), alpha = s.acceleration.tail<3>();
+    const double spin = w.dot(n);
+    const double torsional = damped_length * mud.torsional_damping;
+    const double gyro = node.spin_inertia;
+    r.tail<3>() += node.tilt_inertia * alpha +
+                   ((node.spin_inertia - node.tilt_inertia) * alpha.dot(n) + torsional * spin) * n + gyro * spin * w.cross(n);
+    if (!tangent) continue;
+
+    auto d = tangent->diagonal(static_cast<int>(i));
+    const Matrix3d nn = n * n.transpose();
+    d.topLeftCorner<3, 3>() += (c * along - c * c * added) * nn;
+    d.topLeftCorner<3, 3>().diagonal().array() += c * c * mass + c * across;
+    d.bottomRightCorner<3, 3>() += (c * c * (node.spin_inertia - node.tilt_inertia) + c * torsional) * nn +
+                                   (c * gyro) * (w.cross(n) * n.transpose() - spin * skew(n));
+    d.bottomRightCorner<3, 3>().diagonal().array() += c * c * node.tilt_inertia;
+  }
+}
+
+void System::hold_top(double* residual, BlockTridiagonal* tangent) noexcept
+{
+  const int top = nodes() - 1;
+  Eigen::Map<Vector6d> r(residual + 6 * top);
+  if (static_)
+  {
+    top_force_ = r[2];
+    top_torque_ = -r[5];
+  }
+  for (int k = 0; k < 6; ++k)
+  {
+    const bool free = !static_ && (k == 2 || k == 5);
+    if (free) continue;
+    r[k] = 0.0;
+    if (!tangent) continue;
+    tangent->diagonal(top).row(k).setZero();
+    tangent->diagonal(top).col(k).setZero();
+    tangent->diagonal(top)(k, k) = 1.0;
+    tangent->upper(top - 1).col(k).setZero();
+    tangent->lower(top - 1).row(k).setZero();
+  }
+}
+
+void System::finish(SystemState& state) const noexcept
+{
+  for (std::size_t i = 0; i < scratch_.size(); ++i)
+  {
+    const NodeScratch& s = scratch_[i];
+    NodeState& node = state.nodes[i];
+    // vectors across the old normal are carried to the new one
+    auto carried = [&](const Vector3d& t)
+    {
+      const Vector3d moved = t + s.tilt.cross(t);
+      return Vector3d(moved - s.normal * s.normal.dot(moved));
+    };
+    const double spin_rate = s.rate.tail<3>().dot(s.normal_start);
+    node.last_rate = {node.rate.velocity, carried(node.rate.tilt), node.rate.spin};
+    node.rate = {s.rate.head<3>(), carried(s.rate.tail<3>() - spin_rate * s.normal_start), spin_rate};
+    node.last_move = {s.increment.head<3>(), carried(s.tilt), s.spin};
+    node.position = s.position;
+    node.orientation = s.orientation.normalized();
+    node.spin_angle += s.spin;
+    node.bristle = s.bristle;
+    node.segment = s.site.segment;
+  }
+  state.strain = strain_;
+  if (static_) return;
+  state.hoist = hoist_end_;
+  state.drive = drive_end_;
+  state.bit = bit_end_;
+  state.last_step = stage_.step;
+  state.time += stage_.step;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,80 @@
+// The bit on the bottom: weight, torque, and the velocity at which the rock gives way.
+#include "drill_rig_sim/contact/bit_bottom.h"
+#include "drill_rig_sim/contact/bit_torque.h"
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/rig/mud_motor.h"
+#include "drill_rig_sim/system/system.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Vector3d;
+
+void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
+{
+  const PartSpec& bit = scene_.string.front();
+  const NodeScratch& s = scratch_[0];
+  const BitState& start = start_->bit;
+  const Vector3d down = start_->well.bottom_normal();
+  const Vector3d to_bottom = start_->well.bottom_position() - s.position;
+  const Vector3d& n = s.normal_start;
+  const double start_speed = start_->nodes[0].rate.spin + start.motor_speed;
+  const double spin_rate = s.rate.tail<3>().dot(n);
+  forces_.bit_speed = static_ ? 0.0 : spin_rate + start.motor_speed;
+
+  const FormationLayer& rock = formation_.at(-start_->well.bottom_position().z());
+  RockBreaking breaking;
+  if (!static_) breaking = {drilling_coefficient(rock, start_speed), rock.weight_exponent, rock.threshold};
+  const double step = static_ ? 0.0 : stage_.step;
+  const double rate = static_ ? 0.0 : s.rate.head<3>().dot(down);
+  const BottomForce bottom = bit_bottom_force(bit.bottom, mesh_.bit_radius - to_bottom.dot(down), rate, breaking, step);
+
+  BitTorque torque;
+  if (static_)
+    torque.value = bottom.value > 0.0 ? scene_.start.torque_on_bit : 0.0;
+  else if (bottom.value > 0.0)
+    torque = bit_torque(bit_torque_limit(bit.torque, bit.diameter, bottom.value, forces_.bit_speed, rock), bit_bristle_, start.twist,
+                        s.spin + step * start.motor_speed, forces_.bit_speed, stage_.coefficient);
+
+  Eigen::Map<Vector6d> r(residual);
+  r.head<3>() += bottom.value * down;
+  r.tail<3>() += torque.value * n;
+  r[2] += standard_gravity * (mesh_.bit_mass - scene_.mud.density * mesh_.bit_displaced * s.immersed);
+  if (tangent && bottom.value > 0.0)
+  {
+    const double stiffness = bottom.stiffness + (static_ ? 0.0 : stage_.coefficient * bottom.damping);
+    auto d = tangent->diagonal(0);
+    d.topLeftCorner<3, 3>() += stiffness * down * down.transpose();
+    d.bottomLeftCorner<3, 3>() += (torque.force_slope * stiffness) * n * down.transpose();
+    d.bottomRightCorner<3, 3>() += torque.spin_slope * n * n.transpose();
+  }
+
+  forces_.wob = bottom.value;
+  forces_.bit_torque = torque.value;
+  forces_.bit_force = forces_.wall[0] - bottom.value * down;
+  forces_.bit_moment = -torque.value * n;
+  Vector3d outward = s.position - s.site.centre;
+  const double offset = outward.norm();
+  forces_.rock_force = bottom.value * down;
+  if (forces_.contact[0] > 0.0 && offset > 0.0) forces_.rock_force += (forces_.contact[0] / offset) * outward;
+  if (static_) return;
+
+  bit_end_ = start;
+  bit_end_.twist = torque.twist;
+  bit_end_.turned += step * start.motor_speed;
+  if (motor_)
+  {
+    const double steady = mud_motor_steady_speed(start_->flow, motor_->displacement_per_rev, motor_->stall_torque, torque.value);
+    bit_end_.motor_speed = advance_mud_motor(start.motor_speed, steady, step);
+    bit_end_.stalled = mud_motor_stalled(start_->flow, motor_->stall_torque, torque.value);
+  }
+}
+
+Vector3d System::rock_velocity(const SystemState& state) const noexcept
+{
+  if (forces_.wob <= 0.0) return Vector3d::Zero();
+  const FormationLayer& rock = formation_.at(-state.well.bottom_position().z());
+  return rock_breaking_velocity(rock, forces_.rock_force, forces_.bit_speed, x_axis(state.nodes[0].orientation),
+                                scene_.string.front().side_cutting);
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,106 @@
+// Wall contact and gripped pipe: the parts of the system that hold the string in the hole.
+#include "drill_rig_sim/contact/wall_contact.h"
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/system/system.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+namespace
+{
+// a stuck pipe holds like ten joints' worth of steel [N/m], [N m/rad]
+constexpr double kGripStiffness = 1e8;
+constexpr double kGripTorsion = 1e6;
+
+SlidingMotion sliding_of(FrictionMode mode)
+{
+  switch (mode)
+  {
+    case FrictionMode::up:
+      return {-1.0, 0.0};
+    case FrictionMode::down:
+      return {1.0, 0.0};
+    case FrictionMode::rotate:
+      return {0.0, 1.0};
+    default:
+      return {};
+  }
+}
+}  // namespace
+
+void System::add_walls(double* residual, BlockTridiagonal* tangent) noexcept
+{
+  Matrix6d block;
+  // the last node is the top drive's shaft, above the table
+  for (std::size_t i = 0; i + 1 < scratch_.size(); ++i)
+  {
+    NodeScratch& s = scratch_[i];
+    forces_.contact[i] = 0.0;
+    forces_.wall[i].setZero();
+    if (s.position.z() >= 0.0)
+    {
+      s.bristle.setZero();
+      continue;
+    }
+    const double radius = mesh_.nodes[i].contact_radius;
+    s.site = start_->well.locate(s.position, s.site.segment);
+    if (wall_gap(s.site, s.position, radius) >= 0.0)
+    {
+      s.bristle.setZero();
+      continue;
+    }
+    const WallForce f = wall_force(static_cast<int>(i), radius, tangent ? &block : nullptr);
+    Eigen::Map<Vector6d> r(residual + 6 * i);
+    r.head<3>() -= f.force;
+    r.tail<3>() -= f.moment;
+    s.bristle = f.bristle;
+    forces_.contact[i] = f.normal_force;
+    forces_.wall[i] = f.force;
+    if (tangent) tangent->diagonal(static_cast<int>(i)) -= block;
+  }
+}
+
+WallForce System::wall_force(int i, double radius, Matrix6d* block) noexcept
+{
+  const NodeScratch& s = scratch_[i];
+  if (static_)
+  {
+    Matrix6d unused;
+    return sliding_wall_contact(s.site, radius, s.position, sliding_of(friction_), contact_[i].law, block ? *block : unused);
+  }
+  ContactMotion motion;
+  motion.position = s.position;
+  motion.displacement = s.increment.head<3>();
+  motion.rotation = s.increment.tail<3>();
+  motion.velocity = s.rate.head<3>();
+  motion.angular_velocity = s.rate.tail<3>();
+  motion.velocity_coefficient = stage_.coefficient;
+  if (i == 0)  // the bit turns with the motor
+  {
+    const double motor = start_->bit.motor_speed;
+    motion.rotation += (stage_.step * motor) * s.normal_start;
+    motion.angular_velocity += motor * s.normal_start;
+  }
+  const Vector3d& bristle = start_->nodes[i].bristle;
+  return block ? wall_contact(s.site, radius, motion, bristle, contact_[i], *block)
+               : wall_contact(s.site, radius, motion, bristle, contact_[i]);
+}
+
+void System::add_grip(double* residual, BlockTridiagonal* tangent) noexcept
+{
+  const GripState& grip = start_->grip;
+  const NodeScratch& s = scratch_[grip.node];
+  Eigen::Map<Vector6d> r(residual + 6 * grip.node);
+  const Vector3d& n = s.normal_start;
+  r.head<3>() += kGripStiffness * (s.position - grip.position);
+  r.tail<3>() += kGripTorsion * (start_->nodes[grip.node].spin_angle + s.spin - grip.spin_angle) * n;
+  if (!tangent) return;
+  auto d = tangent->diagonal(grip.node);
+  d.topLeftCorner<3, 3>().diagonal().array() += kGripStiffness;
+  d.bottomRightCorner<3, 3>() += kGripTorsion * n * n.transpose();
+}
+
+}  // namespace drill_rig_sim
