@@ -1,0 +1,28 @@
+#ifndef DRILL_RIG_SIM_SOLVE_STATICS_H
+#define DRILL_RIG_SIM_SOLVE_STATICS_H
+
+#include "drill_rig_sim/system/system.h"
+
+namespace drill_rig_sim
+{
+struct StaticOutcome
+{
+  bool converged = false;
+  int iterations = 0;       ///< Newton iterations, continuation and KINSOL together
+  double residual = 0.0;    ///< largest force or moment left at a node [N, N m]
+  double top_force = 0.0;   ///< vertical force that holds the top node, + up: hook load of the string [N]
+  double top_torque = 0.0;  ///< torque that holds the top node, + drives the string clockwise [N m]
+};
+
+/// Static equilibrium of the string in its hole, the top node held where it is: `state` in, a guess; out, at rest in equilibrium
+/// (rates, bristles and history cleared). Friction none: the start of a run. up, down, rotate: full slip along the given motion,
+/// the stiff-string form of torque and drag.
+///
+/// Pseudo-transient continuation (inertia M c^2 with c falling to 0, Kelley and Keyes 1998) walks into the basin of the solution:
+/// a long string out of contact has almost no lateral stiffness, and a full Newton step would throw it through the wall. KINSOL's
+/// Newton method with line search then finishes it. Allocates; not for use in a frame.
+StaticOutcome solve_static(System& system, SystemState& state, FrictionMode friction);
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,128 @@
+#include "drill_rig_sim/solve/kinsol_equilibrium.h"
+
+#include <kinsol/kinsol.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sundials/sundials_linearsolver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace drill_rig_sim
+{
+namespace
+{
+/// What KINSOL's callbacks reach through its user data.
+struct Session
+{
+  const NonlinearProblem* problem;
+  std::vector<double> last_u;  // the line search evaluates its accepted point last, so this is where the tangent is wanted
+};
+
+int residual_callback(N_Vector u, N_Vector f, void* data)
+{
+  auto* session = static_cast<Session*>(data);
+  const double* values = N_VGetArrayPointer(u);
+  session->last_u.assign(values, values + session->last_u.size());
+  session->problem->residual(values, N_VGetArrayPointer(f));
+  return 0;
+}
+
+int solve_callback(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, realtype)
+{
+  auto* session = static_cast<Session*>(solver->content);
+  N_VScale(1.0, b, x);
+  return session->problem->solve_tangent(session->last_u.data(), N_VGetArrayPointer(x)) ? SUNLS_SUCCESS : SUNLS_PACKAGE_FAIL_REC;
+}
+
+SUNLinearSolver_Type type_callback(SUNLinearSolver)
+{
+  return SUNLINEARSOLVER_ITERATIVE;  // KINSOL then asks for no SUNMatrix
+}
+
+int products_callback(SUNLinearSolver, void*, SUNATimesFn)
+{
+  return SUNLS_SUCCESS;  // products with the matrix are not needed
+}
+
+int initialize_callback(SUNLinearSolver)
+{
+  return SUNLS_SUCCESS;
+}
+
+int setup_callback(SUNLinearSolver, SUNMatrix)
+{
+  return SUNLS_SUCCESS;
+}
+
+int iterations_callback(SUNLinearSolver)
+{
+  return 1;
+}
+
+realtype norm_callback(SUNLinearSolver)
+{
+  return 0.0;
+}
+
+int free_callback(SUNLinearSolver solver)
+{
+  solver->content = nullptr;
+  SUNLinSolFreeEmpty(solver);
+  return 0;
+}
+
+struct FreeKinsol
+{
+  void operator()(void* memory) const { KINFree(&memory); }
+};
+
+void silent(int, const char*, const char*, char*, void*) {}
+
+}  // namespace
+
+KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, std::vector<double>& u)
+{
+  KinsolOutcome out;
+  const auto n = static_cast<sunindextype>(u.size());
+  SUNContext raw_context = nullptr;
+  if (SUNContext_Create(nullptr, &raw_context) != 0) return out;
+  const std::unique_ptr<_SUNContext, void (*)(SUNContext)> context(raw_context, [](SUNContext c) { SUNContext_Free(&c); });
+  using Vector = std::unique_ptr<_generic_N_Vector, void (*)(N_Vector)>;
+  const Vector x(N_VMake_Serial(n, u.data(), raw_context), N_VDestroy);
+  const Vector ones(N_VNew_Serial(n, raw_context), N_VDestroy);
+  N_VConst(1.0, ones.get());
+  Session session{&problem, u};
+  const std::unique_ptr<_generic_SUNLinearSolver, int (*)(SUNLinearSolver)> linear(SUNLinSolNewEmpty(raw_context), free_callback);
+  linear->content = &session;
+  linear->ops->gettype = type_callback;
+  linear->ops->setatimes = products_callback;
+  linear->ops->numiters = iterations_callback;
+  linear->ops->resnorm = norm_callback;
+  linear->ops->initialize = initialize_callback;
+  linear->ops->setup = setup_callback;
+  linear->ops->solve = solve_callback;
+
+  const std::unique_ptr<void, FreeKinsol> memory(KINCreate(raw_context));
+  void* kinsol = memory.get();
+  KINSetErrHandlerFn(kinsol, silent, nullptr);  // the outcome tells
+  KINSetUserData(kinsol, &session);
+  KINInit(kinsol, residual_callback, x.get());
+  if (KINSetLinearSolver(kinsol, linear.get(), nullptr) != KINLS_SUCCESS) return out;
+  KINSetFuncNormTol(kinsol, tolerance);
+  KINSetScaledStepTol(kinsol, 1e-14);
+  KINSetMaxNewtonStep(kinsol, 1e3);
+  KINSetNumMaxIters(kinsol, 100);
+  const int flag = KINSol(kinsol, x.get(), KIN_LINESEARCH, ones.get(), ones.get());
+  long iterations = 0;
+  KINGetNumNonlinSolvIters(kinsol, &iterations);
+  out.iterations = static_cast<int>(iterations);
+  std::vector<double> residual(u.size());
+  problem.residual(u.data(), residual.data());
+  for (double r : residual) out.residual = std::max(out.residual, std::abs(r));
+  out.converged = flag >= 0 && out.residual <= 10.0 * tolerance;
+  return out;
+}
+
+}  // namespace drill_rig_sim

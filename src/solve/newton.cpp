@@ -1,0 +1,55 @@
+#include "drill_rig_sim/solve/newton.h"
+
+#include <cmath>
+
+namespace drill_rig_sim
+{
+namespace
+{
+double largest(const std::vector<double>& values) noexcept
+{
+  double most = 0.0;
+  for (double value : values)
+  {
+    const double size = std::abs(value);
+    if (!(size <= most)) most = size;  // keeps a NaN
+    if (!(most < 1e300)) return most;
+  }
+  return most;
+}
+}  // namespace
+
+Newton::Newton(int nodes) : step_(6 * nodes)
+{
+  tangent_.resize(nodes);
+}
+
+NewtonOutcome Newton::solve(System& system, double* u, const NewtonLimits& limits) noexcept
+{
+  NewtonOutcome out;
+  double before = 0.0;
+  while (out.iterations < limits.max_iterations)
+  {
+    system.evaluate(u, step_.data(), &tangent_);
+    ++out.iterations;
+    if (!tangent_.solve(step_.data())) return out;
+    out.increment = largest(step_);
+    if (!std::isfinite(out.increment)) return out;
+    const double scale = out.increment > limits.max_move ? limits.max_move / out.increment : 1.0;
+    for (std::size_t k = 0; k < step_.size(); ++k) u[k] -= scale * step_[k];
+    if (scale == 1.0)
+    {
+      // an iteration leaves less than its contraction times its increment
+      const double contraction = before > 0.0 ? out.increment / before : 1.0;
+      if (out.increment * std::fmin(1.0, contraction) < limits.tolerance)
+      {
+        out.converged = true;
+        return out;
+      }
+    }
+    before = out.increment;
+  }
+  return out;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,168 @@
+#include "drill_rig_sim/solve/start.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/rig/hoisting.h"
+#include "drill_rig_sim/well/directions.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+namespace
+{
+constexpr int kMaxRounds = 12;
+constexpr double kDepthTolerance = 1e-6;     // [m]
+constexpr double kWeightTolerance = 1e-4;    // of the weight on bit, relative
+constexpr double kToolfaceTolerance = 1e-6;  // [rad]
+
+/// The smallest turn of `q` that points its x axis along `tangent`.
+Quaterniond carried_along(const Quaterniond& q, const Vector3d& tangent)
+{
+  return (Quaterniond::FromTwoVectors(x_axis(q), tangent) * q).normalized();
+}
+
+/// Nodes along the hole, resting on its low side where it is inclined; sections without twist, y axes at the toolface.
+void place_string(const Mesh& mesh, const Wellbore& well, double depth, double toolface, SystemState& state)
+{
+  state.nodes.assign(mesh.nodes.size(), NodeState());
+  const WellNode bottom = well.at(depth - mesh.nodes[0].from_bit);
+  const Vector3d up = toolface_reference(bottom.tangent).direction;
+  Matrix3d axes;
+  axes.col(0) = bottom.tangent;
+  axes.col(1) = up * std::cos(toolface) + bottom.tangent.cross(up) * std::sin(toolface);
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  Quaterniond q(axes);
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+  {
+    const double md = depth - mesh.nodes[i].from_bit;
+    const WellNode p = well.at(md);
+    q = carried_along(q, p.tangent);
+    state.nodes[i].orientation = q;
+    state.nodes[i].position = p.position;
+    if (md <= 0.0) continue;
+    const double gap = p.radius - mesh.nodes[i].contact_radius;
+    const double inclined = p.tangent.head<2>().norm();  // sin I
+    if (gap > 0.0 && inclined > 1e-3) state.nodes[i].position -= std::min(1.0, 20.0 * inclined) * gap * high_side(p.tangent);
+  }
+}
+
+/// Moves the top node to the block's height over the well's centre, and points it down.
+void hang_on_block(const Scene& scene, SystemState& state)
+{
+  NodeState& top = state.nodes.back();
+  top.position = Vector3d(0.0, 0.0, scene.start.block_height);
+  top.orientation = carried_along(top.orientation, -Vector3d::UnitZ());
+}
+
+double angle_error(double angle, double wanted)
+{
+  return std::remainder(angle - wanted, 2.0 * pi);
+}
+
+/// Stretch of the string under its own weight in mud, to begin with [m].
+double estimated_stretch(const Mesh& mesh, const Scene& scene, const Wellbore& well, double depth)
+{
+  double load = 0.0, stretch = 0.0;
+  for (const MeshElement& e : mesh.elements)
+  {
+    depth -= e.section.length;
+    const double cosine = -well.at(depth).tangent.z();
+    const double weight = standard_gravity * (e.linear_mass - scene.mud.density * e.displaced) * e.section.length * cosine;
+    stretch += (load + 0.5 * weight) * e.section.length / e.section.axial;
+    load += weight;
+  }
+  return stretch;
+}
+
+double string_compliance(const Mesh& mesh)
+{
+  double compliance = 0.0;
+  for (const MeshElement& e : mesh.elements) compliance += e.section.length / e.section.axial;
+  return compliance;
+}
+
+[[noreturn]] void fail(const std::string& what)
+{
+  throw std::runtime_error("start: " + what);
+}
+
+}  // namespace
+
+double bit_depth(const System& system, const SystemState& state)
+{
+  const NodeState& bit = state.nodes.front();
+  const Vector3d face = bit.position + system.mesh().bit_radius * x_axis(bit.orientation);
+  return state.well.locate(face, bit.segment).md;
+}
+
+double bend_toolface(const System& system, const SystemState& state)
+{
+  const int bend = system.mesh().bend_node;
+  if (bend < 0) return 0.0;
+  const Quaterniond& q = state.nodes[bend].orientation;
+  const Vector3d axis = x_axis(q);
+  return angle_about(axis, toolface_reference(axis).direction, y_axis(q));
+}
+
+RigAtRest build_at_rest(const Scene& scene)
+{
+  const StartSpec& start = scene.start;
+  const double bit_radius = 0.5 * scene.string.front().diameter;
+  Wellbore well(scene.well, scene.trajectory, bit_radius);
+  const bool on_bottom = start.weight_on_bit > 0.0;
+  const double depth = on_bottom ? scene.well.hole_depth : start.bit_depth;
+  double length = depth + start.block_height;
+  {
+    const Mesh mesh = build_mesh(scene, length);
+    length -= estimated_stretch(mesh, scene, well, depth) - start.weight_on_bit * string_compliance(mesh);
+  }
+
+  RigAtRest rig{nullptr, SystemState(well), {}};
+  double toolface = start.toolface;
+  double depth_error = 0.0, toolface_error = 0.0;
+  for (int round = 0; round < kMaxRounds; ++round)
+  {
+    rig.system = std::make_unique<System>(scene, build_mesh(scene, length));
+    place_string(rig.system->mesh(), well, depth, toolface, rig.state);
+    rig.state.strain.assign(rig.system->mesh().elements.size(), BeamStrain());
+    hang_on_block(scene, rig.state);
+    rig.statics = solve_static(*rig.system, rig.state, FrictionMode::none);
+    if (!rig.statics.converged)
+    {
+      std::ostringstream message;
+      message << "no static equilibrium found for the string at bit depth " << depth << " m (residual " << rig.statics.residual
+              << " N after " << rig.statics.iterations << " iterations)";
+      fail(message.str());
+    }
+    toolface_error = rig.system->mesh().bend_node >= 0 ? angle_error(bend_toolface(*rig.system, rig.state), start.toolface) : 0.0;
+    const double weight_error = rig.system->forces().wob - start.weight_on_bit;
+    // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance
+    depth_error = on_bottom ? weight_error * string_compliance(rig.system->mesh()) : bit_depth(*rig.system, rig.state) - depth;
+    const bool deep_enough = on_bottom ? std::abs(weight_error) < kWeightTolerance * start.weight_on_bit : std::abs(depth_error) < kDepthTolerance;
+    if (deep_enough && std::abs(toolface_error) < kToolfaceTolerance) break;
+    length -= depth_error;
+    toolface -= toolface_error;
+  }
+  if (std::abs(depth_error) > 1e-3 || std::abs(toolface_error) > 1e-3)
+  {
+    std::ostringstream message;
+    message << "the equilibrium misses the wanted " << (on_bottom ? "weight_on_bit" : "bit_depth") << " by " << depth_error
+            << " m of string, the toolface by " << toolface_error / degree << " deg";
+    fail(message.str());
+  }
+
+  const double hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
+  rig.state.hoist.line_length = line_length_for(scene.rig.hoisting, start.block_height, hook_load);
+  rig.state.drive.meter_twist = rig.statics.top_torque / scene.rig.top_drive.meter_stiffness;
+  rig.state.bit.twist = on_bottom ? start.torque_on_bit / rig.system->bit_bristle_stiffness() : 0.0;
+  return rig;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,95 @@
+#include "drill_rig_sim/solve/statics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drill_rig_sim/math/block_tridiagonal.h"
+#include "drill_rig_sim/solve/kinsol_equilibrium.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double kFirstCoefficient = 100.0;  // c at the start: inertia of 10 ms steps [1/s]
+constexpr double kLastCoefficient = 0.01;    // below this inertia is gone beside every stiffness [1/s]
+constexpr double kLongMove = 0.02;           // a longer increment is cut, and c stays [m, rad]
+constexpr int kMaxContinuation = 400;
+constexpr double kTolerance = 1e-3;          // residual: round-off of a kilometre of steel is 1e-4 [N, N m]
+
+double largest(const std::vector<double>& values)
+{
+  double most = 0.0;
+  for (double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+/// Steps of pseudo-time, each one Newton iteration from rest; returns the iterations used.
+int continuation(System& system, SystemState& state, FrictionMode friction)
+{
+  const int n = system.nodes();
+  BlockTridiagonal tangent;
+  tangent.resize(n);
+  const std::vector<double> origin(6 * n, 0.0);
+  std::vector<double> move(6 * n), residual(6 * n);
+  double c = kFirstCoefficient;
+  for (int k = 0; k < kMaxContinuation; ++k)
+  {
+    system.begin_static(state, friction, c);
+    system.evaluate(origin.data(), move.data(), &tangent);
+    if (!tangent.solve(move.data())) return k + 1;
+    const double size = largest(move);
+    const double scale = size > kLongMove ? kLongMove / size : 1.0;
+    for (double& m : move) m *= -scale;
+    system.evaluate(move.data(), residual.data(), nullptr);
+    system.finish(state);
+    if (size < 1e-7 && c <= kLastCoefficient) return k + 1;
+    if (scale == 1.0) c = std::max(0.5 * c, 0.5 * kLastCoefficient);
+    else c = std::min(1.5 * c, kFirstCoefficient);
+  }
+  return kMaxContinuation;
+}
+
+void clear_motion(SystemState& state)
+{
+  for (NodeState& node : state.nodes)
+  {
+    node.rate = node.last_rate = node.last_move = NodeRate();
+    node.bristle.setZero();
+    node.spin_angle = 0.0;
+  }
+  state.last_step = 0.0;
+}
+
+}  // namespace
+
+StaticOutcome solve_static(System& system, SystemState& state, FrictionMode friction)
+{
+  StaticOutcome out;
+  out.iterations = continuation(system, state, friction);
+
+  BlockTridiagonal tangent;
+  tangent.resize(system.nodes());
+  std::vector<double> scratch(6 * system.nodes());
+  NonlinearProblem problem;
+  problem.residual = [&](const double* u, double* residual) { system.evaluate(u, residual, nullptr); };
+  problem.solve_tangent = [&](const double* u, double* b)
+  {
+    system.evaluate(u, scratch.data(), &tangent);
+    return tangent.solve(b);
+  };
+  system.begin_static(state, friction);
+  std::vector<double> u(6 * system.nodes(), 0.0);
+  const KinsolOutcome finished = kinsol_solve(problem, kTolerance, u);
+  system.evaluate(u.data(), scratch.data(), nullptr);
+  system.finish(state);
+  clear_motion(state);
+
+  out.converged = finished.converged;
+  out.iterations += finished.iterations;
+  out.residual = finished.residual;
+  out.top_force = system.top_force();
+  out.top_torque = system.top_torque();
+  return out;
+}
+
+}  // namespace drill_rig_sim
