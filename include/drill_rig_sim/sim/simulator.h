@@ -35,7 +35,7 @@ struct SimulatorStatistics
   const char* level = "";
   const char* integrator = "";
   double step = 0.0;                    ///< [s]
-  double last_error_estimate = 0.0;     ///< of the last step, relative
+  double last_error_estimate = 0.0;     ///< local, of the last step's positions [m]
 };
 
 /// A rig, a string and a well that commands drive through time. Knows no wall clock and no ROS.

@@ -1,0 +1,38 @@
+#ifndef DRILL_RIG_SIM_SIM_SIMULATOR_STATE_H
+#define DRILL_RIG_SIM_SIM_SIMULATOR_STATE_H
+
+#include <utility>
+
+#include "drill_rig_sim/sim/instruments.h"
+#include "drill_rig_sim/sim/measurements.h"
+#include "drill_rig_sim/system/state.h"
+#include "drill_rig_sim/system/system.h"
+
+namespace drill_rig_sim
+{
+/// Everything that the next frame of a Simulator depends on. A copy is a snapshot.
+struct SimulatorState
+{
+  SimulatorState(SystemState start, SystemForces at_start) : mechanics(std::move(start)), forces(std::move(at_start)) {}
+
+  SystemState mechanics;
+  SystemForces forces;  ///< of the last step: measurements only
+  Setpoints setpoints;
+  bool command_clamped = false;
+  double last_winch_command = 0.0;  ///< when [s]
+  double last_drive_command = 0.0;
+  bool timed_out = false;
+  bool tared = false;
+  double tare_hook_load = 0.0;  ///< [N]
+  double tare_pressure = 0.0;   ///< [Pa]
+  NoiseSource noise;
+  Sensor hook_load_sensor;
+  Sensor torque_sensor;
+  Sensor pressure_sensor;
+  Mwd mwd;
+  Measurements measurements;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,44 @@
+#ifndef DRILL_RIG_SIM_SRC_SIM_SIMULATOR_IMPL_H
+#define DRILL_RIG_SIM_SRC_SIM_SIMULATOR_IMPL_H
+
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/sim/simulator_state.h"
+#include "drill_rig_sim/solve/start.h"
+#include "drill_rig_sim/solve/stepper.h"
+
+namespace drill_rig_sim
+{
+/// Place between two nodes at an unstretched distance from the bit's face.
+struct Between
+{
+  int lower;
+  double share;  // 0 at the lower node, 1 at the next one up
+};
+Between find_between(const Mesh& mesh, double from_bit) noexcept;
+
+struct Simulator::Impl
+{
+  Scene scene;
+  const Method& method;
+  RigAtRest rig;  // rig.state is not used after the start
+  SimulatorState state;
+  Stepper stepper;
+  SimulatorStatistics statistics;
+  double command_timeout = 0.0;
+  const char* failure = "";
+  const PartSpec* motor = nullptr;
+
+  Impl(const Scene& s, std::uint64_t seed);
+  SystemState& mechanics() { return state.mechanics; }
+  CommandResult note(bool clamped, const char* reason) noexcept;
+  void shift_time(double now) noexcept;
+  void watch_commands() noexcept;
+  void measure() noexcept;
+  void measure_rig() noexcept;
+  void measure_bit() noexcept;
+  SensorView sensor_view() const noexcept;
+};
+
+}  // namespace drill_rig_sim
+
+#endif
