@@ -9,20 +9,25 @@ import time
 import rospy
 from drill_rig_sim.msg import RigState
 from drill_rig_sim.srv import SetSpeed
+from std_srvs.srv import Trigger
 
+GAP_FAST = 0.15  # bit above bottom where full speed ends and the weight is tared [m]
 GAP_BEFORE_TAG = 0.03  # bit above bottom where the fast part ends [m]
+APPROACH_SPEED = 10.0  # simulated seconds per wall second in between
 LONGEST_WAIT = 1800.0  # simulated seconds to wait for the bit to come near bottom
 
 
 class Rig:
     """The last state that the rig sent, and what was seen since mark()."""
 
-    def __init__(self):
+    def __init__(self, namespace):
         self.lock = threading.Lock()
         self.state = None
         self.heard = threading.Event()
         self.mark()
-        rospy.Subscriber("rig_state", RigState, self.take, queue_size=100)
+        self.set_speed = rospy.ServiceProxy(namespace + "/set_speed", SetSpeed)
+        self.tare = rospy.ServiceProxy(namespace + "/tare", Trigger)
+        rospy.Subscriber(namespace + "/rig_state", RigState, self.take, queue_size=100)
 
     def take(self, state):
         with self.lock:
@@ -70,14 +75,29 @@ def alive(pid):
         return False
 
 
-def set_speed(speed):
-    answer = rospy.ServiceProxy("set_speed", SetSpeed)(speed)
+def ask(service, *arguments):
+    answer = service(*arguments)
     if not answer.success:
-        print("set_speed %g: %s" % (speed, answer.message))
+        print("%s: %s" % (service.resolved_name, answer.message))
 
 
-def near_bottom(state):
-    return state.on_bottom or state.hole_depth - state.bit_depth < GAP_BEFORE_TAG
+def within(gap, state):
+    return state.on_bottom or state.hole_depth - state.bit_depth < gap
+
+
+def go_near_bottom(rig, pid, every):
+    """Fast-forwards to just before the bit tags bottom, with the weight on bit tared. False where the rig went away."""
+    show("fast-forward to just before the bit tags bottom", last=True)
+    for gap, speed in ((GAP_FAST, 0.0), (GAP_BEFORE_TAG, APPROACH_SPEED)):
+        rig.mark()
+        ask(rig.set_speed, speed)
+        if not watch(rig, pid, lambda state, simulated: within(gap, state) or simulated > LONGEST_WAIT, every):
+            return False
+        if not rig.state.on_bottom and not rig.state.tared:
+            ask(rig.tare)
+    ask(rig.set_speed, 1.0)
+    show("real time from here", last=True)
+    return True
 
 
 def wait_for(rig, pid, timeout):
@@ -129,8 +149,6 @@ def main():
     parser.add_argument("--namespace", default="rig", help="of the rig")
     parser.add_argument("--watch", type=int, help="process id of the launcher; its end ends the readout")
     options = parser.parse_args()
-    os.environ["ROS_NAMESPACE"] = options.namespace
-    rospy.names.initialize_mappings("readout")
     deadline = time.monotonic() + 60
     while not rospy.core.rosgraph.is_master_online():  # the launcher may still be starting it
         if time.monotonic() > deadline or not alive(options.watch):
@@ -138,18 +156,12 @@ def main():
         time.sleep(0.2)
     rospy.init_node("readout", anonymous=True, disable_signals=True)
 
-    rig = Rig()
+    rig = Rig("/" + options.namespace)
     if not wait_for(rig, options.watch, 120):
         return 1
     every = 0.2 if sys.stdout.isatty() else 1.0
-    if not near_bottom(rig.state):
-        show("fast-forward to just before the bit tags bottom", last=True)
-        set_speed(0.0)
-        rig.mark()
-        if not watch(rig, options.watch, lambda state, simulated: near_bottom(state) or simulated > LONGEST_WAIT, every):
-            return 1
-        set_speed(1.0)
-        show("real time from here", last=True)
+    if not within(GAP_BEFORE_TAG, rig.state) and not go_near_bottom(rig, options.watch, every):
+        return 1
     rig.mark()
     if not watch(rig, options.watch, lambda state, simulated: 0 < options.duration <= simulated, every):
         return 1

@@ -1,8 +1,9 @@
 #include "drill_rig_sim/contact/wall_contact.h"
 
+#include <Eigen/Geometry>
+
 #include "drill_rig_sim/contact/friction_law.h"
 #include "drill_rig_sim/contact/normal_law.h"
-#include "drill_rig_sim/math/rotation.h"
 
 namespace drill_rig_sim
 {
@@ -11,7 +12,6 @@ namespace
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Tangent = Eigen::Ref<Eigen::Matrix<double, 6, 6>>;
-using Matrix36 = Eigen::Matrix<double, 3, 6>;
 
 /// Where section and wall meet.
 struct Geometry
@@ -23,18 +23,7 @@ struct Geometry
   double penetration;  ///< delta
 };
 
-/// [a x m_1, a x m_2, a x m_3].
-Matrix3d cross_columns(const Vector3d& a, const Matrix3d& m) noexcept
-{
-  Matrix3d out;
-  for (int j = 0; j < 3; ++j)
-  {
-    out.col(j) = a.cross(m.col(j));
-  }
-  return out;
-}
-
-Geometry contact_geometry(const HoleSite& site, double radius, const Vector3d& position) noexcept
+inline Geometry contact_geometry(const HoleSite& site, double radius, const Vector3d& position) noexcept
 {
   const Vector3d d = position - site.centre;
   Geometry g;
@@ -47,7 +36,7 @@ Geometry contact_geometry(const HoleSite& site, double radius, const Vector3d& p
 }
 
 /// B = dn/dr_D = (1 - n n^T - P c' (ds/dr_D)^T) / rho.
-Matrix3d normal_derivative(const HoleSite& site, const Geometry& g) noexcept
+inline Matrix3d normal_derivative(const HoleSite& site, const Geometry& g) noexcept
 {
   Matrix3d b = -g.normal * g.normal.transpose() - g.slope * site.md_gradient.transpose();
   b.diagonal().array() += 1.0;
@@ -108,63 +97,94 @@ Friction friction_force(const Geometry& g, double normal_force, double kinetic, 
   return f;
 }
 
-/// d z_t/d(x, r). The part of r is -P skew(R_D n) = -skew(R_D n).
-Matrix36 trial_derivative(const Geometry& g, const Matrix3d& b, double radius, const ContactMotion& motion,
-                          const Vector3d& total_slip) noexcept
+/// Derivative of the friction force, column by column of u.
+class FrictionDerivative
 {
-  const Vector3d y = radius * g.normal.cross(motion.rotation) + total_slip;
-  const Vector3d row = g.normal + b.transpose() * y;
-  Matrix36 out;
-  out.leftCols<3>() = radius * cross_columns(motion.rotation, b) - g.normal.dot(total_slip) * b - g.normal * row.transpose();
-  out.leftCols<3>().diagonal().array() += 1.0;
-  out.rightCols<3>() = -radius * skew(g.normal);
-  return out;
-}
-
-/// d friction/d(x, r), given dF_n/dx.
-Matrix36 friction_derivative(const Geometry& g, const Matrix3d& b, const Friction& f, double normal_force,
-                             const Vector3d& normal_force_gradient, double radius, const ContactMotion& motion,
-                             const ContactSpec& law) noexcept
-{
-  Matrix36 dz = trial_derivative(g, b, radius, motion, f.total_slip);
-  if (!f.slipping)
+public:
+  /// @param normal_force_gradient  dF_n/dx
+  FrictionDerivative(const Geometry& g, const Matrix3d& b, const Friction& f, double normal_force,
+                     const Vector3d& normal_force_gradient, double radius, const ContactMotion& motion,
+                     const ContactSpec& law) noexcept
+      : direction_(f.direction), slipping_(f.slipping), stiffness_(law.tangential_stiffness)
   {
-    return -law.tangential_stiffness * dz;
+    if (!slipping_)
+    {
+      return;
+    }
+    // |f| = mu(|v_t|) F_n; d|v_t| = e . dv_s - (n . v_s) e . dn, with e = v_t/|v_t|
+    stiffness_ = f.mu.value * normal_force / f.trial_length;
+    const Vector3d& e = f.slip_direction;
+    const double c = motion.velocity_coefficient;
+    const double per_speed = f.mu.slope * normal_force;
+    const Vector3d through_normal = radius * e.cross(motion.angular_velocity) - g.normal.dot(f.surface_velocity) * e;
+    limit_x_ = f.mu.value * normal_force_gradient + per_speed * (c * e + b.transpose() * through_normal);
+    limit_r_ = per_speed * c * radius * g.normal.cross(e);
   }
 
-  // d|v_t| = e . dv_s - (n . v_s) e . dn, with e = v_t/|v_t|
-  const Vector3d& e = f.slip_direction;
-  const double c = motion.velocity_coefficient;
-  const Vector3d through_normal = radius * e.cross(motion.angular_velocity) - g.normal.dot(f.surface_velocity) * e;
-  const double speed_factor = f.mu.slope * normal_force;
-  Eigen::Matrix<double, 1, 6> limit_row;
-  limit_row.head<3>() =
-      (f.mu.value * normal_force_gradient + speed_factor * (c * e + b.transpose() * through_normal)).transpose();
-  limit_row.tail<3>() = (speed_factor * c * radius * g.normal.cross(e)).transpose();
+  /// Column of the force from the same column of dz_t: j of x or of r.
+  Vector3d column_x(int j, const Vector3d& trial) const noexcept { return column(limit_x_[j], trial); }
+  Vector3d column_r(int j, const Vector3d& trial) const noexcept { return column(limit_r_[j], trial); }
 
-  const double turn = f.mu.value * normal_force / f.trial_length;
-  limit_row -= turn * (f.direction.transpose() * dz);
-  dz *= -turn;
-  dz.noalias() -= f.direction * limit_row;
-  return dz;
+private:
+  /// sticking: -k_b dz; slipping along m = z/|z|: -|f|/|z| (1 - m m^T) dz - m d|f|
+  Vector3d column(double limit, const Vector3d& trial) const noexcept
+  {
+    if (!slipping_)
+    {
+      return -stiffness_ * trial;
+    }
+    // By components: packets of two on vectors of three stall on store forwarding here, a tenth of the whole contact.
+    const Vector3d& m = direction_;
+    const double along = stiffness_ * (m.x() * trial.x() + m.y() * trial.y() + m.z() * trial.z()) - limit;
+    return {m.x() * along - stiffness_ * trial.x(), m.y() * along - stiffness_ * trial.y(),
+            m.z() * along - stiffness_ * trial.z()};
+  }
+
+  Vector3d direction_;
+  Vector3d limit_x_ = Vector3d::Zero();  // d|f|/dx
+  Vector3d limit_r_ = Vector3d::Zero();  // d|f|/dr
+  bool slipping_;
+  double stiffness_;  // k_b, or |f|/|z_t|
+};
+
+/// Column of x: normal force, friction and the turning arm; b = dn/dx_j, friction = d f/dx_j.
+inline void write_column_x(const Geometry& g, int j, const Vector3d& b, double normal_force, double normal_slope, double radius,
+                           const Vector3d& f, const Vector3d& friction, Tangent& tangent) noexcept
+{
+  tangent.block<3, 1>(0, j) = friction - normal_slope * g.normal - normal_force * b;
+  tangent.block<3, 1>(3, j) = radius * (g.normal.cross(friction) + b.cross(f));
 }
 
-/// d(force, moment)/d(x, r) from the derivatives of its parts.
-void assemble_tangent(const Geometry& g, const Matrix3d& b, double normal_force, const Vector3d& normal_force_gradient,
-                      double radius, const Vector3d& friction, const Matrix36& friction_tangent, Tangent tangent) noexcept
+/// d(force, moment)/d(x, r).
+void write_tangent(const HoleSite& site, const Geometry& g, const NormalForce& normal, const Friction& f, double radius,
+                   const ContactMotion& motion, const ContactSpec& law, Tangent& tangent) noexcept
 {
-  tangent.topRows<3>() = friction_tangent;
-  tangent.topLeftCorner<3, 3>() -= g.normal * normal_force_gradient.transpose() + normal_force * b;
+  const Matrix3d b = normal_derivative(site, g);
+  const Vector3d gradient = (normal.stiffness + motion.velocity_coefficient * normal.damping) * g.gradient +
+                            normal.damping * (b.transpose() * motion.velocity);
+  const FrictionDerivative derivative(g, b, f, normal.value, gradient, radius, motion, law);
 
+  // z_t = P w, w = z_n + x + r x R_D n:  dz_t/dx = 1 + R_D skew(r) B - (n . w) B - n (n + B^T (R_D n x r + w))^T
+  const double along = g.normal.dot(f.total_slip);
+  const Vector3d row = g.normal + b.transpose() * (radius * g.normal.cross(motion.rotation) + f.total_slip);
+  for (int j = 0; j < 3; ++j)
+  {
+    const Vector3d bj = b.col(j);
+    const Vector3d trial = Vector3d::Unit(j) + radius * motion.rotation.cross(bj) - along * bj - row[j] * g.normal;
+    write_column_x(g, j, bj, normal.value, gradient[j], radius, f.force, derivative.column_x(j, trial), tangent);
+  }
+
+  // dz_t/dr = -R_D skew(n)
   const Vector3d arm = radius * g.normal;
-  for (int j = 0; j < 6; ++j)
+  for (int j = 0; j < 3; ++j)
   {
-    tangent.block<3, 1>(3, j) = arm.cross(friction_tangent.col(j));
+    const Vector3d friction = derivative.column_r(j, Vector3d::Unit(j).cross(arm));
+    tangent.block<3, 1>(0, 3 + j) = friction;
+    tangent.block<3, 1>(3, 3 + j) = arm.cross(friction);
   }
-  tangent.bottomLeftCorner<3, 3>() -= cross_columns(radius * friction, b);
 }
 
-void fill_result(const Geometry& g, double normal_force, const Vector3d& friction, double radius, WallForce& out) noexcept
+inline void fill_result(const Geometry& g, double normal_force, const Vector3d& friction, double radius, WallForce& out) noexcept
 {
   out.normal_force = normal_force;
   out.force = friction - normal_force * g.normal;
@@ -195,11 +215,7 @@ WallForce evaluate(const HoleSite& site, double radius, const ContactMotion& mot
 
   if (tangent != nullptr)
   {
-    const Matrix3d b = normal_derivative(site, g);
-    const Vector3d gradient = (normal.stiffness + motion.velocity_coefficient * normal.damping) * g.gradient +
-                              normal.damping * (b.transpose() * motion.velocity);
-    const Matrix36 df = friction_derivative(g, b, f, normal.value, gradient, radius, motion, law);
-    assemble_tangent(g, b, normal.value, gradient, radius, f.force, df, *tangent);
+    write_tangent(site, g, normal, f, radius, motion, law, *tangent);
   }
   return out;
 }
@@ -243,9 +259,12 @@ WallForce sliding_wall_contact(const HoleSite& site, double radius, const Eigen:
 
   const Matrix3d b = normal_derivative(site, g);
   const Vector3d gradient = normal.stiffness * g.gradient;
-  Matrix36 df = Matrix36::Zero();
-  df.leftCols<3>() = -site.friction * direction * gradient.transpose() - limit * around * cross_columns(site.tangent, b);
-  assemble_tangent(g, b, normal.value, gradient, radius, friction, df, tangent);
+  for (int j = 0; j < 3; ++j)
+  {
+    const Vector3d bj = b.col(j);
+    const Vector3d df = -site.friction * gradient[j] * direction - limit * around * site.tangent.cross(bj);
+    write_column_x(g, j, bj, normal.value, gradient[j], radius, friction, df, tangent);
+  }
   return out;
 }
 

@@ -107,7 +107,7 @@ Matrix6d difference(const std::function<Vector6d(const Vector6d&)>& f, const Vec
 }
 
 template <class Hole>
-void expect_tangent(const Hole& hole, const Stage& stage, const Vector6d& u, bool slipping)
+void expect_tangent(const Hole& hole, const Stage& stage, const Vector6d& u, bool slipping, double step = 1e-6)
 {
   const auto force = [&](const Vector6d& v)
   {
@@ -120,7 +120,7 @@ void expect_tangent(const Hole& hole, const Stage& stage, const Vector6d& u, boo
   ASSERT_GT(f.normal_force, 0.0);
   ASSERT_EQ(f.slipping, slipping);
   EXPECT_EQ(wrench(f), force(u));  // with and without tangent: the same numbers
-  const Matrix6d numeric = difference(force, u, 1e-6);
+  const Matrix6d numeric = difference(force, u, step);
   EXPECT_LT((tangent - numeric).norm(), 1e-6 * numeric.norm()) << tangent << "\n\n" << numeric;
 }
 
@@ -258,6 +258,22 @@ TEST(WallContact, TangentAtRandomStates)
   EXPECT_GT(slipping, 20);
 }
 
+TEST(WallContact, TangentWithZeroClearance)
+{
+  // gauge in its own hole, 0.1 mm off centre: friction is small, the normal direction turns fast
+  StraightHole hole;
+  Stage stage = touching_stage({8e-5, 6e-5, -1.0});
+  stage.radius = hole.radius;
+  stage.velocity_0 << 1e-3, 2e-3, 0.01;
+  stage.law.tangential_stiffness = 1e4;
+  stage.bristle << 1e-5, -2e-5, 2e-5;
+  Vector6d u;
+  u << 1e-6, 2e-6, -3e-5, 1e-5, 2e-5, -1e-3;
+  expect_tangent(hole, stage, u, false, 1e-7);
+  stage.law.tangential_stiffness = 5e6;
+  expect_tangent(hole, stage, u, true, 1e-7);
+}
+
 TEST(WallContact, ZeroClearanceIsSmoothThroughTheCentre)
 {
   StraightHole hole;
@@ -325,9 +341,10 @@ public:
     position_ = 0.02 * low_side_;
   }
 
-  void step(double h)
+  /// `push` presses the block on the low side, on top of its weight [N].
+  void step(double h, double push = 0.0)
   {
-    const Vector3d gravity(0.0, 0.0, -mass_ * standard_gravity);
+    const Vector3d gravity = Vector3d(0.0, 0.0, -mass_ * standard_gravity) + push * low_side_;
     Vector6d u = Vector6d::Zero();
     Stage stage;
     stage.start = position_;
@@ -355,6 +372,7 @@ public:
     force_ = f;
   }
 
+  void throw_down(double speed) { velocity_ += speed * hole_.tangent; }
   double travel() const { return position_.dot(hole_.tangent); }
   double speed() const { return velocity_.dot(hole_.tangent); }
   const WallForce& force() const { return force_; }
@@ -390,6 +408,54 @@ TEST(WallFriction, HeldBlockDoesNotCreep)
   EXPECT_NEAR(block.travel(), set, 1e-12);
   EXPECT_LT(std::abs(block.speed()), 1e-12);
   EXPECT_FALSE(block.force().slipping);
+}
+
+TEST(WallFriction, PulsatingLoadWithinTheLimitDoesNotCreep)
+{
+  // the normal load swings by half; friction never reaches its limit: each cycle must come back to the same place
+  BlockOnSlope block(70.0 * degree, 3.0);
+  const double weight = 300.0 * standard_gravity * std::sin(70.0 * degree);
+  const auto cycle = [&]
+  {
+    for (int i = 0; i < 40; ++i)
+    {
+      block.step(0.005, 0.5 * weight * std::sin(2.0 * pi * i / 40.0));
+    }
+  };
+  for (int i = 0; i < 50; ++i)
+  {
+    cycle();
+  }
+  const double set = block.travel();
+  for (int i = 0; i < 1000; ++i)
+  {
+    cycle();
+  }
+  EXPECT_NEAR(block.travel(), set, 1e-12);
+}
+
+TEST(WallFriction, StoppingDistanceDoesNotDependOnTheStep)
+{
+  // v^2 / (2 g (mu sin I - cos I)), mu static = kinetic: Coulomb's stop, less by half a step's slide in implicit Euler
+  const double inclination = 80.0 * degree;
+  for (double h : {0.004, 0.001})
+  {
+    BlockOnSlope block(inclination, 0.5);
+    block.law().static_ratio = 1.0;
+    for (int i = 0; i * h < 1.0; ++i)
+    {
+      block.step(h);  // lets it settle on the wall
+    }
+    const double start = block.travel();
+    block.throw_down(1.0);
+    for (int i = 0; i * h < 3.0; ++i)
+    {
+      block.step(h);
+    }
+    const double deceleration = standard_gravity * (0.5 * std::sin(inclination) - std::cos(inclination));
+    EXPECT_NEAR(block.travel() - start, 0.5 / deceleration - 0.5 * h, 1e-3);
+    EXPECT_LT(std::abs(block.speed()), 1e-3);
+  }
 }
 
 TEST(WallFriction, SlidingBlockAcceleratesByTheDifference)

@@ -169,9 +169,9 @@ TEST(DeadLine, DirectionIsSmoothOverFiveMillimetresPerSecond)
 {
   double last = dead_line_hook_load(1.0, -0.006, 5, 0.98);
   EXPECT_EQ(dead_line_hook_load(1.0, -0.005, 5, 0.98), last);
-  for (double v = -0.006; v < 0.006; v += 1e-5)
+  for (int i = -600; i < 600; ++i)
   {
-    const double now = dead_line_hook_load(1.0, v, 5, 0.98);
+    const double now = dead_line_hook_load(1.0, 1e-5 * i, 5, 0.98);
     EXPECT_LE(now, last + 1e-15);
     EXPECT_GT(now, last - 1e-3);
     last = now;

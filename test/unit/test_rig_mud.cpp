@@ -41,8 +41,9 @@ TEST(MudMotor, PressureDoesTheWorkOfTheTorque)
   EXPECT_EQ(mud_motor_pressure(0.0, displacement, 4e3), 0.0);
   EXPECT_EQ(mud_motor_pressure(0.045, displacement, -4e3), 0.0);
   // never more power out than in
-  for (double torque = 0.0; torque < 15e3; torque += 500.0)
+  for (int i = 0; i < 30; ++i)
   {
+    const double torque = 500.0 * i;
     EXPECT_LE(torque * mud_motor_steady_speed(0.045, displacement, stall, torque),
               0.045 * mud_motor_pressure(0.045, displacement, torque) * (1.0 + 1e-12));
   }

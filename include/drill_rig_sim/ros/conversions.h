@@ -1,0 +1,44 @@
+#ifndef DRILL_RIG_SIM_ROS_CONVERSIONS_H
+#define DRILL_RIG_SIM_ROS_CONVERSIONS_H
+
+#include <geometry_msgs/Point.h>
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Quaternion.h>
+#include <geometry_msgs/Vector3.h>
+#include <ros/time.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+
+#include "drill_rig_sim/MudPumpCommand.h"
+#include "drill_rig_sim/RigLimits.h"
+#include "drill_rig_sim/RigState.h"
+#include "drill_rig_sim/TopDriveCommand.h"
+#include "drill_rig_sim/WinchCommand.h"
+#include "drill_rig_sim/ros/snapshot.h"
+#include "drill_rig_sim/sim/commands.h"
+
+/// Between the simulator's values and the messages.
+namespace drill_rig_sim
+{
+ros::Time to_time(std::int64_t stamp);
+geometry_msgs::Point to_point(const Eigen::Vector3d& v);
+geometry_msgs::Vector3 to_vector(const Eigen::Vector3d& v);
+/// Normalised.
+geometry_msgs::Quaternion to_quaternion(const Eigen::Quaterniond& q);
+/// Turns the x axis into `direction`.
+geometry_msgs::Quaternion pointing(const Eigen::Vector3d& direction);
+
+/// An unknown mode stays unknown: the simulator refuses it.
+WinchSetpoint to_setpoint(const WinchCommand& m);
+TopDriveSetpoint to_setpoint(const TopDriveCommand& m);
+PumpSetpoint to_setpoint(const MudPumpCommand& m);
+
+RigState to_rig_state(const FrameRecord& frame, const std::string& frame_id);
+RigLimits to_rig_limits(const RigSpec& rig, const std_msgs::Header& header);
+
+}  // namespace drill_rig_sim
+
+#endif

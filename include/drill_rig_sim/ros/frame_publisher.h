@@ -1,0 +1,37 @@
+#ifndef DRILL_RIG_SIM_ROS_FRAME_PUBLISHER_H
+#define DRILL_RIG_SIM_ROS_FRAME_PUBLISHER_H
+
+#include <ros/ros.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <mutex>
+#include <string>
+
+#include "drill_rig_sim/ros/parameters.h"
+#include "drill_rig_sim/ros/snapshot.h"
+
+namespace drill_rig_sim
+{
+/// Publishes /tf (every frame a child of the rig floor) and, once, /tf_static (`world` to the rig floor). While time stands
+/// nothing is repeated; a new subscriber gets the last frames, it alone.
+class FramePublisher
+{
+public:
+  FramePublisher(ros::NodeHandle& node, const Parameters& parameters);
+  void publish(const Snapshot& s);
+
+private:
+  void greet(const ros::SingleSubscriberPublisher& subscriber);
+  geometry_msgs::TransformStamped& next(const ros::Time& stamp, const std::string& child);
+
+  std::string prefix_;
+  std::mutex mutex_;  // guards frames_: the greeting comes from another thread
+  tf2_msgs::TFMessage frames_;
+  std::size_t count_ = 0;
+  ros::WallTime sent_;
+  ros::Publisher tf_, tf_static_;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,75 @@
+#ifndef DRILL_RIG_SIM_ROS_PARAMETERS_H
+#define DRILL_RIG_SIM_ROS_PARAMETERS_H
+
+#include <ros/ros.h>
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "drill_rig_sim/scene/scene.h"
+
+namespace drill_rig_sim
+{
+/// A parameter that cannot be used: what() is one line with its name, its value and what is allowed.
+class ParameterError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+enum class ClockMode
+{
+  realtime,
+  lockstep,
+  free_run
+};
+
+/// What the string is coloured by.
+enum class ColorQuantity
+{
+  contact_force,
+  tension,
+  torque,
+  bending_moment
+};
+
+/// The node's private parameters.
+struct Parameters
+{
+  std::string scene_file;          ///< absolute
+  double rate = 100.0;             ///< frames per simulated second
+  double state_rate = 100.0;       ///< per simulated second; as `rate` unless set
+  double drillstring_rate = 10.0;  ///< per simulated second
+  double tf_rate = 30.0;           ///< per wall second
+  double marker_rate = 5.0;        ///< per wall second
+  double trajectory_rate = 1.0;    ///< per wall second
+  double command_timeout = 0.0;    ///< simulated [s]; 0 = off
+  std::string frame_prefix;
+  std::array<double, 6> rig_pose{};  ///< of the rig floor in `world`: x, y, z [m], roll, pitch, yaw [rad]
+  std::uint64_t seed = 0;
+  bool play_program = false;
+  ClockMode clock = ClockMode::realtime;
+  bool publish_clock = true;
+  bool use_sim_time = false;  ///< the global /use_sim_time
+  double lateral_exaggeration = 25.0;
+  ColorQuantity color_by = ColorQuantity::contact_force;
+  double force_scale = 5e-3;  ///< length of a contact force's arrow [m/N]
+
+  std::int64_t frame_period() const noexcept { return static_cast<std::int64_t>(1e9 / rate + 0.5); }  ///< simulated [ns]
+};
+
+/// Reads and checks the private parameters of `node`. Throws ParameterError.
+Parameters read_parameters(const ros::NodeHandle& node);
+
+/// Absolute path of a scene as ~scene or reset_well name it: absolute, package://PACKAGE/..., or relative to the package's
+/// config/scenes. Throws ParameterError where the package or the file is not found.
+std::string find_scene(const std::string& name);
+
+/// Throws ParameterError unless a frame is a whole number of the scene's steps.
+void check_rate(double rate, const Scene& scene);
+
+}  // namespace drill_rig_sim
+
+#endif

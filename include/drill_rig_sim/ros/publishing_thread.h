@@ -1,0 +1,60 @@
+#ifndef DRILL_RIG_SIM_ROS_PUBLISHING_THREAD_H
+#define DRILL_RIG_SIM_ROS_PUBLISHING_THREAD_H
+
+#include <ros/ros.h>
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "drill_rig_sim/ros/frame_publisher.h"
+#include "drill_rig_sim/ros/marker_publisher.h"
+#include "drill_rig_sim/ros/snapshot_ring.h"
+#include "drill_rig_sim/ros/state_publisher.h"
+#include "drill_rig_sim/ros/trajectory_publisher.h"
+
+namespace drill_rig_sim
+{
+/// Takes the snapshots in order and publishes all topics of each with its one stamp; /clock last, so that whoever wakes by
+/// the clock finds the frame's topics sent.
+class PublishingThread
+{
+public:
+  /// `on_change` is called after a change of run state is known.
+  PublishingThread(ros::NodeHandle& node, const Parameters& parameters, SnapshotRing& ring, Demand& demand,
+                   std::function<void()> ask_for_picture, std::function<void()> on_change);
+  ~PublishingThread();
+
+  void start();
+  /// Publishes what is left and ends. The ring's writer must have stopped.
+  void finish();
+
+  /// The last frame published.
+  FrameRecord last() const;
+  /// Waits until snapshots handed over before this call are published. For whoever keeps the writer from writing more.
+  void wait_until_published(std::uint64_t handed_over);
+
+private:
+  void run();
+  void publish(const Snapshot& s);
+
+  SnapshotRing& ring_;
+  std::function<void()> on_change_;
+  bool publish_clock_;
+  ros::Publisher clock_;
+  StatePublisher state_;
+  FramePublisher frames_;
+  MarkerPublisher markers_;
+  TrajectoryPublisher trajectory_;
+
+  mutable std::mutex mutex_;  // guards last_ and published_
+  std::condition_variable arrived_;
+  FrameRecord last_;
+  std::uint64_t published_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,46 @@
+#ifndef DRILL_RIG_SIM_ROS_RIG_NODE_H
+#define DRILL_RIG_SIM_ROS_RIG_NODE_H
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include "drill_rig_sim/ros/diagnostics_publisher.h"
+#include "drill_rig_sim/ros/mailbox.h"
+#include "drill_rig_sim/ros/parameters.h"
+#include "drill_rig_sim/ros/publishing_thread.h"
+#include "drill_rig_sim/ros/services.h"
+#include "drill_rig_sim/ros/simulation_loop.h"
+#include "drill_rig_sim/ros/snapshot_ring.h"
+
+namespace drill_rig_sim
+{
+/// The node: a simulation thread, a publishing thread, and callbacks for commands, services and timers.
+///   topics -> Mailbox -> SimulationLoop (owns Simulator, Timekeeper) -> SnapshotRing -> PublishingThread -> topics
+///   services -> SimulationLoop::between_frames()
+class RigNode
+{
+public:
+  /// Reads the parameters, builds the rig and starts. Throws std::exception, what() says what is wrong.
+  RigNode();
+  ~RigNode();
+
+private:
+  ros::NodeHandle node_;
+  ros::NodeHandle service_node_;
+  ros::CallbackQueue service_queue_;
+  Parameters parameters_;
+  Scene scene_;
+  Mailbox mailbox_;
+  SnapshotRing ring_;
+  SimulationLoop loop_;
+  PublishingThread publishing_;
+  DiagnosticsPublisher diagnostics_;
+  Services services_;
+  ros::Subscriber clock_;
+  ros::AsyncSpinner spinner_;
+  ros::AsyncSpinner service_spinner_;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,156 @@
+#ifndef DRILL_RIG_SIM_ROS_SIMULATION_LOOP_H
+#define DRILL_RIG_SIM_ROS_SIMULATION_LOOP_H
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "drill_rig_sim/ros/mailbox.h"
+#include "drill_rig_sim/ros/semaphore.h"
+#include "drill_rig_sim/ros/snapshot_ring.h"
+#include "drill_rig_sim/ros/timekeeper.h"
+#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/sim/simulator.h"
+
+namespace drill_rig_sim
+{
+/// Which displays somebody looks at; written by the publishers, read by the simulation thread.
+struct Demand
+{
+  std::atomic<bool> profile{false};
+  std::atomic<bool> markers{false};
+  std::atomic<bool> refresh{false};  ///< somebody new wants a picture of the present state
+};
+
+/// What the simulation thread works on. Others touch it in SimulationLoop::between_frames() only.
+struct RunningRig
+{
+  RunningRig(std::unique_ptr<Simulator> s, bool play);
+
+  std::unique_ptr<Simulator> simulator;
+  ProgramPlayer program;
+  bool playing;  ///< the scene's program gives the commands
+  bool failed = false;
+  std::int64_t last_command = 0;
+  std::array<std::int64_t, 3> accepted{};
+  const char* last_refusal = "";
+};
+
+/// The simulation thread: takes the commands, computes a frame when the timekeeper says so, hands over a snapshot. It never
+/// locks, logs or allocates (the snapshots' arrays have got their memory before). It waits in one place, on one semaphore.
+class SimulationLoop
+{
+public:
+  SimulationLoop(const Parameters& parameters, std::unique_ptr<Simulator> simulator, Mailbox& mailbox, SnapshotRing& ring);
+  ~SimulationLoop();
+
+  void start();
+  /// Ends a step() under way; the thread goes on letting visitors in.
+  void halt() noexcept;
+  /// Ends the thread; nobody may visit any more.
+  void join();
+
+  /// Runs `visit(loop)` while the simulation thread stands between two frames. Whoever visits is alone.
+  template <class Visit>
+  void between_frames(Visit visit)
+  {
+    const std::lock_guard<std::mutex> alone(visitors_);
+    asked_ = true;
+    wake_.post();
+    entered_.wait();
+    try
+    {
+      visit(*this);
+    }
+    catch (...)
+    {
+      left_.post();
+      throw;
+    }
+    left_.post();
+  }
+
+  // For visitors
+  RunningRig& rig() noexcept { return rig_; }
+  Timekeeper& time() noexcept { return time_; }
+  bool paused() const noexcept { return paused_; }
+  void set_paused(bool paused) noexcept;
+  /// Another simulator takes over, its commands zeroed; returns the old one, which the caller destroys.
+  std::unique_ptr<Simulator> replace(std::unique_ptr<Simulator> simulator);
+  /// Back to a saved state of this simulator and to the place in the program it was saved at. The clock runs on.
+  void go_back(const SimulatorState& state, const ProgramPlayer& program, bool playing);
+  /// Publishes the present state as one tick of the clock: after a change that no frame made.
+  void publish_now(bool rebuilt) noexcept;
+  CommandResult take(const WinchSetpoint& c) noexcept { return accept(c, 0); }
+  CommandResult take(const TopDriveSetpoint& c) noexcept { return accept(c, 1); }
+  CommandResult take(const PumpSetpoint& c) noexcept { return accept(c, 2); }
+  RunState run_state() const noexcept;
+
+  /// Lockstep: computes `frames` frames and waits until they are handed over. False where one failed or halt() came.
+  bool step(std::uint32_t frames);
+
+  /// From any one thread: the clock of another rig [ns].
+  void hear_clock(std::int64_t clock) noexcept
+  {
+    time_.hear_clock(clock);
+    wake_.post();
+  }
+  Demand& demand() noexcept { return demand_; }
+  /// Asks for one picture of the present state while time stands.
+  void refresh() noexcept
+  {
+    demand_.refresh = true;
+    wake_.post();
+  }
+
+private:
+  // Why a snapshot is handed over.
+  struct Occasion
+  {
+    bool new_stamp;      // the stamp has moved on
+    bool whole_picture;  // everything that can be drawn, the well included
+    bool rebuilt;        // another rig or well
+  };
+
+  void run() noexcept;
+  void let_visitor_in() noexcept;
+  void wait_or_work() noexcept;
+  void one_frame(std::int64_t now) noexcept;
+  void take_commands() noexcept;
+  template <class Setpoint>
+  CommandResult accept(const Setpoint& c, std::size_t kind) noexcept;
+  void set_timeout() noexcept;
+  void count_frame_time(std::int64_t duration) noexcept;
+  void end_step(bool complete) noexcept;
+  void hand_over(Occasion occasion) noexcept;
+  void note_due(Snapshot& s, const Occasion& occasion) noexcept;
+  void fill_record(FrameRecord& record) const noexcept;
+  void fill_arrays(Snapshot& s) noexcept;
+  void reserve_memory();
+
+  const Parameters& parameters_;
+  Mailbox& mailbox_;
+  SnapshotRing& ring_;
+  RunningRig rig_;
+  Timekeeper time_;
+  Demand demand_;
+  LoopStatistics statistics_;
+  double frame_duration_;  // [s]
+  bool paused_ = false;
+  double well_handed_over_ = -1.0;  // hole depth then [m]
+  Cadence state_cadence_, profile_cadence_, tf_cadence_, marker_cadence_, well_cadence_;
+
+  std::atomic<bool> halted_{false}, quit_{false}, asked_{false};
+  std::mutex visitors_;
+  Semaphore wake_, entered_, left_, step_done_;
+  std::uint32_t frames_to_go_ = 0;
+  bool stepping_ = false;
+  bool step_complete_ = false;
+  std::thread thread_;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

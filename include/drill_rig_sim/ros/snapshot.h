@@ -1,0 +1,72 @@
+#ifndef DRILL_RIG_SIM_ROS_SNAPSHOT_H
+#define DRILL_RIG_SIM_ROS_SNAPSHOT_H
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/sim/measurements.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/well/wellbore.h"
+
+namespace drill_rig_sim
+{
+/// How the simulation thread fares, for diagnostics.
+struct LoopStatistics
+{
+  static constexpr std::array<double, 5> bounds_ms{{1.0, 2.0, 5.0, 10.0, 20.0}};
+  std::array<std::uint64_t, bounds_ms.size() + 1> frame_times{};  ///< frames that took less than each bound; last: longer
+  double longest_frame = 0.0;                                     ///< [s]
+  std::uint64_t overruns = 0;
+  double dropped_seconds = 0.0;         ///< backlog dropped [s]
+  std::uint64_t dropped_snapshots = 0;  ///< frames not published because the publishers were behind
+  double speed = 1.0;
+};
+
+enum class RunState
+{
+  running,
+  paused,
+  waiting,  ///< in lockstep, for a step
+  failed
+};
+
+/// What a frame tells, without arrays.
+struct FrameRecord
+{
+  std::int64_t stamp = 0;  ///< [ns]
+  RunState run_state = RunState::running;
+  Measurements measurements;
+  RigSpec rig;
+  std::int64_t last_command = 0;           ///< stamp of the last accepted command [ns]; 0 = none
+  std::array<std::int64_t, 3> accepted{};  ///< stamps of the set points in force: winch, top drive, pump [ns]
+  SimulatorStatistics physics;
+  LoopStatistics loop;
+  const char* last_refusal = "";    ///< why the last refused command was; static storage
+  std::array<char, 256> failure{};  ///< why the last frame failed; empty otherwise
+};
+
+/// What the simulation thread hands to the publishers after a frame. The arrays are filled where their flag says so.
+struct Snapshot
+{
+  FrameRecord frame;
+  bool new_stamp = true;  ///< false: nothing but a picture for a new subscriber
+  bool rebuilt = false;   ///< the first one of another rig or well
+  bool state_due = false;
+  bool profile_due = false;  ///< drillstring_state
+  bool tf_due = false;
+  bool markers_due = false;
+  bool well_due = false;  ///< the well has changed, or somebody new wants to see it
+
+  StringProfile profile;
+  std::vector<WellNode> axis;  ///< the hole at each entry of the profile
+  std::vector<PartPose> parts;
+  std::vector<WellNode> well;
+  std::vector<WellNode> stations;  ///< the hole at the survey's stations
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef DRILL_RIG_SIM_ROS_STATE_PUBLISHER_H
+#define DRILL_RIG_SIM_ROS_STATE_PUBLISHER_H
+
+#include <ros/ros.h>
+
+#include <cstdint>
+#include <string>
+
+#include "drill_rig_sim/DrillstringState.h"
+#include "drill_rig_sim/ros/simulation_loop.h"
+#include "drill_rig_sim/ros/snapshot.h"
+
+namespace drill_rig_sim
+{
+/// Publishes what is measured: rig_state and its kin, the truth at the bit, downhole telemetry, the string's profile, the limits.
+class StatePublisher
+{
+public:
+  StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Demand& demand);
+  void publish(const Snapshot& s);
+
+private:
+  void publish_rig(const Snapshot& s);
+  void publish_bit(const Snapshot& s);
+  void publish_telemetry(const Snapshot& s);
+  void publish_profile(const Snapshot& s);
+  ros::Time measured_at(const FrameRecord& frame, double time) const;
+
+  std::string floor_;  // frame_id
+  Demand& demand_;
+  std::uint64_t last_survey_ = 0, last_toolface_ = 0;
+  DrillstringState profile_;
+  ros::Publisher hook_load_, torque_, rig_state_, rig_limits_, joint_states_;
+  ros::Publisher bit_pose_, bit_twist_, bit_wrench_, mwd_, toolface_, drillstring_;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

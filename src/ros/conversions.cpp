@@ -1,0 +1,140 @@
+#include "drill_rig_sim/ros/conversions.h"
+
+namespace drill_rig_sim
+{
+ros::Time to_time(std::int64_t stamp)
+{
+  return ros::Time().fromNSec(static_cast<std::uint64_t>(stamp));
+}
+
+geometry_msgs::Point to_point(const Eigen::Vector3d& v)
+{
+  geometry_msgs::Point p;
+  p.x = v.x();
+  p.y = v.y();
+  p.z = v.z();
+  return p;
+}
+
+geometry_msgs::Vector3 to_vector(const Eigen::Vector3d& v)
+{
+  geometry_msgs::Vector3 p;
+  p.x = v.x();
+  p.y = v.y();
+  p.z = v.z();
+  return p;
+}
+
+geometry_msgs::Quaternion to_quaternion(const Eigen::Quaterniond& q)
+{
+  const Eigen::Quaterniond unit = q.normalized();
+  geometry_msgs::Quaternion m;
+  m.x = unit.x();
+  m.y = unit.y();
+  m.z = unit.z();
+  m.w = unit.w();
+  return m;
+}
+
+geometry_msgs::Quaternion pointing(const Eigen::Vector3d& direction)
+{
+  return to_quaternion(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), direction));
+}
+
+WinchSetpoint to_setpoint(const WinchCommand& m)
+{
+  WinchSetpoint s;
+  s.block_velocity = m.block_velocity;
+  s.brake = m.brake;
+  return s;
+}
+
+TopDriveSetpoint to_setpoint(const TopDriveCommand& m)
+{
+  TopDriveSetpoint s;
+  s.mode = static_cast<TopDriveMode>(m.mode);
+  s.speed = m.speed;
+  s.torque = m.torque;
+  s.angle = m.angle;
+  s.torque_limit = m.torque_limit;
+  return s;
+}
+
+PumpSetpoint to_setpoint(const MudPumpCommand& m)
+{
+  PumpSetpoint s;
+  s.flow = m.flow;
+  return s;
+}
+
+namespace
+{
+void copy_setpoints(const FrameRecord& frame, RigState& m)
+{
+  const Setpoints& s = frame.measurements.setpoints;
+  m.last_command = to_time(frame.last_command);
+  m.winch.header.stamp = to_time(frame.accepted[0]);
+  m.winch.block_velocity = s.winch.block_velocity;
+  m.winch.brake = s.winch.brake;
+  m.top_drive.header.stamp = to_time(frame.accepted[1]);
+  m.top_drive.mode = static_cast<std::uint8_t>(s.top_drive.mode);
+  m.top_drive.speed = s.top_drive.speed;
+  m.top_drive.torque = s.top_drive.torque;
+  m.top_drive.angle = s.top_drive.angle;
+  m.top_drive.torque_limit = s.top_drive.torque_limit;
+  m.mud_pump.header.stamp = to_time(frame.accepted[2]);
+  m.mud_pump.flow = s.pump.flow;
+}
+}  // namespace
+
+RigState to_rig_state(const FrameRecord& frame, const std::string& frame_id)
+{
+  const Measurements& from = frame.measurements;
+  RigState m;
+  m.header.stamp = to_time(frame.stamp);
+  m.header.frame_id = frame_id;
+  m.hook_load = from.hook_load;
+  m.dead_line_hook_load = from.dead_line_hook_load;
+  m.hook_load_string = from.hook_load_string;
+  m.block_height = from.block_height;
+  m.block_velocity = from.block_velocity;
+  m.top_drive_angle = from.top_drive_angle;
+  m.top_drive_speed = from.top_drive_speed;
+  m.torque = from.torque;
+  m.stand_pipe_pressure = from.stand_pipe_pressure;
+  m.differential_pressure = from.differential_pressure;
+  m.flow = from.flow;
+  m.hole_depth = from.hole_depth;
+  m.bit_depth = from.bit_depth;
+  m.surface_wob = from.surface_wob;
+  m.tared = from.tared;
+  m.rop = from.rop;
+  m.on_bottom = from.on_bottom;
+  m.in_slips = from.in_slips;
+  m.brake_set = from.brake_set;
+  m.motor_stalled = from.motor_stalled;
+  m.winch_limited = from.winch_limited;
+  m.top_drive_limited = from.top_drive_limited;
+  m.command_clamped = from.command_clamped;
+  m.commands_timed_out = from.commands_timed_out;
+  copy_setpoints(frame, m);
+  return m;
+}
+
+RigLimits to_rig_limits(const RigSpec& rig, const std_msgs::Header& header)
+{
+  RigLimits m;
+  m.header = header;
+  m.max_block_speed = rig.hoisting.max_speed;
+  m.max_block_acceleration = rig.hoisting.max_acceleration;
+  m.max_hook_load = rig.hoisting.max_hook_load;
+  m.lowest_block_height = rig.hoisting.lowest_block_height;
+  m.highest_block_height = rig.hoisting.highest_block_height;
+  m.max_top_drive_speed = rig.top_drive.max_speed;
+  m.max_top_drive_torque = rig.top_drive.max_torque;
+  m.max_top_drive_power = rig.top_drive.max_power;
+  m.max_flow = rig.mud_pump.max_flow;
+  return m;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,206 @@
+#include "drill_rig_sim/ros/marker_publisher.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/ros/conversions.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+using visualization_msgs::Marker;
+
+constexpr int tube_sides = 12;
+constexpr double color_memory = 0.98;  // the colour scale falls by 2 % per picture after a peak
+
+std_msgs::ColorRGBA color(double r, double g, double b, double a = 1.0)
+{
+  std_msgs::ColorRGBA c;
+  c.r = static_cast<float>(r);
+  c.g = static_cast<float>(g);
+  c.b = static_cast<float>(b);
+  c.a = static_cast<float>(a);
+  return c;
+}
+
+const std_msgs::ColorRGBA bit_color = color(0.1, 0.5, 1.0), force_color = color(0.95, 0.2, 0.95),
+                          block_color = color(0.9, 0.75, 0.1), tube_color = color(0.72, 0.52, 0.30, 0.35),
+                          station_color = color(0.95, 0.95, 0.95);
+
+// From green through yellow to red.
+std_msgs::ColorRGBA graded(double share)
+{
+  const double x = std::clamp(share, 0.0, 1.0);
+  return color(std::min(1.0, 0.15 + 1.7 * x), std::min(0.85, 1.7 * (1.0 - x)), 0.1);
+}
+
+const std::vector<double>& quantity(const StringProfile& profile, ColorQuantity which)
+{
+  switch (which)
+  {
+    case ColorQuantity::tension:
+      return profile.tension;
+    case ColorQuantity::torque:
+      return profile.torque;
+    case ColorQuantity::bending_moment:
+      return profile.bending_moment;
+    case ColorQuantity::contact_force:
+      break;
+  }
+  return profile.contact_force;
+}
+
+// A ring of points about each node, the first side carried along without twist.
+std::vector<std::vector<Eigen::Vector3d>> rings(const std::vector<WellNode>& well, double exaggeration)
+{
+  std::vector<std::vector<Eigen::Vector3d>> result;
+  Eigen::Vector3d side = Eigen::Vector3d::UnitX();
+  for (const WellNode& node : well)
+  {
+    side = (side - side.dot(node.tangent) * node.tangent).normalized();
+    const Eigen::Vector3d other = node.tangent.cross(side);
+    std::vector<Eigen::Vector3d> ring;
+    for (int k = 0; k < tube_sides; ++k)
+    {
+      const double angle = 2.0 * pi * k / tube_sides;
+      ring.push_back(node.position + exaggeration * node.radius * (std::cos(angle) * side + std::sin(angle) * other));
+    }
+    result.push_back(std::move(ring));
+  }
+  return result;
+}
+}  // namespace
+
+MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const Parameters& parameters, Demand& demand,
+                                 std::function<void()> ask_for_picture)
+    : floor_(parameters.frame_prefix + "rig_floor"),
+      exaggeration_(parameters.lateral_exaggeration),
+      force_scale_(parameters.force_scale),
+      color_by_(parameters.color_by),
+      demand_(demand)
+{
+  const auto greet = [this, ask_for_picture = std::move(ask_for_picture)](const ros::SingleSubscriberPublisher&)
+  {
+    demand_.markers = true;
+    ask_for_picture();
+  };
+  markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", 10, greet);
+}
+
+void MarkerPublisher::publish(const Snapshot& s)
+{
+  if (s.rebuilt) color_full_ = 0.0;
+  if (!s.markers_due) return;
+  demand_.markers = markers_.getNumSubscribers() > 0;
+  visualization_msgs::MarkerArray array;
+  array.markers = {string_marker(s), bit_marker(s), force_marker(s), block_marker(s)};
+  if (s.well_due)
+  {
+    array.markers.push_back(tube_marker(s));
+    array.markers.push_back(station_marker(s));
+  }
+  markers_.publish(array);
+}
+
+Marker MarkerPublisher::marker(const Snapshot& s, const std::string& name, int type) const
+{
+  Marker m;
+  m.header.stamp = to_time(s.frame.stamp);
+  m.header.frame_id = floor_;
+  m.ns = name;
+  m.id = 0;
+  m.type = type;
+  m.action = Marker::ADD;
+  m.pose.orientation.w = 1.0;
+  return m;
+}
+
+Eigen::Vector3d MarkerPublisher::drawn(const Snapshot& s, std::size_t i) const
+{
+  return s.axis[i].position + exaggeration_ * (s.profile.position[i] - s.axis[i].position);
+}
+
+Marker MarkerPublisher::string_marker(const Snapshot& s)
+{
+  const std::vector<double>& values = quantity(s.profile, color_by_);
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  color_full_ = std::max({largest, color_memory * color_full_, 1e-9});
+
+  Marker m = marker(s, "string", Marker::LINE_STRIP);
+  double thickest = 0.0;
+  for (std::size_t i = 0; i < s.profile.position.size(); ++i)
+  {
+    m.points.push_back(to_point(drawn(s, i)));
+    m.colors.push_back(graded(std::abs(values[i]) / color_full_));
+    thickest = std::max(thickest, i == 0 ? 0.0 : s.profile.radius[i]);
+  }
+  m.scale.x = exaggeration_ * 2.0 * thickest;
+  m.color = graded(0.0);
+  return m;
+}
+
+Marker MarkerPublisher::bit_marker(const Snapshot& s) const
+{
+  Marker m = marker(s, "bit", Marker::SPHERE);
+  m.pose.position = to_point(drawn(s, 0));
+  m.scale.x = m.scale.y = m.scale.z = exaggeration_ * 2.0 * s.axis.front().radius;
+  m.color = bit_color;
+  return m;
+}
+
+Marker MarkerPublisher::force_marker(const Snapshot& s) const
+{
+  Marker m = marker(s, "contact_forces", Marker::LINE_LIST);
+  for (std::size_t i = 0; i < s.profile.position.size(); ++i)
+  {
+    if (s.profile.contact_force[i] <= 0.0) continue;
+    const Eigen::Vector3d foot = drawn(s, i);
+    m.points.push_back(to_point(foot));
+    m.points.push_back(to_point(foot + force_scale_ * s.profile.contact_vector[i]));
+  }
+  m.scale.x = 0.04 * exaggeration_;
+  m.color = force_color;
+  return m;
+}
+
+Marker MarkerPublisher::block_marker(const Snapshot& s) const
+{
+  Marker m = marker(s, "traveling_block", Marker::CUBE);
+  m.pose.position.z = s.frame.measurements.block_height + 2.0;
+  m.scale.x = m.scale.y = m.scale.z = 4.0;
+  m.color = block_color;
+  return m;
+}
+
+Marker MarkerPublisher::tube_marker(const Snapshot& s) const
+{
+  Marker m = marker(s, "wellbore", Marker::TRIANGLE_LIST);
+  const auto ring = rings(s.well, exaggeration_);
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+  {
+    for (std::size_t k = 0; k < tube_sides; ++k)
+    {
+      const std::size_t l = (k + 1) % tube_sides;
+      for (const Eigen::Vector3d& p : {ring[i][k], ring[i + 1][k], ring[i][l], ring[i][l], ring[i + 1][k], ring[i + 1][l]})
+        m.points.push_back(to_point(p));
+    }
+  }
+  m.scale.x = m.scale.y = m.scale.z = 1.0;
+  m.color = tube_color;
+  return m;
+}
+
+Marker MarkerPublisher::station_marker(const Snapshot& s) const
+{
+  Marker m = marker(s, "stations", Marker::SPHERE_LIST);
+  for (const WellNode& station : s.stations) m.points.push_back(to_point(station.position));
+  m.scale.x = m.scale.y = m.scale.z = 0.2 * exaggeration_;
+  m.color = station_color;
+  return m;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,196 @@
+#include "drill_rig_sim/ros/parameters.h"
+
+#include <ros/package.h>
+
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <vector>
+
+namespace drill_rig_sim
+{
+namespace
+{
+// Reads parameters one by one, remembers which names exist, and words every complaint alike.
+class Reader
+{
+public:
+  explicit Reader(const ros::NodeHandle& node) : node_(node) {}
+
+  void number(const std::string& name, double& value, double low, double high, const std::string& allowed)
+  {
+    XmlRpc::XmlRpcValue raw;
+    if (!find(name, raw)) return;
+    if (!as_number(raw, value) || !(value >= low && value <= high)) refuse(name, raw, allowed);
+  }
+
+  void flag(const std::string& name, bool& value)
+  {
+    XmlRpc::XmlRpcValue raw;
+    if (!find(name, raw)) return;
+    if (raw.getType() != XmlRpc::XmlRpcValue::TypeBoolean) refuse(name, raw, "true or false");
+    value = static_cast<bool>(raw);
+  }
+
+  void text(const std::string& name, std::string& value)
+  {
+    XmlRpc::XmlRpcValue raw;
+    if (!find(name, raw)) return;
+    if (raw.getType() != XmlRpc::XmlRpcValue::TypeString) refuse(name, raw, "text");
+    value = static_cast<std::string>(raw);
+  }
+
+  template <class Enum>
+  void choice(const std::string& name, Enum& value, const std::vector<std::string>& words)
+  {
+    XmlRpc::XmlRpcValue raw;
+    if (!find(name, raw)) return;
+    std::string allowed;
+    for (std::size_t i = 0; i < words.size(); ++i)
+    {
+      allowed += (i == 0 ? "" : ", ") + words[i];
+      if (raw.getType() != XmlRpc::XmlRpcValue::TypeString || static_cast<std::string>(raw) != words[i]) continue;
+      value = static_cast<Enum>(i);
+      return;
+    }
+    refuse(name, raw, "one of " + allowed);
+  }
+
+  void numbers(const std::string& name, std::array<double, 6>& values, const std::string& allowed)
+  {
+    XmlRpc::XmlRpcValue raw;
+    if (!find(name, raw)) return;
+    if (raw.getType() != XmlRpc::XmlRpcValue::TypeArray || raw.size() != static_cast<int>(values.size()))
+      refuse(name, raw, allowed);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!as_number(raw[static_cast<int>(i)], values[i]) || !std::isfinite(values[i])) refuse(name, raw, allowed);
+  }
+
+  // A name that nothing has asked for is a misspelt one.
+  void refuse_unknown() const
+  {
+    std::vector<std::string> names;
+    node_.getParamNames(names);
+    const std::string own = node_.getNamespace() + "/";
+    for (const std::string& name : names)
+    {
+      if (name.compare(0, own.size(), own) != 0 || known_.count(name.substr(own.size()))) continue;
+      std::string allowed;
+      for (const std::string& k : known_) allowed += (allowed.empty() ? "" : ", ") + k;
+      throw ParameterError("parameter ~" + name.substr(own.size()) + " is unknown; there are " + allowed);
+    }
+  }
+
+  [[noreturn]] static void refuse(const std::string& name, XmlRpc::XmlRpcValue raw, const std::string& allowed)
+  {
+    std::ostringstream value;
+    raw.write(value);
+    throw ParameterError("parameter ~" + name + " is " + value.str() + "; allowed is " + allowed);
+  }
+
+private:
+  bool find(const std::string& name, XmlRpc::XmlRpcValue& raw)
+  {
+    known_.insert(name);
+    return node_.getParam(name, raw);
+  }
+
+  static bool as_number(XmlRpc::XmlRpcValue& raw, double& value)
+  {
+    if (raw.getType() == XmlRpc::XmlRpcValue::TypeInt)
+      value = static_cast<int>(raw);
+    else if (raw.getType() == XmlRpc::XmlRpcValue::TypeDouble)
+      value = static_cast<double>(raw);
+    else
+      return false;
+    return true;
+  }
+
+  const ros::NodeHandle& node_;
+  std::set<std::string> known_;
+};
+
+bool readable(const std::string& file)
+{
+  return std::ifstream(file).good();
+}
+}  // namespace
+
+Parameters read_parameters(const ros::NodeHandle& node)
+{
+  Parameters p;
+  Reader read(node);
+  std::string scene = "bohai.yaml";
+  double seed = 0.0;
+  const std::string rate_range = "a number from 0.1 to 10000 [1/s]", display_range = "a number from 0.01 to 1000 [1/s]";
+  read.text("scene", scene);
+  read.number("rate", p.rate, 0.1, 1e4, rate_range);
+  p.state_rate = p.rate;
+  read.number("state_rate", p.state_rate, 0.01, p.rate, "a number from 0.01 to ~rate [1/s]");
+  read.number("drillstring_rate", p.drillstring_rate, 0.01, p.rate, "a number from 0.01 to ~rate [1/s]");
+  read.number("tf_rate", p.tf_rate, 0.01, 1000.0, display_range);
+  read.number("marker_rate", p.marker_rate, 0.01, 1000.0, display_range);
+  read.number("trajectory_rate", p.trajectory_rate, 0.01, 1.0, "a number from 0.01 to 1 [1/s]");
+  read.number("command_timeout", p.command_timeout, 0.0, 1e9, "a number >= 0 [s], 0 = off");
+  read.text("frame_prefix", p.frame_prefix);
+  read.numbers("rig_pose", p.rig_pose, "a list of six finite numbers: x, y, z [m], roll, pitch, yaw [rad]");
+  read.number("seed", seed, 0.0, 9e15, "a whole number >= 0");
+  read.flag("play_program", p.play_program);
+  read.choice("clock", p.clock, {"realtime", "lockstep", "free_run"});
+  read.flag("publish_clock", p.publish_clock);
+  read.number("lateral_exaggeration", p.lateral_exaggeration, 1.0, 1e4, "a number from 1 to 10000");
+  read.number("force_scale", p.force_scale, 0.0, 1e3, "a number >= 0 [m/N]");
+  read.choice("color_by", p.color_by, {"contact_force", "tension", "torque", "bending_moment"});
+  read.refuse_unknown();
+
+  p.seed = static_cast<std::uint64_t>(seed);
+  ros::param::get("/use_sim_time", p.use_sim_time);
+  if (!p.publish_clock && p.clock != ClockMode::realtime)
+    throw ParameterError(
+        "parameter ~clock is not realtime; without ~publish_clock only realtime is allowed: the time is another's");
+  try
+  {
+    p.scene_file = find_scene(scene);
+  }
+  catch (const ParameterError& error)
+  {
+    throw ParameterError(std::string("parameter ~") + error.what());
+  }
+  return p;
+}
+
+std::string find_scene(const std::string& name)
+{
+  std::string file = name;
+  const std::string scheme = "package://";
+  if (name.compare(0, scheme.size(), scheme) == 0)
+  {
+    const std::size_t slash = name.find('/', scheme.size());
+    const std::string package = name.substr(scheme.size(), slash - scheme.size());
+    const std::string folder = ros::package::getPath(package);
+    if (folder.empty() || slash == std::string::npos)
+      throw ParameterError("scene is " + name + "; allowed is package://PACKAGE/FILE with a package that exists");
+    file = folder + name.substr(slash);
+  }
+  else if (name.empty() || name.front() != '/')
+  {
+    file = ros::package::getPath("drill_rig_sim") + "/config/scenes/" + name;
+  }
+  if (name.empty() || !readable(file))
+    throw ParameterError("scene is " + name + "; allowed is a file that can be read, absolute, package://PACKAGE/FILE, " +
+                         "or relative to config/scenes (tried " + file + ")");
+  return file;
+}
+
+void check_rate(double rate, const Scene& scene)
+{
+  const double steps = 1.0 / (rate * scene.numerics.step);
+  if (std::lround(steps) >= 1 && std::abs(steps - std::round(steps)) < 1e-6 * steps) return;
+  std::ostringstream text;
+  text << "rate is " << rate << "; allowed is a rate whose frames hold a whole number of the scene's steps of "
+       << scene.numerics.step << " s";
+  throw ParameterError(text.str());
+}
+
+}  // namespace drill_rig_sim

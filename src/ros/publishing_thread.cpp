@@ -1,0 +1,85 @@
+#include "drill_rig_sim/ros/publishing_thread.h"
+
+#include <rosgraph_msgs/Clock.h>
+
+#include <utility>
+
+#include "drill_rig_sim/ros/conversions.h"
+
+namespace drill_rig_sim
+{
+PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& parameters, SnapshotRing& ring, Demand& demand,
+                                   std::function<void()> ask_for_picture, std::function<void()> on_change)
+    : ring_(ring),
+      on_change_(std::move(on_change)),
+      publish_clock_(parameters.publish_clock),
+      state_(node, parameters, demand),
+      frames_(node, parameters),
+      markers_(node, parameters, demand, std::move(ask_for_picture)),
+      trajectory_(node, parameters)
+{
+  if (publish_clock_) clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 10);
+}
+
+PublishingThread::~PublishingThread()
+{
+  finish();
+}
+
+void PublishingThread::start()
+{
+  thread_ = std::thread([this] { run(); });
+}
+
+void PublishingThread::finish()
+{
+  if (!thread_.joinable()) return;
+  ring_.close();
+  thread_.join();
+}
+
+FrameRecord PublishingThread::last() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return last_;
+}
+
+void PublishingThread::wait_until_published(std::uint64_t handed_over)
+{
+  std::unique_lock<std::mutex> lock(mutex_);
+  arrived_.wait(lock, [&] { return published_ >= handed_over; });
+}
+
+void PublishingThread::run()
+{
+  while (const Snapshot* s = ring_.next())
+  {
+    publish(*s);
+    bool changed = false;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      changed = published_ == 0 || s->rebuilt || last_.run_state != s->frame.run_state;
+      last_ = s->frame;
+      ++published_;
+    }
+    arrived_.notify_all();
+    ring_.release();
+    if (changed) on_change_();
+  }
+}
+
+void PublishingThread::publish(const Snapshot& s)
+{
+  state_.publish(s);
+  frames_.publish(s);
+  markers_.publish(s);
+  trajectory_.publish(s);
+  if (publish_clock_ && s.new_stamp)
+  {
+    rosgraph_msgs::Clock clock;
+    clock.clock = to_time(s.frame.stamp);
+    clock_.publish(clock);
+  }
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,52 @@
+#include "drill_rig_sim/ros/rig_node.h"
+
+#include <rosgraph_msgs/Clock.h>
+
+#include <memory>
+
+#include "drill_rig_sim/scene/read_scene.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+Scene checked_scene(const Parameters& parameters)
+{
+  Scene scene = read_scene(parameters.scene_file);
+  check_rate(parameters.rate, scene);
+  return scene;
+}
+}  // namespace
+
+RigNode::RigNode()
+    : parameters_(read_parameters(ros::NodeHandle("~"))),
+      scene_(checked_scene(parameters_)),
+      mailbox_(node_),
+      loop_(parameters_, std::make_unique<Simulator>(scene_, parameters_.seed), mailbox_, ring_),
+      publishing_(
+          node_, parameters_, ring_, loop_.demand(), [this] { loop_.refresh(); }, [this] { diagnostics_.publish(); }),
+      diagnostics_(node_, [this] { return publishing_.last(); }),
+      services_((service_node_.setCallbackQueue(&service_queue_), service_node_), parameters_, scene_, loop_, publishing_, ring_),
+      spinner_(1),
+      service_spinner_(2, &service_queue_)
+{
+  if (loop_.time().follows())
+    clock_ = node_.subscribe<rosgraph_msgs::Clock>("/clock", 10,
+                                                   [this](const rosgraph_msgs::Clock::ConstPtr& m)
+                                                   { loop_.hear_clock(static_cast<std::int64_t>(m->clock.toNSec())); });
+  publishing_.start();
+  loop_.start();
+  spinner_.start();
+  service_spinner_.start();
+}
+
+RigNode::~RigNode()
+{
+  loop_.halt();
+  service_spinner_.stop();
+  spinner_.stop();
+  loop_.join();
+  publishing_.finish();
+}
+
+}  // namespace drill_rig_sim

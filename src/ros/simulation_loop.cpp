@@ -1,0 +1,310 @@
+#include "drill_rig_sim/ros/simulation_loop.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr int pipe_every = 5;            // joints between two frames of the pipe
+constexpr double picture_spacing = 1.0;  // between points of the drawn well [m]
+constexpr std::size_t spare_points = 4096;
+}  // namespace
+
+RunningRig::RunningRig(std::unique_ptr<Simulator> s, bool play)
+    : simulator(std::move(s)), program(simulator->scene().program), playing(play)
+{
+}
+
+SimulationLoop::SimulationLoop(const Parameters& parameters, std::unique_ptr<Simulator> simulator, Mailbox& mailbox,
+                               SnapshotRing& ring)
+    : parameters_(parameters),
+      mailbox_(mailbox),
+      ring_(ring),
+      rig_(std::move(simulator), parameters.play_program),
+      time_(parameters),
+      frame_duration_(1.0 / parameters.rate),
+      state_cadence_(parameters.state_rate),
+      profile_cadence_(parameters.drillstring_rate),
+      tf_cadence_(parameters.tf_rate),
+      marker_cadence_(parameters.marker_rate),
+      well_cadence_(parameters.trajectory_rate)
+{
+  set_timeout();
+  reserve_memory();
+}
+
+SimulationLoop::~SimulationLoop()
+{
+  join();
+}
+
+void SimulationLoop::start()
+{
+  time_.restart(steady_now());
+  if (!time_.follows()) publish_now(true);
+  thread_ = std::thread([this] { run(); });
+}
+
+void SimulationLoop::halt() noexcept
+{
+  halted_ = true;
+  wake_.post();
+}
+
+void SimulationLoop::join()
+{
+  if (!thread_.joinable()) return;
+  quit_ = true;
+  wake_.post();
+  thread_.join();
+}
+
+// --- the simulation thread ----------------------------------------------------------------------------------------------
+
+void SimulationLoop::run() noexcept
+{
+  while (!quit_)
+  {
+    let_visitor_in();
+    wait_or_work();
+  }
+}
+
+void SimulationLoop::let_visitor_in() noexcept
+{
+  if (!asked_.exchange(false)) return;
+  entered_.post();
+  left_.wait();
+}
+
+void SimulationLoop::wait_or_work() noexcept
+{
+  if (halted_ && stepping_) end_step(false);
+  const bool may_run = !halted_ && run_state() == RunState::running;
+  if (may_run) time_.adopt_clock();
+  const std::int64_t due = may_run ? time_.next_frame_at() : Timekeeper::not_yet;
+  if (due == Timekeeper::not_yet)
+  {
+    if (demand_.refresh.exchange(false)) hand_over({false, true, false});
+    wake_.wait();
+    return;
+  }
+  if (due > steady_now() && wake_.wait_until(due)) return;  // somebody has come: see to it first
+  one_frame(steady_now());
+}
+
+void SimulationLoop::one_frame(std::int64_t now) noexcept
+{
+  time_.frame_begins(now);
+  take_commands();
+  if (rig_.playing) rig_.program.apply(*rig_.simulator);
+
+  rig_.failed = rig_.simulator->frame(frame_duration_) == FrameStatus::failed;
+  count_frame_time(steady_now() - now);
+
+  if (!rig_.failed) time_.tick();
+  if (stepping_) --frames_to_go_;
+  hand_over({!rig_.failed, rig_.failed, false});
+  if (stepping_ && (rig_.failed || frames_to_go_ == 0)) end_step(!rig_.failed);
+}
+
+void SimulationLoop::take_commands() noexcept
+{
+  if (const WinchSetpoint* c = mailbox_.winch()) take(*c);
+  if (const TopDriveSetpoint* c = mailbox_.top_drive()) take(*c);
+  if (const PumpSetpoint* c = mailbox_.pump()) take(*c);
+}
+
+template <class Setpoint>
+CommandResult SimulationLoop::accept(const Setpoint& c, std::size_t kind) noexcept
+{
+  const CommandResult result = rig_.simulator->command(c);
+  if (result.outcome == CommandResult::Outcome::refused)
+  {
+    rig_.last_refusal = result.reason;
+    return result;
+  }
+  rig_.last_command = rig_.accepted[kind] = time_.stamp();
+  if (rig_.playing)
+  {
+    rig_.playing = false;  // whoever sends a command has the rig
+    set_timeout();
+  }
+  return result;
+}
+
+template CommandResult SimulationLoop::accept(const WinchSetpoint&, std::size_t) noexcept;
+template CommandResult SimulationLoop::accept(const TopDriveSetpoint&, std::size_t) noexcept;
+template CommandResult SimulationLoop::accept(const PumpSetpoint&, std::size_t) noexcept;
+
+// A program speaks once per line: its silence is no lost stream.
+void SimulationLoop::set_timeout() noexcept
+{
+  rig_.simulator->set_command_timeout(rig_.playing ? 0.0 : parameters_.command_timeout);
+}
+
+void SimulationLoop::count_frame_time(std::int64_t duration) noexcept
+{
+  const double ms = 1e-6 * static_cast<double>(duration);
+  std::size_t bin = 0;
+  while (bin < LoopStatistics::bounds_ms.size() && ms >= LoopStatistics::bounds_ms[bin]) ++bin;
+  ++statistics_.frame_times[bin];
+  statistics_.longest_frame = std::max(statistics_.longest_frame, 1e-3 * ms);
+}
+
+void SimulationLoop::end_step(bool complete) noexcept
+{
+  stepping_ = false;
+  frames_to_go_ = 0;
+  step_complete_ = complete;
+  step_done_.post();
+}
+
+// --- snapshots ----------------------------------------------------------------------------------------------------------
+
+void SimulationLoop::hand_over(Occasion occasion) noexcept
+{
+  const bool may_be_lost = time_.is_realtime() && occasion.new_stamp && !occasion.rebuilt;
+  Snapshot* snapshot = may_be_lost ? ring_.try_claim() : ring_.claim();
+  if (snapshot == nullptr)
+  {
+    ++statistics_.dropped_snapshots;
+    return;
+  }
+  occasion.whole_picture |= demand_.refresh.exchange(false);
+  note_due(*snapshot, occasion);
+  fill_record(snapshot->frame);
+  fill_arrays(*snapshot);
+  ring_.hand_over();
+}
+
+void SimulationLoop::note_due(Snapshot& s, const Occasion& occasion) noexcept
+{
+  const std::int64_t simulated = time_.stamp();
+  const std::int64_t shown = time_.in_lockstep() ? simulated : steady_now();
+  const double depth = rig_.simulator->measurements().hole_depth;
+  s.new_stamp = occasion.new_stamp;
+  s.rebuilt = occasion.rebuilt;
+  s.state_due = s.new_stamp && (state_cadence_.due(simulated) || occasion.rebuilt);
+  s.profile_due = s.new_stamp && profile_cadence_.due(simulated) && demand_.profile;
+  s.tf_due = s.new_stamp && (tf_cadence_.due(shown) || occasion.rebuilt);
+  s.markers_due = (marker_cadence_.due(shown) || occasion.whole_picture) && demand_.markers;
+  s.well_due = occasion.whole_picture || (depth != well_handed_over_ && well_cadence_.due(shown));
+  if (s.well_due) well_handed_over_ = depth;
+}
+
+void SimulationLoop::fill_record(FrameRecord& record) const noexcept
+{
+  record.stamp = time_.stamp();
+  record.run_state = run_state();
+  record.measurements = rig_.simulator->measurements();
+  record.rig = rig_.simulator->scene().rig;
+  record.last_command = rig_.last_command;
+  record.accepted = rig_.accepted;
+  record.physics = rig_.simulator->statistics();
+  record.physics.commands_refused += mailbox_.refused();
+  record.loop = statistics_;
+  record.loop.overruns = time_.overruns();
+  record.loop.dropped_seconds = time_.dropped_seconds();
+  record.loop.speed = time_.speed();
+  record.last_refusal = rig_.last_refusal;
+  std::snprintf(record.failure.data(), record.failure.size(), "%s", rig_.failed ? rig_.simulator->failure() : "");
+}
+
+void SimulationLoop::fill_arrays(Snapshot& s) noexcept
+{
+  const Wellbore& well = rig_.simulator->wellbore();
+  if (s.profile_due || s.markers_due)
+  {
+    rig_.simulator->profile(s.profile);
+    s.axis.clear();
+    for (const double md : s.profile.md) s.axis.push_back(well.at(md));
+  }
+  if (s.tf_due) rig_.simulator->part_poses(pipe_every, s.parts);
+  if (s.well_due)
+  {
+    s.well.clear();
+    for (int i = 0; i < well.node_count(); ++i)
+    {
+      const WellNode node = well.node(i);
+      if (s.well.empty() || node.md >= s.well.back().md + picture_spacing) s.well.push_back(node);
+    }
+    s.well.push_back(well.at(well.hole_depth()));
+    s.stations.clear();
+    for (const SurveyStation& station : rig_.simulator->scene().well.survey) s.stations.push_back(well.at(station.md));
+  }
+}
+
+// --- visitors -----------------------------------------------------------------------------------------------------------
+
+RunState SimulationLoop::run_state() const noexcept
+{
+  if (rig_.failed) return RunState::failed;
+  if (time_.in_lockstep()) return stepping_ ? RunState::running : RunState::waiting;
+  return paused_ ? RunState::paused : RunState::running;
+}
+
+void SimulationLoop::set_paused(bool paused) noexcept
+{
+  paused_ = paused;
+  time_.restart(steady_now());
+  hand_over({false, false, false});  // for the diagnostics
+}
+
+std::unique_ptr<Simulator> SimulationLoop::replace(std::unique_ptr<Simulator> simulator)
+{
+  std::unique_ptr<Simulator> old = std::move(rig_.simulator);
+  rig_ = RunningRig(std::move(simulator), parameters_.play_program);
+  mailbox_.clear();
+  set_timeout();
+  reserve_memory();
+  publish_now(true);
+  return old;
+}
+
+void SimulationLoop::go_back(const SimulatorState& state, const ProgramPlayer& program, bool playing)
+{
+  rig_.simulator->restore(state);
+  rig_.program = program;
+  rig_.playing = playing;
+  rig_.failed = false;
+  mailbox_.clear();
+  set_timeout();
+  publish_now(false);
+}
+
+void SimulationLoop::publish_now(bool rebuilt) noexcept
+{
+  time_.tick();
+  time_.restart(steady_now());
+  hand_over({true, true, rebuilt});
+}
+
+bool SimulationLoop::step(std::uint32_t frames)
+{
+  if (frames == 0) return true;
+  between_frames(
+      [frames](SimulationLoop& loop)
+      {
+        loop.frames_to_go_ = frames;
+        loop.stepping_ = true;
+      });
+  step_done_.wait();
+  return step_complete_;
+}
+
+void SimulationLoop::reserve_memory()
+{
+  const Wellbore& well = rig_.simulator->wellbore();
+  ring_.with_every_slot(
+      [&](Snapshot& s)
+      {
+        s.profile_due = s.tf_due = s.well_due = true;
+        s.well.reserve(static_cast<std::size_t>(well.node_count()) + spare_points);
+        fill_arrays(s);
+      });
+}
+
+}  // namespace drill_rig_sim

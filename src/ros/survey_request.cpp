@@ -1,0 +1,71 @@
+#include "drill_rig_sim/ros/survey_request.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "drill_rig_sim/scene/survey_csv.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+template <class... Parts>
+[[noreturn]] void refuse(const Parts&... parts)
+{
+  std::ostringstream text;
+  (text << ... << parts);
+  throw std::runtime_error(text.str());
+}
+
+std::vector<SurveyStation> stations_of(const LoadSurvey::Request& request)
+{
+  if (request.md.size() != request.inclination.size() || request.md.size() != request.azimuth.size())
+    refuse("md, inclination and azimuth have ", request.md.size(), ", ", request.inclination.size(), " and ",
+           request.azimuth.size(), " entries; allowed is one of each per station");
+  std::vector<SurveyStation> stations(request.md.size());
+  for (std::size_t i = 0; i < stations.size(); ++i) stations[i] = {request.md[i], request.inclination[i], request.azimuth[i]};
+  return stations;
+}
+
+void require_sound(const std::vector<SurveyStation>& stations)
+{
+  const std::vector<SurveyProblem> problems = survey_problems(stations);
+  if (problems.empty()) return;
+  const std::size_t i = problems.front().station;
+  if (i >= stations.size()) refuse(problems.front().text);
+  refuse("station ", i, " (md ", stations[i].md, " m, inclination ", stations[i].inclination, " rad, azimuth ",
+         stations[i].azimuth, " rad): ", problems.front().text);
+}
+
+// Sections that begin below the bottom go, the last one reaches it.
+std::vector<HoleSection> fitted(std::vector<HoleSection> sections, double hole_depth)
+{
+  while (sections.size() > 1 && sections[sections.size() - 2].to >= hole_depth) sections.pop_back();
+  sections.back().to = std::max(sections.back().to, hole_depth);
+  return sections;
+}
+}  // namespace
+
+Scene with_survey(const Scene& scene, const LoadSurvey::Request& request)
+{
+  if (request.file.empty() == request.md.empty()) refuse("allowed is either a file or stations");
+  Scene next = scene;
+  next.well.survey = request.file.empty() ? stations_of(request) : read_survey_csv(request.file);
+  require_sound(next.well.survey);
+
+  const double last = next.well.survey.back().md;
+  if (!(request.hole_depth >= 0.0 && request.hole_depth <= last))
+    refuse("hole_depth is ", request.hole_depth, "; allowed is 0 (the last station) to ", last, " m");
+  next.well.hole_depth = request.hole_depth > 0.0 ? request.hole_depth : last;
+
+  const double off_bottom = scene.well.hole_depth - scene.start.bit_depth;
+  if (!(request.bit_depth >= 0.0 && request.bit_depth <= next.well.hole_depth))
+    refuse("bit_depth is ", request.bit_depth, "; allowed is 0 (", off_bottom, " m off bottom) to ", next.well.hole_depth, " m");
+  next.start.bit_depth = request.bit_depth > 0.0 ? request.bit_depth : next.well.hole_depth - off_bottom;
+  next.well.sections = fitted(next.well.sections, next.well.hole_depth);
+  return next;
+}
+
+}  // namespace drill_rig_sim
