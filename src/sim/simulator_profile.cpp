@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
-#include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/well/directions.h"
+#include "drill_rig_sim/sim/profile.h"
 #include "simulator_impl.h"
 
 namespace drill_rig_sim
@@ -21,54 +20,9 @@ Between find_between(const Mesh& mesh, double from_bit) noexcept
   return {upper - 1, (from_bit - low) / (high - low)};
 }
 
-namespace
-{
-/// Effective tension to true axial force: the mud's pressure outside and in the bore, hydrostatic.
-double true_axial_force(double effective, const MeshElement& e, double mud_density, double depth) noexcept
-{
-  const double pressure = mud_density * standard_gravity * std::max(depth, 0.0);
-  return effective - pressure * (e.outer_area - e.bore_area);
-}
-
-/// An element's quantity at node i: the mean of the elements that meet there.
-double at_node(const std::vector<double>& elements, std::size_t i) noexcept
-{
-  if (i == 0) return elements.front();
-  if (i == elements.size()) return elements.back();
-  return 0.5 * (elements[i - 1] + elements[i]);
-}
-}  // namespace
-
 void Simulator::profile(StringProfile& out) const
 {
-  const Mesh& mesh = impl_->rig.system->mesh();
-  const SystemForces& forces = impl_->state.forces;
-  const SystemState& s = impl_->state.mechanics;
-  const std::size_t n = s.nodes.size();
-  for (auto* values : {&out.md, &out.from_bit, &out.tension, &out.true_axial_force, &out.torque, &out.bending_moment,
-                       &out.contact_force, &out.contact_side, &out.spin_speed, &out.radius})
-    values->resize(n);
-  out.position.resize(n);
-  out.contact_vector.resize(n);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const NodeState& node = s.nodes[i];
-    const HoleSite site = s.well.locate(node.position, node.segment);
-    const MeshElement& element = mesh.elements[std::min(i, mesh.elements.size() - 1)];
-    out.md[i] = site.md;
-    out.from_bit[i] = mesh.nodes[i].from_bit;
-    out.position[i] = node.position;
-    out.tension[i] = at_node(forces.tension, i);
-    out.true_axial_force[i] = true_axial_force(out.tension[i], element, impl_->scene.mud.density, -node.position.z());
-    out.torque[i] = at_node(forces.torque, i);
-    out.bending_moment[i] = forces.bending_moment[i];
-    out.contact_force[i] = forces.contact[i];
-    out.contact_vector[i] = forces.wall[i];
-    out.contact_side[i] =
-        forces.contact[i] > 0.0 ? angle_about(site.tangent, high_side(site.tangent), node.position - site.centre) : 0.0;
-    out.spin_speed[i] = node.rate.spin;
-    out.radius[i] = 0.5 * element.outer_diameter;
-  }
+  fill_profile(*impl_->rig.system, impl_->state.mechanics, impl_->state.forces, out);
 }
 
 void Simulator::part_poses(int every, std::vector<PartPose>& out) const

@@ -1,0 +1,32 @@
+#ifndef DRILL_RIG_SIM_SIM_PROFILE_H
+#define DRILL_RIG_SIM_SIM_PROFILE_H
+
+#include "drill_rig_sim/sim/measurements.h"
+#include "drill_rig_sim/solve/statics.h"
+#include "drill_rig_sim/system/system.h"
+
+namespace drill_rig_sim
+{
+/// Quantities along the string of a state and its forces, bit first. Fills the arrays in place; they allocate on first use only.
+void fill_profile(const System& system, const SystemState& state, const SystemForces& forces, StringProfile& out);
+
+/// Torque and drag at rest, or in quasi-static motion with full slip.
+struct StaticReport
+{
+  StaticOutcome outcome;
+  StringProfile profile;
+  double hook_load = 0.0;         ///< block and top drive included [N]
+  double hook_load_string = 0.0;  ///< [N]
+  double torque = 0.0;            ///< at the top [N m]
+  double bit_side_force = 0.0;    ///< wall on bit, normal [N]
+  double bit_side_direction = 0.0;  ///< where the bit pushes the wall, clockwise from the high side looking downhole [rad]
+  double bit_tilt = 0.0;          ///< between the bit's axis and the hole's [rad]
+};
+
+/// The scene's string at its start, then moved as `friction` says: none (frictionless equilibrium), up, down, rotate (no axial friction).
+/// Throws std::runtime_error with one line if there is no such equilibrium.
+StaticReport static_report(const Scene& scene, FrictionMode friction);
+
+}  // namespace drill_rig_sim
+
+#endif

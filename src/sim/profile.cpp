@@ -1,0 +1,88 @@
+#include "drill_rig_sim/sim/profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/solve/start.h"
+#include "drill_rig_sim/well/directions.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+/// Effective tension to true axial force: the mud's pressure outside and in the bore, hydrostatic.
+double true_axial_force(double effective, const MeshElement& e, double mud_density, double depth) noexcept
+{
+  const double pressure = mud_density * standard_gravity * std::max(depth, 0.0);
+  return effective - pressure * (e.outer_area - e.bore_area);
+}
+
+/// An element's quantity at node i: the mean of the elements that meet there.
+double at_node(const std::vector<double>& elements, std::size_t i) noexcept
+{
+  if (i == 0) return elements.front();
+  if (i == elements.size()) return elements.back();
+  return 0.5 * (elements[i - 1] + elements[i]);
+}
+}  // namespace
+
+void fill_profile(const System& system, const SystemState& s, const SystemForces& forces, StringProfile& out)
+{
+  const Mesh& mesh = system.mesh();
+  const std::size_t n = s.nodes.size();
+  for (auto* values : {&out.md, &out.from_bit, &out.tension, &out.true_axial_force, &out.torque, &out.bending_moment,
+                       &out.contact_force, &out.contact_side, &out.spin_speed, &out.radius})
+    values->resize(n);
+  out.position.resize(n);
+  out.contact_vector.resize(n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const NodeState& node = s.nodes[i];
+    const HoleSite site = s.well.locate(node.position, node.segment);
+    const MeshElement& element = mesh.elements[std::min(i, mesh.elements.size() - 1)];
+    out.md[i] = site.md;
+    out.from_bit[i] = mesh.nodes[i].from_bit;
+    out.position[i] = node.position;
+    out.tension[i] = at_node(forces.tension, i);
+    out.true_axial_force[i] = true_axial_force(out.tension[i], element, system.scene().mud.density, -node.position.z());
+    out.torque[i] = at_node(forces.torque, i);
+    out.bending_moment[i] = forces.bending_moment[i];
+    out.contact_force[i] = forces.contact[i];
+    out.contact_vector[i] = forces.wall[i];
+    out.contact_side[i] =
+        forces.contact[i] > 0.0 ? angle_about(site.tangent, high_side(site.tangent), node.position - site.centre) : 0.0;
+    out.spin_speed[i] = node.rate.spin;
+    out.radius[i] = 0.5 * element.outer_diameter;
+  }
+}
+
+StaticReport static_report(const Scene& scene, FrictionMode friction)
+{
+  RigAtRest rig = build_at_rest(scene);
+  StaticReport report;
+  report.outcome = friction == FrictionMode::none ? rig.statics : solve_static(*rig.system, rig.state, friction);
+  if (!report.outcome.converged)
+  {
+    std::ostringstream message;
+    message << "static: no equilibrium found for this motion (residual " << report.outcome.residual << " N after "
+            << report.outcome.iterations << " iterations)";
+    throw std::runtime_error(message.str());
+  }
+  fill_profile(*rig.system, rig.state, rig.system->forces(), report.profile);
+  report.hook_load_string = report.outcome.top_force;
+  report.hook_load = report.hook_load_string + standard_gravity * scene.rig.hoisting.block_mass;
+  report.torque = report.outcome.top_torque;
+  report.bit_side_force = report.profile.contact_force.front();
+  report.bit_side_direction = report.profile.contact_side.front();
+  const NodeState& bit = rig.state.nodes.front();
+  const HoleSite site = rig.state.well.locate(bit.position, bit.segment);
+  const Eigen::Vector3d axis = x_axis(bit.orientation);
+  report.bit_tilt = std::atan2(axis.cross(site.tangent).norm(), axis.dot(site.tangent));
+  return report;
+}
+
+}  // namespace drill_rig_sim
