@@ -78,7 +78,7 @@ Eigen::Vector3d cutting_direction(const FormationLayer& layer, const Eigen::Vect
                                   const Eigen::Vector3d& force_direction) noexcept
 {
   const Eigen::Vector3d along = bit_axis * bit_axis.dot(force_direction);
-  const Eigen::Vector3d cut = along + side_cutting * (force_direction - along);
+  Eigen::Vector3d cut = along + side_cutting * (force_direction - along);
   if (layer.anisotropy == 0.0) return cut;
   const Eigen::Vector3d n = bed_normal(layer);
   return (1.0 - layer.anisotropy) * cut + layer.anisotropy * n.dot(cut) * n;

@@ -145,7 +145,7 @@ TEST(WellExtension, HelixBecomesSmooth)
   }
   EXPECT_NEAR(raw_swing / degree, std::atan(2.0 * pi * helix_radius / pitch) / degree, 1e-3);
   double corrected_swing = 0.0;
-  for (double md = 500.0; md < hole.hole_depth(); md += 1e-3)
+  for (const double md : depths(500.0, hole.hole_depth(), 1e-3))
     corrected_swing = std::max(corrected_swing, hole.at(md).tangent.cross(axis).norm());
   std::printf("swing: raw %.3f deg, corrected %.4f deg, fresh end %.4f deg\n", raw_swing / degree, corrected_swing / degree,
               end_swing / degree);

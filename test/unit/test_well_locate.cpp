@@ -25,7 +25,7 @@ class BruteForce
 public:
   explicit BruteForce(const Wellbore& hole) : hole_(hole)
   {
-    for (double md = -1.0; md < hole.hole_depth() + 1.0; md += 0.5) sweep_.push_back(hole.at(md));
+    for (const double md : depths(-1.0, hole.hole_depth() + 1.0, 0.5)) sweep_.push_back(hole.at(md));
   }
 
   WellNode nearest(const Eigen::Vector3d& point) const
@@ -103,7 +103,7 @@ TEST_P(LocateIn, SiteMovesContinuouslyFromTheTopDriveToTheBottom)
   const Wellbore hole = drilled_on(GetParam(), 0.35);
   HoleSite before = hole.locate(hole.at(-30.0).position, -1);
   EXPECT_EQ(before.segment, 0);
-  for (double md = -30.0; md < hole.hole_depth(); md += 0.001)
+  for (const double md : depths(-30.0, hole.hole_depth(), 0.001))
   {
     const HoleSite site = hole.locate(hole.at(md).position, before.segment);
     ASSERT_NEAR(site.md, md, 1e-7);
@@ -154,6 +154,22 @@ TEST(WellLocate, MdGradientIsTheDerivative)
     }
     if (!one_segment) continue;
     ASSERT_LT((difference - site.md_gradient).norm(), 1e-6) << site.md;
+  }
+}
+
+// Along the axis, inside the millimetre between two sections as well as outside.
+TEST(WellLocate, SlopesAreDerivatives)
+{
+  const Wellbore hole = drilled_on(crooked_well(), 0.35);
+  for (double md : {-3.0, 17.0, 500.0003, 500.0007, 1234.5, 1599.9995, 1600.13, 1600.34})
+  {
+    const HoleSite site = hole.locate(hole.at(md).position, -1);
+    constexpr double h = 1e-4;
+    const WellNode plus = hole.at(md + h), minus = hole.at(md - h);
+    EXPECT_LT(((plus.position - minus.position) / (2.0 * h) - site.centre_slope).norm(), 1e-8) << md;
+    EXPECT_NEAR((plus.radius - minus.radius) / (2.0 * h), site.radius_slope, 1e-7) << md;
+    EXPECT_NEAR(site.radius, hole.at(md).radius, 1e-7) << md;
+    EXPECT_NEAR(site.friction, hole.at(md).friction, 1e-7) << md;
   }
 }
 }  // namespace

@@ -132,7 +132,7 @@ TEST(Survey, StraightHoleAndMeaninglessAzimuth)
 TEST(Survey, InterpolationIsConsistent)
 {
   const Survey survey(crooked_well().survey);
-  for (double md = 0.5; md < survey.last_md(); md += 3.7)
+  for (const double md : depths(0.5, survey.last_md(), 3.7))
   {
     constexpr double h = 1e-3;
     const Vector3d slope = (survey.at(md + h).position - survey.at(md - h).position) / (2.0 * h);
@@ -153,7 +153,7 @@ TEST(Survey, RefusesWhatIsNoSurvey)
   EXPECT_THROW(Survey({{0.0, 90 * degree, 0.0}, {10.0, 90 * degree, 180 * degree}}), std::invalid_argument);
   try
   {
-    Survey({{0.0, 0.0, 0.0}, {10.0, 0.0, 0.0}, {5.0, 0.0, 0.0}});
+    const Survey backwards({{0.0, 0.0, 0.0}, {10.0, 0.0, 0.0}, {5.0, 0.0, 0.0}});
     FAIL();
   }
   catch (const std::invalid_argument& e)
@@ -170,7 +170,7 @@ TEST(HoleNodes, HermiteFollowsTheArcWithinATenthOfAMillimetre)
     const Survey survey(spec.survey);
     const Wellbore hole(spec, {}, 0.1556);
     double worst = 0.0;
-    for (double md = 0.0; md <= spec.hole_depth; md += 0.37)
+    for (const double md : depths(0.0, spec.hole_depth, 0.37))
       worst = std::max(worst, (hole.at(md).position - survey.at(md).position).norm());
     std::printf("Hermite against arc: %.4f mm with %d nodes\n", 1e3 * worst, hole.node_count());
     EXPECT_LT(worst, 1e-4);
@@ -181,7 +181,7 @@ TEST(HoleNodes, HermiteFollowsTheArcWithinATenthOfAMillimetre)
   sharp.sections = {{40.0, 0.2, 0.2}};
   const Survey survey(sharp.survey);
   const Wellbore hole(sharp, {}, 0.1);
-  for (double md = 0.0; md <= 40.0; md += 0.013) ASSERT_LT((hole.at(md).position - survey.at(md).position).norm(), 1e-4);
+  for (const double md : depths(0.0, 40.0, 0.013)) ASSERT_LT((hole.at(md).position - survey.at(md).position).norm(), 1e-4);
 }
 
 TEST(HoleNodes, SectionsChangeWithinAMillimetreAndTheHoleEndsAtItsDepth)
@@ -204,7 +204,7 @@ TEST(HoleNodes, SectionsChangeWithinAMillimetreAndTheHoleEndsAtItsDepth)
 
 TEST(HoleNodes, RefusesSectionsThatDoNotFit)
 {
-  const auto refused = [](WellSpec spec) { EXPECT_THROW(Wellbore(spec, {}, 0.15), std::invalid_argument); };
+  const auto refused = [](const WellSpec& spec) { EXPECT_THROW(Wellbore(spec, {}, 0.15), std::invalid_argument); };
   WellSpec spec = bohai_well();
   spec.hole_depth = 731.0;
   refused(spec);

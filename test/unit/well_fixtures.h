@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <random>
+#include <vector>
 
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/wellbore.h"
@@ -42,6 +43,15 @@ inline WellSpec crooked_well()
   well.hole_depth = 1600.0;
   well.sections = {{500.0, 0.4445, 0.2}, {1100.0, 0.3112, 0.3}, {1600.0, 0.2159, 0.25}};
   return well;
+}
+
+/// Measured depths from `from` to `to` in equal steps.
+inline std::vector<double> depths(double from, double to, double step)
+{
+  std::vector<double> all;
+  const int count = static_cast<int>((to - from) / step);
+  for (int i = 0; i <= count; ++i) all.push_back(from + i * step);
+  return all;
 }
 
 /// Two unit vectors perpendicular to t and to each other.
