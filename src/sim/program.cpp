@@ -1,0 +1,58 @@
+#include "drill_rig_sim/sim/program.h"
+
+#include <cmath>
+#include <utility>
+
+#include "drill_rig_sim/sim/simulator.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+// the sums of many steps fall short of a line's time by rounding: 60 s is reached at 59.99999999
+constexpr double rounding = 1e-9;  // [s]
+
+bool is_set(double value) noexcept
+{
+  return !std::isnan(value);
+}
+
+void apply_step(const ProgramStep& step, Simulator& simulator) noexcept
+{
+  const Setpoints& now = simulator.measurements().setpoints;
+  if (is_set(step.block_velocity) || is_set(step.brake))
+  {
+    WinchSetpoint winch = now.winch;
+    if (is_set(step.block_velocity)) winch = {step.block_velocity, false};
+    if (is_set(step.brake)) winch.brake = step.brake != 0.0;
+    simulator.command(winch);
+  }
+  if (is_set(step.top_drive_speed))
+  {
+    TopDriveSetpoint drive = now.top_drive;
+    drive.mode = TopDriveMode::speed;
+    drive.speed = step.top_drive_speed;
+    simulator.command(drive);
+  }
+  if (is_set(step.top_drive_torque))
+  {
+    TopDriveSetpoint drive = now.top_drive;
+    drive.mode = TopDriveMode::torque;
+    drive.torque = step.top_drive_torque;
+    simulator.command(drive);
+  }
+  if (is_set(step.flow)) simulator.command(PumpSetpoint{step.flow});
+}
+}  // namespace
+
+ProgramPlayer::ProgramPlayer(std::vector<ProgramStep> steps) : steps_(std::move(steps))
+{
+}
+
+void ProgramPlayer::apply(Simulator& simulator) noexcept
+{
+  const double now = simulator.measurements().time;
+  for (; next_ < steps_.size() && steps_[next_].at <= now + rounding; ++next_) apply_step(steps_[next_], simulator);
+}
+
+}  // namespace drill_rig_sim

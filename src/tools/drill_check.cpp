@@ -1,0 +1,77 @@
+#include <cstdio>
+#include <stdexcept>
+
+#include "drill_command.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/string/mesh.h"
+#include "drill_scene.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+const char* word(PartType type)
+{
+  switch (type)
+  {
+    case PartType::bit:
+      return "bit";
+    case PartType::mud_motor:
+      return "mud motor";
+    case PartType::collar:
+      return "collar";
+    case PartType::stabilizer:
+      return "stabilizer";
+    case PartType::mwd:
+      return "mwd";
+    case PartType::pipe:
+      return "pipe";
+  }
+  return "";
+}
+
+void print_string(const Scene& scene)
+{
+  const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
+  std::printf("\n%-16s %-10s %10s %10s %12s\n", "part", "type", "from bit m", "to m", "mass kg");
+  double total = 0.0;
+  for (std::size_t i = 0; i < scene.string.size(); ++i)
+  {
+    const PartSpec& part = scene.string[i];
+    const double length = mesh.part_top[i] - mesh.part_bottom[i];
+    const double mass = part.type == PartType::bit ? part.mass : part.linear_mass * length;
+    total += mass;
+    std::printf("%-16s %-10s %10.2f %10.2f %12.0f\n", part.name.c_str(), word(part.type), mesh.part_bottom[i], mesh.part_top[i],
+                mass);
+  }
+  std::printf("%-16s %-10s %10s %10.2f %12.0f\n\n", "string", "", "", mesh.total_length, total);
+}
+
+void check(const Arguments& arguments)
+{
+  const Scene scene = read_scene(arguments.file, arguments.all("--set"));
+  const Simulator simulator = build_simulator(scene, 0);
+  const Measurements& m = simulator.measurements();
+  const SimulatorStatistics& s = simulator.statistics();
+  std::printf("%s: %s is good\n", arguments.file.c_str(), scene.name.c_str());
+  std::printf("well        %zu stations to %g m, hole %g m deep, at its bottom %.2f deg inclination, %.2f deg azimuth\n",
+              scene.well.survey.size(), scene.well.survey.back().md, scene.well.hole_depth, m.bit_inclination / degree,
+              m.bit_azimuth / degree);
+  print_string(scene);
+  std::printf("start       bit at %.3f m, block at %.2f m, hook load %.1f kN, of it the string %.1f kN\n", m.bit_depth,
+              m.block_height, m.hook_load / 1e3, m.hook_load_string / 1e3);
+  std::printf("model       level %s, integrator %s, step %g s, %d nodes, %d coordinates\n", s.level, s.integrator, s.step,
+              s.nodes, s.coordinates);
+  std::printf("program     %zu lines to %g s\n", scene.program.size(), scene.program.empty() ? 0.0 : scene.program.back().at);
+}
+}  // namespace
+
+const Command check_command = {"check",
+                               "SCENE",
+                               "checks a scene and prints what it will build",
+                               {{"--set", "KEY=VALUE", "any key of the scene, as numerics.step=0.002; may be repeated"}},
+                               check};
+
+}  // namespace drill_rig_sim

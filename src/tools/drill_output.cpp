@@ -1,0 +1,66 @@
+#include "drill_output.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "drill_command.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/well/wellbore.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+void write_path_row(std::FILE* file, double md, const Eigen::Vector3d& p, const Eigen::Vector3d& t, double radius)
+{
+  const double inclination = std::atan2(std::hypot(t.x(), t.y()), -t.z());
+  const double azimuth = std::fmod(std::atan2(t.x(), t.y()) + 2.0 * pi, 2.0 * pi);
+  std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g\n", md, p.x(), p.y(), p.z(), inclination, azimuth, radius);
+}
+}  // namespace
+
+File open_output(const char* option, const std::string& name)
+{
+  File file(std::fopen(name.c_str(), "w"));
+  if (!file) throw UsageError(std::string(option) + ": " + name + " cannot be written: " + std::strerror(errno));
+  return file;
+}
+
+void write_csv_header(std::FILE* file)
+{
+  std::fputs(
+      "time,hook_load,torque,block_height,top_drive_speed,wob,bit_torque,bit_speed,bit_depth,hole_depth,rop,inclination,azimuth,"
+      "toolface\n",
+      file);
+}
+
+void write_csv_row(std::FILE* file, const Measurements& m)
+{
+  std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.10g,%.10g,%.9g,%.9g,%.9g,%.9g\n", m.time, m.hook_load, m.torque,
+               m.block_height, m.top_drive_speed, m.wob, m.bit_torque, m.bit_speed, m.bit_depth, m.hole_depth, m.rop,
+               m.bit_inclination, m.bit_azimuth, m.bend_toolface);
+}
+
+void write_path(std::FILE* file, const Simulator& simulator)
+{
+  const Wellbore& well = simulator.wellbore();
+  std::fputs("md,east,north,up,inclination,azimuth,radius\n", file);
+  for (int i = 0; i < well.node_count(); ++i)
+  {
+    const WellNode node = well.node(i);
+    write_path_row(file, node.md, node.position, node.tangent, node.radius);
+  }
+  write_path_row(file, well.hole_depth(), well.bottom_position(), well.end_direction(), well.bottom_radius());
+}
+
+void write_raw_path(std::FILE* file, const Simulator& simulator)
+{
+  std::vector<Eigen::Vector3d> points;
+  simulator.raw_path(points);
+  std::fputs("east,north,up\n", file);
+  for (const Eigen::Vector3d& p : points) std::fprintf(file, "%.12g,%.12g,%.12g\n", p.x(), p.y(), p.z());
+}
+
+}  // namespace drill_rig_sim

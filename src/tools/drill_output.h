@@ -1,0 +1,33 @@
+#ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_OUTPUT_H
+#define DRILL_RIG_SIM_SRC_TOOLS_DRILL_OUTPUT_H
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "drill_rig_sim/sim/simulator.h"
+
+namespace drill_rig_sim
+{
+struct CloseFile
+{
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+/// Opens a file for writing; throws UsageError with one line that names the option and the file.
+File open_output(const char* option, const std::string& name);
+
+/// The run's CSV: SI units, radians.
+void write_csv_header(std::FILE* file);
+void write_csv_row(std::FILE* file, const Measurements& m);
+
+/// The corrected well, its nodes and then its bottom: md,east,north,up,inclination,azimuth,radius.
+void write_path(std::FILE* file, const Simulator& simulator);
+
+/// The uncorrected path of the last metres: east,north,up.
+void write_raw_path(std::FILE* file, const Simulator& simulator);
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,231 @@
+#include <time.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "drill_averages.h"
+#include "drill_command.h"
+#include "drill_json.h"
+#include "drill_output.h"
+#include "drill_progress.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_scene.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double longest_run = 30.0 * 86400.0;  // simulated [s]
+constexpr double frame_length = 0.01;           // simulated [s], as the node's default
+constexpr double after_program = 60.0;          // simulated [s] that a run goes on after the program's last line by default
+
+/// When a run ends.
+struct Goal
+{
+  double duration;
+  double depth;  // infinite where only time counts
+};
+
+/// What a run took.
+struct Cost
+{
+  double wall;  // [s]
+  double cpu;   // [s]
+};
+
+/// How a run ended; empty text: as it should.
+struct Ending
+{
+  std::string failure;
+  bool depth_reached = true;
+};
+
+double cpu_time()
+{
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+Goal goal_of(const Arguments& arguments, const Scene& scene)
+{
+  const bool has_depth = arguments.has("--until-depth");
+  const double program_end = scene.program.empty() ? 0.0 : scene.program.back().at;
+  Goal goal{};
+  goal.duration = arguments.number("--duration", 1e-3, longest_run, has_depth ? longest_run : program_end + after_program);
+  goal.depth = arguments.number("--until-depth", scene.well.hole_depth, 20000.0, HUGE_VAL);
+  return goal;
+}
+
+/// Plays the program up to the goal. `csv` may be null; it gets a row every `every` seconds.
+Ending play(Simulator& simulator, const Goal& goal, std::FILE* csv, double every, DrillingRecord& record)
+{
+  const double step = simulator.scene().numerics.step;
+  const double frame = step * std::max(1.0, std::round(frame_length / step));
+  const Measurements& m = simulator.measurements();
+  const double start_depth = m.hole_depth;
+  ProgramPlayer program(simulator.scene().program);
+  Progress progress;
+  double next_row = 0.0;
+  const auto write_row = [&]
+  {
+    if (!csv || m.time < next_row - 0.5 * frame) return;
+    write_csv_row(csv, m);
+    next_row += every * std::max(1.0, std::ceil((m.time + 0.5 * frame - next_row) / every));
+  };
+
+  write_row();
+  while (m.time < goal.duration - 0.5 * frame && m.hole_depth < goal.depth)
+  {
+    program.apply(simulator);
+    if (simulator.frame(frame) == FrameStatus::failed) return {simulator.failure(), false};
+    record.add(m);
+    write_row();
+    const double drilled = (m.hole_depth - start_depth) / (goal.depth - start_depth);
+    progress.show(std::max(m.time / goal.duration, drilled), m.time, m.hole_depth);
+  }
+  return {"", m.hole_depth >= goal.depth || std::isinf(goal.depth)};
+}
+
+Json json_of(const Averages& a)
+{
+  Json json;
+  json.add("hook_load", a.hook_load());
+  json.add("torque", a.torque());
+  json.add("wob", a.wob());
+  json.add("bit_torque", a.bit_torque());
+  json.add("bit_speed_rpm", a.bit_speed() / rpm);
+  json.add("rop", a.rop());
+  json.add("hole_depth", a.hole_depth());
+  json.add("bit_east", a.bit_position().x());
+  json.add("bit_north", a.bit_position().y());
+  json.add("bit_up", a.bit_position().z());
+  json.add("inclination_deg", a.inclination() / degree);
+  json.add("azimuth_deg", a.azimuth() / degree);
+  return json;
+}
+
+Json summary_of(const Simulator& simulator, const Cost& cost, const DrillingRecord& record, const Ending& ending)
+{
+  const SimulatorStatistics& s = simulator.statistics();
+  const Measurements& m = simulator.measurements();
+  Json json;
+  json.add("scene", simulator.scene().name);
+  json.add("simulated_s", m.time);
+  json.add("wall_s", cost.wall);
+  json.add("cpu_s", cost.cpu);
+  json.add("real_time_factor", m.time / cost.cpu);
+  json.add("level", std::string(s.level));
+  json.add("integrator", std::string(s.integrator));
+  json.add("step", s.step);
+  json.add("nodes", s.nodes);
+  json.add("coordinates", s.coordinates);
+  json.add("steps", static_cast<double>(s.steps));
+  json.add("newton_iterations", static_cast<double>(s.newton_iterations));
+  json.add("rejected_steps", static_cast<double>(s.rejected_steps));
+  Averages now;
+  now.add(m);
+  json.add("final", json_of(now));
+  json.add("mean_drilling", json_of(record.all()));
+  json.add("mean_last_quarter", json_of(record.last_quarter()));
+  if (!ending.failure.empty()) json.add("failure", ending.failure);
+  return json;
+}
+
+void print_summary(const Simulator& simulator, const Cost& cost, const DrillingRecord& record)
+{
+  const Measurements& m = simulator.measurements();
+  std::printf("%s: %.1f s simulated in %.2f s (%.1f times real time), hole %.3f m\n", simulator.scene().name.c_str(), m.time,
+              cost.cpu, m.time / cost.cpu, m.hole_depth);
+  const Averages mean = record.last_quarter();
+  if (mean.samples() == 0)
+  {
+    std::printf("the bit was not on bottom; hook load %.1f kN, torque %.2f kN m\n", m.hook_load / 1e3, m.torque / 1e3);
+    return;
+  }
+  std::printf(
+      "drilling, mean of the last quarter: hook load %.1f kN, torque %.2f kN m, WOB %.1f kN, ROP %.2f m/h, bit %.0f rpm\n",
+      mean.hook_load() / 1e3, mean.torque() / 1e3, mean.wob() / 1e3, 3600.0 * mean.rop(), mean.bit_speed() / rpm);
+}
+
+void refuse_what_is_not_there(const Arguments& arguments)
+{
+  if (arguments.has("--bag")) throw UsageError("--bag: not available yet; use --csv");
+  const std::string level = arguments.text("--level", "beam3d");
+  if (level != "beam3d") throw UsageError("--level: '" + level + "' is not available yet, allowed: beam3d");
+}
+
+// options that are keys of the scene under another name
+std::vector<std::string> settings_of(const Arguments& arguments)
+{
+  std::vector<std::string> settings = arguments.all("--set");
+  const std::pair<const char*, const char*> keys[] = {
+      {"--level", "level"}, {"--integrator", "integrator"}, {"--step", "step"}, {"--element-length", "element_length"}};
+  for (const auto& key : keys)
+  {
+    if (arguments.has(key.first)) settings.push_back(std::string("numerics.") + key.second + "=" + arguments.text(key.first));
+  }
+  return settings;
+}
+
+void run(const Arguments& arguments)
+{
+  refuse_what_is_not_there(arguments);
+  const Scene scene = read_scene(arguments.file, settings_of(arguments));
+  const Goal goal = goal_of(arguments, scene);
+  const double every = arguments.number("--every", 1e-4, 1e6, 0.1);
+  const auto seed = static_cast<std::uint64_t>(arguments.number("--seed", 0.0, 9e15, 0.0));
+
+  // all files are opened ahead, so that a long run does not end on a misspelt folder
+  const auto open = [&](const char* option)
+  { return arguments.has(option) ? open_output(option, arguments.text(option)) : File(); };
+  const File csv = open("--csv"), json = open("--json"), path = open("--path"), raw_path = open("--raw-path");
+  if (csv) write_csv_header(csv.get());
+
+  Simulator simulator = build_simulator(scene, seed);
+  DrillingRecord record;
+  const auto wall_start = std::chrono::steady_clock::now();
+  const double cpu_start = cpu_time();
+  const Ending ending = play(simulator, goal, csv.get(), every, record);
+  const Cost cost{std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count(), cpu_time() - cpu_start};
+
+  if (json) std::fprintf(json.get(), "%s\n", summary_of(simulator, cost, record, ending).text().c_str());
+  if (path) write_path(path.get(), simulator);
+  if (raw_path) write_raw_path(raw_path.get(), simulator);
+  if (!ending.failure.empty())
+  {
+    char at[64];
+    std::snprintf(at, sizeof at, "at %.3f s simulated: ", simulator.measurements().time);
+    throw ComputationError(scene.file + ": " + at + ending.failure + "; the files hold the last good state");
+  }
+  print_summary(simulator, cost, record);
+  if (!ending.depth_reached) std::printf("the depth of --until-depth was not reached within --duration\n");
+}
+}  // namespace
+
+const Command run_command = {
+    "run",
+    "SCENE",
+    "plays a scene's program as fast as it goes",
+    {{"--duration", "S", "simulated seconds; default: until depth, or 60 s after the program's last line"},
+     {"--until-depth", "MD", "stop when the hole is this deep [m]"},
+     {"--level", "L", "level of the model instead of the scene's"},
+     {"--integrator", "I", "stepper instead of the scene's"},
+     {"--step", "H", "physics step instead of the scene's [s]"},
+     {"--element-length", "M", "longest element instead of the scene's [m]"},
+     {"--set", "KEY=VALUE", "any key of the scene, as well.sections[0].friction=0; may be repeated"},
+     {"--seed", "N", "of the sensors' noise"},
+     {"--csv", "FILE", "writes time series"},
+     {"--every", "S", "between rows of the time series, default 0.1"},
+     {"--json", "FILE", "writes a summary"},
+     {"--path", "FILE", "writes the well's corrected path"},
+     {"--raw-path", "FILE", "writes the uncorrected path of the last metres"},
+     {"--bag", "FILE", "not available yet"}},
+    run};
+
+}  // namespace drill_rig_sim

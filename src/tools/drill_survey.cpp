@@ -1,0 +1,31 @@
+#include <cmath>
+#include <cstdio>
+
+#include "drill_command.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/survey_csv.h"
+#include "drill_rig_sim/well/survey.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+void print_survey(const Arguments& arguments)
+{
+  const std::vector<SurveyStation> stations = read_survey_csv(arguments.file);
+  const Survey survey(stations);
+  std::printf("%10s %8s %8s %11s %11s %11s %9s\n", "MD m", "incl deg", "azi deg", "north m", "east m", "TVD m", "deg/30 m");
+  for (int i = 0; i < survey.size(); ++i)
+  {
+    const SurveyStation& station = stations[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d& p = survey.station(i).position;
+    const double severity = i == 0 ? 0.0 : survey.dogleg_severity(i - 1) / degree;
+    std::printf("%10.2f %8.2f %8.2f %11.3f %11.3f %11.3f %9.3f\n", station.md, station.inclination / degree,
+                station.azimuth / degree, p.y(), p.x(), -p.z(), severity);
+  }
+}
+}  // namespace
+
+const Command survey_command = {"survey", "FILE", "prints a survey's minimum-curvature table", {}, print_survey};
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,203 @@
+#!/usr/bin/python3
+"""The offline runner from outside: exit statuses, one-line messages, files. Usage: test_drill.py PATH_TO_DRILL"""
+import csv
+import glob
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+QUICK = os.path.join(SOURCE, 'config/scenes/quick.yaml')
+BOHAI = os.path.join(SOURCE, 'config/scenes/bohai.yaml')
+COLUMNS = ('time,hook_load,torque,block_height,top_drive_speed,wob,bit_torque,bit_speed,bit_depth,hole_depth,rop,inclination,azimuth,'
+           'toolface').split(',')
+drill_program = None
+
+
+def drill(*words):
+    return subprocess.run([drill_program, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=300)
+
+
+class Drill(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def file(self, name):
+        return os.path.join(self.folder, name)
+
+    def succeed(self, *words):
+        done = drill(*words)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, '', 'no progress bar in a pipe, no warnings')
+        return done.stdout
+
+    def refuse(self, *words):
+        """Exit status 2 and exactly one line."""
+        done = drill(*words)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertEqual(done.stdout, '')
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        return done.stderr
+
+
+class Usage(Drill):
+    def test_help_lists_every_command_and_option(self):
+        text = self.succeed('--help')
+        for command in ('run', 'check', 'static', 'survey', 'reference'):
+            self.assertIn('\n  ' + command, text)
+        text = self.succeed('run', '--help')
+        for option in ('--duration', '--until-depth', '--level', '--integrator', '--step', '--element-length', '--csv', '--bag', '--every',
+                       '--json'):
+            self.assertIn(option, text)
+
+    def test_wrong_usage_is_one_line_and_status_2(self):
+        self.assertEqual(drill().returncode, 2)
+        self.assertIn('is no command', self.refuse('dig'))
+        self.assertIn('needs a SCENE', self.refuse('run'))
+        self.assertIn('one argument too many', self.refuse('check', QUICK, BOHAI))
+        self.assertIn('unknown option', self.refuse('run', QUICK, '--fast'))
+        self.assertIn('needs a value', self.refuse('run', QUICK, '--duration'))
+        self.assertIn('--duration', self.refuse('run', QUICK, '--duration', 'long'))
+        self.assertIn('--every', self.refuse('run', QUICK, '--every', '-1'))
+        self.assertIn('--every', self.refuse('run', QUICK, '--every', 'nan'))
+        self.assertIn('--until-depth', self.refuse('run', QUICK, '--until-depth', '99'))
+        self.assertIn('not available yet', self.refuse('run', QUICK, '--bag', self.file('x.bag')))
+        self.assertIn('not available yet', self.refuse('run', QUICK, '--level', 'rigid'))
+        self.assertIn('integrator', self.refuse('run', QUICK, '--integrator', 'no_such'))
+        self.assertIn('setting: numerics.step: 7 is out of range', self.refuse('run', QUICK, '--step', '7'))
+        self.assertIn('setting: mud.densty: unknown key', self.refuse('run', QUICK, '--set', 'mud.densty=1'))
+        self.assertIn('cannot be written', self.refuse('run', QUICK, '--csv', self.file('no/such/folder.csv')))
+        self.assertIn('--motion', self.refuse('static', QUICK, '--motion', 'sideways'))
+
+
+class Check(Drill):
+    def test_good_scenes_are_described(self):
+        for scene in (QUICK, BOHAI):
+            text = self.succeed('check', scene)
+            self.assertIn('is good', text)
+            self.assertIn('level beam3d', text)
+            self.assertIn('drill_pipe', text)
+
+    def test_bad_scenes_are_refused_with_file_line_and_key(self):
+        scenes = sorted(glob.glob(os.path.join(SOURCE, 'test/bad_scenes/*.yaml')))
+        self.assertGreaterEqual(len(scenes), 30)
+        for scene in scenes:
+            with open(scene) as text:
+                line = text.readline().split(': ')[1]
+            self.assertTrue(self.refuse('check', scene).startswith('%s:%s: ' % (scene, line)), scene)
+
+    def test_a_missing_scene_is_named(self):
+        self.assertIn('no_such.yaml: cannot be read', self.refuse('check', 'no_such.yaml'))
+
+
+class Survey(Drill):
+    def test_bohai(self):
+        rows = self.succeed('survey', os.path.join(SOURCE, 'config/surveys/bohai.csv')).splitlines()
+        last = [float(cell) for cell in rows[-1].split()]
+        # vertical 200 m, an arc of radius 180 m / pi * 30 / 3 through 51 deg, 20 m at 51 deg
+        self.assertAlmostEqual(last[5], 200.0 + 572.958 * 0.777146 + 20.0 * 0.629320, delta=0.01)
+        self.assertAlmostEqual(float(rows[-2].split()[6]), 3.0, delta=0.001)
+
+    def test_broken_surveys_are_refused(self):
+        for name in ('backwards', 'empty', 'nan_cell', 'no_header', 'short_row', 'text_cell'):
+            self.assertIn(name + '.csv:', self.refuse('survey', os.path.join(SOURCE, 'test/bad_scenes/surveys', name + '.csv')))
+
+
+class Static(Drill):
+    def hook_load(self, *words):
+        for line in self.succeed('static', *words).splitlines():
+            if line.startswith('of the string'):
+                return float(line.split()[3])
+        self.fail('no hook load')
+
+    def test_hanging_string_weighs_its_buoyant_weight(self):
+        scene = os.path.join(SOURCE, 'test/scenes/vertical_frictionless.yaml')
+        in_mud = 1.0 - 1150.0 / 7850.0
+        # bit_depth 990 m, block_height 20 m; the bit is 0.3 m of it; no buoyancy above the table; the stretch is below 0.5 m
+        weight = 9.80665 * (40.0 * in_mud + 31.9 * (989.7 * in_mud + 20.0))
+        self.assertAlmostEqual(self.hook_load(scene) / weight, 1.0, delta=1e-3)
+
+    def test_friction_holds_back(self):
+        rest, up, down = (self.hook_load(BOHAI, '--motion', motion) for motion in ('none', 'up', 'down'))
+        self.assertGreater(up, rest + 1e4)
+        self.assertLess(down, rest - 1e4)
+
+    def test_profile_has_the_named_columns(self):
+        self.succeed('static', BOHAI, '--motion', 'rotate', '--csv', self.file('s.csv'))
+        with open(self.file('s.csv')) as text:
+            rows = list(csv.DictReader(text))
+        self.assertEqual(list(rows[0]), ['md', 'from_bit', 'east', 'north', 'up', 'tension', 'true_axial_force', 'torque', 'bending_moment',
+                                         'contact_force', 'contact_side_deg'])
+        self.assertGreater(float(rows[-1]['torque']), float(rows[0]['torque']))
+
+
+class Run(Drill):
+    def test_series_and_summary(self):
+        self.succeed('run', QUICK, '--duration', '60', '--every', '0.5', '--csv', self.file('q.csv'), '--json', self.file('q.json'),
+                     '--path', self.file('path.csv'), '--raw-path', self.file('raw.csv'))
+        with open(self.file('q.csv')) as text:
+            rows = list(csv.reader(text))
+        self.assertEqual(rows[0], COLUMNS)
+        self.assertEqual(len(rows) - 1, 121)
+        for i, row in enumerate(rows[1:]):
+            self.assertAlmostEqual(float(row[0]), 0.5 * i, delta=0.011)
+        with open(self.file('q.json')) as text:
+            summary = json.load(text)
+        for key in ('simulated_s', 'wall_s', 'cpu_s', 'real_time_factor', 'nodes', 'coordinates', 'steps', 'newton_iterations',
+                    'rejected_steps'):
+            self.assertGreaterEqual(summary[key], 0.0, key)
+        self.assertAlmostEqual(summary['simulated_s'], 60.0, delta=0.011)
+        for block in ('final', 'mean_drilling', 'mean_last_quarter'):
+            self.assertEqual(list(summary[block]), ['hook_load', 'torque', 'wob', 'bit_torque', 'bit_speed_rpm', 'rop', 'hole_depth', 'bit_east',
+                                                    'bit_north', 'bit_up', 'inclination_deg', 'azimuth_deg'])
+        # the winch feeds 12 mm/s; 2 % for what the string still gives way
+        self.assertAlmostEqual(summary['mean_last_quarter']['rop'] / 0.012, 1.0, delta=0.02)
+        with open(self.file('path.csv')) as text:
+            path = list(csv.DictReader(text))
+        self.assertAlmostEqual(float(path[-1]['md']), summary['final']['hole_depth'], delta=1e-6)
+        with open(self.file('raw.csv')) as text:
+            self.assertGreater(len(text.readlines()), 100)
+
+    def test_until_depth_stops_there(self):
+        self.succeed('run', QUICK, '--until-depth', '100.1', '--json', self.file('q.json'))
+        with open(self.file('q.json')) as text:
+            depth = json.load(text)['final']['hole_depth']
+        self.assertGreaterEqual(depth, 100.1)
+        self.assertLess(depth, 100.101)
+
+    def test_off_bottom_means_are_null(self):
+        self.succeed('run', QUICK, '--duration', '1', '--json', self.file('q.json'))
+        with open(self.file('q.json')) as text:
+            self.assertIsNone(json.load(text)['mean_drilling']['wob'])
+
+    def test_two_runs_are_identical(self):
+        for name in ('a.csv', 'b.csv'):
+            self.succeed('run', QUICK, '--duration', '45', '--every', '0.5', '--csv', self.file(name))
+        with open(self.file('a.csv')) as a, open(self.file('b.csv')) as b:
+            self.assertEqual(a.read(), b.read())
+
+    def test_settings_replace_the_scene(self):
+        self.succeed('run', QUICK, '--duration', '1', '--step', '0.002', '--element-length', '4', '--json', self.file('q.json'))
+        with open(self.file('q.json')) as text:
+            summary = json.load(text)
+        self.assertEqual(summary['step'], 0.002)
+        self.assertEqual(summary['steps'], 500)
+        self.assertGreater(summary['nodes'], 25)
+
+
+class Reference(Drill):
+    def test_every_block_is_listed(self):
+        text = self.succeed('reference')
+        for block in ('well', 'formation[]', 'mud', 'string[]', 'rig.hoisting', 'rig.top_drive', 'contact', 'start', 'numerics',
+                      'instruments.mwd', 'program[]'):
+            self.assertIn('### `%s`' % block, text)
+
+
+if __name__ == '__main__':
+    drill_program = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
