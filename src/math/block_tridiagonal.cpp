@@ -40,7 +40,7 @@ void subtract_above(Work work, const double* lower, const double* above_w, const
   }
 }
 
-/// Gauss-Jordan: leaves D^-1 U and D^-1 b in the right part of work.
+/// Gauss-Jordan; columns up to the pivot's are not needed any more and stay as they are. Leaves D^-1 U and D^-1 b in the right part of work.
 bool eliminate(Work work) noexcept
 {
   for (int p = 0; p < 6; ++p)
@@ -48,12 +48,12 @@ bool eliminate(Work work) noexcept
     const double pivot = work[p][p];
     if (!(std::abs(pivot) > 1e-200)) return false;  // also catches NaN
     const double inverse = 1.0 / pivot;
-    for (int c = 0; c < kWidth; ++c) work[p][c] *= inverse;
+    for (int c = p + 1; c < kWidth; ++c) work[p][c] *= inverse;
     for (int r = 0; r < 6; ++r)
     {
       if (r == p) continue;
       const double factor = work[r][p];
-      for (int c = 0; c < kWidth; ++c) work[r][c] -= factor * work[p][c];
+      for (int c = p + 1; c < kWidth; ++c) work[r][c] -= factor * work[p][c];
     }
   }
   return true;

@@ -99,7 +99,7 @@ void System::configure(const double* u) noexcept
 void System::evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept
 {
   std::fill(residual, residual + 6 * scratch_.size(), 0.0);
-  if (tangent) tangent->set_zero();
+  if (tangent) tangent->diagonal(0).setZero();  // the elements write every other block before anything is added to it
   configure(u);
   add_elements(residual, tangent);
   if (stage_.coefficient > 0.0) add_inertia(residual, tangent);
