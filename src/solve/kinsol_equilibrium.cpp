@@ -5,7 +5,6 @@
 #include <sundials/sundials_context.h>
 #include <sundials/sundials_linearsolver.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -78,7 +77,9 @@ struct FreeKinsol
   void operator()(void* memory) const { KINFree(&memory); }
 };
 
-void silent(int, const char*, const char*, char*, void*) {}
+void silent(int, const char*, const char*, char*, void*)
+{
+}
 
 }  // namespace
 
@@ -120,7 +121,11 @@ KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, st
   out.iterations = static_cast<int>(iterations);
   std::vector<double> residual(u.size());
   problem.residual(u.data(), residual.data());
-  for (double r : residual) out.residual = std::max(out.residual, std::abs(r));
+  for (double r : residual)
+  {
+    if (!(std::abs(r) <= out.residual)) out.residual = std::abs(r);
+    if (!std::isfinite(r)) break;  // and stays
+  }
   // at round-off the line search finds nothing better and says that it failed: the residual judges
   out.converged = out.residual <= (flag >= 0 ? 10.0 : 1.0) * tolerance;
   return out;

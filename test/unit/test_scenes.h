@@ -1,0 +1,116 @@
+#ifndef DRILL_RIG_SIM_TEST_SCENES_H
+#define DRILL_RIG_SIM_TEST_SCENES_H
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "drill_rig_sim/scene/scene.h"
+
+/// Small scenes built in code. Everything not set here is the scene's default.
+namespace drill_rig_sim
+{
+/// Cross-section of 5 in drill pipe, and the area of its steel.
+constexpr double pipe_outer = 0.127, pipe_inner = 0.1086;
+constexpr double pipe_area = pi / 4.0 * (pipe_outer * pipe_outer - pipe_inner * pipe_inner);
+constexpr double steel_density = 7850.0;
+constexpr double plain_pipe_mass = steel_density * pipe_area;  ///< [kg/m], without tool joints
+constexpr double tool_jointed_mass = 31.9;                     ///< [kg/m], with them
+
+inline PartSpec bit_part(double diameter, double mass = 40.0)
+{
+  PartSpec bit;
+  bit.name = "bit";
+  bit.type = PartType::bit;
+  bit.length = bit.joint_length = 0.3;
+  bit.mass = mass;
+  bit.diameter = diameter;
+  return bit;
+}
+
+/// Drill pipe; joints 0 fills up to the surface.
+inline PartSpec pipe_part(int joints, double joint_length, double linear_mass, double tool_joint = 0.168)
+{
+  PartSpec pipe;
+  pipe.name = "pipe";
+  pipe.type = PartType::pipe;
+  pipe.joints = joints;
+  pipe.joint_length = joint_length;
+  pipe.outer_diameter = pipe_outer;
+  pipe.inner_diameter = pipe_inner;
+  pipe.linear_mass = linear_mass;
+  pipe.tool_joint_diameter = tool_joint;
+  return pipe;
+}
+
+inline PartSpec collar_part(int joints, double joint_length)
+{
+  PartSpec collar;
+  collar.name = "collar";
+  collar.type = PartType::collar;
+  collar.joints = joints;
+  collar.joint_length = joint_length;
+  collar.outer_diameter = 0.165;
+  collar.inner_diameter = 0.0714;
+  collar.linear_mass = 136.0;
+  return collar;
+}
+
+/// A hole of 0.2159 m through `survey` down to `hole_depth`, one friction, drillable rock, a bit and tool-jointed pipe up to the
+/// block.
+inline Scene scene_in(std::vector<SurveyStation> survey, double hole_depth, double bit_depth, double friction)
+{
+  Scene scene;
+  scene.name = "test";
+  scene.well.survey = std::move(survey);
+  scene.well.hole_depth = hole_depth;
+  scene.well.sections = {{hole_depth, 0.2159, friction}};
+  FormationLayer rock;
+  rock.to_tvd = 1e4;
+  rock.drillability = 1.3e-7;
+  scene.formation = {rock};
+  scene.string = {bit_part(0.2159), pipe_part(0, 9.5, tool_jointed_mass)};
+  scene.contact.static_ratio = 1.0;
+  scene.start.bit_depth = bit_depth;
+  scene.start.block_height = 20.0;
+  return scene;
+}
+
+inline Scene vertical_scene(double hole_depth, double bit_depth, double friction = 0.0)
+{
+  return scene_in({{0.0, 0.0, 0.0}, {hole_depth, 0.0, 0.0}}, hole_depth, bit_depth, friction);
+}
+
+/// Nothing takes energy out: no mud drag, no structural damping.
+inline Scene without_damping(Scene scene)
+{
+  scene.mud.axial_damping = scene.mud.torsional_damping = 0.0;
+  scene.numerics.structural_damping = 0.0;
+  return scene;
+}
+
+/// A short vertical well with collars, `above` metres off bottom: drills with `quick` dynamics.
+inline Scene drilling_scene(double above = 0.01, double friction = 0.25)
+{
+  Scene scene = vertical_scene(100.0, 100.0 - above, friction);
+  scene.string = {bit_part(0.2159), collar_part(2, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
+  scene.string[0].side_cutting = 0.1;
+  scene.contact.static_ratio = 1.2;
+  return scene;
+}
+
+/// Stations every 30 m of a hole vertical to `kick_off`, then built at `rate` [rad/m] to `inclination`, held to `depth`.
+inline std::vector<SurveyStation> build_and_hold(double kick_off, double rate, double inclination, double azimuth, double depth)
+{
+  std::vector<SurveyStation> survey{{0.0, 0.0, azimuth}};
+  if (kick_off > 0.0) survey.push_back({kick_off, 0.0, azimuth});
+  const double built = std::min(inclination / rate, depth - kick_off);
+  const int arcs = static_cast<int>(std::ceil(built / 30.0));
+  for (int i = 1; i <= arcs; ++i) survey.push_back({kick_off + built * i / arcs, rate * built * i / arcs, azimuth});
+  if (depth > kick_off + built + 1e-6) survey.push_back({depth, rate * built, azimuth});
+  return survey;
+}
+
+}  // namespace drill_rig_sim
+
+#endif
