@@ -61,6 +61,7 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed)
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   state.forces.meter_torque = rig.statics.top_torque;
   measure();
+  rig.system->costs() = CostBook();  // the start is no part of the run
 }
 
 Simulator::Simulator(const Scene& scene, std::uint64_t seed) : impl_(std::make_unique<Impl>(scene, seed)) {}
@@ -129,6 +130,7 @@ void Simulator::set_command_timeout(double seconds) noexcept
 FrameStatus Simulator::frame(double duration) noexcept
 {
   if (*impl_->failure) return FrameStatus::failed;
+  impl_->rig.system->costs().restart();
   impl_->watch_commands();
   const int steps = std::max(1, static_cast<int>(std::lround(duration / impl_->scene.numerics.step)));
   SystemState& mechanics = impl_->mechanics();
@@ -152,6 +154,8 @@ FrameStatus Simulator::frame(double duration) noexcept
   impl_->statistics.rejected_steps = counters.rejected_steps;
   impl_->statistics.last_error_estimate = impl_->stepper.error_estimate();
   impl_->measure();
+  impl_->rig.system->costs().lap(Cost::other);
+  impl_->statistics.costs = impl_->rig.system->costs();
   return FrameStatus::running;
 }
 

@@ -32,7 +32,9 @@ NewtonOutcome Newton::solve(System& system, double* u, const NewtonLimits& limit
   {
     system.evaluate(u, step_.data(), &tangent_);
     ++out.iterations;
-    if (!tangent_.solve(step_.data())) return out;
+    const bool solved = tangent_.solve(step_.data());
+    system.costs().lap(Cost::linear_solve);
+    if (!solved) return out;
     out.increment = largest(step_);
     if (!std::isfinite(out.increment)) return out;
     const double scale = out.increment > limits.max_move ? limits.max_move / out.increment : 1.0;

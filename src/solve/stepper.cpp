@@ -86,8 +86,10 @@ bool Stepper::attempt(SystemState& state, double step, const Setpoints& setpoint
   error_estimate_ = predictor_distance() / 6.0;
   system_.evaluate(u_.data(), residual_.data(), nullptr);
   system_.finish(state);
+  system_.costs().lap(Cost::other);
   state.bit.rock_velocity = system_.rock_velocity(state);
   state.well.extend(step * state.bit.rock_velocity, x_axis(state.nodes[0].orientation));
+  system_.costs().lap(Cost::rock_penetration);
   ++counters_.steps;
   return true;
 }

@@ -98,16 +98,23 @@ void System::configure(const double* u) noexcept
 
 void System::evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept
 {
+  costs_.lap(Cost::other);
   std::fill(residual, residual + 6 * scratch_.size(), 0.0);
   if (tangent) tangent->diagonal(0).setZero();  // the elements write every other block before anything is added to it
   configure(u);
+  costs_.lap(Cost::kinematics);
   add_elements(residual, tangent);
+  costs_.lap(Cost::elements);
   if (stage_.coefficient > 0.0) add_inertia(residual, tangent);
+  costs_.lap(Cost::inertia);
   add_walls(residual, tangent);
+  costs_.lap(Cost::contact);
   add_bit(residual, tangent);
+  costs_.lap(Cost::bit);
   if (start_->grip.node >= 0) add_grip(residual, tangent);
   if (!static_) add_rig(residual, tangent);
   hold_top(residual, tangent);
+  costs_.lap(Cost::rig);
 }
 
 void System::add_elements(double* residual, BlockTridiagonal* tangent) noexcept

@@ -32,7 +32,7 @@ struct Goal
 };
 
 /// What a run took.
-struct Cost
+struct Elapsed
 {
   double wall;  // [s]
   double cpu;   // [s]
@@ -110,16 +110,34 @@ Json json_of(const Averages& a)
   return json;
 }
 
-Json summary_of(const Simulator& simulator, const Cost& cost, const DrillingRecord& record, const Ending& ending)
+Json json_of(const CostBook& costs)
+{
+  const std::pair<const char*, Cost> names[] = {{"kinematics", Cost::kinematics},
+                                                {"elements", Cost::elements},
+                                                {"inertia", Cost::inertia},
+                                                {"contact", Cost::contact},
+                                                {"bit", Cost::bit},
+                                                {"rig", Cost::rig},
+                                                {"linear_solve", Cost::linear_solve},
+                                                {"rock_penetration", Cost::rock_penetration},
+                                                {"other", Cost::other}};
+  double total = 0.0;
+  for (const auto& name : names) total += costs.seconds(name.second);
+  Json json;
+  for (const auto& name : names) json.add(name.first, costs.seconds(name.second) / total);
+  return json;
+}
+
+Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record, const Ending& ending)
 {
   const SimulatorStatistics& s = simulator.statistics();
   const Measurements& m = simulator.measurements();
   Json json;
   json.add("scene", simulator.scene().name);
   json.add("simulated_s", m.time);
-  json.add("wall_s", cost.wall);
-  json.add("cpu_s", cost.cpu);
-  json.add("real_time_factor", m.time / cost.cpu);
+  json.add("wall_s", elapsed.wall);
+  json.add("cpu_s", elapsed.cpu);
+  json.add("real_time_factor", m.time / elapsed.cpu);
   json.add("level", std::string(s.level));
   json.add("integrator", std::string(s.integrator));
   json.add("step", s.step);
@@ -128,6 +146,7 @@ Json summary_of(const Simulator& simulator, const Cost& cost, const DrillingReco
   json.add("steps", static_cast<double>(s.steps));
   json.add("newton_iterations", static_cast<double>(s.newton_iterations));
   json.add("rejected_steps", static_cast<double>(s.rejected_steps));
+  json.add("cost_share", json_of(s.costs));
   Averages now;
   now.add(m);
   json.add("final", json_of(now));
@@ -137,11 +156,11 @@ Json summary_of(const Simulator& simulator, const Cost& cost, const DrillingReco
   return json;
 }
 
-void print_summary(const Simulator& simulator, const Cost& cost, const DrillingRecord& record)
+void print_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record)
 {
   const Measurements& m = simulator.measurements();
   std::printf("%s: %.1f s simulated in %.2f s (%.1f times real time), hole %.3f m\n", simulator.scene().name.c_str(), m.time,
-              cost.cpu, m.time / cost.cpu, m.hole_depth);
+              elapsed.cpu, m.time / elapsed.cpu, m.hole_depth);
   const Averages mean = record.last_quarter();
   if (mean.samples() == 0)
   {
@@ -192,9 +211,9 @@ void run(const Arguments& arguments)
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_time();
   const Ending ending = play(simulator, goal, csv.get(), every, record);
-  const Cost cost{std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count(), cpu_time() - cpu_start};
+  const Elapsed elapsed{std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count(), cpu_time() - cpu_start};
 
-  if (json) std::fprintf(json.get(), "%s\n", summary_of(simulator, cost, record, ending).text().c_str());
+  if (json) std::fprintf(json.get(), "%s\n", summary_of(simulator, elapsed, record, ending).text().c_str());
   if (path) write_path(path.get(), simulator);
   if (raw_path) write_raw_path(raw_path.get(), simulator);
   if (!ending.failure.empty())
@@ -203,7 +222,7 @@ void run(const Arguments& arguments)
     std::snprintf(at, sizeof at, "at %.3f s simulated: ", simulator.measurements().time);
     throw ComputationError(scene.file + ": " + at + ending.failure + "; the files hold the last good state");
   }
-  print_summary(simulator, cost, record);
+  print_summary(simulator, elapsed, record);
   if (!ending.depth_reached) std::printf("the depth of --until-depth was not reached within --duration\n");
 }
 }  // namespace

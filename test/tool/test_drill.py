@@ -3,6 +3,7 @@
 import csv
 import glob
 import json
+import math
 import os
 import subprocess
 import sys
@@ -108,12 +109,35 @@ class Survey(Drill):
             self.assertIn(name + '.csv:', self.refuse('survey', os.path.join(SOURCE, 'test/bad_scenes/surveys', name + '.csv')))
 
 
+def curved_soft_string(sign):
+    """Hook load and rotating torque of the pipe in test/scenes/curved_well.yaml by a sum along the arc, from the bit up: the side load
+    is w sin I - T d(I)/ds, towards the low side; tension lifts the pipe in a build section."""
+    step, friction, curvature = 0.1, 0.25, math.radians(0.1)
+    in_mud = 1.0 - 1150.0 / 7850.0
+    weight = 31.9 * 9.80665 * in_mud
+    depth = 589.7
+    tension, torque = 40.0 * 9.80665 * in_mud * math.cos(curvature * depth), 0.0
+    while depth > 0.0:
+        inclination = curvature * (depth - 0.5 * step)
+        side = abs(weight * math.sin(inclination) - tension * curvature)
+        tension += step * (weight * math.cos(inclination) + sign * friction * side)
+        torque += step * 0.084 * side * math.sin(math.atan(friction))
+        depth -= step
+    return tension + 31.9 * 9.80665 * 20.0, torque
+
+
 class Static(Drill):
-    def hook_load(self, *words):
+    def figure(self, name, words):
         for line in self.succeed('static', *words).splitlines():
-            if line.startswith('of the string'):
-                return float(line.split()[3])
-        self.fail('no hook load')
+            if line.startswith(name):
+                return float(line[len(name):].split()[0])
+        self.fail('no ' + name)
+
+    def hook_load(self, *words):
+        return self.figure('of the string', words)
+
+    def torque(self, *words):
+        return self.figure('torque', words)
 
     def test_hanging_string_weighs_its_buoyant_weight(self):
         scene = os.path.join(SOURCE, 'test/scenes/vertical_frictionless.yaml')
@@ -126,6 +150,40 @@ class Static(Drill):
         rest, up, down = (self.hook_load(BOHAI, '--motion', motion) for motion in ('none', 'up', 'down'))
         self.assertGreater(up, rest + 1e4)
         self.assertLess(down, rest - 1e4)
+
+    # Friction acts on 1130 m of straight pipe at 20 deg (and not above), so up and down differ from rest by mu w sin I L. A turning
+    # string climbs the wall until friction and weight balance: N = w sin I cos(phi), tan(phi) = mu, torque = r w sin I sin(phi) L.
+    INCLINED = os.path.join(SOURCE, 'test/scenes/inclined_straight_20deg.yaml')
+    SIDE_LOAD = 31.9 * 9.80665 * (1.0 - 1150.0 / 7850.0) * math.sin(math.radians(20.0)) * (1400.0 - 270.0)  # [N]
+    DRAG = 0.5 * SIDE_LOAD
+    TORQUE = 0.084 * SIDE_LOAD * math.sin(math.atan(0.5))
+
+    def test_straight_inclined_well_agrees_with_the_soft_string(self):
+        rest = self.hook_load(self.INCLINED)
+        for motion, expected in (('up', rest + self.DRAG), ('down', rest - self.DRAG), ('rotate', rest)):
+            self.assertAlmostEqual(self.hook_load(self.INCLINED, '--motion', motion) / expected, 1.0, delta=0.01, msg=motion)
+        self.assertAlmostEqual(self.torque(self.INCLINED, '--motion', 'rotate') / self.TORQUE, 1.0, delta=0.01)
+
+    def test_dynamic_run_agrees_with_the_soft_string(self):
+        rest = self.hook_load(self.INCLINED)
+        block = 17500.0 * 9.80665
+        for line, expected in (('block_velocity: 0.1', rest + self.DRAG), ('block_velocity: -0.1', rest - self.DRAG),
+                               ('top_drive_speed_rpm: 30', rest)):
+            # the start's jerk rings on in a well without axial damping: the mean over many periods counts
+            self.succeed('run', self.INCLINED, '--set', 'program=[{at: 0, %s}]' % line, '--duration', '60', '--csv', self.file('d.csv'))
+            with open(self.file('d.csv')) as text:
+                rows = [row for row in csv.DictReader(text) if float(row['time']) > 30.0]
+            mean = sum(float(row['hook_load']) for row in rows) / len(rows) - block
+            self.assertAlmostEqual(mean / expected, 1.0, delta=0.01, msg=line)
+        torque = sum(float(row['torque']) for row in rows) / len(rows)
+        self.assertAlmostEqual(torque / self.TORQUE, 1.0, delta=0.01)
+
+    def test_constant_curvature_agrees_with_the_soft_string(self):
+        scene = os.path.join(SOURCE, 'test/scenes/curved_well.yaml')
+        for motion, sign in (('none', 0.0), ('up', 1.0), ('down', -1.0), ('rotate', 0.0)):
+            tension, torque = curved_soft_string(sign)
+            self.assertAlmostEqual(self.hook_load(scene, '--motion', motion) / tension, 1.0, delta=0.01, msg=motion)
+        self.assertAlmostEqual(self.torque(scene, '--motion', 'rotate') / torque, 1.0, delta=0.01)
 
     def test_profile_has_the_named_columns(self):
         self.succeed('static', BOHAI, '--motion', 'rotate', '--csv', self.file('s.csv'))
@@ -152,6 +210,9 @@ class Run(Drill):
                     'rejected_steps'):
             self.assertGreaterEqual(summary[key], 0.0, key)
         self.assertAlmostEqual(summary['simulated_s'], 60.0, delta=0.011)
+        self.assertAlmostEqual(sum(summary['cost_share'].values()), 1.0, delta=1e-6)
+        for share in ('contact', 'elements', 'linear_solve', 'rock_penetration'):
+            self.assertIn(share, summary['cost_share'])
         for block in ('final', 'mean_drilling', 'mean_last_quarter'):
             self.assertEqual(list(summary[block]), ['hook_load', 'torque', 'wob', 'bit_torque', 'bit_speed_rpm', 'rop', 'hole_depth', 'bit_east',
                                                     'bit_north', 'bit_up', 'inclination_deg', 'azimuth_deg'])

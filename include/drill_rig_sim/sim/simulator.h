@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drill_rig_sim/math/cost_book.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/measurements.h"
@@ -36,6 +37,7 @@ struct SimulatorStatistics
   const char* integrator = "";
   double step = 0.0;                    ///< [s]
   double last_error_estimate = 0.0;     ///< local, of the last step's positions [m]
+  CostBook costs;                       ///< where the frames' time went
 };
 
 /// A rig, a string and a well that commands drive through time. Knows no wall clock and no ROS.

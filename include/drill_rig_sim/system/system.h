@@ -6,6 +6,7 @@
 
 #include "drill_rig_sim/contact/wall_contact.h"
 #include "drill_rig_sim/math/block_tridiagonal.h"
+#include "drill_rig_sim/math/cost_book.h"
 #include "drill_rig_sim/rig/setpoints.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/string/mesh.h"
@@ -100,6 +101,9 @@ public:
   /// Velocity of the hole's bottom under the bit as finish() left it (three-dimensional rock-breaking velocity) [m/s].
   Eigen::Vector3d rock_velocity(const SystemState& state) const noexcept;
 
+  /// Where the time goes; evaluate() books its parts, its callers theirs.
+  CostBook& costs() noexcept { return costs_; }
+
 private:
   struct NodeScratch
   {
@@ -149,6 +153,7 @@ private:
   BitState bit_end_;
   double top_force_ = 0.0;
   double top_torque_ = 0.0;
+  CostBook costs_;
 };
 
 }  // namespace drill_rig_sim
