@@ -1,0 +1,115 @@
+// A frame allocates nothing: operator new is counted while the rig drills.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "drill_rig_sim/sim/simulator.h"
+#include "test_scenes.h"
+
+namespace
+{
+bool counting = false;
+long allocations = 0;
+
+void* counted(std::size_t size)
+{
+  if (counting) ++allocations;
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
+
+void* counted(std::size_t size, std::align_val_t alignment)
+{
+  if (counting) ++allocations;
+  const auto a = static_cast<std::size_t>(alignment);
+  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+void* operator new(std::size_t size)
+{
+  return counted(size);
+}
+void* operator new[](std::size_t size)
+{
+  return counted(size);
+}
+void* operator new(std::size_t size, std::align_val_t a)
+{
+  return counted(size, a);
+}
+void* operator new[](std::size_t size, std::align_val_t a)
+{
+  return counted(size, a);
+}
+void operator delete(void* p) noexcept
+{
+  std::free(p);
+}
+void operator delete[](void* p) noexcept
+{
+  std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept
+{
+  std::free(p);
+}
+void operator delete[](void* p, std::size_t) noexcept
+{
+  std::free(p);
+}
+void operator delete(void* p, std::align_val_t) noexcept
+{
+  std::free(p);
+}
+void operator delete[](void* p, std::align_val_t) noexcept
+{
+  std::free(p);
+}
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept
+{
+  std::free(p);
+}
+void operator delete[](void* p, std::size_t, std::align_val_t) noexcept
+{
+  std::free(p);
+}
+
+using namespace drill_rig_sim;
+
+TEST(Frame, allocatesNothingWhileDrilling)
+{
+  Scene scene = drilling_scene(0.005);
+  scene.instruments.hook_load = {500.0, 100.0, 0.25, 0.5};
+  scene.instruments.mwd.period = 2.0;
+  Simulator rig(scene);
+  TopDriveSetpoint drive;
+  drive.speed = 90.0 * rpm;
+
+  std::free(std::malloc(1));
+  counting = true;
+  const auto* seen = new int(1);  // the counter counts
+  delete seen;
+  const long own = allocations;
+
+  rig.command(drive);
+  rig.command(PumpSetpoint{0.02});
+  rig.command(WinchSetpoint{-0.012, false});
+  long failed = 0;
+  for (int k = 0; k < 1500; ++k) failed += rig.frame(0.01) != FrameStatus::running;
+  counting = false;
+
+  EXPECT_EQ(own, 1);
+  EXPECT_EQ(failed, 0);
+  EXPECT_EQ(allocations - own, 0);
+  EXPECT_TRUE(rig.measurements().on_bottom);
+  EXPECT_GT(rig.measurements().hole_depth, 100.1) << "must have drilled through a correction interval";
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,214 @@
+// What cannot be solved stops time and nothing else: no number that is not finite ever leaves, and a restored state runs on.
+// Commands beyond the rig's limits are clamped, those that are no numbers refused.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+#include "drill_rig_sim/solve/start.h"
+#include "drill_rig_sim/solve/stepper.h"
+#include "sim_numbers.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+using Eigen::Vector3d;
+using Outcome = CommandResult::Outcome;
+
+namespace
+{
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Ways to make a state unsolvable.
+struct Damage
+{
+  const char* name;
+  void (*apply)(SystemState&);
+};
+
+const Damage kDamages[] = {
+    {"node a thousand kilometres away", [](SystemState& s) { s.nodes[3].position.x() += 1e6; }},
+    {"speed beyond reason", [](SystemState& s) { s.nodes[2].rate.velocity.y() = 1e200; }},
+    {"position not a number", [](SystemState& s) { s.nodes[4].position.z() = kNan; }},
+    {"rotor at infinite speed", [](SystemState& s) { s.drive.speed = kInfinity; }},
+    {"orientation not a number", [](SystemState& s) { s.nodes[3].orientation.w() = kNan; }},
+};
+
+void turn_and_feed(Simulator& rig)
+{
+  TopDriveSetpoint drive;
+  drive.speed = 90.0 * rpm;
+  rig.command(drive);
+  rig.command(PumpSetpoint{0.02});
+  rig.command(WinchSetpoint{-0.012, false});
+}
+}  // namespace
+
+TEST(Stepper, refusesWhatItCannotSolveAndLeavesTheStateAlone)
+{
+  RigAtRest rig = build_at_rest(drilling_scene());
+  Stepper stepper(*rig.system, *find_method("auto"));
+  Setpoints setpoints;
+  for (int k = 0; k < 10; ++k) ASSERT_TRUE(stepper.advance(rig.state, 0.005, setpoints));
+  for (const Damage& damage : kDamages)
+  {
+    SystemState broken = rig.state;
+    damage.apply(broken);
+    const std::vector<double> before = numbers_of(broken);
+    EXPECT_FALSE(stepper.advance(broken, 0.005, setpoints)) << damage.name;
+    EXPECT_TRUE(bit_identical(numbers_of(broken), before)) << damage.name;
+  }
+  EXPECT_GT(stepper.counters().rejected_steps, 0u);
+  // and goes on from a sound state as if nothing had been
+  for (int k = 0; k < 10; ++k) ASSERT_TRUE(stepper.advance(rig.state, 0.005, setpoints));
+  EXPECT_TRUE(all_finite(numbers_of(rig.state)));
+}
+
+TEST(Simulator, failedFrameKeepsTheLastGoodNumbersAndRestoreRecovers)
+{
+  Simulator rig(drilling_scene());
+  turn_and_feed(rig);
+  for (int k = 0; k < 300; ++k) ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
+  const auto good = rig.save();
+  std::vector<double> shown, now;
+  numbers_of(rig.measurements(), shown);
+  ASSERT_TRUE(all_finite(shown));
+
+  for (const Damage& damage : kDamages)
+  {
+    SimulatorState broken = *good;
+    damage.apply(broken.mechanics);
+    rig.restore(broken);
+    EXPECT_STREQ(rig.failure(), "");
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(rig.frame(0.01), FrameStatus::failed) << damage.name;
+      EXPECT_GT(std::strlen(rig.failure()), 20u);
+      numbers_of(rig.measurements(), now);
+      EXPECT_TRUE(bit_identical(now, shown)) << damage.name;
+    }
+    rig.restore(*good);
+    ASSERT_EQ(rig.frame(0.01), FrameStatus::running) << damage.name;
+  }
+}
+
+// Rough handling: a new extreme command every tenth of a second. Whatever happens, every number is finite.
+TEST(Simulator, everyNumberStaysFiniteUnderRoughHandling)
+{
+  Simulator rig(drilling_scene(0.2));
+  StringProfile profile;
+  std::vector<double> now;
+  const double winch[] = {-1.5, 1.5, -1.5, 0.0, -0.3, 1.0};
+  const double speeds[] = {23.0, -23.0, 0.0, 23.0};
+  int running = 0;
+  for (int k = 0; k < 1000; ++k)
+  {
+    if (k % 10 == 0)
+    {
+      rig.command(WinchSetpoint{winch[(k / 10) % 6], k % 70 == 0});
+      TopDriveSetpoint drive;
+      drive.speed = speeds[(k / 10) % 4];
+      drive.mode = k % 30 == 0 ? TopDriveMode::torque : TopDriveMode::speed;
+      drive.torque = k % 60 == 0 ? 5e4 : -5e4;
+      rig.command(drive);
+      rig.command(PumpSetpoint{k % 40 == 0 ? 0.06 : 0.0});
+    }
+    running += rig.frame(0.01) == FrameStatus::running;
+    numbers_of(rig.measurements(), now);
+    ASSERT_TRUE(all_finite(now)) << k;
+    rig.profile(profile);
+    for (const auto* values : {&profile.md, &profile.tension, &profile.torque, &profile.bending_moment, &profile.contact_force})
+      ASSERT_TRUE(all_finite(*values)) << k;
+  }
+  EXPECT_EQ(running, 1000) << rig.failure();
+}
+
+TEST(Commands, notNumbersAreRefusedAndChangeNothing)
+{
+  Simulator rig(drilling_scene());
+  turn_and_feed(rig);
+  ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
+  const Setpoints before = rig.measurements().setpoints;
+  std::uint64_t refused = 0;
+  for (double bad : {kNan, kInfinity, -kInfinity})
+  {
+    TopDriveSetpoint speed, torque, limit;
+    speed.speed = torque.torque = limit.torque_limit = bad;
+    for (const CommandResult& r : {rig.command(WinchSetpoint{bad, false}), rig.command(speed), rig.command(torque),
+                                   rig.command(limit), rig.command(PumpSetpoint{bad})})
+    {
+      EXPECT_EQ(r.outcome, Outcome::refused);
+      EXPECT_GT(std::strlen(r.reason), 10u);
+      ++refused;
+    }
+  }
+  TopDriveSetpoint mode, negative;
+  mode.mode = TopDriveMode::z_torque;
+  negative.torque_limit = -1.0;
+  EXPECT_EQ(rig.command(mode).outcome, Outcome::refused);
+  EXPECT_EQ(rig.command(negative).outcome, Outcome::refused);
+  EXPECT_EQ(rig.statistics().commands_refused, refused + 2);
+
+  ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
+  const Setpoints after = rig.measurements().setpoints;
+  EXPECT_EQ(after.winch.block_velocity, before.winch.block_velocity);
+  EXPECT_EQ(after.winch.brake, before.winch.brake);
+  EXPECT_EQ(after.top_drive.speed, before.top_drive.speed);
+  EXPECT_EQ(after.top_drive.mode, before.top_drive.mode);
+  EXPECT_EQ(after.pump.flow, before.pump.flow);
+  EXPECT_FALSE(rig.measurements().command_clamped);
+}
+
+TEST(Commands, beyondTheLimitsAreClampedAndFlagged)
+{
+  const Scene scene = drilling_scene();
+  Simulator rig(scene);
+  EXPECT_EQ(rig.command(WinchSetpoint{-0.01, false}).outcome, Outcome::accepted);
+  EXPECT_EQ(rig.command(WinchSetpoint{-100.0, false}).outcome, Outcome::clamped);
+  TopDriveSetpoint drive;
+  drive.speed = 1e3;
+  EXPECT_EQ(rig.command(drive).outcome, Outcome::clamped);
+  const CommandResult flow = rig.command(PumpSetpoint{1.0});
+  EXPECT_EQ(flow.outcome, Outcome::clamped);
+  EXPECT_GT(std::strlen(flow.reason), 10u);
+  ASSERT_EQ(rig.frame(0.005), FrameStatus::running);
+  const Setpoints& set = rig.measurements().setpoints;
+  EXPECT_EQ(set.winch.block_velocity, -scene.rig.hoisting.max_speed);
+  EXPECT_EQ(set.top_drive.speed, scene.rig.top_drive.max_speed);
+  EXPECT_EQ(set.pump.flow, scene.rig.mud_pump.max_flow);
+  EXPECT_TRUE(rig.measurements().command_clamped);
+  EXPECT_EQ(rig.statistics().commands_clamped, 3u);
+  EXPECT_EQ(rig.command(PumpSetpoint{-0.1}).outcome, Outcome::clamped);
+  ASSERT_EQ(rig.frame(0.005), FrameStatus::running);
+  EXPECT_EQ(rig.measurements().setpoints.pump.flow, 0.0);
+  rig.command(PumpSetpoint{0.02});
+  ASSERT_EQ(rig.frame(0.005), FrameStatus::running);
+  EXPECT_FALSE(rig.measurements().command_clamped);
+}
+
+// Silence beyond the timeout sets the brake and coasts the drive.
+TEST(Commands, silenceSetsTheBrake)
+{
+  Simulator rig(drilling_scene(5.0));
+  rig.set_command_timeout(0.5);
+  turn_and_feed(rig);
+  for (int k = 0; k < 45; ++k) rig.frame(0.01);
+  EXPECT_FALSE(rig.measurements().commands_timed_out);
+  EXPECT_FALSE(rig.measurements().brake_set);
+  for (int k = 0; k < 10; ++k) rig.frame(0.01);
+  EXPECT_TRUE(rig.measurements().commands_timed_out);
+  EXPECT_TRUE(rig.measurements().brake_set);
+  // the block bounces on its line by a millimetre; the feed would have made 24
+  const double height = rig.measurements().block_height;
+  for (int k = 0; k < 200; ++k) rig.frame(0.01);
+  EXPECT_NEAR(rig.measurements().block_height, height, 3e-3);
+  turn_and_feed(rig);
+  rig.frame(0.01);
+  EXPECT_FALSE(rig.measurements().commands_timed_out);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

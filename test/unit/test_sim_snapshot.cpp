@@ -1,0 +1,153 @@
+// Snapshots: saving and restoring in the middle of everything changes no bit of what follows.
+#include <gtest/gtest.h>
+
+#include "sim_numbers.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+constexpr double kFrame = 0.01;
+constexpr int kFrames = 10000;
+
+/// Drilling with noisy, slow instruments and a mud motor.
+Scene noisy_scene()
+{
+  Scene scene = drilling_scene(0.005);
+  PartSpec motor;
+  motor.name = "motor";
+  motor.type = PartType::mud_motor;
+  motor.length = motor.joint_length = 8.3;
+  motor.outer_diameter = 0.165;
+  motor.inner_diameter = 0.1;
+  motor.linear_mass = 100.0;
+  motor.bend = 1.0 * degree;
+  motor.bit_to_bend = 2.0;
+  motor.displacement_per_rev = 0.024;
+  motor.stall_torque = 8000.0;
+  scene.string.insert(scene.string.begin() + 1, motor);
+  scene.formation[0].drillability = 3e-8;
+  scene.instruments.hook_load = {500.0, 100.0, 0.25, 0.5};
+  scene.instruments.torque = {20.0, 0.0, 0.1, 0.2};
+  scene.instruments.stand_pipe_pressure = {1e4, 0.0, 0.35, 0.1};
+  scene.instruments.mwd.period = 3.0;
+  scene.instruments.mwd.latency = 1.0;
+  scene.instruments.mwd.noise = 0.001;
+  scene.instruments.toolface = {1.0, 0.7};
+  return scene;
+}
+
+void start_drilling(Simulator& rig)
+{
+  TopDriveSetpoint drive;
+  drive.speed = 60.0 * rpm;
+  rig.command(drive);
+  rig.command(PumpSetpoint{0.03});
+  rig.command(WinchSetpoint{-0.01, false});
+}
+
+/// Commands that change while the frames are compared.
+void disturb(Simulator& rig, int frame)
+{
+  if (frame == 500) rig.command(WinchSetpoint{-0.006, false});
+  if (frame == 1000) rig.command(PumpSetpoint{0.02});
+}
+
+using Record = std::vector<std::vector<double>>;
+
+Record run(Simulator& rig, int frames)
+{
+  Record out(frames);
+  for (int k = 0; k < frames; ++k)
+  {
+    disturb(rig, k);
+    EXPECT_EQ(rig.frame(kFrame), FrameStatus::running) << rig.failure();
+    numbers_of(rig.measurements(), out[k]);
+  }
+  return out;
+}
+
+void expect_identical(const Record& a, const Record& b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) ASSERT_TRUE(bit_identical(a[k], b[k])) << "frame " << k;
+}
+}  // namespace
+
+TEST(Snapshot, nextTenThousandFramesAreBitIdentical)
+{
+  const Scene scene = noisy_scene();
+  Simulator rig(scene, 7);
+  start_drilling(rig);
+  while (rig.measurements().time < 17.3) ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+
+  // inside a correction interval: drilled since the last permanent node, and not a multiple of the interval
+  const Wellbore& well = rig.wellbore();
+  const double since = well.hole_depth() - well.node(well.node_count() - 1).md;
+  ASSERT_TRUE(rig.measurements().on_bottom);
+  ASSERT_GT(since, 1e-3);
+  ASSERT_LT(since, scene.trajectory.stage_two_length - 1e-3);
+  ASSERT_GT(rig.measurements().mwd.sequence, 0u);
+
+  const auto snapshot = rig.save();
+  const auto version = well.version();
+  const Record first = run(rig, kFrames);
+  const auto end = rig.save();
+  EXPECT_GT(well.hole_depth(), snapshot->mechanics.well.hole_depth() + 0.1) << "has drilled through the end of the interval";
+
+  rig.restore(*snapshot);
+  EXPECT_EQ(rig.wellbore().version(), version);
+  expect_identical(run(rig, kFrames), first);
+  EXPECT_TRUE(bit_identical(numbers_of(rig.save()->mechanics), numbers_of(end->mechanics)));
+  EXPECT_EQ(rig.wellbore().version(), end->mechanics.well.version());
+
+  // and in another simulator of the same scene
+  Simulator other(scene, 99);
+  other.restore(*snapshot);
+  expect_identical(run(other, kFrames), first);
+}
+
+TEST(Snapshot, sameSeedAndCommandsGiveTheSameBits)
+{
+  const Scene scene = noisy_scene();
+  Simulator a(scene, 3), b(scene, 3), c(scene, 4);
+  for (Simulator* rig : {&a, &b, &c}) start_drilling(*rig);
+  const Record of_a = run(a, 1000);
+  expect_identical(run(b, 1000), of_a);
+  const Record of_c = run(c, 1000);
+  EXPECT_FALSE(bit_identical(of_c.back(), of_a.back())) << "another seed, other noise";
+}
+
+// The clock alone runs on: everything else follows bit by bit, times shifted. Time enters sums (k h), so only what does not hold
+// a time is compared, and instruments to the round-off of their clocks' differences.
+TEST(Snapshot, keepTimeMovesTheClockAlone)
+{
+  const Scene scene = noisy_scene();
+  Simulator rig(scene, 7);
+  const auto start = rig.save();
+  start_drilling(rig);
+  std::vector<double> bit_depth, hook_load;
+  for (int k = 0; k < 500; ++k)
+  {
+    ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+    bit_depth.push_back(rig.measurements().bit_depth);
+    hook_load.push_back(rig.measurements().hook_load);
+  }
+  rig.restore(*start, true);
+  EXPECT_NEAR(rig.measurements().time, 5.0, 1e-9);
+  start_drilling(rig);
+  for (int k = 0; k < 500; ++k)
+  {
+    ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+    ASSERT_EQ(rig.measurements().bit_depth, bit_depth[k]) << k;
+    ASSERT_EQ(rig.measurements().hook_load, hook_load[k]) << k;
+  }
+  EXPECT_NEAR(rig.measurements().time, 10.0, 1e-9);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
