@@ -87,11 +87,16 @@ bool Stepper::attempt(SystemState& state, double step, const Setpoints& setpoint
   system_.evaluate(u_.data(), residual_.data(), nullptr);
   system_.finish(state);
   system_.costs().lap(Cost::other);
-  state.bit.rock_velocity = system_.rock_velocity(state);
-  state.well.extend(step * state.bit.rock_velocity, x_axis(state.nodes[0].orientation));
+  penetrate_rock(state, step);
   system_.costs().lap(Cost::rock_penetration);
   ++counters_.steps;
   return true;
+}
+
+void Stepper::penetrate_rock(SystemState& state, double step) const noexcept
+{
+  state.bit.rock_velocity = system_.rock_velocity(state);
+  state.well.extend(step * state.bit.rock_velocity, x_axis(state.nodes[0].orientation));
 }
 
 double Stepper::predictor_distance() const noexcept

@@ -57,6 +57,7 @@ public:
 
 private:
   double predictor_distance() const noexcept;
+  void penetrate_rock(SystemState& state, double step) const noexcept;
   bool attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept;
 
   System& system_;
