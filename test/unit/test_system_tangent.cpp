@@ -189,12 +189,12 @@ TEST(SystemTangent, drillingOnBottom)
     Scene scene = drilling_clear();
     scene.string[0].torque.model = model;
     scene.formation[0].weight_exponent = 1.3;
-    scene.formation[0].drillability = 8e-9;
+    scene.formation[0].drillability = 3e-9;
     Rig rig(scene);
     rig.setpoints.top_drive.speed = 90.0 * rpm;
     rig.run(1.0);
     rig.setpoints.winch = {-0.012, false};
-    rig.run(12.0);
+    rig.run(7.0);  // drills less than the bit is high: the hole about it stays wider than the gauge
     EXPECT_GT(rig.rest.system->forces().wob, 1000.0);
     expect_exact(rig);
   }
