@@ -1,0 +1,154 @@
+// Drilling a vertical hole without friction: the winch sets the rate, the rock law the weight, and the hole grows by what is
+// drilled.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/well/wellbore.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+constexpr double kFrame = 0.01;
+
+/// A constant of the drilling law per case: about 10 kN at 10 mm/s and 9.4 rad/s.
+struct Rock
+{
+  double drillability, weight_exponent, speed_exponent, threshold;
+};
+
+/// The bit's friction does not fall with its speed, so that it does not drive the string's torsional swing.
+Scene frictionless(const Rock& rock)
+{
+  Scene scene = drilling_scene(0.005, 0.0);
+  scene.string[0].torque.static_friction = scene.string[0].torque.kinetic_friction = 0.4;
+  FormationLayer& layer = scene.formation[0];
+  layer.drillability = rock.drillability;
+  layer.weight_exponent = rock.weight_exponent;
+  layer.speed_exponent = rock.speed_exponent;
+  layer.threshold = rock.threshold;
+  return scene;
+}
+
+void drill(Simulator& rig, double feed, double speed, double seconds)
+{
+  TopDriveSetpoint drive;
+  drive.speed = speed;
+  rig.command(drive);
+  rig.command(PumpSetpoint{0.02});
+  rig.command(WinchSetpoint{-feed, false});
+  for (int k = 0; k < std::lround(seconds / kFrame); ++k) ASSERT_EQ(rig.frame(kFrame), FrameStatus::running) << rig.failure();
+}
+
+/// Volume of the hole from measured depth `from` down, by its nodes.
+double volume_below(const Wellbore& well, double from)
+{
+  double volume = 0.0, md = from;
+  for (int i = 0; i < well.node_count(); ++i)
+  {
+    const WellNode node = well.node(i);
+    if (node.md <= md) continue;
+    volume += pi * node.radius * node.radius * (node.md - md);
+    md = node.md;
+  }
+  return volume + pi * well.bottom_radius() * well.bottom_radius() * (well.hole_depth() - md);
+}
+}  // namespace
+
+// Steady after some time constants of weight (compliance of line and string over the rock's slope, 1 to 3 s): 40 s leave e^-13.
+TEST(OnBottom, feedSetsTheRateAndTheRockLawTheWeight)
+{
+  const Rock rocks[] = {{1.3e-7, 1.0, 1.0, 0.0}, {1.3e-7, 1.0, 1.0, 3000.0}, {6.0e-9, 1.3, 1.0, 0.0}, {6.0e-6, 0.7, 0.8, 0.0}};
+  for (const Rock& rock : rocks)
+  {
+    Simulator rig(frictionless(rock));
+    const double speed = 90.0 * rpm, feed = 0.010;
+    drill(rig, feed, speed, 5.0 + 40.0);
+    const Measurements& m = rig.measurements();
+    ASSERT_TRUE(m.on_bottom);
+    const double start = m.hole_depth, start_time = m.time;
+    // means over ten seconds: a swing of the string dies slowly
+    double weight = 0.0, torque = 0.0, surface_torque = 0.0, bit_speed = 0.0, rop = 0.0;
+    for (int k = 0; k < 1000; ++k)
+    {
+      drill(rig, feed, speed, kFrame);
+      weight += m.wob / 1000.0;
+      torque += m.bit_torque / 1000.0;
+      surface_torque += m.torque / 1000.0;
+      bit_speed += m.bit_speed / 1000.0;
+      rop += m.rop / 1000.0;
+    }
+    const double rate = (m.hole_depth - start) / (m.time - start_time);
+    EXPECT_NEAR(rate, feed, 1e-3 * feed);
+    EXPECT_NEAR(rop, feed, 1e-3 * feed);
+    EXPECT_NEAR(bit_speed, speed, 1e-3 * speed);
+    const double law =
+        rock.threshold + std::pow(feed / (rock.drillability * std::pow(speed, rock.speed_exponent)), 1.0 / rock.weight_exponent);
+    // 0.2 %: the feed itself wanders by the stretch of the line while the block falls
+    EXPECT_NEAR(weight, law, 2e-3 * law) << "exponents " << rock.weight_exponent << ", " << rock.speed_exponent;
+    EXPECT_NEAR(torque, 0.4 * weight * 0.2159 / 3.0, 1e-3 * torque);
+    const double drag = 5e-4 * 100.0 * speed;  // of the mud on the string, half a newton metre
+    EXPECT_NEAR(surface_torque, torque + drag, 5e-3 * torque);
+  }
+}
+
+TEST(OnBottom, hookLoadDropsByTheWeightOnBit)
+{
+  Simulator rig(frictionless({1.3e-7, 1.0, 1.0, 0.0}));
+  const double off_bottom = rig.measurements().hook_load;
+  ASSERT_TRUE(rig.tare());
+  drill(rig, 0.010, 90.0 * rpm, 45.0);
+  const Measurements& m = rig.measurements();
+  // buoyancy of the 0.45 m that went under water is 160 N, in a drop of 8 kN: added by hand
+  const double submerged = 0.45 * standard_gravity * 1150.0 * tool_jointed_mass / steel_density;
+  EXPECT_NEAR(off_bottom - m.hook_load, m.wob + submerged, 0.02 * m.wob);
+  EXPECT_NEAR(m.surface_wob, off_bottom - m.hook_load, 1e-9);
+  EXPECT_FALSE(rig.tare()) << "on bottom";
+}
+
+TEST(OnBottom, holeGrowsByWhatTheBitDrills)
+{
+  const Scene scene = frictionless({1.3e-7, 1.0, 1.0, 0.0});
+  Simulator rig(scene);
+  const Wellbore& well = rig.wellbore();
+  const Measurements& m = rig.measurements();
+  drill(rig, 0.010, 90.0 * rpm, 20.0);
+  const double hole = m.hole_depth, bit = m.bit_depth, path = well.drilled_path_length(), volume = volume_below(well, 99.0);
+  double drilled = 0.0;
+  for (int k = 0; k < 10000; ++k)
+  {
+    drill(rig, 0.010, 90.0 * rpm, kFrame);
+    drilled += m.rop * kFrame;
+  }
+  const double gained = m.hole_depth - hole;
+  EXPECT_NEAR(gained, 1.0, 2e-3);
+  // length: hole, path and the sum of the published rate are the same centimetres
+  EXPECT_NEAR(well.drilled_path_length() - path, gained, 1e-9);
+  EXPECT_NEAR(drilled, gained, 1e-9);
+  EXPECT_NEAR(-well.bottom_position().z(), m.hole_depth, 1e-9);
+  // the bit follows but for its embedding in the rock, some tenths of a millimetre
+  EXPECT_NEAR(m.bit_depth - bit, gained, 1e-5);
+  EXPECT_NEAR(m.bit_depth, m.hole_depth, 1e-3);
+  EXPECT_GE(m.bit_depth, m.hole_depth);
+  // volume of a bit-sized cylinder
+  const double radius = 0.5 * scene.string[0].diameter;
+  EXPECT_NEAR(volume_below(well, 99.0) - volume, pi * radius * radius * gained, 1e-9);
+}
+
+TEST(OnBottom, bitThatDoesNotTurnDrillsNothing)
+{
+  Simulator rig(frictionless({1.3e-7, 1.0, 0.0, 0.0}));
+  const double hole = rig.measurements().hole_depth;
+  drill(rig, 0.010, 0.0, 5.0);
+  EXPECT_GT(rig.measurements().wob, 1000.0);
+  EXPECT_EQ(rig.measurements().hole_depth, hole);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
