@@ -104,10 +104,11 @@ inline std::vector<SurveyStation> build_and_hold(double kick_off, double rate, d
 {
   std::vector<SurveyStation> survey{{0.0, 0.0, azimuth}};
   if (kick_off > 0.0) survey.push_back({kick_off, 0.0, azimuth});
-  const double built = std::min(inclination / rate, depth - kick_off);
+  const double left = depth - kick_off;
+  const double built = inclination / rate < left - 1e-6 ? inclination / rate : left;
   const int arcs = static_cast<int>(std::ceil(built / 30.0));
   for (int i = 1; i <= arcs; ++i) survey.push_back({kick_off + built * i / arcs, rate * built * i / arcs, azimuth});
-  if (depth > kick_off + built + 1e-6) survey.push_back({depth, rate * built, azimuth});
+  if (built < left) survey.push_back({depth, rate * built, azimuth});
   return survey;
 }
 
