@@ -22,6 +22,13 @@ def save(figure, folder, name):
     return [name + '.svg', name + '.png']
 
 
+def room_above(axes):
+    """A legend that hides no line."""
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + 0.25 * (high - low))
+    axes.legend(loc='upper right', ncol=2)
+
+
 def loads(job, folder):
     series = job.series
     figure, (hook, torque, rate) = pyplot.subplots(3, 1, sharex=True, figsize=(8.0, 6.5))
@@ -29,10 +36,11 @@ def loads(job, folder):
     hook.axhline(34.0, color=SEED, linestyle='--', label='published: 34 t while drilling')
     hook.set_ylabel('hook load [t]')
     hook.legend(loc='upper right')
+    hook.set_ylim(32.0, 44.0)
     torque.plot(series['time'], series['torque'] / 1e3, color=OURS, linewidth=0.8, label='top drive')
     torque.plot(series['time'], series['bit_torque'] / 1e3, color=RAW, linewidth=0.8, label='bit')
     torque.set_ylabel('torque [kN m]')
-    torque.legend(loc='upper right')
+    room_above(torque)
     rate.plot(series['time'], 3600.0 * series['rop'], color=OURS, linewidth=0.8, label='drill_rig_sim')
     rate.axhline(32.7, color=SEED, linestyle='--', label='published: 32.7 m/h')
     rate.set_ylabel('rate of penetration [m/h]')
@@ -76,11 +84,16 @@ def directions(job, folder):
            'azimuth': numpy.degrees(numpy.arctan2(tangents[:, 0], tangents[:, 1])) % 360.0}
     figure, axes = pyplot.subplots(2, 1, sharex=True, figsize=(8.0, 5.5))
     for ax, key, published in zip(axes, ('inclination', 'azimuth'), (51.0, 297.0)):
-        ax.plot(md, raw[key], color=RAW, linewidth=0.3, alpha=0.6, label='raw path, last metres')
+        drilling = md > job.start_depth + 0.1  # before that the bit finds its place
+        ax.plot(md[drilling], raw[key][drilling], color=RAW, linewidth=0.3, alpha=0.6, label='raw path, last metres')
         ax.plot(d['md'], numpy.degrees(d[key]), color=OURS, linewidth=1.0, label='corrected path')
         ax.axhline(published, color=SEED, linestyle='--', label='published mean: %g deg' % published)
         ax.set_ylabel(key + ' [deg]')
-        ax.legend(loc='upper left')
+        low, high = ax.get_ylim()
+        ax.set_ylim(low, high + 0.35 * (high - low))
+        legend = ax.legend(loc='upper right', ncol=3)
+        for line in legend.get_lines():
+            line.set(linewidth=1.5, alpha=1.0)
     axes[1].set_xlabel('measured depth [m]')
     axes[0].set_title('Direction of the drilled path')
     return save(figure, folder, 'inclination_and_azimuth')
@@ -95,21 +108,21 @@ def helix(job, folder):
     side.set_xlabel('along the hole [mm]')
     side.set_ylabel('off the axis [um]')
     side.set_title('raw path: a helix of pitch %.2f mm (%.2f by hand)' % (1e3 * raw.pitch, 1e3 * job.feed / job.rotary))
-    side.legend(loc='upper right')
+    room_above(side)
     end.plot(1e6 * raw.right[last], 1e6 * raw.high[last], color=RAW, linewidth=0.8, label='raw, radius %.0f um' % (1e6 * raw.radius))
     end.plot(1e6 * corrected.right[-60:], 1e6 * corrected.high[-60:], color=OURS, marker='.', linewidth=0.8, label='corrected nodes')
     end.set_xlabel('right [um]')
     end.set_ylabel('high [um]')
     end.set_title('the same, looking down the hole')
     end.set_aspect('equal', adjustable='datalim')
-    end.legend(loc='upper right')
+    end.legend(loc='upper right', framealpha=1.0)
     tail = corrected.along > corrected.along[-1] - 3.0
     far.plot(corrected.along[tail], 1e6 * corrected.high[tail], color=RAW, marker='.', label='towards the high side')
     far.plot(corrected.along[tail], 1e6 * corrected.right[tail], color=OURS, marker='.', label='to the right')
     far.set_xlabel('along the hole [m]')
     far.set_ylabel('off the axis [um]')
     far.set_title('corrected path: aliased long helix, pitch %.2f m (%.2f by aliasing)' % (corrected.pitch, job.aliased_pitch()))
-    far.legend(loc='upper right')
+    room_above(far)
     tangents, along = job.raw_tangents()
     mean = tangents.mean(axis=0)
     mean /= numpy.linalg.norm(mean)
