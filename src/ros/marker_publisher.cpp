@@ -87,14 +87,14 @@ MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const Parameters& parame
     demand_.markers = true;
     ask_for_picture();
   };
-  markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", 10, greet);
+  const auto bid_farewell = [this](const ros::SingleSubscriberPublisher&) { demand_.markers = markers_.getNumSubscribers() > 0; };
+  markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", 10, greet, bid_farewell);
 }
 
 void MarkerPublisher::publish(const Snapshot& s)
 {
   if (s.rebuilt) color_full_ = 0.0;
   if (!s.markers_due) return;
-  demand_.markers = markers_.getNumSubscribers() > 0;
   visualization_msgs::MarkerArray array;
   array.markers = {string_marker(s), bit_marker(s), force_marker(s), block_marker(s)};
   if (s.well_due)

@@ -37,13 +37,14 @@ StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& paramete
       bit_wrench_(node.advertise<geometry_msgs::WrenchStamped>("bit/wrench", queue)),
       mwd_(node.advertise<MwdSurvey>("downhole/mwd", queue)),
       toolface_(node.advertise<MwdToolface>("downhole/toolface", queue)),
-      drillstring_(node.advertise<DrillstringState>("drillstring_state", queue))
+      drillstring_(node.advertise<DrillstringState>(
+          "drillstring_state", queue, [this](const ros::SingleSubscriberPublisher&) { demand_.profile = true; },
+          [this](const ros::SingleSubscriberPublisher&) { demand_.profile = drillstring_.getNumSubscribers() > 0; }))
 {
 }
 
 void StatePublisher::publish(const Snapshot& s)
 {
-  demand_.profile = drillstring_.getNumSubscribers() > 0;
   if (s.rebuilt)
   {
     std_msgs::Header header;

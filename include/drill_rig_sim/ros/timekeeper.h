@@ -81,6 +81,8 @@ public:
   explicit Cadence(double rate) noexcept : period_(static_cast<std::int64_t>(1e9 / rate)) {}
   /// True once per period of the clock that `now` [ns] comes from; never early by more than a microsecond, no drift.
   bool due(std::int64_t now) noexcept;
+  /// The next time asked is due.
+  void restart() noexcept { next_ = never; }
 
 private:
   std::int64_t period_;

@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_SIM_SIMULATOR_STATE_H
 #define DRILL_RIG_SIM_SIM_SIMULATOR_STATE_H
 
+#include <limits>
 #include <utility>
 
 #include "drill_rig_sim/sim/instruments.h"
@@ -19,8 +20,9 @@ struct SimulatorState
   SystemForces forces;  ///< of the last step: measurements only
   Setpoints setpoints;
   bool command_clamped = false;
-  double last_winch_command = 0.0;  ///< when [s]
-  double last_drive_command = 0.0;
+  /// When [s]; infinity: never yet, so that its silence is no lost stream.
+  double last_winch_command = std::numeric_limits<double>::infinity();
+  double last_drive_command = std::numeric_limits<double>::infinity();
   bool timed_out = false;
   bool tared = false;
   double tare_hook_load = 0.0;  ///< [N]

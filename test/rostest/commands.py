@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""Commands beyond a limit are clamped and flagged, nonsense is refused whole, and a stream that stops brakes the rig."""
+import math
+
+from diagnostic_msgs.msg import DiagnosticArray
+from drill_rig_sim.msg import MudPumpCommand, SteeringCommand, TopDriveCommand, WinchCommand
+from drill_rig_sim.srv import InjectFaultRequest, StepSimulationRequest
+from rig_test import PATIENCE, Rig, flow, numbers, run, rospy, time, turn, unittest, winch
+
+
+class Commands(unittest.TestCase):
+    def setUp(self):
+        self.rig = Rig()
+        self.assertTrue(self.rig.reset_well("", 0.0).success)
+
+    def by_topic(self, publisher, command, obeyed):
+        """Sends the command and takes frames until it is in force."""
+        publisher.publish(command)
+        deadline = time.monotonic() + PATIENCE
+        while time.monotonic() < deadline:
+            state = self.rig.advance(1)
+            if obeyed(state):
+                return state
+            time.sleep(0.02)
+        self.fail("the command was not obeyed: %s" % command)
+
+    def refused(self):
+        """How many commands the node counts as refused."""
+        diagnostics = self.rig.collect("/diagnostics", DiagnosticArray)
+        self.assertTrue(diagnostics.wait(2))
+        for status in diagnostics.messages[-1].status:
+            for pair in status.values:
+                if pair.key == "refused":
+                    return int(pair.value)
+        self.fail("no count of refused commands")
+
+    def test_every_kind_of_command_takes_effect_from_its_topic(self):
+        winches = self.rig.publisher("winch/command", WinchCommand)
+        drives = self.rig.publisher("top_drive/command", TopDriveCommand)
+        pumps = self.rig.publisher("mud_pump/command", MudPumpCommand)
+        state = self.by_topic(winches, winch(0.2), lambda s: s.winch.block_velocity == 0.2)
+        self.assertFalse(state.brake_set)
+        self.assertGreater(state.last_command.to_nsec(), 0)
+        state = self.by_topic(drives, turn(3.0), lambda s: s.top_drive.speed == 3.0)
+        self.assertEqual(state.last_command, state.top_drive.header.stamp)
+        state = self.by_topic(pumps, flow(0.01), lambda s: s.mud_pump.flow == 0.01)
+        self.assertFalse(state.command_clamped)
+
+    def test_beyond_a_limit_is_clamped_and_flagged(self):
+        state = self.rig.advance(1, winch=winch(-100.0))
+        self.assertEqual(-1.5, state.winch.block_velocity)
+        self.assertTrue(state.command_clamped)
+        state = self.rig.advance(1, top_drive=turn(1e4))
+        self.assertAlmostEqual(220.0 * math.pi / 30.0, state.top_drive.speed, places=9)
+        self.assertTrue(state.command_clamped)
+        state = self.rig.advance(1, mud_pump=flow(9.0))
+        self.assertEqual(0.06, state.mud_pump.flow)
+        self.assertTrue(state.command_clamped)
+
+    def test_nonsense_in_a_step_is_refused_whole_and_no_frame_computed(self):
+        before = self.rig.advance(5, winch=winch(0.1), top_drive=turn(2.0))
+        for bad in ({"winch": [winch(math.nan)]}, {"top_drive": [turn(math.inf)]}, {"mud_pump": [flow(math.nan)]},
+                    {"top_drive": [TopDriveCommand(mode=7)]}, {"winch": [winch(0.3)], "top_drive": [turn(math.nan)]},
+                    {"winch": [winch(0.1), winch(0.2)]}, {"steering": [SteeringCommand(toolface=0.0, ratio=1.0)]}):
+            answer = self.rig.step(StepSimulationRequest(frames=5, **bad))
+            self.assertFalse(answer.success, bad)
+            self.assertNotEqual("", answer.message)
+            after = self.rig.advance(0)
+            self.assertEqual(before.header.stamp, after.header.stamp, bad)
+            self.assertEqual(numbers(before), numbers(after), bad)
+
+    def test_nonsense_on_a_topic_is_refused_and_counted(self):
+        self.rig.advance(1, winch=winch(0.1), top_drive=turn(2.0))
+        before = self.refused()
+        publishers = {"winch/command": (WinchCommand, winch(math.nan)), "mud_pump/command": (MudPumpCommand, flow(math.inf)),
+                      "top_drive/command": (TopDriveCommand, TopDriveCommand(mode=99)),
+                      "steering/command": (SteeringCommand, SteeringCommand())}
+        for topic, (kind, command) in publishers.items():
+            self.rig.publisher(topic, kind).publish(command)
+        deadline = time.monotonic() + PATIENCE
+        count = before
+        while count < before + len(publishers) and time.monotonic() < deadline:
+            self.rig.advance(1)
+            count = self.refused()
+        self.assertEqual(before + len(publishers), count)
+        state = self.rig.advance(0)
+        self.assertEqual(0.1, state.winch.block_velocity)
+        self.assertEqual(2.0, state.top_drive.speed)
+
+    def test_silence_sets_the_brake_and_the_next_command_takes_it_off(self):
+        def speak():
+            return self.rig.advance(50, winch=winch(0.05), top_drive=turn(2.0))
+
+        for _ in range(4):
+            state = speak()
+        self.assertFalse(state.commands_timed_out)
+        self.assertFalse(state.brake_set)
+        self.assertTrue(self.rig.advance(60).commands_timed_out)  # the parameter says 1 s, 0.5 s had passed
+        state = self.rig.advance(200)
+        self.assertTrue(state.brake_set)
+        later = self.rig.advance(500)  # it swings on the lines, but it goes nowhere
+        self.assertAlmostEqual(state.block_height, later.block_height, delta=0.02)
+        self.assertAlmostEqual(0.0, later.top_drive.speed)
+        state = speak()
+        self.assertFalse(state.commands_timed_out)
+        self.assertFalse(state.brake_set)
+
+    def test_what_is_not_there_yet_says_so(self):
+        for answer in (self.rig.set_slips(True), self.rig.make_connection(1),
+                       self.rig.inject_fault(InjectFaultRequest(fault=InjectFaultRequest.DRIVE_TRIP))):
+            self.assertFalse(answer.success)
+            self.assertIn("not available yet", answer.message)
+
+    def test_stuck_pipe_holds_the_string_until_it_is_freed(self):
+        stuck = InjectFaultRequest(fault=InjectFaultRequest.STUCK_PIPE, depth=90.0)
+        self.assertFalse(self.rig.inject_fault(InjectFaultRequest(fault=InjectFaultRequest.STUCK_PIPE, depth=500.0)).success)
+        def mean_hook_load():  # the block swings on its lines for long
+            return sum(self.rig.advance(1).hook_load for _ in range(400)) / 400
+
+        still = mean_hook_load()
+        self.assertTrue(self.rig.inject_fault(stuck).success)
+        self.rig.advance(40, winch=winch(0.05))
+        self.rig.advance(40, winch=winch(0.0))
+        self.assertGreater(mean_hook_load(), 1.2 * still)
+        stuck.clear = True
+        self.assertTrue(self.rig.inject_fault(stuck).success)
+        self.assertAlmostEqual(still, mean_hook_load(), delta=0.05 * still)
+
+    def test_tare_makes_zero_here(self):
+        self.assertTrue(self.rig.tare().success)
+        state = self.rig.advance(1)
+        self.assertTrue(state.tared)
+        self.assertAlmostEqual(0.0, state.surface_wob, delta=0.01 * state.hook_load)
+
+
+if __name__ == "__main__":
+    run(Commands)

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Diagnostics come while the rig runs, while it is paused and after a frame that failed, from which reset_well recovers."""
+import math
+
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from drill_rig_sim.msg import RigState, TopDriveCommand, WinchCommand
+from rig_test import Rig, run, time, turn, unittest, winch
+from rosgraph_msgs.msg import Clock
+
+
+def values(array):
+    return {pair.key: pair.value for status in array.status for pair in status.values}
+
+
+class Diagnostics(unittest.TestCase):
+    def setUp(self):
+        self.rig = Rig()
+        self.assertTrue(self.rig.reset_well("", 0.0).success)
+        self.assertTrue(self.rig.resume().success)
+        self.diagnostics = self.rig.collect("/diagnostics", DiagnosticArray)
+
+    def until_state(self, word):
+        """The first message that says so, with whatever came after."""
+        def said(messages):
+            return any(values(m).get("state") == word for m in messages)
+        messages = self.diagnostics.wait_until(said)
+        self.assertTrue(said(messages), "never: " + word)
+        return next(m for m in messages if values(m).get("state") == word)
+
+    def test_what_is_told_while_running(self):
+        message = self.diagnostics.wait(2)[-1]
+        told = values(message)
+        self.assertEqual("running", told["state"])
+        for key in ("real_time_factor", "frame_times", "overruns", "dropped_seconds", "newton_iterations", "rejected_steps",
+                    "error_estimate", "level", "integrator", "refused", "clamped"):
+            self.assertIn(key, told)
+        self.assertEqual("beam3d", told["level"])
+        self.assertEqual([DiagnosticStatus.OK] * 3, [s.level if isinstance(s.level, int) else s.level[0] for s in message.status])
+
+    def test_they_keep_coming_while_paused(self):
+        self.assertTrue(self.rig.pause().success)
+        self.until_state("paused")
+        clock = self.rig.collect("/clock", Clock)
+        time.sleep(0.3)
+        clock.clear()
+        self.diagnostics.clear()
+        self.assertEqual("paused", values(self.diagnostics.wait(3)[-1])["state"])
+        self.assertEqual([], clock.messages)
+
+    def test_a_failed_frame_stops_time_says_why_and_reset_well_recovers(self):
+        states = self.rig.collect("rig_state", RigState)
+        self.rig.publisher("top_drive/command", TopDriveCommand).publish(turn(23.0))
+        self.rig.publisher("winch/command", WinchCommand).publish(winch(-1.5))
+        message = self.until_state("failed")
+        status = next(s for s in message.status if s.name.endswith("physics"))
+        self.assertIn(status.level, (DiagnosticStatus.ERROR, bytes([2]), 2))
+        self.assertIn("could not be solved", status.message)
+        self.diagnostics.clear()
+        stopped = len(states.messages)
+        self.assertEqual("failed", values(self.diagnostics.wait(3)[-1])["state"])  # they keep coming
+        self.assertEqual(stopped, len(states.messages))
+        for m in states.messages:
+            self.assertTrue(math.isfinite(m.hook_load) and math.isfinite(m.bit_depth))
+        self.assertFalse(self.rig.resume().success)
+        self.assertTrue(self.rig.reset_well("", 0.0).success)
+        states.clear()
+        after = states.wait(3)
+        self.assertGreater(after[-1].header.stamp, after[0].header.stamp)
+        self.assertAlmostEqual(99.5, after[0].bit_depth, places=3)
+
+
+if __name__ == "__main__":
+    run(Diagnostics)

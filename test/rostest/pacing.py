@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""Time in the hands of its services: pause, resume, set_speed; what a newcomer sees while it stands."""
+import math
+
+from drill_rig_sim.msg import RigState
+from rig_test import Rig, run, time, unittest
+from rosgraph_msgs.msg import Clock
+from tf2_msgs.msg import TFMessage
+from visualization_msgs.msg import MarkerArray
+
+
+class Pacing(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.rig = Rig()
+        cls.clock = cls.rig.collect("/clock", Clock)
+
+    def setUp(self):
+        self.assertTrue(self.rig.resume().success)
+        self.assertTrue(self.rig.set_speed(1.0).success)
+
+    def speed(self, wall):
+        """Simulated seconds per wall second."""
+        self.clock.clear()
+        first = self.clock.wait(1)[0].clock
+        started = time.monotonic()
+        time.sleep(wall)
+        last = self.clock.messages[-1].clock
+        return (last - first).to_sec() / (time.monotonic() - started)
+
+    def test_real_time_is_kept(self):
+        self.assertAlmostEqual(1.0, self.speed(2.0), delta=0.1)
+
+    def test_half_and_double_speed(self):
+        self.assertTrue(self.rig.set_speed(0.5).success)
+        self.assertAlmostEqual(0.5, self.speed(2.0), delta=0.08)
+        self.assertTrue(self.rig.set_speed(2.0).success)
+        self.assertAlmostEqual(2.0, self.speed(2.0), delta=0.3)
+
+    def test_as_fast_as_it_goes(self):
+        self.assertTrue(self.rig.set_speed(0.0).success)
+        self.assertGreater(self.speed(2.0), 3.0)
+
+    def test_speeds_that_are_none(self):
+        for speed in (-1.0, math.nan, math.inf):
+            self.assertFalse(self.rig.set_speed(speed).success)
+        self.assertAlmostEqual(1.0, self.speed(2.0), delta=0.1)
+
+    def test_time_stands_while_paused_and_goes_on_without_a_jump(self):
+        self.assertTrue(self.rig.pause().success)
+        time.sleep(0.3)
+        self.clock.clear()
+        time.sleep(1.0)
+        self.assertEqual([], self.clock.messages)
+        self.assertTrue(self.rig.resume().success)
+        stamps = [m.clock.to_nsec() for m in self.clock.wait(5)]
+        self.assertTrue(all(b - a <= 20000000 for a, b in zip(stamps, stamps[1:])))
+
+    def test_a_newcomer_sees_frames_and_markers_while_paused_and_nothing_repeats(self):
+        self.assertTrue(self.rig.pause().success)
+        time.sleep(1.0)
+        frames, markers = self.rig.collect("/tf", TFMessage), self.rig.collect("markers", MarkerArray)
+        self.assertGreater(len(frames.wait(1)[0].transforms), 3)
+        names = {m.ns for m in markers.wait(1)[0].markers}
+        self.assertTrue({"string", "bit", "wellbore", "stations"} <= names, names)
+        time.sleep(1.0)
+        self.assertEqual(1, len(markers.messages))
+        self.assertEqual(1, len(frames.messages))
+
+    def test_reset_while_paused_stays_paused_and_the_stamp_grows(self):
+        self.assertTrue(self.rig.pause().success)
+        states = self.rig.collect("rig_state", RigState)
+        self.assertTrue(self.rig.reset_well("", 0.0).success)
+        first = states.wait(1)[-1]
+        time.sleep(0.5)
+        self.assertTrue(self.rig.reset_well("", 0.0).success)
+        second = states.wait(2)[-1]
+        self.assertGreater(second.header.stamp, first.header.stamp)
+        time.sleep(0.5)
+        self.assertEqual(2, len(states.messages))
+
+    def test_step_belongs_to_lockstep(self):
+        self.assertFalse(self.rig.step(frames=1).success)
+
+
+if __name__ == "__main__":
+    run(Pacing)

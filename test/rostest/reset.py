@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""reset_well goes back to the start exactly, the clock apart, and a refusal changes nothing."""
+import math
+
+from drill_rig_sim.msg import DrillstringState
+from rig_test import Rig, flow, numbers, run, turn, unittest, winch
+
+
+class Reset(unittest.TestCase):
+    def setUp(self):
+        self.rig = Rig()
+        self.assertTrue(self.rig.reset_well("quick.yaml", 0.0).success)
+
+    def drill(self):
+        state = self.rig.advance(200, winch=winch(-0.2), top_drive=turn(9.0), mud_pump=flow(0.02))
+        for _ in range(20):
+            state = self.rig.advance(100, winch=winch(-0.01), top_drive=turn(9.0))
+        return state
+
+    def test_reset_in_the_middle_of_drilling_gives_the_very_start(self):
+        strings = self.rig.collect("drillstring_state", DrillstringState)
+        start = self.rig.advance(0)
+        self.rig.advance(10)
+        first = strings.wait(1)[-1]
+        drilled = self.drill()
+        self.assertGreater(drilled.hole_depth, start.hole_depth + 0.01)
+        for _ in range(2):
+            answer = self.rig.reset_well("", 0.0)
+            self.assertTrue(answer.success, answer.message)
+            after = self.rig.advance(0)
+            self.assertEqual(numbers(start), numbers(after))
+            self.assertGreater(after.header.stamp, drilled.header.stamp)
+            self.assertTrue(after.brake_set)
+            self.assertEqual(0, after.last_command.to_nsec())
+            strings.clear()
+            self.rig.advance(10)
+            self.assertEqual(numbers(first), numbers(strings.wait(1)[-1]))
+
+    def test_another_bit_depth(self):
+        start = self.rig.advance(0)
+        self.assertTrue(self.rig.reset_well("", 80.0).success)
+        state = self.rig.advance(0)
+        self.assertAlmostEqual(80.0, state.bit_depth, places=6)
+        self.assertAlmostEqual(start.block_height, state.block_height, places=6)
+        self.assertLess(state.hook_load, start.hook_load)
+        self.assertTrue(self.rig.reset_well("", 0.0).success)
+        self.assertEqual(numbers(start), numbers(self.rig.advance(0)))
+
+    def test_another_scene(self):
+        self.assertTrue(self.rig.reset_well("package://drill_rig_sim/config/scenes/bohai.yaml", 0.0).success)
+        self.assertAlmostEqual(730.0, self.rig.advance(1).hole_depth, places=6)
+        self.assertTrue(self.rig.reset_well("", 0.0).success)  # the present one now
+        self.assertAlmostEqual(730.0, self.rig.advance(0).hole_depth, places=6)
+
+    def test_a_refusal_changes_nothing(self):
+        before = self.rig.advance(20, winch=winch(0.1))
+        for scene, depth in (("", -1.0), ("", math.nan), ("", 100.5), ("no_such_scene.yaml", 0.0), ("package://nowhere/a.yaml", 0.0),
+                             ("../../test/bad_scenes/nan.yaml", 0.0)):
+            answer = self.rig.reset_well(scene, depth)
+            self.assertFalse(answer.success, (scene, depth))
+            self.assertNotEqual("", answer.message)
+            after = self.rig.advance(0)
+            self.assertEqual(before.header.stamp, after.header.stamp)
+            self.assertEqual(numbers(before), numbers(after))
+
+
+if __name__ == "__main__":
+    run(Reset)

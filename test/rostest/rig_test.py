@@ -1,0 +1,128 @@
+"""What the tests of the node share: a client of one rig, and how a test file runs."""
+import os
+import sys
+import threading
+import time
+import unittest
+
+import rospy
+import rostest
+from drill_rig_sim.msg import MudPumpCommand, RigState, TopDriveCommand, WinchCommand
+from drill_rig_sim.srv import (InjectFault, LoadSurvey, MakeConnection, ResetWell, RestoreState, SaveState, SetSpeed,
+                               StepSimulation, StepSimulationRequest)
+from std_srvs.srv import SetBool, Trigger
+
+PACKAGE_DIR = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+PATIENCE = 60.0  # wall seconds that anything may take on a loaded machine
+
+SERVICES = {"reset_well": ResetWell, "load_survey": LoadSurvey, "pause": Trigger, "resume": Trigger, "tare": Trigger,
+            "step": StepSimulation, "set_speed": SetSpeed, "save_state": SaveState, "restore_state": RestoreState,
+            "set_slips": SetBool, "make_connection": MakeConnection, "inject_fault": InjectFault}
+
+
+class Collector:
+    """Keeps every message of a topic."""
+
+    def __init__(self, topic, kind):
+        self.messages = []
+        self.changed = threading.Condition()
+        self.subscriber = rospy.Subscriber(topic, kind, self.take, queue_size=None, tcp_nodelay=True)
+        deadline = time.monotonic() + PATIENCE
+        while self.subscriber.get_num_connections() == 0 and time.monotonic() < deadline:
+            time.sleep(0.02)
+        time.sleep(0.1)  # the publisher's side of the connection
+
+    def take(self, message):
+        with self.changed:
+            self.messages.append(message)
+            self.changed.notify_all()
+
+    def wait(self, count=1, patience=PATIENCE):
+        """The messages, once there are `count`; as many as came otherwise."""
+        return self.wait_until(lambda messages: len(messages) >= count, patience)
+
+    def wait_until(self, condition, patience=PATIENCE):
+        deadline = time.monotonic() + patience
+        with self.changed:
+            while not condition(self.messages) and time.monotonic() < deadline:
+                self.changed.wait(0.1)
+            return list(self.messages)
+
+    def clear(self):
+        with self.changed:
+            self.messages = []
+
+
+class Rig:
+    """A client of the rig in a namespace."""
+
+    def __init__(self, namespace="rig"):
+        self.namespace = "/" + namespace
+        for name, kind in SERVICES.items():
+            rospy.wait_for_service(self.topic(name), PATIENCE)
+            setattr(self, name, rospy.ServiceProxy(self.topic(name), kind))
+
+    def topic(self, name):
+        return self.namespace + "/" + name
+
+    def collect(self, name, kind):
+        return Collector(name if name.startswith("/") else self.topic(name), kind)
+
+    def publisher(self, name, kind):
+        """A publisher whose node listens already."""
+        publisher = rospy.Publisher(self.topic(name), kind, queue_size=10)
+        deadline = time.monotonic() + PATIENCE
+        while publisher.get_num_connections() == 0 and time.monotonic() < deadline:
+            time.sleep(0.02)
+        return publisher
+
+    def state(self):
+        return rospy.wait_for_message(self.topic("rig_state"), RigState, PATIENCE)
+
+    def advance(self, frames, winch=None, top_drive=None, mud_pump=None):
+        """Lockstep: the state after so many frames."""
+        request = StepSimulationRequest(frames=frames)
+        request.winch = [] if winch is None else [winch]
+        request.top_drive = [] if top_drive is None else [top_drive]
+        request.mud_pump = [] if mud_pump is None else [mud_pump]
+        answer = self.step(request)
+        if not answer.success:
+            raise AssertionError("step: " + answer.message)
+        return answer.state
+
+
+def winch(velocity, brake=False):
+    return WinchCommand(block_velocity=velocity, brake=brake)
+
+
+def turn(speed):
+    return TopDriveCommand(mode=TopDriveCommand.SPEED, speed=speed)
+
+
+def flow(rate):
+    return MudPumpCommand(flow=rate)
+
+
+def numbers(message):
+    """All of a RigState but its stamps, as a tuple that compares bit by bit."""
+    def flat(value):
+        if hasattr(value, "__slots__"):
+            for name in value.__slots__:
+                if name not in ("header", "last_command"):
+                    yield from flat(getattr(value, name))
+        elif isinstance(value, (list, tuple)):
+            for item in value:
+                yield from flat(item)
+        else:
+            yield value.hex() if isinstance(value, float) else value
+    return tuple(flat(message))
+
+
+def run(case):
+    """Runs the test case of a file as rostest wants it."""
+    name = os.path.basename(sys.argv[0]).replace(".py", "")
+    rospy.init_node("test_" + name, anonymous=True)
+    rostest.rosrun("drill_rig_sim", name, case)
+
+
+__all__ = ["PACKAGE_DIR", "PATIENCE", "Collector", "Rig", "winch", "turn", "flow", "numbers", "run", "unittest", "rospy", "time"]

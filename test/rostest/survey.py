@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""load_survey takes a sound survey and refuses a broken one, says which station and why, and changes nothing."""
+import math
+import os
+import tempfile
+
+from drill_rig_sim.srv import LoadSurveyRequest
+from nav_msgs.msg import Path
+from rig_test import PACKAGE_DIR, Rig, numbers, run, unittest, winch
+
+
+def stations(*rows):
+    md, inclination, azimuth = zip(*rows)
+    return LoadSurveyRequest(md=list(md), inclination=list(inclination), azimuth=list(azimuth))
+
+
+class Survey(unittest.TestCase):
+    def setUp(self):
+        self.rig = Rig()
+        self.assertTrue(self.rig.reset_well("quick.yaml", 0.0).success)
+
+    def test_stations_make_a_new_well(self):
+        paths = self.rig.collect("trajectory", Path)
+        paths.wait(1)
+        paths.clear()
+        answer = self.rig.load_survey(stations((0.0, 0.0, 0.0), (60.0, 0.0, 0.0), (120.0, 0.2, math.pi / 2)))
+        self.assertTrue(answer.success, answer.message)
+        state = self.rig.advance(1)
+        self.assertAlmostEqual(120.0, state.hole_depth, places=6)
+        self.assertAlmostEqual(119.7, state.bit_depth, places=6)  # as far off bottom as before
+        end = paths.wait(1)[-1].poses[-1].pose.position
+        self.assertAlmostEqual(60.0 / 0.2 * (1.0 - math.cos(0.2)), end.x, delta=1e-3)  # an arc to the east
+        self.assertAlmostEqual(0.0, end.y, delta=1e-3)
+        self.assertAlmostEqual(-60.0 - 60.0 / 0.2 * math.sin(0.2), end.z, delta=1e-3)
+
+    def test_a_real_survey_from_its_file(self):
+        answer = self.rig.load_survey(LoadSurveyRequest(file=os.path.join(PACKAGE_DIR, "config", "surveys", "bohai.csv")))
+        self.assertTrue(answer.success, answer.message)
+        self.assertAlmostEqual(730.0, self.rig.advance(1).hole_depth, places=6)
+        self.assertTrue(self.rig.reset_well("", 0.0).success)
+        self.assertAlmostEqual(730.0, self.rig.advance(0).hole_depth, places=6)  # the new well stays
+
+    def test_depths_of_hole_and_bit_may_be_set(self):
+        request = stations((0.0, 0.0, 0.0), (200.0, 0.0, 0.0))
+        request.hole_depth, request.bit_depth = 150.0, 140.0
+        answer = self.rig.load_survey(request)
+        self.assertTrue(answer.success, answer.message)
+        state = self.rig.advance(0)
+        self.assertAlmostEqual(150.0, state.hole_depth, places=6)
+        self.assertAlmostEqual(140.0, state.bit_depth, places=6)
+
+    def refused(self, request, *words):
+        before = self.rig.advance(5, winch=winch(0.05))
+        answer = self.rig.load_survey(request)
+        self.assertFalse(answer.success)
+        for word in words:
+            self.assertIn(word, answer.message)
+        self.assertNotIn("\n", answer.message)
+        after = self.rig.advance(0)
+        self.assertEqual(before.header.stamp, after.header.stamp)
+        self.assertEqual(numbers(before), numbers(after))
+
+    def test_md_that_does_not_grow(self):
+        self.refused(stations((0.0, 0.0, 0.0), (60.0, 0.0, 0.0), (50.0, 0.1, 0.0)), "station 2", "50")
+
+    def test_inclination_of_200_deg(self):
+        self.refused(stations((0.0, 0.0, 0.0), (60.0, math.radians(200.0), 0.0)), "station 1", "inclination")
+
+    def test_a_number_that_is_none(self):
+        self.refused(stations((0.0, 0.0, 0.0), (60.0, 0.1, math.nan)), "station 1")
+
+    def test_one_station(self):
+        self.refused(stations((0.0, 0.0, 0.0)), "two")
+
+    def test_text_in_the_file(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".csv", delete=False) as file:
+            file.write("md_m,inclination_deg,azimuth_deg\n0,0,0\n60,three,0\n")
+        self.addCleanup(os.unlink, file.name)
+        self.refused(LoadSurveyRequest(file=file.name), os.path.basename(file.name) + ":3", "inclination_deg")
+
+    def test_no_file_no_stations_both_and_lists_of_different_length(self):
+        self.refused(LoadSurveyRequest(file="/no/such/file.csv"), "/no/such/file.csv")
+        self.refused(LoadSurveyRequest())
+        self.refused(LoadSurveyRequest(file="a.csv", md=[0.0, 1.0], inclination=[0.0, 0.0], azimuth=[0.0, 0.0]))
+        self.refused(LoadSurveyRequest(md=[0.0, 100.0], inclination=[0.0], azimuth=[0.0, 0.0]), "2, 1 and 2")
+
+    def test_depths_outside_the_well(self):
+        for hole, bit in ((300.0, 0.0), (-1.0, 0.0), (math.nan, 0.0), (100.0, 120.0), (100.0, math.nan)):
+            request = stations((0.0, 0.0, 0.0), (200.0, 0.0, 0.0))
+            request.hole_depth, request.bit_depth = hole, bit
+            self.refused(request, "depth")
+
+
+if __name__ == "__main__":
+    run(Survey)
