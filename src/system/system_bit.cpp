@@ -51,7 +51,7 @@ void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
   forces_.wob = bottom.value;
   forces_.bit_torque = torque.value;
   forces_.bit_force = forces_.wall[0] - bottom.value * down;
-  forces_.bit_moment = -torque.value * n;
+  forces_.bit_moment -= torque.value * n;  // add_walls() left the gauge's share
   Vector3d outward = s.position - s.site.centre;
   const double offset = outward.norm();
   forces_.rock_force = bottom.value * down;

@@ -40,6 +40,7 @@ void System::add_walls(double* residual, BlockTridiagonal* tangent) noexcept
     NodeScratch& s = scratch_[i];
     forces_.contact[i] = 0.0;
     forces_.wall[i].setZero();
+    if (i == 0) forces_.bit_moment.setZero();
     if (s.position.z() >= 0.0)
     {
       s.bristle.setZero();
@@ -59,6 +60,7 @@ void System::add_walls(double* residual, BlockTridiagonal* tangent) noexcept
     s.bristle = f.bristle;
     forces_.contact[i] = f.normal_force;
     forces_.wall[i] = f.force;
+    if (i == 0) forces_.bit_moment = f.moment;
     if (tangent) tangent->diagonal(static_cast<int>(i)) -= block;
   }
 }
