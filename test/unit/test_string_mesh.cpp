@@ -1,0 +1,156 @@
+// The string as nodes and elements: lengths, masses, joints, special places, and strings that do not fit.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "drill_rig_sim/string/mesh.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+PartSpec bent_motor()
+{
+  PartSpec motor = collar_part(1, 8.3);
+  motor.name = "motor";
+  motor.type = PartType::mud_motor;
+  motor.length = 8.3;
+  motor.bend = 1.25 * degree;
+  motor.bit_to_bend = 2.0;
+  return motor;
+}
+
+PartSpec stabilizer()
+{
+  PartSpec part = collar_part(1, 1.8);
+  part.name = "stabilizer";
+  part.type = PartType::stabilizer;
+  part.length = 1.8;
+  part.blade_diameter = 0.212;
+  return part;
+}
+
+/// Bit, motor, stabiliser, two collars, pipe.
+Scene assembly()
+{
+  Scene scene = vertical_scene(500.0, 300.0);
+  scene.string = {bit_part(0.2159), bent_motor(), stabilizer(), collar_part(2, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
+  return scene;
+}
+
+double total_mass(const Mesh& mesh)
+{
+  double mass = 0.0;
+  for (const MeshNode& node : mesh.nodes) mass += node.mass;
+  return mass;
+}
+
+std::string refusal(const Scene& scene, double length)
+{
+  try
+  {
+    build_mesh(scene, length);
+  }
+  catch (const std::runtime_error& e)
+  {
+    return e.what();
+  }
+  return "";
+}
+}  // namespace
+
+TEST(Mesh, carriesAllOfTheStringsLengthAndMass)
+{
+  const Scene scene = assembly();
+  for (double length : {100.0, 320.0, 321.7, 330.01})
+  {
+    const Mesh mesh = build_mesh(scene, length);
+    ASSERT_EQ(mesh.nodes.size(), mesh.elements.size() + 1);
+    EXPECT_NEAR(mesh.nodes.front().from_bit, 0.5 * 0.2159, 1e-12);
+    EXPECT_NEAR(mesh.nodes.back().from_bit, length, 1e-9);
+    const double pipe = length - 0.3 - 8.3 - 1.8 - 18.8;
+    const double mass = 40.0 + (8.3 + 1.8 + 18.8) * 136.0 + pipe * tool_jointed_mass;
+    EXPECT_NEAR(total_mass(mesh), mass, 1e-9 * mass);
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    {
+      EXPECT_NEAR(mesh.elements[e].section.length, mesh.nodes[e + 1].from_bit - mesh.nodes[e].from_bit, 1e-9);
+      EXPECT_LE(mesh.elements[e].section.length, scene.numerics.element_length + 0.5);
+      EXPECT_NEAR(mesh.elements[e].displaced, mesh.elements[e].linear_mass / steel_density, 1e-12);
+    }
+  }
+}
+
+TEST(Mesh, putsNodesWhereTheStringIsSpecial)
+{
+  const Scene scene = assembly();
+  const Mesh mesh = build_mesh(scene, 320.0);
+  ASSERT_GE(mesh.bend_node, 0);
+  EXPECT_NEAR(mesh.nodes[mesh.bend_node].from_bit, 2.0, 1e-9);
+  EXPECT_EQ(mesh.elements[mesh.bend_node - 1].bend, 1.25 * degree);
+  int blades = 0, bends = 0;
+  for (const MeshNode& node : mesh.nodes)
+  {
+    if (node.contact_radius != 0.106) continue;
+    ++blades;
+    EXPECT_NEAR(node.from_bit, 0.3 + 8.3 + 0.9, 1e-9) << "blades in the middle";
+    EXPECT_GT(node.film_damping, 0.0);
+  }
+  for (const MeshElement& e : mesh.elements) bends += e.bend != 0.0;
+  EXPECT_EQ(blades, 1);
+  EXPECT_EQ(bends, 1);
+  // pipe leans on its tool joints, where it meets the collar on the larger of the two
+  EXPECT_EQ(mesh.nodes.back().contact_radius, 0.084);
+  for (const MeshNode& node : mesh.nodes)
+    if (std::abs(node.from_bit - 29.2) < 1e-9)
+    {
+      EXPECT_EQ(node.contact_radius, 0.084);
+    }
+}
+
+// The section's second moments, by hand from the diameters.
+TEST(Mesh, elementsAndInertiaAreThoseOfTheTube)
+{
+  Scene scene = vertical_scene(500.0, 300.0);
+  scene.string = {bit_part(0.2), pipe_part(0, 10.0, plain_pipe_mass, pipe_outer)};
+  scene.numerics.element_length = 5.0;
+  const Mesh mesh = build_mesh(scene, 100.3);
+  const double polar = pi / 32.0 * (std::pow(pipe_outer, 4) - std::pow(pipe_inner, 4));
+  const MeshElement& e = mesh.elements[5];
+  EXPECT_NEAR(e.section.length, 5.0, 1e-9);
+  EXPECT_NEAR(e.section.axial, 206e9 * pipe_area, 1.0);
+  EXPECT_NEAR(e.section.torsion, 206e9 / 2.6 * polar / 5.0, 1e-3);
+  EXPECT_NEAR(e.section.bending_near - e.section.bending_far, 2.0 * 206e9 * 0.5 * polar / 5.0, 1e-3);
+  const MeshNode& node = mesh.nodes[6];
+  EXPECT_NEAR(node.mass, 5.0 * plain_pipe_mass, 1e-9);
+  EXPECT_NEAR(node.added_mass, 1150.0 * pipe_area * 5.0, 1e-9);
+  EXPECT_NEAR(node.spin_inertia, steel_density * polar * 5.0, 1e-9);
+  EXPECT_NEAR(node.length, 5.0, 1e-9);
+}
+
+TEST(Mesh, refusesStringsThatDoNotFit)
+{
+  const Scene scene = assembly();
+  EXPECT_NE(refusal(scene, 29.0).find("pipe"), std::string::npos) << refusal(scene, 29.0);
+  EXPECT_EQ(refusal(scene, 30.0), "");
+  Scene fixed = scene;
+  fixed.string.back().joints = 10;
+  EXPECT_NE(refusal(fixed, 300.0).find("fill"), std::string::npos) << refusal(fixed, 300.0);
+  EXPECT_EQ(refusal(fixed, 29.2 + 95.0), "");
+}
+
+// A rest of less than half a metre joins the joint below it.
+TEST(Mesh, leavesNoStub)
+{
+  const Scene scene = assembly();
+  const Mesh mesh = build_mesh(scene, 29.2 + 95.0 + 0.3);
+  EXPECT_NEAR(mesh.elements.back().section.length, 4.9, 1e-9) << "9.8 m in two";
+  const Mesh longer = build_mesh(scene, 29.2 + 95.0 + 0.7);
+  EXPECT_NEAR(longer.elements.back().section.length, 0.7, 1e-9);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
