@@ -139,13 +139,11 @@ def helix(job, folder):
 
 
 def figures_table(job, folder):
-    """The figures side by side, as a picture and as Markdown."""
-    rows = [[check.name, '%.4g' % check.ours + ' ' + check.unit, '' if check.expected is None else '%.4g' % check.expected,
-             check.published or ''] for check in job.checks()]
+    """The figures side by side, as Markdown."""
     with open(os.path.join(folder, 'figures.md'), 'w') as out:
-        out.write('| figure | ours | by hand | published |\n| --- | --- | --- | --- |\n')
-        for row in rows:
-            out.write('| ' + ' | '.join(row) + ' |\n')
+        out.write('| case | ours | expected | relative difference | bound | published |\n| --- | --- | --- | --- | --- | --- |\n')
+        for check in job.checks():
+            out.write('| ' + ' | '.join(check.cells() + [check.published or '-']) + ' |\n')
     return ['figures.md']
 
 

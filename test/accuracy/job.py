@@ -20,11 +20,40 @@ class Check:
     def holds(self):
         return bool(self.tolerance is None or abs(self.ours - self.expected) <= self.tolerance)
 
+    @property
+    def difference(self):
+        """Of ours from what is expected, relative."""
+        return None if self.expected is None else abs(self.ours / self.expected - 1.0)
+
+    @property
+    def bound(self):
+        """Of the relative difference."""
+        return None if self.tolerance is None else self.tolerance / abs(self.expected)
+
+    def cells(self):
+        """case, ours, expected, relative difference, bound; - where there is none."""
+        def shown(value, form):
+            return '-' if value is None else form % value
+        return [self.name, ('%.4g %s' % (self.ours, self.unit)).strip(), shown(self.expected, '%.4g'), shown(self.difference, '%.1e'),
+                shown(self.bound, '%.1e')]
+
     def __str__(self):
-        text = '%-4s %-46s %10.4g %s' % ('ok' if self.holds else 'FAIL', self.name, self.ours, self.unit)
-        if self.expected is not None:
-            text += ', expected %.4g' % self.expected + (' +- %.2g' % self.tolerance if self.tolerance is not None else '')
-        return text + (', published %s' % self.published if self.published else '')
+        return ', '.join(self.cells()) + ('' if self.holds else '  FAILED')
+
+
+class AtLeast(Check):
+    """A figure with a lower limit."""
+
+    def __init__(self, name, unit, ours, least):
+        super().__init__(name, unit, ours, None, None)
+        self.least = least
+
+    def cells(self):
+        return super().cells()[:-1] + ['at least %g' % self.least]
+
+    @property
+    def holds(self):
+        return self.ours >= self.least
 
 
 class AtLeast(Check):
@@ -168,11 +197,12 @@ class Job:
         return rate ** (1.0 / layer.get('weight_exponent', 1.0)) + layer.get('threshold', 0.0)
 
     def drift_rates(self):
-        """Turn of the corrected path per 30 m [deg]: inclination, azimuth."""
+        """Turn of the corrected path per 30 m [deg]: inclination, azimuth. The first metre, which remembers the tag, is left out."""
         rates = []
+        later = self.drilled['md'] > min(self.start_depth + 1.0, self.drilled['md'][-10])
         for key in ('inclination', 'azimuth'):
             angle = numpy.degrees(numpy.unwrap(self.drilled[key]))
-            rates.append(30.0 * numpy.polyfit(self.drilled['md'], angle, 1)[0])
+            rates.append(30.0 * numpy.polyfit(self.drilled['md'][later], angle[later], 1)[0])
         return rates
 
     def aliased_pitch(self):

@@ -1,0 +1,24 @@
+#!/usr/bin/env python3
+"""A first controller: turns the string and feeds the bit so that 10 kN weigh on it."""
+import rospy
+from drill_rig_sim.msg import RigState, TopDriveCommand, WinchCommand
+from std_srvs.srv import Trigger
+
+speed = 0.0  # of the block, downwards [m/s]
+
+
+def feed(state):  # with every frame, 100 times a simulated second
+    global speed
+    missing = 10e3 - state.surface_wob  # weight on bit: what the hook load is below its tare [N]
+    speed = min(max(speed + 5e-9 * missing, 0.0), 0.015)
+    winch.publish(WinchCommand(block_velocity=-speed))
+
+
+rospy.init_node("autodriller")
+winch = rospy.Publisher("winch/command", WinchCommand, queue_size=1)
+top_drive = rospy.Publisher("top_drive/command", TopDriveCommand, queue_size=1, latch=True)
+top_drive.publish(TopDriveCommand(mode=TopDriveCommand.SPEED, speed=9.4))  # [rad/s], 90 rpm
+rospy.wait_for_service("tare")
+rospy.ServiceProxy("tare", Trigger)()  # the hook load off bottom
+rospy.Subscriber("rig_state", RigState, feed, queue_size=1)
+rospy.spin()

@@ -1,0 +1,52 @@
+"""The assembly's rotary tendency: short runs of the main job's scene with one thing changed."""
+import os
+import subprocess
+
+from job import Job
+
+DEPTH = 740.0  # [m]
+VARIANTS = [
+    ('as in the scene', []),
+    ('no side cutting (0.1 in the scene)', ['string[0].side_cutting=0']),
+    ('side cutting 0.3', ['string[0].side_cutting=0.3']),
+    ('no stabiliser blades (308.0 mm in the scene)', ['string[3].blade_diameter=0.2032']),
+    ('stabiliser blades 311.2 mm, full gauge', ['string[3].blade_diameter=0.3112']),
+    ('straight motor (bend 1.25 deg in the scene)', ['string[1].bend_deg=0']),
+    ('no film damping (5e4 N s/m in the scene)', ['string[0].film_damping=0', 'string[3].film_damping=0']),
+]
+HEAD = ['variant', 'inclination [deg/30 m]', 'azimuth [deg/30 m]', 'hook load [kN]', 'WOB [kN]', 'torque [kN m]']
+
+
+def drilled(drill, scene, settings, place):
+    """The job with these settings of the scene, or None if the run failed."""
+    os.makedirs(place, exist_ok=True)
+    command = [drill, 'run', scene, '--until-depth', str(DEPTH), '--csv', os.path.join(place, 'series.csv'),
+               '--json', os.path.join(place, 'summary.json'), '--path', os.path.join(place, 'path.csv'),
+               '--raw-path', os.path.join(place, 'raw_path.csv')]
+    for setting in settings:
+        command += ['--set', setting]
+    return Job(scene, place) if subprocess.call(command, stdout=subprocess.DEVNULL) == 0 else None
+
+
+def cells(job):
+    """What is told of a run: drift of the path, means and standard deviations while drilling."""
+    if job is None:
+        return ['the run failed'] + [''] * (len(HEAD) - 2)
+    late = job.series['time'] > job.series['time'][-1] - 0.75 * (job.series['time'][-1] - 250.0)
+    told = ['%+.2f' % rate for rate in job.drift_rates()]
+    for key in ('hook_load', 'wob', 'torque'):
+        values = job.series[key][late] / 1e3
+        told.append('%.1f +- %.1f' % (values.mean(), values.std()))
+    return told
+
+
+def report(drill, scene, folder):
+    """Writes tendency.md; returns its name."""
+    lines = ['| ' + ' | '.join(HEAD) + ' |', '| ' + ' | '.join(['---'] * len(HEAD)) + ' |']
+    for name, settings in VARIANTS:
+        place = os.path.join(folder, 'tendency', ''.join(letter if letter.isalnum() else '_' for letter in name))
+        lines.append('| %s | ' % name + ' | '.join(cells(drilled(drill, scene, settings, place))) + ' |')
+        print(lines[-1], flush=True)
+    with open(os.path.join(folder, 'tendency.md'), 'w') as out:
+        out.write('\n'.join(lines) + '\n')
+    return 'tendency.md'
