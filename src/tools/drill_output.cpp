@@ -28,6 +28,24 @@ File open_output(const char* option, const std::string& name)
   return file;
 }
 
+void close_output(File file, const std::string& name)
+{
+  const bool written = std::ferror(file.get()) == 0;
+  if (std::fclose(file.release()) != 0 || !written)
+    throw ComputationError(name + " could not be written whole; is the disk full?");
+}
+
+void write_profile(std::FILE* file, const StringProfile& p)
+{
+  std::fputs("md,from_bit,east,north,up,tension,true_axial_force,torque,bending_moment,contact_force,contact_side_deg\n", file);
+  for (std::size_t i = 0; i < p.md.size(); ++i)
+  {
+    std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g\n", p.md[i], p.from_bit[i], p.position[i].x(),
+                 p.position[i].y(), p.position[i].z(), p.tension[i], p.true_axial_force[i], p.torque[i], p.bending_moment[i],
+                 p.contact_force[i], p.contact_side[i] / degree);
+  }
+}
+
 void write_csv_header(std::FILE* file)
 {
   std::fputs(

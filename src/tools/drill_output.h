@@ -18,6 +18,12 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
 /// Opens a file for writing; throws UsageError with one line that names the option and the file.
 File open_output(const char* option, const std::string& name);
 
+/// Closes it; throws ComputationError with one line if not all of it reached the disk.
+void close_output(File file, const std::string& name);
+
+/// Forces along the string: the columns of `drill static --csv`, angles in degrees where a column says so.
+void write_profile(std::FILE* file, const StringProfile& p);
+
 /// The run's CSV: SI units, radians.
 void write_csv_header(std::FILE* file);
 void write_csv_row(std::FILE* file, const Measurements& m);

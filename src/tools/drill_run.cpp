@@ -192,6 +192,31 @@ std::vector<std::string> settings_of(const Arguments& arguments)
   return settings;
 }
 
+/// Saves the last good state, the summary and the forces along the string, and throws.
+[[noreturn]] void report_failure(const Simulator& simulator, const Ending& ending, const std::string& summary,
+                                 const Arguments& arguments)
+{
+  const std::string json = arguments.text("--json", "drill_failed.json");
+  const std::string csv =
+      (json.size() > 5 && json.substr(json.size() - 5) == ".json" ? json.substr(0, json.size() - 5) : json) + "_string.csv";
+  if (!arguments.has("--json"))
+  {
+    File out = open_output("last good state", json);
+    std::fputs(summary.c_str(), out.get());
+    close_output(std::move(out), json);
+  }
+  StringProfile profile;
+  simulator.profile(profile);
+  File out = open_output("last good state", csv);
+  write_profile(out.get(), profile);
+  close_output(std::move(out), csv);
+
+  char at[64];
+  std::snprintf(at, sizeof at, "at %.3f s simulated: ", simulator.measurements().time);
+  throw ComputationError(simulator.scene().file + ": " + at + ending.failure + "; the last good state is in " + json + " and " +
+                         csv);
+}
+
 void run(const Arguments& arguments)
 {
   refuse_what_is_not_there(arguments);
@@ -203,7 +228,7 @@ void run(const Arguments& arguments)
   // all files are opened ahead, so that a long run does not end on a misspelt folder
   const auto open = [&](const char* option)
   { return arguments.has(option) ? open_output(option, arguments.text(option)) : File(); };
-  const File csv = open("--csv"), json = open("--json"), path = open("--path"), raw_path = open("--raw-path");
+  File csv = open("--csv"), json = open("--json"), path = open("--path"), raw_path = open("--raw-path");
   if (csv) write_csv_header(csv.get());
 
   Simulator simulator = build_simulator(scene, seed);
@@ -211,17 +236,18 @@ void run(const Arguments& arguments)
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_time();
   const Ending ending = play(simulator, goal, csv.get(), every, record);
-  const Elapsed elapsed{std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count(), cpu_time() - cpu_start};
+  const Elapsed elapsed{std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count(),
+                        cpu_time() - cpu_start};
+  const std::string summary = summary_of(simulator, elapsed, record, ending).text() + "\n";
 
-  if (json) std::fprintf(json.get(), "%s\n", summary_of(simulator, elapsed, record, ending).text().c_str());
+  if (json) std::fputs(summary.c_str(), json.get());
   if (path) write_path(path.get(), simulator);
   if (raw_path) write_raw_path(raw_path.get(), simulator);
-  if (!ending.failure.empty())
-  {
-    char at[64];
-    std::snprintf(at, sizeof at, "at %.3f s simulated: ", simulator.measurements().time);
-    throw ComputationError(scene.file + ": " + at + ending.failure + "; the files hold the last good state");
-  }
+  if (csv) close_output(std::move(csv), arguments.text("--csv"));
+  if (json) close_output(std::move(json), arguments.text("--json"));
+  if (path) close_output(std::move(path), arguments.text("--path"));
+  if (raw_path) close_output(std::move(raw_path), arguments.text("--raw-path"));
+  if (!ending.failure.empty()) report_failure(simulator, ending, summary, arguments);
   print_summary(simulator, elapsed, record);
   if (!ending.depth_reached) std::printf("the depth of --until-depth was not reached within --duration\n");
 }

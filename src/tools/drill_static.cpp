@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <utility>
 
 #include "drill_command.h"
 #include "drill_output.h"
@@ -20,22 +21,11 @@ FrictionMode motion_of(const Arguments& arguments)
   throw UsageError("--motion: '" + motion + "' is not known, allowed: none, up, down or rotate");
 }
 
-void write_profile(std::FILE* file, const StringProfile& p)
-{
-  std::fputs("md,from_bit,east,north,up,tension,true_axial_force,torque,bending_moment,contact_force,contact_side_deg\n", file);
-  for (std::size_t i = 0; i < p.md.size(); ++i)
-  {
-    std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g\n", p.md[i], p.from_bit[i], p.position[i].x(),
-                 p.position[i].y(), p.position[i].z(), p.tension[i], p.true_axial_force[i], p.torque[i], p.bending_moment[i],
-                 p.contact_force[i], p.contact_side[i] / degree);
-  }
-}
-
 void print_static(const Arguments& arguments)
 {
   const FrictionMode motion = motion_of(arguments);
   const Scene scene = read_scene(arguments.file, arguments.all("--set"));
-  const File csv = arguments.has("--csv") ? open_output("--csv", arguments.text("--csv")) : File();
+  File csv = arguments.has("--csv") ? open_output("--csv", arguments.text("--csv")) : File();
   StaticReport report;
   try
   {
@@ -51,7 +41,11 @@ void print_static(const Arguments& arguments)
   std::printf("bit side force   %12.1f N, at %.1f deg clockwise from the high side\n", report.bit_side_force,
               report.bit_side_direction / degree);
   std::printf("bit tilt         %12.3f deg to the hole\n", report.bit_tilt / degree);
-  if (csv) write_profile(csv.get(), report.profile);
+  if (csv)
+  {
+    write_profile(csv.get(), report.profile);
+    close_output(std::move(csv), arguments.text("--csv"));
+  }
 }
 }  // namespace
 

@@ -5,6 +5,8 @@ import glob
 import json
 import math
 import os
+import pty
+import select
 import subprocess
 import sys
 import tempfile
@@ -249,6 +251,48 @@ class Run(Drill):
         self.assertEqual(summary['step'], 0.002)
         self.assertEqual(summary['steps'], 500)
         self.assertGreater(summary['nodes'], 25)
+
+
+    def test_a_failed_computation_says_when_and_saves_the_last_good_state(self):
+        # dropping a turning string on its bit at 1.5 m/s with a step of 50 ms is too much
+        done = drill('run', BOHAI, '--set', 'program=[{at: 0, block_velocity: -1.5, top_drive_speed_rpm: 220}]', '--step', '0.05',
+                     '--duration', '30', '--json', self.file('f.json'), '--csv', self.file('f.csv'))
+        if done.returncode == 0:
+            self.skipTest('the simulator got through')
+        self.assertEqual(done.returncode, 3)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertIn(' s simulated: ', done.stderr)
+        with open(self.file('f.json')) as text:
+            summary = json.load(text)
+        self.assertIn('could not be solved', summary['failure'])
+        self.assertIsNotNone(summary['final']['hook_load'])
+        with open(self.file('f_string.csv')) as text:
+            rows = list(csv.DictReader(text))
+        self.assertEqual(len(rows), summary['nodes'])
+        for row in rows:
+            self.assertTrue(math.isfinite(float(row['tension'])))
+
+    def test_a_full_disk_is_told(self):
+        if not os.path.exists('/dev/full'):
+            self.skipTest('no /dev/full')
+        done = drill('run', QUICK, '--duration', '1', '--csv', '/dev/full')
+        self.assertEqual(done.returncode, 3)
+        self.assertIn('/dev/full could not be written whole', done.stderr)
+
+    def test_a_terminal_gets_a_progress_bar(self):
+        master, slave = pty.openpty()
+        done = subprocess.run([drill_program, 'run', QUICK, '--duration', '50'], stdout=subprocess.PIPE, stderr=slave, timeout=300)
+        os.close(slave)
+        shown = b''
+        while select.select([master], [], [], 0.2)[0]:
+            try:
+                shown += os.read(master, 65536)
+            except OSError:
+                break
+        os.close(master)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn(b'real time', shown)
+        self.assertIn(b'hole', shown)
 
 
 class Reference(Drill):
