@@ -35,6 +35,8 @@ const Method& method_of(const Scene& scene)
 {
   if (scene.numerics.level != "beam3d" && scene.numerics.level != "auto")
     throw std::runtime_error("numerics.level: '" + scene.numerics.level + "' is not available yet; use beam3d");
+  if (scene.connections == Connections::automatic)
+    throw std::runtime_error("connections: 'auto' is not available yet; use off");
   const Method* method = find_method(scene.numerics.integrator);
   if (!method) throw std::runtime_error("numerics.integrator: '" + scene.numerics.integrator + "' is not available yet; use auto");
   return *method;
