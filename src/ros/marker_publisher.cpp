@@ -27,14 +27,14 @@ std_msgs::ColorRGBA color(double r, double g, double b, double a = 1.0)
 }
 
 const std_msgs::ColorRGBA bit_color = color(0.1, 0.5, 1.0), force_color = color(0.95, 0.2, 0.95),
-                          block_color = color(0.9, 0.75, 0.1), tube_color = color(0.72, 0.52, 0.30, 0.35),
+                          block_color = color(0.9, 0.75, 0.1), tube_color = color(0.80, 0.56, 0.32, 0.45),
                           station_color = color(0.95, 0.95, 0.95);
 
-// From green through yellow to red.
+// From lime through yellow to red; no shade of it is an axis' green.
 std_msgs::ColorRGBA graded(double share)
 {
   const double x = std::clamp(share, 0.0, 1.0);
-  return color(std::min(1.0, 0.15 + 1.7 * x), std::min(0.85, 1.7 * (1.0 - x)), 0.1);
+  return color(std::min(1.0, 0.55 + 0.9 * x), std::min(0.95, 1.9 * (1.0 - x)), 0.1);
 }
 
 const std::vector<double>& quantity(const StringProfile& profile, ColorQuantity which)
@@ -51,6 +51,16 @@ const std::vector<double>& quantity(const StringProfile& profile, ColorQuantity 
       break;
   }
   return profile.contact_force;
+}
+
+// The size that nine values in ten stay below: one large value at the bit is not to hide all others.
+double nearly_largest(const std::vector<double>& values)
+{
+  std::vector<double> sizes;
+  for (const double value : values) sizes.push_back(std::abs(value));
+  const auto place = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+  std::nth_element(sizes.begin(), place, sizes.end());
+  return *place;
 }
 
 // A ring of points about each node, the first side carried along without twist.
@@ -126,19 +136,15 @@ Eigen::Vector3d MarkerPublisher::drawn(const Snapshot& s, std::size_t i) const
 Marker MarkerPublisher::string_marker(const Snapshot& s)
 {
   const std::vector<double>& values = quantity(s.profile, color_by_);
-  double largest = 0.0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  color_full_ = std::max({largest, color_memory * color_full_, 1e-9});
+  color_full_ = std::max({nearly_largest(values), color_memory * color_full_, 1e-9});
 
   Marker m = marker(s, "string", Marker::LINE_STRIP);
-  double thickest = 0.0;
   for (std::size_t i = 0; i < s.profile.position.size(); ++i)
   {
     m.points.push_back(to_point(drawn(s, i)));
     m.colors.push_back(graded(std::abs(values[i]) / color_full_));
-    thickest = std::max(thickest, i == 0 ? 0.0 : s.profile.radius[i]);
   }
-  m.scale.x = exaggeration_ * 2.0 * thickest;
+  m.scale.x = exaggeration_ * 2.0 * *std::min_element(s.profile.radius.begin(), s.profile.radius.end());
   m.color = graded(0.0);
   return m;
 }
@@ -162,7 +168,7 @@ Marker MarkerPublisher::force_marker(const Snapshot& s) const
     m.points.push_back(to_point(foot));
     m.points.push_back(to_point(foot + force_scale_ * s.profile.contact_vector[i]));
   }
-  m.scale.x = 0.04 * exaggeration_;
+  m.scale.x = 0.02 * exaggeration_;
   m.color = force_color;
   return m;
 }
@@ -198,7 +204,7 @@ Marker MarkerPublisher::station_marker(const Snapshot& s) const
 {
   Marker m = marker(s, "stations", Marker::SPHERE_LIST);
   for (const WellNode& station : s.stations) m.points.push_back(to_point(station.position));
-  m.scale.x = m.scale.y = m.scale.z = 0.2 * exaggeration_;
+  m.scale.x = m.scale.y = m.scale.z = 0.12 * exaggeration_;
   m.color = station_color;
   return m;
 }

@@ -260,7 +260,8 @@ std::unique_ptr<Simulator> SimulationLoop::replace(std::unique_ptr<Simulator> si
   mailbox_.clear();
   set_timeout();
   reserve_memory();
-  for (Cadence* cadence : {&state_cadence_, &profile_cadence_, &tf_cadence_, &marker_cadence_, &well_cadence_}) cadence->restart();
+  for (Cadence* cadence : {&state_cadence_, &profile_cadence_, &tf_cadence_, &marker_cadence_, &well_cadence_})
+    cadence->restart();
   publish_now(true);
   return old;
 }

@@ -53,7 +53,7 @@ struct Parameters
   ClockMode clock = ClockMode::realtime;
   bool publish_clock = true;
   bool use_sim_time = false;  ///< the global /use_sim_time
-  double lateral_exaggeration = 25.0;
+  double lateral_exaggeration = 50.0;
   ColorQuantity color_by = ColorQuantity::contact_force;
   double force_scale = 5e-3;  ///< length of a contact force's arrow [m/N]
 
