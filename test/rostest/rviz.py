@@ -27,8 +27,8 @@ done
 
 
 def is_string(r, g, b):
-    """Lime to red, fully saturated; drawn without shading."""
-    return r > 120 and b < 60 and 0 <= g and (r > 1.8 * g or 0.4 * g < r < 1.3 * g) and max(r, g) > 140
+    """Lime through yellow to orange, saturated, seen through the hole's wall; an axis is pure red or green."""
+    return max(r, g) > 85 and b < 0.35 * max(r, g) and r > 0.3 * g and g > 0.2 * r
 
 
 def is_bit(r, g, b):
@@ -38,7 +38,7 @@ def is_bit(r, g, b):
 
 def is_wellbore(r, g, b):
     """Tan seen through on the dark background."""
-    return 45 < r < 160 and r > 1.1 * g and g > 1.1 * b
+    return 45 < r < 160 and r > 1.1 * g and g > 1.1 * b and b > 0.4 * r
 
 
 class Picture:
