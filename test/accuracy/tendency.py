@@ -13,12 +13,15 @@ VARIANTS = [
     ('stabiliser blades 311.2 mm, full gauge', ['string[3].blade_diameter=0.3112']),
     ('straight motor (bend 1.25 deg in the scene)', ['string[1].bend_deg=0']),
     ('no film damping (5e4 N s/m in the scene)', ['string[0].film_damping=0', 'string[3].film_damping=0']),
+    ('wall ten times as stiff (5e7 N/m^1.5 in the scene)', ['contact.stiffness=5e8']),
 ]
 HEAD = ['variant', 'inclination [deg/30 m]', 'azimuth [deg/30 m]', 'hook load [kN]', 'WOB [kN]', 'torque [kN m]']
 
 
-def drilled(drill, scene, settings, place):
+def drilled(drill, scene, settings, place, reuse):
     """The job with these settings of the scene, or None if the run failed."""
+    if reuse and os.path.exists(os.path.join(place, 'raw_path.csv')):
+        return Job(scene, place)
     os.makedirs(place, exist_ok=True)
     command = [drill, 'run', scene, '--until-depth', str(DEPTH), '--csv', os.path.join(place, 'series.csv'),
                '--json', os.path.join(place, 'summary.json'), '--path', os.path.join(place, 'path.csv'),
@@ -40,12 +43,12 @@ def cells(job):
     return told
 
 
-def report(drill, scene, folder):
-    """Writes tendency.md; returns its name."""
+def report(drill, scene, folder, reuse):
+    """Writes tendency.md; returns its name. `reuse`: takes what earlier runs left."""
     lines = ['| ' + ' | '.join(HEAD) + ' |', '| ' + ' | '.join(['---'] * len(HEAD)) + ' |']
     for name, settings in VARIANTS:
         place = os.path.join(folder, 'tendency', ''.join(letter if letter.isalnum() else '_' for letter in name))
-        lines.append('| %s | ' % name + ' | '.join(cells(drilled(drill, scene, settings, place))) + ' |')
+        lines.append('| %s | ' % name + ' | '.join(cells(drilled(drill, scene, settings, place, reuse))) + ' |')
         print(lines[-1], flush=True)
     with open(os.path.join(folder, 'tendency.md'), 'w') as out:
         out.write('\n'.join(lines) + '\n')
