@@ -205,6 +205,13 @@ class Job:
             rates.append(30.0 * numpy.polyfit(self.drilled['md'][later], angle[later], 1)[0])
         return rates
 
+    def first_turn(self):
+        """Turn of the corrected path from the survey's end over the first metre drilled [deg]: inclination, azimuth."""
+        md = self.drilled['md']
+        near = numpy.abs(md - self.start_depth - 1.0) < 0.5
+        return [numpy.degrees(numpy.mean(numpy.unwrap(self.drilled[key][near]))) - self.survey[-1, column]
+                for column, key in ((1, 'inclination'), (2, 'azimuth'))]
+
     def aliased_pitch(self):
         """Period that a helix of the raw pitch seems to have when it is looked at once every correction interval [m]."""
         interval = numpy.median(numpy.diff(self.drilled['md']))

@@ -15,7 +15,7 @@ VARIANTS = [
     ('no film damping (5e4 N s/m in the scene)', ['string[0].film_damping=0', 'string[3].film_damping=0']),
     ('wall ten times as stiff (5e7 N/m^1.5 in the scene)', ['contact.stiffness=5e8']),
 ]
-HEAD = ['variant', 'inclination [deg/30 m]', 'azimuth [deg/30 m]', 'hook load [kN]', 'WOB [kN]', 'torque [kN m]']
+HEAD = ['variant', 'inclination: first metre [deg]', 'then [deg/30 m]', 'azimuth: first metre [deg]', 'then [deg/30 m]', 'WOB [kN]', 'torque [kN m]']
 
 
 def drilled(drill, scene, settings, place, reuse):
@@ -32,12 +32,14 @@ def drilled(drill, scene, settings, place, reuse):
 
 
 def cells(job):
-    """What is told of a run: drift of the path, means and standard deviations while drilling."""
+    """What is told of a run: turn of the path, means and standard deviations while drilling."""
     if job is None:
         return ['the run failed'] + [''] * (len(HEAD) - 2)
     late = job.series['time'] > job.series['time'][-1] - 0.75 * (job.series['time'][-1] - 250.0)
-    told = ['%+.2f' % rate for rate in job.drift_rates()]
-    for key in ('hook_load', 'wob', 'torque'):
+    told = []
+    for turn, rate in zip(job.first_turn(), job.drift_rates()):
+        told += ['%+.2f' % turn, '%+.2f' % rate]
+    for key in ('wob', 'torque'):
         values = job.series[key][late] / 1e3
         told.append('%.1f +- %.1f' % (values.mean(), values.std()))
     return told

@@ -58,6 +58,18 @@ class Readme(unittest.TestCase):
         names += ['~' + name for name in re.findall(r'read\.\w+\("(\w+)"', read('src', 'ros', 'parameters.cpp'))]
         self.assertEqual([], [name for name in names if '`%s`' % name not in text])
 
+    def test_defaults_of_parameters(self):
+        rows = [[cell.strip() for cell in line.split('|')[1:4]] for line in read('README.md').splitlines() if line.startswith('| `~')]
+        told = {}
+        for names, defaults, _ in rows:
+            for name, default in zip(re.findall(r'`~(\w+)`', names), defaults.split(',')):
+                told[name] = default.strip(' `')
+        declared = re.findall(r'^  double (\w+) = ([-+.\de]+);', read('include', 'drill_rig_sim', 'ros', 'parameters.h'), re.MULTILINE)
+        self.assertGreater(len(declared), 7)
+        for name, default in declared:
+            if told[name] != '~rate':
+                self.assertEqual(float(told[name]), float(default), name)
+
 
 if __name__ == '__main__':
     drill_program = os.path.abspath(sys.argv.pop(1))
