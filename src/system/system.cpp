@@ -191,7 +191,7 @@ void System::add_inertia(double* residual, BlockTridiagonal* tangent) noexcept
     const double mass = node.mass + added + (i == top && !static_ ? scene_.rig.hoisting.block_mass : 0.0);
 
     // translation: scalar across the string, less the added mass along it
-    const double across = damped_length * mud.lateral_damping + (static_ ? 0.0 : s.immersed * node.film_damping);
+    const double across = damped_length * mud.lateral_damping;
     const double along = damped_length * mud.axial_damping - across;  // along the string, less what acts across it
     const Vector3d v = s.rate.head<3>(), a = s.acceleration.head<3>();
     r.head<3>() += mass * a + across * v + (along * n.dot(v) - added * n.dot(a)) * n;

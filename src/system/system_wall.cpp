@@ -48,6 +48,7 @@ void System::add_walls(double* residual, BlockTridiagonal* tangent) noexcept
     }
     const double radius = mesh_.nodes[i].contact_radius;
     s.site = start_->well.locate(s.position, s.site.segment);
+    if (!static_ && mesh_.nodes[i].film_damping > 0.0) add_film(static_cast<int>(i), residual, tangent);
     if (wall_gap(s.site, s.position, radius) >= 0.0)
     {
       s.bristle.setZero();
@@ -63,6 +64,17 @@ void System::add_walls(double* residual, BlockTridiagonal* tangent) noexcept
     if (i == 0) forces_.bit_moment = f.moment;
     if (tangent) tangent->diagonal(static_cast<int>(i)) -= block;
   }
+}
+
+/// Damping of motion across the hole; across the hole, not across the part: a tilted bit that slides does not glide up on it.
+void System::add_film(int i, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  const NodeScratch& s = scratch_[i];
+  const double damping = mesh_.nodes[i].film_damping;
+  const Matrix3d across = Matrix3d::Identity() - s.site.tangent * s.site.tangent.transpose();
+  Eigen::Map<Vector6d> r(residual + 6 * i);
+  r.head<3>() += damping * (across * s.rate.head<3>());
+  if (tangent) tangent->diagonal(i).topLeftCorner<3, 3>() += (stage_.coefficient * damping) * across;
 }
 
 WallForce System::wall_force(int i, double radius, Matrix6d* block) noexcept

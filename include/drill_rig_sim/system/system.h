@@ -123,6 +123,7 @@ private:
   void add_elements(double* residual, BlockTridiagonal* tangent) noexcept;
   void add_inertia(double* residual, BlockTridiagonal* tangent) noexcept;
   WallForce wall_force(int i, double radius, Eigen::Matrix<double, 6, 6>* block) noexcept;
+  void add_film(int i, double* residual, BlockTridiagonal* tangent) noexcept;
   void add_walls(double* residual, BlockTridiagonal* tangent) noexcept;
   void add_grip(double* residual, BlockTridiagonal* tangent) noexcept;
   void add_bit(double* residual, BlockTridiagonal* tangent) noexcept;
