@@ -11,9 +11,10 @@ from drill_rig_sim.msg import RigState
 from drill_rig_sim.srv import SetSpeed
 from std_srvs.srv import Trigger
 
-GAP_FAST = 0.15  # bit above bottom where full speed ends and the weight is tared [m]
+GAP_FAST = 0.15  # bit above bottom where the fastest part ends and the weight is tared [m]
 GAP_BEFORE_TAG = 0.03  # bit above bottom where the fast part ends [m]
-APPROACH_SPEED = 10.0  # simulated seconds per wall second in between
+FAST_SPEED = 40.0  # simulated seconds per wall second; faster, and a small scene is past the tag before it is seen
+APPROACH_SPEED = 10.0  # the same between the two gaps
 LONGEST_WAIT = 1800.0  # simulated seconds to wait for the bit to come near bottom
 
 
@@ -88,13 +89,13 @@ def within(gap, state):
 def go_near_bottom(rig, pid, every):
     """Fast-forwards to just before the bit tags bottom, with the weight on bit tared. False where the rig went away."""
     show("fast-forward to just before the bit tags bottom", last=True)
-    for gap, speed in ((GAP_FAST, 0.0), (GAP_BEFORE_TAG, APPROACH_SPEED)):
+    for gap, speed in ((GAP_FAST, FAST_SPEED), (GAP_BEFORE_TAG, APPROACH_SPEED)):
+        if not rig.state.on_bottom:
+            ask(rig.tare)  # at rest first, then turning and circulating, which is the better zero
         rig.mark()
         ask(rig.set_speed, speed)
         if not watch(rig, pid, lambda state, simulated: within(gap, state) or simulated > LONGEST_WAIT, every):
             return False
-        if not rig.state.on_bottom and not rig.state.tared:
-            ask(rig.tare)
     ask(rig.set_speed, 1.0)
     show("real time from here", last=True)
     return True
@@ -109,7 +110,7 @@ def wait_for(rig, pid, timeout):
 
 
 def watch(rig, pid, until, every):
-    """Shows a line each `every` wall seconds until `until(state, simulated, wall)`. False where the rig went silent or away."""
+    """Shows a line each `every` wall seconds until `until(state, simulated)`. False where the rig went silent or away."""
     silent_since, stamp, next_line = time.monotonic(), None, 0.0
     while not rospy.is_shutdown():
         time.sleep(0.01)
