@@ -25,18 +25,15 @@ void set_transform(geometry_msgs::TransformStamped& t, const Eigen::Vector3d& po
 
 FramePublisher::FramePublisher(ros::NodeHandle& node, const Parameters& parameters)
     : prefix_(parameters.frame_prefix),
-      tf_(node.advertise<tf2_msgs::TFMessage>("/tf", 100, [this](const ros::SingleSubscriberPublisher& s) { greet(s); })),
-      tf_static_(node.advertise<tf2_msgs::TFMessage>("/tf_static", 10, true))
+      tf_(node.advertise<tf2_msgs::TFMessage>("/tf", 100, [this](const ros::SingleSubscriberPublisher& s) { greet(s); }))
 {
   const auto& pose = parameters.rig_pose;
-  tf2_msgs::TFMessage world;
-  world.transforms.resize(1);
-  geometry_msgs::TransformStamped& t = world.transforms[0];
+  geometry_msgs::TransformStamped t;
   t.header.frame_id = "world";
   t.child_frame_id = prefix_ + "rig_floor";
   t.transform.translation = to_vector({pose[0], pose[1], pose[2]});
   t.transform.rotation = from_euler(pose[3], pose[4], pose[5]);
-  tf_static_.publish(world);
+  tf_static_.sendTransform(t);
 }
 
 void FramePublisher::publish(const Snapshot& s)

@@ -3,6 +3,7 @@
 
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
+#include <tf2_ros/static_transform_broadcaster.h>
 
 #include <mutex>
 #include <string>
@@ -29,7 +30,8 @@ private:
   tf2_msgs::TFMessage frames_;
   std::size_t count_ = 0;
   ros::WallTime sent_;
-  ros::Publisher tf_, tf_static_;
+  ros::Publisher tf_;  // not tf2_ros' broadcaster, which cannot greet a new subscriber alone
+  tf2_ros::StaticTransformBroadcaster tf_static_;
 };
 
 }  // namespace drill_rig_sim
