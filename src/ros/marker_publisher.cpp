@@ -56,8 +56,8 @@ const std::vector<double>& quantity(const StringProfile& profile, ColorQuantity 
 // The size that nine values in ten stay below: one large value at the bit is not to hide all others.
 double nearly_largest(const std::vector<double>& values)
 {
-  std::vector<double> sizes;
-  for (const double value : values) sizes.push_back(std::abs(value));
+  std::vector<double> sizes(values);
+  for (double& size : sizes) size = std::abs(size);
   const auto place = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
   std::nth_element(sizes.begin(), place, sizes.end());
   return *place;

@@ -82,7 +82,7 @@ public:
     }
   }
 
-  [[noreturn]] static void refuse(const std::string& name, XmlRpc::XmlRpcValue raw, const std::string& allowed)
+  [[noreturn]] static void refuse(const std::string& name, const XmlRpc::XmlRpcValue& raw, const std::string& allowed)
   {
     std::ostringstream value;
     raw.write(value);

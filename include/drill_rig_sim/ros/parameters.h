@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -57,7 +58,7 @@ struct Parameters
   ColorQuantity color_by = ColorQuantity::contact_force;
   double force_scale = 5e-3;  ///< length of a contact force's arrow [m/N]
 
-  std::int64_t frame_period() const noexcept { return static_cast<std::int64_t>(1e9 / rate + 0.5); }  ///< simulated [ns]
+  std::int64_t frame_period() const noexcept { return std::llround(1e9 / rate); }  ///< simulated [ns]
 };
 
 /// Reads and checks the private parameters of `node`. Throws ParameterError.
