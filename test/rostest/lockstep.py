@@ -31,15 +31,15 @@ class Lockstep(unittest.TestCase):
 
     def test_a_step_advances_exactly_so_many_frames(self):
         clock, states = self.rig.collect("/clock", Clock), self.rig.collect("rig_state", RigState)
+        start = self.rig.advance(0).header.stamp
         first = self.rig.advance(1)
-        states.wait(1)
         for frames in (1, 2, 5, 7):
             before = self.rig.advance(0)
             after = self.rig.advance(frames)
             self.assertEqual(frames * 10000000, (after.header.stamp - before.header.stamp).to_nsec())
-        received = states.wait(16)
+        received = states.after(start, 16)
         self.assertEqual([first.header.stamp.to_nsec() + 10000000 * i for i in range(16)], [m.header.stamp.to_nsec() for m in received])
-        self.assertEqual(after.header.stamp, clock.wait(16)[-1].clock)
+        self.assertEqual(after.header.stamp, clock.wait_until(lambda m: m and m[-1].clock >= after.header.stamp)[-1].clock)
         time.sleep(0.5)
         self.assertEqual(numbers(after), numbers(self.rig.advance(0)))  # nothing moves by itself
 

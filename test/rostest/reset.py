@@ -20,8 +20,7 @@ class Reset(unittest.TestCase):
     def test_reset_in_the_middle_of_drilling_gives_the_very_start(self):
         strings = self.rig.collect("drillstring_state", DrillstringState)
         start = self.rig.advance(0)
-        self.rig.advance(10)
-        first = strings.wait(1)[-1]
+        first = strings.at(self.rig.advance(10).header.stamp)
         drilled = self.drill()
         self.assertGreater(drilled.hole_depth, start.hole_depth + 0.01)
         for _ in range(2):
@@ -32,9 +31,7 @@ class Reset(unittest.TestCase):
             self.assertGreater(after.header.stamp, drilled.header.stamp)
             self.assertTrue(after.brake_set)
             self.assertEqual(0, after.last_command.to_nsec())
-            strings.clear()
-            self.rig.advance(10)
-            self.assertEqual(numbers(first), numbers(strings.wait(1)[-1]))
+            self.assertEqual(numbers(first), numbers(strings.at(self.rig.advance(10).header.stamp)))
 
     def test_another_bit_depth(self):
         start = self.rig.advance(0)

@@ -48,6 +48,25 @@ class Collector:
                 self.changed.wait(0.1)
             return list(self.messages)
 
+    def after(self, stamp, count=1):
+        """The messages stamped later, once there are `count`. A message sent before may still be on its way: stamps tell, order of arrival does not."""
+        def later(messages):
+            return [m for m in messages if m.header.stamp > stamp]
+        return later(self.wait_until(lambda messages: len(later(messages)) >= count))
+
+    def at(self, stamp):
+        """The message of this stamp."""
+        messages = self.wait_until(lambda messages: messages and messages[-1].header.stamp >= stamp)
+        return next(m for m in messages if m.header.stamp == stamp)
+
+    def quiet(self, seconds=0.5):
+        """Waits until nothing has come for so long, and forgets what came before."""
+        deadline = time.monotonic() + PATIENCE
+        with self.changed:
+            while self.changed.wait(seconds) and time.monotonic() < deadline:
+                pass
+            self.messages = []
+
     def clear(self):
         with self.changed:
             self.messages = []

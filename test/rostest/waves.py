@@ -29,15 +29,13 @@ class Waves(unittest.TestCase):
         self.assertTrue(self.rig.reset_well("", 0.0).success)
         self.twists = self.rig.collect("bit/twist", TwistStamped)
         self.still = self.rig.advance(1)
-        self.twists.wait(1)
-        self.twists.clear()
 
     def record(self, frames, **commands):
         """Times, rig states and bit twists of so many frames; the commands come with the first."""
         states = []
         for i in range(frames):
             states.append(self.rig.advance(1, **(commands if i == 0 else {})))
-        twists = self.twists.wait(frames)
+        twists = self.twists.after(self.still.header.stamp, frames)
         self.assertEqual([s.header.stamp for s in states], [t.header.stamp for t in twists])
         return [FRAME * (i + 1) for i in range(frames)], states, [t.twist for t in twists]
 
