@@ -1,0 +1,15 @@
+#include "groups.h"
+
+#include "report.h"
+
+namespace drill_rig_sim
+{
+const std::vector<CaseGroup>& case_groups()
+{
+  static const std::vector<CaseGroup> groups = {
+      {"surveys", true, survey_cases},
+  };
+  return groups;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,14 @@
+#ifndef DRILL_RIG_SIM_ACCURACY_GROUPS_H
+#define DRILL_RIG_SIM_ACCURACY_GROUPS_H
+
+/// One function a group of cases, each in a file of its own; listed in groups.cpp.
+namespace drill_rig_sim
+{
+class Report;
+
+/// Every survey of ../shared/data against its listed positions.
+void survey_cases(Report& report);
+
+}  // namespace drill_rig_sim
+
+#endif

