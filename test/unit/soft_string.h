@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_TEST_SOFT_STRING_H
 #define DRILL_RIG_SIM_TEST_SOFT_STRING_H
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -38,12 +39,11 @@ struct SoftStringResult
   double torque;     ///< [N m]
 };
 
-/// Bit and uniform pipe from `bit_depth` up to the surface, `in_air` metres of pipe above it.
-inline SoftStringResult soft_string(const Scene& scene, const PlanarWell& well, double bit_depth, double in_air, Sliding sliding)
+/// Bit and the parts above it from `bit_depth` up to the surface, `in_air` metres of the last of them above it. Pipe touches with
+/// its tool joints. `climbs`: the rotating balance above; false: the textbooks' N = |S|.
+inline SoftStringResult soft_string(const Scene& scene, const PlanarWell& well, double bit_depth, double in_air, Sliding sliding,
+                                    bool climbs = true)
 {
-  const PartSpec& bit = scene.string[0];
-  const PartSpec& pipe = scene.string[1];
-  const double buoyancy = 1.0 - scene.mud.density / pipe.density;
   double tension = 0.0, torque = 0.0;
   // adds a piece of weight `weight` with its contact radius
   auto add = [&](double md, double weight, double length, double radius)
@@ -53,16 +53,23 @@ inline SoftStringResult soft_string(const Scene& scene, const PlanarWell& well, 
     tension += weight * std::cos(well.inclination(md));
     if (sliding == Sliding::up) tension += mu * side;
     if (sliding == Sliding::down) tension -= mu * side;
-    if (sliding == Sliding::rotate) torque += mu * side / std::sqrt(1.0 + mu * mu) * radius;
+    if (sliding == Sliding::rotate) torque += mu * side / (climbs ? std::sqrt(1.0 + mu * mu) : 1.0) * radius;
   };
-  add(bit_depth, standard_gravity * bit.mass * buoyancy, 0.0, 0.5 * bit.diameter);
-  const double length = bit_depth - bit.length;
-  const int pieces = static_cast<int>(std::ceil(length / 0.25));
-  const double piece = length / pieces;
-  for (int i = 0; i < pieces; ++i)
-    add(length - (i + 0.5) * piece, standard_gravity * pipe.linear_mass * buoyancy * piece, piece,
-        0.5 * pipe.tool_joint_diameter);
-  tension += standard_gravity * pipe.linear_mass * in_air;
+  const PartSpec& bit = scene.string[0];
+  add(bit_depth, standard_gravity * bit.mass * (1.0 - scene.mud.density / bit.density), 0.0, 0.5 * bit.diameter);
+  double left = bit_depth - bit.length;  // to the surface
+  for (std::size_t p = 1; p < scene.string.size(); ++p)
+  {
+    const PartSpec& part = scene.string[p];
+    const double length = part.joints > 0 ? part.joints * part.joint_length : left;
+    const int pieces = static_cast<int>(std::ceil(length / 0.25));
+    const double piece = length / pieces;
+    const double weight = standard_gravity * part.linear_mass * (1.0 - scene.mud.density / part.density) * piece;
+    const double radius = 0.5 * std::max(part.outer_diameter, part.tool_joint_diameter);
+    for (int i = 0; i < pieces; ++i) add(left - (i + 0.5) * piece, weight, piece, radius);
+    left -= length;
+  }
+  tension += standard_gravity * scene.string.back().linear_mass * in_air;
   return {tension, torque};
 }
 

@@ -8,6 +8,8 @@ class Report;
 
 /// Every survey of ../shared/data against its listed positions.
 void survey_cases(Report& report);
+/// Constant curvature, capstan, and a published well.
+void torque_and_drag_cases(Report& report);
 
 }  // namespace drill_rig_sim
 
