@@ -9,6 +9,7 @@ const std::vector<CaseGroup>& case_groups()
   static const std::vector<CaseGroup> groups = {
       {"surveys", true, survey_cases},
       {"torque_and_drag", true, torque_and_drag_cases},
+      {"vibrations", true, vibration_cases},
   };
   return groups;
 }

@@ -10,6 +10,8 @@ class Report;
 void survey_cases(Report& report);
 /// Constant curvature, capstan, and a published well.
 void torque_and_drag_cases(Report& report);
+/// Natural frequencies, torsional and axial, of hanging strings.
+void vibration_cases(Report& report);
 
 }  // namespace drill_rig_sim
 
