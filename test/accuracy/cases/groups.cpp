@@ -10,6 +10,8 @@ const std::vector<CaseGroup>& case_groups()
       {"surveys", true, survey_cases},
       {"torque_and_drag", true, torque_and_drag_cases},
       {"vibrations", true, vibration_cases},
+      {"detournay", true, detournay_cases},
+      {"whirl", true, whirl_cases},
   };
   return groups;
 }

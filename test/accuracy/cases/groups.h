@@ -12,6 +12,10 @@ void survey_cases(Report& report);
 void torque_and_drag_cases(Report& report);
 /// Natural frequencies, torsional and axial, of hanging strings.
 void vibration_cases(Report& report);
+/// Steady drilling with a drag bit.
+void detournay_cases(Report& report);
+/// A collar that rolls on the wall.
+void whirl_cases(Report& report);
 
 }  // namespace drill_rig_sim
 
