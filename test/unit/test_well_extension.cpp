@@ -367,6 +367,19 @@ TEST(WellExtension, FrictionFollowsTheSections)
   EXPECT_NEAR(hole.at(100.3).friction, 0.2, 1e-12);
   EXPECT_NEAR(hole.at(100.8).friction, 0.3, 1e-12);
 }
+
+// The bit of a string that is being wound up turns by 1e-150 rad/s before the torsional wave arrives: the rock it breaks then is so
+// little that the squares of the displacement underflow, and normalising it would bend the bottom's plane.
+TEST(WellExtension, DisplacementsTooShortForADirectionLeaveTheBottom)
+{
+  Wellbore hole(straight_well(100.0), every_metres(0.1), bit_radius);
+  const Vector3d axis = hole.end_direction();
+  for (double length = 1e-320; length < 1e-12; length *= 3.0)
+  {
+    EXPECT_TRUE(hole.extend(length * axis, axis));
+    ASSERT_NEAR((hole.bottom_normal() - axis).norm(), 0.0, 1e-12) << length;
+  }
+}
 }  // namespace
 }  // namespace drill_rig_sim
 
