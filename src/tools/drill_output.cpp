@@ -7,6 +7,7 @@
 
 #include "drill_command.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/wellbore.h"
 
 namespace drill_rig_sim
@@ -50,15 +51,17 @@ void write_csv_header(std::FILE* file)
 {
   std::fputs(
       "time,hook_load,torque,block_height,top_drive_speed,wob,bit_torque,bit_speed,bit_depth,hole_depth,rop,inclination,azimuth,"
-      "toolface\n",
+      "toolface,bit_east,bit_north,bit_up,bit_inclination\n",
       file);
 }
 
 void write_csv_row(std::FILE* file, const Measurements& m)
 {
-  std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.10g,%.10g,%.9g,%.9g,%.9g,%.9g\n", m.time, m.hook_load, m.torque,
+  std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.10g,%.10g,%.9g,%.9g,%.9g,%.9g,", m.time, m.hook_load, m.torque,
                m.block_height, m.top_drive_speed, m.wob, m.bit_torque, m.bit_speed, m.bit_depth, m.hole_depth, m.rop,
                m.bit_inclination, m.bit_azimuth, m.bend_toolface);
+  std::fprintf(file, "%.11g,%.11g,%.11g,%.9g\n", m.bit_position.x(), m.bit_position.y(), m.bit_position.z(),
+               inclination_of(m.bit_orientation * Eigen::Vector3d::UnitX()));
 }
 
 void write_path(std::FILE* file, const Simulator& simulator)

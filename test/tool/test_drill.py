@@ -16,7 +16,7 @@ SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 QUICK = os.path.join(SOURCE, 'config/scenes/quick.yaml')
 BOHAI = os.path.join(SOURCE, 'config/scenes/bohai.yaml')
 COLUMNS = ('time,hook_load,torque,block_height,top_drive_speed,wob,bit_torque,bit_speed,bit_depth,hole_depth,rop,inclination,azimuth,'
-           'toolface').split(',')
+           'toolface,bit_east,bit_north,bit_up,bit_inclination').split(',')
 drill_program = None
 
 
