@@ -260,11 +260,11 @@ void System::finish(SystemState& state) const noexcept
     node.bristle = s.bristle;
     node.segment = s.site.segment;
   }
+  state.strain = strain_;
+  if (static_) return;  // the top node is held as it was
   // the guide rail holds the shaft upright: round-off of many turns must not tilt it
   Eigen::Quaterniond& shaft = state.nodes.back().orientation;
   shaft = (Eigen::Quaterniond::FromTwoVectors(x_axis(shaft), -Vector3d::UnitZ()) * shaft).normalized();
-  state.strain = strain_;
-  if (static_) return;
   state.hoist = hoist_end_;
   state.drive = drive_end_;
   state.bit = bit_end_;
