@@ -12,6 +12,7 @@ const std::vector<CaseGroup>& case_groups()
       {"vibrations", true, vibration_cases},
       {"detournay", true, detournay_cases},
       {"whirl", true, whirl_cases},
+      {"stick_slip", true, stick_slip_cases},
   };
   return groups;
 }

@@ -16,6 +16,8 @@ void vibration_cases(Report& report);
 void detournay_cases(Report& report);
 /// A collar that rolls on the wall.
 void whirl_cases(Report& report);
+/// One degree of freedom against its closed form.
+void stick_slip_cases(Report& report);
 
 }  // namespace drill_rig_sim
 
