@@ -1,0 +1,67 @@
+#ifndef DRILL_RIG_SIM_SOLVE_IDA_SOLVER_H
+#define DRILL_RIG_SIM_SOLVE_IDA_SOLVER_H
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drill_rig_sim/solve/dae_problem.h"
+
+namespace drill_rig_sim
+{
+struct IdaOptions
+{
+  int max_order = 5;        ///< of the BDF formulas, 1 .. 5; from 3 on they damp some undamped oscillations and excite others
+  double max_step = 0.0;    ///< [s]; 0: none
+  double fixed_step = 0.0;  ///< > 0: smallest and largest step alike, to show what a given step does [s]
+  bool suppress_algebraic = true;  ///< multipliers out of the error test
+  long max_steps = 2000000;        ///< of one advance()
+  double newton_share = 0.33;      ///< of the tolerance, that Newton's method may leave
+};
+
+/// What a run took, since construction.
+struct IdaStatistics
+{
+  std::uint64_t steps = 0;
+  std::uint64_t residuals = 0;
+  std::uint64_t jacobians = 0;  ///< each with a factorisation
+  std::uint64_t newton_iterations = 0;
+  std::uint64_t error_test_failures = 0;
+  std::uint64_t newton_failures = 0;
+  std::uint64_t starts = 0;
+  int last_order = 0;
+  double last_step = 0.0;      ///< [s]
+  double smallest_step = 0.0;  ///< at the ends of advance() [s]
+  int flag = 0;                ///< IDA's, of the last advance()
+};
+
+/// SUNDIALS IDA: variable-order, variable-step BDF in fixed-leading-coefficient form, modified Newton with our sparse Jacobian
+/// and KLU (Hindmarsh et al., SUNDIALS, ACM Trans. Math. Software 31 (2005), 363-396). A reference: it allocates and takes the
+/// time it needs.
+class IdaSolver
+{
+public:
+  /// `problem` must outlive it.
+  IdaSolver(DaeProblem& problem, const IdaOptions& options);
+  ~IdaSolver();
+  IdaSolver(const IdaSolver&) = delete;
+  IdaSolver& operator=(const IdaSolver&) = delete;
+
+  /// (Re)starts at order one from consistent values. False: refused.
+  bool start(double t, const std::vector<double>& y, const std::vector<double>& rate);
+  /// Integrates up to `t` exactly; steps go on from call to call, so that order and step can grow. y, rate: solution at t.
+  /// False: it could not; statistics().flag tells why, y and rate are left alone.
+  bool advance(double t, std::vector<double>& y, std::vector<double>& rate);
+  /// IDA's name for statistics().flag.
+  std::string flag_name() const;
+  IdaStatistics statistics() const;
+
+private:
+  struct Session;
+  std::unique_ptr<Session> session_;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

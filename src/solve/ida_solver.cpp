@@ -1,0 +1,242 @@
+#include "drill_rig_sim/solve/ida_solver.h"
+
+#include <ida/ida.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sunlinsol/sunlinsol_klu.h>
+#include <sunmatrix/sunmatrix_sparse.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace drill_rig_sim
+{
+namespace
+{
+struct FreeContext
+{
+  void operator()(SUNContext context) const { SUNContext_Free(&context); }
+};
+struct FreeVector
+{
+  void operator()(N_Vector vector) const { N_VDestroy(vector); }
+};
+struct FreeMatrix
+{
+  void operator()(SUNMatrix matrix) const { SUNMatDestroy(matrix); }
+};
+struct FreeLinearSolver
+{
+  void operator()(SUNLinearSolver solver) const { SUNLinSolFree(solver); }
+};
+struct FreeIda
+{
+  void operator()(void* memory) const { IDAFree(&memory); }
+};
+
+void silent(int, const char*, const char*, char*, void*)
+{
+}
+
+bool finite(N_Vector v)
+{
+  const double* values = N_VGetArrayPointer(v);
+  return std::all_of(values, values + N_VGetLength(v), [](double x) { return std::isfinite(x); });
+}
+}  // namespace
+
+struct IdaSolver::Session
+{
+  DaeProblem& problem;
+  IdaOptions options;
+  SparseJacobian jacobian;
+  // destroyed in the opposite order
+  std::unique_ptr<_SUNContext, FreeContext> context;
+  std::unique_ptr<_generic_N_Vector, FreeVector> y, rate, id;
+  std::unique_ptr<_generic_SUNMatrix, FreeMatrix> matrix;
+  std::unique_ptr<_generic_SUNLinearSolver, FreeLinearSolver> linear;
+  std::unique_ptr<void, FreeIda> memory;
+  IdaStatistics before;  // of the runs before the last start(), IDA forgets them
+  double smallest_step = HUGE_VAL;
+  int flag = 0;
+
+  Session(DaeProblem& p, const IdaOptions& o) : problem(p), options(o), jacobian(p.size()) {}
+  bool create(double t);
+  void set_options();
+  bool set_linear_solver(double t);
+  void write_matrix(SUNMatrix target) const;
+  IdaStatistics current() const;
+
+  static int residual_callback(double t, N_Vector y, N_Vector rate, N_Vector f, void* data);
+  static int jacobian_callback(double t, double c, N_Vector y, N_Vector rate, N_Vector f, SUNMatrix matrix, void* data, N_Vector,
+                               N_Vector, N_Vector);
+  static int weight_callback(N_Vector y, N_Vector weight, void* data);
+};
+
+int IdaSolver::Session::residual_callback(double t, N_Vector y, N_Vector rate, N_Vector f, void* data)
+{
+  auto* session = static_cast<Session*>(data);
+  session->problem.residual(t, N_VGetArrayPointer(y), N_VGetArrayPointer(rate), N_VGetArrayPointer(f));
+  return finite(f) ? 0 : 1;  // 1: try a smaller step
+}
+
+int IdaSolver::Session::jacobian_callback(double t, double c, N_Vector y, N_Vector rate, N_Vector, SUNMatrix matrix, void* data,
+                                          N_Vector, N_Vector, N_Vector)
+{
+  auto* session = static_cast<Session*>(data);
+  session->jacobian.begin();
+  session->problem.jacobian(t, N_VGetArrayPointer(y), N_VGetArrayPointer(rate), c, session->jacobian);
+  if (session->jacobian.finish())
+  {
+    const auto nonzeros = static_cast<sunindextype>(session->jacobian.values().size());
+    if (SUNSparseMatrix_Reallocate(matrix, nonzeros) != 0) return -1;
+    if (SUNLinSol_KLUReInit(session->linear.get(), matrix, nonzeros, SUNKLU_REINIT_PARTIAL) != 0) return -1;
+  }
+  session->write_matrix(matrix);
+  return 0;
+}
+
+int IdaSolver::Session::weight_callback(N_Vector y, N_Vector weight, void* data)
+{
+  auto* session = static_cast<Session*>(data);
+  double* w = N_VGetArrayPointer(weight);
+  session->problem.tolerances(N_VGetArrayPointer(y), w);
+  for (sunindextype k = 0; k < N_VGetLength(weight); ++k) w[k] = 1.0 / w[k];
+  return 0;
+}
+
+void IdaSolver::Session::write_matrix(SUNMatrix target) const
+{
+  std::copy(jacobian.column_starts().begin(), jacobian.column_starts().end(), SUNSparseMatrix_IndexPointers(target));
+  std::copy(jacobian.rows().begin(), jacobian.rows().end(), SUNSparseMatrix_IndexValues(target));
+  std::copy(jacobian.values().begin(), jacobian.values().end(), SUNSparseMatrix_Data(target));
+}
+
+bool IdaSolver::Session::set_linear_solver(double t)
+{
+  jacobian.begin();
+  problem.jacobian(t, N_VGetArrayPointer(y.get()), N_VGetArrayPointer(rate.get()), 1.0, jacobian);
+  jacobian.finish();
+  const auto n = static_cast<sunindextype>(problem.size());
+  matrix.reset(SUNSparseMatrix(n, n, static_cast<sunindextype>(jacobian.values().size()), CSC_MAT, context.get()));
+  write_matrix(matrix.get());
+  linear.reset(SUNLinSol_KLU(y.get(), matrix.get(), context.get()));
+  return linear && IDASetLinearSolver(memory.get(), linear.get(), matrix.get()) == IDA_SUCCESS &&
+         IDASetJacFn(memory.get(), jacobian_callback) == IDA_SUCCESS;
+}
+
+void IdaSolver::Session::set_options()
+{
+  void* ida = memory.get();
+  IDASetErrHandlerFn(ida, silent, nullptr);  // the flag tells
+  IDASetUserData(ida, this);
+  IDAWFtolerances(ida, weight_callback);
+  IDASetId(ida, id.get());
+  IDASetSuppressAlg(ida, options.suppress_algebraic ? SUNTRUE : SUNFALSE);
+  IDASetMaxOrd(ida, options.max_order);
+  IDASetMaxNumSteps(ida, options.max_steps);
+  IDASetNonlinConvCoef(ida, options.newton_share);
+  if (options.max_step > 0.0) IDASetMaxStep(ida, options.max_step);
+  if (options.fixed_step <= 0.0) return;
+  IDASetInitStep(ida, options.fixed_step);
+  IDASetMinStep(ida, options.fixed_step);
+  IDASetMaxStep(ida, options.fixed_step);
+}
+
+bool IdaSolver::Session::create(double t)
+{
+  memory.reset(IDACreate(context.get()));
+  if (!memory || IDAInit(memory.get(), residual_callback, t, y.get(), rate.get()) != IDA_SUCCESS) return false;
+  set_options();
+  return set_linear_solver(t);
+}
+
+IdaStatistics IdaSolver::Session::current() const
+{
+  IdaStatistics s;
+  void* ida = memory.get();
+  if (!ida) return s;
+  long steps = 0, residuals = 0, setups = 0, failures = 0, iterations = 0, newton_failures = 0;
+  int order = 0, next_order = 0;
+  double first = 0.0, last = 0.0, next = 0.0, time = 0.0;
+  IDAGetIntegratorStats(ida, &steps, &residuals, &setups, &failures, &order, &next_order, &first, &last, &next, &time);
+  IDAGetNonlinSolvStats(ida, &iterations, &newton_failures);
+  s.steps = static_cast<std::uint64_t>(steps);
+  s.residuals = static_cast<std::uint64_t>(residuals);
+  s.jacobians = static_cast<std::uint64_t>(setups);
+  s.newton_iterations = static_cast<std::uint64_t>(iterations);
+  s.error_test_failures = static_cast<std::uint64_t>(failures);
+  s.newton_failures = static_cast<std::uint64_t>(newton_failures);
+  s.last_order = order;
+  s.last_step = last;
+  return s;
+}
+
+IdaSolver::IdaSolver(DaeProblem& problem, const IdaOptions& options) : session_(std::make_unique<Session>(problem, options))
+{
+  SUNContext context = nullptr;
+  if (SUNContext_Create(nullptr, &context) != 0) throw std::runtime_error("IDA: SUNDIALS gives no context");
+  session_->context.reset(context);
+  const auto n = static_cast<sunindextype>(problem.size());
+  session_->y.reset(N_VNew_Serial(n, context));
+  session_->rate.reset(N_VNew_Serial(n, context));
+  session_->id.reset(N_VNew_Serial(n, context));
+  const std::vector<bool> differential = problem.differential();
+  for (std::size_t k = 0; k < differential.size(); ++k) N_VGetArrayPointer(session_->id.get())[k] = differential[k] ? 1.0 : 0.0;
+}
+
+IdaSolver::~IdaSolver() = default;
+
+bool IdaSolver::start(double t, const std::vector<double>& y, const std::vector<double>& rate)
+{
+  Session& s = *session_;
+  s.before = statistics();
+  ++s.before.starts;
+  std::copy(y.begin(), y.end(), N_VGetArrayPointer(s.y.get()));
+  std::copy(rate.begin(), rate.end(), N_VGetArrayPointer(s.rate.get()));
+  if (!s.memory) return s.create(t);
+  return IDAReInit(s.memory.get(), t, s.y.get(), s.rate.get()) == IDA_SUCCESS;
+}
+
+bool IdaSolver::advance(double t, std::vector<double>& y, std::vector<double>& rate)
+{
+  Session& s = *session_;
+  if (!s.memory) return false;
+  IDASetStopTime(s.memory.get(), t);
+  double reached = 0.0;
+  s.flag = IDASolve(s.memory.get(), t, &reached, s.y.get(), s.rate.get(), IDA_NORMAL);
+  if (s.flag < 0 || !finite(s.y.get()) || !finite(s.rate.get())) return false;
+  std::copy_n(N_VGetArrayPointer(s.y.get()), y.size(), y.begin());
+  std::copy_n(N_VGetArrayPointer(s.rate.get()), rate.size(), rate.begin());
+  double last = 0.0;
+  if (IDAGetLastStep(s.memory.get(), &last) == IDA_SUCCESS && last > 0.0) s.smallest_step = std::min(s.smallest_step, last);
+  return true;
+}
+
+std::string IdaSolver::flag_name() const
+{
+  char* text = IDAGetReturnFlagName(session_->flag);
+  const std::string name = text ? text : "";
+  std::free(text);
+  return name;
+}
+
+IdaStatistics IdaSolver::statistics() const
+{
+  const IdaStatistics& before = session_->before;
+  IdaStatistics s = session_->current();
+  s.steps += before.steps;
+  s.residuals += before.residuals;
+  s.jacobians += before.jacobians;
+  s.newton_iterations += before.newton_iterations;
+  s.error_test_failures += before.error_test_failures;
+  s.newton_failures += before.newton_failures;
+  s.starts = before.starts;
+  s.smallest_step = std::isfinite(session_->smallest_step) ? session_->smallest_step : 0.0;
+  s.flag = session_->flag;
+  return s;
+}
+
+}  // namespace drill_rig_sim
