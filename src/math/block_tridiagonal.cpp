@@ -106,4 +106,16 @@ bool BlockTridiagonal::solve(double* b) noexcept
   return true;
 }
 
+void BlockTridiagonal::multiply(const double* x, double* y) noexcept
+{
+  using Vector = Eigen::Matrix<double, size, 1>;
+  for (int i = 0; i < n_; ++i)
+  {
+    Eigen::Map<Vector> out(y + size * i);
+    out = diagonal(i) * Eigen::Map<const Vector>(x + size * i);
+    if (i > 0) out += lower(i - 1) * Eigen::Map<const Vector>(x + size * (i - 1));
+    if (i + 1 < n_) out += upper(i) * Eigen::Map<const Vector>(x + size * (i + 1));
+  }
+}
+
 }  // namespace drill_rig_sim

@@ -27,7 +27,7 @@ struct Rotor
 /// k_p (speed - w) as a function of u.
 Branch proportional(const TopDriveSpec& spec, const RotorStage& stage, double speed) noexcept
 {
-  return {spec.proportional_gain * (speed - stage.rate_0), -spec.proportional_gain * stage.coefficient};
+  return {spec.proportional_gain * (speed - stage.rate_0), -spec.proportional_gain * stage.rate_by_u};
 }
 
 /// The integral of the speed error at the stage is exact: wanted angle less the angle turned.
@@ -76,25 +76,20 @@ double motor_torque_limit(const TopDriveSpec& spec, const TopDriveSetpoint& comm
   return torque * turning > spec.max_power ? spec.max_power / turning : torque;
 }
 
-RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& command, bool coasting, const RotorState& start,
-                        const RotorStage& stage, double top_spin) noexcept
+RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& command, const RotorState& start, const RotorStage& stage,
+                        double top_spin) noexcept
 {
-  const double c = stage.coefficient;
   const double spring = spec.meter_stiffness;
-  const Rotor rotor{spec.inertia * c * c + spring,
-                    spring * (top_spin - start.twist) - spec.inertia * (c * stage.rate_0 + stage.acceleration_0)};
+  const Rotor rotor{spec.inertia * stage.acceleration_by_u + spring,
+                    spring * (top_spin - start.twist) - spec.inertia * stage.acceleration_0};
   const double limit = motor_torque_limit(spec, command, start.speed);
   const bool torque_mode = command.mode == TopDriveMode::torque;
   const double speed = std::clamp(command.speed, -spec.max_speed, spec.max_speed);
 
   // the branch in force
   RotorResult out;
-  Branch branch;
-  if (!coasting)
-  {
-    branch = torque_mode ? torque_with_speed_limit(spec, rotor, stage, command.torque) : speed_loop(spec, start, stage, speed);
-    out.limited = torque_mode && branch.slope != 0.0;
-  }
+  Branch branch = torque_mode ? torque_with_speed_limit(spec, rotor, stage, command.torque) : speed_loop(spec, start, stage, speed);
+  out.limited = torque_mode && branch.slope != 0.0;
   const double wanted = branch.at(rotor.increment(branch));
   const bool saturated = std::abs(wanted) > limit;
   if (saturated)
@@ -106,13 +101,14 @@ RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& comman
   // rotor and meter
   out.increment = rotor.increment(branch);
   out.motor_torque = branch.at(out.increment);
-  out.state.speed = c * out.increment + stage.rate_0;
+  out.state.speed = stage.rate_by_u * out.increment + stage.rate_0;
+  out.acceleration = stage.acceleration_by_u * out.increment + stage.acceleration_0;
   out.state.twist = start.twist + out.increment - top_spin;
   out.meter_torque = spring * out.state.twist;
   out.stiffness = spring * (1.0 - spring / (rotor.stiffness - branch.slope));
 
   // speed loop's memory
-  if (coasting || torque_mode)
+  if (torque_mode)
   {
     out.state.integral = spec.integral_gain > 0.0 ? out.motor_torque / spec.integral_gain : 0.0;
   }

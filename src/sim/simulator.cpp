@@ -31,21 +31,21 @@ double clamped_to(double value, double low, double high, bool& clamped) noexcept
   return inside;
 }
 
-const Method& method_of(const Scene& scene)
+}  // namespace
+
+const Scene& available(const Scene& scene)
 {
   if (scene.numerics.level != "beam3d" && scene.numerics.level != "auto")
     throw std::runtime_error("numerics.level: '" + scene.numerics.level + "' is not available yet; use beam3d");
   if (scene.connections == Connections::automatic)
     throw std::runtime_error("connections: 'auto' is not available yet; use off");
-  const Method* method = find_method(scene.numerics.integrator);
-  if (!method) throw std::runtime_error("numerics.integrator: '" + scene.numerics.integrator + "' is not available yet; use auto");
-  return *method;
+  integrator_name(scene.numerics.integrator);
+  return scene;
 }
 
-}  // namespace
-
-Simulator::Impl::Impl(const Scene& s, std::uint64_t seed)
-  : scene(s), method(method_of(scene)), rig(build_at_rest(scene)), state(rig.state, rig.system->forces()), stepper(*rig.system, method)
+Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
+  : scene(s), system(std::move(rig.system)), state(std::move(rig.state), system->forces()),
+    integrator(make_integrator(scene.numerics.integrator, *system, state.mechanics))
 {
   state.noise.state = seed;
   const InstrumentsSpec& spec = scene.instruments;
@@ -55,15 +55,16 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed)
   state.mwd = Mwd(spec.mwd, spec.toolface);
   for (const PartSpec& part : scene.string)
     if (part.type == PartType::mud_motor) motor = &part;
-  statistics.nodes = rig.system->nodes();
-  statistics.coordinates = 6 * rig.system->nodes() - 4 + 2;  // less the rail's four, plus rotor and line
+  statistics.nodes = system->nodes();
+  statistics.coordinates = 6 * system->nodes() - 4 + 2;  // less the rail's four, plus rotor and line
   statistics.level = "beam3d";
-  statistics.integrator = method.name;
+  statistics.integrator = integrator_name(scene.numerics.integrator);
   statistics.step = scene.numerics.step;
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   state.forces.meter_torque = rig.statics.top_torque;
   measure();
-  rig.system->costs() = CostBook();  // the start is no part of the run
+  system->costs() = CostBook();  // the start is no part of the run
+  system->work() = Work();
 }
 
 Simulator::Simulator(const Scene& scene, std::uint64_t seed) : impl_(std::make_unique<Impl>(scene, seed)) {}
@@ -132,7 +133,7 @@ void Simulator::set_command_timeout(double seconds) noexcept
 FrameStatus Simulator::frame(double duration) noexcept
 {
   if (*impl_->failure) return FrameStatus::failed;
-  impl_->rig.system->costs().restart();
+  impl_->system->costs().restart();
   impl_->watch_commands();
   const int steps = std::max(1, static_cast<int>(std::lround(duration / impl_->scene.numerics.step)));
   SystemState& mechanics = impl_->mechanics();
@@ -140,24 +141,26 @@ FrameStatus Simulator::frame(double duration) noexcept
   for (int k = 0; k < steps; ++k)
   {
     mechanics.flow = impl_->state.setpoints.pump.flow;
-    if (!impl_->stepper.advance(mechanics, duration / steps, impl_->state.setpoints))
+    if (!impl_->integrator->advance(mechanics, duration / steps, impl_->state.setpoints))
     {
       impl_->failure = "the step could not be solved even in parts of 1/32: time stands at the last good state; reset the well or restore a state";
       return FrameStatus::failed;
     }
     drilled += mechanics.bit.rock_velocity.norm() * duration / steps;
   }
-  impl_->state.forces = impl_->rig.system->forces();
+  impl_->system->evaluate_string_forces();
+  impl_->state.forces = impl_->system->forces();
   impl_->state.measurements.rop = drilled / duration;
   ++impl_->statistics.frames;
-  const StepperCounters& counters = impl_->stepper.counters();
+  const StepperCounters& counters = impl_->integrator->counters();
   impl_->statistics.steps = counters.steps;
   impl_->statistics.newton_iterations = counters.newton_iterations;
   impl_->statistics.rejected_steps = counters.rejected_steps;
-  impl_->statistics.last_error_estimate = impl_->stepper.error_estimate();
+  impl_->statistics.work = impl_->system->work();
+  impl_->statistics.last_error_estimate = impl_->integrator->error_estimate();
   impl_->measure();
-  impl_->rig.system->costs().lap(Cost::other);
-  impl_->statistics.costs = impl_->rig.system->costs();
+  impl_->system->costs().lap(Cost::other);
+  impl_->statistics.costs = impl_->system->costs();
   return FrameStatus::running;
 }
 
@@ -206,10 +209,10 @@ bool Simulator::stick_pipe(double md) noexcept
 {
   if (!std::isfinite(md)) return false;
   SystemState& mechanics = impl_->mechanics();
-  const Mesh& mesh = impl_->rig.system->mesh();
+  const Mesh& mesh = impl_->system->mesh();
   int nearest = -1;
   double distance = impl_->scene.numerics.element_length;
-  for (int i = 0; i + 1 < impl_->rig.system->nodes(); ++i)
+  for (int i = 0; i + 1 < impl_->system->nodes(); ++i)
   {
     const double depth = impl_->state.measurements.bit_depth - mesh.nodes[i].from_bit;
     if (depth <= 0.0 || std::abs(depth - md) >= distance) continue;
@@ -235,6 +238,7 @@ void Simulator::restore(const SimulatorState& state, bool keep_time)
 {
   const double now = impl_->mechanics().time;
   impl_->state = state;
+  impl_->integrator->restart();
   impl_->failure = "";
   if (keep_time) impl_->shift_time(now);
 }
@@ -320,11 +324,11 @@ void Simulator::Impl::measure_bit() noexcept
   const NodeState& bit = s.nodes.front();
   const Vector3d axis = x_axis(bit.orientation);
   m.hole_depth = s.well.hole_depth();
-  m.bit_depth = bit_depth(*rig.system, s);
+  m.bit_depth = bit_depth(*system, s);
   m.on_bottom = state.forces.wob > 0.0;
-  m.bit_position = bit.position + rig.system->mesh().bit_radius * axis;
+  m.bit_position = bit.position + system->mesh().bit_radius * axis;
   m.bit_orientation = bit.orientation * rotation_from_vector(Vector3d(std::remainder(s.bit.turned, 2.0 * pi), 0.0, 0.0));
-  m.bit_velocity = bit.rate.velocity + bit.rate.tilt.cross(rig.system->mesh().bit_radius * axis);
+  m.bit_velocity = bit.rate.velocity + bit.rate.tilt.cross(system->mesh().bit_radius * axis);
   m.bit_speed = bit.rate.spin + s.bit.motor_speed;
   m.bit_angular_velocity = bit.rate.tilt + m.bit_speed * axis;
   m.bit_force = state.forces.bit_force;
@@ -334,13 +338,13 @@ void Simulator::Impl::measure_bit() noexcept
   const Vector3d hole = s.well.end_direction();
   m.bit_inclination = inclination_of(hole);
   m.bit_azimuth = azimuth_of(hole);
-  m.bend_toolface = bend_toolface(*rig.system, s);
+  m.bend_toolface = bend_toolface(*system, s);
 }
 
 SensorView Simulator::Impl::sensor_view() const noexcept
 {
   SensorView view;
-  const Mesh& mesh = rig.system->mesh();
+  const Mesh& mesh = system->mesh();
   const Between at = find_between(mesh, mesh.sensor_from_bit >= 0.0 ? mesh.sensor_from_bit : 0.0);
   const Quaterniond& upper = state.mechanics.nodes[at.lower + 1].orientation;
   const Quaterniond q = state.mechanics.nodes[at.lower].orientation.slerp(at.share, upper);

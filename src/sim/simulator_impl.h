@@ -3,8 +3,8 @@
 
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/simulator_state.h"
+#include "drill_rig_sim/solve/integrator.h"
 #include "drill_rig_sim/solve/start.h"
-#include "drill_rig_sim/solve/stepper.h"
 
 namespace drill_rig_sim
 {
@@ -16,19 +16,22 @@ struct Between
 };
 Between find_between(const Mesh& mesh, double from_bit) noexcept;
 
+/// Throws std::runtime_error with one line if the scene asks for what is not available.
+const Scene& available(const Scene& scene);
+
 struct Simulator::Impl
 {
   Scene scene;
-  const Method& method;
-  RigAtRest rig;  // rig.state is not used after the start
+  std::unique_ptr<System> system;
   SimulatorState state;
-  Stepper stepper;
+  std::unique_ptr<Integrator> integrator;
   SimulatorStatistics statistics;
   double command_timeout = 0.0;
   const char* failure = "";
   const PartSpec* motor = nullptr;
 
-  Impl(const Scene& s, std::uint64_t seed);
+  Impl(const Scene& s, std::uint64_t seed) : Impl(s, seed, build_at_rest(available(s))) {}
+  Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig);
   SystemState& mechanics() { return state.mechanics; }
   CommandResult note(bool clamped, const char* reason) noexcept;
   void shift_time(double now) noexcept;

@@ -1,34 +1,41 @@
 // BDF2 on steps of length h after h_- (ratio r = h / h_-), Hairer, Norsett and Wanner, Solving ODEs I, III.5:
 //   y' = ( (1 + 2 r)/(1 + r) (y - y_n) - r^2/(1 + r) (y_n - y_-) ) / h.
-// With u = y - y_n:  rate = c u - p u_-,  acceleration = c rate - q rate_n + s rate_-,
-//   c = (1 + 2 r)/((1 + r) h),  p = r^2/((1 + r) h),  q = (1 + r)/h,  s = p.
+// With u = y - y_n:  rate = c u - p u_-,  acceleration = c rate - q rate_n + p rate_-,
+//   c = (1 + 2 r)/((1 + r) h),  p = r^2/((1 + r) h),  q = (1 + r)/h.
 // Zero-stable for r < 1 + sqrt 2: halving and doubling are safe.
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/solve/stepper.h"
 
 namespace drill_rig_sim
 {
-void prepare_bdf2(const SystemState& state, double step, const System& system, Stage& stage) noexcept
+void prepare_bdf2(const SystemState& state, double step, Stage& stage) noexcept
 {
   const double ratio = state.last_step > 0.0 ? step / state.last_step : 0.0;
   if (ratio <= 0.0 || ratio > 2.3)  // no usable history
   {
-    prepare_implicit_euler(state, step, system, stage);
+    prepare_implicit_euler(state, step, stage);
     return;
   }
   const double c = (1.0 + 2.0 * ratio) / ((1.0 + ratio) * step);
   const double p = ratio * ratio / ((1.0 + ratio) * step);
   const double q = (1.0 + ratio) / step;
-  stage.coefficient = c;
+  stage.rate_by_u = c;
+  stage.acceleration_by_u = c * c;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const NodeState& node = state.nodes[i];
     const Eigen::Vector3d n = x_axis(node.orientation);
-    stage.rate[i] << -p * node.last_move.velocity, -p * (node.last_move.tilt + node.last_move.spin * n);
-    stage.acceleration[i] << p * node.last_rate.velocity - q * node.rate.velocity,
-        p * node.last_rate.tilt - q * node.rate.tilt + (p * node.last_rate.spin - q * node.rate.spin) * n;
+    stage.rate[i] = -p * in_step_axes(node.last_move, n);
+    stage.acceleration[i] = c * stage.rate[i] + p * in_step_axes(node.last_rate, n) - q * in_step_axes(node.rate, n);
   }
-  stage.drive_rate = -p * state.drive.last_move;
-  stage.drive_acceleration = p * state.drive.last_speed - q * state.drive.speed;
+  const DriveState& drive = state.drive;
+  const double drive_rate = -p * drive.last_move;
+  stage.drive = {step, c, c * c, drive_rate, c * drive_rate + p * drive.last_speed - q * drive.speed};
+}
+
+bool step_bdf2(Attempt& attempt) noexcept
+{
+  prepare_bdf2(attempt.state, attempt.step, attempt.system.stage());
+  return attempt.solve_and_settle();
 }
 }  // namespace drill_rig_sim

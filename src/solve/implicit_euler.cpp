@@ -4,17 +4,23 @@
 
 namespace drill_rig_sim
 {
-void prepare_implicit_euler(const SystemState& state, double step, const System&, Stage& stage) noexcept
+void prepare_implicit_euler(const SystemState& state, double step, Stage& stage) noexcept
 {
   const double c = 1.0 / step;
-  stage.coefficient = c;
+  stage.rate_by_u = c;
+  stage.acceleration_by_u = c * c;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const NodeState& node = state.nodes[i];
     stage.rate[i].setZero();
-    stage.acceleration[i] << -c * node.rate.velocity, -c * (node.rate.tilt + node.rate.spin * x_axis(node.orientation));
+    stage.acceleration[i] = -c * in_step_axes(node.rate, x_axis(node.orientation));
   }
-  stage.drive_rate = 0.0;
-  stage.drive_acceleration = -c * state.drive.speed;
+  stage.drive = {step, c, c * c, 0.0, -c * state.drive.speed};
+}
+
+bool step_implicit_euler(Attempt& attempt) noexcept
+{
+  prepare_implicit_euler(attempt.state, attempt.step, attempt.system.stage());
+  return attempt.solve_and_settle();
 }
 }  // namespace drill_rig_sim

@@ -33,6 +33,7 @@ NewtonOutcome Newton::solve(System& system, double* u, const NewtonLimits& limit
     system.evaluate(u, step_.data(), &tangent_);
     ++out.iterations;
     const bool solved = tangent_.solve(step_.data());
+    ++system.work().solves;
     system.costs().lap(Cost::linear_solve);
     if (!solved) return out;
     out.increment = largest(step_);

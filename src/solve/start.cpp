@@ -131,7 +131,6 @@ RigAtRest build_at_rest(const Scene& scene)
   {
     rig.system = std::make_unique<System>(scene, build_mesh(scene, length));
     place_string(rig.system->mesh(), well, depth, toolface, rig.state);
-    rig.state.strain.assign(rig.system->mesh().elements.size(), BeamStrain());
     hang_on_block(scene, rig.state);
     rig.statics = solve_static(*rig.system, rig.state, FrictionMode::none);
     if (!rig.statics.converged)

@@ -16,8 +16,14 @@ constexpr int kBudget = 120;  // Newton iterations that one step may cost in all
 const std::vector<Method>& method_table()
 {
   static const std::vector<Method> table = {
-      {"bdf2", "BDF2, second order, L-stable, one solve a step (default)", prepare_bdf2},
-      {"implicit_euler", "implicit Euler, first order, L-stable", prepare_implicit_euler},
+      {"bdf2", "BDF2, second order, L-stable, one solve a step (default)", step_bdf2, false, nullptr},
+      {"implicit_euler", "implicit Euler, first order, L-stable", step_implicit_euler, false, nullptr},
+      {"linearly_implicit_euler", "linearly implicit Euler, first order, one solve without iteration", step_linearly_implicit_euler,
+       false, nullptr},
+      {"trbdf2", "TR-BDF2, second order, L-stable, two solves a step", step_trbdf2, true, nullptr},
+      {"generalised_alpha", "generalised alpha, second order, spectral radius 1/2 at infinity", step_generalised_alpha, true,
+       remember_generalised_alpha},
+      {"explicit", "central differences, second order, short steps only", step_explicit, true, nullptr},
   };
   return table;
 }
@@ -29,19 +35,35 @@ const Method* find_method(const std::string& name)
   return nullptr;
 }
 
-void predict(const SystemState& state, double step, double* u) noexcept
+void predict(const SystemState& state, double time, double* u) noexcept
 {
-  // rate + h/2 times the last acceleration
-  const double bend = state.last_step > 0.0 ? 0.5 * step / state.last_step : 0.0;
+  // rate + time/2 times the last acceleration
+  const double bend = state.last_step > 0.0 ? 0.5 * time / state.last_step : 0.0;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const NodeState& node = state.nodes[i];
     const NodeRate& a = node.rate;
     const NodeRate& b = node.last_rate;
     Eigen::Map<Vector6d> guess(u + 6 * i);
-    guess.head<3>() = step * (a.velocity + bend * (a.velocity - b.velocity));
-    guess.tail<3>() = step * (a.tilt + bend * (a.tilt - b.tilt) + (a.spin + bend * (a.spin - b.spin)) * x_axis(node.orientation));
+    guess.head<3>() = time * (a.velocity + bend * (a.velocity - b.velocity));
+    guess.tail<3>() = time * (a.tilt + bend * (a.tilt - b.tilt) + (a.spin + bend * (a.spin - b.spin)) * x_axis(node.orientation));
   }
+}
+
+bool Attempt::solve() noexcept
+{
+  NewtonLimits left = limits;
+  left.max_iterations = std::min(limits.max_iterations, budget - iterations);
+  const NewtonOutcome outcome = newton.solve(system, u, left);
+  iterations += outcome.iterations;
+  return outcome.converged;
+}
+
+bool Attempt::solve_and_settle() noexcept
+{
+  if (!solve()) return false;
+  system.settle(u);
+  return true;
 }
 
 Stepper::Stepper(System& system, const Method& method)
@@ -73,29 +95,56 @@ bool Stepper::advance(SystemState& state, double step, const Setpoints& setpoint
 
 bool Stepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept
 {
+  if (method_.needs_acceleration && state.last_step <= 0.0) find_acceleration(state, setpoints);
   system_.begin(state, step, setpoints);
-  method_.prepare(state, step, system_, system_.stage());
   predict(state, step, u_.data());
   std::copy(u_.begin(), u_.end(), guess_.begin());
-  NewtonLimits limits = limits_;
-  limits.max_iterations = std::min(limits.max_iterations, budget);
-  const NewtonOutcome outcome = newton_.solve(system_, u_.data(), limits);
-  counters_.newton_iterations += outcome.iterations;
-  budget -= outcome.iterations;
-  if (!outcome.converged) return false;
+  Attempt attempt{state, step, system_, newton_, limits_, budget, u_.data(), residual_.data()};
+  const bool solved = method_.step(attempt);
+  counters_.newton_iterations += attempt.iterations;
+  budget -= attempt.iterations;
+  if (!solved) return false;
   error_estimate_ = predictor_distance() / 6.0;
-  system_.evaluate(u_.data(), residual_.data(), nullptr);
   system_.finish(state);
+  if (method_.remember) method_.remember(state, step);
   system_.costs().lap(Cost::other);
-  penetrate_rock(state, step);
+  penetrate_rock(system_, state, step);
   system_.costs().lap(Cost::rock_penetration);
   ++counters_.steps;
   return true;
 }
 
-void Stepper::penetrate_rock(SystemState& state, double step) const noexcept
+void prepare_start(const SystemState& state, Stage& stage) noexcept
 {
-  state.bit.rock_velocity = system_.rock_velocity(state);
+  stage.rate_by_u = stage.acceleration_by_u = 0.0;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+  {
+    stage.rate[i] = in_step_axes(state.nodes[i].rate, x_axis(state.nodes[i].orientation));
+    stage.acceleration[i].setZero();
+  }
+  constexpr double held = 1e9;  // [1/s]
+  stage.drive = {0.0, held, held * held, 0.0, 0.0};
+}
+
+void Stepper::find_acceleration(SystemState& state, const Setpoints& setpoints) noexcept
+{
+  system_.begin(state, 0.0, setpoints);
+  prepare_start(state, system_.stage());
+  std::fill(u_.begin(), u_.end(), 0.0);
+  system_.evaluate(u_.data(), residual_.data(), nullptr);
+  system_.accelerate(residual_.data());
+  for (int i = 0; i < system_.nodes(); ++i)
+  {
+    NodeState& node = state.nodes[i];
+    const Eigen::Vector3d n = x_axis(node.orientation), turning = system_.acceleration(i).tail<3>();
+    node.acceleration = {system_.acceleration(i).head<3>(), turning - n * n.dot(turning), n.dot(turning)};
+    node.averaged_acceleration = node.acceleration;
+  }
+}
+
+void penetrate_rock(const System& system, SystemState& state, double step) noexcept
+{
+  state.bit.rock_velocity = system.rock_velocity(state);
   state.well.extend(step * state.bit.rock_velocity, x_axis(state.nodes[0].orientation));
 }
 

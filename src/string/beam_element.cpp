@@ -28,6 +28,20 @@ struct Shape
   Vector3d g1, g2;  // dU/dn1, dU/dn2, load included
 };
 
+/// Gradient of the stretch.
+struct StretchGradient
+{
+  Vector3d d, upper, lower;  // with respect to d = x2 - x1 and the ends' spatial rotations
+};
+
+StretchGradient stretch_gradient(const BeamSection& s, const Shape& f, const BeamPose& pose)
+{
+  const Vector3d across = f.sum - f.e * f.e.dot(f.sum);
+  return {f.e / s.length - (kShortening * f.inverse_l) * across,
+          pose.upper_normal.cross(kShorteningFar * pose.lower_normal - kShortening * f.e),
+          pose.lower_normal.cross(kShorteningFar * pose.upper_normal - kShortening * f.e)};
+}
+
 Shape shape_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& damping, const Vector3d& load, BeamStrain& strain)
 {
   Shape f;
@@ -41,14 +55,41 @@ Shape shape_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& da
   const double tilt = f.e.dot(f.sum);  // c1 + c2
   strain.stretch = (f.l - s.length) / s.length + kShorteningNear * (2.0 - tilt) + kShorteningFar * (f.c12 - tilt + 1.0);
   strain.twist = pose.twist;
-  f.tension = s.axial * (strain.stretch + damping.ratio * (strain.stretch - damping.start.stretch));
-  f.torque = s.torsion * (strain.twist + damping.ratio * (strain.twist - damping.start.twist));
+  f.tension = s.axial * strain.stretch;
+  f.torque = s.torsion * strain.twist;
+  if (damping.time > 0.0)
+  {
+    const StretchGradient g = stretch_gradient(s, f, pose);
+    f.tension += s.axial * damping.time *
+                 (g.d.dot(damping.velocity) + g.upper.dot(damping.upper_turning) + g.lower.dot(damping.lower_turning));
+    f.torque += s.torsion * damping.time * f.binormal.dot(damping.lower_turning - damping.upper_turning);
+  }
   f.chord = s.bending_near + s.bending_far + f.tension * s.length * kShortening;
   f.normals = s.bending_far + f.tension * s.length * kShorteningFar;
   const Vector3d end_load = (s.length / 12.0) * load;
   f.g1 = -f.chord * f.e + f.normals * pose.lower_normal - end_load;
   f.g2 = -f.chord * f.e + f.normals * pose.upper_normal + end_load;
   return f;
+}
+
+/// Gradient of the stretch's rate with respect to places, the rates held.
+StretchGradient stretch_rate_gradient(const BeamSection& s, const Shape& f, const BeamPose& pose, const BeamDamping& damping)
+{
+  const Vector3d& v = damping.velocity;
+  const Vector3d v_across = v - f.e * f.e.dot(v);
+  const Vector3d sum_across = f.sum - f.e * f.e.dot(f.sum);
+  const Vector3d turning_1 = damping.upper_turning.cross(pose.upper_normal);  // rates of the normals
+  const Vector3d turning_2 = damping.lower_turning.cross(pose.lower_normal);
+  const Vector3d turning = turning_1 + turning_2;
+  const double s_l = kShortening * f.inverse_l;
+  StretchGradient h;
+  h.d = (f.inverse_l / s.length + s_l * f.inverse_l * f.e.dot(f.sum)) * v_across +
+        (s_l * f.inverse_l) * (f.e * v.dot(sum_across) + f.e.dot(v) * sum_across) - s_l * (turning - f.e * f.e.dot(turning));
+  const Vector3d by_upper = kShorteningFar * pose.lower_normal - kShortening * f.e;  // d stretch / d n1
+  const Vector3d by_lower = kShorteningFar * pose.upper_normal - kShortening * f.e;
+  h.upper = pose.upper_normal.cross(kShorteningFar * turning_2 - s_l * v_across + by_upper.cross(damping.upper_turning));
+  h.lower = pose.lower_normal.cross(kShorteningFar * turning_1 - s_l * v_across + by_lower.cross(damping.lower_turning));
+  return h;
 }
 
 BeamForces forces_of(const Shape& f, const BeamPose& pose)
@@ -92,30 +133,45 @@ void tangent_of(const BeamSection& s, const Shape& f, const BeamPose& pose, cons
   t.lower_upper = (-f.normals) * (n1 * n2.transpose());
   t.lower_upper.diagonal().array() += f.normals * f.c12;
 
-  // twist
-  const double torsion = s.torsion * (1.0 + damping.ratio);
-  const Matrix3d twist_square = torsion * f.binormal * f.binormal.transpose();
-  const Matrix3d by_upper = f.torque * binormal_derivative(f, n1, n2);
-  const Matrix3d by_lower = f.torque * binormal_derivative(f, n2, n1);
-  t.upper_upper += twist_square - by_upper;
-  t.upper_lower -= twist_square + by_lower;
-  t.lower_upper += by_upper - twist_square;
-  t.lower_lower += twist_square + by_lower;
+  // twist: change of the binormal, change of the torque
+  const double damped = 1.0 + damping.time * damping.rate_by_move;
+  const Matrix3d binormal_upper = binormal_derivative(f, n1, n2), binormal_lower = binormal_derivative(f, n2, n1);
+  Vector3d torque_upper = (-s.torsion * damped) * f.binormal, torque_lower = (s.torsion * damped) * f.binormal;
+  if (damping.time > 0.0)
+  {
+    const Vector3d turning = (s.torsion * damping.time) * (damping.lower_turning - damping.upper_turning);
+    torque_upper += binormal_upper.transpose() * turning;
+    torque_lower += binormal_lower.transpose() * turning;
+  }
+  const Matrix3d by_upper = f.torque * binormal_upper + f.binormal * torque_upper.transpose();
+  const Matrix3d by_lower = f.torque * binormal_lower + f.binormal * torque_lower.transpose();
+  t.upper_upper -= by_upper;
+  t.upper_lower -= by_lower;
+  t.lower_upper += by_upper;
+  t.lower_lower += by_lower;
 
-  // change of tension: EA L grad(eps) grad(eps)^T
-  const double axial = s.axial * s.length * (1.0 + damping.ratio);
-  const Vector3d stretch_d = f.e / s.length - (kShortening * f.inverse_l) * sum_across;
-  const Vector3d stretch_upper = n1.cross(kShorteningFar * n2 - kShortening * f.e);
-  const Vector3d stretch_lower = n2.cross(kShorteningFar * n1 - kShortening * f.e);
-  t.force_d += (axial * stretch_d) * stretch_d.transpose();
-  t.force_upper += (axial * stretch_d) * stretch_upper.transpose();
-  t.force_lower += (axial * stretch_d) * stretch_lower.transpose();
-  t.upper_upper += (axial * stretch_upper) * stretch_upper.transpose();
-  t.upper_lower += (axial * stretch_upper) * stretch_lower.transpose();
-  t.lower_upper += (axial * stretch_lower) * stretch_upper.transpose();
-  t.lower_lower += (axial * stretch_lower) * stretch_lower.transpose();
+  // change of tension
   t.upper_d = t.force_upper.transpose();
   t.lower_d = t.force_lower.transpose();
+  const StretchGradient g = stretch_gradient(s, f, pose);
+  const double axial = s.axial * s.length;
+  StretchGradient tension{(axial * damped) * g.d, (axial * damped) * g.upper, (axial * damped) * g.lower};  // its gradient times L
+  if (damping.time > 0.0)
+  {
+    const StretchGradient h = stretch_rate_gradient(s, f, pose, damping);
+    tension.d += (axial * damping.time) * h.d;
+    tension.upper += (axial * damping.time) * h.upper;
+    tension.lower += (axial * damping.time) * h.lower;
+  }
+  t.force_d += g.d * tension.d.transpose();
+  t.force_upper += g.d * tension.upper.transpose();
+  t.force_lower += g.d * tension.lower.transpose();
+  t.upper_d += g.upper * tension.d.transpose();
+  t.upper_upper += g.upper * tension.upper.transpose();
+  t.upper_lower += g.upper * tension.lower.transpose();
+  t.lower_d += g.lower * tension.d.transpose();
+  t.lower_upper += g.lower * tension.upper.transpose();
+  t.lower_lower += g.lower * tension.lower.transpose();
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ System::System(const Scene& scene, Mesh mesh) : scene_(scene), mesh_(std::move(m
   stage_.acceleration.assign(n, Vector6d::Zero());
   scratch_.resize(n);
   loads_.assign(n - 1, Vector3d::Zero());
-  strain_.resize(n - 1);
+  unused_residual_.assign(6 * n, 0.0);
   for (const PartSpec& part : scene_.string)
     if (part.type == PartType::mud_motor) motor_ = &part;
   const PartSpec& bit = scene_.string.front();
@@ -37,19 +37,25 @@ void System::begin(const SystemState& state, double step, const Setpoints& setpo
 {
   static_ = false;
   friction_ = FrictionMode::sticking;
-  stage_.step = step;
-  damping_ratio_ = scene_.numerics.structural_damping / step;
+  damping_time_ = scene_.numerics.structural_damping;
   setpoints_ = setpoints;
   begin_common(state);
-  hoist_end_ = advance_hoist(state, step);
+  stage_at(step);
+}
+
+void System::stage_at(double time) noexcept
+{
+  stage_.time = time;
+  hoist_end_ = time > 0.0 ? advance_hoist(*start_, time) : start_->hoist;
 }
 
 void System::begin_static(const SystemState& state, FrictionMode friction, double coefficient) noexcept
 {
   static_ = true;
   friction_ = friction;
-  stage_.coefficient = coefficient;
-  damping_ratio_ = 0.0;
+  stage_.rate_by_u = coefficient;
+  stage_.acceleration_by_u = coefficient * coefficient;
+  damping_time_ = 0.0;
   std::fill(stage_.rate.begin(), stage_.rate.end(), Vector6d::Zero());
   std::fill(stage_.acceleration.begin(), stage_.acceleration.end(), Vector6d::Zero());
   begin_common(state);
@@ -80,7 +86,6 @@ double System::element_weight(int e, double z_lower, double z_upper) const noexc
 
 void System::configure(const double* u) noexcept
 {
-  const double c = stage_.coefficient;
   for (std::size_t i = 0; i < scratch_.size(); ++i)
   {
     NodeScratch& s = scratch_[i];
@@ -91,21 +96,23 @@ void System::configure(const double* u) noexcept
     s.tilt = s.increment.tail<3>() - s.spin * s.normal_start;
     s.orientation = rotation_from_vector(s.tilt) * rotation_from_vector(s.spin * s.normal_start) * start.orientation;
     s.normal = x_axis(s.orientation);
-    s.rate = c * s.increment + stage_.rate[i];
-    s.acceleration = c * s.rate + stage_.acceleration[i];
+    s.rate = stage_.rate_by_u * s.increment + stage_.rate[i];
+    s.acceleration = stage_.acceleration_by_u * s.increment + stage_.acceleration[i];
   }
 }
 
 void System::evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept
 {
   costs_.lap(Cost::other);
+  ++work_.residuals;
+  if (tangent) ++work_.tangents;
   std::fill(residual, residual + 6 * scratch_.size(), 0.0);
   if (tangent) tangent->diagonal(0).setZero();  // the elements write every other block before anything is added to it
   configure(u);
   costs_.lap(Cost::kinematics);
   add_elements(residual, tangent);
   costs_.lap(Cost::elements);
-  if (stage_.coefficient > 0.0) add_inertia(residual, tangent);
+  if (!static_ || stage_.acceleration_by_u > 0.0) add_inertia(residual, tangent);
   costs_.lap(Cost::inertia);
   add_walls(residual, tangent);
   costs_.lap(Cost::contact);
@@ -117,37 +124,65 @@ void System::evaluate(const double* u, double* residual, BlockTridiagonal* tange
   costs_.lap(Cost::rig);
 }
 
+void System::settle(const double* u) noexcept
+{
+  costs_.lap(Cost::other);
+  ++work_.residuals;
+  std::fill(unused_residual_.begin(), unused_residual_.end(), 0.0);
+  configure(u);
+  costs_.lap(Cost::kinematics);
+  add_walls(unused_residual_.data(), nullptr);
+  costs_.lap(Cost::contact);
+  add_bit(unused_residual_.data(), nullptr);
+  costs_.lap(Cost::bit);
+  add_rig(unused_residual_.data(), nullptr);
+  costs_.lap(Cost::rig);
+}
+
+BeamForces System::element_forces(int e, BeamTangent* tangent) noexcept
+{
+  const MeshElement& element = mesh_.elements[e];
+  const NodeScratch& lower = scratch_[e];
+  const NodeScratch& upper = scratch_[e + 1];
+  BeamPose pose{upper.position, lower.position, upper.normal, lower.normal, 0.0};
+  if (element.bend != 0.0)
+  {
+    const Eigen::Quaterniond bent = upper.orientation * element.upper_end;
+    pose.upper_normal = x_axis(bent);
+    pose.twist = twist_between(bent, lower.orientation);
+  }
+  else
+    pose.twist = twist_between(upper.orientation, lower.orientation);
+
+  const BeamDamping damping{damping_time_, stage_.rate_by_u, lower.rate.head<3>() - upper.rate.head<3>(), upper.rate.tail<3>(),
+                            lower.rate.tail<3>()};
+  BeamStrain strain;
+  const BeamForces f = tangent ? beam_forces(element.section, pose, damping, loads_[e], strain, *tangent)
+                               : beam_forces(element.section, pose, damping, loads_[e], strain);
+  forces_.tension[e] = f.tension;
+  forces_.torque[e] = -f.torque;
+  forces_.bending_moment[e + 1] = (f.moment_upper - pose.upper_normal * pose.upper_normal.dot(f.moment_upper)).norm();
+  return f;
+}
+
 void System::add_elements(double* residual, BlockTridiagonal* tangent) noexcept
 {
   BeamTangent t;
   for (std::size_t e = 0; e < mesh_.elements.size(); ++e)
   {
-    const MeshElement& element = mesh_.elements[e];
-    const NodeScratch& lower = scratch_[e];
-    const NodeScratch& upper = scratch_[e + 1];
-    BeamPose pose{upper.position, lower.position, upper.normal, lower.normal, 0.0};
-    if (element.bend != 0.0)
-    {
-      const Eigen::Quaterniond bent = upper.orientation * element.upper_end;
-      pose.upper_normal = x_axis(bent);
-      pose.twist = twist_between(bent, lower.orientation);
-    }
-    else
-      pose.twist = twist_between(upper.orientation, lower.orientation);
-
-    const BeamDamping damping{damping_ratio_, start_->strain[e]};
-    const BeamForces f = tangent ? beam_forces(element.section, pose, damping, loads_[e], strain_[e], t)
-                                 : beam_forces(element.section, pose, damping, loads_[e], strain_[e]);
+    const BeamForces f = element_forces(static_cast<int>(e), tangent ? &t : nullptr);
     Eigen::Map<Vector6d> r_lower(residual + 6 * e), r_upper(residual + 6 * e + 6);
     r_lower.head<3>() += f.force - 0.5 * loads_[e];
     r_lower.tail<3>() += f.moment_lower;
     r_upper.head<3>() -= f.force + 0.5 * loads_[e];
     r_upper.tail<3>() += f.moment_upper;
-    forces_.tension[e] = f.tension;
-    forces_.torque[e] = -f.torque;
-    forces_.bending_moment[e + 1] = (f.moment_upper - pose.upper_normal * pose.upper_normal.dot(f.moment_upper)).norm();
     if (tangent) scatter(t, static_cast<int>(e), *tangent);
   }
+}
+
+void System::evaluate_string_forces() noexcept
+{
+  for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) element_forces(e, nullptr);
 }
 
 /// Node e is the element's lower end, node e + 1 its upper end; d = lower - upper.
@@ -175,12 +210,32 @@ void System::scatter(const BeamTangent& t, int e, BlockTridiagonal& tangent) noe
   upper_by_lower.bottomRightCorner<3, 3>() = t.upper_lower;
 }
 
+double System::mass_across(int i) const noexcept
+{
+  const MeshNode& node = mesh_.nodes[i];
+  const bool shaft = i + 1 == nodes() && !static_;
+  return node.mass + scratch_[i].immersed * node.added_mass + (shaft ? scene_.rig.hoisting.block_mass : 0.0);
+}
+
+void System::accelerate(const double* residual) noexcept
+{
+  for (int i = 0; i < nodes(); ++i)
+  {
+    const MeshNode& node = mesh_.nodes[i];
+    NodeScratch& s = scratch_[i];
+    const Vector3d& n = s.normal_start;
+    const Vector3d force = -Eigen::Map<const Vector3d>(residual + 6 * i), moment = -Eigen::Map<const Vector3d>(residual + 6 * i + 3);
+    const double across = mass_across(i), along = across - s.immersed * node.added_mass;
+    s.acceleration.head<3>() = force / across + (n.dot(force) * (1.0 / along - 1.0 / across)) * n;
+    s.acceleration.tail<3>() = moment / node.tilt_inertia + (n.dot(moment) * (1.0 / node.spin_inertia - 1.0 / node.tilt_inertia)) * n;
+  }
+}
+
 void System::add_inertia(double* residual, BlockTridiagonal* tangent) noexcept
 {
-  const double c = stage_.coefficient;
+  const double by_rate = stage_.rate_by_u, by_acceleration = stage_.acceleration_by_u;
   const MudSpec& mud = scene_.mud;
-  const std::size_t top = scratch_.size() - 1;
-  for (std::size_t i = 0; i <= top; ++i)
+  for (std::size_t i = 0; i < scratch_.size(); ++i)
   {
     const MeshNode& node = mesh_.nodes[i];
     const NodeScratch& s = scratch_[i];
@@ -188,7 +243,7 @@ void System::add_inertia(double* residual, BlockTridiagonal* tangent) noexcept
     Eigen::Map<Vector6d> r(residual + 6 * i);
     const double damped_length = static_ ? 0.0 : s.immersed * node.length;
     const double added = s.immersed * node.added_mass;
-    const double mass = node.mass + added + (i == top && !static_ ? scene_.rig.hoisting.block_mass : 0.0);
+    const double mass = mass_across(static_cast<int>(i));
 
     // translation: scalar across the string, less the added mass along it
     const double across = damped_length * mud.lateral_damping;
@@ -207,11 +262,11 @@ void System::add_inertia(double* residual, BlockTridiagonal* tangent) noexcept
 
     auto d = tangent->diagonal(static_cast<int>(i));
     const Matrix3d nn = n * n.transpose();
-    d.topLeftCorner<3, 3>() += (c * along - c * c * added) * nn;
-    d.topLeftCorner<3, 3>().diagonal().array() += c * c * mass + c * across;
-    d.bottomRightCorner<3, 3>() += (c * c * (node.spin_inertia - node.tilt_inertia) + c * torsional) * nn +
-                                   (c * gyro) * (w.cross(n) * n.transpose() - spin * skew(n));
-    d.bottomRightCorner<3, 3>().diagonal().array() += c * c * node.tilt_inertia;
+    d.topLeftCorner<3, 3>() += (by_rate * along - by_acceleration * added) * nn;
+    d.topLeftCorner<3, 3>().diagonal().array() += by_acceleration * mass + by_rate * across;
+    d.bottomRightCorner<3, 3>() += (by_acceleration * (node.spin_inertia - node.tilt_inertia) + by_rate * torsional) * nn +
+                                   (by_rate * gyro) * (w.cross(n) * n.transpose() - spin * skew(n));
+    d.bottomRightCorner<3, 3>().diagonal().array() += by_acceleration * node.tilt_inertia;
   }
 }
 
@@ -254,13 +309,14 @@ void System::finish(SystemState& state) const noexcept
     node.last_rate = {node.rate.velocity, carried(node.rate.tilt), node.rate.spin};
     node.rate = {s.rate.head<3>(), carried(s.rate.tail<3>() - spin_rate * s.normal_start), spin_rate};
     node.last_move = {s.increment.head<3>(), carried(s.tilt), s.spin};
+    const double spin_acceleration = s.acceleration.tail<3>().dot(s.normal_start);
+    node.acceleration = {s.acceleration.head<3>(), carried(s.acceleration.tail<3>() - spin_acceleration * s.normal_start), spin_acceleration};
     node.position = s.position;
     node.orientation = s.orientation.normalized();
     node.spin_angle += s.spin;
     node.bristle = s.bristle;
     node.segment = s.site.segment;
   }
-  state.strain = strain_;
   if (static_) return;  // the top node is held as it was
   // the guide rail holds the shaft upright: round-off of many turns must not tilt it
   Eigen::Quaterniond& shaft = state.nodes.back().orientation;
@@ -268,8 +324,8 @@ void System::finish(SystemState& state) const noexcept
   state.hoist = hoist_end_;
   state.drive = drive_end_;
   state.bit = bit_end_;
-  state.last_step = stage_.step;
-  state.time += stage_.step;
+  state.last_step = stage_.time;
+  state.time += stage_.time;
 }
 
 }  // namespace drill_rig_sim

@@ -24,7 +24,7 @@ void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
   const FormationLayer& rock = formation_.at(-start_->well.bottom_position().z());
   RockBreaking breaking;
   if (!static_) breaking = {drilling_coefficient(rock, start_speed), rock.weight_exponent, rock.threshold};
-  const double step = static_ ? 0.0 : stage_.step;
+  const double step = static_ ? 0.0 : stage_.time;
   const double rate = static_ ? 0.0 : s.rate.head<3>().dot(down);
   const BottomForce bottom = bit_bottom_force(bit.bottom, mesh_.bit_radius - to_bottom.dot(down), rate, breaking, step);
 
@@ -33,7 +33,7 @@ void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
     torque.value = bottom.value > 0.0 ? scene_.start.torque_on_bit : 0.0;
   else if (bottom.value > 0.0)
     torque = bit_torque(bit_torque_limit(bit.torque, bit.diameter, bottom.value, forces_.bit_speed, rock), bit_bristle_, start.twist,
-                        s.spin + step * start.motor_speed, forces_.bit_speed, stage_.coefficient);
+                        s.spin + step * start.motor_speed, forces_.bit_speed, stage_.rate_by_u);
 
   Eigen::Map<Vector6d> r(residual);
   r.head<3>() += bottom.value * down;
@@ -41,7 +41,7 @@ void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
   r[2] += standard_gravity * (mesh_.bit_mass - scene_.mud.density * mesh_.bit_displaced * s.immersed);
   if (tangent && bottom.value > 0.0)
   {
-    const double stiffness = bottom.stiffness + (static_ ? 0.0 : stage_.coefficient * bottom.damping);
+    const double stiffness = bottom.stiffness + (static_ ? 0.0 : stage_.rate_by_u * bottom.damping);
     auto d = tangent->diagonal(0);
     d.topLeftCorner<3, 3>() += stiffness * down * down.transpose();
     d.bottomLeftCorner<3, 3>() += (torque.force_slope * stiffness) * n * down.transpose();

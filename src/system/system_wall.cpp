@@ -74,7 +74,7 @@ void System::add_film(int i, double* residual, BlockTridiagonal* tangent) noexce
   const Matrix3d across = Matrix3d::Identity() - s.site.tangent * s.site.tangent.transpose();
   Eigen::Map<Vector6d> r(residual + 6 * i);
   r.head<3>() += damping * (across * s.rate.head<3>());
-  if (tangent) tangent->diagonal(i).topLeftCorner<3, 3>() += (stage_.coefficient * damping) * across;
+  if (tangent) tangent->diagonal(i).topLeftCorner<3, 3>() += (stage_.rate_by_u * damping) * across;
 }
 
 WallForce System::wall_force(int i, double radius, Matrix6d* block) noexcept
@@ -91,11 +91,11 @@ WallForce System::wall_force(int i, double radius, Matrix6d* block) noexcept
   motion.rotation = s.increment.tail<3>();
   motion.velocity = s.rate.head<3>();
   motion.angular_velocity = s.rate.tail<3>();
-  motion.velocity_coefficient = stage_.coefficient;
+  motion.velocity_coefficient = stage_.rate_by_u;
   if (i == 0)  // the bit turns with the motor
   {
     const double motor = start_->bit.motor_speed;
-    motion.rotation += (stage_.step * motor) * s.normal_start;
+    motion.rotation += (stage_.time * motor) * s.normal_start;
     motion.angular_velocity += motor * s.normal_start;
   }
   const Vector3d& bristle = start_->nodes[i].bristle;

@@ -146,6 +146,9 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const Drilli
   json.add("steps", static_cast<double>(s.steps));
   json.add("newton_iterations", static_cast<double>(s.newton_iterations));
   json.add("rejected_steps", static_cast<double>(s.rejected_steps));
+  json.add("residuals", static_cast<double>(s.work.residuals));
+  json.add("tangents", static_cast<double>(s.work.tangents));
+  json.add("solves", static_cast<double>(s.work.solves));
   json.add("cost_share", json_of(s.costs));
   Averages now;
   now.add(m);

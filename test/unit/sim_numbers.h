@@ -80,11 +80,11 @@ inline std::vector<double> numbers_of(const SystemState& s)
   {
     append(out, n.orientation);
     for (const Eigen::Vector3d* v : {&n.position, &n.rate.velocity, &n.rate.tilt, &n.last_rate.velocity, &n.last_rate.tilt,
-                                     &n.last_move.velocity, &n.last_move.tilt, &n.bristle})
+                                     &n.last_move.velocity, &n.last_move.tilt, &n.acceleration.velocity, &n.acceleration.tilt,
+                                     &n.bristle})
       append(out, *v);
-    out.insert(out.end(), {n.spin_angle, n.rate.spin, n.last_rate.spin, n.last_move.spin});
+    out.insert(out.end(), {n.spin_angle, n.rate.spin, n.last_rate.spin, n.last_move.spin, n.acceleration.spin});
   }
-  for (const BeamStrain& e : s.strain) out.insert(out.end(), {e.stretch, e.twist});
   append(out, s.bit.rock_velocity);
   append(out, s.well.bottom_position());
   append(out, s.well.bottom_normal());

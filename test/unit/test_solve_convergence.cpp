@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/solve/explicit_limit.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "test_scenes.h"
@@ -64,6 +65,60 @@ TEST(Convergence, bdf2IsOfSecondOrder)
 TEST(Convergence, implicitEulerIsOfFirstOrder)
 {
   EXPECT_NEAR(order(plucked(), "implicit_euler", 0.000125), 1.0, 0.15);
+}
+
+TEST(Convergence, trbdf2IsOfSecondOrder)
+{
+  EXPECT_NEAR(order(plucked(), "trbdf2", 0.00025), 2.0, 0.1);
+}
+
+TEST(Convergence, generalisedAlphaIsOfSecondOrder)
+{
+  EXPECT_NEAR(order(plucked(), "generalised_alpha", 0.00025), 2.0, 0.1);
+}
+
+TEST(Convergence, linearlyImplicitEulerIsOfFirstOrder)
+{
+  EXPECT_NEAR(order(plucked(), "linearly_implicit_euler", 0.000125), 1.0, 0.15);
+}
+
+// Its steps are shorter than the stability limit.
+TEST(Convergence, centralDifferencesAreOfSecondOrder)
+{
+  const RigAtRest start = plucked();
+  const double limit = explicit_step_limit(*start.system, start.state);
+  EXPECT_GT(limit, 0.0002);
+  EXPECT_NEAR(order(start, "explicit", 0.00005), 2.0, 0.15);
+}
+
+// All of second order go to the same solution.
+TEST(Convergence, methodsOfSecondOrderAgreeInTheLimit)
+{
+  const RigAtRest start = plucked();
+  const Eigen::VectorXd reference = after(start, "bdf2", 0.00005);
+  const double scale = (reference - after(start, "bdf2", kSpan)).norm();
+  for (const char* method : {"trbdf2", "generalised_alpha", "explicit"})
+    EXPECT_LT((after(start, method, 0.00005) - reference).norm(), 1e-3 * scale) << method;
+}
+
+// Central differences below the limit stay bounded, a fifth above it they do not.
+TEST(Convergence, centralDifferencesFailBeyondTheirLimit)
+{
+  const RigAtRest start = plucked();
+  const double limit = explicit_step_limit(*start.system, start.state);
+  auto largest_rate = [&](double step)
+  {
+    SystemState state = start.state;
+    Stepper stepper(*start.system, *find_method("explicit"));
+    for (int k = 0; k < 400 && stepper.advance(state, step, Setpoints()); ++k)
+    {
+    }
+    double most = 0.0;
+    for (const NodeState& node : state.nodes) most = std::max(most, node.rate.velocity.norm() + std::abs(node.rate.spin));
+    return most;
+  };
+  EXPECT_LT(largest_rate(0.95 * limit), 1.0);
+  EXPECT_GT(largest_rate(1.2 * limit), 1e3);
 }
 
 // Both go to the same solution, BDF2 sooner.

@@ -104,11 +104,24 @@ TEST(BeamElement, tangentIsTheDerivativeOfTheForces)
   for (int i = 0; i < 50; ++i)
   {
     const Ends s = random_ends(generator, 0.1, 0.3);
-    const BeamDamping damping{0.7, {1e-4, 0.02}};
+    const double time = 0.005, rate_by_move = 140.0;  // [s], [1/s]
+    std::normal_distribution<double> g;
+    const BeamDamping moving{time, rate_by_move, Vector3d(g(generator), g(generator), g(generator)),
+                             Vector3d(g(generator), g(generator), g(generator)), Vector3d(g(generator), g(generator), g(generator))};
+    auto damped = [&](int k, double h)
+    {
+      BeamDamping damping = moving;
+      const Vector3d rate = rate_by_move * h * Vector3d::Unit(k % 3);
+      if (k < 3) damping.velocity -= rate;
+      if (k >= 3 && k < 6) damping.upper_turning += rate;
+      if (k >= 6 && k < 9) damping.velocity += rate;
+      if (k >= 9) damping.lower_turning += rate;
+      return damping;
+    };
     const Vector3d load(100.0, -200.0, -2500.0);
     BeamStrain strain;
     BeamTangent t;
-    beam_forces(kPipe, pose_of(s), damping, load, strain, t);
+    beam_forces(kPipe, pose_of(s), damped(0, 0.0), load, strain, t);
     Eigen::Matrix<double, 12, 12> k_matrix;
     k_matrix << t.force_d, -t.force_upper, -t.force_d, -t.force_lower,  //
         -t.upper_d, t.upper_upper, t.upper_d, t.upper_lower,            //
@@ -118,11 +131,39 @@ TEST(BeamElement, tangentIsTheDerivativeOfTheForces)
     {
       const double h = 1e-6;
       const Eigen::Matrix<double, 12, 1> column =
-          (stacked(forces(moved(s, k, h), damping, load)) - stacked(forces(moved(s, k, -h), damping, load))) / (2.0 * h);
+          (stacked(forces(moved(s, k, h), damped(k, h), load)) - stacked(forces(moved(s, k, -h), damped(k, -h), load))) / (2.0 * h);
       EXPECT_LT((column - k_matrix.col(k)).norm(), 1e-6 * k_matrix.norm()) << "column " << k;
       // rotations on their own: axial stiffness must not hide an error in the bending terms
       EXPECT_LT((column - k_matrix.col(k)).tail<3>().norm(), 1e-5 * t.lower_lower.norm()) << "column " << k;
     }
+  }
+}
+
+// The strain's rate is its change per time along a motion with constant rates of the ends.
+TEST(BeamElement, dampingForcesAreThoseOfTheStrainsRate)
+{
+  std::mt19937 generator(5);
+  std::normal_distribution<double> g;
+  auto random_vector = [&] { return Vector3d(g(generator), g(generator), g(generator)); };
+  for (int i = 0; i < 20; ++i)
+  {
+    const Ends s = random_ends(generator, 0.1, 0.3);
+    const Vector3d v1 = random_vector(), v2 = random_vector(), w1 = random_vector(), w2 = random_vector();
+    auto strain_after = [&](double time)
+    {
+      const Ends m{s.x1 + time * v1, s.x2 + time * v2, rotation_from_vector(time * w1) * s.q1, rotation_from_vector(time * w2) * s.q2};
+      BeamStrain strain;
+      beam_forces(kPipe, pose_of(m), {}, Vector3d::Zero(), strain);
+      return strain;
+    };
+    const double h = 1e-5, time = 1e-3;
+    const BeamStrain before = strain_after(-h), after = strain_after(h);
+    const BeamDamping damping{time, 0.0, v2 - v1, w1, w2};
+    const BeamForces damped = forces(s, damping), elastic = forces(s);
+    const double tension = kPipe.axial * time * (after.stretch - before.stretch) / (2.0 * h);
+    const double torque = kPipe.torsion * time * (after.twist - before.twist) / (2.0 * h);
+    EXPECT_NEAR(damped.tension - elastic.tension, tension, 1e-6 * std::abs(tension) + 1.0);
+    EXPECT_NEAR(damped.torque - elastic.torque, torque, 1e-6 * std::abs(torque) + 1e-3);
   }
 }
 

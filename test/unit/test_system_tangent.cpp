@@ -96,7 +96,7 @@ VectorXd increments_without_tilt(Rig& rig)
 {
   System& system = *rig.rest.system;
   system.begin(rig.rest.state, kStep, rig.setpoints);
-  rig.stepper.method().prepare(rig.rest.state, kStep, system, system.stage());
+  prepare_bdf2(rig.rest.state, kStep, system.stage());
   VectorXd u(6 * system.nodes());
   predict(rig.rest.state, kStep, u.data());
   for (int i = 0; i < system.nodes(); ++i)

@@ -27,6 +27,8 @@ public:
   /// Pivots stay within a block's diagonal order: meant for matrices dominated by inertia and stiffness.
   /// Returns false, with b undefined, at a vanishing or non-finite pivot.
   bool solve(double* b) noexcept;
+  /// y = A x, 6 n numbers each.
+  void multiply(const double* x, double* y) noexcept;
 
 private:
   int n_ = 0;

@@ -11,7 +11,6 @@
 ///
 /// Speed mode:  tau = k_p (w* - w) + k_i I, dI/dt = w* - w, saturated.
 /// Torque mode: tau = T*, held off where it would push the speed beyond +-max_speed: k_p (-w_max - w) <= tau <= k_p (w_max - w).
-/// Coasting:    tau = 0.
 /// Saturation: |tau| <= torque limit, and |tau w| <= max_power with w at the start of the step.
 /// Anti-windup: while saturated I moves only so far as it does not lead deeper into saturation; k_i |I| never exceeds the limit.
 /// Outside speed mode I follows the motor's torque, k_i I = tau: so a change to speed mode takes over without a bump.
@@ -29,13 +28,14 @@ struct RotorState
 };
 
 /// How a stage of an implicit method ties the rotor's rates to its increment u since the start of the step:
-/// speed = c u + rate_0, acceleration = c speed + acceleration_0.
+/// speed = rate_by_u u + rate_0, acceleration = acceleration_by_u u + acceleration_0.
 struct RotorStage
 {
-  double time = 0.0;            ///< from the start of the step to the stage [s]
-  double coefficient = 0.0;     ///< c [1/s]
-  double rate_0 = 0.0;          ///< [rad/s]
-  double acceleration_0 = 0.0;  ///< [rad/s2]
+  double time = 0.0;               ///< from the start of the step to the stage [s]
+  double rate_by_u = 0.0;          ///< [1/s]
+  double acceleration_by_u = 0.0;  ///< [1/s2]
+  double rate_0 = 0.0;             ///< [rad/s]
+  double acceleration_0 = 0.0;     ///< [rad/s2]
 };
 
 /// The rotor at the stage.
@@ -45,6 +45,7 @@ struct RotorResult
   double meter_torque = 0.0;  ///< T on the string's top [N m]
   double stiffness = 0.0;     ///< -dT / d(string top's spin increment), >= 0, the rotor's answer included [N m/rad]
   double motor_torque = 0.0;  ///< tau [N m]
+  double acceleration = 0.0;  ///< [rad/s2]
   bool limited = false;       ///< a limit of torque, power or speed holds the motor back
   RotorState state;           ///< at the stage: the next step's start, once this one is accepted
 };
@@ -52,12 +53,11 @@ struct RotorResult
 /// Solves the rotor for a given turn of the string's top.
 /// @param spec      inertia > 0, gains >= 0, limits
 /// @param command   mode speed or torque (others are refused at the door and treated as speed here)
-/// @param coasting  motor off, whatever the command
 /// @param start     of the step
-/// @param stage     c > 0
+/// @param stage     acceleration_by_u > 0
 /// @param top_spin  string top's spin increment since the start of the step [rad]
-RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& command, bool coasting, const RotorState& start,
-                        const RotorStage& stage, double top_spin) noexcept;
+RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& command, const RotorState& start, const RotorStage& stage,
+                        double top_spin) noexcept;
 
 /// Torque that the motor can give at a speed: the smaller of the rig's limit, the command's (0: none) and max_power / |speed| [N
 /// m].

@@ -10,6 +10,7 @@
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/measurements.h"
+#include "drill_rig_sim/system/work.h"
 
 namespace drill_rig_sim
 {
@@ -29,6 +30,7 @@ struct SimulatorStatistics
   std::uint64_t steps = 0;              ///< physics steps that were accepted
   std::uint64_t newton_iterations = 0;
   std::uint64_t rejected_steps = 0;     ///< attempts that were repeated with half the step
+  Work work;                            ///< residuals, tangents and linear solves
   std::uint64_t commands_clamped = 0;
   std::uint64_t commands_refused = 0;
   int nodes = 0;

@@ -1,63 +1,96 @@
 #ifndef DRILL_RIG_SIM_SOLVE_STEPPER_H
 #define DRILL_RIG_SIM_SOLVE_STEPPER_H
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "drill_rig_sim/solve/integrator.h"
 #include "drill_rig_sim/solve/newton.h"
 #include "drill_rig_sim/system/system.h"
 
 namespace drill_rig_sim
 {
-/// A one-stage implicit method: fills the stage's rate_0, acceleration_0 and c for a step of length `step` from `state`.
-/// A new method is a function like this in a file of its own and a line in method_table().
+/// What a method works with during one step; the system has begun it. All increments and rates are based on the start of the step.
+struct Attempt
+{
+  const SystemState& state;  ///< at the start
+  double step;               ///< [s]
+  System& system;
+  Newton& newton;
+  NewtonLimits limits;
+  int budget;                ///< Newton iterations that all stages may cost
+  double* u;         ///< 6 per node; in: predicted for the whole step; out: increments at its end
+  double* residual;  ///< scratch, 6 per node
+  int iterations = 0;
+
+  /// Newton's method on the stage as prepared, from u. False: not converged.
+  bool solve() noexcept;
+  /// The last stage: solved, and settled at its solution.
+  bool solve_and_settle() noexcept;
+};
+
+/// A fixed-step method. A new one is a function in a file of its own and a line in method_table().
 struct Method
 {
   const char* name;
   const char* description;
-  void (*prepare)(const SystemState& state, double step, const System& system, Stage& stage) noexcept;
+  /// Takes one step: on success the system is left at its end, settled, ready for finish(). False: not solvable.
+  bool (*step)(Attempt& attempt) noexcept;
+  /// It starts from NodeState::acceleration, which must be known when there is no history.
+  bool needs_acceleration;
+  /// What the method itself remembers, written into the state after finish(); null: nothing.
+  void (*remember)(SystemState& state, double step) noexcept;
 };
 
 const std::vector<Method>& method_table();
 /// Null for an unknown name; "auto" is the default method.
 const Method* find_method(const std::string& name);
 
+/// The stage at the start of the step itself: u = 0 has the state's rates, accelerations are zero, the rotor is held.
+void prepare_start(const SystemState& state, Stage& stage) noexcept;
 /// Implicit Euler: first order, L-stable. Also starts the multi-step methods.
-void prepare_implicit_euler(const SystemState& state, double step, const System& system, Stage& stage) noexcept;
+void prepare_implicit_euler(const SystemState& state, double step, Stage& stage) noexcept;
+bool step_implicit_euler(Attempt& attempt) noexcept;
+/// Linearly implicit Euler: one linear solve a step, about its start. First order.
+bool step_linearly_implicit_euler(Attempt& attempt) noexcept;
 /// BDF2 with variable step: second order, L-stable, one solve a step.
-void prepare_bdf2(const SystemState& state, double step, const System& system, Stage& stage) noexcept;
+void prepare_bdf2(const SystemState& state, double step, Stage& stage) noexcept;
+bool step_bdf2(Attempt& attempt) noexcept;
+/// TR-BDF2: second order, one-step, L-stable, two solves a step.
+bool step_trbdf2(Attempt& attempt) noexcept;
+/// Generalised alpha (Chung and Hulbert), forces in balance at the ends of steps (Arnold and Bruels): second order, one solve a step.
+bool step_generalised_alpha(Attempt& attempt) noexcept;
+void remember_generalised_alpha(SystemState& state, double step) noexcept;
+/// Central differences: second order, no solve, stable for short steps only (explicit_limit.h).
+bool step_explicit(Attempt& attempt) noexcept;
 
-/// Extrapolates the last steps: the first guess of u (6 per node).
-void predict(const SystemState& state, double step, double* u) noexcept;
-
-struct StepperCounters
+/// A node's rates in the coordinates of u; `normal`: the section normal that they are split by.
+inline Vector6d in_step_axes(const NodeRate& rate, const Eigen::Vector3d& normal) noexcept
 {
-  std::uint64_t steps = 0;
-  std::uint64_t newton_iterations = 0;
-  std::uint64_t rejected_steps = 0;
-};
+  Vector6d out;
+  out << rate.velocity, rate.tilt + rate.spin * normal;
+  return out;
+}
 
-/// Fixed-step real-time stepping: one implicit solve a step, the hole extended after each. A step whose Newton iteration does not
-/// converge is repeated in halves, quarters, ... down to 1/32, all within a bounded number of iterations.
+/// Extrapolates the last steps to `time` after the start of this one [s]: the first guess of u (6 per node).
+void predict(const SystemState& state, double time, double* u) noexcept;
+
+/// Fixed-step real-time stepping with a method of the table, the hole extended after each step. A step that the method cannot solve is
+/// repeated in halves, quarters, ... down to 1/32, all within a bounded number of iterations.
 /// Noexcept and allocation-free after construction.
-class Stepper
+class Stepper : public Integrator
 {
 public:
   Stepper(System& system, const Method& method);
 
-  /// Advances `state` by `step` [s]. False: it could not; the state then is the last one that was solved, still finite.
-  bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept;
+  bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept override;
 
-  const StepperCounters& counters() const noexcept { return counters_; }
   const Method& method() const noexcept { return method_; }
   NewtonLimits& limits() noexcept { return limits_; }
-  /// Local error of the last step's positions, estimated from the distance between predictor and solution (Milne's device) [m].
-  double error_estimate() const noexcept { return error_estimate_; }
 
 private:
   double predictor_distance() const noexcept;
-  void penetrate_rock(SystemState& state, double step) const noexcept;
+  void find_acceleration(SystemState& state, const Setpoints& setpoints) noexcept;
   bool attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept;
 
   System& system_;
@@ -67,9 +100,10 @@ private:
   std::vector<double> u_;
   std::vector<double> guess_;
   std::vector<double> residual_;
-  StepperCounters counters_;
-  double error_estimate_ = 0.0;
 };
+
+/// Rock-breaking velocity at the end of a step, as the system was left, and the hole extended by it times the step [s].
+void penetrate_rock(const System& system, SystemState& state, double step) noexcept;
 
 }  // namespace drill_rig_sim
 

@@ -57,12 +57,15 @@ struct BeamTangent
   Eigen::Matrix3d lower_d, lower_upper, lower_lower;          ///< d moment_lower / d (d, theta1, theta2)
 };
 
-/// Stiffness-proportional damping of stretch and twist by one backward difference: stress = E (strain + ratio (strain - strain_start)),
-/// ratio = damping time / step.
+/// Stiffness-proportional damping of stretch and twist: stress = E (strain + time * strain rate). The strain's rate is its gradient times
+/// the rates of the ends.
 struct BeamDamping
 {
-  double ratio = 0.0;
-  BeamStrain start;
+  double time = 0.0;  ///< [s]; 0: none, the rates below are not looked at
+  double rate_by_move = 0.0;  ///< d rate / d move of the method in use, for the tangent [1/s]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      ///< of the lower end less that of the upper one [m/s]
+  Eigen::Vector3d upper_turning = Eigen::Vector3d::Zero();  ///< angular velocity, spatial [rad/s]
+  Eigen::Vector3d lower_turning = Eigen::Vector3d::Zero();
 };
 
 /// Where the ends are.

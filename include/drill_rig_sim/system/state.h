@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "drill_rig_sim/string/beam_element.h"
 #include "drill_rig_sim/well/wellbore.h"
 
 namespace drill_rig_sim
@@ -29,6 +28,8 @@ struct NodeState
   NodeRate rate;
   NodeRate last_rate;  ///< one step before (multi-step methods)
   NodeRate last_move;  ///< the last step's increments, in [m, rad, rad] (multi-step methods)
+  NodeRate acceleration;  ///< in [m/s2, rad/s2, rad/s2]
+  NodeRate averaged_acceleration;  ///< a of the generalised-alpha method, 0 with the others
   Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction, world axes [m]
   int segment = -1;                                   ///< hole segment of the last contact search
 };
@@ -40,6 +41,8 @@ struct DriveState
   double speed = 0.0;       ///< [rad/s]
   double last_speed = 0.0;  ///< one step before
   double last_move = 0.0;   ///< the last step's increment [rad]
+  double acceleration = 0.0;  ///< [rad/s2]
+  double averaged_acceleration = 0.0;  ///< a of the generalised-alpha method
   double integral = 0.0;    ///< of the speed error [rad]
   double meter_twist = 0.0; ///< rotor ahead of the string's top [rad]
   bool limited = false;
@@ -80,7 +83,6 @@ struct SystemState
   double time = 0.0;       ///< [s]
   double last_step = 0.0;  ///< length of the step before; 0: no history, the next step starts a multi-step method [s]
   std::vector<NodeState> nodes;
-  std::vector<BeamStrain> strain;  ///< of the elements, for structural damping
   DriveState drive;
   HoistState hoist;
   BitState bit;

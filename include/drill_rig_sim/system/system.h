@@ -8,9 +8,11 @@
 #include "drill_rig_sim/math/block_tridiagonal.h"
 #include "drill_rig_sim/math/cost_book.h"
 #include "drill_rig_sim/rig/setpoints.h"
+#include "drill_rig_sim/rig/top_drive.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/string/mesh.h"
 #include "drill_rig_sim/system/state.h"
+#include "drill_rig_sim/system/work.h"
 #include "drill_rig_sim/well/formation.h"
 
 namespace drill_rig_sim
@@ -27,17 +29,17 @@ enum class FrictionMode
   rotate     ///< that turns clockwise
 };
 
-/// How a stage of an implicit method ties rates to the unknown increments u of the step: rate = c u + rate_0, acceleration =
-/// c rate + acceleration_0, node by node. Translation in world axes; rotation as tilt (world axes, across the section normal at the
-/// step's start) plus spin about that normal, added up in one vector.
+/// How a stage of a method ties rates to the unknown increments u since the start of the step: rate = rate_by_u u + rate_0,
+/// acceleration = acceleration_by_u u + acceleration_0, node by node. Translation in world axes; rotation as tilt (world axes, across
+/// the section normal at the step's start) plus spin about that normal, added up in one vector.
 struct Stage
 {
-  double step = 0.0;         ///< length of the step, for the laws that advance their own state [s]
-  double coefficient = 0.0;  ///< c [1/s]; 0 = statics
+  double time = 0.0;               ///< from the start of the step, for the laws that advance their own state [s]
+  double rate_by_u = 0.0;          ///< [1/s]
+  double acceleration_by_u = 0.0;  ///< [1/s2]
   std::vector<Vector6d> rate;          ///< rate_0
   std::vector<Vector6d> acceleration;  ///< acceleration_0
-  double drive_rate = 0.0;             ///< the same for the top drive's rotor
-  double drive_acceleration = 0.0;
+  RotorStage drive;                    ///< the same for the top drive's rotor; its time is not looked at
 };
 
 /// Forces at the state that finish() made, for measurements and energy books.
@@ -79,14 +81,28 @@ public:
   Stage& stage() noexcept { return stage_; }
 
   /// Takes `state` as the start of a step of length `step` [s]; set points act from here. The state must outlive the calls below.
+  /// The stage is at the step's end.
   void begin(const SystemState& state, double step, const Setpoints& setpoints) noexcept;
+  /// The stage is at `time` [s] after the start of the step: methods of several stages.
+  void stage_at(double time) noexcept;
   /// Statics instead: friction as given, top node held at its height and spin, no rig.
   /// `coefficient` c [1/s] > 0 adds the inertia of a start from rest, M c^2 u: a step of pseudo-transient continuation.
   void begin_static(const SystemState& state, FrictionMode friction, double coefficient = 0.0) noexcept;
 
   /// Residual R(u) and, unless null, its tangent dR/du. u, residual: 6 per node, bit first.
   void evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept;
-  /// Writes the state of the last evaluate(): configuration, rates, bristles, drive, hoist, bit. Its history becomes that of this step.
+  /// After a solution: everything finish() takes, at u. Like evaluate() without elements and inertia, whose forces it leaves alone.
+  void settle(const double* u) noexcept;
+  /// Accelerations that balance the residual of the last evaluate(), whose own accelerations must be zero: explicit methods.
+  void accelerate(const double* residual) noexcept;
+  /// Acceleration of a node at the last evaluate() or accelerate(), in the coordinates of u.
+  const Vector6d& acceleration(int i) const noexcept { return scratch_[i].acceleration; }
+  /// What the rotor has turned since the start of the step when the nodes have moved by u [rad].
+  double drive_increment(const double* u) const noexcept;
+  /// Forces inside the string at the state last evaluated or settled: tension, torque, bending moment of forces().
+  void evaluate_string_forces() noexcept;
+  /// Writes the state of the last evaluate() or settle(): configuration, rates, bristles, drive, hoist, bit. Its history becomes that of
+  /// this step.
   /// `state` may be the one that begin() took.
   void finish(SystemState& state) const noexcept;
   /// Forces at the last evaluate().
@@ -103,6 +119,8 @@ public:
 
   /// Where the time goes; evaluate() books its parts, its callers theirs.
   CostBook& costs() noexcept { return costs_; }
+  /// evaluate() and settle() count their own, solvers theirs.
+  Work& work() noexcept { return work_; }
 
 private:
   struct NodeScratch
@@ -120,6 +138,7 @@ private:
 
   void begin_common(const SystemState& state) noexcept;
   void configure(const double* u) noexcept;
+  BeamForces element_forces(int e, BeamTangent* tangent) noexcept;
   void add_elements(double* residual, BlockTridiagonal* tangent) noexcept;
   void add_inertia(double* residual, BlockTridiagonal* tangent) noexcept;
   WallForce wall_force(int i, double radius, Eigen::Matrix<double, 6, 6>* block) noexcept;
@@ -130,8 +149,10 @@ private:
   void add_rig(double* residual, BlockTridiagonal* tangent) noexcept;
   void hold_top(double* residual, BlockTridiagonal* tangent) noexcept;
   static void scatter(const BeamTangent& t, int e, BlockTridiagonal& tangent) noexcept;
+  double mass_across(int i) const noexcept;
   double element_weight(int e, double z_lower, double z_upper) const noexcept;
   HoistState advance_hoist(const SystemState& state, double step) const noexcept;
+  RotorResult drive_at(double top_spin) const noexcept;
 
   Scene scene_;
   Mesh mesh_;
@@ -146,8 +167,8 @@ private:
   FrictionMode friction_ = FrictionMode::sticking;
   std::vector<NodeScratch> scratch_;
   std::vector<Eigen::Vector3d> loads_;  // weight of the elements in mud [N]
-  std::vector<BeamStrain> strain_;
-  double damping_ratio_ = 0.0;  // structural damping time / step
+  double damping_time_ = 0.0;  // structural damping [s]
+  std::vector<double> unused_residual_;  // of settle()
   SystemForces forces_;
   HoistState hoist_end_;
   DriveState drive_end_;
@@ -155,6 +176,7 @@ private:
   double top_force_ = 0.0;
   double top_torque_ = 0.0;
   CostBook costs_;
+  Work work_;
 };
 
 }  // namespace drill_rig_sim

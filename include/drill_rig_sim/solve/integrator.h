@@ -1,0 +1,61 @@
+#ifndef DRILL_RIG_SIM_SOLVE_INTEGRATOR_H
+#define DRILL_RIG_SIM_SOLVE_INTEGRATOR_H
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drill_rig_sim/rig/setpoints.h"
+#include "drill_rig_sim/system/state.h"
+#include "drill_rig_sim/system/system.h"
+
+namespace drill_rig_sim
+{
+struct StepperCounters
+{
+  std::uint64_t steps = 0;
+  std::uint64_t newton_iterations = 0;
+  std::uint64_t rejected_steps = 0;
+};
+
+/// Advances the state of a rig through time in steps of given length, at whose ends the hole is extended and set points change.
+class Integrator
+{
+public:
+  virtual ~Integrator() = default;
+
+  /// Advances `state` by `step` [s]. False: it could not; the state then is the last one that was solved, still finite.
+  virtual bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept = 0;
+  /// The next state is not the one that advance() left: whatever is remembered of the past is void.
+  virtual void restart() noexcept {}
+
+  const StepperCounters& counters() const noexcept { return counters_; }
+  /// Local error of the last step's positions, as the method estimates it [m]; 0 where it does not.
+  double error_estimate() const noexcept { return error_estimate_; }
+
+protected:
+  StepperCounters counters_;
+  double error_estimate_ = 0.0;
+};
+
+/// What `numerics.integrator` can name.
+struct IntegratorEntry
+{
+  const char* name;
+  const char* description;
+};
+
+/// All integrators, the default first.
+const std::vector<IntegratorEntry>& integrator_table();
+
+/// Builds an integrator of the table ("auto": the default) for a rig and the state it starts from.
+/// Throws std::runtime_error with one line (what, what is allowed) for an unknown name or a scene that it cannot integrate.
+std::unique_ptr<Integrator> make_integrator(const std::string& name, System& system, const SystemState& start);
+
+/// The table's name for `name`: resolves "auto".
+const char* integrator_name(const std::string& name);
+
+}  // namespace drill_rig_sim
+
+#endif
