@@ -13,6 +13,7 @@ const std::vector<CaseGroup>& case_groups()
       {"detournay", true, detournay_cases},
       {"whirl", true, whirl_cases},
       {"stick_slip", true, stick_slip_cases},
+      {"buckling", true, buckling_cases},
   };
   return groups;
 }

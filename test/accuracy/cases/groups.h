@@ -19,6 +19,9 @@ void whirl_cases(Report& report);
 /// One degree of freedom against its closed form.
 void stick_slip_cases(Report& report);
 
+/// Pipe pushed into a horizontal hole: sinusoidal and helical buckling, the helix's contact force and pitch.
+void buckling_cases(Report& report);
+
 }  // namespace drill_rig_sim
 
 #endif

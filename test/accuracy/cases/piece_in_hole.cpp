@@ -1,0 +1,49 @@
+#include "piece_in_hole.h"
+
+#include "drill_rig_sim/well/directions.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Vector3d;
+
+double PieceInHole::compression() const
+{
+  double sum = 0.0;
+  for (double tension : system->forces().tension) sum -= tension;
+  return sum / static_cast<double>(system->forces().tension.size());
+}
+
+bool PieceInHole::push(double distance)
+{
+  NodeState& held = state.nodes.back();
+  const Vector3d axis = state.well.locate(held.position, -1).tangent;
+  held.position += distance * axis;
+  return settle();
+}
+
+bool PieceInHole::settle()
+{
+  return solve_static(*system, state, FrictionMode::none).converged;
+}
+
+PieceInHole lay_in_hole(const Scene& scene, double length, double bit_depth)
+{
+  PieceInHole piece{nullptr, SystemState(Wellbore(scene.well, scene.trajectory, 0.5 * scene.string.front().diameter))};
+  piece.system = std::make_unique<System>(scene, build_mesh(scene, length));
+  const Mesh& mesh = piece.system->mesh();
+  piece.state.nodes.assign(mesh.nodes.size(), NodeState());
+  piece.state.strain.assign(mesh.elements.size(), BeamStrain());
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+  {
+    const WellNode hole = piece.state.well.at(bit_depth - mesh.nodes[i].from_bit);
+    const Vector3d up = high_side(hole.tangent);
+    Eigen::Matrix3d axes;
+    axes << hole.tangent, up, hole.tangent.cross(up);
+    piece.state.nodes[i].orientation = Eigen::Quaterniond(axes);
+    // a micrometre off the wall
+    piece.state.nodes[i].position = hole.position - (hole.radius - mesh.nodes[i].contact_radius - 1e-6) * up;
+  }
+  return piece;
+}
+
+}  // namespace drill_rig_sim
