@@ -10,6 +10,7 @@
 // Elements of 1 m, a twelfth of a half wave. The wall is a hundred times as stiff as by default: its embedding, 0.04 to 0.14 mm,
 // counts as clearance.
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
