@@ -32,7 +32,6 @@ PieceInHole lay_in_hole(const Scene& scene, double length, double bit_depth)
   piece.system = std::make_unique<System>(scene, build_mesh(scene, length));
   const Mesh& mesh = piece.system->mesh();
   piece.state.nodes.assign(mesh.nodes.size(), NodeState());
-  piece.state.strain.assign(mesh.elements.size(), BeamStrain());
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
   {
     const WellNode hole = piece.state.well.at(bit_depth - mesh.nodes[i].from_bit);
