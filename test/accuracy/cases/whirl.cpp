@@ -84,10 +84,10 @@ double whirl_ratio(double collar)
 
 void whirl_cases(Report& report)
 {
-  // 0.3 %: the embedding widens the circle by 0.03 mm of 25 mm, and the bristle's slack moves with the force
-  report.add({"backward whirl per turn: collar 0.165 m in 0.2159 m [-]", whirl_ratio(0.165), -0.165 / (kHole - 0.165), 3e-3,
+  // 0.5 %: the embedding widens the circle by 0.03 mm of 25 mm, and five turns do not average the bounces of the pipe above
+  report.add({"backward whirl per turn: collar 0.165 m in 0.2159 m [-]", whirl_ratio(0.165), -0.165 / (kHole - 0.165), 5e-3,
               "rolling without slip: -d/(D - d)"});
-  report.add({"backward whirl per turn: collar 0.120 m in 0.2159 m [-]", whirl_ratio(0.120), -0.120 / (kHole - 0.120), 3e-3,
+  report.add({"backward whirl per turn: collar 0.120 m in 0.2159 m [-]", whirl_ratio(0.120), -0.120 / (kHole - 0.120), 5e-3,
               "rolling without slip: -d/(D - d)"});
 }
 
