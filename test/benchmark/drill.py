@@ -1,0 +1,77 @@
+"""Runs the offline runner and reads what it writes."""
+import json
+import os
+import resource
+import subprocess
+
+import numpy
+
+import measure
+
+# every name that a scene may give; what the program at hand does not know is left out and said
+METHODS = ('bdf2', 'implicit_euler', 'linearly_implicit_euler', 'trbdf2', 'generalised_alpha', 'explicit', 'arkode_dirk', 'ida')
+ELEMENTS = ('corotational', 'geometrically_exact', 'rotation_vector')
+
+
+class Failed(Exception):
+    """A run that ended without a result; the message says why."""
+
+
+class Drill:
+    def __init__(self, program, folder, cpu_limit=300):
+        self.program = program
+        self.folder = folder
+        self.cpu_limit = cpu_limit  # of one run [s]
+        os.makedirs(folder, exist_ok=True)
+
+    def call(self, words, cpu_limit=None):
+        limit = int(cpu_limit or self.cpu_limit)
+
+        def limits():
+            resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 5))
+        done = subprocess.run([self.program] + words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, preexec_fn=limits)
+        if done.returncode < 0:
+            raise Failed('ended by signal %d: more than %d s of CPU' % (-done.returncode, limit) if done.returncode in (-24, -9) else
+                         'ended by signal %d' % -done.returncode)
+        if done.returncode != 0:
+            raise Failed((done.stderr.strip() or 'exit status %d' % done.returncode).splitlines()[0])
+        return done.stdout
+
+    def run(self, name, scene, options=(), cpu_limit=None):
+        """Runs a scene; returns columns by name and the summary. `name`: of the files it leaves in the folder."""
+        csv, summary = (os.path.join(self.folder, name + end) for end in ('.csv', '.json'))
+        self.call(['run', scene.path, '--duration', repr(scene.duration), '--every', repr(scene.every), '--csv', csv, '--json', summary]
+                  + list(options), cpu_limit)
+        with open(summary) as file:
+            return read_series(csv), json.load(file)
+
+    def knows(self, scene, options):
+        """Whether the program takes these options for a scene: ends with None, or with what it says against them."""
+        try:
+            self.call(['run', scene.path, '--duration', '0.02'] + list(options))
+        except Failed as refusal:
+            return str(refusal)
+        return None
+
+    def default_element_length(self):
+        for line in self.call(['reference']).splitlines():
+            if line.startswith('| `element_length`'):
+                return float(line.split('|')[3])
+        raise Failed('drill reference does not name element_length')
+
+
+def read_series(path):
+    """Columns by name. Numbers that are not finite are a failure."""
+    with open(path) as file:
+        names = file.readline().strip().split(',')
+        columns = [names.index(name) for name in measure.COLUMNS]
+        table = numpy.loadtxt(file, delimiter=',', usecols=columns, ndmin=2)
+    if not numpy.isfinite(table).all():
+        raise Failed('numbers that are not finite')
+    return dict(zip(measure.COLUMNS, table.T))
+
+
+def counted_work(summary):
+    """Residuals, tangents and solves of a run."""
+    iterations = summary['newton_iterations']
+    return {what: summary.get(what, iterations) for what in ('residuals', 'tangents', 'solves')}

@@ -1,0 +1,103 @@
+"""The points of the charts: method x step x element length, each run once."""
+import csv
+import json
+from concurrent.futures import ThreadPoolExecutor
+
+import drill
+import measure
+
+FIELDS = ('scene', 'method', 'element', 'step', 'element_length', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'steps', 'residuals',
+          'tangents', 'solves', 'newton_iterations', 'rejected_steps') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')
+
+
+class Point:
+    def __init__(self, scene, method, element, step, length, default=False):
+        self.scene = scene
+        self.method = method
+        self.element = element
+        self.step = step
+        self.length = length
+        self.default = default
+        self.errors = None    # by output; None: the run failed
+        self.failure = ''
+        self.summary = {}
+        self.cpu = self.work = float('nan')  # per simulated second: [s], [instructions]
+
+    @property
+    def name(self):
+        return '_'.join((self.scene.name, self.method, self.element, '%g' % self.step, '%g' % self.length))
+
+    @property
+    def error(self):
+        return self.errors['all'] if self.errors else float('nan')
+
+    def options(self):
+        if self.default:
+            return []
+        words = ['--integrator', self.method, '--step', repr(self.step), '--element-length', repr(self.length)]
+        return words if self.element == drill.ELEMENTS[0] else words + ['--set', 'numerics.element=' + self.element]
+
+    def label(self):
+        return '%s, %g ms, %g m%s' % (self.method, 1e3 * self.step, self.length,
+                                      '' if self.element == drill.ELEMENTS[0] else ', ' + self.element)
+
+    def compute(self, program, reference, weights):
+        """Runs it; a failure is kept, not raised."""
+        try:
+            series, self.summary = program.run(self.name + ('_default' if self.default else ''), self.scene, self.options())
+            self.errors = measure.errors(series, reference, self.scene)
+        except (drill.Failed, ValueError) as failure:
+            self.failure = str(failure)
+            return self
+        simulated = self.summary['simulated_s']
+        self.cpu = self.summary['cpu_s'] / simulated
+        self.work = weights.of(self.method, self.element, drill.counted_work(self.summary), self.summary['nodes']) / simulated
+        return self
+
+    def row(self):
+        counted = drill.counted_work(self.summary) if self.summary else {}
+        values = {'scene': self.scene.name, 'method': self.method, 'element': self.element, 'step': self.step, 'element_length': self.length,
+                  'default': int(self.default), 'error': self.error, 'cpu_s_per_s': self.cpu, 'work_per_s': self.work, 'failure': self.failure}
+        values.update(counted)
+        values.update({key: self.summary.get(key, '') for key in ('nodes', 'steps', 'newton_iterations', 'rejected_steps')})
+        values.update({'error_' + output: error for output, error in (self.errors or {}).items() if output != 'all'})
+        return ['%.6g' % values[field] if isinstance(values.get(field), float) else values.get(field, '') for field in FIELDS]
+
+
+def grid(scene, methods, elements, default_method, default_step, default_length):
+    """Every method x step x element length with the default's element, and the other elements with the default's method."""
+    out = [Point(scene, default_method, drill.ELEMENTS[0], default_step, default_length, default=True)]
+    for element in elements:
+        for method in methods if element == drill.ELEMENTS[0] else [default_method]:
+            for length in scene.lengths:
+                for step in scene.steps_of(method):
+                    if (method, element, step, length) != (default_method, drill.ELEMENTS[0], default_step, default_length):
+                        out.append(Point(scene, method, element, step, length))
+    return out
+
+
+def compute(all_points, program, references, weights, jobs, say):
+    """Runs the points, `jobs` at a time, dear ones first so that the last ones to end are short."""
+    ordered = sorted(all_points, key=lambda p: p.step * p.length / p.scene.duration)
+    done = 0
+    with ThreadPoolExecutor(jobs) as pool:
+        for point in pool.map(lambda p: p.compute(program, references[p.scene.name], weights), ordered):
+            done += 1
+            if done % 25 == 0 or done == len(ordered):
+                say('%d of %d points' % (done, len(ordered)))
+            if point.failure:
+                say('%s: %s: failed: %s' % (point.scene.name, point.label(), point.failure))
+
+
+def write_csv(path, all_points):
+    with open(path, 'w', newline='') as out:
+        writer = csv.writer(out)
+        writer.writerow(FIELDS)
+        for point in all_points:
+            writer.writerow(point.row())
+
+
+def write_machine(path, machine):
+    with open(path, 'w') as out:
+        json.dump(machine, out, indent=2)
+        out.write('\n')

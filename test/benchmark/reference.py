@@ -1,0 +1,120 @@
+"""References: made by --full, kept in reference/ as NAME.csv.gz with NAME.json beside it, under a hash of what they were made of.
+
+A reference is the finest run that can be had; its own error is what halving the tolerance (or the step) and doubling the element length
+changes in it, measured as the runs' errors are.
+"""
+import gzip
+import glob
+import hashlib
+import io
+import json
+import os
+
+import numpy
+
+import drill
+import measure
+
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+ROOMS = ('math', 'well', 'string', 'contact', 'rig', 'system')  # whose sources say what is solved; how is a matter of solve/
+
+
+class Missing(Exception):
+    """No reference, or one of another scene."""
+
+
+def sources_hash():
+    digest = hashlib.sha256()
+    for room in ROOMS:
+        for folder in ('include/drill_rig_sim', 'src'):
+            for name in sorted(glob.glob(os.path.join(SOURCE, folder, room, '*'))):
+                with open(name, 'rb') as file:
+                    digest.update(file.read())
+    return digest.hexdigest()[:16]
+
+
+def settings(scene):
+    return {'duration': scene.duration, 'every': scene.every}
+
+
+def scene_hash(scene):
+    return hashlib.sha256((scene.text() + json.dumps(settings(scene))).encode()).hexdigest()[:16]
+
+
+def options(recipe):
+    words = ['--integrator', recipe['integrator'], '--step', repr(recipe['step']), '--element-length', repr(recipe['element_length'])]
+    for key, value in recipe.get('set', {}).items():
+        words += ['--set', '%s=%s' % (key, value)]
+    return words
+
+
+def recipes(scene, known):
+    """What to try, best first: the reference and, for its own error, coarser ones by name."""
+    out = []
+    fine = scene.reference_length
+    if 'ida' in known:
+        base = {'integrator': 'ida', 'step': scene.reference_step, 'element_length': fine, 'set': {'numerics.tolerance': scene.reference_tolerance}}
+        out.append((base, {'tolerance': dict(base, set={'numerics.tolerance': 10.0 * scene.reference_tolerance}),
+                           'element length': dict(base, element_length=2.0 * fine)}))
+    for stand_in in ('trbdf2', 'bdf2'):
+        if stand_in in known:
+            base = {'integrator': stand_in, 'step': scene.reference_step, 'element_length': fine}
+            out.append((base, {'step': dict(base, step=2.0 * scene.reference_step), 'element length': dict(base, element_length=2.0 * fine)}))
+    return out
+
+
+def make(program, scene, known, cpu_limit, say):
+    """Makes a reference and its own error. Recipes that fail are said in it."""
+    failed = {}
+    for recipe, coarser in recipes(scene, known):
+        name = '%s_%s' % (scene.name, recipe['integrator'])
+        try:
+            series, summary = program.run('reference_' + name, scene, options(recipe), cpu_limit)
+        except drill.Failed as failure:
+            failed[recipe['integrator']] = str(failure)
+            say('%s: no reference by %s: %s' % (scene.name, recipe['integrator'], failure))
+            continue
+        own = {}
+        for what, other in coarser.items():
+            try:
+                run, _ = program.run('reference_%s_%s' % (name, what.replace(' ', '_')), scene, options(other), cpu_limit)
+                own[what] = measure.errors(run, series, scene)
+            except drill.Failed as failure:
+                own[what] = str(failure)
+        return series, {'scene': scene.name, 'scene_hash': scene_hash(scene), 'sources_hash': sources_hash(), 'recipe': recipe,
+                        'own_error': own, 'failed': failed, 'cpu_s': summary['cpu_s'], 'nodes': summary['nodes'], 'steps': summary['steps']}
+    raise Missing('%s: no method could make a reference: %s' % (scene.name, failed))
+
+
+def own_error(note):
+    """One number: the largest of the changes."""
+    return max([error['all'] for error in note['own_error'].values() if isinstance(error, dict)], default=float('nan'))
+
+
+def save(folder, scene, series, note):
+    os.makedirs(folder, exist_ok=True)
+    text = io.StringIO()
+    text.write(','.join(measure.COLUMNS) + '\n')
+    for row in zip(*(series[name] for name in measure.COLUMNS)):
+        text.write(','.join('%.8g' % value for value in row) + '\n')
+    with open(os.path.join(folder, scene.name + '.csv.gz'), 'wb') as out:
+        with gzip.GzipFile(fileobj=out, mode='wb', mtime=0, filename='') as packed:  # equal data, equal file
+            packed.write(text.getvalue().encode())
+    with open(os.path.join(folder, scene.name + '.json'), 'w') as out:
+        json.dump(note, out, indent=1, sort_keys=True)
+        out.write('\n')
+
+
+def load(folder, scene):
+    """The reference and its note. Raises Missing where there is none for this scene."""
+    try:
+        with open(os.path.join(folder, scene.name + '.json')) as file:
+            note = json.load(file)
+        with gzip.open(os.path.join(folder, scene.name + '.csv.gz'), 'rt') as file:
+            names = file.readline().strip().split(',')
+            table = numpy.loadtxt(file, delimiter=',')
+    except (OSError, ValueError) as problem:
+        raise Missing('%s: no reference: %s; make it with --full' % (scene.name, problem))
+    if note['scene_hash'] != scene_hash(scene):
+        raise Missing('%s: the scene has changed since its reference was made; make it again with --full' % scene.name)
+    return dict(zip(names, table.T)), note

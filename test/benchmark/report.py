@@ -1,0 +1,81 @@
+"""The verdict in words: for the terminal and for the README."""
+import os
+
+import reference
+
+ADVICE = 1.2  # another setting is named as better when it takes this much less work at no more error, in geometric mean
+
+
+def better_settings(chosen_scenes, by_scene):
+    """Settings (method, element, step, length) that worked in every scene and beat the default there in geometric mean at no more error in
+    geometric mean: (label, ratio of work, ratio of error), best first."""
+    import math
+    defaults, sums = {}, {}
+    for scene in chosen_scenes:
+        points = [p for p in by_scene[scene.name] if p.errors]
+        default = next((p for p in points if p.default), None)
+        if default is None:
+            return []
+        defaults[scene.name] = default
+        for p in points:
+            if p.default:
+                continue
+            entry = sums.setdefault((p.method, p.element, p.step, p.length), [p, 0, 0.0, 0.0])
+            entry[1] += 1
+            entry[2] += math.log(p.work / default.work)
+            entry[3] += math.log(max(p.error, 1e-12) / max(default.error, 1e-12))
+    n = len(chosen_scenes)
+    means = [(e[0].label(), math.exp(e[2] / n), math.exp(e[3] / n)) for e in sums.values() if e[1] == n]
+    return sorted((m for m in means if m[1] * ADVICE < 1.0 and m[2] <= 1.0), key=lambda m: m[1])
+
+
+def rows(chosen_scenes, by_scene, notes, judged):
+    judged_scenes = {s.name: s for s in judged.scenes}
+    for scene in chosen_scenes:
+        points = by_scene[scene.name]
+        default = next(p for p in points if p.default)
+        note = notes[scene.name]
+        recipe = note['recipe']
+        by = '%s, %g ms, %g m' % (recipe['integrator'], 1e3 * recipe['step'], recipe['element_length'])
+        if scene.name not in judged_scenes:
+            yield scene, default, None, None, by, reference.own_error(note)
+            continue
+        # the cheapest point that is as accurate: a name to the front
+        s = judged_scenes[scene.name]
+        rival = min((p for p in points if p.errors and p.error <= s.error), key=lambda p: p.work)
+        yield scene, default, s, rival, by, reference.own_error(note)
+
+
+def closing(chosen_scenes, by_scene, judged):
+    lines = ['geometric mean of the ratios: %.2f (at most 1.5)' % judged.mean]
+    for label, work, error in better_settings(chosen_scenes, by_scene)[:3]:
+        lines.append('better than the default over all scenes: %s: %.2f of its work at %.2f of its error' % (label, work, error))
+    return lines + judged.complaints
+
+
+def text(chosen_scenes, by_scene, notes, judged):
+    lines = ['scene, error of the default, work / best at this error, cheapest as accurate, CPU s per simulated s, reference (its own error)']
+    for scene, default, s, rival, by, own in rows(chosen_scenes, by_scene, notes, judged):
+        if s is None:
+            lines.append('%s, failed: %s' % (scene.name, default.failure))
+            continue
+        lines.append('%s, %.2e, %.2f%s, %s, %.4f, %s (%.1e)' % (scene.name, default.error, s.ratio, ' (%s)' % s.reason if s.reason and s.ratio > 4.0 else '',
+                                                                 rival.label(), default.cpu, by, own))
+    failures = [p for points in by_scene.values() for p in points if p.failure]
+    lines.append('%d of %d points failed; points.csv says why' % (len(failures), sum(len(points) for points in by_scene.values())))
+    return '\n'.join(lines + closing(chosen_scenes, by_scene, judged))
+
+
+def write(chosen_scenes, by_scene, notes, judged, about, folder):
+    """verdict.md; returns its name."""
+    with open(os.path.join(folder, 'verdict.md'), 'w') as out:
+        out.write('| scene | error of the default | its work / the best\'s at this error | cheapest as accurate | CPU s per simulated s | '
+                  'reference | its own error |\n| --- | --- | --- | --- | --- | --- | --- |\n')
+        for scene, default, s, rival, by, own in rows(chosen_scenes, by_scene, notes, judged):
+            if s is None:
+                out.write('| %s | failed: %s | | | | %s | %.1e |\n' % (scene.title, default.failure, by, own))
+            else:
+                out.write('| %s | %.1e | %.2f | %s | %.4f | %s | %.1e |\n' % (scene.title, default.error, s.ratio, rival.label(), default.cpu, by, own))
+        out.write('\n%s.\n\n%s, %d cores, %s, %s; load %.1f; %s.\n' % ('; '.join(closing(chosen_scenes, by_scene, judged)), about['cpu'], about['cores'],
+                                                                     about['compiler'], about['flags'], about['load'][0], about['date']))
+    return ['verdict.md']

@@ -1,0 +1,67 @@
+"""The benchmark's scenes: what is run, how its error is measured, and what is known of it.
+
+Where a scene bifurcates (stick-slip, bounce, whirl, buckling) two exact solutions part from one another exponentially: from `trace_until`
+on, mean, deviation, extrema and period are compared, not the time series.
+"""
+import os
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+STEPS = (0.02, 0.01, 0.005, 0.0025, 0.00125)  # [s]
+SHORT_STEPS = (4e-4, 2e-4, 1e-4)              # of a method that is stable at short steps only [s]
+LENGTHS = (9.5, 4.75)                         # longest element [m]; a joint of pipe is 9.3 to 9.5 m
+
+
+class Scene:
+    def __init__(self, name, title, duration, trace_until=None, period_of=None, every=0.02, steps=STEPS, lengths=LENGTHS,
+                 reference_length=1.1875, reference_step=6.25e-4, reference_tolerance=1e-7, reason=None, note=''):
+        self.name = name
+        self.title = title
+        self.duration = duration          # [s]
+        self.trace_until = duration if trace_until is None else trace_until  # time series compared up to here, statistics after [s]
+        self.period_of = period_of        # output whose period is compared; None: the scene has none
+        self.every = every                # samples [s]; every step divides it
+        self.steps = steps
+        self.lengths = lengths
+        self.reference_length = reference_length
+        self.reference_step = reference_step          # [s]
+        self.reference_tolerance = reference_tolerance
+        self.reason = reason              # why the default may cost more than four times the best here; None: it may not
+        self.note = note                  # for the chart's caption
+
+    @property
+    def path(self):
+        return os.path.join(HERE, 'scenes', self.name + '.yaml')
+
+    def steps_of(self, method):
+        return SHORT_STEPS if method == 'explicit' else self.steps
+
+    def text(self):
+        """The scene file's text and its survey's: what the reference was made of."""
+        with open(self.path) as file:
+            text = file.read()
+        for line in text.splitlines():
+            key, _, value = line.partition(':')
+            if key.strip() == 'survey':
+                with open(os.path.join(os.path.dirname(self.path), value.strip())) as file:
+                    text += file.read()
+        return text
+
+
+ALL = (
+    Scene('axial_wave', 'axial wave after a winch step', 3.0),
+    Scene('torque_release', 'torque wind-up and release', 6.0),
+    Scene('build_trip', 'picking up and slacking off through a build', 4.6),
+    Scene('drilling', 'drilling on bottom', 60.0, trace_until=4.0, period_of='bit_inclination', every=0.1, steps=STEPS[:4],
+          reference_length=2.375),
+    Scene('stick_slip', 'stick-slip in a 3 km vertical well', 18.0, trace_until=9.0, period_of='bit_speed', steps=STEPS[:4],
+          reference_length=4.75),
+    Scene('tagging', 'bit bounce on tagging at 0.3 m/s', 3.0, trace_until=1.5),
+    Scene('buckling', 'helical buckling under slack-off', 5.0, trace_until=2.0, lengths=(9.5, 4.75, 2.375)),
+    Scene('sliding', 'sliding with the bent motor', 15.0),
+)
+# what --fast runs: cheap, one smooth and one with impacts
+FAST = (
+    Scene('axial_wave', 'axial wave after a winch step', 1.0, steps=(0.02, 0.01, 0.005), lengths=(9.5,), reference_length=9.5),
+    Scene('tagging', 'bit bounce on tagging at 0.3 m/s', 1.0, trace_until=0.8, steps=(0.02, 0.01, 0.005), lengths=(9.5,),
+          reference_length=9.5),
+)
