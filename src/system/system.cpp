@@ -112,6 +112,7 @@ void System::evaluate(const double* u, double* residual, BlockTridiagonal* tange
   costs_.lap(Cost::kinematics);
   add_elements(residual, tangent);
   costs_.lap(Cost::elements);
+  if (!static_) add_mud_damping(residual, tangent);
   if (!static_ || stage_.acceleration_by_u > 0.0) add_inertia(residual, tangent);
   costs_.lap(Cost::inertia);
   add_walls(residual, tangent);
@@ -231,43 +232,93 @@ void System::accelerate(const double* residual) noexcept
   }
 }
 
+void System::add_mud_damping(double* residual, BlockTridiagonal* tangent) noexcept
+{
+  const double by_rate = stage_.rate_by_u;
+  const MudSpec& mud = scene_.mud;
+  for (std::size_t i = 0; i < scratch_.size(); ++i)
+  {
+    const NodeScratch& s = scratch_[i];
+    const Vector3d& n = s.normal_start;
+    const double length = s.immersed * mesh_.nodes[i].length;
+    const double across = length * mud.lateral_damping;
+    const double along = length * mud.axial_damping - across;  // along the string, less what acts across it
+    const double torsional = length * mud.torsional_damping;
+    Eigen::Map<Vector6d> r(residual + 6 * i);
+    r.head<3>() += across * s.rate.head<3>() + (along * n.dot(s.rate.head<3>())) * n;
+    r.tail<3>() += (torsional * n.dot(s.rate.tail<3>())) * n;
+    if (!tangent) continue;
+    auto d = tangent->diagonal(static_cast<int>(i));
+    const Matrix3d nn = n * n.transpose();
+    d.topLeftCorner<3, 3>() += (by_rate * along) * nn;
+    d.topLeftCorner<3, 3>().diagonal().array() += by_rate * across;
+    d.bottomRightCorner<3, 3>() += (by_rate * torsional) * nn;
+  }
+}
+
 void System::add_inertia(double* residual, BlockTridiagonal* tangent) noexcept
 {
   const double by_rate = stage_.rate_by_u, by_acceleration = stage_.acceleration_by_u;
-  const MudSpec& mud = scene_.mud;
   for (std::size_t i = 0; i < scratch_.size(); ++i)
   {
     const MeshNode& node = mesh_.nodes[i];
     const NodeScratch& s = scratch_[i];
     const Vector3d& n = s.normal_start;
     Eigen::Map<Vector6d> r(residual + 6 * i);
-    const double damped_length = static_ ? 0.0 : s.immersed * node.length;
-    const double added = s.immersed * node.added_mass;
-    const double mass = mass_across(static_cast<int>(i));
 
     // translation: scalar across the string, less the added mass along it
-    const double across = damped_length * mud.lateral_damping;
-    const double along = damped_length * mud.axial_damping - across;  // along the string, less what acts across it
-    const Vector3d v = s.rate.head<3>(), a = s.acceleration.head<3>();
-    r.head<3>() += mass * a + across * v + (along * n.dot(v) - added * n.dot(a)) * n;
+    const double added = s.immersed * node.added_mass;
+    const double mass = mass_across(static_cast<int>(i));
+    const Vector3d a = s.acceleration.head<3>();
+    r.head<3>() += mass * a - (added * n.dot(a)) * n;
 
     // rotation of a symmetric top in axes that tilt but do not spin
     const Vector3d w = s.rate.tail<3>(), alpha = s.acceleration.tail<3>();
     const double spin = w.dot(n);
-    const double torsional = damped_length * mud.torsional_damping;
     const double gyro = node.spin_inertia;
-    r.tail<3>() += node.tilt_inertia * alpha +
-                   ((node.spin_inertia - node.tilt_inertia) * alpha.dot(n) + torsional * spin) * n + gyro * spin * w.cross(n);
+    r.tail<3>() += node.tilt_inertia * alpha + ((node.spin_inertia - node.tilt_inertia) * alpha.dot(n)) * n + gyro * spin * w.cross(n);
     if (!tangent) continue;
 
     auto d = tangent->diagonal(static_cast<int>(i));
     const Matrix3d nn = n * n.transpose();
-    d.topLeftCorner<3, 3>() += (by_rate * along - by_acceleration * added) * nn;
-    d.topLeftCorner<3, 3>().diagonal().array() += by_acceleration * mass + by_rate * across;
-    d.bottomRightCorner<3, 3>() += (by_acceleration * (node.spin_inertia - node.tilt_inertia) + by_rate * torsional) * nn +
+    d.topLeftCorner<3, 3>() -= (by_acceleration * added) * nn;
+    d.topLeftCorner<3, 3>().diagonal().array() += by_acceleration * mass;
+    d.bottomRightCorner<3, 3>() += (by_acceleration * (node.spin_inertia - node.tilt_inertia)) * nn +
                                    (by_rate * gyro) * (w.cross(n) * n.transpose() - spin * skew(n));
     d.bottomRightCorner<3, 3>().diagonal().array() += by_acceleration * node.tilt_inertia;
   }
+}
+
+void System::place(const std::vector<NodeMotion>& motion) noexcept
+{
+  for (std::size_t i = 0; i < scratch_.size(); ++i)
+  {
+    NodeScratch& s = scratch_[i];
+    const NodeMotion& m = motion[i];
+    s.position = m.position;
+    s.orientation = m.orientation;
+    s.normal = x_axis(m.orientation);
+    s.normal_start = s.normal;  // the rates are split by the present normal
+    s.increment = m.moved;
+    s.spin = m.moved.tail<3>().dot(s.normal);
+    s.tilt = m.moved.tail<3>() - s.spin * s.normal;
+    s.rate = m.rate;
+    s.acceleration.setZero();
+  }
+}
+
+void System::evaluate_motion(const std::vector<NodeMotion>& motion, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  ++work_.residuals;
+  if (tangent) ++work_.tangents;
+  std::fill(residual, residual + 6 * scratch_.size(), 0.0);
+  if (tangent) tangent->diagonal(0).setZero();
+  place(motion);
+  add_elements(residual, tangent);
+  add_mud_damping(residual, tangent);
+  add_walls(residual, tangent);
+  add_bit(residual, tangent);
+  if (start_->grip.node >= 0) add_grip(residual, tangent);
 }
 
 void System::hold_top(double* residual, BlockTridiagonal* tangent) noexcept

@@ -259,6 +259,35 @@ TEST(SystemTangent, statics)
   }
 }
 
+// A motion given outright meets the same forces as the same motion through a stage, but for the rig's on the top node.
+TEST(SystemTangent, aMotionGivenOutrightMeetsTheSameForces)
+{
+  Rig rig(inclined(0.3));
+  rig.setpoints.winch = {-0.2, false};
+  rig.run(3.0);
+  System& system = *rig.rest.system;
+  const SystemState& state = rig.rest.state;
+  system.begin(state, kStep, rig.setpoints);
+  prepare_start(state, system.stage());
+  const int n = system.nodes();
+  VectorXd by_stage(6 * n), outright(6 * n);
+  const VectorXd u = VectorXd::Zero(6 * n);
+  system.evaluate(u.data(), by_stage.data(), nullptr);
+  std::vector<NodeMotion> motion(n);
+  for (int i = 0; i < n; ++i)
+  {
+    const NodeState& node = state.nodes[i];
+    motion[i] = {node.position, node.orientation, Vector6d::Zero(), in_step_axes(node.rate, x_axis(node.orientation))};
+  }
+  BlockTridiagonal tangent;
+  tangent.resize(n);
+  system.evaluate_motion(motion, outright.data(), &tangent);
+  const double scale = outright.head(6 * (n - 1)).cwiseAbs().maxCoeff();
+  EXPECT_GT(scale, 100.0);
+  // what a stage adds: the gyroscopic moment of tilting while turning, 1e-4 N m here
+  EXPECT_LT((by_stage - outright).head(6 * (n - 1)).cwiseAbs().maxCoeff(), 1e-3);
+}
+
 // Within a step the tilt is small, and the tangent's error with it: the axis of spin leans by the tilt, so that the column of
 // spin gets that share of the bending stiffness, 4 E I/(G J) = 4 (1 + nu) = 5.2 times the torsional one.
 TEST(SystemTangent, errorGrowsNoFasterThanTheTiltOfTheStep)

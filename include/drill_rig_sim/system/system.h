@@ -42,6 +42,15 @@ struct Stage
   RotorStage drive;                    ///< the same for the top drive's rotor; its time is not looked at
 };
 
+/// A node's motion given outright instead of through a stage.
+struct NodeMotion
+{
+  Eigen::Vector3d position;
+  Eigen::Quaterniond orientation;
+  Vector6d moved;  ///< displacement and rotation since the start of the step, for the laws with memory [m, rad]
+  Vector6d rate;   ///< velocity and angular velocity, world axes [m/s, rad/s]
+};
+
 /// Forces at the state that finish() made, for measurements and energy books.
 struct SystemForces
 {
@@ -91,6 +100,10 @@ public:
 
   /// Residual R(u) and, unless null, its tangent dR/du. u, residual: 6 per node, bit first.
   void evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept;
+  /// All forces but the rig's at a motion given outright, one per node: no inertia, nothing held. The time is the stage's.
+  /// Residual: force and moment that must be put on the node so that it does not accelerate (world axes). Tangent: with respect to
+  /// positions and spatial rotations, plus rate_by_u times that with respect to the rates.
+  void evaluate_motion(const std::vector<NodeMotion>& motion, double* residual, BlockTridiagonal* tangent) noexcept;
   /// After a solution: everything finish() takes, at u. Like evaluate() without elements and inertia, whose forces it leaves alone.
   void settle(const double* u) noexcept;
   /// Accelerations that balance the residual of the last evaluate(), whose own accelerations must be zero: explicit methods.
@@ -140,6 +153,8 @@ private:
   void configure(const double* u) noexcept;
   BeamForces element_forces(int e, BeamTangent* tangent) noexcept;
   void add_elements(double* residual, BlockTridiagonal* tangent) noexcept;
+  void place(const std::vector<NodeMotion>& motion) noexcept;
+  void add_mud_damping(double* residual, BlockTridiagonal* tangent) noexcept;
   void add_inertia(double* residual, BlockTridiagonal* tangent) noexcept;
   WallForce wall_force(int i, double radius, Eigen::Matrix<double, 6, 6>* block) noexcept;
   void add_film(int i, double* residual, BlockTridiagonal* tangent) noexcept;
