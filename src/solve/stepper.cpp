@@ -142,12 +142,6 @@ void Stepper::find_acceleration(SystemState& state, const Setpoints& setpoints) 
   }
 }
 
-void penetrate_rock(const System& system, SystemState& state, double step) noexcept
-{
-  state.bit.rock_velocity = system.rock_velocity(state);
-  state.well.extend(step * state.bit.rock_velocity, x_axis(state.nodes[0].orientation));
-}
-
 double Stepper::predictor_distance() const noexcept
 {
   double most = 0.0;

@@ -6,6 +6,7 @@
 
 #include "drill_rig_sim/solve/integrator.h"
 #include "drill_rig_sim/solve/newton.h"
+#include "drill_rig_sim/solve/penetrate_rock.h"
 #include "drill_rig_sim/system/system.h"
 
 namespace drill_rig_sim
@@ -101,9 +102,6 @@ private:
   std::vector<double> guess_;
   std::vector<double> residual_;
 };
-
-/// Rock-breaking velocity at the end of a step, as the system was left, and the hole extended by it times the step [s].
-void penetrate_rock(const System& system, SystemState& state, double step) noexcept;
 
 }  // namespace drill_rig_sim
 

@@ -1,0 +1,13 @@
+#ifndef DRILL_RIG_SIM_SOLVE_PENETRATE_ROCK_H
+#define DRILL_RIG_SIM_SOLVE_PENETRATE_ROCK_H
+
+#include "drill_rig_sim/system/system.h"
+
+namespace drill_rig_sim
+{
+/// What follows every step: the rock-breaking velocity as the system was left, and the hole extended by it times the step [s].
+void penetrate_rock(const System& system, SystemState& state, double step) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif
