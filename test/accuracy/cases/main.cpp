@@ -11,9 +11,7 @@ namespace
 {
 int usage()
 {
-  std::fprintf(stderr, "usage: accuracy_cases [--fast] [GROUP...]\ngroups:");
-  for (const CaseGroup& group : case_groups()) std::fprintf(stderr, " %s%s", group.name, group.fast ? "" : " (slow)");
-  std::fprintf(stderr, "\n");
+  std::fprintf(stderr, "usage: accuracy_cases [--list | [--fast] [GROUP...]]\n");
   return 2;
 }
 
@@ -35,6 +33,11 @@ bool known(const char* name)
 
 int main(int argc, char** argv)
 {
+  if (argc == 2 && std::strcmp(argv[1], "--list") == 0)
+  {
+    for (const CaseGroup& group : case_groups()) std::printf("%s%s\n", group.name, group.fast ? " fast" : "");
+    return 0;
+  }
   const bool fast = argc > 1 && std::strcmp(argv[1], "--fast") == 0;
   const int first = fast ? 2 : 1;
   for (int k = first; k < argc; ++k)

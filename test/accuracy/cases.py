@@ -1,0 +1,60 @@
+"""The published and closed-form cases: runs their program, one group a process, and writes their table."""
+import concurrent.futures
+import csv
+import os
+import subprocess
+
+TITLE = 'case, ours, published, relative difference, bound, source'
+
+
+class Line:
+    """One line of the program's output."""
+
+    def __init__(self, text):
+        self.text = text
+        self.holds = not text.endswith(' FAILED')
+        self.skipped = text.split(', ')[1] == 'skipped'
+        self.cells = [cell.strip() for cell in (text if self.holds else text[:-len(' FAILED')]).split(', ', 5)]
+
+    def __str__(self):
+        return self.text
+
+
+def run_group(program, group, place):
+    """Output and exit status of a group; the output is kept in `place`."""
+    done = subprocess.run([program, group], stdout=subprocess.PIPE, universal_newlines=True)
+    with open(place, 'w') as out:
+        out.write(done.stdout)
+    return done.returncode
+
+
+def run(program, folder, reuse):
+    """All lines in the program's order, and the worst exit status (0, 1: a case failed, 3: a group could not be run)."""
+    os.makedirs(folder, exist_ok=True)
+    groups = [line.split()[0] for line in subprocess.check_output([program, '--list'], universal_newlines=True).splitlines()]
+    places = [os.path.join(folder, group + '.txt') for group in groups]
+    status = 0
+    if not reuse:
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            status = max(pool.map(run_group, [program] * len(groups), groups, places))
+    lines = []
+    for place in places:
+        with open(place) as text:
+            rows = text.read().splitlines()
+        lines += [Line(row) for row in rows[1:] if row.count(', ') >= 5]
+        if not rows or 'beyond their bounds' not in rows[-1]:
+            print('\n'.join(rows[-1:]))
+            status = 3
+    return lines, status
+
+
+def write(lines, folder):
+    """cases.csv, and cases.md for the README."""
+    with open(os.path.join(folder, 'cases.csv'), 'w', newline='') as out:
+        table = csv.writer(out)
+        table.writerow(TITLE.split(', '))
+        table.writerows(line.cells for line in lines)
+    with open(os.path.join(folder, 'cases.md'), 'w') as out:
+        out.write('| case | ours | published | relative difference | bound | source |\n| --- | --- | --- | --- | --- | --- |\n')
+        for line in lines:
+            out.write('| ' + ' | '.join(line.cells) + (' |\n' if line.holds else ' **beyond** |\n'))
