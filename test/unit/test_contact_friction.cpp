@@ -1,0 +1,215 @@
+// The bristle that carries friction: consistent tangents, sticking without creep, never more than its limit, no energy from
+// nothing.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "contact_fixtures.h"
+#include "drill_rig_sim/contact/friction_law.h"
+
+namespace drill_rig_sim
+{
+TEST(StribeckFriction, FallsFromStaticToKinetic)
+{
+  EXPECT_DOUBLE_EQ(stribeck_friction(0.3, 1.2, 0.05, 0.0).value, 0.36);
+  EXPECT_DOUBLE_EQ(stribeck_friction(0.3, 1.2, 0.05, 0.0).slope, 0.0);
+  EXPECT_NEAR(stribeck_friction(0.3, 1.2, 0.05, 0.5).value, 0.3, 1e-15);
+  const double h = 1e-5;
+  const double slope =
+      (stribeck_friction(0.3, 1.2, 0.05, 0.04 + h).value - stribeck_friction(0.3, 1.2, 0.05, 0.04 - h).value) / (2.0 * h);
+  EXPECT_NEAR(stribeck_friction(0.3, 1.2, 0.05, 0.04).slope, slope, 1e-6 * std::abs(slope));
+}
+
+TEST(WallContact, TangentSticking)
+{
+  StraightHole hole;
+  hole.tangent = Vector3d(0.3, -0.2, -1.0).normalized();
+  const Vector3d side = hole.tangent.cross(Vector3d::UnitY()).normalized();
+  ContactStage stage = touching_stage(2.0 * hole.tangent + 0.0215 * side);
+  stage.bristle << 1e-5, -2e-5, 3e-5;
+  Vector6d u;
+  u << 2e-5, -4e-5, 3e-5, 1e-4, -2e-4, 3e-4;
+  expect_tangent(hole, stage, u, false);
+
+  ArcHole arc;
+  const Vector3d at = arc.locate({4.0, 0.0, -3.0}).centre;
+  stage.start = at + 0.0215 * Vector3d(0.48, 0.8, -0.36);
+  expect_tangent(arc, stage, u, false);
+}
+
+TEST(WallContact, TangentSlipping)
+{
+  StraightHole hole;
+  hole.tangent = Vector3d(0.3, -0.2, -1.0).normalized();
+  hole.radius_slope = -0.004;  // taper; 0.1 m where the section stands
+  hole.radius = 0.108;
+  const Vector3d side = hole.tangent.cross(Vector3d::UnitY()).normalized();
+  ContactStage stage = touching_stage(2.0 * hole.tangent + 0.0215 * side);
+  stage.bristle << 4e-4, -2e-4, 3e-4;
+  stage.law.stribeck_speed = 0.5;  // so that its slope counts
+  Vector6d u;
+  u << 2e-4, -4e-4, 3e-4, 1e-3, -2e-3, 3e-3;
+  expect_tangent(hole, stage, u, true);
+
+  ArcHole arc;
+  const Vector3d at = arc.locate({4.0, 0.0, -3.0}).centre;
+  stage.start = at + 0.0215 * Vector3d(0.48, 0.8, -0.36);
+  expect_tangent(arc, stage, u, true);
+  stage.law.law.exponent = 1.8;
+  expect_tangent(arc, stage, u, true);
+  arc.friction = 0.0;
+  expect_tangent(arc, stage, u, true);
+}
+
+TEST(WallContact, TangentAtRandomStates)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto vector = [&] { return Vector3d(uniform(random), uniform(random), uniform(random)); };
+  ArcHole arc;
+  int sticking = 0;
+  int slipping = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    ContactStage stage;
+    const double angle = 3.0 * uniform(random);
+    const HoleSite site = arc.locate({4.0, 0.0, -3.0});
+    const Vector3d across = site.tangent.cross(Vector3d::UnitY());
+    stage.start =
+        site.centre + (0.022 + 5e-4 * uniform(random)) * (std::cos(angle) * across + std::sin(angle) * Vector3d::UnitY());
+    stage.velocity_0 = 0.3 * vector();
+    stage.angular_velocity_0 = 5.0 * vector();
+    stage.bristle = 3e-4 * vector();
+    Vector6d u;
+    u << 1e-4 * vector(), 1e-2 * vector();
+
+    const ContactMotion m = stage.motion(u);
+    const WallForce f = wall_contact(arc.locate(m.position), stage.radius, m, stage.bristle, stage.law);
+    // away from the switch only: the kink itself has no derivative
+    const double pull = stage.law.tangential_stiffness * f.bristle.norm();
+    if (!f.slipping && pull > 0.95 * arc.friction * f.normal_force)
+    {
+      continue;
+    }
+    ++(f.slipping ? slipping : sticking);
+    expect_tangent(arc, stage, u, f.slipping);
+  }
+  EXPECT_GT(sticking, 20);
+  EXPECT_GT(slipping, 20);
+}
+
+TEST(WallContact, TangentWithZeroClearance)
+{
+  // gauge in its own hole, 0.1 mm off centre: friction is small, the normal direction turns fast
+  StraightHole hole;
+  ContactStage stage = touching_stage({8e-5, 6e-5, -1.0});
+  stage.radius = hole.radius;
+  stage.velocity_0 << 1e-3, 2e-3, 0.01;
+  stage.law.tangential_stiffness = 1e4;
+  stage.bristle << 1e-5, -2e-5, 2e-5;
+  Vector6d u;
+  u << 1e-6, 2e-6, -3e-5, 1e-5, 2e-5, -1e-3;
+  expect_tangent(hole, stage, u, false, 1e-7);
+  stage.law.tangential_stiffness = 5e6;
+  expect_tangent(hole, stage, u, true, 1e-7);
+}
+
+TEST(WallFriction, HeldBlockDoesNotCreep)
+{
+  // 70 deg from the vertical, mu_s = 3.6 > cot 70 deg: held. The elastic set is m g cos I / k_b = 0.2 mm, plus what slips while
+  // the block is let down on the wall from zero penetration. The bristle has no damping of its own: the scheme's rings it down.
+  BlockOnSlope block(70.0 * degree, 3.0);
+  for (int i = 0; i < 1000; ++i)
+  {
+    block.step(0.005);
+  }
+  const double set = block.travel();
+  EXPECT_NEAR(set, 300.0 * standard_gravity * std::cos(70.0 * degree) / 5e6, 2e-4);
+  for (int i = 0; i < 100000; ++i)
+  {
+    block.step(0.005);
+  }
+  EXPECT_NEAR(block.travel(), set, 1e-12);
+  EXPECT_LT(std::abs(block.speed()), 1e-12);
+  EXPECT_FALSE(block.force().slipping);
+}
+
+TEST(WallFriction, PulsatingLoadWithinTheLimitDoesNotCreep)
+{
+  // the normal load swings by half; friction never reaches its limit: each cycle must come back to the same place
+  BlockOnSlope block(70.0 * degree, 3.0);
+  const double weight = 300.0 * standard_gravity * std::sin(70.0 * degree);
+  const auto cycle = [&]
+  {
+    for (int i = 0; i < 40; ++i)
+    {
+      block.step(0.005, 0.5 * weight * std::sin(2.0 * pi * i / 40.0));
+    }
+  };
+  for (int i = 0; i < 50; ++i)
+  {
+    cycle();
+  }
+  const double set = block.travel();
+  for (int i = 0; i < 1000; ++i)
+  {
+    cycle();
+  }
+  EXPECT_NEAR(block.travel(), set, 1e-12);
+}
+
+TEST(WallFriction, NeverCreatesEnergy)
+{
+  // random displacements of the section: work done on the wall plus nothing >= energy stored in the bristle
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  StraightHole hole;
+  ContactStage stage;
+  stage.law.law.damping = 0.0;
+  stage.start << 0.0214, 0.0, -3.0;
+  const double h = 0.005;
+  stage.coefficient = 1.0 / h;
+  Vector3d bristle = Vector3d::Zero();
+  double taken_out = 0.0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    Vector6d u;
+    u << 0.0, 0.0, 2e-4 * normal(random), 0.0, 0.0, 2e-3 * normal(random);
+    const ContactMotion m = stage.motion(u);
+    const WallForce f = wall_contact(hole.locate(m.position), stage.radius, m, bristle, stage.law);
+    taken_out -= f.friction_power * h;  // implicit: force at the end of the step times the step's slip
+    bristle = f.bristle;
+    ASSERT_GE(taken_out, 0.5 * stage.law.tangential_stiffness * bristle.squaredNorm() * (1.0 - 1e-12));
+  }
+  EXPECT_GT(taken_out, 0.0);
+}
+
+TEST(WallFriction, BristleNeverLeavesTheLimitOrThePlane)
+{
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  StraightHole hole;
+  ContactStage stage;
+  Vector3d bristle = Vector3d::Zero();
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double angle = 0.01 * i;
+    stage.start << 0.0214 * std::cos(angle), 0.0214 * std::sin(angle), -3.0;
+    Vector6d u;
+    u << 0.0, 0.0, 3e-4 * normal(random), 0.0, 0.0, 5e-3 * normal(random);
+    const ContactMotion m = stage.motion(u);
+    const WallForce f = wall_contact(hole.locate(m.position), stage.radius, m, bristle, stage.law);
+    bristle = f.bristle;
+    EXPECT_NEAR(bristle.dot(Vector3d(std::cos(angle), std::sin(angle), 0.0)), 0.0, 1e-15);
+    EXPECT_LE(stage.law.tangential_stiffness * bristle.norm(),
+              hole.friction * stage.law.static_ratio * f.normal_force * (1.0 + 1e-12));
+  }
+}
+
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
