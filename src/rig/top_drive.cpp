@@ -120,4 +120,40 @@ RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& comman
   return out;
 }
 
+DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& command, const RotorState& start, double time, double turn,
+                         double speed) noexcept
+{
+  const double limit = motor_torque_limit(spec, command, start.speed);
+  DriveTorque out;
+  if (command.mode == TopDriveMode::torque)
+  {
+    const double most = spec.proportional_gain * (spec.max_speed - speed), least = spec.proportional_gain * (-spec.max_speed - speed);
+    out.value = std::clamp(command.torque, least, most);
+    out.limited = out.value != command.torque;
+    out.by_speed = out.limited ? -spec.proportional_gain : 0.0;
+  }
+  else
+  {
+    const double wanted = std::clamp(command.speed, -spec.max_speed, spec.max_speed);
+    out.value = spec.proportional_gain * (wanted - speed) + spec.integral_gain * (start.integral + wanted * time - turn);
+    out.by_speed = -spec.proportional_gain;
+    out.by_turn = -spec.integral_gain;
+  }
+  const bool saturated = std::abs(out.value) > limit;
+  if (saturated)
+  {
+    out.value = std::copysign(limit, out.value);
+    out.by_speed = out.by_turn = 0.0;
+    out.limited = true;
+  }
+  if (command.mode == TopDriveMode::torque)
+    out.integral = spec.integral_gain > 0.0 ? out.value / spec.integral_gain : 0.0;
+  else
+  {
+    const double wanted = std::clamp(command.speed, -spec.max_speed, spec.max_speed);
+    out.integral = next_integral(spec, start.integral, wanted - speed, wanted * time - turn, out.value, limit, saturated);
+  }
+  return out;
+}
+
 }  // namespace drill_rig_sim

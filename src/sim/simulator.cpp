@@ -157,6 +157,11 @@ FrameStatus Simulator::frame(double duration) noexcept
   impl_->statistics.newton_iterations = counters.newton_iterations;
   impl_->statistics.rejected_steps = counters.rejected_steps;
   impl_->statistics.work = impl_->system->work();
+  if (const ReferenceReport* report = impl_->integrator->reference())
+  {
+    impl_->statistics.is_reference = true;
+    impl_->statistics.reference = *report;
+  }
   impl_->statistics.last_error_estimate = impl_->integrator->error_estimate();
   impl_->measure();
   impl_->system->costs().lap(Cost::other);

@@ -47,6 +47,8 @@ void System::stage_at(double time) noexcept
 {
   stage_.time = time;
   hoist_end_ = time > 0.0 ? advance_hoist(*start_, time) : start_->hoist;
+  const double motor = start_->bit.motor_speed;
+  bit_drive_ = {motor, time * motor, start_->nodes[0].rate.spin + motor, time, 0.0};
 }
 
 void System::begin_static(const SystemState& state, FrictionMode friction, double coefficient) noexcept
@@ -287,38 +289,6 @@ void System::add_inertia(double* residual, BlockTridiagonal* tangent) noexcept
                                    (by_rate * gyro) * (w.cross(n) * n.transpose() - spin * skew(n));
     d.bottomRightCorner<3, 3>().diagonal().array() += by_acceleration * node.tilt_inertia;
   }
-}
-
-void System::place(const std::vector<NodeMotion>& motion) noexcept
-{
-  for (std::size_t i = 0; i < scratch_.size(); ++i)
-  {
-    NodeScratch& s = scratch_[i];
-    const NodeMotion& m = motion[i];
-    s.position = m.position;
-    s.orientation = m.orientation;
-    s.normal = x_axis(m.orientation);
-    s.normal_start = s.normal;  // the rates are split by the present normal
-    s.increment = m.moved;
-    s.spin = m.moved.tail<3>().dot(s.normal);
-    s.tilt = m.moved.tail<3>() - s.spin * s.normal;
-    s.rate = m.rate;
-    s.acceleration.setZero();
-  }
-}
-
-void System::evaluate_motion(const std::vector<NodeMotion>& motion, double* residual, BlockTridiagonal* tangent) noexcept
-{
-  ++work_.residuals;
-  if (tangent) ++work_.tangents;
-  std::fill(residual, residual + 6 * scratch_.size(), 0.0);
-  if (tangent) tangent->diagonal(0).setZero();
-  place(motion);
-  add_elements(residual, tangent);
-  add_mud_damping(residual, tangent);
-  add_walls(residual, tangent);
-  add_bit(residual, tangent);
-  if (start_->grip.node >= 0) add_grip(residual, tangent);
 }
 
 void System::hold_top(double* residual, BlockTridiagonal* tangent) noexcept

@@ -17,23 +17,22 @@ void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
   const Vector3d down = start_->well.bottom_normal();
   const Vector3d to_bottom = start_->well.bottom_position() - s.position;
   const Vector3d& n = s.normal_start;
-  const double start_speed = start_->nodes[0].rate.spin + start.motor_speed;
-  const double spin_rate = s.rate.tail<3>().dot(n);
-  forces_.bit_speed = static_ ? 0.0 : spin_rate + start.motor_speed;
+  forces_.bit_speed = static_ ? 0.0 : s.rate.tail<3>().dot(n) + bit_drive_.motor_speed;
 
   const FormationLayer& rock = formation_.at(-start_->well.bottom_position().z());
   RockBreaking breaking;
-  if (!static_) breaking = {drilling_coefficient(rock, start_speed), rock.weight_exponent, rock.threshold};
-  const double step = static_ ? 0.0 : stage_.time;
+  if (!static_) breaking = {drilling_coefficient(rock, bit_drive_.drilling_speed), rock.weight_exponent, rock.threshold};
+  const double rock_time = static_ ? 0.0 : bit_drive_.rock_time;
+  const double approach = mesh_.bit_radius - to_bottom.dot(down) - (static_ ? 0.0 : bit_drive_.bottom_moved);
   const double rate = static_ ? 0.0 : s.rate.head<3>().dot(down);
-  const BottomForce bottom = bit_bottom_force(bit.bottom, mesh_.bit_radius - to_bottom.dot(down), rate, breaking, step);
+  const BottomForce bottom = bit_bottom_force(bit.bottom, approach, rate, breaking, rock_time);
 
   BitTorque torque;
   if (static_)
     torque.value = bottom.value > 0.0 ? scene_.start.torque_on_bit : 0.0;
   else if (bottom.value > 0.0)
     torque = bit_torque(bit_torque_limit(bit.torque, bit.diameter, bottom.value, forces_.bit_speed, rock), bit_bristle_, start.twist,
-                        s.spin + step * start.motor_speed, forces_.bit_speed, stage_.rate_by_u);
+                        s.spin + bit_drive_.motor_turn, forces_.bit_speed, stage_.rate_by_u);
 
   Eigen::Map<Vector6d> r(residual);
   r.head<3>() += bottom.value * down;
@@ -60,21 +59,35 @@ void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
 
   bit_end_ = start;
   bit_end_.twist = torque.twist;
-  bit_end_.turned += step * start.motor_speed;
+  bit_end_.turned += bit_drive_.motor_turn;
   if (motor_)
   {
-    const double steady = mud_motor_steady_speed(start_->flow, motor_->displacement_per_rev, motor_->stall_torque, torque.value);
-    bit_end_.motor_speed = advance_mud_motor(start.motor_speed, steady, step);
+    bit_end_.motor_speed = advance_mud_motor(start.motor_speed, steady_motor_speed(), stage_.time);
     bit_end_.stalled = mud_motor_stalled(start_->flow, motor_->stall_torque, torque.value);
   }
 }
 
 Vector3d System::rock_velocity(const SystemState& state) const noexcept
 {
+  return rock_velocity_at(state.well, x_axis(state.nodes[0].orientation));
+}
+
+Vector3d System::rock_velocity() const noexcept
+{
+  return rock_velocity_at(start_->well, scratch_[0].normal);
+}
+
+Vector3d System::rock_velocity_at(const Wellbore& well, const Vector3d& bit_axis) const noexcept
+{
   if (forces_.wob <= 0.0) return Vector3d::Zero();
-  const FormationLayer& rock = formation_.at(-state.well.bottom_position().z());
-  return rock_breaking_velocity(rock, forces_.rock_force, forces_.bit_speed, x_axis(state.nodes[0].orientation),
-                                scene_.string.front().side_cutting);
+  const FormationLayer& rock = formation_.at(-well.bottom_position().z());
+  return rock_breaking_velocity(rock, forces_.rock_force, forces_.bit_speed, bit_axis, scene_.string.front().side_cutting);
+}
+
+double System::steady_motor_speed() const noexcept
+{
+  if (!motor_) return 0.0;
+  return mud_motor_steady_speed(start_->flow, motor_->displacement_per_rev, motor_->stall_torque, forces_.bit_torque);
 }
 
 }  // namespace drill_rig_sim

@@ -33,37 +33,39 @@ SlidingMotion sliding_of(FrictionMode mode)
 
 void System::add_walls(double* residual, BlockTridiagonal* tangent) noexcept
 {
-  Matrix6d block;
   // the last node is the top drive's shaft, above the table
-  for (std::size_t i = 0; i + 1 < scratch_.size(); ++i)
+  for (int i = 0; i + 1 < nodes(); ++i) add_wall(i, residual, tangent);
+}
+
+void System::add_wall(int i, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  NodeScratch& s = scratch_[i];
+  forces_.contact[i] = 0.0;
+  forces_.wall[i].setZero();
+  if (i == 0) forces_.bit_moment.setZero();
+  if (s.position.z() >= 0.0)
   {
-    NodeScratch& s = scratch_[i];
-    forces_.contact[i] = 0.0;
-    forces_.wall[i].setZero();
-    if (i == 0) forces_.bit_moment.setZero();
-    if (s.position.z() >= 0.0)
-    {
-      s.bristle.setZero();
-      continue;
-    }
-    const double radius = mesh_.nodes[i].contact_radius;
-    s.site = start_->well.locate(s.position, s.site.segment);
-    if (!static_ && mesh_.nodes[i].film_damping > 0.0) add_film(static_cast<int>(i), residual, tangent);
-    if (wall_gap(s.site, s.position, radius) >= 0.0)
-    {
-      s.bristle.setZero();
-      continue;
-    }
-    const WallForce f = wall_force(static_cast<int>(i), radius, tangent ? &block : nullptr);
-    Eigen::Map<Vector6d> r(residual + 6 * i);
-    r.head<3>() -= f.force;
-    r.tail<3>() -= f.moment;
-    s.bristle = f.bristle;
-    forces_.contact[i] = f.normal_force;
-    forces_.wall[i] = f.force;
-    if (i == 0) forces_.bit_moment = f.moment;
-    if (tangent) tangent->diagonal(static_cast<int>(i)) -= block;
+    s.bristle.setZero();
+    return;
   }
+  const double radius = mesh_.nodes[i].contact_radius;
+  s.site = start_->well.locate(s.position, s.site.segment);
+  if (!static_ && mesh_.nodes[i].film_damping > 0.0) add_film(i, residual, tangent);
+  if (wall_gap(s.site, s.position, radius) >= 0.0)
+  {
+    s.bristle.setZero();
+    return;
+  }
+  Matrix6d block;
+  const WallForce f = wall_force(i, radius, tangent ? &block : nullptr);
+  Eigen::Map<Vector6d> r(residual + 6 * i);
+  r.head<3>() -= f.force;
+  r.tail<3>() -= f.moment;
+  s.bristle = f.bristle;
+  forces_.contact[i] = f.normal_force;
+  forces_.wall[i] = f.force;
+  if (i == 0) forces_.bit_moment = f.moment;
+  if (tangent) tangent->diagonal(i) -= block;
 }
 
 /// Damping of motion across the hole; across the hole, not across the part: a tilted bit that slides does not glide up on it.
@@ -94,9 +96,8 @@ WallForce System::wall_force(int i, double radius, Matrix6d* block) noexcept
   motion.velocity_coefficient = stage_.rate_by_u;
   if (i == 0)  // the bit turns with the motor
   {
-    const double motor = start_->bit.motor_speed;
-    motion.rotation += (stage_.time * motor) * s.normal_start;
-    motion.angular_velocity += motor * s.normal_start;
+    motion.rotation += bit_drive_.motor_turn * s.normal_start;
+    motion.angular_velocity += bit_drive_.motor_speed * s.normal_start;
   }
   const Vector3d& bristle = start_->nodes[i].bristle;
   return block ? wall_contact(s.site, radius, motion, bristle, contact_[i], *block)

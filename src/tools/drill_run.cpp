@@ -128,6 +128,21 @@ Json json_of(const CostBook& costs)
   return json;
 }
 
+Json json_of(const ReferenceReport& report)
+{
+  Json json;
+  json.add("constraint_drift", report.drift);
+  json.add("constraint_rate_drift", report.rate_drift);
+  json.add("jacobians", static_cast<double>(report.ida.jacobians));
+  json.add("error_test_failures", static_cast<double>(report.ida.error_test_failures));
+  json.add("newton_failures", static_cast<double>(report.ida.newton_failures));
+  json.add("starts", static_cast<double>(report.ida.starts));
+  json.add("last_order", report.ida.last_order);
+  json.add("last_step", report.ida.last_step);
+  json.add("smallest_step", report.ida.smallest_step);
+  return json;
+}
+
 Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record, const Ending& ending)
 {
   const SimulatorStatistics& s = simulator.statistics();
@@ -149,6 +164,7 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const Drilli
   json.add("residuals", static_cast<double>(s.work.residuals));
   json.add("tangents", static_cast<double>(s.work.tangents));
   json.add("solves", static_cast<double>(s.work.solves));
+  if (s.is_reference) json.add("reference", json_of(s.reference));
   json.add("cost_share", json_of(s.costs));
   Averages now;
   now.add(m);

@@ -270,18 +270,21 @@ TEST(SystemTangent, aMotionGivenOutrightMeetsTheSameForces)
   system.begin(state, kStep, rig.setpoints);
   prepare_start(state, system.stage());
   const int n = system.nodes();
-  VectorXd by_stage(6 * n), outright(6 * n);
+  VectorXd by_stage(6 * n), outright(6 * n), contact(6 * n);
   const VectorXd u = VectorXd::Zero(6 * n);
   system.evaluate(u.data(), by_stage.data(), nullptr);
-  std::vector<NodeMotion> motion(n);
+  GivenMotion motion;
   for (int i = 0; i < n; ++i)
   {
     const NodeState& node = state.nodes[i];
-    motion[i] = {node.position, node.orientation, Vector6d::Zero(), in_step_axes(node.rate, x_axis(node.orientation))};
+    motion.nodes.push_back({node.position, node.orientation, Vector6d::Zero(), in_step_axes(node.rate, x_axis(node.orientation))});
   }
-  BlockTridiagonal tangent;
-  tangent.resize(n);
-  system.evaluate_motion(motion, outright.data(), &tangent);
+  motion.time = kStep;
+  motion.bit = motion.nodes.front();
+  motion.motor_speed = state.bit.motor_speed;
+  motion.motor_turn = kStep * state.bit.motor_speed;
+  system.evaluate_motion(motion, outright.data(), contact.data(), nullptr, nullptr);
+  outright += contact;
   const double scale = outright.head(6 * (n - 1)).cwiseAbs().maxCoeff();
   EXPECT_GT(scale, 100.0);
   // what a stage adds: the gyroscopic moment of tilting while turning, 1e-4 N m here

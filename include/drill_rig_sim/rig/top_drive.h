@@ -59,6 +59,21 @@ struct RotorResult
 RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& command, const RotorState& start, const RotorStage& stage,
                         double top_spin) noexcept;
 
+/// The motor at a given motion of the rotor, and what the loop remembers if a step ends there.
+struct DriveTorque
+{
+  double value = 0.0;     ///< tau [N m]
+  double by_turn = 0.0;   ///< d tau / d turn, <= 0 [N m/rad]
+  double by_speed = 0.0;  ///< d tau / d speed, <= 0 [N m s/rad]
+  double integral = 0.0;  ///< I at the end of a step here [rad]
+  bool limited = false;
+};
+
+/// The same laws where somebody else integrates the rotor: the motor's torque after it has turned by `turn` [rad] in `time` [s] since the
+/// start of the step and runs at `speed` [rad/s]. In speed mode dI/dt = w* - w is integrated exactly, I = start.integral + w* time - turn.
+DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& command, const RotorState& start, double time, double turn,
+                         double speed) noexcept;
+
 /// Torque that the motor can give at a speed: the smaller of the rig's limit, the command's (0: none) and max_power / |speed| [N
 /// m].
 double motor_torque_limit(const TopDriveSpec& spec, const TopDriveSetpoint& command, double speed) noexcept;

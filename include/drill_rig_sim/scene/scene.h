@@ -197,6 +197,8 @@ struct NumericsSpec
   double step = 0.005;              ///< [s]
   double element_length = 9.5;      ///< longest element [m]
   double tolerance = 0.01;          ///< relative, of the scene's outputs; level auto only
+  double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]
+  int reference_index = 2;          ///< integrator ida: 2 with both levels of constraints, 3 to show how it fails
   double structural_damping =
       1e-4;  ///< stiffness-proportional, axial and torsional: stress = E (strain + value * strain rate) [s]
 };

@@ -10,6 +10,7 @@
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/measurements.h"
+#include "drill_rig_sim/solve/reference_report.h"
 #include "drill_rig_sim/system/work.h"
 
 namespace drill_rig_sim
@@ -40,6 +41,8 @@ struct SimulatorStatistics
   double step = 0.0;                    ///< [s]
   double last_error_estimate = 0.0;     ///< local, of the last step's positions [m]
   CostBook costs;                       ///< where the frames' time went
+  bool is_reference = false;            ///< the integrator is ida, and this is its report:
+  ReferenceReport reference;
 };
 
 /// A rig, a string and a well that commands drive through time. Knows no wall clock and no ROS.

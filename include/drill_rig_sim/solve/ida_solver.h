@@ -1,12 +1,12 @@
 #ifndef DRILL_RIG_SIM_SOLVE_IDA_SOLVER_H
 #define DRILL_RIG_SIM_SOLVE_IDA_SOLVER_H
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "drill_rig_sim/solve/dae_problem.h"
+#include "drill_rig_sim/solve/reference_report.h"
 
 namespace drill_rig_sim
 {
@@ -18,22 +18,6 @@ struct IdaOptions
   bool suppress_algebraic = true;  ///< multipliers out of the error test
   long max_steps = 2000000;        ///< of one advance()
   double newton_share = 0.33;      ///< of the tolerance, that Newton's method may leave
-};
-
-/// What a run took, since construction.
-struct IdaStatistics
-{
-  std::uint64_t steps = 0;
-  std::uint64_t residuals = 0;
-  std::uint64_t jacobians = 0;  ///< each with a factorisation
-  std::uint64_t newton_iterations = 0;
-  std::uint64_t error_test_failures = 0;
-  std::uint64_t newton_failures = 0;
-  std::uint64_t starts = 0;
-  int last_order = 0;
-  double last_step = 0.0;      ///< [s]
-  double smallest_step = 0.0;  ///< at the ends of advance() [s]
-  int flag = 0;                ///< IDA's, of the last advance()
 };
 
 /// SUNDIALS IDA: variable-order, variable-step BDF in fixed-leading-coefficient form, modified Newton with our sparse Jacobian

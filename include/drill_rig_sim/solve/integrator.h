@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drill_rig_sim/rig/setpoints.h"
+#include "drill_rig_sim/solve/reference_report.h"
 #include "drill_rig_sim/system/state.h"
 #include "drill_rig_sim/system/system.h"
 
@@ -33,6 +34,8 @@ public:
   const StepperCounters& counters() const noexcept { return counters_; }
   /// Local error of the last step's positions, as the method estimates it [m]; 0 where it does not.
   double error_estimate() const noexcept { return error_estimate_; }
+  /// Of the reference; null for the others.
+  virtual const ReferenceReport* reference() const noexcept { return nullptr; }
 
 protected:
   StepperCounters counters_;

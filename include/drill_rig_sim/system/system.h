@@ -51,6 +51,17 @@ struct NodeMotion
   Vector6d rate;   ///< velocity and angular velocity, world axes [m/s, rad/s]
 };
 
+/// A motion that somebody else integrates.
+struct GivenMotion
+{
+  double time = 0.0;              ///< since the start of the step [s]
+  std::vector<NodeMotion> nodes;
+  NodeMotion bit;                 ///< of the bit as a body of its own, on the string's lowest node
+  double motor_speed = 0.0;       ///< of the bit relative to the string [rad/s]
+  double motor_turn = 0.0;        ///< its integral since the start of the step [rad]
+  Eigen::Vector3d bottom_moved = Eigen::Vector3d::Zero();  ///< of the hole's bottom since the start of the step [m]
+};
+
 /// Forces at the state that finish() made, for measurements and energy books.
 struct SystemForces
 {
@@ -100,10 +111,25 @@ public:
 
   /// Residual R(u) and, unless null, its tangent dR/du. u, residual: 6 per node, bit first.
   void evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept;
-  /// All forces but the rig's at a motion given outright, one per node: no inertia, nothing held. The time is the stage's.
-  /// Residual: force and moment that must be put on the node so that it does not accelerate (world axes). Tangent: with respect to
-  /// positions and spatial rotations, plus rate_by_u times that with respect to the rates.
-  void evaluate_motion(const std::vector<NodeMotion>& motion, double* residual, BlockTridiagonal* tangent) noexcept;
+  /// All forces but the rig's at a motion given outright: no inertia, nothing held. `string`: of elements, weight and mud on the nodes;
+  /// `contact`: of wall, rock, grip and the bit's weight, row 0 on the bit as a body of its own; both 6 per node, overwritten: force and
+  /// moment that must be put on the node so that it does not accelerate (world axes). Tangents, unless null: with respect to positions and
+  /// spatial rotations, plus the stage's rate_by_u times that with respect to the rates; that of `contact` has diagonal blocks only.
+  /// finish() then takes this motion; the rig's share in the state is the caller's.
+  void evaluate_motion(const GivenMotion& motion, double* string, double* contact, BlockTridiagonal* string_tangent,
+                       BlockTridiagonal* contact_tangent) noexcept;
+  /// Row 0 of `contact` alone.
+  Vector6d evaluate_bit_motion(const GivenMotion& motion) noexcept;
+  /// Velocity of the hole's bottom at the bit's last forces [m/s].
+  Eigen::Vector3d rock_velocity() const noexcept;
+  /// Steady speed of the mud motor at the bit's last forces; 0 without one [rad/s].
+  double steady_motor_speed() const noexcept;
+  /// Line and winch at the stage.
+  const HoistState& hoist() const noexcept { return hoist_end_; }
+  /// For forces(): what the caller of evaluate_motion() found at the rig.
+  void note_rig(double hook_load, double meter_torque) noexcept;
+  /// Share of a node's added mass that moves with it: 1 below the rotary table, 0 above.
+  double immersed(int i) const noexcept { return scratch_[i].immersed; }
   /// After a solution: everything finish() takes, at u. Like evaluate() without elements and inertia, whose forces it leaves alone.
   void settle(const double* u) noexcept;
   /// Accelerations that balance the residual of the last evaluate(), whose own accelerations must be zero: explicit methods.
@@ -149,11 +175,22 @@ private:
     Eigen::Vector3d bristle;
   };
 
+  // What turns the bit and moves the bottom under it within the step.
+  struct BitDrive
+  {
+    double motor_speed, motor_turn;  // relative to the string [rad/s], since the start of the step [rad]
+    double drilling_speed;           // that the rock-breaking law sees [rad/s]
+    double rock_time;                // over which the bottom recedes implicitly, by the law at the stage [s]
+    double bottom_moved;             // and how far it is known to have receded [m]
+  };
+
   void begin_common(const SystemState& state) noexcept;
   void configure(const double* u) noexcept;
+  void take_bit(const GivenMotion& motion) noexcept;
+  void add_wall(int i, double* residual, BlockTridiagonal* tangent) noexcept;
   BeamForces element_forces(int e, BeamTangent* tangent) noexcept;
   void add_elements(double* residual, BlockTridiagonal* tangent) noexcept;
-  void place(const std::vector<NodeMotion>& motion) noexcept;
+  void place(int i, const NodeMotion& motion) noexcept;
   void add_mud_damping(double* residual, BlockTridiagonal* tangent) noexcept;
   void add_inertia(double* residual, BlockTridiagonal* tangent) noexcept;
   WallForce wall_force(int i, double radius, Eigen::Matrix<double, 6, 6>* block) noexcept;
@@ -168,6 +205,7 @@ private:
   double element_weight(int e, double z_lower, double z_upper) const noexcept;
   HoistState advance_hoist(const SystemState& state, double step) const noexcept;
   RotorResult drive_at(double top_spin) const noexcept;
+  Eigen::Vector3d rock_velocity_at(const Wellbore& well, const Eigen::Vector3d& bit_axis) const noexcept;
 
   Scene scene_;
   Mesh mesh_;
@@ -188,6 +226,7 @@ private:
   HoistState hoist_end_;
   DriveState drive_end_;
   BitState bit_end_;
+  BitDrive bit_drive_{};
   double top_force_ = 0.0;
   double top_torque_ = 0.0;
   CostBook costs_;

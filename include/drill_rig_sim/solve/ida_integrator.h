@@ -1,0 +1,50 @@
+#ifndef DRILL_RIG_SIM_SOLVE_IDA_INTEGRATOR_H
+#define DRILL_RIG_SIM_SOLVE_IDA_INTEGRATOR_H
+
+#include <memory>
+#include <vector>
+
+#include "drill_rig_sim/solve/ida_solver.h"
+#include "drill_rig_sim/solve/integrator.h"
+#include "drill_rig_sim/solve/rig_dae.h"
+
+namespace drill_rig_sim
+{
+/// The reference: the rig as a DAE (rig_dae.h), integrated by IDA within each step of `numerics.step`, at whose end the hole is
+/// extended (the seed's order: integrate, extend the well, correct, next step). Steps of IDA go on across the ends of intervals;
+/// it starts afresh at order one, from consistent accelerations, only where something jumps: set points, flow, a gripped pipe, a
+/// node that dips into the mud, bases that are renewed because a section has tilted by more than 0.3 rad, and the state itself.
+/// Its memory is no part of a snapshot: after restore() it starts afresh, so that runs repeat within the tolerance, not bit by
+/// bit. It allocates.
+class IdaIntegrator : public Integrator
+{
+public:
+  /// Tolerance and formulation as in the system's scene.
+  explicit IdaIntegrator(System& system);
+
+  bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept override;
+  void restart() noexcept override { lost_ = true; }
+  const ReferenceReport* reference() const noexcept override { return &report_; }
+
+private:
+  bool advance_or_throw(SystemState& state, double step, const Setpoints& setpoints);
+  bool start(const SystemState& state, const Setpoints& setpoints);
+  bool jumped(const SystemState& state, const Setpoints& setpoints) const;
+  void note();
+
+  System& system_;
+  std::unique_ptr<RigDae> rig_;
+  std::unique_ptr<IdaSolver> ida_;
+  std::vector<double> y_, rate_;
+  double time_ = 0.0;
+  bool lost_ = true;
+  Setpoints setpoints_;
+  double flow_ = 0.0;
+  int grip_ = -1;
+  IdaStatistics earlier_;
+  ReferenceReport report_;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

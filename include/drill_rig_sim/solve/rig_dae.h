@@ -1,0 +1,98 @@
+#ifndef DRILL_RIG_SIM_SOLVE_RIG_DAE_H
+#define DRILL_RIG_SIM_SOLVE_RIG_DAE_H
+
+#include <vector>
+
+#include "drill_rig_sim/math/block_tridiagonal.h"
+#include "drill_rig_sim/rig/hoisting.h"
+#include "drill_rig_sim/rig/setpoints.h"
+#include "drill_rig_sim/rig/top_drive.h"
+#include "drill_rig_sim/solve/constrained_bodies.h"
+#include "drill_rig_sim/system/system.h"
+
+namespace drill_rig_sim
+{
+/// The whole rig as a DAE: the string's nodes and the rigid bodies bit, rotor, stator and travelling block, with their joints.
+///
+///   crown block    is the ground (its fixed joint holds identically)
+///   block          hangs on the drill line; fixed joint to the stator
+///   stator         guide rail on the ground
+///   rotor          revolute joint to the stator, turned by the drive's torque
+///   string's top   place and axis held by the rotor (five constraints), the torque meter's spring about the axis
+///   bit            fixed joint to the string's lowest node; all forces of wall, rock and film at the bit act on it
+///
+/// `rig.hoisting.block_mass` is split among block, stator and rotor as 0.4, 0.4 and 0.2: rigidly connected along the rail, so
+/// that the split changes the joints' forces only. Their moments of inertia, but for the rotor's about its axis, meet no
+/// acceleration.
+///
+/// Forces are the System's own, by evaluate_forces(), with the bristles of wall and bit mapped back from the start of the
+/// interval that begin() opens. Further states: the mud motor's speed and turn, and how far the bottom of the hole has moved (m'
+/// = the rock-breaking velocity): the rock recedes in time, not by an implicit law over the interval.
+class RigDae : public ConstrainedBodies
+{
+public:
+  /// Takes the places of things from `state`, joints as they then are. `system` must outlive it.
+  RigDae(System& system, const SystemState& state, Formulation formulation, double tolerance);
+
+  /// y as `state` has it, at the bases.
+  std::vector<double> initial(const SystemState& state) const;
+  /// Opens an interval at time `t` [s] and state y. `state` is the same motion as y; the system has begun at it, and it must stay
+  /// as it is until the interval's end. True: the masses are others than before (a node has gone into the mud).
+  bool begin(double t, const SystemState& state, const Setpoints& setpoints, const std::vector<double>& y);
+  /// Writes the interval's end, y at `t`, into the state that begin() took: all that the next interval and the measurements
+  /// depend on, but for the hole. Returns how far its bottom has moved in the interval [m].
+  Eigen::Vector3d finish(double t, const std::vector<double>& y, SystemState& state);
+
+protected:
+  int further_count() const override { return 5; }
+  void add_forces(double t, const double* y, double* force) override;
+  void add_force_jacobian(double t, const double* y, SparseJacobian& j) override;
+  void further_rates(double t, const double* y, double* rate) override;
+  void further_tolerances(const double* y, double* tolerance) const override;
+
+private:
+  struct Rig
+  {
+    std::vector<RigidBody> bodies;
+    std::vector<BodyMotion> motions;
+    std::vector<Joint> joints;
+  };
+  struct Drive
+  {
+    DriveTorque motor;
+    double turn;   // of the rotor since the start of the interval [rad]
+    double speed;  // [rad/s]
+    double twist;  // of the torque meter [rad]
+  };
+  using BitAnswer = Eigen::Matrix<double, 11, 1>;  // minus the force on the bit, rates of the further states
+
+  RigDae(System& system, Rig rig, Formulation formulation, double tolerance);
+  static Rig rig_of(const System& system, const SystemState& state);
+  int string_nodes() const { return system_.nodes(); }
+  int bit() const { return string_nodes(); }
+  int rotor() const { return string_nodes() + 1; }
+  int stator() const { return string_nodes() + 2; }
+  int block() const { return string_nodes() + 3; }
+  void take_motion(double t, const double* y);
+  NodeMotion motion_of(int body, const double* y) const;
+  Drive drive_at(const double* y) const;
+  LinePull pull_at() const;
+  void add_rig_jacobian(const double* y, SparseJacobian& j);
+  void add_bit_jacobian(SparseJacobian& j);
+  BitAnswer bit_rates(const Vector6d& force) const;
+
+  System& system_;
+  double tolerance_;
+  double start_time_ = 0.0;
+  const SystemState* start_ = nullptr;
+  Setpoints setpoints_;
+  std::vector<double> start_y_;
+  std::vector<Eigen::Quaterniond> start_orientations_;
+  GivenMotion motion_;
+  std::vector<double> string_, contact_;
+  BlockTridiagonal string_by_place_, string_by_both_, contact_by_place_, contact_by_both_;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

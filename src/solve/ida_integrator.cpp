@@ -1,0 +1,119 @@
+#include "drill_rig_sim/solve/ida_integrator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "drill_rig_sim/math/rotation.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double kLargestTilt = 0.3;  // [rad]
+
+bool same(const Setpoints& a, const Setpoints& b)
+{
+  return a.winch.block_velocity == b.winch.block_velocity && a.winch.brake == b.winch.brake &&
+         a.top_drive.mode == b.top_drive.mode && a.top_drive.speed == b.top_drive.speed &&
+         a.top_drive.torque == b.top_drive.torque && a.top_drive.angle == b.top_drive.angle &&
+         a.top_drive.torque_limit == b.top_drive.torque_limit;
+}
+}  // namespace
+
+IdaIntegrator::IdaIntegrator(System& system) : system_(system)
+{
+}
+
+bool IdaIntegrator::advance(SystemState& state, double step, const Setpoints& setpoints) noexcept
+{
+  try
+  {
+    if (advance_or_throw(state, step, setpoints)) return true;
+  }
+  catch (const std::exception&)
+  {
+    // memory, in all that is called: as if it had not converged
+  }
+  lost_ = true;
+  return false;
+}
+
+bool IdaIntegrator::jumped(const SystemState& state, const Setpoints& setpoints) const
+{
+  return !same(setpoints, setpoints_) || state.flow != flow_ || state.grip.node != grip_;
+}
+
+/// From the state (lost_) or from where IDA stands.
+bool IdaIntegrator::start(const SystemState& state, const Setpoints& setpoints)
+{
+  const NumericsSpec& numerics = system_.scene().numerics;
+  if (lost_)
+  {
+    if (ida_) earlier_ = report_.ida;
+    const Formulation formulation = numerics.reference_index == 3 ? Formulation::index_3 : Formulation::stabilised_index_2;
+    ida_.reset();
+    rig_ = std::make_unique<RigDae>(system_, state, formulation, numerics.reference_tolerance);
+    ida_ = std::make_unique<IdaSolver>(*rig_, IdaOptions());
+    y_ = rig_->initial(state);
+    time_ = state.time;
+    lost_ = false;
+  }
+  else
+    rig_->renew_bases(y_);
+  rig_->begin(time_, state, setpoints, y_);
+  if (!rig_->make_consistent(time_, y_, rate_)) return false;
+  rig_->begin(time_, state, setpoints, y_);
+  return ida_->start(time_, y_, rate_);
+}
+
+bool IdaIntegrator::advance_or_throw(SystemState& state, double step, const Setpoints& setpoints)
+{
+  system_.begin(state, step, setpoints);
+  bool fresh = lost_ || jumped(state, setpoints) || rig_->largest_tilt(y_.data()) > kLargestTilt;
+  if (!fresh) fresh = rig_->begin(time_, state, setpoints, y_);
+  setpoints_ = setpoints;
+  flow_ = state.flow;
+  grip_ = state.grip.node;
+  if (fresh && !start(state, setpoints)) return false;
+  bool done = ida_->advance(time_ + step, y_, rate_);
+  if (!done)
+  {
+    // once more from the start of the step, at order one
+    ++counters_.rejected_steps;
+    lost_ = true;
+    done = start(state, setpoints) && ida_->advance(time_ + step, y_, rate_);
+  }
+  if (!done) return false;
+  time_ += step;
+  const Eigen::Vector3d moved = rig_->finish(time_, y_, state);
+  system_.costs().lap(Cost::other);
+  state.bit.rock_velocity = moved / step;
+  state.well.extend(moved, x_axis(state.nodes[0].orientation));
+  system_.costs().lap(Cost::rock_penetration);
+  note();
+  return true;
+}
+
+void IdaIntegrator::note()
+{
+  const IdaStatistics before = report_.ida;
+  IdaStatistics now = ida_->statistics();
+  now.steps += earlier_.steps;
+  now.residuals += earlier_.residuals;
+  now.jacobians += earlier_.jacobians;
+  now.newton_iterations += earlier_.newton_iterations;
+  now.error_test_failures += earlier_.error_test_failures;
+  now.newton_failures += earlier_.newton_failures;
+  now.starts += earlier_.starts;
+  report_.ida = now;
+  counters_.steps += now.steps - before.steps;
+  counters_.newton_iterations += now.newton_iterations - before.newton_iterations;
+  counters_.rejected_steps += now.error_test_failures + now.newton_failures - before.error_test_failures - before.newton_failures;
+  system_.work().solves += now.newton_iterations - before.newton_iterations;
+  const ConstraintDrift drift = rig_->drift(y_.data());
+  report_.drift = std::max(report_.drift, drift.position);
+  report_.rate_drift = std::max(report_.rate_drift, drift.velocity);
+}
+
+}  // namespace drill_rig_sim
