@@ -19,6 +19,13 @@ double largest(const std::vector<double>& values) noexcept
 }
 }  // namespace
 
+bool newton_converged(double increment, double before, const NewtonLimits& limits) noexcept
+{
+  if (increment > limits.max_move) return false;  // it was cut
+  const double contraction = before > 0.0 ? increment / before : 1.0;
+  return increment * std::fmin(1.0, contraction) < limits.tolerance;
+}
+
 Newton::Newton(int nodes) : step_(6 * nodes)
 {
   tangent_.resize(nodes);
@@ -40,16 +47,8 @@ NewtonOutcome Newton::solve(System& system, double* u, const NewtonLimits& limit
     if (!std::isfinite(out.increment)) return out;
     const double scale = out.increment > limits.max_move ? limits.max_move / out.increment : 1.0;
     for (std::size_t k = 0; k < step_.size(); ++k) u[k] -= scale * step_[k];
-    if (scale == 1.0)
-    {
-      // an iteration leaves less than its contraction times its increment
-      const double contraction = before > 0.0 ? out.increment / before : 1.0;
-      if (out.increment * std::fmin(1.0, contraction) < limits.tolerance)
-      {
-        out.converged = true;
-        return out;
-      }
-    }
+    out.converged = newton_converged(out.increment, before, limits);
+    if (out.converged) return out;
     before = out.increment;
   }
   return out;

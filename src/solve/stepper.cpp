@@ -7,12 +7,6 @@
 
 namespace drill_rig_sim
 {
-namespace
-{
-constexpr int kMaxHalvings = 5;
-constexpr int kBudget = 120;  // Newton iterations that one step may cost in all
-}  // namespace
-
 const std::vector<Method>& method_table()
 {
   static const std::vector<Method> table = {
@@ -69,28 +63,6 @@ bool Attempt::solve_and_settle() noexcept
 Stepper::Stepper(System& system, const Method& method)
   : system_(system), method_(method), newton_(system.nodes()), u_(6 * system.nodes()), guess_(6 * system.nodes()), residual_(6 * system.nodes())
 {
-}
-
-bool Stepper::advance(SystemState& state, double step, const Setpoints& setpoints) noexcept
-{
-  int budget = kBudget;
-  int halvings = 0;
-  int done = 0;  // in units of step / 2^kMaxHalvings
-  constexpr int whole = 1 << kMaxHalvings;
-  while (done < whole)
-  {
-    const int part = whole >> halvings;
-    if (attempt(state, step * part / whole, setpoints, budget))
-    {
-      done += part;
-      // try the longer step again where the grid allows
-      if (halvings > 0 && done % (2 * part) == 0) --halvings;
-      continue;
-    }
-    ++counters_.rejected_steps;
-    if (++halvings > kMaxHalvings || budget <= 0) return false;
-  }
-  return true;
 }
 
 bool Stepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept

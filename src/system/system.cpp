@@ -12,6 +12,11 @@ namespace drill_rig_sim
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+namespace
+{
+constexpr int held_by_rail[] = {0, 1, 3, 4};  // of the top node in dynamics
+}
+
 System::System(const Scene& scene, Mesh mesh) : scene_(scene), mesh_(std::move(mesh)), formation_(scene.formation)
 {
   const std::size_t n = mesh_.nodes.size();
@@ -232,6 +237,21 @@ void System::accelerate(const double* residual) noexcept
     s.acceleration.head<3>() = force / across + (n.dot(force) * (1.0 / along - 1.0 / across)) * n;
     s.acceleration.tail<3>() = moment / node.tilt_inertia + (n.dot(moment) * (1.0 / node.spin_inertia - 1.0 / node.tilt_inertia)) * n;
   }
+  for (int k : held_by_rail) scratch_.back().acceleration[k] = 0.0;
+}
+
+void System::multiply_mass(const double* x, double* y) const noexcept
+{
+  for (int i = 0; i < nodes(); ++i)
+  {
+    const MeshNode& node = mesh_.nodes[i];
+    const NodeScratch& s = scratch_[i];
+    const Vector3d& n = s.normal_start;
+    const Vector3d a = Eigen::Map<const Vector3d>(x + 6 * i), alpha = Eigen::Map<const Vector3d>(x + 6 * i + 3);
+    Eigen::Map<Vector3d>(y + 6 * i) = mass_across(i) * a - (s.immersed * node.added_mass * n.dot(a)) * n;
+    Eigen::Map<Vector3d>(y + 6 * i + 3) = node.tilt_inertia * alpha + ((node.spin_inertia - node.tilt_inertia) * n.dot(alpha)) * n;
+  }
+  for (int k : held_by_rail) y[6 * (nodes() - 1) + k] = 0.0;
 }
 
 void System::add_mud_damping(double* residual, BlockTridiagonal* tangent) noexcept

@@ -15,6 +15,10 @@ struct NewtonLimits
   double max_move = 0.05;    ///< longest increment of one iteration [m, rad]
 };
 
+/// True when an increment [m, rad] ends the iteration; `before`: the increment of the iteration before, 0 for the first. An iteration
+/// leaves less than its contraction times its increment.
+bool newton_converged(double increment, double before, const NewtonLimits& limits) noexcept;
+
 struct NewtonOutcome
 {
   bool converged = false;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "drill_rig_sim/solve/integrator.h"
+#include "drill_rig_sim/solve/halving_integrator.h"
 #include "drill_rig_sim/solve/newton.h"
 #include "drill_rig_sim/solve/penetrate_rock.h"
 #include "drill_rig_sim/system/system.h"
@@ -76,15 +76,12 @@ inline Vector6d in_step_axes(const NodeRate& rate, const Eigen::Vector3d& normal
 /// Extrapolates the last steps to `time` after the start of this one [s]: the first guess of u (6 per node).
 void predict(const SystemState& state, double time, double* u) noexcept;
 
-/// Fixed-step real-time stepping with a method of the table, the hole extended after each step. A step that the method cannot solve is
-/// repeated in halves, quarters, ... down to 1/32, all within a bounded number of iterations.
+/// Fixed-step real-time stepping with a method of the table, the hole extended after each step.
 /// Noexcept and allocation-free after construction.
-class Stepper : public Integrator
+class Stepper : public HalvingIntegrator
 {
 public:
   Stepper(System& system, const Method& method);
-
-  bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept override;
 
   const Method& method() const noexcept { return method_; }
   NewtonLimits& limits() noexcept { return limits_; }
@@ -92,7 +89,7 @@ public:
 private:
   double predictor_distance() const noexcept;
   void find_acceleration(SystemState& state, const Setpoints& setpoints) noexcept;
-  bool attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept;
+  bool attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept override;
 
   System& system_;
   Method method_;

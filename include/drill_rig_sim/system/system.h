@@ -134,6 +134,8 @@ public:
   void settle(const double* u) noexcept;
   /// Accelerations that balance the residual of the last evaluate(), whose own accelerations must be zero: explicit methods.
   void accelerate(const double* residual) noexcept;
+  /// y = M x with the mass matrix of accelerate(), 6 per node each, in the coordinates of u; 0 in the rows that the guide rail holds.
+  void multiply_mass(const double* x, double* y) const noexcept;
   /// Acceleration of a node at the last evaluate() or accelerate(), in the coordinates of u.
   const Vector6d& acceleration(int i) const noexcept { return scratch_[i].acceleration; }
   /// What the rotor has turned since the start of the step when the nodes have moved by u [rad].

@@ -1,0 +1,22 @@
+#ifndef DRILL_RIG_SIM_SOLVE_HALVING_INTEGRATOR_H
+#define DRILL_RIG_SIM_SOLVE_HALVING_INTEGRATOR_H
+
+#include "drill_rig_sim/solve/integrator.h"
+
+namespace drill_rig_sim
+{
+/// An integrator whose steps may fail: a step that cannot be solved is repeated in halves, quarters, ... down to 1/32, all within a
+/// bounded number of iterations.
+class HalvingIntegrator : public Integrator
+{
+public:
+  bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept final;
+
+private:
+  /// One step of `step` [s]. False: not solved, `state` untouched. `budget`: Newton iterations left, reduced by those it took.
+  virtual bool attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept = 0;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,33 @@
+#include "drill_rig_sim/solve/halving_integrator.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr int kMaxHalvings = 5;
+constexpr int kBudget = 120;  // Newton iterations that one step may cost in all
+}  // namespace
+
+bool HalvingIntegrator::advance(SystemState& state, double step, const Setpoints& setpoints) noexcept
+{
+  int budget = kBudget;
+  int halvings = 0;
+  int done = 0;  // in units of step / 2^kMaxHalvings
+  constexpr int whole = 1 << kMaxHalvings;
+  while (done < whole)
+  {
+    const int part = whole >> halvings;
+    if (attempt(state, step * part / whole, setpoints, budget))
+    {
+      done += part;
+      // try the longer step again where the grid allows
+      if (halvings > 0 && done % (2 * part) == 0) --halvings;
+      continue;
+    }
+    ++counters_.rejected_steps;
+    if (++halvings > kMaxHalvings || budget <= 0) return false;
+  }
+  return true;
+}
+
+}  // namespace drill_rig_sim

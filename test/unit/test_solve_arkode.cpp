@@ -1,0 +1,192 @@
+// SUNDIALS ARKODE as a stepper: its order, and that it goes where our own steppers go.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/solve/arkode_stepper.h"
+#include "drill_rig_sim/solve/start.h"
+#include "drill_rig_sim/solve/stepper.h"
+#include "sim_numbers.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+using Eigen::Vector3d;
+
+namespace
+{
+constexpr double kSpan = 0.4;  // nearly two of the slowest axial periods [s]
+
+/// 300 m that hang still, stretched by a millimetre and twisted by a hundredth, smoothly, most at the bit.
+RigAtRest plucked()
+{
+  Scene scene = without_damping(vertical_scene(400.0, 290.0));
+  scene.string[0].diameter = 0.2;
+  scene.start.block_height = 10.0;
+  RigAtRest rig = build_at_rest(scene);
+  const double length = rig.system->mesh().total_length;
+  for (int i = 0; i + 1 < rig.system->nodes(); ++i)
+  {
+    const double shape = std::pow(std::cos(0.5 * pi * rig.system->mesh().nodes[i].from_bit / length), 4);
+    rig.state.nodes[i].position.z() += 1e-3 * shape;
+    rig.state.nodes[i].orientation = rig.state.nodes[i].orientation * rotation_from_vector(Vector3d(1e-2 * shape, 0.0, 0.0));
+  }
+  return rig;
+}
+
+/// Places of all nodes (z) and their spins after the span.
+Eigen::VectorXd after(const RigAtRest& start, Integrator& integrator, double step)
+{
+  SystemState state = start.state;
+  for (long k = 0; k < std::lround(kSpan / step); ++k) EXPECT_TRUE(integrator.advance(state, step, Setpoints()));
+  Eigen::VectorXd out(2 * state.nodes.size());
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+    out.segment<2>(2 * i) << state.nodes[i].position.z(), 0.1 * state.nodes[i].spin_angle;
+  return out;
+}
+
+Eigen::VectorXd after_arkode(const RigAtRest& start, double step)
+{
+  ArkodeStepper stepper(*start.system);
+  stepper.limits().tolerance = 1e-12;
+  return after(start, stepper, step);
+}
+
+Eigen::VectorXd after_own(const RigAtRest& start, const char* method, double step)
+{
+  Stepper stepper(*start.system, *find_method(method));
+  stepper.limits().tolerance = 1e-12;
+  return after(start, stepper, step);
+}
+
+constexpr double kFrame = 0.01;
+
+Scene quick_scene(const char* integrator)
+{
+  Scene scene = read_scene(DRILL_RIG_SIM_SOURCE_DIR "/config/scenes/quick.yaml");
+  scene.numerics.integrator = integrator;
+  return scene;
+}
+
+/// What a driller reads: means over a window.
+struct Drilling
+{
+  double wob = 0.0, torque = 0.0, bit_torque = 0.0, hook_load = 0.0, depth = 0.0, rejected = 0.0;
+};
+
+Drilling drill(const char* integrator, double from, double to)
+{
+  const Scene scene = quick_scene(integrator);
+  Simulator rig(scene);
+  ProgramPlayer program(scene.program);
+  Drilling mean;
+  double frames = 0.0;
+  while (rig.measurements().time < to)
+  {
+    program.apply(rig);
+    EXPECT_EQ(rig.frame(kFrame), FrameStatus::running) << rig.failure();
+    const Measurements& m = rig.measurements();
+    if (m.time < from) continue;
+    mean.wob += m.wob;
+    mean.torque += m.torque;
+    mean.bit_torque += m.bit_torque;
+    mean.hook_load += m.hook_load;
+    ++frames;
+  }
+  for (double* sum : {&mean.wob, &mean.torque, &mean.bit_torque, &mean.hook_load}) *sum /= frames;
+  mean.depth = rig.measurements().hole_depth;
+  mean.rejected = static_cast<double>(rig.statistics().rejected_steps);
+  return mean;
+}
+}  // namespace
+
+// Steps in the ratio 1 : 2 : 4, the coarsest 1 ms.
+TEST(Arkode, isOfSecondOrder)
+{
+  const RigAtRest start = plucked();
+  const Eigen::VectorXd fine = after_arkode(start, 0.00025), middle = after_arkode(start, 0.0005), coarse = after_arkode(start, 0.001);
+  EXPECT_NEAR(std::log2((coarse - middle).norm() / (middle - fine).norm()), 2.0, 0.1);
+}
+
+TEST(Arkode, goesToTheSolutionOfBdf2)
+{
+  const RigAtRest start = plucked();
+  const Eigen::VectorXd reference = after_own(start, "bdf2", 0.00005);
+  const double scale = (reference - after_own(start, "bdf2", kSpan)).norm();
+  EXPECT_LT((after_arkode(start, 0.00005) - reference).norm(), 1e-3 * scale);
+}
+
+// One formula, two codes. Ours carries the acceleration over from the step before where ARKODE evaluates it: the same but for the
+// turn of the axes within a step and what Newton's method leaves.
+TEST(Arkode, agreesWithOurTrBdf2AtEveryStep)
+{
+  const RigAtRest start = plucked();
+  for (double step : {0.005, 0.001})
+    EXPECT_LT((after_arkode(start, step) - after_own(start, "trbdf2", step)).norm(), 1e-7 * (1e-3 / step)) << step;
+}
+
+// Contact, friction, the breaking rock, the rotor's loop: all that the plucked string has not. Ten seconds on bottom.
+TEST(Arkode, drillsAsOurTrBdf2Does)
+{
+  const Drilling ours = drill("trbdf2", 45.0, 55.0), theirs = drill("arkode_dirk", 45.0, 55.0);
+  EXPECT_GT(ours.wob, 1e3);
+  EXPECT_GT(ours.depth, 100.1);
+  EXPECT_EQ(theirs.rejected, 0.0);
+  EXPECT_NEAR(theirs.wob, ours.wob, 1e-3 * ours.wob);
+  EXPECT_NEAR(theirs.torque, ours.torque, 1e-3 * ours.torque);
+  EXPECT_NEAR(theirs.bit_torque, ours.bit_torque, 1e-3 * ours.bit_torque);
+  EXPECT_NEAR(theirs.hook_load, ours.hook_load, 1e-4 * ours.hook_load);
+  EXPECT_NEAR(theirs.depth, ours.depth, 1e-5);
+}
+
+// Nothing that ARKODE remembers reaches the next step.
+TEST(Arkode, goesOnBitByBitFromASnapshot)
+{
+  const Scene scene = quick_scene("arkode_dirk");
+  Simulator rig(scene);
+  ProgramPlayer program(scene.program);
+  auto go_on = [&](int frames)
+  {
+    for (int k = 0; k < frames; ++k)
+    {
+      program.apply(rig);
+      ASSERT_EQ(rig.frame(kFrame), FrameStatus::running) << rig.failure();
+    }
+  };
+  go_on(4000);
+  ASSERT_TRUE(rig.measurements().on_bottom);
+  const auto middle = rig.save();
+  go_on(300);
+  const auto end = rig.save();
+  rig.restore(*middle);
+  go_on(300);
+  EXPECT_TRUE(bit_identical(numbers_of(rig.save()->mechanics), numbers_of(end->mechanics)));
+
+  Simulator other(scene);
+  other.restore(*middle);
+  for (int k = 0; k < 300; ++k) ASSERT_EQ(other.frame(kFrame), FrameStatus::running);
+  EXPECT_TRUE(bit_identical(numbers_of(other.save()->mechanics), numbers_of(end->mechanics)));
+}
+
+// A step that is far too long for Newton's method is halved, or refused with the state as it was.
+TEST(Arkode, stepsThatCannotBeSolvedLeaveAFiniteState)
+{
+  const RigAtRest start = plucked();
+  SystemState state = start.state;
+  for (NodeState& node : state.nodes) node.rate.velocity = Vector3d(300.0, 0.0, -300.0);
+  ArkodeStepper stepper(*start.system);
+  stepper.advance(state, 0.1, Setpoints());
+  EXPECT_GT(stepper.counters().rejected_steps, 0u);
+  EXPECT_TRUE(all_finite(numbers_of(state)));
+  state = start.state;
+  EXPECT_TRUE(stepper.advance(state, 0.005, Setpoints())) << "and the next one from a good state is solved";
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
