@@ -17,29 +17,31 @@ constexpr double kShorteningNear = 4.0 / 30.0;
 constexpr double kShorteningFar = -1.0 / 30.0;
 constexpr double kShortening = kShorteningNear + kShorteningFar;
 
-/// What forces and tangent share.
-struct Shape
-{
-  double l, inverse_l;
-  Vector3d e, sum;  // chord's direction, n1 + n2
-  double c12;
-  Vector3d binormal;  // gradient of the twist with respect to the lower end's rotation
-  double tension, torque, chord, normals;  // chord P = -dU/dc1 = -dU/dc2, normals Q = dU/dc12
-  Vector3d g1, g2;  // dU/dn1, dU/dn2, load included
-};
-
-/// Gradient of the stretch.
+/// Gradient of the stretch or of its rate.
 struct StretchGradient
 {
   Vector3d d, upper, lower;  // with respect to d = x2 - x1 and the ends' spatial rotations
 };
 
-StretchGradient stretch_gradient(const BeamSection& s, const Shape& f, const BeamPose& pose)
+/// What forces and tangent share.
+struct Shape
 {
-  const Vector3d across = f.sum - f.e * f.e.dot(f.sum);
-  return {f.e / s.length - (kShortening * f.inverse_l) * across,
-          pose.upper_normal.cross(kShorteningFar * pose.lower_normal - kShortening * f.e),
-          pose.lower_normal.cross(kShorteningFar * pose.upper_normal - kShortening * f.e)};
+  double l, inverse_l;
+  Vector3d e, sum, sum_across;  // chord's direction, n1 + n2, its part across the chord
+  double tilt, c12;             // c1 + c2
+  Vector3d binormal;            // gradient of the twist with respect to the lower end's rotation
+  Vector3d by_n1, by_n2;        // d stretch / d n1, d n2
+  StretchGradient stretch;
+  double tension, torque, chord, normals;  // chord P = -dU/dc1 = -dU/dc2, normals Q = dU/dc12
+  Vector3d g1, g2;  // dU/dn1, dU/dn2, load included
+};
+
+void add_stretch_gradient(const BeamSection& s, const BeamPose& pose, Shape& f)
+{
+  f.by_n1 = kShorteningFar * pose.lower_normal - kShortening * f.e;
+  f.by_n2 = kShorteningFar * pose.upper_normal - kShortening * f.e;
+  f.stretch = {f.e / s.length - (kShortening * f.inverse_l) * f.sum_across, pose.upper_normal.cross(f.by_n1),
+               pose.lower_normal.cross(f.by_n2)};
 }
 
 Shape shape_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& damping, const Vector3d& load, BeamStrain& strain)
@@ -50,16 +52,18 @@ Shape shape_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& da
   f.inverse_l = 1.0 / f.l;
   f.e = f.inverse_l * d;
   f.sum = pose.upper_normal + pose.lower_normal;
+  f.tilt = f.e.dot(f.sum);
+  f.sum_across = f.sum - f.e * f.tilt;
   f.c12 = pose.upper_normal.dot(pose.lower_normal);
   f.binormal = f.sum / (1.0 + f.c12);
-  const double tilt = f.e.dot(f.sum);  // c1 + c2
-  strain.stretch = (f.l - s.length) / s.length + kShorteningNear * (2.0 - tilt) + kShorteningFar * (f.c12 - tilt + 1.0);
+  add_stretch_gradient(s, pose, f);
+  strain.stretch = (f.l - s.length) / s.length + kShorteningNear * (2.0 - f.tilt) + kShorteningFar * (f.c12 - f.tilt + 1.0);
   strain.twist = pose.twist;
   f.tension = s.axial * strain.stretch;
   f.torque = s.torsion * strain.twist;
   if (damping.time > 0.0)
   {
-    const StretchGradient g = stretch_gradient(s, f, pose);
+    const StretchGradient& g = f.stretch;
     f.tension += s.axial * damping.time *
                  (g.d.dot(damping.velocity) + g.upper.dot(damping.upper_turning) + g.lower.dot(damping.lower_turning));
     f.torque += s.torsion * damping.time * f.binormal.dot(damping.lower_turning - damping.upper_turning);
@@ -76,27 +80,38 @@ Shape shape_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& da
 StretchGradient stretch_rate_gradient(const BeamSection& s, const Shape& f, const BeamPose& pose, const BeamDamping& damping)
 {
   const Vector3d& v = damping.velocity;
-  const Vector3d v_across = v - f.e * f.e.dot(v);
-  const Vector3d sum_across = f.sum - f.e * f.e.dot(f.sum);
+  const double v_along = f.e.dot(v);
+  const Vector3d v_across = v - v_along * f.e;
   const Vector3d turning_1 = damping.upper_turning.cross(pose.upper_normal);  // rates of the normals
   const Vector3d turning_2 = damping.lower_turning.cross(pose.lower_normal);
   const Vector3d turning = turning_1 + turning_2;
-  const double s_l = kShortening * f.inverse_l;
+  const double s_l = kShortening * f.inverse_l, s_ll = s_l * f.inverse_l;
   StretchGradient h;
-  h.d = (f.inverse_l / s.length + s_l * f.inverse_l * f.e.dot(f.sum)) * v_across +
-        (s_l * f.inverse_l) * (f.e * v.dot(sum_across) + f.e.dot(v) * sum_across) - s_l * (turning - f.e * f.e.dot(turning));
-  const Vector3d by_upper = kShorteningFar * pose.lower_normal - kShortening * f.e;  // d stretch / d n1
-  const Vector3d by_lower = kShorteningFar * pose.upper_normal - kShortening * f.e;
-  h.upper = pose.upper_normal.cross(kShorteningFar * turning_2 - s_l * v_across + by_upper.cross(damping.upper_turning));
-  h.lower = pose.lower_normal.cross(kShorteningFar * turning_1 - s_l * v_across + by_lower.cross(damping.lower_turning));
+  h.d = (f.inverse_l / s.length + s_ll * f.tilt) * v_across + (s_ll * v.dot(f.sum_across) + s_l * f.e.dot(turning)) * f.e +
+        (s_ll * v_along) * f.sum_across - s_l * turning;
+  h.upper = pose.upper_normal.cross(kShorteningFar * turning_2 - s_l * v_across + f.by_n1.cross(damping.upper_turning));
+  h.lower = pose.lower_normal.cross(kShorteningFar * turning_1 - s_l * v_across + f.by_n2.cross(damping.lower_turning));
   return h;
+}
+
+/// Gradient of the tension times the length.
+StretchGradient tension_gradient(const BeamSection& s, const Shape& f, const BeamPose& pose, const BeamDamping& damping)
+{
+  const double axial = s.axial * s.length;
+  const double by_place = axial * (1.0 + damping.time * damping.rate_by_move), by_rate = axial * damping.time;
+  StretchGradient out{by_place * f.stretch.d, by_place * f.stretch.upper, by_place * f.stretch.lower};
+  if (damping.time <= 0.0) return out;
+  const StretchGradient h = stretch_rate_gradient(s, f, pose, damping);
+  out.d += by_rate * h.d;
+  out.upper += by_rate * h.upper;
+  out.lower += by_rate * h.lower;
+  return out;
 }
 
 BeamForces forces_of(const Shape& f, const BeamPose& pose)
 {
   BeamForces out;
-  const Vector3d across = f.sum - f.e * f.e.dot(f.sum);
-  out.force = f.tension * f.e - (f.chord * f.inverse_l) * across;
+  out.force = f.tension * f.e - (f.chord * f.inverse_l) * f.sum_across;
   out.moment_upper = pose.upper_normal.cross(f.g1) - f.torque * f.binormal;
   out.moment_lower = pose.lower_normal.cross(f.g2) + f.torque * f.binormal;
   out.tension = f.tension;
@@ -104,74 +119,110 @@ BeamForces forces_of(const Shape& f, const BeamPose& pose)
   return out;
 }
 
-/// d binormal / d theta_i for the normal n_i and the other end's n_j.
-Matrix3d binormal_derivative(const Shape& f, const Vector3d& n_i, const Vector3d& n_j)
+/// The gradients of the torque times the binormal are skew(w_i) + b r_i^T, since d b / d theta_i = -(skew(n_i) + b (n_i x n_j)^T)/(1 + c12).
+struct TwistGradient
 {
-  const double inverse = 1.0 / (1.0 + f.c12);
-  return (-inverse) * (skew(n_i) + f.binormal * n_i.cross(n_j).transpose());
+  Vector3d w_upper, w_lower, r_upper, r_lower;
+};
+
+TwistGradient twist_gradient(const BeamSection& s, const Shape& f, const BeamPose& pose, const BeamDamping& damping)
+{
+  const Vector3d& n1 = pose.upper_normal;
+  const Vector3d& n2 = pose.lower_normal;
+  const double inverse = 1.0 / (1.0 + f.c12), by_place = s.torsion * (1.0 + damping.time * damping.rate_by_move);
+  const Vector3d turned = inverse * n1.cross(n2);
+  TwistGradient out;
+  out.w_upper = (-f.torque * inverse) * n1;
+  out.w_lower = (-f.torque * inverse) * n2;
+  out.r_upper = -by_place * f.binormal - f.torque * turned;
+  out.r_lower = by_place * f.binormal + f.torque * turned;
+  if (damping.time <= 0.0) return out;
+  // (d b / d theta_i)^T (k t_d) (turning of the lower end less that of the upper one)
+  const Vector3d turning = (s.torsion * damping.time) * (damping.lower_turning - damping.upper_turning);
+  const Vector3d along = f.binormal.dot(turning) * turned;
+  const Vector3d scaled = inverse * turning;
+  out.r_upper += n1.cross(scaled) - along;
+  out.r_lower += n2.cross(scaled) + along;
+  return out;
 }
 
+// Sums of dyads, column by column, number by number: half of what Eigen's products on 3 x 3 cost. Factors are held by value: `out` could
+// be one of them for all that the compiler knows.
+inline void write_dyads(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d, Matrix3d& out)
+{
+  const double a0 = a[0], a1 = a[1], a2 = a[2], c0 = c[0], c1 = c[1], c2 = c[2];
+  double* column = out.data();
+  for (int j = 0; j < 3; ++j, column += 3)
+  {
+    const double p = b[j], q = d[j];
+    column[0] = a0 * p + c0 * q;
+    column[1] = a1 * p + c1 * q;
+    column[2] = a2 * p + c2 * q;
+  }
+}
+
+inline void write_dyads(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d, const Vector3d& e, const Vector3d& f,
+                        Matrix3d& out)
+{
+  const double a0 = a[0], a1 = a[1], a2 = a[2], c0 = c[0], c1 = c[1], c2 = c[2], e0 = e[0], e1 = e[1], e2 = e[2];
+  double* column = out.data();
+  for (int j = 0; j < 3; ++j, column += 3)
+  {
+    const double p = b[j], q = d[j], r = f[j];
+    column[0] = a0 * p + c0 * q + e0 * r;
+    column[1] = a1 * p + c1 * q + e1 * r;
+    column[2] = a2 * p + c2 * q + e2 * r;
+  }
+}
+
+/// Adds `factor` skew(v) + `diagonal` 1.
+inline void add_skew(const Vector3d& v, double factor, double diagonal, Matrix3d& out)
+{
+  const double x = factor * v.x(), y = factor * v.y(), z = factor * v.z();
+  out(0, 0) += diagonal;
+  out(1, 0) += z;
+  out(2, 0) -= y;
+  out(0, 1) -= z;
+  out(1, 1) += diagonal;
+  out(2, 1) += x;
+  out(0, 2) += y;
+  out(1, 2) -= x;
+  out(2, 2) += diagonal;
+}
+
+/// Each block: at constant tension and torque, then twist, then tension, the last two as dyads.
 void tangent_of(const BeamSection& s, const Shape& f, const BeamPose& pose, const BeamDamping& damping, BeamTangent& t)
 {
   const Vector3d& n1 = pose.upper_normal;
   const Vector3d& n2 = pose.lower_normal;
-  const Matrix3d across = Matrix3d::Identity() - f.e * f.e.transpose();
-  const Vector3d sum_across = across * f.sum;
-  const double p_l = f.chord * f.inverse_l;
+  const Vector3d& b = f.binormal;
+  const StretchGradient& g = f.stretch;
+  const StretchGradient tension = tension_gradient(s, f, pose, damping);
+  const TwistGradient twist = twist_gradient(s, f, pose, damping);
+  const double p_l = f.chord * f.inverse_l, p_ll = p_l * f.inverse_l;
+  const double across = f.tension * f.inverse_l + p_ll * f.tilt;
 
-  // at constant tension
-  t.force_d = (f.tension * f.inverse_l + p_l * f.inverse_l * f.e.dot(f.sum)) * across +
-              (p_l * f.inverse_l) * (sum_across * f.e.transpose() + f.e * sum_across.transpose());
-  t.force_upper = p_l * (skew(n1) - f.e * f.e.cross(n1).transpose());
-  t.force_lower = p_l * (skew(n2) - f.e * f.e.cross(n2).transpose());
-  t.upper_upper = n1 * f.g1.transpose();
-  t.upper_upper.diagonal().array() -= f.g1.dot(n1);
-  t.lower_lower = n2 * f.g2.transpose();
-  t.lower_lower.diagonal().array() -= f.g2.dot(n2);
-  t.upper_lower = (-f.normals) * (n2 * n1.transpose());
-  t.upper_lower.diagonal().array() += f.normals * f.c12;
-  t.lower_upper = (-f.normals) * (n1 * n2.transpose());
-  t.lower_upper.diagonal().array() += f.normals * f.c12;
+  write_dyads(f.e, p_ll * f.sum_across - across * f.e, f.sum_across, p_ll * f.e, g.d, tension.d, t.force_d);
+  t.force_d.diagonal().array() += across;
 
-  // twist: change of the binormal, change of the torque
-  const double damped = 1.0 + damping.time * damping.rate_by_move;
-  const Matrix3d binormal_upper = binormal_derivative(f, n1, n2), binormal_lower = binormal_derivative(f, n2, n1);
-  Vector3d torque_upper = (-s.torsion * damped) * f.binormal, torque_lower = (s.torsion * damped) * f.binormal;
-  if (damping.time > 0.0)
-  {
-    const Vector3d turning = (s.torsion * damping.time) * (damping.lower_turning - damping.upper_turning);
-    torque_upper += binormal_upper.transpose() * turning;
-    torque_lower += binormal_lower.transpose() * turning;
-  }
-  const Matrix3d by_upper = f.torque * binormal_upper + f.binormal * torque_upper.transpose();
-  const Matrix3d by_lower = f.torque * binormal_lower + f.binormal * torque_lower.transpose();
-  t.upper_upper -= by_upper;
-  t.upper_lower -= by_lower;
-  t.lower_upper += by_upper;
-  t.lower_lower += by_lower;
+  const Vector3d turn_1 = p_l * n1.cross(f.e), turn_2 = p_l * n2.cross(f.e);
+  write_dyads(f.e, turn_1, g.d, tension.upper, t.force_upper);
+  write_dyads(f.e, turn_2, g.d, tension.lower, t.force_lower);
+  write_dyads(turn_1, f.e, g.upper, tension.d, t.upper_d);
+  write_dyads(turn_2, f.e, g.lower, tension.d, t.lower_d);
+  add_skew(n1, p_l, 0.0, t.force_upper);
+  add_skew(n2, p_l, 0.0, t.force_lower);
+  add_skew(n1, -p_l, 0.0, t.upper_d);
+  add_skew(n2, -p_l, 0.0, t.lower_d);
 
-  // change of tension
-  t.upper_d = t.force_upper.transpose();
-  t.lower_d = t.force_lower.transpose();
-  const StretchGradient g = stretch_gradient(s, f, pose);
-  const double axial = s.axial * s.length;
-  StretchGradient tension{(axial * damped) * g.d, (axial * damped) * g.upper, (axial * damped) * g.lower};  // its gradient times L
-  if (damping.time > 0.0)
-  {
-    const StretchGradient h = stretch_rate_gradient(s, f, pose, damping);
-    tension.d += (axial * damping.time) * h.d;
-    tension.upper += (axial * damping.time) * h.upper;
-    tension.lower += (axial * damping.time) * h.lower;
-  }
-  t.force_d += g.d * tension.d.transpose();
-  t.force_upper += g.d * tension.upper.transpose();
-  t.force_lower += g.d * tension.lower.transpose();
-  t.upper_d += g.upper * tension.d.transpose();
-  t.upper_upper += g.upper * tension.upper.transpose();
-  t.upper_lower += g.upper * tension.lower.transpose();
-  t.lower_d += g.lower * tension.d.transpose();
-  t.lower_upper += g.lower * tension.upper.transpose();
-  t.lower_lower += g.lower * tension.lower.transpose();
+  write_dyads(n1, f.g1, b, -twist.r_upper, g.upper, tension.upper, t.upper_upper);
+  write_dyads(n2, -f.normals * n1, b, -twist.r_lower, g.upper, tension.lower, t.upper_lower);
+  write_dyads(n1, -f.normals * n2, b, twist.r_upper, g.lower, tension.upper, t.lower_upper);
+  write_dyads(n2, f.g2, b, twist.r_lower, g.lower, tension.lower, t.lower_lower);
+  add_skew(twist.w_upper, -1.0, -f.g1.dot(n1), t.upper_upper);
+  add_skew(twist.w_lower, -1.0, f.normals * f.c12, t.upper_lower);
+  add_skew(twist.w_upper, 1.0, f.normals * f.c12, t.lower_upper);
+  add_skew(twist.w_lower, 1.0, -f.g2.dot(n2), t.lower_lower);
 }
 
 }  // namespace
