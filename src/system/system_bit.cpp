@@ -1,4 +1,6 @@
 // The bit on the bottom: weight, torque, and the velocity at which the rock gives way.
+#include <cmath>
+
 #include "drill_rig_sim/contact/bit_bottom.h"
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/math/rotation.h"
@@ -52,9 +54,9 @@ void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
   forces_.bit_force = forces_.wall[0] - bottom.value * down;
   forces_.bit_moment -= torque.value * n;  // add_walls() left the gauge's share
   Vector3d outward = s.position - s.site.centre;
-  const double offset = outward.norm();
+  const double offset = std::sqrt(outward.squaredNorm() + wall_contact_smoothing * wall_contact_smoothing);  // as the wall's law has it
   forces_.rock_force = bottom.value * down;
-  if (forces_.contact[0] > 0.0 && offset > 0.0) forces_.rock_force += (forces_.contact[0] / offset) * outward;
+  if (forces_.contact[0] > 0.0) forces_.rock_force += (forces_.contact[0] / offset) * outward;
   if (static_) return;
 
   bit_end_ = start;

@@ -14,6 +14,7 @@ const std::vector<CaseGroup>& case_groups()
       {"whirl", true, whirl_cases},
       {"stick_slip", true, stick_slip_cases},
       {"buckling", true, buckling_cases},
+      {"bent_motor", true, bent_motor_cases},
   };
   return groups;
 }

@@ -22,6 +22,9 @@ void stick_slip_cases(Report& report);
 /// Pipe pushed into a horizontal hole: sinusoidal and helical buckling, the helix's contact force and pitch.
 void buckling_cases(Report& report);
 
+/// Build rate of a bent motor while it slides.
+void bent_motor_cases(Report& report);
+
 }  // namespace drill_rig_sim
 
 #endif
