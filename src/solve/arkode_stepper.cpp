@@ -89,7 +89,7 @@ private:
   int budget_ = 0;
   bool start_known_ = false;  // stages_[0] is complete
   int current_ = 0;           // stage
-  double c_ = 0.0;   // 1/gamma
+  double c_ = 0.0;            // 1/gamma
   std::vector<StageRecord> stages_;
   Eigen::VectorXd rate_sum_, acceleration_sum_;  // of the stages before, weighted by the table [1], [1/s]
   std::vector<double> residual_, right_;
@@ -139,7 +139,8 @@ void ArkodeStepper::Session::create()
   set(ARKStepSetNonlinearSolver(arkode, nonlinear_.get()));
   set(SUNNonlinSolSetConvTestFn(
       nonlinear_.get(),
-      [](SUNNonlinearSolver, N_Vector, N_Vector, double, N_Vector, void* data) { return static_cast<Session*>(data)->judge(); }, this));
+      [](SUNNonlinearSolver, N_Vector, N_Vector, double, N_Vector, void* data) { return static_cast<Session*>(data)->judge(); },
+      this));
   set_linear_solver();
   set(ARKStepSetLinearSolver(arkode, linear_.get(), nullptr));
   set(ARKStepSetEpsLin(arkode, 1e-200));  // a right-hand side below it would count as solved without a look
@@ -147,7 +148,8 @@ void ArkodeStepper::Session::create()
                          [](double, N_Vector y, N_Vector rate, void* data)
                          {
                            auto* session = static_cast<Session*>(data);
-                           return session->right_hand_side(N_VGetArrayPointer(y), N_VGetArrayPointer(rate), session->c_, &session->tangent_);
+                           return session->right_hand_side(N_VGetArrayPointer(y), N_VGetArrayPointer(rate), session->c_,
+                                                           &session->tangent_);
                          }));
   set(ARKStepSetStagePredictFn(arkode,
                                [](double, N_Vector y, void* data)

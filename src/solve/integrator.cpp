@@ -13,7 +13,7 @@ namespace
 {
 constexpr const char* arkode = "arkode_dirk";
 constexpr const char* reference = "ida";
-}
+}  // namespace
 
 const std::vector<IntegratorEntry>& integrator_table()
 {
@@ -22,7 +22,8 @@ const std::vector<IntegratorEntry>& integrator_table()
     std::vector<IntegratorEntry> entries;
     for (const Method& method : method_table()) entries.push_back({method.name, method.description});
     entries.push_back({arkode, "TR-BDF2 by SUNDIALS ARKODE with our linear solver, for comparison"});
-    entries.push_back({reference, "the reference: the rig as a DAE with multipliers, variable order and step by SUNDIALS IDA; slow"});
+    entries.push_back(
+        {reference, "the reference: the rig as a DAE with multipliers, variable order and step by SUNDIALS IDA; slow"});
     return entries;
   }();
   return table;

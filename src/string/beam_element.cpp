@@ -33,7 +33,7 @@ struct Shape
   Vector3d by_n1, by_n2;        // d stretch / d n1, d n2
   StretchGradient stretch;
   double tension, torque, chord, normals;  // chord P = -dU/dc1 = -dU/dc2, normals Q = dU/dc12
-  Vector3d g1, g2;  // dU/dn1, dU/dn2, load included
+  Vector3d g1, g2;                         // dU/dn1, dU/dn2, load included
 };
 
 void add_stretch_gradient(const BeamSection& s, const BeamPose& pose, Shape& f)
@@ -119,7 +119,8 @@ BeamForces forces_of(const Shape& f, const BeamPose& pose)
   return out;
 }
 
-/// The gradients of the torque times the binormal are skew(w_i) + b r_i^T, since d b / d theta_i = -(skew(n_i) + b (n_i x n_j)^T)/(1 + c12).
+/// The gradients of the torque times the binormal are skew(w_i) + b r_i^T, since
+///   d b / d theta_i = -(skew(n_i) + b (n_i x n_j)^T)/(1 + c12).
 struct TwistGradient
 {
   Vector3d w_upper, w_lower, r_upper, r_lower;
@@ -146,8 +147,8 @@ TwistGradient twist_gradient(const BeamSection& s, const Shape& f, const BeamPos
   return out;
 }
 
-// Sums of dyads, column by column, number by number: half of what Eigen's products on 3 x 3 cost. Factors are held by value: `out` could
-// be one of them for all that the compiler knows.
+// Sums of dyads, column by column, number by number: half of what Eigen's products on 3 x 3 cost. Factors are held by value:
+// `out` could be one of them for all that the compiler knows.
 inline void write_dyads(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d, Matrix3d& out)
 {
   const double a0 = a[0], a1 = a[1], a2 = a[2], c0 = c[0], c1 = c[1], c2 = c[2];
@@ -161,8 +162,8 @@ inline void write_dyads(const Vector3d& a, const Vector3d& b, const Vector3d& c,
   }
 }
 
-inline void write_dyads(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d, const Vector3d& e, const Vector3d& f,
-                        Matrix3d& out)
+inline void write_dyads(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d, const Vector3d& e,
+                        const Vector3d& f, Matrix3d& out)
 {
   const double a0 = a[0], a1 = a[1], a2 = a[2], c0 = c[0], c1 = c[1], c2 = c[2], e0 = e[0], e1 = e[1], e2 = e[2];
   double* column = out.data();
@@ -237,7 +238,8 @@ BeamSection tube_section(double length, double outer_diameter, double inner_diam
   // Cowper (1966), thick tube
   const double m2 = square_i / square_o;
   const double ring = (1.0 + m2) * (1.0 + m2);
-  const double kappa = 6.0 * (1.0 + poisson_ratio) * ring / ((7.0 + 6.0 * poisson_ratio) * ring + (20.0 + 12.0 * poisson_ratio) * m2);
+  const double kappa =
+      6.0 * (1.0 + poisson_ratio) * ring / ((7.0 + 6.0 * poisson_ratio) * ring + (20.0 + 12.0 * poisson_ratio) * m2);
   const double phi = 12.0 * young_modulus * inertia / (kappa * shear_modulus * area * length * length);
   BeamSection s;
   s.length = length;

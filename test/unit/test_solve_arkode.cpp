@@ -107,7 +107,8 @@ Drilling drill(const char* integrator, double from, double to)
 TEST(Arkode, isOfSecondOrder)
 {
   const RigAtRest start = plucked();
-  const Eigen::VectorXd fine = after_arkode(start, 0.00025), middle = after_arkode(start, 0.0005), coarse = after_arkode(start, 0.001);
+  const Eigen::VectorXd fine = after_arkode(start, 0.00025), middle = after_arkode(start, 0.0005),
+                        coarse = after_arkode(start, 0.001);
   EXPECT_NEAR(std::log2((coarse - middle).norm() / (middle - fine).norm()), 2.0, 0.1);
 }
 

@@ -5,8 +5,8 @@
 
 namespace drill_rig_sim
 {
-/// An integrator whose steps may fail: a step that cannot be solved is repeated in halves, quarters, ... down to 1/32, all within a
-/// bounded number of iterations.
+/// An integrator whose steps may fail: a step that cannot be solved is repeated in halves, quarters, ... down to 1/32, all within
+/// a bounded number of iterations.
 class HalvingIntegrator : public Integrator
 {
 public:
