@@ -12,6 +12,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/solve/stepper.h"
+#include "drill_rig_sim/solve/vector_operations.h"
 
 namespace drill_rig_sim
 {
@@ -114,6 +115,7 @@ ArkodeStepper::Session::Session(System& s) : system(s), residual_(6 * s.nodes())
   y_.reset(N_VNew_Serial(2 * size(), context));
   if (!table_ || !y_) throw std::runtime_error("ARKODE: SUNDIALS gives no table or vector");
   stages_.resize(static_cast<std::size_t>(table_->stages));
+  vectorise_operations(y_.get());
   N_VConst(0.0, y_.get());
   create();
 }
@@ -133,7 +135,12 @@ void ArkodeStepper::Session::create()
   set(ARKStepSetTables(arkode, table_->q, table_->p, table_.get(), nullptr));
   set(ARKStepSetInterpolantType(arkode, ARK_INTERP_LAGRANGE));  // Hermite's would take one more residual a step
   set(ARKStepSetDeduceImplicitRhs(arkode, SUNTRUE));            // and so would a stage's rates by evaluation
-  set(ARKStepSStolerances(arkode, 0.0, 1.0));                   // neither is looked at: fixed step, own criterion
+  set(ARKStepWFtolerances(arkode,
+                          [](N_Vector, N_Vector weight, void*)
+                          {
+                            N_VConst(1.0, weight);  // not looked at: fixed step, own criterion
+                            return 0;
+                          }));
   set(ARKStepSetMaxNonlinIters(arkode, limits.max_iterations));
   nonlinear_.reset(SUNNonlinSol_Newton(y_.get(), context_.get()));
   set(ARKStepSetNonlinearSolver(arkode, nonlinear_.get()));
