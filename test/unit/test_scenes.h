@@ -56,6 +56,20 @@ inline PartSpec collar_part(int joints, double joint_length)
   return collar;
 }
 
+/// A mud motor with a bent housing, of the collars' section.
+inline PartSpec motor_part(double bend = 1.25 * degree)
+{
+  PartSpec motor = collar_part(1, 8.3);
+  motor.name = "motor";
+  motor.type = PartType::mud_motor;
+  motor.length = 8.3;
+  motor.bend = bend;
+  motor.bit_to_bend = 2.0;
+  motor.displacement_per_rev = 0.024;
+  motor.stall_torque = 9000.0;
+  return motor;
+}
+
 /// A hole of 0.2159 m through `survey` down to `hole_depth`, one friction, drillable rock, a bit and tool-jointed pipe up to the
 /// block.
 inline Scene scene_in(std::vector<SurveyStation> survey, double hole_depth, double bit_depth, double friction)
@@ -81,6 +95,13 @@ inline Scene vertical_scene(double hole_depth, double bit_depth, double friction
   return scene_in({{0.0, 0.0, 0.0}, {hole_depth, 0.0, 0.0}}, hole_depth, bit_depth, friction);
 }
 
+/// A straight hole 20 deg from the vertical.
+constexpr double slant = 20.0 * degree, slant_azimuth = 1.0;
+inline Scene slanted_scene(double bit_depth, double friction)
+{
+  return scene_in({{0.0, slant, slant_azimuth}, {200.0, slant, slant_azimuth}}, 200.0, bit_depth, friction);
+}
+
 /// Nothing takes energy out: no mud drag, no structural damping.
 inline Scene without_damping(Scene scene)
 {
@@ -96,6 +117,14 @@ inline Scene drilling_scene(double above = 0.01, double friction = 0.25)
   scene.string = {bit_part(0.2159), collar_part(2, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
   scene.string[0].side_cutting = 0.1;
   scene.contact.static_ratio = 1.2;
+  return scene;
+}
+
+/// The same with a bent motor on the bit.
+inline Scene motor_drilling_scene(double above)
+{
+  Scene scene = drilling_scene(above);
+  scene.string.insert(scene.string.begin() + 1, motor_part());
   return scene;
 }
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "drill_rig_sim/sim/simulator.h"
+#include "drill_ahead.h"
 #include "test_scenes.h"
 
 namespace
@@ -85,8 +85,6 @@ TEST(Frame, allocatesNothingWhileDrilling)
   scene.instruments.hook_load = {500.0, 100.0, 0.25, 0.5};
   scene.instruments.mwd.period = 2.0;
   Simulator rig(scene);
-  TopDriveSetpoint drive;
-  drive.speed = 90.0 * rpm;
 
   std::free(std::malloc(1));
   counting = true;
@@ -94,9 +92,7 @@ TEST(Frame, allocatesNothingWhileDrilling)
   delete seen;
   const long own = allocations;
 
-  rig.command(drive);
-  rig.command(PumpSetpoint{0.02});
-  rig.command(WinchSetpoint{-0.012, false});
+  drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
   long failed = 0;
   for (int k = 0; k < 1500; ++k) failed += rig.frame(0.01) != FrameStatus::running;
   counting = false;

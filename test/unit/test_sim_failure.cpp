@@ -7,6 +7,7 @@
 
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
+#include "drill_ahead.h"
 #include "sim_numbers.h"
 #include "test_scenes.h"
 
@@ -33,15 +34,6 @@ const Damage kDamages[] = {
     {"rotor at infinite speed", [](SystemState& s) { s.drive.speed = kInfinity; }},
     {"orientation not a number", [](SystemState& s) { s.nodes[3].orientation.w() = kNan; }},
 };
-
-void turn_and_feed(Simulator& rig)
-{
-  TopDriveSetpoint drive;
-  drive.speed = 90.0 * rpm;
-  rig.command(drive);
-  rig.command(PumpSetpoint{0.02});
-  rig.command(WinchSetpoint{-0.012, false});
-}
 }  // namespace
 
 TEST(Stepper, refusesWhatItCannotSolveAndLeavesTheStateAlone)
@@ -67,7 +59,7 @@ TEST(Stepper, refusesWhatItCannotSolveAndLeavesTheStateAlone)
 TEST(Simulator, failedFrameKeepsTheLastGoodNumbersAndRestoreRecovers)
 {
   Simulator rig(drilling_scene());
-  turn_and_feed(rig);
+  drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
   for (int k = 0; k < 300; ++k) ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
   const auto good = rig.save();
   std::vector<double> shown, now;
@@ -126,7 +118,7 @@ TEST(Simulator, everyNumberStaysFiniteUnderRoughHandling)
 TEST(Commands, notNumbersAreRefusedAndChangeNothing)
 {
   Simulator rig(drilling_scene());
-  turn_and_feed(rig);
+  drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
   ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
   const Setpoints before = rig.measurements().setpoints;
   std::uint64_t refused = 0;
@@ -191,7 +183,7 @@ TEST(Commands, silenceSetsTheBrake)
 {
   Simulator rig(drilling_scene(5.0));
   rig.set_command_timeout(0.5);
-  turn_and_feed(rig);
+  drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
   for (int k = 0; k < 45; ++k) rig.frame(0.01);
   EXPECT_FALSE(rig.measurements().commands_timed_out);
   EXPECT_FALSE(rig.measurements().brake_set);
@@ -202,7 +194,7 @@ TEST(Commands, silenceSetsTheBrake)
   const double height = rig.measurements().block_height;
   for (int k = 0; k < 200; ++k) rig.frame(0.01);
   EXPECT_NEAR(rig.measurements().block_height, height, 3e-3);
-  turn_and_feed(rig);
+  drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
   rig.frame(0.01);
   EXPECT_FALSE(rig.measurements().commands_timed_out);
 }

@@ -12,13 +12,11 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double kInclination = 20.0 * degree;
-
 /// Ten joints of pipe on a thin wire: once slack, the wire can only push with its buckling load, some 10 N against 30 kN of pipe.
 /// The wire runs through frictionless hole, over the kink at the table.
 Scene pipe_on_a_wire(double kinetic, double static_ratio)
 {
-  Scene scene = scene_in({{0.0, kInclination, 1.0}, {200.0, kInclination, 1.0}}, 200.0, 130.0, kinetic);
+  Scene scene = slanted_scene(130.0, kinetic);
   scene.well.sections = {{25.0, 0.2159, 0.0}, {200.0, 0.2159, kinetic}};
   scene.contact.static_ratio = static_ratio;
   PartSpec wire = pipe_part(0, 9.5, 0.05, 0.01);
@@ -36,7 +34,7 @@ Scene pipe_on_a_wire(double kinetic, double static_ratio)
 double along_hole(const Measurements& m)
 {
   return m.bit_position.dot(
-      Vector3d(std::sin(kInclination) * std::sin(1.0), std::sin(kInclination) * std::cos(1.0), -std::cos(kInclination)));
+      Vector3d(std::sin(slant) * std::sin(slant_azimuth), std::sin(slant) * std::cos(slant_azimuth), -std::cos(slant)));
 }
 
 /// At the block [N].
@@ -104,7 +102,7 @@ TEST(Friction, pipeSlidesByCoulombsLaw)
     Scene scene = pipe_on_a_wire(mu, 1.0);
     scene.numerics.step = 0.002;
     const double expected =
-        standard_gravity * (std::cos(kInclination) - mu * std::sin(kInclination)) * (1.0 - scene.mud.density / steel_density);
+        standard_gravity * (std::cos(slant) - mu * std::sin(slant)) * (1.0 - scene.mud.density / steel_density);
     scene.rig.hoisting.max_acceleration = expected + 0.5;  // the block runs ahead, but leaves the wire little slack to bunch up
     Simulator rig(scene);
     const Measurements& m = rig.measurements();

@@ -6,6 +6,7 @@
 
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/well/wellbore.h"
+#include "drill_ahead.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
@@ -35,11 +36,7 @@ Scene frictionless(const Rock& rock)
 
 void drill(Simulator& rig, double feed, double speed, double seconds)
 {
-  TopDriveSetpoint drive;
-  drive.speed = speed;
-  rig.command(drive);
-  rig.command(PumpSetpoint{0.02});
-  rig.command(WinchSetpoint{-feed, false});
+  drill_ahead(rig, speed, 0.02, feed);
   for (int k = 0; k < std::lround(seconds / kFrame); ++k) ASSERT_EQ(rig.frame(kFrame), FrameStatus::running) << rig.failure();
 }
 

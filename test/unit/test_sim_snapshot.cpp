@@ -1,6 +1,7 @@
 // Snapshots: saving and restoring in the middle of everything changes no bit of what follows.
 #include <gtest/gtest.h>
 
+#include "drill_ahead.h"
 #include "sim_numbers.h"
 #include "test_scenes.h"
 
@@ -14,19 +15,7 @@ constexpr int kFrames = 10000;
 /// Drilling with noisy, slow instruments and a mud motor.
 Scene noisy_scene()
 {
-  Scene scene = drilling_scene(0.005);
-  PartSpec motor;
-  motor.name = "motor";
-  motor.type = PartType::mud_motor;
-  motor.length = motor.joint_length = 8.3;
-  motor.outer_diameter = 0.165;
-  motor.inner_diameter = 0.1;
-  motor.linear_mass = 100.0;
-  motor.bend = 1.0 * degree;
-  motor.bit_to_bend = 2.0;
-  motor.displacement_per_rev = 0.024;
-  motor.stall_torque = 8000.0;
-  scene.string.insert(scene.string.begin() + 1, motor);
+  Scene scene = motor_drilling_scene(0.005);
   scene.formation[0].drillability = 3e-8;
   scene.instruments.hook_load = {500.0, 100.0, 0.25, 0.5};
   scene.instruments.torque = {20.0, 0.0, 0.1, 0.2};
@@ -36,15 +25,6 @@ Scene noisy_scene()
   scene.instruments.mwd.noise = 0.001;
   scene.instruments.toolface = {1.0, 0.7};
   return scene;
-}
-
-void start_drilling(Simulator& rig)
-{
-  TopDriveSetpoint drive;
-  drive.speed = 60.0 * rpm;
-  rig.command(drive);
-  rig.command(PumpSetpoint{0.03});
-  rig.command(WinchSetpoint{-0.01, false});
 }
 
 /// Commands that change while the frames are compared.
@@ -79,7 +59,7 @@ TEST(Snapshot, nextTenThousandFramesAreBitIdentical)
 {
   const Scene scene = noisy_scene();
   Simulator rig(scene, 7);
-  start_drilling(rig);
+  drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
   while (rig.measurements().time < 17.3) ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
 
   // inside a correction interval: drilled since the last permanent node, and not a multiple of the interval
@@ -112,7 +92,7 @@ TEST(Snapshot, sameSeedAndCommandsGiveTheSameBits)
 {
   const Scene scene = noisy_scene();
   Simulator a(scene, 3), b(scene, 3), c(scene, 4);
-  for (Simulator* rig : {&a, &b, &c}) start_drilling(*rig);
+  for (Simulator* rig : {&a, &b, &c}) drill_ahead(*rig, 60.0 * rpm, 0.03, 0.01);
   const Record of_a = run(a, 1000);
   expect_identical(run(b, 1000), of_a);
   const Record of_c = run(c, 1000);
@@ -126,7 +106,7 @@ TEST(Snapshot, keepTimeMovesTheClockAlone)
   const Scene scene = noisy_scene();
   Simulator rig(scene, 7);
   const auto start = rig.save();
-  start_drilling(rig);
+  drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
   std::vector<double> bit_depth, hook_load;
   for (int k = 0; k < 500; ++k)
   {
@@ -136,7 +116,7 @@ TEST(Snapshot, keepTimeMovesTheClockAlone)
   }
   rig.restore(*start, true);
   EXPECT_NEAR(rig.measurements().time, 5.0, 1e-9);
-  start_drilling(rig);
+  drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
   for (int k = 0; k < 500; ++k)
   {
     ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);

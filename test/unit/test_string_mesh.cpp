@@ -10,17 +10,6 @@ using namespace drill_rig_sim;
 
 namespace
 {
-PartSpec bent_motor()
-{
-  PartSpec motor = collar_part(1, 8.3);
-  motor.name = "motor";
-  motor.type = PartType::mud_motor;
-  motor.length = 8.3;
-  motor.bend = 1.25 * degree;
-  motor.bit_to_bend = 2.0;
-  return motor;
-}
-
 PartSpec stabilizer()
 {
   PartSpec part = collar_part(1, 1.8);
@@ -35,7 +24,7 @@ PartSpec stabilizer()
 Scene assembly()
 {
   Scene scene = vertical_scene(500.0, 300.0);
-  scene.string = {bit_part(0.2159), bent_motor(), stabilizer(), collar_part(2, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
+  scene.string = {bit_part(0.2159), motor_part(), stabilizer(), collar_part(2, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
   return scene;
 }
 

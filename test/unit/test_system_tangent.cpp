@@ -121,10 +121,10 @@ Scene drilling_clear()
   return scene;
 }
 
-Scene inclined(double friction)
+/// Built evenly all the way.
+Scene built()
 {
-  Scene scene = scene_in({{0.0, 20.0 * degree, 1.0}, {200.0, 20.0 * degree, 1.0}}, 200.0, 60.0, friction);
-  return scene;
+  return scene_in(build_and_hold(0.0, 0.1 * degree, 40.0 * degree, 2.0, 400.0), 400.0, 300.0, 0.3);
 }
 }  // namespace
 
@@ -141,7 +141,7 @@ TEST(SystemTangent, hangingFreeAndTurning)
 
 TEST(SystemTangent, inContactAndSticking)
 {
-  Rig rig(inclined(0.5));
+  Rig rig(slanted_scene(60.0, 0.5));
   rig.run(3.0);
   EXPECT_GT(rig.contacts(), 4);
   double slip = 0.0;
@@ -152,7 +152,7 @@ TEST(SystemTangent, inContactAndSticking)
 
 TEST(SystemTangent, inContactAndSlidingDown)
 {
-  Rig rig(inclined(0.3));
+  Rig rig(slanted_scene(60.0, 0.3));
   rig.setpoints.winch = {-0.2, false};
   rig.run(3.0);
   EXPECT_GT(rig.contacts(), 4);
@@ -161,7 +161,7 @@ TEST(SystemTangent, inContactAndSlidingDown)
 
 TEST(SystemTangent, inContactSlidingAndTurningWithStribeckFriction)
 {
-  Scene scene = inclined(0.3);
+  Scene scene = slanted_scene(60.0, 0.3);
   scene.contact.static_ratio = 1.3;
   scene.contact.stribeck_speed = 0.3;
   Rig rig(scene);
@@ -174,7 +174,7 @@ TEST(SystemTangent, inContactSlidingAndTurningWithStribeckFriction)
 
 TEST(SystemTangent, inACurvedHole)
 {
-  Rig rig(scene_in(build_and_hold(0.0, 0.1 * degree, 40.0 * degree, 2.0, 400.0), 400.0, 300.0, 0.3));
+  Rig rig(built());
   rig.setpoints.winch = {-0.2, false};
   rig.setpoints.top_drive.speed = 60.0 * rpm;
   rig.run(3.0);
@@ -211,17 +211,7 @@ TEST(SystemTangent, bitStuckInTheRock)
 
 TEST(SystemTangent, motorTurningBehindABentHousing)
 {
-  Scene scene = drilling_scene(0.002);
-  PartSpec motor = collar_part(1, 8.3);
-  motor.name = "motor";
-  motor.type = PartType::mud_motor;
-  motor.length = 8.3;
-  motor.bend = 1.25 * degree;
-  motor.bit_to_bend = 2.0;
-  motor.displacement_per_rev = 0.024;
-  motor.stall_torque = 9000.0;
-  scene.string.insert(scene.string.begin() + 1, motor);
-  Rig rig(scene);
+  Rig rig(motor_drilling_scene(0.002));
   rig.setpoints.top_drive.speed = 50.0 * rpm;
   rig.rest.state.flow = 0.03;
   rig.run(1.0);
@@ -234,7 +224,7 @@ TEST(SystemTangent, motorTurningBehindABentHousing)
 
 TEST(SystemTangent, grippedPipe)
 {
-  Rig rig(inclined(0.3));
+  Rig rig(slanted_scene(60.0, 0.3));
   rig.run(1.0);
   NodeState& held = rig.rest.state.nodes[3];
   rig.rest.state.grip = {3, held.position, held.spin_angle};
@@ -248,7 +238,7 @@ TEST(SystemTangent, statics)
 {
   for (const FrictionMode mode : {FrictionMode::none, FrictionMode::up, FrictionMode::rotate})
   {
-    RigAtRest rig = build_at_rest(scene_in(build_and_hold(0.0, 0.1 * degree, 40.0 * degree, 2.0, 400.0), 400.0, 300.0, 0.3));
+    RigAtRest rig = build_at_rest(built());
     rig.system->begin_static(rig.state, mode);
     const VectorXd u = VectorXd::Zero(6 * rig.system->nodes());
     // both of the top's coordinates are held here
@@ -262,7 +252,7 @@ TEST(SystemTangent, statics)
 // A motion given outright meets the same forces as the same motion through a stage, but for the rig's on the top node.
 TEST(SystemTangent, aMotionGivenOutrightMeetsTheSameForces)
 {
-  Rig rig(inclined(0.3));
+  Rig rig(slanted_scene(60.0, 0.3));
   rig.setpoints.winch = {-0.2, false};
   rig.run(3.0);
   System& system = *rig.rest.system;
