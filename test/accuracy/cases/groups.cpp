@@ -15,6 +15,7 @@ const std::vector<CaseGroup>& case_groups()
       {"stick_slip", true, stick_slip_cases},
       {"buckling", true, buckling_cases},
       {"bent_motor", true, bent_motor_cases},
+      {"stick_slip_well_a", false, stick_slip_well_a_cases},
   };
   return groups;
 }

@@ -18,6 +18,8 @@ void detournay_cases(Report& report);
 void whirl_cases(Report& report);
 /// One degree of freedom against its closed form.
 void stick_slip_cases(Report& report);
+/// Stick-slip of a published well with the bit off bottom.
+void stick_slip_well_a_cases(Report& report);
 
 /// Pipe pushed into a horizontal hole: sinusoidal and helical buckling, the helix's contact force and pitch.
 void buckling_cases(Report& report);
