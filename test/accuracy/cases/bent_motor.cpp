@@ -131,12 +131,16 @@ struct Slide
 /// Wall so stiff that its embedding, micrometres, is no clearance: at 0.03 mm the short lever from bit to blade makes it 50 lbf.
 Scene scene_of(const std::vector<PartSpec>& parts, const Slide& slide, double mud)
 {
-  const double start = std::max(0.0, kDepth - 0.5 * kHole - slide.curved), step = 1.0;
+  const double start = std::max(0.0, kDepth - 0.5 * kHole - slide.curved);
   const double low = kInclination - slide.build * (kDepth - 0.5 * kHole - start);
   std::vector<SurveyStation> survey{{0.0, low, 0.0}};
   if (start > 0.0) survey.push_back({start, low, 0.0});
-  for (double md = start + step; md < kDepth; md += step) survey.push_back({md, low + slide.build * (md - start), 0.0});
-  survey.push_back({kDepth, low + slide.build * (kDepth - start), 0.0});
+  const int arcs = static_cast<int>(std::ceil(kDepth - start));  // of a metre or less
+  for (int k = 1; k <= arcs; ++k)
+  {
+    const double along = (kDepth - start) * k / arcs;
+    survey.push_back({start + along, low + slide.build * along, 0.0});
+  }
   Scene scene = scene_in(survey, kDepth, kDepth, 0.0);
   scene.well.sections[0].diameter = kHole;
   scene.mud.density = mud;
