@@ -1,0 +1,110 @@
+// The largest stable step of each method, and of each element, along four axes.
+#include <cstdio>
+
+#include "jobs.h"
+#include "tumble.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+struct Axis
+{
+  const char* name;
+  const char* key;  ///< of the scene
+  std::vector<double> values;
+  double promised_low, promised_high;
+  bool with_elements;
+};
+
+const std::vector<Axis>& axes()
+{
+  static const std::vector<Axis> table = {
+      {"contact_stiffness", "contact.stiffness", {1e5, 1e6, 1e7, 5e7, 1e8, 1e9, 1e10}, 1e5, 1e10, true},
+      {"bristle_stiffness", "contact.tangential_stiffness", {1e4, 1e5, 1e6, 5e6, 1e7, 1e8, 1e9}, 1e5, 1e9, false},
+      {"stribeck_speed", "contact.stribeck_speed", {1e-3, 1e-2, 5e-2, 0.2, 1.0}, 1e-3, 1.0, false},
+      {"element_length", "numerics.element_length", {0.5, 1.0, 2.0, 4.75, 9.5, 19.0}, 0.5, 19.0, true},
+      {"lateral_damping", "mud.lateral_damping", {0.0, 2.0, 20.0, 200.0, 2e3, 2e4}, 0.0, 2e4, false},
+  };
+  return table;
+}
+
+/// The README promises this step and shorter ones.
+constexpr double kPromisedStep = 0.01;
+
+std::vector<std::string> settings_for(const Axis& axis, double value)
+{
+  std::vector<std::string> settings{text("%s=%g", axis.key, value)};
+  // an element is no longer than a joint
+  if (std::string(axis.name) == "element_length" && value > 9.5) settings.push_back(text("string[1].joint_length=%g", value));
+  return settings;
+}
+
+/// From the longest step down: the first that passes and whose next shorter one passes too.
+Row map_point(const Axis& axis, double value, const Choice& choice, const Tumble& reference)
+{
+  Row row;
+  row.group = "map";
+  row.name = axis.name;
+  row.value = text("%g", value);
+  row.method = choice.method;
+  row.element = choice.element;
+  row.unit = "s";
+  const bool promised = is_default(choice) && value >= axis.promised_low && value <= axis.promised_high;
+  if (promised) row.promise = Promise::passes;
+  const std::vector<std::string> settings = settings_for(axis, value);
+  double by_halving = 0.0, last_any = 0.0, last_plain = 0.0;
+  std::string above;
+  Verdict failure = Verdict::fails_wrong;
+  for (double step : step_ladder())
+  {
+    const Tumble run = tumble(settings, choice, step, &reference, is_default(choice) ? 12.0 : 3.0);
+    if (!passed(run.verdict))
+    {
+      failure = run.verdict;
+      above = text("%g s %s (%s)", step, words(run.verdict), run.message.c_str());
+      if (run.verdict == Verdict::too_slow) break;  // shorter steps are slower still
+    }
+    if (passed(run.verdict) && last_any > 0.0 && by_halving == 0.0) by_halving = last_any;
+    last_any = passed(run.verdict) ? step : 0.0;
+    if (run.verdict == Verdict::passes && last_plain > 0.0) break;
+    last_plain = run.verdict == Verdict::passes ? step : 0.0;
+  }
+  row.figure = last_plain;
+  if (by_halving == 0.0) by_halving = last_any;
+  const double wanted = promised ? kPromisedStep : step_ladder().back();
+  row.verdict = row.figure >= wanted ? Verdict::passes : by_halving >= wanted ? Verdict::passes_by_halving : failure;
+  row.text = (by_halving > row.figure ? text("by halving %g s; ", by_halving) : "") +
+             (above.empty() ? "passes at every step" : "at " + above);
+  return row;
+}
+
+void run_point(const Axis& axis, double value, bool fast, Rows& rows)
+{
+  const Tumble reference = tumble_reference(settings_for(axis, value));
+  if (!passed(reference.verdict))
+  {
+    std::printf("map,%s,%g,reference,,-,%s,0,s,%s\n", axis.name, value, words(reference.verdict), reference.message.c_str());
+    return;
+  }
+  std::vector<Choice> choices = fast ? std::vector<Choice>{default_choice()} : all_methods();
+  if (!fast && axis.with_elements)
+    for (const Choice& choice : all_elements())
+      if (!is_default(choice)) choices.push_back(choice);
+  for (const Choice& choice : choices) rows.add(map_point(axis, value, choice, reference));
+}
+}  // namespace
+
+void add_map_jobs(bool fast, std::vector<Job>& jobs)
+{
+  for (const Axis& axis : axes())
+    for (double value : axis.values)
+    {
+      const bool end = value == axis.promised_low || value == axis.promised_high;
+      if (fast && !end) continue;
+      jobs.push_back(
+          {text("map/%s/%g", axis.name, value), [&axis, value, fast](Rows& rows) { run_point(axis, value, fast, rows); }});
+    }
+}
+
+}  // namespace drill_rig_sim

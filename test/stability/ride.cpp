@@ -1,0 +1,200 @@
+#include "ride.h"
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <ctime>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/solve/integrator.h"
+#include "drill_rig_sim/well/directions.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+const char* const kDefaultElement = "corotational";
+
+std::string scene_file(const std::string& name)
+{
+  return std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/test/stability/scenes/" + name + ".yaml";
+}
+
+bool element_known(const std::string& element)
+{
+  try
+  {
+    read_scene(scene_file("inclined"), {"numerics.element=" + element});
+    return true;
+  }
+  catch (const SceneError&)
+  {
+    return false;
+  }
+}
+}  // namespace
+
+std::vector<Choice> all_methods()
+{
+  std::vector<Choice> choices{default_choice()};
+  for (const IntegratorEntry& entry : integrator_table())
+    if (entry.name != choices.front().method) choices.push_back({entry.name, kDefaultElement});
+  return choices;
+}
+
+std::vector<Choice> all_elements()
+{
+  std::vector<Choice> choices{default_choice()};
+  for (const char* element : {"geometrically_exact", "rotation_vector"})
+    if (element_known(element)) choices.push_back({choices.front().method, element});
+  return choices;
+}
+
+Choice default_choice()
+{
+  return {integrator_name("auto"), kDefaultElement};
+}
+
+bool is_default(const Choice& choice)
+{
+  const Choice usual = default_choice();
+  return choice.method == usual.method && choice.element == usual.element;
+}
+
+Scene load_scene(const std::string& name, std::vector<std::string> settings, const Choice& choice, double step)
+{
+  settings.push_back("numerics.integrator=" + choice.method);
+  if (choice.element != kDefaultElement) settings.push_back("numerics.element=" + choice.element);
+  Scene scene = read_scene(scene_file(name), settings);
+  if (step > 0.0) scene.numerics.step = step;
+  return scene;
+}
+
+Ride::Ride(const Scene& scene, double cpu_limit) : cpu_limit_(cpu_limit), cpu_start_(processor_time())
+{
+  try
+  {
+    simulator_ = std::make_unique<Simulator>(scene);
+    player_ = std::make_unique<ProgramPlayer>(scene.program);
+  }
+  catch (const std::exception& problem)
+  {
+    end(Ending::refused, problem.what());
+  }
+}
+
+void Ride::end(Ending ending, const std::string& message)
+{
+  ending_ = ending;
+  message_ = message;
+}
+
+bool Ride::go(double seconds, double frame)
+{
+  if (!going()) return false;
+  const double step = simulator_->scene().numerics.step;
+  const double cycle = std::max(frame, step);
+  const long frames = std::lround(seconds / cycle);
+  for (long k = 0; k < frames && going(); ++k)
+  {
+    player_->apply(*simulator_);
+    if (simulator_->frame(cycle) != FrameStatus::running)
+      end(Ending::failed, text("at %.4g s: ", now().time) + simulator_->failure());
+    else if (!std::isfinite(now().hook_load + now().torque + now().bit_position.sum() + now().bit_speed + now().wob))
+      end(Ending::not_finite, text("not finite at %.4g s", now().time));
+    else if (processor_time() - cpu_start_ > cpu_limit_)
+      end(Ending::too_slow, text("%.4g s simulated in %.0f s of processor time", now().time, cpu_limit_));
+  }
+  return going();
+}
+
+void Ride::throw_sideways(double speed)
+{
+  SimulatorState state = *simulator_->save();
+  for (NodeState& node : state.mechanics.nodes)
+  {
+    if (node.position.z() >= 0.0) continue;
+    const Eigen::Vector3d axis = x_axis(node.orientation);
+    const Eigen::Vector3d up = high_side(axis);
+    node.rate.velocity = node.last_rate.velocity = speed * (up + axis.cross(up)).normalized();
+  }
+  state.mechanics.last_step = 0.0;  // no history: a multi-step method starts here
+  simulator_->restore(state);
+}
+
+Sample Ride::sample() const
+{
+  Sample s;
+  const auto state = simulator_->save();
+  for (const NodeState& node : state->mechanics.nodes) s.speed += node.rate.velocity.squaredNorm();
+  s.speed = std::sqrt(s.speed / static_cast<double>(state->mechanics.nodes.size()));
+  s.bit_turned = state->mechanics.nodes.front().spin_angle;
+  s.time = now().time;
+  s.hook_load = now().hook_load;
+  s.torque = now().torque;
+  s.wob = now().wob;
+  s.bit = now().bit_position;
+  return s;
+}
+
+std::uint64_t Ride::rejected() const
+{
+  if (!simulator_ || std::string(simulator_->statistics().integrator) == "ida") return 0;
+  return simulator_->statistics().rejected_steps;
+}
+
+Verdict Ride::verdict() const
+{
+  switch (ending_)
+  {
+    case Ending::going:
+      return rejected() == 0 ? Verdict::passes : Verdict::passes_by_halving;
+    case Ending::refused:
+      return Verdict::refused;
+    case Ending::failed:
+      return Verdict::fails_not_converged;
+    case Ending::not_finite:
+      return Verdict::fails_diverged;
+    case Ending::too_slow:
+      return Verdict::too_slow;
+  }
+  return Verdict::fails_wrong;
+}
+
+double workable_step(const std::string& name, const std::vector<std::string>& settings, const Choice& choice, double wish)
+{
+  for (double step : step_ladder())
+  {
+    if (step > wish * 1.0001) continue;
+    Ride ride(load_scene(name, settings, choice, step), 3.0);
+    if (ride.go(0.5, 0.1) && ride.rejected() == 0 && ride.sample().speed < 1e3) return step;
+    if (ride.ending() == Ride::Ending::too_slow) return 0.0;
+  }
+  return 0.0;
+}
+
+const std::vector<double>& step_ladder()
+{
+  static const std::vector<double> ladder{0.1, 0.05, 0.02, 0.01, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
+  return ladder;
+}
+
+std::string text(const char* format, ...)
+{
+  char buffer[512];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(buffer, sizeof buffer, format, arguments);
+  va_end(arguments);
+  return buffer;
+}
+
+double processor_time()
+{
+  timespec t;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,118 @@
+// Many turns of the top drive, and one full turn with each element.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "drill_rig_sim/math/units.h"
+#include "jobs.h"
+#include "ride.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double kTurnsPerSecond = 1000.0 / 60.0;
+constexpr double kSettled = 120.0;      // the spin-up has died away [s]
+constexpr double kDriftAllowed = 1e-8;  // of the torque in any element, relative
+
+/// Largest difference of torque in an element, relative to the largest torque.
+double drift(const std::vector<double>& before, const std::vector<double>& after)
+{
+  double scale = 0.0, most = 0.0;
+  for (std::size_t e = 0; e < before.size(); ++e)
+  {
+    scale = std::max(scale, std::abs(before[e]));
+    most = std::max(most, std::abs(after[e] - before[e]));
+  }
+  return most / scale;
+}
+
+/// A second from a snapshot, twice: the same bits?
+bool repeats(Ride& ride)
+{
+  const auto snapshot = ride.simulator().save();
+  ride.go(1.0, 0.1);
+  const auto first = ride.simulator().save();
+  ride.simulator().restore(*snapshot);
+  ride.go(1.0, 0.1);
+  const auto second = ride.simulator().save();
+  const std::vector<double>&a = first->forces.torque, &b = second->forces.torque;
+  return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0 &&
+         first->mechanics.nodes[0].spin_angle == second->mechanics.nodes[0].spin_angle;
+}
+
+void many_turns(const Choice& choice, double turns, Rows& rows)
+{
+  Row row;
+  row.group = "turns";
+  row.name = text("%g turns of the top drive", turns);
+  row.method = choice.method;
+  row.element = choice.element;
+  row.unit = "torque drift";
+  if (is_default(choice)) row.promise = Promise::passes;
+  const double step = workable_step("turns", {}, choice, 0.005);
+  Ride ride(load_scene("turns", {}, choice, step > 0.0 ? step : 1e-5), is_default(choice) ? 120.0 : 8.0);
+  if (!ride.go(kSettled, 0.1))
+  {
+    row.verdict = ride.verdict();
+    row.text = ride.message();
+    return rows.add(row);
+  }
+  const auto before = ride.simulator().save();
+  ride.go(turns / kTurnsPerSecond, 0.1);
+  const auto after = ride.simulator().save();
+  const double turned = (after->mechanics.nodes[0].spin_angle - before->mechanics.nodes[0].spin_angle) / (2.0 * pi);
+  row.figure = drift(before->forces.torque, after->forces.torque);
+  row.verdict = ride.verdict();
+  if (ride.going() && !(row.figure < kDriftAllowed)) row.verdict = Verdict::fails_wrong;
+  row.text = text("step %g s; %.0f turns; meter torque %.9g before; %.9g N m after; ", step, turned, before->measurements.torque,
+                  after->measurements.torque);
+  row.text +=
+      ride.going() ? (repeats(ride) ? "repeats bit by bit from a snapshot" : "does not repeat bit by bit") : ride.message();
+  rows.add(row);
+}
+
+/// Three turns at 60 rpm: torque against the default's at every 0.05 s.
+void full_turn(Rows& rows)
+{
+  const std::vector<std::string> slow{"program[0].top_drive_speed_rpm=60"};
+  std::vector<double> reference;
+  for (const Choice& choice : all_elements())
+  {
+    Ride ride(load_scene("turns", slow, choice, 0.002));
+    double worst = 0.0, largest = 0.0, at = 0.0;
+    for (std::size_t k = 0; k < 80 && ride.go(0.05, 0.05); ++k)
+    {
+      if (is_default(choice)) reference.push_back(ride.now().torque);
+      const double off = std::abs(ride.now().torque - reference[k]);
+      largest = std::max(largest, std::abs(reference[k]));
+      if (off > worst) at = ride.now().top_drive_angle / (2.0 * pi);
+      worst = std::max(worst, off);
+    }
+    Row row;
+    row.group = "full turn";
+    row.name = "three turns of the string";
+    row.method = choice.method;
+    row.element = choice.element;
+    row.promise = is_default(choice) ? Promise::passes : Promise::none;
+    row.verdict = ride.going() && worst > 0.05 * largest ? Verdict::fails_wrong : ride.verdict();
+    row.figure = ride.simulator().measurements().top_drive_angle / (2.0 * pi);
+    row.unit = "turns made";
+    row.text = worst > 0.0 ? text("torque off by up to %.3g N m of %.3g at %.2f turns; ", worst, largest, at) : "";
+    row.text += ride.message();
+    rows.add(row);
+  }
+}
+}  // namespace
+
+void add_turn_jobs(bool fast, std::vector<Job>& jobs)
+{
+  for (const Choice& choice : fast ? std::vector<Choice>{default_choice()} : all_methods())
+  {
+    const double turns = is_default(choice) ? (fast ? 1e4 : 1e5) : 1e4;
+    jobs.push_back({"turns/" + choice.method, [choice, turns](Rows& rows) { many_turns(choice, turns, rows); }});
+  }
+  jobs.push_back({"full_turn", full_turn});
+}
+
+}  // namespace drill_rig_sim

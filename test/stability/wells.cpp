@@ -1,0 +1,105 @@
+// Shapes of hole where angles lose their meaning: vertical with any azimuth, doglegs near 0 and 180 deg, horizontal and beyond.
+#include <algorithm>
+#include <cmath>
+
+#include "drill_rig_sim/well/wellbore.h"
+#include "jobs.h"
+#include "ride.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+struct Shape
+{
+  const char* name;
+  const char* stations;
+  double bit_depth;
+  bool fast;
+};
+
+const Shape kShapes[] = {
+    {"vertical; another azimuth at each station", "[[0,0,17],[60,0,211],[120,0,333],[400,0,90]]", 200, true},
+    {"dogleg 1e-12 deg", "[[0,0,0],[50,1e-12,90],[400,0,200]]", 200, true},
+    {"dogleg 1e-6 deg", "[[0,0,0],[20,0,0],[120,30,40],[160,30.000001,40],[400,30,40]]", 200, false},
+    {"dogleg 0 in a slant hole", "[[0,0,0],[20,0,0],[120,30,40],[160,30,40],[400,30,40]]", 200, false},
+    {"azimuth through north", "[[0,0,0],[20,0,0],[120,30,359.999],[160,30,0.001],[400,30,360]]", 200, false},
+    {"horizontal", "[[0,0,0],[20,0,0],[320,90,120],[800,90,120]]", 420, true},
+    {"horizontal; turned by 90 deg", "[[0,0,0],[20,0,0],[320,90,120],[620,90,210],[800,90,210]]", 700, false},
+    {"110 deg", "[[0,0,0],[20,0,0],[380,110,300],[800,110,300]]", 480, true},
+    {"dogleg 170 deg in one arc", "[[0,0,0],[20,0,0],[620,170,60],[800,170,60]]", 640, false},
+    {"dogleg 178.9 deg in one arc", "[[0,0,0],[20,0,0],[620,178.9,60],[800,178.9,60]]", 640, true},
+};
+
+struct Trip
+{
+  Verdict verdict = Verdict::passes;
+  std::string message;
+  double hook_load = 0.0, torque = 0.0;  ///< means over the last second [N], [N m]
+  double aside = 0.0;                    ///< of any node from the hole's axis, less its clearance: largest embedding [m]
+  Eigen::Vector3d bit = Eigen::Vector3d::Zero();
+};
+
+/// Of any node below the table, how far it is from the hole's axis [m].
+double farthest_from_axis(const Ride& ride)
+{
+  const auto state = ride.simulator().save();
+  double most = 0.0;
+  for (const NodeState& node : state->mechanics.nodes)
+    if (node.position.z() < 0.0)
+      most = std::max(most, (node.position - state->mechanics.well.locate(node.position, node.segment).centre).norm());
+  return most;
+}
+
+Trip make_trip(const Shape& shape, const Choice& choice, double step)
+{
+  Trip out;
+  Ride ride(load_scene("well",
+                       {std::string("well.stations=") + shape.stations, text("start.bit_depth=%g", shape.bit_depth),
+                        std::string("well.sections[0].to=") + (shape.bit_depth < 300 ? "400" : "800")},
+                       choice, step),
+            60.0);
+  ride.go(3.0, 0.1);
+  for (int k = 0; k < 10 && ride.go(0.1, 0.1); ++k)
+  {
+    out.hook_load += 0.1 * ride.now().hook_load;
+    out.torque += 0.1 * ride.now().torque;
+    out.aside = std::max(out.aside, farthest_from_axis(ride));
+  }
+  out.verdict = ride.verdict();
+  out.message = ride.message();
+  if (ride.going()) out.bit = ride.now().bit_position;
+  return out;
+}
+
+void well(const Shape& shape, Rows& rows)
+{
+  Row row;
+  row.group = "wells";
+  row.name = shape.name;
+  row.method = default_choice().method;
+  row.element = default_choice().element;
+  row.promise = Promise::passes;
+  row.unit = "mm from axis";
+  const Trip reference = make_trip(shape, default_choice(), 5e-4);
+  const Trip run = passed(reference.verdict) ? make_trip(shape, default_choice(), 0.005) : reference;
+  row.verdict = run.verdict;
+  row.figure = 1e3 * run.aside;
+  row.text = text("hook load %.2f kN (small steps %.2f); torque %.0f N m (%.0f); bit %.2g mm apart", 1e-3 * run.hook_load,
+                  1e-3 * reference.hook_load, run.torque, reference.torque, 1e3 * (run.bit - reference.bit).norm());
+  if (!run.message.empty()) row.text += "; " + run.message;
+  const bool right = run.aside < 0.1 && (run.bit - reference.bit).norm() < 0.01 &&
+                     std::abs(run.hook_load - reference.hook_load) < 0.02 * reference.hook_load &&
+                     std::abs(run.torque - reference.torque) < 0.1 * std::abs(reference.torque) + 50.0;
+  if (passed(run.verdict) && !right) row.verdict = Verdict::fails_wrong;
+  rows.add(row);
+}
+}  // namespace
+
+void add_well_jobs(bool fast, std::vector<Job>& jobs)
+{
+  for (const Shape& shape : kShapes)
+    if (shape.fast || !fast) jobs.push_back({text("wells/%td", &shape - kShapes), [&shape](Rows& rows) { well(shape, rows); }});
+}
+
+}  // namespace drill_rig_sim
