@@ -18,9 +18,10 @@ class Failed(Exception):
 
 
 class Drill:
-    def __init__(self, program, folder, cpu_limit=300):
+    def __init__(self, program, folder, reuse=False, cpu_limit=300):
         self.program = program
         self.folder = folder
+        self.reuse = reuse  # what the folder holds of earlier runs
         self.cpu_limit = cpu_limit  # of one run [s]
         os.makedirs(folder, exist_ok=True)
 
@@ -39,11 +40,23 @@ class Drill:
 
     def run(self, name, scene, options=(), cpu_limit=None):
         """Runs a scene; returns columns by name and the summary. `name`: of the files it leaves in the folder."""
-        csv, summary = (os.path.join(self.folder, name + end) for end in ('.csv', '.json'))
-        self.call(['run', scene.path, '--duration', repr(scene.duration), '--every', repr(scene.every), '--csv', csv, '--json', summary]
-                  + list(options), cpu_limit)
+        csv, summary, failed = (os.path.join(self.folder, name + end) for end in ('.csv', '.json', '.failed'))
+        if self.reuse and os.path.exists(failed):
+            with open(failed) as file:
+                raise Failed(file.read())
+        if not (self.reuse and os.path.exists(summary) and os.path.getsize(summary)):
+            try:
+                self.call(['run', scene.path, '--duration', repr(scene.duration), '--every', repr(scene.every), '--csv', csv,
+                           '--json', summary] + list(options), cpu_limit)
+            except Failed as failure:
+                with open(failed, 'w') as file:
+                    file.write(str(failure))
+                raise
         with open(summary) as file:
-            return read_series(csv), json.load(file)
+            done = json.load(file)
+        if 'failure' in done:
+            raise Failed(done['failure'])
+        return read_series(csv), done
 
     def knows(self, scene, options):
         """Whether the program takes these options for a scene: ends with None, or with what it says against them."""
