@@ -18,18 +18,19 @@ FAR = 2.0  # errors beyond are drawn at the edge: a run that far off is off, no 
 
 
 def groups(points):
-    """Points that worked, by what a line joins: (method, element, length) -> points by step."""
+    """Points that worked, by what a line joins: (method, element, length, Newton tolerance) -> points by step."""
     out = {}
     for p in points:
         if p.errors:
-            out.setdefault((p.method, p.element, p.length), []).append(p)
+            out.setdefault((p.method, p.element, p.length, p.newton), []).append(p)
     return {key: sorted(group, key=lambda p: p.step) for key, group in out.items()}
 
 
 def draw_cost(axes, points, cost, lengths, own_error):
-    for (method, element, length), group in groups(points).items():
-        axes.plot([min(p.error, FAR) for p in group], [getattr(p, cost) for p in group], linestyle=DASHES[element],
-                  marker=MARKERS[lengths.index(length) % len(MARKERS)], color=COLORS[method], markersize=4, linewidth=0.9, alpha=0.85)
+    for (method, element, length, newton), group in groups(points).items():
+        axes.plot([min(p.error, FAR) for p in group], [getattr(p, cost) for p in group], linestyle=(0, (1, 1)) if newton else DASHES[element],
+                 
+                  marker=MARKERS[lengths.index(length) % len(MARKERS)], color=COLORS[method], markersize=4, fillstyle='none' if newton else 'full', linewidth=0.9, alpha=0.85)
     best = verdict.front([(p.error, getattr(p, cost)) for p in points if p.errors])
     axes.plot([min(e, FAR) for e, _ in best], [c for _, c in best], color='black', linewidth=3.5, alpha=0.2, zorder=0, solid_capstyle='round')
     for p in points:
@@ -51,6 +52,8 @@ def legend(points, lengths, own_error):
     handles += [lines.Line2D([], [], color='0.3', linestyle='', marker=MARKERS[k % len(MARKERS)], markersize=5, label='elements up to %g m' % length)
                 for k, length in enumerate(lengths)]
     handles += [lines.Line2D([], [], color='0.3', linestyle=DASHES[e], label=e) for e in drill.ELEMENTS[1:] if any(key[1] == e for key in seen)]
+    loose = sorted({p.newton for p in points if p.newton and p.errors})
+    handles += [lines.Line2D([], [], color='0.3', linestyle=(0, (1, 1)), marker='o', fillstyle='none', markersize=5, label='Newton to %g' % n) for n in loose]
     handles.append(lines.Line2D([], [], color='black', linestyle='', marker='*', markersize=11, fillstyle='none', label='the default'))
     handles.append(lines.Line2D([], [], color='black', linewidth=3.5, alpha=0.2, label='Pareto front'))
     if own_error > 0.0:
@@ -61,7 +64,7 @@ def legend(points, lengths, own_error):
 def draw(scene, points, note, own_error, folder):
     """Writes SCENE.svg and SCENE.png; returns their names."""
     lengths = sorted({p.length for p in points}, reverse=True)
-    figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 4.6))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(12.0, 4.6))
     draw_cost(left, points, 'cpu', lengths, own_error)
     left.set_ylabel('CPU seconds per simulated second')
     draw_cost(right, points, 'work', lengths, own_error)
@@ -70,7 +73,7 @@ def draw(scene, points, note, own_error, folder):
     figure.suptitle('%s (%s), %g s; reference: %s, %g ms, %g m' % (scene.title, scene.name, scene.duration, recipe['integrator'],
                                                                    1e3 * recipe['step'], recipe['element_length']), fontsize=11)
     figure.legend(handles=legend(points, lengths, own_error), loc='center right', fontsize=8, frameon=False)
-    figure.tight_layout(rect=(0.0, 0.0, 0.83, 1.0))
+    figure.tight_layout(rect=(0.0, 0.0, 0.82, 1.0))
     names = []
     for end, options in (('svg', {'metadata': {'Date': None}}), ('png', {'dpi': 90, 'metadata': {'Software': None}})):
         names.append(scene.name + '.' + end)

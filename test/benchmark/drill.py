@@ -18,7 +18,7 @@ class Failed(Exception):
 
 
 class Drill:
-    def __init__(self, program, folder, reuse=False, cpu_limit=300):
+    def __init__(self, program, folder, reuse=False, cpu_limit=60):
         self.program = program
         self.folder = folder
         self.reuse = reuse  # what the folder holds of earlier runs

@@ -6,18 +6,20 @@ from concurrent.futures import ThreadPoolExecutor
 import drill
 import measure
 
-FIELDS = ('scene', 'method', 'element', 'step', 'element_length', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'steps', 'residuals',
+LOOSE_NEWTON = 1e-4  # tried beside the scene's numerics.newton_tolerance [m, rad]
+FIELDS = ('scene', 'method', 'element', 'step', 'element_length', 'newton_tolerance', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'steps', 'residuals',
           'tangents', 'solves', 'newton_iterations', 'rejected_steps') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')
 
 
 class Point:
-    def __init__(self, scene, method, element, step, length, default=False):
+    def __init__(self, scene, method, element, step, length, default=False, newton=None):
         self.scene = scene
         self.method = method
         self.element = element
         self.step = step
         self.length = length
         self.default = default
+        self.newton = newton  # numerics.newton_tolerance; None: the scene's
         self.errors = None    # by output; None: the run failed
         self.failure = ''
         self.summary = {}
@@ -25,7 +27,8 @@ class Point:
 
     @property
     def name(self):
-        return '_'.join((self.scene.name, self.method, self.element, '%g' % self.step, '%g' % self.length))
+        words = (self.scene.name, self.method, self.element, '%g' % self.step, '%g' % self.length)
+        return '_'.join(words + (('newton_%g' % self.newton,) if self.newton else ()))
 
     @property
     def error(self):
@@ -35,11 +38,15 @@ class Point:
         if self.default:
             return []
         words = ['--integrator', self.method, '--step', repr(self.step), '--element-length', repr(self.length)]
-        return words if self.element == drill.ELEMENTS[0] else words + ['--set', 'numerics.element=' + self.element]
+        if self.element != drill.ELEMENTS[0]:
+            words += ['--set', 'numerics.element=' + self.element]
+        if self.newton:
+            words += ['--set', 'numerics.newton_tolerance=%g' % self.newton]
+        return words
 
     def label(self):
-        return '%s, %g ms, %g m%s' % (self.method, 1e3 * self.step, self.length,
-                                      '' if self.element == drill.ELEMENTS[0] else ', ' + self.element)
+        return '%s, %g ms, %g m%s%s' % (self.method, 1e3 * self.step, self.length, '' if self.element == drill.ELEMENTS[0] else ', ' + self.element,
+                                        ', Newton to %g' % self.newton if self.newton else '')
 
     def compute(self, program, reference, weights):
         """Runs it; a failure is kept, not raised."""
@@ -57,7 +64,7 @@ class Point:
     def row(self):
         counted = drill.counted_work(self.summary) if self.summary else {}
         values = {'scene': self.scene.name, 'method': self.method, 'element': self.element, 'step': self.step, 'element_length': self.length,
-                  'default': int(self.default), 'error': self.error, 'cpu_s_per_s': self.cpu, 'work_per_s': self.work, 'failure': self.failure}
+                  'newton_tolerance': self.newton or '', 'default': int(self.default), 'error': self.error, 'cpu_s_per_s': self.cpu, 'work_per_s': self.work, 'failure': self.failure}
         values.update(counted)
         values.update({key: self.summary.get(key, '') for key in ('nodes', 'steps', 'newton_iterations', 'rejected_steps')})
         values.update({'error_' + output: error for output, error in (self.errors or {}).items() if output != 'all'})
@@ -65,14 +72,16 @@ class Point:
 
 
 def grid(scene, methods, elements, default_method, default_step, default_length):
-    """Every method x step x element length with the default's element, and the other elements with the default's method."""
+    """Every method x step x element length with the default's element; with the default's method also the other elements and a looser
+    end of Newton's iteration."""
     out = [Point(scene, default_method, drill.ELEMENTS[0], default_step, default_length, default=True)]
     for element in elements:
         for method in methods if element == drill.ELEMENTS[0] else [default_method]:
-            for length in scene.lengths:
+            for length in scene.lengths_of(method):
                 for step in scene.steps_of(method):
                     if (method, element, step, length) != (default_method, drill.ELEMENTS[0], default_step, default_length):
                         out.append(Point(scene, method, element, step, length))
+    out += [Point(scene, default_method, drill.ELEMENTS[0], step, default_length, newton=LOOSE_NEWTON) for step in scene.steps]
     return out
 
 

@@ -53,8 +53,8 @@ def recipes(scene, known):
     out = []
     fine = scene.reference_length
     if 'ida' in known:
-        base = {'integrator': 'ida', 'step': scene.reference_step, 'element_length': fine, 'set': {'numerics.tolerance': scene.reference_tolerance}}
-        out.append((base, {'tolerance': dict(base, set={'numerics.tolerance': 10.0 * scene.reference_tolerance}),
+        base = {'integrator': 'ida', 'step': scene.reference_step, 'element_length': fine, 'set': {'numerics.reference_tolerance': scene.reference_tolerance}}
+        out.append((base, {'tolerance': dict(base, set={'numerics.reference_tolerance': 10.0 * scene.reference_tolerance}),
                            'element length': dict(base, element_length=2.0 * fine)}))
     for stand_in in ('trbdf2', 'bdf2'):
         if stand_in in known:

@@ -7,7 +7,7 @@ ADVICE = 1.2  # another setting is named as better when it takes this much less 
 
 
 def better_settings(chosen_scenes, by_scene):
-    """Settings (method, element, step, length) that worked in every scene and beat the default there in geometric mean at no more error in
+    """Settings (method, element, step, length, Newton tolerance) that worked in every scene and beat the default there in geometric mean at no more error in
     geometric mean: (label, ratio of work, ratio of error), best first."""
     import math
     defaults, sums = {}, {}
@@ -20,7 +20,7 @@ def better_settings(chosen_scenes, by_scene):
         for p in points:
             if p.default:
                 continue
-            entry = sums.setdefault((p.method, p.element, p.step, p.length), [p, 0, 0.0, 0.0])
+            entry = sums.setdefault((p.method, p.element, p.step, p.length, p.newton), [p, 0, 0.0, 0.0])
             entry[1] += 1
             entry[2] += math.log(p.work / default.work)
             entry[3] += math.log(max(p.error, 1e-12) / max(default.error, 1e-12))
