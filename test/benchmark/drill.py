@@ -18,7 +18,7 @@ class Failed(Exception):
 
 
 class Drill:
-    def __init__(self, program, folder, reuse=False, cpu_limit=60):
+    def __init__(self, program, folder, reuse=False, cpu_limit=40):
         self.program = program
         self.folder = folder
         self.reuse = reuse  # what the folder holds of earlier runs

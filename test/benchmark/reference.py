@@ -96,7 +96,7 @@ def save(folder, scene, series, note):
     text = io.StringIO()
     text.write(','.join(measure.COLUMNS) + '\n')
     for row in zip(*(series[name] for name in measure.COLUMNS)):
-        text.write(','.join('%.8g' % value for value in row) + '\n')
+        text.write(','.join('%.11g' % value for value in row) + '\n')
     with open(os.path.join(folder, scene.name + '.csv.gz'), 'wb') as out:
         with gzip.GzipFile(fileobj=out, mode='wb', mtime=0, filename='') as packed:  # equal data, equal file
             packed.write(text.getvalue().encode())
