@@ -11,6 +11,12 @@ namespace
 {
 const std::vector<const char*> connections_words = {"off", "auto"};
 const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybrid", "beam3d", "auto"};
+const std::vector<const char*> element_words = {"auto", "corotational", "geometrically_exact", "rotation_vector"};
+
+int place_of(const std::string& word, const std::vector<const char*>& words)
+{
+  return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
+}
 
 constexpr unsigned bit = kind(PartType::bit), motor = kind(PartType::mud_motor), stabilizer = kind(PartType::stabilizer),
                    mwd = kind(PartType::mwd), pipe = kind(PartType::pipe);
@@ -192,9 +198,13 @@ const Table<StartSpec> start_keys = {"start", "At rest, in static equilibrium, w
 const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are solved.", {
   {"level",                 "",       Choice<NumericsSpec>{level_words,
                                         [](NumericsSpec& n, int word) { n.level = level_words[static_cast<std::size_t>(word)]; },
-                                        [](const NumericsSpec& n) { return static_cast<int>(std::find(level_words.begin(), level_words.end(), n.level) - level_words.begin()); }},
+                                        [](const NumericsSpec& n) { return place_of(n.level, level_words); }},
                                                                            none,                 "which motions are modelled"},
   {"integrator",            "",       &NumericsSpec::integrator,           none,                 "name of a stepper, or auto"},
+  {"element",               "",       Choice<NumericsSpec>{element_words,
+                                        [](NumericsSpec& n, int word) { n.element = element_words[static_cast<std::size_t>(word)]; },
+                                        [](const NumericsSpec& n) { return place_of(n.element, element_words); }},
+                                                                           none,                 "kind of beam element, or auto; rotation_vector fails when the string's top has made a full turn"},
   {"step",                  "s",      &NumericsSpec::step,                 between(1e-5, 0.05),  "physics step"},
   {"element_length",        "m",      &NumericsSpec::element_length,       between(0.1, 50.0),   "longest element"},
   {"tolerance",             "-",      &NumericsSpec::tolerance,            between(1e-6, 0.5),   "relative, of the scene's outputs; level auto"},

@@ -240,12 +240,14 @@ BeamSection tube_section(double length, double outer_diameter, double inner_diam
   const double ring = (1.0 + m2) * (1.0 + m2);
   const double kappa =
       6.0 * (1.0 + poisson_ratio) * ring / ((7.0 + 6.0 * poisson_ratio) * ring + (20.0 + 12.0 * poisson_ratio) * m2);
-  const double phi = 12.0 * young_modulus * inertia / (kappa * shear_modulus * area * length * length);
   BeamSection s;
   s.length = length;
   s.axial = young_modulus * area;
-  s.bending_near = (4.0 + phi) / (1.0 + phi) * young_modulus * inertia / length;
-  s.bending_far = (2.0 - phi) / (1.0 + phi) * young_modulus * inertia / length;
+  s.bending = young_modulus * inertia;
+  s.shear = kappa * shear_modulus * area;
+  const double phi = 12.0 * s.bending / (s.shear * length * length);
+  s.bending_near = (4.0 + phi) / (1.0 + phi) * s.bending / length;
+  s.bending_far = (2.0 - phi) / (1.0 + phi) * s.bending / length;
   s.torsion = shear_modulus * 2.0 * inertia / length;
   return s;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/math/rotation.h"
@@ -15,9 +16,17 @@ using Eigen::Vector3d;
 namespace
 {
 constexpr int held_by_rail[] = {0, 1, 3, 4};  // of the top node in dynamics
-}
 
-System::System(const Scene& scene, Mesh mesh) : scene_(scene), mesh_(std::move(mesh)), formation_(scene.formation)
+const BeamKind& beam_of(const Scene& scene)
+{
+  const BeamKind* kind = find_beam(scene.numerics.element);
+  if (!kind) throw std::runtime_error("numerics.element: '" + scene.numerics.element + "' is not known");
+  return *kind;
+}
+}  // namespace
+
+System::System(const Scene& scene, Mesh mesh)
+  : scene_(scene), mesh_(std::move(mesh)), beam_(beam_of(scene)), formation_(scene.formation)
 {
   const std::size_t n = mesh_.nodes.size();
   contact_.assign(n, scene.contact);
@@ -152,11 +161,12 @@ BeamForces System::element_forces(int e, BeamTangent* tangent) noexcept
   const MeshElement& element = mesh_.elements[e];
   const NodeScratch& lower = scratch_[e];
   const NodeScratch& upper = scratch_[e + 1];
-  BeamPose pose{upper.position, lower.position, upper.normal, lower.normal, 0.0};
+  BeamPose pose{upper.position, lower.position, upper.normal, lower.normal, 0.0, upper.orientation, lower.orientation};
   if (element.bend != 0.0)
   {
     const Eigen::Quaterniond bent = upper.orientation * element.upper_end;
     pose.upper_normal = x_axis(bent);
+    pose.upper_orientation = bent;
     pose.twist = twist_between(bent, lower.orientation);
   }
   else
@@ -165,8 +175,8 @@ BeamForces System::element_forces(int e, BeamTangent* tangent) noexcept
   const BeamDamping damping{damping_time_, stage_.rate_by_u, lower.rate.head<3>() - upper.rate.head<3>(), upper.rate.tail<3>(),
                             lower.rate.tail<3>()};
   BeamStrain strain;
-  const BeamForces f = tangent ? beam_forces(element.section, pose, damping, loads_[e], strain, *tangent)
-                               : beam_forces(element.section, pose, damping, loads_[e], strain);
+  const BeamForces f = tangent ? beam_.forces_and_tangent(element.section, pose, damping, loads_[e], strain, *tangent)
+                               : beam_.forces(element.section, pose, damping, loads_[e], strain);
   forces_.tension[e] = f.tension;
   forces_.torque[e] = -f.torque;
   forces_.bending_moment[e + 1] = (f.moment_upper - pose.upper_normal * pose.upper_normal.dot(f.moment_upper)).norm();

@@ -8,12 +8,12 @@
 #include "drill_rig_sim/math/block_tridiagonal.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/string/beam_element.h"
+#include "drill_rig_sim/string/beam_table.h"
 
 /// A chain of beam elements under dead loads, for statics against closed forms.
 namespace drill_rig_sim
 {
-/// Section from stiffnesses. `shear`: kappa G A [N]; 0 = rigid in shear.
+/// Section from stiffnesses. `shear`: kappa G A [N]; 0 = rigid in shear, which only the corotational element can be.
 inline BeamSection section_of(double length, double axial, double bending, double torsion, double shear = 0.0)
 {
   const double phi = shear > 0.0 ? 12.0 * bending / (shear * length * length) : 0.0;
@@ -23,6 +23,8 @@ inline BeamSection section_of(double length, double axial, double bending, doubl
   s.bending_near = (4.0 + phi) / (1.0 + phi) * bending / length;
   s.bending_far = (2.0 - phi) / (1.0 + phi) * bending / length;
   s.torsion = torsion / length;
+  s.bending = bending;
+  s.shear = shear;
   return s;
 }
 
@@ -48,6 +50,9 @@ struct BeamChain
   std::vector<Node> nodes;
   std::vector<Element> elements;
   std::vector<BeamForces> forces;  ///< of the last assembly
+  const BeamKind* kind = find_beam("auto");
+  /// The chain's axes in the ground's. Only an element that is not objective notices.
+  Eigen::Matrix3d attitude = Eigen::Matrix3d::Identity();
 
   /// Straight along x from the origin, clamped at the first node.
   static BeamChain cantilever(int count, const BeamSection& section)
@@ -139,10 +144,16 @@ private:
     const Node& a = nodes[e];
     const Node& b = nodes[e + 1];
     const Eigen::Quaterniond qa = a.orientation * element.upper, qb = b.orientation * element.lower;
-    const BeamPose pose{a.position, b.position, x_axis(qa), x_axis(qb), twist_between(qa, qb)};
+    const Eigen::Quaterniond ground(attitude);
+    const BeamPose pose{attitude * a.position, attitude * b.position, attitude * x_axis(qa), attitude * x_axis(qb),
+                        twist_between(qa, qb),  ground * qa,          ground * qb};
     BeamStrain strain;
     BeamTangent t;
-    const BeamForces f = beam_forces(element.section, pose, {}, element.load, strain, t);
+    BeamForces f = kind->forces_and_tangent(element.section, pose, {}, attitude * element.load, strain, t);
+    for (Eigen::Vector3d* v : {&f.force, &f.moment_upper, &f.moment_lower}) *v = attitude.transpose() * *v;
+    for (Eigen::Matrix3d* m : {&t.force_d, &t.force_upper, &t.force_lower, &t.upper_d, &t.upper_upper, &t.upper_lower, &t.lower_d,
+                               &t.lower_upper, &t.lower_lower})
+      *m = attitude.transpose() * *m * attitude;
     forces[e] = f;
     residual.segment<3>(6 * e) -= f.force + 0.5 * element.load;
     residual.segment<3>(6 * e + 3) += f.moment_upper;

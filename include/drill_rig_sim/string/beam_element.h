@@ -27,6 +27,8 @@ struct BeamSection
   double bending_near = 0.0;  ///< k11 [N m]
   double bending_far = 0.0;   ///< k12 [N m]
   double torsion = 0.0;       ///< G J / L [N m/rad]
+  double bending = 0.0;       ///< E I [N m2]
+  double shear = 0.0;         ///< kappa G A [N]
 };
 
 /// Section of a straight tube [m, m, m, Pa, -]; shear coefficient of a thick tube after Cowper (1966).
@@ -74,6 +76,7 @@ struct BeamPose
   Eigen::Vector3d upper_position, lower_position;
   Eigen::Vector3d upper_normal, lower_normal;  ///< unit
   double twist = 0.0;                          ///< tau
+  Eigen::Quaterniond upper_orientation, lower_orientation;  ///< unit, end's axes to world; not read by the corotational element
 };
 
 /// `load`: dead load spread evenly over the element, in total [N]. Carried by the cubic shape functions it puts half on each end, which is

@@ -10,6 +10,7 @@
 #include "drill_rig_sim/rig/setpoints.h"
 #include "drill_rig_sim/rig/top_drive.h"
 #include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/string/beam_table.h"
 #include "drill_rig_sim/string/mesh.h"
 #include "drill_rig_sim/system/state.h"
 #include "drill_rig_sim/system/work.h"
@@ -90,6 +91,7 @@ struct SystemForces
 class System
 {
 public:
+  /// Throws std::runtime_error for an unknown `numerics.element`.
   System(const Scene& scene, Mesh mesh);
   System(const System&) = delete;
   System& operator=(const System&) = delete;
@@ -211,6 +213,7 @@ private:
 
   Scene scene_;
   Mesh mesh_;
+  const BeamKind& beam_;
   Formation formation_;
   std::vector<ContactSpec> contact_;  // per node
   const PartSpec* motor_ = nullptr;     // into scene_; null: none

@@ -1,0 +1,26 @@
+#include "drill_rig_sim/string/beam_table.h"
+
+#include "drill_rig_sim/string/geometrically_exact_beam.h"
+#include "drill_rig_sim/string/rotation_vector_beam.h"
+
+namespace drill_rig_sim
+{
+const std::vector<BeamKind>& beam_table()
+{
+  static const std::vector<BeamKind> table = {
+      {"corotational", "cubic in a frame along the chord", beam_forces, beam_forces},
+      {"geometrically_exact", "rigid-section strains, relative rotation interpolated", geometrically_exact_forces, geometrically_exact_forces},
+      {"rotation_vector", "rigid-section strains, total rotation vectors interpolated; fails at a full turn", rotation_vector_forces,
+       rotation_vector_forces},
+  };
+  return table;
+}
+
+const BeamKind* find_beam(const std::string& name)
+{
+  for (const BeamKind& kind : beam_table())
+    if (name == kind.name || (name == "auto" && &kind == &beam_table().front())) return &kind;
+  return nullptr;
+}
+
+}  // namespace drill_rig_sim
