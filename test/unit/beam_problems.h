@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <string>
 
 #include "beam_chain.h"
 
@@ -88,8 +89,11 @@ inline double turned_about_z(const BeamChain& chain)
 /// Number of ways the chain, in equilibrium under its load, can buckle: negative eigenvalues of its tangent.
 inline int unstable_modes(BeamChain chain)
 {
-  const Eigen::MatrixXd tangent = chain.free_tangent();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (tangent + tangent.transpose()), Eigen::EigenvaluesOnly);
+  Eigen::MatrixXd tangent = chain.free_tangent();
+  // scaling leaves the signs alone, and the axial stiffness no longer drowns the bending
+  const Eigen::VectorXd scale = tangent.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+  tangent = scale.asDiagonal() * (0.5 * (tangent + tangent.transpose())).eval() * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(tangent, Eigen::EigenvaluesOnly);
   return static_cast<int>((solver.eigenvalues().array() < 0.0).count());
 }
 
@@ -107,7 +111,7 @@ inline double critical_load(const std::function<BeamChain(double load)>& loaded,
 /// A straight column along x under an axial force, + compression; its length as unloaded 10, E I 1e6.
 struct Column
 {
-  static constexpr double length = 10.0, bending = 1e6, axial = 1e10;
+  static constexpr double length = 10.0, bending = 1e6, axial = 1e13;
   std::array<bool, 6> foot, head;  ///< held; the head's axial motion is free
   static constexpr std::array<bool, 6> clamped{{true, true, true, true, true, true}}, pinned{{true, true, true, true, false, false}},
       guided{{false, true, true, true, true, true}}, sliding{{false, true, true, false, false, false}},

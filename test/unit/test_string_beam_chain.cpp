@@ -3,11 +3,9 @@
 
 #include <cmath>
 
-#include "beam_chain.h"
+#include "beam_problems.h"
 
 using namespace drill_rig_sim;
-using Eigen::AngleAxisd;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 namespace
@@ -21,39 +19,12 @@ BeamChain slender_cantilever(int count, double axial = kInextensible)
   return BeamChain::cantilever(count, section_of(kLength / count, axial, kBending, 1e6));
 }
 
-/// Tip of the inextensible cantilever under a dead lateral tip force, P L^2/(E I) = load: drop and shortening over L.
-/// Elliptic integrals (Bisshopp and Drucker 1945): with p^2 = (1 + sin tip)/2 and sin phi = 1/(p sqrt 2),
-/// sqrt(load) = K(p) - F(p, phi), drop/L = 1 - 2 (E(p) - E(p, phi))/sqrt(load), horizontal place of the tip/L = sqrt(2 sin tip /
-/// load).
-struct Elastica
-{
-  double drop, shortening;
-};
-Elastica elastica(double load)
-{
-  double low = std::sqrt(0.5) + 1e-12, high = 1.0 - 1e-12;
-  double phi = 0.0;
-  for (int k = 0; k < 200; ++k)
-  {
-    const double p = 0.5 * (low + high);
-    phi = std::asin(std::sqrt(0.5) / p);
-    (std::comp_ellint_1(p) - std::ellint_1(p, phi) < std::sqrt(load) ? low : high) = p;
-  }
-  const double p = low;
-  const double root = std::sqrt(load);
-  return {1.0 - 2.0 * (std::comp_ellint_2(p) - std::ellint_2(p, phi)) / root, 1.0 - std::sqrt(2.0 * (2.0 * p * p - 1.0) / load)};
-}
-
 /// Distance of the chain's tip from the elastica's, over L.
 double elastica_error(int count, double load)
 {
   // stretch below 1e-6; more would make Newton's steps needlessly small
   BeamChain chain = slender_cantilever(count, 1e6 * load * kBending / (kLength * kLength));
-  for (int k = 1; k <= 20; ++k)
-  {
-    chain.tip().force.y() = k / 20.0 * load * kBending / (kLength * kLength);
-    EXPECT_TRUE(chain.solve());
-  }
+  load_in_steps(chain, 20, [&](BeamChain& c, double part) { c.tip().force.y() = part * load * kBending / (kLength * kLength); });
   const Elastica exact = elastica(load);
   const Vector3d& tip = chain.tip().position;
   return std::hypot(tip.y() / kLength - exact.drop, 1.0 - tip.x() / kLength - exact.shortening);
@@ -63,11 +34,7 @@ double elastica_error(int count, double load)
 double roll_up_gap(int count)
 {
   BeamChain chain = slender_cantilever(count, 1e4 * kBending / (kLength * kLength));  // there is no axial force
-  for (int k = 1; k <= 16; ++k)
-  {
-    chain.tip().moment.z() = k / 16.0 * 2.0 * pi * kBending / kLength;
-    EXPECT_TRUE(chain.solve());
-  }
+  load_in_steps(chain, 16, [&](BeamChain& c, double part) { c.tip().moment.z() = part * 2.0 * pi * kBending / kLength; });
   return chain.tip().position.norm() / kLength;
 }
 
@@ -83,58 +50,12 @@ double p_delta_ratio(int count, double axial, bool tension)
   return chain.tip().position.y() / (factor * lateral * std::pow(kLength, 3) / (3.0 * kBending));
 }
 
-/// Euler load of the pinned column over pi^2 E I/L^2: where the tangent first stops being positive definite.
+/// Euler load of the pinned column over pi^2 E I/L^2.
 double buckling_ratio(int count)
 {
-  const double euler = pi * pi * kBending / (kLength * kLength);
-  double low = 0.5, high = 2.0;
-  while (high - low > 1e-9)
-  {
-    const double ratio = 0.5 * (low + high);
-    BeamChain chain = slender_cantilever(count);
-    chain.nodes[0].held = {true, true, true, true, false, false};
-    chain.tip().held = {false, true, true, false, false, false};
-    // straight and compressed: in equilibrium by construction
-    const double shortened = 1.0 - ratio * euler / kInextensible;
-    for (auto& node : chain.nodes) node.position.x() *= shortened;
-    const bool stable = chain.free_tangent().selfadjointView<Eigen::Lower>().llt().info() == Eigen::Success;
-    (stable ? low : high) = ratio;
-  }
-  return low;
-}
-
-/// The 45 degree bend of Bathe and Bolourchi (1979), as a polygon of straight elements along the arc: radius 100, unit square
-/// section, E 1e7, nu 0, torsion constant taken as the polar moment. Clamped at the origin along y, bent towards x, tip force up
-/// z.
-Vector3d bend_tip(int count, double force)
-{
-  const double step = 0.25 * pi / count;
-  const double young = 1e7;
-  auto at = [](double angle) { return Vector3d(100.0 * (1.0 - std::cos(angle)), 100.0 * std::sin(angle), 0.0); };
-  auto along = [](double angle) { return Quaterniond(AngleAxisd(0.5 * pi - angle, Vector3d::UnitZ())); };
-  BeamChain chain;
-  chain.nodes.resize(count + 1);
-  for (int i = 0; i <= count; ++i)
-  {
-    chain.nodes[i].position = at(i * step);
-    chain.nodes[i].orientation = along(i * step);
-  }
-  chain.nodes[0].held.fill(true);
-  const double chord = 200.0 * std::sin(0.5 * step);
-  for (int i = 0; i < count; ++i)
-  {
-    BeamChain::Element e;
-    e.section = section_of(chord, young, young / 12.0, 0.5 * young / 6.0, 0.5 * young * 5.0 / 6.0);
-    e.upper = Quaterniond(AngleAxisd(-0.5 * step, Vector3d::UnitZ()));
-    e.lower = Quaterniond(AngleAxisd(0.5 * step, Vector3d::UnitZ()));
-    chain.elements.push_back(e);
-  }
-  for (int k = 1; k <= 6; ++k)
-  {
-    chain.tip().force.z() = k / 6.0 * force;
-    EXPECT_TRUE(chain.solve());
-  }
-  return chain.tip().position;
+  const double euler = pi * pi * Column::bending / (Column::length * Column::length);
+  const Column column{Column::pinned, Column::sliding};
+  return critical_load([&](double force) { return column.loaded(*find_beam("auto"), count, force); }, 0, 0.5 * euler, 2.0 * euler) / euler;
 }
 }  // namespace
 
@@ -242,9 +163,9 @@ TEST(BeamChain, weightBendsTheCantilever)
 // Converged tips on which three other codes and a shooting solution agree to 1e-4 of the deflection.
 TEST(BeamChain, bendInSpaceReachesTheConvergedTip)
 {
-  EXPECT_LT((bend_tip(64, 300.0) - Vector3d(22.2447, 58.7789, 40.1924)).norm(), 1e-4 * 43.0);
-  EXPECT_LT((bend_tip(64, 450.0) - Vector3d(18.5081, 52.2383, 48.5035)).norm(), 1e-4 * 53.0);
-  EXPECT_LT((bend_tip(64, 600.0) - Vector3d(15.6847, 47.1501, 53.4755)).norm(), 1e-4 * 60.0);
+  EXPECT_LT((bend_45_tip(bend_45(64), 300.0) - Vector3d(22.2447, 58.7789, 40.1924)).norm(), 1e-4 * 43.0);
+  EXPECT_LT((bend_45_tip(bend_45(64), 450.0) - Vector3d(18.5081, 52.2383, 48.5035)).norm(), 1e-4 * 53.0);
+  EXPECT_LT((bend_45_tip(bend_45(64), 600.0) - Vector3d(15.6847, 47.1501, 53.4755)).norm(), 1e-4 * 60.0);
 }
 
 int main(int argc, char** argv)

@@ -3,8 +3,7 @@
 
 #include <random>
 
-#include "drill_rig_sim/math/rotation.h"
-#include "drill_rig_sim/string/beam_element.h"
+#include "beam_ends.h"
 
 using namespace drill_rig_sim;
 using Eigen::Matrix3d;
@@ -13,57 +12,23 @@ using Eigen::Vector3d;
 
 namespace
 {
-struct Ends
-{
-  Vector3d x1, x2;
-  Quaterniond q1, q2;
-};
-
-BeamPose pose_of(const Ends& s)
-{
-  return {s.x1, s.x2, x_axis(s.q1), x_axis(s.q2), twist_between(s.q1, s.q2)};
-}
-
-/// Component k of the 12: x1, theta1, x2, theta2 moved by h.
-Ends moved(const Ends& s, int k, double h)
-{
-  Ends m = s;
-  const Vector3d v = h * Vector3d::Unit(k % 3);
-  if (k < 3) m.x1 += v;
-  if (k >= 3 && k < 6) m.q1 = rotation_from_vector(v) * s.q1;
-  if (k >= 6 && k < 9) m.x2 += v;
-  if (k >= 9) m.q2 = rotation_from_vector(v) * s.q2;
-  return m;
-}
-
 const BeamSection kPipe = tube_section(9.5, 0.127, 0.1086, 206e9, 0.3);
 
-Ends random_ends(std::mt19937& generator, double tilt, double twist)
+/// Anywhere, after many turns.
+BeamEnds random_ends(std::mt19937& generator, double tilt, double twist)
 {
   std::normal_distribution<double> g;
-  const Quaterniond common = rotation_from_vector(Vector3d(g(generator), g(generator), g(generator)));
-  Ends s;
-  s.x1 = Vector3d(g(generator), g(generator), g(generator));
-  const Vector3d chord = common * Vector3d(9.5 * (1.0 + 1e-3 * g(generator)), 0.0, 0.0);
-  s.x2 = s.x1 + chord;
-  auto end = [&](double spin)
-  {
-    return Quaterniond(common * rotation_from_vector(tilt * Vector3d(0.0, g(generator), g(generator))) *
-                       rotation_from_vector(Vector3d(spin, 0.0, 0.0)));
-  };
-  const double spin = 50.0 * g(generator);
-  s.q1 = end(spin);
-  s.q2 = end(spin + twist * g(generator));
-  return s;
+  const Vector3d common(g(generator), g(generator), g(generator));
+  return drill_rig_sim::random_ends(generator, kPipe.length, tilt, twist, 50.0 * g(generator), rotation_from_vector(common));
 }
 
-BeamForces forces(const Ends& s, const BeamDamping& damping = {}, const Vector3d& load = Vector3d::Zero())
+BeamForces forces(const BeamEnds& s, const BeamDamping& damping = {}, const Vector3d& load = Vector3d::Zero())
 {
   BeamStrain strain;
   return beam_forces(kPipe, pose_of(s), damping, load, strain);
 }
 
-double energy(const Ends& s)
+double energy(const BeamEnds& s)
 {
   const BeamPose p = pose_of(s);
   BeamStrain e;
@@ -73,13 +38,6 @@ double energy(const Ends& s)
   return 0.5 * kPipe.axial * kPipe.length * e.stretch * e.stretch + 0.5 * kPipe.torsion * e.twist * e.twist +
          0.5 * kPipe.bending_near * (a1.squaredNorm() + a2.squaredNorm()) + kPipe.bending_far * a1.dot(a2);
 }
-
-Eigen::Matrix<double, 12, 1> stacked(const BeamForces& f)
-{
-  Eigen::Matrix<double, 12, 1> v;
-  v << -f.force, f.moment_upper, f.force, f.moment_lower;
-  return v;
-}
 }  // namespace
 
 TEST(BeamElement, forcesAreTheGradientOfTheEnergy)
@@ -87,7 +45,7 @@ TEST(BeamElement, forcesAreTheGradientOfTheEnergy)
   std::mt19937 generator(1);
   for (int i = 0; i < 50; ++i)
   {
-    const Ends s = random_ends(generator, 0.1, 0.3);
+    const BeamEnds s = random_ends(generator, 0.1, 0.3);
     const auto f = stacked(forces(s));
     for (int k = 0; k < 12; ++k)
     {
@@ -103,7 +61,7 @@ TEST(BeamElement, tangentIsTheDerivativeOfTheForces)
   std::mt19937 generator(2);
   for (int i = 0; i < 50; ++i)
   {
-    const Ends s = random_ends(generator, 0.1, 0.3);
+    const BeamEnds s = random_ends(generator, 0.1, 0.3);
     const double time = 0.005, rate_by_move = 140.0;  // [s], [1/s]
     std::normal_distribution<double> g;
     const BeamDamping moving{time, rate_by_move, Vector3d(g(generator), g(generator), g(generator)),
@@ -122,15 +80,11 @@ TEST(BeamElement, tangentIsTheDerivativeOfTheForces)
     BeamStrain strain;
     BeamTangent t;
     beam_forces(kPipe, pose_of(s), damped(0, 0.0), load, strain, t);
-    Eigen::Matrix<double, 12, 12> k_matrix;
-    k_matrix << t.force_d, -t.force_upper, -t.force_d, -t.force_lower,  //
-        -t.upper_d, t.upper_upper, t.upper_d, t.upper_lower,            //
-        -t.force_d, t.force_upper, t.force_d, t.force_lower,            //
-        -t.lower_d, t.lower_upper, t.lower_d, t.lower_lower;
+    const Matrix12d k_matrix = stacked(t);
     for (int k = 0; k < 12; ++k)
     {
       const double h = 1e-6;
-      const Eigen::Matrix<double, 12, 1> column =
+      const Vector12d column =
           (stacked(forces(moved(s, k, h), damped(k, h), load)) - stacked(forces(moved(s, k, -h), damped(k, -h), load))) / (2.0 * h);
       EXPECT_LT((column - k_matrix.col(k)).norm(), 1e-6 * k_matrix.norm()) << "column " << k;
       // rotations on their own: axial stiffness must not hide an error in the bending terms
@@ -147,11 +101,11 @@ TEST(BeamElement, dampingForcesAreThoseOfTheStrainsRate)
   auto random_vector = [&] { return Vector3d(g(generator), g(generator), g(generator)); };
   for (int i = 0; i < 20; ++i)
   {
-    const Ends s = random_ends(generator, 0.1, 0.3);
+    const BeamEnds s = random_ends(generator, 0.1, 0.3);
     const Vector3d v1 = random_vector(), v2 = random_vector(), w1 = random_vector(), w2 = random_vector();
     auto strain_after = [&](double time)
     {
-      const Ends m{s.x1 + time * v1, s.x2 + time * v2, rotation_from_vector(time * w1) * s.q1, rotation_from_vector(time * w2) * s.q2};
+      const BeamEnds m{s.x1 + time * v1, s.x2 + time * v2, rotation_from_vector(time * w1) * s.q1, rotation_from_vector(time * w2) * s.q2};
       BeamStrain strain;
       beam_forces(kPipe, pose_of(m), {}, Vector3d::Zero(), strain);
       return strain;
@@ -170,15 +124,15 @@ TEST(BeamElement, dampingForcesAreThoseOfTheStrainsRate)
 TEST(BeamElement, rigidMotionAndCommonSpinCostNothing)
 {
   std::mt19937 generator(3);
-  const Ends s = random_ends(generator, 0.05, 0.1);
-  Ends turned = s;
+  const BeamEnds s = random_ends(generator, 0.05, 0.1);
+  BeamEnds turned = s;
   const Quaterniond q = rotation_from_vector(Vector3d(1.0, 2.0, -0.5));
   turned.x1 = q * s.x1 + Vector3d(1.0, 2.0, 3.0);
   turned.x2 = q * s.x2 + Vector3d(1.0, 2.0, 3.0);
   turned.q1 = q * s.q1;
   turned.q2 = q * s.q2;
   EXPECT_NEAR(energy(turned), energy(s), 1e-9 * energy(s));
-  Ends spun = s;
+  BeamEnds spun = s;
   spun.q1 = s.q1 * rotation_from_vector(Vector3d(2.5, 0.0, 0.0));
   spun.q2 = s.q2 * rotation_from_vector(Vector3d(2.5, 0.0, 0.0));
   const BeamPose a = pose_of(s), b = pose_of(spun);
@@ -191,7 +145,7 @@ TEST(BeamElement, forcesAndMomentsBalance)
   std::mt19937 generator(4);
   for (int i = 0; i < 20; ++i)
   {
-    const Ends s = random_ends(generator, 0.1, 0.3);
+    const BeamEnds s = random_ends(generator, 0.1, 0.3);
     const BeamForces f = forces(s);
     const Vector3d rest = f.moment_upper + f.moment_lower + (s.x2 - s.x1).cross(f.force);
     EXPECT_LT(rest.norm(), 1e-9 * (f.force.norm() * 9.5 + f.moment_upper.norm()));

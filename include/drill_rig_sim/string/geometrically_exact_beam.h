@@ -18,18 +18,19 @@ namespace drill_rig_sim
 ///   turn of the middle  w = (dtheta1 + dtheta2)/2 - c/2 a x Delta,  c = tan(alpha/2)/alpha
 ///   n = R_m C Gamma,  m = R_m D phi/L,  q = n x d,  p = B m - c/2 q x a
 ///   force on the lower end n, moments q/2 - p (upper) and q/2 + p (lower).
-/// Forces and tangent are exact derivatives of U.
+/// Forces and tangent are derivatives of U.
 ///
 /// Valid for any rotation; the ends less than half a turn apart. Second order in the element's length, also in linear bending: one
 /// element deflects a quarter less than the cubic under a tip load. A dead load goes to the ends in halves, without end moments. The
 /// correction that would make it exact there (1/(kappa G A) + L^2/(12 EI) in place of 1/(kappa G A), MacNeal 1978) is left out: with it
 /// any tension above 12 EI/L^2 buckles the element.
-/// Structural damping acts on the same stretch and twist as in the corotational element. Reported tension and torque: EA Gamma_x and
-/// GJ phi_x/L, damping included.
+/// Structural damping acts on the stretch Gamma_x and the twist phi_x: on a straight element the corotational one's stretch and twist.
+/// Reported tension and torque: EA Gamma_x and GJ phi_x/L, damping included.
 BeamForces geometrically_exact_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping,
                                       const Eigen::Vector3d& load, BeamStrain& strain) noexcept;
 
-/// The same with the exact tangent.
+/// The same with the tangent: exact, but for the change of the strain's rate with the place at given rates, which is left out (relative to
+/// the axial stiffness `damping.time` |velocity|/length).
 BeamForces geometrically_exact_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping,
                                       const Eigen::Vector3d& load, BeamStrain& strain, BeamTangent& tangent) noexcept;
 

@@ -29,7 +29,8 @@ Eigen::Quaterniond ground_axes() noexcept;
 BeamForces rotation_vector_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping,
                                   const Eigen::Vector3d& load, BeamStrain& strain) noexcept;
 
-/// The same with the exact tangent.
+/// The same with the tangent: exact, but for the change of the strain's rate with the place at given rates, which is left out (relative to
+/// the axial stiffness `damping.time` |velocity|/length).
 BeamForces rotation_vector_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping,
                                   const Eigen::Vector3d& load, BeamStrain& strain, BeamTangent& tangent) noexcept;
 
