@@ -97,10 +97,11 @@ inline int unstable_modes(BeamChain chain)
   return static_cast<int>((solver.eigenvalues().array() < 0.0).count());
 }
 
-/// The load between `low` and `high` above which the chain has more than `modes` unstable ones. `loaded` makes the chain in equilibrium.
+/// The load between `low` and `high` above which the chain has more than `modes` unstable ones, to 1e-6. `loaded` makes the chain in
+/// equilibrium.
 inline double critical_load(const std::function<BeamChain(double load)>& loaded, int modes, double low, double high)
 {
-  while (high - low > 1e-7 * high)
+  while (high - low > 1e-6 * high)
   {
     const double middle = 0.5 * (low + high);
     (unstable_modes(loaded(middle)) > modes ? high : low) = middle;
@@ -130,19 +131,22 @@ struct Column
   }
 };
 
-/// A vertical pipe under its weight, hung from the top; the bit is hinged in the hole's bottom and carries `weight`.
-/// Along x, which points down.
+/// A vertical pipe under its weight in a plane, hinged in the hole's bottom, which carries `weight`, and hinged at `above` over the neutral
+/// point. Along x, which points down.
 struct HangingPipe
 {
-  double length = 200.0, bending = 1.0, axial = 1.0, linear_weight = 1.0;  ///< [m], [N m2], [N], in mud [N/m]
+  double bending = 1.0, axial = 1.0, linear_weight = 1.0;  ///< [N m2], [N], in mud [N/m]
+  double above = 1.0;                                      ///< [m]
 
-  BeamChain loaded(const BeamKind& kind, int count, double weight) const
+  BeamChain loaded(const BeamKind& kind, double element_length, double weight) const
   {
+    const double length = above + weight / linear_weight;
+    const int count = static_cast<int>(std::ceil(length / element_length));
     const double l = length / count;
     BeamChain chain = BeamChain::cantilever(count, section_of(l, axial, bending, 0.8 * bending, 0.2 * axial));
     chain.kind = &kind;
-    chain.nodes[0].held = Column::pinned;
-    chain.tip().held = Column::sliding;
+    for (auto& node : chain.nodes) node.held = {false, false, true, true, true, false};
+    chain.nodes[0].held[0] = chain.nodes[0].held[1] = chain.tip().held[1] = true;
     for (auto& element : chain.elements) element.load.x() = linear_weight * l;
     chain.tip().force.x() = -weight;
     // straight, in equilibrium: every element stretched by the mean of what hangs below it

@@ -115,6 +115,26 @@ TEST(Simulator, everyNumberStaysFiniteUnderRoughHandling)
   EXPECT_EQ(running, 1000) << rig.failure();
 }
 
+// The seed's interpolation of one total rotation vector a node ends where the top has made a full turn: said, not shown as numbers.
+TEST(Simulator, totalRotationVectorsStopAtTheFirstFullTurn)
+{
+  Scene scene = drilling_scene();
+  scene.numerics.element = "rotation_vector";
+  Simulator rig(scene);
+  turn_and_feed(rig);
+  std::vector<double> now;
+  int frames = 0;
+  while (rig.frame(0.01) == FrameStatus::running && frames < 1000)
+  {
+    ++frames;
+    numbers_of(rig.measurements(), now);
+    ASSERT_TRUE(all_finite(now)) << frames;
+  }
+  EXPECT_GT(rig.measurements().top_drive_angle, 0.8 * 2.0 * pi);
+  EXPECT_LT(rig.measurements().top_drive_angle, 2.0 * pi);
+  EXPECT_GT(std::strlen(rig.failure()), 20u);
+}
+
 TEST(Commands, notNumbersAreRefusedAndChangeNothing)
 {
   Simulator rig(drilling_scene());

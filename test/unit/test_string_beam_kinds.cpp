@@ -7,6 +7,7 @@
 
 #include "beam_ends.h"
 #include "beam_problems.h"
+#include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/string/rotation_vector_beam.h"
 
 using namespace drill_rig_sim;
@@ -110,6 +111,13 @@ TEST(BeamKinds, theFirstIsTheDefault)
 {
   EXPECT_EQ(find_beam("auto"), &kCorotational);
   EXPECT_EQ(find_beam("no_such"), nullptr);
+}
+
+TEST(BeamKinds, everyKindIsAWordOfTheSceneFile)
+{
+  const std::string quick = std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/config/scenes/quick.yaml";
+  EXPECT_NE(find_beam(read_scene(quick).numerics.element), nullptr);
+  for (const BeamKind& kind : beam_table()) EXPECT_EQ(read_scene(quick, {std::string("numerics.element=") + kind.name}).numerics.element, kind.name);
 }
 
 TEST(BeamKinds, tangentIsTheDerivativeOfTheForces)
