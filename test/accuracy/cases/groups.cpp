@@ -16,6 +16,7 @@ const std::vector<CaseGroup>& case_groups()
       {"buckling", true, buckling_cases},
       {"bent_motor", true, bent_motor_cases},
       {"stick_slip_well_a", false, stick_slip_well_a_cases},
+      {"beams", true, beam_cases},
   };
   return groups;
 }

@@ -23,6 +23,8 @@ void stick_slip_well_a_cases(Report& report);
 
 /// Pipe pushed into a horizontal hole: sinusoidal and helical buckling, the helix's contact force and pitch.
 void buckling_cases(Report& report);
+/// Beams of every kind of element: a bend in space, roll-up, columns, the vertical pipe.
+void beam_cases(Report& report);
 
 /// Build rate of a bent motor while it slides.
 void bent_motor_cases(Report& report);
