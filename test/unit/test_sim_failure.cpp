@@ -121,7 +121,7 @@ TEST(Simulator, totalRotationVectorsStopAtTheFirstFullTurn)
   Scene scene = drilling_scene();
   scene.numerics.element = "rotation_vector";
   Simulator rig(scene);
-  turn_and_feed(rig);
+  drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
   std::vector<double> now;
   int frames = 0;
   while (rig.frame(0.01) == FrameStatus::running && frames < 1000)
