@@ -222,23 +222,6 @@ TEST(SystemTangent, motorTurningBehindABentHousing)
   expect_exact(rig);
 }
 
-// Without structural damping: their tangent leaves out how its force turns with the element. Off bottom, a quarter of a turn only.
-TEST(SystemTangent, otherBeamElementsBehindABentHousing)
-{
-  for (const char* element : {"geometrically_exact", "rotation_vector"})
-  {
-    Scene scene = motor_drilling_scene(0.002);
-    scene.numerics.element = element;
-    scene.numerics.structural_damping = 0.0;
-    Rig rig(scene);
-    rig.setpoints.top_drive.speed = 3.0 * rpm;
-    rig.rest.state.flow = 0.03;
-    rig.run(5.0);
-    EXPECT_GT(rig.contacts(), 0) << element;
-    expect_exact(rig);
-  }
-}
-
 TEST(SystemTangent, grippedPipe)
 {
   Rig rig(slanted_scene(60.0, 0.3));
