@@ -62,6 +62,7 @@ Row map_point(const Axis& axis, double value, const Choice& choice, const Tumble
     if (!passed(run.verdict))
     {
       failure = run.verdict;
+      by_halving = 0.0;  // nothing above a failure counts
       above = text("%g s %s (%s)", step, words(run.verdict), run.message.c_str());
       if (run.verdict == Verdict::too_slow) break;  // shorter steps are slower still
     }

@@ -22,7 +22,7 @@ void stick(const Choice& choice, double seconds, Rows& rows)
   row.unit = "um";
   if (is_default(choice)) row.promise = Promise::passes;
   const double step = workable_step("slope", {}, choice, 0.01);
-  Ride ride(load_scene("slope", {}, choice, step > 0.0 ? step : 1e-5), is_default(choice) ? 120.0 : 8.0);
+  Ride ride(load_scene("slope", {}, choice, step > 0.0 ? step : 1e-5), is_default(choice) ? 120.0 : 40.0);
   ride.go(kSet, 0.1);
   if (ride.going())
   {

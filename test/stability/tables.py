@@ -56,6 +56,8 @@ def maps(rows):
 
 
 def verdict_cell(row):
+    if row['verdict'] == 'too slow':
+        return 'too slow (%s)' % row['text'].split('; ')[-1]
     if row['group'] == 'turns':
         figure = '%.0e drift, %s' % (float(row['figure']), row['case'].split()[0])
     elif row['group'] == 'sticking':
