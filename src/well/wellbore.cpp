@@ -13,7 +13,7 @@ namespace
 constexpr std::size_t raw_capacity = 16384;
 constexpr double raw_spacing = 5e-4;             // [m]
 constexpr double first_interval_by_steps = 0.1;  // L2 until the first Stage II when steps are counted [m]
-constexpr double shortest_move = 1e-100;         // the squares of shorter displacements underflow: they have no direction [m]
+constexpr double shortest_move = 1e-12;           // shorter displacements have no direction: rounding, or an integrator's tolerance, makes it [m]
 constexpr double shortest_chord = 1e-3;          // Stage II waits for it: shorter segments would bound no node count [m]
 
 std::size_t checked_capacity(int capacity)

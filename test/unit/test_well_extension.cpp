@@ -368,8 +368,8 @@ TEST(WellExtension, FrictionFollowsTheSections)
   EXPECT_NEAR(hole.at(100.8).friction, 0.3, 1e-12);
 }
 
-// The bit of a string that is being wound up turns by 1e-150 rad/s before the torsional wave arrives: the rock it breaks then is so
-// little that the squares of the displacement underflow, and normalising it would bend the bottom's plane.
+// The bit of a string that is being wound up turns by 1e-150 rad/s before the torsional wave arrives: the rock it breaks then is so little
+// that the squares of the displacement underflow, or an integrator's tolerance makes its direction. It would bend the bottom's plane.
 TEST(WellExtension, DisplacementsTooShortForADirectionLeaveTheBottom)
 {
   Wellbore hole(straight_well(100.0), every_metres(0.1), bit_radius);

@@ -66,7 +66,7 @@ public:
   HoleSite locate(const Eigen::Vector3d& point, int segment_hint) const noexcept;
 
   /// Stage I, and Stage II when due. `bottom_displacement`: how far the bit moved the bottom in this step, world axes [m];
-  /// `bit_axis`: the raw node's tangent, unit, downhole. No displacement changes nothing. False and nothing changed if a number
+  /// `bit_axis`: the raw node's tangent, unit, downhole. Less than 1e-12 m changes nothing. False and nothing changed if a number
   /// is not finite. About a hundred flops, whatever the drilled length.
   bool extend(const Eigen::Vector3d& bottom_displacement, const Eigen::Vector3d& bit_axis) noexcept;
 
