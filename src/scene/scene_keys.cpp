@@ -209,6 +209,7 @@ const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are so
   {"element_length",        "m",      &NumericsSpec::element_length,       between(0.1, 50.0),   "longest element"},
   {"tolerance",             "-",      &NumericsSpec::tolerance,            between(1e-6, 0.5),   "relative, of the scene's outputs; level auto"},
   {"reference_tolerance",   "-",      &NumericsSpec::reference_tolerance,  between(1e-10, 1e-2), "integrator ida: local error of velocities (m/s, rad/s, and relative); of places (m, rad) a hundredth of it"},
+  {"reference_order",       "",       &NumericsSpec::reference_order,      between(1, 5),        "integrator ida: highest order of its BDF; above 2 waves that are hardly damped force shorter steps"},
   {"reference_index",       "",       &NumericsSpec::reference_index,      between(2, 3),        "integrator ida: index of the DAE, 2 stabilised; 3 only shows how it fails"},
   {"newton_tolerance",      "m, rad", &NumericsSpec::newton_tolerance,     between(1e-12, 1e-3), "error that Newton's iteration may leave in the increments of a step"},
   {"structural_damping",    "s",      &NumericsSpec::structural_damping,   between(0.0, 0.1),    "c of stress = E (strain + c strain rate)"},

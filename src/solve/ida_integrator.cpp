@@ -54,7 +54,9 @@ bool IdaIntegrator::start(const SystemState& state, const Setpoints& setpoints)
     const Formulation formulation = numerics.reference_index == 3 ? Formulation::index_3 : Formulation::stabilised_index_2;
     ida_.reset();
     rig_ = std::make_unique<RigDae>(system_, state, formulation, numerics.reference_tolerance);
-    ida_ = std::make_unique<IdaSolver>(*rig_, IdaOptions());
+    IdaOptions options;
+    options.max_order = numerics.reference_order;
+    ida_ = std::make_unique<IdaSolver>(*rig_, options);
     y_ = rig_->initial(state);
     time_ = state.time;
     lost_ = false;
@@ -88,8 +90,12 @@ bool IdaIntegrator::advance_or_throw(SystemState& state, double step, const Setp
   time_ += step;
   const Eigen::Vector3d moved = rig_->finish(time_, y_, state);
   system_.costs().lap(Cost::other);
-  state.bit.rock_velocity = moved / step;
-  state.well.extend(moved, x_axis(state.nodes[0].orientation));
+  // a shorter way has no direction but that of round-off: it waits for the next interval's
+  if (moved.norm() > system_.scene().numerics.reference_tolerance)
+  {
+    state.well.extend(moved, x_axis(state.nodes[0].orientation));
+    rig_->note_extended(y_);
+  }
   system_.costs().lap(Cost::rock_penetration);
   note();
   return true;

