@@ -17,6 +17,7 @@ const std::vector<CaseGroup>& case_groups()
       {"bent_motor", true, bent_motor_cases},
       {"stick_slip_well_a", false, stick_slip_well_a_cases},
       {"beams", true, beam_cases},
+      {"reference", true, reference_cases},
   };
   return groups;
 }

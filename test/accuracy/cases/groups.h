@@ -29,6 +29,9 @@ void beam_cases(Report& report);
 /// Build rate of a bent motor while it slides.
 void bent_motor_cases(Report& report);
 
+/// The reference integrator against motions known exactly, and the default stepper against it.
+void reference_cases(Report& report);
+
 }  // namespace drill_rig_sim
 
 #endif
