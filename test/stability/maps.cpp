@@ -59,12 +59,17 @@ Row map_point(const Axis& axis, double value, const Choice& choice, const Tumble
   for (double step : step_ladder())
   {
     const Tumble run = tumble(settings, choice, step, &reference, is_default(choice) ? 12.0 : 3.0);
+    if (run.verdict == Verdict::too_slow)  // shorter steps are slower still
+    {
+      if (above.empty()) failure = run.verdict;
+      above += text("%s%g s too slow", above.empty() ? "" : "; at ", step);
+      break;
+    }
     if (!passed(run.verdict))
     {
       failure = run.verdict;
       by_halving = 0.0;  // nothing above a failure counts
       above = text("%g s %s (%s)", step, words(run.verdict), run.message.c_str());
-      if (run.verdict == Verdict::too_slow) break;  // shorter steps are slower still
     }
     if (passed(run.verdict) && last_any > 0.0 && by_halving == 0.0) by_halving = last_any;
     last_any = passed(run.verdict) ? step : 0.0;
