@@ -169,6 +169,21 @@ FrameStatus Simulator::frame(double duration) noexcept
   return FrameStatus::running;
 }
 
+bool Simulator::book_energy(bool on)
+{
+  impl_->integrator->keep_book(nullptr);
+  impl_->book.reset();
+  if (!on) return true;
+  impl_->book = std::make_unique<EnergyBook>(*impl_->system, impl_->mechanics());
+  return impl_->integrator->keep_book(impl_->book.get());
+}
+
+const EnergyAccounts& Simulator::energy() const noexcept
+{
+  static const EnergyAccounts none;
+  return impl_->book ? impl_->book->accounts() : none;
+}
+
 const char* Simulator::failure() const noexcept
 {
   return impl_->failure;
@@ -244,6 +259,7 @@ void Simulator::restore(const SimulatorState& state, bool keep_time)
   const double now = impl_->mechanics().time;
   impl_->state = state;
   impl_->integrator->restart();
+  if (impl_->book) impl_->book->restart();
   impl_->failure = "";
   if (keep_time) impl_->shift_time(now);
 }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/solve/energy_book.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "drill_rig_sim/solve/vector_operations.h"
 
@@ -351,11 +352,13 @@ NewtonLimits& ArkodeStepper::limits() noexcept
 bool ArkodeStepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept
 {
   System& system = session_->system;
+  if (book_) book_->begin_step(state, setpoints);
   system.begin(state, step, setpoints);
   const bool solved = session_->step(state, step, budget);
   counters_.newton_iterations += static_cast<std::uint64_t>(session_->iterations);
   budget -= session_->iterations;
   if (!solved) return false;
+  if (book_) book_->end_step();
   system.finish(state);
   system.costs().lap(Cost::other);
   penetrate_rock(system, state, step);

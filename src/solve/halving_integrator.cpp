@@ -8,6 +8,12 @@ constexpr int kMaxHalvings = 5;
 constexpr int kBudget = 120;  // Newton iterations that one step may cost in all
 }  // namespace
 
+bool HalvingIntegrator::keep_book(EnergyBook* book) noexcept
+{
+  book_ = book;
+  return true;
+}
+
 bool HalvingIntegrator::advance(SystemState& state, double step, const Setpoints& setpoints) noexcept
 {
   int budget = kBudget;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/solve/energy_book.h"
 
 namespace drill_rig_sim
 {
@@ -68,6 +69,7 @@ Stepper::Stepper(System& system, const Method& method)
 bool Stepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept
 {
   if (method_.needs_acceleration && state.last_step <= 0.0) find_acceleration(state, setpoints);
+  if (book_) book_->begin_step(state, setpoints);
   system_.begin(state, step, setpoints);
   predict(state, step, u_.data());
   std::copy(u_.begin(), u_.end(), guess_.begin());
@@ -77,6 +79,7 @@ bool Stepper::attempt(SystemState& state, double step, const Setpoints& setpoint
   budget -= attempt.iterations;
   if (!solved) return false;
   error_estimate_ = predictor_distance() / 6.0;
+  if (book_) book_->end_step();
   system_.finish(state);
   if (method_.remember) method_.remember(state, step);
   system_.costs().lap(Cost::other);

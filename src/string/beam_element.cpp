@@ -266,4 +266,16 @@ BeamForces beam_forces(const BeamSection& section, const BeamPose& pose, const B
   return forces_of(f, pose);
 }
 
+double beam_energy(const BeamSection& section, const BeamPose& pose) noexcept
+{
+  const Vector3d d = pose.lower_position - pose.upper_position;
+  const double length = d.norm();
+  const Vector3d upper = pose.upper_normal - d / length, lower = pose.lower_normal - d / length;  // a1, a2
+  const double squares = upper.squaredNorm() + lower.squaredNorm(), mixed = upper.dot(lower);
+  const double stretch =
+      (length - section.length) / section.length + 0.5 * kShorteningNear * squares + kShorteningFar * mixed;
+  return 0.5 * section.axial * section.length * stretch * stretch + 0.5 * section.bending_near * squares + section.bending_far * mixed +
+         0.5 * section.torsion * pose.twist * pose.twist;
+}
+
 }  // namespace drill_rig_sim

@@ -123,9 +123,14 @@ void System::evaluate(const double* u, double* residual, BlockTridiagonal* tange
   ++work_.residuals;
   if (tangent) ++work_.tangents;
   std::fill(residual, residual + 6 * scratch_.size(), 0.0);
-  if (tangent) tangent->diagonal(0).setZero();  // the elements write every other block before anything is added to it
   configure(u);
   costs_.lap(Cost::kinematics);
+  assemble(residual, tangent);
+}
+
+void System::assemble(double* residual, BlockTridiagonal* tangent) noexcept
+{
+  if (tangent) tangent->diagonal(0).setZero();  // the elements write every other block before anything is added to it
   add_elements(residual, tangent);
   costs_.lap(Cost::elements);
   if (!static_) add_mud_damping(residual, tangent);
@@ -156,7 +161,7 @@ void System::settle(const double* u) noexcept
   costs_.lap(Cost::rig);
 }
 
-BeamForces System::element_forces(int e, BeamTangent* tangent) noexcept
+BeamPose System::element_pose(int e) const noexcept
 {
   const MeshElement& element = mesh_.elements[e];
   const NodeScratch& lower = scratch_[e];
@@ -171,7 +176,15 @@ BeamForces System::element_forces(int e, BeamTangent* tangent) noexcept
   }
   else
     pose.twist = twist_between(upper.orientation, lower.orientation);
+  return pose;
+}
 
+BeamForces System::element_forces(int e, BeamTangent* tangent) noexcept
+{
+  const MeshElement& element = mesh_.elements[e];
+  const NodeScratch& lower = scratch_[e];
+  const NodeScratch& upper = scratch_[e + 1];
+  const BeamPose pose = element_pose(e);
   const BeamDamping damping{damping_time_, stage_.rate_by_u, lower.rate.head<3>() - upper.rate.head<3>(), upper.rate.tail<3>(),
                             lower.rate.tail<3>()};
   BeamStrain strain;

@@ -29,6 +29,7 @@ void System::add_rig(double* residual, BlockTridiagonal* tangent) noexcept
   const RotorResult drive = drive_at(s.spin);
   r[5] += drive.meter_torque;
   forces_.meter_torque = drive.meter_torque;
+  forces_.drive_torque = drive.motor_torque;
   const DriveState& start = start_->drive;
   drive_end_.angle = start.angle + drive.increment;
   drive_end_.speed = drive.state.speed;

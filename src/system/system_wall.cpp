@@ -2,6 +2,7 @@
 #include "drill_rig_sim/contact/wall_contact.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/system/system.h"
+#include "grip_stiffness.h"
 
 namespace drill_rig_sim
 {
@@ -11,10 +12,6 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 namespace
 {
-// a stuck pipe holds like ten joints' worth of steel [N/m], [N m/rad]
-constexpr double kGripStiffness = 1e8;
-constexpr double kGripTorsion = 1e6;
-
 SlidingMotion sliding_of(FrictionMode mode)
 {
   switch (mode)
@@ -110,12 +107,12 @@ void System::add_grip(double* residual, BlockTridiagonal* tangent) noexcept
   const NodeScratch& s = scratch_[grip.node];
   Eigen::Map<Vector6d> r(residual + 6 * grip.node);
   const Vector3d& n = s.normal_start;
-  r.head<3>() += kGripStiffness * (s.position - grip.position);
-  r.tail<3>() += kGripTorsion * (start_->nodes[grip.node].spin_angle + s.spin - grip.spin_angle) * n;
+  r.head<3>() += grip_stiffness * (s.position - grip.position);
+  r.tail<3>() += grip_torsion * (start_->nodes[grip.node].spin_angle + s.spin - grip.spin_angle) * n;
   if (!tangent) return;
   auto d = tangent->diagonal(grip.node);
-  d.topLeftCorner<3, 3>().diagonal().array() += kGripStiffness;
-  d.bottomRightCorner<3, 3>() += kGripTorsion * n * n.transpose();
+  d.topLeftCorner<3, 3>().diagonal().array() += grip_stiffness;
+  d.bottomRightCorner<3, 3>() += grip_torsion * n * n.transpose();
 }
 
 }  // namespace drill_rig_sim

@@ -143,6 +143,21 @@ Json json_of(const ReferenceReport& report)
   return json;
 }
 
+Json json_of(const EnergyAccounts& e)
+{
+  Json json;
+  const std::pair<const char*, double> accounts[] = {
+      {"winch", e.winch}, {"drive", e.drive}, {"pump", e.pump}, {"gravity", e.gravity}, {"stored", e.stored()},
+      {"wall_friction", e.wall_friction}, {"wall_damping", e.wall_damping}, {"bottom_damping", e.bottom_damping}, {"film", e.film},
+      {"mud", e.mud}, {"structural", e.structural}, {"motor_slip", e.motor_slip}, {"grip_released", e.grip_released},
+      {"ledge", e.ledge}, {"added_mass", e.added_mass}, {"rock_thrust", e.rock_thrust}, {"rock_torque", e.rock_torque}, {"correction", e.correction},
+      {"numerical_inertia", e.of_inertia}, {"numerical_beams", e.of_beams}, {"numerical_contact", e.of_contact},
+      {"numerical_line", e.of_line}, {"numerical_residual", e.of_residual}, {"numerical_rebasing", e.of_rebasing},
+      {"residual", e.residual()}, {"throughput", e.throughput()}, {"closure", e.closure()}, {"numerical_share", e.numerical_share()}};
+  for (const auto& account : accounts) json.add(account.first, account.second);
+  return json;
+}
+
 Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record, const Ending& ending)
 {
   const SimulatorStatistics& s = simulator.statistics();
@@ -166,6 +181,7 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const Drilli
   json.add("solves", static_cast<double>(s.work.solves));
   if (s.is_reference) json.add("reference", json_of(s.reference));
   json.add("cost_share", json_of(s.costs));
+  if (simulator.energy().time > 0.0) json.add("energy", json_of(simulator.energy()));
   Averages now;
   now.add(m);
   json.add("final", json_of(now));
@@ -251,6 +267,8 @@ void run(const Arguments& arguments)
   if (csv) write_csv_header(csv.get());
 
   Simulator simulator = build_simulator(scene, seed);
+  if (arguments.has("--energy") && !simulator.book_energy())
+    throw UsageError("--energy: integrator '" + std::string(simulator.statistics().integrator) + "' cannot keep an energy book");
   DrillingRecord record;
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_time();
@@ -287,6 +305,7 @@ const Command run_command = {
      {"--csv", "FILE", "writes time series"},
      {"--every", "S", "between rows of the time series, default 0.1"},
      {"--json", "FILE", "writes a summary"},
+     {"--energy", nullptr, "keeps an energy book; the summary shows it [J]"},
      {"--path", "FILE", "writes the well's corrected path"},
      {"--raw-path", "FILE", "writes the uncorrected path of the last metres"},
      {"--bag", "FILE", "not available yet"}},

@@ -11,6 +11,10 @@ class HalvingIntegrator : public Integrator
 {
 public:
   bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept final;
+  bool keep_book(EnergyBook* book) noexcept final;
+
+protected:
+  EnergyBook* book_ = nullptr;  ///< attempt() begins its step before System::begin() and ends it before System::finish()
 
 private:
   /// One step of `step` [s]. False: not solved, `state` untouched. `budget`: Newton iterations left, reduced by those it took.

@@ -13,6 +13,8 @@
 
 namespace drill_rig_sim
 {
+class EnergyBook;
+
 struct StepperCounters
 {
   std::uint64_t steps = 0;
@@ -30,6 +32,8 @@ public:
   virtual bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept = 0;
   /// The next state is not the one that advance() left: whatever is remembered of the past is void.
   virtual void restart() noexcept {}
+  /// Books the energy of all further steps in `book`, null: no more. False: this integrator cannot.
+  virtual bool keep_book(EnergyBook* book) noexcept { return book == nullptr; }
 
   const StepperCounters& counters() const noexcept { return counters_; }
   /// Local error of the last step's positions, as the method estimates it [m]; 0 where it does not.

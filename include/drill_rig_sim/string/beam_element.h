@@ -88,6 +88,9 @@ BeamForces beam_forces(const BeamSection& section, const BeamPose& pose, const B
 BeamForces beam_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping, const Eigen::Vector3d& load,
                        BeamStrain& strain, BeamTangent& tangent) noexcept;
 
+/// U [J], the element's elastic energy.
+double beam_energy(const BeamSection& section, const BeamPose& pose) noexcept;
+
 }  // namespace drill_rig_sim
 
 #endif

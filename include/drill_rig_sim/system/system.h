@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "drill_rig_sim/contact/bit_bottom.h"
 #include "drill_rig_sim/contact/wall_contact.h"
 #include "drill_rig_sim/math/block_tridiagonal.h"
 #include "drill_rig_sim/math/cost_book.h"
@@ -12,6 +13,7 @@
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/string/beam_table.h"
 #include "drill_rig_sim/string/mesh.h"
+#include "drill_rig_sim/system/energy_sample.h"
 #include "drill_rig_sim/system/state.h"
 #include "drill_rig_sim/system/work.h"
 #include "drill_rig_sim/well/formation.h"
@@ -79,6 +81,7 @@ struct SystemForces
   double bit_speed = 0.0;   ///< [rad/s]
   double hook_load = 0.0;   ///< of the lines on the block [N]
   double meter_torque = 0.0;  ///< [N m]
+  double drive_torque = 0.0;  ///< of the top drive's motor [N m]
 };
 
 /// The mechanics of rig, string, well and rock at one instant: residual and tangent of one implicit stage. Holds the constant model
@@ -160,6 +163,12 @@ public:
   /// Velocity of the hole's bottom under the bit as finish() left it (three-dimensional rock-breaking velocity) [m/s].
   Eigen::Vector3d rock_velocity(const SystemState& state) const noexcept;
 
+  /// Energies at the state last evaluated or settled, before finish().
+  StoredEnergy stored_energy() const noexcept;
+  /// Energies, forces and rates there, for an energy book; the stage's accelerations must be those of the method. Leaves everything as it
+  /// was. Allocates when `out` or the system has not been used for it before.
+  void sample_energy(EnergySample& out) noexcept;
+
   /// Where the time goes; evaluate() books its parts, its callers theirs.
   CostBook& costs() noexcept { return costs_; }
   /// evaluate() and settle() count their own, solvers theirs.
@@ -192,6 +201,8 @@ private:
   void configure(const double* u) noexcept;
   void take_bit(const GivenMotion& motion) noexcept;
   void add_wall(int i, double* residual, BlockTridiagonal* tangent) noexcept;
+  void assemble(double* residual, BlockTridiagonal* tangent) noexcept;
+  BeamPose element_pose(int e) const noexcept;
   BeamForces element_forces(int e, BeamTangent* tangent) noexcept;
   void add_elements(double* residual, BlockTridiagonal* tangent) noexcept;
   void place(int i, const NodeMotion& motion) noexcept;
@@ -207,6 +218,14 @@ private:
   static void scatter(const BeamTangent& t, int e, BlockTridiagonal& tangent) noexcept;
   double mass_across(int i) const noexcept;
   double element_weight(int e, double z_lower, double z_upper) const noexcept;
+  bool touches_wall(int i) const noexcept;
+  double weight_potential() const noexcept;
+  void sample_elements(EnergySample& out) noexcept;
+  void sample_node(int i, EnergySample& out) const noexcept;
+  void sample_wall(int i, EnergySample& out) noexcept;
+  void sample_bit(EnergySample& out) const noexcept;
+  void sample_rig(EnergySample& out) const noexcept;
+  void sample_residual(std::vector<double>& out) noexcept;
   HoistState advance_hoist(const SystemState& state, double step) const noexcept;
   RotorResult drive_at(double top_spin) const noexcept;
   Eigen::Vector3d rock_velocity_at(const Wellbore& well, const Eigen::Vector3d& bit_axis) const noexcept;
@@ -228,10 +247,13 @@ private:
   double damping_time_ = 0.0;  // structural damping [s]
   std::vector<double> unused_residual_;  // of settle()
   SystemForces forces_;
+  std::vector<NodeScratch> kept_scratch_;  // of sample_energy()
+  SystemForces kept_forces_;
   HoistState hoist_end_;
   DriveState drive_end_;
   BitState bit_end_;
   BitDrive bit_drive_{};
+  BottomForce bottom_;
   double top_force_ = 0.0;
   double top_torque_ = 0.0;
   CostBook costs_;

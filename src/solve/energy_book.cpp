@@ -1,0 +1,162 @@
+#include "drill_rig_sim/solve/energy_book.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/solve/stepper.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+double mean(double a, double b) noexcept
+{
+  return 0.5 * (a + b);
+}
+
+const std::vector<double>& force_of(const EnergySample& sample, NodeForce kind) noexcept
+{
+  return sample.force[static_cast<std::size_t>(kind)];
+}
+}  // namespace
+
+EnergyBook::EnergyBook(System& system, const SystemState& state) : system_(system), no_move_(6 * system.nodes(), 0.0)
+{
+  begin_step(state, Setpoints());
+  after_ = before_;
+  restart();
+}
+
+void EnergyBook::restart() noexcept
+{
+  accounts_ = EnergyAccounts();
+  opened_ = false;
+}
+
+void EnergyBook::begin_step(const SystemState& state, const Setpoints& setpoints) noexcept
+{
+  const Work work = system_.work();
+  system_.begin(state, 0.0, setpoints);
+  Stage& stage = system_.stage();
+  prepare_start(state, stage);
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+    stage.acceleration[i] = in_step_axes(state.nodes[i].acceleration, x_axis(state.nodes[i].orientation));
+  stage.drive.rate_0 = state.drive.speed;
+  system_.settle(no_move_.data());
+  start_ = system_.stored_energy();
+  if (!opened_)
+  {
+    system_.sample_energy(before_);
+    accounts_.first = accounts_.last = start_;
+    opened_ = true;
+  }
+  system_.work() = work;
+}
+
+void EnergyBook::end_step() noexcept
+{
+  const Work work = system_.work();
+  system_.sample_energy(after_);
+  system_.work() = work;
+  book_jump();
+  book_inputs();
+  book_dissipation();
+  book_numerical();
+  accounts_.last = after_.stored;
+  accounts_.largest_kinetic = std::max(accounts_.largest_kinetic, after_.stored.kinetic_all());
+  accounts_.time += after_.step;
+  std::swap(before_, after_);
+}
+
+/// What the stored energies lost between the end of the last step and the start of this one.
+void EnergyBook::book_jump() noexcept
+{
+  const StoredEnergy &end = accounts_.last, &start = start_;
+  const double contact = end.wall + end.bottom - start.wall - start.bottom, grip = end.grip - start.grip;
+  const double translation = end.kinetic - start.kinetic;
+  accounts_.correction += contact;
+  accounts_.grip_released += grip;
+  accounts_.added_mass += translation;
+  accounts_.of_rebasing +=
+      end.kinetic_all() + end.elastic_all() - start.kinetic_all() - start.elastic_all() - contact - grip - translation;
+}
+
+/// Mean force times mean rate times time.
+double EnergyBook::work_in_time(NodeForce kind) const noexcept
+{
+  const std::vector<double>&f = force_of(before_, kind), &g = force_of(after_, kind);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < f.size(); ++k) sum += (f[k] + g[k]) * (before_.rate[k] + after_.rate[k]);
+  return 0.25 * after_.step * sum;
+}
+
+/// Mean force times increment.
+double EnergyBook::work_along(NodeForce kind) const noexcept
+{
+  const std::vector<double>&f = force_of(before_, kind), &g = force_of(after_, kind);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < f.size(); ++k) sum += (f[k] + g[k]) * after_.move[k];
+  return 0.5 * sum;
+}
+
+void EnergyBook::book_inputs() noexcept
+{
+  const double h = after_.step;
+  accounts_.winch -= h * mean(before_.line_price, after_.line_price) * mean(before_.pay_out, after_.pay_out);
+  accounts_.drive += h * mean(before_.drive_torque, after_.drive_torque) * mean(before_.rotor_speed, after_.rotor_speed);
+  accounts_.gravity += start_.weight - after_.stored.weight;
+  const double torque = mean(before_.bit_torque + before_.gauge_torque, after_.bit_torque + after_.gauge_torque);
+  const double pump = h * std::max(0.0, torque) * after_.motor_flow_speed;
+  accounts_.pump += pump;
+  accounts_.motor_slip += pump - h * torque * after_.motor_speed;
+}
+
+void EnergyBook::book_dissipation() noexcept
+{
+  const double h = after_.step;
+  accounts_.structural += work_in_time(NodeForce::structural);
+  accounts_.mud += work_in_time(NodeForce::mud);
+  accounts_.film += work_in_time(NodeForce::film);
+  accounts_.wall_damping += work_in_time(NodeForce::wall_damping);
+  accounts_.ledge += work_in_time(NodeForce::ledge);
+  // the bit's gauge turns with the motor
+  accounts_.wall_friction += work_in_time(NodeForce::friction) + h * mean(before_.gauge_torque, after_.gauge_torque) * after_.motor_speed +
+                             start_.bristles - after_.stored.bristles;
+
+  const Eigen::Map<const Eigen::Vector3d> v(before_.rate.data()), w(after_.rate.data());
+  accounts_.bottom_damping += 0.25 * h * (before_.bottom_damping + after_.bottom_damping).dot(v + w) -
+                              h * mean(before_.bottom_damped, after_.bottom_damped) * mean(before_.rock_speed, after_.rock_speed);
+  accounts_.rock_thrust += h * mean(before_.bottom_elastic + before_.bottom_damped, after_.bottom_elastic + after_.bottom_damped) *
+                           mean(before_.rock_speed, after_.rock_speed);
+  // the motor's speed is constant within a step
+  const double bit_speed = mean(before_.bit_speed - before_.motor_speed, after_.bit_speed - after_.motor_speed) + after_.motor_speed;
+  accounts_.rock_torque +=
+      h * mean(before_.bit_torque, after_.bit_torque) * bit_speed + start_.bit_bristle - after_.stored.bit_bristle;
+}
+
+void EnergyBook::book_numerical() noexcept
+{
+  const StoredEnergy &start = start_, &end = after_.stored;
+  accounts_.of_inertia += work_along(NodeForce::inertia) + mean(before_.rotor_inertia, after_.rotor_inertia) * after_.rotor_move -
+                          (end.kinetic_all() - start.kinetic_all());
+  accounts_.of_beams += work_along(NodeForce::beams) - (end.beams - start.beams);
+  accounts_.of_residual -= work_along(NodeForce::unsolved);
+
+  const Eigen::Map<const Eigen::Vector3d> bit_move(after_.move.data());
+  accounts_.of_contact += work_along(NodeForce::wall) - (end.wall - start.wall) +
+                          0.5 * (before_.bottom + after_.bottom).dot(bit_move) -
+                          mean(before_.bottom_elastic, after_.bottom_elastic) * after_.rock_advance - (end.bottom - start.bottom);
+  if (after_.grip_node >= 0)
+  {
+    const Eigen::Map<const Vector6d> move(after_.move.data() + 6 * after_.grip_node);
+    accounts_.of_contact += 0.5 * (before_.grip + after_.grip).dot(move) - (end.grip - start.grip);
+  }
+
+  const double lift = after_.move[after_.move.size() - 4];  // of the block, z of the last node
+  accounts_.of_line += -mean(before_.hook_force, after_.hook_force) * lift -
+                       mean(before_.line_price, after_.line_price) * (after_.line_length - after_.line_length_start) -
+                       (end.line - start.line);
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,99 @@
+// The energy balance of scenes: closure, and numerical dissipation at the scene's step, at half and at a quarter of it.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "groups.h"
+#include "report.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double kClosure = 0.5;    // of the throughput [%]
+constexpr double kNumerical = 5.0;  // [%]
+/// Below this share the numerical dissipation need not fall any more: Newton's tolerance, 1e-6 m of up to 1e7 N/m, leaves some [%].
+constexpr double kFloor = 1e-3;
+
+struct EnergyCase
+{
+  const char* file;
+  double duration;  ///< simulated [s]
+};
+
+/// Scenes at rest have no program: turned up to 60 rpm, lowered by a decimetre a second, stopped after half of the time.
+std::vector<ProgramStep> manoeuvre(double duration)
+{
+  ProgramStep go;
+  go.at = 0.0;
+  go.top_drive_speed = 60.0 * rpm;
+  go.block_velocity = -0.1;
+  go.flow = 0.02;
+  ProgramStep stop;
+  stop.at = 0.5 * duration;
+  stop.block_velocity = 0.0;
+  return {go, stop};
+}
+
+EnergyAccounts balance_of(Scene scene, double duration, double step)
+{
+  if (scene.program.empty()) scene.program = manoeuvre(duration);
+  scene.numerics.step = step;
+  Simulator simulator(scene);
+  if (!simulator.book_energy()) throw std::runtime_error(scene.name + ": no energy book");
+  ProgramPlayer player(scene.program);
+  constexpr double frame = 0.01;
+  for (long k = 0; k < std::lround(duration / frame); ++k)
+  {
+    player.apply(simulator);
+    if (simulator.frame(frame) == FrameStatus::failed) throw std::runtime_error(scene.name + ": " + simulator.failure());
+  }
+  return simulator.energy();
+}
+
+void balance(Report& report, const EnergyCase& c)
+{
+  const Scene scene = read_scene(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/" + c.file);
+  char time[32];
+  std::snprintf(time, sizeof time, " in %g s", c.duration);
+  const std::string name = "energy of " + scene.name + time + ": ";
+  double before = kNumerical;
+  for (int parts : {1, 2, 4})
+  {
+    const EnergyAccounts energy = balance_of(scene, c.duration, scene.numerics.step / parts);
+    char at[48];
+    std::snprintf(at, sizeof at, " at %g ms [%%]", 1e3 * scene.numerics.step / parts);
+    const double numerical = 100.0 * std::abs(energy.numerical_share());
+    report.add({name + "closure" + at, 100.0 * energy.closure(), 0.0, kClosure, "balance of energy", true});
+    report.add({name + "numerical dissipation" + at, numerical, 0.0, before,
+                parts == 1 ? "share of the throughput" : "falls with the step", true});
+    before = std::max(numerical, kFloor);
+  }
+}
+
+void balances(Report& report, const std::vector<EnergyCase>& cases)
+{
+  for (const EnergyCase& c : cases) balance(report, c);
+}
+}  // namespace
+
+void small_energy_cases(Report& report)
+{
+  balances(report, {{"config/scenes/quick.yaml", 40.0}, {"test/scenes/drilling_noisy.yaml", 5.0}});
+}
+
+void energy_cases(Report& report)
+{
+  balances(report, {{"config/scenes/bohai.yaml", 5.0},
+                    {"test/scenes/curved_well.yaml", 5.0},
+                    {"test/scenes/inclined_straight_20deg.yaml", 5.0},
+                    {"test/scenes/vertical_frictionless.yaml", 5.0}});
+}
+
+}  // namespace drill_rig_sim
