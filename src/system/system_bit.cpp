@@ -28,8 +28,8 @@ void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
   const double approach = mesh_.bit_radius - to_bottom.dot(down) - (static_ ? 0.0 : bit_drive_.bottom_moved);
   const double rate = static_ ? 0.0 : s.rate.head<3>().dot(down);
   const BottomForce bottom = bit_bottom_force(bit.bottom, approach, rate, breaking, rock_time);
-
   bottom_ = bottom;
+
   BitTorque torque;
   if (static_)
     torque.value = bottom.value > 0.0 ? scene_.start.torque_on_bit : 0.0;

@@ -18,6 +18,8 @@ const std::vector<CaseGroup>& case_groups()
       {"stick_slip_well_a", false, stick_slip_well_a_cases},
       {"beams", true, beam_cases},
       {"reference", true, reference_cases},
+      {"energy_small", true, small_energy_cases},
+      {"energy", false, energy_cases},
   };
   return groups;
 }

@@ -25,6 +25,9 @@ void stick_slip_well_a_cases(Report& report);
 void buckling_cases(Report& report);
 /// Beams of every kind of element: a bend in space, roll-up, columns, the vertical pipe.
 void beam_cases(Report& report);
+/// Energy balance of scenes: of small ones, and of all others.
+void small_energy_cases(Report& report);
+void energy_cases(Report& report);
 
 /// Build rate of a bent motor while it slides.
 void bent_motor_cases(Report& report);

@@ -1,0 +1,225 @@
+// The energy book against cases whose energies are known.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/solve/energy_book.h"
+#include "drill_rig_sim/solve/start.h"
+#include "drill_rig_sim/solve/stepper.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+namespace
+{
+Scene scene_file(const std::string& name)
+{
+  return read_scene(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/" + name);
+}
+
+/// Runs a rig from `start` with all set points at rest; what its book says.
+EnergyAccounts run(const RigAtRest& start, const char* method, double step, double span)
+{
+  SystemState state = start.state;
+  Stepper stepper(*start.system, *find_method(method));
+  stepper.limits().tolerance = 1e-12;
+  EnergyBook book(*start.system, state);
+  EXPECT_TRUE(stepper.keep_book(&book));
+  for (long k = 0; k < std::lround(span / step); ++k) EXPECT_TRUE(stepper.advance(state, step, Setpoints()));
+  return book.accounts();
+}
+
+/// 300 m that hang still in mud that takes nothing out, stretched by a millimetre, most at the bit; the drive's loop is slack.
+RigAtRest plucked()
+{
+  Scene scene = without_damping(vertical_scene(400.0, 290.0));
+  scene.string[0].diameter = 0.2;
+  scene.start.block_height = 10.0;
+  RigAtRest rig = build_at_rest(scene);
+  const double length = rig.system->mesh().total_length;
+  for (int i = 0; i + 1 < rig.system->nodes(); ++i)
+    rig.state.nodes[i].position.z() += 1e-3 * std::pow(std::cos(0.5 * pi * rig.system->mesh().nodes[i].from_bit / length), 4);
+  return rig;
+}
+
+void play(Simulator& simulator, ProgramPlayer& player, double seconds)
+{
+  for (long k = 0; k < std::lround(seconds / 0.01); ++k)
+  {
+    player.apply(simulator);
+    ASSERT_EQ(simulator.frame(0.01), FrameStatus::running) << simulator.failure();
+  }
+}
+
+/// Pose of an element between two sections.
+BeamPose pose_between(const Vector3d& upper, const Vector3d& lower, const Quaterniond& upper_turn, const Quaterniond& lower_turn)
+{
+  return {upper, lower, x_axis(upper_turn), x_axis(lower_turn), twist_between(upper_turn, lower_turn)};
+}
+}  // namespace
+
+// Central differences of U over 1e-5: relative error (1e-5)^2 of the moments' curvature, some 1e-8; round-off 1e-16 U / 1e-5.
+TEST(Energy, ofABeamHasItsForcesAsGradient)
+{
+  const BeamSection section = tube_section(9.5, 0.127, 0.1086, 206e9, 0.3);
+  const Vector3d upper(0.1, -0.2, 5.0), lower(0.12, -0.3, -4.501);
+  const Quaterniond down(Eigen::AngleAxisd(0.5 * pi, Vector3d::UnitY()));
+  const Quaterniond a = rotation_from_vector(Vector3d(0.01, 0.004, 0.05)) * down;
+  const Quaterniond b = rotation_from_vector(Vector3d(-0.02, 0.012, -0.03)) * down;
+  BeamStrain strain;
+  const BeamForces f = beam_forces(section, pose_between(upper, lower, a, b), BeamDamping(), Vector3d::Zero(), strain);
+  const double d = 1e-5, scale = f.force.norm();
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vector3d e = d * Vector3d::Unit(k);
+    const Quaterniond turn = rotation_from_vector(e), back = rotation_from_vector(-e);
+    auto slope = [&](const BeamPose& more, const BeamPose& less) { return (beam_energy(section, more) - beam_energy(section, less)) / (2.0 * d); };
+    EXPECT_NEAR(slope(pose_between(upper, lower + e, a, b), pose_between(upper, lower - e, a, b)), f.force[k], 1e-6 * scale);
+    EXPECT_NEAR(slope(pose_between(upper, lower, turn * a, b), pose_between(upper, lower, back * a, b)), f.moment_upper[k], 1e-6 * scale);
+    EXPECT_NEAR(slope(pose_between(upper, lower, a, turn * b), pose_between(upper, lower, a, back * b)), f.moment_lower[k], 1e-6 * scale);
+  }
+}
+
+// Nothing but the method takes energy out of an undamped string: what is missing is the numerical dissipation, found from inertia alone.
+TEST(Energy, missingFromFreeVibrationIsNumericalDissipation)
+{
+  const RigAtRest start = plucked();
+  for (const char* method : {"bdf2", "implicit_euler", "trbdf2", "generalised_alpha"})
+  {
+    const EnergyAccounts e = run(start, method, 0.001, 0.5);
+    ASSERT_GT(e.largest_kinetic, 1.0) << method;  // [J]
+    EXPECT_NEAR(e.input() - e.stored(), e.numerical(), 1e-4 * e.largest_kinetic) << method;
+    EXPECT_NEAR(e.dissipated() + e.broken_rock() + e.correction, 0.0, 1e-9 * e.largest_kinetic) << method;
+  }
+}
+
+// Two of the slowest periods: 0.5 s. Per period a mode loses 2 pi (w h)^3 (BDF2) or 2 pi w h (implicit Euler), hence eighths and halves.
+TEST(Energy, numericalDissipationFallsWithTheStepAsTheMethodsOrderSays)
+{
+  const RigAtRest start = plucked();
+  auto share = [&start](const char* method, double step)
+  {
+    const EnergyAccounts e = run(start, method, step, 0.5);
+    return e.numerical() / e.largest_kinetic;
+  };
+  const double bdf2 = share("bdf2", 0.001), euler = share("implicit_euler", 0.001);
+  EXPECT_GT(euler, 0.1);
+  EXPECT_LT(bdf2, 0.1 * euler);
+  EXPECT_GT(bdf2, 0.0);
+  EXPECT_NEAR(std::log2(bdf2 / share("bdf2", 0.0005)), 3.0, 0.3);
+  EXPECT_LT(share("trbdf2", 0.001), bdf2);
+  EXPECT_LT(std::abs(share("explicit", 0.0002)), 0.01);
+}
+
+// Pipe lowered at 0.1 m/s down 20 deg of friction: all that gravity gives goes into the winch's brake and the wall, and the wall takes
+// friction times weight across the hole times way: 2 % for the crossing from the frictionless build and the bit.
+TEST(Energy, ofASlidingPipeGoesIntoFriction)
+{
+  Scene scene = scene_file("test/scenes/inclined_straight_20deg.yaml");
+  Simulator simulator(scene);
+  simulator.command(WinchSetpoint{-0.1, false});
+  ProgramPlayer nothing({});
+  play(simulator, nothing, 8.0);
+  ASSERT_TRUE(simulator.book_energy());
+  play(simulator, nothing, 4.0);
+  const EnergyAccounts& e = simulator.energy();
+  const double weight = standard_gravity * 31.9 * (1.0 - 1150.0 / 7850.0);  // [N/m]
+  const double length = 1400.0 - 270.0;
+  EXPECT_NEAR(e.wall_friction, 0.5 * weight * std::sin(20.0 * degree) * length * 0.1 * 4.0, 0.02 * e.wall_friction);
+  EXPECT_NEAR(e.gravity + e.winch - e.stored(), e.wall_friction, 0.02 * e.wall_friction);
+  EXPECT_LT(e.closure(), 1e-3);
+}
+
+// Steady drilling: thrust times ROP and torque times speed, from the measurements of every frame.
+TEST(Energy, ofBrokenRockIsForceTimesSpeed)
+{
+  Simulator simulator(scene_file("config/scenes/quick.yaml"));
+  ProgramPlayer player(simulator.scene().program);
+  play(simulator, player, 60.0);
+  ASSERT_TRUE(simulator.book_energy());
+  double thrust = 0.0, torque = 0.0;
+  for (int k = 0; k < 1000; ++k)
+  {
+    ASSERT_EQ(simulator.frame(0.01), FrameStatus::running);
+    const Measurements& m = simulator.measurements();
+    thrust += 0.01 * m.wob * m.rop;
+    torque += 0.01 * m.bit_torque * m.bit_speed;
+  }
+  const EnergyAccounts& e = simulator.energy();
+  ASSERT_GT(thrust, 1e3);
+  EXPECT_NEAR(e.rock_thrust, thrust, 1e-3 * thrust);
+  EXPECT_NEAR(e.rock_torque, torque, 1e-3 * torque);
+  EXPECT_LT(e.closure(), 1e-4);
+}
+
+// A heavy bit on a soft, light string drops on rock: m v dv = -k d^e (1 + c v) dd, so c (v + w) = log((1 + c v)/(1 - c w)) for the speeds
+// v before and w after, whatever k and e.
+TEST(Energy, ofAnImpactGoesIntoHuntAndCrossleysDamping)
+{
+  const double speed = 0.2, damping = 1.0;
+  Scene scene = without_damping(vertical_scene(1000.0, 999.999));
+  scene.string = {bit_part(0.2, 2000.0), pipe_part(0, 1e5, 0.01, pipe_outer)};
+  scene.string[0].bottom = {1e9, 1.5, damping};
+  scene.string[1].young_modulus = 1e4 * 1000.0 / pipe_area;  // 10 kN/m
+  scene.numerics.element_length = 250.0;
+  RigAtRest rig = build_at_rest(scene);
+  rig.state.nodes[0].rate.velocity.z() = -speed;
+  const EnergyAccounts e = run(rig, "bdf2", 5e-5, 0.06);
+
+  double after = 0.5 * speed;
+  for (int k = 0; k < 60; ++k) after = (1.0 - (1.0 + damping * speed) * std::exp(-damping * (speed + after))) / damping;
+  const double lost = 0.5 * 2000.0 * (speed * speed - after * after);
+  EXPECT_GT(rig.state.nodes[0].position.z(), -1000.0);
+  EXPECT_NEAR(e.bottom_damping, lost, 0.01 * lost);
+  EXPECT_LT(e.closure(), 0.005);
+}
+
+// A grip holds what it was pulled with, and keeps it when it lets go.
+TEST(Energy, ofAReleasedGripIsBooked)
+{
+  Simulator simulator(drilling_scene(5.0, 0.1));
+  ASSERT_TRUE(simulator.book_energy());
+  ASSERT_TRUE(simulator.stick_pipe(80.0));
+  simulator.command(WinchSetpoint{0.05, false});
+  ProgramPlayer nothing({});
+  play(simulator, nothing, 2.0);
+  const double held = simulator.energy().last.grip;
+  EXPECT_GT(held, 0.1);
+  simulator.free_pipe();
+  play(simulator, nothing, 1.0);
+  EXPECT_NEAR(simulator.energy().grip_released, held, 1e-9 * held);
+  EXPECT_LT(simulator.energy().closure(), 0.005);
+}
+
+// The book looks only.
+TEST(Energy, bookLeavesTheRunAsItIs)
+{
+  Simulator with(drilling_scene()), without(drilling_scene());
+  ASSERT_TRUE(with.book_energy());
+  for (Simulator* simulator : {&with, &without})
+  {
+    simulator->command(TopDriveSetpoint{TopDriveMode::speed, 6.0, 0.0, 0.0, 0.0});
+    simulator->command(WinchSetpoint{-0.01, false});
+    for (int k = 0; k < 500; ++k) ASSERT_EQ(simulator->frame(0.01), FrameStatus::running);
+  }
+  EXPECT_EQ(with.measurements().bit_position, without.measurements().bit_position);
+  EXPECT_EQ(with.measurements().hook_load, without.measurements().hook_load);
+  EXPECT_EQ(with.measurements().torque, without.measurements().torque);
+  EXPECT_EQ(with.statistics().work.residuals, without.statistics().work.residuals);
+  EXPECT_GT(with.energy().time, 4.99);
+  EXPECT_EQ(without.energy().time, 0.0);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
