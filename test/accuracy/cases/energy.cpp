@@ -90,10 +90,18 @@ void small_energy_cases(Report& report)
 
 void energy_cases(Report& report)
 {
-  balances(report, {{"config/scenes/bohai.yaml", 5.0},
-                    {"test/scenes/curved_well.yaml", 5.0},
-                    {"test/scenes/inclined_straight_20deg.yaml", 5.0},
-                    {"test/scenes/vertical_frictionless.yaml", 5.0}});
+  balances(report, {{"test/scenes/curved_well.yaml", 10.0},
+                    {"test/scenes/inclined_straight_20deg.yaml", 10.0},
+                    {"test/scenes/vertical_frictionless.yaml", 10.0},
+                    {"test/benchmark/scenes/axial_wave.yaml", 10.0},
+                    {"test/benchmark/scenes/torque_release.yaml", 10.0},
+                    {"test/benchmark/scenes/build_trip.yaml", 10.0},
+                    {"test/benchmark/scenes/tagging.yaml", 10.0},
+                    {"test/benchmark/scenes/buckling.yaml", 10.0},
+                    {"test/benchmark/scenes/stick_slip.yaml", 12.0},
+                    {"test/benchmark/scenes/drilling.yaml", 30.0},
+                    {"test/benchmark/scenes/sliding.yaml", 20.0},
+                    {"config/scenes/bohai.yaml", 20.0}});
 }
 
 }  // namespace drill_rig_sim
