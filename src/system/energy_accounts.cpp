@@ -42,4 +42,10 @@ double EnergyAccounts::numerical_share() const noexcept
   return all > 0.0 ? numerical() / all : 0.0;
 }
 
+double EnergyAccounts::numerical_of_losses() const noexcept
+{
+  const double all = dissipated() + broken_rock() + numerical();
+  return all != 0.0 ? numerical() / all : 0.0;
+}
+
 }  // namespace drill_rig_sim

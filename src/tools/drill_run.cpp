@@ -153,7 +153,8 @@ Json json_of(const EnergyAccounts& e)
       {"ledge", e.ledge}, {"added_mass", e.added_mass}, {"rock_thrust", e.rock_thrust}, {"rock_torque", e.rock_torque}, {"correction", e.correction},
       {"numerical_inertia", e.of_inertia}, {"numerical_beams", e.of_beams}, {"numerical_contact", e.of_contact},
       {"numerical_line", e.of_line}, {"numerical_residual", e.of_residual}, {"numerical_rebasing", e.of_rebasing},
-      {"residual", e.residual()}, {"throughput", e.throughput()}, {"closure", e.closure()}, {"numerical_share", e.numerical_share()}};
+      {"residual", e.residual()}, {"throughput", e.throughput()}, {"closure", e.closure()}, {"numerical_share", e.numerical_share()},
+      {"numerical_of_losses", e.numerical_of_losses()}};
   for (const auto& account : accounts) json.add(account.first, account.second);
   return json;
 }

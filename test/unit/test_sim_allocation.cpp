@@ -79,12 +79,16 @@ void operator delete[](void* p, std::size_t, std::align_val_t) noexcept
 
 using namespace drill_rig_sim;
 
-TEST(Frame, allocatesNothingWhileDrilling)
+namespace
 {
+void drill(bool book)
+{
+  allocations = 0;
   Scene scene = drilling_scene(0.005);
   scene.instruments.hook_load = {500.0, 100.0, 0.25, 0.5};
   scene.instruments.mwd.period = 2.0;
   Simulator rig(scene);
+  if (book) ASSERT_TRUE(rig.book_energy());
 
   std::free(std::malloc(1));
   counting = true;
@@ -102,6 +106,17 @@ TEST(Frame, allocatesNothingWhileDrilling)
   EXPECT_EQ(allocations - own, 0);
   EXPECT_TRUE(rig.measurements().on_bottom);
   EXPECT_GT(rig.measurements().hole_depth, 100.1) << "must have drilled through a correction interval";
+}
+}  // namespace
+
+TEST(Frame, allocatesNothingWhileDrilling)
+{
+  drill(false);
+}
+
+TEST(Frame, allocatesNothingWithAnEnergyBook)
+{
+  drill(true);
 }
 
 int main(int argc, char** argv)

@@ -25,12 +25,13 @@ Scene scene_file(const std::string& name)
   return read_scene(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/" + name);
 }
 
-/// Runs a rig from `start` with all set points at rest; what its book says.
-EnergyAccounts run(const RigAtRest& start, const char* method, double step, double span)
+/// Runs a rig from `start` with all set points at rest, `ahead` [s] without a book and then `span` with one; what the book says.
+EnergyAccounts run(const RigAtRest& start, const char* method, double step, double ahead, double span)
 {
   SystemState state = start.state;
   Stepper stepper(*start.system, *find_method(method));
   stepper.limits().tolerance = 1e-12;
+  for (long k = 0; k < std::lround(ahead / step); ++k) EXPECT_TRUE(stepper.advance(state, step, Setpoints()));
   EnergyBook book(*start.system, state);
   EXPECT_TRUE(stepper.keep_book(&book));
   for (long k = 0; k < std::lround(span / step); ++k) EXPECT_TRUE(stepper.advance(state, step, Setpoints()));
@@ -94,27 +95,28 @@ TEST(Energy, missingFromFreeVibrationIsNumericalDissipation)
   const RigAtRest start = plucked();
   for (const char* method : {"bdf2", "implicit_euler", "trbdf2", "generalised_alpha"})
   {
-    const EnergyAccounts e = run(start, method, 0.001, 0.5);
+    const EnergyAccounts e = run(start, method, 0.001, 0.0, 0.5);
     ASSERT_GT(e.largest_kinetic, 1.0) << method;  // [J]
     EXPECT_NEAR(e.input() - e.stored(), e.numerical(), 1e-4 * e.largest_kinetic) << method;
     EXPECT_NEAR(e.dissipated() + e.broken_rock() + e.correction, 0.0, 1e-9 * e.largest_kinetic) << method;
   }
 }
 
-// Two of the slowest periods: 0.5 s. Per period a mode loses 2 pi (w h)^3 (BDF2) or 2 pi w h (implicit Euler), hence eighths and halves.
+// Per period a mode loses some (w h)^3 (BDF2) or w h (implicit Euler). The first step of BDF2 is implicit Euler's: it is left out. Central
+// differences lose nothing but have the rates half a step late, whose energy swings by w h.
 TEST(Energy, numericalDissipationFallsWithTheStepAsTheMethodsOrderSays)
 {
   const RigAtRest start = plucked();
   auto share = [&start](const char* method, double step)
   {
-    const EnergyAccounts e = run(start, method, step, 0.5);
+    const EnergyAccounts e = run(start, method, step, 0.05, 0.5);
     return e.numerical() / e.largest_kinetic;
   };
   const double bdf2 = share("bdf2", 0.001), euler = share("implicit_euler", 0.001);
   EXPECT_GT(euler, 0.1);
   EXPECT_LT(bdf2, 0.1 * euler);
   EXPECT_GT(bdf2, 0.0);
-  EXPECT_NEAR(std::log2(bdf2 / share("bdf2", 0.0005)), 3.0, 0.3);
+  EXPECT_NEAR(std::log2(share("bdf2", 0.00025) / share("bdf2", 0.000125)), 3.0, 0.2);
   EXPECT_LT(share("trbdf2", 0.001), bdf2);
   EXPECT_LT(std::abs(share("explicit", 0.0002)), 0.01);
 }
@@ -165,19 +167,20 @@ TEST(Energy, ofBrokenRockIsForceTimesSpeed)
 TEST(Energy, ofAnImpactGoesIntoHuntAndCrossleysDamping)
 {
   const double speed = 0.2, damping = 1.0;
-  Scene scene = without_damping(vertical_scene(1000.0, 999.999));
+  Scene scene = without_damping(vertical_scene(1000.0, 990.0));
   scene.string = {bit_part(0.2, 2000.0), pipe_part(0, 1e5, 0.01, pipe_outer)};
   scene.string[0].bottom = {1e9, 1.5, damping};
   scene.string[1].young_modulus = 1e4 * 1000.0 / pipe_area;  // 10 kN/m
   scene.numerics.element_length = 250.0;
   RigAtRest rig = build_at_rest(scene);
+  scene.well.hole_depth = 990.001;
+  rig.state.well = Wellbore(scene.well, scene.trajectory, 0.1);
   rig.state.nodes[0].rate.velocity.z() = -speed;
-  const EnergyAccounts e = run(rig, "bdf2", 5e-5, 0.06);
+  const EnergyAccounts e = run(rig, "bdf2", 5e-5, 0.0, 0.06);
 
   double after = 0.5 * speed;
   for (int k = 0; k < 60; ++k) after = (1.0 - (1.0 + damping * speed) * std::exp(-damping * (speed + after))) / damping;
   const double lost = 0.5 * 2000.0 * (speed * speed - after * after);
-  EXPECT_GT(rig.state.nodes[0].position.z(), -1000.0);
   EXPECT_NEAR(e.bottom_damping, lost, 0.01 * lost);
   EXPECT_LT(e.closure(), 0.005);
 }

@@ -75,6 +75,8 @@ struct EnergyAccounts
   double closure() const noexcept;
   /// numerical dissipation / throughput; < 0: energy was made.
   double numerical_share() const noexcept;
+  /// numerical / (dissipated + broken rock + numerical): how much of what damps the motion is the method's; 0 when nothing was lost.
+  double numerical_of_losses() const noexcept;
 };
 
 }  // namespace drill_rig_sim
