@@ -88,7 +88,7 @@ void drill(bool book)
   scene.instruments.hook_load = {500.0, 100.0, 0.25, 0.5};
   scene.instruments.mwd.period = 2.0;
   Simulator rig(scene);
-  if (book) ASSERT_TRUE(rig.book_energy());
+  ASSERT_TRUE(rig.book_energy(book));
 
   std::free(std::malloc(1));
   counting = true;
