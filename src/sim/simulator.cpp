@@ -174,8 +174,11 @@ bool Simulator::book_energy(bool on)
   impl_->integrator->keep_book(nullptr);
   impl_->book.reset();
   if (!on) return true;
+  if (!impl_->system->has_energy()) return false;
   impl_->book = std::make_unique<EnergyBook>(*impl_->system, impl_->mechanics());
-  return impl_->integrator->keep_book(impl_->book.get());
+  if (impl_->integrator->keep_book(impl_->book.get())) return true;
+  impl_->book.reset();
+  return false;
 }
 
 const EnergyAccounts& Simulator::energy() const noexcept

@@ -66,7 +66,7 @@ StoredEnergy System::stored_energy() const noexcept
     out.kinetic += 0.5 * (mass_across(i) * v.squaredNorm() - s.immersed * node.added_mass * along * along);
     out.turning += 0.5 * (node.tilt_inertia * w.squaredNorm() + (node.spin_inertia - node.tilt_inertia) * spin * spin);
     if (i + 1 == nodes()) continue;
-    out.beams += beam_energy(mesh_.elements[i].section, element_pose(i));
+    out.beams += beam_.energy(mesh_.elements[i].section, element_pose(i));
     out.bristles += 0.5 * contact_[i].tangential_stiffness * s.bristle.squaredNorm();
     if (touches_wall(i)) out.wall += contact_energy(contact_[i].law, -wall_gap(s.site, s.position, mesh_.nodes[i].contact_radius));
   }
@@ -121,8 +121,8 @@ void System::sample_elements(EnergySample& out) noexcept
     const BeamForces damped = element_forces(e, nullptr);
     BeamStrain strain;
     const BeamPose pose = element_pose(e);
-    const BeamForces elastic = beam_forces(mesh_.elements[e].section, pose, BeamDamping(), Vector3d::Zero(), strain);
-    const BeamForces loaded = beam_forces(mesh_.elements[e].section, pose, BeamDamping(), loads_[e], strain);
+    const BeamForces elastic = beam_.forces(mesh_.elements[e].section, pose, BeamDamping(), Vector3d::Zero(), strain);
+    const BeamForces loaded = beam_.forces(mesh_.elements[e].section, pose, BeamDamping(), loads_[e], strain);
     add(NodeForce::beams, e, elastic, 1.0);
     add(NodeForce::structural, e, damped, 1.0);
     add(NodeForce::structural, e, loaded, -1.0);

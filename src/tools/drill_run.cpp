@@ -269,7 +269,8 @@ void run(const Arguments& arguments)
 
   Simulator simulator = build_simulator(scene, seed);
   if (arguments.has("--energy") && !simulator.book_energy())
-    throw UsageError("--energy: integrator '" + std::string(simulator.statistics().integrator) + "' cannot keep an energy book");
+    throw UsageError("--energy: no energy book for integrator '" + std::string(simulator.statistics().integrator) + "' with element '" +
+                     scene.numerics.element + "', allowed: all integrators but ida, element corotational");
   DrillingRecord record;
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_time();

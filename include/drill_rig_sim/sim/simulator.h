@@ -66,7 +66,7 @@ public:
 
   /// Advances by `duration` [s], a multiple of the scene's step, in as many physics steps.
   FrameStatus frame(double duration) noexcept;
-  /// Opens an energy book for the frames to come, or closes it. False: the scene's integrator cannot keep one. Frames cost some three
+  /// Opens an energy book for the frames to come, or closes it. False: not with this scene's integrator (ida) or element. Frames cost some three
   /// residuals a step more while it is open, and give the same results. restore() opens it anew.
   bool book_energy(bool on = true);
   /// The book's accounts since it was opened; all zero without a book.

@@ -163,6 +163,8 @@ public:
   /// Velocity of the hole's bottom under the bit as finish() left it (three-dimensional rock-breaking velocity) [m/s].
   Eigen::Vector3d rock_velocity(const SystemState& state) const noexcept;
 
+  /// The kind of element has an energy: the next two may be called.
+  bool has_energy() const noexcept { return beam_.energy != nullptr; }
   /// Energies at the state last evaluated or settled, before finish().
   StoredEnergy stored_energy() const noexcept;
   /// Energies, forces and rates there, for an energy book; the stage's accelerations must be those of the method. Leaves everything as it
