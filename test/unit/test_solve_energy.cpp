@@ -63,7 +63,7 @@ void play(Simulator& simulator, ProgramPlayer& player, double seconds)
 /// Pose of an element between two sections.
 BeamPose pose_between(const Vector3d& upper, const Vector3d& lower, const Quaterniond& upper_turn, const Quaterniond& lower_turn)
 {
-  return {upper, lower, x_axis(upper_turn), x_axis(lower_turn), twist_between(upper_turn, lower_turn)};
+  return {upper, lower, x_axis(upper_turn), x_axis(lower_turn), twist_between(upper_turn, lower_turn), upper_turn, lower_turn};
 }
 }  // namespace
 
