@@ -109,6 +109,7 @@ private:
 ArkodeStepper::Session::Session(System& s) : system(s), residual_(6 * s.nodes()), right_(6 * s.nodes())
 {
   tangent_.resize(system.nodes());
+  limits.tolerance = system.scene().numerics.newton_tolerance;
   SUNContext context = nullptr;
   if (SUNContext_Create(nullptr, &context) != 0) throw std::runtime_error("ARKODE: SUNDIALS gives no context");
   context_.reset(context);

@@ -44,9 +44,7 @@ std::unique_ptr<Integrator> make_integrator(const std::string& name, System& sys
   if (name == arkode) return std::make_unique<ArkodeStepper>(system);
   const Method& method = *find_method(integrator_name(name));
   if (method.step == step_explicit) check_explicit_step(system, start);
-  auto stepper = std::make_unique<Stepper>(system, method);
-  stepper->limits().tolerance = system.scene().numerics.newton_tolerance;
-  return stepper;
+  return std::make_unique<Stepper>(system, method);
 }
 
 }  // namespace drill_rig_sim

@@ -64,6 +64,7 @@ bool Attempt::solve_and_settle() noexcept
 Stepper::Stepper(System& system, const Method& method)
   : system_(system), method_(method), newton_(system.nodes()), u_(6 * system.nodes()), guess_(6 * system.nodes()), residual_(6 * system.nodes())
 {
+  limits_.tolerance = system.scene().numerics.newton_tolerance;
 }
 
 bool Stepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept
