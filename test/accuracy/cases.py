@@ -10,7 +10,8 @@ TITLE = 'case, ours, published, relative difference, bound, source'
 class Line:
     """One line of the program's output."""
 
-    def __init__(self, text):
+    def __init__(self, group, text):
+        self.group = group
         self.text = text
         self.holds = not text.endswith(' FAILED')
         self.skipped = text.split(', ')[1] == 'skipped'
@@ -18,6 +19,12 @@ class Line:
 
     def __str__(self):
         return self.text
+
+    @property
+    def used(self):
+        """Share of the bound that the difference takes; 0 for a band, which holds or not."""
+        difference, bound = float(self.cells[3].split()[0]), float(self.cells[4])
+        return abs(difference) / bound if bound > 0.0 else 0.0
 
 
 def run_group(program, group, place):
@@ -38,18 +45,33 @@ def run(program, folder, reuse):
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             status = max(pool.map(run_group, [program] * len(groups), groups, places))
     lines = []
-    for place in places:
+    for group, place in zip(groups, places):
         with open(place) as text:
             rows = text.read().splitlines()
-        lines += [Line(row) for row in rows[1:] if row.count(', ') >= 5]
+        lines += [Line(group, row) for row in rows[1:] if row.count(', ') >= 5]
         if not rows or 'beyond their bounds' not in rows[-1]:
             print('\n'.join(rows[-1:]))
             status = 3
     return lines, status
 
 
+def summarise(lines, out):
+    """A row a group: how many cases, how many beyond their bounds, and the one that comes nearest to its bound."""
+    out.write('| group | cases | beyond | nearest to its bound | ours | published | relative difference | bound |\n')
+    out.write('| --- | --- | --- | --- | --- | --- | --- | --- |\n')
+    for group in dict.fromkeys(line.group for line in lines):
+        mine = [line for line in lines if line.group == group and not line.skipped]
+        if not mine:
+            out.write('| %s | skipped: no data | | | | | | |\n' % group)
+            continue
+        nearest = max(mine, key=lambda line: line.used)
+        out.write('| %s | %d | %d | %s |\n' % (group, len(mine), sum(not line.holds for line in mine), ' | '.join(nearest.cells[:5])))
+
+
 def write(lines, folder):
-    """cases.csv, and cases.md for the README."""
+    """cases.csv; cases.md, all of them, and cases_by_group.md for the README."""
+    with open(os.path.join(folder, 'cases_by_group.md'), 'w') as out:
+        summarise(lines, out)
     with open(os.path.join(folder, 'cases.csv'), 'w', newline='') as out:
         table = csv.writer(out)
         table.writerow(TITLE.split(', '))
