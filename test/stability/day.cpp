@@ -16,6 +16,7 @@ constexpr double kRate = 0.35e-3;        // [m/s]
 constexpr double kSettled = 600.0;       // on bottom, drilling at the feed rate [s]
 constexpr double kNodesPerMetre = 10.0;  // stage II leaves a node every 0.1 m
 constexpr double kMemoryAllowed = 1.0;   // [MB]
+constexpr double kBalance = 5e-3;        // of the throughput, as for every scene
 
 double resident_megabytes()
 {
@@ -56,7 +57,10 @@ void drill(const Choice& choice, double seconds, Rows& rows)
   }
   const double depth = ride.now().hole_depth, memory = resident_megabytes(), begin = ride.now().time;
   const int nodes = ride.simulator().wellbore().node_count();
-  ride.go(seconds - begin - 60.0, 0.1);
+  const bool booked = ride.simulator().book_energy();
+  ride.go(0.5 * (seconds - begin), 0.1);
+  const double closure_middle = booked ? ride.simulator().energy().closure() : 0.0;
+  ride.go(seconds - ride.now().time - 60.0, 0.1);
   const double weight_end = mean_weight(ride);
   row.verdict = ride.verdict();
   const double drilled = ride.now().hole_depth - depth, expected = kRate * (ride.now().time - begin);
@@ -64,12 +68,16 @@ void drill(const Choice& choice, double seconds, Rows& rows)
   const double memory_grown = resident_megabytes() - memory;
   row.figure = drilled;
   row.text = text(
-      "step %g s; fed %.4f m; WOB %.1f N in the first minutes and %.1f N in the last; %d hole nodes for %.2f m; memory %+.2f MB; "
-      "energy balance: not available yet",
+      "step %g s; fed %.4f m; WOB %.1f N in the first minutes and %.1f N in the last; %d hole nodes for %.2f m; memory %+.2f MB",
       step, expected, weight, weight_end, grown, drilled, memory_grown);
+  const double closure = booked ? ride.simulator().energy().closure() : 0.0;
+  if (booked)
+    row.text += text("; energy balance open by %.2e of the throughput at half time and %.2e at the end", closure_middle, closure);
+  else
+    row.text += "; energy balance: not available with this method or element";
   if (!ride.message().empty()) row.text += "; " + ride.message();
   const bool right = std::abs(drilled - expected) < 1e-3 * expected && std::abs(weight_end - weight) < 0.01 * weight &&
-                     grown <= kNodesPerMetre * drilled + 2 && memory_grown < kMemoryAllowed;
+                     grown <= kNodesPerMetre * drilled + 2 && memory_grown < kMemoryAllowed && std::abs(closure) < kBalance;
   if (passed(row.verdict) && !right) row.verdict = Verdict::fails_wrong;
   rows.add(row);
 }
