@@ -11,6 +11,7 @@
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "sim_numbers.h"
+#include "plucked_rig.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
@@ -18,48 +19,18 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double kSpan = 0.4;  // nearly two of the slowest axial periods [s]
-
-/// 300 m that hang still, stretched by a millimetre and twisted by a hundredth, smoothly, most at the bit.
-RigAtRest plucked()
-{
-  Scene scene = without_damping(vertical_scene(400.0, 290.0));
-  scene.string[0].diameter = 0.2;
-  scene.start.block_height = 10.0;
-  RigAtRest rig = build_at_rest(scene);
-  const double length = rig.system->mesh().total_length;
-  for (int i = 0; i + 1 < rig.system->nodes(); ++i)
-  {
-    const double shape = std::pow(std::cos(0.5 * pi * rig.system->mesh().nodes[i].from_bit / length), 4);
-    rig.state.nodes[i].position.z() += 1e-3 * shape;
-    rig.state.nodes[i].orientation = rig.state.nodes[i].orientation * rotation_from_vector(Vector3d(1e-2 * shape, 0.0, 0.0));
-  }
-  return rig;
-}
-
-/// Places of all nodes (z) and their spins after the span.
-Eigen::VectorXd after(const RigAtRest& start, Integrator& integrator, double step)
-{
-  SystemState state = start.state;
-  for (long k = 0; k < std::lround(kSpan / step); ++k) EXPECT_TRUE(integrator.advance(state, step, Setpoints()));
-  Eigen::VectorXd out(2 * state.nodes.size());
-  for (std::size_t i = 0; i < state.nodes.size(); ++i)
-    out.segment<2>(2 * i) << state.nodes[i].position.z(), 0.1 * state.nodes[i].spin_angle;
-  return out;
-}
-
 Eigen::VectorXd after_arkode(const RigAtRest& start, double step)
 {
   ArkodeStepper stepper(*start.system);
   stepper.limits().tolerance = 1e-12;
-  return after(start, stepper, step);
+  return after_span(start, stepper, step);
 }
 
 Eigen::VectorXd after_own(const RigAtRest& start, const char* method, double step)
 {
   Stepper stepper(*start.system, *find_method(method));
   stepper.limits().tolerance = 1e-12;
-  return after(start, stepper, step);
+  return after_span(start, stepper, step);
 }
 
 constexpr double kFrame = 0.01;
@@ -116,7 +87,7 @@ TEST(Arkode, goesToTheSolutionOfBdf2)
 {
   const RigAtRest start = plucked();
   const Eigen::VectorXd reference = after_own(start, "bdf2", 0.00005);
-  const double scale = (reference - after_own(start, "bdf2", kSpan)).norm();
+  const double scale = (reference - after_own(start, "bdf2", plucked_span)).norm();
   EXPECT_LT((after_arkode(start, 0.00005) - reference).norm(), 1e-3 * scale);
 }
 

@@ -7,44 +7,18 @@
 #include "drill_rig_sim/solve/explicit_limit.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
-#include "test_scenes.h"
+#include "plucked_rig.h"
 
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
 namespace
 {
-constexpr double kSpan = 0.4;  // nearly two of the slowest axial periods, 4 L/c = 0.26 s [s]
-
-/// 300 m that hang still, stretched by a millimetre and twisted by a hundredth, most at the bit. The pluck is smooth and leaves
-/// the block and the rotor in equilibrium: a corner would excite waves that no step here resolves.
-RigAtRest plucked()
-{
-  Scene scene = without_damping(vertical_scene(400.0, 290.0));
-  scene.string[0].diameter = 0.2;
-  scene.start.block_height = 10.0;
-  RigAtRest rig = build_at_rest(scene);
-  const double length = rig.system->mesh().total_length;
-  for (int i = 0; i + 1 < rig.system->nodes(); ++i)
-  {
-    const double shape = std::pow(std::cos(0.5 * pi * rig.system->mesh().nodes[i].from_bit / length), 4);
-    rig.state.nodes[i].position.z() += 1e-3 * shape;
-    rig.state.nodes[i].orientation = rig.state.nodes[i].orientation * rotation_from_vector(Vector3d(1e-2 * shape, 0.0, 0.0));
-  }
-  return rig;
-}
-
-/// Places of all nodes (z) and their spins after the span.
 Eigen::VectorXd after(const RigAtRest& start, const char* method, double step)
 {
-  SystemState state = start.state;
   Stepper stepper(*start.system, *find_method(method));
   stepper.limits().tolerance = 1e-12;
-  for (long k = 0; k < std::lround(kSpan / step); ++k) EXPECT_TRUE(stepper.advance(state, step, Setpoints()));
-  Eigen::VectorXd out(2 * state.nodes.size());
-  for (std::size_t i = 0; i < state.nodes.size(); ++i)
-    out.segment<2>(2 * i) << state.nodes[i].position.z(), 0.1 * state.nodes[i].spin_angle;
-  return out;
+  return after_span(start, stepper, step);
 }
 
 /// Order from three steps in the ratio 1 : 2 : 4: log2 of |y_4 - y_2|/|y_2 - y_1|; no reference solution is needed.
@@ -96,7 +70,7 @@ TEST(Convergence, methodsOfSecondOrderAgreeInTheLimit)
 {
   const RigAtRest start = plucked();
   const Eigen::VectorXd reference = after(start, "bdf2", 0.00005);
-  const double scale = (reference - after(start, "bdf2", kSpan)).norm();
+  const double scale = (reference - after(start, "bdf2", plucked_span)).norm();
   for (const char* method : {"trbdf2", "generalised_alpha", "explicit"})
     EXPECT_LT((after(start, method, 0.00005) - reference).norm(), 1e-3 * scale) << method;
 }
@@ -126,7 +100,7 @@ TEST(Convergence, methodsAgreeInTheLimit)
 {
   const RigAtRest start = plucked();
   const Eigen::VectorXd reference = after(start, "bdf2", 0.00005);
-  const double scale = (reference - after(start, "bdf2", kSpan)).norm();  // one step: where it began, nearly
+  const double scale = (reference - after(start, "bdf2", plucked_span)).norm();  // one step: where it began, nearly
   const double bdf2 = (after(start, "bdf2", 0.00025) - reference).norm();
   const double euler = (after(start, "implicit_euler", 0.00025) - reference).norm();
   EXPECT_GT(scale, 1e-3);
@@ -143,7 +117,7 @@ TEST(Convergence, unevenStepsKeepTheSecondOrder)
     SystemState state = start.state;
     Stepper stepper(*start.system, *find_method("bdf2"));
     stepper.limits().tolerance = 1e-12;
-    for (long k = 0; k < std::lround(kSpan / step); ++k)
+    for (long k = 0; k < std::lround(plucked_span / step); ++k)
       for (int part = 0; part < (k % 3 == 1 ? 2 : 1); ++part)
         EXPECT_TRUE(stepper.advance(state, k % 3 == 1 ? 0.5 * step : step, Setpoints()));
     Eigen::VectorXd out(state.nodes.size());
