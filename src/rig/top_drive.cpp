@@ -124,6 +124,7 @@ DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& comma
                          double speed) noexcept
 {
   const double limit = motor_torque_limit(spec, command, start.speed);
+  const double wanted = std::clamp(command.speed, -spec.max_speed, spec.max_speed);
   DriveTorque out;
   if (command.mode == TopDriveMode::torque)
   {
@@ -134,7 +135,6 @@ DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& comma
   }
   else
   {
-    const double wanted = std::clamp(command.speed, -spec.max_speed, spec.max_speed);
     out.value = spec.proportional_gain * (wanted - speed) + spec.integral_gain * (start.integral + wanted * time - turn);
     out.by_speed = -spec.proportional_gain;
     out.by_turn = -spec.integral_gain;
@@ -149,10 +149,7 @@ DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& comma
   if (command.mode == TopDriveMode::torque)
     out.integral = spec.integral_gain > 0.0 ? out.value / spec.integral_gain : 0.0;
   else
-  {
-    const double wanted = std::clamp(command.speed, -spec.max_speed, spec.max_speed);
     out.integral = next_integral(spec, start.integral, wanted - speed, wanted * time - turn, out.value, limit, saturated);
-  }
   return out;
 }
 

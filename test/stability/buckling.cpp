@@ -57,13 +57,7 @@ Coil coil(const Choice& choice, double step, double cpu_limit)
 
 void buckle(const Choice& choice, Rows& rows)
 {
-  Row row;
-  row.group = "buckling";
-  row.name = "slack-off to a coil and back";
-  row.method = choice.method;
-  row.element = choice.element;
-  row.unit = "mm left";
-  if (is_default(choice)) row.promise = Promise::passes;
+  Row row = row_of("buckling", "slack-off to a coil and back", choice, "mm left");
   const Coil reference = coil(default_choice(), 5e-4, 60.0);
   const double step = workable_step("buckling", {}, choice, 0.005);
   const Coil run = coil(choice, step > 0.0 ? step : 1e-5, 8.0);

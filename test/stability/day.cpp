@@ -38,13 +38,7 @@ double mean_weight(Ride& ride)
 
 void drill(const Choice& choice, double seconds, Rows& rows)
 {
-  Row row;
-  row.group = "slow drilling";
-  row.name = text("%.3g h at 0.35 mm/s", seconds / 3600.0);
-  row.method = choice.method;
-  row.element = choice.element;
-  row.unit = "m drilled";
-  if (is_default(choice)) row.promise = Promise::passes;
+  Row row = row_of("slow drilling", text("%.3g h at 0.35 mm/s", seconds / 3600.0), choice, "m drilled");
   const double step = workable_step("day", {}, choice, 0.02);
   Ride ride(load_scene("day", {}, choice, step > 0.0 ? step : 1e-5), is_default(choice) ? 400.0 : 8.0);
   ride.go(kSettled, 0.1);

@@ -43,13 +43,7 @@ Blow strike(const Choice& choice, double step, double cpu_limit)
 
 void impact(const Choice& choice, Rows& rows)
 {
-  Row row;
-  row.group = "impact";
-  row.name = "bit on hard rock at 2 m/s";
-  row.method = choice.method;
-  row.element = choice.element;
-  row.unit = "peak / reference";
-  if (is_default(choice)) row.promise = Promise::passes;
+  Row row = row_of("impact", "bit on hard rock at 2 m/s", choice, "peak / reference");
   const Blow reference = strike(default_choice(), 2e-5, 60.0);
   const double step = workable_step("impact", {}, choice, 0.005);
   const Blow run = strike(choice, step > 0.0 ? step : 1e-5, 8.0);

@@ -162,6 +162,18 @@ Verdict Ride::verdict() const
   return Verdict::fails_wrong;
 }
 
+Row row_of(const char* group, const std::string& name, const Choice& choice, const char* unit)
+{
+  Row row;
+  row.group = group;
+  row.name = name;
+  row.method = choice.method;
+  row.element = choice.element;
+  row.unit = unit;
+  if (is_default(choice)) row.promise = Promise::passes;
+  return row;
+}
+
 double workable_step(const std::string& name, const std::vector<std::string>& settings, const Choice& choice, double wish)
 {
   for (double step : step_ladder())

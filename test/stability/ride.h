@@ -88,6 +88,9 @@ private:
   std::unique_ptr<ProgramPlayer> player_;
 };
 
+/// A row of a method's case; of the default it is promised that it passes.
+Row row_of(const char* group, const std::string& name, const Choice& choice, const char* unit);
+
 /// The largest step of the ladder, at most `wish`, with which the first half second of the scene needs no halving; 0: none.
 double workable_step(const std::string& name, const std::vector<std::string>& settings, const Choice& choice, double wish);
 

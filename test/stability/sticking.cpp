@@ -14,13 +14,7 @@ constexpr double kCreepAllowed = 10e-6;  // [m]
 
 void stick(const Choice& choice, double seconds, Rows& rows)
 {
-  Row row;
-  row.group = "sticking";
-  row.name = text("%g s on a slope of 20 deg", seconds);
-  row.method = choice.method;
-  row.element = choice.element;
-  row.unit = "um";
-  if (is_default(choice)) row.promise = Promise::passes;
+  Row row = row_of("sticking", text("%g s on a slope of 20 deg", seconds), choice, "um");
   const double step = workable_step("slope", {}, choice, 0.01);
   Ride ride(load_scene("slope", {}, choice, step > 0.0 ? step : 1e-5), is_default(choice) ? 120.0 : 40.0);
   ride.go(kSet, 0.1);

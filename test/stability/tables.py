@@ -10,13 +10,7 @@ CASES = {'turns': 'turns of the top drive', 'sticking': 'sticking on a slope of 
 
 def kept(row):
     """What the README promises of this row came true."""
-    verdict = row['verdict']
-    if row['promise'] == 'passes':
-        return verdict.startswith('passes')
-    if row['promise'] == 'diagnostic':
-        # the reference may need more time than a case has: that is no garbage
-        return verdict.startswith('passes') or verdict in ('refused', 'fails: not converged') or (verdict == 'too slow' and row['method'] == 'ida')
-    return True
+    return row['kept'] == 'yes'
 
 
 def unique(values):

@@ -43,13 +43,7 @@ bool repeats(Ride& ride)
 
 void many_turns(const Choice& choice, double turns, Rows& rows)
 {
-  Row row;
-  row.group = "turns";
-  row.name = text("%g turns of the top drive", turns);
-  row.method = choice.method;
-  row.element = choice.element;
-  row.unit = "torque drift";
-  if (is_default(choice)) row.promise = Promise::passes;
+  Row row = row_of("turns", text("%g turns of the top drive", turns), choice, "torque drift");
   const double step = workable_step("turns", {}, choice, 0.005);
   Ride ride(load_scene("turns", {}, choice, step > 0.0 ? step : 1e-5), is_default(choice) ? 120.0 : 8.0);
   if (!ride.go(kSettled, 0.1))
@@ -89,15 +83,9 @@ void full_turn(Rows& rows)
       if (off > worst) at = ride.now().top_drive_angle / (2.0 * pi);
       worst = std::max(worst, off);
     }
-    Row row;
-    row.group = "full turn";
-    row.name = "three turns of the string";
-    row.method = choice.method;
-    row.element = choice.element;
-    row.promise = is_default(choice) ? Promise::passes : Promise::none;
+    Row row = row_of("full turn", "three turns of the string", choice, "turns made");
     row.verdict = ride.going() && worst > 0.05 * largest ? Verdict::fails_wrong : ride.verdict();
     row.figure = ride.simulator().measurements().top_drive_angle / (2.0 * pi);
-    row.unit = "turns made";
     row.text = worst > 0.0 ? text("torque off by up to %.3g N m of %.3g at %.2f turns; ", worst, largest, at) : "";
     row.text += ride.message();
     rows.add(row);

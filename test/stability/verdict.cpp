@@ -31,11 +31,12 @@ const char* words(Verdict verdict)
   return "";
 }
 
-bool kept(Promise promise, Verdict v)
+bool kept(const Row& row)
 {
-  if (promise == Promise::none) return true;
-  if (promise == Promise::passes) return passed(v);
-  return passed(v) || v == Verdict::refused || v == Verdict::fails_not_converged;
+  const Verdict v = row.verdict;
+  if (row.promise == Promise::none) return true;
+  if (row.promise == Promise::passes) return passed(v);
+  return passed(v) || v == Verdict::refused || v == Verdict::fails_not_converged || (v == Verdict::too_slow && row.method == "ida");
 }
 
 const char* words(Promise promise)
@@ -45,7 +46,7 @@ const char* words(Promise promise)
 
 void Rows::print_header()
 {
-  std::printf("group,case,value,method,element,promise,verdict,figure,unit,text\n");
+  std::printf("group,case,value,method,element,promise,verdict,kept,figure,unit,text\n");
 }
 
 void Rows::add(const Row& row)
@@ -53,9 +54,10 @@ void Rows::add(const Row& row)
   std::string text = row.text;
   std::replace(text.begin(), text.end(), ',', ';');
   std::replace(text.begin(), text.end(), '\n', ' ');
-  if (!kept(row.promise, row.verdict)) ++broken_;
-  std::printf("%s,%s,%s,%s,%s,%s,%s,%.6g,%s,%s\n", row.group.c_str(), row.name.c_str(), row.value.c_str(), row.method.c_str(),
-              row.element.c_str(), words(row.promise), words(row.verdict), row.figure, row.unit.c_str(), text.c_str());
+  const bool held = kept(row);
+  if (!held) ++broken_;
+  std::printf("%s,%s,%s,%s,%s,%s,%s,%s,%.6g,%s,%s\n", row.group.c_str(), row.name.c_str(), row.value.c_str(), row.method.c_str(),
+              row.element.c_str(), words(row.promise), words(row.verdict), held ? "yes" : "no", row.figure, row.unit.c_str(), text.c_str());
   std::fflush(stdout);
 }
 
