@@ -13,7 +13,6 @@ namespace
 constexpr std::size_t raw_capacity = 16384;
 constexpr double raw_spacing = 5e-4;             // [m]
 constexpr double first_interval_by_steps = 0.1;  // L2 until the first Stage II when steps are counted [m]
-constexpr double shortest_move = 1e-12;           // shorter displacements have no direction: rounding, or an integrator's tolerance, makes it [m]
 constexpr double shortest_chord = 1e-3;          // Stage II waits for it: shorter segments would bound no node count [m]
 
 std::size_t checked_capacity(int capacity)
@@ -86,11 +85,11 @@ bool Wellbore::extend(const Eigen::Vector3d& bottom_displacement, const Eigen::V
 {
   const double drilled = bottom_displacement.norm();
   if (!std::isfinite(drilled) || !std::isfinite(bit_axis.sum())) return false;
-  if (drilled < shortest_move) return true;
+  if (drilled == 0.0) return true;
 
   // stage I: a raw node
+  turn_bottom(bottom_displacement / drilled, drilled);
   bottom_ += bottom_displacement;
-  bottom_normal_ = bottom_displacement / drilled;
   raw_tangent_ = bit_axis;
   drilled_path_ += drilled;
   ++interval_steps_;
@@ -103,6 +102,14 @@ bool Wellbore::extend(const Eigen::Vector3d& bottom_displacement, const Eigen::V
   if (stage_two_due()) commit_stage_two();
   update_fresh_end();
   return true;
+}
+
+void Wellbore::turn_bottom(const Eigen::Vector3d& direction, double drilled) noexcept
+{
+  const Eigen::Vector3d turn = direction - bottom_normal_;
+  const double most = drilled / fresh_.radius;
+  const double wanted = turn.norm();
+  bottom_normal_ = wanted <= most ? direction : (bottom_normal_ + (most / wanted) * turn).normalized();
 }
 
 bool Wellbore::stage_two_due() const noexcept

@@ -130,20 +130,24 @@ TEST(WellExtension, StageTwoTakesTheChord)
   EXPECT_NEAR((hole.hole_depth() - 730.0) / (20000 * advance), 1.0, 1e-6);
 }
 
-// The raw tangents swing by 2 pi r/p = 1.05 deg; the corrected ones by at most 4 r/L2 = 0.07 deg, and the curve between them too.
+// The raw path swings by 2 pi r/p = 1.05 deg; the corrected one by at most 4 r/L2 = 0.07 deg, and the curve between too. The bottom's
+// plane follows the raw path as fast as the bit can cut it: by 1 rad in a bit radius, on a circle of p/(2 pi R) = 0.60 deg.
 TEST(WellExtension, HelixBecomesSmooth)
 {
   Wellbore hole(straight_well(500.0), every_metres(0.1), bit_radius);
   const Vector3d axis = hole.end_direction();
   HelixDriller bit(axis, pitch, helix_radius, advance);
-  double raw_swing = 0.0, end_swing = 0.0;
+  double raw_swing = 0.0, end_swing = 0.0, plane_swing = 0.0;
   for (int i = 0; i < 100000; ++i)
   {
-    hole.extend(bit.next(), axis);
-    raw_swing = std::max(raw_swing, std::acos(std::min(1.0, hole.bottom_normal().dot(axis))));
+    const Vector3d move = bit.next();
+    hole.extend(move, axis);
+    raw_swing = std::max(raw_swing, std::acos(std::min(1.0, move.normalized().dot(axis))));
     end_swing = std::max(end_swing, hole.end_direction().cross(axis).norm());
+    if (i > 50000) plane_swing = std::max(plane_swing, hole.bottom_normal().cross(axis).norm());
   }
   EXPECT_NEAR(raw_swing / degree, std::atan(2.0 * pi * helix_radius / pitch) / degree, 1e-3);
+  EXPECT_NEAR(plane_swing, pitch / (2.0 * pi * bit_radius), 0.01 * plane_swing);
   double corrected_swing = 0.0;
   for (const double md : depths(500.0, hole.hole_depth(), 1e-3))
     corrected_swing = std::max(corrected_swing, hole.at(md).tangent.cross(axis).norm());
@@ -368,17 +372,33 @@ TEST(WellExtension, FrictionFollowsTheSections)
   EXPECT_NEAR(hole.at(100.8).friction, 0.3, 1e-12);
 }
 
-// The bit of a string that is being wound up turns by 1e-150 rad/s before the torsional wave arrives: the rock it breaks then is so little
-// that the squares of the displacement underflow, or an integrator's tolerance makes its direction. It would bend the bottom's plane.
-TEST(WellExtension, DisplacementsTooShortForADirectionLeaveTheBottom)
+// Rock does not grow back: the plane turns by no more than what is drilled over the bit's radius, so that its rim never rises. The bit
+// of a string that is being wound up turns by 1e-150 rad/s before the torsional wave arrives; the squares of such moves underflow.
+TEST(WellExtension, BottomTurnsNoFasterThanItRecedes)
+{
+  for (double length = 1e-320; length < 1e-3; length *= 3.0)
+  {
+    Wellbore hole(straight_well(100.0), every_metres(0.1), bit_radius);
+    const Vector3d axis = hole.end_direction(), aside = axis.unitOrthogonal();
+    EXPECT_TRUE(hole.extend(length * aside, axis));
+    ASSERT_NEAR(hole.bottom_normal().norm(), 1.0, 1e-14) << length;
+    ASSERT_LE(hole.bottom_normal().cross(axis).norm(), length / bit_radius + 1e-15) << length;
+  }
+}
+
+// Drilled on in a new direction the plane ends square to it.
+TEST(WellExtension, BottomTurnsIntoTheDirectionOfDrilling)
 {
   Wellbore hole(straight_well(100.0), every_metres(0.1), bit_radius);
   const Vector3d axis = hole.end_direction();
-  for (double length = 1e-320; length < 1e-12; length *= 3.0)
+  const Vector3d direction = (axis + 0.02 * axis.unitOrthogonal()).normalized();
+  const int needed = static_cast<int>(std::ceil(0.02 * bit_radius / advance));
+  for (int i = 0; i < needed; ++i)
   {
-    EXPECT_TRUE(hole.extend(length * axis, axis));
-    ASSERT_NEAR((hole.bottom_normal() - axis).norm(), 0.0, 1e-12) << length;
+    ASSERT_NEAR(hole.bottom_normal().cross(axis).norm(), i * advance / bit_radius, 1e-5);
+    hole.extend(advance * direction, axis);
   }
+  EXPECT_LT((hole.bottom_normal() - direction).norm(), 1e-14);
 }
 }  // namespace
 }  // namespace drill_rig_sim

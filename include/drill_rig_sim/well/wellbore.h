@@ -66,18 +66,17 @@ public:
   HoleSite locate(const Eigen::Vector3d& point, int segment_hint) const noexcept;
 
   /// Stage I, and Stage II when due. `bottom_displacement`: how far the bit moved the bottom in this step, world axes [m];
-  /// `bit_axis`: the raw node's tangent, unit, downhole. Less than 1e-12 m changes nothing. False and nothing changed if a number
-  /// is not finite. About a hundred flops, whatever the drilled length.
+  /// `bit_axis`: the raw node's tangent, unit, downhole. False and nothing changed if a number is not finite. About a hundred flops, whatever the drilled length.
   bool extend(const Eigen::Vector3d& bottom_displacement, const Eigen::Vector3d& bit_axis) noexcept;
 
   /// Measured depth of the bottom [m], md_P + (C - P) . d.
   double hole_depth() const noexcept { return hole_depth_; }
   /// C, the centre of the bottom [m].
   const Eigen::Vector3d& bottom_position() const noexcept { return bottom_; }
-  /// Normal of the bottom plane: the direction v/|v| of the last displacement, the tangent of the well's last raw node in the
-  /// rock-penetration equations (the start's tangent until something is drilled). It belongs to the plane that the bit presses
-  /// on: the rock just cut. It swings with the bit's tilt (about 1 deg); with side cutting i_b < 1 it converges to the bit's
-  /// axis.
+  /// Normal of the bottom plane, the rock just cut: it turns towards the direction v/|v| of the displacement (the tangent of the
+  /// well's last raw node in the rock-penetration equations; the start's tangent until something is drilled), by at most the angle
+  /// |displacement| / bottom_radius(). For rock does not grow back: a plane that turns about its centre by more than it recedes
+  /// would rise at its rim. It swings with the bit's tilt (up to 1 deg).
   const Eigen::Vector3d& bottom_normal() const noexcept { return bottom_normal_; }
   /// Tangent that Stage I gives the raw node: the bit's axis at the last displacement.
   const Eigen::Vector3d& raw_tangent() const noexcept { return raw_tangent_; }
@@ -128,6 +127,7 @@ private:
   int neighbour(int i, double s, const Eigen::Vector3d& point) const noexcept;
   int nearest_segment(const Eigen::Vector3d& point) const noexcept;
   double friction_at(double md) const noexcept;
+  void turn_bottom(const Eigen::Vector3d& direction, double drilled) noexcept;
   bool stage_two_due() const noexcept;
   void commit_stage_two() noexcept;
   void update_fresh_end() noexcept;
