@@ -9,12 +9,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <stdexcept>
 
 namespace drill_rig_sim
 {
 namespace
 {
+constexpr double kEqualSteps = 8.0;
+constexpr double kArrival = 100.0 * std::numeric_limits<double>::epsilon();  // so near the stop time IDA says that it is there
+
 struct FreeContext
 {
   void operator()(SUNContext context) const { SUNContext_Free(&context); }
@@ -67,6 +71,7 @@ struct IdaSolver::Session
   void set_options();
   bool set_linear_solver(double t);
   void write_matrix(SUNMatrix target) const;
+  bool go_to(double t);
   IdaStatistics current() const;
 
   static int residual_callback(double t, N_Vector y, N_Vector rate, N_Vector f, void* data);
@@ -153,6 +158,28 @@ bool IdaSolver::Session::create(double t)
   return set_linear_solver(t);
 }
 
+/// The last steps to `t` are of equal length: a stump would have to grow again by doubling, with a new Jacobian each time.
+bool IdaSolver::Session::go_to(double t)
+{
+  void* const ida = memory.get();
+  for (long count = 0; count < options.max_steps; ++count)
+  {
+    double now = 0.0, next = 0.0, reached = 0.0;
+    IDAGetCurrentTime(ida, &now);
+    IDAGetCurrentStep(ida, &next);  // 0: not chosen yet
+    const double left = t - now;
+    const double round_off = 0.5 * kArrival * (std::abs(t) + next);
+    const double parts = next > 0.0 ? std::ceil((left - round_off) / next) : 1.0;
+    const bool last = parts <= 1.0 || parts > kEqualSteps;
+    IDASetStopTime(ida, last ? t : now + std::min(left / parts, next));
+    flag = IDASolve(ida, t, &reached, y.get(), rate.get(), IDA_ONE_STEP);
+    if (flag < 0) return false;
+    if (last && flag == IDA_TSTOP_RETURN) return true;
+  }
+  flag = IDA_TOO_MUCH_WORK;
+  return false;
+}
+
 IdaStatistics IdaSolver::Session::current() const
 {
   IdaStatistics s;
@@ -204,10 +231,7 @@ bool IdaSolver::advance(double t, std::vector<double>& y, std::vector<double>& r
 {
   Session& s = *session_;
   if (!s.memory) return false;
-  IDASetStopTime(s.memory.get(), t);
-  double reached = 0.0;
-  s.flag = IDASolve(s.memory.get(), t, &reached, s.y.get(), s.rate.get(), IDA_NORMAL);
-  if (s.flag < 0 || !finite(s.y.get()) || !finite(s.rate.get())) return false;
+  if (!s.go_to(t) || !finite(s.y.get()) || !finite(s.rate.get())) return false;
   std::copy_n(N_VGetArrayPointer(s.y.get()), y.size(), y.begin());
   std::copy_n(N_VGetArrayPointer(s.rate.get()), rate.size(), rate.begin());
   double last = 0.0;

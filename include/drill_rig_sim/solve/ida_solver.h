@@ -17,7 +17,7 @@ struct IdaOptions
   double fixed_step = 0.0;  ///< > 0: smallest and largest step alike, to show what a given step does [s]
   bool suppress_algebraic = true;  ///< multipliers out of the error test
   long max_steps = 2000000;        ///< of one advance()
-  double newton_share = 0.33;      ///< of the tolerance, that Newton's method may leave
+  double newton_share = 0.1;       ///< of the tolerance, that Newton's method may leave; at IDA's 0.33 the rest fails error tests
 };
 
 /// SUNDIALS IDA: variable-order, variable-step BDF in fixed-leading-coefficient form, modified Newton with our sparse Jacobian
@@ -34,7 +34,8 @@ public:
 
   /// (Re)starts at order one from consistent values. False: refused.
   bool start(double t, const std::vector<double>& y, const std::vector<double>& rate);
-  /// Integrates up to `t` exactly; steps go on from call to call, so that order and step can grow. y, rate: solution at t.
+  /// Integrates up to `t` exactly, the last steps before it of equal length; order and step go on from call to call. y, rate:
+  /// solution at t.
   /// False: it could not; statistics().flag tells why, y and rate are left alone.
   bool advance(double t, std::vector<double>& y, std::vector<double>& rate);
   /// IDA's name for statistics().flag.
