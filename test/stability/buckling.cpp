@@ -59,23 +59,21 @@ void buckle(const Choice& choice, Rows& rows)
 {
   Row row = row_of("buckling", "slack-off to a coil and back", choice, "mm left");
   const Coil reference = coil(default_choice(), 5e-4, 60.0);
-  const double step = workable_step("buckling", {}, choice, 0.005);
-  const Coil run = coil(choice, step > 0.0 ? step : 1e-5, 8.0);
-  row.verdict = run.verdict;
+  const double step = workable_step("buckling", choice, 0.005);
+  const Coil run = coil(choice, step, 8.0);
   row.figure = 1e3 * run.left;
   row.text = text("step %g s; pushed with %.1f kN (reference %.1f); %.0f mm aside; after pick-up %.2f mm; hook load %.2f kN off",
                   step, 1e-3 * run.weight, 1e-3 * reference.weight, 1e3 * run.aside, 1e3 * run.left, 1e-3 * run.hook_load_change);
-  if (!run.message.empty()) row.text += "; " + run.message;
   const bool right = run.aside > 0.02 && run.left < 0.005 && std::abs(run.hook_load_change) < 1e3 &&
                      std::abs(run.weight - reference.weight) < 0.1 * reference.weight;
-  if (passed(run.verdict) && !right) row.verdict = Verdict::fails_wrong;
+  conclude(row, run.verdict, right, run.message);
   rows.add(row);
 }
 }  // namespace
 
 void add_buckling_jobs(bool fast, std::vector<Job>& jobs)
 {
-  for (const Choice& choice : fast ? std::vector<Choice>{default_choice()} : all_methods())
+  for (const Choice& choice : methods(fast))
     jobs.push_back({"buckling/" + choice.method, [choice](Rows& rows) { buckle(choice, rows); }});
 }
 

@@ -33,15 +33,9 @@ void run_corner(int corner, Rows& rows)
   }
   const Tumble reference = tumble_reference(settings);
   const Tumble run = passed(reference.verdict) ? tumble(settings, default_choice(), kStep, &reference, 20.0) : reference;
-  Row row;
-  row.group = "corners";
-  row.name = signs;
-  row.method = default_choice().method;
-  row.element = default_choice().element;
-  row.promise = Promise::passes;
+  Row row = row_of("corners", signs, default_choice(), "s");
   row.verdict = run.verdict;
   row.figure = kStep;
-  row.unit = "s";
   row.text = run.message;
   rows.add(row);
 }

@@ -39,8 +39,8 @@ double mean_weight(Ride& ride)
 void drill(const Choice& choice, double seconds, Rows& rows)
 {
   Row row = row_of("slow drilling", text("%.3g h at 0.35 mm/s", seconds / 3600.0), choice, "m drilled");
-  const double step = workable_step("day", {}, choice, 0.02);
-  Ride ride(load_scene("day", {}, choice, step > 0.0 ? step : 1e-5), is_default(choice) ? 400.0 : 8.0);
+  const double step = workable_step("day", choice, 0.02);
+  Ride ride(load_scene("day", {}, choice, step), is_default(choice) ? 400.0 : 8.0);
   ride.go(kSettled, 0.1);
   const double weight = mean_weight(ride);
   if (!ride.going())
@@ -56,7 +56,6 @@ void drill(const Choice& choice, double seconds, Rows& rows)
   const double closure_middle = booked ? ride.simulator().energy().closure() : 0.0;
   ride.go(seconds - ride.now().time - 60.0, 0.1);
   const double weight_end = mean_weight(ride);
-  row.verdict = ride.verdict();
   const double drilled = ride.now().hole_depth - depth, expected = kRate * (ride.now().time - begin);
   const int grown = ride.simulator().wellbore().node_count() - nodes;
   const double memory_grown = resident_megabytes() - memory;
@@ -69,17 +68,16 @@ void drill(const Choice& choice, double seconds, Rows& rows)
     row.text += text("; energy balance open by %.2e of the throughput at half time and %.2e at the end", closure_middle, closure);
   else
     row.text += "; energy balance: not available with this method or element";
-  if (!ride.message().empty()) row.text += "; " + ride.message();
   const bool right = std::abs(drilled - expected) < 1e-3 * expected && std::abs(weight_end - weight) < 0.01 * weight &&
                      grown <= kNodesPerMetre * drilled + 2 && memory_grown < kMemoryAllowed && std::abs(closure) < kBalance;
-  if (passed(row.verdict) && !right) row.verdict = Verdict::fails_wrong;
+  conclude(row, ride.verdict(), right, ride.message());
   rows.add(row);
 }
 }  // namespace
 
 void add_day_jobs(bool fast, std::vector<Job>& jobs)
 {
-  for (const Choice& choice : fast ? std::vector<Choice>{default_choice()} : all_methods())
+  for (const Choice& choice : methods(fast))
   {
     const double seconds = is_default(choice) && !fast ? 86400.0 : 3600.0;
     jobs.push_back({"day/" + choice.method, [choice, seconds](Rows& rows) { drill(choice, seconds, rows); }});

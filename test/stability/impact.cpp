@@ -45,25 +45,23 @@ void impact(const Choice& choice, Rows& rows)
 {
   Row row = row_of("impact", "bit on hard rock at 2 m/s", choice, "peak / reference");
   const Blow reference = strike(default_choice(), 2e-5, 60.0);
-  const double step = workable_step("impact", {}, choice, 0.005);
-  const Blow run = strike(choice, step > 0.0 ? step : 1e-5, 8.0);
-  row.verdict = run.verdict;
+  const double step = workable_step("impact", choice, 0.005);
+  const Blow run = strike(choice, step, 8.0);
   row.figure = run.peak / reference.peak;
   row.text =
       text("step %g s; hits at %.2f m/s; peak %.0f kN (reference %.0f); impulse to 1.85 s %.2f kN s (%.2f); %.1f mm deep (%.1f)",
            step, run.speed, 1e-3 * run.peak, 1e-3 * reference.peak, 1e-3 * run.impulse, 1e-3 * reference.impulse,
            1e3 * run.deepest, 1e3 * reference.deepest);
-  if (!run.message.empty()) row.text += "; " + run.message;
   const bool right = std::abs(run.peak / reference.peak - 1.0) < 0.3 && std::abs(run.impulse / reference.impulse - 1.0) < 0.1 &&
                      run.deepest < 2.0 * reference.deepest;
-  if (passed(run.verdict) && !right) row.verdict = Verdict::fails_wrong;
+  conclude(row, run.verdict, right, run.message);
   rows.add(row);
 }
 }  // namespace
 
 void add_impact_jobs(bool fast, std::vector<Job>& jobs)
 {
-  for (const Choice& choice : fast ? std::vector<Choice>{default_choice()} : all_methods())
+  for (const Choice& choice : methods(fast))
     jobs.push_back({"impact/" + choice.method, [choice](Rows& rows) { impact(choice, rows); }});
 }
 

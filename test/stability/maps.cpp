@@ -93,7 +93,7 @@ void run_point(const Axis& axis, double value, bool fast, Rows& rows)
     std::printf("map,%s,%g,reference,,-,%s,0,s,%s\n", axis.name, value, words(reference.verdict), reference.message.c_str());
     return;
   }
-  std::vector<Choice> choices = fast ? std::vector<Choice>{default_choice()} : all_methods();
+  std::vector<Choice> choices = methods(fast);
   if (!fast && axis.with_elements)
     for (const Choice& choice : all_elements())
       if (!is_default(choice)) choices.push_back(choice);

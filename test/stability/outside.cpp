@@ -112,8 +112,7 @@ void longest_step(const Choice& choice, Rows& rows)
 void add_outside_jobs(bool fast, std::vector<Job>& jobs)
 {
   jobs.push_back({"outside", [](Rows& rows) { run_demands(default_choice(), rows); }});
-  if (fast) return;
-  for (const Choice& choice : all_methods())
+  for (const Choice& choice : methods(fast))
     if (!is_default(choice)) jobs.push_back({"outside/" + choice.method, [choice](Rows& rows) { longest_step(choice, rows); }});
 }
 

@@ -35,9 +35,10 @@ bool element_known(const std::string& element)
 }
 }  // namespace
 
-std::vector<Choice> all_methods()
+std::vector<Choice> methods(bool fast)
 {
   std::vector<Choice> choices{default_choice()};
+  if (fast) return choices;
   for (const IntegratorEntry& entry : integrator_table())
     if (entry.name != choices.front().method) choices.push_back({entry.name, kDefaultElement});
   return choices;
@@ -174,16 +175,22 @@ Row row_of(const char* group, const std::string& name, const Choice& choice, con
   return row;
 }
 
-double workable_step(const std::string& name, const std::vector<std::string>& settings, const Choice& choice, double wish)
+void conclude(Row& row, Verdict verdict, bool right, const std::string& message)
+{
+  row.verdict = passed(verdict) && !right ? Verdict::fails_wrong : verdict;
+  if (!message.empty()) row.text += "; " + message;
+}
+
+double workable_step(const std::string& name, const Choice& choice, double wish)
 {
   for (double step : step_ladder())
   {
     if (step > wish * 1.0001) continue;
-    Ride ride(load_scene(name, settings, choice, step), 3.0);
+    Ride ride(load_scene(name, {}, choice, step), 3.0);
     if (ride.go(0.5, 0.1) && ride.rejected() == 0 && ride.sample().speed < 1e3) return step;
-    if (ride.ending() == Ride::Ending::too_slow) return 0.0;
+    if (ride.ending() == Ride::Ending::too_slow) break;
   }
-  return 0.0;
+  return step_ladder().back();
 }
 
 const std::vector<double>& step_ladder()

@@ -19,8 +19,8 @@ struct Choice
   std::string element;
 };
 
-/// Every stepper that this version knows, the default first, each with the default element.
-std::vector<Choice> all_methods();
+/// Every stepper that this version knows, the default first, each with the default element; the default alone if `fast`.
+std::vector<Choice> methods(bool fast);
 /// Every element that this version knows, the default first, each with the default method.
 std::vector<Choice> all_elements();
 Choice default_choice();
@@ -90,9 +90,12 @@ private:
 
 /// A row of a method's case; of the default it is promised that it passes.
 Row row_of(const char* group, const std::string& name, const Choice& choice, const char* unit);
+/// Ends a row whose figures are told: the run's verdict, or `wrong` if it passed and is not `right`; the run's message after the text.
+void conclude(Row& row, Verdict verdict, bool right, const std::string& message);
 
-/// The largest step of the ladder, at most `wish`, with which the first half second of the scene needs no halving; 0: none.
-double workable_step(const std::string& name, const std::vector<std::string>& settings, const Choice& choice, double wish);
+/// The largest step of the ladder, at most `wish`, with which the first half second of the scene needs no halving; the ladder's
+/// shortest if there is none.
+double workable_step(const std::string& name, const Choice& choice, double wish);
 
 /// Steps from 0.1 s down to 1e-5 s, three a decade: whole fractions of 0.1 s.
 const std::vector<double>& step_ladder();

@@ -15,8 +15,8 @@ constexpr double kCreepAllowed = 10e-6;  // [m]
 void stick(const Choice& choice, double seconds, Rows& rows)
 {
   Row row = row_of("sticking", text("%g s on a slope of 20 deg", seconds), choice, "um");
-  const double step = workable_step("slope", {}, choice, 0.01);
-  Ride ride(load_scene("slope", {}, choice, step > 0.0 ? step : 1e-5), is_default(choice) ? 120.0 : 40.0);
+  const double step = workable_step("slope", choice, 0.01);
+  Ride ride(load_scene("slope", {}, choice, step), is_default(choice) ? 120.0 : 40.0);
   ride.go(kSet, 0.1);
   if (ride.going())
   {
@@ -44,7 +44,7 @@ void stick(const Choice& choice, double seconds, Rows& rows)
 
 void add_sticking_jobs(bool fast, std::vector<Job>& jobs)
 {
-  for (const Choice& choice : fast ? std::vector<Choice>{default_choice()} : all_methods())
+  for (const Choice& choice : methods(fast))
   {
     const double seconds = fast ? 120.0 : 3600.0;
     jobs.push_back({"sticking/" + choice.method, [choice, seconds](Rows& rows) { stick(choice, seconds, rows); }});

@@ -44,8 +44,8 @@ bool repeats(Ride& ride)
 void many_turns(const Choice& choice, double turns, Rows& rows)
 {
   Row row = row_of("turns", text("%g turns of the top drive", turns), choice, "torque drift");
-  const double step = workable_step("turns", {}, choice, 0.005);
-  Ride ride(load_scene("turns", {}, choice, step > 0.0 ? step : 1e-5), is_default(choice) ? 120.0 : 8.0);
+  const double step = workable_step("turns", choice, 0.005);
+  Ride ride(load_scene("turns", {}, choice, step), is_default(choice) ? 120.0 : 8.0);
   if (!ride.go(kSettled, 0.1))
   {
     row.verdict = ride.verdict();
@@ -95,7 +95,7 @@ void full_turn(Rows& rows)
 
 void add_turn_jobs(bool fast, std::vector<Job>& jobs)
 {
-  for (const Choice& choice : fast ? std::vector<Choice>{default_choice()} : all_methods())
+  for (const Choice& choice : methods(fast))
   {
     const double turns = is_default(choice) ? (fast ? 1e4 : 1e5) : 1e4;
     jobs.push_back({"turns/" + choice.method, [choice, turns](Rows& rows) { many_turns(choice, turns, rows); }});

@@ -74,24 +74,16 @@ Trip make_trip(const Shape& shape, const Choice& choice, double step)
 
 void well(const Shape& shape, Rows& rows)
 {
-  Row row;
-  row.group = "wells";
-  row.name = shape.name;
-  row.method = default_choice().method;
-  row.element = default_choice().element;
-  row.promise = Promise::passes;
-  row.unit = "mm from axis";
+  Row row = row_of("wells", shape.name, default_choice(), "mm from axis");
   const Trip reference = make_trip(shape, default_choice(), 5e-4);
   const Trip run = passed(reference.verdict) ? make_trip(shape, default_choice(), 0.005) : reference;
-  row.verdict = run.verdict;
   row.figure = 1e3 * run.aside;
   row.text = text("hook load %.2f kN (small steps %.2f); torque %.0f N m (%.0f); bit %.2g mm apart", 1e-3 * run.hook_load,
                   1e-3 * reference.hook_load, run.torque, reference.torque, 1e3 * (run.bit - reference.bit).norm());
-  if (!run.message.empty()) row.text += "; " + run.message;
   const bool right = run.aside < 0.1 && (run.bit - reference.bit).norm() < 0.01 &&
                      std::abs(run.hook_load - reference.hook_load) < 0.02 * reference.hook_load &&
                      std::abs(run.torque - reference.torque) < 0.1 * std::abs(reference.torque) + 50.0;
-  if (passed(run.verdict) && !right) row.verdict = Verdict::fails_wrong;
+  conclude(row, run.verdict, right, run.message);
   rows.add(row);
 }
 }  // namespace
