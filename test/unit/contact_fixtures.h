@@ -61,6 +61,25 @@ struct ArcHole
   }
 };
 
+/// A straight hole that leans across both axes.
+inline StraightHole leaning_hole()
+{
+  StraightHole hole;
+  hole.tangent = Vector3d(0.3, -0.2, -1.0).normalized();
+  return hole;
+}
+
+/// Places where a section of 0.08 m radius is pressed 1.5 mm into a wall of 0.1 m radius.
+inline Vector3d at_the_wall(const StraightHole& hole)
+{
+  return 2.0 * hole.tangent + 0.0215 * hole.tangent.cross(Vector3d::UnitY()).normalized();
+}
+
+inline Vector3d at_the_wall(const ArcHole& arc)
+{
+  return arc.locate({4.0, 0.0, -3.0}).centre + 0.0215 * Vector3d(0.48, 0.8, -0.36);
+}
+
 /// One stage from a fixed start of the step: everything as a function of u = (x, r).
 struct ContactStage
 {

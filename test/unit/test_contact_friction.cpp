@@ -22,29 +22,24 @@ TEST(StribeckFriction, FallsFromStaticToKinetic)
 
 TEST(WallContact, TangentSticking)
 {
-  StraightHole hole;
-  hole.tangent = Vector3d(0.3, -0.2, -1.0).normalized();
-  const Vector3d side = hole.tangent.cross(Vector3d::UnitY()).normalized();
-  ContactStage stage = touching_stage(2.0 * hole.tangent + 0.0215 * side);
+  const StraightHole hole = leaning_hole();
+  ContactStage stage = touching_stage(at_the_wall(hole));
   stage.bristle << 1e-5, -2e-5, 3e-5;
   Vector6d u;
   u << 2e-5, -4e-5, 3e-5, 1e-4, -2e-4, 3e-4;
   expect_tangent(hole, stage, u, false);
 
-  ArcHole arc;
-  const Vector3d at = arc.locate({4.0, 0.0, -3.0}).centre;
-  stage.start = at + 0.0215 * Vector3d(0.48, 0.8, -0.36);
+  const ArcHole arc;
+  stage.start = at_the_wall(arc);
   expect_tangent(arc, stage, u, false);
 }
 
 TEST(WallContact, TangentSlipping)
 {
-  StraightHole hole;
-  hole.tangent = Vector3d(0.3, -0.2, -1.0).normalized();
+  StraightHole hole = leaning_hole();
   hole.radius_slope = -0.004;  // taper; 0.1 m where the section stands
   hole.radius = 0.108;
-  const Vector3d side = hole.tangent.cross(Vector3d::UnitY()).normalized();
-  ContactStage stage = touching_stage(2.0 * hole.tangent + 0.0215 * side);
+  ContactStage stage = touching_stage(at_the_wall(hole));
   stage.bristle << 4e-4, -2e-4, 3e-4;
   stage.law.stribeck_speed = 0.5;  // so that its slope counts
   Vector6d u;
@@ -52,8 +47,7 @@ TEST(WallContact, TangentSlipping)
   expect_tangent(hole, stage, u, true);
 
   ArcHole arc;
-  const Vector3d at = arc.locate({4.0, 0.0, -3.0}).centre;
-  stage.start = at + 0.0215 * Vector3d(0.48, 0.8, -0.36);
+  stage.start = at_the_wall(arc);
   expect_tangent(arc, stage, u, true);
   stage.law.law.exponent = 1.8;
   expect_tangent(arc, stage, u, true);

@@ -84,7 +84,7 @@ TEST(WallFriction, SlidingBlockAcceleratesByTheDifference)
 TEST(SlidingWallContact, ForcesAndTangent)
 {
   ArcHole arc;
-  const Vector3d where = arc.locate({4.0, 0.0, -3.0}).centre + 0.0215 * Vector3d(0.48, 0.8, -0.36);
+  const Vector3d where = at_the_wall(arc);
   ContactLaw law;
   const SlidingMotion pull_out{-1.0, 0.0};
   const SlidingMotion rotate{0.0, 1.0};
@@ -98,9 +98,8 @@ TEST(SlidingWallContact, ForcesAndTangent)
   EXPECT_NEAR(f.moment.dot(site.tangent), -arc.friction * f.normal_force * 0.08, 1e-9 * f.normal_force);
 
   // a straight hole: the tangent is complete there
-  StraightHole hole;
-  hole.tangent = Vector3d(0.3, -0.2, -1.0).normalized();
-  const Vector3d start = 2.0 * hole.tangent + 0.0215 * hole.tangent.cross(Vector3d::UnitY()).normalized();
+  const StraightHole hole = leaning_hole();
+  const Vector3d start = at_the_wall(hole);
   for (const SlidingMotion& sliding : {pull_out, rotate, SlidingMotion{0.3, 7.0}, SlidingMotion{}})
   {
     const auto force = [&](const Vector6d& u)
