@@ -45,7 +45,7 @@ def loads(job, folder):
     rate.axhline(32.7, color=SEED, linestyle='--', label='published: 32.7 m/h')
     rate.set_ylabel('rate of penetration [m/h]')
     rate.set_xlabel('time [s]')
-    rate.legend(loc='upper right')
+    rate.legend(loc='lower right')
     hook.set_title('The main job at 53 rpm: the bit tags at 250 s')
     return save(figure, folder, 'hook_load_and_torque')
 

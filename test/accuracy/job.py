@@ -49,19 +49,7 @@ class AtLeast(Check):
         self.least = least
 
     def cells(self):
-        return super().cells()[:-1] + ['at least %g' % self.least]
-
-    @property
-    def holds(self):
-        return self.ours >= self.least
-
-
-class AtLeast(Check):
-    """A figure with a lower limit."""
-
-    def __init__(self, name, unit, ours, least):
-        super().__init__(name, unit, ours, None, None)
-        self.least = least
+        return super().cells()[:-1] + ['at least %g' % self.least if self.least > 0.0 else '-']
 
     @property
     def holds(self):
