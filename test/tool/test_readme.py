@@ -28,7 +28,8 @@ def content(source):
     if len(words) == 1 and '.' in os.path.basename(source):
         return FENCES[os.path.splitext(source)[1]] % read(source)
     program = drill_program if words[0] == 'drill' else os.path.join(SOURCE, words[0])
-    output = subprocess.run([program] + words[1:], stdout=subprocess.PIPE, check=True, universal_newlines=True, timeout=60).stdout
+    output = subprocess.run([program] + words[1:], cwd=SOURCE, stdout=subprocess.PIPE, check=True, universal_newlines=True,
+                            timeout=60).stdout
     return output.strip() + '\n' if source == 'drill reference' else '```\n%s```\n' % output
 
 
