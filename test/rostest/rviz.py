@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What rviz shows with config/rviz/rig.rviz, under a virtual X server with software GL: string, wellbore and bit are to be seen.
-The screenshot stays in the build folder as rviz.png."""
+The screenshot stays in the build folder as rviz.png; with UPDATE_README=1 it also becomes the README's picture."""
 import os
 import shutil
 import subprocess
@@ -12,6 +12,8 @@ VIEW = (370, 66, 1260, 866)  # of the window, where rviz draws: left, top, right
 BACKGROUND = (30, 32, 38)  # as in rig.rviz
 # where ROS_HOME is build/ros_home; elsewhere it is the user's own choice
 FOLDER = os.path.dirname(os.environ.get("ROS_HOME", os.path.expanduser("~/.ros/x")))
+
+README_PICTURE = os.path.join(PACKAGE_DIR, "test", "accuracy", "pictures", "rviz.png")
 
 # inside xvfb-run: rviz, and a picture every other second
 SCRIPT = """
@@ -92,6 +94,8 @@ class Rviz(unittest.TestCase):
             seen = {"string": picture.count(is_string), "bit": picture.count(is_bit), "wellbore": picture.count(is_wellbore),
                     "drawn": picture.count(differs_from_background) / len(picture.pixels)}
             if seen["string"] > 300 and seen["bit"] > 20 and seen["wellbore"] > 1000 and seen["drawn"] > 0.02:
+                if os.environ.get("UPDATE_README") == "1":
+                    shutil.copy(os.path.join(FOLDER, "rviz.png"), README_PICTURE)
                 return
         self.fail("seen in the last picture: %s" % seen)
 
