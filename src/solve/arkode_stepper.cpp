@@ -2,7 +2,6 @@
 
 #include <arkode/arkode_arkstep.h>
 #include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
 #include <sunnonlinsol/sunnonlinsol_newton.h>
 
 #include <algorithm>
@@ -14,27 +13,12 @@
 #include "drill_rig_sim/solve/energy_book.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "drill_rig_sim/solve/vector_operations.h"
+#include "sundials_owners.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-struct FreeContext
-{
-  void operator()(SUNContext context) const { SUNContext_Free(&context); }
-};
-struct FreeVector
-{
-  void operator()(N_Vector vector) const { N_VDestroy(vector); }
-};
-struct FreeLinearSolver
-{
-  void operator()(SUNLinearSolver solver) const { SUNLinSolFreeEmpty(solver); }
-};
-struct FreeNonlinearSolver
-{
-  void operator()(SUNNonlinearSolver solver) const { SUNNonlinSolFree(solver); }
-};
 struct FreeArkode
 {
   void operator()(void* memory) const { ARKStepFree(&memory); }
@@ -43,10 +27,6 @@ struct FreeTable
 {
   void operator()(ARKodeButcherTable table) const { ARKodeButcherTable_Free(table); }
 };
-
-void silent(int, const char*, const char*, char*, void*)
-{
-}
 
 using Vector = Eigen::Map<Eigen::VectorXd>;
 using ConstVector = Eigen::Map<const Eigen::VectorXd>;
@@ -98,11 +78,11 @@ private:
   BlockTridiagonal tangent_;
   double increment_ = 0.0, increment_before_ = 0.0;
   // destroyed in the opposite order
-  std::unique_ptr<_SUNContext, FreeContext> context_;
+  OwnedContext context_;
   std::unique_ptr<ARKodeButcherTableMem, FreeTable> table_;
-  std::unique_ptr<_generic_N_Vector, FreeVector> y_;
-  std::unique_ptr<_generic_SUNLinearSolver, FreeLinearSolver> linear_;
-  std::unique_ptr<_generic_SUNNonlinearSolver, FreeNonlinearSolver> nonlinear_;
+  OwnedVector y_;
+  OwnedLinearSolver linear_;
+  OwnedNonlinearSolver nonlinear_;
   std::unique_ptr<void, FreeArkode> memory_;
 };
 
@@ -182,6 +162,7 @@ void ArkodeStepper::Session::set_linear_solver()
   if (!linear_) throw std::runtime_error("ARKODE: SUNDIALS gives no linear solver");
   linear_->content = this;
   linear_->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_MATRIX_EMBEDDED; };
+  linear_->ops->free = free_without_content;
   linear_->ops->getid = [](SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; };
   linear_->ops->solve = [](SUNLinearSolver solver, SUNMatrix, N_Vector d, N_Vector r, double)
   { return static_cast<Session*>(solver->content)->solve(N_VGetArrayPointer(r), N_VGetArrayPointer(d)); };

@@ -105,13 +105,7 @@ void IdaIntegrator::note()
 {
   const IdaStatistics before = report_.ida;
   IdaStatistics now = ida_->statistics();
-  now.steps += earlier_.steps;
-  now.residuals += earlier_.residuals;
-  now.jacobians += earlier_.jacobians;
-  now.newton_iterations += earlier_.newton_iterations;
-  now.error_test_failures += earlier_.error_test_failures;
-  now.newton_failures += earlier_.newton_failures;
-  now.starts += earlier_.starts;
+  now.add(earlier_);
   report_.ida = now;
   counters_.steps += now.steps - before.steps;
   counters_.newton_iterations += now.newton_iterations - before.newton_iterations;

@@ -2,7 +2,6 @@
 
 #include <ida/ida.h>
 #include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
@@ -12,6 +11,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "sundials_owners.h"
+
 namespace drill_rig_sim
 {
 namespace
@@ -19,30 +20,10 @@ namespace
 constexpr double kEqualSteps = 8.0;
 constexpr double kArrival = 100.0 * std::numeric_limits<double>::epsilon();  // so near the stop time IDA says that it is there
 
-struct FreeContext
-{
-  void operator()(SUNContext context) const { SUNContext_Free(&context); }
-};
-struct FreeVector
-{
-  void operator()(N_Vector vector) const { N_VDestroy(vector); }
-};
-struct FreeMatrix
-{
-  void operator()(SUNMatrix matrix) const { SUNMatDestroy(matrix); }
-};
-struct FreeLinearSolver
-{
-  void operator()(SUNLinearSolver solver) const { SUNLinSolFree(solver); }
-};
 struct FreeIda
 {
   void operator()(void* memory) const { IDAFree(&memory); }
 };
-
-void silent(int, const char*, const char*, char*, void*)
-{
-}
 
 bool finite(N_Vector v)
 {
@@ -57,10 +38,10 @@ struct IdaSolver::Session
   IdaOptions options;
   SparseJacobian jacobian;
   // destroyed in the opposite order
-  std::unique_ptr<_SUNContext, FreeContext> context;
-  std::unique_ptr<_generic_N_Vector, FreeVector> y, rate, id;
-  std::unique_ptr<_generic_SUNMatrix, FreeMatrix> matrix;
-  std::unique_ptr<_generic_SUNLinearSolver, FreeLinearSolver> linear;
+  OwnedContext context;
+  OwnedVector y, rate, id;
+  OwnedMatrix matrix;
+  OwnedLinearSolver linear;
   std::unique_ptr<void, FreeIda> memory;
   IdaStatistics before;  // of the runs before the last start(), IDA forgets them
   double smallest_step = HUGE_VAL;
@@ -249,15 +230,8 @@ std::string IdaSolver::flag_name() const
 
 IdaStatistics IdaSolver::statistics() const
 {
-  const IdaStatistics& before = session_->before;
   IdaStatistics s = session_->current();
-  s.steps += before.steps;
-  s.residuals += before.residuals;
-  s.jacobians += before.jacobians;
-  s.newton_iterations += before.newton_iterations;
-  s.error_test_failures += before.error_test_failures;
-  s.newton_failures += before.newton_failures;
-  s.starts = before.starts;
+  s.add(session_->before);
   s.smallest_step = std::isfinite(session_->smallest_step) ? session_->smallest_step : 0.0;
   s.flag = session_->flag;
   return s;

@@ -2,11 +2,11 @@
 
 #include <kinsol/kinsol.h>
 #include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
-#include <sundials/sundials_linearsolver.h>
 
 #include <cmath>
 #include <memory>
+
+#include "sundials_owners.h"
 
 namespace drill_rig_sim
 {
@@ -65,22 +65,10 @@ realtype norm_callback(SUNLinearSolver)
   return 0.0;
 }
 
-int free_callback(SUNLinearSolver solver)
-{
-  solver->content = nullptr;
-  SUNLinSolFreeEmpty(solver);
-  return 0;
-}
-
 struct FreeKinsol
 {
   void operator()(void* memory) const { KINFree(&memory); }
 };
-
-void silent(int, const char*, const char*, char*, void*)
-{
-}
-
 }  // namespace
 
 KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, std::vector<double>& u)
@@ -89,13 +77,12 @@ KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, st
   const auto n = static_cast<sunindextype>(u.size());
   SUNContext raw_context = nullptr;
   if (SUNContext_Create(nullptr, &raw_context) != 0) return out;
-  const std::unique_ptr<_SUNContext, void (*)(SUNContext)> context(raw_context, [](SUNContext c) { SUNContext_Free(&c); });
-  using Vector = std::unique_ptr<_generic_N_Vector, void (*)(N_Vector)>;
-  const Vector x(N_VMake_Serial(n, u.data(), raw_context), N_VDestroy);
-  const Vector ones(N_VNew_Serial(n, raw_context), N_VDestroy);
+  const OwnedContext context(raw_context);
+  const OwnedVector x(N_VMake_Serial(n, u.data(), raw_context));
+  const OwnedVector ones(N_VNew_Serial(n, raw_context));
   N_VConst(1.0, ones.get());
   Session session{&problem, u};
-  const std::unique_ptr<_generic_SUNLinearSolver, int (*)(SUNLinearSolver)> linear(SUNLinSolNewEmpty(raw_context), free_callback);
+  const OwnedLinearSolver linear(SUNLinSolNewEmpty(raw_context));
   linear->content = &session;
   linear->ops->gettype = type_callback;
   linear->ops->setatimes = products_callback;
@@ -104,6 +91,7 @@ KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, st
   linear->ops->initialize = initialize_callback;
   linear->ops->setup = setup_callback;
   linear->ops->solve = solve_callback;
+  linear->ops->free = free_without_content;
 
   const std::unique_ptr<void, FreeKinsol> memory(KINCreate(raw_context));
   void* kinsol = memory.get();

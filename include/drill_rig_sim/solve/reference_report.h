@@ -19,6 +19,18 @@ struct IdaStatistics
   double last_step = 0.0;      ///< [s]
   double smallest_step = 0.0;  ///< at the ends of advance() [s]
   int flag = 0;                ///< IDA's, of the last advance()
+
+  /// Counts on from `before`; the last four stay this run's.
+  void add(const IdaStatistics& before)
+  {
+    steps += before.steps;
+    residuals += before.residuals;
+    jacobians += before.jacobians;
+    newton_iterations += before.newton_iterations;
+    error_test_failures += before.error_test_failures;
+    newton_failures += before.newton_failures;
+    starts += before.starts;
+  }
 };
 
 /// What the reference reports beside the counters that all integrators have.
