@@ -24,29 +24,61 @@ struct Rotor
   double increment(const Branch& torque) const noexcept { return (load + torque.at_zero) / (stiffness - torque.slope); }
 };
 
-/// k_p (speed - w) as a function of u.
-Branch proportional(const TopDriveSpec& spec, const RotorStage& stage, double speed) noexcept
+/// tau = torque + speed_gain (speed - w) + turn_gain (turn - u), w the rotor's speed and u its turn since the start of the step.
+struct Law
 {
-  return {spec.proportional_gain * (speed - stage.rate_0), -spec.proportional_gain * stage.rate_by_u};
-}
+  double torque = 0.0;
+  double speed_gain = 0.0, speed = 0.0;
+  double turn_gain = 0.0, turn = 0.0;
 
-/// The integral of the speed error at the stage is exact: wanted angle less the angle turned.
-Branch speed_loop(const TopDriveSpec& spec, const RotorState& start, const RotorStage& stage, double speed) noexcept
+  double at(double u, double w) const noexcept { return torque + speed_gain * (speed - w) + turn_gain * (turn - u); }
+  Branch at(const RotorStage& stage) const noexcept
+  {
+    return {torque + speed_gain * (speed - stage.rate_0) + turn_gain * turn, -speed_gain * stage.rate_by_u - turn_gain};
+  }
+};
+
+Law constant(double torque) noexcept
 {
-  Branch out = proportional(spec, stage, speed);
-  out.at_zero += spec.integral_gain * (start.integral + speed * stage.time);
-  out.slope -= spec.integral_gain;
+  Law out;
+  out.torque = torque;
   return out;
 }
 
-/// Torque mode: the command, or the branch that keeps the speed below its limit.
-Branch torque_with_speed_limit(const TopDriveSpec& spec, const Rotor& rotor, const RotorStage& stage, double torque) noexcept
+Law towards(const TopDriveSpec& spec, double speed) noexcept
 {
-  const Branch wanted{torque, 0.0};
-  const double u = rotor.increment(wanted);
-  const Branch most = proportional(spec, stage, spec.max_speed);
-  const Branch least = proportional(spec, stage, -spec.max_speed);
-  return torque > most.at(u) ? most : torque < least.at(u) ? least : wanted;
+  Law out;
+  out.speed_gain = spec.proportional_gain;
+  out.speed = speed;
+  return out;
+}
+
+/// The integral of the speed error is exact: wanted angle less the angle turned.
+Law speed_loop(const TopDriveSpec& spec, const RotorState& start, double time, double speed) noexcept
+{
+  Law out = towards(spec, speed);
+  out.turn_gain = spec.integral_gain;
+  out.turn = start.integral + speed * time;
+  return out;
+}
+
+/// Torque mode: the command, or the law that keeps the speed below its limit. value(law): its torque where the rotor is.
+template <typename Value>
+Law torque_with_speed_limit(const TopDriveSpec& spec, double torque, const Value& value) noexcept
+{
+  const Law most = towards(spec, spec.max_speed), least = towards(spec, -spec.max_speed);
+  return torque > value(most) ? most : torque < value(least) ? least : constant(torque);
+}
+
+double wanted_speed(const TopDriveSpec& spec, const TopDriveSetpoint& command) noexcept
+{
+  return std::clamp(command.speed, -spec.max_speed, spec.max_speed);
+}
+
+/// The integral after a step in torque mode.
+double following_integral(const TopDriveSpec& spec, double torque) noexcept
+{
+  return spec.integral_gain > 0.0 ? torque / spec.integral_gain : 0.0;
 }
 
 /// The integral after a step in speed mode (anti-windup, see the header).
@@ -84,17 +116,20 @@ RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& comman
                     spring * (top_spin - start.twist) - spec.inertia * stage.acceleration_0};
   const double limit = motor_torque_limit(spec, command, start.speed);
   const bool torque_mode = command.mode == TopDriveMode::torque;
-  const double speed = std::clamp(command.speed, -spec.max_speed, spec.max_speed);
+  const double speed = wanted_speed(spec, command);
 
   // the branch in force
   RotorResult out;
-  Branch branch = torque_mode ? torque_with_speed_limit(spec, rotor, stage, command.torque) : speed_loop(spec, start, stage, speed);
-  out.limited = torque_mode && branch.slope != 0.0;
+  const double by_command = rotor.increment(constant(command.torque).at(stage));
+  const Law law = torque_mode ? torque_with_speed_limit(spec, command.torque, [&](const Law& l) { return l.at(stage).at(by_command); })
+                              : speed_loop(spec, start, stage.time, speed);
+  Branch branch = law.at(stage);
+  out.limited = torque_mode && law.speed_gain != 0.0;
   const double wanted = branch.at(rotor.increment(branch));
   const bool saturated = std::abs(wanted) > limit;
   if (saturated)
   {
-    branch = {std::copysign(limit, wanted), 0.0};
+    branch = constant(std::copysign(limit, wanted)).at(stage);
     out.limited = true;
   }
 
@@ -108,15 +143,9 @@ RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& comman
   out.stiffness = spring * (1.0 - spring / (rotor.stiffness - branch.slope));
 
   // speed loop's memory
-  if (torque_mode)
-  {
-    out.state.integral = spec.integral_gain > 0.0 ? out.motor_torque / spec.integral_gain : 0.0;
-  }
-  else
-  {
-    out.state.integral = next_integral(spec, start.integral, speed - out.state.speed, speed * stage.time - out.increment,
-                                       out.motor_torque, limit, saturated);
-  }
+  const double integral = next_integral(spec, start.integral, speed - out.state.speed, speed * stage.time - out.increment,
+                                        out.motor_torque, limit, saturated);
+  out.state.integral = torque_mode ? following_integral(spec, out.motor_torque) : integral;
   return out;
 }
 
@@ -124,32 +153,23 @@ DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& comma
                          double speed) noexcept
 {
   const double limit = motor_torque_limit(spec, command, start.speed);
-  const double wanted = std::clamp(command.speed, -spec.max_speed, spec.max_speed);
+  const bool torque_mode = command.mode == TopDriveMode::torque;
+  const double wanted = wanted_speed(spec, command);
+  Law law = torque_mode ? torque_with_speed_limit(spec, command.torque, [&](const Law& l) { return l.at(turn, speed); })
+                        : speed_loop(spec, start, time, wanted);
   DriveTorque out;
-  if (command.mode == TopDriveMode::torque)
-  {
-    const double most = spec.proportional_gain * (spec.max_speed - speed), least = spec.proportional_gain * (-spec.max_speed - speed);
-    out.value = std::clamp(command.torque, least, most);
-    out.limited = out.value != command.torque;
-    out.by_speed = out.limited ? -spec.proportional_gain : 0.0;
-  }
-  else
-  {
-    out.value = spec.proportional_gain * (wanted - speed) + spec.integral_gain * (start.integral + wanted * time - turn);
-    out.by_speed = -spec.proportional_gain;
-    out.by_turn = -spec.integral_gain;
-  }
-  const bool saturated = std::abs(out.value) > limit;
+  out.limited = torque_mode && law.speed_gain != 0.0;
+  const bool saturated = std::abs(law.at(turn, speed)) > limit;
   if (saturated)
   {
-    out.value = std::copysign(limit, out.value);
-    out.by_speed = out.by_turn = 0.0;
+    law = constant(std::copysign(limit, law.at(turn, speed)));
     out.limited = true;
   }
-  if (command.mode == TopDriveMode::torque)
-    out.integral = spec.integral_gain > 0.0 ? out.value / spec.integral_gain : 0.0;
-  else
-    out.integral = next_integral(spec, start.integral, wanted - speed, wanted * time - turn, out.value, limit, saturated);
+  out.value = law.at(turn, speed);
+  out.by_turn = -law.turn_gain;
+  out.by_speed = -law.speed_gain;
+  const double integral = next_integral(spec, start.integral, wanted - speed, wanted * time - turn, out.value, limit, saturated);
+  out.integral = torque_mode ? following_integral(spec, out.value) : integral;
   return out;
 }
 

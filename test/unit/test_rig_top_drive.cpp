@@ -90,6 +90,49 @@ TEST(TopDrive, EveryBranchObeysTheEquationOfMotion)
   EXPECT_NEAR(check(spec, torque_command(3e4), at_limit, fast, 0.005 * spec.max_speed).state.speed, spec.max_speed, 1e-9);
 }
 
+// Where the rotor is integrated by somebody else the same laws hold: at the solution both say the same.
+TEST(TopDrive, TheMotorOnItsOwnAgreesWithTheSolvedRotor)
+{
+  const RotorStage stage{0.005, 300.0, 90000.0, 0.4, 300.0 * 0.4 - 900.0};
+  const RotorState start{5.5, 0.3, 0.006};
+  TopDriveSpec spec, weak;
+  weak.max_power = 40e3;
+  TopDriveSpec slow;
+  slow.max_speed = 2.0;  // the rotor runs at some 3 rad/s
+  TopDriveSetpoint held_back = speed_command(20.0);
+  held_back.torque_limit = 6e3;
+  struct Case
+  {
+    const char* name;
+    TopDriveSpec spec;
+    TopDriveSetpoint command;
+    bool limited;
+  };
+  const Case cases[] = {{"speed", spec, speed_command(5.5), false},
+                        {"torque limit", spec, speed_command(20.0), true},
+                        {"torque limit, backwards", spec, speed_command(-20.0), true},
+                        {"torque limit of the command", spec, held_back, true},
+                        {"power limit", weak, speed_command(20.0), true},
+                        {"torque", spec, torque_command(8e3), false},
+                        {"torque beyond the limit", spec, torque_command(9e4), true},
+                        {"torque beyond the power limit", weak, torque_command(9e3), true},
+                        {"torque at the speed limit", slow, torque_command(8e3), true},
+                        {"torque against the speed", slow, torque_command(-3e4), false}};
+  for (const Case& c : cases)
+  {
+    SCOPED_TRACE(c.name);
+    const RotorResult solved = solve_rotor(c.spec, c.command, start, stage, 0.0275);
+    const DriveTorque motor = drive_torque(c.spec, c.command, start, stage.time, solved.increment, solved.state.speed);
+    EXPECT_NEAR(motor.value, solved.motor_torque, 1e-6);
+    EXPECT_NEAR(motor.integral, solved.state.integral, 1e-9);
+    EXPECT_EQ(motor.limited, c.limited);
+    EXPECT_EQ(solved.limited, c.limited);
+    const double slope = motor.by_turn + motor.by_speed * stage.rate_by_u, spring = c.spec.meter_stiffness;
+    const double free = c.spec.inertia * stage.acceleration_by_u + spring - slope;
+    EXPECT_NEAR(solved.stiffness, spring * (1.0 - spring / free), 1e-9 * spring);
+  }
+}
+
 TEST(TopDrive, TorqueLimits)
 {
   const TopDriveSpec spec;
