@@ -11,6 +11,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "drill_rig_sim/solve/vector_operations.h"
 #include "sundials_owners.h"
 
 namespace drill_rig_sim
@@ -189,8 +190,9 @@ IdaSolver::IdaSolver(DaeProblem& problem, const IdaOptions& options) : session_(
   session_->context.reset(context);
   const auto n = static_cast<sunindextype>(problem.size());
   session_->y.reset(N_VNew_Serial(n, context));
-  session_->rate.reset(N_VNew_Serial(n, context));
-  session_->id.reset(N_VNew_Serial(n, context));
+  vectorise_operations(session_->y.get());
+  session_->rate.reset(N_VClone(session_->y.get()));
+  session_->id.reset(N_VClone(session_->y.get()));
   const std::vector<bool> differential = problem.differential();
   for (std::size_t k = 0; k < differential.size(); ++k) N_VGetArrayPointer(session_->id.get())[k] = differential[k] ? 1.0 : 0.0;
 }

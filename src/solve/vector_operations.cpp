@@ -33,6 +33,8 @@ void vectorise_operations(N_Vector vector)
   operations->nvscale = [](double a, N_Vector x, N_Vector z) { numbers(z) = a * numbers(x); };
   operations->nvconst = [](double a, N_Vector z) { numbers(z) = a; };
   operations->nvwrmsnorm = [](N_Vector x, N_Vector weight) { return std::sqrt((numbers(x) * numbers(weight)).square().mean()); };
+  operations->nvwrmsnormmask = [](N_Vector x, N_Vector weight, N_Vector mask)
+  { return std::sqrt((numbers(mask) > 0.0).select(numbers(x) * numbers(weight), 0.0).square().mean()); };
 }
 
 }  // namespace drill_rig_sim
