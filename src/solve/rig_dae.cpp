@@ -281,45 +281,47 @@ void RigDae::add_rig_jacobian(const double* y, SparseJacobian& j)
   about(top, top, -meter, spring, 0.0);
 }
 
-/// The bit's own forces and the further states, by differences: some twenty evaluations of one node.
+/// The bit's own forces and the further states, by central differences: some thirty evaluations of one node.
 void RigDae::add_bit_jacobian(SparseJacobian& j)
 {
   const GivenMotion given = motion_;
   const auto answer = [this] { return bit_rates(system_.evaluate_bit_motion(motion_)); };
-  const BitAnswer here = answer();
-  const auto column = [&](double step)
+  const auto column = [&](double step, const auto& move)
   {
-    const BitAnswer out = (answer() - here) / step;
-    motion_.bit = given.bit;
+    BitAnswer out = BitAnswer::Zero();
+    for (const double sign : {1.0, -1.0})
+    {
+      move(sign * step);
+      out += sign / (2.0 * step) * answer();
+      motion_.bit = given.bit;
+      motion_.motor_speed = given.motor_speed;
+      motion_.motor_turn = given.motor_turn;
+      motion_.bottom_moved = given.bottom_moved;
+    }
     return out;
   };
   Eigen::Matrix<double, 11, 12> by_motion;
   for (int k = 0; k < 3; ++k)
   {
-    motion_.bit.position[k] += kPlaceStep;
-    motion_.bit.moved[k] += kPlaceStep;
-    by_motion.col(k) = column(kPlaceStep);
-    motion_.bit.orientation = rotation_from_vector(kPlaceStep * Vector3d::Unit(k)) * given.bit.orientation;
-    motion_.bit.moved[3 + k] += kPlaceStep;
-    by_motion.col(3 + k) = column(kPlaceStep);
+    by_motion.col(k) = column(kPlaceStep,
+                              [&](double step)
+                              {
+                                motion_.bit.position[k] += step;
+                                motion_.bit.moved[k] += step;
+                              });
+    by_motion.col(3 + k) = column(kPlaceStep,
+                                  [&](double step)
+                                  {
+                                    motion_.bit.orientation = rotation_from_vector(step * Vector3d::Unit(k)) * given.bit.orientation;
+                                    motion_.bit.moved[3 + k] += step;
+                                  });
   }
-  for (int k = 0; k < 6; ++k)
-  {
-    motion_.bit.rate[k] += kRateStep;
-    by_motion.col(6 + k) = column(kRateStep);
-  }
+  for (int k = 0; k < 6; ++k) by_motion.col(6 + k) = column(kRateStep, [&](double step) { motion_.bit.rate[k] += step; });
   Eigen::Matrix<double, 11, 5> by_further;
-  const auto further_column = [&](double& value, double step)
-  {
-    const double kept = value;
-    value += step;
-    const BitAnswer out = column(step);
-    value = kept;
-    return out;
-  };
-  by_further.col(kMotorSpeed) = further_column(motion_.motor_speed, kRateStep);
-  by_further.col(kMotorTurn) = further_column(motion_.motor_turn, kPlaceStep);
-  for (int k = 0; k < 3; ++k) by_further.col(kBottom + k) = further_column(motion_.bottom_moved[k], kPlaceStep);
+  by_further.col(kMotorSpeed) = column(kRateStep, [&](double step) { motion_.motor_speed += step; });
+  by_further.col(kMotorTurn) = column(kPlaceStep, [&](double step) { motion_.motor_turn += step; });
+  for (int k = 0; k < 3; ++k)
+    by_further.col(kBottom + k) = column(kPlaceStep, [&](double step) { motion_.bottom_moved[k] += step; });
 
   add_force_derivative(bit(), bit(), by_motion.topLeftCorner<6, 6>(), by_motion.topRightCorner<6, 6>(), j);
   const int at = 12 * bit(), further = further_at();

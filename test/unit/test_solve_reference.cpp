@@ -151,7 +151,11 @@ TEST(Reference, RunsRepeatWithinTheToleranceAfterARestore)
 TEST(Reference, JacobianOfTheRigByFiniteDifferences)
 {
   Scene scene = drilling(1e-6);
-  scene.numerics.structural_damping = 0.0;  // its tangent leaves a small part out
+  // the tangents are those of a step, in which the axes of damping stand still: what tilts with the section is left out, some
+  // 1e-5 of the row for the mud's drag
+  scene.numerics.structural_damping = 0.0;
+  scene.mud.lateral_damping = scene.mud.axial_damping;
+  scene.mud.torsional_damping = 0.0;
   Simulator simulator(scene);
   start_up(simulator);
   run(simulator, 0.5);
@@ -194,9 +198,8 @@ TEST(Reference, JacobianOfTheRigByFiniteDifferences)
       off[i] = std::max(off[i], std::abs(column[i] - (above[i] - below[i]) / (2.0 * h)));
     }
   }
-  // of the largest entry of the row; round-off of forces over 1e-8 m, and contact's tangents count turns from the interval's
-  // start
-  for (std::size_t i = 0; i < n; ++i) EXPECT_LT(off[i], 1e-4 * scale[i] + 1e-6) << i;
+  // of the largest entry of the row; round-off of forces over 1e-8 m
+  for (std::size_t i = 0; i < n; ++i) EXPECT_LT(off[i], 1e-6 * scale[i] + 1e-6) << i;
 }
 
 int main(int argc, char** argv)
