@@ -90,12 +90,7 @@ bool IdaIntegrator::advance_or_throw(SystemState& state, double step, const Setp
   time_ += step;
   const Eigen::Vector3d moved = rig_->finish(time_, y_, state);
   system_.costs().lap(Cost::other);
-  // a shorter way has no direction but that of round-off: it waits for the next interval's
-  if (moved.norm() > system_.scene().numerics.reference_tolerance)
-  {
-    state.well.extend(moved, x_axis(state.nodes[0].orientation));
-    rig_->note_extended(y_);
-  }
+  state.well.extend(moved, x_axis(state.nodes[0].orientation));
   system_.costs().lap(Cost::rock_penetration);
   note();
   return true;

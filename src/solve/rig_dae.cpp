@@ -172,7 +172,7 @@ void RigDae::take_motion(double t, const double* y)
   const double* before = start_y_.data() + further_at();
   motion_.motor_speed = now[kMotorSpeed];
   motion_.motor_turn = now[kMotorTurn] - before[kMotorTurn];
-  motion_.bottom_moved = Map<const Vector3d>(now + kBottom) - extended_to_;
+  motion_.bottom_moved = Map<const Vector3d>(now + kBottom) - Map<const Vector3d>(before + kBottom);
 }
 
 RigDae::Drive RigDae::drive_at(const double* y) const
@@ -362,15 +362,9 @@ Vector3d RigDae::finish(double t, const std::vector<double>& y, SystemState& sta
   state.drive.meter_twist = drive.twist;
   state.drive.limited = drive.motor.limited;
   state.bit.turned = turned;
-  const auto bottom = static_cast<std::size_t>(further_at() + kBottom);
-  state.bit.rock_velocity = (Map<const Vector3d>(&y[bottom]) - Map<const Vector3d>(&start_y_[bottom])) / (t - start_time_);
+  state.bit.rock_velocity = motion_.bottom_moved / (t - start_time_);
   state.bit.motor_speed = motion_.motor_speed;
   return motion_.bottom_moved;
-}
-
-void RigDae::note_extended(const std::vector<double>& y)
-{
-  extended_to_ = Map<const Vector3d>(&y[static_cast<std::size_t>(further_at() + kBottom)]);
 }
 
 }  // namespace drill_rig_sim

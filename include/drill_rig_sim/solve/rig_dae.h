@@ -40,10 +40,8 @@ public:
   /// as it is until the interval's end. True: the masses are others than before (a node has gone into the mud).
   bool begin(double t, const SystemState& state, const Setpoints& setpoints, const std::vector<double>& y);
   /// Writes the interval's end, y at `t`, into the state that begin() took: all that the next interval and the measurements depend on,
-  /// but for the hole. Returns how far its bottom has moved since the hole was last extended [m].
+  /// but for the hole. Returns how far its bottom has moved [m].
   Eigen::Vector3d finish(double t, const std::vector<double>& y, SystemState& state);
-  /// The hole has been extended by what finish() returned.
-  void note_extended(const std::vector<double>& y);
 
 protected:
   int further_count() const override { return 5; }
@@ -90,7 +88,6 @@ private:
   Setpoints setpoints_;
   std::vector<double> start_y_;
   std::vector<Eigen::Quaterniond> start_orientations_;
-  Eigen::Vector3d extended_to_ = Eigen::Vector3d::Zero();  // m when the hole was last extended
   GivenMotion motion_;
   std::vector<double> string_, contact_;
   BlockTridiagonal string_by_place_, string_by_both_, contact_by_place_, contact_by_both_;
