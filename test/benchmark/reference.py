@@ -1,7 +1,7 @@
 """References: made by --full, kept in reference/ as NAME.csv.gz with NAME.json beside it, under a hash of what they were made of.
 
-A reference is the finest run that can be had; its own error is what halving the tolerance (or the step) and doubling the element length
-changes in it, measured as the runs' errors are.
+A reference is the finest run that can be had; its own error is what ten times the tolerance (or twice the step) and twice the element length
+change in it, measured as the runs' errors are.
 """
 import gzip
 import glob

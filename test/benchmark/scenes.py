@@ -56,7 +56,7 @@ ALL = (
     Scene('torque_release', 'torque wind-up and release', 6.0),
     Scene('build_trip', 'picking up and slacking off through a build', 4.6),
     Scene('drilling', 'drilling on bottom', 60.0, trace_until=4.0, period_of='bit_inclination', every=0.1, steps=STEPS[:4],
-          reference_length=2.375),
+          reference_tolerance=1e-6),
     Scene('stick_slip', 'stick-slip in a 3 km vertical well', 18.0, trace_until=9.0, period_of='bit_speed', steps=STEPS[:4],
           reference_length=4.75),
     Scene('tagging', 'bit bounce on tagging at 0.3 m/s', 3.0, trace_until=1.5, reference_length=4.75),
