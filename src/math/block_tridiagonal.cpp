@@ -40,25 +40,52 @@ void subtract_above(Work work, const double* lower, const double* above_w, const
   }
 }
 
-/// Gauss-Jordan; columns up to the pivot's are not needed any more and stay as they are. Leaves D^-1 U and D^-1 b in the right part of work.
+/// Leaves the factors of D in the left part of work, L below the diagonal and U above it, the pivots inverted, and D^-1 [U | b] in the right.
 bool eliminate(Work work) noexcept
 {
   for (int p = 0; p < 6; ++p)
   {
     const double pivot = work[p][p];
     if (!(std::abs(pivot) > 1e-200)) return false;  // also catches NaN
-    const double inverse = 1.0 / pivot;
-    for (int c = p + 1; c < kWidth; ++c) work[p][c] *= inverse;
-    for (int r = 0; r < 6; ++r)
+    work[p][p] = 1.0 / pivot;
+    for (int r = p + 1; r < 6; ++r)
     {
-      if (r == p) continue;
-      const double factor = work[r][p];
+      const double factor = work[r][p] * work[p][p];
+      work[r][p] = factor;
       for (int c = p + 1; c < kWidth; ++c) work[r][c] -= factor * work[p][c];
     }
+  }
+  for (int r = 5; r >= 0; --r)
+  {
+    for (int q = r + 1; q < 6; ++q)
+      for (int c = 6; c < kWidth; ++c) work[r][c] -= work[r][q] * work[q][c];
+    for (int c = 6; c < kWidth; ++c) work[r][c] *= work[r][r];
   }
   return true;
 }
 
+/// b = D^-1 b with the factors that eliminate() left.
+void solve_block(const double* factors, double* b) noexcept
+{
+  for (int r = 1; r < 6; ++r)
+    for (int c = 0; c < r; ++c) b[r] -= factors[6 * r + c] * b[c];
+  for (int r = 5; r >= 0; --r)
+  {
+    for (int c = 5; c > r; --c) b[r] -= factors[6 * r + c] * b[c];  // the latest known last: the others need not wait for it
+    b[r] *= factors[7 * r];
+  }
+}
+
+/// b -= M x for a block M.
+void subtract_product(const double* block, const double* x, double* b) noexcept
+{
+  for (int r = 0; r < 6; ++r)
+  {
+    double sum = 0.0;
+    for (int c = 0; c < 6; ++c) sum += block[6 * r + c] * x[c];
+    b[r] -= sum;
+  }
+}
 }  // namespace
 
 void BlockTridiagonal::resize(int n)
@@ -78,7 +105,7 @@ void BlockTridiagonal::set_zero() noexcept
 
 bool BlockTridiagonal::solve(double* b) noexcept
 {
-  // downward sweep: upper_ becomes W = D'^-1 U, b becomes y = D'^-1 b'
+  // downward sweep: diagonal_ becomes the factors of D', upper_ becomes W = D'^-1 U, b becomes y = D'^-1 b'
   for (int i = 0; i < n_; ++i)
   {
     alignas(64) Work work;
@@ -87,23 +114,29 @@ bool BlockTridiagonal::solve(double* b) noexcept
     if (!eliminate(work)) return false;
     for (int r = 0; r < 6; ++r)
     {
+      for (int c = 0; c < 6; ++c) diagonal_[36 * i + 6 * r + c] = work[r][c];
       for (int c = 0; c < 6; ++c) upper_[36 * i + 6 * r + c] = work[r][6 + c];
       b[6 * i + r] = work[r][12];
     }
   }
-  // upward sweep: x_i = y_i - W_i x_{i+1}
-  for (int i = n_ - 2; i >= 0; --i)
-  {
-    const double* w = upper_.data() + 36 * i;
-    const double* next = b + 6 * (i + 1);
-    for (int r = 0; r < 6; ++r)
-    {
-      double sum = 0.0;
-      for (int c = 0; c < 6; ++c) sum += w[6 * r + c] * next[c];
-      b[6 * i + r] -= sum;
-    }
-  }
+  substitute_upwards(b);
   return true;
+}
+
+void BlockTridiagonal::solve_again(double* b) const noexcept
+{
+  for (int i = 0; i < n_; ++i)
+  {
+    if (i > 0) subtract_product(lower_.data() + 36 * (i - 1), b + 6 * (i - 1), b + 6 * i);
+    solve_block(diagonal_.data() + 36 * i, b + 6 * i);
+  }
+  substitute_upwards(b);
+}
+
+/// x_i = y_i - W_i x_{i+1}.
+void BlockTridiagonal::substitute_upwards(double* b) const noexcept
+{
+  for (int i = n_ - 2; i >= 0; --i) subtract_product(upper_.data() + 36 * i, b + 6 * (i + 1), b + 6 * i);
 }
 
 void BlockTridiagonal::multiply(const double* x, double* y) noexcept

@@ -36,6 +36,6 @@ void prepare_bdf2(const SystemState& state, double step, Stage& stage) noexcept
 bool step_bdf2(Attempt& attempt) noexcept
 {
   prepare_bdf2(attempt.state, attempt.step, attempt.system.stage());
-  return attempt.solve_and_settle();
+  return attempt.solve();
 }
 }  // namespace drill_rig_sim

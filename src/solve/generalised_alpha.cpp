@@ -57,7 +57,7 @@ bool step_generalised_alpha(Attempt& attempt) noexcept
   stage.drive.acceleration_by_u = stage.acceleration_by_u;
   constants(h, state.drive.speed, state.drive.averaged_acceleration, state.drive.acceleration, stage.drive.rate_0,
             stage.drive.acceleration_0);
-  return attempt.solve_and_settle();
+  return attempt.solve();
 }
 
 void remember_generalised_alpha(SystemState& state, double step) noexcept

@@ -21,6 +21,6 @@ void prepare_implicit_euler(const SystemState& state, double step, Stage& stage)
 bool step_implicit_euler(Attempt& attempt) noexcept
 {
   prepare_implicit_euler(attempt.state, attempt.step, attempt.system.stage());
-  return attempt.solve_and_settle();
+  return attempt.solve();
 }
 }  // namespace drill_rig_sim

@@ -1,11 +1,14 @@
 #include "drill_rig_sim/solve/newton.h"
 
 #include <cmath>
+#include <limits>
 
 namespace drill_rig_sim
 {
 namespace
 {
+constexpr double kServes = 0.2;  // a kept tangent whose increments shrink less than this is made anew
+
 double largest(const std::vector<double>& values) noexcept
 {
   double most = 0.0;
@@ -31,27 +34,66 @@ Newton::Newton(int nodes) : step_(6 * nodes)
   tangent_.resize(nodes);
 }
 
+/// Into step_; returns its largest component, not a number where there is none.
+double Newton::find_increment(System& system, const double* u, bool new_tangent) noexcept
+{
+  system.evaluate(u, step_.data(), new_tangent ? &tangent_ : nullptr);
+  bool solved = true;
+  if (new_tangent)
+  {
+    solved = tangent_.solve(step_.data());
+    ++system.work().solves;
+  }
+  else
+  {
+    tangent_.solve_again(step_.data());
+    ++system.work().substitutions;
+  }
+  system.costs().lap(Cost::linear_solve);
+  return solved ? largest(step_) : std::numeric_limits<double>::quiet_NaN();
+}
+
+void Newton::apply(double scale, double* u) const noexcept
+{
+  for (std::size_t k = 0; k < step_.size(); ++k) u[k] -= scale * step_[k];
+}
+
 NewtonOutcome Newton::solve(System& system, double* u, const NewtonLimits& limits) noexcept
 {
   NewtonOutcome out;
   double before = 0.0;
-  while (out.iterations < limits.max_iterations)
+  bool new_tangent = true;
+  while (!new_tangent || out.iterations < limits.max_iterations)
   {
-    system.evaluate(u, step_.data(), &tangent_);
-    ++out.iterations;
-    const bool solved = tangent_.solve(step_.data());
-    ++system.work().solves;
-    system.costs().lap(Cost::linear_solve);
-    if (!solved) return out;
-    out.increment = largest(step_);
+    out.increment = find_increment(system, u, new_tangent);
+    if (new_tangent) ++out.iterations;
     if (!std::isfinite(out.increment)) return out;
-    const double scale = out.increment > limits.max_move ? limits.max_move / out.increment : 1.0;
-    for (std::size_t k = 0; k < step_.size(); ++k) u[k] -= scale * step_[k];
+    if (!new_tangent)
+    {
+      out.converged = out.increment < limits.tolerance;
+      if (out.converged) return out;
+      new_tangent = out.increment > kServes * before;
+      if (new_tangent) continue;
+    }
+    const bool cut = out.increment > limits.max_move;
+    apply(cut ? limits.max_move / out.increment : 1.0, u);
     out.converged = newton_converged(out.increment, before, limits);
-    if (out.converged) return out;
+    if (out.converged)
+    {
+      system.settle(u);
+      return out;
+    }
     before = out.increment;
+    new_tangent = cut;
   }
   return out;
+}
+
+bool Newton::improve(System& system, double* u) noexcept
+{
+  if (!std::isfinite(find_increment(system, u, true))) return false;
+  apply(1.0, u);
+  return true;
 }
 
 }  // namespace drill_rig_sim

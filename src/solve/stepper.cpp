@@ -54,13 +54,6 @@ bool Attempt::solve() noexcept
   return outcome.converged;
 }
 
-bool Attempt::solve_and_settle() noexcept
-{
-  if (!solve()) return false;
-  system.settle(u);
-  return true;
-}
-
 Stepper::Stepper(System& system, const Method& method)
   : system_(system), method_(method), newton_(system.nodes()), u_(6 * system.nodes()), guess_(6 * system.nodes()), residual_(6 * system.nodes())
 {

@@ -65,6 +65,6 @@ bool step_trbdf2(Attempt& attempt) noexcept
   system.stage_at(attempt.step);
   // the same mean rate again is the first guess
   for (int k = 0; k < 6 * system.nodes(); ++k) attempt.u[k] /= kFirst;
-  return attempt.solve_and_settle();
+  return attempt.solve();
 }
 }  // namespace drill_rig_sim

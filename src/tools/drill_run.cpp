@@ -180,6 +180,7 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const Drilli
   json.add("residuals", static_cast<double>(s.work.residuals));
   json.add("tangents", static_cast<double>(s.work.tangents));
   json.add("solves", static_cast<double>(s.work.solves));
+  json.add("substitutions", static_cast<double>(s.work.substitutions));
   if (s.is_reference) json.add("reference", json_of(s.reference));
   json.add("cost_share", json_of(s.costs));
   if (simulator.energy().time > 0.0) json.add("energy", json_of(simulator.energy()));

@@ -85,6 +85,5 @@ def read_series(path):
 
 
 def counted_work(summary):
-    """Residuals, tangents and solves of a run."""
-    iterations = summary['newton_iterations']
-    return {what: summary.get(what, iterations) for what in ('residuals', 'tangents', 'solves')}
+    """Residuals, tangents, solves and substitutions of a run."""
+    return {what: summary[what] for what in ('residuals', 'tangents', 'solves', 'substitutions')}

@@ -1,5 +1,5 @@
 // Calls one kernel of the solution many times, for callgrind: test/benchmark/run --weights.
-//   benchmark_kernels SCENE residual|tangent|solve COUNT [KEY=VALUE...]
+//   benchmark_kernels SCENE residual|tangent|solve|substitution COUNT [KEY=VALUE...]
 // Prints the number of nodes. The calls stand in functions of the kernels' names, so that callgrind can count in them alone.
 #include <cstdio>
 #include <cstdlib>
@@ -47,14 +47,21 @@ struct Bench
   return bench.tangent.solve(bench.residual.data());
 }
 
+[[gnu::noinline]] void benchmark_substitution(Bench& bench)
+{
+  bench.tangent.solve_again(bench.residual.data());
+}
+
 int run(const std::string& file, const std::string& kernel, int count, const std::vector<std::string>& settings)
 {
   Bench bench(read_scene(file, settings));
   for (int k = 0; k < count; ++k)
   {
     if (kernel == "residual") benchmark_residual(bench);
-    if (kernel != "residual") benchmark_tangent(bench);
+    if (kernel == "tangent" || kernel == "solve" || k == 0) benchmark_tangent(bench);
     if (kernel == "solve" && !benchmark_solve(bench)) return 3;
+    if (kernel == "substitution" && k == 0 && !benchmark_solve(bench)) return 3;
+    if (kernel == "substitution") benchmark_substitution(bench);
   }
   std::printf("%d\n", bench.rig.system->nodes());
   return 0;
@@ -65,9 +72,9 @@ int run(const std::string& file, const std::string& kernel, int count, const std
 int main(int argc, char** argv)
 {
   const std::string kernel = argc > 3 ? argv[2] : "";
-  if (kernel != "residual" && kernel != "tangent" && kernel != "solve")
+  if (kernel != "residual" && kernel != "tangent" && kernel != "solve" && kernel != "substitution")
   {
-    std::fprintf(stderr, "usage: benchmark_kernels SCENE residual|tangent|solve COUNT [KEY=VALUE...]\n");
+    std::fprintf(stderr, "usage: benchmark_kernels SCENE residual|tangent|solve|substitution COUNT [KEY=VALUE...]\n");
     return 2;
   }
   try

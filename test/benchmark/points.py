@@ -8,7 +8,7 @@ import measure
 
 LOOSE_NEWTON = 1e-4  # tried beside the scene's numerics.newton_tolerance [m, rad]
 FIELDS = ('scene', 'method', 'element', 'step', 'element_length', 'newton_tolerance', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'steps', 'residuals',
-          'tangents', 'solves', 'newton_iterations', 'rejected_steps') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')
+          'tangents', 'solves', 'substitutions', 'newton_iterations', 'rejected_steps') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')
 
 
 class Point:

@@ -1,7 +1,7 @@
 """References: made by --full, kept in reference/ as NAME.csv.gz with NAME.json beside it, under a hash of what they were made of.
 
-A reference is the finest run that can be had; its own error is what ten times the tolerance (or twice the step) and twice the element length
-change in it, measured as the runs' errors are.
+A reference is the finest run that can be had; its own error is what a tolerance ten times (or a step twice) as large, the interval twice as
+long at whose ends friction's memory and the hole move on, and elements twice as long change in it, measured as the runs' errors are.
 """
 import gzip
 import glob
@@ -55,7 +55,7 @@ def recipes(scene, known):
     if 'ida' in known:
         base = {'integrator': 'ida', 'step': scene.reference_step, 'element_length': fine, 'set': {'numerics.reference_tolerance': scene.reference_tolerance}}
         out.append((base, {'tolerance': dict(base, set={'numerics.reference_tolerance': 10.0 * scene.reference_tolerance}),
-                           'element length': dict(base, element_length=2.0 * fine)}))
+                           'interval': dict(base, step=2.0 * scene.reference_step), 'element length': dict(base, element_length=2.0 * fine)}))
     for stand_in in ('trbdf2', 'bdf2'):
         if stand_in in known:
             base = {'integrator': stand_in, 'step': scene.reference_step, 'element_length': fine}

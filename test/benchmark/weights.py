@@ -1,6 +1,7 @@
-"""What residuals, tangents and solves weigh: instructions a node and call, counted once by callgrind (run --weights) and kept in weights.json.
+"""What residuals, tangents, solves and substitutions weigh: instructions a node and call, counted once by callgrind (run --weights) and kept in weights.json.
 
-Counted work of a run = nodes x (residuals x w_residual + tangents x w_tangent + solves x w_solve). A tangent comes with its residual: w_tangent
+Counted work of a run = nodes x (residuals x w_residual + tangents x w_tangent + solves x w_solve +
+substitutions x w_substitution). A tangent comes with its residual: w_tangent
 is what it costs beyond that. Instructions do not depend on what else the machine does.
 """
 import datetime
@@ -11,7 +12,7 @@ import subprocess
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FILE = os.path.join(HERE, 'weights.json')
-KERNELS = ('residual', 'tangent', 'solve')
+KERNELS = ('residual', 'tangent', 'solve', 'substitution')
 CALLS = 50
 
 
@@ -22,7 +23,7 @@ class Weights:
     def of(self, method, element, counted, nodes):
         """Instructions of a run."""
         w = self.table.get(element) or self.table['corotational']
-        return nodes * (counted['residuals'] * w['residual'] + counted['tangents'] * w['tangent'] + counted['solves'] * w['solve'])
+        return nodes * sum(counted[kernel + 's'] * w[kernel] for kernel in KERNELS)
 
 
 def load():

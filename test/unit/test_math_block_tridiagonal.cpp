@@ -58,6 +58,11 @@ TEST(BlockTridiagonal, agreesWithDenseLuOnNonsymmetricMatrices)
       ASSERT_TRUE(a.solve(x.data()));
       const VectorXd reference = dense.partialPivLu().solve(b);
       EXPECT_LT((x - reference).norm(), 1e-13 * reference.norm()) << n << " block rows";
+      const VectorXd other = random_vector(6 * n, random);
+      x = other;
+      a.solve_again(x.data());
+      const VectorXd again = dense.partialPivLu().solve(other);
+      EXPECT_LT((x - again).norm(), 1e-13 * again.norm()) << n << " block rows, with the factors of before";
     }
   }
 }

@@ -75,6 +75,36 @@ TEST(Convergence, methodsOfSecondOrderAgreeInTheLimit)
     EXPECT_LT((after(start, method, 0.00005) - reference).norm(), 1e-3 * scale) << method;
 }
 
+// In a smooth motion the tangent at the guess serves for the whole step, and the residual after its increment says that this was the last.
+TEST(Convergence, smoothStepsTakeOneTangent)
+{
+  const RigAtRest start = plucked();
+  Stepper stepper(*start.system, *find_method("bdf2"));
+  const Work before = start.system->work();
+  constexpr double step = 0.001;
+  after_span(start, stepper, step);
+  const double steps = plucked_span / step;
+  const Work& after = start.system->work();
+  EXPECT_NEAR((after.tangents - before.tangents) / steps, 1.0, 0.01);
+  EXPECT_EQ(after.solves - before.solves, after.tangents - before.tangents);
+  EXPECT_LT((after.residuals - before.residuals) / steps, 2.01);
+}
+
+// Whatever way the iteration went, what it leaves is within its tolerance: 1e-6 of increments in 400 steps against 1e-12.
+TEST(Convergence, newtonLeavesNoMoreThanItsTolerance)
+{
+  const RigAtRest start = plucked();
+  const auto end = [&start](double tolerance)
+  {
+    Stepper stepper(*start.system, *find_method("bdf2"));
+    stepper.limits().tolerance = tolerance;
+    return after_span(start, stepper, 0.001);
+  };
+  const Eigen::VectorXd exact = end(1e-12);
+  EXPECT_LT((end(1e-6) - exact).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_LT((end(1e-9) - exact).cwiseAbs().maxCoeff(), 1e-9);
+}
+
 // Central differences below the limit stay bounded, a fifth above it they do not.
 TEST(Convergence, centralDifferencesFailBeyondTheirLimit)
 {

@@ -11,7 +11,7 @@ namespace drill_rig_sim
 struct NewtonLimits
 {
   double tolerance = 1e-6;   ///< on the error left in u, [m] and [rad] alike: bit embedding and joint sag are of order 1e-3
-  int max_iterations = 8;
+  int max_iterations = 8;    ///< tangents
   double max_move = 0.05;    ///< longest increment of one iteration [m, rad]
 };
 
@@ -22,20 +22,28 @@ bool newton_converged(double increment, double before, const NewtonLimits& limit
 struct NewtonOutcome
 {
   bool converged = false;
-  int iterations = 0;
-  double increment = 0.0;  ///< of the last iteration, largest component over all nodes [m, rad]
+  int iterations = 0;      ///< tangents
+  double increment = 0.0;  ///< the last, largest component over all nodes [m, rad]
 };
 
 /// Newton's method on one stage of the system. Converges on the increment, not on the residual: a residual of 1e-3 N is below
-/// round-off in a long string. Noexcept, allocation-free after construction.
+/// round-off in a long string. A tangent is kept as long as it serves: the residual after an increment shows, for a third of what an
+/// iteration costs, whether that was the last, and the kept tangent makes small increments as good as a new one would.
+/// Noexcept, allocation-free after construction.
 class Newton
 {
 public:
   explicit Newton(int nodes);
-  /// Improves `u` (6 per node, in: the guess) until R(u) = 0. A non-finite increment ends it, unconverged.
+  /// Improves `u` (6 per node, in: the guess) until R(u) = 0, and leaves the system as evaluated or settled there. A non-finite increment
+  /// ends it, unconverged.
   NewtonOutcome solve(System& system, double* u, const NewtonLimits& limits) noexcept;
+  /// One increment, whole, with the tangent at `u`. False: there is none.
+  bool improve(System& system, double* u) noexcept;
 
 private:
+  double find_increment(System& system, const double* u, bool new_tangent) noexcept;
+  void apply(double scale, double* u) const noexcept;
+
   BlockTridiagonal tangent_;
   std::vector<double> step_;
 };

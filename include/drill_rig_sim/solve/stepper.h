@@ -24,10 +24,8 @@ struct Attempt
   double* residual;  ///< scratch, 6 per node
   int iterations = 0;
 
-  /// Newton's method on the stage as prepared, from u. False: not converged.
+  /// Newton's method on the stage as prepared, from u; the system is left at the solution. False: not converged.
   bool solve() noexcept;
-  /// The last stage: solved, and settled at its solution.
-  bool solve_and_settle() noexcept;
 };
 
 /// A fixed-step method. A new one is a function in a file of its own and a line in method_table().

@@ -11,6 +11,7 @@ struct Work
   std::uint64_t residuals = 0;  ///< all forces at one state
   std::uint64_t tangents = 0;   ///< with a residual each, counted there too
   std::uint64_t solves = 0;     ///< factorisation and solution of the block-tridiagonal system
+  std::uint64_t substitutions = 0;  ///< solutions with factors that were there already
 };
 
 }  // namespace drill_rig_sim
