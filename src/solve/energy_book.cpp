@@ -75,11 +75,15 @@ void EnergyBook::book_jump() noexcept
   const StoredEnergy &end = accounts_.last, &start = start_;
   const double contact = end.wall + end.bottom - start.wall - start.bottom, grip = end.grip - start.grip;
   const double translation = end.kinetic - start.kinetic;
+  // between steps hole and mud motor move on, and with them the limits of friction: bristles beyond them slip
+  const double slip = end.bristles - start.bristles, bit_slip = end.bit_bristle - start.bit_bristle;
+  accounts_.wall_friction += slip;
+  accounts_.rock_torque += bit_slip;
   accounts_.correction += contact;
   accounts_.grip_released += grip;
   accounts_.added_mass += translation;
   accounts_.of_rebasing +=
-      end.kinetic_all() + end.elastic_all() - start.kinetic_all() - start.elastic_all() - contact - grip - translation;
+      end.kinetic_all() + end.elastic_all() - start.kinetic_all() - start.elastic_all() - contact - grip - translation - slip - bit_slip;
 }
 
 /// Mean force times mean rate times time.
