@@ -136,6 +136,7 @@ DiagnosticStatus DiagnosticsPublisher::physics_status(const FrameRecord& frame) 
   add(s, "newton_iterations_per_step",
       p.steps > 0 ? static_cast<double>(p.newton_iterations) / static_cast<double>(p.steps) : 0.0);
   add(s, "rejected_steps", p.rejected_steps);
+  add(s, "refined_steps", p.refined_steps);
   add(s, "error_estimate", p.last_error_estimate);
   return s;
 }

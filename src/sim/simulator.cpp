@@ -156,6 +156,7 @@ FrameStatus Simulator::frame(double duration) noexcept
   impl_->statistics.steps = counters.steps;
   impl_->statistics.newton_iterations = counters.newton_iterations;
   impl_->statistics.rejected_steps = counters.rejected_steps;
+  impl_->statistics.refined_steps = counters.refined_steps;
   impl_->statistics.work = impl_->system->work();
   if (const ReferenceReport* report = impl_->integrator->reference())
   {

@@ -331,7 +331,7 @@ NewtonLimits& ArkodeStepper::limits() noexcept
   return session_->limits;
 }
 
-bool ArkodeStepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept
+Attempted ArkodeStepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool) noexcept
 {
   System& system = session_->system;
   if (book_) book_->begin_step(state, setpoints);
@@ -339,14 +339,14 @@ bool ArkodeStepper::attempt(SystemState& state, double step, const Setpoints& se
   const bool solved = session_->step(state, step, budget);
   counters_.newton_iterations += static_cast<std::uint64_t>(session_->iterations);
   budget -= session_->iterations;
-  if (!solved) return false;
+  if (!solved) return Attempted::unsolved;
   if (book_) book_->end_step();
   system.finish(state);
   system.costs().lap(Cost::other);
   penetrate_rock(system, state, step);
   system.costs().lap(Cost::rock_penetration);
   ++counters_.steps;
-  return true;
+  return Attempted::solved;
 }
 
 }  // namespace drill_rig_sim

@@ -5,7 +5,9 @@ namespace drill_rig_sim
 namespace
 {
 constexpr int kMaxHalvings = 5;
-constexpr int kBudget = 120;  // Newton iterations that one step may cost in all
+constexpr int kMaxRefinements = 3;
+constexpr int kBudget = 120;    // Newton iterations that one step may cost in all
+constexpr int kToRefine = 60;  // of them those that must be left before a step is refined that has a solution: its eighths need some 16
 }  // namespace
 
 bool HalvingIntegrator::keep_book(EnergyBook* book) noexcept
@@ -23,11 +25,19 @@ bool HalvingIntegrator::advance(SystemState& state, double step, const Setpoints
   while (done < whole)
   {
     const int part = whole >> halvings;
-    if (attempt(state, step * part / whole, setpoints, budget))
+    const bool may_refine = halvings < kMaxRefinements && budget > kToRefine;
+    const Attempted outcome = attempt(state, step * part / whole, setpoints, budget, may_refine);
+    if (outcome == Attempted::solved)
     {
       done += part;
       // try the longer step again where the grid allows
       if (halvings > 0 && done % (2 * part) == 0) --halvings;
+      continue;
+    }
+    if (outcome == Attempted::too_coarse)
+    {
+      ++counters_.refined_steps;
+      ++halvings;
       continue;
     }
     ++counters_.rejected_steps;

@@ -8,6 +8,7 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double kServes = 0.2;  // a kept tangent whose increments shrink less than this is made anew
+constexpr double kStalls = 0.7;  // an increment of a new tangent that shrinks less goes to and fro over a kink of contact or friction: halved
 
 double largest(const std::vector<double>& values) noexcept
 {
@@ -75,8 +76,12 @@ NewtonOutcome Newton::solve(System& system, double* u, const NewtonLimits& limit
       new_tangent = out.increment > kServes * before;
       if (new_tangent) continue;
     }
-    const bool cut = out.increment > limits.max_move;
-    apply(cut ? limits.max_move / out.increment : 1.0, u);
+    double scale = 1.0;
+    if (out.increment > limits.max_move)
+      scale = limits.max_move / out.increment;
+    else if (before > 0.0 && out.increment > kStalls * before)
+      scale = 0.5;
+    apply(scale, u);
     out.converged = newton_converged(out.increment, before, limits);
     if (out.converged)
     {
@@ -84,7 +89,7 @@ NewtonOutcome Newton::solve(System& system, double* u, const NewtonLimits& limit
       return out;
     }
     before = out.increment;
-    new_tangent = cut;
+    new_tangent = scale < 1.0;
   }
   return out;
 }

@@ -11,14 +11,15 @@ namespace drill_rig_sim
 const std::vector<Method>& method_table()
 {
   static const std::vector<Method> table = {
-      {"bdf2", "BDF2, second order, L-stable, one solve a step (default)", step_bdf2, false, nullptr},
-      {"implicit_euler", "implicit Euler, first order, L-stable", step_implicit_euler, false, nullptr},
+      {"bdf2", "BDF2, second order, L-stable, one solve a step, halved where the motion changes fast (default)", step_bdf2, false, true,
+       nullptr},
+      {"implicit_euler", "implicit Euler, first order, L-stable", step_implicit_euler, false, false, nullptr},
       {"linearly_implicit_euler", "linearly implicit Euler, first order, one solve without iteration", step_linearly_implicit_euler,
-       false, nullptr},
-      {"trbdf2", "TR-BDF2, second order, L-stable, two solves a step", step_trbdf2, true, nullptr},
-      {"generalised_alpha", "generalised alpha, second order, spectral radius 1/2 at infinity", step_generalised_alpha, true,
+       false, false, nullptr},
+      {"trbdf2", "TR-BDF2, second order, L-stable, two solves a step", step_trbdf2, true, false, nullptr},
+      {"generalised_alpha", "generalised alpha, second order, spectral radius 1/2 at infinity", step_generalised_alpha, true, false,
        remember_generalised_alpha},
-      {"explicit", "central differences, second order, short steps only", step_explicit, true, nullptr},
+      {"explicit", "central differences, second order, short steps only", step_explicit, true, false, nullptr},
   };
   return table;
 }
@@ -60,7 +61,7 @@ Stepper::Stepper(System& system, const Method& method)
   limits_.tolerance = system.scene().numerics.newton_tolerance;
 }
 
-bool Stepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept
+Attempted Stepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept
 {
   if (method_.needs_acceleration && state.last_step <= 0.0) find_acceleration(state, setpoints);
   if (book_) book_->begin_step(state, setpoints);
@@ -71,8 +72,9 @@ bool Stepper::attempt(SystemState& state, double step, const Setpoints& setpoint
   const bool solved = method_.step(attempt);
   counters_.newton_iterations += attempt.iterations;
   budget -= attempt.iterations;
-  if (!solved) return false;
+  if (!solved) return Attempted::unsolved;
   error_estimate_ = predictor_distance() / 6.0;
+  if (method_.refines && may_refine && error_estimate_ > refined_error) return Attempted::too_coarse;
   if (book_) book_->end_step();
   system_.finish(state);
   if (method_.remember) method_.remember(state, step);
@@ -80,7 +82,7 @@ bool Stepper::attempt(SystemState& state, double step, const Setpoints& setpoint
   penetrate_rock(system_, state, step);
   system_.costs().lap(Cost::rock_penetration);
   ++counters_.steps;
-  return true;
+  return Attempted::solved;
 }
 
 void prepare_start(const SystemState& state, Stage& stage) noexcept

@@ -177,6 +177,7 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const Drilli
   json.add("steps", static_cast<double>(s.steps));
   json.add("newton_iterations", static_cast<double>(s.newton_iterations));
   json.add("rejected_steps", static_cast<double>(s.rejected_steps));
+  json.add("refined_steps", static_cast<double>(s.refined_steps));
   json.add("residuals", static_cast<double>(s.work.residuals));
   json.add("tangents", static_cast<double>(s.work.tangents));
   json.add("solves", static_cast<double>(s.work.solves));

@@ -59,7 +59,7 @@ void buckle(const Choice& choice, Rows& rows)
 {
   Row row = row_of("buckling", "slack-off to a coil and back", choice, "mm left");
   const Coil reference = coil(default_choice(), 5e-4, 60.0);
-  const double step = workable_step("buckling", choice, 0.005);
+  const double step = workable_step("buckling", choice, NumericsSpec().step);
   const Coil run = coil(choice, step, 8.0);
   row.figure = 1e3 * run.left;
   row.text = text("step %g s; pushed with %.1f kN (reference %.1f); %.0f mm aside; after pick-up %.2f mm; hook load %.2f kN off",

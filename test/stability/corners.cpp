@@ -19,7 +19,7 @@ const Corner kAxes[] = {
     {"lateral damping", "mud.lateral_damping", 20.0, 2e4},
 };
 constexpr int kCorners = 1 << 5;
-constexpr double kStep = 0.005;
+const double kStep = NumericsSpec().step;
 
 void run_corner(int corner, Rows& rows)
 {

@@ -45,7 +45,7 @@ void impact(const Choice& choice, Rows& rows)
 {
   Row row = row_of("impact", "bit on hard rock at 2 m/s", choice, "peak / reference");
   const Blow reference = strike(default_choice(), 2e-5, 60.0);
-  const double step = workable_step("impact", choice, 0.005);
+  const double step = workable_step("impact", choice, NumericsSpec().step);
   const Blow run = strike(choice, step, 8.0);
   row.figure = run.peak / reference.peak;
   row.text =

@@ -76,7 +76,7 @@ void well(const Shape& shape, Rows& rows)
 {
   Row row = row_of("wells", shape.name, default_choice(), "mm from axis");
   const Trip reference = make_trip(shape, default_choice(), 5e-4);
-  const Trip run = passed(reference.verdict) ? make_trip(shape, default_choice(), 0.005) : reference;
+  const Trip run = passed(reference.verdict) ? make_trip(shape, default_choice(), NumericsSpec().step) : reference;
   row.figure = 1e3 * run.aside;
   row.text = text("hook load %.2f kN (small steps %.2f); torque %.0f N m (%.0f); bit %.2g mm apart", 1e-3 * run.hook_load,
                   1e-3 * reference.hook_load, run.torque, reference.torque, 1e3 * (run.bit - reference.bit).norm());

@@ -105,6 +105,24 @@ TEST(Convergence, newtonLeavesNoMoreThanItsTolerance)
   EXPECT_LT((end(1e-9) - exact).cwiseAbs().maxCoeff(), 1e-9);
 }
 
+// A bit that is hit changes its speed by 2 m/s within a step of 10 ms: that step is worth its halves, those of the swing after it are not.
+TEST(Convergence, blowsAreRefined)
+{
+  RigAtRest start = plucked();
+  Stepper smooth(*start.system, *find_method("bdf2"));
+  after_span(start, smooth, 0.01);
+  EXPECT_EQ(smooth.counters().refined_steps, 0u);
+
+  start.state.nodes[0].rate.velocity.z() = 2.0;
+  Stepper stepper(*start.system, *find_method("bdf2")), fixed(*start.system, *find_method("trbdf2"));
+  after_span(start, stepper, 0.01);
+  EXPECT_GT(stepper.counters().refined_steps, 0u);
+  EXPECT_LT(stepper.counters().refined_steps, 30u);
+  EXPECT_EQ(stepper.counters().rejected_steps, 0u);
+  after_span(start, fixed, 0.01);
+  EXPECT_EQ(fixed.counters().refined_steps, 0u);
+}
+
 // Central differences below the limit stay bounded, a fifth above it they do not.
 TEST(Convergence, centralDifferencesFailBeyondTheirLimit)
 {

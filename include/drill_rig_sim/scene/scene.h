@@ -195,7 +195,7 @@ struct NumericsSpec
   std::string level = "beam3d";     ///< rigid | axial_torsional | hybrid | beam3d | auto
   std::string integrator = "auto";  ///< name in the stepper table, or auto
   std::string element = "auto";     ///< corotational | geometrically_exact | rotation_vector | auto
-  double step = 0.005;              ///< [s]
+  double step = 0.01;               ///< [s]; test/benchmark: shorter ones gain little on elements as long as a joint
   double element_length = 9.5;      ///< longest element [m]
   double tolerance = 0.01;          ///< relative, of the scene's outputs; level auto only
   double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]

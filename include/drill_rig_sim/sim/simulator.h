@@ -31,7 +31,8 @@ struct SimulatorStatistics
   std::uint64_t frames = 0;
   std::uint64_t steps = 0;              ///< physics steps that were accepted
   std::uint64_t newton_iterations = 0;
-  std::uint64_t rejected_steps = 0;     ///< attempts that were repeated with half the step
+  std::uint64_t rejected_steps = 0;     ///< attempts without a solution, repeated with half the step
+  std::uint64_t refined_steps = 0;      ///< attempts repeated with half the step for accuracy
   Work work;                            ///< residuals, tangents and linear solves
   std::uint64_t commands_clamped = 0;
   std::uint64_t commands_refused = 0;

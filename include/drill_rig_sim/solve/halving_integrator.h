@@ -5,8 +5,16 @@
 
 namespace drill_rig_sim
 {
-/// An integrator whose steps may fail: a step that cannot be solved is repeated in halves, quarters, ... down to 1/32, all within
-/// a bounded number of iterations.
+/// What became of a step.
+enum class Attempted
+{
+  solved,
+  too_coarse,  ///< solved, but worth halves; the state is untouched
+  unsolved     ///< the state is untouched
+};
+
+/// An integrator whose steps may fail: a step that cannot be solved is repeated in halves, quarters, ... down to 1/32, one that is too
+/// coarse for what happens in it down to 1/8, all within a bounded number of iterations.
 class HalvingIntegrator : public Integrator
 {
 public:
@@ -17,8 +25,8 @@ protected:
   EnergyBook* book_ = nullptr;  ///< attempt() begins its step before System::begin() and ends it before System::finish()
 
 private:
-  /// One step of `step` [s]. False: not solved, `state` untouched. `budget`: Newton iterations left, reduced by those it took.
-  virtual bool attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept = 0;
+  /// One step of `step` [s]. `budget`: Newton iterations left, reduced by those it took; `may_refine`: too_coarse may be answered.
+  virtual Attempted attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept = 0;
 };
 
 }  // namespace drill_rig_sim

@@ -19,7 +19,8 @@ struct StepperCounters
 {
   std::uint64_t steps = 0;
   std::uint64_t newton_iterations = 0;
-  std::uint64_t rejected_steps = 0;
+  std::uint64_t rejected_steps = 0;  ///< without a solution, repeated in parts
+  std::uint64_t refined_steps = 0;   ///< repeated in parts because too much happened in them
 };
 
 /// Advances the state of a rig through time in steps of given length, at whose ends the hole is extended and set points change.

@@ -37,9 +37,15 @@ struct Method
   bool (*step)(Attempt& attempt) noexcept;
   /// It starts from NodeState::acceleration, which must be known when there is no history.
   bool needs_acceleration;
+  /// Its error is a sixth of what the solution is away from the extrapolation; a step with more than refined_error of it is refined.
+  bool refines;
   /// What the method itself remembers, written into the state after finish(); null: nothing.
   void (*remember)(SystemState& state, double step) noexcept;
 };
+
+/// Local error of a node's place above which a step is repeated in halves [m]. Blows are above it at the default step, the waves that
+/// a winch makes are not.
+constexpr double refined_error = 1e-4;
 
 const std::vector<Method>& method_table();
 /// Null for an unknown name; "auto" is the default method.
@@ -87,7 +93,7 @@ public:
 private:
   double predictor_distance() const noexcept;
   void find_acceleration(SystemState& state, const Setpoints& setpoints) noexcept;
-  bool attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget) noexcept override;
+  Attempted attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept override;
 
   System& system_;
   Method method_;
