@@ -23,7 +23,7 @@ void index3(Rows& rows)
       row.group = "index 3";
       row.name = index2 ? "stabilised index 2 (GGL)" : "index 3";
       row.value = text("%g", h);
-      row.method = "ida";
+      row.method = reference_method;
       row.element = "-";
       row.promise = index2 ? Promise::passes : Promise::none;
       row.verdict = !run.reached                      ? Verdict::fails_not_converged

@@ -13,7 +13,7 @@ LOWEST = 7e-6  # where `none` is drawn [s]
 pyplot.rcParams.update({'font.size': 9, 'axes.grid': True, 'grid.alpha': 0.3, 'savefig.bbox': 'tight', 'svg.hashsalt': 'drill_rig_sim'})
 
 
-def draw_axis(axes, rows, axis, names):
+def draw_axis(axes, rows, axis, names, default_step):
     mine = [row for row in rows if row['case'] == axis]
     for k, name in enumerate(names):
         points = [(float(row['value']), float(row['figure']) or LOWEST) for row in mine if who(row) == name]
@@ -30,11 +30,12 @@ def draw_axis(axes, rows, axis, names):
     axes.set_yscale('log')
     axes.set_ylim(5e-6, 0.2)
     axes.set_xlabel(AXES[axis])
-    axes.axhline(0.005, color='black', linewidth=0.8, linestyle=':')
+    axes.axhline(default_step, color='black', linewidth=0.8, linestyle=':')
 
 
 def draw(rows, folder):
     """Draws into `folder`; returns the files' names."""
+    default_step = next(float(row['figure']) for row in rows if row['group'] == 'corners')  # the corners are run at it
     rows = [row for row in rows if row['group'] == 'map' and row['method'] != 'reference']
     if not rows:
         return []
@@ -42,7 +43,7 @@ def draw(rows, folder):
     figure, grid = pyplot.subplots(2, 3, sharey=True, figsize=(11.0, 6.5))
     panels = grid.flatten()
     for panel, axis in zip(panels, AXES):
-        draw_axis(panel, rows, axis, names)
+        draw_axis(panel, rows, axis, names, default_step)
     for panel in grid[:, 0]:
         panel.set_ylabel('largest stable step [s]')
     panels[5].axis('off')
@@ -50,7 +51,7 @@ def draw(rows, folder):
     for panel in panels[:5]:
         for handle, label in zip(*panel.get_legend_handles_labels()):
             handles.setdefault(label, handle)
-    panels[5].legend(handles.values(), handles.keys(), loc='center', title='dotted: the default step, 5 ms;\nat the lower edge: none, or too slow to tell')
+    panels[5].legend(handles.values(), handles.keys(), loc='center', title='dotted: the default step, %g ms;\nat the lower edge: none, or too slow to tell' % (1e3 * default_step))
     figure.suptitle('Largest step that passes without halving; pipe lowered and turned in an inclined hole')
     figure.tight_layout()
     for ending in ('svg', 'png'):

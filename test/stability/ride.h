@@ -19,6 +19,9 @@ struct Choice
   std::string element;
 };
 
+/// The integrator that chooses its own steps.
+constexpr const char* reference_method = "ida";
+
 /// Every stepper that this version knows, the default first, each with the default element; the default alone if `fast`.
 std::vector<Choice> methods(bool fast);
 /// Every element that this version knows, the default first, each with the default method.

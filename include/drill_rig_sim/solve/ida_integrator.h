@@ -15,7 +15,8 @@ namespace drill_rig_sim
 /// it starts afresh at order one, from consistent accelerations, only where something jumps: set points, flow, a gripped pipe, a
 /// node that dips into the mud, bases that are renewed because a section has tilted by more than 0.3 rad, and the state itself.
 /// Order two at most by default: a string's fast axial and torsional modes are hardly damped, and the BDF formulas of order three and more
-/// excite such modes unless the step resolves them. At 1e-6 the main job then takes a tenth of the steps. Its joints hold within Newton's tolerance, 1e-8 m or rad in the mean over the unknowns.
+/// excite such modes unless the step resolves them. At 1e-6 the main job then takes a tenth of the steps. Its joints hold within
+/// Newton's tolerance, 1e-8 m or rad in the mean over the unknowns.
 /// Its memory is no part of a snapshot: after restore() it starts afresh, so that runs repeat within the tolerance, not bit by
 /// bit. It allocates.
 class IdaIntegrator : public Integrator
