@@ -19,8 +19,8 @@ def draw_axis(axes, rows, axis, names, default_step):
         points = [(float(row['value']), float(row['figure']) or LOWEST) for row in mine if who(row) == name]
         if not points:
             continue
-        # side by side where they meet
-        shift = 1.0 + 0.03 * (k - 0.5 * len(names))
+        # side by side where they meet, the default where it is
+        shift = 1.0 + 0.03 * k
         axes.plot([p[0] for p in points], [p[1] * shift for p in points], marker=MARKS[k % len(MARKS)], markersize=4, linewidth=2.2 if k == 0 else 1.0,
                   color=COLOURS[k % len(COLOURS)], label=name + (' (default)' if k == 0 else ''), zorder=9 if k == 0 else 3)
     if any(float(row['value']) == 0.0 for row in mine):
