@@ -225,7 +225,7 @@ bool IdaSolver::advance(double t, std::vector<double>& y, std::vector<double>& r
 std::string IdaSolver::flag_name() const
 {
   char* text = IDAGetReturnFlagName(session_->flag);
-  const std::string name = text ? text : "";
+  std::string name = text ? text : "";
   std::free(text);
   return name;
 }

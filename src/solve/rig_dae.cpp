@@ -116,7 +116,7 @@ RigDae::RigDae(System& system, Rig rig, Formulation formulation, double toleranc
 std::vector<double> RigDae::initial(const SystemState& state) const
 {
   std::vector<double> y = at_bases();
-  y[static_cast<std::size_t>(further_at() + kMotorSpeed)] = state.bit.motor_speed;
+  y.data()[further_at() + kMotorSpeed] = state.bit.motor_speed;
   return y;
 }
 

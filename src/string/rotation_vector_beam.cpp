@@ -14,10 +14,10 @@ using Eigen::Vector3d;
 
 namespace
 {
-/// J(psi) eta = eta + c1 psi x eta + c2 psi x (psi x eta). A dash is the derivative by |psi|, divided by |psi|.
+/// J(psi) eta = eta + c1 psi x eta + c2 psi x (psi x eta). d: the derivative by |psi|, divided by |psi|.
 struct Coefficients
 {
-  double c1, c2, c1_, c2_, c1__, c2__;
+  double c1, c2, c1d, c2d, c1dd, c2dd;
 };
 
 /// Sum of (-x)^k/(2 k + first)! and its first two derivatives by x.
@@ -41,22 +41,22 @@ Coefficients coefficients(double x)  // x = |psi|^2
   Coefficients c;
   if (x < 1.0)
   {
-    exponential_series(x, 2, c.c1, c.c1_, c.c1__);
-    exponential_series(x, 3, c.c2, c.c2_, c.c2__);
-    c.c1_ *= 2.0;
-    c.c2_ *= 2.0;
-    c.c1__ *= 4.0;
-    c.c2__ *= 4.0;
+    exponential_series(x, 2, c.c1, c.c1d, c.c1dd);
+    exponential_series(x, 3, c.c2, c.c2d, c.c2dd);
+    c.c1d *= 2.0;
+    c.c2d *= 2.0;
+    c.c1dd *= 4.0;
+    c.c2dd *= 4.0;
     return c;
   }
   const double angle = std::sqrt(x), cosine = std::cos(angle), sinc = std::sin(angle) / angle;
   const double sinc_ = (cosine - sinc) / x;
   c.c1 = (1.0 - cosine) / x;
   c.c2 = (1.0 - sinc) / x;
-  c.c1_ = (sinc - 2.0 * c.c1) / x;
-  c.c2_ = (-sinc_ - 2.0 * c.c2) / x;
-  c.c1__ = (sinc_ - 4.0 * c.c1_) / x;
-  c.c2__ = ((sinc + 3.0 * sinc_) / x - 4.0 * c.c2_) / x;
+  c.c1d = (sinc - 2.0 * c.c1) / x;
+  c.c2d = (-sinc_ - 2.0 * c.c2) / x;
+  c.c1dd = (sinc_ - 4.0 * c.c1d) / x;
+  c.c2dd = ((sinc + 3.0 * sinc_) / x - 4.0 * c.c2d) / x;
   return c;
 }
 
@@ -84,10 +84,10 @@ Matrix3d inverse_jacobian(const Vector3d& psi, const Coefficients& c)
 Matrix3d jacobian_derivative(const Vector3d& psi, const Vector3d& eta, const Coefficients& c)
 {
   const double along = psi.dot(eta);
-  Matrix3d out = skew(c.c1_ * along * psi + c.c1 * eta);
-  out.noalias() += (c.c2_ * along * psi + c.c2 * eta) * psi.transpose();
+  Matrix3d out = skew(c.c1d * along * psi + c.c1 * eta);
+  out.noalias() += (c.c2d * along * psi + c.c2 * eta) * psi.transpose();
   out.noalias() += (c.c2 * psi) * eta.transpose();
-  out.diagonal().array() -= c.c2_ * along * psi.squaredNorm() + 2.0 * c.c2 * along;
+  out.diagonal().array() -= c.c2d * along * psi.squaredNorm() + 2.0 * c.c2 * along;
   return out;
 }
 
@@ -95,7 +95,7 @@ Matrix3d jacobian_derivative(const Vector3d& psi, const Vector3d& eta, const Coe
 Matrix3d transposed_derivative(const Vector3d& psi, const Vector3d& v, const Coefficients& c)
 {
   const Vector3d pv = psi.cross(v);
-  Matrix3d out = (c.c2_ * psi.cross(pv) - c.c1_ * pv) * psi.transpose();
+  Matrix3d out = (c.c2d * psi.cross(pv) - c.c1d * pv) * psi.transpose();
   out += skew(c.c1 * v - c.c2 * pv);
   out.noalias() -= (c.c2 * skew(psi)) * skew(v);
   return out;
@@ -107,11 +107,11 @@ Matrix3d second_derivative(const Vector3d& psi, const Vector3d& eta, const Vecto
   const double along = psi.dot(eta);
   const Vector3d pv = psi.cross(v), ppv = psi.cross(pv), ev = eta.cross(v);
   const Vector3d mixed = eta.cross(pv) + psi.cross(ev);
-  Matrix3d out = (along * (c.c2__ * ppv - c.c1__ * pv) - c.c1_ * ev + c.c2_ * mixed) * psi.transpose();
-  out.noalias() += (c.c2_ * ppv - c.c1_ * pv) * eta.transpose();
+  Matrix3d out = (along * (c.c2dd * ppv - c.c1dd * pv) - c.c1d * ev + c.c2d * mixed) * psi.transpose();
+  out.noalias() += (c.c2d * ppv - c.c1d * pv) * eta.transpose();
   const Matrix3d v_hat = skew(v);
-  out += (c.c1_ * along) * v_hat;
-  out -= (c.c2_ * along) * (skew(pv) + skew(psi) * v_hat);
+  out += (c.c1d * along) * v_hat;
+  out -= (c.c2d * along) * (skew(pv) + skew(psi) * v_hat);
   out -= c.c2 * (skew(eta) * v_hat + skew(ev));
   return out;
 }
@@ -251,7 +251,7 @@ BeamForces rotation_vector_forces(const BeamSection& section, const BeamPose& po
                                   BeamStrain& strain, BeamTangent& tangent) noexcept
 {
   const Middle k = middle_of(section, pose, damping, strain);
-  const BeamForces forces = forces_of(k);
+  BeamForces forces = forces_of(k);
   tangent_of(section, k, forces, tangent);
   return forces;
 }

@@ -188,7 +188,7 @@ BeamForces System::element_forces(int e, BeamTangent* tangent) noexcept
   const BeamDamping damping{damping_time_, stage_.rate_by_u, lower.rate.head<3>() - upper.rate.head<3>(), upper.rate.tail<3>(),
                             lower.rate.tail<3>()};
   BeamStrain strain;
-  const BeamForces f = tangent ? beam_.forces_and_tangent(element.section, pose, damping, loads_[e], strain, *tangent)
+  BeamForces f = tangent ? beam_.forces_and_tangent(element.section, pose, damping, loads_[e], strain, *tangent)
                                : beam_.forces(element.section, pose, damping, loads_[e], strain);
   forces_.tension[e] = f.tension;
   forces_.torque[e] = -f.torque;

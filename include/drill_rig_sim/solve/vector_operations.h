@@ -1,7 +1,7 @@
 #ifndef DRILL_RIG_SIM_SOLVE_VECTOR_OPERATIONS_H
 #define DRILL_RIG_SIM_SOLVE_VECTOR_OPERATIONS_H
 
-struct _generic_N_Vector;
+struct _generic_N_Vector;  // NOLINT(bugprone-reserved-identifier): what SUNDIALS calls it
 
 namespace drill_rig_sim
 {
