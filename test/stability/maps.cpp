@@ -92,7 +92,11 @@ void run_point(const Axis& axis, double value, bool fast, Rows& rows)
   const Tumble reference = tumble_reference(settings_for(axis, value));
   if (!passed(reference.verdict))
   {
-    std::printf("map,%s,%g,reference,,-,%s,0,s,%s\n", axis.name, value, words(reference.verdict), reference.message.c_str());
+    Row row = row_of("map", axis.name, {"reference", ""}, "s");
+    row.value = text("%g", value);
+    row.verdict = reference.verdict;
+    row.text = reference.message;
+    rows.add(row);
     return;
   }
   std::vector<Choice> choices = methods(fast);
