@@ -23,22 +23,22 @@ struct Geometry
   double penetration;  ///< delta
 };
 
-inline Geometry contact_geometry(const HoleSite& site, double radius, const Vector3d& position) noexcept
+inline Geometry contact_geometry(const ClosestPoint& closest, double radius, const Vector3d& position) noexcept
 {
-  const Vector3d d = position - site.centre;
+  const Vector3d d = position - closest.centre;
   Geometry g;
   g.rho = std::sqrt(d.squaredNorm() + wall_contact_smoothing * wall_contact_smoothing);
-  g.penetration = g.rho - (site.radius - radius);  // digit for digit -wall_gap()
+  g.penetration = g.rho - (closest.radius - radius);  // digit for digit -wall_gap()
   g.normal = d / g.rho;
-  g.gradient = g.normal - site.radius_slope * site.md_gradient;
-  g.slope = site.centre_slope - g.normal * g.normal.dot(site.centre_slope);
+  g.gradient = g.normal - closest.radius_slope * closest.md_gradient;
+  g.slope = closest.centre_slope - g.normal * g.normal.dot(closest.centre_slope);
   return g;
 }
 
 /// B = dn/dr_D = (1 - n n^T - P c' (ds/dr_D)^T) / rho.
-inline Matrix3d normal_derivative(const HoleSite& site, const Geometry& g) noexcept
+inline Matrix3d normal_derivative(const ClosestPoint& closest, const Geometry& g) noexcept
 {
-  Matrix3d b = -g.normal * g.normal.transpose() - g.slope * site.md_gradient.transpose();
+  Matrix3d b = -g.normal * g.normal.transpose() - g.slope * closest.md_gradient.transpose();
   b.diagonal().array() += 1.0;
   return b / g.rho;
 }
@@ -156,10 +156,10 @@ inline void write_column_x(const Geometry& g, int j, const Vector3d& b, double n
 }
 
 /// d(force, moment)/d(x, r).
-void write_tangent(const HoleSite& site, const Geometry& g, const NormalForce& normal, const Friction& f, double radius,
+void write_tangent(const ClosestPoint& closest, const Geometry& g, const NormalForce& normal, const Friction& f, double radius,
                    const ContactMotion& motion, const ContactSpec& law, Tangent& tangent) noexcept
 {
-  const Matrix3d b = normal_derivative(site, g);
+  const Matrix3d b = normal_derivative(closest, g);
   const Vector3d gradient = (normal.stiffness + motion.velocity_coefficient * normal.damping) * g.gradient +
                             normal.damping * (b.transpose() * motion.velocity);
   const FrictionDerivative derivative(g, b, f, normal.value, gradient, radius, motion, law);
@@ -191,11 +191,11 @@ inline void fill_result(const Geometry& g, double normal_force, const Vector3d& 
   out.moment = radius * g.normal.cross(friction);
 }
 
-WallForce evaluate(const HoleSite& site, double radius, const ContactMotion& motion, const Vector3d& bristle,
+WallForce evaluate(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Vector3d& bristle,
                    const ContactSpec& law, Tangent* tangent) noexcept
 {
   WallForce out;
-  const Geometry g = contact_geometry(site, radius, motion.position);
+  const Geometry g = contact_geometry(closest, radius, motion.position);
   out.penetration = g.penetration;
   if (g.penetration <= 0.0)
   {
@@ -207,7 +207,7 @@ WallForce evaluate(const HoleSite& site, double radius, const ContactMotion& mot
   }
 
   const NormalForce normal = normal_force(law.law, g.penetration, g.gradient.dot(motion.velocity));
-  const Friction f = friction_force(g, normal.value, site.friction, radius, motion, bristle, law);
+  const Friction f = friction_force(g, normal.value, closest.friction, radius, motion, bristle, law);
   fill_result(g, normal.value, f.force, radius, out);
   out.bristle = f.bristle;
   out.slipping = f.slipping;
@@ -215,30 +215,30 @@ WallForce evaluate(const HoleSite& site, double radius, const ContactMotion& mot
 
   if (tangent != nullptr)
   {
-    write_tangent(site, g, normal, f, radius, motion, law, *tangent);
+    write_tangent(closest, g, normal, f, radius, motion, law, *tangent);
   }
   return out;
 }
 }  // namespace
 
-WallForce wall_contact(const HoleSite& site, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
+WallForce wall_contact(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
                        const ContactSpec& law) noexcept
 {
-  return evaluate(site, radius, motion, bristle, law, nullptr);
+  return evaluate(closest, radius, motion, bristle, law, nullptr);
 }
 
-WallForce wall_contact(const HoleSite& site, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
+WallForce wall_contact(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
                        const ContactSpec& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept
 {
-  return evaluate(site, radius, motion, bristle, law, &tangent);
+  return evaluate(closest, radius, motion, bristle, law, &tangent);
 }
 
-WallForce sliding_wall_contact(const HoleSite& site, double radius, const Eigen::Vector3d& position, const SlidingMotion& sliding,
+WallForce sliding_wall_contact(const ClosestPoint& closest, double radius, const Eigen::Vector3d& position, const SlidingMotion& sliding,
                                const ContactLaw& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept
 {
   WallForce out;
   tangent.setZero();
-  const Geometry g = contact_geometry(site, radius, position);
+  const Geometry g = contact_geometry(closest, radius, position);
   out.penetration = g.penetration;
   if (g.penetration <= 0.0)
   {
@@ -250,19 +250,19 @@ WallForce sliding_wall_contact(const HoleSite& site, double radius, const Eigen:
   const double speed = std::hypot(sliding.axial_speed, rim_speed);
   const double axial = speed > 0.0 ? sliding.axial_speed / speed : 0.0;
   const double around = speed > 0.0 ? rim_speed / speed : 0.0;
-  const Vector3d direction = axial * site.tangent + around * site.tangent.cross(g.normal);
-  const double limit = site.friction * normal.value;
+  const Vector3d direction = axial * closest.tangent + around * closest.tangent.cross(g.normal);
+  const double limit = closest.friction * normal.value;
   const Vector3d friction = -limit * direction;
   fill_result(g, normal.value, friction, radius, out);
   out.slipping = speed > 0.0;
   out.friction_power = -limit * speed;
 
-  const Matrix3d b = normal_derivative(site, g);
+  const Matrix3d b = normal_derivative(closest, g);
   const Vector3d gradient = normal.stiffness * g.gradient;
   for (int j = 0; j < 3; ++j)
   {
     const Vector3d bj = b.col(j);
-    const Vector3d df = -site.friction * gradient[j] * direction - limit * around * site.tangent.cross(bj);
+    const Vector3d df = -closest.friction * gradient[j] * direction - limit * around * closest.tangent.cross(bj);
     write_column_x(g, j, bj, normal.value, gradient[j], radius, friction, df, tangent);
   }
   return out;

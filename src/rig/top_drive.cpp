@@ -34,7 +34,7 @@ struct Law
   double at(double u, double w) const noexcept { return torque + speed_gain * (speed - w) + turn_gain * (turn - u); }
   Branch at(const RotorStage& stage) const noexcept
   {
-    return {torque + speed_gain * (speed - stage.rate_0) + turn_gain * turn, -speed_gain * stage.rate_by_u - turn_gain};
+    return {torque + speed_gain * (speed - stage.rate_0) + turn_gain * turn, -speed_gain * stage.dv_du - turn_gain};
   }
 };
 
@@ -112,7 +112,7 @@ RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& comman
                         double top_spin) noexcept
 {
   const double spring = spec.meter_stiffness;
-  const Rotor rotor{spec.inertia * stage.acceleration_by_u + spring,
+  const Rotor rotor{spec.inertia * stage.da_du + spring,
                     spring * (top_spin - start.twist) - spec.inertia * stage.acceleration_0};
   const double limit = motor_torque_limit(spec, command, start.speed);
   const bool torque_mode = command.mode == TopDriveMode::torque;
@@ -136,8 +136,8 @@ RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& comman
   // rotor and meter
   out.increment = rotor.increment(branch);
   out.motor_torque = branch.at(out.increment);
-  out.state.speed = stage.rate_by_u * out.increment + stage.rate_0;
-  out.acceleration = stage.acceleration_by_u * out.increment + stage.acceleration_0;
+  out.state.speed = stage.dv_du * out.increment + stage.rate_0;
+  out.acceleration = stage.da_du * out.increment + stage.acceleration_0;
   out.state.twist = start.twist + out.increment - top_spin;
   out.meter_torque = spring * out.state.twist;
   out.stiffness = spring * (1.0 - spring / (rotor.stiffness - branch.slope));

@@ -135,8 +135,8 @@ DiagnosticStatus DiagnosticsPublisher::physics_status(const FrameRecord& frame) 
   add(s, "newton_iterations", p.newton_iterations);
   add(s, "newton_iterations_per_step",
       p.steps > 0 ? static_cast<double>(p.newton_iterations) / static_cast<double>(p.steps) : 0.0);
-  add(s, "rejected_steps", p.rejected_steps);
-  add(s, "refined_steps", p.refined_steps);
+  add(s, "convergence_failures", p.convergence_failures);
+  add(s, "error_test_failures", p.error_test_failures);
   add(s, "error_estimate", p.last_error_estimate);
   return s;
 }

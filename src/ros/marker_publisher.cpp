@@ -84,20 +84,20 @@ std::vector<std::vector<Eigen::Vector3d>> rings(const std::vector<WellNode>& wel
 }
 }  // namespace
 
-MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const Parameters& parameters, Demand& demand,
+MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions,
                                  std::function<void()> ask_for_picture)
     : floor_(parameters.frame_prefix + "rig_floor"),
       exaggeration_(parameters.lateral_exaggeration),
       force_scale_(parameters.force_scale),
       color_by_(parameters.color_by),
-      demand_(demand)
+      subscriptions_(subscriptions)
 {
   const auto greet = [this, ask_for_picture = std::move(ask_for_picture)](const ros::SingleSubscriberPublisher&)
   {
-    demand_.markers = true;
+    subscriptions_.markers = true;
     ask_for_picture();
   };
-  const auto bid_farewell = [this](const ros::SingleSubscriberPublisher&) { demand_.markers = markers_.getNumSubscribers() > 0; };
+  const auto bid_farewell = [this](const ros::SingleSubscriberPublisher&) { subscriptions_.markers = markers_.getNumSubscribers() > 0; };
   markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", 10, greet, bid_farewell);
 }
 

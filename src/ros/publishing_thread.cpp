@@ -8,14 +8,14 @@
 
 namespace drill_rig_sim
 {
-PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& parameters, SnapshotRing& ring, Demand& demand,
+PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& parameters, FrameRing& ring, Subscriptions& subscriptions,
                                    std::function<void()> ask_for_picture, std::function<void()> on_change)
     : ring_(ring),
       on_change_(std::move(on_change)),
       publish_clock_(parameters.publish_clock),
-      state_(node, parameters, demand),
+      state_(node, parameters, subscriptions),
       frames_(node, parameters),
-      markers_(node, parameters, demand, std::move(ask_for_picture)),
+      markers_(node, parameters, subscriptions, std::move(ask_for_picture)),
       trajectory_(node, parameters)
 {
   if (publish_clock_) clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 10);

@@ -24,7 +24,7 @@ RigNode::RigNode()
       mailbox_(node_),
       loop_(parameters_, std::make_unique<Simulator>(scene_, parameters_.seed), mailbox_, ring_),
       publishing_(
-          node_, parameters_, ring_, loop_.demand(), [this] { loop_.refresh(); }, [this] { diagnostics_.publish(); }),
+          node_, parameters_, ring_, loop_.subscriptions(), [this] { loop_.refresh(); }, [this] { diagnostics_.publish(); }),
       diagnostics_(node_, [this] { return publishing_.last(); }),
       services_((service_node_.setCallbackQueue(&service_queue_), service_node_), parameters_, scene_, loop_, publishing_, ring_),
       spinner_(1),

@@ -33,7 +33,7 @@ void require_obeyed(const CommandResult& result)
 }  // namespace
 
 Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene scene, SimulationLoop& loop,
-                   PublishingThread& publishing, SnapshotRing& ring)
+                   PublishingThread& publishing, FrameRing& ring)
     : parameters_(parameters), scene_(std::move(scene)), running_(scene_), loop_(loop), publishing_(publishing), ring_(ring)
 {
   using std_srvs::SetBool;

@@ -18,7 +18,7 @@ RunningRig::RunningRig(std::unique_ptr<Simulator> s, bool play)
 }
 
 SimulationLoop::SimulationLoop(const Parameters& parameters, std::unique_ptr<Simulator> simulator, Mailbox& mailbox,
-                               SnapshotRing& ring)
+                               FrameRing& ring)
     : parameters_(parameters),
       mailbox_(mailbox),
       ring_(ring),
@@ -67,12 +67,12 @@ void SimulationLoop::run() noexcept
 {
   while (!quit_)
   {
-    let_visitor_in();
+    run_between_frames();
     wait_or_work();
   }
 }
 
-void SimulationLoop::let_visitor_in() noexcept
+void SimulationLoop::run_between_frames() noexcept
 {
   if (!asked_.exchange(false)) return;
   entered_.post();
@@ -87,7 +87,7 @@ void SimulationLoop::wait_or_work() noexcept
   const std::int64_t due = may_run ? time_.next_frame_at() : Timekeeper::not_yet;
   if (due == Timekeeper::not_yet)
   {
-    if (demand_.refresh.exchange(false)) hand_over({false, true, false});
+    if (subscriptions_.refresh.exchange(false)) hand_over({false, true, false});
     wake_.wait();
     return;
   }
@@ -173,7 +173,7 @@ void SimulationLoop::hand_over(Occasion occasion) noexcept
     ++statistics_.dropped_snapshots;
     return;
   }
-  occasion.whole_picture |= demand_.refresh.exchange(false);
+  occasion.whole_picture |= subscriptions_.refresh.exchange(false);
   note_due(*snapshot, occasion);
   fill_record(snapshot->frame);
   fill_arrays(*snapshot);
@@ -188,9 +188,9 @@ void SimulationLoop::note_due(Snapshot& s, const Occasion& occasion) noexcept
   s.new_stamp = occasion.new_stamp;
   s.rebuilt = occasion.rebuilt;
   s.state_due = s.new_stamp && (state_cadence_.due(simulated) || occasion.rebuilt);
-  s.profile_due = s.new_stamp && profile_cadence_.due(simulated) && demand_.profile;
+  s.profile_due = s.new_stamp && profile_cadence_.due(simulated) && subscriptions_.profile;
   s.tf_due = s.new_stamp && (tf_cadence_.due(shown) || occasion.rebuilt);
-  s.markers_due = (marker_cadence_.due(shown) || occasion.whole_picture) && demand_.markers;
+  s.markers_due = (marker_cadence_.due(shown) || occasion.whole_picture) && subscriptions_.markers;
   s.well_due = occasion.whole_picture || (depth != well_handed_over_ && well_cadence_.due(shown));
   if (s.well_due) well_handed_over_ = depth;
 }
@@ -237,7 +237,7 @@ void SimulationLoop::fill_arrays(Snapshot& s) noexcept
   }
 }
 
-// --- visitors -----------------------------------------------------------------------------------------------------------
+// --- between frames -----------------------------------------------------------------------------------------------------------
 
 RunState SimulationLoop::run_state() const noexcept
 {

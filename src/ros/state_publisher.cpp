@@ -24,9 +24,9 @@ std_msgs::Float64 number(double value)
 }
 }  // namespace
 
-StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Demand& demand)
+StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions)
     : floor_(parameters.frame_prefix + "rig_floor"),
-      demand_(demand),
+      subscriptions_(subscriptions),
       hook_load_(node.advertise<std_msgs::Float64>("hook_load", queue)),
       torque_(node.advertise<std_msgs::Float64>("torque", queue)),
       rig_state_(node.advertise<RigState>("rig_state", queue)),
@@ -38,8 +38,8 @@ StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& paramete
       mwd_(node.advertise<MwdSurvey>("downhole/mwd", queue)),
       toolface_(node.advertise<MwdToolface>("downhole/toolface", queue)),
       drillstring_(node.advertise<DrillstringState>(
-          "drillstring_state", queue, [this](const ros::SingleSubscriberPublisher&) { demand_.profile = true; },
-          [this](const ros::SingleSubscriberPublisher&) { demand_.profile = drillstring_.getNumSubscribers() > 0; }))
+          "drillstring_state", queue, [this](const ros::SingleSubscriberPublisher&) { subscriptions_.profile = true; },
+          [this](const ros::SingleSubscriberPublisher&) { subscriptions_.profile = drillstring_.getNumSubscribers() > 0; }))
 {
 }
 

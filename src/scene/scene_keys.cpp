@@ -97,7 +97,7 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"contact",               "",       Nested{},                            none,                 "its own law of wall contact instead of the scene's"},
   {"tool_joint_diameter",   "m",      &PartSpec::tool_joint_diameter,      between(0.01, 1.0),   "outer diameter at the joints' ends", no_kind, pipe, "outer_diameter"},
   {"blade_diameter",        "m",      &PartSpec::blade_diameter,           between(0.01, 1.0),   "outer diameter over the blades", stabilizer, stabilizer},
-  {"film_damping",          "N s/m",  &PartSpec::film_damping,             between(0.0, 1e8),    "of sideways motion, by the mud squeezed between gauge or blades and wall", no_kind, bit | stabilizer},
+  {"squeeze_film_damping",          "N s/m",  &PartSpec::squeeze_film_damping,             between(0.0, 1e8),    "of sideways motion, by the mud squeezed between gauge or blades and wall", no_kind, bit | stabilizer},
   {"sensor_offset",         "m",      &PartSpec::sensor_offset,            between(0.0, 2000.0), "from the part's lower end up to the sensor", no_kind, mwd},
   {"mass",                  "kg",     &PartSpec::mass,                     above(0.0, 1e5),      "of the bit", bit, bit},
   {"diameter",              "m",      &PartSpec::diameter,                 between(0.03, 1.0),   "gauge of the bit: it drills this hole", bit, bit},

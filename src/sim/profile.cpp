@@ -42,9 +42,9 @@ void fill_profile(const System& system, const SystemState& s, const SystemForces
   for (std::size_t i = 0; i < n; ++i)
   {
     const NodeState& node = s.nodes[i];
-    const HoleSite site = s.well.locate(node.position, node.segment);
+    const ClosestPoint closest = s.well.locate(node.position, node.segment);
     const MeshElement& element = mesh.elements[std::min(i, mesh.elements.size() - 1)];
-    out.md[i] = site.md;
+    out.md[i] = closest.md;
     out.from_bit[i] = mesh.nodes[i].from_bit;
     out.position[i] = node.position;
     out.tension[i] = at_node(forces.tension, i);
@@ -54,7 +54,7 @@ void fill_profile(const System& system, const SystemState& s, const SystemForces
     out.contact_force[i] = forces.contact[i];
     out.contact_vector[i] = forces.wall[i];
     out.contact_side[i] =
-        forces.contact[i] > 0.0 ? angle_about(site.tangent, high_side(site.tangent), node.position - site.centre) : 0.0;
+        forces.contact[i] > 0.0 ? angle_about(closest.tangent, high_side(closest.tangent), node.position - closest.centre) : 0.0;
     out.spin_speed[i] = node.rate.spin;
     out.radius[i] = 0.5 * element.outer_diameter;
   }
@@ -79,9 +79,9 @@ StaticReport static_report(const Scene& scene, FrictionMode friction)
   report.bit_side_force = report.profile.contact_force.front();
   report.bit_side_direction = report.profile.contact_side.front();
   const NodeState& bit = rig.state.nodes.front();
-  const HoleSite site = rig.state.well.locate(bit.position, bit.segment);
+  const ClosestPoint closest = rig.state.well.locate(bit.position, bit.segment);
   const Eigen::Vector3d axis = x_axis(bit.orientation);
-  report.bit_tilt = std::atan2(axis.cross(site.tangent).norm(), axis.dot(site.tangent));
+  report.bit_tilt = std::atan2(axis.cross(closest.tangent).norm(), axis.dot(closest.tangent));
   return report;
 }
 

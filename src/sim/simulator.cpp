@@ -63,7 +63,7 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   state.forces.meter_torque = rig.statics.top_torque;
   measure();
-  system->costs() = CostBook();  // the start is no part of the run
+  system->profiler() = Profiler();  // the start is no part of the run
   system->work() = Work();
 }
 
@@ -133,7 +133,7 @@ void Simulator::set_command_timeout(double seconds) noexcept
 FrameStatus Simulator::frame(double duration) noexcept
 {
   if (*impl_->failure) return FrameStatus::failed;
-  impl_->system->costs().restart();
+  impl_->system->profiler().restart();
   impl_->watch_commands();
   const int steps = std::max(1, static_cast<int>(std::lround(duration / impl_->scene.numerics.step)));
   SystemState& mechanics = impl_->mechanics();
@@ -155,8 +155,8 @@ FrameStatus Simulator::frame(double duration) noexcept
   const StepperCounters& counters = impl_->integrator->counters();
   impl_->statistics.steps = counters.steps;
   impl_->statistics.newton_iterations = counters.newton_iterations;
-  impl_->statistics.rejected_steps = counters.rejected_steps;
-  impl_->statistics.refined_steps = counters.refined_steps;
+  impl_->statistics.convergence_failures = counters.convergence_failures;
+  impl_->statistics.error_test_failures = counters.error_test_failures;
   impl_->statistics.work = impl_->system->work();
   if (const ReferenceReport* report = impl_->integrator->reference())
   {
@@ -165,27 +165,27 @@ FrameStatus Simulator::frame(double duration) noexcept
   }
   impl_->statistics.last_error_estimate = impl_->integrator->error_estimate();
   impl_->measure();
-  impl_->system->costs().lap(Cost::other);
-  impl_->statistics.costs = impl_->system->costs();
+  impl_->system->profiler().lap(Cost::other);
+  impl_->statistics.costs = impl_->system->profiler();
   return FrameStatus::running;
 }
 
-bool Simulator::book_energy(bool on)
+bool Simulator::balance_energy(bool on)
 {
-  impl_->integrator->keep_book(nullptr);
-  impl_->book.reset();
+  impl_->integrator->keep_balance(nullptr);
+  impl_->balance.reset();
   if (!on) return true;
   if (!impl_->system->has_energy()) return false;
-  impl_->book = std::make_unique<EnergyBook>(*impl_->system, impl_->mechanics());
-  if (impl_->integrator->keep_book(impl_->book.get())) return true;
-  impl_->book.reset();
+  impl_->balance = std::make_unique<EnergyBalance>(*impl_->system, impl_->mechanics());
+  if (impl_->integrator->keep_balance(impl_->balance.get())) return true;
+  impl_->balance.reset();
   return false;
 }
 
 const EnergyAccounts& Simulator::energy() const noexcept
 {
   static const EnergyAccounts none;
-  return impl_->book ? impl_->book->accounts() : none;
+  return impl_->balance ? impl_->balance->accounts() : none;
 }
 
 const char* Simulator::failure() const noexcept
@@ -244,13 +244,13 @@ bool Simulator::stick_pipe(double md) noexcept
     nearest = i;
   }
   if (nearest < 0) return false;
-  mechanics.grip = {nearest, mechanics.nodes[nearest].position, mechanics.nodes[nearest].spin_angle};
+  mechanics.stuck_point = {nearest, mechanics.nodes[nearest].position, mechanics.nodes[nearest].spin_angle};
   return true;
 }
 
 void Simulator::free_pipe() noexcept
 {
-  impl_->mechanics().grip = GripState();
+  impl_->mechanics().stuck_point = StuckPointState();
 }
 
 std::shared_ptr<const SimulatorState> Simulator::save() const
@@ -263,7 +263,7 @@ void Simulator::restore(const SimulatorState& state, bool keep_time)
   const double now = impl_->mechanics().time;
   impl_->state = state;
   impl_->integrator->restart();
-  if (impl_->book) impl_->book->restart();
+  if (impl_->balance) impl_->balance->restart();
   impl_->failure = "";
   if (keep_time) impl_->shift_time(now);
 }

@@ -3,7 +3,7 @@
 
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/simulator_state.h"
-#include "drill_rig_sim/solve/energy_book.h"
+#include "drill_rig_sim/solve/energy_balance.h"
 #include "drill_rig_sim/solve/integrator.h"
 #include "drill_rig_sim/solve/start.h"
 
@@ -26,7 +26,7 @@ struct Simulator::Impl
   std::unique_ptr<System> system;
   SimulatorState state;
   std::unique_ptr<Integrator> integrator;
-  std::unique_ptr<EnergyBook> book;
+  std::unique_ptr<EnergyBalance> balance;
   SimulatorStatistics statistics;
   double command_timeout = 0.0;
   const char* failure = "";

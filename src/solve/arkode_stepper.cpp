@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "drill_rig_sim/math/rotation.h"
-#include "drill_rig_sim/solve/energy_book.h"
+#include "drill_rig_sim/solve/energy_balance.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "drill_rig_sim/solve/vector_operations.h"
 #include "sundials_owners.h"
@@ -252,16 +252,16 @@ void ArkodeStepper::Session::record_stage(const double* y)
   now.acceleration = c_ * (now.rate - stages_[0].rate - acceleration_sum_);
   const RotorStage& drive = system.stage().drive;
   const double turn = system.drive_increment(y);
-  now.drive_speed = drive.rate_by_u * turn + drive.rate_0;
-  now.drive_acceleration = drive.acceleration_by_u * turn + drive.acceleration_0;
+  now.drive_speed = drive.dv_du * turn + drive.rate_0;
+  now.drive_acceleration = drive.da_du * turn + drive.acceleration_0;
 }
 
 /// Rates as in y and no accelerations; derivatives for rates that follow u by c.
 void ArkodeStepper::Session::set_stage(const double* y, double c) noexcept
 {
   Stage& stage = system.stage();
-  stage.rate_by_u = c;
-  stage.acceleration_by_u = c * c;
+  stage.dv_du = c;
+  stage.da_du = c * c;
   for (int i = 0; i < system.nodes(); ++i)
   {
     const Eigen::Map<const Vector6d> u(y + 6 * i), v(y + size() + 6 * i);
@@ -304,10 +304,10 @@ int ArkodeStepper::Session::solve(const double* r, double* d) noexcept
   system.multiply_mass(d_v.data(), d_u.data());
   const bool solved = tangent_.solve(d_u.data());
   ++system.work().solves;
-  system.costs().lap(Cost::linear_solve);
+  system.profiler().lap(Cost::linear_solve);
   if (!solved || !d_u.allFinite()) return SUNLS_PACKAGE_FAIL_REC;
   increment_ = d_u.cwiseAbs().maxCoeff();
-  if (increment_ > limits.max_move) d_u *= limits.max_move / increment_;
+  if (increment_ > limits.max_increment) d_u *= limits.max_increment / increment_;
   d_v = c_ * (d_u - ConstVector(r, size()));
   return SUNLS_SUCCESS;
 }
@@ -331,22 +331,22 @@ NewtonLimits& ArkodeStepper::limits() noexcept
   return session_->limits;
 }
 
-Attempted ArkodeStepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool) noexcept
+StepResult ArkodeStepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool) noexcept
 {
   System& system = session_->system;
-  if (book_) book_->begin_step(state, setpoints);
+  if (balance_) balance_->begin_step(state, setpoints);
   system.begin(state, step, setpoints);
   const bool solved = session_->step(state, step, budget);
   counters_.newton_iterations += static_cast<std::uint64_t>(session_->iterations);
   budget -= session_->iterations;
-  if (!solved) return Attempted::unsolved;
-  if (book_) book_->end_step();
+  if (!solved) return StepResult::not_converged;
+  if (balance_) balance_->end_step();
   system.finish(state);
-  system.costs().lap(Cost::other);
-  penetrate_rock(system, state, step);
-  system.costs().lap(Cost::rock_penetration);
+  system.profiler().lap(Cost::other);
+  extend_hole(system, state, step);
+  system.profiler().lap(Cost::rock_penetration);
   ++counters_.steps;
-  return Attempted::solved;
+  return StepResult::solved;
 }
 
 }  // namespace drill_rig_sim

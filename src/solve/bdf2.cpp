@@ -19,23 +19,23 @@ void prepare_bdf2(const SystemState& state, double step, Stage& stage) noexcept
   const double c = (1.0 + 2.0 * ratio) / ((1.0 + ratio) * step);
   const double p = ratio * ratio / ((1.0 + ratio) * step);
   const double q = (1.0 + ratio) / step;
-  stage.rate_by_u = c;
-  stage.acceleration_by_u = c * c;
+  stage.dv_du = c;
+  stage.da_du = c * c;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const NodeState& node = state.nodes[i];
     const Eigen::Vector3d n = x_axis(node.orientation);
-    stage.rate[i] = -p * in_step_axes(node.last_move, n);
+    stage.rate[i] = -p * in_step_axes(node.last_increment, n);
     stage.acceleration[i] = c * stage.rate[i] + p * in_step_axes(node.last_rate, n) - q * in_step_axes(node.rate, n);
   }
   const DriveState& drive = state.drive;
-  const double drive_rate = -p * drive.last_move;
+  const double drive_rate = -p * drive.last_increment;
   stage.drive = {step, c, c * c, drive_rate, c * drive_rate + p * drive.last_speed - q * drive.speed};
 }
 
-bool step_bdf2(Attempt& attempt) noexcept
+bool step_bdf2(StepContext& context) noexcept
 {
-  prepare_bdf2(attempt.state, attempt.step, attempt.system.stage());
-  return attempt.solve();
+  prepare_bdf2(context.state, context.step, context.system.stage());
+  return context.solve();
 }
 }  // namespace drill_rig_sim

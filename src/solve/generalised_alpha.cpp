@@ -39,13 +39,13 @@ NodeRate averaged(const NodeState& node, double step)
 }
 }  // namespace
 
-bool step_generalised_alpha(Attempt& attempt) noexcept
+bool step_generalised_alpha(StepContext& context) noexcept
 {
-  const SystemState& state = attempt.state;
-  const double h = attempt.step;
-  Stage& stage = attempt.system.stage();
-  stage.rate_by_u = kGamma / (kBeta * h);
-  stage.acceleration_by_u = (1.0 - kAm) / ((1.0 - kAf) * kBeta * h * h);
+  const SystemState& state = context.state;
+  const double h = context.step;
+  Stage& stage = context.system.stage();
+  stage.dv_du = kGamma / (kBeta * h);
+  stage.da_du = (1.0 - kAm) / ((1.0 - kAf) * kBeta * h * h);
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const NodeState& node = state.nodes[i];
@@ -53,11 +53,11 @@ bool step_generalised_alpha(Attempt& attempt) noexcept
     constants<Vector6d>(h, in_step_axes(node.rate, n), in_step_axes(node.averaged_acceleration, n), in_step_axes(node.acceleration, n),
                         stage.rate[i], stage.acceleration[i]);
   }
-  stage.drive.rate_by_u = stage.rate_by_u;
-  stage.drive.acceleration_by_u = stage.acceleration_by_u;
+  stage.drive.dv_du = stage.dv_du;
+  stage.drive.da_du = stage.da_du;
   constants(h, state.drive.speed, state.drive.averaged_acceleration, state.drive.acceleration, stage.drive.rate_0,
             stage.drive.acceleration_0);
-  return attempt.solve();
+  return context.solve();
 }
 
 void remember_generalised_alpha(SystemState& state, double step) noexcept

@@ -7,12 +7,12 @@ namespace
 constexpr int kMaxHalvings = 5;
 constexpr int kMaxRefinements = 3;
 constexpr int kBudget = 120;    // Newton iterations that one step may cost in all
-constexpr int kToRefine = 60;  // of them those that must be left before a step is refined that has a solution: its eighths need some 16
+constexpr int kLeftToHalve = 60;  // of them those that must be left before a step is refined that has a solution: its eighths need some 16
 }  // namespace
 
-bool HalvingIntegrator::keep_book(EnergyBook* book) noexcept
+bool HalvingIntegrator::keep_balance(EnergyBalance* balance) noexcept
 {
-  book_ = book;
+  balance_ = balance;
   return true;
 }
 
@@ -25,22 +25,22 @@ bool HalvingIntegrator::advance(SystemState& state, double step, const Setpoints
   while (done < whole)
   {
     const int part = whole >> halvings;
-    const bool may_refine = halvings < kMaxRefinements && budget > kToRefine;
-    const Attempted outcome = attempt(state, step * part / whole, setpoints, budget, may_refine);
-    if (outcome == Attempted::solved)
+    const bool may_refine = halvings < kMaxRefinements && budget > kLeftToHalve;
+    const StepResult outcome = attempt(state, step * part / whole, setpoints, budget, may_refine);
+    if (outcome == StepResult::solved)
     {
       done += part;
       // try the longer step again where the grid allows
       if (halvings > 0 && done % (2 * part) == 0) --halvings;
       continue;
     }
-    if (outcome == Attempted::too_coarse)
+    if (outcome == StepResult::error_test_failed)
     {
-      ++counters_.refined_steps;
+      ++counters_.error_test_failures;
       ++halvings;
       continue;
     }
-    ++counters_.rejected_steps;
+    ++counters_.convergence_failures;
     if (++halvings > kMaxHalvings || budget <= 0) return false;
   }
   return true;

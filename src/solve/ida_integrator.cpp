@@ -41,7 +41,7 @@ bool IdaIntegrator::advance(SystemState& state, double step, const Setpoints& se
 
 bool IdaIntegrator::jumped(const SystemState& state, const Setpoints& setpoints) const
 {
-  return !same(setpoints, setpoints_) || state.flow != flow_ || state.grip.node != grip_;
+  return !same(setpoints, setpoints_) || state.flow != flow_ || state.stuck_point.node != stuck_node_;
 }
 
 /// From the state (lost_) or from where IDA stands.
@@ -76,22 +76,22 @@ bool IdaIntegrator::advance_or_throw(SystemState& state, double step, const Setp
   if (!fresh) fresh = rig_->begin(time_, state, setpoints, y_);
   setpoints_ = setpoints;
   flow_ = state.flow;
-  grip_ = state.grip.node;
+  stuck_node_ = state.stuck_point.node;
   if (fresh && !start(state, setpoints)) return false;
   bool done = ida_->advance(time_ + step, y_, rate_);
   if (!done)
   {
     // once more from the start of the step, at order one
-    ++counters_.rejected_steps;
+    ++counters_.convergence_failures;
     lost_ = true;
     done = start(state, setpoints) && ida_->advance(time_ + step, y_, rate_);
   }
   if (!done) return false;
   time_ += step;
   const Eigen::Vector3d moved = rig_->finish(time_, y_, state);
-  system_.costs().lap(Cost::other);
+  system_.profiler().lap(Cost::other);
   state.well.extend(moved, x_axis(state.nodes[0].orientation));
-  system_.costs().lap(Cost::rock_penetration);
+  system_.profiler().lap(Cost::rock_penetration);
   note();
   return true;
 }
@@ -104,7 +104,7 @@ void IdaIntegrator::note()
   report_.ida = now;
   counters_.steps += now.steps - before.steps;
   counters_.newton_iterations += now.newton_iterations - before.newton_iterations;
-  counters_.rejected_steps += now.error_test_failures + now.newton_failures - before.error_test_failures - before.newton_failures;
+  counters_.convergence_failures += now.error_test_failures + now.newton_failures - before.error_test_failures - before.newton_failures;
   system_.work().solves += now.newton_iterations - before.newton_iterations;
   const ConstraintDrift drift = rig_->drift(y_.data());
   report_.drift = std::max(report_.drift, drift.position);

@@ -7,8 +7,8 @@ namespace drill_rig_sim
 void prepare_implicit_euler(const SystemState& state, double step, Stage& stage) noexcept
 {
   const double c = 1.0 / step;
-  stage.rate_by_u = c;
-  stage.acceleration_by_u = c * c;
+  stage.dv_du = c;
+  stage.da_du = c * c;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const NodeState& node = state.nodes[i];
@@ -18,9 +18,9 @@ void prepare_implicit_euler(const SystemState& state, double step, Stage& stage)
   stage.drive = {step, c, c * c, 0.0, -c * state.drive.speed};
 }
 
-bool step_implicit_euler(Attempt& attempt) noexcept
+bool step_implicit_euler(StepContext& context) noexcept
 {
-  prepare_implicit_euler(attempt.state, attempt.step, attempt.system.stage());
-  return attempt.solve();
+  prepare_implicit_euler(context.state, context.step, context.system.stage());
+  return context.solve();
 }
 }  // namespace drill_rig_sim

@@ -6,13 +6,13 @@
 
 namespace drill_rig_sim
 {
-bool step_linearly_implicit_euler(Attempt& attempt) noexcept
+bool step_linearly_implicit_euler(StepContext& context) noexcept
 {
-  prepare_implicit_euler(attempt.state, attempt.step, attempt.system.stage());
-  std::fill(attempt.u, attempt.u + 6 * attempt.system.nodes(), 0.0);
-  ++attempt.iterations;
-  if (!attempt.newton.improve(attempt.system, attempt.u)) return false;
-  attempt.system.settle(attempt.u);
+  prepare_implicit_euler(context.state, context.step, context.system.stage());
+  std::fill(context.u, context.u + 6 * context.system.nodes(), 0.0);
+  ++context.iterations;
+  if (!context.newton.improve(context.system, context.u)) return false;
+  context.system.settle(context.u);
   return true;
 }
 }  // namespace drill_rig_sim

@@ -25,7 +25,7 @@ double largest(const std::vector<double>& values) noexcept
 
 bool newton_converged(double increment, double before, const NewtonLimits& limits) noexcept
 {
-  if (increment > limits.max_move) return false;  // it was cut
+  if (increment > limits.max_increment) return false;  // it was cut
   const double contraction = before > 0.0 ? increment / before : 1.0;
   return increment * std::fmin(1.0, contraction) < limits.tolerance;
 }
@@ -50,7 +50,7 @@ double Newton::find_increment(System& system, const double* u, bool new_tangent)
     tangent_.solve_again(step_.data());
     ++system.work().substitutions;
   }
-  system.costs().lap(Cost::linear_solve);
+  system.profiler().lap(Cost::linear_solve);
   return solved ? largest(step_) : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -77,8 +77,8 @@ NewtonOutcome Newton::solve(System& system, double* u, const NewtonLimits& limit
       if (new_tangent) continue;
     }
     double scale = 1.0;
-    if (out.increment > limits.max_move)
-      scale = limits.max_move / out.increment;
+    if (out.increment > limits.max_increment)
+      scale = limits.max_increment / out.increment;
     else if (before > 0.0 && out.increment > kStalls * before)
       scale = 0.5;
     apply(scale, u);

@@ -238,9 +238,9 @@ void RigDae::add_force_jacobian(double t, const double* y, SparseJacobian& j)
 {
   take_motion(t, y);
   // at fixed rates, and with d/d(rate) on top
-  system_.stage().rate_by_u = 1.0;
+  system_.stage().dv_du = 1.0;
   system_.evaluate_motion(motion_, string_.data(), contact_.data(), &string_by_both_, &contact_by_both_);
-  system_.stage().rate_by_u = 0.0;
+  system_.stage().dv_du = 0.0;
   system_.evaluate_motion(motion_, string_.data(), contact_.data(), &string_by_place_, &contact_by_place_);
   auto add = [&](int row, int column, const Matrix6& place, const Matrix6& both)
   { add_force_derivative(row, column, place, both - place, j); };
@@ -356,7 +356,7 @@ Vector3d RigDae::finish(double t, const std::vector<double>& y, SystemState& sta
   state.drive = before;
   state.drive.angle += drive.turn;
   state.drive.last_speed = before.speed;
-  state.drive.last_move = drive.turn;
+  state.drive.last_increment = drive.turn;
   state.drive.speed = drive.speed;
   state.drive.integral = drive.motor.integral;
   state.drive.meter_twist = drive.twist;

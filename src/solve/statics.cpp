@@ -53,7 +53,7 @@ void clear_motion(SystemState& state)
 {
   for (NodeState& node : state.nodes)
   {
-    node.rate = node.last_rate = node.last_move = node.acceleration = NodeRate();
+    node.rate = node.last_rate = node.last_increment = node.acceleration = NodeRate();
     node.bristle.setZero();
     node.spin_angle = 0.0;
   }

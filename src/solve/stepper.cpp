@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
-#include "drill_rig_sim/solve/energy_book.h"
+#include "drill_rig_sim/solve/energy_balance.h"
 
 namespace drill_rig_sim
 {
@@ -46,7 +46,7 @@ void predict(const SystemState& state, double time, double* u) noexcept
   }
 }
 
-bool Attempt::solve() noexcept
+bool StepContext::solve() noexcept
 {
   NewtonLimits left = limits;
   left.max_iterations = std::min(limits.max_iterations, budget - iterations);
@@ -61,33 +61,33 @@ Stepper::Stepper(System& system, const Method& method)
   limits_.tolerance = system.scene().numerics.newton_tolerance;
 }
 
-Attempted Stepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept
+StepResult Stepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept
 {
   if (method_.needs_acceleration && state.last_step <= 0.0) find_acceleration(state, setpoints);
-  if (book_) book_->begin_step(state, setpoints);
+  if (balance_) balance_->begin_step(state, setpoints);
   system_.begin(state, step, setpoints);
   predict(state, step, u_.data());
   std::copy(u_.begin(), u_.end(), guess_.begin());
-  Attempt attempt{state, step, system_, newton_, limits_, budget, u_.data(), residual_.data()};
-  const bool solved = method_.step(attempt);
-  counters_.newton_iterations += attempt.iterations;
-  budget -= attempt.iterations;
-  if (!solved) return Attempted::unsolved;
+  StepContext context{state, step, system_, newton_, limits_, budget, u_.data(), residual_.data()};
+  const bool solved = method_.step(context);
+  counters_.newton_iterations += context.iterations;
+  budget -= context.iterations;
+  if (!solved) return StepResult::not_converged;
   error_estimate_ = predictor_distance() / 6.0;
-  if (method_.refines && may_refine && error_estimate_ > refined_error) return Attempted::too_coarse;
-  if (book_) book_->end_step();
+  if (method_.refines && may_refine && error_estimate_ > largest_local_error) return StepResult::error_test_failed;
+  if (balance_) balance_->end_step();
   system_.finish(state);
   if (method_.remember) method_.remember(state, step);
-  system_.costs().lap(Cost::other);
-  penetrate_rock(system_, state, step);
-  system_.costs().lap(Cost::rock_penetration);
+  system_.profiler().lap(Cost::other);
+  extend_hole(system_, state, step);
+  system_.profiler().lap(Cost::rock_penetration);
   ++counters_.steps;
-  return Attempted::solved;
+  return StepResult::solved;
 }
 
 void prepare_start(const SystemState& state, Stage& stage) noexcept
 {
-  stage.rate_by_u = stage.acceleration_by_u = 0.0;
+  stage.dv_du = stage.da_du = 0.0;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     stage.rate[i] = in_step_axes(state.nodes[i].rate, x_axis(state.nodes[i].orientation));

@@ -22,8 +22,8 @@ double coefficient(double step)
 /// The trapezoidal rule.
 void prepare_first(const SystemState& state, double c, Stage& stage) noexcept
 {
-  stage.rate_by_u = c;
-  stage.acceleration_by_u = c * c;
+  stage.dv_du = c;
+  stage.da_du = c * c;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const NodeState& node = state.nodes[i];
@@ -52,19 +52,19 @@ void prepare_second(const SystemState& state, double c, const double* u, double 
 }
 }  // namespace
 
-bool step_trbdf2(Attempt& attempt) noexcept
+bool step_trbdf2(StepContext& context) noexcept
 {
-  const double c = coefficient(attempt.step);
-  System& system = attempt.system;
-  system.stage_at(kFirst * attempt.step);
-  prepare_first(attempt.state, c, system.stage());
-  predict(attempt.state, kFirst * attempt.step, attempt.u);
-  if (!attempt.solve()) return false;
+  const double c = coefficient(context.step);
+  System& system = context.system;
+  system.stage_at(kFirst * context.step);
+  prepare_first(context.state, c, system.stage());
+  predict(context.state, kFirst * context.step, context.u);
+  if (!context.solve()) return false;
 
-  prepare_second(attempt.state, c, attempt.u, system.drive_increment(attempt.u), system.stage());
-  system.stage_at(attempt.step);
+  prepare_second(context.state, c, context.u, system.drive_increment(context.u), system.stage());
+  system.stage_at(context.step);
   // the same mean rate again is the first guess
-  for (int k = 0; k < 6 * system.nodes(); ++k) attempt.u[k] /= kFirst;
-  return attempt.solve();
+  for (int k = 0; k < 6 * system.nodes(); ++k) context.u[k] /= kFirst;
+  return context.solve();
 }
 }  // namespace drill_rig_sim

@@ -98,7 +98,7 @@ StretchGradient stretch_rate_gradient(const BeamSection& s, const Shape& f, cons
 StretchGradient tension_gradient(const BeamSection& s, const Shape& f, const BeamPose& pose, const BeamDamping& damping)
 {
   const double axial = s.axial * s.length;
-  const double by_place = axial * (1.0 + damping.time * damping.rate_by_move), by_rate = axial * damping.time;
+  const double by_place = axial * (1.0 + damping.time * damping.dv_du), by_rate = axial * damping.time;
   StretchGradient out{by_place * f.stretch.d, by_place * f.stretch.upper, by_place * f.stretch.lower};
   if (damping.time <= 0.0) return out;
   const StretchGradient h = stretch_rate_gradient(s, f, pose, damping);
@@ -130,7 +130,7 @@ TwistGradient twist_gradient(const BeamSection& s, const Shape& f, const BeamPos
 {
   const Vector3d& n1 = pose.upper_normal;
   const Vector3d& n2 = pose.lower_normal;
-  const double inverse = 1.0 / (1.0 + f.c12), by_place = s.torsion * (1.0 + damping.time * damping.rate_by_move);
+  const double inverse = 1.0 / (1.0 + f.c12), by_place = s.torsion * (1.0 + damping.time * damping.dv_du);
   const Vector3d turned = inverse * n1.cross(n2);
   TwistGradient out;
   out.w_upper = (-f.torque * inverse) * n1;

@@ -85,7 +85,7 @@ Middle middle_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& 
   const Vector3d middle_turning = 0.5 * (damping.lower_turning + damping.upper_turning) - (0.5 * k.f.c) * k.a.cross(turning);
   const double stretch_rate = inverse * (k.t.dot(damping.velocity) + k.u.dot(middle_turning));
   const double twist_rate = k.f.b * k.t.dot(turning) + k.f.h * ta * k.a.dot(turning);
-  const double damped = 1.0 + damping.time * damping.rate_by_move;
+  const double damped = 1.0 + damping.time * damping.dv_du;
   k.excess = inverse * (damped * s.axial - s.shear);
   k.torsion = damped * s.torsion;
   k.lack = s.shear * (strain.stretch + 1.0) - s.axial * (strain.stretch + damping.time * stretch_rate);

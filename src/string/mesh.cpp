@@ -153,7 +153,7 @@ Mesh build_mesh(const Scene& scene, double total_length)
   first.contact_radius = mesh.bit_radius;
   first.contact = bit.has_contact ? bit.contact : scene.contact.law;
   first.mass = bit.mass;
-  first.film_damping = bit.film_damping;
+  first.squeeze_film_damping = bit.squeeze_film_damping;
   first.added_mass = scene.mud.added_mass * scene.mud.density * mesh.bit_displaced;
   first.spin_inertia = first.tilt_inertia = 0.4 * bit.mass * mesh.bit_radius * mesh.bit_radius;
   mesh.nodes.push_back(first);
@@ -172,7 +172,7 @@ Mesh build_mesh(const Scene& scene, double total_length)
     node.joint = cut.joint;
     node.joint_end = cut.joint_end;
     if (part.type == PartType::stabilizer && !cut.joint_end && cut.contact_radius == 0.5 * part.blade_diameter)
-      node.film_damping = part.film_damping;
+      node.squeeze_film_damping = part.squeeze_film_damping;
     if (part.type == PartType::mud_motor && part.bend != 0.0 && std::abs(cut.from_bit - part.bit_to_bend) < 1e-9)
     {
       mesh.bend_node = static_cast<int>(mesh.nodes.size());

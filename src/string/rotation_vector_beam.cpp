@@ -170,7 +170,7 @@ Middle middle_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& 
   const Vector3d psi_rate = 0.5 * (psi_upper + psi_lower);
   const double stretch_rate = inverse * (k.t.dot(damping.velocity) + k.t.cross(k.d).dot(k.j * psi_rate));
   const double twist_rate = k.t.dot(k.j * (psi_lower - psi_upper) + k.dj * psi_rate);
-  const double damped = 1.0 + damping.time * damping.rate_by_move;
+  const double damped = 1.0 + damping.time * damping.dv_du;
   k.excess = inverse * (damped * s.axial - s.shear);
   k.torsion = damped * s.torsion;
   k.lack = s.shear * (strain.stretch + 1.0) - s.axial * (strain.stretch + damping.time * stretch_rate);

@@ -69,8 +69,8 @@ void System::begin_static(const SystemState& state, FrictionMode friction, doubl
 {
   static_ = true;
   friction_ = friction;
-  stage_.rate_by_u = coefficient;
-  stage_.acceleration_by_u = coefficient * coefficient;
+  stage_.dv_du = coefficient;
+  stage_.da_du = coefficient * coefficient;
   damping_time_ = 0.0;
   std::fill(stage_.rate.begin(), stage_.rate.end(), Vector6d::Zero());
   std::fill(stage_.acceleration.begin(), stage_.acceleration.end(), Vector6d::Zero());
@@ -85,7 +85,7 @@ void System::begin_common(const SystemState& state) noexcept
     NodeScratch& s = scratch_[i];
     s.normal_start = x_axis(state.nodes[i].orientation);
     s.immersed = state.nodes[i].position.z() < 0.0 ? 1.0 : 0.0;
-    s.site.segment = state.nodes[i].segment;
+    s.closest.segment = state.nodes[i].segment;
     s.bristle = state.nodes[i].bristle;
   }
   for (std::size_t e = 0; e < loads_.size(); ++e)
@@ -112,19 +112,19 @@ void System::configure(const double* u) noexcept
     s.tilt = s.increment.tail<3>() - s.spin * s.normal_start;
     s.orientation = rotation_from_vector(s.tilt) * rotation_from_vector(s.spin * s.normal_start) * start.orientation;
     s.normal = x_axis(s.orientation);
-    s.rate = stage_.rate_by_u * s.increment + stage_.rate[i];
-    s.acceleration = stage_.acceleration_by_u * s.increment + stage_.acceleration[i];
+    s.rate = stage_.dv_du * s.increment + stage_.rate[i];
+    s.acceleration = stage_.da_du * s.increment + stage_.acceleration[i];
   }
 }
 
 void System::evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept
 {
-  costs_.lap(Cost::other);
+  profiler_.lap(Cost::other);
   ++work_.residuals;
   if (tangent) ++work_.tangents;
   std::fill(residual, residual + 6 * scratch_.size(), 0.0);
   configure(u);
-  costs_.lap(Cost::kinematics);
+  profiler_.lap(Cost::kinematics);
   assemble(residual, tangent);
 }
 
@@ -132,33 +132,33 @@ void System::assemble(double* residual, BlockTridiagonal* tangent) noexcept
 {
   if (tangent) tangent->diagonal(0).setZero();  // the elements write every other block before anything is added to it
   add_elements(residual, tangent);
-  costs_.lap(Cost::elements);
+  profiler_.lap(Cost::elements);
   if (!static_) add_mud_damping(residual, tangent);
-  if (!static_ || stage_.acceleration_by_u > 0.0) add_inertia(residual, tangent);
-  costs_.lap(Cost::inertia);
+  if (!static_ || stage_.da_du > 0.0) add_inertia(residual, tangent);
+  profiler_.lap(Cost::inertia);
   add_walls(residual, tangent);
-  costs_.lap(Cost::contact);
+  profiler_.lap(Cost::contact);
   add_bit(residual, tangent);
-  costs_.lap(Cost::bit);
-  if (start_->grip.node >= 0) add_grip(residual, tangent);
+  profiler_.lap(Cost::bit);
+  if (start_->stuck_point.node >= 0) add_stuck_point(residual, tangent);
   if (!static_) add_rig(residual, tangent);
   hold_top(residual, tangent);
-  costs_.lap(Cost::rig);
+  profiler_.lap(Cost::rig);
 }
 
 void System::settle(const double* u) noexcept
 {
-  costs_.lap(Cost::other);
+  profiler_.lap(Cost::other);
   ++work_.residuals;
   std::fill(unused_residual_.begin(), unused_residual_.end(), 0.0);
   configure(u);
-  costs_.lap(Cost::kinematics);
+  profiler_.lap(Cost::kinematics);
   add_walls(unused_residual_.data(), nullptr);
-  costs_.lap(Cost::contact);
+  profiler_.lap(Cost::contact);
   add_bit(unused_residual_.data(), nullptr);
-  costs_.lap(Cost::bit);
+  profiler_.lap(Cost::bit);
   add_rig(unused_residual_.data(), nullptr);
-  costs_.lap(Cost::rig);
+  profiler_.lap(Cost::rig);
 }
 
 BeamPose System::element_pose(int e) const noexcept
@@ -185,7 +185,7 @@ BeamForces System::element_forces(int e, BeamTangent* tangent) noexcept
   const NodeScratch& lower = scratch_[e];
   const NodeScratch& upper = scratch_[e + 1];
   const BeamPose pose = element_pose(e);
-  const BeamDamping damping{damping_time_, stage_.rate_by_u, lower.rate.head<3>() - upper.rate.head<3>(), upper.rate.tail<3>(),
+  const BeamDamping damping{damping_time_, stage_.dv_du, lower.rate.head<3>() - upper.rate.head<3>(), upper.rate.tail<3>(),
                             lower.rate.tail<3>()};
   BeamStrain strain;
   BeamForces f = tangent ? beam_.forces_and_tangent(element.section, pose, damping, loads_[e], strain, *tangent)
@@ -279,7 +279,7 @@ void System::multiply_mass(const double* x, double* y) const noexcept
 
 void System::add_mud_damping(double* residual, BlockTridiagonal* tangent) noexcept
 {
-  const double by_rate = stage_.rate_by_u;
+  const double by_rate = stage_.dv_du;
   const MudSpec& mud = scene_.mud;
   for (std::size_t i = 0; i < scratch_.size(); ++i)
   {
@@ -303,7 +303,7 @@ void System::add_mud_damping(double* residual, BlockTridiagonal* tangent) noexce
 
 void System::add_inertia(double* residual, BlockTridiagonal* tangent) noexcept
 {
-  const double by_rate = stage_.rate_by_u, by_acceleration = stage_.acceleration_by_u;
+  const double by_rate = stage_.dv_du, by_acceleration = stage_.da_du;
   for (std::size_t i = 0; i < scratch_.size(); ++i)
   {
     const MeshNode& node = mesh_.nodes[i];
@@ -372,14 +372,14 @@ void System::finish(SystemState& state) const noexcept
     const double spin_rate = s.rate.tail<3>().dot(s.normal_start);
     node.last_rate = {node.rate.velocity, carried(node.rate.tilt), node.rate.spin};
     node.rate = {s.rate.head<3>(), carried(s.rate.tail<3>() - spin_rate * s.normal_start), spin_rate};
-    node.last_move = {s.increment.head<3>(), carried(s.tilt), s.spin};
+    node.last_increment = {s.increment.head<3>(), carried(s.tilt), s.spin};
     const double spin_acceleration = s.acceleration.tail<3>().dot(s.normal_start);
     node.acceleration = {s.acceleration.head<3>(), carried(s.acceleration.tail<3>() - spin_acceleration * s.normal_start), spin_acceleration};
     node.position = s.position;
     node.orientation = s.orientation.normalized();
     node.spin_angle += s.spin;
     node.bristle = s.bristle;
-    node.segment = s.site.segment;
+    node.segment = s.closest.segment;
   }
   if (static_) return;  // the top node is held as it was
   // the guide rail holds the shaft upright: round-off of many turns must not tilt it

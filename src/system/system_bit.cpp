@@ -35,7 +35,7 @@ void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
     torque.value = bottom.value > 0.0 ? scene_.start.torque_on_bit : 0.0;
   else if (bottom.value > 0.0)
     torque = bit_torque(bit_torque_limit(bit.torque, bit.diameter, bottom.value, forces_.bit_speed, rock), bit_bristle_, start.twist,
-                        s.spin + bit_drive_.motor_turn, forces_.bit_speed, stage_.rate_by_u);
+                        s.spin + bit_drive_.motor_turn, forces_.bit_speed, stage_.dv_du);
 
   Eigen::Map<Vector6d> r(residual);
   r.head<3>() += bottom.value * down;
@@ -43,7 +43,7 @@ void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
   r[2] += standard_gravity * (mesh_.bit_mass - scene_.mud.density * mesh_.bit_displaced * s.immersed);
   if (tangent && bottom.value > 0.0)
   {
-    const double stiffness = bottom.stiffness + (static_ ? 0.0 : stage_.rate_by_u * bottom.damping);
+    const double stiffness = bottom.stiffness + (static_ ? 0.0 : stage_.dv_du * bottom.damping);
     auto d = tangent->diagonal(0);
     d.topLeftCorner<3, 3>() += stiffness * down * down.transpose();
     d.bottomLeftCorner<3, 3>() += (torque.force_slope * stiffness) * n * down.transpose();
@@ -54,7 +54,7 @@ void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
   forces_.bit_torque = torque.value;
   forces_.bit_force = forces_.wall[0] - bottom.value * down;
   forces_.bit_moment -= torque.value * n;  // add_walls() left the gauge's share
-  Vector3d outward = s.position - s.site.centre;
+  Vector3d outward = s.position - s.closest.centre;
   const double offset = std::sqrt(outward.squaredNorm() + wall_contact_smoothing * wall_contact_smoothing);  // as the wall's law has it
   forces_.rock_force = bottom.value * down;
   if (forces_.contact[0] > 0.0) forces_.rock_force += (forces_.contact[0] / offset) * outward;

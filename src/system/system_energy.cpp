@@ -1,4 +1,4 @@
-// What an energy book takes from the system: stored energies and every force by its kind, at the state last evaluated or settled.
+// What an energy balance takes from the system: stored energies and every force by its kind, at the state last evaluated or settled.
 #include <cmath>
 
 #include "drill_rig_sim/contact/normal_law.h"
@@ -7,7 +7,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/system/system.h"
-#include "grip_stiffness.h"
+#include "stuck_point_stiffness.h"
 
 namespace drill_rig_sim
 {
@@ -36,7 +36,7 @@ Eigen::Map<Vector6d> node_force(EnergySample& sample, NodeForce kind, int i)
 bool System::touches_wall(int i) const noexcept
 {
   const NodeScratch& s = scratch_[i];
-  return i + 1 < nodes() && s.position.z() < 0.0 && wall_gap(s.site, s.position, mesh_.nodes[i].contact_radius) < 0.0;
+  return i + 1 < nodes() && s.position.z() < 0.0 && wall_gap(s.closest, s.position, mesh_.nodes[i].contact_radius) < 0.0;
 }
 
 /// The dead loads' potential, end moments included: the mean place of a cubic element is (x1 + x2)/2 + L/12 (n1 - n2).
@@ -68,15 +68,15 @@ StoredEnergy System::stored_energy() const noexcept
     if (i + 1 == nodes()) continue;
     out.beams += beam_.energy(mesh_.elements[i].section, element_pose(i));
     out.bristles += 0.5 * contact_[i].tangential_stiffness * s.bristle.squaredNorm();
-    if (touches_wall(i)) out.wall += contact_energy(contact_[i].law, -wall_gap(s.site, s.position, mesh_.nodes[i].contact_radius));
+    if (touches_wall(i)) out.wall += contact_energy(contact_[i].law, -wall_gap(s.closest, s.position, mesh_.nodes[i].contact_radius));
   }
   out.bottom = contact_energy(scene_.string.front().bottom, bottom_.penetration);
   out.bit_bristle = 0.5 * bit_bristle_ * bit_end_.twist * bit_end_.twist;
-  if (start_->grip.node >= 0)
+  if (start_->stuck_point.node >= 0)
   {
-    const NodeScratch& s = scratch_[start_->grip.node];
-    const double turn = start_->nodes[start_->grip.node].spin_angle + s.spin - start_->grip.spin_angle;
-    out.grip = 0.5 * grip_stiffness * (s.position - start_->grip.position).squaredNorm() + 0.5 * grip_torsion * turn * turn;
+    const NodeScratch& s = scratch_[start_->stuck_point.node];
+    const double turn = start_->nodes[start_->stuck_point.node].spin_angle + s.spin - start_->stuck_point.spin_angle;
+    out.stuck_point = 0.5 * stuck_point_stiffness * (s.position - start_->stuck_point.position).squaredNorm() + 0.5 * stuck_point_torsion * turn * turn;
   }
   const LinePull pull = line_pull(scene_.rig.hoisting, scratch_.back().position.z(), hoist_end_.line_length);
   out.line = 0.5 * pull.tension * pull.tension / scene_.rig.hoisting.line_ea * hoist_end_.line_length;
@@ -92,7 +92,7 @@ void System::sample_energy(EnergySample& out) noexcept
   const std::size_t size = 6 * scratch_.size();
   for (std::vector<double>& force : out.force) force.assign(size, 0.0);
   out.rate.resize(size);
-  out.move.resize(size);
+  out.increment.resize(size);
   out.step = stage_.time;
   out.stored = stored_energy();
   sample_elements(out);
@@ -138,7 +138,7 @@ void System::sample_node(int i, EnergySample& out) const noexcept
   const Vector3d a = s.acceleration.head<3>(), alpha = s.acceleration.tail<3>();
   const Vector3d v = s.rate.head<3>(), w = s.rate.tail<3>();
   Eigen::Map<Vector6d>(out.rate.data() + 6 * i) = s.rate;
-  Eigen::Map<Vector6d>(out.move.data() + 6 * i) = s.increment;
+  Eigen::Map<Vector6d>(out.increment.data() + 6 * i) = s.increment;
 
   // the gyroscopic moment does no work
   auto inertia = node_force(out, NodeForce::inertia, i);
@@ -150,8 +150,8 @@ void System::sample_node(int i, EnergySample& out) const noexcept
   auto drag = node_force(out, NodeForce::mud, i);
   drag.head<3>() = length * (mud.lateral_damping * v + ((mud.axial_damping - mud.lateral_damping) * n.dot(v)) * n);
   drag.tail<3>() = (length * mud.torsional_damping * n.dot(w)) * n;
-  if (node.film_damping > 0.0 && i + 1 < nodes() && s.position.z() < 0.0)
-    node_force(out, NodeForce::film, i).head<3>() = node.film_damping * (v - s.site.tangent * s.site.tangent.dot(v));
+  if (node.squeeze_film_damping > 0.0 && i + 1 < nodes() && s.position.z() < 0.0)
+    node_force(out, NodeForce::squeeze_film, i).head<3>() = node.squeeze_film_damping * (v - s.closest.tangent * s.closest.tangent.dot(v));
 }
 
 void System::sample_wall(int i, EnergySample& out) noexcept
@@ -159,10 +159,10 @@ void System::sample_wall(int i, EnergySample& out) noexcept
   const NodeScratch& s = scratch_[i];
   const double radius = mesh_.nodes[i].contact_radius;
   const WallForce f = wall_force(i, radius, nullptr);
-  const Vector3d across = s.position - s.site.centre;
+  const Vector3d across = s.position - s.closest.centre;
   const Vector3d outward = across / std::sqrt(across.squaredNorm() + wall_contact_smoothing * wall_contact_smoothing);
   const double elastic = elastic_force(contact_[i].law, f.penetration);
-  const Vector3d along = (elastic * s.site.radius_slope) * s.site.md_gradient;
+  const Vector3d along = (elastic * s.closest.radius_slope) * s.closest.md_gradient;
   node_force(out, NodeForce::wall, i).head<3>() = elastic * outward - along;
   node_force(out, NodeForce::ledge, i).head<3>() = along;
   node_force(out, NodeForce::wall_damping, i).head<3>() = (f.normal_force - elastic) * outward;
@@ -185,11 +185,11 @@ void System::sample_bit(EnergySample& out) const noexcept
   out.gauge_torque = node_force(out, NodeForce::friction, 0).tail<3>().dot(scratch_[0].normal_start);
   out.motor_speed = start_->bit.motor_speed;
   out.motor_flow_speed = motor_ ? 2.0 * pi * start_->flow / motor_->displacement_per_rev : 0.0;
-  out.grip_node = start_->grip.node;
-  if (out.grip_node < 0) return;
-  const NodeScratch& s = scratch_[out.grip_node];
-  const double turn = start_->nodes[out.grip_node].spin_angle + s.spin - start_->grip.spin_angle;
-  out.grip << grip_stiffness * (s.position - start_->grip.position), grip_torsion * turn * s.normal_start;
+  out.stuck_node = start_->stuck_point.node;
+  if (out.stuck_node < 0) return;
+  const NodeScratch& s = scratch_[out.stuck_node];
+  const double turn = start_->nodes[out.stuck_node].spin_angle + s.spin - start_->stuck_point.spin_angle;
+  out.stuck_point << stuck_point_stiffness * (s.position - start_->stuck_point.position), stuck_point_torsion * turn * s.normal_start;
 }
 
 void System::sample_rig(EnergySample& out) const noexcept
@@ -206,7 +206,7 @@ void System::sample_rig(EnergySample& out) const noexcept
   out.drive_torque = forces_.drive_torque;
   out.rotor_speed = drive_end_.speed;
   out.rotor_inertia = scene_.rig.top_drive.inertia * drive_end_.acceleration;
-  out.rotor_move = drive_end_.last_move;
+  out.rotor_increment = drive_end_.last_increment;
 }
 
 /// The whole residual as the methods see it, not the sum of what this file takes apart: a force that is missing here would show.

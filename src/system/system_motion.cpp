@@ -9,27 +9,27 @@ namespace drill_rig_sim
 void System::evaluate_motion(const GivenMotion& motion, double* string, double* contact, BlockTridiagonal* string_tangent,
                              BlockTridiagonal* contact_tangent) noexcept
 {
-  costs_.lap(Cost::other);
+  profiler_.lap(Cost::other);
   ++work_.residuals;
   if (string_tangent) ++work_.tangents;
   std::fill(string, string + 6 * nodes(), 0.0);
   std::fill(contact, contact + 6 * nodes(), 0.0);
   stage_at(motion.time);
   for (int i = 0; i < nodes(); ++i) place(i, motion.nodes[i]);
-  costs_.lap(Cost::kinematics);
+  profiler_.lap(Cost::kinematics);
   if (string_tangent) string_tangent->diagonal(0).setZero();  // the elements write every other block
   add_elements(string, string_tangent);
-  costs_.lap(Cost::elements);
+  profiler_.lap(Cost::elements);
   add_mud_damping(string, string_tangent);
-  costs_.lap(Cost::inertia);
+  profiler_.lap(Cost::inertia);
   if (contact_tangent) contact_tangent->set_zero();
   take_bit(motion);
   add_walls(contact, contact_tangent);
-  costs_.lap(Cost::contact);
+  profiler_.lap(Cost::contact);
   add_bit(contact, contact_tangent);
-  costs_.lap(Cost::bit);
-  if (start_->grip.node >= 0) add_grip(contact, contact_tangent);
-  costs_.lap(Cost::rig);
+  profiler_.lap(Cost::bit);
+  if (start_->stuck_point.node >= 0) add_stuck_point(contact, contact_tangent);
+  profiler_.lap(Cost::rig);
 }
 
 Vector6d System::evaluate_bit_motion(const GivenMotion& motion) noexcept

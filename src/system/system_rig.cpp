@@ -34,7 +34,7 @@ void System::add_rig(double* residual, BlockTridiagonal* tangent) noexcept
   drive_end_.angle = start.angle + drive.increment;
   drive_end_.speed = drive.state.speed;
   drive_end_.last_speed = start.speed;
-  drive_end_.last_move = drive.increment;
+  drive_end_.last_increment = drive.increment;
   drive_end_.acceleration = drive.acceleration;
   drive_end_.averaged_acceleration = start.averaged_acceleration;
   drive_end_.integral = drive.state.integral;

@@ -1,8 +1,8 @@
-// Wall contact and gripped pipe: the parts of the system that hold the string in the hole.
+// Wall contact and stuck point: the parts of the system that hold the string in the hole.
 #include "drill_rig_sim/contact/wall_contact.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/system/system.h"
-#include "grip_stiffness.h"
+#include "stuck_point_stiffness.h"
 
 namespace drill_rig_sim
 {
@@ -46,9 +46,9 @@ void System::add_wall(int i, double* residual, BlockTridiagonal* tangent) noexce
     return;
   }
   const double radius = mesh_.nodes[i].contact_radius;
-  s.site = start_->well.locate(s.position, s.site.segment);
-  if (!static_ && mesh_.nodes[i].film_damping > 0.0) add_film(i, residual, tangent);
-  if (wall_gap(s.site, s.position, radius) >= 0.0)
+  s.closest = start_->well.locate(s.position, s.closest.segment);
+  if (!static_ && mesh_.nodes[i].squeeze_film_damping > 0.0) add_squeeze_film(i, residual, tangent);
+  if (wall_gap(s.closest, s.position, radius) >= 0.0)
   {
     s.bristle.setZero();
     return;
@@ -66,14 +66,14 @@ void System::add_wall(int i, double* residual, BlockTridiagonal* tangent) noexce
 }
 
 /// Damping of motion across the hole; across the hole, not across the part: a tilted bit that slides does not glide up on it.
-void System::add_film(int i, double* residual, BlockTridiagonal* tangent) noexcept
+void System::add_squeeze_film(int i, double* residual, BlockTridiagonal* tangent) noexcept
 {
   const NodeScratch& s = scratch_[i];
-  const double damping = mesh_.nodes[i].film_damping;
-  const Matrix3d across = Matrix3d::Identity() - s.site.tangent * s.site.tangent.transpose();
+  const double damping = mesh_.nodes[i].squeeze_film_damping;
+  const Matrix3d across = Matrix3d::Identity() - s.closest.tangent * s.closest.tangent.transpose();
   Eigen::Map<Vector6d> r(residual + 6 * i);
   r.head<3>() += damping * (across * s.rate.head<3>());
-  if (tangent) tangent->diagonal(i).topLeftCorner<3, 3>() += (stage_.rate_by_u * damping) * across;
+  if (tangent) tangent->diagonal(i).topLeftCorner<3, 3>() += (stage_.dv_du * damping) * across;
 }
 
 WallForce System::wall_force(int i, double radius, Matrix6d* block) noexcept
@@ -82,7 +82,7 @@ WallForce System::wall_force(int i, double radius, Matrix6d* block) noexcept
   if (static_)
   {
     Matrix6d unused;
-    return sliding_wall_contact(s.site, radius, s.position, sliding_of(friction_), contact_[i].law, block ? *block : unused);
+    return sliding_wall_contact(s.closest, radius, s.position, sliding_of(friction_), contact_[i].law, block ? *block : unused);
   }
   ContactMotion motion;
   motion.position = s.position;
@@ -90,29 +90,29 @@ WallForce System::wall_force(int i, double radius, Matrix6d* block) noexcept
   motion.rotation = s.increment.tail<3>();
   motion.velocity = s.rate.head<3>();
   motion.angular_velocity = s.rate.tail<3>();
-  motion.velocity_coefficient = stage_.rate_by_u;
+  motion.velocity_coefficient = stage_.dv_du;
   if (i == 0)  // the bit turns with the motor
   {
     motion.rotation += bit_drive_.motor_turn * s.normal_start;
     motion.angular_velocity += bit_drive_.motor_speed * s.normal_start;
   }
   const Vector3d& bristle = start_->nodes[i].bristle;
-  return block ? wall_contact(s.site, radius, motion, bristle, contact_[i], *block)
-               : wall_contact(s.site, radius, motion, bristle, contact_[i]);
+  return block ? wall_contact(s.closest, radius, motion, bristle, contact_[i], *block)
+               : wall_contact(s.closest, radius, motion, bristle, contact_[i]);
 }
 
-void System::add_grip(double* residual, BlockTridiagonal* tangent) noexcept
+void System::add_stuck_point(double* residual, BlockTridiagonal* tangent) noexcept
 {
-  const GripState& grip = start_->grip;
-  const NodeScratch& s = scratch_[grip.node];
-  Eigen::Map<Vector6d> r(residual + 6 * grip.node);
+  const StuckPointState& held = start_->stuck_point;
+  const NodeScratch& s = scratch_[held.node];
+  Eigen::Map<Vector6d> r(residual + 6 * held.node);
   const Vector3d& n = s.normal_start;
-  r.head<3>() += grip_stiffness * (s.position - grip.position);
-  r.tail<3>() += grip_torsion * (start_->nodes[grip.node].spin_angle + s.spin - grip.spin_angle) * n;
+  r.head<3>() += stuck_point_stiffness * (s.position - held.position);
+  r.tail<3>() += stuck_point_torsion * (start_->nodes[held.node].spin_angle + s.spin - held.spin_angle) * n;
   if (!tangent) return;
-  auto d = tangent->diagonal(grip.node);
-  d.topLeftCorner<3, 3>().diagonal().array() += grip_stiffness;
-  d.bottomRightCorner<3, 3>() += grip_torsion * n * n.transpose();
+  auto d = tangent->diagonal(held.node);
+  d.topLeftCorner<3, 3>().diagonal().array() += stuck_point_stiffness;
+  d.bottomRightCorner<3, 3>() += stuck_point_torsion * n * n.transpose();
 }
 
 }  // namespace drill_rig_sim

@@ -110,7 +110,7 @@ Json json_of(const Averages& a)
   return json;
 }
 
-Json json_of(const CostBook& costs)
+Json json_of(const Profiler& costs)
 {
   const std::pair<const char*, Cost> names[] = {{"kinematics", Cost::kinematics},
                                                 {"elements", Cost::elements},
@@ -148,8 +148,8 @@ Json json_of(const EnergyAccounts& e)
   Json json;
   const std::pair<const char*, double> accounts[] = {
       {"winch", e.winch}, {"drive", e.drive}, {"pump", e.pump}, {"gravity", e.gravity}, {"stored", e.stored()},
-      {"wall_friction", e.wall_friction}, {"wall_damping", e.wall_damping}, {"bottom_damping", e.bottom_damping}, {"film", e.film},
-      {"mud", e.mud}, {"structural", e.structural}, {"motor_slip", e.motor_slip}, {"grip_released", e.grip_released},
+      {"wall_friction", e.wall_friction}, {"wall_damping", e.wall_damping}, {"bottom_damping", e.bottom_damping}, {"squeeze_film", e.squeeze_film},
+      {"mud", e.mud}, {"structural", e.structural}, {"motor_slip", e.motor_slip}, {"stuck_point_released", e.stuck_point_released},
       {"ledge", e.ledge}, {"added_mass", e.added_mass}, {"rock_thrust", e.rock_thrust}, {"rock_torque", e.rock_torque}, {"correction", e.correction},
       {"numerical_inertia", e.of_inertia}, {"numerical_beams", e.of_beams}, {"numerical_contact", e.of_contact},
       {"numerical_line", e.of_line}, {"numerical_residual", e.of_residual}, {"numerical_rebasing", e.of_rebasing},
@@ -176,8 +176,9 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const Drilli
   json.add("coordinates", s.coordinates);
   json.add("steps", static_cast<double>(s.steps));
   json.add("newton_iterations", static_cast<double>(s.newton_iterations));
-  json.add("rejected_steps", static_cast<double>(s.rejected_steps));
-  json.add("refined_steps", static_cast<double>(s.refined_steps));
+  json.add("rejected_steps", static_cast<double>(s.convergence_failures + s.error_test_failures));
+  json.add("convergence_failures", static_cast<double>(s.convergence_failures));
+  json.add("error_test_failures", static_cast<double>(s.error_test_failures));
   json.add("residuals", static_cast<double>(s.work.residuals));
   json.add("tangents", static_cast<double>(s.work.tangents));
   json.add("solves", static_cast<double>(s.work.solves));
@@ -270,8 +271,8 @@ void run(const Arguments& arguments)
   if (csv) write_csv_header(csv.get());
 
   Simulator simulator = build_simulator(scene, seed);
-  if (arguments.has("--energy") && !simulator.book_energy())
-    throw UsageError("--energy: no energy book for integrator '" + std::string(simulator.statistics().integrator) + "' with element '" +
+  if (arguments.has("--energy") && !simulator.balance_energy())
+    throw UsageError("--energy: no energy balance for integrator '" + std::string(simulator.statistics().integrator) + "' with element '" +
                      scene.numerics.element + "', allowed: all integrators but ida, element corotational");
   DrillingRecord record;
   const auto wall_start = std::chrono::steady_clock::now();
@@ -309,7 +310,7 @@ const Command run_command = {
      {"--csv", "FILE", "writes time series"},
      {"--every", "S", "between rows of the time series, default 0.1"},
      {"--json", "FILE", "writes a summary"},
-     {"--energy", nullptr, "keeps an energy book; the summary shows it [J]"},
+     {"--energy", nullptr, "keeps an energy balance; the summary shows it [J]"},
      {"--path", "FILE", "writes the well's corrected path"},
      {"--raw-path", "FILE", "writes the uncorrected path of the last metres"},
      {"--bag", "FILE", "not available yet"}},

@@ -31,7 +31,7 @@ Wellbore::Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, doubl
   bottom_normal_ = last_.tangent;
   raw_tangent_ = last_.tangent;
   interval_ = original_->stage_two_steps > 0 ? first_interval_by_steps : original_->stage_two_length;
-  update_fresh_end();
+  update_new_interval();
 }
 
 std::shared_ptr<const Wellbore::Original> Wellbore::build(const WellSpec& spec, const TrajectorySpec& trajectory,
@@ -100,14 +100,14 @@ bool Wellbore::extend(const Eigen::Vector3d& bottom_displacement, const Eigen::V
   }
 
   if (stage_two_due()) commit_stage_two();
-  update_fresh_end();
+  update_new_interval();
   return true;
 }
 
 void Wellbore::turn_bottom(const Eigen::Vector3d& direction, double drilled) noexcept
 {
   const Eigen::Vector3d turn = direction - bottom_normal_;
-  const double most = drilled / fresh_.radius;
+  const double most = drilled / new_interval_.radius;
   const double wanted = turn.norm();
   bottom_normal_ = wanted <= most ? direction : (bottom_normal_ + (most / wanted) * turn).normalized();
 }
@@ -128,8 +128,8 @@ void Wellbore::commit_stage_two() noexcept
   node.md = last_.md + length;
   node.position = bottom_;
   node.tangent = chord / length;
-  node.radius = fresh_.radius;
-  node.friction = fresh_.friction;
+  node.radius = new_interval_.radius;
+  node.friction = new_interval_.friction;
   const HoleSegment segment = HoleSegment::between(last_, node);
   drilled_.push({segment, Box::around(segment), node}, bottom_.x(), bottom_.y(), bottom_.z());
   last_ = node;
@@ -146,12 +146,12 @@ void Wellbore::commit_stage_two() noexcept
   }
 }
 
-void Wellbore::update_fresh_end() noexcept
+void Wellbore::update_new_interval() noexcept
 {
   const Eigen::Vector3d chord = bottom_ - last_.position;
   const Eigen::Vector3d d = (last_.tangent * std::max(interval_ - chord.norm(), 0.0) + chord).normalized();
   const double along = chord.dot(d);
-  fresh_ = HoleSegment::line(bottom_ - along * d, d, last_.md, last_.radius, last_.friction);
+  new_interval_ = HoleSegment::line(bottom_ - along * d, d, last_.md, last_.radius, last_.friction);
   hole_depth_ = last_.md + along;
 }
 

@@ -64,21 +64,21 @@ bool far_from_axis(const HoleSegment& g, const Eigen::Vector3d& point, const Foo
   return (point - foot.centre).squaredNorm() > 16.0 * g.radius * g.radius;
 }
 
-HoleSite site(const HoleSegment& g, const Foot& foot, int segment) noexcept
+ClosestPoint closest(const HoleSegment& g, const Foot& foot, int segment) noexcept
 {
-  HoleSite site;
+  ClosestPoint closest;
   const double inverse_length = 1.0 / g.length;
-  site.md = g.md + foot.s * g.length;
-  site.centre = foot.centre;
-  site.tangent = foot.first * (1.0 / foot.first.norm());
-  site.centre_slope = foot.first * inverse_length;
-  site.md_gradient = foot.first * (g.length / foot.decline);
-  site.radius = g.radius + foot.s * g.radius_change;
-  site.radius_slope = g.radius_change * inverse_length;
-  site.friction = g.friction + foot.s * g.friction_change;
-  site.segment = segment;
-  site.iterations = foot.iterations;
-  return site;
+  closest.md = g.md + foot.s * g.length;
+  closest.centre = foot.centre;
+  closest.tangent = foot.first * (1.0 / foot.first.norm());
+  closest.centre_slope = foot.first * inverse_length;
+  closest.md_gradient = foot.first * (g.length / foot.decline);
+  closest.radius = g.radius + foot.s * g.radius_change;
+  closest.radius_slope = g.radius_change * inverse_length;
+  closest.friction = g.friction + foot.s * g.friction_change;
+  closest.segment = segment;
+  closest.iterations = foot.iterations;
+  return closest;
 }
 }  // namespace
 
@@ -86,8 +86,8 @@ const HoleSegment& Wellbore::segment(int i) const noexcept
 {
   const int originals = original_count();
   if (i < originals) return original_->segments[static_cast<std::size_t>(i)];
-  if (i < fresh_index()) return drilled_[static_cast<std::size_t>(i - originals)].segment;
-  return fresh_;
+  if (i < new_interval_index()) return drilled_[static_cast<std::size_t>(i - originals)].segment;
+  return new_interval_;
 }
 
 const Box& Wellbore::box(int i) const noexcept
@@ -101,7 +101,7 @@ const Box& Wellbore::box(int i) const noexcept
 int Wellbore::neighbour(int i, double s, const Eigen::Vector3d& point) const noexcept
 {
   constexpr double slack = 1e-9;
-  const int fresh = fresh_index();
+  const int fresh = new_interval_index();
   if (i == 0) return s > 0.0 ? 1 : 0;
   if (i == fresh) return s < 0.0 ? fresh - 1 : fresh;
   if (s < 0.5)
@@ -114,13 +114,13 @@ int Wellbore::neighbour(int i, double s, const Eigen::Vector3d& point) const noe
     }
     return s < -slack ? i - 1 : i;
   }
-  if (i == fresh - 1) return first_guess(fresh_, point) >= 0.0 ? fresh : i;
+  if (i == fresh - 1) return first_guess(new_interval_, point) >= 0.0 ? fresh : i;
   return s > 1.0 + slack ? i + 1 : i;
 }
 
 int Wellbore::nearest_segment(const Eigen::Vector3d& point) const noexcept
 {
-  const int fresh = fresh_index();
+  const int fresh = new_interval_index();
   int nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](int i, double low, double high)
@@ -143,10 +143,10 @@ int Wellbore::nearest_segment(const Eigen::Vector3d& point) const noexcept
   return nearest;
 }
 
-HoleSite Wellbore::locate(const Eigen::Vector3d& point, int segment_hint) const noexcept
+ClosestPoint Wellbore::locate(const Eigen::Vector3d& point, int segment_hint) const noexcept
 {
   bool searched = segment_hint < 0;
-  int i = searched ? nearest_segment(point) : std::min(segment_hint, fresh_index());
+  int i = searched ? nearest_segment(point) : std::min(segment_hint, new_interval_index());
   Foot foot;
   for (int moves = 0;; ++moves)
   {
@@ -160,8 +160,8 @@ HoleSite Wellbore::locate(const Eigen::Vector3d& point, int segment_hint) const 
       refine(g, point, foot);
       next = neighbour(i, foot.s, point);
       const bool arrived = next == i;
-      if (searched && (arrived || moves >= most_moves)) return site(g, foot, i);
-      if (arrived && !far_from_axis(g, point, foot)) return site(g, foot, i);
+      if (searched && (arrived || moves >= most_moves)) return closest(g, foot, i);
+      if (arrived && !far_from_axis(g, point, foot)) return closest(g, foot, i);
       if (arrived) moves = most_moves;
     }
     i = next;

@@ -1,4 +1,4 @@
-"""The pictures of the main job; the seed's figures stand beside ours where it states one."""
+"""The pictures of the main job; the paper's figures stand beside ours where it states one."""
 import os
 
 import matplotlib

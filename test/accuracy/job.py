@@ -11,7 +11,7 @@ TONNE = 1000.0 * GRAVITY  # [N]
 
 
 class Check:
-    """A figure of ours beside what it must be; `published` is the seed's, where it has one. tolerance None: reported, not judged."""
+    """A figure of ours beside what it must be; `published` is the paper's, where it has one. tolerance None: reported, not judged."""
 
     def __init__(self, name, unit, ours, expected, tolerance, published=None):
         self.name, self.unit, self.ours, self.expected, self.tolerance, self.published = name, unit, ours, expected, tolerance, published
@@ -132,7 +132,7 @@ class Job:
         self.corrected_helix = Helix(self.corrected_points[self.drilled['md'] > max(self.start_depth + 1.0, self.drilled['md'][-1] - 4.0)])
 
     def drilled_nodes(self):
-        """The corrected nodes below the old bottom; the last row, the fresh end's bottom, is left out."""
+        """The corrected nodes below the old bottom; the last row, the newly drilled interval's bottom, is left out."""
         fresh = self.path['md'][:-1] > self.start_depth + 1e-6
         return {key: values[:-1][fresh] for key, values in self.path.items()}
 

@@ -8,7 +8,7 @@ import measure
 
 LOOSE_NEWTON = 1e-4  # tried beside the scene's numerics.newton_tolerance [m, rad]
 FIELDS = ('scene', 'method', 'element', 'step', 'element_length', 'newton_tolerance', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'steps', 'residuals',
-          'tangents', 'solves', 'substitutions', 'newton_iterations', 'rejected_steps') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')
+          'tangents', 'solves', 'substitutions', 'newton_iterations', 'convergence_failures') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')
 
 
 class Point:
@@ -66,7 +66,7 @@ class Point:
         values = {'scene': self.scene.name, 'method': self.method, 'element': self.element, 'step': self.step, 'element_length': self.length,
                   'newton_tolerance': self.newton or '', 'default': int(self.default), 'error': self.error, 'cpu_s_per_s': self.cpu, 'work_per_s': self.work, 'failure': self.failure}
         values.update(counted)
-        values.update({key: self.summary.get(key, '') for key in ('nodes', 'steps', 'newton_iterations', 'rejected_steps')})
+        values.update({key: self.summary.get(key, '') for key in ('nodes', 'steps', 'newton_iterations', 'convergence_failures')})
         values.update({'error_' + output: error for output, error in (self.errors or {}).items() if output != 'all'})
         return ['%.6g' % values[field] if isinstance(values.get(field), float) else values.get(field, '') for field in FIELDS]
 

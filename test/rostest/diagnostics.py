@@ -31,7 +31,7 @@ class Diagnostics(unittest.TestCase):
         message = self.diagnostics.wait(2)[-1]
         told = values(message)
         self.assertEqual("running", told["state"])
-        for key in ("real_time_factor", "frame_times", "overruns", "dropped_seconds", "newton_iterations", "rejected_steps",
+        for key in ("real_time_factor", "frame_times", "overruns", "dropped_seconds", "newton_iterations", "convergence_failures",
                     "error_estimate", "level", "integrator", "refused", "clamped"):
             self.assertIn(key, told)
         self.assertEqual("beam3d", told["level"])

@@ -51,7 +51,7 @@ void drill(const Choice& choice, double seconds, Rows& rows)
   }
   const double depth = ride.now().hole_depth, memory = resident_megabytes(), begin = ride.now().time;
   const int nodes = ride.simulator().wellbore().node_count();
-  const bool booked = ride.simulator().book_energy();
+  const bool booked = ride.simulator().balance_energy();
   ride.go(0.5 * (seconds - begin), 0.1);
   const double closure_middle = booked ? ride.simulator().energy().closure() : 0.0;
   ride.go(seconds - ride.now().time - 60.0, 0.1);

@@ -9,15 +9,15 @@ namespace drill_rig_sim
 {
 namespace
 {
-struct Demand
+struct Subscriptions
 {
   const char* name;
   std::vector<std::string> settings;
 };
 
-const std::vector<Demand>& demands()
+const std::vector<Subscriptions>& demands()
 {
-  static const std::vector<Demand> table = {
+  static const std::vector<Subscriptions> table = {
       {"step 0.5 s", {"numerics.step=0.5"}},
       {"step 0", {"numerics.step=0"}},
       {"step not a number", {"numerics.step=.nan"}},
@@ -68,7 +68,7 @@ std::string without_folder(const std::string& line)
   return at == std::string::npos ? line : line.substr(at + folder.size());
 }
 
-void demand(const Demand& what, const Choice& choice, Rows& rows)
+void subscriptions(const Subscriptions& what, const Choice& choice, Rows& rows)
 {
   Row row;
   row.group = "outside";
@@ -98,14 +98,14 @@ void demand(const Demand& what, const Choice& choice, Rows& rows)
 
 void run_demands(const Choice& choice, Rows& rows)
 {
-  for (const Demand& what : demands()) demand(what, choice, rows);
+  for (const Subscriptions& what : demands()) subscriptions(what, choice, rows);
 }
 
 /// Each other method with the largest step that the reader takes.
 void longest_step(const Choice& choice, Rows& rows)
 {
-  demand({"step 0.05 s", {"numerics.step=0.05"}}, choice, rows);
-  demand({"contact stiffness 1e13; step 0.05 s", {"contact.stiffness=1e13", "numerics.step=0.05"}}, choice, rows);
+  subscriptions({"step 0.05 s", {"numerics.step=0.05"}}, choice, rows);
+  subscriptions({"contact stiffness 1e13; step 0.05 s", {"contact.stiffness=1e13", "numerics.step=0.05"}}, choice, rows);
 }
 }  // namespace
 

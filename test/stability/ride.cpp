@@ -142,7 +142,7 @@ Sample Ride::sample() const
 std::uint64_t Ride::rejected() const
 {
   if (!simulator_ || std::string(simulator_->statistics().integrator) == reference_method) return 0;
-  return simulator_->statistics().rejected_steps;
+  return simulator_->statistics().convergence_failures;
 }
 
 Verdict Ride::verdict() const

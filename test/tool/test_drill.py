@@ -210,7 +210,7 @@ class Run(Drill):
         with open(self.file('q.json')) as text:
             summary = json.load(text)
         for key in ('simulated_s', 'wall_s', 'cpu_s', 'real_time_factor', 'nodes', 'coordinates', 'steps', 'newton_iterations',
-                    'rejected_steps'):
+                    'convergence_failures'):
             self.assertGreaterEqual(summary[key], 0.0, key)
         self.assertAlmostEqual(summary['simulated_s'], 60.0, delta=0.011)
         self.assertAlmostEqual(sum(summary['cost_share'].values()), 1.0, delta=1e-6)

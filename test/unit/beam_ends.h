@@ -36,11 +36,11 @@ inline BeamEnds moved(const BeamEnds& s, int k, double h)
 }
 
 /// The rates of a move of component k at `rate`.
-inline BeamDamping moving(int k, double rate, double time, double rate_by_move)
+inline BeamDamping moving(int k, double rate, double time, double dv_du)
 {
   BeamDamping damping;
   damping.time = time;
-  damping.rate_by_move = rate_by_move;
+  damping.dv_du = dv_du;
   const Eigen::Vector3d v = rate * Eigen::Vector3d::Unit(k % 3);
   if (k < 3) damping.velocity = -v;
   if (k >= 3 && k < 6) damping.upper_turning = v;

@@ -25,16 +25,16 @@ struct StraightHole
   double radius_slope = 0.0;
   double friction = 0.3;
 
-  HoleSite locate(const Vector3d& p) const
+  ClosestPoint locate(const Vector3d& p) const
   {
-    HoleSite site;
-    site.md = (p - origin).dot(tangent);
-    site.centre = origin + site.md * tangent;
-    site.tangent = site.centre_slope = site.md_gradient = tangent;
-    site.radius = radius + radius_slope * site.md;
-    site.radius_slope = radius_slope;
-    site.friction = friction;
-    return site;
+    ClosestPoint closest;
+    closest.md = (p - origin).dot(tangent);
+    closest.centre = origin + closest.md * tangent;
+    closest.tangent = closest.centre_slope = closest.md_gradient = tangent;
+    closest.radius = radius + radius_slope * closest.md;
+    closest.radius_slope = radius_slope;
+    closest.friction = friction;
+    return closest;
   }
 };
 
@@ -45,19 +45,19 @@ struct ArcHole
   double radius = 0.1;
   double friction = 0.3;
 
-  HoleSite locate(const Vector3d& p) const
+  ClosestPoint locate(const Vector3d& p) const
   {
     const double angle = std::atan2(-p.z(), p.x());
     const Vector3d outward(std::cos(angle), 0.0, -std::sin(angle));
-    HoleSite site;
-    site.md = angle * curvature_radius;
-    site.centre = curvature_radius * outward;
-    site.tangent = site.centre_slope = Vector3d(-std::sin(angle), 0.0, -std::cos(angle));
+    ClosestPoint closest;
+    closest.md = angle * curvature_radius;
+    closest.centre = curvature_radius * outward;
+    closest.tangent = closest.centre_slope = Vector3d(-std::sin(angle), 0.0, -std::cos(angle));
     // c'' = -outward / Rc
-    site.md_gradient = site.tangent / (1.0 + (p - site.centre).dot(outward) / curvature_radius);
-    site.radius = radius;
-    site.friction = friction;
-    return site;
+    closest.md_gradient = closest.tangent / (1.0 + (p - closest.centre).dot(outward) / curvature_radius);
+    closest.radius = radius;
+    closest.friction = friction;
+    return closest;
   }
 };
 

@@ -66,7 +66,7 @@ inline std::vector<double> numbers_of(const SystemState& s)
                           s.drive.angle,
                           s.drive.speed,
                           s.drive.last_speed,
-                          s.drive.last_move,
+                          s.drive.last_increment,
                           s.drive.integral,
                           s.drive.meter_twist,
                           s.hoist.line_length,
@@ -80,10 +80,10 @@ inline std::vector<double> numbers_of(const SystemState& s)
   {
     append(out, n.orientation);
     for (const Eigen::Vector3d* v : {&n.position, &n.rate.velocity, &n.rate.tilt, &n.last_rate.velocity, &n.last_rate.tilt,
-                                     &n.last_move.velocity, &n.last_move.tilt, &n.acceleration.velocity, &n.acceleration.tilt,
+                                     &n.last_increment.velocity, &n.last_increment.tilt, &n.acceleration.velocity, &n.acceleration.tilt,
                                      &n.bristle})
       append(out, *v);
-    out.insert(out.end(), {n.spin_angle, n.rate.spin, n.last_rate.spin, n.last_move.spin, n.acceleration.spin});
+    out.insert(out.end(), {n.spin_angle, n.rate.spin, n.last_rate.spin, n.last_increment.spin, n.acceleration.spin});
   }
   append(out, s.bit.rock_velocity);
   append(out, s.well.bottom_position());

@@ -67,10 +67,10 @@ TEST(WallContact, TangentAtRandomStates)
   {
     ContactStage stage;
     const double angle = 3.0 * uniform(random);
-    const HoleSite site = arc.locate({4.0, 0.0, -3.0});
-    const Vector3d across = site.tangent.cross(Vector3d::UnitY());
+    const ClosestPoint closest = arc.locate({4.0, 0.0, -3.0});
+    const Vector3d across = closest.tangent.cross(Vector3d::UnitY());
     stage.start =
-        site.centre + (0.022 + 5e-4 * uniform(random)) * (std::cos(angle) * across + std::sin(angle) * Vector3d::UnitY());
+        closest.centre + (0.022 + 5e-4 * uniform(random)) * (std::cos(angle) * across + std::sin(angle) * Vector3d::UnitY());
     stage.velocity_0 = 0.3 * vector();
     stage.angular_velocity_0 = 5.0 * vector();
     stage.bristle = 3e-4 * vector();

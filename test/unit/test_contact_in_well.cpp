@@ -27,10 +27,10 @@ Vector6d wrench_at(const Wellbore& well, const Vector3d& start, const Vector3d& 
   m.velocity = rate * m.displacement + Vector3d(0.01, -0.02, 0.03);
   m.angular_velocity = rate * m.rotation + Vector3d(0.1, 0.3, -0.2);
   m.velocity_coefficient = rate;
-  const HoleSite site = well.locate(m.position, -1);
+  const ClosestPoint closest = well.locate(m.position, -1);
   const ContactSpec law;
   const WallForce f =
-      tangent ? wall_contact(site, radius, m, bristle, law, *tangent) : wall_contact(site, radius, m, bristle, law);
+      tangent ? wall_contact(closest, radius, m, bristle, law, *tangent) : wall_contact(closest, radius, m, bristle, law);
   Vector6d out;
   out << f.force, f.moment;
   return out;
@@ -82,7 +82,7 @@ TEST(WallContactInWell, FrictionlessSlideKeepsItsEnergy)
   const Vector3d low_side = (-Vector3d::UnitZ() + axis.tangent * axis.tangent.z()).normalized();
   ContactMotion m;
   m.position = axis.position + (axis.radius - radius) * low_side;
-  HoleSite site = well.locate(m.position, -1);
+  ClosestPoint closest = well.locate(m.position, -1);
   WallForce wall;
   const auto energy = [&]
   {
@@ -91,11 +91,11 @@ TEST(WallContactInWell, FrictionlessSlideKeepsItsEnergy)
   };
   const double top = m.position.z();
   const double before = energy();
-  while (site.md < 720.0)
+  while (closest.md < 720.0)
   {
     m.position += 0.5 * h * m.velocity;
-    site = well.locate(m.position, site.segment);
-    wall = wall_contact(site, radius, m, Vector3d::Zero(), law);
+    closest = well.locate(m.position, closest.segment);
+    wall = wall_contact(closest, radius, m, Vector3d::Zero(), law);
     m.velocity += h * (wall.force / mass - standard_gravity * Vector3d::UnitZ());
     m.position += 0.5 * h * m.velocity;
   }

@@ -11,14 +11,14 @@ TEST(WallContact, ClearOfTheWallIsZero)
   ContactStage stage = touching_stage({0.01, 0.005, -3.0});
   const ContactMotion m = stage.motion(Vector6d::Zero());
   Matrix6d tangent = Matrix6d::Ones();
-  const HoleSite site = hole.locate(m.position);
-  const WallForce f = wall_contact(site, stage.radius, m, Vector3d(1e-3, 0, 0), stage.law, tangent);
+  const ClosestPoint closest = hole.locate(m.position);
+  const WallForce f = wall_contact(closest, stage.radius, m, Vector3d(1e-3, 0, 0), stage.law, tangent);
   EXPECT_TRUE(wrench(f).isZero(0.0));
   EXPECT_TRUE(tangent.isZero(0.0));
   EXPECT_TRUE(f.bristle.isZero(0.0));
   EXPECT_EQ(f.normal_force, 0.0);
-  EXPECT_NEAR(wall_gap(site, m.position, stage.radius), 0.02 - std::hypot(0.01, 0.005), 1e-12);
-  EXPECT_EQ(f.penetration, -wall_gap(site, m.position, stage.radius));
+  EXPECT_NEAR(wall_gap(closest, m.position, stage.radius), 0.02 - std::hypot(0.01, 0.005), 1e-12);
+  EXPECT_EQ(f.penetration, -wall_gap(closest, m.position, stage.radius));
 }
 
 TEST(WallContact, RestingOnTheWallFollowsHertz)

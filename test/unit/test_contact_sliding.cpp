@@ -89,13 +89,13 @@ TEST(SlidingWallContact, ForcesAndTangent)
   const SlidingMotion pull_out{-1.0, 0.0};
   const SlidingMotion rotate{0.0, 1.0};
   Matrix6d tangent;
-  const HoleSite site = arc.locate(where);
+  const ClosestPoint closest = arc.locate(where);
 
-  WallForce f = sliding_wall_contact(site, 0.08, where, pull_out, law, tangent);
-  EXPECT_NEAR(f.force.dot(site.tangent), arc.friction * f.normal_force, 1e-9 * f.normal_force);
-  f = sliding_wall_contact(site, 0.08, where, rotate, law, tangent);
-  EXPECT_NEAR(f.force.dot(site.tangent), 0.0, 1e-9 * f.normal_force);
-  EXPECT_NEAR(f.moment.dot(site.tangent), -arc.friction * f.normal_force * 0.08, 1e-9 * f.normal_force);
+  WallForce f = sliding_wall_contact(closest, 0.08, where, pull_out, law, tangent);
+  EXPECT_NEAR(f.force.dot(closest.tangent), arc.friction * f.normal_force, 1e-9 * f.normal_force);
+  f = sliding_wall_contact(closest, 0.08, where, rotate, law, tangent);
+  EXPECT_NEAR(f.force.dot(closest.tangent), 0.0, 1e-9 * f.normal_force);
+  EXPECT_NEAR(f.moment.dot(closest.tangent), -arc.friction * f.normal_force * 0.08, 1e-9 * f.normal_force);
 
   // a straight hole: the tangent is complete there
   const StraightHole hole = leaning_hole();

@@ -60,7 +60,7 @@ RotorResult check(const TopDriveSpec& spec, const TopDriveSetpoint& command, con
 {
   const RotorResult r = solve_rotor(spec, command, start, stage, top);
   
-  const double acceleration = stage.acceleration_by_u * r.increment + stage.acceleration_0;
+  const double acceleration = stage.da_du * r.increment + stage.acceleration_0;
   EXPECT_NEAR(spec.inertia * acceleration, r.motor_torque - r.meter_torque, 1e-8 * (std::abs(r.meter_torque) + 1e4));
   EXPECT_NEAR(r.meter_torque, spec.meter_stiffness * (start.twist + r.increment - top), 1e-8);
   const double h = 1e-7;
@@ -127,8 +127,8 @@ TEST(TopDrive, TheMotorOnItsOwnAgreesWithTheSolvedRotor)
     EXPECT_NEAR(motor.integral, solved.state.integral, 1e-9);
     EXPECT_EQ(motor.limited, c.limited);
     EXPECT_EQ(solved.limited, c.limited);
-    const double slope = motor.by_turn + motor.by_speed * stage.rate_by_u, spring = c.spec.meter_stiffness;
-    const double free = c.spec.inertia * stage.acceleration_by_u + spring - slope;
+    const double slope = motor.by_turn + motor.by_speed * stage.dv_du, spring = c.spec.meter_stiffness;
+    const double free = c.spec.inertia * stage.da_du + spring - slope;
     EXPECT_NEAR(solved.stiffness, spring * (1.0 - spring / free), 1e-9 * spring);
   }
 }

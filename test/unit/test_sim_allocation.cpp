@@ -81,14 +81,14 @@ using namespace drill_rig_sim;
 
 namespace
 {
-void drill(bool book)
+void drill(bool balance)
 {
   allocations = 0;
   Scene scene = drilling_scene(0.005);
   scene.instruments.hook_load = {500.0, 100.0, 0.25, 0.5};
   scene.instruments.mwd.period = 2.0;
   Simulator rig(scene);
-  ASSERT_TRUE(rig.book_energy(book));
+  ASSERT_TRUE(rig.balance_energy(balance));
 
   std::free(std::malloc(1));
   counting = true;

@@ -69,7 +69,7 @@ Drilling drill(const char* integrator, double from, double to)
   }
   for (double* sum : {&mean.wob, &mean.torque, &mean.bit_torque, &mean.hook_load}) *sum /= frames;
   mean.depth = rig.measurements().hole_depth;
-  mean.rejected = static_cast<double>(rig.statistics().rejected_steps);
+  mean.rejected = static_cast<double>(rig.statistics().convergence_failures);
   return mean;
 }
 }  // namespace
@@ -151,7 +151,7 @@ TEST(Arkode, stepsThatCannotBeSolvedLeaveAFiniteState)
   for (NodeState& node : state.nodes) node.rate.velocity = Vector3d(300.0, 0.0, -300.0);
   ArkodeStepper stepper(*start.system);
   stepper.advance(state, 0.1, Setpoints());
-  EXPECT_GT(stepper.counters().rejected_steps, 0u);
+  EXPECT_GT(stepper.counters().convergence_failures, 0u);
   EXPECT_TRUE(all_finite(numbers_of(state)));
   state = start.state;
   EXPECT_TRUE(stepper.advance(state, 0.005, Setpoints())) << "and the next one from a good state is solved";

@@ -1,4 +1,4 @@
-// The energy book against cases whose energies are known.
+// The energy balance against cases whose energies are known.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
-#include "drill_rig_sim/solve/energy_book.h"
+#include "drill_rig_sim/solve/energy_balance.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "test_scenes.h"
@@ -25,17 +25,17 @@ Scene scene_file(const std::string& name)
   return read_scene(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/" + name);
 }
 
-/// Runs a rig from `start` with all set points at rest, `ahead` [s] without a book and then `span` with one; what the book says.
+/// Runs a rig from `start` with all set points at rest, `ahead` [s] without a balance and then `span` with one; what the balance says.
 EnergyAccounts run(const RigAtRest& start, const char* method, double step, double ahead, double span)
 {
   SystemState state = start.state;
   Stepper stepper(*start.system, *find_method(method));
   stepper.limits().tolerance = 1e-12;
   for (long k = 0; k < std::lround(ahead / step); ++k) EXPECT_TRUE(stepper.advance(state, step, Setpoints()));
-  EnergyBook book(*start.system, state);
-  EXPECT_TRUE(stepper.keep_book(&book));
+  EnergyBalance balance(*start.system, state);
+  EXPECT_TRUE(stepper.keep_balance(&balance));
   for (long k = 0; k < std::lround(span / step); ++k) EXPECT_TRUE(stepper.advance(state, step, Setpoints()));
-  return book.accounts();
+  return balance.accounts();
 }
 
 /// 300 m that hang still in mud that takes nothing out, stretched by a millimetre, most at the bit; the drive's loop is slack.
@@ -130,7 +130,7 @@ TEST(Energy, ofASlidingPipeGoesIntoFriction)
   simulator.command(WinchSetpoint{-0.1, false});
   ProgramPlayer nothing({});
   play(simulator, nothing, 8.0);
-  ASSERT_TRUE(simulator.book_energy());
+  ASSERT_TRUE(simulator.balance_energy());
   play(simulator, nothing, 4.0);
   const EnergyAccounts& e = simulator.energy();
   const double weight = standard_gravity * 31.9 * (1.0 - 1150.0 / 7850.0);  // [N/m]
@@ -146,7 +146,7 @@ TEST(Energy, ofBrokenRockIsForceTimesSpeed)
   Simulator simulator(scene_file("config/scenes/quick.yaml"));
   ProgramPlayer player(simulator.scene().program);
   play(simulator, player, 60.0);
-  ASSERT_TRUE(simulator.book_energy());
+  ASSERT_TRUE(simulator.balance_energy());
   double thrust = 0.0, torque = 0.0;
   for (int k = 0; k < 1000; ++k)
   {
@@ -185,28 +185,28 @@ TEST(Energy, ofAnImpactGoesIntoHuntAndCrossleysDamping)
   EXPECT_LT(e.closure(), 0.005);
 }
 
-// A grip holds what it was pulled with, and keeps it when it lets go.
+// A stuck point holds what it was pulled with, and keeps it when it lets go.
 TEST(Energy, ofAReleasedGripIsBooked)
 {
   Simulator simulator(drilling_scene(5.0, 0.1));
-  ASSERT_TRUE(simulator.book_energy());
+  ASSERT_TRUE(simulator.balance_energy());
   ASSERT_TRUE(simulator.stick_pipe(80.0));
   simulator.command(WinchSetpoint{0.05, false});
   ProgramPlayer nothing({});
   play(simulator, nothing, 2.0);
-  const double held = simulator.energy().last.grip;
+  const double held = simulator.energy().last.stuck_point;
   EXPECT_GT(held, 0.1);
   simulator.free_pipe();
   play(simulator, nothing, 1.0);
-  EXPECT_NEAR(simulator.energy().grip_released, held, 1e-9 * held);
+  EXPECT_NEAR(simulator.energy().stuck_point_released, held, 1e-9 * held);
   EXPECT_LT(simulator.energy().closure(), 0.005);
 }
 
-// The book looks only.
+// The balance looks only.
 TEST(Energy, bookLeavesTheRunAsItIs)
 {
   Simulator with(drilling_scene()), without(drilling_scene());
-  ASSERT_TRUE(with.book_energy());
+  ASSERT_TRUE(with.balance_energy());
   for (Simulator* simulator : {&with, &without})
   {
     simulator->command(TopDriveSetpoint{TopDriveMode::speed, 6.0, 0.0, 0.0, 0.0});

@@ -129,17 +129,17 @@ TEST(BeamKinds, tangentIsTheDerivativeOfTheForces)
       for (int i = 0; i < 20; ++i)
       {
         const BeamEnds s = any_ends(generator, size);
-        const double time = i % 2 * 0.005, rate_by_move = 140.0, h = 1e-6;  // [s], [1/s], [m, rad]
+        const double time = i % 2 * 0.005, dv_du = 140.0, h = 1e-6;  // [s], [1/s], [m, rad]
         const Vector3d load(100.0, -200.0, -2500.0);
         BeamStrain strain;
         BeamTangent t;
-        kind.forces_and_tangent(kPipe, pose_of(s), moving(0, 0.0, time, rate_by_move), load, strain, t);
+        kind.forces_and_tangent(kPipe, pose_of(s), moving(0, 0.0, time, dv_du), load, strain, t);
         const Matrix12d k_matrix = stacked(t);
         for (int k = 0; k < 12; ++k)
         {
           // at rest where the tangent is taken: the rates are those of the move alone
           auto at = [&](double move)
-          { return stacked(kind.forces(kPipe, pose_of(moved(s, k, move)), moving(k, rate_by_move * move, time, rate_by_move), load, strain)); };
+          { return stacked(kind.forces(kPipe, pose_of(moved(s, k, move)), moving(k, dv_du * move, time, dv_du), load, strain)); };
           const Vector12d column = (at(h) - at(-h)) / (2.0 * h);
           EXPECT_LT((column - k_matrix.col(k)).norm(), 1e-6 * k_matrix.norm()) << kind.name << ", size " << size << ", column " << k;
           // rotations on their own: axial stiffness must not hide an error in the bending terms

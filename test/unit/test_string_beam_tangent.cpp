@@ -62,14 +62,14 @@ TEST(BeamElement, tangentIsTheDerivativeOfTheForces)
   for (int i = 0; i < 50; ++i)
   {
     const BeamEnds s = random_ends(generator, 0.1, 0.3);
-    const double time = 0.005, rate_by_move = 140.0;  // [s], [1/s]
+    const double time = 0.005, dv_du = 140.0;  // [s], [1/s]
     std::normal_distribution<double> g;
-    const BeamDamping moving{time, rate_by_move, Vector3d(g(generator), g(generator), g(generator)),
+    const BeamDamping moving{time, dv_du, Vector3d(g(generator), g(generator), g(generator)),
                              Vector3d(g(generator), g(generator), g(generator)), Vector3d(g(generator), g(generator), g(generator))};
     auto damped = [&](int k, double h)
     {
       BeamDamping damping = moving;
-      const Vector3d rate = rate_by_move * h * Vector3d::Unit(k % 3);
+      const Vector3d rate = dv_du * h * Vector3d::Unit(k % 3);
       if (k < 3) damping.velocity -= rate;
       if (k >= 3 && k < 6) damping.upper_turning += rate;
       if (k >= 6 && k < 9) damping.velocity += rate;

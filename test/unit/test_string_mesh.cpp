@@ -83,7 +83,7 @@ TEST(Mesh, putsNodesWhereTheStringIsSpecial)
     if (node.contact_radius != 0.106) continue;
     ++blades;
     EXPECT_NEAR(node.from_bit, 0.3 + 8.3 + 0.9, 1e-9) << "blades in the middle";
-    EXPECT_GT(node.film_damping, 0.0);
+    EXPECT_GT(node.squeeze_film_damping, 0.0);
   }
   for (const MeshElement& e : mesh.elements) bends += e.bend != 0.0;
   EXPECT_EQ(blades, 1);

@@ -151,7 +151,7 @@ TEST(WellExtension, HelixBecomesSmooth)
   double corrected_swing = 0.0;
   for (const double md : depths(500.0, hole.hole_depth(), 1e-3))
     corrected_swing = std::max(corrected_swing, hole.at(md).tangent.cross(axis).norm());
-  std::printf("swing: raw %.3f deg, corrected %.4f deg, fresh end %.4f deg\n", raw_swing / degree, corrected_swing / degree,
+  std::printf("swing: raw %.3f deg, corrected %.4f deg, newly drilled interval %.4f deg\n", raw_swing / degree, corrected_swing / degree,
               end_swing / degree);
   EXPECT_LT(corrected_swing, 4.0 * helix_radius / 0.1);
   EXPECT_LT(end_swing, 4.0 * helix_radius / 0.1);
@@ -237,9 +237,9 @@ TEST(WellExtension, FreshEndMovesContinuously)
     ASSERT_LE((hole.end_direction() - d).norm(), 1.05 * displacement.norm() / 0.1) << i;
     ASSERT_LE(std::abs(hole.hole_depth() - depth), 1.05 * displacement.norm()) << i;
     // measured depth of the bottom is the hole's depth, on the very centre
-    const HoleSite site = hole.locate(hole.bottom_position(), hole.node_count());
-    ASSERT_NEAR(site.md, hole.hole_depth(), 1e-11);
-    ASSERT_LT((site.centre - hole.bottom_position()).norm(), 1e-11);
+    const ClosestPoint closest = hole.locate(hole.bottom_position(), hole.node_count());
+    ASSERT_NEAR(closest.md, hole.hole_depth(), 1e-11);
+    ASSERT_LT((closest.centre - hole.bottom_position()).norm(), 1e-11);
   }
   EXPECT_LE(hole.node_count(), Wellbore(bohai_well(), {}, bit_radius).node_count() + (hole.hole_depth() - 730.0) / 0.1 + 1.0);
 }
@@ -256,12 +256,12 @@ TEST(WellExtension, SitesBelowTheLastNodeAreOnTheStraightEnd)
   for (double beyond : {0.01, 0.05, 0.4})
   {
     const Vector3d point = hole.bottom_position() + (last.md + beyond - hole.hole_depth()) * d + 0.1 * u;
-    const HoleSite site = hole.locate(point, -1);
-    EXPECT_EQ(site.segment, hole.node_count());
-    EXPECT_NEAR(site.md, last.md + beyond, 1e-10);
-    EXPECT_LT((site.tangent - d).norm(), 1e-15);
-    EXPECT_LT((site.md_gradient - d).norm(), 1e-15);
-    EXPECT_EQ(site.radius, bit_radius);
+    const ClosestPoint closest = hole.locate(point, -1);
+    EXPECT_EQ(closest.segment, hole.node_count());
+    EXPECT_NEAR(closest.md, last.md + beyond, 1e-10);
+    EXPECT_LT((closest.tangent - d).norm(), 1e-15);
+    EXPECT_LT((closest.md_gradient - d).norm(), 1e-15);
+    EXPECT_EQ(closest.radius, bit_radius);
     EXPECT_LT((hole.at(last.md + beyond).position + 0.1 * u - point).norm(), 1e-10);
   }
   // where the permanent hole ends the line is within the helix' size of it
@@ -328,11 +328,11 @@ TEST(WellExtension, NothingIsAllocatedInAFrame)
   Wellbore snapshot(hole);
   Wellbore other(snapshot);
   const long before = allocations;
-  HoleSite site;
+  ClosestPoint closest;
   for (int i = 0; i < 1000000; ++i)
   {
     hole.extend(bit.next(), axis);
-    if (i % 1000 == 0) site = hole.locate(hole.bottom_position() - 0.2 * axis, site.segment);
+    if (i % 1000 == 0) closest = hole.locate(hole.bottom_position() - 0.2 * axis, closest.segment);
     if (i % 5000 == 0) snapshot = hole;
     if (i % 60000 == 0) other = hole;
     if (i == 700000) hole = snapshot;
@@ -354,8 +354,8 @@ TEST(WellExtension, FullCapacityIsSaidAndSurvived)
   EXPECT_TRUE(hole.capacity_strained());
   while (hole.hole_depth() < 120.0) hole.extend(advance * axis, axis);
   EXPECT_EQ(hole.node_count() - before, 16);
-  const HoleSite site = hole.locate(hole.bottom_position(), -1);
-  EXPECT_NEAR(site.md, hole.hole_depth(), 1e-9);
+  const ClosestPoint closest = hole.locate(hole.bottom_position(), -1);
+  EXPECT_NEAR(closest.md, hole.hole_depth(), 1e-9);
   EXPECT_LT((hole.at(115.0).position - 115.0 * axis).norm(), 1e-9);
   EXPECT_THROW(Wellbore(straight_well(100.0), every_metres(0.1), bit_radius, 100), std::invalid_argument);
 }

@@ -20,7 +20,7 @@ FormationLayer main_job_rock()
   return rock;
 }
 
-// 8.6e-9 m/s per (N rad/s) * 14.26 rad/s * 74 kN = 9.08 mm/s = 32.7 m/h: the seed's rate.
+// 8.6e-9 m/s per (N rad/s) * 14.26 rad/s * 74 kN = 9.08 mm/s = 32.7 m/h: the paper's rate.
 TEST(Formation, OnAxisRateHasTheUnitsOfTheScene)
 {
   const FormationLayer rock = main_job_rock();

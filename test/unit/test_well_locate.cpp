@@ -62,7 +62,7 @@ class LocateIn : public testing::TestWithParam<WellSpec>
 };
 
 // Near its minimum the squared distance (of size 0.1 m2, known to 1e-13 m2 at coordinates of 1 km) is flat to md differences of
-// 1e-6 m and less, where the distance itself does not change. At P alone, where the fresh end begins a little sideways and
+// 1e-6 m and less, where the distance itself does not change. At P alone, where the newly drilled interval begins a little sideways and
 // turned, the plane rule and the least distance may choose differently: by less than radius times turn, 0.6 m * 3e-4.
 TEST_P(LocateIn, AgreesWithBruteForceWithinTwoRadii)
 {
@@ -74,12 +74,12 @@ TEST_P(LocateIn, AgreesWithBruteForceWithinTwoRadii)
   for (int i = 0; i < 10000; ++i)
   {
     const Eigen::Vector3d point = point_near(hole, 4.0 * bit_radius, random);
-    const HoleSite site = hole.locate(point, -1);
+    const ClosestPoint closest = hole.locate(point, -1);
     const WellNode expected = force.nearest(point);
-    const bool at_kink = std::abs(site.md - end) < 1e-3;
-    ASSERT_NEAR(site.md, expected.md, at_kink ? 2e-4 : 3e-6) << i;
-    ASSERT_NEAR((site.centre - point).norm(), (expected.position - point).norm(), at_kink ? 6e-5 : 1e-10) << i;
-    if (!at_kink) worst = std::max(worst, std::abs(site.md - expected.md));
+    const bool at_kink = std::abs(closest.md - end) < 1e-3;
+    ASSERT_NEAR(closest.md, expected.md, at_kink ? 2e-4 : 3e-6) << i;
+    ASSERT_NEAR((closest.centre - point).norm(), (expected.position - point).norm(), at_kink ? 6e-5 : 1e-10) << i;
+    if (!at_kink) worst = std::max(worst, std::abs(closest.md - expected.md));
   }
   std::printf("largest difference in md %.2g m\n", worst);
 }
@@ -101,14 +101,14 @@ TEST_P(LocateIn, WrongHintsAreHarmless)
 TEST_P(LocateIn, SiteMovesContinuouslyFromTheTopDriveToTheBottom)
 {
   const Wellbore hole = drilled_on(GetParam(), 0.35);
-  HoleSite before = hole.locate(hole.at(-30.0).position, -1);
+  ClosestPoint before = hole.locate(hole.at(-30.0).position, -1);
   EXPECT_EQ(before.segment, 0);
   for (const double md : depths(-30.0, hole.hole_depth(), 0.001))
   {
-    const HoleSite site = hole.locate(hole.at(md).position, before.segment);
-    ASSERT_NEAR(site.md, md, 1e-7);
-    ASSERT_LE((site.centre - before.centre).norm(), 0.001 + 2.0 * 30e-6) << md;
-    before = site;
+    const ClosestPoint closest = hole.locate(hole.at(md).position, before.segment);
+    ASSERT_NEAR(closest.md, md, 1e-7);
+    ASSERT_LE((closest.centre - before.centre).norm(), 0.001 + 2.0 * 30e-6) << md;
+    before = closest;
   }
 }
 
@@ -121,10 +121,10 @@ TEST_P(LocateIn, FootIsPerpendicularAndNewtonIsShort)
   for (int i = 0; i < points; ++i)
   {
     const Eigen::Vector3d point = point_near(hole, 4.0 * bit_radius, random);
-    const HoleSite cold = hole.locate(point, -1);
+    const ClosestPoint cold = hole.locate(point, -1);
     ASSERT_NEAR((point - cold.centre).dot(cold.tangent), 0.0, 1e-11);
     ASSERT_NEAR(cold.tangent.norm(), 1.0, 1e-14);
-    const HoleSite warm = hole.locate(point, std::max(cold.segment + i % 3 - 1, 0));
+    const ClosestPoint warm = hole.locate(point, std::max(cold.segment + i % 3 - 1, 0));
     ASSERT_NEAR(warm.md, cold.md, 1e-7);
     iterations += warm.iterations;
   }
@@ -141,19 +141,19 @@ TEST(WellLocate, MdGradientIsTheDerivative)
   for (int i = 0; i < 1000; ++i)
   {
     const Eigen::Vector3d point = point_near(hole, 4.0 * bit_radius, random);
-    const HoleSite site = hole.locate(point, -1);
+    const ClosestPoint closest = hole.locate(point, -1);
     constexpr double h = 1e-4;
     Eigen::Vector3d difference;
     bool one_segment = true;
     for (int k = 0; k < 3; ++k)
     {
-      const HoleSite plus = hole.locate(point + h * Eigen::Vector3d::Unit(k), site.segment);
-      const HoleSite minus = hole.locate(point - h * Eigen::Vector3d::Unit(k), site.segment);
+      const ClosestPoint plus = hole.locate(point + h * Eigen::Vector3d::Unit(k), closest.segment);
+      const ClosestPoint minus = hole.locate(point - h * Eigen::Vector3d::Unit(k), closest.segment);
       one_segment = one_segment && plus.segment == minus.segment;
       difference[k] = (plus.md - minus.md) / (2.0 * h);
     }
     if (!one_segment) continue;
-    ASSERT_LT((difference - site.md_gradient).norm(), 1e-6) << site.md;
+    ASSERT_LT((difference - closest.md_gradient).norm(), 1e-6) << closest.md;
   }
 }
 
@@ -163,13 +163,13 @@ TEST(WellLocate, SlopesAreDerivatives)
   const Wellbore hole = drilled_on(crooked_well(), 0.35);
   for (double md : {-3.0, 17.0, 500.0003, 500.0007, 1234.5, 1599.9995, 1600.13, 1600.34})
   {
-    const HoleSite site = hole.locate(hole.at(md).position, -1);
+    const ClosestPoint closest = hole.locate(hole.at(md).position, -1);
     constexpr double h = 1e-4;
     const WellNode plus = hole.at(md + h), minus = hole.at(md - h);
-    EXPECT_LT(((plus.position - minus.position) / (2.0 * h) - site.centre_slope).norm(), 1e-8) << md;
-    EXPECT_NEAR((plus.radius - minus.radius) / (2.0 * h), site.radius_slope, 1e-7) << md;
-    EXPECT_NEAR(site.radius, hole.at(md).radius, 1e-7) << md;
-    EXPECT_NEAR(site.friction, hole.at(md).friction, 1e-7) << md;
+    EXPECT_LT(((plus.position - minus.position) / (2.0 * h) - closest.centre_slope).norm(), 1e-8) << md;
+    EXPECT_NEAR((plus.radius - minus.radius) / (2.0 * h), closest.radius_slope, 1e-7) << md;
+    EXPECT_NEAR(closest.radius, hole.at(md).radius, 1e-7) << md;
+    EXPECT_NEAR(closest.friction, hole.at(md).friction, 1e-7) << md;
   }
 }
 }  // namespace

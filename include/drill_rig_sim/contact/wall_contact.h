@@ -33,7 +33,7 @@ namespace drill_rig_sim
 /// velocity = c x + const, angular_velocity = c r + const.
 struct ContactMotion
 {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();          ///< r_D at the stage; the HoleSite must be located for it [m]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();          ///< r_D at the stage; the ClosestPoint must be located for it [m]
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero();      ///< x since the start of the step [m]
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();          ///< r since the start of the step [rad]
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< v_D [m/s]
@@ -57,29 +57,29 @@ struct WallForce
 constexpr double wall_contact_smoothing = 1e-7;
 
 /// Clearance left between section and wall, -delta [m]; <= 0 means contact. The cheap test before anything else.
-/// @param site      hole at the section
+/// @param closest      hole at the section
 /// @param position  r_D [m]
 /// @param radius    R_D [m]
-inline double wall_gap(const HoleSite& site, const Eigen::Vector3d& position, double radius) noexcept
+inline double wall_gap(const ClosestPoint& closest, const Eigen::Vector3d& position, double radius) noexcept
 {
-  const double rho2 = (position - site.centre).squaredNorm() + wall_contact_smoothing * wall_contact_smoothing;
-  return site.radius - radius - std::sqrt(rho2);
+  const double rho2 = (position - closest.centre).squaredNorm() + wall_contact_smoothing * wall_contact_smoothing;
+  return closest.radius - radius - std::sqrt(rho2);
 }
 
 /// Wall on string with sticking friction, as described at the top of this file.
-/// @param site     hole at motion.position; site.friction is the kinetic coefficient mu_k
+/// @param closest     hole at motion.position; closest.friction is the kinetic coefficient mu_k
 /// @param radius   R_D [m]
 /// @param motion   of the section
 /// @param bristle  z_n, at the start of the step; zero where there was no contact [m]
 /// @param law      normal law, Stribeck curve, bristle stiffness k_b
 /// @return zeros when clear of the wall
-WallForce wall_contact(const HoleSite& site, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
+WallForce wall_contact(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
                        const ContactSpec& law) noexcept;
 
 /// The same with the consistent tangent d(force, moment)/d(x, r), overwritten; zero when clear of the wall. Not symmetric.
 /// It holds the change of n along the curved hole, dn/dr_D = P (1 - dC/ds (ds/dr_D)^T) / rho; of the hole, only the change of
 /// ds/dr_D and of dR/ds themselves is left out (second order in curvature and taper).
-WallForce wall_contact(const HoleSite& site, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
+WallForce wall_contact(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
                        const ContactSpec& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept;
 
 /// Prescribed sliding of the section's surface, for quasi-static torque and drag. Only the ratio of the two matters.
@@ -92,7 +92,7 @@ struct SlidingMotion
 /// Wall on string in steady sliding: full kinetic friction mu_k F_n against the given motion, no damping, no bristle.
 /// Slip direction m = (v_a t + w R_D t x n) / |...|; friction -mu_k F_n m, moment R_D n x friction. No sliding: no friction.
 /// @param tangent  d(force, moment)/d(x, r) at fixed sliding motion and hole tangent t, overwritten; columns of r are zero
-WallForce sliding_wall_contact(const HoleSite& site, double radius, const Eigen::Vector3d& position, const SlidingMotion& sliding,
+WallForce sliding_wall_contact(const ClosestPoint& closest, double radius, const Eigen::Vector3d& position, const SlidingMotion& sliding,
                                const ContactLaw& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept;
 
 }  // namespace drill_rig_sim

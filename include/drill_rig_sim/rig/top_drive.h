@@ -28,12 +28,12 @@ struct RotorState
 };
 
 /// How a stage of an implicit method ties the rotor's rates to its increment u since the start of the step:
-/// speed = rate_by_u u + rate_0, acceleration = acceleration_by_u u + acceleration_0.
+/// speed = dv_du u + rate_0, acceleration = da_du u + acceleration_0.
 struct RotorStage
 {
   double time = 0.0;               ///< from the start of the step to the stage [s]
-  double rate_by_u = 0.0;          ///< [1/s]
-  double acceleration_by_u = 0.0;  ///< [1/s2]
+  double dv_du = 0.0;          ///< [1/s]
+  double da_du = 0.0;  ///< [1/s2]
   double rate_0 = 0.0;             ///< [rad/s]
   double acceleration_0 = 0.0;     ///< [rad/s2]
 };
@@ -54,7 +54,7 @@ struct RotorResult
 /// @param spec      inertia > 0, gains >= 0, limits
 /// @param command   mode speed or torque (others are refused at the door and treated as speed here)
 /// @param start     of the step
-/// @param stage     acceleration_by_u > 0
+/// @param stage     da_du > 0
 /// @param top_spin  string top's spin increment since the start of the step [rad]
 RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& command, const RotorState& start, const RotorStage& stage,
                         double top_spin) noexcept;

@@ -22,7 +22,7 @@ class MarkerPublisher
 {
 public:
   /// `ask_for_picture` is called when somebody new subscribes.
-  MarkerPublisher(ros::NodeHandle& node, const Parameters& parameters, Demand& demand, std::function<void()> ask_for_picture);
+  MarkerPublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture);
   void publish(const Snapshot& s);
 
 private:
@@ -40,7 +40,7 @@ private:
   double force_scale_;
   ColorQuantity color_by_;
   double color_full_ = 0.0;  // quantity drawn in the last colour
-  Demand& demand_;
+  Subscriptions& subscriptions_;
   ros::Publisher markers_;
 };
 

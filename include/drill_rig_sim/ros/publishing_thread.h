@@ -10,7 +10,7 @@
 
 #include "drill_rig_sim/ros/frame_publisher.h"
 #include "drill_rig_sim/ros/marker_publisher.h"
-#include "drill_rig_sim/ros/snapshot_ring.h"
+#include "drill_rig_sim/ros/frame_ring.h"
 #include "drill_rig_sim/ros/state_publisher.h"
 #include "drill_rig_sim/ros/trajectory_publisher.h"
 
@@ -22,7 +22,7 @@ class PublishingThread
 {
 public:
   /// `on_change` is called after a change of run state is known.
-  PublishingThread(ros::NodeHandle& node, const Parameters& parameters, SnapshotRing& ring, Demand& demand,
+  PublishingThread(ros::NodeHandle& node, const Parameters& parameters, FrameRing& ring, Subscriptions& subscriptions,
                    std::function<void()> ask_for_picture, std::function<void()> on_change);
   ~PublishingThread();
 
@@ -39,7 +39,7 @@ private:
   void run();
   void publish(const Snapshot& s);
 
-  SnapshotRing& ring_;
+  FrameRing& ring_;
   std::function<void()> on_change_;
   bool publish_clock_;
   ros::Publisher clock_;

@@ -10,12 +10,12 @@
 #include "drill_rig_sim/ros/publishing_thread.h"
 #include "drill_rig_sim/ros/services.h"
 #include "drill_rig_sim/ros/simulation_loop.h"
-#include "drill_rig_sim/ros/snapshot_ring.h"
+#include "drill_rig_sim/ros/frame_ring.h"
 
 namespace drill_rig_sim
 {
 /// The node: a simulation thread, a publishing thread, and callbacks for commands, services and timers.
-///   topics -> Mailbox -> SimulationLoop (owns Simulator, Timekeeper) -> SnapshotRing -> PublishingThread -> topics
+///   topics -> Mailbox -> SimulationLoop (owns Simulator, Timekeeper) -> FrameRing -> PublishingThread -> topics
 ///   services -> SimulationLoop::between_frames()
 class RigNode
 {
@@ -31,7 +31,7 @@ private:
   Parameters parameters_;
   Scene scene_;
   Mailbox mailbox_;
-  SnapshotRing ring_;
+  FrameRing ring_;
   SimulationLoop loop_;
   PublishingThread publishing_;
   DiagnosticsPublisher diagnostics_;

@@ -32,7 +32,7 @@ class Services
 public:
   /// `node` answers on its own callback queue, so that a long step() holds up no command.
   Services(ros::NodeHandle& node, const Parameters& parameters, Scene scene, SimulationLoop& loop, PublishingThread& publishing,
-           SnapshotRing& ring);
+           FrameRing& ring);
 
 private:
   // A snapshot of the rig with what the node adds to it.
@@ -67,7 +67,7 @@ private:
   Scene running_;  // the same, with the bit depth asked for
   SimulationLoop& loop_;
   PublishingThread& publishing_;
-  SnapshotRing& ring_;
+  FrameRing& ring_;
   std::map<std::string, Saved> saved_;  // of the running scene
   std::mutex one_at_a_time_;
   std::vector<ros::ServiceServer> servers_;

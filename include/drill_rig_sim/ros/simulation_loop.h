@@ -9,7 +9,7 @@
 
 #include "drill_rig_sim/ros/mailbox.h"
 #include "drill_rig_sim/ros/semaphore.h"
-#include "drill_rig_sim/ros/snapshot_ring.h"
+#include "drill_rig_sim/ros/frame_ring.h"
 #include "drill_rig_sim/ros/timekeeper.h"
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
@@ -17,7 +17,7 @@
 namespace drill_rig_sim
 {
 /// Which displays somebody looks at; written by the publishers, read by the simulation thread.
-struct Demand
+struct Subscriptions
 {
   std::atomic<bool> profile{false};
   std::atomic<bool> markers{false};
@@ -43,11 +43,11 @@ struct RunningRig
 class SimulationLoop
 {
 public:
-  SimulationLoop(const Parameters& parameters, std::unique_ptr<Simulator> simulator, Mailbox& mailbox, SnapshotRing& ring);
+  SimulationLoop(const Parameters& parameters, std::unique_ptr<Simulator> simulator, Mailbox& mailbox, FrameRing& ring);
   ~SimulationLoop();
 
   void start();
-  /// Ends a step() under way; the thread goes on letting visitors in.
+  /// Ends a step() under way; the thread goes on letting between-frames callbacks in.
   void halt() noexcept;
   /// Ends the thread; nobody may visit any more.
   void join();
@@ -56,7 +56,7 @@ public:
   template <class Visit>
   void between_frames(Visit visit)
   {
-    const std::lock_guard<std::mutex> alone(visitors_);
+    const std::lock_guard<std::mutex> alone(callers_);
     asked_ = true;
     wake_.post();
     entered_.wait();
@@ -72,7 +72,7 @@ public:
     left_.post();
   }
 
-  // For visitors
+  // For between-frames callbacks
   RunningRig& rig() noexcept { return rig_; }
   Timekeeper& time() noexcept { return time_; }
   bool paused() const noexcept { return paused_; }
@@ -97,11 +97,11 @@ public:
     time_.hear_clock(clock);
     wake_.post();
   }
-  Demand& demand() noexcept { return demand_; }
+  Subscriptions& subscriptions() noexcept { return subscriptions_; }
   /// Asks for one picture of the present state while time stands.
   void refresh() noexcept
   {
-    demand_.refresh = true;
+    subscriptions_.refresh = true;
     wake_.post();
   }
 
@@ -115,7 +115,7 @@ private:
   };
 
   void run() noexcept;
-  void let_visitor_in() noexcept;
+  void run_between_frames() noexcept;
   void wait_or_work() noexcept;
   void one_frame(std::int64_t now) noexcept;
   void take_commands() noexcept;
@@ -132,10 +132,10 @@ private:
 
   const Parameters& parameters_;
   Mailbox& mailbox_;
-  SnapshotRing& ring_;
+  FrameRing& ring_;
   RunningRig rig_;
   Timekeeper time_;
-  Demand demand_;
+  Subscriptions subscriptions_;
   LoopStatistics statistics_;
   double frame_duration_;  // [s]
   bool paused_ = false;
@@ -143,7 +143,7 @@ private:
   Cadence state_cadence_, profile_cadence_, tf_cadence_, marker_cadence_, well_cadence_;
 
   std::atomic<bool> halted_{false}, quit_{false}, asked_{false};
-  std::mutex visitors_;
+  std::mutex callers_;
   Semaphore wake_, entered_, left_, step_done_;
   std::uint32_t frames_to_go_ = 0;
   bool stepping_ = false;

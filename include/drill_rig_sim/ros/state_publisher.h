@@ -16,7 +16,7 @@ namespace drill_rig_sim
 class StatePublisher
 {
 public:
-  StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Demand& demand);
+  StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions);
   void publish(const Snapshot& s);
 
 private:
@@ -27,7 +27,7 @@ private:
   ros::Time measured_at(const FrameRecord& frame, double time) const;
 
   std::string floor_;  // frame_id
-  Demand& demand_;
+  Subscriptions& subscriptions_;
   std::uint64_t last_survey_ = 0, last_toolface_ = 0;
   DrillstringState profile_;
   ros::Publisher hook_load_, torque_, rig_state_, rig_limits_, joint_states_;

@@ -18,7 +18,7 @@ namespace drill_rig_sim
 /// so the delay is caught up, as long as it is below 0.1 s; what is beyond is dropped and counted: simulated time then falls
 /// behind.
 ///
-/// Everything but hear_clock() belongs to the simulation thread, or to a visitor between its frames.
+/// Everything but hear_clock() belongs to the simulation thread, or to a between-frames callback between its frames.
 class Timekeeper
 {
 public:

@@ -117,7 +117,7 @@ struct PartSpec
   double density = 7850.0;           ///< of its material: displaced volume = linear mass / density [kg/m3]
   double tool_joint_diameter = 0.0;  ///< pipe: at its joints' ends; 0 = outer diameter [m]
   double blade_diameter = 0.0;       ///< stabilizer [m]
-  double film_damping = 5e4;         ///< bit, stabilizer: lateral, by the mud squeezed between gauge or blades and wall [N s/m]
+  double squeeze_film_damping = 5e4;         ///< bit, stabilizer: lateral, by the mud squeezed between gauge or blades and wall [N s/m]
   double sensor_offset = 0.0;        ///< mwd: from the part's lower end up to the sensor [m]
   bool has_contact = false;          ///< true where the part sets its own wall contact law
   ContactLaw contact;
@@ -178,7 +178,7 @@ struct RigSpec
 struct TrajectorySpec
 {
   double stage_two_length = 0.1;  ///< drilled length between second-stage corrections [m]; used when stage_two_steps is 0
-  int stage_two_steps = 0;        ///< or every so many physics steps, as the seed counts
+  int stage_two_steps = 0;        ///< or every so many physics steps, as the paper counts
 };
 
 struct StartSpec

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "drill_rig_sim/math/cost_book.h"
+#include "drill_rig_sim/math/profiler.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/measurements.h"
@@ -31,8 +31,8 @@ struct SimulatorStatistics
   std::uint64_t frames = 0;
   std::uint64_t steps = 0;              ///< physics steps that were accepted
   std::uint64_t newton_iterations = 0;
-  std::uint64_t rejected_steps = 0;     ///< attempts without a solution, repeated with half the step
-  std::uint64_t refined_steps = 0;      ///< attempts repeated with half the step for accuracy
+  std::uint64_t convergence_failures = 0;     ///< attempts without a solution, repeated with half the step
+  std::uint64_t error_test_failures = 0;      ///< attempts repeated with half the step for accuracy
   Work work;                            ///< residuals, tangents and linear solves
   std::uint64_t commands_clamped = 0;
   std::uint64_t commands_refused = 0;
@@ -42,7 +42,7 @@ struct SimulatorStatistics
   const char* integrator = "";
   double step = 0.0;                    ///< [s]
   double last_error_estimate = 0.0;     ///< local, of the last step's positions [m]
-  CostBook costs;                       ///< where the frames' time went
+  Profiler costs;                       ///< where the frames' time went
   bool is_reference = false;            ///< the integrator is ida, and this is its report:
   ReferenceReport reference;
 };
@@ -67,10 +67,10 @@ public:
 
   /// Advances by `duration` [s], a multiple of the scene's step, in as many physics steps.
   FrameStatus frame(double duration) noexcept;
-  /// Opens an energy book for the frames to come, or closes it. False: not with this scene's integrator (ida) or element. Frames cost some three
+  /// Opens an energy balance for the frames to come, or closes it. False: not with this scene's integrator (ida) or element. Frames cost some three
   /// residuals a step more while it is open, and give the same results. restore() opens it anew.
-  bool book_energy(bool on = true);
-  /// The book's accounts since it was opened; all zero without a book.
+  bool balance_energy(bool on = true);
+  /// The balance's accounts since it was opened; all zero without a balance.
   const EnergyAccounts& energy() const noexcept;
   /// Why the last frame failed, one line; empty while running.
   const char* failure() const noexcept;

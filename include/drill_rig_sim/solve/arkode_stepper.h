@@ -29,7 +29,7 @@ public:
   NewtonLimits& limits() noexcept;
 
 private:
-  Attempted attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept override;
+  StepResult attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept override;
 
   class Session;
   std::unique_ptr<Session> session_;

@@ -6,11 +6,11 @@
 namespace drill_rig_sim
 {
 /// What became of a step.
-enum class Attempted
+enum class StepResult
 {
   solved,
-  too_coarse,  ///< solved, but worth halves; the state is untouched
-  unsolved     ///< the state is untouched
+  error_test_failed,  ///< solved, but worth halves; the state is untouched
+  not_converged     ///< the state is untouched
 };
 
 /// An integrator whose steps may fail: a step that cannot be solved is repeated in halves, quarters, ... down to 1/32, one that is too
@@ -19,14 +19,14 @@ class HalvingIntegrator : public Integrator
 {
 public:
   bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept final;
-  bool keep_book(EnergyBook* book) noexcept final;
+  bool keep_balance(EnergyBalance* balance) noexcept final;
 
 protected:
-  EnergyBook* book_ = nullptr;  ///< attempt() begins its step before System::begin() and ends it before System::finish()
+  EnergyBalance* balance_ = nullptr;  ///< attempt() begins its step before System::begin() and ends it before System::finish()
 
 private:
-  /// One step of `step` [s]. `budget`: Newton iterations left, reduced by those it took; `may_refine`: too_coarse may be answered.
-  virtual Attempted attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept = 0;
+  /// One step of `step` [s]. `budget`: Newton iterations left, reduced by those it took; `may_refine`: error_test_failed may be answered.
+  virtual StepResult attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept = 0;
 };
 
 }  // namespace drill_rig_sim

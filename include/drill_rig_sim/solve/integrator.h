@@ -13,14 +13,14 @@
 
 namespace drill_rig_sim
 {
-class EnergyBook;
+class EnergyBalance;
 
 struct StepperCounters
 {
   std::uint64_t steps = 0;
   std::uint64_t newton_iterations = 0;
-  std::uint64_t rejected_steps = 0;  ///< without a solution, repeated in parts
-  std::uint64_t refined_steps = 0;   ///< repeated in parts because too much happened in them
+  std::uint64_t convergence_failures = 0;  ///< without a solution, repeated in parts
+  std::uint64_t error_test_failures = 0;   ///< repeated in parts because too much happened in them
 };
 
 /// Advances the state of a rig through time in steps of given length, at whose ends the hole is extended and set points change.
@@ -33,8 +33,8 @@ public:
   virtual bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept = 0;
   /// The next state is not the one that advance() left: whatever is remembered of the past is void.
   virtual void restart() noexcept {}
-  /// Books the energy of all further steps in `book`, null: no more. False: this integrator cannot.
-  virtual bool keep_book(EnergyBook* book) noexcept { return book == nullptr; }
+  /// Books the energy of all further steps in `balance`, null: no more. False: this integrator cannot.
+  virtual bool keep_balance(EnergyBalance* balance) noexcept { return balance == nullptr; }
 
   const StepperCounters& counters() const noexcept { return counters_; }
   /// Local error of the last step's positions, as the method estimates it [m]; 0 where it does not.

@@ -12,7 +12,7 @@ struct NewtonLimits
 {
   double tolerance = 1e-6;   ///< on the error left in u, [m] and [rad] alike: bit embedding and joint sag are of order 1e-3
   int max_iterations = 8;    ///< tangents
-  double max_move = 0.05;    ///< longest increment of one iteration [m, rad]
+  double max_increment = 0.05;    ///< longest increment of one iteration [m, rad]
 };
 
 /// True when an increment [m, rad] ends the iteration; `before`: the increment of the iteration before, 0 for the first. An iteration

@@ -6,13 +6,13 @@
 
 #include "drill_rig_sim/solve/halving_integrator.h"
 #include "drill_rig_sim/solve/newton.h"
-#include "drill_rig_sim/solve/penetrate_rock.h"
+#include "drill_rig_sim/solve/extend_hole.h"
 #include "drill_rig_sim/system/system.h"
 
 namespace drill_rig_sim
 {
 /// What a method works with during one step; the system has begun it. All increments and rates are based on the start of the step.
-struct Attempt
+struct StepContext
 {
   const SystemState& state;  ///< at the start
   double step;               ///< [s]
@@ -34,10 +34,10 @@ struct Method
   const char* name;
   const char* description;
   /// Takes one step: on success the system is left at its end, settled, ready for finish(). False: not solvable.
-  bool (*step)(Attempt& attempt) noexcept;
+  bool (*step)(StepContext& context) noexcept;
   /// It starts from NodeState::acceleration, which must be known when there is no history.
   bool needs_acceleration;
-  /// Its error is a sixth of what the solution is away from the extrapolation; a step with more than refined_error of it is refined.
+  /// Its error is a sixth of what the solution is away from the extrapolation; a step with more than largest_local_error of it is refined.
   bool refines;
   /// What the method itself remembers, written into the state after finish(); null: nothing.
   void (*remember)(SystemState& state, double step) noexcept;
@@ -45,7 +45,7 @@ struct Method
 
 /// Local error of a node's place above which a step is repeated in halves [m]. Blows are above it at the default step, the waves that
 /// a winch makes are not.
-constexpr double refined_error = 1e-4;
+constexpr double largest_local_error = 1e-4;
 
 const std::vector<Method>& method_table();
 /// Null for an unknown name; "auto" is the default method.
@@ -55,19 +55,19 @@ const Method* find_method(const std::string& name);
 void prepare_start(const SystemState& state, Stage& stage) noexcept;
 /// Implicit Euler: first order, L-stable. Also starts the multi-step methods.
 void prepare_implicit_euler(const SystemState& state, double step, Stage& stage) noexcept;
-bool step_implicit_euler(Attempt& attempt) noexcept;
+bool step_implicit_euler(StepContext& context) noexcept;
 /// Linearly implicit Euler: one linear solve a step, about its start. First order.
-bool step_linearly_implicit_euler(Attempt& attempt) noexcept;
+bool step_linearly_implicit_euler(StepContext& context) noexcept;
 /// BDF2 with variable step: second order, L-stable, one solve a step.
 void prepare_bdf2(const SystemState& state, double step, Stage& stage) noexcept;
-bool step_bdf2(Attempt& attempt) noexcept;
+bool step_bdf2(StepContext& context) noexcept;
 /// TR-BDF2: second order, one-step, L-stable, two solves a step.
-bool step_trbdf2(Attempt& attempt) noexcept;
+bool step_trbdf2(StepContext& context) noexcept;
 /// Generalised alpha (Chung and Hulbert), forces in balance at the ends of steps (Arnold and Bruels): second order, one solve a step.
-bool step_generalised_alpha(Attempt& attempt) noexcept;
+bool step_generalised_alpha(StepContext& context) noexcept;
 void remember_generalised_alpha(SystemState& state, double step) noexcept;
 /// Central differences: second order, no solve, stable for short steps only (explicit_limit.h).
-bool step_explicit(Attempt& attempt) noexcept;
+bool step_explicit(StepContext& context) noexcept;
 
 /// A node's rates in the coordinates of u; `normal`: the section normal that they are split by.
 inline Vector6d in_step_axes(const NodeRate& rate, const Eigen::Vector3d& normal) noexcept
@@ -93,7 +93,7 @@ public:
 private:
   double predictor_distance() const noexcept;
   void find_acceleration(SystemState& state, const Setpoints& setpoints) noexcept;
-  Attempted attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept override;
+  StepResult attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept override;
 
   System& system_;
   Method method_;

@@ -64,7 +64,7 @@ struct BeamTangent
 struct BeamDamping
 {
   double time = 0.0;  ///< [s]; 0: none, the rates below are not looked at
-  double rate_by_move = 0.0;  ///< d rate / d move of the method in use, for the tangent [1/s]
+  double dv_du = 0.0;  ///< d rate / d move of the method in use, for the tangent [1/s]
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      ///< of the lower end less that of the upper one [m/s]
   Eigen::Vector3d upper_turning = Eigen::Vector3d::Zero();  ///< angular velocity, spatial [rad/s]
   Eigen::Vector3d lower_turning = Eigen::Vector3d::Zero();

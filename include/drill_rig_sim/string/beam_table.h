@@ -17,7 +17,7 @@ struct BeamKind
   BeamForces (*forces)(const BeamSection&, const BeamPose&, const BeamDamping&, const Eigen::Vector3d& load, BeamStrain&) noexcept;
   BeamForces (*forces_and_tangent)(const BeamSection&, const BeamPose&, const BeamDamping&, const Eigen::Vector3d& load, BeamStrain&,
                                    BeamTangent&) noexcept;
-  /// U [J], whose gradient the forces are; dead loads with end moments as in beam_element.h. Null: not given, no energy book can be kept.
+  /// U [J], whose gradient the forces are; dead loads with end moments as in beam_element.h. Null: not given, no energy balance can be kept.
   double (*energy)(const BeamSection&, const BeamPose&) noexcept;
 };
 

@@ -19,7 +19,7 @@ struct MeshNode
   double spin_inertia = 0.0;  ///< about the string's axis [kg m2]
   double tilt_inertia = 0.0;  ///< about any axis across it [kg m2]
   double length = 0.0;        ///< share of the string, for the mud's damping [m]
-  double film_damping = 0.0;  ///< of lateral motion by the mud squeezed between blades or gauge and wall [N s/m]
+  double squeeze_film_damping = 0.0;  ///< of lateral motion by the mud squeezed between blades or gauge and wall [N s/m]
   int part = 0;               ///< index into Scene::string of the part below it
   int joint = 0;              ///< joint of that part, counted from its lower end
   bool joint_end = false;     ///< upper end of a joint

@@ -5,7 +5,7 @@
 
 namespace drill_rig_sim
 {
-/// Work and energy since a book was opened [J]. Positive: inputs feed the system, everything else takes from it.
+/// Work and energy since a balance was opened [J]. Positive: inputs feed the system, everything else takes from it.
 ///
 ///   winch + drive + pump + gravity = stored + dissipated + broken rock + numerical + correction + residual
 ///
@@ -29,18 +29,18 @@ struct EnergyAccounts
   double gravity = 0.0;  ///< weight in mud
 
   // stored
-  StoredEnergy first;  ///< when the book was opened
+  StoredEnergy first;  ///< when the balance was opened
   StoredEnergy last;   ///< now
 
   // physical dissipation
   double wall_friction = 0.0;     ///< friction's work less what its bristles hold
   double wall_damping = 0.0;      ///< Hunt and Crossley's, at the wall
   double bottom_damping = 0.0;    ///< and of the bit on the bottom
-  double film = 0.0;              ///< mud squeezed between blades or gauge and wall
+  double squeeze_film = 0.0;              ///< mud squeezed between blades or gauge and wall
   double mud = 0.0;
   double structural = 0.0;
   double motor_slip = 0.0;        ///< pump less torque times the mud motor's speed
-  double grip_released = 0.0;     ///< held by a grip when it let go
+  double stuck_point_released = 0.0;     ///< held by a stuck point when it let go
   // what the model itself leaves out
   double ledge = 0.0;       ///< work of the wall's axial push where its radius changes (wall_contact.h: "sideways, never along")
   double added_mass = 0.0;  ///< of the added mass, lateral only: the force of its axes' turning with the string, and nodes that enter mud
@@ -54,7 +54,7 @@ struct EnergyAccounts
   // numerical dissipation
   double of_inertia = 0.0;   ///< nodes and rotor
   double of_beams = 0.0;
-  double of_contact = 0.0;   ///< elastic part of wall, bottom and grip
+  double of_contact = 0.0;   ///< elastic part of wall, bottom and stuck point
   double of_line = 0.0;
   double of_residual = 0.0;  ///< Newton's or linearisation's rest
   double of_rebasing = 0.0;  ///< lost when rates are carried to the axes of the next step

@@ -20,11 +20,11 @@ struct StoredEnergy
   double bottom = 0.0;       ///< the same of the bit on the bottom
   double bristles = 0.0;     ///< sticking friction at the wall, k_b z^2 / 2
   double bit_bristle = 0.0;  ///< sticking bit
-  double grip = 0.0;         ///< formation that grips the pipe
+  double stuck_point = 0.0;         ///< formation that holds the pipe
   double weight = 0.0;       ///< - (weight in mud of this step) . places: only its change within a step means anything
 
   double kinetic_all() const noexcept { return kinetic + turning + rotor; }
-  double elastic_all() const noexcept { return beams + line + meter + wall + bottom + bristles + bit_bristle + grip; }
+  double elastic_all() const noexcept { return beams + line + meter + wall + bottom + bristles + bit_bristle + stuck_point; }
 };
 
 /// Forces that act on the nodes, in the residual's sign (they resist the motion) and coordinates, 6 per node.
@@ -35,7 +35,7 @@ enum class NodeForce
   wall,          ///< gradient of the wall's energy
   structural,    ///< damping part of the elements
   mud,
-  film,
+  squeeze_film,
   wall_damping,  ///< Hunt and Crossley's part of the normal force
   friction,
   ledge,         ///< what the wall's force lacks of the gradient where the radius changes (wall_contact.h: "sideways, never along")
@@ -43,13 +43,13 @@ enum class NodeForce
   count
 };
 
-/// All that an energy book takes from one instant.
+/// All that an energy balance takes from one instant.
 struct EnergySample
 {
   StoredEnergy stored;
   std::array<std::vector<double>, static_cast<std::size_t>(NodeForce::count)> force;
   std::vector<double> rate;  ///< 6 per node
-  std::vector<double> move;  ///< since the start of the step, 6 per node
+  std::vector<double> increment;  ///< since the start of the step, 6 per node
   double step = 0.0;         ///< since the start of the step [s]
 
   // bit
@@ -65,9 +65,9 @@ struct EnergySample
   double motor_speed = 0.0;     ///< in this step [rad/s]
   double motor_flow_speed = 0.0;  ///< what the flow would turn it at without slip, 2 pi Q / V [rad/s]; 0: no motor
 
-  // grip
-  int grip_node = -1;
-  Eigen::Matrix<double, 6, 1> grip = Eigen::Matrix<double, 6, 1>::Zero();
+  // stuck point
+  int stuck_node = -1;
+  Eigen::Matrix<double, 6, 1> stuck_point = Eigen::Matrix<double, 6, 1>::Zero();
 
   // rig
   double hook_force = 0.0;     ///< [N]
@@ -79,7 +79,7 @@ struct EnergySample
   double drive_torque = 0.0;   ///< of the top drive's motor [N m]
   double rotor_speed = 0.0;    ///< [rad/s]
   double rotor_inertia = 0.0;  ///< J dw/dt [N m]
-  double rotor_move = 0.0;     ///< in the step [rad]
+  double rotor_increment = 0.0;     ///< in the step [rad]
 };
 
 }  // namespace drill_rig_sim

@@ -27,7 +27,7 @@ struct NodeState
   double spin_angle = 0.0;                                              ///< turned since the start, unbounded [rad]
   NodeRate rate;
   NodeRate last_rate;  ///< one step before (multi-step methods)
-  NodeRate last_move;  ///< the last step's increments, in [m, rad, rad] (multi-step methods)
+  NodeRate last_increment;  ///< the last step's increments, in [m, rad, rad] (multi-step methods)
   NodeRate acceleration;  ///< in [m/s2, rad/s2, rad/s2]
   NodeRate averaged_acceleration;  ///< a of the generalised-alpha method, 0 with the others
   Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction, world axes [m]
@@ -40,7 +40,7 @@ struct DriveState
   double angle = 0.0;       ///< [rad], unbounded
   double speed = 0.0;       ///< [rad/s]
   double last_speed = 0.0;  ///< one step before
-  double last_move = 0.0;   ///< the last step's increment [rad]
+  double last_increment = 0.0;   ///< the last step's increment [rad]
   double acceleration = 0.0;  ///< [rad/s2]
   double averaged_acceleration = 0.0;  ///< a of the generalised-alpha method
   double integral = 0.0;    ///< of the speed error [rad]
@@ -66,8 +66,8 @@ struct BitState
   Eigen::Vector3d rock_velocity = Eigen::Vector3d::Zero();  ///< of the hole's bottom in the last step [m/s]
 };
 
-/// A pipe gripped by the formation.
-struct GripState
+/// Where the formation holds the pipe.
+struct StuckPointState
 {
   int node = -1;  ///< -1: none
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -86,7 +86,7 @@ struct SystemState
   DriveState drive;
   HoistState hoist;
   BitState bit;
-  GripState grip;
+  StuckPointState stuck_point;
   double flow = 0.0;  ///< of the pump [m3/s]
 };
 

@@ -7,7 +7,7 @@
 #include "drill_rig_sim/contact/bit_bottom.h"
 #include "drill_rig_sim/contact/wall_contact.h"
 #include "drill_rig_sim/math/block_tridiagonal.h"
-#include "drill_rig_sim/math/cost_book.h"
+#include "drill_rig_sim/math/profiler.h"
 #include "drill_rig_sim/rig/setpoints.h"
 #include "drill_rig_sim/rig/top_drive.h"
 #include "drill_rig_sim/scene/scene.h"
@@ -32,14 +32,14 @@ enum class FrictionMode
   rotate     ///< that turns clockwise
 };
 
-/// How a stage of a method ties rates to the unknown increments u since the start of the step: rate = rate_by_u u + rate_0,
-/// acceleration = acceleration_by_u u + acceleration_0, node by node. Translation in world axes; rotation as tilt (world axes, across
+/// How a stage of a method ties rates to the unknown increments u since the start of the step: rate = dv_du u + rate_0,
+/// acceleration = da_du u + acceleration_0, node by node. Translation in world axes; rotation as tilt (world axes, across
 /// the section normal at the step's start) plus spin about that normal, added up in one vector.
 struct Stage
 {
   double time = 0.0;               ///< from the start of the step, for the laws that advance their own state [s]
-  double rate_by_u = 0.0;          ///< [1/s]
-  double acceleration_by_u = 0.0;  ///< [1/s2]
+  double dv_du = 0.0;          ///< [1/s]
+  double da_du = 0.0;  ///< [1/s2]
   std::vector<Vector6d> rate;          ///< rate_0
   std::vector<Vector6d> acceleration;  ///< acceleration_0
   RotorStage drive;                    ///< the same for the top drive's rotor; its time is not looked at
@@ -65,7 +65,7 @@ struct GivenMotion
   Eigen::Vector3d bottom_moved = Eigen::Vector3d::Zero();  ///< of the hole's bottom since the start of the step [m]
 };
 
-/// Forces at the state that finish() made, for measurements and energy books.
+/// Forces at the state that finish() made, for measurements and energy balances.
 struct SystemForces
 {
   std::vector<double> tension;          ///< of the elements [N]
@@ -117,9 +117,9 @@ public:
   /// Residual R(u) and, unless null, its tangent dR/du. u, residual: 6 per node, bit first.
   void evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept;
   /// All forces but the rig's at a motion given outright: no inertia, nothing held. `string`: of elements, weight and mud on the nodes;
-  /// `contact`: of wall, rock, grip and the bit's weight, row 0 on the bit as a body of its own; both 6 per node, overwritten: force and
+  /// `contact`: of wall, rock, stuck point and the bit's weight, row 0 on the bit as a body of its own; both 6 per node, overwritten: force and
   /// moment that must be put on the node so that it does not accelerate (world axes). Tangents, unless null: with respect to positions and
-  /// spatial rotations, plus the stage's rate_by_u times that with respect to the rates; that of `contact` has diagonal blocks only.
+  /// spatial rotations, plus the stage's dv_du times that with respect to the rates; that of `contact` has diagonal blocks only.
   /// finish() then takes this motion; the rig's share in the state is the caller's.
   void evaluate_motion(const GivenMotion& motion, double* string, double* contact, BlockTridiagonal* string_tangent,
                        BlockTridiagonal* contact_tangent) noexcept;
@@ -167,12 +167,12 @@ public:
   bool has_energy() const noexcept { return beam_.energy != nullptr; }
   /// Energies at the state last evaluated or settled, before finish().
   StoredEnergy stored_energy() const noexcept;
-  /// Energies, forces and rates there, for an energy book; the stage's accelerations must be those of the method. Leaves everything as it
+  /// Energies, forces and rates there, for an energy balance; the stage's accelerations must be those of the method. Leaves everything as it
   /// was. Allocates when `out` or the system has not been used for it before.
   void sample_energy(EnergySample& out) noexcept;
 
-  /// Where the time goes; evaluate() books its parts, its callers theirs.
-  CostBook& costs() noexcept { return costs_; }
+  /// Where the time goes; evaluate() times its parts, its callers theirs.
+  Profiler& profiler() noexcept { return profiler_; }
   /// evaluate() and settle() count their own, solvers theirs.
   Work& work() noexcept { return work_; }
 
@@ -186,7 +186,7 @@ private:
     double spin;
     Vector6d increment, rate, acceleration;
     double immersed;  // 1 below the rotary table
-    HoleSite site;
+    ClosestPoint closest;
     Eigen::Vector3d bristle;
   };
 
@@ -211,9 +211,9 @@ private:
   void add_mud_damping(double* residual, BlockTridiagonal* tangent) noexcept;
   void add_inertia(double* residual, BlockTridiagonal* tangent) noexcept;
   WallForce wall_force(int i, double radius, Eigen::Matrix<double, 6, 6>* block) noexcept;
-  void add_film(int i, double* residual, BlockTridiagonal* tangent) noexcept;
+  void add_squeeze_film(int i, double* residual, BlockTridiagonal* tangent) noexcept;
   void add_walls(double* residual, BlockTridiagonal* tangent) noexcept;
-  void add_grip(double* residual, BlockTridiagonal* tangent) noexcept;
+  void add_stuck_point(double* residual, BlockTridiagonal* tangent) noexcept;
   void add_bit(double* residual, BlockTridiagonal* tangent) noexcept;
   void add_rig(double* residual, BlockTridiagonal* tangent) noexcept;
   void hold_top(double* residual, BlockTridiagonal* tangent) noexcept;
@@ -258,7 +258,7 @@ private:
   BottomForce bottom_;
   double top_force_ = 0.0;
   double top_torque_ = 0.0;
-  CostBook costs_;
+  Profiler profiler_;
   Work work_;
 };
 

@@ -14,7 +14,7 @@
 namespace drill_rig_sim
 {
 /// The hole's cross section nearest to a point D: where c(md) satisfies (r_D - c) . c' = 0.
-struct HoleSite
+struct ClosestPoint
 {
   double md = 0.0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -28,15 +28,15 @@ struct HoleSite
   int iterations = 0;  ///< Newton iterations used
 };
 
-/// The hole: permanent nodes joined by cubic Hermites, and below the last of them, P, the straight fresh end that is being
+/// The hole: permanent nodes joined by cubic Hermites, and below the last of them, P, the straight newly drilled interval that is being
 /// drilled.
 ///
-/// Drilling, in two stages (the seed's correction). Stage I, each step: the bottom centre C moves by what the bit drilled; the
+/// Drilling, in two stages (the paper's correction). Stage I, each step: the bottom centre C moves by what the bit drilled; the
 /// raw path goes to a bounded buffer for pictures and nothing else. Stage II, each time |C - P| reaches the stage-two length L2
 /// (or every N drilling steps): C becomes a permanent node with tangent (C - P)/|C - P| and md = md_P + |C - P|; all between is
 /// dropped.
 ///
-/// The fresh end is the straight line through C with the direction
+/// The newly drilled interval is the straight line through C with the direction
 ///   d = normalised( t_P max(L2 - |C - P|, 0) + (C - P) ),
 /// so it is always measured over at least L2: raw nodes lie microns apart and their directions swing by a degree. When a Stage II
 /// commit happens d is the chord before and t_P after: the line does not jump. (By steps, L2 is the previous interval's length,
@@ -45,7 +45,7 @@ struct HoleSite
 /// continuous along the hole and in time; on commit it is md_P + |C - P|. At P the line is offset sideways by up to
 /// (1 - |C - P|/L2) times C's distance from the tangent at P: tens of microns in a raw helix of 30 um.
 ///
-/// Segments are numbered 0: the straight vertical line above the first node (md = -z), 1 .. n: permanent, n + 1: the fresh end.
+/// Segments are numbered 0: the straight vertical line above the first node (md = -z), 1 .. n: permanent, n + 1: the newly drilled interval.
 /// Copies are snapshots. Assignment between copies of one well costs what was drilled in between and does not allocate.
 class Wellbore
 {
@@ -61,9 +61,9 @@ public:
   /// The cross section nearest to `point` [m]. `segment_hint` < 0 searches the whole hole (nearest of all); otherwise the search
   /// walks from that segment, and turns to the whole hole if it walks far or ends more than four radii from the axis. Newton's
   /// method on f(s) = (r_D - c(s)) . c'(s), f' = -|c'|^2 + (r_D - c) . c''; s outside 0 .. 1 moves to the neighbour. Exact while
-  /// the point is nearer than the hole's radius of curvature. Any hint is safe; a point that is not finite gives a site that is
+  /// the point is nearer than the hole's radius of curvature. Any hint is safe; a point that is not finite gives one that is
   /// not.
-  HoleSite locate(const Eigen::Vector3d& point, int segment_hint) const noexcept;
+  ClosestPoint locate(const Eigen::Vector3d& point, int segment_hint) const noexcept;
 
   /// Stage I, and Stage II when due. `bottom_displacement`: how far the bit moved the bottom in this step, world axes [m];
   /// `bit_axis`: the raw node's tangent, unit, downhole. False and nothing changed if a number is not finite. About a hundred flops, whatever the drilled length.
@@ -80,21 +80,21 @@ public:
   const Eigen::Vector3d& bottom_normal() const noexcept { return bottom_normal_; }
   /// Tangent that Stage I gives the raw node: the bit's axis at the last displacement.
   const Eigen::Vector3d& raw_tangent() const noexcept { return raw_tangent_; }
-  /// d, the smoothed direction of the fresh end: for the wall, and for the hole's inclination and azimuth at bottom.
-  const Eigen::Vector3d& end_direction() const noexcept { return fresh_.c1; }
-  double bottom_radius() const noexcept { return fresh_.radius; }
+  /// d, the smoothed direction of the newly drilled interval: for the wall, and for the hole's inclination and azimuth at bottom.
+  const Eigen::Vector3d& end_direction() const noexcept { return new_interval_.c1; }
+  double bottom_radius() const noexcept { return new_interval_.radius; }
   /// Length of the raw path drilled since construction [m], the sum of |displacement|.
   double drilled_path_length() const noexcept { return drilled_path_; }
 
   /// Permanent nodes, from the top down.
   int node_count() const noexcept { return original_count() + static_cast<int>(drilled_.count()); }
   WellNode node(int i) const noexcept;
-  /// The hole at measured depth `md`; above 0 on the vertical line, below the last node on the fresh end.
+  /// The hole at measured depth `md`; above 0 on the vertical line, below the last node on the newly drilled interval.
   WellNode at(double md) const noexcept;
   /// Changes when permanent nodes change, and back when a snapshot is restored.
   std::uint64_t version() const noexcept { return drilled_.hash(); }
   /// Nearly full: Stage II intervals have been lengthened to make the room last (or, when full, no more nodes are added and the
-  /// fresh end runs on straight from the last one).
+  /// newly drilled interval runs on straight from the last one).
   bool capacity_strained() const noexcept { return strained_; }
 
   /// The uncorrected path of the last metres, oldest first: points 0.5 mm or more of raw path apart, then C. At most 16385.
@@ -121,7 +121,7 @@ private:
 
   static std::shared_ptr<const Original> build(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius);
   int original_count() const noexcept { return static_cast<int>(original_->nodes.size()); }
-  int fresh_index() const noexcept { return node_count(); }
+  int new_interval_index() const noexcept { return node_count(); }
   const HoleSegment& segment(int i) const noexcept;
   const Box& box(int i) const noexcept;
   int neighbour(int i, double s, const Eigen::Vector3d& point) const noexcept;
@@ -130,14 +130,14 @@ private:
   void turn_bottom(const Eigen::Vector3d& direction, double drilled) noexcept;
   bool stage_two_due() const noexcept;
   void commit_stage_two() noexcept;
-  void update_fresh_end() noexcept;
+  void update_new_interval() noexcept;
 
   std::shared_ptr<const Original> original_;
   History<Drilled> drilled_;
   History<Eigen::Vector3d> raw_;
 
   WellNode last_;      // P
-  HoleSegment fresh_;  // the line, from the plane through P, s in metres
+  HoleSegment new_interval_;  // the line, from the plane through P, s in metres
   Eigen::Vector3d bottom_;
   Eigen::Vector3d bottom_normal_;
   Eigen::Vector3d raw_tangent_;

@@ -174,8 +174,8 @@ PieceInHole settled(const std::vector<PartSpec>& parts, const Slide& slide)
 /// Force of the bit's gauge on the wall, + towards the high side [N].
 double side_force(const PieceInHole& piece)
 {
-  const HoleSite site = piece.state.well.locate(piece.state.nodes[0].position, -1);
-  return -piece.system->forces().wall[0].dot(high_side(site.tangent));
+  const ClosestPoint closest = piece.state.well.locate(piece.state.nodes[0].position, -1);
+  return -piece.system->forces().wall[0].dot(high_side(closest.tangent));
 }
 
 /// How far the bit drills towards the high side of the hole's direction at its gauge, per distance drilled.

@@ -68,9 +68,9 @@ std::vector<double> angles_around(const PieceInHole& piece)
   double angle = 0.0, last = 0.0;
   for (const NodeState& node : piece.state.nodes)
   {
-    const HoleSite site = piece.state.well.locate(node.position, -1);
-    const Eigen::Vector3d off = node.position - site.centre;
-    const double now = std::atan2(off.y(), -off.dot(high_side(site.tangent)));
+    const ClosestPoint closest = piece.state.well.locate(node.position, -1);
+    const Eigen::Vector3d off = node.position - closest.centre;
+    const double now = std::atan2(off.y(), -off.dot(high_side(closest.tangent)));
     angle += std::remainder(now - last, 2.0 * pi);
     last = now;
     out.push_back(angle);
@@ -139,7 +139,7 @@ void snaking_and_winding(Report& report, const Slackoff& c)
   const double length = c.waves * half_wave + 0.5 * kOuter, bit_depth = kBendEnds + (c.waves + 1) * half_wave;
   PieceInHole piece = lay_in_hole(straight_scene(c.inclination, bit_depth + 10.0, kMud, 0.5e-3, half_wave), length, bit_depth);
   must(piece.settle());
-  piece.state.grip = {0, piece.state.nodes[0].position, 0.0};
+  piece.state.stuck_point = {0, piece.state.nodes[0].position, 0.0};
 
   const double axial = kYoung * kArea / length;
   std::vector<double> force, amplitude;
@@ -177,11 +177,11 @@ void wind(PieceInHole& piece, double q)
   for (int i = 0; i < piece.top(); ++i)
   {
     NodeState& node = piece.state.nodes[static_cast<std::size_t>(i)];
-    const HoleSite site = piece.state.well.locate(node.position, -1);
+    const ClosestPoint closest = piece.state.well.locate(node.position, -1);
     const double angle = q * (mesh[static_cast<std::size_t>(i)].from_bit - mesh.back().from_bit);
-    node.position = site.centre + kClearance * (std::sin(angle) * right - std::cos(angle) * up);
-    const Eigen::Vector3d along = site.tangent - kClearance * q * (std::cos(angle) * right + std::sin(angle) * up);
-    node.orientation = Eigen::Quaterniond::FromTwoVectors(site.tangent, along) * node.orientation;
+    node.position = closest.centre + kClearance * (std::sin(angle) * right - std::cos(angle) * up);
+    const Eigen::Vector3d along = closest.tangent - kClearance * q * (std::cos(angle) * right + std::sin(angle) * up);
+    node.orientation = Eigen::Quaterniond::FromTwoVectors(closest.tangent, along) * node.orientation;
   }
 }
 

@@ -188,10 +188,10 @@ std::pair<double, double> turning_torque(const RigAtRest& rig, double md)
   double above = 0.0, all = 0.0;
   for (int i = 0; i + 1 < rig.system->nodes(); ++i)
   {
-    const HoleSite site = state.well.locate(state.nodes[i].position, state.nodes[i].segment);
-    const double torque = site.friction * rig.system->forces().contact[i] * rig.system->mesh().nodes[i].contact_radius;
+    const ClosestPoint closest = state.well.locate(state.nodes[i].position, state.nodes[i].segment);
+    const double torque = closest.friction * rig.system->forces().contact[i] * rig.system->mesh().nodes[i].contact_radius;
     all += torque;
-    if (site.md < md) above += torque;
+    if (closest.md < md) above += torque;
   }
   return {above, all};
 }

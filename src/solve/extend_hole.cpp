@@ -1,10 +1,10 @@
-#include "drill_rig_sim/solve/penetrate_rock.h"
+#include "drill_rig_sim/solve/extend_hole.h"
 
 #include "drill_rig_sim/math/rotation.h"
 
 namespace drill_rig_sim
 {
-void penetrate_rock(const System& system, SystemState& state, double step) noexcept
+void extend_hole(const System& system, SystemState& state, double step) noexcept
 {
   state.bit.rock_velocity = system.rock_velocity(state);
   state.well.extend(step * state.bit.rock_velocity, x_axis(state.nodes[0].orientation));

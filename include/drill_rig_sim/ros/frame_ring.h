@@ -1,5 +1,5 @@
-#ifndef DRILL_RIG_SIM_ROS_SNAPSHOT_RING_H
-#define DRILL_RIG_SIM_ROS_SNAPSHOT_RING_H
+#ifndef DRILL_RIG_SIM_ROS_FRAME_RING_H
+#define DRILL_RIG_SIM_ROS_FRAME_RING_H
 
 #include <atomic>
 #include <cstddef>
@@ -13,10 +13,10 @@ namespace drill_rig_sim
 {
 /// Snapshots on their way from the simulation thread to the publishing thread, in order. A ring and not a single latest
 /// one, because every frame is to be published. The slots' arrays keep their memory from turn to turn.
-class SnapshotRing
+class FrameRing
 {
 public:
-  explicit SnapshotRing(std::size_t size = 64) : slots_(size), empty_(static_cast<unsigned>(size)) {}
+  explicit FrameRing(std::size_t size = 64) : slots_(size), empty_(static_cast<unsigned>(size)) {}
 
   /// Waits until all are empty and gives each to `prepare`. For the writer's side.
   template <class Prepare>

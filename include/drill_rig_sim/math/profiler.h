@@ -1,5 +1,5 @@
-#ifndef DRILL_RIG_SIM_MATH_COST_BOOK_H
-#define DRILL_RIG_SIM_MATH_COST_BOOK_H
+#ifndef DRILL_RIG_SIM_MATH_PROFILER_H
+#define DRILL_RIG_SIM_MATH_PROFILER_H
 
 #include <array>
 #include <chrono>
@@ -24,7 +24,7 @@ enum class Cost
 
 /// Books the time of a run by what it was spent on: each lap() adds the time since the lap before. The monotonic clock is read
 /// once a lap (some 25 ns), so laps stand around loops over the whole string, not inside them.
-class CostBook
+class Profiler
 {
 public:
   /// Time before this call is nobody's.

@@ -1,5 +1,5 @@
-#ifndef DRILL_RIG_SIM_SOLVE_ENERGY_BOOK_H
-#define DRILL_RIG_SIM_SOLVE_ENERGY_BOOK_H
+#ifndef DRILL_RIG_SIM_SOLVE_ENERGY_BALANCE_H
+#define DRILL_RIG_SIM_SOLVE_ENERGY_BALANCE_H
 
 #include <vector>
 
@@ -11,17 +11,17 @@ namespace drill_rig_sim
 {
 /// Books the energy of every step of a fixed-step method (energy_accounts.h says how). It looks only: the run is the same with and without
 /// it, at some three more residuals a step. Allocates on construction.
-class EnergyBook
+class EnergyBalance
 {
 public:
-  /// Opens the book for runs of `system` from `state`; `state` is not kept.
-  EnergyBook(System& system, const SystemState& state);
+  /// Opens the balance for runs of `system` from `state`; `state` is not kept.
+  EnergyBalance(System& system, const SystemState& state);
 
   /// Before System::begin() of a step from `state`. A step that is given up is begun again.
   void begin_step(const SystemState& state, const Setpoints& setpoints) noexcept;
   /// The step was solved: after System::settle() at its end and before System::finish().
   void end_step() noexcept;
-  /// The next step does not start where the last one ended: opens the book anew.
+  /// The next step does not start where the last one ended: opens the balance anew.
   void restart() noexcept;
 
   const EnergyAccounts& accounts() const noexcept { return accounts_; }
@@ -40,7 +40,7 @@ private:
   StoredEnergy start_;     // of this step
   EnergySample before_;    // end of the last step
   EnergySample after_;     // end of this one
-  std::vector<double> no_move_;
+  std::vector<double> no_increment_;
 };
 
 }  // namespace drill_rig_sim

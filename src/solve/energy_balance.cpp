@@ -1,4 +1,4 @@
-#include "drill_rig_sim/solve/energy_book.h"
+#include "drill_rig_sim/solve/energy_balance.h"
 
 #include <algorithm>
 #include <utility>
@@ -21,20 +21,20 @@ const std::vector<double>& force_of(const EnergySample& sample, NodeForce kind) 
 }
 }  // namespace
 
-EnergyBook::EnergyBook(System& system, const SystemState& state) : system_(system), no_move_(6 * system.nodes(), 0.0)
+EnergyBalance::EnergyBalance(System& system, const SystemState& state) : system_(system), no_increment_(6 * system.nodes(), 0.0)
 {
   begin_step(state, Setpoints());
   after_ = before_;
   restart();
 }
 
-void EnergyBook::restart() noexcept
+void EnergyBalance::restart() noexcept
 {
   accounts_ = EnergyAccounts();
   opened_ = false;
 }
 
-void EnergyBook::begin_step(const SystemState& state, const Setpoints& setpoints) noexcept
+void EnergyBalance::begin_step(const SystemState& state, const Setpoints& setpoints) noexcept
 {
   const Work work = system_.work();
   system_.begin(state, 0.0, setpoints);
@@ -43,7 +43,7 @@ void EnergyBook::begin_step(const SystemState& state, const Setpoints& setpoints
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
     stage.acceleration[i] = in_step_axes(state.nodes[i].acceleration, x_axis(state.nodes[i].orientation));
   stage.drive.rate_0 = state.drive.speed;
-  system_.settle(no_move_.data());
+  system_.settle(no_increment_.data());
   start_ = system_.stored_energy();
   if (!opened_)
   {
@@ -54,7 +54,7 @@ void EnergyBook::begin_step(const SystemState& state, const Setpoints& setpoints
   system_.work() = work;
 }
 
-void EnergyBook::end_step() noexcept
+void EnergyBalance::end_step() noexcept
 {
   const Work work = system_.work();
   system_.sample_energy(after_);
@@ -70,24 +70,24 @@ void EnergyBook::end_step() noexcept
 }
 
 /// What the stored energies lost between the end of the last step and the start of this one.
-void EnergyBook::book_jump() noexcept
+void EnergyBalance::book_jump() noexcept
 {
   const StoredEnergy &end = accounts_.last, &start = start_;
-  const double contact = end.wall + end.bottom - start.wall - start.bottom, grip = end.grip - start.grip;
+  const double contact = end.wall + end.bottom - start.wall - start.bottom, stuck = end.stuck_point - start.stuck_point;
   const double translation = end.kinetic - start.kinetic;
   // between steps hole and mud motor move on, and with them the limits of friction: bristles beyond them slip
   const double slip = end.bristles - start.bristles, bit_slip = end.bit_bristle - start.bit_bristle;
   accounts_.wall_friction += slip;
   accounts_.rock_torque += bit_slip;
   accounts_.correction += contact;
-  accounts_.grip_released += grip;
+  accounts_.stuck_point_released += stuck;
   accounts_.added_mass += translation;
   accounts_.of_rebasing +=
-      end.kinetic_all() + end.elastic_all() - start.kinetic_all() - start.elastic_all() - contact - grip - translation - slip - bit_slip;
+      end.kinetic_all() + end.elastic_all() - start.kinetic_all() - start.elastic_all() - contact - stuck - translation - slip - bit_slip;
 }
 
 /// Mean force times mean rate times time.
-double EnergyBook::work_in_time(NodeForce kind) const noexcept
+double EnergyBalance::work_in_time(NodeForce kind) const noexcept
 {
   const std::vector<double>&f = force_of(before_, kind), &g = force_of(after_, kind);
   double sum = 0.0;
@@ -96,15 +96,15 @@ double EnergyBook::work_in_time(NodeForce kind) const noexcept
 }
 
 /// Mean force times increment.
-double EnergyBook::work_along(NodeForce kind) const noexcept
+double EnergyBalance::work_along(NodeForce kind) const noexcept
 {
   const std::vector<double>&f = force_of(before_, kind), &g = force_of(after_, kind);
   double sum = 0.0;
-  for (std::size_t k = 0; k < f.size(); ++k) sum += (f[k] + g[k]) * after_.move[k];
+  for (std::size_t k = 0; k < f.size(); ++k) sum += (f[k] + g[k]) * after_.increment[k];
   return 0.5 * sum;
 }
 
-void EnergyBook::book_inputs() noexcept
+void EnergyBalance::book_inputs() noexcept
 {
   const double h = after_.step;
   accounts_.winch -= h * mean(before_.line_price, after_.line_price) * mean(before_.pay_out, after_.pay_out);
@@ -116,12 +116,12 @@ void EnergyBook::book_inputs() noexcept
   accounts_.motor_slip += pump - h * torque * after_.motor_speed;
 }
 
-void EnergyBook::book_dissipation() noexcept
+void EnergyBalance::book_dissipation() noexcept
 {
   const double h = after_.step;
   accounts_.structural += work_in_time(NodeForce::structural);
   accounts_.mud += work_in_time(NodeForce::mud);
-  accounts_.film += work_in_time(NodeForce::film);
+  accounts_.squeeze_film += work_in_time(NodeForce::squeeze_film);
   accounts_.wall_damping += work_in_time(NodeForce::wall_damping);
   accounts_.ledge += work_in_time(NodeForce::ledge);
   // the bit's gauge turns with the motor
@@ -139,25 +139,25 @@ void EnergyBook::book_dissipation() noexcept
       h * mean(before_.bit_torque, after_.bit_torque) * bit_speed + start_.bit_bristle - after_.stored.bit_bristle;
 }
 
-void EnergyBook::book_numerical() noexcept
+void EnergyBalance::book_numerical() noexcept
 {
   const StoredEnergy &start = start_, &end = after_.stored;
-  accounts_.of_inertia += work_along(NodeForce::inertia) + mean(before_.rotor_inertia, after_.rotor_inertia) * after_.rotor_move -
+  accounts_.of_inertia += work_along(NodeForce::inertia) + mean(before_.rotor_inertia, after_.rotor_inertia) * after_.rotor_increment -
                           (end.kinetic_all() - start.kinetic_all());
   accounts_.of_beams += work_along(NodeForce::beams) - (end.beams - start.beams);
   accounts_.of_residual -= work_along(NodeForce::unsolved);
 
-  const Eigen::Map<const Eigen::Vector3d> bit_move(after_.move.data());
+  const Eigen::Map<const Eigen::Vector3d> bit_increment(after_.increment.data());
   accounts_.of_contact += work_along(NodeForce::wall) - (end.wall - start.wall) +
-                          0.5 * (before_.bottom + after_.bottom).dot(bit_move) -
+                          0.5 * (before_.bottom + after_.bottom).dot(bit_increment) -
                           mean(before_.bottom_elastic, after_.bottom_elastic) * after_.rock_advance - (end.bottom - start.bottom);
-  if (after_.grip_node >= 0)
+  if (after_.stuck_node >= 0)
   {
-    const Eigen::Map<const Vector6d> move(after_.move.data() + 6 * after_.grip_node);
-    accounts_.of_contact += 0.5 * (before_.grip + after_.grip).dot(move) - (end.grip - start.grip);
+    const Eigen::Map<const Vector6d> move(after_.increment.data() + 6 * after_.stuck_node);
+    accounts_.of_contact += 0.5 * (before_.stuck_point + after_.stuck_point).dot(move) - (end.stuck_point - start.stuck_point);
   }
 
-  const double lift = after_.move[after_.move.size() - 4];  // of the block, z of the last node
+  const double lift = after_.increment[after_.increment.size() - 4];  // of the block, z of the last node
   accounts_.of_line += -mean(before_.hook_force, after_.hook_force) * lift -
                        mean(before_.line_price, after_.line_price) * (after_.line_length - after_.line_length_start) -
                        (end.line - start.line);
