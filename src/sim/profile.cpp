@@ -30,9 +30,9 @@ double at_node(const std::vector<double>& elements, std::size_t i) noexcept
 }
 }  // namespace
 
-void fill_profile(const System& system, const SystemState& s, const SystemForces& forces, StringProfile& out)
+void fill_profile(const Model& model, const State& s, const RigForces& forces, StringProfile& out)
 {
-  const Mesh& mesh = system.mesh();
+  const Mesh& mesh = model.mesh();
   const std::size_t n = s.nodes.size();
   for (auto* values : {&out.md, &out.from_bit, &out.tension, &out.true_axial_force, &out.torque, &out.bending_moment,
                        &out.contact_force, &out.contact_side, &out.spin_speed, &out.radius})
@@ -48,7 +48,7 @@ void fill_profile(const System& system, const SystemState& s, const SystemForces
     out.from_bit[i] = mesh.nodes[i].from_bit;
     out.position[i] = node.position;
     out.tension[i] = at_node(forces.tension, i);
-    out.true_axial_force[i] = true_axial_force(out.tension[i], element, system.scene().mud.density, -node.position.z());
+    out.true_axial_force[i] = true_axial_force(out.tension[i], element, model.scene().mud.density, -node.position.z());
     out.torque[i] = at_node(forces.torque, i);
     out.bending_moment[i] = forces.bending_moment[i];
     out.contact_force[i] = forces.contact[i];
@@ -64,7 +64,7 @@ StaticReport static_report(const Scene& scene, FrictionMode friction)
 {
   RigAtRest rig = build_at_rest(scene);
   StaticReport report;
-  report.outcome = friction == FrictionMode::none ? rig.statics : solve_static(*rig.system, rig.state, friction);
+  report.outcome = friction == FrictionMode::none ? rig.statics : solve_static(*rig.model, rig.state, friction);
   if (!report.outcome.converged)
   {
     std::ostringstream message;
@@ -72,7 +72,7 @@ StaticReport static_report(const Scene& scene, FrictionMode friction)
             << report.outcome.iterations << " iterations)";
     throw std::runtime_error(message.str());
   }
-  fill_profile(*rig.system, rig.state, rig.system->forces(), report.profile);
+  fill_profile(*rig.model, rig.state, report.outcome.forces, report.profile);
   report.hook_load_string = report.outcome.top_force;
   report.hook_load = report.hook_load_string + standard_gravity * scene.rig.hoisting.block_mass;
   report.torque = report.outcome.top_torque;

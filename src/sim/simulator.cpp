@@ -44,8 +44,8 @@ const Scene& available(const Scene& scene)
 }
 
 Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
-  : scene(s), system(std::move(rig.system)), state(std::move(rig.state), system->forces()),
-    integrator(make_integrator(scene.numerics.integrator, *system, state.mechanics))
+  : scene(s), model(std::move(rig.model)), state(std::move(rig.state), std::move(rig.statics.forces)),
+    integrator(make_integrator(scene.numerics.integrator, model, state.mechanics))
 {
   state.noise.state = seed;
   const InstrumentsSpec& spec = scene.instruments;
@@ -55,16 +55,14 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   state.mwd = Mwd(spec.mwd, spec.toolface);
   for (const PartSpec& part : scene.string)
     if (part.type == PartType::mud_motor) motor = &part;
-  statistics.nodes = system->nodes();
-  statistics.coordinates = 6 * system->nodes() - 4 + 2;  // less the rail's four, plus rotor and line
+  statistics.nodes = model->nodes();
+  statistics.coordinates = 6 * model->nodes() - 4 + 2;  // less the rail's four, plus rotor and line
   statistics.level = "beam3d";
   statistics.integrator = integrator_name(scene.numerics.integrator);
   statistics.step = scene.numerics.step;
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   state.forces.meter_torque = rig.statics.top_torque;
   measure();
-  system->profiler() = Profiler();  // the start is no part of the run
-  system->work() = Work();
 }
 
 Simulator::Simulator(const Scene& scene, std::uint64_t seed) : impl_(std::make_unique<Impl>(scene, seed)) {}
@@ -133,10 +131,10 @@ void Simulator::set_command_timeout(double seconds) noexcept
 FrameStatus Simulator::frame(double duration) noexcept
 {
   if (*impl_->failure) return FrameStatus::failed;
-  impl_->system->profiler().restart();
+  impl_->integrator->profiler().restart();
   impl_->watch_commands();
   const int steps = std::max(1, static_cast<int>(std::lround(duration / impl_->scene.numerics.step)));
-  SystemState& mechanics = impl_->mechanics();
+  State& mechanics = impl_->mechanics();
   double drilled = 0.0;
   for (int k = 0; k < steps; ++k)
   {
@@ -148,8 +146,7 @@ FrameStatus Simulator::frame(double duration) noexcept
     }
     drilled += mechanics.bit.rock_velocity.norm() * duration / steps;
   }
-  impl_->system->evaluate_string_forces();
-  impl_->state.forces = impl_->system->forces();
+  impl_->state.forces = impl_->integrator->find_forces(mechanics);
   impl_->state.measurements.rop = drilled / duration;
   ++impl_->statistics.frames;
   const StepperCounters& counters = impl_->integrator->counters();
@@ -157,7 +154,7 @@ FrameStatus Simulator::frame(double duration) noexcept
   impl_->statistics.newton_iterations = counters.newton_iterations;
   impl_->statistics.convergence_failures = counters.convergence_failures;
   impl_->statistics.error_test_failures = counters.error_test_failures;
-  impl_->statistics.work = impl_->system->work();
+  impl_->statistics.work = impl_->integrator->work();
   if (const ReferenceReport* report = impl_->integrator->reference())
   {
     impl_->statistics.is_reference = true;
@@ -165,8 +162,8 @@ FrameStatus Simulator::frame(double duration) noexcept
   }
   impl_->statistics.last_error_estimate = impl_->integrator->error_estimate();
   impl_->measure();
-  impl_->system->profiler().lap(Cost::other);
-  impl_->statistics.costs = impl_->system->profiler();
+  impl_->integrator->profiler().lap(Cost::other);
+  impl_->statistics.costs = impl_->integrator->profiler();
   return FrameStatus::running;
 }
 
@@ -175,8 +172,7 @@ bool Simulator::balance_energy(bool on)
   impl_->integrator->keep_balance(nullptr);
   impl_->balance.reset();
   if (!on) return true;
-  if (!impl_->system->has_energy()) return false;
-  impl_->balance = std::make_unique<EnergyBalance>(*impl_->system, impl_->mechanics());
+  impl_->balance = std::make_unique<EnergyBalance>(impl_->model);
   if (impl_->integrator->keep_balance(impl_->balance.get())) return true;
   impl_->balance.reset();
   return false;
@@ -232,11 +228,11 @@ bool Simulator::tare() noexcept
 bool Simulator::stick_pipe(double md) noexcept
 {
   if (!std::isfinite(md)) return false;
-  SystemState& mechanics = impl_->mechanics();
-  const Mesh& mesh = impl_->system->mesh();
+  State& mechanics = impl_->mechanics();
+  const Mesh& mesh = impl_->model->mesh();
   int nearest = -1;
   double distance = impl_->scene.numerics.element_length;
-  for (int i = 0; i + 1 < impl_->system->nodes(); ++i)
+  for (int i = 0; i + 1 < impl_->model->nodes(); ++i)
   {
     const double depth = impl_->state.measurements.bit_depth - mesh.nodes[i].from_bit;
     if (depth <= 0.0 || std::abs(depth - md) >= distance) continue;
@@ -315,7 +311,7 @@ void Simulator::Impl::measure() noexcept
 void Simulator::Impl::measure_rig() noexcept
 {
   Measurements& m = state.measurements;
-  const SystemState& s = mechanics();
+  const State& s = mechanics();
   const NodeState& top = s.nodes.back();
   const HoistingSpec& hoisting = scene.rig.hoisting;
   m.time = s.time;
@@ -345,15 +341,15 @@ void Simulator::Impl::measure_rig() noexcept
 void Simulator::Impl::measure_bit() noexcept
 {
   Measurements& m = state.measurements;
-  const SystemState& s = mechanics();
+  const State& s = mechanics();
   const NodeState& bit = s.nodes.front();
   const Vector3d axis = x_axis(bit.orientation);
   m.hole_depth = s.well.hole_depth();
-  m.bit_depth = bit_depth(*system, s);
+  m.bit_depth = bit_depth(*model, s);
   m.on_bottom = state.forces.wob > 0.0;
-  m.bit_position = bit.position + system->mesh().bit_radius * axis;
+  m.bit_position = bit.position + model->mesh().bit_radius * axis;
   m.bit_orientation = bit.orientation * rotation_from_vector(Vector3d(std::remainder(s.bit.turned, 2.0 * pi), 0.0, 0.0));
-  m.bit_velocity = bit.rate.velocity + bit.rate.tilt.cross(system->mesh().bit_radius * axis);
+  m.bit_velocity = bit.rate.velocity + bit.rate.tilt.cross(model->mesh().bit_radius * axis);
   m.bit_speed = bit.rate.spin + s.bit.motor_speed;
   m.bit_angular_velocity = bit.rate.tilt + m.bit_speed * axis;
   m.bit_force = state.forces.bit_force;
@@ -363,13 +359,13 @@ void Simulator::Impl::measure_bit() noexcept
   const Vector3d hole = s.well.end_direction();
   m.bit_inclination = inclination_of(hole);
   m.bit_azimuth = azimuth_of(hole);
-  m.bend_toolface = bend_toolface(*system, s);
+  m.bend_toolface = bend_toolface(*model, s);
 }
 
 SensorView Simulator::Impl::sensor_view() const noexcept
 {
   SensorView view;
-  const Mesh& mesh = system->mesh();
+  const Mesh& mesh = model->mesh();
   const Between at = find_between(mesh, mesh.sensor_from_bit >= 0.0 ? mesh.sensor_from_bit : 0.0);
   const Quaterniond& upper = state.mechanics.nodes[at.lower + 1].orientation;
   const Quaterniond q = state.mechanics.nodes[at.lower].orientation.slerp(at.share, upper);

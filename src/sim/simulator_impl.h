@@ -23,7 +23,7 @@ const Scene& available(const Scene& scene);
 struct Simulator::Impl
 {
   Scene scene;
-  std::unique_ptr<System> system;
+  std::shared_ptr<const Model> model;
   SimulatorState state;
   std::unique_ptr<Integrator> integrator;
   std::unique_ptr<EnergyBalance> balance;
@@ -34,7 +34,7 @@ struct Simulator::Impl
 
   Impl(const Scene& s, std::uint64_t seed) : Impl(s, seed, build_at_rest(available(s))) {}
   Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig);
-  SystemState& mechanics() { return state.mechanics; }
+  State& mechanics() { return state.mechanics; }
   CommandResult note(bool clamped, const char* reason) noexcept;
   void shift_time(double now) noexcept;
   void watch_commands() noexcept;

@@ -22,12 +22,12 @@ Between find_between(const Mesh& mesh, double from_bit) noexcept
 
 void Simulator::profile(StringProfile& out) const
 {
-  fill_profile(*impl_->system, impl_->state.mechanics, impl_->state.forces, out);
+  fill_profile(*impl_->model, impl_->state.mechanics, impl_->state.forces, out);
 }
 
 void Simulator::part_poses(int every, std::vector<PartPose>& out) const
 {
-  const Mesh& mesh = impl_->system->mesh();
+  const Mesh& mesh = impl_->model->mesh();
   const std::vector<NodeState>& nodes = impl_->state.mechanics.nodes;
   std::size_t used = 0;
   auto add = [&](double from_bit) -> PartPose&

@@ -10,8 +10,11 @@
 #include <utility>
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/evaluate.h"
+#include "drill_rig_sim/model/forces/inertia.h"
+#include "drill_rig_sim/model/forces/top_drive.h"
 #include "drill_rig_sim/solve/energy_balance.h"
-#include "drill_rig_sim/solve/stepper.h"
+#include "drill_rig_sim/solve/methods/method.h"
 #include "drill_rig_sim/solve/vector_operations.h"
 #include "sundials_owners.h"
 
@@ -28,6 +31,8 @@ struct FreeTable
   void operator()(ARKodeButcherTable table) const { ARKodeButcherTable_Free(table); }
 };
 
+constexpr int last_acceleration = 1;  // what is remembered beside the last rate
+
 using Vector = Eigen::Map<Eigen::VectorXd>;
 using ConstVector = Eigen::Map<const Eigen::VectorXd>;
 
@@ -43,18 +48,21 @@ struct StageRecord
 class ArkodeStepper::Session
 {
 public:
-  explicit Session(System& system);
-  /// The step's end in the system, ready for finish(). False: not solved.
-  bool step(const SystemState& state, double step, int budget);
+  Session(const Model& model, Stage& stage, Workspace& work);
+  /// The step's end in stage and workspace, ready for commit(). False: not solved.
+  bool step(const State& state, double step, int budget);
 
-  System& system;
+  const Model& model;
+  Stage& stage;
+  Workspace& work;
   NewtonLimits limits;
   int iterations = 0;  // of the last step()
+  const double* increments() const { return u_of(y_.get()); }
 
 private:
   void create();
   void set_linear_solver();
-  void take_start(const SystemState& state);
+  void take_start(const State& state);
   void prepare_stage();
   void set_stage(const double* y, double c) noexcept;
   int rates_at_start(const double* y, double* rate);
@@ -64,9 +72,9 @@ private:
   int solve(const double* r, double* d) noexcept;
   int judge() noexcept;
   double* u_of(N_Vector y) const { return N_VGetArrayPointer(y); }
-  int size() const { return 6 * system.nodes(); }
+  int size() const { return 6 * model.nodes(); }
 
-  const SystemState* start_ = nullptr;
+  const State* start_ = nullptr;
   double step_ = 0.0;
   int budget_ = 0;
   bool start_known_ = false;  // stages_[0] is complete
@@ -86,10 +94,11 @@ private:
   std::unique_ptr<void, FreeArkode> memory_;
 };
 
-ArkodeStepper::Session::Session(System& s) : system(s), residual_(6 * s.nodes()), right_(6 * s.nodes())
+ArkodeStepper::Session::Session(const Model& m, Stage& s, Workspace& w)
+  : model(m), stage(s), work(w), residual_(6 * m.nodes()), right_(6 * m.nodes())
 {
-  tangent_.resize(system.nodes());
-  limits.tolerance = system.scene().numerics.newton_tolerance;
+  tangent_.resize(model.nodes());
+  limits.tolerance = model.scene().numerics.newton_tolerance;
   SUNContext context = nullptr;
   if (SUNContext_Create(nullptr, &context) != 0) throw std::runtime_error("ARKODE: SUNDIALS gives no context");
   context_.reset(context);
@@ -168,29 +177,29 @@ void ArkodeStepper::Session::set_linear_solver()
   { return static_cast<Session*>(solver->content)->solve(N_VGetArrayPointer(r), N_VGetArrayPointer(d)); };
 }
 
-void ArkodeStepper::Session::take_start(const SystemState& state)
+void ArkodeStepper::Session::take_start(const State& state)
 {
   start_ = &state;
   current_ = 0;
   start_known_ = false;
   StageRecord& first = stages_[0];
   first.rate.resize(size());
-  for (int i = 0; i < system.nodes(); ++i)
+  for (int i = 0; i < model.nodes(); ++i)
     first.rate.segment<6>(6 * i) = in_step_axes(state.nodes[i].rate, x_axis(state.nodes[i].orientation));
   first.drive_speed = state.drive.speed;
-  first.drive_acceleration = state.drive.acceleration;
+  first.drive_acceleration = state.memory.past[last_acceleration].rotor;
   Vector(u_of(y_.get()), size()).setZero();
   Vector(u_of(y_.get()) + size(), size()) = first.rate;
 }
 
-bool ArkodeStepper::Session::step(const SystemState& state, double step, int budget)
+bool ArkodeStepper::Session::step(const State& state, double step, int budget)
 {
   step_ = step;
   budget_ = budget;
   iterations = 0;
   take_start(state);
-  system.stage_at(0.0);
-  prepare_start(state, system.stage());
+  move_stage(model, state, 0.0, stage);
+  prepare_start(state, stage);
   double reached = 0.0;
   void* const arkode = memory_.get();
   if (ARKStepReset(arkode, 0.0, y_.get()) != ARK_SUCCESS || ARKStepSetFixedStep(arkode, step) != ARK_SUCCESS) return false;
@@ -199,9 +208,8 @@ bool ArkodeStepper::Session::step(const SystemState& state, double step, int bud
   const double* y = u_of(y_.get());
   if (!ConstVector(y, 2 * size()).allFinite()) return false;
   set_stage(y, c_);
-  Stage& stage = system.stage();
-  for (int i = 0; i < system.nodes(); ++i) stage.acceleration[i] += stages_.back().acceleration.segment<6>(6 * i);
-  system.settle(y);
+  for (int i = 0; i < model.nodes(); ++i) stage.acceleration[i] += stages_.back().acceleration.segment<6>(6 * i);
+  update(model, state, stage, y, work);
   return true;
 }
 
@@ -224,9 +232,9 @@ void ArkodeStepper::Session::prepare_stage()
     speed_sum += weight * stages_[j].drive_speed;
     drive_sum += weight * stages_[j].drive_acceleration;
   }
-  system.stage_at(now.time);
+  move_stage(model, *start_, now.time, stage);
   const double drive_rate = -c_ * speed_sum;
-  system.stage().drive = {now.time, c_, c_ * c_, drive_rate, c_ * (drive_rate - first.drive_speed - drive_sum)};
+  stage.drive = {now.time, c_, c_ * c_, drive_rate, c_ * (drive_rate - first.drive_speed - drive_sum)};
 }
 
 /// First guess of a stage, with the rates that its relation gives.
@@ -250,8 +258,8 @@ void ArkodeStepper::Session::record_stage(const double* y)
   now.u = ConstVector(y, size());
   now.rate = ConstVector(y + size(), size());
   now.acceleration = c_ * (now.rate - stages_[0].rate - acceleration_sum_);
-  const RotorStage& drive = system.stage().drive;
-  const double turn = system.drive_increment(y);
+  const RotorStage& drive = stage.drive;
+  const double turn = drive_increment(model, *start_, stage, y + 6 * model.top());
   now.drive_speed = drive.dv_du * turn + drive.rate_0;
   now.drive_acceleration = drive.da_du * turn + drive.acceleration_0;
 }
@@ -259,10 +267,9 @@ void ArkodeStepper::Session::record_stage(const double* y)
 /// Rates as in y and no accelerations; derivatives for rates that follow u by c.
 void ArkodeStepper::Session::set_stage(const double* y, double c) noexcept
 {
-  Stage& stage = system.stage();
   stage.dv_du = c;
   stage.da_du = c * c;
-  for (int i = 0; i < system.nodes(); ++i)
+  for (int i = 0; i < model.nodes(); ++i)
   {
     const Eigen::Map<const Vector6d> u(y + 6 * i), v(y + size() + 6 * i);
     stage.rate[i] = v - c * u;
@@ -273,10 +280,10 @@ void ArkodeStepper::Session::set_stage(const double* y, double c) noexcept
 int ArkodeStepper::Session::right_hand_side(const double* y, double* rate, double c, BlockTridiagonal* tangent) noexcept
 {
   set_stage(y, c);
-  system.evaluate(y, residual_.data(), tangent);
-  system.accelerate(residual_.data());
+  evaluate(model, *start_, stage, y, work, residual_.data(), tangent);
+  accelerate(model, stage, residual_.data(), work);
   std::copy(y + size(), y + 2 * size(), rate);
-  for (int i = 0; i < system.nodes(); ++i) Eigen::Map<Vector6d>(rate + size() + 6 * i) = system.acceleration(i);
+  for (int i = 0; i < model.nodes(); ++i) Eigen::Map<Vector6d>(rate + size() + 6 * i) = work.nodes[i].acceleration;
   return ConstVector(rate, 2 * size()).allFinite() ? 0 : 1;
 }
 
@@ -301,10 +308,10 @@ int ArkodeStepper::Session::solve(const double* r, double* d) noexcept
   ++iterations;
   Vector d_u(d, size()), d_v(d + size(), size());
   d_v = c_ * (ConstVector(r + size(), size()) + c_ * ConstVector(r, size()));
-  system.multiply_mass(d_v.data(), d_u.data());
+  multiply_mass(model, stage, d_v.data(), d_u.data());
   const bool solved = tangent_.solve(d_u.data());
-  ++system.work().solves;
-  system.profiler().lap(Cost::linear_solve);
+  ++work.work.solves;
+  work.profiler.lap(Cost::linear_solve);
   if (!solved || !d_u.allFinite()) return SUNLS_PACKAGE_FAIL_REC;
   increment_ = d_u.cwiseAbs().maxCoeff();
   if (increment_ > limits.max_increment) d_u *= limits.max_increment / increment_;
@@ -320,7 +327,8 @@ int ArkodeStepper::Session::judge() noexcept
   return iterations < budget_ ? SUN_NLS_CONTINUE : SUN_NLS_CONV_RECVR;
 }
 
-ArkodeStepper::ArkodeStepper(System& system) : session_(std::make_unique<Session>(system))
+ArkodeStepper::ArkodeStepper(std::shared_ptr<const Model> model)
+  : HalvingIntegrator(std::move(model)), session_(std::make_unique<Session>(*model_, stage_, work_))
 {
 }
 
@@ -331,20 +339,20 @@ NewtonLimits& ArkodeStepper::limits() noexcept
   return session_->limits;
 }
 
-StepResult ArkodeStepper::attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool) noexcept
+StepResult ArkodeStepper::attempt(State& state, double step, const Setpoints& setpoints, int& budget, bool) noexcept
 {
-  System& system = session_->system;
   if (balance_) balance_->begin_step(state, setpoints);
-  system.begin(state, step, setpoints);
+  begin_step(*model_, state, step, setpoints, stage_);
   const bool solved = session_->step(state, step, budget);
   counters_.newton_iterations += static_cast<std::uint64_t>(session_->iterations);
   budget -= session_->iterations;
   if (!solved) return StepResult::not_converged;
-  if (balance_) balance_->end_step();
-  system.finish(state);
-  system.profiler().lap(Cost::other);
-  extend_hole(system, state, step);
-  system.profiler().lap(Cost::rock_penetration);
+  if (balance_) balance_->end_step(state, stage_, session_->increments());
+  remember_last_rate(work_, state);
+  remember(work_, &NodeMotion::acceleration, work_.result.drive_acceleration, state.memory.past[last_acceleration]);
+  state.memory.last_step = step;
+  commit(work_, state);
+  advance_discrete(*model_, stage_, work_, state);
   ++counters_.steps;
   return StepResult::solved;
 }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "drill_rig_sim/math/rotation.h"
-#include "drill_rig_sim/solve/stepper.h"
+#include "drill_rig_sim/model/energy.h"
+#include "drill_rig_sim/model/evaluate.h"
+#include "drill_rig_sim/model/forces/inertia.h"
+#include "drill_rig_sim/solve/methods/method.h"
 
 namespace drill_rig_sim
 {
@@ -21,11 +23,15 @@ const std::vector<double>& force_of(const EnergySample& sample, NodeForce kind) 
 }
 }  // namespace
 
-EnergyBalance::EnergyBalance(System& system, const SystemState& state) : system_(system), no_increment_(6 * system.nodes(), 0.0)
+EnergyBalance::EnergyBalance(std::shared_ptr<const Model> model)
+  : model_(std::move(model)), stage_(*model_), work_(*model_), no_increment_(6 * model_->nodes(), 0.0)
 {
-  begin_step(state, Setpoints());
-  after_ = before_;
-  restart();
+  // so that samples need no memory later
+  for (EnergySample* sample : {&before_, &after_})
+  {
+    for (std::vector<double>& force : sample->force) force = no_increment_;
+    sample->rate = sample->increment = no_increment_;
+  }
 }
 
 void EnergyBalance::restart() noexcept
@@ -34,31 +40,30 @@ void EnergyBalance::restart() noexcept
   opened_ = false;
 }
 
-void EnergyBalance::begin_step(const SystemState& state, const Setpoints& setpoints) noexcept
+void EnergyBalance::begin_step(const State& state, const Setpoints& setpoints) noexcept
 {
-  const Work work = system_.work();
-  system_.begin(state, 0.0, setpoints);
-  Stage& stage = system_.stage();
-  prepare_start(state, stage);
-  for (std::size_t i = 0; i < state.nodes.size(); ++i)
-    stage.acceleration[i] = in_step_axes(state.nodes[i].acceleration, x_axis(state.nodes[i].orientation));
-  stage.drive.rate_0 = state.drive.speed;
-  system_.settle(no_increment_.data());
-  start_ = system_.stored_energy();
-  if (!opened_)
-  {
-    system_.sample_energy(before_);
-    accounts_.first = accounts_.last = start_;
-    opened_ = true;
-  }
-  system_.work() = work;
+  drill_rig_sim::begin_step(*model_, state, 0.0, setpoints, stage_);
+  prepare_start(state, stage_);
+  stage_.drive.rate_0 = state.drive.speed;
+  if (!opened_) open(state);
+  start_ = stored_energy(*model_, state, stage_, no_increment_.data(), work_);
+  if (!opened_) accounts_.first = accounts_.last = start_;
+  opened_ = true;
 }
 
-void EnergyBalance::end_step() noexcept
+/// Forces and accelerations where nothing has been booked yet: the accelerations are those that the forces make.
+void EnergyBalance::open(const State& state) noexcept
 {
-  const Work work = system_.work();
-  system_.sample_energy(after_);
-  system_.work() = work;
+  std::vector<double>& residual = before_.force[static_cast<std::size_t>(NodeForce::unsolved)];
+  evaluate(*model_, state, stage_, no_increment_.data(), work_, residual.data(), nullptr);
+  accelerate(*model_, stage_, residual.data(), work_);
+  for (std::size_t i = 0; i < stage_.acceleration.size(); ++i) stage_.acceleration[i] = work_.nodes[i].acceleration;
+  sample_energy(*model_, state, stage_, no_increment_.data(), work_, before_);
+}
+
+void EnergyBalance::end_step(const State& start, const Stage& stage, const double* u) noexcept
+{
+  sample_energy(*model_, start, stage, u, work_, after_);
   book_jump();
   book_inputs();
   book_dissipation();
@@ -151,11 +156,7 @@ void EnergyBalance::book_numerical() noexcept
   accounts_.of_contact += work_along(NodeForce::wall) - (end.wall - start.wall) +
                           0.5 * (before_.bottom + after_.bottom).dot(bit_increment) -
                           mean(before_.bottom_elastic, after_.bottom_elastic) * after_.rock_advance - (end.bottom - start.bottom);
-  if (after_.stuck_node >= 0)
-  {
-    const Eigen::Map<const Vector6d> move(after_.increment.data() + 6 * after_.stuck_node);
-    accounts_.of_contact += 0.5 * (before_.stuck_point + after_.stuck_point).dot(move) - (end.stuck_point - start.stuck_point);
-  }
+  accounts_.of_contact += work_along(NodeForce::stuck_point) - (end.stuck_point - start.stuck_point);
 
   const double lift = after_.increment[after_.increment.size() - 4];  // of the block, z of the last node
   accounts_.of_line += -mean(before_.hook_force, after_.hook_force) * lift -

@@ -16,7 +16,7 @@ bool HalvingIntegrator::keep_balance(EnergyBalance* balance) noexcept
   return true;
 }
 
-bool HalvingIntegrator::advance(SystemState& state, double step, const Setpoints& setpoints) noexcept
+bool HalvingIntegrator::advance(State& state, double step, const Setpoints& setpoints) noexcept
 {
   int budget = kBudget;
   int halvings = 0;

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-
-#include "drill_rig_sim/math/rotation.h"
-
 namespace drill_rig_sim
 {
 namespace
@@ -21,11 +18,7 @@ bool same(const Setpoints& a, const Setpoints& b)
 }
 }  // namespace
 
-IdaIntegrator::IdaIntegrator(System& system) : system_(system)
-{
-}
-
-bool IdaIntegrator::advance(SystemState& state, double step, const Setpoints& setpoints) noexcept
+bool IdaIntegrator::advance(State& state, double step, const Setpoints& setpoints) noexcept
 {
   try
   {
@@ -39,21 +32,21 @@ bool IdaIntegrator::advance(SystemState& state, double step, const Setpoints& se
   return false;
 }
 
-bool IdaIntegrator::jumped(const SystemState& state, const Setpoints& setpoints) const
+bool IdaIntegrator::jumped(const State& state, const Setpoints& setpoints) const
 {
   return !same(setpoints, setpoints_) || state.flow != flow_ || state.stuck_point.node != stuck_node_;
 }
 
 /// From the state (lost_) or from where IDA stands.
-bool IdaIntegrator::start(const SystemState& state, const Setpoints& setpoints)
+bool IdaIntegrator::start(const State& state, const Setpoints& setpoints)
 {
-  const NumericsSpec& numerics = system_.scene().numerics;
+  const NumericsSpec& numerics = model_->scene().numerics;
   if (lost_)
   {
     if (ida_) earlier_ = report_.ida;
     const Formulation formulation = numerics.reference_index == 3 ? Formulation::index_3 : Formulation::stabilised_index_2;
     ida_.reset();
-    rig_ = std::make_unique<RigDae>(system_, state, formulation, numerics.reference_tolerance);
+    rig_ = std::make_unique<RigDae>(*model_, stage_, work_, state, formulation, numerics.reference_tolerance);
     IdaOptions options;
     options.max_order = numerics.reference_order;
     ida_ = std::make_unique<IdaSolver>(*rig_, options);
@@ -69,9 +62,9 @@ bool IdaIntegrator::start(const SystemState& state, const Setpoints& setpoints)
   return ida_->start(time_, y_, rate_);
 }
 
-bool IdaIntegrator::advance_or_throw(SystemState& state, double step, const Setpoints& setpoints)
+bool IdaIntegrator::advance_or_throw(State& state, double step, const Setpoints& setpoints)
 {
-  system_.begin(state, step, setpoints);
+  begin_step(*model_, state, step, setpoints, stage_);
   bool fresh = lost_ || jumped(state, setpoints) || rig_->largest_tilt(y_.data()) > kLargestTilt;
   if (!fresh) fresh = rig_->begin(time_, state, setpoints, y_);
   setpoints_ = setpoints;
@@ -88,10 +81,7 @@ bool IdaIntegrator::advance_or_throw(SystemState& state, double step, const Setp
   }
   if (!done) return false;
   time_ += step;
-  const Eigen::Vector3d moved = rig_->finish(time_, y_, state);
-  system_.profiler().lap(Cost::other);
-  state.well.extend(moved, x_axis(state.nodes[0].orientation));
-  system_.profiler().lap(Cost::rock_penetration);
+  rig_->finish(time_, y_, state);
   note();
   return true;
 }
@@ -105,7 +95,7 @@ void IdaIntegrator::note()
   counters_.steps += now.steps - before.steps;
   counters_.newton_iterations += now.newton_iterations - before.newton_iterations;
   counters_.convergence_failures += now.error_test_failures + now.newton_failures - before.error_test_failures - before.newton_failures;
-  system_.work().solves += now.newton_iterations - before.newton_iterations;
+  work_.work.solves += now.newton_iterations - before.newton_iterations;
   const ConstraintDrift drift = rig_->drift(y_.data());
   report_.drift = std::max(report_.drift, drift.position);
   report_.rate_drift = std::max(report_.rate_drift, drift.velocity);

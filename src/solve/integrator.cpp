@@ -1,10 +1,12 @@
 #include "drill_rig_sim/solve/integrator.h"
 
 #include <stdexcept>
+#include <utility>
 
+#include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/solve/arkode_stepper.h"
-#include "drill_rig_sim/solve/explicit_limit.h"
 #include "drill_rig_sim/solve/ida_integrator.h"
+#include "drill_rig_sim/solve/methods/explicit_limit.h"
 #include "drill_rig_sim/solve/stepper.h"
 
 namespace drill_rig_sim
@@ -20,7 +22,7 @@ const std::vector<IntegratorEntry>& integrator_table()
   static const std::vector<IntegratorEntry> table = []
   {
     std::vector<IntegratorEntry> entries;
-    for (const Method& method : method_table()) entries.push_back({method.name, method.description});
+    for (const Method* method : method_table()) entries.push_back({method->name, method->description});
     entries.push_back({arkode, "TR-BDF2 by SUNDIALS ARKODE with our linear solver, for comparison"});
     entries.push_back(
         {reference, "the reference: the rig as a DAE with multipliers, variable order and step by SUNDIALS IDA; slow"});
@@ -38,13 +40,23 @@ const char* integrator_name(const std::string& name)
   throw std::runtime_error("numerics.integrator: '" + name + "' is unknown, allowed: " + allowed);
 }
 
-std::unique_ptr<Integrator> make_integrator(const std::string& name, System& system, const SystemState& start)
+std::unique_ptr<Integrator> make_integrator(const std::string& name, std::shared_ptr<const Model> model, const State& start)
 {
-  if (name == reference) return std::make_unique<IdaIntegrator>(system);
-  if (name == arkode) return std::make_unique<ArkodeStepper>(system);
+  if (name == reference) return std::make_unique<IdaIntegrator>(std::move(model));
+  if (name == arkode) return std::make_unique<ArkodeStepper>(std::move(model));
   const Method& method = *find_method(integrator_name(name));
-  if (method.step == step_explicit) check_explicit_step(system, start);
-  return std::make_unique<Stepper>(system, method);
+  if (&method == &explicit_differences) check_explicit_step(*model, start);
+  return std::make_unique<Stepper>(std::move(model), method);
+}
+
+Integrator::Integrator(std::shared_ptr<const Model> model) : model_(std::move(model)), stage_(*model_), work_(*model_)
+{
+}
+
+const RigForces& Integrator::find_forces(const State& state) noexcept
+{
+  find_string_forces(*model_, state, stage_, work_);
+  return work_.result.forces;
 }
 
 }  // namespace drill_rig_sim

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "drill_rig_sim/model/evaluate.h"
+
 namespace drill_rig_sim
 {
 namespace
@@ -36,21 +38,21 @@ Newton::Newton(int nodes) : step_(6 * nodes)
 }
 
 /// Into step_; returns its largest component, not a number where there is none.
-double Newton::find_increment(System& system, const double* u, bool new_tangent) noexcept
+double Newton::find_increment(const StageContext& problem, const double* u, bool new_tangent) noexcept
 {
-  system.evaluate(u, step_.data(), new_tangent ? &tangent_ : nullptr);
+  evaluate(problem.model, problem.start, problem.stage, u, problem.work, step_.data(), new_tangent ? &tangent_ : nullptr);
   bool solved = true;
   if (new_tangent)
   {
     solved = tangent_.solve(step_.data());
-    ++system.work().solves;
+    ++problem.work.work.solves;
   }
   else
   {
     tangent_.solve_again(step_.data());
-    ++system.work().substitutions;
+    ++problem.work.work.substitutions;
   }
-  system.profiler().lap(Cost::linear_solve);
+  problem.work.profiler.lap(Cost::linear_solve);
   return solved ? largest(step_) : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -59,14 +61,14 @@ void Newton::apply(double scale, double* u) const noexcept
   for (std::size_t k = 0; k < step_.size(); ++k) u[k] -= scale * step_[k];
 }
 
-NewtonOutcome Newton::solve(System& system, double* u, const NewtonLimits& limits) noexcept
+NewtonOutcome Newton::solve(const StageContext& problem, double* u, const NewtonLimits& limits) noexcept
 {
   NewtonOutcome out;
   double before = 0.0;
   bool new_tangent = true;
   while (!new_tangent || out.iterations < limits.max_iterations)
   {
-    out.increment = find_increment(system, u, new_tangent);
+    out.increment = find_increment(problem, u, new_tangent);
     if (new_tangent) ++out.iterations;
     if (!std::isfinite(out.increment)) return out;
     if (!new_tangent)
@@ -85,7 +87,7 @@ NewtonOutcome Newton::solve(System& system, double* u, const NewtonLimits& limit
     out.converged = newton_converged(out.increment, before, limits);
     if (out.converged)
     {
-      system.settle(u);
+      update(problem.model, problem.start, problem.stage, u, problem.work);
       return out;
     }
     before = out.increment;
@@ -94,9 +96,9 @@ NewtonOutcome Newton::solve(System& system, double* u, const NewtonLimits& limit
   return out;
 }
 
-bool Newton::improve(System& system, double* u) noexcept
+bool Newton::improve(const StageContext& problem, double* u) noexcept
 {
-  if (!std::isfinite(find_increment(system, u, true))) return false;
+  if (!std::isfinite(find_increment(problem, u, true))) return false;
   apply(1.0, u);
   return true;
 }

@@ -46,10 +46,10 @@ Vector3d tilt_and_spin(const Quaterniond& start, const Quaterniond& now)
 }
 }  // namespace
 
-RigDae::Rig RigDae::rig_of(const System& system, const SystemState& state)
+RigDae::Rig RigDae::rig_of(const Model& model, const State& state)
 {
   Rig rig;
-  const Mesh& mesh = system.mesh();
+  const Mesh& mesh = model.mesh();
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
   {
     const MeshNode& node = mesh.nodes[i];
@@ -67,7 +67,7 @@ RigDae::Rig RigDae::rig_of(const System& system, const SystemState& state)
   rig.bodies.push_back({mesh.bit_mass, 0.0, bit_inertia, bit_inertia});
   rig.motions.push_back(rig.motions.front());
 
-  const RigSpec& spec = system.scene().rig;
+  const RigSpec& spec = model.scene().rig;
   const double mass = spec.hoisting.block_mass;
   const int top = static_cast<int>(mesh.nodes.size()) - 1;
   const BodyMotion shaft = rig.motions[static_cast<std::size_t>(top)];
@@ -94,15 +94,17 @@ RigDae::Rig RigDae::rig_of(const System& system, const SystemState& state)
   return rig;
 }
 
-RigDae::RigDae(System& system, const SystemState& state, Formulation formulation, double tolerance)
-    : RigDae(system, rig_of(system, state), formulation, tolerance)
+RigDae::RigDae(const Model& model, Stage& stage, Workspace& work, const State& state, Formulation formulation, double tolerance)
+    : RigDae(model, stage, work, rig_of(model, state), formulation, tolerance)
 {
 }
 
-RigDae::RigDae(System& system, Rig rig, Formulation formulation, double tolerance)
+RigDae::RigDae(const Model& model, Stage& stage, Workspace& work, Rig rig, Formulation formulation, double tolerance)
     : ConstrainedBodies(std::move(rig.bodies), rig.motions, std::move(rig.joints), formulation,
                         {0.01 * tolerance, 0.01 * tolerance, tolerance, tolerance, tolerance}),
-      system_(system),
+      model_(model),
+      stage_(stage),
+      work_(work),
       tolerance_(tolerance)
 {
   const auto n = static_cast<std::size_t>(string_nodes());
@@ -113,14 +115,14 @@ RigDae::RigDae(System& system, Rig rig, Formulation formulation, double toleranc
     matrix->resize(string_nodes());
 }
 
-std::vector<double> RigDae::initial(const SystemState& state) const
+std::vector<double> RigDae::initial(const State& state) const
 {
   std::vector<double> y = at_bases();
   y.data()[further_at() + kMotorSpeed] = state.bit.motor_speed;
   return y;
 }
 
-bool RigDae::begin(double t, const SystemState& state, const Setpoints& setpoints, const std::vector<double>& y)
+bool RigDae::begin(double t, const State& state, const Setpoints& setpoints, const std::vector<double>& y)
 {
   start_time_ = t;
   start_ = &state;
@@ -137,42 +139,48 @@ bool RigDae::begin(double t, const SystemState& state, const Setpoints& setpoint
     changed = changed || value != added;
     value = added;
   };
-  const Mesh& mesh = system_.mesh();
-  const MudSpec& mud = system_.scene().mud;
+  const Mesh& mesh = model_.mesh();
+  const MudSpec& mud = model_.scene().mud;
   const double bit_added = mud.added_mass * mud.density * mesh.bit_displaced;
   for (int i = 0; i < string_nodes(); ++i)
   {
     const double added = mesh.nodes[static_cast<std::size_t>(i)].added_mass - (i == 0 ? bit_added : 0.0);
-    set_added(i, system_.immersed(i) * added);
+    set_added(i, stage_.immersed[i] * added);
   }
-  set_added(bit(), system_.immersed(0) * bit_added);
+  set_added(bit(), stage_.immersed[0] * bit_added);
   return changed;
 }
 
-NodeMotion RigDae::motion_of(int body, const double* y) const
+GivenNode RigDae::motion_of(int body, const double* y) const
 {
   const BodyMotion& m = motion(body);
-  NodeMotion out;
+  GivenNode out;
   out.position = m.position;
   out.orientation = m.orientation;
   // the places themselves would lose digits
-  out.moved << Map<const Vector3d>(y + 12 * body) - Map<const Vector3d>(start_y_.data() + 12 * body),
+  out.increment << Map<const Vector3d>(y + 12 * body) - Map<const Vector3d>(start_y_.data() + 12 * body),
       tilt_and_spin(start_orientations_[static_cast<std::size_t>(body)], m.orientation);
   out.rate << m.velocity, m.angular_velocity;
   return out;
 }
 
-/// What the system is to see of y.
+/// What the forces are to see of y: the stage's place in the step, and the motion.
 void RigDae::take_motion(double t, const double* y)
 {
-  motion_.time = t - start_time_;
+  move_stage(model_, *start_, t - start_time_, stage_);
   for (int i = 0; i < string_nodes(); ++i) motion_.nodes[static_cast<std::size_t>(i)] = motion_of(i, y);
   motion_.bit = motion_of(bit(), y);
   const double* now = y + further_at();
   const double* before = start_y_.data() + further_at();
-  motion_.motor_speed = now[kMotorSpeed];
-  motion_.motor_turn = now[kMotorTurn] - before[kMotorTurn];
-  motion_.bottom_moved = Map<const Vector3d>(now + kBottom) - Map<const Vector3d>(before + kBottom);
+  stage_.bit = bit_drive(now[kMotorSpeed], now[kMotorTurn] - before[kMotorTurn],
+                         Map<const Vector3d>(now + kBottom) - Map<const Vector3d>(before + kBottom), motion_.bit);
+}
+
+/// The rock recedes in time: nothing within the law's own implicit step.
+BitDrive RigDae::bit_drive(double motor_speed, double motor_turn, const Vector3d& bottom, const GivenNode& bit) const
+{
+  const double speed = bit.rate.tail<3>().dot(x_axis(bit.orientation)) + motor_speed;
+  return {motor_speed, motor_turn, speed, 0.0, true, bottom};
 }
 
 RigDae::Drive RigDae::drive_at(const double* y) const
@@ -183,19 +191,19 @@ RigDae::Drive RigDae::drive_at(const double* y) const
   out.speed = motion(rotor()).angular_velocity.dot(motion(rotor()).normal);
   out.twist = start_->drive.meter_twist + out.turn - (spin(top, y) - spin(top, start_y_.data()));
   const RotorState start{start_->drive.speed, start_->drive.integral, start_->drive.meter_twist};
-  out.motor = drive_torque(system_.scene().rig.top_drive, setpoints_.top_drive, start, motion_.time, out.turn, out.speed);
+  out.motor = drive_torque(model_.scene().rig.top_drive, setpoints_.top_drive, start, stage_.time, out.turn, out.speed);
   return out;
 }
 
 LinePull RigDae::pull_at() const
 {
-  return line_pull(system_.scene().rig.hoisting, motion(block()).position.z() - kBlockAbove, system_.hoist().line_length);
+  return line_pull(model_.scene().rig.hoisting, motion(block()).position.z() - kBlockAbove, stage_.hoist.line_length);
 }
 
 void RigDae::add_forces(double t, const double* y, double* force)
 {
   take_motion(t, y);
-  system_.evaluate_motion(motion_, string_.data(), contact_.data(), nullptr, nullptr);
+  evaluate_motion(model_, *start_, stage_, motion_, work_, string_.data(), contact_.data(), nullptr, nullptr);
   Map<Eigen::VectorXd>(force, 6 * string_nodes()) += Map<const Eigen::VectorXd>(string_.data(), 6 * string_nodes());
   Map<Eigen::VectorXd>(force + 6, 6 * (string_nodes() - 1)) +=
       Map<const Eigen::VectorXd>(contact_.data() + 6, 6 * (string_nodes() - 1));
@@ -205,7 +213,7 @@ void RigDae::add_forces(double t, const double* y, double* force)
     force[6 * body + 2] += standard_gravity * bodies()[static_cast<std::size_t>(body)].mass;
   force[6 * block() + 2] -= pull_at().hook_force;
   const Drive drive = drive_at(y);
-  const double meter = system_.scene().rig.top_drive.meter_stiffness * drive.twist;
+  const double meter = model_.scene().rig.top_drive.meter_stiffness * drive.twist;
   const int top = string_nodes() - 1;
   Map<Vector3d>(force + 6 * rotor() + 3) += (meter - drive.motor.value) * motion(rotor()).normal;
   Map<Vector3d>(force + 6 * stator() + 3) += drive.motor.value * motion(rotor()).normal;
@@ -218,12 +226,19 @@ void RigDae::further_rates(double, const double*, double* rate)
   std::copy_n(answer.data() + 6, 5, rate);
 }
 
+double RigDae::steady_motor_speed() const
+{
+  const PartSpec* motor = model_.motor();
+  if (!motor) return 0.0;
+  return mud_motor_steady_speed(start_->flow, motor->displacement_per_rev, motor->stall_torque, work_.result.forces.bit_torque);
+}
+
 /// `force` and the rates of the further states at the bit's last forces.
 RigDae::BitAnswer RigDae::bit_rates(const Vector6d& force) const
 {
   BitAnswer out;
-  out << force, (system_.steady_motor_speed() - motion_.motor_speed) / mud_motor_lag, motion_.motor_speed,
-      system_.rock_velocity();
+  out << force, (steady_motor_speed() - stage_.bit.motor_speed) / mud_motor_lag, stage_.bit.motor_speed,
+      rock_velocity(model_, start_->well, work_.result.forces, work_.nodes[0].normal);
   return out;
 }
 
@@ -238,10 +253,10 @@ void RigDae::add_force_jacobian(double t, const double* y, SparseJacobian& j)
 {
   take_motion(t, y);
   // at fixed rates, and with d/d(rate) on top
-  system_.stage().dv_du = 1.0;
-  system_.evaluate_motion(motion_, string_.data(), contact_.data(), &string_by_both_, &contact_by_both_);
-  system_.stage().dv_du = 0.0;
-  system_.evaluate_motion(motion_, string_.data(), contact_.data(), &string_by_place_, &contact_by_place_);
+  stage_.dv_du = 1.0;
+  evaluate_motion(model_, *start_, stage_, motion_, work_, string_.data(), contact_.data(), &string_by_both_, &contact_by_both_);
+  stage_.dv_du = 0.0;
+  evaluate_motion(model_, *start_, stage_, motion_, work_, string_.data(), contact_.data(), &string_by_place_, &contact_by_place_);
   auto add = [&](int row, int column, const Matrix6& place, const Matrix6& both)
   { add_force_derivative(row, column, place, both - place, j); };
   for (int i = 0; i < string_nodes(); ++i)
@@ -272,7 +287,7 @@ void RigDae::add_rig_jacobian(const double* y, SparseJacobian& j)
     rate.bottomRightCorner<3, 3>() = by_speed * axes;
     add_force_derivative(row, column, place, rate, j);
   };
-  const double spring = system_.scene().rig.top_drive.meter_stiffness;
+  const double spring = model_.scene().rig.top_drive.meter_stiffness;
   const double meter = spring * drive.twist, motor = drive.motor.value;
   about(rotor(), rotor(), meter - motor, spring - drive.motor.by_turn, -drive.motor.by_speed);
   about(rotor(), top, 0.0, -spring, 0.0);
@@ -284,19 +299,26 @@ void RigDae::add_rig_jacobian(const double* y, SparseJacobian& j)
 /// The bit's own forces and the further states, by central differences: some thirty evaluations of one node.
 void RigDae::add_bit_jacobian(SparseJacobian& j)
 {
-  const GivenMotion given = motion_;
-  const auto answer = [this] { return bit_rates(system_.evaluate_bit_motion(motion_)); };
+  struct BitMotion
+  {
+    GivenNode node;
+    double motor_speed, motor_turn;
+    Vector3d bottom;
+  };
+  const BitMotion given{motion_.bit, stage_.bit.motor_speed, stage_.bit.motor_turn, stage_.bit.bottom_increment};
+  const auto answer = [this](const BitMotion& at)
+  {
+    stage_.bit = bit_drive(at.motor_speed, at.motor_turn, at.bottom, at.node);
+    return bit_rates(evaluate_bit_motion(model_, *start_, stage_, at.node, work_));
+  };
   const auto column = [&](double step, const auto& move)
   {
     BitAnswer out = BitAnswer::Zero();
     for (const double sign : {1.0, -1.0})
     {
-      move(sign * step);
-      out += sign / (2.0 * step) * answer();
-      motion_.bit = given.bit;
-      motion_.motor_speed = given.motor_speed;
-      motion_.motor_turn = given.motor_turn;
-      motion_.bottom_moved = given.bottom_moved;
+      BitMotion moved = given;
+      move(moved, sign * step);
+      out += sign / (2.0 * step) * answer(moved);
     }
     return out;
   };
@@ -304,24 +326,24 @@ void RigDae::add_bit_jacobian(SparseJacobian& j)
   for (int k = 0; k < 3; ++k)
   {
     by_motion.col(k) = column(kPlaceStep,
-                              [&](double step)
+                              [k](BitMotion& m, double step)
                               {
-                                motion_.bit.position[k] += step;
-                                motion_.bit.moved[k] += step;
+                                m.node.position[k] += step;
+                                m.node.increment[k] += step;
                               });
     by_motion.col(3 + k) = column(kPlaceStep,
-                                  [&](double step)
+                                  [k](BitMotion& m, double step)
                                   {
-                                    motion_.bit.orientation = rotation_from_vector(step * Vector3d::Unit(k)) * given.bit.orientation;
-                                    motion_.bit.moved[3 + k] += step;
+                                    m.node.orientation = rotation_from_vector(step * Vector3d::Unit(k)) * m.node.orientation;
+                                    m.node.increment[3 + k] += step;
                                   });
   }
-  for (int k = 0; k < 6; ++k) by_motion.col(6 + k) = column(kRateStep, [&](double step) { motion_.bit.rate[k] += step; });
+  for (int k = 0; k < 6; ++k) by_motion.col(6 + k) = column(kRateStep, [k](BitMotion& m, double step) { m.node.rate[k] += step; });
   Eigen::Matrix<double, 11, 5> by_further;
-  by_further.col(kMotorSpeed) = column(kRateStep, [&](double step) { motion_.motor_speed += step; });
-  by_further.col(kMotorTurn) = column(kPlaceStep, [&](double step) { motion_.motor_turn += step; });
+  by_further.col(kMotorSpeed) = column(kRateStep, [](BitMotion& m, double step) { m.motor_speed += step; });
+  by_further.col(kMotorTurn) = column(kPlaceStep, [](BitMotion& m, double step) { m.motor_turn += step; });
   for (int k = 0; k < 3; ++k)
-    by_further.col(kBottom + k) = column(kPlaceStep, [&](double step) { motion_.bottom_moved[k] += step; });
+    by_further.col(kBottom + k) = column(kPlaceStep, [k](BitMotion& m, double step) { m.bottom[k] += step; });
 
   add_force_derivative(bit(), bit(), by_motion.topLeftCorner<6, 6>(), by_motion.topRightCorner<6, 6>(), j);
   const int at = 12 * bit(), further = further_at();
@@ -332,39 +354,30 @@ void RigDae::add_bit_jacobian(SparseJacobian& j)
   j.add_block(further, further, (-by_further.bottomRows<5>()).eval());
 }
 
-Vector3d RigDae::finish(double t, const std::vector<double>& y, SystemState& state)
+void RigDae::finish(double t, const std::vector<double>& y, State& state)
 {
   read(y.data());
   take_motion(t, y.data());
-  system_.evaluate_motion(motion_, string_.data(), contact_.data(), nullptr, nullptr);
+  evaluate_motion(model_, *start_, stage_, motion_, work_, string_.data(), contact_.data(), nullptr, nullptr);
   const Drive drive = drive_at(y.data());
-  const double meter = system_.scene().rig.top_drive.meter_stiffness * drive.twist;
-  system_.note_rig(pull_at().hook_force, meter);
-  const DriveState before = state.drive;
-  const double turned = state.bit.turned + motion_.motor_turn;
-  system_.finish(state);
+  StageResult& result = work_.result;
+  result.forces.hook_load = pull_at().hook_force;
+  result.forces.meter_torque = model_.scene().rig.top_drive.meter_stiffness * drive.twist;
+  result.forces.drive_torque = drive.motor.value;
+  result.drive = {state.drive.angle + drive.turn, drive.speed, drive.motor.integral, drive.twist, drive.motor.limited};
+  result.bit.motor_speed = stage_.bit.motor_speed;
 
+  commit(work_, state);
   for (int i = 0; i < string_nodes(); ++i)
   {
     NodeState& node = state.nodes[static_cast<std::size_t>(i)];
     const BodyMotion& m = motion(i);
     const double spin_rate = m.angular_velocity.dot(m.normal);
     node.position = m.position;
-    if (i + 1 < string_nodes()) node.orientation = m.orientation.normalized();
+    node.orientation = m.orientation.normalized();
     node.rate = {m.velocity, m.angular_velocity - spin_rate * m.normal, spin_rate};
   }
-  state.drive = before;
-  state.drive.angle += drive.turn;
-  state.drive.last_speed = before.speed;
-  state.drive.last_increment = drive.turn;
-  state.drive.speed = drive.speed;
-  state.drive.integral = drive.motor.integral;
-  state.drive.meter_twist = drive.twist;
-  state.drive.limited = drive.motor.limited;
-  state.bit.turned = turned;
-  state.bit.rock_velocity = motion_.bottom_moved / (t - start_time_);
-  state.bit.motor_speed = motion_.motor_speed;
-  return motion_.bottom_moved;
+  advance_discrete(model_, stage_, work_, state);
 }
 
 }  // namespace drill_rig_sim

@@ -29,7 +29,7 @@ Quaterniond carried_along(const Quaterniond& q, const Vector3d& tangent)
 }
 
 /// Nodes along the hole, resting on its low side where it is inclined; sections without twist, y axes at the toolface.
-void place_string(const Mesh& mesh, const Wellbore& well, double depth, double toolface, SystemState& state)
+void place_string(const Mesh& mesh, const Wellbore& well, double depth, double toolface, State& state)
 {
   state.nodes.assign(mesh.nodes.size(), NodeState());
   const WellNode bottom = well.at(depth - mesh.nodes[0].from_bit);
@@ -54,7 +54,7 @@ void place_string(const Mesh& mesh, const Wellbore& well, double depth, double t
 }
 
 /// Moves the top node to the block's height over the well's centre, and points it down.
-void hang_on_block(const Scene& scene, SystemState& state)
+void hang_on_block(const Scene& scene, State& state)
 {
   NodeState& top = state.nodes.back();
   top.position = Vector3d(0.0, 0.0, scene.start.block_height);
@@ -95,16 +95,16 @@ double string_compliance(const Mesh& mesh)
 
 }  // namespace
 
-double bit_depth(const System& system, const SystemState& state)
+double bit_depth(const Model& model, const State& state)
 {
   const NodeState& bit = state.nodes.front();
-  const Vector3d face = bit.position + system.mesh().bit_radius * x_axis(bit.orientation);
+  const Vector3d face = bit.position + model.mesh().bit_radius * x_axis(bit.orientation);
   return state.well.locate(face, bit.segment).md;
 }
 
-double bend_toolface(const System& system, const SystemState& state)
+double bend_toolface(const Model& model, const State& state)
 {
-  const int bend = system.mesh().bend_node;
+  const int bend = model.mesh().bend_node;
   if (bend < 0) return 0.0;
   const Quaterniond& q = state.nodes[bend].orientation;
   const Vector3d axis = x_axis(q);
@@ -124,15 +124,15 @@ RigAtRest build_at_rest(const Scene& scene)
     length -= estimated_stretch(mesh, scene, well, depth) - start.weight_on_bit * string_compliance(mesh);
   }
 
-  RigAtRest rig{nullptr, SystemState(well), {}};
+  RigAtRest rig{nullptr, State(well), {}};
   double toolface = start.toolface;
   double depth_error = 0.0, toolface_error = 0.0;
   for (int round = 0; round < kMaxRounds; ++round)
   {
-    rig.system = std::make_unique<System>(scene, build_mesh(scene, length));
-    place_string(rig.system->mesh(), well, depth, toolface, rig.state);
+    rig.model = std::make_shared<Model>(scene, build_mesh(scene, length));
+    place_string(rig.model->mesh(), well, depth, toolface, rig.state);
     hang_on_block(scene, rig.state);
-    rig.statics = solve_static(*rig.system, rig.state, FrictionMode::none);
+    rig.statics = solve_static(*rig.model, rig.state, FrictionMode::none);
     if (!rig.statics.converged)
     {
       std::ostringstream message;
@@ -140,10 +140,10 @@ RigAtRest build_at_rest(const Scene& scene)
               << " N after " << rig.statics.iterations << " iterations)";
       fail(message.str());
     }
-    toolface_error = rig.system->mesh().bend_node >= 0 ? angle_error(bend_toolface(*rig.system, rig.state), start.toolface) : 0.0;
-    const double weight_error = rig.system->forces().wob - start.weight_on_bit;
+    toolface_error = rig.model->mesh().bend_node >= 0 ? angle_error(bend_toolface(*rig.model, rig.state), start.toolface) : 0.0;
+    const double weight_error = rig.statics.forces.wob - start.weight_on_bit;
     // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance
-    depth_error = on_bottom ? weight_error * string_compliance(rig.system->mesh()) : bit_depth(*rig.system, rig.state) - depth;
+    depth_error = on_bottom ? weight_error * string_compliance(rig.model->mesh()) : bit_depth(*rig.model, rig.state) - depth;
     const bool deep_enough = on_bottom ? std::abs(weight_error) < kWeightTolerance * start.weight_on_bit : std::abs(depth_error) < kDepthTolerance;
     if (deep_enough && std::abs(toolface_error) < kToolfaceTolerance) break;
     length -= depth_error;
@@ -157,10 +157,11 @@ RigAtRest build_at_rest(const Scene& scene)
     fail(message.str());
   }
 
+  rig.state.memory.past.assign(MethodMemory::room, {std::vector<NodeRate>(rig.state.nodes.size()), 0.0});
   const double hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   rig.state.hoist.line_length = line_length_for(scene.rig.hoisting, start.block_height, hook_load);
   rig.state.drive.meter_twist = rig.statics.top_torque / scene.rig.top_drive.meter_stiffness;
-  rig.state.bit.twist = on_bottom ? start.torque_on_bit / rig.system->bit_bristle_stiffness() : 0.0;
+  rig.state.bit.twist = on_bottom ? start.torque_on_bit / rig.model->bit_bristle_stiffness() : 0.0;
   return rig;
 }
 

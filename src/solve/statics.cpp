@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/block_tridiagonal.h"
+#include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/solve/kinsol_equilibrium.h"
 
 namespace drill_rig_sim
@@ -24,9 +25,9 @@ double largest(const std::vector<double>& values)
 }
 
 /// Steps of pseudo-time, each one Newton iteration from rest; returns the iterations used.
-int continuation(System& system, SystemState& state, FrictionMode friction)
+int continuation(const Model& model, State& state, FrictionMode friction, Stage& stage, Workspace& work)
 {
-  const int n = system.nodes();
+  const int n = model.nodes();
   BlockTridiagonal tangent;
   tangent.resize(n);
   const std::vector<double> origin(6 * n, 0.0);
@@ -34,14 +35,15 @@ int continuation(System& system, SystemState& state, FrictionMode friction)
   double c = kFirstCoefficient;
   for (int k = 0; k < kMaxContinuation; ++k)
   {
-    system.begin_static(state, friction, c);
-    system.evaluate(origin.data(), move.data(), &tangent);
+    begin_static(model, state, friction, c, stage);
+    evaluate_static(model, state, stage, origin.data(), work, move.data(), &tangent);
     if (!tangent.solve(move.data())) return k + 1;
     const double size = largest(move);
     const double scale = size > kLongMove ? kLongMove / size : 1.0;
     for (double& m : move) m *= -scale;
-    system.evaluate(move.data(), residual.data(), nullptr);
-    system.finish(state);
+    evaluate_static(model, state, stage, move.data(), work, residual.data(), nullptr);
+    commit(work, state);
+    advance_static(work, state);
     if (size < 1e-7 && c <= kLastCoefficient) return k + 1;
     if (scale == 1.0) c = std::max(0.5 * c, 0.5 * kLastCoefficient);
     else c = std::min(1.5 * c, kFirstCoefficient);
@@ -49,46 +51,51 @@ int continuation(System& system, SystemState& state, FrictionMode friction)
   return kMaxContinuation;
 }
 
-void clear_motion(SystemState& state)
+void clear_motion(State& state)
 {
   for (NodeState& node : state.nodes)
   {
-    node.rate = node.last_rate = node.last_increment = node.acceleration = NodeRate();
+    node.rate = NodeRate();
     node.bristle.setZero();
     node.spin_angle = 0.0;
   }
-  state.last_step = 0.0;
+  state.memory.last_step = 0.0;
 }
 
 }  // namespace
 
-StaticOutcome solve_static(System& system, SystemState& state, FrictionMode friction)
+StaticOutcome solve_static(const Model& model, State& state, FrictionMode friction)
 {
+  Stage stage(model);
+  Workspace work(model);
   StaticOutcome out;
-  out.iterations = continuation(system, state, friction);
+  out.iterations = continuation(model, state, friction, stage, work);
 
   BlockTridiagonal tangent;
-  tangent.resize(system.nodes());
-  std::vector<double> scratch(6 * system.nodes());
+  tangent.resize(model.nodes());
+  std::vector<double> scratch(6 * model.nodes());
   NonlinearProblem problem;
-  problem.residual = [&](const double* u, double* residual) { system.evaluate(u, residual, nullptr); };
+  problem.residual = [&](const double* u, double* residual) { evaluate_static(model, state, stage, u, work, residual, nullptr); };
   problem.solve_tangent = [&](const double* u, double* b)
   {
-    system.evaluate(u, scratch.data(), &tangent);
+    evaluate_static(model, state, stage, u, work, scratch.data(), &tangent);
     return tangent.solve(b);
   };
-  system.begin_static(state, friction);
-  std::vector<double> u(6 * system.nodes(), 0.0);
+  begin_static(model, state, friction, 0.0, stage);
+  std::vector<double> u(6 * model.nodes(), 0.0);
   const KinsolOutcome finished = kinsol_solve(problem, kTolerance, u);
-  system.evaluate(u.data(), scratch.data(), nullptr);
-  system.finish(state);
+  evaluate_static(model, state, stage, u.data(), work, scratch.data(), nullptr);
+  find_string_forces(model, state, stage, work);
+  commit(work, state);
+  advance_static(work, state);
   clear_motion(state);
 
   out.converged = finished.converged;
   out.iterations += finished.iterations;
   out.residual = finished.residual;
-  out.top_force = system.top_force();
-  out.top_torque = system.top_torque();
+  out.top_force = work.result.held_force;
+  out.top_torque = work.result.held_torque;
+  out.forces = work.result.forces;
   return out;
 }
 

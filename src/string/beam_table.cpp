@@ -8,11 +8,11 @@ namespace drill_rig_sim
 const std::vector<BeamKind>& beam_table()
 {
   static const std::vector<BeamKind> table = {
-      {"corotational", "cubic in a frame along the chord", beam_forces, beam_forces, beam_energy},
+      {"corotational", "cubic in a frame along the chord", beam_forces, beam_forces, beam_energy, true},
       {"geometrically_exact", "rigid-section strains, relative rotation interpolated", geometrically_exact_forces, geometrically_exact_forces,
-       nullptr},
+       geometrically_exact_energy, false},
       {"rotation_vector", "rigid-section strains, total rotation vectors interpolated; fails at a full turn", rotation_vector_forces,
-       rotation_vector_forces, nullptr},
+       rotation_vector_forces, rotation_vector_energy, false},
   };
   return table;
 }

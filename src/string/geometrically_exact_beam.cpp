@@ -179,4 +179,14 @@ BeamForces geometrically_exact_forces(const BeamSection& section, const BeamPose
   return forces_of(k);
 }
 
+double geometrically_exact_energy(const BeamSection& section, const BeamPose& pose) noexcept
+{
+  BeamStrain strain;
+  const Middle k = middle_of(section, pose, BeamDamping(), strain);
+  const Vector3d bent = 2.0 * (k.a - k.t.dot(k.a) * k.t);  // across the string
+  const double along = k.t.dot(k.d), shear_square = k.d.squaredNorm() - along * along;
+  return 0.5 * section.axial * section.length * strain.stretch * strain.stretch + 0.5 * section.shear / section.length * shear_square +
+         0.5 * section.bending / section.length * bent.squaredNorm() + 0.5 * section.torsion * strain.twist * strain.twist;
+}
+
 }  // namespace drill_rig_sim

@@ -256,4 +256,16 @@ BeamForces rotation_vector_forces(const BeamSection& section, const BeamPose& po
   return forces;
 }
 
+double rotation_vector_energy(const BeamSection& section, const BeamPose& pose) noexcept
+{
+  BeamStrain strain;
+  const Middle k = middle_of(section, pose, BeamDamping(), strain);
+  if (!k.upper.defined || !k.lower.defined) return std::numeric_limits<double>::quiet_NaN();
+  const Vector3d turn = k.j * k.eta;
+  const Vector3d bent = turn - k.t.dot(turn) * k.t;
+  const double along = k.t.dot(k.d), shear_square = k.d.squaredNorm() - along * along;
+  return 0.5 * section.axial * section.length * strain.stretch * strain.stretch + 0.5 * section.shear / section.length * shear_square +
+         0.5 * section.bending / section.length * bent.squaredNorm() + 0.5 * section.torsion * strain.twist * strain.twist;
+}
+
 }  // namespace drill_rig_sim

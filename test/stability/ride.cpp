@@ -118,9 +118,9 @@ void Ride::throw_sideways(double speed)
     if (node.position.z() >= 0.0) continue;
     const Eigen::Vector3d axis = x_axis(node.orientation);
     const Eigen::Vector3d up = high_side(axis);
-    node.rate.velocity = node.last_rate.velocity = speed * (up + axis.cross(up)).normalized();
+    node.rate.velocity = speed * (up + axis.cross(up)).normalized();
   }
-  state.mechanics.last_step = 0.0;  // no history: a multi-step method starts here
+  state.mechanics.memory.last_step = 0.0;  // no history: a multistep method starts here
   simulator_->restore(state);
 }
 

@@ -23,10 +23,10 @@ inline RigAtRest plucked()
   scene.string[0].diameter = 0.2;
   scene.start.block_height = 10.0;
   RigAtRest rig = build_at_rest(scene);
-  const double length = rig.system->mesh().total_length;
-  for (int i = 0; i + 1 < rig.system->nodes(); ++i)
+  const double length = rig.model->mesh().total_length;
+  for (int i = 0; i + 1 < rig.model->nodes(); ++i)
   {
-    const double shape = std::pow(std::cos(0.5 * pi * rig.system->mesh().nodes[i].from_bit / length), 4);
+    const double shape = std::pow(std::cos(0.5 * pi * rig.model->mesh().nodes[i].from_bit / length), 4);
     rig.state.nodes[i].position.z() += 1e-3 * shape;
     rig.state.nodes[i].orientation = rig.state.nodes[i].orientation * rotation_from_vector(Eigen::Vector3d(1e-2 * shape, 0.0, 0.0));
   }
@@ -36,7 +36,7 @@ inline RigAtRest plucked()
 /// Places of all nodes (z) and a tenth of their spins after the span.
 inline Eigen::VectorXd after_span(const RigAtRest& start, Integrator& integrator, double step)
 {
-  SystemState state = start.state;
+  State state = start.state;
   for (long k = 0; k < std::lround(plucked_span / step); ++k) EXPECT_TRUE(integrator.advance(state, step, Setpoints()));
   Eigen::VectorXd out(2 * state.nodes.size());
   for (std::size_t i = 0; i < state.nodes.size(); ++i)

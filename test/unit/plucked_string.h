@@ -35,9 +35,9 @@ struct PluckedString
   explicit PluckedString(double tolerance, int order = 2, double element_length = 9.5)
       : rig(build_at_rest(scene_for(tolerance, order, element_length)))
   {
-    const Mesh& mesh = rig.system->mesh();
-    stretch = twist = Eigen::VectorXd::Zero(rig.system->nodes());
-    for (int i = 0; i + 1 < rig.system->nodes(); ++i)
+    const Mesh& mesh = rig.model->mesh();
+    stretch = twist = Eigen::VectorXd::Zero(rig.model->nodes());
+    for (int i = 0; i + 1 < rig.model->nodes(); ++i)
     {
       const double shape = std::pow(std::cos(0.5 * pi * mesh.nodes[i].from_bit / mesh.total_length), 4);
       stretch[i] = 1e-3 * shape;
@@ -70,25 +70,25 @@ struct PluckedString
   /// Stretch of the nodes at t: block and line at the top.
   Eigen::VectorXd exact_stretch(double t) const
   {
-    const Mesh& mesh = rig.system->mesh();
-    const RigSpec& spec = rig.system->scene().rig;
-    const int n = rig.system->nodes();
+    const Mesh& mesh = rig.model->mesh();
+    const RigSpec& spec = rig.model->scene().rig;
+    const int n = rig.model->nodes();
     Eigen::VectorXd mass(n);
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
     for (int i = 0; i < n; ++i) mass[i] = mesh.nodes[i].mass;
     mass[n - 1] += spec.hoisting.block_mass;
     for (int e = 0; e + 1 < n; ++e) tie(stiffness, e, e + 1, mesh.elements[e].section.axial / mesh.elements[e].section.length);
     stiffness(n - 1, n - 1) +=
-        line_pull(spec.hoisting, rig.system->scene().start.block_height, rig.state.hoist.line_length).stiffness;
+        line_pull(spec.hoisting, rig.model->scene().start.block_height, rig.state.hoist.line_length).stiffness;
     return free_motion(mass, stiffness, stretch, t);
   }
 
   /// Twist of the nodes at t: torque meter and rotor at the top.
   Eigen::VectorXd exact_twist(double t) const
   {
-    const Mesh& mesh = rig.system->mesh();
-    const RigSpec& spec = rig.system->scene().rig;
-    const int n = rig.system->nodes();
+    const Mesh& mesh = rig.model->mesh();
+    const RigSpec& spec = rig.model->scene().rig;
+    const int n = rig.model->nodes();
     Eigen::VectorXd inertia(n + 1), start(n + 1);
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n + 1, n + 1);
     for (int i = 0; i < n; ++i) inertia[i] = mesh.nodes[i].spin_inertia;
@@ -100,22 +100,22 @@ struct PluckedString
   }
 
   /// The state after `span` [s] in steps of `step` [s].
-  SystemState run(Integrator& integrator, double span, double step) const
+  State run(Integrator& integrator, double span, double step) const
   {
-    SystemState state = rig.state;
+    State state = rig.state;
     for (long k = 0; k < std::lround(span / step); ++k)
       if (!integrator.advance(state, step, Setpoints())) throw std::runtime_error("the plucked string could not be integrated");
     return state;
   }
 
-  Eigen::VectorXd stretch_of(const SystemState& state) const
+  Eigen::VectorXd stretch_of(const State& state) const
   {
     Eigen::VectorXd out(stretch.size());
     for (int i = 0; i < out.size(); ++i) out[i] = state.nodes[i].position.z() - rig.state.nodes[i].position.z() + stretch[i];
     return out;
   }
 
-  Eigen::VectorXd twist_of(const SystemState& state) const
+  Eigen::VectorXd twist_of(const State& state) const
   {
     Eigen::VectorXd out(twist.size());
     for (int i = 0; i < out.size(); ++i) out[i] = state.nodes[i].spin_angle + twist[i];

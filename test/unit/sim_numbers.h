@@ -5,6 +5,7 @@
 #include <cstring>
 #include <vector>
 
+#include "drill_rig_sim/math/visit.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 
@@ -58,37 +59,24 @@ inline void numbers_of(const Measurements& m, std::vector<double>& out)
   append(out, m.bit_orientation);
 }
 
-/// The mechanical state: nodes, elements, drive, hoist, bit and the hole's end.
-inline std::vector<double> numbers_of(const SystemState& s)
+struct NumberCollector
 {
-  std::vector<double> out{s.time,
-                          s.last_step,
-                          s.drive.angle,
-                          s.drive.speed,
-                          s.drive.last_speed,
-                          s.drive.last_increment,
-                          s.drive.integral,
-                          s.drive.meter_twist,
-                          s.hoist.line_length,
-                          s.hoist.winch_speed,
-                          s.bit.twist,
-                          s.bit.motor_speed,
-                          s.bit.turned,
-                          s.flow,
-                          s.well.hole_depth()};
-  for (const NodeState& n : s.nodes)
+  std::vector<double> out;
+  template <class N>
+  void operator()(const std::string&, N& number)
   {
-    append(out, n.orientation);
-    for (const Eigen::Vector3d* v : {&n.position, &n.rate.velocity, &n.rate.tilt, &n.last_rate.velocity, &n.last_rate.tilt,
-                                     &n.last_increment.velocity, &n.last_increment.tilt, &n.acceleration.velocity, &n.acceleration.tilt,
-                                     &n.bristle})
-      append(out, *v);
-    out.insert(out.end(), {n.spin_angle, n.rate.spin, n.last_rate.spin, n.last_increment.spin, n.acceleration.spin});
+    out.push_back(static_cast<double>(number));
   }
-  append(out, s.bit.rock_velocity);
-  append(out, s.well.bottom_position());
-  append(out, s.well.bottom_normal());
-  return out;
+  void size(const std::string&, std::size_t& count) { out.push_back(static_cast<double>(count)); }
+};
+
+/// Every number of a value that lists its fields (math/visit.h).
+template <class T>
+std::vector<double> numbers_of(const T& value)
+{
+  NumberCollector collector;
+  visit_numbers(const_cast<T&>(value), collector);
+  return collector.out;
 }
 
 inline bool all_finite(const std::vector<double>& numbers)

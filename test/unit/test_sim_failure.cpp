@@ -24,27 +24,27 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Damage
 {
   const char* name;
-  void (*apply)(SystemState&);
+  void (*apply)(State&);
 };
 
 const Damage kDamages[] = {
-    {"node a thousand kilometres away", [](SystemState& s) { s.nodes[3].position.x() += 1e6; }},
-    {"speed beyond reason", [](SystemState& s) { s.nodes[2].rate.velocity.y() = 1e200; }},
-    {"position not a number", [](SystemState& s) { s.nodes[4].position.z() = kNan; }},
-    {"rotor at infinite speed", [](SystemState& s) { s.drive.speed = kInfinity; }},
-    {"orientation not a number", [](SystemState& s) { s.nodes[3].orientation.w() = kNan; }},
+    {"node a thousand kilometres away", [](State& s) { s.nodes[3].position.x() += 1e6; }},
+    {"speed beyond reason", [](State& s) { s.nodes[2].rate.velocity.y() = 1e200; }},
+    {"position not a number", [](State& s) { s.nodes[4].position.z() = kNan; }},
+    {"rotor at infinite speed", [](State& s) { s.drive.speed = kInfinity; }},
+    {"orientation not a number", [](State& s) { s.nodes[3].orientation.w() = kNan; }},
 };
 }  // namespace
 
 TEST(Stepper, refusesWhatItCannotSolveAndLeavesTheStateAlone)
 {
   RigAtRest rig = build_at_rest(drilling_scene());
-  Stepper stepper(*rig.system, *find_method("auto"));
+  Stepper stepper(rig.model, *find_method("auto"));
   Setpoints setpoints;
   for (int k = 0; k < 10; ++k) ASSERT_TRUE(stepper.advance(rig.state, 0.005, setpoints));
   for (const Damage& damage : kDamages)
   {
-    SystemState broken = rig.state;
+    State broken = rig.state;
     damage.apply(broken);
     const std::vector<double> before = numbers_of(broken);
     EXPECT_FALSE(stepper.advance(broken, 0.005, setpoints)) << damage.name;

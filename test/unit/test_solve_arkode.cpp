@@ -21,14 +21,14 @@ namespace
 {
 Eigen::VectorXd after_arkode(const RigAtRest& start, double step)
 {
-  ArkodeStepper stepper(*start.system);
+  ArkodeStepper stepper(start.model);
   stepper.limits().tolerance = 1e-12;
   return after_span(start, stepper, step);
 }
 
 Eigen::VectorXd after_own(const RigAtRest& start, const char* method, double step)
 {
-  Stepper stepper(*start.system, *find_method(method));
+  Stepper stepper(start.model, *find_method(method));
   stepper.limits().tolerance = 1e-12;
   return after_span(start, stepper, step);
 }
@@ -147,9 +147,9 @@ TEST(Arkode, goesOnBitByBitFromASnapshot)
 TEST(Arkode, stepsThatCannotBeSolvedLeaveAFiniteState)
 {
   const RigAtRest start = plucked();
-  SystemState state = start.state;
+  State state = start.state;
   for (NodeState& node : state.nodes) node.rate.velocity = Vector3d(300.0, 0.0, -300.0);
-  ArkodeStepper stepper(*start.system);
+  ArkodeStepper stepper(start.model);
   stepper.advance(state, 0.1, Setpoints());
   EXPECT_GT(stepper.counters().convergence_failures, 0u);
   EXPECT_TRUE(all_finite(numbers_of(state)));

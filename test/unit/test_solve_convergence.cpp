@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
-#include "drill_rig_sim/solve/explicit_limit.h"
+#include "drill_rig_sim/solve/methods/explicit_limit.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "plucked_rig.h"
@@ -16,7 +16,7 @@ namespace
 {
 Eigen::VectorXd after(const RigAtRest& start, const char* method, double step)
 {
-  Stepper stepper(*start.system, *find_method(method));
+  Stepper stepper(start.model, *find_method(method));
   stepper.limits().tolerance = 1e-12;
   return after_span(start, stepper, step);
 }
@@ -60,7 +60,7 @@ TEST(Convergence, linearlyImplicitEulerIsOfFirstOrder)
 TEST(Convergence, centralDifferencesAreOfSecondOrder)
 {
   const RigAtRest start = plucked();
-  const double limit = explicit_step_limit(*start.system, start.state);
+  const double limit = explicit_step_limit(*start.model, start.state);
   EXPECT_GT(limit, 0.0002);
   EXPECT_NEAR(order(start, "explicit", 0.00005), 2.0, 0.15);
 }
@@ -79,12 +79,12 @@ TEST(Convergence, methodsOfSecondOrderAgreeInTheLimit)
 TEST(Convergence, smoothStepsTakeOneTangent)
 {
   const RigAtRest start = plucked();
-  Stepper stepper(*start.system, *find_method("bdf2"));
-  const Work before = start.system->work();
+  Stepper stepper(start.model, *find_method("bdf2"));
+  const Work before = stepper.work();
   constexpr double step = 0.001;
   after_span(start, stepper, step);
   const double steps = plucked_span / step;
-  const Work& after = start.system->work();
+  const Work& after = stepper.work();
   EXPECT_NEAR((after.tangents - before.tangents) / steps, 1.0, 0.01);
   EXPECT_EQ(after.solves - before.solves, after.tangents - before.tangents);
   EXPECT_LT((after.residuals - before.residuals) / steps, 2.01);
@@ -96,7 +96,7 @@ TEST(Convergence, newtonLeavesNoMoreThanItsTolerance)
   const RigAtRest start = plucked();
   const auto end = [&start](double tolerance)
   {
-    Stepper stepper(*start.system, *find_method("bdf2"));
+    Stepper stepper(start.model, *find_method("bdf2"));
     stepper.limits().tolerance = tolerance;
     return after_span(start, stepper, 0.001);
   };
@@ -109,12 +109,12 @@ TEST(Convergence, newtonLeavesNoMoreThanItsTolerance)
 TEST(Convergence, blowsAreRefined)
 {
   RigAtRest start = plucked();
-  Stepper smooth(*start.system, *find_method("bdf2"));
+  Stepper smooth(start.model, *find_method("bdf2"));
   after_span(start, smooth, 0.01);
   EXPECT_EQ(smooth.counters().error_test_failures, 0u);
 
   start.state.nodes[0].rate.velocity.z() = 2.0;
-  Stepper stepper(*start.system, *find_method("bdf2")), fixed(*start.system, *find_method("trbdf2"));
+  Stepper stepper(start.model, *find_method("bdf2")), fixed(start.model, *find_method("trbdf2"));
   after_span(start, stepper, 0.01);
   EXPECT_GT(stepper.counters().error_test_failures, 0u);
   EXPECT_LT(stepper.counters().error_test_failures, 30u);
@@ -127,11 +127,11 @@ TEST(Convergence, blowsAreRefined)
 TEST(Convergence, centralDifferencesFailBeyondTheirLimit)
 {
   const RigAtRest start = plucked();
-  const double limit = explicit_step_limit(*start.system, start.state);
+  const double limit = explicit_step_limit(*start.model, start.state);
   auto largest_rate = [&](double step)
   {
-    SystemState state = start.state;
-    Stepper stepper(*start.system, *find_method("explicit"));
+    State state = start.state;
+    Stepper stepper(start.model, *find_method("explicit"));
     for (int k = 0; k < 400 && stepper.advance(state, step, Setpoints()); ++k)
     {
     }
@@ -162,8 +162,8 @@ TEST(Convergence, unevenStepsKeepTheSecondOrder)
   const RigAtRest start = plucked();
   auto uneven = [&](double step)
   {
-    SystemState state = start.state;
-    Stepper stepper(*start.system, *find_method("bdf2"));
+    State state = start.state;
+    Stepper stepper(start.model, *find_method("bdf2"));
     stepper.limits().tolerance = 1e-12;
     for (long k = 0; k < std::lround(plucked_span / step); ++k)
       for (int part = 0; part < (k % 3 == 1 ? 2 : 1); ++part)

@@ -28,11 +28,11 @@ Scene scene_file(const std::string& name)
 /// Runs a rig from `start` with all set points at rest, `ahead` [s] without a balance and then `span` with one; what the balance says.
 EnergyAccounts run(const RigAtRest& start, const char* method, double step, double ahead, double span)
 {
-  SystemState state = start.state;
-  Stepper stepper(*start.system, *find_method(method));
+  State state = start.state;
+  Stepper stepper(start.model, *find_method(method));
   stepper.limits().tolerance = 1e-12;
   for (long k = 0; k < std::lround(ahead / step); ++k) EXPECT_TRUE(stepper.advance(state, step, Setpoints()));
-  EnergyBalance balance(*start.system, state);
+  EnergyBalance balance(start.model);
   EXPECT_TRUE(stepper.keep_balance(&balance));
   for (long k = 0; k < std::lround(span / step); ++k) EXPECT_TRUE(stepper.advance(state, step, Setpoints()));
   return balance.accounts();
@@ -45,9 +45,9 @@ RigAtRest plucked()
   scene.string[0].diameter = 0.2;
   scene.start.block_height = 10.0;
   RigAtRest rig = build_at_rest(scene);
-  const double length = rig.system->mesh().total_length;
-  for (int i = 0; i + 1 < rig.system->nodes(); ++i)
-    rig.state.nodes[i].position.z() += 1e-3 * std::pow(std::cos(0.5 * pi * rig.system->mesh().nodes[i].from_bit / length), 4);
+  const double length = rig.model->mesh().total_length;
+  for (int i = 0; i + 1 < rig.model->nodes(); ++i)
+    rig.state.nodes[i].position.z() += 1e-3 * std::pow(std::cos(0.5 * pi * rig.model->mesh().nodes[i].from_bit / length), 4);
   return rig;
 }
 

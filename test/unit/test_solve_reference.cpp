@@ -28,8 +28,8 @@ struct Difference
 Difference from_exact(double tolerance, int order = 2)
 {
   const PluckedString string(tolerance, order);
-  IdaIntegrator ida(*string.rig.system);
-  const SystemState state = string.run(ida, kSpan, kStep);
+  IdaIntegrator ida(string.rig.model);
+  const State state = string.run(ida, kSpan, kStep);
   return {(string.stretch_of(state) - string.exact_stretch(kSpan)).cwiseAbs().maxCoeff() / 1e-3,
           (string.twist_of(state) - string.exact_twist(kSpan)).cwiseAbs().maxCoeff() / 1e-2};
 }
@@ -83,12 +83,12 @@ TEST(Reference, HigherOrdersGoToTheSameSolution)
 TEST(Reference, TheSteppersErrorFallsWithTheSquareOfTheStep)
 {
   const PluckedString string(1e-8, 5);
-  IdaIntegrator ida(*string.rig.system);
+  IdaIntegrator ida(string.rig.model);
   const VectorXd reference = string.stretch_of(string.run(ida, kSpan, kStep));
   std::vector<double> error;
   for (const double step : {0.001, 0.0005, 0.00025})
   {
-    Stepper bdf2(*string.rig.system, *find_method("bdf2"));
+    Stepper bdf2(string.rig.model, *find_method("bdf2"));
     bdf2.limits().tolerance = 1e-12;
     error.push_back((string.stretch_of(string.run(bdf2, kSpan, step)) - reference).norm());
   }
@@ -160,11 +160,13 @@ TEST(Reference, JacobianOfTheRigByFiniteDifferences)
   start_up(simulator);
   run(simulator, 0.5);
   RigAtRest rest = build_at_rest(scene);
-  SystemState state = simulator.save()->mechanics;
-  RigDae rig(*rest.system, state, Formulation::stabilised_index_2, 1e-6);
+  State state = simulator.save()->mechanics;
+  Stage stage(*rest.model);
+  Workspace work(*rest.model);
+  RigDae rig(*rest.model, stage, work, state, Formulation::stabilised_index_2, 1e-6);
   Setpoints setpoints;
   setpoints.top_drive.speed = 8.0;
-  rest.system->begin(state, kStep, setpoints);
+  begin_step(*rest.model, state, kStep, setpoints, stage);
   std::vector<double> y = rig.initial(state), rate;
   rig.begin(0.0, state, setpoints, y);
   ASSERT_TRUE(rig.make_consistent(0.0, y, rate));

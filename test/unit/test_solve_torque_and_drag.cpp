@@ -124,8 +124,8 @@ TEST(TorqueAndDrag, staticSolutionAgreesWithTheSoftString)
     RigAtRest rig = build_at_rest(c.scene);
     for (Sliding sliding : {Sliding::none, Sliding::up, Sliding::down, Sliding::rotate})
     {
-      SystemState state = rig.state;
-      const StaticOutcome out = solve_static(*rig.system, state, mode_of(sliding));
+      State state = rig.state;
+      const StaticOutcome out = solve_static(*rig.model, state, mode_of(sliding));
       ASSERT_TRUE(out.converged) << c.name << ", " << name_of(sliding);
       const SoftStringResult soft = expected(c, sliding);
       EXPECT_NEAR(out.top_force, soft.hook_load, 0.01 * soft.hook_load) << c.name << ", " << name_of(sliding);

@@ -36,9 +36,9 @@ Scene hanging_pipe(double linear_mass)
 /// A smooth pulse at rest: by d'Alembert it parts into two halves that run up and down without change of shape.
 void release_pulse(RigAtRest& rig, Kind kind)
 {
-  for (int i = 0; i + 1 < rig.system->nodes(); ++i)
+  for (int i = 0; i + 1 < rig.model->nodes(); ++i)
   {
-    const double x = (rig.system->mesh().nodes[i].from_bit - kCentre) / kWidth;
+    const double x = (rig.model->mesh().nodes[i].from_bit - kCentre) / kWidth;
     const double shape = std::exp(-0.5 * x * x);
     if (kind == Kind::axial)
       rig.state.nodes[i].position.z() += 1e-4 * shape;
@@ -54,12 +54,12 @@ std::vector<double> arrivals(RigAtRest& rig, Kind kind, const std::vector<double
   for (double place : places)
   {
     int nearest = 0;
-    for (int i = 0; i < rig.system->nodes(); ++i)
-      if (std::abs(rig.system->mesh().nodes[i].from_bit - place) < std::abs(rig.system->mesh().nodes[nearest].from_bit - place))
+    for (int i = 0; i < rig.model->nodes(); ++i)
+      if (std::abs(rig.model->mesh().nodes[i].from_bit - place) < std::abs(rig.model->mesh().nodes[nearest].from_bit - place))
         nearest = i;
     node.push_back(nearest);
   }
-  Stepper stepper(*rig.system, *find_method("auto"));
+  Stepper stepper(rig.model, *find_method("auto"));
   stepper.limits().tolerance = 1e-12;
   std::vector<double> last(places.size(), 0.0), most(places.size(), 0.0), out(places.size(), 0.0);
   while (rig.state.time < until)

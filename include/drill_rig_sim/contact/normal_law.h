@@ -42,6 +42,18 @@ inline NormalForce normal_force(const ContactLaw& law, double penetration, doubl
   return out;
 }
 
+/// The elastic part of the force, k delta^e [N].
+inline double elastic_force(const ContactLaw& law, double penetration) noexcept
+{
+  return normal_force({law.stiffness, law.exponent, 0.0}, penetration, 0.0).value;
+}
+
+/// Its energy, k delta^(e + 1)/(e + 1) [J].
+inline double elastic_energy(const ContactLaw& law, double penetration) noexcept
+{
+  return penetration > 0.0 ? elastic_force(law, penetration) * penetration / (law.exponent + 1.0) : 0.0;
+}
+
 }  // namespace drill_rig_sim
 
 #endif

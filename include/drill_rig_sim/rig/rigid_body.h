@@ -31,9 +31,26 @@ struct BodyMotion
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();       ///< w, world axes [rad/s]
 };
 
-/// Force and moment, 6 numbers, that give the body the acceleration (v', w').
-Eigen::Matrix<double, 6, 1> inertia_force(const RigidBody& body, const BodyMotion& motion,
-                                          const Eigen::Matrix<double, 6, 1>& acceleration) noexcept;
+/// Force and moment, 6 numbers, that give a body of axis n and angular velocity w the acceleration (v', w'). `gyroscopic` [kg m2]: J_s - J_t
+/// where w' is the rate of w in world axes; J_s where it is the rate in axes that tilt with the body but do not spin, tilt' + spin' n,
+/// which lacks the term spin w x n of the other.
+inline Eigen::Matrix<double, 6, 1> inertia_force(const RigidBody& body, const Eigen::Vector3d& n, const Eigen::Vector3d& w,
+                                                 const Eigen::Matrix<double, 6, 1>& acceleration, double gyroscopic) noexcept
+{
+  const Eigen::Vector3d a = acceleration.head<3>(), alpha = acceleration.tail<3>();
+  const double spin = w.dot(n);
+  Eigen::Matrix<double, 6, 1> out;
+  out.head<3>() = (body.mass + body.added_mass) * a - (body.added_mass * n.dot(a)) * n;
+  out.tail<3>() =
+      body.tilt_inertia * alpha + ((body.spin_inertia - body.tilt_inertia) * alpha.dot(n)) * n + gyroscopic * spin * w.cross(n);
+  return out;
+}
+/// The same in world axes.
+inline Eigen::Matrix<double, 6, 1> inertia_force(const RigidBody& body, const BodyMotion& motion,
+                                                 const Eigen::Matrix<double, 6, 1>& acceleration) noexcept
+{
+  return inertia_force(body, motion.normal, motion.angular_velocity, acceleration, body.spin_inertia - body.tilt_inertia);
+}
 /// Its derivative with respect to (v', w').
 Eigen::Matrix<double, 6, 6> inertia_by_acceleration(const RigidBody& body, const BodyMotion& motion) noexcept;
 /// Of the moment, with respect to w.
@@ -42,8 +59,23 @@ Eigen::Matrix3d inertia_by_angular_velocity(const RigidBody& body, const BodyMot
 Eigen::Matrix<double, 6, 3> inertia_by_rotation(const RigidBody& body, const BodyMotion& motion,
                                                 const Eigen::Matrix<double, 6, 1>& acceleration) noexcept;
 
-/// Kinetic energy of mass and added mass [J].
-double kinetic_energy(const RigidBody& body, const BodyMotion& motion) noexcept;
+/// Kinetic energy of translation, mass and added mass [J].
+inline double kinetic_energy(const RigidBody& body, const Eigen::Vector3d& n, const Eigen::Vector3d& v) noexcept
+{
+  const double along = v.dot(n);
+  return 0.5 * ((body.mass + body.added_mass) * v.squaredNorm() - body.added_mass * along * along);
+}
+/// And of rotation [J].
+inline double turning_energy(const RigidBody& body, const Eigen::Vector3d& n, const Eigen::Vector3d& w) noexcept
+{
+  const double spin = w.dot(n);
+  return 0.5 * (body.tilt_inertia * w.squaredNorm() + (body.spin_inertia - body.tilt_inertia) * spin * spin);
+}
+/// Both [J].
+inline double kinetic_energy(const RigidBody& body, const BodyMotion& motion) noexcept
+{
+  return kinetic_energy(body, motion.normal, motion.velocity) + turning_energy(body, motion.normal, motion.angular_velocity);
+}
 
 }  // namespace drill_rig_sim
 

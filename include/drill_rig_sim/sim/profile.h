@@ -3,12 +3,11 @@
 
 #include "drill_rig_sim/sim/measurements.h"
 #include "drill_rig_sim/solve/statics.h"
-#include "drill_rig_sim/system/system.h"
 
 namespace drill_rig_sim
 {
 /// Quantities along the string of a state and its forces, bit first. Fills the arrays in place; they allocate on first use only.
-void fill_profile(const System& system, const SystemState& state, const SystemForces& forces, StringProfile& out);
+void fill_profile(const Model& model, const State& state, const RigForces& forces, StringProfile& out);
 
 /// Torque and drag at rest, or in quasi-static motion with full slip.
 struct StaticReport

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "drill_rig_sim/math/profiler.h"
+#include "drill_rig_sim/model/profiler.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/measurements.h"
 #include "drill_rig_sim/solve/reference_report.h"
-#include "drill_rig_sim/system/energy_accounts.h"
-#include "drill_rig_sim/system/work.h"
+#include "drill_rig_sim/model/energy_accounts.h"
+#include "drill_rig_sim/model/work.h"
 
 namespace drill_rig_sim
 {
@@ -67,7 +67,7 @@ public:
 
   /// Advances by `duration` [s], a multiple of the scene's step, in as many physics steps.
   FrameStatus frame(double duration) noexcept;
-  /// Opens an energy balance for the frames to come, or closes it. False: not with this scene's integrator (ida) or element. Frames cost some three
+  /// Opens an energy balance for the frames to come, or closes it. False: not with this scene's integrator (ida). Frames cost some three
   /// residuals a step more while it is open, and give the same results. restore() opens it anew.
   bool balance_energy(bool on = true);
   /// The balance's accounts since it was opened; all zero without a balance.

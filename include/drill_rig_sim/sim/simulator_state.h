@@ -4,20 +4,21 @@
 #include <limits>
 #include <utility>
 
+#include "drill_rig_sim/model/rig_forces.h"
+#include "drill_rig_sim/model/state.h"
+#include "drill_rig_sim/rig/setpoints.h"
 #include "drill_rig_sim/sim/instruments.h"
 #include "drill_rig_sim/sim/measurements.h"
-#include "drill_rig_sim/system/state.h"
-#include "drill_rig_sim/system/system.h"
 
 namespace drill_rig_sim
 {
 /// Everything that the next frame of a Simulator depends on. A copy is a snapshot.
 struct SimulatorState
 {
-  SimulatorState(SystemState start, SystemForces at_start) : mechanics(std::move(start)), forces(std::move(at_start)) {}
+  SimulatorState(State start, RigForces at_start) : mechanics(std::move(start)), forces(std::move(at_start)) {}
 
-  SystemState mechanics;
-  SystemForces forces;  ///< of the last step: measurements only
+  State mechanics;
+  RigForces forces;  ///< of the last step: measurements only
   Setpoints setpoints;
   bool command_clamped = false;
   /// When [s]; infinity: never yet, so that its silence is no lost stream.

@@ -5,7 +5,6 @@
 
 #include "drill_rig_sim/solve/halving_integrator.h"
 #include "drill_rig_sim/solve/newton.h"
-#include "drill_rig_sim/system/system.h"
 
 namespace drill_rig_sim
 {
@@ -22,14 +21,14 @@ namespace drill_rig_sim
 class ArkodeStepper : public HalvingIntegrator
 {
 public:
-  /// Throws std::runtime_error if SUNDIALS cannot be set up. `system` must outlive it.
-  explicit ArkodeStepper(System& system);
+  /// Throws std::runtime_error if SUNDIALS cannot be set up.
+  explicit ArkodeStepper(std::shared_ptr<const Model> model);
   ~ArkodeStepper() override;
 
   NewtonLimits& limits() noexcept;
 
 private:
-  StepResult attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept override;
+  StepResult attempt(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept override;
 
   class Session;
   std::unique_ptr<Session> session_;

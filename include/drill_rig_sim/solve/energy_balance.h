@@ -1,11 +1,12 @@
 #ifndef DRILL_RIG_SIM_SOLVE_ENERGY_BALANCE_H
 #define DRILL_RIG_SIM_SOLVE_ENERGY_BALANCE_H
 
+#include <memory>
 #include <vector>
 
-#include "drill_rig_sim/rig/setpoints.h"
-#include "drill_rig_sim/system/energy_accounts.h"
-#include "drill_rig_sim/system/system.h"
+#include "drill_rig_sim/model/energy_accounts.h"
+#include "drill_rig_sim/model/stage.h"
+#include "drill_rig_sim/model/workspace.h"
 
 namespace drill_rig_sim
 {
@@ -14,19 +15,19 @@ namespace drill_rig_sim
 class EnergyBalance
 {
 public:
-  /// Opens the balance for runs of `system` from `state`; `state` is not kept.
-  EnergyBalance(System& system, const SystemState& state);
+  explicit EnergyBalance(std::shared_ptr<const Model> model);
 
-  /// Before System::begin() of a step from `state`. A step that is given up is begun again.
-  void begin_step(const SystemState& state, const Setpoints& setpoints) noexcept;
-  /// The step was solved: after System::settle() at its end and before System::finish().
-  void end_step() noexcept;
+  /// Before a step from `state`. A step that is given up is begun again.
+  void begin_step(const State& state, const Setpoints& setpoints) noexcept;
+  /// The step from `start` was solved by the increments u (6 per node) of `stage`, its last; not committed yet.
+  void end_step(const State& start, const Stage& stage, const double* u) noexcept;
   /// The next step does not start where the last one ended: opens the balance anew.
   void restart() noexcept;
 
   const EnergyAccounts& accounts() const noexcept { return accounts_; }
 
 private:
+  void open(const State& state) noexcept;
   void book_jump() noexcept;
   void book_inputs() noexcept;
   void book_dissipation() noexcept;
@@ -34,7 +35,9 @@ private:
   double work_in_time(NodeForce kind) const noexcept;
   double work_along(NodeForce kind) const noexcept;
 
-  System& system_;
+  std::shared_ptr<const Model> model_;
+  Stage stage_;
+  Workspace work_;
   EnergyAccounts accounts_;
   bool opened_ = false;
   StoredEnergy start_;     // of this step

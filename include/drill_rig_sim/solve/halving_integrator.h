@@ -18,15 +18,16 @@ enum class StepResult
 class HalvingIntegrator : public Integrator
 {
 public:
-  bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept final;
+  using Integrator::Integrator;
+  bool advance(State& state, double step, const Setpoints& setpoints) noexcept final;
   bool keep_balance(EnergyBalance* balance) noexcept final;
 
 protected:
-  EnergyBalance* balance_ = nullptr;  ///< attempt() begins its step before System::begin() and ends it before System::finish()
+  EnergyBalance* balance_ = nullptr;  ///< attempt() begins its step before begin_step() and ends it before commit()
 
 private:
   /// One step of `step` [s]. `budget`: Newton iterations left, reduced by those it took; `may_refine`: error_test_failed may be answered.
-  virtual StepResult attempt(SystemState& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept = 0;
+  virtual StepResult attempt(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept = 0;
 };
 
 }  // namespace drill_rig_sim

@@ -2,6 +2,7 @@
 #define DRILL_RIG_SIM_SOLVE_IDA_INTEGRATOR_H
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "drill_rig_sim/solve/ida_solver.h"
@@ -22,20 +23,19 @@ namespace drill_rig_sim
 class IdaIntegrator : public Integrator
 {
 public:
-  /// Tolerance and formulation as in the system's scene.
-  explicit IdaIntegrator(System& system);
+  /// Tolerance and formulation as in the model's scene.
+  explicit IdaIntegrator(std::shared_ptr<const Model> model) : Integrator(std::move(model)) {}
 
-  bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept override;
+  bool advance(State& state, double step, const Setpoints& setpoints) noexcept override;
   void restart() noexcept override { lost_ = true; }
   const ReferenceReport* reference() const noexcept override { return &report_; }
 
 private:
-  bool advance_or_throw(SystemState& state, double step, const Setpoints& setpoints);
-  bool start(const SystemState& state, const Setpoints& setpoints);
-  bool jumped(const SystemState& state, const Setpoints& setpoints) const;
+  bool advance_or_throw(State& state, double step, const Setpoints& setpoints);
+  bool start(const State& state, const Setpoints& setpoints);
+  bool jumped(const State& state, const Setpoints& setpoints) const;
   void note();
 
-  System& system_;
   std::unique_ptr<RigDae> rig_;
   std::unique_ptr<IdaSolver> ida_;
   std::vector<double> y_, rate_;

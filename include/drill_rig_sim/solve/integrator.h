@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "drill_rig_sim/rig/setpoints.h"
+#include "drill_rig_sim/model/stage.h"
+#include "drill_rig_sim/model/workspace.h"
 #include "drill_rig_sim/solve/reference_report.h"
-#include "drill_rig_sim/system/state.h"
-#include "drill_rig_sim/system/system.h"
 
 namespace drill_rig_sim
 {
@@ -27,15 +26,22 @@ struct StepperCounters
 class Integrator
 {
 public:
+  explicit Integrator(std::shared_ptr<const Model> model);
   virtual ~Integrator() = default;
+  Integrator(const Integrator&) = delete;
+  Integrator& operator=(const Integrator&) = delete;
 
   /// Advances `state` by `step` [s]. False: it could not; the state then is the last one that was solved, still finite.
-  virtual bool advance(SystemState& state, double step, const Setpoints& setpoints) noexcept = 0;
+  virtual bool advance(State& state, double step, const Setpoints& setpoints) noexcept = 0;
   /// The next state is not the one that advance() left: whatever is remembered of the past is void.
   virtual void restart() noexcept {}
   /// Books the energy of all further steps in `balance`, null: no more. False: this integrator cannot.
   virtual bool keep_balance(EnergyBalance* balance) noexcept { return balance == nullptr; }
 
+  /// Forces at the end of the last advance(); those along the string are worked out here.
+  const RigForces& find_forces(const State& state) noexcept;
+  Profiler& profiler() noexcept { return work_.profiler; }
+  Work& work() noexcept { return work_.work; }
   const StepperCounters& counters() const noexcept { return counters_; }
   /// Local error of the last step's positions, as the method estimates it [m]; 0 where it does not.
   double error_estimate() const noexcept { return error_estimate_; }
@@ -43,6 +49,9 @@ public:
   virtual const ReferenceReport* reference() const noexcept { return nullptr; }
 
 protected:
+  std::shared_ptr<const Model> model_;
+  Stage stage_;
+  Workspace work_;
   StepperCounters counters_;
   double error_estimate_ = 0.0;
 };
@@ -57,9 +66,9 @@ struct IntegratorEntry
 /// All integrators, the default first.
 const std::vector<IntegratorEntry>& integrator_table();
 
-/// Builds an integrator of the table ("auto": the default) for a rig and the state it starts from.
+/// Builds an integrator of the table ("auto": the default) for a model and the state that it starts from.
 /// Throws std::runtime_error with one line (what, what is allowed) for an unknown name or a scene that it cannot integrate.
-std::unique_ptr<Integrator> make_integrator(const std::string& name, System& system, const SystemState& start);
+std::unique_ptr<Integrator> make_integrator(const std::string& name, std::shared_ptr<const Model> model, const State& start);
 
 /// The table's name for `name`: resolves "auto".
 const char* integrator_name(const std::string& name);

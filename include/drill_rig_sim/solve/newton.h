@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "drill_rig_sim/math/block_tridiagonal.h"
-#include "drill_rig_sim/system/system.h"
+#include "drill_rig_sim/model/stage_context.h"
 
 namespace drill_rig_sim
 {
@@ -34,14 +34,14 @@ class Newton
 {
 public:
   explicit Newton(int nodes);
-  /// Improves `u` (6 per node, in: the guess) until R(u) = 0, and leaves the system as evaluated or settled there. A non-finite increment
+  /// Improves `u` (6 per node, in: the guess) until R(u) = 0, and leaves `work` as evaluated or updated there. A non-finite increment
   /// ends it, unconverged.
-  NewtonOutcome solve(System& system, double* u, const NewtonLimits& limits) noexcept;
+  NewtonOutcome solve(const StageContext& problem, double* u, const NewtonLimits& limits) noexcept;
   /// One increment, whole, with the tangent at `u`. False: there is none.
-  bool improve(System& system, double* u) noexcept;
+  bool improve(const StageContext& problem, double* u) noexcept;
 
 private:
-  double find_increment(System& system, const double* u, bool new_tangent) noexcept;
+  double find_increment(const StageContext& problem, const double* u, bool new_tangent) noexcept;
   void apply(double scale, double* u) const noexcept;
 
   BlockTridiagonal tangent_;

@@ -8,7 +8,7 @@
 #include "drill_rig_sim/rig/setpoints.h"
 #include "drill_rig_sim/rig/top_drive.h"
 #include "drill_rig_sim/solve/constrained_bodies.h"
-#include "drill_rig_sim/system/system.h"
+#include "drill_rig_sim/model/evaluate.h"
 
 namespace drill_rig_sim
 {
@@ -25,23 +25,23 @@ namespace drill_rig_sim
 /// that the split changes the joints' forces only. Their moments of inertia, but for the rotor's about its axis, meet no
 /// acceleration.
 ///
-/// Forces are the System's own, by evaluate_forces(), with the bristles of wall and bit mapped back from the start of the
+/// Forces are those of model/forces, by evaluate_motion(), with the bristles of wall and bit mapped back from the start of the
 /// interval that begin() opens. Further states: the mud motor's speed and turn, and how far the bottom of the hole has moved (m'
 /// = the rock-breaking velocity): the rock recedes in time, not by an implicit law over the interval.
 class RigDae : public ConstrainedBodies
 {
 public:
-  /// Takes the places of things from `state`, joints as they then are. `system` must outlive it.
-  RigDae(System& system, const SystemState& state, Formulation formulation, double tolerance);
+  /// Takes the places of things from `state`, joints as they then are. All must outlive it: model, and the integrator's stage and
+  /// workspace, which are its own while it is at work.
+  RigDae(const Model& model, Stage& stage, Workspace& work, const State& state, Formulation formulation, double tolerance);
 
   /// y as `state` has it, at the bases.
-  std::vector<double> initial(const SystemState& state) const;
-  /// Opens an interval at time `t` [s] and state y. `state` is the same motion as y; the system has begun at it, and it must stay
+  std::vector<double> initial(const State& state) const;
+  /// Opens an interval at time `t` [s] and state y. `state` is the same motion as y; begin_step() has taken it into the stage, and it must stay
   /// as it is until the interval's end. True: the masses are others than before (a node has gone into the mud).
-  bool begin(double t, const SystemState& state, const Setpoints& setpoints, const std::vector<double>& y);
-  /// Writes the interval's end, y at `t`, into the state that begin() took: all that the next interval and the measurements depend on,
-  /// but for the hole. Returns how far its bottom has moved [m].
-  Eigen::Vector3d finish(double t, const std::vector<double>& y, SystemState& state);
+  bool begin(double t, const State& state, const Setpoints& setpoints, const std::vector<double>& y);
+  /// Writes the interval's end, y at `t`, into the state that begin() took, and the hole's extension.
+  void finish(double t, const std::vector<double>& y, State& state);
 
 protected:
   int further_count() const override { return 5; }
@@ -66,25 +66,29 @@ private:
   };
   using BitAnswer = Eigen::Matrix<double, 11, 1>;  // minus the force on the bit, rates of the further states
 
-  RigDae(System& system, Rig rig, Formulation formulation, double tolerance);
-  static Rig rig_of(const System& system, const SystemState& state);
-  int string_nodes() const { return system_.nodes(); }
+  RigDae(const Model& model, Stage& stage, Workspace& work, Rig rig, Formulation formulation, double tolerance);
+  static Rig rig_of(const Model& model, const State& state);
+  int string_nodes() const { return model_.nodes(); }
   int bit() const { return string_nodes(); }
   int rotor() const { return string_nodes() + 1; }
   int stator() const { return string_nodes() + 2; }
   int block() const { return string_nodes() + 3; }
   void take_motion(double t, const double* y);
-  NodeMotion motion_of(int body, const double* y) const;
+  GivenNode motion_of(int body, const double* y) const;
+  BitDrive bit_drive(double motor_speed, double motor_turn, const Eigen::Vector3d& bottom, const GivenNode& bit) const;
+  double steady_motor_speed() const;
   Drive drive_at(const double* y) const;
   LinePull pull_at() const;
   void add_rig_jacobian(const double* y, SparseJacobian& j);
   void add_bit_jacobian(SparseJacobian& j);
   BitAnswer bit_rates(const Vector6d& force) const;
 
-  System& system_;
+  const Model& model_;
+  Stage& stage_;
+  Workspace& work_;
   double tolerance_;
   double start_time_ = 0.0;
-  const SystemState* start_ = nullptr;
+  const State* start_ = nullptr;
   Setpoints setpoints_;
   std::vector<double> start_y_;
   std::vector<Eigen::Quaterniond> start_orientations_;

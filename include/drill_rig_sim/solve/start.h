@@ -4,15 +4,14 @@
 #include <memory>
 
 #include "drill_rig_sim/solve/statics.h"
-#include "drill_rig_sim/system/system.h"
 
 namespace drill_rig_sim
 {
 /// A rig at rest, ready to run.
 struct RigAtRest
 {
-  std::unique_ptr<System> system;
-  SystemState state;
+  std::shared_ptr<const Model> model;
+  State state;
   StaticOutcome statics;
 };
 
@@ -22,10 +21,10 @@ struct RigAtRest
 RigAtRest build_at_rest(const Scene& scene);
 
 /// Measured depth of the bit's face in a state [m].
-double bit_depth(const System& system, const SystemState& state);
+double bit_depth(const Model& model, const State& state);
 
 /// Toolface of the bend [rad], -pi .. pi, from the high side (north where the hole is nearly vertical); 0 for a straight string.
-double bend_toolface(const System& system, const SystemState& state);
+double bend_toolface(const Model& model, const State& state);
 
 }  // namespace drill_rig_sim
 

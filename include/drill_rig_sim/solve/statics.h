@@ -1,7 +1,8 @@
 #ifndef DRILL_RIG_SIM_SOLVE_STATICS_H
 #define DRILL_RIG_SIM_SOLVE_STATICS_H
 
-#include "drill_rig_sim/system/system.h"
+#include "drill_rig_sim/model/rig_forces.h"
+#include "drill_rig_sim/model/stage.h"
 
 namespace drill_rig_sim
 {
@@ -12,6 +13,7 @@ struct StaticOutcome
   double residual = 0.0;    ///< largest force or moment left at a node [N, N m]
   double top_force = 0.0;   ///< vertical force that holds the top node, + up: hook load of the string [N]
   double top_torque = 0.0;  ///< torque that holds the top node, + drives the string clockwise [N m]
+  RigForces forces;         ///< in the equilibrium; hook load and meter torque are the caller's
 };
 
 /// Static equilibrium of the string in its hole, the top node held where it is: `state` in, a guess; out, at rest in equilibrium
@@ -21,7 +23,7 @@ struct StaticOutcome
 /// Pseudo-transient continuation (inertia M c^2 with c falling to 0, Kelley and Keyes 1998) walks into the basin of the solution:
 /// a long string out of contact has almost no lateral stiffness, and a full Newton step would throw it through the wall. KINSOL's
 /// Newton method with line search then finishes it. Allocates; not for use in a frame.
-StaticOutcome solve_static(System& system, SystemState& state, FrictionMode friction);
+StaticOutcome solve_static(const Model& model, State& state, FrictionMode friction);
 
 }  // namespace drill_rig_sim
 

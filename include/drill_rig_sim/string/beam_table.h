@@ -17,8 +17,9 @@ struct BeamKind
   BeamForces (*forces)(const BeamSection&, const BeamPose&, const BeamDamping&, const Eigen::Vector3d& load, BeamStrain&) noexcept;
   BeamForces (*forces_and_tangent)(const BeamSection&, const BeamPose&, const BeamDamping&, const Eigen::Vector3d& load, BeamStrain&,
                                    BeamTangent&) noexcept;
-  /// U [J], whose gradient the forces are; dead loads with end moments as in beam_element.h. Null: not given, no energy balance can be kept.
+  /// U [J], whose gradient the forces are at no damping and no load.
   double (*energy)(const BeamSection&, const BeamPose&) noexcept;
+  bool load_moments;  ///< a dead load has end moments, as in beam_element.h, not its halves on the ends alone
 };
 
 const std::vector<BeamKind>& beam_table();

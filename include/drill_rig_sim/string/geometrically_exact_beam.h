@@ -34,6 +34,9 @@ BeamForces geometrically_exact_forces(const BeamSection& section, const BeamPose
 BeamForces geometrically_exact_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping,
                                       const Eigen::Vector3d& load, BeamStrain& strain, BeamTangent& tangent) noexcept;
 
+/// U [J].
+double geometrically_exact_energy(const BeamSection& section, const BeamPose& pose) noexcept;
+
 }  // namespace drill_rig_sim
 
 #endif

@@ -34,6 +34,9 @@ BeamForces rotation_vector_forces(const BeamSection& section, const BeamPose& po
 BeamForces rotation_vector_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping,
                                   const Eigen::Vector3d& load, BeamStrain& strain, BeamTangent& tangent) noexcept;
 
+/// U [J], not a number where the element refuses.
+double rotation_vector_energy(const BeamSection& section, const BeamPose& pose) noexcept;
+
 }  // namespace drill_rig_sim
 
 #endif

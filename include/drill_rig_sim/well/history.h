@@ -67,11 +67,26 @@ public:
     ++count_;
   }
 
+  /// The entries still held (the capacity is no part of the value).
+  template <class V>
+  void visit(V& v)
+  {
+    v("count", count_);
+    v("slots", slots_);
+  }
+
 private:
   struct Slot
   {
     T value;
     std::uint64_t hash;
+
+    template <class V>
+    void visit(V& v)
+    {
+      v("value", value);
+      v("hash", hash);
+    }
   };
 
   // One round of the splitmix64 finaliser per number.

@@ -20,6 +20,22 @@ struct HoleSegment
   double radius, radius_change;    ///< at s = 0, and from s = 0 to 1 [m]
   double friction, friction_change;
 
+  template <class V>
+  void visit(V& v)
+  {
+    v("c0", c0);
+    v("c1", c1);
+    v("c2", c2);
+    v("c3", c3);
+    v("chord", chord);
+    v("md", md);
+    v("length", length);
+    v("radius", radius);
+    v("radius_change", radius_change);
+    v("friction", friction);
+    v("friction_change", friction_change);
+  }
+
   /// Between two nodes, `to.md` > `from.md`.
   static HoleSegment between(const WellNode& from, const WellNode& to) noexcept;
   /// A straight line through `origin` along the unit vector `direction`, s in metres from there.
@@ -34,6 +50,13 @@ struct HoleSegment
 struct Box
 {
   Eigen::Vector3d low, high;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("low", low);
+    v("high", high);
+  }
 
   /// Holds the segment's curve from s = 0 to 1: the box of its four Bezier points.
   static Box around(const HoleSegment& segment) noexcept;

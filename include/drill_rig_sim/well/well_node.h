@@ -13,6 +13,16 @@ struct WellNode
   Eigen::Vector3d tangent = -Eigen::Vector3d::UnitZ();  ///< unit, down the hole
   double radius = 0.0;                                  ///< [m]
   double friction = 0.0;                                ///< kinetic [-]
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("md", md);
+    v("position", position);
+    v("tangent", tangent);
+    v("radius", radius);
+    v("friction", friction);
+  }
 };
 
 }  // namespace drill_rig_sim

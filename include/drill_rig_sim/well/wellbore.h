@@ -100,6 +100,25 @@ public:
   /// The uncorrected path of the last metres, oldest first: points 0.5 mm or more of raw path apart, then C. At most 16385.
   void raw_path(std::vector<Eigen::Vector3d>& out) const;
 
+  /// What drilling has changed: the hole as it was built is no part of it (math/visit.h).
+  template <class V>
+  void visit(V& v)
+  {
+    v("drilled", drilled_);
+    v("raw", raw_);
+    v("last", last_);
+    v("new_interval", new_interval_);
+    v("bottom", bottom_);
+    v("bottom_normal", bottom_normal_);
+    v("raw_tangent", raw_tangent_);
+    v("hole_depth", hole_depth_);
+    v("drilled_path", drilled_path_);
+    v("pictured_path", pictured_path_);
+    v("interval", interval_);
+    v("interval_steps", interval_steps_);
+    v("strained", strained_);
+  }
+
 private:
   // What never changes, shared by all copies.
   struct Original
@@ -117,6 +136,14 @@ private:
     HoleSegment segment;
     Box box;
     WellNode node;
+
+    template <class V>
+    void visit(V& v)
+    {
+      v("segment", segment);
+      v("box", box);
+      v("node", node);
+    }
   };
 
   static std::shared_ptr<const Original> build(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius);

@@ -166,7 +166,7 @@ PieceInHole settled(const std::vector<PartSpec>& parts, const Slide& slide)
   {
     if (!piece.push(round == 0 ? 0.0 : (slide.weight - wob) / stiffness))
       throw std::runtime_error("bent motor: no static equilibrium with a weight on bit");
-    wob = piece.system->forces().wob;
+    wob = piece.forces.wob;
   }
   return piece;
 }
@@ -175,7 +175,7 @@ PieceInHole settled(const std::vector<PartSpec>& parts, const Slide& slide)
 double side_force(const PieceInHole& piece)
 {
   const ClosestPoint closest = piece.state.well.locate(piece.state.nodes[0].position, -1);
-  return -piece.system->forces().wall[0].dot(high_side(closest.tangent));
+  return -piece.forces.wall[0].dot(high_side(closest.tangent));
 }
 
 /// How far the bit drills towards the high side of the hole's direction at its gauge, per distance drilled.
@@ -183,7 +183,7 @@ double drift(const std::vector<PartSpec>& parts, const Slide& slide, double stee
 {
   const PieceInHole piece = settled(parts, slide);
   const NodeState& bit = piece.state.nodes[0];
-  const Eigen::Vector3d velocity = rock_breaking_velocity(piece.system->formation().at(0.0), piece.system->forces().rock_force,
+  const Eigen::Vector3d velocity = rock_breaking_velocity(piece.model->formation().at(0.0), piece.forces.rock_force,
                                                           1.0, x_axis(bit.orientation), steerability);
   return velocity.normalized().dot(high_side(piece.state.well.locate(bit.position, -1).tangent));
 }

@@ -88,7 +88,7 @@ double most_turned(const PieceInHole& piece)
 /// Amplitude sideways of the wave sin(pi x/half_wave), x from the held end [m]; mean over the lowest `part` of the piece.
 double wave_amplitude(const PieceInHole& piece, double half_wave, double part)
 {
-  const std::vector<MeshNode>& mesh = piece.system->mesh().nodes;
+  const std::vector<MeshNode>& mesh = piece.model->mesh().nodes;
   const auto nodes = static_cast<std::size_t>(part * piece.top());
   double sum = 0.0;
   for (std::size_t i = 0; i < nodes; ++i)
@@ -148,7 +148,7 @@ void snaking_and_winding(Report& report, const Slackoff& c)
   for (int k = 0; winding == 0.0 && k < 500; ++k)
   {
     must(piece.push(0.01 * expected / axial));
-    const double f = -piece.system->forces().tension[0];
+    const double f = -piece.forces.tension[0];
     if (f > 0.7 * expected && f < 1.1 * expected)
     {
       force.push_back(f);
@@ -172,7 +172,7 @@ struct HelixFigures
 /// Winds the piece around the wall with q [rad/m], the held end on the low side.
 void wind(PieceInHole& piece, double q)
 {
-  const std::vector<MeshNode>& mesh = piece.system->mesh().nodes;
+  const std::vector<MeshNode>& mesh = piece.model->mesh().nodes;
   const Eigen::Vector3d right = Eigen::Vector3d::UnitY(), up = Eigen::Vector3d::UnitZ();
   for (int i = 0; i < piece.top(); ++i)
   {
@@ -193,8 +193,8 @@ HelixFigures figures_of(const PieceInHole& piece)
   const double turns = std::floor(std::abs(angle[end] - angle[first]) / (2.0 * pi));
   std::size_t last = first;
   double contact = 0.0;
-  for (; std::abs(angle[last] - angle[first]) < 2.0 * pi * turns; ++last) contact += piece.system->forces().contact[last];
-  const std::vector<MeshNode>& mesh = piece.system->mesh().nodes;
+  for (; std::abs(angle[last] - angle[first]) < 2.0 * pi * turns; ++last) contact += piece.forces.contact[last];
+  const std::vector<MeshNode>& mesh = piece.model->mesh().nodes;
   const double length = mesh[last].from_bit - mesh[first].from_bit;
   return {piece.compression(), contact / length, 2.0 * pi * length / std::abs(angle[last] - angle[first])};
 }

@@ -9,8 +9,8 @@ using Eigen::Vector3d;
 double PieceInHole::compression() const
 {
   double sum = 0.0;
-  for (double tension : system->forces().tension) sum -= tension;
-  return sum / static_cast<double>(system->forces().tension.size());
+  for (double tension : forces.tension) sum -= tension;
+  return sum / static_cast<double>(forces.tension.size());
 }
 
 bool PieceInHole::push(double distance)
@@ -27,7 +27,8 @@ bool PieceInHole::settle()
   // without weight needs a second walk
   for (int attempt = 0; attempt < 4; ++attempt)
   {
-    const StaticOutcome out = solve_static(*system, state, FrictionMode::none);
+    const StaticOutcome out = solve_static(*model, state, FrictionMode::none);
+    forces = out.forces;
     if (out.converged || out.residual < 1.0) return true;
   }
   return false;
@@ -35,9 +36,9 @@ bool PieceInHole::settle()
 
 PieceInHole lay_in_hole(const Scene& scene, double length, double bit_depth)
 {
-  PieceInHole piece{nullptr, SystemState(Wellbore(scene.well, scene.trajectory, 0.5 * scene.string.front().diameter))};
-  piece.system = std::make_unique<System>(scene, build_mesh(scene, length));
-  const Mesh& mesh = piece.system->mesh();
+  PieceInHole piece{nullptr, State(Wellbore(scene.well, scene.trajectory, 0.5 * scene.string.front().diameter)), {}};
+  piece.model = std::make_shared<Model>(scene, build_mesh(scene, length));
+  const Mesh& mesh = piece.model->mesh();
   piece.state.nodes.assign(mesh.nodes.size(), NodeState());
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
   {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "drill_rig_sim/solve/statics.h"
-#include "drill_rig_sim/system/system.h"
+#include "drill_rig_sim/model/model.h"
 
 namespace drill_rig_sim
 {
@@ -13,10 +13,11 @@ namespace drill_rig_sim
 /// that statics can push and hold it there.
 struct PieceInHole
 {
-  std::unique_ptr<System> system;
-  SystemState state;
+  std::shared_ptr<const Model> model;
+  State state;
+  RigForces forces;  ///< in the last equilibrium
 
-  int top() const { return system->nodes() - 1; }
+  int top() const { return model->top(); }
   /// Force that compresses the piece, mean over its elements [N].
   double compression() const;
   /// Moves the held end by `distance` [m] down the hole and finds the new equilibrium without friction. False: none found.

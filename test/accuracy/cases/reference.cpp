@@ -17,8 +17,8 @@ constexpr double interval = 0.005;
 void plucked(Report& report, double tolerance, int order, double bound)
 {
   const PluckedString string(tolerance, order);
-  IdaIntegrator ida(*string.rig.system);
-  const SystemState state = string.run(ida, span, interval);
+  IdaIntegrator ida(string.rig.model);
+  const State state = string.run(ida, span, interval);
   char setting[64];
   std::snprintf(setting, sizeof setting, " at tolerance %g and order %d", tolerance, order);
   const std::string source = "modes of the same masses and springs; relative to the pluck";
@@ -33,11 +33,11 @@ void plucked(Report& report, double tolerance, int order, double bound)
 void order_of_default(Report& report)
 {
   const PluckedString string(1e-8, 5);
-  IdaIntegrator ida(*string.rig.system);
+  IdaIntegrator ida(string.rig.model);
   const Eigen::VectorXd reference = string.stretch_of(string.run(ida, span, interval));
   const auto error = [&](double step)
   {
-    Stepper stepper(*string.rig.system, *find_method("auto"));
+    Stepper stepper(string.rig.model, *find_method("auto"));
     stepper.limits().tolerance = 1e-12;
     return (string.stretch_of(string.run(stepper, span, step)) - reference).norm();
   };

@@ -183,13 +183,13 @@ Scene scene_of(double build_factor)
 /// Torque in steady turning of the string above `md`, and of all of it.
 std::pair<double, double> turning_torque(const RigAtRest& rig, double md)
 {
-  SystemState state = rig.state;
-  solve_static(*rig.system, state, FrictionMode::rotate);
+  State state = rig.state;
+  const RigForces forces = solve_static(*rig.model, state, FrictionMode::rotate).forces;
   double above = 0.0, all = 0.0;
-  for (int i = 0; i + 1 < rig.system->nodes(); ++i)
+  for (int i = 0; i + 1 < rig.model->nodes(); ++i)
   {
     const ClosestPoint closest = state.well.locate(state.nodes[i].position, state.nodes[i].segment);
-    const double torque = closest.friction * rig.system->forces().contact[i] * rig.system->mesh().nodes[i].contact_radius;
+    const double torque = closest.friction * forces.contact[i] * rig.model->mesh().nodes[i].contact_radius;
     all += torque;
     if (closest.md < md) above += torque;
   }
@@ -206,7 +206,7 @@ Scene calibrated_scene()
 Cycle simulated(const Scene& scene, const SetPoint& set_point)
 {
   RigAtRest rig = build_at_rest(scene);
-  Stepper stepper(*rig.system, *find_method("bdf2"));
+  Stepper stepper(rig.model, *find_method("bdf2"));
   Cycle cycle;
   Setpoints turn;
   while (rig.state.time < kUntil)

@@ -23,9 +23,9 @@ namespace
 /// Hook load of the string below the rotary table, and torque.
 SoftStringResult simulated(const RigAtRest& rig, FrictionMode mode)
 {
-  SystemState state = rig.state;
-  const StaticOutcome out = solve_static(*rig.system, state, mode);
-  const Scene& scene = rig.system->scene();
+  State state = rig.state;
+  const StaticOutcome out = solve_static(*rig.model, state, mode);
+  const Scene& scene = rig.model->scene();
   const double in_air = standard_gravity * scene.string.back().linear_mass * scene.start.block_height;
   const double none = std::nan("");
   return out.converged ? SoftStringResult{out.top_force - in_air, out.top_torque} : SoftStringResult{none, none};

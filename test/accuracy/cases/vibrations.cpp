@@ -60,9 +60,9 @@ PartSpec uniform_pipe(double outer, double inner, double density)
   return pipe;
 }
 
-double elastic_length(const System& system)
+double elastic_length(const Model& model)
 {
-  return system.mesh().total_length - system.mesh().bit_radius;
+  return model.mesh().total_length - model.mesh().bit_radius;
 }
 
 double& displacement(NodeState& node, Kind kind)
@@ -72,9 +72,9 @@ double& displacement(NodeState& node, Kind kind)
 
 void release_from(RigAtRest& rig, Kind kind, const Shape& shape)
 {
-  for (int i = 0; i + 1 < rig.system->nodes(); ++i)
+  for (int i = 0; i + 1 < rig.model->nodes(); ++i)
   {
-    const double s = shape(rig.system->mesh().total_length - rig.system->mesh().nodes[i].from_bit);
+    const double s = shape(rig.model->mesh().total_length - rig.model->mesh().nodes[i].from_bit);
     NodeState& node = rig.state.nodes[i];
     displacement(node, kind) -= (kind == Kind::axial ? 0.01 : 0.1) * s;
     if (kind == Kind::torsional) node.orientation = node.orientation * rotation_from_vector(Vector3d(-0.1 * s, 0.0, 0.0));
@@ -86,7 +86,7 @@ double period(RigAtRest& rig, Kind kind, const Shape& shape, double expected)
 {
   const double rest = displacement(rig.state.nodes[0], kind);
   release_from(rig, kind, shape);
-  Stepper stepper(*rig.system, *find_method("bdf2"));
+  Stepper stepper(rig.model, *find_method("bdf2"));
   stepper.limits().tolerance = 1e-10;
   const double step = expected / kStepsPerPeriod;
   double before = displacement(rig.state.nodes[0], kind) - rest, first = 0.0, last = 0.0;
@@ -139,7 +139,7 @@ void shaft_with_collar(Report& report)
   for (int mode = 0; mode < 2; ++mode)
   {
     RigAtRest rig = build_at_rest(scene);
-    const double l = elastic_length(*rig.system);
+    const double l = elastic_length(*rig.model);
     const double ratio = density * pipe_moment * l / collar_inertia;
     const double b = root([&](double x) { return x * std::sin(x) - ratio * std::cos(x); }, mode * pi, (mode + 0.5) * pi);
     const double w = b / l * std::sqrt(shear_modulus / density);
@@ -167,7 +167,7 @@ void well_a(Report& report)
   for (const Variant& v : variants)
   {
     RigAtRest rig = build_at_rest(hanging({point_bit(), well_a_collars(v.inertia_factor), well_a_pipe()}, 2500.0, 20.0));
-    const double collars = WellA::collar_length, pipe = elastic_length(*rig.system) - collars;
+    const double collars = WellA::collar_length, pipe = elastic_length(*rig.model) - collars;
     const double pipe_speed = std::sqrt(WellA::pipe_shear / WellA::density);
     const double collar_speed = std::sqrt(WellA::collar_shear / (v.inertia_factor * WellA::density));
     const double impedance =
@@ -197,7 +197,7 @@ void quarter_waves(Report& report)
     for (const double element : {10.0, 100.0})
     {
       RigAtRest rig = build_at_rest(hanging({point_bit(), uniform_pipe(pipe_outer, pipe_inner, steel_density)}, 1000.0, element));
-      const double l = elastic_length(*rig.system);
+      const double l = elastic_length(*rig.model);
       const double modulus = kind == Kind::axial ? 206e9 : 206e9 / 2.6;
       const double expected = 4.0 * l / std::sqrt(modulus / steel_density);
       const Shape shape = [&](double x) { return std::sin(0.5 * pi * x / l); };
@@ -208,7 +208,7 @@ void quarter_waves(Report& report)
         report.add({name + " [s]", ours, expected, 0.005, "T = 4 L/c; elements of 10 m"});
         continue;
       }
-      const double theirs = std::pow(pi / 4.0 / (rig.system->nodes() - 1), 2) / 6.0;
+      const double theirs = std::pow(pi / 4.0 / (rig.model->nodes() - 1), 2) / 6.0;
       report.add({name + ": relative error of the period with ten elements", ours / expected - 1.0, theirs, 2e-4,
                   "lumped masses: (pi h/(4 L))^2/6", true});
     }

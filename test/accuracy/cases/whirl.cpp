@@ -39,10 +39,10 @@ void start_whirling(RigAtRest& rig, double collar, double speed)
 {
   const double radius = 0.5 * (kHole - collar), rate = -0.8 * speed * collar / (kHole - collar);
   const double stiff = 3.5, slope = 25.0;  // the collar as one, the pipe above it back to the middle [m]
-  for (int i = 0; i < rig.system->nodes(); ++i)
+  for (int i = 0; i < rig.model->nodes(); ++i)
   {
     NodeState& node = rig.state.nodes[i];
-    const double share = std::max(0.0, 1.0 - std::max(0.0, rig.system->mesh().nodes[i].from_bit - stiff) / slope);
+    const double share = std::max(0.0, 1.0 - std::max(0.0, rig.model->mesh().nodes[i].from_bit - stiff) / slope);
     node.rate.spin = speed;
     node.position.x() += share * radius;
     node.rate.velocity = share * radius * rate * Eigen::Vector3d(0.0, -1.0, 0.0);  // clockwise looking down
@@ -63,7 +63,7 @@ double whirl_ratio(double collar)
   Setpoints setpoints;
   setpoints.top_drive.speed = 60.0 * rpm;
   start_whirling(rig, collar, setpoints.top_drive.speed);
-  Stepper stepper(*rig.system, *find_method("auto"));
+  Stepper stepper(rig.model, *find_method("auto"));
   const double step = 5e-4;
   const NodeState& node = rig.state.nodes[2];  // 1.3 m from the bit
   double circled = 0.0, spun_before = 0.0;

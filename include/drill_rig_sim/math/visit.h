@@ -1,0 +1,160 @@
+#ifndef DRILL_RIG_SIM_MATH_VISIT_H
+#define DRILL_RIG_SIM_MATH_VISIT_H
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+/// Values that list their own fields.
+///
+/// A struct has one member, `template <class V> void visit(V& v)`, that calls v(name, field) for every field; structs inside structs have
+/// their own. From this one list come the bytes of a value, its equality and its file: nothing can be forgotten in one of them. What is
+/// not listed is not part of the value.
+namespace drill_rig_sim
+{
+/// Walks down to the leaves: numbers, truth values, enumerators. `Leaf` is called as leaf(path, number&).
+/// Vectors call leaf.size(path, count) first and take the size that it leaves: a reader changes it.
+template <class Leaf>
+class FieldWalk
+{
+public:
+  explicit FieldWalk(Leaf& leaf) : leaf_(leaf) {}
+
+  template <class T>
+  void operator()(const char* name, T& field)
+  {
+    const std::size_t length = path_.size();
+    if (!path_.empty()) path_ += '.';
+    path_ += name;
+    take(field);
+    path_.resize(length);
+  }
+
+private:
+  template <class T>
+  void take(T& field)
+  {
+    if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>)
+      leaf_(path_, field);
+    else
+      field.visit(*this);
+  }
+  template <class T, int Rows, int Columns>
+  void take(Eigen::Matrix<T, Rows, Columns>& field)
+  {
+    static_assert(Rows > 0 && Columns > 0, "of fixed size");
+    for (Eigen::Index k = 0; k < field.size(); ++k) leaf_(path_, field.data()[k]);
+  }
+  void take(Eigen::Quaterniond& field)
+  {
+    for (Eigen::Index k = 0; k < 4; ++k) leaf_(path_, field.coeffs()[k]);
+  }
+  template <class T, std::size_t N>
+  void take(std::array<T, N>& field)
+  {
+    for (T& entry : field) take(entry);
+  }
+  template <class T>
+  void take(std::vector<T>& field)
+  {
+    std::size_t count = field.size();
+    leaf_.size(path_, count);
+    if (count != field.size()) field.resize(count);
+    for (T& entry : field) take(entry);
+  }
+
+  Leaf& leaf_;
+  std::string path_;
+};
+
+/// Calls leaf(path, number&) for every number in a value.
+template <class T, class Leaf>
+void visit_numbers(T& value, Leaf& leaf)
+{
+  FieldWalk<Leaf> walk(leaf);
+  value.visit(walk);
+}
+
+/// A value as bytes: two values are equal, digit for digit (a NaN equals itself), exactly if their bytes are.
+template <class T>
+std::vector<unsigned char> to_bytes(const T& value);
+
+/// Reads what to_bytes() of the same struct wrote. False: the bytes end early or late, or hold a vector of more than `longest` entries;
+/// `value` is then half read, to be thrown away.
+template <class T>
+bool from_bytes(const std::vector<unsigned char>& bytes, T& value, std::size_t longest = 1u << 24);
+
+namespace detail
+{
+struct ByteWriter
+{
+  std::vector<unsigned char>& out;
+  template <class N>
+  void operator()(const std::string&, N& number)
+  {
+    const auto* at = reinterpret_cast<const unsigned char*>(&number);
+    out.insert(out.end(), at, at + sizeof number);
+  }
+  void size(const std::string& path, std::size_t& count)
+  {
+    std::uint64_t written = count;
+    (*this)(path, written);
+  }
+};
+
+struct ByteReader
+{
+  const std::vector<unsigned char>& in;
+  std::size_t longest;
+  std::size_t at = 0;
+  bool good = true;
+  template <class N>
+  void operator()(const std::string&, N& number)
+  {
+    good = good && in.size() - at >= sizeof number;
+    if (!good) return;
+    if constexpr (std::is_same_v<N, bool>)
+    {
+      good = in[at] <= 1;  // anything else in a bool is undefined
+      number = in[at] == 1;
+    }
+    else
+      std::memcpy(&number, in.data() + at, sizeof number);
+    at += sizeof number;
+  }
+  void size(const std::string& path, std::size_t& count)
+  {
+    std::uint64_t read = 0;
+    (*this)(path, read);
+    good = good && read <= longest;
+    count = good ? static_cast<std::size_t>(read) : 0;
+  }
+};
+}  // namespace detail
+
+template <class T>
+std::vector<unsigned char> to_bytes(const T& value)
+{
+  std::vector<unsigned char> bytes;
+  detail::ByteWriter writer{bytes};
+  visit_numbers(const_cast<T&>(value), writer);  // one list of fields serves readers too, so it is not const; this one only looks
+  return bytes;
+}
+
+template <class T>
+bool from_bytes(const std::vector<unsigned char>& bytes, T& value, std::size_t longest)
+{
+  detail::ByteReader reader{bytes, longest};
+  visit_numbers(value, reader);
+  return reader.good && reader.at == bytes.size();
+}
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,17 @@
+#ifndef DRILL_RIG_SIM_MODEL_FORCES_BEAMS_H
+#define DRILL_RIG_SIM_MODEL_FORCES_BEAMS_H
+
+#include "drill_rig_sim/model/forces/force.h"
+
+namespace drill_rig_sim
+{
+/// The string's elements (string/beam_element.h) with their structural damping, and their weight in mud: a dead load that goes to the
+/// ends by the element's own shape functions.
+extern const Force beams;
+
+/// Forces of element `e` at the stage.
+BeamForces element_forces(const StageContext& at, int e) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,17 @@
+#ifndef DRILL_RIG_SIM_MODEL_FORCES_BIT_H
+#define DRILL_RIG_SIM_MODEL_FORCES_BIT_H
+
+#include "drill_rig_sim/model/forces/force.h"
+
+namespace drill_rig_sim
+{
+/// The bit on the bottom: its weight in mud, the bottom's push (contact/bit_bottom.h), the torque on bit (contact/bit_torque.h), and the
+/// mud motor that both load. After the wall in its list: the rock feels the gauge's force too.
+extern const Force bit_on_bottom;
+
+/// The same at rest: statics; the torque is the start's.
+extern const Force resting_bit;
+
+}  // namespace drill_rig_sim
+
+#endif

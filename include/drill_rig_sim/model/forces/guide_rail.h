@@ -1,0 +1,18 @@
+#ifndef DRILL_RIG_SIM_MODEL_FORCES_GUIDE_RAIL_H
+#define DRILL_RIG_SIM_MODEL_FORCES_GUIDE_RAIL_H
+
+#include "drill_rig_sim/model/forces/force.h"
+
+namespace drill_rig_sim
+{
+/// What the guide rail holds of the top node: all but height and spin.
+constexpr int held_by_rail[] = {0, 1, 3, 4};
+
+/// The guide rail: rows and columns of what it holds become those of the identity. Last in its list.
+extern const Force guide_rail;
+/// Statics: all six are held; what holds height and spin is told. Last in its list.
+extern const Force held_top;
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,34 @@
+#ifndef DRILL_RIG_SIM_MODEL_FORCES_LISTS_H
+#define DRILL_RIG_SIM_MODEL_FORCES_LISTS_H
+
+#include <array>
+
+#include "drill_rig_sim/model/forces/beams.h"
+#include "drill_rig_sim/model/forces/bit.h"
+#include "drill_rig_sim/model/forces/guide_rail.h"
+#include "drill_rig_sim/model/forces/hoisting.h"
+#include "drill_rig_sim/model/forces/inertia.h"
+#include "drill_rig_sim/model/forces/mud_drag.h"
+#include "drill_rig_sim/model/forces/squeeze_film.h"
+#include "drill_rig_sim/model/forces/stuck_point.h"
+#include "drill_rig_sim/model/forces/top_drive.h"
+#include "drill_rig_sim/model/forces/wall.h"
+
+/// Which forces make which problem. A new force is a file and a place in these lists. Order matters where a comment says so, and to the
+/// last digit: sums are rounded in this order.
+namespace drill_rig_sim
+{
+/// Dynamics. Beams first: they write the tangent's blocks; the rail last: it overwrites rows.
+inline const std::array<const Force*, 10> dynamic_forces = {&beams,         &mud_drag,    &inertia,  &squeeze_film, &wall,
+                                                            &bit_on_bottom, &stuck_point, &hoisting, &top_drive,    &guide_rail};
+/// Statics, inertia for continuation.
+inline const std::array<const Force*, 5> static_forces = {&beams, &inertia, &sliding_wall, &resting_bit, &held_top};
+/// What has results of its own at a solution, beside the residual.
+inline const std::array<const Force*, 4> forces_with_results = {&wall, &bit_on_bottom, &hoisting, &top_drive};
+/// For those who integrate bodies themselves: on the string, and at its contacts.
+inline const std::array<const Force*, 2> string_forces = {&beams, &mud_drag};
+inline const std::array<const Force*, 4> contact_forces = {&squeeze_film, &wall, &bit_on_bottom, &stuck_point};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,14 @@
+#ifndef DRILL_RIG_SIM_MODEL_FORCES_MUD_DRAG_H
+#define DRILL_RIG_SIM_MODEL_FORCES_MUD_DRAG_H
+
+#include "drill_rig_sim/model/forces/force.h"
+
+namespace drill_rig_sim
+{
+/// Viscous drag of the mud on the nodes below the rotary table, linear in the rates: `mud.lateral_damping` across the string,
+/// `mud.axial_damping` along it [N s/m per m], `mud.torsional_damping` against spin [N m s/rad per m], times the node's length.
+extern const Force mud_drag;
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,20 @@
+#ifndef DRILL_RIG_SIM_MODEL_FORCES_WALL_H
+#define DRILL_RIG_SIM_MODEL_FORCES_WALL_H
+
+#include "drill_rig_sim/model/forces/force.h"
+
+namespace drill_rig_sim
+{
+/// Wall of the hole on the nodes below the rotary table, with sticking friction (contact/wall_contact.h); the last node is the top
+/// drive's shaft, above the table. The bit's gauge turns with the motor.
+extern const Force wall;
+
+/// The same at full slip, as Stage::sliding says: statics.
+extern const Force sliding_wall;
+
+/// Node 0 alone.
+void add_wall_at_bit(const StageContext& at, double* residual) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif

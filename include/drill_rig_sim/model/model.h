@@ -1,0 +1,55 @@
+#ifndef DRILL_RIG_SIM_MODEL_MODEL_H
+#define DRILL_RIG_SIM_MODEL_MODEL_H
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/string/beam_table.h"
+#include "drill_rig_sim/string/mesh.h"
+#include "drill_rig_sim/well/formation.h"
+
+namespace drill_rig_sim
+{
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+
+/// What of rig, string and rock does not change: mesh, sections, parameters of the laws. Constant and shared: any number of threads may
+/// evaluate one Model at once, each with a Workspace of its own. What changes is the State (state.h).
+class Model
+{
+public:
+  Model(const Scene& scene, Mesh mesh);
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
+  const Scene& scene() const noexcept { return scene_; }
+  const Mesh& mesh() const noexcept { return mesh_; }
+  const Formation& formation() const noexcept { return formation_; }
+  const BeamKind& beam() const noexcept { return beam_; }
+  int nodes() const noexcept { return static_cast<int>(mesh_.nodes.size()); }
+  int elements() const noexcept { return static_cast<int>(mesh_.elements.size()); }
+  /// The last node: the top drive's shaft.
+  int top() const noexcept { return nodes() - 1; }
+  const PartSpec& bit() const noexcept { return scene_.string.front(); }
+  /// Null: none.
+  const PartSpec* motor() const noexcept { return motor_; }
+  /// Wall contact at a node.
+  const ContactSpec& contact(int i) const noexcept { return contact_[static_cast<std::size_t>(i)]; }
+  /// Of the bristle that carries a stuck bit's torque [N m/rad].
+  double bit_bristle_stiffness() const noexcept { return bit_bristle_; }
+  /// Weight of element `e` in mud, its ends at heights `z_lower`, `z_upper` [m]; no buoyancy above the rotary table [N].
+  double element_weight(int e, double z_lower, double z_upper) const noexcept;
+
+private:
+  Scene scene_;
+  Mesh mesh_;
+  const BeamKind& beam_;
+  Formation formation_;
+  std::vector<ContactSpec> contact_;  // per node
+  const PartSpec* motor_ = nullptr;   // into scene_
+  double bit_bristle_ = 0.0;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,78 @@
+#ifndef DRILL_RIG_SIM_MODEL_STAGE_H
+#define DRILL_RIG_SIM_MODEL_STAGE_H
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "drill_rig_sim/contact/wall_contact.h"
+#include "drill_rig_sim/model/model.h"
+#include "drill_rig_sim/model/state.h"
+#include "drill_rig_sim/rig/setpoints.h"
+#include "drill_rig_sim/rig/top_drive.h"
+
+namespace drill_rig_sim
+{
+/// What turns the bit and moves the bottom under it within the step.
+struct BitDrive
+{
+  double motor_speed = 0.0;     ///< of the mud motor, relative to the string [rad/s]
+  double motor_turn = 0.0;      ///< since the start of the step [rad]
+  double drilling_speed = 0.0;  ///< that the rock-breaking law sees [rad/s]
+  double rock_time = 0.0;       ///< over which the bottom recedes implicitly, by the law at the stage [s]
+  bool bottom_known = false;    ///< somebody else integrates the bottom:
+  Eigen::Vector3d bottom_increment = Eigen::Vector3d::Zero();  ///< how far it has receded since the start of the step [m]
+};
+
+/// One stage of a step of a method: which forces act, and how rates follow from the unknowns. A value; together with the step's start
+/// and the increments u it determines every force.
+///
+/// Unknowns: six per node, u = (displacement, tilt + spin) since the start of the step; the rotation is exp(tilt) exp(spin n), n the
+/// section normal at the start: spin is a scalar however large, and the tilt of one step is small. Node by node,
+///   rate = dv_du u + rate_0,   acceleration = da_du u + acceleration_0.
+struct Stage
+{
+  explicit Stage(const Model& model);
+
+  // how the method ties rates to u
+  double time = 0.0;   ///< from the start of the step, for the laws that advance their own state [s]
+  double dv_du = 0.0;  ///< [1/s]
+  double da_du = 0.0;  ///< [1/s2]
+  std::vector<Vector6d> rate;          ///< rate_0: velocity, tilt rate + spin rate n, world axes [m/s, rad/s]
+  std::vector<Vector6d> acceleration;  ///< acceleration_0 [m/s2, rad/s2]
+  RotorStage drive;                    ///< the same for the top drive's rotor; its time is not looked at
+
+  // what holds during the whole step; begin_step() or begin_static() finds it
+  std::vector<Eigen::Vector3d> normal;  ///< n, of the nodes
+  std::vector<double> immersed;         ///< 1 for a node below the rotary table, 0 above
+  std::vector<Eigen::Vector3d> load;    ///< weight of the elements in mud [N]
+  double structural_damping = 0.0;      ///< [s]
+  Setpoints setpoints;
+  SlidingMotion sliding;                ///< of the string in the hole; statics only
+
+  // where the laws with a course of their own are at `time`
+  HoistState hoist;
+  BitDrive bit;
+};
+
+/// Takes `state` as the start of a step of length `step` [s], with the set points that act in it; the stage is at its end.
+void begin_step(const Model& model, const State& state, double step, const Setpoints& setpoints, Stage& stage) noexcept;
+
+/// The stage is at `time` [s] after the start of the step: methods of several stages.
+void move_stage(const Model& model, const State& state, double time, Stage& stage) noexcept;
+
+/// Friction in statics.
+enum class FrictionMode
+{
+  none,   ///< frictionless
+  up,     ///< full slip of a string that moves up the hole
+  down,   ///< down the hole
+  rotate  ///< that turns clockwise
+};
+
+/// Statics: no rates, full slip as `friction` says. `coefficient` c [1/s] > 0 adds the inertia of a start from rest, M c^2 u: a step of
+/// pseudo-transient continuation.
+void begin_static(const Model& model, const State& state, FrictionMode friction, double coefficient, Stage& stage) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,187 @@
+#ifndef DRILL_RIG_SIM_MODEL_STATE_H
+#define DRILL_RIG_SIM_MODEL_STATE_H
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <utility>
+#include <vector>
+
+#include "drill_rig_sim/well/wellbore.h"
+
+namespace drill_rig_sim
+{
+/// A vector of a node's six coordinates, with the rotation in two parts. The section normal n splits it: tilt (across n) and spin (about
+/// n). Both survive a change of n without mixing, and spin is a plain scalar, so any number of turns is as good as none.
+struct NodeRate
+{
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< [m/s]
+  Eigen::Vector3d tilt = Eigen::Vector3d::Zero();      ///< world axes, across n [rad/s]
+  double spin = 0.0;                                   ///< [rad/s]
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("velocity", velocity);
+    v("tilt", tilt);
+    v("spin", spin);
+  }
+};
+
+/// One node of the string at an instant.
+struct NodeState
+{
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();                   ///< [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();      ///< body to world; x towards the bit
+  double spin_angle = 0.0;                                              ///< turned since the start, unbounded [rad]
+  NodeRate rate;
+  Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction, world axes [m]
+  int segment = -1;                                   ///< hole segment of the last contact search
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("position", position);
+    v("orientation", orientation);
+    v("spin_angle", spin_angle);
+    v("rate", rate);
+    v("bristle", bristle);
+    v("segment", segment);
+  }
+};
+
+/// A quantity of the past that a method keeps: six coordinates per node, in the axes of the present section normals, and the rotor's.
+struct PastQuantity
+{
+  std::vector<NodeRate> nodes;
+  double rotor = 0.0;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("nodes", nodes);
+    v("rotor", rotor);
+  }
+};
+
+/// What a method of time stepping remembers of earlier steps. Which quantities, and in which order, is the method's own affair; there is
+/// room for so many in every state, so that no step allocates.
+struct MethodMemory
+{
+  static constexpr int room = 3;
+
+  double last_step = 0.0;  ///< length of the step before; 0: nothing is remembered, a multistep method starts anew [s]
+  std::vector<PastQuantity> past;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("last_step", last_step);
+    v("past", past);
+  }
+};
+
+/// The rotor of the top drive and its speed loop.
+struct DriveState
+{
+  double angle = 0.0;        ///< [rad], unbounded
+  double speed = 0.0;        ///< [rad/s]
+  double integral = 0.0;     ///< of the speed error [rad]
+  double meter_twist = 0.0;  ///< rotor ahead of the string's top [rad]
+  bool limited = false;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("angle", angle);
+    v("speed", speed);
+    v("integral", integral);
+    v("meter_twist", meter_twist);
+    v("limited", limited);
+  }
+};
+
+/// Drill line and winch.
+struct HoistState
+{
+  double line_length = 0.0;  ///< unstretched strung length L_0 [m]
+  double winch_speed = 0.0;  ///< of the block, as paid out [m/s], + up
+  bool limited = false;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("line_length", line_length);
+    v("winch_speed", winch_speed);
+    v("limited", limited);
+  }
+};
+
+/// Bit, rock and motor.
+struct BitState
+{
+  double twist = 0.0;        ///< bristle of the torque on bit [rad]
+  double motor_speed = 0.0;  ///< of the bit relative to the string [rad/s]
+  double turned = 0.0;       ///< by the motor since the start [rad]
+  bool stalled = false;
+  Eigen::Vector3d rock_velocity = Eigen::Vector3d::Zero();  ///< of the hole's bottom in the last step [m/s]
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("twist", twist);
+    v("motor_speed", motor_speed);
+    v("turned", turned);
+    v("stalled", stalled);
+    v("rock_velocity", rock_velocity);
+  }
+};
+
+/// Where the formation holds the pipe.
+struct StuckPointState
+{
+  int node = -1;  ///< -1: none
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  double spin_angle = 0.0;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("node", node);
+    v("position", position);
+    v("spin_angle", spin_angle);
+  }
+};
+
+/// Everything mechanical that the next step depends on: a value. visit() is the one list of its fields (math/visit.h).
+struct State
+{
+  explicit State(Wellbore hole) : well(std::move(hole)) {}
+
+  Wellbore well;
+  double time = 0.0;  ///< [s]
+  std::vector<NodeState> nodes;
+  MethodMemory memory;
+  DriveState drive;
+  HoistState hoist;
+  BitState bit;
+  StuckPointState stuck_point;
+  double flow = 0.0;  ///< of the pump [m3/s]
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("well", well);
+    v("time", time);
+    v("nodes", nodes);
+    v("memory", memory);
+    v("drive", drive);
+    v("hoist", hoist);
+    v("bit", bit);
+    v("stuck_point", stuck_point);
+    v("flow", flow);
+  }
+};
+
+}  // namespace drill_rig_sim
+
+#endif

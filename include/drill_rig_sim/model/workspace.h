@@ -1,0 +1,59 @@
+#ifndef DRILL_RIG_SIM_MODEL_WORKSPACE_H
+#define DRILL_RIG_SIM_MODEL_WORKSPACE_H
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "drill_rig_sim/contact/bit_bottom.h"
+#include "drill_rig_sim/contact/wall_contact.h"
+#include "drill_rig_sim/model/model.h"
+#include "drill_rig_sim/model/profiler.h"
+#include "drill_rig_sim/model/rig_forces.h"
+#include "drill_rig_sim/model/state.h"
+#include "drill_rig_sim/model/work.h"
+
+namespace drill_rig_sim
+{
+/// Where and how a node moves at a stage.
+struct NodeMotion
+{
+  Eigen::Vector3d axis;  ///< section normal that rates and rotations are split by: at the start of the step
+  Eigen::Vector3d position, normal;
+  Eigen::Quaterniond orientation;
+  Eigen::Vector3d tilt;  ///< of the increment, across the axis [rad]
+  double spin;           ///< and about it [rad]
+  Vector6d increment, rate, acceleration;
+  ClosestPoint closest;  ///< of the hole; only below the rotary table
+  bool touches;          ///< the wall
+};
+
+/// What the laws with a state of their own have come to at a stage: the next step's start, once this one is accepted.
+struct StageResult
+{
+  std::vector<Eigen::Vector3d> bristle;  ///< of the wall's friction, per node [m]
+  DriveState drive;
+  double drive_increment = 0.0;     ///< of the rotor since the start of the step [rad]
+  double drive_acceleration = 0.0;  ///< [rad/s2]
+  BitState bit;
+  BottomForce bottom;
+  RigForces forces;
+  double held_force = 0.0;   ///< statics: vertical force that holds the top node, + up [N]
+  double held_torque = 0.0;  ///< and the torque about the string, + drives it clockwise [N m]
+};
+
+/// Scratch of one thread: nothing in it outlives a call of evaluate() and what follows it for the same stage.
+struct Workspace
+{
+  explicit Workspace(const Model& model);
+
+  std::vector<NodeMotion> nodes;
+  StageResult result;
+  std::vector<double> unused;  ///< 6 per node: a residual that nobody asks for
+  Profiler profiler;           ///< where the time goes; evaluate() times its parts, its callers theirs
+  Work work;                   ///< evaluate() and update() count their own, solvers theirs
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,67 @@
+// What follows an accepted step.
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/evaluate.h"
+#include "drill_rig_sim/well/formation.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+Vector3d carried(const NodeMotion& node, const Vector3d& across) noexcept
+{
+  const Vector3d moved = across + node.tilt.cross(across);
+  return moved - node.normal * node.normal.dot(moved);
+}
+
+NodeRate split(const NodeMotion& node, const Vector6d& vector) noexcept
+{
+  const double spin = vector.tail<3>().dot(node.axis);
+  return {vector.head<3>(), carried(node, vector.tail<3>() - spin * node.axis), spin};
+}
+
+void commit(const Workspace& work, State& state) noexcept
+{
+  for (std::size_t i = 0; i < work.nodes.size(); ++i)
+  {
+    const NodeMotion& motion = work.nodes[i];
+    NodeState& node = state.nodes[i];
+    node.rate = split(motion, motion.rate);
+    node.position = motion.position;
+    node.orientation = motion.orientation.normalized();
+    node.spin_angle += motion.spin;
+    node.segment = motion.closest.segment;
+  }
+}
+
+void advance_static(const Workspace& work, State& state) noexcept
+{
+  for (std::size_t i = 0; i < work.nodes.size(); ++i) state.nodes[i].bristle = work.result.bristle[i];
+}
+
+void advance_discrete(const Model& model, const Stage& stage, Workspace& work, State& state) noexcept
+{
+  advance_static(work, state);
+  // the guide rail holds the shaft upright: round-off of many turns must not tilt it
+  Quaterniond& shaft = state.nodes.back().orientation;
+  shaft = (Quaterniond::FromTwoVectors(x_axis(shaft), -Vector3d::UnitZ()) * shaft).normalized();
+  state.hoist = stage.hoist;
+  state.drive = work.result.drive;
+  state.bit = work.result.bit;
+  state.time += stage.time;
+  work.profiler.lap(Cost::other);
+  const Vector3d bit_axis = x_axis(state.nodes[0].orientation);
+  state.bit.rock_velocity = stage.bit.bottom_known ? Vector3d(stage.bit.bottom_increment / stage.time)
+                                                   : rock_velocity(model, state.well, work.result.forces, bit_axis);
+  state.well.extend(stage.bit.bottom_known ? stage.bit.bottom_increment : Vector3d(stage.time * state.bit.rock_velocity), bit_axis);
+  work.profiler.lap(Cost::rock_penetration);
+}
+
+Vector3d rock_velocity(const Model& model, const Wellbore& well, const RigForces& forces, const Vector3d& bit_axis) noexcept
+{
+  if (forces.wob <= 0.0) return Vector3d::Zero();
+  const FormationLayer& rock = model.formation().at(-well.bottom_position().z());
+  return rock_breaking_velocity(rock, forces.rock_force, forces.bit_speed, bit_axis, model.bit().side_cutting);
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,51 @@
+#include "drill_rig_sim/model/energy_accounts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drill_rig_sim
+{
+double EnergyAccounts::stored() const noexcept
+{
+  return last.kinetic_all() - first.kinetic_all() + last.elastic_all() - first.elastic_all();
+}
+
+double EnergyAccounts::dissipated() const noexcept
+{
+  return wall_friction + wall_damping + bottom_damping + squeeze_film + mud + structural + motor_slip + stuck_point_released + ledge + added_mass;
+}
+
+double EnergyAccounts::numerical() const noexcept
+{
+  return of_inertia + of_beams + of_contact + of_line + of_residual + of_rebasing;
+}
+
+double EnergyAccounts::residual() const noexcept
+{
+  return input() - stored() - dissipated() - broken_rock() - correction - numerical();
+}
+
+double EnergyAccounts::throughput() const noexcept
+{
+  return std::max(std::abs(winch) + std::abs(drive) + std::abs(pump) + std::abs(gravity), largest_kinetic);
+}
+
+double EnergyAccounts::closure() const noexcept
+{
+  const double all = throughput();
+  return all > 0.0 ? std::abs(residual()) / all : 0.0;
+}
+
+double EnergyAccounts::numerical_share() const noexcept
+{
+  const double all = throughput();
+  return all > 0.0 ? numerical() / all : 0.0;
+}
+
+double EnergyAccounts::numerical_of_losses() const noexcept
+{
+  const double all = dissipated() + broken_rock() + numerical();
+  return all != 0.0 ? numerical() / all : 0.0;
+}
+
+}  // namespace drill_rig_sim

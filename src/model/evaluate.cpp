@@ -1,0 +1,162 @@
+#include "drill_rig_sim/model/evaluate.h"
+
+#include <algorithm>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/forces/lists.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Vector3d;
+
+namespace
+{
+/// Adds a list of forces, each timed; neighbours of one account share a look at the clock.
+template <std::size_t N>
+void add_forces(const std::array<const Force*, N>& forces, const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  for (std::size_t k = 0; k < N; ++k)
+  {
+    forces[k]->add(at, residual, tangent);
+    if (k + 1 == N || forces[k + 1]->cost != forces[k]->cost) at.work.profiler.lap(forces[k]->cost);
+  }
+}
+
+/// Places and rates of the nodes at u.
+void move_nodes(const State& start, const Stage& stage, const double* u, Workspace& work) noexcept
+{
+  for (std::size_t i = 0; i < work.nodes.size(); ++i)
+  {
+    NodeMotion& node = work.nodes[i];
+    const NodeState& before = start.nodes[i];
+    node.axis = stage.normal[i];
+    node.increment = Eigen::Map<const Vector6d>(u + 6 * i);
+    node.position = before.position + node.increment.head<3>();
+    node.spin = node.increment.tail<3>().dot(node.axis);
+    node.tilt = node.increment.tail<3>() - node.spin * node.axis;
+    node.orientation = rotation_from_vector(node.tilt) * rotation_from_vector(node.spin * node.axis) * before.orientation;
+    node.normal = x_axis(node.orientation);
+    node.rate = stage.dv_du * node.increment + stage.rate[i];
+    node.acceleration = stage.da_du * node.increment + stage.acceleration[i];
+  }
+}
+
+/// Closest point of the hole; only below the rotary table, and not for the shaft.
+void find_closest(const Model& model, const State& start, int i, NodeMotion& node) noexcept
+{
+  node.touches = false;
+  node.closest.segment = start.nodes[i].segment;
+  if (node.position.z() >= 0.0 || i == model.top()) return;
+  node.closest = start.well.locate(node.position, node.closest.segment);
+  node.touches = wall_gap(node.closest, node.position, model.mesh().nodes[i].contact_radius) < 0.0;
+}
+
+void find_closest(const Model& model, const State& start, Workspace& work) noexcept
+{
+  for (int i = 0; i < model.nodes(); ++i) find_closest(model, start, i, work.nodes[i]);
+}
+
+/// The node where somebody else says that it is.
+void place(const GivenNode& given, NodeMotion& node) noexcept
+{
+  node.position = given.position;
+  node.orientation = given.orientation;
+  node.normal = x_axis(given.orientation);
+  node.axis = node.normal;  // the rates are split by the present normal
+  node.increment = given.increment;
+  node.spin = given.increment.tail<3>().dot(node.axis);
+  node.tilt = given.increment.tail<3>() - node.spin * node.axis;
+  node.rate = given.rate;
+  node.acceleration.setZero();
+}
+
+template <std::size_t N>
+void evaluate_list(const std::array<const Force*, N>& forces, const Model& model, const State& start, const Stage& stage, const double* u,
+                   Workspace& work, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  work.profiler.lap(Cost::other);
+  ++work.work.residuals;
+  if (tangent) ++work.work.tangents;
+  std::fill(residual, residual + 6 * model.nodes(), 0.0);
+  move_nodes(start, stage, u, work);
+  work.profiler.lap(Cost::kinematics);
+  find_closest(model, start, work);
+  work.profiler.lap(Cost::contact);
+  add_forces(forces, {model, start, stage, work}, residual, tangent);
+}
+}  // namespace
+
+Workspace::Workspace(const Model& model) : nodes(model.mesh().nodes.size()), unused(6 * nodes.size(), 0.0)
+{
+  result.bristle.assign(nodes.size(), Vector3d::Zero());
+  RigForces& forces = result.forces;
+  forces.tension.assign(model.mesh().elements.size(), 0.0);
+  forces.torque = forces.tension;
+  forces.bending_moment.assign(nodes.size(), 0.0);
+  forces.contact = forces.bending_moment;
+  forces.wall.assign(nodes.size(), Vector3d::Zero());
+}
+
+void evaluate(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, double* residual,
+              BlockTridiagonal* tangent) noexcept
+{
+  evaluate_list(dynamic_forces, model, start, stage, u, work, residual, tangent);
+}
+
+void evaluate_static(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, double* residual,
+                     BlockTridiagonal* tangent) noexcept
+{
+  evaluate_list(static_forces, model, start, stage, u, work, residual, tangent);
+}
+
+void update(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work) noexcept
+{
+  evaluate_list(forces_with_results, model, start, stage, u, work, work.unused.data(), nullptr);
+}
+
+void find_string_forces(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
+{
+  RigForces& out = work.result.forces;
+  for (int e = 0; e < model.elements(); ++e)
+  {
+    const BeamForces f = element_forces({model, start, stage, work}, e);
+    const MeshElement& element = model.mesh().elements[e];
+    const NodeMotion& upper = work.nodes[e + 1];
+    const Vector3d n = element.bend != 0.0 ? x_axis(upper.orientation * element.upper_end) : upper.normal;
+    out.tension[e] = f.tension;
+    out.torque[e] = -f.torque;
+    out.bending_moment[e + 1] = (f.moment_upper - n * n.dot(f.moment_upper)).norm();
+  }
+}
+
+void evaluate_motion(const Model& model, const State& start, const Stage& stage, const GivenMotion& motion, Workspace& work,
+                     double* string, double* contact, BlockTridiagonal* string_tangent, BlockTridiagonal* contact_tangent) noexcept
+{
+  work.profiler.lap(Cost::other);
+  ++work.work.residuals;
+  if (string_tangent) ++work.work.tangents;
+  std::fill(string, string + 6 * model.nodes(), 0.0);
+  std::fill(contact, contact + 6 * model.nodes(), 0.0);
+  for (std::size_t i = 0; i < work.nodes.size(); ++i) place(motion.nodes[i], work.nodes[i]);
+  work.profiler.lap(Cost::kinematics);
+  const StageContext at{model, start, stage, work};
+  add_forces(string_forces, at, string, string_tangent);
+  if (contact_tangent) contact_tangent->set_zero();
+  place(motion.bit, work.nodes[0]);  // from here on node 0 stands for the bit
+  find_closest(model, start, work);
+  add_forces(contact_forces, at, contact, contact_tangent);
+}
+
+Vector6d evaluate_bit_motion(const Model& model, const State& start, const Stage& stage, const GivenNode& bit, Workspace& work) noexcept
+{
+  Vector6d out = Vector6d::Zero();
+  const StageContext at{model, start, stage, work};
+  place(bit, work.nodes[0]);
+  find_closest(model, start, 0, work.nodes[0]);
+  add_film_at_bit(at, out.data());
+  add_wall_at_bit(at, out.data());
+  bit_on_bottom.add(at, out.data(), nullptr);
+  return out;
+}
+
+}  // namespace drill_rig_sim

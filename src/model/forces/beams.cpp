@@ -1,0 +1,138 @@
+#include "drill_rig_sim/model/forces/beams.h"
+
+#include "drill_rig_sim/math/rotation.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Vector3d;
+
+namespace
+{
+/// Node e is the element's lower end, node e + 1 its upper end.
+BeamPose pose_of(const StageContext& at, int e) noexcept
+{
+  const MeshElement& element = at.model.mesh().elements[e];
+  const NodeMotion& lower = at.work.nodes[e];
+  const NodeMotion& upper = at.work.nodes[e + 1];
+  BeamPose pose{upper.position, lower.position, upper.normal, lower.normal, 0.0, upper.orientation, lower.orientation};
+  if (element.bend != 0.0)
+  {
+    const Eigen::Quaterniond bent = upper.orientation * element.upper_end;
+    pose.upper_normal = x_axis(bent);
+    pose.upper_orientation = bent;
+    pose.twist = twist_between(bent, lower.orientation);
+  }
+  else
+    pose.twist = twist_between(upper.orientation, lower.orientation);
+  return pose;
+}
+
+BeamDamping damping_of(const StageContext& at, int e) noexcept
+{
+  const NodeMotion& lower = at.work.nodes[e];
+  const NodeMotion& upper = at.work.nodes[e + 1];
+  return {at.stage.structural_damping, at.stage.dv_du, lower.rate.head<3>() - upper.rate.head<3>(), upper.rate.tail<3>(),
+          lower.rate.tail<3>()};
+}
+
+/// d = lower - upper. An element writes the blocks of its upper node and those between; only the first node's is there before.
+void scatter(const BeamTangent& t, int e, BlockTridiagonal& tangent) noexcept
+{
+  auto lower = tangent.diagonal(e);
+  lower.topLeftCorner<3, 3>() += t.force_d;
+  lower.topRightCorner<3, 3>() += t.force_lower;
+  lower.bottomLeftCorner<3, 3>() += t.lower_d;
+  lower.bottomRightCorner<3, 3>() += t.lower_lower;
+  auto upper = tangent.diagonal(e + 1);
+  upper.topLeftCorner<3, 3>() = t.force_d;
+  upper.topRightCorner<3, 3>() = -t.force_upper;
+  upper.bottomLeftCorner<3, 3>() = -t.upper_d;
+  upper.bottomRightCorner<3, 3>() = t.upper_upper;
+  auto lower_by_upper = tangent.upper(e);
+  lower_by_upper.topLeftCorner<3, 3>() = -t.force_d;
+  lower_by_upper.topRightCorner<3, 3>() = t.force_upper;
+  lower_by_upper.bottomLeftCorner<3, 3>() = -t.lower_d;
+  lower_by_upper.bottomRightCorner<3, 3>() = t.lower_upper;
+  auto upper_by_lower = tangent.lower(e);
+  upper_by_lower.topLeftCorner<3, 3>() = -t.force_d;
+  upper_by_lower.topRightCorner<3, 3>() = -t.force_lower;
+  upper_by_lower.bottomLeftCorner<3, 3>() = t.upper_d;
+  upper_by_lower.bottomRightCorner<3, 3>() = t.upper_lower;
+}
+
+void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  if (tangent) tangent->diagonal(0).setZero();  // the elements write every other block before anything is added to it
+  const BeamKind& kind = at.model.beam();
+  BeamTangent t;
+  BeamStrain strain;
+  for (int e = 0; e < at.model.elements(); ++e)
+  {
+    const BeamSection& section = at.model.mesh().elements[e].section;
+    const Vector3d& load = at.stage.load[e];
+    const BeamPose pose = pose_of(at, e);
+    const BeamDamping damping = damping_of(at, e);
+    const BeamForces f = tangent ? kind.forces_and_tangent(section, pose, damping, load, strain, t)
+                                 : kind.forces(section, pose, damping, load, strain);
+    auto lower = at_node(residual, e), upper = at_node(residual, e + 1);
+    lower.head<3>() += f.force - 0.5 * load;
+    lower.tail<3>() += f.moment_lower;
+    upper.head<3>() -= f.force + 0.5 * load;
+    upper.tail<3>() += f.moment_upper;
+    if (tangent) scatter(t, e, *tangent);
+  }
+}
+
+/// The dead load's potential, end moments included: the mean place of a cubic element is (x1 + x2)/2 + L/12 (n1 - n2). The two other
+/// elements leave the end moments away, and then the normals in it.
+double weight_potential(const StageContext& at, int e, const BeamPose& pose) noexcept
+{
+  const double arm = at.model.beam().load_moments ? at.model.mesh().elements[e].section.length / 12.0 : 0.0;
+  const Vector3d mean = 0.5 * (pose.upper_position + pose.lower_position) + arm * (pose.upper_normal - pose.lower_normal);
+  return -at.stage.load[e].dot(mean);
+}
+
+void store(const StageContext& at, StoredEnergy& energy) noexcept
+{
+  for (int e = 0; e < at.model.elements(); ++e)
+  {
+    const BeamPose pose = pose_of(at, e);
+    energy.beams += at.model.beam().energy(at.model.mesh().elements[e].section, pose);
+    energy.weight += weight_potential(at, e, pose);
+  }
+}
+
+void add_to_ends(EnergySample& sample, NodeForce kind, int e, const BeamForces& f, double sign) noexcept
+{
+  auto lower = at_node(sample, kind, e), upper = at_node(sample, kind, e + 1);
+  lower.head<3>() += sign * f.force;
+  lower.tail<3>() += sign * f.moment_lower;
+  upper.head<3>() -= sign * f.force;
+  upper.tail<3>() += sign * f.moment_upper;
+}
+
+/// The same element without damping and load is the elastic part; what damping adds is the rest.
+void sample(const StageContext& at, EnergySample& sample) noexcept
+{
+  const BeamKind& kind = at.model.beam();
+  BeamStrain strain;
+  for (int e = 0; e < at.model.elements(); ++e)
+  {
+    const BeamSection& section = at.model.mesh().elements[e].section;
+    const BeamPose pose = pose_of(at, e);
+    add_to_ends(sample, NodeForce::beams, e, kind.forces(section, pose, BeamDamping(), Vector3d::Zero(), strain), 1.0);
+    add_to_ends(sample, NodeForce::structural, e, element_forces(at, e), 1.0);
+    add_to_ends(sample, NodeForce::structural, e, kind.forces(section, pose, BeamDamping(), at.stage.load[e], strain), -1.0);
+  }
+}
+}  // namespace
+
+const Force beams = {"beams", Cost::elements, add, store, sample};
+
+BeamForces element_forces(const StageContext& at, int e) noexcept
+{
+  BeamStrain strain;
+  return at.model.beam().forces(at.model.mesh().elements[e].section, pose_of(at, e), damping_of(at, e), at.stage.load[e], strain);
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,151 @@
+#include "drill_rig_sim/model/forces/bit.h"
+
+#include <cmath>
+
+#include "drill_rig_sim/contact/bit_torque.h"
+#include "drill_rig_sim/contact/normal_law.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/rig/mud_motor.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Vector3d;
+
+namespace
+{
+double weight_in_mud(const StageContext& at) noexcept
+{
+  const Mesh& mesh = at.model.mesh();
+  return standard_gravity * (mesh.bit_mass - at.model.scene().mud.density * mesh.bit_displaced * at.stage.immersed[0]);
+}
+
+const FormationLayer& rock_of(const StageContext& at) noexcept
+{
+  return at.model.formation().at(-at.start.well.bottom_position().z());
+}
+
+/// Of the bit's face over the bottom's place at the start of the step [m].
+double approach_of(const StageContext& at) noexcept
+{
+  const Vector3d to_bottom = at.start.well.bottom_position() - at.work.nodes[0].position;
+  return at.model.mesh().bit_radius - to_bottom.dot(at.start.well.bottom_normal());
+}
+
+BottomForce drilled_bottom(const StageContext& at) noexcept
+{
+  const Vector3d down = at.start.well.bottom_normal();
+  const FormationLayer& rock = rock_of(at);
+  const BitDrive& drive = at.stage.bit;
+  const RockBreaking breaking{drilling_coefficient(rock, drive.drilling_speed), rock.weight_exponent, rock.threshold};
+  const double approach = approach_of(at) - (drive.bottom_known ? drive.bottom_increment.dot(down) : 0.0);
+  return bit_bottom_force(at.model.bit().bottom, approach, at.work.nodes[0].rate.head<3>().dot(down), breaking, drive.rock_time);
+}
+
+double bit_speed(const StageContext& at) noexcept
+{
+  return at.work.nodes[0].rate.tail<3>().dot(at.work.nodes[0].axis) + at.stage.bit.motor_speed;
+}
+
+BitTorque torque_under(const StageContext& at, const BottomForce& bottom, double speed) noexcept
+{
+  const PartSpec& bit = at.model.bit();
+  return bit_torque(bit_torque_limit(bit.torque, bit.diameter, bottom.value, speed, rock_of(at)), at.model.bit_bristle_stiffness(),
+                    at.start.bit.twist, at.work.nodes[0].spin + at.stage.bit.motor_turn, speed, at.stage.dv_du);
+}
+
+/// Force and moment on node 0, and where the bit pushes the rock.
+void put_on_bit(const StageContext& at, const BottomForce& bottom, const BitTorque& torque, double damping_by_place, double* residual,
+                BlockTridiagonal* tangent) noexcept
+{
+  const NodeMotion& node = at.work.nodes[0];
+  const Vector3d down = at.start.well.bottom_normal();
+  const Vector3d& n = node.axis;
+  auto r = at_node(residual, 0);
+  r.head<3>() += bottom.value * down;
+  r.tail<3>() += torque.value * n;
+  r[2] += weight_in_mud(at);
+  if (tangent && bottom.value > 0.0)
+  {
+    const double stiffness = bottom.stiffness + damping_by_place;
+    auto d = tangent->diagonal(0);
+    d.topLeftCorner<3, 3>() += stiffness * down * down.transpose();
+    d.bottomLeftCorner<3, 3>() += (torque.force_slope * stiffness) * n * down.transpose();
+    d.bottomRightCorner<3, 3>() += torque.spin_slope * n * n.transpose();
+  }
+
+  RigForces& forces = at.work.result.forces;
+  forces.wob = bottom.value;
+  forces.bit_torque = torque.value;
+  forces.bit_force = forces.wall[0] - bottom.value * down;
+  forces.bit_moment -= torque.value * n;  // the wall left the gauge's share
+  const Vector3d outward = node.position - node.closest.centre;
+  const double offset = std::sqrt(outward.squaredNorm() + wall_contact_smoothing * wall_contact_smoothing);  // as the wall's law has it
+  forces.rock_force = bottom.value * down;
+  if (forces.contact[0] > 0.0) forces.rock_force += (forces.contact[0] / offset) * outward;
+}
+
+/// Bristle and mud motor at the stage.
+void advance_bit(const StageContext& at, const BitTorque& torque) noexcept
+{
+  BitState& end = at.work.result.bit;
+  end = at.start.bit;
+  end.twist = torque.twist;
+  end.turned += at.stage.bit.motor_turn;
+  const PartSpec* motor = at.model.motor();
+  if (!motor) return;
+  const double steady = mud_motor_steady_speed(at.start.flow, motor->displacement_per_rev, motor->stall_torque, torque.value);
+  end.motor_speed = advance_mud_motor(at.start.bit.motor_speed, steady, at.stage.time);
+  end.stalled = mud_motor_stalled(at.start.flow, motor->stall_torque, torque.value);
+}
+
+void add_drilling(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  StageResult& result = at.work.result;
+  result.bottom = drilled_bottom(at);
+  result.forces.bit_speed = bit_speed(at);
+  BitTorque torque;
+  if (result.bottom.value > 0.0) torque = torque_under(at, result.bottom, result.forces.bit_speed);
+  put_on_bit(at, result.bottom, torque, at.stage.dv_du * result.bottom.damping, residual, tangent);
+  advance_bit(at, torque);
+}
+
+void add_resting(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  StageResult& result = at.work.result;
+  result.bottom = bit_bottom_force(at.model.bit().bottom, approach_of(at), 0.0, RockBreaking(), 0.0);
+  result.forces.bit_speed = 0.0;
+  BitTorque torque;
+  torque.value = result.bottom.value > 0.0 ? at.model.scene().start.torque_on_bit : 0.0;
+  put_on_bit(at, result.bottom, torque, 0.0, residual, tangent);
+}
+
+void store(const StageContext& at, StoredEnergy& energy) noexcept
+{
+  const StageResult& result = at.work.result;
+  energy.bottom += elastic_energy(at.model.bit().bottom, result.bottom.penetration);
+  energy.bit_bristle += 0.5 * at.model.bit_bristle_stiffness() * result.bit.twist * result.bit.twist;
+  energy.weight += weight_in_mud(at) * at.work.nodes[0].position.z();
+}
+
+void sample(const StageContext& at, EnergySample& sample) noexcept
+{
+  const StageResult& result = at.work.result;
+  const Vector3d down = at.start.well.bottom_normal();
+  sample.bottom_elastic = elastic_force(at.model.bit().bottom, result.bottom.penetration);
+  sample.bottom_damped = result.bottom.value - sample.bottom_elastic;
+  sample.bottom = sample.bottom_elastic * down;
+  sample.bottom_damping = sample.bottom_damped * down;
+  sample.rock_speed = result.bottom.speed;
+  sample.rock_advance = result.bottom.advance;
+  sample.bit_torque = result.forces.bit_torque;
+  sample.bit_speed = result.forces.bit_speed;
+  sample.motor_speed = at.stage.bit.motor_speed;
+  const PartSpec* motor = at.model.motor();
+  sample.motor_flow_speed = motor ? 2.0 * pi * at.start.flow / motor->displacement_per_rev : 0.0;
+}
+}  // namespace
+
+const Force bit_on_bottom = {"bit", Cost::bit, add_drilling, store, sample};
+const Force resting_bit = {"resting bit", Cost::bit, add_resting, nullptr, nullptr};
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,94 @@
+#include "drill_rig_sim/model/forces/inertia.h"
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/forces/guide_rail.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Map;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace
+{
+void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  const double dv_du = at.stage.dv_du, da_du = at.stage.da_du;
+  for (int i = 0; i < at.model.nodes(); ++i)
+  {
+    const RigidBody body = node_body(at.model, at.stage, i);
+    const NodeMotion& node = at.work.nodes[i];
+    const Vector3d& n = node.axis;
+    const Vector3d w = node.rate.tail<3>();
+    at_node(residual, i) += inertia_force(body, n, w, node.acceleration, body.spin_inertia);
+    if (!tangent) continue;
+
+    auto d = tangent->diagonal(i);
+    const Matrix3d nn = n * n.transpose();
+    d.topLeftCorner<3, 3>() -= (da_du * body.added_mass) * nn;
+    d.topLeftCorner<3, 3>().diagonal().array() += da_du * (body.mass + body.added_mass);
+    d.bottomRightCorner<3, 3>() += (da_du * (body.spin_inertia - body.tilt_inertia)) * nn +
+                                   (dv_du * body.spin_inertia) * (w.cross(n) * n.transpose() - w.dot(n) * skew(n));
+    d.bottomRightCorner<3, 3>().diagonal().array() += da_du * body.tilt_inertia;
+  }
+}
+
+void store(const StageContext& at, StoredEnergy& energy) noexcept
+{
+  for (int i = 0; i < at.model.nodes(); ++i)
+  {
+    const RigidBody body = node_body(at.model, at.stage, i);
+    const NodeMotion& node = at.work.nodes[i];
+    energy.kinetic += kinetic_energy(body, node.axis, node.rate.head<3>());
+    energy.turning += turning_energy(body, node.axis, node.rate.tail<3>());
+  }
+}
+
+void sample(const StageContext& at, EnergySample& sample) noexcept
+{
+  for (int i = 0; i < at.model.nodes(); ++i)
+  {
+    const RigidBody body = node_body(at.model, at.stage, i);
+    const NodeMotion& node = at.work.nodes[i];
+    // the gyroscopic moment does no work
+    at_node(sample, NodeForce::inertia, i) += inertia_force(body, node.axis, node.rate.tail<3>(), node.acceleration, 0.0);
+  }
+}
+}  // namespace
+
+const Force inertia = {"inertia", Cost::inertia, add, store, sample};
+
+RigidBody node_body(const Model& model, const Stage& stage, int i) noexcept
+{
+  const MeshNode& node = model.mesh().nodes[i];
+  const double block = i == model.top() ? model.scene().rig.hoisting.block_mass : 0.0;
+  return {node.mass + block, stage.immersed[i] * node.added_mass, node.spin_inertia, node.tilt_inertia};
+}
+
+void accelerate(const Model& model, const Stage& stage, const double* residual, Workspace& work) noexcept
+{
+  for (int i = 0; i < model.nodes(); ++i)
+  {
+    const RigidBody body = node_body(model, stage, i);
+    NodeMotion& node = work.nodes[i];
+    const Vector3d& n = node.axis;
+    const Vector3d force = -Map<const Vector3d>(residual + 6 * i), moment = -Map<const Vector3d>(residual + 6 * i + 3);
+    const double along = body.mass, across = body.mass + body.added_mass;
+    node.acceleration.head<3>() = force / across + (n.dot(force) * (1.0 / along - 1.0 / across)) * n;
+    node.acceleration.tail<3>() =
+        moment / body.tilt_inertia + (n.dot(moment) * (1.0 / body.spin_inertia - 1.0 / body.tilt_inertia)) * n;
+  }
+  for (int k : held_by_rail) work.nodes.back().acceleration[k] = 0.0;
+}
+
+void multiply_mass(const Model& model, const Stage& stage, const double* x, double* y) noexcept
+{
+  for (int i = 0; i < model.nodes(); ++i)
+  {
+    const Vector6d acceleration = Map<const Vector6d>(x + 6 * i);
+    at_node(y, i) = inertia_force(node_body(model, stage, i), stage.normal[i], Vector3d::Zero(), acceleration, 0.0);
+  }
+  for (int k : held_by_rail) y[6 * model.top() + k] = 0.0;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,60 @@
+#include "drill_rig_sim/model/forces/mud_drag.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace
+{
+/// Coefficients of a node.
+struct Drag
+{
+  double across;  // [N s/m]
+  double along;   // along the string, less what acts across it [N s/m]
+  double torsional;  // [N m s/rad]
+};
+
+Drag drag_of(const StageContext& at, int i) noexcept
+{
+  const MudSpec& mud = at.model.scene().mud;
+  const double length = at.stage.immersed[i] * at.model.mesh().nodes[i].length;
+  const double across = length * mud.lateral_damping;
+  return {across, length * mud.axial_damping - across, length * mud.torsional_damping};
+}
+
+Vector6d force_of(const Drag& drag, const NodeMotion& node) noexcept
+{
+  const Vector3d& n = node.axis;
+  Vector6d out;
+  out.head<3>() = drag.across * node.rate.head<3>() + (drag.along * n.dot(node.rate.head<3>())) * n;
+  out.tail<3>() = (drag.torsional * n.dot(node.rate.tail<3>())) * n;
+  return out;
+}
+
+void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  const double dv_du = at.stage.dv_du;
+  for (int i = 0; i < at.model.nodes(); ++i)
+  {
+    const NodeMotion& node = at.work.nodes[i];
+    const Drag drag = drag_of(at, i);
+    at_node(residual, i) += force_of(drag, node);
+    if (!tangent) continue;
+    auto d = tangent->diagonal(i);
+    const Matrix3d nn = node.axis * node.axis.transpose();
+    d.topLeftCorner<3, 3>() += (dv_du * drag.along) * nn;
+    d.topLeftCorner<3, 3>().diagonal().array() += dv_du * drag.across;
+    d.bottomRightCorner<3, 3>() += (dv_du * drag.torsional) * nn;
+  }
+}
+
+void sample(const StageContext& at, EnergySample& sample) noexcept
+{
+  for (int i = 0; i < at.model.nodes(); ++i) at_node(sample, NodeForce::mud, i) += force_of(drag_of(at, i), at.work.nodes[i]);
+}
+}  // namespace
+
+const Force mud_drag = {"mud drag", Cost::inertia, add, nullptr, sample};
+
+}  // namespace drill_rig_sim

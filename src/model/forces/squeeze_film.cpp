@@ -1,0 +1,50 @@
+#include "drill_rig_sim/model/forces/squeeze_film.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace
+{
+/// [N s/m]; 0 where there is none.
+double damping_of(const StageContext& at, int i) noexcept
+{
+  return at.work.nodes[i].position.z() < 0.0 ? at.model.mesh().nodes[i].squeeze_film_damping : 0.0;
+}
+
+Matrix3d across_hole(const NodeMotion& node) noexcept
+{
+  return Matrix3d::Identity() - node.closest.tangent * node.closest.tangent.transpose();
+}
+
+void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  const double damping = damping_of(at, i);
+  if (damping <= 0.0) return;
+  const NodeMotion& node = at.work.nodes[i];
+  const Matrix3d across = across_hole(node);
+  at_node(residual, i).head<3>() += damping * (across * node.rate.head<3>());
+  if (tangent) tangent->diagonal(i).topLeftCorner<3, 3>() += (at.stage.dv_du * damping) * across;
+}
+
+void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  for (int i = 0; i < at.model.top(); ++i) add_at(at, i, residual, tangent);
+}
+
+void sample(const StageContext& at, EnergySample& sample) noexcept
+{
+  for (int i = 0; i < at.model.top(); ++i)
+    add_at(at, i, sample.force[static_cast<std::size_t>(NodeForce::squeeze_film)].data(), nullptr);
+}
+}  // namespace
+
+const Force squeeze_film = {"squeeze film", Cost::contact, add, nullptr, sample};
+
+void add_film_at_bit(const StageContext& at, double* residual) noexcept
+{
+  add_at(at, 0, residual, nullptr);
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,59 @@
+#include "drill_rig_sim/model/forces/top_drive.h"
+
+#include "drill_rig_sim/rig/top_drive.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+RotorResult rotor_at(const Model& model, const State& start, const Stage& at, double top_spin) noexcept
+{
+  const RotorState rotor{start.drive.speed, start.drive.integral, start.drive.meter_twist};
+  RotorStage stage = at.drive;
+  stage.time = at.time;
+  return solve_rotor(model.scene().rig.top_drive, at.setpoints.top_drive, rotor, stage, top_spin);
+}
+
+void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  const int top = at.model.top();
+  const RotorResult rotor = rotor_at(at.model, at.start, at.stage, at.work.nodes[top].spin);
+  at_node(residual, top)[5] += rotor.meter_torque;
+  if (tangent) tangent->diagonal(top)(5, 5) += rotor.stiffness;
+
+  StageResult& result = at.work.result;
+  result.forces.meter_torque = rotor.meter_torque;
+  result.forces.drive_torque = rotor.motor_torque;
+  result.drive = {at.start.drive.angle + rotor.increment, rotor.state.speed, rotor.state.integral, rotor.state.twist, rotor.limited};
+  result.drive_increment = rotor.increment;
+  result.drive_acceleration = rotor.acceleration;
+}
+
+void store(const StageContext& at, StoredEnergy& energy) noexcept
+{
+  const TopDriveSpec& spec = at.model.scene().rig.top_drive;
+  const DriveState& drive = at.work.result.drive;
+  energy.rotor += 0.5 * spec.inertia * drive.speed * drive.speed;
+  energy.meter += 0.5 * spec.meter_stiffness * drive.meter_twist * drive.meter_twist;
+}
+
+void sample(const StageContext& at, EnergySample& sample) noexcept
+{
+  const StageResult& result = at.work.result;
+  sample.meter_torque = result.forces.meter_torque;
+  sample.drive_torque = result.forces.drive_torque;
+  sample.rotor_speed = result.drive.speed;
+  sample.rotor_inertia = at.model.scene().rig.top_drive.inertia * result.drive_acceleration;
+  sample.rotor_increment = result.drive_increment;
+}
+}  // namespace
+
+const Force top_drive = {"top drive", Cost::rig, add, store, sample};
+
+double drive_increment(const Model& model, const State& start, const Stage& stage, const double* u) noexcept
+{
+  const Eigen::Map<const Eigen::Vector3d> rotation(u + 3);
+  return rotor_at(model, start, stage, rotation.dot(stage.normal.back())).increment;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,119 @@
+#include "drill_rig_sim/model/forces/wall.h"
+
+#include <cmath>
+
+#include "drill_rig_sim/contact/normal_law.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Vector3d;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+namespace
+{
+double radius_of(const StageContext& at, int i) noexcept
+{
+  return at.model.mesh().nodes[i].contact_radius;
+}
+
+WallForce sticking_force(const StageContext& at, int i, Matrix6d* block) noexcept
+{
+  const NodeMotion& node = at.work.nodes[i];
+  ContactMotion motion;
+  motion.position = node.position;
+  motion.displacement = node.increment.head<3>();
+  motion.rotation = node.increment.tail<3>();
+  motion.velocity = node.rate.head<3>();
+  motion.angular_velocity = node.rate.tail<3>();
+  motion.velocity_coefficient = at.stage.dv_du;
+  if (i == 0)  // the bit turns with the motor
+  {
+    motion.rotation += at.stage.bit.motor_turn * node.axis;
+    motion.angular_velocity += at.stage.bit.motor_speed * node.axis;
+  }
+  const Vector3d& bristle = at.start.nodes[i].bristle;
+  return block ? wall_contact(node.closest, radius_of(at, i), motion, bristle, at.model.contact(i), *block)
+               : wall_contact(node.closest, radius_of(at, i), motion, bristle, at.model.contact(i));
+}
+
+WallForce sliding_force(const StageContext& at, int i, Matrix6d* block) noexcept
+{
+  const NodeMotion& node = at.work.nodes[i];
+  Matrix6d unused;
+  return sliding_wall_contact(node.closest, radius_of(at, i), node.position, at.stage.sliding, at.model.contact(i).law,
+                              block ? *block : unused);
+}
+
+using ForceAtNode = WallForce (*)(const StageContext&, int, Matrix6d*) noexcept;
+
+template <ForceAtNode force_at>
+void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  StageResult& result = at.work.result;
+  WallForce f;
+  if (at.work.nodes[i].touches)
+  {
+    Matrix6d block;
+    f = force_at(at, i, tangent ? &block : nullptr);
+    auto r = at_node(residual, i);
+    r.head<3>() -= f.force;
+    r.tail<3>() -= f.moment;
+    if (tangent) tangent->diagonal(i) -= block;
+  }
+  result.bristle[i] = f.bristle;
+  result.forces.contact[i] = f.normal_force;
+  result.forces.wall[i] = f.force;
+  if (i == 0) result.forces.bit_moment = f.moment;
+}
+
+template <ForceAtNode force_at>
+void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  for (int i = 0; i < at.model.top(); ++i) add_at<force_at>(at, i, residual, tangent);
+}
+
+void store(const StageContext& at, StoredEnergy& energy) noexcept
+{
+  for (int i = 0; i < at.model.top(); ++i)
+  {
+    const NodeMotion& node = at.work.nodes[i];
+    energy.bristles += 0.5 * at.model.contact(i).tangential_stiffness * at.work.result.bristle[i].squaredNorm();
+    if (node.touches) energy.wall += elastic_energy(at.model.contact(i).law, -wall_gap(node.closest, node.position, radius_of(at, i)));
+  }
+}
+
+/// The normal force apart: its elastic part is the gradient of the wall's energy, but for its share along a ledge.
+void sample_at(const StageContext& at, int i, EnergySample& sample) noexcept
+{
+  const NodeMotion& node = at.work.nodes[i];
+  const WallForce f = sticking_force(at, i, nullptr);
+  const Vector3d across = node.position - node.closest.centre;
+  const Vector3d outward = across / std::sqrt(across.squaredNorm() + wall_contact_smoothing * wall_contact_smoothing);
+  const double elastic = elastic_force(at.model.contact(i).law, f.penetration);
+  const Vector3d along = (elastic * node.closest.radius_slope) * node.closest.md_gradient;
+  at_node(sample, NodeForce::wall, i).head<3>() += elastic * outward - along;
+  at_node(sample, NodeForce::ledge, i).head<3>() += along;
+  at_node(sample, NodeForce::wall_damping, i).head<3>() += (f.normal_force - elastic) * outward;
+  auto friction = at_node(sample, NodeForce::friction, i);
+  friction.head<3>() -= f.force + f.normal_force * outward;
+  friction.tail<3>() -= f.moment;
+  if (i == 0) sample.gauge_torque = -f.moment.dot(node.axis);
+}
+
+void sample(const StageContext& at, EnergySample& sample) noexcept
+{
+  sample.gauge_torque = 0.0;
+  for (int i = 0; i < at.model.top(); ++i)
+    if (at.work.nodes[i].touches) sample_at(at, i, sample);
+}
+}  // namespace
+
+const Force wall = {"wall", Cost::contact, add<sticking_force>, store, sample};
+const Force sliding_wall = {"sliding wall", Cost::contact, add<sliding_force>, nullptr, nullptr};
+
+void add_wall_at_bit(const StageContext& at, double* residual) noexcept
+{
+  add_at<sticking_force>(at, 0, residual, nullptr);
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,80 @@
+#include "drill_rig_sim/model/stage.h"
+
+#include <algorithm>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/forces/hoisting.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Vector3d;
+
+namespace
+{
+/// What the state says of the step that starts from it.
+void take_start(const Model& model, const State& state, Stage& stage) noexcept
+{
+  for (std::size_t i = 0; i < stage.normal.size(); ++i)
+  {
+    stage.normal[i] = x_axis(state.nodes[i].orientation);
+    stage.immersed[i] = state.nodes[i].position.z() < 0.0 ? 1.0 : 0.0;
+  }
+  for (std::size_t e = 0; e < stage.load.size(); ++e)
+    stage.load[e].z() = -model.element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z());
+}
+
+SlidingMotion sliding_of(FrictionMode mode) noexcept
+{
+  switch (mode)
+  {
+    case FrictionMode::up:
+      return {-1.0, 0.0};
+    case FrictionMode::down:
+      return {1.0, 0.0};
+    case FrictionMode::rotate:
+      return {0.0, 1.0};
+    case FrictionMode::none:
+      break;
+  }
+  return {};
+}
+}  // namespace
+
+Stage::Stage(const Model& model)
+  : rate(model.mesh().nodes.size(), Vector6d::Zero()),
+    acceleration(rate),
+    normal(rate.size(), -Vector3d::UnitZ()),
+    immersed(rate.size(), 0.0),
+    load(model.mesh().elements.size(), Vector3d::Zero())
+{
+}
+
+void begin_step(const Model& model, const State& state, double step, const Setpoints& setpoints, Stage& stage) noexcept
+{
+  stage.structural_damping = model.scene().numerics.structural_damping;
+  stage.setpoints = setpoints;
+  take_start(model, state, stage);
+  move_stage(model, state, step, stage);
+}
+
+void move_stage(const Model& model, const State& state, double time, Stage& stage) noexcept
+{
+  stage.time = time;
+  stage.hoist = time > 0.0 ? advance_hoist(model, state, stage.setpoints, time) : state.hoist;
+  const double motor = state.bit.motor_speed;
+  stage.bit = {motor, time * motor, state.nodes[0].rate.spin + motor, time, false, Vector3d::Zero()};
+}
+
+void begin_static(const Model& model, const State& state, FrictionMode friction, double coefficient, Stage& stage) noexcept
+{
+  stage.time = 0.0;
+  stage.dv_du = coefficient;
+  stage.da_du = coefficient * coefficient;
+  stage.structural_damping = 0.0;
+  stage.sliding = sliding_of(friction);
+  std::fill(stage.rate.begin(), stage.rate.end(), Vector6d::Zero());
+  std::fill(stage.acceleration.begin(), stage.acceleration.end(), Vector6d::Zero());
+  take_start(model, state, stage);
+}
+
+}  // namespace drill_rig_sim

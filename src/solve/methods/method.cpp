@@ -1,0 +1,63 @@
+#include "drill_rig_sim/solve/methods/method.h"
+
+#include <algorithm>
+
+#include "drill_rig_sim/math/rotation.h"
+
+namespace drill_rig_sim
+{
+bool StepContext::solve() noexcept
+{
+  NewtonLimits left = limits;
+  left.max_iterations = std::min(limits.max_iterations, budget - iterations);
+  const NewtonOutcome outcome = newton.solve(at_stage(), u, left);
+  iterations += outcome.iterations;
+  return outcome.converged;
+}
+
+void prepare_start(const State& state, Stage& stage) noexcept
+{
+  stage.dv_du = stage.da_du = 0.0;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+  {
+    stage.rate[i] = in_step_axes(state.nodes[i].rate, stage.normal[i]);
+    stage.acceleration[i].setZero();
+  }
+  constexpr double held = 1e9;  // [1/s]
+  stage.drive = {0.0, held, held * held, 0.0, 0.0};
+}
+
+void predict(const State& state, double time, double* u) noexcept
+{
+  // rate + time/2 times the last acceleration
+  const double bend = state.memory.last_step > 0.0 ? 0.5 * time / state.memory.last_step : 0.0;
+  const std::vector<NodeRate>& before = state.memory.past[last_rate].nodes;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+  {
+    const NodeState& node = state.nodes[i];
+    const NodeRate& a = node.rate;
+    const NodeRate& b = before[i];
+    Eigen::Map<Vector6d> guess(u + 6 * i);
+    guess.head<3>() = time * (a.velocity + bend * (a.velocity - b.velocity));
+    guess.tail<3>() = time * (a.tilt + bend * (a.tilt - b.tilt) + (a.spin + bend * (a.spin - b.spin)) * x_axis(node.orientation));
+  }
+}
+
+void remember_last_rate(const Workspace& work, State& state) noexcept
+{
+  PastQuantity& past = state.memory.past[last_rate];
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+  {
+    const NodeRate& before = state.nodes[i].rate;
+    past.nodes[i] = {before.velocity, carried(work.nodes[i], before.tilt), before.spin};
+  }
+  past.rotor = state.drive.speed;
+}
+
+void remember(const Workspace& work, Vector6d NodeMotion::*vector, double rotor, PastQuantity& past) noexcept
+{
+  for (std::size_t i = 0; i < work.nodes.size(); ++i) past.nodes[i] = split(work.nodes[i], work.nodes[i].*vector);
+  past.rotor = rotor;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,327 @@
+// The tangent of the whole model against finite differences of its residual, in every situation that has terms of its own.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/solve/start.h"
+#include "drill_rig_sim/solve/stepper.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace
+{
+constexpr double kStep = 0.005;
+constexpr double kDifference = 1e-6;  // [m, rad]: penetrations are some 1e-4, round-off of a place 1e-13
+
+/// A rig in a situation, and how many nodes touch the wall in it.
+struct Rig
+{
+  RigAtRest rest;
+  Stepper stepper;
+  Setpoints setpoints;
+
+  explicit Rig(const Scene& scene) : rest(build_at_rest(scene)), stepper(rest.model, *find_method("auto"))
+  {
+    stepper.limits().tolerance = 1e-9;  // on the residual's solution, so that only the tangent is on trial
+  }
+  void run(double seconds)
+  {
+    for (int k = 0; k < std::lround(seconds / kStep); ++k) ASSERT_TRUE(stepper.advance(rest.state, kStep, setpoints));
+  }
+  int contacts()
+  {
+    const auto& contact = stepper.find_forces(rest.state).contact;
+    return static_cast<int>(std::count_if(contact.begin(), contact.end(), [](double f) { return f > 0.0; }));
+  }
+};
+
+/// A stage, and what evaluates it: evaluate() or evaluate_static().
+struct Problem
+{
+  const Model& model;
+  const State& start;
+  decltype(&evaluate) evaluator;
+  Stage stage;
+  Workspace work;
+
+  Problem(const RigAtRest& rig, decltype(&evaluate) how) : model(*rig.model), start(rig.state), evaluator(how), stage(model), work(model) {}
+  void at(const VectorXd& u, VectorXd& residual, BlockTridiagonal* tangent)
+  {
+    evaluator(model, start, stage, u.data(), work, residual.data(), tangent);
+  }
+};
+
+/// The step's tangent at increments u, as a dense matrix.
+MatrixXd dense_tangent(Problem& problem, const VectorXd& u)
+{
+  const int n = problem.model.nodes();
+  BlockTridiagonal t;
+  t.resize(n);
+  VectorXd residual(6 * n);
+  problem.at(u, residual, &t);
+  MatrixXd dense = MatrixXd::Zero(6 * n, 6 * n);
+  for (int i = 0; i < n; ++i)
+  {
+    dense.block<6, 6>(6 * i, 6 * i) = t.diagonal(i);
+    if (i + 1 == n) continue;
+    dense.block<6, 6>(6 * i, 6 * i + 6) = t.upper(i);
+    dense.block<6, 6>(6 * i + 6, 6 * i) = t.lower(i);
+  }
+  return dense;
+}
+
+/// Central difference, fourth order, so that the step can stay far above round-off.
+VectorXd difference(Problem& problem, const VectorXd& u, int column, double h)
+{
+  VectorXd out = VectorXd::Zero(u.size()), residual(u.size());
+  const double at[4] = {-2.0, -1.0, 1.0, 2.0}, weight[4] = {1.0, -8.0, 8.0, -1.0};
+  for (int k = 0; k < 4; ++k)
+  {
+    VectorXd moved = u;
+    moved[column] += at[k] * h;
+    problem.at(moved, residual, nullptr);
+    out += weight[k] / (12.0 * h) * residual;
+  }
+  return out;
+}
+
+/// Largest relative error of a column, over all columns but those of the held top.
+double worst_column(Problem& problem, const VectorXd& u, double h)
+{
+  const MatrixXd tangent = dense_tangent(problem, u);
+  const int top = 6 * problem.model.top();
+  double worst = 0.0;
+  for (int c = 0; c < u.size(); ++c)
+  {
+    if (c >= top && c != top + 2 && c != top + 5) continue;
+    const VectorXd reference = difference(problem, u, c, h);
+    worst = std::max(worst, (tangent.col(c) - reference).norm() / tangent.col(c).norm());
+  }
+  return worst;
+}
+
+/// The next step's increments as predicted; tilts are left out: rotations are exp(tilt) exp(spin n), and the tangent is that of
+/// rotations about the place itself, the derivative wherever the step's tilt is zero.
+VectorXd increments_without_tilt(const Rig& rig)
+{
+  VectorXd u(6 * rig.rest.model->nodes());
+  predict(rig.rest.state, kStep, u.data());
+  for (int i = 0; i < rig.rest.model->nodes(); ++i)
+  {
+    const Vector3d n = x_axis(rig.rest.state.nodes[i].orientation);
+    u.segment<3>(6 * i + 3) = n * n.dot(u.segment<3>(6 * i + 3));
+  }
+  return u;
+}
+
+/// The rig's next step.
+Problem next_step(const Rig& rig)
+{
+  Problem problem(rig.rest, evaluate);
+  begin_step(problem.model, problem.start, kStep, rig.setpoints, problem.stage);
+  prepare_bdf2(problem.start, kStep, problem.stage);
+  return problem;
+}
+
+void expect_exact(const Rig& rig)
+{
+  Problem problem = next_step(rig);
+  EXPECT_LT(worst_column(problem, increments_without_tilt(rig), kDifference), 1e-6);
+}
+
+/// The bit's gauge clear of the hole: centred without clearance it stands on the contact's switch.
+Scene drilling_clear()
+{
+  Scene scene = drilling_scene(0.002);
+  scene.string[0].diameter = 0.21;
+  return scene;
+}
+
+/// Built evenly all the way.
+Scene built()
+{
+  return scene_in(build_and_hold(0.0, 0.1 * degree, 40.0 * degree, 2.0, 400.0), 400.0, 300.0, 0.3);
+}
+}  // namespace
+
+TEST(ModelTangent, hangingFreeAndTurning)
+{
+  Scene scene = vertical_scene(100.0, 60.0);
+  scene.string[0].diameter = 0.21;
+  Rig rig(scene);
+  rig.setpoints.top_drive.speed = 60.0 * rpm;
+  rig.run(2.0);
+  EXPECT_EQ(rig.contacts(), 0);
+  expect_exact(rig);
+}
+
+TEST(ModelTangent, inContactAndSticking)
+{
+  Rig rig(slanted_scene(60.0, 0.5));
+  rig.run(3.0);
+  EXPECT_GT(rig.contacts(), 4);
+  double slip = 0.0;
+  for (const NodeState& node : rig.rest.state.nodes) slip = std::max(slip, node.rate.velocity.norm());
+  EXPECT_LT(slip, 1e-3) << "is at rest";
+  expect_exact(rig);
+}
+
+TEST(ModelTangent, inContactAndSlidingDown)
+{
+  Rig rig(slanted_scene(60.0, 0.3));
+  rig.setpoints.winch = {-0.2, false};
+  rig.run(3.0);
+  EXPECT_GT(rig.contacts(), 4);
+  expect_exact(rig);
+}
+
+TEST(ModelTangent, inContactSlidingAndTurningWithStribeckFriction)
+{
+  Scene scene = slanted_scene(60.0, 0.3);
+  scene.contact.static_ratio = 1.3;
+  scene.contact.stribeck_speed = 0.3;
+  Rig rig(scene);
+  rig.setpoints.winch = {-0.1, false};
+  rig.setpoints.top_drive.speed = 20.0 * rpm;
+  rig.run(6.0);
+  EXPECT_GT(rig.contacts(), 4);
+  expect_exact(rig);
+}
+
+TEST(ModelTangent, inACurvedHole)
+{
+  Rig rig(built());
+  rig.setpoints.winch = {-0.2, false};
+  rig.setpoints.top_drive.speed = 60.0 * rpm;
+  rig.run(3.0);
+  EXPECT_GT(rig.contacts(), 10);
+  expect_exact(rig);
+}
+
+TEST(ModelTangent, drillingOnBottom)
+{
+  for (const BitTorqueModel model : {BitTorqueModel::stribeck, BitTorqueModel::detournay})
+  {
+    Scene scene = drilling_clear();
+    scene.string[0].torque.model = model;
+    scene.formation[0].weight_exponent = 1.3;
+    scene.formation[0].drillability = 3e-9;
+    Rig rig(scene);
+    rig.setpoints.top_drive.speed = 90.0 * rpm;
+    rig.run(1.0);
+    rig.setpoints.winch = {-0.012, false};
+    rig.run(7.0);  // drills less than the bit is high: the hole about it stays wider than the gauge
+    EXPECT_GT(rig.stepper.find_forces(rig.rest.state).wob, 1000.0);
+    expect_exact(rig);
+  }
+}
+
+TEST(ModelTangent, bitStuckInTheRock)
+{
+  Rig rig(drilling_clear());
+  rig.setpoints.winch = {-0.012, false};
+  rig.run(5.0);
+  EXPECT_GT(rig.stepper.find_forces(rig.rest.state).wob, 1000.0);
+  expect_exact(rig);
+}
+
+TEST(ModelTangent, motorTurningBehindABentHousing)
+{
+  Rig rig(motor_drilling_scene(0.002));
+  rig.setpoints.top_drive.speed = 50.0 * rpm;
+  rig.rest.state.flow = 0.03;
+  rig.run(1.0);
+  rig.setpoints.winch = {-0.012, false};
+  rig.run(6.0);
+  EXPECT_GT(rig.rest.state.bit.motor_speed, 1.0);
+  EXPECT_GT(rig.contacts(), 0);
+  expect_exact(rig);
+}
+
+TEST(ModelTangent, stuckPoint)
+{
+  Rig rig(slanted_scene(60.0, 0.3));
+  rig.run(1.0);
+  NodeState& held = rig.rest.state.nodes[3];
+  rig.rest.state.stuck_point = {3, held.position, held.spin_angle};
+  rig.setpoints.winch = {0.1, false};
+  rig.setpoints.top_drive.speed = 30.0 * rpm;
+  rig.run(1.5);
+  expect_exact(rig);
+}
+
+TEST(ModelTangent, statics)
+{
+  for (const FrictionMode mode : {FrictionMode::none, FrictionMode::up, FrictionMode::rotate})
+  {
+    RigAtRest rig = build_at_rest(built());
+    Problem problem(rig, evaluate_static);
+    begin_static(problem.model, problem.start, mode, 0.0, problem.stage);
+    const VectorXd u = VectorXd::Zero(6 * rig.model->nodes());
+    // both of the top's coordinates are held here
+    const MatrixXd tangent = dense_tangent(problem, u);
+    for (int c = 0; c < u.size() - 6; ++c)
+      EXPECT_LT((tangent.col(c) - difference(problem, u, c, kDifference)).norm(), 1e-6 * tangent.col(c).norm())
+          << "column " << c;
+  }
+}
+
+// A motion given outright meets the same forces as the same motion through a stage, but for the rig's on the top node.
+TEST(ModelTangent, aMotionGivenOutrightMeetsTheSameForces)
+{
+  Rig rig(slanted_scene(60.0, 0.3));
+  rig.setpoints.winch = {-0.2, false};
+  rig.run(3.0);
+  Problem problem(rig.rest, evaluate);
+  const State& state = rig.rest.state;
+  begin_step(problem.model, state, kStep, rig.setpoints, problem.stage);
+  prepare_start(state, problem.stage);
+  const int n = problem.model.nodes();
+  VectorXd by_stage(6 * n), outright(6 * n), contact(6 * n);
+  problem.at(VectorXd::Zero(6 * n), by_stage, nullptr);
+  GivenMotion motion;
+  for (int i = 0; i < n; ++i)
+  {
+    const NodeState& node = state.nodes[i];
+    motion.nodes.push_back({node.position, node.orientation, Vector6d::Zero(), in_step_axes(node.rate, x_axis(node.orientation))});
+  }
+  motion.bit = motion.nodes.front();
+  evaluate_motion(problem.model, state, problem.stage, motion, problem.work, outright.data(), contact.data(), nullptr, nullptr);
+  outright += contact;
+  const double scale = outright.head(6 * (n - 1)).cwiseAbs().maxCoeff();
+  EXPECT_GT(scale, 100.0);
+  // what a stage adds: the gyroscopic moment of tilting while turning, 1e-4 N m here
+  EXPECT_LT((by_stage - outright).head(6 * (n - 1)).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+// Within a step the tilt is small, and the tangent's error with it: the axis of spin leans by the tilt, so that the column of
+// spin gets that share of the bending stiffness, 4 E I/(G J) = 4 (1 + nu) = 5.2 times the torsional one.
+TEST(ModelTangent, errorGrowsNoFasterThanTheTiltOfTheStep)
+{
+  Rig rig(drilling_clear());
+  rig.run(0.1);
+  VectorXd u = increments_without_tilt(rig);
+  std::mt19937 random(1);
+  std::normal_distribution<double> g;
+  const double tilt = 1e-4;
+  for (int i = 0; i + 1 < rig.rest.model->nodes(); ++i)
+  {
+    const Vector3d n = x_axis(rig.rest.state.nodes[i].orientation);
+    const Vector3d v(g(random), g(random), g(random));
+    u.segment<3>(6 * i + 3) += tilt * (v - n * n.dot(v)).normalized();
+  }
+  Problem problem = next_step(rig);
+  EXPECT_LT(worst_column(problem, u, kDifference), 5.2 * tilt);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
