@@ -143,7 +143,7 @@ FrameStatus Simulator::frame(double duration) noexcept
     mechanics.flow = impl_->state.setpoints.pump.flow;
     if (!impl_->integrator->advance(mechanics, duration / steps, impl_->state.setpoints))
     {
-      impl_->failure = "the step could not be solved even in parts of 1/32: time stands at the last good state; reset the well or restore a state";
+      impl_->failure = impl_->integrator->failure();
       return FrameStatus::failed;
     }
     drilled += mechanics.bit.rock_velocity.norm() * duration / steps;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "drill_rig_sim/math/block_tridiagonal.h"
 #include "drill_rig_sim/solve/kinsol_equilibrium.h"
@@ -14,6 +15,7 @@ constexpr double kFirstCoefficient = 100.0;  // c at the start: inertia of 10 ms
 constexpr double kLastCoefficient = 0.01;    // below this inertia is gone beside every stiffness [1/s]
 constexpr double kLongMove = 0.02;           // a longer increment is cut, and c stays [m, rad]
 constexpr int kMaxContinuation = 400;
+constexpr int kMaxNewton = 100;
 constexpr double kTolerance = 1e-3;          // residual: round-off of a kilometre of steel is 1e-4 [N, N m]
 
 double largest(const std::vector<double>& values)
@@ -24,7 +26,7 @@ double largest(const std::vector<double>& values)
 }
 
 /// Steps of pseudo-time, each one Newton iteration from rest; returns the iterations used.
-int continuation(System& system, SystemState& state, FrictionMode friction)
+int continuation(System& system, SystemState& state, FrictionMode friction, int most)
 {
   const int n = system.nodes();
   BlockTridiagonal tangent;
@@ -32,7 +34,7 @@ int continuation(System& system, SystemState& state, FrictionMode friction)
   const std::vector<double> origin(6 * n, 0.0);
   std::vector<double> move(6 * n), residual(6 * n);
   double c = kFirstCoefficient;
-  for (int k = 0; k < kMaxContinuation; ++k)
+  for (int k = 0; k < most; ++k)
   {
     system.begin_static(state, friction, c);
     system.evaluate(origin.data(), move.data(), &tangent);
@@ -46,7 +48,26 @@ int continuation(System& system, SystemState& state, FrictionMode friction)
     if (scale == 1.0) c = std::max(0.5 * c, 0.5 * kLastCoefficient);
     else c = std::min(1.5 * c, kFirstCoefficient);
   }
-  return kMaxContinuation;
+  return most;
+}
+
+/// What rounding the nodes' places leaves of a residual, the largest over the elements: places are known to eps times themselves, and an
+/// element answers with its stiffness, along its chord and across it [N].
+double round_off(const Mesh& mesh, const SystemState& state)
+{
+  double most = 0.0;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+  {
+    const BeamSection& section = mesh.elements[e].section;
+    const Eigen::Array3d lower = state.nodes[e].position.array(), upper = state.nodes[e + 1].position.array();
+    const Eigen::Array3d error = 2.0 * std::numeric_limits<double>::epsilon() * lower.abs().max(upper.abs());
+    const Eigen::Array3d chord = (lower - upper).abs() / section.length;
+    const double along = (chord * error).sum();
+    const double across = (error * (1.0 - chord * chord).max(0.0).sqrt()).matrix().norm();
+    const double shear = 2.0 * (section.bending_near + section.bending_far) / (section.length * section.length);
+    most = std::max(most, section.axial / section.length * along + shear * across);
+  }
+  return most;
 }
 
 void clear_motion(SystemState& state)
@@ -62,10 +83,10 @@ void clear_motion(SystemState& state)
 
 }  // namespace
 
-StaticOutcome solve_static(System& system, SystemState& state, FrictionMode friction)
+StaticOutcome solve_static(System& system, SystemState& state, FrictionMode friction, int most_iterations)
 {
   StaticOutcome out;
-  out.iterations = continuation(system, state, friction);
+  out.iterations = continuation(system, state, friction, std::min(kMaxContinuation, most_iterations));
 
   BlockTridiagonal tangent;
   tangent.resize(system.nodes());
@@ -79,12 +100,12 @@ StaticOutcome solve_static(System& system, SystemState& state, FrictionMode fric
   };
   system.begin_static(state, friction);
   std::vector<double> u(6 * system.nodes(), 0.0);
-  const KinsolOutcome finished = kinsol_solve(problem, kTolerance, u);
+  const KinsolOutcome finished = kinsol_solve(problem, kTolerance, std::min(kMaxNewton, most_iterations - out.iterations), u);
   system.evaluate(u.data(), scratch.data(), nullptr);
   system.finish(state);
   clear_motion(state);
 
-  out.converged = finished.converged;
+  out.converged = finished.converged || finished.residual <= round_off(system.mesh(), state);
   out.iterations += finished.iterations;
   out.residual = finished.residual;
   out.top_force = system.top_force();

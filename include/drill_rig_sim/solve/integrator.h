@@ -37,6 +37,11 @@ public:
   virtual bool keep_balance(EnergyBalance* balance) noexcept { return balance == nullptr; }
 
   const StepperCounters& counters() const noexcept { return counters_; }
+  /// Why the last advance() could not, one line.
+  virtual const char* failure() const noexcept
+  {
+    return "the step could not be solved even in parts of 1/32: time stands at the last good state; reset the well or restore a state";
+  }
   /// Local error of the last step's positions, as the method estimates it [m]; 0 where it does not.
   double error_estimate() const noexcept { return error_estimate_; }
   /// Of the reference; null for the others.
