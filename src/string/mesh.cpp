@@ -5,84 +5,13 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cuts.h"
 #include "drill_rig_sim/math/units.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-constexpr double kShortestJoint = 0.5;  // a shorter rest of the fill is added to the joint below [m]
-
-/// A place where an element ends.
-struct Cut
-{
-  double from_bit;
-  double contact_radius;
-  int part;  // of the element that ends here from below
-  int joint;
-  bool joint_end;
-};
-
-double joint_end_diameter(const PartSpec& part)
-{
-  return part.type == PartType::pipe ? std::max(part.tool_joint_diameter, part.outer_diameter) : part.outer_diameter;
-}
-
-/// Even cuts of one joint, its upper end included.
-void cut_joint(const PartSpec& part, int index, int joint, double lower, double upper, double longest, std::vector<Cut>& cuts)
-{
-  const int count = std::max(1, static_cast<int>(std::ceil((upper - lower) / longest - 1e-9)));
-  for (int k = 1; k <= count; ++k)
-  {
-    const bool end = k == count;
-    cuts.push_back({lower + (upper - lower) * k / count, 0.5 * (end ? joint_end_diameter(part) : part.outer_diameter), index, joint, end});
-  }
-}
-
-/// A joint that has a special place inside: bend or blade.
-void cut_joint_at(const PartSpec& part, int index, double lower, double place, double upper, double radius, double longest,
-                  std::vector<Cut>& cuts)
-{
-  cut_joint(part, index, 0, lower, place, longest, cuts);
-  cuts.back().contact_radius = radius;
-  cuts.back().joint_end = false;
-  cut_joint(part, index, 0, place, upper, longest, cuts);
-}
-
-std::vector<double> joint_lengths(const PartSpec& part, double rest)
-{
-  if (part.joints > 0) return std::vector<double>(part.joints, part.joint_length);
-  if (rest < kShortestJoint)
-  {
-    std::ostringstream message;
-    message << "string: part '" << part.name << "' fills up to the surface, but the parts below it leave only " << rest
-            << " m; at least " << kShortestJoint << " m are needed";
-    throw std::runtime_error(message.str());
-  }
-  std::vector<double> lengths(static_cast<std::size_t>(rest / part.joint_length), part.joint_length);
-  const double last = rest - part.joint_length * lengths.size();
-  if (last >= kShortestJoint || lengths.empty())
-    lengths.push_back(last);
-  else
-    lengths.back() += last;
-  return lengths;
-}
-
-void cut_part(const PartSpec& part, int index, double lower, const std::vector<double>& lengths, double longest, std::vector<Cut>& cuts)
-{
-  const double upper = lower + lengths.front();
-  if (part.type == PartType::mud_motor && part.bend != 0.0)
-    cut_joint_at(part, index, lower, part.bit_to_bend, upper, 0.5 * part.outer_diameter, longest, cuts);
-  else if (part.type == PartType::stabilizer)
-    cut_joint_at(part, index, lower, 0.5 * (lower + upper), upper, 0.5 * part.blade_diameter, longest, cuts);
-  else
-    for (std::size_t j = 0; j < lengths.size(); ++j)
-    {
-      cut_joint(part, index, static_cast<int>(j), lower, lower + lengths[j], longest, cuts);
-      lower += lengths[j];
-    }
-}
-
 MeshElement make_element(const PartSpec& part, int index, double lower, double upper, double mass)
 {
   MeshElement e;
@@ -115,6 +44,14 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
   }
 }
 
+[[noreturn]] void refuse_rest(const PartSpec& part, double rest)
+{
+  std::ostringstream message;
+  message << "string: part '" << part.name << "' fills up to the surface, but the parts below it leave only " << rest << " m; at least "
+          << shortest_joint << " m are needed";
+  throw std::runtime_error(message.str());
+}
+
 }  // namespace
 
 Mesh build_mesh(const Scene& scene, double total_length)
@@ -134,6 +71,7 @@ Mesh build_mesh(const Scene& scene, double total_length)
   {
     const PartSpec& part = scene.string[p];
     const std::vector<double> lengths = joint_lengths(part, total_length - top);
+    if (lengths.empty()) refuse_rest(part, total_length - top);
     mesh.part_bottom.push_back(top);
     cut_part(part, static_cast<int>(p), top, lengths, scene.numerics.element_length, cuts);
     for (double length : lengths) top += length;
