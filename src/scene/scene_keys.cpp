@@ -1,23 +1,18 @@
 #include "scene_keys.h"
 
-#include <algorithm>
-
 namespace drill_rig_sim
 {
 const std::vector<const char*> part_type_words = {"bit", "mud_motor", "collar", "stabilizer", "mwd", "pipe"};
 const std::vector<const char*> bit_torque_words = {"stribeck", "detournay"};
+const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybrid", "beam3d", "auto"};
+const std::vector<const char*> integrator_words = {"auto",   "bdf2",              "implicit_euler", "linearly_implicit_euler",
+                                                   "trbdf2", "generalised_alpha", "explicit",       "arkode_dirk",
+                                                   "ida"};
+const std::vector<const char*> element_words = {"auto", "corotational", "geometrically_exact", "rotation_vector"};
 
 namespace
 {
 const std::vector<const char*> connections_words = {"off", "auto"};
-const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybrid", "beam3d", "auto"};
-const std::vector<const char*> element_words = {"auto", "corotational", "geometrically_exact", "rotation_vector"};
-
-int place_of(const std::string& word, const std::vector<const char*>& words)
-{
-  return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
-}
-
 constexpr unsigned bit = kind(PartType::bit), motor = kind(PartType::mud_motor), stabilizer = kind(PartType::stabilizer),
                    mwd = kind(PartType::mwd), pipe = kind(PartType::pipe);
 constexpr unsigned tube = every_kind & ~bit;
@@ -196,15 +191,15 @@ const Table<StartSpec> start_keys = {"start", "At rest, in static equilibrium, w
 }};
 
 const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are solved.", {
-  {"level",                 "",       Choice<NumericsSpec>{level_words,
-                                        [](NumericsSpec& n, int word) { n.level = level_words[static_cast<std::size_t>(word)]; },
-                                        [](const NumericsSpec& n) { return place_of(n.level, level_words); }},
+  {"level",                 "",       Choice<NumericsSpec>{level_words, [](NumericsSpec& n, int word) { n.level = static_cast<Level>(word); },
+                                               [](const NumericsSpec& n) { return static_cast<int>(n.level); }},
                                                                            none,                 "which motions are modelled"},
-  {"integrator",            "",       &NumericsSpec::integrator,           none,                 "name of a stepper, or auto"},
-  {"element",               "",       Choice<NumericsSpec>{element_words,
-                                        [](NumericsSpec& n, int word) { n.element = element_words[static_cast<std::size_t>(word)]; },
-                                        [](const NumericsSpec& n) { return place_of(n.element, element_words); }},
-                                                                           none,                 "kind of beam element, or auto; rotation_vector fails when the string's top has made a full turn"},
+  {"integrator",            "",       Choice<NumericsSpec>{integrator_words, [](NumericsSpec& n, int word) { n.integrator = static_cast<IntegratorKind>(word); },
+                                               [](const NumericsSpec& n) { return static_cast<int>(n.integrator); }},
+                                                                           none,                 "method of time integration"},
+  {"element",               "",       Choice<NumericsSpec>{element_words, [](NumericsSpec& n, int word) { n.element = static_cast<ElementKind>(word); },
+                                               [](const NumericsSpec& n) { return static_cast<int>(n.element); }},
+                                                                           none,                 "kind of beam element; rotation_vector fails when the string's top has made a full turn"},
   {"step",                  "s",      &NumericsSpec::step,                 between(1e-5, 0.05),  "physics step"},
   {"element_length",        "m",      &NumericsSpec::element_length,       between(0.1, 50.0),   "longest element"},
   {"tolerance",             "-",      &NumericsSpec::tolerance,            between(1e-6, 0.5),   "relative, of the scene's outputs; level auto"},

@@ -189,12 +189,22 @@ bool is_name(const std::string& text)
                      { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; });
 }
 
+ProblemList unavailable(const Scene& scene)
+{
+  ProblemList problems;
+  if (scene.numerics.level != Level::beam3d && scene.numerics.level != Level::automatic)
+    problems.emplace_back("numerics.level", "this level is not available yet, allowed: beam3d or auto");
+  if (scene.connections == Connections::automatic) problems.emplace_back("connections", "auto is not available yet, allowed: off");
+  return problems;
+}
+
 ProblemList scene_problems(const Scene& scene)
 {
   ProblemList problems;
   if (!is_name(scene.name)) problems.emplace_back("name", not_a_name);
   append(problems, well_problems(scene.well));
   append(problems, trajectory_problems(scene.trajectory));
+  append(problems, unavailable(scene));
   check_formation(scene.formation, problems);
   check_part_names(scene.string, problems);
   append(problems, string_problems(scene.string, scene.start.bit_depth + scene.start.block_height, scene.numerics.element_length));

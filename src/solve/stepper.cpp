@@ -11,24 +11,24 @@ namespace drill_rig_sim
 const std::vector<Method>& method_table()
 {
   static const std::vector<Method> table = {
-      {"bdf2", "BDF2, second order, L-stable, one solve a step, halved where the motion changes fast (default)", step_bdf2, false, true,
+      {IntegratorKind::bdf2, "bdf2", "BDF2, second order, L-stable, one solve a step, halved where the motion changes fast (default)", step_bdf2, false, true,
        nullptr},
-      {"implicit_euler", "implicit Euler, first order, L-stable", step_implicit_euler, false, false, nullptr},
-      {"linearly_implicit_euler", "linearly implicit Euler, first order, one solve without iteration", step_linearly_implicit_euler,
+      {IntegratorKind::implicit_euler, "implicit_euler", "implicit Euler, first order, L-stable", step_implicit_euler, false, false, nullptr},
+      {IntegratorKind::linearly_implicit_euler, "linearly_implicit_euler", "linearly implicit Euler, first order, one solve without iteration", step_linearly_implicit_euler,
        false, false, nullptr},
-      {"trbdf2", "TR-BDF2, second order, L-stable, two solves a step", step_trbdf2, true, false, nullptr},
-      {"generalised_alpha", "generalised alpha, second order, spectral radius 1/2 at infinity", step_generalised_alpha, true, false,
+      {IntegratorKind::trbdf2, "trbdf2", "TR-BDF2, second order, L-stable, two solves a step", step_trbdf2, true, false, nullptr},
+      {IntegratorKind::generalised_alpha, "generalised_alpha", "generalised alpha, second order, spectral radius 1/2 at infinity", step_generalised_alpha, true, false,
        remember_generalised_alpha},
-      {"explicit", "central differences, second order, short steps only", step_explicit, true, false, nullptr},
+      {IntegratorKind::central_differences, "explicit", "central differences, second order, short steps only", step_explicit, true, false, nullptr},
   };
   return table;
 }
 
-const Method* find_method(const std::string& name)
+const Method& find_method(IntegratorKind kind) noexcept
 {
   for (const Method& method : method_table())
-    if (name == method.name || name == "auto") return &method;
-  return nullptr;
+    if (kind == method.kind) return method;
+  return method_table().front();
 }
 
 void predict(const SystemState& state, double time, double* u) noexcept

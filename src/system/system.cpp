@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/math/rotation.h"
@@ -16,17 +15,10 @@ using Eigen::Vector3d;
 namespace
 {
 constexpr int held_by_rail[] = {0, 1, 3, 4};  // of the top node in dynamics
-
-const BeamKind& beam_of(const Scene& scene)
-{
-  const BeamKind* kind = find_beam(scene.numerics.element);
-  if (!kind) throw std::runtime_error("numerics.element: '" + scene.numerics.element + "' is not known");
-  return *kind;
-}
 }  // namespace
 
 System::System(const Scene& scene, Mesh mesh)
-  : scene_(scene), mesh_(std::move(mesh)), beam_(beam_of(scene)), formation_(scene.formation)
+  : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), formation_(scene.formation)
 {
   const std::size_t n = mesh_.nodes.size();
   contact_.assign(n, scene.contact);

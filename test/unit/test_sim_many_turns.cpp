@@ -48,7 +48,7 @@ void run(RigAtRest& rig, Stepper& stepper, double speed, double seconds)
 TEST(ManyTurns, leaveTheTwistAsItWas)
 {
   RigAtRest rig = build_at_rest(spinning_scene());
-  Stepper stepper(*rig.system, *find_method("auto"));
+  Stepper stepper(*rig.system, find_method(IntegratorKind::automatic));
   const double speed = 1200.0 * rpm;
   run(rig, stepper, speed, 60.0);
   const std::vector<double> before = twist_rates(rig);
@@ -73,7 +73,7 @@ TEST(ManyTurns, leaveNoTwistBehindAtRest)
   Scene scene = spinning_scene();
   scene.numerics.structural_damping = 2e-3;
   RigAtRest rig = build_at_rest(scene);
-  Stepper stepper(*rig.system, *find_method("auto"));
+  Stepper stepper(*rig.system, find_method(IntegratorKind::automatic));
   run(rig, stepper, 1200.0 * rpm, 500.0);
   run(rig, stepper, 0.0, 200.0);
   EXPECT_GT(rig.state.nodes[0].spin_angle / (2.0 * pi), 0.99e4);

@@ -26,7 +26,7 @@ struct Rig
   Stepper stepper;
   Setpoints setpoints;
 
-  explicit Rig(const Scene& scene) : rest(build_at_rest(scene)), stepper(*rest.system, *find_method("auto"))
+  explicit Rig(const Scene& scene) : rest(build_at_rest(scene)), stepper(*rest.system, find_method(IntegratorKind::automatic))
   {
     stepper.limits().tolerance = 1e-9;  // on the residual's solution, so that only the tangent is on trial
   }

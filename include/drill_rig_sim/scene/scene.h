@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/numerics_spec.h"
 
 /// What the user asked for: plain structs that mirror the scene file key by key.
 /// Units are SI and radians throughout; a YAML key that ends in `_deg` or `_rpm` loses that suffix here and
@@ -188,22 +189,6 @@ struct StartSpec
   double weight_on_bit = 0.0;  ///< [N]
   double torque_on_bit = 0.0;  ///< [N m]
   double toolface = 0.0;       ///< of the bend, after the equilibrium [rad]
-};
-
-struct NumericsSpec
-{
-  std::string level = "beam3d";     ///< rigid | axial_torsional | hybrid | beam3d | auto
-  std::string integrator = "auto";  ///< name in the stepper table, or auto
-  std::string element = "auto";     ///< corotational | geometrically_exact | rotation_vector | auto
-  double step = 0.01;               ///< [s]; test/benchmark: shorter ones gain little on elements as long as a joint
-  double element_length = 9.5;      ///< longest element [m]
-  double tolerance = 0.01;          ///< relative, of the scene's outputs; level auto only
-  double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]
-  int reference_order = 2;          ///< integrator ida: highest order; 2 is the last that damps every oscillation (A-stable)
-  int reference_index = 2;          ///< integrator ida: 2 with both levels of constraints, 3 to show how it fails
-  double newton_tolerance = 1e-6;   ///< error that Newton's iteration may leave in a step's increments [m, rad]
-  double structural_damping =
-      1e-4;  ///< stiffness-proportional, axial and torsional: stress = E (strain + value * strain rate) [s]
 };
 
 struct SensorSpec

@@ -55,6 +55,7 @@ protected:
 /// What `numerics.integrator` can name.
 struct IntegratorEntry
 {
+  IntegratorKind kind;
   const char* name;
   const char* description;
 };
@@ -62,12 +63,12 @@ struct IntegratorEntry
 /// All integrators, the default first.
 const std::vector<IntegratorEntry>& integrator_table();
 
-/// Builds an integrator of the table ("auto": the default) for a rig and the state it starts from.
-/// Throws std::runtime_error with one line (what, what is allowed) for an unknown name or a scene that it cannot integrate.
-std::unique_ptr<Integrator> make_integrator(const std::string& name, System& system, const SystemState& start);
+/// Builds an integrator of the table for a rig and the state it starts from.
+/// Throws std::runtime_error with one line (what, what is allowed) for a scene that it cannot integrate.
+std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, System& system, const SystemState& start);
 
-/// The table's name for `name`: resolves "auto".
-const char* integrator_name(const std::string& name);
+/// The table's entry; automatic: the default's.
+const IntegratorEntry& find_integrator(IntegratorKind kind) noexcept;
 
 }  // namespace drill_rig_sim
 

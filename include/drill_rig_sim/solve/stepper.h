@@ -31,6 +31,7 @@ struct StepContext
 /// A fixed-step method. A new one is a function in a file of its own and a line in method_table().
 struct Method
 {
+  IntegratorKind kind;
   const char* name;
   const char* description;
   /// Takes one step: on success the system is left at its end, settled, ready for finish(). False: not solvable.
@@ -48,8 +49,8 @@ struct Method
 constexpr double largest_local_error = 1e-4;
 
 const std::vector<Method>& method_table();
-/// Null for an unknown name; "auto" is the default method.
-const Method* find_method(const std::string& name);
+/// The table's method; automatic, and what is no method of the table: the first, the default.
+const Method& find_method(IntegratorKind kind) noexcept;
 
 /// The stage at the start of the step itself: u = 0 has the state's rates, accelerations are zero, the rotor is held.
 void prepare_start(const SystemState& state, Stage& stage) noexcept;

@@ -94,7 +94,6 @@ struct SystemForces
 class System
 {
 public:
-  /// Throws std::runtime_error for an unknown `numerics.element`.
   System(const Scene& scene, Mesh mesh);
   System(const System&) = delete;
   System& operator=(const System&) = delete;

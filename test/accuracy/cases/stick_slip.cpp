@@ -66,7 +66,7 @@ Scene one_degree_scene(const OneDegree& c, double stribeck_speed, double step)
 Cycle measured(const OneDegree& c, double stribeck_speed, double step)
 {
   RigAtRest rig = build_at_rest(one_degree_scene(c, stribeck_speed, step));
-  Stepper stepper(*rig.system, *find_method("bdf2"));
+  Stepper stepper(*rig.system, find_method(IntegratorKind::bdf2));
   stepper.limits().tolerance = 1e-11;
   Setpoints turn;
   turn.top_drive.speed = c.speed;
