@@ -8,6 +8,7 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/hoisting.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim

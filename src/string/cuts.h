@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/string/part.h"
 
 namespace drill_rig_sim
 {

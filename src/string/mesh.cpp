@@ -54,10 +54,11 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
 
 }  // namespace
 
-Mesh build_mesh(const Scene& scene, double total_length)
+Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, double element_length,
+                double total_length)
 {
   Mesh mesh;
-  const PartSpec& bit = scene.string.front();
+  const PartSpec& bit = parts.front();
   mesh.total_length = total_length;
   mesh.bit_radius = 0.5 * bit.diameter;
   mesh.bit_mass = bit.mass;
@@ -67,13 +68,13 @@ Mesh build_mesh(const Scene& scene, double total_length)
   double top = bit.length;
   mesh.part_bottom.push_back(0.0);
   mesh.part_top.push_back(top);
-  for (std::size_t p = 1; p < scene.string.size(); ++p)
+  for (std::size_t p = 1; p < parts.size(); ++p)
   {
-    const PartSpec& part = scene.string[p];
+    const PartSpec& part = parts[p];
     const std::vector<double> lengths = joint_lengths(part, total_length - top);
     if (lengths.empty()) refuse_rest(part, total_length - top);
     mesh.part_bottom.push_back(top);
-    cut_part(part, static_cast<int>(p), top, lengths, scene.numerics.element_length, cuts);
+    cut_part(part, static_cast<int>(p), top, lengths, element_length, cuts);
     for (double length : lengths) top += length;
     mesh.part_top.push_back(top);
     if (part.type == PartType::mwd) mesh.sensor_from_bit = mesh.part_bottom.back() + part.sensor_offset;
@@ -89,15 +90,15 @@ Mesh build_mesh(const Scene& scene, double total_length)
   MeshNode first;
   first.from_bit = mesh.bit_radius;
   first.contact_radius = mesh.bit_radius;
-  first.contact = bit.has_contact ? bit.contact : scene.contact.law;
+  first.contact = bit.has_contact ? bit.contact : contact;
   first.mass = bit.mass;
   first.squeeze_film_damping = bit.squeeze_film_damping;
-  first.added_mass = scene.mud.added_mass * scene.mud.density * mesh.bit_displaced;
+  first.added_mass = mud.added_mass * mud.density * mesh.bit_displaced;
   first.spin_inertia = first.tilt_inertia = 0.4 * bit.mass * mesh.bit_radius * mesh.bit_radius;
   mesh.nodes.push_back(first);
   for (const Cut& cut : cuts)
   {
-    const PartSpec& part = scene.string[cut.part];
+    const PartSpec& part = parts[cut.part];
     const double lower = mesh.nodes.back().from_bit;
     // the bit's own length carries no mass of the part above it
     const double mass = part.linear_mass * (cut.from_bit - std::max(lower, bit.length));
@@ -105,7 +106,7 @@ Mesh build_mesh(const Scene& scene, double total_length)
     MeshNode node;
     node.from_bit = cut.from_bit;
     node.contact_radius = cut.contact_radius;
-    node.contact = part.has_contact ? part.contact : scene.contact.law;
+    node.contact = part.has_contact ? part.contact : contact;
     node.part = cut.part;
     node.joint = cut.joint;
     node.joint_end = cut.joint_end;
@@ -117,7 +118,7 @@ Mesh build_mesh(const Scene& scene, double total_length)
       element.bend = part.bend;
       element.upper_end = Eigen::Quaterniond(Eigen::AngleAxisd(part.bend, Eigen::Vector3d::UnitZ()));
     }
-    lump(element, part, scene.mud, mesh.nodes.back(), node);
+    lump(element, part, mud, mesh.nodes.back(), node);
     mesh.elements.push_back(element);
     mesh.nodes.push_back(node);
   }
@@ -125,7 +126,7 @@ Mesh build_mesh(const Scene& scene, double total_length)
   for (std::size_t i = 1; i + 1 < mesh.nodes.size(); ++i)
     if (mesh.nodes[i].joint_end)
       mesh.nodes[i].contact_radius =
-          std::max(mesh.nodes[i].contact_radius, 0.5 * joint_end_diameter(scene.string[mesh.nodes[i + 1].part]));
+          std::max(mesh.nodes[i].contact_radius, 0.5 * joint_end_diameter(parts[mesh.nodes[i + 1].part]));
   return mesh;
 }
 

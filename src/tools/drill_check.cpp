@@ -4,8 +4,8 @@
 #include "drill_command.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/simulator.h"
-#include "drill_rig_sim/string/mesh.h"
 #include "drill_scene.h"
 
 namespace drill_rig_sim

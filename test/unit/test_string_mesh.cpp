@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "drill_rig_sim/string/mesh.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;

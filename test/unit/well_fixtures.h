@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/wellbore.h"
 

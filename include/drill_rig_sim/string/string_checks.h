@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/string/part.h"
 #include "drill_rig_sim/well/problem.h"
 
 /// The one set of rules for a drillstring and the mesh that it is cut into.

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/well/well_spec.h"
 #include "drill_rig_sim/well/survey.h"
 #include "drill_rig_sim/well/well_node.h"
 

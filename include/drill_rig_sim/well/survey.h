@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/well/well_spec.h"
 #include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/well/well_spec.h"
 #include "drill_rig_sim/well/problem.h"
 
 /// The one set of rules for a well, whichever door it comes by: file, stations in a scene, service, code.
