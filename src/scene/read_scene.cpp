@@ -193,6 +193,8 @@ private:
   {
     int word = 0;
     if (!read_kind(node, path, "type", part_type_words, word)) return;
+    if (word == static_cast<int>(PartType::bit)) part.bit.emplace();
+    if (word == static_cast<int>(PartType::mud_motor)) part.motor.emplace();
     const Entries entries = read_block(node, path, part_keys, 1u << word, part, problems_);
     in(entries, path, "contact",
        [&](const YAML::Node& n, const std::string& p)
@@ -201,9 +203,11 @@ private:
          part.contact = ContactLaw{};
          read_block(n, p, part_contact_keys, every_kind, part.contact, problems_);
        });
-    in(entries, path, "bottom",
-       [&](const YAML::Node& n, const std::string& p) { read_block(n, p, bit_bottom_keys, every_kind, part.bottom, problems_); });
-    in(entries, path, "torque", [&](const YAML::Node& n, const std::string& p) { read_bit_torque(n, p, part.torque); });
+    if (part.bit)
+    {
+      read_one(entries, path, "bottom", bit_bottom_keys, part.bit->bottom);
+      in(entries, path, "torque", [&](const YAML::Node& n, const std::string& p) { read_bit_torque(n, p, part.bit->torque); });
+    }
     finish_length(entries, path, part);
   }
 

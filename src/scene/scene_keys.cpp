@@ -13,6 +13,18 @@ const std::vector<const char*> element_words = {"auto", "corotational", "geometr
 namespace
 {
 const std::vector<const char*> connections_words = {"off", "auto"};
+// fields of a bit and of a motor; the reader makes them when it has read the part's type
+template <double BitSpec::*field>
+double& of_bit(PartSpec& part)
+{
+  return (*part.bit).*field;
+}
+template <double MotorSpec::*field>
+double& of_motor(PartSpec& part)
+{
+  return (*part.motor).*field;
+}
+
 constexpr unsigned bit = kind(PartType::bit), motor = kind(PartType::mud_motor), stabilizer = kind(PartType::stabilizer),
                    mwd = kind(PartType::mwd), pipe = kind(PartType::pipe);
 constexpr unsigned tube = every_kind & ~bit;
@@ -94,15 +106,15 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"blade_diameter",        "m",      &PartSpec::blade_diameter,           between(0.01, 1.0),   "outer diameter over the blades", stabilizer, stabilizer},
   {"squeeze_film_damping",          "N s/m",  &PartSpec::squeeze_film_damping,             between(0.0, 1e8),    "of sideways motion, by the mud squeezed between gauge or blades and wall", no_kind, bit | stabilizer},
   {"sensor_offset",         "m",      &PartSpec::sensor_offset,            between(0.0, 2000.0), "from the part's lower end up to the sensor", no_kind, mwd},
-  {"mass",                  "kg",     &PartSpec::mass,                     between(0.1, 1e5),    "of the bit", bit, bit},
-  {"diameter",              "m",      &PartSpec::diameter,                 between(0.03, 1.0),   "gauge of the bit: it drills this hole", bit, bit},
-  {"side_cutting",          "-",      &PartSpec::side_cutting,             between(0.0, 1.0),    "how well the bit cuts sideways, relative to ahead", no_kind, bit},
+  {"mass",                  "kg",     Inside<PartSpec>{of_bit<&BitSpec::mass>}, between(0.1, 1e5),    "of the bit", bit, bit},
+  {"diameter",              "m",      Inside<PartSpec>{of_bit<&BitSpec::diameter>}, between(0.03, 1.0),   "gauge of the bit: it drills this hole", bit, bit},
+  {"side_cutting",          "-",      Inside<PartSpec>{of_bit<&BitSpec::side_cutting>}, between(0.0, 1.0),    "how well the bit cuts sideways, relative to ahead", no_kind, bit},
   {"torque",                "",       Nested{},                            none,                 "law of the torque on bit", no_kind, bit},
   {"bottom",                "",       Nested{},                            none,                 "law of the bit's contact with the hole's bottom", no_kind, bit},
-  {"bend_deg",              "deg",    &PartSpec::bend,                     between(0.0, 5.0),    "angle of the bent housing", no_kind, motor},
-  {"bit_to_bend",           "m",      &PartSpec::bit_to_bend,              between(0.01, 100.0), "from the bit's face to the bend; lies inside the motor", motor, motor},
-  {"displacement_per_rev",  "m3/rev", &PartSpec::displacement_per_rev,     between(1e-4, 1.0),   "mud volume that turns the motor once", motor, motor},
-  {"stall_torque",          "N m",    &PartSpec::stall_torque,             between(1.0, 1e6),    "torque at which the motor stalls", motor, motor},
+  {"bend_deg",              "deg",    Inside<PartSpec>{of_motor<&MotorSpec::bend>}, between(0.0, 5.0),    "angle of the bent housing", no_kind, motor},
+  {"bit_to_bend",           "m",      Inside<PartSpec>{of_motor<&MotorSpec::bit_to_bend>}, between(0.01, 100.0), "from the bit's face to the bend; lies inside the motor", motor, motor},
+  {"displacement_per_rev",  "m3/rev", Inside<PartSpec>{of_motor<&MotorSpec::displacement_per_rev>}, between(1e-4, 1.0),   "mud volume that turns the motor once", motor, motor},
+  {"stall_torque",          "N m",    Inside<PartSpec>{of_motor<&MotorSpec::stall_torque>}, between(1.0, 1e6),    "torque at which the motor stalls", motor, motor},
 }};
 
 namespace

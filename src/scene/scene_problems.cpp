@@ -52,7 +52,7 @@ Width widest(const PartSpec& part)
 {
   Width width{"outer_diameter", part.outer_diameter};
   for (const Width& other : {Width{"tool_joint_diameter", part.tool_joint_diameter}, Width{"blade_diameter", part.blade_diameter},
-                             Width{"diameter", part.diameter}})
+                             Width{"diameter", part.bit ? part.bit->diameter : 0.0}})
   {
     if (other.diameter > width.diameter) width = other;
   }
@@ -79,11 +79,11 @@ void check_diameters(const Scene& scene, ProblemList& problems)
           item_key("string", i, width.key),
           metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section, " + metres(narrowest));
     }
-    else if (i > 0 && scene.string[0].type == PartType::bit && width.diameter > scene.string[0].diameter)
+    else if (i > 0 && scene.string[0].bit && width.diameter > scene.string[0].bit->diameter)
     {
       problems.emplace_back(item_key("string", i, width.key), metres(width.diameter) +
                                                      " does not fit the hole that the bit drills, allowed: up to " +
-                                                     metres(scene.string[0].diameter));
+                                                     metres(scene.string[0].bit->diameter));
     }
     if (part.type == PartType::bit) continue;
     if (part.inner_diameter >= part.outer_diameter)

@@ -52,7 +52,7 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   state.pressure_sensor = Sensor(spec.stand_pipe_pressure, scene.numerics.step);
   state.mwd = Mwd(spec.mwd, spec.toolface);
   for (const PartSpec& part : scene.string)
-    if (part.type == PartType::mud_motor) motor = &part;
+    if (part.motor) motor = &*part.motor;
   statistics.nodes = system->nodes();
   statistics.coordinates = 6 * system->nodes() - 4 + 2;  // less the rail's four, plus rotor and line
   statistics.level = "beam3d";

@@ -24,7 +24,7 @@ void press_all_nodes(const System& system, BlockTridiagonal& stiffness)
 {
   for (int i = 0; i + 1 < system.nodes(); ++i)
     stiffness.diagonal(i).topLeftCorner<3, 3>().diagonal().array() += stiffness_of(system.mesh().nodes[i].contact);
-  stiffness.diagonal(0).topLeftCorner<3, 3>().diagonal().array() += stiffness_of(system.scene().string.front().bottom);
+  stiffness.diagonal(0).topLeftCorner<3, 3>().diagonal().array() += stiffness_of(system.scene().string.front().bit->bottom);
 }
 }  // namespace
 

@@ -50,8 +50,8 @@ std::vector<double> joint_lengths(const PartSpec& part, double rest)
 void cut_part(const PartSpec& part, int index, double lower, const std::vector<double>& lengths, double longest, std::vector<Cut>& cuts)
 {
   const double upper = lower + lengths.front();
-  if (part.type == PartType::mud_motor && part.bend != 0.0)
-    cut_joint_at(part, index, lower, part.bit_to_bend, upper, 0.5 * part.outer_diameter, longest, cuts);
+  if (part.motor && part.motor->bend != 0.0)
+    cut_joint_at(part, index, lower, part.motor->bit_to_bend, upper, 0.5 * part.outer_diameter, longest, cuts);
   else if (part.type == PartType::stabilizer)
     cut_joint_at(part, index, lower, 0.5 * (lower + upper), upper, 0.5 * part.blade_diameter, longest, cuts);
   else

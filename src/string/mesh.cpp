@@ -60,9 +60,9 @@ Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, c
   Mesh mesh;
   const PartSpec& bit = parts.front();
   mesh.total_length = total_length;
-  mesh.bit_radius = 0.5 * bit.diameter;
-  mesh.bit_mass = bit.mass;
-  mesh.bit_displaced = bit.mass / bit.density;
+  mesh.bit_radius = 0.5 * bit.bit->diameter;
+  mesh.bit_mass = bit.bit->mass;
+  mesh.bit_displaced = bit.bit->mass / bit.density;
 
   std::vector<Cut> cuts;
   double top = bit.length;
@@ -91,10 +91,10 @@ Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, c
   first.from_bit = mesh.bit_radius;
   first.contact_radius = mesh.bit_radius;
   first.contact = bit.has_contact ? bit.contact : contact;
-  first.mass = bit.mass;
+  first.mass = bit.bit->mass;
   first.squeeze_film_damping = bit.squeeze_film_damping;
   first.added_mass = mud.added_mass * mud.density * mesh.bit_displaced;
-  first.spin_inertia = first.tilt_inertia = 0.4 * bit.mass * mesh.bit_radius * mesh.bit_radius;
+  first.spin_inertia = first.tilt_inertia = 0.4 * bit.bit->mass * mesh.bit_radius * mesh.bit_radius;
   mesh.nodes.push_back(first);
   for (const Cut& cut : cuts)
   {
@@ -112,11 +112,11 @@ Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, c
     node.joint_end = cut.joint_end;
     if (part.type == PartType::stabilizer && !cut.joint_end && cut.contact_radius == 0.5 * part.blade_diameter)
       node.squeeze_film_damping = part.squeeze_film_damping;
-    if (part.type == PartType::mud_motor && part.bend != 0.0 && std::abs(cut.from_bit - part.bit_to_bend) < 1e-9)
+    if (part.motor && part.motor->bend != 0.0 && std::abs(cut.from_bit - part.motor->bit_to_bend) < 1e-9)
     {
       mesh.bend_node = static_cast<int>(mesh.nodes.size());
-      element.bend = part.bend;
-      element.upper_end = Eigen::Quaterniond(Eigen::AngleAxisd(part.bend, Eigen::Vector3d::UnitZ()));
+      element.bend = part.motor->bend;
+      element.upper_end = Eigen::Quaterniond(Eigen::AngleAxisd(part.motor->bend, Eigen::Vector3d::UnitZ()));
     }
     lump(element, part, mud, mesh.nodes.back(), node);
     mesh.elements.push_back(element);

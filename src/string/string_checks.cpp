@@ -37,16 +37,16 @@ void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
   {
     const PartSpec& part = parts[i];
     const double top = bottom + part.length;
-    if (part.type == PartType::mud_motor && (part.bit_to_bend <= bottom || part.bit_to_bend >= top))
-      problems.emplace_back(item_key("string", i, "bit_to_bend"), metres(part.bit_to_bend) + " is outside the motor, allowed: between " +
+    if (part.motor && (part.motor->bit_to_bend <= bottom || part.motor->bit_to_bend >= top))
+      problems.emplace_back(item_key("string", i, "bit_to_bend"), metres(part.motor->bit_to_bend) + " is outside the motor, allowed: between " +
                                                                       plain(bottom) + " and " + metres(top));
     if (part.type == PartType::mwd && part.sensor_offset > part.length)
       problems.emplace_back(item_key("string", i, "sensor_offset"),
                             metres(part.sensor_offset) + " is outside the part, allowed: 0 to " + metres(part.length));
-    if (part.type == PartType::bit && part.torque.model == BitTorqueModel::stribeck &&
-        part.torque.kinetic_friction > part.torque.static_friction)
-      problems.emplace_back(item_key("string", i, "torque.kinetic"), plain(part.torque.kinetic_friction) + " exceeds static, allowed: up to " +
-                                                                         plain(part.torque.static_friction));
+    if (part.bit && part.bit->torque.model == BitTorqueModel::stribeck &&
+        part.bit->torque.kinetic_friction > part.bit->torque.static_friction)
+      problems.emplace_back(item_key("string", i, "torque.kinetic"), plain(part.bit->torque.kinetic_friction) + " exceeds static, allowed: up to " +
+                                                                         plain(part.bit->torque.static_friction));
     bottom = top;
   }
 }
@@ -103,7 +103,7 @@ void check_mesh(const std::vector<PartSpec>& parts, double length, double elemen
     return;
   }
   // node 0 is the bit's centre
-  double below = 0.5 * parts.front().diameter;
+  double below = 0.5 * parts.front().bit->diameter;
   if (cuts.front().from_bit - below < least_element_length)
     return void(problems.emplace_back("string[0].length", "the next node is " + metres(cuts.front().from_bit) +
                                                               " above the bit's face and the bit's centre " + metres(below) +

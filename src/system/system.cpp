@@ -29,8 +29,8 @@ System::System(const Scene& scene, Mesh mesh)
   loads_.assign(n - 1, Vector3d::Zero());
   unused_residual_.assign(6 * n, 0.0);
   for (const PartSpec& part : scene_.string)
-    if (part.type == PartType::mud_motor) motor_ = &part;
-  const PartSpec& bit = scene_.string.front();
+    if (part.motor) motor_ = &*part.motor;
+  const BitSpec& bit = *scene_.string.front().bit;
   bit_bristle_ = drill_rig_sim::bit_bristle_stiffness(bit.torque, bit.diameter);
   forces_.tension.assign(n - 1, 0.0);
   forces_.torque.assign(n - 1, 0.0);

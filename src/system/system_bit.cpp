@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 void System::add_bit(double* residual, BlockTridiagonal* tangent) noexcept
 {
-  const PartSpec& bit = scene_.string.front();
+  const BitSpec& bit = *scene_.string.front().bit;
   const NodeScratch& s = scratch_[0];
   const BitState& start = start_->bit;
   const Vector3d down = start_->well.bottom_normal();
@@ -84,7 +84,7 @@ Vector3d System::rock_velocity_at(const Wellbore& well, const Vector3d& bit_axis
 {
   if (forces_.wob <= 0.0) return Vector3d::Zero();
   const FormationLayer& rock = formation_.at(-well.bottom_position().z());
-  return rock_breaking_velocity(rock, forces_.rock_force, forces_.bit_speed, bit_axis, scene_.string.front().side_cutting);
+  return rock_breaking_velocity(rock, forces_.rock_force, forces_.bit_speed, bit_axis, scene_.string.front().bit->side_cutting);
 }
 
 double System::steady_motor_speed() const noexcept

@@ -70,7 +70,7 @@ StoredEnergy System::stored_energy() const noexcept
     out.bristles += 0.5 * contact_[i].tangential_stiffness * s.bristle.squaredNorm();
     if (touches_wall(i)) out.wall += contact_energy(contact_[i].law, -wall_gap(s.closest, s.position, mesh_.nodes[i].contact_radius));
   }
-  out.bottom = contact_energy(scene_.string.front().bottom, bottom_.penetration);
+  out.bottom = contact_energy(scene_.string.front().bit->bottom, bottom_.penetration);
   out.bit_bristle = 0.5 * bit_bristle_ * bit_end_.twist * bit_end_.twist;
   if (start_->stuck_point.node >= 0)
   {
@@ -174,7 +174,7 @@ void System::sample_wall(int i, EnergySample& out) noexcept
 void System::sample_bit(EnergySample& out) const noexcept
 {
   const Vector3d down = start_->well.bottom_normal();
-  out.bottom_elastic = elastic_force(scene_.string.front().bottom, bottom_.penetration);
+  out.bottom_elastic = elastic_force(scene_.string.front().bit->bottom, bottom_.penetration);
   out.bottom_damped = bottom_.value - out.bottom_elastic;
   out.bottom = out.bottom_elastic * down;
   out.bottom_damping = out.bottom_damped * down;

@@ -43,11 +43,11 @@ TEST(SceneRead, BohaiHoldsWhatItsFileSays)
   ASSERT_EQ(scene.string.size(), 7u);
   const PartSpec& bit = scene.string[0];
   EXPECT_EQ(bit.type, PartType::bit);
-  EXPECT_DOUBLE_EQ(bit.torque.speed, 30.0 * rpm);
-  EXPECT_DOUBLE_EQ(bit.bottom.stiffness, 1e9);
+  EXPECT_DOUBLE_EQ(bit.bit->torque.speed, 30.0 * rpm);
+  EXPECT_DOUBLE_EQ(bit.bit->bottom.stiffness, 1e9);
   const PartSpec& motor = scene.string[1];
-  EXPECT_DOUBLE_EQ(motor.bend, 1.25 * degree);
-  EXPECT_DOUBLE_EQ(motor.bit_to_bend, 2.0);
+  EXPECT_DOUBLE_EQ(motor.motor->bend, 1.25 * degree);
+  EXPECT_DOUBLE_EQ(motor.motor->bit_to_bend, 2.0);
   const PartSpec& hwdp = scene.string[5];
   EXPECT_EQ(hwdp.joints, 14);
   EXPECT_DOUBLE_EQ(hwdp.length, 14 * 9.3);
@@ -115,9 +115,9 @@ TEST(SceneRead, DetournayTorqueTakesItsOwnKeys)
   text.replace(text.find("diameter: 0.25}"), 15,
                "diameter: 0.25, torque: {model: detournay, cutting_energy: 5e7, wear_weight: 1000}}");
   const Scene scene = parse_scene(text, "detournay.yaml");
-  EXPECT_EQ(scene.string[0].torque.model, BitTorqueModel::detournay);
-  EXPECT_DOUBLE_EQ(scene.string[0].torque.cutting_energy, 5e7);
-  EXPECT_DOUBLE_EQ(scene.string[0].torque.wear_weight, 1000.0);
+  EXPECT_EQ(scene.string[0].bit->torque.model, BitTorqueModel::detournay);
+  EXPECT_DOUBLE_EQ(scene.string[0].bit->torque.cutting_energy, 5e7);
+  EXPECT_DOUBLE_EQ(scene.string[0].bit->torque.wear_weight, 1000.0);
 }
 
 TEST(SceneRead, NumbersDoNotDependOnNotation)

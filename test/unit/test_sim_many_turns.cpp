@@ -18,7 +18,7 @@ constexpr double kStep = 0.005;
 Scene spinning_scene()
 {
   Scene scene = vertical_scene(60.0, 40.0);
-  scene.string[0].diameter = 0.2;
+  scene.string[0].bit->diameter = 0.2;
   scene.mud.torsional_damping = 0.05;
   scene.rig.top_drive.max_speed = 1300.0 * rpm;
   scene.rig.top_drive.max_power = 1e8;

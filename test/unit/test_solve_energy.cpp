@@ -42,7 +42,7 @@ EnergyAccounts run(const RigAtRest& start, IntegratorKind method, double step, d
 RigAtRest plucked()
 {
   Scene scene = without_damping(vertical_scene(400.0, 290.0));
-  scene.string[0].diameter = 0.2;
+  scene.string[0].bit->diameter = 0.2;
   scene.start.block_height = 10.0;
   RigAtRest rig = build_at_rest(scene);
   const double length = rig.system->mesh().total_length;
@@ -169,7 +169,7 @@ TEST(Energy, ofAnImpactGoesIntoHuntAndCrossleysDamping)
   const double speed = 0.2, damping = 1.0;
   Scene scene = without_damping(vertical_scene(1000.0, 990.0));
   scene.string = {bit_part(0.2, 2000.0), pipe_part(0, 1e5, 0.01, pipe_outer)};
-  scene.string[0].bottom = {1e9, 1.5, damping};
+  scene.string[0].bit->bottom = {1e9, 1.5, damping};
   scene.string[1].young_modulus = 1e4 * 1000.0 / pipe_area;  // 10 kN/m
   scene.numerics.element_length = 250.0;
   RigAtRest rig = build_at_rest(scene);

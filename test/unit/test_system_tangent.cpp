@@ -117,7 +117,7 @@ void expect_exact(Rig& rig)
 Scene drilling_clear()
 {
   Scene scene = drilling_scene(0.002);
-  scene.string[0].diameter = 0.21;
+  scene.string[0].bit->diameter = 0.21;
   return scene;
 }
 
@@ -131,7 +131,7 @@ Scene built()
 TEST(SystemTangent, hangingFreeAndTurning)
 {
   Scene scene = vertical_scene(100.0, 60.0);
-  scene.string[0].diameter = 0.21;
+  scene.string[0].bit->diameter = 0.21;
   Rig rig(scene);
   rig.setpoints.top_drive.speed = 60.0 * rpm;
   rig.run(2.0);
@@ -187,7 +187,7 @@ TEST(SystemTangent, drillingOnBottom)
   for (const BitTorqueModel model : {BitTorqueModel::stribeck, BitTorqueModel::detournay})
   {
     Scene scene = drilling_clear();
-    scene.string[0].torque.model = model;
+    scene.string[0].bit->torque.model = model;
     scene.formation[0].weight_exponent = 1.3;
     scene.formation[0].drillability = 3e-9;
     Rig rig(scene);

@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_STRING_PART_H
 #define DRILL_RIG_SIM_STRING_PART_H
 
+#include <optional>
 #include <string>
 
 #include "drill_rig_sim/contact/bit_torque.h"
@@ -16,6 +17,25 @@ enum class PartType
   stabilizer,
   mwd,
   pipe
+};
+
+/// What a bit has beside what every part has.
+struct BitSpec
+{
+  double mass = 0.0;          ///< [kg]
+  double diameter = 0.0;      ///< gauge [m]
+  double side_cutting = 0.0;  ///< i_b in [0, 1]
+  BitTorqueSpec torque;
+  ContactLaw bottom{1e9, 1.5, 1.0};  ///< bit against the hole's bottom
+};
+
+/// What a mud motor has beside what every part has.
+struct MotorSpec
+{
+  double bend = 0.0;                  ///< angle of the bent housing [rad]
+  double bit_to_bend = 0.0;           ///< from the bit's face to the bend [m]
+  double displacement_per_rev = 0.0;  ///< [m3/rev]
+  double stall_torque = 0.0;          ///< [N m]
 };
 
 /// One entry of the `string` list; entries go from the bit up. Values that a type does not use stay at their defaults.
@@ -39,18 +59,8 @@ struct PartSpec
   bool has_contact = false;          ///< true where the part sets its own wall contact law
   ContactLaw contact;
 
-  // bit only
-  double mass = 0.0;          ///< [kg]
-  double diameter = 0.0;      ///< gauge [m]
-  double side_cutting = 0.0;  ///< i_b in [0, 1]
-  BitTorqueSpec torque;
-  ContactLaw bottom{1e9, 1.5, 1.0};  ///< bit against the hole's bottom
-
-  // mud motor only
-  double bend = 0.0;                  ///< angle of the bent housing [rad]
-  double bit_to_bend = 0.0;           ///< from the bit's face to the bend [m]
-  double displacement_per_rev = 0.0;  ///< [m3/rev]
-  double stall_torque = 0.0;          ///< [N m]
+  std::optional<BitSpec> bit;      ///< of a bit
+  std::optional<MotorSpec> motor;  ///< of a mud motor
 };
 
 }  // namespace drill_rig_sim

@@ -236,7 +236,7 @@ private:
   const BeamKind& beam_;
   Formation formation_;
   std::vector<ContactSpec> contact_;  // per node
-  const PartSpec* motor_ = nullptr;     // into scene_; null: none
+  const MotorSpec* motor_ = nullptr;     // into scene_; null: none
   double bit_bristle_ = 0.0;            // [N m/rad]
   Stage stage_;
   Setpoints setpoints_;

@@ -36,7 +36,7 @@ bool PieceInHole::settle()
 
 PieceInHole lay_in_hole(const Scene& scene, double length, double bit_depth)
 {
-  PieceInHole piece{nullptr, SystemState(Wellbore(scene.well, scene.trajectory, 0.5 * scene.string.front().diameter))};
+  PieceInHole piece{nullptr, SystemState(Wellbore(scene.well, scene.trajectory, 0.5 * scene.string.front().bit->diameter))};
   piece.system = std::make_unique<System>(scene, build_mesh(scene, length));
   const Mesh& mesh = piece.system->mesh();
   piece.state.nodes.assign(mesh.nodes.size(), NodeState());
