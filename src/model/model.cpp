@@ -1,7 +1,6 @@
 #include "drill_rig_sim/model/model.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "drill_rig_sim/contact/bit_torque.h"
@@ -9,23 +8,13 @@
 
 namespace drill_rig_sim
 {
-namespace
-{
-const BeamKind& beam_of(const Scene& scene)
-{
-  const BeamKind* kind = find_beam(scene.numerics.element);
-  if (!kind) throw std::runtime_error("numerics.element: '" + scene.numerics.element + "' is not known");
-  return *kind;
-}
-}  // namespace
-
 Model::Model(const Scene& scene, Mesh mesh)
-  : scene_(scene), mesh_(std::move(mesh)), beam_(beam_of(scene)), formation_(scene.formation)
+  : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), formation_(scene.formation)
 {
   contact_.assign(mesh_.nodes.size(), scene.contact);
   for (std::size_t i = 0; i < contact_.size(); ++i) contact_[i].law = mesh_.nodes[i].contact;
   for (const PartSpec& part : scene_.string)
-    if (part.type == PartType::mud_motor) motor_ = &part;
+    if (part.motor) motor_ = &*part.motor;
   bit_bristle_ = drill_rig_sim::bit_bristle_stiffness(bit().torque, bit().diameter);
 }
 

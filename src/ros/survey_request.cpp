@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "drill_rig_sim/scene/scene_problems.h"
 #include "drill_rig_sim/scene/survey_csv.h"
 
 namespace drill_rig_sim
@@ -32,11 +33,7 @@ std::vector<SurveyStation> stations_of(const LoadSurvey::Request& request)
 void require_sound(const std::vector<SurveyStation>& stations)
 {
   const std::vector<SurveyProblem> problems = survey_problems(stations);
-  if (problems.empty()) return;
-  const std::size_t i = problems.front().station;
-  if (i >= stations.size()) refuse(problems.front().text);
-  refuse("station ", i, " (md ", stations[i].md, " m, inclination ", stations[i].inclination, " rad, azimuth ",
-         stations[i].azimuth, " rad): ", problems.front().text);
+  if (!problems.empty()) refuse("station ", problems.front().station, ": ", problems.front().text);
 }
 
 // Sections that begin below the bottom go, the last one reaches it.
@@ -65,6 +62,8 @@ Scene with_survey(const Scene& scene, const LoadSurvey::Request& request)
     refuse("bit_depth is ", request.bit_depth, "; allowed is 0 (", off_bottom, " m off bottom) to ", next.well.hole_depth, " m");
   next.start.bit_depth = request.bit_depth > 0.0 ? request.bit_depth : next.well.hole_depth - off_bottom;
   next.well.sections = fitted(next.well.sections, next.well.hole_depth);
+  const ProblemList problems = scene_problems(next);
+  if (!problems.empty()) refuse(problems.front().key, ": ", problems.front().text);
   return next;
 }
 

@@ -1,7 +1,5 @@
 #include "problems.h"
 
-#include <cstdio>
-
 #include "drill_rig_sim/scene/read_scene.h"
 
 namespace drill_rig_sim
@@ -10,6 +8,8 @@ namespace
 {
 // a hopeless file (a picture, say) need not scroll the screen away
 constexpr std::size_t most_problems = 40;
+// [characters] of a message; the text holds no more of the file than numbers and keys
+constexpr std::size_t longest_key = 120, longest_text_of_problem = 600, longest_name = 40;
 
 std::string joined(const std::vector<std::string>& lines)
 {
@@ -18,12 +18,25 @@ std::string joined(const std::vector<std::string>& lines)
   return text;
 }
 
-// control characters and line breaks from a broken file must not reach the one-line messages
+// what a broken file holds must not reach the one-line messages: control characters, line breaks, half of an UTF-8 sequence
 std::string printable(const std::string& text)
 {
   std::string out;
-  for (const char c : text) out += (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) ? '?' : c;
+  for (const char c : text) out += (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) ? '?' : c;
   return out;
+}
+
+// a file's name is the user's own and may hold any letters
+std::string one_line(const std::string& file)
+{
+  std::string out;
+  for (const char c : file) out += (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) ? '?' : c;
+  return out;
+}
+
+std::string cut(const std::string& text, std::size_t longest)
+{
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 }  // namespace
 
@@ -35,8 +48,15 @@ void Problems::add_at(int line, const std::string& path, const std::string& text
 {
   if (problems_.size() == most_problems) problems_.push_back(file_ + ": and more problems");
   if (problems_.size() > most_problems) return;
-  const std::string where = line == from_outside ? "setting" : line > 0 ? file_ + ":" + std::to_string(line) : file_;
-  problems_.push_back(printable(where + ": " + (path.empty() ? "" : path + ": ") + text));
+  const std::string where = line == from_outside ? "setting" : one_line(file_) + (line > 0 ? ":" + std::to_string(line) : "");
+  const std::string key = path.empty() ? "" : cut(printable(path), longest_key) + ": ";
+  problems_.push_back(where + ": " + key + cut(printable(text), longest_text_of_problem));
+}
+
+void Problems::fail(int line, const std::string& path, const std::string& text)
+{
+  add_at(line, path, text);
+  throw SceneError(problems_);
 }
 
 void Problems::raise() const
@@ -56,11 +76,9 @@ int Problems::line_of(std::string path) const
   }
 }
 
-std::string plain(double value)
+std::string shortened(const std::string& text)
 {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
+  return cut(text, longest_name);
 }
 
 }  // namespace drill_rig_sim

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "drill_rig_sim/well/problem.h"
+
 namespace drill_rig_sim
 {
 /// Collects what is wrong with a file, and remembers on which line each key stands so that checks between keys can name it.
@@ -23,6 +25,9 @@ public:
   void add(const std::string& path, const std::string& text) { add_at(line_of(path), path, text); }
   void add_at(int line, const std::string& path, const std::string& text);
 
+  /// Adds a last problem and throws SceneError.
+  [[noreturn]] void fail(int line, const std::string& path, const std::string& text);
+
   bool empty() const { return problems_.empty(); }
   /// Throws SceneError if there is any problem.
   void raise() const;
@@ -36,8 +41,8 @@ private:
   std::vector<std::string> problems_;
 };
 
-/// A number as a person writes it: the fewest digits, at most six, that show it.
-std::string plain(double value);
+/// A key or name from the file, short enough for a one-line message.
+std::string shortened(const std::string& text);
 
 }  // namespace drill_rig_sim
 

@@ -2,15 +2,15 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <fstream>
 #include <limits>
-#include <sstream>
 
-#include "check_scene.h"
+#include "drill_rig_sim/scene/scene_problems.h"
 #include "drill_rig_sim/scene/survey_csv.h"
 #include "problems.h"
 #include "scene_keys.h"
 #include "settings.h"
+#include "text_file.h"
+#include "yaml_document.h"
 #include "yaml_reader.h"
 
 namespace drill_rig_sim
@@ -18,13 +18,6 @@ namespace drill_rig_sim
 namespace
 {
 using Entries = std::map<std::string, YAML::Node>;
-
-constexpr std::size_t longest_file = 4u << 20;  // [bytes]; a larger one is no scene
-
-std::string item_path(const std::string& list, std::size_t index)
-{
-  return list + "[" + std::to_string(index) + "]";
-}
 
 /// Walks a parsed document table by table and fills a Scene.
 class SceneReader
@@ -34,7 +27,7 @@ public:
 
   Scene read(const std::string& text, const std::vector<std::string>& settings)
   {
-    const YAML::Node root = load(text);
+    const YAML::Node root = load_document(text, problems_);
     Scene scene;
     scene.file = name_;
     problems_.note("", line_of(root));
@@ -57,33 +50,17 @@ public:
 
     // checks between keys make sense only once every key alone is right
     problems_.raise();
-    check_scene(scene, problems_);
+    check(scene);
     problems_.raise();
     return scene;
   }
 
 private:
-  YAML::Node load(const std::string& text)
+  void check(const Scene& scene)
   {
-    if (text.size() > longest_file) fail(0, "larger than 4 MB, this is no scene");
-    try
-    {
-      const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-      if (documents.empty() || documents[0].IsNull()) fail(1, "the file is empty, needed: a scene");
-      if (documents.size() > 1) fail(line_of(documents[1]), "a second YAML document begins, allowed: one");
-      return documents[0];
-    }
-    catch (const YAML::Exception& e)
-    {
-      fail(e.mark.line + 1, "cannot be parsed: " + e.msg);
-    }
-    return {};
-  }
-
-  void fail(int line, const std::string& text)
-  {
-    problems_.add_at(line, "YAML", text);
-    problems_.raise();
+    for (const Problem& problem : scene_problems(scene)) problems_.add(problem.key, problem.text);
+    if (problems_.has("trajectory.stage_two_length") && problems_.has("trajectory.stage_two_steps"))
+      problems_.add("trajectory.stage_two_steps", "is given beside stage_two_length, allowed: one of them");
   }
 
   // calls read(node, path) if the entry is there
@@ -112,8 +89,8 @@ private:
     }
     for (std::size_t i = 0; i < node.size(); ++i)
     {
-      problems_.note(item_path(path, i), line_of(node[i]));
-      read(node[i], item_path(path, i));
+      problems_.note(item_key(path, i), line_of(node[i]));
+      read(node[i], item_key(path, i));
     }
   }
 
@@ -175,7 +152,7 @@ private:
                       good = false;
                       return;
                     }
-                    const Range ranges[3] = {between(0.0, 20000.0), between(0.0, 180.0), between(-360.0, 360.0)};
+                    const Range ranges[3] = {between(0.0, deepest_well), between(0.0, 180.0), between(-360.0, 360.0)};
                     const char* units[3] = {"m", "deg", "deg"};
                     for (std::size_t i = 0; i < 3; ++i)
                       good = read_number(item[i], p, ranges[i], units[i], value[i], problems_) && good;
@@ -183,7 +160,7 @@ private:
                   });
     if (!good || !node.IsSequence()) return;
     for (const SurveyProblem& problem : survey_problems(well.survey))
-      problems_.add(item_path(path, problem.station), problem.text);
+      problems_.add(item_key(path, problem.station), problem.text);
   }
 
   void read_string(const Entries& top, std::vector<PartSpec>& parts)
@@ -216,6 +193,8 @@ private:
   {
     int word = 0;
     if (!read_kind(node, path, "type", part_type_words, word)) return;
+    if (word == static_cast<int>(PartType::bit)) part.bit.emplace();
+    if (word == static_cast<int>(PartType::mud_motor)) part.motor.emplace();
     const Entries entries = read_block(node, path, part_keys, 1u << word, part, problems_);
     in(entries, path, "contact",
        [&](const YAML::Node& n, const std::string& p)
@@ -224,9 +203,11 @@ private:
          part.contact = ContactLaw{};
          read_block(n, p, part_contact_keys, every_kind, part.contact, problems_);
        });
-    in(entries, path, "bottom",
-       [&](const YAML::Node& n, const std::string& p) { read_block(n, p, bit_bottom_keys, every_kind, part.bottom, problems_); });
-    in(entries, path, "torque", [&](const YAML::Node& n, const std::string& p) { read_bit_torque(n, p, part.torque); });
+    if (part.bit)
+    {
+      read_one(entries, path, "bottom", bit_bottom_keys, part.bit->bottom);
+      in(entries, path, "torque", [&](const YAML::Node& n, const std::string& p) { read_bit_torque(n, p, part.bit->torque); });
+    }
     finish_length(entries, path, part);
   }
 
@@ -298,14 +279,10 @@ Scene parse_scene(const std::string& yaml_text, const std::string& name_for_mess
 
 Scene read_scene(const std::string& file, const std::vector<std::string>& settings)
 {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  // a folder opens like a file but cannot be read
-  if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(text << in.rdbuf())) || in.bad())
-  {
-    throw SceneError({file + ": cannot be read, needed: a scene file"});
-  }
-  return parse_scene(text.str(), file, settings);
+  std::string text;
+  const std::string wrong = read_text_file(file, "a scene file", text);
+  if (!wrong.empty()) Problems(file).fail(0, "", wrong);
+  return parse_scene(text, file, settings);
 }
 
 }  // namespace drill_rig_sim

@@ -1,21 +1,28 @@
 #include "scene_keys.h"
 
-#include <algorithm>
-
 namespace drill_rig_sim
 {
 const std::vector<const char*> part_type_words = {"bit", "mud_motor", "collar", "stabilizer", "mwd", "pipe"};
 const std::vector<const char*> bit_torque_words = {"stribeck", "detournay"};
+const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybrid", "beam3d", "auto"};
+const std::vector<const char*> integrator_words = {"auto",   "bdf2",              "implicit_euler", "linearly_implicit_euler",
+                                                   "trbdf2", "generalised_alpha", "explicit",       "arkode_dirk",
+                                                   "ida"};
+const std::vector<const char*> element_words = {"auto", "corotational", "geometrically_exact", "rotation_vector"};
 
 namespace
 {
 const std::vector<const char*> connections_words = {"off", "auto"};
-const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybrid", "beam3d", "auto"};
-const std::vector<const char*> element_words = {"auto", "corotational", "geometrically_exact", "rotation_vector"};
-
-int place_of(const std::string& word, const std::vector<const char*>& words)
+// fields of a bit and of a motor; the reader makes them when it has read the part's type
+template <double BitSpec::*field>
+double& of_bit(PartSpec& part)
 {
-  return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
+  return (*part.bit).*field;
+}
+template <double MotorSpec::*field>
+double& of_motor(PartSpec& part)
+{
+  return (*part.motor).*field;
 }
 
 constexpr unsigned bit = kind(PartType::bit), motor = kind(PartType::mud_motor), stabilizer = kind(PartType::stabilizer),
@@ -31,7 +38,7 @@ constexpr Range none{};
 // clang-format off
 const Table<Scene> scene_keys = {"", "The scene file's top level.", {
   // key                    unit      field                                allowed               meaning
-  {"name",                  "",       &Scene::name,                        none,                 "what the scene is called", must},
+  {"name",                  "",       &Scene::name,                        none,                 "what the scene is called; letters, digits and _", must},
   {"well",                  "",       Nested{},                            none,                 "the hole", must},
   {"formation",             "",       Nested{},                            none,                 "list of rock layers, top down by true vertical depth", must},
   {"mud",                   "",       Nested{},                            none,                 "the drilling fluid"},
@@ -51,12 +58,12 @@ const Table<Scene> scene_keys = {"", "The scene file's top level.", {
 const Table<WellSpec> well_keys = {"well", "The hole before drilling starts. Give `survey` or `stations`.", {
   {"survey",                "",       Nested{},                            none,                 "CSV file with columns md_m, inclination_deg, azimuth_deg; counts from the scene file's folder"},
   {"stations",              "m, deg", Nested{},                            none,                 "list of [measured depth, inclination, azimuth], the first at depth 0"},
-  {"hole_depth",            "m",      &WellSpec::hole_depth,               above(0.0, 20000.0),  "measured depth of the hole's bottom", no_kind, every_kind, "the last station"},
+  {"hole_depth",            "m",      &WellSpec::hole_depth,               between(0.1, 20000.0), "measured depth of the hole's bottom", no_kind, every_kind, "the last station"},
   {"sections",              "",       Nested{},                            none,                 "list of hole sections, top down; the last reaches hole_depth", must},
 }};
 
 const Table<HoleSection> section_keys = {"well.sections[]", "A stretch of hole, from the end of the section above it.", {
-  {"to",                    "m",      &HoleSection::to,                    above(0.0, 20000.0),  "measured depth of its lower end", must},
+  {"to",                    "m",      &HoleSection::to,                    between(0.01, 20000.0), "measured depth of its lower end", must},
   {"diameter",              "m",      &HoleSection::diameter,              between(0.03, 2.0),   "hole diameter", must},
   {"friction",              "-",      &HoleSection::friction,              between(0.0, 5.0),    "kinetic friction coefficient of string on wall", must},
 }};
@@ -85,7 +92,7 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"type",                  "",       Choice<PartSpec>{part_type_words, [](PartSpec& p, int word) { p.type = static_cast<PartType>(word); },
                                                        [](const PartSpec& p) { return static_cast<int>(p.type); }},
                                                                            none,                 "what it is", must},
-  {"length",                "m",      &PartSpec::length,                   above(0.0, 2000.0),   "length of a part that has no `joints`", bit | motor | stabilizer | mwd, every_kind, "joints * joint_length"},
+  {"length",                "m",      &PartSpec::length,                   between(0.02, 2000.0), "length of a part that has no `joints`", bit | motor | stabilizer | mwd, every_kind, "joints * joint_length"},
   {"joints",                "",       CountOrFill<PartSpec>{&PartSpec::joints}, between(1, 10000), "number of joints; `fill`, the last part only: as many as reach the surface", no_kind, jointed},
   {"joint_length",          "m",      &PartSpec::joint_length,             between(0.5, 30.0),   "length of one joint", no_kind, jointed, "length"},
   {"outer_diameter",        "m",      &PartSpec::outer_diameter,           between(0.01, 1.0),   "of the body", tube, tube},
@@ -99,15 +106,15 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"blade_diameter",        "m",      &PartSpec::blade_diameter,           between(0.01, 1.0),   "outer diameter over the blades", stabilizer, stabilizer},
   {"squeeze_film_damping",          "N s/m",  &PartSpec::squeeze_film_damping,             between(0.0, 1e8),    "of sideways motion, by the mud squeezed between gauge or blades and wall", no_kind, bit | stabilizer},
   {"sensor_offset",         "m",      &PartSpec::sensor_offset,            between(0.0, 2000.0), "from the part's lower end up to the sensor", no_kind, mwd},
-  {"mass",                  "kg",     &PartSpec::mass,                     above(0.0, 1e5),      "of the bit", bit, bit},
-  {"diameter",              "m",      &PartSpec::diameter,                 between(0.03, 1.0),   "gauge of the bit: it drills this hole", bit, bit},
-  {"side_cutting",          "-",      &PartSpec::side_cutting,             between(0.0, 1.0),    "how well the bit cuts sideways, relative to ahead", no_kind, bit},
+  {"mass",                  "kg",     Inside<PartSpec>{of_bit<&BitSpec::mass>}, between(0.1, 1e5),    "of the bit", bit, bit},
+  {"diameter",              "m",      Inside<PartSpec>{of_bit<&BitSpec::diameter>}, between(0.03, 1.0),   "gauge of the bit: it drills this hole", bit, bit},
+  {"side_cutting",          "-",      Inside<PartSpec>{of_bit<&BitSpec::side_cutting>}, between(0.0, 1.0),    "how well the bit cuts sideways, relative to ahead", no_kind, bit},
   {"torque",                "",       Nested{},                            none,                 "law of the torque on bit", no_kind, bit},
   {"bottom",                "",       Nested{},                            none,                 "law of the bit's contact with the hole's bottom", no_kind, bit},
-  {"bend_deg",              "deg",    &PartSpec::bend,                     between(0.0, 5.0),    "angle of the bent housing", no_kind, motor},
-  {"bit_to_bend",           "m",      &PartSpec::bit_to_bend,              above(0.0, 100.0),    "from the bit's face to the bend; lies inside the motor", motor, motor},
-  {"displacement_per_rev",  "m3/rev", &PartSpec::displacement_per_rev,     above(0.0, 1.0),      "mud volume that turns the motor once", motor, motor},
-  {"stall_torque",          "N m",    &PartSpec::stall_torque,             above(0.0, 1e6),      "torque at which the motor stalls", motor, motor},
+  {"bend_deg",              "deg",    Inside<PartSpec>{of_motor<&MotorSpec::bend>}, between(0.0, 5.0),    "angle of the bent housing", no_kind, motor},
+  {"bit_to_bend",           "m",      Inside<PartSpec>{of_motor<&MotorSpec::bit_to_bend>}, between(0.01, 100.0), "from the bit's face to the bend; lies inside the motor", motor, motor},
+  {"displacement_per_rev",  "m3/rev", Inside<PartSpec>{of_motor<&MotorSpec::displacement_per_rev>}, between(1e-4, 1.0),   "mud volume that turns the motor once", motor, motor},
+  {"stall_torque",          "N m",    Inside<PartSpec>{of_motor<&MotorSpec::stall_torque>}, between(1.0, 1e6),    "torque at which the motor stalls", motor, motor},
 }};
 
 namespace
@@ -188,7 +195,7 @@ const Table<TrajectorySpec> trajectory_keys = {"trajectory", "Second stage of th
 }};
 
 const Table<StartSpec> start_keys = {"start", "At rest, in static equilibrium, winch braked.", {
-  {"bit_depth",             "m",      &StartSpec::bit_depth,               above(0.0, 20000.0),  "measured depth of the bit's face", no_kind, every_kind, "hole_depth"},
+  {"bit_depth",             "m",      &StartSpec::bit_depth,               between(0.01, 20000.0), "measured depth of the bit's face", no_kind, every_kind, "hole_depth"},
   {"block_height",          "m",      &StartSpec::block_height,            between(0.0, 200.0),  "top-drive shaft above the rotary table"},
   {"weight_on_bit",         "N",      &StartSpec::weight_on_bit,           between(0.0, 1e6),    "on bottom only: the winch is set so that the bit carries it"},
   {"torque_on_bit",         "N m",    &StartSpec::torque_on_bit,           between(0.0, 1e5),    "on bottom only"},
@@ -196,15 +203,15 @@ const Table<StartSpec> start_keys = {"start", "At rest, in static equilibrium, w
 }};
 
 const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are solved.", {
-  {"level",                 "",       Choice<NumericsSpec>{level_words,
-                                        [](NumericsSpec& n, int word) { n.level = level_words[static_cast<std::size_t>(word)]; },
-                                        [](const NumericsSpec& n) { return place_of(n.level, level_words); }},
+  {"level",                 "",       Choice<NumericsSpec>{level_words, [](NumericsSpec& n, int word) { n.level = static_cast<Level>(word); },
+                                               [](const NumericsSpec& n) { return static_cast<int>(n.level); }},
                                                                            none,                 "which motions are modelled"},
-  {"integrator",            "",       &NumericsSpec::integrator,           none,                 "name of a stepper, or auto"},
-  {"element",               "",       Choice<NumericsSpec>{element_words,
-                                        [](NumericsSpec& n, int word) { n.element = element_words[static_cast<std::size_t>(word)]; },
-                                        [](const NumericsSpec& n) { return place_of(n.element, element_words); }},
-                                                                           none,                 "kind of beam element, or auto; rotation_vector fails when the string's top has made a full turn"},
+  {"integrator",            "",       Choice<NumericsSpec>{integrator_words, [](NumericsSpec& n, int word) { n.integrator = static_cast<IntegratorKind>(word); },
+                                               [](const NumericsSpec& n) { return static_cast<int>(n.integrator); }},
+                                                                           none,                 "method of time integration"},
+  {"element",               "",       Choice<NumericsSpec>{element_words, [](NumericsSpec& n, int word) { n.element = static_cast<ElementKind>(word); },
+                                               [](const NumericsSpec& n) { return static_cast<int>(n.element); }},
+                                                                           none,                 "kind of beam element; rotation_vector fails when the string's top has made a full turn"},
   {"step",                  "s",      &NumericsSpec::step,                 between(1e-5, 0.05),  "physics step"},
   {"element_length",        "m",      &NumericsSpec::element_length,       between(0.1, 50.0),   "longest element"},
   {"tolerance",             "-",      &NumericsSpec::tolerance,            between(1e-6, 0.5),   "relative, of the scene's outputs; level auto"},

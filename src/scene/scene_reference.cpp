@@ -14,7 +14,7 @@ std::string default_of(const Key<Spec>& key, Spec defaults)
   if (key.required != no_kind) return "**required**";
   if (key.computed_default) return key.computed_default;
   if (const auto* field = std::get_if<double Spec::*>(&key.field)) return plain(defaults.*(*field) / unit_of(key.name));
-  if (const auto* field = std::get_if<Inside<Spec>>(&key.field)) return plain(field->ref(defaults));
+  if (const auto* field = std::get_if<Inside<Spec>>(&key.field)) return plain(field->ref(defaults) / unit_of(key.name));
   if (const auto* field = std::get_if<int Spec::*>(&key.field)) return plain(defaults.*(*field));
   if (const auto* field = std::get_if<std::string Spec::*>(&key.field)) return defaults.*(*field);
   if (const auto* field = std::get_if<CountOrFill<Spec>>(&key.field)) return plain(defaults.*(field->member));
@@ -65,9 +65,12 @@ std::string scene_reference()
   write(out, section_keys);
   write(out, layer_keys);
   write(out, mud_keys);
-  write(out, part_keys, part_type_words);
+  PartSpec part;
+  part.bit.emplace();
+  part.motor.emplace();
+  write(out, part_keys, part_type_words, part);
   write(out, part_contact_keys);
-  write(out, bit_bottom_keys, {}, PartSpec{}.bottom);
+  write(out, bit_bottom_keys, {}, BitSpec{}.bottom);
   write(out, bit_torque_keys, bit_torque_words);
   write(out, rig_keys);
   write(out, hoisting_keys);

@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <locale>
 #include <sstream>
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "problems.h"
+#include "text_file.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-constexpr double deepest = 20000.0;  // [m]
+constexpr std::size_t most_columns = 256;  // what stands beyond is not looked at
+constexpr const char* needed = "a CSV file with the columns md_m, inclination_deg, azimuth_deg";
 constexpr std::array<const char*, 3> columns = {"md_m", "inclination_deg", "azimuth_deg"};
 
 std::string trimmed(const std::string& text)
@@ -30,6 +31,7 @@ std::vector<std::string> cells_of(const std::string& line)
   std::vector<std::string> cells(1);
   for (const char c : line)
   {
+    if (c == ',' && cells.size() == most_columns) break;
     if (c == ',')
       cells.emplace_back();
     else
@@ -72,67 +74,27 @@ bool read_station(const std::vector<std::string>& cells, const std::array<std::s
     const std::string cell = place[i] < cells.size() ? cells[place[i]] : "";
     if (is_number(cell, value[i])) continue;
     good = false;
-    problems.add_at(line, columns[i], "'" + cell.substr(0, 40) + "' is not a finite number");
+    problems.add_at(line, columns[i], "is not a finite number");
   }
   station = {value[0], value[1] * degree, value[2] * degree};
   return good;
 }
-
-double angle_between(const SurveyStation& a, const SurveyStation& b)
-{
-  const double cosine = std::cos(a.inclination) * std::cos(b.inclination) +
-                        std::sin(a.inclination) * std::sin(b.inclination) * std::cos(b.azimuth - a.azimuth);
-  return std::acos(std::min(1.0, std::max(-1.0, cosine)));
-}
-
-std::string problem_of(const SurveyStation& s)
-{
-  if (!std::isfinite(s.md) || !std::isfinite(s.inclination) || !std::isfinite(s.azimuth)) return "a value is not a finite number";
-  if (s.md < 0.0 || s.md > deepest) return "md " + plain(s.md) + " m is out of range, allowed: 0 to 20000 m";
-  if (s.inclination < 0.0 || s.inclination > pi)
-    return "inclination " + plain(s.inclination / degree) + " deg is out of range, allowed: 0 to 180 deg";
-  if (std::abs(s.azimuth) > 2.0 * pi + 1e-9)
-    return "azimuth " + plain(s.azimuth / degree) + " deg is out of range, allowed: -360 to 360 deg";
-  return "";
-}
 }  // namespace
-
-std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& stations)
-{
-  // minimum curvature knows no arc between opposite directions; a real well never comes near
-  constexpr double sharpest = 179.0 * degree;
-  std::vector<SurveyProblem> problems;
-  if (stations.size() < 2)
-    problems.push_back({0, plain(static_cast<double>(stations.size())) + " station, needed: at least two"});
-  bool before_is_good = false;
-  for (std::size_t i = 0; i < stations.size(); ++i)
-  {
-    const SurveyStation& s = stations[i];
-    const std::string alone = problem_of(s);
-    if (!alone.empty())
-      problems.push_back({i, alone});
-    else if (i == 0 && s.md != 0.0)
-      problems.push_back({i, "the first md is " + plain(s.md) + " m, needed: 0, the rotary table"});
-    else if (before_is_good && s.md <= stations[i - 1].md)
-      problems.push_back({i, "md " + plain(s.md) + " m does not exceed the " + plain(stations[i - 1].md) + " m before it"});
-    else if (before_is_good && angle_between(stations[i - 1], s) > sharpest)
-      problems.push_back({i, "the direction turns round from the station before it, allowed: up to 179 deg"});
-    before_is_good = alone.empty();
-  }
-  return problems;
-}
 
 std::vector<SurveyStation> read_survey_csv(const std::string& file)
 {
   Problems problems(file);
-  std::ifstream in(file);
+  std::string whole;
+  const std::string wrong = read_text_file(file, needed, whole);
+  if (!wrong.empty()) problems.fail(0, "", wrong);
+  std::istringstream in(whole);
   std::vector<SurveyStation> stations;
   std::vector<int> lines;
   std::array<std::size_t, 3> place{};
   bool has_header = false;
   bool well_formed = true;
   std::string text;
-  for (int line = 1; std::getline(in, text); ++line)
+  for (int line = 1; stations.size() <= most_stations && std::getline(in, text); ++line)
   {
     if (trimmed(text).empty() || trimmed(text)[0] == '#') continue;
     if (!has_header)
@@ -147,7 +109,7 @@ std::vector<SurveyStation> read_survey_csv(const std::string& file)
     lines.push_back(line);
   }
   if (!has_header && problems.empty())
-    problems.add_at(0, "", "cannot be read or is empty, needed: a CSV file with the columns md_m, inclination_deg, azimuth_deg");
+    problems.add_at(0, "", std::string("is empty, needed: ") + needed);
   if (has_header && problems.empty() && well_formed)
   {
     for (const SurveyProblem& p : survey_problems(stations))

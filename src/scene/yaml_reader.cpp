@@ -30,13 +30,6 @@ std::size_t edit_distance(const std::string& a, const std::string& b)
   return row[b.size()];
 }
 
-// a text from the file, short enough for a one-line message
-std::string shortened(const std::string& text)
-{
-  constexpr std::size_t longest = 40;
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
-}
-
 std::string unknown_key(const std::string& key, const std::vector<const char*>& known)
 {
   const std::string shown = shortened(key);
@@ -91,7 +84,7 @@ std::string describe(const YAML::Node& node)
 {
   if (node.IsMap()) return "a block";
   if (node.IsSequence()) return "a list";
-  if (node.IsScalar()) return "text '" + shortened(node.Scalar()) + "'";
+  if (node.IsScalar()) return "text";
   return "nothing";
 }
 
@@ -125,7 +118,7 @@ bool read_number(const YAML::Node& node, const std::string& path, const Range& a
   {
     const bool weird = plain_scalar(node) && is_infinite_or_nan(node.Scalar());
     problems.add(
-        path, (weird ? node.Scalar() + " is not a finite number" : describe(node) + " is not a number") + ", allowed:" + suffix);
+        path, (weird ? "is not a finite number" : describe(node) + " is not a number") + ", allowed:" + suffix);
     return false;
   }
   if (!inside(read, allowed))

@@ -17,7 +17,7 @@ namespace drill_rig_sim
 {
 /// Line of a node, counted from 1.
 int line_of(const YAML::Node& node);
-/// What a node is, for messages: "text 'abc'", "a list", "a block", "nothing".
+/// What a node is, for messages: "text", "a list", "a block", "nothing". What it holds is not told: the file may be a wrong one.
 std::string describe(const YAML::Node& node);
 
 /// One value out of a scalar; false (and a problem noted) if it is no such value or out of range.

@@ -9,6 +9,7 @@
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/rig/mud_motor.h"
 #include "drill_rig_sim/rig/mud_pump.h"
+#include "drill_rig_sim/scene/scene_problems.h"
 #include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim
@@ -35,11 +36,8 @@ double clamped_to(double value, double low, double high, bool& clamped) noexcept
 
 const Scene& available(const Scene& scene)
 {
-  if (scene.numerics.level != "beam3d" && scene.numerics.level != "auto")
-    throw std::runtime_error("numerics.level: '" + scene.numerics.level + "' is not available yet; use beam3d");
-  if (scene.connections == Connections::automatic)
-    throw std::runtime_error("connections: 'auto' is not available yet; use off");
-  integrator_name(scene.numerics.integrator);
+  const ProblemList problems = unavailable(scene);
+  if (!problems.empty()) throw std::runtime_error(problems.front().key + ": " + problems.front().text);
   return scene;
 }
 
@@ -54,11 +52,11 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   state.pressure_sensor = Sensor(spec.stand_pipe_pressure, scene.numerics.step);
   state.mwd = Mwd(spec.mwd, spec.toolface);
   for (const PartSpec& part : scene.string)
-    if (part.type == PartType::mud_motor) motor = &part;
+    if (part.motor) motor = &*part.motor;
   statistics.nodes = model->nodes();
   statistics.coordinates = 6 * model->nodes() - 4 + 2;  // less the rail's four, plus rotor and line
   statistics.level = "beam3d";
-  statistics.integrator = integrator_name(scene.numerics.integrator);
+  statistics.integrator = find_integrator(scene.numerics.integrator).name;
   statistics.step = scene.numerics.step;
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   state.forces.meter_torque = rig.statics.top_torque;
@@ -141,7 +139,7 @@ FrameStatus Simulator::frame(double duration) noexcept
     mechanics.flow = impl_->state.setpoints.pump.flow;
     if (!impl_->integrator->advance(mechanics, duration / steps, impl_->state.setpoints))
     {
-      impl_->failure = "the step could not be solved even in parts of 1/32: time stands at the last good state; reset the well or restore a state";
+      impl_->failure = impl_->integrator->failure();
       return FrameStatus::failed;
     }
     drilled += mechanics.bit.rock_velocity.norm() * duration / steps;

@@ -53,6 +53,7 @@ struct IdaSolver::Session
   void set_options();
   bool set_linear_solver(double t);
   void write_matrix(SUNMatrix target) const;
+  long attempts() const;
   bool go_to(double t);
   IdaStatistics current() const;
 
@@ -140,11 +141,22 @@ bool IdaSolver::Session::create(double t)
   return set_linear_solver(t);
 }
 
+/// Steps tried since the last start: those taken and those that failed and were repeated.
+long IdaSolver::Session::attempts() const
+{
+  long steps = 0, error_test_failures = 0, newton_failures = 0;
+  IDAGetNumSteps(memory.get(), &steps);
+  IDAGetNumErrTestFails(memory.get(), &error_test_failures);
+  IDAGetNumNonlinSolvConvFails(memory.get(), &newton_failures);
+  return steps + error_test_failures + newton_failures;
+}
+
 /// The last steps to `t` are of equal length: a stump would have to grow again by doubling, with a new Jacobian each time.
 bool IdaSolver::Session::go_to(double t)
 {
   void* const ida = memory.get();
-  for (long count = 0; count < options.max_steps; ++count)
+  const long before = attempts();
+  while (attempts() - before < options.max_steps)
   {
     double now = 0.0, next = 0.0, reached = 0.0;
     IDAGetCurrentTime(ida, &now);
@@ -220,6 +232,11 @@ bool IdaSolver::advance(double t, std::vector<double>& y, std::vector<double>& r
   double last = 0.0;
   if (IDAGetLastStep(s.memory.get(), &last) == IDA_SUCCESS && last > 0.0) s.smallest_step = std::min(s.smallest_step, last);
   return true;
+}
+
+bool IdaSolver::too_much_work() const
+{
+  return session_->flag == IDA_TOO_MUCH_WORK;
 }
 
 std::string IdaSolver::flag_name() const

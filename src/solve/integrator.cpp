@@ -1,6 +1,5 @@
 #include "drill_rig_sim/solve/integrator.h"
 
-#include <stdexcept>
 #include <utility>
 
 #include "drill_rig_sim/model/evaluate.h"
@@ -11,41 +10,33 @@
 
 namespace drill_rig_sim
 {
-namespace
-{
-constexpr const char* arkode = "arkode_dirk";
-constexpr const char* reference = "ida";
-}  // namespace
-
 const std::vector<IntegratorEntry>& integrator_table()
 {
   static const std::vector<IntegratorEntry> table = []
   {
     std::vector<IntegratorEntry> entries;
-    for (const Method* method : method_table()) entries.push_back({method->name, method->description});
-    entries.push_back({arkode, "TR-BDF2 by SUNDIALS ARKODE with our linear solver, for comparison"});
+    for (const Method* method : method_table()) entries.push_back({method->kind, method->name, method->description});
+    entries.push_back({IntegratorKind::arkode_dirk, "arkode_dirk", "TR-BDF2 by SUNDIALS ARKODE with our linear solver, for comparison"});
     entries.push_back(
-        {reference, "the reference: the rig as a DAE with multipliers, variable order and step by SUNDIALS IDA; slow"});
+        {IntegratorKind::ida, "ida", "the reference: the rig as a DAE with multipliers, variable order and step by SUNDIALS IDA; slow"});
     return entries;
   }();
   return table;
 }
 
-const char* integrator_name(const std::string& name)
+const IntegratorEntry& find_integrator(IntegratorKind kind) noexcept
 {
   for (const IntegratorEntry& entry : integrator_table())
-    if (name == entry.name || name == "auto") return entry.name;
-  std::string allowed = "auto";
-  for (const IntegratorEntry& entry : integrator_table()) allowed += std::string(", ") + entry.name;
-  throw std::runtime_error("numerics.integrator: '" + name + "' is unknown, allowed: " + allowed);
+    if (kind == entry.kind) return entry;
+  return integrator_table().front();
 }
 
-std::unique_ptr<Integrator> make_integrator(const std::string& name, std::shared_ptr<const Model> model, const State& start)
+std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, std::shared_ptr<const Model> model, const State& start)
 {
-  if (name == reference) return std::make_unique<IdaIntegrator>(std::move(model));
-  if (name == arkode) return std::make_unique<ArkodeStepper>(std::move(model));
-  const Method& method = *find_method(integrator_name(name));
-  if (&method == &explicit_differences) check_explicit_step(*model, start);
+  if (kind == IntegratorKind::ida) return std::make_unique<IdaIntegrator>(std::move(model));
+  if (kind == IntegratorKind::arkode_dirk) return std::make_unique<ArkodeStepper>(std::move(model));
+  const Method& method = find_method(kind);
+  if (kind == IntegratorKind::central_differences) check_explicit_step(*model, start);
   return std::make_unique<Stepper>(std::move(model), method);
 }
 

@@ -3,6 +3,7 @@
 #include <kinsol/kinsol.h>
 #include <nvector/nvector_serial.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -71,7 +72,7 @@ struct FreeKinsol
 };
 }  // namespace
 
-KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, std::vector<double>& u)
+KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, int most_iterations, std::vector<double>& u)
 {
   KinsolOutcome out;
   const auto n = static_cast<sunindextype>(u.size());
@@ -102,7 +103,7 @@ KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, st
   KINSetFuncNormTol(kinsol, tolerance);
   KINSetScaledStepTol(kinsol, 1e-14);
   KINSetMaxNewtonStep(kinsol, 1e3);
-  KINSetNumMaxIters(kinsol, 100);
+  KINSetNumMaxIters(kinsol, std::max(1, most_iterations));  // 0 would mean its own default
   const int flag = KINSol(kinsol, x.get(), KIN_LINESEARCH, ones.get(), ones.get());
   long iterations = 0;
   KINGetNumNonlinSolvIters(kinsol, &iterations);

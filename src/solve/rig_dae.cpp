@@ -228,7 +228,7 @@ void RigDae::further_rates(double, const double*, double* rate)
 
 double RigDae::steady_motor_speed() const
 {
-  const PartSpec* motor = model_.motor();
+  const MotorSpec* motor = model_.motor();
   if (!motor) return 0.0;
   return mud_motor_steady_speed(start_->flow, motor->displacement_per_rev, motor->stall_torque, work_.result.forces.bit_torque);
 }

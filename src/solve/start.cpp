@@ -3,10 +3,12 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/hoisting.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim
@@ -21,6 +23,10 @@ constexpr int kMaxRounds = 12;
 constexpr double kDepthTolerance = 1e-6;     // [m]
 constexpr double kWeightTolerance = 1e-4;    // of the weight on bit, relative
 constexpr double kToolfaceTolerance = 1e-6;  // [rad]
+constexpr double kMostWork = 2e7;            // of one start [nodes times iterations]; some 50 s
+// A string that stretches by more is put into the hole stretched: the way to the equilibrium goes in increments of 2 cm, 400 at most [m].
+constexpr double kLongStretch = 8.0;
+constexpr int kStretchRounds = 4;
 
 /// The smallest turn of `q` that points its x axis along `tangent`.
 Quaterniond carried_along(const Quaterniond& q, const Vector3d& tangent)
@@ -28,8 +34,9 @@ Quaterniond carried_along(const Quaterniond& q, const Vector3d& tangent)
   return (Quaterniond::FromTwoVectors(x_axis(q), tangent) * q).normalized();
 }
 
-/// Nodes along the hole, resting on its low side where it is inclined; sections without twist, y axes at the toolface.
-void place_string(const Mesh& mesh, const Wellbore& well, double depth, double toolface, State& state)
+/// Nodes along the hole, resting on its low side where it is inclined; sections without twist, y axes at the toolface. `stretch`: how far each
+/// node is from its unstretched place, away from the bit; empty: not at all [m].
+void place_string(const Mesh& mesh, const Wellbore& well, double depth, double toolface, const std::vector<double>& stretch, State& state)
 {
   state.nodes.assign(mesh.nodes.size(), NodeState());
   const WellNode bottom = well.at(depth - mesh.nodes[0].from_bit);
@@ -41,7 +48,7 @@ void place_string(const Mesh& mesh, const Wellbore& well, double depth, double t
   Quaterniond q(axes);
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
   {
-    const double md = depth - mesh.nodes[i].from_bit;
+    const double md = depth - mesh.nodes[i].from_bit - (stretch.empty() ? 0.0 : stretch[i]);
     const WellNode p = well.at(md);
     q = carried_along(q, p.tangent);
     state.nodes[i].orientation = q;
@@ -66,16 +73,18 @@ double angle_error(double angle, double wanted)
   return std::remainder(angle - wanted, 2.0 * pi);
 }
 
-/// Stretch of the string under its own weight in mud, to begin with [m].
-double estimated_stretch(const Mesh& mesh, const Scene& scene, const Wellbore& well, double depth)
+/// How far each node moves away from the bit as the string stretches under its own weight in mud, bit
+/// first [m]. A guess: no drag, no bending, no weight on bit.
+std::vector<double> estimated_stretch(const Mesh& mesh, const Scene& scene, const Wellbore& well, double depth)
 {
-  double load = 0.0, stretch = 0.0;
+  double load = 0.0;
+  std::vector<double> stretch{0.0};
   for (const MeshElement& e : mesh.elements)
   {
     depth -= e.section.length;
     const double cosine = -well.at(depth).tangent.z();
     const double weight = standard_gravity * (e.linear_mass - scene.mud.density * e.displaced) * e.section.length * cosine;
-    stretch += (load + 0.5 * weight) * e.section.length / e.section.axial;
+    stretch.push_back(stretch.back() + (load + 0.5 * weight) * e.section.length / e.section.axial);
     load += weight;
   }
   return stretch;
@@ -91,6 +100,28 @@ double string_compliance(const Mesh& mesh)
 [[noreturn]] void fail(const std::string& what)
 {
   throw std::runtime_error("start: " + what);
+}
+
+/// Puts the string of `rig` into the hole and lets it come to rest. `work`: of the start so far [nodes times iterations], bounded.
+void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, double toolface, double& work, RigAtRest& rig)
+{
+  const Mesh& mesh = rig.model->mesh();
+  std::vector<double> stretch = estimated_stretch(mesh, scene, well, depth);
+  if (stretch.back() < kLongStretch) stretch.clear();
+  place_string(mesh, well, depth, toolface, stretch, rig.state);
+  hang_on_block(scene, rig.state);
+  const double most = (kMostWork - work) / rig.model->nodes();
+  rig.statics = solve_static(*rig.model, rig.state, FrictionMode::none, static_cast<int>(most));
+  work += 1.0 * rig.statics.iterations * rig.model->nodes();
+  if (rig.statics.converged) return;
+  std::ostringstream message;
+  if (work >= kMostWork)
+    message << "the static equilibrium is not found within the work allowed, " << kMostWork << " iterations times nodes; with longer elements "
+            << "(numerics.element_length) it may be";
+  else
+    message << "no static equilibrium found for the string at bit depth " << depth << " m (residual " << rig.statics.residual << " N after "
+            << rig.statics.iterations << " iterations)";
+  fail(message.str());
 }
 
 }  // namespace
@@ -114,32 +145,29 @@ double bend_toolface(const Model& model, const State& state)
 RigAtRest build_at_rest(const Scene& scene)
 {
   const StartSpec& start = scene.start;
-  const double bit_radius = 0.5 * scene.string.front().diameter;
+  const double bit_radius = 0.5 * scene.string.front().bit->diameter;
   Wellbore well(scene.well, scene.trajectory, bit_radius);
   const bool on_bottom = start.weight_on_bit > 0.0;
   const double depth = on_bottom ? scene.well.hole_depth : start.bit_depth;
   double length = depth + start.block_height;
+  double stretch = 0.0;
+  // a string that stretches by much is so much shorter, and stretches less for it
+  for (int round = 0; round == 0 || (round < kStretchRounds && stretch > kLongStretch); ++round)
   {
     const Mesh mesh = build_mesh(scene, length);
-    length -= estimated_stretch(mesh, scene, well, depth) - start.weight_on_bit * string_compliance(mesh);
+    stretch = estimated_stretch(mesh, scene, well, depth).back() - start.weight_on_bit * string_compliance(mesh);
+    length = depth + start.block_height;
+    length -= stretch;
   }
 
   RigAtRest rig{nullptr, State(well), {}};
   double toolface = start.toolface;
   double depth_error = 0.0, toolface_error = 0.0;
+  double work = 0.0;
   for (int round = 0; round < kMaxRounds; ++round)
   {
     rig.model = std::make_shared<Model>(scene, build_mesh(scene, length));
-    place_string(rig.model->mesh(), well, depth, toolface, rig.state);
-    hang_on_block(scene, rig.state);
-    rig.statics = solve_static(*rig.model, rig.state, FrictionMode::none);
-    if (!rig.statics.converged)
-    {
-      std::ostringstream message;
-      message << "no static equilibrium found for the string at bit depth " << depth << " m (residual " << rig.statics.residual
-              << " N after " << rig.statics.iterations << " iterations)";
-      fail(message.str());
-    }
+    find_equilibrium(scene, well, depth, toolface, work, rig);
     toolface_error = rig.model->mesh().bend_node >= 0 ? angle_error(bend_toolface(*rig.model, rig.state), start.toolface) : 0.0;
     const double weight_error = rig.statics.forces.wob - start.weight_on_bit;
     // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance

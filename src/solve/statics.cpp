@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "drill_rig_sim/math/block_tridiagonal.h"
 #include "drill_rig_sim/model/evaluate.h"
@@ -15,6 +16,7 @@ constexpr double kFirstCoefficient = 100.0;  // c at the start: inertia of 10 ms
 constexpr double kLastCoefficient = 0.01;    // below this inertia is gone beside every stiffness [1/s]
 constexpr double kLongMove = 0.02;           // a longer increment is cut, and c stays [m, rad]
 constexpr int kMaxContinuation = 400;
+constexpr int kMaxNewton = 100;
 constexpr double kTolerance = 1e-3;          // residual: round-off of a kilometre of steel is 1e-4 [N, N m]
 
 double largest(const std::vector<double>& values)
@@ -25,7 +27,7 @@ double largest(const std::vector<double>& values)
 }
 
 /// Steps of pseudo-time, each one Newton iteration from rest; returns the iterations used.
-int continuation(const Model& model, State& state, FrictionMode friction, Stage& stage, Workspace& work)
+int continuation(const Model& model, State& state, FrictionMode friction, int most, Stage& stage, Workspace& work)
 {
   const int n = model.nodes();
   BlockTridiagonal tangent;
@@ -33,7 +35,7 @@ int continuation(const Model& model, State& state, FrictionMode friction, Stage&
   const std::vector<double> origin(6 * n, 0.0);
   std::vector<double> move(6 * n), residual(6 * n);
   double c = kFirstCoefficient;
-  for (int k = 0; k < kMaxContinuation; ++k)
+  for (int k = 0; k < most; ++k)
   {
     begin_static(model, state, friction, c, stage);
     evaluate_static(model, state, stage, origin.data(), work, move.data(), &tangent);
@@ -48,7 +50,26 @@ int continuation(const Model& model, State& state, FrictionMode friction, Stage&
     if (scale == 1.0) c = std::max(0.5 * c, 0.5 * kLastCoefficient);
     else c = std::min(1.5 * c, kFirstCoefficient);
   }
-  return kMaxContinuation;
+  return most;
+}
+
+/// What rounding the nodes' places leaves of a residual, the largest over the elements: places are known to eps times themselves, and an
+/// element answers with its stiffness, along its chord and across it [N].
+double round_off(const Mesh& mesh, const State& state)
+{
+  double most = 0.0;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+  {
+    const BeamSection& section = mesh.elements[e].section;
+    const Eigen::Array3d lower = state.nodes[e].position.array(), upper = state.nodes[e + 1].position.array();
+    const Eigen::Array3d error = 2.0 * std::numeric_limits<double>::epsilon() * lower.abs().max(upper.abs());
+    const Eigen::Array3d chord = (lower - upper).abs() / section.length;
+    const double along = (chord * error).sum();
+    const double across = (error * (1.0 - chord * chord).max(0.0).sqrt()).matrix().norm();
+    const double shear = 2.0 * (section.bending_near + section.bending_far) / (section.length * section.length);
+    most = std::max(most, section.axial / section.length * along + shear * across);
+  }
+  return most;
 }
 
 void clear_motion(State& state)
@@ -64,12 +85,12 @@ void clear_motion(State& state)
 
 }  // namespace
 
-StaticOutcome solve_static(const Model& model, State& state, FrictionMode friction)
+StaticOutcome solve_static(const Model& model, State& state, FrictionMode friction, int most_iterations)
 {
   Stage stage(model);
   Workspace work(model);
   StaticOutcome out;
-  out.iterations = continuation(model, state, friction, stage, work);
+  out.iterations = continuation(model, state, friction, std::min(kMaxContinuation, most_iterations), stage, work);
 
   BlockTridiagonal tangent;
   tangent.resize(model.nodes());
@@ -83,14 +104,14 @@ StaticOutcome solve_static(const Model& model, State& state, FrictionMode fricti
   };
   begin_static(model, state, friction, 0.0, stage);
   std::vector<double> u(6 * model.nodes(), 0.0);
-  const KinsolOutcome finished = kinsol_solve(problem, kTolerance, u);
+  const KinsolOutcome finished = kinsol_solve(problem, kTolerance, std::min(kMaxNewton, most_iterations - out.iterations), u);
   evaluate_static(model, state, stage, u.data(), work, scratch.data(), nullptr);
   find_string_forces(model, state, stage, work);
   commit(work, state);
   advance_static(work, state);
   clear_motion(state);
 
-  out.converged = finished.converged;
+  out.converged = finished.converged || finished.residual <= round_off(model.mesh(), state);
   out.iterations += finished.iterations;
   out.residual = finished.residual;
   out.top_force = work.result.held_force;

@@ -17,11 +17,11 @@ const std::vector<const Method*>& method_table()
   return table;
 }
 
-const Method* find_method(const std::string& name)
+const Method& find_method(IntegratorKind kind) noexcept
 {
   for (const Method* method : method_table())
-    if (name == method->name || name == "auto") return method;
-  return nullptr;
+    if (kind == method->kind) return *method;
+  return *method_table().front();
 }
 
 Stepper::Stepper(std::shared_ptr<const Model> model, const Method& method)

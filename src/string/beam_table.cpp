@@ -8,20 +8,20 @@ namespace drill_rig_sim
 const std::vector<BeamKind>& beam_table()
 {
   static const std::vector<BeamKind> table = {
-      {"corotational", "cubic in a frame along the chord", beam_forces, beam_forces, beam_energy, true},
-      {"geometrically_exact", "rigid-section strains, relative rotation interpolated", geometrically_exact_forces, geometrically_exact_forces,
+      {ElementKind::corotational, "corotational", "cubic in a frame along the chord", beam_forces, beam_forces, beam_energy, true},
+      {ElementKind::geometrically_exact, "geometrically_exact", "rigid-section strains, relative rotation interpolated", geometrically_exact_forces, geometrically_exact_forces,
        geometrically_exact_energy, false},
-      {"rotation_vector", "rigid-section strains, total rotation vectors interpolated; fails at a full turn", rotation_vector_forces,
+      {ElementKind::rotation_vector, "rotation_vector", "rigid-section strains, total rotation vectors interpolated; fails at a full turn", rotation_vector_forces,
        rotation_vector_forces, rotation_vector_energy, false},
   };
   return table;
 }
 
-const BeamKind* find_beam(const std::string& name)
+const BeamKind& find_beam(ElementKind kind) noexcept
 {
-  for (const BeamKind& kind : beam_table())
-    if (name == kind.name || (name == "auto" && &kind == &beam_table().front())) return &kind;
-  return nullptr;
+  for (const BeamKind& beam : beam_table())
+    if (kind == beam.kind) return beam;
+  return beam_table().front();
 }
 
 }  // namespace drill_rig_sim

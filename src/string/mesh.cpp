@@ -5,84 +5,13 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cuts.h"
 #include "drill_rig_sim/math/units.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-constexpr double kShortestJoint = 0.5;  // a shorter rest of the fill is added to the joint below [m]
-
-/// A place where an element ends.
-struct Cut
-{
-  double from_bit;
-  double contact_radius;
-  int part;  // of the element that ends here from below
-  int joint;
-  bool joint_end;
-};
-
-double joint_end_diameter(const PartSpec& part)
-{
-  return part.type == PartType::pipe ? std::max(part.tool_joint_diameter, part.outer_diameter) : part.outer_diameter;
-}
-
-/// Even cuts of one joint, its upper end included.
-void cut_joint(const PartSpec& part, int index, int joint, double lower, double upper, double longest, std::vector<Cut>& cuts)
-{
-  const int count = std::max(1, static_cast<int>(std::ceil((upper - lower) / longest - 1e-9)));
-  for (int k = 1; k <= count; ++k)
-  {
-    const bool end = k == count;
-    cuts.push_back({lower + (upper - lower) * k / count, 0.5 * (end ? joint_end_diameter(part) : part.outer_diameter), index, joint, end});
-  }
-}
-
-/// A joint that has a special place inside: bend or blade.
-void cut_joint_at(const PartSpec& part, int index, double lower, double place, double upper, double radius, double longest,
-                  std::vector<Cut>& cuts)
-{
-  cut_joint(part, index, 0, lower, place, longest, cuts);
-  cuts.back().contact_radius = radius;
-  cuts.back().joint_end = false;
-  cut_joint(part, index, 0, place, upper, longest, cuts);
-}
-
-std::vector<double> joint_lengths(const PartSpec& part, double rest)
-{
-  if (part.joints > 0) return std::vector<double>(part.joints, part.joint_length);
-  if (rest < kShortestJoint)
-  {
-    std::ostringstream message;
-    message << "string: part '" << part.name << "' fills up to the surface, but the parts below it leave only " << rest
-            << " m; at least " << kShortestJoint << " m are needed";
-    throw std::runtime_error(message.str());
-  }
-  std::vector<double> lengths(static_cast<std::size_t>(rest / part.joint_length), part.joint_length);
-  const double last = rest - part.joint_length * lengths.size();
-  if (last >= kShortestJoint || lengths.empty())
-    lengths.push_back(last);
-  else
-    lengths.back() += last;
-  return lengths;
-}
-
-void cut_part(const PartSpec& part, int index, double lower, const std::vector<double>& lengths, double longest, std::vector<Cut>& cuts)
-{
-  const double upper = lower + lengths.front();
-  if (part.type == PartType::mud_motor && part.bend != 0.0)
-    cut_joint_at(part, index, lower, part.bit_to_bend, upper, 0.5 * part.outer_diameter, longest, cuts);
-  else if (part.type == PartType::stabilizer)
-    cut_joint_at(part, index, lower, 0.5 * (lower + upper), upper, 0.5 * part.blade_diameter, longest, cuts);
-  else
-    for (std::size_t j = 0; j < lengths.size(); ++j)
-    {
-      cut_joint(part, index, static_cast<int>(j), lower, lower + lengths[j], longest, cuts);
-      lower += lengths[j];
-    }
-}
-
 MeshElement make_element(const PartSpec& part, int index, double lower, double upper, double mass)
 {
   MeshElement e;
@@ -115,27 +44,37 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
   }
 }
 
+[[noreturn]] void refuse_rest(const PartSpec& part, double rest)
+{
+  std::ostringstream message;
+  message << "string: part '" << part.name << "' fills up to the surface, but the parts below it leave only " << rest << " m; at least "
+          << shortest_joint << " m are needed";
+  throw std::runtime_error(message.str());
+}
+
 }  // namespace
 
-Mesh build_mesh(const Scene& scene, double total_length)
+Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, double element_length,
+                double total_length)
 {
   Mesh mesh;
-  const PartSpec& bit = scene.string.front();
+  const PartSpec& bit = parts.front();
   mesh.total_length = total_length;
-  mesh.bit_radius = 0.5 * bit.diameter;
-  mesh.bit_mass = bit.mass;
-  mesh.bit_displaced = bit.mass / bit.density;
+  mesh.bit_radius = 0.5 * bit.bit->diameter;
+  mesh.bit_mass = bit.bit->mass;
+  mesh.bit_displaced = bit.bit->mass / bit.density;
 
   std::vector<Cut> cuts;
   double top = bit.length;
   mesh.part_bottom.push_back(0.0);
   mesh.part_top.push_back(top);
-  for (std::size_t p = 1; p < scene.string.size(); ++p)
+  for (std::size_t p = 1; p < parts.size(); ++p)
   {
-    const PartSpec& part = scene.string[p];
+    const PartSpec& part = parts[p];
     const std::vector<double> lengths = joint_lengths(part, total_length - top);
+    if (lengths.empty()) refuse_rest(part, total_length - top);
     mesh.part_bottom.push_back(top);
-    cut_part(part, static_cast<int>(p), top, lengths, scene.numerics.element_length, cuts);
+    cut_part(part, static_cast<int>(p), top, lengths, element_length, cuts);
     for (double length : lengths) top += length;
     mesh.part_top.push_back(top);
     if (part.type == PartType::mwd) mesh.sensor_from_bit = mesh.part_bottom.back() + part.sensor_offset;
@@ -151,15 +90,15 @@ Mesh build_mesh(const Scene& scene, double total_length)
   MeshNode first;
   first.from_bit = mesh.bit_radius;
   first.contact_radius = mesh.bit_radius;
-  first.contact = bit.has_contact ? bit.contact : scene.contact.law;
-  first.mass = bit.mass;
+  first.contact = bit.has_contact ? bit.contact : contact;
+  first.mass = bit.bit->mass;
   first.squeeze_film_damping = bit.squeeze_film_damping;
-  first.added_mass = scene.mud.added_mass * scene.mud.density * mesh.bit_displaced;
-  first.spin_inertia = first.tilt_inertia = 0.4 * bit.mass * mesh.bit_radius * mesh.bit_radius;
+  first.added_mass = mud.added_mass * mud.density * mesh.bit_displaced;
+  first.spin_inertia = first.tilt_inertia = 0.4 * bit.bit->mass * mesh.bit_radius * mesh.bit_radius;
   mesh.nodes.push_back(first);
   for (const Cut& cut : cuts)
   {
-    const PartSpec& part = scene.string[cut.part];
+    const PartSpec& part = parts[cut.part];
     const double lower = mesh.nodes.back().from_bit;
     // the bit's own length carries no mass of the part above it
     const double mass = part.linear_mass * (cut.from_bit - std::max(lower, bit.length));
@@ -167,19 +106,19 @@ Mesh build_mesh(const Scene& scene, double total_length)
     MeshNode node;
     node.from_bit = cut.from_bit;
     node.contact_radius = cut.contact_radius;
-    node.contact = part.has_contact ? part.contact : scene.contact.law;
+    node.contact = part.has_contact ? part.contact : contact;
     node.part = cut.part;
     node.joint = cut.joint;
     node.joint_end = cut.joint_end;
     if (part.type == PartType::stabilizer && !cut.joint_end && cut.contact_radius == 0.5 * part.blade_diameter)
       node.squeeze_film_damping = part.squeeze_film_damping;
-    if (part.type == PartType::mud_motor && part.bend != 0.0 && std::abs(cut.from_bit - part.bit_to_bend) < 1e-9)
+    if (part.motor && part.motor->bend != 0.0 && std::abs(cut.from_bit - part.motor->bit_to_bend) < 1e-9)
     {
       mesh.bend_node = static_cast<int>(mesh.nodes.size());
-      element.bend = part.bend;
-      element.upper_end = Eigen::Quaterniond(Eigen::AngleAxisd(part.bend, Eigen::Vector3d::UnitZ()));
+      element.bend = part.motor->bend;
+      element.upper_end = Eigen::Quaterniond(Eigen::AngleAxisd(part.motor->bend, Eigen::Vector3d::UnitZ()));
     }
-    lump(element, part, scene.mud, mesh.nodes.back(), node);
+    lump(element, part, mud, mesh.nodes.back(), node);
     mesh.elements.push_back(element);
     mesh.nodes.push_back(node);
   }
@@ -187,7 +126,7 @@ Mesh build_mesh(const Scene& scene, double total_length)
   for (std::size_t i = 1; i + 1 < mesh.nodes.size(); ++i)
     if (mesh.nodes[i].joint_end)
       mesh.nodes[i].contact_radius =
-          std::max(mesh.nodes[i].contact_radius, 0.5 * joint_end_diameter(scene.string[mesh.nodes[i + 1].part]));
+          std::max(mesh.nodes[i].contact_radius, 0.5 * joint_end_diameter(parts[mesh.nodes[i + 1].part]));
   return mesh;
 }
 

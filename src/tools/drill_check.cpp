@@ -4,8 +4,8 @@
 #include "drill_command.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/simulator.h"
-#include "drill_rig_sim/string/mesh.h"
 #include "drill_scene.h"
 
 namespace drill_rig_sim
@@ -41,7 +41,7 @@ void print_string(const Scene& scene)
   {
     const PartSpec& part = scene.string[i];
     const double length = mesh.part_top[i] - mesh.part_bottom[i];
-    const double mass = part.type == PartType::bit ? part.mass : part.linear_mass * length;
+    const double mass = part.bit ? part.bit->mass : part.linear_mass * length;
     total += mass;
     std::printf("%-16s %-10s %10.2f %10.2f %12.0f\n", part.name.c_str(), word(part.type), mesh.part_bottom[i], mesh.part_top[i],
                 mass);

@@ -273,7 +273,7 @@ void run(const Arguments& arguments)
   Simulator simulator = build_simulator(scene, seed);
   if (arguments.has("--energy") && !simulator.balance_energy())
     throw UsageError("--energy: no energy balance for integrator '" + std::string(simulator.statistics().integrator) + "' with element '" +
-                     scene.numerics.element + "', allowed: all integrators but ida, element corotational");
+                     find_beam(scene.numerics.element).name + "', allowed: all integrators but ida, element corotational");
   DrillingRecord record;
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_time();

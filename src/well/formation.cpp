@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "drill_rig_sim/math/units.h"
+
 namespace drill_rig_sim
 {
 namespace

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
-#include <string>
+
+#include "drill_rig_sim/well/well_checks.h"
 
 namespace drill_rig_sim
 {
@@ -18,36 +18,12 @@ struct Anchor
   bool at_bit = false;  // the hole's end, cut by the bit
 };
 
-[[noreturn]] void refuse(const std::string& what)
+void check(const WellSpec& spec, double bit_radius)
 {
-  throw std::invalid_argument("well: " + what);
-}
-
-std::string metres(double value)
-{
-  std::ostringstream text;
-  text << value << " m";
-  return text.str();
-}
-
-void check(const WellSpec& spec, const Survey& survey, double bit_radius)
-{
-  const double top = survey.first_md();
-  if (!(spec.hole_depth > top && spec.hole_depth <= survey.last_md()))
-    refuse("hole_depth " + metres(spec.hole_depth) + " must lie below the first and not below the last station (" +
-           metres(survey.last_md()) + ")");
-  if (!(bit_radius > 0.0 && std::isfinite(bit_radius))) refuse("the bit's radius " + metres(bit_radius) + " must be positive");
-  if (spec.sections.empty()) refuse("sections: there must be at least one");
-  double above = top;
-  for (const HoleSection& section : spec.sections)
-  {
-    if (!(section.diameter > 0.0 && section.friction >= 0.0))
-      refuse("section to " + metres(section.to) + ": diameter must be positive and friction not negative");
-    if (!(section.to > above + 2.0 * section_step))
-      refuse("section to " + metres(section.to) + ": must end more than 2 mm below the one above");
-    above = section.to;
-  }
-  if (above < spec.hole_depth) refuse("the last section ends at " + metres(above) + ", it must reach the hole_depth");
+  const ProblemList problems = well_problems(spec);
+  if (!problems.empty()) throw std::invalid_argument(problems.front().key + ": " + problems.front().text);
+  if (!(bit_radius > 0.0 && std::isfinite(bit_radius)))
+    throw std::invalid_argument("well: the bit's radius " + metres(bit_radius) + " must be positive");
 }
 
 // Two anchors where one section gives way to the next, and the hole's end.
@@ -92,7 +68,7 @@ WellNode node_at(const PathPoint& p, double radius, double friction)
 
 std::vector<WellNode> place_nodes(const WellSpec& spec, const Survey& survey, double bit_radius)
 {
-  check(spec, survey, bit_radius);
+  check(spec, bit_radius);
   const std::vector<Anchor> anchors = with_stations(section_anchors(spec, survey.first_md(), bit_radius), survey);
   std::vector<WellNode> nodes;
   for (std::size_t i = 0; i < anchors.size(); ++i)

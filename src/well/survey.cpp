@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
+#include <string>
+
+#include "drill_rig_sim/well/well_checks.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-constexpr double largest_dogleg = 179.9 * degree;
-
 // sin(x)/x; the series' next term is below round-off at the switch.
 double sinc(double x) noexcept
 {
@@ -18,24 +18,11 @@ double sinc(double x) noexcept
   return x2 < 1e-4 ? 1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0)) : std::sin(x) / x;
 }
 
-[[noreturn]] void refuse(std::size_t station, double md, const std::string& what)
-{
-  std::ostringstream text;
-  text << "survey station " << station + 1 << " (md " << md << " m): " << what;
-  throw std::invalid_argument(text.str());
-}
-
 void check(const std::vector<SurveyStation>& stations)
 {
-  if (stations.size() < 2) throw std::invalid_argument("survey: has fewer than two stations, allowed are two or more");
-  for (std::size_t i = 0; i < stations.size(); ++i)
-  {
-    const SurveyStation& s = stations[i];
-    if (!std::isfinite(s.md) || !std::isfinite(s.inclination) || !std::isfinite(s.azimuth))
-      refuse(i, s.md, "not a finite number");
-    if (s.inclination < 0.0 || s.inclination > pi) refuse(i, s.md, "inclination outside 0 to 180 deg");
-    if (i > 0 && !(s.md > stations[i - 1].md)) refuse(i, s.md, "md does not increase, it must be strictly increasing");
-  }
+  const std::vector<SurveyProblem> problems = survey_problems(stations);
+  if (!problems.empty())
+    throw std::invalid_argument("survey station " + std::to_string(problems.front().station + 1) + ": " + problems.front().text);
 }
 }  // namespace
 
@@ -54,7 +41,6 @@ Survey::Survey(const std::vector<SurveyStation>& stations)
     arc.turn = tangent - from.tangent;
     arc.bisector = tangent + from.tangent;
     arc.dogleg = 2.0 * std::atan2(arc.turn.norm(), arc.bisector.norm());
-    if (arc.dogleg > largest_dogleg) refuse(i, stations[i].md, "turns back on the station above, less than 179.9 deg is allowed");
     arc.bisector.normalize();
     arc.inverse_sinc = 1.0 / sinc(0.5 * arc.dogleg);
     // r(1) of the class's formula

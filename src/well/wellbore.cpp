@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "drill_rig_sim/well/hole_nodes.h"
+#include "drill_rig_sim/well/well_checks.h"
 
 namespace drill_rig_sim
 {
@@ -13,7 +14,7 @@ namespace
 constexpr std::size_t raw_capacity = 16384;
 constexpr double raw_spacing = 5e-4;             // [m]
 constexpr double first_interval_by_steps = 0.1;  // L2 until the first Stage II when steps are counted [m]
-constexpr double shortest_chord = 1e-3;          // Stage II waits for it: shorter segments would bound no node count [m]
+constexpr double shortest_chord = least_stage_two_length;  // Stage II waits for it
 
 std::size_t checked_capacity(int capacity)
 {
@@ -38,9 +39,8 @@ std::shared_ptr<const Wellbore::Original> Wellbore::build(const WellSpec& spec, 
                                                           double bit_radius)
 {
   const Survey survey(spec.survey);
-  if (survey.first_md() != 0.0) throw std::invalid_argument("well: the first station must be at md 0");
-  if (trajectory.stage_two_steps < 0 || (trajectory.stage_two_steps == 0 && !(trajectory.stage_two_length >= shortest_chord)))
-    throw std::invalid_argument("trajectory: stage_two_length must be 1 mm or more, or stage_two_steps positive");
+  const ProblemList problems = trajectory_problems(trajectory);
+  if (!problems.empty()) throw std::invalid_argument(problems.front().key + ": " + problems.front().text);
   auto hole = std::make_shared<Original>();
   hole->nodes = place_nodes(spec, survey, bit_radius);
   hole->sections = spec.sections;

@@ -54,7 +54,7 @@ std::vector<Choice> all_elements()
 
 Choice default_choice()
 {
-  return {integrator_name("auto"), kDefaultElement};
+  return {find_integrator(IntegratorKind::automatic).name, kDefaultElement};
 }
 
 bool is_default(const Choice& choice)

@@ -50,7 +50,7 @@ struct BeamChain
   std::vector<Node> nodes;
   std::vector<Element> elements;
   std::vector<BeamForces> forces;  ///< of the last assembly
-  const BeamKind* kind = find_beam("auto");
+  const BeamKind* kind = &find_beam(ElementKind::automatic);
   /// The chain's axes in the ground's. Only an element that is not objective notices.
   Eigen::Matrix3d attitude = Eigen::Matrix3d::Identity();
 

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "drill_rig_sim/contact/wall_contact.h"
+#include "drill_rig_sim/math/units.h"
 
 /// Holes located in closed form, one stage of a contact, its tangent by differences, and a block on a slope.
 namespace drill_rig_sim

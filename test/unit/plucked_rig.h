@@ -20,7 +20,7 @@ constexpr double plucked_span = 0.4;  ///< nearly two of the slowest axial perio
 inline RigAtRest plucked()
 {
   Scene scene = without_damping(vertical_scene(400.0, 290.0));
-  scene.string[0].diameter = 0.2;
+  scene.string[0].bit->diameter = 0.2;
   scene.start.block_height = 10.0;
   RigAtRest rig = build_at_rest(scene);
   const double length = rig.model->mesh().total_length;

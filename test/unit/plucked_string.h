@@ -23,7 +23,7 @@ struct PluckedString
   static Scene scene_for(double tolerance, int order, double element_length)
   {
     Scene scene = without_damping(vertical_scene(400.0, 290.0));
-    scene.string[0].diameter = 0.2;
+    scene.string[0].bit->diameter = 0.2;
     scene.start.block_height = 10.0;
     scene.rig.top_drive.proportional_gain = scene.rig.top_drive.integral_gain = 0.0;
     scene.numerics.reference_tolerance = tolerance;

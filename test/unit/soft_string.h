@@ -56,7 +56,7 @@ inline SoftStringResult soft_string(const Scene& scene, const PlanarWell& well, 
     if (sliding == Sliding::rotate) torque += mu * side / (climbs ? std::sqrt(1.0 + mu * mu) : 1.0) * radius;
   };
   const PartSpec& bit = scene.string[0];
-  add(bit_depth, standard_gravity * bit.mass * (1.0 - scene.mud.density / bit.density), 0.0, 0.5 * bit.diameter);
+  add(bit_depth, standard_gravity * bit.bit->mass * (1.0 - scene.mud.density / bit.density), 0.0, 0.5 * bit.bit->diameter);
   double left = bit_depth - bit.length;  // to the surface
   for (std::size_t p = 1; p < scene.string.size(); ++p)
   {

@@ -26,7 +26,7 @@ struct Rig
   Stepper stepper;
   Setpoints setpoints;
 
-  explicit Rig(const Scene& scene) : rest(build_at_rest(scene)), stepper(rest.model, *find_method("auto"))
+  explicit Rig(const Scene& scene) : rest(build_at_rest(scene)), stepper(rest.model, find_method(IntegratorKind::automatic))
   {
     stepper.limits().tolerance = 1e-9;  // on the residual's solution, so that only the tangent is on trial
   }
@@ -139,7 +139,7 @@ void expect_exact(const Rig& rig)
 Scene drilling_clear()
 {
   Scene scene = drilling_scene(0.002);
-  scene.string[0].diameter = 0.21;
+  scene.string[0].bit->diameter = 0.21;
   return scene;
 }
 
@@ -153,7 +153,7 @@ Scene built()
 TEST(ModelTangent, hangingFreeAndTurning)
 {
   Scene scene = vertical_scene(100.0, 60.0);
-  scene.string[0].diameter = 0.21;
+  scene.string[0].bit->diameter = 0.21;
   Rig rig(scene);
   rig.setpoints.top_drive.speed = 60.0 * rpm;
   rig.run(2.0);
@@ -209,7 +209,7 @@ TEST(ModelTangent, drillingOnBottom)
   for (const BitTorqueModel model : {BitTorqueModel::stribeck, BitTorqueModel::detournay})
   {
     Scene scene = drilling_clear();
-    scene.string[0].torque.model = model;
+    scene.string[0].bit->torque.model = model;
     scene.formation[0].weight_exponent = 1.3;
     scene.formation[0].drillability = 3e-9;
     Rig rig(scene);

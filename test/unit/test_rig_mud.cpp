@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/mud_motor.h"
 #include "drill_rig_sim/rig/mud_pump.h"
 

@@ -8,6 +8,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/survey_csv.h"
+#include "drill_rig_sim/solve/integrator.h"
 
 namespace drill_rig_sim
 {
@@ -42,11 +43,11 @@ TEST(SceneRead, BohaiHoldsWhatItsFileSays)
   ASSERT_EQ(scene.string.size(), 7u);
   const PartSpec& bit = scene.string[0];
   EXPECT_EQ(bit.type, PartType::bit);
-  EXPECT_DOUBLE_EQ(bit.torque.speed, 30.0 * rpm);
-  EXPECT_DOUBLE_EQ(bit.bottom.stiffness, 1e9);
+  EXPECT_DOUBLE_EQ(bit.bit->torque.speed, 30.0 * rpm);
+  EXPECT_DOUBLE_EQ(bit.bit->bottom.stiffness, 1e9);
   const PartSpec& motor = scene.string[1];
-  EXPECT_DOUBLE_EQ(motor.bend, 1.25 * degree);
-  EXPECT_DOUBLE_EQ(motor.bit_to_bend, 2.0);
+  EXPECT_DOUBLE_EQ(motor.motor->bend, 1.25 * degree);
+  EXPECT_DOUBLE_EQ(motor.motor->bit_to_bend, 2.0);
   const PartSpec& hwdp = scene.string[5];
   EXPECT_EQ(hwdp.joints, 14);
   EXPECT_DOUBLE_EQ(hwdp.length, 14 * 9.3);
@@ -90,7 +91,7 @@ TEST(SceneRead, KeysLeftOutTakeTheDefaults)
   EXPECT_DOUBLE_EQ(scene.start.block_height, StartSpec{}.block_height);
   EXPECT_DOUBLE_EQ(scene.mud.density, 1150.0);
   EXPECT_DOUBLE_EQ(scene.contact.law.stiffness, 5e7);
-  EXPECT_EQ(scene.numerics.level, "beam3d");
+  EXPECT_EQ(scene.numerics.level, Level::beam3d);
   EXPECT_EQ(scene.trajectory.stage_two_steps, 0);
   EXPECT_FALSE(scene.string[1].has_contact);
   EXPECT_EQ(scene.string[0].joints, 1);
@@ -114,9 +115,9 @@ TEST(SceneRead, DetournayTorqueTakesItsOwnKeys)
   text.replace(text.find("diameter: 0.25}"), 15,
                "diameter: 0.25, torque: {model: detournay, cutting_energy: 5e7, wear_weight: 1000}}");
   const Scene scene = parse_scene(text, "detournay.yaml");
-  EXPECT_EQ(scene.string[0].torque.model, BitTorqueModel::detournay);
-  EXPECT_DOUBLE_EQ(scene.string[0].torque.cutting_energy, 5e7);
-  EXPECT_DOUBLE_EQ(scene.string[0].torque.wear_weight, 1000.0);
+  EXPECT_EQ(scene.string[0].bit->torque.model, BitTorqueModel::detournay);
+  EXPECT_DOUBLE_EQ(scene.string[0].bit->torque.cutting_energy, 5e7);
+  EXPECT_DOUBLE_EQ(scene.string[0].bit->torque.wear_weight, 1000.0);
 }
 
 TEST(SceneRead, NumbersDoNotDependOnNotation)
@@ -133,6 +134,14 @@ TEST(SceneRead, SettingsReplaceWhatTheFileSays)
   EXPECT_DOUBLE_EQ(scene.numerics.step, 0.001);
   EXPECT_DOUBLE_EQ(scene.well.sections[0].friction, 0.0);
   EXPECT_DOUBLE_EQ(scene.rig.top_drive.max_speed, 100.0 * rpm);
+}
+
+TEST(SceneRead, EveryIntegratorIsAWordOfTheSceneFile)
+{
+  EXPECT_EQ(parse_scene(smallest, "x", {"numerics.integrator=auto"}).numerics.integrator, IntegratorKind::automatic);
+  for (const IntegratorEntry& entry : integrator_table())
+    EXPECT_EQ(parse_scene(smallest, "x", {std::string("numerics.integrator=") + entry.name}).numerics.integrator, entry.kind) << entry.name;
+  EXPECT_EQ(integrator_table().size(), static_cast<std::size_t>(IntegratorKind::ida)) << "all but automatic";
 }
 
 TEST(SceneRead, WrongSettingsAreRefusedByName)
@@ -152,6 +161,8 @@ TEST(SceneRead, WrongSettingsAreRefusedByName)
   EXPECT_EQ(message("numerics.step=1").rfind("setting: numerics.step: 1 is out of range", 0), 0u) << message("numerics.step=1");
   EXPECT_EQ(message("numerics.stepp=1").rfind("setting: numerics.stepp: unknown key", 0), 0u) << message("numerics.stepp=1");
   EXPECT_EQ(message("well.sections[7].friction=0").rfind("setting: well.sections[7].friction: there is no such", 0), 0u);
+  EXPECT_EQ(message("numerics.integrator=no_such").rfind("setting: numerics.integrator: text is not known, allowed: auto, bdf2", 0), 0u);
+  EXPECT_EQ(message("numerics.level=rigid").rfind("setting: numerics.level: this level is not available yet", 0), 0u);
   EXPECT_EQ(message("numerics.step").rfind("setting: numerics.step: has no value", 0), 0u);
   EXPECT_EQ(message("name.step=1").rfind("setting: name.step: leads through", 0), 0u);
   for (const char* nonsense : {"=", "..=1", "a[=1", "a[]=1", "well[0]=1", "name=[", "[0]=1", "string[0]..x=1"})

@@ -23,8 +23,9 @@ inline PartSpec bit_part(double diameter, double mass = 40.0)
   bit.name = "bit";
   bit.type = PartType::bit;
   bit.length = bit.joint_length = 0.3;
-  bit.mass = mass;
-  bit.diameter = diameter;
+  bit.bit.emplace();
+  bit.bit->mass = mass;
+  bit.bit->diameter = diameter;
   return bit;
 }
 
@@ -63,10 +64,11 @@ inline PartSpec motor_part(double bend = 1.25 * degree)
   motor.name = "motor";
   motor.type = PartType::mud_motor;
   motor.length = 8.3;
-  motor.bend = bend;
-  motor.bit_to_bend = 2.0;
-  motor.displacement_per_rev = 0.024;
-  motor.stall_torque = 9000.0;
+  motor.motor.emplace();
+  motor.motor->bend = bend;
+  motor.motor->bit_to_bend = 2.0;
+  motor.motor->displacement_per_rev = 0.024;
+  motor.motor->stall_torque = 9000.0;
   return motor;
 }
 
@@ -115,7 +117,7 @@ inline Scene drilling_scene(double above = 0.01, double friction = 0.25)
 {
   Scene scene = vertical_scene(100.0, 100.0 - above, friction);
   scene.string = {bit_part(0.2159), collar_part(2, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
-  scene.string[0].side_cutting = 0.1;
+  scene.string[0].bit->side_cutting = 0.1;
   scene.contact.static_ratio = 1.2;
   return scene;
 }

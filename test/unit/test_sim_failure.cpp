@@ -39,7 +39,7 @@ const Damage kDamages[] = {
 TEST(Stepper, refusesWhatItCannotSolveAndLeavesTheStateAlone)
 {
   RigAtRest rig = build_at_rest(drilling_scene());
-  Stepper stepper(rig.model, *find_method("auto"));
+  Stepper stepper(rig.model, find_method(IntegratorKind::automatic));
   Setpoints setpoints;
   for (int k = 0; k < 10; ++k) ASSERT_TRUE(stepper.advance(rig.state, 0.005, setpoints));
   for (const Damage& damage : kDamages)
@@ -119,7 +119,7 @@ TEST(Simulator, everyNumberStaysFiniteUnderRoughHandling)
 TEST(Simulator, totalRotationVectorsStopAtTheFirstFullTurn)
 {
   Scene scene = drilling_scene();
-  scene.numerics.element = "rotation_vector";
+  scene.numerics.element = ElementKind::rotation_vector;
   Simulator rig(scene);
   drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
   std::vector<double> now;

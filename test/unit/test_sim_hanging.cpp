@@ -12,7 +12,7 @@ namespace
 /// of them above the rotary table.
 double buoyant_weight(const Scene& scene, double total, double in_air)
 {
-  double mass = scene.string[0].mass, volume = scene.string[0].mass / scene.string[0].density;
+  double mass = scene.string[0].bit->mass, volume = scene.string[0].bit->mass / scene.string[0].density;
   double length = scene.string[0].length;
   for (std::size_t p = 1; p < scene.string.size(); ++p)
   {

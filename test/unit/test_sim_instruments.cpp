@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/instruments.h"
 #include "drill_rig_sim/well/directions.h"
 

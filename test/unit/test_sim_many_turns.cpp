@@ -18,7 +18,7 @@ constexpr double kStep = 0.005;
 Scene spinning_scene()
 {
   Scene scene = vertical_scene(60.0, 40.0);
-  scene.string[0].diameter = 0.2;
+  scene.string[0].bit->diameter = 0.2;
   scene.mud.torsional_damping = 0.05;
   scene.rig.top_drive.max_speed = 1300.0 * rpm;
   scene.rig.top_drive.max_power = 1e8;
@@ -48,7 +48,7 @@ void run(RigAtRest& rig, Stepper& stepper, double speed, double seconds)
 TEST(ManyTurns, leaveTheTwistAsItWas)
 {
   RigAtRest rig = build_at_rest(spinning_scene());
-  Stepper stepper(rig.model, *find_method("auto"));
+  Stepper stepper(rig.model, find_method(IntegratorKind::automatic));
   const double speed = 1200.0 * rpm;
   run(rig, stepper, speed, 60.0);
   const std::vector<double> before = twist_rates(rig);
@@ -73,7 +73,7 @@ TEST(ManyTurns, leaveNoTwistBehindAtRest)
   Scene scene = spinning_scene();
   scene.numerics.structural_damping = 2e-3;
   RigAtRest rig = build_at_rest(scene);
-  Stepper stepper(rig.model, *find_method("auto"));
+  Stepper stepper(rig.model, find_method(IntegratorKind::automatic));
   run(rig, stepper, 1200.0 * rpm, 500.0);
   run(rig, stepper, 0.0, 200.0);
   EXPECT_GT(rig.state.nodes[0].spin_angle / (2.0 * pi), 0.99e4);

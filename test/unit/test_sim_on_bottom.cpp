@@ -25,7 +25,7 @@ struct Rock
 Scene frictionless(const Rock& rock)
 {
   Scene scene = drilling_scene(0.005, 0.0);
-  scene.string[0].torque.static_friction = scene.string[0].torque.kinetic_friction = 0.4;
+  scene.string[0].bit->torque.static_friction = scene.string[0].bit->torque.kinetic_friction = 0.4;
   FormationLayer& layer = scene.formation[0];
   layer.drillability = rock.drillability;
   layer.weight_exponent = rock.weight_exponent;
@@ -131,7 +131,7 @@ TEST(OnBottom, holeGrowsByWhatTheBitDrills)
   EXPECT_NEAR(m.bit_depth, m.hole_depth, 1e-3);
   EXPECT_GE(m.bit_depth, m.hole_depth);
   // volume of a bit-sized cylinder
-  const double radius = 0.5 * scene.string[0].diameter;
+  const double radius = 0.5 * scene.string[0].bit->diameter;
   EXPECT_NEAR(volume_below(well, 99.0) - volume, pi * radius * radius * gained, 1e-9);
 }
 

@@ -26,16 +26,16 @@ Eigen::VectorXd after_arkode(const RigAtRest& start, double step)
   return after_span(start, stepper, step);
 }
 
-Eigen::VectorXd after_own(const RigAtRest& start, const char* method, double step)
+Eigen::VectorXd after_own(const RigAtRest& start, IntegratorKind method, double step)
 {
-  Stepper stepper(start.model, *find_method(method));
+  Stepper stepper(start.model, find_method(method));
   stepper.limits().tolerance = 1e-12;
   return after_span(start, stepper, step);
 }
 
 constexpr double kFrame = 0.01;
 
-Scene quick_scene(const char* integrator)
+Scene quick_scene(IntegratorKind integrator)
 {
   Scene scene = read_scene(DRILL_RIG_SIM_SOURCE_DIR "/config/scenes/quick.yaml");
   scene.numerics.integrator = integrator;
@@ -48,7 +48,7 @@ struct Drilling
   double wob = 0.0, torque = 0.0, bit_torque = 0.0, hook_load = 0.0, depth = 0.0, rejected = 0.0;
 };
 
-Drilling drill(const char* integrator, double from, double to)
+Drilling drill(IntegratorKind integrator, double from, double to)
 {
   const Scene scene = quick_scene(integrator);
   Simulator rig(scene);
@@ -86,8 +86,8 @@ TEST(Arkode, isOfSecondOrder)
 TEST(Arkode, goesToTheSolutionOfBdf2)
 {
   const RigAtRest start = plucked();
-  const Eigen::VectorXd reference = after_own(start, "bdf2", 0.00005);
-  const double scale = (reference - after_own(start, "bdf2", plucked_span)).norm();
+  const Eigen::VectorXd reference = after_own(start, IntegratorKind::bdf2, 0.00005);
+  const double scale = (reference - after_own(start, IntegratorKind::bdf2, plucked_span)).norm();
   EXPECT_LT((after_arkode(start, 0.00005) - reference).norm(), 1e-3 * scale);
 }
 
@@ -97,13 +97,13 @@ TEST(Arkode, agreesWithOurTrBdf2AtEveryStep)
 {
   const RigAtRest start = plucked();
   for (double step : {0.005, 0.001})
-    EXPECT_LT((after_arkode(start, step) - after_own(start, "trbdf2", step)).norm(), 1e-7 * (1e-3 / step)) << step;
+    EXPECT_LT((after_arkode(start, step) - after_own(start, IntegratorKind::trbdf2, step)).norm(), 1e-7 * (1e-3 / step)) << step;
 }
 
 // Contact, friction, the breaking rock, the rotor's loop: all that the plucked string has not. Ten seconds on bottom.
 TEST(Arkode, drillsAsOurTrBdf2Does)
 {
-  const Drilling ours = drill("trbdf2", 45.0, 55.0), theirs = drill("arkode_dirk", 45.0, 55.0);
+  const Drilling ours = drill(IntegratorKind::trbdf2, 45.0, 55.0), theirs = drill(IntegratorKind::arkode_dirk, 45.0, 55.0);
   EXPECT_GT(ours.wob, 1e3);
   EXPECT_GT(ours.depth, 100.1);
   EXPECT_EQ(theirs.rejected, 0.0);
@@ -117,7 +117,7 @@ TEST(Arkode, drillsAsOurTrBdf2Does)
 // Nothing that ARKODE remembers reaches the next step.
 TEST(Arkode, goesOnBitByBitFromASnapshot)
 {
-  const Scene scene = quick_scene("arkode_dirk");
+  const Scene scene = quick_scene(IntegratorKind::arkode_dirk);
   Simulator rig(scene);
   ProgramPlayer program(scene.program);
   auto go_on = [&](int frames)

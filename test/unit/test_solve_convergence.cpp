@@ -14,15 +14,15 @@ using Eigen::Vector3d;
 
 namespace
 {
-Eigen::VectorXd after(const RigAtRest& start, const char* method, double step)
+Eigen::VectorXd after(const RigAtRest& start, IntegratorKind method, double step)
 {
-  Stepper stepper(start.model, *find_method(method));
+  Stepper stepper(start.model, find_method(method));
   stepper.limits().tolerance = 1e-12;
   return after_span(start, stepper, step);
 }
 
 /// Order from three steps in the ratio 1 : 2 : 4: log2 of |y_4 - y_2|/|y_2 - y_1|; no reference solution is needed.
-double order(const RigAtRest& start, const char* method, double finest)
+double order(const RigAtRest& start, IntegratorKind method, double finest)
 {
   const Eigen::VectorXd fine = after(start, method, finest), middle = after(start, method, 2.0 * finest),
                         coarse = after(start, method, 4.0 * finest);
@@ -33,27 +33,27 @@ double order(const RigAtRest& start, const char* method, double finest)
 // Coarsest 1 ms: the pluck's shortest wave, 150 m long, takes 30 of it.
 TEST(Convergence, bdf2IsOfSecondOrder)
 {
-  EXPECT_NEAR(order(plucked(), "bdf2", 0.00025), 2.0, 0.1);
+  EXPECT_NEAR(order(plucked(), IntegratorKind::bdf2, 0.00025), 2.0, 0.1);
 }
 
 TEST(Convergence, implicitEulerIsOfFirstOrder)
 {
-  EXPECT_NEAR(order(plucked(), "implicit_euler", 0.000125), 1.0, 0.15);
+  EXPECT_NEAR(order(plucked(), IntegratorKind::implicit_euler, 0.000125), 1.0, 0.15);
 }
 
 TEST(Convergence, trbdf2IsOfSecondOrder)
 {
-  EXPECT_NEAR(order(plucked(), "trbdf2", 0.00025), 2.0, 0.1);
+  EXPECT_NEAR(order(plucked(), IntegratorKind::trbdf2, 0.00025), 2.0, 0.1);
 }
 
 TEST(Convergence, generalisedAlphaIsOfSecondOrder)
 {
-  EXPECT_NEAR(order(plucked(), "generalised_alpha", 0.00025), 2.0, 0.1);
+  EXPECT_NEAR(order(plucked(), IntegratorKind::generalised_alpha, 0.00025), 2.0, 0.1);
 }
 
 TEST(Convergence, linearlyImplicitEulerIsOfFirstOrder)
 {
-  EXPECT_NEAR(order(plucked(), "linearly_implicit_euler", 0.000125), 1.0, 0.15);
+  EXPECT_NEAR(order(plucked(), IntegratorKind::linearly_implicit_euler, 0.000125), 1.0, 0.15);
 }
 
 // Its steps are shorter than the stability limit.
@@ -62,24 +62,24 @@ TEST(Convergence, centralDifferencesAreOfSecondOrder)
   const RigAtRest start = plucked();
   const double limit = explicit_step_limit(*start.model, start.state);
   EXPECT_GT(limit, 0.0002);
-  EXPECT_NEAR(order(start, "explicit", 0.00005), 2.0, 0.15);
+  EXPECT_NEAR(order(start, IntegratorKind::central_differences, 0.00005), 2.0, 0.15);
 }
 
 // All of second order go to the same solution.
 TEST(Convergence, methodsOfSecondOrderAgreeInTheLimit)
 {
   const RigAtRest start = plucked();
-  const Eigen::VectorXd reference = after(start, "bdf2", 0.00005);
-  const double scale = (reference - after(start, "bdf2", plucked_span)).norm();
-  for (const char* method : {"trbdf2", "generalised_alpha", "explicit"})
-    EXPECT_LT((after(start, method, 0.00005) - reference).norm(), 1e-3 * scale) << method;
+  const Eigen::VectorXd reference = after(start, IntegratorKind::bdf2, 0.00005);
+  const double scale = (reference - after(start, IntegratorKind::bdf2, plucked_span)).norm();
+  for (IntegratorKind method : {IntegratorKind::trbdf2, IntegratorKind::generalised_alpha, IntegratorKind::central_differences})
+    EXPECT_LT((after(start, method, 0.00005) - reference).norm(), 1e-3 * scale) << find_integrator(method).name;
 }
 
 // In a smooth motion the tangent at the guess serves for the whole step, and the residual after its increment says that this was the last.
 TEST(Convergence, smoothStepsTakeOneTangent)
 {
   const RigAtRest start = plucked();
-  Stepper stepper(start.model, *find_method("bdf2"));
+  Stepper stepper(start.model, find_method(IntegratorKind::bdf2));
   const Work before = stepper.work();
   constexpr double step = 0.001;
   after_span(start, stepper, step);
@@ -96,7 +96,7 @@ TEST(Convergence, newtonLeavesNoMoreThanItsTolerance)
   const RigAtRest start = plucked();
   const auto end = [&start](double tolerance)
   {
-    Stepper stepper(start.model, *find_method("bdf2"));
+    Stepper stepper(start.model, find_method(IntegratorKind::bdf2));
     stepper.limits().tolerance = tolerance;
     return after_span(start, stepper, 0.001);
   };
@@ -109,12 +109,12 @@ TEST(Convergence, newtonLeavesNoMoreThanItsTolerance)
 TEST(Convergence, blowsAreRefined)
 {
   RigAtRest start = plucked();
-  Stepper smooth(start.model, *find_method("bdf2"));
+  Stepper smooth(start.model, find_method(IntegratorKind::bdf2));
   after_span(start, smooth, 0.01);
   EXPECT_EQ(smooth.counters().error_test_failures, 0u);
 
   start.state.nodes[0].rate.velocity.z() = 2.0;
-  Stepper stepper(start.model, *find_method("bdf2")), fixed(start.model, *find_method("trbdf2"));
+  Stepper stepper(start.model, find_method(IntegratorKind::bdf2)), fixed(start.model, find_method(IntegratorKind::trbdf2));
   after_span(start, stepper, 0.01);
   EXPECT_GT(stepper.counters().error_test_failures, 0u);
   EXPECT_LT(stepper.counters().error_test_failures, 30u);
@@ -131,7 +131,7 @@ TEST(Convergence, centralDifferencesFailBeyondTheirLimit)
   auto largest_rate = [&](double step)
   {
     State state = start.state;
-    Stepper stepper(start.model, *find_method("explicit"));
+    Stepper stepper(start.model, find_method(IntegratorKind::central_differences));
     for (int k = 0; k < 400 && stepper.advance(state, step, Setpoints()); ++k)
     {
     }
@@ -147,10 +147,10 @@ TEST(Convergence, centralDifferencesFailBeyondTheirLimit)
 TEST(Convergence, methodsAgreeInTheLimit)
 {
   const RigAtRest start = plucked();
-  const Eigen::VectorXd reference = after(start, "bdf2", 0.00005);
-  const double scale = (reference - after(start, "bdf2", plucked_span)).norm();  // one step: where it began, nearly
-  const double bdf2 = (after(start, "bdf2", 0.00025) - reference).norm();
-  const double euler = (after(start, "implicit_euler", 0.00025) - reference).norm();
+  const Eigen::VectorXd reference = after(start, IntegratorKind::bdf2, 0.00005);
+  const double scale = (reference - after(start, IntegratorKind::bdf2, plucked_span)).norm();  // one step: where it began, nearly
+  const double bdf2 = (after(start, IntegratorKind::bdf2, 0.00025) - reference).norm();
+  const double euler = (after(start, IntegratorKind::implicit_euler, 0.00025) - reference).norm();
   EXPECT_GT(scale, 1e-3);
   EXPECT_LT(euler, 0.1 * scale);
   EXPECT_LT(bdf2, 0.1 * euler);
@@ -163,7 +163,7 @@ TEST(Convergence, unevenStepsKeepTheSecondOrder)
   auto uneven = [&](double step)
   {
     State state = start.state;
-    Stepper stepper(start.model, *find_method("bdf2"));
+    Stepper stepper(start.model, find_method(IntegratorKind::bdf2));
     stepper.limits().tolerance = 1e-12;
     for (long k = 0; k < std::lround(plucked_span / step); ++k)
       for (int part = 0; part < (k % 3 == 1 ? 2 : 1); ++part)

@@ -40,7 +40,7 @@ Scene drilling(double tolerance)
   Scene scene = scene_in({{0.0, 0.0, 0.3}, {30.0, 0.0, 0.3}, {80.0, 0.15, 0.3}, {140.0, 0.15, 0.3}}, 120.0, 120.0, 0.3);
   scene.string.insert(scene.string.begin() + 1, collar_part(3, 9.4));
   scene.start.weight_on_bit = 1e4;
-  scene.numerics.integrator = "ida";
+  scene.numerics.integrator = IntegratorKind::ida;
   scene.numerics.reference_tolerance = tolerance;
   return scene;
 }
@@ -88,7 +88,7 @@ TEST(Reference, TheSteppersErrorFallsWithTheSquareOfTheStep)
   std::vector<double> error;
   for (const double step : {0.001, 0.0005, 0.00025})
   {
-    Stepper bdf2(string.rig.model, *find_method("bdf2"));
+    Stepper bdf2(string.rig.model, find_method(IntegratorKind::bdf2));
     bdf2.limits().tolerance = 1e-12;
     error.push_back((string.stretch_of(string.run(bdf2, kSpan, step)) - reference).norm());
   }
@@ -102,7 +102,7 @@ TEST(Reference, DrillsAsTheDefaultStepperDoesAtShortSteps)
   Scene scene = drilling(1e-6);
   scene.numerics.step = 0.001;
   Simulator reference(scene);
-  scene.numerics.integrator = "bdf2";
+  scene.numerics.integrator = IntegratorKind::bdf2;
   scene.numerics.step = 0.0002;
   Simulator stepper(scene);
   for (Simulator* simulator : {&reference, &stepper})

@@ -59,7 +59,7 @@ std::vector<double> arrivals(RigAtRest& rig, Kind kind, const std::vector<double
         nearest = i;
     node.push_back(nearest);
   }
-  Stepper stepper(rig.model, *find_method("auto"));
+  Stepper stepper(rig.model, find_method(IntegratorKind::automatic));
   stepper.limits().tolerance = 1e-12;
   std::vector<double> last(places.size(), 0.0), most(places.size(), 0.0), out(places.size(), 0.0);
   while (rig.state.time < until)

@@ -55,7 +55,7 @@ double buckling_ratio(int count)
 {
   const double euler = pi * pi * Column::bending / (Column::length * Column::length);
   const Column column{Column::pinned, Column::sliding};
-  return critical_load([&](double force) { return column.loaded(*find_beam("auto"), count, force); }, 0, 0.5 * euler, 2.0 * euler) / euler;
+  return critical_load([&](double force) { return column.loaded(find_beam(ElementKind::automatic), count, force); }, 0, 0.5 * euler, 2.0 * euler) / euler;
 }
 }  // namespace
 

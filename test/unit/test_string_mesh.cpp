@@ -3,7 +3,8 @@
 
 #include <stdexcept>
 
-#include "drill_rig_sim/string/mesh.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
+#include "drill_rig_sim/string/string_checks.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
@@ -126,6 +127,30 @@ TEST(Mesh, refusesStringsThatDoNotFit)
   fixed.string.back().joints = 10;
   EXPECT_NE(refusal(fixed, 300.0).find("fill"), std::string::npos) << refusal(fixed, 300.0);
   EXPECT_EQ(refusal(fixed, 29.2 + 95.0), "");
+}
+
+TEST(StringProblems, nameTheKeyOfAnElementThatIsTooShortOrOfTooMany)
+{
+  const auto first = [](const Scene& scene)
+  {
+    const ProblemList problems = string_problems(scene.string, 320.0, scene.numerics.element_length);
+    return problems.empty() ? std::string() : problems.front().key;
+  };
+  Scene scene = assembly();
+  EXPECT_EQ(first(scene), "");
+  scene.string[1].motor->bit_to_bend = 0.3 + 8.3 - 0.005;  // bend 5 mm below the motor's upper end
+  EXPECT_EQ(first(scene), "string[1].bit_to_bend");
+  scene = assembly();
+  scene.string[2].length = scene.string[2].joint_length = 0.015;  // blades in its middle
+  EXPECT_EQ(first(scene), "string[2].length");
+  scene = assembly();
+  scene.string[0].length = scene.string[0].joint_length = 0.02;
+  scene.string[1] = stabilizer();
+  scene.string[1].length = scene.string[1].joint_length = 0.1;  // blades at 7 cm, the bit's centre at 10.8
+  EXPECT_EQ(first(scene), "string[0].length");
+  scene = assembly();
+  scene.numerics.element_length = 0.005;
+  EXPECT_EQ(first(scene), "numerics.element_length");
 }
 
 // A rest of less than half a metre joins the joint below it.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/formation.h"
 

@@ -1,7 +1,7 @@
 #ifndef DRILL_RIG_SIM_CONTACT_BIT_BOTTOM_H
 #define DRILL_RIG_SIM_CONTACT_BIT_BOTTOM_H
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/contact/normal_law.h"
 
 /// The bit against the bottom of the hole while it drills.
 ///

@@ -1,11 +1,29 @@
 #ifndef DRILL_RIG_SIM_CONTACT_BIT_TORQUE_H
 #define DRILL_RIG_SIM_CONTACT_BIT_TORQUE_H
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/well/formation.h"
 
 /// Torque on bit: how much the rock can resist the bit's turning, and the bristle that lets a stuck bit really stick.
 namespace drill_rig_sim
 {
+enum class BitTorqueModel
+{
+  stribeck,  ///< T = mu_b(omega) F D / 3 with mu_b falling from static to kinetic
+  detournay  ///< T = cutting energy * a^2 d / 2 + wear-flat friction
+};
+
+struct BitTorqueSpec
+{
+  BitTorqueModel model = BitTorqueModel::stribeck;
+  double static_friction = 0.6;   ///< YAML `static` [-]
+  double kinetic_friction = 0.4;  ///< YAML `kinetic` [-]
+  double speed = 30.0 * rpm;      ///< YAML `speed_rpm`: bit speed over which it falls [rad/s]
+  double cutting_energy = 60e6;   ///< detournay: intrinsic specific energy epsilon [J/m3]
+  double wear_friction = 0.6;     ///< detournay: mu * gamma of the wear flat [-]
+  double wear_weight = 0.0;       ///< detournay: weight carried by the wear flats [N]
+};
+
 /// The largest torque at a force on the bottom and a bit speed, and its slopes.
 struct TorqueLimit
 {

@@ -3,10 +3,16 @@
 
 #include <cmath>
 
-#include "drill_rig_sim/scene/scene.h"
-
 namespace drill_rig_sim
 {
+/// Hertz stiffness with Hunt-Crossley damping: F = stiffness delta^exponent (1 + damping delta').
+struct ContactLaw
+{
+  double stiffness = 5e7;  ///< [N/m^exponent]
+  double exponent = 1.5;   ///< [-], 1 .. 3
+  double damping = 0.3;    ///< [s/m]
+};
+
 /// Normal contact force and its partial derivatives.
 struct NormalForce
 {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/contact/contact_spec.h"
 #include "drill_rig_sim/well/wellbore.h"
 
 /// A circular cross section of the string (tool joint, pipe body, stabiliser blade, bit gauge) against the wall of the hole.

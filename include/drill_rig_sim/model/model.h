@@ -30,9 +30,9 @@ public:
   int elements() const noexcept { return static_cast<int>(mesh_.elements.size()); }
   /// The last node: the top drive's shaft.
   int top() const noexcept { return nodes() - 1; }
-  const PartSpec& bit() const noexcept { return scene_.string.front(); }
+  const BitSpec& bit() const noexcept { return *scene_.string.front().bit; }
   /// Null: none.
-  const PartSpec* motor() const noexcept { return motor_; }
+  const MotorSpec* motor() const noexcept { return motor_; }
   /// Wall contact at a node.
   const ContactSpec& contact(int i) const noexcept { return contact_[static_cast<std::size_t>(i)]; }
   /// Of the bristle that carries a stuck bit's torque [N m/rad].
@@ -46,7 +46,7 @@ private:
   const BeamKind& beam_;
   Formation formation_;
   std::vector<ContactSpec> contact_;  // per node
-  const PartSpec* motor_ = nullptr;   // into scene_
+  const MotorSpec* motor_ = nullptr;   // into scene_
   double bit_bristle_ = 0.0;
 };
 

@@ -2,7 +2,6 @@
 #define DRILL_RIG_SIM_RIG_HOISTING_H
 
 #include "drill_rig_sim/rig/setpoints.h"
-#include "drill_rig_sim/scene/scene.h"
 
 /// Drill line, winch and what the dead line's sensor reads.
 ///
@@ -11,6 +10,21 @@
 /// T. Line and sheaves have no mass; sheave friction shows in the dead line's reading only.
 namespace drill_rig_sim
 {
+struct HoistingSpec
+{
+  int sheaves = 5;              ///< n in the travelling block; 2 n lines
+  double line_ea = 4e7;         ///< E A of the drill line [N]
+  double crown_height = 46.0;   ///< of the crown block above the rotary table [m]
+  double fixed_length = 60.0;   ///< strung length outside the block: fast and dead line [m]
+  double block_mass = 17500.0;  ///< travelling block, hook and top drive [kg]
+  double sheave_efficiency = 0.98;
+  double max_speed = 1.5;         ///< of the block [m/s]
+  double max_acceleration = 0.5;  ///< of the block [m/s2]
+  double max_hook_load = 2.5e6;   ///< [N]
+  double lowest_block_height = 1.0;
+  double highest_block_height = 40.0;
+};
+
 /// The lines' pull on the block.
 struct LinePull
 {

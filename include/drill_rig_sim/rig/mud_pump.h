@@ -3,10 +3,14 @@
 
 #include <algorithm>
 
-#include "drill_rig_sim/scene/scene.h"
-
 namespace drill_rig_sim
 {
+struct MudPumpSpec
+{
+  double max_flow = 0.06;             ///< [m3/s]
+  double pressure_coefficient = 4e9;  ///< stand-pipe pressure / flow^2 [Pa s2/m6]
+};
+
 /// Flow that the pump delivers for a command: clamped to 0 .. max_flow [m3/s]. Follows at once: no ramp, no compressibility.
 inline double pump_flow(const MudPumpSpec& spec, double commanded) noexcept
 {

@@ -1,8 +1,8 @@
 #ifndef DRILL_RIG_SIM_RIG_TOP_DRIVE_H
 #define DRILL_RIG_SIM_RIG_TOP_DRIVE_H
 
+#include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/setpoints.h"
-#include "drill_rig_sim/scene/scene.h"
 
 /// The top drive: a driven rotor, and the torque meter's spring between it and the string's top.
 ///
@@ -19,6 +19,17 @@
 /// closed form.
 namespace drill_rig_sim
 {
+struct TopDriveSpec
+{
+  double inertia = 2500.0;             ///< [kg m2]
+  double proportional_gain = 20000.0;  ///< [N m s/rad]
+  double integral_gain = 5000.0;       ///< [N m/rad]
+  double max_torque = 50000.0;         ///< [N m]
+  double max_speed = 220.0 * rpm;      ///< [rad/s]
+  double max_power = 750e3;            ///< [W]
+  double meter_stiffness = 1e6;        ///< torque meter spring [N m/rad]
+};
+
 /// The rotor at the start of a step.
 struct RotorState
 {

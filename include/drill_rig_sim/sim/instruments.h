@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/scene/instruments_spec.h"
 #include "drill_rig_sim/sim/measurements.h"
 
 namespace drill_rig_sim

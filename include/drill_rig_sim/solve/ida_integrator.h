@@ -18,6 +18,7 @@ namespace drill_rig_sim
 /// Order two at most by default: a string's fast axial and torsional modes are hardly damped, and the BDF formulas of order three and more
 /// excite such modes unless the step resolves them. At 1e-6 the main job then takes a tenth of the steps. Its joints hold within
 /// Newton's tolerance, 1e-8 m or rad in the mean over the unknowns.
+/// The work of one interval is bounded: where IDA would need more than 1000 steps of its own it fails.
 /// Its memory is no part of a snapshot: after restore() it starts afresh, so that runs repeat within the tolerance, not bit by
 /// bit. It allocates.
 class IdaIntegrator : public Integrator
@@ -29,6 +30,7 @@ public:
   bool advance(State& state, double step, const Setpoints& setpoints) noexcept override;
   void restart() noexcept override { lost_ = true; }
   const ReferenceReport* reference() const noexcept override { return &report_; }
+  const char* failure() const noexcept override;
 
 private:
   bool advance_or_throw(State& state, double step, const Setpoints& setpoints);
@@ -41,6 +43,7 @@ private:
   std::vector<double> y_, rate_;
   double time_ = 0.0;
   bool lost_ = true;
+  bool too_much_work_ = false;  // in the last advance()
   Setpoints setpoints_;
   double flow_ = 0.0;
   int stuck_node_ = -1;

@@ -16,7 +16,7 @@ struct IdaOptions
   double max_step = 0.0;    ///< [s]; 0: none
   double fixed_step = 0.0;  ///< > 0: smallest and largest step alike, to show what a given step does [s]
   bool suppress_algebraic = true;  ///< multipliers out of the error test
-  long max_steps = 2000000;        ///< of one advance()
+  long max_steps = 2000000;        ///< of one advance(), those repeated with a shorter step among them
   double newton_share = 0.1;       ///< of the tolerance, that Newton's method may leave; at IDA's 0.33 the rest fails error tests
 };
 
@@ -38,6 +38,8 @@ public:
   /// solution at t.
   /// False: it could not; statistics().flag tells why, y and rate are left alone.
   bool advance(double t, std::vector<double>& y, std::vector<double>& rate);
+  /// The last advance() ended because max_steps were not enough.
+  bool too_much_work() const;
   /// IDA's name for statistics().flag.
   std::string flag_name() const;
   IdaStatistics statistics() const;

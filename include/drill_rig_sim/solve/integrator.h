@@ -43,6 +43,11 @@ public:
   Profiler& profiler() noexcept { return work_.profiler; }
   Work& work() noexcept { return work_.work; }
   const StepperCounters& counters() const noexcept { return counters_; }
+  /// Why the last advance() could not, one line.
+  virtual const char* failure() const noexcept
+  {
+    return "the step could not be solved even in parts of 1/32: time stands at the last good state; reset the well or restore a state";
+  }
   /// Local error of the last step's positions, as the method estimates it [m]; 0 where it does not.
   double error_estimate() const noexcept { return error_estimate_; }
   /// Of the reference; null for the others.
@@ -59,6 +64,7 @@ protected:
 /// What `numerics.integrator` can name.
 struct IntegratorEntry
 {
+  IntegratorKind kind;
   const char* name;
   const char* description;
 };
@@ -66,12 +72,12 @@ struct IntegratorEntry
 /// All integrators, the default first.
 const std::vector<IntegratorEntry>& integrator_table();
 
-/// Builds an integrator of the table ("auto": the default) for a model and the state that it starts from.
-/// Throws std::runtime_error with one line (what, what is allowed) for an unknown name or a scene that it cannot integrate.
-std::unique_ptr<Integrator> make_integrator(const std::string& name, std::shared_ptr<const Model> model, const State& start);
+/// Builds an integrator of the table for a model and the state that it starts from.
+/// Throws std::runtime_error with one line (what, what is allowed) for a scene that it cannot integrate.
+std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, std::shared_ptr<const Model> model, const State& start);
 
-/// The table's name for `name`: resolves "auto".
-const char* integrator_name(const std::string& name);
+/// The table's entry; automatic: the default's.
+const IntegratorEntry& find_integrator(IntegratorKind kind) noexcept;
 
 }  // namespace drill_rig_sim
 

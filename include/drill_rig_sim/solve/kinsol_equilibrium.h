@@ -20,8 +20,9 @@ struct KinsolOutcome
   double residual = 0.0;  ///< largest component left
 };
 
-/// KINSOL, Newton with line search, until no component of the residual exceeds `tolerance`. u: guess in, solution out.
-KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, std::vector<double>& u);
+/// KINSOL, Newton with line search, until no component of the residual exceeds `tolerance`, in `most_iterations` at most
+/// (one is made in any case). u: guess in, solution out.
+KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, int most_iterations, std::vector<double>& u);
 
 }  // namespace drill_rig_sim
 

@@ -22,8 +22,9 @@ struct StaticOutcome
 ///
 /// Pseudo-transient continuation (inertia M c^2 with c falling to 0, Kelley and Keyes 1998) walks into the basin of the solution:
 /// a long string out of contact has almost no lateral stiffness, and a full Newton step would throw it through the wall. KINSOL's
-/// Newton method with line search then finishes it. Allocates; not for use in a frame.
-StaticOutcome solve_static(const Model& model, State& state, FrictionMode friction);
+/// Newton method with line search then finishes it, to 1 mN or to what the rounding of the nodes' places leaves of stiff elements.
+/// `most_iterations` bounds the work of both together. Allocates; not for use in a frame.
+StaticOutcome solve_static(const Model& model, State& state, FrictionMode friction, int most_iterations = 1000);
 
 }  // namespace drill_rig_sim
 

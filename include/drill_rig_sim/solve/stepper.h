@@ -15,8 +15,8 @@ constexpr double largest_local_error = 1e-4;
 
 /// The fixed-step methods, the default first.
 const std::vector<const Method*>& method_table();
-/// Null for an unknown name; "auto" is the default method.
-const Method* find_method(const std::string& name);
+/// The table's method; automatic, and what is no method of the table: the first, the default.
+const Method& find_method(IntegratorKind kind) noexcept;
 
 /// Fixed-step real-time stepping with a method of the table, the hole extended after each step.
 /// Noexcept and allocation-free after construction.

@@ -1,17 +1,26 @@
 #ifndef DRILL_RIG_SIM_STRING_BEAM_TABLE_H
 #define DRILL_RIG_SIM_STRING_BEAM_TABLE_H
 
-#include <string>
 #include <vector>
 
 #include "drill_rig_sim/string/beam_element.h"
 
 namespace drill_rig_sim
 {
-/// A kind of beam element: forces, and forces with tangent, as in beam_element.h. A new kind is a file with these two functions and a
-/// line in beam_table().
+/// What `numerics.element` can be; automatic is the first line of beam_table().
+enum class ElementKind
+{
+  automatic,
+  corotational,
+  geometrically_exact,
+  rotation_vector
+};
+
+/// A kind of beam element: forces, and forces with tangent, as in beam_element.h. A new kind is a file with these two functions, a
+/// line in beam_table() and its word among the scene's keys.
 struct BeamKind
 {
+  ElementKind kind;
   const char* name;
   const char* description;
   BeamForces (*forces)(const BeamSection&, const BeamPose&, const BeamDamping&, const Eigen::Vector3d& load, BeamStrain&) noexcept;
@@ -23,8 +32,7 @@ struct BeamKind
 };
 
 const std::vector<BeamKind>& beam_table();
-/// Null for an unknown name; "auto" is the first line, the default.
-const BeamKind* find_beam(const std::string& name);
+const BeamKind& find_beam(ElementKind kind) noexcept;
 
 }  // namespace drill_rig_sim
 

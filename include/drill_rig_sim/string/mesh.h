@@ -3,7 +3,9 @@
 
 #include <vector>
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/contact/normal_law.h"
+#include "drill_rig_sim/string/mud.h"
+#include "drill_rig_sim/string/part.h"
 #include "drill_rig_sim/string/beam_element.h"
 
 namespace drill_rig_sim
@@ -20,7 +22,7 @@ struct MeshNode
   double tilt_inertia = 0.0;  ///< about any axis across it [kg m2]
   double length = 0.0;        ///< share of the string, for the mud's damping [m]
   double squeeze_film_damping = 0.0;  ///< of lateral motion by the mud squeezed between blades or gauge and wall [N s/m]
-  int part = 0;               ///< index into Scene::string of the part below it
+  int part = 0;               ///< index of the part below it
   int joint = 0;              ///< joint of that part, counted from its lower end
   bool joint_end = false;     ///< upper end of a joint
 };
@@ -55,9 +57,11 @@ struct Mesh
   std::vector<double> part_top;
 };
 
-/// Cuts the scene's string into elements no longer than `numerics.element_length`. `total_length` [m] fixes how many joints the `fill`
-/// entry has and how long its last one is. Throws std::runtime_error if the string does not fit.
-Mesh build_mesh(const Scene& scene, double total_length);
+/// Cuts a string of `parts`, bit first, in `mud` into elements no longer than `element_length` [m]; `contact`: the wall's law for parts without
+/// one of their own. `total_length` [m] fixes how many joints the `fill` entry has and how long its last one is. Throws
+/// std::runtime_error if the string does not fit.
+Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, double element_length,
+                double total_length);
 
 }  // namespace drill_rig_sim
 

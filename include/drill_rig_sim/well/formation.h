@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "drill_rig_sim/scene/scene.h"
 
 /// The rock, and how fast a bit breaks it: the three-dimensional drilling equation
 ///   v = K N^beta g(|F|) A_f A_b F/|F|,   g(F) = max(F - F_0, 0)^alpha,
@@ -17,6 +16,19 @@
 /// turn to the next.
 namespace drill_rig_sim
 {
+/// Rock between the layer above and `to_tvd`. ROP = drillability (weight - threshold)^weight_exponent bit_speed^speed_exponent.
+struct FormationLayer
+{
+  double to_tvd = 0.0;           ///< true vertical depth of its base [m]
+  double drillability = 0.0;     ///< K [m/s; N; rad/s]
+  double weight_exponent = 1.0;  ///< alpha [-]
+  double speed_exponent = 1.0;   ///< beta [-]
+  double threshold = 0.0;        ///< F_0 [N]
+  double dip = 0.0;              ///< bed dip below horizontal [rad]
+  double strike = 0.0;           ///< azimuth of the strike, dip to its right [rad]
+  double anisotropy = 0.0;       ///< h in [0, 1); 0 = isotropic
+};
+
 /// The layers by true vertical depth.
 class Formation
 {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/well/well_spec.h"
 #include "drill_rig_sim/well/survey.h"
 #include "drill_rig_sim/well/well_node.h"
 
@@ -18,7 +18,7 @@ constexpr double hermite_tolerance = 5e-5;
 /// ends (the upper one at its end) and where the hole's last diameter gives way to the bit's, and as many between as the cubic
 /// Hermite needs to stay within `hermite_tolerance` of the arc. Interpolating an arc of curvature k over a length h by position
 /// and tangent errs by k^3 h^4 / 384 at most (the cubic Hermite's remainder). Throws std::invalid_argument with one line (what,
-/// where, what is allowed) if the sections or the depth do not fit the survey.
+/// where, what is allowed) if well_problems() (well_checks.h) finds anything.
 std::vector<WellNode> place_nodes(const WellSpec& spec, const Survey& survey, double bit_radius);
 
 }  // namespace drill_rig_sim

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/well/well_spec.h"
 #include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim
@@ -30,8 +30,7 @@ struct PathPoint
 class Survey
 {
 public:
-  /// `stations`: at least two, md strictly increasing, finite, inclinations 0 .. pi, consecutive tangents less than
-  /// 179.9 deg apart. Throws std::invalid_argument with one line that names the station otherwise.
+  /// Throws std::invalid_argument with one line that names the station if survey_problems() (well_checks.h) finds anything.
   explicit Survey(const std::vector<SurveyStation>& stations);
 
   int size() const noexcept { return static_cast<int>(points_.size()); }

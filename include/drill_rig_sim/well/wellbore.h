@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/well/well_spec.h"
 #include "drill_rig_sim/well/history.h"
 #include "drill_rig_sim/well/hole_segment.h"
 #include "drill_rig_sim/well/well_node.h"

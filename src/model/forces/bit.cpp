@@ -48,7 +48,7 @@ double bit_speed(const StageContext& at) noexcept
 
 BitTorque torque_under(const StageContext& at, const BottomForce& bottom, double speed) noexcept
 {
-  const PartSpec& bit = at.model.bit();
+  const BitSpec& bit = at.model.bit();
   return bit_torque(bit_torque_limit(bit.torque, bit.diameter, bottom.value, speed, rock_of(at)), at.model.bit_bristle_stiffness(),
                     at.start.bit.twist, at.work.nodes[0].spin + at.stage.bit.motor_turn, speed, at.stage.dv_du);
 }
@@ -91,7 +91,7 @@ void advance_bit(const StageContext& at, const BitTorque& torque) noexcept
   end = at.start.bit;
   end.twist = torque.twist;
   end.turned += at.stage.bit.motor_turn;
-  const PartSpec* motor = at.model.motor();
+  const MotorSpec* motor = at.model.motor();
   if (!motor) return;
   const double steady = mud_motor_steady_speed(at.start.flow, motor->displacement_per_rev, motor->stall_torque, torque.value);
   end.motor_speed = advance_mud_motor(at.start.bit.motor_speed, steady, at.stage.time);
@@ -140,7 +140,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
   sample.bit_torque = result.forces.bit_torque;
   sample.bit_speed = result.forces.bit_speed;
   sample.motor_speed = at.stage.bit.motor_speed;
-  const PartSpec* motor = at.model.motor();
+  const MotorSpec* motor = at.model.motor();
   sample.motor_flow_speed = motor ? 2.0 * pi * at.start.flow / motor->displacement_per_rev : 0.0;
 }
 }  // namespace

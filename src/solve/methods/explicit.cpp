@@ -47,7 +47,7 @@ void remember_acceleration(const StepContext& context, MethodMemory& memory) noe
 }
 }  // namespace
 
-const Method explicit_differences = {"explicit", "central differences, second order, short steps only", step, remember_acceleration, 1,
+const Method explicit_differences = {IntegratorKind::central_differences, "explicit", "central differences, second order, short steps only", step, remember_acceleration, 1,
                                      false};
 
 }  // namespace drill_rig_sim

@@ -75,6 +75,6 @@ void remember_acceleration(const StepContext& context, MethodMemory& memory) noe
 }
 }  // namespace
 
-const Method trbdf2 = {"trbdf2", "TR-BDF2, second order, L-stable, two solves a step", step, remember_acceleration, 1, false};
+const Method trbdf2 = {IntegratorKind::trbdf2, "trbdf2", "TR-BDF2, second order, L-stable, two solves a step", step, remember_acceleration, 1, false};
 
 }  // namespace drill_rig_sim

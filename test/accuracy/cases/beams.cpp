@@ -176,9 +176,9 @@ void vertical_pipe_cases(Report& report, const BeamKind& kind, double element_le
 
 void beam_cases(Report& report)
 {
-  const BeamKind& cubic = *find_beam("corotational");
-  const BeamKind& exact = *find_beam("geometrically_exact");
-  const BeamKind& vector = *find_beam("rotation_vector");
+  const BeamKind& cubic = find_beam(ElementKind::corotational);
+  const BeamKind& exact = find_beam(ElementKind::geometrically_exact);
+  const BeamKind& vector = find_beam(ElementKind::rotation_vector);
   for (const BeamKind& kind : beam_table())
     for (const BendLoad& load : kBendLoads) bend_cases(report, kind, load);
   roll_up_case(report, cubic, 1.0, 128, 1e-3);

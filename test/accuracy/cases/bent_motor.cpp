@@ -107,11 +107,16 @@ std::vector<PartSpec> parts_of(const Assembly& assembly)
     if (std::abs(top - kBendAt) < 1e-6)
     {
       place.type = PartType::mud_motor;
-      place.bend = kBend;
-      place.bit_to_bend = 0.5 * kHole + kBendAt * kFoot;
+      place.motor.emplace();
+      place.motor->bend = kBend;
+      place.motor->bit_to_bend = 0.5 * kHole + kBendAt * kFoot;
     }
     place.blade_diameter = assembly.blade_at(top);
-    if (place.blade_diameter > 0.0) place.type = PartType::stabilizer;
+    if (place.blade_diameter > 0.0)
+    {
+      place.type = PartType::stabilizer;
+      place.motor.reset();
+    }
     const bool plain = place.type == PartType::collar;
     add(section_of(elements[e]), elements[e][2] - taken - (plain ? 0.0 : half));
     if (!plain) add(place, 2.0 * half);

@@ -25,7 +25,7 @@ constexpr double kDiameter = 0.2159;
 Scene drag_bit_scene()
 {
   Scene scene = drilling_scene(0.005, 0.0);
-  BitTorqueSpec& law = scene.string[0].torque;
+  BitTorqueSpec& law = scene.string[0].bit->torque;
   law.model = BitTorqueModel::detournay;
   law.cutting_energy = kSpecificEnergy;
   law.wear_friction = kFlatFriction;

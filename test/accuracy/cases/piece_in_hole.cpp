@@ -1,5 +1,6 @@
 #include "piece_in_hole.h"
 
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim

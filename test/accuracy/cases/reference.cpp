@@ -37,7 +37,7 @@ void order_of_default(Report& report)
   const Eigen::VectorXd reference = string.stretch_of(string.run(ida, span, interval));
   const auto error = [&](double step)
   {
-    Stepper stepper(string.rig.model, *find_method("auto"));
+    Stepper stepper(string.rig.model, find_method(IntegratorKind::automatic));
     stepper.limits().tolerance = 1e-12;
     return (string.stretch_of(string.run(stepper, span, step)) - reference).norm();
   };

@@ -44,9 +44,9 @@ Scene one_degree_scene(const OneDegree& c, double stribeck_speed, double step)
   scene.well.sections = {{length, 4.0, 0.0}};
   scene.formation[0].drillability = 0.0;
   PartSpec bit = bit_part(2.0 * radius, c.inertia / (0.4 * radius * radius));
-  bit.torque.kinetic_friction = 5.0;
-  bit.torque.static_friction = bit.torque.kinetic_friction + c.drop * 3.0 / (weight * bit.diameter);
-  bit.torque.speed = stribeck_speed;
+  bit.bit->torque.kinetic_friction = 5.0;
+  bit.bit->torque.static_friction = bit.bit->torque.kinetic_friction + c.drop * 3.0 / (weight * bit.bit->diameter);
+  bit.bit->torque.speed = stribeck_speed;
   PartSpec pipe = pipe_part(0, 1e5, 0.01, pipe_outer);
   const double moment = pi / 32.0 * (std::pow(pipe_outer, 4) - std::pow(pipe_inner, 4));
   pipe.young_modulus = 2.6 * c.stiffness * (length - radius) / moment;
@@ -66,7 +66,7 @@ Scene one_degree_scene(const OneDegree& c, double stribeck_speed, double step)
 Cycle measured(const OneDegree& c, double stribeck_speed, double step)
 {
   RigAtRest rig = build_at_rest(one_degree_scene(c, stribeck_speed, step));
-  Stepper stepper(rig.model, *find_method("bdf2"));
+  Stepper stepper(rig.model, find_method(IntegratorKind::bdf2));
   stepper.limits().tolerance = 1e-11;
   Setpoints turn;
   turn.top_drive.speed = c.speed;

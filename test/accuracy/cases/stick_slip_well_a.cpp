@@ -206,7 +206,7 @@ Scene calibrated_scene()
 Cycle simulated(const Scene& scene, const SetPoint& set_point)
 {
   RigAtRest rig = build_at_rest(scene);
-  Stepper stepper(rig.model, *find_method("bdf2"));
+  Stepper stepper(rig.model, find_method(IntegratorKind::bdf2));
   Cycle cycle;
   Setpoints turn;
   while (rig.state.time < kUntil)

@@ -77,7 +77,7 @@ void constant_curvature(Report& report)
   const Scene scene = scene_in(build_and_hold(0.0, rate, 60.0 * degree, 0.8, 600.0), 600.0, 590.0, mu);
   const double buoyancy = 1.0 - scene.mud.density / steel_density;
   const double weight_radius = standard_gravity * tool_jointed_mass * buoyancy / rate;
-  const double bit = standard_gravity * scene.string[0].mass * buoyancy;
+  const double bit = standard_gravity * scene.string[0].bit->mass * buoyancy;
   const RigAtRest rig = build_at_rest(scene);
   const char* const source = "closed form: Johancsik 1984; Aadnoy and Andersen 2001";
   for (double sigma : {1.0, -1.0})
@@ -92,7 +92,7 @@ void constant_curvature(Report& report)
   report.add({"constant curvature: rotating [N]", turning.hook_load, end + weight_radius * std::sin(lower), 0.005,
               "weight over the true vertical depth"});
   const double joints = 0.5 * scene.string[1].tool_joint_diameter * side_force_of_arc(end, weight_radius, lower, 0.0);
-  const double gauge = 0.5 * scene.string[0].diameter * bit * std::sin(lower);
+  const double gauge = 0.5 * scene.string[0].bit->diameter * bit * std::sin(lower);
   report.add({"constant curvature: torque [N m]", turning.torque, mu / std::sqrt(1.0 + mu * mu) * (joints + gauge), 0.01,
               "closed form with N = S/sqrt(1 + mu^2)"});
 }
@@ -114,7 +114,7 @@ void capstan(Report& report)
   const double clearance = 0.5 * (scene.well.sections[0].diameter - pipe_outer);
   const double turned = 120.0 * degree - 2.0 * std::acos(1.0 - clearance * rate);
   const RigAtRest rig = build_at_rest(scene);
-  const double load = standard_gravity * scene.string[0].mass;
+  const double load = standard_gravity * scene.string[0].bit->mass;
   const char* const source = "T exp(mu theta): Euler; Eytelwein";
   report.add({"capstan: pulled over two bends [N]", simulated(rig, FrictionMode::up).hook_load, load * std::exp(mu * turned),
               0.002, source});

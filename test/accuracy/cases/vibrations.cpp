@@ -86,7 +86,7 @@ double period(RigAtRest& rig, Kind kind, const Shape& shape, double expected)
 {
   const double rest = displacement(rig.state.nodes[0], kind);
   release_from(rig, kind, shape);
-  Stepper stepper(rig.model, *find_method("bdf2"));
+  Stepper stepper(rig.model, find_method(IntegratorKind::bdf2));
   stepper.limits().tolerance = 1e-10;
   const double step = expected / kStepsPerPeriod;
   double before = displacement(rig.state.nodes[0], kind) - rest, first = 0.0, last = 0.0;

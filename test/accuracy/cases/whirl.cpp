@@ -63,7 +63,7 @@ double whirl_ratio(double collar)
   Setpoints setpoints;
   setpoints.top_drive.speed = 60.0 * rpm;
   start_whirling(rig, collar, setpoints.top_drive.speed);
-  Stepper stepper(rig.model, *find_method("auto"));
+  Stepper stepper(rig.model, find_method(IntegratorKind::automatic));
   const double step = 5e-4;
   const NodeState& node = rig.state.nodes[2];  // 1.3 m from the bit
   double circled = 0.0, spun_before = 0.0;

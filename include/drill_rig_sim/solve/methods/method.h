@@ -33,6 +33,7 @@ struct StepContext
 /// quantities of State::memory behind the first, the last rate, which predict() needs.
 struct Method
 {
+  IntegratorKind kind;
   const char* name;
   const char* description;
   /// Takes one step: on success the workspace is left at its end, updated, ready for commit(). False: not solvable.

@@ -1,0 +1,40 @@
+#ifndef DRILL_RIG_SIM_SCENE_INSTRUMENTS_SPEC_H
+#define DRILL_RIG_SIM_SCENE_INSTRUMENTS_SPEC_H
+
+namespace drill_rig_sim
+{
+struct SensorSpec
+{
+  double noise = 0.0;        ///< standard deviation [unit of the signal]
+  double bias = 0.0;         ///< [unit of the signal]
+  double delay = 0.0;        ///< [s]
+  double filter_time = 0.0;  ///< first-order time constant [s]
+};
+
+struct MwdSpec
+{
+  double period = 30.0;                 ///< between surveys [s]; 0 = only after a pumps-off/on cycle
+  double latency = 8.0;                 ///< measurement to surface [s]
+  double inclination_resolution = 0.0;  ///< [rad]
+  double noise = 0.0;                   ///< standard deviation of inclination and azimuth [rad]
+  double scribe_offset = 0.0;           ///< added to the sensor's toolface to name the bend's [rad]
+};
+
+struct ToolfaceSpec
+{
+  double period = 10.0;  ///< [s]
+  double latency = 4.0;  ///< [s]
+};
+
+struct InstrumentsSpec
+{
+  MwdSpec mwd;
+  ToolfaceSpec toolface;
+  SensorSpec hook_load;            ///< dead-line sensor [N]
+  SensorSpec torque;               ///< torque meter [N m]
+  SensorSpec stand_pipe_pressure;  ///< [Pa]
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,50 @@
+#ifndef DRILL_RIG_SIM_SCENE_NUMERICS_SPEC_H
+#define DRILL_RIG_SIM_SCENE_NUMERICS_SPEC_H
+
+#include "drill_rig_sim/string/beam_table.h"
+
+namespace drill_rig_sim
+{
+/// Which motions are modelled.
+enum class Level
+{
+  rigid,
+  axial_torsional,
+  hybrid,
+  beam3d,
+  automatic
+};
+
+/// What `numerics.integrator` can be; automatic is the first of integrator_table() (solve/integrator.h).
+enum class IntegratorKind
+{
+  automatic,
+  bdf2,
+  implicit_euler,
+  linearly_implicit_euler,
+  trbdf2,
+  generalised_alpha,
+  central_differences,
+  arkode_dirk,
+  ida
+};
+
+struct NumericsSpec
+{
+  Level level = Level::beam3d;
+  IntegratorKind integrator = IntegratorKind::automatic;
+  ElementKind element = ElementKind::automatic;
+  double step = 0.01;               ///< [s]; test/benchmark: shorter ones gain little on elements as long as a joint
+  double element_length = 9.5;      ///< longest element [m]
+  double tolerance = 0.01;          ///< relative, of the scene's outputs; level auto only
+  double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]
+  int reference_order = 2;          ///< integrator ida: highest order; 2 is the last that damps every oscillation (A-stable)
+  int reference_index = 2;          ///< integrator ida: 2 with both levels of constraints, 3 to show how it fails
+  double newton_tolerance = 1e-6;   ///< error that Newton's iteration may leave in a step's increments [m, rad]
+  double structural_damping =
+      1e-4;  ///< stiffness-proportional, axial and torsional: stress = E (strain + value * strain rate) [s]
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef DRILL_RIG_SIM_STRING_PART_H
+#define DRILL_RIG_SIM_STRING_PART_H
+
+#include <optional>
+#include <string>
+
+#include "drill_rig_sim/contact/bit_torque.h"
+#include "drill_rig_sim/contact/normal_law.h"
+
+namespace drill_rig_sim
+{
+enum class PartType
+{
+  bit,
+  mud_motor,
+  collar,
+  stabilizer,
+  mwd,
+  pipe
+};
+
+/// What a bit has beside what every part has.
+struct BitSpec
+{
+  double mass = 0.0;          ///< [kg]
+  double diameter = 0.0;      ///< gauge [m]
+  double side_cutting = 0.0;  ///< i_b in [0, 1]
+  BitTorqueSpec torque;
+  ContactLaw bottom{1e9, 1.5, 1.0};  ///< bit against the hole's bottom
+};
+
+/// What a mud motor has beside what every part has.
+struct MotorSpec
+{
+  double bend = 0.0;                  ///< angle of the bent housing [rad]
+  double bit_to_bend = 0.0;           ///< from the bit's face to the bend [m]
+  double displacement_per_rev = 0.0;  ///< [m3/rev]
+  double stall_torque = 0.0;          ///< [N m]
+};
+
+/// One entry of the `string` list; entries go from the bit up. Values that a type does not use stay at their defaults.
+struct PartSpec
+{
+  std::string name;
+  PartType type = PartType::collar;
+  double length = 0.0;          ///< of the whole part if it has no joints [m]
+  int joints = 1;               ///< number of joints; 0 means `fill`: as many as reach the surface
+  double joint_length = 0.0;    ///< [m]; equal to length where the part has no joints
+  double outer_diameter = 0.0;  ///< [m]
+  double inner_diameter = 0.0;  ///< [m]
+  double linear_mass = 0.0;     ///< in air [kg/m]
+  double young_modulus = 206e9;
+  double poisson_ratio = 0.3;
+  double density = 7850.0;           ///< of its material: displaced volume = linear mass / density [kg/m3]
+  double tool_joint_diameter = 0.0;  ///< pipe: at its joints' ends; 0 = outer diameter [m]
+  double blade_diameter = 0.0;       ///< stabilizer [m]
+  double squeeze_film_damping = 5e4;         ///< bit, stabilizer: lateral, by the mud squeezed between gauge or blades and wall [N s/m]
+  double sensor_offset = 0.0;        ///< mwd: from the part's lower end up to the sensor [m]
+  bool has_contact = false;          ///< true where the part sets its own wall contact law
+  ContactLaw contact;
+
+  std::optional<BitSpec> bit;      ///< of a bit
+  std::optional<MotorSpec> motor;  ///< of a mud motor
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,40 @@
+#ifndef DRILL_RIG_SIM_WELL_WELL_SPEC_H
+#define DRILL_RIG_SIM_WELL_WELL_SPEC_H
+
+#include <vector>
+
+namespace drill_rig_sim
+{
+/// One station of a directional survey.
+struct SurveyStation
+{
+  double md = 0.0;           ///< measured depth [m]
+  double inclination = 0.0;  ///< from vertical down [rad], 0 .. pi
+  double azimuth = 0.0;      ///< clockwise from north [rad]
+};
+
+/// A stretch of hole, from the end of the section above it down to measured depth `to`.
+struct HoleSection
+{
+  double to = 0.0;        ///< measured depth of its lower end [m]
+  double diameter = 0.0;  ///< [m]
+  double friction = 0.0;  ///< kinetic friction coefficient, pipe on wall [-]
+};
+
+struct WellSpec
+{
+  std::vector<SurveyStation> survey;  ///< from `survey` (a CSV file) or `stations`; strictly increasing md, first at md 0
+  double hole_depth = 0.0;            ///< measured depth of the hole's bottom [m]; at most the last station's md
+  std::vector<HoleSection> sections;  ///< top down; the last reaches at least hole_depth
+};
+
+/// How the drilled path is corrected.
+struct TrajectorySpec
+{
+  double stage_two_length = 0.1;  ///< drilled length between second-stage corrections [m]; used when stage_two_steps is 0
+  int stage_two_steps = 0;        ///< or every so many physics steps, as the paper counts
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,218 @@
+#include "drill_rig_sim/scene/scene_problems.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/string/string_checks.h"
+#include "drill_rig_sim/well/well_checks.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr const char* not_a_name = "is no name, allowed: 1 to 64 letters, digits and _";
+
+void check_formation(const std::vector<FormationLayer>& layers, ProblemList& problems)
+{
+  if (layers.empty()) problems.emplace_back("formation", "the list is empty, needed: at least one layer");
+  for (std::size_t i = 1; i < layers.size(); ++i)
+  {
+    if (layers[i].to_tvd > layers[i - 1].to_tvd) continue;
+    problems.emplace_back(item_key("formation", i, "to_tvd"),
+                 metres(layers[i].to_tvd) + " does not exceed the " + metres(layers[i - 1].to_tvd) + " of the layer above it");
+  }
+}
+
+// names become frames of the transform tree
+void check_part_names(const std::vector<PartSpec>& parts, ProblemList& problems)
+{
+  const std::set<std::string> reserved = {"rig_floor", "world", "map", "traveling_block", "top_drive"};
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const std::string& name = parts[i].name;
+    const std::string path = item_key("string", i, "name");
+    if (!is_name(name)) problems.emplace_back(path, not_a_name);
+    else if (reserved.count(name) || name.rfind("pipe_", 0) == 0)
+      problems.emplace_back(path, "is taken by a frame of the rig, choose another");
+    else if (!seen.insert(name).second) problems.emplace_back(path, "names two parts, needed: unique names");
+  }
+}
+
+struct Width
+{
+  const char* key;
+  double diameter;
+};
+
+// the widest place of a part
+Width widest(const PartSpec& part)
+{
+  Width width{"outer_diameter", part.outer_diameter};
+  for (const Width& other : {Width{"tool_joint_diameter", part.tool_joint_diameter}, Width{"blade_diameter", part.blade_diameter},
+                             Width{"diameter", part.bit ? part.bit->diameter : 0.0}})
+  {
+    if (other.diameter > width.diameter) width = other;
+  }
+  return width;
+}
+
+void check_diameters(const Scene& scene, ProblemList& problems)
+{
+  // every part passes the sections above the bit on its way down
+  double narrowest = 1e9;
+  double top = 0.0;
+  for (const HoleSection& section : scene.well.sections)
+  {
+    if (top < scene.start.bit_depth) narrowest = std::min(narrowest, section.diameter);
+    top = section.to;
+  }
+  for (std::size_t i = 0; i < scene.string.size(); ++i)
+  {
+    const PartSpec& part = scene.string[i];
+    const Width width = widest(part);
+    if (width.diameter > narrowest)
+    {
+      problems.emplace_back(
+          item_key("string", i, width.key),
+          metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section, " + metres(narrowest));
+    }
+    else if (i > 0 && scene.string[0].bit && width.diameter > scene.string[0].bit->diameter)
+    {
+      problems.emplace_back(item_key("string", i, width.key), metres(width.diameter) +
+                                                     " does not fit the hole that the bit drills, allowed: up to " +
+                                                     metres(scene.string[0].bit->diameter));
+    }
+    if (part.type == PartType::bit) continue;
+    if (part.inner_diameter >= part.outer_diameter)
+    {
+      problems.emplace_back(
+          item_key("string", i, "inner_diameter"),
+          metres(part.inner_diameter) + " leaves no wall, allowed: below outer_diameter, " + metres(part.outer_diameter));
+    }
+    if (part.tool_joint_diameter > 0.0 && part.tool_joint_diameter < part.outer_diameter)
+    {
+      problems.emplace_back(item_key("string", i, "tool_joint_diameter"), metres(part.tool_joint_diameter) +
+                                                                 " is thinner than the body, allowed: at least outer_diameter, " +
+                                                                 metres(part.outer_diameter));
+    }
+    if (part.type == PartType::stabilizer && part.blade_diameter < part.outer_diameter)
+    {
+      problems.emplace_back(item_key("string", i, "blade_diameter"), metres(part.blade_diameter) +
+                                                            " is thinner than the body, allowed: at least outer_diameter, " +
+                                                            metres(part.outer_diameter));
+    }
+  }
+}
+
+void check_hoisting(const HoistingSpec& h, ProblemList& problems)
+{
+  if (h.lowest_block_height >= h.highest_block_height)
+  {
+    problems.emplace_back("rig.hoisting.lowest_block_height",
+                 metres(h.lowest_block_height) + " is not below highest_block_height, " + metres(h.highest_block_height));
+  }
+  if (h.highest_block_height >= h.crown_height)
+  {
+    problems.emplace_back("rig.hoisting.highest_block_height",
+                 metres(h.highest_block_height) + " is not below crown_height, " + metres(h.crown_height));
+  }
+}
+
+void check_start(const Scene& scene, ProblemList& problems)
+{
+  const StartSpec& start = scene.start;
+  const HoistingSpec& h = scene.rig.hoisting;
+  if (start.bit_depth > scene.well.hole_depth)
+  {
+    problems.emplace_back("start.bit_depth",
+                 metres(start.bit_depth) + " is below the hole's bottom, allowed: up to " + metres(scene.well.hole_depth));
+  }
+  const bool can_travel = h.lowest_block_height < h.highest_block_height;
+  if (can_travel && (start.block_height < h.lowest_block_height || start.block_height > h.highest_block_height))
+  {
+    problems.emplace_back("start.block_height", metres(start.block_height) + " is outside the block's travel, allowed: " +
+                                           plain(h.lowest_block_height) + " to " + metres(h.highest_block_height));
+  }
+  const bool on_bottom = start.bit_depth >= scene.well.hole_depth;
+  if (start.weight_on_bit > 0.0 && !on_bottom)
+    problems.emplace_back("start.weight_on_bit",
+                 plain(start.weight_on_bit) + " N with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth");
+  if (start.torque_on_bit > 0.0 && !on_bottom)
+    problems.emplace_back("start.torque_on_bit",
+                 plain(start.torque_on_bit) + " N m with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth");
+}
+
+void check_program(const Scene& scene, ProblemList& problems)
+{
+  const auto limit = [&](std::size_t i, const char* key, double value, double most, const char* unit, double scale)
+  {
+    if (std::isnan(value) || std::abs(value) <= most * (1.0 + 1e-12)) return;
+    problems.emplace_back(item_key("program", i, key), plain(value / scale) + " " + unit + " is beyond the rig's limit, allowed: up to " +
+                                              plain(most / scale) + " " + unit);
+  };
+  for (std::size_t i = 0; i < scene.program.size(); ++i)
+  {
+    const ProgramStep& step = scene.program[i];
+    if (i > 0 && step.at <= scene.program[i - 1].at)
+    {
+      problems.emplace_back(item_key("program", i, "at"),
+                   plain(step.at) + " s is not after the " + plain(scene.program[i - 1].at) + " s of the line before it");
+    }
+    if (!std::isnan(step.top_drive_speed) && !std::isnan(step.top_drive_torque))
+    {
+      problems.emplace_back(item_key("program", i), "both top_drive_speed_rpm and top_drive_torque are given, allowed: one of them");
+    }
+    if (step.brake == 1.0 && !std::isnan(step.block_velocity) && step.block_velocity != 0.0)
+    {
+      problems.emplace_back(item_key("program", i), "the brake is set and the block moves, allowed: one of them");
+    }
+    limit(i, "block_velocity", step.block_velocity, scene.rig.hoisting.max_speed, "m/s", 1.0);
+    limit(i, "top_drive_speed_rpm", step.top_drive_speed, scene.rig.top_drive.max_speed, "rpm", rpm);
+    limit(i, "top_drive_torque", step.top_drive_torque, scene.rig.top_drive.max_torque, "N m", 1.0);
+    limit(i, "flow", step.flow, scene.rig.mud_pump.max_flow, "m3/s", 1.0);
+  }
+}
+void append(ProblemList& all, const ProblemList& more)
+{
+  all.insert(all.end(), more.begin(), more.end());
+}
+}  // namespace
+
+bool is_name(const std::string& text)
+{
+  constexpr std::size_t longest = 64;
+  return !text.empty() && text.size() <= longest &&
+         std::all_of(text.begin(), text.end(), [](char c)
+                     { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+ProblemList unavailable(const Scene& scene)
+{
+  ProblemList problems;
+  if (scene.numerics.level != Level::beam3d && scene.numerics.level != Level::automatic)
+    problems.emplace_back("numerics.level", "this level is not available yet, allowed: beam3d or auto");
+  if (scene.connections == Connections::automatic) problems.emplace_back("connections", "auto is not available yet, allowed: off");
+  return problems;
+}
+
+ProblemList scene_problems(const Scene& scene)
+{
+  ProblemList problems;
+  if (!is_name(scene.name)) problems.emplace_back("name", not_a_name);
+  append(problems, well_problems(scene.well));
+  append(problems, trajectory_problems(scene.trajectory));
+  append(problems, unavailable(scene));
+  check_formation(scene.formation, problems);
+  check_part_names(scene.string, problems);
+  append(problems, string_problems(scene.string, scene.start.bit_depth + scene.start.block_height, scene.numerics.element_length));
+  check_diameters(scene, problems);
+  check_hoisting(scene.rig.hoisting, problems);
+  check_start(scene, problems);
+  check_program(scene, problems);
+  return problems;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,61 @@
+#include "text_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace drill_rig_sim
+{
+namespace
+{
+/// Closes its descriptor at the end.
+struct Descriptor
+{
+  int number;
+  explicit Descriptor(int n) : number(n) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor()
+  {
+    if (number >= 0) ::close(number);
+  }
+};
+
+// why a file of this kind and size is not read; empty if it is
+std::string refusal(const struct stat& status, const char* needed)
+{
+  if (!S_ISREG(status.st_mode)) return std::string("is no regular file, needed: ") + needed;
+  if (static_cast<std::size_t>(status.st_size) > longest_text) return std::string("is larger than 16 MiB, needed: ") + needed;
+  return "";
+}
+}  // namespace
+
+std::string read_text_file(const std::string& file, const char* needed, std::string& text)
+{
+  const std::string unreadable = std::string("cannot be read, needed: ") + needed;
+  struct stat status = {};
+  // looked at before it is opened, for opening alone may act on a device, and once more after, for names can change their file
+  if (::stat(file.c_str(), &status) != 0) return unreadable;
+  std::string wrong = refusal(status, needed);
+  if (!wrong.empty()) return wrong;
+  const Descriptor in(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (in.number < 0 || ::fstat(in.number, &status) != 0) return unreadable;
+  wrong = refusal(status, needed);
+  if (!wrong.empty()) return wrong;
+  text.clear();
+  char block[65536];
+  while (true)
+  {
+    const ssize_t got = ::read(in.number, block, sizeof block);
+    if (got == 0) return "";
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return unreadable;
+    text.append(block, static_cast<std::size_t>(got));
+    // it may grow while it is read, and files of /proc have no size
+    if (text.size() > longest_text) return std::string("is larger than 16 MiB, needed: ") + needed;
+  }
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,89 @@
+#include "yaml_document.h"
+
+#include <yaml-cpp/eventhandler.h>
+
+#include <cstddef>
+#include <sstream>
+
+#include "text_file.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr long most_nodes = 200000;  // some 100 MB once they are loaded; 50,000 survey stations
+
+/// What the first pass ends with where the text is no scene.
+struct Refusal
+{
+  YAML::Mark mark;
+  const char* text;
+};
+
+/// Counts what a parser meets and builds nothing. YAML::LoadAll goes on for ever, and takes all memory, where a document is followed by
+/// something that begins none (a comma, say: yaml-cpp's issue 1040), so a second document ends the pass.
+class Counter : public YAML::EventHandler
+{
+public:
+  long documents() const { return documents_; }
+  bool empty() const { return only_null_; }
+
+  void OnDocumentStart(const YAML::Mark&) override { ++documents_; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { count(mark, true); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { count(mark, false); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string&) override { count(mark, false); }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override
+  {
+    count(mark, false);
+  }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override { count(mark, false); }
+  void OnMapEnd() override {}
+
+private:
+  void count(const YAML::Mark& mark, bool null)
+  {
+    only_null_ = nodes_ == 0 && null;
+    if (documents_ > 1) throw Refusal{mark, "a second YAML document begins, or text that is part of none; allowed: one document"};
+    if (++nodes_ > most_nodes) throw Refusal{mark, "more than 200000 values, this is no scene"};
+  }
+
+  long documents_ = 0;
+  long nodes_ = 0;
+  bool only_null_ = true;
+};
+
+// a parser's message ends, after a colon, with what it found in the file
+std::string without_content(const std::string& message)
+{
+  return message.substr(0, message.find(':'));
+}
+
+}  // namespace
+
+YAML::Node load_document(const std::string& text, Problems& problems)
+{
+  if (text.size() > longest_text) problems.fail(0, "YAML", "larger than 16 MiB, this is no scene");
+  try
+  {
+    std::istringstream in(text);
+    YAML::Parser parser(in);
+    Counter counter;
+    while (parser.HandleNextDocument(counter))
+    {
+    }
+    if (counter.documents() == 0 || counter.empty()) problems.fail(1, "YAML", "the file is empty, needed: a scene");
+    return YAML::Load(text);
+  }
+  catch (const Refusal& refusal)
+  {
+    problems.fail(refusal.mark.line + 1, "YAML", refusal.text);
+  }
+  catch (const YAML::Exception& e)
+  {
+    problems.fail(e.mark.line + 1, "YAML", "cannot be parsed: " + without_content(e.msg));
+  }
+}
+
+}  // namespace drill_rig_sim

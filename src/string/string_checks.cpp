@@ -1,0 +1,140 @@
+#include "drill_rig_sim/string/string_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cuts.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+void check_kinds(const std::vector<PartSpec>& parts, ProblemList& problems)
+{
+  if (parts.front().type != PartType::bit)
+    problems.emplace_back("string[0].type", "the first part is no bit, needed: parts from the bit up");
+  if (parts.back().type == PartType::bit)
+    problems.emplace_back("string", "there is nothing above the bit, needed: at least one pipe or collar");
+  int motors = 0, surveyors = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const PartType type = parts[i].type;
+    motors += type == PartType::mud_motor ? 1 : 0;
+    surveyors += type == PartType::mwd ? 1 : 0;
+    if (i > 0 && type == PartType::bit) problems.emplace_back(item_key("string", i, "type"), "a second bit, allowed: one");
+    if (type == PartType::mud_motor && motors == 2)
+      problems.emplace_back(item_key("string", i, "type"), "a second mud motor, allowed: one");
+    if (type == PartType::mwd && surveyors == 2) problems.emplace_back(item_key("string", i, "type"), "a second mwd, allowed: one");
+    if (parts[i].joints == 0 && i + 1 < parts.size())
+      problems.emplace_back(item_key("string", i, "joints"), "`fill` is not the string's last part, allowed: on the last part only");
+  }
+}
+
+void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
+{
+  double bottom = 0.0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const PartSpec& part = parts[i];
+    const double top = bottom + part.length;
+    if (part.motor && (part.motor->bit_to_bend <= bottom || part.motor->bit_to_bend >= top))
+      problems.emplace_back(item_key("string", i, "bit_to_bend"), metres(part.motor->bit_to_bend) + " is outside the motor, allowed: between " +
+                                                                      plain(bottom) + " and " + metres(top));
+    if (part.type == PartType::mwd && part.sensor_offset > part.length)
+      problems.emplace_back(item_key("string", i, "sensor_offset"),
+                            metres(part.sensor_offset) + " is outside the part, allowed: 0 to " + metres(part.length));
+    if (part.bit && part.bit->torque.model == BitTorqueModel::stribeck &&
+        part.bit->torque.kinetic_friction > part.bit->torque.static_friction)
+      problems.emplace_back(item_key("string", i, "torque.kinetic"), plain(part.bit->torque.kinetic_friction) + " exceeds static, allowed: up to " +
+                                                                         plain(part.bit->torque.static_friction));
+    bottom = top;
+  }
+}
+
+void check_length(const std::vector<PartSpec>& parts, double needed, ProblemList& problems)
+{
+  double length = 0.0;
+  for (const PartSpec& part : parts) length += part.length;
+  const PartSpec& last = parts.back();
+  const std::string ending = metres(needed) + " from the bit to the top drive (bit_depth + block_height)";
+  if (last.joints == 0)
+  {
+    if (length + shortest_joint > needed)
+      problems.emplace_back("string", "the parts below `fill` are " + metres(length) + " long, allowed: up to " + metres(shortest_joint) +
+                                          " less than the " + ending);
+    return;
+  }
+  if (length < 0.99 * needed)
+    problems.emplace_back("string", "the string is " + metres(length) + " long, needed: " + ending + "; or let the last part `fill`");
+  else if (length - last.joint_length > needed)
+    problems.emplace_back("string", "the string is " + metres(length) + " long, needed: " + ending);
+  else
+    problems.emplace_back(item_key("string", parts.size() - 1),
+                          "the last part has a length of its own, needed: `joints: fill`, for the string stretches by what it carries");
+}
+
+/// The cuts of the whole string; none if they would be more than are allowed. `count`: how many they are [-].
+std::vector<Cut> cuts_of(const std::vector<PartSpec>& parts, double length, double element_length, double& count)
+{
+  std::vector<Cut> cuts;
+  count = 0.0;
+  double lower = parts.front().length;
+  for (std::size_t i = 1; i < parts.size(); ++i)
+  {
+    const PartSpec& part = parts[i];
+    const double joints = part.joints > 0 ? part.joints : std::ceil((length - lower) / part.joint_length);
+    count += joints * std::ceil(part.joint_length / element_length) + 1.0;
+    if (count > most_mesh_nodes) continue;
+    const std::vector<double> lengths = joint_lengths(part, length - lower);
+    cut_part(part, static_cast<int>(i), lower, lengths, element_length, cuts);
+    for (double joint : lengths) lower += joint;
+  }
+  return cuts;
+}
+
+void check_mesh(const std::vector<PartSpec>& parts, double length, double element_length, ProblemList& problems)
+{
+  double count = 0.0;
+  const std::vector<Cut> cuts = cuts_of(parts, length, element_length, count);
+  if (count > most_mesh_nodes)
+  {
+    problems.emplace_back("numerics.element_length", metres(element_length) + " makes some " + plain(count) + " nodes of this string, allowed: up to " +
+                                                         std::to_string(most_mesh_nodes));
+    return;
+  }
+  // node 0 is the bit's centre
+  double below = 0.5 * parts.front().bit->diameter;
+  if (cuts.front().from_bit - below < least_element_length)
+    return void(problems.emplace_back("string[0].length", "the next node is " + metres(cuts.front().from_bit) +
+                                                              " above the bit's face and the bit's centre " + metres(below) +
+                                                              ", needed: a longer bit, so that the centre lies " +
+                                                              metres(least_element_length) + " or more below that node"));
+  for (const Cut& cut : cuts)
+  {
+    const PartSpec& part = parts[static_cast<std::size_t>(cut.part)];
+    if (cut.from_bit - below < least_element_length * (1.0 - 1e-6))
+      return void(problems.emplace_back(
+          item_key("string", static_cast<std::size_t>(cut.part), part.type == PartType::mud_motor ? "bit_to_bend" : "length"),
+          "an element of this part is " + metres(cut.from_bit - below) + " long, allowed: " + metres(least_element_length) + " or more"));
+    below = cut.from_bit;
+  }
+}
+}  // namespace
+
+ProblemList string_problems(const std::vector<PartSpec>& parts, double length, double element_length)
+{
+  ProblemList problems;
+  if (parts.empty())
+  {
+    problems.emplace_back("string", "the list is empty, needed: at least a bit and a pipe");
+    return problems;
+  }
+  check_kinds(parts, problems);
+  check_inside(parts, problems);
+  if (parts.size() > 1) check_length(parts, length, problems);
+  // where parts stand wrongly the mesh makes no sense
+  if (problems.empty()) check_mesh(parts, length, element_length, problems);
+  return problems;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,108 @@
+#include "drill_rig_sim/well/well_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/well/directions.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double sharpest_turn = 179.9 * degree;
+
+double angle_between(const SurveyStation& a, const SurveyStation& b)
+{
+  const Eigen::Vector3d from = tangent_from(a.inclination, a.azimuth), to = tangent_from(b.inclination, b.azimuth);
+  return 2.0 * std::atan2((to - from).norm(), (to + from).norm());
+}
+
+// of a station alone; empty if it is sound
+std::string problem_of(const SurveyStation& s)
+{
+  if (!std::isfinite(s.md) || !std::isfinite(s.inclination) || !std::isfinite(s.azimuth)) return "a value is not a finite number";
+  if (s.md < 0.0 || s.md > deepest_well) return "md " + plain(s.md) + " m is out of range, allowed: 0 to " + metres(deepest_well);
+  if (s.inclination < 0.0 || s.inclination > pi)
+    return "inclination " + plain(s.inclination / degree) + " deg is out of range, allowed: 0 to 180 deg";
+  if (std::abs(s.azimuth) > 2.0 * pi + 1e-9)
+    return "azimuth " + plain(s.azimuth / degree) + " deg is out of range, allowed: -360 to 360 deg";
+  return "";
+}
+
+// of a sound station after a sound one; empty if they go together
+std::string problem_between(const SurveyStation& before, const SurveyStation& s)
+{
+  if (s.md <= before.md) return "md " + plain(s.md) + " m does not exceed the " + plain(before.md) + " m before it";
+  if (s.md - before.md < least_station_spacing * (1.0 - 1e-6))
+    return "md " + plain(s.md) + " m is too near to the " + plain(before.md) + " m before it, allowed: " + metres(least_station_spacing) +
+           " or more between stations";
+  if (angle_between(before, s) > sharpest_turn) return "the direction turns round from the station before it, allowed: up to 179.9 deg";
+  return "";
+}
+}  // namespace
+
+std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& stations)
+{
+  std::vector<SurveyProblem> problems;
+  if (stations.size() < 2) problems.push_back({0, plain(static_cast<double>(stations.size())) + " station, needed: at least two"});
+  if (stations.size() > most_stations)
+  {
+    problems.push_back({most_stations, "more than " + std::to_string(most_stations) + " stations, allowed: up to so many"});
+    return problems;
+  }
+  bool before_is_good = false;
+  for (std::size_t i = 0; i < stations.size(); ++i)
+  {
+    const SurveyStation& s = stations[i];
+    const std::string alone = problem_of(s);
+    std::string problem = alone;
+    if (alone.empty() && i == 0 && s.md != 0.0) problem = "the first md is " + plain(s.md) + " m, needed: 0, the rotary table";
+    if (alone.empty() && before_is_good) problem = problem_between(stations[i - 1], s);
+    if (!problem.empty()) problems.push_back({i, problem});
+    before_is_good = alone.empty();
+  }
+  return problems;
+}
+
+ProblemList well_problems(const WellSpec& well)
+{
+  ProblemList problems;
+  const double last = well.survey.empty() ? 0.0 : well.survey.back().md;
+  if (!(well.hole_depth > 0.0)) problems.emplace_back("well.hole_depth", metres(well.hole_depth) + " is no depth, allowed: above 0");
+  if (well.hole_depth > last)
+    problems.emplace_back("well.hole_depth",
+                          metres(well.hole_depth) + " is deeper than the survey, allowed: up to its last station, " + metres(last));
+  if (well.sections.empty()) problems.emplace_back("well.sections", "the list is empty, needed: at least one section");
+  double above = 0.0;
+  for (std::size_t i = 0; i < well.sections.size(); ++i)
+  {
+    const HoleSection& section = well.sections[i];
+    if (!(section.diameter > 0.0))
+      problems.emplace_back(item_key("well.sections", i, "diameter"), metres(section.diameter) + " is no diameter, allowed: above 0");
+    if (!(section.friction >= 0.0))
+      problems.emplace_back(item_key("well.sections", i, "friction"), plain(section.friction) + " is no friction, allowed: 0 or more");
+    if (!(section.to > above))
+      problems.emplace_back(item_key("well.sections", i, "to"),
+                            metres(section.to) + " does not exceed the " + metres(above) + " where it begins");
+    else if (section.to - above < least_section_length * (1.0 - 1e-6))
+      problems.emplace_back(item_key("well.sections", i, "to"), "the section is " + metres(section.to - above) + " long, allowed: " +
+                                                                    metres(least_section_length) + " or more");
+    above = section.to;
+  }
+  if (!well.sections.empty() && well.sections.back().to < std::min(well.hole_depth, last))
+    problems.emplace_back(item_key("well.sections", well.sections.size() - 1, "to"),
+                          "the last section ends at " + metres(well.sections.back().to) + ", needed: down to hole_depth, " +
+                              metres(well.hole_depth));
+  return problems;
+}
+
+ProblemList trajectory_problems(const TrajectorySpec& trajectory)
+{
+  ProblemList problems;
+  if (trajectory.stage_two_steps < 0 || (trajectory.stage_two_steps == 0 && !(trajectory.stage_two_length >= least_stage_two_length)))
+    problems.emplace_back("trajectory", "stage_two_length must be 1 mm or more, or stage_two_steps positive");
+  return problems;
+}
+
+}  // namespace drill_rig_sim
