@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "drill_rig_sim/sim/run.h"
+
 namespace drill_rig_sim
 {
 namespace
@@ -99,9 +101,8 @@ void SimulationLoop::one_frame(std::int64_t now) noexcept
 {
   time_.frame_begins(now);
   take_commands();
-  if (rig_.playing) rig_.program.apply(*rig_.simulator);
-
-  rig_.failed = rig_.simulator->frame(frame_duration_) == FrameStatus::failed;
+  ProgramPlayer* program = rig_.playing ? &rig_.program : nullptr;
+  rig_.failed = play_frame(*rig_.simulator, program, frame_duration_) == FrameStatus::failed;
   count_frame_time(steady_now() - now);
 
   if (!rig_.failed) time_.tick();

@@ -2,40 +2,21 @@
 #include <cstdio>
 #include <exception>
 #include <string>
-#include <vector>
 
 #include "drill_command.h"
+#include "drill_options.h"
 #include "drill_rig_sim/scene/read_scene.h"
 
 namespace
 {
-using drill_rig_sim::Command;
-
 constexpr int good = 0, bad_input = 2, computation_failed = 3;
 
-const std::vector<const Command*> commands = {&drill_rig_sim::run_command, &drill_rig_sim::check_command,
-                                              &drill_rig_sim::static_command, &drill_rig_sim::survey_command,
-                                              &drill_rig_sim::reference_command};
-
-void print_usage(std::FILE* out)
+int run(const drill_rig_sim::Command& command)
 {
-  std::fprintf(out, "usage: drill COMMAND ...\n");
-  for (const Command* c : commands) std::fprintf(out, "  %-10s %-6s  %s\n", c->name, c->positional, c->summary);
-  std::fprintf(
-      out, "drill COMMAND --help lists a command's options. Exit status: 0 success, 2 bad input, 3 the computation failed.\n");
-}
-
-int run(const Command& command, const std::vector<std::string>& words)
-{
-  for (const std::string& word : words)
-  {
-    if (word != "--help") continue;
-    std::fputs(help(command).c_str(), stdout);
-    return good;
-  }
+  const std::string name = "drill " + command.words->get_name();
   try
   {
-    command.run(parse_arguments(command, words));
+    command.run();
     return good;
   }
   catch (const drill_rig_sim::SceneError& e)
@@ -45,36 +26,53 @@ int run(const Command& command, const std::vector<std::string>& words)
   }
   catch (const drill_rig_sim::UsageError& e)
   {
-    std::fprintf(stderr, "drill %s: %s\n", command.name, e.what());
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), e.what());
     return bad_input;
   }
   catch (const std::exception& e)
   {
-    std::fprintf(stderr, "drill %s: %s\n", command.name, e.what());
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), e.what());
     return computation_failed;
   }
+}
+
+// Before the commands are added: they take these over.
+void set_help(CLI::App& drill)
+{
+  drill.set_help_flag("--help", "prints this");
+  drill.get_formatter()->column_width(28);
+  drill.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  drill.get_formatter()->label("OPTIONS", "options");
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  if (!words.empty() && (words[0] == "--help" || words[0] == "help"))
+  CLI::App drill("", "drill");
+  set_help(drill);
+  drill.require_subcommand(0, 1);
+  const drill_rig_sim::Command commands[] = {drill_rig_sim::add_run_command(drill), drill_rig_sim::add_check_command(drill),
+                                             drill_rig_sim::add_static_command(drill), drill_rig_sim::add_survey_command(drill),
+                                             drill_rig_sim::add_reference_command(drill)};
+  drill.footer("drill COMMAND --help lists a command's options. Exit status: 0 success, 2 bad input, 3 the computation failed.");
+  try
   {
-    print_usage(stdout);
+    drill.parse(argc, argv);
+  }
+  catch (const CLI::CallForHelp&)
+  {
+    std::fputs(drill.help().c_str(), stdout);
     return good;
   }
-  for (const Command* command : commands)
+  catch (const CLI::ParseError& e)
   {
-    if (!words.empty() && words[0] == command->name) return run(*command, {words.begin() + 1, words.end()});
+    std::fprintf(stderr, "%s\n", drill_rig_sim::problem_of(drill, e).c_str());
+    return bad_input;
   }
-  if (words.empty())
+  for (const drill_rig_sim::Command& command : commands)
   {
-    print_usage(stderr);
+    if (command.words->parsed()) return run(command);
   }
-  else
-  {
-    std::fprintf(stderr, "drill: '%s' is no command, allowed: run, check, static, survey or reference\n", words[0].c_str());
-  }
+  std::fputs(drill.help().c_str(), stderr);
   return bad_input;
 }

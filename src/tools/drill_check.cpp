@@ -1,7 +1,8 @@
 #include <cstdio>
-#include <stdexcept>
+#include <memory>
 
 #include "drill_command.h"
+#include "drill_options.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
@@ -49,13 +50,19 @@ void print_string(const Scene& scene)
   std::printf("%-16s %-10s %10s %10.2f %12.0f\n\n", "string", "", "", mesh.total_length, total);
 }
 
-void check(const Arguments& arguments)
+struct CheckOptions
 {
-  const Scene scene = read_scene(arguments.file, arguments.all("--set"));
+  std::string scene;
+  std::vector<std::string> settings;
+};
+
+void check(const CheckOptions& options)
+{
+  const Scene scene = read_scene(options.scene, options.settings);
   const Simulator simulator = build_simulator(scene, 0);
   const Measurements& m = simulator.measurements();
   const SimulatorStatistics& s = simulator.statistics();
-  std::printf("%s: %s is good\n", arguments.file.c_str(), scene.name.c_str());
+  std::printf("%s: %s is good\n", options.scene.c_str(), scene.name.c_str());
   std::printf("well        %zu stations to %g m, hole %g m deep, at its bottom %.2f deg inclination, %.2f deg azimuth\n",
               scene.well.survey.size(), scene.well.survey.back().md, scene.well.hole_depth, m.bit_inclination / degree,
               m.bit_azimuth / degree);
@@ -68,10 +75,13 @@ void check(const Arguments& arguments)
 }
 }  // namespace
 
-const Command check_command = {"check",
-                               "SCENE",
-                               "checks a scene and prints what it will build",
-                               {{"--set", "KEY=VALUE", "any key of the scene, as numerics.step=0.002; may be repeated"}},
-                               check};
+Command add_check_command(CLI::App& drill)
+{
+  CLI::App* words = drill.add_subcommand("check", "checks a scene and prints what it will build");
+  const auto options = std::make_shared<CheckOptions>();
+  add_file(*words, "SCENE", options->scene, "the scene's file");
+  add_settings(*words, options->settings);
+  return {words, [options] { check(*options); }};
+}
 
 }  // namespace drill_rig_sim

@@ -24,6 +24,7 @@ void write_path_row(std::FILE* file, double md, const Eigen::Vector3d& p, const 
 
 File open_output(const char* option, const std::string& name)
 {
+  if (name.empty()) return File();
   File file(std::fopen(name.c_str(), "w"));
   if (!file) throw UsageError(std::string(option) + ": " + name + " cannot be written: " + std::strerror(errno));
   return file;
@@ -31,6 +32,7 @@ File open_output(const char* option, const std::string& name)
 
 void close_output(File file, const std::string& name)
 {
+  if (!file) return;
   const bool written = std::ferror(file.get()) == 0;
   if (std::fclose(file.release()) != 0 || !written)
     throw ComputationError(name + " could not be written whole; is the disk full?");

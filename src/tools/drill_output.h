@@ -15,16 +15,17 @@ struct CloseFile
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-/// Opens a file for writing; throws UsageError with one line that names the option and the file.
+/// Opens a file for writing, none where the name is empty. Throws UsageError with one line that names the option and the file.
 File open_output(const char* option, const std::string& name);
 
-/// Closes it; throws ComputationError with one line if not all of it reached the disk.
+/// Closes it, if there is one. Throws ComputationError with one line if not all of it reached the disk.
 void close_output(File file, const std::string& name);
 
 /// Forces along the string: the columns of `drill static --csv`, angles in degrees where a column says so.
 void write_profile(std::FILE* file, const StringProfile& p);
 
-/// The run's CSV: SI units, radians.
+/// The run's CSV: SI units, radians. By hand, as all tables here: their cells are numbers, so that nothing needs quoting, and each
+/// column has its own number of digits.
 void write_csv_header(std::FILE* file);
 void write_csv_row(std::FILE* file, const Measurements& m);
 

@@ -6,6 +6,7 @@
 namespace drill_rig_sim
 {
 /// A progress bar on standard error, drawn at most ten times a second; nothing at all where standard error is no terminal.
+/// By hand, because Debian 12 has no C++ library for it.
 class Progress
 {
 public:

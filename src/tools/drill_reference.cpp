@@ -1,3 +1,4 @@
+#include <CLI/App.hpp>
 #include <cstdio>
 
 #include "drill_command.h"
@@ -5,14 +6,10 @@
 
 namespace drill_rig_sim
 {
-namespace
+Command add_reference_command(CLI::App& drill)
 {
-void print_reference(const Arguments&)
-{
-  std::fputs(scene_reference().c_str(), stdout);
+  CLI::App* words = drill.add_subcommand("reference", "prints the scene file's reference as Markdown");
+  return {words, [] { std::fputs(scene_reference().c_str(), stdout); }};
 }
-}  // namespace
-
-const Command reference_command = {"reference", "", "prints the scene file's reference as Markdown", {}, print_reference};
 
 }  // namespace drill_rig_sim

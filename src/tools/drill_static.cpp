@@ -1,7 +1,9 @@
 #include <cstdio>
+#include <memory>
 #include <utility>
 
 #include "drill_command.h"
+#include "drill_options.h"
 #include "drill_output.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
@@ -11,9 +13,16 @@ namespace drill_rig_sim
 {
 namespace
 {
-FrictionMode motion_of(const Arguments& arguments)
+struct StaticOptions
 {
-  const std::string motion = arguments.text("--motion", "none");
+  std::string scene;
+  std::vector<std::string> settings;
+  std::string motion = "none";
+  std::string csv;
+};
+
+FrictionMode motion_of(const std::string& motion)
+{
   if (motion == "none") return FrictionMode::none;
   if (motion == "up") return FrictionMode::up;
   if (motion == "down") return FrictionMode::down;
@@ -21,11 +30,11 @@ FrictionMode motion_of(const Arguments& arguments)
   throw UsageError("--motion: '" + motion + "' is not known, allowed: none, up, down or rotate");
 }
 
-void print_static(const Arguments& arguments)
+void print_static(const StaticOptions& options)
 {
-  const FrictionMode motion = motion_of(arguments);
-  const Scene scene = read_scene(arguments.file, arguments.all("--set"));
-  File csv = arguments.has("--csv") ? open_output("--csv", arguments.text("--csv")) : File();
+  const FrictionMode motion = motion_of(options.motion);
+  const Scene scene = read_scene(options.scene, options.settings);
+  File csv = open_output("--csv", options.csv);
   StaticReport report;
   try
   {
@@ -44,17 +53,20 @@ void print_static(const Arguments& arguments)
   if (csv)
   {
     write_profile(csv.get(), report.profile);
-    close_output(std::move(csv), arguments.text("--csv"));
+    close_output(std::move(csv), options.csv);
   }
 }
 }  // namespace
 
-const Command static_command = {"static",
-                                "SCENE",
-                                "static equilibrium at the scene's start, or quasi-static with full slip",
-                                {{"--motion", "M", "none (frictionless, the default), up, down or rotate"},
-                                 {"--csv", "FILE", "writes forces along the string"},
-                                 {"--set", "KEY=VALUE", "any key of the scene; may be repeated"}},
-                                print_static};
+Command add_static_command(CLI::App& drill)
+{
+  CLI::App* words = drill.add_subcommand("static", "static equilibrium at the scene's start, or quasi-static with full slip");
+  const auto options = std::make_shared<StaticOptions>();
+  add_file(*words, "SCENE", options->scene, "the scene's file");
+  add_text(*words, "--motion", options->motion, "M", "none (frictionless, the default), up, down or rotate");
+  add_text(*words, "--csv", options->csv, "FILE", "writes forces along the string");
+  add_settings(*words, options->settings);
+  return {words, [options] { print_static(*options); }};
+}
 
 }  // namespace drill_rig_sim

@@ -1,7 +1,9 @@
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 #include "drill_command.h"
+#include "drill_options.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/survey_csv.h"
 #include "drill_rig_sim/well/survey.h"
@@ -10,9 +12,9 @@ namespace drill_rig_sim
 {
 namespace
 {
-void print_survey(const Arguments& arguments)
+void print_survey(const std::string& file)
 {
-  const std::vector<SurveyStation> stations = read_survey_csv(arguments.file);
+  const std::vector<SurveyStation> stations = read_survey_csv(file);
   const Survey survey(stations);
   std::printf("%10s %8s %8s %11s %11s %11s %9s\n", "MD m", "incl deg", "azi deg", "north m", "east m", "TVD m", "deg/30 m");
   for (int i = 0; i < survey.size(); ++i)
@@ -26,6 +28,12 @@ void print_survey(const Arguments& arguments)
 }
 }  // namespace
 
-const Command survey_command = {"survey", "FILE", "prints a survey's minimum-curvature table", {}, print_survey};
+Command add_survey_command(CLI::App& drill)
+{
+  CLI::App* words = drill.add_subcommand("survey", "prints a survey's minimum-curvature table");
+  const auto file = std::make_shared<std::string>();
+  add_file(*words, "FILE", *file, "the survey's table (.csv)");
+  return {words, [file] { print_survey(*file); }};
+}
 
 }  // namespace drill_rig_sim

@@ -234,6 +234,31 @@ class Run(Drill):
         self.assertGreaterEqual(depth, 100.1)
         self.assertLess(depth, 100.101)
 
+    def test_the_summary_has_its_keys_in_order_and_its_numbers_in_full(self):
+        self.succeed('run', QUICK, '--duration', '0.1', '--every', '0.1', '--csv', self.file('q.csv'), '--json', self.file('q.json'))
+        with open(self.file('q.json')) as text:
+            written = text.read()
+        summary = json.loads(written)
+        keys = ['scene', 'simulated_s', 'wall_s', 'cpu_s', 'real_time_factor', 'level', 'integrator', 'step', 'nodes', 'coordinates', 'steps',
+                'newton_iterations', 'rejected_steps', 'convergence_failures', 'error_test_failures', 'residuals', 'tangents', 'solves',
+                'substitutions', 'cost_share', 'final', 'mean_drilling', 'mean_last_quarter']
+        self.assertEqual(list(summary), keys)
+        self.assertEqual(summary['rejected_steps'], summary['convergence_failures'] + summary['error_test_failures'])
+        self.assertTrue(written.startswith('{\n  "scene": "quick",\n') and written.endswith('}\n'))
+        for count in ('nodes', 'steps', 'residuals', 'rejected_steps'):
+            self.assertIsInstance(summary[count], int, count)
+        # nine digits in the series, all of them here
+        with open(self.file('q.csv')) as text:
+            row = list(csv.DictReader(text))[-1]
+        self.assertEqual('%.9g' % summary['final']['hook_load'], row['hook_load'])
+        self.assertNotEqual(summary['final']['hook_load'], float(row['hook_load']))
+
+    def test_texts_in_the_summary_are_escaped(self):
+        name = 'a "b" \\ \t \u00e9'
+        self.succeed('run', QUICK, '--duration', '0.01', '--set', 'name=' + json.dumps(name), '--json', self.file('q.json'))
+        with open(self.file('q.json'), encoding='utf-8') as text:
+            self.assertEqual(json.load(text)['scene'], name)
+
     def test_off_bottom_means_are_null(self):
         self.succeed('run', QUICK, '--duration', '1', '--json', self.file('q.json'))
         with open(self.file('q.json')) as text:

@@ -1,0 +1,42 @@
+#ifndef DRILL_RIG_SIM_SIM_RUN_H
+#define DRILL_RIG_SIM_SIM_RUN_H
+
+#include <functional>
+#include <limits>
+
+#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/sim/simulator.h"
+
+namespace drill_rig_sim
+{
+/// Where a run ends: at whichever comes first.
+struct RunGoal
+{
+  double duration = 0.0;                                   ///< simulated time that the run takes [s]
+  double depth = std::numeric_limits<double>::infinity();  ///< measured depth of the hole [m]; infinite where only time counts
+};
+
+/// What ended a run.
+enum class RunEnd
+{
+  duration,  ///< its time is over
+  depth,     ///< the hole is as deep as the goal says
+  failure    ///< a frame failed; Simulator::failure() says why
+};
+
+/// One frame of `duration` [s], a multiple of the scene's step: the program's lines whose time has come, then the physics.
+/// Without a program (null) the set points in force stay. The node's loop and run() both play by this.
+FrameStatus play_frame(Simulator& simulator, ProgramPlayer* program, double duration) noexcept;
+
+/// The multiple of `step` that is nearest to `length`, at least one step; all in seconds.
+double frame_of_whole_steps(double length, double step) noexcept;
+
+/// Plays `program` frame by frame until the goal, on from the simulator's present time.
+/// `frame_length` [s]: rounded to whole steps of the scene. `after_frame` is called after each frame that was computed, with its
+/// measurements; it may be empty. What it throws ends the run and reaches the caller.
+RunEnd run(Simulator& simulator, ProgramPlayer& program, const RunGoal& goal, double frame_length,
+           const std::function<void(const Measurements&)>& after_frame = {});
+
+}  // namespace drill_rig_sim
+
+#endif

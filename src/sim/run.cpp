@@ -1,0 +1,35 @@
+#include "drill_rig_sim/sim/run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drill_rig_sim
+{
+FrameStatus play_frame(Simulator& simulator, ProgramPlayer* program, double duration) noexcept
+{
+  if (program) program->apply(simulator);
+  return simulator.frame(duration);
+}
+
+double frame_of_whole_steps(double length, double step) noexcept
+{
+  return step * std::max(1.0, std::round(length / step));
+}
+
+RunEnd run(Simulator& simulator, ProgramPlayer& program, const RunGoal& goal, double frame_length,
+           const std::function<void(const Measurements&)>& after_frame)
+{
+  const double frame = frame_of_whole_steps(frame_length, simulator.scene().numerics.step);
+  const Measurements& m = simulator.measurements();
+  // half a frame: the sums of many steps miss the end by rounding
+  const double last_start = m.time + goal.duration - 0.5 * frame;
+  while (m.hole_depth < goal.depth)
+  {
+    if (m.time >= last_start) return RunEnd::duration;
+    if (play_frame(simulator, &program, frame) == FrameStatus::failed) return RunEnd::failure;
+    if (after_frame) after_frame(m);
+  }
+  return RunEnd::depth;
+}
+
+}  // namespace drill_rig_sim

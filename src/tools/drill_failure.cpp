@@ -1,0 +1,42 @@
+#include "drill_failure.h"
+
+#include <cstdio>
+#include <utility>
+
+#include "drill_command.h"
+#include "drill_output.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+std::string without_json(const std::string& name)
+{
+  const bool ends = name.size() > 5 && name.compare(name.size() - 5, 5, ".json") == 0;
+  return ends ? name.substr(0, name.size() - 5) : name;
+}
+}  // namespace
+
+void report_failure(const Simulator& simulator, const std::string& summary, const std::string& json_name)
+{
+  const std::string json = json_name.empty() ? "drill_failed.json" : json_name;
+  if (json_name.empty())
+  {
+    File out = open_output("last good state", json);
+    std::fputs(summary.c_str(), out.get());
+    close_output(std::move(out), json);
+  }
+  const std::string csv = without_json(json) + "_string.csv";
+  StringProfile profile;
+  simulator.profile(profile);
+  File out = open_output("last good state", csv);
+  write_profile(out.get(), profile);
+  close_output(std::move(out), csv);
+
+  char at[64];
+  std::snprintf(at, sizeof at, "at %.3f s simulated: ", simulator.measurements().time);
+  throw ComputationError(simulator.scene().file + ": " + at + simulator.failure() + "; the last good state is in " + json +
+                         " and " + csv);
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,17 @@
+#ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_FAILURE_H
+#define DRILL_RIG_SIM_SRC_TOOLS_DRILL_FAILURE_H
+
+#include <string>
+
+#include "drill_rig_sim/sim/simulator.h"
+
+namespace drill_rig_sim
+{
+/// A run has failed: saves the last good state and throws ComputationError with one line (where, when, what, the files' names).
+/// The state is `summary` in `json_name`, already written unless that is empty (then in drill_failed.json, here), and the forces
+/// along the string beside it, in <the name without .json>_string.csv.
+[[noreturn]] void report_failure(const Simulator& simulator, const std::string& summary, const std::string& json_name);
+
+}  // namespace drill_rig_sim
+
+#endif

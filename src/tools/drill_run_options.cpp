@@ -1,0 +1,100 @@
+#include "drill_run_options.h"
+
+#include <cstdio>
+#include <utility>
+
+#include "drill_command.h"
+#include "drill_options.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double longest_run = 30.0 * 86400.0;  // simulated [s]
+constexpr double after_program = 60.0;          // simulated [s] that a run goes on after the program's last line by default
+constexpr double deepest = 20000.0;             // measured depth [m]
+constexpr double largest_seed = 9e15;           // a double holds every whole number up to it
+
+std::string problem_of_level(const std::string& level)
+{
+  return level == "beam3d" ? "" : "'" + level + "' is not available yet, allowed: beam3d";
+}
+
+std::string problem_of_bag(const std::string&)
+{
+  return "not available yet; use --csv";
+}
+
+std::string problem_of_seed(const std::string& seed)
+{
+  std::uint64_t number = 0;
+  const bool digits = !seed.empty() && seed.find_first_not_of("0123456789") == std::string::npos;
+  if (digits && CLI::detail::lexical_cast(seed, number) && static_cast<double>(number) <= largest_seed) return "";
+  return "'" + seed + "' is not allowed, needed: a whole number from 0 to 9e15";
+}
+
+void add_scene_options(CLI::App& command, RunOptions& options)
+{
+  add_text(command, "--level", options.level, "L", "level of the model instead of the scene's")->check(problem_of_level);
+  add_text(command, "--integrator", options.integrator, "I", "stepper instead of the scene's");
+  add_text(command, "--step", options.step, "H", "physics step instead of the scene's [s]");
+  add_text(command, "--element-length", options.element_length, "M", "longest element instead of the scene's [m]");
+  add_settings(command, options.settings);
+  command.add_option("--seed", options.seed, "of the sensors' noise")->type_name("N")->take_last()->check(problem_of_seed);
+}
+
+void add_output_options(CLI::App& command, RunOptions& options)
+{
+  add_text(command, "--csv", options.csv, "FILE", "writes time series");
+  add_number(command, "--every", options.every, 1e-4, 1e6, "S", "between rows of the time series, default 0.1");
+  add_text(command, "--json", options.json, "FILE", "writes a summary");
+  command.add_flag("--energy", options.energy, "keeps an energy balance; the summary shows it [J]")->disable_flag_override();
+  add_text(command, "--path", options.path, "FILE", "writes the well's corrected path");
+  add_text(command, "--raw-path", options.raw_path, "FILE", "writes the uncorrected path of the last metres");
+  command.add_option("--bag", "not available yet")->type_name("FILE")->check(problem_of_bag);
+}
+}  // namespace
+
+void add_options(CLI::App& command, RunOptions& options)
+{
+  add_file(command, "SCENE", options.scene, "the scene's file");
+  add_number(command, "--duration", options.duration, 1e-3, longest_run, "S",
+             "simulated seconds; default: until depth, or 60 s after the program's last line");
+  add_number(command, "--until-depth", options.until_depth, 0.0, deepest, "MD", "stop when the hole is this deep [m]");
+  add_scene_options(command, options);
+  add_output_options(command, options);
+}
+
+std::vector<std::string> settings_of(const RunOptions& options)
+{
+  std::vector<std::string> settings = options.settings;
+  const std::pair<const char*, const std::string&> keys[] = {{"level", options.level},
+                                                             {"integrator", options.integrator},
+                                                             {"step", options.step},
+                                                             {"element_length", options.element_length}};
+  for (const auto& key : keys)
+  {
+    if (!key.second.empty()) settings.push_back(std::string("numerics.") + key.first + "=" + key.second);
+  }
+  return settings;
+}
+
+RunGoal goal_of(const RunOptions& options, const Scene& scene)
+{
+  const double program_end = scene.program.empty() ? 0.0 : scene.program.back().at;
+  RunGoal goal;
+  goal.duration = options.duration.value_or(options.until_depth ? longest_run : program_end + after_program);
+  if (!options.until_depth) return goal;
+  goal.depth = *options.until_depth;
+  if (goal.depth < scene.well.hole_depth)
+  {
+    char problem[128];
+    std::snprintf(problem, sizeof problem,
+                  "--until-depth: '%g' is not allowed, needed: a number from the hole's depth, %g, to %g", goal.depth,
+                  scene.well.hole_depth, deepest);
+    throw UsageError(problem);
+  }
+  return goal;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,44 @@
+#ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_RUN_OPTIONS_H
+#define DRILL_RIG_SIM_SRC_TOOLS_DRILL_RUN_OPTIONS_H
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/sim/run.h"
+
+namespace CLI
+{
+class App;
+}
+
+namespace drill_rig_sim
+{
+/// What `drill run` is told. Names of files are empty where nothing is to be written.
+struct RunOptions
+{
+  std::string scene;
+  std::vector<std::string> settings;
+  std::string level, integrator, step, element_length;  ///< keys of the scene under another name; empty: the scene's
+  std::optional<double> duration;                       ///< [s]
+  std::optional<double> until_depth;                    ///< measured depth [m]
+  std::optional<double> every;                          ///< between rows of the time series [s]
+  std::uint64_t seed = 0;
+  std::string csv, json, path, raw_path;
+  bool energy = false;
+};
+
+/// Adds them to the command. They are read when the command line is.
+void add_options(CLI::App& command, RunOptions& options);
+
+/// Settings of the scene as read_scene() takes them: those of --set, then the options that are keys under another name.
+std::vector<std::string> settings_of(const RunOptions& options);
+
+/// Where the run ends. Throws UsageError with one line if the scene's hole is deeper than --until-depth already.
+RunGoal goal_of(const RunOptions& options, const Scene& scene);
+
+}  // namespace drill_rig_sim
+
+#endif

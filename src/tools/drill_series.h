@@ -1,0 +1,31 @@
+#ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_SERIES_H
+#define DRILL_RIG_SIM_SRC_TOOLS_DRILL_SERIES_H
+
+#include <string>
+
+#include "drill_output.h"
+
+namespace drill_rig_sim
+{
+/// The time series of a run: a row every so often. One without a file writes nothing.
+class TimeSeries
+{
+public:
+  /// Opens the file `name`, unless that is empty, and writes the header. Throws UsageError with one line if it cannot be written.
+  /// `every`: between two rows [s].
+  TimeSeries(const std::string& name, double every);
+  /// Writes a row if one is due; call at the start and after each frame of `frame` [s].
+  void add(const Measurements& m, double frame);
+  /// Throws ComputationError with one line if not all of it reached the disk.
+  void close();
+
+private:
+  std::string name_;
+  File file_;
+  double every_;
+  double next_row_ = 0.0;  // [s]
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,157 @@
+#include "drill_summary.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "drill_rig_sim/math/units.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Averages& a)
+{
+  return {{"hook_load", a.hook_load()},
+          {"torque", a.torque()},
+          {"wob", a.wob()},
+          {"bit_torque", a.bit_torque()},
+          {"bit_speed_rpm", a.bit_speed() / rpm},
+          {"rop", a.rop()},
+          {"hole_depth", a.hole_depth()},
+          {"bit_east", a.bit_position().x()},
+          {"bit_north", a.bit_position().y()},
+          {"bit_up", a.bit_position().z()},
+          {"inclination_deg", a.inclination() / degree},
+          {"azimuth_deg", a.azimuth() / degree}};
+}
+
+Json shares_of(const Profiler& costs)
+{
+  const std::pair<const char*, Cost> names[] = {{"kinematics", Cost::kinematics},
+                                                {"elements", Cost::elements},
+                                                {"inertia", Cost::inertia},
+                                                {"contact", Cost::contact},
+                                                {"bit", Cost::bit},
+                                                {"rig", Cost::rig},
+                                                {"linear_solve", Cost::linear_solve},
+                                                {"rock_penetration", Cost::rock_penetration},
+                                                {"other", Cost::other}};
+  double total = 0.0;
+  for (const auto& name : names) total += costs.seconds(name.second);
+  Json json;
+  for (const auto& name : names) json[name.first] = costs.seconds(name.second) / total;
+  return json;
+}
+
+Json json_of(const ReferenceReport& report)
+{
+  return {{"constraint_drift", report.drift},
+          {"constraint_rate_drift", report.rate_drift},
+          {"jacobians", report.ida.jacobians},
+          {"error_test_failures", report.ida.error_test_failures},
+          {"newton_failures", report.ida.newton_failures},
+          {"starts", report.ida.starts},
+          {"last_order", report.ida.last_order},
+          {"last_step", report.ida.last_step},
+          {"smallest_step", report.ida.smallest_step}};
+}
+
+Json json_of(const EnergyAccounts& e)
+{
+  return {{"winch", e.winch},
+          {"drive", e.drive},
+          {"pump", e.pump},
+          {"gravity", e.gravity},
+          {"stored", e.stored()},
+          {"wall_friction", e.wall_friction},
+          {"wall_damping", e.wall_damping},
+          {"bottom_damping", e.bottom_damping},
+          {"squeeze_film", e.squeeze_film},
+          {"mud", e.mud},
+          {"structural", e.structural},
+          {"motor_slip", e.motor_slip},
+          {"stuck_point_released", e.stuck_point_released},
+          {"ledge", e.ledge},
+          {"added_mass", e.added_mass},
+          {"rock_thrust", e.rock_thrust},
+          {"rock_torque", e.rock_torque},
+          {"correction", e.correction},
+          {"numerical_inertia", e.of_inertia},
+          {"numerical_beams", e.of_beams},
+          {"numerical_contact", e.of_contact},
+          {"numerical_line", e.of_line},
+          {"numerical_residual", e.of_residual},
+          {"numerical_rebasing", e.of_rebasing},
+          {"residual", e.residual()},
+          {"throughput", e.throughput()},
+          {"closure", e.closure()},
+          {"numerical_share", e.numerical_share()},
+          {"numerical_of_losses", e.numerical_of_losses()}};
+}
+
+void add_work(const SimulatorStatistics& s, Json& json)
+{
+  json["steps"] = s.steps;
+  json["newton_iterations"] = s.newton_iterations;
+  json["rejected_steps"] = s.convergence_failures + s.error_test_failures;
+  json["convergence_failures"] = s.convergence_failures;
+  json["error_test_failures"] = s.error_test_failures;
+  json["residuals"] = s.work.residuals;
+  json["tangents"] = s.work.tangents;
+  json["solves"] = s.work.solves;
+  json["substitutions"] = s.work.substitutions;
+}
+
+Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record)
+{
+  const SimulatorStatistics& s = simulator.statistics();
+  const Measurements& m = simulator.measurements();
+  Json json = {{"scene", simulator.scene().name},
+               {"simulated_s", m.time},
+               {"wall_s", elapsed.wall},
+               {"cpu_s", elapsed.cpu},
+               {"real_time_factor", m.time / elapsed.cpu},
+               {"level", s.level},
+               {"integrator", s.integrator},
+               {"step", s.step},
+               {"nodes", s.nodes},
+               {"coordinates", s.coordinates}};
+  add_work(s, json);
+  if (s.is_reference) json["reference"] = json_of(s.reference);
+  json["cost_share"] = shares_of(s.costs);
+  if (simulator.energy().time > 0.0) json["energy"] = json_of(simulator.energy());
+  Averages now;
+  now.add(m);
+  json["final"] = json_of(now);
+  json["mean_drilling"] = json_of(record.all());
+  json["mean_last_quarter"] = json_of(record.last_quarter());
+  if (*simulator.failure()) json["failure"] = simulator.failure();
+  return json;
+}
+}  // namespace
+
+std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record)
+{
+  // a scene's name may hold bytes that are no UTF-8: shown as U+FFFD instead of an exception at the end of a long run
+  return summary_of(simulator, elapsed, record).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void print_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record)
+{
+  const Measurements& m = simulator.measurements();
+  std::printf("%s: %.1f s simulated in %.2f s (%.1f times real time), hole %.3f m\n", simulator.scene().name.c_str(), m.time,
+              elapsed.cpu, m.time / elapsed.cpu, m.hole_depth);
+  const Averages mean = record.last_quarter();
+  if (mean.samples() == 0)
+  {
+    std::printf("the bit was not on bottom; hook load %.1f kN, torque %.2f kN m\n", m.hook_load / 1e3, m.torque / 1e3);
+    return;
+  }
+  std::printf(
+      "drilling, mean of the last quarter: hook load %.1f kN, torque %.2f kN m, WOB %.1f kN, ROP %.2f m/h, bit %.0f rpm\n",
+      mean.hook_load() / 1e3, mean.torque() / 1e3, mean.wob() / 1e3, 3600.0 * mean.rop(), mean.bit_speed() / rpm);
+}
+
+}  // namespace drill_rig_sim

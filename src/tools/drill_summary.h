@@ -1,0 +1,26 @@
+#ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_SUMMARY_H
+#define DRILL_RIG_SIM_SRC_TOOLS_DRILL_SUMMARY_H
+
+#include <string>
+
+#include "drill_averages.h"
+#include "drill_rig_sim/sim/simulator.h"
+
+namespace drill_rig_sim
+{
+/// What a run took.
+struct Elapsed
+{
+  double wall;  ///< [s]
+  double cpu;   ///< [s]
+};
+
+/// A run's summary as a JSON object, a newline at its end. Numbers read back to the same double; what is not finite is null.
+std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record);
+
+/// The same in two lines on standard output.
+void print_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record);
+
+}  // namespace drill_rig_sim
+
+#endif
