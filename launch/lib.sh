@@ -9,6 +9,7 @@ packages_run="python3-rospy python3-roslaunch python3-diagnostic-msgs python3-ge
 packages_rviz="rviz librviz-dev"
 packages_test="python3-matplotlib python3-rostest xvfb xauth imagemagick python3-yaml valgrind"
 packages_tidy="clang-tidy"
+packages_fuzz="clang libclang-rt-dev"
 
 package_dir=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
