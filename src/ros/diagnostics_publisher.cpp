@@ -109,7 +109,7 @@ DiagnosticStatus DiagnosticsPublisher::time_status(const FrameRecord& frame)
   add(s, "speed", frame.loop.speed);
   add(s, "overruns", frame.loop.overruns);
   add(s, "dropped_seconds", frame.loop.dropped_seconds);
-  add(s, "dropped_snapshots", frame.loop.dropped_snapshots);
+  add(s, "unpublished_frames", frame.loop.unpublished_frames);
   add(s, "longest_frame_ms", 1e3 * frame.loop.longest_frame);
   add(s, "frame_times", histogram(frame.loop));
   return s;

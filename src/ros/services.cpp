@@ -159,7 +159,7 @@ std::string Services::set_speed(double speed)
     throw Refusal("speed is " + std::to_string(speed) + "; allowed is a number >= 0, 0 = as fast as it goes");
   if (!loop_.time().has_own_clock() && speed != 1.0)
     throw Refusal("stamps are wall time (~publish_clock is false); allowed is 1");
-  loop_.between_frames([=](SimulationLoop& loop) { loop.time().set_speed(speed); });
+  loop_.between_frames([=](SimulationLoop& loop) { loop.time().set_speed(speed, steady_now()); });
   return speed == 0.0 ? "as fast as it goes" : std::to_string(speed) + " simulated seconds per wall second";
 }
 

@@ -23,7 +23,8 @@ SimulationLoop::SimulationLoop(const Parameters& parameters, std::unique_ptr<Sim
       mailbox_(mailbox),
       ring_(ring),
       rig_(std::move(simulator), parameters.play_program),
-      time_(parameters),
+      time_(parameters.time_source(), parameters.clock, parameters.frame_period(),
+            static_cast<std::int64_t>(ros::WallTime::now().toNSec())),
       frame_duration_(1.0 / parameters.rate),
       state_cadence_(parameters.state_rate),
       profile_cadence_(parameters.drillstring_rate),
@@ -162,25 +163,25 @@ void SimulationLoop::end_step(bool complete) noexcept
   step_done_.post();
 }
 
-// --- snapshots ----------------------------------------------------------------------------------------------------------
+// --- what a frame hands out -------------------------------------------------------------------------------------------------
 
 void SimulationLoop::hand_over(Occasion occasion) noexcept
 {
   const bool may_be_lost = time_.is_realtime() && occasion.new_stamp && !occasion.rebuilt;
-  Snapshot* snapshot = may_be_lost ? ring_.try_claim() : ring_.claim();
-  if (snapshot == nullptr)
+  FrameOutput* output = may_be_lost ? ring_.try_claim() : ring_.claim();
+  if (output == nullptr)
   {
-    ++statistics_.dropped_snapshots;
+    ++statistics_.unpublished_frames;
     return;
   }
   occasion.whole_picture |= subscriptions_.refresh.exchange(false);
-  note_due(*snapshot, occasion);
-  fill_record(snapshot->frame);
-  fill_arrays(*snapshot);
+  note_due(*output, occasion);
+  fill_record(output->frame);
+  fill_arrays(*output);
   ring_.hand_over();
 }
 
-void SimulationLoop::note_due(Snapshot& s, const Occasion& occasion) noexcept
+void SimulationLoop::note_due(FrameOutput& s, const Occasion& occasion) noexcept
 {
   const std::int64_t simulated = time_.stamp();
   const std::int64_t shown = time_.in_lockstep() ? simulated : steady_now();
@@ -213,7 +214,7 @@ void SimulationLoop::fill_record(FrameRecord& record) const noexcept
   std::snprintf(record.failure.data(), record.failure.size(), "%s", rig_.failed ? rig_.simulator->failure() : "");
 }
 
-void SimulationLoop::fill_arrays(Snapshot& s) noexcept
+void SimulationLoop::fill_arrays(FrameOutput& s) noexcept
 {
   const Wellbore& well = rig_.simulator->wellbore();
   if (s.profile_due || s.markers_due)
@@ -301,7 +302,7 @@ void SimulationLoop::reserve_memory()
 {
   const Wellbore& well = rig_.simulator->wellbore();
   ring_.with_every_slot(
-      [&](Snapshot& s)
+      [&](FrameOutput& s)
       {
         s.profile_due = s.tf_due = s.well_due = true;
         s.well.reserve(static_cast<std::size_t>(well.node_count()) + spare_points);

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-#include "drill_rig_sim/ros/snapshot.h"
+#include "drill_rig_sim/realtime/frame_output.h"
 
 namespace drill_rig_sim
 {

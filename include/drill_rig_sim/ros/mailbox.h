@@ -10,7 +10,7 @@
 #include "drill_rig_sim/SteeringCommand.h"
 #include "drill_rig_sim/TopDriveCommand.h"
 #include "drill_rig_sim/WinchCommand.h"
-#include "drill_rig_sim/ros/triple_buffer.h"
+#include "drill_rig_sim/realtime/triple_buffer.h"
 #include "drill_rig_sim/sim/commands.h"
 
 namespace drill_rig_sim

@@ -10,7 +10,7 @@
 #include "drill_rig_sim/ros/publishing_thread.h"
 #include "drill_rig_sim/ros/services.h"
 #include "drill_rig_sim/ros/simulation_loop.h"
-#include "drill_rig_sim/ros/frame_ring.h"
+#include "drill_rig_sim/realtime/frame_ring.h"
 
 namespace drill_rig_sim
 {

@@ -7,10 +7,12 @@
 #include <thread>
 #include <utility>
 
+#include "drill_rig_sim/realtime/cadence.h"
+#include "drill_rig_sim/realtime/frame_ring.h"
+#include "drill_rig_sim/realtime/semaphore.h"
+#include "drill_rig_sim/realtime/timekeeper.h"
 #include "drill_rig_sim/ros/mailbox.h"
-#include "drill_rig_sim/ros/semaphore.h"
-#include "drill_rig_sim/ros/frame_ring.h"
-#include "drill_rig_sim/ros/timekeeper.h"
+#include "drill_rig_sim/ros/parameters.h"
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
 
@@ -38,8 +40,8 @@ struct RunningRig
   const char* last_refusal = "";
 };
 
-/// The simulation thread: takes the commands, computes a frame when the timekeeper says so, hands over a snapshot. It never
-/// locks, logs or allocates (the snapshots' arrays have got their memory before). It waits in one place, on one semaphore.
+/// The simulation thread: takes the commands, computes a frame when the timekeeper says so, hands over its output. It never
+/// locks, logs or allocates (the outputs' arrays have got their memory before). It waits in one place, on one semaphore.
 class SimulationLoop
 {
 public:
@@ -106,7 +108,7 @@ public:
   }
 
 private:
-  // Why a snapshot is handed over.
+  // Why an output is handed over.
   struct Occasion
   {
     bool new_stamp;      // the stamp has moved on
@@ -125,9 +127,9 @@ private:
   void count_frame_time(std::int64_t duration) noexcept;
   void end_step(bool complete) noexcept;
   void hand_over(Occasion occasion) noexcept;
-  void note_due(Snapshot& s, const Occasion& occasion) noexcept;
+  void note_due(FrameOutput& s, const Occasion& occasion) noexcept;
   void fill_record(FrameRecord& record) const noexcept;
-  void fill_arrays(Snapshot& s) noexcept;
+  void fill_arrays(FrameOutput& s) noexcept;
   void reserve_memory();
 
   const Parameters& parameters_;
