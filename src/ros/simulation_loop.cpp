@@ -44,7 +44,10 @@ SimulationLoop::~SimulationLoop()
 void SimulationLoop::start()
 {
   time_.restart(steady_now());
-  if (!time_.follows()) publish_now(true);
+  if (time_.follows())
+    hand_over({false, false, false});  // no stamp before another rig's clock is heard: for the diagnostics alone
+  else
+    publish_now(true);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -82,7 +85,7 @@ void SimulationLoop::run_between_frames() noexcept
 
 void SimulationLoop::wait_or_work() noexcept
 {
-  if (halted_ && stepping_) end_step(false);
+  if (halted_ && stepping_) end_step(StepResult::End::shut_down);
   const bool may_run = !halted_ && run_state() == RunState::running;
   if (may_run) time_.adopt_clock();
   const std::int64_t due = may_run ? time_.next_frame_at() : Timekeeper::not_yet;
@@ -106,9 +109,11 @@ void SimulationLoop::one_frame(std::int64_t now) noexcept
   count_frame_time(steady_now() - now);
 
   if (!rig_.failed) time_.tick();
-  if (stepping_) --frames_to_go_;
-  hand_over({!rig_.failed, rig_.failed, false});
-  if (stepping_ && (rig_.failed || frames_to_go_ == 0)) end_step(!rig_.failed);
+  hand_over({!rig_.failed, rig_.failed, !announced_});
+  if (!stepping_) return;
+  --frames_to_go_;
+  ++step_.frames;
+  if (rig_.failed || frames_to_go_ == 0) end_step(rig_.failed ? StepResult::End::failed : StepResult::End::complete);
 }
 
 void SimulationLoop::take_commands() noexcept
@@ -116,6 +121,9 @@ void SimulationLoop::take_commands() noexcept
   if (const WinchSetpoint* c = mailbox_.winch()) take(*c);
   if (const TopDriveSetpoint* c = mailbox_.top_drive()) take(*c);
   if (const PumpSetpoint* c = mailbox_.pump()) take(*c);
+  const std::uint64_t steering = mailbox_.steering_refused();
+  if (steering != steering_refused_) rig_.last_refusal = "steering/command: not available yet";
+  steering_refused_ = steering;
 }
 
 template <class Setpoint>
@@ -127,6 +135,7 @@ CommandResult SimulationLoop::accept(const Setpoint& c, std::size_t kind) noexce
     rig_.last_refusal = result.reason;
     return result;
   }
+  if (result.outcome == CommandResult::Outcome::clamped) rig_.last_clamp = result.reason;
   rig_.last_command = rig_.accepted[kind] = time_.stamp();
   if (rig_.playing)
   {
@@ -155,11 +164,11 @@ void SimulationLoop::count_frame_time(std::int64_t duration) noexcept
   statistics_.longest_frame = std::max(statistics_.longest_frame, 1e-3 * ms);
 }
 
-void SimulationLoop::end_step(bool complete) noexcept
+void SimulationLoop::end_step(StepResult::End end) noexcept
 {
   stepping_ = false;
   frames_to_go_ = 0;
-  step_complete_ = complete;
+  step_.end = end;
   step_done_.post();
 }
 
@@ -178,6 +187,7 @@ void SimulationLoop::hand_over(Occasion occasion) noexcept
   note_due(*output, occasion);
   fill_record(output->frame);
   fill_arrays(*output);
+  announced_ = announced_ || occasion.new_stamp;
   ring_.hand_over();
 }
 
@@ -205,12 +215,14 @@ void SimulationLoop::fill_record(FrameRecord& record) const noexcept
   record.last_command = rig_.last_command;
   record.accepted = rig_.accepted;
   record.physics = rig_.simulator->statistics();
-  record.physics.commands_refused += mailbox_.refused();
+  record.physics.commands_refused += steering_refused_;
   record.loop = statistics_;
   record.loop.overruns = time_.overruns();
   record.loop.dropped_seconds = time_.dropped_seconds();
   record.loop.speed = time_.speed();
+  record.loop.ticked_seconds = time_.ticked_seconds();
   record.last_refusal = rig_.last_refusal;
+  record.last_clamp = rig_.last_clamp;
   std::snprintf(record.failure.data(), record.failure.size(), "%s", rig_.failed ? rig_.simulator->failure() : "");
 }
 
@@ -285,17 +297,29 @@ void SimulationLoop::publish_now(bool rebuilt) noexcept
   hand_over({true, true, rebuilt});
 }
 
-bool SimulationLoop::step(std::uint32_t frames)
+void SimulationLoop::begin_step(std::uint32_t frames)
 {
-  if (frames == 0) return true;
   between_frames(
       [frames](SimulationLoop& loop)
       {
+        loop.step_ = StepResult();
         loop.frames_to_go_ = frames;
         loop.stepping_ = true;
+        if (frames == 0) loop.end_step(StepResult::End::complete);
       });
+}
+
+StepResult SimulationLoop::wait_for_step() noexcept
+{
   step_done_.wait();
-  return step_complete_;
+  return step_;
+}
+
+bool SimulationLoop::end_step_early() noexcept
+{
+  if (!stepping_) return false;
+  end_step(StepResult::End::ended_early);
+  return true;
 }
 
 void SimulationLoop::reserve_memory()

@@ -23,6 +23,7 @@ struct LoopStatistics
   double dropped_seconds = 0.0;         ///< backlog dropped [s]
   std::uint64_t unpublished_frames = 0;  ///< frames not published because the publishers were behind
   double speed = 1.0;
+  double ticked_seconds = 0.0;  ///< simulated time that has passed frame by frame, through resets too [s]
 };
 
 enum class RunState
@@ -45,6 +46,7 @@ struct FrameRecord
   SimulatorStatistics physics;
   LoopStatistics loop;
   const char* last_refusal = "";    ///< why the last refused command was; static storage
+  const char* last_clamp = "";      ///< which limit the last clamped command met; static storage
   std::array<char, 256> failure{};  ///< why the last frame failed; empty otherwise
 };
 

@@ -30,13 +30,13 @@ public:
   void clear() noexcept;
 
   /// Steering commands received; none can be obeyed yet.
-  std::uint64_t refused() const noexcept { return refused_; }
+  std::uint64_t steering_refused() const noexcept { return steering_refused_; }
 
 private:
   TripleBuffer<WinchSetpoint> winch_;
   TripleBuffer<TopDriveSetpoint> top_drive_;
   TripleBuffer<PumpSetpoint> pump_;
-  std::atomic<std::uint64_t> refused_{0};
+  std::atomic<std::uint64_t> steering_refused_{0};
   ros::Subscriber subscribers_[4];
 };
 
