@@ -1,13 +1,14 @@
 # Shared by launch/demo and test/run: the apt packages, the environment and the build. Sourced, not run.
 
 # The only list of what the package needs on Debian 12.
-packages_build="g++ make cmake catkin ros-std-msgs ros-geometry-msgs libdiagnostic-msgs-dev libgeometry-msgs-dev libnav-msgs-dev
-  libroscpp-dev libroslib-dev libros-rosgraph-msgs-dev libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev libvisualization-msgs-dev
-  libeigen3-dev libsuitesparse-dev libsundials-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libgtest-dev librostest-dev"
+packages_build="g++ make cmake catkin ros-std-msgs ros-geometry-msgs libdiagnostic-msgs-dev libdiagnostic-updater-dev libgeometry-msgs-dev
+  libnav-msgs-dev libroscpp-dev libroslib-dev libros-rosgraph-msgs-dev libsensor-msgs-dev libstd-srvs-dev libtf2-msgs-dev libtf2-ros-dev
+  libvisualization-msgs-dev libeigen3-dev libsuitesparse-dev libsundials-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libgtest-dev
+  librostest-dev"
 packages_run="python3-rospy python3-roslaunch python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-sensor-msgs
   python3-std-srvs python3-tf2-msgs python3-visualization-msgs python3-yaml"
 packages_rviz="rviz librviz-dev"
-packages_test="python3-matplotlib python3-rostest xvfb xauth imagemagick python3-yaml valgrind"
+packages_test="catkin-lint python3-matplotlib python3-rostest xvfb xauth imagemagick python3-yaml valgrind"
 packages_tidy="clang-tidy"
 packages_fuzz="clang libclang-rt-dev"
 

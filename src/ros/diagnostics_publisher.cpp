@@ -1,8 +1,11 @@
 #include "drill_rig_sim/ros/diagnostics_publisher.h"
 
+#include <diagnostic_msgs/DiagnosticArray.h>
+
 #include <sstream>
 #include <utility>
 
+#include "drill_rig_sim/realtime/semaphore.h"
 #include "drill_rig_sim/ros/conversions.h"
 
 namespace drill_rig_sim
@@ -10,17 +13,6 @@ namespace drill_rig_sim
 namespace
 {
 using diagnostic_msgs::DiagnosticStatus;
-
-template <class T>
-void add(DiagnosticStatus& status, const std::string& key, const T& value)
-{
-  std::ostringstream text;
-  text << value;
-  diagnostic_msgs::KeyValue pair;
-  pair.key = key;
-  pair.value = text.str();
-  status.values.push_back(pair);
-}
 
 const char* word(RunState state)
 {
@@ -51,10 +43,30 @@ std::string histogram(const LoopStatistics& loop)
 }
 }  // namespace
 
-DiagnosticsPublisher::DiagnosticsPublisher(ros::NodeHandle& node, std::function<FrameRecord()> last)
+std::optional<double> RealTimeFactor::update(double ticked, RunState state, std::int64_t now) noexcept
+{
+  const bool stands = state == RunState::paused || state == RunState::failed;
+  if (!begun_ || (stood_ && !stands))  // what stood is no part of what runs
+  {
+    begun_ = true;
+    ticked_ = ticked;
+    since_ = now;
+  }
+  else if (now - since_ >= shortest)
+  {
+    factor_ = (ticked - ticked_) / (1e-9 * static_cast<double>(now - since_));
+    ticked_ = ticked;
+    since_ = now;
+  }
+  stood_ = stands;
+  return factor_;
+}
+
+DiagnosticsPublisher::DiagnosticsPublisher(ros::NodeHandle& node, std::function<FrameRecord()> last,
+                                           std::function<std::string()> clock_trouble)
     : last_(std::move(last)),
+      clock_trouble_(std::move(clock_trouble)),
       name_(ros::this_node::getName().substr(1)),
-      factor_since_(ros::WallTime::now()),
       diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10)),
       timer_(node.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { publish(); }))
 {
@@ -70,96 +82,73 @@ void DiagnosticsPublisher::publish()
   diagnostics_.publish(array);
 }
 
-DiagnosticStatus DiagnosticsPublisher::status(const std::string& part) const
+DiagnosticsPublisher::Status DiagnosticsPublisher::status(const std::string& part, const std::string& summary) const
 {
-  DiagnosticStatus s;
+  Status s;
   s.name = name_ + ": " + part;
   s.hardware_id = name_;
-  s.level = DiagnosticStatus::OK;
+  s.summary(DiagnosticStatus::OK, summary);
   return s;
 }
 
-double DiagnosticsPublisher::real_time_factor(const FrameRecord& frame)
+DiagnosticsPublisher::Status DiagnosticsPublisher::time_status(const FrameRecord& frame)
 {
-  const ros::WallTime now = ros::WallTime::now();
-  const double wall = (now - factor_since_).toSec();
-  if (wall >= 0.5)
-  {
-    factor_ = 1e-9 * static_cast<double>(frame.stamp - factor_stamp_) / wall;
-    factor_since_ = now;
-    factor_stamp_ = frame.stamp;
-  }
-  return factor_;
-}
-
-DiagnosticStatus DiagnosticsPublisher::time_status(const FrameRecord& frame)
-{
-  DiagnosticStatus s = status("time");
-  s.message = word(frame.run_state);
-  const bool behind = frame.loop.dropped_seconds > dropped_before_;
+  Status s = status("time", word(frame.run_state));
+  if (frame.loop.dropped_seconds > dropped_before_)
+    s.mergeSummary(DiagnosticStatus::WARN, std::string(word(frame.run_state)) + ", slower than asked");
   dropped_before_ = frame.loop.dropped_seconds;
-  if (behind)
-  {
-    s.level = DiagnosticStatus::WARN;
-    s.message += ", slower than asked";
-  }
-  add(s, "state", word(frame.run_state));
-  add(s, "simulated_time", frame.measurements.time);
-  add(s, "real_time_factor", real_time_factor(frame));
-  add(s, "speed", frame.loop.speed);
-  add(s, "overruns", frame.loop.overruns);
-  add(s, "dropped_seconds", frame.loop.dropped_seconds);
-  add(s, "dropped_snapshots", frame.loop.dropped_snapshots);
-  add(s, "longest_frame_ms", 1e3 * frame.loop.longest_frame);
-  add(s, "frame_times", histogram(frame.loop));
+  const std::string trouble = clock_trouble_();
+  if (!trouble.empty()) s.mergeSummary(DiagnosticStatus::WARN, trouble);
+  s.add("state", word(frame.run_state));
+  s.add("simulated_time", frame.measurements.time);
+  const auto factor = factor_.update(frame.loop.ticked_seconds, frame.run_state, steady_now());
+  if (factor) s.add("real_time_factor", *factor);
+  s.add("speed", frame.loop.speed);
+  s.add("overruns", frame.loop.overruns);
+  s.add("dropped_seconds", frame.loop.dropped_seconds);
+  s.add("unpublished_frames", frame.loop.unpublished_frames);
+  s.add("longest_frame_ms", 1e3 * frame.loop.longest_frame);
+  s.add("frame_times", histogram(frame.loop));
   return s;
 }
 
-DiagnosticStatus DiagnosticsPublisher::physics_status(const FrameRecord& frame) const
+DiagnosticsPublisher::Status DiagnosticsPublisher::physics_status(const FrameRecord& frame) const
 {
-  DiagnosticStatus s = status("physics");
+  Status s = status("physics", "solved");
   const SimulatorStatistics& p = frame.physics;
-  s.message = "solved";
   if (frame.run_state == RunState::failed)
-  {
-    s.level = DiagnosticStatus::ERROR;
-    s.message = std::string("time stands at the last good state: ") + frame.failure.data();
-  }
-  add(s, "level", p.level);
-  add(s, "integrator", p.integrator);
-  add(s, "step", p.step);
-  add(s, "nodes", p.nodes);
-  add(s, "coordinates", p.coordinates);
-  add(s, "frames", p.frames);
-  add(s, "steps", p.steps);
-  add(s, "newton_iterations", p.newton_iterations);
-  add(s, "newton_iterations_per_step",
+    s.mergeSummary(DiagnosticStatus::ERROR, std::string("time stands at the last good state: ") + frame.failure.data());
+  s.add("level", p.level);
+  s.add("integrator", p.integrator);
+  s.add("step", p.step);
+  s.add("nodes", p.nodes);
+  s.add("coordinates", p.coordinates);
+  s.add("frames", p.frames);
+  s.add("steps", p.steps);
+  s.add("newton_iterations", p.newton_iterations);
+  s.add("newton_iterations_per_step",
       p.steps > 0 ? static_cast<double>(p.newton_iterations) / static_cast<double>(p.steps) : 0.0);
-  add(s, "convergence_failures", p.convergence_failures);
-  add(s, "error_test_failures", p.error_test_failures);
-  add(s, "error_estimate", p.last_error_estimate);
+  s.add("convergence_failures", p.convergence_failures);
+  s.add("error_test_failures", p.error_test_failures);
+  s.add("error_estimate", p.last_error_estimate);
   return s;
 }
 
-DiagnosticStatus DiagnosticsPublisher::command_status(const FrameRecord& frame)
+DiagnosticsPublisher::Status DiagnosticsPublisher::command_status(const FrameRecord& frame)
 {
-  DiagnosticStatus s = status("commands");
-  const std::uint64_t refused = frame.physics.commands_refused;
-  s.message = "obeyed";
+  Status s = status("commands", "obeyed");
+  const std::uint64_t refused = frame.physics.commands_refused, clamped = frame.physics.commands_clamped;
   if (frame.measurements.commands_timed_out)
-  {
-    s.level = DiagnosticStatus::WARN;
-    s.message = "the command stream stopped: brake set, drive coasts";
-  }
-  else if (refused > refused_before_)
-  {
-    s.level = DiagnosticStatus::WARN;
-    s.message = std::string("refused: ") + frame.last_refusal;
-  }
+    s.mergeSummary(DiagnosticStatus::WARN, "the command stream stopped: brake set, drive coasts");
+  if (refused > refused_before_) s.mergeSummary(DiagnosticStatus::WARN, std::string("refused: ") + frame.last_refusal);
+  if (clamped > clamped_before_ || frame.measurements.command_clamped)
+    s.mergeSummary(DiagnosticStatus::WARN, std::string("beyond a limit: ") + frame.last_clamp);
   refused_before_ = refused;
-  add(s, "clamped", frame.physics.commands_clamped);
-  add(s, "refused", refused);
-  add(s, "last_refusal", frame.last_refusal);
+  clamped_before_ = clamped;
+  s.add("clamped", clamped);
+  s.add("last_clamp", frame.last_clamp);
+  s.add("refused", refused);
+  s.add("last_refusal", frame.last_refusal);
   return s;
 }
 

@@ -36,7 +36,7 @@ FramePublisher::FramePublisher(ros::NodeHandle& node, const Parameters& paramete
   tf_static_.sendTransform(t);
 }
 
-void FramePublisher::publish(const Snapshot& s)
+void FramePublisher::publish(const FrameOutput& s)
 {
   if (!s.tf_due) return;
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -14,7 +14,7 @@ Mailbox::Mailbox(ros::NodeHandle& node)
   subscribers_[2] = node.subscribe<MudPumpCommand>(
       "mud_pump/command", 1, [this](const MudPumpCommand::ConstPtr& m) { pump_.write(to_setpoint(*m)); }, {}, hints);
   subscribers_[3] = node.subscribe<SteeringCommand>(
-      "steering/command", 1, [this](const SteeringCommand::ConstPtr&) { ++refused_; }, {}, hints);
+      "steering/command", 1, [this](const SteeringCommand::ConstPtr&) { ++steering_refused_; }, {}, hints);
 }
 
 void Mailbox::clear() noexcept

@@ -101,7 +101,7 @@ MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const Parameters& parame
   markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", 10, greet, bid_farewell);
 }
 
-void MarkerPublisher::publish(const Snapshot& s)
+void MarkerPublisher::publish(const FrameOutput& s)
 {
   if (s.rebuilt) color_full_ = 0.0;
   if (!s.markers_due) return;
@@ -115,7 +115,7 @@ void MarkerPublisher::publish(const Snapshot& s)
   markers_.publish(array);
 }
 
-Marker MarkerPublisher::marker(const Snapshot& s, const std::string& name, int type) const
+Marker MarkerPublisher::marker(const FrameOutput& s, const std::string& name, int type) const
 {
   Marker m;
   m.header.stamp = to_time(s.frame.stamp);
@@ -128,12 +128,12 @@ Marker MarkerPublisher::marker(const Snapshot& s, const std::string& name, int t
   return m;
 }
 
-Eigen::Vector3d MarkerPublisher::drawn(const Snapshot& s, std::size_t i) const
+Eigen::Vector3d MarkerPublisher::drawn(const FrameOutput& s, std::size_t i) const
 {
   return s.axis[i].position + exaggeration_ * (s.profile.position[i] - s.axis[i].position);
 }
 
-Marker MarkerPublisher::string_marker(const Snapshot& s)
+Marker MarkerPublisher::string_marker(const FrameOutput& s)
 {
   const std::vector<double>& values = quantity(s.profile, color_by_);
   color_full_ = std::max({nearly_largest(values), color_memory * color_full_, 1e-9});
@@ -149,7 +149,7 @@ Marker MarkerPublisher::string_marker(const Snapshot& s)
   return m;
 }
 
-Marker MarkerPublisher::bit_marker(const Snapshot& s) const
+Marker MarkerPublisher::bit_marker(const FrameOutput& s) const
 {
   Marker m = marker(s, "bit", Marker::SPHERE);
   m.pose.position = to_point(drawn(s, 0));
@@ -158,7 +158,7 @@ Marker MarkerPublisher::bit_marker(const Snapshot& s) const
   return m;
 }
 
-Marker MarkerPublisher::force_marker(const Snapshot& s) const
+Marker MarkerPublisher::force_marker(const FrameOutput& s) const
 {
   Marker m = marker(s, "contact_forces", Marker::LINE_LIST);
   for (std::size_t i = 0; i < s.profile.position.size(); ++i)
@@ -173,7 +173,7 @@ Marker MarkerPublisher::force_marker(const Snapshot& s) const
   return m;
 }
 
-Marker MarkerPublisher::block_marker(const Snapshot& s) const
+Marker MarkerPublisher::block_marker(const FrameOutput& s) const
 {
   Marker m = marker(s, "traveling_block", Marker::CUBE);
   m.pose.position.z = s.frame.measurements.block_height + 2.0;
@@ -182,7 +182,7 @@ Marker MarkerPublisher::block_marker(const Snapshot& s) const
   return m;
 }
 
-Marker MarkerPublisher::tube_marker(const Snapshot& s) const
+Marker MarkerPublisher::tube_marker(const FrameOutput& s) const
 {
   Marker m = marker(s, "wellbore", Marker::TRIANGLE_LIST);
   const auto ring = rings(s.well, exaggeration_);
@@ -200,7 +200,7 @@ Marker MarkerPublisher::tube_marker(const Snapshot& s) const
   return m;
 }
 
-Marker MarkerPublisher::station_marker(const Snapshot& s) const
+Marker MarkerPublisher::station_marker(const FrameOutput& s) const
 {
   Marker m = marker(s, "stations", Marker::SPHERE_LIST);
   for (const WellNode& station : s.stations) m.points.push_back(to_point(station.position));

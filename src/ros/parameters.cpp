@@ -1,9 +1,10 @@
 #include "drill_rig_sim/ros/parameters.h"
 
 #include <ros/package.h>
+#include <unistd.h>
 
 #include <cmath>
-#include <fstream>
+#include <filesystem>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -111,9 +112,11 @@ private:
   std::set<std::string> known_;
 };
 
+// A regular file: to open a pipe or a device may block.
 bool readable(const std::string& file)
 {
-  return std::ifstream(file).good();
+  std::error_code error;
+  return std::filesystem::is_regular_file(file, error) && access(file.c_str(), R_OK) == 0;
 }
 }  // namespace
 
@@ -178,7 +181,7 @@ std::string find_scene(const std::string& name)
     file = ros::package::getPath("drill_rig_sim") + "/config/scenes/" + name;
   }
   if (name.empty() || !readable(file))
-    throw ParameterError("scene is " + name + "; allowed is a file that can be read, absolute, package://PACKAGE/FILE, " +
+    throw ParameterError("scene is " + name + "; allowed is a regular file that can be read, absolute, package://PACKAGE/FILE, " +
                          "or relative to config/scenes (tried " + file + ")");
   return file;
 }

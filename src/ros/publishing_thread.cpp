@@ -52,7 +52,7 @@ void PublishingThread::wait_until_published(std::uint64_t handed_over)
 
 void PublishingThread::run()
 {
-  while (const Snapshot* s = ring_.next())
+  while (const FrameOutput* s = ring_.next())
   {
     publish(*s);
     bool changed = false;
@@ -68,7 +68,7 @@ void PublishingThread::run()
   }
 }
 
-void PublishingThread::publish(const Snapshot& s)
+void PublishingThread::publish(const FrameOutput& s)
 {
   state_.publish(s);
   frames_.publish(s);

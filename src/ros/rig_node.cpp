@@ -1,7 +1,5 @@
 #include "drill_rig_sim/ros/rig_node.h"
 
-#include <rosgraph_msgs/Clock.h>
-
 #include <memory>
 
 #include "drill_rig_sim/scene/read_scene.h"
@@ -23,21 +21,26 @@ RigNode::RigNode()
       scene_(checked_scene(parameters_)),
       mailbox_(node_),
       loop_(parameters_, std::make_unique<Simulator>(scene_, parameters_.seed), mailbox_, ring_),
+      clock_(node_, parameters_, [this](std::int64_t clock) { loop_.hear_clock(clock); }),
       publishing_(
           node_, parameters_, ring_, loop_.subscriptions(), [this] { loop_.refresh(); }, [this] { diagnostics_.publish(); }),
-      diagnostics_(node_, [this] { return publishing_.last(); }),
+      diagnostics_(node_, [this] { return publishing_.last(); }, [this] { return clock_.trouble(); }),
       services_((service_node_.setCallbackQueue(&service_queue_), service_node_), parameters_, scene_, loop_, publishing_, ring_),
       spinner_(1),
       service_spinner_(2, &service_queue_)
 {
-  if (loop_.time().follows())
-    clock_ = node_.subscribe<rosgraph_msgs::Clock>("/clock", 10,
-                                                   [this](const rosgraph_msgs::Clock::ConstPtr& m)
-                                                   { loop_.hear_clock(static_cast<std::int64_t>(m->clock.toNSec())); });
+  say_what_runs();
   publishing_.start();
   loop_.start();
   spinner_.start();
   service_spinner_.start();
+}
+
+void RigNode::say_what_runs()
+{
+  const SimulatorStatistics& rig = loop_.rig().simulator->statistics();
+  ROS_INFO_STREAM("scene " << scene_.name << ", level " << rig.level << ", " << rig.nodes << " nodes, step " << rig.step << " s, rate "
+                           << parameters_.rate << " Hz, namespace " << node_.getNamespace());
 }
 
 RigNode::~RigNode()

@@ -3,10 +3,12 @@
 #include <iostream>
 
 #include "drill_rig_sim/ros/rig_node.h"
+#include "drill_rig_sim/ros/signals.h"
 
 int main(int argc, char** argv)
 {
-  ros::init(argc, argv, "rig_simulator");
+  ros::init(argc, argv, "rig_simulator", ros::init_options::NoSigintHandler);
+  drill_rig_sim::end_on_signals();
   try
   {
     const drill_rig_sim::RigNode node;

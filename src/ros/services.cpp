@@ -20,6 +20,8 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+constexpr std::uint32_t most_frames = 100000;  // of one step
+
 std::string one_line(std::string text)
 {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -38,24 +40,21 @@ Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene sc
 {
   using std_srvs::SetBool;
   using std_srvs::Trigger;
-  const auto not_yet = [](const auto&, auto&) -> std::string { throw Refusal("not available yet"); };
-  serve<ResetWell>(node, "reset_well", [this](const auto& q, auto&) { return reset_well(q); });
-  serve<LoadSurvey>(node, "load_survey", [this](const auto& q, auto&) { return load_survey(q); });
-  serve<Trigger>(node, "pause", [this](const auto&, auto&) { return pause(); });
-  serve<Trigger>(node, "resume", [this](const auto&, auto&) { return resume(); });
-  serve<Trigger>(node, "tare", [this](const auto&, auto&) { return tare(); });
-  serve<SetSpeed>(node, "set_speed", [this](const auto& q, auto&) { return set_speed(q.speed); });
-  serve<SaveState>(node, "save_state", [this](const auto& q, auto&) { return save_state(q); });
-  serve<RestoreState>(node, "restore_state", [this](const auto& q, auto&) { return restore_state(q); });
-  serve<InjectFault>(node, "inject_fault", [this](const auto& q, auto&) { return inject_fault(q); });
+  const auto not_yet = [](const auto&, auto&, Lock&) -> std::string { throw Refusal("not available yet"); };
+  serve<ResetWell>(node, "reset_well", [this](const auto& q, auto&, Lock&) { return reset_well(q); });
+  serve<LoadSurvey>(node, "load_survey", [this](const auto& q, auto&, Lock&) { return load_survey(q); });
+  serve<Trigger>(node, "pause", [this](const auto&, auto&, Lock&) { return pause(); });
+  serve<Trigger>(node, "resume", [this](const auto&, auto&, Lock&) { return resume(); });
+  serve<Trigger>(node, "tare", [this](const auto&, auto&, Lock&) { return tare(); });
+  serve<SetSpeed>(node, "set_speed", [this](const auto& q, auto&, Lock&) { return set_speed(q.speed); });
+  serve<SaveState>(node, "save_state", [this](const auto& q, auto&, Lock&) { return save_state(q); });
+  serve<RestoreState>(node, "restore_state", [this](const auto& q, auto&, Lock&) { return restore_state(q); });
+  serve<ListStates>(node, "list_states", [this](const auto&, auto& r, Lock&) { return list_states(r); });
+  serve<DeleteState>(node, "delete_state", [this](const auto& q, auto&, Lock&) { return delete_state(q.name); });
+  serve<InjectFault>(node, "inject_fault", [this](const auto& q, auto&, Lock&) { return inject_fault(q); });
   serve<SetBool>(node, "set_slips", not_yet);
   serve<MakeConnection>(node, "make_connection", not_yet);
-  serve<StepSimulation>(node, "step",
-                        [this](const auto& q, auto& r)
-                        {
-                          step(q, r.state);
-                          return std::string();
-                        });
+  serve<StepSimulation>(node, "step", [this](const auto& q, auto& r, Lock& lock) { return step(q, r.state, lock); });
 }
 
 template <class Service, class Action>
@@ -63,25 +62,29 @@ void Services::serve(ros::NodeHandle& node, const std::string& name, Action acti
 {
   using Request = typename Service::Request;
   using Response = typename Service::Response;
-  servers_.push_back(node.advertiseService<Request, Response>(name,
-                                                              [this, name, action](Request& request, Response& response)
-                                                              {
-                                                                const std::lock_guard<std::mutex> lock(one_at_a_time_);
-                                                                try
-                                                                {
-                                                                  response.message = action(request, response);
-                                                                  response.success = true;
-                                                                  if (!response.message.empty())
-                                                                    ROS_INFO_STREAM(name << ": " << response.message);
-                                                                }
-                                                                catch (const std::exception& error)
-                                                                {
-                                                                  response.success = false;
-                                                                  response.message = one_line(error.what());
-                                                                  ROS_WARN_STREAM(name << " refused: " << response.message);
-                                                                }
-                                                                return true;
-                                                              }));
+  const auto answer = [this, name, action](Request& request, Response& response)
+  {
+    Lock lock(one_at_a_time_);
+    try
+    {
+      response.message = action(request, response, lock);
+      response.success = true;
+      if (!response.message.empty()) ROS_INFO_STREAM(name << ": " << response.message);
+    }
+    catch (const std::exception& error)
+    {
+      response.success = false;
+      response.message = one_line(error.what());
+      ROS_WARN_STREAM(name << " refused: " << response.message);
+    }
+    return true;
+  };
+  servers_.push_back(node.advertiseService<Request, Response>(name, answer));
+}
+
+void Services::require_no_step() const
+{
+  if (step_under_way_) throw Refusal("a step is under way; pause ends it");
 }
 
 void Services::rebuild(const Scene& scene)
@@ -93,6 +96,7 @@ void Services::rebuild(const Scene& scene)
 
 std::string Services::reset_well(const ResetWell::Request& request)
 {
+  require_no_step();
   const Scene scene = request.scene.empty() ? scene_ : read_scene(find_scene(request.scene));
   Scene next = scene;
   if (!(request.bit_depth >= 0.0 && request.bit_depth <= scene.well.hole_depth))
@@ -109,6 +113,7 @@ std::string Services::reset_well(const ResetWell::Request& request)
 
 std::string Services::load_survey(const LoadSurvey::Request& request)
 {
+  require_no_step();
   const Scene next = with_survey(scene_, request);
   rebuild(next);
   saved_.clear();
@@ -125,6 +130,13 @@ void Services::require_pausable() const
 
 std::string Services::pause()
 {
+  if (loop_.time().in_lockstep())
+  {
+    bool ended = false;
+    loop_.between_frames([&](SimulationLoop& loop) { ended = loop.end_step_early(); });
+    if (!ended) throw Refusal("no step is under way, and in lockstep time moves by the service step alone");
+    return "the step is ended";
+  }
   require_pausable();
   loop_.between_frames([](SimulationLoop& loop) { loop.set_paused(true); });
   return "paused";
@@ -159,53 +171,61 @@ std::string Services::set_speed(double speed)
     throw Refusal("speed is " + std::to_string(speed) + "; allowed is a number >= 0, 0 = as fast as it goes");
   if (!loop_.time().has_own_clock() && speed != 1.0)
     throw Refusal("stamps are wall time (~publish_clock is false); allowed is 1");
-  loop_.between_frames([=](SimulationLoop& loop) { loop.time().set_speed(speed); });
+  loop_.between_frames([=](SimulationLoop& loop) { loop.time().set_speed(speed, steady_now()); });
   return speed == 0.0 ? "as fast as it goes" : std::to_string(speed) + " simulated seconds per wall second";
 }
 
 std::string Services::save_state(const SaveState::Request& request)
 {
   if (!request.file.empty()) throw Refusal("file: not available yet; allowed is a name alone");
-  if (request.name.empty()) throw Refusal("name is empty; allowed is any other text");
+  Saved saved;
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
         const RunningRig& rig = loop.rig();
         if (rig.failed) throw Refusal("the last frame failed: there is no good state to go on from");
-        saved_.insert_or_assign(request.name, Saved{rig.simulator->save(), rig.program, rig.playing});
+        saved = {rig.simulator->save(), rig.program, rig.playing, loop.time().stamp()};
       });
+  saved_.keep(request.name, std::move(saved));
   return "saved as " + request.name;
 }
 
 std::string Services::restore_state(const RestoreState::Request& request)
 {
+  require_no_step();
   if (!request.file.empty()) throw Refusal("file: not available yet; allowed is a name alone");
-  const auto found = saved_.find(request.name);
-  if (found == saved_.end())
-  {
-    std::string names;
-    for (const auto& entry : saved_) names += (names.empty() ? "" : ", ") + entry.first;
-    throw Refusal("there is no state " + request.name + " of this rig; saved are: " + (names.empty() ? "none" : names));
-  }
-  loop_.between_frames([&](SimulationLoop& loop)
-                       { loop.go_back(*found->second.state, found->second.program, found->second.playing); });
+  const Saved& saved = saved_.find(request.name);
+  loop_.between_frames([&](SimulationLoop& loop) { loop.go_back(*saved.state, *saved.program, saved.playing); });
   return "restored " + request.name;
+}
+
+std::string Services::list_states(ListStates::Response& response)
+{
+  saved_.list(response);
+  return {};
+}
+
+std::string Services::delete_state(const std::string& name)
+{
+  saved_.remove(name);
+  return "deleted " + name;
 }
 
 std::string Services::inject_fault(const InjectFault::Request& request)
 {
   if (request.fault != InjectFault::Request::STUCK_PIPE) throw Refusal("not available yet; allowed is STUCK_PIPE");
-  bool stuck = true;
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
         Simulator& simulator = *loop.rig().simulator;
+        const double bit = simulator.measurements().bit_depth;
         if (request.clear)
           simulator.free_pipe();
-        else
-          stuck = simulator.stick_pipe(request.depth);
+        else if (!(request.depth > 0.0 && request.depth <= bit) || !simulator.stick_pipe(request.depth))
+          throw Refusal("depth is " + std::to_string(request.depth) +
+                        "; allowed is a depth where there is pipe in the hole, more than 0 (the rotary table) to " +
+                        std::to_string(bit) + " m (the bit)");
       });
-  if (!stuck) throw Refusal("depth is " + std::to_string(request.depth) + "; allowed is a depth where there is pipe in the hole");
   return request.clear ? "the pipe is free" : "the pipe is stuck at " + std::to_string(request.depth) + " m";
 }
 
@@ -237,18 +257,37 @@ void Services::command_all(const StepSimulation::Request& request)
       });
 }
 
-void Services::step(const StepSimulation::Request& request, RigState& state)
+std::string Services::step(const StepSimulation::Request& request, RigState& state, Lock& lock)
 {
   if (!loop_.time().in_lockstep()) throw Refusal("allowed in lockstep alone (~clock)");
+  require_no_step();
+  if (request.frames > most_frames)
+    throw Refusal("frames is " + std::to_string(request.frames) + "; allowed is 0 to " + std::to_string(most_frames));
   command_all(request);
-  const bool complete = loop_.step(request.frames);
+  loop_.begin_step(request.frames);
+  step_under_way_ = true;
+  lock.unlock();  // the other services answer meanwhile
+  const StepResult result = loop_.wait_for_step();
   std::uint64_t handed_over = 0;
   loop_.between_frames([&](SimulationLoop&) { handed_over = ring_.handed_over(); });
   publishing_.wait_until_published(handed_over);
   const FrameRecord last = publishing_.last();
+  lock.lock();
+  step_under_way_ = false;
   state = to_rig_state(last, parameters_.frame_prefix + "rig_floor");
-  if (!complete)
-    throw Refusal(last.failure[0] != '\0' ? std::string("a frame failed: ") + last.failure.data() : "the node is shutting down");
+  const std::string frames = " (" + std::to_string(result.frames) + " of " + std::to_string(request.frames) + " frames)";
+  switch (result.end)
+  {
+    case StepResult::End::complete:
+      return {};
+    case StepResult::End::failed:
+      throw Refusal(std::string("a frame failed: ") + last.failure.data() + frames);
+    case StepResult::End::ended_early:
+      break;
+    case StepResult::End::shut_down:
+      throw Refusal("the node is shutting down" + frames);
+  }
+  throw Refusal("ended by pause" + frames);
 }
 
 }  // namespace drill_rig_sim

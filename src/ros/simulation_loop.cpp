@@ -25,7 +25,8 @@ SimulationLoop::SimulationLoop(const Parameters& parameters, std::unique_ptr<Sim
       mailbox_(mailbox),
       ring_(ring),
       rig_(std::move(simulator), parameters.play_program),
-      time_(parameters),
+      time_(parameters.time_source(), parameters.clock, parameters.frame_period(),
+            static_cast<std::int64_t>(ros::WallTime::now().toNSec())),
       frame_duration_(1.0 / parameters.rate),
       state_cadence_(parameters.state_rate),
       profile_cadence_(parameters.drillstring_rate),
@@ -45,7 +46,10 @@ SimulationLoop::~SimulationLoop()
 void SimulationLoop::start()
 {
   time_.restart(steady_now());
-  if (!time_.follows()) publish_now(true);
+  if (time_.follows())
+    hand_over({false, false, false});  // no stamp before another rig's clock is heard: for the diagnostics alone
+  else
+    publish_now(true);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -83,7 +87,7 @@ void SimulationLoop::run_between_frames() noexcept
 
 void SimulationLoop::wait_or_work() noexcept
 {
-  if (halted_ && stepping_) end_step(false);
+  if (halted_ && stepping_) end_step(StepResult::End::shut_down);
   const bool may_run = !halted_ && run_state() == RunState::running;
   if (may_run) time_.adopt_clock();
   const std::int64_t due = may_run ? time_.next_frame_at() : Timekeeper::not_yet;
@@ -106,9 +110,11 @@ void SimulationLoop::one_frame(std::int64_t now) noexcept
   count_frame_time(steady_now() - now);
 
   if (!rig_.failed) time_.tick();
-  if (stepping_) --frames_to_go_;
-  hand_over({!rig_.failed, rig_.failed, false});
-  if (stepping_ && (rig_.failed || frames_to_go_ == 0)) end_step(!rig_.failed);
+  hand_over({!rig_.failed, rig_.failed, !announced_});
+  if (!stepping_) return;
+  --frames_to_go_;
+  ++step_.frames;
+  if (rig_.failed || frames_to_go_ == 0) end_step(rig_.failed ? StepResult::End::failed : StepResult::End::complete);
 }
 
 void SimulationLoop::take_commands() noexcept
@@ -116,6 +122,9 @@ void SimulationLoop::take_commands() noexcept
   if (const WinchSetpoint* c = mailbox_.winch()) take(*c);
   if (const TopDriveSetpoint* c = mailbox_.top_drive()) take(*c);
   if (const PumpSetpoint* c = mailbox_.pump()) take(*c);
+  const std::uint64_t steering = mailbox_.steering_refused();
+  if (steering != steering_refused_) rig_.last_refusal = "steering/command: not available yet";
+  steering_refused_ = steering;
 }
 
 template <class Setpoint>
@@ -127,6 +136,7 @@ CommandResult SimulationLoop::accept(const Setpoint& c, std::size_t kind) noexce
     rig_.last_refusal = result.reason;
     return result;
   }
+  if (result.outcome == CommandResult::Outcome::clamped) rig_.last_clamp = result.reason;
   rig_.last_command = rig_.accepted[kind] = time_.stamp();
   if (rig_.playing)
   {
@@ -155,33 +165,34 @@ void SimulationLoop::count_frame_time(std::int64_t duration) noexcept
   statistics_.longest_frame = std::max(statistics_.longest_frame, 1e-3 * ms);
 }
 
-void SimulationLoop::end_step(bool complete) noexcept
+void SimulationLoop::end_step(StepResult::End end) noexcept
 {
   stepping_ = false;
   frames_to_go_ = 0;
-  step_complete_ = complete;
+  step_.end = end;
   step_done_.post();
 }
 
-// --- snapshots ----------------------------------------------------------------------------------------------------------
+// --- what a frame hands out -------------------------------------------------------------------------------------------------
 
 void SimulationLoop::hand_over(Occasion occasion) noexcept
 {
   const bool may_be_lost = time_.is_realtime() && occasion.new_stamp && !occasion.rebuilt;
-  Snapshot* snapshot = may_be_lost ? ring_.try_claim() : ring_.claim();
-  if (snapshot == nullptr)
+  FrameOutput* output = may_be_lost ? ring_.try_claim() : ring_.claim();
+  if (output == nullptr)
   {
-    ++statistics_.dropped_snapshots;
+    ++statistics_.unpublished_frames;
     return;
   }
   occasion.whole_picture |= subscriptions_.refresh.exchange(false);
-  note_due(*snapshot, occasion);
-  fill_record(snapshot->frame);
-  fill_arrays(*snapshot);
+  note_due(*output, occasion);
+  fill_record(output->frame);
+  fill_arrays(*output);
+  announced_ = announced_ || occasion.new_stamp;
   ring_.hand_over();
 }
 
-void SimulationLoop::note_due(Snapshot& s, const Occasion& occasion) noexcept
+void SimulationLoop::note_due(FrameOutput& s, const Occasion& occasion) noexcept
 {
   const std::int64_t simulated = time_.stamp();
   const std::int64_t shown = time_.in_lockstep() ? simulated : steady_now();
@@ -205,16 +216,18 @@ void SimulationLoop::fill_record(FrameRecord& record) const noexcept
   record.last_command = rig_.last_command;
   record.accepted = rig_.accepted;
   record.physics = rig_.simulator->statistics();
-  record.physics.commands_refused += mailbox_.refused();
+  record.physics.commands_refused += steering_refused_;
   record.loop = statistics_;
   record.loop.overruns = time_.overruns();
   record.loop.dropped_seconds = time_.dropped_seconds();
   record.loop.speed = time_.speed();
+  record.loop.ticked_seconds = time_.ticked_seconds();
   record.last_refusal = rig_.last_refusal;
+  record.last_clamp = rig_.last_clamp;
   std::snprintf(record.failure.data(), record.failure.size(), "%s", rig_.failed ? rig_.simulator->failure() : "");
 }
 
-void SimulationLoop::fill_arrays(Snapshot& s) noexcept
+void SimulationLoop::fill_arrays(FrameOutput& s) noexcept
 {
   const Wellbore& well = rig_.simulator->wellbore();
   if (s.profile_due || s.markers_due)
@@ -285,24 +298,36 @@ void SimulationLoop::publish_now(bool rebuilt) noexcept
   hand_over({true, true, rebuilt});
 }
 
-bool SimulationLoop::step(std::uint32_t frames)
+void SimulationLoop::begin_step(std::uint32_t frames)
 {
-  if (frames == 0) return true;
   between_frames(
       [frames](SimulationLoop& loop)
       {
+        loop.step_ = StepResult();
         loop.frames_to_go_ = frames;
         loop.stepping_ = true;
+        if (frames == 0) loop.end_step(StepResult::End::complete);
       });
+}
+
+StepResult SimulationLoop::wait_for_step() noexcept
+{
   step_done_.wait();
-  return step_complete_;
+  return step_;
+}
+
+bool SimulationLoop::end_step_early() noexcept
+{
+  if (!stepping_) return false;
+  end_step(StepResult::End::ended_early);
+  return true;
 }
 
 void SimulationLoop::reserve_memory()
 {
   const Wellbore& well = rig_.simulator->wellbore();
   ring_.with_every_slot(
-      [&](Snapshot& s)
+      [&](FrameOutput& s)
       {
         s.profile_due = s.tf_due = s.well_due = true;
         s.well.reserve(static_cast<std::size_t>(well.node_count()) + spare_points);

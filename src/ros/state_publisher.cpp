@@ -43,7 +43,7 @@ StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& paramete
 {
 }
 
-void StatePublisher::publish(const Snapshot& s)
+void StatePublisher::publish(const FrameOutput& s)
 {
   if (s.rebuilt)
   {
@@ -62,7 +62,7 @@ void StatePublisher::publish(const Snapshot& s)
   if (s.profile_due) publish_profile(s);
 }
 
-void StatePublisher::publish_rig(const Snapshot& s)
+void StatePublisher::publish_rig(const FrameOutput& s)
 {
   const Measurements& m = s.frame.measurements;
   hook_load_.publish(number(m.hook_load));
@@ -78,7 +78,7 @@ void StatePublisher::publish_rig(const Snapshot& s)
   joint_states_.publish(joints);
 }
 
-void StatePublisher::publish_bit(const Snapshot& s)
+void StatePublisher::publish_bit(const FrameOutput& s)
 {
   const Measurements& m = s.frame.measurements;
   geometry_msgs::PoseStamped pose;
@@ -106,7 +106,7 @@ ros::Time StatePublisher::measured_at(const FrameRecord& frame, double time) con
   return to_time(frame.stamp) - ros::Duration(frame.measurements.time - time);
 }
 
-void StatePublisher::publish_telemetry(const Snapshot& s)
+void StatePublisher::publish_telemetry(const FrameOutput& s)
 {
   const MwdReading& survey = s.frame.measurements.mwd;
   if (survey.sequence > last_survey_)
@@ -133,7 +133,7 @@ void StatePublisher::publish_telemetry(const Snapshot& s)
   last_toolface_ = toolface.sequence;
 }
 
-void StatePublisher::publish_profile(const Snapshot& s)
+void StatePublisher::publish_profile(const FrameOutput& s)
 {
   const StringProfile& from = s.profile;
   profile_.header.stamp = to_time(s.frame.stamp);

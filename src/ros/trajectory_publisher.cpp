@@ -11,7 +11,7 @@ TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle& node, const Parameters
 {
 }
 
-void TrajectoryPublisher::publish(const Snapshot& s)
+void TrajectoryPublisher::publish(const FrameOutput& s)
 {
   if (!s.well_due || !s.new_stamp) return;  // a latched path needs no repeating
   nav_msgs::Path path;

@@ -52,7 +52,7 @@ Scene small_scene()
   mwd.length = 9.0;
   mwd.sensor_offset = 4.0;
   scene.string = {bit_part(0.2159), motor_part(), mwd, pipe_part(0, 9.5, tool_jointed_mass)};
-  scene.string[0].side_cutting = 0.1;
+  scene.string[0].bit->side_cutting = 0.1;
   scene.start.block_height = 12.0;
   scene.contact.static_ratio = 1.2;
   scene.instruments.hook_load = {100.0, 5.0, 0.05, 0.1};

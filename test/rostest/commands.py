@@ -2,10 +2,10 @@
 """Commands beyond a limit are clamped and flagged, nonsense is refused whole, and a stream that stops brakes the rig."""
 import math
 
-from diagnostic_msgs.msg import DiagnosticArray
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from drill_rig_sim.msg import MudPumpCommand, SteeringCommand, TopDriveCommand, WinchCommand
 from drill_rig_sim.srv import InjectFaultRequest, StepSimulationRequest
-from rig_test import PATIENCE, Rig, flow, numbers, run, rospy, time, turn, unittest, winch
+from rig_test import PATIENCE, Rig, flow, run, rospy, time, turn, unittest, wait_until, winch
 
 
 class Commands(unittest.TestCase):
@@ -34,6 +34,18 @@ class Commands(unittest.TestCase):
                     return int(pair.value)
         self.fail("no count of refused commands")
 
+    def commands_status(self, said):
+        """The diagnostics of commands, once they say so."""
+        diagnostics = self.rig.collect("/diagnostics", DiagnosticArray)
+
+        def status(messages):
+            found = [s for m in messages for s in m.status if s.name.endswith("commands") and said in s.message]
+            return found[0] if found else None
+        diagnostics.wait_until(status)
+        found = status(diagnostics.messages)
+        self.assertIsNotNone(found, "never: " + said)
+        return found
+
     def test_every_kind_of_command_takes_effect_from_its_topic(self):
         winches = self.rig.publisher("winch/command", WinchCommand)
         drives = self.rig.publisher("top_drive/command", TopDriveCommand)
@@ -50,6 +62,9 @@ class Commands(unittest.TestCase):
         state = self.rig.advance(1, winch=winch(-100.0))
         self.assertEqual(-1.5, state.winch.block_velocity)
         self.assertTrue(state.command_clamped)
+        status = self.commands_status("beyond a limit: block_velocity")
+        self.assertIn(status.level, (DiagnosticStatus.WARN, bytes([1]), 1))
+        self.assertGreater(int(next(p.value for p in status.values if p.key == "clamped")), 0)
         state = self.rig.advance(1, top_drive=turn(1e4))
         self.assertAlmostEqual(220.0 * math.pi / 30.0, state.top_drive.speed, places=9)
         self.assertTrue(state.command_clamped)
@@ -58,16 +73,14 @@ class Commands(unittest.TestCase):
         self.assertTrue(state.command_clamped)
 
     def test_nonsense_in_a_step_is_refused_whole_and_no_frame_computed(self):
-        before = self.rig.advance(5, winch=winch(0.1), top_drive=turn(2.0))
+        self.rig.advance(5, winch=winch(0.1), top_drive=turn(2.0))
         for bad in ({"winch": [winch(math.nan)]}, {"top_drive": [turn(math.inf)]}, {"mud_pump": [flow(math.nan)]},
                     {"top_drive": [TopDriveCommand(mode=7)]}, {"winch": [winch(0.3)], "top_drive": [turn(math.nan)]},
                     {"winch": [winch(0.1), winch(0.2)]}, {"steering": [SteeringCommand(toolface=0.0, ratio=1.0)]}):
-            answer = self.rig.step(StepSimulationRequest(frames=5, **bad))
+            answer, expected, after = self.rig.next_frame_after(lambda: self.rig.step(StepSimulationRequest(frames=5, **bad)))
             self.assertFalse(answer.success, bad)
             self.assertNotEqual("", answer.message)
-            after = self.rig.advance(0)
-            self.assertEqual(before.header.stamp, after.header.stamp, bad)
-            self.assertEqual(numbers(before), numbers(after), bad)
+            self.assertEqual(expected, after, bad)
 
     def test_nonsense_on_a_topic_is_refused_and_counted(self):
         self.rig.advance(1, winch=winch(0.1), top_drive=turn(2.0))
@@ -86,6 +99,13 @@ class Commands(unittest.TestCase):
         state = self.rig.advance(0)
         self.assertEqual(0.1, state.winch.block_velocity)
         self.assertEqual(2.0, state.top_drive.speed)
+
+    def test_the_refusal_of_steering_names_itself(self):
+        before = self.refused()
+        self.rig.publisher("steering/command", SteeringCommand).publish(SteeringCommand())
+        wait_until(lambda: self.rig.advance(1) and self.refused() > before, "refusal of steering/command")
+        status = self.commands_status("")
+        self.assertIn("steering/command", next(p.value for p in status.values if p.key == "last_refusal"))
 
     def test_silence_sets_the_brake_and_the_next_command_takes_it_off(self):
         def speak():
@@ -113,7 +133,13 @@ class Commands(unittest.TestCase):
 
     def test_stuck_pipe_holds_the_string_until_it_is_freed(self):
         stuck = InjectFaultRequest(fault=InjectFaultRequest.STUCK_PIPE, depth=90.0)
-        self.assertFalse(self.rig.inject_fault(InjectFaultRequest(fault=InjectFaultRequest.STUCK_PIPE, depth=500.0)).success)
+        for nowhere in (500.0, 0.0, -3.0, math.nan, math.inf):  # below the bit, in the air, no place at all
+            answer, expected, after = self.rig.next_frame_after(
+                lambda: self.rig.inject_fault(InjectFaultRequest(fault=InjectFaultRequest.STUCK_PIPE, depth=nowhere)))
+            self.assertFalse(answer.success, nowhere)
+            self.assertIn("rotary table", answer.message)
+            self.assertEqual(expected, after)
+
         def mean_hook_load():  # the block swings on its lines for long
             return sum(self.rig.advance(1).hook_load for _ in range(400)) / 400
 

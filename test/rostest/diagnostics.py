@@ -28,7 +28,8 @@ class Diagnostics(unittest.TestCase):
         return next(m for m in messages if values(m).get("state") == word)
 
     def test_what_is_told_while_running(self):
-        message = self.diagnostics.wait(2)[-1]
+        message = next(m for m in reversed(self.diagnostics.wait_until(lambda m: m and "real_time_factor" in values(m[-1])))
+                       if "real_time_factor" in values(m))
         told = values(message)
         self.assertEqual("running", told["state"])
         for key in ("real_time_factor", "frame_times", "overruns", "dropped_seconds", "newton_iterations", "convergence_failures",

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Lockstep: exact frames, and bit-identical states on repetition and after a restored snapshot, in the middle of drilling."""
+import threading
+
 from drill_rig_sim.msg import DrillstringState, MwdSurvey, MwdToolface, RigState
-from rig_test import Rig, flow, numbers, run, time, turn, unittest, winch
+from rig_test import PATIENCE, Rig, flow, numbers, rospy, run, time, turn, unittest, winch
 from rosgraph_msgs.msg import Clock
 
 CHUNK = 100
@@ -71,25 +73,100 @@ class Lockstep(unittest.TestCase):
     def test_telemetry_carries_the_time_of_measurement(self):
         surveys, toolfaces = self.rig.collect("downhole/mwd", MwdSurvey), self.rig.collect("downhole/toolface", MwdToolface)
         start = self.rig.advance(1, mud_pump=flow(0.02)).header.stamp
-        arrived = None
-        while arrived is None and (self.rig.advance(10).header.stamp - start).to_sec() < 60.0:
-            time.sleep(0.005)
-            arrived = surveys.messages[0] if surveys.messages else None
-        now = self.rig.advance(0).header.stamp
-        self.assertIsNotNone(arrived, "no survey within a minute")
-        self.assertAlmostEqual(2.0, (now - arrived.header.stamp).to_sec(), delta=0.5)  # the scene's latency
-        self.assertAlmostEqual(0.3, arrived.inclination, delta=0.1)
+        latency = 2.0  # the scene's [s]
+        now = self.rig.advance(round(100 * (latency - 0.05))).header.stamp
+        time.sleep(0.5)  # long enough for a message that should not be there
+        self.assertEqual([], surveys.messages)
+        now = self.rig.advance(10).header.stamp
+        arrived = surveys.wait(1)
+        self.assertEqual(1, len(arrived), "no survey after the latency")
+        self.assertAlmostEqual(latency, (now - arrived[0].header.stamp).to_sec(), delta=0.1)
+        self.assertLessEqual((arrived[0].header.stamp - start).to_sec(), 0.011)
+        self.assertAlmostEqual(0.3, arrived[0].inclination, delta=0.1)
         self.assertTrue(toolfaces.wait(1))
         self.assertEqual(MwdToolface.GRAVITY, toolfaces.messages[-1].reference)
 
-    def test_pause_and_set_speed_have_no_meaning(self):
-        self.assertFalse(self.rig.pause().success)
+    def test_time_is_not_anybodys_to_pause_or_to_pace(self):
+        for answer in (self.rig.pause(), self.rig.resume(), self.rig.set_speed(2.0)):
+            self.assertFalse(answer.success)
+            self.assertIn("step", answer.message)
+
+    def test_a_step_is_bounded(self):
+        for frames in (100001, 4000000000):
+            answer, expected, after = self.rig.next_frame_after(lambda: self.rig.step(frames=frames))
+            self.assertFalse(answer.success)
+            self.assertIn("100000", answer.message)
+            self.assertEqual(expected, after)
+
+    def test_while_a_step_runs_the_other_services_answer_and_pause_ends_it(self):
+        states = self.rig.collect("rig_state", RigState)
+        start = self.rig.advance(1)
+        answers = []
+        stepping = threading.Thread(target=lambda: answers.append(self.rig.step(frames=100000)))
+        stepping.start()
+        states.after(start.header.stamp, 10)
+        self.assertTrue(self.rig.save_state("on the way", "").success)
+        self.assertIn("on the way", self.rig.list_states().names)
         self.assertFalse(self.rig.set_speed(2.0).success)
+        for refused in (self.rig.reset_well("", 0.0), self.rig.restore_state("on the way", ""), self.rig.step(frames=1),
+                        self.rig.load_survey(md=[0.0, 100.0], inclination=[0.0, 0.0], azimuth=[0.0, 0.0])):
+            self.assertFalse(refused.success)
+            self.assertIn("a step is under way", refused.message)
+        self.assertEqual([], answers, "the step ended by itself")
+        self.assertTrue(self.rig.pause().success)
+        stepping.join(PATIENCE)
+        self.assertFalse(answers[0].success)
+        self.assertIn("ended by pause", answers[0].message)
+        done = int(answers[0].message.split("(")[1].split()[0])
+        self.assertEqual(done * 10000000, (answers[0].state.header.stamp - start.header.stamp).to_nsec())
+        self.assertEqual(numbers(answers[0].state), numbers(self.rig.advance(0)))
+        self.assertFalse(self.rig.pause().success)  # there is none any more
+        self.assertTrue(self.rig.restore_state("on the way", "").success)
+        self.rig.advance(1)
+
+    def test_snapshots_are_listed_and_deleted(self):
+        for name in self.rig.list_states().names:
+            self.rig.must(self.rig.delete_state(name))
+        for name in ("b", "a", "a"):
+            stamp = self.rig.advance(1).header.stamp
+            self.rig.must(self.rig.save_state(name, ""))
+        listed = self.rig.list_states()
+        self.assertTrue(listed.success)
+        self.assertEqual(["a", "b"], listed.names)
+        self.assertEqual(stamp, listed.stamps[0])
+        self.assertEqual(stamp - rospy.Duration(0, 20000000), listed.stamps[1])
+        self.assertTrue(all(10000 < b < listed.limit for b in listed.bytes), listed)
+        self.assertTrue(self.rig.delete_state("a").success)
+        self.assertEqual(["b"], self.rig.list_states().names)
+        for refused in (self.rig.delete_state("a"), self.rig.restore_state("a", "")):
+            self.assertFalse(refused.success)
+            self.assertIn("saved are: b", refused.message)
+
+    def test_snapshots_have_a_limit_of_memory(self):
+        answer = self.rig.save_state("0", "")
+        count = 0
+        while answer.success and count < 10000:
+            count += 1
+            answer = self.rig.save_state(str(count), "")
+        self.assertIn("256 MiB", answer.message)
+        listed = self.rig.list_states()
+        self.assertEqual(count, len(listed.names))
+        self.assertLessEqual(sum(listed.bytes), listed.limit)
+        self.assertGreater(sum(listed.bytes) + listed.bytes[0], listed.limit)
+        self.assertTrue(self.rig.save_state("0", "").success)  # in place of another
+        self.rig.must(self.rig.delete_state("0"))
+        self.assertTrue(self.rig.save_state("new", "").success)
+        for name in self.rig.list_states().names:
+            self.rig.must(self.rig.delete_state(name))
 
     def test_unknown_snapshots_and_files_are_refused(self):
         self.assertFalse(self.rig.restore_state("never saved", "").success)
-        self.assertIn("not available yet", self.rig.save_state("", "/tmp/state").message)
+        for name in ("", "a"):
+            for answer in (self.rig.save_state(name, "/tmp/state"), self.rig.restore_state(name, "/tmp/state")):
+                self.assertFalse(answer.success)
+                self.assertIn("not available yet", answer.message)
         self.assertFalse(self.rig.save_state("", "").success)
+        self.assertFalse(self.rig.save_state(201 * "x", "").success)
 
 
 if __name__ == "__main__":

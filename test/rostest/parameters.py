@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 """A wrong parameter stops the node at start with one line that names it, its value and what is allowed."""
 import os
+import re
 import subprocess
+import tempfile
+from xml.etree import ElementTree
 
 import roslib.packages
 from rig_test import PACKAGE_DIR, PATIENCE, run, unittest
@@ -45,6 +48,27 @@ class Parameters(unittest.TestCase):
     def test_a_misspelt_name(self):
         self.refused("rat:=100", "unknown", "rate")
 
+    def test_the_launch_file_has_every_parameter_with_its_meaning(self):
+        _, said = start("scene:=quick.yaml", "bogus:=1")
+        there_are = set(said.split("there are ")[1].strip().split(", "))
+        root = ElementTree.parse(os.path.join(PACKAGE_DIR, "launch", "rig.launch")).getroot()
+        node = next(n for n in root.iter("node") if n.get("type") == "rig_simulator")
+        given = {p.get("name") for p in node.iter("param")} | {p.get("param") for p in node.iter("rosparam")}
+        self.assertEqual(there_are, given)
+        documented = {a.get("name") for a in root.findall("arg") if a.get("doc")}
+        self.assertEqual(set(), given - documented)
+        self.assertEqual(len(root.findall("arg")), len(documented))
+
+    def test_rviz_shows_the_rig_of_its_own_namespace(self):
+        launch = os.path.join(PACKAGE_DIR, "launch", "rig.launch")
+        done = subprocess.run(["roslaunch", "--args", "/rig_b/rviz", launch, "ns:=rig_b", "rviz:=true"], stdout=subprocess.PIPE,
+                              text=True, timeout=PATIENCE, check=True)
+        with open(os.path.join(PACKAGE_DIR, "config", "rviz", "rig.rviz")) as file:
+            topics = re.findall(r"^ +(?:Marker )?Topic: (/\S+)$", file.read(), re.MULTILINE)
+        self.assertEqual(2, len(topics))
+        for topic in topics:
+            self.assertIn(" %s:=%s " % (topic, topic.replace("/rig/", "")), done.stdout)
+
     def test_a_frame_is_a_whole_number_of_steps(self):
         self.refused("rate:=130", "130", "step")
 
@@ -55,6 +79,15 @@ class Parameters(unittest.TestCase):
         status, said = start("scene:=" + os.path.join(PACKAGE_DIR, "test", "bad_scenes", "nan.yaml"))
         self.assertEqual(2, status)
         self.assertIn("nan.yaml:", said)
+
+    def test_a_scene_is_a_regular_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pipe = os.path.join(folder, "pipe.yaml")
+            os.mkfifo(pipe)
+            for name in (pipe, folder, "/dev/zero"):
+                status, said = start("scene:=" + name)
+                self.assertEqual(2, status, said)
+                self.assertIn("regular file", said)
 
     def test_without_its_own_clock_it_cannot_run_free(self):
         status, said = start("scene:=quick.yaml", "publish_clock:=false", "clock:=free_run")

@@ -50,15 +50,15 @@ class Reset(unittest.TestCase):
         self.assertAlmostEqual(730.0, self.rig.advance(0).hole_depth, places=6)
 
     def test_a_refusal_changes_nothing(self):
-        before = self.rig.advance(20, winch=winch(0.1))
+        self.rig.advance(20, winch=winch(0.1))
         for scene, depth in (("", -1.0), ("", math.nan), ("", 100.5), ("no_such_scene.yaml", 0.0), ("package://nowhere/a.yaml", 0.0),
                              ("../../test/bad_scenes/nan.yaml", 0.0)):
-            answer = self.rig.reset_well(scene, depth)
+            answer, expected, after = self.rig.next_frame_after(lambda: self.rig.reset_well(scene, depth))
             self.assertFalse(answer.success, (scene, depth))
             self.assertNotEqual("", answer.message)
-            after = self.rig.advance(0)
-            self.assertEqual(before.header.stamp, after.header.stamp)
-            self.assertEqual(numbers(before), numbers(after))
+            self.assertEqual(expected, after)
+        self.assertTrue(self.rig.reset_well("", 0.0).success)
+        self.assertAlmostEqual(100.0, self.rig.advance(0).hole_depth, places=6)  # the scene is the present one still
 
 
 if __name__ == "__main__":

@@ -4,12 +4,14 @@ import sys
 import threading
 import time
 import unittest
+import xmlrpc.client
 
+import rosgraph
 import rospy
 import rostest
 from drill_rig_sim.msg import MudPumpCommand, RigState, TopDriveCommand, WinchCommand
-from drill_rig_sim.srv import (InjectFault, LoadSurvey, MakeConnection, ResetWell, RestoreState, SaveState, SetSpeed,
-                               StepSimulation, StepSimulationRequest)
+from drill_rig_sim.srv import (DeleteState, InjectFault, ListStates, LoadSurvey, MakeConnection, ResetWell, RestoreState,
+                               SaveState, SetSpeed, StepSimulation, StepSimulationRequest)
 from std_srvs.srv import SetBool, Trigger
 
 PACKAGE_DIR = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
@@ -17,7 +19,34 @@ PATIENCE = 60.0  # wall seconds that anything may take on a loaded machine
 
 SERVICES = {"reset_well": ResetWell, "load_survey": LoadSurvey, "pause": Trigger, "resume": Trigger, "tare": Trigger,
             "step": StepSimulation, "set_speed": SetSpeed, "save_state": SaveState, "restore_state": RestoreState,
-            "set_slips": SetBool, "make_connection": MakeConnection, "inject_fault": InjectFault}
+            "list_states": ListStates, "delete_state": DeleteState, "set_slips": SetBool, "make_connection": MakeConnection, "inject_fault": InjectFault}
+
+
+def wait_until(condition, what, patience=PATIENCE):
+    """Returns what `condition()` gives, once it is true."""
+    deadline = time.monotonic() + patience
+    while time.monotonic() < deadline:
+        result = condition()
+        if result:
+            return result
+        time.sleep(0.02)
+    raise AssertionError("not within %g s: %s" % (patience, what))
+
+
+def publishers_know(topic):
+    """Whether every node that publishes the topic has this one among its subscribers: from then on no message is missed. What this
+    side knows is not enough: rospy counts a connection before the publisher has taken it up."""
+    topic, me = rospy.resolve_name(topic), rospy.get_name()
+    master = rosgraph.Master(me)
+    nodes = dict(master.getSystemState()[0]).get(topic, [])
+    for node in nodes:
+        try:
+            _, _, connections = xmlrpc.client.ServerProxy(master.lookupNode(node)).getBusInfo(me)
+        except OSError:  # it died without leaving the master
+            continue
+        if not any(c[1] == me and c[2] == "o" and c[4] == topic for c in connections):
+            return False
+    return bool(nodes)
 
 
 class Collector:
@@ -27,10 +56,7 @@ class Collector:
         self.messages = []
         self.changed = threading.Condition()
         self.subscriber = rospy.Subscriber(topic, kind, self.take, queue_size=None, tcp_nodelay=True)
-        deadline = time.monotonic() + PATIENCE
-        while self.subscriber.get_num_connections() == 0 and time.monotonic() < deadline:
-            time.sleep(0.02)
-        time.sleep(0.1)  # the publisher's side of the connection
+        wait_until(lambda: publishers_know(topic), "connection to " + topic)
 
     def take(self, message):
         with self.changed:
@@ -90,10 +116,24 @@ class Rig:
     def publisher(self, name, kind):
         """A publisher whose node listens already."""
         publisher = rospy.Publisher(self.topic(name), kind, queue_size=10)
-        deadline = time.monotonic() + PATIENCE
-        while publisher.get_num_connections() == 0 and time.monotonic() < deadline:
-            time.sleep(0.02)
+        wait_until(publisher.get_num_connections, "connection to " + name)
         return publisher
+
+    def next_frame_after(self, refused):
+        """Lockstep: what `refused()` answers, and the numbers of the next frame with it and without it, from the same state. The
+        last published record would show nothing: it is the one of before."""
+        self.must(self.save_state("before", ""))
+        expected = numbers(self.advance(1))
+        self.must(self.restore_state("before", ""))
+        before = self.advance(0).header.stamp
+        answer = refused()
+        after = self.advance(1)
+        assert after.header.stamp - before == rospy.Duration(0, 10000000), "time moved by itself"
+        return answer, expected, numbers(after)
+
+    @staticmethod
+    def must(answer):
+        assert answer.success, answer.message
 
     def state(self):
         return rospy.wait_for_message(self.topic("rig_state"), RigState, PATIENCE)
@@ -144,4 +184,4 @@ def run(case):
     rostest.rosrun("drill_rig_sim", name, case)
 
 
-__all__ = ["PACKAGE_DIR", "PATIENCE", "Collector", "Rig", "winch", "turn", "flow", "numbers", "run", "unittest", "rospy", "time"]
+__all__ = ["PACKAGE_DIR", "PATIENCE", "Collector", "Rig", "winch", "turn", "flow", "numbers", "run", "unittest", "rospy", "time", "wait_until"]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What rviz shows with config/rviz/rig.rviz, under a virtual X server with software GL: string, wellbore and bit are to be seen.
+"""What rviz shows with config/rviz/rig.rviz, opened by hand: string, wellbore and bit are to be seen. Under a virtual X server.
 The screenshot stays in the build folder as rviz.png; with UPDATE_README=1 it also becomes the README's picture."""
 import os
 import shutil
@@ -17,7 +17,7 @@ README_PICTURE = os.path.join(PACKAGE_DIR, "test", "accuracy", "pictures", "rviz
 
 # inside xvfb-run: rviz, and a picture every other second
 SCRIPT = """
-rviz -d "$1/config/rviz/rig.rviz" -f rig_floor >"$2/rviz.log" 2>&1 &
+rviz -d "$1/config/rviz/rig.rviz" >"$2/rviz.log" 2>&1 &
 rviz=$!
 trap 'kill $rviz' TERM
 while kill -0 $rviz 2>/dev/null; do
@@ -71,8 +71,9 @@ class Rviz(unittest.TestCase):
         for name in ("rviz.ppm", "rviz.png"):
             if os.path.exists(os.path.join(FOLDER, name)):
                 os.unlink(os.path.join(FOLDER, name))
-        environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1", ROS_NAMESPACE="rig")
-        environment.pop("DISPLAY", None)
+        environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1")
+        for name in ("DISPLAY", "ROS_NAMESPACE"):
+            environment.pop(name, None)
         self.server = subprocess.Popen(["xvfb-run", "-a", "-s", "-screen 0 %dx%dx24" % (WIDTH, HEIGHT),
                                         "sh", "-c", SCRIPT, "sh", PACKAGE_DIR, FOLDER], env=environment)
         self.addCleanup(self.end)

@@ -17,7 +17,7 @@
 #include "drill_rig_sim/RigState.h"
 #include "drill_rig_sim/TopDriveCommand.h"
 #include "drill_rig_sim/WinchCommand.h"
-#include "drill_rig_sim/ros/snapshot.h"
+#include "drill_rig_sim/realtime/frame_output.h"
 #include "drill_rig_sim/sim/commands.h"
 
 /// Between the simulator's values and the messages.

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "drill_rig_sim/ros/parameters.h"
-#include "drill_rig_sim/ros/snapshot.h"
+#include "drill_rig_sim/realtime/frame_output.h"
 
 namespace drill_rig_sim
 {
@@ -19,7 +19,7 @@ class FramePublisher
 {
 public:
   FramePublisher(ros::NodeHandle& node, const Parameters& parameters);
-  void publish(const Snapshot& s);
+  void publish(const FrameOutput& s);
 
 private:
   void greet(const ros::SingleSubscriberPublisher& subscriber);

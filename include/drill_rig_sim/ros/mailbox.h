@@ -10,7 +10,7 @@
 #include "drill_rig_sim/SteeringCommand.h"
 #include "drill_rig_sim/TopDriveCommand.h"
 #include "drill_rig_sim/WinchCommand.h"
-#include "drill_rig_sim/ros/triple_buffer.h"
+#include "drill_rig_sim/realtime/triple_buffer.h"
 #include "drill_rig_sim/sim/commands.h"
 
 namespace drill_rig_sim
@@ -30,13 +30,13 @@ public:
   void clear() noexcept;
 
   /// Steering commands received; none can be obeyed yet.
-  std::uint64_t refused() const noexcept { return refused_; }
+  std::uint64_t steering_refused() const noexcept { return steering_refused_; }
 
 private:
   TripleBuffer<WinchSetpoint> winch_;
   TripleBuffer<TopDriveSetpoint> top_drive_;
   TripleBuffer<PumpSetpoint> pump_;
-  std::atomic<std::uint64_t> refused_{0};
+  std::atomic<std::uint64_t> steering_refused_{0};
   ros::Subscriber subscribers_[4];
 };
 

@@ -9,7 +9,7 @@
 
 #include "drill_rig_sim/ros/parameters.h"
 #include "drill_rig_sim/ros/simulation_loop.h"
-#include "drill_rig_sim/ros/snapshot.h"
+#include "drill_rig_sim/realtime/frame_output.h"
 
 namespace drill_rig_sim
 {
@@ -23,17 +23,17 @@ class MarkerPublisher
 public:
   /// `ask_for_picture` is called when somebody new subscribes.
   MarkerPublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture);
-  void publish(const Snapshot& s);
+  void publish(const FrameOutput& s);
 
 private:
-  visualization_msgs::Marker marker(const Snapshot& s, const std::string& name, int type) const;
-  Eigen::Vector3d drawn(const Snapshot& s, std::size_t i) const;
-  visualization_msgs::Marker string_marker(const Snapshot& s);
-  visualization_msgs::Marker bit_marker(const Snapshot& s) const;
-  visualization_msgs::Marker force_marker(const Snapshot& s) const;
-  visualization_msgs::Marker block_marker(const Snapshot& s) const;
-  visualization_msgs::Marker tube_marker(const Snapshot& s) const;
-  visualization_msgs::Marker station_marker(const Snapshot& s) const;
+  visualization_msgs::Marker marker(const FrameOutput& s, const std::string& name, int type) const;
+  Eigen::Vector3d drawn(const FrameOutput& s, std::size_t i) const;
+  visualization_msgs::Marker string_marker(const FrameOutput& s);
+  visualization_msgs::Marker bit_marker(const FrameOutput& s) const;
+  visualization_msgs::Marker force_marker(const FrameOutput& s) const;
+  visualization_msgs::Marker block_marker(const FrameOutput& s) const;
+  visualization_msgs::Marker tube_marker(const FrameOutput& s) const;
+  visualization_msgs::Marker station_marker(const FrameOutput& s) const;
 
   std::string floor_;
   double exaggeration_;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "drill_rig_sim/realtime/timekeeper.h"
 #include "drill_rig_sim/scene/scene.h"
 
 namespace drill_rig_sim
@@ -18,13 +19,6 @@ class ParameterError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
-};
-
-enum class ClockMode
-{
-  realtime,
-  lockstep,
-  free_run
 };
 
 /// What the string is coloured by.
@@ -58,6 +52,11 @@ struct Parameters
   ColorQuantity color_by = ColorQuantity::contact_force;
   double force_scale = 5e-3;  ///< length of a contact force's arrow [m/N]
 
+  TimeSource time_source() const noexcept
+  {
+    if (publish_clock) return TimeSource::own;
+    return use_sim_time ? TimeSource::other_rig : TimeSource::wall;
+  }
   std::int64_t frame_period() const noexcept { return std::llround(1e9 / rate); }  ///< simulated [ns]
 };
 

@@ -10,13 +10,13 @@
 
 #include "drill_rig_sim/ros/frame_publisher.h"
 #include "drill_rig_sim/ros/marker_publisher.h"
-#include "drill_rig_sim/ros/frame_ring.h"
+#include "drill_rig_sim/realtime/frame_ring.h"
 #include "drill_rig_sim/ros/state_publisher.h"
 #include "drill_rig_sim/ros/trajectory_publisher.h"
 
 namespace drill_rig_sim
 {
-/// Takes the snapshots in order and publishes all topics of each with its one stamp; /clock last, so that whoever wakes by
+/// Takes the frames in order and publishes all topics of each with its one stamp; /clock last, so that whoever wakes by
 /// the clock finds the frame's topics sent.
 class PublishingThread
 {
@@ -32,12 +32,12 @@ public:
 
   /// The last frame published.
   FrameRecord last() const;
-  /// Waits until snapshots handed over before this call are published. For whoever keeps the writer from writing more.
+  /// Waits until frames handed over before this call are published. For whoever keeps the writer from writing more.
   void wait_until_published(std::uint64_t handed_over);
 
 private:
   void run();
-  void publish(const Snapshot& s);
+  void publish(const FrameOutput& s);
 
   FrameRing& ring_;
   std::function<void()> on_change_;

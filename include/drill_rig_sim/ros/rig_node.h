@@ -4,13 +4,14 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include "drill_rig_sim/realtime/frame_ring.h"
+#include "drill_rig_sim/ros/clock_watch.h"
 #include "drill_rig_sim/ros/diagnostics_publisher.h"
 #include "drill_rig_sim/ros/mailbox.h"
 #include "drill_rig_sim/ros/parameters.h"
 #include "drill_rig_sim/ros/publishing_thread.h"
 #include "drill_rig_sim/ros/services.h"
 #include "drill_rig_sim/ros/simulation_loop.h"
-#include "drill_rig_sim/ros/frame_ring.h"
 
 namespace drill_rig_sim
 {
@@ -25,6 +26,8 @@ public:
   ~RigNode();
 
 private:
+  void say_what_runs();
+
   ros::NodeHandle node_;
   ros::NodeHandle service_node_;
   ros::CallbackQueue service_queue_;
@@ -33,10 +36,10 @@ private:
   Mailbox mailbox_;
   FrameRing ring_;
   SimulationLoop loop_;
+  ClockWatch clock_;
   PublishingThread publishing_;
   DiagnosticsPublisher diagnostics_;
   Services services_;
-  ros::Subscriber clock_;
   ros::AsyncSpinner spinner_;
   ros::AsyncSpinner service_spinner_;
 };

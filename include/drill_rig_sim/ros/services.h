@@ -6,13 +6,13 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
-#include <map>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
+#include "drill_rig_sim/DeleteState.h"
 #include "drill_rig_sim/InjectFault.h"
+#include "drill_rig_sim/ListStates.h"
 #include "drill_rig_sim/LoadSurvey.h"
 #include "drill_rig_sim/MakeConnection.h"
 #include "drill_rig_sim/ResetWell.h"
@@ -21,12 +21,14 @@
 #include "drill_rig_sim/SetSpeed.h"
 #include "drill_rig_sim/StepSimulation.h"
 #include "drill_rig_sim/ros/publishing_thread.h"
+#include "drill_rig_sim/ros/saved_states.h"
 #include "drill_rig_sim/ros/simulation_loop.h"
 
 namespace drill_rig_sim
 {
 /// The node's services. One acts at a time, between two frames; whatever is refused changes nothing; no exception passes.
 /// A new rig is built beside the running one and takes over only when it stands.
+/// While a step runs the others answer: `pause` ends it, what would put another rig or state in its place is refused until then.
 class Services
 {
 public:
@@ -35,13 +37,7 @@ public:
            FrameRing& ring);
 
 private:
-  // A snapshot of the rig with what the node adds to it.
-  struct Saved
-  {
-    std::shared_ptr<const SimulatorState> state;
-    ProgramPlayer program;
-    bool playing;
-  };
+  using Lock = std::unique_lock<std::mutex>;
 
   // Each returns the answer's message or throws with the reason for refusing.
   std::string reset_well(const ResetWell::Request& request);
@@ -52,11 +48,15 @@ private:
   std::string set_speed(double speed);
   std::string save_state(const SaveState::Request& request);
   std::string restore_state(const RestoreState::Request& request);
+  std::string list_states(ListStates::Response& response);
+  std::string delete_state(const std::string& name);
   std::string inject_fault(const InjectFault::Request& request);
-  void step(const StepSimulation::Request& request, RigState& state);
+  /// Gives `lock` free while the frames are computed.
+  std::string step(const StepSimulation::Request& request, RigState& state, Lock& lock);
 
   void rebuild(const Scene& scene);
   void require_pausable() const;
+  void require_no_step() const;
   void command_all(const StepSimulation::Request& request);
 
   template <class Service, class Action>
@@ -68,7 +68,8 @@ private:
   SimulationLoop& loop_;
   PublishingThread& publishing_;
   FrameRing& ring_;
-  std::map<std::string, Saved> saved_;  // of the running scene
+  SavedStates saved_;  // of the running scene
+  bool step_under_way_ = false;
   std::mutex one_at_a_time_;
   std::vector<ros::ServiceServer> servers_;
 };

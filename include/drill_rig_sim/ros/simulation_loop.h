@@ -7,10 +7,12 @@
 #include <thread>
 #include <utility>
 
+#include "drill_rig_sim/realtime/cadence.h"
+#include "drill_rig_sim/realtime/frame_ring.h"
+#include "drill_rig_sim/realtime/semaphore.h"
+#include "drill_rig_sim/realtime/timekeeper.h"
 #include "drill_rig_sim/ros/mailbox.h"
-#include "drill_rig_sim/ros/semaphore.h"
-#include "drill_rig_sim/ros/frame_ring.h"
-#include "drill_rig_sim/ros/timekeeper.h"
+#include "drill_rig_sim/ros/parameters.h"
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
 
@@ -36,10 +38,25 @@ struct RunningRig
   std::int64_t last_command = 0;
   std::array<std::int64_t, 3> accepted{};
   const char* last_refusal = "";
+  const char* last_clamp = "";
 };
 
-/// The simulation thread: takes the commands, computes a frame when the timekeeper says so, hands over a snapshot. It never
-/// locks, logs or allocates (the snapshots' arrays have got their memory before). It waits in one place, on one semaphore.
+/// What became of a step().
+struct StepResult
+{
+  enum class End
+  {
+    complete,
+    failed,       ///< a frame failed
+    ended_early,  ///< by end_step_early()
+    shut_down     ///< by halt()
+  };
+  End end = End::complete;
+  std::uint32_t frames = 0;  ///< computed, a failed one included
+};
+
+/// The simulation thread: takes the commands, computes a frame when the timekeeper says so, hands over its output. It never
+/// locks, logs or allocates (the outputs' arrays have got their memory before). It waits in one place, on one semaphore.
 class SimulationLoop
 {
 public:
@@ -88,8 +105,13 @@ public:
   CommandResult take(const PumpSetpoint& c) noexcept { return accept(c, 2); }
   RunState run_state() const noexcept;
 
-  /// Lockstep: computes `frames` frames and waits until they are handed over. False where one failed or halt() came.
-  bool step(std::uint32_t frames);
+  /// For between-frames callbacks: the step under way ends here. False: none is.
+  bool end_step_early() noexcept;
+
+  /// Lockstep: has `frames` frames computed; wait_for_step() then waits until they are handed over, fewer where one fails or
+  /// somebody ends the step. From one caller at a time, not from a between-frames callback.
+  void begin_step(std::uint32_t frames);
+  StepResult wait_for_step() noexcept;
 
   /// From any one thread: the clock of another rig [ns].
   void hear_clock(std::int64_t clock) noexcept
@@ -106,7 +128,7 @@ public:
   }
 
 private:
-  // Why a snapshot is handed over.
+  // Why an output is handed over.
   struct Occasion
   {
     bool new_stamp;      // the stamp has moved on
@@ -123,11 +145,11 @@ private:
   CommandResult accept(const Setpoint& c, std::size_t kind) noexcept;
   void set_timeout() noexcept;
   void count_frame_time(std::int64_t duration) noexcept;
-  void end_step(bool complete) noexcept;
+  void end_step(StepResult::End end) noexcept;
   void hand_over(Occasion occasion) noexcept;
-  void note_due(Snapshot& s, const Occasion& occasion) noexcept;
+  void note_due(FrameOutput& s, const Occasion& occasion) noexcept;
   void fill_record(FrameRecord& record) const noexcept;
-  void fill_arrays(Snapshot& s) noexcept;
+  void fill_arrays(FrameOutput& s) noexcept;
   void reserve_memory();
 
   const Parameters& parameters_;
@@ -147,7 +169,9 @@ private:
   Semaphore wake_, entered_, left_, step_done_;
   std::uint32_t frames_to_go_ = 0;
   bool stepping_ = false;
-  bool step_complete_ = false;
+  StepResult step_;
+  std::uint64_t steering_refused_ = 0;
+  bool announced_ = false;  // a stamped frame of this rig has been handed over
   std::thread thread_;
 };
 

@@ -8,7 +8,7 @@
 
 #include "drill_rig_sim/DrillstringState.h"
 #include "drill_rig_sim/ros/simulation_loop.h"
-#include "drill_rig_sim/ros/snapshot.h"
+#include "drill_rig_sim/realtime/frame_output.h"
 
 namespace drill_rig_sim
 {
@@ -17,13 +17,13 @@ class StatePublisher
 {
 public:
   StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions);
-  void publish(const Snapshot& s);
+  void publish(const FrameOutput& s);
 
 private:
-  void publish_rig(const Snapshot& s);
-  void publish_bit(const Snapshot& s);
-  void publish_telemetry(const Snapshot& s);
-  void publish_profile(const Snapshot& s);
+  void publish_rig(const FrameOutput& s);
+  void publish_bit(const FrameOutput& s);
+  void publish_telemetry(const FrameOutput& s);
+  void publish_profile(const FrameOutput& s);
   ros::Time measured_at(const FrameRecord& frame, double time) const;
 
   std::string floor_;  // frame_id

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "drill_rig_sim/ros/parameters.h"
-#include "drill_rig_sim/ros/snapshot.h"
+#include "drill_rig_sim/realtime/frame_output.h"
 
 namespace drill_rig_sim
 {
@@ -15,7 +15,7 @@ class TrajectoryPublisher
 {
 public:
   TrajectoryPublisher(ros::NodeHandle& node, const Parameters& parameters);
-  void publish(const Snapshot& s);
+  void publish(const FrameOutput& s);
 
 private:
   std::string floor_;

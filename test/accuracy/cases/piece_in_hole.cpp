@@ -37,7 +37,7 @@ bool PieceInHole::settle()
 
 PieceInHole lay_in_hole(const Scene& scene, double length, double bit_depth)
 {
-  PieceInHole piece{nullptr, State(Wellbore(scene.well, scene.trajectory, 0.5 * scene.string.front().diameter)), {}};
+  PieceInHole piece{nullptr, State(Wellbore(scene.well, scene.trajectory, 0.5 * scene.string.front().bit->diameter)), {}};
   piece.model = std::make_shared<Model>(scene, build_mesh(scene, length));
   const Mesh& mesh = piece.model->mesh();
   piece.state.nodes.assign(mesh.nodes.size(), NodeState());

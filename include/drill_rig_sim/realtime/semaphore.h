@@ -1,5 +1,5 @@
-#ifndef DRILL_RIG_SIM_ROS_SEMAPHORE_H
-#define DRILL_RIG_SIM_ROS_SEMAPHORE_H
+#ifndef DRILL_RIG_SIM_REALTIME_SEMAPHORE_H
+#define DRILL_RIG_SIM_REALTIME_SEMAPHORE_H
 
 #include <semaphore.h>
 #include <time.h>
@@ -27,6 +27,7 @@ public:
   Semaphore& operator=(const Semaphore&) = delete;
 
   void post() noexcept { sem_post(&handle_); }
+  /// True and one post less where there was one; never waits.
   bool try_wait() noexcept { return sem_trywait(&handle_) == 0; }
   void wait() noexcept
   {

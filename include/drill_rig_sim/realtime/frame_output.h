@@ -1,5 +1,5 @@
-#ifndef DRILL_RIG_SIM_ROS_SNAPSHOT_H
-#define DRILL_RIG_SIM_ROS_SNAPSHOT_H
+#ifndef DRILL_RIG_SIM_REALTIME_FRAME_OUTPUT_H
+#define DRILL_RIG_SIM_REALTIME_FRAME_OUTPUT_H
 
 #include <Eigen/Core>
 #include <array>
@@ -21,8 +21,9 @@ struct LoopStatistics
   double longest_frame = 0.0;                                     ///< [s]
   std::uint64_t overruns = 0;
   double dropped_seconds = 0.0;         ///< backlog dropped [s]
-  std::uint64_t dropped_snapshots = 0;  ///< frames not published because the publishers were behind
+  std::uint64_t unpublished_frames = 0;  ///< frames not published because the publishers were behind
   double speed = 1.0;
+  double ticked_seconds = 0.0;  ///< simulated time that has passed frame by frame, through resets too [s]
 };
 
 enum class RunState
@@ -45,11 +46,12 @@ struct FrameRecord
   SimulatorStatistics physics;
   LoopStatistics loop;
   const char* last_refusal = "";    ///< why the last refused command was; static storage
+  const char* last_clamp = "";      ///< which limit the last clamped command met; static storage
   std::array<char, 256> failure{};  ///< why the last frame failed; empty otherwise
 };
 
 /// What the simulation thread hands to the publishers after a frame. The arrays are filled where their flag says so.
-struct Snapshot
+struct FrameOutput
 {
   FrameRecord frame;
   bool new_stamp = true;  ///< false: nothing but a picture for a new subscriber

@@ -1,0 +1,52 @@
+#ifndef DRILL_RIG_SIM_ROS_SAVED_STATES_H
+#define DRILL_RIG_SIM_ROS_SAVED_STATES_H
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "drill_rig_sim/ListStates.h"
+#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/sim/simulator_state.h"
+
+namespace drill_rig_sim
+{
+/// A snapshot of the rig with what the node adds to it.
+struct Saved
+{
+  std::shared_ptr<const SimulatorState> state;
+  std::optional<ProgramPlayer> program;
+  bool playing = false;
+  std::int64_t stamp = 0;  ///< when it was taken [ns]
+};
+
+/// The snapshots of a rig by name, within a limit of memory. Refusals are std::runtime_error with one line.
+class SavedStates
+{
+public:
+  static constexpr std::size_t most_memory = std::size_t{256} << 20;  ///< of all together [B]
+  static constexpr std::size_t longest_name = 200;                    ///< [B]
+
+  /// Keeps it in place of an earlier one of this name. Refuses an empty or long name, and where the memory does not suffice.
+  void keep(const std::string& name, Saved saved);
+  /// Refuses a name that is not there. Valid until the next change.
+  const Saved& find(const std::string& name) const;
+  /// Refuses a name that is not there.
+  void remove(const std::string& name);
+  void clear() noexcept { saved_.clear(); }
+  void list(ListStates::Response& response) const;
+
+private:
+  std::map<std::string, Saved>::const_iterator at(const std::string& name) const;
+  std::map<std::string, Saved> saved_;
+};
+
+/// What a snapshot's values take in memory, rounded up: its own size and its arrays' [B].
+std::size_t memory_of(const SimulatorState& state) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif

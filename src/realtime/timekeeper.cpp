@@ -1,0 +1,47 @@
+#include "drill_rig_sim/realtime/timekeeper.h"
+
+namespace drill_rig_sim
+{
+Timekeeper::Timekeeper(TimeSource source, ClockMode mode, std::int64_t period, std::int64_t wall_start) noexcept
+    : source_(source),
+      mode_(mode),
+      period_(period),
+      speed_(mode == ClockMode::free_run ? 0.0 : 1.0),
+      stamp_(source == TimeSource::wall ? wall_start : 0)
+{
+}
+
+void Timekeeper::set_speed(double speed, std::int64_t now) noexcept
+{
+  speed_ = speed;
+  restart(now);
+}
+
+std::int64_t Timekeeper::next_frame_at() const noexcept
+{
+  if (follows()) return heard_ >= stamp_ + period_ ? 0 : not_yet;
+  return is_realtime() ? deadline_ : 0;
+}
+
+void Timekeeper::frame_begins(std::int64_t now) noexcept
+{
+  if (!is_realtime()) return;
+  const std::int64_t late = now - deadline_;
+  const auto wall_period = static_cast<std::int64_t>(static_cast<double>(period_) / speed_);
+  if (late > wall_period / 10) ++overruns_;
+  if (late > most_backlog)
+  {
+    dropped_ += late - most_backlog;
+    deadline_ += late - most_backlog;
+  }
+  deadline_ += wall_period;
+}
+
+void Timekeeper::adopt_clock() noexcept
+{
+  if (!follows()) return;
+  const std::int64_t ahead = heard_ - stamp_;
+  if (ahead > longest_jump || ahead < -longest_jump) stamp_ = heard_ - period_;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+"""The node as a process: one line at the start, the end by a signal whatever it is doing, and what it says of other nodes' clocks."""
+import signal
+import subprocess
+import tempfile
+import threading
+
+import roslib.packages
+import rosnode
+from diagnostic_msgs.msg import DiagnosticArray
+from drill_rig_sim.msg import RigLimits
+from rig_test import PATIENCE, Collector, Rig, rospy, run, time, unittest, wait_until
+
+LONGEST_END = 10.0  # wall seconds from the signal to the end
+
+
+class Node:
+    """A rig_simulator in a namespace of its own, and what it says."""
+
+    def __init__(self, namespace, *settings, **options):
+        program = roslib.packages.find_node("drill_rig_sim", "rig_simulator")[0]
+        self.name = "/" + namespace + "/rig_simulator"
+        self.output = tempfile.TemporaryFile("w+")
+        command = ["stdbuf", "-oL", program, "__ns:=" + namespace] + ["_" + s for s in ("scene:=quick.yaml",) + settings]
+        self.process = subprocess.Popen(command, stdout=self.output, stderr=subprocess.STDOUT, text=True, **options)
+
+    def said(self):
+        self.output.seek(0)
+        return self.output.read().splitlines()
+
+    def end(self, how):
+        """Exit status after the signal."""
+        self.process.send_signal(how)
+        return self.process.wait(LONGEST_END)
+
+    def kill(self):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+        self.output.close()
+
+
+class Process(unittest.TestCase):
+    def start(self, namespace, *settings):
+        node = Node(namespace, *settings)
+        self.addCleanup(node.kill)
+        return node
+
+    def on_master(self, node):
+        return node.name in rosnode.get_node_names()
+
+    def ends_cleanly(self, node, how):
+        self.assertEqual(0, node.end(how), node.said())
+        self.assertFalse(self.on_master(node))
+
+    def test_one_line_at_the_start(self):
+        node = self.start("one_line", "clock:=lockstep")
+        Rig("one_line")
+        lines = [line for line in node.said() if line]
+        self.assertEqual(1, len(lines), lines)
+        for word in ("quick", "beam3d", "nodes", "step 0.01 s", "rate 100 Hz", "namespace /one_line"):
+            self.assertIn(word, lines[0])
+
+    def test_signals_end_it_at_work_and_in_a_long_step(self):
+        for number, how in enumerate((signal.SIGINT, signal.SIGTERM)):
+            node = self.start("stepping_%d" % number, "clock:=lockstep")
+            rig = Rig("stepping_%d" % number)
+            answers = []
+            stepping = threading.Thread(target=lambda: answers.append(rig.step(frames=100000)))
+            stepping.start()
+            wait_until(lambda: not rig.step(frames=1).success, "step under way")
+            self.ends_cleanly(node, how)
+            stepping.join(PATIENCE)
+            self.assertFalse(stepping.is_alive())
+
+    def test_signals_end_it_while_it_waits_for_a_clock(self):
+        for number, how in enumerate((signal.SIGINT, signal.SIGTERM)):
+            node = self.start("waiting_%d" % number, "publish_clock:=false")
+            Rig("waiting_%d" % number)
+            self.ends_cleanly(node, how)
+
+    def test_signals_end_it_while_it_starts(self):
+        for number, how in enumerate((signal.SIGINT, signal.SIGTERM)):
+            node = self.start("starting_%d" % number, "scene:=bohai.yaml")
+            wait_until(lambda: self.on_master(node), "node on the master")
+            self.ends_cleanly(node, how)
+
+    def told(self, node, words):
+        """Waits until the node's diagnostics of time say so, as a warning."""
+        diagnostics = Collector("/diagnostics", DiagnosticArray)
+
+        def says(messages):
+            return any(s.name == node.name[1:] + ": time" and words in s.message and s.level in (1, bytes([1]))
+                       for m in messages for s in m.status)
+        self.assertTrue(says(diagnostics.wait_until(says)), "never: " + words)
+        diagnostics.subscriber.unregister()
+
+    def warned(self, node, words):
+        return len([line for line in node.said() if "WARN" in line and words in line])
+
+    def test_a_follower_says_what_is_wrong_with_its_clock(self):
+        follower = self.start("follower", "publish_clock:=false")
+        Rig("follower")
+        self.told(follower, "waiting for /clock")
+        self.assertEqual(1, self.warned(follower, "waiting for /clock"), follower.said())
+
+        limits = Collector("/follower/rig_limits", RigLimits)
+        leader = self.start("leader")
+        self.assertGreater(limits.wait(1)[0].header.stamp.to_nsec(), 0)
+        rig = Rig("follower")
+        rig.state()
+        leader.kill()
+        self.told(follower, "/clock")
+        wait_until(lambda: self.warned(follower, "leader"), "warning of the dead clock")
+        time.sleep(2.0)
+        self.assertEqual(1, self.warned(follower, "/leader/rig_simulator"), follower.said())
+
+        other = self.start("other_leader")  # it follows whoever goes on
+        rig.state()
+        self.ends_cleanly(follower, signal.SIGTERM)
+        self.ends_cleanly(other, signal.SIGTERM)
+
+    def test_two_clocks_are_noticed(self):
+        first = self.start("first")
+        Rig("first").state()
+        second = self.start("second")
+        for node, other in ((first, second), (second, first)):
+            self.told(node, "two nodes publish /clock: " + node.name + " and " + other.name)
+            self.assertEqual(1, self.warned(node, "two nodes publish /clock"), node.said())
+
+
+if __name__ == "__main__":
+    run(Process)

@@ -1,0 +1,61 @@
+// The semaphore: counts, wakes another thread, and gives up at an absolute deadline of the steady clock.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "drill_rig_sim/realtime/semaphore.h"
+
+namespace drill_rig_sim
+{
+TEST(Semaphore, countsItsPosts)
+{
+  Semaphore s(2);
+  EXPECT_TRUE(s.try_wait());
+  EXPECT_TRUE(s.try_wait());
+  EXPECT_FALSE(s.try_wait());
+  s.post();
+  EXPECT_TRUE(s.try_wait());
+  EXPECT_FALSE(s.try_wait());
+}
+
+TEST(Semaphore, waitUntilGivesUpAtItsDeadlineAndNotBefore)
+{
+  Semaphore s;
+  const std::int64_t deadline = steady_now() + 30'000'000;
+  EXPECT_FALSE(s.wait_until(deadline));
+  EXPECT_GE(steady_now(), deadline);
+  EXPECT_FALSE(s.wait_until(steady_now() - 1'000'000'000)) << "a deadline that has passed does not wait";
+}
+
+TEST(Semaphore, waitUntilTakesAPostBeforeItsDeadline)
+{
+  Semaphore s(1);
+  EXPECT_TRUE(s.wait_until(steady_now() + 3'600'000'000'000));
+  EXPECT_FALSE(s.try_wait()) << "the post is used up";
+}
+
+TEST(Semaphore, wakesAnotherThread)
+{
+  Semaphore asked, answered;
+  int value = 0;
+  std::thread other(
+      [&]
+      {
+        asked.wait();
+        ++value;
+        answered.post();
+      });
+  value = 41;
+  asked.post();
+  answered.wait();
+  EXPECT_EQ(42, value);
+  other.join();
+}
+
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
