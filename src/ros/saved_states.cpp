@@ -3,25 +3,65 @@
 #include <stdexcept>
 #include <utility>
 
+#include "drill_rig_sim/math/visit.h"
 #include "drill_rig_sim/ros/conversions.h"
+#include "drill_rig_sim/sim/snapshot_file.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-constexpr std::size_t per_well_node = 512;       // a node, its segment and its box
-constexpr std::size_t well_picture = 16385 * 32;  // the last metres' raw path, when full
-constexpr std::size_t sensor_lines = 65536;       // delay lines of the surface sensors
+/// Adds up what a value's numbers take.
+struct ByteCounter
+{
+  std::size_t bytes = 0;
+  template <class N>
+  void operator()(const std::string&, N&) noexcept
+  {
+    bytes += sizeof(N);
+  }
+  void size(const std::string&, std::size_t&) noexcept { bytes += sizeof(std::size_t); }
+};
 
 constexpr std::size_t names_shown = 20;
 }  // namespace
 
-std::size_t memory_of(const SimulatorState& state) noexcept
+std::size_t memory_of(const SimulatorState& state)
 {
-  const SystemForces& f = state.forces;
-  const std::size_t numbers = f.tension.size() + f.torque.size() + f.bending_moment.size() + f.contact.size() + 3 * f.wall.size();
-  return sizeof(SimulatorState) + state.mechanics.nodes.size() * sizeof(NodeState) + numbers * sizeof(double) +
-         static_cast<std::size_t>(state.mechanics.well.node_count()) * per_well_node + well_picture + sensor_lines;
+  ByteCounter counter;
+  visit_numbers(const_cast<SimulatorState&>(state), counter);  // it only looks
+  return counter.bytes;
+}
+
+namespace
+{
+/// What a file holds.
+struct FileContent
+{
+  SimulatorState state;
+  ProgramPlayer program;
+  bool playing;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("state", state);
+    v("program", program);
+    v("playing", playing);
+  }
+};
+}  // namespace
+
+void write_saved(const std::string& file, const Saved& saved)
+{
+  write_snapshot(file, saved.state->scene, to_bytes(FileContent{*saved.state, *saved.program, saved.playing}));
+}
+
+Saved read_saved(const std::string& file, const Saved& present)
+{
+  FileContent content{*present.state, *present.program, present.playing};
+  if (!from_bytes(read_snapshot(file, present.state->scene), content)) throw std::runtime_error(file + ": is damaged");
+  return {std::make_shared<SimulatorState>(std::move(content.state)), content.program, content.playing, present.stamp};
 }
 
 void SavedStates::keep(const std::string& name, Saved saved)

@@ -177,7 +177,19 @@ std::string Services::set_speed(double speed)
 
 std::string Services::save_state(const SaveState::Request& request)
 {
-  if (!request.file.empty()) throw Refusal("file: not available yet; allowed is a name alone");
+  require_name_or_file(request.name, request.file);
+  Saved saved = present_state();
+  if (!request.file.empty())
+  {
+    write_saved(request.file, saved);
+    return "written to " + request.file;
+  }
+  saved_.keep(request.name, std::move(saved));
+  return "saved as " + request.name;
+}
+
+Saved Services::present_state()
+{
   Saved saved;
   loop_.between_frames(
       [&](SimulationLoop& loop)
@@ -186,17 +198,23 @@ std::string Services::save_state(const SaveState::Request& request)
         if (rig.failed) throw Refusal("the last frame failed: there is no good state to go on from");
         saved = {rig.simulator->save(), rig.program, rig.playing, loop.time().stamp()};
       });
-  saved_.keep(request.name, std::move(saved));
-  return "saved as " + request.name;
+  return saved;
 }
 
 std::string Services::restore_state(const RestoreState::Request& request)
 {
   require_no_step();
-  if (!request.file.empty()) throw Refusal("file: not available yet; allowed is a name alone");
-  const Saved& saved = saved_.find(request.name);
+  require_name_or_file(request.name, request.file);
+  Saved from_file;
+  if (!request.file.empty())
+  {
+    loop_.between_frames([&](SimulationLoop& loop)
+                         { from_file = {loop.rig().simulator->save(), loop.rig().program, loop.rig().playing, loop.time().stamp()}; });
+    from_file = read_saved(request.file, from_file);
+  }
+  const Saved& saved = request.file.empty() ? saved_.find(request.name) : from_file;
   loop_.between_frames([&](SimulationLoop& loop) { loop.go_back(*saved.state, *saved.program, saved.playing); });
-  return "restored " + request.name;
+  return "restored " + (request.file.empty() ? request.name : request.file);
 }
 
 std::string Services::list_states(ListStates::Response& response)

@@ -35,9 +35,9 @@ struct Simulator::Impl
   Impl(const Scene& s, std::uint64_t seed) : Impl(s, seed, build_at_rest(available(s))) {}
   Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig);
   State& mechanics() { return state.mechanics; }
-  CommandResult note(bool clamped, const char* reason) noexcept;
+  template <class Setpoint>
+  CommandResult command(const Setpoint& c) noexcept;
   void shift_time(double now) noexcept;
-  void watch_commands() noexcept;
   void measure() noexcept;
   void measure_rig() noexcept;
   void measure_bit() noexcept;

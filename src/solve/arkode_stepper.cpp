@@ -16,7 +16,7 @@
 #include "drill_rig_sim/solve/energy_balance.h"
 #include "drill_rig_sim/solve/methods/method.h"
 #include "drill_rig_sim/solve/vector_operations.h"
-#include "sundials_owners.h"
+#include "drill_rig_sim/solve/sundials_owners.h"
 
 namespace drill_rig_sim
 {

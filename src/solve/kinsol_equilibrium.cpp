@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "sundials_owners.h"
+#include "drill_rig_sim/solve/sundials_owners.h"
 
 namespace drill_rig_sim
 {

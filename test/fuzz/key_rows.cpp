@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "drill_rig_sim/solve/integrator.h"
+#include "drill_rig_sim/sim/integrator_table.h"
 #include "text_changes.h"
 
 namespace drill_rig_sim

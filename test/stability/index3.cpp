@@ -1,8 +1,8 @@
 // Why the reference is not integrated as a DAE of index 3: a pendulum with its joint's multiplier, by the reference's own bodies
 // and IDA with steps of one size. In index 3 (the constraint on positions alone) an error e that Newton's method leaves in a
 // position reaches the multiplier as e/h^2; in the stabilised index 2 of Gear, Gupta and Leimkuhler (1985), which is the
-// reference's, as e/h at most. The multiplier is the joint's force: in a rig the hook load. See solve/index_three.h.
-#include "drill_rig_sim/solve/index_three.h"
+// reference's, as e/h at most. The multiplier is the joint's force: in a rig the hook load. See test/unit/index_three.h.
+#include "index_three.h"
 #include "jobs.h"
 #include "ride.h"
 

@@ -7,7 +7,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/scene/read_scene.h"
-#include "drill_rig_sim/solve/integrator.h"
+#include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim

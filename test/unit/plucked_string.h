@@ -7,7 +7,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/rig/hoisting.h"
-#include "drill_rig_sim/solve/ida_integrator.h"
+#include "drill_rig_sim/reference/ida_integrator.h"
 #include "drill_rig_sim/solve/start.h"
 #include "test_scenes.h"
 

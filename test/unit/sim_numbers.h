@@ -12,53 +12,6 @@
 /// Every number that a simulator shows or remembers, for comparisons bit by bit.
 namespace drill_rig_sim
 {
-inline void append(std::vector<double>& out, const Eigen::Vector3d& v)
-{
-  out.insert(out.end(), {v.x(), v.y(), v.z()});
-}
-
-inline void append(std::vector<double>& out, const Eigen::Quaterniond& q)
-{
-  out.insert(out.end(), {q.w(), q.x(), q.y(), q.z()});
-}
-
-/// The measured doubles of a frame; `out` is overwritten.
-inline void numbers_of(const Measurements& m, std::vector<double>& out)
-{
-  out.assign({m.time,
-              m.hook_load,
-              m.dead_line_hook_load,
-              m.hook_load_string,
-              m.block_height,
-              m.block_velocity,
-              m.top_drive_angle,
-              m.top_drive_speed,
-              m.torque,
-              m.stand_pipe_pressure,
-              m.differential_pressure,
-              m.flow,
-              m.hole_depth,
-              m.bit_depth,
-              m.surface_wob,
-              m.rop,
-              m.wob,
-              m.bit_torque,
-              m.bit_speed,
-              m.bit_inclination,
-              m.bit_azimuth,
-              m.bend_toolface,
-              m.mwd.time,
-              m.mwd.md,
-              m.mwd.inclination,
-              m.mwd.azimuth,
-              m.toolface.time,
-              m.toolface.toolface,
-              static_cast<double>(m.mwd.sequence)});
-  for (const Eigen::Vector3d* v : {&m.bit_position, &m.bit_velocity, &m.bit_angular_velocity, &m.bit_force, &m.bit_moment})
-    append(out, *v);
-  append(out, m.bit_orientation);
-}
-
 struct NumberCollector
 {
   std::vector<double> out;
@@ -77,6 +30,13 @@ std::vector<double> numbers_of(const T& value)
   NumberCollector collector;
   visit_numbers(const_cast<T&>(value), collector);
   return collector.out;
+}
+
+/// The same into `out`, overwritten.
+template <class T>
+void numbers_of(const T& value, std::vector<double>& out)
+{
+  out = numbers_of(value);
 }
 
 inline bool all_finite(const std::vector<double>& numbers)

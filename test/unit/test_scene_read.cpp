@@ -8,7 +8,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/survey_csv.h"
-#include "drill_rig_sim/solve/integrator.h"
+#include "drill_rig_sim/sim/integrator_table.h"
 
 namespace drill_rig_sim
 {

@@ -6,8 +6,8 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/solve/ida_solver.h"
-#include "drill_rig_sim/solve/index_three.h"
+#include "drill_rig_sim/reference/ida_solver.h"
+#include "index_three.h"
 
 using namespace drill_rig_sim;
 using Eigen::Quaterniond;

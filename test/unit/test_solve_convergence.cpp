@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/solve/methods/explicit_limit.h"
 #include "drill_rig_sim/solve/start.h"

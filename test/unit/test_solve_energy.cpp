@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"

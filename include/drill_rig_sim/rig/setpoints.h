@@ -19,6 +19,13 @@ struct WinchSetpoint
 {
   double block_velocity = 0.0;  ///< [m/s]
   bool brake = true;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("block_velocity", block_velocity);
+    v("brake", brake);
+  }
 };
 
 struct TopDriveSetpoint
@@ -28,11 +35,27 @@ struct TopDriveSetpoint
   double torque = 0.0;        ///< [N m], torque mode
   double angle = 0.0;         ///< [rad], angle mode
   double torque_limit = 0.0;  ///< [N m]; 0 = the rig's
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("mode", mode);
+    v("speed", speed);
+    v("torque", torque);
+    v("angle", angle);
+    v("torque_limit", torque_limit);
+  }
 };
 
 struct PumpSetpoint
 {
   double flow = 0.0;  ///< [m3/s]
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("flow", flow);
+  }
 };
 
 /// The set points in force.
@@ -41,6 +64,14 @@ struct Setpoints
   WinchSetpoint winch;
   TopDriveSetpoint top_drive;
   PumpSetpoint pump;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("winch", winch);
+    v("top_drive", top_drive);
+    v("pump", pump);
+  }
 };
 
 }  // namespace drill_rig_sim

@@ -23,6 +23,11 @@ struct Saved
   std::int64_t stamp = 0;  ///< when it was taken [ns]
 };
 
+/// Writes a snapshot with its program's place into a file (sim/snapshot_file.h). Throws std::runtime_error with one line.
+void write_saved(const std::string& file, const Saved& saved);
+/// Reads it back for the rig that `present` is a snapshot of; throws std::runtime_error with one line for any other file.
+Saved read_saved(const std::string& file, const Saved& present);
+
 /// The snapshots of a rig by name, within a limit of memory. Refusals are std::runtime_error with one line.
 class SavedStates
 {
@@ -44,8 +49,8 @@ private:
   std::map<std::string, Saved> saved_;
 };
 
-/// What a snapshot's values take in memory, rounded up: its own size and its arrays' [B].
-std::size_t memory_of(const SimulatorState& state) noexcept;
+/// What a snapshot's values take [B]; room that its arrays hold in reserve is not counted.
+std::size_t memory_of(const SimulatorState& state);
 
 }  // namespace drill_rig_sim
 

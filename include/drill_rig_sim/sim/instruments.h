@@ -19,6 +19,12 @@ struct NoiseSource
   double uniform() noexcept;
   /// Standard normal.
   double normal() noexcept;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("state", state);
+  }
 };
 
 /// A surface sensor: delayed, filtered to first order, offset, noisy.
@@ -33,10 +39,29 @@ public:
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept;
 
+  /// What it remembers; its specification is the scene's.
+  template <class V>
+  void visit(V& v)
+  {
+    v("line", line_);
+    v("next", next_);
+    v("held", held_);
+    v("filtered", filtered_);
+    v("last_time", last_time_);
+    v("started", started_);
+  }
+
 private:
   struct Sample
   {
     double time, value;
+
+    template <class V>
+    void visit(V& v)
+    {
+      v("time", time);
+      v("value", value);
+    }
   };
   SensorSpec spec_;
   std::vector<Sample> line_;  // ring
@@ -66,6 +91,20 @@ public:
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept;
 
+  /// What it remembers; its specification is the scene's.
+  template <class V>
+  void visit(V& v)
+  {
+    v("surveys", surveys_);
+    v("toolfaces", toolfaces_);
+    v("next_survey", next_survey_);
+    v("next_toolface", next_toolface_);
+    v("flowing", flowing_);
+    v("magnetic", magnetic_);
+    v("survey_count", survey_count_);
+    v("toolface_count", toolface_count_);
+  }
+
 private:
   template <class Reading>
   struct Queue  // readings on their way up
@@ -74,6 +113,14 @@ private:
     std::size_t first = 0, count = 0;
     void push(const Reading& r) noexcept;
     bool pop_before(double time, Reading& r) noexcept;
+
+    template <class V>
+    void visit(V& v)
+    {
+      v("entry", entry);
+      v("first", first);
+      v("count", count);
+    }
   };
   MwdReading measure(double time, const SensorView& view, NoiseSource& noise) const noexcept;
 

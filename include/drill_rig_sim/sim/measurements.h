@@ -19,6 +19,16 @@ struct MwdReading
   double md = 0.0;             ///< sensor's measured depth [m]
   double inclination = 0.0;    ///< [rad]
   double azimuth = 0.0;        ///< [rad], 0 .. 2 pi
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("sequence", sequence);
+    v("time", time);
+    v("md", md);
+    v("inclination", inclination);
+    v("azimuth", azimuth);
+  }
 };
 
 struct ToolfaceReading
@@ -27,6 +37,15 @@ struct ToolfaceReading
   double time = 0.0;      ///< simulated time of measurement [s]
   double toolface = 0.0;  ///< [rad], -pi .. pi
   bool magnetic = false;  ///< true: from north (inclination below 5 deg), false: from the high side
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("sequence", sequence);
+    v("time", time);
+    v("toolface", toolface);
+    v("magnetic", magnetic);
+  }
 };
 
 /// Everything that one frame publishes, at one instant. Signs as in commands.h; positions in `rig_floor` (x east, y north, z up).
@@ -76,6 +95,51 @@ struct Measurements
 
   MwdReading mwd;
   ToolfaceReading toolface;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("time", time);
+    v("hook_load", hook_load);
+    v("dead_line_hook_load", dead_line_hook_load);
+    v("hook_load_string", hook_load_string);
+    v("block_height", block_height);
+    v("block_velocity", block_velocity);
+    v("top_drive_angle", top_drive_angle);
+    v("top_drive_speed", top_drive_speed);
+    v("torque", torque);
+    v("stand_pipe_pressure", stand_pipe_pressure);
+    v("differential_pressure", differential_pressure);
+    v("flow", flow);
+    v("hole_depth", hole_depth);
+    v("bit_depth", bit_depth);
+    v("surface_wob", surface_wob);
+    v("rop", rop);
+    v("tared", tared);
+    v("on_bottom", on_bottom);
+    v("in_slips", in_slips);
+    v("brake_set", brake_set);
+    v("motor_stalled", motor_stalled);
+    v("winch_limited", winch_limited);
+    v("top_drive_limited", top_drive_limited);
+    v("command_clamped", command_clamped);
+    v("commands_timed_out", commands_timed_out);
+    v("setpoints", setpoints);
+    v("bit_position", bit_position);
+    v("bit_orientation", bit_orientation);
+    v("bit_velocity", bit_velocity);
+    v("bit_angular_velocity", bit_angular_velocity);
+    v("bit_force", bit_force);
+    v("bit_moment", bit_moment);
+    v("wob", wob);
+    v("bit_torque", bit_torque);
+    v("bit_speed", bit_speed);
+    v("bit_inclination", bit_inclination);
+    v("bit_azimuth", bit_azimuth);
+    v("bend_toolface", bend_toolface);
+    v("mwd", mwd);
+    v("toolface", toolface);
+  }
 };
 
 /// Quantities along the string, one entry per node, bit first.

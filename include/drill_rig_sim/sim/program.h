@@ -20,6 +20,13 @@ public:
   bool finished() const noexcept { return next_ == steps_.size(); }
   void rewind() noexcept { next_ = 0; }
 
+  /// Which line comes next; the lines are the scene's.
+  template <class V>
+  void visit(V& v)
+  {
+    v("next", next_);
+  }
+
 private:
   std::vector<ProgramStep> steps_;
   std::size_t next_ = 0;

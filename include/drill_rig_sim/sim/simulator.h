@@ -94,9 +94,9 @@ public:
 
   /// A copy of everything that the next frame depends on.
   std::shared_ptr<const SimulatorState> save() const;
-  /// Back to a saved state of this same scene; the next frames are bit-identical to those that followed save().
+  /// Back to a saved state of this same scene; false, and nothing changed, for one of another scene. After it the next frames are bit-identical to those that followed save().
   /// `keep_time`: simulated time runs on from now instead of jumping back.
-  void restore(const SimulatorState& state, bool keep_time = false);
+  bool restore(const SimulatorState& state, bool keep_time = false);
 
 private:
   struct Impl;

@@ -1,30 +1,26 @@
 #ifndef DRILL_RIG_SIM_SIM_SIMULATOR_STATE_H
 #define DRILL_RIG_SIM_SIM_SIMULATOR_STATE_H
 
-#include <limits>
+#include <cstdint>
 #include <utility>
 
 #include "drill_rig_sim/model/rig_forces.h"
 #include "drill_rig_sim/model/state.h"
-#include "drill_rig_sim/rig/setpoints.h"
+#include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/instruments.h"
 #include "drill_rig_sim/sim/measurements.h"
 
 namespace drill_rig_sim
 {
-/// Everything that the next frame of a Simulator depends on. A copy is a snapshot.
+/// Everything that the next frame of a Simulator depends on. A copy is a snapshot; visit() is the one list of its fields (math/visit.h).
 struct SimulatorState
 {
   SimulatorState(State start, RigForces at_start) : mechanics(std::move(start)), forces(std::move(at_start)) {}
 
+  std::uint64_t scene = 0;  ///< scene_hash() of the rig that it belongs to
   State mechanics;
   RigForces forces;  ///< of the last step: measurements only
-  Setpoints setpoints;
-  bool command_clamped = false;
-  /// When [s]; infinity: never yet, so that its silence is no lost stream.
-  double last_winch_command = std::numeric_limits<double>::infinity();
-  double last_drive_command = std::numeric_limits<double>::infinity();
-  bool timed_out = false;
+  CommandState commands;
   bool tared = false;
   double tare_hook_load = 0.0;  ///< [N]
   double tare_pressure = 0.0;   ///< [Pa]
@@ -34,6 +30,24 @@ struct SimulatorState
   Sensor pressure_sensor;
   Mwd mwd;
   Measurements measurements;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("scene", scene);
+    v("mechanics", mechanics);
+    v("forces", forces);
+    v("commands", commands);
+    v("tared", tared);
+    v("tare_hook_load", tare_hook_load);
+    v("tare_pressure", tare_pressure);
+    v("noise", noise);
+    v("hook_load_sensor", hook_load_sensor);
+    v("torque_sensor", torque_sensor);
+    v("pressure_sensor", pressure_sensor);
+    v("mwd", mwd);
+    v("measurements", measurements);
+  }
 };
 
 }  // namespace drill_rig_sim

@@ -3,8 +3,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "drill_rig_sim/model/stage.h"
 #include "drill_rig_sim/model/workspace.h"
@@ -60,24 +58,6 @@ protected:
   StepperCounters counters_;
   double error_estimate_ = 0.0;
 };
-
-/// What `numerics.integrator` can name.
-struct IntegratorEntry
-{
-  IntegratorKind kind;
-  const char* name;
-  const char* description;
-};
-
-/// All integrators, the default first.
-const std::vector<IntegratorEntry>& integrator_table();
-
-/// Builds an integrator of the table for a model and the state that it starts from.
-/// Throws std::runtime_error with one line (what, what is allowed) for a scene that it cannot integrate.
-std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, std::shared_ptr<const Model> model, const State& start);
-
-/// The table's entry; automatic: the default's.
-const IntegratorEntry& find_integrator(IntegratorKind kind) noexcept;
 
 }  // namespace drill_rig_sim
 

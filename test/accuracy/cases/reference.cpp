@@ -1,7 +1,7 @@
 // The reference against motions known exactly, and the default stepper against the reference.
 #include <cmath>
 
-#include "drill_rig_sim/solve/index_three.h"
+#include "index_three.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "groups.h"
 #include "plucked_string.h"

@@ -1,11 +1,11 @@
-#ifndef DRILL_RIG_SIM_SOLVE_IDA_SOLVER_H
-#define DRILL_RIG_SIM_SOLVE_IDA_SOLVER_H
+#ifndef DRILL_RIG_SIM_REFERENCE_IDA_SOLVER_H
+#define DRILL_RIG_SIM_REFERENCE_IDA_SOLVER_H
 
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "drill_rig_sim/solve/dae_problem.h"
+#include "drill_rig_sim/reference/dae_problem.h"
 #include "drill_rig_sim/solve/reference_report.h"
 
 namespace drill_rig_sim

@@ -1,5 +1,5 @@
-#ifndef DRILL_RIG_SIM_SOLVE_RIG_DAE_H
-#define DRILL_RIG_SIM_SOLVE_RIG_DAE_H
+#ifndef DRILL_RIG_SIM_REFERENCE_RIG_DAE_H
+#define DRILL_RIG_SIM_REFERENCE_RIG_DAE_H
 
 #include <vector>
 
@@ -7,7 +7,7 @@
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/rig/setpoints.h"
 #include "drill_rig_sim/rig/top_drive.h"
-#include "drill_rig_sim/solve/constrained_bodies.h"
+#include "drill_rig_sim/reference/constrained_bodies.h"
 #include "drill_rig_sim/model/evaluate.h"
 
 namespace drill_rig_sim

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/solve/ida_solver.h"
+#include "drill_rig_sim/reference/ida_solver.h"
 
 #include <ida/ida.h>
 #include <nvector/nvector_serial.h>
@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "drill_rig_sim/solve/vector_operations.h"
-#include "sundials_owners.h"
+#include "drill_rig_sim/solve/sundials_owners.h"
 
 namespace drill_rig_sim
 {

@@ -1,13 +1,13 @@
-#ifndef DRILL_RIG_SIM_SOLVE_CONSTRAINED_BODIES_H
-#define DRILL_RIG_SIM_SOLVE_CONSTRAINED_BODIES_H
+#ifndef DRILL_RIG_SIM_REFERENCE_CONSTRAINED_BODIES_H
+#define DRILL_RIG_SIM_REFERENCE_CONSTRAINED_BODIES_H
 
 #include <Eigen/Core>
 #include <vector>
 
 #include "drill_rig_sim/math/tilt_spin.h"
-#include "drill_rig_sim/rig/joints.h"
+#include "drill_rig_sim/reference/joints.h"
 #include "drill_rig_sim/rig/rigid_body.h"
-#include "drill_rig_sim/solve/dae_problem.h"
+#include "drill_rig_sim/reference/dae_problem.h"
 
 namespace drill_rig_sim
 {

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rig/joints.h"
+#include "drill_rig_sim/reference/joints.h"
 
 #include "drill_rig_sim/math/rotation.h"
 

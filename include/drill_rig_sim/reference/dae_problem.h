@@ -1,9 +1,9 @@
-#ifndef DRILL_RIG_SIM_SOLVE_DAE_PROBLEM_H
-#define DRILL_RIG_SIM_SOLVE_DAE_PROBLEM_H
+#ifndef DRILL_RIG_SIM_REFERENCE_DAE_PROBLEM_H
+#define DRILL_RIG_SIM_REFERENCE_DAE_PROBLEM_H
 
 #include <vector>
 
-#include "drill_rig_sim/solve/sparse_jacobian.h"
+#include "drill_rig_sim/reference/sparse_jacobian.h"
 
 namespace drill_rig_sim
 {

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/solve/ida_integrator.h"
+#include "drill_rig_sim/reference/ida_integrator.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#ifndef DRILL_RIG_SIM_RIG_JOINTS_H
-#define DRILL_RIG_SIM_RIG_JOINTS_H
+#ifndef DRILL_RIG_SIM_REFERENCE_JOINTS_H
+#define DRILL_RIG_SIM_REFERENCE_JOINTS_H
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/solve/sparse_jacobian.h"
+#include "drill_rig_sim/reference/sparse_jacobian.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,13 +1,13 @@
-#ifndef DRILL_RIG_SIM_SOLVE_IDA_INTEGRATOR_H
-#define DRILL_RIG_SIM_SOLVE_IDA_INTEGRATOR_H
+#ifndef DRILL_RIG_SIM_REFERENCE_IDA_INTEGRATOR_H
+#define DRILL_RIG_SIM_REFERENCE_IDA_INTEGRATOR_H
 
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "drill_rig_sim/solve/ida_solver.h"
+#include "drill_rig_sim/reference/ida_solver.h"
 #include "drill_rig_sim/solve/integrator.h"
-#include "drill_rig_sim/solve/rig_dae.h"
+#include "drill_rig_sim/reference/rig_dae.h"
 
 namespace drill_rig_sim
 {

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/solve/rig_dae.h"
+#include "drill_rig_sim/reference/rig_dae.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/solve/constrained_bodies.h"
+#include "drill_rig_sim/reference/constrained_bodies.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,0 +1,28 @@
+#ifndef DRILL_RIG_SIM_SIM_SNAPSHOT_FILE_H
+#define DRILL_RIG_SIM_SIM_SNAPSHOT_FILE_H
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace drill_rig_sim
+{
+/// Snapshots as files: a head of fixed length, then the bytes of a value (math/visit.h).
+///
+///   8 B "DRIGSNAP", 4 B version of the format, 8 B hash of the scene, 20 B identity of the build, 8 B number of bytes, 8 B their checksum
+///
+/// The bytes are those of this machine and build: the same binary restores them bit for bit, and any other is refused, as is a file for
+/// another scene, of another format, cut, or with a bit changed.
+constexpr std::uint32_t snapshot_format = 1;
+
+/// Writes the file whole or not at all (a neighbour file first, then renamed).
+/// Throws std::runtime_error with one line (which file, why) if it cannot be written.
+void write_snapshot(const std::string& file, std::uint64_t scene, const std::vector<unsigned char>& bytes);
+
+/// The bytes of a file for the scene of this hash. Throws std::runtime_error with one line (which file, what is wrong with it) for anything
+/// but a regular file of at most 16 MiB that write_snapshot() of this build has written for it.
+std::vector<unsigned char> read_snapshot(const std::string& file, std::uint64_t scene);
+
+}  // namespace drill_rig_sim
+
+#endif

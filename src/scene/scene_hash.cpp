@@ -1,0 +1,98 @@
+#include "drill_rig_sim/scene/scene_hash.h"
+
+#include "drill_rig_sim/math/hash.h"
+#include "scene_keys.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+/// Goes through the blocks of a scene as the reader does.
+class SceneHasher
+{
+public:
+  std::uint64_t value() const { return hash_; }
+
+  void add(const Scene& scene)
+  {
+    add_keys(scene_keys, scene);
+    add_well(scene.well);
+    for (const FormationLayer& layer : scene.formation) add_keys(layer_keys, layer);
+    add_keys(mud_keys, scene.mud);
+    for (const PartSpec& part : scene.string) add_part(part);
+    add_keys(hoisting_keys, scene.rig.hoisting);
+    add_keys(top_drive_keys, scene.rig.top_drive);
+    add_keys(mud_pump_keys, scene.rig.mud_pump);
+    add_keys(contact_keys, scene.contact);
+    add_keys(trajectory_keys, scene.trajectory);
+    add_keys(start_keys, scene.start);
+    add_keys(numerics_keys, scene.numerics);
+    add_instruments(scene.instruments);
+    for (const ProgramStep& step : scene.program) add_keys(program_keys, step);
+  }
+
+private:
+  void add_well(const WellSpec& well)
+  {
+    add_keys(well_keys, well);
+    for (const SurveyStation& station : well.survey)
+      for (const double value : {station.md, station.inclination, station.azimuth}) add_number(value);
+    for (const HoleSection& section : well.sections) add_keys(section_keys, section);
+  }
+
+  void add_part(const PartSpec& part)
+  {
+    PartSpec all = part;  // the keys of a bit and a motor reach into these
+    if (!all.bit) all.bit.emplace();
+    if (!all.motor) all.motor.emplace();
+    add_keys(part_keys, all);
+    add_keys(part_contact_keys, all.contact);
+    add_number(all.has_contact);
+    add_keys(bit_bottom_keys, all.bit->bottom);
+    add_keys(bit_torque_keys, all.bit->torque);
+  }
+
+  void add_instruments(const InstrumentsSpec& instruments)
+  {
+    add_keys(mwd_keys, instruments.mwd);
+    add_keys(toolface_keys, instruments.toolface);
+    for (const SensorSpec& sensor : {instruments.hook_load, instruments.torque, instruments.stand_pipe_pressure})
+      add_keys(sensor_keys, sensor);
+  }
+
+  template <class Spec>
+  void add_keys(const Table<Spec>& table, Spec spec)
+  {
+    for (const Key<Spec>& key : table.keys) add_key(key, spec);
+  }
+
+  template <class Spec>
+  void add_key(const Key<Spec>& key, Spec& spec)
+  {
+    if (const auto* number = std::get_if<double Spec::*>(&key.field)) return add_number(spec.*(*number));
+    if (const auto* inside = std::get_if<Inside<Spec>>(&key.field)) return add_number(inside->ref(spec));
+    if (const auto* count = std::get_if<int Spec::*>(&key.field)) return add_number(spec.*(*count));
+    if (const auto* fill = std::get_if<CountOrFill<Spec>>(&key.field)) return add_number(spec.*(fill->member));
+    if (const auto* flag = std::get_if<Flag<Spec>>(&key.field)) return add_number(spec.*(flag->member));
+    if (const auto* choice = std::get_if<Choice<Spec>>(&key.field)) return add_number(choice->get(spec));
+    if (const auto* text = std::get_if<std::string Spec::*>(&key.field))
+    {
+      const std::string& value = spec.*(*text);
+      hash_ = hash_bytes(value.data(), value.size() + 1, hash_);
+    }
+  }
+
+  void add_number(double number) { hash_ = hash_bytes(&number, sizeof number, hash_); }
+
+  std::uint64_t hash_ = hash_bytes("", 0);
+};
+}  // namespace
+
+std::uint64_t scene_hash(const Scene& scene)
+{
+  SceneHasher hasher;
+  hasher.add(scene);
+  return hasher.value();
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,92 @@
+#include "drill_rig_sim/sim/commands.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drill_rig_sim
+{
+namespace
+{
+CommandResult refused(const char* reason) noexcept
+{
+  return {CommandResult::Outcome::refused, reason};
+}
+
+/// `value` within its limits; sets `clamped` where it was not.
+double clamped_to(double value, double low, double high, bool& clamped) noexcept
+{
+  const double inside = std::clamp(value, low, high);
+  clamped = clamped || inside != value;
+  return inside;
+}
+
+/// Notes in the state whether the last command was clamped.
+CommandResult taken(bool clamped, const char* reason, CommandState& state) noexcept
+{
+  state.clamped = clamped;
+  if (!clamped) return {};
+  return {CommandResult::Outcome::clamped, reason};
+}
+
+/// Null: nothing is.
+const char* what_is_wrong(const TopDriveSetpoint& c) noexcept
+{
+  if (c.mode != TopDriveMode::speed && c.mode != TopDriveMode::torque) return "mode: not available yet; SPEED and TORQUE are";
+  if (!std::isfinite(c.speed) || !std::isfinite(c.torque) || !std::isfinite(c.angle) || !std::isfinite(c.torque_limit))
+    return "speed, torque, angle and torque_limit: must be finite";
+  if (c.torque_limit < 0.0) return "torque_limit: must not be negative; 0 means the rig's";
+  return nullptr;
+}
+}  // namespace
+
+void CommandState::shift_time(double shift) noexcept
+{
+  last_winch += shift;
+  last_drive += shift;
+}
+
+CommandResult take(const RigSpec& rig, double now, const WinchSetpoint& c, CommandState& state) noexcept
+{
+  if (!std::isfinite(c.block_velocity)) return refused("block_velocity: must be finite");
+  bool clamped = false;
+  const double limit = rig.hoisting.max_speed;
+  state.setpoints.winch = {clamped_to(c.block_velocity, -limit, limit, clamped), c.brake};
+  state.last_winch = now;
+  state.timed_out = false;
+  return taken(clamped, "block_velocity: clamped to the winch's max_speed", state);
+}
+
+CommandResult take(const RigSpec& rig, double now, const TopDriveSetpoint& c, CommandState& state) noexcept
+{
+  if (const char* wrong = what_is_wrong(c)) return refused(wrong);
+  const TopDriveSpec& spec = rig.top_drive;
+  bool clamped = false;
+  TopDriveSetpoint inside = c;
+  inside.speed = clamped_to(c.speed, -spec.max_speed, spec.max_speed, clamped);
+  inside.torque = clamped_to(c.torque, -spec.max_torque, spec.max_torque, clamped);
+  inside.torque_limit = clamped_to(c.torque_limit, 0.0, spec.max_torque, clamped);
+  state.setpoints.top_drive = inside;
+  state.last_drive = now;
+  state.timed_out = false;
+  return taken(clamped, "speed, torque or torque_limit: clamped to the top drive's limits", state);
+}
+
+CommandResult take(const RigSpec& rig, double, const PumpSetpoint& c, CommandState& state) noexcept
+{
+  if (!std::isfinite(c.flow)) return refused("flow: must be finite");
+  bool clamped = false;
+  state.setpoints.pump.flow = clamped_to(c.flow, 0.0, rig.mud_pump.max_flow, clamped);
+  return taken(clamped, "flow: clamped to 0 .. the pump's max_flow", state);
+}
+
+void watch_commands(double timeout, double now, CommandState& state) noexcept
+{
+  if (timeout <= 0.0 || state.timed_out) return;
+  if (std::max(now - state.last_winch, now - state.last_drive) <= timeout) return;
+  state.timed_out = true;
+  state.setpoints.winch = WinchSetpoint();
+  state.setpoints.top_drive = TopDriveSetpoint();
+  state.setpoints.top_drive.mode = TopDriveMode::torque;
+}
+
+}  // namespace drill_rig_sim

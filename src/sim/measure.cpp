@@ -1,0 +1,95 @@
+// From the state to what is measured of it.
+#include <cmath>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/rig/hoisting.h"
+#include "drill_rig_sim/rig/mud_motor.h"
+#include "drill_rig_sim/rig/mud_pump.h"
+#include "drill_rig_sim/well/directions.h"
+#include "simulator_impl.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+void Simulator::Impl::measure() noexcept
+{
+  measure_rig();
+  measure_bit();
+  Measurements& m = state.measurements;
+  state.mwd.update(m.time, mechanics().flow, sensor_view(), state.noise, m.mwd, m.toolface);
+  m.dead_line_hook_load = state.hook_load_sensor.read(m.dead_line_hook_load, m.time, state.noise);
+  m.torque = state.torque_sensor.read(m.torque, m.time, state.noise);
+  m.stand_pipe_pressure = state.pressure_sensor.read(m.stand_pipe_pressure, m.time, state.noise);
+}
+
+void Simulator::Impl::measure_rig() noexcept
+{
+  Measurements& m = state.measurements;
+  const State& s = mechanics();
+  const NodeState& top = s.nodes.back();
+  const HoistingSpec& hoisting = scene.rig.hoisting;
+  m.time = s.time;
+  m.hook_load = state.forces.hook_load;
+  m.hook_load_string = m.hook_load - standard_gravity * hoisting.block_mass;
+  m.block_height = top.position.z();
+  m.block_velocity = top.rate.velocity.z();
+  m.dead_line_hook_load = dead_line_hook_load(m.hook_load, m.block_velocity, hoisting.sheaves, hoisting.sheave_efficiency);
+  m.top_drive_angle = s.drive.angle;
+  m.top_drive_speed = s.drive.speed;
+  m.torque = state.forces.meter_torque;
+  m.flow = s.flow;
+  const double motor_pressure = motor ? mud_motor_pressure(s.flow, motor->displacement_per_rev, state.forces.bit_torque) : 0.0;
+  m.differential_pressure = motor_pressure - state.tare_pressure;
+  m.stand_pipe_pressure = stand_pipe_pressure(scene.rig.mud_pump, s.flow, motor_pressure);
+  m.tared = state.tared;
+  m.surface_wob = state.tared ? state.tare_hook_load - m.hook_load : 0.0;
+  m.setpoints = state.commands.setpoints;
+  m.brake_set = state.commands.setpoints.winch.brake;
+  m.winch_limited = s.hoist.limited;
+  m.top_drive_limited = s.drive.limited;
+  m.motor_stalled = s.bit.stalled;
+  m.command_clamped = state.commands.clamped;
+  m.commands_timed_out = state.commands.timed_out;
+}
+
+void Simulator::Impl::measure_bit() noexcept
+{
+  Measurements& m = state.measurements;
+  const State& s = mechanics();
+  const NodeState& bit = s.nodes.front();
+  const Vector3d axis = x_axis(bit.orientation);
+  m.hole_depth = s.well.hole_depth();
+  m.bit_depth = bit_depth(*model, s);
+  m.on_bottom = state.forces.wob > 0.0;
+  m.bit_position = bit.position + model->mesh().bit_radius * axis;
+  m.bit_orientation = bit.orientation * rotation_from_vector(Vector3d(std::remainder(s.bit.turned, 2.0 * pi), 0.0, 0.0));
+  m.bit_velocity = bit.rate.velocity + bit.rate.tilt.cross(model->mesh().bit_radius * axis);
+  m.bit_speed = bit.rate.spin + s.bit.motor_speed;
+  m.bit_angular_velocity = bit.rate.tilt + m.bit_speed * axis;
+  m.bit_force = state.forces.bit_force;
+  m.bit_moment = state.forces.bit_moment;
+  m.wob = state.forces.wob;
+  m.bit_torque = state.forces.bit_torque;
+  const Vector3d hole = s.well.end_direction();
+  m.bit_inclination = inclination_of(hole);
+  m.bit_azimuth = azimuth_of(hole);
+  m.bend_toolface = bend_toolface(*model, s);
+}
+
+SensorView Simulator::Impl::sensor_view() const noexcept
+{
+  SensorView view;
+  const Mesh& mesh = model->mesh();
+  const Between at = find_between(mesh, mesh.sensor_from_bit >= 0.0 ? mesh.sensor_from_bit : 0.0);
+  const Quaterniond& upper = state.mechanics.nodes[at.lower + 1].orientation;
+  const Quaterniond q = state.mechanics.nodes[at.lower].orientation.slerp(at.share, upper);
+  view.md = state.measurements.bit_depth - std::max(mesh.sensor_from_bit, 0.0);
+  view.axis = x_axis(q);
+  view.scribe = y_axis(q);
+  return view;
+}
+
+}  // namespace drill_rig_sim

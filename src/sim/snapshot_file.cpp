@@ -1,0 +1,107 @@
+#include "drill_rig_sim/sim/snapshot_file.h"
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "build_identity.h"
+#include "drill_rig_sim/math/hash.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr char mark[8] = {'D', 'R', 'I', 'G', 'S', 'N', 'A', 'P'};
+constexpr std::uintmax_t longest = std::uintmax_t{16} << 20;  // [B]
+
+/// What stands before the bytes. Packed by hand: no padding is written.
+struct Head
+{
+  std::uint32_t format = snapshot_format;
+  std::uint64_t scene = 0;
+  BuildIdentity build = build_identity();
+  std::uint64_t size = 0;
+  std::uint64_t checksum = 0;
+
+  static constexpr std::size_t length = sizeof mark + 4 + 8 + 20 + 8 + 8;
+
+  std::vector<unsigned char> bytes() const
+  {
+    std::vector<unsigned char> out(mark, mark + sizeof mark);
+    const auto append = [&out](const void* data, std::size_t n)
+    {
+      const auto* from = static_cast<const unsigned char*>(data);
+      out.insert(out.end(), from, from + n);
+    };
+    append(&format, sizeof format);
+    append(&scene, sizeof scene);
+    append(build.data(), build.size());
+    append(&size, sizeof size);
+    append(&checksum, sizeof checksum);
+    return out;
+  }
+};
+
+[[noreturn]] void refuse(const std::string& file, const std::string& why)
+{
+  throw std::runtime_error(file + ": " + why);
+}
+
+std::vector<unsigned char> whole_file(const std::string& file)
+{
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) refuse(file, "is no regular file; allowed is a snapshot that save_state wrote");
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error || size > longest) refuse(file, "is longer than the 16 MiB that are allowed");
+  std::vector<unsigned char> bytes(static_cast<std::size_t>(size));
+  std::ifstream in(file, std::ios::binary);
+  if (!in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) refuse(file, "cannot be read");
+  return bytes;
+}
+}  // namespace
+
+void write_snapshot(const std::string& file, std::uint64_t scene, const std::vector<unsigned char>& bytes)
+{
+  Head head;
+  head.scene = scene;
+  head.size = bytes.size();
+  head.checksum = hash_bytes(bytes.data(), bytes.size());
+  const std::vector<unsigned char> start = head.bytes();
+  const std::string beside = file + ".part";
+  {
+    std::ofstream out(beside, std::ios::binary | std::ios::trunc);
+    out.write(reinterpret_cast<const char*>(start.data()), static_cast<std::streamsize>(start.size()));
+    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out)
+    {
+      std::remove(beside.c_str());
+      refuse(file, "cannot be written");
+    }
+  }
+  if (std::rename(beside.c_str(), file.c_str()) == 0) return;
+  std::remove(beside.c_str());
+  refuse(file, "cannot be written");
+}
+
+std::vector<unsigned char> read_snapshot(const std::string& file, std::uint64_t scene)
+{
+  const std::vector<unsigned char> all = whole_file(file);
+  if (all.size() < Head::length || std::memcmp(all.data(), mark, sizeof mark) != 0) refuse(file, "is no snapshot");
+  std::vector<unsigned char> bytes(all.begin() + Head::length, all.end());
+  Head head;
+  head.scene = scene;
+  head.size = bytes.size();
+  head.checksum = hash_bytes(bytes.data(), bytes.size());
+  const std::vector<unsigned char> expected = head.bytes();
+  const auto differs = [&](std::size_t from, std::size_t count) { return std::memcmp(all.data() + from, expected.data() + from, count) != 0; };
+  if (differs(8, 4)) refuse(file, "is a snapshot of another format; allowed is format " + std::to_string(snapshot_format));
+  if (differs(12, 8)) refuse(file, "is a snapshot of another scene; allowed is that of this rig");
+  if (differs(20, 20)) refuse(file, "is a snapshot of another build of this program; allowed is that of this one");
+  if (differs(40, 16)) refuse(file, "is damaged: its checksum does not fit");
+  return bytes;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,197 @@
+// The one list of a state's fields: every number in it survives a snapshot, in memory and as bytes, and nothing else is in a state.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "drill_ahead.h"
+#include "drill_rig_sim/math/visit.h"
+#include "drill_rig_sim/scene/scene_hash.h"
+#include "drill_rig_sim/sim/snapshot_file.h"
+#include "sim_numbers.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+/// The place of every number.
+struct PathCollector
+{
+  std::vector<std::string> paths;
+  template <class N>
+  void operator()(const std::string& path, N&)
+  {
+    paths.push_back(path);
+  }
+  void size(const std::string&, std::size_t&) {}
+};
+
+/// Changes the k-th number, whatever it is.
+struct Changer
+{
+  std::size_t k, at = 0;
+  template <class N>
+  void operator()(const std::string&, N& number)
+  {
+    if (at++ != k) return;
+    if constexpr (std::is_same_v<N, bool>)
+      number = !number;
+    else if constexpr (std::is_enum_v<N>)
+      number = static_cast<N>(static_cast<int>(number) == 0 ? 1 : 0);
+    else
+      number = static_cast<N>(number + 1);
+  }
+  void size(const std::string&, std::size_t&) {}
+};
+
+void change(SimulatorState& state, std::size_t k)
+{
+  Changer changer{k};
+  visit_numbers(state, changer);
+}
+
+/// A rig that drills with slow instruments, so that queues and delay lines hold something.
+Simulator drilling_rig()
+{
+  Scene scene = motor_drilling_scene(0.005);
+  scene.instruments.hook_load = {500.0, 100.0, 0.02, 0.5};
+  scene.instruments.mwd.period = 1.0;
+  scene.instruments.mwd.latency = 3.0;
+  Simulator rig(scene, 7);
+  drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
+  for (int k = 0; k < 300; ++k) rig.frame(0.01);
+  return rig;
+}
+
+/// Entries of a history are told apart by their hashes: whoever changes one changes the last hash.
+std::size_t last_hash_of(const std::vector<std::string>& paths, const std::string& path)
+{
+  const std::string hash = path.substr(0, path.find(".slots")) + ".slots.hash";
+  for (std::size_t k = paths.size(); k-- > 0;)
+    if (paths[k] == hash) return k;
+  return paths.size();
+}
+
+std::string temporary(const char* name)
+{
+  return testing::TempDir() + "drill_rig_sim_" + name;
+}
+}  // namespace
+
+TEST(State, everyNumberComesBack)
+{
+  Simulator rig = drilling_rig();
+  const auto good = rig.save();
+  const std::vector<unsigned char> bytes = to_bytes(*good);
+  PathCollector list;
+  visit_numbers(const_cast<SimulatorState&>(*good), list);
+  ASSERT_GT(list.paths.size(), 1000u);
+  for (std::size_t k = 0; k < list.paths.size(); ++k)
+  {
+    const std::string& path = list.paths[k];
+    if (path == "scene" || path.find("count") != std::string::npos) continue;  // of another rig, or of a list that would not be there
+    SimulatorState changed = *good;
+    change(changed, k);
+    if (path.find(".slots.") != std::string::npos && k != last_hash_of(list.paths, path)) change(changed, last_hash_of(list.paths, path));
+    const std::vector<unsigned char> wanted = to_bytes(changed);
+    ASSERT_NE(wanted, bytes) << path;
+    ASSERT_TRUE(rig.restore(changed));
+    ASSERT_EQ(to_bytes(*rig.save()), wanted) << path << ": lost on the way in or out";
+    ASSERT_TRUE(rig.restore(*good));
+    ASSERT_EQ(to_bytes(*rig.save()), bytes) << path << ": did not come back";
+  }
+}
+
+TEST(State, bytesMakeTheSameState)
+{
+  Simulator rig = drilling_rig();
+  const std::vector<unsigned char> bytes = to_bytes(*rig.save());
+  for (int k = 0; k < 50; ++k) rig.frame(0.01);
+  SimulatorState read = *rig.save();
+  EXPECT_NE(to_bytes(read), bytes);
+  ASSERT_TRUE(from_bytes(bytes, read));
+  EXPECT_EQ(to_bytes(read), bytes);
+  std::vector<unsigned char> cut(bytes.begin(), bytes.end() - 1), longer = bytes;
+  longer.push_back(0);
+  EXPECT_FALSE(from_bytes(cut, read));
+  read = *rig.save();
+  EXPECT_FALSE(from_bytes(longer, read));
+}
+
+TEST(State, ofAnotherRigIsRefused)
+{
+  Simulator rig = drilling_rig();
+  Scene scene = rig.scene();
+  scene.mud.density += 1.0;
+  EXPECT_NE(scene_hash(scene), scene_hash(rig.scene()));
+  Simulator other(scene);
+  const std::vector<unsigned char> before = to_bytes(*other.save());
+  EXPECT_FALSE(other.restore(*rig.save()));
+  EXPECT_EQ(to_bytes(*other.save()), before);
+}
+
+TEST(SnapshotFile, goesOnBitByBit)
+{
+  Simulator rig = drilling_rig();
+  const std::string file = temporary("snapshot");
+  const auto saved = rig.save();
+  write_snapshot(file, saved->scene, to_bytes(*saved));
+  for (int k = 0; k < 200; ++k) rig.frame(0.01);
+  const std::vector<unsigned char> end = to_bytes(*rig.save());
+
+  Simulator other(rig.scene(), 99);
+  SimulatorState read = *other.save();
+  ASSERT_TRUE(from_bytes(read_snapshot(file, read.scene), read));
+  ASSERT_TRUE(other.restore(read));
+  for (int k = 0; k < 200; ++k) other.frame(0.01);
+  EXPECT_EQ(to_bytes(*other.save()), end);
+}
+
+TEST(SnapshotFile, anythingElseIsRefused)
+{
+  const std::string file = temporary("refused");
+  const std::vector<unsigned char> value(100, 7);
+  const auto refused = [&file](std::uint64_t scene) -> std::string
+  {
+    try
+    {
+      read_snapshot(file, scene);
+    }
+    catch (const std::runtime_error& error)
+    {
+      return error.what();
+    }
+    return "";
+  };
+  write_snapshot(file, 5, value);
+  EXPECT_EQ(read_snapshot(file, 5), value);
+  EXPECT_NE(refused(6).find("another scene"), std::string::npos);
+
+  std::ifstream in(file, std::ios::binary);
+  const std::string good{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  in.close();
+  ASSERT_EQ(good.size(), 56u + value.size());
+  const std::pair<std::size_t, const char*> damage[] = {
+      {0, "no snapshot"}, {8, "another format"}, {12, "another scene"}, {20, "another build"}, {39, "another build"},
+      {40, "damaged"},    {48, "damaged"},       {56, "damaged"},       {good.size() - 1, "damaged"}};
+  for (const auto& [place, words] : damage)
+  {
+    std::string bad = good;
+    bad[place] = static_cast<char>(bad[place] ^ 1);
+    std::ofstream(file, std::ios::binary) << bad;
+    EXPECT_NE(refused(5).find(words), std::string::npos) << place << ": " << refused(5);
+  }
+  std::ofstream(file, std::ios::binary) << good.substr(0, good.size() - 1);
+  EXPECT_NE(refused(5).find("damaged"), std::string::npos);
+  std::ofstream(file, std::ios::binary) << "short";
+  EXPECT_NE(refused(5).find("no snapshot"), std::string::npos);
+  std::remove(file.c_str());
+  EXPECT_NE(refused(5).find("no regular file"), std::string::npos);
+  EXPECT_THROW(write_snapshot("/nowhere/at/all", 5, value), std::runtime_error);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
