@@ -22,6 +22,11 @@ public:
 
 constexpr std::uint32_t most_frames = 100000;  // of one step
 
+void require_name_or_file(const std::string& name, const std::string& file)
+{
+  if (!file.empty() && !name.empty()) throw Refusal("name and file are both given; allowed is one of them");
+}
+
 std::string one_line(std::string text)
 {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -178,6 +183,11 @@ std::string Services::set_speed(double speed)
 std::string Services::save_state(const SaveState::Request& request)
 {
   require_name_or_file(request.name, request.file);
+  loop_.between_frames(
+      [](SimulationLoop& loop)
+      {
+        if (loop.rig().failed) throw Refusal("the last frame failed: there is no good state to go on from");
+      });
   Saved saved = present_state();
   if (!request.file.empty())
   {
@@ -195,7 +205,6 @@ Saved Services::present_state()
       [&](SimulationLoop& loop)
       {
         const RunningRig& rig = loop.rig();
-        if (rig.failed) throw Refusal("the last frame failed: there is no good state to go on from");
         saved = {rig.simulator->save(), rig.program, rig.playing, loop.time().stamp()};
       });
   return saved;
@@ -205,14 +214,7 @@ std::string Services::restore_state(const RestoreState::Request& request)
 {
   require_no_step();
   require_name_or_file(request.name, request.file);
-  Saved from_file;
-  if (!request.file.empty())
-  {
-    loop_.between_frames([&](SimulationLoop& loop)
-                         { from_file = {loop.rig().simulator->save(), loop.rig().program, loop.rig().playing, loop.time().stamp()}; });
-    from_file = read_saved(request.file, from_file);
-  }
-  const Saved& saved = request.file.empty() ? saved_.find(request.name) : from_file;
+  const Saved saved = request.file.empty() ? saved_.find(request.name) : read_saved(request.file, present_state());
   loop_.between_frames([&](SimulationLoop& loop) { loop.go_back(*saved.state, *saved.program, saved.playing); });
   return "restored " + (request.file.empty() ? request.name : request.file);
 }

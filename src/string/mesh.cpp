@@ -52,6 +52,72 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
   throw std::runtime_error(message.str());
 }
 
+/// Where the elements of all parts end, and where the parts begin and end.
+std::vector<Cut> cut_string(const std::vector<PartSpec>& parts, double element_length, Mesh& mesh)
+{
+  std::vector<Cut> cuts;
+  double top = parts.front().length;
+  mesh.part_bottom.push_back(0.0);
+  mesh.part_top.push_back(top);
+  for (std::size_t p = 1; p < parts.size(); ++p)
+  {
+    const PartSpec& part = parts[p];
+    const std::vector<double> lengths = joint_lengths(part, mesh.total_length - top);
+    if (lengths.empty()) refuse_rest(part, mesh.total_length - top);
+    mesh.part_bottom.push_back(top);
+    cut_part(part, static_cast<int>(p), top, lengths, element_length, cuts);
+    for (double length : lengths) top += length;
+    mesh.part_top.push_back(top);
+    if (part.type == PartType::mwd) mesh.sensor_from_bit = mesh.part_bottom.back() + part.sensor_offset;
+  }
+  if (std::abs(top - mesh.total_length) <= 1e-6) return cuts;
+  std::ostringstream message;
+  message << "string: its parts are " << top << " m long, but bit and top drive are " << mesh.total_length
+          << " m apart; give the last part 'joints: fill'";
+  throw std::runtime_error(message.str());
+}
+
+MeshNode bit_node(const PartSpec& bit, const ContactLaw& contact, const MudSpec& mud, const Mesh& mesh)
+{
+  MeshNode node;
+  node.from_bit = mesh.bit_radius;
+  node.contact_radius = mesh.bit_radius;
+  node.contact = bit.has_contact ? bit.contact : contact;
+  node.mass = bit.bit->mass;
+  node.squeeze_film_damping = bit.squeeze_film_damping;
+  node.added_mass = mud.added_mass * mud.density * mesh.bit_displaced;
+  node.spin_inertia = node.tilt_inertia = 0.4 * bit.bit->mass * mesh.bit_radius * mesh.bit_radius;
+  return node;
+}
+
+/// The element that ends at `cut`, on top of those that are there.
+void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const ContactLaw& contact, const MudSpec& mud, Mesh& mesh)
+{
+  const PartSpec& part = parts[cut.part];
+  const double lower = mesh.nodes.back().from_bit;
+  // the bit's own length carries no mass of the part above it
+  const double mass = part.linear_mass * (cut.from_bit - std::max(lower, parts.front().length));
+  MeshElement element = make_element(part, cut.part, lower, cut.from_bit, mass);
+  MeshNode node;
+  node.from_bit = cut.from_bit;
+  node.contact_radius = cut.contact_radius;
+  node.contact = part.has_contact ? part.contact : contact;
+  node.part = cut.part;
+  node.joint = cut.joint;
+  node.joint_end = cut.joint_end;
+  if (part.type == PartType::stabilizer && !cut.joint_end && cut.contact_radius == 0.5 * part.blade_diameter)
+    node.squeeze_film_damping = part.squeeze_film_damping;
+  if (part.motor && part.motor->bend != 0.0 && std::abs(cut.from_bit - part.motor->bit_to_bend) < 1e-9)
+  {
+    mesh.bend_node = static_cast<int>(mesh.nodes.size());
+    element.bend = part.motor->bend;
+    element.upper_end = Eigen::Quaterniond(Eigen::AngleAxisd(part.motor->bend, Eigen::Vector3d::UnitZ()));
+  }
+  lump(element, part, mud, mesh.nodes.back(), node);
+  mesh.elements.push_back(element);
+  mesh.nodes.push_back(node);
+}
+
 }  // namespace
 
 Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, double element_length,
@@ -63,65 +129,9 @@ Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, c
   mesh.bit_radius = 0.5 * bit.bit->diameter;
   mesh.bit_mass = bit.bit->mass;
   mesh.bit_displaced = bit.bit->mass / bit.density;
-
-  std::vector<Cut> cuts;
-  double top = bit.length;
-  mesh.part_bottom.push_back(0.0);
-  mesh.part_top.push_back(top);
-  for (std::size_t p = 1; p < parts.size(); ++p)
-  {
-    const PartSpec& part = parts[p];
-    const std::vector<double> lengths = joint_lengths(part, total_length - top);
-    if (lengths.empty()) refuse_rest(part, total_length - top);
-    mesh.part_bottom.push_back(top);
-    cut_part(part, static_cast<int>(p), top, lengths, element_length, cuts);
-    for (double length : lengths) top += length;
-    mesh.part_top.push_back(top);
-    if (part.type == PartType::mwd) mesh.sensor_from_bit = mesh.part_bottom.back() + part.sensor_offset;
-  }
-  if (std::abs(top - total_length) > 1e-6)
-  {
-    std::ostringstream message;
-    message << "string: its parts are " << top << " m long, but bit and top drive are " << total_length
-            << " m apart; give the last part 'joints: fill'";
-    throw std::runtime_error(message.str());
-  }
-
-  MeshNode first;
-  first.from_bit = mesh.bit_radius;
-  first.contact_radius = mesh.bit_radius;
-  first.contact = bit.has_contact ? bit.contact : contact;
-  first.mass = bit.bit->mass;
-  first.squeeze_film_damping = bit.squeeze_film_damping;
-  first.added_mass = mud.added_mass * mud.density * mesh.bit_displaced;
-  first.spin_inertia = first.tilt_inertia = 0.4 * bit.bit->mass * mesh.bit_radius * mesh.bit_radius;
-  mesh.nodes.push_back(first);
-  for (const Cut& cut : cuts)
-  {
-    const PartSpec& part = parts[cut.part];
-    const double lower = mesh.nodes.back().from_bit;
-    // the bit's own length carries no mass of the part above it
-    const double mass = part.linear_mass * (cut.from_bit - std::max(lower, bit.length));
-    MeshElement element = make_element(part, cut.part, lower, cut.from_bit, mass);
-    MeshNode node;
-    node.from_bit = cut.from_bit;
-    node.contact_radius = cut.contact_radius;
-    node.contact = part.has_contact ? part.contact : contact;
-    node.part = cut.part;
-    node.joint = cut.joint;
-    node.joint_end = cut.joint_end;
-    if (part.type == PartType::stabilizer && !cut.joint_end && cut.contact_radius == 0.5 * part.blade_diameter)
-      node.squeeze_film_damping = part.squeeze_film_damping;
-    if (part.motor && part.motor->bend != 0.0 && std::abs(cut.from_bit - part.motor->bit_to_bend) < 1e-9)
-    {
-      mesh.bend_node = static_cast<int>(mesh.nodes.size());
-      element.bend = part.motor->bend;
-      element.upper_end = Eigen::Quaterniond(Eigen::AngleAxisd(part.motor->bend, Eigen::Vector3d::UnitZ()));
-    }
-    lump(element, part, mud, mesh.nodes.back(), node);
-    mesh.elements.push_back(element);
-    mesh.nodes.push_back(node);
-  }
+  const std::vector<Cut> cuts = cut_string(parts, element_length, mesh);
+  mesh.nodes.push_back(bit_node(bit, contact, mud, mesh));
+  for (const Cut& cut : cuts) add_element(parts, cut, contact, mud, mesh);
   // a joint's end touches with the larger of the two ends that meet there
   for (std::size_t i = 1; i + 1 < mesh.nodes.size(); ++i)
     if (mesh.nodes[i].joint_end)

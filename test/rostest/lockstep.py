@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """Lockstep: exact frames, and bit-identical states on repetition and after a restored snapshot, in the middle of drilling."""
+import os
+import tempfile
 import threading
 
 from drill_rig_sim.msg import DrillstringState, MwdSurvey, MwdToolface, RigState
@@ -159,12 +161,25 @@ class Lockstep(unittest.TestCase):
         for name in self.rig.list_states().names:
             self.rig.must(self.rig.delete_state(name))
 
+    def test_a_file_brings_the_rig_back(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "state")
+            self.rig.must(self.rig.save_state("", file))
+            first = self.rig.advance(50)
+            self.rig.must(self.rig.restore_state("", file))
+            again = self.rig.advance(50)
+            again.header.stamp = first.header.stamp
+            self.assertEqual(first, again)
+
     def test_unknown_snapshots_and_files_are_refused(self):
         self.assertFalse(self.rig.restore_state("never saved", "").success)
-        for name in ("", "a"):
-            for answer in (self.rig.save_state(name, "/tmp/state"), self.rig.restore_state(name, "/tmp/state")):
-                self.assertFalse(answer.success)
-                self.assertIn("not available yet", answer.message)
+        for answer in (self.rig.save_state("a", "/tmp/state"), self.rig.restore_state("a", "/tmp/state")):
+            self.assertFalse(answer.success)
+            self.assertIn("allowed is one of them", answer.message)
+        for place in ("/dev/zero", "/nowhere/at/all", __file__):
+            answer = self.rig.restore_state("", place)
+            self.assertFalse(answer.success)
+            self.assertIn(place, answer.message)
         self.assertFalse(self.rig.save_state("", "").success)
         self.assertFalse(self.rig.save_state(201 * "x", "").success)
 
