@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A first test of a controller: frame by frame, on any machine the same to the last bit."""
+"""A first test of a controller: frame by frame, the same to the last bit however busy the machine is."""
 import unittest
 
 import rospy
