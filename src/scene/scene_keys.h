@@ -5,7 +5,7 @@
 #include "key_table.h"
 
 /// THE table of the scene file: key, unit, field (its initialiser in scene.h is the default), allowed range, meaning.
-/// It drives the reader's checks, the defaults and the README's scene reference.
+/// It drives the reader's checks, the defaults and the scene reference of config/README.md.
 namespace drill_rig_sim
 {
 /// Bit of a kind for the columns `required` and `kinds`.

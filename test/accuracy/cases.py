@@ -69,7 +69,7 @@ def summarise(lines, out):
 
 
 def write(lines, folder):
-    """cases.csv; cases.md, all of them, and cases_by_group.md for the README."""
+    """cases.csv; cases.md, all of them, and cases_by_group.md for README.md here."""
     with open(os.path.join(folder, 'cases_by_group.md'), 'w') as out:
         summarise(lines, out)
     with open(os.path.join(folder, 'cases.csv'), 'w', newline='') as out:

@@ -12,7 +12,7 @@ VARIANTS = [
     ('no stabiliser blades (308.0 mm in the scene)', ['string[3].blade_diameter=0.2032']),
     ('stabiliser blades 311.2 mm, full gauge', ['string[3].blade_diameter=0.3112']),
     ('straight motor (bend 1.25 deg in the scene)', ['string[1].bend_deg=0']),
-    ('no film damping (5e4 N s/m in the scene)', ['string[0].squeeze_film_damping=0', 'string[3].squeeze_film_damping=0']),
+    ('no squeeze film (5e4 N s/m in the scene)', ['string[0].squeeze_film_damping=0', 'string[3].squeeze_film_damping=0']),
     ('wall ten times as stiff (5e7 N/m^1.5 in the scene)', ['contact.stiffness=5e8']),
 ]
 HEAD = ['variant', 'inclination: first metre [deg]', 'then [deg/30 m]', 'azimuth: first metre [deg]', 'then [deg/30 m]', 'WOB [kN]', 'torque [kN m]']

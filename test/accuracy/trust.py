@@ -1,4 +1,4 @@
-"""What the cases say of each subject of the README's page on trust: the largest difference among the subject's cases."""
+"""What the cases say of each subject that test/accuracy/README.md says how far to trust: the largest difference among the subject's cases."""
 import re
 
 # a subject of the page, the groups of its cases and what their names hold

@@ -1,4 +1,4 @@
-"""The verdict in words: for the terminal and for the README."""
+"""The verdict in words: for the terminal and for test/benchmark/README.md."""
 import os
 
 import reference

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The README's first controller holds its weight on bit and drills as fast as the rock allows."""
+"""The front page's first controller holds its weight on bit and drills as fast as the rock allows."""
 import threading
 import unittest
 

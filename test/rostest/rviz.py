@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What rviz shows with config/rviz/rig.rviz, opened by hand: string, wellbore and bit are to be seen. Under a virtual X server.
-The screenshot stays in the build folder as rviz.png; with UPDATE_README=1 it also becomes the README's picture."""
+The screenshot stays in the build folder as rviz.png; with UPDATE_README=1 it also becomes the front page's picture."""
 import os
 import shutil
 import subprocess

@@ -29,7 +29,7 @@ const std::vector<Axis>& axes()
   return table;
 }
 
-/// The README promises this step and shorter ones.
+/// README.md beside this promises this step and shorter ones.
 constexpr double kPromisedStep = 0.01;
 
 std::vector<std::string> settings_for(const Axis& axis, double value)

@@ -9,7 +9,7 @@ CASES = {'turns': 'turns of the top drive', 'sticking': 'sticking on a slope of 
 
 
 def kept(row):
-    """What the README promises of this row came true."""
+    """What README.md beside this promises of this row came true."""
     return row['kept'] == 'yes'
 
 

@@ -26,7 +26,7 @@ inline bool passed(Verdict v)
   return v == Verdict::passes || v == Verdict::passes_by_halving;
 }
 
-/// What the README promises of a case.
+/// What README.md beside this promises of a case.
 enum class Promise
 {
   none,
