@@ -16,7 +16,7 @@ import drill
 import measure
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-ROOMS = ('math', 'well', 'string', 'contact', 'rig', 'system')  # whose sources say what is solved; how is a matter of solve/
+ROOMS = ('math', 'well', 'string', 'contact', 'rig', 'model')  # whose sources say what is solved; how is a matter of solve/
 
 
 class Missing(Exception):

@@ -22,7 +22,7 @@ inline void append(std::vector<double>& out, const std::vector<double>& more)
 
 inline void append(std::vector<double>& out, const std::vector<Eigen::Vector3d>& more)
 {
-  for (const Eigen::Vector3d& v : more) drill_rig_sim::append(out, v);
+  for (const Eigen::Vector3d& v : more) out.insert(out.end(), v.data(), v.data() + 3);
 }
 
 /// Quantities along the string, one vector after the other.
@@ -45,8 +45,9 @@ inline std::vector<double> numbers_of_parts(const Simulator& rig)
   std::vector<double> out;
   for (const PartPose& part : parts)
   {
-    drill_rig_sim::append(out, part.position);
-    drill_rig_sim::append(out, part.orientation);
+    out.insert(out.end(), part.position.data(), part.position.data() + 3);
+    const Eigen::Vector4d turn = part.orientation.coeffs();
+    out.insert(out.end(), turn.data(), turn.data() + 4);
   }
   return out;
 }

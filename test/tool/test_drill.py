@@ -253,12 +253,6 @@ class Run(Drill):
         self.assertEqual('%.9g' % summary['final']['hook_load'], row['hook_load'])
         self.assertNotEqual(summary['final']['hook_load'], float(row['hook_load']))
 
-    def test_texts_in_the_summary_are_escaped(self):
-        name = 'a "b" \\ \t \u00e9'
-        self.succeed('run', QUICK, '--duration', '0.01', '--set', 'name=' + json.dumps(name), '--json', self.file('q.json'))
-        with open(self.file('q.json'), encoding='utf-8') as text:
-            self.assertEqual(json.load(text)['scene'], name)
-
     def test_off_bottom_means_are_null(self):
         self.succeed('run', QUICK, '--duration', '1', '--json', self.file('q.json'))
         with open(self.file('q.json')) as text:

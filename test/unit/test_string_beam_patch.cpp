@@ -17,6 +17,8 @@ namespace
 {
 const BeamSection kPipe = tube_section(9.5, 0.127, 0.1086, 206e9, 0.3);
 const BeamKind& kCorotational = find_beam(ElementKind::corotational);
+const BeamKind& kExact = find_beam(ElementKind::geometrically_exact);
+const BeamKind& kVector = find_beam(ElementKind::rotation_vector);
 
 /// Axes of a chain for an element that counts its rotation from the vertical: x down.
 Matrix3d downwards()
