@@ -1,7 +1,7 @@
 // What follows an accepted step.
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/evaluate.h"
-#include "drill_rig_sim/well/formation.h"
+#include "drill_rig_sim/model/extend_hole.h"
 
 namespace drill_rig_sim
 {
@@ -50,18 +50,8 @@ void advance_discrete(const Model& model, const Stage& stage, Workspace& work, S
   state.bit = work.result.bit;
   state.time += stage.time;
   work.profiler.lap(Cost::other);
-  const Vector3d bit_axis = x_axis(state.nodes[0].orientation);
-  state.bit.rock_velocity = stage.bit.bottom_known ? Vector3d(stage.bit.bottom_increment / stage.time)
-                                                   : rock_velocity(model, state.well, work.result.forces, bit_axis);
-  state.well.extend(stage.bit.bottom_known ? stage.bit.bottom_increment : Vector3d(stage.time * state.bit.rock_velocity), bit_axis);
+  extend_hole(model, stage, work.result.forces, state);
   work.profiler.lap(Cost::rock_penetration);
-}
-
-Vector3d rock_velocity(const Model& model, const Wellbore& well, const RigForces& forces, const Vector3d& bit_axis) noexcept
-{
-  if (forces.wob <= 0.0) return Vector3d::Zero();
-  const FormationLayer& rock = model.formation().at(-well.bottom_position().z());
-  return rock_breaking_velocity(rock, forces.rock_force, forces.bit_speed, bit_axis, model.bit().side_cutting);
 }
 
 }  // namespace drill_rig_sim

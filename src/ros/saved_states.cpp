@@ -61,7 +61,7 @@ Saved read_saved(const std::string& file, const Saved& present)
 {
   FileContent content{*present.state, *present.program, present.playing};
   if (!from_bytes(read_snapshot(file, present.state->scene), content)) throw std::runtime_error(file + ": is damaged");
-  return {std::make_shared<SimulatorState>(std::move(content.state)), content.program, content.playing, present.stamp};
+  return {std::make_shared<SimulatorState>(std::move(content.state)), content.program, content.playing, present.stamp, 0};
 }
 
 void SavedStates::keep(const std::string& name, Saved saved)
@@ -69,9 +69,13 @@ void SavedStates::keep(const std::string& name, Saved saved)
   if (name.empty() || name.size() > longest_name)
     throw std::runtime_error("name has " + std::to_string(name.size()) + " bytes; allowed is a text of 1 to " +
                              std::to_string(longest_name));
-  std::size_t memory = memory_of(*saved.state);
+  if (saved_.size() >= most_states && saved_.count(name) == 0)
+    throw std::runtime_error("there are " + std::to_string(saved_.size()) + " states; allowed are " + std::to_string(most_states) +
+                             ": delete_state frees one");
+  saved.bytes = memory_of(*saved.state);
+  std::size_t memory = saved.bytes;
   for (const auto& [other, kept] : saved_)
-    if (other != name) memory += memory_of(*kept.state);
+    if (other != name) memory += kept.bytes;
   if (memory > most_memory)
     throw std::runtime_error("the states saved would take " + std::to_string(memory >> 20) + " MiB; allowed is " +
                              std::to_string(most_memory >> 20) + " MiB: delete_state frees one of " + std::to_string(saved_.size()));
@@ -107,7 +111,7 @@ void SavedStates::list(ListStates::Response& response) const
   {
     response.names.push_back(name);
     response.stamps.push_back(to_time(saved.stamp));
-    response.bytes.push_back(memory_of(*saved.state));
+    response.bytes.push_back(saved.bytes);
   }
   response.limit = most_memory;
 }

@@ -205,7 +205,7 @@ Saved Services::present_state()
       [&](SimulationLoop& loop)
       {
         const RunningRig& rig = loop.rig();
-        saved = {rig.simulator->save(), rig.program, rig.playing, loop.time().stamp()};
+        saved = {rig.simulator->save(), rig.program, rig.playing, loop.time().stamp(), 0};
       });
   return saved;
 }

@@ -27,7 +27,7 @@ def sources_hash():
     digest = hashlib.sha256()
     for room in ROOMS:
         for folder in ('include/drill_rig_sim', 'src'):
-            for name in sorted(glob.glob(os.path.join(SOURCE, folder, room, '*'))):
+            for name in sorted(glob.glob(os.path.join(SOURCE, folder, room, '**', '*.*'), recursive=True)):
                 with open(name, 'rb') as file:
                     digest.update(file.read())
     return digest.hexdigest()[:16]

@@ -21,6 +21,7 @@ struct Saved
   std::optional<ProgramPlayer> program;
   bool playing = false;
   std::int64_t stamp = 0;  ///< when it was taken [ns]
+  std::size_t bytes = 0;   ///< memory_of(), once it is kept
 };
 
 /// Writes a snapshot with its program's place into a file (sim/snapshot_file.h). Throws std::runtime_error with one line.
@@ -33,9 +34,10 @@ class SavedStates
 {
 public:
   static constexpr std::size_t most_memory = std::size_t{256} << 20;  ///< of all together [B]
+  static constexpr std::size_t most_states = 1000;                    ///< each reserves room for a whole well beside its values
   static constexpr std::size_t longest_name = 200;                    ///< [B]
 
-  /// Keeps it in place of an earlier one of this name. Refuses an empty or long name, and where the memory does not suffice.
+  /// Keeps it in place of an earlier one of this name. Refuses an empty or long name, one more than most_states, and where the memory does not suffice.
   void keep(const std::string& name, Saved saved);
   /// Refuses a name that is not there. Valid until the next change.
   const Saved& find(const std::string& name) const;

@@ -40,6 +40,7 @@ PieceInHole lay_in_hole(const Scene& scene, double length, double bit_depth)
   PieceInHole piece{nullptr, State(Wellbore(scene.well, scene.trajectory, 0.5 * scene.string.front().bit->diameter)), {}};
   piece.model = std::make_shared<Model>(scene, build_mesh(scene, length));
   const Mesh& mesh = piece.model->mesh();
+  piece.forces.tension.assign(mesh.elements.size(), 0.0);
   piece.state.nodes.assign(mesh.nodes.size(), NodeState());
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
   {

@@ -22,7 +22,7 @@ namespace drill_rig_sim
 inline const std::array<const Force*, 10> dynamic_forces = {&beams,         &mud_drag,    &inertia,  &squeeze_film, &wall,
                                                             &bit_on_bottom, &stuck_point, &hoisting, &top_drive,    &guide_rail};
 /// Statics, inertia for continuation.
-inline const std::array<const Force*, 5> static_forces = {&beams, &inertia, &sliding_wall, &resting_bit, &held_top};
+inline const std::array<const Force*, 6> static_forces = {&beams, &inertia, &sliding_wall, &resting_bit, &stuck_point, &held_top};
 /// What has results of its own at a solution, beside the residual.
 inline const std::array<const Force*, 4> forces_with_results = {&wall, &bit_on_bottom, &hoisting, &top_drive};
 /// For those who integrate bodies themselves: on the string, and at its contacts.

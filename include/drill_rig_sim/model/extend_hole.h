@@ -1,0 +1,15 @@
+#ifndef DRILL_RIG_SIM_MODEL_EXTEND_HOLE_H
+#define DRILL_RIG_SIM_MODEL_EXTEND_HOLE_H
+
+#include "drill_rig_sim/model/stage.h"
+#include "drill_rig_sim/model/workspace.h"
+
+namespace drill_rig_sim
+{
+/// The hole at the end of a step whose nodes are committed: its bottom moves by the rock-breaking velocity at the stage's forces times the
+/// step, or by what the stage knows of it.
+void extend_hole(const Model& model, const Stage& stage, const RigForces& forces, State& state) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif
