@@ -144,7 +144,13 @@ class Lockstep(unittest.TestCase):
             self.assertFalse(refused.success)
             self.assertIn("saved are: b", refused.message)
 
+    def delete_all(self):
+        for name in self.rig.list_states().names:
+            self.rig.must(self.rig.delete_state(name))
+
     def test_snapshots_have_a_limit(self):
+        self.delete_all()
+        self.addCleanup(self.delete_all)
         answer = self.rig.save_state("0", "")
         count = 0
         while answer.success and count < 10000:
@@ -157,8 +163,6 @@ class Lockstep(unittest.TestCase):
         self.assertTrue(self.rig.save_state("0", "").success)  # in place of another
         self.rig.must(self.rig.delete_state("0"))
         self.assertTrue(self.rig.save_state("new", "").success)
-        for name in self.rig.list_states().names:
-            self.rig.must(self.rig.delete_state(name))
 
     def test_a_file_brings_the_rig_back(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -6,7 +6,7 @@ import tempfile
 import threading
 
 import roslib.packages
-import rosnode
+import rosgraph
 from diagnostic_msgs.msg import DiagnosticArray
 from drill_rig_sim.msg import RigLimits
 from rig_test import PATIENCE, Collector, Rig, rospy, run, time, unittest, wait_until
@@ -47,7 +47,8 @@ class Process(unittest.TestCase):
         return node
 
     def on_master(self, node):
-        return node.name in rosnode.get_node_names()
+        groups = rosgraph.Master(rospy.get_name()).getSystemState()
+        return any(node.name in nodes for group in groups for _, nodes in group)
 
     def ends_cleanly(self, node, how):
         self.assertEqual(0, node.end(how), node.said())
