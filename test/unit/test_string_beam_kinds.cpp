@@ -6,9 +6,9 @@
 #include <random>
 
 #include "beam_ends.h"
+#include "beam_kinds.h"
 #include "beam_problems.h"
 #include "drill_rig_sim/scene/read_scene.h"
-#include "drill_rig_sim/string/rotation_vector_beam.h"
 
 using namespace drill_rig_sim;
 using Eigen::AngleAxisd;
@@ -18,17 +18,6 @@ using Eigen::Vector3d;
 
 namespace
 {
-const BeamSection kPipe = tube_section(9.5, 0.127, 0.1086, 206e9, 0.3);
-const BeamKind& kCorotational = find_beam(ElementKind::corotational);
-const BeamKind& kExact = find_beam(ElementKind::geometrically_exact);
-const BeamKind& kVector = find_beam(ElementKind::rotation_vector);
-
-/// Axes of a chain for an element that counts its rotation from the vertical: x down.
-Matrix3d downwards()
-{
-  return Matrix3d(ground_axes());
-}
-
 Quaterniond turn_about(const Vector3d& axis, double angle)
 {
   return Quaterniond(AngleAxisd(angle, axis.normalized()));
