@@ -19,7 +19,7 @@ LONGEST_WAIT = 1800.0  # simulated seconds to wait for the bit to come near bott
 
 
 class Rig:
-    """The last state that the rig sent, and what was seen since mark()."""
+    """The last true state that the rig sent, and what was seen since mark(): a demo shows what no gauge sees."""
 
     def __init__(self, namespace):
         self.lock = threading.Lock()
@@ -28,7 +28,7 @@ class Rig:
         self.mark()
         self.set_speed = rospy.ServiceProxy(namespace + "/set_speed", SetSpeed)
         self.tare = rospy.ServiceProxy(namespace + "/tare", Trigger)
-        rospy.Subscriber(namespace + "/rig_state", RigState, self.take, queue_size=100)
+        rospy.Subscriber(namespace + "/truth/rig_state", RigState, self.take, queue_size=100)
 
     def take(self, state):
         with self.lock:

@@ -71,7 +71,7 @@ namespace
 {
 void copy_setpoints(const FrameRecord& frame, RigState& m)
 {
-  const Setpoints& s = frame.measurements.setpoints;
+  const Setpoints& s = frame.truth.setpoints;
   m.last_command = to_time(frame.last_command);
   m.winch.header.stamp = to_time(frame.accepted[0]);
   m.winch.block_velocity = s.winch.block_velocity;
@@ -85,14 +85,30 @@ void copy_setpoints(const FrameRecord& frame, RigState& m)
   m.mud_pump.header.stamp = to_time(frame.accepted[2]);
   m.mud_pump.flow = s.pump.flow;
 }
+
+std::uint8_t to_run_state(RunState state)
+{
+  switch (state)
+  {
+    case RunState::running:
+      return RigState::RUNNING;
+    case RunState::paused:
+      return RigState::PAUSED;
+    case RunState::waiting:
+      return RigState::WAITING;
+    case RunState::failed:
+      return RigState::FAILED;
+  }
+  return RigState::FAILED;
+}
 }  // namespace
 
-RigState to_rig_state(const FrameRecord& frame, const std::string& frame_id)
+RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const std::string& frame_id)
 {
-  const Measurements& from = frame.measurements;
   RigState m;
   m.header.stamp = to_time(frame.stamp);
   m.header.frame_id = frame_id;
+  m.run_state = to_run_state(frame.run_state);
   m.hook_load = from.hook_load;
   m.dead_line_hook_load = from.dead_line_hook_load;
   m.hook_load_string = from.hook_load_string;

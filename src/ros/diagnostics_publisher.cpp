@@ -100,7 +100,7 @@ DiagnosticsPublisher::Status DiagnosticsPublisher::time_status(const FrameRecord
   const std::string trouble = clock_trouble_();
   if (!trouble.empty()) s.mergeSummary(DiagnosticStatus::WARN, trouble);
   s.add("state", word(frame.run_state));
-  s.add("simulated_time", frame.measurements.time);
+  s.add("simulated_time", frame.truth.time);
   const auto factor = factor_.update(frame.loop.ticked_seconds, frame.run_state, steady_now());
   if (factor) s.add("real_time_factor", *factor);
   s.add("speed", frame.loop.speed);
@@ -138,10 +138,10 @@ DiagnosticsPublisher::Status DiagnosticsPublisher::command_status(const FrameRec
 {
   Status s = status("commands", "obeyed");
   const std::uint64_t refused = frame.physics.commands_refused, clamped = frame.physics.commands_clamped;
-  if (frame.measurements.commands_timed_out)
+  if (frame.truth.commands_timed_out)
     s.mergeSummary(DiagnosticStatus::WARN, "the command stream stopped: brake set, drive coasts");
   if (refused > refused_before_) s.mergeSummary(DiagnosticStatus::WARN, std::string("refused: ") + frame.last_refusal);
-  if (clamped > clamped_before_ || frame.measurements.command_clamped)
+  if (clamped > clamped_before_ || frame.truth.command_clamped)
     s.mergeSummary(DiagnosticStatus::WARN, std::string("beyond a limit: ") + frame.last_clamp);
   refused_before_ = refused;
   clamped_before_ = clamped;

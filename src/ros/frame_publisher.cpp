@@ -41,7 +41,7 @@ void FramePublisher::publish(const FrameOutput& s)
   if (!s.tf_due) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   const ros::Time stamp = to_time(s.frame.stamp);
-  const Measurements& m = s.frame.measurements;
+  const Truth& m = s.frame.truth;
   const Eigen::Vector3d block = m.block_height * Eigen::Vector3d::UnitZ();
   count_ = 0;
   set_transform(next(stamp, "traveling_block"), block, Eigen::Quaterniond::Identity());

@@ -176,7 +176,7 @@ Marker MarkerPublisher::force_marker(const FrameOutput& s) const
 Marker MarkerPublisher::block_marker(const FrameOutput& s) const
 {
   Marker m = marker(s, "traveling_block", Marker::CUBE);
-  m.pose.position.z = s.frame.measurements.block_height + 2.0;
+  m.pose.position.z = s.frame.truth.block_height + 2.0;
   m.scale.x = m.scale.y = m.scale.z = 4.0;
   m.color = block_color;
   return m;

@@ -238,7 +238,7 @@ std::string Services::inject_fault(const InjectFault::Request& request)
       [&](SimulationLoop& loop)
       {
         Simulator& simulator = *loop.rig().simulator;
-        const double bit = simulator.measurements().bit_depth;
+        const double bit = simulator.truth().bit_depth;
         if (request.clear)
           simulator.free_pipe();
         else if (!(request.depth > 0.0 && request.depth <= bit) || !simulator.stick_pipe(request.depth))
@@ -294,7 +294,7 @@ std::string Services::step(const StepSimulation::Request& request, RigState& sta
   const FrameRecord last = publishing_.last();
   lock.lock();
   step_under_way_ = false;
-  state = to_rig_state(last, parameters_.frame_prefix + "rig_floor");
+  state = to_rig_state(last.readings, last, parameters_.frame_prefix + "rig_floor");
   const std::string frames = " (" + std::to_string(result.frames) + " of " + std::to_string(request.frames) + " frames)";
   switch (result.end)
   {

@@ -110,11 +110,14 @@ void SimulationLoop::one_frame(std::int64_t now) noexcept
   count_frame_time(steady_now() - now);
 
   if (!rig_.failed) time_.tick();
+  if (stepping_)
+  {
+    --frames_to_go_;
+    ++step_.frames;
+  }
   hand_over({!rig_.failed, rig_.failed, !announced_});
-  if (!stepping_) return;
-  --frames_to_go_;
-  ++step_.frames;
-  if (rig_.failed || frames_to_go_ == 0) end_step(rig_.failed ? StepResult::End::failed : StepResult::End::complete);
+  if (stepping_ && (rig_.failed || frames_to_go_ == 0))
+    end_step(rig_.failed ? StepResult::End::failed : StepResult::End::complete);
 }
 
 void SimulationLoop::take_commands() noexcept
@@ -196,10 +199,12 @@ void SimulationLoop::note_due(FrameOutput& s, const Occasion& occasion) noexcept
 {
   const std::int64_t simulated = time_.stamp();
   const std::int64_t shown = time_.in_lockstep() ? simulated : steady_now();
-  const double depth = rig_.simulator->measurements().hole_depth;
+  const double depth = rig_.simulator->truth().hole_depth;
   s.new_stamp = occasion.new_stamp;
   s.rebuilt = occasion.rebuilt;
   s.state_due = s.new_stamp && (state_cadence_.due(simulated) || occasion.rebuilt);
+  s.run_state_changed = !s.new_stamp && announced_ && run_state() != run_state_said_;
+  if (s.state_due || s.run_state_changed) run_state_said_ = run_state();
   s.profile_due = s.new_stamp && profile_cadence_.due(simulated) && subscriptions_.profile;
   s.tf_due = s.new_stamp && (tf_cadence_.due(shown) || occasion.rebuilt);
   s.markers_due = (marker_cadence_.due(shown) || occasion.whole_picture) && subscriptions_.markers;
@@ -211,7 +216,8 @@ void SimulationLoop::fill_record(FrameRecord& record) const noexcept
 {
   record.stamp = time_.stamp();
   record.run_state = run_state();
-  record.measurements = rig_.simulator->measurements();
+  record.truth = rig_.simulator->truth();
+  record.readings = rig_.simulator->readings();
   record.rig = rig_.simulator->scene().rig;
   record.last_command = rig_.last_command;
   record.accepted = rig_.accepted;
@@ -256,7 +262,7 @@ void SimulationLoop::fill_arrays(FrameOutput& s) noexcept
 RunState SimulationLoop::run_state() const noexcept
 {
   if (rig_.failed) return RunState::failed;
-  if (time_.in_lockstep()) return stepping_ ? RunState::running : RunState::waiting;
+  if (time_.in_lockstep()) return frames_to_go_ > 0 ? RunState::running : RunState::waiting;
   return paused_ ? RunState::paused : RunState::running;
 }
 
@@ -264,7 +270,7 @@ void SimulationLoop::set_paused(bool paused) noexcept
 {
   paused_ = paused;
   time_.restart(steady_now());
-  hand_over({false, false, false});  // for the diagnostics
+  hand_over({false, false, false});  // for the diagnostics and rig_state's run_state
 }
 
 std::unique_ptr<Simulator> SimulationLoop::replace(std::unique_ptr<Simulator> simulator)
@@ -319,6 +325,8 @@ StepResult SimulationLoop::wait_for_step() noexcept
 bool SimulationLoop::end_step_early() noexcept
 {
   if (!stepping_) return false;
+  frames_to_go_ = 0;
+  hand_over({false, false, false});  // for rig_state's run_state
   end_step(StepResult::End::ended_early);
   return true;
 }

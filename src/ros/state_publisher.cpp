@@ -30,6 +30,7 @@ StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& paramete
       hook_load_(node.advertise<std_msgs::Float64>("hook_load", queue)),
       torque_(node.advertise<std_msgs::Float64>("torque", queue)),
       rig_state_(node.advertise<RigState>("rig_state", queue)),
+      true_rig_state_(node.advertise<RigState>("truth/rig_state", queue)),
       rig_limits_(node.advertise<RigLimits>("rig_limits", queue, true)),
       joint_states_(node.advertise<sensor_msgs::JointState>("joint_states", queue)),
       bit_pose_(node.advertise<geometry_msgs::PoseStamped>("bit/pose", queue)),
@@ -53,6 +54,11 @@ void StatePublisher::publish(const FrameOutput& s)
     rig_limits_.publish(to_rig_limits(s.frame.rig, header));
     last_survey_ = last_toolface_ = 0;
   }
+  if (s.state_due || s.run_state_changed)
+  {
+    rig_state_.publish(to_rig_state(s.frame.readings, s.frame, floor_));
+    true_rig_state_.publish(to_rig_state(s.frame.truth, s.frame, floor_));
+  }
   if (s.state_due)
   {
     publish_rig(s);
@@ -64,10 +70,9 @@ void StatePublisher::publish(const FrameOutput& s)
 
 void StatePublisher::publish_rig(const FrameOutput& s)
 {
-  const Measurements& m = s.frame.measurements;
+  const Readings& m = s.frame.readings;
   hook_load_.publish(number(m.hook_load));
   torque_.publish(number(m.torque));
-  rig_state_.publish(to_rig_state(s.frame, floor_));
 
   sensor_msgs::JointState joints;
   joints.header.stamp = to_time(s.frame.stamp);
@@ -80,7 +85,7 @@ void StatePublisher::publish_rig(const FrameOutput& s)
 
 void StatePublisher::publish_bit(const FrameOutput& s)
 {
-  const Measurements& m = s.frame.measurements;
+  const Truth& m = s.frame.truth;
   geometry_msgs::PoseStamped pose;
   pose.header.stamp = to_time(s.frame.stamp);
   pose.header.frame_id = floor_;
@@ -103,12 +108,12 @@ void StatePublisher::publish_bit(const FrameOutput& s)
 
 ros::Time StatePublisher::measured_at(const FrameRecord& frame, double time) const
 {
-  return to_time(frame.stamp) - ros::Duration(frame.measurements.time - time);
+  return to_time(frame.stamp) - ros::Duration(frame.readings.time - time);
 }
 
 void StatePublisher::publish_telemetry(const FrameOutput& s)
 {
-  const MwdReading& survey = s.frame.measurements.mwd;
+  const MwdReading& survey = s.frame.readings.mwd;
   if (survey.sequence > last_survey_)
   {
     MwdSurvey m;
@@ -120,7 +125,7 @@ void StatePublisher::publish_telemetry(const FrameOutput& s)
     mwd_.publish(m);
   }
   last_survey_ = survey.sequence;  // a restored state may have gone back
-  const ToolfaceReading& toolface = s.frame.measurements.toolface;
+  const ToolfaceReading& toolface = s.frame.readings.toolface;
   if (toolface.sequence > last_toolface_)
   {
     MwdToolface m;

@@ -261,9 +261,11 @@ private:
        [&](const YAML::Node& n, const std::string& p)
        {
          const Entries gauges = read_block(n, p, surface_keys, every_kind, instruments, problems_);
-         read_one(gauges, p, "hook_load", sensor_keys, instruments.hook_load);
+         read_one(gauges, p, "hook_load", hook_load_keys, instruments.hook_load);
          read_one(gauges, p, "torque", sensor_keys, instruments.torque);
          read_one(gauges, p, "stand_pipe_pressure", sensor_keys, instruments.stand_pipe_pressure);
+         read_one(gauges, p, "flow", sensor_keys, instruments.flow);
+         read_one(gauges, p, "block_height", sensor_keys, instruments.block_height);
        });
   }
 

@@ -8,6 +8,7 @@ const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybri
 const std::vector<const char*> integrator_words = {"auto",   "bdf2",              "implicit_euler", "linearly_implicit_euler",
                                                    "trbdf2", "generalised_alpha", "explicit",       "arkode_dirk",
                                                    "ida"};
+const std::vector<const char*> hook_load_place_words = {"block", "dead_line"};
 const std::vector<const char*> element_words = {"auto", "corotational", "geometrically_exact", "rotation_vector"};
 
 namespace
@@ -33,9 +34,29 @@ constexpr unsigned stribeck = kind(BitTorqueModel::stribeck), detournay = kind(B
 constexpr unsigned must = every_kind;
 constexpr Range turn = between(-360.0, 360.0);
 constexpr Range none{};
-}  // namespace
 
 // clang-format off
+/// What every gauge has; of Spec, because a gauge may have more.
+template <class Spec>
+std::vector<Key<Spec>> gauge_rows()
+{
+  return {
+  {"noise",                 "signal", &Spec::noise,                        between(0.0, 1e9),    "standard deviation"},
+  {"bias",                  "signal", &Spec::bias,                         between(-1e9, 1e9),   "constant error"},
+  {"delay",                 "s",      &Spec::delay,                        between(0.0, 60.0),   "dead time"},
+  {"filter_time",           "s",      &Spec::filter_time,                  between(0.0, 60.0),   "first-order time constant"},
+  {"resolution",            "signal", &Spec::resolution,                   between(0.0, 1e9),    "steps in which it shows; 0: none"},
+  };
+}
+
+template <class Spec>
+std::vector<Key<Spec>> joined(std::vector<Key<Spec>> first, const std::vector<Key<Spec>>& then)
+{
+  first.insert(first.end(), then.begin(), then.end());
+  return first;
+}
+}  // namespace
+
 const Table<Scene> scene_keys = {"", "The scene file's top level.", {
   // key                    unit      field                                allowed               meaning
   {"name",                  "",       &Scene::name,                        none,                 "what the scene is called; letters, digits and _", must},
@@ -242,17 +263,20 @@ const Table<ToolfaceSpec> toolface_keys = {"instruments.toolface", "Toolface sen
 }};
 
 const Table<InstrumentsSpec> surface_keys = {"instruments.surface", "Gauges of the rig.", {
-  {"hook_load",             "N",      Nested{},                            none,                 "sensor at the dead line"},
+  {"hook_load",             "N",      Nested{},                            none,                 "load cell"},
   {"torque",                "N m",    Nested{},                            none,                 "torque meter"},
   {"stand_pipe_pressure",   "Pa",     Nested{},                            none,                 "pressure gauge"},
+  {"flow",                  "m3/s",   Nested{},                            none,                 "flow meter"},
+  {"block_height",          "m",      Nested{},                            none,                 "drawworks encoder; bit depth, hole depth and rate of penetration are worked out from it"},
 }};
 
-const Table<SensorSpec> sensor_keys = {"instruments.surface.*", "One gauge, in the unit of its signal.", {
-  {"noise",                 "signal", &SensorSpec::noise,                  between(0.0, 1e9),    "standard deviation"},
-  {"bias",                  "signal", &SensorSpec::bias,                   between(-1e9, 1e9),   "constant error"},
-  {"delay",                 "s",      &SensorSpec::delay,                  between(0.0, 60.0),   "dead time"},
-  {"filter_time",           "s",      &SensorSpec::filter_time,            between(0.0, 60.0),   "first-order time constant"},
-}};
+const Table<HookLoadSpec> hook_load_keys = {"instruments.surface.hook_load", "What `hook_load` of `rig_state` is read from.", joined<HookLoadSpec>({
+  {"place",                 "",       Choice<HookLoadSpec>{hook_load_place_words, [](HookLoadSpec& h, int word) { h.place = static_cast<HookLoadPlace>(word); },
+                                               [](const HookLoadSpec& h) { return static_cast<int>(h.place); }},
+                                                                           none,                 "dead_line: the anchor's sensor, the sheaves' friction is in its signal; block: the load itself"},
+}, gauge_rows<HookLoadSpec>())};
+
+const Table<SensorSpec> sensor_keys = {"instruments.surface.*", "Any gauge, in the unit of its signal.", gauge_rows<SensorSpec>()};
 
 const Table<ProgramStep> program_keys = {"program[]", "Set points at a simulated time; a key that is left out leaves its set point alone.", {
   {"at",                    "s",      &ProgramStep::at,                    between(0.0, 1e7),    "simulated time, ascending", must},

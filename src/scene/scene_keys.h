@@ -21,6 +21,7 @@ extern const std::vector<const char*> bit_torque_words;
 extern const std::vector<const char*> level_words;
 extern const std::vector<const char*> integrator_words;
 extern const std::vector<const char*> element_words;
+extern const std::vector<const char*> hook_load_place_words;
 
 extern const Table<Scene> scene_keys;
 extern const Table<WellSpec> well_keys;
@@ -43,6 +44,7 @@ extern const Table<InstrumentsSpec> instruments_keys;
 extern const Table<MwdSpec> mwd_keys;
 extern const Table<ToolfaceSpec> toolface_keys;
 extern const Table<InstrumentsSpec> surface_keys;
+extern const Table<HookLoadSpec> hook_load_keys;
 extern const Table<SensorSpec> sensor_keys;
 extern const Table<ProgramStep> program_keys;
 

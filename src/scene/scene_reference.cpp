@@ -84,6 +84,7 @@ std::string scene_reference()
   write(out, mwd_keys);
   write(out, toolface_keys);
   write(out, surface_keys);
+  write(out, hook_load_keys);
   write(out, sensor_keys);
   write(out, program_keys);
   return out.str();

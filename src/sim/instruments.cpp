@@ -1,149 +1,95 @@
 #include "drill_rig_sim/sim/instruments.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim
 {
-namespace
+double RateMeter::rate(double depth, double time) noexcept
 {
-constexpr double kFlowing = 1e-4;  // [m3/s]
-
-double rounded(double value, double resolution) noexcept
-{
-  return resolution > 0.0 ? resolution * std::round(value / resolution) : value;
-}
-
-double turned_to_circle(double azimuth) noexcept
-{
-  const double a = std::fmod(azimuth, 2.0 * pi);
-  return a < 0.0 ? a + 2.0 * pi : a;
-}
-}  // namespace
-
-double NoiseSource::uniform() noexcept
-{
-  // splitmix64 (Steele, Lea and Flood 2014)
-  std::uint64_t z = (state += 0x9e3779b97f4a7c15ULL);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  z ^= z >> 31;
-  return (static_cast<double>(z >> 11) + 0.5) / 9007199254740992.0;
-}
-
-double NoiseSource::normal() noexcept
-{
-  const double radius = std::sqrt(-2.0 * std::log(uniform()));
-  return radius * std::cos(2.0 * pi * uniform());
-}
-
-Sensor::Sensor(const SensorSpec& spec, double interval) : spec_(spec)
-{
-  line_.resize(static_cast<std::size_t>(spec.delay / interval) + 2);
-}
-
-double Sensor::read(double truth, double time, NoiseSource& noise) noexcept
-{
-  line_[next_] = {time, truth};
-  next_ = (next_ + 1) % line_.size();
-  held_ = std::min(held_ + 1, line_.size());
-  // the newest sample that is old enough; until one is, the oldest there is
-  double delayed = truth;
-  for (std::size_t back = 1; back <= held_; ++back)
+  constexpr double rounding = 1e-9;  // of sums of steps [s]
+  if (held_ == 0 || time >= samples_[newest_].time + spacing - rounding)
   {
-    const Sample& sample = line_[(next_ + line_.size() - back) % line_.size()];
-    delayed = sample.value;
-    if (sample.time <= time - spec_.delay + 1e-9) break;
+    newest_ = (newest_ + 1) % size;
+    samples_[newest_] = {time, depth};
+    held_ = std::min(held_ + 1, size);
   }
-  const double elapsed = started_ ? time - last_time_ : 0.0;
-  filtered_ = started_ ? delayed + (filtered_ - delayed) * std::exp(-elapsed / std::max(spec_.filter_time, 1e-12)) : delayed;
-  started_ = true;
-  last_time_ = time;
-  return filtered_ + spec_.bias + (spec_.noise > 0.0 ? spec_.noise * noise.normal() : 0.0);
+  const Sample& oldest = samples_[(newest_ + size + 1 - held_) % size];
+  return time > oldest.time ? (depth - oldest.depth) / (time - oldest.time) : 0.0;
 }
 
-void Sensor::shift_time(double shift) noexcept
+void RateMeter::shift_time(double shift) noexcept
 {
-  for (Sample& sample : line_) sample.time += shift;
-  last_time_ += shift;
+  for (Sample& sample : samples_) sample.time += shift;
 }
 
-template <class Reading>
-void Mwd::Queue<Reading>::push(const Reading& r) noexcept
+Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_t seed)
+  : place_(scene.instruments.hook_load.place), block_weight_(standard_gravity * scene.rig.hoisting.block_mass)
 {
-  if (count == entry.size()) return;  // telemetry is saturated: the reading is lost, as downhole
-  entry[(first + count++) % entry.size()] = r;
+  const InstrumentsSpec& spec = scene.instruments;
+  std::uint64_t index = 0;
+  const auto gauge = [&](const SensorSpec& s) { return Sensor(s, scene.numerics.step, NoiseSource::of(seed, index++)); };
+  block_load_ = gauge(spec.hook_load);
+  dead_line_ = gauge(spec.hook_load);
+  torque_ = gauge(spec.torque);
+  stand_pipe_pressure_ = gauge(spec.stand_pipe_pressure);
+  flow_ = gauge(spec.flow);
+  block_height_ = gauge(spec.block_height);
+  mwd_ = Mwd(spec.mwd, spec.toolface, NoiseSource::of(seed, index++));
+  tally_ = at_start.bit_depth + at_start.block_height;
+  hole_depth_ = at_start.hole_depth;
 }
 
-template <class Reading>
-bool Mwd::Queue<Reading>::pop_before(double time, Reading& r) noexcept
+void Instruments::read(const Truth& truth, const SensorView& view, Readings& readings) noexcept
 {
-  if (count == 0 || entry[first].time > time) return false;
-  r = entry[first];
-  first = (first + 1) % entry.size();
-  --count;
-  return true;
+  static_cast<RigSignals&>(readings) = truth;
+  read_gauges(truth, readings);
+  work_out_weights(readings);
+  work_out_depths(readings);
+  readings.on_bottom = readings.motor_stalled = false;
+  mwd_.update(truth.time, truth.flow, view, readings.mwd, readings.toolface);
 }
 
-Mwd::Mwd(const MwdSpec& survey, const ToolfaceSpec& toolface) : survey_(survey), toolface_(toolface) {}
-
-void Mwd::shift_time(double shift) noexcept
+void Instruments::read_gauges(const Truth& truth, Readings& readings) noexcept
 {
-  for (MwdReading& r : surveys_.entry) r.time += shift;
-  for (ToolfaceReading& r : toolfaces_.entry) r.time += shift;
-  next_survey_ += shift;
-  next_toolface_ += shift;
+  readings.dead_line_hook_load = dead_line_.read(truth.dead_line_hook_load, truth.time);
+  const double at_block = block_load_.read(truth.hook_load, truth.time);
+  readings.hook_load = place_ == HookLoadPlace::block ? at_block : readings.dead_line_hook_load;
+  readings.torque = torque_.read(truth.torque, truth.time);
+  readings.stand_pipe_pressure = stand_pipe_pressure_.read(truth.stand_pipe_pressure, truth.time);
+  readings.flow = flow_.read(truth.flow, truth.time);
+  readings.block_height = block_height_.read(truth.block_height, truth.time);
 }
 
-MwdReading Mwd::measure(double time, const SensorView& view, NoiseSource& noise) const noexcept
+void Instruments::work_out_weights(Readings& readings) const noexcept
 {
-  MwdReading r;
-  r.time = time;
-  r.md = view.md;
-  r.inclination = inclination_of(view.axis);
-  r.azimuth = azimuth_of(view.axis);
-  if (survey_.noise > 0.0)
-  {
-    r.inclination += survey_.noise * noise.normal();
-    r.azimuth += survey_.noise * noise.normal();
-  }
-  r.inclination = std::abs(rounded(r.inclination, survey_.inclination_resolution));
-  r.azimuth = turned_to_circle(r.azimuth);
-  return r;
+  readings.tared = tared_;
+  readings.hook_load_string = readings.hook_load - block_weight_;
+  readings.surface_wob = tared_ ? tare_hook_load_ - readings.hook_load : 0.0;
+  readings.differential_pressure = tared_ ? readings.stand_pipe_pressure - tare_pressure_ : 0.0;
 }
 
-void Mwd::update(double time, double flow, const SensorView& view, NoiseSource& noise, MwdReading& survey,
-                 ToolfaceReading& toolface) noexcept
+void Instruments::work_out_depths(Readings& readings) noexcept
 {
-  const bool flowing = flow > kFlowing;
-  const bool pumps_on = flowing && !flowing_;
-  flowing_ = flowing;
-  const bool by_period = survey_.period > 0.0 && flowing && time >= next_survey_;
-  if (by_period || (survey_.period <= 0.0 && pumps_on))
-  {
-    MwdReading r = measure(time, view, noise);
-    r.sequence = ++survey_count_;
-    surveys_.push(r);
-    next_survey_ = time + survey_.period;
-  }
-  if (flowing && time >= next_toolface_)
-  {
-    const ToolfaceReference reference = toolface_reference(view.axis, magnetic_);
-    magnetic_ = reference.magnetic;
-    ToolfaceReading r;
-    r.sequence = ++toolface_count_;
-    r.time = time;
-    r.magnetic = reference.magnetic;
-    const double noisy = survey_.noise > 0.0 ? survey_.noise * noise.normal() : 0.0;
-    r.toolface = std::remainder(angle_about(view.axis, reference.direction, view.scribe) + survey_.scribe_offset + noisy, 2.0 * pi);
-    toolfaces_.push(r);
-    next_toolface_ = time + toolface_.period;
-  }
-  surveys_.pop_before(time - survey_.latency + 1e-9, survey);
-  toolfaces_.pop_before(time - toolface_.latency + 1e-9, toolface);
+  readings.bit_depth = tally_ - readings.block_height;
+  readings.hole_depth = hole_depth_ = std::max(hole_depth_, readings.bit_depth);
+  readings.rop = rop_.rate(readings.hole_depth, readings.time);
+}
+
+void Instruments::tare(Readings& readings) noexcept
+{
+  tared_ = true;
+  tare_hook_load_ = readings.hook_load;
+  tare_pressure_ = readings.stand_pipe_pressure;
+  work_out_weights(readings);
+}
+
+void Instruments::shift_time(double shift) noexcept
+{
+  for (Sensor* gauge : {&block_load_, &dead_line_, &torque_, &stand_pipe_pressure_, &flow_, &block_height_}) gauge->shift_time(shift);
+  mwd_.shift_time(shift);
+  rop_.shift_time(shift);
 }
 
 }  // namespace drill_rig_sim

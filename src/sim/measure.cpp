@@ -1,4 +1,4 @@
-// From the state to what is measured of it.
+// From the state to the truth.
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
@@ -18,16 +18,11 @@ void Simulator::Impl::measure() noexcept
 {
   measure_rig();
   measure_bit();
-  Measurements& m = state.measurements;
-  state.mwd.update(m.time, mechanics().flow, sensor_view(), state.noise, m.mwd, m.toolface);
-  m.dead_line_hook_load = state.hook_load_sensor.read(m.dead_line_hook_load, m.time, state.noise);
-  m.torque = state.torque_sensor.read(m.torque, m.time, state.noise);
-  m.stand_pipe_pressure = state.pressure_sensor.read(m.stand_pipe_pressure, m.time, state.noise);
 }
 
 void Simulator::Impl::measure_rig() noexcept
 {
-  Measurements& m = state.measurements;
+  Truth& m = state.truth;
   const State& s = mechanics();
   const NodeState& top = s.nodes.back();
   const HoistingSpec& hoisting = scene.rig.hoisting;
@@ -57,7 +52,7 @@ void Simulator::Impl::measure_rig() noexcept
 
 void Simulator::Impl::measure_bit() noexcept
 {
-  Measurements& m = state.measurements;
+  Truth& m = state.truth;
   const State& s = mechanics();
   const NodeState& bit = s.nodes.front();
   const Vector3d axis = x_axis(bit.orientation);
@@ -86,7 +81,7 @@ SensorView Simulator::Impl::sensor_view() const noexcept
   const Between at = find_between(mesh, mesh.sensor_from_bit >= 0.0 ? mesh.sensor_from_bit : 0.0);
   const Quaterniond& upper = state.mechanics.nodes[at.lower + 1].orientation;
   const Quaterniond q = state.mechanics.nodes[at.lower].orientation.slerp(at.share, upper);
-  view.md = state.measurements.bit_depth - std::max(mesh.sensor_from_bit, 0.0);
+  view.md = state.truth.bit_depth - std::max(mesh.sensor_from_bit, 0.0);
   view.axis = x_axis(q);
   view.scribe = y_axis(q);
   return view;

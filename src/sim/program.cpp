@@ -19,7 +19,7 @@ bool is_set(double value) noexcept
 
 void apply_step(const ProgramStep& step, Simulator& simulator) noexcept
 {
-  const Setpoints& now = simulator.measurements().setpoints;
+  const Setpoints& now = simulator.truth().setpoints;
   if (is_set(step.block_velocity) || is_set(step.brake))
   {
     WinchSetpoint winch = now.winch;
@@ -51,7 +51,7 @@ ProgramPlayer::ProgramPlayer(std::vector<ProgramStep> steps) : steps_(std::move(
 
 void ProgramPlayer::apply(Simulator& simulator) noexcept
 {
-  const double now = simulator.measurements().time;
+  const double now = simulator.truth().time;
   for (; next_ < steps_.size() && steps_[next_].at <= now + rounding; ++next_) apply_step(steps_[next_], simulator);
 }
 

@@ -17,10 +17,10 @@ double frame_of_whole_steps(double length, double step) noexcept
 }
 
 RunEnd run(Simulator& simulator, ProgramPlayer& program, const RunGoal& goal, double frame_length,
-           const std::function<void(const Measurements&)>& after_frame)
+           const std::function<void(const Truth&)>& after_frame)
 {
   const double frame = frame_of_whole_steps(frame_length, simulator.scene().numerics.step);
-  const Measurements& m = simulator.measurements();
+  const Truth& m = simulator.truth();
   // half a frame: the sums of many steps miss the end by rounding
   const double last_start = m.time + goal.duration - 0.5 * frame;
   while (m.hole_depth < goal.depth)

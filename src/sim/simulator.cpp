@@ -26,12 +26,6 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
     integrator(make_integrator(scene.numerics.integrator, model, state.mechanics))
 {
   state.scene = scene_hash(scene);
-  state.noise.state = seed;
-  const InstrumentsSpec& spec = scene.instruments;
-  state.hook_load_sensor = Sensor(spec.hook_load, scene.numerics.step);
-  state.torque_sensor = Sensor(spec.torque, scene.numerics.step);
-  state.pressure_sensor = Sensor(spec.stand_pipe_pressure, scene.numerics.step);
-  state.mwd = Mwd(spec.mwd, spec.toolface);
   for (const PartSpec& part : scene.string)
     if (part.motor) motor = &*part.motor;
   statistics.nodes = model->nodes();
@@ -42,6 +36,8 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   state.forces.meter_torque = rig.statics.top_torque;
   measure();
+  state.instruments = Instruments(scene, state.truth, seed);
+  state.instruments.read(state.truth, sensor_view(), state.readings);
 }
 
 Simulator::Simulator(const Scene& scene, std::uint64_t seed) : impl_(std::make_unique<Impl>(scene, seed)) {}
@@ -85,7 +81,7 @@ FrameStatus Simulator::frame(double duration) noexcept
   drill_rig_sim::watch_commands(impl_->command_timeout, impl_->mechanics().time, impl_->state.commands);
   const int steps = std::max(1, static_cast<int>(std::lround(duration / impl_->scene.numerics.step)));
   State& mechanics = impl_->mechanics();
-  double drilled = 0.0;
+  const double hole_depth = mechanics.well.hole_depth();
   for (int k = 0; k < steps; ++k)
   {
     mechanics.flow = impl_->state.commands.setpoints.pump.flow;
@@ -94,10 +90,9 @@ FrameStatus Simulator::frame(double duration) noexcept
       impl_->failure = impl_->integrator->failure();
       return FrameStatus::failed;
     }
-    drilled += mechanics.bit.rock_velocity.norm() * duration / steps;
   }
   impl_->state.forces = impl_->integrator->find_forces(mechanics);
-  impl_->state.measurements.rop = drilled / duration;
+  impl_->state.truth.rop = (mechanics.well.hole_depth() - hole_depth) / duration;
   ++impl_->statistics.frames;
   const StepperCounters& counters = impl_->integrator->counters();
   impl_->statistics.steps = counters.steps;
@@ -112,6 +107,7 @@ FrameStatus Simulator::frame(double duration) noexcept
   }
   impl_->statistics.last_error_estimate = impl_->integrator->error_estimate();
   impl_->measure();
+  impl_->state.instruments.read(impl_->state.truth, impl_->sensor_view(), impl_->state.readings);
   impl_->integrator->profiler().lap(Cost::other);
   impl_->statistics.costs = impl_->integrator->profiler();
   return FrameStatus::running;
@@ -139,9 +135,14 @@ const char* Simulator::failure() const noexcept
   return impl_->failure;
 }
 
-const Measurements& Simulator::measurements() const noexcept
+const Truth& Simulator::truth() const noexcept
 {
-  return impl_->state.measurements;
+  return impl_->state.truth;
+}
+
+const Readings& Simulator::readings() const noexcept
+{
+  return impl_->state.readings;
 }
 
 const Wellbore& Simulator::wellbore() const noexcept
@@ -167,11 +168,12 @@ const Scene& Simulator::scene() const noexcept
 bool Simulator::tare() noexcept
 {
   SimulatorState& state = impl_->state;
-  if (state.measurements.on_bottom) return false;
+  if (state.truth.on_bottom) return false;
   state.tared = true;
   state.tare_hook_load = state.forces.hook_load;
-  state.tare_pressure += state.measurements.differential_pressure;
+  state.tare_pressure += state.truth.differential_pressure;
   impl_->measure_rig();
+  state.instruments.tare(state.readings);
   return true;
 }
 
@@ -184,7 +186,7 @@ bool Simulator::stick_pipe(double md) noexcept
   double distance = impl_->scene.numerics.element_length;
   for (int i = 0; i + 1 < impl_->model->nodes(); ++i)
   {
-    const double depth = impl_->state.measurements.bit_depth - mesh.nodes[i].from_bit;
+    const double depth = impl_->state.truth.bit_depth - mesh.nodes[i].from_bit;
     if (depth <= 0.0 || std::abs(depth - md) >= distance) continue;
     distance = std::abs(depth - md);
     nearest = i;
@@ -221,12 +223,9 @@ void Simulator::Impl::shift_time(double now) noexcept
 {
   const double shift = now - mechanics().time;
   mechanics().time = now;
-  state.measurements.time = now;
+  state.truth.time = state.readings.time = now;
   state.commands.shift_time(shift);
-  state.hook_load_sensor.shift_time(shift);
-  state.torque_sensor.shift_time(shift);
-  state.pressure_sensor.shift_time(shift);
-  state.mwd.shift_time(shift);
+  state.instruments.shift_time(shift);
 }
 
 }  // namespace drill_rig_sim

@@ -43,7 +43,7 @@ void Simulator::part_poses(int every, std::vector<PartPose>& out) const
   };
   for (std::size_t p = 0; p < impl_->scene.string.size(); ++p)
     if (impl_->scene.string[p].type != PartType::pipe) add(mesh.part_bottom[p]).name = impl_->scene.string[p].name;
-  out.front().orientation = impl_->state.measurements.bit_orientation;
+  out.front().orientation = impl_->state.truth.bit_orientation;
   int joint = 0;
   double lower = 0.0;
   for (std::size_t i = 1; i < mesh.nodes.size(); ++i)

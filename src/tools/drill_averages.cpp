@@ -13,7 +13,7 @@ double Averages::count() const noexcept
   return samples_ > 0 ? static_cast<double>(samples_) : std::numeric_limits<double>::quiet_NaN();
 }
 
-void Averages::add(const Measurements& m) noexcept
+void Averages::add(const Truth& m) noexcept
 {
   if (samples_ == 0) first_time_ = m.time;
   ++samples_;
@@ -58,7 +58,7 @@ double Averages::azimuth() const noexcept
   return angle < 0.0 ? angle + 2.0 * pi : angle;
 }
 
-void DrillingRecord::add(const Measurements& m)
+void DrillingRecord::add(const Truth& m)
 {
   if (!m.on_bottom) return;
   if (slices_.empty() || m.time >= slices_.back().first_time() + slice_length) slices_.emplace_back();

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <deque>
 
-#include "drill_rig_sim/sim/measurements.h"
+#include "drill_rig_sim/sim/signals.h"
 
 namespace drill_rig_sim
 {
@@ -13,13 +13,13 @@ namespace drill_rig_sim
 class Averages
 {
 public:
-  void add(const Measurements& m) noexcept;
+  void add(const Truth& m) noexcept;
   void add(const Averages& other) noexcept;
 
   std::size_t samples() const noexcept { return samples_; }
   double first_time() const noexcept { return first_time_; }
 
-  /// Means; NaN without samples. Units as in Measurements. The hole's inclination and azimuth are those of the mean direction.
+  /// Means; NaN without samples. Units as in Truth. The hole's inclination and azimuth are those of the mean direction.
   double hook_load() const noexcept { return sum_.hook_load / count(); }
   double torque() const noexcept { return sum_.torque / count(); }
   double wob() const noexcept { return sum_.wob / count(); }
@@ -51,7 +51,7 @@ class DrillingRecord
 {
 public:
   /// Takes a sample if the bit is on bottom.
-  void add(const Measurements& m);
+  void add(const Truth& m);
   /// Over all the drilling.
   Averages all() const;
   /// Over the last quarter of the time spent drilling.

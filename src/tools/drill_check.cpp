@@ -60,7 +60,7 @@ void check(const CheckOptions& options)
 {
   const Scene scene = read_scene(options.scene, options.settings);
   const Simulator simulator = build_simulator(scene, 0);
-  const Measurements& m = simulator.measurements();
+  const Truth& m = simulator.truth();
   const SimulatorStatistics& s = simulator.statistics();
   std::printf("%s: %s is good\n", options.scene.c_str(), scene.name.c_str());
   std::printf("well        %zu stations to %g m, hole %g m deep, at its bottom %.2f deg inclination, %.2f deg azimuth\n",

@@ -34,7 +34,7 @@ void report_failure(const Simulator& simulator, const std::string& summary, cons
   close_output(std::move(out), csv);
 
   char at[64];
-  std::snprintf(at, sizeof at, "at %.3f s simulated: ", simulator.measurements().time);
+  std::snprintf(at, sizeof at, "at %.3f s simulated: ", simulator.truth().time);
   throw ComputationError(simulator.scene().file + ": " + at + simulator.failure() + "; the last good state is in " + json +
                          " and " + csv);
 }

@@ -20,6 +20,12 @@ void write_path_row(std::FILE* file, double md, const Eigen::Vector3d& p, const 
   const double azimuth = std::fmod(std::atan2(t.x(), t.y()) + 2.0 * pi, 2.0 * pi);
   std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g\n", md, p.x(), p.y(), p.z(), inclination, azimuth, radius);
 }
+
+void write_readings(std::FILE* file, const Readings& r)
+{
+  std::fprintf(file, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.10g,%.10g,%.9g,%.9g,%.9g", r.hook_load, r.torque, r.stand_pipe_pressure, r.flow,
+               r.block_height, r.bit_depth, r.hole_depth, r.rop, r.surface_wob, r.differential_pressure);
+}
 }  // namespace
 
 File open_output(const char* option, const std::string& name)
@@ -49,21 +55,29 @@ void write_profile(std::FILE* file, const StringProfile& p)
   }
 }
 
-void write_csv_header(std::FILE* file)
+void write_csv_header(std::FILE* file, bool with_readings)
 {
   std::fputs(
       "time,hook_load,torque,block_height,top_drive_speed,wob,bit_torque,bit_speed,bit_depth,hole_depth,rop,inclination,azimuth,"
-      "toolface,bit_east,bit_north,bit_up,bit_inclination\n",
+      "toolface,bit_east,bit_north,bit_up,bit_inclination",
       file);
+  if (with_readings)
+    std::fputs(
+        ",reading_hook_load,reading_torque,reading_stand_pipe_pressure,reading_flow,reading_block_height,reading_bit_depth,"
+        "reading_hole_depth,reading_rop,reading_surface_wob,reading_differential_pressure",
+        file);
+  std::fputs("\n", file);
 }
 
-void write_csv_row(std::FILE* file, const Measurements& m)
+void write_csv_row(std::FILE* file, const Truth& m, const Readings* readings)
 {
   std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.10g,%.10g,%.9g,%.9g,%.9g,%.9g,", m.time, m.hook_load, m.torque,
                m.block_height, m.top_drive_speed, m.wob, m.bit_torque, m.bit_speed, m.bit_depth, m.hole_depth, m.rop,
                m.bit_inclination, m.bit_azimuth, m.bend_toolface);
-  std::fprintf(file, "%.11g,%.11g,%.11g,%.9g\n", m.bit_position.x(), m.bit_position.y(), m.bit_position.z(),
+  std::fprintf(file, "%.11g,%.11g,%.11g,%.9g", m.bit_position.x(), m.bit_position.y(), m.bit_position.z(),
                inclination_of(m.bit_orientation * Eigen::Vector3d::UnitX()));
+  if (readings) write_readings(file, *readings);
+  std::fputs("\n", file);
 }
 
 void write_path(std::FILE* file, const Simulator& simulator)

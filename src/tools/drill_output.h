@@ -26,8 +26,9 @@ void write_profile(std::FILE* file, const StringProfile& p);
 
 /// The run's CSV: SI units, radians. By hand, as all tables here: their cells are numbers, so that nothing needs quoting, and each
 /// column has its own number of digits.
-void write_csv_header(std::FILE* file);
-void write_csv_row(std::FILE* file, const Measurements& m);
+void write_csv_header(std::FILE* file, bool with_readings);
+/// `readings`: null where the header has none.
+void write_csv_row(std::FILE* file, const Truth& m, const Readings* readings);
 
 /// The corrected well, its nodes and then its bottom: md,east,north,up,inclination,azimuth,radius.
 void write_path(std::FILE* file, const Simulator& simulator);

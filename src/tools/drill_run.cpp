@@ -37,15 +37,15 @@ double cpu_time()
 RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, DrillingRecord& record)
 {
   const double frame = frame_of_whole_steps(frame_length, simulator.scene().numerics.step);
-  const double start_depth = simulator.measurements().hole_depth;
+  const double start_depth = simulator.truth().hole_depth;
   ProgramPlayer program(simulator.scene().program);
   Progress progress;
-  series.add(simulator.measurements(), frame);
+  series.add(simulator, frame);
   return run(simulator, program, goal, frame_length,
-             [&](const Measurements& m)
+             [&](const Truth& m)
              {
                record.add(m);
-               series.add(m, frame);
+               series.add(simulator, frame);
                const double drilled = (m.hole_depth - start_depth) / (goal.depth - start_depth);
                progress.show(std::max(m.time / goal.duration, drilled), m.time, m.hole_depth);
              });
@@ -64,7 +64,7 @@ void run_scene(const RunOptions& options)
   const RunGoal goal = goal_of(options, scene);
 
   // all files are opened ahead, so that a long run does not end on a misspelt folder
-  TimeSeries series(options.csv, options.every.value_or(0.1));
+  TimeSeries series(options.csv, options.every.value_or(0.1), options.readings);
   File json = open_output("--json", options.json), path = open_output("--path", options.path);
   File raw_path = open_output("--raw-path", options.raw_path);
 
@@ -76,7 +76,7 @@ void run_scene(const RunOptions& options)
   const RunEnd end = play(simulator, goal, series, record);
   const Elapsed elapsed{std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count(),
                         cpu_time() - cpu_start};
-  const std::string summary = json_summary(simulator, elapsed, record);
+  const std::string summary = json_summary(simulator, elapsed, record, options.readings);
 
   if (json) std::fputs(summary.c_str(), json.get());
   if (path) write_path(path.get(), simulator);

@@ -48,6 +48,7 @@ void add_output_options(CLI::App& command, RunOptions& options)
   add_text(command, "--csv", options.csv, "FILE", "writes time series");
   add_number(command, "--every", options.every, 1e-4, 1e6, "S", "between rows of the time series, default 0.1");
   add_text(command, "--json", options.json, "FILE", "writes a summary");
+  command.add_flag("--readings", options.readings, "adds what the instruments show to time series and summary")->disable_flag_override();
   command.add_flag("--energy", options.energy, "keeps an energy balance; the summary shows it [J]")->disable_flag_override();
   add_text(command, "--path", options.path, "FILE", "writes the well's corrected path");
   add_text(command, "--raw-path", options.raw_path, "FILE", "writes the uncorrected path of the last metres");

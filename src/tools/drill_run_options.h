@@ -27,6 +27,7 @@ struct RunOptions
   std::optional<double> every;                          ///< between rows of the time series [s]
   std::uint64_t seed = 0;
   std::string csv, json, path, raw_path;
+  bool readings = false;  ///< series and summary hold the instruments' readings beside the truth
   bool energy = false;
 };
 

@@ -13,9 +13,9 @@ class TimeSeries
 public:
   /// Opens the file `name`, unless that is empty, and writes the header. Throws UsageError with one line if it cannot be written.
   /// `every`: between two rows [s].
-  TimeSeries(const std::string& name, double every);
+  TimeSeries(const std::string& name, double every, bool with_readings);
   /// Writes a row if one is due; call at the start and after each frame of `frame` [s].
-  void add(const Measurements& m, double frame);
+  void add(const Simulator& simulator, double frame);
   /// Throws ComputationError with one line if not all of it reached the disk.
   void close();
 
@@ -23,6 +23,7 @@ private:
   std::string name_;
   File file_;
   double every_;
+  bool with_readings_;
   double next_row_ = 0.0;  // [s]
 };
 

@@ -27,6 +27,26 @@ Json json_of(const Averages& a)
           {"azimuth_deg", a.azimuth() / degree}};
 }
 
+Json json_of(const Readings& r)
+{
+  return {{"hook_load", r.hook_load},
+          {"dead_line_hook_load", r.dead_line_hook_load},
+          {"hook_load_string", r.hook_load_string},
+          {"torque", r.torque},
+          {"stand_pipe_pressure", r.stand_pipe_pressure},
+          {"differential_pressure", r.differential_pressure},
+          {"flow", r.flow},
+          {"block_height", r.block_height},
+          {"bit_depth", r.bit_depth},
+          {"hole_depth", r.hole_depth},
+          {"rop", r.rop},
+          {"surface_wob", r.surface_wob},
+          {"mwd_md", r.mwd.md},
+          {"mwd_inclination_deg", r.mwd.inclination / degree},
+          {"mwd_azimuth_deg", r.mwd.azimuth / degree},
+          {"toolface_deg", r.toolface.toolface / degree}};
+}
+
 Json shares_of(const Profiler& costs)
 {
   const std::pair<const char*, Cost> names[] = {{"kinematics", Cost::kinematics},
@@ -107,7 +127,7 @@ void add_work(const SimulatorStatistics& s, Json& json)
 Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record)
 {
   const SimulatorStatistics& s = simulator.statistics();
-  const Measurements& m = simulator.measurements();
+  const Truth& m = simulator.truth();
   Json json = {{"scene", simulator.scene().name},
                {"simulated_s", m.time},
                {"wall_s", elapsed.wall},
@@ -132,15 +152,17 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const Drilli
 }
 }  // namespace
 
-std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record)
+std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record, bool readings)
 {
   // a scene's name may hold bytes that are no UTF-8: shown as U+FFFD instead of an exception at the end of a long run
-  return summary_of(simulator, elapsed, record).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  Json json = summary_of(simulator, elapsed, record);
+  if (readings) json["final_readings"] = json_of(simulator.readings());
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 void print_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record)
 {
-  const Measurements& m = simulator.measurements();
+  const Truth& m = simulator.truth();
   std::printf("%s: %.1f s simulated in %.2f s (%.1f times real time), hole %.3f m\n", simulator.scene().name.c_str(), m.time,
               elapsed.cpu, m.time / elapsed.cpu, m.hole_depth);
   const Averages mean = record.last_quarter();

@@ -16,7 +16,8 @@ struct Elapsed
 };
 
 /// A run's summary as a JSON object, a newline at its end. Numbers read back to the same double; what is not finite is null.
-std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record);
+/// `readings`: it also says what the instruments show at the end.
+std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record, bool readings);
 
 /// The same in two lines on standard output.
 void print_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record);

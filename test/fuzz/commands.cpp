@@ -70,7 +70,7 @@ public:
   void obey(Orders orders)
   {
     while (!orders.finished() && frames_ < most_frames) one(orders);
-    check_measurements(rig_);
+    check_signals(rig_);
     check_reports(rig_);
   }
   bool failed() const { return failed_; }
@@ -135,7 +135,7 @@ private:
     const FrameStatus status = rig_.frame(steps * rig_.scene().numerics.step);
     failed_ = failed_ || status == FrameStatus::failed;
     check((status == FrameStatus::failed) == (rig_.failure()[0] != '\0'), "a frame's status and the failure's text disagree");
-    check_measurements(rig_);
+    check_signals(rig_);
     check(std::isfinite(rig_.energy().residual()), "the energy balance is not finite");
   }
 

@@ -87,7 +87,7 @@ bool ride(Simulator& rig, int first, int last, Random random)
   {
     command_wildly(rig, random);
     const FrameStatus status = rig.frame(rig.scene().numerics.step * static_cast<double>(1 + random.below(2)));
-    check_measurements(rig);
+    check_signals(rig);
     check(std::isfinite(rig.energy().residual()), "the energy balance is not finite");
     if (k % 10 == 0 || status == FrameStatus::failed) check_reports(rig);
     check((status == FrameStatus::failed) == (rig.failure()[0] != '\0'), "a frame's status and the failure's text disagree");
@@ -137,7 +137,7 @@ void take(const std::string& text)
     ++counters().unbuildable;
     return;
   }
-  check_measurements(*rig);
+  check_signals(*rig);
   check_reports(*rig);
   const bool solved = ride_with_snapshot(*rig, Random(seed));
   ++counters().accepted;

@@ -52,13 +52,12 @@ inline std::vector<double> numbers_of_parts(const Simulator& rig)
   return out;
 }
 
-/// The last frame's measurements are finite.
-inline void check_measurements(const Simulator& rig)
+/// The last frame's truth and readings are finite.
+inline void check_signals(const Simulator& rig)
 {
-  std::vector<double> numbers;
-  numbers_of(rig.measurements(), numbers);
-  check(all_finite(numbers), "a measurement is not finite");
-  check(std::abs(rig.measurements().bit_orientation.norm() - 1.0) < 1e-6, "the bit's orientation is no rotation");
+  check(all_finite(numbers_of(rig.truth())), "the truth is not finite");
+  check(all_finite(numbers_of(rig.readings())), "a reading is not finite");
+  check(std::abs(rig.truth().bit_orientation.norm() - 1.0) < 1e-6, "the bit's orientation is no rotation");
 }
 
 /// What is reported less often is finite too: along the string, of its parts, of the path, and of what the next frame starts
@@ -79,8 +78,8 @@ inline void check_reports(const Simulator& rig)
 /// All that is compared bit by bit after a snapshot was restored.
 inline std::vector<double> everything(const Simulator& rig)
 {
-  std::vector<double> out;
-  numbers_of(rig.measurements(), out);
+  std::vector<double> out = numbers_of(rig.truth());
+  append(out, numbers_of(rig.readings()));
   append(out, numbers_of(rig.save()->mechanics));
   append(out, numbers_along(rig));
   append(out, numbers_of_parts(rig));

@@ -25,7 +25,7 @@ class HoldsWeightOnBit(unittest.TestCase):
                 done.set()
         rospy.wait_for_service('/rig/set_speed', 60)
         rospy.ServiceProxy('/rig/set_speed', SetSpeed)(3.0)
-        rospy.Subscriber('/rig/rig_state', RigState, take, queue_size=None)
+        rospy.Subscriber('/rig/truth/rig_state', RigState, take, queue_size=None)
         self.assertTrue(done.wait(150), 'the bit did not drill for %g s' % (SETTLING + SECONDS))
 
         start = states[0].header.stamp.to_sec() + SETTLING

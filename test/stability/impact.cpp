@@ -29,7 +29,7 @@ Blow strike(const Choice& choice, double step, double cpu_limit)
   double hit = 1e9;
   while (ride.going() && ride.now().time < kEnd - 1e-9 && ride.go(step, step))
   {
-    const Measurements& m = ride.now();
+    const Truth& m = ride.now();
     if (m.wob > 0.0 && hit > 1e8) hit = m.time;
     if (m.time < hit) out.speed = m.bit_velocity.norm();
     if (m.time < kImpulseTo) out.impulse += m.wob * step;

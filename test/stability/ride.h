@@ -69,7 +69,7 @@ public:
   const std::string& message() const { return message_; }
   Simulator& simulator() { return *simulator_; }
   const Simulator& simulator() const { return *simulator_; }
-  const Measurements& now() const { return simulator_->measurements(); }
+  const Truth& now() const { return simulator_->truth(); }
   /// Throws the string below the table sideways at `speed` [m/s], across the hole and up from its low side.
   void throw_sideways(double speed);
   /// Costs a copy of the state.

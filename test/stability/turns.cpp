@@ -59,8 +59,8 @@ void many_turns(const Choice& choice, double turns, Rows& rows)
   row.figure = drift(before->forces.torque, after->forces.torque);
   row.verdict = ride.verdict();
   if (ride.going() && !(row.figure < kDriftAllowed)) row.verdict = Verdict::fails_wrong;
-  row.text = text("step %g s; %.0f turns; meter torque %.9g before; %.9g N m after; ", step, turned, before->measurements.torque,
-                  after->measurements.torque);
+  row.text = text("step %g s; %.0f turns; meter torque %.9g before; %.9g N m after; ", step, turned, before->truth.torque,
+                  after->truth.torque);
   row.text +=
       ride.going() ? (repeats(ride) ? "repeats bit by bit from a snapshot" : "does not repeat bit by bit") : ride.message();
   rows.add(row);
@@ -85,7 +85,7 @@ void full_turn(Rows& rows)
     }
     Row row = row_of("full turn", "three turns of the string", choice, "turns made");
     row.verdict = ride.going() && worst > 0.05 * largest ? Verdict::fails_wrong : ride.verdict();
-    row.figure = ride.simulator().measurements().top_drive_angle / (2.0 * pi);
+    row.figure = ride.simulator().truth().top_drive_angle / (2.0 * pi);
     row.text = worst > 0.0 ? text("torque off by up to %.3g N m of %.3g at %.2f turns; ", worst, largest, at) : "";
     row.text += ride.message();
     rows.add(row);

@@ -104,8 +104,8 @@ void drill(bool balance)
   EXPECT_EQ(own, 1);
   EXPECT_EQ(failed, 0);
   EXPECT_EQ(allocations - own, 0);
-  EXPECT_TRUE(rig.measurements().on_bottom);
-  EXPECT_GT(rig.measurements().hole_depth, 100.1) << "must have drilled through a correction interval";
+  EXPECT_TRUE(rig.truth().on_bottom);
+  EXPECT_GT(rig.truth().hole_depth, 100.1) << "must have drilled through a correction interval";
 }
 }  // namespace
 

@@ -63,7 +63,7 @@ TEST(Simulator, failedFrameKeepsTheLastGoodNumbersAndRestoreRecovers)
   for (int k = 0; k < 300; ++k) ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
   const auto good = rig.save();
   std::vector<double> shown, now;
-  numbers_of(rig.measurements(), shown);
+  numbers_of(rig.truth(), shown);
   ASSERT_TRUE(all_finite(shown));
 
   for (const Damage& damage : kDamages)
@@ -76,7 +76,7 @@ TEST(Simulator, failedFrameKeepsTheLastGoodNumbersAndRestoreRecovers)
     {
       EXPECT_EQ(rig.frame(0.01), FrameStatus::failed) << damage.name;
       EXPECT_GT(std::strlen(rig.failure()), 20u);
-      numbers_of(rig.measurements(), now);
+      numbers_of(rig.truth(), now);
       EXPECT_TRUE(bit_identical(now, shown)) << damage.name;
     }
     rig.restore(*good);
@@ -106,7 +106,7 @@ TEST(Simulator, everyNumberStaysFiniteUnderRoughHandling)
       rig.command(PumpSetpoint{k % 40 == 0 ? 0.06 : 0.0});
     }
     running += rig.frame(0.01) == FrameStatus::running;
-    numbers_of(rig.measurements(), now);
+    numbers_of(rig.truth(), now);
     ASSERT_TRUE(all_finite(now)) << k;
     rig.profile(profile);
     for (const auto* values : {&profile.md, &profile.tension, &profile.torque, &profile.bending_moment, &profile.contact_force})
@@ -127,11 +127,11 @@ TEST(Simulator, totalRotationVectorsStopAtTheFirstFullTurn)
   while (rig.frame(0.01) == FrameStatus::running && frames < 1000)
   {
     ++frames;
-    numbers_of(rig.measurements(), now);
+    numbers_of(rig.truth(), now);
     ASSERT_TRUE(all_finite(now)) << frames;
   }
-  EXPECT_GT(rig.measurements().top_drive_angle, 0.8 * 2.0 * pi);
-  EXPECT_LT(rig.measurements().top_drive_angle, 2.0 * pi);
+  EXPECT_GT(rig.truth().top_drive_angle, 0.8 * 2.0 * pi);
+  EXPECT_LT(rig.truth().top_drive_angle, 2.0 * pi);
   EXPECT_GT(std::strlen(rig.failure()), 20u);
 }
 
@@ -140,7 +140,7 @@ TEST(Commands, notNumbersAreRefusedAndChangeNothing)
   Simulator rig(drilling_scene());
   drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
   ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
-  const Setpoints before = rig.measurements().setpoints;
+  const Setpoints before = rig.truth().setpoints;
   std::uint64_t refused = 0;
   for (double bad : {kNan, kInfinity, -kInfinity})
   {
@@ -162,13 +162,13 @@ TEST(Commands, notNumbersAreRefusedAndChangeNothing)
   EXPECT_EQ(rig.statistics().commands_refused, refused + 2);
 
   ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
-  const Setpoints after = rig.measurements().setpoints;
+  const Setpoints after = rig.truth().setpoints;
   EXPECT_EQ(after.winch.block_velocity, before.winch.block_velocity);
   EXPECT_EQ(after.winch.brake, before.winch.brake);
   EXPECT_EQ(after.top_drive.speed, before.top_drive.speed);
   EXPECT_EQ(after.top_drive.mode, before.top_drive.mode);
   EXPECT_EQ(after.pump.flow, before.pump.flow);
-  EXPECT_FALSE(rig.measurements().command_clamped);
+  EXPECT_FALSE(rig.truth().command_clamped);
 }
 
 TEST(Commands, beyondTheLimitsAreClampedAndFlagged)
@@ -184,18 +184,18 @@ TEST(Commands, beyondTheLimitsAreClampedAndFlagged)
   EXPECT_EQ(flow.outcome, Outcome::clamped);
   EXPECT_GT(std::strlen(flow.reason), 10u);
   ASSERT_EQ(rig.frame(0.005), FrameStatus::running);
-  const Setpoints& set = rig.measurements().setpoints;
+  const Setpoints& set = rig.truth().setpoints;
   EXPECT_EQ(set.winch.block_velocity, -scene.rig.hoisting.max_speed);
   EXPECT_EQ(set.top_drive.speed, scene.rig.top_drive.max_speed);
   EXPECT_EQ(set.pump.flow, scene.rig.mud_pump.max_flow);
-  EXPECT_TRUE(rig.measurements().command_clamped);
+  EXPECT_TRUE(rig.truth().command_clamped);
   EXPECT_EQ(rig.statistics().commands_clamped, 3u);
   EXPECT_EQ(rig.command(PumpSetpoint{-0.1}).outcome, Outcome::clamped);
   ASSERT_EQ(rig.frame(0.005), FrameStatus::running);
-  EXPECT_EQ(rig.measurements().setpoints.pump.flow, 0.0);
+  EXPECT_EQ(rig.truth().setpoints.pump.flow, 0.0);
   rig.command(PumpSetpoint{0.02});
   ASSERT_EQ(rig.frame(0.005), FrameStatus::running);
-  EXPECT_FALSE(rig.measurements().command_clamped);
+  EXPECT_FALSE(rig.truth().command_clamped);
 }
 
 // Silence beyond the timeout sets the brake and coasts the drive.
@@ -205,18 +205,18 @@ TEST(Commands, silenceSetsTheBrake)
   rig.set_command_timeout(0.5);
   drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
   for (int k = 0; k < 45; ++k) rig.frame(0.01);
-  EXPECT_FALSE(rig.measurements().commands_timed_out);
-  EXPECT_FALSE(rig.measurements().brake_set);
+  EXPECT_FALSE(rig.truth().commands_timed_out);
+  EXPECT_FALSE(rig.truth().brake_set);
   for (int k = 0; k < 10; ++k) rig.frame(0.01);
-  EXPECT_TRUE(rig.measurements().commands_timed_out);
-  EXPECT_TRUE(rig.measurements().brake_set);
+  EXPECT_TRUE(rig.truth().commands_timed_out);
+  EXPECT_TRUE(rig.truth().brake_set);
   // the block bounces on its line by a millimetre; the feed would have made 24
-  const double height = rig.measurements().block_height;
+  const double height = rig.truth().block_height;
   for (int k = 0; k < 200; ++k) rig.frame(0.01);
-  EXPECT_NEAR(rig.measurements().block_height, height, 3e-3);
+  EXPECT_NEAR(rig.truth().block_height, height, 3e-3);
   drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
   rig.frame(0.01);
-  EXPECT_FALSE(rig.measurements().commands_timed_out);
+  EXPECT_FALSE(rig.truth().commands_timed_out);
 }
 
 int main(int argc, char** argv)

@@ -31,7 +31,7 @@ Scene pipe_on_a_wire(double kinetic, double static_ratio)
 }
 
 /// Of the bit along the hole [m].
-double along_hole(const Measurements& m)
+double along_hole(const Truth& m)
 {
   return m.bit_position.dot(
       Vector3d(std::sin(slant) * std::sin(slant_azimuth), std::sin(slant) * std::cos(slant_azimuth), -std::cos(slant)));
@@ -57,7 +57,7 @@ void expect_sticks(double kinetic, double static_ratio)
   Scene scene = pipe_on_a_wire(kinetic, static_ratio);
   scene.numerics.step = 0.02;
   Simulator rig(scene);
-  const Measurements& m = rig.measurements();
+  const Truth& m = rig.truth();
   const double held = m.hook_load_string, start = along_hole(m);
   EXPECT_GT(held, 20e3);
   run(rig, 2.0);
@@ -105,7 +105,7 @@ TEST(Friction, pipeSlidesByCoulombsLaw)
         standard_gravity * (std::cos(slant) - mu * std::sin(slant)) * (1.0 - scene.mud.density / steel_density);
     scene.rig.hoisting.max_acceleration = expected + 0.5;  // the block runs ahead, but leaves the wire little slack to bunch up
     Simulator rig(scene);
-    const Measurements& m = rig.measurements();
+    const Truth& m = rig.truth();
     run(rig, 1.0);
     rig.command(WinchSetpoint{-20.0, false});
     run(rig, 0.4);

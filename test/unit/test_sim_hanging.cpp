@@ -43,12 +43,12 @@ TEST(HangingString, hookLoadIsTheBuoyantWeight)
     StringProfile profile;
     rig.profile(profile);
     const double weight = buoyant_weight(scene, profile.from_bit.back(), scene.start.block_height);
-    EXPECT_NEAR(rig.measurements().hook_load_string, weight, 1e-3 * weight);
-    EXPECT_NEAR(rig.measurements().hook_load, weight + 17500.0 * standard_gravity, 1e-3 * weight);
+    EXPECT_NEAR(rig.truth().hook_load_string, weight, 1e-3 * weight);
+    EXPECT_NEAR(rig.truth().hook_load, weight + 17500.0 * standard_gravity, 1e-3 * weight);
 
     for (int k = 0; k < 200; ++k) ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
-    EXPECT_NEAR(rig.measurements().hook_load_string, weight, 1e-3 * weight) << "after 2 s with the brake set";
-    EXPECT_NEAR(rig.measurements().bit_depth, depth, 1e-4);
+    EXPECT_NEAR(rig.truth().hook_load_string, weight, 1e-3 * weight) << "after 2 s with the brake set";
+    EXPECT_NEAR(rig.truth().bit_depth, depth, 1e-4);
   }
 }
 

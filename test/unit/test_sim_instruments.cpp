@@ -42,8 +42,7 @@ TEST(NoiseSource, isStandardNormalAndRepeats)
 TEST(Sensor, idealOneTellsTheTruth)
 {
   Sensor sensor{SensorSpec(), 0.01};
-  NoiseSource noise;
-  for (int k = 0; k < 10; ++k) EXPECT_EQ(sensor.read(k * k, 0.01 * k, noise), k * k);
+  for (int k = 0; k < 10; ++k) EXPECT_EQ(sensor.read(k * k, 0.01 * k), k * k);
 }
 
 TEST(Sensor, delayShiftsTheSignalAndBiasAddsToIt)
@@ -52,8 +51,7 @@ TEST(Sensor, delayShiftsTheSignalAndBiasAddsToIt)
   spec.delay = 0.05;
   spec.bias = 7.0;
   Sensor sensor(spec, 0.01);
-  NoiseSource noise;
-  for (int k = 0; k < 50; ++k) EXPECT_NEAR(sensor.read(k, 0.01 * k, noise), 7.0 + std::max(0, k - 5), 1e-12) << k;
+  for (int k = 0; k < 50; ++k) EXPECT_NEAR(sensor.read(k, 0.01 * k), 7.0 + std::max(0, k - 5), 1e-12) << k;
 }
 
 // First order, exact for a held input: after one time constant 1 - 1/e of the step.
@@ -62,10 +60,9 @@ TEST(Sensor, filterAnswersAStepExponentially)
   SensorSpec spec;
   spec.filter_time = 0.5;
   Sensor sensor(spec, 0.01);
-  NoiseSource noise;
-  sensor.read(0.0, 0.0, noise);
+  sensor.read(0.0, 0.0);
   double reading = 0.0;
-  for (int k = 1; k <= 50; ++k) reading = sensor.read(1.0, 0.01 * k, noise);
+  for (int k = 1; k <= 50; ++k) reading = sensor.read(1.0, 0.01 * k);
   EXPECT_NEAR(reading, 1.0 - std::exp(-1.0), 1e-12);
 }
 
@@ -73,11 +70,10 @@ TEST(Sensor, noiseHasItsDeviation)
 {
   SensorSpec spec;
   spec.noise = 3.0;
-  Sensor sensor(spec, 0.01);
-  NoiseSource noise{1};
+  Sensor sensor(spec, 0.01, NoiseSource::of(1, 0));
   double squares = 0.0;
   const int n = 20000;
-  for (int k = 0; k < n; ++k) squares += std::pow(sensor.read(10.0, 0.01 * k, noise) - 10.0, 2);
+  for (int k = 0; k < n; ++k) squares += std::pow(sensor.read(10.0, 0.01 * k) - 10.0, 2);
   EXPECT_NEAR(std::sqrt(squares / n), 3.0, 3.0 * 4.0 / std::sqrt(2.0 * n));
 }
 
@@ -88,29 +84,27 @@ TEST(Mwd, surveysComeByPeriodLateAndRounded)
   spec.latency = 4.0;
   spec.inclination_resolution = 0.1 * degree;
   Mwd mwd(spec, ToolfaceSpec());
-  NoiseSource noise;
   MwdReading survey;
   ToolfaceReading toolface;
   const SensorView view = tilted_view(12.34 * degree, 300.0 * degree, 0.0);
-  for (double t = 0.0; t < 3.9; t += 0.1) mwd.update(t, 0.03, view, noise, survey, toolface);
+  for (double t = 0.0; t < 3.9; t += 0.1) mwd.update(t, 0.03, view, survey, toolface);
   EXPECT_EQ(survey.sequence, 0u) << "still on its way up";
-  for (double t = 3.9; t < 13.9; t += 0.1) mwd.update(t, 0.03, view, noise, survey, toolface);
+  for (double t = 3.9; t < 13.9; t += 0.1) mwd.update(t, 0.03, view, survey, toolface);
   EXPECT_EQ(survey.sequence, 1u);
   EXPECT_NEAR(survey.time, 0.0, 1e-9);
   EXPECT_NEAR(survey.inclination, 12.3 * degree, 1e-9);
   EXPECT_NEAR(survey.azimuth, 300.0 * degree, 1e-9);
   EXPECT_EQ(survey.md, 100.0);
-  for (double t = 13.9; t < 14.5; t += 0.1) mwd.update(t, 0.03, view, noise, survey, toolface);
+  for (double t = 13.9; t < 14.5; t += 0.1) mwd.update(t, 0.03, view, survey, toolface);
   EXPECT_EQ(survey.sequence, 2u);
 }
 
 TEST(Mwd, isSilentWithoutFlow)
 {
   Mwd mwd{MwdSpec(), ToolfaceSpec()};
-  NoiseSource noise;
   MwdReading survey;
   ToolfaceReading toolface;
-  for (double t = 0.0; t < 100.0; t += 0.5) mwd.update(t, 0.0, SensorView(), noise, survey, toolface);
+  for (double t = 0.0; t < 100.0; t += 0.5) mwd.update(t, 0.0, SensorView(), survey, toolface);
   EXPECT_EQ(survey.sequence, 0u);
   EXPECT_EQ(toolface.sequence, 0u);
 }
@@ -122,13 +116,12 @@ TEST(Mwd, surveysAfterAPumpCycle)
   spec.period = 0.0;
   spec.latency = 1.0;
   Mwd mwd(spec, ToolfaceSpec());
-  NoiseSource noise;
   MwdReading survey;
   ToolfaceReading toolface;
   for (int k = 0; k < 300; ++k)
   {
     const bool pumping = (k / 100) != 1;  // on, off, on
-    mwd.update(0.1 * k, pumping ? 0.03 : 0.0, SensorView(), noise, survey, toolface);
+    mwd.update(0.1 * k, pumping ? 0.03 : 0.0, SensorView(), survey, toolface);
     EXPECT_LE(survey.sequence, k < 200 ? 1u : 2u);
   }
   EXPECT_EQ(survey.sequence, 2u);
@@ -137,7 +130,6 @@ TEST(Mwd, surveysAfterAPumpCycle)
 
 TEST(Mwd, toolfaceIsFromTheHighSideOrFromNorth)
 {
-  NoiseSource noise;
   MwdReading survey;
   ToolfaceSpec fast;
   fast.period = 1.0;
@@ -146,12 +138,12 @@ TEST(Mwd, toolfaceIsFromTheHighSideOrFromNorth)
   spec.scribe_offset = 0.25;
   ToolfaceReading steep, flat;
   Mwd first(spec, fast), second(spec, fast);
-  first.update(0.0, 0.03, tilted_view(40.0 * degree, 1.0, 0.5), noise, survey, steep);
+  first.update(0.0, 0.03, tilted_view(40.0 * degree, 1.0, 0.5), survey, steep);
   EXPECT_EQ(steep.sequence, 1u);
   EXPECT_FALSE(steep.magnetic);
   EXPECT_NEAR(steep.toolface, 0.75, 1e-12);
   SensorView vertical;  // scribe to the north
-  second.update(0.0, 0.03, vertical, noise, survey, flat);
+  second.update(0.0, 0.03, vertical, survey, flat);
   EXPECT_TRUE(flat.magnetic);
   EXPECT_NEAR(flat.toolface, 0.25, 1e-12);
 }

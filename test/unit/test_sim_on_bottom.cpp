@@ -64,7 +64,7 @@ TEST(OnBottom, feedSetsTheRateAndTheRockLawTheWeight)
     Simulator rig(frictionless(rock));
     const double speed = 90.0 * rpm, feed = 0.010;
     drill(rig, feed, speed, 5.0 + 40.0);
-    const Measurements& m = rig.measurements();
+    const Truth& m = rig.truth();
     ASSERT_TRUE(m.on_bottom);
     const double start = m.hole_depth, start_time = m.time;
     // means over ten seconds: a swing of the string dies slowly
@@ -95,10 +95,10 @@ TEST(OnBottom, feedSetsTheRateAndTheRockLawTheWeight)
 TEST(OnBottom, hookLoadDropsByTheWeightOnBit)
 {
   Simulator rig(frictionless({1.3e-7, 1.0, 1.0, 0.0}));
-  const double off_bottom = rig.measurements().hook_load;
+  const double off_bottom = rig.truth().hook_load;
   ASSERT_TRUE(rig.tare());
   drill(rig, 0.010, 90.0 * rpm, 45.0);
-  const Measurements& m = rig.measurements();
+  const Truth& m = rig.truth();
   // buoyancy of the 0.45 m that went under water is 160 N, in a drop of 8 kN: added by hand
   const double submerged = 0.45 * standard_gravity * 1150.0 * tool_jointed_mass / steel_density;
   EXPECT_NEAR(off_bottom - m.hook_load, m.wob + submerged, 0.02 * m.wob);
@@ -111,7 +111,7 @@ TEST(OnBottom, holeGrowsByWhatTheBitDrills)
   const Scene scene = frictionless({1.3e-7, 1.0, 1.0, 0.0});
   Simulator rig(scene);
   const Wellbore& well = rig.wellbore();
-  const Measurements& m = rig.measurements();
+  const Truth& m = rig.truth();
   drill(rig, 0.010, 90.0 * rpm, 20.0);
   const double hole = m.hole_depth, bit = m.bit_depth, path = well.drilled_path_length(), volume = volume_below(well, 99.0);
   double drilled = 0.0;
@@ -138,10 +138,10 @@ TEST(OnBottom, holeGrowsByWhatTheBitDrills)
 TEST(OnBottom, bitThatDoesNotTurnDrillsNothing)
 {
   Simulator rig(frictionless({1.3e-7, 1.0, 0.0, 0.0}));
-  const double hole = rig.measurements().hole_depth;
+  const double hole = rig.truth().hole_depth;
   drill(rig, 0.010, 0.0, 5.0);
-  EXPECT_GT(rig.measurements().wob, 1000.0);
-  EXPECT_EQ(rig.measurements().hole_depth, hole);
+  EXPECT_GT(rig.truth().wob, 1000.0);
+  EXPECT_EQ(rig.truth().hole_depth, hole);
 }
 
 int main(int argc, char** argv)

@@ -29,12 +29,12 @@ struct Show
   // plays until just after `time`
   const Setpoints& play(double time)
   {
-    while (simulator.measurements().time < time + 1.5 * kFrame)
+    while (simulator.truth().time < time + 1.5 * kFrame)
     {
       program.apply(simulator);
       EXPECT_EQ(simulator.frame(kFrame), FrameStatus::running) << simulator.failure();
     }
-    return simulator.measurements().setpoints;
+    return simulator.truth().setpoints;
   }
 };
 

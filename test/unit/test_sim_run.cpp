@@ -38,8 +38,8 @@ TEST(PlayFrame, GivesTheProgramsLinesBeforeTheFrame)
   Simulator simulator(scene);
   ProgramPlayer program(scene.program);
   ASSERT_EQ(play_frame(simulator, &program, kFrame), FrameStatus::running);
-  EXPECT_DOUBLE_EQ(simulator.measurements().flow, 0.02) << "in force in the frame itself";
-  EXPECT_DOUBLE_EQ(simulator.measurements().time, kFrame);
+  EXPECT_DOUBLE_EQ(simulator.truth().flow, 0.02) << "in force in the frame itself";
+  EXPECT_DOUBLE_EQ(simulator.truth().time, kFrame);
 }
 
 TEST(PlayFrame, WithoutAProgramTheSetPointsStay)
@@ -47,8 +47,8 @@ TEST(PlayFrame, WithoutAProgramTheSetPointsStay)
   Simulator simulator(quick("[{at: 0, flow: 0.02}]"));
   simulator.command(PumpSetpoint{0.01});
   ASSERT_EQ(play_frame(simulator, nullptr, kFrame), FrameStatus::running);
-  EXPECT_DOUBLE_EQ(simulator.measurements().flow, 0.01);
-  EXPECT_DOUBLE_EQ(simulator.measurements().time, kFrame);
+  EXPECT_DOUBLE_EQ(simulator.truth().flow, 0.01);
+  EXPECT_DOUBLE_EQ(simulator.truth().time, kFrame);
 }
 
 TEST(Run, FramesAreWholeSteps)
@@ -65,18 +65,18 @@ TEST(Run, EndsAfterItsDurationAndTellsEachFrameOnce)
   Simulator simulator(scene);
   ProgramPlayer program(scene.program);
   std::vector<double> times;
-  const auto note = [&](const Measurements& m) { times.push_back(m.time); };
+  const auto note = [&](const Truth& m) { times.push_back(m.time); };
 
   ASSERT_EQ(run(simulator, program, {0.3}, kFrame, note), RunEnd::duration);
   ASSERT_EQ(times.size(), 30U);
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], static_cast<double>(i + 1) * kFrame, 1e-9);
   EXPECT_TRUE(program.finished());
-  EXPECT_DOUBLE_EQ(simulator.measurements().flow, 0.02);
+  EXPECT_DOUBLE_EQ(simulator.truth().flow, 0.02);
 
   // a second run goes on from there
   ASSERT_EQ(run(simulator, program, {0.2}, kFrame, note), RunEnd::duration);
   EXPECT_EQ(times.size(), 50U);
-  EXPECT_NEAR(simulator.measurements().time, 0.5, 1e-9);
+  EXPECT_NEAR(simulator.truth().time, 0.5, 1e-9);
 }
 
 TEST(Run, EndsWithTheFirstFrameThatReachesTheDepth)
@@ -86,7 +86,7 @@ TEST(Run, EndsWithTheFirstFrameThatReachesTheDepth)
   ProgramPlayer program(scene.program);
   const double depth = scene.well.hole_depth + 0.01;
   double before = 0.0, last = scene.well.hole_depth;
-  const auto note = [&](const Measurements& m)
+  const auto note = [&](const Truth& m)
   {
     before = last;
     last = m.hole_depth;
@@ -94,12 +94,12 @@ TEST(Run, EndsWithTheFirstFrameThatReachesTheDepth)
   ASSERT_EQ(run(simulator, program, {10.0, depth}, kFrame, note), RunEnd::depth);
   EXPECT_LT(before, depth);
   EXPECT_GE(last, depth);
-  EXPECT_LT(simulator.measurements().time, 9.0);
+  EXPECT_LT(simulator.truth().time, 9.0);
 
   // reached already: no frame at all
-  const double now = simulator.measurements().time;
+  const double now = simulator.truth().time;
   EXPECT_EQ(run(simulator, program, {10.0, depth}, kFrame), RunEnd::depth);
-  EXPECT_EQ(simulator.measurements().time, now);
+  EXPECT_EQ(simulator.truth().time, now);
 }
 
 TEST(Run, EndsWhereAFrameFailsAndTellsNothingOfIt)
@@ -108,18 +108,18 @@ TEST(Run, EndsWhereAFrameFailsAndTellsNothingOfIt)
   Simulator simulator(scene);
   ProgramPlayer program(scene.program);
   double told = 0.0;
-  ASSERT_EQ(run(simulator, program, {60.0}, kFrame, [&](const Measurements& m) { told = m.time; }), RunEnd::failure);
+  ASSERT_EQ(run(simulator, program, {60.0}, kFrame, [&](const Truth& m) { told = m.time; }), RunEnd::failure);
   EXPECT_STRNE(simulator.failure(), "");
-  EXPECT_EQ(told, simulator.measurements().time) << "the last good frame";
+  EXPECT_EQ(told, simulator.truth().time) << "the last good frame";
 }
 
 TEST(Run, WhatTheCallbackThrowsEndsIt)
 {
   Simulator simulator(quick("[]"));
   ProgramPlayer program({});
-  const auto full_disk = [](const Measurements&) { throw std::runtime_error("full"); };
+  const auto full_disk = [](const Truth&) { throw std::runtime_error("full"); };
   EXPECT_THROW(run(simulator, program, {1.0}, kFrame, full_disk), std::runtime_error);
-  EXPECT_NEAR(simulator.measurements().time, kFrame, 1e-12);
+  EXPECT_NEAR(simulator.truth().time, kFrame, 1e-12);
 }
 
 }  // namespace

@@ -43,7 +43,9 @@ Record run(Simulator& rig, int frames)
   {
     disturb(rig, k);
     EXPECT_EQ(rig.frame(kFrame), FrameStatus::running) << rig.failure();
-    numbers_of(rig.measurements(), out[k]);
+    numbers_of(rig.truth(), out[k]);
+    const std::vector<double> readings = numbers_of(rig.readings());
+    out[k].insert(out[k].end(), readings.begin(), readings.end());
   }
   return out;
 }
@@ -60,15 +62,15 @@ TEST(Snapshot, nextTenThousandFramesAreBitIdentical)
   const Scene scene = noisy_scene();
   Simulator rig(scene, 7);
   drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
-  while (rig.measurements().time < 17.3) ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+  while (rig.truth().time < 17.3) ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
 
   // inside a correction interval: drilled since the last permanent node, and not a multiple of the interval
   const Wellbore& well = rig.wellbore();
   const double since = well.hole_depth() - well.node(well.node_count() - 1).md;
-  ASSERT_TRUE(rig.measurements().on_bottom);
+  ASSERT_TRUE(rig.truth().on_bottom);
   ASSERT_GT(since, 1e-3);
   ASSERT_LT(since, scene.trajectory.stage_two_length - 1e-3);
-  ASSERT_GT(rig.measurements().mwd.sequence, 0u);
+  ASSERT_GT(rig.readings().mwd.sequence, 0u);
 
   const auto snapshot = rig.save();
   const auto version = well.version();
@@ -111,19 +113,19 @@ TEST(Snapshot, keepTimeMovesTheClockAlone)
   for (int k = 0; k < 500; ++k)
   {
     ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
-    bit_depth.push_back(rig.measurements().bit_depth);
-    hook_load.push_back(rig.measurements().hook_load);
+    bit_depth.push_back(rig.truth().bit_depth);
+    hook_load.push_back(rig.truth().hook_load);
   }
   rig.restore(*start, true);
-  EXPECT_NEAR(rig.measurements().time, 5.0, 1e-9);
+  EXPECT_NEAR(rig.truth().time, 5.0, 1e-9);
   drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
   for (int k = 0; k < 500; ++k)
   {
     ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
-    ASSERT_EQ(rig.measurements().bit_depth, bit_depth[k]) << k;
-    ASSERT_EQ(rig.measurements().hook_load, hook_load[k]) << k;
+    ASSERT_EQ(rig.truth().bit_depth, bit_depth[k]) << k;
+    ASSERT_EQ(rig.truth().hook_load, hook_load[k]) << k;
   }
-  EXPECT_NEAR(rig.measurements().time, 10.0, 1e-9);
+  EXPECT_NEAR(rig.truth().time, 10.0, 1e-9);
 }
 
 int main(int argc, char** argv)

@@ -55,11 +55,11 @@ Drilling drill(IntegratorKind integrator, double from, double to)
   ProgramPlayer program(scene.program);
   Drilling mean;
   double frames = 0.0;
-  while (rig.measurements().time < to)
+  while (rig.truth().time < to)
   {
     program.apply(rig);
     EXPECT_EQ(rig.frame(kFrame), FrameStatus::running) << rig.failure();
-    const Measurements& m = rig.measurements();
+    const Truth& m = rig.truth();
     if (m.time < from) continue;
     mean.wob += m.wob;
     mean.torque += m.torque;
@@ -68,7 +68,7 @@ Drilling drill(IntegratorKind integrator, double from, double to)
     ++frames;
   }
   for (double* sum : {&mean.wob, &mean.torque, &mean.bit_torque, &mean.hook_load}) *sum /= frames;
-  mean.depth = rig.measurements().hole_depth;
+  mean.depth = rig.truth().hole_depth;
   mean.rejected = static_cast<double>(rig.statistics().convergence_failures);
   return mean;
 }
@@ -129,7 +129,7 @@ TEST(Arkode, goesOnBitByBitFromASnapshot)
     }
   };
   go_on(4000);
-  ASSERT_TRUE(rig.measurements().on_bottom);
+  ASSERT_TRUE(rig.truth().on_bottom);
   const auto middle = rig.save();
   go_on(300);
   const auto end = rig.save();

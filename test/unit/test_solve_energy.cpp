@@ -141,7 +141,7 @@ TEST(Energy, ofASlidingPipeGoesIntoFriction)
   EXPECT_LT(e.closure(), 1e-3);
 }
 
-// Steady drilling: thrust times ROP and torque times speed, from the measurements of every frame.
+// Steady drilling: thrust times ROP and torque times speed, from the truth of every frame.
 TEST(Energy, ofBrokenRockIsForceTimesSpeed)
 {
   Simulator simulator(scene_file("config/scenes/quick.yaml"));
@@ -152,7 +152,7 @@ TEST(Energy, ofBrokenRockIsForceTimesSpeed)
   for (int k = 0; k < 1000; ++k)
   {
     ASSERT_EQ(simulator.frame(0.01), FrameStatus::running);
-    const Measurements& m = simulator.measurements();
+    const Truth& m = simulator.truth();
     thrust += 0.01 * m.wob * m.rop;
     torque += 0.01 * m.bit_torque * m.bit_speed;
   }
@@ -214,9 +214,9 @@ TEST(Energy, bookLeavesTheRunAsItIs)
     simulator->command(WinchSetpoint{-0.01, false});
     for (int k = 0; k < 500; ++k) ASSERT_EQ(simulator->frame(0.01), FrameStatus::running);
   }
-  EXPECT_EQ(with.measurements().bit_position, without.measurements().bit_position);
-  EXPECT_EQ(with.measurements().hook_load, without.measurements().hook_load);
-  EXPECT_EQ(with.measurements().torque, without.measurements().torque);
+  EXPECT_EQ(with.truth().bit_position, without.truth().bit_position);
+  EXPECT_EQ(with.truth().hook_load, without.truth().hook_load);
+  EXPECT_EQ(with.truth().torque, without.truth().torque);
   EXPECT_EQ(with.statistics().work.residuals, without.statistics().work.residuals);
   EXPECT_GT(with.energy().time, 4.99);
   EXPECT_EQ(without.energy().time, 0.0);

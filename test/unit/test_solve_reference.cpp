@@ -110,7 +110,7 @@ TEST(Reference, DrillsAsTheDefaultStepperDoesAtShortSteps)
     start_up(*simulator);
     run(*simulator, 1.0);
   }
-  const Measurements &a = reference.measurements(), &b = stepper.measurements();
+  const Truth &a = reference.truth(), &b = stepper.truth();
   EXPECT_GT(a.wob, 5e3);
   EXPECT_NEAR(a.hook_load, b.hook_load, 1e-4 * b.hook_load);
   EXPECT_NEAR(a.wob, b.wob, 0.01 * b.wob);
@@ -140,12 +140,12 @@ TEST(Reference, RunsRepeatWithinTheToleranceAfterARestore)
   run(simulator, 0.2);
   const auto saved = simulator.save();
   run(simulator, 0.1);
-  const Measurements first = simulator.measurements();
+  const Truth first = simulator.truth();
   simulator.restore(*saved);
   run(simulator, 0.1);
-  EXPECT_LT((simulator.measurements().bit_position - first.bit_position).norm(), 1e-7);
-  EXPECT_NEAR(simulator.measurements().hook_load, first.hook_load, 1e-5 * first.hook_load);
-  EXPECT_DOUBLE_EQ(simulator.measurements().time, first.time);
+  EXPECT_LT((simulator.truth().bit_position - first.bit_position).norm(), 1e-7);
+  EXPECT_NEAR(simulator.truth().hook_load, first.hook_load, 1e-5 * first.hook_load);
+  EXPECT_DOUBLE_EQ(simulator.truth().time, first.time);
 }
 
 TEST(Reference, JacobianOfTheRigByFiniteDifferences)

@@ -75,7 +75,7 @@ SoftStringResult moving(const Case& c, Sliding sliding)
   Scene scene = c.scene;
   scene.numerics.step = 0.01;
   Simulator rig(scene);
-  const Measurements& m = rig.measurements();
+  const Truth& m = rig.truth();
   if (sliding == Sliding::rotate)
   {
     TopDriveSetpoint drive;

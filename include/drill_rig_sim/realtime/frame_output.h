@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "drill_rig_sim/scene/scene.h"
-#include "drill_rig_sim/sim/measurements.h"
+#include "drill_rig_sim/sim/signals.h"
 #include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/sim/string_profile.h"
 #include "drill_rig_sim/well/wellbore.h"
 
 namespace drill_rig_sim
@@ -39,7 +40,8 @@ struct FrameRecord
 {
   std::int64_t stamp = 0;  ///< [ns]
   RunState run_state = RunState::running;
-  Measurements measurements;
+  Truth truth;
+  Readings readings;
   RigSpec rig;
   std::int64_t last_command = 0;           ///< stamp of the last accepted command [ns]; 0 = none
   std::array<std::int64_t, 3> accepted{};  ///< stamps of the set points in force: winch, top drive, pump [ns]
@@ -57,6 +59,7 @@ struct FrameOutput
   bool new_stamp = true;  ///< false: nothing but a picture for a new subscriber
   bool rebuilt = false;   ///< the first one of another rig or well
   bool state_due = false;
+  bool run_state_changed = false;  ///< without a new stamp: rig_state says it once more
   bool profile_due = false;  ///< drillstring_state
   bool tf_due = false;
   bool markers_due = false;

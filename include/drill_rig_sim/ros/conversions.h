@@ -36,7 +36,8 @@ WinchSetpoint to_setpoint(const WinchCommand& m);
 TopDriveSetpoint to_setpoint(const TopDriveCommand& m);
 PumpSetpoint to_setpoint(const MudPumpCommand& m);
 
-RigState to_rig_state(const FrameRecord& frame, const std::string& frame_id);
+/// `from` is the frame's truth or its readings.
+RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const std::string& frame_id);
 RigLimits to_rig_limits(const RigSpec& rig, const std_msgs::Header& header);
 
 }  // namespace drill_rig_sim

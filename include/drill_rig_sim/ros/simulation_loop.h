@@ -171,6 +171,7 @@ private:
   bool stepping_ = false;
   StepResult step_;
   std::uint64_t steering_refused_ = 0;
+  RunState run_state_said_ = RunState::waiting;  // what rig_state said last
   bool announced_ = false;  // a stamped frame of this rig has been handed over
   std::thread thread_;
 };

@@ -12,7 +12,7 @@
 
 namespace drill_rig_sim
 {
-/// Publishes what is measured: rig_state and its kin, the truth at the bit, downhole telemetry, the string's profile, the limits.
+/// Publishes the readings (rig_state and its kin, downhole telemetry), the truth (truth/rig_state, the bit, the string's profile), the limits.
 class StatePublisher
 {
 public:
@@ -30,7 +30,7 @@ private:
   Subscriptions& subscriptions_;
   std::uint64_t last_survey_ = 0, last_toolface_ = 0;
   DrillstringState profile_;
-  ros::Publisher hook_load_, torque_, rig_state_, rig_limits_, joint_states_;
+  ros::Publisher hook_load_, torque_, rig_state_, true_rig_state_, rig_limits_, joint_states_;
   ros::Publisher bit_pose_, bit_twist_, bit_wrench_, mwd_, toolface_, drillstring_;
 };
 

@@ -9,6 +9,19 @@ struct SensorSpec
   double bias = 0.0;         ///< [unit of the signal]
   double delay = 0.0;        ///< [s]
   double filter_time = 0.0;  ///< first-order time constant [s]
+  double resolution = 0.0;   ///< steps in which it shows [unit of the signal]; 0 = none
+};
+
+/// Where the hook load is measured.
+enum class HookLoadPlace
+{
+  block,     ///< between block and lines: the load itself
+  dead_line  ///< at the dead line's anchor: the friction of the sheaves is in it
+};
+
+struct HookLoadSpec : SensorSpec
+{
+  HookLoadPlace place = HookLoadPlace::dead_line;
 };
 
 struct MwdSpec
@@ -30,9 +43,11 @@ struct InstrumentsSpec
 {
   MwdSpec mwd;
   ToolfaceSpec toolface;
-  SensorSpec hook_load;            ///< dead-line sensor [N]
+  HookLoadSpec hook_load;          ///< [N]
   SensorSpec torque;               ///< torque meter [N m]
   SensorSpec stand_pipe_pressure;  ///< [Pa]
+  SensorSpec flow;                 ///< [m3/s]
+  SensorSpec block_height;         ///< [m]
 };
 
 }  // namespace drill_rig_sim

@@ -1,139 +1,102 @@
 #ifndef DRILL_RIG_SIM_SIM_INSTRUMENTS_H
 #define DRILL_RIG_SIM_SIM_INSTRUMENTS_H
 
-#include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
-#include "drill_rig_sim/scene/instruments_spec.h"
-#include "drill_rig_sim/sim/measurements.h"
+#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/sim/mwd.h"
+#include "drill_rig_sim/sim/sensor.h"
+#include "drill_rig_sim/sim/signals.h"
 
 namespace drill_rig_sim
 {
-/// A stream of random numbers whose whole state is one integer: a snapshot restores it exactly.
-struct NoiseSource
-{
-  std::uint64_t state = 0;
-  /// Uniform in (0, 1).
-  double uniform() noexcept;
-  /// Standard normal.
-  double normal() noexcept;
-
-  template <class V>
-  void visit(V& v)
-  {
-    v("state", state);
-  }
-};
-
-/// A surface sensor: delayed, filtered to first order, offset, noisy.
-class Sensor
+/// The rate of a depth over a window that slides with time.
+class RateMeter
 {
 public:
-  Sensor() = default;
-  /// `interval` [s]: between samples, at the shortest; allocates the delay line.
-  Sensor(const SensorSpec& spec, double interval);
-  /// Next reading of a signal that is `truth` at `time` [s].
-  double read(double truth, double time, NoiseSource& noise) noexcept;
+  static constexpr double window = 10.0;  ///< [s]
+
+  /// Mean rate from the oldest sample within the window to `depth` [m] at `time` [s]; [m/s]. 0 for the first sample.
+  double rate(double depth, double time) noexcept;
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept;
 
-  /// What it remembers; its specification is the scene's.
   template <class V>
   void visit(V& v)
   {
-    v("line", line_);
-    v("next", next_);
+    v("samples", samples_);
+    v("newest", newest_);
     v("held", held_);
-    v("filtered", filtered_);
-    v("last_time", last_time_);
-    v("started", started_);
   }
 
 private:
+  static constexpr std::size_t size = 21;
+  static constexpr double spacing = window / (size - 1);  // [s]
   struct Sample
   {
-    double time, value;
+    double time = 0.0, depth = 0.0;
 
     template <class V>
     void visit(V& v)
     {
       v("time", time);
-      v("value", value);
+      v("depth", depth);
     }
   };
-  SensorSpec spec_;
-  std::vector<Sample> line_;  // ring
-  std::size_t next_ = 0, held_ = 0;
-  double filtered_ = 0.0;
-  double last_time_ = 0.0;
-  bool started_ = false;
+  std::array<Sample, size> samples_;  // ring
+  std::size_t newest_ = 0, held_ = 0;
 };
 
-/// What the MWD's sensor sees.
-struct SensorView
-{
-  double md = 0.0;                                      ///< [m]
-  Eigen::Vector3d axis = -Eigen::Vector3d::UnitZ();     ///< along the string, towards the bit
-  Eigen::Vector3d scribe = Eigen::Vector3d::UnitY();    ///< across the string: the bend's direction without twist
-};
-
-/// Measurement while drilling: surveys by period, or after a pumps-off/on cycle when the period is 0, and the faster toolface; each
-/// reaches the surface late. No reading without flow but the survey that a cycle takes.
-class Mwd
+/// The rig's gauges and what is worked out from them: from the truth to the readings, as signals.h (Readings) says.
+class Instruments
 {
 public:
-  Mwd() = default;
-  Mwd(const MwdSpec& survey, const ToolfaceSpec& toolface);
-  /// Takes what is due at `time` [s] and hands over what has arrived by now.
-  void update(double time, double flow, const SensorView& view, NoiseSource& noise, MwdReading& survey, ToolfaceReading& toolface) noexcept;
-  /// Moves all it remembers by `shift` [s].
+  Instruments() = default;
+  /// The tally and the hole's depth are right at the start. `seed`: of the gauges' noise.
+  Instruments(const Scene& scene, const Truth& at_start, std::uint64_t seed);
+  /// Readings of a frame that ends as `truth` says, the MWD seeing `view`.
+  void read(const Truth& truth, const SensorView& view, Readings& readings) noexcept;
+  /// Zeroes surface WOB and differential pressure at what the gauges show.
+  void tare(Readings& readings) noexcept;
+  /// Moves all they remember by `shift` [s].
   void shift_time(double shift) noexcept;
 
-  /// What it remembers; its specification is the scene's.
+  /// What they remember; their specifications are the scene's.
   template <class V>
   void visit(V& v)
   {
-    v("surveys", surveys_);
-    v("toolfaces", toolfaces_);
-    v("next_survey", next_survey_);
-    v("next_toolface", next_toolface_);
-    v("flowing", flowing_);
-    v("magnetic", magnetic_);
-    v("survey_count", survey_count_);
-    v("toolface_count", toolface_count_);
+    v("block_load", block_load_);
+    v("dead_line", dead_line_);
+    v("torque", torque_);
+    v("stand_pipe_pressure", stand_pipe_pressure_);
+    v("flow", flow_);
+    v("block_height", block_height_);
+    v("mwd", mwd_);
+    v("tally", tally_);
+    v("hole_depth", hole_depth_);
+    v("rop", rop_);
+    v("tared", tared_);
+    v("tare_hook_load", tare_hook_load_);
+    v("tare_pressure", tare_pressure_);
   }
 
 private:
-  template <class Reading>
-  struct Queue  // readings on their way up
-  {
-    std::array<Reading, 32> entry;
-    std::size_t first = 0, count = 0;
-    void push(const Reading& r) noexcept;
-    bool pop_before(double time, Reading& r) noexcept;
+  void read_gauges(const Truth& truth, Readings& readings) noexcept;
+  void work_out_weights(Readings& readings) const noexcept;
+  void work_out_depths(Readings& readings) noexcept;
 
-    template <class V>
-    void visit(V& v)
-    {
-      v("entry", entry);
-      v("first", first);
-      v("count", count);
-    }
-  };
-  MwdReading measure(double time, const SensorView& view, NoiseSource& noise) const noexcept;
-
-  MwdSpec survey_;
-  ToolfaceSpec toolface_;
-  Queue<MwdReading> surveys_;
-  Queue<ToolfaceReading> toolfaces_;
-  double next_survey_ = 0.0;
-  double next_toolface_ = 0.0;
-  bool flowing_ = false;
-  bool magnetic_ = true;
-  std::uint64_t survey_count_ = 0;
-  std::uint64_t toolface_count_ = 0;
+  HookLoadPlace place_ = HookLoadPlace::dead_line;
+  double block_weight_ = 0.0;  // with top drive [N]
+  Sensor block_load_, dead_line_, torque_, stand_pipe_pressure_, flow_, block_height_;
+  Mwd mwd_;
+  double tally_ = 0.0;  // of the pipe from the bit's face to the top-drive shaft [m]
+  double hole_depth_ = 0.0;  // the bit's deepest so far [m]
+  RateMeter rop_;
+  bool tared_ = false;
+  double tare_hook_load_ = 0.0;  // [N]
+  double tare_pressure_ = 0.0;   // [Pa]
 };
 
 }  // namespace drill_rig_sim

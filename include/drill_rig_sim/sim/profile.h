@@ -1,7 +1,7 @@
 #ifndef DRILL_RIG_SIM_SIM_PROFILE_H
 #define DRILL_RIG_SIM_SIM_PROFILE_H
 
-#include "drill_rig_sim/sim/measurements.h"
+#include "drill_rig_sim/sim/string_profile.h"
 #include "drill_rig_sim/solve/statics.h"
 
 namespace drill_rig_sim

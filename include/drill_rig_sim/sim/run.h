@@ -32,10 +32,10 @@ FrameStatus play_frame(Simulator& simulator, ProgramPlayer* program, double dura
 double frame_of_whole_steps(double length, double step) noexcept;
 
 /// Plays `program` frame by frame until the goal, on from the simulator's present time.
-/// `frame_length` [s]: rounded to whole steps of the scene. `after_frame` is called after each frame that was computed, with its
-/// measurements; it may be empty. What it throws ends the run and reaches the caller.
+/// `frame_length` [s]: rounded to whole steps of the scene. `after_frame` is called after each frame that was computed, with the
+/// truth then; it may be empty. What it throws ends the run and reaches the caller.
 RunEnd run(Simulator& simulator, ProgramPlayer& program, const RunGoal& goal, double frame_length,
-           const std::function<void(const Measurements&)>& after_frame = {});
+           const std::function<void(const Truth&)>& after_frame = {});
 
 }  // namespace drill_rig_sim
 

@@ -9,7 +9,8 @@
 #include "drill_rig_sim/model/profiler.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/commands.h"
-#include "drill_rig_sim/sim/measurements.h"
+#include "drill_rig_sim/sim/signals.h"
+#include "drill_rig_sim/sim/string_profile.h"
 #include "drill_rig_sim/solve/reference_report.h"
 #include "drill_rig_sim/model/energy_accounts.h"
 #include "drill_rig_sim/model/work.h"
@@ -75,7 +76,10 @@ public:
   /// Why the last frame failed, one line; empty while running.
   const char* failure() const noexcept;
 
-  const Measurements& measurements() const noexcept;
+  /// The rig as it is after the last frame: for judging a controller.
+  const Truth& truth() const noexcept;
+  /// What its instruments show then: for feeding one.
+  const Readings& readings() const noexcept;
   /// Fills the arrays in place; they allocate on first use only.
   void profile(StringProfile& out) const;
   /// Named bottom-hole parts and every `every`-th pipe joint.
@@ -86,7 +90,7 @@ public:
   const SimulatorStatistics& statistics() const noexcept;
   const Scene& scene() const noexcept;
 
-  /// Zero of surface WOB and differential pressure. False (unchanged) on bottom.
+  /// Zero of surface WOB and differential pressure, where they are and where the gauges show them. False (unchanged) on bottom.
   bool tare() noexcept;
   /// Grips the pipe within a joint of measured depth `md`; false if no pipe is there.
   bool stick_pipe(double md) noexcept;

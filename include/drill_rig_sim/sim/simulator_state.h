@@ -8,7 +8,7 @@
 #include "drill_rig_sim/model/state.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/instruments.h"
-#include "drill_rig_sim/sim/measurements.h"
+#include "drill_rig_sim/sim/signals.h"
 
 namespace drill_rig_sim
 {
@@ -19,17 +19,14 @@ struct SimulatorState
 
   std::uint64_t scene = 0;  ///< scene_hash() of the rig that it belongs to
   State mechanics;
-  RigForces forces;  ///< of the last step: measurements only
+  RigForces forces;  ///< of the last step: for the truth only
   CommandState commands;
   bool tared = false;
-  double tare_hook_load = 0.0;  ///< [N]
-  double tare_pressure = 0.0;   ///< [Pa]
-  NoiseSource noise;
-  Sensor hook_load_sensor;
-  Sensor torque_sensor;
-  Sensor pressure_sensor;
-  Mwd mwd;
-  Measurements measurements;
+  double tare_hook_load = 0.0;  ///< true one [N]
+  double tare_pressure = 0.0;   ///< true one over the motor [Pa]
+  Truth truth;
+  Instruments instruments;
+  Readings readings;
 
   template <class V>
   void visit(V& v)
@@ -41,12 +38,9 @@ struct SimulatorState
     v("tared", tared);
     v("tare_hook_load", tare_hook_load);
     v("tare_pressure", tare_pressure);
-    v("noise", noise);
-    v("hook_load_sensor", hook_load_sensor);
-    v("torque_sensor", torque_sensor);
-    v("pressure_sensor", pressure_sensor);
-    v("mwd", mwd);
-    v("measurements", measurements);
+    v("truth", truth);
+    v("instruments", instruments);
+    v("readings", readings);
   }
 };
 

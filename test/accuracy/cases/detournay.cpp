@@ -52,7 +52,7 @@ Drilled drill(double feed, double speed)
   rig.command(drive);
   rig.command(WinchSetpoint{-feed, false});
   const double frame = 0.01;
-  const Measurements& m = rig.measurements();
+  const Truth& m = rig.truth();
   auto advance = [&]
   {
     if (rig.frame(frame) != FrameStatus::running) throw std::runtime_error(rig.failure());

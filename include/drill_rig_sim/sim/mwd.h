@@ -1,0 +1,83 @@
+#ifndef DRILL_RIG_SIM_SIM_MWD_H
+#define DRILL_RIG_SIM_SIM_MWD_H
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+#include "drill_rig_sim/scene/instruments_spec.h"
+#include "drill_rig_sim/sim/sensor.h"
+#include "drill_rig_sim/sim/signals.h"
+
+namespace drill_rig_sim
+{
+/// What the MWD's sensor sees.
+struct SensorView
+{
+  double md = 0.0;                                      ///< [m]
+  Eigen::Vector3d axis = -Eigen::Vector3d::UnitZ();     ///< along the string, towards the bit
+  Eigen::Vector3d scribe = Eigen::Vector3d::UnitY();    ///< across the string: the bend's direction without twist
+};
+
+/// Measurement while drilling: surveys by period, or after a pumps-off/on cycle when the period is 0, and the faster toolface; each
+/// reaches the surface late. No reading without flow but the survey that a cycle takes.
+class Mwd
+{
+public:
+  Mwd() = default;
+  Mwd(const MwdSpec& survey, const ToolfaceSpec& toolface, NoiseSource noise = {});
+  /// Takes what is due at `time` [s] and hands over what has arrived by now.
+  void update(double time, double flow, const SensorView& view, MwdReading& survey, ToolfaceReading& toolface) noexcept;
+  /// Moves all it remembers by `shift` [s].
+  void shift_time(double shift) noexcept;
+
+  /// What it remembers; its specification is the scene's.
+  template <class V>
+  void visit(V& v)
+  {
+    v("noise", noise_);
+    v("surveys", surveys_);
+    v("toolfaces", toolfaces_);
+    v("next_survey", next_survey_);
+    v("next_toolface", next_toolface_);
+    v("flowing", flowing_);
+    v("magnetic", magnetic_);
+    v("survey_count", survey_count_);
+    v("toolface_count", toolface_count_);
+  }
+
+private:
+  template <class Reading>
+  struct Queue  // readings on their way up
+  {
+    std::array<Reading, 32> entry;
+    std::size_t first = 0, count = 0;
+    void push(const Reading& r) noexcept;
+    bool pop_before(double time, Reading& r) noexcept;
+
+    template <class V>
+    void visit(V& v)
+    {
+      v("entry", entry);
+      v("first", first);
+      v("count", count);
+    }
+  };
+  MwdReading measure(double time, const SensorView& view) noexcept;
+
+  MwdSpec survey_;
+  ToolfaceSpec toolface_;
+  NoiseSource noise_;
+  Queue<MwdReading> surveys_;
+  Queue<ToolfaceReading> toolfaces_;
+  double next_survey_ = 0.0;
+  double next_toolface_ = 0.0;
+  bool flowing_ = false;
+  bool magnetic_ = true;
+  std::uint64_t survey_count_ = 0;
+  std::uint64_t toolface_count_ = 0;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,172 @@
+#ifndef DRILL_RIG_SIM_SIM_SIGNALS_H
+#define DRILL_RIG_SIM_SIM_SIGNALS_H
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+
+#include "drill_rig_sim/sim/commands.h"
+
+/// What a frame tells of the rig, twice: as it is (Truth) and as its instruments show it (Readings).
+namespace drill_rig_sim
+{
+/// A survey by the MWD, as it reaches the surface.
+struct MwdReading
+{
+  std::uint64_t sequence = 0;  ///< counts readings; a change means a new one has arrived
+  double time = 0.0;           ///< simulated time of measurement [s]
+  double md = 0.0;             ///< sensor's measured depth [m]
+  double inclination = 0.0;    ///< [rad]
+  double azimuth = 0.0;        ///< [rad], 0 .. 2 pi
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("sequence", sequence);
+    v("time", time);
+    v("md", md);
+    v("inclination", inclination);
+    v("azimuth", azimuth);
+  }
+};
+
+struct ToolfaceReading
+{
+  std::uint64_t sequence = 0;
+  double time = 0.0;      ///< simulated time of measurement [s]
+  double toolface = 0.0;  ///< [rad], -pi .. pi
+  bool magnetic = false;  ///< true: from north (inclination below 5 deg), false: from the high side
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("sequence", sequence);
+    v("time", time);
+    v("toolface", toolface);
+    v("magnetic", magnetic);
+  }
+};
+
+/// A rig's signals at one instant. Signs as in commands.h. Each field says what it is in truth; Readings says what instruments make of it.
+struct RigSignals
+{
+  double time = 0.0;  ///< simulated [s]
+
+  double hook_load = 0.0;              ///< load of the lines on the block, block and top drive included [N]
+  double dead_line_hook_load = 0.0;    ///< what an ideal sensor at the dead line shows, sheave friction included [N]
+  double hook_load_string = 0.0;       ///< hook_load without block and top drive [N]
+  double block_height = 0.0;           ///< top-drive shaft above the rotary table [m]
+  double block_velocity = 0.0;         ///< + up [m/s]
+  double top_drive_angle = 0.0;        ///< [rad], unbounded
+  double top_drive_speed = 0.0;        ///< [rad/s]
+  double torque = 0.0;                 ///< of the torque meter's spring, + drives the string clockwise [N m]
+  double stand_pipe_pressure = 0.0;    ///< [Pa]
+  double differential_pressure = 0.0;  ///< of the mud motor, zeroed by tare [Pa]
+  double flow = 0.0;                   ///< [m3/s]
+  double hole_depth = 0.0;             ///< [m MD]
+  double bit_depth = 0.0;              ///< of the bit's face [m MD]
+  double surface_wob = 0.0;            ///< tare - hook_load; 0 until tared [N]
+  double rop = 0.0;                    ///< rate of hole_depth over the last frame [m/s]
+  bool tared = false;
+  bool on_bottom = false;
+  bool in_slips = false;
+  bool brake_set = false;
+  bool motor_stalled = false;
+  bool winch_limited = false;       ///< a limit of speed, acceleration, load or height holds the winch back
+  bool top_drive_limited = false;   ///< torque, speed or power limit active
+  bool command_clamped = false;     ///< the last command was
+  bool commands_timed_out = false;
+  Setpoints setpoints;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("time", time);
+    v("hook_load", hook_load);
+    v("dead_line_hook_load", dead_line_hook_load);
+    v("hook_load_string", hook_load_string);
+    v("block_height", block_height);
+    v("block_velocity", block_velocity);
+    v("top_drive_angle", top_drive_angle);
+    v("top_drive_speed", top_drive_speed);
+    v("torque", torque);
+    v("stand_pipe_pressure", stand_pipe_pressure);
+    v("differential_pressure", differential_pressure);
+    v("flow", flow);
+    v("hole_depth", hole_depth);
+    v("bit_depth", bit_depth);
+    v("surface_wob", surface_wob);
+    v("rop", rop);
+    v("tared", tared);
+    v("on_bottom", on_bottom);
+    v("in_slips", in_slips);
+    v("brake_set", brake_set);
+    v("motor_stalled", motor_stalled);
+    v("winch_limited", winch_limited);
+    v("top_drive_limited", top_drive_limited);
+    v("command_clamped", command_clamped);
+    v("commands_timed_out", commands_timed_out);
+    v("setpoints", setpoints);
+  }
+};
+
+/// The rig as it is, and what happens at the bit, where no instrument looks. Positions in `rig_floor` (x east, y north, z up).
+struct Truth : RigSignals
+{
+  Eigen::Vector3d bit_position = Eigen::Vector3d::Zero();  ///< centre of the bit's face [m]
+  Eigen::Quaterniond bit_orientation = Eigen::Quaterniond::Identity();  ///< x along the bit's axis, downhole; turns with the bit (motor included)
+  Eigen::Vector3d bit_velocity = Eigen::Vector3d::Zero();          ///< of the bit's face, world axes [m/s]
+  Eigen::Vector3d bit_angular_velocity = Eigen::Vector3d::Zero();  ///< world axes, motor included [rad/s]
+  Eigen::Vector3d bit_force = Eigen::Vector3d::Zero();    ///< rock on bit, world axes [N]
+  Eigen::Vector3d bit_moment = Eigen::Vector3d::Zero();   ///< rock on bit about the bit's centre, world axes [N m]
+  double wob = 0.0;               ///< >= 0 [N]
+  double bit_torque = 0.0;        ///< >= 0 when the rock resists clockwise turning [N m]
+  double bit_speed = 0.0;         ///< string below the motor plus motor [rad/s]
+  double bit_inclination = 0.0;   ///< of the hole at its bottom [rad]
+  double bit_azimuth = 0.0;       ///< [rad], 0 .. 2 pi
+  double bend_toolface = 0.0;     ///< of the bend itself [rad]
+
+  template <class V>
+  void visit(V& v)
+  {
+    RigSignals::visit(v);
+    v("bit_position", bit_position);
+    v("bit_orientation", bit_orientation);
+    v("bit_velocity", bit_velocity);
+    v("bit_angular_velocity", bit_angular_velocity);
+    v("bit_force", bit_force);
+    v("bit_moment", bit_moment);
+    v("wob", wob);
+    v("bit_torque", bit_torque);
+    v("bit_speed", bit_speed);
+    v("bit_inclination", bit_inclination);
+    v("bit_azimuth", bit_azimuth);
+    v("bend_toolface", bend_toolface);
+  }
+};
+
+/// What the driller sees.
+/// - hook_load, dead_line_hook_load, torque, stand_pipe_pressure, flow, block_height: gauges, each with its delay, filter, bias, noise and
+///   resolution; hook_load is the gauge where the scene puts it.
+/// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact.
+/// - worked out, as a rig does: bit_depth = tally - block_height (the tally is right at the start), hole_depth its largest so far, rop the
+///   rate of that over the last 10 s, hook_load_string = hook_load - weight of block and top drive, surface_wob = tare - hook_load,
+///   differential_pressure = stand_pipe_pressure - tare, 0 until tared.
+/// - on_bottom, motor_stalled: false, no rig can sense them. The other flags are the rig's own and true.
+struct Readings : RigSignals
+{
+  MwdReading mwd;
+  ToolfaceReading toolface;
+
+  template <class V>
+  void visit(V& v)
+  {
+    RigSignals::visit(v);
+    v("mwd", mwd);
+    v("toolface", toolface);
+  }
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,95 @@
+#include "drill_rig_sim/sim/sensor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drill_rig_sim/math/units.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double most_samples = 6000.0;  // of a delay line: 60 s at the node's 100 Hz
+constexpr double rounding = 1e-9;        // of sums of steps [s]
+
+/// splitmix64 (Steele, Lea and Flood 2014)
+std::uint64_t next(std::uint64_t& state) noexcept
+{
+  std::uint64_t z = (state += 0x9e3779b97f4a7c15ULL);
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31);
+}
+}  // namespace
+
+double rounded(double value, double resolution) noexcept
+{
+  return resolution > 0.0 ? resolution * std::round(value / resolution) : value;
+}
+
+NoiseSource NoiseSource::of(std::uint64_t seed, std::uint64_t index) noexcept
+{
+  // hashed twice: seeds and indices that lie close together, as they do, must not give each other's streams
+  std::uint64_t mixed = seed;
+  mixed = next(mixed) ^ index;
+  return {next(mixed)};
+}
+
+double NoiseSource::uniform() noexcept
+{
+  return (static_cast<double>(next(state) >> 11) + 0.5) / 9007199254740992.0;
+}
+
+double NoiseSource::normal() noexcept
+{
+  const double radius = std::sqrt(-2.0 * std::log(uniform()));
+  return radius * std::cos(2.0 * pi * uniform());
+}
+
+Sensor::Sensor(const SensorSpec& spec, double interval, NoiseSource noise)
+  : spec_(spec), spacing_(std::max(interval, spec.delay / most_samples)), noise_(noise)
+{
+  line_.resize(static_cast<std::size_t>(spec.delay / spacing_) + 2);
+}
+
+double Sensor::read(double truth, double time) noexcept
+{
+  remember(truth, time);
+  const double seen = delayed(truth, time);
+  // exact for a signal that is held between samples
+  filtered_ = started_ ? seen + (filtered_ - seen) * std::exp(-(time - last_time_) / std::max(spec_.filter_time, 1e-12)) : seen;
+  started_ = true;
+  last_time_ = time;
+  const double shown = filtered_ + spec_.bias + (spec_.noise > 0.0 ? spec_.noise * noise_.normal() : 0.0);
+  return rounded(shown, spec_.resolution);
+}
+
+void Sensor::remember(double truth, double time) noexcept
+{
+  if (held_ > 0 && time < line_[(next_ + line_.size() - 1) % line_.size()].time + spacing_ - rounding) return;
+  line_[next_] = {time, truth};
+  next_ = (next_ + 1) % line_.size();
+  held_ = std::min(held_ + 1, line_.size());
+}
+
+/// The newest sample that is old enough; until one is, the oldest there is.
+double Sensor::delayed(double truth, double time) const noexcept
+{
+  if (spec_.delay <= 0.0) return truth;
+  double value = truth;
+  for (std::size_t back = 1; back <= held_; ++back)
+  {
+    const Sample& sample = line_[(next_ + line_.size() - back) % line_.size()];
+    value = sample.value;
+    if (sample.time <= time - spec_.delay + rounding) break;
+  }
+  return value;
+}
+
+void Sensor::shift_time(double shift) noexcept
+{
+  for (Sample& sample : line_) sample.time += shift;
+  last_time_ += shift;
+}
+
+}  // namespace drill_rig_sim
