@@ -1,0 +1,340 @@
+// Every key of the scene file, set to a value of its own, is found in its field and in the field's unit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/read_scene.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+const char* const everything = R"(
+name: all_keys
+well:
+  stations: [[0.0, 1.0, 2.0], [400.0, 3.0, 4.0], [900.0, 5.0, 6.0]]
+  hole_depth: 801.0
+  sections:
+    - {to: 301.0, diameter: 0.35, friction: 0.21}
+    - {to: 801.0, diameter: 0.3112, friction: 0.31}
+formation:
+  - {to_tvd: 501.0, drillability: 1.1e-8, weight_exponent: 1.2, speed_exponent: 0.7, threshold: 1301.0, dip_deg: 14.0, strike_deg: 15.0, anisotropy: 0.16}
+  - {to_tvd: 5001.0, drillability: 1.7e-8}
+mud: {density: 1181.0, axial_damping: 0.19, lateral_damping: 21.0, torsional_damping: 2.2e-4, added_mass: 1.23}
+string:
+  - {name: b1, type: bit, length: 0.36, mass: 91.0, diameter: 0.3112, side_cutting: 0.12, squeeze_film_damping: 41000.0,
+     torque: {model: stribeck, static: 0.61, kinetic: 0.41, speed_rpm: 31.0}, bottom: {stiffness: 1.1e9, exponent: 1.51, damping: 1.01}}
+  - {name: m1, type: mud_motor, length: 8.4, outer_diameter: 0.204, inner_diameter: 0.121, linear_mass: 191.0, bend_deg: 1.3, bit_to_bend: 2.1, displacement_per_rev: 0.025, stall_torque: 12100.0}
+  - {name: c1, type: collar, joints: 2, joint_length: 9.1, outer_diameter: 0.203, inner_diameter: 0.072, linear_mass: 221.0, young_modulus: 2.01e11, poisson_ratio: 0.28, density: 7801.0,
+     contact: {stiffness: 5.1e7, exponent: 1.52, damping: 0.32}}
+  - {name: s1, type: stabilizer, length: 1.9, outer_diameter: 0.2031, inner_diameter: 0.073, linear_mass: 231.0, blade_diameter: 0.3081, squeeze_film_damping: 42000.0}
+  - {name: g1, type: mwd, length: 9.2, outer_diameter: 0.2033, inner_diameter: 0.074, linear_mass: 216.0, sensor_offset: 4.6}
+  - {name: p1, type: pipe, joints: fill, joint_length: 9.6, outer_diameter: 0.128, inner_diameter: 0.1087, linear_mass: 32.0, tool_joint_diameter: 0.169}
+rig:
+  hoisting: {sheaves: 6, line_ea: 4.1e7, crown_height: 47.0, fixed_length: 61.0, block_mass: 17600.0, sheave_efficiency: 0.97, max_speed: 1.6, max_acceleration: 0.6, max_hook_load: 2.6e6, lowest_block_height: 1.1, highest_block_height: 41.0}
+  top_drive: {inertia: 2600.0, proportional_gain: 20001.0, integral_gain: 5001.0, max_torque: 50001.0, max_speed_rpm: 221.0, max_power: 750001.0, meter_stiffness: 1.1e6}
+  mud_pump: {max_flow: 0.061, pressure_coefficient: 4.1e9}
+contact: {stiffness: 5.3e7, exponent: 1.53, damping: 0.33, stribeck_speed: 0.051, static_ratio: 1.21, tangential_stiffness: 5.4e6}
+trajectory: {stage_two_length: 0.11}
+start: {bit_depth: 801.0, block_height: 35.0, weight_on_bit: 1001.0, torque_on_bit: 101.0, toolface_deg: 11.0}
+numerics: {level: beam3d, integrator: trbdf2, element: corotational, step: 0.004, element_length: 9.7, tolerance: 0.012, reference_tolerance: 1.1e-6,
+           reference_order: 3, reference_index: 3, newton_tolerance: 1.2e-6, structural_damping: 1.3e-4}
+instruments:
+  mwd: {period: 32.0, latency: 8.1, inclination_resolution_deg: 0.13, noise_deg: 0.06, scribe_offset_deg: 17.0}
+  toolface: {period: 10.1, latency: 4.1}
+  surface:
+    hook_load: {place: block, noise: 1.1, bias: 1.2, delay: 1.3, filter_time: 1.4, resolution: 1.5}
+    torque: {noise: 2.1, bias: 2.2, delay: 2.3, filter_time: 2.4, resolution: 2.5}
+    stand_pipe_pressure: {noise: 3.1, bias: 3.2, delay: 3.3, filter_time: 3.4, resolution: 3.5}
+    flow: {noise: 4.1, bias: 4.2, delay: 4.3, filter_time: 4.4, resolution: 4.5}
+    block_height: {noise: 5.1, bias: 5.2, delay: 5.3, filter_time: 5.4, resolution: 5.5}
+connections: off
+program:
+  - {at: 1.5, block_velocity: -0.01, top_drive_speed_rpm: 54.0, flow: 0.046}
+  - {at: 2.5, top_drive_torque: 1234.0, brake: true}
+  - {at: 3.5, brake: false}
+)";
+
+struct Expected
+{
+  const char* block;  // as the scene reference calls it
+  const char* key;
+  std::function<double(const Scene&)> field;
+  double value;  // SI, radians
+};
+
+double number(bool same)
+{
+  return same ? 1.0 : 0.0;
+}
+
+std::vector<Expected> of_well()
+{
+  return {
+      {"", "name", [](const Scene& s) { return number(s.name == "all_keys"); }, 1.0},
+      {"well", "stations", [](const Scene& s) { return s.well.survey.at(1).md; }, 400.0},
+      {"well", "stations", [](const Scene& s) { return s.well.survey.at(1).inclination; }, 3.0 * degree},
+      {"well", "stations", [](const Scene& s) { return s.well.survey.at(1).azimuth; }, 4.0 * degree},
+      {"well", "hole_depth", [](const Scene& s) { return s.well.hole_depth; }, 801.0},
+      {"well", "sections", [](const Scene& s) { return double(s.well.sections.size()); }, 2.0},
+      {"well.sections[]", "to", [](const Scene& s) { return s.well.sections.at(0).to; }, 301.0},
+      {"well.sections[]", "diameter", [](const Scene& s) { return s.well.sections.at(0).diameter; }, 0.35},
+      {"well.sections[]", "friction", [](const Scene& s) { return s.well.sections.at(0).friction; }, 0.21},
+      {"", "formation", [](const Scene& s) { return double(s.formation.size()); }, 2.0},
+      {"formation[]", "to_tvd", [](const Scene& s) { return s.formation.at(0).to_tvd; }, 501.0},
+      {"formation[]", "drillability", [](const Scene& s) { return s.formation.at(0).drillability; }, 1.1e-8},
+      {"formation[]", "weight_exponent", [](const Scene& s) { return s.formation.at(0).weight_exponent; }, 1.2},
+      {"formation[]", "speed_exponent", [](const Scene& s) { return s.formation.at(0).speed_exponent; }, 0.7},
+      {"formation[]", "threshold", [](const Scene& s) { return s.formation.at(0).threshold; }, 1301.0},
+      {"formation[]", "dip_deg", [](const Scene& s) { return s.formation.at(0).dip; }, 14.0 * degree},
+      {"formation[]", "strike_deg", [](const Scene& s) { return s.formation.at(0).strike; }, 15.0 * degree},
+      {"formation[]", "anisotropy", [](const Scene& s) { return s.formation.at(0).anisotropy; }, 0.16},
+      {"mud", "density", [](const Scene& s) { return s.mud.density; }, 1181.0},
+      {"mud", "axial_damping", [](const Scene& s) { return s.mud.axial_damping; }, 0.19},
+      {"mud", "lateral_damping", [](const Scene& s) { return s.mud.lateral_damping; }, 21.0},
+      {"mud", "torsional_damping", [](const Scene& s) { return s.mud.torsional_damping; }, 2.2e-4},
+      {"mud", "added_mass", [](const Scene& s) { return s.mud.added_mass; }, 1.23},
+  };
+}
+
+std::vector<Expected> of_string()
+{
+  return {
+      {"", "string", [](const Scene& s) { return double(s.string.size()); }, 6.0},
+      {"string[]", "name", [](const Scene& s) { return number(s.string.at(2).name == "c1"); }, 1.0},
+      {"string[]", "type", [](const Scene& s) { return number(s.string.at(3).type == PartType::stabilizer); }, 1.0},
+      {"string[]", "length", [](const Scene& s) { return s.string.at(1).length; }, 8.4},
+      {"string[]", "joints", [](const Scene& s) { return s.string.at(2).joints; }, 2.0},
+      {"string[]", "joints", [](const Scene& s) { return s.string.at(5).joints; }, 0.0},
+      {"string[]", "joint_length", [](const Scene& s) { return s.string.at(2).joint_length; }, 9.1},
+      {"string[]", "joint_length", [](const Scene& s) { return s.string.at(2).length; }, 18.2},
+      {"string[]", "outer_diameter", [](const Scene& s) { return s.string.at(2).outer_diameter; }, 0.203},
+      {"string[]", "inner_diameter", [](const Scene& s) { return s.string.at(2).inner_diameter; }, 0.072},
+      {"string[]", "linear_mass", [](const Scene& s) { return s.string.at(2).linear_mass; }, 221.0},
+      {"string[]", "young_modulus", [](const Scene& s) { return s.string.at(2).young_modulus; }, 2.01e11},
+      {"string[]", "poisson_ratio", [](const Scene& s) { return s.string.at(2).poisson_ratio; }, 0.28},
+      {"string[]", "density", [](const Scene& s) { return s.string.at(2).density; }, 7801.0},
+      {"string[]", "contact", [](const Scene& s) { return s.string.at(2).has_contact; }, 1.0},
+      {"string[].contact", "stiffness", [](const Scene& s) { return s.string.at(2).contact.stiffness; }, 5.1e7},
+      {"string[].contact", "exponent", [](const Scene& s) { return s.string.at(2).contact.exponent; }, 1.52},
+      {"string[].contact", "damping", [](const Scene& s) { return s.string.at(2).contact.damping; }, 0.32},
+      {"string[]", "tool_joint_diameter", [](const Scene& s) { return s.string.at(5).tool_joint_diameter; }, 0.169},
+      {"string[]", "blade_diameter", [](const Scene& s) { return s.string.at(3).blade_diameter; }, 0.3081},
+      {"string[]", "squeeze_film_damping", [](const Scene& s) { return s.string.at(0).squeeze_film_damping; }, 41000.0},
+      {"string[]", "squeeze_film_damping", [](const Scene& s) { return s.string.at(3).squeeze_film_damping; }, 42000.0},
+      {"string[]", "sensor_offset", [](const Scene& s) { return s.string.at(4).sensor_offset; }, 4.6},
+      {"string[]", "mass", [](const Scene& s) { return s.string.at(0).bit->mass; }, 91.0},
+      {"string[]", "diameter", [](const Scene& s) { return s.string.at(0).bit->diameter; }, 0.3112},
+      {"string[]", "side_cutting", [](const Scene& s) { return s.string.at(0).bit->side_cutting; }, 0.12},
+      {"string[]", "torque", [](const Scene& s) { return s.string.at(0).bit->torque.static_friction; }, 0.61},
+      {"string[].torque", "model", [](const Scene& s) { return number(s.string.at(0).bit->torque.model == BitTorqueModel::stribeck); }, 1.0},
+      {"string[].torque", "static", [](const Scene& s) { return s.string.at(0).bit->torque.static_friction; }, 0.61},
+      {"string[].torque", "kinetic", [](const Scene& s) { return s.string.at(0).bit->torque.kinetic_friction; }, 0.41},
+      {"string[].torque", "speed_rpm", [](const Scene& s) { return s.string.at(0).bit->torque.speed; }, 31.0 * rpm},
+      {"string[]", "bottom", [](const Scene& s) { return s.string.at(0).bit->bottom.stiffness; }, 1.1e9},
+      {"string[].bottom", "stiffness", [](const Scene& s) { return s.string.at(0).bit->bottom.stiffness; }, 1.1e9},
+      {"string[].bottom", "exponent", [](const Scene& s) { return s.string.at(0).bit->bottom.exponent; }, 1.51},
+      {"string[].bottom", "damping", [](const Scene& s) { return s.string.at(0).bit->bottom.damping; }, 1.01},
+      {"string[]", "bend_deg", [](const Scene& s) { return s.string.at(1).motor->bend; }, 1.3 * degree},
+      {"string[]", "bit_to_bend", [](const Scene& s) { return s.string.at(1).motor->bit_to_bend; }, 2.1},
+      {"string[]", "displacement_per_rev", [](const Scene& s) { return s.string.at(1).motor->displacement_per_rev; }, 0.025},
+      {"string[]", "stall_torque", [](const Scene& s) { return s.string.at(1).motor->stall_torque; }, 12100.0},
+  };
+}
+
+std::vector<Expected> of_rig()
+{
+  return {
+      {"rig.hoisting", "sheaves", [](const Scene& s) { return s.rig.hoisting.sheaves; }, 6.0},
+      {"rig.hoisting", "line_ea", [](const Scene& s) { return s.rig.hoisting.line_ea; }, 4.1e7},
+      {"rig.hoisting", "crown_height", [](const Scene& s) { return s.rig.hoisting.crown_height; }, 47.0},
+      {"rig.hoisting", "fixed_length", [](const Scene& s) { return s.rig.hoisting.fixed_length; }, 61.0},
+      {"rig.hoisting", "block_mass", [](const Scene& s) { return s.rig.hoisting.block_mass; }, 17600.0},
+      {"rig.hoisting", "sheave_efficiency", [](const Scene& s) { return s.rig.hoisting.sheave_efficiency; }, 0.97},
+      {"rig.hoisting", "max_speed", [](const Scene& s) { return s.rig.hoisting.max_speed; }, 1.6},
+      {"rig.hoisting", "max_acceleration", [](const Scene& s) { return s.rig.hoisting.max_acceleration; }, 0.6},
+      {"rig.hoisting", "max_hook_load", [](const Scene& s) { return s.rig.hoisting.max_hook_load; }, 2.6e6},
+      {"rig.hoisting", "lowest_block_height", [](const Scene& s) { return s.rig.hoisting.lowest_block_height; }, 1.1},
+      {"rig.hoisting", "highest_block_height", [](const Scene& s) { return s.rig.hoisting.highest_block_height; }, 41.0},
+      {"rig.top_drive", "inertia", [](const Scene& s) { return s.rig.top_drive.inertia; }, 2600.0},
+      {"rig.top_drive", "proportional_gain", [](const Scene& s) { return s.rig.top_drive.proportional_gain; }, 20001.0},
+      {"rig.top_drive", "integral_gain", [](const Scene& s) { return s.rig.top_drive.integral_gain; }, 5001.0},
+      {"rig.top_drive", "max_torque", [](const Scene& s) { return s.rig.top_drive.max_torque; }, 50001.0},
+      {"rig.top_drive", "max_speed_rpm", [](const Scene& s) { return s.rig.top_drive.max_speed; }, 221.0 * rpm},
+      {"rig.top_drive", "max_power", [](const Scene& s) { return s.rig.top_drive.max_power; }, 750001.0},
+      {"rig.top_drive", "meter_stiffness", [](const Scene& s) { return s.rig.top_drive.meter_stiffness; }, 1.1e6},
+      {"rig.mud_pump", "max_flow", [](const Scene& s) { return s.rig.mud_pump.max_flow; }, 0.061},
+      {"rig.mud_pump", "pressure_coefficient", [](const Scene& s) { return s.rig.mud_pump.pressure_coefficient; }, 4.1e9},
+      {"contact", "stiffness", [](const Scene& s) { return s.contact.law.stiffness; }, 5.3e7},
+      {"contact", "exponent", [](const Scene& s) { return s.contact.law.exponent; }, 1.53},
+      {"contact", "damping", [](const Scene& s) { return s.contact.law.damping; }, 0.33},
+      {"contact", "stribeck_speed", [](const Scene& s) { return s.contact.stribeck_speed; }, 0.051},
+      {"contact", "static_ratio", [](const Scene& s) { return s.contact.static_ratio; }, 1.21},
+      {"contact", "tangential_stiffness", [](const Scene& s) { return s.contact.tangential_stiffness; }, 5.4e6},
+      {"trajectory", "stage_two_length", [](const Scene& s) { return s.trajectory.stage_two_length; }, 0.11},
+      {"start", "bit_depth", [](const Scene& s) { return s.start.bit_depth; }, 801.0},
+      {"start", "block_height", [](const Scene& s) { return s.start.block_height; }, 35.0},
+      {"start", "weight_on_bit", [](const Scene& s) { return s.start.weight_on_bit; }, 1001.0},
+      {"start", "torque_on_bit", [](const Scene& s) { return s.start.torque_on_bit; }, 101.0},
+      {"start", "toolface_deg", [](const Scene& s) { return s.start.toolface; }, 11.0 * degree},
+  };
+}
+
+std::vector<Expected> of_numerics()
+{
+  return {
+      {"numerics", "level", [](const Scene& s) { return number(s.numerics.level == Level::beam3d); }, 1.0},
+      {"numerics", "integrator", [](const Scene& s) { return number(s.numerics.integrator == IntegratorKind::trbdf2); }, 1.0},
+      {"numerics", "element", [](const Scene& s) { return number(s.numerics.element == ElementKind::corotational); }, 1.0},
+      {"numerics", "step", [](const Scene& s) { return s.numerics.step; }, 0.004},
+      {"numerics", "element_length", [](const Scene& s) { return s.numerics.element_length; }, 9.7},
+      {"numerics", "tolerance", [](const Scene& s) { return s.numerics.tolerance; }, 0.012},
+      {"numerics", "reference_tolerance", [](const Scene& s) { return s.numerics.reference_tolerance; }, 1.1e-6},
+      {"numerics", "reference_order", [](const Scene& s) { return s.numerics.reference_order; }, 3.0},
+      {"numerics", "reference_index", [](const Scene& s) { return s.numerics.reference_index; }, 3.0},
+      {"numerics", "newton_tolerance", [](const Scene& s) { return s.numerics.newton_tolerance; }, 1.2e-6},
+      {"numerics", "structural_damping", [](const Scene& s) { return s.numerics.structural_damping; }, 1.3e-4},
+      {"", "connections", [](const Scene& s) { return number(s.connections == Connections::off); }, 1.0},
+      {"", "program", [](const Scene& s) { return double(s.program.size()); }, 3.0},
+      {"program[]", "at", [](const Scene& s) { return s.program.at(0).at; }, 1.5},
+      {"program[]", "block_velocity", [](const Scene& s) { return s.program.at(0).block_velocity; }, -0.01},
+      {"program[]", "top_drive_speed_rpm", [](const Scene& s) { return s.program.at(0).top_drive_speed; }, 54.0 * rpm},
+      {"program[]", "top_drive_torque", [](const Scene& s) { return s.program.at(1).top_drive_torque; }, 1234.0},
+      {"program[]", "flow", [](const Scene& s) { return s.program.at(0).flow; }, 0.046},
+      {"program[]", "brake", [](const Scene& s) { return s.program.at(1).brake; }, 1.0},
+      {"program[]", "brake", [](const Scene& s) { return s.program.at(2).brake; }, 0.0},
+  };
+}
+
+std::vector<Expected> of_instruments()
+{
+  std::vector<Expected> all = {
+      {"instruments.mwd", "period", [](const Scene& s) { return s.instruments.mwd.period; }, 32.0},
+      {"instruments.mwd", "latency", [](const Scene& s) { return s.instruments.mwd.latency; }, 8.1},
+      {"instruments.mwd", "inclination_resolution_deg", [](const Scene& s) { return s.instruments.mwd.inclination_resolution; }, 0.13 * degree},
+      {"instruments.mwd", "noise_deg", [](const Scene& s) { return s.instruments.mwd.noise; }, 0.06 * degree},
+      {"instruments.mwd", "scribe_offset_deg", [](const Scene& s) { return s.instruments.mwd.scribe_offset; }, 17.0 * degree},
+      {"instruments.toolface", "period", [](const Scene& s) { return s.instruments.toolface.period; }, 10.1},
+      {"instruments.toolface", "latency", [](const Scene& s) { return s.instruments.toolface.latency; }, 4.1},
+      {"instruments.surface.hook_load", "place", [](const Scene& s) { return number(s.instruments.hook_load.place == HookLoadPlace::block); }, 1.0},
+  };
+  using Get = std::function<const SensorSpec&(const Scene&)>;
+  const std::pair<const char*, Get> gauges[] = {
+      {"hook_load", [](const Scene& s) -> const SensorSpec& { return s.instruments.hook_load; }},
+      {"torque", [](const Scene& s) -> const SensorSpec& { return s.instruments.torque; }},
+      {"stand_pipe_pressure", [](const Scene& s) -> const SensorSpec& { return s.instruments.stand_pipe_pressure; }},
+      {"flow", [](const Scene& s) -> const SensorSpec& { return s.instruments.flow; }},
+      {"block_height", [](const Scene& s) -> const SensorSpec& { return s.instruments.block_height; }}};
+  const std::pair<const char*, double SensorSpec::*> keys[] = {{"noise", &SensorSpec::noise},
+                                                               {"bias", &SensorSpec::bias},
+                                                               {"delay", &SensorSpec::delay},
+                                                               {"filter_time", &SensorSpec::filter_time},
+                                                               {"resolution", &SensorSpec::resolution}};
+  for (int g = 0; g < 5; ++g)
+    for (int k = 0; k < 5; ++k)
+    {
+      const Get get = gauges[g].second;
+      const auto member = keys[k].second;
+      const auto field = [get, member](const Scene& s) { return get(s).*member; };
+      const double value = (g + 1) + 0.1 * (k + 1);
+      all.push_back({g == 0 ? "instruments.surface.hook_load" : "instruments.surface.*", keys[k].first, field, value});
+      all.push_back({"instruments.surface", gauges[g].first, field, value});
+    }
+  return all;
+}
+
+std::vector<Expected> all_expected()
+{
+  std::vector<Expected> all;
+  for (const auto& part : {of_well(), of_string(), of_rig(), of_numerics(), of_instruments()}) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// Block and key of every row of the scene reference.
+std::set<std::pair<std::string, std::string>> documented_keys()
+{
+  std::set<std::pair<std::string, std::string>> keys;
+  std::istringstream lines(scene_reference());
+  std::string line, block;
+  while (std::getline(lines, line))
+  {
+    if (line.rfind("### `", 0) == 0)
+      block = line.substr(5, line.rfind('`') - 5);
+    else if (line.rfind("### ", 0) == 0)
+      block = "";
+    else if (line.rfind("| `", 0) == 0)
+      keys.insert({block, line.substr(3, line.find('`', 3) - 3)});
+  }
+  return keys;
+}
+}  // namespace
+
+TEST(SceneKeys, everyValueIsInItsFieldAndUnit)
+{
+  const Scene scene = parse_scene(everything, "all_keys.yaml");
+  for (const Expected& e : all_expected())
+    EXPECT_NEAR(e.field(scene), e.value, 1e-14 * std::abs(e.value)) << e.block << "." << e.key;
+}
+
+// Keys that exclude others stand in scenes of their own; a block is tested by its keys.
+TEST(SceneKeys, noKeyIsForgotten)
+{
+  const std::set<std::pair<std::string, std::string>> apart = {
+      {"well", "survey"}, {"trajectory", "stage_two_steps"}, {"string[].torque", "cutting_energy"}, {"string[].torque", "wear_friction"},
+      {"string[].torque", "wear_weight"}};
+  std::set<std::pair<std::string, std::string>> expected = apart;
+  std::set<std::string> blocks;
+  for (const Expected& e : all_expected()) expected.insert({e.block, e.key}), blocks.insert(e.block);
+  const auto documented = documented_keys();
+  EXPECT_GT(documented.size(), 100u);
+  for (const auto& [block, key] : documented)
+  {
+    const std::string inside = block.empty() ? key : block + "." + key;
+    const bool is_block = std::any_of(blocks.begin(), blocks.end(), [&](const std::string& b) { return b.rfind(inside, 0) == 0; });
+    EXPECT_TRUE(expected.count({block, key}) || is_block) << inside << " is not tested";
+  }
+}
+
+TEST(SceneKeys, thatExcludeOthersAreInTheirFieldsToo)
+{
+  std::string text = everything;
+  const auto replace = [&text](const std::string& what, const std::string& by)
+  {
+    ASSERT_NE(text.find(what), std::string::npos) << what;
+    text.replace(text.find(what), what.size(), by);
+  };
+  replace("stage_two_length: 0.11", "stage_two_steps: 12");
+  replace("{model: stribeck, static: 0.61, kinetic: 0.41, speed_rpm: 31.0}",
+          "{model: detournay, cutting_energy: 6.1e7, wear_friction: 0.62, wear_weight: 601.0}");
+  const Scene scene = parse_scene(text, "all_keys.yaml");
+  EXPECT_EQ(scene.trajectory.stage_two_steps, 12);
+  const BitTorqueSpec& torque = scene.string.at(0).bit->torque;
+  EXPECT_EQ(torque.model, BitTorqueModel::detournay);
+  EXPECT_EQ(torque.cutting_energy, 6.1e7);
+  EXPECT_EQ(torque.wear_friction, 0.62);
+  EXPECT_EQ(torque.wear_weight, 601.0);
+}
+
+// What a line of the program leaves out is not a number, not a zero.
+TEST(SceneKeys, whatALineOfTheProgramLeavesOutIsUnset)
+{
+  const Scene scene = parse_scene(everything, "all_keys.yaml");
+  EXPECT_TRUE(std::isnan(scene.program.at(0).top_drive_torque));
+  EXPECT_TRUE(std::isnan(scene.program.at(0).brake));
+  EXPECT_TRUE(std::isnan(scene.program.at(1).block_velocity));
+  EXPECT_TRUE(std::isnan(scene.program.at(1).top_drive_speed));
+  EXPECT_TRUE(std::isnan(scene.program.at(1).flow));
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
