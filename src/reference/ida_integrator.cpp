@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+
+#include "drill_rig_sim/solve/energy_balance.h"
+
 namespace drill_rig_sim
 {
 namespace
@@ -65,6 +68,31 @@ bool IdaIntegrator::start(const State& state, const Setpoints& setpoints)
   return ida_->start(time_, y_, rate_);
 }
 
+bool IdaIntegrator::go_to(double t)
+{
+  if (!balance_) return ida_->advance(t, y_, rate_);
+  parts_.clear();
+  const std::size_t size = y_.size();
+  return ida_->advance(t, y_, rate_,
+                       [this, size](double time, const double* y, const double* rate) {
+                         parts_.push_back({time, {y, y + size}, {rate, rate + size}});
+                       });
+}
+
+void IdaIntegrator::book(const State& start, const Setpoints& setpoints)
+{
+  if (!balance_) return;
+  balance_->begin_step(start, setpoints);
+  Stage stage(*model_);
+  std::vector<double> u(6 * static_cast<std::size_t>(model_->nodes()));
+  begin_step(*model_, start, 0.0, setpoints, stage);
+  for (const Part& part : parts_)
+  {
+    rig_->fill_stage(part.time, part.y.data(), part.rate.data(), stage, u.data());
+    balance_->end_step(start, stage, u.data());
+  }
+}
+
 bool IdaIntegrator::advance_or_throw(State& state, double step, const Setpoints& setpoints)
 {
   begin_step(*model_, state, step, setpoints, stage_);
@@ -74,16 +102,17 @@ bool IdaIntegrator::advance_or_throw(State& state, double step, const Setpoints&
   flow_ = state.flow;
   stuck_node_ = state.stuck_point.node;
   if (fresh && !start(state, setpoints)) return false;
-  bool done = ida_->advance(time_ + step, y_, rate_);
+  bool done = go_to(time_ + step);
   if (!done && !ida_->too_much_work())
   {
     // once more from the start of the step, at order one
     ++counters_.convergence_failures;
     lost_ = true;
-    done = start(state, setpoints) && ida_->advance(time_ + step, y_, rate_);
+    done = start(state, setpoints) && go_to(time_ + step);
   }
   too_much_work_ = !done && ida_->too_much_work();
   if (!done) return false;
+  book(state, setpoints);
   time_ += step;
   rig_->finish(time_, y_, state);
   note();

@@ -54,7 +54,7 @@ struct IdaSolver::Session
   bool set_linear_solver(double t);
   void write_matrix(SUNMatrix target) const;
   long attempts() const;
-  bool go_to(double t);
+  bool go_to(double t, const Watcher& after_step);
   IdaStatistics current() const;
 
   static int residual_callback(double t, N_Vector y, N_Vector rate, N_Vector f, void* data);
@@ -152,7 +152,7 @@ long IdaSolver::Session::attempts() const
 }
 
 /// The last steps to `t` are of equal length: a stump would have to grow again by doubling, with a new Jacobian each time.
-bool IdaSolver::Session::go_to(double t)
+bool IdaSolver::Session::go_to(double t, const Watcher& after_step)
 {
   void* const ida = memory.get();
   const long before = attempts();
@@ -168,6 +168,7 @@ bool IdaSolver::Session::go_to(double t)
     IDASetStopTime(ida, last ? t : now + std::min(left / parts, next));
     flag = IDASolve(ida, t, &reached, y.get(), rate.get(), IDA_ONE_STEP);
     if (flag < 0) return false;
+    if (after_step) after_step(reached, N_VGetArrayPointer(y.get()), N_VGetArrayPointer(rate.get()));
     if (last && flag == IDA_TSTOP_RETURN) return true;
   }
   flag = IDA_TOO_MUCH_WORK;
@@ -222,11 +223,11 @@ bool IdaSolver::start(double t, const std::vector<double>& y, const std::vector<
   return IDAReInit(s.memory.get(), t, s.y.get(), s.rate.get()) == IDA_SUCCESS;
 }
 
-bool IdaSolver::advance(double t, std::vector<double>& y, std::vector<double>& rate)
+bool IdaSolver::advance(double t, std::vector<double>& y, std::vector<double>& rate, const Watcher& after_step)
 {
   Session& s = *session_;
   if (!s.memory) return false;
-  if (!s.go_to(t) || !finite(s.y.get()) || !finite(s.rate.get())) return false;
+  if (!s.go_to(t, after_step) || !finite(s.y.get()) || !finite(s.rate.get())) return false;
   std::copy_n(N_VGetArrayPointer(s.y.get()), y.size(), y.begin());
   std::copy_n(N_VGetArrayPointer(s.rate.get()), rate.size(), rate.begin());
   double last = 0.0;

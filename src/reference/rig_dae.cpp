@@ -176,6 +176,31 @@ void RigDae::take_motion(double t, const double* y)
                          Map<const Vector3d>(now + kBottom) - Map<const Vector3d>(before + kBottom), motion_.bit);
 }
 
+void RigDae::fill_stage(double t, const double* y, const double* rate, Stage& stage, double* u)
+{
+  read(y);
+  move_stage(model_, *start_, t - start_time_, stage);
+  for (int i = 0; i < string_nodes(); ++i)
+  {
+    const GivenNode node = motion_of(i, y);
+    Map<Vector6>(u + 6 * i) = node.increment;
+    stage.rate[static_cast<std::size_t>(i)] = node.rate;
+    stage.acceleration[static_cast<std::size_t>(i)] = Map<const Vector6>(rate + 12 * i + 6);
+  }
+  const double* now = y + further_at();
+  const double* before = start_y_.data() + further_at();
+  stage.bit = bit_drive(now[kMotorSpeed], now[kMotorTurn] - before[kMotorTurn],
+                        Map<const Vector3d>(now + kBottom) - Map<const Vector3d>(before + kBottom), motion_of(bit(), y));
+  // a stage solves for its rotor: so stiff, the answer is where IDA has it
+  constexpr double stiff = 1e10;  // [1/s2]
+  const Vector3d& axis = motion(rotor()).normal;
+  const double turn = spin(rotor(), y) - spin(rotor(), start_y_.data());
+  stage.drive = {};
+  stage.drive.rate_0 = motion(rotor()).angular_velocity.dot(axis);
+  stage.drive.da_du = stiff;
+  stage.drive.acceleration_0 = Map<const Vector3d>(rate + 12 * rotor() + 9).dot(axis) - stiff * turn;
+}
+
 /// The rock recedes in time: nothing within the law's own implicit step.
 BitDrive RigDae::bit_drive(double motor_speed, double motor_turn, const Vector3d& bottom, const GivenNode& bit) const
 {

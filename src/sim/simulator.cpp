@@ -113,15 +113,13 @@ FrameStatus Simulator::frame(double duration) noexcept
   return FrameStatus::running;
 }
 
-bool Simulator::balance_energy(bool on)
+void Simulator::balance_energy(bool on)
 {
   impl_->integrator->keep_balance(nullptr);
   impl_->balance.reset();
-  if (!on) return true;
+  if (!on) return;
   impl_->balance = std::make_unique<EnergyBalance>(impl_->model);
-  if (impl_->integrator->keep_balance(impl_->balance.get())) return true;
-  impl_->balance.reset();
-  return false;
+  impl_->integrator->keep_balance(impl_->balance.get());
 }
 
 const EnergyAccounts& Simulator::energy() const noexcept

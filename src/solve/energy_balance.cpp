@@ -32,6 +32,7 @@ EnergyBalance::EnergyBalance(std::shared_ptr<const Model> model)
     for (std::vector<double>& force : sample->force) force = no_increment_;
     sample->rate = sample->increment = no_increment_;
   }
+  part_.increment = no_increment_;
 }
 
 void EnergyBalance::restart() noexcept
@@ -49,6 +50,8 @@ void EnergyBalance::begin_step(const State& state, const Setpoints& setpoints) n
   start_ = stored_energy(*model_, state, stage_, no_increment_.data(), work_);
   if (!opened_) accounts_.first = accounts_.last = start_;
   opened_ = true;
+  part_.time = part_.line_paid_out = part_.rotor_increment = part_.rock_advance = 0.0;
+  std::fill(part_.increment.begin(), part_.increment.end(), 0.0);
 }
 
 /// Forces and accelerations where nothing has been booked yet: the accelerations are those that the forces make.
@@ -64,6 +67,7 @@ void EnergyBalance::open(const State& state) noexcept
 void EnergyBalance::end_step(const State& start, const Stage& stage, const double* u) noexcept
 {
   sample_energy(*model_, start, stage, u, work_, after_);
+  count_from_last_part();
   book_jump();
   book_inputs();
   book_dissipation();
@@ -71,7 +75,24 @@ void EnergyBalance::end_step(const State& start, const Stage& stage, const doubl
   accounts_.last = after_.stored;
   accounts_.largest_kinetic = std::max(accounts_.largest_kinetic, after_.stored.kinetic_all());
   accounts_.time += after_.step;
+  start_ = after_.stored;
   std::swap(before_, after_);
+}
+
+/// The sample counts from the start of the step; the accounts want what has come since the last part.
+void EnergyBalance::count_from_last_part() noexcept
+{
+  const auto since = [](double& sample, double& part)
+  {
+    const double all = sample;
+    sample -= part;
+    part = all;
+  };
+  since(after_.step, part_.time);
+  since(after_.line_paid_out, part_.line_paid_out);
+  since(after_.rotor_increment, part_.rotor_increment);
+  since(after_.rock_advance, part_.rock_advance);
+  for (std::size_t k = 0; k < part_.increment.size(); ++k) since(after_.increment[k], part_.increment[k]);
 }
 
 /// What the stored energies lost between the end of the last step and the start of this one.
@@ -160,7 +181,7 @@ void EnergyBalance::book_numerical() noexcept
 
   const double lift = after_.increment[after_.increment.size() - 4];  // of the block, z of the last node
   accounts_.of_line += -mean(before_.hook_force, after_.hook_force) * lift -
-                       mean(before_.line_price, after_.line_price) * (after_.line_length - after_.line_length_start) -
+                       mean(before_.line_price, after_.line_price) * after_.line_paid_out -
                        (end.line - start.line);
 }
 

@@ -10,10 +10,9 @@ constexpr int kBudget = 120;    // Newton iterations that one step may cost in a
 constexpr int kLeftToHalve = 60;  // of them those that must be left before a step is refined that has a solution: its eighths need some 16
 }  // namespace
 
-bool HalvingIntegrator::keep_balance(EnergyBalance* balance) noexcept
+void HalvingIntegrator::keep_balance(EnergyBalance* balance) noexcept
 {
   balance_ = balance;
-  return true;
 }
 
 bool HalvingIntegrator::advance(State& state, double step, const Setpoints& setpoints) noexcept

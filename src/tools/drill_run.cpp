@@ -51,13 +51,6 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, Drill
              });
 }
 
-void open_energy_balance(Simulator& simulator)
-{
-  if (simulator.balance_energy()) return;
-  throw UsageError("--energy: no energy balance for integrator '" + std::string(simulator.statistics().integrator) +
-                   "', allowed: all but ida");
-}
-
 void run_scene(const RunOptions& options)
 {
   const Scene scene = read_scene(options.scene, settings_of(options));
@@ -69,7 +62,7 @@ void run_scene(const RunOptions& options)
   File raw_path = open_output("--raw-path", options.raw_path);
 
   Simulator simulator = build_simulator(scene, options.seed);
-  if (options.energy) open_energy_balance(simulator);
+  if (options.energy) simulator.balance_energy();
   DrillingRecord record;
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_time();

@@ -51,9 +51,9 @@ void drill(const Choice& choice, double seconds, Rows& rows)
   }
   const double depth = ride.now().hole_depth, memory = resident_megabytes(), begin = ride.now().time;
   const int nodes = ride.simulator().wellbore().node_count();
-  const bool booked = ride.simulator().balance_energy();
+  ride.simulator().balance_energy();
   ride.go(0.5 * (seconds - begin), 0.1);
-  const double closure_middle = booked ? ride.simulator().energy().closure() : 0.0;
+  const double closure_middle = ride.simulator().energy().closure();
   ride.go(seconds - ride.now().time - 60.0, 0.1);
   const double weight_end = mean_weight(ride);
   const double drilled = ride.now().hole_depth - depth, expected = kRate * (ride.now().time - begin);
@@ -63,11 +63,8 @@ void drill(const Choice& choice, double seconds, Rows& rows)
   row.text = text(
       "step %g s; fed %.4f m; WOB %.1f N in the first minutes and %.1f N in the last; %d hole nodes for %.2f m; memory %+.2f MB",
       step, expected, weight, weight_end, grown, drilled, memory_grown);
-  const double closure = booked ? ride.simulator().energy().closure() : 0.0;
-  if (booked)
-    row.text += text("; energy balance open by %.2e of the throughput at half time and %.2e at the end", closure_middle, closure);
-  else
-    row.text += "; energy balance: not available with this method or element";
+  const double closure = ride.simulator().energy().closure();
+  row.text += text("; energy balance open by %.2e of the throughput at half time and %.2e at the end", closure_middle, closure);
   const bool right = std::abs(drilled - expected) < 1e-3 * expected && std::abs(weight_end - weight) < 0.01 * weight &&
                      grown <= kNodesPerMetre * drilled + 2 && memory_grown < kMemoryAllowed && std::abs(closure) < kBalance;
   conclude(row, ride.verdict(), right, ride.message());

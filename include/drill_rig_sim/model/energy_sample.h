@@ -69,10 +69,8 @@ struct EnergySample
   // rig
   double hook_force = 0.0;     ///< [N]
   double line_price = 0.0;     ///< T + T^2/(2 EA), energy that a metre of unstretched line paid out takes from the line [N]
-  double line_length = 0.0;    ///< L_0 [m]
-  double line_length_start = 0.0;  ///< at the start of the step [m]
+  double line_paid_out = 0.0;  ///< L_0 since the start of the step [m]
   double pay_out = 0.0;        ///< dL_0/dt as the drum turns [m/s]
-  double meter_torque = 0.0;   ///< [N m]
   double drive_torque = 0.0;   ///< of the top drive's motor [N m]
   double rotor_speed = 0.0;    ///< [rad/s]
   double rotor_inertia = 0.0;  ///< J dw/dt [N m]

@@ -29,18 +29,30 @@ public:
 
   bool advance(State& state, double step, const Setpoints& setpoints) noexcept override;
   void restart() noexcept override { lost_ = true; }
+  /// The balance books each of IDA's own steps.
+  void keep_balance(EnergyBalance* balance) noexcept override { balance_ = balance; }
   const ReferenceReport* reference() const noexcept override { return &report_; }
   const char* failure() const noexcept override;
 
 private:
   bool advance_or_throw(State& state, double step, const Setpoints& setpoints);
   bool start(const State& state, const Setpoints& setpoints);
+  bool go_to(double t);
+  void book(const State& start, const Setpoints& setpoints);
   bool jumped(const State& state, const Setpoints& setpoints) const;
   void note();
 
   std::unique_ptr<RigDae> rig_;
   std::unique_ptr<IdaSolver> ida_;
   std::vector<double> y_, rate_;
+  // after one of IDA's steps; kept until the interval has succeeded, because it may be begun again
+  struct Part
+  {
+    double time;
+    std::vector<double> y, rate;
+  };
+  std::vector<Part> parts_;
+  EnergyBalance* balance_ = nullptr;
   double time_ = 0.0;
   bool lost_ = true;
   bool too_much_work_ = false;  // in the last advance()

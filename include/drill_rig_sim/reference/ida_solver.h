@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_REFERENCE_IDA_SOLVER_H
 #define DRILL_RIG_SIM_REFERENCE_IDA_SOLVER_H
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,10 +35,13 @@ public:
 
   /// (Re)starts at order one from consistent values. False: refused.
   bool start(double t, const std::vector<double>& y, const std::vector<double>& rate);
+  /// Sees the solution after each of IDA's steps.
+  using Watcher = std::function<void(double t, const double* y, const double* rate)>;
+
   /// Integrates up to `t` exactly, the last steps before it of equal length; order and step go on from call to call. y, rate:
-  /// solution at t.
+  /// solution at t. `after_step` may be empty.
   /// False: it could not; statistics().flag tells why, y and rate are left alone.
-  bool advance(double t, std::vector<double>& y, std::vector<double>& rate);
+  bool advance(double t, std::vector<double>& y, std::vector<double>& rate, const Watcher& after_step = {});
   /// The last advance() ended because max_steps were not enough.
   bool too_much_work() const;
   /// IDA's name for statistics().flag.

@@ -40,6 +40,9 @@ public:
   /// Opens an interval at time `t` [s] and state y. `state` is the same motion as y; begin_step() has taken it into the stage, and it must stay
   /// as it is until the interval's end. True: the masses are others than before (a node has gone into the mud).
   bool begin(double t, const State& state, const Setpoints& setpoints, const std::vector<double>& y);
+  /// The motion y, with rates `rate`, at `t` within the interval as a stage of the fixed-step methods' model and increments u (6 per node) since
+  /// the interval's start. `stage`: begun at that start; moved here.
+  void fill_stage(double t, const double* y, const double* rate, Stage& stage, double* u);
   /// Writes the interval's end, y at `t`, into the state that begin() took, and the hole's extension.
   void finish(double t, const std::vector<double>& y, State& state);
 

@@ -68,9 +68,9 @@ public:
 
   /// Advances by `duration` [s], a multiple of the scene's step, in as many physics steps.
   FrameStatus frame(double duration) noexcept;
-  /// Opens an energy balance for the frames to come, or closes it. False: not with this scene's integrator (ida). Frames cost some three
-  /// residuals a step more while it is open, and give the same results. restore() opens it anew.
-  bool balance_energy(bool on = true);
+  /// Opens an energy balance for the frames to come, or closes it. Frames cost some three residuals a step more while it is open, and give
+  /// the same results. restore() opens it anew.
+  void balance_energy(bool on = true);
   /// The balance's accounts since it was opened; all zero without a balance.
   const EnergyAccounts& energy() const noexcept;
   /// Why the last frame failed, one line; empty while running.

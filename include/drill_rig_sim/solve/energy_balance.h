@@ -10,8 +10,8 @@
 
 namespace drill_rig_sim
 {
-/// Books the energy of every step of a fixed-step method (energy_accounts.h says how). It looks only: the run is the same with and without
-/// it, at some three more residuals a step. Allocates on construction.
+/// Books the energy of every step of a method (energy_accounts.h says how). It looks only: the run is the same with and without it, at some
+/// three more residuals a step. Allocates on construction.
 class EnergyBalance
 {
 public:
@@ -19,7 +19,8 @@ public:
 
   /// Before a step from `state`. A step that is given up is begun again.
   void begin_step(const State& state, const Setpoints& setpoints) noexcept;
-  /// The step from `start` was solved by the increments u (6 per node) of `stage`, its last; not committed yet.
+  /// The step from `start` was solved by the increments u (6 per node) of `stage`, its last; not committed yet. A method that takes steps of
+  /// its own within this one calls it after each of them, the increments always since `start`.
   void end_step(const State& start, const Stage& stage, const double* u) noexcept;
   /// The next step does not start where the last one ended: opens the balance anew.
   void restart() noexcept;
@@ -28,6 +29,7 @@ public:
 
 private:
   void open(const State& state) noexcept;
+  void count_from_last_part() noexcept;
   void book_jump() noexcept;
   void book_inputs() noexcept;
   void book_dissipation() noexcept;
@@ -43,6 +45,13 @@ private:
   StoredEnergy start_;     // of this step
   EnergySample before_;    // end of the last step
   EnergySample after_;     // end of this one
+  // what the step has come to at the last call of end_step()
+  struct Part
+  {
+    double time = 0.0, line_paid_out = 0.0, rotor_increment = 0.0, rock_advance = 0.0;
+    std::vector<double> increment;
+  };
+  Part part_;
   std::vector<double> no_increment_;
 };
 

@@ -20,7 +20,7 @@ class HalvingIntegrator : public Integrator
 public:
   using Integrator::Integrator;
   bool advance(State& state, double step, const Setpoints& setpoints) noexcept final;
-  bool keep_balance(EnergyBalance* balance) noexcept final;
+  void keep_balance(EnergyBalance* balance) noexcept final;
 
 protected:
   EnergyBalance* balance_ = nullptr;  ///< attempt() begins its step before begin_step() and ends it before commit()

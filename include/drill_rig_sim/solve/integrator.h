@@ -33,8 +33,8 @@ public:
   virtual bool advance(State& state, double step, const Setpoints& setpoints) noexcept = 0;
   /// The next state is not the one that advance() left: whatever is remembered of the past is void.
   virtual void restart() noexcept {}
-  /// Books the energy of all further steps in `balance`, null: no more. False: this integrator cannot.
-  virtual bool keep_balance(EnergyBalance* balance) noexcept { return balance == nullptr; }
+  /// Books the energy of all further steps in `balance`; null: no more.
+  virtual void keep_balance(EnergyBalance* balance) noexcept = 0;
 
   /// Forces at the end of the last advance(); those along the string are worked out here.
   const RigForces& find_forces(const State& state) noexcept;

@@ -136,7 +136,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
   sample.bottom = sample.bottom_elastic * down;
   sample.bottom_damping = sample.bottom_damped * down;
   sample.rock_speed = result.bottom.speed;
-  sample.rock_advance = result.bottom.advance;
+  sample.rock_advance = at.stage.bit.bottom_known ? at.stage.bit.bottom_increment.dot(down) : result.bottom.advance;
   sample.bit_torque = result.forces.bit_torque;
   sample.bit_speed = result.forces.bit_speed;
   sample.motor_speed = at.stage.bit.motor_speed;

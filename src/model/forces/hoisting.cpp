@@ -45,8 +45,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
   const LinePull pull = pull_of(at);
   sample.hook_force = pull.hook_force;
   sample.line_price = pull.tension * (1.0 + 0.5 * pull.tension / spec.line_ea);
-  sample.line_length = end.line_length;
-  sample.line_length_start = at.start.hoist.line_length;
+  sample.line_paid_out = end.line_length - at.start.hoist.line_length;
   sample.pay_out = -2.0 * spec.sheaves * end.winch_speed * end.line_length / strung_length(spec, block_height(at));
 }
 }  // namespace

@@ -40,7 +40,6 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
 void sample(const StageContext& at, EnergySample& sample) noexcept
 {
   const StageResult& result = at.work.result;
-  sample.meter_torque = result.forces.meter_torque;
   sample.drive_torque = result.forces.drive_torque;
   sample.rotor_speed = result.drive.speed;
   sample.rotor_inertia = at.model.scene().rig.top_drive.inertia * result.drive_acceleration;
