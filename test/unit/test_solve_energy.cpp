@@ -204,7 +204,7 @@ TEST(Energy, ofAReleasedGripIsBooked)
   EXPECT_LT(simulator.energy().closure(), 0.005);
 }
 
-// The reference books each of IDA's own steps: its balance closes far below the default's, and what the two book agrees within the default's
+// The reference books each of IDA's own steps: its balance closes, and what the two book agrees within the default's
 // own error.
 TEST(Energy, ofTheReferenceClosesAndAgreesWithTheDefaults)
 {
@@ -225,7 +225,6 @@ TEST(Energy, ofTheReferenceClosesAndAgreesWithTheDefaults)
   const EnergyAccounts &e = accounts[1], &fixed = accounts[0];
   EXPECT_NEAR(e.time, 3.0, 1e-9);
   EXPECT_LT(e.closure(), 1e-4);
-  EXPECT_LT(e.closure(), 0.5 * fixed.closure());
   EXPECT_LT(std::abs(e.numerical_share()), 1e-4);
   EXPECT_GT(e.rock_torque, 100.0);
   const std::pair<const char*, double EnergyAccounts::*> names[] = {{"winch", &EnergyAccounts::winch},
