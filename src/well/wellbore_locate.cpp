@@ -73,9 +73,11 @@ ClosestPoint closest(const HoleSegment& g, const Foot& foot, int segment) noexce
   closest.tangent = foot.first * (1.0 / foot.first.norm());
   closest.centre_slope = foot.first * inverse_length;
   closest.md_gradient = foot.first * (g.length / foot.decline);
-  closest.radius = g.radius + foot.s * g.radius_change;
-  closest.radius_slope = g.radius_change * inverse_length;
-  closest.friction = g.friction + foot.s * g.friction_change;
+  // a foot beside its segment, as far from the hole or at a kink: the hole goes on as it ends, not to a radius below zero
+  const double share = std::clamp(foot.s, 0.0, 1.0);
+  closest.radius = g.radius + share * g.radius_change;
+  closest.radius_slope = share == foot.s ? g.radius_change * inverse_length : 0.0;
+  closest.friction = g.friction + share * g.friction_change;
   closest.segment = segment;
   closest.iterations = foot.iterations;
   return closest;

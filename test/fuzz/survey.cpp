@@ -90,9 +90,7 @@ void check_closest(const Wellbore& well, Random& random)
   if (!point.allFinite() || point.norm() > far_away) return;
   check(std::isfinite(found.md) && found.centre.allFinite() && is_unit(found.tangent), "the closest point is not finite");
   check(found.md_gradient.allFinite() && std::isfinite(found.radius_slope), "the closest point's slopes are not finite");
-  // far away the search may end beside the segment that it names, on whose line the radius goes on
-  const bool beside = (point - found.centre).norm() > 1.0;
-  check(beside || (found.radius > 0.0 && found.friction >= 0.0), "the closest point has no hole around it");
+  check(found.radius > 0.0 && found.friction >= 0.0, "the closest point has no hole around it");
   check(found.segment >= 0 && found.segment <= well.node_count(), "the closest point is in no segment");
 }
 

@@ -172,6 +172,29 @@ TEST(WellLocate, SlopesAreDerivatives)
     EXPECT_NEAR(closest.friction, hole.at(md).friction, 1e-7) << md;
   }
 }
+// From anywhere and with any hint: a radius and a friction that the hole has somewhere, not one that its slope in a millimetre of ledge
+// would reach metres away.
+TEST(WellLocate, RadiusAndFrictionAreOnesOfTheHole)
+{
+  WellSpec spec;
+  spec.survey = {{0.0, 0.0, 0.0}, {60.0, 6.0 * degree, 2.0 * degree}};
+  spec.hole_depth = 60.0;
+  spec.sections = {{30.0, 0.3204, 0.2}, {60.0, 0.2159, 0.3}};
+  const Wellbore hole(spec, TrajectorySpec(), 0.1);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> depth(-20.0, 80.0), near(-0.3, 0.3), far(-200.0, 200.0);
+  for (int k = 0; k < 20000; ++k)
+  {
+    const bool close = k % 2 == 0;
+    auto& off = close ? near : far;
+    const Eigen::Vector3d point = hole.at(depth(random)).position + Eigen::Vector3d(off(random), off(random), off(random));
+    const ClosestPoint closest = hole.locate(point, k % (hole.node_count() + 8) - 4);
+    ASSERT_GE(closest.radius, 0.1 - 1e-12) << point.transpose();  // the bit's
+    ASSERT_LE(closest.radius, 0.1602 + 1e-12) << point.transpose();
+    ASSERT_GE(closest.friction, 0.2 - 1e-12);
+    ASSERT_LE(closest.friction, 0.3 + 1e-12);
+  }
+}
 }  // namespace
 }  // namespace drill_rig_sim
 
