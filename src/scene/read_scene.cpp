@@ -193,15 +193,18 @@ private:
   {
     int word = 0;
     if (!read_kind(node, path, "type", part_type_words, word)) return;
-    if (word == static_cast<int>(PartType::bit)) part.bit.emplace();
-    if (word == static_cast<int>(PartType::mud_motor)) part.motor.emplace();
+    const auto type = static_cast<PartType>(word);
+    if (type == PartType::bit) part.bit.emplace();
+    if (type == PartType::mud_motor) part.motor.emplace();
+    if (type == PartType::stabilizer) part.stabilizer.emplace();
+    if (type == PartType::mwd) part.mwd.emplace();
+    if (type == PartType::pipe) part.pipe.emplace();
     const Entries entries = read_block(node, path, part_keys, 1u << word, part, problems_);
     in(entries, path, "contact",
        [&](const YAML::Node& n, const std::string& p)
        {
-         part.has_contact = true;
-         part.contact = ContactLaw{};
-         read_block(n, p, part_contact_keys, every_kind, part.contact, problems_);
+         part.contact.emplace();
+         read_block(n, p, part_contact_keys, every_kind, *part.contact, problems_);
        });
     if (part.bit)
     {

@@ -42,14 +42,12 @@ private:
 
   void add_part(const PartSpec& part)
   {
-    PartSpec all = part;  // the keys of a bit and a motor reach into these
-    if (!all.bit) all.bit.emplace();
-    if (!all.motor) all.motor.emplace();
-    add_keys(part_keys, all);
-    add_keys(part_contact_keys, all.contact);
-    add_number(all.has_contact);
-    add_keys(bit_bottom_keys, all.bit->bottom);
-    add_keys(bit_torque_keys, all.bit->torque);
+    add_keys(part_keys, part, kind(part.type));
+    add_number(part.contact.has_value());
+    if (part.contact) add_keys(part_contact_keys, *part.contact);
+    if (!part.bit) return;
+    add_keys(bit_bottom_keys, part.bit->bottom);
+    add_keys(bit_torque_keys, part.bit->torque);
   }
 
   void add_instruments(const InstrumentsSpec& instruments)
@@ -62,9 +60,10 @@ private:
   }
 
   template <class Spec>
-  void add_keys(const Table<Spec>& table, Spec spec)
+  void add_keys(const Table<Spec>& table, Spec spec, unsigned kinds = every_kind)
   {
-    for (const Key<Spec>& key : table.keys) add_key(key, spec);
+    for (const Key<Spec>& key : table.keys)
+      if (key.kinds & kinds) add_key(key, spec);
   }
 
   template <class Spec>

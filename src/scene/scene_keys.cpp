@@ -14,7 +14,7 @@ const std::vector<const char*> element_words = {"auto", "corotational", "geometr
 namespace
 {
 const std::vector<const char*> connections_words = {"off", "auto"};
-// fields of a bit and of a motor; the reader makes them when it has read the part's type
+// fields that a type of part alone has; the reader makes them when it has read the type
 template <double BitSpec::*field>
 double& of_bit(PartSpec& part)
 {
@@ -24,6 +24,22 @@ template <double MotorSpec::*field>
 double& of_motor(PartSpec& part)
 {
   return (*part.motor).*field;
+}
+double& of_blades(PartSpec& part)
+{
+  return part.stabilizer->blade_diameter;
+}
+double& of_film(PartSpec& part)
+{
+  return part.bit ? part.bit->squeeze_film_damping : part.stabilizer->squeeze_film_damping;
+}
+double& of_sensor(PartSpec& part)
+{
+  return part.mwd->sensor_offset;
+}
+double& of_tool_joint(PartSpec& part)
+{
+  return part.pipe->tool_joint_diameter;
 }
 
 constexpr unsigned bit = kind(PartType::bit), motor = kind(PartType::mud_motor), stabilizer = kind(PartType::stabilizer),
@@ -123,10 +139,10 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"poisson_ratio",         "-",      &PartSpec::poisson_ratio,            between(0.0, 0.49),   "steel 0.3"},
   {"density",               "kg/m3",  &PartSpec::density,                  between(500.0, 20000.0), "of its material; displaced volume = mass / density"},
   {"contact",               "",       Nested{},                            none,                 "its own law of wall contact instead of the scene's"},
-  {"tool_joint_diameter",   "m",      &PartSpec::tool_joint_diameter,      between(0.01, 1.0),   "outer diameter at the joints' ends", no_kind, pipe, "outer_diameter"},
-  {"blade_diameter",        "m",      &PartSpec::blade_diameter,           between(0.01, 1.0),   "outer diameter over the blades", stabilizer, stabilizer},
-  {"squeeze_film_damping",          "N s/m",  &PartSpec::squeeze_film_damping,             between(0.0, 1e8),    "of sideways motion, by the mud squeezed between gauge or blades and wall", no_kind, bit | stabilizer},
-  {"sensor_offset",         "m",      &PartSpec::sensor_offset,            between(0.0, 2000.0), "from the part's lower end up to the sensor", no_kind, mwd},
+  {"tool_joint_diameter",   "m",      Inside<PartSpec>{of_tool_joint},     between(0.01, 1.0),   "outer diameter at the joints' ends", no_kind, pipe, "outer_diameter"},
+  {"blade_diameter",        "m",      Inside<PartSpec>{of_blades},         between(0.01, 1.0),   "outer diameter over the blades", stabilizer, stabilizer},
+  {"squeeze_film_damping",  "N s/m",  Inside<PartSpec>{of_film},           between(0.0, 1e8),    "of sideways motion, by the mud squeezed between gauge or blades and wall", no_kind, bit | stabilizer},
+  {"sensor_offset",         "m",      Inside<PartSpec>{of_sensor},         between(0.0, 2000.0), "from the part's lower end up to the sensor", no_kind, mwd},
   {"mass",                  "kg",     Inside<PartSpec>{of_bit<&BitSpec::mass>}, between(0.1, 1e5),    "of the bit", bit, bit},
   {"diameter",              "m",      Inside<PartSpec>{of_bit<&BitSpec::diameter>}, between(0.03, 1.0),   "gauge of the bit: it drills this hole", bit, bit},
   {"side_cutting",          "-",      Inside<PartSpec>{of_bit<&BitSpec::side_cutting>}, between(0.0, 1.0),    "how well the bit cuts sideways, relative to ahead", no_kind, bit},

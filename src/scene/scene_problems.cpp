@@ -51,7 +51,8 @@ struct Width
 Width widest(const PartSpec& part)
 {
   Width width{"outer_diameter", part.outer_diameter};
-  for (const Width& other : {Width{"tool_joint_diameter", part.tool_joint_diameter}, Width{"blade_diameter", part.blade_diameter},
+  for (const Width& other : {Width{"tool_joint_diameter", part.pipe ? part.pipe->tool_joint_diameter : 0.0},
+                             Width{"blade_diameter", part.stabilizer ? part.stabilizer->blade_diameter : 0.0},
                              Width{"diameter", part.bit ? part.bit->diameter : 0.0}})
   {
     if (other.diameter > width.diameter) width = other;
@@ -92,15 +93,15 @@ void check_diameters(const Scene& scene, ProblemList& problems)
           item_key("string", i, "inner_diameter"),
           metres(part.inner_diameter) + " leaves no wall, allowed: below outer_diameter, " + metres(part.outer_diameter));
     }
-    if (part.tool_joint_diameter > 0.0 && part.tool_joint_diameter < part.outer_diameter)
+    if (part.pipe && part.pipe->tool_joint_diameter > 0.0 && part.pipe->tool_joint_diameter < part.outer_diameter)
     {
-      problems.emplace_back(item_key("string", i, "tool_joint_diameter"), metres(part.tool_joint_diameter) +
+      problems.emplace_back(item_key("string", i, "tool_joint_diameter"), metres(part.pipe->tool_joint_diameter) +
                                                                  " is thinner than the body, allowed: at least outer_diameter, " +
                                                                  metres(part.outer_diameter));
     }
-    if (part.type == PartType::stabilizer && part.blade_diameter < part.outer_diameter)
+    if (part.stabilizer && part.stabilizer->blade_diameter < part.outer_diameter)
     {
-      problems.emplace_back(item_key("string", i, "blade_diameter"), metres(part.blade_diameter) +
+      problems.emplace_back(item_key("string", i, "blade_diameter"), metres(part.stabilizer->blade_diameter) +
                                                             " is thinner than the body, allowed: at least outer_diameter, " +
                                                             metres(part.outer_diameter));
     }

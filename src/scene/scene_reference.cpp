@@ -68,6 +68,9 @@ std::string scene_reference()
   PartSpec part;
   part.bit.emplace();
   part.motor.emplace();
+  part.stabilizer.emplace();
+  part.mwd.emplace();
+  part.pipe.emplace();
   write(out, part_keys, part_type_words, part);
   write(out, part_contact_keys);
   write(out, bit_bottom_keys, {}, BitSpec{}.bottom);

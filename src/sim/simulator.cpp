@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "drill_rig_sim/sim/faults.h"
 #include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
@@ -177,26 +178,12 @@ bool Simulator::tare() noexcept
 
 bool Simulator::stick_pipe(double md) noexcept
 {
-  if (!std::isfinite(md)) return false;
-  State& mechanics = impl_->mechanics();
-  const Mesh& mesh = impl_->model->mesh();
-  int nearest = -1;
-  double distance = impl_->scene.numerics.element_length;
-  for (int i = 0; i + 1 < impl_->model->nodes(); ++i)
-  {
-    const double depth = impl_->state.truth.bit_depth - mesh.nodes[i].from_bit;
-    if (depth <= 0.0 || std::abs(depth - md) >= distance) continue;
-    distance = std::abs(depth - md);
-    nearest = i;
-  }
-  if (nearest < 0) return false;
-  mechanics.stuck_point = {nearest, mechanics.nodes[nearest].position, mechanics.nodes[nearest].spin_angle};
-  return true;
+  return drill_rig_sim::stick_pipe(*impl_->model, impl_->state.truth.bit_depth, md, impl_->mechanics());
 }
 
 void Simulator::free_pipe() noexcept
 {
-  impl_->mechanics().stuck_point = StuckPointState();
+  drill_rig_sim::free_pipe(impl_->mechanics());
 }
 
 std::shared_ptr<const SimulatorState> Simulator::save() const

@@ -31,7 +31,7 @@ void cut_joint_at(const PartSpec& part, int index, double lower, double place, d
 
 double joint_end_diameter(const PartSpec& part)
 {
-  return part.type == PartType::pipe ? std::max(part.tool_joint_diameter, part.outer_diameter) : part.outer_diameter;
+  return part.pipe ? std::max(part.pipe->tool_joint_diameter, part.outer_diameter) : part.outer_diameter;
 }
 
 std::vector<double> joint_lengths(const PartSpec& part, double rest)
@@ -52,8 +52,8 @@ void cut_part(const PartSpec& part, int index, double lower, const std::vector<d
   const double upper = lower + lengths.front();
   if (part.motor && part.motor->bend != 0.0)
     cut_joint_at(part, index, lower, part.motor->bit_to_bend, upper, 0.5 * part.outer_diameter, longest, cuts);
-  else if (part.type == PartType::stabilizer)
-    cut_joint_at(part, index, lower, 0.5 * (lower + upper), upper, 0.5 * part.blade_diameter, longest, cuts);
+  else if (part.stabilizer)
+    cut_joint_at(part, index, lower, 0.5 * (lower + upper), upper, 0.5 * part.stabilizer->blade_diameter, longest, cuts);
   else
     for (std::size_t j = 0; j < lengths.size(); ++j)
     {

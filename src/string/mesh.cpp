@@ -68,7 +68,7 @@ std::vector<Cut> cut_string(const std::vector<PartSpec>& parts, double element_l
     cut_part(part, static_cast<int>(p), top, lengths, element_length, cuts);
     for (double length : lengths) top += length;
     mesh.part_top.push_back(top);
-    if (part.type == PartType::mwd) mesh.sensor_from_bit = mesh.part_bottom.back() + part.sensor_offset;
+    if (part.mwd) mesh.sensor_from_bit = mesh.part_bottom.back() + part.mwd->sensor_offset;
   }
   if (std::abs(top - mesh.total_length) <= 1e-6) return cuts;
   std::ostringstream message;
@@ -82,9 +82,9 @@ MeshNode bit_node(const PartSpec& bit, const ContactLaw& contact, const MudSpec&
   MeshNode node;
   node.from_bit = mesh.bit_radius;
   node.contact_radius = mesh.bit_radius;
-  node.contact = bit.has_contact ? bit.contact : contact;
+  node.contact = bit.contact.value_or(contact);
   node.mass = bit.bit->mass;
-  node.squeeze_film_damping = bit.squeeze_film_damping;
+  node.squeeze_film_damping = bit.bit->squeeze_film_damping;
   node.added_mass = mud.added_mass * mud.density * mesh.bit_displaced;
   node.spin_inertia = node.tilt_inertia = 0.4 * bit.bit->mass * mesh.bit_radius * mesh.bit_radius;
   return node;
@@ -101,12 +101,12 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
   MeshNode node;
   node.from_bit = cut.from_bit;
   node.contact_radius = cut.contact_radius;
-  node.contact = part.has_contact ? part.contact : contact;
+  node.contact = part.contact.value_or(contact);
   node.part = cut.part;
   node.joint = cut.joint;
   node.joint_end = cut.joint_end;
-  if (part.type == PartType::stabilizer && !cut.joint_end && cut.contact_radius == 0.5 * part.blade_diameter)
-    node.squeeze_film_damping = part.squeeze_film_damping;
+  if (part.stabilizer && !cut.joint_end && cut.contact_radius == 0.5 * part.stabilizer->blade_diameter)
+    node.squeeze_film_damping = part.stabilizer->squeeze_film_damping;
   if (part.motor && part.motor->bend != 0.0 && std::abs(cut.from_bit - part.motor->bit_to_bend) < 1e-9)
   {
     mesh.bend_node = static_cast<int>(mesh.nodes.size());

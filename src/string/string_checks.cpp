@@ -40,9 +40,9 @@ void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
     if (part.motor && (part.motor->bit_to_bend <= bottom || part.motor->bit_to_bend >= top))
       problems.emplace_back(item_key("string", i, "bit_to_bend"), metres(part.motor->bit_to_bend) + " is outside the motor, allowed: between " +
                                                                       plain(bottom) + " and " + metres(top));
-    if (part.type == PartType::mwd && part.sensor_offset > part.length)
+    if (part.mwd && part.mwd->sensor_offset > part.length)
       problems.emplace_back(item_key("string", i, "sensor_offset"),
-                            metres(part.sensor_offset) + " is outside the part, allowed: 0 to " + metres(part.length));
+                            metres(part.mwd->sensor_offset) + " is outside the part, allowed: 0 to " + metres(part.length));
     if (part.bit && part.bit->torque.model == BitTorqueModel::stribeck &&
         part.bit->torque.kinetic_friction > part.bit->torque.static_friction)
       problems.emplace_back(item_key("string", i, "torque.kinetic"), plain(part.bit->torque.kinetic_friction) + " exceeds static, allowed: up to " +

@@ -50,7 +50,8 @@ Scene small_scene()
   mwd.name = "mwd";
   mwd.type = PartType::mwd;
   mwd.length = 9.0;
-  mwd.sensor_offset = 4.0;
+  mwd.mwd.emplace();
+  mwd.mwd->sensor_offset = 4.0;
   scene.string = {bit_part(0.2159), motor_part(), mwd, pipe_part(0, 9.5, tool_jointed_mass)};
   scene.string[0].bit->side_cutting = 0.1;
   scene.start.block_height = 12.0;

@@ -65,7 +65,7 @@ inline SoftStringResult soft_string(const Scene& scene, const PlanarWell& well, 
     const int pieces = static_cast<int>(std::ceil(length / 0.25));
     const double piece = length / pieces;
     const double weight = standard_gravity * part.linear_mass * (1.0 - scene.mud.density / part.density) * piece;
-    const double radius = 0.5 * std::max(part.outer_diameter, part.tool_joint_diameter);
+    const double radius = 0.5 * std::max(part.outer_diameter, part.pipe ? part.pipe->tool_joint_diameter : 0.0);
     for (int i = 0; i < pieces; ++i) add(left - (i + 0.5) * piece, weight, piece, radius);
     left -= length;
   }

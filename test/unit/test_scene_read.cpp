@@ -93,7 +93,7 @@ TEST(SceneRead, KeysLeftOutTakeTheDefaults)
   EXPECT_DOUBLE_EQ(scene.contact.law.stiffness, 5e7);
   EXPECT_EQ(scene.numerics.level, Level::beam3d);
   EXPECT_EQ(scene.trajectory.stage_two_steps, 0);
-  EXPECT_FALSE(scene.string[1].has_contact);
+  EXPECT_FALSE(scene.string[1].contact.has_value());
   EXPECT_EQ(scene.string[0].joints, 1);
   EXPECT_DOUBLE_EQ(scene.string[0].joint_length, 0.3);
   EXPECT_TRUE(scene.program.empty());
@@ -104,9 +104,9 @@ TEST(SceneRead, APartMaySetItsOwnContactLaw)
   std::string text = smallest;
   text.replace(text.find("diameter: 0.25}"), 15, "diameter: 0.25, contact: {stiffness: 2e8}}");
   const Scene scene = parse_scene(text, "own_contact.yaml");
-  EXPECT_TRUE(scene.string[0].has_contact);
-  EXPECT_DOUBLE_EQ(scene.string[0].contact.stiffness, 2e8);
-  EXPECT_DOUBLE_EQ(scene.string[0].contact.exponent, 1.5);
+  ASSERT_TRUE(scene.string[0].contact.has_value());
+  EXPECT_DOUBLE_EQ(scene.string[0].contact->stiffness, 2e8);
+  EXPECT_DOUBLE_EQ(scene.string[0].contact->exponent, 1.5);
 }
 
 TEST(SceneRead, DetournayTorqueTakesItsOwnKeys)

@@ -40,7 +40,8 @@ inline PartSpec pipe_part(int joints, double joint_length, double linear_mass, d
   pipe.outer_diameter = pipe_outer;
   pipe.inner_diameter = pipe_inner;
   pipe.linear_mass = linear_mass;
-  pipe.tool_joint_diameter = tool_joint;
+  pipe.pipe.emplace();
+  pipe.pipe->tool_joint_diameter = tool_joint;
   return pipe;
 }
 

@@ -25,7 +25,7 @@ Scene pipe_on_a_wire(double kinetic, double static_ratio)
   wire.inner_diameter = 0.0;
   scene.string = {bit_part(0.2), pipe_part(10, 9.5, tool_jointed_mass), wire};
   // the film's damping acts across the bit's axis: at metres per second the tilted bit would glide on it like a ski, and lift
-  scene.string[0].squeeze_film_damping = 0.0;
+  scene.string[0].bit->squeeze_film_damping = 0.0;
   scene.rig.hoisting.max_speed = 20.0;
   return scene;
 }

@@ -17,7 +17,8 @@ PartSpec stabilizer()
   part.name = "stabilizer";
   part.type = PartType::stabilizer;
   part.length = 1.8;
-  part.blade_diameter = 0.212;
+  part.stabilizer.emplace();
+  part.stabilizer->blade_diameter = 0.212;
   return part;
 }
 

@@ -25,6 +25,7 @@ struct BitSpec
   double mass = 0.0;          ///< [kg]
   double diameter = 0.0;      ///< gauge [m]
   double side_cutting = 0.0;  ///< i_b in [0, 1]
+  double squeeze_film_damping = 5e4;  ///< lateral, by the mud squeezed between gauge and wall [N s/m]
   BitTorqueSpec torque;
   ContactLaw bottom{1e9, 1.5, 1.0};  ///< bit against the hole's bottom
 };
@@ -38,7 +39,26 @@ struct MotorSpec
   double stall_torque = 0.0;          ///< [N m]
 };
 
-/// One entry of the `string` list; entries go from the bit up. Values that a type does not use stay at their defaults.
+/// What a stabilizer has beside what every part has.
+struct StabilizerSpec
+{
+  double blade_diameter = 0.0;        ///< [m]
+  double squeeze_film_damping = 5e4;  ///< lateral, by the mud squeezed between blades and wall [N s/m]
+};
+
+/// What an mwd has beside what every part has.
+struct MwdToolSpec
+{
+  double sensor_offset = 0.0;  ///< from the part's lower end up to the sensor [m]
+};
+
+/// What drill pipe has beside what every part has.
+struct PipeSpec
+{
+  double tool_joint_diameter = 0.0;  ///< at its joints' ends; 0 = outer diameter [m]
+};
+
+/// One entry of the `string` list; entries go from the bit up. What only its type has is there for that type alone.
 struct PartSpec
 {
   std::string name;
@@ -51,16 +71,14 @@ struct PartSpec
   double linear_mass = 0.0;     ///< in air [kg/m]
   double young_modulus = 206e9;
   double poisson_ratio = 0.3;
-  double density = 7850.0;           ///< of its material: displaced volume = linear mass / density [kg/m3]
-  double tool_joint_diameter = 0.0;  ///< pipe: at its joints' ends; 0 = outer diameter [m]
-  double blade_diameter = 0.0;       ///< stabilizer [m]
-  double squeeze_film_damping = 5e4;         ///< bit, stabilizer: lateral, by the mud squeezed between gauge or blades and wall [N s/m]
-  double sensor_offset = 0.0;        ///< mwd: from the part's lower end up to the sensor [m]
-  bool has_contact = false;          ///< true where the part sets its own wall contact law
-  ContactLaw contact;
+  double density = 7850.0;      ///< of its material: displaced volume = linear mass / density [kg/m3]
+  std::optional<ContactLaw> contact;  ///< its own law of wall contact instead of the scene's
 
-  std::optional<BitSpec> bit;      ///< of a bit
-  std::optional<MotorSpec> motor;  ///< of a mud motor
+  std::optional<BitSpec> bit;
+  std::optional<MotorSpec> motor;
+  std::optional<StabilizerSpec> stabilizer;
+  std::optional<MwdToolSpec> mwd;
+  std::optional<PipeSpec> pipe;
 };
 
 }  // namespace drill_rig_sim

@@ -111,10 +111,11 @@ std::vector<PartSpec> parts_of(const Assembly& assembly)
       place.motor->bend = kBend;
       place.motor->bit_to_bend = 0.5 * kHole + kBendAt * kFoot;
     }
-    place.blade_diameter = assembly.blade_at(top);
-    if (place.blade_diameter > 0.0)
+    if (const double blades = assembly.blade_at(top); blades > 0.0)
     {
       place.type = PartType::stabilizer;
+      place.stabilizer.emplace();
+      place.stabilizer->blade_diameter = blades;
       place.motor.reset();
     }
     const bool plain = place.type == PartType::collar;

@@ -91,7 +91,7 @@ void constant_curvature(Report& report)
   const SoftStringResult turning = simulated(rig, FrictionMode::rotate);
   report.add({"constant curvature: rotating [N]", turning.hook_load, end + weight_radius * std::sin(lower), 0.005,
               "weight over the true vertical depth"});
-  const double joints = 0.5 * scene.string[1].tool_joint_diameter * side_force_of_arc(end, weight_radius, lower, 0.0);
+  const double joints = 0.5 * scene.string[1].pipe->tool_joint_diameter * side_force_of_arc(end, weight_radius, lower, 0.0);
   const double gauge = 0.5 * scene.string[0].bit->diameter * bit * std::sin(lower);
   report.add({"constant curvature: torque [N m]", turning.torque, mu / std::sqrt(1.0 + mu * mu) * (joints + gauge), 0.01,
               "closed form with N = S/sqrt(1 + mu^2)"});

@@ -29,7 +29,7 @@ Scene rolling_scene(double collar)
   pipe.outer_diameter = 0.05;
   pipe.inner_diameter = 0.03;
   scene.string = {bit_part(collar), body, pipe};
-  scene.string[0].squeeze_film_damping = 0.0;
+  scene.string[0].bit->squeeze_film_damping = 0.0;
   scene.contact.law.stiffness = 1e10;  // so stiff that the embedding does not widen the circle: 0.03 mm
   return scene;
 }
