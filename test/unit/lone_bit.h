@@ -29,7 +29,7 @@ inline RigAtRest lone_bit(const Scene& scene, const std::function<void(MeshNode&
   RigAtRest rig = build_at_rest(scene);
   Mesh mesh = rig.model->mesh();
   change(mesh.nodes[0], mesh.elements[0].section);
-  mesh.nodes[1].mass = mesh.nodes[1].spin_inertia = 1e12;
+  mesh.nodes[1].mass = mesh.nodes[1].spin_inertia = 1e18;
   rig.model = std::make_shared<Model>(scene, std::move(mesh));
   return rig;
 }
