@@ -39,9 +39,7 @@ struct Rotor
 
   static Scene scene_of(double young_modulus)
   {
-    Scene scene = lone_bit_scene();
-    scene.string[0].bit->mass = 0.01;
-    scene.string[1].linear_mass = 0.01;  // next to no weight: the pipe is not stiffened by tension
+    Scene scene = weightless(lone_bit_scene());
     scene.string[1].young_modulus = young_modulus;
     return scene;
   }
