@@ -105,6 +105,7 @@ TEST(StuckPoint, carriesTheLoadInStatics)
   EXPECT_NEAR(held.top_force - rig.statics.top_force, force, 1e-4 * force);
   EXPECT_NEAR(held.top_torque, torque, 1e-4 * torque);
   EXPECT_NEAR(state.nodes[stuck].position.z() - rig.state.nodes[stuck].position.z(), force / stuck_point_stiffness, 1e-4 * force / stuck_point_stiffness);
+  for (const NodeState& node : state.nodes) EXPECT_EQ(node.spin_angle, 0.0) << "a start: turns are counted from here";
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
   {
     const double change = held.forces.tension[e] - rig.statics.forces.tension[e];
