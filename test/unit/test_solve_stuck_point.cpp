@@ -144,6 +144,29 @@ TEST(StuckPoint, holdsWithTheDefaultMethodAndTheReferenceAlike)
   EXPECT_NEAR(holds[1].rise, holds[0].rise, 0.005 * holds[0].rise);
 }
 
+// A force that appears or vanishes is a jump: what IDA remembers of the motion before is void.
+TEST(StuckPoint, makesTheReferenceStartAfresh)
+{
+  Simulator rig(hanging(IntegratorKind::ida));
+  const auto starts_of_a_frame = [&rig]
+  {
+    const std::uint64_t before = rig.statistics().reference.ida.starts;
+    EXPECT_EQ(rig.frame(0.01), FrameStatus::running) << rig.failure();
+    return rig.statistics().reference.ida.starts - before;
+  };
+  EXPECT_EQ(starts_of_a_frame(), 1u);
+  EXPECT_EQ(starts_of_a_frame(), 0u) << "goes on";
+  ASSERT_TRUE(rig.stick_pipe(40.0));
+  EXPECT_EQ(starts_of_a_frame(), 1u);
+  EXPECT_EQ(starts_of_a_frame(), 0u);
+  rig.free_pipe();
+  EXPECT_EQ(starts_of_a_frame(), 1u);
+  rig.command(PumpSetpoint{0.02});
+  EXPECT_EQ(starts_of_a_frame(), 1u) << "flow";
+  rig.command(WinchSetpoint{0.01, false});
+  EXPECT_EQ(starts_of_a_frame(), 1u) << "set points";
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);
