@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "drill_rig_sim/ros/frame_messages.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "running_loop.h"
 
@@ -414,6 +415,33 @@ TEST(Loop, framesThatNobodyTakesAreCounted)
   EXPECT_EQ(after.stamp - last.stamp, static_cast<std::int64_t>(after.loop.unpublished_frames + 1) * period) << "each missing stamp is counted";
   loop.halt();
   loop.join();
+}
+
+// The scene's latency lies between measurement and surface, to the frame; the stamp is the measurement's.
+TEST(Loop, telemetryArrivesByItsLatencyLater)
+{
+  Scene scene = vertical_scene(60.0, 50.0);
+  PartSpec tool = collar_part(1, 9.0);
+  tool.name = "mwd";
+  tool.type = PartType::mwd;
+  tool.length = 9.0;
+  tool.sensor_offset = 4.0;
+  scene.string.insert(scene.string.begin() + 1, tool);
+  scene.instruments.mwd.latency = 0.25;
+  scene.instruments.toolface.latency = 0.07;
+  RunningLoop rig(lockstep(), scene);
+  rig.start();  // at 1
+  rig.mailbox.receive(flow(0.02));
+  const std::vector<FrameOutput> frames = rig.step(40);  // it flows from the first on, measured at its end: at 2
+  for (const FrameOutput& s : frames)
+  {
+    EXPECT_EQ(s.frame.stamp >= 2 * period + 250 * ms ? 1u : 0u, s.frame.readings.mwd.sequence) << s.frame.stamp;
+    EXPECT_EQ(s.frame.stamp >= 2 * period + 70 * ms ? 1u : 0u, s.frame.readings.toolface.sequence) << s.frame.stamp;
+  }
+  const FrameRecord& last = frames.back().frame;
+  EXPECT_EQ(ros::Time().fromNSec(2 * period), to_mwd_survey(last, "").header.stamp);
+  EXPECT_EQ(ros::Time().fromNSec(2 * period), to_mwd_toolface(last, "").header.stamp);
+  EXPECT_NEAR(50.0 - 0.3 - 4.0, last.readings.mwd.md, 1e-3) << "a bit of 0.3 m and the sensor's offset above it";
 }
 
 TEST(Loop, aFollowerWaitsForTheClockAndGoesWithIt)
