@@ -1,72 +1,16 @@
 #include "drill_rig_sim/ros/diagnostics_publisher.h"
 
-#include <diagnostic_msgs/DiagnosticArray.h>
-
-#include <sstream>
 #include <utility>
 
 #include "drill_rig_sim/realtime/semaphore.h"
-#include "drill_rig_sim/ros/conversions.h"
 
 namespace drill_rig_sim
 {
-namespace
-{
-using diagnostic_msgs::DiagnosticStatus;
-
-const char* word(RunState state)
-{
-  switch (state)
-  {
-    case RunState::running:
-      return "running";
-    case RunState::paused:
-      return "paused";
-    case RunState::waiting:
-      return "waiting for a step";
-    case RunState::failed:
-      break;
-  }
-  return "failed";
-}
-
-std::string histogram(const LoopStatistics& loop)
-{
-  std::ostringstream text;
-  for (std::size_t i = 0; i < loop.frame_times.size(); ++i)
-  {
-    const bool last = i == LoopStatistics::bounds_ms.size();
-    text << (i == 0 ? "" : ", ") << (last ? ">= " : "< ") << LoopStatistics::bounds_ms[last ? i - 1 : i]
-         << " ms: " << loop.frame_times[i];
-  }
-  return text.str();
-}
-}  // namespace
-
-std::optional<double> RealTimeFactor::update(double ticked, RunState state, std::int64_t now) noexcept
-{
-  const bool stands = state == RunState::paused || state == RunState::failed;
-  if (!begun_ || (stood_ && !stands))  // what stood is no part of what runs
-  {
-    begun_ = true;
-    ticked_ = ticked;
-    since_ = now;
-  }
-  else if (now - since_ >= shortest)
-  {
-    factor_ = (ticked - ticked_) / (1e-9 * static_cast<double>(now - since_));
-    ticked_ = ticked;
-    since_ = now;
-  }
-  stood_ = stands;
-  return factor_;
-}
-
 DiagnosticsPublisher::DiagnosticsPublisher(ros::NodeHandle& node, std::function<FrameRecord()> last,
                                            std::function<std::string()> clock_trouble)
     : last_(std::move(last)),
       clock_trouble_(std::move(clock_trouble)),
-      name_(ros::this_node::getName().substr(1)),
+      report_(ros::this_node::getName().substr(1)),
       diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10)),
       timer_(node.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { publish(); }))
 {
@@ -75,81 +19,7 @@ DiagnosticsPublisher::DiagnosticsPublisher(ros::NodeHandle& node, std::function<
 void DiagnosticsPublisher::publish()
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const FrameRecord frame = last_();
-  diagnostic_msgs::DiagnosticArray array;
-  array.header.stamp = to_time(frame.stamp);
-  array.status = {time_status(frame), physics_status(frame), command_status(frame)};
-  diagnostics_.publish(array);
-}
-
-DiagnosticsPublisher::Status DiagnosticsPublisher::status(const std::string& part, const std::string& summary) const
-{
-  Status s;
-  s.name = name_ + ": " + part;
-  s.hardware_id = name_;
-  s.summary(DiagnosticStatus::OK, summary);
-  return s;
-}
-
-DiagnosticsPublisher::Status DiagnosticsPublisher::time_status(const FrameRecord& frame)
-{
-  Status s = status("time", word(frame.run_state));
-  if (frame.loop.dropped_seconds > dropped_before_)
-    s.mergeSummary(DiagnosticStatus::WARN, std::string(word(frame.run_state)) + ", slower than asked");
-  dropped_before_ = frame.loop.dropped_seconds;
-  const std::string trouble = clock_trouble_();
-  if (!trouble.empty()) s.mergeSummary(DiagnosticStatus::WARN, trouble);
-  s.add("state", word(frame.run_state));
-  s.add("simulated_time", frame.truth.time);
-  const auto factor = factor_.update(frame.loop.ticked_seconds, frame.run_state, steady_now());
-  if (factor) s.add("real_time_factor", *factor);
-  s.add("speed", frame.loop.speed);
-  s.add("overruns", frame.loop.overruns);
-  s.add("dropped_seconds", frame.loop.dropped_seconds);
-  s.add("unpublished_frames", frame.loop.unpublished_frames);
-  s.add("longest_frame_ms", 1e3 * frame.loop.longest_frame);
-  s.add("frame_times", histogram(frame.loop));
-  return s;
-}
-
-DiagnosticsPublisher::Status DiagnosticsPublisher::physics_status(const FrameRecord& frame) const
-{
-  Status s = status("physics", "solved");
-  const SimulatorStatistics& p = frame.physics;
-  if (frame.run_state == RunState::failed)
-    s.mergeSummary(DiagnosticStatus::ERROR, std::string("time stands at the last good state: ") + frame.failure.data());
-  s.add("level", p.level);
-  s.add("integrator", p.integrator);
-  s.add("step", p.step);
-  s.add("nodes", p.nodes);
-  s.add("coordinates", p.coordinates);
-  s.add("frames", p.frames);
-  s.add("steps", p.steps);
-  s.add("newton_iterations", p.newton_iterations);
-  s.add("newton_iterations_per_step",
-      p.steps > 0 ? static_cast<double>(p.newton_iterations) / static_cast<double>(p.steps) : 0.0);
-  s.add("convergence_failures", p.convergence_failures);
-  s.add("error_test_failures", p.error_test_failures);
-  s.add("error_estimate", p.last_error_estimate);
-  return s;
-}
-
-DiagnosticsPublisher::Status DiagnosticsPublisher::command_status(const FrameRecord& frame)
-{
-  Status s = status("commands", "obeyed");
-  const std::uint64_t refused = frame.physics.commands_refused, clamped = frame.physics.commands_clamped;
-  if (frame.truth.commands_timed_out)
-    s.mergeSummary(DiagnosticStatus::WARN, "the command stream stopped: brake set, drive coasts");
-  if (refused > refused_before_) s.mergeSummary(DiagnosticStatus::WARN, std::string("refused: ") + frame.last_refusal);
-  if (clamped > clamped_before_ || frame.truth.command_clamped)
-    s.mergeSummary(DiagnosticStatus::WARN, std::string("beyond a limit: ") + frame.last_clamp);
-  refused_before_ = refused;
-  clamped_before_ = clamped;
-  s.add("clamped", clamped);
-  s.add("last_clamp", frame.last_clamp);
-  s.add("refused", refused);
-  s.add("last_refusal", frame.last_refusal);
-  return s;
+  diagnostics_.publish(report_.on(last_(), clock_trouble_(), steady_now()));
 }
 
 }  // namespace drill_rig_sim

@@ -1,6 +1,5 @@
 #include "drill_rig_sim/ros/simulation_loop.h"
 
-#include <algorithm>
 #include <cstdio>
 
 #include "drill_rig_sim/sim/run.h"
@@ -107,7 +106,7 @@ void SimulationLoop::one_frame(std::int64_t now) noexcept
   take_commands();
   ProgramPlayer* program = rig_.playing ? &rig_.program : nullptr;
   rig_.failed = play_frame(*rig_.simulator, program, frame_duration_) == FrameStatus::failed;
-  count_frame_time(steady_now() - now);
+  statistics_.count_frame(steady_now() - now);
 
   if (!rig_.failed) time_.tick();
   if (stepping_)
@@ -157,15 +156,6 @@ template CommandResult SimulationLoop::accept(const PumpSetpoint&, std::size_t) 
 void SimulationLoop::set_timeout() noexcept
 {
   rig_.simulator->set_command_timeout(rig_.playing ? 0.0 : parameters_.command_timeout);
-}
-
-void SimulationLoop::count_frame_time(std::int64_t duration) noexcept
-{
-  const double ms = 1e-6 * static_cast<double>(duration);
-  std::size_t bin = 0;
-  while (bin < LoopStatistics::bounds_ms.size() && ms >= LoopStatistics::bounds_ms[bin]) ++bin;
-  ++statistics_.frame_times[bin];
-  statistics_.longest_frame = std::max(statistics_.longest_frame, 1e-3 * ms);
 }
 
 void SimulationLoop::end_step(StepResult::End end) noexcept

@@ -45,7 +45,7 @@ void Simulator::part_poses(int every, std::vector<PartPose>& out) const
     if (impl_->scene.string[p].type != PartType::pipe) add(mesh.part_bottom[p]).name = impl_->scene.string[p].name;
   out.front().orientation = impl_->state.truth.bit_orientation;
   int joint = 0;
-  double lower = 0.0;
+  double lower = mesh.part_top.front();  // of the joint that comes next
   for (std::size_t i = 1; i < mesh.nodes.size(); ++i)
   {
     if (!mesh.nodes[i].joint_end) continue;

@@ -55,7 +55,11 @@ class Diagnostics(unittest.TestCase):
         status = next(s for s in message.status if s.name.endswith("physics"))
         self.assertIn(status.level, (DiagnosticStatus.ERROR, bytes([2]), 2))
         self.assertIn("could not be solved", status.message)
-        for m in states.wait(1):
+        heard = states.wait_until(lambda m: m and m[-1].run_state == RigState.FAILED)
+        self.assertEqual(1, sum(m.run_state == RigState.FAILED for m in heard), "once")
+        self.assertEqual(heard[-2].header.stamp, heard[-1].header.stamp, "of the last good frame")
+        self.assertEqual(RigState.RUNNING, heard[-2].run_state)
+        for m in heard:
             self.assertTrue(math.isfinite(m.hook_load) and math.isfinite(m.bit_depth))
         states.quiet()
         self.diagnostics.clear()

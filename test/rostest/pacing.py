@@ -3,7 +3,7 @@
 import math
 
 from drill_rig_sim.msg import RigState
-from rig_test import Rig, run, time, unittest
+from rig_test import Rig, rospy, run, time, unittest
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
@@ -54,6 +54,26 @@ class Pacing(unittest.TestCase):
         self.assertTrue(self.rig.resume().success)
         stamps = [m.clock.to_nsec() for m in self.clock.wait(5)]
         self.assertTrue(all(b - a <= 20000000 for a, b in zip(stamps, stamps[1:])))
+
+    def test_pause_and_resume_are_said_once_with_the_last_stamp(self):
+        topics = [self.rig.collect(name, RigState) for name in ("rig_state", "truth/rig_state")]
+        for topic in topics:
+            topic.wait(5)
+        self.assertTrue(self.rig.pause().success)
+        for topic in topics:
+            self.addCleanup(topic.subscriber.unregister)
+            messages = topic.wait_until(lambda m: m[-1].run_state == RigState.PAUSED)
+            self.assertEqual([RigState.RUNNING] * (len(messages) - 1) + [RigState.PAUSED], [m.run_state for m in messages])
+            self.assertEqual(messages[-2].header.stamp, messages[-1].header.stamp)
+        self.assertTrue(self.rig.pause().success)
+        self.assertTrue(self.rig.resume().success)
+        for topic in topics:
+            messages = topic.wait_until(lambda m: m[-1].run_state == RigState.RUNNING and m[-1].header.stamp > m[0].header.stamp + rospy.Duration(1))
+            said = [m for m in messages if m.run_state == RigState.PAUSED]
+            self.assertEqual(1, len(said))
+            after = messages[messages.index(said[0]) + 1:]
+            self.assertEqual(said[0].header.stamp, after[0].header.stamp)
+            self.assertEqual(1, sum(m.header.stamp == after[0].header.stamp for m in after))
 
     def test_a_newcomer_sees_frames_and_markers_while_paused_and_nothing_repeats(self):
         self.assertTrue(self.rig.pause().success)

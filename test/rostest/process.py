@@ -128,6 +128,28 @@ class Process(unittest.TestCase):
         self.ends_cleanly(follower, signal.SIGTERM)
         self.ends_cleanly(other, signal.SIGTERM)
 
+    def test_backlog_is_dropped_counted_and_told_once(self):
+        node = self.start("stopped")
+        rig = Rig("stopped")
+        rig.state()
+        diagnostics = Collector("/diagnostics", DiagnosticArray)
+        self.addCleanup(diagnostics.subscriber.unregister)
+        before = float(self.time_values(diagnostics, node, lambda s: True)["dropped_seconds"])
+        node.process.send_signal(signal.SIGSTOP)
+        time.sleep(1.0)
+        node.process.send_signal(signal.SIGCONT)
+        told = self.time_values(diagnostics, node, lambda s: "slower than asked" in s.message)
+        self.assertGreaterEqual(float(told["dropped_seconds"]) - before, 1.0 - 0.1 - 0.02)  # a tenth of a second is caught up
+        self.assertGreater(int(told["overruns"]), 0)
+        self.ends_cleanly(node, signal.SIGTERM)
+
+    @staticmethod
+    def time_values(diagnostics, node, wanted):
+        """The node's numbers of time once its status is the wanted one."""
+        def found(messages):
+            return [s for m in messages for s in m.status if s.name == node.name[1:] + ": time" and wanted(s)]
+        return {pair.key: pair.value for pair in found(diagnostics.wait_until(found))[0].values}
+
     def test_two_clocks_are_noticed(self):
         first = self.start("first")
         Rig("first").state()

@@ -85,6 +85,13 @@ class Collector:
         messages = self.wait_until(lambda messages: messages and messages[-1].header.stamp >= stamp)
         return next(m for m in messages if m.header.stamp == stamp)
 
+    def take_until(self, stamp):
+        """The messages that have come up to this stamp, which are forgotten then."""
+        messages = self.wait_until(lambda messages: messages and messages[-1].header.stamp >= stamp)
+        with self.changed:
+            del self.messages[:len(messages)]
+        return messages
+
     def quiet(self, seconds=0.5):
         """Waits until nothing has come for so long, and forgets what came before."""
         deadline = time.monotonic() + PATIENCE

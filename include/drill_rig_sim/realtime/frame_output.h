@@ -2,6 +2,7 @@
 #define DRILL_RIG_SIM_REALTIME_FRAME_OUTPUT_H
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -25,6 +26,16 @@ struct LoopStatistics
   std::uint64_t unpublished_frames = 0;  ///< frames not published because the publishers were behind
   double speed = 1.0;
   double ticked_seconds = 0.0;  ///< simulated time that has passed frame by frame, through resets too [s]
+
+  /// Counts a frame that took `duration` [ns] to compute.
+  void count_frame(std::int64_t duration) noexcept
+  {
+    const double ms = 1e-6 * static_cast<double>(duration);
+    std::size_t bin = 0;
+    while (bin < bounds_ms.size() && ms >= bounds_ms[bin]) ++bin;
+    ++frame_times[bin];
+    longest_frame = std::max(longest_frame, 1e-3 * ms);
+  }
 };
 
 enum class RunState

@@ -8,11 +8,34 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "drill_rig_sim/ros/parameters.h"
 
 namespace drill_rig_sim
 {
+/// Whose /clock is heard, and what is wrong with it; tells time by what it is given.
+class HeardClock
+{
+public:
+  static constexpr double silent = 3.0;  ///< a clock is missed after this [wall s]: a frame of the usual rates is far shorter
+
+  /// `own`: name of the node where it publishes the clock itself; empty where the rig follows another's. `now`: when listening began.
+  HeardClock(std::string own, const ros::SteadyTime& now) : follows_(own.empty()), publisher_(std::move(own)), started_(now) {}
+
+  void hear(const std::string& publisher, const ros::SteadyTime& now);
+  /// What is wrong with the clock now, one line; empty where nothing is. `published`: somebody is known to publish it.
+  std::string trouble(const ros::SteadyTime& now, bool published) const;
+
+private:
+  std::string silence(const ros::SteadyTime& now, bool published) const;
+
+  bool follows_;
+  std::string publisher_;  // whose clock this is: the node itself, or the first that was heard
+  std::string second_;     // another that publishes it
+  ros::SteadyTime started_, heard_, second_heard_;
+};
+
 /// Listens to /clock: passes it on to a rig that follows it, and knows what is wrong with it. Nobody has published it, it has gone
 /// silent, a second node publishes it too: each is warned of once when it begins, and told in diagnostics as long as it lasts.
 class ClockWatch
@@ -27,15 +50,12 @@ public:
 private:
   using Event = ros::MessageEvent<const rosgraph_msgs::Clock>;
   void take(const Event& event);
-  std::string silence(const ros::SteadyTime& now) const;
   void warn();
 
   bool follows_;
   std::function<void(std::int64_t)> hear_;
-  std::mutex mutex_;
-  std::string publisher_;  // whose clock this is: the node itself, or the first that was heard
-  std::string second_;     // another that publishes it
-  ros::SteadyTime started_, heard_, second_heard_;
+  std::mutex mutex_;  // guards heard_
+  HeardClock heard_;
   std::string warned_of_;
   ros::Subscriber clock_;
   ros::WallTimer timer_;

@@ -23,12 +23,10 @@ public:
 
 private:
   void greet(const ros::SingleSubscriberPublisher& subscriber);
-  geometry_msgs::TransformStamped& next(const ros::Time& stamp, const std::string& child);
 
   std::string prefix_;
   std::mutex mutex_;  // guards frames_: the greeting comes from another thread
   tf2_msgs::TFMessage frames_;
-  std::size_t count_ = 0;
   ros::WallTime sent_;
   ros::Publisher tf_;  // not tf2_ros' broadcaster, which cannot greet a new subscriber alone
   tf2_ros::StaticTransformBroadcaster tf_static_;

@@ -5,12 +5,14 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string>
 
 #include "drill_rig_sim/MudPumpCommand.h"
 #include "drill_rig_sim/SteeringCommand.h"
 #include "drill_rig_sim/TopDriveCommand.h"
 #include "drill_rig_sim/WinchCommand.h"
 #include "drill_rig_sim/realtime/triple_buffer.h"
+#include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/sim/commands.h"
 
 namespace drill_rig_sim
@@ -19,7 +21,16 @@ namespace drill_rig_sim
 class Mailbox
 {
 public:
+  /// On the command topics of `node`.
   explicit Mailbox(ros::NodeHandle& node);
+  /// On no topic: for whoever calls receive() himself.
+  Mailbox() = default;
+
+  /// From any one thread: a command has come.
+  void receive(const WinchCommand& m) noexcept { winch_.write(to_setpoint(m)); }
+  void receive(const TopDriveCommand& m) noexcept { top_drive_.write(to_setpoint(m)); }
+  void receive(const MudPumpCommand& m) noexcept { pump_.write(to_setpoint(m)); }
+  void receive(const SteeringCommand&) noexcept { ++steering_refused_; }
 
   /// For the simulation thread: the latest set point not taken yet, or null.
   const WinchSetpoint* winch() noexcept { return winch_.read(); }
@@ -33,6 +44,9 @@ public:
   std::uint64_t steering_refused() const noexcept { return steering_refused_; }
 
 private:
+  template <class Command>
+  ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& topic);
+
   TripleBuffer<WinchSetpoint> winch_;
   TripleBuffer<TopDriveSetpoint> top_drive_;
   TripleBuffer<PumpSetpoint> pump_;

@@ -144,7 +144,6 @@ private:
   template <class Setpoint>
   CommandResult accept(const Setpoint& c, std::size_t kind) noexcept;
   void set_timeout() noexcept;
-  void count_frame_time(std::int64_t duration) noexcept;
   void end_step(StepResult::End end) noexcept;
   void hand_over(Occasion occasion) noexcept;
   void note_due(FrameOutput& s, const Occasion& occasion) noexcept;

@@ -24,7 +24,6 @@ private:
   void publish_bit(const FrameOutput& s);
   void publish_telemetry(const FrameOutput& s);
   void publish_profile(const FrameOutput& s);
-  ros::Time measured_at(const FrameRecord& frame, double time) const;
 
   std::string floor_;  // frame_id
   Subscriptions& subscriptions_;

@@ -1,0 +1,353 @@
+// Every field of the messages of a frame against the number that was put into it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/ros/conversions.h"
+#include "drill_rig_sim/ros/frame_messages.h"
+#include "numbered_frame.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+const std::string floor_name = "rig_b/rig_floor";
+
+void expect_numbers(const RigState& m, double base)
+{
+  EXPECT_EQ(base + 1, m.hook_load);
+  EXPECT_EQ(base + 2, m.dead_line_hook_load);
+  EXPECT_EQ(base + 3, m.hook_load_string);
+  EXPECT_EQ(base + 4, m.block_height);
+  EXPECT_EQ(base + 5, m.block_velocity);
+  EXPECT_EQ(base + 6, m.top_drive_angle);
+  EXPECT_EQ(base + 7, m.top_drive_speed);
+  EXPECT_EQ(base + 8, m.torque);
+  EXPECT_EQ(base + 9, m.stand_pipe_pressure);
+  EXPECT_EQ(base + 10, m.differential_pressure);
+  EXPECT_EQ(base + 11, m.flow);
+  EXPECT_EQ(base + 12, m.hole_depth);
+  EXPECT_EQ(base + 13, m.bit_depth);
+  EXPECT_EQ(base + 14, m.surface_wob);
+  EXPECT_EQ(base + 15, m.rop);
+}
+
+void expect_header(const std_msgs::Header& header, std::uint32_t sec, std::uint32_t nsec)
+{
+  EXPECT_EQ(floor_name, header.frame_id);
+  EXPECT_EQ(ros::Time(sec, nsec), header.stamp);
+}
+
+/// A flag of the simulator and its field.
+struct Flag
+{
+  bool RigSignals::*from;
+  std::uint8_t RigState::*to;
+};
+
+const std::vector<Flag> flags = {{&RigSignals::tared, &RigState::tared},
+                                 {&RigSignals::on_bottom, &RigState::on_bottom},
+                                 {&RigSignals::in_slips, &RigState::in_slips},
+                                 {&RigSignals::brake_set, &RigState::brake_set},
+                                 {&RigSignals::motor_stalled, &RigState::motor_stalled},
+                                 {&RigSignals::winch_limited, &RigState::winch_limited},
+                                 {&RigSignals::top_drive_limited, &RigState::top_drive_limited},
+                                 {&RigSignals::command_clamped, &RigState::command_clamped},
+                                 {&RigSignals::commands_timed_out, &RigState::commands_timed_out}};
+
+void expect_turns(const geometry_msgs::Quaternion& q, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+{
+  const Eigen::Vector3d turned = Eigen::Quaterniond(q.w, q.x, q.y, q.z) * from;
+  EXPECT_NEAR(0.0, (turned - to).norm(), 1e-12) << turned.transpose() << " for " << to.transpose();
+}
+}  // namespace
+
+TEST(RigStateMessage, readingsAndTruthComeFromTheirOwnNumbers)
+{
+  const FrameRecord frame = numbered_record();
+  const RigState truth = to_rig_state(frame.truth, frame, floor_name), readings = to_rig_state(frame.readings, frame, floor_name);
+  expect_numbers(truth, 100.0);
+  expect_numbers(readings, 300.0);
+  for (const RigState& m : {truth, readings}) expect_header(m.header, 12, 345678901);
+}
+
+TEST(RigStateMessage, eachFlagIsItsOwn)
+{
+  for (const Flag& set : flags)
+  {
+    FrameRecord frame = numbered_record();
+    frame.truth.*set.from = true;
+    const RigState m = to_rig_state(frame.truth, frame, floor_name);
+    for (const Flag& flag : flags) EXPECT_EQ(flag.to == set.to, bool(m.*flag.to)) << &flag - flags.data() << ", set " << &set - flags.data();
+  }
+}
+
+TEST(RigStateMessage, setPointsInForceWithTheStampsOfTheirCommands)
+{
+  const FrameRecord frame = numbered_record();
+  const RigState m = to_rig_state(frame.readings, frame, floor_name);
+  EXPECT_EQ(ros::Time(9, 9), m.last_command);
+  EXPECT_EQ(ros::Time(7, 7), m.winch.header.stamp);
+  EXPECT_EQ(401.0, m.winch.block_velocity);
+  EXPECT_FALSE(m.winch.brake);
+  EXPECT_EQ(ros::Time(8, 8), m.top_drive.header.stamp);
+  EXPECT_EQ(TopDriveCommand::TORQUE, m.top_drive.mode);
+  EXPECT_EQ(402.0, m.top_drive.speed);
+  EXPECT_EQ(403.0, m.top_drive.torque);
+  EXPECT_EQ(404.0, m.top_drive.angle);
+  EXPECT_EQ(405.0, m.top_drive.torque_limit);
+  EXPECT_EQ(ros::Time(9, 9), m.mud_pump.header.stamp);
+  EXPECT_EQ(406.0, m.mud_pump.flow);
+  FrameRecord braked = frame;
+  braked.truth.setpoints.winch.brake = true;
+  EXPECT_TRUE(to_rig_state(frame.readings, braked, floor_name).winch.brake);
+}
+
+TEST(RigStateMessage, runStates)
+{
+  FrameRecord frame;
+  const std::vector<std::pair<RunState, std::uint8_t>> states = {
+      {RunState::running, RigState::RUNNING}, {RunState::paused, RigState::PAUSED}, {RunState::waiting, RigState::WAITING}, {RunState::failed, RigState::FAILED}};
+  for (const auto& [state, said] : states)
+  {
+    frame.run_state = state;
+    EXPECT_EQ(said, to_rig_state(frame.truth, frame, "").run_state);
+  }
+  EXPECT_EQ(0, RigState::RUNNING);
+  EXPECT_EQ(1, RigState::PAUSED);
+  EXPECT_EQ(2, RigState::WAITING);
+  EXPECT_EQ(3, RigState::FAILED);
+}
+
+TEST(RigLimitsMessage, eachLimitIsTheScenes)
+{
+  RigSpec rig;
+  rig.hoisting.max_speed = 1.0;
+  rig.hoisting.max_acceleration = 2.0;
+  rig.hoisting.max_hook_load = 3.0;
+  rig.hoisting.lowest_block_height = 4.0;
+  rig.hoisting.highest_block_height = 5.0;
+  rig.top_drive.max_speed = 6.0;
+  rig.top_drive.max_torque = 7.0;
+  rig.top_drive.max_power = 8.0;
+  rig.mud_pump.max_flow = 9.0;
+  std_msgs::Header header;
+  header.stamp = ros::Time(12, 345678901);
+  header.frame_id = floor_name;
+  const RigLimits m = to_rig_limits(rig, header);
+  expect_header(m.header, 12, 345678901);
+  EXPECT_EQ(1.0, m.max_block_speed);
+  EXPECT_EQ(2.0, m.max_block_acceleration);
+  EXPECT_EQ(3.0, m.max_hook_load);
+  EXPECT_EQ(4.0, m.lowest_block_height);
+  EXPECT_EQ(5.0, m.highest_block_height);
+  EXPECT_EQ(6.0, m.max_top_drive_speed);
+  EXPECT_EQ(7.0, m.max_top_drive_torque);
+  EXPECT_EQ(8.0, m.max_top_drive_power);
+  EXPECT_EQ(9.0, m.max_flow);
+}
+
+TEST(SetPoints, eachFieldComesFromItsOwn)
+{
+  WinchCommand winch;
+  winch.block_velocity = -0.3;
+  winch.brake = false;
+  EXPECT_EQ(-0.3, to_setpoint(winch).block_velocity);
+  EXPECT_FALSE(to_setpoint(winch).brake);
+  winch.brake = true;
+  EXPECT_TRUE(to_setpoint(winch).brake);
+
+  TopDriveCommand drive;
+  drive.speed = 1.0;
+  drive.torque = 2.0;
+  drive.angle = 3.0;
+  drive.torque_limit = 4.0;
+  const std::vector<std::pair<std::uint8_t, TopDriveMode>> modes = {{TopDriveCommand::SPEED, TopDriveMode::speed},
+                                                                    {TopDriveCommand::TORQUE, TopDriveMode::torque},
+                                                                    {TopDriveCommand::ANGLE, TopDriveMode::angle},
+                                                                    {TopDriveCommand::SOFT_TORQUE, TopDriveMode::soft_torque},
+                                                                    {TopDriveCommand::Z_TORQUE, TopDriveMode::z_torque}};
+  for (const auto& [said, mode] : modes)
+  {
+    drive.mode = said;
+    EXPECT_EQ(mode, to_setpoint(drive).mode);
+  }
+  drive.mode = 77;
+  EXPECT_EQ(77, static_cast<int>(to_setpoint(drive).mode)) << "an unknown mode stays so";
+  EXPECT_EQ(1.0, to_setpoint(drive).speed);
+  EXPECT_EQ(2.0, to_setpoint(drive).torque);
+  EXPECT_EQ(3.0, to_setpoint(drive).angle);
+  EXPECT_EQ(4.0, to_setpoint(drive).torque_limit);
+
+  MudPumpCommand pump;
+  pump.flow = 0.04;
+  EXPECT_EQ(0.04, to_setpoint(pump).flow);
+}
+
+TEST(Geometry, pointsVectorsAndTimes)
+{
+  const geometry_msgs::Point p = to_point({1.0, 2.0, 3.0});
+  EXPECT_EQ(1.0, p.x);
+  EXPECT_EQ(2.0, p.y);
+  EXPECT_EQ(3.0, p.z);
+  const geometry_msgs::Vector3 v = to_vector({4.0, 5.0, 6.0});
+  EXPECT_EQ(4.0, v.x);
+  EXPECT_EQ(5.0, v.y);
+  EXPECT_EQ(6.0, v.z);
+  EXPECT_EQ(ros::Time(3, 4), to_time(3'000'000'004));
+}
+
+TEST(Geometry, quaternionsAreNormalised)
+{
+  const geometry_msgs::Quaternion q = to_quaternion(Eigen::Quaterniond(2.0, 0.4, -0.6, 0.8));
+  const double length = std::sqrt(5.16);
+  EXPECT_NEAR(2.0 / length, q.w, 1e-15);
+  EXPECT_NEAR(0.4 / length, q.x, 1e-15);
+  EXPECT_NEAR(-0.6 / length, q.y, 1e-15);
+  EXPECT_NEAR(0.8 / length, q.z, 1e-15);
+}
+
+TEST(Geometry, pointingTurnsXIntoTheDirection)
+{
+  for (const Eigen::Vector3d& direction : std::vector<Eigen::Vector3d>{{0.0, 0.0, -1.0}, {0.6, 0.0, -0.8}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}})
+    expect_turns(pointing(direction), Eigen::Vector3d::UnitX(), direction);
+}
+
+TEST(JointStates, areReadings)
+{
+  const sensor_msgs::JointState m = to_joint_states(numbered_record());
+  EXPECT_EQ(ros::Time(12, 345678901), m.header.stamp);
+  EXPECT_EQ((std::vector<std::string>{"traveling_block", "top_drive"}), m.name);
+  EXPECT_EQ((std::vector<double>{304.0, 306.0}), m.position);  // block height, angle
+  EXPECT_EQ((std::vector<double>{305.0, 307.0}), m.velocity);  // block velocity, speed
+  EXPECT_EQ((std::vector<double>{301.0, 308.0}), m.effort);    // hook load, torque
+}
+
+TEST(Bit, poseTwistAndWrench)
+{
+  const FrameRecord frame = numbered_record();
+  const geometry_msgs::PoseStamped pose = to_bit_pose(frame, floor_name);
+  expect_header(pose.header, 12, 345678901);
+  EXPECT_EQ(201.0, pose.pose.position.x);
+  EXPECT_EQ(202.0, pose.pose.position.y);
+  EXPECT_EQ(203.0, pose.pose.position.z);
+  EXPECT_NEAR(2.0 / std::sqrt(5.16), pose.pose.orientation.w, 1e-15);
+  EXPECT_NEAR(0.4 / std::sqrt(5.16), pose.pose.orientation.x, 1e-15);
+  const geometry_msgs::TwistStamped twist = to_bit_twist(frame, floor_name);
+  expect_header(twist.header, 12, 345678901);
+  EXPECT_EQ(211.0, twist.twist.linear.x);
+  EXPECT_EQ(213.0, twist.twist.linear.z);
+  EXPECT_EQ(221.0, twist.twist.angular.x);
+  EXPECT_EQ(223.0, twist.twist.angular.z);
+  const geometry_msgs::WrenchStamped wrench = to_bit_wrench(frame, floor_name);
+  expect_header(wrench.header, 12, 345678901);
+  EXPECT_EQ(231.0, wrench.wrench.force.x);
+  EXPECT_EQ(233.0, wrench.wrench.force.z);
+  EXPECT_EQ(241.0, wrench.wrench.torque.x);
+  EXPECT_EQ(243.0, wrench.wrench.torque.z);
+}
+
+TEST(Telemetry, isStampedWhenItWasMeasured)
+{
+  FrameRecord frame = numbered_record();
+  const MwdSurvey survey = to_mwd_survey(frame, floor_name);
+  expect_header(survey.header, 10, 845678901);  // 1.5 s before the frame
+  EXPECT_EQ(501.0, survey.md);
+  EXPECT_EQ(502.0, survey.inclination);
+  EXPECT_EQ(503.0, survey.azimuth);
+  const MwdToolface toolface = to_mwd_toolface(frame, floor_name);
+  expect_header(toolface.header, 11, 595678901);  // 0.75 s before it
+  EXPECT_EQ(511.0, toolface.toolface);
+  EXPECT_EQ(MwdToolface::GRAVITY, toolface.reference);
+  frame.readings.toolface.magnetic = true;
+  EXPECT_EQ(MwdToolface::MAGNETIC, to_mwd_toolface(frame, floor_name).reference);
+}
+
+TEST(DrillstringStateMessage, eachArrayComesFromItsOwn)
+{
+  const FrameOutput s = numbered_output();
+  DrillstringState m;
+  m.position.resize(9);  // what a longer string left
+  fill_drillstring_state(s, floor_name, m);
+  expect_header(m.header, 12, 345678901);
+  EXPECT_EQ((std::vector<double>{601.0, 602.0, 603.0}), m.md);
+  EXPECT_EQ((std::vector<double>{611.0, 612.0, 613.0}), m.from_bit);
+  EXPECT_EQ((std::vector<double>{621.0, 622.0, 623.0}), m.tension);
+  EXPECT_EQ((std::vector<double>{631.0, 632.0, 633.0}), m.true_axial_force);
+  EXPECT_EQ((std::vector<double>{641.0, 642.0, 643.0}), m.torque);
+  EXPECT_EQ((std::vector<double>{651.0, 652.0, 653.0}), m.bending_moment);
+  EXPECT_EQ((std::vector<double>{0.0, 2000.0, 0.0}), m.contact_force);
+  EXPECT_EQ((std::vector<double>{671.0, 672.0, 673.0}), m.contact_side);
+  EXPECT_EQ((std::vector<double>{681.0, 682.0, 683.0}), m.spin_speed);
+  ASSERT_EQ(3u, m.position.size());
+  EXPECT_EQ(4.5, m.position[1].x);
+  EXPECT_EQ(5.0, m.position[1].y);
+  EXPECT_EQ(-80.0, m.position[2].z);
+}
+
+TEST(PathMessage, followsTheWell)
+{
+  FrameOutput s = numbered_output();
+  s.well = {{0.0, {0.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, 0.1, 0.2}, {50.0, {3.0, 4.0, -49.0}, {0.6, 0.0, -0.8}, 0.1, 0.2}};
+  const nav_msgs::Path path = to_path(s, floor_name);
+  expect_header(path.header, 12, 345678901);
+  ASSERT_EQ(2u, path.poses.size());
+  expect_header(path.poses[1].header, 12, 345678901);
+  EXPECT_EQ(3.0, path.poses[1].pose.position.x);
+  EXPECT_EQ(-49.0, path.poses[1].pose.position.z);
+  expect_turns(path.poses[0].pose.orientation, Eigen::Vector3d::UnitX(), {0.0, 0.0, -1.0});
+  expect_turns(path.poses[1].pose.orientation, Eigen::Vector3d::UnitX(), {0.6, 0.0, -0.8});
+}
+
+TEST(Transforms, theRigFloorStandsInTheWorld)
+{
+  const geometry_msgs::TransformStamped t = to_rig_pose({1.0, 2.0, 3.0, 90.0 * degree, 0.0, 90.0 * degree}, floor_name);
+  EXPECT_EQ("world", t.header.frame_id);
+  EXPECT_EQ(floor_name, t.child_frame_id);
+  EXPECT_EQ(1.0, t.transform.translation.x);
+  EXPECT_EQ(2.0, t.transform.translation.y);
+  EXPECT_EQ(3.0, t.transform.translation.z);
+  // rolled about x first: y becomes z; then yawed about z: x becomes y
+  expect_turns(t.transform.rotation, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
+  expect_turns(t.transform.rotation, Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ());
+  // pitch about y: x becomes -z
+  expect_turns(to_rig_pose({0.0, 0.0, 0.0, 0.0, 90.0 * degree, 0.0}, "").transform.rotation, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitZ());
+}
+
+TEST(Transforms, blockTopDriveAndPartsHangOnTheRigFloor)
+{
+  FrameOutput s = numbered_output();
+  s.frame.truth.block_height = 25.0;
+  s.frame.truth.top_drive_angle = 90.0 * degree;
+  s.parts = {{"bit", {1.0, 2.0, 3.0}, Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0)}, {"pipe_5", {4.0, 5.0, 6.0}, Eigen::Quaterniond(1.0, 0.0, 0.0, 0.0)}};
+  std::vector<geometry_msgs::TransformStamped> all(7);  // more than there are now
+  fill_transforms(s, "rig_b/", all);
+  ASSERT_EQ(4u, all.size());
+  for (const auto& t : all) expect_header(t.header, 12, 345678901);
+  EXPECT_EQ("rig_b/traveling_block", all[0].child_frame_id);
+  EXPECT_EQ("rig_b/top_drive", all[1].child_frame_id);
+  for (int i : {0, 1})
+  {
+    EXPECT_EQ(0.0, all[i].transform.translation.x);
+    EXPECT_EQ(0.0, all[i].transform.translation.y);
+    EXPECT_EQ(25.0, all[i].transform.translation.z);
+  }
+  expect_turns(all[0].transform.rotation, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitX());
+  expect_turns(all[1].transform.rotation, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitY());  // clockwise seen from above
+  EXPECT_EQ("rig_b/bit", all[2].child_frame_id);
+  EXPECT_EQ("rig_b/pipe_5", all[3].child_frame_id);
+  EXPECT_EQ(2.0, all[2].transform.translation.y);
+  EXPECT_EQ(6.0, all[3].transform.translation.z);
+  EXPECT_EQ(1.0, all[2].transform.rotation.x);
+  EXPECT_EQ(1.0, all[3].transform.rotation.w);
+}
+
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,252 @@
+// What diagnostics say of a frame: each condition alone, its level and its words; the real-time factor and the histogram by hand.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <map>
+
+#include "drill_rig_sim/ros/diagnostics_report.h"
+#include "numbered_frame.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+using diagnostic_msgs::DiagnosticStatus;
+
+constexpr std::int64_t ms = 1'000'000, second = 1'000 * ms, start = 77 * second;
+
+FrameRecord sound_frame()
+{
+  FrameRecord frame = numbered_record();
+  frame.physics.level = "beam3d";
+  frame.physics.integrator = "auto_one";
+  return frame;
+}
+
+const DiagnosticStatus& part(const diagnostic_msgs::DiagnosticArray& array, const std::string& name)
+{
+  for (const DiagnosticStatus& s : array.status)
+    if (s.name == "rig/node: " + name) return s;
+  throw std::runtime_error("no part " + name);
+}
+
+std::map<std::string, std::string> values(const diagnostic_msgs::DiagnosticArray& array)
+{
+  std::map<std::string, std::string> all;
+  for (const DiagnosticStatus& s : array.status)
+    for (const auto& pair : s.values) EXPECT_TRUE(all.emplace(pair.key, pair.value).second) << pair.key << " twice";
+  return all;
+}
+
+double number(const diagnostic_msgs::DiagnosticArray& array, const std::string& key)
+{
+  return std::stod(values(array).at(key));
+}
+
+/// The levels of time, physics, commands.
+std::vector<int> levels(const diagnostic_msgs::DiagnosticArray& array)
+{
+  return {part(array, "time").level, part(array, "physics").level, part(array, "commands").level};
+}
+
+constexpr int ok = DiagnosticStatus::OK, warn = DiagnosticStatus::WARN, error = DiagnosticStatus::ERROR;
+const std::vector<int> all_well = {ok, ok, ok};
+
+class Report : public testing::Test
+{
+protected:
+  DiagnosticsReport report_{"rig/node"};
+  FrameRecord frame_ = sound_frame();
+  std::int64_t now_ = start;
+
+  diagnostic_msgs::DiagnosticArray next(const std::string& trouble = "")
+  {
+    now_ += second;
+    return report_.on(frame_, trouble, now_);
+  }
+};
+}  // namespace
+
+TEST_F(Report, allIsWell)
+{
+  const auto array = next();
+  EXPECT_EQ(ros::Time(12, 345678901), array.header.stamp);
+  ASSERT_EQ(3u, array.status.size());
+  EXPECT_EQ(all_well, levels(array));
+  EXPECT_EQ("running", part(array, "time").message);
+  EXPECT_EQ("solved", part(array, "physics").message);
+  EXPECT_EQ("obeyed", part(array, "commands").message);
+  for (const DiagnosticStatus& s : array.status) EXPECT_EQ("rig/node", s.hardware_id);
+}
+
+TEST_F(Report, eachNumberIsItsOwn)
+{
+  SimulatorStatistics& p = frame_.physics;
+  p.step = 0.005;
+  p.nodes = 11;
+  p.coordinates = 12;
+  p.frames = 13;
+  p.steps = 20;
+  p.newton_iterations = 50;
+  p.convergence_failures = 16;
+  p.error_test_failures = 17;
+  p.last_error_estimate = 1.8e-5;
+  p.commands_clamped = 19;
+  p.commands_refused = 21;
+  frame_.loop.speed = 2.5;
+  frame_.loop.overruns = 22;
+  frame_.loop.dropped_seconds = 0.75;
+  frame_.loop.unpublished_frames = 23;
+  frame_.loop.longest_frame = 0.0245;
+  frame_.last_refusal = "a refusal";
+  frame_.last_clamp = "a clamp";
+  const auto array = next();
+  const std::map<std::string, double> expected = {{"simulated_time", 100.0}, {"speed", 2.5}, {"overruns", 22}, {"dropped_seconds", 0.75},
+      {"unpublished_frames", 23}, {"longest_frame_ms", 24.5}, {"step", 0.005}, {"nodes", 11}, {"coordinates", 12}, {"frames", 13}, {"steps", 20},
+      {"newton_iterations", 50}, {"newton_iterations_per_step", 2.5}, {"convergence_failures", 16}, {"error_test_failures", 17},
+      {"error_estimate", 1.8e-5}, {"clamped", 19}, {"refused", 21}};
+  for (const auto& [key, value] : expected) EXPECT_DOUBLE_EQ(value, number(array, key)) << key;
+  const std::map<std::string, std::string> words = {{"state", "running"}, {"level", "beam3d"}, {"integrator", "auto_one"},
+      {"last_refusal", "a refusal"}, {"last_clamp", "a clamp"}};
+  for (const auto& [key, value] : words) EXPECT_EQ(value, values(array).at(key)) << key;
+  EXPECT_EQ(expected.size() + words.size() + 1, values(array).size()) << "and the histogram; a real-time factor needs half a second";
+}
+
+TEST_F(Report, withoutAStepThereAreNoIterationsPerStep)
+{
+  EXPECT_EQ(0.0, number(next(), "newton_iterations_per_step"));
+}
+
+TEST_F(Report, statesAreNamed)
+{
+  for (const auto& [state, word] : std::map<RunState, std::string>{{RunState::running, "running"}, {RunState::paused, "paused"}, {RunState::waiting, "waiting for a step"}})
+  {
+    frame_.run_state = state;
+    const auto array = next();
+    EXPECT_EQ(word, part(array, "time").message);
+    EXPECT_EQ(word, values(array).at("state"));
+    EXPECT_EQ(all_well, levels(array)) << word;
+  }
+}
+
+TEST_F(Report, aFailedFrameIsAnErrorAndSaysWhy)
+{
+  frame_.run_state = RunState::failed;
+  std::snprintf(frame_.failure.data(), frame_.failure.size(), "no solution at 3 s");
+  const auto array = next();
+  EXPECT_EQ((std::vector<int>{ok, error, ok}), levels(array));
+  EXPECT_EQ("time stands at the last good state: no solution at 3 s", part(array, "physics").message);
+  EXPECT_EQ("failed", part(array, "time").message);
+}
+
+TEST_F(Report, backlogDroppedSinceTheLastReportIsAWarning)
+{
+  frame_.loop.dropped_seconds = 0.25;
+  const auto array = next();
+  EXPECT_EQ((std::vector<int>{warn, ok, ok}), levels(array));
+  EXPECT_EQ("running, slower than asked", part(array, "time").message);
+  EXPECT_EQ(all_well, levels(next())) << "nothing since";
+  frame_.loop.dropped_seconds = 0.26;
+  EXPECT_EQ(warn, part(next(), "time").level);
+}
+
+TEST_F(Report, troubleWithTheClockIsAWarning)
+{
+  const auto array = next("two nodes publish /clock");
+  EXPECT_EQ((std::vector<int>{warn, ok, ok}), levels(array));
+  EXPECT_EQ("two nodes publish /clock", part(array, "time").message);
+  EXPECT_EQ(all_well, levels(next()));
+}
+
+TEST_F(Report, aCommandRefusedSinceTheLastReportIsAWarning)
+{
+  frame_.physics.commands_refused = 1;
+  frame_.last_refusal = "flow is not finite";
+  const auto array = next();
+  EXPECT_EQ((std::vector<int>{ok, ok, warn}), levels(array));
+  EXPECT_EQ("refused: flow is not finite", part(array, "commands").message);
+  EXPECT_EQ(all_well, levels(next()));
+}
+
+TEST_F(Report, aCommandClampedNowOrSinceTheLastReportIsAWarning)
+{
+  frame_.last_clamp = "speed";
+  frame_.truth.command_clamped = true;  // the last command is at a limit still
+  for (int i = 0; i < 2; ++i)
+  {
+    const auto array = next();
+    EXPECT_EQ((std::vector<int>{ok, ok, warn}), levels(array));
+    EXPECT_EQ("beyond a limit: speed", part(array, "commands").message);
+  }
+  frame_.truth.command_clamped = false;
+  EXPECT_EQ(all_well, levels(next()));
+  frame_.physics.commands_clamped = 1;  // one was, between two reports
+  EXPECT_EQ("beyond a limit: speed", part(next(), "commands").message);
+  EXPECT_EQ(all_well, levels(next()));
+}
+
+TEST_F(Report, aStreamThatStoppedIsAWarning)
+{
+  frame_.truth.commands_timed_out = true;
+  const auto array = next();
+  EXPECT_EQ((std::vector<int>{ok, ok, warn}), levels(array));
+  EXPECT_EQ("the command stream stopped: brake set, drive coasts", part(array, "commands").message);
+}
+
+TEST_F(Report, realTimeFactorIsSimulatedOverWallSeconds)
+{
+  frame_.loop.ticked_seconds = 10.0;
+  EXPECT_EQ(0u, values(next()).count("real_time_factor")) << "nothing to compare with";
+  frame_.loop.ticked_seconds = 10.75;  // 0.75 s in a wall second
+  EXPECT_DOUBLE_EQ(0.75, number(next(), "real_time_factor"));
+  frame_.loop.ticked_seconds = 13.75;
+  EXPECT_DOUBLE_EQ(3.0, number(next(), "real_time_factor"));
+}
+
+TEST(RealTimeFactor, needsHalfASecondAndLeavesPausesOut)
+{
+  RealTimeFactor factor;
+  EXPECT_FALSE(factor.update(5.0, RunState::running, start));
+  EXPECT_FALSE(factor.update(5.25, RunState::running, start + 499 * ms));
+  EXPECT_DOUBLE_EQ(0.5, *factor.update(5.25, RunState::running, start + 500 * ms));
+  EXPECT_DOUBLE_EQ(0.5, *factor.update(5.5, RunState::running, start + 600 * ms)) << "the last one until the next half second";
+  for (const RunState standing : {RunState::paused, RunState::failed})
+  {
+    RealTimeFactor other;
+    other.update(1.0, RunState::running, start);
+    EXPECT_DOUBLE_EQ(1.0, *other.update(2.0, RunState::running, start + second));
+    EXPECT_DOUBLE_EQ(0.0, *other.update(2.0, standing, start + 11 * second));
+    EXPECT_DOUBLE_EQ(0.0, *other.update(2.1, RunState::running, start + 30 * second)) << "begins anew where it goes on";
+    EXPECT_DOUBLE_EQ(0.5, *other.update(2.6, RunState::running, start + 31 * second));
+  }
+}
+
+TEST(FrameTimes, fallIntoBinsThatBeginAtTheirBounds)
+{
+  LoopStatistics loop;
+  const std::vector<std::pair<double, std::size_t>> frames = {{0.0, 0}, {0.999, 0}, {1.0, 1}, {1.999, 1}, {2.0, 2}, {4.999, 2}, {5.0, 3},
+      {9.999, 3}, {10.0, 4}, {19.999, 4}, {20.0, 5}, {5000.0, 5}};
+  for (const auto& [duration, bin] : frames)
+  {
+    const auto before = loop.frame_times;
+    loop.count_frame(static_cast<std::int64_t>(duration * ms));
+    for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(before[i] + (i == bin ? 1 : 0), loop.frame_times[i]) << duration << " ms, bin " << i;
+  }
+  EXPECT_DOUBLE_EQ(5.0, loop.longest_frame);
+  loop.count_frame(3 * ms);
+  EXPECT_DOUBLE_EQ(5.0, loop.longest_frame) << "the longest stays";
+}
+
+TEST_F(Report, histogramNamesEachBin)
+{
+  frame_.loop.frame_times = {31, 32, 33, 34, 35, 36};
+  EXPECT_EQ("< 1 ms: 31, < 2 ms: 32, < 5 ms: 33, < 10 ms: 34, < 20 ms: 35, >= 20 ms: 36", values(next()).at("frame_times"));
+}
+
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

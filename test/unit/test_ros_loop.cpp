@@ -1,0 +1,472 @@
+// The simulation loop without a master: what it hands over and when, commands from the mailbox, going back, failing, pausing.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "drill_rig_sim/ros/frame_messages.h"
+#include "drill_rig_sim/scene/read_scene.h"
+#include "running_loop.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+ProgramStep pump_at(double time, double rate)
+{
+  ProgramStep line;
+  line.at = time;
+  line.flow = rate;
+  return line;
+}
+
+Scene with_program()
+{
+  Scene scene = vertical_scene(30.0, 29.0);
+  scene.program = {pump_at(0.0, 0.01), pump_at(0.05, 0.02), pump_at(0.08, 0.03)};
+  return scene;
+}
+
+/// Stamps [in periods] of the outputs that have the flag set.
+std::vector<std::int64_t> due(const std::vector<FrameOutput>& outputs, bool FrameOutput::*flag)
+{
+  std::vector<std::int64_t> stamps;
+  for (const FrameOutput& s : outputs)
+    if (s.*flag) stamps.push_back(s.frame.stamp / period);
+  return stamps;
+}
+
+using Stamps = std::vector<std::int64_t>;
+}  // namespace
+
+TEST(Loop, startHandsOverTheWholePicture)
+{
+  RunningLoop rig(lockstep());
+  rig.loop.subscriptions().markers = rig.loop.subscriptions().profile = true;
+  const FrameOutput s = rig.start();
+  EXPECT_EQ(period, s.frame.stamp) << "never 0";
+  EXPECT_EQ(RunState::waiting, s.frame.run_state);
+  EXPECT_TRUE(s.new_stamp && s.rebuilt && s.state_due && s.tf_due && s.markers_due && s.profile_due && s.well_due);
+  EXPECT_FALSE(s.run_state_changed) << "it comes with a stamp";
+  EXPECT_EQ(0.0, s.frame.truth.time);
+  EXPECT_EQ(1.0, s.frame.loop.speed);
+  EXPECT_EQ(0, s.frame.last_command);
+}
+
+TEST(Loop, whatIsDrawnLiesOnTheWell)
+{
+  RunningLoop rig(lockstep());
+  rig.loop.subscriptions().profile = true;
+  const FrameOutput s = rig.start();
+  ASSERT_EQ(s.profile.md.size(), s.axis.size());
+  for (std::size_t i = 0; i < s.axis.size(); ++i) EXPECT_NEAR(-s.profile.md[i], s.axis[i].position.z(), 1e-9);
+  ASSERT_EQ(2u, s.stations.size());
+  EXPECT_NEAR(-30.0, s.stations[1].position.z(), 1e-9);
+  EXPECT_EQ(0.0, s.well.front().md);
+  EXPECT_EQ(30.0, s.well.back().md);
+  for (std::size_t i = 1; i + 1 < s.well.size(); ++i) EXPECT_GE(s.well[i].md, s.well[i - 1].md + 1.0);
+  // 49 m of string: a bit of 0.3 m and six joints of 9.5 m, the last one cut; every fifth has a frame at its lower end
+  const std::vector<std::pair<std::string, double>> parts = {{"bit", 0.0}, {"pipe_0", 0.3}, {"pipe_5", 0.3 + 5 * 9.5}};
+  ASSERT_EQ(parts.size(), s.parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    EXPECT_EQ(parts[i].first, s.parts[i].name);
+    EXPECT_NEAR(-29.0 + parts[i].second, s.parts[i].position.z(), 1e-3) << "it stretches by less than a millimetre";
+  }
+}
+
+TEST(Loop, aStepIsSoManyFramesWithStampsOfOnePeriod)
+{
+  RunningLoop rig(lockstep());
+  rig.start();
+  const std::vector<FrameOutput> frames = rig.step(5);
+  ASSERT_EQ(5u, frames.size());
+  for (int i = 0; i < 5; ++i)
+  {
+    EXPECT_EQ((2 + i) * period, frames[i].frame.stamp);
+    EXPECT_DOUBLE_EQ(0.01 * (1 + i), frames[i].frame.truth.time);
+    EXPECT_DOUBLE_EQ(0.01 * (1 + i), frames[i].frame.readings.time);
+    EXPECT_DOUBLE_EQ(0.01 * (2 + i), frames[i].frame.loop.ticked_seconds);
+    EXPECT_TRUE(frames[i].new_stamp && !frames[i].rebuilt);
+    EXPECT_EQ(i < 4 ? RunState::running : RunState::waiting, frames[i].frame.run_state);
+  }
+  EXPECT_EQ(StepResult::End::complete, rig.result.end);
+  EXPECT_EQ(5u, rig.result.frames);
+  std::uint64_t timed = 0;
+  for (const std::uint64_t n : frames[4].frame.loop.frame_times) timed += n;
+  EXPECT_EQ(5u, timed) << "every frame is timed";
+  EXPECT_TRUE(rig.step(0).empty());
+  EXPECT_EQ(StepResult::End::complete, rig.result.end);
+}
+
+TEST(Loop, eachOutputComesAtItsRate)
+{
+  Parameters p = lockstep();
+  p.state_rate = 25.0;
+  p.drillstring_rate = 20.0;
+  p.tf_rate = 10.0;
+  p.marker_rate = 12.5;
+  RunningLoop rig(p);
+  rig.loop.subscriptions().markers = rig.loop.subscriptions().profile = true;
+  rig.start();  // at 1
+  const std::vector<FrameOutput> frames = rig.step(20);
+  EXPECT_EQ((Stamps{5, 9, 13, 17, 21}), due(frames, &FrameOutput::state_due));
+  EXPECT_EQ((Stamps{6, 11, 16, 21}), due(frames, &FrameOutput::profile_due));
+  EXPECT_EQ((Stamps{11, 21}), due(frames, &FrameOutput::tf_due));
+  EXPECT_EQ((Stamps{9, 17}), due(frames, &FrameOutput::markers_due));
+  EXPECT_EQ((Stamps{}), due(frames, &FrameOutput::well_due)) << "it has not grown";
+  EXPECT_EQ((Stamps{}), due(frames, &FrameOutput::run_state_changed));
+}
+
+TEST(Loop, heavyOutputsComeWhereSomebodyLooks)
+{
+  RunningLoop rig(lockstep());
+  rig.start();
+  const std::vector<FrameOutput> frames = rig.step(30);
+  EXPECT_EQ((Stamps{}), due(frames, &FrameOutput::markers_due));
+  EXPECT_EQ((Stamps{}), due(frames, &FrameOutput::profile_due));
+}
+
+TEST(Loop, theWellIsHandedOverOncePerSecondWhereItGrows)
+{
+  Scene scene = drilling_scene(0.005);
+  scene.start.bit_depth = 100.0;
+  scene.start.weight_on_bit = 20e3;
+  RunningLoop rig(lockstep(), scene);
+  rig.start();
+  rig.mailbox.receive(winch(-0.01));
+  TopDriveCommand turn;
+  turn.speed = 9.0;
+  rig.mailbox.receive(turn);
+  const std::vector<FrameOutput> frames = rig.step(350);
+  ASSERT_GT(frames.back().frame.truth.hole_depth, 100.005) << "it drills";
+  const Stamps stamps = due(frames, &FrameOutput::well_due);
+  ASSERT_GE(stamps.size(), 3u);
+  for (std::size_t i = 1; i < stamps.size(); ++i) EXPECT_EQ(100, stamps[i] - stamps[i - 1]);
+  for (const std::int64_t stamp : stamps)
+  {
+    const FrameOutput& s = frames[stamp - 2];
+    EXPECT_EQ(s.frame.truth.hole_depth, s.well.back().md);
+  }
+}
+
+TEST(Loop, theLatestCommandWinsAndIsStampedWhereItsFrameBegins)
+{
+  RunningLoop rig(lockstep());
+  rig.start();
+  rig.step(2);  // at 3
+  rig.mailbox.receive(winch(0.1));
+  rig.mailbox.receive(winch(0.2));
+  rig.mailbox.receive(flow(0.03));
+  const FrameRecord after = rig.step(1).back().frame;
+  EXPECT_EQ(0.2, after.truth.setpoints.winch.block_velocity);
+  EXPECT_EQ(0.03, after.truth.setpoints.pump.flow);
+  EXPECT_EQ((std::array<std::int64_t, 3>{3 * period, 0, 3 * period}), after.accepted);
+  EXPECT_EQ(3 * period, after.last_command);
+  TopDriveCommand turn;
+  turn.speed = 1.0;
+  rig.mailbox.receive(turn);
+  const FrameRecord next = rig.step(1).back().frame;
+  EXPECT_EQ((std::array<std::int64_t, 3>{3 * period, 4 * period, 3 * period}), next.accepted);
+  EXPECT_EQ(4 * period, next.last_command);
+  EXPECT_EQ(0.2, rig.step(1).back().frame.truth.setpoints.winch.block_velocity) << "it stays in force";
+}
+
+TEST(Loop, refusalsAndClampsAreCountedWithTheirReasons)
+{
+  RunningLoop rig(lockstep());
+  rig.start();
+  rig.mailbox.receive(winch(0.1));
+  rig.step(1);
+  rig.mailbox.receive(winch(std::nan("")));
+  FrameRecord after = rig.step(1).back().frame;
+  EXPECT_EQ(0.1, after.truth.setpoints.winch.block_velocity);
+  EXPECT_EQ(1u, after.physics.commands_refused);
+  EXPECT_NE(std::string::npos, std::string(after.last_refusal).find("block_velocity"));
+  EXPECT_EQ(1 * period, after.last_command) << "of the last accepted one";
+  EXPECT_EQ("", std::string(after.last_clamp));
+  rig.mailbox.receive(SteeringCommand());
+  rig.mailbox.receive(SteeringCommand());
+  after = rig.step(1).back().frame;
+  EXPECT_EQ(3u, after.physics.commands_refused);
+  EXPECT_EQ("steering/command: not available yet", std::string(after.last_refusal));
+  rig.mailbox.receive(winch(9.0));
+  after = rig.step(1).back().frame;
+  EXPECT_EQ(1u, after.physics.commands_clamped);
+  EXPECT_EQ(3u, after.physics.commands_refused);
+  EXPECT_NE(std::string::npos, std::string(after.last_clamp).find("block_velocity"));
+  EXPECT_EQ(4 * period, after.last_command) << "a clamped one is accepted";
+}
+
+TEST(Loop, anotherRigForgetsWhatWasOnTheWayAndBeginsItsRatesAnew)
+{
+  Parameters p = lockstep();
+  p.state_rate = 25.0;
+  RunningLoop rig(p);
+  rig.start();
+  rig.mailbox.receive(winch(0.1));
+  rig.step(2);                      // at 3
+  rig.mailbox.receive(winch(0.3));  // not taken yet
+  rig.mailbox.receive(flow(0.03));
+  TopDriveCommand turn;
+  turn.speed = 1.0;
+  rig.mailbox.receive(turn);
+  const FrameOutput s = rig.between([](SimulationLoop& loop) { loop.replace(std::make_unique<Simulator>(vertical_scene(40.0, 39.0))); });
+  EXPECT_TRUE(s.rebuilt && s.new_stamp && s.state_due && s.well_due);
+  EXPECT_EQ(4 * period, s.frame.stamp) << "time runs on";
+  EXPECT_EQ(40.0, s.frame.truth.hole_depth);
+  EXPECT_EQ(0, s.frame.last_command);
+  EXPECT_EQ((std::array<std::int64_t, 3>{}), s.frame.accepted);
+  const std::vector<FrameOutput> frames = rig.step(8);
+  EXPECT_TRUE(frames[0].frame.truth.brake_set);
+  EXPECT_EQ(0.0, frames[0].frame.truth.setpoints.pump.flow);
+  EXPECT_EQ(0.0, frames[0].frame.truth.setpoints.top_drive.speed);
+  EXPECT_EQ((Stamps{8, 12}), due(frames, &FrameOutput::state_due));
+}
+
+TEST(Loop, goingBackBringsStateAndProgramAndLeavesTheClock)
+{
+  Parameters p = lockstep();
+  p.play_program = true;
+  RunningLoop rig(p, with_program());
+  rig.start();
+  EXPECT_EQ(0.01, rig.step(3).back().frame.truth.flow);  // at 0.03 s
+  std::shared_ptr<const SimulatorState> state;
+  std::optional<ProgramPlayer> program;
+  rig.loop.between_frames(
+      [&](SimulationLoop& loop)
+      {
+        state = loop.rig().simulator->save();
+        program = loop.rig().program;
+      });
+  std::vector<double> first;
+  for (const FrameOutput& s : rig.step(8)) first.push_back(s.frame.truth.flow);
+  EXPECT_EQ((std::vector<double>{0.01, 0.01, 0.02, 0.02, 0.02, 0.03, 0.03, 0.03}), first);  // lines of 0.05 s and 0.08 s
+  rig.mailbox.receive(flow(0.05));
+  EXPECT_EQ(0.05, rig.step(1).back().frame.truth.flow);  // at 13; the program is over
+  rig.mailbox.receive(flow(0.06));                         // not taken yet
+  const FrameOutput back = rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *program, true); });
+  EXPECT_EQ(14 * period, back.frame.stamp);
+  EXPECT_DOUBLE_EQ(0.03, back.frame.truth.time);
+  EXPECT_TRUE(back.new_stamp && !back.rebuilt);
+  std::vector<double> again;
+  for (const FrameOutput& s : rig.step(8)) again.push_back(s.frame.truth.flow);
+  EXPECT_EQ(first, again);
+  rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *program, false); });
+  for (const FrameOutput& s : rig.step(8)) EXPECT_EQ(0.01, s.frame.truth.flow) << "as it was saved: not playing";
+}
+
+TEST(Loop, aCommandTakesOverFromTheProgram)
+{
+  Parameters p = lockstep();
+  p.play_program = true;
+  RunningLoop rig(p, with_program());
+  rig.start();
+  rig.step(1);
+  rig.mailbox.receive(winch(0.1));
+  EXPECT_EQ(0.01, rig.step(20).back().frame.truth.flow) << "no further line";
+}
+
+TEST(Loop, aProgramIsNotPlayedUnasked)
+{
+  RunningLoop rig(lockstep(), with_program());
+  rig.start();
+  EXPECT_EQ(0.0, rig.step(20).back().frame.truth.flow);
+}
+
+TEST(Loop, silenceCountsFromTheFirstCommandAndNotInAProgram)
+{
+  Parameters p = lockstep();
+  p.play_program = true;
+  p.command_timeout = 0.045;
+  Scene scene = with_program();
+  scene.program[0].block_velocity = 0.1;
+  RunningLoop rig(p, scene);
+  rig.start();
+  EXPECT_FALSE(rig.step(30).back().frame.truth.commands_timed_out) << "a program speaks once per line";
+  rig.mailbox.receive(winch(0.1));
+  const std::vector<FrameOutput> frames = rig.step(10);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(i >= 5, frames[i].frame.truth.commands_timed_out) << i << ": silent for " << 0.01 * i << " s as it begins";
+}
+
+TEST(Loop, aFrameThatFailsIsSaidOnceWithTheLastGoodStamp)
+{
+  Parameters p = lockstep();
+  p.rate = 20.0;
+  p.play_program = true;
+  p.state_rate = 2.0;
+  RunningLoop rig(p, read_scene(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/test/scenes/unsolvable.yaml"));
+  rig.start();
+  const std::vector<FrameOutput> frames = rig.step(1000);
+  ASSERT_EQ(StepResult::End::failed, rig.result.end);
+  ASSERT_GE(frames.size(), 2u);
+  EXPECT_EQ(frames.size(), rig.result.frames);
+  const FrameOutput &last = frames.back(), &good = frames[frames.size() - 2];
+  EXPECT_EQ(RunState::failed, last.frame.run_state);
+  EXPECT_EQ(RunState::running, good.frame.run_state);
+  EXPECT_EQ(good.frame.stamp, last.frame.stamp);
+  EXPECT_TRUE(!last.new_stamp && last.run_state_changed && !last.state_due && !last.tf_due);
+  EXPECT_NE("", std::string(last.frame.failure.data()));
+  EXPECT_EQ("", std::string(good.frame.failure.data()));
+  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).run_state_changed) << "once";
+  const FrameOutput reset = rig.between([](SimulationLoop& loop) { loop.replace(std::make_unique<Simulator>(vertical_scene(40.0, 39.0))); });
+  EXPECT_EQ(RunState::waiting, reset.frame.run_state);
+  EXPECT_EQ("", std::string(reset.frame.failure.data()));
+  EXPECT_EQ(last.frame.stamp + 5 * period, reset.frame.stamp);
+}
+
+TEST(Loop, pauseIsSaidOnceWithTheSameStamp)
+{
+  RunningLoop rig(in_real_time());
+  rig.start();
+  rig.output(5);
+  FrameOutput before;
+  const FrameOutput paused = rig.between(
+      [&](SimulationLoop& loop)
+      {
+        before.frame.stamp = loop.time().stamp();
+        loop.set_paused(true);
+      });
+  EXPECT_EQ(RunState::paused, paused.frame.run_state);
+  EXPECT_EQ(before.frame.stamp, paused.frame.stamp);
+  EXPECT_TRUE(!paused.new_stamp && paused.run_state_changed && !paused.state_due);
+  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).run_state_changed);
+  const FrameOutput resumed = rig.between([](SimulationLoop& loop) { loop.set_paused(false); });
+  EXPECT_EQ(RunState::running, resumed.frame.run_state);
+  EXPECT_TRUE(resumed.run_state_changed);
+  EXPECT_EQ(before.frame.stamp, resumed.frame.stamp);
+}
+
+TEST(Loop, whileTimeStandsARefreshIsOnePicture)
+{
+  RunningLoop rig(lockstep());
+  const FrameOutput first = rig.start();
+  rig.loop.subscriptions().markers = true;
+  rig.loop.refresh();
+  const FrameOutput picture = rig.output(1);
+  EXPECT_EQ(first.frame.stamp, picture.frame.stamp);
+  EXPECT_TRUE(!picture.new_stamp && picture.markers_due && picture.well_due && !picture.state_due && !picture.tf_due && !picture.profile_due);
+  EXPECT_FALSE(picture.run_state_changed);
+  EXPECT_EQ(2u, rig.count());
+}
+
+TEST(Loop, aStepEndsEarlyWhereItIsAskedTo)
+{
+  RunningLoop rig(lockstep());
+  rig.start();
+  EXPECT_FALSE(rig.loop.end_step_early()) << "none is under way";
+  rig.loop.begin_step(100000);
+  rig.output(10);
+  std::int64_t stamp = 0;
+  const FrameOutput end = rig.between(
+      [&](SimulationLoop& loop)
+      {
+        stamp = loop.time().stamp();
+        EXPECT_TRUE(loop.end_step_early());
+      });
+  EXPECT_EQ(RunState::waiting, end.frame.run_state);
+  EXPECT_TRUE(end.run_state_changed && !end.new_stamp);
+  EXPECT_EQ(stamp, end.frame.stamp);
+  const StepResult result = rig.loop.wait_for_step();
+  EXPECT_EQ(StepResult::End::ended_early, result.end);
+  EXPECT_EQ((stamp - period) / period, result.frames);
+}
+
+// Nobody lets a frame begin for 0.4 s: a tenth of a second is caught up, the rest is dropped and counted.
+TEST(Loop, backlogIsDroppedAndCounted)
+{
+  RunningLoop rig(in_real_time());
+  rig.start();
+  rig.output(5);
+  std::size_t next = 0;
+  rig.loop.between_frames(
+      [&](SimulationLoop&)
+      {
+        next = rig.ring.handed_over();
+        std::this_thread::sleep_for(std::chrono::milliseconds(400));
+      });
+  const FrameRecord before = rig.output(next - 1).frame, after = rig.output(next).frame;
+  EXPECT_GE(after.loop.dropped_seconds - before.loop.dropped_seconds, 0.4 - 0.1 - 0.01) << "due at most a period after it stood";
+  EXPECT_GE(after.loop.overruns, before.loop.overruns + 1);
+  EXPECT_EQ(before.stamp + period, after.stamp) << "simulated time falls behind, no frame is left out";
+}
+
+TEST(Loop, framesThatNobodyTakesAreCounted)
+{
+  const Parameters p = in_real_time();
+  Mailbox mailbox;
+  FrameRing ring(4);
+  SimulationLoop loop(p, std::make_unique<Simulator>(vertical_scene(30.0, 29.0)), mailbox, ring);
+  loop.start();
+  std::uint64_t computed = 0;
+  while (computed < 20) loop.between_frames([&](SimulationLoop& l) { computed = l.rig().simulator->statistics().frames; });
+  const auto take = [&]
+  {
+    const FrameRecord frame = ring.next()->frame;
+    ring.release();
+    return frame;
+  };
+  FrameRecord last = take();
+  for (int i = 0; i < 3; ++i) last = take();
+  EXPECT_EQ(4 * period, last.stamp);
+  EXPECT_EQ(0u, last.loop.unpublished_frames);
+  const FrameRecord after = take();
+  EXPECT_GE(after.loop.unpublished_frames, 17u);
+  EXPECT_EQ(after.stamp - last.stamp, static_cast<std::int64_t>(after.loop.unpublished_frames + 1) * period) << "each missing stamp is counted";
+  loop.halt();
+  loop.join();
+}
+
+// The scene's latency lies between measurement and surface, to the frame; the stamp is the measurement's.
+TEST(Loop, telemetryArrivesByItsLatencyLater)
+{
+  Scene scene = vertical_scene(60.0, 50.0);
+  PartSpec tool = collar_part(1, 9.0);
+  tool.name = "mwd";
+  tool.type = PartType::mwd;
+  tool.length = 9.0;
+  tool.sensor_offset = 4.0;
+  scene.string.insert(scene.string.begin() + 1, tool);
+  scene.instruments.mwd.latency = 0.25;
+  scene.instruments.toolface.latency = 0.07;
+  RunningLoop rig(lockstep(), scene);
+  rig.start();  // at 1
+  rig.mailbox.receive(flow(0.02));
+  const std::vector<FrameOutput> frames = rig.step(40);  // it flows from the first on, measured at its end: at 2
+  for (const FrameOutput& s : frames)
+  {
+    EXPECT_EQ(s.frame.stamp >= 2 * period + 250 * ms ? 1u : 0u, s.frame.readings.mwd.sequence) << s.frame.stamp;
+    EXPECT_EQ(s.frame.stamp >= 2 * period + 70 * ms ? 1u : 0u, s.frame.readings.toolface.sequence) << s.frame.stamp;
+  }
+  const FrameRecord& last = frames.back().frame;
+  EXPECT_EQ(ros::Time().fromNSec(2 * period), to_mwd_survey(last, "").header.stamp);
+  EXPECT_EQ(ros::Time().fromNSec(2 * period), to_mwd_toolface(last, "").header.stamp);
+  EXPECT_NEAR(50.0 - 0.3 - 4.0, last.readings.mwd.md, 1e-3) << "a bit of 0.3 m and the sensor's offset above it";
+}
+
+TEST(Loop, aFollowerWaitsForTheClockAndGoesWithIt)
+{
+  Parameters p;
+  p.publish_clock = false;
+  p.use_sim_time = true;
+  RunningLoop rig(p);
+  const FrameOutput silent = rig.start();
+  EXPECT_FALSE(silent.new_stamp) << "no stamp before the clock is heard";
+  EXPECT_FALSE(silent.state_due);
+  rig.loop.hear_clock(35 * ms);
+  for (int i = 1; i <= 3; ++i)
+  {
+    const FrameOutput s = rig.output(i);
+    EXPECT_EQ(i * period, s.frame.stamp);
+    EXPECT_EQ(i == 1, s.rebuilt) << "the first with a stamp announces the rig";
+  }
+  EXPECT_EQ(4u, rig.count());
+}
+
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

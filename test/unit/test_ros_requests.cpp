@@ -1,0 +1,202 @@
+// What the node makes of a request for another well, of a scene's name and of a rate: each rule at its bounds.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/ros/parameters.h"
+#include "drill_rig_sim/ros/survey_request.h"
+#include "test_scenes.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+const std::string source = DRILL_RIG_SIM_SOURCE_DIR;
+
+/// 100 m of vertical hole, the bit 0.5 m off bottom.
+Scene present()
+{
+  return vertical_scene(100.0, 99.5);
+}
+
+LoadSurvey::Request stations(const std::vector<SurveyStation>& list)
+{
+  LoadSurvey::Request request;
+  for (const SurveyStation& s : list)
+  {
+    request.md.push_back(s.md);
+    request.inclination.push_back(s.inclination);
+    request.azimuth.push_back(s.azimuth);
+  }
+  return request;
+}
+
+const std::vector<SurveyStation> to_200 = {{0.0, 0.0, 0.0}, {80.0, 0.05, 1.0}, {200.0, 0.2, 1.5}};
+
+std::string refusal(const std::function<void()>& action)
+{
+  try
+  {
+    action();
+  }
+  catch (const std::runtime_error& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+std::string refusal_of(const LoadSurvey::Request& request)
+{
+  return refusal([&] { with_survey(present(), request); });
+}
+}  // namespace
+
+TEST(WithSurvey, stationsMakeTheWellAndTheBitStaysAsFarOffBottom)
+{
+  const Scene next = with_survey(present(), stations(to_200));
+  ASSERT_EQ(3u, next.well.survey.size());
+  EXPECT_EQ(80.0, next.well.survey[1].md);
+  EXPECT_EQ(0.05, next.well.survey[1].inclination);
+  EXPECT_EQ(1.5, next.well.survey[2].azimuth);
+  EXPECT_EQ(200.0, next.well.hole_depth);
+  EXPECT_EQ(199.5, next.start.bit_depth);
+  EXPECT_EQ(20.0, next.start.block_height) << "the rest stays";
+}
+
+TEST(WithSurvey, depthsMayBeGiven)
+{
+  LoadSurvey::Request request = stations(to_200);
+  request.hole_depth = 150.0;
+  EXPECT_EQ(150.0, with_survey(present(), request).well.hole_depth);
+  EXPECT_EQ(149.5, with_survey(present(), request).start.bit_depth);
+  request.bit_depth = 120.0;
+  EXPECT_EQ(120.0, with_survey(present(), request).start.bit_depth);
+  request.bit_depth = 150.0;
+  EXPECT_EQ(150.0, with_survey(present(), request).start.bit_depth) << "on bottom";
+  request.hole_depth = 200.0;
+  EXPECT_EQ(200.0, with_survey(present(), request).well.hole_depth);
+}
+
+TEST(WithSurvey, depthsOutsideAreRefused)
+{
+  LoadSurvey::Request request = stations(to_200);
+  request.hole_depth = 200.5;
+  EXPECT_EQ("hole_depth is 200.5; allowed is 0 (the last station) to 200 m", refusal_of(request));
+  request.hole_depth = -1.0;
+  EXPECT_EQ("hole_depth is -1; allowed is 0 (the last station) to 200 m", refusal_of(request));
+  request.hole_depth = 150.0;
+  request.bit_depth = 150.5;
+  EXPECT_EQ("bit_depth is 150.5; allowed is 0 (0.5 m off bottom) to 150 m", refusal_of(request));
+  request.bit_depth = std::nan("");
+  EXPECT_NE("", refusal_of(request));
+}
+
+TEST(WithSurvey, sectionsReachTheNewBottom)
+{
+  Scene scene = present();
+  scene.well.sections = {{40.0, 0.3, 0.1}, {70.0, 0.25, 0.2}, {100.0, 0.2159, 0.3}};
+  const std::vector<HoleSection> longer = with_survey(scene, stations(to_200)).well.sections;
+  ASSERT_EQ(3u, longer.size());
+  EXPECT_EQ(200.0, longer[2].to) << "the last one reaches it";
+  EXPECT_EQ(70.0, longer[1].to);
+  LoadSurvey::Request request = stations(to_200);
+  request.hole_depth = 70.0;
+  const std::vector<HoleSection> shorter = with_survey(scene, request).well.sections;
+  ASSERT_EQ(2u, shorter.size()) << "what begins at the bottom or below goes";
+  EXPECT_EQ(70.0, shorter[1].to);
+  EXPECT_EQ(0.25, shorter[1].diameter);
+  request.hole_depth = 20.0;
+  EXPECT_EQ(1u, with_survey(scene, request).well.sections.size());
+}
+
+TEST(WithSurvey, eitherAFileOrStations)
+{
+  EXPECT_EQ("allowed is either a file or stations", refusal_of({}));
+  LoadSurvey::Request both = stations(to_200);
+  both.file = source + "/config/surveys/bohai.csv";
+  EXPECT_EQ("allowed is either a file or stations", refusal_of(both));
+  LoadSurvey::Request file;
+  file.file = both.file;
+  const Scene next = with_survey(present(), file);
+  EXPECT_EQ(730.0, next.well.hole_depth);
+  EXPECT_EQ(729.5, next.start.bit_depth);
+  file.file = "/no/such.csv";
+  EXPECT_NE(std::string::npos, refusal_of(file).find("/no/such.csv"));
+}
+
+TEST(WithSurvey, listsHaveOneLength)
+{
+  LoadSurvey::Request request = stations(to_200);
+  request.inclination.pop_back();
+  EXPECT_EQ("md, inclination and azimuth have 3, 2 and 3 entries; allowed is one of each per station", refusal_of(request));
+  request = stations(to_200);
+  request.azimuth.push_back(0.0);
+  EXPECT_EQ("md, inclination and azimuth have 3, 3 and 4 entries; allowed is one of each per station", refusal_of(request));
+}
+
+TEST(WithSurvey, theFirstBadStationIsNamed)
+{
+  EXPECT_EQ(0u, refusal_of(stations({{0.0, 0.0, 0.0}, {80.0, 4.0, 0.0}, {200.0, 5.0, 0.0}})).find("station 1: "));
+  EXPECT_EQ(0u, refusal_of(stations({{0.0, 0.0, 0.0}, {80.0, 0.0, 0.0}, {79.0, 0.0, 0.0}})).find("station 2: "));
+}
+
+TEST(WithSurvey, whatDoesNotGoTogetherIsRefusedWithItsKey)
+{
+  Scene scene = present();
+  scene.string.back().joints = 3;  // 28.8 m: too short for the new well
+  EXPECT_EQ(0u, refusal([&] { with_survey(scene, stations(to_200)); }).find("string"));
+}
+
+TEST(CheckRate, aFrameIsAWholeNumberOfSteps)
+{
+  Scene scene = present();
+  scene.numerics.step = 0.005;
+  for (const double rate : {200.0, 100.0, 66.0 + 2.0 / 3.0, 50.0, 0.1}) EXPECT_NO_THROW(check_rate(rate, scene)) << rate;
+  for (const double rate : {130.0, 199.0, 201.0, 400.0, 1000.0}) EXPECT_THROW(check_rate(rate, scene), ParameterError) << rate;
+  EXPECT_EQ("rate is 400; allowed is a rate whose frames hold a whole number of the scene's steps of 0.005 s", refusal([&] { check_rate(400.0, scene); }));
+}
+
+TEST(FindScene, anAbsoluteNameIsTheFile)
+{
+  EXPECT_EQ(source + "/config/scenes/quick.yaml", find_scene(source + "/config/scenes/quick.yaml"));
+  for (const std::string& none : {std::string("/no/such.yaml"), source, std::string("/dev/zero")})
+    EXPECT_EQ(0u, refusal([&] { find_scene(none); }).find("scene is " + none + "; allowed is a regular file")) << none;
+  EXPECT_NE("", refusal([] { find_scene(""); }));
+  EXPECT_NE("", refusal([] { find_scene("package://no_such_package/a.yaml"); }));
+  EXPECT_NE("", refusal([] { find_scene("package://drill_rig_sim"); }));
+}
+
+TEST(Parameters, whoseTimeItIs)
+{
+  Parameters p;
+  EXPECT_EQ(TimeSource::own, p.time_source());
+  p.use_sim_time = true;
+  EXPECT_EQ(TimeSource::own, p.time_source());
+  p.publish_clock = false;
+  EXPECT_EQ(TimeSource::other_rig, p.time_source());
+  p.use_sim_time = false;
+  EXPECT_EQ(TimeSource::wall, p.time_source());
+}
+
+TEST(Parameters, aFramesPeriodIsTheRates)
+{
+  Parameters p;
+  EXPECT_EQ(10'000'000, p.frame_period());
+  p.rate = 30.0;
+  EXPECT_EQ(33'333'333, p.frame_period());
+  p.rate = 0.1;
+  EXPECT_EQ(10'000'000'000, p.frame_period());
+}
+
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
