@@ -5,6 +5,14 @@ import pathlib
 import sys
 import xml.etree.ElementTree as xml
 
+
+
+def why(case):
+    """The lines in which a program that ctest took for skipped says so."""
+    said = [line for line in (case.findtext("system-out") or "").splitlines() if "skipped" in line.lower() or "not installed" in line]
+    return ": " + "; ".join(said) if said else ""
+
+
 passed = failed = skipped = 0
 for file in sorted(pathlib.Path(sys.argv[1]).rglob("*.xml")):
     try:
@@ -20,7 +28,7 @@ for file in sorted(pathlib.Path(sys.argv[1]).rglob("*.xml")):
             print("FAILED %s.%s (%s)" % (case.get("classname"), case.get("name"), file.name))
         elif case.find("skipped") is not None or case.get("result") == "skipped" or case.get("status") == "notrun":
             skipped += 1
-            print("skipped %s.%s" % (case.get("classname"), case.get("name")))
+            print("SKIPPED %s.%s%s" % (case.get("classname"), case.get("name"), why(case)))
         elif not told_elsewhere:
             passed += 1
 print("%d passed, %d failed, %d skipped" % (passed, failed, skipped))

@@ -6,6 +6,13 @@ import subprocess
 
 TITLE = 'case, ours, published, relative difference, bound, source'
 
+SKIPPED = 77  # exit status: all that were run hold, others were skipped
+RANKS = (0, SKIPPED, 1, 2, 3)  # exit statuses of the program, the worst last; a signal's, not among them, is worse still
+
+
+def rank(status):
+    return RANKS.index(status) if status in RANKS else len(RANKS)
+
 
 class Line:
     """One line of the program's output."""
@@ -36,14 +43,14 @@ def run_group(program, group, place):
 
 
 def run(program, folder, reuse):
-    """All lines in the program's order, and the worst exit status (0, 1: a case failed, 3: a group could not be run)."""
+    """All lines in the program's order, and the worst exit status (0, 77: cases were skipped, 1: one failed, 3: a group could not be run)."""
     os.makedirs(folder, exist_ok=True)
     groups = [line.split()[0] for line in subprocess.check_output([program, '--list'], universal_newlines=True).splitlines()]
     places = [os.path.join(folder, group + '.txt') for group in groups]
     status = 0
     if not reuse:
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            status = max(pool.map(run_group, [program] * len(groups), groups, places))
+            status = max(pool.map(run_group, [program] * len(groups), groups, places), key=rank)
     lines = []
     for group, place in zip(groups, places):
         with open(place) as text:
@@ -52,6 +59,8 @@ def run(program, folder, reuse):
         if not rows or 'beyond their bounds' not in rows[-1]:
             print('\n'.join(rows[-1:]))
             status = 3
+    if status == 0 and any(line.skipped for line in lines):
+        status = SKIPPED
     return lines, status
 
 

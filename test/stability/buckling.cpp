@@ -64,7 +64,7 @@ void buckle(const Choice& choice, Rows& rows)
   row.figure = 1e3 * run.left;
   row.text = text("step %g s; pushed with %.1f kN (reference %.1f); %.0f mm aside; after pick-up %.2f mm; hook load %.2f kN off",
                   step, 1e-3 * run.weight, 1e-3 * reference.weight, 1e3 * run.aside, 1e3 * run.left, 1e-3 * run.hook_load_change);
-  const bool right = run.aside > 0.02 && run.left < 0.005 && std::abs(run.hook_load_change) < 1e3 &&
+  const bool right = passed(reference.verdict) && run.aside > 0.02 && run.left < 0.005 && std::abs(run.hook_load_change) < 1e3 &&
                      std::abs(run.weight - reference.weight) < 0.1 * reference.weight;
   conclude(row, run.verdict, right, run.message);
   rows.add(row);

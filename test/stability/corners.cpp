@@ -31,8 +31,9 @@ void run_corner(int corner, Rows& rows)
     settings.push_back(text("%s=%g", kAxes[k].key, high ? kAxes[k].high : kAxes[k].low));
     signs += text("%s%s %g", k ? "; " : "", kAxes[k].name, high ? kAxes[k].high : kAxes[k].low);
   }
-  const Tumble reference = tumble_reference(settings);
-  const Tumble run = passed(reference.verdict) ? tumble(settings, default_choice(), kStep, &reference, 20.0) : reference;
+  const TumbleReference reference = tumble_reference(settings);
+  const Tumble run =
+      passed(reference.worst().verdict) ? tumble(settings, default_choice(), kStep, reference, 20.0) : reference.worst();
   Row row = row_of("corners", signs, default_choice(), "s");
   row.verdict = run.verdict;
   row.figure = kStep;

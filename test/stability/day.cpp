@@ -22,9 +22,9 @@ double resident_megabytes()
 {
   long pages = 0, resident = 0;
   FILE* file = std::fopen("/proc/self/statm", "r");
-  if (!file || std::fscanf(file, "%ld %ld", &pages, &resident) != 2) resident = 0;
+  const bool told = file && std::fscanf(file, "%ld %ld", &pages, &resident) == 2;
   if (file) std::fclose(file);
-  return 1e-6 * static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  return told ? 1e-6 * static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) : NAN;
 }
 
 /// Mean weight on bit over a minute.
@@ -66,7 +66,9 @@ void drill(const Choice& choice, double seconds, Rows& rows)
   const double closure = ride.simulator().energy().closure();
   row.text += text("; energy balance open by %.2e of the throughput at half time and %.2e at the end", closure_middle, closure);
   const bool right = std::abs(drilled - expected) < 1e-3 * expected && std::abs(weight_end - weight) < 0.01 * weight &&
-                     grown <= kNodesPerMetre * drilled + 2 && memory_grown < kMemoryAllowed && std::abs(closure) < kBalance;
+                     std::abs(grown - kNodesPerMetre * drilled) <= 2.0 && memory_grown < kMemoryAllowed &&
+                     booked == (choice.method != reference_method) && std::abs(closure_middle) < kBalance &&
+                     std::abs(closure) < kBalance;
   conclude(row, ride.verdict(), right, ride.message());
   rows.add(row);
 }

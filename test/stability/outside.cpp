@@ -60,6 +60,14 @@ bool finite(const Ride& ride)
   return std::isfinite(s.speed + s.hook_load + s.torque + s.bit.sum() + s.wob);
 }
 
+/// A refusal says which key it is about: one of those that were set.
+bool names_a_key(const std::string& line, const std::vector<std::string>& settings)
+{
+  for (const std::string& setting : settings)
+    if (line.find(setting.substr(0, setting.find('='))) != std::string::npos) return true;
+  return false;
+}
+
 /// Messages name the whole path of the scene's file.
 std::string without_folder(const std::string& line)
 {
@@ -92,6 +100,13 @@ void subscriptions(const Subscriptions& what, const Choice& choice, Rows& rows)
   {
     row.verdict = Verdict::refused;
     row.text = without_folder(problem.problems().front());
+  }
+  const bool mute = row.verdict == Verdict::refused ? !names_a_key(row.text, what.settings)
+                                                    : row.verdict == Verdict::fails_not_converged && row.text.empty();
+  if (mute)
+  {
+    row.verdict = Verdict::fails_wrong;
+    row.text = "says nothing of what is wrong: " + row.text;
   }
   rows.add(row);
 }

@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/math/visit.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/well/directions.h"
@@ -19,6 +20,26 @@ const char* const kDefaultElement = "corotational";
 std::string scene_file(const std::string& name)
 {
   return std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/test/stability/scenes/" + name + ".yaml";
+}
+
+struct FiniteLeaf
+{
+  bool finite = true;
+  template <class N>
+  void operator()(const std::string&, N& number)
+  {
+    finite = finite && std::isfinite(static_cast<double>(number));
+  }
+  void size(const std::string&, std::size_t&) {}
+};
+
+/// Every number of a value that lists its fields.
+template <class T>
+bool all_finite(T value)
+{
+  FiniteLeaf leaf;
+  visit_numbers(value, leaf);
+  return leaf.finite;
 }
 
 bool element_known(const std::string& element)
@@ -102,7 +123,7 @@ bool Ride::go(double seconds, double frame)
     player_->apply(*simulator_);
     if (simulator_->frame(cycle) != FrameStatus::running)
       end(Ending::failed, text("at %.4g s: ", now().time) + simulator_->failure());
-    else if (!std::isfinite(now().hook_load + now().torque + now().bit_position.sum() + now().bit_speed + now().wob))
+    else if (!all_finite(now()) || !all_finite(simulator_->readings()))
       end(Ending::not_finite, text("not finite at %.4g s", now().time));
     else if (processor_time() - cpu_start_ > cpu_limit_)
       end(Ending::too_slow, text("%.4g s simulated in %.0f s of processor time", now().time, cpu_limit_));
@@ -133,6 +154,7 @@ Sample Ride::sample() const
   s.bit_turned = state->mechanics.nodes.front().spin_angle;
   s.time = now().time;
   s.hook_load = now().hook_load;
+  s.string_load = now().hook_load_string;
   s.torque = now().torque;
   s.wob = now().wob;
   s.bit = now().bit_position;

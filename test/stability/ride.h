@@ -40,6 +40,7 @@ struct Sample
   double time = 0.0;
   double speed = 0.0;                             ///< root mean square of the nodes' velocities [m/s]
   double hook_load = 0.0;                         ///< [N]
+  double string_load = 0.0;                       ///< hook load without block and top drive [N]
   double torque = 0.0;                            ///< [N m]
   double bit_turned = 0.0;                        ///< by the string [rad]
   double wob = 0.0;                               ///< [N]
@@ -93,7 +94,8 @@ private:
 
 /// A row of a method's case; of the default it is promised that it passes.
 Row row_of(const char* group, const std::string& name, const Choice& choice, const char* unit);
-/// Ends a row whose figures are told: the run's verdict, or `wrong` if it passed and is not `right`; the run's message after the text.
+/// Ends a row whose figures are told: the run's verdict, or `wrong` if it passed and is not `right`; the run's message after the
+/// text.
 void conclude(Row& row, Verdict verdict, bool right, const std::string& message);
 
 /// The largest step of the ladder, at most `wish`, with which the first half second of the scene needs no halving; the ladder's

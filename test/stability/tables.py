@@ -85,6 +85,10 @@ def default(rows):
     for row in rows:
         if row['group'] in ('full turn', 'wells') or (row['group'] in CASES and row['promise'] == 'passes'):
             lines.append([row['case'] + ('' if row['group'] != 'full turn' else ', `%s`' % row['element']), row['verdict'], row['text']])
+    short = [row for row in rows if row['group'] == 'short steps']
+    if short:
+        bad = [row for row in short if not row['verdict'].startswith('passes')]
+        lines.append(['steps of 0.1 and 0.01 ms, along the axes', 'passes' if not bad else bad[0]['verdict'], '%d of %d pass' % (len(short) - len(bad), len(short))])
     corners = [row for row in rows if row['group'] == 'corners']
     if corners:
         bad = [row for row in corners if not row['verdict'].startswith('passes')]

@@ -36,7 +36,8 @@ bool kept(const Row& row)
   const Verdict v = row.verdict;
   if (row.promise == Promise::none) return true;
   if (row.promise == Promise::passes) return passed(v);
-  return passed(v) || v == Verdict::refused || v == Verdict::fails_not_converged || (v == Verdict::too_slow && row.method == "ida");
+  return passed(v) || v == Verdict::refused || v == Verdict::fails_not_converged ||
+         (v == Verdict::too_slow && row.method == "ida");
 }
 
 const char* words(Promise promise)
@@ -57,7 +58,8 @@ void Rows::add(const Row& row)
   const bool held = kept(row);
   if (!held) ++broken_;
   std::printf("%s,%s,%s,%s,%s,%s,%s,%s,%.6g,%s,%s\n", row.group.c_str(), row.name.c_str(), row.value.c_str(), row.method.c_str(),
-              row.element.c_str(), words(row.promise), words(row.verdict), held ? "yes" : "no", row.figure, row.unit.c_str(), text.c_str());
+              row.element.c_str(), words(row.promise), words(row.verdict), held ? "yes" : "no", row.figure, row.unit.c_str(),
+              text.c_str());
   std::fflush(stdout);
 }
 

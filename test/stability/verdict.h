@@ -50,7 +50,8 @@ struct Row
 };
 
 const char* words(Promise promise);
-/// What is promised of the row came true. Outside the range the reference may be too slow for the case's time: that is no garbage.
+/// What is promised of the row came true. Outside the range the reference may be too slow for the case's time: that is no
+/// garbage.
 bool kept(const Row& row);
 
 /// Prints rows as CSV at once, and remembers whether a promise was broken.

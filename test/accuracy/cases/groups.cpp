@@ -7,19 +7,19 @@ namespace drill_rig_sim
 const std::vector<CaseGroup>& case_groups()
 {
   static const std::vector<CaseGroup> groups = {
-      {"surveys", true, survey_cases},
-      {"torque_and_drag", true, torque_and_drag_cases},
-      {"vibrations", true, vibration_cases},
-      {"detournay", true, detournay_cases},
-      {"whirl", true, whirl_cases},
-      {"stick_slip", true, stick_slip_cases},
-      {"buckling", true, buckling_cases},
-      {"bent_motor", true, bent_motor_cases},
-      {"stick_slip_well_a", false, stick_slip_well_a_cases},
-      {"beams", true, beam_cases},
-      {"reference", true, reference_cases},
-      {"energy_small", true, small_energy_cases},
-      {"energy", false, energy_cases},
+      {"surveys", When::fast_with_data, survey_cases},
+      {"torque_and_drag", When::fast, torque_and_drag_cases},
+      {"vibrations", When::fast, vibration_cases},
+      {"detournay", When::fast, detournay_cases},
+      {"whirl", When::fast, whirl_cases},
+      {"stick_slip", When::fast, stick_slip_cases},
+      {"buckling", When::fast, buckling_cases},
+      {"bent_motor", When::fast_with_data, bent_motor_cases},
+      {"stick_slip_well_a", When::slow, stick_slip_well_a_cases},
+      {"beams", When::fast, beam_cases},
+      {"reference", When::fast, reference_cases},
+      {"energy_small", When::fast, small_energy_cases},
+      {"energy", When::slow, energy_cases},
   };
   return groups;
 }

@@ -23,6 +23,7 @@ void Report::add_band(const std::string& name, double ours, double low, double h
 
 void Report::skip(const std::string& name, const std::string& why)
 {
+  ++skipped_;
   std::printf("%s, skipped, , , , %s\n", name.c_str(), why.c_str());
   std::fflush(stdout);
 }

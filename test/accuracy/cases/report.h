@@ -27,23 +27,34 @@ public:
   void add(const CaseLine& line);
   /// `published` is a band instead of a figure: holds if low <= ours <= high. The line shows the nearer limit, and the bound 0.
   void add_band(const std::string& name, double ours, double low, double high, const std::string& source);
-  /// A case that could not be run (data absent): a line that says so; no failure.
+  /// A case that could not be run (data absent): a line that says so; no failure, but the program's exit status tells.
   void skip(const std::string& name, const std::string& why);
   bool all_hold() const { return failed_ == 0; }
   int lines() const { return lines_; }
   int failed() const { return failed_; }
+  int skipped() const { return skipped_; }
 
 private:
   void print(const CaseLine& line, double difference, bool holds);
   int lines_ = 0;
   int failed_ = 0;
+  int skipped_ = 0;
+};
+
+/// When a group is run: short ones (seconds at most) are part of ./test/run, those that need ../shared/data apart from the rest, so
+/// that they show as skipped where it is absent.
+enum class When
+{
+  fast,
+  fast_with_data,
+  slow
 };
 
 /// A file of cases that belong together.
 struct CaseGroup
 {
   const char* name;     ///< as on the command line
-  bool fast;            ///< seconds at most: part of ./test/run
+  When when;
   void (*run)(Report&);
 };
 
