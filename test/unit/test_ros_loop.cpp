@@ -425,7 +425,8 @@ TEST(Loop, telemetryArrivesByItsLatencyLater)
   tool.name = "mwd";
   tool.type = PartType::mwd;
   tool.length = 9.0;
-  tool.sensor_offset = 4.0;
+  tool.mwd.emplace();
+  tool.mwd->sensor_offset = 4.0;
   scene.string.insert(scene.string.begin() + 1, tool);
   scene.instruments.mwd.latency = 0.25;
   scene.instruments.toolface.latency = 0.07;
