@@ -18,19 +18,18 @@ FAR = 2.0  # errors beyond are drawn at the edge: a run that far off is off, no 
 
 
 def groups(points):
-    """Points that worked, by what a line joins: (method, element, length, Newton tolerance) -> points by step."""
+    """Points that worked, by what a line joins: (method, element, length, Newton tolerance, reference tolerance) -> points by step."""
     out = {}
     for p in points:
         if p.errors:
-            out.setdefault((p.method, p.element, p.length, p.newton), []).append(p)
+            out.setdefault((p.method, p.element, p.length, p.newton, p.tolerance), []).append(p)
     return {key: sorted(group, key=lambda p: p.step) for key, group in out.items()}
 
 
 def draw_cost(axes, points, cost, lengths, own_error):
-    for (method, element, length, newton), group in groups(points).items():
+    for (method, element, length, newton, tolerance), group in groups(points).items():
         axes.plot([min(p.error, FAR) for p in group], [getattr(p, cost) for p in group], linestyle=(0, (1, 1)) if newton else DASHES[element],
-                 
-                  marker=MARKERS[lengths.index(length) % len(MARKERS)], color=COLORS[method], markersize=4, fillstyle='none' if newton else 'full', linewidth=0.9, alpha=0.85)
+                  marker=MARKERS[lengths.index(length) % len(MARKERS)], color=COLORS[method], markersize=4, fillstyle='none' if newton or tolerance else 'full', linewidth=0.9, alpha=0.85)
     best = verdict.front([(p.error, getattr(p, cost)) for p in points if p.errors])
     axes.plot([min(e, FAR) for e, _ in best], [c for _, c in best], color='black', linewidth=3.5, alpha=0.2, zorder=0, solid_capstyle='round')
     for p in points:

@@ -65,10 +65,18 @@ def period_error(run, reference, output, since):
     return abs(ours - wanted) / wanted if numpy.isfinite(ours) else 1.0
 
 
-def errors(run, reference, scene):
-    """Error by output, and the scene's as 'all'. `run` and `reference`: columns by name, at equal times."""
-    if len(run['time']) != len(reference['time']) or numpy.max(numpy.abs(run['time'] - reference['time'])) > 1e-6:
+def at_times(series, time):
+    """The samples at these times: all of the series or every n-th, from the first to the last."""
+    every, rest = divmod(len(series['time']) - 1, max(len(time) - 1, 1))
+    part = {name: numpy.asarray(column)[::every] for name, column in series.items()} if rest == 0 and every > 0 else {'time': numpy.array([])}
+    if len(part['time']) != len(time) or numpy.max(numpy.abs(part['time'] - time)) > 1e-6:
         raise ValueError('run and reference are not sampled at equal times')
+    return part
+
+
+def errors(run, reference, scene):
+    """Error by output, and the scene's as 'all'. `run` and `reference`: columns by name; a run of long steps may have every n-th sample only."""
+    reference = at_times(reference, run['time'])
     out = {}
     for output in OUTPUTS:
         parts = [trace_error(run, reference, output, scene.trace_until)]

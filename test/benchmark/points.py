@@ -5,14 +5,20 @@ from concurrent.futures import ThreadPoolExecutor
 
 import drill
 import measure
+import scenes
 
-LOOSE_NEWTON = 1e-4  # tried beside the scene's numerics.newton_tolerance [m, rad]
-FIELDS = ('scene', 'method', 'element', 'step', 'element_length', 'newton_tolerance', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'steps', 'residuals',
+# tried beside the scene's numerics.newton_tolerance, of the methods that iterate [m, rad]
+ITERATED = ('bdf2', 'implicit_euler', 'trbdf2', 'generalised_alpha')
+LOOSE_NEWTON = 1e-4
+LOOSEST_NEWTON = 1e-3
+TIGHT_NEWTON = 1e-8
+LOOSE_REFERENCE = (1e-4, 1e-3)  # numerics.reference_tolerance of the method that chooses its own steps
+FIELDS = ('scene', 'method', 'element', 'step', 'element_length', 'newton_tolerance', 'reference_tolerance', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'steps', 'residuals',
           'tangents', 'solves', 'substitutions', 'newton_iterations', 'convergence_failures') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')
 
 
 class Point:
-    def __init__(self, scene, method, element, step, length, default=False, newton=None):
+    def __init__(self, scene, method, element, step, length, default=False, newton=None, tolerance=None):
         self.scene = scene
         self.method = method
         self.element = element
@@ -20,6 +26,7 @@ class Point:
         self.length = length
         self.default = default
         self.newton = newton  # numerics.newton_tolerance; None: the scene's
+        self.tolerance = tolerance  # numerics.reference_tolerance; None: the scene's
         self.errors = None    # by output; None: the run failed
         self.failure = ''
         self.summary = {}
@@ -28,7 +35,7 @@ class Point:
     @property
     def name(self):
         words = (self.scene.name, self.method, self.element, '%g' % self.step, '%g' % self.length)
-        return '_'.join(words + (('newton_%g' % self.newton,) if self.newton else ()))
+        return '_'.join(words + (('newton_%g' % self.newton,) if self.newton else ()) + (('tolerance_%g' % self.tolerance,) if self.tolerance else ()))
 
     @property
     def error(self):
@@ -42,11 +49,15 @@ class Point:
             words += ['--set', 'numerics.element=' + self.element]
         if self.newton:
             words += ['--set', 'numerics.newton_tolerance=%g' % self.newton]
+        if self.tolerance:
+            words += ['--set', 'numerics.reference_tolerance=%g' % self.tolerance]
+        if self.step > self.scene.every:
+            words += ['--every', repr(self.step)]
         return words
 
     def label(self):
-        return '%s, %g ms, %g m%s%s' % (self.method, 1e3 * self.step, self.length, '' if self.element == drill.ELEMENTS[0] else ', ' + self.element,
-                                        ', Newton to %g' % self.newton if self.newton else '')
+        return '%s, %g ms, %g m%s%s%s' % (self.method, 1e3 * self.step, self.length, '' if self.element == drill.ELEMENTS[0] else ', ' + self.element,
+                                          ', Newton to %g' % self.newton if self.newton else '', ', tolerance %g' % self.tolerance if self.tolerance else '')
 
     def compute(self, program, reference, weights):
         """Runs it; a failure is kept, not raised."""
@@ -64,7 +75,8 @@ class Point:
     def row(self):
         counted = drill.counted_work(self.summary) if self.summary else {}
         values = {'scene': self.scene.name, 'method': self.method, 'element': self.element, 'step': self.step, 'element_length': self.length,
-                  'newton_tolerance': self.newton or '', 'default': int(self.default), 'error': self.error, 'cpu_s_per_s': self.cpu, 'work_per_s': self.work, 'failure': self.failure}
+                  'newton_tolerance': self.newton or '',
+                  'reference_tolerance': self.tolerance or '', 'default': int(self.default), 'error': self.error, 'cpu_s_per_s': self.cpu, 'work_per_s': self.work, 'failure': self.failure}
         values.update(counted)
         values.update({key: self.summary.get(key, '') for key in ('nodes', 'steps', 'newton_iterations', 'convergence_failures')})
         values.update({'error_' + output: error for output, error in (self.errors or {}).items() if output != 'all'})
@@ -72,8 +84,8 @@ class Point:
 
 
 def grid(scene, methods, elements, default_method, default_step, default_length):
-    """Every method x step x element length with the default's element; with the default's method also the other elements and a looser
-    end of Newton's iteration."""
+    """Every method x step x element length with the default's element; with the default's method also the other elements; and settings
+    coarser and finer than the default's: longer and shorter steps are among the scene's, no mesh is coarser than an element a joint."""
     out = [Point(scene, default_method, drill.ELEMENTS[0], default_step, default_length, default=True)]
     for element in elements:
         for method in methods if element == drill.ELEMENTS[0] else [default_method]:
@@ -81,7 +93,22 @@ def grid(scene, methods, elements, default_method, default_step, default_length)
                 for step in scene.steps_of(method):
                     if (method, element, step, length) != (default_method, drill.ELEMENTS[0], default_step, default_length):
                         out.append(Point(scene, method, element, step, length))
-    out += [Point(scene, default_method, drill.ELEMENTS[0], step, default_length, newton=LOOSE_NEWTON) for step in scene.steps]
+    return out + coarser_and_finer(scene, methods, default_method, default_step, default_length)
+
+
+def coarser_and_finer(scene, methods, default_method, default_step, default_length):
+    """Ends of Newton's iteration, of the default's method and of the others; finer meshes; loose tolerances of the reference's method."""
+    def point(method, step, length=default_length, **tolerances):
+        return Point(scene, method, drill.ELEMENTS[0], step, length, **tolerances)
+    coarse_steps = [step for step in scene.steps if step >= default_step]
+    out = [point(default_method, step, newton=LOOSE_NEWTON) for step in scene.steps]
+    out += [point(default_method, step, newton=LOOSEST_NEWTON) for step in coarse_steps]
+    out.append(point(default_method, default_step, newton=TIGHT_NEWTON))
+    out += [point(method, step, newton=LOOSE_NEWTON) for method in methods if method in ITERATED and method != default_method for step in coarse_steps]
+    if scene.reference_length < scenes.FINE_LENGTH and scenes.FINE_LENGTH not in scene.lengths:
+        out += [point(default_method, step, scenes.FINE_LENGTH) for step in scene.steps if step >= 0.5 * default_step]
+    if 'ida' in methods:
+        out += [point('ida', step, tolerance=tolerance) for step in scenes.REFERENCE_STEPS for tolerance in LOOSE_REFERENCE]
     return out
 
 

@@ -1,36 +1,27 @@
-"""References: made by --full, kept in reference/ as NAME.csv.gz with NAME.json beside it, under a hash of what they were made of.
+"""References: made by --full, kept in reference/ as NAME.csv.gz with NAME.json beside it: a hash of the scene's numbers and a fingerprint.
 
 A reference is the finest run that can be had; its own error is what a tolerance ten times (or a step twice) as large, the interval twice as
 long at whose ends friction's memory and the hole move on, and elements twice as long change in it, measured as the runs' errors are.
 """
 import gzip
-import glob
 import hashlib
 import io
 import json
 import os
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 
 import drill
+import fingerprint
 import measure
-
-SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-ROOMS = ('math', 'well', 'string', 'contact', 'rig', 'model')  # whose sources say what is solved; how is a matter of solve/
-
 
 class Missing(Exception):
     """No reference, or one of another scene."""
 
 
-def sources_hash():
-    digest = hashlib.sha256()
-    for room in ROOMS:
-        for folder in ('include/drill_rig_sim', 'src'):
-            for name in sorted(glob.glob(os.path.join(SOURCE, folder, room, '**', '*.*'), recursive=True)):
-                with open(name, 'rb') as file:
-                    digest.update(file.read())
-    return digest.hexdigest()[:16]
+class Stale(Exception):
+    """References of a mechanics that is not today's; the message has a line for each."""
 
 
 def settings(scene):
@@ -38,7 +29,7 @@ def settings(scene):
 
 
 def scene_hash(scene):
-    return hashlib.sha256((scene.text() + json.dumps(settings(scene))).encode()).hexdigest()[:16]
+    return hashlib.sha256(json.dumps([scene.numbers(), settings(scene)], sort_keys=True).encode()).hexdigest()[:16]
 
 
 def options(recipe):
@@ -81,8 +72,8 @@ def make(program, scene, known, cpu_limit, say):
                 own[what] = measure.errors(run, series, scene)
             except drill.Failed as failure:
                 own[what] = str(failure)
-        return series, {'scene': scene.name, 'scene_hash': scene_hash(scene), 'sources_hash': sources_hash(), 'recipe': recipe,
-                        'own_error': own, 'failed': failed, 'cpu_s': summary['cpu_s'], 'nodes': summary['nodes'], 'steps': summary['steps']}
+        return series, {'scene': scene.name, 'scene_hash': scene_hash(scene), 'recipe': recipe,
+                        'fingerprint': fingerprint.take(program, scene, recipe['integrator']), 'own_error': own, 'failed': failed, 'cpu_s': summary['cpu_s'], 'nodes': summary['nodes'], 'steps': summary['steps']}
     raise Missing('%s: no method could make a reference: %s' % (scene.name, failed))
 
 
@@ -100,6 +91,15 @@ def save(folder, scene, series, note):
     with open(os.path.join(folder, scene.name + '.csv.gz'), 'wb') as out:
         with gzip.GzipFile(fileobj=out, mode='wb', mtime=0, filename='') as packed:  # equal data, equal file
             packed.write(text.getvalue().encode())
+    write_note(folder, scene, note)
+
+
+def read_note(folder, scene):
+    with open(os.path.join(folder, scene.name + '.json')) as file:
+        return json.load(file)
+
+
+def write_note(folder, scene, note):
     with open(os.path.join(folder, scene.name + '.json'), 'w') as out:
         json.dump(note, out, indent=1, sort_keys=True)
         out.write('\n')
@@ -108,8 +108,7 @@ def save(folder, scene, series, note):
 def load(folder, scene):
     """The reference and its note. Raises Missing where there is none for this scene."""
     try:
-        with open(os.path.join(folder, scene.name + '.json')) as file:
-            note = json.load(file)
+        note = read_note(folder, scene)
         with gzip.open(os.path.join(folder, scene.name + '.csv.gz'), 'rt') as file:
             names = file.readline().strip().split(',')
             table = numpy.loadtxt(file, delimiter=',')
@@ -118,3 +117,21 @@ def load(folder, scene):
     if note['scene_hash'] != scene_hash(scene):
         raise Missing('%s: the scene has changed since its reference was made; make it again with --full' % scene.name)
     return dict(zip(names, table.T)), note
+
+
+def check(program, made, jobs):
+    """`made`: reference and note by scene. Raises Stale for those that would come out otherwise today."""
+    def one(item):
+        scene, (_, note) = item
+        return fingerprint.complaint(scene, fingerprint.take(program, scene, note['recipe']['integrator']), note.get('fingerprint'))
+    with ThreadPoolExecutor(jobs) as pool:
+        complaints = [complaint for complaint in pool.map(one, made.items()) if complaint]
+    if complaints:
+        raise Stale('\n'.join(complaints))
+
+
+def record_fingerprint(program, folder, scene):
+    """Beside a reference that is known to be what --full would make today: the fingerprint and the scene's hash anew."""
+    note = read_note(folder, scene)
+    note.update(scene_hash=scene_hash(scene), fingerprint=fingerprint.take(program, scene, note['recipe']['integrator']))
+    write_note(folder, scene, note)

@@ -7,7 +7,7 @@ ADVICE = 1.2  # another setting is named as better when it takes this much less 
 
 
 def better_settings(chosen_scenes, by_scene):
-    """Settings (method, element, step, length, Newton tolerance) that worked in every scene and beat the default there in geometric mean at no more error in
+    """Settings (method, element, step, length, tolerances) that worked in every scene and beat the default there in geometric mean at no more error in
     geometric mean: (label, ratio of work, ratio of error), best first."""
     import math
     defaults, sums = {}, {}
@@ -20,13 +20,18 @@ def better_settings(chosen_scenes, by_scene):
         for p in points:
             if p.default:
                 continue
-            entry = sums.setdefault((p.method, p.element, p.step, p.length, p.newton), [p, 0, 0.0, 0.0])
+            entry = sums.setdefault((p.method, p.element, p.step, p.length, p.newton, p.tolerance), [p, 0, 0.0, 0.0])
             entry[1] += 1
             entry[2] += math.log(p.work / default.work)
             entry[3] += math.log(max(p.error, 1e-12) / max(default.error, 1e-12))
     n = len(chosen_scenes)
     means = [(e[0].label(), math.exp(e[2] / n), math.exp(e[3] / n)) for e in sums.values() if e[1] == n]
     return sorted((m for m in means if m[1] * ADVICE < 1.0 and m[2] <= 1.0), key=lambda m: m[1])
+
+
+def allowed(scene):
+    """The default's largest error in this scene, and why."""
+    return '%g: %s' % (scene.largest_error, scene.why_so_large) if scene.largest_error else '-'
 
 
 def rows(chosen_scenes, by_scene, notes, judged):
@@ -69,13 +74,13 @@ def text(chosen_scenes, by_scene, notes, judged):
 def write(chosen_scenes, by_scene, notes, judged, about, folder):
     """verdict.md; returns its name."""
     with open(os.path.join(folder, 'verdict.md'), 'w') as out:
-        out.write('| scene | error of the default | its work / the best\'s at this error | cheapest as accurate | CPU s per simulated s | '
-                  'reference | its own error |\n| --- | --- | --- | --- | --- | --- | --- |\n')
+        out.write('| scene | error of the default | allowed | its work / the best\'s at this error | cheapest as accurate | CPU s per simulated s | '
+                  'reference | its own error |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n')
         for scene, default, s, rival, by, own in rows(chosen_scenes, by_scene, notes, judged):
             if s is None:
-                out.write('| %s | failed: %s | | | | %s | %.1e |\n' % (scene.title, default.failure, by, own))
+                out.write('| %s | failed: %s | | | | | %s | %.1e |\n' % (scene.title, default.failure, by, own))
             else:
-                out.write('| %s | %.1e | %.2f | %s | %.4f | %s | %.1e |\n' % (scene.title, default.error, s.ratio, rival.label(), default.cpu, by, own))
+                out.write('| %s | %.1e | %s | %.2f | %s | %.4f | %s | %.1e |\n' % (scene.title, default.error, allowed(scene), s.ratio, rival.label(), default.cpu, by, own))
         out.write('\n%s.\n\n%s, %d cores, %s, %s; load %.1f; %s.\n' % ('; '.join(closing(chosen_scenes, by_scene, judged)), about['cpu'], about['cores'],
                                                                      about['compiler'], about['flags'], about['load'][0], about['date']))
     return ['verdict.md']

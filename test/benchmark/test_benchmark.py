@@ -3,13 +3,17 @@
 import math
 import os
 import sys
+import tempfile
 import unittest
 
 import numpy
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import fingerprint  # noqa: E402
 import measure  # noqa: E402
+import points  # noqa: E402
+import reference  # noqa: E402
 import scenes  # noqa: E402
 import verdict  # noqa: E402
 
@@ -64,9 +68,15 @@ class Errors(unittest.TestCase):
         self.assertEqual(measure.errors(series(), reference, scene)['period'], 1.0)
 
     def test_times_that_differ_are_refused(self):
-        short = {name: column[:-1] for name, column in series().items()}
-        with self.assertRaises(ValueError):
-            measure.errors(short, series(), scenes.Scene('s', '', 10.0))
+        scene = scenes.Scene('s', '', 10.0)
+        for keep in (slice(None, -1), slice(1, None), slice(0, 1), slice(0, 250), slice(0, 500, 2)):
+            with self.assertRaises(ValueError, msg=str(keep)):
+                measure.errors({name: column[keep] for name, column in series().items()}, series(), scene)
+
+    def test_a_run_of_long_steps_is_compared_where_it_has_samples(self):
+        reference = series(wob=lambda t: 1e4 * t)
+        run = {name: column[::2] for name, column in series(wob=lambda t: 1e4 * t + 2e3).items()}
+        self.assertAlmostEqual(measure.errors(run, reference, scenes.Scene('s', '', 10.0))['wob'], 2e3 / 1e5, 12)
 
 
 class Front(unittest.TestCase):
@@ -105,6 +115,14 @@ class Judgement(unittest.TestCase):
         self.assertFalse(verdict.Verdict([self.scene(1.0)], ['other']).holds)
         self.assertFalse(verdict.Verdict([]).holds)
 
+    def test_one_scene_may_not_be_farther_off_than_its_limit_however_cheap(self):
+        def judged(error):
+            scene = verdict.SceneVerdict('s', [(1e-2, 1.0), (1e-3, 10.0)], (error, 0.5), largest_error=0.05, reason='of cost alone')
+            return verdict.Verdict([scene])
+        self.assertTrue(judged(0.05).holds)
+        self.assertFalse(judged(0.051).holds)
+        self.assertIn('s: the error of the default is 5.1e-02, 5.0e-02 is allowed', judged(0.051).complaints)
+
     def test_errors_below_the_references_own_count_as_that(self):
         judged = verdict.SceneVerdict('s', [(1e-6, 1.0), (1e-2, 0.5)], (1e-5, 3.0), floor=1e-4)
         self.assertEqual(judged.error, 1e-4)
@@ -112,13 +130,94 @@ class Judgement(unittest.TestCase):
 
 
 class Scenes(unittest.TestCase):
+    def assert_whole(self, number):
+        self.assertAlmostEqual(number, round(number), 6)
+
     def test_every_scene_has_its_file_and_times_that_fit(self):
         for scene in scenes.ALL + scenes.FAST:
             self.assertTrue(os.path.exists(scene.path), scene.path)
             self.assertLessEqual(scene.trace_until, scene.duration)
             for step in scene.steps + scenes.SHORT_STEPS:
-                self.assertAlmostEqual(scene.every / step, round(scene.every / step), 6)
-            self.assertAlmostEqual(scene.duration / scene.every, round(scene.duration / scene.every), 6)
+                self.assert_whole(max(scene.every / step, step / scene.every))
+                self.assert_whole(scene.duration / max(scene.every, step))
+            self.assert_whole(scene.duration / scene.every)
+
+    def test_every_scene_limits_the_defaults_error_and_says_why(self):
+        for scene in scenes.ALL:
+            self.assertGreater(scene.largest_error, 0.0, scene.name)
+            self.assertGreater(len(scene.why_so_large), 20, scene.name)
+
+    def test_a_scenes_numbers_are_what_counts_not_their_spelling(self):
+        with tempfile.TemporaryDirectory() as folder:
+            class Here(scenes.Scene):
+                path = os.path.join(folder, 'here.yaml')
+
+            def hash_of(scene_text, survey_text):
+                for name, text in (('here.yaml', scene_text), ('s.csv', survey_text)):
+                    with open(os.path.join(folder, name), 'w') as out:
+                        out.write(text)
+                return reference.scene_hash(Here('here', '', 1.0))
+            usual = hash_of('well: {survey: s.csv}\nmud: {density: 1150.0}\n', 'md_m\n0\n9\n')
+            self.assertEqual(hash_of('# a word\nmud: {density: 1.15e+3}\nwell:\n  survey: s.csv\n', '# another\nmd_m\n0\n9\n'), usual)
+            self.assertNotEqual(hash_of('well: {survey: s.csv}\nmud: {density: 1151.0}\n', 'md_m\n0\n9\n'), usual)
+            self.assertNotEqual(hash_of('well: {survey: s.csv}\nmud: {density: 1150.0}\n', 'md_m\n0\n8\n'), usual)
+
+
+class Rivals(unittest.TestCase):
+    """The limit of one scene can be passed by the points that run: those of real scenes, costed by steps x elements x iterations."""
+
+    def ratio(self, scene, error, default_step=0.01):
+        def cost(point):
+            iterations = {None: 3.0, points.TIGHT_NEWTON: 4.0, points.LOOSE_NEWTON: 2.0, points.LOOSEST_NEWTON: 1.5}[point.newton]
+            return iterations / (point.step * point.length)
+        grid = points.grid(scene, ('bdf2', 'trbdf2'), ['corotational'], 'bdf2', default_step, 9.5)
+        judged = verdict.SceneVerdict(scene.name, [(error(p), cost(p)) for p in grid], (error(grid[0]), cost(grid[0])))
+        return judged.ratio
+
+    def test_where_steps_make_no_error_a_default_of_short_steps_passes_the_limit(self):
+        for scene in scenes.ALL:
+            self.assertGreater(self.ratio(scene, lambda p: 0.01), verdict.SCENE_LIMIT, scene.name)
+
+    def test_where_steps_make_the_error_it_does_not(self):
+        for scene in scenes.ALL:
+            self.assertLess(self.ratio(scene, lambda p: p.step ** 2 + (p.newton or 0.0)), 2.0, scene.name)
+
+    def test_finer_settings_than_the_defaults_run_too(self):
+        for scene in scenes.ALL:
+            grid = points.grid(scene, ('bdf2', 'ida'), ['corotational'], 'bdf2', 0.01, 9.5)
+            self.assertTrue(any(p.step < 0.01 for p in grid) and any(p.newton and p.newton < 1e-6 for p in grid))
+            self.assertLessEqual(min(p.length for p in grid), 2.375 if scene.reference_length < 2.375 else 4.75)
+            self.assertEqual({p.tolerance for p in grid if p.method == 'ida'}, {None, 1e-4, 1e-3})
+            self.assertEqual(len({p.name for p in grid[1:]}), len(grid) - 1)
+
+
+class Fingerprints(unittest.TestCase):
+    SCENE = scenes.Scene('s', '', 10.0)
+
+    def recorded(self, **columns):
+        return {name: ' '.join('%.9g' % value for value in column) for name, column in series(**columns).items()}
+
+    def test_rounding_makes_nothing_stale(self):
+        recorded = self.recorded(wob=lambda t: 1e4 * t, torque=lambda t: 500.0 + t)
+        now = self.recorded(wob=lambda t: 1e4 * t + 4.0, torque=lambda t: 500.0 + t + 1e-3)
+        self.assertIsNone(fingerprint.complaint(self.SCENE, now, recorded))
+
+    def test_a_changed_law_does_and_says_where_and_what_to_do(self):
+        recorded = self.recorded(wob=lambda t: 1e4 * t)
+        said = fingerprint.complaint(self.SCENE, self.recorded(wob=lambda t: 1.001e4 * t), recorded)
+        self.assertRegex(said, r'^s: its reference is stale: wob .* 1\.0e-03 .*--full --scene s$')
+
+    def test_what_cannot_be_compared_is_stale(self):
+        recorded = self.recorded()
+        for now in ({name: line[:-2] for name, line in recorded.items()}, {name: line for name, line in recorded.items() if name != 'wob'},
+                    self.recorded(torque=lambda t: t * float('nan'))):
+            self.assertIsNotNone(fingerprint.complaint(self.SCENE, now, recorded))
+        self.assertRegex(fingerprint.complaint(self.SCENE, recorded, None), 'no fingerprint')
+
+    def test_the_references_have_theirs(self):
+        for scene in scenes.ALL:
+            note = reference.load(os.path.join(os.path.dirname(os.path.abspath(__file__)), 'reference'), scene)[1]
+            self.assertIsNone(fingerprint.complaint(scene, note['fingerprint'], note['fingerprint']))
 
 
 if __name__ == '__main__':

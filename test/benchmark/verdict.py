@@ -1,4 +1,4 @@
-"""Pareto front of cost against error, and what it says of the default."""
+"""Pareto front of cost against error, and what it says of the default; and whether the default's own error is as small as it should be."""
 import math
 
 GEOMETRIC_MEAN_LIMIT = 1.5  # of the default's cost over the best method's at the same error
@@ -30,20 +30,27 @@ def cost_at(points, error):
 
 
 class SceneVerdict:
-    """`points`, `default`: (error, cost). Errors below `floor`, the reference's own, say nothing: they count as the floor."""
+    """`points`, `default`: (error, cost). Errors below `floor`, the reference's own, say nothing: they count as the floor.
+    `largest_error`: that the default may have, whatever it costs; None: any."""
 
-    def __init__(self, name, points, default, floor=0.0, reason=None):
+    def __init__(self, name, points, default, floor=0.0, reason=None, largest_error=None):
         def floored(point):
             return max(point[0], floor), point[1]
         self.name = name
         self.reason = reason
+        self.largest_error = largest_error
+        self.own_error = default[0]
         self.error, self.cost = floored(default)
         self.best = cost_at([floored(p) for p in points] + [floored(default)], self.error)
         self.ratio = self.cost / self.best
 
     @property
-    def holds(self):
+    def cheap_enough(self):
         return self.ratio <= SCENE_LIMIT or self.reason is not None
+
+    @property
+    def near_enough(self):
+        return self.largest_error is None or self.own_error <= self.largest_error
 
 
 class Verdict:
@@ -59,7 +66,9 @@ class Verdict:
             self.complaints.append('the default costs %.2f times the best method at the same error in geometric mean, %.1f is allowed'
                                    % (self.mean, GEOMETRIC_MEAN_LIMIT))
         for s in scenes:
-            if not s.holds:
+            if not s.near_enough:
+                self.complaints.append('%s: the error of the default is %.1e, %.1e is allowed' % (s.name, s.own_error, s.largest_error))
+            if not s.cheap_enough:
                 self.complaints.append('%s: the default costs %.1f times the best method at the same error, %.0f is allowed without a stated reason'
                                        % (s.name, s.ratio, SCENE_LIMIT))
 
