@@ -35,10 +35,11 @@ def draw_axis(axes, rows, axis, names, default_step):
 
 def draw(rows, folder):
     """Draws into `folder`; returns the files' names."""
-    default_step = next(float(row['figure']) for row in rows if row['group'] == 'corners')  # the corners are run at it
+    corners = [row for row in rows if row['group'] == 'corners']  # run at the default's step
     rows = [row for row in rows if row['group'] == 'map' and row['method'] != 'reference']
-    if not rows:
+    if not rows or not corners:
         return []
+    default_step = float(corners[0]['figure'])
     names = unique(who(row) for row in rows)
     figure, grid = pyplot.subplots(2, 3, sharey=True, figsize=(11.0, 6.5))
     panels = grid.flatten()
