@@ -67,7 +67,8 @@ void drill(const Choice& choice, double seconds, Rows& rows)
   row.text += text("; energy balance open by %.2e of the throughput at half time and %.2e at the end", closure_middle, closure);
   const bool right = std::abs(drilled - expected) < 1e-3 * expected && std::abs(weight_end - weight) < 0.01 * weight &&
                      std::abs(grown - kNodesPerMetre * drilled) <= 2.0 && memory_grown < kMemoryAllowed &&
-                     std::abs(closure_middle) < kBalance && std::abs(closure) < kBalance;
+                     ride.simulator().energy().throughput() > 0.0 && std::abs(closure_middle) < kBalance &&
+                     std::abs(closure) < kBalance;
   conclude(row, ride.verdict(), right, ride.message());
   rows.add(row);
 }
