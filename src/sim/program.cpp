@@ -19,7 +19,7 @@ bool is_set(double value) noexcept
 
 void apply_step(const ProgramStep& step, Simulator& simulator) noexcept
 {
-  const Setpoints& now = simulator.truth().setpoints;
+  const Setpoints now = simulator.setpoints();  // what this line leaves out stays
   if (is_set(step.block_velocity) || is_set(step.brake))
   {
     WinchSetpoint winch = now.winch;

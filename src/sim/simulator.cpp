@@ -70,6 +70,11 @@ CommandResult Simulator::command(const PumpSetpoint& c) noexcept
   return impl_->command(c);
 }
 
+const Setpoints& Simulator::setpoints() const noexcept
+{
+  return impl_->state.commands.setpoints;
+}
+
 void Simulator::set_command_timeout(double seconds) noexcept
 {
   impl_->command_timeout = seconds;

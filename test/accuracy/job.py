@@ -56,6 +56,21 @@ class AtLeast(Check):
         return self.ours >= self.least
 
 
+class Sign(Check):
+    """A figure of which theory tells the sign alone: +1 or -1."""
+
+    def __init__(self, name, unit, ours, sign):
+        super().__init__(name, unit, ours, None, None)
+        self.sign = sign
+
+    def cells(self):
+        return super().cells()[:-1] + ['above 0' if self.sign > 0 else 'below 0']
+
+    @property
+    def holds(self):
+        return bool(self.sign * self.ours > 0.0)
+
+
 def table(name):
     """A CSV file with a header as a dict of arrays."""
     with open(name) as text:
@@ -227,8 +242,10 @@ class Job:
             Check('top-drive torque', 'kN m', m['torque'] / 1e3, None, None),
             Check('bit torque', 'kN m', m['bit_torque'] / 1e3, None, None),
             Check('bit speed', 'rad/s', m['bit_speed_rpm'] * 2.0 * numpy.pi / 60.0, None, None),
-            Check('drift of inclination', 'deg/30 m', drift[0], None, None),
-            Check('drift of azimuth', 'deg/30 m', drift[1], None, None),
+            # no stabiliser near the bit: its gauge lies on the low side, where side cutting drops the hole, and where the bit that turns
+            # clockwise climbs to the right
+            Sign('drift of inclination', 'deg/30 m', drift[0], -1),
+            Sign('drift of azimuth', 'deg/30 m', drift[1], +1),
             Check('drilled', 'm', drilled, None, None, '30 m'),
             AtLeast('real-time factor (CPU time, one core)', '', self.summary['real_time_factor'], least_real_time_factor),
         ]

@@ -143,6 +143,60 @@ TEST(Winch, HookLoadLimitStopsRaisingOnly)
   EXPECT_FALSE(down.limits.load);
 }
 
+// One step by hand for each limit: 0.1 s, 0.5 m/s2, a line of 200 m on 320 m strung, ten lines.
+TEST(Winch, EachLimitByHand)
+{
+  const HoistingSpec spec;
+  const auto step = [&spec](double command, double speed, double height, double load)
+  { return advance_winch(spec, velocity(command), 200.0, speed, height, load, 0.1); };
+  const auto none_but = [](const WinchLimits& limits, bool speed, bool acceleration, bool height, bool load)
+  {
+    EXPECT_EQ(limits.speed, speed);
+    EXPECT_EQ(limits.acceleration, acceleration);
+    EXPECT_EQ(limits.height, height);
+    EXPECT_EQ(limits.load, load);
+    EXPECT_EQ(limits.any(), speed || acceleration || height || load);
+  };
+  // nothing: the command is within reach, the ramp ends half way through the step
+  const WinchStep free = step(0.225, 0.2, 20.0, 0.0);
+  EXPECT_DOUBLE_EQ(free.speed, 0.225);
+  EXPECT_NEAR(free.line_length, 200.0 - 10.0 * (0.5 * 0.2125 + 0.5 * 0.225) * 0.1 * 200.0 / 320.0, 1e-12);
+  none_but(free.limits, false, false, false, false);
+  // acceleration, up and down
+  const WinchStep ramp = step(1.0, 0.2, 20.0, 0.0);
+  EXPECT_DOUBLE_EQ(ramp.speed, 0.25);
+  EXPECT_NEAR(ramp.line_length, 200.0 - 10.0 * 0.225 * 0.1 * 200.0 / 320.0, 1e-12);
+  none_but(ramp.limits, false, true, false, false);
+  EXPECT_DOUBLE_EQ(step(-1.0, 0.2, 20.0, 0.0).speed, 0.15);
+  // speed, either way
+  for (const double way : {1.0, -1.0})
+  {
+    const WinchStep fast = step(way * 2.0, way * 1.5, 20.0, 0.0);
+    EXPECT_DOUBLE_EQ(fast.speed, way * 1.5);
+    none_but(fast.limits, true, false, false, false);
+  }
+  // height: 5 cm from either stop, v with (0.2 + v) 0.05 + v^2 = 0.05 can still stop there
+  const double stopping = 0.5 * (std::sqrt(0.05 * 0.05 + 4.0 * 0.04) - 0.05);
+  const WinchStep up = step(0.2, 0.2, 39.95, 0.0), down = step(-0.2, -0.2, 1.05, 0.0);
+  EXPECT_NEAR(up.speed, stopping, 1e-12);
+  EXPECT_NEAR(down.speed, -stopping, 1e-12);
+  none_but(up.limits, false, false, true, false);
+  none_but(down.limits, false, false, true, false);
+  // beyond a stop: at once, the other way is free
+  EXPECT_EQ(step(0.2, 0.2, 40.1, 0.0).speed, 0.0);
+  EXPECT_EQ(step(0.2, 0.2, 40.1, 0.0).line_length, 200.0);
+  EXPECT_EQ(step(-0.2, -0.2, 0.9, 0.0).speed, 0.0);
+  EXPECT_DOUBLE_EQ(step(-0.2, -0.2, 40.1, 0.0).speed, -0.2);
+  EXPECT_DOUBLE_EQ(step(0.2, 0.2, 0.9, 0.0).speed, 0.2);
+  // load: from max_hook_load on, raising alone
+  none_but(step(0.2, 0.2, 20.0, 2.499e6).limits, false, false, false, false);
+  const WinchStep heavy = step(0.2, 0.2, 20.0, 2.5e6);
+  EXPECT_EQ(heavy.speed, 0.0);
+  EXPECT_EQ(heavy.line_length, 200.0);
+  none_but(heavy.limits, false, false, false, true);
+  none_but(step(-0.2, -0.2, 20.0, 2.6e6).limits, false, false, false, false);
+}
+
 TEST(DeadLine, SheaveTheoryByHand)
 {
   // Ten lines, e = 0.98: 1 - e^10 = 0.1829272, lowering reads 10 * 0.02 / 0.1829272 = 1.0933314 of the load,

@@ -145,6 +145,83 @@ TEST(TopDrive, TorqueLimits)
   EXPECT_DOUBLE_EQ(motor_torque_limit(spec, command, 1.0), 50e3);
 }
 
+// tau = k_p (w* - w) + k_i (I + w* t - turn), by hand: 20e3 * 0.5 + 5e3 * (0.3 + 0.03 - 0.0275).
+TEST(TopDrive, SpeedLoopByHand)
+{
+  const TopDriveSpec spec;
+  const DriveTorque motor = drive_torque(spec, speed_command(6.0), {5.0, 0.3, 0.0}, 0.005, 0.0275, 5.5);
+  EXPECT_NEAR(motor.value, 10000.0 + 1512.5, 1e-9);
+  EXPECT_NEAR(motor.integral, 0.3025, 1e-12);
+  EXPECT_DOUBLE_EQ(motor.by_speed, -20e3);
+  EXPECT_DOUBLE_EQ(motor.by_turn, -5e3);
+  EXPECT_FALSE(motor.limited);
+  // backwards all changes its sign
+  EXPECT_NEAR(drive_torque(spec, speed_command(-6.0), {-5.0, -0.3, 0.0}, 0.005, -0.0275, -5.5).value, -11512.5, 1e-9);
+  // a speed beyond the rig's is its limit, either way
+  const double most = spec.max_speed, near = most - 0.2;
+  EXPECT_NEAR(drive_torque(spec, speed_command(most + 50.0), {near, 0.0, 0.0}, 0.0, 0.0, near).value, 4000.0, 1e-6);
+  EXPECT_NEAR(drive_torque(spec, speed_command(-most - 50.0), {-near, 0.0, 0.0}, 0.0, 0.0, -near).value, -4000.0, 1e-6);
+}
+
+// Saturated, the integral moves no deeper than to where the law is at its limit, and freely out of it; k_i |I| never exceeds the limit.
+TEST(TopDrive, IntegralStopsWhereTheMotorDoes)
+{
+  const TopDriveSpec spec;
+  TopDriveSetpoint command = speed_command(1.0);
+  command.torque_limit = 10e3;
+  // at rest: k_p w* = 20 kN m is beyond the limit already: I stays, 0.1 rad, though 0.02 rad of error came
+  const DriveTorque held = drive_torque(spec, command, {0.0, 0.1, 0.0}, 0.02, 0.0, 0.0);
+  EXPECT_DOUBLE_EQ(held.value, 10e3);
+  EXPECT_TRUE(held.limited);
+  EXPECT_DOUBLE_EQ(held.integral, 0.1);
+  // 8 kN m by the error of 0.4 rad/s: I may come to 0.4 rad, where the law is at its limit, of the 0.5 it would have
+  EXPECT_NEAR(drive_torque(spec, command, {0.6, 0.3, 0.0}, 0.2, 0.0, 0.6).integral, 0.4, 1e-12);
+  // runs back while the motor is at its limit: out of the saturation, freely
+  EXPECT_NEAR(drive_torque(spec, command, {0.0, 1.5, 0.0}, 0.0, 0.1, 0.0).integral, 1.4, 1e-12);
+  // above the wanted speed the loop brakes, I would grow by 2 rad: 10e3/5e3 is the most it holds
+  EXPECT_NEAR(drive_torque(spec, command, {1.4, 1.9, 0.0}, 2.0, 0.0, 1.4).integral, 2.0, 1e-12);
+  // torque mode: I follows the torque
+  EXPECT_NEAR(drive_torque(spec, torque_command(8e3), {1.0, 0.0, 0.0}, 0.01, 0.01, 1.0).integral, 8e3 / 5e3, 1e-12);
+  TopDriveSpec proportional;
+  proportional.integral_gain = 0.0;
+  EXPECT_EQ(drive_torque(proportional, command, {0.9, 0.0, 0.0}, 0.1, 0.0, 0.9).integral, 0.0);
+  EXPECT_EQ(drive_torque(proportional, torque_command(8e3), {1.0, 0.0, 0.0}, 0.01, 0.01, 1.0).integral, 0.0);
+}
+
+// Torque mode is held off by k_p (w_max - w) where that is less, either way, and never pushes on beyond.
+TEST(TopDrive, TorqueModeGivesWayAtTheSpeedLimit)
+{
+  const TopDriveSpec spec;
+  for (const double way : {1.0, -1.0})
+  {
+    const double fast = way * (spec.max_speed - 0.1);
+    const DriveTorque at_limit = drive_torque(spec, torque_command(way * 9e3), {fast, 0.0, 0.0}, 0.0, 0.0, fast);
+    EXPECT_NEAR(at_limit.value, way * 2000.0, 1e-6);
+    EXPECT_TRUE(at_limit.limited);
+    const DriveTorque beyond = drive_torque(spec, torque_command(way * 9e3), {fast, 0.0, 0.0}, 0.0, 0.0, fast + way * 0.2);
+    EXPECT_NEAR(beyond.value, -way * 2000.0, 1e-6);
+    const DriveTorque braking = drive_torque(spec, torque_command(-way * 9e3), {fast, 0.0, 0.0}, 0.0, 0.0, fast);
+    EXPECT_NEAR(braking.value, -way * 9e3, 1e-9);
+    EXPECT_FALSE(braking.limited);
+  }
+}
+
+// A power of 750 kW: 15 rad/s is where it takes over from 50 kN m.
+TEST(TopDrive, PowerTakesOverFromTorqueAtTheirQuotient)
+{
+  TopDriveSpec spec;
+  spec.max_speed = 40.0;
+  EXPECT_DOUBLE_EQ(motor_torque_limit(spec, speed_command(5.0), 14.99), 50e3);
+  EXPECT_DOUBLE_EQ(motor_torque_limit(spec, speed_command(5.0), 16.0), 750e3 / 16.0);
+  TopDriveSetpoint command = torque_command(40e3);
+  const RotorStage stage = euler(0.005, 22.0);
+  const RotorResult r = solve_rotor(spec, command, {22.0, 0.0, 0.0}, stage, 0.11);
+  EXPECT_NEAR(r.motor_torque, 750e3 / 22.0, 1e-6);
+  EXPECT_TRUE(r.limited);
+  command.torque_limit = 20e3;
+  EXPECT_NEAR(solve_rotor(spec, command, {22.0, 0.0, 0.0}, stage, 0.11).motor_torque, 20e3, 1e-6) << "the command's own is less";
+}
+
 TEST(TopDrive, StepResponseOfTheSpeedLoop)
 {
   // J w' = k_p (w* - w) + k_i int(w* - w): overdamped, w(0) = 0; w* = 0.4 rad/s stays below saturation (k_p w* = 8 kN m)

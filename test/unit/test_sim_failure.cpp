@@ -219,6 +219,75 @@ TEST(Commands, silenceSetsTheBrake)
   EXPECT_FALSE(rig.truth().commands_timed_out);
 }
 
+// Either stream that falls silent is enough, the pump has none; then the winch is braked, the drive coasts, and the pump goes on.
+TEST(Commands, eitherStreamsSilenceIsNoticed)
+{
+  for (const bool winch_talks : {true, false})
+  {
+    Simulator rig(drilling_scene(5.0));
+    rig.set_command_timeout(0.3);
+    drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
+    TopDriveSetpoint drive;
+    drive.speed = 90.0 * rpm;
+    for (int k = 0; k < 100 && !rig.truth().commands_timed_out; ++k)
+    {
+      if (k >= 20) winch_talks ? rig.command(WinchSetpoint{-0.012, false}) : rig.command(drive);
+      rig.command(PumpSetpoint{0.02});
+      ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
+    }
+    ASSERT_TRUE(rig.truth().commands_timed_out) << winch_talks;
+    EXPECT_NEAR(rig.truth().time, 0.31, 0.011) << "the first frame that starts later than the timeout allows";
+    const Setpoints& now = rig.truth().setpoints;
+    EXPECT_TRUE(now.winch.brake);
+    EXPECT_EQ(now.winch.block_velocity, 0.0);
+    EXPECT_EQ(now.top_drive.mode, TopDriveMode::torque);
+    EXPECT_EQ(now.top_drive.torque, 0.0);
+    EXPECT_EQ(now.pump.flow, 0.02);
+  }
+}
+
+// What never came cannot fall silent; 0 switches the watch off.
+TEST(Commands, aStreamThatNeverBeganIsNotMissed)
+{
+  Simulator rig(drilling_scene(5.0));
+  rig.set_command_timeout(0.1);
+  rig.command(PumpSetpoint{0.02});
+  for (int k = 0; k < 50; ++k) rig.frame(0.01);
+  EXPECT_FALSE(rig.truth().commands_timed_out);
+  rig.set_command_timeout(0.0);
+  rig.command(WinchSetpoint{-0.01, false});
+  for (int k = 0; k < 50; ++k) rig.frame(0.01);
+  EXPECT_FALSE(rig.truth().commands_timed_out);
+  EXPECT_FALSE(rig.truth().brake_set);
+  rig.set_command_timeout(0.1);
+  rig.frame(0.01);
+  EXPECT_TRUE(rig.truth().commands_timed_out);
+}
+
+// Pipe is gripped at its node nearest to the depth, within an element; where none is, or no depth is told, nothing changes.
+TEST(StickPipe, gripsTheNearestNodeOrRefuses)
+{
+  Simulator rig(drilling_scene(30.0));  // bit at 70 m; nodes every 9.5 m and less
+  for (const double nowhere : {kNan, kInfinity, -kInfinity, 70.0 + 9.6, 200.0, -30.0})
+  {
+    EXPECT_FALSE(rig.stick_pipe(nowhere)) << nowhere;
+    EXPECT_EQ(rig.save()->mechanics.stuck_point.node, -1);
+  }
+  for (const double md : {70.0, 55.0, 31.0, 8.0, 70.0 + 5.0})
+  {
+    ASSERT_TRUE(rig.stick_pipe(md)) << md;
+    const State state = rig.save()->mechanics;
+    const int held = state.stuck_point.node;
+    EXPECT_EQ(state.stuck_point.position, state.nodes[held].position);
+    EXPECT_EQ(state.stuck_point.spin_angle, state.nodes[held].spin_angle);
+    for (const NodeState& node : state.nodes)
+      if (node.position.z() < 0.0)
+        EXPECT_LE(std::abs(-state.nodes[held].position.z() - md), std::abs(-node.position.z() - md) + 0.02) << md;  // less the stretch
+  }
+  rig.free_pipe();
+  EXPECT_EQ(rig.save()->mechanics.stuck_point.node, -1);
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);

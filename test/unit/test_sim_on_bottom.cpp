@@ -144,6 +144,30 @@ TEST(OnBottom, bitThatDoesNotTurnDrillsNothing)
   EXPECT_EQ(rig.truth().hole_depth, hole);
 }
 
+/// Direction of the hole after half a metre drilled on from a straight one at 20 deg, behind the bit a string of slick collars: turn of
+/// inclination and azimuth since [rad].
+std::pair<double, double> drift(double side_cutting, double friction)
+{
+  Scene scene = scene_in(build_and_hold(20.0, 0.5 * degree, slant, slant_azimuth, 200.0), 200.0, 199.99, friction);
+  scene.string.insert(scene.string.begin() + 1, collar_part(4, 9.4));
+  scene.string[0].bit->side_cutting = side_cutting;
+  Simulator rig(scene);
+  drill(rig, 0.02, 120.0 * rpm, 25.0);
+  EXPECT_NEAR(rig.truth().hole_depth, 200.5, 0.05);
+  return {rig.truth().bit_inclination - slant, rig.truth().bit_azimuth - slant_azimuth};
+}
+
+// The textbook's pendulum: collars that hang from a far point of contact press the bit on the low side, and side cutting makes that drop.
+// Without friction it does not walk; with it the bit that turns clockwise climbs to the right on the low side.
+TEST(OnBottom, pendulumDropsAndFrictionWalksItToTheRight)
+{
+  const auto [drop, walk] = drift(0.3, 0.0);
+  EXPECT_LT(drop, -1.0 * degree);
+  EXPECT_NEAR(walk, 0.0, 0.02 * degree);
+  EXPECT_GT(drift(0.3, 0.3).second, 0.5 * degree);
+  EXPECT_LT(std::abs(drift(0.0, 0.0).first), 0.25 * std::abs(drop)) << "a bit that does not cut sideways goes where it points";
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);

@@ -1,0 +1,216 @@
+// What is shown along the string, by hand: forces of given elements, sides of given places, bending of a given arc, poses of parts.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/evaluate.h"
+#include "drill_rig_sim/sim/profile.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/solve/methods/method.h"
+#include "drill_rig_sim/solve/start.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+namespace
+{
+/// Along the slanted hole, across it upwards, and to the right looking down it.
+const Vector3d down_hole(std::sin(slant) * std::sin(slant_azimuth), std::sin(slant) * std::cos(slant_azimuth), -std::cos(slant));
+const Vector3d high(std::cos(slant) * std::sin(slant_azimuth), std::cos(slant) * std::cos(slant_azimuth), std::sin(slant));
+const Vector3d right(std::cos(slant_azimuth), -std::sin(slant_azimuth), 0.0);
+
+/// Collars and pipe in the slanted hole, 100 m of it.
+Scene slanted_string()
+{
+  Scene scene = slanted_scene(100.0, 0.2);
+  scene.string.insert(scene.string.begin() + 1, collar_part(2, 9.4));
+  return scene;
+}
+
+/// Forces that tell the elements apart.
+RigForces numbered_forces(const Model& model)
+{
+  RigForces forces = Workspace(model).result.forces;
+  for (int e = 0; e < model.elements(); ++e)
+  {
+    forces.tension[e] = 1000.0 * (e + 1);
+    forces.torque[e] = 10.0 * e * e;
+  }
+  for (int i = 0; i < model.nodes(); ++i)
+  {
+    forces.bending_moment[i] = 7.0 * i;
+    forces.wall[i] = Vector3d(i, -i, 0.5 * i);
+  }
+  return forces;
+}
+}  // namespace
+
+// A node shows the mean of the elements that meet there; the ends show theirs.
+TEST(Profile, forcesAreMeansOfTheElementsThatMeet)
+{
+  RigAtRest rig = build_at_rest(slanted_string());
+  const RigForces forces = numbered_forces(*rig.model);
+  for (std::size_t i = 0; i < rig.state.nodes.size(); ++i) rig.state.nodes[i].rate.spin = 0.1 * i;
+  StringProfile p;
+  fill_profile(*rig.model, rig.state, forces, p);
+  const int n = rig.model->nodes();
+  ASSERT_EQ(p.tension.size(), static_cast<std::size_t>(n));
+  EXPECT_EQ(p.tension.front(), 1000.0);
+  EXPECT_EQ(p.tension.back(), 1000.0 * (n - 1));
+  EXPECT_EQ(p.torque.front(), 0.0);
+  EXPECT_EQ(p.torque.back(), 10.0 * (n - 2) * (n - 2));
+  for (int i = 1; i + 1 < n; ++i)
+  {
+    EXPECT_DOUBLE_EQ(p.tension[i], 1000.0 * (i + 0.5));
+    EXPECT_DOUBLE_EQ(p.torque[i], 5.0 * ((i - 1) * (i - 1) + i * i));
+  }
+  for (int i = 0; i < n; ++i)
+  {
+    EXPECT_EQ(p.bending_moment[i], 7.0 * i);
+    EXPECT_EQ(p.contact_vector[i], Vector3d(i, -i, 0.5 * i));
+    EXPECT_EQ(p.spin_speed[i], 0.1 * i);
+    EXPECT_EQ(p.position[i], rig.state.nodes[i].position);
+    EXPECT_NEAR(p.md[i], down_hole.dot(p.position[i]), p.position[i].z() < 0.0 ? 1e-6 : 5.0) << "above the table the string hangs plumb";
+  }
+  EXPECT_NEAR(p.from_bit.front(), 0.5 * 0.2159, 1e-12);
+  EXPECT_NEAR(p.from_bit.back(), 120.0, 0.3) << "100 m of hole and 20 m of air, less what the way over the kink at the table saves";
+}
+
+// The mud's pressure pushes on the steel's section: effective tension less rho g depth (A_o - A_i); none above the table. The node between
+// two sections shows that of the upper one.
+TEST(Profile, trueAxialForceLacksTheMudsPressure)
+{
+  const Scene scene = slanted_string();
+  RigAtRest rig = build_at_rest(scene);
+  StringProfile p;
+  fill_profile(*rig.model, rig.state, numbered_forces(*rig.model), p);
+  const double collar_area = pi / 4.0 * (0.165 * 0.165 - 0.0714 * 0.0714);
+  int in_air = 0;
+  for (int i = 0; i < rig.model->nodes(); ++i)
+  {
+    const bool collar = p.from_bit[i] < 0.3 + 18.8 - 1e-6;
+    const double depth = -p.position[i].z(), area = collar ? collar_area : pipe_area;
+    const double push = depth > 0.0 ? scene.mud.density * standard_gravity * depth * area : 0.0;
+    EXPECT_NEAR(p.true_axial_force[i], p.tension[i] - push, 1e-6) << i;
+    EXPECT_EQ(p.radius[i], collar ? 0.0825 : 0.5 * pipe_outer) << i;
+    in_air += depth < 0.0;
+  }
+  EXPECT_GT(in_air, 1);
+  // Archimedes: the bottom of a free string is pushed by the pressure there
+  EXPECT_LT(p.true_axial_force[0], 1000.0 - 0.9 * 1150.0 * standard_gravity * 94.0 * collar_area);
+}
+
+// Nodes put on given sides of the hole: clockwise from the high side looking down; 0 without contact.
+TEST(Profile, contactSideIsClockwiseFromTheHighSide)
+{
+  RigAtRest rig = build_at_rest(slanted_string());
+  RigForces forces = numbered_forces(*rig.model);
+  const double sides[] = {0.0, 0.5, 1.5, 3.0, -0.5, -1.5, -3.0};
+  for (int i = 0; i < 7; ++i)
+  {
+    const double md = 99.0 - rig.model->mesh().nodes[i].from_bit;
+    rig.state.nodes[i].position = md * down_hole + 0.005 * (std::cos(sides[i]) * high + std::sin(sides[i]) * right);
+    forces.contact[i] = 100.0 + i;
+  }
+  StringProfile p;
+  fill_profile(*rig.model, rig.state, forces, p);
+  for (int i = 0; i < 7; ++i)
+  {
+    EXPECT_NEAR(p.contact_side[i], sides[i], 1e-6);
+    EXPECT_EQ(p.contact_force[i], 100.0 + i);
+  }
+  EXPECT_EQ(p.contact_side[7], 0.0);
+}
+
+// At rest the string lies on the low side, and what the wall carries there is the weight across the hole.
+TEST(Profile, atRestTheWallCarriesTheWeightAcrossTheHole)
+{
+  const Scene scene = slanted_string();
+  Simulator rig(scene);
+  StringProfile p;
+  rig.profile(p);
+  double carried = 0.0;
+  for (std::size_t i = 3; i < 7; ++i)  // away from collars and table
+  {
+    ASSERT_GT(p.contact_force[i], 0.0);
+    EXPECT_NEAR(std::abs(p.contact_side[i]), pi, 1e-6);
+    EXPECT_NEAR((p.contact_vector[i] - p.contact_force[i] * high).norm(), 0.0, 1e-3 * p.contact_force[i]);
+    carried += p.contact_force[i] / 4.0;
+  }
+  const double weight = standard_gravity * tool_jointed_mass * (1.0 - 1150.0 / steel_density) * std::sin(slant) * 9.5;
+  EXPECT_NEAR(carried, weight, 0.03 * weight);
+}
+
+// Sections along a circle of 500 m: moment E I/R, at every node with an element below it; the twist of a helix by hand: G J times twist over
+// length. Second order in element over radius: 1e-4.
+TEST(StringForces, ofAnArcAreThoseOfItsCurvature)
+{
+  RigAtRest rig = build_at_rest(vertical_scene(400.0, 200.0));
+  constexpr double radius = 500.0, twist = 2e-3;  // [m], [rad] between nodes
+  const Mesh& mesh = rig.model->mesh();
+  for (int i = 0; i < rig.model->nodes(); ++i)
+  {
+    const double angle = (mesh.nodes.back().from_bit - mesh.nodes[i].from_bit) / radius;
+    NodeState& node = rig.state.nodes[i];
+    node.position = radius * Vector3d(1.0 - std::cos(angle), 0.0, -std::sin(angle));
+    const Quaterniond plumb = Quaterniond::FromTwoVectors(Vector3d::UnitX(), -Vector3d::UnitZ());
+    const Vector3d tangent(std::sin(angle), 0.0, -std::cos(angle));
+    node.orientation = Quaterniond(Eigen::AngleAxisd(-twist * i, tangent)) * Quaterniond(Eigen::AngleAxisd(-angle, Vector3d::UnitY())) * plumb;
+  }
+  Stage stage(*rig.model);
+  Workspace work(*rig.model);
+  begin_step(*rig.model, rig.state, 0.0, Setpoints(), stage);
+  prepare_start(rig.state, stage);
+  for (Vector3d& load : stage.load) load.setZero();
+  const std::vector<double> u(6 * mesh.nodes.size(), 0.0);
+  update(*rig.model, rig.state, stage, u.data(), work);
+  find_string_forces(*rig.model, rig.state, stage, work);
+  const double polar = pi / 32.0 * (std::pow(pipe_outer, 4) - std::pow(pipe_inner, 4)), moment = 206e9 * 0.5 * polar / radius;
+  for (int e = 1; e < rig.model->elements(); ++e)
+  {
+    const double torque = 206e9 / 2.6 * polar * twist / mesh.elements[e].section.length;
+    EXPECT_NEAR(work.result.forces.bending_moment[e + 1], moment, 1e-3 * moment) << e;
+    EXPECT_NEAR(work.result.forces.torque[e], -torque, 2e-2 * torque) << "the lower end is ahead: the string above drives it back, " << e;
+  }
+}
+
+// Parts of the assembly by name at their lower ends, joints of pipe by number, every third; x towards the bit, the bit as it has turned.
+TEST(PartPoses, areAtTheLowerEndsOfTheParts)
+{
+  Scene scene = motor_drilling_scene(10.0);
+  scene.string[1].motor->bend = 0.0;
+  Simulator rig(scene);
+  rig.command(PumpSetpoint{0.03});
+  for (int k = 0; k < 37; ++k) ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
+  std::vector<PartPose> poses;
+  rig.part_poses(3, poses);
+  const std::vector<std::string> names = {"bit", "motor", "collar", "pipe_0", "pipe_3", "pipe_6", "pipe_9"};
+  const double below[] = {0.0, 0.3, 8.6, 27.4, 27.4 + 28.5, 27.4 + 57.0, 27.4 + 85.5};  // from the bit's face [m]
+  std::vector<std::string> shown;
+  for (const PartPose& pose : poses) shown.push_back(pose.name);
+  ASSERT_EQ(shown, std::vector<std::string>(names.begin(), names.begin() + shown.size()));
+  ASSERT_GE(shown.size(), 6u);
+  for (std::size_t k = 0; k < poses.size(); ++k)
+  {
+    EXPECT_NEAR(poses[k].position.z(), -90.0 + below[k], 0.01) << poses[k].name;  // less a stretch of millimetres
+    EXPECT_LT(poses[k].position.head<2>().norm(), 1e-3);
+    EXPECT_NEAR((poses[k].orientation * Vector3d::UnitX()).z(), -1.0, 1e-6) << poses[k].name;
+  }
+  EXPECT_LT((poses[0].orientation.toRotationMatrix() - rig.truth().bit_orientation.toRotationMatrix()).norm(), 1e-12);
+  const Quaterniond between = poses[0].orientation * poses[1].orientation.conjugate();
+  EXPECT_GT(2.0 * std::acos(std::min(1.0, std::abs(between.w()))), 0.1) << "the motor has turned the bit against its housing";
+  rig.part_poses(1, poses);
+  ASSERT_GT(poses.size(), 9u);
+  EXPECT_EQ(poses[4].name, "pipe_1");
+  EXPECT_NEAR(poses[4].position.z() - poses[3].position.z(), 9.5, 1e-3);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
