@@ -43,6 +43,13 @@ void RigNode::say_what_runs()
                            << parameters_.rate << " Hz, namespace " << node_.getNamespace());
 }
 
+void RigNode::wait_for_shutdown()
+{
+  while (!ros::isShuttingDown()) ros::WallDuration(0.05).sleep();
+  loop_.halt();
+  ros::waitForShutdown();
+}
+
 RigNode::~RigNode()
 {
   loop_.halt();

@@ -11,8 +11,8 @@ int main(int argc, char** argv)
   drill_rig_sim::end_on_signals();
   try
   {
-    const drill_rig_sim::RigNode node;
-    ros::waitForShutdown();
+    drill_rig_sim::RigNode node;
+    node.wait_for_shutdown();
   }
   catch (const std::exception& error)
   {

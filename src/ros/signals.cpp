@@ -13,7 +13,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr std::chrono::seconds grace(3);
+constexpr std::chrono::seconds grace(6);  // a loaded master takes seconds to forget some thirty names
 
 // Leaked on purpose: the thread that waits on it lives as long as the process.
 Semaphore& asked_to_end()

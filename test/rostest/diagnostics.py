@@ -28,15 +28,18 @@ class Diagnostics(unittest.TestCase):
         return next(m for m in messages if values(m).get("state") == word)
 
     def test_what_is_told_while_running(self):
-        message = next(m for m in reversed(self.diagnostics.wait_until(lambda m: m and "real_time_factor" in values(m[-1])))
-                       if "real_time_factor" in values(m))
-        told = values(message)
+        def sound(message):
+            """All is well; on a loaded machine it may be slower than asked for a while."""
+            levels = [s.level if isinstance(s.level, int) else s.level[0] for s in message.status]
+            return "real_time_factor" in values(message) and levels == [DiagnosticStatus.OK] * 3
+        messages = self.diagnostics.wait_until(lambda m: any(map(sound, m)))
+        self.assertTrue(any(map(sound, messages)), messages[-1:])
+        told = values(next(filter(sound, messages)))
         self.assertEqual("running", told["state"])
         for key in ("real_time_factor", "frame_times", "overruns", "dropped_seconds", "newton_iterations", "convergence_failures",
                     "error_estimate", "level", "integrator", "refused", "clamped"):
             self.assertIn(key, told)
         self.assertEqual("beam3d", told["level"])
-        self.assertEqual([DiagnosticStatus.OK] * 3, [s.level if isinstance(s.level, int) else s.level[0] for s in message.status])
 
     def test_they_keep_coming_while_paused(self):
         self.assertTrue(self.rig.pause().success)

@@ -89,6 +89,7 @@ class Pacing(unittest.TestCase):
     def test_reset_while_paused_stays_paused_and_the_stamp_grows(self):
         self.assertTrue(self.rig.pause().success)
         states = self.rig.collect("rig_state", RigState)
+        states.quiet()  # what was said before it stood may be on its way
         self.assertTrue(self.rig.reset_well("", 0.0).success)
         first = states.wait(1)[-1]
         time.sleep(0.5)

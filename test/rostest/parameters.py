@@ -35,22 +35,20 @@ class Parameters(unittest.TestCase):
         self.refused("lateral_exaggeration:=0.1", "0.1")
 
     def test_each_range_ends_where_it_says(self):
-        """Just outside is refused with the range; at the very end another parameter, which is read later, is complained of instead."""
-        for name, low, below, high, above in (("rate", 0.1, 0.0625, 10000, 10001), ("drillstring_rate", 0.01, 0.0078125, 100, 100.5),
-                                              ("state_rate", 0.01, 0.0078125, 100, 100.5), ("tf_rate", 0.01, 0.0078125, 1000, 1001),
-                                              ("marker_rate", 0.01, 0.0078125, 1000, 1001), ("trajectory_rate", 0.01, 0.0078125, 1, 1.25),
-                                              ("command_timeout", 0, -0.5, None, None), ("seed", 0, -1, None, None),
-                                              ("lateral_exaggeration", 1, 0.75, 10000, 10001), ("force_scale", 0, -0.5, 1000, 1001)):
+        """Just outside is refused; with all at their ends something that is read later is complained of instead."""
+        ranges = {"rate": (0.1, 0.0625, 10000, 10001), "drillstring_rate": (0.01, 0.0078125, 10000, 100.5),
+                  "state_rate": (0.01, 0.0078125, 10000, 100.5), "tf_rate": (0.01, 0.0078125, 1000, 1001),
+                  "marker_rate": (0.01, 0.0078125, 1000, 1001), "trajectory_rate": (0.01, 0.0078125, 1, 1.25),
+                  "command_timeout": (0, -0.5, 1e9, None), "seed": (0, -1, 9e15, None),
+                  "lateral_exaggeration": (1, 0.75, 10000, 10001), "force_scale": (0, -0.5, 1000, 1001)}
+        for name, (_, below, _, above) in ranges.items():
             for value in (below, above):
                 if value is not None:
-                    self.refused("%s:=%s" % (name, value), "~" + name + " is " + str(value))
-            for value in (low, high):
-                if value is None:
-                    continue
-                settings = ["%s:=%s" % (name, value)] + (["drillstring_rate:=%s" % value, "state_rate:=%s" % value] if name == "rate" else [])
-                status, said = start("scene:=quick.yaml", "color_by:=mood", *settings)
-                self.assertEqual(2, status)
-                self.assertIn("~color_by is mood", said, name)
+                    self.refused("%s:=%s" % (name, value), "~%s is %s;" % (name, value))
+        for end in (0, 2):
+            status, said = start("scene:=quick.yaml", "color_by:=mood", *("%s:=%s" % (name, r[end]) for name, r in ranges.items()))
+            self.assertEqual(2, status)
+            self.assertIn("~color_by is mood", said)
 
     def test_not_a_number(self):
         self.refused("rate:=fast", "fast", "number")

@@ -27,9 +27,9 @@ class TwoRigs(unittest.TestCase):
             self.assertNotEqual("", answer.message)
 
     def test_pausing_the_first_holds_both(self):
-        self.assertTrue(self.a.pause().success)
-        time.sleep(0.5)
         states = self.b.collect("rig_state", RigState)
+        self.assertTrue(self.a.pause().success)
+        states.quiet()  # until it has caught up with the clock
         time.sleep(1.0)
         self.assertEqual([], states.messages)
         self.assertTrue(self.a.resume().success)

@@ -25,6 +25,9 @@ public:
   RigNode();
   ~RigNode();
 
+  /// Returns once the node has left the master. A step under way is ended as soon as that begins: roscpp waits for its answer.
+  void wait_for_shutdown();
+
 private:
   void say_what_runs();
 

@@ -1,0 +1,192 @@
+// The simulation loop and time: a frame that fails, pauses, steps that end early, backlog, what nobody takes, telemetry's latency, another
+// rig's clock.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "drill_rig_sim/ros/frame_messages.h"
+#include "drill_rig_sim/scene/read_scene.h"
+#include "running_loop.h"
+
+namespace drill_rig_sim
+{
+TEST(LoopTime, aFrameThatFailsIsSaidOnceWithTheLastGoodStamp)
+{
+  Parameters p = lockstep();
+  p.rate = 20.0;
+  p.play_program = true;
+  p.state_rate = 2.0;
+  RunningLoop rig(p, read_scene(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/test/scenes/unsolvable.yaml"));
+  rig.start();
+  const std::vector<FrameOutput> frames = rig.step(1000);
+  ASSERT_EQ(StepResult::End::failed, rig.result.end);
+  ASSERT_GE(frames.size(), 2u);
+  EXPECT_EQ(frames.size(), rig.result.frames);
+  const FrameOutput &last = frames.back(), &good = frames[frames.size() - 2];
+  EXPECT_EQ(RunState::failed, last.frame.run_state);
+  EXPECT_EQ(RunState::running, good.frame.run_state);
+  EXPECT_EQ(good.frame.stamp, last.frame.stamp);
+  EXPECT_TRUE(!last.new_stamp && last.run_state_changed && !last.state_due && !last.tf_due);
+  EXPECT_NE("", std::string(last.frame.failure.data()));
+  EXPECT_EQ("", std::string(good.frame.failure.data()));
+  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).run_state_changed) << "once";
+  const FrameOutput reset = rig.between([](SimulationLoop& loop) { loop.replace(std::make_unique<Simulator>(vertical_scene(40.0, 39.0))); });
+  EXPECT_EQ(RunState::waiting, reset.frame.run_state);
+  EXPECT_EQ("", std::string(reset.frame.failure.data()));
+  EXPECT_EQ(last.frame.stamp + 5 * period, reset.frame.stamp);
+}
+
+TEST(LoopTime, pauseIsSaidOnceWithTheSameStamp)
+{
+  RunningLoop rig(in_real_time());
+  rig.start();
+  rig.output(5);
+  FrameOutput before;
+  const FrameOutput paused = rig.between(
+      [&](SimulationLoop& loop)
+      {
+        before.frame.stamp = loop.time().stamp();
+        loop.set_paused(true);
+      });
+  EXPECT_EQ(RunState::paused, paused.frame.run_state);
+  EXPECT_EQ(before.frame.stamp, paused.frame.stamp);
+  EXPECT_TRUE(!paused.new_stamp && paused.run_state_changed && !paused.state_due);
+  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).run_state_changed);
+  const FrameOutput resumed = rig.between([](SimulationLoop& loop) { loop.set_paused(false); });
+  EXPECT_EQ(RunState::running, resumed.frame.run_state);
+  EXPECT_TRUE(resumed.run_state_changed);
+  EXPECT_EQ(before.frame.stamp, resumed.frame.stamp);
+}
+
+TEST(LoopTime, whileTimeStandsARefreshIsOnePicture)
+{
+  RunningLoop rig(lockstep());
+  const FrameOutput first = rig.start();
+  rig.loop.subscriptions().markers = true;
+  rig.loop.refresh();
+  const FrameOutput picture = rig.output(1);
+  EXPECT_EQ(first.frame.stamp, picture.frame.stamp);
+  EXPECT_TRUE(!picture.new_stamp && picture.markers_due && picture.well_due && !picture.state_due && !picture.tf_due && !picture.profile_due);
+  EXPECT_FALSE(picture.run_state_changed);
+  EXPECT_EQ(2u, rig.count());
+}
+
+TEST(LoopTime, aStepEndsEarlyWhereItIsAskedTo)
+{
+  RunningLoop rig(lockstep());
+  rig.start();
+  EXPECT_FALSE(rig.loop.end_step_early()) << "none is under way";
+  rig.loop.begin_step(100000);
+  rig.output(10);
+  std::int64_t stamp = 0;
+  const FrameOutput end = rig.between(
+      [&](SimulationLoop& loop)
+      {
+        stamp = loop.time().stamp();
+        EXPECT_TRUE(loop.end_step_early());
+      });
+  EXPECT_EQ(RunState::waiting, end.frame.run_state);
+  EXPECT_TRUE(end.run_state_changed && !end.new_stamp);
+  EXPECT_EQ(stamp, end.frame.stamp);
+  const StepResult result = rig.loop.wait_for_step();
+  EXPECT_EQ(StepResult::End::ended_early, result.end);
+  EXPECT_EQ((stamp - period) / period, result.frames);
+}
+
+TEST(LoopTime, backlogIsDroppedAndCounted)
+{
+  RunningLoop rig(in_real_time());
+  rig.start();
+  rig.output(5);
+  std::size_t next = 0;
+  rig.loop.between_frames(
+      [&](SimulationLoop&)
+      {
+        next = rig.ring.handed_over();
+        std::this_thread::sleep_for(std::chrono::milliseconds(400));
+      });
+  const FrameRecord before = rig.output(next - 1).frame, after = rig.output(next).frame;
+  EXPECT_GE(after.loop.dropped_seconds - before.loop.dropped_seconds, 0.4 - 0.1 - 0.01) << "due at most a period after it stood";
+  EXPECT_GE(after.loop.overruns, before.loop.overruns + 1);
+  EXPECT_EQ(before.stamp + period, after.stamp) << "simulated time falls behind, no frame is left out";
+}
+
+TEST(LoopTime, framesThatNobodyTakesAreCounted)
+{
+  const Parameters p = in_real_time();
+  Mailbox mailbox;
+  FrameRing ring(4);
+  SimulationLoop loop(p, std::make_unique<Simulator>(vertical_scene(30.0, 29.0)), mailbox, ring);
+  loop.start();
+  std::uint64_t computed = 0;
+  while (computed < 20) loop.between_frames([&](SimulationLoop& l) { computed = l.rig().simulator->statistics().frames; });
+  const auto take = [&]
+  {
+    const FrameRecord frame = ring.next()->frame;
+    ring.release();
+    return frame;
+  };
+  FrameRecord last = take();
+  for (int i = 0; i < 3; ++i) last = take();
+  EXPECT_EQ(4 * period, last.stamp);
+  EXPECT_EQ(0u, last.loop.unpublished_frames);
+  const FrameRecord after = take();
+  EXPECT_GE(after.loop.unpublished_frames, 17u);
+  EXPECT_EQ(after.stamp - last.stamp, static_cast<std::int64_t>(after.loop.unpublished_frames + 1) * period) << "each missing stamp is counted";
+  loop.halt();
+  loop.join();
+}
+
+TEST(LoopTime, telemetryArrivesByItsLatencyLater)
+{
+  Scene scene = vertical_scene(60.0, 50.0);
+  PartSpec tool = collar_part(1, 9.0);
+  tool.name = "mwd";
+  tool.type = PartType::mwd;
+  tool.length = 9.0;
+  tool.mwd.emplace();
+  tool.mwd->sensor_offset = 4.0;
+  scene.string.insert(scene.string.begin() + 1, tool);
+  scene.instruments.mwd.latency = 0.25;
+  scene.instruments.toolface.latency = 0.07;
+  RunningLoop rig(lockstep(), scene);
+  rig.start();  // at 1
+  rig.mailbox.receive(flow(0.02));
+  const std::vector<FrameOutput> frames = rig.step(40);  // it flows from the first on, measured at its end: at 2
+  for (const FrameOutput& s : frames)
+  {
+    EXPECT_EQ(s.frame.stamp >= 2 * period + 250 * ms ? 1u : 0u, s.frame.readings.mwd.sequence) << s.frame.stamp;
+    EXPECT_EQ(s.frame.stamp >= 2 * period + 70 * ms ? 1u : 0u, s.frame.readings.toolface.sequence) << s.frame.stamp;
+  }
+  const FrameRecord& last = frames.back().frame;
+  EXPECT_EQ(ros::Time().fromNSec(2 * period), to_mwd_survey(last, "").header.stamp);
+  EXPECT_EQ(ros::Time().fromNSec(2 * period), to_mwd_toolface(last, "").header.stamp);
+  EXPECT_NEAR(50.0 - 0.3 - 4.0, last.readings.mwd.md, 1e-3) << "a bit of 0.3 m and the sensor's offset above it";
+}
+
+TEST(LoopTime, aFollowerWaitsForTheClockAndGoesWithIt)
+{
+  Parameters p;
+  p.publish_clock = false;
+  p.use_sim_time = true;
+  RunningLoop rig(p);
+  const FrameOutput silent = rig.start();
+  EXPECT_FALSE(silent.new_stamp) << "no stamp before the clock is heard";
+  EXPECT_FALSE(silent.state_due);
+  rig.loop.hear_clock(35 * ms);
+  for (int i = 1; i <= 3; ++i)
+  {
+    const FrameOutput s = rig.output(i);
+    EXPECT_EQ(i * period, s.frame.stamp);
+    EXPECT_EQ(i == 1, s.rebuilt) << "the first with a stamp announces the rig";
+  }
+  EXPECT_EQ(4u, rig.count());
+}
+
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
