@@ -68,7 +68,7 @@ TEST(Truth, ofTheBitIsThatOfItsFace)
   for (int k = 0; k < 40; ++k)
   {
     play(rig, 0.1);
-    const State& state = rig.save()->mechanics;
+    const State state = rig.save()->mechanics;
     const NodeState& bit = state.nodes.front();
     const Vector3d axis = axes_of(bit).col(0);
     const Truth& t = rig.truth();
@@ -118,7 +118,7 @@ TEST(Truth, bendPointsWhereTheBitIsTurned)
       Scene scene = vertical ? motor_drilling_scene(10.0) : slanted_motor(toolface);
       scene.start.toolface = toolface;
       Simulator rig(scene);
-      const std::vector<NodeState>& nodes = rig.save()->mechanics.nodes;
+      const std::vector<NodeState> nodes = rig.save()->mechanics.nodes;
       const Vector3d below = axes_of(nodes[0]).col(0), above = axes_of(nodes[2]).col(0);
       const double seen = clockwise(above, vertical ? Vector3d::UnitY() : Vector3d::UnitZ(), below - above);
       EXPECT_NEAR(std::remainder(seen - toolface, 2.0 * pi), 0.0, 0.1) << toolface << (vertical ? ", vertical" : ", slanted");
