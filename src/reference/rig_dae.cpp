@@ -170,35 +170,15 @@ void RigDae::take_motion(double t, const double* y)
   move_stage(model_, *start_, t - start_time_, stage_);
   for (int i = 0; i < string_nodes(); ++i) motion_.nodes[static_cast<std::size_t>(i)] = motion_of(i, y);
   motion_.bit = motion_of(bit(), y);
-  const double* now = y + further_at();
-  const double* before = start_y_.data() + further_at();
-  stage_.bit = bit_drive(now[kMotorSpeed], now[kMotorTurn] - before[kMotorTurn],
-                         Map<const Vector3d>(now + kBottom) - Map<const Vector3d>(before + kBottom), motion_.bit);
+  stage_.bit = bit_drive_at(y, motion_.bit);
 }
 
-void RigDae::fill_stage(double t, const double* y, const double* rate, Stage& stage, double* u)
+BitDrive RigDae::bit_drive_at(const double* y, const GivenNode& bit) const
 {
-  read(y);
-  move_stage(model_, *start_, t - start_time_, stage);
-  for (int i = 0; i < string_nodes(); ++i)
-  {
-    const GivenNode node = motion_of(i, y);
-    Map<Vector6>(u + 6 * i) = node.increment;
-    stage.rate[static_cast<std::size_t>(i)] = node.rate;
-    stage.acceleration[static_cast<std::size_t>(i)] = Map<const Vector6>(rate + 12 * i + 6);
-  }
   const double* now = y + further_at();
   const double* before = start_y_.data() + further_at();
-  stage.bit = bit_drive(now[kMotorSpeed], now[kMotorTurn] - before[kMotorTurn],
-                        Map<const Vector3d>(now + kBottom) - Map<const Vector3d>(before + kBottom), motion_of(bit(), y));
-  // a stage solves for its rotor: so stiff, the answer is where IDA has it
-  constexpr double stiff = 1e10;  // [1/s2]
-  const Vector3d& axis = motion(rotor()).normal;
-  const double turn = spin(rotor(), y) - spin(rotor(), start_y_.data());
-  stage.drive = {};
-  stage.drive.rate_0 = motion(rotor()).angular_velocity.dot(axis);
-  stage.drive.da_du = stiff;
-  stage.drive.acceleration_0 = Map<const Vector3d>(rate + 12 * rotor() + 9).dot(axis) - stiff * turn;
+  return bit_drive(now[kMotorSpeed], now[kMotorTurn] - before[kMotorTurn],
+                   Map<const Vector3d>(now + kBottom) - Map<const Vector3d>(before + kBottom), bit);
 }
 
 /// The rock recedes in time: nothing within the law's own implicit step.
@@ -377,32 +357,6 @@ void RigDae::add_bit_jacobian(SparseJacobian& j)
   j.add_block(further, at + 3, (-by_motion.block<5, 3>(6, 3) * turn_by_coordinates(bit())).eval());
   j.add_block(further, at + 6, (-by_motion.block<5, 6>(6, 6)).eval());
   j.add_block(further, further, (-by_further.bottomRows<5>()).eval());
-}
-
-void RigDae::finish(double t, const std::vector<double>& y, State& state)
-{
-  read(y.data());
-  take_motion(t, y.data());
-  evaluate_motion(model_, *start_, stage_, motion_, work_, string_.data(), contact_.data(), nullptr, nullptr);
-  const Drive drive = drive_at(y.data());
-  StageResult& result = work_.result;
-  result.forces.hook_load = pull_at().hook_force;
-  result.forces.meter_torque = model_.scene().rig.top_drive.meter_stiffness * drive.twist;
-  result.forces.drive_torque = drive.motor.value;
-  result.drive = {state.drive.angle + drive.turn, drive.speed, drive.motor.integral, drive.twist, drive.motor.limited};
-  result.bit.motor_speed = stage_.bit.motor_speed;
-
-  commit(work_, state);
-  for (int i = 0; i < string_nodes(); ++i)
-  {
-    NodeState& node = state.nodes[static_cast<std::size_t>(i)];
-    const BodyMotion& m = motion(i);
-    const double spin_rate = m.angular_velocity.dot(m.normal);
-    node.position = m.position;
-    node.orientation = m.orientation.normalized();
-    node.rate = {m.velocity, m.angular_velocity - spin_rate * m.normal, spin_rate};
-  }
-  advance_discrete(model_, stage_, work_, state);
 }
 
 }  // namespace drill_rig_sim

@@ -79,6 +79,7 @@ private:
   void take_motion(double t, const double* y);
   GivenNode motion_of(int body, const double* y) const;
   BitDrive bit_drive(double motor_speed, double motor_turn, const Eigen::Vector3d& bottom, const GivenNode& bit) const;
+  BitDrive bit_drive_at(const double* y, const GivenNode& bit) const;
   double steady_motor_speed() const;
   Drive drive_at(const double* y) const;
   LinePull pull_at() const;
