@@ -99,6 +99,27 @@ TEST(Mwd, surveysComeByPeriodLateAndRounded)
   EXPECT_EQ(survey.sequence, 2u);
 }
 
+// A simulator's time is a sum of steps, and 10 s of them are 9.99999...: the reading is due all the same, not a frame later.
+TEST(Mwd, isPunctualWhateverTheSumsOfSteps)
+{
+  MwdSpec spec;
+  spec.period = 10.0;
+  spec.latency = 0.0;
+  ToolfaceSpec fast;
+  fast.period = 0.3;
+  fast.latency = 0.0;
+  Mwd mwd(spec, fast);
+  MwdReading survey;
+  ToolfaceReading toolface;
+  double time = 0.0;
+  for (int k = 0; k <= 10000; ++k, time += 0.01)
+  {
+    mwd.update(time, 0.03, tilted_view(0.2, 1.0, 0.5), survey, toolface);
+    ASSERT_EQ(survey.sequence, static_cast<std::uint64_t>(k / 1000 + 1)) << time;
+    ASSERT_EQ(toolface.sequence, static_cast<std::uint64_t>(k / 30 + 1)) << time;
+  }
+}
+
 TEST(Mwd, isSilentWithoutFlow)
 {
   Mwd mwd{MwdSpec(), ToolfaceSpec()};
