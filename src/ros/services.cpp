@@ -183,12 +183,7 @@ std::string Services::set_speed(double speed)
 std::string Services::save_state(const SaveState::Request& request)
 {
   require_name_or_file(request.name, request.file);
-  loop_.between_frames(
-      [](SimulationLoop& loop)
-      {
-        if (loop.rig().failed) throw Refusal("the last frame failed: there is no good state to go on from");
-      });
-  Saved saved = present_state();
+  Saved saved = present_state(true);
   if (!request.file.empty())
   {
     write_saved(request.file, saved);
@@ -198,13 +193,14 @@ std::string Services::save_state(const SaveState::Request& request)
   return "saved as " + request.name;
 }
 
-Saved Services::present_state()
+Saved Services::present_state(bool to_go_on_from)
 {
   Saved saved;
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
         const RunningRig& rig = loop.rig();
+        if (to_go_on_from && rig.failed) throw Refusal("the last frame failed: there is no good state to go on from");
         saved = {rig.simulator->save(), rig.program, rig.playing, loop.time().stamp(), 0};
       });
   return saved;
@@ -214,7 +210,7 @@ std::string Services::restore_state(const RestoreState::Request& request)
 {
   require_no_step();
   require_name_or_file(request.name, request.file);
-  const Saved saved = request.file.empty() ? saved_.find(request.name) : read_saved(request.file, present_state());
+  const Saved saved = request.file.empty() ? saved_.find(request.name) : read_saved(request.file, present_state(false));
   loop_.between_frames([&](SimulationLoop& loop) { loop.go_back(*saved.state, *saved.program, saved.playing); });
   return "restored " + (request.file.empty() ? request.name : request.file);
 }

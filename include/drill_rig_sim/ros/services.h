@@ -47,7 +47,7 @@ private:
   std::string tare();
   std::string set_speed(double speed);
   std::string save_state(const SaveState::Request& request);
-  Saved present_state();
+  Saved present_state(bool to_go_on_from);
   std::string restore_state(const RestoreState::Request& request);
   std::string list_states(ListStates::Response& response);
   std::string delete_state(const std::string& name);
