@@ -100,8 +100,7 @@ MwdToolface to_mwd_toolface(const FrameRecord& frame, const std::string& floor)
 void fill_drillstring_state(const FrameOutput& s, const std::string& floor, DrillstringState& m)
 {
   const StringProfile& from = s.profile;
-  m.header.stamp = to_time(s.frame.stamp);
-  m.header.frame_id = floor;
+  m.header = header_of(s.frame, floor);
   m.md = from.md;
   m.from_bit = from.from_bit;
   m.position.resize(from.position.size());

@@ -46,13 +46,7 @@ private:
 Scene small_scene()
 {
   Scene scene = scene_in({{0.0, 0.0, 0.0}, {15.0, 4.0 * degree, 1.0}, {40.0, 10.0 * degree, 1.0}}, 40.0, 39.99, 0.25);
-  PartSpec mwd = collar_part(1, 9.0);
-  mwd.name = "mwd";
-  mwd.type = PartType::mwd;
-  mwd.length = 9.0;
-  mwd.mwd.emplace();
-  mwd.mwd->sensor_offset = 4.0;
-  scene.string = {bit_part(0.2159), motor_part(), mwd, pipe_part(0, 9.5, tool_jointed_mass)};
+  scene.string = {bit_part(0.2159), motor_part(), mwd_part(), pipe_part(0, 9.5, tool_jointed_mass)};
   scene.string[0].bit->side_cutting = 0.1;
   scene.start.block_height = 12.0;
   scene.contact.static_ratio = 1.2;

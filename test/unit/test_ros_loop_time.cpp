@@ -140,13 +140,7 @@ TEST(LoopTime, framesThatNobodyTakesAreCounted)
 TEST(LoopTime, telemetryArrivesByItsLatencyLater)
 {
   Scene scene = vertical_scene(60.0, 50.0);
-  PartSpec tool = collar_part(1, 9.0);
-  tool.name = "mwd";
-  tool.type = PartType::mwd;
-  tool.length = 9.0;
-  tool.mwd.emplace();
-  tool.mwd->sensor_offset = 4.0;
-  scene.string.insert(scene.string.begin() + 1, tool);
+  scene.string.insert(scene.string.begin() + 1, mwd_part());
   scene.instruments.mwd.latency = 0.25;
   scene.instruments.toolface.latency = 0.07;
   RunningLoop rig(lockstep(), scene);

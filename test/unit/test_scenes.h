@@ -58,6 +58,18 @@ inline PartSpec collar_part(int joints, double joint_length)
   return collar;
 }
 
+/// A survey tool of the collars' section, its sensor 4 m above its lower end.
+inline PartSpec mwd_part()
+{
+  PartSpec tool = collar_part(1, 9.0);
+  tool.name = "mwd";
+  tool.type = PartType::mwd;
+  tool.length = 9.0;
+  tool.mwd.emplace();
+  tool.mwd->sensor_offset = 4.0;
+  return tool;
+}
+
 /// A mud motor with a bent housing, of the collars' section.
 inline PartSpec motor_part(double bend = 1.25 * degree)
 {
