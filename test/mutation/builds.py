@@ -26,12 +26,12 @@ class Stopped(Exception):
 
 
 def tree_files(*tops):
-    """Files below these folders of the package, or all, relative to it; no build folders and nothing hidden."""
+    """Files below these folders of the package, or all, relative to it; no build folders and nothing hidden but what keeps a folder."""
     found = []
     for folder, folders, names in os.walk(SOURCE):
         inside = os.path.relpath(folder, SOURCE)
         folders[:] = [f for f in folders if not f.startswith(('.', '__pycache__')) and not (inside == '.' and f.startswith('build'))]
-        found += [os.path.normpath(os.path.join(inside, name)) for name in names if not name.startswith('.')]
+        found += [os.path.normpath(os.path.join(inside, name)) for name in names if name == '.gitkeep' or not name.startswith('.')]
     return sorted(f for f in found if not tops or f.split('/')[0] in tops)
 
 

@@ -1,3 +1,4 @@
+#include "in_source.h"
 #include "ride.h"
 
 #include <cmath>
@@ -19,7 +20,7 @@ const char* const kDefaultElement = "corotational";
 
 std::string scene_file(const std::string& name)
 {
-  return std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/test/stability/scenes/" + name + ".yaml";
+  return in_source("test/stability/scenes/" + name + ".yaml");
 }
 
 struct FiniteLeaf

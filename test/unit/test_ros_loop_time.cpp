@@ -6,6 +6,7 @@
 
 #include "drill_rig_sim/ros/frame_messages.h"
 #include "drill_rig_sim/scene/read_scene.h"
+#include "in_source.h"
 #include "running_loop.h"
 
 namespace drill_rig_sim
@@ -16,7 +17,7 @@ TEST(LoopTime, aFrameThatFailsIsSaidOnceWithTheLastGoodStamp)
   p.rate = 20.0;
   p.play_program = true;
   p.state_rate = 2.0;
-  RunningLoop rig(p, read_scene(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/test/scenes/unsolvable.yaml"));
+  RunningLoop rig(p, read_scene(in_source("test/scenes/unsolvable.yaml")));
   rig.start();
   const std::vector<FrameOutput> frames = rig.step(1000);
   ASSERT_EQ(StepResult::End::failed, rig.result.end);

@@ -9,14 +9,13 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/ros/parameters.h"
 #include "drill_rig_sim/ros/survey_request.h"
+#include "in_source.h"
 #include "test_scenes.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-const std::string source = DRILL_RIG_SIM_SOURCE_DIR;
-
 /// 100 m of vertical hole, the bit 0.5 m off bottom.
 Scene present()
 {
@@ -118,7 +117,7 @@ TEST(WithSurvey, eitherAFileOrStations)
 {
   EXPECT_EQ("allowed is either a file or stations", refusal_of({}));
   LoadSurvey::Request both = stations(to_200);
-  both.file = source + "/config/surveys/bohai.csv";
+  both.file = in_source("config/surveys/bohai.csv");
   EXPECT_EQ("allowed is either a file or stations", refusal_of(both));
   LoadSurvey::Request file;
   file.file = both.file;
@@ -163,8 +162,8 @@ TEST(CheckRate, aFrameIsAWholeNumberOfSteps)
 
 TEST(FindScene, anAbsoluteNameIsTheFile)
 {
-  EXPECT_EQ(source + "/config/scenes/quick.yaml", find_scene(source + "/config/scenes/quick.yaml"));
-  for (const std::string& none : {std::string("/no/such.yaml"), source, std::string("/dev/zero")})
+  EXPECT_EQ(in_source("config/scenes/quick.yaml"), find_scene(in_source("config/scenes/quick.yaml")));
+  for (const std::string& none : {std::string("/no/such.yaml"), in_source(), std::string("/dev/zero")})
     EXPECT_EQ(0u, refusal([&] { find_scene(none); }).find("scene is " + none + "; allowed is a regular file")) << none;
   EXPECT_NE("", refusal([] { find_scene(""); }));
   EXPECT_NE("", refusal([] { find_scene("package://no_such_package/a.yaml"); }));

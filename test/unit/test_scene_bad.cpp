@@ -10,16 +10,12 @@
 #include <vector>
 
 #include "drill_rig_sim/scene/read_scene.h"
+#include "in_source.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-std::string source(const std::string& path)
-{
-  return std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/" + path;
-}
-
 std::string text_of(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
@@ -65,7 +61,7 @@ Expected expected_of(const std::string& file)
 
 TEST(SceneBad, EachIsRefusedForItsOneReason)
 {
-  const auto files = scenes_in(source("test/bad_scenes"));
+  const auto files = scenes_in(in_source("test/bad_scenes"));
   ASSERT_GE(files.size(), 30u);
   for (const std::string& file : files)
   {
@@ -89,13 +85,13 @@ TEST(SceneBad, EachIsRefusedForItsOneReason)
 
 TEST(SceneBad, AllProblemsAreReportedAtOnce)
 {
-  std::string text = text_of(source("config/scenes/bohai.yaml"));
+  std::string text = text_of(in_source("config/scenes/bohai.yaml"));
   text.replace(text.find("sheaves: 5"), 10, "sheaves: 0");
   text.replace(text.find("crown_height: 46.0"), 18, "crown_height: high");
   text.replace(text.find("step: 0.005"), 11, "stepp: 0.005");
   try
   {
-    parse_scene(text, source("config/scenes/bohai.yaml"));
+    parse_scene(text, in_source("config/scenes/bohai.yaml"));
     FAIL() << "was accepted";
   }
   catch (const SceneError& error)
@@ -107,7 +103,7 @@ TEST(SceneBad, AllProblemsAreReportedAtOnce)
 TEST(SceneBad, MissingFilesAndFoldersAreRefused)
 {
   EXPECT_THROW(read_scene("/no/such/scene.yaml"), SceneError);
-  EXPECT_THROW(read_scene(source("config/scenes")), SceneError);
+  EXPECT_THROW(read_scene(in_source("config/scenes")), SceneError);
 }
 
 /// Accepts or refuses, and either is fine; anything else (another exception, a crash) fails the test.
@@ -125,7 +121,7 @@ void must_not_crash(const std::string& text, const std::string& name)
 
 TEST(SceneBad, ATruncatedSceneNeverCrashes)
 {
-  const std::string name = source("config/scenes/bohai.yaml");
+  const std::string name = in_source("config/scenes/bohai.yaml");
   const std::string text = text_of(name);
   for (std::size_t length = 0; length < text.size(); length += 3) must_not_crash(text.substr(0, length), name);
 }
@@ -167,7 +163,7 @@ std::string mutated(std::string text, std::uint32_t& random)
 
 TEST(SceneBad, AMutatedSceneNeverCrashes)
 {
-  const std::string name = source("config/scenes/bohai.yaml");
+  const std::string name = in_source("config/scenes/bohai.yaml");
   const std::string text = text_of(name);
   std::uint32_t random = 20261120u;
   for (int i = 0; i < 3000; ++i) must_not_crash(mutated(text, random), name);

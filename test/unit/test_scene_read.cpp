@@ -9,16 +9,12 @@
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/survey_csv.h"
 #include "drill_rig_sim/sim/integrator_table.h"
+#include "in_source.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-std::string source(const std::string& path)
-{
-  return std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/" + path;
-}
-
 constexpr const char* smallest = R"(
 name: smallest
 well:
@@ -33,7 +29,7 @@ start: {}
 
 TEST(SceneRead, BohaiHoldsWhatItsFileSays)
 {
-  const Scene scene = read_scene(source("config/scenes/bohai.yaml"));
+  const Scene scene = read_scene(in_source("config/scenes/bohai.yaml"));
   EXPECT_EQ(scene.name, "bohai_compound");
   EXPECT_DOUBLE_EQ(scene.well.hole_depth, 730.0);
   ASSERT_EQ(scene.well.sections.size(), 2u);
@@ -64,7 +60,7 @@ TEST(SceneRead, BohaiHoldsWhatItsFileSays)
 
 TEST(SceneRead, BohaiSurveyBuildsThreeDegreesPerThirtyMetres)
 {
-  const auto survey = read_survey_csv(source("config/surveys/bohai.csv"));
+  const auto survey = read_survey_csv(in_source("config/surveys/bohai.csv"));
   EXPECT_DOUBLE_EQ(survey.front().md, 0.0);
   EXPECT_DOUBLE_EQ(survey.back().md, 730.0);
   for (const SurveyStation& s : survey)
@@ -79,7 +75,7 @@ TEST(SceneRead, ShippedAndTestScenesAreGood)
   for (const char* file : {"config/scenes/quick.yaml", "test/scenes/vertical_frictionless.yaml",
                            "test/scenes/inclined_straight_20deg.yaml", "test/scenes/curved_well.yaml"})
   {
-    EXPECT_NO_THROW(read_scene(source(file))) << file;
+    EXPECT_NO_THROW(read_scene(in_source(file))) << file;
   }
 }
 

@@ -7,6 +7,7 @@
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
+#include "in_source.h"
 
 namespace drill_rig_sim
 {
@@ -16,7 +17,7 @@ constexpr double kFrame = 0.01;  // [s]
 
 Scene quick(const std::string& program)
 {
-  return read_scene(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/config/scenes/quick.yaml", {"program=" + program});
+  return read_scene(in_source("config/scenes/quick.yaml"), {"program=" + program});
 }
 
 struct Show

@@ -8,6 +8,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/run.h"
+#include "in_source.h"
 
 namespace drill_rig_sim
 {
@@ -15,21 +16,16 @@ namespace
 {
 constexpr double kFrame = 0.01;  // [s]
 
-Scene scene_with(const std::string& file, const std::vector<std::string>& settings)
-{
-  return read_scene(std::string(DRILL_RIG_SIM_SOURCE_DIR) + file, settings);
-}
-
 Scene quick(const std::string& program)
 {
-  return scene_with("/config/scenes/quick.yaml", {"program=" + program});
+  return read_scene(in_source("config/scenes/quick.yaml"), {"program=" + program});
 }
 
 // lowers a turning bit onto the bottom and into it, 10 cm/s from 5 cm above it on
 Scene drilling()
 {
   const std::string program = "program=[{at: 0, top_drive_speed_rpm: 120, block_velocity: -0.1}]";
-  return scene_with("/config/scenes/quick.yaml", {"start.bit_depth=99.95", program});
+  return read_scene(in_source("config/scenes/quick.yaml"), {"start.bit_depth=99.95", program});
 }
 
 TEST(PlayFrame, GivesTheProgramsLinesBeforeTheFrame)
@@ -104,7 +100,7 @@ TEST(Run, EndsWithTheFirstFrameThatReachesTheDepth)
 
 TEST(Run, EndsWhereAFrameFailsAndTellsNothingOfIt)
 {
-  const Scene scene = scene_with("/test/scenes/unsolvable.yaml", {});
+  const Scene scene = read_scene(in_source("test/scenes/unsolvable.yaml"));
   Simulator simulator(scene);
   ProgramPlayer program(scene.program);
   double told = 0.0;

@@ -10,6 +10,7 @@
 #include "drill_rig_sim/solve/arkode_stepper.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
+#include "in_source.h"
 #include "sim_numbers.h"
 #include "plucked_rig.h"
 #include "test_scenes.h"
@@ -37,7 +38,7 @@ constexpr double kFrame = 0.01;
 
 Scene quick_scene(IntegratorKind integrator)
 {
-  Scene scene = read_scene(DRILL_RIG_SIM_SOURCE_DIR "/config/scenes/quick.yaml");
+  Scene scene = read_scene(in_source("config/scenes/quick.yaml"));
   scene.numerics.integrator = integrator;
   return scene;
 }

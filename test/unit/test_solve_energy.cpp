@@ -14,6 +14,7 @@
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "drill_ahead.h"
+#include "in_source.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
@@ -22,11 +23,6 @@ using Eigen::Vector3d;
 
 namespace
 {
-Scene scene_file(const std::string& name)
-{
-  return read_scene(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/" + name);
-}
-
 /// Runs a rig from `start` with all set points at rest, `ahead` [s] without a balance and then `span` with one; what the balance says.
 EnergyAccounts run(const RigAtRest& start, IntegratorKind method, double step, double ahead, double span)
 {
@@ -127,7 +123,7 @@ TEST(Energy, numericalDissipationFallsWithTheStepAsTheMethodsOrderSays)
 // friction times weight across the hole times way: 2 % for the crossing from the frictionless build and the bit.
 TEST(Energy, ofASlidingPipeGoesIntoFriction)
 {
-  Scene scene = scene_file("test/scenes/inclined_straight_20deg.yaml");
+  Scene scene = read_scene(in_source("test/scenes/inclined_straight_20deg.yaml"));
   Simulator simulator(scene);
   simulator.command(WinchSetpoint{-0.1, false});
   ProgramPlayer nothing({});
@@ -145,7 +141,7 @@ TEST(Energy, ofASlidingPipeGoesIntoFriction)
 // Steady drilling: thrust times ROP and torque times speed, from the truth of every frame.
 TEST(Energy, ofBrokenRockIsForceTimesSpeed)
 {
-  Simulator simulator(scene_file("config/scenes/quick.yaml"));
+  Simulator simulator(read_scene(in_source("config/scenes/quick.yaml")));
   ProgramPlayer player(simulator.scene().program);
   play(simulator, player, 60.0);
   simulator.balance_energy();

@@ -8,6 +8,7 @@
 #include "beam_ends.h"
 #include "beam_kinds.h"
 #include "beam_problems.h"
+#include "in_source.h"
 #include "drill_rig_sim/scene/read_scene.h"
 
 using namespace drill_rig_sim;
@@ -103,7 +104,7 @@ TEST(BeamKinds, theFirstIsTheDefault)
 
 TEST(BeamKinds, everyKindIsAWordOfTheSceneFile)
 {
-  const std::string quick = std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/config/scenes/quick.yaml";
+  const std::string quick = in_source("config/scenes/quick.yaml");
   for (const BeamKind& kind : beam_table()) EXPECT_EQ(read_scene(quick, {std::string("numerics.element=") + kind.name}).numerics.element, kind.kind) << kind.name;
 }
 

@@ -25,6 +25,7 @@
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/formation.h"
 #include "groups.h"
+#include "in_source.h"
 #include "piece_in_hole.h"
 #include "report.h"
 #include "test_scenes.h"
@@ -48,7 +49,7 @@ using Table = std::vector<std::vector<double>>;
 Table read_table(const std::string& file)
 {
   Table rows;
-  std::ifstream in(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/../shared/data/bent_motor_bha/" + file);
+  std::ifstream in(in_source("../shared/data/bent_motor_bha/" + file));
   std::string line, cell;
   while (std::getline(in, line))
   {

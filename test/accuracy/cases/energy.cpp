@@ -10,6 +10,7 @@
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "groups.h"
+#include "in_source.h"
 #include "report.h"
 
 namespace drill_rig_sim
@@ -58,15 +59,10 @@ EnergyAccounts balance_of(Scene scene, double duration, double step)
   return simulator.energy();
 }
 
-Scene scene_file(const std::string& name)
-{
-  return read_scene(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/" + name);
-}
-
 /// The main job from a centimetre above the bottom, at its feed: the bit touches lightly and leans on the wall while the weight grows.
 Scene tag_of_the_main_job()
 {
-  Scene scene = scene_file("config/scenes/bohai.yaml");
+  Scene scene = read_scene(in_source("config/scenes/bohai.yaml"));
   scene.name += "'s tag";
   scene.start.bit_depth = scene.well.hole_depth - 0.01;
   scene.program.erase(scene.program.begin() + 1);
@@ -97,7 +93,7 @@ void balance(Report& report, const Scene& scene, double duration)
 
 void balances(Report& report, const std::vector<EnergyCase>& cases)
 {
-  for (const EnergyCase& c : cases) balance(report, scene_file(c.file), c.duration);
+  for (const EnergyCase& c : cases) balance(report, read_scene(in_source(c.file)), c.duration);
 }
 }  // namespace
 

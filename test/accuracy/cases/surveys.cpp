@@ -8,6 +8,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/survey.h"
 #include "groups.h"
+#include "in_source.h"
 #include "report.h"
 
 namespace drill_rig_sim
@@ -24,7 +25,7 @@ struct ListedWell
 std::map<std::string, ListedWell> read_wells(const std::string& file, bool named)
 {
   std::map<std::string, ListedWell> wells;
-  std::ifstream in(std::string(DRILL_RIG_SIM_SOURCE_DIR) + "/../shared/data/" + file);
+  std::ifstream in(in_source("../shared/data/" + file));
   std::string line;
   std::getline(in, line);
   while (std::getline(in, line))
