@@ -8,8 +8,7 @@ namespace drill_rig_sim
 {
 double RateMeter::rate(double depth, double time) noexcept
 {
-  constexpr double rounding = 1e-9;  // of sums of steps [s]
-  if (held_ == 0 || time >= samples_[newest_].time + spacing - rounding)
+  if (held_ == 0 || time >= samples_[newest_].time + spacing - time_rounding)
   {
     newest_ = (newest_ + 1) % size;
     samples_[newest_] = {time, depth};

@@ -11,7 +11,6 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double kFlowing = 1e-4;  // [m3/s]
-constexpr double rounding = 1e-9;  // of sums of steps [s]
 
 double turned_to_circle(double azimuth) noexcept
 {
@@ -70,7 +69,7 @@ void Mwd::update(double time, double flow, const SensorView& view, MwdReading& s
   const bool flowing = flow > kFlowing;
   const bool pumps_on = flowing && !flowing_;
   flowing_ = flowing;
-  const bool by_period = survey_.period > 0.0 && flowing && time >= next_survey_ - rounding;
+  const bool by_period = survey_.period > 0.0 && flowing && time >= next_survey_ - time_rounding;
   if (by_period || (survey_.period <= 0.0 && pumps_on))
   {
     MwdReading r = measure(time, view);
@@ -78,7 +77,7 @@ void Mwd::update(double time, double flow, const SensorView& view, MwdReading& s
     surveys_.push(r);
     next_survey_ = time + survey_.period;
   }
-  if (flowing && time >= next_toolface_ - rounding)
+  if (flowing && time >= next_toolface_ - time_rounding)
   {
     const ToolfaceReference reference = toolface_reference(view.axis, magnetic_);
     magnetic_ = reference.magnetic;
@@ -91,8 +90,8 @@ void Mwd::update(double time, double flow, const SensorView& view, MwdReading& s
     toolfaces_.push(r);
     next_toolface_ = time + toolface_.period;
   }
-  surveys_.pop_before(time - survey_.latency + rounding, survey);
-  toolfaces_.pop_before(time - toolface_.latency + rounding, toolface);
+  surveys_.pop_before(time - survey_.latency + time_rounding, survey);
+  toolfaces_.pop_before(time - toolface_.latency + time_rounding, toolface);
 }
 
 }  // namespace drill_rig_sim

@@ -3,15 +3,13 @@
 #include <cmath>
 #include <utility>
 
+#include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-// the sums of many steps fall short of a line's time by rounding: 60 s is reached at 59.99999999
-constexpr double rounding = 1e-9;  // [s]
-
 bool is_set(double value) noexcept
 {
   return !std::isnan(value);
@@ -52,7 +50,7 @@ ProgramPlayer::ProgramPlayer(std::vector<ProgramStep> steps) : steps_(std::move(
 void ProgramPlayer::apply(Simulator& simulator) noexcept
 {
   const double now = simulator.truth().time;
-  for (; next_ < steps_.size() && steps_[next_].at <= now + rounding; ++next_) apply_step(steps_[next_], simulator);
+  for (; next_ < steps_.size() && steps_[next_].at <= now + time_rounding; ++next_) apply_step(steps_[next_], simulator);
 }
 
 }  // namespace drill_rig_sim

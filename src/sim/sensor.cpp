@@ -10,7 +10,6 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double most_samples = 6000.0;  // of a delay line: 60 s at the node's 100 Hz
-constexpr double rounding = 1e-9;        // of sums of steps [s]
 
 /// splitmix64 (Steele, Lea and Flood 2014)
 std::uint64_t next(std::uint64_t& state) noexcept
@@ -66,7 +65,7 @@ double Sensor::read(double truth, double time) noexcept
 
 void Sensor::remember(double truth, double time) noexcept
 {
-  if (held_ > 0 && time < line_[(next_ + line_.size() - 1) % line_.size()].time + spacing_ - rounding) return;
+  if (held_ > 0 && time < line_[(next_ + line_.size() - 1) % line_.size()].time + spacing_ - time_rounding) return;
   line_[next_] = {time, truth};
   next_ = (next_ + 1) % line_.size();
   held_ = std::min(held_ + 1, line_.size());
@@ -81,7 +80,7 @@ double Sensor::delayed(double truth, double time) const noexcept
   {
     const Sample& sample = line_[(next_ + line_.size() - back) % line_.size()];
     value = sample.value;
-    if (sample.time <= time - spec_.delay + rounding) break;
+    if (sample.time <= time - spec_.delay + time_rounding) break;
   }
   return value;
 }
