@@ -138,6 +138,8 @@ class Copy:
         self._learn_targets()
         used = {t for test in self._learn_tests() for program in test.programs for t in self._closure(program)}
         self.products = {t for t in used if self.targets[t][0][0].startswith('src/')}
+        if not self.products:
+            raise Broken('no test is linked from src/')
         # twice: only the second time make reads which file includes which
         if any(self.make('-j%d' % jobs, *sorted(used)) != 0 for _ in range(2)):
             raise Broken('the build failed; all it said is in ' + log)
@@ -153,8 +155,9 @@ class Copy:
             for entry in json.load(file):
                 words = shlex.split(entry['command'])
                 target = re.match(r'CMakeFiles/([^/]+)\.dir/', words[words.index('-o') + 1])
-                if target:
-                    parts.setdefault(target.group(1), []).append(os.path.relpath(entry['file'], self.tree))
+                source = os.path.relpath(entry['file'], self.tree)
+                if target and not source.startswith('build/'):  # precompiled headers
+                    parts.setdefault(target.group(1), []).append(source)
         for target, sources in parts.items():
             link = os.path.join(self.build, 'CMakeFiles/%s.dir/link.txt' % target)
             if os.path.isfile(link):
