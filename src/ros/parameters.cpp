@@ -58,6 +58,14 @@ public:
     refuse(name, raw, "one of " + allowed);
   }
 
+  void whole_number(const std::string& name, double& value, double most)
+  {
+    const std::string allowed = "a whole number >= 0";
+    number(name, value, 0.0, most, allowed);
+    XmlRpc::XmlRpcValue raw;
+    if (value != std::floor(value) && find(name, raw)) refuse(name, raw, allowed);
+  }
+
   void numbers(const std::string& name, std::array<double, 6>& values, const std::string& allowed)
   {
     XmlRpc::XmlRpcValue raw;
@@ -138,7 +146,7 @@ Parameters read_parameters(const ros::NodeHandle& node)
   read.number("command_timeout", p.command_timeout, 0.0, 1e9, "a number >= 0 [s], 0 = off");
   read.text("frame_prefix", p.frame_prefix);
   read.numbers("rig_pose", p.rig_pose, "a list of six finite numbers: x, y, z [m], roll, pitch, yaw [rad]");
-  read.number("seed", seed, 0.0, 9e15, "a whole number >= 0");
+  read.whole_number("seed", seed, 9e15);
   read.flag("play_program", p.play_program);
   read.choice("clock", p.clock, {"realtime", "lockstep", "free_run"});
   read.flag("publish_clock", p.publish_clock);

@@ -18,7 +18,7 @@ PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& para
       markers_(node, parameters, subscriptions, std::move(ask_for_picture)),
       trajectory_(node, parameters)
 {
-  if (publish_clock_) clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 10);
+  if (publish_clock_) clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", parameters.queue());
 }
 
 PublishingThread::~PublishingThread()

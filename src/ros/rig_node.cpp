@@ -41,6 +41,8 @@ void RigNode::say_what_runs()
   const SimulatorStatistics& rig = loop_.rig().simulator->statistics();
   ROS_INFO_STREAM("scene " << scene_.name << ", level " << rig.level << ", " << rig.nodes << " nodes, step " << rig.step << " s, rate "
                            << parameters_.rate << " Hz, namespace " << node_.getNamespace());
+  if (parameters_.publish_clock && !parameters_.use_sim_time)
+    ROS_WARN("stamps are simulated time from 0 on, and /use_sim_time is not set: other nodes go by wall time");
 }
 
 void RigNode::wait_for_shutdown()

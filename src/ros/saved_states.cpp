@@ -1,5 +1,7 @@
 #include "drill_rig_sim/ros/saved_states.h"
 
+#include <algorithm>
+#include <cctype>
 #include <stdexcept>
 #include <utility>
 
@@ -69,6 +71,8 @@ void SavedStates::keep(const std::string& name, Saved saved)
   if (name.empty() || name.size() > longest_name)
     throw std::runtime_error("name has " + std::to_string(name.size()) + " bytes; allowed is a text of 1 to " +
                              std::to_string(longest_name));
+  if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }))
+    throw std::runtime_error("name has control characters; allowed is one line of text");
   if (saved_.size() >= most_states && saved_.count(name) == 0)
     throw std::runtime_error("there are " + std::to_string(saved_.size()) + " states; allowed are " + std::to_string(most_states) +
                              ": delete_state frees one");

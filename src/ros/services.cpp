@@ -8,6 +8,7 @@
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/survey_request.h"
 #include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/scene/scene_hash.h"
 
 namespace drill_rig_sim
 {
@@ -20,8 +21,6 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-constexpr std::uint32_t most_frames = 100000;  // of one step
-
 void require_name_or_file(const std::string& name, const std::string& file)
 {
   if (!file.empty() && !name.empty()) throw Refusal("name and file are both given; allowed is one of them");
@@ -31,6 +30,11 @@ std::string one_line(std::string text)
 {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
+}
+
+void require_good(const RunningRig& rig)
+{
+  if (rig.failed) throw Refusal("the last frame failed: reset_well or restore_state first");
 }
 
 void require_obeyed(const CommandResult& result)
@@ -72,7 +76,7 @@ void Services::serve(ros::NodeHandle& node, const std::string& name, Action acti
     Lock lock(one_at_a_time_);
     try
     {
-      response.message = action(request, response, lock);
+      response.message = one_line(action(request, response, lock));
       response.success = true;
       if (!response.message.empty()) ROS_INFO_STREAM(name << ": " << response.message);
     }
@@ -109,11 +113,10 @@ std::string Services::reset_well(const ResetWell::Request& request)
                   "; allowed is 0 (as the scene says) to the hole's depth, " + std::to_string(scene.well.hole_depth) + " m");
   if (request.bit_depth > 0.0) next.start.bit_depth = request.bit_depth;
   rebuild(next);
-  // snapshots of the same rig stay good
-  if (!request.scene.empty() || next.start.bit_depth != running_.start.bit_depth) saved_.clear();
+  const std::string forgotten = forget_states_of_another(next);
   scene_ = scene;
   running_ = next;
-  return "at the start of " + scene.name + ", bit at " + std::to_string(next.start.bit_depth) + " m";
+  return "at the start of " + scene.name + ", bit at " + std::to_string(next.start.bit_depth) + " m" + forgotten;
 }
 
 std::string Services::load_survey(const LoadSurvey::Request& request)
@@ -121,10 +124,18 @@ std::string Services::load_survey(const LoadSurvey::Request& request)
   require_no_step();
   const Scene next = with_survey(scene_, request);
   rebuild(next);
-  saved_.clear();
+  const std::string forgotten = forget_states_of_another(next);
   scene_ = running_ = next;
   return "a well of " + std::to_string(next.well.survey.size()) + " stations, hole depth " +
-         std::to_string(next.well.hole_depth) + " m, bit at " + std::to_string(next.start.bit_depth) + " m";
+         std::to_string(next.well.hole_depth) + " m, bit at " + std::to_string(next.start.bit_depth) + " m" + forgotten;
+}
+
+std::string Services::forget_states_of_another(const Scene& next)
+{
+  if (saved_.count() == 0 || scene_hash(next) == scene_hash(running_)) return {};
+  const std::string said = "; " + std::to_string(saved_.count()) + " states saved of the rig before are forgotten";
+  saved_.clear();
+  return said;
 }
 
 void Services::require_pausable() const
@@ -164,7 +175,12 @@ std::string Services::resume()
 std::string Services::tare()
 {
   bool done = false;
-  loop_.between_frames([&](SimulationLoop& loop) { done = loop.rig().simulator->tare(); });
+  loop_.between_frames(
+      [&](SimulationLoop& loop)
+      {
+        require_good(loop.rig());
+        done = loop.rig().simulator->tare();
+      });
   if (!done) throw Refusal("the bit is on bottom; allowed is off bottom");
   return "weight on bit and differential pressure read zero here";
 }
@@ -233,6 +249,7 @@ std::string Services::inject_fault(const InjectFault::Request& request)
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
+        require_good(loop.rig());
         Simulator& simulator = *loop.rig().simulator;
         const double bit = simulator.truth().bit_depth;
         if (request.clear)
@@ -254,7 +271,7 @@ void Services::command_all(const StepSimulation::Request& request)
       [&](SimulationLoop& loop)
       {
         RunningRig& rig = loop.rig();
-        if (rig.failed) throw Refusal("the last frame failed: reset_well or restore_state first");
+        require_good(rig);
         const bool may_be_half_done = request.winch.size() + request.top_drive.size() + request.mud_pump.size() > 1;
         const auto before = may_be_half_done ? rig.simulator->save() : nullptr;
         const auto accepted = rig.accepted;
@@ -275,10 +292,12 @@ void Services::command_all(const StepSimulation::Request& request)
 
 std::string Services::step(const StepSimulation::Request& request, RigState& state, Lock& lock)
 {
+  const FrameRecord now = publishing_.last();  // what is refused changes nothing
+  state = to_rig_state(now.readings, now, parameters_.frame_prefix + "rig_floor");
   if (!loop_.time().in_lockstep()) throw Refusal("allowed in lockstep alone (~clock)");
   require_no_step();
-  if (request.frames > most_frames)
-    throw Refusal("frames is " + std::to_string(request.frames) + "; allowed is 0 to " + std::to_string(most_frames));
+  if (request.frames > most_frames_of_step)
+    throw Refusal("frames is " + std::to_string(request.frames) + "; allowed is 0 to " + std::to_string(most_frames_of_step));
   command_all(request);
   loop_.begin_step(request.frames);
   step_under_way_ = true;

@@ -9,8 +9,6 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr int queue = 10;
-
 std_msgs::Float64 number(double value)
 {
   std_msgs::Float64 m;
@@ -22,19 +20,19 @@ std_msgs::Float64 number(double value)
 StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions)
     : floor_(parameters.frame_prefix + "rig_floor"),
       subscriptions_(subscriptions),
-      hook_load_(node.advertise<std_msgs::Float64>("hook_load", queue)),
-      torque_(node.advertise<std_msgs::Float64>("torque", queue)),
-      rig_state_(node.advertise<RigState>("rig_state", queue)),
-      true_rig_state_(node.advertise<RigState>("truth/rig_state", queue)),
-      rig_limits_(node.advertise<RigLimits>("rig_limits", queue, true)),
-      joint_states_(node.advertise<sensor_msgs::JointState>("joint_states", queue)),
-      bit_pose_(node.advertise<geometry_msgs::PoseStamped>("bit/pose", queue)),
-      bit_twist_(node.advertise<geometry_msgs::TwistStamped>("bit/twist", queue)),
-      bit_wrench_(node.advertise<geometry_msgs::WrenchStamped>("bit/wrench", queue)),
-      mwd_(node.advertise<MwdSurvey>("downhole/mwd", queue)),
-      toolface_(node.advertise<MwdToolface>("downhole/toolface", queue)),
+      hook_load_(node.advertise<std_msgs::Float64>("hook_load", parameters.queue())),
+      torque_(node.advertise<std_msgs::Float64>("torque", parameters.queue())),
+      rig_state_(node.advertise<RigState>("rig_state", parameters.queue())),
+      true_rig_state_(node.advertise<RigState>("truth/rig_state", parameters.queue())),
+      rig_limits_(node.advertise<RigLimits>("rig_limits", parameters.queue(), true)),
+      joint_states_(node.advertise<sensor_msgs::JointState>("joint_states", parameters.queue())),
+      bit_pose_(node.advertise<geometry_msgs::PoseStamped>("bit/pose", parameters.queue())),
+      bit_twist_(node.advertise<geometry_msgs::TwistStamped>("bit/twist", parameters.queue())),
+      bit_wrench_(node.advertise<geometry_msgs::WrenchStamped>("bit/wrench", parameters.queue())),
+      mwd_(node.advertise<MwdSurvey>("downhole/mwd", parameters.queue())),
+      toolface_(node.advertise<MwdToolface>("downhole/toolface", parameters.queue())),
       drillstring_(node.advertise<DrillstringState>(
-          "drillstring_state", queue, [this](const ros::SingleSubscriberPublisher&) { subscriptions_.profile = true; },
+          "drillstring_state", parameters.queue(), [this](const ros::SingleSubscriberPublisher&) { subscriptions_.profile = true; },
           [this](const ros::SingleSubscriberPublisher&) { subscriptions_.profile = drillstring_.getNumSubscribers() > 0; }))
 {
 }

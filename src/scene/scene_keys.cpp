@@ -265,7 +265,7 @@ const Table<InstrumentsSpec> instruments_keys = {"instruments", "What the sensor
   {"surface",               "",       Nested{},                            none,                 "gauges of the rig"},
 }};
 
-const Table<MwdSpec> mwd_keys = {"instruments.mwd", "Survey tool in the string's `mwd` part.", {
+const Table<MwdSpec> mwd_keys = {"instruments.mwd", "Survey tool in the string's `mwd` part; at the bit's face where there is none.", {
   {"period",                "s",      &MwdSpec::period,                    between(0.0, 3600.0), "between surveys; 0: only after the pumps went off and on"},
   {"latency",               "s",      &MwdSpec::latency,                   between(0.0, 600.0),  "from measurement to surface"},
   {"inclination_resolution_deg", "deg", &MwdSpec::inclination_resolution,  between(0.0, 5.0),    "0: exact"},

@@ -52,23 +52,37 @@ bool is_number(const std::string& text, double& value)
 bool find_columns(const std::vector<std::string>& header, int line, std::array<std::size_t, 3>& place, Problems& problems)
 {
   std::string missing;
+  bool good = true;
   for (std::size_t i = 0; i < columns.size(); ++i)
   {
     const auto found = std::find(header.begin(), header.end(), columns[i]);
     place[i] = static_cast<std::size_t>(found - header.begin());
     if (found == header.end()) missing += (missing.empty() ? "" : ", ") + std::string(columns[i]);
+    if (std::count(header.begin(), header.end(), columns[i]) < 2) continue;
+    good = false;
+    problems.add_at(line, columns[i], "stands more than once in the header, allowed: once");
   }
   if (!missing.empty())
     problems.add_at(line, missing, "no such column in the header, needed: md_m, inclination_deg, azimuth_deg");
-  return missing.empty();
+  return good && missing.empty();
+}
+
+// A row longer than its header is one whose numbers have decimal commas; commas alone at its end do no harm.
+bool has_more_cells(const std::vector<std::string>& cells, std::size_t header)
+{
+  return cells.size() > header && std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(header), cells.end(),
+                                              [](const std::string& cell) { return !cell.empty(); });
 }
 
 // one station out of a line's cells; false (and problems noted) if a cell is missing or no number
-bool read_station(const std::vector<std::string>& cells, const std::array<std::size_t, 3>& place, int line,
+bool read_station(const std::vector<std::string>& cells, std::size_t header, const std::array<std::size_t, 3>& place, int line,
                   SurveyStation& station, Problems& problems)
 {
   std::array<double, 3> value{};
-  bool good = true;
+  bool good = !has_more_cells(cells, header);
+  if (!good)
+    problems.add_at(line, "", "has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(header) +
+                                  ", allowed: as many, with decimal points");
   for (std::size_t i = 0; i < columns.size(); ++i)
   {
     const std::string cell = place[i] < cells.size() ? cells[place[i]] : "";
@@ -87,30 +101,33 @@ std::vector<SurveyStation> read_survey_csv(const std::string& file)
   std::string whole;
   const std::string wrong = read_text_file(file, needed, whole);
   if (!wrong.empty()) problems.fail(0, "", wrong);
+  const std::string byte_order_mark = "\xef\xbb\xbf";
+  if (whole.compare(0, byte_order_mark.size(), byte_order_mark) == 0) whole.erase(0, byte_order_mark.size());
   std::istringstream in(whole);
   std::vector<SurveyStation> stations;
   std::vector<int> lines;
   std::array<std::size_t, 3> place{};
-  bool has_header = false;
+  std::size_t header = 0;  // its cells; 0 before it is read
   bool well_formed = true;
   std::string text;
   for (int line = 1; stations.size() <= most_stations && std::getline(in, text); ++line)
   {
     if (trimmed(text).empty() || trimmed(text)[0] == '#') continue;
-    if (!has_header)
+    const std::vector<std::string> cells = cells_of(text);
+    if (header == 0)
     {
-      has_header = true;
-      if (!find_columns(cells_of(text), line, place, problems)) break;
+      header = cells.size();
+      if (!find_columns(cells, line, place, problems)) break;
       continue;
     }
     SurveyStation station;
-    well_formed = read_station(cells_of(text), place, line, station, problems) && well_formed;
+    well_formed = read_station(cells, header, place, line, station, problems) && well_formed;
     stations.push_back(station);
     lines.push_back(line);
   }
-  if (!has_header && problems.empty())
+  if (header == 0 && problems.empty())
     problems.add_at(0, "", std::string("is empty, needed: ") + needed);
-  if (has_header && problems.empty() && well_formed)
+  if (header > 0 && problems.empty() && well_formed)
   {
     for (const SurveyProblem& p : survey_problems(stations))
     {

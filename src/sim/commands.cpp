@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drill_rig_sim
 {
@@ -81,8 +82,10 @@ CommandResult take(const RigSpec& rig, double, const PumpSetpoint& c, CommandSta
 
 void watch_commands(double timeout, double now, CommandState& state) noexcept
 {
-  if (timeout <= 0.0 || state.timed_out) return;
-  if (std::max(now - state.last_winch, now - state.last_drive) <= timeout) return;
+  constexpr double not_begun = std::numeric_limits<double>::infinity();
+  const bool silent = timeout > 0.0 && std::max(now - state.last_winch, now - state.last_drive) > timeout;
+  if (silent || timeout <= 0.0) state.last_winch = state.last_drive = not_begun;  // each counts anew from its next command
+  if (!silent) return;
   state.timed_out = true;
   state.setpoints.winch = WinchSetpoint();
   state.setpoints.top_drive = TopDriveSetpoint();

@@ -90,6 +90,7 @@ void Mwd::update(double time, double flow, const SensorView& view, MwdReading& s
     toolfaces_.push(r);
     next_toolface_ = time + toolface_.period;
   }
+  if (!flowing) return;  // no pulse reaches the surface; what waits comes when mud flows again
   surveys_.pop_before(time - survey_.latency + time_rounding, survey);
   toolfaces_.pop_before(time - toolface_.latency + time_rounding, toolface);
 }

@@ -5,6 +5,11 @@
 
 namespace drill_rig_sim
 {
+namespace
+{
+constexpr double growth = 1e-3;  // of the hole that is not nothing [m]
+}  // namespace
+
 FrameStatus play_frame(Simulator& simulator, ProgramPlayer* program, double duration) noexcept
 {
   if (program) program->apply(simulator);
@@ -23,10 +28,17 @@ RunEnd run(Simulator& simulator, ProgramPlayer& program, const RunGoal& goal, do
   const Truth& m = simulator.truth();
   // half a frame: the sums of many steps miss the end by rounding
   const double last_start = m.time + goal.duration - 0.5 * frame;
+  double grown_at = m.time, grown_to = m.hole_depth;
   while (m.hole_depth < goal.depth)
   {
     if (m.time >= last_start) return RunEnd::duration;
+    if (m.time - grown_at >= goal.patience) return RunEnd::standstill;
     if (play_frame(simulator, &program, frame) == FrameStatus::failed) return RunEnd::failure;
+    if (!program.finished() || m.hole_depth >= grown_to + growth)
+    {
+      grown_at = m.time;
+      grown_to = m.hole_depth;
+    }
     if (after_frame) after_frame(m);
   }
   return RunEnd::depth;

@@ -60,10 +60,22 @@ std::vector<unsigned char> whole_file(const std::string& file)
   if (!in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) refuse(file, "cannot be read");
   return bytes;
 }
+
+/// A slip of the name shall not cost anyone a file; an empty one is nobody's loss.
+void refuse_to_replace_another(const std::string& file)
+{
+  std::error_code error;
+  if (!std::filesystem::exists(file, error) || std::filesystem::is_empty(file, error)) return;
+  char start[sizeof mark] = {};
+  std::ifstream in(file, std::ios::binary);
+  const bool is_ours = std::filesystem::is_regular_file(file, error) && in.read(start, sizeof start) && std::memcmp(start, mark, sizeof mark) == 0;
+  if (!is_ours) refuse(file, "is there and is no snapshot; allowed is a new file or an earlier snapshot");
+}
 }  // namespace
 
 void write_snapshot(const std::string& file, std::uint64_t scene, const std::vector<unsigned char>& bytes)
 {
+  refuse_to_replace_another(file);
   Head head;
   head.scene = scene;
   head.size = bytes.size();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/hoisting.h"
@@ -124,6 +125,21 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, do
   fail(message.str());
 }
 
+/// What could not rest is no start: a slack line, or a bit that its rock does not hold.
+void check_loads_of_bit(const StartSpec& start, const Model& model, const Wellbore& well, double hook_load)
+{
+  std::ostringstream message;
+  const BitSpec& bit = model.bit();
+  const FormationLayer& rock = model.formation().at(-well.bottom_position().z());
+  const double most = bit_torque_limit(bit.torque, bit.diameter, start.weight_on_bit, 0.0, rock).value;
+  if (hook_load <= 0.0)
+    message << "weight_on_bit: " << start.weight_on_bit << " N is more than string and block weigh, allowed: less than "
+            << start.weight_on_bit + hook_load << " N";
+  else if (start.torque_on_bit > most)
+    message << "torque_on_bit: " << start.torque_on_bit << " N m is more than the rock holds at this weight, allowed: up to " << most << " N m";
+  if (!message.str().empty()) fail(message.str());
+}
+
 }  // namespace
 
 double bit_depth(const Model& model, const State& state)
@@ -187,6 +203,7 @@ RigAtRest build_at_rest(const Scene& scene)
 
   rig.state.memory.past.assign(MethodMemory::room, {std::vector<NodeRate>(rig.state.nodes.size()), 0.0});
   const double hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
+  if (on_bottom) check_loads_of_bit(start, *rig.model, rig.state.well, hook_load);
   rig.state.hoist.line_length = line_length_for(scene.rig.hoisting, start.block_height, hook_load);
   rig.state.drive.meter_twist = rig.statics.top_torque / scene.rig.top_drive.meter_stiffness;
   rig.state.bit.twist = on_bottom ? start.torque_on_bit / rig.model->bit_bristle_stiffness() : 0.0;

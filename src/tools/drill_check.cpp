@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -71,6 +72,8 @@ void check(const CheckOptions& options)
               m.block_height, m.hook_load / 1e3, m.hook_load_string / 1e3);
   std::printf("model       level %s, integrator %s, step %g s, %d nodes, %d coordinates\n", s.level, s.integrator, s.step,
               s.nodes, s.coordinates);
+  const bool has_tool = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& p) { return p.type == PartType::mwd; });
+  if (!has_tool) std::printf("survey tool no part is of type mwd: survey and toolface are measured at the bit's face\n");
   std::printf("program     %zu lines to %g s\n", scene.program.size(), scene.program.empty() ? 0.0 : scene.program.back().at);
 }
 }  // namespace

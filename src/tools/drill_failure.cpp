@@ -39,4 +39,12 @@ void report_failure(const Simulator& simulator, const std::string& summary, cons
                          " and " + csv);
 }
 
+void report_standstill(const Simulator& simulator, const RunGoal& goal)
+{
+  char text[160];
+  std::snprintf(text, sizeof text, ": the depth of --until-depth, %g m, is not reached: the hole is %.3f m deep and has not grown for %g s",
+                goal.depth, simulator.truth().hole_depth, goal.patience);
+  throw ComputationError(simulator.scene().file + text);
+}
+
 }  // namespace drill_rig_sim

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "drill_rig_sim/sim/run.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 namespace drill_rig_sim
@@ -11,6 +12,9 @@ namespace drill_rig_sim
 /// The state is `summary` in `json_name`, already written unless that is empty (then in drill_failed.json, here), and the forces
 /// along the string beside it, in <the name without .json>_string.csv.
 [[noreturn]] void report_failure(const Simulator& simulator, const std::string& summary, const std::string& json_name);
+
+/// The hole has stopped growing before the goal's depth: throws ComputationError with one line (where, how deep, since when).
+[[noreturn]] void report_standstill(const Simulator& simulator, const RunGoal& goal);
 
 }  // namespace drill_rig_sim
 

@@ -55,6 +55,7 @@ void run_scene(const RunOptions& options)
 {
   const Scene scene = read_scene(options.scene, settings_of(options));
   const RunGoal goal = goal_of(options, scene);
+  require_files_apart(options);
 
   // all files are opened ahead, so that a long run does not end on a misspelt folder
   TimeSeries series(options.csv, options.every.value_or(0.1), options.readings);
@@ -82,6 +83,7 @@ void run_scene(const RunOptions& options)
   print_summary(simulator, elapsed, record);
   if (end == RunEnd::duration && std::isfinite(goal.depth))
     std::printf("the depth of --until-depth was not reached within --duration\n");
+  if (end == RunEnd::standstill) report_standstill(simulator, goal);
 }
 }  // namespace
 

@@ -12,6 +12,7 @@ namespace
 {
 constexpr double longest_run = 30.0 * 86400.0;  // simulated [s]
 constexpr double after_program = 60.0;          // simulated [s] that a run goes on after the program's last line by default
+constexpr double patience = 600.0;              // simulated [s] that a run until a depth waits for new hole after the program
 constexpr double deepest = 20000.0;             // measured depth [m]
 constexpr double largest_seed = 9e15;           // a double holds every whole number up to it
 
@@ -46,7 +47,7 @@ void add_scene_options(CLI::App& command, RunOptions& options)
 void add_output_options(CLI::App& command, RunOptions& options)
 {
   add_text(command, "--csv", options.csv, "FILE", "writes time series");
-  add_number(command, "--every", options.every, 1e-4, 1e6, "S", "between rows of the time series, default 0.1");
+  add_number(command, "--every", options.every, 1e-4, 1e6, "S", "between rows of the time series, whole frames, default 0.1");
   add_text(command, "--json", options.json, "FILE", "writes a summary");
   command.add_flag("--readings", options.readings, "adds what the instruments show to time series and summary")->disable_flag_override();
   command.add_flag("--energy", options.energy, "keeps an energy balance; the summary shows it [J]")->disable_flag_override();
@@ -61,7 +62,7 @@ void add_options(CLI::App& command, RunOptions& options)
   add_file(command, "SCENE", options.scene, "the scene's file");
   add_number(command, "--duration", options.duration, 1e-3, longest_run, "S",
              "simulated seconds; default: until depth, or 60 s after the program's last line");
-  add_number(command, "--until-depth", options.until_depth, 0.0, deepest, "MD", "stop when the hole is this deep [m]");
+  add_number(command, "--until-depth", options.until_depth, 0.0, deepest, "MD", "stop when the hole is this deep [m], or has not grown for 600 s after the program");
   add_scene_options(command, options);
   add_output_options(command, options);
 }
@@ -80,6 +81,20 @@ std::vector<std::string> settings_of(const RunOptions& options)
   return settings;
 }
 
+void require_files_apart(const RunOptions& options)
+{
+  const std::pair<const char*, const std::string&> files[] = {
+    {"--csv", options.csv}, {"--json", options.json}, {"--path", options.path}, {"--raw-path", options.raw_path}};
+  for (const auto& one : files)
+  {
+    for (const auto& other : files)
+    {
+      if (&other < &one && !one.second.empty() && one.second == other.second && one.second != "/dev/null")
+        throw UsageError(std::string(one.first) + ": " + one.second + " is the file of " + other.first + ", needed: a file of its own");
+    }
+  }
+}
+
 RunGoal goal_of(const RunOptions& options, const Scene& scene)
 {
   const double program_end = scene.program.empty() ? 0.0 : scene.program.back().at;
@@ -87,6 +102,7 @@ RunGoal goal_of(const RunOptions& options, const Scene& scene)
   goal.duration = options.duration.value_or(options.until_depth ? longest_run : program_end + after_program);
   if (!options.until_depth) return goal;
   goal.depth = *options.until_depth;
+  goal.patience = patience;
   if (goal.depth < scene.well.hole_depth)
   {
     char problem[128];

@@ -37,6 +37,9 @@ void add_options(CLI::App& command, RunOptions& options);
 /// Settings of the scene as read_scene() takes them: those of --set, then the options that are keys under another name.
 std::vector<std::string> settings_of(const RunOptions& options);
 
+/// Throws UsageError with one line if two of the files to be written are one.
+void require_files_apart(const RunOptions& options);
+
 /// Where the run ends. Throws UsageError with one line if the scene's hole is deeper than --until-depth already.
 RunGoal goal_of(const RunOptions& options, const Scene& scene);
 

@@ -29,6 +29,7 @@ Json json_of(const Averages& a)
 
 Json json_of(const Readings& r)
 {
+  const auto once_heard = [](std::uint64_t sequence, double value) { return sequence > 0 ? Json(value) : Json(); };
   return {{"hook_load", r.hook_load},
           {"dead_line_hook_load", r.dead_line_hook_load},
           {"hook_load_string", r.hook_load_string},
@@ -41,10 +42,10 @@ Json json_of(const Readings& r)
           {"hole_depth", r.hole_depth},
           {"rop", r.rop},
           {"surface_wob", r.surface_wob},
-          {"mwd_md", r.mwd.md},
-          {"mwd_inclination_deg", r.mwd.inclination / degree},
-          {"mwd_azimuth_deg", r.mwd.azimuth / degree},
-          {"toolface_deg", r.toolface.toolface / degree}};
+          {"mwd_md", once_heard(r.mwd.sequence, r.mwd.md)},
+          {"mwd_inclination_deg", once_heard(r.mwd.sequence, r.mwd.inclination / degree)},
+          {"mwd_azimuth_deg", once_heard(r.mwd.sequence, r.mwd.azimuth / degree)},
+          {"toolface_deg", once_heard(r.toolface.sequence, r.toolface.toolface / degree)}};
 }
 
 Json shares_of(const Profiler& costs)

@@ -73,6 +73,10 @@ class Failure(unittest.TestCase):
         for answer in (self.rig.step(frames=1), self.rig.save_state("after", "")):
             self.assertFalse(answer.success)
             self.assertIn("failed", answer.message)
+        for refused in (self.rig.step(frames=1), self.rig.step(frames=10**6)):
+            self.assertEqual(RigState.FAILED, refused.state.run_state)
+            self.assertTrue(refused.state.header.stamp > first.header.stamp, "the last good frame's")
+        self.assertIn("failed", self.rig.tare().message)
         failed = self.rig.list_states()
         self.assertEqual(["before"], failed.names)
         self.rig.must(self.rig.restore_state("before", ""))

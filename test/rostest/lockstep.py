@@ -47,6 +47,15 @@ class Lockstep(unittest.TestCase):
         time.sleep(0.5)
         self.assertEqual(numbers(after), numbers(self.rig.advance(0)))  # nothing moves by itself
 
+    def test_no_frame_of_a_long_step_is_missed(self):
+        states = self.rig.collect("rig_state", RigState)
+        self.addCleanup(states.subscriber.unregister)
+        before = self.rig.advance(0).header.stamp
+        after = self.rig.advance(3000).header.stamp
+        states.wait_until(lambda m: m and m[-1].header.stamp >= after)
+        heard = [m.header.stamp.to_nsec() for m in states.after(before, 3000)]
+        self.assertEqual([before.to_nsec() + 10000000 * i for i in range(1, 3001)], heard)
+
     def test_no_frames_change_nothing(self):
         before = self.rig.advance(0)
         self.assertEqual(before, self.rig.advance(0))

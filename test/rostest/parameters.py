@@ -54,6 +54,7 @@ class Parameters(unittest.TestCase):
         self.refused("rate:=fast", "fast", "number")
         self.refused("rate:=.nan")
         self.refused("seed:=many", "many", "whole number")
+        self.refused("seed:=1.5", "1.5", "whole number")
         self.refused("rig_pose:=[1,2]", "six")
 
     def test_unknown_words(self):

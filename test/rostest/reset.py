@@ -49,6 +49,16 @@ class Reset(unittest.TestCase):
         self.assertTrue(self.rig.reset_well("", 0.0).success)  # the present one now
         self.assertAlmostEqual(730.0, self.rig.advance(0).hole_depth, places=6)
 
+    def test_states_of_another_rig_are_forgotten_and_that_is_said(self):
+        for name in ("one", "two"):
+            self.rig.must(self.rig.save_state(name, ""))
+        for scene in ("", "quick.yaml"):
+            self.assertNotIn("forgotten", self.rig.reset_well(scene, 0.0).message)
+            self.assertEqual(["one", "two"], self.rig.list_states().names)
+        self.assertIn("; 2 states saved of the rig before are forgotten", self.rig.reset_well("", 80.0).message)
+        self.assertEqual([], self.rig.list_states().names)
+        self.assertNotIn("forgotten", self.rig.reset_well("", 0.0).message)
+
     def test_a_refusal_changes_nothing(self):
         self.rig.advance(20, winch=winch(0.1))
         for scene, depth in (("", -1.0), ("", math.nan), ("", 100.5), ("no_such_scene.yaml", 0.0), ("package://nowhere/a.yaml", 0.0),

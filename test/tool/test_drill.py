@@ -79,6 +79,7 @@ class Usage(Drill):
         self.assertIn('setting: numerics.step: 7 is out of range', self.refuse('run', QUICK, '--step', '7'))
         self.assertIn('setting: mud.densty: unknown key', self.refuse('run', QUICK, '--set', 'mud.densty=1'))
         self.assertIn('cannot be written', self.refuse('run', QUICK, '--csv', self.file('no/such/folder.csv')))
+        self.assertIn('is the file of --csv', self.refuse('run', QUICK, '--csv', self.file('x'), '--json', self.file('x')))
         self.assertIn('--motion', self.refuse('static', QUICK, '--motion', 'sideways'))
 
 
@@ -236,6 +237,22 @@ class Run(Drill):
             depth = json.load(text)['final']['hole_depth']
         self.assertGreaterEqual(depth, 100.1)
         self.assertLess(depth, 100.101)
+
+    def test_a_depth_that_is_never_reached_is_told(self):
+        """The brake is set and the bit off bottom: nothing drills."""
+        result = drill('run', QUICK, '--set', 'program=[]', '--until-depth', '101', '--json', self.file('q.json'))
+        self.assertEqual(result.returncode, 3)
+        self.assertIn('101 m, is not reached: the hole is 100.000 m deep and has not grown for 600 s', result.stderr)
+        with open(self.file('q.json')) as text:
+            self.assertAlmostEqual(json.load(text)['simulated_s'], 600.0, delta=0.02)
+
+    def test_what_no_instrument_has_shown_yet_is_null(self):
+        self.succeed('run', QUICK, '--duration', '0.1', '--readings', '--json', self.file('q.json'))
+        with open(self.file('q.json')) as text:
+            readings = json.load(text)['final_readings']
+        for name in ('mwd_md', 'mwd_inclination_deg', 'mwd_azimuth_deg', 'toolface_deg'):
+            self.assertIsNone(readings[name], name)
+        self.assertIsNotNone(readings['hook_load'])
 
     def test_the_summary_has_its_keys_in_order_and_its_numbers_in_full(self):
         self.succeed('run', QUICK, '--duration', '0.1', '--every', '0.1', '--csv', self.file('q.csv'), '--json', self.file('q.json'))

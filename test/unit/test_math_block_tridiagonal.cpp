@@ -67,6 +67,22 @@ TEST(BlockTridiagonal, agreesWithDenseLuOnNonsymmetricMatrices)
   }
 }
 
+TEST(BlockTridiagonal, multipliesAsTheDenseMatrixDoes)
+{
+  std::mt19937 random(3);
+  for (int n : {1, 2, 3, 10})
+  {
+    BlockTridiagonal a;
+    a.resize(n);
+    MatrixXd dense;
+    fill(a, dense, random, 0.0);
+    const VectorXd x = random_vector(6 * n, random);
+    VectorXd y(6 * n);
+    a.multiply(x.data(), y.data());
+    EXPECT_LT((y - dense * x).norm(), 1e-14 * (6 * n)) << n << " block rows";
+  }
+}
+
 // Without dominance pivots may be small; the residual must still be, within the growth that comes with the block order.
 TEST(BlockTridiagonal, leavesASmallResidualWithoutDominance)
 {

@@ -279,6 +279,7 @@ TEST(Loop, silenceCountsFromTheFirstCommandAndNotInAProgram)
   p.command_timeout = 0.045;
   Scene scene = with_program();
   scene.program[0].block_velocity = 0.1;
+  scene.program[0].top_drive_speed = 1.0;
   RunningLoop rig(p, scene);
   rig.start();
   EXPECT_FALSE(rig.step(30).back().frame.truth.commands_timed_out) << "a program speaks once per line";

@@ -108,6 +108,7 @@ TEST(SavedStates, namesHaveOneToTwoHundredBytes)
   EXPECT_NE("", refusal([&] { states.keep("", saved_at(1)); }));
   EXPECT_EQ("", refusal([&] { states.keep(std::string(200, 'x'), saved_at(1)); }));
   EXPECT_EQ("name has 201 bytes; allowed is a text of 1 to 200", refusal([&] { states.keep(std::string(201, 'x'), saved_at(1)); }));
+  EXPECT_EQ("name has control characters; allowed is one line of text", refusal([&] { states.keep("two\nlines", saved_at(1)); }));
   EXPECT_EQ(1u, listed(states).names.size());
 }
 

@@ -178,6 +178,41 @@ TEST(SurveyCsv, ColumnsMayStandInAnyOrderBesideOthers)
   EXPECT_DOUBLE_EQ(survey[1].azimuth, 91.0 * degree);
 }
 
+std::string survey_refusal(const std::string& text)
+{
+  const std::string file = testing::TempDir() + "/drill_rig_sim_survey_wrong.csv";
+  std::ofstream(file) << text;
+  try
+  {
+    read_survey_csv(file);
+  }
+  catch (const SceneError& error)
+  {
+    return std::string(error.what()).substr(file.size());
+  }
+  return "";
+}
+
+// 30,0,1,5,297,0 is 30.0, 1.5, 297.0 where the decimal mark is a comma: not 30, 0 and 1.
+TEST(SurveyCsv, ARowLongerThanItsHeaderIsRefused)
+{
+  const std::string header = "md_m,inclination_deg,azimuth_deg\n";
+  EXPECT_EQ(":3: has 6 cells, the header 3, allowed: as many, with decimal points", survey_refusal(header + "0,0,0\n30,0,1,5,297,0\n"));
+  EXPECT_NE("", survey_refusal(header + "0,0,0,0\n30,1,297,0\n")) << "a nought is a number, too";
+  EXPECT_EQ("", survey_refusal(header + "0,0,0,,\n30,1,297,\n")) << "as spreadsheets fill up";
+}
+
+TEST(SurveyCsv, AColumnStandsOnce)
+{
+  EXPECT_EQ(":1: md_m: stands more than once in the header, allowed: once",
+            survey_refusal("md_m,inclination_deg,azimuth_deg,md_m\n0,0,0,0\n30,1,297,31\n"));
+}
+
+TEST(SurveyCsv, MayBeginWithAByteOrderMark)
+{
+  EXPECT_EQ("", survey_refusal("\xef\xbb\xbfmd_m,inclination_deg,azimuth_deg\r\n0,0,0\r\n30,1,297\r\n"));
+}
+
 TEST(SurveyProblems, NameTheStation)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -260,7 +260,30 @@ TEST(Commands, aStreamThatNeverBeganIsNotMissed)
   EXPECT_FALSE(rig.truth().commands_timed_out);
   EXPECT_FALSE(rig.truth().brake_set);
   rig.set_command_timeout(0.1);
-  rig.frame(0.01);
+  for (int k = 0; k < 50; ++k) rig.frame(0.01);
+  EXPECT_FALSE(rig.truth().commands_timed_out) << "what was sent before anyone watched is no stream";
+  rig.command(WinchSetpoint{-0.01, false});
+  for (int k = 0; k < 12; ++k) rig.frame(0.01);
+  EXPECT_TRUE(rig.truth().commands_timed_out);
+}
+
+// After a silence either stream alone is obeyed again: the other has not begun anew.
+TEST(Commands, theNextCommandIsObeyedAfterASilence)
+{
+  Simulator rig(drilling_scene(5.0));
+  rig.set_command_timeout(0.1);
+  drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
+  for (int k = 0; k < 20; ++k) rig.frame(0.01);
+  ASSERT_TRUE(rig.truth().commands_timed_out);
+  for (int k = 0; k < 20; ++k)
+  {
+    rig.command(WinchSetpoint{-0.01, false});
+    rig.frame(0.01);
+    EXPECT_FALSE(rig.truth().commands_timed_out) << k;
+    EXPECT_FALSE(rig.truth().brake_set) << k;
+    EXPECT_EQ(TopDriveMode::torque, rig.truth().setpoints.top_drive.mode) << "still coasting";
+  }
+  for (int k = 0; k < 12; ++k) rig.frame(0.01);
   EXPECT_TRUE(rig.truth().commands_timed_out);
 }
 

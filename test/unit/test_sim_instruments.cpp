@@ -130,6 +130,26 @@ TEST(Mwd, isSilentWithoutFlow)
   EXPECT_EQ(toolface.sequence, 0u);
 }
 
+// Pulses in the mud: what was measured before the pumps stopped comes when they run again.
+TEST(Mwd, whatIsOnItsWayWaitsForFlow)
+{
+  MwdSpec spec;
+  spec.period = 10.0;
+  spec.latency = 4.0;
+  ToolfaceSpec fast;
+  fast.period = 10.0;
+  fast.latency = 4.0;
+  Mwd mwd(spec, fast);
+  MwdReading survey;
+  ToolfaceReading toolface;
+  for (double t = 0.0; t < 30.0; t += 0.5)
+  {
+    mwd.update(t, t < 2.0 || t >= 20.0 ? 0.03 : 0.0, SensorView(), survey, toolface);
+    EXPECT_EQ(t < 20.0 ? 0u : t < 24.0 ? 1u : 2u, survey.sequence) << t;
+    EXPECT_EQ(survey.sequence, toolface.sequence) << t;
+  }
+}
+
 // Period 0: one survey each time the pumps come on.
 TEST(Mwd, surveysAfterAPumpCycle)
 {

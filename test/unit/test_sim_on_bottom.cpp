@@ -144,6 +144,34 @@ TEST(OnBottom, bitThatDoesNotTurnDrillsNothing)
   EXPECT_EQ(rig.truth().hole_depth, hole);
 }
 
+// A start that could not rest is refused: the bit resists by mu F D/3, and string and block together must hang on the line.
+TEST(OnBottom, aStartHoldsOnlyWhatRockAndLineHold)
+{
+  Scene scene = frictionless({1.3e-7, 1.0, 0.0, 0.0});
+  scene.start.bit_depth = scene.well.hole_depth;
+  scene.start.weight_on_bit = 20e3;
+  const double most = 0.4 * 20e3 * scene.string[0].bit->diameter / 3.0;
+  const auto refusal = [&]
+  {
+    try
+    {
+      Simulator rig(scene);
+      return std::string();
+    }
+    catch (const std::runtime_error& error)
+    {
+      return std::string(error.what());
+    }
+  };
+  scene.start.torque_on_bit = 0.999 * most;
+  EXPECT_EQ("", refusal());
+  scene.start.torque_on_bit = 1.001 * most;
+  EXPECT_EQ(0u, refusal().find("start: torque_on_bit: ")) << refusal();
+  scene.start.torque_on_bit = 0.0;
+  scene.start.weight_on_bit = 2e6;
+  EXPECT_EQ(0u, refusal().find("start: weight_on_bit: ")) << refusal();
+}
+
 /// Direction of the hole after half a metre drilled on from a straight one at 20 deg, behind the bit a string of slick collars: turn of
 /// inclination and azimuth since [rad].
 std::pair<double, double> drift(double side_cutting, double friction)

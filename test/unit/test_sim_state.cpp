@@ -50,6 +50,8 @@ void change(SimulatorState& state, std::size_t k)
   visit_numbers(state, changer);
 }
 
+constexpr double timeout = 10.0;  // of commands [s]
+
 /// A rig that drills with slow instruments, so that queues and delay lines hold something.
 Simulator drilling_rig()
 {
@@ -58,6 +60,7 @@ Simulator drilling_rig()
   scene.instruments.mwd.period = 1.0;
   scene.instruments.mwd.latency = 3.0;
   Simulator rig(scene, 7);
+  rig.set_command_timeout(timeout);  // the streams have begun
   drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
   for (int k = 0; k < 300; ++k) rig.frame(0.01);
   return rig;
@@ -140,6 +143,7 @@ TEST(SnapshotFile, goesOnBitByBit)
   const std::vector<unsigned char> end = to_bytes(*rig.save());
 
   Simulator other(rig.scene(), 99);
+  other.set_command_timeout(timeout);
   SimulatorState read = *other.save();
   ASSERT_TRUE(from_bytes(read_snapshot(file, read.scene), read));
   ASSERT_TRUE(other.restore(read));
@@ -185,6 +189,12 @@ TEST(SnapshotFile, anythingElseIsRefused)
   EXPECT_NE(refused(5).find("damaged"), std::string::npos);
   std::ofstream(file, std::ios::binary) << "short";
   EXPECT_NE(refused(5).find("no snapshot"), std::string::npos);
+  EXPECT_THROW(write_snapshot(file, 5, value), std::runtime_error) << "somebody else's";
+  EXPECT_NE(refused(5).find("no snapshot"), std::string::npos) << "and still there";
+  std::ofstream(file, std::ios::binary | std::ios::trunc);
+  write_snapshot(file, 5, value);
+  write_snapshot(file, 6, value);
+  EXPECT_EQ(read_snapshot(file, 6), value) << "in place of an empty one and of an earlier one";
   std::remove(file.c_str());
   EXPECT_NE(refused(5).find("no regular file"), std::string::npos);
   EXPECT_THROW(write_snapshot("/nowhere/at/all", 5, value), std::runtime_error);

@@ -30,6 +30,8 @@ enum class ColorQuantity
   bending_moment
 };
 
+constexpr std::uint32_t most_frames_of_step = 100000;  ///< of one call of the service step
+
 /// The node's private parameters.
 struct Parameters
 {
@@ -57,6 +59,8 @@ struct Parameters
     if (publish_clock) return TimeSource::own;
     return use_sim_time ? TimeSource::other_rig : TimeSource::wall;
   }
+  /// Of a topic's messages: in lockstep none of a step is lost to a slow subscriber [messages].
+  std::uint32_t queue() const noexcept { return clock == ClockMode::lockstep ? most_frames_of_step : 10; }
   std::int64_t frame_period() const noexcept { return std::llround(1e9 / rate); }  ///< simulated [ns]
 };
 

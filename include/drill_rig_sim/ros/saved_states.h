@@ -37,13 +37,14 @@ public:
   static constexpr std::size_t most_states = 1000;                    ///< each reserves room for a whole well beside its values
   static constexpr std::size_t longest_name = 200;                    ///< [B]
 
-  /// Keeps it in place of an earlier one of this name. Refuses an empty or long name, one more than most_states, and where the memory does not suffice.
+  /// Keeps it in place of an earlier one of this name. Refuses an empty or long name and one with control characters, one more than most_states, and where the memory does not suffice.
   void keep(const std::string& name, Saved saved);
   /// Refuses a name that is not there. Valid until the next change.
   const Saved& find(const std::string& name) const;
   /// Refuses a name that is not there.
   void remove(const std::string& name);
   void clear() noexcept { saved_.clear(); }
+  std::size_t count() const noexcept { return saved_.size(); }
   void list(ListStates::Response& response) const;
 
 private:

@@ -56,6 +56,8 @@ private:
   std::string step(const StepSimulation::Request& request, RigState& state, Lock& lock);
 
   void rebuild(const Scene& scene);
+  /// Where `next` is another rig than the running one; what the answer says of it.
+  std::string forget_states_of_another(const Scene& next);
   void require_pausable() const;
   void require_no_step() const;
   void command_all(const StepSimulation::Request& request);

@@ -54,7 +54,7 @@ CommandResult take(const RigSpec& rig, double now, const TopDriveSetpoint& comma
 CommandResult take(const RigSpec& rig, double now, const PumpSetpoint& command, CommandState& state) noexcept;
 
 /// Sets the brake and coasts the drive when the winch's or the drive's commands have been silent for longer than `timeout` [s]; 0: never.
-/// The next command arms it again.
+/// A stream is watched from its first command on: its first since the start, since `timeout` was 0, or since the last silence.
 void watch_commands(double timeout, double now, CommandState& state) noexcept;
 
 }  // namespace drill_rig_sim

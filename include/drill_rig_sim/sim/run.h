@@ -14,6 +14,8 @@ struct RunGoal
 {
   double duration = 0.0;                                   ///< simulated time that the run takes [s]
   double depth = std::numeric_limits<double>::infinity();  ///< measured depth of the hole [m]; infinite where only time counts
+  /// Simulated time that the run waits for a millimetre of new hole once the program is over [s]
+  double patience = std::numeric_limits<double>::infinity();
 };
 
 /// What ended a run.
@@ -21,6 +23,7 @@ enum class RunEnd
 {
   duration,  ///< its time is over
   depth,     ///< the hole is as deep as the goal says
+  standstill,  ///< the program is over and the hole has not grown for as long as the goal's patience
   failure    ///< a frame failed; Simulator::failure() says why
 };
 
