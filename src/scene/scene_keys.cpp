@@ -269,7 +269,7 @@ const Table<MwdSpec> mwd_keys = {"instruments.mwd", "Survey tool in the string's
   {"period",                "s",      &MwdSpec::period,                    between(0.0, 3600.0), "between surveys; 0: only after the pumps went off and on"},
   {"latency",               "s",      &MwdSpec::latency,                   between(0.0, 600.0),  "from measurement to surface"},
   {"inclination_resolution_deg", "deg", &MwdSpec::inclination_resolution,  between(0.0, 5.0),    "0: exact"},
-  {"noise_deg",             "deg",    &MwdSpec::noise,                     between(0.0, 5.0),    "standard deviation of inclination and azimuth"},
+  {"noise_deg",             "deg",    &MwdSpec::noise,                     between(0.0, 5.0),    "standard deviation of inclination, azimuth and toolface"},
   {"scribe_offset_deg",     "deg",    &MwdSpec::scribe_offset,             turn,                 "added to the sensor's toolface to name the bend's"},
 }};
 
