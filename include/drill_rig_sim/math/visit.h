@@ -85,10 +85,10 @@ void visit_numbers(T& value, Leaf& leaf)
 template <class T>
 std::vector<unsigned char> to_bytes(const T& value);
 
-/// Reads what to_bytes() of the same struct wrote. False: the bytes end early or late, or hold a vector of more than `longest` entries;
-/// `value` is then half read, to be thrown away.
+/// Reads what to_bytes() of the same struct wrote. False: the bytes end early or late, or hold a vector of more entries than there are
+/// bytes left; `value` is then half read, to be thrown away.
 template <class T>
-bool from_bytes(const std::vector<unsigned char>& bytes, T& value, std::size_t longest = 1u << 24);
+bool from_bytes(const std::vector<unsigned char>& bytes, T& value);
 
 namespace detail
 {
@@ -111,7 +111,6 @@ struct ByteWriter
 struct ByteReader
 {
   const std::vector<unsigned char>& in;
-  std::size_t longest;
   std::size_t at = 0;
   bool good = true;
   template <class N>
@@ -132,7 +131,7 @@ struct ByteReader
   {
     std::uint64_t read = 0;
     (*this)(path, read);
-    good = good && read <= longest;
+    good = good && read <= in.size() - at;
     count = good ? static_cast<std::size_t>(read) : 0;
   }
 };
@@ -148,9 +147,9 @@ std::vector<unsigned char> to_bytes(const T& value)
 }
 
 template <class T>
-bool from_bytes(const std::vector<unsigned char>& bytes, T& value, std::size_t longest)
+bool from_bytes(const std::vector<unsigned char>& bytes, T& value)
 {
-  detail::ByteReader reader{bytes, longest};
+  detail::ByteReader reader{bytes};
   visit_numbers(value, reader);
   return reader.good && reader.at == bytes.size();
 }
