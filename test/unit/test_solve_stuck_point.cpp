@@ -167,6 +167,31 @@ TEST(StuckPoint, makesTheReferenceStartAfresh)
   EXPECT_EQ(starts_of_a_frame(), 1u) << "set points";
 }
 
+// Where the pipe is when it sticks is where it is held, however far it has turned and come up by then.
+TEST(StuckPoint, holdsThePipeAsItIs)
+{
+  Simulator rig(hanging());
+  TopDriveSetpoint drive;
+  drive.speed = 1.0;
+  rig.command(drive);
+  rig.command(WinchSetpoint{0.1, false});
+  for (int k = 0; k < 500; ++k) ASSERT_EQ(rig.frame(0.01), FrameStatus::running) << rig.failure();
+  drive.speed = 0.0;
+  rig.command(drive);
+  rig.command(WinchSetpoint{0.0, true});
+  for (int k = 0; k < 3000; ++k) ASSERT_EQ(rig.frame(0.01), FrameStatus::running) << rig.failure();
+  const auto before = rig.save();
+  ASSERT_NEAR(before->mechanics.nodes[stuck].spin_angle, 5.0, 0.5);
+  const double md = before->truth.bit_depth - build_at_rest(rig.scene()).model->mesh().nodes[stuck].from_bit;
+  ASSERT_TRUE(rig.stick_pipe(md));
+  ASSERT_EQ(rig.save()->mechanics.stuck_point.node, stuck);
+  for (int k = 0; k < 100; ++k) ASSERT_EQ(rig.frame(0.01), FrameStatus::running) << rig.failure();
+  const Hold hold = hold_of(*rig.save(), *before);
+  EXPECT_LT(std::abs(hold.torque), 1.0);
+  EXPECT_LT(std::abs(hold.turn), 1e-3);
+  EXPECT_LT(std::abs(hold.lift), 1e-3);
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);
