@@ -1,0 +1,110 @@
+// What a rig holds at an instant, each store by its formula with a number of its own: a balance over a long run would not miss a small one.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/energy.h"
+#include "drill_rig_sim/model/forces/stuck_point.h"
+#include "drill_rig_sim/solve/methods/method.h"
+#include "lone_bit.h"
+
+using namespace drill_rig_sim;
+using Eigen::Vector3d;
+
+namespace
+{
+constexpr double friction = 0.3;  // of the wall [-]
+
+StoredEnergy stored(const RigAtRest& rig)
+{
+  Stage stage(*rig.model);
+  begin_step(*rig.model, rig.state, 0.0, Setpoints(), stage);
+  prepare_start(rig.state, stage);
+  stage.drive.rate_0 = rig.state.drive.speed;
+  const std::vector<double> u(6 * static_cast<std::size_t>(rig.model->nodes()), 0.0);
+  Workspace work(*rig.model);
+  return stored_energy(*rig.model, rig.state, stage, u.data(), work);
+}
+
+RigAtRest rig_at_rest()
+{
+  Scene scene = lone_bit_scene();
+  scene.well.sections[0].friction = friction;
+  return build_at_rest(scene);
+}
+
+/// The bit's node pressed by so much into the wall on the east side [m].
+void press(RigAtRest& rig, double depth)
+{
+  rig.state.nodes[0].position.x() = 0.5 * 0.2159 - rig.model->mesh().nodes[0].contact_radius + depth;
+}
+}  // namespace
+
+// Mud goes along sideways, not along the hole; spin and tilt have each their inertia.
+TEST(Stored, kineticEnergyOfEachMotion)
+{
+  RigAtRest rig = rig_at_rest();
+  const StoredEnergy none = stored(rig);
+  EXPECT_EQ(0.0, none.kinetic_all());
+  const MeshNode& bit = rig.model->mesh().nodes[0];
+  ASSERT_GT(bit.added_mass, 0.0);
+  NodeRate& rate = rig.state.nodes[0].rate;
+  rate.velocity = Vector3d(0.3, 0.4, 0.0);
+  EXPECT_NEAR(0.5 * (bit.mass + bit.added_mass) * 0.25, stored(rig).kinetic, 1e-9 * bit.mass);
+  rate.velocity = Vector3d(0.0, 0.0, 0.5);
+  EXPECT_NEAR(0.5 * bit.mass * 0.25, stored(rig).kinetic, 1e-9 * bit.mass);
+  rate.velocity.setZero();
+  rate.spin = 7.0;
+  EXPECT_NEAR(0.5 * bit.spin_inertia * 49.0, stored(rig).turning, 1e-9);
+  rate.spin = 0.0;
+  rate.tilt = Vector3d(3.0, 0.0, 0.0);
+  EXPECT_NEAR(0.5 * bit.tilt_inertia * 9.0, stored(rig).turning, 1e-9);
+  EXPECT_EQ(0.0, stored(rig).kinetic);
+}
+
+// k delta^(5/2) / (5/2) in the wall, k_b z^2 / 2 in the bristle that sticks to it.
+TEST(Stored, wallAndBristle)
+{
+  RigAtRest rig = rig_at_rest();
+  EXPECT_EQ(0.0, stored(rig).wall + stored(rig).bristles);
+  const ContactSpec& contact = rig.model->contact(0);
+  const double depth = 1e-3, normal = contact.law.stiffness * std::pow(depth, 1.5);
+  press(rig, depth);
+  EXPECT_NEAR(normal * depth / 2.5, stored(rig).wall, 1e-3 * normal * depth);
+  const double stretch = 0.1 * friction * normal / contact.tangential_stiffness;  // far below slipping
+  rig.state.nodes[0].bristle = Vector3d(0.0, 0.6 * stretch, 0.8 * stretch);
+  const double expected = 0.5 * contact.tangential_stiffness * stretch * stretch;
+  ASSERT_GT(expected, 0.0);
+  EXPECT_NEAR(expected, stored(rig).bristles, 1e-3 * expected);
+}
+
+TEST(Stored, stuckPoint)
+{
+  RigAtRest rig = rig_at_rest();
+  EXPECT_EQ(0.0, stored(rig).stuck_point);
+  rig.state.stuck_point = {1, rig.state.nodes[1].position - Vector3d(0.0, 3e-3, 4e-3), rig.state.nodes[1].spin_angle - 0.2};
+  const double expected = 0.5 * stuck_point_stiffness * 25e-6 + 0.5 * stuck_point_torsion * 0.04;
+  EXPECT_NEAR(expected, stored(rig).stuck_point, 1e-9 * expected);
+}
+
+// Strung line of length L_0 under the tension F = load / (2 n) holds F^2 L_0 / (2 E A); the drive J w^2 / 2, its meter k_m twist^2 / 2.
+TEST(Stored, lineAndDrive)
+{
+  RigAtRest rig = rig_at_rest();
+  const HoistingSpec& hoisting = rig.model->scene().rig.hoisting;
+  const double load = rig.statics.top_force + standard_gravity * hoisting.block_mass;
+  const double tension = load / (2.0 * hoisting.sheaves), expected = 0.5 * tension * tension * rig.state.hoist.line_length / hoisting.line_ea;
+  EXPECT_NEAR(expected, stored(rig).line, 1e-6 * expected);
+  const TopDriveSpec& drive = rig.model->scene().rig.top_drive;
+  rig.state.drive.speed = 3.0;
+  EXPECT_NEAR(4.5 * drive.inertia, stored(rig).rotor, 1e-6 * drive.inertia);
+  rig.state.drive.meter_twist = 2e-3;
+  EXPECT_NEAR(2e-6 * drive.meter_stiffness, stored(rig).meter, 2e-12 * drive.meter_stiffness);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
