@@ -97,8 +97,14 @@ def report(record, argued):
     return '\n'.join(lines), reached
 
 
+def listed(tests, most=6):
+    if not tests:
+        return 'none applies'
+    return ', '.join(tests[:most]) + (' and %d more' % (len(tests) - most) if len(tests) > most else '')
+
+
 def described(result, reason):
     """A survivor: place, fault, the line for the file of arguments, the tests that let it pass."""
     to_argue = 'not yet; to argue: - `%s`: `%s` => `%s`: REASON' % (result['file'], result['before'], result['after'])
     return ['', '%s:%d: %s' % (result['file'], result['line'], result['kind']), '  - ' + result['before'], '  + ' + result['after'],
-            '  tests: ' + (', '.join(result['tests']) or 'none applies'), '  argued: ' + (reason or to_argue)]
+            '  tests: ' + listed(result['tests']), '  argued: ' + (reason or to_argue)]

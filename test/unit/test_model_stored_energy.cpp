@@ -1,10 +1,13 @@
 // What a rig holds at an instant, each store by its formula with a number of its own: a balance over a long run would not miss a small one.
+// And the sums of the accounts.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/energy.h"
+#include "drill_rig_sim/model/energy_accounts.h"
 #include "drill_rig_sim/model/forces/stuck_point.h"
 #include "drill_rig_sim/solve/methods/method.h"
 #include "lone_bit.h"
@@ -101,6 +104,52 @@ TEST(Stored, lineAndDrive)
   EXPECT_NEAR(4.5 * drive.inertia, stored(rig).rotor, 1e-6 * drive.inertia);
   rig.state.drive.meter_twist = 2e-3;
   EXPECT_NEAR(2e-6 * drive.meter_stiffness, stored(rig).meter, 2e-12 * drive.meter_stiffness);
+}
+
+// Powers of two: a term that is missing, stands twice or has the wrong sign shows in the sum.
+TEST(Accounts, addUpEveryTermOnce)
+{
+  EnergyAccounts e;
+  EXPECT_EQ(0.0, e.closure());
+  EXPECT_EQ(0.0, e.numerical_share());
+  EXPECT_EQ(0.0, e.numerical_of_losses());
+  double next = 1.0;
+  const auto fill = [&next](std::initializer_list<double*> terms)
+  {
+    double sum = 0.0;
+    for (double* term : terms)
+    {
+      *term = next;
+      sum += next;
+      next *= 2.0;
+    }
+    return sum;
+  };
+  const double input = fill({&e.winch, &e.drive, &e.pump, &e.gravity});
+  StoredEnergy &now = e.last, &before = e.first;
+  const double held = fill({&now.kinetic, &now.turning, &now.rotor, &now.beams, &now.line, &now.meter, &now.wall, &now.bottom, &now.bristles,
+                            &now.bit_bristle, &now.stuck_point}) -
+                      fill({&before.kinetic, &before.beams});
+  const double lost = fill({&e.wall_friction, &e.wall_damping, &e.bottom_damping, &e.squeeze_film, &e.mud, &e.structural, &e.motor_slip,
+                            &e.stuck_point_released, &e.ledge, &e.added_mass});
+  const double rock = fill({&e.rock_thrust, &e.rock_torque}), correction = fill({&e.correction});
+  const double numerical = fill({&e.of_inertia, &e.of_beams, &e.of_contact, &e.of_line, &e.of_residual, &e.of_rebasing});
+  now.weight = before.weight = 1e20;  // no store of its own
+  EXPECT_EQ(input, e.input());
+  EXPECT_EQ(held, e.stored());
+  EXPECT_EQ(lost, e.dissipated());
+  EXPECT_EQ(rock, e.broken_rock());
+  EXPECT_EQ(numerical, e.numerical());
+  EXPECT_EQ(input - held - lost - rock - correction - numerical, e.residual());
+  EXPECT_EQ(input, e.throughput());
+  e.drive = -e.drive;
+  EXPECT_EQ(input, e.throughput()) << "magnitudes";
+  e.drive = -e.drive;
+  EXPECT_EQ(std::abs(e.residual()) / input, e.closure());
+  EXPECT_EQ(numerical / input, e.numerical_share());
+  EXPECT_EQ(numerical / (lost + rock + numerical), e.numerical_of_losses());
+  e.largest_kinetic = 2.0 * input;
+  EXPECT_EQ(2.0 * input, e.throughput());
 }
 
 int main(int argc, char** argv)
