@@ -1,6 +1,10 @@
 // The semaphore: counts, wakes another thread, and gives up at an absolute deadline of the steady clock.
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <signal.h>
 
+#include <atomic>
+#include <chrono>
 #include <thread>
 
 #include "drill_rig_sim/realtime/semaphore.h"
@@ -50,6 +54,44 @@ TEST(Semaphore, wakesAnotherThread)
   answered.wait();
   EXPECT_EQ(42, value);
   other.join();
+}
+
+// A signal whose handler does not ask for it ends no wait: only a post does, or the deadline.
+TEST(Semaphore, signalsDoNotWake)
+{
+  struct sigaction quiet = {}, before = {};
+  quiet.sa_handler = [](int) {};
+  ASSERT_EQ(0, sigaction(SIGUSR1, &quiet, &before));
+  Semaphore s, ready;
+  std::atomic<int> woken{0};
+  std::thread other(
+      [&]
+      {
+        ready.post();
+        s.wait();
+        ++woken;
+        ready.post();
+        EXPECT_TRUE(s.wait_until(steady_now() + 60'000'000'000));
+        ++woken;
+      });
+  const auto disturb = [&]
+  {
+    for (int k = 0; k < 20; ++k)
+    {
+      pthread_kill(other.native_handle(), SIGUSR1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  };
+  for (int wait = 0; wait < 2; ++wait)
+  {
+    ready.wait();
+    disturb();
+    EXPECT_EQ(wait, woken.load());
+    s.post();
+  }
+  other.join();
+  EXPECT_EQ(2, woken.load());
+  sigaction(SIGUSR1, &before, nullptr);
 }
 
 }  // namespace drill_rig_sim
