@@ -65,11 +65,15 @@ std::vector<unsigned char> whole_file(const std::string& file)
 void refuse_to_replace_another(const std::string& file)
 {
   std::error_code error;
-  if (!std::filesystem::exists(file, error) || std::filesystem::is_empty(file, error)) return;
-  char start[sizeof mark] = {};
-  std::ifstream in(file, std::ios::binary);
-  const bool is_ours = std::filesystem::is_regular_file(file, error) && in.read(start, sizeof start) && std::memcmp(start, mark, sizeof mark) == 0;
-  if (!is_ours) refuse(file, "is there and is no snapshot; allowed is a new file or an earlier snapshot");
+  if (!std::filesystem::exists(file, error)) return;
+  if (std::filesystem::is_regular_file(file, error))  // to open a pipe would block
+  {
+    char start[sizeof mark] = {};
+    std::ifstream in(file, std::ios::binary);
+    const bool is_ours = in.read(start, sizeof start) && std::memcmp(start, mark, sizeof mark) == 0;
+    if (is_ours || std::filesystem::file_size(file, error) == 0) return;
+  }
+  refuse(file, "is there and is no snapshot; allowed is a new file or an earlier snapshot");
 }
 }  // namespace
 

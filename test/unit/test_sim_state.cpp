@@ -1,5 +1,6 @@
 // The one list of a state's fields: every number in it survives a snapshot, in memory and as bytes, and nothing else is in a state.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
@@ -197,6 +198,9 @@ TEST(SnapshotFile, anythingElseIsRefused)
   EXPECT_EQ(read_snapshot(file, 6), value) << "in place of an empty one and of an earlier one";
   std::remove(file.c_str());
   EXPECT_NE(refused(5).find("no regular file"), std::string::npos);
+  ASSERT_EQ(0, mkfifo(file.c_str(), 0600));
+  EXPECT_THROW(write_snapshot(file, 5, value), std::runtime_error) << "a pipe that nobody writes to: refused, and not waited for";
+  std::remove(file.c_str());
   EXPECT_THROW(write_snapshot("/nowhere/at/all", 5, value), std::runtime_error);
 }
 
