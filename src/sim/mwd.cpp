@@ -69,15 +69,15 @@ void Mwd::update(double time, double flow, const SensorView& view, MwdReading& s
   const bool flowing = flow > kFlowing;
   const bool pumps_on = flowing && !flowing_;
   flowing_ = flowing;
-  const bool by_period = survey_.period > 0.0 && flowing && time >= next_survey_ - time_rounding;
-  if (by_period || (survey_.period <= 0.0 && pumps_on))
+  if (!flowing) return;  // nothing is measured, and what is on its way waits: no pulse reaches the surface
+  if (survey_.period > 0.0 ? time >= next_survey_ - time_rounding : pumps_on)
   {
     MwdReading r = measure(time, view);
     r.sequence = ++survey_count_;
     surveys_.push(r);
     next_survey_ = time + survey_.period;
   }
-  if (flowing && time >= next_toolface_ - time_rounding)
+  if (time >= next_toolface_ - time_rounding)
   {
     const ToolfaceReference reference = toolface_reference(view.axis, magnetic_);
     magnetic_ = reference.magnetic;
@@ -90,7 +90,6 @@ void Mwd::update(double time, double flow, const SensorView& view, MwdReading& s
     toolfaces_.push(r);
     next_toolface_ = time + toolface_.period;
   }
-  if (!flowing) return;  // no pulse reaches the surface; what waits comes when mud flows again
   surveys_.pop_before(time - survey_.latency + time_rounding, survey);
   toolfaces_.pop_before(time - toolface_.latency + time_rounding, toolface);
 }
