@@ -13,7 +13,7 @@ FramePublisher::FramePublisher(ros::NodeHandle& node, const Parameters& paramete
     : prefix_(parameters.frame_prefix),
       tf_(node.advertise<tf2_msgs::TFMessage>("/tf", 100, [this](const ros::SingleSubscriberPublisher& s) { greet(s); }))
 {
-  tf_static_.sendTransform(to_rig_pose(parameters.rig_pose, prefix_ + "rig_floor"));
+  tf_static_.sendTransform(to_rig_pose(parameters.rig_pose, parameters.floor()));
 }
 
 void FramePublisher::publish(const FrameOutput& s)

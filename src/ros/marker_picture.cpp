@@ -85,7 +85,7 @@ std::vector<std::vector<Eigen::Vector3d>> rings(const std::vector<WellNode>& wel
 }  // namespace
 
 MarkerPicture::MarkerPicture(const Parameters& parameters)
-    : floor_(parameters.frame_prefix + "rig_floor"),
+    : floor_(parameters.floor()),
       exaggeration_(parameters.lateral_exaggeration),
       force_scale_(parameters.force_scale),
       color_by_(parameters.color_by)

@@ -161,14 +161,12 @@ std::string Services::pause()
 std::string Services::resume()
 {
   require_pausable();
-  bool failed = false;
   loop_.between_frames(
-      [&](SimulationLoop& loop)
+      [](SimulationLoop& loop)
       {
-        failed = loop.rig().failed;
-        if (!failed) loop.set_paused(false);
+        require_good(loop.rig());
+        loop.set_paused(false);
       });
-  if (failed) throw Refusal("the last frame failed: reset_well or restore_state first");
   return "running";
 }
 
@@ -292,8 +290,13 @@ void Services::command_all(const StepSimulation::Request& request)
 
 std::string Services::step(const StepSimulation::Request& request, RigState& state, Lock& lock)
 {
-  const FrameRecord now = publishing_.last();  // what is refused changes nothing
-  state = to_rig_state(now.readings, now, parameters_.frame_prefix + "rig_floor");
+  const auto answer_last = [&]
+  {
+    const FrameRecord last = publishing_.last();
+    state = to_rig_state(last.readings, last, parameters_.floor());
+    return last;
+  };
+  answer_last();  // what is refused changes nothing
   if (!loop_.time().in_lockstep()) throw Refusal("allowed in lockstep alone (~clock)");
   require_no_step();
   if (request.frames > most_frames_of_step)
@@ -306,10 +309,9 @@ std::string Services::step(const StepSimulation::Request& request, RigState& sta
   std::uint64_t handed_over = 0;
   loop_.between_frames([&](SimulationLoop&) { handed_over = ring_.handed_over(); });
   publishing_.wait_until_published(handed_over);
-  const FrameRecord last = publishing_.last();
+  const FrameRecord last = answer_last();
   lock.lock();
   step_under_way_ = false;
-  state = to_rig_state(last.readings, last, parameters_.frame_prefix + "rig_floor");
   const std::string frames = " (" + std::to_string(result.frames) + " of " + std::to_string(request.frames) + " frames)";
   switch (result.end)
   {

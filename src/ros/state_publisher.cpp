@@ -18,7 +18,7 @@ std_msgs::Float64 number(double value)
 }  // namespace
 
 StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions)
-    : floor_(parameters.frame_prefix + "rig_floor"),
+    : floor_(parameters.floor()),
       subscriptions_(subscriptions),
       hook_load_(node.advertise<std_msgs::Float64>("hook_load", parameters.queue())),
       torque_(node.advertise<std_msgs::Float64>("torque", parameters.queue())),

@@ -5,7 +5,7 @@
 namespace drill_rig_sim
 {
 TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle& node, const Parameters& parameters)
-    : floor_(parameters.frame_prefix + "rig_floor"), trajectory_(node.advertise<nav_msgs::Path>("trajectory", 10, true))
+    : floor_(parameters.floor()), trajectory_(node.advertise<nav_msgs::Path>("trajectory", 10, true))
 {
 }
 

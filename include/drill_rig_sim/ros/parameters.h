@@ -61,6 +61,7 @@ struct Parameters
   }
   /// Of a topic's messages: in lockstep none of a step is lost to a slow subscriber [messages].
   std::uint32_t queue() const noexcept { return clock == ClockMode::lockstep ? most_frames_of_step : 10; }
+  std::string floor() const { return frame_prefix + "rig_floor"; }  ///< frame of all that is measured
   std::int64_t frame_period() const noexcept { return std::llround(1e9 / rate); }  ///< simulated [ns]
 };
 
