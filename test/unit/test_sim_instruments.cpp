@@ -22,6 +22,14 @@ SensorView tilted_view(double inclination, double azimuth, double toolface)
 }
 }  // namespace
 
+// The first numbers of splitmix64 from 1234567, as its users publish them.
+TEST(NoiseSource, isSplitmix64)
+{
+  NoiseSource noise{1234567};
+  for (const std::uint64_t published : {6457827717110365317u, 3203168211198807973u, 9817491932198370423u})
+    EXPECT_NEAR(noise.uniform(), published * 0x1p-64, 1e-15);
+}
+
 // 10^5 numbers: mean within 4/sqrt(n), variance within 4 sqrt(2/n).
 TEST(NoiseSource, isStandardNormalAndRepeats)
 {
