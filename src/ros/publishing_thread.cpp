@@ -58,7 +58,7 @@ void PublishingThread::run()
     bool changed = false;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      changed = published_ == 0 || s->rebuilt || last_.run_state != s->frame.run_state;
+      changed = last_.run_state != s->frame.run_state;
       last_ = s->frame;
       ++published_;
     }
