@@ -48,7 +48,7 @@ void Problems::add_at(int line, const std::string& path, const std::string& text
 {
   if (problems_.size() == most_problems) problems_.push_back(file_ + ": and more problems");
   if (problems_.size() > most_problems) return;
-  const std::string where = line == from_outside ? "setting" : one_line(file_) + (line > 0 ? ":" + std::to_string(line) : "");
+  const std::string where = is_from_outside(path) ? "setting" : one_line(file_) + (line > 0 ? ":" + std::to_string(line) : "");
   const std::string key = path.empty() ? "" : cut(printable(path), longest_key) + ": ";
   problems_.push_back(where + ": " + key + cut(printable(text), longest_text_of_problem));
 }

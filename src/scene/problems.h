@@ -16,8 +16,8 @@ public:
   explicit Problems(std::string file) : file_(std::move(file)) {}
 
   /// Key `path` (dots and [index]) stands on `line`, counted from 1.
-  void note(const std::string& path, int line) { lines_.emplace(path, line); }
-  /// Key `path` was set from outside the file; messages name that instead of a line.
+  void note(const std::string& path, int line) { lines_.emplace(path, is_from_outside(path) ? from_outside : line); }
+  /// Key `path`, with all that is below it, was set from outside the file; messages name that instead of a line.
   void note_setting(const std::string& path) { lines_[path] = from_outside; }
   bool has(const std::string& path) const { return lines_.count(path) != 0; }
 
@@ -35,6 +35,7 @@ public:
 private:
   static constexpr int from_outside = -1;
   int line_of(std::string path) const;
+  bool is_from_outside(const std::string& path) const { return line_of(path) == from_outside; }
 
   std::string file_;
   std::map<std::string, int> lines_;

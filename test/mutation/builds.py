@@ -62,6 +62,7 @@ class Copy:
     def __init__(self, folder, tests_pattern, rostests, stop):
         self.folder, self.pattern, self.with_rostests, self.stop = folder, re.compile(tests_pattern), rostests, stop
         self.tree, self.build = os.path.join(folder, 'tree'), os.path.join(folder, 'tree/build')
+        self.scratch = os.path.join(folder, 'tmp')  # emptied before each test: what a mutant leaves behind must not count for the next
         self.environment = self._environment()
         self.tests = []
         self.targets = {}      # (sources, output, libraries) by name
@@ -82,7 +83,7 @@ class Copy:
         env.update(ROS_HOSTNAME='localhost', ROS_HOME=os.path.join(self.build, 'ros_home'),
                    MPLCONFIGDIR=os.path.join(self.build, 'matplotlib'),
                    ROS_LOG_DIR=os.path.join(self.build, 'ros_home/log'),
-                   CCACHE_BASEDIR=self.folder, CCACHE_NOHASHDIR='1')
+                   CCACHE_BASEDIR=self.folder, CCACHE_NOHASHDIR='1', TMPDIR=self.scratch)
         return env
 
     def synchronise(self):
@@ -129,6 +130,7 @@ class Copy:
     def prepare(self, jobs):
         """Copies, configures, builds; then knows tests, targets and object files."""
         os.makedirs(self.environment['ROS_LOG_DIR'], exist_ok=True)
+        os.makedirs(self.scratch, exist_ok=True)
         open(os.path.join(self.folder, 'make.log'), 'w').close()
         self.synchronise()
         launcher = ['-DCMAKE_CXX_COMPILER_LAUNCHER=ccache'] if shutil.which('ccache', path=self.environment['PATH']) else []
@@ -169,9 +171,10 @@ class Copy:
     def _absolute(self, path):
         return os.path.normpath(os.path.join(self.build, path))
 
-    def _is_static(self):
-        """Whether programs must be linked again to hold a mutant."""
-        return any(self.targets[t][1].endswith('.a') for t in self.products)
+    def _linked_again(self, targets):
+        """What must be linked again to hold what changed in these targets: whatever a static library of them is linked into."""
+        static = {t for t in targets if self.targets[t][1].endswith('.a')}
+        return {t for t in self.targets if static & self._closure(self.targets[t][1])} if static else set()
 
     def _is_node(self, target):
         return any(s.startswith('src/ros/') for s in self.targets[target][0])
@@ -257,7 +260,7 @@ class Copy:
     def passes(self, test, seconds=None):
         """Whether it passes; None if it took longer than `seconds`."""
         holds = test.target and self.header in self.headers[test.target]
-        if test.target and (holds or test.target in self.stale or self._is_static()):
+        if test.target and (holds or test.target in self.stale):
             if holds:
                 self.stale.add(test.target)
             else:
@@ -266,6 +269,8 @@ class Copy:
                 return False
         log = os.path.join(self.folder, 'test.log')
         open(log, 'w').close()
+        shutil.rmtree(self.scratch, ignore_errors=True)
+        os.makedirs(self.scratch)
         if test.tier == 'rostest':
             with one_rostest_at_a_time:
                 status = self.run(test.command, seconds, log)
@@ -283,8 +288,9 @@ class Copy:
         self.header = file if file.endswith('.h') else None
         now = self.affected(file) & self.products
         before = self.stale & self.products
-        self.stale = self.stale - before | now
-        made = self.products if self._is_static() else now | before
+        again = self._linked_again(now | before)
+        self.stale = self.stale - before | now | again - self.products
+        made = now | before | again & self.products
         if made and self.make(*sorted(made)) != 0:
             return 'does not compile'
         changed = any(self._code(o) != self.pristine[o] for o in self._objects_of(now))
@@ -293,6 +299,14 @@ class Copy:
     def restore(self, file):
         """Puts the file back; what was compiled with it follows at the next compile()."""
         shutil.copyfile(os.path.join(SOURCE, file), os.path.join(self.tree, file))
+
+    def make_again(self):
+        """What is not mutated, once all faults are put back."""
+        before = self.stale & self.products
+        again = self._linked_again(before)
+        self.header, self.stale = None, self.stale - before | again - self.products
+        if self.make(*sorted(before | again & self.products)) != 0:
+            raise Broken('what is not mutated does not build any more')
 
 
 def end_session(process):

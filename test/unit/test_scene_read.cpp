@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <string>
 
 #include "drill_rig_sim/math/units.h"
@@ -10,6 +11,7 @@
 #include "drill_rig_sim/scene/survey_csv.h"
 #include "drill_rig_sim/sim/integrator_table.h"
 #include "in_source.h"
+#include "temporary_folder.h"
 
 namespace drill_rig_sim
 {
@@ -160,6 +162,8 @@ TEST(SceneRead, WrongSettingsAreRefusedByName)
   EXPECT_EQ(message("numerics.integrator=no_such").rfind("setting: numerics.integrator: text is not known, allowed: auto, bdf2", 0), 0u);
   EXPECT_EQ(message("numerics.level=rigid").rfind("setting: numerics.level: this level is not available yet", 0), 0u);
   EXPECT_EQ(message("numerics.step").rfind("setting: numerics.step: has no value", 0), 0u);
+  EXPECT_EQ(message("mud={densty: 1000}").rfind("setting: mud.densty: unknown key", 0), 0u) << message("mud={densty: 1000}");
+  EXPECT_EQ(message("string=[{name: bit, type: bit, length: 0.3, mass: 40}]").rfind("setting: string[0].diameter: is missing", 0), 0u);
   EXPECT_EQ(message("name.step=1").rfind("setting: name.step: leads through", 0), 0u);
   for (const char* nonsense : {"=", "..=1", "a[=1", "a[]=1", "well[0]=1", "name=[", "[0]=1", "string[0]..x=1"})
     EXPECT_NE(message(nonsense), "accepted") << nonsense;
@@ -167,11 +171,9 @@ TEST(SceneRead, WrongSettingsAreRefusedByName)
 
 TEST(SurveyCsv, ColumnsMayStandInAnyOrderBesideOthers)
 {
-  const std::string file = testing::TempDir() + "/drill_rig_sim_survey_order.csv";
-  std::FILE* out = std::fopen(file.c_str(), "w");
-  ASSERT_NE(out, nullptr);
-  std::fputs("# comment\r\nazimuth_deg,tvd_m,md_m,inclination_deg\r\n90,0,0,0\r\n\r\n91, 99 , 100 ,1\r\n", out);
-  std::fclose(out);
+  const TemporaryFolder folder;
+  const std::string file = folder.file("order.csv");
+  std::ofstream(file) << "# comment\r\nazimuth_deg,tvd_m,md_m,inclination_deg\r\n90,0,0,0\r\n\r\n91, 99 , 100 ,1\r\n";
   const auto survey = read_survey_csv(file);
   ASSERT_EQ(survey.size(), 2u);
   EXPECT_DOUBLE_EQ(survey[1].md, 100.0);
@@ -180,7 +182,8 @@ TEST(SurveyCsv, ColumnsMayStandInAnyOrderBesideOthers)
 
 std::string survey_refusal(const std::string& text)
 {
-  const std::string file = testing::TempDir() + "/drill_rig_sim_survey_wrong.csv";
+  const TemporaryFolder folder;
+  const std::string file = folder.file("wrong.csv");
   std::ofstream(file) << text;
   try
   {

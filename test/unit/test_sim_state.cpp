@@ -9,6 +9,7 @@
 #include "drill_rig_sim/scene/scene_hash.h"
 #include "drill_rig_sim/sim/snapshot_file.h"
 #include "sim_numbers.h"
+#include "temporary_folder.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
@@ -75,11 +76,6 @@ std::size_t last_hash_of(const std::vector<std::string>& paths, const std::strin
     if (paths[k] == hash) return k;
   return paths.size();
 }
-
-std::string temporary(const char* name)
-{
-  return testing::TempDir() + "drill_rig_sim_" + name;
-}
 }  // namespace
 
 TEST(State, everyNumberComesBack)
@@ -137,7 +133,8 @@ TEST(State, ofAnotherRigIsRefused)
 TEST(SnapshotFile, goesOnBitByBit)
 {
   Simulator rig = drilling_rig();
-  const std::string file = temporary("snapshot");
+  const TemporaryFolder folder;
+  const std::string file = folder.file("snapshot");
   const auto saved = rig.save();
   write_snapshot(file, saved->scene, to_bytes(*saved));
   for (int k = 0; k < 200; ++k) rig.frame(0.01);
@@ -154,7 +151,8 @@ TEST(SnapshotFile, goesOnBitByBit)
 
 TEST(SnapshotFile, anythingElseIsRefused)
 {
-  const std::string file = temporary("refused");
+  const TemporaryFolder folder;
+  const std::string file = folder.file("refused");
   const std::vector<unsigned char> value(100, 7);
   const auto refused = [&file](std::uint64_t scene) -> std::string
   {
@@ -200,7 +198,6 @@ TEST(SnapshotFile, anythingElseIsRefused)
   EXPECT_NE(refused(5).find("no regular file"), std::string::npos);
   ASSERT_EQ(0, mkfifo(file.c_str(), 0600));
   EXPECT_THROW(write_snapshot(file, 5, value), std::runtime_error) << "a pipe that nobody writes to: refused, and not waited for";
-  std::remove(file.c_str());
   EXPECT_THROW(write_snapshot("/nowhere/at/all", 5, value), std::runtime_error);
 }
 
