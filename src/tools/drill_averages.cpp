@@ -1,10 +1,9 @@
 #include "drill_averages.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim
 {
@@ -25,8 +24,7 @@ void Averages::add(const Truth& m) noexcept
   sum_.rop += m.rop;
   sum_.hole_depth += m.hole_depth;
   position_ += m.bit_position;
-  const double sine = std::sin(m.bit_inclination);
-  direction_ += Eigen::Vector3d(sine * std::sin(m.bit_azimuth), sine * std::cos(m.bit_azimuth), -std::cos(m.bit_inclination));
+  direction_ += tangent_from(m.bit_inclination, m.bit_azimuth);
 }
 
 void Averages::add(const Averages& other) noexcept
@@ -47,15 +45,12 @@ void Averages::add(const Averages& other) noexcept
 
 double Averages::inclination() const noexcept
 {
-  if (samples_ == 0) return std::numeric_limits<double>::quiet_NaN();
-  return std::atan2(std::hypot(direction_.x(), direction_.y()), -direction_.z());
+  return inclination_of(direction_ / count());
 }
 
 double Averages::azimuth() const noexcept
 {
-  if (samples_ == 0) return std::numeric_limits<double>::quiet_NaN();
-  const double angle = std::atan2(direction_.x(), direction_.y());
-  return angle < 0.0 ? angle + 2.0 * pi : angle;
+  return azimuth_of(direction_ / count());
 }
 
 void DrillingRecord::add(const Truth& m)

@@ -1,7 +1,6 @@
 #include "drill_output.h"
 
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -16,9 +15,7 @@ namespace
 {
 void write_path_row(std::FILE* file, double md, const Eigen::Vector3d& p, const Eigen::Vector3d& t, double radius)
 {
-  const double inclination = std::atan2(std::hypot(t.x(), t.y()), -t.z());
-  const double azimuth = std::fmod(std::atan2(t.x(), t.y()) + 2.0 * pi, 2.0 * pi);
-  std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g\n", md, p.x(), p.y(), p.z(), inclination, azimuth, radius);
+  std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g\n", md, p.x(), p.y(), p.z(), inclination_of(t), azimuth_of(t), radius);
 }
 
 void write_readings(std::FILE* file, const Readings& r)

@@ -44,7 +44,7 @@ double azimuth_of(const Eigen::Vector3d& tangent) noexcept
   const double azimuth = std::atan2(tangent.x(), tangent.y());
   if (azimuth >= 0.0) return azimuth;
   const double turned = azimuth + 2.0 * pi;
-  return turned < 2.0 * pi ? turned : 0.0;  // a negative azimuth below round-off would become 2 pi
+  return turned >= 2.0 * pi ? 0.0 : turned;  // a negative azimuth below round-off would become 2 pi
 }
 
 Eigen::Vector3d high_side(const Eigen::Vector3d& tangent) noexcept

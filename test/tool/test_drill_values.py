@@ -1,0 +1,114 @@
+#!/usr/bin/python3
+"""The numbers that the offline runner prints, against sums by hand. Usage: test_drill_values.py PATH_TO_DRILL"""
+import csv
+import math
+import os
+import pty
+import re
+import subprocess
+import sys
+import unittest
+
+import test_drill
+from test_drill import BOHAI, QUICK, SOURCE
+
+GRAVITY, STEEL = 9.80665, 7850.0
+
+
+class Check(test_drill.Drill):
+    def test_the_string_is_listed_part_by_part(self):
+        rows = [line.split() for line in self.succeed('check', QUICK).splitlines()]
+        # two collars of 9.4 m at 136 kg/m on a bit of 0.3 m; pipe at 31.9 kg/m up to the drive, 99.7 m of hole and 20 m of air above the bit
+        self.assertIn(['bit', 'bit', '0.00', '0.30', '40'], rows)
+        self.assertIn(['collar', 'collar', '0.30', '19.10', '%.0f' % (136.0 * 18.8)], rows)
+        self.assertIn(['drill_pipe', 'pipe', '19.10', '119.70', '%.0f' % (31.9 * 100.6)], rows)
+        self.assertIn(['string', '119.70', '%.0f' % (40.0 + 136.0 * 18.8 + 31.9 * 100.6)], rows)
+
+    def test_every_kind_of_part_has_its_word(self):
+        string = ('[{name: a, type: bit, length: 0.3, mass: 40, diameter: 0.2159}, '
+                  '{name: b, type: mud_motor, length: 8, outer_diameter: 0.165, inner_diameter: 0.0714, linear_mass: 120, '
+                  'bend_deg: 1.0, bit_to_bend: 2.0, displacement_per_rev: 0.02, stall_torque: 9000}, '
+                  '{name: c, type: stabilizer, length: 2, outer_diameter: 0.165, inner_diameter: 0.0714, linear_mass: 130, '
+                  'blade_diameter: 0.21}, '
+                  '{name: d, type: mwd, length: 9, outer_diameter: 0.165, inner_diameter: 0.0714, linear_mass: 130, sensor_offset: 4}, '
+                  '{name: e, type: collar, joints: 1, joint_length: 9, outer_diameter: 0.165, inner_diameter: 0.0714, linear_mass: 136}, '
+                  '{name: f, type: pipe, joints: fill, joint_length: 9.5, outer_diameter: 0.127, inner_diameter: 0.1086, linear_mass: 31.9, '
+                  'tool_joint_diameter: 0.168}]')
+        text = self.succeed('check', QUICK, '--set', 'string=' + string)
+        for name, word in (('a', 'bit'), ('b', 'mud motor'), ('c', 'stabilizer'), ('d', 'mwd'), ('e', 'collar'), ('f', 'pipe')):
+            self.assertRegex(text, r'\n%s +%s +\d' % (name, word))
+        self.assertNotIn('no part is of type mwd', text)
+
+    def test_well_start_model_and_program(self):
+        text = self.succeed('check', QUICK)
+        self.assertIn('2 stations to 100 m, hole 100 m deep, at its bottom 0.00 deg inclination, 0.00 deg azimuth\n', text)
+        start = re.search(r'bit at 99.700 m, block at 20.00 m, hook load ([\d.]+) kN, of it the string ([\d.]+) kN\n', text)
+        in_mud = 1.0 - 1100.0 / STEEL
+        weight = GRAVITY * ((40.0 + 136.0 * 18.8 + 31.9 * 80.6) * in_mud + 31.9 * 20.0)  # what is above the table hangs in air
+        self.assertAlmostEqual(float(start.group(2)), weight / 1e3, delta=0.06)
+        self.assertAlmostEqual(float(start.group(1)), (weight + GRAVITY * 17500.0) / 1e3, delta=0.06)
+        self.assertIn('level beam3d, integrator bdf2, step 0.01 s', text)
+        self.assertIn('no part is of type mwd', text)
+        self.assertIn('3 lines to 35 s\n', text)
+        self.assertIn('at its bottom 51.00 deg inclination, 297.00 deg azimuth\n', self.succeed('check', BOHAI))
+        self.assertIn('0 lines to 0 s\n', self.succeed('check', QUICK, '--set', 'program=[]'))
+
+
+class Survey(test_drill.Drill):
+    def test_an_arc_and_its_tangent(self):
+        """3 deg in 30 m towards 30 deg, from vertical to 60 deg at 600 m, and 30 m straight on."""
+        with open(self.file('arc.csv'), 'w') as out:
+            out.write('md_m,inclination_deg,azimuth_deg\n0,0,30\n300,30,30\n600,60,30\n630,60,30\n')
+        rows = [[float(cell) for cell in line.split()] for line in self.succeed('survey', self.file('arc.csv')).splitlines()[1:]]
+        radius = 300.0 / math.radians(30.0)
+        for row, (md, inclination, straight) in zip(rows, ((0, 0, 0), (300, 30, 0), (600, 60, 0), (630, 60, 30)), strict=True):
+            angle = math.radians(inclination)
+            out = radius * (1.0 - math.cos(angle)) + straight * math.sin(angle)
+            down = radius * math.sin(angle) + straight * math.cos(angle)
+            severity = 0.0 if md == 0 or straight else 3.0
+            expected = [md, inclination, 30.0, out * math.cos(math.radians(30.0)), out * math.sin(math.radians(30.0)), down, severity]
+            for told, value in zip(row, expected, strict=True):
+                self.assertAlmostEqual(told, value, delta=6e-4, msg=row)
+
+
+class Static(test_drill.Drill):
+    def test_what_is_printed_is_the_strings_two_ends(self):
+        text = self.succeed('static', os.path.join(SOURCE, 'test/scenes/curved_well.yaml'), '--motion', 'rotate', '--csv', self.file('s.csv'))
+        told = {line[:16].strip(): line[16:] for line in text.splitlines()}
+        number = {name: float(value.split()[0]) for name, value in told.items()}
+        with open(self.file('s.csv')) as rows:
+            bit, *_, top = [{name: float(cell) for name, cell in row.items()} for row in csv.DictReader(rows)]
+        self.assertAlmostEqual(number['hook load'] - number['of the string'], 17500.0 * GRAVITY, delta=0.2)
+        self.assertAlmostEqual(number['torque'], top['torque'], delta=0.06)
+        self.assertAlmostEqual(number['bit side force'], bit['contact_force'], delta=0.06)
+        self.assertIn('at %.1f deg clockwise from the high side' % bit['contact_side_deg'], told['bit side force'])
+
+
+class Progress(test_drill.Drill):
+    def test_the_bar_follows_the_run(self):
+        master, slave = pty.openpty()
+        run = subprocess.Popen([test_drill.drill_program, 'run', QUICK, '--duration', '200'], stdout=subprocess.DEVNULL, stderr=slave)
+        os.close(slave)
+        shown = b''
+        try:
+            while True:
+                shown += os.read(master, 65536)
+        except OSError:  # nobody holds the other end any more
+            pass
+        os.close(master)
+        self.assertEqual(run.wait(300), 0)
+        bars = re.findall(r'\r\[(#*)(\.*)\] +([\d.]+) s  hole +([\d.]+) m +([\d.]+)x real time\x1b\[K', shown.decode())
+        self.assertGreater(len(bars), 1)
+        for done, left, time, hole, _ in bars:
+            self.assertEqual(len(done) + len(left), 30)
+            self.assertAlmostEqual(len(done), 30.0 * float(time) / 200.0, delta=1.01)  # whole signs only
+            drilled = max(0.0, float(time) - 35.0) * 0.012
+            self.assertAlmostEqual(float(hole), 100.0 + drilled, delta=0.05)
+        self.assertLess(float(bars[0][2]), float(bars[-1][2]))
+        self.assertGreater(float(bars[-1][4]), 1.0)
+        self.assertTrue(shown.endswith(b'\r\x1b[K'), 'a clean line is left')
+
+
+if __name__ == '__main__':
+    test_drill.drill_program = os.path.abspath(sys.argv.pop(1))
+    test_drill.skips.main()

@@ -1,0 +1,221 @@
+// The runner's tables: each column holds the field that its head names.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "drill_ahead.h"
+#include "drill_command.h"
+#include "drill_output.h"
+#include "drill_rig_sim/well/directions.h"
+#include "drill_rig_sim/well/wellbore.h"
+#include "numbered_frame.h"
+#include "test_scenes.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+using Row = std::map<std::string, double>;
+
+std::vector<std::string> cells_of(const std::string& line)
+{
+  std::vector<std::string> cells;
+  std::istringstream in(line);
+  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+/// What was written, by the head's names.
+std::vector<Row> rows_of(std::FILE* file)
+{
+  std::string text;
+  std::rewind(file);
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> head = cells_of(line);
+  std::vector<Row> rows;
+  while (std::getline(lines, line))
+  {
+    const std::vector<std::string> cells = cells_of(line);
+    EXPECT_EQ(head.size(), cells.size());
+    rows.emplace_back();
+    for (std::size_t i = 0; i < cells.size(); ++i) rows.back()[head[i]] = std::stod(cells[i]);
+  }
+  return rows;
+}
+
+void expect_row(const Row& expected, const Row& row)
+{
+  ASSERT_EQ(expected.size(), row.size());
+  for (const auto& [name, value] : expected) EXPECT_NEAR(value, row.at(name), 1e-8 * std::abs(value)) << name;
+}
+
+/// Bends from vertical at 100 m to 60 deg at 300 m, towards the north-west.
+Scene curved_scene()
+{
+  Scene scene = vertical_scene(300.0, 250.0);
+  scene.well.survey = {{0.0, 0.0, 5.5}, {100.0, 0.0, 5.5}, {300.0, 60.0 * degree, 5.5}};
+  return scene;
+}
+
+Truth numbered_truth()
+{
+  Truth m;
+  number_signals(m, 100.0);
+  number_bit(m);
+  m.bit_orientation = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), tangent_from(0.75, 2.0));
+  m.bit_inclination = 261.0;
+  m.bit_azimuth = 262.0;
+  m.bend_toolface = 263.0;
+  return m;
+}
+
+Row truth_row()
+{
+  return {{"time", 100},
+          {"hook_load", 101},
+          {"torque", 108},
+          {"block_height", 104},
+          {"top_drive_speed", 107},
+          {"wob", 251},
+          {"bit_torque", 252},
+          {"bit_speed", 253},
+          {"bit_depth", 113},
+          {"hole_depth", 112},
+          {"rop", 115},
+          {"inclination", 261},
+          {"azimuth", 262},
+          {"toolface", 263},
+          {"bit_east", 201},
+          {"bit_north", 202},
+          {"bit_up", 203},
+          {"bit_inclination", 0.75}};
+}
+}  // namespace
+
+TEST(Csv, eachColumnHasItsFieldOfTheTruth)
+{
+  const File file(std::tmpfile());
+  write_csv_header(file.get(), false);
+  write_csv_row(file.get(), numbered_truth(), nullptr);
+  const std::vector<Row> rows = rows_of(file.get());
+  ASSERT_EQ(1u, rows.size());
+  expect_row(truth_row(), rows[0]);
+}
+
+TEST(Csv, readingsStandBesideTheTruth)
+{
+  Readings r;
+  number_signals(r, 300.0);
+  const File file(std::tmpfile());
+  write_csv_header(file.get(), true);
+  write_csv_row(file.get(), numbered_truth(), &r);
+  const std::vector<Row> rows = rows_of(file.get());
+  ASSERT_EQ(1u, rows.size());
+  Row expected = truth_row();
+  expected.insert({{"reading_hook_load", 301},
+                   {"reading_torque", 308},
+                   {"reading_stand_pipe_pressure", 309},
+                   {"reading_flow", 311},
+                   {"reading_block_height", 304},
+                   {"reading_bit_depth", 313},
+                   {"reading_hole_depth", 312},
+                   {"reading_rop", 315},
+                   {"reading_surface_wob", 314},
+                   {"reading_differential_pressure", 310}});
+  expect_row(expected, rows[0]);
+}
+
+TEST(Profile, eachColumnHasItsArray)
+{
+  StringProfile p;
+  for (const double base : {0.0, 100.0})
+  {
+    p.md.push_back(base + 1);
+    p.from_bit.push_back(base + 2);
+    p.position.emplace_back(base + 3, base + 4, base + 5);
+    p.tension.push_back(base + 6);
+    p.true_axial_force.push_back(base + 7);
+    p.torque.push_back(base + 8);
+    p.bending_moment.push_back(base + 9);
+    p.contact_force.push_back(base + 10);
+    p.contact_side.push_back((base + 11) * degree);
+  }
+  const File file(std::tmpfile());
+  write_profile(file.get(), p);
+  const std::vector<Row> rows = rows_of(file.get());
+  ASSERT_EQ(2u, rows.size());
+  const std::vector<std::string> columns = {"md", "from_bit", "east", "north", "up", "tension", "true_axial_force",
+                                            "torque", "bending_moment", "contact_force", "contact_side_deg"};
+  for (int i = 0; i < 2; ++i)
+  {
+    Row expected;
+    for (std::size_t k = 0; k < columns.size(); ++k) expected[columns[k]] = 100.0 * i + 1.0 + static_cast<double>(k);
+    expect_row(expected, rows[i]);
+  }
+}
+
+TEST(Path, isTheWellsNodesAndItsBottom)
+{
+  const Simulator simulator(curved_scene());
+  const Wellbore& well = simulator.wellbore();
+  const File file(std::tmpfile());
+  write_path(file.get(), simulator);
+  const std::vector<Row> rows = rows_of(file.get());
+  ASSERT_EQ(static_cast<std::size_t>(well.node_count()) + 1, rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    const WellNode node = i + 1 < rows.size() ? well.node(static_cast<int>(i)) : well.at(well.hole_depth());
+    Row row = rows[i];
+    EXPECT_NEAR(node.md, row["md"], 1e-6);
+    EXPECT_NEAR(0.0, (node.position - Eigen::Vector3d(row["east"], row["north"], row["up"])).norm(), 1e-6);
+    EXPECT_NEAR(0.0, (node.tangent - tangent_from(row["inclination"], row["azimuth"])).norm(), 1e-8);
+    EXPECT_NEAR(node.radius, row["radius"], 1e-6);
+  }
+  EXPECT_NEAR(60.0 * degree, Row(rows.back())["inclination"], 1e-6);
+  EXPECT_NEAR(5.5, Row(rows.back())["azimuth"], 1e-6);
+}
+
+TEST(RawPath, isThePathBeforeItsCorrection)
+{
+  Simulator simulator(drilling_scene());
+  drill_ahead(simulator, 6.0, 0.0, 0.01);
+  for (int k = 0; k < 300; ++k) ASSERT_EQ(FrameStatus::running, simulator.frame(0.01));
+  std::vector<Eigen::Vector3d> points;
+  simulator.raw_path(points);
+  ASSERT_GT(points.size(), 2u);
+  const File file(std::tmpfile());
+  write_raw_path(file.get(), simulator);
+  const std::vector<Row> rows = rows_of(file.get());
+  ASSERT_EQ(points.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    EXPECT_NEAR(0.0, (points[i] - Eigen::Vector3d(rows[i].at("east"), rows[i].at("north"), rows[i].at("up"))).norm(), 1e-9);
+}
+
+TEST(Output, whatCannotBeWrittenIsRefusedByOptionAndName)
+{
+  EXPECT_EQ(nullptr, open_output("--csv", ""));
+  close_output(File(), "");
+  try
+  {
+    open_output("--csv", "/nowhere/at/all");
+    FAIL();
+  }
+  catch (const UsageError& e)
+  {
+    EXPECT_STREQ("--csv: /nowhere/at/all cannot be written: No such file or directory", e.what());
+  }
+}
+
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,247 @@
+// The runner's summary: each number under the name of what it is.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "drill_ahead.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_summary.h"
+#include "test_scenes.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+using Numbers = std::map<std::string, double>;
+
+/// A bent motor and a survey tool in a slanted hole, from 5 mm above its bottom on: no reading is nought.
+Scene steered_scene()
+{
+  Scene scene = slanted_scene(199.995, 0.2);
+  scene.string = {bit_part(0.2159), motor_part(), mwd_part(), pipe_part(0, 9.5, tool_jointed_mass)};
+  scene.instruments.mwd.latency = scene.instruments.toolface.latency = 0.0;
+  return scene;
+}
+
+Simulator after_two_seconds(const Scene& scene, DrillingRecord& record, bool energy)
+{
+  Simulator simulator(scene);
+  if (energy) simulator.balance_energy();
+  simulator.tare();
+  drill_ahead(simulator, 6.0, 0.03, 0.01);
+  for (int k = 0; k < 200; ++k)
+  {
+    EXPECT_EQ(FrameStatus::running, simulator.frame(0.01));
+    record.add(simulator.truth());
+  }
+  return simulator;
+}
+
+nlohmann::json summary_of(const Simulator& simulator, const DrillingRecord& record, bool readings)
+{
+  return nlohmann::json::parse(json_summary(simulator, Elapsed{0.5, 0.25}, record, readings));
+}
+
+/// All of them, none else, to the last bit.
+void expect_numbers(const Numbers& expected, const nlohmann::json& block)
+{
+  EXPECT_EQ(expected.size(), block.size());
+  for (const auto& [name, value] : expected)
+  {
+    ASSERT_TRUE(block.contains(name)) << name;
+    EXPECT_EQ(value, block.at(name).get<double>()) << name;
+    EXPECT_NE(0.0, value) << name << ": nought could be anything's";
+  }
+}
+
+Numbers numbers_of(const Averages& a)
+{
+  return {{"hook_load", a.hook_load()},
+          {"torque", a.torque()},
+          {"wob", a.wob()},
+          {"bit_torque", a.bit_torque()},
+          {"bit_speed_rpm", a.bit_speed() * 60.0 / (2.0 * pi)},
+          {"rop", a.rop()},
+          {"hole_depth", a.hole_depth()},
+          {"bit_east", a.bit_position().x()},
+          {"bit_north", a.bit_position().y()},
+          {"bit_up", a.bit_position().z()},
+          {"inclination_deg", a.inclination() / degree},
+          {"azimuth_deg", a.azimuth() / degree}};
+}
+
+void expect_near(const Numbers& expected, const nlohmann::json& block)
+{
+  EXPECT_EQ(expected.size(), block.size());
+  for (const auto& [name, value] : expected) EXPECT_NEAR(value, block.at(name).get<double>(), 1e-12 * std::abs(value)) << name;
+}
+}  // namespace
+
+TEST(Summary, tellsWhatRanAndHowFast)
+{
+  DrillingRecord record;
+  const Simulator simulator = after_two_seconds(drilling_scene(), record, false);
+  const SimulatorStatistics& s = simulator.statistics();
+  const nlohmann::json told = summary_of(simulator, record, false);
+  EXPECT_EQ(simulator.truth().time, told["simulated_s"].get<double>());
+  EXPECT_EQ(0.5, told["wall_s"].get<double>());
+  EXPECT_EQ(0.25, told["cpu_s"].get<double>());
+  EXPECT_EQ(simulator.truth().time / 0.25, told["real_time_factor"].get<double>());
+  EXPECT_EQ("beam3d", told["level"]);
+  EXPECT_EQ("bdf2", told["integrator"]);
+  EXPECT_EQ(s.step, told["step"].get<double>());
+  const std::map<std::string, std::uint64_t> counts = {{"nodes", s.nodes},
+                                                       {"coordinates", s.coordinates},
+                                                       {"steps", s.steps},
+                                                       {"newton_iterations", s.newton_iterations},
+                                                       {"rejected_steps", s.convergence_failures + s.error_test_failures},
+                                                       {"convergence_failures", s.convergence_failures},
+                                                       {"error_test_failures", s.error_test_failures},
+                                                       {"residuals", s.work.residuals},
+                                                       {"tangents", s.work.tangents},
+                                                       {"solves", s.work.solves},
+                                                       {"substitutions", s.work.substitutions}};
+  for (const auto& [name, count] : counts) EXPECT_EQ(count, told[name].get<std::uint64_t>()) << name;
+  for (const char* name : {"reference", "energy", "final_readings", "failure"}) EXPECT_FALSE(told.contains(name)) << name;
+}
+
+TEST(Summary, sharesOfCostAreOfTheProfiledTime)
+{
+  DrillingRecord record;
+  const Simulator simulator = after_two_seconds(drilling_scene(), record, false);
+  const std::map<std::string, Cost> costs = {{"kinematics", Cost::kinematics},     {"elements", Cost::elements},
+                                             {"inertia", Cost::inertia},           {"contact", Cost::contact},
+                                             {"bit", Cost::bit},                   {"rig", Cost::rig},
+                                             {"linear_solve", Cost::linear_solve}, {"rock_penetration", Cost::rock_penetration},
+                                             {"other", Cost::other}};
+  double total = 0.0;
+  for (const auto& [name, cost] : costs) total += simulator.statistics().costs.seconds(cost);
+  Numbers expected;
+  for (const auto& [name, cost] : costs) expected[name] = simulator.statistics().costs.seconds(cost) / total;
+  expect_near(expected, summary_of(simulator, record, false)["cost_share"]);
+}
+
+TEST(Summary, meansAreOfTheEndOfTheDrillingAndOfItsLastQuarter)
+{
+  DrillingRecord record;
+  const Simulator simulator = after_two_seconds(steered_scene(), record, false);
+  const nlohmann::json told = summary_of(simulator, record, false);
+  Averages end;
+  end.add(simulator.truth());
+  expect_near(numbers_of(end), told["final"]);
+  expect_near(numbers_of(record.all()), told["mean_drilling"]);
+  expect_near(numbers_of(record.last_quarter()), told["mean_last_quarter"]);
+  EXPECT_NE(told["mean_drilling"]["torque"], told["mean_last_quarter"]["torque"]);
+  EXPECT_NE(told["final"]["torque"], told["mean_last_quarter"]["torque"]);
+}
+
+TEST(Summary, readingsAreTheInstruments)
+{
+  DrillingRecord record;
+  const Simulator simulator = after_two_seconds(steered_scene(), record, false);
+  const Readings& r = simulator.readings();
+  expect_numbers({{"hook_load", r.hook_load},
+                  {"dead_line_hook_load", r.dead_line_hook_load},
+                  {"hook_load_string", r.hook_load_string},
+                  {"torque", r.torque},
+                  {"stand_pipe_pressure", r.stand_pipe_pressure},
+                  {"differential_pressure", r.differential_pressure},
+                  {"flow", r.flow},
+                  {"block_height", r.block_height},
+                  {"bit_depth", r.bit_depth},
+                  {"hole_depth", r.hole_depth},
+                  {"rop", r.rop},
+                  {"surface_wob", r.surface_wob},
+                  {"mwd_md", r.mwd.md},
+                  {"mwd_inclination_deg", r.mwd.inclination / degree},
+                  {"mwd_azimuth_deg", r.mwd.azimuth / degree},
+                  {"toolface_deg", r.toolface.toolface / degree}},
+                 summary_of(simulator, record, true)["final_readings"]);
+}
+
+TEST(Summary, energyIsToldAccountByAccountWhereItIsBalanced)
+{
+  DrillingRecord record;
+  const Simulator simulator = after_two_seconds(steered_scene(), record, true);
+  const EnergyAccounts& e = simulator.energy();
+  expect_near({{"winch", e.winch},
+               {"drive", e.drive},
+               {"pump", e.pump},
+               {"gravity", e.gravity},
+               {"stored", e.stored()},
+               {"wall_friction", e.wall_friction},
+               {"wall_damping", e.wall_damping},
+               {"bottom_damping", e.bottom_damping},
+               {"squeeze_film", e.squeeze_film},
+               {"mud", e.mud},
+               {"structural", e.structural},
+               {"motor_slip", e.motor_slip},
+               {"stuck_point_released", e.stuck_point_released},
+               {"ledge", e.ledge},
+               {"added_mass", e.added_mass},
+               {"rock_thrust", e.rock_thrust},
+               {"rock_torque", e.rock_torque},
+               {"correction", e.correction},
+               {"numerical_inertia", e.of_inertia},
+               {"numerical_beams", e.of_beams},
+               {"numerical_contact", e.of_contact},
+               {"numerical_line", e.of_line},
+               {"numerical_residual", e.of_residual},
+               {"numerical_rebasing", e.of_rebasing},
+               {"residual", e.residual()},
+               {"throughput", e.throughput()},
+               {"closure", e.closure()},
+               {"numerical_share", e.numerical_share()},
+               {"numerical_of_losses", e.numerical_of_losses()}},
+              summary_of(simulator, record, false)["energy"]);
+}
+
+TEST(Summary, aReferenceReportsItsWork)
+{
+  Scene scene = drilling_scene();
+  scene.numerics.integrator = IntegratorKind::ida;
+  Simulator simulator(scene);
+  for (int k = 0; k < 5; ++k) ASSERT_EQ(FrameStatus::running, simulator.frame(0.01));
+  const ReferenceReport& report = simulator.statistics().reference;
+  expect_near({{"constraint_drift", report.drift},
+               {"constraint_rate_drift", report.rate_drift},
+               {"jacobians", report.ida.jacobians},
+               {"error_test_failures", report.ida.error_test_failures},
+               {"newton_failures", report.ida.newton_failures},
+               {"starts", report.ida.starts},
+               {"last_order", report.ida.last_order},
+               {"last_step", report.ida.last_step},
+               {"smallest_step", report.ida.smallest_step}},
+              summary_of(simulator, DrillingRecord(), false)["reference"]);
+}
+
+TEST(Summary, inTwoLines)
+{
+  DrillingRecord record;
+  Truth m;
+  m.on_bottom = true;
+  m.hook_load = 1234e2;
+  m.torque = 5670.0;
+  m.wob = 8900.0;
+  m.rop = 0.01;
+  m.bit_speed = 2.0 * pi;
+  record.add(m);
+  const Simulator simulator(drilling_scene());
+  testing::internal::CaptureStdout();
+  print_summary(simulator, Elapsed{9.0, 0.5}, record);
+  print_summary(simulator, Elapsed{9.0, 0.5}, DrillingRecord());
+  const std::string text = testing::internal::GetCapturedStdout();
+  EXPECT_NE(std::string::npos, text.find(": 0.0 s simulated in 0.50 s (0.0 times real time), hole 100.000 m\n"));
+  EXPECT_NE(std::string::npos, text.find("hook load 123.4 kN, torque 5.67 kN m, WOB 8.9 kN, ROP 36.00 m/h, bit 60 rpm\n"));
+  EXPECT_NE(std::string::npos, text.find("the bit was not on bottom; hook load "));
+}
+
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
