@@ -23,7 +23,9 @@ std::uint64_t next(std::uint64_t& state) noexcept
 
 double rounded(double value, double resolution) noexcept
 {
-  return resolution > 0.0 ? resolution * std::round(value / resolution) : value;
+  constexpr double most_steps = 4503599627370496.0;  // 2^52: beyond, a step is finer than the value's own last bit
+  const double steps = value / resolution;
+  return resolution > 0.0 && std::abs(steps) < most_steps ? resolution * std::round(steps) : value;
 }
 
 NoiseSource NoiseSource::of(std::uint64_t seed, std::uint64_t index) noexcept

@@ -47,6 +47,15 @@ TEST(NoiseSource, isStandardNormalAndRepeats)
   EXPECT_NEAR(squares / n, 1.0, 4.0 * std::sqrt(2.0 / n));
 }
 
+TEST(Rounded, isWholeStepsOrTheValueItself)
+{
+  EXPECT_DOUBLE_EQ(rounded(12.34, 0.1), 12.3);
+  EXPECT_DOUBLE_EQ(rounded(-12.36, 0.1), -12.4);
+  EXPECT_DOUBLE_EQ(rounded(0.04, 0.1), 0.0);
+  EXPECT_EQ(rounded(12.34, 0.0), 12.34);
+  EXPECT_EQ(rounded(2.2e5, 5e-324), 2.2e5) << "more steps than there are numbers";
+}
+
 TEST(Sensor, idealOneTellsTheTruth)
 {
   Sensor sensor{SensorSpec(), 0.01};

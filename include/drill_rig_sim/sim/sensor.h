@@ -26,7 +26,7 @@ struct NoiseSource
   }
 };
 
-/// `value` to whole multiples of `resolution`; 0: as it is.
+/// `value` to whole multiples of `resolution`; 0, or too small to be told beside the value: as it is.
 double rounded(double value, double resolution) noexcept;
 
 /// A surface sensor: delayed, filtered to first order, offset, noisy, and shown in steps of its resolution. With SensorSpec's defaults it
