@@ -304,8 +304,10 @@ TEST(StickPipe, gripsTheNearestNodeOrRefuses)
     EXPECT_EQ(state.stuck_point.position, state.nodes[held].position);
     EXPECT_EQ(state.stuck_point.spin_angle, state.nodes[held].spin_angle);
     for (const NodeState& node : state.nodes)
-      if (node.position.z() < 0.0)
-        EXPECT_LE(std::abs(-state.nodes[held].position.z() - md), std::abs(-node.position.z() - md) + 0.02) << md;  // less the stretch
+    {
+      if (node.position.z() >= 0.0) continue;
+      EXPECT_LE(std::abs(-state.nodes[held].position.z() - md), std::abs(-node.position.z() - md) + 0.02) << md;  // less the stretch
+    }
   }
   rig.free_pipe();
   EXPECT_EQ(rig.save()->mechanics.stuck_point.node, -1);
