@@ -144,6 +144,20 @@ TEST(OnBottom, bitThatDoesNotTurnDrillsNothing)
   EXPECT_EQ(rig.truth().hole_depth, hole);
 }
 
+/// Why the scene cannot be started; empty where it can.
+std::string refusal_of(const Scene& scene)
+{
+  try
+  {
+    Simulator rig(scene);
+    return "";
+  }
+  catch (const std::runtime_error& error)
+  {
+    return error.what();
+  }
+}
+
 // A start that could not rest is refused: the bit resists by mu F D/3, and string and block together must hang on the line.
 TEST(OnBottom, aStartHoldsOnlyWhatRockAndLineHold)
 {
@@ -151,25 +165,31 @@ TEST(OnBottom, aStartHoldsOnlyWhatRockAndLineHold)
   scene.start.bit_depth = scene.well.hole_depth;
   scene.start.weight_on_bit = 20e3;
   const double most = 0.4 * 20e3 * scene.string[0].bit->diameter / 3.0;
-  const auto refusal = [&]
-  {
-    try
-    {
-      Simulator rig(scene);
-      return std::string();
-    }
-    catch (const std::runtime_error& error)
-    {
-      return std::string(error.what());
-    }
-  };
   scene.start.torque_on_bit = 0.999 * most;
-  EXPECT_EQ("", refusal());
+  EXPECT_EQ("", refusal_of(scene));
   scene.start.torque_on_bit = 1.001 * most;
-  EXPECT_EQ(0u, refusal().find("start: torque_on_bit: ")) << refusal();
+  EXPECT_EQ(0u, refusal_of(scene).find("start: torque_on_bit: ")) << refusal_of(scene);
   scene.start.torque_on_bit = 0.0;
   scene.start.weight_on_bit = 2e6;
-  EXPECT_EQ(0u, refusal().find("start: weight_on_bit: ")) << refusal();
+  EXPECT_EQ(0u, refusal_of(scene).find("start: weight_on_bit: ")) << refusal_of(scene);
+}
+
+// A drag bit that stands resists as at 1 rad/s: epsilon a^2/2 times a turn's depth of cut, 2 pi K F, in the rock of the hole's bottom.
+TEST(OnBottom, aStartsTorqueIsHeldByTheBottomsRock)
+{
+  Scene scene = frictionless({1.3e-7, 1.0, 0.0, 0.0});
+  scene.formation.insert(scene.formation.begin(), scene.formation[0]);
+  scene.formation[0].to_tvd = 50.0;
+  scene.formation[0].drillability = 1e-6;
+  scene.string[0].bit->torque.model = BitTorqueModel::detournay;
+  scene.start.bit_depth = scene.well.hole_depth;
+  scene.start.weight_on_bit = 20e3;
+  const double a = 0.5 * scene.string[0].bit->diameter;
+  const double most = 0.5 * scene.string[0].bit->torque.cutting_energy * a * a * 2.0 * pi * 1.3e-7 * 20e3;
+  scene.start.torque_on_bit = 0.999 * most;
+  EXPECT_EQ("", refusal_of(scene));
+  scene.start.torque_on_bit = 1.001 * most;
+  EXPECT_EQ(0u, refusal_of(scene).find("start: torque_on_bit: ")) << refusal_of(scene);
 }
 
 /// Direction of the hole after half a metre drilled on from a straight one at 20 deg, behind the bit a string of slick collars: turn of

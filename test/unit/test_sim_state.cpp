@@ -1,4 +1,5 @@
 // The one list of a state's fields: every number in it survives a snapshot, in memory and as bytes, and nothing else is in a state.
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -76,6 +77,12 @@ std::size_t last_hash_of(const std::vector<std::string>& paths, const std::strin
     if (paths[k] == hash) return k;
   return paths.size();
 }
+
+std::string bytes_of(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
 }  // namespace
 
 TEST(State, everyNumberComesBack)
@@ -130,6 +137,17 @@ TEST(State, ofAnotherRigIsRefused)
   EXPECT_EQ(to_bytes(*other.save()), before);
 }
 
+// Snapshots are refused by another build: they hold what the linker wrote into the binary as its hash.
+TEST(SnapshotFile, namesTheBuildByTheLibrarysNote)
+{
+  const TemporaryFolder folder;
+  write_snapshot(folder.file("snapshot"), 5, {1, 2, 3});
+  const std::string identity = bytes_of(folder.file("snapshot")).substr(20, 20);
+  Dl_info library{};
+  ASSERT_NE(0, dladdr(reinterpret_cast<void*>(&write_snapshot), &library));
+  EXPECT_NE(std::string::npos, bytes_of(library.dli_fname).find(std::string("GNU", 4) + identity)) << library.dli_fname;
+}
+
 TEST(SnapshotFile, goesOnBitByBit)
 {
   Simulator rig = drilling_rig();
@@ -170,9 +188,7 @@ TEST(SnapshotFile, anythingElseIsRefused)
   EXPECT_EQ(read_snapshot(file, 5), value);
   EXPECT_NE(refused(6).find("another scene"), std::string::npos);
 
-  std::ifstream in(file, std::ios::binary);
-  const std::string good{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  in.close();
+  const std::string good = bytes_of(file);
   ASSERT_EQ(good.size(), 56u + value.size());
   const std::pair<std::size_t, const char*> damage[] = {
       {0, "no snapshot"}, {8, "another format"}, {12, "another scene"}, {20, "another build"}, {39, "another build"},

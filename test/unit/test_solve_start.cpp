@@ -1,0 +1,65 @@
+// How soon a start is found: its first guess and its continuation are worth counting, a result that is right all the same hides them.
+#include <gtest/gtest.h>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/solve/start.h"
+#include "in_source.h"
+#include "test_scenes.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+int iterations_of(const Scene& scene)
+{
+  const RigAtRest rig = build_at_rest(scene);
+  EXPECT_TRUE(rig.statics.converged);
+  return rig.statics.iterations;
+}
+
+/// Bent motor and survey tool below pipe in a straight hole at 60 deg.
+Scene steep_scene()
+{
+  Scene scene = scene_in({{0.0, 60.0 * degree, 1.0}, {500.0, 60.0 * degree, 1.0}}, 500.0, 490.0, 0.2);
+  scene.string = {bit_part(0.2159), motor_part(), mwd_part(), pipe_part(0, 9.5, tool_jointed_mass)};
+  return scene;
+}
+}  // namespace
+
+TEST(Start, aLongVerticalString)
+{
+  EXPECT_LE(iterations_of(vertical_scene(4000.0, 3990.0)), 395);
+}
+
+TEST(Start, aStringOnTheLowSide)
+{
+  EXPECT_LE(iterations_of(slanted_scene(150.0, 0.2)), 65);
+}
+
+TEST(Start, aBentMotorInASteepHole)
+{
+  EXPECT_LE(iterations_of(steep_scene()), 395);
+}
+
+TEST(Start, aBuiltHole)
+{
+  Scene scene = scene_in(build_and_hold(100.0, 3.0 * degree / 30.0, 60.0 * degree, 5.2, 1000.0), 1000.0, 990.0, 0.2);
+  EXPECT_LE(iterations_of(scene), 32);
+}
+
+TEST(Start, weightOnBit)
+{
+  Scene scene = drilling_scene();
+  scene.start.bit_depth = scene.well.hole_depth;
+  scene.start.weight_on_bit = 20e3;
+  EXPECT_LE(iterations_of(scene), 17);
+}
+
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
