@@ -137,14 +137,49 @@ TEST(Mwd, isPunctualWhateverTheSumsOfSteps)
   }
 }
 
+// A trickle of a tenth of a litre a second carries no pulses.
 TEST(Mwd, isSilentWithoutFlow)
 {
-  Mwd mwd{MwdSpec(), ToolfaceSpec()};
-  MwdReading survey;
-  ToolfaceReading toolface;
-  for (double t = 0.0; t < 100.0; t += 0.5) mwd.update(t, 0.0, SensorView(), survey, toolface);
-  EXPECT_EQ(survey.sequence, 0u);
-  EXPECT_EQ(toolface.sequence, 0u);
+  for (const double flow : {0.0, 1e-4, 1.01e-4})
+  {
+    Mwd mwd{MwdSpec(), ToolfaceSpec()};
+    MwdReading survey;
+    ToolfaceReading toolface;
+    for (double t = 0.0; t < 100.0; t += 0.5) mwd.update(t, flow, SensorView(), survey, toolface);
+    EXPECT_EQ(survey.sequence > 0, flow > 1e-4) << flow;
+    EXPECT_EQ(toolface.sequence > 0, flow > 1e-4) << flow;
+  }
+}
+
+// 10^4 readings: deviations within 5 sqrt(1/2n), means within 5/sqrt(n) of the deviation, and no two alike.
+TEST(Mwd, noiseIsInEachAngle)
+{
+  MwdSpec spec;
+  spec.noise = 0.01;
+  spec.period = 1.0;
+  spec.latency = 0.0;
+  ToolfaceSpec fast;
+  fast.period = 1.0;
+  fast.latency = 0.0;
+  Mwd mwd(spec, fast, NoiseSource{3});
+  const int n = 10000;
+  Eigen::Array3d sum = Eigen::Array3d::Zero(), squares = sum, products = sum;
+  for (int k = 0; k < n; ++k)
+  {
+    MwdReading survey;
+    ToolfaceReading toolface;
+    mwd.update(k, 0.03, tilted_view(1.0, 2.0, 0.5), survey, toolface);
+    const Eigen::Array3d error(survey.inclination - 1.0, survey.azimuth - 2.0, toolface.toolface - 0.5);
+    sum += error;
+    squares += error.square();
+    products += error * Eigen::Array3d(error[1], error[2], error[0]);
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(sum[i] / n, 0.0, 0.01 * 5.0 / std::sqrt(n)) << i;
+    EXPECT_NEAR(std::sqrt(squares[i] / n), 0.01, 0.01 * 5.0 * std::sqrt(0.5 / n)) << i;
+    EXPECT_NEAR(products[i] / n, 0.0, 1e-4 * 5.0 / std::sqrt(n)) << i;
+  }
 }
 
 // Pulses in the mud: what was measured before the pumps stopped comes when they run again.

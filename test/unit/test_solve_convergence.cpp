@@ -144,6 +144,17 @@ TEST(Convergence, centralDifferencesFailBeyondTheirLimit)
   EXPECT_GT(largest_rate(1.2 * limit), 1e3);
 }
 
+// Rates half a step old: of an oscillator's 2/omega, damping zeta leaves sqrt(1 + zeta^2) - zeta. Here zeta = omega b/2 = 1/2.
+TEST(Convergence, dampingShortensTheExplicitLimit)
+{
+  Scene scene = without_damping(vertical_scene(100.0, 90.0));
+  const RigAtRest undamped = build_at_rest(scene);
+  const double limit = explicit_step_limit(*undamped.model, undamped.state);
+  scene.numerics.structural_damping = 0.5 * limit;
+  const RigAtRest damped = build_at_rest(scene);
+  EXPECT_NEAR(explicit_step_limit(*damped.model, damped.state), limit * (std::sqrt(1.25) - 0.5), 1e-6 * limit);
+}
+
 // Both go to the same solution, BDF2 sooner.
 TEST(Convergence, methodsAgreeInTheLimit)
 {
