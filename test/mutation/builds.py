@@ -287,11 +287,7 @@ class Copy:
         """Makes what holds the file: 'differs', or 'does not compile', or 'same' where no object file differs."""
         self.header = file if file.endswith('.h') else None
         now = self.affected(file) & self.products
-        before = self.stale & self.products
-        again = self._linked_again(now | before)
-        self.stale = self.stale - before | now | again - self.products
-        made = now | before | again & self.products
-        if made and self.make(*sorted(made)) != 0:
+        if not self._make_with(now):
             return 'does not compile'
         changed = any(self._code(o) != self.pristine[o] for o in self._objects_of(now))
         return 'differs' if changed or not now else 'same'
@@ -302,11 +298,17 @@ class Copy:
 
     def make_again(self):
         """What is not mutated, once all faults are put back."""
-        before = self.stale & self.products
-        again = self._linked_again(before)
-        self.header, self.stale = None, self.stale - before | again - self.products
-        if self.make(*sorted(before | again & self.products)) != 0:
+        self.header = None
+        if not self._make_with(set()):
             raise Broken('what is not mutated does not build any more')
+
+    def _make_with(self, now):
+        """Makes the products that hold the mutant now, those that held the one before, and what is linked from them; whether they build."""
+        before = self.stale & self.products
+        again = self._linked_again(now | before)
+        self.stale = self.stale - before | now | again - self.products
+        made = now | before | again & self.products
+        return not made or self.make(*sorted(made)) == 0
 
 
 def end_session(process):
