@@ -52,7 +52,6 @@ void expect_numbers(const Numbers& expected, const nlohmann::json& block)
   {
     ASSERT_TRUE(block.contains(name)) << name;
     EXPECT_EQ(value, block.at(name).get<double>()) << name;
-    EXPECT_NE(0.0, value) << name << ": nought could be anything's";
   }
 }
 
@@ -62,7 +61,7 @@ Numbers numbers_of(const Averages& a)
           {"torque", a.torque()},
           {"wob", a.wob()},
           {"bit_torque", a.bit_torque()},
-          {"bit_speed_rpm", a.bit_speed() * 60.0 / (2.0 * pi)},
+          {"bit_speed_rpm", a.bit_speed() / rpm},
           {"rop", a.rop()},
           {"hole_depth", a.hole_depth()},
           {"bit_east", a.bit_position().x()},
@@ -70,12 +69,6 @@ Numbers numbers_of(const Averages& a)
           {"bit_up", a.bit_position().z()},
           {"inclination_deg", a.inclination() / degree},
           {"azimuth_deg", a.azimuth() / degree}};
-}
-
-void expect_near(const Numbers& expected, const nlohmann::json& block)
-{
-  EXPECT_EQ(expected.size(), block.size());
-  for (const auto& [name, value] : expected) EXPECT_NEAR(value, block.at(name).get<double>(), 1e-12 * std::abs(value)) << name;
 }
 }  // namespace
 
@@ -111,16 +104,17 @@ TEST(Summary, sharesOfCostAreOfTheProfiledTime)
 {
   DrillingRecord record;
   const Simulator simulator = after_two_seconds(drilling_scene(), record, false);
-  const std::map<std::string, Cost> costs = {{"kinematics", Cost::kinematics},     {"elements", Cost::elements},
-                                             {"inertia", Cost::inertia},           {"contact", Cost::contact},
-                                             {"bit", Cost::bit},                   {"rig", Cost::rig},
-                                             {"linear_solve", Cost::linear_solve}, {"rock_penetration", Cost::rock_penetration},
-                                             {"other", Cost::other}};
+  // in the order of the sum
+  const std::pair<const char*, Cost> costs[] = {{"kinematics", Cost::kinematics},     {"elements", Cost::elements},
+                                                {"inertia", Cost::inertia},           {"contact", Cost::contact},
+                                                {"bit", Cost::bit},                   {"rig", Cost::rig},
+                                                {"linear_solve", Cost::linear_solve}, {"rock_penetration", Cost::rock_penetration},
+                                                {"other", Cost::other}};
   double total = 0.0;
   for (const auto& [name, cost] : costs) total += simulator.statistics().costs.seconds(cost);
   Numbers expected;
   for (const auto& [name, cost] : costs) expected[name] = simulator.statistics().costs.seconds(cost) / total;
-  expect_near(expected, summary_of(simulator, record, false)["cost_share"]);
+  expect_numbers(expected, summary_of(simulator, record, false)["cost_share"]);
 }
 
 TEST(Summary, meansAreOfTheEndOfTheDrillingAndOfItsLastQuarter)
@@ -130,9 +124,9 @@ TEST(Summary, meansAreOfTheEndOfTheDrillingAndOfItsLastQuarter)
   const nlohmann::json told = summary_of(simulator, record, false);
   Averages end;
   end.add(simulator.truth());
-  expect_near(numbers_of(end), told["final"]);
-  expect_near(numbers_of(record.all()), told["mean_drilling"]);
-  expect_near(numbers_of(record.last_quarter()), told["mean_last_quarter"]);
+  expect_numbers(numbers_of(end), told["final"]);
+  expect_numbers(numbers_of(record.all()), told["mean_drilling"]);
+  expect_numbers(numbers_of(record.last_quarter()), told["mean_last_quarter"]);
   EXPECT_NE(told["mean_drilling"]["torque"], told["mean_last_quarter"]["torque"]);
   EXPECT_NE(told["final"]["torque"], told["mean_last_quarter"]["torque"]);
 }
@@ -142,23 +136,24 @@ TEST(Summary, readingsAreTheInstruments)
   DrillingRecord record;
   const Simulator simulator = after_two_seconds(steered_scene(), record, false);
   const Readings& r = simulator.readings();
-  expect_numbers({{"hook_load", r.hook_load},
-                  {"dead_line_hook_load", r.dead_line_hook_load},
-                  {"hook_load_string", r.hook_load_string},
-                  {"torque", r.torque},
-                  {"stand_pipe_pressure", r.stand_pipe_pressure},
-                  {"differential_pressure", r.differential_pressure},
-                  {"flow", r.flow},
-                  {"block_height", r.block_height},
-                  {"bit_depth", r.bit_depth},
-                  {"hole_depth", r.hole_depth},
-                  {"rop", r.rop},
-                  {"surface_wob", r.surface_wob},
-                  {"mwd_md", r.mwd.md},
-                  {"mwd_inclination_deg", r.mwd.inclination / degree},
-                  {"mwd_azimuth_deg", r.mwd.azimuth / degree},
-                  {"toolface_deg", r.toolface.toolface / degree}},
-                 summary_of(simulator, record, true)["final_readings"]);
+  const Numbers expected = {{"hook_load", r.hook_load},
+                            {"dead_line_hook_load", r.dead_line_hook_load},
+                            {"hook_load_string", r.hook_load_string},
+                            {"torque", r.torque},
+                            {"stand_pipe_pressure", r.stand_pipe_pressure},
+                            {"differential_pressure", r.differential_pressure},
+                            {"flow", r.flow},
+                            {"block_height", r.block_height},
+                            {"bit_depth", r.bit_depth},
+                            {"hole_depth", r.hole_depth},
+                            {"rop", r.rop},
+                            {"surface_wob", r.surface_wob},
+                            {"mwd_md", r.mwd.md},
+                            {"mwd_inclination_deg", r.mwd.inclination / degree},
+                            {"mwd_azimuth_deg", r.mwd.azimuth / degree},
+                            {"toolface_deg", r.toolface.toolface / degree}};
+  expect_numbers(expected, summary_of(simulator, record, true)["final_readings"]);
+  for (const auto& [name, value] : expected) EXPECT_NE(0.0, value) << name << ": nought could be anything's";
 }
 
 TEST(Summary, energyIsToldAccountByAccountWhereItIsBalanced)
@@ -166,36 +161,36 @@ TEST(Summary, energyIsToldAccountByAccountWhereItIsBalanced)
   DrillingRecord record;
   const Simulator simulator = after_two_seconds(steered_scene(), record, true);
   const EnergyAccounts& e = simulator.energy();
-  expect_near({{"winch", e.winch},
-               {"drive", e.drive},
-               {"pump", e.pump},
-               {"gravity", e.gravity},
-               {"stored", e.stored()},
-               {"wall_friction", e.wall_friction},
-               {"wall_damping", e.wall_damping},
-               {"bottom_damping", e.bottom_damping},
-               {"squeeze_film", e.squeeze_film},
-               {"mud", e.mud},
-               {"structural", e.structural},
-               {"motor_slip", e.motor_slip},
-               {"stuck_point_released", e.stuck_point_released},
-               {"ledge", e.ledge},
-               {"added_mass", e.added_mass},
-               {"rock_thrust", e.rock_thrust},
-               {"rock_torque", e.rock_torque},
-               {"correction", e.correction},
-               {"numerical_inertia", e.of_inertia},
-               {"numerical_beams", e.of_beams},
-               {"numerical_contact", e.of_contact},
-               {"numerical_line", e.of_line},
-               {"numerical_residual", e.of_residual},
-               {"numerical_rebasing", e.of_rebasing},
-               {"residual", e.residual()},
-               {"throughput", e.throughput()},
-               {"closure", e.closure()},
-               {"numerical_share", e.numerical_share()},
-               {"numerical_of_losses", e.numerical_of_losses()}},
-              summary_of(simulator, record, false)["energy"]);
+  expect_numbers({{"winch", e.winch},
+                  {"drive", e.drive},
+                  {"pump", e.pump},
+                  {"gravity", e.gravity},
+                  {"stored", e.stored()},
+                  {"wall_friction", e.wall_friction},
+                  {"wall_damping", e.wall_damping},
+                  {"bottom_damping", e.bottom_damping},
+                  {"squeeze_film", e.squeeze_film},
+                  {"mud", e.mud},
+                  {"structural", e.structural},
+                  {"motor_slip", e.motor_slip},
+                  {"stuck_point_released", e.stuck_point_released},
+                  {"ledge", e.ledge},
+                  {"added_mass", e.added_mass},
+                  {"rock_thrust", e.rock_thrust},
+                  {"rock_torque", e.rock_torque},
+                  {"correction", e.correction},
+                  {"numerical_inertia", e.of_inertia},
+                  {"numerical_beams", e.of_beams},
+                  {"numerical_contact", e.of_contact},
+                  {"numerical_line", e.of_line},
+                  {"numerical_residual", e.of_residual},
+                  {"numerical_rebasing", e.of_rebasing},
+                  {"residual", e.residual()},
+                  {"throughput", e.throughput()},
+                  {"closure", e.closure()},
+                  {"numerical_share", e.numerical_share()},
+                  {"numerical_of_losses", e.numerical_of_losses()}},
+                 summary_of(simulator, record, false)["energy"]);
 }
 
 TEST(Summary, aReferenceReportsItsWork)
@@ -205,16 +200,16 @@ TEST(Summary, aReferenceReportsItsWork)
   Simulator simulator(scene);
   for (int k = 0; k < 5; ++k) ASSERT_EQ(FrameStatus::running, simulator.frame(0.01));
   const ReferenceReport& report = simulator.statistics().reference;
-  expect_near({{"constraint_drift", report.drift},
-               {"constraint_rate_drift", report.rate_drift},
-               {"jacobians", report.ida.jacobians},
-               {"error_test_failures", report.ida.error_test_failures},
-               {"newton_failures", report.ida.newton_failures},
-               {"starts", report.ida.starts},
-               {"last_order", report.ida.last_order},
-               {"last_step", report.ida.last_step},
-               {"smallest_step", report.ida.smallest_step}},
-              summary_of(simulator, DrillingRecord(), false)["reference"]);
+  expect_numbers({{"constraint_drift", report.drift},
+                  {"constraint_rate_drift", report.rate_drift},
+                  {"jacobians", report.ida.jacobians},
+                  {"error_test_failures", report.ida.error_test_failures},
+                  {"newton_failures", report.ida.newton_failures},
+                  {"starts", report.ida.starts},
+                  {"last_order", report.ida.last_order},
+                  {"last_step", report.ida.last_step},
+                  {"smallest_step", report.ida.smallest_step}},
+                 summary_of(simulator, DrillingRecord(), false)["reference"]);
 }
 
 TEST(Summary, inTwoLines)
