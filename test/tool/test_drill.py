@@ -5,8 +5,6 @@ import glob
 import json
 import math
 import os
-import pty
-import select
 import subprocess
 import sys
 import tempfile
@@ -315,21 +313,6 @@ class Run(Drill):
         done = drill('run', QUICK, '--duration', '1', '--csv', '/dev/full')
         self.assertEqual(done.returncode, 3)
         self.assertIn('/dev/full could not be written whole', done.stderr)
-
-    def test_a_terminal_gets_a_progress_bar(self):
-        master, slave = pty.openpty()
-        done = subprocess.run([drill_program, 'run', QUICK, '--duration', '50'], stdout=subprocess.PIPE, stderr=slave, timeout=300)
-        os.close(slave)
-        shown = b''
-        while select.select([master], [], [], 0.2)[0]:
-            try:
-                shown += os.read(master, 65536)
-            except OSError:
-                break
-        os.close(master)
-        self.assertEqual(done.returncode, 0)
-        self.assertIn(b'real time', shown)
-        self.assertIn(b'hole', shown)
 
 
 class Reference(Drill):
