@@ -233,6 +233,21 @@ TEST(Summary, inTwoLines)
   EXPECT_NE(std::string::npos, text.find("the bit was not on bottom; hook load "));
 }
 
+TEST(Summary, withoutDrillingTellsWhatHangsAndTurns)
+{
+  DrillingRecord record;
+  const Simulator simulator = after_two_seconds(steered_scene(), record, false);
+  testing::internal::CaptureStdout();
+  print_summary(simulator, Elapsed{9.0, 0.5}, DrillingRecord());
+  const std::string text = testing::internal::GetCapturedStdout(), words = "hook load ";
+  double load = 0.0, torque = 0.0;
+  ASSERT_NE(std::string::npos, text.find(words));
+  ASSERT_EQ(2, std::sscanf(text.c_str() + text.find(words), "hook load %lf kN, torque %lf kN m", &load, &torque)) << text;
+  EXPECT_NEAR(simulator.truth().hook_load, 1e3 * load, 51.0);
+  EXPECT_NEAR(simulator.truth().torque, 1e3 * torque, 5.1);
+  EXPECT_GT(std::abs(torque), 0.0);
+}
+
 }  // namespace drill_rig_sim
 
 int main(int argc, char** argv)
