@@ -6,7 +6,7 @@ from drill_rig_sim.msg import RigState
 from rig_test import Rig, rospy, run, turn, unittest, winch
 from rosgraph_msgs.msg import Clock
 
-STRIDE = 5  # frames; the node's queues hold ten messages
+STRIDE = 5  # frames
 
 
 class Failure(unittest.TestCase):

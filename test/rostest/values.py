@@ -11,7 +11,6 @@ from std_msgs.msg import Float64
 
 SCENE = scene("values.yaml")
 FRAME = 0.01  # [s]
-STRIDE = 8  # frames
 BLOCK_WEIGHT = GRAVITY * SCENE["rig"]["hoisting"]["block_mass"]
 MOTOR = SCENE["string"][1]
 
@@ -32,20 +31,14 @@ class Record:
         self.topics = {name: rig.collect(*kind) for name, kind in self.KINDS.items()}
 
     def take(self, frames, **commands):
-        """So many frames; a few at a time, for the node's queues hold ten messages."""
+        """So many frames."""
         first = self.rig.advance(0).header.stamp
-        for name in self.topics:
-            setattr(self, name, [])
-        for done in range(0, frames, STRIDE):
-            stride = min(STRIDE, frames - done)
-            self.rig.advance(stride, **commands)
-            commands = {}
-            stamps = [first + rospy.Duration(0, 10000000 * (i + 1)) for i in range(stride)]
-            for name, topic in self.topics.items():
-                messages = topic.take_until(stamps[-1])
-                assert [m.header.stamp for m in messages if m.header.stamp > first] == stamps, name
-                getattr(self, name).extend(messages[-stride:])
-            first = stamps[-1]
+        self.rig.advance(frames, **commands)
+        stamps = [first + rospy.Duration(0, 10000000) * (i + 1) for i in range(frames)]
+        for name, topic in self.topics.items():
+            messages = [m for m in topic.take_until(stamps[-1]) if m.header.stamp > first]
+            assert [m.header.stamp for m in messages] == stamps, name
+            setattr(self, name, messages)
         self.axis = [rotated(quaternion(m.pose.orientation), (1.0, 0.0, 0.0)) for m in self.pose]
         return self
 

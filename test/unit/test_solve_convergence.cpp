@@ -6,6 +6,7 @@
 #include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/solve/methods/explicit_limit.h"
+#include "drill_rig_sim/solve/methods/method.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "plucked_rig.h"
@@ -55,6 +56,22 @@ TEST(Convergence, generalisedAlphaIsOfSecondOrder)
 TEST(Convergence, linearlyImplicitEulerIsOfFirstOrder)
 {
   EXPECT_NEAR(order(plucked(), IntegratorKind::linearly_implicit_euler, 0.000125), 1.0, 0.15);
+}
+
+// It linearises about the start of the step, whatever came before: no first guess is carried over.
+TEST(Convergence, linearlyImplicitEulerHasNoPast)
+{
+  const RigAtRest start = plucked();
+  State state = start.state;
+  Stepper stepper(start.model, find_method(IntegratorKind::linearly_implicit_euler));
+  for (int k = 0; k < 20; ++k) ASSERT_TRUE(stepper.advance(state, 1e-3, Setpoints()));
+  State forgetful = state;
+  forgetful.memory.past[last_rate].nodes[0].velocity.z() += 0.1;
+  Stepper other(start.model, find_method(IntegratorKind::linearly_implicit_euler));
+  ASSERT_TRUE(stepper.advance(state, 1e-3, Setpoints()));
+  ASSERT_TRUE(other.advance(forgetful, 1e-3, Setpoints()));
+  EXPECT_EQ(state.nodes[0].position, forgetful.nodes[0].position);
+  EXPECT_EQ(state.nodes[1].position, forgetful.nodes[1].position);
 }
 
 // Its steps are shorter than the stability limit.

@@ -3,6 +3,7 @@
 
 #include <ros/ros.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -59,8 +60,12 @@ struct Parameters
     if (publish_clock) return TimeSource::own;
     return use_sim_time ? TimeSource::other_rig : TimeSource::wall;
   }
-  /// Of a topic's messages: in lockstep none of a step is lost to a slow subscriber [messages].
-  std::uint32_t queue() const noexcept { return clock == ClockMode::lockstep ? most_frames_of_step : 10; }
+  /// Of a topic's messages [messages]: in lockstep none of a step is lost to a slow subscriber; else a second's frames, so that what
+  /// a busy machine catches up on (Timekeeper::most_backlog) is not lost either.
+  std::uint32_t queue() const noexcept
+  {
+    return clock == ClockMode::lockstep ? most_frames_of_step : std::max(10u, static_cast<std::uint32_t>(std::ceil(rate)));
+  }
   std::string floor() const { return frame_prefix + "rig_floor"; }  ///< frame of all that is measured
   std::int64_t frame_period() const noexcept { return std::llround(1e9 / rate); }  ///< simulated [ns]
 };

@@ -1,0 +1,91 @@
+// What the methods themselves make or take of energy, account by account.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/model/stage.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/solve/arkode_stepper.h"
+#include "drill_rig_sim/solve/energy_balance.h"
+#include "drill_rig_sim/solve/stepper.h"
+#include "plucked_rig.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+/// The plucked string's half second at 1 ms.
+EnergyAccounts plucked_with(Integrator& integrator, const RigAtRest& start)
+{
+  State state = start.state;
+  EnergyBalance balance(start.model);
+  integrator.keep_balance(&balance);
+  for (int k = 0; k < 500; ++k) EXPECT_TRUE(integrator.advance(state, 1e-3, Setpoints()));
+  return balance.accounts();
+}
+}  // namespace
+
+// One formula, two codes: the accelerations that ARKODE's stages end with count as much.
+TEST(Numerical, ofArkodeIsThatOfOurTrBdf2)
+{
+  const RigAtRest start = plucked();
+  ArkodeStepper theirs(start.model);
+  Stepper ours(start.model, find_method(IntegratorKind::trbdf2));
+  theirs.limits().tolerance = ours.limits().tolerance = 1e-12;
+  const EnergyAccounts expected = plucked_with(ours, start), e = plucked_with(theirs, start);
+  EXPECT_GT(expected.of_inertia, 1e-5 * expected.largest_kinetic);
+  EXPECT_NEAR(e.of_inertia, expected.of_inertia, 0.01 * expected.of_inertia);
+  EXPECT_NEAR(e.of_residual, 0.0, 1e-9 * e.largest_kinetic);
+}
+
+// A drive that speeds up: rotor, meter and string each with accelerations of their own.
+TEST(Numerical, ofTheReferenceIsNothingInAnyAccount)
+{
+  Scene scene = without_damping(vertical_scene(400.0, 290.0));
+  scene.start.block_height = 10.0;
+  scene.numerics.integrator = IntegratorKind::ida;
+  Simulator rig(scene);
+  rig.balance_energy();
+  TopDriveSetpoint drive;
+  drive.speed = 8.0;
+  rig.command(drive);
+  for (int k = 0; k < 20; ++k) ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
+  const EnergyAccounts& e = rig.energy();
+  ASSERT_GT(e.drive, 1e4);  // [J]
+  for (const double account : {e.of_inertia, e.of_beams, e.of_contact, e.of_line, e.of_residual, e.of_rebasing})
+    EXPECT_NEAR(account, 0.0, 1e-6 * e.drive);
+  EXPECT_LT(e.closure(), 1e-6);
+}
+
+// Line paid out of a drum a metre in one step while the block stands: its energy EA (L - L_0)^2 / (2 L_0) falls by the integral of the
+// price EA/2 ((L/L_0)^2 - 1), of which the mean of both ends is too much by a little.
+TEST(Numerical, ofTheLineIsWhatTheMeanOfItsPricesMisses)
+{
+  constexpr double ea = 1e5;  // [N], a line that stretches by tens of per cent
+  Scene scene = without_damping(vertical_scene(400.0, 290.0));
+  scene.start.block_height = 10.0;
+  scene.rig.hoisting.line_ea = ea;
+  const RigAtRest rig = build_at_rest(scene);
+  EnergyBalance balance(rig.model);
+  Setpoints setpoints;
+  setpoints.winch = {1.0, false};
+  balance.begin_step(rig.state, setpoints);
+  Stage stage(*rig.model);
+  begin_step(*rig.model, rig.state, 1.0, setpoints, stage);
+  const std::vector<double> still(6 * static_cast<std::size_t>(rig.model->nodes()), 0.0);
+  balance.end_step(rig.state, stage, still.data());
+
+  const double strung = 2.0 * 5.0 * (46.0 - 10.0) + 60.0, before = rig.state.hoist.line_length;
+  const double after = stage.hoist.line_length;
+  const auto price = [strung](double length) { return 0.5 * ea * (std::pow(strung / length, 2) - 1.0); };
+  const auto energy = [strung](double length) { return 0.5 * ea * std::pow(strung - length, 2) / length; };
+  const double missed = 0.5 * (price(before) + price(after)) * (before - after) - (energy(after) - energy(before));
+  ASSERT_GT(missed, 1.0);  // [J]
+  EXPECT_NEAR(balance.accounts().of_line, missed, 1e-6 * missed);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
