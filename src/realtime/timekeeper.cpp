@@ -39,9 +39,12 @@ void Timekeeper::frame_begins(std::int64_t now) noexcept
 
 void Timekeeper::adopt_clock() noexcept
 {
-  if (!follows()) return;
+  if (!follows() || heard_ == 0) return;
   const std::int64_t ahead = heard_ - stamp_;
+  const bool too_slow = ahead > longest_jump && followed_;
+  if (too_slow) dropped_ += ahead - period_;
   if (ahead > longest_jump || ahead < -longest_jump) stamp_ = heard_ - period_;
+  followed_ = true;
 }
 
 }  // namespace drill_rig_sim

@@ -72,17 +72,17 @@ namespace
 void copy_setpoints(const FrameRecord& frame, RigState& m)
 {
   const Setpoints& s = frame.truth.setpoints;
-  m.last_command = to_time(frame.last_command);
-  m.winch.header.stamp = to_time(frame.accepted[0]);
+  m.last_command = to_time(frame.commands.last);
+  m.winch.header.stamp = to_time(frame.commands.accepted[0]);
   m.winch.block_velocity = s.winch.block_velocity;
   m.winch.brake = s.winch.brake;
-  m.top_drive.header.stamp = to_time(frame.accepted[1]);
+  m.top_drive.header.stamp = to_time(frame.commands.accepted[1]);
   m.top_drive.mode = static_cast<std::uint8_t>(s.top_drive.mode);
   m.top_drive.speed = s.top_drive.speed;
   m.top_drive.torque = s.top_drive.torque;
   m.top_drive.angle = s.top_drive.angle;
   m.top_drive.torque_limit = s.top_drive.torque_limit;
-  m.mud_pump.header.stamp = to_time(frame.accepted[2]);
+  m.mud_pump.header.stamp = to_time(frame.commands.accepted[2]);
   m.mud_pump.flow = s.pump.flow;
 }
 

@@ -122,7 +122,7 @@ DiagnosticsReport::Status DiagnosticsReport::command_status(const FrameRecord& f
   Status s = status("commands", "obeyed");
   const std::uint64_t refused = frame.physics.commands_refused, clamped = frame.physics.commands_clamped;
   if (frame.truth.commands_timed_out)
-    s.mergeSummary(DiagnosticStatus::WARN, "the command stream stopped: brake set, drive coasts");
+    s.mergeSummary(DiagnosticStatus::WARN, "the winch's or the drive's commands stopped: brake set, drive coasts until they come again");
   if (refused > refused_before_) s.mergeSummary(DiagnosticStatus::WARN, std::string("refused: ") + frame.last_refusal);
   if (clamped > clamped_before_ || frame.truth.command_clamped)
     s.mergeSummary(DiagnosticStatus::WARN, std::string("beyond a limit: ") + frame.last_clamp);

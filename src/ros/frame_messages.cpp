@@ -16,11 +16,13 @@ std_msgs::Header header_of(const FrameRecord& frame, const std::string& floor)
   return header;
 }
 
-// A time of the simulator [s] in the stamps' time: so long before the frame.
+// A time of the simulator [s] in the stamps' time: so long before the frame; 0 where that is before the stamps began, as after a state of
+// another node was restored.
 std_msgs::Header measured_at(const FrameRecord& frame, double time, const std::string& floor)
 {
   std_msgs::Header header = header_of(frame, floor);
-  header.stamp -= ros::Duration(frame.readings.time - time);
+  const ros::Duration age(frame.readings.time - time);
+  header.stamp = header.stamp.toNSec() > static_cast<std::uint64_t>(std::max<std::int64_t>(0, age.toNSec())) ? header.stamp - age : ros::Time();
   return header;
 }
 

@@ -96,7 +96,7 @@ visualization_msgs::MarkerArray MarkerPicture::draw(const FrameOutput& s)
 {
   visualization_msgs::MarkerArray array;
   array.markers = {string_marker(s), bit_marker(s), force_marker(s), block_marker(s)};
-  if (s.well_due)
+  if (s.tube_due)
   {
     array.markers.push_back(tube_marker(s));
     array.markers.push_back(station_marker(s));
@@ -157,6 +157,7 @@ Marker MarkerPicture::force_marker(const FrameOutput& s) const
     m.points.push_back(to_point(foot));
     m.points.push_back(to_point(foot + force_scale_ * s.profile.contact_vector[i]));
   }
+  if (m.points.empty()) m.action = Marker::DELETE;  // rviz calls a list without points an error
   m.scale.x = 0.02 * exaggeration_;
   m.color = force_color;
   return m;

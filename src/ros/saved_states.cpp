@@ -43,6 +43,7 @@ struct FileContent
   SimulatorState state;
   ProgramPlayer program;
   bool playing;
+  CommandStamps commands;
 
   template <class V>
   void visit(V& v)
@@ -50,20 +51,23 @@ struct FileContent
     v("state", state);
     v("program", program);
     v("playing", playing);
+    v("commands", commands);
   }
 };
 }  // namespace
 
 void write_saved(const std::string& file, const Saved& saved)
 {
-  write_snapshot(file, saved.state->scene, to_bytes(FileContent{*saved.state, *saved.program, saved.playing}));
+  write_snapshot(file, saved.state->scene, to_bytes(FileContent{*saved.state, *saved.program, saved.playing, saved.commands}));
 }
 
 Saved read_saved(const std::string& file, const Saved& present)
 {
-  FileContent content{*present.state, *present.program, present.playing};
+  FileContent content{*present.state, *present.program, present.playing, present.commands};
   if (!from_bytes(read_snapshot(file, present.state->scene), content)) throw std::runtime_error(file + ": is damaged");
-  return {std::make_shared<SimulatorState>(std::move(content.state)), content.program, content.playing, present.stamp, 0};
+  for (std::int64_t* stamp : {&content.commands.last, &content.commands.accepted[0], &content.commands.accepted[1], &content.commands.accepted[2]})
+    if (*stamp != 0) *stamp = present.stamp;
+  return {std::make_shared<SimulatorState>(std::move(content.state)), content.program, content.playing, content.commands, present.stamp, 0};
 }
 
 void SavedStates::keep(const std::string& name, Saved saved)

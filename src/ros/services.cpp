@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -26,6 +27,13 @@ void require_name_or_file(const std::string& name, const std::string& file)
   if (!file.empty() && !name.empty()) throw Refusal("name and file are both given; allowed is one of them");
 }
 
+std::string written(double number)
+{
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
+
 std::string one_line(std::string text)
 {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -37,9 +45,11 @@ void require_good(const RunningRig& rig)
   if (rig.failed) throw Refusal("the last frame failed: reset_well or restore_state first");
 }
 
-void require_obeyed(const CommandResult& result)
+/// One that would be refused is handed to the loop all the same, which counts it and changes nothing.
+template <class Setpoint>
+void require_right(SimulationLoop& loop, const Setpoint& c)
 {
-  if (result.outcome == CommandResult::Outcome::refused) throw Refusal(result.reason);
+  if (what_is_wrong(c)) throw Refusal(loop.take(c).reason);
 }
 }  // namespace
 
@@ -178,6 +188,7 @@ std::string Services::tare()
       {
         require_good(loop.rig());
         done = loop.rig().simulator->tare();
+        if (done) loop.hand_over_again();
       });
   if (!done) throw Refusal("the bit is on bottom; allowed is off bottom");
   return "weight on bit and differential pressure read zero here";
@@ -186,8 +197,9 @@ std::string Services::tare()
 std::string Services::set_speed(double speed)
 {
   require_pausable();
-  if (!(speed >= 0.0 && std::isfinite(speed)))
-    throw Refusal("speed is " + std::to_string(speed) + "; allowed is a number >= 0, 0 = as fast as it goes");
+  constexpr double slowest = 1e-6;  // a frame in hours: below, time stands
+  if (!(speed == 0.0 || (speed >= slowest && std::isfinite(speed))))
+    throw Refusal("speed is " + written(speed) + "; allowed is 0 = as fast as it goes, or a number >= " + written(slowest));
   if (!loop_.time().has_own_clock() && speed != 1.0)
     throw Refusal("stamps are wall time (~publish_clock is false); allowed is 1");
   loop_.between_frames([=](SimulationLoop& loop) { loop.time().set_speed(speed, steady_now()); });
@@ -215,7 +227,7 @@ Saved Services::present_state(bool to_go_on_from)
       {
         const RunningRig& rig = loop.rig();
         if (to_go_on_from && rig.failed) throw Refusal("the last frame failed: there is no good state to go on from");
-        saved = {rig.simulator->save(), rig.program, rig.playing, loop.time().stamp(), 0};
+        saved = {rig.simulator->save(), rig.program, rig.playing, rig.commands, loop.time().stamp(), 0};
       });
   return saved;
 }
@@ -225,7 +237,7 @@ std::string Services::restore_state(const RestoreState::Request& request)
   require_no_step();
   require_name_or_file(request.name, request.file);
   const Saved saved = request.file.empty() ? saved_.find(request.name) : read_saved(request.file, present_state(false));
-  loop_.between_frames([&](SimulationLoop& loop) { loop.go_back(*saved.state, *saved.program, saved.playing); });
+  loop_.between_frames([&](SimulationLoop& loop) { loop.go_back(*saved.state, *saved.program, saved.playing, saved.commands); });
   return "restored " + (request.file.empty() ? request.name : request.file);
 }
 
@@ -268,23 +280,14 @@ void Services::command_all(const StepSimulation::Request& request)
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
-        RunningRig& rig = loop.rig();
-        require_good(rig);
-        const bool may_be_half_done = request.winch.size() + request.top_drive.size() + request.mud_pump.size() > 1;
-        const auto before = may_be_half_done ? rig.simulator->save() : nullptr;
-        const auto accepted = rig.accepted;
-        try
-        {
-          for (const auto& c : request.winch) require_obeyed(loop.take(to_setpoint(c)));
-          for (const auto& c : request.top_drive) require_obeyed(loop.take(to_setpoint(c)));
-          for (const auto& c : request.mud_pump) require_obeyed(loop.take(to_setpoint(c)));
-        }
-        catch (const Refusal&)
-        {
-          if (before) rig.simulator->restore(*before);  // refused whole
-          rig.accepted = accepted;
-          throw;
-        }
+        require_good(loop.rig());
+        for (const auto& c : request.winch) require_right(loop, to_setpoint(c));
+        for (const auto& c : request.top_drive) require_right(loop, to_setpoint(c));
+        for (const auto& c : request.mud_pump) require_right(loop, to_setpoint(c));
+        loop.take_commands();  // what topics brought before the request is older
+        for (const auto& c : request.winch) loop.take(to_setpoint(c));
+        for (const auto& c : request.top_drive) loop.take(to_setpoint(c));
+        for (const auto& c : request.mud_pump) loop.take(to_setpoint(c));
       });
 }
 

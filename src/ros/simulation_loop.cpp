@@ -46,7 +46,7 @@ void SimulationLoop::start()
 {
   time_.restart(steady_now());
   if (time_.follows())
-    hand_over({false, false, false});  // no stamp before another rig's clock is heard: for the diagnostics alone
+    hand_over({});  // no stamp before another rig's clock is heard: for the diagnostics alone
   else
     publish_now(true);
   thread_ = std::thread([this] { run(); });
@@ -92,7 +92,7 @@ void SimulationLoop::wait_or_work() noexcept
   const std::int64_t due = may_run ? time_.next_frame_at() : Timekeeper::not_yet;
   if (due == Timekeeper::not_yet)
   {
-    if (subscriptions_.refresh.exchange(false)) hand_over({false, true, false});
+    if (subscriptions_.refresh.exchange(false)) hand_over({false, true});
     wake_.wait();
     return;
   }
@@ -139,7 +139,7 @@ CommandResult SimulationLoop::accept(const Setpoint& c, std::size_t kind) noexce
     return result;
   }
   if (result.outcome == CommandResult::Outcome::clamped) rig_.last_clamp = result.reason;
-  rig_.last_command = rig_.accepted[kind] = time_.stamp();
+  rig_.commands.last = rig_.commands.accepted[kind] = time_.stamp();
   if (rig_.playing)
   {
     rig_.playing = false;  // whoever sends a command has the rig
@@ -193,13 +193,17 @@ void SimulationLoop::note_due(FrameOutput& s, const Occasion& occasion) noexcept
   s.new_stamp = occasion.new_stamp;
   s.rebuilt = occasion.rebuilt;
   s.state_due = s.new_stamp && (state_cadence_.due(simulated) || occasion.rebuilt);
-  s.run_state_changed = !s.new_stamp && announced_ && run_state() != run_state_said_;
-  if (s.state_due || s.run_state_changed) run_state_said_ = run_state();
+  s.restored = occasion.restored;
+  s.state_again = !s.new_stamp && announced_ && (occasion.said_again || run_state() != run_state_said_);
+  if (s.state_due || s.state_again) run_state_said_ = run_state();
   s.profile_due = s.new_stamp && profile_cadence_.due(simulated) && subscriptions_.profile;
   s.tf_due = s.new_stamp && (tf_cadence_.due(shown) || occasion.rebuilt);
   s.markers_due = (marker_cadence_.due(shown) || occasion.whole_picture) && subscriptions_.markers;
-  s.well_due = occasion.whole_picture || (depth != well_handed_over_ && well_cadence_.due(shown));
-  if (s.well_due) well_handed_over_ = depth;
+  s.well_due = occasion.whole_picture || (s.new_stamp && depth != well_handed_over_ && well_cadence_.due(shown));
+  if (s.well_due && s.new_stamp) well_handed_over_ = depth;
+  tube_pending_ |= s.well_due;
+  s.tube_due = s.markers_due && tube_pending_;
+  if (s.tube_due) tube_pending_ = false;
 }
 
 void SimulationLoop::fill_record(FrameRecord& record) const noexcept
@@ -209,8 +213,7 @@ void SimulationLoop::fill_record(FrameRecord& record) const noexcept
   record.truth = rig_.simulator->truth();
   record.readings = rig_.simulator->readings();
   record.rig = rig_.simulator->scene().rig;
-  record.last_command = rig_.last_command;
-  record.accepted = rig_.accepted;
+  record.commands = rig_.commands;
   record.physics = rig_.simulator->statistics();
   record.physics.commands_refused += steering_refused_;
   record.loop = statistics_;
@@ -233,7 +236,7 @@ void SimulationLoop::fill_arrays(FrameOutput& s) noexcept
     for (const double md : s.profile.md) s.axis.push_back(well.at(md));
   }
   if (s.tf_due) rig_.simulator->part_poses(pipe_every, s.parts);
-  if (s.well_due)
+  if (s.well_due || s.tube_due)
   {
     s.well.clear();
     for (int i = 0; i < well.node_count(); ++i)
@@ -260,7 +263,7 @@ void SimulationLoop::set_paused(bool paused) noexcept
 {
   paused_ = paused;
   time_.restart(steady_now());
-  hand_over({false, false, false});  // for the diagnostics and rig_state's run_state
+  hand_over({});  // for the diagnostics and rig_state's run_state
 }
 
 std::unique_ptr<Simulator> SimulationLoop::replace(std::unique_ptr<Simulator> simulator)
@@ -276,22 +279,31 @@ std::unique_ptr<Simulator> SimulationLoop::replace(std::unique_ptr<Simulator> si
   return old;
 }
 
-void SimulationLoop::go_back(const SimulatorState& state, const ProgramPlayer& program, bool playing)
+void SimulationLoop::go_back(const SimulatorState& state, const ProgramPlayer& program, bool playing, const CommandStamps& commands)
 {
   rig_.simulator->restore(state);
   rig_.program = program;
   rig_.playing = playing;
   rig_.failed = false;
+  rig_.commands = commands;
   mailbox_.clear();
   set_timeout();
   publish_now(false);
 }
 
+void SimulationLoop::hand_over_again() noexcept
+{
+  Occasion again;
+  again.said_again = paused_;
+  hand_over(again);
+}
+
+/// The present state as one tick of the clock: after a change that no frame made.
 void SimulationLoop::publish_now(bool rebuilt) noexcept
 {
   time_.tick();
   time_.restart(steady_now());
-  hand_over({true, true, rebuilt});
+  hand_over({true, true, rebuilt, !rebuilt});
 }
 
 void SimulationLoop::begin_step(std::uint32_t frames)
@@ -316,7 +328,7 @@ bool SimulationLoop::end_step_early() noexcept
 {
   if (!stepping_) return false;
   frames_to_go_ = 0;
-  hand_over({false, false, false});  // for rig_state's run_state
+  hand_over({});  // for rig_state's run_state
   end_step(StepResult::End::ended_early);
   return true;
 }

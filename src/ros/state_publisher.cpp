@@ -47,7 +47,12 @@ void StatePublisher::publish(const FrameOutput& s)
     rig_limits_.publish(to_rig_limits(s.frame.rig, header));
     last_survey_ = last_toolface_ = 0;
   }
-  if (s.state_due || s.run_state_changed)
+  if (s.restored)  // what had arrived before the state was saved does not arrive now
+  {
+    last_survey_ = s.frame.readings.mwd.sequence;
+    last_toolface_ = s.frame.readings.toolface.sequence;
+  }
+  if (s.state_due || s.state_again)
   {
     rig_state_.publish(to_rig_state(s.frame.readings, s.frame, floor_));
     true_rig_state_.publish(to_rig_state(s.frame.truth, s.frame, floor_));
@@ -80,7 +85,7 @@ void StatePublisher::publish_telemetry(const FrameOutput& s)
   const std::uint64_t survey = s.frame.readings.mwd.sequence, toolface = s.frame.readings.toolface.sequence;
   if (survey > last_survey_) mwd_.publish(to_mwd_survey(s.frame, floor_));
   if (toolface > last_toolface_) toolface_.publish(to_mwd_toolface(s.frame, floor_));
-  last_survey_ = survey;  // a restored state may have gone back
+  last_survey_ = survey;
   last_toolface_ = toolface;
 }
 

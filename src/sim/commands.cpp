@@ -21,15 +21,21 @@ double clamped_to(double value, double low, double high, bool& clamped) noexcept
   return inside;
 }
 
-/// Notes in the state whether the last command was clamped.
-CommandResult taken(bool clamped, const char* reason, CommandState& state) noexcept
+/// Notes in the state whether the last command, of several at once any, was clamped.
+CommandResult taken(bool clamped, const char* reason, double now, CommandState& state) noexcept
 {
-  state.clamped = clamped;
+  state.clamped = clamped || (state.clamped && now == state.last_taken);
+  state.last_taken = now;
   if (!clamped) return {};
   return {CommandResult::Outcome::clamped, reason};
 }
+}  // namespace
 
-/// Null: nothing is.
+const char* what_is_wrong(const WinchSetpoint& c) noexcept
+{
+  return std::isfinite(c.block_velocity) ? nullptr : "block_velocity: must be finite";
+}
+
 const char* what_is_wrong(const TopDriveSetpoint& c) noexcept
 {
   if (c.mode != TopDriveMode::speed && c.mode != TopDriveMode::torque) return "mode: not available yet; SPEED and TORQUE are";
@@ -38,23 +44,37 @@ const char* what_is_wrong(const TopDriveSetpoint& c) noexcept
   if (c.torque_limit < 0.0) return "torque_limit: must not be negative; 0 means the rig's";
   return nullptr;
 }
-}  // namespace
+
+const char* what_is_wrong(const PumpSetpoint& c) noexcept
+{
+  return std::isfinite(c.flow) ? nullptr : "flow: must be finite";
+}
+
+Setpoints CommandState::in_force() const noexcept
+{
+  if (!timed_out()) return asked;
+  Setpoints safe;
+  safe.top_drive.mode = TopDriveMode::torque;
+  safe.pump = asked.pump;
+  return safe;
+}
 
 void CommandState::shift_time(double shift) noexcept
 {
+  last_taken += shift;
   last_winch += shift;
   last_drive += shift;
 }
 
 CommandResult take(const RigSpec& rig, double now, const WinchSetpoint& c, CommandState& state) noexcept
 {
-  if (!std::isfinite(c.block_velocity)) return refused("block_velocity: must be finite");
+  if (const char* wrong = what_is_wrong(c)) return refused(wrong);
   bool clamped = false;
   const double limit = rig.hoisting.max_speed;
-  state.setpoints.winch = {clamped_to(c.block_velocity, -limit, limit, clamped), c.brake};
+  state.asked.winch = {clamped_to(c.block_velocity, -limit, limit, clamped), c.brake};
   state.last_winch = now;
-  state.timed_out = false;
-  return taken(clamped, "block_velocity: clamped to the winch's max_speed", state);
+  state.winch_silent = false;
+  return taken(clamped, "block_velocity: clamped to the winch's max_speed", now, state);
 }
 
 CommandResult take(const RigSpec& rig, double now, const TopDriveSetpoint& c, CommandState& state) noexcept
@@ -66,30 +86,26 @@ CommandResult take(const RigSpec& rig, double now, const TopDriveSetpoint& c, Co
   inside.speed = clamped_to(c.speed, -spec.max_speed, spec.max_speed, clamped);
   inside.torque = clamped_to(c.torque, -spec.max_torque, spec.max_torque, clamped);
   inside.torque_limit = clamped_to(c.torque_limit, 0.0, spec.max_torque, clamped);
-  state.setpoints.top_drive = inside;
+  state.asked.top_drive = inside;
   state.last_drive = now;
-  state.timed_out = false;
-  return taken(clamped, "speed, torque or torque_limit: clamped to the top drive's limits", state);
+  state.drive_silent = false;
+  return taken(clamped, "speed, torque or torque_limit: clamped to the top drive's limits", now, state);
 }
 
-CommandResult take(const RigSpec& rig, double, const PumpSetpoint& c, CommandState& state) noexcept
+CommandResult take(const RigSpec& rig, double now, const PumpSetpoint& c, CommandState& state) noexcept
 {
-  if (!std::isfinite(c.flow)) return refused("flow: must be finite");
+  if (const char* wrong = what_is_wrong(c)) return refused(wrong);
   bool clamped = false;
-  state.setpoints.pump.flow = clamped_to(c.flow, 0.0, rig.mud_pump.max_flow, clamped);
-  return taken(clamped, "flow: clamped to 0 .. the pump's max_flow", state);
+  state.asked.pump.flow = clamped_to(c.flow, 0.0, rig.mud_pump.max_flow, clamped);
+  return taken(clamped, "flow: clamped to 0 .. the pump's max_flow", now, state);
 }
 
 void watch_commands(double timeout, double now, CommandState& state) noexcept
 {
   constexpr double not_begun = std::numeric_limits<double>::infinity();
-  const bool silent = timeout > 0.0 && std::max(now - state.last_winch, now - state.last_drive) > timeout;
-  if (silent || timeout <= 0.0) state.last_winch = state.last_drive = not_begun;  // each counts anew from its next command
-  if (!silent) return;
-  state.timed_out = true;
-  state.setpoints.winch = WinchSetpoint();
-  state.setpoints.top_drive = TopDriveSetpoint();
-  state.setpoints.top_drive.mode = TopDriveMode::torque;
+  if (timeout <= 0.0) state.last_winch = state.last_drive = not_begun;
+  state.winch_silent = timeout > 0.0 && now - state.last_winch > timeout;
+  state.drive_silent = timeout > 0.0 && now - state.last_drive > timeout;
 }
 
 }  // namespace drill_rig_sim

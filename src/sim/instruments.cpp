@@ -14,7 +14,10 @@ double RateMeter::rate(double depth, double time) noexcept
     samples_[newest_] = {time, depth};
     held_ = std::min(held_ + 1, size);
   }
-  const Sample& oldest = samples_[(newest_ + size + 1 - held_) % size];
+  const auto back = [this](std::size_t k) -> const Sample& { return samples_[(newest_ + size - k) % size]; };
+  std::size_t age = held_ - 1;
+  while (age > 1 && time > back(age).time + window + time_rounding) --age;
+  const Sample& oldest = back(age);
   return time > oldest.time ? (depth - oldest.depth) / (time - oldest.time) : 0.0;
 }
 

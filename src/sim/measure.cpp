@@ -41,13 +41,13 @@ void Simulator::Impl::measure_rig() noexcept
   m.stand_pipe_pressure = stand_pipe_pressure(scene.rig.mud_pump, s.flow, motor_pressure);
   m.tared = state.tared;
   m.surface_wob = state.tared ? state.tare_hook_load - m.hook_load : 0.0;
-  m.setpoints = state.commands.setpoints;
-  m.brake_set = state.commands.setpoints.winch.brake;
+  m.setpoints = state.commands.in_force();
+  m.brake_set = m.setpoints.winch.brake;
   m.winch_limited = s.hoist.limited;
   m.top_drive_limited = s.drive.limited;
   m.motor_stalled = s.bit.stalled;
   m.command_clamped = state.commands.clamped;
-  m.commands_timed_out = state.commands.timed_out;
+  m.commands_timed_out = state.commands.timed_out();
 }
 
 void Simulator::Impl::measure_bit() noexcept

@@ -70,9 +70,9 @@ CommandResult Simulator::command(const PumpSetpoint& c) noexcept
   return impl_->command(c);
 }
 
-const Setpoints& Simulator::setpoints() const noexcept
+Setpoints Simulator::setpoints() const noexcept
 {
-  return impl_->state.commands.setpoints;
+  return impl_->state.commands.in_force();
 }
 
 void Simulator::set_command_timeout(double seconds) noexcept
@@ -85,13 +85,14 @@ FrameStatus Simulator::frame(double duration) noexcept
   if (*impl_->failure) return FrameStatus::failed;
   impl_->integrator->profiler().restart();
   drill_rig_sim::watch_commands(impl_->command_timeout, impl_->mechanics().time, impl_->state.commands);
+  const Setpoints setpoints = impl_->state.commands.in_force();
   const int steps = std::max(1, static_cast<int>(std::lround(duration / impl_->scene.numerics.step)));
   State& mechanics = impl_->mechanics();
   const double hole_depth = mechanics.well.hole_depth();
   for (int k = 0; k < steps; ++k)
   {
-    mechanics.flow = impl_->state.commands.setpoints.pump.flow;
-    if (!impl_->integrator->advance(mechanics, duration / steps, impl_->state.commands.setpoints))
+    mechanics.flow = setpoints.pump.flow;
+    if (!impl_->integrator->advance(mechanics, duration / steps, setpoints))
     {
       impl_->failure = impl_->integrator->failure();
       return FrameStatus::failed;

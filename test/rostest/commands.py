@@ -82,6 +82,14 @@ class Commands(unittest.TestCase):
             self.assertNotEqual("", answer.message)
             self.assertEqual(expected, after, bad)
 
+    def test_a_steps_commands_come_after_those_that_topics_brought_before(self):
+        winches = self.rig.publisher("winch/command", WinchCommand)
+        self.by_topic(winches, winch(0.3), lambda s: s.winch.block_velocity == 0.3)  # it is heard
+        for velocity in (0.2, 0.4):
+            winches.publish(winch(velocity))
+            time.sleep(0.5)  # it has come by now; if not, this shows nothing
+            self.assertEqual(0.01, self.rig.advance(1, winch=winch(0.01)).winch.block_velocity)
+
     def test_nonsense_on_a_topic_is_refused_and_counted(self):
         self.rig.advance(1, winch=winch(0.1), top_drive=turn(2.0))
         before = self.refused()

@@ -183,6 +183,19 @@ class Lockstep(unittest.TestCase):
             again.header.stamp = first.header.stamp
             self.assertEqual(first, again)
 
+    def test_restored_set_points_have_the_stamps_they_were_accepted_at(self):
+        self.rig.advance(1, winch=winch(0.02))
+        saved = self.rig.advance(10)
+        self.rig.must(self.rig.save_state("commanded", ""))
+        other = self.rig.advance(10, winch=winch(-0.02), mud_pump=flow(0.02))
+        self.assertNotEqual(saved.winch.header.stamp, other.winch.header.stamp)
+        self.rig.must(self.rig.restore_state("commanded", ""))
+        state = self.rig.advance(0)
+        self.assertEqual((0.02, 0.0), (state.winch.block_velocity, state.mud_pump.flow))
+        self.assertEqual(saved.winch, state.winch)
+        self.assertEqual(saved.last_command, state.last_command)
+        self.assertEqual(rospy.Time(), state.mud_pump.header.stamp)
+
     def test_unknown_snapshots_and_files_are_refused(self):
         self.assertFalse(self.rig.restore_state("never saved", "").success)
         for answer in (self.rig.save_state("a", "/tmp/state"), self.rig.restore_state("a", "/tmp/state")):

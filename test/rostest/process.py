@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The node as a process: one line at the start, the end by a signal whatever it is doing, and what it says of other nodes' clocks."""
+import os
 import signal
 import subprocess
 import tempfile
@@ -8,8 +9,9 @@ import threading
 import roslib.packages
 import rosgraph
 from diagnostic_msgs.msg import DiagnosticArray
-from drill_rig_sim.msg import RigLimits
-from rig_test import PATIENCE, Collector, Rig, rospy, run, time, unittest, wait_until
+from drill_rig_sim.msg import MwdSurvey, MwdToolface, RigLimits
+from drill_rig_sim.srv import StepSimulationRequest
+from rig_test import PATIENCE, Collector, Rig, flow, numbers, rospy, run, time, turn, unittest, wait_until, winch
 
 LONGEST_END = 10.0  # wall seconds from the signal to the end
 
@@ -132,6 +134,50 @@ class Process(unittest.TestCase):
         rig.state()
         self.ends_cleanly(follower, signal.SIGTERM)
         self.ends_cleanly(other, signal.SIGTERM)
+
+    def test_a_state_of_another_node_brings_no_old_telemetry(self):
+        """Its surveys are older than the stamps of a node that has just started."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        saved = os.path.join(folder.name, "saved")
+        writer = self.start("writer", "clock:=lockstep", "scene:=bohai.yaml")
+        rig = Rig("writer")
+        surveys = rig.collect("downhole/mwd", MwdSurvey)
+        rig.advance(6000, winch=winch(0.01), mud_pump=flow(0.03))
+        self.assertTrue(surveys.wait(1))
+        before = rig.advance(1)
+        rig.must(rig.save_state("", saved))
+        expected = numbers(rig.advance(1))
+        self.ends_cleanly(writer, signal.SIGTERM)
+
+        reader = self.start("reader", "clock:=lockstep", "scene:=bohai.yaml")
+        rig = Rig("reader")
+        surveys, toolfaces = rig.collect("downhole/mwd", MwdSurvey), rig.collect("downhole/toolface", MwdToolface)
+        start = rig.advance(0).header.stamp
+        rig.must(rig.restore_state("", saved))
+        state = rig.advance(0)
+        self.assertEqual(numbers(before), numbers(state))
+        self.assertEqual(start, state.winch.header.stamp)
+        self.assertEqual(start, state.last_command)
+        self.assertEqual(expected, numbers(rig.advance(1)))
+        later = rig.advance(6000)
+        self.assertTrue(toolfaces.wait(1))
+        self.assertGreater(min(m.header.stamp for m in toolfaces.messages), rospy.Time())
+        self.assertEqual([], [m for m in surveys.messages if m.header.stamp > later.header.stamp])
+        self.ends_cleanly(reader, signal.SIGTERM)
+
+    def test_a_refused_step_leaves_the_program_playing(self):
+        node = self.start("playing", "clock:=lockstep", "play_program:=true")
+        rig = Rig("playing")
+        rig.must(rig.save_state("start", ""))
+        expected = rig.advance(1000)
+        rig.must(rig.restore_state("start", ""))
+        refused = rig.step(StepSimulationRequest(frames=1, winch=[winch(0.1)], top_drive=[turn(float("nan"))]))
+        self.assertFalse(refused.success)
+        state = rig.advance(1000)
+        self.assertEqual(numbers(expected), numbers(state))
+        self.assertNotEqual(0.0, state.top_drive.speed)
+        self.ends_cleanly(node, signal.SIGTERM)
 
     def test_backlog_is_dropped_counted_and_told_once(self):
         node = self.start("stopped")

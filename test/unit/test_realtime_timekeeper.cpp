@@ -159,9 +159,27 @@ TEST(Timekeeper, goesAtOnceToAClockFarAway)
   time.hear_clock(510 * second);
   time.adopt_clock();
   EXPECT_EQ(500 * second, time.stamp()) << "ten seconds are followed frame by frame";
+  EXPECT_EQ(0.0, time.dropped_seconds());
   time.hear_clock(3 * second);  // the master began again
   time.adopt_clock();
   EXPECT_EQ(3 * second - period, time.stamp());
+  EXPECT_EQ(0.0, time.dropped_seconds());
+}
+
+// One that cannot keep up leaves out what is beyond the longest jump, and counts it.
+TEST(Timekeeper, whatASlowFollowerLeavesOutIsDropped)
+{
+  Timekeeper time(TimeSource::other_rig, ClockMode::realtime, period, 77);
+  time.adopt_clock();
+  time.hear_clock(20 * second);  // the first one heard
+  time.adopt_clock();
+  time.tick();
+  EXPECT_EQ(0.0, time.dropped_seconds());
+  time.hear_clock(30 * second + 1);
+  time.adopt_clock();
+  time.tick();
+  EXPECT_EQ(30 * second + 1, time.stamp());
+  EXPECT_DOUBLE_EQ(10.0 + 1e-9 - 0.01, time.dropped_seconds()) << "but for the frame itself";
 }
 
 TEST(Timekeeper, itsOwnClockIsNotMovedByAnothers)

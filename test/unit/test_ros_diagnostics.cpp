@@ -190,7 +190,7 @@ TEST_F(Report, aStreamThatStoppedIsAWarning)
   frame_.truth.commands_timed_out = true;
   const auto array = next();
   EXPECT_EQ((std::vector<int>{ok, ok, warn}), levels(array));
-  EXPECT_EQ("the command stream stopped: brake set, drive coasts", part(array, "commands").message);
+  EXPECT_EQ("the winch's or the drive's commands stopped: brake set, drive coasts until they come again", part(array, "commands").message);
 }
 
 TEST_F(Report, realTimeFactorIsSimulatedOverWallSeconds)

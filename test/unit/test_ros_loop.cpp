@@ -45,10 +45,10 @@ TEST(Loop, startHandsOverTheWholePicture)
   EXPECT_EQ(period, s.frame.stamp) << "never 0";
   EXPECT_EQ(RunState::waiting, s.frame.run_state);
   EXPECT_TRUE(s.new_stamp && s.rebuilt && s.state_due && s.tf_due && s.markers_due && s.profile_due && s.well_due);
-  EXPECT_FALSE(s.run_state_changed) << "it comes with a stamp";
+  EXPECT_FALSE(s.state_again) << "it comes with a stamp";
   EXPECT_EQ(0.0, s.frame.truth.time);
   EXPECT_EQ(1.0, s.frame.loop.speed);
-  EXPECT_EQ(0, s.frame.last_command);
+  EXPECT_EQ(0, s.frame.commands.last);
 }
 
 TEST(Loop, whatIsDrawnLiesOnTheWell)
@@ -122,7 +122,7 @@ TEST(Loop, eachOutputComesAtItsRate)
   EXPECT_EQ((Stamps{11, 21}), due(frames, &FrameOutput::tf_due));
   EXPECT_EQ((Stamps{9, 17}), due(frames, &FrameOutput::markers_due));
   EXPECT_EQ((Stamps{}), due(frames, &FrameOutput::well_due)) << "it has not grown";
-  EXPECT_EQ((Stamps{}), due(frames, &FrameOutput::run_state_changed));
+  EXPECT_EQ((Stamps{}), due(frames, &FrameOutput::state_again));
 }
 
 TEST(Loop, heavyOutputsComeWhereSomebodyLooks)
@@ -140,15 +140,24 @@ TEST(Loop, theWellIsHandedOverOncePerSecondWhereItGrows)
   scene.start.bit_depth = 100.0;
   scene.start.weight_on_bit = 20e3;
   RunningLoop rig(lockstep(), scene);
-  rig.start();
+  rig.loop.subscriptions().markers = true;
+  EXPECT_TRUE(rig.start().tube_due);
   rig.mailbox.receive(winch(-0.01));
   TopDriveCommand turn;
   turn.speed = 9.0;
   rig.mailbox.receive(turn);
   const std::vector<FrameOutput> frames = rig.step(350);
   ASSERT_GT(frames.back().frame.truth.hole_depth, 100.005) << "it drills";
-  const Stamps stamps = due(frames, &FrameOutput::well_due);
+  const Stamps stamps = due(frames, &FrameOutput::well_due), pictures = due(frames, &FrameOutput::tube_due);
   ASSERT_GE(stamps.size(), 3u);
+  ASSERT_GE(pictures.size() + 1, stamps.size()) << "that of the last may come later";
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+  {
+    EXPECT_GE(pictures[i], stamps[i]) << "the next picture shows the well that has grown";
+    EXPECT_LT(pictures[i], stamps[i] + 20) << "at 5 Hz";
+    EXPECT_EQ(frames[pictures[i] - 2].frame.truth.hole_depth, frames[pictures[i] - 2].well.back().md);
+    EXPECT_TRUE(frames[pictures[i] - 2].markers_due);
+  }
   for (std::size_t i = 1; i < stamps.size(); ++i) EXPECT_EQ(100, stamps[i] - stamps[i - 1]);
   for (const std::int64_t stamp : stamps)
   {
@@ -168,14 +177,14 @@ TEST(Loop, theLatestCommandWinsAndIsStampedWhereItsFrameBegins)
   const FrameRecord after = rig.step(1).back().frame;
   EXPECT_EQ(0.2, after.truth.setpoints.winch.block_velocity);
   EXPECT_EQ(0.03, after.truth.setpoints.pump.flow);
-  EXPECT_EQ((std::array<std::int64_t, 3>{3 * period, 0, 3 * period}), after.accepted);
-  EXPECT_EQ(3 * period, after.last_command);
+  EXPECT_EQ((std::array<std::int64_t, 3>{3 * period, 0, 3 * period}), after.commands.accepted);
+  EXPECT_EQ(3 * period, after.commands.last);
   TopDriveCommand turn;
   turn.speed = 1.0;
   rig.mailbox.receive(turn);
   const FrameRecord next = rig.step(1).back().frame;
-  EXPECT_EQ((std::array<std::int64_t, 3>{3 * period, 4 * period, 3 * period}), next.accepted);
-  EXPECT_EQ(4 * period, next.last_command);
+  EXPECT_EQ((std::array<std::int64_t, 3>{3 * period, 4 * period, 3 * period}), next.commands.accepted);
+  EXPECT_EQ(4 * period, next.commands.last);
   EXPECT_EQ(0.2, rig.step(1).back().frame.truth.setpoints.winch.block_velocity) << "it stays in force";
 }
 
@@ -190,7 +199,7 @@ TEST(Loop, refusalsAndClampsAreCountedWithTheirReasons)
   EXPECT_EQ(0.1, after.truth.setpoints.winch.block_velocity);
   EXPECT_EQ(1u, after.physics.commands_refused);
   EXPECT_NE(std::string::npos, std::string(after.last_refusal).find("block_velocity"));
-  EXPECT_EQ(1 * period, after.last_command) << "of the last accepted one";
+  EXPECT_EQ(1 * period, after.commands.last) << "of the last accepted one";
   EXPECT_EQ("", std::string(after.last_clamp));
   rig.mailbox.receive(SteeringCommand());
   rig.mailbox.receive(SteeringCommand());
@@ -202,7 +211,7 @@ TEST(Loop, refusalsAndClampsAreCountedWithTheirReasons)
   EXPECT_EQ(1u, after.physics.commands_clamped);
   EXPECT_EQ(3u, after.physics.commands_refused);
   EXPECT_NE(std::string::npos, std::string(after.last_clamp).find("block_velocity"));
-  EXPECT_EQ(4 * period, after.last_command) << "a clamped one is accepted";
+  EXPECT_EQ(4 * period, after.commands.last) << "a clamped one is accepted";
 }
 
 TEST(Loop, anotherRigForgetsWhatWasOnTheWayAndBeginsItsRatesAnew)
@@ -222,8 +231,8 @@ TEST(Loop, anotherRigForgetsWhatWasOnTheWayAndBeginsItsRatesAnew)
   EXPECT_TRUE(s.rebuilt && s.new_stamp && s.state_due && s.well_due);
   EXPECT_EQ(4 * period, s.frame.stamp) << "time runs on";
   EXPECT_EQ(40.0, s.frame.truth.hole_depth);
-  EXPECT_EQ(0, s.frame.last_command);
-  EXPECT_EQ((std::array<std::int64_t, 3>{}), s.frame.accepted);
+  EXPECT_EQ(0, s.frame.commands.last);
+  EXPECT_EQ((std::array<std::int64_t, 3>{}), s.frame.commands.accepted);
   const std::vector<FrameOutput> frames = rig.step(8);
   EXPECT_TRUE(frames[0].frame.truth.brake_set);
   EXPECT_EQ(0.0, frames[0].frame.truth.setpoints.pump.flow);
@@ -240,6 +249,7 @@ TEST(Loop, goingBackBringsStateAndProgramAndLeavesTheClock)
   EXPECT_EQ(0.01, rig.step(3).back().frame.truth.flow);  // at 0.03 s
   std::shared_ptr<const SimulatorState> state;
   std::optional<ProgramPlayer> program;
+  const CommandStamps commands{7 * period, {0, 5 * period, 7 * period}};
   rig.loop.between_frames(
       [&](SimulationLoop& loop)
       {
@@ -252,14 +262,17 @@ TEST(Loop, goingBackBringsStateAndProgramAndLeavesTheClock)
   rig.mailbox.receive(flow(0.05));
   EXPECT_EQ(0.05, rig.step(1).back().frame.truth.flow);  // at 13; the program is over
   rig.mailbox.receive(flow(0.06));                         // not taken yet
-  const FrameOutput back = rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *program, true); });
+  const FrameOutput back = rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *program, true, commands); });
   EXPECT_EQ(14 * period, back.frame.stamp);
+  EXPECT_TRUE(back.restored);
+  EXPECT_EQ(7 * period, back.frame.commands.last) << "as they were saved";
+  EXPECT_EQ((std::array<std::int64_t, 3>{0, 5 * period, 7 * period}), back.frame.commands.accepted);
   EXPECT_DOUBLE_EQ(0.03, back.frame.truth.time);
   EXPECT_TRUE(back.new_stamp && !back.rebuilt);
   std::vector<double> again;
   for (const FrameOutput& s : rig.step(8)) again.push_back(s.frame.truth.flow);
   EXPECT_EQ(first, again);
-  rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *program, false); });
+  rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *program, false, commands); });
   for (const FrameOutput& s : rig.step(8)) EXPECT_EQ(0.01, s.frame.truth.flow) << "as it was saved: not playing";
 }
 

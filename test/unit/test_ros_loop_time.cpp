@@ -27,10 +27,10 @@ TEST(LoopTime, aFrameThatFailsIsSaidOnceWithTheLastGoodStamp)
   EXPECT_EQ(RunState::failed, last.frame.run_state);
   EXPECT_EQ(RunState::running, good.frame.run_state);
   EXPECT_EQ(good.frame.stamp, last.frame.stamp);
-  EXPECT_TRUE(!last.new_stamp && last.run_state_changed && !last.state_due && !last.tf_due);
+  EXPECT_TRUE(!last.new_stamp && last.state_again && !last.state_due && !last.tf_due);
   EXPECT_NE("", std::string(last.frame.failure.data()));
   EXPECT_EQ("", std::string(good.frame.failure.data()));
-  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).run_state_changed) << "once";
+  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).state_again) << "once";
   const FrameOutput reset = rig.between([](SimulationLoop& loop) { loop.replace(std::make_unique<Simulator>(vertical_scene(40.0, 39.0))); });
   EXPECT_EQ(RunState::waiting, reset.frame.run_state);
   EXPECT_EQ("", std::string(reset.frame.failure.data()));
@@ -51,12 +51,30 @@ TEST(LoopTime, pauseIsSaidOnceWithTheSameStamp)
       });
   EXPECT_EQ(RunState::paused, paused.frame.run_state);
   EXPECT_EQ(before.frame.stamp, paused.frame.stamp);
-  EXPECT_TRUE(!paused.new_stamp && paused.run_state_changed && !paused.state_due);
-  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).run_state_changed);
+  EXPECT_TRUE(!paused.new_stamp && paused.state_again && !paused.state_due);
+  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).state_again);
   const FrameOutput resumed = rig.between([](SimulationLoop& loop) { loop.set_paused(false); });
   EXPECT_EQ(RunState::running, resumed.frame.run_state);
-  EXPECT_TRUE(resumed.run_state_changed);
+  EXPECT_TRUE(resumed.state_again);
   EXPECT_EQ(before.frame.stamp, resumed.frame.stamp);
+}
+
+// A tare between frames shows at once.
+TEST(LoopTime, whilePausedWhatHasChangedIsSaidAgain)
+{
+  RunningLoop rig(in_real_time());
+  rig.start();
+  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.hand_over_again(); }).state_again) << "the next frame says it";
+  const FrameOutput paused = rig.between([](SimulationLoop& loop) { loop.set_paused(true); });
+  const FrameOutput again = rig.between(
+      [](SimulationLoop& loop)
+      {
+        EXPECT_TRUE(loop.rig().simulator->tare());
+        loop.hand_over_again();
+      });
+  EXPECT_TRUE(again.state_again && !again.new_stamp && !again.state_due);
+  EXPECT_EQ(paused.frame.stamp, again.frame.stamp);
+  EXPECT_TRUE(!paused.frame.readings.tared && again.frame.readings.tared && again.frame.truth.tared);
 }
 
 TEST(LoopTime, whileTimeStandsARefreshIsOnePicture)
@@ -68,7 +86,7 @@ TEST(LoopTime, whileTimeStandsARefreshIsOnePicture)
   const FrameOutput picture = rig.output(1);
   EXPECT_EQ(first.frame.stamp, picture.frame.stamp);
   EXPECT_TRUE(!picture.new_stamp && picture.markers_due && picture.well_due && !picture.state_due && !picture.tf_due && !picture.profile_due);
-  EXPECT_FALSE(picture.run_state_changed);
+  EXPECT_FALSE(picture.state_again);
   EXPECT_EQ(2u, rig.count());
 }
 
@@ -87,7 +105,7 @@ TEST(LoopTime, aStepEndsEarlyWhereItIsAskedTo)
         EXPECT_TRUE(loop.end_step_early());
       });
   EXPECT_EQ(RunState::waiting, end.frame.run_state);
-  EXPECT_TRUE(end.run_state_changed && !end.new_stamp);
+  EXPECT_TRUE(end.state_again && !end.new_stamp);
   EXPECT_EQ(stamp, end.frame.stamp);
   const StepResult result = rig.loop.wait_for_step();
   EXPECT_EQ(StepResult::End::ended_early, result.end);
@@ -156,6 +174,10 @@ TEST(LoopTime, telemetryArrivesByItsLatencyLater)
   const FrameRecord& last = frames.back().frame;
   EXPECT_EQ(ros::Time().fromNSec(2 * period), to_mwd_survey(last, "").header.stamp);
   EXPECT_EQ(ros::Time().fromNSec(2 * period), to_mwd_toolface(last, "").header.stamp);
+  FrameRecord early = last;  // as after a restored state in a node that has just started
+  early.stamp = period;
+  EXPECT_EQ(ros::Time(), to_mwd_survey(early, "").header.stamp);
+  EXPECT_EQ(ros::Time(), to_mwd_toolface(early, "").header.stamp);
   EXPECT_NEAR(50.0 - 0.3 - 4.0, last.readings.mwd.md, 1e-3) << "a bit of 0.3 m and the sensor's offset above it";
 }
 

@@ -63,7 +63,7 @@ std_msgs::ColorRGBA color_of(double value, double full)
 FrameOutput with_well()
 {
   FrameOutput s = numbered_output();
-  s.well_due = true;
+  s.tube_due = true;
   const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
   s.well = {{0.0, {1.0, 2.0, 0.0}, down, 0.1, 0.2}, {10.0, {1.0, 2.0, -10.0}, down, 0.2, 0.2}};
   s.stations = {{0.0, {1.0, 2.0, 0.0}, down, 0.1, 0.2}, {20.0, {3.0, 4.0, -19.0}, down, 0.1, 0.2}};
@@ -184,6 +184,16 @@ TEST(Markers, forcesAreLinesOfTheirScaleWhereTheWallTouches)
   expect_point(9.0, 5.0, -90.0, m.points[0]);
   expect_point(9.0 - 20.0, 5.0 + 1.0, -90.0 + 3.0, m.points[1]);  // 0.01 m/N of (-2000, 100, 300) N
   EXPECT_DOUBLE_EQ(0.2, m.scale.x);
+}
+
+TEST(Markers, withoutAnyForceTheLinesAreTakenAway)
+{
+  FrameOutput s = numbered_output();
+  EXPECT_EQ(Marker::ADD, drawn(s, "contact_forces").action);
+  s.profile.contact_force.assign(s.profile.contact_force.size(), 0.0);
+  const Marker m = drawn(s, "contact_forces");
+  EXPECT_TRUE(m.points.empty());
+  EXPECT_EQ(Marker::DELETE, m.action);
 }
 
 TEST(Markers, blockStandsOnItsShaft)

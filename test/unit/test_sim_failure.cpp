@@ -267,24 +267,68 @@ TEST(Commands, aStreamThatNeverBeganIsNotMissed)
   EXPECT_TRUE(rig.truth().commands_timed_out);
 }
 
-// After a silence either stream alone is obeyed again: the other has not begun anew.
-TEST(Commands, theNextCommandIsObeyedAfterASilence)
+// The rig stays safe until the silent stream itself speaks again, whatever the other says; then both are obeyed at once.
+TEST(Commands, aSilenceIsEndedByItsOwnStreamAlone)
+{
+  for (const bool winch_talks : {true, false})
+  {
+    Simulator rig(drilling_scene(5.0));
+    rig.set_command_timeout(0.1);
+    drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
+    const auto winch = [&rig] { rig.command(WinchSetpoint{-0.01, false}); };
+    const auto drive = [&rig] { rig.command(TopDriveSetpoint{TopDriveMode::speed, 6.0, 0.0, 0.0, 0.0}); };
+    for (int k = 0; k < 40; ++k)
+    {
+      winch_talks ? winch() : drive();
+      rig.frame(0.01);
+      const bool silent = k > 10;  // of what came at 0, at 0.11 s for longer than 0.1 s
+      EXPECT_EQ(silent, rig.truth().commands_timed_out) << k;
+      EXPECT_EQ(silent, rig.truth().brake_set) << k;
+      EXPECT_EQ(silent, rig.truth().setpoints.top_drive.mode == TopDriveMode::torque) << k;
+      EXPECT_EQ(0.02, rig.truth().setpoints.pump.flow) << k;
+    }
+    winch_talks ? drive() : winch();
+    rig.frame(0.01);
+    EXPECT_FALSE(rig.truth().commands_timed_out || rig.truth().brake_set);
+    EXPECT_EQ(-0.01, rig.truth().setpoints.winch.block_velocity);
+    EXPECT_EQ(6.0, rig.truth().setpoints.top_drive.speed);
+  }
+}
+
+TEST(Commands, bothSilentBothMustSpeak)
 {
   Simulator rig(drilling_scene(5.0));
   rig.set_command_timeout(0.1);
   drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);
   for (int k = 0; k < 20; ++k) rig.frame(0.01);
   ASSERT_TRUE(rig.truth().commands_timed_out);
-  for (int k = 0; k < 20; ++k)
+  rig.command(WinchSetpoint{-0.01, false});
+  rig.frame(0.01);
+  EXPECT_TRUE(rig.truth().commands_timed_out && rig.truth().brake_set);
+  rig.command(TopDriveSetpoint{TopDriveMode::speed, 6.0, 0.0, 0.0, 0.0});
+  rig.frame(0.01);
+  EXPECT_FALSE(rig.truth().commands_timed_out || rig.truth().brake_set);
+  EXPECT_EQ(-0.01, rig.truth().setpoints.winch.block_velocity);
+  rig.set_command_timeout(0.0);
+  for (int k = 0; k < 20; ++k) rig.frame(0.01);
+  EXPECT_FALSE(rig.truth().commands_timed_out) << "nobody watches";
+}
+
+// A controller of two actuators sends both each frame: the clamp of one must not hide behind the other.
+TEST(Commands, aClampShowsBesideOtherCommandsOfItsFrame)
+{
+  Simulator rig(drilling_scene(5.0));
+  for (int k = 0; k < 3; ++k)
   {
-    rig.command(WinchSetpoint{-0.01, false});
+    rig.command(WinchSetpoint{-100.0, false});
+    rig.command(TopDriveSetpoint{TopDriveMode::speed, 6.0, 0.0, 0.0, 0.0});
+    rig.command(PumpSetpoint{0.02});
     rig.frame(0.01);
-    EXPECT_FALSE(rig.truth().commands_timed_out) << k;
-    EXPECT_FALSE(rig.truth().brake_set) << k;
-    EXPECT_EQ(TopDriveMode::torque, rig.truth().setpoints.top_drive.mode) << "still coasting";
+    EXPECT_TRUE(rig.truth().command_clamped) << k;
   }
-  for (int k = 0; k < 12; ++k) rig.frame(0.01);
-  EXPECT_TRUE(rig.truth().commands_timed_out);
+  rig.command(PumpSetpoint{0.02});
+  rig.frame(0.01);
+  EXPECT_FALSE(rig.truth().command_clamped) << "of the last command";
 }
 
 // Pipe is gripped at its node nearest to the depth, within an element; where none is, or no depth is told, nothing changes.

@@ -218,8 +218,24 @@ TEST(RateMeter, isTheMeanOverTheWindow)
     if (t <= 10.0)
       wanted = t > 3.0 ? 0.002 * (t - 3.0) / t : 0.0;  // as long as there is
     else if (t < 13.6)
-      wanted = 0.002 * std::min((t - 3.0) / 10.0, 1.0), error = 0.06 * 0.002;  // the oldest sample is up to 10.5 s old
+      wanted = 0.002 * std::min((t - 3.0) / 10.0, 1.0), error = 0.06 * 0.002;  // the oldest sample is up to 0.5 s younger
     ASSERT_NEAR(rate, wanted, error) << t;
+  }
+}
+
+// Slow frames make no longer window; where they are longer than the window, it is theirs.
+TEST(RateMeter, windowIsOfTimeNotOfCalls)
+{
+  for (const double frame : {1.0, 2.5, 20.0})
+  {
+    RateMeter meter;
+    const double window = std::max(10.0, frame);
+    for (int k = 0; k <= 40; ++k)
+    {
+      const double t = frame * k, begin = 20.0 * frame;
+      const double wanted = 0.002 * std::clamp((t - begin) / window, 0.0, 1.0);
+      ASSERT_NEAR(meter.rate(100.0 + 0.002 * std::max(t - begin, 0.0), t), wanted, 1e-12) << frame << " s, at " << t;
+    }
   }
 }
 

@@ -46,6 +46,20 @@ enum class RunState
   failed
 };
 
+/// When commands were accepted [ns]; 0 = none yet.
+struct CommandStamps
+{
+  std::int64_t last = 0;
+  std::array<std::int64_t, 3> accepted{};  ///< the set points asked for last: winch, top drive, pump
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("last", last);
+    v("accepted", accepted);
+  }
+};
+
 /// What a frame tells, without arrays.
 struct FrameRecord
 {
@@ -54,8 +68,7 @@ struct FrameRecord
   Truth truth;
   Readings readings;
   RigSpec rig;
-  std::int64_t last_command = 0;           ///< stamp of the last accepted command [ns]; 0 = none
-  std::array<std::int64_t, 3> accepted{};  ///< stamps of the set points in force: winch, top drive, pump [ns]
+  CommandStamps commands;
   SimulatorStatistics physics;
   LoopStatistics loop;
   const char* last_refusal = "";    ///< why the last refused command was; static storage
@@ -69,12 +82,14 @@ struct FrameOutput
   FrameRecord frame;
   bool new_stamp = true;  ///< false: nothing but a picture for a new subscriber
   bool rebuilt = false;   ///< the first one of another rig or well
+  bool restored = false;  ///< the first one of a state that was saved
   bool state_due = false;
-  bool run_state_changed = false;  ///< without a new stamp: rig_state says it once more
+  bool state_again = false;  ///< without a new stamp: rig_state says it once more
   bool profile_due = false;  ///< drillstring_state
   bool tf_due = false;
   bool markers_due = false;
   bool well_due = false;  ///< the well has changed, or somebody new wants to see it
+  bool tube_due = false;  ///< markers are due and have not shown the well as it is
 
   StringProfile profile;
   std::vector<WellNode> axis;  ///< the hole at each entry of the profile

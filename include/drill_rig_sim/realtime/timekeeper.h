@@ -58,8 +58,8 @@ public:
   void frame_begins(std::int64_t now) noexcept;
   /// The next frame is due now: after a pause, or at the start.
   void restart(std::int64_t now) noexcept { deadline_ = now; }
-  /// Where another rig's clock is more than longest_jump away (the first one heard, or a master that began again): goes there at
-  /// once.
+  /// Where another rig's clock is more than longest_jump away (the first one heard, a master that began again, or one that runs faster than
+  /// this rig can): goes there at once. What a rig that had followed leaves out counts as dropped.
   void adopt_clock() noexcept;
   /// Moves the stamp on by one frame.
   void tick() noexcept
@@ -75,7 +75,7 @@ public:
   void hear_clock(std::int64_t clock) noexcept { heard_ = clock; }
 
   std::uint64_t overruns() const noexcept { return overruns_; }  ///< frames begun more than a tenth of a period late
-  double dropped_seconds() const noexcept { return 1e-9 * static_cast<double>(dropped_); }  ///< backlog dropped [wall s]
+  double dropped_seconds() const noexcept { return 1e-9 * static_cast<double>(dropped_); }  ///< backlog dropped [wall s; of the followed clock s]
 
 private:
   TimeSource source_;
@@ -87,6 +87,7 @@ private:
   std::int64_t deadline_ = 0;
   std::uint64_t overruns_ = 0;
   std::int64_t dropped_ = 0;
+  bool followed_ = false;  // a clock has been heard
   std::atomic<std::int64_t> heard_{0};
 };
 

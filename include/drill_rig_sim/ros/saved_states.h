@@ -9,6 +9,7 @@
 #include <string>
 
 #include "drill_rig_sim/ListStates.h"
+#include "drill_rig_sim/realtime/frame_output.h"
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 
@@ -20,13 +21,15 @@ struct Saved
   std::shared_ptr<const SimulatorState> state;
   std::optional<ProgramPlayer> program;
   bool playing = false;
+  CommandStamps commands;
   std::int64_t stamp = 0;  ///< when it was taken [ns]
   std::size_t bytes = 0;   ///< memory_of(), once it is kept
 };
 
 /// Writes a snapshot with its program's place into a file (sim/snapshot_file.h). Throws std::runtime_error with one line.
 void write_saved(const std::string& file, const Saved& saved);
-/// Reads it back for the rig that `present` is a snapshot of; throws std::runtime_error with one line for any other file.
+/// Reads it back for the rig that `present` is a snapshot of; throws std::runtime_error with one line for any other file. The stamps of
+/// its commands, of another clock, become that of `present`: they are given anew.
 Saved read_saved(const std::string& file, const Saved& present);
 
 /// The snapshots of a rig by name, within a limit of memory. Refusals are std::runtime_error with one line.

@@ -35,8 +35,7 @@ struct RunningRig
   ProgramPlayer program;
   bool playing;  ///< the scene's program gives the commands
   bool failed = false;
-  std::int64_t last_command = 0;
-  std::array<std::int64_t, 3> accepted{};
+  CommandStamps commands;
   const char* last_refusal = "";
   const char* last_clamp = "";
 };
@@ -96,10 +95,13 @@ public:
   void set_paused(bool paused) noexcept;
   /// Another simulator takes over, its commands zeroed; returns the old one, which the caller destroys.
   std::unique_ptr<Simulator> replace(std::unique_ptr<Simulator> simulator);
-  /// Back to a saved state of this simulator and to the place in the program it was saved at. The clock runs on.
-  void go_back(const SimulatorState& state, const ProgramPlayer& program, bool playing);
-  /// Publishes the present state as one tick of the clock: after a change that no frame made.
-  void publish_now(bool rebuilt) noexcept;
+  /// Back to a saved state of this simulator, to the place in the program it was saved at and to its commands' stamps. The clock runs on.
+  void go_back(const SimulatorState& state, const ProgramPlayer& program, bool playing, const CommandStamps& commands);
+  /// Hands the present state over once more, stamped as it was: after a change of the readings alone. While time is paused rig_state
+  /// says it; otherwise its next frame does.
+  void hand_over_again() noexcept;
+  /// What came from topics up to now.
+  void take_commands() noexcept;
   CommandResult take(const WinchSetpoint& c) noexcept { return accept(c, 0); }
   CommandResult take(const TopDriveSetpoint& c) noexcept { return accept(c, 1); }
   CommandResult take(const PumpSetpoint& c) noexcept { return accept(c, 2); }
@@ -131,16 +133,18 @@ private:
   // Why an output is handed over.
   struct Occasion
   {
-    bool new_stamp;      // the stamp has moved on
-    bool whole_picture;  // everything that can be drawn, the well included
-    bool rebuilt;        // another rig or well
+    bool new_stamp = false;      // the stamp has moved on
+    bool whole_picture = false;  // everything that can be drawn, the well included
+    bool rebuilt = false;        // another rig or well
+    bool restored = false;       // a state that was saved
+    bool said_again = false;     // without a new stamp: rig_state repeats it
   };
 
   void run() noexcept;
   void run_between_frames() noexcept;
   void wait_or_work() noexcept;
   void one_frame(std::int64_t now) noexcept;
-  void take_commands() noexcept;
+  void publish_now(bool rebuilt) noexcept;
   template <class Setpoint>
   CommandResult accept(const Setpoint& c, std::size_t kind) noexcept;
   void set_timeout() noexcept;
@@ -161,6 +165,7 @@ private:
   double frame_duration_;  // [s]
   bool paused_ = false;
   double well_handed_over_ = -1.0;  // hole depth then [m]
+  bool tube_pending_ = false;       // the well has changed since markers showed it last
   Cadence state_cadence_, profile_cadence_, tf_cadence_, marker_cadence_, well_cadence_;
 
   std::atomic<bool> halted_{false}, quit_{false}, asked_{false};

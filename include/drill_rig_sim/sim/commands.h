@@ -23,29 +23,40 @@ struct CommandResult
   const char* reason = "";  ///< one line, static storage; names the field and what is allowed
 };
 
-/// The set points in force and when they came.
+/// The commands taken last and when they came.
 struct CommandState
 {
-  Setpoints setpoints;
-  bool clamped = false;  ///< the last command was
+  Setpoints asked;         ///< by the last command of each kind, within the limits
+  bool clamped = false;    ///< the last command was, or another of the same instant
+  double last_taken = 0.0; ///< when the last command of any kind came [s]
   /// When [s]; infinity: never yet, so that its silence is no lost stream.
   double last_winch = std::numeric_limits<double>::infinity();
   double last_drive = std::numeric_limits<double>::infinity();
-  bool timed_out = false;
+  bool winch_silent = false, drive_silent = false;  ///< for longer than the timeout, up to its next command
 
+  bool timed_out() const noexcept { return winch_silent || drive_silent; }
+  /// What was asked; brake and coasting drive while a stream is silent.
+  Setpoints in_force() const noexcept;
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept;
 
   template <class V>
   void visit(V& v)
   {
-    v("setpoints", setpoints);
+    v("asked", asked);
     v("clamped", clamped);
+    v("last_taken", last_taken);
     v("last_winch", last_winch);
     v("last_drive", last_drive);
-    v("timed_out", timed_out);
+    v("winch_silent", winch_silent);
+    v("drive_silent", drive_silent);
   }
 };
+
+/// Why a command would be refused, one line, static storage; null: it would not.
+const char* what_is_wrong(const WinchSetpoint& command) noexcept;
+const char* what_is_wrong(const TopDriveSetpoint& command) noexcept;
+const char* what_is_wrong(const PumpSetpoint& command) noexcept;
 
 /// Takes a command at simulated time `now` [s]. A finite value beyond the rig's limit is clamped, as a real drive saturates; a value that
 /// is not finite, an unknown mode and a negative torque limit are refused whole: the last good one stays.
@@ -53,8 +64,8 @@ CommandResult take(const RigSpec& rig, double now, const WinchSetpoint& command,
 CommandResult take(const RigSpec& rig, double now, const TopDriveSetpoint& command, CommandState& state) noexcept;
 CommandResult take(const RigSpec& rig, double now, const PumpSetpoint& command, CommandState& state) noexcept;
 
-/// Sets the brake and coasts the drive when the winch's or the drive's commands have been silent for longer than `timeout` [s]; 0: never.
-/// A stream is watched from its first command on: its first since the start, since `timeout` was 0, or since the last silence.
+/// Notes which of the winch's and the drive's commands have been silent for longer than `timeout` [s]; 0: never. A stream is watched from
+/// its first command on: its first since the start, or since `timeout` was 0.
 void watch_commands(double timeout, double now, CommandState& state) noexcept;
 
 }  // namespace drill_rig_sim

@@ -18,7 +18,8 @@ class RateMeter
 public:
   static constexpr double window = 10.0;  ///< [s]
 
-  /// Mean rate from the oldest sample within the window to `depth` [m] at `time` [s]; [m/s]. 0 for the first sample.
+  /// Mean rate from the oldest sample within the window to `depth` [m] at `time` [s]; [m/s]. 0 for the first sample. Where calls are further
+  /// apart than the window: from the last one.
   double rate(double depth, double time) noexcept;
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept;

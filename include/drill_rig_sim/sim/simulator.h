@@ -64,7 +64,7 @@ public:
   CommandResult command(const TopDriveSetpoint& c) noexcept;
   CommandResult command(const PumpSetpoint& c) noexcept;
   /// The set points in force: of the last commands, taken though no frame has been computed since.
-  const Setpoints& setpoints() const noexcept;
+  Setpoints setpoints() const noexcept;
   /// Winch and drive streams silent for longer than this set the brake and coast the drive [s]; 0 = off.
   void set_command_timeout(double seconds) noexcept;
 

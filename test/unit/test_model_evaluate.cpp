@@ -1,0 +1,97 @@
+// What a stage and a workspace carry over from one evaluation to the next, and where forces look for what is around them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/model/energy.h"
+#include "drill_rig_sim/model/evaluate.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/solve/methods/method.h"
+#include "lone_bit.h"
+
+using namespace drill_rig_sim;
+using Eigen::Vector3d;
+
+namespace
+{
+std::vector<double> no_increment(const Model& model)
+{
+  return std::vector<double>(6 * static_cast<std::size_t>(model.nodes()), 0.0);
+}
+
+/// Depth drilled in so many seconds of a vertical hole whose bottom lies at 100 m.
+double drilled(const std::vector<FormationLayer>& layers)
+{
+  Scene scene = drilling_scene(0.001);
+  scene.formation = layers;
+  Simulator rig(scene);
+  rig.command(WinchSetpoint{-0.01, false});
+  TopDriveSetpoint drive;
+  drive.speed = 10.0;
+  rig.command(drive);
+  for (int k = 0; k < 500; ++k) EXPECT_EQ(rig.frame(0.01), FrameStatus::running);
+  return rig.truth().hole_depth - 100.0;
+}
+}  // namespace
+
+// The same stage and workspace serve a moving rig and then its equilibrium: nothing of the motion is left.
+TEST(Evaluate, aRestingRigHasNothingOfTheMotionBefore)
+{
+  const RigAtRest rig = build_at_rest(drilling_scene());
+  State state = rig.state;
+  state.nodes[0].rate.spin = 5.0;
+  Stage stage(*rig.model);
+  Workspace work(*rig.model);
+  const std::vector<double> still = no_increment(*rig.model);
+  std::vector<double> residual(still);
+  begin_step(*rig.model, state, 0.01, Setpoints(), stage);
+  prepare_implicit_euler(state, 0.01, stage);
+  for (Vector6d& a : stage.acceleration) a.setOnes();
+  std::vector<double> turning = still;
+  turning[3] = 0.01;
+  turning[4] = turning[5] = 0.01;
+  evaluate(*rig.model, state, stage, turning.data(), work, residual.data(), nullptr);
+  ASSERT_NE(0.0, work.result.forces.bit_speed);
+
+  begin_static(*rig.model, rig.state, FrictionMode::none, 0.0, stage);
+  for (const Vector6d& a : stage.acceleration) EXPECT_EQ(0.0, a.norm());
+  evaluate(*rig.model, rig.state, stage, still.data(), work, residual.data(), nullptr);
+  EXPECT_EQ(0.0, work.result.forces.bit_speed);
+}
+
+// Mud is below the rig floor: what hangs above it is damped by none.
+TEST(Evaluate, noSqueezeFilmAboveTheFloor)
+{
+  RigAtRest rig = lone_bit(weightless(lone_bit_scene()), [](MeshNode& bit, BeamSection&) { bit.squeeze_film_damping = 2400.0; });
+  for (const double height : {-1.0, -0.1, 0.1, 0.9})
+  {
+    rig.state.nodes[0].position.z() = height;
+    rig.state.nodes[0].rate.velocity = Vector3d(0.05, 0.0, 0.0);
+    Stage stage(*rig.model);
+    Workspace work(*rig.model);
+    begin_step(*rig.model, rig.state, 0.0, Setpoints(), stage);
+    prepare_start(rig.state, stage);
+    EnergySample sample;
+    sample_energy(*rig.model, rig.state, stage, no_increment(*rig.model).data(), work, sample);
+    const double across = sample.force[static_cast<std::size_t>(NodeForce::squeeze_film)][0];
+    EXPECT_NEAR(across, height < 0.0 ? 2400.0 * 0.05 : 0.0, 1e-6) << height;
+  }
+}
+
+// Rock is that of the bottom's own depth.
+TEST(Evaluate, theBitDrillsTheLayerItStandsOn)
+{
+  const FormationLayer soft{50.0, 1e-6, 1.0, 0.5, 0.0, 0.0, 0.0, 0.0}, hard{1e4, 1e-8, 1.0, 0.5, 0.0, 0.0, 0.0, 0.0};
+  FormationLayer all_soft = soft;
+  all_soft.to_tvd = 1e4;
+  const double in_hard = drilled({hard});
+  EXPECT_GT(in_hard, 1e-4);
+  EXPECT_EQ(in_hard, drilled({soft, hard}));
+  EXPECT_GT(drilled({all_soft}), 2.0 * in_hard);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
