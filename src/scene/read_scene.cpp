@@ -27,10 +27,12 @@ public:
 
   Scene read(const std::string& text, const std::vector<std::string>& settings)
   {
-    const YAML::Node root = load_document(text, problems_);
+    const auto [root, has_aliases] = load_document(text, problems_);
     Scene scene;
     scene.file = name_;
     problems_.note("", line_of(root));
+    if (has_aliases && !settings.empty())
+      problems_.fail(0, "--set", "the scene has YAML aliases, of which one value stands in several places; needed: values written out");
     apply_settings(root, settings, problems_);
     problems_.raise();
     const Entries top = read_block(root, "", scene_keys, every_kind, scene, problems_);

@@ -62,12 +62,12 @@ Width widest(const PartSpec& part)
 
 void check_diameters(const Scene& scene, ProblemList& problems)
 {
-  // every part passes the sections above the bit on its way down
+  // every part passes all sections on its way down; reaming is not modelled
   double narrowest = 1e9;
   double top = 0.0;
   for (const HoleSection& section : scene.well.sections)
   {
-    if (top < scene.start.bit_depth) narrowest = std::min(narrowest, section.diameter);
+    if (top < scene.well.hole_depth) narrowest = std::min(narrowest, section.diameter);
     top = section.to;
   }
   for (std::size_t i = 0; i < scene.string.size(); ++i)
@@ -176,6 +176,15 @@ void check_program(const Scene& scene, ProblemList& problems)
     limit(i, "flow", step.flow, scene.rig.mud_pump.max_flow, "m3/s", 1.0);
   }
 }
+
+/// Telemetry that would be saturated for good: readings would be lost one after the other.
+void check_telemetry(const char* key, double period, double latency, ProblemList& problems)
+{
+  if (period <= 0.0 || latency <= most_on_the_way * period) return;
+  problems.emplace_back(key, plain(latency) + " s is more than " + std::to_string(most_on_the_way) + " periods, allowed: up to " +
+                                 plain(most_on_the_way * period) + " s");
+}
+
 void append(ProblemList& all, const ProblemList& more)
 {
   all.insert(all.end(), more.begin(), more.end());
@@ -213,6 +222,8 @@ ProblemList scene_problems(const Scene& scene)
   check_hoisting(scene.rig.hoisting, problems);
   check_start(scene, problems);
   check_program(scene, problems);
+  check_telemetry("instruments.mwd.latency", scene.instruments.mwd.period, scene.instruments.mwd.latency, problems);
+  check_telemetry("instruments.toolface.latency", scene.instruments.toolface.period, scene.instruments.toolface.latency, problems);
   return problems;
 }
 

@@ -27,11 +27,16 @@ class Counter : public YAML::EventHandler
 public:
   long documents() const { return documents_; }
   bool empty() const { return only_null_; }
+  bool has_aliases() const { return aliases_; }
 
   void OnDocumentStart(const YAML::Mark&) override { ++documents_; }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { count(mark, true); }
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { count(mark, false); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override
+  {
+    aliases_ = true;
+    count(mark, false);
+  }
   void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string&) override { count(mark, false); }
   void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override
   {
@@ -51,7 +56,7 @@ private:
 
   long documents_ = 0;
   long nodes_ = 0;
-  bool only_null_ = true;
+  bool only_null_ = true, aliases_ = false;
 };
 
 // a parser's message ends, after a colon, with what it found in the file
@@ -62,7 +67,7 @@ std::string without_content(const std::string& message)
 
 }  // namespace
 
-YAML::Node load_document(const std::string& text, Problems& problems)
+Document load_document(const std::string& text, Problems& problems)
 {
   if (text.size() > longest_text) problems.fail(0, "YAML", "larger than 16 MiB, this is no scene");
   try
@@ -74,7 +79,7 @@ YAML::Node load_document(const std::string& text, Problems& problems)
     {
     }
     if (counter.documents() == 0 || counter.empty()) problems.fail(1, "YAML", "the file is empty, needed: a scene");
-    return YAML::Load(text);
+    return {YAML::Load(text), counter.has_aliases()};
   }
   catch (const Refusal& refusal)
   {

@@ -9,8 +9,14 @@
 
 namespace drill_rig_sim
 {
+struct Document
+{
+  YAML::Node root;
+  bool has_aliases = false;  ///< nodes may stand in several places: a change in one is one in all
+};
+
 /// Parses `text` as exactly one YAML document of bounded size. Throws SceneError, with `problems`' file and the line, if it is not.
-YAML::Node load_document(const std::string& text, Problems& problems);
+Document load_document(const std::string& text, Problems& problems);
 
 }  // namespace drill_rig_sim
 

@@ -1,4 +1,5 @@
 // From the state to the truth.
+#include <algorithm>
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
@@ -80,7 +81,7 @@ SensorView Simulator::Impl::sensor_view() const noexcept
   const Mesh& mesh = model->mesh();
   const Between at = find_between(mesh, mesh.sensor_from_bit >= 0.0 ? mesh.sensor_from_bit : 0.0);
   const Quaterniond& upper = state.mechanics.nodes[at.lower + 1].orientation;
-  const Quaterniond q = state.mechanics.nodes[at.lower].orientation.slerp(at.share, upper);
+  const Quaterniond q = state.mechanics.nodes[at.lower].orientation.slerp(std::clamp(at.share, 0.0, 1.0), upper);
   view.md = state.truth.bit_depth - std::max(mesh.sensor_from_bit, 0.0);
   view.axis = x_axis(q);
   view.scribe = y_axis(q);

@@ -28,6 +28,45 @@ double at_node(const std::vector<double>& elements, std::size_t i) noexcept
   if (i == elements.size()) return elements.back();
   return 0.5 * (elements[i - 1] + elements[i]);
 }
+
+/// Half of what an element's weight in mud adds to the tension from its lower end to its upper one [N].
+double half_rise(const Model& model, const State& s, std::size_t e) noexcept
+{
+  const double lower = s.nodes[e].position.z(), upper = s.nodes[e + 1].position.z();
+  const double cosine = (upper - lower) / model.mesh().elements[e].section.length;
+  return 0.5 * model.element_weight(static_cast<int>(e), lower, upper) * cosine;
+}
+
+/// Effective tension at node i: of the elements that meet there the mean, each brought from its middle to its end.
+double tension_at(const Model& model, const State& s, const std::vector<double>& tension, std::size_t i) noexcept
+{
+  const std::size_t last = tension.size() - 1;
+  const auto top_of = [&](std::size_t e) { return tension[e] + half_rise(model, s, e); };
+  const auto foot_of = [&](std::size_t e) { return tension[e] - half_rise(model, s, e); };
+  if (i == 0) return foot_of(0);
+  if (i > last) return top_of(last);
+  return 0.5 * (top_of(i - 1) + foot_of(i));
+}
+
+/// Slips the string on until the bit carries the scene's weight again, which friction has changed.
+StaticOutcome hold_weight(const Scene& scene, FrictionMode friction, RigAtRest& rig)
+{
+  constexpr int most_rounds = 20;
+  constexpr double tolerance = 1e-4;  // of the weight on bit
+  const double wanted = scene.start.weight_on_bit, compliance = string_compliance(rig.model->mesh());
+  StaticOutcome outcome = solve_static(*rig.model, rig.state, friction);
+  for (int round = 0; round < most_rounds && outcome.converged; ++round)
+  {
+    const double error = outcome.forces.wob - wanted;
+    if (wanted <= 0.0 || std::abs(error) < tolerance * wanted) return outcome;
+    rig.state.nodes.back().position.z() += error * compliance;
+    outcome = solve_static(*rig.model, rig.state, friction);
+  }
+  if (!outcome.converged) return outcome;
+  std::ostringstream message;
+  message << "static: with this motion the weight on bit is " << outcome.forces.wob << " N, not the scene's " << wanted << " N";
+  throw std::runtime_error(message.str());
+}
 }  // namespace
 
 void fill_profile(const Model& model, const State& s, const RigForces& forces, StringProfile& out)
@@ -47,7 +86,7 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
     out.md[i] = closest.md;
     out.from_bit[i] = mesh.nodes[i].from_bit;
     out.position[i] = node.position;
-    out.tension[i] = at_node(forces.tension, i);
+    out.tension[i] = tension_at(model, s, forces.tension, i);
     out.true_axial_force[i] = true_axial_force(out.tension[i], element, model.scene().mud.density, -node.position.z());
     out.torque[i] = at_node(forces.torque, i);
     out.bending_moment[i] = forces.bending_moment[i];
@@ -64,7 +103,7 @@ StaticReport static_report(const Scene& scene, FrictionMode friction)
 {
   RigAtRest rig = build_at_rest(scene);
   StaticReport report;
-  report.outcome = friction == FrictionMode::none ? rig.statics : solve_static(*rig.model, rig.state, friction);
+  report.outcome = friction == FrictionMode::none ? rig.statics : hold_weight(scene, friction, rig);
   if (!report.outcome.converged)
   {
     std::ostringstream message;
@@ -76,6 +115,7 @@ StaticReport static_report(const Scene& scene, FrictionMode friction)
   report.hook_load_string = report.outcome.top_force;
   report.hook_load = report.hook_load_string + standard_gravity * scene.rig.hoisting.block_mass;
   report.torque = report.outcome.top_torque;
+  report.wob = report.outcome.forces.wob;
   report.bit_side_force = report.profile.contact_force.front();
   report.bit_side_direction = report.profile.contact_side.front();
   const NodeState& bit = rig.state.nodes.front();

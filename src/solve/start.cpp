@@ -91,13 +91,6 @@ std::vector<double> estimated_stretch(const Mesh& mesh, const Scene& scene, cons
   return stretch;
 }
 
-double string_compliance(const Mesh& mesh)
-{
-  double compliance = 0.0;
-  for (const MeshElement& e : mesh.elements) compliance += e.section.length / e.section.axial;
-  return compliance;
-}
-
 [[noreturn]] void fail(const std::string& what)
 {
   throw std::runtime_error("start: " + what);
@@ -140,7 +133,22 @@ void check_loads_of_bit(const StartSpec& start, const Model& model, const Wellbo
   if (!message.str().empty()) fail(message.str());
 }
 
+/// What hangs on the hook must be what the winch may lift.
+void check_hook_load(const HoistingSpec& hoisting, double hook_load)
+{
+  if (hook_load < hoisting.max_hook_load) return;
+  std::ostringstream message;
+  message << "string and block hang on the hook with " << hook_load << " N, rig.hoisting.max_hook_load must be more, it is " << hoisting.max_hook_load << " N";
+  fail(message.str());
+}
 }  // namespace
+
+double string_compliance(const Mesh& mesh)
+{
+  double compliance = 0.0;
+  for (const MeshElement& e : mesh.elements) compliance += e.section.length / e.section.axial;
+  return compliance;
+}
 
 double bit_depth(const Model& model, const State& state)
 {
@@ -187,7 +195,8 @@ RigAtRest build_at_rest(const Scene& scene)
     toolface_error = rig.model->mesh().bend_node >= 0 ? angle_error(bend_toolface(*rig.model, rig.state), start.toolface) : 0.0;
     const double weight_error = rig.statics.forces.wob - start.weight_on_bit;
     // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance
-    depth_error = on_bottom ? weight_error * string_compliance(rig.model->mesh()) : bit_depth(*rig.model, rig.state) - depth;
+    depth_error = weight_error * string_compliance(rig.model->mesh());
+    if (!on_bottom) depth_error += bit_depth(*rig.model, rig.state) - depth;
     const bool deep_enough = on_bottom ? std::abs(weight_error) < kWeightTolerance * start.weight_on_bit : std::abs(depth_error) < kDepthTolerance;
     if (deep_enough && std::abs(toolface_error) < kToolfaceTolerance) break;
     length -= depth_error;
@@ -203,10 +212,13 @@ RigAtRest build_at_rest(const Scene& scene)
 
   rig.state.memory.past.assign(MethodMemory::room, {std::vector<NodeRate>(rig.state.nodes.size()), 0.0});
   const double hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
-  if (on_bottom) check_loads_of_bit(start, *rig.model, rig.state.well, hook_load);
+  if (on_bottom || start.torque_on_bit > 0.0) check_loads_of_bit(start, *rig.model, rig.state.well, hook_load);
+  check_hook_load(scene.rig.hoisting, hook_load);
   rig.state.hoist.line_length = line_length_for(scene.rig.hoisting, start.block_height, hook_load);
-  rig.state.drive.meter_twist = rig.statics.top_torque / scene.rig.top_drive.meter_stiffness;
-  rig.state.bit.twist = on_bottom ? start.torque_on_bit / rig.model->bit_bristle_stiffness() : 0.0;
+  const TopDriveSpec& drive = scene.rig.top_drive;
+  rig.state.drive.meter_twist = rig.statics.top_torque / drive.meter_stiffness;
+  if (drive.integral_gain > 0.0) rig.state.drive.integral = rig.statics.top_torque / drive.integral_gain;  // the motor holds it
+  if (start.torque_on_bit > 0.0) rig.state.bit.twist = start.torque_on_bit / rig.model->bit_bristle_stiffness();
   return rig;
 }
 

@@ -24,6 +24,8 @@ void check_kinds(const std::vector<PartSpec>& parts, ProblemList& problems)
     if (i > 0 && type == PartType::bit) problems.emplace_back(item_key("string", i, "type"), "a second bit, allowed: one");
     if (type == PartType::mud_motor && motors == 2)
       problems.emplace_back(item_key("string", i, "type"), "a second mud motor, allowed: one");
+    if (type == PartType::mud_motor && motors == 1 && i > 1)
+      problems.emplace_back(item_key("string", i, "type"), "a mud motor turns the bit alone, allowed: directly above the bit");
     if (type == PartType::mwd && surveyors == 2) problems.emplace_back(item_key("string", i, "type"), "a second mwd, allowed: one");
     if (parts[i].joints == 0 && i + 1 < parts.size())
       problems.emplace_back(item_key("string", i, "joints"), "`fill` is not the string's last part, allowed: on the last part only");

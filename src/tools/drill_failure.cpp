@@ -15,9 +15,10 @@ std::string without_json(const std::string& name)
   const bool ends = name.size() > 5 && name.compare(name.size() - 5, 5, ".json") == 0;
   return ends ? name.substr(0, name.size() - 5) : name;
 }
-}  // namespace
 
-void report_failure(const Simulator& simulator, const std::string& summary, const std::string& json_name)
+/// Where the last good state is, or why it is nowhere: the failure itself is told either way.
+std::string keep_last_state(const Simulator& simulator, const std::string& summary, const std::string& json_name)
+try
 {
   const std::string json = json_name.empty() ? "drill_failed.json" : json_name;
   if (json_name.empty())
@@ -27,16 +28,25 @@ void report_failure(const Simulator& simulator, const std::string& summary, cons
     close_output(std::move(out), json);
   }
   const std::string csv = without_json(json) + "_string.csv";
+  if (csv.rfind("/dev/", 0) == 0) return "the last good state's summary is in " + json;
   StringProfile profile;
   simulator.profile(profile);
   File out = open_output("last good state", csv);
   write_profile(out.get(), profile);
   close_output(std::move(out), csv);
+  return "the last good state is in " + json + " and " + csv;
+}
+catch (const std::exception& e)
+{
+  return e.what();
+}
+}  // namespace
 
+void report_failure(const Simulator& simulator, const std::string& summary, const std::string& json_name)
+{
   char at[64];
   std::snprintf(at, sizeof at, "at %.3f s simulated: ", simulator.truth().time);
-  throw ComputationError(simulator.scene().file + ": " + at + simulator.failure() + "; the last good state is in " + json +
-                         " and " + csv);
+  throw ComputationError(simulator.scene().file + ": " + at + simulator.failure() + "; " + keep_last_state(simulator, summary, json_name));
 }
 
 void report_standstill(const Simulator& simulator, const RunGoal& goal)

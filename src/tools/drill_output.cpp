@@ -2,6 +2,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 #include "drill_command.h"
@@ -24,6 +26,15 @@ void write_readings(std::FILE* file, const Readings& r)
                r.block_height, r.bit_depth, r.hole_depth, r.rop, r.surface_wob, r.differential_pressure);
 }
 }  // namespace
+
+bool is_same_file(const std::string& one, const std::string& other)
+{
+  namespace fs = std::filesystem;
+  if (one.empty() || other.empty()) return false;
+  std::error_code unreadable;
+  const fs::path a = fs::weakly_canonical(one, unreadable), b = fs::weakly_canonical(other, unreadable);
+  return a == b && a != "/dev/null";
+}
 
 File open_output(const char* option, const std::string& name)
 {

@@ -15,6 +15,9 @@ struct CloseFile
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
+/// The same file under two names; false where one is empty, and for /dev/null, which takes everything.
+bool is_same_file(const std::string& one, const std::string& other);
+
 /// Opens a file for writing, none where the name is empty. Throws UsageError with one line that names the option and the file.
 File open_output(const char* option, const std::string& name);
 

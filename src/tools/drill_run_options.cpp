@@ -5,6 +5,7 @@
 
 #include "drill_command.h"
 #include "drill_options.h"
+#include "drill_output.h"
 
 namespace drill_rig_sim
 {
@@ -18,7 +19,7 @@ constexpr double largest_seed = 9e15;           // a double holds every whole nu
 
 std::string problem_of_level(const std::string& level)
 {
-  return level == "beam3d" ? "" : "'" + level + "' is not available yet, allowed: beam3d";
+  return level == "beam3d" || level == "auto" ? "" : "'" + level + "' is not available yet, allowed: beam3d or auto";
 }
 
 std::string problem_of_bag(const std::string&)
@@ -87,9 +88,11 @@ void require_files_apart(const RunOptions& options)
     {"--csv", options.csv}, {"--json", options.json}, {"--path", options.path}, {"--raw-path", options.raw_path}};
   for (const auto& one : files)
   {
+    if (is_same_file(one.second, options.scene))
+      throw UsageError(std::string(one.first) + ": " + one.second + " is the scene, needed: a file of its own");
     for (const auto& other : files)
     {
-      if (&other < &one && !one.second.empty() && one.second == other.second && one.second != "/dev/null")
+      if (&other < &one && is_same_file(one.second, other.second))
         throw UsageError(std::string(one.first) + ": " + one.second + " is the file of " + other.first + ", needed: a file of its own");
     }
   }

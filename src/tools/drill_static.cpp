@@ -34,6 +34,7 @@ void print_static(const StaticOptions& options)
 {
   const FrictionMode motion = motion_of(options.motion);
   const Scene scene = read_scene(options.scene, options.settings);
+  if (is_same_file(options.csv, options.scene)) throw UsageError("--csv: " + options.csv + " is the scene, needed: a file of its own");
   File csv = open_output("--csv", options.csv);
   StaticReport report;
   try
@@ -47,6 +48,7 @@ void print_static(const StaticOptions& options)
   std::printf("hook load        %12.1f N\n", report.hook_load);
   std::printf("of the string    %12.1f N\n", report.hook_load_string);
   std::printf("torque           %12.1f N m\n", report.torque);
+  std::printf("weight on bit    %12.1f N\n", report.wob);
   std::printf("bit side force   %12.1f N, at %.1f deg clockwise from the high side\n", report.bit_side_force,
               report.bit_side_direction / degree);
   std::printf("bit tilt         %12.3f deg to the hole\n", report.bit_tilt / degree);

@@ -84,7 +84,7 @@ double Wellbore::friction_at(double md) const noexcept
 bool Wellbore::extend(const Eigen::Vector3d& bottom_displacement, const Eigen::Vector3d& bit_axis) noexcept
 {
   const double drilled = bottom_displacement.norm();
-  if (!std::isfinite(drilled) || !std::isfinite(bit_axis.sum())) return false;
+  if (!(drilled <= longest_extension) || !std::isfinite(bit_axis.sum())) return false;
   if (drilled == 0.0) return true;
 
   // stage I: a raw node

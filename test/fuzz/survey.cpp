@@ -16,6 +16,7 @@
 #include "counters.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/survey_csv.h"
+#include "drill_rig_sim/well/well_checks.h"
 #include "drill_rig_sim/well/wellbore.h"
 #include "random.h"
 
@@ -127,13 +128,14 @@ void drill(Wellbore& well, Random& random)
   }
 }
 
-/// Drilled, taken back and drilled again: the same bits.
-void check_well(const std::vector<SurveyStation>& stations, Random random)
+/// Drilled, taken back and drilled again: the same bits. False: the hole is too short for two sections.
+bool check_well(const std::vector<SurveyStation>& stations, Random random)
 {
   WellSpec spec;
   spec.survey = stations;
   spec.hole_depth = stations.back().md;
   spec.sections = {{0.5 * spec.hole_depth, 0.3204, 0.2}, {spec.hole_depth, 0.2159, 0.3}};
+  if (!well_problems(spec).empty()) return false;
   TrajectorySpec trajectory;
   trajectory.stage_two_length = std::pow(10.0, random.between(-3.0, 1.0));
   if (random.one_in(4)) trajectory.stage_two_steps = 1 + static_cast<int>(random.below(20));
@@ -149,6 +151,7 @@ void check_well(const std::vector<SurveyStation>& stations, Random random)
   random = again;
   drill(well, random);
   check(well.bottom_position() == bottom && well.version() == version, "a well that was taken back is drilled otherwise");
+  return true;
 }
 }  // namespace
 
@@ -165,8 +168,7 @@ void take(const std::uint8_t* data, std::size_t size)
   }
   Random random(seed_of(std::string(reinterpret_cast<const char*>(data), size)));
   check_path(*stations, random);
-  check_well(*stations, random);
-  ++counters().accepted;
+  ++(check_well(*stations, random) ? counters().accepted : counters().unbuildable);
 }
 }  // namespace fuzz
 }  // namespace drill_rig_sim

@@ -5,6 +5,8 @@ import glob
 import json
 import math
 import os
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -169,6 +171,16 @@ class Static(Drill):
             self.assertAlmostEqual(self.hook_load(self.INCLINED, '--motion', motion) / expected, 1.0, delta=0.01, msg=motion)
         self.assertAlmostEqual(self.torque(self.INCLINED, '--motion', 'rotate') / self.TORQUE, 1.0, delta=0.01)
 
+    def test_weight_on_bit_stays_what_it_is_while_the_string_slides(self):
+        """Slide drilling: friction takes its share off the hook, not off the bit."""
+        weight = 20000.0
+        start = ('--set', 'well.hole_depth=1400', '--set', 'start.bit_depth=1400', '--set', 'start.weight_on_bit=%g' % weight)
+        rest = self.hook_load(self.INCLINED, *start)
+        for motion, expected in (('none', rest), ('up', rest + self.DRAG), ('down', rest - self.DRAG), ('rotate', rest)):
+            words = (self.INCLINED, '--motion', motion) + start
+            self.assertAlmostEqual(self.figure('weight on bit', words) / weight, 1.0, delta=2e-4, msg=motion)
+            self.assertAlmostEqual(self.hook_load(*words), expected, delta=0.02 * self.DRAG, msg=motion)
+
     def test_dynamic_run_agrees_with_the_soft_string(self):
         rest = self.hook_load(self.INCLINED)
         block = 17500.0 * 9.80665
@@ -306,6 +318,44 @@ class Run(Drill):
         self.assertEqual(len(rows), summary['nodes'])
         for row in rows:
             self.assertTrue(math.isfinite(float(row['tension'])))
+
+    def test_a_failure_is_told_where_its_state_cannot_be_saved(self):
+        scene = os.path.join(SOURCE, 'test/scenes/unsolvable.yaml')
+        os.mkdir(self.file('f_string.csv'))
+        done = drill('run', scene, '--duration', '60', '--json', self.file('f.json'))
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn(' s simulated: ', done.stderr)
+        self.assertIn('f_string.csv cannot be written', done.stderr)
+        done = drill('run', scene, '--duration', '60', '--json', '/dev/null')
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn(' s simulated: ', done.stderr)
+        self.assertFalse(os.path.exists('/dev/null_string.csv'))
+
+    def test_no_output_takes_the_place_of_an_input_or_another(self):
+        scene = self.file('scene.yaml')
+        shutil.copy(QUICK, scene)
+        with open(scene) as text:
+            before = text.read()
+        other = os.path.join(os.path.dirname(scene), '.', 'scene.yaml')
+        self.assertIn('is the scene', self.refuse('run', scene, '--json', other))
+        self.assertIn('is the scene', self.refuse('static', scene, '--csv', other))
+        self.assertIn('is the file of', self.refuse('run', scene, '--csv', self.file('a'), '--json', self.file('./a')))
+        with open(scene) as text:
+            self.assertEqual(before, text.read())
+        self.succeed('run', scene, '--duration', '0.1', '--csv', '/dev/null', '--json', '/dev/null')
+
+    def test_a_setting_in_a_scene_with_aliases_is_refused(self):
+        with open(QUICK) as text:
+            changed = text.read().replace('name: quick', 'name: &the_name quick', 1)
+        with open(self.file('alias.yaml'), 'w') as out:
+            out.write(changed)
+        self.succeed('check', self.file('alias.yaml'), '--set', 'mud.density=1100')
+        changed = re.sub(r'outer_diameter: ([0-9.]+)', r'outer_diameter: &od \1', changed, count=1)
+        changed = re.sub(r'tool_joint_diameter: [0-9.]+', 'tool_joint_diameter: *od', changed, count=1)
+        with open(self.file('alias.yaml'), 'w') as out:
+            out.write(changed)
+        self.succeed('check', self.file('alias.yaml'))
+        self.assertIn('aliases', self.refuse('check', self.file('alias.yaml'), '--set', 'mud.density=1100'))
 
     def test_a_full_disk_is_told(self):
         if not os.path.exists('/dev/full'):

@@ -49,7 +49,30 @@ RigForces numbered_forces(const Model& model)
 }
 }  // namespace
 
-// A node shows the mean of the elements that meet there; the ends show theirs.
+// A string that hangs free carries at each place what hangs below it, whatever the mesh.
+TEST(Profile, tensionIsTheWeightBelow)
+{
+  for (const double element_length : {9.5, 2.0})
+  {
+    Scene scene = vertical_scene(200.0, 150.0);
+    scene.string = {bit_part(0.2159), collar_part(2, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
+    scene.numerics.element_length = element_length;
+    const StaticReport report = static_report(scene, FrictionMode::none);
+    const StringProfile& p = report.profile;
+    const RigAtRest rig = build_at_rest(scene);
+    double below = standard_gravity * (rig.model->mesh().bit_mass - scene.mud.density * rig.model->mesh().bit_displaced);
+    EXPECT_GT(below, 100.0);
+    for (std::size_t i = 0; i < p.tension.size(); ++i)
+    {
+      EXPECT_NEAR(below, p.tension[i], 1.0) << i << " at " << element_length;
+      const double lower = p.position[i].z();
+      if (i + 1 < p.tension.size()) below += rig.model->element_weight(static_cast<int>(i), lower, p.position[i + 1].z());
+    }
+    EXPECT_NEAR(report.hook_load_string, p.tension.back(), 1.0);
+  }
+}
+
+// A node shows the mean of the elements that meet there, tension less or more their weight between the middle and the end; the ends show theirs.
 TEST(Profile, forcesAreMeansOfTheElementsThatMeet)
 {
   RigAtRest rig = build_at_rest(slanted_string());
@@ -59,13 +82,19 @@ TEST(Profile, forcesAreMeansOfTheElementsThatMeet)
   fill_profile(*rig.model, rig.state, forces, p);
   const int n = rig.model->nodes();
   ASSERT_EQ(p.tension.size(), static_cast<std::size_t>(n));
-  EXPECT_EQ(p.tension.front(), 1000.0);
-  EXPECT_EQ(p.tension.back(), 1000.0 * (n - 1));
+  const auto rise = [&](int e)  // half of an element's weight along it
+  {
+    const double lower = p.position[e].z(), upper = p.position[e + 1].z();
+    return 0.5 * rig.model->element_weight(e, lower, upper) * (upper - lower) / rig.model->mesh().elements[e].section.length;
+  };
+  EXPECT_GT(rise(0), 50.0);
+  EXPECT_DOUBLE_EQ(p.tension.front(), 1000.0 - rise(0));
+  EXPECT_DOUBLE_EQ(p.tension.back(), 1000.0 * (n - 1) + rise(n - 2));
   EXPECT_EQ(p.torque.front(), 0.0);
   EXPECT_EQ(p.torque.back(), 10.0 * (n - 2) * (n - 2));
   for (int i = 1; i + 1 < n; ++i)
   {
-    EXPECT_DOUBLE_EQ(p.tension[i], 1000.0 * (i + 0.5));
+    EXPECT_NEAR(p.tension[i], 1000.0 * (i + 0.5) + 0.5 * (rise(i - 1) - rise(i)), 1e-9 * p.tension[i]);
     EXPECT_DOUBLE_EQ(p.torque[i], 5.0 * ((i - 1) * (i - 1) + i * i));
   }
   for (int i = 0; i < n; ++i)

@@ -3,6 +3,7 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/solve/start.h"
 #include "in_source.h"
 #include "test_scenes.h"
@@ -54,6 +55,64 @@ TEST(Start, weightOnBit)
   scene.start.bit_depth = scene.well.hole_depth;
   scene.start.weight_on_bit = 20e3;
   EXPECT_LE(iterations_of(scene), 17);
+}
+
+// On bottom without weight is where the face touches: a string too long by a micron would weigh several newtons on it.
+TEST(Start, onBottomWithoutWeightTheBitJustTouches)
+{
+  for (const char* file : {"test/stability/scenes/inclined.yaml", "config/scenes/bohai.yaml", "config/scenes/quick.yaml"})
+  {
+    Scene scene = read_scene(in_source(file));
+    scene.start.bit_depth = scene.well.hole_depth;
+    scene.start.weight_on_bit = scene.start.torque_on_bit = 0.0;
+    const RigAtRest rig = build_at_rest(scene);
+    EXPECT_LT(rig.statics.forces.wob, 20.0) << file;
+    EXPECT_NEAR(bit_depth(*rig.model, rig.state), scene.well.hole_depth, 5e-5) << file << ": a tilted ball touches beside its face's middle";
+  }
+}
+
+TEST(Start, whatTheWinchMayNotLiftIsRefused)
+{
+  Scene scene = drilling_scene();
+  const RigAtRest rig = build_at_rest(scene);
+  const double hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
+  scene.rig.hoisting.max_hook_load = 1.01 * hook_load;
+  EXPECT_NO_THROW(build_at_rest(scene));
+  scene.rig.hoisting.max_hook_load = 0.99 * hook_load;
+  try
+  {
+    build_at_rest(scene);
+    FAIL() << "was accepted";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_NE(std::string::npos, std::string(error.what()).find("max_hook_load")) << error.what();
+  }
+}
+
+// Torque is what weight holds: without it there is none.
+TEST(Start, torqueOnBitWithoutWeightIsRefused)
+{
+  Scene scene = drilling_scene();
+  scene.start.bit_depth = scene.well.hole_depth;
+  scene.start.torque_on_bit = 500.0;
+  EXPECT_THROW(build_at_rest(scene), std::runtime_error);
+}
+
+// The motor holds what the rock holds below: nobody moves until somebody is told to.
+TEST(Start, aStringStartedWithTorqueStaysAtRest)
+{
+  Scene scene = drilling_scene();
+  scene.start.bit_depth = scene.well.hole_depth;
+  scene.start.weight_on_bit = 30e3;
+  scene.start.torque_on_bit = 500.0;
+  Simulator rig(scene);
+  for (int k = 0; k < 300; ++k)
+  {
+    ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
+    ASSERT_NEAR(500.0, rig.truth().torque, 5.0) << k;
+    ASSERT_NEAR(0.0, rig.truth().top_drive_speed, 1e-4) << k;
+  }
 }
 
 // The continuation takes inertia back where a step was too long: without it this start is not found.

@@ -266,6 +266,8 @@ TEST(WellExtension, NoDisplacementOrBadNumbersChangeNothing)
   EXPECT_FALSE(hole.extend({0.0, -infinity, 0.0}, axis));
   EXPECT_FALSE(hole.extend({1e200, 1e200, 0.0}, axis));
   EXPECT_FALSE(hole.extend(advance * axis, {0.0, nan, 0.0}));
+  EXPECT_FALSE(hole.extend(1.001e3 * axis, axis));
+  EXPECT_FALSE(hole.extend({2e149, 0.0, 0.0}, axis));
   expect_identical(hole, before);
   // locate answers, whatever it is asked
   for (double bad : {nan, infinity, -infinity, 1e300})

@@ -24,6 +24,9 @@ struct HookLoadSpec : SensorSpec
   HookLoadPlace place = HookLoadPlace::dead_line;
 };
 
+/// Readings on their way from the tool to the surface at most: more are lost, as where telemetry is saturated.
+constexpr int most_on_the_way = 32;
+
 struct MwdSpec
 {
   double period = 30.0;                 ///< between surveys [s]; 0 = only after a pumps-off/on cycle

@@ -50,7 +50,7 @@ private:
   template <class Reading>
   struct Queue  // readings on their way up
   {
-    std::array<Reading, 32> entry;
+    std::array<Reading, most_on_the_way> entry;
     std::size_t first = 0, count = 0;
     void push(const Reading& r) noexcept;
     bool pop_before(double time, Reading& r) noexcept;

@@ -20,6 +20,9 @@ struct RigAtRest
 /// Throws std::runtime_error with one line (what, where, what is allowed) if there is no such rig.
 RigAtRest build_at_rest(const Scene& scene);
 
+/// Shortening of the unstretched string per axial force between its ends [m/N].
+double string_compliance(const Mesh& mesh);
+
 /// Measured depth of the bit's face in a state [m].
 double bit_depth(const Model& model, const State& state);
 

@@ -50,8 +50,9 @@ struct ClosestPoint
 class Wellbore
 {
 public:
-  /// Drilled nodes that a Wellbore has room for by default: 1.6 km at 0.1 m.
+  /// Drilled nodes that a Wellbore has room for by default: 0.8 km at 0.1 m, then as much again at twice the spacing, and so on.
   static constexpr int default_capacity = 16384;
+  static constexpr double longest_extension = 1000.0;  ///< of one step; what would be longer is a step that has gone astray [m]
 
   /// A hole with its first node at the origin. `spec.survey`'s first station must be at md 0; `bit_radius` [m] is the radius of
   /// everything drilled and of the hole at its bottom; `drilled_capacity`: most drilled nodes, a power of two.
@@ -66,7 +67,7 @@ public:
   ClosestPoint locate(const Eigen::Vector3d& point, int segment_hint) const noexcept;
 
   /// Stage I, and Stage II when due. `bottom_displacement`: how far the bit moved the bottom in this step, world axes [m];
-  /// `bit_axis`: the raw node's tangent, unit, downhole. False and nothing changed if a number is not finite. About a hundred flops, whatever the drilled length.
+  /// `bit_axis`: the raw node's tangent, unit, downhole. False and nothing changed if a number is not finite or the displacement is longer than longest_extension. About a hundred flops, whatever the drilled length.
   bool extend(const Eigen::Vector3d& bottom_displacement, const Eigen::Vector3d& bit_axis) noexcept;
 
   /// Measured depth of the bottom [m], md_P + (C - P) . d.
