@@ -44,6 +44,8 @@ class Drill:
         if self.reuse and os.path.exists(failed):
             with open(failed) as file:
                 raise Failed(file.read())
+        if os.path.exists(failed):
+            os.remove(failed)  # of an earlier run: this one may succeed
         if not (self.reuse and os.path.exists(summary) and os.path.getsize(summary)):
             try:
                 self.call(['run', scene.path, '--duration', repr(scene.duration), '--every', repr(scene.every), '--csv', csv,

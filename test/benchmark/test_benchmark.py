@@ -10,6 +10,7 @@ import numpy
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import drill  # noqa: E402
 import fingerprint  # noqa: E402
 import measure  # noqa: E402
 import points  # noqa: E402
@@ -218,6 +219,42 @@ class Fingerprints(unittest.TestCase):
         for scene in scenes.ALL:
             note = reference.load(os.path.join(os.path.dirname(os.path.abspath(__file__)), 'reference'), scene)[1]
             self.assertIsNone(fingerprint.complaint(scene, note['fingerprint'], note['fingerprint']))
+
+
+# what a program given to drill.Drill writes, as the offline runner would
+RUNNER = """#!/usr/bin/python3
+import json, sys
+place = dict(zip(sys.argv, sys.argv[1:]))
+with open(place['--csv'], 'w') as out:
+    out.write('%s\\n' + ','.join(['0'] * %d) + '\\n')
+with open(place['--json'], 'w') as out:
+    json.dump({'cpu_s': 1.0}, out)
+""" % (','.join(measure.COLUMNS), len(measure.COLUMNS))
+
+
+class Runs(unittest.TestCase):
+    """The offline runner's place is taken by a small program."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def drill(self, body, **options):
+        path = os.path.join(self.folder, 'drill')
+        with open(path, 'w') as out:
+            out.write(body)
+        os.chmod(path, 0o755)
+        return drill.Drill(path, os.path.join(self.folder, 'runs'), **options)
+
+    def test_a_failure_is_kept_until_the_run_succeeds(self):
+        scene = scenes.FAST[0]
+        with self.assertRaisesRegex(drill.Failed, 'no more'):
+            self.drill('#!/bin/sh\necho no more >&2; exit 3\n').run('a', scene)
+        with self.assertRaisesRegex(drill.Failed, 'no more'):
+            self.drill(RUNNER, reuse=True).run('a', scene)
+        self.drill(RUNNER).run('a', scene)
+        self.drill('#!/bin/sh\nexit 3\n', reuse=True).run('a', scene)
 
 
 if __name__ == '__main__':
