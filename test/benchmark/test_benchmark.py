@@ -2,6 +2,7 @@
 """Error measures and verdict of the benchmark on made-up data."""
 import math
 import os
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -219,6 +220,14 @@ class Fingerprints(unittest.TestCase):
         for scene in scenes.ALL:
             note = reference.load(os.path.join(os.path.dirname(os.path.abspath(__file__)), 'reference'), scene)[1]
             self.assertIsNone(fingerprint.complaint(scene, note['fingerprint'], note['fingerprint']))
+
+
+class Usage(unittest.TestCase):
+    def test_wrong_usage_is_one_line_and_status_2(self):
+        command = [sys.executable, os.path.join(os.path.dirname(os.path.abspath(__file__)), 'run'), '--drill']
+        for words in (['/no/such/program'], ['/bin/true', '--scene', 'nowhere'], ['/bin/true', '--method', 'guess']):
+            done = subprocess.run(command + words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=False)
+            self.assertEqual((done.returncode, done.stdout, done.stderr.count('\n')), (2, '', 1), done.stderr)
 
 
 # what a program given to drill.Drill writes, as the offline runner would

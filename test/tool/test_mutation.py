@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The faults that test/mutation/run tries: found in code alone, drawn by the seed, counted rightly. Needs no compiler."""
 import os
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -182,6 +183,17 @@ class Score(unittest.TestCase):
         with open(self.path + '.md', 'w') as file:
             file.write('# Title\n\n%s\n' % line.replace('REASON', 'why not'))
         self.assertEqual(score.read_argued(self.path + '.md'), [('src/well/a.cpp', 'a + b;', 'a - b;', 'why not')])
+
+
+class Usage(unittest.TestCase):
+    def test_wrong_usage_is_one_line_and_status_2(self):
+        with tempfile.TemporaryDirectory() as folder:
+            record = score.Record(os.path.join(folder, 'seed_1.jsonl'))
+            record.add({'seed': 1, 'sources': 'others'})
+            for words in (['--report', '--seed', '2'], ['--resume', '--seed', '1']):
+                done = subprocess.run([sys.executable, os.path.join(SOURCE, 'test/mutation/run'), '--folder', folder] + words,
+                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=False)
+                self.assertEqual((done.returncode, done.stdout, done.stderr.count('\n')), (2, '', 1), done.stderr)
 
 
 if __name__ == '__main__':
