@@ -225,7 +225,9 @@ class Fingerprints(unittest.TestCase):
 class Usage(unittest.TestCase):
     def test_wrong_usage_is_one_line_and_status_2(self):
         command = [sys.executable, os.path.join(os.path.dirname(os.path.abspath(__file__)), 'run'), '--drill']
-        for words in (['/no/such/program'], ['/bin/true', '--scene', 'nowhere'], ['/bin/true', '--method', 'guess']):
+        for words in (['/no/such/program'], ['/bin/true', '--scene', 'nowhere'], ['/bin/true', '--method', 'guess'],
+                      ['/bin/true', '--update-readme', '--fast'], ['/bin/true', '--update-readme', '--scene', 'drilling'],
+                      ['/bin/true', '--update-readme', '--method', 'bdf2']):
             done = subprocess.run(command + words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=False)
             self.assertEqual((done.returncode, done.stdout, done.stderr.count('\n')), (2, '', 1), done.stderr)
 
