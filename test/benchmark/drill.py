@@ -1,7 +1,6 @@
 """Runs the offline runner and reads what it writes."""
 import json
 import os
-import resource
 import subprocess
 
 import numpy
@@ -11,6 +10,9 @@ import measure
 # every name that a scene may give; what the program at hand does not know is left out and said
 METHODS = ('bdf2', 'implicit_euler', 'linearly_implicit_euler', 'trbdf2', 'generalised_alpha', 'explicit', 'arkode_dirk', 'ida')
 ELEMENTS = ('corotational', 'geometrically_exact', 'rotation_vector')
+
+
+WALL_PER_CPU = 4.0  # of a busy machine: a run that has not ended in so many times its CPU is ended
 
 
 class Failed(Exception):
@@ -26,20 +28,21 @@ class Drill:
         os.makedirs(folder, exist_ok=True)
 
     def call(self, words, cpu_limit=None):
-        limit = int(cpu_limit or self.cpu_limit)
-
-        def limits():
-            resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 5))
-        done = subprocess.run([self.program] + words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, preexec_fn=limits)
+        """What the program prints. A limit of CPU set by the system (RLIMIT_CPU) would make the child's own clock of CPU tick in milliseconds."""
+        seconds = WALL_PER_CPU * (cpu_limit or self.cpu_limit)
+        try:
+            done = subprocess.run([self.program] + words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=seconds)
+        except subprocess.TimeoutExpired:
+            raise Failed('not ended after %g s' % seconds)
         if done.returncode < 0:
-            raise Failed('ended by signal %d: more than %d s of CPU' % (-done.returncode, limit) if done.returncode in (-24, -9) else
-                         'ended by signal %d' % -done.returncode)
+            raise Failed('ended by signal %d' % -done.returncode)
         if done.returncode != 0:
             raise Failed((done.stderr.strip() or 'exit status %d' % done.returncode).splitlines()[0])
         return done.stdout
 
     def run(self, name, scene, options=(), cpu_limit=None):
-        """Runs a scene; returns columns by name and the summary. `name`: of the files it leaves in the folder."""
+        """Runs a scene; returns columns by name and the summary. `name`: of the files it leaves in the folder. More CPU than the limit, as
+        the summary tells it, is a failure."""
         csv, summary, failed = (os.path.join(self.folder, name + end) for end in ('.csv', '.json', '.failed'))
         if self.reuse and os.path.exists(failed):
             with open(failed) as file:
@@ -58,6 +61,8 @@ class Drill:
             done = json.load(file)
         if 'failure' in done:
             raise Failed(done['failure'])
+        if done['cpu_s'] > (cpu_limit or self.cpu_limit):
+            raise Failed('more than %g s of CPU' % (cpu_limit or self.cpu_limit))
         return read_series(csv), done
 
     def knows(self, scene, options):

@@ -267,6 +267,16 @@ class Runs(unittest.TestCase):
         self.drill(RUNNER).run('a', scene)
         self.drill('#!/bin/sh\nexit 3\n', reuse=True).run('a', scene)
 
+    def test_too_much_cpu_is_a_failure_and_so_is_no_end(self):
+        with self.assertRaisesRegex(drill.Failed, 'more than 0.9 s of CPU'):
+            self.drill(RUNNER, cpu_limit=0.9).run('a', scenes.FAST[0])
+        with self.assertRaisesRegex(drill.Failed, 'not ended after 0.4 s'):
+            self.drill('#!/bin/sh\nexec sleep 60\n', cpu_limit=0.1).run('a', scenes.FAST[0])
+
+    def test_the_system_limits_no_cpu(self):
+        free = '#!/bin/sh\n[ "$(ulimit -t)" = unlimited ] && exit 0\nulimit -t >&2; exit 1\n'
+        self.assertEqual(self.drill(free).call([]), '')
+
 
 if __name__ == '__main__':
     unittest.main()
