@@ -206,6 +206,7 @@ void conclude(Row& row, Verdict verdict, bool right, const std::string& message)
 
 double workable_step(const std::string& name, const Choice& choice, double wish)
 {
+  if (is_default(choice)) return wish;
   for (double step : step_ladder())
   {
     if (step > wish * 1.0001) continue;

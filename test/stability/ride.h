@@ -99,7 +99,7 @@ Row row_of(const char* group, const std::string& name, const Choice& choice, con
 void conclude(Row& row, Verdict verdict, bool right, const std::string& message);
 
 /// The largest step of the ladder, at most `wish`, with which the first half second of the scene needs no halving; the ladder's
-/// shortest if there is none.
+/// shortest if there is none. The default's is `wish`, halved or not: that is what is promised.
 double workable_step(const std::string& name, const Choice& choice, double wish);
 
 /// Steps from 0.1 s down to 1e-5 s, three a decade: whole fractions of 0.1 s.
