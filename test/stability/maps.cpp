@@ -31,6 +31,8 @@ const std::vector<Axis>& axes()
 
 /// README.md beside this promises this step and shorter ones, down to the last of kShortSteps.
 constexpr double kPromisedStep = 0.01;
+/// Down to here the map goes on where the default's passing is promised: a shorter step may fail where longer ones pass.
+constexpr double kMappedTo = 1e-3;
 /// What the map, which goes down from the longest, does not reach.
 constexpr double kShortSteps[] = {1e-4, 1e-5};
 
@@ -47,7 +49,7 @@ std::vector<std::string> settings_for(const Axis& axis, double value)
   return settings;
 }
 
-/// From the longest step down: the first that passes and whose next shorter one passes too.
+/// From the longest step down: the first that passes and whose next shorter one passes too, and of those tried below it none fails.
 Row map_point(const Axis& axis, double value, const Choice& choice, const TumbleReference& reference)
 {
   Row row;
@@ -60,37 +62,38 @@ Row map_point(const Axis& axis, double value, const Choice& choice, const Tumble
   const bool promised = is_default(choice) && is_promised(axis, value);
   if (promised) row.promise = Promise::passes;
   const std::vector<std::string> settings = settings_for(axis, value);
-  double by_halving = 0.0, last_any = 0.0, last_plain = 0.0;
+  double by_halving = 0.0, plain = 0.0, last_any = 0.0, last_plain = 0.0;
   std::string above;
   Verdict failure = Verdict::fails_wrong;
   for (double step : step_ladder())
   {
+    if (plain > 0.0 && (!promised || step < kMappedTo)) break;
     const Tumble run = tumble(settings, choice, step, reference, is_default(choice) ? 24.0 : 6.0);
     if (run.verdict == Verdict::too_slow)
     {
       if (above.empty()) failure = run.verdict;
       above += text("%s%g s too slow", above.empty() ? "" : "; at ", step);
-      if (choice.method != reference_method) break;  // shorter steps are slower still; the reference chooses its own
-      last_any = last_plain = 0.0;
+      if (choice.method != reference_method && !promised) break;  // shorter steps are slower still; the reference chooses its own
+      by_halving = plain = last_any = last_plain = 0.0;
       continue;
     }
     if (!passed(run.verdict))
     {
       failure = run.verdict;
-      by_halving = 0.0;  // nothing above a failure counts
+      by_halving = plain = 0.0;  // nothing above a failure counts
       above = text("%g s %s (%s)", step, words(run.verdict), run.message.c_str());
     }
     if (passed(run.verdict) && last_any > 0.0 && by_halving == 0.0) by_halving = last_any;
     last_any = passed(run.verdict) ? step : 0.0;
-    if (run.verdict == Verdict::passes && last_plain > 0.0) break;
+    if (run.verdict == Verdict::passes && last_plain > 0.0 && plain == 0.0) plain = last_plain;
     last_plain = run.verdict == Verdict::passes ? step : 0.0;
   }
-  row.figure = last_plain;
+  row.figure = plain > 0.0 ? plain : last_plain;
   if (by_halving == 0.0) by_halving = last_any;
   const double wanted = promised ? kPromisedStep : step_ladder().back();
   row.verdict = row.figure >= wanted ? Verdict::passes : by_halving >= wanted ? Verdict::passes_by_halving : failure;
   row.text = (by_halving > row.figure ? text("by halving %g s; ", by_halving) : "") +
-             (above.empty() ? "passes at every step" : "at " + above);
+             (above.empty() ? "passes at every step tried" : "at " + above);
   return row;
 }
 

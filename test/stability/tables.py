@@ -93,7 +93,7 @@ def default(rows):
     if corners:
         bad = [row for row in corners if not row['verdict'].startswith('passes')]
         halved = sum(row['verdict'] == 'passes by halving' for row in corners)
-        lines.append(['corners of the promised range, step %s s' % corners[0]['figure'], 'passes' if not bad else bad[0]['verdict'],
+        lines.append(['every other corner of the promised range, step %s s' % corners[0]['figure'], 'passes' if not bad else bad[0]['verdict'],
                       '%d of %d pass, %d of them by halving' % (len(corners) - len(bad), len(corners), halved)])
     return table(['case', 'verdict', 'seen'], lines)
 
