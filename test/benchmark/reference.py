@@ -21,7 +21,7 @@ class Missing(Exception):
 
 
 class Stale(Exception):
-    """References of a mechanics that is not today's; the message has a line for each."""
+    """References of a mechanics or of settings that are not today's; the message has a line for each."""
 
 
 def settings(scene):
@@ -106,7 +106,7 @@ def write_note(folder, scene, note):
 
 
 def load(folder, scene):
-    """The reference and its note. Raises Missing where there is none for this scene."""
+    """The reference and its note. Raises Missing where there is none for this scene, Stale where it would be made otherwise today."""
     try:
         note = read_note(folder, scene)
         with gzip.open(os.path.join(folder, scene.name + '.csv.gz'), 'rt') as file:
@@ -116,6 +116,9 @@ def load(folder, scene):
         raise Missing('%s: no reference: %s; make it with --full' % (scene.name, problem))
     if note['scene_hash'] != scene_hash(scene):
         raise Missing('%s: the scene has changed since its reference was made; make it again with --full' % scene.name)
+    if note['recipe'] not in [recipe for recipe, _ in recipes(scene, (note['recipe']['integrator'],))]:
+        raise Stale('%s: its reference is stale: it was not made with the step, element length and tolerance of today\'s scenes.py; %s'
+                    % (scene.name, fingerprint.renewal(scene)))
     return dict(zip(names, table.T)), note
 
 

@@ -194,7 +194,7 @@ class Rivals(unittest.TestCase):
 
 
 class Fingerprints(unittest.TestCase):
-    SCENE = scenes.Scene('s', '', 10.0)
+    SCENE = scenes.Scene('s', '', 10.0, fingerprint_until=10.0)
 
     def recorded(self, **columns):
         return {name: ' '.join('%.9g' % value for value in column) for name, column in series(**columns).items()}
@@ -216,10 +216,26 @@ class Fingerprints(unittest.TestCase):
             self.assertIsNotNone(fingerprint.complaint(self.SCENE, now, recorded))
         self.assertRegex(fingerprint.complaint(self.SCENE, recorded, None), 'no fingerprint')
 
+    def test_one_of_another_length_is_stale_and_says_so(self):
+        recorded = self.recorded()
+        said = fingerprint.complaint(scenes.Scene('s', '', 10.0, fingerprint_until=5.0), recorded, recorded)
+        self.assertRegex(said, '^s: its reference is stale: its fingerprint covers 10 s, now 5 s are wanted; make')
+
+    def test_other_settings_in_scenes_make_a_reference_stale(self):
+        with tempfile.TemporaryDirectory() as folder:
+            def scene(**settings):
+                return scenes.Scene('tagging', '', 3.0, **settings)
+            note = {'scene_hash': reference.scene_hash(scene()), 'recipe': reference.recipes(scene(), ('ida',))[0][0]}
+            reference.save(folder, scene(), series(), note)
+            self.assertEqual(reference.load(folder, scene())[1], note)
+            for settings in ({'reference_length': 2.0}, {'reference_step': 1e-3}, {'reference_tolerance': 1e-6}):
+                with self.assertRaisesRegex(reference.Stale, '^tagging: its reference is stale: .*--full --scene tagging$'):
+                    reference.load(folder, scene(**settings))
+
     def test_the_references_have_theirs(self):
         for scene in scenes.ALL:
             note = reference.load(os.path.join(os.path.dirname(os.path.abspath(__file__)), 'reference'), scene)[1]
-            self.assertIsNone(fingerprint.complaint(scene, note['fingerprint'], note['fingerprint']))
+            self.assertEqual(fingerprint.difference(note['fingerprint'], note['fingerprint'])[1], 0.0)
 
 
 class Usage(unittest.TestCase):
