@@ -30,7 +30,7 @@ def draw_cost(axes, points, cost, lengths, own_error):
     for (method, element, length, newton, tolerance), group in groups(points).items():
         axes.plot([min(p.error, FAR) for p in group], [getattr(p, cost) for p in group], linestyle=(0, (1, 1)) if newton else DASHES[element],
                   marker=MARKERS[lengths.index(length) % len(MARKERS)], color=COLORS[method], markersize=4, fillstyle='none' if newton or tolerance else 'full', linewidth=0.9, alpha=0.85)
-    best = verdict.front([(p.error, getattr(p, cost)) for p in points if p.errors])
+    best = verdict.front([(p.error, getattr(p, cost)) for p in points if p.competes or (p.errors and cost == 'cpu')])
     axes.plot([min(e, FAR) for e, _ in best], [c for _, c in best], color='black', linewidth=3.5, alpha=0.2, zorder=0, solid_capstyle='round')
     for p in points:
         if p.default and p.errors:

@@ -12,6 +12,7 @@ ITERATED = ('bdf2', 'implicit_euler', 'trbdf2', 'generalised_alpha')
 LOOSE_NEWTON = 1e-4
 LOOSEST_NEWTON = 1e-3
 TIGHT_NEWTON = 1e-8
+REFERENCE_METHOD = 'ida'
 LOOSE_REFERENCE = (1e-4, 1e-3)  # numerics.reference_tolerance of the method that chooses its own steps
 FIELDS = ('scene', 'method', 'element', 'step', 'element_length', 'newton_tolerance', 'reference_tolerance', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'steps', 'residuals',
           'tangents', 'solves', 'substitutions', 'newton_iterations', 'convergence_failures') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')
@@ -40,6 +41,12 @@ class Point:
     @property
     def error(self):
         return self.errors['all'] if self.errors else float('nan')
+
+    @property
+    def competes(self):
+        """Whether the verdict compares the default with it. The reference's method is left out: of its work much is counted nowhere
+        (factorisations, a larger system), while it is charged with solves that it does not make."""
+        return bool(self.errors) and self.method != REFERENCE_METHOD
 
     def options(self):
         if self.default:
@@ -107,8 +114,8 @@ def coarser_and_finer(scene, methods, default_method, default_step, default_leng
     out += [point(method, step, newton=LOOSE_NEWTON) for method in methods if method in ITERATED and method != default_method for step in coarse_steps]
     if scene.reference_length < scenes.FINE_LENGTH and scenes.FINE_LENGTH not in scene.lengths:
         out += [point(default_method, step, scenes.FINE_LENGTH) for step in scene.steps if step >= 0.5 * default_step]
-    if 'ida' in methods:
-        out += [point('ida', step, tolerance=tolerance) for step in scenes.REFERENCE_STEPS for tolerance in LOOSE_REFERENCE]
+    if REFERENCE_METHOD in methods:
+        out += [point(REFERENCE_METHOD, step, tolerance=tolerance) for step in scenes.REFERENCE_STEPS for tolerance in LOOSE_REFERENCE]
     return out
 
 

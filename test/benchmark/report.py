@@ -12,7 +12,7 @@ def better_settings(chosen_scenes, by_scene):
     import math
     defaults, sums = {}, {}
     for scene in chosen_scenes:
-        points = [p for p in by_scene[scene.name] if p.errors]
+        points = [p for p in by_scene[scene.name] if p.competes]
         default = next((p for p in points if p.default), None)
         if default is None:
             return []
@@ -47,7 +47,7 @@ def rows(chosen_scenes, by_scene, notes, judged):
             continue
         # the cheapest point that is as accurate: a name to the front
         s = judged_scenes[scene.name]
-        rival = min((p for p in points if p.errors and p.error <= s.error), key=lambda p: p.work)
+        rival = min((p for p in points if p.competes and p.error <= s.error), key=lambda p: p.work)
         yield scene, default, s, rival, by, reference.own_error(note)
 
 

@@ -16,6 +16,7 @@ import fingerprint  # noqa: E402
 import measure  # noqa: E402
 import points  # noqa: E402
 import reference  # noqa: E402
+import report  # noqa: E402
 import scenes  # noqa: E402
 import verdict  # noqa: E402
 
@@ -191,6 +192,24 @@ class Rivals(unittest.TestCase):
             self.assertLessEqual(min(p.length for p in grid), 2.375 if scene.reference_length < 2.375 else 4.75)
             self.assertEqual({p.tolerance for p in grid if p.method == 'ida'}, {None, 1e-4, 1e-3})
             self.assertEqual(len({p.name for p in grid[1:]}), len(grid) - 1)
+
+
+    def test_the_references_method_and_what_failed_do_not_compete(self):
+        grid = points.grid(scenes.ALL[0], ('bdf2', 'ida'), ['corotational'], 'bdf2', 0.01, 9.5)
+        self.assertFalse(any(p.competes for p in grid))
+        for p in grid:
+            p.errors = {'all': 0.1}
+        self.assertEqual({p.method for p in grid if p.competes}, {'bdf2'})
+
+    def test_the_cheapest_named_is_one_that_competes(self):
+        scene, grid = scenes.ALL[0], points.grid(scenes.ALL[0], ('bdf2', 'ida'), ['corotational'], 'bdf2', 0.01, 9.5)
+        for p in grid:
+            p.errors, p.work, p.cpu = {'all': 0.1}, 1.0 if p.method == 'ida' else 10.0, 1.0
+        judged = verdict.Verdict([verdict.SceneVerdict(scene.name, [(p.error, p.work) for p in grid if p.competes], (0.1, 10.0))])
+        note = {'recipe': reference.recipes(scene, ('ida',))[0][0], 'own_error': {}}
+        said = report.text([scene], {scene.name: grid}, {scene.name: note}, judged)
+        self.assertIn('axial_wave, 1.00e-01, 1.00, bdf2', said)
+        self.assertNotIn('better than', said)
 
 
 class Fingerprints(unittest.TestCase):
