@@ -1,6 +1,7 @@
 #include "drill_rig_sim/ros/frame_messages.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "drill_rig_sim/ros/conversions.h"
 
@@ -21,8 +22,8 @@ std_msgs::Header header_of(const FrameRecord& frame, const std::string& floor)
 std_msgs::Header measured_at(const FrameRecord& frame, double time, const std::string& floor)
 {
   std_msgs::Header header = header_of(frame, floor);
-  const ros::Duration age(frame.readings.time - time);
-  header.stamp = header.stamp.toNSec() > static_cast<std::uint64_t>(std::max<std::int64_t>(0, age.toNSec())) ? header.stamp - age : ros::Time();
+  const std::int64_t age = ros::Duration(frame.readings.time - time).toNSec();
+  header.stamp = to_time(std::max<std::int64_t>(0, frame.stamp - age));
   return header;
 }
 
