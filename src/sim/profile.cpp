@@ -54,15 +54,14 @@ StaticOutcome hold_weight(const Scene& scene, FrictionMode friction, RigAtRest& 
   constexpr int most_rounds = 20;
   constexpr double tolerance = 1e-4;  // of the weight on bit
   const double wanted = scene.start.weight_on_bit, compliance = string_compliance(rig.model->mesh());
-  StaticOutcome outcome = solve_static(*rig.model, rig.state, friction);
-  for (int round = 0; round < most_rounds && outcome.converged; ++round)
+  StaticOutcome outcome;
+  for (int round = 0; round < most_rounds; ++round)
   {
-    const double error = outcome.forces.wob - wanted;
-    if (wanted <= 0.0 || std::abs(error) < tolerance * wanted) return outcome;
-    rig.state.nodes.back().position.z() += error * compliance;
     outcome = solve_static(*rig.model, rig.state, friction);
+    const double error = outcome.forces.wob - wanted;
+    if (!outcome.converged || wanted <= 0.0 || std::abs(error) < tolerance * wanted) return outcome;
+    rig.state.nodes.back().position.z() += error * compliance;
   }
-  if (!outcome.converged) return outcome;
   std::ostringstream message;
   message << "static: with this motion the weight on bit is " << outcome.forces.wob << " N, not the scene's " << wanted << " N";
   throw std::runtime_error(message.str());
@@ -115,7 +114,6 @@ StaticReport static_report(const Scene& scene, FrictionMode friction)
   report.hook_load_string = report.outcome.top_force;
   report.hook_load = report.hook_load_string + standard_gravity * scene.rig.hoisting.block_mass;
   report.torque = report.outcome.top_torque;
-  report.wob = report.outcome.forces.wob;
   report.bit_side_force = report.profile.contact_force.front();
   report.bit_side_direction = report.profile.contact_side.front();
   const NodeState& bit = rig.state.nodes.front();

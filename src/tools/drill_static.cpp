@@ -48,7 +48,7 @@ void print_static(const StaticOptions& options)
   std::printf("hook load        %12.1f N\n", report.hook_load);
   std::printf("of the string    %12.1f N\n", report.hook_load_string);
   std::printf("torque           %12.1f N m\n", report.torque);
-  std::printf("weight on bit    %12.1f N\n", report.wob);
+  std::printf("weight on bit    %12.1f N\n", report.outcome.forces.wob);
   std::printf("bit side force   %12.1f N, at %.1f deg clockwise from the high side\n", report.bit_side_force,
               report.bit_side_direction / degree);
   std::printf("bit tilt         %12.3f deg to the hole\n", report.bit_tilt / degree);

@@ -17,7 +17,6 @@ struct StaticReport
   double hook_load = 0.0;         ///< block and top drive included [N]
   double hook_load_string = 0.0;  ///< [N]
   double torque = 0.0;            ///< at the top [N m]
-  double wob = 0.0;               ///< weight on bit [N]
   double bit_side_force = 0.0;    ///< wall on bit, normal [N]
   double bit_side_direction = 0.0;  ///< where the bit pushes the wall, clockwise from the high side looking downhole [rad]
   double bit_tilt = 0.0;          ///< between the bit's axis and the hole's [rad]
