@@ -37,14 +37,16 @@ void Timekeeper::frame_begins(std::int64_t now) noexcept
   deadline_ += wall_period;
 }
 
-void Timekeeper::adopt_clock() noexcept
+bool Timekeeper::adopt_clock() noexcept
 {
-  if (!follows() || heard_ == 0) return;
+  if (!follows() || heard_ == 0) return false;
   const std::int64_t ahead = heard_ - stamp_;
   const bool too_slow = ahead > longest_jump && followed_;
   if (too_slow) dropped_ += ahead - period_;
-  if (ahead > longest_jump || ahead < -longest_jump) stamp_ = heard_ - period_;
+  const bool back = ahead < -most_ahead;
+  if (ahead > longest_jump || back) stamp_ = heard_ - period_;
   followed_ = true;
+  return back;
 }
 
 }  // namespace drill_rig_sim

@@ -58,11 +58,11 @@ std::optional<double> RealTimeFactor::update(double ticked, RunState state, std:
   return factor_;
 }
 
-diagnostic_msgs::DiagnosticArray DiagnosticsReport::on(const FrameRecord& frame, const std::string& clock_trouble, std::int64_t now)
+diagnostic_msgs::DiagnosticArray DiagnosticsReport::on(const FrameRecord& frame, const Refusals& refusals, const std::string& clock_trouble, std::int64_t now)
 {
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = to_time(frame.stamp);
-  array.status = {time_status(frame, clock_trouble, now), physics_status(frame), command_status(frame)};
+  array.status = {time_status(frame, clock_trouble, now), physics_status(frame), command_status(frame, refusals)};
   return array;
 }
 
@@ -83,7 +83,7 @@ DiagnosticsReport::Status DiagnosticsReport::time_status(const FrameRecord& fram
   dropped_before_ = frame.loop.dropped_seconds;
   if (!clock_trouble.empty()) s.mergeSummary(DiagnosticStatus::WARN, clock_trouble);
   s.add("state", word(frame.run_state));
-  s.add("simulated_time", frame.truth.time);
+  s.add("simulated_time", frame.loop.ticked_seconds);
   const auto factor = factor_.update(frame.loop.ticked_seconds, frame.run_state, now);
   if (factor) s.add("real_time_factor", *factor);
   s.add("speed", frame.loop.speed);
@@ -117,13 +117,14 @@ DiagnosticsReport::Status DiagnosticsReport::physics_status(const FrameRecord& f
   return s;
 }
 
-DiagnosticsReport::Status DiagnosticsReport::command_status(const FrameRecord& frame)
+DiagnosticsReport::Status DiagnosticsReport::command_status(const FrameRecord& frame, const Refusals& refusals)
 {
   Status s = status("commands", "obeyed");
-  const std::uint64_t refused = frame.physics.commands_refused, clamped = frame.physics.commands_clamped;
+  const std::uint64_t refused = refusals.number(), clamped = frame.physics.commands_clamped;
+  if (clamped < clamped_before_) clamped_before_ = 0;  // another rig's count
   if (frame.truth.commands_timed_out)
     s.mergeSummary(DiagnosticStatus::WARN, "the winch's or the drive's commands stopped: brake set, drive coasts until they come again");
-  if (refused > refused_before_) s.mergeSummary(DiagnosticStatus::WARN, std::string("refused: ") + frame.last_refusal);
+  if (refused > refused_before_) s.mergeSummary(DiagnosticStatus::WARN, std::string("refused: ") + refusals.last());
   if (clamped > clamped_before_ || frame.truth.command_clamped)
     s.mergeSummary(DiagnosticStatus::WARN, std::string("beyond a limit: ") + frame.last_clamp);
   refused_before_ = refused;
@@ -131,7 +132,7 @@ DiagnosticsReport::Status DiagnosticsReport::command_status(const FrameRecord& f
   s.add("clamped", clamped);
   s.add("last_clamp", frame.last_clamp);
   s.add("refused", refused);
-  s.add("last_refusal", frame.last_refusal);
+  s.add("last_refusal", refusals.last());
   return s;
 }
 

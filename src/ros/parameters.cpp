@@ -42,6 +42,13 @@ public:
     value = static_cast<std::string>(raw);
   }
 
+  void frame_prefix(std::string& value)
+  {
+    text("frame_prefix", value);
+    if (!value.empty() && (value.front() == '/' || value.find_first_of(" \t\n") != std::string::npos))
+      refuse("frame_prefix", value, "text without white space that does not begin with /, which tf2 takes no frame for");
+  }
+
   template <class Enum>
   void choice(const std::string& name, Enum& value, const std::vector<std::string>& words)
   {
@@ -95,7 +102,8 @@ public:
   {
     std::ostringstream value;
     raw.write(value);
-    throw ParameterError("parameter ~" + name + " is " + value.str() + "; allowed is " + allowed);
+    const bool text = raw.getType() == XmlRpc::XmlRpcValue::TypeString;
+    throw ParameterError("parameter ~" + name + " is " + (text ? '"' + value.str() + '"' : value.str()) + "; allowed is " + allowed);
   }
 
 private:
@@ -144,7 +152,7 @@ Parameters read_parameters(const ros::NodeHandle& node)
   read.number("marker_rate", p.marker_rate, 0.01, 1000.0, display_range);
   read.number("trajectory_rate", p.trajectory_rate, 0.01, 1.0, "a number from 0.01 to 1 [1/s]");
   read.number("command_timeout", p.command_timeout, 0.0, 1e9, "a number >= 0 [s], 0 = off");
-  read.text("frame_prefix", p.frame_prefix);
+  read.frame_prefix(p.frame_prefix);
   read.numbers("rig_pose", p.rig_pose, "a list of six finite numbers: x, y, z [m], roll, pitch, yaw [rad]");
   read.whole_number("seed", seed, 9e15);
   read.flag("play_program", p.play_program);
@@ -171,7 +179,7 @@ Parameters read_parameters(const ros::NodeHandle& node)
   return p;
 }
 
-std::string find_scene(const std::string& name)
+std::string find_file(const std::string& what, const std::string& name, const std::string& folder_of_relative)
 {
   std::string file = name;
   const std::string scheme = "package://";
@@ -181,17 +189,22 @@ std::string find_scene(const std::string& name)
     const std::string package = name.substr(scheme.size(), slash - scheme.size());
     const std::string folder = ros::package::getPath(package);
     if (folder.empty() || slash == std::string::npos)
-      throw ParameterError("scene is " + name + "; allowed is package://PACKAGE/FILE with a package that exists");
+      throw ParameterError(what + " is " + name + "; allowed is package://PACKAGE/FILE with a package that exists");
     file = folder + name.substr(slash);
   }
   else if (name.empty() || name.front() != '/')
   {
-    file = ros::package::getPath("drill_rig_sim") + "/config/scenes/" + name;
+    file = ros::package::getPath("drill_rig_sim") + "/" + folder_of_relative + "/" + name;
   }
   if (name.empty() || !readable(file))
-    throw ParameterError("scene is " + name + "; allowed is a regular file that can be read, absolute, package://PACKAGE/FILE, " +
-                         "or relative to config/scenes (tried " + file + ")");
+    throw ParameterError(what + " is " + name + "; allowed is a regular file that can be read, absolute, package://PACKAGE/FILE, " +
+                         "or relative to " + folder_of_relative + " (tried " + file + ")");
   return file;
+}
+
+std::string find_scene(const std::string& name)
+{
+  return find_file("scene", name, "config/scenes");
 }
 
 void check_rate(double rate, const Scene& scene)

@@ -24,7 +24,8 @@ RigNode::RigNode()
       clock_(node_, parameters_, [this](std::int64_t clock) { loop_.hear_clock(clock); }),
       publishing_(
           node_, parameters_, ring_, loop_.subscriptions(), [this] { loop_.refresh(); }, [this] { diagnostics_.publish(); }),
-      diagnostics_(node_, [this] { return publishing_.last(); }, [this] { return clock_.trouble(); }),
+      diagnostics_(
+          node_, [this] { return publishing_.last(); }, mailbox_.refusals(), [this] { return clock_.trouble(); }),
       services_((service_node_.setCallbackQueue(&service_queue_), service_node_), parameters_, scene_, loop_, publishing_, ring_),
       spinner_(1),
       service_spinner_(2, &service_queue_)

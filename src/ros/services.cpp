@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -34,6 +35,11 @@ std::string written(double number)
   return out.str();
 }
 
+double off_bottom(const Scene& scene)
+{
+  return scene.well.hole_depth - scene.start.bit_depth;
+}
+
 std::string one_line(std::string text)
 {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -45,7 +51,7 @@ void require_good(const RunningRig& rig)
   if (rig.failed) throw Refusal("the last frame failed: reset_well or restore_state first");
 }
 
-/// One that would be refused is handed to the loop all the same, which counts it and changes nothing.
+/// What would be refused is handed to the loop all the same, which counts it and changes nothing.
 template <class Setpoint>
 void require_right(SimulationLoop& loop, const Setpoint& c)
 {
@@ -55,7 +61,13 @@ void require_right(SimulationLoop& loop, const Setpoint& c)
 
 Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene scene, SimulationLoop& loop,
                    PublishingThread& publishing, FrameRing& ring)
-    : parameters_(parameters), scene_(std::move(scene)), running_(scene_), loop_(loop), publishing_(publishing), ring_(ring)
+    : parameters_(parameters),
+      scene_(std::move(scene)),
+      off_bottom_(off_bottom(scene_)),
+      running_(scene_),
+      loop_(loop),
+      publishing_(publishing),
+      ring_(ring)
 {
   using std_srvs::SetBool;
   using std_srvs::Trigger;
@@ -126,13 +138,14 @@ std::string Services::reset_well(const ResetWell::Request& request)
   const std::string forgotten = forget_states_of_another(next);
   scene_ = scene;
   running_ = next;
+  if (!request.scene.empty()) off_bottom_ = off_bottom(scene_);
   return "at the start of " + scene.name + ", bit at " + std::to_string(next.start.bit_depth) + " m" + forgotten;
 }
 
 std::string Services::load_survey(const LoadSurvey::Request& request)
 {
   require_no_step();
-  const Scene next = with_survey(scene_, request);
+  const Scene next = with_survey(scene_, off_bottom_, request);
   rebuild(next);
   const std::string forgotten = forget_states_of_another(next);
   scene_ = running_ = next;
@@ -213,7 +226,7 @@ std::string Services::save_state(const SaveState::Request& request)
   if (!request.file.empty())
   {
     write_saved(request.file, saved);
-    return "written to " + request.file;
+    return "written to " + std::filesystem::absolute(request.file).string();
   }
   saved_.keep(request.name, std::move(saved));
   return "saved as " + request.name;

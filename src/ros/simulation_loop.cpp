@@ -88,7 +88,7 @@ void SimulationLoop::wait_or_work() noexcept
 {
   if (halted_ && stepping_) end_step(StepResult::End::shut_down);
   const bool may_run = !halted_ && run_state() == RunState::running;
-  if (may_run) time_.adopt_clock();
+  if (may_run && time_.adopt_clock()) restart_cadences();
   const std::int64_t due = may_run ? time_.next_frame_at() : Timekeeper::not_yet;
   if (due == Timekeeper::not_yet)
   {
@@ -124,9 +124,6 @@ void SimulationLoop::take_commands() noexcept
   if (const WinchSetpoint* c = mailbox_.winch()) take(*c);
   if (const TopDriveSetpoint* c = mailbox_.top_drive()) take(*c);
   if (const PumpSetpoint* c = mailbox_.pump()) take(*c);
-  const std::uint64_t steering = mailbox_.steering_refused();
-  if (steering != steering_refused_) rig_.last_refusal = "steering/command: not available yet";
-  steering_refused_ = steering;
 }
 
 template <class Setpoint>
@@ -135,7 +132,7 @@ CommandResult SimulationLoop::accept(const Setpoint& c, std::size_t kind) noexce
   const CommandResult result = rig_.simulator->command(c);
   if (result.outcome == CommandResult::Outcome::refused)
   {
-    rig_.last_refusal = result.reason;
+    mailbox_.refusals().count(result.reason);
     return result;
   }
   if (result.outcome == CommandResult::Outcome::clamped) rig_.last_clamp = result.reason;
@@ -215,13 +212,11 @@ void SimulationLoop::fill_record(FrameRecord& record) const noexcept
   record.rig = rig_.simulator->scene().rig;
   record.commands = rig_.commands;
   record.physics = rig_.simulator->statistics();
-  record.physics.commands_refused += steering_refused_;
   record.loop = statistics_;
   record.loop.overruns = time_.overruns();
   record.loop.dropped_seconds = time_.dropped_seconds();
   record.loop.speed = time_.speed();
   record.loop.ticked_seconds = time_.ticked_seconds();
-  record.last_refusal = rig_.last_refusal;
   record.last_clamp = rig_.last_clamp;
   std::snprintf(record.failure.data(), record.failure.size(), "%s", rig_.failed ? rig_.simulator->failure() : "");
 }
@@ -273,10 +268,15 @@ std::unique_ptr<Simulator> SimulationLoop::replace(std::unique_ptr<Simulator> si
   mailbox_.clear();
   set_timeout();
   reserve_memory();
-  for (Cadence* cadence : {&state_cadence_, &profile_cadence_, &tf_cadence_, &marker_cadence_, &well_cadence_})
-    cadence->restart();
+  restart_cadences();
   publish_now(true);
   return old;
+}
+
+void SimulationLoop::restart_cadences() noexcept
+{
+  for (Cadence* cadence : {&state_cadence_, &profile_cadence_, &tf_cadence_, &marker_cadence_, &well_cadence_})
+    cadence->restart();
 }
 
 void SimulationLoop::go_back(const SimulatorState& state, const ProgramPlayer& program, bool playing, const CommandStamps& commands)
@@ -294,7 +294,7 @@ void SimulationLoop::go_back(const SimulatorState& state, const ProgramPlayer& p
 void SimulationLoop::hand_over_again() noexcept
 {
   Occasion again;
-  again.said_again = paused_;
+  again.said_again = run_state() != RunState::running;
   hand_over(again);
 }
 

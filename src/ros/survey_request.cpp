@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "drill_rig_sim/ros/parameters.h"
 #include "drill_rig_sim/scene/scene_problems.h"
 #include "drill_rig_sim/scene/survey_csv.h"
 
@@ -45,11 +46,11 @@ std::vector<HoleSection> fitted(std::vector<HoleSection> sections, double hole_d
 }
 }  // namespace
 
-Scene with_survey(const Scene& scene, const LoadSurvey::Request& request)
+Scene with_survey(const Scene& scene, double off_bottom, const LoadSurvey::Request& request)
 {
   if (request.file.empty() == request.md.empty()) refuse("allowed is either a file or stations");
   Scene next = scene;
-  next.well.survey = request.file.empty() ? stations_of(request) : read_survey_csv(request.file);
+  next.well.survey = request.file.empty() ? stations_of(request) : read_survey_csv(find_file("file", request.file, "config/surveys"));
   require_sound(next.well.survey);
 
   const double last = next.well.survey.back().md;
@@ -57,7 +58,6 @@ Scene with_survey(const Scene& scene, const LoadSurvey::Request& request)
     refuse("hole_depth is ", request.hole_depth, "; allowed is 0 (the last station) to ", last, " m");
   next.well.hole_depth = request.hole_depth > 0.0 ? request.hole_depth : last;
 
-  const double off_bottom = scene.well.hole_depth - scene.start.bit_depth;
   if (!(request.bit_depth >= 0.0 && request.bit_depth <= next.well.hole_depth))
     refuse("bit_depth is ", request.bit_depth, "; allowed is 0 (", off_bottom, " m off bottom) to ", next.well.hole_depth, " m");
   next.start.bit_depth = request.bit_depth > 0.0 ? request.bit_depth : next.well.hole_depth - off_bottom;

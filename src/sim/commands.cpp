@@ -38,7 +38,7 @@ const char* what_is_wrong(const WinchSetpoint& c) noexcept
 
 const char* what_is_wrong(const TopDriveSetpoint& c) noexcept
 {
-  if (c.mode != TopDriveMode::speed && c.mode != TopDriveMode::torque) return "mode: not available yet; SPEED and TORQUE are";
+  if (c.mode != TopDriveMode::speed && c.mode != TopDriveMode::torque) return "mode: allowed are SPEED and TORQUE; no other is available yet";
   if (!std::isfinite(c.speed) || !std::isfinite(c.torque) || !std::isfinite(c.angle) || !std::isfinite(c.torque_limit))
     return "speed, torque, angle and torque_limit: must be finite";
   if (c.torque_limit < 0.0) return "torque_limit: must not be negative; 0 means the rig's";

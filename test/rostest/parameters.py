@@ -48,7 +48,7 @@ class Parameters(unittest.TestCase):
         for end in (0, 2):
             status, said = start("scene:=quick.yaml", "color_by:=mood", *("%s:=%s" % (name, r[end]) for name, r in ranges.items()))
             self.assertEqual(2, status)
-            self.assertIn("~color_by is mood", said)
+            self.assertIn("~color_by is \"mood\"", said)
 
     def test_not_a_number(self):
         self.refused("rate:=fast", "fast", "number")
@@ -61,6 +61,10 @@ class Parameters(unittest.TestCase):
         self.refused("clock:=sometimes", "sometimes", "realtime, lockstep, free_run")
         self.refused("color_by:=mood", "mood", "contact_force")
         self.refused("play_program:=perhaps", "perhaps", "true or false")
+
+    def test_a_frame_prefix_that_tf2_takes(self):
+        for wrong in ("/a/", "a b/"):
+            self.refused("frame_prefix:=" + wrong, '"%s"' % wrong, "does not begin with /")
 
     def test_a_misspelt_name(self):
         self.refused("rat:=100", "unknown", "rate")

@@ -33,7 +33,7 @@ class Survey(unittest.TestCase):
         self.assertAlmostEqual(-60.0 - 60.0 / 0.2 * math.sin(0.2), end.z, delta=1e-3)
 
     def test_a_real_survey_from_its_file(self):
-        answer = self.rig.load_survey(LoadSurveyRequest(file=os.path.join(PACKAGE_DIR, "config", "surveys", "bohai.csv")))
+        answer = self.rig.load_survey(LoadSurveyRequest(file="bohai.csv"))
         self.assertTrue(answer.success, answer.message)
         self.assertAlmostEqual(730.0, self.rig.advance(1).hole_depth, places=6)
         self.assertTrue(self.rig.reset_well("", 0.0).success)
@@ -47,6 +47,16 @@ class Survey(unittest.TestCase):
         state = self.rig.advance(0)
         self.assertAlmostEqual(150.0, state.hole_depth, places=6)
         self.assertAlmostEqual(140.0, state.bit_depth, places=6)
+
+    def test_a_bit_depth_asked_for_is_not_the_scenes(self):
+        request = stations((0.0, 0.0, 0.0), (200.0, 0.0, 0.0))
+        request.bit_depth = 150.0
+        self.assertTrue(self.rig.load_survey(request).success)
+        self.assertTrue(self.rig.reset_well("", 0.0).success)
+        self.assertAlmostEqual(150.0, self.rig.advance(0).bit_depth, places=6)  # where that well began
+        request.bit_depth = 0.0
+        self.assertTrue(self.rig.load_survey(request).success)
+        self.assertAlmostEqual(199.7, self.rig.advance(0).bit_depth, places=6)  # as far off bottom as quick.yaml has it
 
     def refused(self, request, *words):
         self.rig.advance(5, winch=winch(0.05))

@@ -161,9 +161,25 @@ TEST(Timekeeper, goesAtOnceToAClockFarAway)
   EXPECT_EQ(500 * second, time.stamp()) << "ten seconds are followed frame by frame";
   EXPECT_EQ(0.0, time.dropped_seconds());
   time.hear_clock(3 * second);  // the master began again
-  time.adopt_clock();
+  EXPECT_TRUE(time.adopt_clock()) << "back";
   EXPECT_EQ(3 * second - period, time.stamp());
   EXPECT_EQ(0.0, time.dropped_seconds());
+  time.hear_clock(100 * second);
+  EXPECT_FALSE(time.adopt_clock()) << "forth";
+}
+
+TEST(Timekeeper, waitsForAClockThatItIsALittleAheadOf)
+{
+  Timekeeper time(TimeSource::other_rig, ClockMode::realtime, period, 77);
+  time.hear_clock(500 * second + period);
+  time.adopt_clock();
+  time.hear_clock(499 * second);
+  EXPECT_FALSE(time.adopt_clock());
+  EXPECT_EQ(500 * second, time.stamp());
+  EXPECT_EQ(Timekeeper::not_yet, time.next_frame_at());
+  time.hear_clock(499 * second - 1);
+  EXPECT_TRUE(time.adopt_clock());
+  EXPECT_EQ(499 * second - 1 - period, time.stamp());
 }
 
 // One that cannot keep up leaves out what is beyond the longest jump, and counts it.

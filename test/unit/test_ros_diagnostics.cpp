@@ -57,12 +57,13 @@ class Report : public testing::Test
 protected:
   DiagnosticsReport report_{"rig/node"};
   FrameRecord frame_ = sound_frame();
+  Refusals refusals_;
   std::int64_t now_ = start;
 
   diagnostic_msgs::DiagnosticArray next(const std::string& trouble = "")
   {
     now_ += second;
-    return report_.on(frame_, trouble, now_);
+    return report_.on(frame_, refusals_, trouble, now_);
   }
 };
 }  // namespace
@@ -92,16 +93,16 @@ TEST_F(Report, eachNumberIsItsOwn)
   p.error_test_failures = 17;
   p.last_error_estimate = 1.8e-5;
   p.commands_clamped = 19;
-  p.commands_refused = 21;
+  for (int i = 0; i < 21; ++i) refusals_.count(i < 20 ? "an older one" : "a refusal");
+  frame_.loop.ticked_seconds = 123.5;
   frame_.loop.speed = 2.5;
   frame_.loop.overruns = 22;
   frame_.loop.dropped_seconds = 0.75;
   frame_.loop.unpublished_frames = 23;
   frame_.loop.longest_frame = 0.0245;
-  frame_.last_refusal = "a refusal";
   frame_.last_clamp = "a clamp";
   const auto array = next();
-  const std::map<std::string, double> expected = {{"simulated_time", 100.0}, {"speed", 2.5}, {"overruns", 22}, {"dropped_seconds", 0.75},
+  const std::map<std::string, double> expected = {{"simulated_time", 123.5}, {"speed", 2.5}, {"overruns", 22}, {"dropped_seconds", 0.75},
       {"unpublished_frames", 23}, {"longest_frame_ms", 24.5}, {"step", 0.005}, {"nodes", 11}, {"coordinates", 12}, {"frames", 13}, {"steps", 20},
       {"newton_iterations", 50}, {"newton_iterations_per_step", 2.5}, {"convergence_failures", 16}, {"error_test_failures", 17},
       {"error_estimate", 1.8e-5}, {"clamped", 19}, {"refused", 21}};
@@ -160,8 +161,7 @@ TEST_F(Report, troubleWithTheClockIsAWarning)
 
 TEST_F(Report, aCommandRefusedSinceTheLastReportIsAWarning)
 {
-  frame_.physics.commands_refused = 1;
-  frame_.last_refusal = "flow is not finite";
+  refusals_.count("flow is not finite");
   const auto array = next();
   EXPECT_EQ((std::vector<int>{ok, ok, warn}), levels(array));
   EXPECT_EQ("refused: flow is not finite", part(array, "commands").message);
@@ -180,8 +180,12 @@ TEST_F(Report, aCommandClampedNowOrSinceTheLastReportIsAWarning)
   }
   frame_.truth.command_clamped = false;
   EXPECT_EQ(all_well, levels(next()));
-  frame_.physics.commands_clamped = 1;  // one was, between two reports
+  frame_.physics.commands_clamped = 2;  // two were, between two reports
   EXPECT_EQ("beyond a limit: speed", part(next(), "commands").message);
+  EXPECT_EQ(all_well, levels(next()));
+  frame_.physics.commands_clamped = 1;  // one of another rig
+  EXPECT_EQ("beyond a limit: speed", part(next(), "commands").message);
+  frame_.physics.commands_clamped = 0;
   EXPECT_EQ(all_well, levels(next()));
 }
 

@@ -188,6 +188,29 @@ TEST(Loop, theLatestCommandWinsAndIsStampedWhereItsFrameBegins)
   EXPECT_EQ(0.2, rig.step(1).back().frame.truth.setpoints.winch.block_velocity) << "it stays in force";
 }
 
+// A broken publisher beside a good one: its commands must not take the place of those that no frame has taken yet.
+TEST(Loop, aRefusedCommandLeavesTheGoodOneBeforeItAndIsToldAtOnce)
+{
+  RunningLoop rig(lockstep());
+  rig.start();
+  TopDriveCommand turn, unknown;
+  turn.speed = 1.5;
+  unknown.mode = 99;
+  rig.mailbox.receive(winch(0.25));
+  rig.mailbox.receive(winch(std::nan("")));
+  rig.mailbox.receive(turn);
+  rig.mailbox.receive(unknown);
+  rig.mailbox.receive(flow(0.01));
+  rig.mailbox.receive(flow(HUGE_VAL));
+  EXPECT_EQ(3u, rig.mailbox.refusals().number()) << "before a frame";
+  EXPECT_EQ("flow: must be finite", std::string(rig.mailbox.refusals().last()));
+  const Setpoints asked = rig.step(1).back().frame.truth.setpoints;
+  EXPECT_EQ(0.25, asked.winch.block_velocity);
+  EXPECT_EQ(1.5, asked.top_drive.speed);
+  EXPECT_EQ(0.01, asked.pump.flow);
+  EXPECT_EQ(3u, rig.mailbox.refusals().number());
+}
+
 TEST(Loop, refusalsAndClampsAreCountedWithTheirReasons)
 {
   RunningLoop rig(lockstep());
@@ -197,19 +220,19 @@ TEST(Loop, refusalsAndClampsAreCountedWithTheirReasons)
   rig.mailbox.receive(winch(std::nan("")));
   FrameRecord after = rig.step(1).back().frame;
   EXPECT_EQ(0.1, after.truth.setpoints.winch.block_velocity);
-  EXPECT_EQ(1u, after.physics.commands_refused);
-  EXPECT_NE(std::string::npos, std::string(after.last_refusal).find("block_velocity"));
+  EXPECT_EQ(1u, rig.mailbox.refusals().number());
+  EXPECT_NE(std::string::npos, std::string(rig.mailbox.refusals().last()).find("block_velocity"));
   EXPECT_EQ(1 * period, after.commands.last) << "of the last accepted one";
   EXPECT_EQ("", std::string(after.last_clamp));
   rig.mailbox.receive(SteeringCommand());
   rig.mailbox.receive(SteeringCommand());
   after = rig.step(1).back().frame;
-  EXPECT_EQ(3u, after.physics.commands_refused);
-  EXPECT_EQ("steering/command: not available yet", std::string(after.last_refusal));
+  EXPECT_EQ(3u, rig.mailbox.refusals().number());
+  EXPECT_EQ("steering/command: not available yet", std::string(rig.mailbox.refusals().last()));
   rig.mailbox.receive(winch(9.0));
   after = rig.step(1).back().frame;
   EXPECT_EQ(1u, after.physics.commands_clamped);
-  EXPECT_EQ(3u, after.physics.commands_refused);
+  EXPECT_EQ(3u, rig.mailbox.refusals().number());
   EXPECT_NE(std::string::npos, std::string(after.last_clamp).find("block_velocity"));
   EXPECT_EQ(4 * period, after.commands.last) << "a clamped one is accepted";
 }

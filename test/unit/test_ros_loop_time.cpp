@@ -77,6 +77,13 @@ TEST(LoopTime, whilePausedWhatHasChangedIsSaidAgain)
   EXPECT_TRUE(!paused.frame.readings.tared && again.frame.readings.tared && again.frame.truth.tared);
 }
 
+TEST(LoopTime, inLockstepToo)
+{
+  RunningLoop rig(lockstep());
+  rig.start();
+  EXPECT_TRUE(rig.between([](SimulationLoop& loop) { loop.hand_over_again(); }).state_again);
+}
+
 TEST(LoopTime, whileTimeStandsARefreshIsOnePicture)
 {
   RunningLoop rig(lockstep());
@@ -198,6 +205,27 @@ TEST(LoopTime, aFollowerWaitsForTheClockAndGoesWithIt)
     EXPECT_EQ(i == 1, s.rebuilt) << "the first with a stamp announces the rig";
   }
   EXPECT_EQ(4u, rig.count());
+}
+
+// What is due by simulated time must not wait for stamps that the master's first life has had.
+TEST(LoopTime, aFollowerGoesOnWithAMasterThatBeganAgain)
+{
+  Parameters p;
+  p.publish_clock = false;
+  p.use_sim_time = true;
+  RunningLoop rig(p);
+  rig.loop.subscriptions().profile = true;
+  rig.start();
+  rig.loop.hear_clock(500 * 1000 * ms);
+  EXPECT_EQ(500 * 1000 * ms, rig.output(1).frame.stamp);
+  rig.loop.hear_clock(3 * period);
+  const FrameOutput first = rig.output(2);
+  EXPECT_EQ(3 * period, first.frame.stamp);
+  EXPECT_TRUE(first.new_stamp && first.state_due && first.profile_due && first.tf_due);
+  rig.loop.hear_clock(4 * period);
+  const FrameOutput second = rig.output(3);
+  EXPECT_EQ(4 * period, second.frame.stamp);
+  EXPECT_TRUE(second.state_due && !second.profile_due) << "ten profiles a second";
 }
 
 }  // namespace drill_rig_sim

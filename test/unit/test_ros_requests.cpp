@@ -51,13 +51,13 @@ std::string refusal(const std::function<void()>& action)
 
 std::string refusal_of(const LoadSurvey::Request& request)
 {
-  return refusal([&] { with_survey(present(), request); });
+  return refusal([&] { with_survey(present(), 0.5, request); });
 }
 }  // namespace
 
 TEST(WithSurvey, stationsMakeTheWellAndTheBitStaysAsFarOffBottom)
 {
-  const Scene next = with_survey(present(), stations(to_200));
+  const Scene next = with_survey(present(), 0.5, stations(to_200));
   ASSERT_EQ(3u, next.well.survey.size());
   EXPECT_EQ(80.0, next.well.survey[1].md);
   EXPECT_EQ(0.05, next.well.survey[1].inclination);
@@ -65,20 +65,21 @@ TEST(WithSurvey, stationsMakeTheWellAndTheBitStaysAsFarOffBottom)
   EXPECT_EQ(200.0, next.well.hole_depth);
   EXPECT_EQ(199.5, next.start.bit_depth);
   EXPECT_EQ(20.0, next.start.block_height) << "the rest stays";
+  EXPECT_EQ(197.0, with_survey(present(), 3.0, stations(to_200)).start.bit_depth) << "the bit may stand elsewhere just now";
 }
 
 TEST(WithSurvey, depthsMayBeGiven)
 {
   LoadSurvey::Request request = stations(to_200);
   request.hole_depth = 150.0;
-  EXPECT_EQ(150.0, with_survey(present(), request).well.hole_depth);
-  EXPECT_EQ(149.5, with_survey(present(), request).start.bit_depth);
+  EXPECT_EQ(150.0, with_survey(present(), 0.5, request).well.hole_depth);
+  EXPECT_EQ(149.5, with_survey(present(), 0.5, request).start.bit_depth);
   request.bit_depth = 120.0;
-  EXPECT_EQ(120.0, with_survey(present(), request).start.bit_depth);
+  EXPECT_EQ(120.0, with_survey(present(), 0.5, request).start.bit_depth);
   request.bit_depth = 150.0;
-  EXPECT_EQ(150.0, with_survey(present(), request).start.bit_depth) << "on bottom";
+  EXPECT_EQ(150.0, with_survey(present(), 0.5, request).start.bit_depth) << "on bottom";
   request.hole_depth = 200.0;
-  EXPECT_EQ(200.0, with_survey(present(), request).well.hole_depth);
+  EXPECT_EQ(200.0, with_survey(present(), 0.5, request).well.hole_depth);
 }
 
 TEST(WithSurvey, depthsOutsideAreRefused)
@@ -99,18 +100,18 @@ TEST(WithSurvey, sectionsReachTheNewBottom)
 {
   Scene scene = present();
   scene.well.sections = {{40.0, 0.3, 0.1}, {70.0, 0.25, 0.2}, {100.0, 0.2159, 0.3}};
-  const std::vector<HoleSection> longer = with_survey(scene, stations(to_200)).well.sections;
+  const std::vector<HoleSection> longer = with_survey(scene, 0.5, stations(to_200)).well.sections;
   ASSERT_EQ(3u, longer.size());
   EXPECT_EQ(200.0, longer[2].to) << "the last one reaches it";
   EXPECT_EQ(70.0, longer[1].to);
   LoadSurvey::Request request = stations(to_200);
   request.hole_depth = 70.0;
-  const std::vector<HoleSection> shorter = with_survey(scene, request).well.sections;
+  const std::vector<HoleSection> shorter = with_survey(scene, 0.5, request).well.sections;
   ASSERT_EQ(2u, shorter.size()) << "what begins at the bottom or below goes";
   EXPECT_EQ(70.0, shorter[1].to);
   EXPECT_EQ(0.25, shorter[1].diameter);
   request.hole_depth = 20.0;
-  EXPECT_EQ(1u, with_survey(scene, request).well.sections.size());
+  EXPECT_EQ(1u, with_survey(scene, 0.5, request).well.sections.size());
 }
 
 TEST(WithSurvey, eitherAFileOrStations)
@@ -121,7 +122,7 @@ TEST(WithSurvey, eitherAFileOrStations)
   EXPECT_EQ("allowed is either a file or stations", refusal_of(both));
   LoadSurvey::Request file;
   file.file = both.file;
-  const Scene next = with_survey(present(), file);
+  const Scene next = with_survey(present(), 0.5, file);
   EXPECT_EQ(730.0, next.well.hole_depth);
   EXPECT_EQ(729.5, next.start.bit_depth);
   file.file = "/no/such.csv";
@@ -148,7 +149,7 @@ TEST(WithSurvey, whatDoesNotGoTogetherIsRefusedWithItsKey)
 {
   Scene scene = present();
   scene.string.back().joints = 3;  // 28.8 m: too short for the new well
-  EXPECT_EQ(0u, refusal([&] { with_survey(scene, stations(to_200)); }).find("string"));
+  EXPECT_EQ(0u, refusal([&] { with_survey(scene, 0.5, stations(to_200)); }).find("string"));
 }
 
 TEST(CheckRate, aFrameIsAWholeNumberOfSteps)
@@ -168,6 +169,8 @@ TEST(FindScene, anAbsoluteNameIsTheFile)
   EXPECT_NE("", refusal([] { find_scene(""); }));
   EXPECT_NE("", refusal([] { find_scene("package://no_such_package/a.yaml"); }));
   EXPECT_NE("", refusal([] { find_scene("package://drill_rig_sim"); }));
+  EXPECT_EQ(in_source("config/surveys/bohai.csv"), find_file("file", "bohai.csv", "config/surveys"));
+  EXPECT_EQ(0u, refusal([] { find_file("file", "no_such.csv", "config/surveys"); }).find("file is no_such.csv; allowed is a regular file"));
 }
 
 TEST(Parameters, whoseTimeItIs)

@@ -71,7 +71,6 @@ struct FrameRecord
   CommandStamps commands;
   SimulatorStatistics physics;
   LoopStatistics loop;
-  const char* last_refusal = "";    ///< why the last refused command was; static storage
   const char* last_clamp = "";      ///< which limit the last clamped command met; static storage
   std::array<char, 256> failure{};  ///< why the last frame failed; empty otherwise
 };

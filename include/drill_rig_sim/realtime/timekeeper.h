@@ -37,6 +37,7 @@ public:
   static constexpr std::int64_t not_yet = INT64_MAX;           ///< no frame before somebody wakes the thread
   static constexpr std::int64_t most_backlog = 100'000'000;    ///< [ns]
   static constexpr std::int64_t longest_jump = 10'000'000'000; ///< of another rig's clock that is followed frame by frame [ns]
+  static constexpr std::int64_t most_ahead = 1'000'000'000;    ///< of another rig's clock, which is then waited for [ns]
 
   /// `period`: of a frame, simulated [ns], > 0. `wall_start`: the wall's time now [ns], for stamps of the wall.
   Timekeeper(TimeSource source, ClockMode mode, std::int64_t period, std::int64_t wall_start) noexcept;
@@ -58,9 +59,10 @@ public:
   void frame_begins(std::int64_t now) noexcept;
   /// The next frame is due now: after a pause, or at the start.
   void restart(std::int64_t now) noexcept { deadline_ = now; }
-  /// Where another rig's clock is more than longest_jump away (the first one heard, a master that began again, or one that runs faster than
-  /// this rig can): goes there at once. What a rig that had followed leaves out counts as dropped.
-  void adopt_clock() noexcept;
+  /// Where another rig's clock is more than longest_jump ahead (the first one heard, or one that runs faster than this rig can) or more than
+  /// most_ahead behind (a rig that began again; resets of this one put it ahead by a frame each): goes there at once. What a rig that had
+  /// followed leaves out counts as dropped. Returns whether the stamp went back.
+  bool adopt_clock() noexcept;
   /// Moves the stamp on by one frame.
   void tick() noexcept
   {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "drill_rig_sim/realtime/frame_output.h"
+#include "drill_rig_sim/ros/mailbox.h"
 
 namespace drill_rig_sim
 {
@@ -35,13 +36,13 @@ public:
   /// `name`: of the node, without the leading slash.
   explicit DiagnosticsReport(std::string name) : name_(std::move(name)) {}
   /// `clock_trouble`: what is wrong with /clock, empty where nothing is; `now`: of the steady clock [ns].
-  diagnostic_msgs::DiagnosticArray on(const FrameRecord& frame, const std::string& clock_trouble, std::int64_t now);
+  diagnostic_msgs::DiagnosticArray on(const FrameRecord& frame, const Refusals& refusals, const std::string& clock_trouble, std::int64_t now);
 
 private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
   Status time_status(const FrameRecord& frame, const std::string& clock_trouble, std::int64_t now);
   Status physics_status(const FrameRecord& frame) const;
-  Status command_status(const FrameRecord& frame);
+  Status command_status(const FrameRecord& frame, const Refusals& refusals);
   Status status(const std::string& part, const std::string& summary) const;
 
   std::string name_;

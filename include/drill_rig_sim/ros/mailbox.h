@@ -17,7 +17,25 @@
 
 namespace drill_rig_sim
 {
-/// Receives the command topics and keeps the latest of each kind for the simulation thread.
+/// The commands refused since the node began, by topic or by service. Any thread may count and ask.
+class Refusals
+{
+public:
+  /// `reason`: one line, static storage.
+  void count(const char* reason) noexcept
+  {
+    last_ = reason;
+    ++number_;
+  }
+  std::uint64_t number() const noexcept { return number_; }
+  const char* last() const noexcept { return last_; }  ///< why the last one was; empty: there was none
+
+private:
+  std::atomic<const char*> last_{""};
+  std::atomic<std::uint64_t> number_{0};
+};
+
+/// Receives the command topics and keeps the latest good one of each kind for the simulation thread; the others it refuses at once.
 class Mailbox
 {
 public:
@@ -27,10 +45,10 @@ public:
   Mailbox() = default;
 
   /// From any one thread: a command has come.
-  void receive(const WinchCommand& m) noexcept { winch_.write(to_setpoint(m)); }
-  void receive(const TopDriveCommand& m) noexcept { top_drive_.write(to_setpoint(m)); }
-  void receive(const MudPumpCommand& m) noexcept { pump_.write(to_setpoint(m)); }
-  void receive(const SteeringCommand&) noexcept { ++steering_refused_; }
+  void receive(const WinchCommand& m) noexcept { keep(to_setpoint(m), winch_); }
+  void receive(const TopDriveCommand& m) noexcept { keep(to_setpoint(m), top_drive_); }
+  void receive(const MudPumpCommand& m) noexcept { keep(to_setpoint(m), pump_); }
+  void receive(const SteeringCommand&) noexcept { refusals_.count("steering/command: not available yet"); }
 
   /// For the simulation thread: the latest set point not taken yet, or null.
   const WinchSetpoint* winch() noexcept { return winch_.read(); }
@@ -40,17 +58,25 @@ public:
   /// Forgets what has not been taken yet; on the reader's side.
   void clear() noexcept;
 
-  /// Steering commands received; none can be obeyed yet.
-  std::uint64_t steering_refused() const noexcept { return steering_refused_; }
+  Refusals& refusals() noexcept { return refusals_; }
+  const Refusals& refusals() const noexcept { return refusals_; }
 
 private:
+  template <class Setpoint>
+  void keep(const Setpoint& c, TripleBuffer<Setpoint>& latest) noexcept
+  {
+    if (const char* wrong = what_is_wrong(c))
+      refusals_.count(wrong);
+    else
+      latest.write(c);
+  }
   template <class Command>
   ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& topic);
 
   TripleBuffer<WinchSetpoint> winch_;
   TripleBuffer<TopDriveSetpoint> top_drive_;
   TripleBuffer<PumpSetpoint> pump_;
-  std::atomic<std::uint64_t> steering_refused_{0};
+  Refusals refusals_;
   ros::Subscriber subscribers_[4];
 };
 

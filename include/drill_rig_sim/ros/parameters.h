@@ -73,8 +73,11 @@ struct Parameters
 /// Reads and checks the private parameters of `node`. Throws ParameterError.
 Parameters read_parameters(const ros::NodeHandle& node);
 
-/// Absolute path of a scene as ~scene or reset_well name it: absolute, package://PACKAGE/..., or relative to the package's
-/// config/scenes. Throws ParameterError where the package or the file is not found.
+/// Absolute path of a file that a parameter or a request names: absolute, package://PACKAGE/..., or relative to a folder of this package.
+/// Throws ParameterError, which begins with `what`, where the package or the file is not found.
+std::string find_file(const std::string& what, const std::string& name, const std::string& folder_of_relative);
+
+/// The same of a scene, in config/scenes.
 std::string find_scene(const std::string& name);
 
 /// Throws ParameterError unless a frame is a whole number of the scene's steps.

@@ -66,8 +66,9 @@ private:
   void serve(ros::NodeHandle& node, const std::string& name, Action action);
 
   const Parameters& parameters_;
-  Scene scene_;    // what reset_well goes back to
-  Scene running_;  // the same, with the bit depth asked for
+  Scene scene_;        // what reset_well goes back to
+  double off_bottom_;  // of the bit at the start of the scene file, whatever has been loaded since [m]
+  Scene running_;      // scene_ with the bit depth asked for
   SimulationLoop& loop_;
   PublishingThread& publishing_;
   FrameRing& ring_;

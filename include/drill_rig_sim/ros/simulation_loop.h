@@ -36,7 +36,6 @@ struct RunningRig
   bool playing;  ///< the scene's program gives the commands
   bool failed = false;
   CommandStamps commands;
-  const char* last_refusal = "";
   const char* last_clamp = "";
 };
 
@@ -97,7 +96,7 @@ public:
   std::unique_ptr<Simulator> replace(std::unique_ptr<Simulator> simulator);
   /// Back to a saved state of this simulator, to the place in the program it was saved at and to its commands' stamps. The clock runs on.
   void go_back(const SimulatorState& state, const ProgramPlayer& program, bool playing, const CommandStamps& commands);
-  /// Hands the present state over once more, stamped as it was: after a change of the readings alone. While time is paused rig_state
+  /// Hands the present state over once more, stamped as it was: after a change of the readings alone. While time stands rig_state
   /// says it; otherwise its next frame does.
   void hand_over_again() noexcept;
   /// What came from topics up to now.
@@ -145,6 +144,7 @@ private:
   void wait_or_work() noexcept;
   void one_frame(std::int64_t now) noexcept;
   void publish_now(bool rebuilt) noexcept;
+  void restart_cadences() noexcept;
   template <class Setpoint>
   CommandResult accept(const Setpoint& c, std::size_t kind) noexcept;
   void set_timeout() noexcept;
@@ -174,7 +174,6 @@ private:
   std::uint32_t frames_to_go_ = 0;
   bool stepping_ = false;
   StepResult step_;
-  std::uint64_t steering_refused_ = 0;
   RunState run_state_said_ = RunState::waiting;  // what rig_state said last
   bool announced_ = false;  // a stamped frame of this rig has been handed over
   std::thread thread_;

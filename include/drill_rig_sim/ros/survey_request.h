@@ -6,9 +6,9 @@
 
 namespace drill_rig_sim
 {
-/// The scene with the well that the request asks for; the bit starts as far off bottom as before unless it says otherwise.
-/// Throws std::runtime_error with one line that names the station, its values and what is wrong.
-Scene with_survey(const Scene& scene, const LoadSurvey::Request& request);
+/// The scene with the well that the request asks for; the bit starts `off_bottom` [m] unless it says otherwise.
+/// Throws std::runtime_error with one line that names the file or the station, its values and what is wrong.
+Scene with_survey(const Scene& scene, double off_bottom, const LoadSurvey::Request& request);
 
 }  // namespace drill_rig_sim
 
