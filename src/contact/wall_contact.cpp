@@ -187,6 +187,7 @@ void write_tangent(const ClosestPoint& closest, const Geometry& g, const NormalF
 inline void fill_result(const Geometry& g, double normal_force, const Vector3d& friction, double radius, WallForce& out) noexcept
 {
   out.normal_force = normal_force;
+  out.normal = g.normal;
   out.force = friction - normal_force * g.normal;
   out.moment = radius * g.normal.cross(friction);
 }

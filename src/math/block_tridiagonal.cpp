@@ -91,9 +91,9 @@ void subtract_product(const double* block, const double* x, double* b) noexcept
 void BlockTridiagonal::resize(int n)
 {
   n_ = n;
-  diagonal_.assign(36 * n, 0.0);
-  upper_.assign(36 * n, 0.0);
-  lower_.assign(36 * n, 0.0);
+  diagonal_.resize(36 * n);
+  upper_.resize(36 * n);
+  lower_.resize(36 * n);
 }
 
 void BlockTridiagonal::set_zero() noexcept

@@ -126,7 +126,6 @@ void IdaSolver::Session::set_options()
   IDASetMaxOrd(ida, options.max_order);
   IDASetMaxNumSteps(ida, options.max_steps);
   IDASetNonlinConvCoef(ida, options.newton_share);
-  if (options.max_step > 0.0) IDASetMaxStep(ida, options.max_step);
   if (options.fixed_step <= 0.0) return;
   IDASetInitStep(ida, options.fixed_step);
   IDASetMinStep(ida, options.fixed_step);
@@ -231,7 +230,8 @@ bool IdaSolver::advance(double t, std::vector<double>& y, std::vector<double>& r
   std::copy_n(N_VGetArrayPointer(s.y.get()), y.size(), y.begin());
   std::copy_n(N_VGetArrayPointer(s.rate.get()), rate.size(), rate.begin());
   double last = 0.0;
-  if (IDAGetLastStep(s.memory.get(), &last) == IDA_SUCCESS && last > 0.0) s.smallest_step = std::min(s.smallest_step, last);
+  IDAGetLastStep(s.memory.get(), &last);
+  if (last > 0.0) s.smallest_step = std::min(s.smallest_step, last);
   return true;
 }
 

@@ -159,13 +159,14 @@ DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& comma
                         : speed_loop(spec, start, time, wanted);
   DriveTorque out;
   out.limited = torque_mode && law.speed_gain != 0.0;
-  const bool saturated = std::abs(law.at(turn, speed)) > limit;
+  out.value = law.at(turn, speed);
+  const bool saturated = std::abs(out.value) > limit;
   if (saturated)
   {
-    law = constant(std::copysign(limit, law.at(turn, speed)));
+    out.value = std::copysign(limit, out.value);
+    law = constant(out.value);
     out.limited = true;
   }
-  out.value = law.at(turn, speed);
   out.by_turn = -law.turn_gain;
   out.by_speed = -law.speed_gain;
   const double integral = next_integral(spec, start.integral, wanted - speed, wanted * time - turn, out.value, limit, saturated);

@@ -103,6 +103,8 @@ class BadInputs(unittest.TestCase):
 
     def test_large_files(self):
         with tempfile.NamedTemporaryFile() as large:
+            large.truncate(16 << 20)
+            self.assertNotIn('larger', self.refused(large.name, 'md_m', command='survey'))
             large.truncate((16 << 20) + 1)
             self.refused(large.name, 'is larger than 16 MiB')
             self.refused(large.name, 'is larger than 16 MiB', command='survey')

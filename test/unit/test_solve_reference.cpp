@@ -148,6 +148,40 @@ TEST(Reference, RunsRepeatWithinTheToleranceAfterARestore)
   EXPECT_DOUBLE_EQ(simulator.truth().time, first.time);
 }
 
+TEST(Reference, EachBodyHasItsNodesMassAndTheMudsAtItsSide)
+{
+  const Scene scene = scene_in({{0.0, 0.0, 0.3}, {60.0, 0.0, 0.3}}, 50.0, 50.0, 0.3);
+  RigAtRest rest = build_at_rest(scene);
+  Stage stage(*rest.model);
+  Workspace work(*rest.model);
+  RigDae rig(*rest.model, stage, work, rest.state, Formulation::stabilised_index_2, 1e-6);
+  begin_step(*rest.model, rest.state, kStep, Setpoints(), stage);
+  const std::vector<double> y = rig.initial(rest.state);
+  EXPECT_TRUE(rig.begin(0.0, rest.state, Setpoints(), y)) << "the mud's comes in";
+  EXPECT_FALSE(rig.begin(0.0, rest.state, Setpoints(), y)) << "as before";
+
+  // the force that one m/s2 sideways takes
+  const auto mass_of = [&](int body)
+  {
+    std::vector<double> rate(y.size(), 0.0), still(y.size()), moved(y.size());
+    rig.residual(0.0, y.data(), rate.data(), still.data());
+    const std::size_t k = 12 * static_cast<std::size_t>(body) + 6;
+    rate[k] = 1.0;
+    rig.residual(0.0, y.data(), rate.data(), moved.data());
+    return std::abs(moved[k] - still[k]);
+  };
+  const Mesh& mesh = rest.model->mesh();
+  const int bit = rest.model->nodes();
+  EXPECT_NEAR(mesh.nodes[0].mass + mesh.nodes[0].added_mass, mass_of(0) + mass_of(bit), 1e-6);
+  EXPECT_NEAR(mesh.bit_mass + scene.mud.added_mass * scene.mud.density * mesh.bit_displaced, mass_of(bit), 1e-6);
+  ASSERT_GT(mesh.nodes[1].added_mass, 1.0);
+  for (const int i : {1, 2}) EXPECT_NEAR(mesh.nodes[i].mass + mesh.nodes[i].added_mass, mass_of(i), 1e-6) << i;
+
+  stage.immersed[1] = 0.0;
+  EXPECT_TRUE(rig.begin(0.0, rest.state, Setpoints(), y));
+  EXPECT_NEAR(mesh.nodes[1].mass, mass_of(1), 1e-6) << "out of the mud";
+}
+
 TEST(Reference, JacobianOfTheRigByFiniteDifferences)
 {
   Scene scene = drilling(1e-6);

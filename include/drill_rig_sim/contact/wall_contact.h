@@ -48,6 +48,7 @@ struct WallForce
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();   ///< of the friction about D [N m]
   Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< z at the stage: the next step's, once this one is accepted [m]
   double normal_force = 0.0;                          ///< F_n >= 0 [N]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();   ///< n, across the hole, away from its axis [-]
   double penetration = 0.0;                           ///< delta; <= 0: clear of the wall, nothing else is set [m]
   double friction_power = 0.0;                        ///< friction . surface velocity [W]; < 0 where it takes energy out
   bool slipping = false;

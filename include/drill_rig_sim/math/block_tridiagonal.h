@@ -14,7 +14,7 @@ public:
   static constexpr int size = 6;
   using Block = Eigen::Map<Eigen::Matrix<double, size, size, Eigen::RowMajor>>;
 
-  /// n block rows; the only call that allocates.
+  /// n block rows, whose blocks are still to be filled; the only call that allocates.
   void resize(int n);
   int rows() const noexcept { return n_; }
   void set_zero() noexcept;

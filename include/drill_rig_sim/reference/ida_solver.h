@@ -14,7 +14,6 @@ namespace drill_rig_sim
 struct IdaOptions
 {
   int max_order = 5;        ///< of the BDF formulas, 1 .. 5; beyond 2 they excite fast oscillations that are hardly damped
-  double max_step = 0.0;    ///< [s]; 0: none
   double fixed_step = 0.0;  ///< > 0: smallest and largest step alike, to show what a given step does [s]
   bool suppress_algebraic = true;  ///< multipliers out of the error test
   long max_steps = 2000000;        ///< of one advance(), those repeated with a shorter step among them

@@ -87,15 +87,13 @@ void sample_at(const StageContext& at, int i, EnergySample& sample) noexcept
 {
   const NodeMotion& node = at.work.nodes[i];
   const WallForce f = sticking_force(at, i, nullptr);
-  const Vector3d across = node.position - node.closest.centre;
-  const Vector3d outward = across / std::sqrt(across.squaredNorm() + wall_contact_smoothing * wall_contact_smoothing);
   const double elastic = elastic_force(at.model.contact(i).law, f.penetration);
   const Vector3d along = (elastic * node.closest.radius_slope) * node.closest.md_gradient;
-  at_node(sample, NodeForce::wall, i).head<3>() += elastic * outward - along;
+  at_node(sample, NodeForce::wall, i).head<3>() += elastic * f.normal - along;
   at_node(sample, NodeForce::ledge, i).head<3>() += along;
-  at_node(sample, NodeForce::wall_damping, i).head<3>() += (f.normal_force - elastic) * outward;
+  at_node(sample, NodeForce::wall_damping, i).head<3>() += (f.normal_force - elastic) * f.normal;
   auto friction = at_node(sample, NodeForce::friction, i);
-  friction.head<3>() -= f.force + f.normal_force * outward;
+  friction.head<3>() -= f.force + f.normal_force * f.normal;
   friction.tail<3>() -= f.moment;
   if (i == 0) sample.gauge_torque = -f.moment.dot(node.axis);
 }
