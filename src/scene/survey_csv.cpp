@@ -74,24 +74,20 @@ bool has_more_cells(const std::vector<std::string>& cells, std::size_t header)
                                               [](const std::string& cell) { return !cell.empty(); });
 }
 
-// one station out of a line's cells; false (and problems noted) if a cell is missing or no number
-bool read_station(const std::vector<std::string>& cells, std::size_t header, const std::array<std::size_t, 3>& place, int line,
+// one station out of a line's cells; a cell that is missing or no number is a problem
+void read_station(const std::vector<std::string>& cells, std::size_t header, const std::array<std::size_t, 3>& place, int line,
                   SurveyStation& station, Problems& problems)
 {
   std::array<double, 3> value{};
-  bool good = !has_more_cells(cells, header);
-  if (!good)
+  if (has_more_cells(cells, header))
     problems.add_at(line, "", "has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(header) +
                                   ", allowed: as many, with decimal points");
   for (std::size_t i = 0; i < columns.size(); ++i)
   {
     const std::string cell = place[i] < cells.size() ? cells[place[i]] : "";
-    if (is_number(cell, value[i])) continue;
-    good = false;
-    problems.add_at(line, columns[i], "is not a finite number");
+    if (!is_number(cell, value[i])) problems.add_at(line, columns[i], "is not a finite number");
   }
   station = {value[0], value[1] * degree, value[2] * degree};
-  return good;
 }
 }  // namespace
 
@@ -108,7 +104,6 @@ std::vector<SurveyStation> read_survey_csv(const std::string& file)
   std::vector<int> lines;
   std::array<std::size_t, 3> place{};
   std::size_t header = 0;  // its cells; 0 before it is read
-  bool well_formed = true;
   std::string text;
   for (int line = 1; stations.size() <= most_stations && std::getline(in, text); ++line)
   {
@@ -121,13 +116,13 @@ std::vector<SurveyStation> read_survey_csv(const std::string& file)
       continue;
     }
     SurveyStation station;
-    well_formed = read_station(cells, header, place, line, station, problems) && well_formed;
+    read_station(cells, header, place, line, station, problems);
     stations.push_back(station);
     lines.push_back(line);
   }
   if (header == 0 && problems.empty())
     problems.add_at(0, "", std::string("is empty, needed: ") + needed);
-  if (header > 0 && problems.empty() && well_formed)
+  if (header > 0 && problems.empty())
   {
     for (const SurveyProblem& p : survey_problems(stations))
     {

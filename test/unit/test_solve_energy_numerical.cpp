@@ -84,6 +84,32 @@ TEST(Numerical, ofTheLineIsWhatTheMeanOfItsPricesMisses)
   EXPECT_NEAR(balance.accounts().of_line, missed, 1e-6 * missed);
 }
 
+// Between steps the motor or the rock may take the bristles of the torque on bit beyond their limit.
+TEST(Numerical, whatABristleLosesBetweenStepsIsTheRocksAndNotRebasings)
+{
+  Scene scene = without_damping(vertical_scene(400.0, 400.0));
+  scene.start.weight_on_bit = 5e4;
+  const RigAtRest rig = build_at_rest(scene);
+  EnergyBalance balance(rig.model);
+  Stage stage(*rig.model);
+  const std::vector<double> still(6 * static_cast<std::size_t>(rig.model->nodes()), 0.0);
+  State state = rig.state;
+  const auto step_with = [&](double twist)
+  {
+    state.bit.twist = twist;
+    balance.begin_step(state, Setpoints());
+    begin_step(*rig.model, state, 1e-3, Setpoints(), stage);
+    balance.end_step(state, stage, still.data());
+    return balance.accounts();
+  };
+  constexpr double before = 2e-3, after = 1e-3;  // [rad]
+  const EnergyAccounts first = step_with(before), second = step_with(after);
+  const double lost = 0.5 * rig.model->bit_bristle_stiffness() * (before * before - after * after);
+  ASSERT_GT(lost, 1e-3);  // [J]
+  EXPECT_NEAR(second.rock_torque - first.rock_torque, lost, 1e-6 * lost);
+  EXPECT_NEAR(second.of_rebasing - first.of_rebasing, 0.0, 1e-6 * lost);
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);
