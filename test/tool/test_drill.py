@@ -360,9 +360,14 @@ class Run(Drill):
     def test_a_full_disk_is_told(self):
         if not os.path.exists('/dev/full'):
             self.skipTest('no /dev/full')
-        done = drill('run', QUICK, '--duration', '1', '--csv', '/dev/full')
-        self.assertEqual(done.returncode, 3)
-        self.assertIn('/dev/full could not be written whole', done.stderr)
+        for option in ('--csv', '--json', '--path', '--raw-path'):
+            done = drill('run', QUICK, '--duration', '0.1', option, '/dev/full')
+            self.assertEqual(done.returncode, 3, option)
+            self.assertIn('/dev/full could not be written whole', done.stderr)
+
+    def test_a_run_ends_a_minute_after_its_program(self):
+        self.succeed('run', QUICK, '--set', 'program=[{at: 0, brake: true}, {at: 2.5, brake: true}]', '--json', self.file('q.json'))
+        self.assertAlmostEqual(json.load(open(self.file('q.json')))['simulated_s'], 62.5, places=6)
 
 
 class Reference(Drill):

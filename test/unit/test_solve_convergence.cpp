@@ -9,6 +9,7 @@
 #include "drill_rig_sim/solve/methods/method.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
+#include "lone_bit.h"
 #include "plucked_rig.h"
 
 using namespace drill_rig_sim;
@@ -93,6 +94,20 @@ TEST(Convergence, methodsOfSecondOrderAgreeInTheLimit)
     EXPECT_LT((after(start, method, 0.00005) - reference).norm(), 1e-3 * scale) << find_integrator(method).name;
 }
 
+// What the summary tells: iterations of all solves of a step.
+TEST(Convergence, iterationsAreCounted)
+{
+  const RigAtRest start = plucked();
+  for (const auto& [method, solves] : {std::pair(IntegratorKind::implicit_euler, 1u), std::pair(IntegratorKind::trbdf2, 2u)})
+  {
+    Stepper stepper(start.model, find_method(method));
+    State state = start.state;
+    for (int k = 0; k < 10; ++k) ASSERT_TRUE(stepper.advance(state, 1e-3, Setpoints()));
+    EXPECT_GE(stepper.counters().newton_iterations, 10 * solves);
+    EXPECT_LE(stepper.counters().newton_iterations, 10 * solves * 20);
+  }
+}
+
 // In a smooth motion the tangent at the guess serves for the whole step, and the residual after its increment says that this was the last.
 TEST(Convergence, smoothStepsTakeOneTangent)
 {
@@ -159,6 +174,24 @@ TEST(Convergence, centralDifferencesFailBeyondTheirLimit)
   };
   EXPECT_LT(largest_rate(0.95 * limit), 1.0);
   EXPECT_GT(largest_rate(1.2 * limit), 1e3);
+}
+
+// A bit on a wall and a bottom so stiff that nothing else counts: omega^2 is the slope of k delta^e at a millimetre over its mass.
+TEST(Convergence, theExplicitLimitIsThatOfAPressedContact)
+{
+  Scene scene = weightless(lone_bit_scene());
+  scene.contact.law = {1e14, 1.5, 0.0};
+  scene.string[0].bit->bottom = {3e14, 1.5, 0.0};
+  const RigAtRest rig = lone_bit(scene,
+                                 [&scene](MeshNode& bit, BeamSection&)
+                                 {
+                                   bit.mass = 1000.0;
+                                   bit.added_mass = 0.0;
+                                   bit.spin_inertia = bit.tilt_inertia = 1e6;
+                                   bit.contact = scene.contact.law;
+                                 });
+  const double slope = 1.5 * 4e14 * std::sqrt(1e-3);  // [N/m]
+  EXPECT_NEAR(explicit_step_limit(*rig.model, rig.state), 2.0 / std::sqrt(slope / 1000.0), 1e-4 * 2.0 / std::sqrt(slope / 1000.0));
 }
 
 // Rates half a step old: of an oscillator's 2/omega, damping zeta leaves sqrt(1 + zeta^2) - zeta. Here zeta = omega b/2 = 1/2.

@@ -58,6 +58,19 @@ void expect_identical(const Wellbore& a, const Wellbore& b)
   ASSERT_EQ(to_bytes(a), to_bytes(b));
 }
 
+// Where steps are counted the length has no say, not in the first interval either.
+TEST(WellExtension, CountedStepsLeaveTheLengthAside)
+{
+  const Vector3d axis = tangent_from(0.9, 5.2);
+  Wellbore hole(straight_well(500.0, 0.9, 5.2), {0.1, 5}, bit_radius), other(straight_well(500.0, 0.9, 5.2), {7.0, 5}, bit_radius);
+  const Vector3d aside = 1e-3 * (axis + 0.2 * Vector3d::UnitZ()).normalized();
+  for (int k = 0; k < 12; ++k)
+  {
+    ASSERT_TRUE(hole.extend(aside, axis) && other.extend(aside, axis));
+    expect_identical(hole, other);
+  }
+}
+
 // What the bit drills is what the hole gains: 30 m straight, in displacements of uneven length.
 TEST(WellExtension, LengthAndVolumeAreThoseDrilled)
 {

@@ -8,6 +8,7 @@
 
 #include "drill_rig_sim/well/hole_nodes.h"
 #include "drill_rig_sim/well/survey.h"
+#include "drill_rig_sim/well/well_checks.h"
 #include "well_fixtures.h"
 
 namespace drill_rig_sim
@@ -193,6 +194,27 @@ TEST(HoleNodes, SectionsChangeWithinAMillimetreAndTheHoleEndsAtItsDepth)
   EXPECT_EQ(hole.bottom_radius(), 0.1);
   EXPECT_NEAR((hole.at(-12.0).position - Vector3d(0, 0, 12)).norm(), 0.0, 1e-15);
   EXPECT_EQ(hole.at(-12.0).radius, 0.1602);
+}
+
+TEST(HoleNodes, EachRuleForAHoleSaysWhereAndWhat)
+{
+  const auto problem_with = [](void (*change)(WellSpec&))
+  {
+    WellSpec spec = bohai_well();  // 730 m, sections to 200 and 730 m
+    change(spec);
+    const ProblemList problems = well_problems(spec);
+    return problems.size() == 1 ? problems[0].key + ": " + problems[0].text : std::to_string(problems.size()) + " problems";
+  };
+  EXPECT_EQ("0 problems", problem_with([](WellSpec&) {}));
+  EXPECT_EQ("well.hole_depth: 731 m is deeper than the survey, allowed: up to its last station, 730 m",
+            problem_with([](WellSpec& w) { w.hole_depth = 731.0; }));
+  EXPECT_EQ("well.hole_depth: 0 m is no depth, allowed: above 0", problem_with([](WellSpec& w) { w.hole_depth = 0.0; }));
+  EXPECT_EQ("well.sections: the list is empty, needed: at least one section", problem_with([](WellSpec& w) { w.sections.clear(); }));
+  EXPECT_EQ("well.sections[1].diameter: 0 m is no diameter, allowed: above 0", problem_with([](WellSpec& w) { w.sections[1].diameter = 0.0; }));
+  EXPECT_EQ("well.sections[0].friction: -0.1 is no friction, allowed: 0 or more", problem_with([](WellSpec& w) { w.sections[0].friction = -0.1; }));
+  EXPECT_EQ("well.sections[1].to: the last section ends at 700 m, needed: down to hole_depth, 730 m",
+            problem_with([](WellSpec& w) { w.sections[1].to = 700.0; }));
+  EXPECT_EQ("well.sections[0].to: 0 m does not exceed the 0 m where it begins", problem_with([](WellSpec& w) { w.sections[0].to = 0.0; }));
 }
 
 TEST(HoleNodes, RefusesSectionsThatDoNotFit)
