@@ -54,6 +54,17 @@ TEST(Formation, SideForceCutsByTheBitsSideCutting)
   EXPECT_EQ(none.x(), 0.0);
 }
 
+// A bit that leans on its gauge, its face hardly pressed, drills less: half where the weight is a hundredth of the side force.
+TEST(Formation, AFaceThatIsHardlyPressedDrillsLess)
+{
+  const FormationLayer rock = main_job_rock();
+  const Vector3d axis = -Vector3d::UnitZ();
+  const auto down = [&](double weight, double side) { return rock_breaking_velocity(rock, weight * axis + side * Vector3d::UnitX(), 14.0, axis, 0.0).dot(axis); };
+  const double full = down(700.0, 0.0);
+  EXPECT_NEAR(down(700.0, 70e3), 0.5 * full, 1e-9 * full);
+  EXPECT_NEAR(down(700.0, 140e3), 0.2 * full, 1e-9 * full);
+}
+
 // Strike north, dip to its right: east. The beds go down to the east, their upward normal leans east.
 TEST(Formation, BedNormalFollowsTheRightHandRule)
 {

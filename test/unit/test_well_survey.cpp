@@ -36,6 +36,13 @@ TEST(Directions, TangentAndBack)
 }
 
 // A hole inclined to the east: up is towards the west and up, right of it looking downhole (east) is south.
+TEST(Directions, AVerticalHoleHasNoAzimuthToRoundOff)
+{
+  EXPECT_EQ(0.0, azimuth_of({1e-14, -1e-14, -1.0}));
+  EXPECT_EQ(0.0, azimuth_of({-1e-14, 1e-15, 1.0})) << "upwards";
+  EXPECT_NEAR(0.5 * pi, azimuth_of({1e-6, 0.0, -1.0}), 1e-12);
+}
+
 TEST(Directions, HighSideAndRightSide)
 {
   const Vector3d t = tangent_from(60 * degree, 90 * degree);
