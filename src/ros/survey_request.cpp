@@ -1,5 +1,6 @@
 #include "drill_rig_sim/ros/survey_request.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -40,7 +41,8 @@ void require_sound(const std::vector<SurveyStation>& stations)
 // Sections that begin below the bottom go, the last one reaches it.
 std::vector<HoleSection> fitted(std::vector<HoleSection> sections, double hole_depth)
 {
-  while (sections.size() > 1 && sections[sections.size() - 2].to >= hole_depth) sections.pop_back();
+  const auto last = std::find_if(sections.begin(), sections.end() - 1, [=](const HoleSection& s) { return s.to >= hole_depth; });
+  sections.erase(last + 1, sections.end());
   sections.back().to = std::max(sections.back().to, hole_depth);
   return sections;
 }

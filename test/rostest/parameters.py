@@ -55,7 +55,8 @@ class Parameters(unittest.TestCase):
         self.refused("rate:=.nan")
         self.refused("seed:=many", "many", "whole number")
         self.refused("seed:=1.5", "1.5", "whole number")
-        self.refused("rig_pose:=[1,2]", "six")
+        self.refused("rig_pose:=[1,2]", "~rig_pose is ", "six")
+        self.refused("rig_pose:=[0,0,0,0,0,x]", "~rig_pose is ", "six")
 
     def test_unknown_words(self):
         self.refused("clock:=sometimes", "sometimes", "realtime, lockstep, free_run")
