@@ -133,6 +133,24 @@ TEST(TopDrive, TheMotorOnItsOwnAgreesWithTheSolvedRotor)
   }
 }
 
+// A step in which the loop reaches its limit: I stops where the law is at it, of 0.3 + 0.2 - 0.12 = 0.38 rad that it would come to: 8 kN m come
+// from the error of 0.4 rad/s, the rest from I.
+TEST(TopDrive, TheSolvedRotorStopsItsIntegralWithinAStep)
+{
+  const TopDriveSpec spec;
+  for (const double way : {1.0, -1.0})
+  {
+    const RotorStage stage{0.2, 5.0, 25.0, 0.0, -way * 5.0 * 0.6};
+    TopDriveSetpoint command = speed_command(way);
+    command.torque_limit = 9.7e3;
+    const double top = way * 0.12 - way * 9.7e3 / spec.meter_stiffness;  // the meter takes what the motor gives: the speed stays
+    const RotorResult solved = solve_rotor(spec, command, {way * 0.6, way * 0.3, 0.0}, stage, top);
+    EXPECT_NEAR(solved.increment, way * 0.12, 1e-9);
+    EXPECT_TRUE(solved.limited);
+    EXPECT_NEAR(solved.state.integral, way * 0.34, 1e-9);
+  }
+}
+
 TEST(TopDrive, TorqueLimits)
 {
   const TopDriveSpec spec;
@@ -180,6 +198,13 @@ TEST(TopDrive, IntegralStopsWhereTheMotorDoes)
   EXPECT_NEAR(drive_torque(spec, command, {0.0, 1.5, 0.0}, 0.0, 0.1, 0.0).integral, 1.4, 1e-12);
   // above the wanted speed the loop brakes, I would grow by 2 rad: 10e3/5e3 is the most it holds
   EXPECT_NEAR(drive_torque(spec, command, {1.4, 1.9, 0.0}, 2.0, 0.0, 1.4).integral, 2.0, 1e-12);
+  // and all of it backwards
+  TopDriveSetpoint back = speed_command(-1.0);
+  back.torque_limit = 10e3;
+  EXPECT_DOUBLE_EQ(drive_torque(spec, back, {0.0, -0.1, 0.0}, 0.02, 0.0, 0.0).integral, -0.1);
+  EXPECT_NEAR(drive_torque(spec, back, {-0.6, -0.3, 0.0}, 0.2, 0.0, -0.6).integral, -0.4, 1e-12);
+  EXPECT_NEAR(drive_torque(spec, back, {0.0, -1.5, 0.0}, 0.0, -0.1, 0.0).integral, -1.4, 1e-12);
+  EXPECT_NEAR(drive_torque(spec, back, {-1.4, -1.9, 0.0}, 2.0, 0.0, -1.4).integral, -2.0, 1e-12);
   // torque mode: I follows the torque
   EXPECT_NEAR(drive_torque(spec, torque_command(8e3), {1.0, 0.0, 0.0}, 0.01, 0.01, 1.0).integral, 8e3 / 5e3, 1e-12);
   TopDriveSpec proportional;
