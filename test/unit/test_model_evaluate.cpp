@@ -90,6 +90,35 @@ TEST(Evaluate, theBitDrillsTheLayerItStandsOn)
   EXPECT_GT(drilled({all_soft}), 2.0 * in_hard);
 }
 
+// Rock breaks under weight alone: a bit that leans on the wall off bottom drills no hole beside it.
+TEST(Evaluate, withoutWeightNoRockBreaks)
+{
+  const RigAtRest rig = build_at_rest(drilling_scene());
+  RigForces forces;
+  forces.rock_force = Vector3d(2e4, 0.0, -2e4);
+  forces.bit_speed = 10.0;
+  EXPECT_EQ(rock_velocity(*rig.model, rig.state.well, forces, -Vector3d::UnitZ()).norm(), 0.0);
+  forces.wob = 2e4;
+  EXPECT_LT(rock_velocity(*rig.model, rig.state.well, forces, -Vector3d::UnitZ()).z(), -1e-5);
+}
+
+// Mesh nodes of different parts have walls of different stiffness.
+TEST(Evaluate, eachNodesWallHasTheLawOfItsMesh)
+{
+  RigAtRest rig = lone_bit(lone_bit_scene(), [](MeshNode& bit, BeamSection&) { bit.contact = {7e8, 1.5, 0.0}; });
+  EXPECT_EQ(rig.model->contact(0).law.stiffness, 7e8);
+  EXPECT_EQ(rig.model->contact(1).law.stiffness, rig.model->mesh().nodes[1].contact.stiffness);
+  rig.state.nodes[0].position.x() = 0.5 * 0.2159 - rig.model->mesh().nodes[0].contact_radius + 1e-3;
+  Stage stage(*rig.model);
+  Workspace work(*rig.model);
+  begin_step(*rig.model, rig.state, 0.0, Setpoints(), stage);
+  prepare_start(rig.state, stage);
+  std::vector<double> residual(no_increment(*rig.model));
+  evaluate(*rig.model, rig.state, stage, no_increment(*rig.model).data(), work, residual.data(), nullptr);
+  const double force = 7e8 * std::pow(1e-3, 1.5);  // [N]
+  EXPECT_NEAR(work.result.forces.contact[0], force, 1e-3 * force);
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);

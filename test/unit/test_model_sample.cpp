@@ -9,7 +9,7 @@
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/forces/beams.h"
 #include "drill_rig_sim/model/forces/inertia.h"
-#include "drill_rig_sim/model/forces/stuck_point.h"
+#include "drill_rig_sim/model/forces/top_drive.h"
 #include "drill_rig_sim/solve/methods/method.h"
 #include "drill_rig_sim/solve/start.h"
 #include "test_scenes.h"
@@ -162,6 +162,7 @@ TEST(Sample, rigAndBitAreThoseOfTheStep)
   const RigForces& forces = d.work.result.forces;
   EXPECT_NEAR(s.rotor_inertia, s.drive_torque - forces.meter_torque, 1e-6 * std::abs(s.drive_torque));
   EXPECT_NEAR(s.rotor_speed, s.rotor_increment / step, 1e-9);
+  EXPECT_EQ(s.rotor_increment, drive_increment(d.model(), d.rig.state, d.stage, d.u.data() + 6 * d.model().top()));
   EXPECT_EQ(s.hook_force, forces.hook_load);
   EXPECT_EQ(s.step, step);
   const double tension = s.hook_force / 10.0;  // of ten lines

@@ -116,6 +116,19 @@ TEST(Arkode, drillsAsOurTrBdf2Does)
 }
 
 // Nothing that ARKODE remembers reaches the next step.
+// Beside those of Newton's method with their tangents, a step takes two evaluations: the rates at its start, and its end's results.
+TEST(Arkode, aStepEvaluatesNothingTwice)
+{
+  const RigAtRest start = plucked();
+  ArkodeStepper stepper(start.model);
+  after_span(start, stepper, 0.001);
+  const Work& work = stepper.work();
+  EXPECT_EQ(work.solves, work.tangents);
+  EXPECT_EQ(work.solves, stepper.counters().newton_iterations);
+  EXPECT_EQ(work.residuals - work.tangents, 2 * stepper.counters().steps);
+  EXPECT_LT(static_cast<double>(work.solves), 3.0 * static_cast<double>(stepper.counters().steps)) << "smooth: fewer than two a stage";
+}
+
 TEST(Arkode, goesOnBitByBitFromASnapshot)
 {
   const Scene scene = quick_scene(IntegratorKind::arkode_dirk);

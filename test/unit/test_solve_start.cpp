@@ -115,6 +115,41 @@ TEST(Start, aStringStartedWithTorqueStaysAtRest)
   }
 }
 
+// A start that is not where it was wanted is none to drill from, be it by its depth alone: here the bent motor's bit does not reach the bottom.
+TEST(Start, aBitThatCannotStandWhereItShouldIsRefused)
+{
+  Scene scene = slanted_scene(150.0, 0.3);
+  scene.well.hole_depth = 150.0;
+  scene.well.sections[0].to = 150.0;
+  scene.string.insert(scene.string.begin() + 1, motor_part());
+  try
+  {
+    build_at_rest(scene);
+    FAIL() << "was accepted";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_NE(std::string::npos, std::string(error.what()).find("misses the wanted bit_depth")) << error.what();
+  }
+}
+
+// Iterations of both of its parts are bounded by what the caller grants, but for the one that KINSOL takes at least.
+TEST(Start, anEquilibriumTakesNoMoreIterationsThanAllowed)
+{
+  const RigAtRest rig = build_at_rest(slanted_scene(150.0, 0.2));
+  for (const int most : {3, 8})
+  {
+    State state = rig.state;
+    for (NodeState& node : state.nodes) node.position.z() += 0.3 * std::sin(node.position.z());
+    const StaticOutcome out = solve_static(*rig.model, state, FrictionMode::none, most);
+    EXPECT_FALSE(out.converged);
+    EXPECT_GE(out.iterations, most);
+    EXPECT_LE(out.iterations, most + 1);
+  }
+  State state = rig.state;
+  EXPECT_TRUE(solve_static(*rig.model, state, FrictionMode::none, 400).converged);
+}
+
 // The continuation takes inertia back where a step was too long: without it this start is not found.
 TEST(Start, onWallsOfTheGreatestStiffness)
 {
