@@ -271,9 +271,11 @@ TEST(ReferenceIntegrator, countsOverAllItsStarts)
   EXPECT_EQ(ida.work().solves, all.newton_iterations);
   EXPECT_EQ(ida.counters().convergence_failures, all.error_test_failures + all.newton_failures);
   EXPECT_NEAR(rig.state.time, 0.1, 1e-12);
-  const double drift = ida.reference()->drift;
-  EXPECT_GT(drift, 0.0);
-  EXPECT_LT(drift, 1e-7);
+  const ReferenceReport& report = *ida.reference();
+  EXPECT_GT(report.drift, 0.0);
+  EXPECT_LT(report.drift, 1e-7);
+  EXPECT_GT(report.rate_drift, 0.0);
+  EXPECT_LT(report.rate_drift, 1e-5);
 }
 
 // A thousand steps of IDA are the most it takes in one: it says so, and the state is the one before.
