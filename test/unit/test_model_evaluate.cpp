@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/energy.h"
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/sim/simulator.h"
@@ -57,6 +58,25 @@ TEST(Evaluate, aRestingRigHasNothingOfTheMotionBefore)
   for (const Vector6d& a : stage.acceleration) EXPECT_EQ(0.0, a.norm());
   evaluate(*rig.model, rig.state, stage, still.data(), work, residual.data(), nullptr);
   EXPECT_EQ(0.0, work.result.forces.bit_speed);
+}
+
+// Accelerations are found from a stage that has none of its own, and from the state's rates whatever the unknowns are.
+TEST(Evaluate, aStartHasNothingOfTheStageBefore)
+{
+  RigAtRest rig = build_at_rest(drilling_scene());
+  const Vector3d n = x_axis(rig.state.nodes[1].orientation), across = n.unitOrthogonal();
+  rig.state.nodes[1].rate = {Vector3d(0.1, 0.2, 0.3), 0.4 * across, 5.0};
+  Stage stage(*rig.model);
+  begin_step(*rig.model, rig.state, 0.01, Setpoints(), stage);
+  prepare_implicit_euler(rig.state, 0.01, stage);
+  for (Vector6d& a : stage.acceleration) a.setOnes();
+  prepare_start(rig.state, stage);
+  EXPECT_EQ(stage.dv_du, 0.0);
+  EXPECT_EQ(stage.da_du, 0.0);
+  for (const Vector6d& a : stage.acceleration) EXPECT_EQ(a.norm(), 0.0);
+  Vector6d rate;
+  rate << 0.1, 0.2, 0.3, 0.4 * across + 5.0 * n;
+  EXPECT_LT((stage.rate[1] - rate).norm(), 1e-12);
 }
 
 // Mud is below the rig floor: what hangs above it is damped by none.

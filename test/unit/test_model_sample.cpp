@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/energy.h"

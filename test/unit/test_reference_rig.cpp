@@ -88,6 +88,38 @@ TEST(ReferenceRig, beginsWithTheMotionOfTheState)
   EXPECT_EQ(d.dae.motion(block).position, shaft + Vector3d(0.0, 0.0, 4.0));
 }
 
+// Forces and moments that unit accelerations take: the bit leaves the lowest node what the mesh has lumped there, the block is in three parts.
+TEST(ReferenceRig, bodiesShareTheInertiaOfNodeAndBlock)
+{
+  Interval d;
+  const auto takes = [&d](int body, int k)
+  {
+    std::vector<double> rate(d.y.size(), 0.0), still(d.y.size()), moved(d.y.size());
+    d.dae.residual(begun, d.y.data(), rate.data(), still.data());
+    const std::size_t at = 12 * static_cast<std::size_t>(body) + 6 + static_cast<std::size_t>(k);
+    rate[at] = 1.0;
+    d.dae.residual(begun, d.y.data(), rate.data(), moved.data());
+    return moved[at] - still[at];
+  };
+  constexpr int along = 2, tilt = 3, spin = 5;  // of a vertical string
+  const Scene& scene = d.rig.model->scene();
+  const Mesh& mesh = d.rig.model->mesh();
+  const int bit = d.nodes, rotor = d.nodes + 1, stator = d.nodes + 2, block = d.nodes + 3;
+  const double of_bit = 0.4 * mesh.bit_mass * mesh.bit_radius * mesh.bit_radius;  // a ball
+  EXPECT_NEAR(takes(bit, along), mesh.bit_mass, 1e-6);
+  EXPECT_NEAR(takes(0, along), mesh.nodes[0].mass - mesh.bit_mass, 1e-6);
+  for (const int k : {tilt, spin}) EXPECT_NEAR(takes(bit, k), of_bit, 1e-6);
+  EXPECT_NEAR(takes(0, tilt), mesh.nodes[0].tilt_inertia - of_bit, 1e-6);
+  EXPECT_NEAR(takes(0, spin), mesh.nodes[0].spin_inertia - of_bit, 1e-6);
+  EXPECT_NEAR(takes(1, tilt), mesh.nodes[1].tilt_inertia, 1e-6);
+  EXPECT_NEAR(takes(1, spin), mesh.nodes[1].spin_inertia, 1e-6);
+  const double mass = scene.rig.hoisting.block_mass;
+  EXPECT_NEAR(takes(rotor, along), 0.2 * mass, 1e-6);
+  EXPECT_NEAR(takes(stator, along), 0.4 * mass, 1e-6);
+  EXPECT_NEAR(takes(block, along), 0.4 * mass, 1e-6);
+  EXPECT_NEAR(takes(rotor, spin), scene.rig.top_drive.inertia, 1e-6);
+}
+
 // What the error of one tolerance is: a hundredth of it in places, relative in rates; multipliers are left out.
 TEST(ReferenceRig, hasATolerancePerUnknown)
 {
