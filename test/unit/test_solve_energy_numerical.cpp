@@ -38,6 +38,19 @@ TEST(Numerical, ofArkodeIsThatOfOurTrBdf2)
   EXPECT_NEAR(e.of_residual, 0.0, 1e-9 * e.largest_kinetic);
 }
 
+// Central differences solve nothing: their accelerations are those that the forces at the step's end make, and leave no residual.
+TEST(Numerical, ofCentralDifferencesHasNoResidual)
+{
+  const RigAtRest start = plucked();
+  Stepper stepper(start.model, find_method(IntegratorKind::central_differences));
+  EnergyBalance balance(start.model);
+  stepper.keep_balance(&balance);
+  State state = start.state;
+  for (int k = 0; k < 300; ++k) ASSERT_TRUE(stepper.advance(state, 1e-4, Setpoints()));
+  ASSERT_GT(balance.accounts().largest_kinetic, 0.1);  // [J]
+  EXPECT_NEAR(balance.accounts().of_residual, 0.0, 1e-9 * balance.accounts().largest_kinetic);
+}
+
 // A drive that speeds up: rotor, meter and string each with accelerations of their own.
 TEST(Numerical, ofTheReferenceIsNothingInAnyAccount)
 {
