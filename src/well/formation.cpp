@@ -16,12 +16,10 @@ constexpr double slow_turning = 0.05;  // N_s [rad/s]
 constexpr double gauge_share = 0.01;   // weight over side force at which half of the rate is left
 constexpr double slope_offset = 1.0;   // [N]
 
-// x^p, cheap for the exponents that scenes use most.
+// x^p, cheap for the exponent that scenes use most.
 double power(double x, double p) noexcept
 {
-  if (p == 1.0) return x;
-  if (p == 0.0) return 1.0;
-  return std::pow(x, p);
+  return p == 1.0 ? x : std::pow(x, p);
 }
 }  // namespace
 

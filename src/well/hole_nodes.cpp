@@ -31,7 +31,7 @@ std::vector<Anchor> section_anchors(const WellSpec& spec, double top, double bit
 {
   std::vector<Anchor> anchors{{top, 0}};
   std::size_t last = 0;
-  for (; last + 1 < spec.sections.size() && spec.sections[last].to + 2.0 * section_step < spec.hole_depth; ++last)
+  for (; spec.sections[last].to + 2.0 * section_step < spec.hole_depth; ++last)  // the last one reaches the hole's depth
   {
     anchors.push_back({spec.sections[last].to, last});
     anchors.push_back({spec.sections[last].to + section_step, last + 1});

@@ -59,7 +59,8 @@ TEST(Formation, AFaceThatIsHardlyPressedDrillsLess)
 {
   const FormationLayer rock = main_job_rock();
   const Vector3d axis = -Vector3d::UnitZ();
-  const auto down = [&](double weight, double side) { return rock_breaking_velocity(rock, weight * axis + side * Vector3d::UnitX(), 14.0, axis, 0.0).dot(axis); };
+  const auto down = [&](double weight, double side)
+  { return rock_breaking_velocity(rock, weight * axis + side * Vector3d::UnitX(), 14.0, axis, 0.0).dot(axis); };
   const double full = down(700.0, 0.0);
   EXPECT_NEAR(down(700.0, 70e3), 0.5 * full, 1e-9 * full);
   EXPECT_NEAR(down(700.0, 140e3), 0.2 * full, 1e-9 * full);
@@ -156,6 +157,50 @@ TEST(Formation, SlopeIsTheDerivative)
   }
 }
 
+// Below an exponent of 1 the slope grows without end towards the threshold; it is held at its value 1 N above it. From 1 on it is not.
+TEST(Formation, SlopeIsBoundedWithinANewtonOfTheThreshold)
+{
+  FormationLayer rock = main_job_rock();
+  rock.threshold = 8e3;
+  const double rate = 8.6e-9 * 14.0;  // of 1 N
+  rock.weight_exponent = 0.5;
+  EXPECT_NEAR(on_axis_rop_slope(rock, 14.0, 8e3 + 1e-3), 0.5 * rate, 1e-12 * rate);
+  EXPECT_NEAR(on_axis_rop_slope(rock, 14.0, 8e3 + 4.0), 0.25 * rate, 1e-12 * rate);
+  EXPECT_EQ(on_axis_rop_slope(rock, 14.0, 8e3), 0.0);
+  EXPECT_EQ(on_axis_rop(rock, 14.0, 7e3), 0.0);
+  EXPECT_NEAR(on_axis_rop(rock, 14.0, 8e3 + 0.25), 0.5 * rate, 1e-12 * rate);
+  rock.weight_exponent = 1.0625;
+  EXPECT_NEAR(on_axis_rop_slope(rock, 14.0, 8e3 + 1.0 / 65536.0), 1.0625 * 0.5 * rate, 1e-12 * rate);
+}
+
+// N^2/(N^2 + 0.05^2) below an exponent of 1, by hand; from 1 on the rate goes to nought by itself.
+TEST(Formation, SlowTurningDrillsLess)
+{
+  FormationLayer rock = main_job_rock();
+  EXPECT_NEAR(drilling_coefficient(rock, 0.05) / rock.drillability, 0.05, 1e-15);
+  rock.speed_exponent = 0.0;
+  EXPECT_NEAR(drilling_coefficient(rock, 0.05) / rock.drillability, 0.5, 1e-15);
+  EXPECT_NEAR(drilling_coefficient(rock, 0.1) / rock.drillability, 0.8, 1e-15);
+}
+
+// Half a newton drills as half a newton does.
+TEST(Formation, TheLeastWeightDrills)
+{
+  const FormationLayer rock = main_job_rock();
+  const Vector3d axis = -Vector3d::UnitZ();
+  EXPECT_NEAR(rock_breaking_velocity(rock, 0.5 * axis, 14.0, axis, 0.1).dot(axis), 8.6e-9 * 14.0 * 0.5, 1e-20);
+}
+
+// Wholly anisotropic rock is cut along its beds' normal alone.
+TEST(Formation, FullAnisotropyCutsAcrossTheBeds)
+{
+  FormationLayer rock = main_job_rock();
+  rock.dip = 30.0 * degree;
+  rock.anisotropy = 1.0;
+  const Vector3d axis = -Vector3d::UnitZ(), n = bed_normal(rock);
+  EXPECT_LT((cutting_direction(rock, axis, 1.0, axis) + std::sqrt(0.75) * n).norm(), 1e-15);
+}
+
 TEST(Formation, LayersAreFoundByDepthAndRefusedOutOfOrder)
 {
   FormationLayer soft = main_job_rock(), hard = main_job_rock();
@@ -168,6 +213,18 @@ TEST(Formation, LayersAreFoundByDepthAndRefusedOutOfOrder)
   EXPECT_EQ(formation.at(500.0).drillability, hard.drillability);
   EXPECT_EQ(formation.at(5000.0).drillability, hard.drillability);
   EXPECT_THROW(Formation({hard, soft}), std::invalid_argument);
+  EXPECT_THROW(Formation({soft, soft}), std::invalid_argument) << "a layer of no thickness";
+  FormationLayer back = hard;
+  back.to_tvd = 800.0;
+  try
+  {
+    Formation({soft, hard, back});
+    FAIL();
+  }
+  catch (const std::invalid_argument& e)
+  {
+    EXPECT_STREQ("formation: layer 3 ends at tvd 800 m, it must end below the layer above (900 m)", e.what());
+  }
   EXPECT_THROW(Formation({}), std::invalid_argument);
 }
 }  // namespace

@@ -31,18 +31,41 @@ TEST(Directions, TangentAndBack)
     }
   EXPECT_EQ(azimuth_of(-Vector3d::UnitZ()), 0.0);
   EXPECT_EQ(azimuth_of(tangent_from(0.0, 4.0)), 0.0);
-  EXPECT_GE(azimuth_of(Vector3d(-1e-300, 1.0, 0.0)), 0.0);
-  EXPECT_LT(azimuth_of(Vector3d(-1e-300, 1.0, 0.0)), 2.0 * pi);
+  EXPECT_EQ(azimuth_of(Vector3d(-1e-300, 1.0, 0.0)), 0.0) << "below round-off of 2 pi";
 }
 
-// A hole inclined to the east: up is towards the west and up, right of it looking downhole (east) is south.
 TEST(Directions, AVerticalHoleHasNoAzimuthToRoundOff)
 {
   EXPECT_EQ(0.0, azimuth_of({1e-14, -1e-14, -1.0}));
   EXPECT_EQ(0.0, azimuth_of({-1e-14, 1e-15, 1.0})) << "upwards";
   EXPECT_NEAR(0.5 * pi, azimuth_of({1e-6, 0.0, -1.0}), 1e-12);
+  EXPECT_NEAR(pi, azimuth_of({0.0, -1e-6, -1.0}), 1e-12);
 }
 
+// An azimuth is that of a direction, whatever the vector's length: also of a position.
+TEST(Directions, AzimuthNeedsNoUnitVector)
+{
+  EXPECT_NEAR(0.5 * pi, azimuth_of({1.0, 0.0, 0.0}), 1e-15) << "level: nothing along z";
+  EXPECT_NEAR(0.5 * pi, azimuth_of({1e-15, 0.0, -1e-15}), 1e-15);
+  EXPECT_NEAR(1.5 * pi, azimuth_of({-1e4, 0.0, -1e4}), 1e-15);
+  EXPECT_EQ(0.0, azimuth_of({1e-10, 1e-10, -1e4})) << "vertical to round-off";
+}
+
+// Along the vertical the high side is north, along north the north side is up; a hair beside them they are what they are elsewhere.
+TEST(Directions, EachSideHasAnOtherWhereItWouldPointAlongTheHole)
+{
+  EXPECT_EQ(Vector3d::UnitY(), high_side(-Vector3d::UnitZ()));
+  EXPECT_EQ(Vector3d::UnitY(), high_side(Vector3d::UnitZ()));
+  EXPECT_EQ(Vector3d::UnitZ(), north_side(Vector3d::UnitY()));
+  EXPECT_LT((high_side(tangent_from(60 * degree, 0.0)) - Vector3d(0, 0.5, std::sqrt(0.75))).norm(), 1e-15);
+  EXPECT_LT((north_side(tangent_from(60 * degree, 90 * degree)) - Vector3d::UnitY()).norm(), 1e-15);
+  for (double lean : {1e-3, 1e-7, 1e-10})  // to the east: up is east of up
+    EXPECT_LT((high_side(tangent_from(lean, 90 * degree)) - Vector3d(std::cos(lean), 0.0, std::sin(lean))).norm(), 1e-15 / lean) << lean;
+  const Vector3d nearly_down(0.0, 1e-13, -1.0);
+  EXPECT_NEAR(high_side(nearly_down).dot(nearly_down), 0.0, 1e-16) << "square to the hole to round-off";
+}
+
+// A hole inclined to the east: up is towards the east and up, right of it looking downhole (east) is south.
 TEST(Directions, HighSideAndRightSide)
 {
   const Vector3d t = tangent_from(60 * degree, 90 * degree);
@@ -52,6 +75,9 @@ TEST(Directions, HighSideAndRightSide)
   EXPECT_NEAR(angle_about(t, high, -Vector3d::UnitY()), 90 * degree, 1e-15);
   EXPECT_NEAR(angle_about(t, high, Vector3d::UnitY()), -90 * degree, 1e-15);
   EXPECT_EQ(angle_about(t, high, Vector3d::Zero()), 0.0);
+  EXPECT_NEAR(std::abs(angle_about(-Vector3d::UnitZ(), Vector3d::UnitY(), -Vector3d::UnitY())), pi, 1e-15);
+  // a vector of nought has no angle, though minus nought times something would make one of 180 deg
+  EXPECT_EQ(angle_about(Vector3d(1, -1, 0).normalized(), -Vector3d(1, 1, 1).normalized(), Vector3d::Zero()), 0.0);
 }
 
 // Looking straight down with north ahead, east is to the right: clockwise.
@@ -62,6 +88,9 @@ TEST(Directions, BelowFiveDegreesNorthIsTheReference)
   EXPECT_TRUE(reference.magnetic);
   EXPECT_NEAR((reference.direction - Vector3d::UnitY()).norm(), 0.0, 1e-15);
   EXPECT_NEAR(angle_about(down, reference.direction, Vector3d::UnitX()), 90 * degree, 1e-15);
+  const Vector3d inclined = tangent_from(60 * degree, 90 * degree);
+  EXPECT_EQ(toolface_reference(inclined).direction, high_side(inclined));
+  EXPECT_EQ(toolface_reference(inclined, true).direction, high_side(inclined));
   EXPECT_TRUE(toolface_reference(tangent_from(4.9 * degree, 1.0)).magnetic);
   EXPECT_FALSE(toolface_reference(tangent_from(5.1 * degree, 1.0)).magnetic);
   EXPECT_TRUE(toolface_reference(tangent_from(5.9 * degree, 1.0), true).magnetic);
