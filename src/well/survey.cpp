@@ -29,8 +29,6 @@ void check(const std::vector<SurveyStation>& stations)
 Survey::Survey(const std::vector<SurveyStation>& stations)
 {
   check(stations);
-  points_.reserve(stations.size());
-  arcs_.reserve(stations.size() - 1);
   points_.push_back({stations[0].md, Eigen::Vector3d::Zero(), tangent_from(stations[0].inclination, stations[0].azimuth)});
   for (std::size_t i = 1; i < stations.size(); ++i)
   {

@@ -161,6 +161,23 @@ TEST(WellExtension, RestoredHoleGoesOnBitForBit)
   }
 }
 
+// Holes that differ in one coordinate of one node are two versions.
+TEST(WellExtension, VersionKnowsEachCoordinate)
+{
+  const Wellbore start(straight_well(100.0), every_metres(0.1), bit_radius);
+  const Vector3d down(0.0, 0.0, -0.11);
+  Wellbore hole(start);
+  hole.extend(down, down.normalized());
+  EXPECT_NE(hole.version(), start.version());
+  for (int k = 0; k < 3; ++k)
+  {
+    Wellbore other(start);
+    other.extend(down + 1e-3 * Vector3d::Unit(k), down.normalized());
+    ASSERT_EQ(other.node_count(), hole.node_count());
+    EXPECT_NE(other.version(), hole.version()) << k;
+  }
+}
+
 TEST(WellExtension, NothingIsAllocatedInAFrame)
 {
   Wellbore hole(bohai_well(), every_metres(0.1), bit_radius);

@@ -173,6 +173,33 @@ TEST(Survey, InterpolationIsConsistent)
     EXPECT_LT((survey.at(survey.station(i).md - 1e-9).position - survey.station(i).position).norm(), 2e-9);
 }
 
+// Above the first station and below the last the hole goes on straight.
+TEST(Survey, GoesOnStraightBeyondItsEnds)
+{
+  const Survey survey({{0.0, 30 * degree, 0.0}, {100.0, 60 * degree, 0.0}, {130.0, 90 * degree, 0.0}});
+  EXPECT_LT((survey.at(142.0).position - survey.station(2).position - Vector3d(0, 12, 0)).norm(), 1e-12);
+  EXPECT_LT((survey.at(142.0).tangent - Vector3d::UnitY()).norm(), 1e-15);
+  EXPECT_LT((survey.at(-10.0).position - Vector3d(0, -5, 10.0 * std::sqrt(0.75))).norm(), 1e-13);
+  EXPECT_EQ(survey.at(142.0).md, 142.0);
+}
+
+// The arc that begins at a station is the station's; there is none after the last station's.
+TEST(Survey, AnArcGoesFromItsStationToTheNext)
+{
+  const Survey survey({{0.0, 0.0, 0.0}, {100.0, 0.1, 0.0}, {130.0, 0.2, 0.0}, {150.0, 0.3, 0.0}});
+  const std::vector<double> mds = {-5.0, 0.0, 99.9, 100.0, 129.9, 130.0, 150.0, 160.0};
+  const std::vector<int> arcs = {0, 0, 0, 1, 1, 2, 2, 2};
+  for (std::size_t i = 0; i < mds.size(); ++i) EXPECT_EQ(survey.arc_at(mds[i]), arcs[i]) << mds[i];
+}
+
+// 20 km on an arc just short enough for the series of sin(x)/x: without its terms it is off by 0.1 nm and more.
+TEST(Survey, TheSeriesForWeakArcsIsExactToRoundOff)
+{
+  const double inclination = 0.0198, radius = 20e3 / inclination;
+  const Survey survey({{0.0, 0.0, 0.0}, {20e3, inclination, 0.0}});
+  EXPECT_NEAR(survey.station(1).position.z(), -radius * std::sin(inclination), 3e-11);
+}
+
 TEST(Survey, RefusesWhatIsNoSurvey)
 {
   const double nan = std::nan("");
