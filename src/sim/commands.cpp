@@ -104,8 +104,8 @@ void watch_commands(double timeout, double now, CommandState& state) noexcept
 {
   constexpr double not_begun = std::numeric_limits<double>::infinity();
   if (timeout <= 0.0) state.last_winch = state.last_drive = not_begun;
-  state.winch_silent = timeout > 0.0 && now - state.last_winch > timeout;
-  state.drive_silent = timeout > 0.0 && now - state.last_drive > timeout;
+  state.winch_silent = now - state.last_winch > timeout;
+  state.drive_silent = now - state.last_drive > timeout;
 }
 
 }  // namespace drill_rig_sim

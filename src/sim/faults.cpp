@@ -6,7 +6,7 @@ namespace drill_rig_sim
 {
 bool stick_pipe(const Model& model, double bit_depth, double md, State& state) noexcept
 {
-  if (!(md > 0.0 && std::isfinite(md))) return false;
+  if (!(md > 0.0)) return false;
   int nearest = -1;
   double distance = model.scene().numerics.element_length;
   for (int i = 0; i < model.top(); ++i)

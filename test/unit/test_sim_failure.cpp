@@ -335,7 +335,7 @@ TEST(Commands, aClampShowsBesideOtherCommandsOfItsFrame)
 TEST(StickPipe, gripsTheNearestNodeOrRefuses)
 {
   Simulator rig(drilling_scene(30.0));  // bit at 70 m; nodes every 9.5 m and less
-  for (const double nowhere : {kNan, kInfinity, -kInfinity, 70.0 + 9.6, 200.0, -30.0})
+  for (const double nowhere : {kNan, kInfinity, -kInfinity, 70.0 + 9.6, 200.0, -30.0, -0.1, 0.0})
   {
     EXPECT_FALSE(rig.stick_pipe(nowhere)) << nowhere;
     EXPECT_EQ(rig.save()->mechanics.stuck_point.node, -1);

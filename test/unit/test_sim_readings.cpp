@@ -226,7 +226,7 @@ TEST(RateMeter, isTheMeanOverTheWindow)
 // Slow frames make no longer window; where they are longer than the window, it is theirs.
 TEST(RateMeter, windowIsOfTimeNotOfCalls)
 {
-  for (const double frame : {1.0, 2.5, 20.0})
+  for (const double frame : {0.5, 1.0, 2.5, 20.0})
   {
     RateMeter meter;
     const double window = std::max(10.0, frame);
