@@ -1,0 +1,70 @@
+// What is reported of a string at rest or in slow motion: weights by hand, the bit's tilt and side force from its place in the hole.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/sim/profile.h"
+#include "drill_rig_sim/solve/start.h"
+#include "drill_rig_sim/well/directions.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+using Eigen::Vector3d;
+
+namespace
+{
+constexpr double weight_on_bit = 10e3;  // [N]
+
+/// Two collars and pipe on the bottom of a slanted hole of 200 m.
+Scene resting_string()
+{
+  Scene scene = slanted_scene(200.0, 0.2);
+  scene.string.insert(scene.string.begin() + 1, collar_part(2, 9.4));
+  scene.start.weight_on_bit = weight_on_bit;
+  return scene;
+}
+}  // namespace
+
+TEST(StaticReport, isOfTheBitAtTheStringsLowerEnd)
+{
+  const Scene scene = resting_string();
+  const StaticReport report = static_report(scene, FrictionMode::none);
+  const RigAtRest rig = build_at_rest(scene);
+  ASSERT_NE(report.profile.contact_side.front(), report.profile.contact_side.back());
+  EXPECT_EQ(report.bit_side_force, rig.statics.forces.contact.front());
+  EXPECT_EQ(report.bit_side_direction, report.profile.contact_side.front());
+  EXPECT_GT(report.bit_side_force, 0.0);
+  // the hole is straight: the angle between two directions, by its cosine
+  const Vector3d axis = x_axis(rig.state.nodes.front().orientation), hole = tangent_from(slant, slant_azimuth);
+  EXPECT_GT(report.bit_tilt, 1e-5);
+  EXPECT_NEAR(std::cos(report.bit_tilt), axis.dot(hole), 1e-12);
+  EXPECT_NEAR(std::sin(report.bit_tilt), axis.cross(hole).norm(), 1e-9);
+  EXPECT_NEAR(report.hook_load - report.hook_load_string, standard_gravity * scene.rig.hoisting.block_mass, 1e-6);
+}
+
+// Friction on the way up or down is the pipe's, not the bottom's: the bit goes on carrying the scene's weight.
+TEST(StaticReport, holdsTheWeightOnBitInEachMotion)
+{
+  const Scene scene = resting_string();
+  const StaticReport still = static_report(scene, FrictionMode::none);
+  for (const FrictionMode motion : {FrictionMode::none, FrictionMode::up, FrictionMode::down, FrictionMode::rotate})
+  {
+    const StaticReport report = static_report(scene, motion);
+    const double tolerance = motion == FrictionMode::none ? 1e-2 : 1e-4;  // a start's; a motion's
+    EXPECT_NEAR(report.outcome.forces.wob, weight_on_bit, tolerance * weight_on_bit);
+    const double drag = report.hook_load - still.hook_load;
+    EXPECT_EQ(drag > 100.0, motion == FrictionMode::up) << drag;
+    EXPECT_EQ(drag < -100.0, motion == FrictionMode::down) << drag;
+    EXPECT_EQ(report.torque > 1.0, motion == FrictionMode::rotate) << report.torque;
+    EXPECT_EQ(report.torque, report.outcome.top_torque);
+    EXPECT_EQ(report.hook_load_string, report.outcome.top_force);
+  }
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
