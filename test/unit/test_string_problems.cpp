@@ -1,0 +1,124 @@
+// The rules for a string: what each says and where its limit is.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "drill_rig_sim/string/mesh.h"
+#include "drill_rig_sim/string/string_checks.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+using Parts = std::vector<PartSpec>;
+
+/// A part `length` long, as a scene file makes it.
+PartSpec of_length(double length, PartSpec part)
+{
+  part.length = length;
+  return part;
+}
+
+const PartSpec bit = bit_part(0.2159);  // 0.3 m
+const PartSpec motor = motor_part();    // 8.3 m
+const PartSpec collars = of_length(18.8, collar_part(2, 9.4));
+const PartSpec fill = pipe_part(0, 9.5, tool_jointed_mass);
+
+/// "key: text" of the one problem; how many there are if it is not one.
+std::string said_of(const Parts& parts, double length = 320.0, double element_length = 9.5)
+{
+  const ProblemList problems = string_problems(parts, length, element_length);
+  return problems.size() == 1 ? problems[0].key + ": " + problems[0].text : std::to_string(problems.size()) + " problems";
+}
+
+PartSpec motor_bent_at(double from_bit)
+{
+  PartSpec part = motor;
+  part.motor->bit_to_bend = from_bit;
+  return part;
+}
+}  // namespace
+
+TEST(StringRules, KindsStandInTheirPlaces)
+{
+  EXPECT_EQ("0 problems", said_of({bit, motor, mwd_part(), collars, fill}));
+  EXPECT_EQ("string: the list is empty, needed: at least a bit and a pipe", said_of({}));
+  EXPECT_EQ("string[1].type: a second bit, allowed: one", said_of({bit, bit, fill}));
+  EXPECT_EQ("string[2].type: a second mud motor, allowed: one", said_of({bit, motor, motor_bent_at(10.0), fill}));
+  EXPECT_EQ("string[2].type: a mud motor turns the bit alone, allowed: directly above the bit", said_of({bit, collars, motor_bent_at(22.0), fill}));
+  EXPECT_EQ("string[2].type: a second mwd, allowed: one", said_of({bit, mwd_part(), mwd_part(), fill}));
+  EXPECT_EQ("string[1].joints: `fill` is not the string's last part, allowed: on the last part only", said_of({bit, fill, collars, fill}));
+}
+
+TEST(StringRules, PlacesInsideAPartLieInside)
+{
+  EXPECT_EQ("string[1].bit_to_bend: 0.3 m is outside the motor, allowed: between 0.3 and 8.6 m", said_of({bit, motor_bent_at(0.3), fill}));
+  EXPECT_EQ("string[1].bit_to_bend: 8.7 m is outside the motor, allowed: between 0.3 and 8.6 m", said_of({bit, motor_bent_at(8.7), fill}));
+  EXPECT_EQ("0 problems", said_of({bit, motor_bent_at(0.4), fill}));
+  EXPECT_EQ("0 problems", said_of({bit, motor_bent_at(8.5), fill}));
+  PartSpec mwd = mwd_part();
+  mwd.mwd->sensor_offset = mwd.length;
+  EXPECT_EQ("0 problems", said_of({bit, mwd, fill}));
+  mwd.length = mwd.joint_length = 9.0;
+  mwd.mwd->sensor_offset = 9.25;
+  EXPECT_EQ("string[1].sensor_offset: 9.25 m is outside the part, allowed: 0 to 9 m", said_of({bit, mwd, fill}));
+}
+
+// Of a bit's friction the kinetic one may equal the static one; other laws do not have them.
+TEST(StringRules, KineticFrictionDoesNotExceedStatic)
+{
+  PartSpec part = bit;
+  part.bit->torque.model = BitTorqueModel::stribeck;
+  part.bit->torque.static_friction = part.bit->torque.kinetic_friction = 0.5;
+  EXPECT_EQ("0 problems", said_of({part, fill}));
+  part.bit->torque.kinetic_friction = 0.75;
+  EXPECT_EQ("string[0].torque.kinetic: 0.75 exceeds static, allowed: up to 0.5", said_of({part, fill}));
+  part.bit->torque.model = BitTorqueModel::detournay;
+  EXPECT_EQ("0 problems", said_of({part, fill}));
+}
+
+// Half a metre must be left to fill.
+TEST(StringRules, ThePartsBelowTheFillLeaveRoomForIt)
+{
+  EXPECT_EQ("0 problems", said_of({bit, collars, fill}, 19.65));
+  EXPECT_EQ("string: the parts below `fill` are 19.1 m long, allowed: up to 0.5 m less than the 19.55 m from the bit to the top drive "
+            "(bit_depth + block_height)",
+            said_of({bit, collars, fill}, 19.55));
+}
+
+// 19.1 m of bit and two collars.
+TEST(StringRules, AStringOfFixedLengthIsRefusedForWhatItLacks)
+{
+  const std::string from_bit = " from the bit to the top drive (bit_depth + block_height)";
+  const std::string own = "string[1]: the last part has a length of its own, needed: `joints: fill`, for the string stretches by what it carries";
+  EXPECT_EQ("string: the string is 19.1 m long, needed: 20 m" + from_bit + "; or let the last part `fill`", said_of({bit, collars}, 20.0));
+  EXPECT_EQ("string: the string is 19.1 m long, needed: 9.6 m" + from_bit, said_of({bit, collars}, 9.6));
+  for (const double length : {9.8, 19.1, 19.2}) EXPECT_EQ(own, said_of({bit, collars}, length)) << length;
+}
+
+// By hand: 300 m of pipe are 32 joints of 9.5 m, each in 1900 elements of 5 mm.
+TEST(StringRules, NodesAreCountedBeforeTheyAreMade)
+{
+  EXPECT_EQ("numerics.element_length: 0.005 m makes some 60801 nodes of this string, allowed: up to " + std::to_string(most_mesh_nodes),
+            said_of({bit, fill}, 300.3, 0.005));
+}
+
+TEST(StringRules, TheBitsCentreLiesBelowTheNextNode)
+{
+  PartSpec flat = bit;
+  flat.length = 0.02;
+  PartSpec bent = motor_bent_at(0.115);
+  EXPECT_EQ("string[0].length: the next node is 0.115 m above the bit's face and the bit's centre 0.10795 m, needed: a longer bit, so that "
+            "the centre lies 0.01 m or more below that node",
+            said_of({flat, bent, fill}));
+  bent = motor_bent_at(8.6 - 0.005);
+  EXPECT_EQ("string[1].bit_to_bend: an element of this part is 0.005 m long, allowed: 0.01 m or more", said_of({bit, bent, fill}));
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
