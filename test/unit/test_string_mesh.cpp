@@ -99,6 +99,57 @@ TEST(Mesh, putsNodesWhereTheStringIsSpecial)
     }
 }
 
+// Bit, motor, stabiliser, survey tool, two collars, pipe: each node and element tells whose it is and has that part's own numbers.
+TEST(Mesh, knowsWhoseEachPlaceIs)
+{
+  Scene scene = assembly();
+  scene.string.insert(scene.string.begin() + 3, mwd_part());
+  scene.string[0].bit->squeeze_film_damping = 123.0;
+  scene.string[2].stabilizer->squeeze_film_damping = 45.0;
+  scene.string[4].contact.emplace().stiffness = 1e9;
+  const Mesh mesh = build_mesh(scene, 320.0);
+  const std::vector<double> bottoms = {0.0, 0.3, 8.6, 10.4, 19.4, 38.2, 320.0};
+  ASSERT_EQ(6u, mesh.part_bottom.size());
+  ASSERT_EQ(6u, mesh.part_top.size());
+  for (int p = 0; p < 6; ++p)
+  {
+    EXPECT_NEAR(mesh.part_bottom[p], bottoms[p], 1e-9) << p;
+    EXPECT_NEAR(mesh.part_top[p], bottoms[p + 1], 1e-9) << p;
+  }
+  EXPECT_NEAR(mesh.sensor_from_bit, 14.4, 1e-9);
+  for (std::size_t i = 1; i < mesh.nodes.size(); ++i)
+  {
+    const MeshNode& node = mesh.nodes[i];
+    const MeshElement& e = mesh.elements[i - 1];
+    const PartSpec& part = scene.string[node.part];
+    EXPECT_EQ(e.part, node.part);
+    EXPECT_GT(node.from_bit, bottoms[node.part] + 1e-9);
+    EXPECT_LT(node.from_bit, bottoms[node.part + 1] + 1e-9);
+    EXPECT_EQ(node.contact.stiffness, node.part == 4 ? 1e9 : scene.contact.law.stiffness);
+    EXPECT_EQ(e.outer_diameter, part.outer_diameter);
+    EXPECT_NEAR(e.outer_area, pi * std::pow(0.5 * part.outer_diameter, 2), 1e-15);
+    EXPECT_NEAR(e.bore_area, pi * std::pow(0.5 * part.inner_diameter, 2), 1e-15);
+    const bool blades = std::abs(node.from_bit - 9.5) < 1e-9;
+    EXPECT_EQ(node.squeeze_film_damping, blades ? 45.0 : 0.0);
+    const bool bend = static_cast<int>(i) == mesh.bend_node;
+    EXPECT_NEAR(node.contact_radius, blades ? 0.106 : node.from_bit > 38.0 && node.joint_end ? 0.084 : 0.5 * part.outer_diameter, 1e-15) << i;
+    const Eigen::Vector3d normal = e.upper_end * Eigen::Vector3d::UnitX(), turned(std::cos(1.25 * degree), std::sin(1.25 * degree), 0.0);
+    EXPECT_LT((normal - (bend ? turned : Eigen::Vector3d::UnitX())).norm(), 1e-15) << "towards y";
+    EXPECT_EQ(node.joint, part.joints == 1 ? 0 : static_cast<int>((node.from_bit - bottoms[node.part] - 1e-9) / part.joint_length)) << i;
+  }
+  EXPECT_EQ(mesh.nodes[0].squeeze_film_damping, 123.0);
+}
+
+// A straight motor has no node of its own.
+TEST(Mesh, aMotorWithoutABendIsCutEvenly)
+{
+  Scene scene = assembly();
+  scene.string[1] = motor_part(0.0);
+  const Mesh mesh = build_mesh(scene, 320.0);
+  EXPECT_EQ(-1, mesh.bend_node);
+  EXPECT_NEAR(mesh.nodes[1].from_bit, 8.6, 1e-9);
+}
+
 // The section's second moments, by hand from the diameters.
 TEST(Mesh, elementsAndInertiaAreThoseOfTheTube)
 {
@@ -134,11 +185,13 @@ TEST(Mesh, refusesStringsThatDoNotFit)
 {
   const Scene scene = assembly();
   EXPECT_NE(refusal(scene, 29.0).find("pipe"), std::string::npos) << refusal(scene, 29.0);
+  EXPECT_NE(refusal(scene, 29.45).find("leave only 0.25 m; at least 0.5 m"), std::string::npos) << refusal(scene, 29.45);
   EXPECT_EQ(refusal(scene, 30.0), "");
   Scene fixed = scene;
   fixed.string.back().joints = 10;
   EXPECT_NE(refusal(fixed, 300.0).find("fill"), std::string::npos) << refusal(fixed, 300.0);
   EXPECT_EQ(refusal(fixed, 29.2 + 95.0), "");
+  EXPECT_NE(refusal(fixed, 29.2 + 95.0 + 1e-5), "") << "to a micron";
 }
 
 TEST(StringProblems, nameTheKeyOfAnElementThatIsTooShortOrOfTooMany)
