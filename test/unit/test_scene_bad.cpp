@@ -100,6 +100,24 @@ TEST(SceneBad, AllProblemsAreReportedAtOnce)
   }
 }
 
+// Of very many problems the first forty are told, and that there are more.
+TEST(SceneBad, AWholeBookOfProblemsIsCutOff)
+{
+  std::string text = text_of(in_source("config/scenes/bohai.yaml"));
+  for (int i = 0; i < 300; ++i) text += "unknown_" + std::to_string(i) + ": 1\n";
+  try
+  {
+    parse_scene(text, "long.yaml");
+    FAIL() << "was accepted";
+  }
+  catch (const SceneError& error)
+  {
+    ASSERT_EQ(error.problems().size(), 41u);
+    EXPECT_EQ(error.problems()[40], "long.yaml: and more problems");
+    EXPECT_NE(error.problems()[39].find("unknown_39"), std::string::npos) << error.problems()[39];
+  }
+}
+
 TEST(SceneBad, MissingFilesAndFoldersAreRefused)
 {
   EXPECT_THROW(read_scene("/no/such/scene.yaml"), SceneError);

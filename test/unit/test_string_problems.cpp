@@ -45,6 +45,7 @@ TEST(StringRules, KindsStandInTheirPlaces)
 {
   EXPECT_EQ("0 problems", said_of({bit, motor, mwd_part(), collars, fill}));
   EXPECT_EQ("string: the list is empty, needed: at least a bit and a pipe", said_of({}));
+  EXPECT_EQ("string: there is nothing above the bit, needed: at least one pipe or collar", said_of({bit}));
   EXPECT_EQ("string[1].type: a second bit, allowed: one", said_of({bit, bit, fill}));
   EXPECT_EQ("string[2].type: a second mud motor, allowed: one", said_of({bit, motor, motor_bent_at(10.0), fill}));
   EXPECT_EQ("string[2].type: a mud motor turns the bit alone, allowed: directly above the bit", said_of({bit, collars, motor_bent_at(22.0), fill}));
