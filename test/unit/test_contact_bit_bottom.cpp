@@ -48,6 +48,17 @@ TEST(BitBottom, OffBottomIsZero)
   }
 }
 
+// v(F) by hand: from the threshold on, 2 um/s and newton.
+TEST(BitBottom, RockBreaksByTheForceAboveItsThreshold)
+{
+  const RockBreaking rock{2e-6, 1.0, 5e3};
+  EXPECT_EQ(rock_breaking_speed(rock, 4e3).value, 0.0);
+  EXPECT_EQ(rock_breaking_speed(rock, 5e3).slope, 0.0);
+  EXPECT_NEAR(rock_breaking_speed(rock, 6e3).value, 2e-3, 1e-17);
+  EXPECT_NEAR(rock_breaking_speed({2e-6, 2.0, 5e3}, 6e3).value, 2.0, 1e-14);
+  EXPECT_NEAR(rock_breaking_speed({2e-6, 2.0, 5e3}, 6e3).slope, 4e-3, 1e-17);
+}
+
 TEST(BitBottom, NoJumpAtFirstTouch)
 {
   EXPECT_LT(bit_bottom_force(bottom, 1e-9, 0.1, bohai, 0.005).value, 1e-3);
@@ -57,6 +68,8 @@ TEST(BitBottom, FirmRockIsHuntCrossley)
 {
   const BottomForce f = bit_bottom_force(bottom, 2e-3, 0.01, RockBreaking{}, 0.005);
   EXPECT_NEAR(f.value, 1e9 * std::pow(2e-3, 1.5) * 1.01, 1e-8 * f.value);
+  EXPECT_NEAR(f.stiffness, 1.5e9 * std::sqrt(2e-3) * 1.01, 1e-8 * f.stiffness);
+  EXPECT_NEAR(f.damping, 1e9 * std::pow(2e-3, 1.5), 1e-8 * f.damping);
   EXPECT_EQ(f.advance, 0.0);
 }
 
