@@ -75,6 +75,7 @@ TEST(BitTorqueLimit, DetournayCutsAndRubs)
 TEST(BitTorqueLimit, DetournayIsFiniteAtRest)
 {
   const TorqueLimit at_rest = detournay_bit_torque(drag_bit(), 0.3112, 74e3, 0.0, rock_with(0.0));
+  EXPECT_LT(detournay_bit_torque(drag_bit(), 0.3112, 74e3, 1.05, rock_with(0.0)).value, at_rest.value) << "it falls from 1 rad/s on";
   EXPECT_TRUE(std::isfinite(at_rest.value));
   EXPECT_EQ(at_rest.value, detournay_bit_torque(drag_bit(), 0.3112, 74e3, 1.0, rock_with(0.0)).value);
   EXPECT_EQ(detournay_bit_torque(drag_bit(), 0.3112, -5.0, 1.0, rock_with(1.0)).value, 0.0);
