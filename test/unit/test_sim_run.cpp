@@ -55,6 +55,17 @@ TEST(Run, FramesAreWholeSteps)
   EXPECT_DOUBLE_EQ(frame_of_whole_steps(0.01, 0.05), 0.05) << "one step at least";
 }
 
+TEST(Run, PlaysFramesOfWholeSteps)
+{
+  const Scene scene = read_scene(in_source("config/scenes/quick.yaml"), {"numerics.step=0.003"});
+  Simulator simulator(scene);
+  ProgramPlayer program(scene.program);
+  std::vector<double> times;
+  EXPECT_EQ(RunEnd::duration, run(simulator, program, {0.027}, kFrame, [&](const Truth& m) { times.push_back(m.time); }));
+  ASSERT_EQ(3u, times.size()) << "of 9 ms each";
+  EXPECT_NEAR(times[0], 0.009, 1e-12);
+}
+
 TEST(Run, EndsAfterItsDurationAndTellsEachFrameOnce)
 {
   const Scene scene = quick("[{at: 0.1, flow: 0.02}]");
