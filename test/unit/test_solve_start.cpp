@@ -26,6 +26,19 @@ Scene steep_scene()
   scene.string = {bit_part(0.2159), motor_part(), mwd_part(), pipe_part(0, 9.5, tool_jointed_mass)};
   return scene;
 }
+
+void expect_refusal(const Scene& scene, const std::string& word)
+{
+  try
+  {
+    build_at_rest(scene);
+    FAIL() << "was accepted";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_NE(std::string::npos, std::string(error.what()).find(word)) << error.what();
+  }
+}
 }  // namespace
 
 TEST(Start, aLongVerticalString)
@@ -79,15 +92,7 @@ TEST(Start, whatTheWinchMayNotLiftIsRefused)
   scene.rig.hoisting.max_hook_load = 1.01 * hook_load;
   EXPECT_NO_THROW(build_at_rest(scene));
   scene.rig.hoisting.max_hook_load = 0.99 * hook_load;
-  try
-  {
-    build_at_rest(scene);
-    FAIL() << "was accepted";
-  }
-  catch (const std::runtime_error& error)
-  {
-    EXPECT_NE(std::string::npos, std::string(error.what()).find("max_hook_load")) << error.what();
-  }
+  expect_refusal(scene, "max_hook_load");
 }
 
 // Torque is what weight holds: without it there is none.
@@ -122,15 +127,7 @@ TEST(Start, aBitThatCannotStandWhereItShouldIsRefused)
   scene.well.hole_depth = 150.0;
   scene.well.sections[0].to = 150.0;
   scene.string.insert(scene.string.begin() + 1, motor_part());
-  try
-  {
-    build_at_rest(scene);
-    FAIL() << "was accepted";
-  }
-  catch (const std::runtime_error& error)
-  {
-    EXPECT_NE(std::string::npos, std::string(error.what()).find("misses the wanted bit_depth")) << error.what();
-  }
+  expect_refusal(scene, "misses the wanted bit_depth");
 }
 
 // Iterations of both of its parts are bounded by what the caller grants, but for the one that KINSOL takes at least.

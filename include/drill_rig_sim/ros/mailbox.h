@@ -59,7 +59,6 @@ public:
   void clear() noexcept;
 
   Refusals& refusals() noexcept { return refusals_; }
-  const Refusals& refusals() const noexcept { return refusals_; }
 
 private:
   template <class Setpoint>
