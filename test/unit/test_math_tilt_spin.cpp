@@ -77,6 +77,16 @@ TEST(TiltSpin, DerivativeOfTheRateByFiniteDifferences)
   }
 }
 
+TEST(TiltSpin, SeriesMeetsTheClosedForm)
+{
+  const TiltSpin chart = some_chart();
+  const Vector3d w(1.3, -0.4, 2.2);
+  const Vector3d below = coordinates(chart, 0.1 * (1.0 - 1e-13), 0.0), above = coordinates(chart, 0.1 * (1.0 + 1e-13), 0.0);
+  EXPECT_LT((chart.rate(below, w) - chart.rate(above, w)).norm(), 1e-13);
+  EXPECT_LT((chart.rate_by_velocity(below) - chart.rate_by_velocity(above)).norm(), 1e-13);
+  EXPECT_LT((chart.rate_by_coordinates(below, w) - chart.rate_by_coordinates(above, w)).norm(), 1e-12);
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);
