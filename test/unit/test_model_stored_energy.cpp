@@ -10,6 +10,7 @@
 #include "drill_rig_sim/model/energy_accounts.h"
 #include "drill_rig_sim/model/forces/stuck_point.h"
 #include "drill_rig_sim/solve/methods/method.h"
+#include "drill_rig_sim/string/rotation_vector_beam.h"
 #include "lone_bit.h"
 
 using namespace drill_rig_sim;
@@ -86,9 +87,33 @@ TEST(Stored, stuckPoint)
 {
   RigAtRest rig = rig_at_rest();
   EXPECT_EQ(0.0, stored(rig).stuck_point);
-  rig.state.stuck_point = {1, rig.state.nodes[1].position - Vector3d(0.0, 3e-3, 4e-3), rig.state.nodes[1].spin_angle - 0.2};
   const double expected = 0.5 * stuck_point_stiffness * 25e-6 + 0.5 * stuck_point_torsion * 0.04;
-  EXPECT_NEAR(expected, stored(rig).stuck_point, 1e-9 * expected);
+  for (const int i : {0, 1})
+  {
+    rig.state.stuck_point = {i, rig.state.nodes[i].position - Vector3d(0.0, 3e-3, 4e-3), rig.state.nodes[i].spin_angle - 0.2};
+    EXPECT_NEAR(expected, stored(rig).stuck_point, 1e-9 * expected) << i;
+  }
+}
+
+// A pipe whose end turns in place sags by w L/12 (1 - cos) where the element has the end moments of its weight, and not at all elsewhere.
+TEST(Stored, weightAtAnEndThatTurns)
+{
+  for (const ElementKind kind : {ElementKind::corotational, ElementKind::geometrically_exact, ElementKind::rotation_vector})
+  {
+    Scene scene = weightless(lone_bit_scene());
+    scene.numerics.element = kind;
+    scene.string[1].linear_mass = plain_pipe_mass;
+    scene.mud.density = 0.0;
+    RigAtRest rig = build_at_rest(scene);
+    const MeshElement& pipe = rig.model->mesh().elements[0];
+    const double length = pipe.section.length, weight = standard_gravity * pipe.linear_mass * length;
+    const Eigen::Quaterniond plumb(ground_axes());
+    rig.state.nodes[0].orientation = plumb;
+    const double before = stored(rig).weight;
+    rig.state.nodes[0].orientation = Eigen::AngleAxisd(0.3, Vector3d::UnitY()) * plumb;
+    const double sunk = rig.model->beam().load_moments ? weight * length / 12.0 * (1.0 - std::cos(0.3)) : 0.0;
+    EXPECT_NEAR(-sunk, stored(rig).weight - before, 1e-9 * weight * length) << rig.model->beam().name;
+  }
 }
 
 // Strung line of length L_0 under the tension F = load / (2 n) holds F^2 L_0 / (2 E A); the drive J w^2 / 2, its meter k_m twist^2 / 2.

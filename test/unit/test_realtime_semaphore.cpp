@@ -22,6 +22,14 @@ TEST(Semaphore, countsItsPosts)
   EXPECT_FALSE(s.try_wait());
 }
 
+TEST(Semaphore, itsClockIsTheSteadyOne)
+{
+  const auto steady = [] { return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count(); };
+  const std::int64_t before = steady(), now = steady_now(), after = steady();
+  EXPECT_LE(before, now);
+  EXPECT_LE(now, after);
+}
+
 TEST(Semaphore, waitUntilGivesUpAtItsDeadlineAndNotBefore)
 {
   Semaphore s;
