@@ -159,6 +159,8 @@ TEST(TopDrive, TorqueLimits)
   TopDriveSetpoint command = speed_command(5.0);
   command.torque_limit = 12e3;
   EXPECT_DOUBLE_EQ(motor_torque_limit(spec, command, 1.0), 12e3);
+  command.torque_limit = 0.5;
+  EXPECT_DOUBLE_EQ(motor_torque_limit(spec, command, 1.0), 0.5);
   command.torque_limit = 90e3;
   EXPECT_DOUBLE_EQ(motor_torque_limit(spec, command, 1.0), 50e3);
 }
