@@ -274,13 +274,12 @@ std::string Services::inject_fault(const InjectFault::Request& request)
       {
         require_good(loop.rig());
         Simulator& simulator = *loop.rig().simulator;
-        const double bit = simulator.truth().bit_depth;
         if (request.clear)
           simulator.free_pipe();
-        else if (!(request.depth > 0.0 && request.depth <= bit) || !simulator.stick_pipe(request.depth))
+        else if (!simulator.stick_pipe(request.depth))
           throw Refusal("depth is " + std::to_string(request.depth) +
                         "; allowed is a depth where there is pipe in the hole, more than 0 (the rotary table) to " +
-                        std::to_string(bit) + " m (the bit)");
+                        std::to_string(simulator.truth().bit_depth) + " m (the bit)");
       });
   return request.clear ? "the pipe is free" : "the pipe is stuck at " + std::to_string(request.depth) + " m";
 }

@@ -6,17 +6,14 @@ namespace drill_rig_sim
 {
 bool stick_pipe(const Model& model, double bit_depth, double md, State& state) noexcept
 {
-  if (!(md > 0.0)) return false;
-  int nearest = -1;
-  double distance = model.scene().numerics.element_length;
-  for (int i = 0; i < model.top(); ++i)
+  if (!(md > 0.0 && md <= bit_depth)) return false;
+  int nearest = 0;
+  for (int i = 1; i < model.top(); ++i)
   {
     const double depth = bit_depth - model.mesh().nodes[i].from_bit;
-    if (depth <= 0.0 || std::abs(depth - md) >= distance) continue;
-    distance = std::abs(depth - md);
-    nearest = i;
+    const double of_nearest = bit_depth - model.mesh().nodes[nearest].from_bit;
+    if (depth > 0.0 && std::abs(depth - md) < std::abs(of_nearest - md)) nearest = i;
   }
-  if (nearest < 0) return false;
   state.stuck_point = {nearest, state.nodes[nearest].position, state.nodes[nearest].spin_angle};
   return true;
 }

@@ -24,7 +24,7 @@ class HoldsWeightOnBit(unittest.TestCase):
             if (state.header.stamp - states[0].header.stamp).to_sec() > SETTLING + SECONDS:
                 done.set()
         rospy.wait_for_service('/rig/set_speed', 60)
-        rospy.ServiceProxy('/rig/set_speed', SetSpeed)(3.0)
+        self.assertTrue(rospy.ServiceProxy('/rig/set_speed', SetSpeed)(3.0).success)
         rospy.Subscriber('/rig/truth/rig_state', RigState, take, queue_size=None)
         self.assertTrue(done.wait(150), 'the bit did not drill for %g s' % (SETTLING + SECONDS))
 

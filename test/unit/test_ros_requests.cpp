@@ -110,6 +110,8 @@ TEST(WithSurvey, sectionsReachTheNewBottom)
   ASSERT_EQ(2u, shorter.size()) << "what begins at the bottom or below goes";
   EXPECT_EQ(70.0, shorter[1].to);
   EXPECT_EQ(0.25, shorter[1].diameter);
+  request.hole_depth = 60.0;
+  EXPECT_EQ(70.0, with_survey(scene, 0.5, request).well.sections.back().to) << "as deep as it was";
   request.hole_depth = 20.0;
   EXPECT_EQ(1u, with_survey(scene, 0.5, request).well.sections.size());
 }

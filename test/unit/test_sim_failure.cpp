@@ -331,16 +331,16 @@ TEST(Commands, aClampShowsBesideOtherCommandsOfItsFrame)
   EXPECT_FALSE(rig.truth().command_clamped) << "of the last command";
 }
 
-// Pipe is gripped at its node nearest to the depth, within an element; where none is, or no depth is told, nothing changes.
+// Pipe is gripped at its node nearest to the depth; in the air, below the bit, or where no depth is told, nothing changes.
 TEST(StickPipe, gripsTheNearestNodeOrRefuses)
 {
   Simulator rig(drilling_scene(30.0));  // bit at 70 m; nodes every 9.5 m and less
-  for (const double nowhere : {kNan, kInfinity, -kInfinity, 70.0 + 9.6, 200.0, -30.0, -0.1, 0.0})
+  for (const double nowhere : {kNan, kInfinity, -kInfinity, 70.001, 200.0, -30.0, -0.1, 0.0})
   {
     EXPECT_FALSE(rig.stick_pipe(nowhere)) << nowhere;
     EXPECT_EQ(rig.save()->mechanics.stuck_point.node, -1);
   }
-  for (const double md : {70.0, 55.0, 31.0, 8.0, 70.0 + 5.0})
+  for (const double md : {rig.truth().bit_depth, 55.0, 31.0, 8.0, 0.001})
   {
     ASSERT_TRUE(rig.stick_pipe(md)) << md;
     const State state = rig.save()->mechanics;

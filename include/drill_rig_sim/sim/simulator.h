@@ -94,7 +94,7 @@ public:
 
   /// Zero of surface WOB and differential pressure, where they are and where the gauges show them. False (unchanged) on bottom.
   bool tare() noexcept;
-  /// Grips the pipe within a joint of measured depth `md`; false if no pipe is there.
+  /// Grips the pipe within an element of measured depth `md` [m]; false, and nothing changed, unless 0 < md <= the bit's depth.
   bool stick_pipe(double md) noexcept;
   void free_pipe() noexcept;
 
