@@ -130,21 +130,20 @@ bool read_number(const YAML::Node& node, const std::string& path, const Range& a
   return true;
 }
 
-bool read_whole(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems)
+void read_whole(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems)
 {
   double read = 0.0;
   if (!plain_scalar(node) || !parse_decimal(node.Scalar(), read) || read != std::floor(read))
   {
     problems.add(path, describe(node) + " is not a whole number, allowed: " + to_text(allowed));
-    return false;
+    return;
   }
   if (!inside(read, allowed))
   {
     problems.add(path, plain(read) + " is out of range, allowed: " + to_text(allowed));
-    return false;
+    return;
   }
   value = static_cast<int>(read);
-  return true;
 }
 
 bool read_word(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, int& word,
@@ -171,28 +170,27 @@ bool read_text(const YAML::Node& node, const std::string& path, std::string& val
   return true;
 }
 
-bool read_flag(const YAML::Node& node, const std::string& path, double& value, Problems& problems)
+void read_flag(const YAML::Node& node, const std::string& path, double& value, Problems& problems)
 {
   int word = 0;
-  if (!read_word(node, path, {"false", "true"}, word, problems)) return false;
+  if (!read_word(node, path, {"false", "true"}, word, problems)) return;
   value = word;
-  return true;
 }
 
-bool read_count_or_fill(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems)
+void read_count_or_fill(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems)
 {
   if (node.IsScalar() && node.Scalar() == "fill")
   {
     value = 0;
-    return true;
+    return;
   }
   double read = 0.0;
   if (!plain_scalar(node) || !parse_decimal(node.Scalar(), read))
   {
     problems.add(path, describe(node) + " is no count, allowed: " + to_text(allowed) + ", or fill");
-    return false;
+    return;
   }
-  return read_whole(node, path, allowed, value, problems);
+  read_whole(node, path, allowed, value, problems);
 }
 
 std::map<std::string, YAML::Node> read_entries(const YAML::Node& node, const std::string& path,

@@ -20,15 +20,15 @@ int line_of(const YAML::Node& node);
 /// What a node is, for messages: "text", "a list", "a block", "nothing". What it holds is not told: the file may be a wrong one.
 std::string describe(const YAML::Node& node);
 
-/// One value out of a scalar; false (and a problem noted) if it is no such value or out of range.
+/// One value out of a scalar; the value stays (false, and a problem noted) if it is no such value or out of range.
 bool read_number(const YAML::Node& node, const std::string& path, const Range& allowed, const char* unit, double& value,
                  Problems& problems);
-bool read_whole(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems);
+void read_whole(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems);
 bool read_word(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, int& word,
                Problems& problems);
 bool read_text(const YAML::Node& node, const std::string& path, std::string& value, Problems& problems);
-bool read_flag(const YAML::Node& node, const std::string& path, double& value, Problems& problems);
-bool read_count_or_fill(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems);
+void read_flag(const YAML::Node& node, const std::string& path, double& value, Problems& problems);
+void read_count_or_fill(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems);
 
 /// The entries of a block by key, each key noted with its line; problems for duplicates, keys that are no text and unknown keys
 /// (`known` lists the allowed ones). Empty if the node is no block.

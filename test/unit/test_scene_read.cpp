@@ -216,6 +216,22 @@ TEST(SurveyCsv, MayBeginWithAByteOrderMark)
   EXPECT_EQ("", survey_refusal("\xef\xbb\xbfmd_m,inclination_deg,azimuth_deg\r\n0,0,0\r\n30,1,297\r\n"));
 }
 
+TEST(SurveyCsv, FilesThatHoldNothingOrNeverEnd)
+{
+  const std::string needed = "needed: a CSV file with the columns md_m, inclination_deg, azimuth_deg";
+  for (const char* text : {"", "\n", "# md_m,inclination_deg,azimuth_deg\n"}) EXPECT_EQ(": is empty, " + needed, survey_refusal(text));
+  const std::string endless = "/proc/self/pagemap";  // a regular file without a size that goes on for 256 GB
+  try
+  {
+    read_survey_csv(endless);
+    FAIL();
+  }
+  catch (const SceneError& error)
+  {
+    EXPECT_EQ(endless + ": is larger than 16 MiB, " + needed, error.what());
+  }
+}
+
 TEST(SurveyProblems, NameTheStation)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
