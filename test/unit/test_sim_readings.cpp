@@ -5,9 +5,12 @@
 #include <functional>
 
 #include "drill_ahead.h"
+#include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/sim/instruments.h"
+#include "drill_rig_sim/sim/simulator_state.h"
+#include "drill_rig_sim/well/directions.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
@@ -204,6 +207,28 @@ TEST(Readings, depthsAreWorkedOutFromTheBlocksHeight)
   for (int k = 0; k < 100; ++k) rig.frame(frame);
   EXPECT_EQ(rig.readings().hole_depth, deepest) << "picking up makes no hole";
   EXPECT_LT(rig.readings().bit_depth, deepest);
+}
+
+// In a hole that bends by 0.3 deg a metre the survey tool's sensor, between two nodes, sees an inclination between theirs.
+TEST(Readings, surveyToolMeasuresWhereItIs)
+{
+  Scene scene = scene_in({{0.0, 0.0, 0.0}, {100.0, 0.0, 1.0}, {300.0, 60.0 * degree, 1.0}}, 300.0, 290.0, 0.2);
+  scene.string.insert(scene.string.begin() + 1, mwd_part());
+  scene.instruments.mwd.latency = 0.0;
+  Simulator rig(scene);
+  rig.command(PumpSetpoint{0.02});
+  while (rig.readings().mwd.sequence == 0) ASSERT_EQ(rig.frame(frame), FrameStatus::running) << rig.failure();
+  StringProfile along;
+  rig.profile(along);
+  const double sensor = 0.3 + 4.0;  // above the bit's face: the bit's length and the tool's offset [m]
+  std::size_t upper = 1;
+  while (along.from_bit[upper] < sensor) ++upper;
+  const auto inclination_at = [&](std::size_t i) { return inclination_of(x_axis(rig.save()->mechanics.nodes[i].orientation)); };
+  const double share = (sensor - along.from_bit[upper - 1]) / (along.from_bit[upper] - along.from_bit[upper - 1]);
+  const double below = inclination_at(upper - 1), above = inclination_at(upper);
+  ASSERT_GT(std::abs(below - above), 0.5 * degree);
+  EXPECT_NEAR(below + share * (above - below), rig.readings().mwd.inclination, 0.01 * degree);
+  EXPECT_NEAR(rig.truth().bit_depth - sensor, rig.readings().mwd.md, 1e-9);
 }
 
 // 2 mm/s from 3 s on: 0 before; rising with the part of the window that has drilled; then the rate.

@@ -125,6 +125,9 @@ TEST(DrillingRecord, lastQuarterIsOfWholeSeconds)
   EXPECT_NEAR(4.5, record.all().wob(), 1e-12);
   EXPECT_EQ(30u, record.last_quarter().samples());
   EXPECT_NEAR(8.0, record.last_quarter().wob(), 1e-12);
+  DrillingRecord four;
+  for (int k = 0; k < 40; ++k) four.add(drilling_at(0.1 * k, k / 10));
+  EXPECT_EQ(10u, four.last_quarter().samples()) << "of four seconds one";
 }
 
 }  // namespace drill_rig_sim

@@ -53,6 +53,9 @@ TEST(WellExtension, LengthAndVolumeAreThoseDrilled)
   }
   EXPECT_NEAR(hole.drilled_path_length(), drilled, 1e-9);
   EXPECT_LT((hole.bottom_position() - hole.hole_depth() * axis).norm(), 1e-9);
+  std::vector<Vector3d> path;
+  hole.raw_path(path);
+  EXPECT_EQ(path.back(), hole.bottom_position()) << "the path before its correction ends where the bit is";
   double volume = 0.0;
   for (int i = before; i < hole.node_count(); ++i)
     volume += pi * hole.node(i).radius * hole.node(i).radius * (hole.node(i).md - hole.node(i - 1).md);
