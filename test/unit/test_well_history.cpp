@@ -3,6 +3,7 @@
 #include <random>
 #include <vector>
 
+#include "drill_rig_sim/math/visit.h"
 #include "drill_rig_sim/well/history.h"
 
 namespace drill_rig_sim
@@ -72,6 +73,24 @@ TEST(History, CopiesKeepTheirCapacity)
   wider = copy;
   EXPECT_EQ(wider.capacity(), 4u);
   expect_same(wider, all);
+}
+
+TEST(History, BytesHoldTheEntriesStillHeld)
+{
+  for (const int pushed : {0, 3, 10})
+  {
+    History<double> history(4);
+    std::vector<double> all;
+    for (int i = 0; i < pushed; ++i) push(history, all, 1.5 * i);
+    History<double> read(4);
+    ASSERT_TRUE(from_bytes(to_bytes(history), read));
+    expect_same(read, all);
+    EXPECT_EQ(history.hash(), read.hash());
+    push(history, all, 7.0);
+    read.push(7.0, 7.0, 0.0, 0.0);
+    expect_same(read, all);
+    EXPECT_EQ(history.hash(), read.hash());
+  }
 }
 }  // namespace
 }  // namespace drill_rig_sim
