@@ -24,7 +24,9 @@ class Node:
         self.name = "/" + namespace + "/rig_simulator"
         self.output = tempfile.TemporaryFile("w+")
         command = ["stdbuf", "-oL", program, "__ns:=" + namespace] + ["_" + s for s in ("scene:=quick.yaml",) + settings]
-        self.process = subprocess.Popen(command, stdout=self.output, stderr=subprocess.STDOUT, text=True, **options)
+        # stdbuf loads a library of its own ahead of all others, which an instrumented program refuses unless told
+        environment = dict(os.environ, ASAN_OPTIONS=os.environ.get("ASAN_OPTIONS", "") + ":verify_asan_link_order=0")
+        self.process = subprocess.Popen(command, stdout=self.output, stderr=subprocess.STDOUT, text=True, env=environment, **options)
 
     def said(self):
         self.output.seek(0)

@@ -22,7 +22,8 @@ struct Coil
 std::vector<Eigen::Vector3d> places(const Ride& ride)
 {
   std::vector<Eigen::Vector3d> out;
-  for (const NodeState& node : ride.simulator().save()->mechanics.nodes) out.push_back(node.position);
+  const auto saved = ride.simulator().save();
+  for (const NodeState& node : saved->mechanics.nodes) out.push_back(node.position);
   return out;
 }
 
