@@ -28,7 +28,7 @@ std::string HeardClock::silence(const ros::SteadyTime& now, bool published) cons
 
 std::string HeardClock::trouble(const ros::SteadyTime& now, bool published) const
 {
-  const std::string silent_for = follows_ ? silence(now, published) : "";
+  std::string silent_for = follows_ ? silence(now, published) : "";
   if (!silent_for.empty()) return silent_for;
   if (second_.empty() || (now - second_heard_).toSec() > silent) return "";
   return "two nodes publish /clock: " + publisher_ + " and " + second_;
