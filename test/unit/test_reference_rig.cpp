@@ -59,6 +59,16 @@ struct Interval
   /// Node i's six numbers of place, or of rates.
   double* place(int body) { return y.data() + 12 * body; }
   double* rates(int body) { return y.data() + 12 * body + 6; }
+  /// Node 1, the rotor and the bit are elsewhere than where the interval began.
+  void displace()
+  {
+    Map<Vector3d>(place(1)) += Vector3d(1e-3, 2e-3, 3e-3);
+    Map<Vector3d>(place(1) + 3) += 0.05 * x_axis(rig.state.nodes[1].orientation);
+    Map<Vector3d>(place(nodes + 1) + 3) += 0.07 * -Vector3d::UnitZ();
+    further()[0] = 9.0;
+    further()[1] += 0.08;
+    further()[4] -= 1e-4;
+  }
 };
 
 /// Starts of IDA in so many steps.
@@ -150,17 +160,12 @@ TEST(ReferenceRig, hasATolerancePerUnknown)
 TEST(ReferenceRig, aStageHasTheMotionSinceTheIntervalBegan)
 {
   Interval d;
-  Map<Vector3d>(d.place(1)) += Vector3d(1e-3, 2e-3, 3e-3);
+  d.displace();
   const Vector3d n = x_axis(d.rig.state.nodes[1].orientation);
-  Map<Vector3d>(d.place(1) + 3) += 0.05 * n;
   Map<Vector3d>(d.rates(1)) = Vector3d(0.4, 0.5, 0.6);
   Map<Vector3d>(d.rates(1) + 3) = Vector3d(0.0, 0.0, -3.0);
   const int rotor = d.nodes + 1;
-  Map<Vector3d>(d.place(rotor) + 3) += 0.07 * -Vector3d::UnitZ();
   Map<Vector3d>(d.rates(rotor) + 3) = Vector3d(0.0, 0.0, -2.5);
-  d.further()[0] = 9.0;
-  d.further()[1] += 0.08;
-  d.further()[4] -= 1e-4;
   for (int k = 0; k < 6; ++k) d.rate[12 + 6 + k] = 1.0 + k;
   d.rate[12 * rotor + 11] = -30.0;
 
@@ -200,15 +205,10 @@ TEST(ReferenceRig, anIntervalsEndIsTheStates)
   Interval d;
   const Vector3d n = x_axis(d.rig.state.nodes[1].orientation);
   const Vector3d across = n.unitOrthogonal();
-  Map<Vector3d>(d.place(1)) += Vector3d(1e-3, 2e-3, 3e-3);
-  Map<Vector3d>(d.place(1) + 3) += 0.05 * n;
+  d.displace();
   Map<Vector3d>(d.rates(1) + 3) = 3.0 * n + 0.2 * across;
   const int rotor = d.nodes + 1;
-  Map<Vector3d>(d.place(rotor) + 3) += 0.07 * -Vector3d::UnitZ();
   Map<Vector3d>(d.rates(rotor) + 3) = Vector3d(0.0, 0.0, -1.5);
-  d.further()[0] = 9.0;
-  d.further()[1] += 0.08;
-  d.further()[4] -= 1e-4;
   State state = d.rig.state;
   const double depth = state.well.bottom_position().z();
   const double twist = state.drive.meter_twist;

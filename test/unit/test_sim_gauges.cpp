@@ -67,12 +67,8 @@ TEST(RateMeter, movesWithTheClock)
 
 TEST(Mwd, movesWithTheClock)
 {
-  MwdSpec spec;
-  spec.period = 6.0;
-  spec.latency = 8.0;
-  ToolfaceSpec toolface;
-  toolface.period = 2.0;
-  toolface.latency = 5.0;
+  const MwdSpec spec{6.0, 8.0};
+  const ToolfaceSpec toolface{2.0, 5.0};
   Mwd still(spec, toolface), moved(spec, toolface);
   MwdReading survey, survey_of_moved;
   ToolfaceReading face, face_of_moved;

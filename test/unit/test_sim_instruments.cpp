@@ -119,13 +119,7 @@ TEST(Mwd, surveysComeByPeriodLateAndRounded)
 // A simulator's time is a sum of steps, and 10 s of them are 9.99999...: the reading is due all the same, not a frame later.
 TEST(Mwd, isPunctualWhateverTheSumsOfSteps)
 {
-  MwdSpec spec;
-  spec.period = 10.0;
-  spec.latency = 0.0;
-  ToolfaceSpec fast;
-  fast.period = 0.3;
-  fast.latency = 0.0;
-  Mwd mwd(spec, fast);
+  Mwd mwd(MwdSpec{10.0, 0.0}, ToolfaceSpec{0.3, 0.0});
   MwdReading survey;
   ToolfaceReading toolface;
   double time = 0.0;
@@ -185,13 +179,7 @@ TEST(Mwd, noiseIsInEachAngle)
 // Pulses in the mud: what was measured before the pumps stopped comes when they run again.
 TEST(Mwd, whatIsOnItsWayWaitsForFlow)
 {
-  MwdSpec spec;
-  spec.period = 10.0;
-  spec.latency = 4.0;
-  ToolfaceSpec fast;
-  fast.period = 10.0;
-  fast.latency = 4.0;
-  Mwd mwd(spec, fast);
+  Mwd mwd(MwdSpec{10.0, 4.0}, ToolfaceSpec{10.0, 4.0});
   MwdReading survey;
   ToolfaceReading toolface;
   for (double t = 0.0; t < 30.0; t += 0.5)
