@@ -11,6 +11,9 @@ namespace drill_rig_sim
 {
 namespace
 {
+// so that what is divided by a number stays finite
+constexpr double smallest = 1e-100;
+
 // edits (insert, delete, replace) that turn a into b
 std::size_t edit_distance(const std::string& a, const std::string& b)
 {
@@ -69,6 +72,11 @@ bool is_infinite_or_nan(const std::string& text)
   return bare == "nan" || bare == "inf" || bare == "infinity";
 }
 
+bool too_near_zero(double value)
+{
+  return value != 0.0 && std::abs(value) < smallest;
+}
+
 bool inside(double value, const Range& r)
 {
   return (r.low_open ? value > r.low : value >= r.low) && (r.high_open ? value < r.high : value <= r.high);
@@ -124,6 +132,12 @@ bool read_number(const YAML::Node& node, const std::string& path, const Range& a
   if (!inside(read, allowed))
   {
     problems.add(path, plain(read) + " is out of range, allowed:" + suffix);
+    return false;
+  }
+  if (too_near_zero(read))
+  {
+    problems.add(path, plain(read) + " is too near 0 to calculate with, allowed:" + suffix + ", in size at least " + plain(smallest) +
+                           (inside(0.0, allowed) ? " or 0" : ""));
     return false;
   }
   value = read;
