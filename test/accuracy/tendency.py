@@ -20,11 +20,12 @@ HEAD = ['variant', 'inclination: first metre [deg]', 'then [deg/30 m]', 'azimuth
 
 def drilled(drill, scene, settings, place, reuse):
     """The job with these settings of the scene, or None if the run failed."""
-    if reuse and os.path.exists(os.path.join(place, 'raw_path.csv')):
+    summary = os.path.join(place, 'summary.json')
+    if reuse and os.path.exists(summary) and os.path.getsize(summary) > 0:  # empty: the run was broken off
         return Job(scene, place)
     os.makedirs(place, exist_ok=True)
     command = [drill, 'run', scene, '--until-depth', str(DEPTH), '--csv', os.path.join(place, 'series.csv'),
-               '--json', os.path.join(place, 'summary.json'), '--path', os.path.join(place, 'path.csv'),
+               '--json', summary, '--path', os.path.join(place, 'path.csv'),
                '--raw-path', os.path.join(place, 'raw_path.csv')]
     for setting in settings:
         command += ['--set', setting]
