@@ -33,7 +33,7 @@ void run_corner(int corner, Rows& rows)
   }
   const TumbleReference reference = tumble_reference(settings);
   const Tumble run =
-      passed(reference.worst().verdict) ? tumble(settings, default_choice(), kStep, reference, 20.0) : reference.worst();
+      passed(reference.worst().verdict) ? tumble(settings, default_choice(), kStep, reference, 80e6) : reference.worst();
   Row row = row_of("corners", signs, default_choice(), "s");
   row.verdict = run.verdict;
   row.figure = kStep;

@@ -43,7 +43,7 @@ void drill(const Choice& choice, double seconds, Rows& rows)
 {
   Row row = row_of("slow drilling", text("%.3g h at 0.35 mm/s", seconds / 3600.0), choice, "m drilled");
   const double step = workable_step("day", choice, 0.02);
-  Ride ride(load_scene("day", {}, choice, step), is_default(choice) ? 400.0 : 8.0);
+  Ride ride(load_scene("day", {}, choice, step), is_default(choice) ? 1600e6 : 32e6);
   ride.go(kSettled, 0.1);
   const double weight = mean_weight(ride);
   if (!ride.going())

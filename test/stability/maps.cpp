@@ -68,7 +68,7 @@ Row map_point(const Axis& axis, double value, const Choice& choice, const Tumble
   for (double step : step_ladder())
   {
     if (plain > 0.0 && (!promised || step < kMappedTo)) break;
-    const Tumble run = tumble(settings, choice, step, reference, is_default(choice) ? 24.0 : 6.0);
+    const Tumble run = tumble(settings, choice, step, reference, is_default(choice) ? 100e6 : 32e6);
     if (run.verdict == Verdict::too_slow)
     {
       if (above.empty()) failure = run.verdict;
@@ -134,7 +134,7 @@ void run_short_steps(const Axis& axis, double value, Rows& rows)
   row.value = text("%g", value);
   for (double step : kShortSteps)
   {
-    const Tumble run = tumble(settings, default_choice(), step, reference, 60.0);
+    const Tumble run = tumble(settings, default_choice(), step, reference, 240e6);
     row.verdict = run.verdict;
     row.text = run.message;
     if (!passed(run.verdict)) break;

@@ -86,7 +86,7 @@ void subscriptions(const Subscriptions& what, const Choice& choice, Rows& rows)
   row.promise = Promise::diagnostic;
   try
   {
-    Ride ride(load_scene("inclined", what.settings, choice, 0.0), 30.0);
+    Ride ride(load_scene("inclined", what.settings, choice, 0.0), 120e6);
     for (int k = 0; k < 40 && ride.go(0.1, 0.1) && row.verdict == Verdict::passes; ++k)
       if (!bounded(ride)) row.verdict = Verdict::fails_diverged;
     if (row.verdict == Verdict::passes) row.verdict = ride.verdict();

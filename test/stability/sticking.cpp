@@ -16,7 +16,7 @@ void stick(const Choice& choice, double seconds, Rows& rows)
 {
   Row row = row_of("sticking", text("%g s on a slope of 20 deg", seconds), choice, "um");
   const double step = workable_step("slope", choice, 0.01);
-  Ride ride(load_scene("slope", {}, choice, step), is_default(choice) ? 120.0 : 40.0);
+  Ride ride(load_scene("slope", {}, choice, step), is_default(choice) ? 500e6 : 160e6);
   ride.go(kSet, 0.1);
   if (ride.going())
   {

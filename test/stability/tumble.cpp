@@ -82,10 +82,10 @@ void judge(const TumbleReference& reference, Tumble& run)
 }
 
 Tumble ride_out(const std::vector<std::string>& settings, const Choice& choice, double step, double thrown, double seconds,
-                double cpu_limit)
+                double limit)
 {
   Tumble out;
-  Ride ride(load_scene("inclined", settings, choice, step), cpu_limit);
+  Ride ride(load_scene("inclined", settings, choice, step), limit);
   if (ride.going())
   {
     out.load_at_rest = ride.now().hook_load_string;
@@ -124,14 +124,14 @@ TumbleReference tumble_reference(const std::vector<std::string>& settings, const
 {
   TumbleReference out{kind, {}};
   for (double thrown : kind.reference_throws)
-    out.runs.push_back(ride_out(settings, default_choice(), kReferenceStep, thrown, kind.seconds, 60.0));
+    out.runs.push_back(ride_out(settings, default_choice(), kReferenceStep, thrown, kind.seconds, 240e6));
   return out;
 }
 
 Tumble tumble(const std::vector<std::string>& settings, const Choice& choice, double step, const TumbleReference& reference,
-              double cpu_limit)
+              double limit)
 {
-  Tumble out = ride_out(settings, choice, step, kThrown, reference.kind.seconds, cpu_limit);
+  Tumble out = ride_out(settings, choice, step, kThrown, reference.kind.seconds, limit);
   if (passed(out.verdict)) judge(reference, out);
   return out;
 }

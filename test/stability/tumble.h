@@ -53,7 +53,7 @@ TumbleReference tumble_reference(const std::vector<std::string>& settings, const
 /// low side, each for good. With the scene's own numbers that is 290 or 245 N m, and runs with steps of 0.1 to 1 ms do both.
 /// Speeds beyond ten times the bound are `diverged`, the rest of what is out of bounds is `wrong`.
 Tumble tumble(const std::vector<std::string>& settings, const Choice& choice, double step, const TumbleReference& reference,
-              double cpu_limit);
+              double limit);
 
 }  // namespace drill_rig_sim
 

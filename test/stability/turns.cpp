@@ -45,7 +45,7 @@ void many_turns(const Choice& choice, double turns, Rows& rows)
 {
   Row row = row_of("turns", text("%g turns of the top drive", turns), choice, "torque drift");
   const double step = workable_step("turns", choice, NumericsSpec().step);
-  Ride ride(load_scene("turns", {}, choice, step), is_default(choice) ? 120.0 : 8.0);
+  Ride ride(load_scene("turns", {}, choice, step), is_default(choice) ? 500e6 : 32e6);
   if (!ride.go(kSettled, 0.1))
   {
     row.verdict = ride.verdict();
@@ -57,10 +57,10 @@ void many_turns(const Choice& choice, double turns, Rows& rows)
   const auto after = ride.simulator().save();
   const double turned = (after->mechanics.nodes[0].spin_angle - before->mechanics.nodes[0].spin_angle) / (2.0 * pi);
   row.figure = drift(before->forces.torque, after->forces.torque);
-  row.text = text("step %g s; %.0f turns; meter torque %.9g before; %.9g N m after; ", step, turned, before->truth.torque,
+  row.text = text("step %g s; %.0f turns; meter torque %.9g before; %.9g N m after", step, turned, before->truth.torque,
                   after->truth.torque);
   const bool same = repeats(ride);
-  if (ride.going()) row.text += same ? "repeats bit by bit from a snapshot" : "does not repeat bit by bit";
+  if (ride.going()) row.text += same ? "; repeats bit by bit from a snapshot" : "; does not repeat bit by bit";
   const bool right = row.figure < kDriftAllowed && std::abs(turned / turns - 1.0) < kTurnsAllowed && same;
   conclude(row, ride.verdict(), right, ride.message());
   rows.add(row);
@@ -86,7 +86,7 @@ void full_turn(Rows& rows)
     }
     Row row = row_of("full turn", "three turns of the string", choice, "turns made");
     row.figure = ride.now().top_drive_angle / (2.0 * pi);
-    row.text = worst > 0.0 ? text("torque off by up to %.3g N m of %.3g at %.2f turns; ", worst, largest, at) : "";
+    row.text = worst > 0.0 ? text("torque off by up to %.3g N m of %.3g at %.2f turns", worst, largest, at) : "";
     conclude(row, ride.verdict(), worst <= kOffAllowed * largest && row.figure >= 3.0, ride.message());
     rows.add(row);
   }

@@ -16,7 +16,7 @@ enum class Verdict
   fails_creep,          ///< stuck pipe moved
   fails_wrong,          ///< ran to its end, far from the reference
   refused,              ///< bad input, refused with a line that says why
-  too_slow,             ///< stopped by its allowance of processor time before its end
+  too_slow,             ///< stopped by its allowance of work before its end
   not_available         ///< this version has no such thing
 };
 

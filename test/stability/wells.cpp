@@ -61,7 +61,7 @@ Trip make_trip(const Shape& shape, const Choice& choice, double step)
                        {std::string("well.stations=") + shape.stations, text("start.bit_depth=%g", shape.bit_depth),
                         std::string("well.sections[0].to=") + (shape.bit_depth < 300 ? "400" : "800")},
                        choice, step),
-            60.0);
+            240e6);
   ride.go(3.0, 0.1);
   for (int k = 0; k < 10 && ride.go(0.1, 0.1); ++k)
   {
