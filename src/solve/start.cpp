@@ -118,6 +118,26 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, do
   fail(message.str());
 }
 
+/// Finds the length of string that leaves no error of depth: by secants, for a string that leans on its hole's wall, or hangs from the
+/// table into a slant hole, does not reach as much farther as it is longer.
+struct LengthSearch
+{
+  double last_length = 0.0, last_error = 0.0, slope = 1.0;
+  bool begun = false;
+
+  /// The length to try after `length` has left `error` [m].
+  double next(double length, double error)
+  {
+    constexpr double least = 0.2, most = 5.0;
+    if (begun && length != last_length) slope = (error - last_error) / (length - last_length);
+    if (!(slope >= least && slope <= most)) slope = 1.0;
+    begun = true;
+    last_length = length;
+    last_error = error;
+    return length - error / slope;
+  }
+};
+
 /// What could not rest is no start: a slack line, or a bit that its rock does not hold.
 void check_loads_of_bit(const StartSpec& start, const Model& model, const Wellbore& well, double hook_load)
 {
@@ -187,6 +207,8 @@ RigAtRest build_at_rest(const Scene& scene)
   RigAtRest rig{nullptr, State(well), {}};
   double toolface = start.toolface;
   double depth_error = 0.0, toolface_error = 0.0;
+  bool met = false;
+  LengthSearch wanted_length;
   double work = 0.0;
   for (int round = 0; round < kMaxRounds; ++round)
   {
@@ -196,13 +218,14 @@ RigAtRest build_at_rest(const Scene& scene)
     const double weight_error = rig.statics.forces.wob - start.weight_on_bit;
     // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance
     depth_error = weight_error * string_compliance(rig.model->mesh());
-    if (!on_bottom) depth_error += bit_depth(*rig.model, rig.state) - depth;
+    if (!on_bottom || rig.statics.forces.wob <= 0.0) depth_error += bit_depth(*rig.model, rig.state) - depth;
     const bool deep_enough = on_bottom ? std::abs(weight_error) < kWeightTolerance * start.weight_on_bit : std::abs(depth_error) < kDepthTolerance;
+    met = std::abs(toolface_error) < 1e-3 && (on_bottom ? std::abs(weight_error) < 0.01 * start.weight_on_bit : std::abs(depth_error) < 1e-3);
     if (deep_enough && std::abs(toolface_error) < kToolfaceTolerance) break;
-    length -= depth_error;
+    length = wanted_length.next(length, depth_error);
     toolface -= toolface_error;
   }
-  if (std::abs(depth_error) > 1e-3 || std::abs(toolface_error) > 1e-3)
+  if (!met)
   {
     std::ostringstream message;
     message << "the equilibrium misses the wanted " << (on_bottom ? "weight_on_bit" : "bit_depth") << " by " << depth_error

@@ -70,6 +70,22 @@ TEST(Start, weightOnBit)
   EXPECT_LE(iterations_of(scene), 17);
 }
 
+// Slant from the surface on, the string leans and bends where it enters: the bit does not reach as much farther as the string is longer.
+TEST(Start, aSlantHoleFromTheSurface)
+{
+  for (const double weight : {0.0, 3e3, 10e3, 20e3})
+    for (const int collars : {2, 4})
+    {
+      Scene scene = slanted_scene(200.0, 0.2);
+      scene.string.insert(scene.string.begin() + 1, collar_part(collars, 9.4));
+      scene.start.weight_on_bit = weight;
+      if (weight == 0.0) scene.start.bit_depth = 199.0;
+      const RigAtRest rig = build_at_rest(scene);
+      EXPECT_NEAR(rig.statics.forces.wob, weight, 1e-4 * weight) << collars;
+      EXPECT_NEAR(bit_depth(*rig.model, rig.state), weight > 0.0 ? 200.0 : 199.0, 2e-3) << collars;
+    }
+}
+
 // On bottom without weight is where the face touches: a string too long by a micron would weigh several newtons on it.
 TEST(Start, onBottomWithoutWeightTheBitJustTouches)
 {
