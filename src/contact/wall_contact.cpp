@@ -49,51 +49,57 @@ struct Friction
   Vector3d force = Vector3d::Zero();
   Vector3d bristle = Vector3d::Zero();
   Vector3d surface_velocity = Vector3d::Zero();
-  Vector3d total_slip = Vector3d::Zero();      ///< z_n + slip, before projection
-  Vector3d direction = Vector3d::Zero();       ///< z_t / |z_t|
+  Vector3d pull = Vector3d::Zero();            ///< k_b (z_n + slip) + c_b surface_velocity, before projection: q = P pull [N]
+  Vector3d direction = Vector3d::Zero();       ///< q / |q|
   Vector3d slip_direction = Vector3d::Zero();  ///< v_t / |v_t|, or zero at rest
-  double trial_length = 0.0;                   ///< |z_t|
+  double trial = 0.0;                          ///< |q| [N]
   FrictionCoefficient mu;
   bool slipping = false;
 };
 
+inline Vector3d in_plane(const Geometry& g, const Vector3d& v) noexcept
+{
+  return v - g.normal * g.normal.dot(v);
+}
+
 /// Return mapping of the bristle.
 Friction friction_force(const Geometry& g, double normal_force, double kinetic, double radius, const ContactMotion& motion,
-                        const Vector3d& bristle, const ContactSpec& law) noexcept
+                        const Vector3d& bristle, const WallLaw& law) noexcept
 {
   const Vector3d arm = radius * g.normal;
   Friction f;
   f.surface_velocity = motion.velocity + motion.angular_velocity.cross(arm);
-  f.total_slip = bristle + motion.displacement + motion.rotation.cross(arm);
-  const Vector3d trial = f.total_slip - g.normal * g.normal.dot(f.total_slip);
-  f.trial_length = trial.norm();
-  f.force = -law.tangential_stiffness * trial;
-  f.bristle = trial;
+  const Vector3d total_slip = bristle + motion.displacement + motion.rotation.cross(arm);
+  f.pull = law.tangential_stiffness * total_slip + law.tangential_damping * f.surface_velocity;
+  const Vector3d trial = in_plane(g, f.pull);
+  f.trial = trial.norm();
+  f.force = -trial;
+  f.bristle = in_plane(g, total_slip);
 
   // Friction is never below kinetic: what kinetic friction holds, sticks, without a look at the Stribeck curve.
-  const double pull = law.tangential_stiffness * f.trial_length;
-  if (pull <= kinetic * normal_force)
-  {
-    return f;
-  }
+  if (f.trial <= kinetic * normal_force) return f;
 
-  const Vector3d slip_velocity = f.surface_velocity - g.normal * g.normal.dot(f.surface_velocity);
+  const Vector3d slip_velocity = in_plane(g, f.surface_velocity);
   const double speed = slip_velocity.norm();
   f.mu = stribeck_friction(kinetic, law.static_ratio, law.stribeck_speed, speed);
   const double limit = f.mu.value * normal_force;
-  if (pull <= limit)
-  {
-    return f;
-  }
+  if (f.trial <= limit) return f;
 
   f.slipping = true;
-  f.direction = trial / f.trial_length;
+  f.direction = trial / f.trial;
   f.force = -limit * f.direction;
-  f.bristle = (limit / law.tangential_stiffness) * f.direction;
-  if (speed > 0.0)
+  const Vector3d stretched = (limit / law.tangential_stiffness) * f.direction;
+  if (law.tangential_damping > 0.0)
   {
-    f.slip_direction = slip_velocity / speed;
+    const Vector3d before = in_plane(g, bristle);
+    const double follows = motion.time / (motion.time + law.tangential_damping / law.tangential_stiffness);
+    f.bristle = before + follows * (stretched - before);
   }
+  else
+  {
+    f.bristle = stretched;
+  }
+  if (speed > 0.0) f.slip_direction = slip_velocity / speed;
   return f;
 }
 
@@ -103,16 +109,15 @@ class FrictionDerivative
 public:
   /// @param normal_force_gradient  dF_n/dx
   FrictionDerivative(const Geometry& g, const Matrix3d& b, const Friction& f, double normal_force,
-                     const Vector3d& normal_force_gradient, double radius, const ContactMotion& motion,
-                     const ContactSpec& law) noexcept
-      : direction_(f.direction), slipping_(f.slipping), stiffness_(law.tangential_stiffness)
+                     const Vector3d& normal_force_gradient, double radius, const ContactMotion& motion) noexcept
+      : direction_(f.direction), slipping_(f.slipping)
   {
     if (!slipping_)
     {
       return;
     }
     // |f| = mu(|v_t|) F_n; d|v_t| = e . dv_s - (n . v_s) e . dn, with e = v_t/|v_t|
-    stiffness_ = f.mu.value * normal_force / f.trial_length;
+    share_ = f.mu.value * normal_force / f.trial;
     const Vector3d& e = f.slip_direction;
     const double c = motion.velocity_coefficient;
     const double per_speed = f.mu.slope * normal_force;
@@ -121,30 +126,29 @@ public:
     limit_r_ = per_speed * c * radius * g.normal.cross(e);
   }
 
-  /// Column of the force from the same column of dz_t: j of x or of r.
+  /// Column of the force from the same column of dq: j of x or of r.
   Vector3d column_x(int j, const Vector3d& trial) const noexcept { return column(limit_x_[j], trial); }
   Vector3d column_r(int j, const Vector3d& trial) const noexcept { return column(limit_r_[j], trial); }
 
 private:
-  /// sticking: -k_b dz; slipping along m = z/|z|: -|f|/|z| (1 - m m^T) dz - m d|f|
+  /// sticking: -dq; slipping along m = q/|q|: -|f|/|q| (1 - m m^T) dq - m d|f|
   Vector3d column(double limit, const Vector3d& trial) const noexcept
   {
     if (!slipping_)
     {
-      return -stiffness_ * trial;
+      return -trial;
     }
     // By components: packets of two on vectors of three stall on store forwarding here, a tenth of the whole contact.
     const Vector3d& m = direction_;
-    const double along = stiffness_ * (m.x() * trial.x() + m.y() * trial.y() + m.z() * trial.z()) - limit;
-    return {m.x() * along - stiffness_ * trial.x(), m.y() * along - stiffness_ * trial.y(),
-            m.z() * along - stiffness_ * trial.z()};
+    const double along = share_ * (m.x() * trial.x() + m.y() * trial.y() + m.z() * trial.z()) - limit;
+    return {m.x() * along - share_ * trial.x(), m.y() * along - share_ * trial.y(), m.z() * along - share_ * trial.z()};
   }
 
   Vector3d direction_;
   Vector3d limit_x_ = Vector3d::Zero();  // d|f|/dx
   Vector3d limit_r_ = Vector3d::Zero();  // d|f|/dr
   bool slipping_;
-  double stiffness_;  // k_b, or |f|/|z_t|
+  double share_ = 1.0;  // |f|/|q|
 };
 
 /// Column of x: normal force, friction and the turning arm; b = dn/dx_j, friction = d f/dx_j.
@@ -157,28 +161,31 @@ inline void write_column_x(const Geometry& g, int j, const Vector3d& b, double n
 
 /// d(force, moment)/d(x, r).
 void write_tangent(const ClosestPoint& closest, const Geometry& g, const NormalForce& normal, const Friction& f, double radius,
-                   const ContactMotion& motion, const ContactSpec& law, Tangent& tangent) noexcept
+                   const ContactMotion& motion, const WallLaw& law, Tangent& tangent) noexcept
 {
   const Matrix3d b = normal_derivative(closest, g);
   const Vector3d gradient = (normal.stiffness + motion.velocity_coefficient * normal.damping) * g.gradient +
                             normal.damping * (b.transpose() * motion.velocity);
-  const FrictionDerivative derivative(g, b, f, normal.value, gradient, radius, motion, law);
+  const FrictionDerivative derivative(g, b, f, normal.value, gradient, radius, motion);
 
-  // z_t = P w, w = z_n + x + r x R_D n:  dz_t/dx = 1 + R_D skew(r) B - (n . w) B - n (n + B^T (R_D n x r + w))^T
-  const double along = g.normal.dot(f.total_slip);
-  const Vector3d row = g.normal + b.transpose() * (radius * g.normal.cross(motion.rotation) + f.total_slip);
+  // q = P w, w = k (z_n + x + r x R_D n) + c_b (v + omega x R_D n), with s = k + c c_b and rho = k r + c_b omega:
+  //   dq/dx = s + R_D skew(rho) B - (n . w) B - n (s n + B^T (R_D n x rho + w))^T
+  const double s = law.tangential_stiffness + motion.velocity_coefficient * law.tangential_damping;
+  const Vector3d turn = law.tangential_stiffness * motion.rotation + law.tangential_damping * motion.angular_velocity;
+  const double along = g.normal.dot(f.pull);
+  const Vector3d row = s * g.normal + b.transpose() * (radius * g.normal.cross(turn) + f.pull);
   for (int j = 0; j < 3; ++j)
   {
     const Vector3d bj = b.col(j);
-    const Vector3d trial = Vector3d::Unit(j) + radius * motion.rotation.cross(bj) - along * bj - row[j] * g.normal;
+    const Vector3d trial = s * Vector3d::Unit(j) + radius * turn.cross(bj) - along * bj - row[j] * g.normal;
     write_column_x(g, j, bj, normal.value, gradient[j], radius, f.force, derivative.column_x(j, trial), tangent);
   }
 
-  // dz_t/dr = -R_D skew(n)
+  // dq/dr = -s R_D skew(n)
   const Vector3d arm = radius * g.normal;
   for (int j = 0; j < 3; ++j)
   {
-    const Vector3d friction = derivative.column_r(j, Vector3d::Unit(j).cross(arm));
+    const Vector3d friction = derivative.column_r(j, s * Vector3d::Unit(j).cross(arm));
     tangent.block<3, 1>(0, 3 + j) = friction;
     tangent.block<3, 1>(3, 3 + j) = arm.cross(friction);
   }
@@ -193,7 +200,7 @@ inline void fill_result(const Geometry& g, double normal_force, const Vector3d& 
 }
 
 WallForce evaluate(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Vector3d& bristle,
-                   const ContactSpec& law, Tangent* tangent) noexcept
+                   const WallLaw& law, Tangent* tangent) noexcept
 {
   WallForce out;
   const Geometry g = contact_geometry(closest, radius, motion.position);
@@ -223,13 +230,13 @@ WallForce evaluate(const ClosestPoint& closest, double radius, const ContactMoti
 }  // namespace
 
 WallForce wall_contact(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
-                       const ContactSpec& law) noexcept
+                       const WallLaw& law) noexcept
 {
   return evaluate(closest, radius, motion, bristle, law, nullptr);
 }
 
 WallForce wall_contact(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
-                       const ContactSpec& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept
+                       const WallLaw& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept
 {
   return evaluate(closest, radius, motion, bristle, law, &tangent);
 }

@@ -32,11 +32,13 @@ void commit(const Workspace& work, State& state) noexcept
     node.spin_angle += motion.spin;
     node.segment = motion.closest.segment;
   }
+  for (std::size_t e = 0; e < work.spans.size(); ++e) state.spans[e].segment = work.spans[e].closest.segment;
 }
 
 void advance_static(const Workspace& work, State& state) noexcept
 {
   for (std::size_t i = 0; i < work.nodes.size(); ++i) state.nodes[i].bristle = work.result.bristle[i];
+  for (std::size_t e = 0; e < work.spans.size(); ++e) state.spans[e].bristle = work.result.span_bristle[e];
 }
 
 void advance_discrete(const Model& model, const Stage& stage, Workspace& work, State& state) noexcept

@@ -4,6 +4,8 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/forces/lists.h"
+#include "drill_rig_sim/model/forces/span_wall.h"
+#include "drill_rig_sim/model/mast.h"
 
 namespace drill_rig_sim
 {
@@ -41,19 +43,46 @@ void move_nodes(const State& start, const Stage& stage, const double* u, Workspa
   }
 }
 
-/// Closest point of the hole; only below the rotary table, and not for the shaft.
+/// Closest point of hole or mast; not for the shaft.
 void find_closest(const Model& model, const State& start, int i, NodeMotion& node) noexcept
 {
   node.touches = false;
   node.closest.segment = start.nodes[i].segment;
-  if (node.position.z() >= 0.0 || i == model.top()) return;
+  if (i == model.top()) return;
   node.closest = start.well.locate(node.position, node.closest.segment);
+  open_mast(node.closest);
   node.touches = wall_gap(node.closest, node.position, model.mesh().nodes[i].contact_radius) < 0.0;
 }
 
 void find_closest(const Model& model, const State& start, Workspace& work) noexcept
 {
   for (int i = 0; i < model.nodes(); ++i) find_closest(model, start, i, work.nodes[i]);
+}
+
+/// Section normal of a bent element's upper end, its node turned like this.
+Vector3d bent_normal(const MeshElement& element, const Eigen::Quaterniond& node) noexcept
+{
+  return x_axis(node * element.upper_end);
+}
+
+/// The middle of element e: from where the cubic had it at the start of the step, by the ends' increments. Its arms stay those of the
+/// start; what that leaves out of a tilt, half its square, points along the pipe.
+void find_span(const Model& model, const State& start, const Stage& stage, int e, Workspace& work) noexcept
+{
+  const MeshElement& element = model.mesh().elements[e];
+  const NodeMotion &lower = work.nodes[e], &upper = work.nodes[e + 1];
+  const double arm = 0.125 * element.section.length;
+  SpanMotion& span = work.spans[e];
+  span.upper_arm = arm * (element.bend != 0.0 ? bent_normal(element, start.nodes[e + 1].orientation) : stage.normal[e + 1]);
+  span.lower_arm = -arm * stage.normal[e];
+  span.increment = middle(span, lower.increment, upper.increment);
+  span.position =
+      0.5 * (start.nodes[e].position + start.nodes[e + 1].position) + span.upper_arm + span.lower_arm + span.increment.head<3>();
+  span.touches = false;
+  span.closest.segment = start.spans[e].segment;
+  span.closest = start.well.locate(span.position, span.closest.segment);
+  open_mast(span.closest);
+  span.touches = wall_gap(span.closest, span.position, 0.5 * element.outer_diameter) < 0.0;
 }
 
 /// The node where somebody else says that it is.
@@ -81,20 +110,25 @@ void evaluate_list(const std::array<const Force*, N>& forces, const Model& model
   move_nodes(start, stage, u, work);
   work.profiler.lap(Cost::kinematics);
   find_closest(model, start, work);
+  for (int e = 0; e < model.elements(); ++e) find_span(model, start, stage, e, work);
   work.profiler.lap(Cost::contact);
   add_forces(forces, {model, start, stage, work}, residual, tangent);
 }
 }  // namespace
 
-Workspace::Workspace(const Model& model) : nodes(model.mesh().nodes.size()), unused(6 * nodes.size(), 0.0)
+Workspace::Workspace(const Model& model)
+  : nodes(model.mesh().nodes.size()), spans(model.mesh().elements.size()), unused(6 * nodes.size(), 0.0)
 {
   result.bristle.assign(nodes.size(), Vector3d::Zero());
+  result.span_bristle.assign(spans.size(), Vector3d::Zero());
   RigForces& forces = result.forces;
   forces.tension.assign(model.mesh().elements.size(), 0.0);
   forces.torque = forces.tension;
   forces.bending_moment.assign(nodes.size(), 0.0);
   forces.contact = forces.bending_moment;
   forces.wall.assign(nodes.size(), Vector3d::Zero());
+  forces.span_contact = forces.tension;
+  forces.span_wall.assign(spans.size(), Vector3d::Zero());
 }
 
 void evaluate(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, double* residual,
@@ -122,7 +156,7 @@ void find_string_forces(const Model& model, const State& start, const Stage& sta
     const BeamForces f = element_forces({model, start, stage, work}, e);
     const MeshElement& element = model.mesh().elements[e];
     const NodeMotion& upper = work.nodes[e + 1];
-    const Vector3d n = element.bend != 0.0 ? x_axis(upper.orientation * element.upper_end) : upper.normal;
+    const Vector3d n = element.bend != 0.0 ? bent_normal(element, upper.orientation) : upper.normal;
     out.tension[e] = f.tension;
     out.torque[e] = -f.torque;
     out.bending_moment[e + 1] = (f.moment_upper - n * n.dot(f.moment_upper)).norm();
@@ -138,6 +172,7 @@ void evaluate_motion(const Model& model, const State& start, const Stage& stage,
   std::fill(string, string + 6 * model.nodes(), 0.0);
   std::fill(contact, contact + 6 * model.nodes(), 0.0);
   for (std::size_t i = 0; i < work.nodes.size(); ++i) place(motion.nodes[i], work.nodes[i]);
+  for (int e = 0; e < model.elements(); ++e) find_span(model, start, stage, e, work);
   work.profiler.lap(Cost::kinematics);
   const StageContext at{model, start, stage, work};
   add_forces(string_forces, at, string, string_tangent);

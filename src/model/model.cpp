@@ -11,8 +11,9 @@ namespace drill_rig_sim
 Model::Model(const Scene& scene, Mesh mesh)
   : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), formation_(scene.formation)
 {
-  contact_.assign(mesh_.nodes.size(), scene.contact);
-  for (std::size_t i = 0; i < contact_.size(); ++i) contact_[i].law = mesh_.nodes[i].contact;
+  for (const MeshNode& node : mesh_.nodes) contact_.push_back(wall_law(scene.contact, node.contact, node.mass));
+  for (const MeshElement& element : mesh_.elements)
+    span_contact_.push_back(wall_law(scene.contact, element.contact, element.linear_mass * element.section.length));
   for (const PartSpec& part : scene_.string)
     if (part.motor) motor_ = &*part.motor;
   bit_bristle_ = drill_rig_sim::bit_bristle_stiffness(bit().torque, bit().diameter);

@@ -11,6 +11,12 @@ using Eigen::Vector3d;
 
 namespace
 {
+/// Of the mud that moves sideways with a node [kg].
+double mud_mass(const MeshNode& node, const NodeState& at, const Wellbore& well) noexcept
+{
+  return node.mud_inside + confinement(node.diameter, 2.0 * well.radius_near(at.position, at.segment)) * node.mud_outside;
+}
+
 /// What the state says of the step that starts from it.
 void take_start(const Model& model, const State& state, Stage& stage) noexcept
 {
@@ -18,6 +24,7 @@ void take_start(const Model& model, const State& state, Stage& stage) noexcept
   {
     stage.normal[i] = x_axis(state.nodes[i].orientation);
     stage.immersed[i] = state.nodes[i].position.z() < 0.0 ? 1.0 : 0.0;
+    stage.added_mass[i] = stage.immersed[i] > 0.0 ? mud_mass(model.mesh().nodes[i], state.nodes[i], state.well) : 0.0;
   }
   for (std::size_t e = 0; e < stage.load.size(); ++e)
     stage.load[e].z() = -model.element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z());
@@ -45,6 +52,7 @@ Stage::Stage(const Model& model)
     acceleration(rate),
     normal(rate.size(), -Vector3d::UnitZ()),
     immersed(rate.size(), 0.0),
+    added_mass(rate.size(), 0.0),
     load(model.mesh().elements.size(), Vector3d::Zero())
 {
 }
@@ -62,7 +70,8 @@ void move_stage(const Model& model, const State& state, double time, Stage& stag
   stage.time = time;
   stage.hoist = time > 0.0 ? advance_hoist(model, state, stage.setpoints, time) : state.hoist;
   const double motor = state.bit.motor_speed;
-  stage.bit = {motor, time * motor, state.nodes[0].rate.spin + motor, time, false, Vector3d::Zero()};
+  const double mean = state.bit.mean_speed;
+  stage.bit = {motor, time * motor, mean, drilling_speed(mean, state.nodes[0].rate.spin + motor), time, false, Vector3d::Zero()};
 }
 
 void begin_static(const Model& model, const State& state, FrictionMode friction, double coefficient, Stage& stage) noexcept

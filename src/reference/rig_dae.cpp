@@ -22,12 +22,13 @@ constexpr double kBlockShare = 0.4, kStatorShare = 0.4, kRotorShare = 0.2;
 constexpr double kStatorAbove = 1.0, kBlockAbove = 4.0;
 // of what the joints keep from turning: any will do
 constexpr double kGyrationSquare = 1.0;  // [m2]
-// motor's speed and turn, and the bottom's place
+// motor's speed and turn, the bottom's place, and the bit's mean speed
 enum Further
 {
   kMotorSpeed,
   kMotorTurn,
-  kBottom
+  kBottom,
+  kMeanSpeed = kBottom + 3
 };
 // finite differences of the bit's forces: [m, rad], [m/s, rad/s]
 constexpr double kPlaceStep = 1e-8, kRateStep = 1e-6;
@@ -119,6 +120,7 @@ std::vector<double> RigDae::initial(const State& state) const
 {
   std::vector<double> y = at_bases();
   y.data()[further_at() + kMotorSpeed] = state.bit.motor_speed;
+  y.data()[further_at() + kMeanSpeed] = state.bit.mean_speed;
   return y;
 }
 
@@ -139,15 +141,7 @@ bool RigDae::begin(double t, const State& state, const Setpoints& setpoints, con
     changed = changed || value != added;
     value = added;
   };
-  const Mesh& mesh = model_.mesh();
-  const MudSpec& mud = model_.scene().mud;
-  const double bit_added = mud.added_mass * mud.density * mesh.bit_displaced;
-  for (int i = 0; i < string_nodes(); ++i)
-  {
-    const double added = mesh.nodes[static_cast<std::size_t>(i)].added_mass - (i == 0 ? bit_added : 0.0);
-    set_added(i, stage_.immersed[i] * added);
-  }
-  set_added(bit(), stage_.immersed[0] * bit_added);
+  for (int i = 0; i < string_nodes(); ++i) set_added(i, stage_.added_mass[static_cast<std::size_t>(i)]);
   return changed;
 }
 
@@ -178,14 +172,14 @@ BitDrive RigDae::bit_drive_at(const double* y, const GivenNode& bit) const
   const double* now = y + further_at();
   const double* before = start_y_.data() + further_at();
   return bit_drive(now[kMotorSpeed], now[kMotorTurn] - before[kMotorTurn],
-                   Map<const Vector3d>(now + kBottom) - Map<const Vector3d>(before + kBottom), bit);
+                   Map<const Vector3d>(now + kBottom) - Map<const Vector3d>(before + kBottom), now[kMeanSpeed], bit);
 }
 
 /// The rock recedes in time: nothing within the law's own implicit step.
-BitDrive RigDae::bit_drive(double motor_speed, double motor_turn, const Vector3d& bottom, const GivenNode& bit) const
+BitDrive RigDae::bit_drive(double motor_speed, double motor_turn, const Vector3d& bottom, double mean_speed, const GivenNode& bit) const
 {
   const double speed = bit.rate.tail<3>().dot(x_axis(bit.orientation)) + motor_speed;
-  return {motor_speed, motor_turn, speed, 0.0, true, bottom};
+  return {motor_speed, motor_turn, mean_speed, drilling_speed(mean_speed, speed), 0.0, true, bottom};
 }
 
 RigDae::Drive RigDae::drive_at(const double* y) const
@@ -228,7 +222,7 @@ void RigDae::add_forces(double t, const double* y, double* force)
 void RigDae::further_rates(double, const double*, double* rate)
 {
   const BitAnswer answer = bit_rates(Vector6d::Zero());
-  std::copy_n(answer.data() + 6, 5, rate);
+  std::copy_n(answer.data() + 6, 6, rate);
 }
 
 double RigDae::steady_motor_speed() const
@@ -243,7 +237,8 @@ RigDae::BitAnswer RigDae::bit_rates(const Vector6d& force) const
 {
   BitAnswer out;
   out << force, (steady_motor_speed() - stage_.bit.motor_speed) / mud_motor_lag, stage_.bit.motor_speed,
-      rock_velocity(model_, start_->well, work_.result.forces, work_.nodes[0].normal);
+      rock_velocity(model_, start_->well, work_.result.forces, stage_.bit.drilling_speed, work_.nodes[0].normal),
+      (work_.result.forces.bit_speed - stage_.bit.mean_speed) / model_.bit().speed_lag;
   return out;
 }
 
@@ -252,6 +247,7 @@ void RigDae::further_tolerances(const double* y, double* tolerance) const
   tolerance[kMotorSpeed] = tolerance_ * (1.0 + std::abs(y[further_at() + kMotorSpeed]));
   tolerance[kMotorTurn] = 0.01 * tolerance_;
   std::fill_n(tolerance + kBottom, 3, 0.01 * tolerance_);
+  tolerance[kMeanSpeed] = tolerance_ * (1.0 + std::abs(y[further_at() + kMeanSpeed]));
 }
 
 void RigDae::add_force_jacobian(double t, const double* y, SparseJacobian& j)
@@ -307,13 +303,13 @@ void RigDae::add_bit_jacobian(SparseJacobian& j)
   struct BitMotion
   {
     GivenNode node;
-    double motor_speed, motor_turn;
+    double motor_speed, motor_turn, mean_speed;
     Vector3d bottom;
   };
-  const BitMotion given{motion_.bit, stage_.bit.motor_speed, stage_.bit.motor_turn, stage_.bit.bottom_increment};
+  const BitMotion given{motion_.bit, stage_.bit.motor_speed, stage_.bit.motor_turn, stage_.bit.mean_speed, stage_.bit.bottom_increment};
   const auto answer = [this](const BitMotion& at)
   {
-    stage_.bit = bit_drive(at.motor_speed, at.motor_turn, at.bottom, at.node);
+    stage_.bit = bit_drive(at.motor_speed, at.motor_turn, at.bottom, at.mean_speed, at.node);
     return bit_rates(evaluate_bit_motion(model_, *start_, stage_, at.node, work_));
   };
   const auto column = [&](double step, const auto& move)
@@ -327,7 +323,7 @@ void RigDae::add_bit_jacobian(SparseJacobian& j)
     }
     return out;
   };
-  Eigen::Matrix<double, 11, 12> by_motion;
+  Eigen::Matrix<double, 12, 12> by_motion;
   for (int k = 0; k < 3; ++k)
   {
     by_motion.col(k) = column(kPlaceStep,
@@ -344,19 +340,20 @@ void RigDae::add_bit_jacobian(SparseJacobian& j)
                                   });
   }
   for (int k = 0; k < 6; ++k) by_motion.col(6 + k) = column(kRateStep, [k](BitMotion& m, double step) { m.node.rate[k] += step; });
-  Eigen::Matrix<double, 11, 5> by_further;
+  Eigen::Matrix<double, 12, 6> by_further;
   by_further.col(kMotorSpeed) = column(kRateStep, [](BitMotion& m, double step) { m.motor_speed += step; });
   by_further.col(kMotorTurn) = column(kPlaceStep, [](BitMotion& m, double step) { m.motor_turn += step; });
   for (int k = 0; k < 3; ++k)
     by_further.col(kBottom + k) = column(kPlaceStep, [k](BitMotion& m, double step) { m.bottom[k] += step; });
+  by_further.col(kMeanSpeed) = column(kRateStep, [](BitMotion& m, double step) { m.mean_speed += step; });
 
   add_force_derivative(bit(), bit(), by_motion.topLeftCorner<6, 6>(), by_motion.topRightCorner<6, 6>(), j);
   const int at = 12 * bit(), further = further_at();
   j.add_block(at + 6, further, by_further.topRows<6>());
-  j.add_block(further, at, (-by_motion.block<5, 3>(6, 0)).eval());
-  j.add_block(further, at + 3, (-by_motion.block<5, 3>(6, 3) * turn_by_coordinates(bit())).eval());
-  j.add_block(further, at + 6, (-by_motion.block<5, 6>(6, 6)).eval());
-  j.add_block(further, further, (-by_further.bottomRows<5>()).eval());
+  j.add_block(further, at, (-by_motion.block<6, 3>(6, 0)).eval());
+  j.add_block(further, at + 3, (-by_motion.block<6, 3>(6, 3) * turn_by_coordinates(bit())).eval());
+  j.add_block(further, at + 6, (-by_motion.block<6, 6>(6, 6)).eval());
+  j.add_block(further, further, (-by_further.bottomRows<6>()).eval());
 }
 
 }  // namespace drill_rig_sim

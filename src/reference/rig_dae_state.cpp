@@ -41,6 +41,7 @@ void RigDae::finish(double t, const std::vector<double>& y, State& state)
   result.forces.drive_torque = drive.motor.value;
   result.drive = {state.drive.angle + drive.turn, drive.speed, drive.motor.integral, drive.twist, drive.motor.limited};
   result.bit.motor_speed = stage_.bit.motor_speed;
+  result.bit.mean_speed = stage_.bit.mean_speed;
 
   commit(work_, state);
   for (int i = 0; i < string_nodes(); ++i)

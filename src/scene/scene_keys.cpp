@@ -120,8 +120,9 @@ const Table<MudSpec> mud_keys = {"mud", "The drilling fluid around and inside th
   {"density",               "kg/m3",  &MudSpec::density,                   between(0.0, 3000.0), "0: air, no buoyancy"},
   {"axial_damping",         "N s/m per m", &MudSpec::axial_damping,        between(0.0, 1e4),    "viscous drag along the string"},
   {"lateral_damping",       "N s/m per m", &MudSpec::lateral_damping,      between(0.0, 1e5),    "viscous drag across the string"},
+  {"drag_coefficient",      "-",      &MudSpec::drag_coefficient,          between(0.0, 10.0),   "C_d of the drag across the string that grows with the square of its speed"},
   {"torsional_damping",     "N m s/rad per m", &MudSpec::torsional_damping, between(0.0, 100.0), "viscous drag against spin"},
-  {"added_mass",            "-",      &MudSpec::added_mass,                between(0.0, 5.0),    "factor on the displaced mud's mass, sideways motion only"},
+  {"added_mass",            "-",      &MudSpec::added_mass,                between(0.0, 5.0),    "factor on the mass of the mud that moves sideways with the string: in its bore, and around it as the hole confines it"},
 }};
 
 const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the first is the bit. Masses are in air.", {
@@ -141,6 +142,7 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"contact",               "",       Nested{},                            none,                 "its own law of wall contact instead of the scene's"},
   {"tool_joint_diameter",   "m",      Inside<PartSpec>{of_tool_joint},     between(0.01, 1.0),   "outer diameter at the joints' ends", no_kind, pipe, "outer_diameter"},
   {"blade_diameter",        "m",      Inside<PartSpec>{of_blades},         between(0.01, 1.0),   "outer diameter over the blades", stabilizer, stabilizer},
+  {"speed_lag",             "s",      Inside<PartSpec>{of_bit<&BitSpec::speed_lag>}, between(1e-3, 10.0),   "lag of the speed that drills behind the bit's: the rate of penetration is a law of means over turns", no_kind, bit},
   {"squeeze_film_damping",  "N s/m",  Inside<PartSpec>{of_film},           between(0.0, 1e8),    "of sideways motion, by the mud squeezed between gauge or blades and wall", no_kind, bit | stabilizer},
   {"sensor_offset",         "m",      Inside<PartSpec>{of_sensor},         between(0.0, 2000.0), "from the part's lower end up to the sensor", no_kind, mwd},
   {"mass",                  "kg",     Inside<PartSpec>{of_bit<&BitSpec::mass>}, between(0.1, 1e5),    "of the bit", bit, bit},
@@ -224,6 +226,7 @@ const Table<ContactSpec> contact_keys = {"contact", "Contact of string and wall,
   {"stribeck_speed",        "m/s",    &ContactSpec::stribeck_speed,        between(1e-4, 10.0),  "slip speed over which friction falls from static to kinetic"},
   {"static_ratio",          "-",      &ContactSpec::static_ratio,          between(1.0, 5.0),    "static / kinetic friction"},
   {"tangential_stiffness",  "N/m",    &ContactSpec::tangential_stiffness,  between(1e3, 1e12),   "of the bristle that carries sticking friction"},
+  {"tangential_damping",    "-",      &ContactSpec::tangential_damping,    between(0.0, 10.0),   "of that bristle, of critical for the mass at the contact"},
 }};
 
 const Table<TrajectorySpec> trajectory_keys = {"trajectory", "Second stage of the correction of the drilled path. Give one of the two.", {

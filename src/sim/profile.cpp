@@ -66,6 +66,14 @@ StaticOutcome hold_weight(const Scene& scene, FrictionMode friction, RigAtRest& 
   message << "static: with this motion the weight on bit is " << outcome.forces.wob << " N, not the scene's " << wanted << " N";
   throw std::runtime_error(message.str());
 }
+/// A node's share of what the elements beside it have at their middles.
+template <class T>
+T half_of_spans(const std::vector<T>& spans, std::size_t i, T sum)
+{
+  if (i > 0) sum += 0.5 * spans[i - 1];
+  if (i < spans.size()) sum += 0.5 * spans[i];
+  return sum;
+}
 }  // namespace
 
 void fill_profile(const Model& model, const State& s, const RigForces& forces, StringProfile& out)
@@ -89,10 +97,10 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
     out.true_axial_force[i] = true_axial_force(out.tension[i], element, model.scene().mud.density, -node.position.z());
     out.torque[i] = at_node(forces.torque, i);
     out.bending_moment[i] = forces.bending_moment[i];
-    out.contact_force[i] = forces.contact[i];
-    out.contact_vector[i] = forces.wall[i];
+    out.contact_force[i] = forces.contact[i] + half_of_spans(forces.span_contact, i, 0.0);
+    out.contact_vector[i] = forces.wall[i] + half_of_spans(forces.span_wall, i, Eigen::Vector3d(0.0, 0.0, 0.0));
     out.contact_side[i] =
-        forces.contact[i] > 0.0 ? angle_about(closest.tangent, high_side(closest.tangent), node.position - closest.centre) : 0.0;
+        out.contact_force[i] > 0.0 ? angle_about(closest.tangent, high_side(closest.tangent), node.position - closest.centre) : 0.0;
     out.spin_speed[i] = node.rate.spin;
     out.radius[i] = 0.5 * element.outer_diameter;
   }
@@ -114,7 +122,7 @@ StaticReport static_report(const Scene& scene, FrictionMode friction)
   report.hook_load_string = report.outcome.top_force;
   report.hook_load = report.hook_load_string + standard_gravity * scene.rig.hoisting.block_mass;
   report.torque = report.outcome.top_torque;
-  report.bit_side_force = report.profile.contact_force.front();
+  report.bit_side_force = report.outcome.forces.contact.front();
   report.bit_side_direction = report.profile.contact_side.front();
   const NodeState& bit = rig.state.nodes.front();
   const ClosestPoint closest = rig.state.well.locate(bit.position, bit.segment);

@@ -6,7 +6,7 @@ namespace
 {
 constexpr int kMaxHalvings = 5;
 constexpr int kMaxRefinements = 3;
-constexpr int kBudget = 120;    // Newton iterations that one step may cost in all
+constexpr int kBudget = 240;    // Newton iterations that one step may cost in all
 constexpr int kLeftToHalve = 60;  // of them those that must be left before a step is refined that has a solution: its eighths need some 16
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "drill_rig_sim/model/evaluate.h"
 
@@ -10,7 +11,6 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double kServes = 0.2;  // a kept tangent whose increments shrink less than this is made anew
-constexpr double kStalls = 0.7;  // an increment of a new tangent that shrinks less goes to and fro over a kink of contact or friction: halved
 
 double largest(const std::vector<double>& values) noexcept
 {
@@ -32,7 +32,7 @@ bool newton_converged(double increment, double before, const NewtonLimits& limit
   return increment * std::fmin(1.0, contraction) < limits.tolerance;
 }
 
-Newton::Newton(int nodes) : step_(6 * nodes)
+Newton::Newton(int nodes) : step_(6 * nodes), last_(step_)
 {
   tangent_.resize(nodes);
 }
@@ -61,6 +61,11 @@ void Newton::apply(double scale, double* u) const noexcept
   for (std::size_t k = 0; k < step_.size(); ++k) u[k] -= scale * step_[k];
 }
 
+void Newton::go_back(double* u) const noexcept
+{
+  for (std::size_t k = 0; k < last_.size(); ++k) u[k] += 0.5 * last_[k];
+}
+
 NewtonOutcome Newton::solve(const StageContext& problem, double* u, const NewtonLimits& limits) noexcept
 {
   NewtonOutcome out;
@@ -76,13 +81,14 @@ NewtonOutcome Newton::solve(const StageContext& problem, double* u, const Newton
       out.converged = out.increment < limits.tolerance;
       if (out.converged) return out;
       new_tangent = out.increment > kServes * before;
+      if (out.increment > before)
+      {
+        go_back(u);
+        before = 0.0;
+      }
       if (new_tangent) continue;
     }
-    double scale = 1.0;
-    if (out.increment > limits.max_increment)
-      scale = limits.max_increment / out.increment;
-    else if (before > 0.0 && out.increment > kStalls * before)
-      scale = 0.5;
+    const double scale = out.increment > limits.max_increment ? limits.max_increment / out.increment : 1.0;
     apply(scale, u);
     out.converged = newton_converged(out.increment, before, limits);
     if (out.converged)
@@ -92,6 +98,7 @@ NewtonOutcome Newton::solve(const StageContext& problem, double* u, const Newton
     }
     before = out.increment;
     new_tangent = scale < 1.0;
+    std::swap(step_, last_);
   }
   return out;
 }

@@ -40,6 +40,7 @@ Quaterniond carried_along(const Quaterniond& q, const Vector3d& tangent)
 void place_string(const Mesh& mesh, const Wellbore& well, double depth, double toolface, const std::vector<double>& stretch, State& state)
 {
   state.nodes.assign(mesh.nodes.size(), NodeState());
+  state.spans.assign(mesh.elements.size(), SpanState());
   const WellNode bottom = well.at(depth - mesh.nodes[0].from_bit);
   const Vector3d up = toolface_reference(bottom.tangent).direction;
   Matrix3d axes;

@@ -80,6 +80,7 @@ void clear_motion(State& state)
     node.bristle.setZero();
     node.spin_angle = 0.0;
   }
+  for (SpanState& span : state.spans) span.bristle.setZero();
   state.memory.last_step = 0.0;
 }
 

@@ -32,15 +32,18 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
 {
   const double length = e.section.length;
   const double mass = e.linear_mass * length;
-  const double added = mud.added_mass * mud.density * e.displaced * length;
+  const double inside = mud.added_mass * mud.density * e.bore_area * length;
+  const double outside = mud.added_mass * mud.density * e.outer_area * length;
   const double square = 0.25 * (part.outer_diameter * part.outer_diameter + part.inner_diameter * part.inner_diameter);  // ro^2 + ri^2
   for (MeshNode* node : {&lower, &upper})
   {
     node->mass += 0.5 * mass;
-    node->added_mass += 0.5 * added;
+    node->mud_inside += 0.5 * inside;
+    node->mud_outside += 0.5 * outside;
+    node->diameter = (node->length * node->diameter + 0.5 * length * part.outer_diameter) / (node->length + 0.5 * length);
     node->length += 0.5 * length;
     node->spin_inertia += 0.25 * mass * square;
-    node->tilt_inertia += 0.125 * mass * square + (mass + added) * length * length / 78.0;
+    node->tilt_inertia += 0.125 * mass * square + (mass + inside + outside) * length * length / 78.0;
   }
 }
 
@@ -77,7 +80,7 @@ std::vector<Cut> cut_string(const std::vector<PartSpec>& parts, double element_l
   throw std::runtime_error(message.str());
 }
 
-MeshNode bit_node(const PartSpec& bit, const ContactLaw& contact, const MudSpec& mud, const Mesh& mesh)
+MeshNode bit_node(const PartSpec& bit, const ContactLaw& contact, const Mesh& mesh)
 {
   MeshNode node;
   node.from_bit = mesh.bit_radius;
@@ -85,7 +88,6 @@ MeshNode bit_node(const PartSpec& bit, const ContactLaw& contact, const MudSpec&
   node.contact = bit.contact.value_or(contact);
   node.mass = bit.bit->mass;
   node.squeeze_film_damping = bit.bit->squeeze_film_damping;
-  node.added_mass = mud.added_mass * mud.density * mesh.bit_displaced;
   node.spin_inertia = node.tilt_inertia = 0.4 * bit.bit->mass * mesh.bit_radius * mesh.bit_radius;
   return node;
 }
@@ -98,10 +100,11 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
   // the bit's own length carries no mass of the part above it
   const double mass = part.linear_mass * (cut.from_bit - std::max(lower, parts.front().length));
   MeshElement element = make_element(part, cut.part, lower, cut.from_bit, mass);
+  element.contact = part.contact.value_or(contact);
   MeshNode node;
   node.from_bit = cut.from_bit;
   node.contact_radius = cut.contact_radius;
-  node.contact = part.contact.value_or(contact);
+  node.contact = element.contact;
   node.part = cut.part;
   node.joint = cut.joint;
   node.joint_end = cut.joint_end;
@@ -130,7 +133,7 @@ Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, c
   mesh.bit_mass = bit.bit->mass;
   mesh.bit_displaced = bit.bit->mass / bit.density;
   const std::vector<Cut> cuts = cut_string(parts, element_length, mesh);
-  mesh.nodes.push_back(bit_node(bit, contact, mud, mesh));
+  mesh.nodes.push_back(bit_node(bit, contact, mesh));
   for (const Cut& cut : cuts) add_element(parts, cut, contact, mud, mesh);
   // a joint's end touches with the larger of the two ends that meet there
   for (std::size_t i = 1; i + 1 < mesh.nodes.size(); ++i)

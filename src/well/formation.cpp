@@ -59,6 +59,12 @@ double drilling_coefficient(const FormationLayer& layer, double bit_speed) noexc
   return rate * speed2 / (speed2 + slow_turning * slow_turning);
 }
 
+double drilling_speed(double mean_speed, double bit_speed) noexcept
+{
+  constexpr double most = 5.0;
+  return std::min(mean_speed, most * std::max(bit_speed, 0.0));
+}
+
 double on_axis_rop(const FormationLayer& layer, double bit_speed, double weight) noexcept
 {
   const double excess = weight - layer.threshold;

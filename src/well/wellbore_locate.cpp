@@ -176,4 +176,11 @@ ClosestPoint Wellbore::locate(const Eigen::Vector3d& point, int segment_hint) co
   }
 }
 
+double Wellbore::radius_near(const Eigen::Vector3d& point, int segment_hint) const noexcept
+{
+  if (segment_hint < 0) return locate(point, segment_hint).radius;
+  const HoleSegment& g = segment(std::min(segment_hint, new_interval_index()));
+  return g.radius + std::clamp(first_guess(g, point), 0.0, 1.0) * g.radius_change;
+}
+
 }  // namespace drill_rig_sim

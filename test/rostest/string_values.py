@@ -49,8 +49,8 @@ class StringValues(unittest.TestCase):
         return self.strings.at(self.rig.advance(1).header.stamp)
 
     def turning(self, **commands):
-        """The string after 4 s at a steady turn."""
-        self.rig.advance(400, **commands)
+        """The string after 10 s at a steady turn: what the start wound up has died away."""
+        self.rig.advance(1000, **commands)
         return self.strings.at(self.rig.advance(1).header.stamp)
 
     @staticmethod

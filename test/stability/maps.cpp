@@ -68,7 +68,7 @@ Row map_point(const Axis& axis, double value, const Choice& choice, const Tumble
   for (double step : step_ladder())
   {
     if (plain > 0.0 && (!promised || step < kMappedTo)) break;
-    const Tumble run = tumble(settings, choice, step, reference, is_default(choice) ? 100e6 : 32e6);
+    const Tumble run = tumble(settings, choice, step, reference, is_default(choice) ? 200e6 : 64e6);
     if (run.verdict == Verdict::too_slow)
     {
       if (above.empty()) failure = run.verdict;

@@ -5,7 +5,7 @@
 
 namespace drill_rig_sim
 {
-const TumbleKind whole_tumble{8.0, {2.0, 1.9, 2.1}};
+const TumbleKind whole_tumble{16.0, {2.0, 1.9, 2.1}};
 const TumbleKind first_bounces{0.5, {2.0, 1.9, 2.1}};
 
 namespace

@@ -9,7 +9,8 @@
 namespace drill_rig_sim
 {
 /// The ride behind the maps: scenes/inclined.yaml. Pipe in an inclined hole is thrown across it at 2 m/s, bounces from wall to
-/// wall, is lowered at 0.5 m/s meanwhile, and from 1.5 s on turned at 60 rpm: it lies, slides, climbs and rolls.
+/// wall, is lowered at 0.5 m/s meanwhile, and from 1.5 s on turned at 20 rpm: it lies, slides and climbs. Turned
+/// faster, thrown pipe may whirl on for good, or not: by chance.
 struct Tumble
 {
   Verdict verdict = Verdict::passes;
@@ -49,8 +50,7 @@ TumbleReference tumble_reference(const std::vector<std::string>& settings, const
 /// 0.5 rad of its turn; hook load and torque, as means over the second half, are off what the references span by no more than 5 %
 /// of the string's own load at rest (without block and top drive), and 10 % + 20 N m.
 ///
-/// Why several references: after a few bounces the motion is chaotic, and turned pipe then either whirls or lies quietly on the
-/// low side, each for good. With the scene's own numbers that is 290 or 245 N m, and runs with steps of 0.1 to 1 ms do both.
+/// Why several references: bounces are chaotic, and how long they last differs from run to run.
 /// Speeds beyond ten times the bound are `diverged`, the rest of what is out of bounds is `wrong`.
 Tumble tumble(const std::vector<std::string>& settings, const Choice& choice, double step, const TumbleReference& reference,
               double limit);

@@ -81,6 +81,12 @@ inline Vector3d at_the_wall(const ArcHole& arc)
   return arc.locate({4.0, 0.0, -3.0}).centre + 0.0215 * Vector3d(0.48, 0.8, -0.36);
 }
 
+/// The defaults' law where 320 kg rest on the wall.
+inline WallLaw usual_law()
+{
+  return {ContactLaw(), 0.05, 1.2, 5e6, 2e4};
+}
+
 /// One stage from a fixed start of the step: everything as a function of u = (x, r).
 struct ContactStage
 {
@@ -90,7 +96,7 @@ struct ContactStage
   Vector3d bristle = Vector3d::Zero();
   double coefficient = 200.0;
   double radius = 0.08;
-  ContactSpec law;
+  WallLaw law = usual_law();
 
   ContactMotion motion(const Vector6d& u) const
   {
@@ -101,6 +107,7 @@ struct ContactStage
     m.velocity = coefficient * m.displacement + velocity_0;
     m.angular_velocity = coefficient * m.rotation + angular_velocity_0;
     m.velocity_coefficient = coefficient;
+    m.time = 1.0 / coefficient;
     return m;
   }
 };
@@ -199,13 +206,13 @@ public:
   double travel() const { return position_.dot(hole_.tangent); }
   double speed() const { return velocity_.dot(hole_.tangent); }
   const WallForce& force() const { return force_; }
-  ContactSpec& law() { return law_; }
+  WallLaw& law() { return law_; }
 
 private:
   double inclination_;
   double mass_ = 300.0;
   StraightHole hole_;
-  ContactSpec law_;
+  WallLaw law_ = usual_law();
   Vector3d low_side_;
   Vector3d position_;
   Vector3d velocity_ = Vector3d::Zero();

@@ -79,7 +79,7 @@ TEST(WallContact, ElasticImpactRestoresTheSpeed)
   // c_d = 0: a mass thrown at the wall comes back as fast; explicit, fine steps
   StraightHole hole;
   hole.friction = 0.0;
-  ContactSpec law;
+  WallLaw law = usual_law();
   law.law.damping = 0.0;
   const double mass = 100.0;
   const double h = 1e-6;
@@ -100,7 +100,7 @@ TEST(WallContact, DampedImpactFollowsHuntAndCrossley)
   // restitution 1 - 2/3 c_d v for small c_d v
   StraightHole hole;
   hole.friction = 0.0;
-  ContactSpec law;
+  WallLaw law = usual_law();
   const double mass = 100.0;
   const double h = 1e-6;
   const double speed = 0.05;

@@ -8,6 +8,7 @@
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/solve/methods/method.h"
+#include "drill_rig_sim/solve/stepper.h"
 #include "lone_bit.h"
 
 using namespace drill_rig_sim;
@@ -110,16 +111,40 @@ TEST(Evaluate, theBitDrillsTheLayerItStandsOn)
   EXPECT_GT(drilled({all_soft}), 2.0 * in_hard);
 }
 
+// The speed that drills follows the bit's with the lag, w (1 - exp(-t/lag)) after a bit that stood begins to turn; a bit that stops drills
+// nothing, whatever the mean is.
+TEST(Evaluate, theSpeedThatDrillsIsTheMean)
+{
+  Scene scene = drilling_scene(2.0);
+  scene.string[0].bit->speed_lag = 0.3;
+  RigAtRest rig = build_at_rest(scene);
+  for (NodeState& node : rig.state.nodes) node.rate.spin = 8.0;
+  rig.state.drive.speed = 8.0;
+  Setpoints turning;
+  turning.top_drive.speed = 8.0;
+  Stepper stepper(rig.model, find_method(IntegratorKind::automatic));
+  for (int k = 0; k < 60; ++k) ASSERT_TRUE(stepper.advance(rig.state, 0.01, turning));
+  EXPECT_NEAR(rig.state.bit.mean_speed, 8.0 * (1.0 - std::exp(-2.0)), 0.02);
+  Stage stage(*rig.model);
+  begin_step(*rig.model, rig.state, 0.01, turning, stage);
+  EXPECT_EQ(stage.bit.drilling_speed, rig.state.bit.mean_speed);
+  rig.state.nodes[0].rate.spin = 0.1;
+  begin_step(*rig.model, rig.state, 0.01, turning, stage);
+  EXPECT_DOUBLE_EQ(stage.bit.drilling_speed, 0.5);
+  rig.state.nodes[0].rate.spin = -3.0;
+  begin_step(*rig.model, rig.state, 0.01, turning, stage);
+  EXPECT_EQ(stage.bit.drilling_speed, 0.0);
+}
+
 // Rock breaks under weight alone: a bit that leans on the wall off bottom drills no hole beside it.
 TEST(Evaluate, withoutWeightNoRockBreaks)
 {
   const RigAtRest rig = build_at_rest(drilling_scene());
   RigForces forces;
   forces.rock_force = Vector3d(2e4, 0.0, -2e4);
-  forces.bit_speed = 10.0;
-  EXPECT_EQ(rock_velocity(*rig.model, rig.state.well, forces, -Vector3d::UnitZ()).norm(), 0.0);
+  EXPECT_EQ(rock_velocity(*rig.model, rig.state.well, forces, 10.0, -Vector3d::UnitZ()).norm(), 0.0);
   forces.wob = 2e4;
-  EXPECT_LT(rock_velocity(*rig.model, rig.state.well, forces, -Vector3d::UnitZ()).z(), -1e-5);
+  EXPECT_LT(rock_velocity(*rig.model, rig.state.well, forces, 10.0, -Vector3d::UnitZ()).z(), -1e-5);
 }
 
 // Mesh nodes of different parts have walls of different stiffness.

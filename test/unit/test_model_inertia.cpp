@@ -163,7 +163,9 @@ TEST(KineticEnergy, isThatOfMassAndInertiaByHand)
     rig.state.nodes[i].rate = {Vector3d(east, north, -along), Vector3d(tilt_east, tilt_north, 0.0), spin};
     const bool in_air = rig.state.nodes[i].position.z() > 0.0;
     above += in_air;
-    const double sideways = mesh.nodes[i].mass + (in_air ? 0.0 : mesh.nodes[i].added_mass);
+    const double hole = 0.2159 * 0.2159, body = mesh.nodes[i].diameter * mesh.nodes[i].diameter;
+    const double mud = mesh.nodes[i].mud_inside + (hole + body) / (hole - body) * mesh.nodes[i].mud_outside;
+    const double sideways = mesh.nodes[i].mass + (in_air ? 0.0 : mud);
     translation += 0.5 * mesh.nodes[i].mass * along * along + 0.5 * sideways * (east * east + north * north);
     rotation += 0.5 * mesh.nodes[i].tilt_inertia * (tilt_east * tilt_east + tilt_north * tilt_north);
     rotation += 0.5 * mesh.nodes[i].spin_inertia * spin * spin;

@@ -52,10 +52,12 @@ TEST(Stored, kineticEnergyOfEachMotion)
   const StoredEnergy none = stored(rig);
   EXPECT_EQ(0.0, none.kinetic_all());
   const MeshNode& bit = rig.model->mesh().nodes[0];
-  ASSERT_GT(bit.added_mass, 0.0);
+  const double hole = 0.2159 * 0.2159, pipe = bit.diameter * bit.diameter;
+  const double mud = bit.mud_inside + (hole + pipe) / (hole - pipe) * bit.mud_outside;
+  ASSERT_GT(mud, 0.0);
   NodeRate& rate = rig.state.nodes[0].rate;
   rate.velocity = Vector3d(0.3, 0.4, 0.0);
-  EXPECT_NEAR(0.5 * (bit.mass + bit.added_mass) * 0.25, stored(rig).kinetic, 1e-9 * bit.mass);
+  EXPECT_NEAR(0.5 * (bit.mass + mud) * 0.25, stored(rig).kinetic, 1e-9 * bit.mass);
   rate.velocity = Vector3d(0.0, 0.0, 0.5);
   EXPECT_NEAR(0.5 * bit.mass * 0.25, stored(rig).kinetic, 1e-9 * bit.mass);
   rate.velocity.setZero();
@@ -72,7 +74,7 @@ TEST(Stored, wallAndBristle)
 {
   RigAtRest rig = rig_at_rest();
   EXPECT_EQ(0.0, stored(rig).wall + stored(rig).bristles);
-  const ContactSpec& contact = rig.model->contact(0);
+  const WallLaw& contact = rig.model->contact(0);
   const double depth = 1e-3, normal = contact.law.stiffness * std::pow(depth, 1.5);
   press(rig, depth);
   EXPECT_NEAR(normal * depth / 2.5, stored(rig).wall, 1e-3 * normal * depth);

@@ -34,6 +34,12 @@ struct Rig
   {
     for (int k = 0; k < std::lround(seconds / kStep); ++k) ASSERT_TRUE(stepper.advance(rest.state, kStep, setpoints));
   }
+  /// Of the elements' middles that touch.
+  int spans()
+  {
+    const auto& contact = stepper.find_forces(rest.state).span_contact;
+    return static_cast<int>(std::count_if(contact.begin(), contact.end(), [](double f) { return f > 0.0; }));
+  }
   int contacts()
   {
     const auto& contact = stepper.find_forces(rest.state).contact;
@@ -143,6 +149,13 @@ Scene drilling_clear()
   return scene;
 }
 
+/// Pipe without tool joints: it touches between the nodes too.
+Scene plain(Scene scene)
+{
+  scene.string[1].pipe->tool_joint_diameter = 0.0;
+  return scene;
+}
+
 /// Built evenly all the way.
 Scene built()
 {
@@ -204,6 +217,22 @@ TEST(ModelTangent, inACurvedHole)
   expect_exact(rig);
 }
 
+TEST(ModelTangent, inContactBetweenTheNodes)
+{
+  Scene scene = plain(slanted_scene(60.0, 0.3));
+  scene.contact.static_ratio = 1.3;
+  scene.contact.stribeck_speed = 0.3;
+  Rig rig(scene);
+  rig.run(3.0);
+  EXPECT_GE(rig.spans(), 4);
+  expect_exact(rig);
+  rig.setpoints.winch = {-0.1, false};
+  rig.setpoints.top_drive.speed = 20.0 * rpm;
+  rig.run(3.0);
+  EXPECT_GE(rig.spans(), 4);
+  expect_exact(rig);
+}
+
 TEST(ModelTangent, drillingOnBottom)
 {
   for (const BitTorqueModel model : {BitTorqueModel::stribeck, BitTorqueModel::detournay})
@@ -260,7 +289,7 @@ TEST(ModelTangent, statics)
 {
   for (const FrictionMode mode : {FrictionMode::none, FrictionMode::up, FrictionMode::rotate})
   {
-    RigAtRest rig = build_at_rest(built());
+    RigAtRest rig = build_at_rest(plain(built()));
     Problem problem(rig, evaluate_static);
     begin_static(problem.model, problem.start, mode, 0.0, problem.stage);
     const VectorXd u = VectorXd::Zero(6 * rig.model->nodes());

@@ -48,6 +48,7 @@ struct Interval
   RigDae started()
   {
     rig.state.bit.motor_speed = 7.0;
+    rig.state.bit.mean_speed = 12.0;
     rig.state.drive.speed = 2.0;
     rig.state.drive.angle = 50.0;
     rig.state.time = begun;
@@ -89,6 +90,7 @@ TEST(ReferenceRig, beginsWithTheMotionOfTheState)
   EXPECT_EQ(d.dae.motion(1).position, node.position);
   EXPECT_LT((d.dae.motion(1).angular_velocity - 2.0 * x_axis(node.orientation)).norm(), 1e-12);
   EXPECT_EQ(d.further()[0], 7.0);
+  EXPECT_EQ(d.further()[5], 12.0);
   const int rotor = d.nodes + 1, stator = d.nodes + 2, block = d.nodes + 3;
   const Vector3d shaft = d.rig.state.nodes.back().position;
   EXPECT_LT((d.dae.motion(rotor).angular_velocity + 2.0 * Vector3d::UnitZ()).norm(), 1e-9) << "clockwise looking down";
@@ -144,9 +146,10 @@ TEST(ReferenceRig, hasATolerancePerUnknown)
   const double* further = tolerance.data() + d.dae.further_at();
   EXPECT_NEAR(further[0], 8e-6, 1e-15);
   for (int k = 1; k < 5; ++k) EXPECT_NEAR(further[k], 1e-8, 1e-18);
+  EXPECT_NEAR(further[5], 13e-6, 1e-15);
   const std::vector<bool> differential = d.dae.differential();
   ASSERT_EQ(differential.size(), d.y.size());
-  EXPECT_EQ(d.dae.multipliers_at(), 12 * (d.nodes + 4) + 5);
+  EXPECT_EQ(d.dae.multipliers_at(), 12 * (d.nodes + 4) + 6);
   EXPECT_EQ(d.y.size(), static_cast<std::size_t>(d.dae.multipliers_at() + 2 * d.dae.constraint_count()));
   EXPECT_EQ(d.dae.constraint_count(), 6 + 5 + 5 + 5 + 6);
   for (int k = 0; k < static_cast<int>(d.y.size()); ++k)
@@ -187,7 +190,8 @@ TEST(ReferenceRig, aStageHasTheMotionSinceTheIntervalBegan)
   EXPECT_NEAR(stage.hoist.winch_speed, -0.003, 1e-12) << "0.5 m/s2 for 6 ms";
   EXPECT_EQ(stage.bit.motor_speed, 9.0);
   EXPECT_NEAR(stage.bit.motor_turn, 0.08, 1e-12);
-  EXPECT_NEAR(stage.bit.drilling_speed, 11.0, 1e-12);
+  EXPECT_EQ(stage.bit.mean_speed, 12.0);
+  EXPECT_NEAR(stage.bit.drilling_speed, 12.0, 1e-12) << "the mean's, not the 11 of now";
   EXPECT_TRUE(stage.bit.bottom_known);
   EXPECT_EQ(stage.bit.rock_time, 0.0);
   EXPECT_LT((stage.bit.bottom_increment + 1e-4 * Vector3d::UnitZ()).norm(), 1e-12);
@@ -252,6 +256,7 @@ TEST(ReferenceRig, theMotorFollowsItsSteadySpeed)
   EXPECT_NEAR(-s[0], (2.0 * pi * 0.03 / 0.024 - 4.0) / mud_motor_lag, 1e-9);
   EXPECT_NEAR(-s[1], 4.0, 1e-12);
   for (int k = 2; k < 5; ++k) EXPECT_EQ(s[k], 0.0) << "off bottom";
+  EXPECT_NEAR(-s[5], (2.0 + 4.0 - 12.0) / 0.4, 1e-9) << "of string and motor";
 }
 
 // Every set point is one that a rig may jump by.

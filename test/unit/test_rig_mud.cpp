@@ -6,6 +6,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/mud_motor.h"
 #include "drill_rig_sim/rig/mud_pump.h"
+#include "drill_rig_sim/string/mud.h"
 
 namespace drill_rig_sim
 {
@@ -13,6 +14,24 @@ namespace
 {
 constexpr double displacement = 0.024;
 constexpr double stall = 12e3;
+
+// 5 in pipe in an 8 1/2 in hole moves 2.06 times its volume of mud; in a wide hole, its volume (Fritz 1972).
+TEST(MudAround, isMoreInANarrowHole)
+{
+  EXPECT_NEAR(confinement(0.127, 0.2159), (0.04661281 + 0.016129) / (0.04661281 - 0.016129), 1e-12);
+  EXPECT_NEAR(confinement(0.127, 1e3), 1.0, 1e-6);
+  EXPECT_EQ(confinement(0.2, 0.21), 5.0) << "a close fit";
+  EXPECT_EQ(confinement(0.2, 0.2), 5.0);
+  EXPECT_EQ(confinement(0.2, 0.1), 5.0) << "a ledge";
+}
+
+TEST(MudAround, dragIsHalfTheDynamicPressureOnTheDiameter)
+{
+  MudSpec mud;
+  mud.density = 1200.0;
+  mud.drag_coefficient = 1.5;
+  EXPECT_DOUBLE_EQ(lateral_drag(mud, 0.1), 90.0);
+}
 
 TEST(MudPump, ClampsAndPressure)
 {

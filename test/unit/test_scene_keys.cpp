@@ -55,6 +55,7 @@ std::vector<Expected> of_well()
       {"mud", "axial_damping", [](const Scene& s) { return s.mud.axial_damping; }, 0.19},
       {"mud", "lateral_damping", [](const Scene& s) { return s.mud.lateral_damping; }, 21.0},
       {"mud", "torsional_damping", [](const Scene& s) { return s.mud.torsional_damping; }, 2.2e-4},
+      {"mud", "drag_coefficient", [](const Scene& s) { return s.mud.drag_coefficient; }, 1.4},
       {"mud", "added_mass", [](const Scene& s) { return s.mud.added_mass; }, 1.23},
   };
 }
@@ -82,6 +83,7 @@ std::vector<Expected> of_string()
       {"string[].contact", "damping", [](const Scene& s) { return s.string.at(2).contact->damping; }, 0.32},
       {"string[]", "tool_joint_diameter", [](const Scene& s) { return s.string.at(5).pipe->tool_joint_diameter; }, 0.169},
       {"string[]", "blade_diameter", [](const Scene& s) { return s.string.at(3).stabilizer->blade_diameter; }, 0.3081},
+      {"string[]", "speed_lag", [](const Scene& s) { return s.string.at(0).bit->speed_lag; }, 0.31},
       {"string[]", "squeeze_film_damping", [](const Scene& s) { return s.string.at(0).bit->squeeze_film_damping; }, 41000.0},
       {"string[]", "squeeze_film_damping", [](const Scene& s) { return s.string.at(3).stabilizer->squeeze_film_damping; }, 42000.0},
       {"string[]", "sensor_offset", [](const Scene& s) { return s.string.at(4).mwd->sensor_offset; }, 4.6},
@@ -133,6 +135,7 @@ std::vector<Expected> of_rig()
       {"contact", "stribeck_speed", [](const Scene& s) { return s.contact.stribeck_speed; }, 0.051},
       {"contact", "static_ratio", [](const Scene& s) { return s.contact.static_ratio; }, 1.21},
       {"contact", "tangential_stiffness", [](const Scene& s) { return s.contact.tangential_stiffness; }, 5.4e6},
+      {"contact", "tangential_damping", [](const Scene& s) { return s.contact.tangential_damping; }, 0.26},
       {"trajectory", "stage_two_length", [](const Scene& s) { return s.trajectory.stage_two_length; }, 0.11},
       {"start", "bit_depth", [](const Scene& s) { return s.start.bit_depth; }, 801.0},
       {"start", "block_height", [](const Scene& s) { return s.start.block_height; }, 35.0},

@@ -120,7 +120,7 @@ inline Scene slanted_scene(double bit_depth, double friction)
 /// Nothing takes energy out: no mud drag, no structural damping.
 inline Scene without_damping(Scene scene)
 {
-  scene.mud.axial_damping = scene.mud.torsional_damping = 0.0;
+  scene.mud.axial_damping = scene.mud.torsional_damping = scene.mud.drag_coefficient = 0.0;
   scene.numerics.structural_damping = 0.0;
   return scene;
 }

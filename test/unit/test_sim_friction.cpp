@@ -26,6 +26,8 @@ Scene pipe_on_a_wire(double kinetic, double static_ratio)
   scene.string = {bit_part(0.2), pipe_part(10, 9.5, tool_jointed_mass), wire};
   // the film's damping acts across the bit's axis: at metres per second the tilted bit would glide on it like a ski, and lift
   scene.string[0].bit->squeeze_film_damping = 0.0;
+  // sideways the mud would weigh three times what the wire does
+  scene.mud.added_mass = scene.mud.drag_coefficient = 0.0;
   scene.rig.hoisting.max_speed = 20.0;
   return scene;
 }
@@ -93,7 +95,7 @@ TEST(Friction, staticFrictionHoldsWhatKineticWouldNot)
   expect_sticks(2.5, 1.2);
 }
 
-// mu 0.5: acceleration g (cos I - mu sin I) (1 - mud/steel). The mud has no axial drag in this scene, nor added mass along the
+// mu 0.5: acceleration g (cos I - mu sin I) (1 - mud/steel). The mud has no drag in this scene, nor added mass along the
 // pipe. Seen: 0.3 %.
 TEST(Friction, pipeSlidesByCoulombsLaw)
 {
@@ -103,7 +105,7 @@ TEST(Friction, pipeSlidesByCoulombsLaw)
     scene.numerics.step = 0.002;
     const double expected =
         standard_gravity * (std::cos(slant) - mu * std::sin(slant)) * (1.0 - scene.mud.density / steel_density);
-    scene.rig.hoisting.max_acceleration = expected + 0.5;  // the block runs ahead, but leaves the wire little slack to bunch up
+    scene.rig.hoisting.max_acceleration = expected + 0.2;  // the block runs ahead, but leaves the wire little slack to bunch up
     Simulator rig(scene);
     const Truth& m = rig.truth();
     run(rig, 1.0);

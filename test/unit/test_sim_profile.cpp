@@ -155,6 +155,28 @@ TEST(Profile, contactSideIsClockwiseFromTheHighSide)
   EXPECT_EQ(p.contact_side[7], 0.0);
 }
 
+// What touches between the nodes is half of each node beside it.
+TEST(Profile, contactBetweenTheNodesIsOfBothByHalves)
+{
+  const RigAtRest rig = build_at_rest(slanted_string());
+  RigForces forces = numbered_forces(*rig.model);
+  const std::size_t elements = rig.model->mesh().elements.size();
+  forces.contact.assign(elements + 1, 1.0);
+  forces.wall.assign(elements + 1, Vector3d(1.0, 0.0, 0.0));
+  forces.span_contact.assign(elements, 0.0);
+  forces.span_wall.assign(elements, Vector3d::Zero());
+  forces.span_contact[3] = 50.0;
+  forces.span_wall[3] = Vector3d(30.0, 40.0, 0.0);
+  StringProfile p;
+  fill_profile(*rig.model, rig.state, forces, p);
+  for (std::size_t i = 0; i < p.md.size(); ++i)
+  {
+    const bool beside = i == 3 || i == 4;
+    EXPECT_EQ(p.contact_force[i], beside ? 26.0 : 1.0) << i;
+    EXPECT_EQ(p.contact_vector[i], beside ? Vector3d(16.0, 20.0, 0.0) : Vector3d(1.0, 0.0, 0.0)) << i;
+  }
+}
+
 // At rest the string lies on the low side, and what the wall carries there is the weight across the hole.
 TEST(Profile, atRestTheWallCarriesTheWeightAcrossTheHole)
 {

@@ -26,7 +26,8 @@ RigAtRest heavy_bit(const Scene& scene, bool spring)
                   [spring](MeshNode& bit, BeamSection& pipe)
                   {
                     bit.mass = mass;
-                    bit.added_mass = mud_mass;
+                    bit.mud_inside = mud_mass;
+                    bit.mud_outside = 0.0;
                     bit.spin_inertia = spin_inertia;
                     pipe.bending_near = pipe.bending_far = 1e-9;
                     if (!spring) pipe.axial = pipe.torsion = 1e-9;
@@ -94,6 +95,21 @@ TEST(Losses, mudTakesItsShareOfEachMotion)
   expect_alone(run(rig, 1e-3, 0.2), &EnergyAccounts::mud, taken(0.5 * spin_inertia * 16.0, 3.5, 0.2));
   // no mud above the rotary table
   rig.state.nodes[0].position.z() = 0.5;
+  EXPECT_LT(std::abs(run(rig, 1e-3, 0.2).mud), 1e-6);
+}
+
+// m v' = -k v^2, k = half rho C_d D L: v = v_0/(1 + k v_0 t/m). Along the string there is none of it.
+TEST(Losses, mudTakesTheCubeOfASidewaysSpeed)
+{
+  Scene scene = quiet();
+  scene.mud.drag_coefficient = 1.3;
+  RigAtRest rig = heavy_bit(scene, false);
+  const double k = 0.5 * scene.mud.density * 1.3 * pipe_outer * rig.model->mesh().nodes[0].length;
+  NodeRate& rate = rig.state.nodes[0].rate;
+  rate.velocity = Vector3d(0.03, 0.04, 0.0);
+  const double left = 0.05 / (1.0 + k * 0.05 * 0.2 / (mass + mud_mass));
+  expect_alone(run(rig, 1e-3, 0.2), &EnergyAccounts::mud, 0.5 * (mass + mud_mass) * (0.05 * 0.05 - left * left));
+  rate.velocity = Vector3d(0.0, 0.0, 0.05);
   EXPECT_LT(std::abs(run(rig, 1e-3, 0.2).mud), 1e-6);
 }
 

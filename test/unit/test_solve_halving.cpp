@@ -92,19 +92,19 @@ TEST(Halving, whatIsSolvedIsRefinedToAnEighthAtMostAndWhileIterationsAreLeft)
 
   const auto dear = [](const Scripted::Attempt& a, int& budget)
   {
-    budget -= 60;  // of 120
+    budget -= 180;  // of 240
     return a.may_refine ? StepResult::error_test_failed : StepResult::solved;
   };
   Scripted poor(any_rig(), dear);
   EXPECT_TRUE(poor.advance_by(32.0));
-  EXPECT_EQ((std::vector<double>{32, 16, 16}), steps_of(poor)) << "sixty must be left";
+  EXPECT_EQ((std::vector<double>{32, 16, 16}), steps_of(poor)) << "more than sixty must be left";
 }
 
 TEST(Halving, endsWhereItsIterationsAreSpent)
 {
   Scripted integrator(any_rig(), [](const Scripted::Attempt&, int& budget)
                       {
-                        budget -= 60;
+                        budget -= 120;
                         return StepResult::not_converged;
                       });
   EXPECT_FALSE(integrator.advance_by(32.0));

@@ -165,19 +165,22 @@ TEST(Mesh, elementsAndInertiaAreThoseOfTheTube)
   EXPECT_NEAR(e.section.bending_near - e.section.bending_far, 2.0 * 206e9 * 0.5 * polar / 5.0, 1e-3);
   const MeshNode& node = mesh.nodes[6];
   EXPECT_NEAR(node.mass, 5.0 * plain_pipe_mass, 1e-9);
-  EXPECT_NEAR(node.added_mass, 1150.0 * pipe_area * 5.0, 1e-9);
+  const double bore = 0.25 * pi * pipe_inner * pipe_inner;
+  EXPECT_NEAR(node.mud_inside, 1150.0 * bore * 5.0, 1e-9);
+  EXPECT_NEAR(node.mud_outside, 1150.0 * (bore + pipe_area) * 5.0, 1e-9);
+  EXPECT_NEAR(node.diameter, pipe_outer, 1e-12);
   EXPECT_NEAR(node.spin_inertia, steel_density * polar * 5.0, 1e-9);
   EXPECT_NEAR(node.length, 5.0, 1e-9);
   // Across the axis: half the polar moment, and what is lumped of the cubic beam's consistent mass, whose diagonal 156/420, 4/420 L^2 is
   // scaled so that the two ends carry the mass (Hinton, Rock and Zienkiewicz 1976); the mud counts where it moves along.
-  const double rotary = steel_density * 0.5 * polar * 5.0, moved = 5.0 * (plain_pipe_mass + 1150.0 * pipe_area);
+  const double rotary = steel_density * 0.5 * polar * 5.0, moved = 5.0 * (plain_pipe_mass + 1150.0 * (2.0 * bore + pipe_area));
   EXPECT_NEAR(node.tilt_inertia, rotary + 2.0 * 0.5 * moved * 25.0 * 4.0 / 156.0, 1e-9);
   // the bit is a ball on half an element of 5.2 m, of which 0.2 m are its own
   const MeshNode& bit = mesh.nodes[0];
   const double ball = 0.4 * 40.0 * 0.1 * 0.1, share = 0.5 * 5.0;
   EXPECT_NEAR(bit.mass, 40.0 + share * plain_pipe_mass, 1e-9);
   EXPECT_NEAR(bit.spin_inertia, ball + share * steel_density * polar, 1e-9);
-  const double lumped = share * (plain_pipe_mass + 1150.0 * pipe_area) * 5.2 * 5.2 * 4.0 / 156.0;
+  const double lumped = (share * plain_pipe_mass + 0.5 * 5.2 * 1150.0 * (2.0 * bore + pipe_area)) * 5.2 * 5.2 * 4.0 / 156.0;
   EXPECT_NEAR(bit.tilt_inertia, ball + share * steel_density * 0.5 * polar + lumped, 1e-9);
 }
 

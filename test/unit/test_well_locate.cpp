@@ -97,6 +97,20 @@ TEST_P(LocateIn, WrongHintsAreHarmless)
   }
 }
 
+// Read off the chord of the point's segment: a ledge is a short piece of the hole, so it is found to a share of its length.
+TEST_P(LocateIn, RadiusNearAPointIsTheHoles)
+{
+  const Wellbore hole = drilled_on(GetParam(), 0.35);
+  std::mt19937 random(13);
+  for (int i = 0; i < 3000; ++i)
+  {
+    const Eigen::Vector3d point = point_near(hole, 2.0 * bit_radius, random);
+    const ClosestPoint closest = hole.locate(point, -1);
+    ASSERT_NEAR(hole.radius_near(point, closest.segment), closest.radius, 1e-3 * closest.radius) << i;
+    ASSERT_EQ(hole.radius_near(point, -1), closest.radius) << i;
+  }
+}
+
 // From 30 m above the rotary table to the bottom in millimetres: one centre line, md and radius without jumps.
 TEST_P(LocateIn, SiteMovesContinuouslyFromTheTopDriveToTheBottom)
 {

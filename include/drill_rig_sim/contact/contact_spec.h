@@ -1,6 +1,8 @@
 #ifndef DRILL_RIG_SIM_CONTACT_CONTACT_SPEC_H
 #define DRILL_RIG_SIM_CONTACT_CONTACT_SPEC_H
 
+#include <cmath>
+
 #include "drill_rig_sim/contact/normal_law.h"
 
 namespace drill_rig_sim
@@ -12,7 +14,26 @@ struct ContactSpec
   double stribeck_speed = 0.05;       ///< slip speed over which friction falls from static to kinetic [m/s]
   double static_ratio = 1.2;          ///< static / kinetic friction [-], >= 1
   double tangential_stiffness = 5e6;  ///< of the bristle that carries sticking friction [N/m]
+  double tangential_damping = 0.25;   ///< of that bristle, of what is critical for the mass at the contact: what sticks does not ring [-]
 };
+
+/// The law at one place of the string.
+struct WallLaw
+{
+  ContactLaw law;
+  double stribeck_speed = 0.0;        ///< [m/s]
+  double static_ratio = 1.0;          ///< [-]
+  double tangential_stiffness = 1.0;  ///< k_b [N/m]
+  double tangential_damping = 0.0;    ///< c_b [N s/m]
+};
+
+/// @param law   normal law of the part there
+/// @param mass  that rests on the contact [kg]; c_b = 2 zeta sqrt(k_b m)
+inline WallLaw wall_law(const ContactSpec& spec, const ContactLaw& law, double mass)
+{
+  return {law, spec.stribeck_speed, spec.static_ratio, spec.tangential_stiffness,
+          2.0 * spec.tangential_damping * std::sqrt(spec.tangential_stiffness * mass)};
+}
 
 }  // namespace drill_rig_sim
 

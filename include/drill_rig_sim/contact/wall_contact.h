@@ -14,12 +14,15 @@
 ///
 /// Normal:    delta = rho + R_D - R(s),  F_n by normal_force(), applied to the string as -F_n n.
 /// Friction:  in the full tangent plane, so that its axial and circumferential parts compete; applied at the surface, arm R_D n.
-///            A bristle z (elasto-plastic, implicit return mapping) carries true sticking:
-///              z_t = P (z_n + x + r x R_D n)            trial, x and r the step's displacement and rotation
-///              f   = -k_b z_t                           if k_b |z_t| <= mu(|v_t|) F_n: sticks, z = z_t
-///              f   = -mu F_n z_t/|z_t|                  otherwise: slips, z = z_t mu F_n / (k_b |z_t|)
-///            with v_t = P (v_D + omega x R_D n) and mu(v) the Stribeck curve. The bristle is driven by the displacement, not by
-///            the velocity: under a constant load it does not creep, whatever the time scheme. mu = 0 is the frictionless mode.
+///            A bristle z (elasto-plastic, implicit return mapping) with a damper c_b beside it carries true sticking:
+///              z_t = P (z_n + x + r x R_D n),  v_t = P (v_D + omega x R_D n)          trial; x and r the step's displacement, rotation
+///              q   = k_b z_t + c_b v_t
+///              f   = -q                                 if |q| <= mu(|v_t|) F_n: sticks, z = z_t
+///              f   = -mu F_n q/|q|                      otherwise: slips; the bristle goes to its own limit, z_l = f/-k_b, over
+///                                                       c_b/k_b: z = P z_n + (z_l - P z_n) t/(t + c_b/k_b), t the time since z_n
+///            with mu(v) the Stribeck curve. The bristle is driven by the displacement, not by the velocity: under a constant load
+///            it does not creep, whatever the time scheme. The damper sits inside the friction cone: the two together never pull
+///            harder than mu F_n, and never give energy back that they did not take. mu = 0 is the frictionless mode.
 ///
 /// rho is taken as sqrt(|d|^2 + 1e-14 m^2): with zero clearance (a bit's gauge in the hole it cut) contact is active down to rho
 /// = 0, where n would be undefined; so it goes to zero smoothly within 0.1 micrometre, and all tangents stay exact and finite.
@@ -39,6 +42,7 @@ struct ContactMotion
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< v_D [m/s]
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< omega [rad/s]
   double velocity_coefficient = 0.0;                           ///< c = dv/du [1/s]
+  double time = 0.0;                                           ///< since the start of the step [s]
 };
 
 /// What the wall does to the string, about D.
@@ -72,16 +76,16 @@ inline double wall_gap(const ClosestPoint& closest, const Eigen::Vector3d& posit
 /// @param radius   R_D [m]
 /// @param motion   of the section
 /// @param bristle  z_n, at the start of the step; zero where there was no contact [m]
-/// @param law      normal law, Stribeck curve, bristle stiffness k_b
+/// @param law      normal law, Stribeck curve, bristle's stiffness k_b and damping c_b
 /// @return zeros when clear of the wall
 WallForce wall_contact(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
-                       const ContactSpec& law) noexcept;
+                       const WallLaw& law) noexcept;
 
 /// The same with the consistent tangent d(force, moment)/d(x, r), overwritten; zero when clear of the wall. Not symmetric.
 /// It holds the change of n along the curved hole, dn/dr_D = P (1 - dC/ds (ds/dr_D)^T) / rho; of the hole, only the change of
 /// ds/dr_D and of dR/ds themselves is left out (second order in curvature and taper).
 WallForce wall_contact(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
-                       const ContactSpec& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept;
+                       const WallLaw& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept;
 
 /// Prescribed sliding of the section's surface, for quasi-static torque and drag. Only the ratio of the two matters.
 struct SlidingMotion

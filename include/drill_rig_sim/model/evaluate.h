@@ -52,8 +52,9 @@ inline Vector6d in_step_axes(const NodeRate& rate, const Eigen::Vector3d& normal
 void find_string_forces(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept;
 
 /// Velocity of the hole's bottom under the bit at the stage's forces (three-dimensional rock-breaking velocity) [m/s].
-/// `bit_axis`: unit, downhole.
-Eigen::Vector3d rock_velocity(const Model& model, const Wellbore& well, const RigForces& forces, const Eigen::Vector3d& bit_axis) noexcept;
+/// `drilling_speed`: BitDrive's [rad/s]; `bit_axis`: unit, downhole.
+Eigen::Vector3d rock_velocity(const Model& model, const Wellbore& well, const RigForces& forces, double drilling_speed,
+                              const Eigen::Vector3d& bit_axis) noexcept;
 
 /// A node's motion given outright instead of through a stage.
 struct GivenNode
@@ -64,7 +65,7 @@ struct GivenNode
   Vector6d rate;       ///< velocity and angular velocity, world axes [m/s, rad/s]
 };
 
-/// A motion that somebody else integrates. `stage` of the calls below: its dv_du, motor, bottom and time are looked at.
+/// A motion that somebody else integrates. `stage` of the calls below: its dv_du, motor, bottom, time, and the normals at the start of the step are looked at.
 struct GivenMotion
 {
   std::vector<GivenNode> nodes;

@@ -34,7 +34,9 @@ public:
   /// Null: none.
   const MotorSpec* motor() const noexcept { return motor_; }
   /// Wall contact at a node.
-  const ContactSpec& contact(int i) const noexcept { return contact_[static_cast<std::size_t>(i)]; }
+  const WallLaw& contact(int i) const noexcept { return contact_[static_cast<std::size_t>(i)]; }
+  /// And at an element's middle.
+  const WallLaw& span_contact(int e) const noexcept { return span_contact_[static_cast<std::size_t>(e)]; }
   /// Of the bristle that carries a stuck bit's torque [N m/rad].
   double bit_bristle_stiffness() const noexcept { return bit_bristle_; }
   /// Weight of element `e` in mud, its ends at heights `z_lower`, `z_upper` [m]; no buoyancy above the rotary table [N].
@@ -45,7 +47,8 @@ private:
   Mesh mesh_;
   const BeamKind& beam_;
   Formation formation_;
-  std::vector<ContactSpec> contact_;  // per node
+  std::vector<WallLaw> contact_;       // per node
+  std::vector<WallLaw> span_contact_;  // per element
   const MotorSpec* motor_ = nullptr;   // into scene_
   double bit_bristle_ = 0.0;
 };

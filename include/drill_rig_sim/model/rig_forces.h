@@ -14,6 +14,8 @@ struct RigForces
   std::vector<double> bending_moment;   ///< at the nodes, from the element below [N m]
   std::vector<double> contact;          ///< normal, at the nodes [N]
   std::vector<Eigen::Vector3d> wall;    ///< wall on string, at the nodes [N]
+  std::vector<double> span_contact;     ///< normal, at the elements' middles [N]
+  std::vector<Eigen::Vector3d> span_wall;  ///< wall on string, at the elements' middles [N]
   Eigen::Vector3d bit_force = Eigen::Vector3d::Zero();   ///< rock on bit [N]
   Eigen::Vector3d bit_moment = Eigen::Vector3d::Zero();  ///< rock on bit about its centre [N m]
   Eigen::Vector3d rock_force = Eigen::Vector3d::Zero();  ///< bit on rock that breaks it: bottom normal and gauge normal [N]
@@ -32,6 +34,8 @@ struct RigForces
     v("bending_moment", bending_moment);
     v("contact", contact);
     v("wall", wall);
+    v("span_contact", span_contact);
+    v("span_wall", span_wall);
     v("bit_force", bit_force);
     v("bit_moment", bit_moment);
     v("rock_force", rock_force);

@@ -17,7 +17,8 @@ struct BitDrive
 {
   double motor_speed = 0.0;     ///< of the mud motor, relative to the string [rad/s]
   double motor_turn = 0.0;      ///< since the start of the step [rad]
-  double drilling_speed = 0.0;  ///< that the rock-breaking law sees [rad/s]
+  double mean_speed = 0.0;      ///< of the bit, behind its speed by the lag [rad/s]
+  double drilling_speed = 0.0;  ///< that the rock-breaking law sees, drilling_speed() [rad/s]
   double rock_time = 0.0;       ///< over which the bottom recedes implicitly, by the law at the stage [s]
   bool bottom_known = false;    ///< somebody else integrates the bottom:
   Eigen::Vector3d bottom_increment = Eigen::Vector3d::Zero();  ///< how far it has receded since the start of the step [m]
@@ -44,6 +45,7 @@ struct Stage
   // what holds during the whole step; begin_step() or begin_static() finds it
   std::vector<Eigen::Vector3d> normal;  ///< n, of the nodes
   std::vector<double> immersed;         ///< 1 for a node below the rotary table, 0 above
+  std::vector<double> added_mass;       ///< of the mud that moves sideways with a node; of the bit none, its gauge squeezes a film [kg]
   std::vector<Eigen::Vector3d> load;    ///< weight of the elements in mud [N]
   double structural_damping = 0.0;      ///< [s]
   Setpoints setpoints;

@@ -49,6 +49,20 @@ struct NodeState
   }
 };
 
+/// Where the pipe between two nodes touches the wall.
+struct SpanState
+{
+  Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction at the element's middle, world axes [m]
+  int segment = -1;                                   ///< hole segment of the last contact search
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("bristle", bristle);
+    v("segment", segment);
+  }
+};
+
 /// A quantity of the past that a method keeps: six coordinates per node, in the axes of the present section normals, and the rotor's.
 struct PastQuantity
 {
@@ -122,6 +136,7 @@ struct BitState
   double twist = 0.0;        ///< bristle of the torque on bit [rad]
   double motor_speed = 0.0;  ///< of the bit relative to the string [rad/s]
   double turned = 0.0;       ///< by the motor since the start [rad]
+  double mean_speed = 0.0;   ///< of the bit, behind its speed by the lag [rad/s]
   bool stalled = false;
   Eigen::Vector3d rock_velocity = Eigen::Vector3d::Zero();  ///< of the hole's bottom in the last step [m/s]
 
@@ -131,6 +146,7 @@ struct BitState
     v("twist", twist);
     v("motor_speed", motor_speed);
     v("turned", turned);
+    v("mean_speed", mean_speed);
     v("stalled", stalled);
     v("rock_velocity", rock_velocity);
   }
@@ -160,6 +176,7 @@ struct State
   Wellbore well;
   double time = 0.0;  ///< [s]
   std::vector<NodeState> nodes;
+  std::vector<SpanState> spans;  ///< one per element
   MethodMemory memory;
   DriveState drive;
   HoistState hoist;
@@ -173,6 +190,7 @@ struct State
     v("well", well);
     v("time", time);
     v("nodes", nodes);
+    v("spans", spans);
     v("memory", memory);
     v("drive", drive);
     v("hoist", hoist);

@@ -24,7 +24,18 @@ struct NodeMotion
   Eigen::Vector3d tilt;  ///< of the increment, across the axis [rad]
   double spin;           ///< and about it [rad]
   Vector6d increment, rate, acceleration;
-  ClosestPoint closest;  ///< of the hole; only below the rotary table
+  ClosestPoint closest;  ///< of hole or mast
+  bool touches;          ///< the wall
+};
+
+/// The middle of an element at a stage, on its cubic between two nodes: r = (r_u + r_l)/2 + a_u + a_l, with the arms a_u = L/8 n_u and
+/// a_l = -L/8 n_l, n the section normals. Its motions are v = (v_u + v_l)/2 + w_u x a_u + w_l x a_l and w = (w_u + w_l)/2.
+struct SpanMotion
+{
+  Eigen::Vector3d position;
+  Eigen::Vector3d upper_arm, lower_arm;  ///< at the start of the step [m]
+  Vector6d increment;                    ///< displacement and rotation since then [m, rad]
+  ClosestPoint closest;  ///< of hole or mast
   bool touches;          ///< the wall
 };
 
@@ -32,6 +43,7 @@ struct NodeMotion
 struct StageResult
 {
   std::vector<Eigen::Vector3d> bristle;  ///< of the wall's friction, per node [m]
+  std::vector<Eigen::Vector3d> span_bristle;  ///< and per element [m]
   DriveState drive;
   double drive_increment = 0.0;     ///< of the rotor since the start of the step [rad]
   double drive_acceleration = 0.0;  ///< [rad/s2]
@@ -48,6 +60,7 @@ struct Workspace
   explicit Workspace(const Model& model);
 
   std::vector<NodeMotion> nodes;
+  std::vector<SpanMotion> spans;  ///< one per element
   StageResult result;
   std::vector<double> unused;  ///< 6 per node: a residual that nobody asks for
   Profiler profiler;           ///< where the time goes; evaluate() times its parts, its callers theirs

@@ -47,7 +47,7 @@ public:
   void finish(double t, const std::vector<double>& y, State& state);
 
 protected:
-  int further_count() const override { return 5; }
+  int further_count() const override { return 6; }
   void add_forces(double t, const double* y, double* force) override;
   void add_force_jacobian(double t, const double* y, SparseJacobian& j) override;
   void further_rates(double t, const double* y, double* rate) override;
@@ -67,7 +67,7 @@ private:
     double speed;  // [rad/s]
     double twist;  // of the torque meter [rad]
   };
-  using BitAnswer = Eigen::Matrix<double, 11, 1>;  // minus the force on the bit, rates of the further states
+  using BitAnswer = Eigen::Matrix<double, 12, 1>;  // minus the force on the bit, rates of the further states
 
   RigDae(const Model& model, Stage& stage, Workspace& work, Rig rig, Formulation formulation, double tolerance);
   static Rig rig_of(const Model& model, const State& state);
@@ -78,7 +78,7 @@ private:
   int block() const { return string_nodes() + 3; }
   void take_motion(double t, const double* y);
   GivenNode motion_of(int body, const double* y) const;
-  BitDrive bit_drive(double motor_speed, double motor_turn, const Eigen::Vector3d& bottom, const GivenNode& bit) const;
+  BitDrive bit_drive(double motor_speed, double motor_turn, const Eigen::Vector3d& bottom, double mean_speed, const GivenNode& bit) const;
   BitDrive bit_drive_at(const double* y, const GivenNode& bit) const;
   double steady_motor_speed() const;
   Drive drive_at(const double* y) const;

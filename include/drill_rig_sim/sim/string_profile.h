@@ -18,7 +18,7 @@ struct StringProfile
   std::vector<double> true_axial_force;  ///< [N]
   std::vector<double> torque;          ///< [N m]
   std::vector<double> bending_moment;  ///< magnitude [N m]
-  std::vector<double> contact_force;   ///< normal, wall on string [N]
+  std::vector<double> contact_force;   ///< normal, wall on string: the node's own and half of what the elements beside it have at their middles [N]
   std::vector<Eigen::Vector3d> contact_vector;  ///< normal plus friction, wall on string, world axes [N]
   std::vector<double> contact_side;    ///< clockwise from high side looking downhole [rad]
   std::vector<double> spin_speed;      ///< [rad/s]

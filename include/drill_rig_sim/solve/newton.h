@@ -28,7 +28,8 @@ struct NewtonOutcome
 
 /// Newton's method on one stage of the system. Converges on the increment, not on the residual: a residual of 1e-3 N is below
 /// round-off in a long string. A tangent is kept as long as it serves: the residual after an increment shows, for a third of what an
-/// iteration costs, whether that was the last, and the kept tangent makes small increments as good as a new one would.
+/// iteration costs, whether that was the last, and the kept tangent makes small increments as good as a new one would. Where the kept
+/// tangent asks for more than the increment just made, that one led over a kink of contact or friction: half of it is taken back.
 /// Noexcept, allocation-free after construction.
 class Newton
 {
@@ -43,9 +44,10 @@ public:
 private:
   double find_increment(const StageContext& problem, const double* u, bool new_tangent) noexcept;
   void apply(double scale, double* u) const noexcept;
+  void go_back(double* u) const noexcept;
 
   BlockTridiagonal tangent_;
-  std::vector<double> step_;
+  std::vector<double> step_, last_;  // the increment under way, and the one before it
 };
 
 }  // namespace drill_rig_sim

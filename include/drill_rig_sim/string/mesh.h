@@ -17,10 +17,12 @@ struct MeshNode
   double contact_radius = 0.0;  ///< [m]
   ContactLaw contact;
   double mass = 0.0;          ///< in air [kg]
-  double added_mass = 0.0;    ///< of mud, lateral motion only [kg]
+  double mud_inside = 0.0;    ///< in the bore; moves along sideways [kg]
+  double mud_outside = 0.0;   ///< as much as the string's outside displaces; confinement() says how much of it moves along [kg]
+  double diameter = 0.0;      ///< of the string's outside, mean over its share [m]
   double spin_inertia = 0.0;  ///< about the string's axis [kg m2]
   double tilt_inertia = 0.0;  ///< about any axis across it [kg m2]
-  double length = 0.0;        ///< share of the string, for the mud's damping [m]
+  double length = 0.0;        ///< share of the string [m]
   double squeeze_film_damping = 0.0;  ///< of lateral motion by the mud squeezed between blades or gauge and wall [N s/m]
   int part = 0;               ///< index of the part below it
   int joint = 0;              ///< joint of that part, counted from its lower end
@@ -38,6 +40,7 @@ struct MeshElement
   double outer_area = 0.0;   ///< [m2]
   double bore_area = 0.0;    ///< [m2]
   double outer_diameter = 0.0;
+  ContactLaw contact;  ///< of its middle
   int part = 0;
 };
 

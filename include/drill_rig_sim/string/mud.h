@@ -8,10 +8,24 @@ struct MudSpec
 {
   double density = 1150.0;          ///< [kg/m3]
   double axial_damping = 0.0;       ///< [N s/m per m]
-  double lateral_damping = 20.0;    ///< [N s/m per m]
+  double lateral_damping = 20.0;    ///< linear part [N s/m per m]
+  double drag_coefficient = 1.0;    ///< C_d of the quadratic part, on the outer diameter [-]
   double torsional_damping = 5e-4;  ///< [N m s/rad per m]
-  double added_mass = 1.0;          ///< factor on the displaced mud's mass, lateral motion only [-]
+  double added_mass = 1.0;          ///< factor on the mass of the mud that moves sideways with the string [-]
 };
+
+/// How much more mud a round body moves sideways in a hole than its own volume of it: C_m = (D_h^2 + D^2)/(D_h^2 - D^2), the ideal
+/// fluid between a cylinder and a hole about the same axis (Fritz, J. Eng. Industry 94 (1972) 167-173); near the wall it would be 1.5
+/// to 2 times that. Singular for close fits, where viscosity decides: at most 5.
+/// @param diameter  D [m]
+/// @param hole_diameter  D_h [m]
+double confinement(double diameter, double hole_diameter) noexcept;
+
+/// Drag across a round body per metre and (m/s)^2: half rho C_d D [N s2/m3].
+inline double lateral_drag(const MudSpec& mud, double diameter) noexcept
+{
+  return 0.5 * mud.density * mud.drag_coefficient * diameter;
+}
 
 }  // namespace drill_rig_sim
 

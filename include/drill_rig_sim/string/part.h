@@ -26,6 +26,7 @@ struct BitSpec
   double diameter = 0.0;      ///< gauge [m]
   double side_cutting = 0.0;  ///< i_b in [0, 1]
   double squeeze_film_damping = 5e4;  ///< lateral, by the mud squeezed between gauge and wall [N s/m]
+  double speed_lag = 0.4;             ///< of the speed that drills behind the bit's [s]
   BitTorqueSpec torque;
   ContactLaw bottom{1e9, 1.5, 1.0};  ///< bit against the hole's bottom
 };

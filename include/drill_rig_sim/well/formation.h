@@ -52,6 +52,11 @@ Eigen::Vector3d bed_normal(const FormationLayer& layer) noexcept;
 /// with the speed: a bit that does not turn drills nothing, also for beta = 0; at 5 rad/s the factor is 1 - 1e-4.
 double drilling_coefficient(const FormationLayer& layer, double bit_speed) noexcept;
 
+/// The speed that the rate of penetration is to be worked out with: the law is a mean over turns, used with the speed of the instant it
+/// feeds the drilling string's axial and torsional vibration (flutter). `mean_speed`: the bit's, lagged by about a turn. A bit that stands
+/// drills nothing: at most five times the speed it has [rad/s].
+double drilling_speed(double mean_speed, double bit_speed) noexcept;
+
 /// ROP of a bit that pushes and turns along its axis in isotropic rock, K N^beta (W - F_0)^alpha [m/s]; 0 for W <= F_0.
 double on_axis_rop(const FormationLayer& layer, double bit_speed, double weight) noexcept;
 

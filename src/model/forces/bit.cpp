@@ -84,13 +84,14 @@ void put_on_bit(const StageContext& at, const BottomForce& bottom, const BitTorq
   if (forces.contact[0] > 0.0) forces.rock_force += (forces.contact[0] / offset) * outward;
 }
 
-/// Bristle and mud motor at the stage.
+/// Bristle, mean speed and mud motor at the stage.
 void advance_bit(const StageContext& at, const BitTorque& torque) noexcept
 {
   BitState& end = at.work.result.bit;
   end = at.start.bit;
   end.twist = torque.twist;
   end.turned += at.stage.bit.motor_turn;
+  end.mean_speed -= std::expm1(-at.stage.time / at.model.bit().speed_lag) * (at.work.result.forces.bit_speed - end.mean_speed);
   const MotorSpec* motor = at.model.motor();
   if (!motor) return;
   const double steady = mud_motor_steady_speed(at.start.flow, motor->displacement_per_rev, motor->stall_torque, torque.value);

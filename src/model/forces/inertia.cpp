@@ -62,7 +62,7 @@ RigidBody node_body(const Model& model, const Stage& stage, int i) noexcept
 {
   const MeshNode& node = model.mesh().nodes[i];
   const double block = i == model.top() ? model.scene().rig.hoisting.block_mass : 0.0;
-  return {node.mass + block, stage.immersed[i] * node.added_mass, node.spin_inertia, node.tilt_inertia};
+  return {node.mass + block, stage.added_mass[static_cast<std::size_t>(i)], node.spin_inertia, node.tilt_inertia};
 }
 
 void accelerate(const Model& model, const Stage& stage, const double* residual, Workspace& work) noexcept

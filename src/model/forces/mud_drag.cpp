@@ -10,9 +10,10 @@ namespace
 /// Coefficients of a node.
 struct Drag
 {
-  double across;  // [N s/m]
-  double along;   // along the string, less what acts across it [N s/m]
+  double across;     // [N s/m]
+  double along;      // along the string, less what acts across it [N s/m]
   double torsional;  // [N m s/rad]
+  double quadratic;  // across the string [N s2/m2]
 };
 
 Drag drag_of(const StageContext& at, int i) noexcept
@@ -20,14 +21,22 @@ Drag drag_of(const StageContext& at, int i) noexcept
   const MudSpec& mud = at.model.scene().mud;
   const double length = at.stage.immersed[i] * at.model.mesh().nodes[i].length;
   const double across = length * mud.lateral_damping;
-  return {across, length * mud.axial_damping - across, length * mud.torsional_damping};
+  return {across, length * mud.axial_damping - across, length * mud.torsional_damping,
+          length * lateral_drag(mud, at.model.mesh().nodes[i].diameter)};
 }
 
-Vector6d force_of(const Drag& drag, const NodeMotion& node) noexcept
+Vector3d across_string(const NodeMotion& node, const Vector3d& n) noexcept
 {
-  const Vector3d& n = node.axis;
+  return node.rate.head<3>() - n * n.dot(node.rate.head<3>());
+}
+
+/// `n`: the string's direction at the start of the step, whoever integrates.
+Vector6d force_of(const Drag& drag, const NodeMotion& node, const Vector3d& n) noexcept
+{
+  const Vector3d sideways = across_string(node, n);
   Vector6d out;
-  out.head<3>() = drag.across * node.rate.head<3>() + (drag.along * n.dot(node.rate.head<3>())) * n;
+  out.head<3>() = drag.across * node.rate.head<3>() + (drag.along * n.dot(node.rate.head<3>())) * n +
+                  (drag.quadratic * sideways.norm()) * sideways;
   out.tail<3>() = (drag.torsional * n.dot(node.rate.tail<3>())) * n;
   return out;
 }
@@ -39,19 +48,26 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   {
     const NodeMotion& node = at.work.nodes[i];
     const Drag drag = drag_of(at, i);
-    at_node(residual, i) += force_of(drag, node);
+    const Vector3d& n = at.stage.normal[i];
+    at_node(residual, i) += force_of(drag, node, n);
     if (!tangent) continue;
     auto d = tangent->diagonal(i);
-    const Matrix3d nn = node.axis * node.axis.transpose();
+    const Matrix3d nn = n * n.transpose();
     d.topLeftCorner<3, 3>() += (dv_du * drag.along) * nn;
     d.topLeftCorner<3, 3>().diagonal().array() += dv_du * drag.across;
     d.bottomRightCorner<3, 3>() += (dv_du * drag.torsional) * nn;
+    // of |v| v, v across the string: |v| (1 - n n^T) + v v^T/|v|
+    const Vector3d sideways = across_string(node, n);
+    const double speed = sideways.norm();
+    if (speed <= 0.0) continue;
+    d.topLeftCorner<3, 3>() += (dv_du * drag.quadratic / speed) * (sideways * sideways.transpose()) - (dv_du * drag.quadratic * speed) * nn;
+    d.topLeftCorner<3, 3>().diagonal().array() += dv_du * drag.quadratic * speed;
   }
 }
 
 void sample(const StageContext& at, EnergySample& sample) noexcept
 {
-  for (int i = 0; i < at.model.nodes(); ++i) at_node(sample, NodeForce::mud, i) += force_of(drag_of(at, i), at.work.nodes[i]);
+  for (int i = 0; i < at.model.nodes(); ++i) at_node(sample, NodeForce::mud, i) += force_of(drag_of(at, i), at.work.nodes[i], at.stage.normal[i]);
 }
 }  // namespace
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "drill_rig_sim/contact/normal_law.h"
+#include "wall_parts.h"
 
 namespace drill_rig_sim
 {
@@ -26,6 +26,7 @@ WallForce sticking_force(const StageContext& at, int i, Matrix6d* block) noexcep
   motion.velocity = node.rate.head<3>();
   motion.angular_velocity = node.rate.tail<3>();
   motion.velocity_coefficient = at.stage.dv_du;
+  motion.time = at.stage.time;
   if (i == 0)  // the bit turns with the motor
   {
     motion.rotation += at.stage.bit.motor_turn * node.axis;
@@ -87,14 +88,13 @@ void sample_at(const StageContext& at, int i, EnergySample& sample) noexcept
 {
   const NodeMotion& node = at.work.nodes[i];
   const WallForce f = sticking_force(at, i, nullptr);
-  const double elastic = elastic_force(at.model.contact(i).law, f.penetration);
-  const Vector3d along = (elastic * node.closest.radius_slope) * node.closest.md_gradient;
-  at_node(sample, NodeForce::wall, i).head<3>() += elastic * f.normal - along;
-  at_node(sample, NodeForce::ledge, i).head<3>() += along;
-  at_node(sample, NodeForce::wall_damping, i).head<3>() += (f.normal_force - elastic) * f.normal;
+  const WallParts parts = parts_of(f, node.closest, at.model.contact(i).law);
+  at_node(sample, NodeForce::wall, i).head<3>() += parts.elastic;
+  at_node(sample, NodeForce::ledge, i).head<3>() += parts.ledge;
+  at_node(sample, NodeForce::wall_damping, i).head<3>() += parts.damping;
   auto friction = at_node(sample, NodeForce::friction, i);
-  friction.head<3>() -= f.force + f.normal_force * f.normal;
-  friction.tail<3>() -= f.moment;
+  friction.head<3>() += parts.friction;
+  friction.tail<3>() += parts.friction_moment;
   if (i == 0) sample.gauge_torque = -f.moment.dot(node.axis);
 }
 

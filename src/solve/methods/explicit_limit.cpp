@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "drill_rig_sim/model/forces/inertia.h"
+#include "drill_rig_sim/model/forces/span_wall.h"
 #include "drill_rig_sim/solve/methods/method.h"
 
 namespace drill_rig_sim
@@ -21,11 +22,17 @@ double stiffness_of(const ContactLaw& law)
   return law.exponent * law.stiffness * std::pow(kPressed, law.exponent - 1.0);
 }
 
-void press_all_nodes(const Model& model, BlockTridiagonal& stiffness)
+void press_all(const Model& model, const Workspace& work, BlockTridiagonal& stiffness)
 {
   for (int i = 0; i < model.top(); ++i)
     stiffness.diagonal(i).topLeftCorner<3, 3>().diagonal().array() += stiffness_of(model.mesh().nodes[i].contact);
   stiffness.diagonal(0).topLeftCorner<3, 3>().diagonal().array() += stiffness_of(model.bit().bottom);
+  Eigen::Matrix<double, 6, 6> block = Eigen::Matrix<double, 6, 6>::Zero();
+  for (int e = 0; e < model.elements(); ++e)
+  {
+    block.topLeftCorner<3, 3>().diagonal().setConstant(stiffness_of(model.mesh().elements[static_cast<std::size_t>(e)].contact));
+    add_at_ends(work.spans[static_cast<std::size_t>(e)], e, block, stiffness);
+  }
 }
 }  // namespace
 
@@ -40,7 +47,7 @@ double explicit_step_limit(const Model& model, const State& state)
   stiffness.resize(n);
   std::vector<double> x(6 * n), y(6 * n);
   evaluate(model, state, stage, x.data(), work, y.data(), &stiffness);
-  press_all_nodes(model, stiffness);
+  press_all(model, work, stiffness);
 
   // power iteration from a vector that has a share of everything
   for (int k = 0; k < 6 * n; ++k) x[k] = std::sin(1.0 + 12.9898 * k);

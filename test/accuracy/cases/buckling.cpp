@@ -193,7 +193,8 @@ HelixFigures figures_of(const PieceInHole& piece)
   const double turns = std::floor(std::abs(angle[end] - angle[first]) / (2.0 * pi));
   std::size_t last = first;
   double contact = 0.0;
-  for (; std::abs(angle[last] - angle[first]) < 2.0 * pi * turns; ++last) contact += piece.forces.contact[last];
+  for (; std::abs(angle[last] - angle[first]) < 2.0 * pi * turns; ++last)
+    contact += piece.forces.contact[last] + piece.forces.span_contact[last];
   const std::vector<MeshNode>& mesh = piece.model->mesh().nodes;
   const double length = mesh[last].from_bit - mesh[first].from_bit;
   return {piece.compression(), contact / length, 2.0 * pi * length / std::abs(angle[last] - angle[first])};

@@ -43,7 +43,7 @@ struct Drilled
   double torque = 0.0;        // [N m]
 };
 
-/// Means over ten seconds after forty of run-in (weight settles within 1 to 3 s: lines and string against the rock's slope).
+/// Means over ten seconds after eighty of run-in: the block bobs on its lines.
 Drilled drill(double feed, double speed)
 {
   Simulator rig(drag_bit_scene());
@@ -57,7 +57,7 @@ Drilled drill(double feed, double speed)
   {
     if (rig.frame(frame) != FrameStatus::running) throw std::runtime_error(rig.failure());
   };
-  for (int k = 0; k < 4000; ++k) advance();
+  for (int k = 0; k < 8000; ++k) advance();
   const double start = m.hole_depth, turned = m.top_drive_angle;
   Drilled out;
   const int frames = 1000;

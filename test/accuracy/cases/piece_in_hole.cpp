@@ -42,6 +42,7 @@ PieceInHole lay_in_hole(const Scene& scene, double length, double bit_depth)
   const Mesh& mesh = piece.model->mesh();
   piece.forces.tension.assign(mesh.elements.size(), 0.0);
   piece.state.nodes.assign(mesh.nodes.size(), NodeState());
+  piece.state.spans.assign(mesh.elements.size(), SpanState());
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
   {
     const WellNode hole = piece.state.well.at(bit_depth - mesh.nodes[i].from_bit);

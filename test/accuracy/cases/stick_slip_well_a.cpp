@@ -189,7 +189,9 @@ std::pair<double, double> turning_torque(const RigAtRest& rig, double md)
   for (int i = 0; i + 1 < rig.model->nodes(); ++i)
   {
     const ClosestPoint closest = state.well.locate(state.nodes[i].position, state.nodes[i].segment);
-    const double torque = closest.friction * forces.contact[i] * rig.model->mesh().nodes[i].contact_radius;
+    const double torque =
+        closest.friction * (forces.contact[i] * rig.model->mesh().nodes[i].contact_radius +
+                            forces.span_contact[i] * 0.5 * rig.model->mesh().elements[static_cast<std::size_t>(i)].outer_diameter);
     all += torque;
     if (closest.md < md) above += torque;
   }

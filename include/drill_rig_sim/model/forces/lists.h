@@ -9,6 +9,7 @@
 #include "drill_rig_sim/model/forces/hoisting.h"
 #include "drill_rig_sim/model/forces/inertia.h"
 #include "drill_rig_sim/model/forces/mud_drag.h"
+#include "drill_rig_sim/model/forces/span_wall.h"
 #include "drill_rig_sim/model/forces/squeeze_film.h"
 #include "drill_rig_sim/model/forces/stuck_point.h"
 #include "drill_rig_sim/model/forces/top_drive.h"
@@ -19,14 +20,15 @@
 namespace drill_rig_sim
 {
 /// Dynamics. Beams first: they write the tangent's blocks; the rail last: it overwrites rows.
-inline const std::array<const Force*, 10> dynamic_forces = {&beams,         &mud_drag,    &inertia,  &squeeze_film, &wall,
+inline const std::array<const Force*, 11> dynamic_forces = {&beams,         &mud_drag,    &inertia,  &squeeze_film, &wall,      &span_wall,
                                                             &bit_on_bottom, &stuck_point, &hoisting, &top_drive,    &guide_rail};
 /// Statics, inertia for continuation.
-inline const std::array<const Force*, 6> static_forces = {&beams, &inertia, &sliding_wall, &resting_bit, &stuck_point, &held_top};
+inline const std::array<const Force*, 7> static_forces = {&beams,       &inertia,     &sliding_wall, &sliding_span_wall,
+                                                          &resting_bit, &stuck_point, &held_top};
 /// What has results of its own at a solution, beside the residual.
-inline const std::array<const Force*, 4> forces_with_results = {&wall, &bit_on_bottom, &hoisting, &top_drive};
+inline const std::array<const Force*, 5> forces_with_results = {&wall, &span_wall, &bit_on_bottom, &hoisting, &top_drive};
 /// For those who integrate bodies themselves: on the string, and at its contacts.
-inline const std::array<const Force*, 2> string_forces = {&beams, &mud_drag};
+inline const std::array<const Force*, 3> string_forces = {&beams, &mud_drag, &span_wall};
 inline const std::array<const Force*, 4> contact_forces = {&squeeze_film, &wall, &bit_on_bottom, &stuck_point};
 
 }  // namespace drill_rig_sim

@@ -5,8 +5,9 @@
 
 namespace drill_rig_sim
 {
-/// Viscous drag of the mud on the nodes below the rotary table, linear in the rates: `mud.lateral_damping` across the string,
+/// Drag of the mud on the nodes below the rotary table. Linear in the rates: `mud.lateral_damping` across the string,
 /// `mud.axial_damping` along it [N s/m per m], `mud.torsional_damping` against spin [N m s/rad per m], times the node's length.
+/// Across the string also 1/2 rho C_d D L |v| v (Morison's drag), C_d `mud.drag_coefficient`, D the outer diameter.
 extern const Force mud_drag;
 
 }  // namespace drill_rig_sim

@@ -5,8 +5,8 @@
 
 namespace drill_rig_sim
 {
-/// Wall of the hole on the nodes below the rotary table, with sticking friction (contact/wall_contact.h); the last node is the top
-/// drive's shaft, above the table. The bit's gauge turns with the motor.
+/// Wall of the hole, and of the mast above the rotary table, on the nodes, with sticking friction (contact/wall_contact.h); not on the last
+/// node, the top drive's shaft. The bit's gauge turns with the motor.
 extern const Force wall;
 
 /// The same at full slip, as Stage::sliding says: statics.

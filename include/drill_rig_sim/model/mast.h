@@ -1,0 +1,18 @@
+#ifndef DRILL_RIG_SIM_MODEL_MAST_H
+#define DRILL_RIG_SIM_MODEL_MAST_H
+
+#include "drill_rig_sim/well/wellbore.h"
+
+namespace drill_rig_sim
+{
+/// Half the width inside a mast, and how fast the guides below open from the table's bore to that: slant holes of 30 deg go through free.
+constexpr double mast_radius = 1.5;   ///< [m]
+constexpr double mast_opening = 0.6;  ///< [m/m]
+
+/// Makes the hole's vertical line above the rotary table the inside of the mast: pipe that is pushed aside there finds a guide and a bound,
+/// and nothing jumps where it passes the table. `closest`: as found by Wellbore::locate(); elsewhere nothing changes.
+void open_mast(ClosestPoint& closest) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,135 @@
+#include "drill_rig_sim/model/forces/span_wall.h"
+
+#include "drill_rig_sim/math/rotation.h"
+#include "wall_parts.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Vector3d;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+namespace
+{
+double radius_of(const StageContext& at, int e) noexcept
+{
+  return 0.5 * at.model.mesh().elements[e].outer_diameter;
+}
+
+/// Force and moment at the middle, on an end with this arm.
+Vector6d share(const Vector3d& arm, const Vector3d& force, const Vector3d& moment) noexcept
+{
+  Vector6d out;
+  out << 0.5 * force, 0.5 * moment + arm.cross(force);
+  return out;
+}
+
+WallForce sticking_force(const StageContext& at, int e, Matrix6d* block) noexcept
+{
+  const SpanMotion& span = at.work.spans[e];
+  const NodeMotion &lower = at.work.nodes[e], &upper = at.work.nodes[e + 1];
+  const Vector6d rate = middle(span, lower.rate, upper.rate);
+  const ContactMotion motion{span.position,  span.increment.head<3>(), span.increment.tail<3>(), rate.head<3>(),
+                             rate.tail<3>(), at.stage.dv_du,             at.stage.time};
+  const Vector3d& bristle = at.start.spans[e].bristle;
+  return block ? wall_contact(span.closest, radius_of(at, e), motion, bristle, at.model.span_contact(e), *block)
+               : wall_contact(span.closest, radius_of(at, e), motion, bristle, at.model.span_contact(e));
+}
+
+WallForce sliding_force(const StageContext& at, int e, Matrix6d* block) noexcept
+{
+  const SpanMotion& span = at.work.spans[e];
+  Matrix6d unused;
+  return sliding_wall_contact(span.closest, radius_of(at, e), span.position, at.stage.sliding, at.model.span_contact(e).law,
+                              block ? *block : unused);
+}
+
+using ForceAtSpan = WallForce (*)(const StageContext&, int, Matrix6d*) noexcept;
+
+template <ForceAtSpan force_at>
+void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  StageResult& result = at.work.result;
+  Matrix6d block;
+  for (int e = 0; e < at.model.elements(); ++e)
+  {
+    const SpanMotion& span = at.work.spans[e];
+    WallForce f;
+    if (span.touches)
+    {
+      f = force_at(at, e, tangent ? &block : nullptr);
+      at_node(residual, e) -= share(span.lower_arm, f.force, f.moment);
+      at_node(residual, e + 1) -= share(span.upper_arm, f.force, f.moment);
+      if (tangent) add_at_ends(span, e, -block, *tangent);
+    }
+    result.span_bristle[e] = f.bristle;
+    result.forces.span_contact[e] = f.normal_force;
+    result.forces.span_wall[e] = f.force;
+  }
+}
+
+void store(const StageContext& at, StoredEnergy& energy) noexcept
+{
+  for (int e = 0; e < at.model.elements(); ++e)
+  {
+    const SpanMotion& span = at.work.spans[e];
+    const WallLaw& contact = at.model.span_contact(e);
+    energy.bristles += 0.5 * contact.tangential_stiffness * at.work.result.span_bristle[e].squaredNorm();
+    if (span.touches) energy.wall += elastic_energy(contact.law, -wall_gap(span.closest, span.position, radius_of(at, e)));
+  }
+}
+
+void sample_at(const StageContext& at, int e, EnergySample& sample) noexcept
+{
+  const SpanMotion& span = at.work.spans[e];
+  const WallParts parts = parts_of(sticking_force(at, e, nullptr), span.closest, at.model.span_contact(e).law);
+  const auto book = [&](NodeForce kind, const Vector3d& force, const Vector3d& moment)
+  {
+    at_node(sample, kind, e) += share(span.lower_arm, force, moment);
+    at_node(sample, kind, e + 1) += share(span.upper_arm, force, moment);
+  };
+  book(NodeForce::wall, parts.elastic, Vector3d::Zero());
+  book(NodeForce::ledge, parts.ledge, Vector3d::Zero());
+  book(NodeForce::wall_damping, parts.damping, Vector3d::Zero());
+  book(NodeForce::friction, parts.friction, parts.friction_moment);
+}
+
+void sample(const StageContext& at, EnergySample& sample) noexcept
+{
+  for (int e = 0; e < at.model.elements(); ++e)
+    if (at.work.spans[e].touches) sample_at(at, e, sample);
+}
+}  // namespace
+
+const Force span_wall = {"wall between the nodes", Cost::contact, add<sticking_force>, store, sample};
+const Force sliding_span_wall = {"sliding wall between the nodes", Cost::contact, add<sliding_force>, nullptr, nullptr};
+
+Vector6d middle(const SpanMotion& span, const Vector6d& lower, const Vector6d& upper) noexcept
+{
+  Vector6d out = 0.5 * (lower + upper);
+  out.head<3>() += upper.tail<3>().cross(span.upper_arm) + lower.tail<3>().cross(span.lower_arm);
+  return out;
+}
+
+void add_at_ends(const SpanMotion& span, int e, const Matrix6d& block, BlockTridiagonal& tangent) noexcept
+{
+  // J of an end: v = 1/2 v_end - [arm] w_end, w = 1/2 w_end
+  const auto by_end = [&block](const Vector3d& arm)
+  {
+    Matrix6d out = 0.5 * block;
+    out.rightCols<3>() -= block.leftCols<3>() * skew(arm);
+    return out;
+  };
+  const auto at_end = [](const Vector3d& arm, const Matrix6d& rows)
+  {
+    Matrix6d out = 0.5 * rows;
+    out.bottomRows<3>() += skew(arm) * rows.topRows<3>();
+    return out;
+  };
+  const Matrix6d lower = by_end(span.lower_arm), upper = by_end(span.upper_arm);
+  tangent.diagonal(e) += at_end(span.lower_arm, lower);
+  tangent.diagonal(e + 1) += at_end(span.upper_arm, upper);
+  tangent.upper(e) += at_end(span.lower_arm, upper);
+  tangent.lower(e) += at_end(span.upper_arm, lower);
+}
+
+}  // namespace drill_rig_sim
