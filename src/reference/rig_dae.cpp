@@ -189,8 +189,9 @@ RigDae::Drive RigDae::drive_at(const double* y) const
   out.turn = spin(rotor(), y) - spin(rotor(), start_y_.data());
   out.speed = motion(rotor()).angular_velocity.dot(motion(rotor()).normal);
   out.twist = start_->drive.meter_twist + out.turn - (spin(top, y) - spin(top, start_y_.data()));
-  const RotorState start{start_->drive.speed, start_->drive.integral, start_->drive.meter_twist};
-  out.motor = drive_torque(model_.scene().rig.top_drive, setpoints_.top_drive, start, stage_.time, out.turn, out.speed);
+  const RotorState start{start_->drive.speed, start_->drive.integral, start_->drive.meter_twist, start_->drive.gear_twist,
+                         start_->drive.braked};
+  out.by_drive = drive_torque(model_.scene().rig.top_drive, setpoints_.top_drive, start, stage_.time, out.turn, out.speed);
   return out;
 }
 
@@ -214,8 +215,8 @@ void RigDae::add_forces(double t, const double* y, double* force)
   const Drive drive = drive_at(y);
   const double meter = model_.scene().rig.top_drive.meter_stiffness * drive.twist;
   const int top = string_nodes() - 1;
-  Map<Vector3d>(force + 6 * rotor() + 3) += (meter - drive.motor.value) * motion(rotor()).normal;
-  Map<Vector3d>(force + 6 * stator() + 3) += drive.motor.value * motion(rotor()).normal;
+  Map<Vector3d>(force + 6 * rotor() + 3) += (meter - drive.torques()) * motion(rotor()).normal;
+  Map<Vector3d>(force + 6 * stator() + 3) += drive.torques() * motion(rotor()).normal;
   Map<Vector3d>(force + 6 * top + 3) -= meter * motion(top).normal;
 }
 
@@ -229,7 +230,9 @@ double RigDae::steady_motor_speed() const
 {
   const MotorSpec* motor = model_.motor();
   if (!motor) return 0.0;
-  return mud_motor_steady_speed(start_->flow, motor->displacement_per_rev, motor->stall_torque, work_.result.forces.bit_torque);
+  return mud_motor_steady_speed(start_->flow, motor->displacement_per_rev, motor->stall_torque, motor->curve_exponent,
+                                work_.result.forces.motor_torque)
+      .value;
 }
 
 /// `force` and the rates of the further states at the bit's last forces.
@@ -289,10 +292,10 @@ void RigDae::add_rig_jacobian(const double* y, SparseJacobian& j)
     add_force_derivative(row, column, place, rate, j);
   };
   const double spring = model_.scene().rig.top_drive.meter_stiffness;
-  const double meter = spring * drive.twist, motor = drive.motor.value;
-  about(rotor(), rotor(), meter - motor, spring - drive.motor.by_turn, -drive.motor.by_speed);
+  const double meter = spring * drive.twist, motor = drive.torques();
+  about(rotor(), rotor(), meter - motor, spring - drive.by_drive.by_turn, -drive.by_drive.by_speed);
   about(rotor(), top, 0.0, -spring, 0.0);
-  about(stator(), rotor(), motor, drive.motor.by_turn, drive.motor.by_speed);
+  about(stator(), rotor(), motor, drive.by_drive.by_turn, drive.by_drive.by_speed);
   about(top, rotor(), 0.0, -spring, 0.0);
   about(top, top, -meter, spring, 0.0);
 }

@@ -22,6 +22,7 @@ struct Rotor
   double stiffness;
   double load;
   double increment(const Branch& torque) const noexcept { return (load + torque.at_zero) / (stiffness - torque.slope); }
+  Rotor with(const Branch& torque) const noexcept { return {stiffness - torque.slope, load + torque.at_zero}; }
 };
 
 /// tau = torque + speed_gain (speed - w) + turn_gain (turn - u), w the rotor's speed and u its turn since the start of the step.
@@ -99,6 +100,79 @@ double next_integral(const TopDriveSpec& spec, double start, double error, doubl
   const double most = limit / spec.integral_gain;
   return std::clamp(next, -most, most);
 }
+
+/// Where a stage ends, and the motor's branch in force there.
+struct Solution
+{
+  double increment;
+  Branch branch;
+  bool saturated, limited;
+};
+
+/// The motor in a step.
+struct Motor
+{
+  const TopDriveSpec& spec;
+  const TopDriveSetpoint& command;
+  const RotorState& start;
+  double limit;  ///< [N m]
+
+  bool by_torque() const noexcept { return command.mode == TopDriveMode::torque; }
+  /// The law that holds torque mode below the largest speed.
+  bool holds_speed(const Law& law) const noexcept { return by_torque() && law.speed_gain != 0.0; }
+
+  /// value(law): its torque where the rotor is.
+  template <typename Value>
+  Law law(double time, const Value& value) const noexcept
+  {
+    return by_torque() ? torque_with_speed_limit(spec, command.torque, value) : speed_loop(spec, start, time, wanted_speed(spec, command));
+  }
+
+  Solution solve(const Rotor& rotor, const RotorStage& stage, bool braked) const noexcept
+  {
+    if (braked) return {rotor.increment({}), {}, false, false};
+    const double by_command = rotor.increment(constant(command.torque).at(stage));
+    const Law in_force = law(stage.time, [&](const Law& l) { return l.at(stage).at(by_command); });
+    Branch branch = in_force.at(stage);
+    const double wanted = branch.at(rotor.increment(branch));
+    const bool saturated = std::abs(wanted) > limit;
+    if (saturated) branch = {std::copysign(limit, wanted), 0.0};
+    return {rotor.increment(branch), branch, saturated, saturated || holds_speed(in_force)};
+  }
+
+  /// The loop's memory after a step that ends at this speed, turn and torque.
+  double next(double speed, double turn, double time, double torque, bool saturated) const noexcept
+  {
+    if (by_torque()) return following_integral(spec, torque);
+    const double wanted = wanted_speed(spec, command);
+    return next_integral(spec, start.integral, wanted - speed, wanted * time - turn, torque, limit, saturated);
+  }
+};
+
+/// Gearbox and brake in a step.
+struct Friction
+{
+  double most;     ///< f_max [N m]
+  double damping;  ///< c_g, half of critical [N m s/rad]
+  double twist;    ///< z at the start [rad]
+
+  Friction(const TopDriveSpec& spec, bool braked, const RotorState& start) noexcept
+    : most(spec.gearbox_friction + (braked ? spec.brake_torque : 0.0)),
+      damping(std::sqrt(gear_stiffness * spec.inertia)),
+      twist(start.gear_twist)
+  {
+    if (braked && !start.braked) twist -= spec.integral_gain * start.integral / gear_stiffness;
+  }
+  /// q
+  double trial(double turn, double speed) const noexcept { return gear_stiffness * (twist + turn) + damping * speed; }
+  /// -q as a function of the increment.
+  Branch held(const RotorStage& stage) const noexcept { return {-trial(0.0, stage.rate_0), -gear_stiffness - damping * stage.dv_du}; }
+  double next(double turn, double friction, bool slips, double time) const noexcept
+  {
+    if (!slips) return twist + turn;
+    return twist + (-friction / gear_stiffness - twist) * time / (time + damping / gear_stiffness);
+  }
+};
 }  // namespace
 
 double motor_torque_limit(const TopDriveSpec& spec, const TopDriveSetpoint& command, double speed) noexcept
@@ -108,69 +182,73 @@ double motor_torque_limit(const TopDriveSpec& spec, const TopDriveSetpoint& comm
   return torque * turning > spec.max_power ? spec.max_power / turning : torque;
 }
 
+bool brake_is_on(const TopDriveSpec& spec, const TopDriveSetpoint& command, const RotorState& start) noexcept
+{
+  if (spec.brake_torque <= 0.0) return false;
+  const bool stopped = command.mode == TopDriveMode::speed && command.speed == 0.0;
+  return command.brake || (stopped && (start.braked || std::abs(start.speed) < standing_rotor));
+}
+
 RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& command, const RotorState& start, const RotorStage& stage,
                         double top_spin) noexcept
 {
   const double spring = spec.meter_stiffness;
-  const Rotor rotor{spec.inertia * stage.da_du + spring,
-                    spring * (top_spin - start.twist) - spec.inertia * stage.acceleration_0};
-  const double limit = motor_torque_limit(spec, command, start.speed);
-  const bool torque_mode = command.mode == TopDriveMode::torque;
-  const double speed = wanted_speed(spec, command);
+  const Rotor bare{spec.inertia * stage.da_du + spring, spring * (top_spin - start.twist) - spec.inertia * stage.acceleration_0};
+  const bool braked = brake_is_on(spec, command, start);
+  const Motor motor{spec, command, start, motor_torque_limit(spec, command, start.speed)};
 
-  // the branch in force
-  RotorResult out;
-  const double by_command = rotor.increment(constant(command.torque).at(stage));
-  const Law law = torque_mode ? torque_with_speed_limit(spec, command.torque, [&](const Law& l) { return l.at(stage).at(by_command); })
-                              : speed_loop(spec, start, stage.time, speed);
-  Branch branch = law.at(stage);
-  out.limited = torque_mode && law.speed_gain != 0.0;
-  const double wanted = branch.at(rotor.increment(branch));
-  const bool saturated = std::abs(wanted) > limit;
-  if (saturated)
+  const Friction gear(spec, braked, start);
+  Branch held = gear.held(stage);
+  Solution found = motor.solve(bare.with(held), stage, braked);
+  const double q = -held.at(found.increment);
+  if (std::abs(q) > gear.most)
   {
-    branch = constant(std::copysign(limit, wanted)).at(stage);
-    out.limited = true;
+    held = {std::copysign(gear.most, -q), 0.0};
+    found = motor.solve(bare.with(held), stage, braked);
   }
 
-  // rotor and meter
-  out.increment = rotor.increment(branch);
-  out.motor_torque = branch.at(out.increment);
+  RotorResult out;
+  out.increment = found.increment;
+  out.motor_torque = found.branch.at(out.increment);
+  out.friction = held.at(out.increment);
+  out.limited = found.limited;
   out.state.speed = stage.dv_du * out.increment + stage.rate_0;
   out.acceleration = stage.da_du * out.increment + stage.acceleration_0;
   out.state.twist = start.twist + out.increment - top_spin;
   out.meter_torque = spring * out.state.twist;
-  out.stiffness = spring * (1.0 - spring / (rotor.stiffness - branch.slope));
-
-  // speed loop's memory
-  const double integral = next_integral(spec, start.integral, speed - out.state.speed, speed * stage.time - out.increment,
-                                        out.motor_torque, limit, saturated);
-  out.state.integral = torque_mode ? following_integral(spec, out.motor_torque) : integral;
+  out.stiffness = spring * (1.0 - spring / (bare.stiffness - held.slope - found.branch.slope));
+  out.state.braked = braked;
+  out.state.gear_twist = gear.next(out.increment, out.friction, held.slope == 0.0, stage.time);
+  out.state.integral = braked ? following_integral(spec, out.motor_torque + out.friction)
+                              : motor.next(out.state.speed, out.increment, stage.time, out.motor_torque, found.saturated);
   return out;
 }
 
 DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& command, const RotorState& start, double time, double turn,
                          double speed) noexcept
 {
-  const double limit = motor_torque_limit(spec, command, start.speed);
-  const bool torque_mode = command.mode == TopDriveMode::torque;
-  const double wanted = wanted_speed(spec, command);
-  Law law = torque_mode ? torque_with_speed_limit(spec, command.torque, [&](const Law& l) { return l.at(turn, speed); })
-                        : speed_loop(spec, start, time, wanted);
+  const bool braked = brake_is_on(spec, command, start);
+  const Motor motor{spec, command, start, motor_torque_limit(spec, command, start.speed)};
+  Law law = braked ? constant(0.0) : motor.law(time, [&](const Law& l) { return l.at(turn, speed); });
   DriveTorque out;
-  out.limited = torque_mode && law.speed_gain != 0.0;
-  out.value = law.at(turn, speed);
-  const bool saturated = std::abs(out.value) > limit;
+  out.limited = motor.holds_speed(law);
+  out.motor = law.at(turn, speed);
+  const bool saturated = std::abs(out.motor) > motor.limit;
   if (saturated)
   {
-    out.value = std::copysign(limit, out.value);
-    law = constant(out.value);
+    out.motor = std::copysign(motor.limit, out.motor);
+    law = constant(out.motor);
     out.limited = true;
   }
-  out.by_turn = -law.turn_gain;
-  out.by_speed = -law.speed_gain;
-  const double integral = next_integral(spec, start.integral, wanted - speed, wanted * time - turn, out.value, limit, saturated);
-  out.integral = torque_mode ? following_integral(spec, out.value) : integral;
+  const Friction gear(spec, braked, start);
+  const double q = gear.trial(turn, speed);
+  const bool slips = std::abs(q) > gear.most;
+  out.friction = slips ? std::copysign(gear.most, -q) : -q;
+  out.by_turn = -law.turn_gain - (slips ? 0.0 : gear_stiffness);
+  out.by_speed = -law.speed_gain - (slips ? 0.0 : gear.damping);
+  out.braked = braked;
+  out.gear_twist = gear.next(turn, out.friction, slips, time);
+  out.integral = braked ? following_integral(spec, out.motor + out.friction) : motor.next(speed, turn, time, out.motor, saturated);
   return out;
 }
 

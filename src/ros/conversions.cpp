@@ -57,6 +57,7 @@ TopDriveSetpoint to_setpoint(const TopDriveCommand& m)
   s.torque = m.torque;
   s.angle = m.angle;
   s.torque_limit = m.torque_limit;
+  s.brake = m.brake;
   return s;
 }
 
@@ -82,6 +83,7 @@ void copy_setpoints(const FrameRecord& frame, RigState& m)
   m.top_drive.torque = s.top_drive.torque;
   m.top_drive.angle = s.top_drive.angle;
   m.top_drive.torque_limit = s.top_drive.torque_limit;
+  m.top_drive.brake = s.top_drive.brake;
   m.mud_pump.header.stamp = to_time(frame.commands.accepted[2]);
   m.mud_pump.flow = s.pump.flow;
 }
@@ -131,6 +133,7 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.motor_stalled = from.motor_stalled;
   m.winch_limited = from.winch_limited;
   m.top_drive_limited = from.top_drive_limited;
+  m.top_drive_brake_set = from.top_drive_brake_set;
   m.command_clamped = from.command_clamped;
   m.commands_timed_out = from.commands_timed_out;
   copy_setpoints(frame, m);

@@ -154,6 +154,7 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"bit_to_bend",           "m",      Inside<PartSpec>{of_motor<&MotorSpec::bit_to_bend>}, between(0.01, 100.0), "from the bit's face to the bend; lies inside the motor", motor, motor},
   {"displacement_per_rev",  "m3/rev", Inside<PartSpec>{of_motor<&MotorSpec::displacement_per_rev>}, between(1e-4, 1.0),   "mud volume that turns the motor once", motor, motor},
   {"stall_torque",          "N m",    Inside<PartSpec>{of_motor<&MotorSpec::stall_torque>}, between(1.0, 1e6),    "torque at which the motor stalls", motor, motor},
+  {"curve_exponent",        "-",      Inside<PartSpec>{of_motor<&MotorSpec::curve_exponent>}, between(1.0, 20.0),   "b of the motor's speed, N_0 (1 - (T/T_stall)^b); 1 a straight line, power sections 3 to 5", no_kind, motor},
 }};
 
 namespace
@@ -212,6 +213,8 @@ const Table<TopDriveSpec> top_drive_keys = {"rig.top_drive", "Rotary drive with 
   {"max_speed_rpm",         "rpm",    &TopDriveSpec::max_speed,            between(1.0, 1000.0), "of the drive"},
   {"max_power",             "W",      &TopDriveSpec::max_power,            between(1e3, 1e8),    "of the drive"},
   {"meter_stiffness",       "N m/rad", &TopDriveSpec::meter_stiffness,     between(1e3, 1e9),    "of the torque meter's spring"},
+  {"gearbox_friction",      "N m",    &TopDriveSpec::gearbox_friction,     between(0.0, 1e5),    "against the rotor's turning"},
+  {"brake_torque",          "N m",    &TopDriveSpec::brake_torque,         between(0.0, 1e6),    "of the brake, which comes on at a set point of 0 once the rotor stands; 0: none"},
 }};
 
 const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe.", {
@@ -303,6 +306,7 @@ const Table<ProgramStep> program_keys = {"program[]", "Set points at a simulated
   {"top_drive_speed_rpm",   "rpm",    &ProgramStep::top_drive_speed,       between(-1000.0, 1000.0), "speed mode, + clockwise", no_kind, every_kind, "as before"},
   {"top_drive_torque",      "N m",    &ProgramStep::top_drive_torque,      between(-1e6, 1e6),   "torque mode, + clockwise", no_kind, every_kind, "as before"},
   {"flow",                  "m3/s",   &ProgramStep::flow,                  between(0.0, 1.0),    "of the mud pump", no_kind, every_kind, "as before"},
+  {"top_drive_brake",       "",       Flag<ProgramStep>{&ProgramStep::top_drive_brake}, none,    "sets or releases the top drive's brake; speed and torque release it", no_kind, every_kind, "as before"},
   {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},
 }};
 // clang-format on

@@ -37,7 +37,7 @@ void Simulator::Impl::measure_rig() noexcept
   m.top_drive_speed = s.drive.speed;
   m.torque = state.forces.meter_torque;
   m.flow = s.flow;
-  const double motor_pressure = motor ? mud_motor_pressure(s.flow, motor->displacement_per_rev, state.forces.bit_torque) : 0.0;
+  const double motor_pressure = motor ? mud_motor_pressure(s.flow, motor->displacement_per_rev, state.forces.motor_torque) : 0.0;
   m.differential_pressure = motor_pressure - state.tare_pressure;
   m.stand_pipe_pressure = stand_pipe_pressure(scene.rig.mud_pump, s.flow, motor_pressure);
   m.tared = state.tared;
@@ -45,6 +45,7 @@ void Simulator::Impl::measure_rig() noexcept
   m.setpoints = state.commands.in_force();
   m.brake_set = m.setpoints.winch.brake;
   m.winch_limited = s.hoist.limited;
+  m.top_drive_brake_set = s.drive.braked;
   m.top_drive_limited = s.drive.limited;
   m.motor_stalled = s.bit.stalled;
   m.command_clamped = state.commands.clamped;

@@ -25,18 +25,20 @@ void apply_step(const ProgramStep& step, Simulator& simulator) noexcept
     if (is_set(step.brake)) winch.brake = step.brake != 0.0;
     simulator.command(winch);
   }
-  if (is_set(step.top_drive_speed))
+  if (is_set(step.top_drive_speed) || is_set(step.top_drive_torque) || is_set(step.top_drive_brake))
   {
     TopDriveSetpoint drive = now.top_drive;
-    drive.mode = TopDriveMode::speed;
-    drive.speed = step.top_drive_speed;
-    simulator.command(drive);
-  }
-  if (is_set(step.top_drive_torque))
-  {
-    TopDriveSetpoint drive = now.top_drive;
-    drive.mode = TopDriveMode::torque;
-    drive.torque = step.top_drive_torque;
+    drive.brake = step.top_drive_brake == 1.0;
+    if (is_set(step.top_drive_speed))
+    {
+      drive.mode = TopDriveMode::speed;
+      drive.speed = step.top_drive_speed;
+    }
+    if (is_set(step.top_drive_torque))
+    {
+      drive.mode = TopDriveMode::torque;
+      drive.torque = step.top_drive_torque;
+    }
     simulator.command(drive);
   }
   if (is_set(step.flow)) simulator.command(PumpSetpoint{step.flow});

@@ -135,6 +135,8 @@ void EnergyBalance::book_inputs() noexcept
   const double h = after_.step;
   accounts_.winch -= h * mean(before_.line_price, after_.line_price) * mean(before_.pay_out, after_.pay_out);
   accounts_.drive += h * mean(before_.drive_torque, after_.drive_torque) * mean(before_.rotor_speed, after_.rotor_speed);
+  accounts_.gearbox -= h * mean(before_.gear_friction, after_.gear_friction) * mean(before_.rotor_speed, after_.rotor_speed) +
+                       after_.stored.gear - start_.gear;
   accounts_.gravity += start_.weight - after_.stored.weight;
   const double torque = mean(before_.bit_torque + before_.gauge_torque, after_.bit_torque + after_.gauge_torque);
   const double pump = h * std::max(0.0, torque) * after_.motor_flow_speed;

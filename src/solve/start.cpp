@@ -162,6 +162,15 @@ void check_hook_load(const HoistingSpec& hoisting, double hook_load)
   message << "string and block hang on the hook with " << hook_load << " N, rig.hoisting.max_hook_load must be more, it is " << hoisting.max_hook_load << " N";
   fail(message.str());
 }
+
+/// The brake holds the string's torque, and the motor would.
+void hold_drive(const TopDriveSpec& spec, double torque, DriveState& drive)
+{
+  drive.meter_twist = torque / spec.meter_stiffness;
+  drive.braked = spec.brake_torque > 0.0;
+  if (drive.braked) drive.gear_twist = -torque / gear_stiffness;
+  if (spec.integral_gain > 0.0) drive.integral = torque / spec.integral_gain;
+}
 }  // namespace
 
 double string_compliance(const Mesh& mesh)
@@ -239,9 +248,7 @@ RigAtRest build_at_rest(const Scene& scene)
   if (on_bottom || start.torque_on_bit > 0.0) check_loads_of_bit(start, *rig.model, rig.state.well, hook_load);
   check_hook_load(scene.rig.hoisting, hook_load);
   rig.state.hoist.line_length = line_length_for(scene.rig.hoisting, start.block_height, hook_load);
-  const TopDriveSpec& drive = scene.rig.top_drive;
-  rig.state.drive.meter_twist = rig.statics.top_torque / drive.meter_stiffness;
-  if (drive.integral_gain > 0.0) rig.state.drive.integral = rig.statics.top_torque / drive.integral_gain;  // the motor holds it
+  hold_drive(scene.rig.top_drive, rig.statics.top_torque, rig.state.drive);
   if (start.torque_on_bit > 0.0) rig.state.bit.twist = start.torque_on_bit / rig.model->bit_bristle_stiffness();
   return rig;
 }

@@ -13,6 +13,7 @@ from sensor_msgs.msg import JointState
 RIG = scene("values.yaml")["rig"]
 HOISTING, DRIVE = RIG["hoisting"], RIG["top_drive"]
 INERTIA = 2500.0  # of the rotor, a scene's default [kg m2]
+GEARBOX = 1000.0  # its friction, a default too [N m]
 FASTEST = DRIVE["max_speed_rpm"] * 2.0 * math.pi / 60.0
 
 
@@ -89,7 +90,7 @@ class Limits(unittest.TestCase):
         states = self.frames(20, top_drive=turn(4.0))  # 4 rad/s at once would take 80 kN m
         self.assertTrue(all(s.top_drive_limited for s in states))
         # less what the string takes: a wave's resistance, some 320 N m s/rad
-        expected = DRIVE["max_torque"] / 320.0 * (1.0 - math.exp(-0.2 * 320.0 / INERTIA))
+        expected = (DRIVE["max_torque"] - GEARBOX) / 320.0 * (1.0 - math.exp(-0.2 * 320.0 / INERTIA))
         self.assertAlmostEqual(expected, states[-1].top_drive_speed, delta=0.05 * expected)
         state = self.rig.advance(800)
         self.assertFalse(state.top_drive_limited)
@@ -100,7 +101,7 @@ class Limits(unittest.TestCase):
         limited.torque_limit = 2000.0
         states = self.frames(20, top_drive=limited)
         self.assertTrue(all(s.top_drive_limited for s in states))
-        expected = 2000.0 / 320.0 * (1.0 - math.exp(-0.2 * 320.0 / INERTIA))
+        expected = (2000.0 - GEARBOX) / 320.0 * (1.0 - math.exp(-0.2 * 320.0 / INERTIA))
         self.assertAlmostEqual(expected, states[-1].top_drive_speed, delta=0.05 * expected)
         self.assertEqual(2000.0, states[-1].top_drive.torque_limit)
 
@@ -116,6 +117,7 @@ class Limits(unittest.TestCase):
         self.assertGreater(len(beyond), 20)
         # what goes into the rotor and over the meter into the string is the power
         work = sum(0.5 * (a.torque + b.torque - 60.0) * (b.top_drive_angle - a.top_drive_angle) for a, b in zip(beyond, beyond[1:]))
+        work += GEARBOX * (beyond[-1].top_drive_angle - beyond[0].top_drive_angle)
         work += 0.5 * INERTIA * (beyond[-1].top_drive_speed ** 2 - beyond[0].top_drive_speed ** 2)
         self.assertAlmostEqual(DRIVE["max_power"] * 0.01 * (len(beyond) - 1), work, delta=0.02 * work)
 

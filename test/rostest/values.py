@@ -199,7 +199,7 @@ class Values(unittest.TestCase):
         turning = self.spin_of_bit(record)
         rate = SCENE["formation"][0]["drillability"] * weight * turning
         self.assertAlmostEqual(rate, mean(s.rop for s in record.truth), delta=0.03 * rate)
-        slip = 1.0 - mean(torque) / MOTOR["stall_torque"]
+        slip = 1.0 - (mean(torque) / MOTOR["stall_torque"]) ** 4
         free = 2.0 * math.pi * 0.02 / MOTOR["displacement_per_rev"]
         self.assertAlmostEqual(4.0 + slip * free, turning, delta=0.02 * free)
         pressure = 2.0 * math.pi * mean(torque) / MOTOR["displacement_per_rev"]

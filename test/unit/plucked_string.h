@@ -26,6 +26,7 @@ struct PluckedString
     scene.string[0].bit->diameter = 0.2;
     scene.start.block_height = 10.0;
     scene.rig.top_drive.proportional_gain = scene.rig.top_drive.integral_gain = 0.0;
+    scene.rig.top_drive.gearbox_friction = scene.rig.top_drive.brake_torque = 0.0;
     scene.numerics.reference_tolerance = tolerance;
     scene.numerics.reference_order = order;
     scene.numerics.element_length = element_length;

@@ -117,6 +117,7 @@ TEST(Evaluate, theSpeedThatDrillsIsTheMean)
 {
   Scene scene = drilling_scene(2.0);
   scene.string[0].bit->speed_lag = 0.3;
+  scene.rig.top_drive.gearbox_friction = 0.0;
   RigAtRest rig = build_at_rest(scene);
   for (NodeState& node : rig.state.nodes) node.rate.spin = 8.0;
   rig.state.drive.speed = 8.0;

@@ -158,14 +158,14 @@ TEST(Sample, itsPartsAddUpToTheResidual)
   }
 }
 
-// J w' = T_motor - T_meter; the rotor's rates are those of its increment; what the rig does is what its forces say.
+// J w' = T_motor + friction - T_meter; the rotor's rates are those of its increment; what the rig does is what its forces say.
 TEST(Sample, rigAndBitAreThoseOfTheStep)
 {
   const Drilling d(3);
   const EnergySample& s = d.sample;
   const Scene& scene = d.model().scene();
   const RigForces& forces = d.work.result.forces;
-  EXPECT_NEAR(s.rotor_inertia, s.drive_torque - forces.meter_torque, 1e-6 * std::abs(s.drive_torque));
+  EXPECT_NEAR(s.rotor_inertia, s.drive_torque + s.gear_friction - forces.meter_torque, 1e-6 * std::abs(s.drive_torque));
   EXPECT_NEAR(s.rotor_speed, s.rotor_increment / step, 1e-9);
   EXPECT_EQ(s.rotor_increment, drive_increment(d.model(), d.rig.state, d.stage, d.u.data() + 6 * d.model().top()));
   EXPECT_EQ(s.hook_force, forces.hook_load);

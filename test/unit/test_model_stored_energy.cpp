@@ -118,7 +118,8 @@ TEST(Stored, weightAtAnEndThatTurns)
   }
 }
 
-// Strung line of length L_0 under the tension F = load / (2 n) holds F^2 L_0 / (2 E A); the drive J w^2 / 2, its meter k_m twist^2 / 2.
+// Strung line of length L_0 under the tension F = load / (2 n) holds F^2 L_0 / (2 E A); the drive J w^2 / 2, its meter k_m twist^2 / 2, what its
+// brake holds 1e7 z^2 / 2.
 TEST(Stored, lineAndDrive)
 {
   RigAtRest rig = rig_at_rest();
@@ -131,6 +132,10 @@ TEST(Stored, lineAndDrive)
   EXPECT_NEAR(4.5 * drive.inertia, stored(rig).rotor, 1e-6 * drive.inertia);
   rig.state.drive.meter_twist = 2e-3;
   EXPECT_NEAR(2e-6 * drive.meter_stiffness, stored(rig).meter, 2e-12 * drive.meter_stiffness);
+  rig.state.drive.speed = 0.0;
+  rig.state.drive.meter_twist = 0.0;
+  rig.state.drive.gear_twist = 1e-5;
+  EXPECT_NEAR(5e-4, stored(rig).gear, 1e-9);
 }
 
 // Powers of two: a term that is missing, stands twice or has the wrong sign shows in the sum.
@@ -154,10 +159,10 @@ TEST(Accounts, addUpEveryTermOnce)
   };
   const double input = fill({&e.winch, &e.drive, &e.pump, &e.gravity});
   StoredEnergy &now = e.last, &before = e.first;
-  const double held = fill({&now.kinetic, &now.turning, &now.rotor, &now.beams, &now.line, &now.meter, &now.wall, &now.bottom, &now.bristles,
+  const double held = fill({&now.kinetic, &now.turning, &now.rotor, &now.beams, &now.line, &now.meter, &now.gear, &now.wall, &now.bottom, &now.bristles,
                             &now.bit_bristle, &now.stuck_point}) -
                       fill({&before.kinetic, &before.beams});
-  const double lost = fill({&e.wall_friction, &e.wall_damping, &e.bottom_damping, &e.squeeze_film, &e.mud, &e.structural, &e.motor_slip,
+  const double lost = fill({&e.wall_friction, &e.wall_damping, &e.bottom_damping, &e.squeeze_film, &e.mud, &e.structural, &e.gearbox, &e.motor_slip,
                             &e.stuck_point_released, &e.ledge, &e.added_mass});
   const double rock = fill({&e.rock_thrust, &e.rock_torque}), correction = fill({&e.correction});
   const double numerical = fill({&e.of_inertia, &e.of_beams, &e.of_contact, &e.of_line, &e.of_residual, &e.of_rebasing});

@@ -43,6 +43,7 @@ struct Interval
   {
     Scene scene = motor_drilling_scene(5.0);
     scene.string[1].motor->bend = 0.0;
+    scene.rig.top_drive.brake_torque = 0.0;  // the speed loop holds it
     return scene;
   }
   RigDae started()

@@ -42,16 +42,48 @@ TEST(MudPump, ClampsAndPressure)
   EXPECT_DOUBLE_EQ(stand_pipe_pressure(spec, 0.045, 1e6), 4e9 * 0.045 * 0.045 + 1e6);
 }
 
-TEST(MudMotor, SpeedFallsWithTorqueUntilItStalls)
+TEST(MudMotor, SpeedHoldsUntilNearStall)
 {
   // 0.045 m3/s at 0.024 m3/rev: 1.875 rev/s
-  EXPECT_NEAR(mud_motor_steady_speed(0.045, displacement, stall, 0.0), 1.875 * 2.0 * pi, 1e-12);
-  EXPECT_NEAR(mud_motor_steady_speed(0.045, displacement, stall, 3e3), 0.75 * 1.875 * 2.0 * pi, 1e-12);
-  EXPECT_EQ(mud_motor_steady_speed(0.045, displacement, stall, 13e3), 0.0);
-  EXPECT_NEAR(mud_motor_steady_speed(0.045, displacement, stall, -3e3), 1.875 * 2.0 * pi, 1e-12);
+  const double free = 1.875 * 2.0 * pi;
+  const auto speed = [](double torque, double exponent) { return mud_motor_steady_speed(0.045, displacement, stall, exponent, torque); };
+  EXPECT_NEAR(speed(0.0, 4.0).value, free, 1e-12);
+  EXPECT_NEAR(speed(3e3, 1.0).value, 0.75 * free, 1e-12);
+  EXPECT_NEAR(speed(6e3, 4.0).value, 0.9375 * free, 1e-12);
+  EXPECT_NEAR(speed(12e3, 4.0).value, 0.0, 1e-12);
+  EXPECT_NEAR(speed(-3e3, 4.0).value, free, 1e-12);
+  EXPECT_EQ(speed(-3e3, 4.0).slope, 0.0);
+  // dragged round backwards by the string at 5.5 rad/s it carries an eighth more than at stall: 4 free (T/T_stall - 1) = 5.5
+  EXPECT_NEAR(speed(12e3 * (1.0 + 5.5 / (4.0 * free)), 4.0).value, -5.5, 1e-9);
+  EXPECT_EQ(mud_motor_steady_speed(0.0, displacement, stall, 4.0, 15e3).value, 0.0) << "locked";
+  for (const double torque : {500.0, 6e3, 11.9e3, 12.1e3, 20e3})
+  {
+    const double h = 1.0;
+    EXPECT_NEAR(speed(torque, 4.0).slope, (speed(torque + h, 4.0).value - speed(torque - h, 4.0).value) / (2.0 * h), 1e-9);
+  }
   EXPECT_FALSE(mud_motor_stalled(0.045, stall, 11.9e3));
   EXPECT_TRUE(mud_motor_stalled(0.045, stall, 12e3));
   EXPECT_FALSE(mud_motor_stalled(0.0, stall, 13e3));
+}
+
+// Implicit Euler with the torque's answer: (w - w_0)/h = (w_ss + s k h (w - w_0) - w)/tau for a bit of stiffness k.
+TEST(MudMotor, AStuckBitDoesNotSwingAgainstIt)
+{
+  const double h = 0.01, k = 6e5, speed = 3.0;
+  const MudMotorSpeed steady{-2.0, -4e-3};
+  const double next = advance_mud_motor(speed, steady, k, h);
+  EXPECT_NEAR((next - speed) / h, (steady.value + steady.slope * k * h * (next - speed) - next) / mud_motor_lag, 1e-9);
+  EXPECT_DOUBLE_EQ(advance_mud_motor(speed, steady, -k, h), advance_mud_motor(speed, steady, 0.0, h)) << "a bit that slips";
+  // the bit stands, its bristle winds up by the motor's turn: it settles at stall
+  double w = 14.0, twist = 0.0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    twist += h * w;
+    w = advance_mud_motor(w, mud_motor_steady_speed(0.045, displacement, stall, 4.0, k * twist), k, h);
+    ASSERT_LT(k * twist, 16.0 * stall);
+  }
+  EXPECT_NEAR(w, 0.0, 1e-9);
+  EXPECT_NEAR(k * twist, stall, 1e-6 * stall);
 }
 
 TEST(MudMotor, PressureDoesTheWorkOfTheTorque)
@@ -64,7 +96,7 @@ TEST(MudMotor, PressureDoesTheWorkOfTheTorque)
   for (int i = 0; i < 30; ++i)
   {
     const double torque = 500.0 * i;
-    EXPECT_LE(torque * mud_motor_steady_speed(0.045, displacement, stall, torque),
+    EXPECT_LE(torque * mud_motor_steady_speed(0.045, displacement, stall, 4.0, torque).value,
               0.045 * mud_motor_pressure(0.045, displacement, torque) * (1.0 + 1e-12));
   }
 }
@@ -76,10 +108,10 @@ TEST(MudMotor, LagsByItsTimeConstantAndSettlesExactly)
   const double h = 1e-5;
   for (int i = 0; i < 5000; ++i)
   {
-    w = advance_mud_motor(w, wanted, h);
+    w = advance_mud_motor(w, {wanted, 0.0}, 0.0, h);
   }
   EXPECT_NEAR(w, wanted * (1.0 - std::exp(-1.0)), 1e-3);
-  EXPECT_DOUBLE_EQ(advance_mud_motor(wanted, wanted, 0.005), wanted);
+  EXPECT_DOUBLE_EQ(advance_mud_motor(wanted, {wanted, 0.0}, 0.0, 0.005), wanted);
 }
 
 }  // namespace

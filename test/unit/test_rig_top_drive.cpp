@@ -1,80 +1,15 @@
 // Top drive: condensation of the rotor, speed loop against its analytic step response, saturation, modes.
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <complex>
 
-#include "drill_rig_sim/rig/top_drive.h"
+#include "top_drive_fixtures.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-TopDriveSetpoint speed_command(double speed)
-{
-  return {TopDriveMode::speed, speed, 0.0, 0.0, 0.0};
-}
-TopDriveSetpoint torque_command(double torque)
-{
-  return {TopDriveMode::torque, 0.0, torque, 0.0, 0.0};
-}
-
-/// Implicit Euler of length h from a start at `speed`.
-RotorStage euler(double h, double speed)
-{
-  return {h, 1.0 / h, 1.0 / (h * h), 0.0, -speed / h};
-}
-
-/// The rotor alone: string top free, it follows the rotor without torque.
-class FreeRotor
-{
-public:
-  explicit FreeRotor(const TopDriveSpec& spec) : spec_(spec) {}
-
-  RotorResult step(const TopDriveSetpoint& command, double h, double load = 0.0)
-  {
-    // the top turns so that the meter shows the load: T = k (twist + u - top); found by the linear answer, two passes for
-    // branches
-    double top = 0.0;
-    RotorResult r;
-    for (int i = 0; i < 4; ++i)
-    {
-      r = solve_rotor(spec_, command, state_, euler(h, state_.speed), top);
-      top += (r.meter_torque - load) / std::max(r.stiffness, 1e-9);
-    }
-    r = solve_rotor(spec_, command, state_, euler(h, state_.speed), top);
-    state_ = r.state;
-    return r;
-  }
-
-  RotorState& state() { return state_; }
-
-private:
-  TopDriveSpec spec_;
-  RotorState state_;
-};
-
-/// Checks the equation of motion and the derivative at a stage, and returns the result.
-RotorResult check(const TopDriveSpec& spec, const TopDriveSetpoint& command, const RotorState& start, const RotorStage& stage,
-                  double top)
-{
-  const RotorResult r = solve_rotor(spec, command, start, stage, top);
-  
-  const double acceleration = stage.da_du * r.increment + stage.acceleration_0;
-  EXPECT_NEAR(spec.inertia * acceleration, r.motor_torque - r.meter_torque, 1e-8 * (std::abs(r.meter_torque) + 1e4));
-  EXPECT_NEAR(r.meter_torque, spec.meter_stiffness * (start.twist + r.increment - top), 1e-8);
-  const double h = 1e-7;
-  const double slope = (solve_rotor(spec, command, start, stage, top + h).meter_torque -
-                        solve_rotor(spec, command, start, stage, top - h).meter_torque) /
-                       (2.0 * h);
-  EXPECT_NEAR(-r.stiffness, slope, 1e-6 * std::abs(slope));
-  EXPECT_LE(std::abs(r.motor_torque), motor_torque_limit(spec, command, start.speed) * (1.0 + 1e-12));
-  return r;
-}
-
 TEST(TopDrive, EveryBranchObeysTheEquationOfMotion)
 {
-  const TopDriveSpec spec;
+  const TopDriveSpec spec = smooth();
   const RotorStage stage{0.005, 300.0, 90000.0, 0.4, 300.0 * 0.4 - 900.0};
   const RotorState start{5.5, 0.3, 0.006};
   EXPECT_FALSE(check(spec, speed_command(5.5), start, stage, 0.0275).limited);
@@ -95,16 +30,16 @@ TEST(TopDrive, TheMotorOnItsOwnAgreesWithTheSolvedRotor)
 {
   const RotorStage stage{0.005, 300.0, 90000.0, 0.4, 300.0 * 0.4 - 900.0};
   const RotorState start{5.5, 0.3, 0.006};
-  TopDriveSpec spec, weak;
+  TopDriveSpec spec = smooth(), weak = smooth();
   weak.max_power = 40e3;
-  TopDriveSpec slow;
+  TopDriveSpec slow = smooth();
   slow.max_speed = 2.0;  // the rotor runs at some 3 rad/s
   TopDriveSetpoint held_back = speed_command(20.0);
   held_back.torque_limit = 6e3;
   struct Case
   {
     const char* name;
-    TopDriveSpec spec;
+    TopDriveSpec spec = smooth();
     TopDriveSetpoint command;
     bool limited;
   };
@@ -123,7 +58,7 @@ TEST(TopDrive, TheMotorOnItsOwnAgreesWithTheSolvedRotor)
     SCOPED_TRACE(c.name);
     const RotorResult solved = solve_rotor(c.spec, c.command, start, stage, 0.0275);
     const DriveTorque motor = drive_torque(c.spec, c.command, start, stage.time, solved.increment, solved.state.speed);
-    EXPECT_NEAR(motor.value, solved.motor_torque, 1e-6);
+    EXPECT_NEAR(motor.motor, solved.motor_torque, 1e-6);
     EXPECT_NEAR(motor.integral, solved.state.integral, 1e-9);
     EXPECT_EQ(motor.limited, c.limited);
     EXPECT_EQ(solved.limited, c.limited);
@@ -137,7 +72,7 @@ TEST(TopDrive, TheMotorOnItsOwnAgreesWithTheSolvedRotor)
 // from the error of 0.4 rad/s, the rest from I.
 TEST(TopDrive, TheSolvedRotorStopsItsIntegralWithinAStep)
 {
-  const TopDriveSpec spec;
+  const TopDriveSpec spec = smooth();
   for (const double way : {1.0, -1.0})
   {
     const RotorStage stage{0.2, 5.0, 25.0, 0.0, -way * 5.0 * 0.6};
@@ -153,7 +88,7 @@ TEST(TopDrive, TheSolvedRotorStopsItsIntegralWithinAStep)
 
 TEST(TopDrive, TorqueLimits)
 {
-  const TopDriveSpec spec;
+  const TopDriveSpec spec = smooth();
   EXPECT_DOUBLE_EQ(motor_torque_limit(spec, speed_command(5.0), 0.0), 50e3);
   EXPECT_DOUBLE_EQ(motor_torque_limit(spec, speed_command(5.0), -20.0), 750e3 / 20.0);
   TopDriveSetpoint command = speed_command(5.0);
@@ -168,30 +103,30 @@ TEST(TopDrive, TorqueLimits)
 // tau = k_p (w* - w) + k_i (I + w* t - turn), by hand: 20e3 * 0.5 + 5e3 * (0.3 + 0.03 - 0.0275).
 TEST(TopDrive, SpeedLoopByHand)
 {
-  const TopDriveSpec spec;
+  const TopDriveSpec spec = smooth();
   const DriveTorque motor = drive_torque(spec, speed_command(6.0), {5.0, 0.3, 0.0}, 0.005, 0.0275, 5.5);
-  EXPECT_NEAR(motor.value, 10000.0 + 1512.5, 1e-9);
+  EXPECT_NEAR(motor.motor, 10000.0 + 1512.5, 1e-9);
   EXPECT_NEAR(motor.integral, 0.3025, 1e-12);
   EXPECT_DOUBLE_EQ(motor.by_speed, -20e3);
   EXPECT_DOUBLE_EQ(motor.by_turn, -5e3);
   EXPECT_FALSE(motor.limited);
   // backwards all changes its sign
-  EXPECT_NEAR(drive_torque(spec, speed_command(-6.0), {-5.0, -0.3, 0.0}, 0.005, -0.0275, -5.5).value, -11512.5, 1e-9);
+  EXPECT_NEAR(drive_torque(spec, speed_command(-6.0), {-5.0, -0.3, 0.0}, 0.005, -0.0275, -5.5).motor, -11512.5, 1e-9);
   // a speed beyond the rig's is its limit, either way
   const double most = spec.max_speed, near = most - 0.2;
-  EXPECT_NEAR(drive_torque(spec, speed_command(most + 50.0), {near, 0.0, 0.0}, 0.0, 0.0, near).value, 4000.0, 1e-6);
-  EXPECT_NEAR(drive_torque(spec, speed_command(-most - 50.0), {-near, 0.0, 0.0}, 0.0, 0.0, -near).value, -4000.0, 1e-6);
+  EXPECT_NEAR(drive_torque(spec, speed_command(most + 50.0), {near, 0.0, 0.0}, 0.0, 0.0, near).motor, 4000.0, 1e-6);
+  EXPECT_NEAR(drive_torque(spec, speed_command(-most - 50.0), {-near, 0.0, 0.0}, 0.0, 0.0, -near).motor, -4000.0, 1e-6);
 }
 
 // Saturated, the integral moves no deeper than to where the law is at its limit, and freely out of it; k_i |I| never exceeds the limit.
 TEST(TopDrive, IntegralStopsWhereTheMotorDoes)
 {
-  const TopDriveSpec spec;
+  const TopDriveSpec spec = smooth();
   TopDriveSetpoint command = speed_command(1.0);
   command.torque_limit = 10e3;
   // at rest: k_p w* = 20 kN m is beyond the limit already: I stays, 0.1 rad, though 0.02 rad of error came
   const DriveTorque held = drive_torque(spec, command, {0.0, 0.1, 0.0}, 0.02, 0.0, 0.0);
-  EXPECT_DOUBLE_EQ(held.value, 10e3);
+  EXPECT_DOUBLE_EQ(held.motor, 10e3);
   EXPECT_TRUE(held.limited);
   EXPECT_DOUBLE_EQ(held.integral, 0.1);
   // 8 kN m by the error of 0.4 rad/s: I may come to 0.4 rad, where the law is at its limit, of the 0.5 it would have
@@ -209,7 +144,7 @@ TEST(TopDrive, IntegralStopsWhereTheMotorDoes)
   EXPECT_NEAR(drive_torque(spec, back, {-1.4, -1.9, 0.0}, 2.0, 0.0, -1.4).integral, -2.0, 1e-12);
   // torque mode: I follows the torque
   EXPECT_NEAR(drive_torque(spec, torque_command(8e3), {1.0, 0.0, 0.0}, 0.01, 0.01, 1.0).integral, 8e3 / 5e3, 1e-12);
-  TopDriveSpec proportional;
+  TopDriveSpec proportional = smooth();
   proportional.integral_gain = 0.0;
   EXPECT_EQ(drive_torque(proportional, command, {0.9, 0.0, 0.0}, 0.1, 0.0, 0.9).integral, 0.0);
   EXPECT_EQ(drive_torque(proportional, torque_command(8e3), {1.0, 0.0, 0.0}, 0.01, 0.01, 1.0).integral, 0.0);
@@ -218,17 +153,17 @@ TEST(TopDrive, IntegralStopsWhereTheMotorDoes)
 // Torque mode is held off by k_p (w_max - w) where that is less, either way, and never pushes on beyond.
 TEST(TopDrive, TorqueModeGivesWayAtTheSpeedLimit)
 {
-  const TopDriveSpec spec;
+  const TopDriveSpec spec = smooth();
   for (const double way : {1.0, -1.0})
   {
     const double fast = way * (spec.max_speed - 0.1);
     const DriveTorque at_limit = drive_torque(spec, torque_command(way * 9e3), {fast, 0.0, 0.0}, 0.0, 0.0, fast);
-    EXPECT_NEAR(at_limit.value, way * 2000.0, 1e-6);
+    EXPECT_NEAR(at_limit.motor, way * 2000.0, 1e-6);
     EXPECT_TRUE(at_limit.limited);
     const DriveTorque beyond = drive_torque(spec, torque_command(way * 9e3), {fast, 0.0, 0.0}, 0.0, 0.0, fast + way * 0.2);
-    EXPECT_NEAR(beyond.value, -way * 2000.0, 1e-6);
+    EXPECT_NEAR(beyond.motor, -way * 2000.0, 1e-6);
     const DriveTorque braking = drive_torque(spec, torque_command(-way * 9e3), {fast, 0.0, 0.0}, 0.0, 0.0, fast);
-    EXPECT_NEAR(braking.value, -way * 9e3, 1e-9);
+    EXPECT_NEAR(braking.motor, -way * 9e3, 1e-9);
     EXPECT_FALSE(braking.limited);
   }
 }
@@ -236,7 +171,7 @@ TEST(TopDrive, TorqueModeGivesWayAtTheSpeedLimit)
 // A power of 750 kW: 15 rad/s is where it takes over from 50 kN m.
 TEST(TopDrive, PowerTakesOverFromTorqueAtTheirQuotient)
 {
-  TopDriveSpec spec;
+  TopDriveSpec spec = smooth();
   spec.max_speed = 40.0;
   EXPECT_DOUBLE_EQ(motor_torque_limit(spec, speed_command(5.0), 14.99), 50e3);
   EXPECT_DOUBLE_EQ(motor_torque_limit(spec, speed_command(5.0), 16.0), 750e3 / 16.0);
@@ -252,7 +187,7 @@ TEST(TopDrive, PowerTakesOverFromTorqueAtTheirQuotient)
 TEST(TopDrive, StepResponseOfTheSpeedLoop)
 {
   // J w' = k_p (w* - w) + k_i int(w* - w): overdamped, w(0) = 0; w* = 0.4 rad/s stays below saturation (k_p w* = 8 kN m)
-  TopDriveSpec spec;
+  TopDriveSpec spec = smooth();
   FreeRotor rotor(spec);
   const double target = 0.4;
   const double h = 1e-4;
@@ -278,7 +213,7 @@ TEST(TopDrive, StepResponseOfTheSpeedLoop)
 
 TEST(TopDrive, IntegralActionHoldsTheSpeedUnderLoad)
 {
-  const TopDriveSpec spec;
+  const TopDriveSpec spec = smooth();
   FreeRotor rotor(spec);
   RotorResult r;
   for (int i = 0; i < 20000; ++i)
@@ -293,7 +228,7 @@ TEST(TopDrive, IntegralActionHoldsTheSpeedUnderLoad)
 TEST(TopDrive, NoWindUpInStall)
 {
   // Stalled for a minute at a limit of 12 kN m by a load it cannot turn, then freed: the speed must not run away.
-  const TopDriveSpec spec;
+  const TopDriveSpec spec = smooth();
   TopDriveSetpoint command = speed_command(5.5);
   command.torque_limit = 12e3;
   RotorState state;
@@ -322,7 +257,7 @@ TEST(TopDrive, NoWindUpInStall)
 
 TEST(TopDrive, PowerLimit)
 {
-  TopDriveSpec spec;
+  TopDriveSpec spec = smooth();
   spec.max_power = 100e3;
   FreeRotor rotor(spec);
   double last = 0.0;
@@ -337,7 +272,7 @@ TEST(TopDrive, PowerLimit)
 
 TEST(TopDrive, TorqueModeRunsUpToTheSpeedLimit)
 {
-  const TopDriveSpec spec;
+  const TopDriveSpec spec = smooth();
   FreeRotor rotor(spec);
   for (int i = 0; i < 20; ++i)
   {
@@ -356,7 +291,7 @@ TEST(TopDrive, TorqueModeRunsUpToTheSpeedLimit)
 
 TEST(TopDrive, ChangeToSpeedModeIsBumpless)
 {
-  const TopDriveSpec spec;
+  const TopDriveSpec spec = smooth();
   FreeRotor rotor(spec);
   double torque = 0.0;
   for (int i = 0; i < 400; ++i)

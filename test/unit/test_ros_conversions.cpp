@@ -53,6 +53,7 @@ const std::vector<Flag> flags = {{&RigSignals::tared, &RigState::tared},
                                  {&RigSignals::brake_set, &RigState::brake_set},
                                  {&RigSignals::motor_stalled, &RigState::motor_stalled},
                                  {&RigSignals::winch_limited, &RigState::winch_limited},
+                                 {&RigSignals::top_drive_brake_set, &RigState::top_drive_brake_set},
                                  {&RigSignals::top_drive_limited, &RigState::top_drive_limited},
                                  {&RigSignals::command_clamped, &RigState::command_clamped},
                                  {&RigSignals::commands_timed_out, &RigState::commands_timed_out}};
@@ -103,6 +104,9 @@ TEST(RigStateMessage, setPointsInForceWithTheStampsOfTheirCommands)
   FrameRecord braked = frame;
   braked.truth.setpoints.winch.brake = true;
   EXPECT_TRUE(to_rig_state(frame.readings, braked, floor_name).winch.brake);
+  EXPECT_FALSE(m.top_drive.brake);
+  braked.truth.setpoints.top_drive.brake = true;
+  EXPECT_TRUE(to_rig_state(frame.readings, braked, floor_name).top_drive.brake);
 }
 
 TEST(RigStateMessage, runStates)
@@ -180,6 +184,9 @@ TEST(SetPoints, eachFieldComesFromItsOwn)
   EXPECT_EQ(2.0, to_setpoint(drive).torque);
   EXPECT_EQ(3.0, to_setpoint(drive).angle);
   EXPECT_EQ(4.0, to_setpoint(drive).torque_limit);
+  EXPECT_FALSE(to_setpoint(drive).brake);
+  drive.brake = true;
+  EXPECT_TRUE(to_setpoint(drive).brake);
 
   MudPumpCommand pump;
   pump.flow = 0.04;

@@ -102,6 +102,7 @@ std::vector<Expected> of_string()
       {"string[]", "bend_deg", [](const Scene& s) { return s.string.at(1).motor->bend; }, 1.3 * degree},
       {"string[]", "bit_to_bend", [](const Scene& s) { return s.string.at(1).motor->bit_to_bend; }, 2.1},
       {"string[]", "displacement_per_rev", [](const Scene& s) { return s.string.at(1).motor->displacement_per_rev; }, 0.025},
+      {"string[]", "curve_exponent", [](const Scene& s) { return s.string.at(1).motor->curve_exponent; }, 3.9},
       {"string[]", "stall_torque", [](const Scene& s) { return s.string.at(1).motor->stall_torque; }, 12100.0},
   };
 }
@@ -126,6 +127,8 @@ std::vector<Expected> of_rig()
       {"rig.top_drive", "max_torque", [](const Scene& s) { return s.rig.top_drive.max_torque; }, 50001.0},
       {"rig.top_drive", "max_speed_rpm", [](const Scene& s) { return s.rig.top_drive.max_speed; }, 221.0 * rpm},
       {"rig.top_drive", "max_power", [](const Scene& s) { return s.rig.top_drive.max_power; }, 750001.0},
+      {"rig.top_drive", "gearbox_friction", [](const Scene& s) { return s.rig.top_drive.gearbox_friction; }, 1001.0},
+      {"rig.top_drive", "brake_torque", [](const Scene& s) { return s.rig.top_drive.brake_torque; }, 50001.0},
       {"rig.top_drive", "meter_stiffness", [](const Scene& s) { return s.rig.top_drive.meter_stiffness; }, 1.1e6},
       {"rig.mud_pump", "max_flow", [](const Scene& s) { return s.rig.mud_pump.max_flow; }, 0.061},
       {"rig.mud_pump", "pressure_coefficient", [](const Scene& s) { return s.rig.mud_pump.pressure_coefficient; }, 4.1e9},
@@ -166,6 +169,7 @@ std::vector<Expected> of_numerics()
       {"program[]", "top_drive_speed_rpm", [](const Scene& s) { return s.program.at(0).top_drive_speed; }, 54.0 * rpm},
       {"program[]", "top_drive_torque", [](const Scene& s) { return s.program.at(1).top_drive_torque; }, 1234.0},
       {"program[]", "flow", [](const Scene& s) { return s.program.at(0).flow; }, 0.046},
+      {"program[]", "top_drive_brake", [](const Scene& s) { return s.program.at(1).top_drive_brake; }, 1.0},
       {"program[]", "brake", [](const Scene& s) { return s.program.at(1).brake; }, 1.0},
       {"program[]", "brake", [](const Scene& s) { return s.program.at(2).brake; }, 0.0},
   };

@@ -42,6 +42,7 @@ Scene drilling(double tolerance)
   scene.start.weight_on_bit = 1e4;
   scene.numerics.integrator = IntegratorKind::ida;
   scene.numerics.reference_tolerance = tolerance;
+  scene.rig.top_drive.gearbox_friction = 0.0;
   return scene;
 }
 

@@ -16,6 +16,7 @@ struct StoredEnergy
   double beams = 0.0;        ///< stretch, bending, shear, torsion
   double line = 0.0;         ///< E A (L - L_0)^2 / (2 L_0) of the drill line
   double meter = 0.0;        ///< torque meter's spring
+  double gear = 0.0;         ///< held by the friction of gearbox and brake
   double wall = 0.0;         ///< k delta^(e + 1) / (e + 1)
   double bottom = 0.0;       ///< the same of the bit on the bottom
   double bristles = 0.0;     ///< sticking friction at the wall, k_b z^2 / 2
@@ -24,7 +25,7 @@ struct StoredEnergy
   double weight = 0.0;       ///< - (weight in mud of this step) . places: only its change within a step means anything
 
   double kinetic_all() const noexcept { return kinetic + turning + rotor; }
-  double elastic_all() const noexcept { return beams + line + meter + wall + bottom + bristles + bit_bristle + stuck_point; }
+  double elastic_all() const noexcept { return beams + line + meter + gear + wall + bottom + bristles + bit_bristle + stuck_point; }
 };
 
 /// Forces that act on the nodes, in the residual's sign (they resist the motion) and coordinates, 6 per node.
@@ -72,6 +73,7 @@ struct EnergySample
   double line_paid_out = 0.0;  ///< L_0 since the start of the step [m]
   double pay_out = 0.0;        ///< dL_0/dt as the drum turns [m/s]
   double drive_torque = 0.0;   ///< of the top drive's motor [N m]
+  double gear_friction = 0.0;  ///< of its gearbox and brake, on the rotor [N m]
   double rotor_speed = 0.0;    ///< [rad/s]
   double rotor_inertia = 0.0;  ///< J dw/dt [N m]
   double rotor_increment = 0.0;     ///< in the step [rad]

@@ -21,10 +21,12 @@ struct RigForces
   Eigen::Vector3d rock_force = Eigen::Vector3d::Zero();  ///< bit on rock that breaks it: bottom normal and gauge normal [N]
   double wob = 0.0;           ///< [N]
   double bit_torque = 0.0;    ///< rock against the bit's turning [N m]
+  double motor_torque = 0.0;  ///< what loads the mud motor: the bit's torque and its gauge's friction [N m]
   double bit_speed = 0.0;     ///< [rad/s]
   double hook_load = 0.0;     ///< of the lines on the block [N]
   double meter_torque = 0.0;  ///< [N m]
   double drive_torque = 0.0;  ///< of the top drive's motor [N m]
+  double gear_friction = 0.0;  ///< of its gearbox and brake, on the rotor [N m]
 
   template <class V>
   void visit(V& v)
@@ -41,10 +43,12 @@ struct RigForces
     v("rock_force", rock_force);
     v("wob", wob);
     v("bit_torque", bit_torque);
+    v("motor_torque", motor_torque);
     v("bit_speed", bit_speed);
     v("hook_load", hook_load);
     v("meter_torque", meter_torque);
     v("drive_torque", drive_torque);
+    v("gear_friction", gear_friction);
   }
 };
 

@@ -101,6 +101,8 @@ struct DriveState
   double speed = 0.0;        ///< [rad/s]
   double integral = 0.0;     ///< of the speed error [rad]
   double meter_twist = 0.0;  ///< rotor ahead of the string's top [rad]
+  double gear_twist = 0.0;   ///< of what gearbox and brake hold it by [rad]
+  bool braked = false;
   bool limited = false;
 
   template <class V>
@@ -110,6 +112,8 @@ struct DriveState
     v("speed", speed);
     v("integral", integral);
     v("meter_twist", meter_twist);
+    v("gear_twist", gear_twist);
+    v("braked", braked);
     v("limited", limited);
   }
 };

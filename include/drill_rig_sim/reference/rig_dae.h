@@ -62,10 +62,11 @@ private:
   };
   struct Drive
   {
-    DriveTorque motor;
+    DriveTorque by_drive;
     double turn;   // of the rotor since the start of the interval [rad]
     double speed;  // [rad/s]
     double twist;  // of the torque meter [rad]
+    double torques() const { return by_drive.motor + by_drive.friction; }  // on the rotor [N m]
   };
   using BitAnswer = Eigen::Matrix<double, 12, 1>;  // minus the force on the bit, rates of the further states
 

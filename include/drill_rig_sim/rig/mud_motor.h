@@ -2,33 +2,49 @@
 #define DRILL_RIG_SIM_RIG_MUD_MOTOR_H
 
 #include <algorithm>
+#include <cmath>
 
 #include "drill_rig_sim/math/units.h"
 
 /// Positive-displacement mud motor: the bit's speed relative to the housing.
 ///
-/// Steady: w_ss = 2 pi Q/V max(0, 1 - T/T_stall), dp = 2 pi T/V: the pressure across the motor does the work of the torque, slip
-/// takes the rest of the flow's. Q flow, V displacement per revolution of the bit, T torque on bit. The speed follows with a time
-/// constant of 0.05 s (inertia of the rotor, compressibility of the mud in it); with that lag the speed is known at the start of
-/// a step and torque and speed are not coupled within it. The steady state is untouched.
+/// Steady: w_ss = N_0 (1 - (T/T_stall)^b), N_0 = 2 pi Q/V, dp = 2 pi T/V: the pressure across the motor does the work of the torque, slip
+/// takes the rest of the flow's. Q flow, V displacement per revolution of the bit, T torque on rotor and bit; b 3 to 5 for power sections as
+/// their makers draw them. Beyond stall the curve goes on along its tangent: a rotor that the string drags round backwards carries little
+/// more than T_stall. Without flow it is locked.
+/// The speed follows with a time constant of 0.05 s (inertia of the rotor, compressibility of the mud in it); with that lag the speed is
+/// known at the start of a step and torque and speed are not coupled within it. The steady state is untouched.
 namespace drill_rig_sim
 {
 constexpr double mud_motor_lag = 0.05;  ///< [s]
 
-/// w_ss [rad/s], >= 0. A torque that drives the bit on (T < 0) does not speed it up: the flow holds it.
+struct MudMotorSpeed
+{
+  double value = 0.0;  ///< w_ss [rad/s]
+  double slope = 0.0;  ///< d w_ss / d T, <= 0 [rad/s per N m]
+};
+
+/// A torque that drives the bit on (T < 0) does not speed it up: the flow holds it.
 /// @param flow          Q >= 0 [m3/s]
 /// @param displacement  V > 0 [m3/rev]
 /// @param stall_torque  T_stall > 0 [N m]
+/// @param exponent      b >= 1 [-]
 /// @param torque        T, + against the bit's turning [N m]
-inline double mud_motor_steady_speed(double flow, double displacement, double stall_torque, double torque) noexcept
+inline MudMotorSpeed mud_motor_steady_speed(double flow, double displacement, double stall_torque, double exponent, double torque) noexcept
 {
-  return 2.0 * pi * flow / displacement * std::clamp(1.0 - torque / stall_torque, 0.0, 1.0);
+  const double free = 2.0 * pi * flow / displacement, load = std::max(0.0, torque / stall_torque), steepest = exponent * free / stall_torque;
+  if (load > 1.0) return {steepest * (stall_torque - torque), -steepest};
+  return {free * (1.0 - std::pow(load, exponent)), torque > 0.0 ? -steepest * std::pow(load, exponent - 1.0) : 0.0};
 }
 
-/// Speed at the end of a step h [s] in which the torque is held: implicit Euler of the lag, (tau w + h w_ss) / (tau + h).
-inline double advance_mud_motor(double speed, double steady_speed, double step) noexcept
+/// Speed at the end of a step h [s]: implicit Euler of the lag, as if the torque followed the motor's turn within the step as its slope says.
+/// Without that a stuck bit, stiff as it is, would swing against the motor.
+/// @param steady  at the torque of the step
+/// @param by_turn  dT / d (turn of the bit), >= 0 [N m/rad]
+inline double advance_mud_motor(double speed, const MudMotorSpeed& steady, double by_turn, double step) noexcept
 {
-  return (mud_motor_lag * speed + step * steady_speed) / (mud_motor_lag + step);
+  const double share = step / (mud_motor_lag + step);
+  return speed + share * (steady.value - speed) / (1.0 - share * steady.slope * std::max(0.0, by_turn) * step);
 }
 
 /// Differential pressure dp = 2 pi T/V [Pa]; zero without flow, and for a torque that drives the bit on.

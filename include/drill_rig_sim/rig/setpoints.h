@@ -35,6 +35,7 @@ struct TopDriveSetpoint
   double torque = 0.0;        ///< [N m], torque mode
   double angle = 0.0;         ///< [rad], angle mode
   double torque_limit = 0.0;  ///< [N m]; 0 = the rig's
+  bool brake = false;         ///< on, whatever the mode; it comes on by itself at a speed of 0
 
   template <class V>
   void visit(V& v)
@@ -44,6 +45,7 @@ struct TopDriveSetpoint
     v("torque", torque);
     v("angle", angle);
     v("torque_limit", torque_limit);
+    v("brake", brake);
   }
 };
 

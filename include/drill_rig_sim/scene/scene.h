@@ -52,7 +52,8 @@ struct ProgramStep
   double top_drive_speed = unset;   ///< [rad/s]
   double top_drive_torque = unset;  ///< [N m]: torque mode
   double flow = unset;              ///< [m3/s]
-  double brake = unset;             ///< 1 sets, 0 releases
+  double top_drive_brake = unset;   ///< 1 sets, 0 releases
+  double brake = unset;             ///< the winch's: 1 sets, 0 releases
 };
 
 struct Scene

@@ -73,6 +73,7 @@ struct RigSignals
   bool brake_set = false;
   bool motor_stalled = false;
   bool winch_limited = false;       ///< a limit of speed, acceleration, load or height holds the winch back
+  bool top_drive_brake_set = false;
   bool top_drive_limited = false;   ///< torque, speed or power limit active
   bool command_clamped = false;     ///< the last command was
   bool commands_timed_out = false;
@@ -103,6 +104,7 @@ struct RigSignals
     v("brake_set", brake_set);
     v("motor_stalled", motor_stalled);
     v("winch_limited", winch_limited);
+    v("top_drive_brake_set", top_drive_brake_set);
     v("top_drive_limited", top_drive_limited);
     v("command_clamped", command_clamped);
     v("commands_timed_out", commands_timed_out);

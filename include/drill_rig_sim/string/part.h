@@ -38,6 +38,7 @@ struct MotorSpec
   double bit_to_bend = 0.0;           ///< from the bit's face to the bend [m]
   double displacement_per_rev = 0.0;  ///< [m3/rev]
   double stall_torque = 0.0;          ///< [N m]
+  double curve_exponent = 4.0;        ///< of speed over torque: 1 a straight line, more: the speed holds until near stall [-]
 };
 
 /// What a stabilizer has beside what every part has.

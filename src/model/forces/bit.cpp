@@ -78,6 +78,7 @@ void put_on_bit(const StageContext& at, const BottomForce& bottom, const BitTorq
   forces.bit_torque = torque.value;
   forces.bit_force = forces.wall[0] - bottom.value * down;
   forces.bit_moment -= torque.value * n;  // the wall left the gauge's share
+  forces.motor_torque = -n.dot(forces.bit_moment);
   const Vector3d outward = node.position - node.closest.centre;
   const double offset = std::sqrt(outward.squaredNorm() + wall_contact_smoothing * wall_contact_smoothing);  // as the wall's law has it
   forces.rock_force = bottom.value * down;
@@ -94,9 +95,11 @@ void advance_bit(const StageContext& at, const BitTorque& torque) noexcept
   end.mean_speed -= std::expm1(-at.stage.time / at.model.bit().speed_lag) * (at.work.result.forces.bit_speed - end.mean_speed);
   const MotorSpec* motor = at.model.motor();
   if (!motor) return;
-  const double steady = mud_motor_steady_speed(at.start.flow, motor->displacement_per_rev, motor->stall_torque, torque.value);
-  end.motor_speed = advance_mud_motor(at.start.bit.motor_speed, steady, at.stage.time);
-  end.stalled = mud_motor_stalled(at.start.flow, motor->stall_torque, torque.value);
+  const double load = at.work.result.forces.motor_torque;
+  const MudMotorSpeed steady =
+      mud_motor_steady_speed(at.start.flow, motor->displacement_per_rev, motor->stall_torque, motor->curve_exponent, load);
+  end.motor_speed = advance_mud_motor(at.start.bit.motor_speed, steady, torque.spin_slope, at.stage.time);
+  end.stalled = mud_motor_stalled(at.start.flow, motor->stall_torque, load);
 }
 
 void add_drilling(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept

@@ -8,7 +8,8 @@ namespace
 {
 RotorResult rotor_at(const Model& model, const State& start, const Stage& at, double top_spin) noexcept
 {
-  const RotorState rotor{start.drive.speed, start.drive.integral, start.drive.meter_twist};
+  const RotorState rotor{start.drive.speed, start.drive.integral, start.drive.meter_twist, start.drive.gear_twist,
+                         start.drive.braked};
   RotorStage stage = at.drive;
   stage.time = at.time;
   return solve_rotor(model.scene().rig.top_drive, at.setpoints.top_drive, rotor, stage, top_spin);
@@ -24,7 +25,9 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   StageResult& result = at.work.result;
   result.forces.meter_torque = rotor.meter_torque;
   result.forces.drive_torque = rotor.motor_torque;
-  result.drive = {at.start.drive.angle + rotor.increment, rotor.state.speed, rotor.state.integral, rotor.state.twist, rotor.limited};
+  result.forces.gear_friction = rotor.friction;
+  result.drive = {at.start.drive.angle + rotor.increment, rotor.state.speed,      rotor.state.integral, rotor.state.twist,
+                  rotor.state.gear_twist,                 rotor.state.braked, rotor.limited};
   result.drive_increment = rotor.increment;
   result.drive_acceleration = rotor.acceleration;
 }
@@ -35,12 +38,14 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
   const DriveState& drive = at.work.result.drive;
   energy.rotor += 0.5 * spec.inertia * drive.speed * drive.speed;
   energy.meter += 0.5 * spec.meter_stiffness * drive.meter_twist * drive.meter_twist;
+  energy.gear += 0.5 * gear_stiffness * drive.gear_twist * drive.gear_twist;
 }
 
 void sample(const StageContext& at, EnergySample& sample) noexcept
 {
   const StageResult& result = at.work.result;
   sample.drive_torque = result.forces.drive_torque;
+  sample.gear_friction = result.forces.gear_friction;
   sample.rotor_speed = result.drive.speed;
   sample.rotor_inertia = at.model.scene().rig.top_drive.inertia * result.drive_acceleration;
   sample.rotor_increment = result.drive_increment;

@@ -1,0 +1,183 @@
+"""The cells of the operations matrix: wells, strings, what is done with them. A cell is one scene.
+
+Wells are ordinary, not chosen for what the simulator does well; operations are those of a day on the rig, with their usual speeds.
+"""
+
+STANDARD_GRAVITY = 9.80665
+
+
+def arc(md_from, inclination_from, md_to, inclination_to, azimuth=0.0):
+    """Stations of a constant build, 30 m apart at most."""
+    pieces = max(1, round((md_to - md_from) / 30.0))
+    return [[md_from + (md_to - md_from) * k / pieces, inclination_from + (inclination_to - inclination_from) * k / pieces, azimuth]
+            for k in range(pieces + 1)]
+
+
+class Well:
+    def __init__(self, stations, depth, cased):
+        self.stations = stations
+        self.depth = depth
+        self.cased = cased  # down to here friction is that of casing [m]
+
+
+WELLS = {
+    'vertical 1 km': Well([[0, 0, 0], [1000, 0, 0]], 1000.0, 300.0),
+    'J 2 km': Well([[0, 0, 0]] + arc(400, 0, 1000, 60) + [[2000, 60, 0]], 2000.0, 1000.0),
+    'S 2 km': Well([[0, 0, 0]] + arc(300, 0, 700, 40) + arc(1300, 40, 1650, 5) + [[2000, 5, 0]], 2000.0, 700.0),
+    'horizontal 1.2 km': Well([[0, 0, 0]] + arc(100, 0, 370, 90) + [[1200, 90, 0]], 1200.0, 370.0),
+    'horizontal 3 km': Well([[0, 0, 0]] + arc(1000, 0, 1600, 90) + [[3000, 90, 0]], 3000.0, 1600.0),
+    'extended 5 km': Well([[0, 0, 0]] + arc(300, 0, 1100, 80) + [[5000, 80, 0]], 5000.0, 1500.0),
+}
+
+
+def pipe(name, outer, inner, mass, tool_joint, joints='fill', joint=9.5):
+    return {'name': name, 'type': 'pipe', 'joints': joints, 'joint_length': joint, 'outer_diameter': outer, 'inner_diameter': inner,
+            'linear_mass': mass, 'tool_joint_diameter': tool_joint}
+
+
+def collar(outer, inner, mass, joints=2):
+    return {'name': 'collar', 'type': 'collar', 'joints': joints, 'joint_length': 9.4, 'outer_diameter': outer, 'inner_diameter': inner, 'linear_mass': mass}
+
+
+def bit(diameter):
+    return {'name': 'bit', 'type': 'bit', 'length': 0.3, 'mass': 40.0, 'diameter': diameter, 'side_cutting': 0.02,
+            'torque': {'static': 0.5, 'kinetic': 0.4}}
+
+
+MOTOR = [{'name': 'motor', 'type': 'mud_motor', 'length': 7.6, 'outer_diameter': 0.1715, 'inner_diameter': 0.1, 'linear_mass': 140.0,
+          'bend_deg': 1.15, 'bit_to_bend': 1.8, 'displacement_per_rev': 0.014, 'stall_torque': 9000.0},
+         {'name': 'stabilizer', 'type': 'stabilizer', 'length': 1.5, 'outer_diameter': 0.1651, 'inner_diameter': 0.0714, 'linear_mass': 150.0,
+          'blade_diameter': 0.2127}]
+STRINGS = {
+    '5 in': (0.2159, [bit(0.2159), collar(0.1651, 0.0714, 136.0), pipe('drill_pipe', 0.127, 0.1086, 31.9, 0.168)]),
+    '5 in, motor': (0.2159, [bit(0.2159)] + MOTOR + [collar(0.1651, 0.0714, 136.0, 1), pipe('drill_pipe', 0.127, 0.1086, 31.9, 0.168)]),
+    '5 1/2 in': (0.2159, [bit(0.2159), collar(0.1651, 0.0714, 136.0), pipe('drill_pipe', 0.1397, 0.1214, 38.0, 0.178)]),
+    # 4 in in the lower part of a 6 1/8 in hole, 5 in in the casing above
+    '4 in': (0.1556, [bit(0.1556), collar(0.1207, 0.0571, 70.0), pipe('slim_pipe', 0.1016, 0.0848, 23.0, 0.133, 60),
+                      pipe('drill_pipe', 0.127, 0.1086, 31.9, 0.168)]),
+}
+DRILLABILITY = 1.0e-8  # 1.8 to 11 m/h at 20 to 60 kN and 14 rad/s
+
+
+class Operation:
+    """`program`: lines of the scene's program. `off`: how far the bit begins off bottom [m]; `weight`: on bottom with this on bit [N].
+    `chaotic_from`: from here on statistics are compared [s]."""
+
+    def __init__(self, program, duration, off=30.0, weight=None, chaotic_from=None, layers=None):
+        self.program = program
+        self.duration = duration
+        self.off = off
+        self.weight = weight
+        self.chaotic_from = chaotic_from
+        self.layers = layers
+
+
+def turn(rpm, at=0.0, **more):
+    return dict({'at': at, 'top_drive_speed_rpm': rpm}, **more)
+
+
+def move(speed, at, **more):
+    return dict({'at': at, 'block_velocity': speed}, **more)
+
+
+def trip(speed, rpm):
+    """Up (+) or down (-) from 5 s on (20 s if turned), over 4 m or 30 s."""
+    begins = 20.0 if rpm else 5.0
+    ends = begins + min(30.0, max(8.0, 4.0 / abs(speed)))
+    return Operation(([turn(rpm)] if rpm else []) + [move(speed, begins), move(0.0, ends)], ends + 5.0)
+
+
+ROCKING = [turn((30.0 if k % 2 == 0 else -30.0), 1.0 + 3.0 * k) for k in range(6)] + [turn(0.0, 19.0)]  # 1.5 turns each way
+OPERATIONS = {
+    'rotate 60': Operation([turn(60)], 30.0),
+    'rotate 120': Operation([turn(120)], 30.0),
+    'rotate 180': Operation([turn(180)], 30.0),
+    'pick up 0.02': trip(0.02, 0), 'pick up 0.1': trip(0.1, 0), 'pick up 0.3': trip(0.3, 0),
+    'slack off 0.02': trip(-0.02, 0), 'slack off 0.1': trip(-0.1, 0), 'slack off 0.3': trip(-0.3, 0),
+    'pick up 0.1, 120': trip(0.1, 120), 'pick up 0.3, 120': trip(0.3, 120),
+    'slack off 0.1, 120': trip(-0.1, 120), 'slack off 0.3, 120': trip(-0.3, 120),
+    'reverse': Operation([move(0.1, 2.0), move(-0.1, 20.0), move(0.0, 35.0)], 40.0),
+    'back-ream': Operation([turn(100, flow=0.03), move(0.1, 15.0)], 45.0),
+    'rock': Operation(ROCKING, 25.0),
+    'tag 0.05': Operation([turn(60, flow=0.03), move(-0.05, 10.0), move(0.0, 32.0)], 40.0, off=1.0, chaotic_from=29.0),
+    'tag 0.3': Operation([turn(60, flow=0.03), move(-0.3, 10.0), move(0.0, 13.5)], 25.0, off=1.0, chaotic_from=13.3),
+    'drill rotating': Operation([turn(120, flow=0.03), move(-0.002, 5.0)], 60.0, weight=30e3),
+    'drill sliding': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.003, 5.0)], 60.0, weight=30e3),
+    'slide 25 min': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.003, 5.0)], 1500.0, weight=30e3),
+    'over-feed and stall': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.02, 5.0), move(0.0, 40.0)], 60.0, weight=30e3),
+    'pump off and on': Operation([turn(100, flow=0.03), {'at': 20.0, 'flow': 0.0}, {'at': 35.0, 'flow': 0.03}], 50.0, weight=30e3),
+    'into hard rock': Operation([turn(120, flow=0.03), move(-0.004, 5.0)], 60.0, weight=30e3, layers=0.05),
+    'drill off': Operation([turn(120, flow=0.03)], 60.0, weight=60e3),
+}
+
+
+class Cell:
+    def __init__(self, well, string, operation):
+        self.well, self.string, self.operation = well, string, operation
+        self.name = '%s / %s / %s' % (well, string, operation)
+        self.file = ''.join(c if c.isalnum() else '_' for c in self.name)
+
+    @property
+    def what(self):
+        return OPERATIONS[self.operation]
+
+    def scene(self):
+        well, what = WELLS[self.well], self.what
+        diameter, string = STRINGS[self.string]
+        start = {'block_height': 20.0, 'bit_depth': well.depth - what.off}
+        if what.weight:
+            start = {'block_height': 20.0, 'weight_on_bit': what.weight}
+        below = [[well.depth + 100.0] + well.stations[-1][1:]] if well.depth < 0 else []
+        rock = {'drillability': DRILLABILITY}
+        if what.layers:
+            rock = dict(rock, to_tvd=self.tvd() + what.layers)
+            layers = [rock, {'to_tvd': 10000.0, 'drillability': 0.2 * DRILLABILITY}]
+        else:
+            layers = [dict(rock, to_tvd=10000.0)]
+        return {'name': 'cell', 'well': {'stations': well.stations + below, 'hole_depth': well.depth, 'sections': [
+            {'to': well.cased, 'diameter': 0.2224, 'friction': 0.2}, {'to': well.depth, 'diameter': diameter, 'friction': 0.28}]},
+            'formation': layers, 'mud': {'density': 1200.0, 'torsional_damping': 0.02}, 'string': string,
+            'rig': {'hoisting': {'max_hook_load': 4.0e6}}, 'start': start, 'program': what.program}
+
+    def tvd(self):
+        """Of the hole's bottom [m]: only wells that end straight ask, by minimum curvature within half a metre."""
+        import math
+        out, stations = 0.0, WELLS[self.well].stations
+        for (a, i, _), (b, j, _) in zip(stations, stations[1:]):
+            middle = math.radians(0.5 * (i + j))
+            half = 0.5 * math.radians(j - i)
+            out += (b - a) * math.cos(middle) * (math.sin(half) / half if half else 1.0)
+        return out
+
+    def length(self):
+        return WELLS[self.well].depth
+
+
+def cells_of(wells, strings, operations):
+    return [Cell(well, string, operation) for well in wells for string in strings for operation in operations]
+
+
+CELLS = (
+    cells_of(['vertical 1 km'], ['5 in'], ['rotate 120', 'rotate 180', 'pick up 0.3', 'slack off 0.3', 'reverse', 'tag 0.05', 'tag 0.3', 'drill rotating',
+                                           'pump off and on', 'into hard rock', 'drill off'])
+    + cells_of(['vertical 1 km'], ['5 in, motor'], ['drill sliding', 'over-feed and stall', 'rock', 'slide 25 min'])
+    + cells_of(['J 2 km'], ['5 in'], ['rotate 60', 'rotate 120', 'rotate 180', 'pick up 0.02', 'pick up 0.1', 'pick up 0.3', 'slack off 0.02', 'slack off 0.1',
+                                      'slack off 0.3', 'pick up 0.1, 120', 'slack off 0.1, 120', 'reverse', 'back-ream', 'rock', 'tag 0.05', 'tag 0.3',
+                                      'drill rotating', 'drill off'])
+    + cells_of(['J 2 km'], ['5 in, motor'], ['drill rotating', 'drill sliding', 'slide 25 min', 'over-feed and stall', 'pump off and on'])
+    + cells_of(['J 2 km'], ['5 1/2 in'], ['rotate 120', 'rotate 180', 'pick up 0.1', 'slack off 0.1', 'pick up 0.3, 120'])
+    + cells_of(['J 2 km'], ['4 in'], ['rotate 120', 'pick up 0.1', 'slack off 0.1', 'slack off 0.3', 'drill rotating'])
+    + cells_of(['S 2 km'], ['5 in'], ['rotate 60', 'rotate 120', 'pick up 0.1', 'pick up 0.3', 'slack off 0.1', 'slack off 0.3', 'reverse', 'tag 0.3',
+                                      'into hard rock'])
+    + cells_of(['S 2 km'], ['5 in, motor'], ['drill sliding', 'slide 25 min'])
+    + cells_of(['horizontal 1.2 km'], ['5 in'], ['rotate 60', 'rotate 120', 'rotate 180', 'pick up 0.1', 'slack off 0.1', 'slack off 0.3', 'pick up 0.1, 120',
+                                                 'slack off 0.1, 120', 'slack off 0.3, 120', 'back-ream', 'rock', 'drill rotating'])
+    + cells_of(['horizontal 1.2 km'], ['5 in, motor'], ['drill sliding', 'slide 25 min'])
+    + cells_of(['horizontal 1.2 km'], ['5 1/2 in'], ['rotate 120', 'rotate 180', 'pick up 0.1, 120', 'slack off 0.1, 120', 'slack off 0.1'])
+    + cells_of(['horizontal 1.2 km'], ['4 in'], ['rotate 120', 'slack off 0.1', 'slack off 0.1, 120'])
+    + cells_of(['horizontal 3 km'], ['5 in'], ['rotate 60', 'rotate 120', 'pick up 0.1', 'slack off 0.1', 'pick up 0.1, 120', 'slack off 0.1, 120', 'rock',
+                                               'drill rotating'])
+    + cells_of(['horizontal 3 km'], ['5 in, motor'], ['drill sliding'])
+    + cells_of(['extended 5 km'], ['5 in'], ['rotate 60', 'rotate 120', 'pick up 0.1', 'slack off 0.1', 'back-ream', 'drill rotating'])
+    + cells_of(['extended 5 km'], ['5 1/2 in'], ['rotate 120', 'pick up 0.1'])
+)
