@@ -48,6 +48,7 @@ void advance_discrete(const Model& model, const Stage& stage, Workspace& work, S
   Quaterniond& shaft = state.nodes.back().orientation;
   shaft = (Quaterniond::FromTwoVectors(x_axis(shaft), -Vector3d::UnitZ()) * shaft).normalized();
   state.hoist = stage.hoist;
+  state.hoist.rail_deflection = work.result.rail_deflection;
   state.drive = work.result.drive;
   state.bit = work.result.bit;
   state.time += stage.time;

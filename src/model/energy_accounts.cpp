@@ -12,7 +12,7 @@ double EnergyAccounts::stored() const noexcept
 
 double EnergyAccounts::dissipated() const noexcept
 {
-  return wall_friction + wall_damping + bottom_damping + squeeze_film + mud + structural + gearbox + motor_slip + stuck_point_released + ledge + added_mass;
+  return wall_friction + wall_damping + bottom_damping + squeeze_film + mud + structural + block + gearbox + motor_slip + stuck_point_released + ledge + added_mass;
 }
 
 double EnergyAccounts::numerical() const noexcept

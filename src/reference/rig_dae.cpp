@@ -195,9 +195,14 @@ RigDae::Drive RigDae::drive_at(const double* y) const
   return out;
 }
 
-LinePull RigDae::pull_at() const
+RigDae::BlockForces RigDae::block_forces(const double* y) const
 {
-  return line_pull(model_.scene().rig.hoisting, motion(block()).position.z() - kBlockAbove, stage_.hoist.line_length);
+  const HoistingSpec& spec = model_.scene().rig.hoisting;
+  const BodyMotion& m = motion(block());
+  const int z = 12 * block() + 2;
+  const double height = m.position.z() - kBlockAbove, lift = y[z] - start_y_[static_cast<std::size_t>(z)];
+  return {line_pull(spec, height, stage_.hoist.line_length),
+          rail_bristle(spec, start_->hoist.rail_deflection).at(lift, m.velocity.z(), stage_.time), stop_force(spec, height, m.velocity.z())};
 }
 
 void RigDae::add_forces(double t, const double* y, double* force)
@@ -211,7 +216,8 @@ void RigDae::add_forces(double t, const double* y, double* force)
 
   for (const int body : {rotor(), stator(), block()})
     force[6 * body + 2] += standard_gravity * bodies()[static_cast<std::size_t>(body)].mass;
-  force[6 * block() + 2] -= pull_at().hook_force;
+  const BlockForces on_block = block_forces(y);
+  force[6 * block() + 2] -= on_block.pull.hook_force + on_block.resistance();
   const Drive drive = drive_at(y);
   const double meter = model_.scene().rig.top_drive.meter_stiffness * drive.twist;
   const int top = string_nodes() - 1;
@@ -278,9 +284,11 @@ void RigDae::add_force_jacobian(double t, const double* y, SparseJacobian& j)
 void RigDae::add_rig_jacobian(const double* y, SparseJacobian& j)
 {
   const int top = string_nodes() - 1;
-  Matrix6 line = Matrix6::Zero();
-  line(2, 2) = pull_at().stiffness;
-  add_force_derivative(block(), block(), line, Matrix6::Zero(), j);
+  const BlockForces on_block = block_forces(y);
+  Matrix6 by_height = Matrix6::Zero(), by_velocity = Matrix6::Zero();
+  by_height(2, 2) = on_block.pull.stiffness - on_block.rail.by_move + on_block.stop.stiffness;
+  by_velocity(2, 2) = on_block.stop.damping - on_block.rail.by_speed;
+  add_force_derivative(block(), block(), by_height, by_velocity, j);
 
   const Drive drive = drive_at(y);
   auto about = [&](int row, int column, double torque, double by_turn, double by_speed)

@@ -36,7 +36,10 @@ void RigDae::finish(double t, const std::vector<double>& y, State& state)
   evaluate_motion(model_, *start_, stage_, motion_, work_, string_.data(), contact_.data(), nullptr, nullptr);
   const Drive drive = drive_at(y.data());
   StageResult& result = work_.result;
-  result.forces.hook_load = pull_at().hook_force;
+  const BlockForces on_block = block_forces(y.data());
+  result.forces.hook_load = on_block.pull.hook_force;
+  result.forces.block_resistance = on_block.resistance();
+  result.rail_deflection = on_block.rail.next;
   result.forces.meter_torque = model_.scene().rig.top_drive.meter_stiffness * drive.twist;
   result.forces.drive_torque = drive.by_drive.motor;
   result.forces.gear_friction = drive.by_drive.friction;

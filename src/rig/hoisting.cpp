@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drill_rig_sim/math/units.h"
+
 namespace drill_rig_sim
 {
 namespace
@@ -49,6 +51,24 @@ double line_length_for(const HoistingSpec& spec, double block_height, double hoo
   return strung_length(spec, block_height) / (1.0 + tension / spec.line_ea);
 }
 
+DampedBristle rail_bristle(const HoistingSpec& spec, double deflection) noexcept
+{
+  // half of critical
+  return {spec.rail_friction * standard_gravity * spec.block_mass, rail_stiffness, std::sqrt(rail_stiffness * spec.block_mass), deflection};
+}
+
+StopForce stop_force(const HoistingSpec& spec, double block_height, double block_velocity) noexcept
+{
+  const bool low = block_height < spec.lowest_block_height;
+  const double beyond = low ? spec.lowest_block_height - block_height : block_height - spec.highest_block_height;
+  const double side = low ? 1.0 : -1.0;
+  const double share = 1.0 - stop_damping * side * block_velocity;
+  if (beyond <= 0.0) return {};
+  const double energy = 0.5 * stop_stiffness * beyond * beyond;
+  if (share <= 0.0) return {0.0, 0.0, 0.0, energy};
+  return {side * stop_stiffness * beyond * share, stop_stiffness * share, stop_damping * stop_stiffness * beyond, energy};
+}
+
 WinchStep advance_winch(const HoistingSpec& spec, const WinchSetpoint& command, double line_length, double speed,
                         double block_height, double hook_load, double step) noexcept
 {
@@ -67,11 +87,8 @@ WinchStep advance_winch(const HoistingSpec& spec, const WinchSetpoint& command, 
   const double down = stopping_speed(block_height - spec.lowest_block_height, -speed, spec.max_acceleration, step);
   double reached = std::clamp(ramped, -down, up);
   out.limits.height = reached != ramped;
-  if (hook_load >= spec.max_hook_load && reached > 0.0)
-  {
-    reached = 0.0;
-    out.limits.load = true;
-  }
+  out.limits.load = hook_load >= spec.max_hook_load;
+  if (out.limits.load) reached = std::min(reached, 0.0);
 
   // What the drum takes in: a ramp that may end within the step. A stop at once is one at the start of the step.
   const double ramp_share = std::abs(reached - speed) / change;
@@ -82,12 +99,14 @@ WinchStep advance_winch(const HoistingSpec& spec, const WinchSetpoint& command, 
   return out;
 }
 
-double dead_line_hook_load(double hook_load, double block_velocity, int sheaves, double sheave_efficiency) noexcept
+double sheave_slip(double slip, double travel) noexcept
 {
-  constexpr double direction_speed = 5e-3;
-  const double x = std::clamp(block_velocity / direction_speed, -1.0, 1.0);
-  const double direction = 0.5 * x * (3.0 - x * x);
-  const double ratio = std::pow(sheave_efficiency, -direction);
+  return std::clamp(slip + travel / sheave_presliding, -1.0, 1.0);
+}
+
+double dead_line_hook_load(double hook_load, double slip, int sheaves, double sheave_efficiency) noexcept
+{
+  const double ratio = std::pow(sheave_efficiency, -slip);
   const int lines = 2 * sheaves;
   double sum = 0.0;
   for (int i = 0; i < lines; ++i)

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "drill_rig_sim/rig/damped_bristle.h"
 
 namespace drill_rig_sim
 {
@@ -149,30 +150,20 @@ struct Motor
   }
 };
 
-/// Gearbox and brake in a step.
-struct Friction
+/// Friction of gearbox and brake in a step from `start`.
+DampedBristle gear_bristle(const TopDriveSpec& spec, bool braked, const RotorState& start) noexcept
 {
-  double most;     ///< f_max [N m]
-  double damping;  ///< c_g, half of critical [N m s/rad]
-  double twist;    ///< z at the start [rad]
+  DampedBristle out{spec.gearbox_friction + (braked ? spec.brake_torque : 0.0), gear_stiffness, std::sqrt(gear_stiffness * spec.inertia),
+                    start.gear_twist};
+  if (braked && !start.braked) out.deflection -= spec.integral_gain * start.integral / gear_stiffness;
+  return out;
+}
 
-  Friction(const TopDriveSpec& spec, bool braked, const RotorState& start) noexcept
-    : most(spec.gearbox_friction + (braked ? spec.brake_torque : 0.0)),
-      damping(std::sqrt(gear_stiffness * spec.inertia)),
-      twist(start.gear_twist)
-  {
-    if (braked && !start.braked) twist -= spec.integral_gain * start.integral / gear_stiffness;
-  }
-  /// q
-  double trial(double turn, double speed) const noexcept { return gear_stiffness * (twist + turn) + damping * speed; }
-  /// -q as a function of the increment.
-  Branch held(const RotorStage& stage) const noexcept { return {-trial(0.0, stage.rate_0), -gear_stiffness - damping * stage.dv_du}; }
-  double next(double turn, double friction, bool slips, double time) const noexcept
-  {
-    if (!slips) return twist + turn;
-    return twist + (-friction / gear_stiffness - twist) * time / (time + damping / gear_stiffness);
-  }
-};
+/// What it carries while it sticks, as a function of the increment.
+Branch held_by(const DampedBristle& bristle, const RotorStage& stage) noexcept
+{
+  return {-bristle.trial(0.0, stage.rate_0), -bristle.stiffness - bristle.damping * stage.dv_du};
+}
 }  // namespace
 
 double motor_torque_limit(const TopDriveSpec& spec, const TopDriveSetpoint& command, double speed) noexcept
@@ -197,8 +188,8 @@ RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& comman
   const bool braked = brake_is_on(spec, command, start);
   const Motor motor{spec, command, start, motor_torque_limit(spec, command, start.speed)};
 
-  const Friction gear(spec, braked, start);
-  Branch held = gear.held(stage);
+  const DampedBristle gear = gear_bristle(spec, braked, start);
+  Branch held = held_by(gear, stage);
   Solution found = motor.solve(bare.with(held), stage, braked);
   const double q = -held.at(found.increment);
   if (std::abs(q) > gear.most)
@@ -240,14 +231,12 @@ DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& comma
     law = constant(out.motor);
     out.limited = true;
   }
-  const Friction gear(spec, braked, start);
-  const double q = gear.trial(turn, speed);
-  const bool slips = std::abs(q) > gear.most;
-  out.friction = slips ? std::copysign(gear.most, -q) : -q;
-  out.by_turn = -law.turn_gain - (slips ? 0.0 : gear_stiffness);
-  out.by_speed = -law.speed_gain - (slips ? 0.0 : gear.damping);
+  const BristleForce friction = gear_bristle(spec, braked, start).at(turn, speed, time);
+  out.friction = friction.force;
+  out.by_turn = -law.turn_gain + friction.by_move;
+  out.by_speed = -law.speed_gain + friction.by_speed;
   out.braked = braked;
-  out.gear_twist = gear.next(turn, out.friction, slips, time);
+  out.gear_twist = friction.next;
   out.integral = braked ? following_integral(spec, out.motor + out.friction) : motor.next(speed, turn, time, out.motor, saturated);
   return out;
 }

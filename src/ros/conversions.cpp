@@ -132,6 +132,8 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.brake_set = from.brake_set;
   m.motor_stalled = from.motor_stalled;
   m.winch_limited = from.winch_limited;
+  m.slack_line = from.slack_line;
+  m.stop_reached = from.stop_reached;
   m.top_drive_limited = from.top_drive_limited;
   m.top_drive_brake_set = from.top_drive_brake_set;
   m.command_clamped = from.command_clamped;

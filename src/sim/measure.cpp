@@ -32,7 +32,7 @@ void Simulator::Impl::measure_rig() noexcept
   m.hook_load_string = m.hook_load - standard_gravity * hoisting.block_mass;
   m.block_height = top.position.z();
   m.block_velocity = top.rate.velocity.z();
-  m.dead_line_hook_load = dead_line_hook_load(m.hook_load, m.block_velocity, hoisting.sheaves, hoisting.sheave_efficiency);
+  m.dead_line_hook_load = dead_line_hook_load(m.hook_load, s.hoist.sheave_slip, hoisting.sheaves, hoisting.sheave_efficiency);
   m.top_drive_angle = s.drive.angle;
   m.top_drive_speed = s.drive.speed;
   m.torque = state.forces.meter_torque;
@@ -45,6 +45,8 @@ void Simulator::Impl::measure_rig() noexcept
   m.setpoints = state.commands.in_force();
   m.brake_set = m.setpoints.winch.brake;
   m.winch_limited = s.hoist.limited;
+  m.slack_line = line_pull(hoisting, m.block_height, s.hoist.line_length).slack;
+  m.stop_reached = s.hoist.at_stop || stop_force(hoisting, m.block_height, m.block_velocity).energy > 0.0;
   m.top_drive_brake_set = s.drive.braked;
   m.top_drive_limited = s.drive.limited;
   m.motor_stalled = s.bit.stalled;

@@ -92,6 +92,7 @@ Json json_of(const EnergyAccounts& e)
           {"squeeze_film", e.squeeze_film},
           {"mud", e.mud},
           {"structural", e.structural},
+          {"block", e.block},
           {"gearbox", e.gearbox},
           {"motor_slip", e.motor_slip},
           {"stuck_point_released", e.stuck_point_released},

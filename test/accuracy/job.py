@@ -187,7 +187,9 @@ class Job:
             buoyant = numpy.where(middles > 0.0, 1.0 - mud / part.get('density', 7850.0), 1.0)
             total += linear_mass * GRAVITY * length * numpy.mean(buoyant * numpy.cos(self.inclination_at(middles)))
             above -= length
-        return total + GRAVITY * self.scene['rig']['hoisting']['block_mass'] - m['wob']
+        hoisting = self.scene['rig']['hoisting']
+        rail = hoisting.get('rail_friction', 0.03)  # the block goes down, and its rail carries this share of it
+        return total + GRAVITY * hoisting['block_mass'] * (1.0 - rail) - m['wob']
 
     def start_height(self):
         return self.scene['start']['block_height']

@@ -141,7 +141,7 @@ TEST(Sample, itsPartsAddUpToTheResidual)
       if (i == 0) sum.head<3>() -= d.weight_of_bit();
       if (i == d.model().top())
       {
-        sum[2] += standard_gravity * d.model().scene().rig.hoisting.block_mass - d.sample.hook_force;
+        sum[2] += standard_gravity * d.model().scene().rig.hoisting.block_mass - d.sample.hook_force - d.sample.block_resistance;
         const RotorState rotor{d.rig.state.drive.speed, d.rig.state.drive.integral, d.rig.state.drive.meter_twist};
         sum[5] += d.model().scene().rig.top_drive.meter_stiffness * (rotor.twist + d.sample.rotor_increment - node.spin);
         for (const int k : {0, 1, 3, 4}) sum[k] = 0.0;
@@ -169,6 +169,7 @@ TEST(Sample, rigAndBitAreThoseOfTheStep)
   EXPECT_NEAR(s.rotor_speed, s.rotor_increment / step, 1e-9);
   EXPECT_EQ(s.rotor_increment, drive_increment(d.model(), d.rig.state, d.stage, d.u.data() + 6 * d.model().top()));
   EXPECT_EQ(s.hook_force, forces.hook_load);
+  EXPECT_EQ(s.block_resistance, forces.block_resistance);
   EXPECT_EQ(s.step, step);
   const double tension = s.hook_force / 10.0;  // of ten lines
   EXPECT_NEAR(s.line_price, tension + tension * tension / (2.0 * scene.rig.hoisting.line_ea), 1e-6 * tension);

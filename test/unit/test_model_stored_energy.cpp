@@ -136,6 +136,8 @@ TEST(Stored, lineAndDrive)
   rig.state.drive.meter_twist = 0.0;
   rig.state.drive.gear_twist = 1e-5;
   EXPECT_NEAR(5e-4, stored(rig).gear, 1e-9);
+  rig.state.hoist.rail_deflection = 1e-4;
+  EXPECT_NEAR(0.5 * rail_stiffness * 1e-8, stored(rig).block, 1e-9);
 }
 
 // Powers of two: a term that is missing, stands twice or has the wrong sign shows in the sum.
@@ -159,10 +161,10 @@ TEST(Accounts, addUpEveryTermOnce)
   };
   const double input = fill({&e.winch, &e.drive, &e.pump, &e.gravity});
   StoredEnergy &now = e.last, &before = e.first;
-  const double held = fill({&now.kinetic, &now.turning, &now.rotor, &now.beams, &now.line, &now.meter, &now.gear, &now.wall, &now.bottom, &now.bristles,
+  const double held = fill({&now.kinetic, &now.turning, &now.rotor, &now.beams, &now.line, &now.meter, &now.gear, &now.block, &now.wall, &now.bottom, &now.bristles,
                             &now.bit_bristle, &now.stuck_point}) -
                       fill({&before.kinetic, &before.beams});
-  const double lost = fill({&e.wall_friction, &e.wall_damping, &e.bottom_damping, &e.squeeze_film, &e.mud, &e.structural, &e.gearbox, &e.motor_slip,
+  const double lost = fill({&e.wall_friction, &e.wall_damping, &e.bottom_damping, &e.squeeze_film, &e.mud, &e.structural, &e.block, &e.gearbox, &e.motor_slip,
                             &e.stuck_point_released, &e.ledge, &e.added_mass});
   const double rock = fill({&e.rock_thrust, &e.rock_torque}), correction = fill({&e.correction});
   const double numerical = fill({&e.of_inertia, &e.of_beams, &e.of_contact, &e.of_line, &e.of_residual, &e.of_rebasing});

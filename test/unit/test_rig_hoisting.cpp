@@ -1,4 +1,4 @@
-// Hoisting: line statics, winch ramps and limits, steady block speed, the dead line's reading.
+// Hoisting: line statics, winch ramps and limits, steady block speed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -140,7 +140,7 @@ TEST(Winch, HookLoadLimitStopsRaisingOnly)
   EXPECT_TRUE(up.limits.load);
   const WinchStep down = advance_winch(spec, velocity(-1.0), 200.0, -1.0, 20.0, 2.6e6, 0.01);
   EXPECT_EQ(down.speed, -1.0);
-  EXPECT_FALSE(down.limits.load);
+  EXPECT_TRUE(down.limits.load) << "said, whichever way it goes";
 }
 
 // One step by hand for each limit: 0.1 s, 0.5 m/s2, a line of 200 m on 320 m strung, ten lines.
@@ -194,44 +194,10 @@ TEST(Winch, EachLimitByHand)
   EXPECT_EQ(heavy.speed, 0.0);
   EXPECT_EQ(heavy.line_length, 200.0);
   none_but(heavy.limits, false, false, false, true);
-  none_but(step(-0.2, -0.2, 20.0, 2.6e6).limits, false, false, false, false);
+  const WinchStep lowering = step(-0.2, -0.2, 20.0, 2.6e6);
+  EXPECT_EQ(lowering.speed, -0.2) << "down stays free";
+  none_but(lowering.limits, false, false, false, true);
 }
-
-TEST(DeadLine, SheaveTheoryByHand)
-{
-  // Ten lines, e = 0.98: 1 - e^10 = 0.1829272, lowering reads 10 * 0.02 / 0.1829272 = 1.0933314 of the load,
-  // hoisting that times e^9 = 0.8337478.
-  EXPECT_NEAR(dead_line_hook_load(400e3, -0.1, 5, 0.98), 400e3 * 1.0933314, 0.1);
-  EXPECT_NEAR(dead_line_hook_load(400e3, 0.1, 5, 0.98), 400e3 * 1.0933314 * 0.8337478, 0.1);
-  EXPECT_DOUBLE_EQ(dead_line_hook_load(400e3, 0.0, 5, 0.98), 400e3);
-  EXPECT_DOUBLE_EQ(dead_line_hook_load(400e3, 0.1, 5, 1.0), 400e3);
-}
-
-TEST(DeadLine, AgreesWithTheFastLineFactor)
-{
-  // API RP 9B, efficiency of the block with N lines and S = N sheaves of factor K: (K^N - 1) / (K^N N (K - 1)); the published
-  // table gives 0.811 for ten lines on roller bearings, K = 1.04. The dead line is the fast line's tension over K^N.
-  const double k = 1.04;
-  const double kn = std::pow(k, 10);
-  const double efficiency = (kn - 1.0) / (kn * 10.0 * (k - 1.0));
-  EXPECT_NEAR(efficiency, 0.811, 5e-4);
-  const double fast_line = 400e3 / (10.0 * efficiency);
-  EXPECT_NEAR(dead_line_hook_load(400e3, 1.0, 5, 1.0 / k), 10.0 * fast_line / kn, 1e-6);
-}
-
-TEST(DeadLine, DirectionIsSmoothOverFiveMillimetresPerSecond)
-{
-  double last = dead_line_hook_load(1.0, -0.006, 5, 0.98);
-  EXPECT_EQ(dead_line_hook_load(1.0, -0.005, 5, 0.98), last);
-  for (int i = -600; i < 600; ++i)
-  {
-    const double now = dead_line_hook_load(1.0, 1e-5 * i, 5, 0.98);
-    EXPECT_LE(now, last + 1e-15);
-    EXPECT_GT(now, last - 1e-3);
-    last = now;
-  }
-}
-
 }  // namespace
 }  // namespace drill_rig_sim
 

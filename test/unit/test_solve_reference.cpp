@@ -121,7 +121,9 @@ TEST(Reference, DrillsAsTheDefaultStepperDoesAtShortSteps)
 
 TEST(Reference, JointsHoldWhileItDrills)
 {
-  Simulator simulator(drilling(1e-6));
+  Scene scene = drilling(1e-6);
+  scene.rig.hoisting.rail_friction = 0.0;  // where the block begins to slide, forces have a kink, and the joints' rates twice the drift
+  Simulator simulator(scene);
   start_up(simulator);
   run(simulator, 1.0);
   ASSERT_TRUE(simulator.statistics().is_reference);

@@ -25,6 +25,7 @@ Scene hanging(IntegratorKind integrator = IntegratorKind::automatic)
   scene.numerics.structural_damping = 1e-3;  // swings die within seconds
   scene.mud.axial_damping = 100.0;
   scene.mud.torsional_damping = 1.0;
+  scene.rig.hoisting.rail_friction = 0.0;  // the hook load is to be the string's
   scene.numerics.integrator = integrator;
   return scene;
 }

@@ -17,6 +17,7 @@ struct StoredEnergy
   double line = 0.0;         ///< E A (L - L_0)^2 / (2 L_0) of the drill line
   double meter = 0.0;        ///< torque meter's spring
   double gear = 0.0;         ///< held by the friction of gearbox and brake
+  double block = 0.0;        ///< held by the friction of the block's rail, and in its stops
   double wall = 0.0;         ///< k delta^(e + 1) / (e + 1)
   double bottom = 0.0;       ///< the same of the bit on the bottom
   double bristles = 0.0;     ///< sticking friction at the wall, k_b z^2 / 2
@@ -25,7 +26,7 @@ struct StoredEnergy
   double weight = 0.0;       ///< - (weight in mud of this step) . places: only its change within a step means anything
 
   double kinetic_all() const noexcept { return kinetic + turning + rotor; }
-  double elastic_all() const noexcept { return beams + line + meter + gear + wall + bottom + bristles + bit_bristle + stuck_point; }
+  double elastic_all() const noexcept { return beams + line + meter + gear + block + wall + bottom + bristles + bit_bristle + stuck_point; }
 };
 
 /// Forces that act on the nodes, in the residual's sign (they resist the motion) and coordinates, 6 per node.
@@ -69,6 +70,7 @@ struct EnergySample
 
   // rig
   double hook_force = 0.0;     ///< [N]
+  double block_resistance = 0.0;  ///< of rail and stops, + up [N]
   double line_price = 0.0;     ///< T + T^2/(2 EA), energy that a metre of unstretched line paid out takes from the line [N]
   double line_paid_out = 0.0;  ///< L_0 since the start of the step [m]
   double pay_out = 0.0;        ///< dL_0/dt as the drum turns [m/s]

@@ -24,6 +24,7 @@ struct RigForces
   double motor_torque = 0.0;  ///< what loads the mud motor: the bit's torque and its gauge's friction [N m]
   double bit_speed = 0.0;     ///< [rad/s]
   double hook_load = 0.0;     ///< of the lines on the block [N]
+  double block_resistance = 0.0;  ///< of rail and stops on the block, + up [N]
   double meter_torque = 0.0;  ///< [N m]
   double drive_torque = 0.0;  ///< of the top drive's motor [N m]
   double gear_friction = 0.0;  ///< of its gearbox and brake, on the rotor [N m]
@@ -46,6 +47,7 @@ struct RigForces
     v("motor_torque", motor_torque);
     v("bit_speed", bit_speed);
     v("hook_load", hook_load);
+    v("block_resistance", block_resistance);
     v("meter_torque", meter_torque);
     v("drive_torque", drive_torque);
     v("gear_friction", gear_friction);

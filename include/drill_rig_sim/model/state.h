@@ -118,19 +118,25 @@ struct DriveState
   }
 };
 
-/// Drill line and winch.
+/// Drill line, winch and block.
 struct HoistState
 {
   double line_length = 0.0;  ///< unstretched strung length L_0 [m]
   double winch_speed = 0.0;  ///< of the block, as paid out [m/s], + up
+  double sheave_slip = 0.0;  ///< how far the sheaves' friction has built up: -1 lowering, 1 raising
   bool limited = false;
+  bool at_stop = false;      ///< the winch stands at the block's lowest or highest place
+  double rail_deflection = 0.0;  ///< of what the rail's friction holds the block by [m]
 
   template <class V>
   void visit(V& v)
   {
     v("line_length", line_length);
     v("winch_speed", winch_speed);
+    v("sheave_slip", sheave_slip);
     v("limited", limited);
+    v("at_stop", at_stop);
+    v("rail_deflection", rail_deflection);
   }
 };
 

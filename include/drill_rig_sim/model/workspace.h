@@ -47,6 +47,7 @@ struct StageResult
   DriveState drive;
   double drive_increment = 0.0;     ///< of the rotor since the start of the step [rad]
   double drive_acceleration = 0.0;  ///< [rad/s2]
+  double rail_deflection = 0.0;     ///< HoistState::rail_deflection [m]
   BitState bit;
   BottomForce bottom;
   RigForces forces;

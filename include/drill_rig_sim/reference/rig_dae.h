@@ -68,6 +68,13 @@ private:
     double twist;  // of the torque meter [rad]
     double torques() const { return by_drive.motor + by_drive.friction; }  // on the rotor [N m]
   };
+  struct BlockForces
+  {
+    LinePull pull;
+    BristleForce rail;
+    StopForce stop;
+    double resistance() const { return rail.force + stop.force; }  // + up [N]
+  };
   using BitAnswer = Eigen::Matrix<double, 12, 1>;  // minus the force on the bit, rates of the further states
 
   RigDae(const Model& model, Stage& stage, Workspace& work, Rig rig, Formulation formulation, double tolerance);
@@ -83,7 +90,7 @@ private:
   BitDrive bit_drive_at(const double* y, const GivenNode& bit) const;
   double steady_motor_speed() const;
   Drive drive_at(const double* y) const;
-  LinePull pull_at() const;
+  BlockForces block_forces(const double* y) const;
   void add_rig_jacobian(const double* y, SparseJacobian& j);
   void add_bit_jacobian(SparseJacobian& j);
   BitAnswer bit_rates(const Vector6d& force) const;

@@ -1,13 +1,16 @@
 #ifndef DRILL_RIG_SIM_RIG_HOISTING_H
 #define DRILL_RIG_SIM_RIG_HOISTING_H
 
+#include "drill_rig_sim/rig/damped_bristle.h"
 #include "drill_rig_sim/rig/setpoints.h"
 
-/// Drill line, winch and what the dead line's sensor reads.
+/// Drill line, winch, what the block rubs on and stops at, and what the dead line's sensor reads.
 ///
 /// n sheaves in the travelling block, 2 n lines between crown and block. Strung length L = 2 n (crown_height - block_height) +
 /// fixed_length, unstretched length of the same line L_0; tension T = E A (L - L_0) / L_0, never negative (slack); hook force 2 n
-/// T. Line and sheaves have no mass; sheave friction shows in the dead line's reading only.
+/// T. Line and sheaves have no mass. Friction of the sheaves shifts tension from line to line, and leaves their sum as it is: what the
+/// lines have stretched in all is given by drum and block. So it shows in the dead line's reading, and rubs on the drum; what hinders the
+/// block is its guide rail.
 namespace drill_rig_sim
 {
 struct HoistingSpec
@@ -18,12 +21,19 @@ struct HoistingSpec
   double fixed_length = 60.0;   ///< strung length outside the block: fast and dead line [m]
   double block_mass = 17500.0;  ///< travelling block, hook and top drive [kg]
   double sheave_efficiency = 0.98;
+  double rail_friction = 0.03;    ///< of the block on its guide rail, as a share of its weight
   double max_speed = 1.5;         ///< of the block [m/s]
   double max_acceleration = 0.5;  ///< of the block [m/s2]
   double max_hook_load = 2.5e6;   ///< [N]
   double lowest_block_height = 1.0;
   double highest_block_height = 40.0;
 };
+
+constexpr double rail_stiffness = 5e6;      ///< of what rail friction holds the block by [N/m]
+constexpr double stop_stiffness = 1e8;      ///< of crown and floor stop [N/m]
+constexpr double stop_damping = 2.0;        ///< Hunt and Crossley's [s/m]
+constexpr double standing_winch = 1e-3;     ///< slower, it counts as standing [m/s]
+constexpr double sheave_presliding = 0.01;  ///< block travel over which the sheaves' friction builds up from rest [m]
 
 /// The lines' pull on the block.
 struct LinePull
@@ -43,13 +53,27 @@ LinePull line_pull(const HoistingSpec& spec, double block_height, double line_le
 /// L_0 that carries `hook_force` (>= 0) [N] at a block height [m]: L_0 = L / (1 + T / E A). For the start.
 double line_length_for(const HoistingSpec& spec, double block_height, double hook_force) noexcept;
 
+/// Friction of the block on its rail, for a step from `deflection` [m] of what holds it. A record of the field: a block of 66 t moves up at
+/// 40 kN more than down, a twentieth of that with the load (a North Sea rig): +-3 % of the block's weight, whatever hangs on it.
+DampedBristle rail_bristle(const HoistingSpec& spec, double deflection) noexcept;
+
+/// Stops at lowest_block_height and highest_block_height, p beyond which the block is pushed back with k p (1 + d dp/dt), never pulled.
+struct StopForce
+{
+  double force = 0.0;      ///< on the block, + up [N]
+  double stiffness = 0.0;  ///< -d force / d height, >= 0 [N/m]
+  double damping = 0.0;    ///< -d force / d velocity, >= 0 [N s/m]
+  double energy = 0.0;     ///< k p^2 / 2 [J]
+};
+StopForce stop_force(const HoistingSpec& spec, double block_height, double block_velocity) noexcept;
+
 /// What limits the winch in a step.
 struct WinchLimits
 {
   bool speed = false;         ///< the command is beyond max_speed
   bool acceleration = false;  ///< still ramping
   bool height = false;        ///< slowed down or stopped before lowest_block_height or highest_block_height
-  bool load = false;          ///< raising refused at max_hook_load
+  bool load = false;          ///< at max_hook_load or beyond it, as an impact may bring it: raising is refused
   bool any() const noexcept { return speed || acceleration || height || load; }
 };
 
@@ -75,21 +99,25 @@ struct WinchStep
 WinchStep advance_winch(const HoistingSpec& spec, const WinchSetpoint& command, double line_length, double speed,
                         double block_height, double hook_load, double step) noexcept;
 
-/// Hook load as read at the dead line: 2 n times the dead line's tension, with the friction of the turning sheaves.
+/// How far the sheaves' friction has built up, from -1 (lowering) to 1 (raising), after the drum has moved the block by `travel` [m] from
+/// where it was at `slip`. Sheaves turn with the line that passes them, not with a block that bounces on lines of equal stretch: a
+/// reading keeps the friction of its last motion until the drum turns.
+double sheave_slip(double slip, double travel) noexcept;
+
+/// Hook load as read at the dead line: 2 n times the dead line's tension, with the friction of the sheaves.
 ///
 /// Hoisting, every sheave passed towards the fast line raises the tension by 1/e, e the sheave's efficiency; lowering, it lowers
-/// it by e. The N = 2 n lines carry the load, the dead line's own sheave does not turn, so with K = 1/e (hoisting) or e
+/// it by e. The N = 2 n lines carry the load, the dead line's own sheave does not turn, so with K = e^-slip, from 1/e (hoisting) to e
 /// (lowering)
 ///   hook load = T_dead (1 + K + ... + K^(N-1)),   reading = N T_dead.
 /// Source: sum of line tensions as in API RP 9B (fast line factor with S = N sheaves: K^N (K - 1)/(K^N - 1) of the load); for the
 /// dead line: Luke and Juvkam-Wold, Determination of true hook load and line tension under dynamic conditions, SPE Drilling &
-/// Completion 8 (1993), 259-264, case of the inactive dead-line sheave. At rest friction is undetermined: K goes through 1 over a
-/// block speed of +-5 mm/s.
+/// Completion 8 (1993), 259-264, case of the inactive dead-line sheave.
 /// @param hook_load         true load on the lines [N]
-/// @param block_velocity    [m/s], + up
+/// @param slip              of the sheaves, sheave_slip()
 /// @param sheaves           n >= 1
 /// @param sheave_efficiency e in (0, 1]
-double dead_line_hook_load(double hook_load, double block_velocity, int sheaves, double sheave_efficiency) noexcept;
+double dead_line_hook_load(double hook_load, double slip, int sheaves, double sheave_efficiency) noexcept;
 
 }  // namespace drill_rig_sim
 

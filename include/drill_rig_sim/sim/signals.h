@@ -73,6 +73,8 @@ struct RigSignals
   bool brake_set = false;
   bool motor_stalled = false;
   bool winch_limited = false;       ///< a limit of speed, acceleration, load or height holds the winch back
+  bool slack_line = false;          ///< the lines carry nothing
+  bool stop_reached = false;        ///< the block is at its lowest or highest place: the winch stands, or the block rests on the stop
   bool top_drive_brake_set = false;
   bool top_drive_limited = false;   ///< torque, speed or power limit active
   bool command_clamped = false;     ///< the last command was
@@ -104,6 +106,8 @@ struct RigSignals
     v("brake_set", brake_set);
     v("motor_stalled", motor_stalled);
     v("winch_limited", winch_limited);
+    v("slack_line", slack_line);
+    v("stop_reached", stop_reached);
     v("top_drive_brake_set", top_drive_brake_set);
     v("top_drive_limited", top_drive_limited);
     v("command_clamped", command_clamped);

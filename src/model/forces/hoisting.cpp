@@ -1,5 +1,7 @@
 #include "drill_rig_sim/model/forces/hoisting.h"
 
+#include <cmath>
+
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/hoisting.h"
 
@@ -22,13 +24,31 @@ LinePull pull_of(const StageContext& at) noexcept
   return line_pull(at.model.scene().rig.hoisting, block_height(at), at.stage.hoist.line_length);
 }
 
+BristleForce rail_at(const StageContext& at) noexcept
+{
+  const NodeMotion& block = at.work.nodes.back();
+  return rail_bristle(at.model.scene().rig.hoisting, at.start.hoist.rail_deflection).at(block.increment[2], block.rate[2], at.stage.time);
+}
+
+StopForce stop_at(const StageContext& at) noexcept
+{
+  return stop_force(at.model.scene().rig.hoisting, block_height(at), at.work.nodes.back().rate[2]);
+}
+
 void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   const int top = at.model.top();
   const LinePull pull = pull_of(at);
-  at_node(residual, top)[2] -= pull.hook_force - block_weight(at);
-  at.work.result.forces.hook_load = pull.hook_force;
-  if (tangent) tangent->diagonal(top)(2, 2) += pull.stiffness;
+  const BristleForce rail = rail_at(at);
+  const StopForce stop = stop_at(at);
+  StageResult& result = at.work.result;
+  result.forces.hook_load = pull.hook_force;
+  result.forces.block_resistance = rail.force + stop.force;
+  result.rail_deflection = rail.next;
+  at_node(residual, top)[2] -= pull.hook_force + result.forces.block_resistance - block_weight(at);
+  if (!tangent) return;
+  const double by_place = pull.stiffness - rail.by_move + stop.stiffness, by_rate = stop.damping - rail.by_speed;
+  tangent->diagonal(top)(2, 2) += by_place + at.stage.dv_du * by_rate;
 }
 
 void store(const StageContext& at, StoredEnergy& energy) noexcept
@@ -36,6 +56,8 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
   const double line = at.stage.hoist.line_length, tension = pull_of(at).tension;
   energy.line += 0.5 * tension * tension * line / at.model.scene().rig.hoisting.line_ea;
   energy.weight += block_weight(at) * block_height(at);
+  const double held = rail_at(at).next;
+  energy.block += 0.5 * rail_stiffness * held * held + stop_at(at).energy;
 }
 
 void sample(const StageContext& at, EnergySample& sample) noexcept
@@ -44,6 +66,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
   const HoistState& end = at.stage.hoist;
   const LinePull pull = pull_of(at);
   sample.hook_force = pull.hook_force;
+  sample.block_resistance = at.work.result.forces.block_resistance;
   sample.line_price = pull.tension * (1.0 + 0.5 * pull.tension / spec.line_ea);
   sample.line_paid_out = end.line_length - at.start.hoist.line_length;
   sample.pay_out = -2.0 * spec.sheaves * end.winch_speed * end.line_length / strung_length(spec, block_height(at));
@@ -59,7 +82,13 @@ HoistState advance_hoist(const Model& model, const State& state, const Setpoints
   const double hook_load = line_pull(spec, height, state.hoist.line_length).hook_force;
   const WinchStep winch =
       advance_winch(spec, setpoints.winch, state.hoist.line_length, state.hoist.winch_speed, height, hook_load, time);
-  return {winch.line_length, winch.speed, winch.limits.any()};
+  HoistState out = state.hoist;
+  out.line_length = winch.line_length;
+  out.winch_speed = winch.speed;
+  out.sheave_slip = sheave_slip(state.hoist.sheave_slip, (state.hoist.line_length - winch.line_length) / (2.0 * spec.sheaves));
+  out.limited = winch.limits.any();
+  out.at_stop = winch.limits.height && std::abs(winch.speed) < standing_winch;
+  return out;
 }
 
 }  // namespace drill_rig_sim

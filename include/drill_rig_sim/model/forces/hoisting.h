@@ -5,7 +5,7 @@
 
 namespace drill_rig_sim
 {
-/// Drill line and weight of the travelling block on the top node (rig/hoisting.h).
+/// Drill line, rail, stops and weight of the travelling block on the top node (rig/hoisting.h).
 extern const Force hoisting;
 
 /// Line and winch `time` [s] after a state, the winch's set point held.
