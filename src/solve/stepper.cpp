@@ -47,7 +47,7 @@ StepResult Stepper::attempt(State& state, double step, const Setpoints& setpoint
   counters_.newton_iterations += context.iterations;
   budget -= context.iterations;
   if (!solved) return StepResult::not_converged;
-  error_estimate_ = predictor_distance() / 6.0;
+  error_estimate_ = method_.local_error ? method_.local_error(context) : predictor_distance() / 6.0;
   if (method_.refines && may_refine && error_estimate_ > largest_local_error) return StepResult::error_test_failed;
   if (balance_) balance_->end_step(state, stage_, u_.data());
   remember_last_rate(work_, state);

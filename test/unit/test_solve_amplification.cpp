@@ -29,7 +29,9 @@ struct Oscillation
                              { bit.mass = pipe.axial / pipe.length / (frequency * frequency); });
     const double rest = rig.state.nodes[0].position.z();
     rig.state.nodes[0].position.z() += amplitude;
-    Stepper stepper(rig.model, find_method(kind));
+    Method method = find_method(kind);
+    method.refines = false;
+    Stepper stepper(rig.model, method);
     stepper.limits().tolerance = 1e-15;
     stepper.limits().max_increment = 10.0;
     const auto note = [&] { u.emplace_back(rig.state.nodes[0].position.z() - rest, -rig.state.nodes[0].rate.velocity.z() / frequency); };

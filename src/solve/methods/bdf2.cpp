@@ -24,7 +24,7 @@ void remember_increment(const StepContext& context, MethodMemory& memory) noexce
 }  // namespace
 
 const Method bdf2 = {IntegratorKind::bdf2, "bdf2", "BDF2, second order, L-stable, one solve a step, halved where the motion changes fast (default)", step,
-                     remember_increment, 0, true};
+                     remember_increment, 0, true, nullptr};
 
 void prepare_bdf2(const State& state, double step, Stage& stage) noexcept
 {

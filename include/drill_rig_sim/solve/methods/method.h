@@ -42,9 +42,11 @@ struct Method
   void (*remember)(const StepContext& context, MethodMemory& memory) noexcept;
   /// The accelerations of a start without history are written into these of its quantities; 0: into none.
   int first_acceleration;
-  /// Its error is a sixth of what the solution is away from the extrapolation; a step with more than largest_local_error of it is
-  /// repeated in halves.
+  /// A step with a local error above largest_local_error is repeated in halves.
   bool refines;
+  /// Local error of the nodes' places in the step just solved, the largest component [m]. Null: a sixth of what the solution is away from the
+  /// extrapolation, as it is for BDF2.
+  double (*local_error)(const StepContext& context) noexcept;
 };
 
 /// The quantity that every method remembers first: the rates one step before.
