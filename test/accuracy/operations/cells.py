@@ -3,7 +3,7 @@
 Wells are ordinary, not chosen for what the simulator does well; operations are those of a day on the rig, with their usual speeds.
 """
 
-STANDARD_GRAVITY = 9.80665
+import math
 
 
 def arc(md_from, inclination_from, md_to, inclination_to, azimuth=0.0):
@@ -56,20 +56,26 @@ STRINGS = {
     '4 in': (0.1556, [bit(0.1556), collar(0.1207, 0.0571, 70.0), pipe('slim_pipe', 0.1016, 0.0848, 23.0, 0.133, 60),
                       pipe('drill_pipe', 0.127, 0.1086, 31.9, 0.168)]),
 }
+# Drag of a mud of 20 mPa s on pipe that vibrates at 4 Hz: the shear layer sqrt(2 nu/w) is 1.2 mm thick, so pi (D_o + D_i) sqrt(rho mu w/2) = 12.8 N s/m
+# per m along the pipe, and times the radius squared, 0.05 N m s/rad per m, about it; 0.02 in steady turning.
+MUD = {'density': 1200.0, 'axial_damping': 12.0, 'torsional_damping': 0.02}
 DRILLABILITY = 1.0e-8  # 1.8 to 11 m/h at 20 to 60 kN and 14 rad/s
 
 
 class Operation:
     """`program`: lines of the scene's program. `off`: how far the bit begins off bottom [m]; `weight`: on bottom with this on bit [N].
-    `chaotic_from`: from here on statistics are compared [s]."""
+    `irregular_from`: from here on statistics are compared [s]; `slides_from`: the same in wells where pipe that slides sticks and slips.
+    `layers`: how far below the bottom hard rock begins [m]. `every`: between samples [s]."""
 
-    def __init__(self, program, duration, off=30.0, weight=None, chaotic_from=None, layers=None):
+    def __init__(self, program, duration, off=30.0, weight=None, irregular_from=None, slides_from=None, layers=None, every=0.1):
         self.program = program
         self.duration = duration
         self.off = off
         self.weight = weight
-        self.chaotic_from = chaotic_from
+        self.irregular_from = irregular_from
+        self.slides_from = slides_from
         self.layers = layers
+        self.every = every
 
 
 def turn(rpm, at=0.0, **more):
@@ -84,7 +90,7 @@ def trip(speed, rpm):
     """Up (+) or down (-) from 5 s on (20 s if turned), over 4 m or 30 s."""
     begins = 20.0 if rpm else 5.0
     ends = begins + min(30.0, max(8.0, 4.0 / abs(speed)))
-    return Operation(([turn(rpm)] if rpm else []) + [move(speed, begins), move(0.0, ends)], ends + 5.0)
+    return Operation(([turn(rpm)] if rpm else []) + [move(speed, begins), move(0.0, ends)], ends + 5.0, slides_from=None if rpm else begins)
 
 
 ROCKING = [turn((30.0 if k % 2 == 0 else -30.0), 1.0 + 3.0 * k) for k in range(6)] + [turn(0.0, 19.0)]  # 1.5 turns each way
@@ -96,14 +102,14 @@ OPERATIONS = {
     'slack off 0.02': trip(-0.02, 0), 'slack off 0.1': trip(-0.1, 0), 'slack off 0.3': trip(-0.3, 0),
     'pick up 0.1, 120': trip(0.1, 120), 'pick up 0.3, 120': trip(0.3, 120),
     'slack off 0.1, 120': trip(-0.1, 120), 'slack off 0.3, 120': trip(-0.3, 120),
-    'reverse': Operation([move(0.1, 2.0), move(-0.1, 20.0), move(0.0, 35.0)], 40.0),
+    'reverse': Operation([move(0.1, 2.0), move(-0.1, 20.0), move(0.0, 35.0)], 40.0, slides_from=2.0),
     'back-ream': Operation([turn(100, flow=0.03), move(0.1, 15.0)], 45.0),
-    'rock': Operation(ROCKING, 25.0),
-    'tag 0.05': Operation([turn(60, flow=0.03), move(-0.05, 10.0), move(0.0, 32.0)], 40.0, off=1.0, chaotic_from=29.0),
-    'tag 0.3': Operation([turn(60, flow=0.03), move(-0.3, 10.0), move(0.0, 13.5)], 25.0, off=1.0, chaotic_from=13.3),
+    'rock': Operation(ROCKING, 25.0, slides_from=1.0),
+    'tag 0.05': Operation([turn(60, flow=0.03), move(-0.05, 10.0), move(0.0, 32.0)], 40.0, off=1.0, irregular_from=29.0, every=0.02),
+    'tag 0.3': Operation([turn(60, flow=0.03), move(-0.3, 10.0), move(0.0, 13.5)], 25.0, off=1.0, irregular_from=13.3, every=0.02),
     'drill rotating': Operation([turn(120, flow=0.03), move(-0.002, 5.0)], 60.0, weight=30e3),
     'drill sliding': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.003, 5.0)], 60.0, weight=30e3),
-    'slide 25 min': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.003, 5.0)], 1500.0, weight=30e3),
+    'slide 25 min': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.003, 5.0)], 1500.0, weight=30e3, every=2.0),
     'over-feed and stall': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.02, 5.0), move(0.0, 40.0)], 60.0, weight=30e3),
     'pump off and on': Operation([turn(100, flow=0.03), {'at': 20.0, 'flow': 0.0}, {'at': 35.0, 'flow': 0.03}], 50.0, weight=30e3),
     'into hard rock': Operation([turn(120, flow=0.03), move(-0.004, 5.0)], 60.0, weight=30e3, layers=0.05),
@@ -127,21 +133,24 @@ class Cell:
         start = {'block_height': 20.0, 'bit_depth': well.depth - what.off}
         if what.weight:
             start = {'block_height': 20.0, 'weight_on_bit': what.weight}
-        below = [[well.depth + 100.0] + well.stations[-1][1:]] if well.depth < 0 else []
         rock = {'drillability': DRILLABILITY}
         if what.layers:
             rock = dict(rock, to_tvd=self.tvd() + what.layers)
             layers = [rock, {'to_tvd': 10000.0, 'drillability': 0.2 * DRILLABILITY}]
         else:
             layers = [dict(rock, to_tvd=10000.0)]
-        return {'name': 'cell', 'well': {'stations': well.stations + below, 'hole_depth': well.depth, 'sections': [
-            {'to': well.cased, 'diameter': 0.2224, 'friction': 0.2}, {'to': well.depth, 'diameter': diameter, 'friction': 0.28}]},
-            'formation': layers, 'mud': {'density': 1200.0, 'torsional_damping': 0.02}, 'string': string,
+        return {'name': 'cell', 'well': {'stations': well.stations, 'hole_depth': well.depth, 'sections': [
+            {'to': self.cased(), 'diameter': 0.2224, 'friction': 0.2}, {'to': well.depth, 'diameter': diameter, 'friction': 0.28}]},
+            'formation': layers, 'mud': MUD, 'string': string,
             'rig': {'hoisting': {'max_hook_load': 4.0e6}}, 'start': start, 'program': what.program}
+
+    def cased(self):
+        """Down to here [m]; a slim hole begins where only the slim pipe comes."""
+        well = WELLS[self.well]
+        return max(well.cased, well.depth - 500.0) if self.string == '4 in' else well.cased
 
     def tvd(self):
         """Of the hole's bottom [m]: only wells that end straight ask, by minimum curvature within half a metre."""
-        import math
         out, stations = 0.0, WELLS[self.well].stations
         for (a, i, _), (b, j, _) in zip(stations, stations[1:]):
             middle = math.radians(0.5 * (i + j))
@@ -151,6 +160,11 @@ class Cell:
 
     def length(self):
         return WELLS[self.well].depth
+
+    def irregular_from(self):
+        """From here on statistics are compared [s]; None: the series are."""
+        what = self.what
+        return what.slides_from if what.irregular_from is None and not self.well.startswith('vertical') else what.irregular_from
 
 
 def cells_of(wells, strings, operations):
@@ -181,3 +195,7 @@ CELLS = (
     + cells_of(['extended 5 km'], ['5 in'], ['rotate 60', 'rotate 120', 'pick up 0.1', 'slack off 0.1', 'back-ream', 'drill rotating'])
     + cells_of(['extended 5 km'], ['5 1/2 in'], ['rotate 120', 'pick up 0.1'])
 )
+
+# Seconds each: of every kind one, in ./test/run.
+FAST = {'vertical 1 km / 5 in / pick up 0.3', 'vertical 1 km / 5 in / tag 0.05', 'vertical 1 km / 5 in / pump off and on', 'horizontal 1.2 km / 5 in / rotate 120',
+        'horizontal 1.2 km / 5 1/2 in / rotate 180', 'horizontal 1.2 km / 5 in / slack off 0.3, 120', 'J 2 km / 5 in / pick up 0.3'}

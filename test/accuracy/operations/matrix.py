@@ -1,9 +1,10 @@
-"""Runs the cells of the operations matrix, with the default numerics and with a reference's, and says how far they are apart.
+"""Runs cells of the operations matrix, with the default numerics and with a reference's, and says how far they are apart.
 
 Error of an output: root mean square of the difference to the reference, over the largest of its range, a tenth of its level and what its
-instrument resolves; after a bifurcation (a cell's `chaotic_from`) of mean, deviation and extrema instead of the series. A cell counts where
-the reference's own error, its difference to the next coarser numerics, is below a third of the bound.
+instrument resolves; where a cell is irregular, from there on of mean, deviation and extrema instead of the series. Shares of the bound: 1 is 2 %.
+An output of a reference is known where its own error, the difference to the next coarser numerics, is below a third of the bound.
 """
+import hashlib
 import json
 import os
 import subprocess
@@ -15,41 +16,36 @@ BOUND = 0.02
 INCLINATION_BOUND = 0.1  # [deg]
 FLOORS = {'hook_load': 1e3, 'torque': 100.0, 'wob': 1e3, 'bit_speed': 0.1, 'pressure': 1e5, 'position': 0.01}  # N, N m, N, rad/s, Pa, m
 COLUMNS = {'pressure': 'reading_stand_pipe_pressure'}
+KEPT = ['time', 'hook_load', 'torque', 'wob', 'bit_speed', 'reading_stand_pipe_pressure', 'bit_east', 'bit_north', 'bit_up', 'inclination']
 JOINT = 9.5
-# (elements a joint, parts of the default step), finest first; what a cell can afford is its reference
-LADDER = ((8, 4), (4, 2), (2, 1), (1, 1))
-NODE_STEPS = 6e5  # a second of processor time, about
+WINDOWS = 10  # of an irregular stretch; its extrema are means over them
 
 
 class Numerics:
-    """Length of elements [m] and step [s]; None: the default's."""
+    """Length of elements [m], step [s] and method; None: the default's."""
 
-    def __init__(self, length=None, step=None):
-        self.length, self.step = length, step
+    def __init__(self, length=None, step=None, method=None):
+        self.length, self.step, self.method = length, step, method
 
     def options(self):
-        return (['--element-length', '%.6g' % self.length] if self.length else []) + (['--step', '%.6g' % self.step] if self.step else [])
+        pairs = (('--element-length', self.length), ('--step', self.step), ('--integrator', self.method))
+        return [word for option, value in pairs if value is not None for word in (option, value if isinstance(value, str) else '%.6g' % value)]
 
-    def tag(self):
-        return '%s_%s' % ('%.4g' % self.length if self.length else 'default', '%.4g' % self.step if self.step else 'default')
-
-
-def of_ladder(rung, default_step=0.01):
-    parts, steps = LADDER[rung]
-    return Numerics(JOINT / parts * 1.001, default_step / steps)
+    def __str__(self):
+        return ', '.join(self.options()[1::2]) or 'default'
 
 
-def seconds_of(cell, rung):
-    parts, steps = LADDER[rung]
-    return cell.length() / JOINT * parts * cell.what.duration * 100.0 * steps / NODE_STEPS
+# Elements a joint, and steps: what a cell can afford is its reference; the next coarser tells its error.
+LADDER = tuple(Numerics(JOINT / parts * 1.001, step, 'trbdf2') for parts, step in ((4, 0.0025), (2, 0.005), (1, 0.01)))
+NODE_STEPS = 4e5  # of TR-BDF2 in a second of processor time, about
+
+
+def seconds_of(cell, numerics):
+    return cell.length() / numerics.length * cell.what.duration / numerics.step / NODE_STEPS
 
 
 def reference_rung(cell, budget):
-    """The finest rung within so many seconds of processor time, the last but one at worst: the next coarser tells its error."""
-    for rung in range(len(LADDER) - 1):
-        if seconds_of(cell, rung) <= budget:
-            return rung
-    return len(LADDER) - 2
+    return next((rung for rung in range(len(LADDER) - 2) if seconds_of(cell, LADDER[rung]) <= budget), len(LADDER) - 2)
 
 
 class Run:
@@ -59,32 +55,32 @@ class Run:
         self.table, self.summary, self.failure = table, summary, failure
 
 
-def run(drill, cell, numerics, folder, reuse):
-    name = os.path.join(folder, '%s.%s' % (cell.file, numerics.tag()))
+def scene_text(cell):
+    return yaml.safe_dump(cell.scene(), default_flow_style=None, width=200)
+
+
+def fingerprint(cell):
+    """Of all that a reference depends on but the program itself."""
+    what = cell.what
+    return hashlib.sha256(repr((scene_text(cell), what.duration, what.every)).encode()).hexdigest()[:16]
+
+
+def run(drill, cell, numerics, folder):
+    name = os.path.join(folder, '%s.%s' % (cell.file, str(numerics).replace(', ', '_')))
     scene, series, summary = name + '.yaml', name + '.csv', name + '.json'
-    text = yaml.safe_dump(cell.scene(), default_flow_style=None, width=200)
-    old = None
-    if os.path.exists(scene):
-        with open(scene) as file:
-            old = file.read()
-    if not (reuse and old == text and os.path.exists(summary) and os.path.getsize(summary)):
-        with open(scene, 'w') as file:
-            file.write(text)
-        done = subprocess.run([drill, 'run', scene, '--duration', '%g' % cell.what.duration, '--every', '0.05', '--csv', series, '--readings', '--energy',
-                               '--json', summary] + numerics.options(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, universal_newlines=True,
-                              cwd=folder, check=False)
-        if done.returncode:
-            said = (done.stderr.strip().splitlines() or ['exit status %d' % done.returncode])[-1]
-            with open(summary, 'w') as file:
-                json.dump({'failure': said}, file)
+    with open(scene, 'w') as file:
+        file.write(scene_text(cell))
+    command = [drill, 'run', scene, '--duration', '%g' % cell.what.duration, '--every', '%g' % cell.what.every, '--csv', series, '--readings',
+               '--json', summary] + numerics.options()
+    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, universal_newlines=True, check=False)
+    if done.returncode:
+        return Run(None, {}, (done.stderr.strip().splitlines() or ['exit status %d' % done.returncode])[-1])
     with open(summary) as file:
         told = json.load(file)
-    if 'failure' in told:
-        return Run(None, told, told['failure'])
     with open(series) as file:
         names = file.readline().strip().split(',')
-        table = numpy.loadtxt(file, delimiter=',', ndmin=2)
-    return Run(dict(zip(names, table.T)), told)
+        columns = dict(zip(names, numpy.loadtxt(file, delimiter=',', ndmin=2).T))
+    return Run({name: columns[name] for name in KEPT}, told)
 
 
 def values(table, output):
@@ -97,38 +93,71 @@ def size(vector):
     return float(numpy.linalg.norm(vector))
 
 
-def error(table, reference, output, chaotic_from):
+def statistics(y):
+    """Mean, deviation, least and largest; a row each."""
+    windows = numpy.array_split(y, WINDOWS)
+    return [numpy.mean(y, axis=0), numpy.std(y, axis=0), numpy.mean([w.min(axis=0) for w in windows], axis=0),
+            numpy.mean([w.max(axis=0) for w in windows], axis=0)]
+
+
+def error(table, reference, output, irregular_from):
     a, b = values(table, output), values(reference, output)
     level = 0.0 if output == 'position' else 0.1 * float(numpy.mean(numpy.abs(b)))  # where the bit is has no level
     scale = max(size(numpy.ptp(b, axis=0)), level, FLOORS[output])
     time = numpy.asarray(reference['time'])
-    part = time <= (chaotic_from if chaotic_from is not None else time[-1]) + 1e-6
-    squares = [numpy.mean(numpy.sum((a - b)[part] ** 2, axis=1))]
-    if not part.all():
-        squares.append(numpy.mean([size(f(a[~part], axis=0) - f(b[~part], axis=0)) ** 2 for f in (numpy.mean, numpy.std, numpy.min, numpy.max)]))
+    regular = time <= (time[-1] if irregular_from is None else irregular_from) + 1e-6
+    squares = [numpy.mean(numpy.sum((a - b)[regular] ** 2, axis=1))]
+    if not regular.all():
+        squares.append(numpy.mean([size(p - q) ** 2 for p, q in zip(statistics(a[~regular]), statistics(b[~regular]))]))
     return float(numpy.sqrt(max(squares))) / scale
 
 
-def inclination_error(table, reference):
-    """Of the hole's end [deg]."""
-    return float(numpy.degrees(numpy.max(numpy.abs(table['inclination'] - reference['inclination']))))
-
-
-def errors(mine, reference, cell):
+def errors(table, reference, irregular_from):
     """By output, as shares of their bounds."""
-    out = {output: error(mine.table, reference.table, output, cell.what.chaotic_from) / BOUND for output in FLOORS}
-    out['inclination'] = inclination_error(mine.table, reference.table) / INCLINATION_BOUND
+    if len(table['time']) != len(reference['time']):
+        raise ValueError('series of other lengths')
+    out = {output: error(table, reference, output, irregular_from) / BOUND for output in FLOORS}
+    out['inclination'] = float(numpy.degrees(numpy.max(numpy.abs(table['inclination'] - reference['inclination'])))) / INCLINATION_BOUND
     return out
 
 
+class Reference:
+    """What a cell is compared with: series, and their own errors by output as shares of the bound."""
+
+    def __init__(self, table, own, numerics, made_of):
+        self.table, self.own, self.numerics, self.made_of = table, own, numerics, made_of
+
+    def save(self, path):
+        # places change by metres and are wanted to a tenth of a millimetre: single precision of their changes
+        kept = {name: (self.table[name] - self.table[name][0]).astype(numpy.float32) for name in KEPT}
+        first = numpy.array([self.table[name][0] for name in KEPT])
+        numpy.savez_compressed(path, first=first, own=json.dumps(self.own), numerics=self.numerics, made_of=self.made_of, **kept)
+
+    @staticmethod
+    def load(path):
+        with numpy.load(path) as file:
+            table = {name: file[name].astype(float) + first for name, first in zip(KEPT, file['first'])}
+            return Reference(table, json.loads(str(file['own'])), str(file['numerics']), str(file['made_of']))
+
+
+def make_reference(drill, cell, folder, budget):
+    """Or None, and why."""
+    rung = reference_rung(cell, budget)
+    fine, coarse = (run(drill, cell, numerics, folder) for numerics in LADDER[rung:rung + 2])
+    if fine.failure or coarse.failure:
+        return None, fine.failure or coarse.failure
+    return Reference(fine.table, errors(coarse.table, fine.table, cell.irregular_from()), str(LADDER[rung]), fingerprint(cell)), ''
+
+
 class Verdict:
-    def __init__(self, cell):
-        self.cell = cell
-        self.kind = 'undecided'
-        self.worst, self.by = float('nan'), ''     # of the run, as a share of its bound
-        self.own, self.own_by = float('nan'), ''   # of the reference
-        self.note = ''
-        self.cpu = float('nan')
+    """`kind`: right, warned, silent or undecided. `worst`: of the run's errors, as a share of its bound, `by` which output; `own`: of the
+    reference's."""
+
+    def __init__(self, cell, kind, note=''):
+        self.cell, self.kind, self.note = cell, kind, note
+        self.worst, self.by = float('nan'), ''
+        self.own, self.own_by = float('nan'), ''
+        self.cost = float('nan')  # processor time over simulated time
 
 
 def worst_of(shares):
@@ -136,24 +165,20 @@ def worst_of(shares):
     return shares[by], by
 
 
-def judge(cell, mine, reference, coarser):
-    out = Verdict(cell)
-    if reference.failure or coarser.failure:
-        out.note = 'reference: ' + (reference.failure or coarser.failure)
-        return out
-    own = errors(coarser, reference, cell)
-    out.own, out.own_by = worst_of(own)
+def judge(cell, mine, reference):
+    out = Verdict(cell, 'undecided')
     if mine.failure:
         out.kind, out.note = 'silent', mine.failure
         return out
-    out.cpu = mine.summary['cpu_s']
-    shares = errors(mine, reference, cell)
+    shares = errors(mine.table, reference.table, cell.irregular_from())
     out.worst, out.by = worst_of(shares)
-    # an output whose reference is not known well enough counts only where it is wrong by far more than that
-    beyond = [name for name in shares if shares[name] > 1.0 and shares[name] > 3.0 * own[name]]
-    if beyond:
-        out.worst, out.by = worst_of({name: shares[name] for name in beyond})
-        out.kind = 'warned' if mine.summary.get('accuracy_warning') else 'silent'
-    elif out.own <= 1.0 / 3.0 or out.worst <= 1.0 and out.own <= 1.0:
-        out.kind = 'right' if out.worst <= 1.0 else 'undecided'
+    out.own, out.own_by = worst_of(reference.own)
+    out.cost = mine.summary['cpu_s'] / mine.summary['simulated_s']
+    out.note = mine.summary.get('accuracy_warning', '')
+    wrong = {name: share for name, share in shares.items() if share > 1.0 and 3.0 * reference.own[name] <= max(1.0, share)}
+    if wrong:
+        out.worst, out.by = worst_of(wrong)
+        out.kind = 'warned' if out.note else 'silent'
+    elif out.own <= 1.0 / 3.0:
+        out.kind = 'right'
     return out

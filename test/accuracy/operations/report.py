@@ -1,0 +1,141 @@
+"""The operations matrix as a command: makes references, judges, writes table and chart."""
+import collections
+import os
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+
+import cells  # noqa: E402 (they lie beside this file)
+import matrix  # noqa: E402
+
+REFERENCES = os.path.join(HERE, 'references')
+KINDS = ('right', 'warned', 'silent', 'undecided')
+COLOURS = {'right': '#2e8b57', 'warned': '#d9822b', 'silent': '#c0392b', 'undecided': '#9a9a9a'}
+# What the default was chosen from.
+VARIANTS = tuple(matrix.Numerics(length, step, method) for method, step, length in (
+    ('bdf2', 0.01, 9.51), ('bdf2', 0.01, 4.755), ('bdf2', 0.005, 4.755), ('trbdf2', 0.01, 9.51), ('trbdf2', 0.01, 4.755), ('trbdf2', 0.01, 3.17)))
+
+
+def path_of(cell):
+    return os.path.join(REFERENCES, cell.file + '.npz')
+
+
+def in_parallel(jobs, function, todo):
+    """The longest first; tells each result's line as it comes."""
+    def told(cell):
+        result, line = function(cell)
+        print(line, flush=True)
+        return result
+    todo = sorted(todo, key=lambda cell: -cell.length() * cell.what.duration)
+    with ThreadPoolExecutor(jobs) as pool:
+        return dict(zip([cell.name for cell in todo], pool.map(told, todo)))
+
+
+def make_references(drill, todo, folder, jobs, budget):
+    """False: some could not be made."""
+    os.makedirs(REFERENCES, exist_ok=True)
+
+    def make(cell):
+        reference, why = matrix.make_reference(drill, cell, folder, budget)
+        if reference is None:
+            return False, '%-45s no reference: %s' % (cell.name, why)
+        reference.save(path_of(cell))
+        return True, '%-45s reference by %s, own error %.2f of the bound (%s)' % ((cell.name, reference.numerics) + matrix.worst_of(reference.own))
+    return all(in_parallel(jobs, make, todo).values())
+
+
+def judge_all(drill, todo, folder, jobs, numerics):
+    def one(cell):
+        if not os.path.exists(path_of(cell)):
+            verdict = matrix.Verdict(cell, 'undecided', 'no reference')
+        else:
+            reference = matrix.Reference.load(path_of(cell))
+            if reference.made_of != matrix.fingerprint(cell):
+                verdict = matrix.Verdict(cell, 'undecided', 'the reference is of another scene')
+            else:
+                verdict = matrix.judge(cell, matrix.run(drill, cell, numerics, folder), reference)
+        return verdict, line_of(verdict)
+    verdicts = in_parallel(jobs, one, todo)
+    return [verdicts[cell.name] for cell in todo]
+
+
+def line_of(v):
+    return '%-45s %-9s %s' % (v.cell.name, v.kind, v.note or 'worst %.2f of the bound (%s), reference %.2f (%s)' % (v.worst, v.by, v.own, v.own_by))
+
+
+def counts(verdicts):
+    return collections.Counter(v.kind for v in verdicts)
+
+
+def table(verdicts):
+    rows = ['| cell | verdict | largest error, bound 1 | of | reference\'s own |', '| --- | --- | --- | --- | --- |']
+    rows += ['| %s | %s | %.2f | %s | %.2f |' % (v.cell.name, v.kind, v.worst, v.by.replace('_', ' '), v.own) for v in verdicts]
+    return '\n'.join(rows) + '\n'
+
+
+def summary_line(verdicts):
+    told = counts(verdicts)
+    return '%d cells: %s' % (len(verdicts), ', '.join('%d %s' % (told[kind], kind) for kind in KINDS))
+
+
+def variants_table(results):
+    """results: (numerics, verdicts); cost over the first's, of the cells that both ran."""
+    rows = ['| method, step, longest element | right | warned | silent | undecided | cost |', '| --- | --- | --- | --- | --- | --- |']
+    first = {v.cell.name: v.cost for v in results[0][1] if v.cost == v.cost}
+    for numerics, verdicts in results:
+        told, both = counts(verdicts), [v for v in verdicts if v.cell.name in first and v.cost == v.cost]
+        cost = sum(v.cost * v.cell.what.duration for v in both) / sum(first[v.cell.name] * v.cell.what.duration for v in both)
+        rows.append('| %s, %g ms, %.3g m | %s | %.2f |' % (numerics.method, 1e3 * numerics.step, numerics.length,
+                                                         ' | '.join('%d' % told[kind] for kind in KINDS), cost))
+    return '\n'.join(rows) + '\n'
+
+
+def chart(verdicts, path):
+    import matplotlib
+    matplotlib.use('Agg')
+    from matplotlib import pyplot
+    figure, axes = pyplot.subplots(figsize=(8.0, 4.5))
+    for kind in KINDS:
+        mine = [(k, v.worst) for k, v in enumerate(sorted(verdicts, key=lambda v: v.worst)) if v.kind == kind and v.worst == v.worst]
+        if mine:
+            axes.plot(*zip(*[(k, max(worst, 1e-3)) for k, worst in mine]), 'o', markersize=4, color=COLOURS[kind], label='%d %s' % (len(mine), kind))
+    axes.axhline(1.0, color='black', linewidth=0.8)
+    axes.set(yscale='log', xlabel='cells, by their largest error', ylabel='largest error over its bound (2 %)')
+    axes.grid(alpha=0.3)
+    axes.legend()
+    figure.tight_layout()
+    figure.savefig(path, dpi=110)
+    pyplot.close(figure)
+
+
+def write(name, text, out):
+    with open(os.path.join(out, name), 'w') as file:
+        file.write(text)
+    return name
+
+
+def play(args, out):
+    """Exit status, and the names of what was written to `out`."""
+    folder = os.path.join(out, 'runs')
+    os.makedirs(folder, exist_ok=True)
+    todo = [cell for cell in cells.CELLS if args.cells in cell.name and (not args.fast or cell.name in cells.FAST)]
+    if not todo:
+        print('run: no cell has %r in its name' % args.cells, file=sys.stderr)
+        return 2, []
+    if args.full and not make_references(args.drill, todo, folder, args.jobs, args.budget):
+        return 3, []
+    if args.variants:
+        results = [(numerics, judge_all(args.drill, todo, folder, args.jobs, numerics)) for numerics in VARIANTS]
+        for numerics, verdicts in results:
+            print('%s: %s' % (numerics, summary_line(verdicts)))
+        return 0, [write('variants.md', variants_table(results), out)]
+    verdicts = judge_all(args.drill, todo, folder, args.jobs, matrix.Numerics())
+    print(summary_line(verdicts))
+    names = [write('operations.md', summary_line(verdicts) + '.\n\n' + table(verdicts), out)]
+    if not args.no_pictures:
+        chart(verdicts, os.path.join(out, 'operations.png'))
+        names.append('operations.png')
+    told = counts(verdicts)
+    return (1 if told['silent'] else 0), names
