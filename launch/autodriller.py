@@ -15,10 +15,12 @@ def feed(state):  # with every frame, 100 times a simulated second
 
 
 rospy.init_node("autodriller")
-winch = rospy.Publisher("winch/command", WinchCommand, queue_size=1)
+winch = rospy.Publisher("winch/command", WinchCommand, queue_size=1, latch=True)
+winch.publish(WinchCommand(block_velocity=-0.01))
 top_drive = rospy.Publisher("top_drive/command", TopDriveCommand, queue_size=1, latch=True)
 top_drive.publish(TopDriveCommand(mode=TopDriveCommand.SPEED, speed=9.4))  # [rad/s], 90 rpm
 rospy.wait_for_service("tare")
-rospy.ServiceProxy("tare", Trigger)()  # the hook load off bottom
+rospy.sleep(3.0)
+rospy.ServiceProxy("tare", Trigger)()  # the hook load off bottom, on the way down: going up or at rest the block's rail carries another share
 rospy.Subscriber("rig_state", RigState, feed, queue_size=1)
 rospy.spin()

@@ -12,9 +12,11 @@ from std_srvs.srv import Trigger
 class HoldsWeight(unittest.TestCase):
     def drill(self):
         """Weight on bit [N] in each frame of 40 s under the controller."""
-        reset(), tare()
-        state = step(frames=1, top_drive=[TopDriveCommand(mode=TopDriveCommand.SPEED, speed=9.4)]).state
-        speed, weights = 0.0, []
+        reset()
+        lower = WinchCommand(block_velocity=-0.01)
+        state = step(frames=300, winch=[lower], top_drive=[TopDriveCommand(mode=TopDriveCommand.SPEED, speed=9.4)]).state
+        tare()  # on the way down, as it drills: at rest the block's rail carries another share
+        speed, weights = 0.01, []
         for _ in range(4000):
             speed = min(max(speed + 5e-9 * (10e3 - state.surface_wob), 0.0), 0.015)
             state = step(frames=1, winch=[WinchCommand(block_velocity=-speed)]).state
