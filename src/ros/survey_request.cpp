@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "drill_rig_sim/ros/parameters.h"
 #include "drill_rig_sim/scene/scene_problems.h"
 #include "drill_rig_sim/scene/survey_csv.h"
+#include "drill_rig_sim/well/tie_in.h"
 
 namespace drill_rig_sim
 {
@@ -32,10 +34,30 @@ std::vector<SurveyStation> stations_of(const LoadSurvey::Request& request)
   return stations;
 }
 
-void require_sound(const std::vector<SurveyStation>& stations)
+/// What the request says of the first station's place, if it says anything.
+std::optional<TieIn> tie_in_of(const LoadSurvey::Request& request)
 {
-  const std::vector<SurveyProblem> problems = survey_problems(stations);
+  const TieIn tie_in{request.tie_in_north, request.tie_in_east, request.tie_in_tvd};
+  if (tie_in.north == 0.0 && tie_in.east == 0.0 && tie_in.tvd == 0.0) return std::nullopt;
+  return tie_in;
+}
+
+/// The request's stations from the rotary table down.
+std::vector<SurveyStation> whole_survey(const LoadSurvey::Request& request)
+{
+  SurveyTable table;
+  table.tie_in = tie_in_of(request);
+  const bool asked = table.tie_in.has_value();
+  if (request.file.empty())
+    table.stations = stations_of(request);
+  else
+    table = read_survey_csv(find_file("file", request.file, "config/surveys"), table.tie_in);
+  const std::vector<SurveyProblem> problems = survey_problems(table.stations, table.tie_in.has_value());
   if (!problems.empty()) refuse("station ", problems.front().station, ": ", problems.front().text);
+  if (!asked && table.stations.front().md == 0.0) return table.stations;
+  const std::string problem = tie_survey_in(*table.tie_in, table.stations);
+  if (!problem.empty()) refuse("tie_in: ", problem);
+  return table.stations;
 }
 
 // Sections that begin below the bottom go, the last one reaches it.
@@ -52,8 +74,7 @@ Scene with_survey(const Scene& scene, double off_bottom, const LoadSurvey::Reque
 {
   if (request.file.empty() == request.md.empty()) refuse("allowed is either a file or stations");
   Scene next = scene;
-  next.well.survey = request.file.empty() ? stations_of(request) : read_survey_csv(find_file("file", request.file, "config/surveys"));
-  require_sound(next.well.survey);
+  next.well.survey = whole_survey(request);
 
   const double last = next.well.survey.back().md;
   if (!(request.hole_depth >= 0.0 && request.hole_depth <= last))

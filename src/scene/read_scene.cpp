@@ -3,9 +3,11 @@
 #include <yaml-cpp/yaml.h>
 
 #include <limits>
+#include <optional>
 
 #include "drill_rig_sim/scene/scene_problems.h"
 #include "drill_rig_sim/scene/survey_csv.h"
+#include "drill_rig_sim/well/tie_in.h"
 #include "problems.h"
 #include "scene_keys.h"
 #include "settings.h"
@@ -52,6 +54,7 @@ public:
 
     // checks between keys make sense only once every key alone is right
     problems_.raise();
+    tie_in_survey(scene.well);
     check(scene);
     problems_.raise();
     return scene;
@@ -121,6 +124,12 @@ private:
       problems_.add(path, "both or neither of `survey` and `stations` are given, needed: one of them");
       return;
     }
+    in(entries, path, "tie_in",
+       [&](const YAML::Node& n, const std::string& p)
+       {
+         tie_in_.emplace();
+         read_block(n, p, tie_in_keys, every_kind, *tie_in_, problems_);
+       });
     in(entries, path, "survey", [&](const YAML::Node& n, const std::string& p) { read_survey_file(n, p, well); });
     in(entries, path, "stations", [&](const YAML::Node& n, const std::string& p) { read_stations(n, p, well); });
   }
@@ -133,7 +142,9 @@ private:
     if (file[0] != '/' && folder_end != std::string::npos) file = name_.substr(0, folder_end + 1) + file;
     try
     {
-      well.survey = read_survey_csv(file);
+      const SurveyTable table = read_survey_csv(file, tie_in_);
+      well.survey = table.stations;
+      if (well.survey.front().md > 0.0) tie_in_ = table.tie_in;
     }
     catch (const SceneError& e)
     {
@@ -161,8 +172,16 @@ private:
                     well.survey.push_back({value[0], value[1] * degree, value[2] * degree});
                   });
     if (!good || !node.IsSequence()) return;
-    for (const SurveyProblem& problem : survey_problems(well.survey))
+    for (const SurveyProblem& problem : survey_problems(well.survey, tie_in_.has_value()))
       problems_.add(item_key(path, problem.station), problem.text);
+  }
+
+  // puts the hole above a first station that is tied in
+  void tie_in_survey(WellSpec& well)
+  {
+    const std::string problem = tie_in_ ? tie_survey_in(*tie_in_, well.survey) : "";
+    if (!problem.empty()) problems_.add(problems_.has("well.tie_in") ? "well.tie_in" : "well.survey", problem);
+    problems_.raise();
   }
 
   void read_string(const Entries& top, std::vector<PartSpec>& parts)
@@ -276,6 +295,7 @@ private:
 
   std::string name_;
   Problems problems_;
+  std::optional<TieIn> tie_in_;
 };
 }  // namespace
 

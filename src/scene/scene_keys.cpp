@@ -93,10 +93,17 @@ const Table<Scene> scene_keys = {"", "The scene file's top level.", {
 }};
 
 const Table<WellSpec> well_keys = {"well", "The hole before drilling starts. Give `survey` or `stations`.", {
-  {"survey",                "",       Nested{},                            none,                 "CSV file with columns md_m, inclination_deg, azimuth_deg; counts from the scene file's folder"},
-  {"stations",              "m, deg", Nested{},                            none,                 "list of [measured depth, inclination, azimuth], the first at depth 0"},
+  {"survey",                "",       Nested{},                            none,                 "CSV file with columns md_m, inclination_deg, azimuth_deg and, of the first station, north_m, east_m, tvd_m where that lies below depth 0; counts from the scene file's folder"},
+  {"stations",              "m, deg", Nested{},                            none,                 "list of [measured depth, inclination, azimuth], the first at depth 0 or tied in"},
+  {"tie_in",                "",       Nested{},                            none,                 "where the first station lies, if that is below depth 0: a smooth hole leads there; instead of the CSV file's columns"},
   {"hole_depth",            "m",      &WellSpec::hole_depth,               between(0.1, 20000.0), "measured depth of the hole's bottom", no_kind, every_kind, "the last station"},
   {"sections",              "",       Nested{},                            none,                 "list of hole sections, top down; the last reaches hole_depth", must},
+}};
+
+const Table<TieIn> tie_in_keys = {"well.tie_in", "Where a survey's first station below the rotary table lies. The hole above it leaves the table vertically and is made of straight pieces and arcs of at most 15 deg/30 m.", {
+  {"north",                 "m",      &TieIn::north,                       between(-20000.0, 20000.0), "of the rotary table"},
+  {"east",                  "m",      &TieIn::east,                        between(-20000.0, 20000.0), "of the rotary table"},
+  {"tvd",                   "m",      &TieIn::tvd,                         above(0.0, 20000.0),  "true vertical depth", must},
 }};
 
 const Table<HoleSection> section_keys = {"well.sections[]", "A stretch of hole, from the end of the section above it.", {

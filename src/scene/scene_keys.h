@@ -2,6 +2,7 @@
 #define DRILL_RIG_SIM_SRC_SCENE_SCENE_KEYS_H
 
 #include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/well/tie_in.h"
 #include "key_table.h"
 
 /// THE table of the scene file: key, unit, field (its initialiser in scene.h is the default), allowed range, meaning.
@@ -25,6 +26,7 @@ extern const std::vector<const char*> hook_load_place_words;
 
 extern const Table<Scene> scene_keys;
 extern const Table<WellSpec> well_keys;
+extern const Table<TieIn> tie_in_keys;
 extern const Table<HoleSection> section_keys;
 extern const Table<FormationLayer> layer_keys;
 extern const Table<MudSpec> mud_keys;

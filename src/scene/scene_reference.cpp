@@ -62,6 +62,7 @@ std::string scene_reference()
   std::ostringstream out;
   write(out, scene_keys);
   write(out, well_keys);
+  write(out, tie_in_keys);
   write(out, section_keys);
   write(out, layer_keys);
   write(out, mud_keys);

@@ -18,6 +18,7 @@ namespace
 constexpr std::size_t most_columns = 256;  // what stands beyond is not looked at
 constexpr const char* needed = "a CSV file with the columns md_m, inclination_deg, azimuth_deg";
 constexpr std::array<const char*, 3> columns = {"md_m", "inclination_deg", "azimuth_deg"};
+constexpr std::array<const char*, 3> tie_in_columns = {"north_m", "east_m", "tvd_m"};
 
 std::string trimmed(const std::string& text)
 {
@@ -89,9 +90,27 @@ void read_station(const std::vector<std::string>& cells, std::size_t header, con
   }
   station = {value[0], value[1] * degree, value[2] * degree};
 }
+
+// where the first station lies, out of its line's cells; nothing without the columns. A cell that is no number is a problem where the tie-in
+// is needed.
+std::optional<TieIn> tie_in_of(const std::vector<std::string>& header, const std::vector<std::string>& cells, bool needed, int line, Problems& problems)
+{
+  std::array<double, 3> value{};
+  bool good = true;
+  for (std::size_t i = 0; i < tie_in_columns.size(); ++i)
+  {
+    const auto place = static_cast<std::size_t>(std::find(header.begin(), header.end(), tie_in_columns[i]) - header.begin());
+    if (place == header.size()) return std::nullopt;
+    if (place < cells.size() && is_number(cells[place], value[i])) continue;
+    good = false;
+    if (needed) problems.add_at(line, tie_in_columns[i], "is not a finite number");
+  }
+  if (!good) return std::nullopt;
+  return TieIn{value[0], value[1], value[2]};
+}
 }  // namespace
 
-std::vector<SurveyStation> read_survey_csv(const std::string& file)
+SurveyTable read_survey_csv(const std::string& file, const std::optional<TieIn>& tie_in)
 {
   Problems problems(file);
   std::string whole;
@@ -100,37 +119,40 @@ std::vector<SurveyStation> read_survey_csv(const std::string& file)
   const std::string byte_order_mark = "\xef\xbb\xbf";
   if (whole.compare(0, byte_order_mark.size(), byte_order_mark) == 0) whole.erase(0, byte_order_mark.size());
   std::istringstream in(whole);
-  std::vector<SurveyStation> stations;
+  SurveyTable table;
+  table.tie_in = tie_in;
+  std::vector<SurveyStation>& stations = table.stations;
   std::vector<int> lines;
   std::array<std::size_t, 3> place{};
-  std::size_t header = 0;  // its cells; 0 before it is read
+  std::vector<std::string> header;  // empty before it is read
   std::string text;
   for (int line = 1; stations.size() <= most_stations && std::getline(in, text); ++line)
   {
     if (trimmed(text).empty() || trimmed(text)[0] == '#') continue;
     const std::vector<std::string> cells = cells_of(text);
-    if (header == 0)
+    if (header.empty())
     {
-      header = cells.size();
+      header = cells;
       if (!find_columns(cells, line, place, problems)) break;
       continue;
     }
     SurveyStation station;
-    read_station(cells, header, place, line, station, problems);
+    read_station(cells, header.size(), place, line, station, problems);
+    if (stations.empty() && !tie_in) table.tie_in = tie_in_of(header, cells, station.md != 0.0, line, problems);
     stations.push_back(station);
     lines.push_back(line);
   }
-  if (header == 0 && problems.empty())
+  if (header.empty() && problems.empty())
     problems.add_at(0, "", std::string("is empty, needed: ") + needed);
-  if (header > 0 && problems.empty())
+  if (!header.empty() && problems.empty())
   {
-    for (const SurveyProblem& p : survey_problems(stations))
+    for (const SurveyProblem& p : survey_problems(stations, table.tie_in.has_value()))
     {
       problems.add_at(p.station < lines.size() ? lines[p.station] : 1, "station " + std::to_string(p.station + 1), p.text);
     }
   }
   problems.raise();
-  return stations;
+  return table;
 }
 
 }  // namespace drill_rig_sim

@@ -14,12 +14,12 @@ namespace
 {
 void print_survey(const std::string& file)
 {
-  const std::vector<SurveyStation> stations = read_survey_csv(file);
-  const Survey survey(stations);
+  const SurveyTable table = read_survey_csv(file);
+  const Survey survey(table.stations, table.tie_in);
   std::printf("%10s %8s %8s %11s %11s %11s %9s\n", "MD m", "incl deg", "azi deg", "north m", "east m", "TVD m", "deg/30 m");
   for (int i = 0; i < survey.size(); ++i)
   {
-    const SurveyStation& station = stations[static_cast<std::size_t>(i)];
+    const SurveyStation& station = table.stations[static_cast<std::size_t>(i)];
     const Eigen::Vector3d& p = survey.station(i).position;
     const double severity = i == 0 ? 0.0 : survey.dogleg_severity(i - 1) / degree;
     std::printf("%10.2f %8.2f %8.2f %11.3f %11.3f %11.3f %9.3f\n", station.md, station.inclination / degree,

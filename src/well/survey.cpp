@@ -18,18 +18,18 @@ double sinc(double x) noexcept
   return x2 < 1e-4 ? 1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0)) : std::sin(x) / x;
 }
 
-void check(const std::vector<SurveyStation>& stations)
+void check(const std::vector<SurveyStation>& stations, bool tied_in)
 {
-  const std::vector<SurveyProblem> problems = survey_problems(stations);
+  const std::vector<SurveyProblem> problems = survey_problems(stations, tied_in);
   if (!problems.empty())
     throw std::invalid_argument("survey station " + std::to_string(problems.front().station + 1) + ": " + problems.front().text);
 }
 }  // namespace
 
-Survey::Survey(const std::vector<SurveyStation>& stations)
+Survey::Survey(const std::vector<SurveyStation>& stations, const std::optional<TieIn>& tie_in)
 {
-  check(stations);
-  points_.push_back({stations[0].md, Eigen::Vector3d::Zero(), tangent_from(stations[0].inclination, stations[0].azimuth)});
+  check(stations, tie_in.has_value());
+  points_.push_back({stations[0].md, tie_in ? tie_in->position() : Eigen::Vector3d::Zero(), tangent_from(stations[0].inclination, stations[0].azimuth)});
   for (std::size_t i = 1; i < stations.size(); ++i)
   {
     const PathPoint from = points_.back();

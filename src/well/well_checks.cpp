@@ -42,7 +42,7 @@ std::string problem_between(const SurveyStation& before, const SurveyStation& s)
 }
 }  // namespace
 
-std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& stations)
+std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& stations, bool tied_in)
 {
   std::vector<SurveyProblem> problems;
   if (stations.size() < 2) problems.push_back({0, plain(static_cast<double>(stations.size())) + " station, needed: at least two"});
@@ -57,7 +57,8 @@ std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& sta
     const SurveyStation& s = stations[i];
     const std::string alone = problem_of(s);
     std::string problem = alone;
-    if (alone.empty() && i == 0 && s.md != 0.0) problem = "the first md is " + plain(s.md) + " m, needed: 0, the rotary table";
+    if (alone.empty() && i == 0 && s.md != 0.0 && !tied_in)
+      problem = "the first md is " + plain(s.md) + " m, needed: 0, the rotary table, or its place: tie_in, in a CSV file north_m, east_m, tvd_m";
     if (alone.empty() && before_is_good) problem = problem_between(stations[i - 1], s);
     if (!problem.empty()) problems.push_back({i, problem});
     before_is_good = alone.empty();

@@ -46,7 +46,7 @@ private:
   int file_;
 };
 
-std::optional<std::vector<SurveyStation>> read(const std::string& file)
+std::optional<SurveyTable> read(const std::string& file)
 {
   try
   {
@@ -70,9 +70,8 @@ Vector3d wild_vector(double scale, Random& random)
   return {random.wild(scale), random.wild(scale), random.wild(scale)};
 }
 
-void check_path(const std::vector<SurveyStation>& stations, Random& random)
+void check_path(const Survey& survey, Random& random)
 {
-  const Survey survey(stations);
   for (int k = 0; k < 8; ++k)
   {
     const PathPoint p = survey.at(random.between(-10.0, 1.1 * survey.last_md()));
@@ -160,15 +159,26 @@ void take(const std::uint8_t* data, std::size_t size)
   static MemoryFile file;
   ++counters().inputs;
   file.write(data, size);
-  const auto stations = read(file.name());
-  if (!stations)
+  auto table = read(file.name());
+  if (!table)
   {
     ++counters().refused;
     return;
   }
   Random random(seed_of(std::string(reinterpret_cast<const char*>(data), size)));
-  check_path(*stations, random);
-  ++(check_well(*stations, random) ? counters().accepted : counters().unbuildable);
+  check_path(Survey(table->stations, table->tie_in), random);
+  if (table->stations.front().md > 0.0)
+  {
+    const std::string problem = tie_survey_in(*table->tie_in, table->stations);
+    if (!problem.empty())
+    {
+      check_refusal(problem);
+      ++counters().unbuildable;
+      return;
+    }
+    check(survey_problems(table->stations).empty(), "a survey that was tied in is not sound");
+  }
+  ++(check_well(table->stations, random) ? counters().accepted : counters().unbuildable);
 }
 }  // namespace fuzz
 }  // namespace drill_rig_sim

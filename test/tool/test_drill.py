@@ -111,8 +111,15 @@ class Survey(Drill):
         self.assertAlmostEqual(last[5], 200.0 + 572.958 * 0.777146 + 20.0 * 0.629320, delta=0.01)
         self.assertAlmostEqual(float(rows[-2].split()[6]), 3.0, delta=0.001)
 
+    def test_a_survey_below_the_table_begins_where_its_columns_say(self):
+        with open(self.file('tied.csv'), 'w') as out:
+            out.write('md_m,inclination_deg,azimuth_deg,tvd_m,north_m,east_m\n1000,30,90,900,-50,200\n1100,30,90,,,\n')
+        first, last = [[float(cell) for cell in row.split()] for row in self.succeed('survey', self.file('tied.csv')).splitlines()[1:]]
+        self.assertEqual(first, [1000.0, 30.0, 90.0, -50.0, 200.0, 900.0, 0.0])
+        self.assertEqual(last, [1100.0, 30.0, 90.0, -50.0, 250.0, 986.603, 0.0])  # 100 m at 30 deg to the east
+
     def test_broken_surveys_are_refused(self):
-        for name in ('backwards', 'empty', 'nan_cell', 'no_header', 'short_row', 'text_cell'):
+        for name in ('backwards', 'deep', 'empty', 'nan_cell', 'no_header', 'short_row', 'text_cell', 'tie_in_text'):
             self.assertIn(name + '.csv:', self.refuse('survey', os.path.join(SOURCE, 'test/bad_scenes/surveys', name + '.csv')))
 
 

@@ -131,6 +131,34 @@ TEST(WithSurvey, eitherAFileOrStations)
   EXPECT_NE(std::string::npos, refusal_of(file).find("/no/such.csv"));
 }
 
+TEST(WithSurvey, aFirstStationBelowTheTableIsTiedIn)
+{
+  LoadSurvey::Request request = stations({{80.0, 0.0, 0.0}, {200.0, 0.0, 0.0}});
+  EXPECT_EQ("station 0: the first md is 80 m, needed: 0, the rotary table, or its place: tie_in, in a CSV file north_m, east_m, tvd_m",
+            refusal_of(request));
+  request.tie_in_tvd = 80.0;
+  const Scene next = with_survey(present(), 0.5, request);
+  EXPECT_EQ(0.0, next.well.survey.front().md);
+  EXPECT_EQ(80.0, next.well.survey[next.well.survey.size() - 2].md);
+  EXPECT_EQ(200.0, next.well.hole_depth);
+  request.tie_in_north = 30.0;
+  EXPECT_EQ("tie_in: the first station is 85.44 m from the rotary table, allowed: up to its measured depth, 80 m", refusal_of(request));
+  request = stations(to_200);
+  request.tie_in_tvd = 1.0;
+  EXPECT_EQ("tie_in: the first station is at 0, the rotary table; allowed: with a first station below it", refusal_of(request));
+}
+
+TEST(WithSurvey, aFileMayHoldItsTieIn)
+{
+  LoadSurvey::Request request;
+  request.file = in_source("test/bad_scenes/surveys/tie_in_far.csv");
+  EXPECT_NE(std::string::npos, refusal_of(request).find("tie_in: the first station is 6.47272e+06 m from the rotary table"));
+  request.tie_in_tvd = 10.0;
+  EXPECT_EQ(200.0, with_survey(present(), 0.5, request).well.hole_depth) << "what is asked goes before";
+  request.file = in_source("test/bad_scenes/surveys/deep.csv");
+  EXPECT_EQ(200.0, with_survey(present(), 0.5, request).well.hole_depth);
+}
+
 TEST(WithSurvey, listsHaveOneLength)
 {
   LoadSurvey::Request request = stations(to_200);

@@ -11,6 +11,7 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/well/survey.h"
 #include "scene_of_all_keys.h"
 
 using namespace drill_rig_sim;
@@ -30,6 +31,14 @@ double number(bool same)
   return same ? 1.0 : 0.0;
 }
 
+/// Where the first station of a survey lies that is tied in.
+Eigen::Vector3d tied_in_at_400()
+{
+  const Scene scene = parse_scene(scene_of_all_keys, "all_keys.yaml",
+                                  {"well.stations=[[400, 3, 4], [900, 5, 6]]", "well.tie_in={north: 12, east: -9, tvd: 399}"});
+  return (1e6 * Survey(scene.well.survey).at(400.0).position).array().round() / 1e6;  // found to round-off
+}
+
 std::vector<Expected> of_well()
 {
   return {
@@ -37,6 +46,10 @@ std::vector<Expected> of_well()
       {"well", "stations", [](const Scene& s) { return s.well.survey.at(1).md; }, 400.0},
       {"well", "stations", [](const Scene& s) { return s.well.survey.at(1).inclination; }, 3.0 * degree},
       {"well", "stations", [](const Scene& s) { return s.well.survey.at(1).azimuth; }, 4.0 * degree},
+      // of a well of their own: a sound hole needs all three together
+      {"well.tie_in", "north", [](const Scene&) { return tied_in_at_400().y(); }, 12.0},
+      {"well.tie_in", "east", [](const Scene&) { return tied_in_at_400().x(); }, -9.0},
+      {"well.tie_in", "tvd", [](const Scene&) { return -tied_in_at_400().z(); }, 399.0},
       {"well", "hole_depth", [](const Scene& s) { return s.well.hole_depth; }, 801.0},
       {"well", "sections", [](const Scene& s) { return double(s.well.sections.size()); }, 2.0},
       {"well.sections[]", "to", [](const Scene& s) { return s.well.sections.at(0).to; }, 301.0},

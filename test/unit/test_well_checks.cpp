@@ -49,7 +49,7 @@ TEST(SurveyChecks, EachRuleSaysWhereAndWhat)
             said_of_second({0.005, 0.0, 0.0}));
   EXPECT_EQ(Texts({"1: the direction turns round from the station before it, allowed: up to 179.9 deg"}),
             said_of_second({10.0, 180.0 * degree, 0.0}));
-  EXPECT_EQ(Texts({"0: the first md is 1 m, needed: 0, the rotary table"}), said_of({{1.0, 0.0, 0.0}, {10.0, 0.0, 0.0}}));
+  EXPECT_EQ(Texts({"0: the first md is 1 m, needed: 0, the rotary table, or its place: tie_in, in a CSV file north_m, east_m, tvd_m"}), said_of({{1.0, 0.0, 0.0}, {10.0, 0.0, 0.0}}));
 }
 
 // At its limit each value is good; a file's degrees may have been rounded on the way.

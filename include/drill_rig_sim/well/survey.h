@@ -2,10 +2,12 @@
 #define DRILL_RIG_SIM_WELL_SURVEY_H
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "drill_rig_sim/well/well_spec.h"
 #include "drill_rig_sim/well/directions.h"
+#include "drill_rig_sim/well/tie_in.h"
 
 namespace drill_rig_sim
 {
@@ -19,7 +21,8 @@ struct PathPoint
 
 /// A well's path through its survey stations by the method of minimum curvature: circular arcs of constant curvature that
 /// share their tangents at the stations (Sawaryn & Thorogood, "A compendium of directional calculations based on the minimum
-/// curvature method", SPE Drilling & Completion, March 2005). The first station is the origin.
+/// curvature method", SPE Drilling & Completion, March 2005). The first station is the origin, or
+/// lies where a tie-in has it.
 ///
 /// With t1, t2 the tangents at an arc's ends, D its length, alpha = 2 atan2(|t2 - t1|, |t2 + t1|) its dogleg,
 /// b = (t1 + t2)/|t1 + t2|, S(x) = sin(x)/x and u = (md - md1)/D:
@@ -31,7 +34,7 @@ class Survey
 {
 public:
   /// Throws std::invalid_argument with one line that names the station if survey_problems() (well_checks.h) finds anything.
-  explicit Survey(const std::vector<SurveyStation>& stations);
+  explicit Survey(const std::vector<SurveyStation>& stations, const std::optional<TieIn>& tie_in = std::nullopt);
 
   int size() const noexcept { return static_cast<int>(points_.size()); }
   /// Station i, 0 <= i < size().

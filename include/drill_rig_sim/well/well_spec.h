@@ -23,7 +23,8 @@ struct HoleSection
 
 struct WellSpec
 {
-  std::vector<SurveyStation> survey;  ///< from `survey` (a CSV file) or `stations`; strictly increasing md, first at md 0
+  /// From `survey` (a CSV file) or `stations`; strictly increasing md, the first at md 0: tie_survey_in() has put those above a tie-in.
+  std::vector<SurveyStation> survey;
   double hole_depth = 0.0;            ///< measured depth of the hole's bottom [m]; at most the last station's md
   std::vector<HoleSection> sections;  ///< top down; the last reaches at least hole_depth
 };
