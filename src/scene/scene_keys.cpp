@@ -308,14 +308,17 @@ const Table<HookLoadSpec> hook_load_keys = {"instruments.surface.hook_load", "Wh
 
 const Table<SensorSpec> sensor_keys = {"instruments.surface.*", "Any gauge, in the unit of its signal.", gauge_rows<SensorSpec>()};
 
-const Table<ProgramStep> program_keys = {"program[]", "Set points at a simulated time; a key that is left out leaves its set point alone.", {
+const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at a simulated time; a key that is left out leaves its set point alone. A ramp begins at the set point in force (at 0 where the winch's brake holds the block, at what the drive does where it is braked or in the other mode) and is followed frame by frame; a later line that sets the same, the other mode or the brake ends it.", {
   {"at",                    "s",      &ProgramStep::at,                    between(0.0, 1e7),    "simulated time, ascending", must},
+  {"ramp",                  "s",      &ProgramStep::ramp,                  between(0.0, 1e7),    "the line's block_velocity, top_drive_speed_rpm, top_drive_torque and flow are reached in a straight line over this time; 0: at once"},
   {"block_velocity",        "m/s",    &ProgramStep::block_velocity,        between(-20.0, 20.0), "+ up; releases the brake", no_kind, every_kind, "as before"},
   {"top_drive_speed_rpm",   "rpm",    &ProgramStep::top_drive_speed,       between(-1000.0, 1000.0), "speed mode, + clockwise", no_kind, every_kind, "as before"},
   {"top_drive_torque",      "N m",    &ProgramStep::top_drive_torque,      between(-1e6, 1e6),   "torque mode, + clockwise", no_kind, every_kind, "as before"},
   {"flow",                  "m3/s",   &ProgramStep::flow,                  between(0.0, 1.0),    "of the mud pump", no_kind, every_kind, "as before"},
   {"top_drive_brake",       "",       Flag<ProgramStep>{&ProgramStep::top_drive_brake}, none,    "sets or releases the top drive's brake; speed and torque release it", no_kind, every_kind, "as before"},
   {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},
+  {"stuck_at",              "m",      &ProgramStep::stuck_at,              above(0.0, 20000.0),  "measured depth where the hole grips the pipe, not below the bit by then", no_kind, every_kind, "as before"},
+  {"free",                  "",       Flag<ProgramStep>{&ProgramStep::free}, none,               "true: it lets go", no_kind, every_kind, "as before"},
 }};
 // clang-format on
 

@@ -146,6 +146,20 @@ void check_start(const Scene& scene, ProblemList& problems)
                  plain(start.torque_on_bit) + " N m with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth");
 }
 
+// what a line of the program says beside its set points
+void check_ramp_and_faults(const ProgramStep& step, std::size_t i, ProblemList& problems)
+{
+  const bool leads_somewhere =
+      !std::isnan(step.block_velocity) || !std::isnan(step.top_drive_speed) || !std::isnan(step.top_drive_torque) || !std::isnan(step.flow);
+  if (step.ramp > 0.0 && !leads_somewhere)
+    problems.emplace_back(item_key("program", i, "ramp"), "leads to no set point, needed: block_velocity, top_drive_speed_rpm, top_drive_torque or flow");
+  if (step.ramp > 0.0 && step.top_drive_brake == 1.0 && (!std::isnan(step.top_drive_speed) || !std::isnan(step.top_drive_torque)))
+    problems.emplace_back(item_key("program", i), "the top drive's brake is set and its set point ramps, allowed: one of them");
+  if (step.free == 0.0) problems.emplace_back(item_key("program", i, "free"), "false is given, allowed: true");
+  if (step.free == 1.0 && !std::isnan(step.stuck_at))
+    problems.emplace_back(item_key("program", i), "both stuck_at and free are given, allowed: one of them");
+}
+
 void check_program(const Scene& scene, ProblemList& problems)
 {
   const auto limit = [&](std::size_t i, const char* key, double value, double most, const char* unit, double scale)
@@ -166,10 +180,11 @@ void check_program(const Scene& scene, ProblemList& problems)
     {
       problems.emplace_back(item_key("program", i), "both top_drive_speed_rpm and top_drive_torque are given, allowed: one of them");
     }
-    if (step.brake == 1.0 && !std::isnan(step.block_velocity) && step.block_velocity != 0.0)
+    if (step.brake == 1.0 && !std::isnan(step.block_velocity) && (step.block_velocity != 0.0 || step.ramp > 0.0))
     {
       problems.emplace_back(item_key("program", i), "the brake is set and the block moves, allowed: one of them");
     }
+    check_ramp_and_faults(step, i, problems);
     limit(i, "block_velocity", step.block_velocity, scene.rig.hoisting.max_speed, "m/s", 1.0);
     limit(i, "top_drive_speed_rpm", step.top_drive_speed, scene.rig.top_drive.max_speed, "rpm", rpm);
     limit(i, "top_drive_torque", step.top_drive_torque, scene.rig.top_drive.max_torque, "N m", 1.0);

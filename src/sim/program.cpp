@@ -1,5 +1,6 @@
 #include "drill_rig_sim/sim/program.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -15,35 +16,29 @@ bool is_set(double value) noexcept
   return !std::isnan(value);
 }
 
-void apply_step(const ProgramStep& step, Simulator& simulator) noexcept
+Ramp ramp_of(const ProgramStep& step, double from, double to) noexcept
 {
-  const Setpoints now = simulator.setpoints();  // what this line leaves out stays
-  if (is_set(step.block_velocity) || is_set(step.brake))
-  {
-    WinchSetpoint winch = now.winch;
-    if (is_set(step.block_velocity)) winch = {step.block_velocity, false};
-    if (is_set(step.brake)) winch.brake = step.brake != 0.0;
-    simulator.command(winch);
-  }
-  if (is_set(step.top_drive_speed) || is_set(step.top_drive_torque) || is_set(step.top_drive_brake))
-  {
-    TopDriveSetpoint drive = now.top_drive;
-    drive.brake = step.top_drive_brake == 1.0;
-    if (is_set(step.top_drive_speed))
-    {
-      drive.mode = TopDriveMode::speed;
-      drive.speed = step.top_drive_speed;
-    }
-    if (is_set(step.top_drive_torque))
-    {
-      drive.mode = TopDriveMode::torque;
-      drive.torque = step.top_drive_torque;
-    }
-    simulator.command(drive);
-  }
-  if (is_set(step.flow)) simulator.command(PumpSetpoint{step.flow});
+  return {from, to, step.at, step.ramp, true};
 }
 }  // namespace
+
+double Ramp::value(double now) const noexcept
+{
+  if (over(now)) return to;
+  return from + (to - from) * std::max(0.0, (now - at) / duration);
+}
+
+bool Ramp::over(double now) const noexcept
+{
+  return now >= at + duration - time_rounding;
+}
+
+double program_end(const std::vector<ProgramStep>& steps) noexcept
+{
+  double end = 0.0;
+  for (const ProgramStep& step : steps) end = std::max(end, step.at + step.ramp);
+  return end;
+}
 
 ProgramPlayer::ProgramPlayer(std::vector<ProgramStep> steps) : steps_(std::move(steps))
 {
@@ -52,7 +47,90 @@ ProgramPlayer::ProgramPlayer(std::vector<ProgramStep> steps) : steps_(std::move(
 void ProgramPlayer::apply(Simulator& simulator) noexcept
 {
   const double now = simulator.truth().time;
-  for (; next_ < steps_.size() && steps_[next_].at <= now + time_rounding; ++next_) apply_step(steps_[next_], simulator);
+  for (; next_ < steps_.size() && steps_[next_].at <= now + time_rounding; ++next_)
+  {
+    follow(steps_[next_].at, simulator);
+    begin(steps_[next_], simulator);
+  }
+  follow(now, simulator);
+}
+
+bool ProgramPlayer::finished() const noexcept
+{
+  return next_ == steps_.size() && !block_velocity_.running && !top_drive_speed_.running && !top_drive_torque_.running && !flow_.running;
+}
+
+void ProgramPlayer::rewind() noexcept
+{
+  next_ = 0;
+  for (Ramp* ramp : {&block_velocity_, &top_drive_speed_, &top_drive_torque_, &flow_}) ramp->running = false;
+}
+
+void ProgramPlayer::begin(const ProgramStep& step, Simulator& simulator) noexcept
+{
+  if (is_set(step.block_velocity) || is_set(step.brake)) begin_winch(step, simulator);
+  if (is_set(step.top_drive_speed) || is_set(step.top_drive_torque) || is_set(step.top_drive_brake)) begin_top_drive(step, simulator);
+  if (is_set(step.flow)) flow_ = ramp_of(step, simulator.setpoints().pump.flow, step.flow);
+  if (step.free == 1.0) simulator.free_pipe();
+  if (is_set(step.stuck_at) && !simulator.stick_pipe(step.stuck_at))
+    simulator.fail("program: stuck_at is below the bit, allowed: where there is pipe in the hole");
+}
+
+void ProgramPlayer::begin_winch(const ProgramStep& step, Simulator& simulator) noexcept
+{
+  WinchSetpoint winch = simulator.setpoints().winch;  // what this line leaves out stays
+  if (is_set(step.block_velocity))
+  {
+    block_velocity_ = ramp_of(step, winch.brake ? 0.0 : winch.block_velocity, step.block_velocity);
+    winch = {block_velocity_.value(step.at), false};
+  }
+  if (is_set(step.brake)) winch.brake = step.brake != 0.0;
+  if (winch.brake) block_velocity_.running = false;
+  simulator.command(winch);
+}
+
+void ProgramPlayer::begin_top_drive(const ProgramStep& step, Simulator& simulator) noexcept
+{
+  TopDriveSetpoint drive = simulator.setpoints().top_drive;
+  const Truth& truth = simulator.truth();
+  if (is_set(step.top_drive_speed))
+  {
+    const bool in_force = drive.mode == TopDriveMode::speed && !drive.brake;
+    top_drive_speed_ = ramp_of(step, in_force ? drive.speed : truth.top_drive_speed, step.top_drive_speed);
+    top_drive_torque_.running = false;
+    drive.mode = TopDriveMode::speed;
+    drive.speed = top_drive_speed_.value(step.at);
+  }
+  if (is_set(step.top_drive_torque))
+  {
+    const bool in_force = drive.mode == TopDriveMode::torque && !drive.brake;
+    top_drive_torque_ = ramp_of(step, in_force ? drive.torque : truth.torque, step.top_drive_torque);
+    top_drive_speed_.running = false;
+    drive.mode = TopDriveMode::torque;
+    drive.torque = top_drive_torque_.value(step.at);
+  }
+  drive.brake = step.top_drive_brake == 1.0;
+  if (drive.brake) top_drive_speed_.running = top_drive_torque_.running = false;
+  simulator.command(drive);
+}
+
+void ProgramPlayer::follow(double now, Simulator& simulator) noexcept
+{
+  const Setpoints in_force = simulator.setpoints();
+  const auto move = [now](Ramp& ramp, double& setpoint)
+  {
+    const bool moves = ramp.running;
+    if (moves) setpoint = ramp.value(now);
+    ramp.running = moves && !ramp.over(now);
+    return moves;
+  };
+  WinchSetpoint winch = in_force.winch;
+  if (move(block_velocity_, winch.block_velocity)) simulator.command(winch);
+  TopDriveSetpoint drive = in_force.top_drive;
+  const bool by_speed = move(top_drive_speed_, drive.speed), by_torque = move(top_drive_torque_, drive.torque);
+  if (by_speed || by_torque) simulator.command(drive);
+  PumpSetpoint pump = in_force.pump;
+  if (move(flow_, pump.flow)) simulator.command(pump);
 }
 
 }  // namespace drill_rig_sim

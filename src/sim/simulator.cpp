@@ -120,6 +120,11 @@ FrameStatus Simulator::frame(double duration) noexcept
   return FrameStatus::running;
 }
 
+void Simulator::fail(const char* reason) noexcept
+{
+  if (!*impl_->failure) impl_->failure = reason;
+}
+
 void Simulator::balance_energy(bool on)
 {
   impl_->integrator->keep_balance(nullptr);

@@ -7,6 +7,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
+#include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_scene.h"
 
@@ -74,7 +75,7 @@ void check(const CheckOptions& options)
               s.nodes, s.coordinates);
   const bool has_tool = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& p) { return p.type == PartType::mwd; });
   if (!has_tool) std::printf("survey tool no part is of type mwd: survey and toolface are measured at the bit's face\n");
-  std::printf("program     %zu lines to %g s\n", scene.program.size(), scene.program.empty() ? 0.0 : scene.program.back().at);
+  std::printf("program     %zu lines to %g s\n", scene.program.size(), program_end(scene.program));
 }
 }  // namespace
 

@@ -12,7 +12,7 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double longest_run = 30.0 * 86400.0;  // simulated [s]
-constexpr double after_program = 60.0;          // simulated [s] that a run goes on after the program's last line by default
+constexpr double after_program = 60.0;          // simulated [s] that a run goes on after the program's end by default
 constexpr double patience = 600.0;              // simulated [s] that a run until a depth waits for new hole after the program
 constexpr double deepest = 20000.0;             // measured depth [m]
 constexpr double largest_seed = 9e15;           // a double holds every whole number up to it
@@ -62,7 +62,7 @@ void add_options(CLI::App& command, RunOptions& options)
 {
   add_file(command, "SCENE", options.scene, "the scene's file");
   add_number(command, "--duration", options.duration, 1e-3, longest_run, "S",
-             "simulated seconds; default: until depth, or 60 s after the program's last line");
+             "simulated seconds; default: until depth, or 60 s after the program's end");
   add_number(command, "--until-depth", options.until_depth, 0.0, deepest, "MD", "stop when the hole is this deep [m], or has not grown for 600 s after the program");
   add_scene_options(command, options);
   add_output_options(command, options);
@@ -100,9 +100,8 @@ void require_files_apart(const RunOptions& options)
 
 RunGoal goal_of(const RunOptions& options, const Scene& scene)
 {
-  const double program_end = scene.program.empty() ? 0.0 : scene.program.back().at;
   RunGoal goal;
-  goal.duration = options.duration.value_or(options.until_depth ? longest_run : program_end + after_program);
+  goal.duration = options.duration.value_or(options.until_depth ? longest_run : program_end(scene.program) + after_program);
   if (!options.until_depth) return goal;
   goal.depth = *options.until_depth;
   goal.patience = patience;

@@ -177,7 +177,7 @@ std::vector<Expected> of_numerics()
       {"numerics", "newton_tolerance", [](const Scene& s) { return s.numerics.newton_tolerance; }, 1.2e-6},
       {"numerics", "structural_damping", [](const Scene& s) { return s.numerics.structural_damping; }, 1.3e-4},
       {"", "connections", [](const Scene& s) { return number(s.connections == Connections::off); }, 1.0},
-      {"", "program", [](const Scene& s) { return double(s.program.size()); }, 3.0},
+      {"", "program", [](const Scene& s) { return double(s.program.size()); }, 4.0},
       {"program[]", "at", [](const Scene& s) { return s.program.at(0).at; }, 1.5},
       {"program[]", "block_velocity", [](const Scene& s) { return s.program.at(0).block_velocity; }, -0.01},
       {"program[]", "top_drive_speed_rpm", [](const Scene& s) { return s.program.at(0).top_drive_speed; }, 54.0 * rpm},
@@ -186,6 +186,9 @@ std::vector<Expected> of_numerics()
       {"program[]", "top_drive_brake", [](const Scene& s) { return s.program.at(1).top_drive_brake; }, 1.0},
       {"program[]", "brake", [](const Scene& s) { return s.program.at(1).brake; }, 1.0},
       {"program[]", "brake", [](const Scene& s) { return s.program.at(2).brake; }, 0.0},
+      {"program[]", "ramp", [](const Scene& s) { return s.program.at(2).ramp; }, 6.5},
+      {"program[]", "stuck_at", [](const Scene& s) { return s.program.at(2).stuck_at; }, 701.0},
+      {"program[]", "free", [](const Scene& s) { return s.program.at(3).free; }, 1.0},
   };
 }
 
@@ -307,6 +310,9 @@ TEST(SceneKeys, whatALineOfTheProgramLeavesOutIsUnset)
   EXPECT_TRUE(std::isnan(scene.program.at(1).block_velocity));
   EXPECT_TRUE(std::isnan(scene.program.at(1).top_drive_speed));
   EXPECT_TRUE(std::isnan(scene.program.at(1).flow));
+  EXPECT_TRUE(std::isnan(scene.program.at(1).stuck_at));
+  EXPECT_TRUE(std::isnan(scene.program.at(1).free));
+  EXPECT_EQ(0.0, scene.program.at(1).ramp);
 }
 
 int main(int argc, char** argv)

@@ -4,9 +4,11 @@
 #include <string>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/math/visit.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/sim/simulator_state.h"
 #include "in_source.h"
 
 namespace drill_rig_sim
@@ -121,6 +123,159 @@ TEST(ProgramPlayer, LinesThatAreOverdueActInTheirOrder)
   EXPECT_DOUBLE_EQ(now.top_drive.speed, 30.0 * rpm);
   EXPECT_DOUBLE_EQ(now.top_drive.torque, 300.0) << "kept for torque mode";
   EXPECT_FALSE(show.program.finished());
+}
+
+/// What is in force in each of `frames` frames of `program`.
+std::vector<Setpoints> played(Show& show, int frames)
+{
+  std::vector<Setpoints> all;
+  for (int k = 0; k < frames; ++k)
+  {
+    show.program.apply(show.simulator);
+    EXPECT_EQ(show.simulator.frame(kFrame), FrameStatus::running) << show.simulator.failure();
+    all.push_back(show.simulator.truth().setpoints);
+  }
+  return all;
+}
+
+// From 10 ms on in 40 ms: a quarter of the way in each frame, the whole of it from the fifth on.
+TEST(ProgramRamp, LeadsThereInAStraightLine)
+{
+  Show show(quick("[{at: 0.01, top_drive_speed_rpm: 120, flow: 0.02, block_velocity: -0.1, ramp: 0.04}]"));
+  const std::vector<Setpoints> now = played(show, 10);
+  for (int k = 0; k < 10; ++k)
+  {
+    const double share = k < 1 ? 0.0 : k < 5 ? 0.25 * (k - 1) : 1.0;
+    EXPECT_NEAR(now[k].top_drive.speed, share * 120.0 * rpm, 1e-12) << k;
+    EXPECT_NEAR(now[k].pump.flow, share * 0.02, 1e-15) << k;
+    EXPECT_NEAR(now[k].winch.block_velocity, -share * 0.1, 1e-15) << k;
+    EXPECT_EQ(now[k].winch.brake, k < 1) << "released at once";
+  }
+  EXPECT_EQ(now.back().top_drive.speed, 120.0 * rpm) << "to the last bit";
+  EXPECT_TRUE(show.program.finished());
+}
+
+// 0 to 80 rpm in 80 ms is at 40 rpm after half of it; from there on down to 0 in 40 ms.
+TEST(ProgramRamp, ALaterLineGoesOnFromTheValueInForce)
+{
+  Show show(quick("[{at: 0, top_drive_speed_rpm: 80, ramp: 0.08}, {at: 0.04, top_drive_speed_rpm: 0, ramp: 0.04}, {at: 0.06, flow: 0.02}]"));
+  const std::vector<Setpoints> now = played(show, 10);
+  const double expected[] = {0.0, 10.0, 20.0, 30.0, 40.0, 30.0, 20.0, 10.0, 0.0, 0.0};
+  for (int k = 0; k < 10; ++k) EXPECT_NEAR(now[k].top_drive.speed, expected[k] * rpm, 1e-12) << k;
+  EXPECT_DOUBLE_EQ(now[6].pump.flow, 0.02) << "another set point leaves it alone";
+}
+
+TEST(ProgramRamp, IsNotOverBeforeItsEnd)
+{
+  Show show(quick("[{at: 0, flow: 0.02, ramp: 0.05}]"));
+  played(show, 5);
+  EXPECT_FALSE(show.program.finished());
+  played(show, 1);
+  EXPECT_TRUE(show.program.finished());
+  EXPECT_DOUBLE_EQ(program_end(show.simulator.scene().program), 0.05);
+  EXPECT_DOUBLE_EQ(program_end(quick("[{at: 1, flow: 0.02, ramp: 9}, {at: 4, flow: 0.01}]").program), 10.0);
+  EXPECT_EQ(program_end({}), 0.0);
+}
+
+TEST(ProgramRamp, BrakesEndIt)
+{
+  Show show(
+      quick("[{at: 0, block_velocity: 0.08, top_drive_speed_rpm: 80, ramp: 0.08}, {at: 0.04, brake: true, top_drive_brake: true}, {at: 0.06, "
+            "block_velocity: 0.02, ramp: 0.02}]"));
+  const std::vector<Setpoints> now = played(show, 10);
+  EXPECT_NEAR(now[5].winch.block_velocity, 0.04, 1e-15);
+  EXPECT_TRUE(now[5].winch.brake);
+  EXPECT_TRUE(now[5].top_drive.brake);
+  EXPECT_NEAR(now[9].top_drive.speed, 40.0 * rpm, 1e-12);
+  EXPECT_NEAR(now[6].winch.block_velocity, 0.0, 1e-15) << "from the brake it begins at rest";
+  EXPECT_FALSE(now[6].winch.brake);
+  EXPECT_NEAR(now[7].winch.block_velocity, 0.01, 1e-15);
+  EXPECT_DOUBLE_EQ(now[8].winch.block_velocity, 0.02);
+}
+
+// In the other mode a ramp begins at what the drive does, and ends that mode's.
+TEST(ProgramRamp, ToAnotherModeBeginsAtWhatTheDriveDoes)
+{
+  Show show(quick("[{at: 0, top_drive_speed_rpm: 60, ramp: 3}, {at: 2, top_drive_torque: 4000, ramp: 1}, {at: 2.5, top_drive_speed_rpm: 0, ramp: 1}]"));
+  played(show, 200);
+  const double torque = show.simulator.truth().torque;
+  EXPECT_GT(torque, 10.0);
+  EXPECT_NEAR(played(show, 1)[0].top_drive.torque, torque, 1e-12 * torque);
+  const Setpoints half = played(show, 48).back();
+  EXPECT_EQ(half.top_drive.mode, TopDriveMode::torque);
+  EXPECT_NEAR(half.top_drive.torque, torque + 0.48 * (4000.0 - torque), 1e-6);
+  played(show, 1);
+  const double speed = show.simulator.truth().top_drive_speed;
+  EXPECT_GT(speed, 1.0);
+  const Setpoints back = played(show, 1)[0];
+  EXPECT_EQ(back.top_drive.mode, TopDriveMode::speed);
+  EXPECT_NEAR(back.top_drive.speed, speed, 1e-12 * speed);
+}
+
+// A program that comes late is as far as one that came in time.
+TEST(ProgramRamp, OverdueItIsAsFarAsItWouldBe)
+{
+  const Scene scene = quick("[{at: 0, flow: 0.02, ramp: 0.2}, {at: 0.05, top_drive_speed_rpm: 60, ramp: 0.05}, {at: 0.1, flow: 0.03, ramp: 0.2}]");
+  Show in_time(scene), late(scene);
+  played(in_time, 15);
+  for (int k = 0; k < 15; ++k) ASSERT_EQ(late.simulator.frame(kFrame), FrameStatus::running);
+  const Setpoints expected = played(in_time, 1)[0], now = played(late, 1)[0];
+  EXPECT_NEAR(now.pump.flow, 0.01 + 0.02 * 0.25, 1e-12);
+  EXPECT_NEAR(now.pump.flow, expected.pump.flow, 1e-12);
+  EXPECT_DOUBLE_EQ(now.top_drive.speed, expected.top_drive.speed);
+}
+
+// A player's value is all of it: one that takes over half-way goes on alike.
+TEST(ProgramRamp, IsPartOfThePlayersValue)
+{
+  const Scene scene = quick("[{at: 0, top_drive_speed_rpm: 80, flow: 0.02, block_velocity: 0.01, ramp: 0.08}]");
+  Show show(scene);
+  played(show, 4);
+  ProgramPlayer copy(scene.program);
+  ASSERT_TRUE(from_bytes(to_bytes(show.program), copy));
+  show.program = copy;
+  EXPECT_NEAR(played(show, 2).back().top_drive.speed, 50.0 * rpm, 1e-12);
+  show.program.rewind();
+  EXPECT_FALSE(show.program.finished());
+}
+
+// The pipe is gripped and let go by the program as by the simulator's own calls, bit for bit.
+TEST(ProgramFault, PipeSticksAndComesFree)
+{
+  const std::string pull = "{at: 0.1, block_velocity: 0.02}, {at: 1, brake: true}";
+  Show show(quick("[{at: 0.05, stuck_at: 60}, " + pull + ", {at: 2, free: true}]")), by_hand(quick("[" + pull + "]"));
+  const double hanging = show.simulator.truth().hook_load;
+  show.play(1.9);
+  EXPECT_GT(show.simulator.truth().hook_load, hanging + 5e4) << "overpull";
+  EXPECT_LT(std::abs(show.simulator.save()->mechanics.stuck_point.position.z() + 60.0), 9.5) << "within an element";
+  played(by_hand, 5);
+  ASSERT_TRUE(by_hand.simulator.stick_pipe(60.0));
+  by_hand.play(1.9);
+  EXPECT_EQ(by_hand.simulator.truth().hook_load, show.simulator.truth().hook_load);
+  for (Show* one : {&show, &by_hand}) one->play(1.98);
+  by_hand.simulator.free_pipe();
+  double mean = 0.0;
+  for (int k = 0; k < 400; ++k)
+  {
+    played(show, 1);
+    played(by_hand, 1);
+    mean += show.simulator.truth().hook_load / 400.0;
+    ASSERT_EQ(by_hand.simulator.truth().hook_load, show.simulator.truth().hook_load) << k;
+  }
+  EXPECT_EQ(show.simulator.save()->mechanics.stuck_point.node, -1);
+  EXPECT_NEAR(mean, hanging, 0.02 * hanging) << "it hangs as before, and swings about that";
+}
+
+TEST(ProgramFault, APlaceBelowTheBitFailsTheRun)
+{
+  Show show(quick("[{at: 0.02, stuck_at: 99.9}]"));
+  played(show, 2);
+  show.program.apply(show.simulator);
+  EXPECT_EQ(show.simulator.frame(kFrame), FrameStatus::failed);
+  EXPECT_STREQ(show.simulator.failure(), "program: stuck_at is below the bit, allowed: where there is pipe in the hole");
+  EXPECT_NEAR(show.simulator.truth().time, 0.02, 1e-12) << "time stands";
+  show.simulator.fail("another");
+  EXPECT_NE(std::string("another"), show.simulator.failure()) << "the first reason stays";
 }
 
 TEST(ProgramPlayer, ALineActsOnce)

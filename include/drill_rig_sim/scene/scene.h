@@ -43,17 +43,20 @@ enum class Connections
   automatic
 };
 
-/// One line of the scene's program: set points at a simulated time; NaN means "not set by this line".
+/// One line of the scene's program: set points and faults at a simulated time; NaN means "not set by this line".
 struct ProgramStep
 {
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
   double at = 0.0;                  ///< simulated time [s]
+  double ramp = 0.0;                ///< time over which this line's velocity, speed, torque and flow are reached, in a straight line [s]
   double block_velocity = unset;    ///< [m/s], + up; releases the brake
   double top_drive_speed = unset;   ///< [rad/s]
   double top_drive_torque = unset;  ///< [N m]: torque mode
   double flow = unset;              ///< [m3/s]
   double top_drive_brake = unset;   ///< 1 sets, 0 releases
   double brake = unset;             ///< the winch's: 1 sets, 0 releases
+  double stuck_at = unset;          ///< the hole grips the pipe there [m MD]
+  double free = unset;              ///< 1: it lets go
 };
 
 struct Scene

@@ -70,6 +70,8 @@ public:
 
   /// Advances by `duration` [s], a multiple of the scene's step, in as many physics steps.
   FrameStatus frame(double duration) noexcept;
+  /// The next frame fails for this reason (one line, static storage) unless another has failed before.
+  void fail(const char* reason) noexcept;
   /// Opens an energy balance for the frames to come, or closes it. Frames cost some three residuals a step more while it is open, and give
   /// the same results. restore() opens it anew.
   void balance_energy(bool on = true);

@@ -25,8 +25,8 @@ struct SurveyProblem
 };
 
 /// Checks a survey as the well needs it: 2 .. most_stations stations, finite values, md from 0 (from anywhere if `tied_in`: it is known where
-/// the first station lies) rising by least_station_spacing or more and at most deepest_well, inclination 0 .. pi, azimuth -2 pi .. 2 pi, less than 179.9 deg between the directions of neighbours
-/// (minimum curvature knows no arc between opposite ones). Empty when all is well.
+/// the first station lies) rising by least_station_spacing or more and at most deepest_well, inclination 0 .. pi, azimuth -2 pi .. 2 pi, less
+/// than 179.9 deg between the directions of neighbours (minimum curvature knows no arc between opposite ones). Empty when all is well.
 std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& stations, bool tied_in = false);
 
 /// Checks depth and sections of a well whose survey is sound: hole_depth below 0 and not below the last station, sections in order, each
