@@ -20,6 +20,16 @@ void write_path_row(std::FILE* file, double md, const Eigen::Vector3d& p, const 
   std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g\n", md, p.x(), p.y(), p.z(), inclination_of(t), azimuth_of(t), radius);
 }
 
+constexpr const char* profile_columns =
+    "md,from_bit,east,north,up,tension,true_axial_force,torque,bending_moment,contact_force,contact_side_deg\n";
+
+void write_profile_row(std::FILE* file, const StringProfile& p, std::size_t i)
+{
+  std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g\n", p.md[i], p.from_bit[i], p.position[i].x(), p.position[i].y(),
+               p.position[i].z(), p.tension[i], p.true_axial_force[i], p.torque[i], p.bending_moment[i], p.contact_force[i],
+               p.contact_side[i] / degree);
+}
+
 void write_readings(std::FILE* file, const Readings& r)
 {
   std::fprintf(file, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.10g,%.10g,%.9g,%.9g,%.9g", r.hook_load, r.torque, r.stand_pipe_pressure, r.flow,
@@ -54,12 +64,22 @@ void close_output(File file, const std::string& name)
 
 void write_profile(std::FILE* file, const StringProfile& p)
 {
-  std::fputs("md,from_bit,east,north,up,tension,true_axial_force,torque,bending_moment,contact_force,contact_side_deg\n", file);
+  std::fputs(profile_columns, file);
+  for (std::size_t i = 0; i < p.md.size(); ++i) write_profile_row(file, p, i);
+}
+
+void write_profile_series_header(std::FILE* file)
+{
+  std::fputs("time,", file);
+  std::fputs(profile_columns, file);
+}
+
+void write_profile_series_rows(std::FILE* file, double time, const StringProfile& p)
+{
   for (std::size_t i = 0; i < p.md.size(); ++i)
   {
-    std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g\n", p.md[i], p.from_bit[i], p.position[i].x(),
-                 p.position[i].y(), p.position[i].z(), p.tension[i], p.true_axial_force[i], p.torque[i], p.bending_moment[i],
-                 p.contact_force[i], p.contact_side[i] / degree);
+    std::fprintf(file, "%.9g,", time);
+    write_profile_row(file, p, i);
   }
 }
 

@@ -26,6 +26,9 @@ void close_output(File file, const std::string& name);
 
 /// Forces along the string: the columns of `drill static --csv`, angles in degrees where a column says so.
 void write_profile(std::FILE* file, const StringProfile& p);
+/// The same at several times: the columns of write_profile() with the simulated time [s] before them.
+void write_profile_series_header(std::FILE* file);
+void write_profile_series_rows(std::FILE* file, double time, const StringProfile& p);
 
 /// The run's CSV: SI units, radians. By hand, as all tables here: their cells are numbers, so that nothing needs quoting, and each
 /// column has its own number of digits.

@@ -33,19 +33,21 @@ double cpu_time()
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Plays the scene's program up to the goal, with its time series, its averages and a progress bar.
-RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, DrillingRecord& record)
+/// Plays the scene's program up to the goal, with its series, its averages and a progress bar.
+RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, ProfileSeries& profiles, DrillingRecord& record)
 {
   const double frame = frame_of_whole_steps(frame_length, simulator.scene().numerics.step);
   const double start_depth = simulator.truth().hole_depth;
   ProgramPlayer program(simulator.scene().program);
   Progress progress;
   series.add(simulator, frame);
+  profiles.add(simulator, frame);
   return run(simulator, program, goal, frame_length,
              [&](const Truth& m)
              {
                record.add(m);
                series.add(simulator, frame);
+               profiles.add(simulator, frame);
                const double drilled = (m.hole_depth - start_depth) / (goal.depth - start_depth);
                progress.show(std::max(m.time / goal.duration, drilled), m.time, m.hole_depth);
              });
@@ -59,6 +61,7 @@ void run_scene(const RunOptions& options)
 
   // all files are opened ahead, so that a long run does not end on a misspelt folder
   TimeSeries series(options.csv, options.every.value_or(0.1), options.readings);
+  ProfileSeries profiles(options.profile, options.profile_every.value_or(1.0));
   File json = open_output("--json", options.json), path = open_output("--path", options.path);
   File raw_path = open_output("--raw-path", options.raw_path);
 
@@ -67,7 +70,7 @@ void run_scene(const RunOptions& options)
   DrillingRecord record;
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_time();
-  const RunEnd end = play(simulator, goal, series, record);
+  const RunEnd end = play(simulator, goal, series, profiles, record);
   const Elapsed elapsed{std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count(),
                         cpu_time() - cpu_start};
   const std::string summary = json_summary(simulator, elapsed, record, options.readings);
@@ -76,6 +79,7 @@ void run_scene(const RunOptions& options)
   if (path) write_path(path.get(), simulator);
   if (raw_path) write_raw_path(raw_path.get(), simulator);
   series.close();
+  profiles.close();
   close_output(std::move(json), options.json);
   close_output(std::move(path), options.path);
   close_output(std::move(raw_path), options.raw_path);

@@ -49,6 +49,8 @@ void add_output_options(CLI::App& command, RunOptions& options)
 {
   add_text(command, "--csv", options.csv, "FILE", "writes time series");
   add_number(command, "--every", options.every, 1e-4, 1e6, "S", "between rows of the time series, whole frames, default 0.1");
+  add_text(command, "--profile", options.profile, "FILE", "writes forces along the string in the course of the run");
+  add_number(command, "--profile-every", options.profile_every, 1e-4, 1e6, "S", "between these, whole frames, default 1");
   add_text(command, "--json", options.json, "FILE", "writes a summary");
   command.add_flag("--readings", options.readings, "adds what the instruments show to time series and summary")->disable_flag_override();
   command.add_flag("--energy", options.energy, "keeps an energy balance; the summary shows it [J]")->disable_flag_override();
@@ -85,7 +87,7 @@ std::vector<std::string> settings_of(const RunOptions& options)
 void require_files_apart(const RunOptions& options)
 {
   const std::pair<const char*, const std::string&> files[] = {
-    {"--csv", options.csv}, {"--json", options.json}, {"--path", options.path}, {"--raw-path", options.raw_path}};
+    {"--csv", options.csv}, {"--profile", options.profile}, {"--json", options.json}, {"--path", options.path}, {"--raw-path", options.raw_path}};
   for (const auto& one : files)
   {
     if (is_same_file(one.second, options.scene))

@@ -7,6 +7,19 @@
 
 namespace drill_rig_sim
 {
+/// Tells when something that is written every so often is due.
+class Beat
+{
+public:
+  explicit Beat(double every) : every_(every) {}
+  /// True at the start and once per `every` seconds, in the frame of `frame` [s] whose end `time` is nearest to.
+  bool due(double time, double frame) noexcept;
+
+private:
+  double every_;
+  double next_ = 0.0;  // [s]
+};
+
 /// The time series of a run: a row every so often. One without a file writes nothing.
 class TimeSeries
 {
@@ -22,9 +35,24 @@ public:
 private:
   std::string name_;
   File file_;
-  double every_;
+  Beat beat_;
   bool with_readings_;
-  double next_row_ = 0.0;  // [s]
+};
+
+/// The forces along the string in the course of a run, a row per node every so often. One without a file writes nothing.
+class ProfileSeries
+{
+public:
+  /// As TimeSeries.
+  ProfileSeries(const std::string& name, double every);
+  void add(const Simulator& simulator, double frame);
+  void close();
+
+private:
+  std::string name_;
+  File file_;
+  Beat beat_;
+  StringProfile profile_;
 };
 
 }  // namespace drill_rig_sim

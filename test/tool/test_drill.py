@@ -58,6 +58,7 @@ class Usage(Drill):
             self.assertIn('\n  ' + command, text)
         text = self.succeed('run', '--help')
         for option in ('--duration', '--until-depth', '--level', '--integrator', '--step', '--element-length', '--csv', '--bag', '--every',
+                       '--profile', '--profile-every',
                        '--json'):
             self.assertIn(option, text)
 
@@ -249,6 +250,26 @@ class Run(Drill):
         with open(self.file('raw.csv')) as text:
             self.assertGreater(len(text.readlines()), 100)
 
+    def test_profiles_at_rest_are_those_of_statics(self):
+        self.succeed('static', BOHAI, '--csv', self.file('s.csv'))
+        self.succeed('run', BOHAI, '--set', 'program=[]', '--duration', '2', '--profile', self.file('p.csv'), '--profile-every', '0.5')
+        with open(self.file('s.csv')) as text:
+            static = list(csv.reader(text))
+        with open(self.file('p.csv')) as text:
+            rows = list(csv.reader(text))
+        self.assertEqual(rows[0], ['time'] + static[0])
+        nodes = len(static) - 1
+        self.assertEqual([float(row[0]) for row in rows[1::nodes]], [0.0, 0.5, 1.0, 1.5, 2.0])
+        self.assertEqual([row[1:] for row in rows[1:nodes + 1]], static[1:], 'the start is the equilibrium')
+        for column, name in enumerate(static[0]):
+            at_rest = [float(row[column]) for row in static[1:]]
+            after = [float(row[column + 1]) for row in rows[-nodes:]]
+            largest = max(abs(value) for value in at_rest)
+            for was, now in zip(at_rest, after, strict=True):
+                if name == 'contact_side_deg':
+                    now += 360.0 * round((was - now) / 360.0)
+                self.assertAlmostEqual(was, now, delta=1e-6 * largest + 1e-3, msg=name)  # what Newton's method leaves
+
     def test_until_depth_stops_there(self):
         self.succeed('run', QUICK, '--until-depth', '100.1', '--json', self.file('q.json'))
         with open(self.file('q.json')) as text:
@@ -346,7 +367,9 @@ class Run(Drill):
             before = text.read()
         other = os.path.join(os.path.dirname(scene), '.', 'scene.yaml')
         self.assertIn('is the scene', self.refuse('run', scene, '--json', other))
+        self.assertIn('--profile: ', self.refuse('run', scene, '--profile', other))
         self.assertIn('is the scene', self.refuse('static', scene, '--csv', other))
+        self.assertIn('is the file of --csv', self.refuse('run', scene, '--csv', self.file('a'), '--profile', self.file('./a')))
         self.assertIn('is the file of', self.refuse('run', scene, '--csv', self.file('a'), '--json', self.file('./a')))
         with open(scene) as text:
             self.assertEqual(before, text.read())
@@ -368,7 +391,7 @@ class Run(Drill):
     def test_a_full_disk_is_told(self):
         if not os.path.exists('/dev/full'):
             self.skipTest('no /dev/full')
-        for option in ('--csv', '--json', '--path', '--raw-path'):
+        for option in ('--csv', '--profile', '--json', '--path', '--raw-path'):
             done = drill('run', QUICK, '--duration', '0.1', option, '/dev/full')
             self.assertEqual(done.returncode, 3, option)
             self.assertIn('/dev/full could not be written whole', done.stderr)

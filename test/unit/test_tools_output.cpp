@@ -146,10 +146,14 @@ TEST(Profile, eachColumnHasItsArray)
     p.contact_force.push_back(base + 10);
     p.contact_side.push_back((base + 11) * degree);
   }
-  const File file(std::tmpfile());
+  const File file(std::tmpfile()), series(std::tmpfile());
   write_profile(file.get(), p);
   const std::vector<Row> rows = rows_of(file.get());
   ASSERT_EQ(2u, rows.size());
+  write_profile_series_header(series.get());
+  for (const double time : {12.5, 13.5}) write_profile_series_rows(series.get(), time, p);
+  const std::vector<Row> at_times = rows_of(series.get());
+  ASSERT_EQ(4u, at_times.size());
   const std::vector<std::string> columns = {"md", "from_bit", "east", "north", "up", "tension", "true_axial_force",
                                             "torque", "bending_moment", "contact_force", "contact_side_deg"};
   for (int i = 0; i < 2; ++i)
@@ -157,6 +161,10 @@ TEST(Profile, eachColumnHasItsArray)
     Row expected;
     for (std::size_t k = 0; k < columns.size(); ++k) expected[columns[k]] = 100.0 * i + 1.0 + static_cast<double>(k);
     expect_row(expected, rows[i]);
+    expected["time"] = 12.5;
+    expect_row(expected, at_times[i]);
+    expected["time"] = 13.5;
+    expect_row(expected, at_times[i + 2]);
   }
 }
 
