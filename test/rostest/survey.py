@@ -39,6 +39,23 @@ class Survey(unittest.TestCase):
         self.assertTrue(self.rig.reset_well("", 0.0).success)
         self.assertAlmostEqual(730.0, self.rig.advance(0).hole_depth, places=6)  # the new well stays
 
+    def test_a_first_station_below_the_table_is_tied_in(self):
+        paths = self.rig.collect("trajectory", Path)
+        before = self.rig.advance(0).header.stamp
+        request = stations((100.0, 0.0, 0.0), (150.0, 0.0, 0.0))
+        self.refused(request, "station 0", "needed: 0")
+        request.tie_in_tvd = 100.0
+        answer = self.rig.load_survey(request)
+        self.assertTrue(answer.success, answer.message)
+        self.assertAlmostEqual(150.0, self.rig.advance(1).hole_depth, places=6)
+        end = paths.after(before)[-1].poses[-1].pose.position
+        self.assertAlmostEqual(-150.0, end.z, delta=1e-3)
+
+    def test_a_tie_in_that_leads_nowhere(self):
+        request = stations((100.0, 0.0, 0.0), (150.0, 0.0, 0.0))
+        request.tie_in_north, request.tie_in_tvd = 50.0, 100.0
+        self.refused(request, "tie_in: ", "111.803 m")
+
     def test_depths_of_hole_and_bit_may_be_set(self):
         request = stations((0.0, 0.0, 0.0), (200.0, 0.0, 0.0))
         request.hole_depth, request.bit_depth = 150.0, 140.0

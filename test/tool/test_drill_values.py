@@ -72,6 +72,26 @@ class Survey(test_drill.Drill):
 
 
 class Static(test_drill.Drill):
+    def test_profiles_at_rest_are_those_of_statics(self):
+        self.succeed('static', BOHAI, '--csv', self.file('s.csv'))
+        self.succeed('run', BOHAI, '--set', 'program=[]', '--duration', '2', '--profile', self.file('p.csv'), '--profile-every', '0.5')
+        with open(self.file('s.csv')) as text:
+            static = list(csv.reader(text))
+        with open(self.file('p.csv')) as text:
+            rows = list(csv.reader(text))
+        self.assertEqual(rows[0], ['time'] + static[0])
+        nodes = len(static) - 1
+        self.assertEqual([float(row[0]) for row in rows[1::nodes]], [0.0, 0.5, 1.0, 1.5, 2.0])
+        self.assertEqual([row[1:] for row in rows[1:nodes + 1]], static[1:], 'the start is the equilibrium')
+        for column, name in enumerate(static[0]):
+            at_rest = [float(row[column]) for row in static[1:]]
+            after = [float(row[column + 1]) for row in rows[-nodes:]]
+            largest = max(abs(value) for value in at_rest)
+            for was, now in zip(at_rest, after, strict=True):
+                if name == 'contact_side_deg':
+                    now += 360.0 * round((was - now) / 360.0)
+                self.assertAlmostEqual(was, now, delta=1e-6 * largest + 1e-3, msg=name)  # what Newton's method leaves
+
     def test_what_is_printed_is_the_strings_two_ends(self):
         text = self.succeed('static', os.path.join(SOURCE, 'test/scenes/curved_well.yaml'), '--motion', 'rotate', '--csv', self.file('s.csv'))
         told = {line[:16].strip(): line[16:] for line in text.splitlines()}
