@@ -63,7 +63,7 @@ DRILLABILITY = 1.0e-8  # 1.8 to 11 m/h at 20 to 60 kN and 14 rad/s
 
 
 class Operation:
-    """`program`: lines of the scene's program. `off`: how far the bit begins off bottom [m]; `weight`: on bottom with this on bit [N].
+    """`program`: lines of the scene's program; `stuck_at` from the well's depth [m]. `off`: how far the bit begins off bottom [m]; `weight`: on bottom with this on bit [N].
     `irregular_from`: from here on statistics are compared [s]; `slides_from`: the same in wells where pipe that slides sticks and slips.
     `layers`: how far below the bottom hard rock begins [m]. `every`: between samples [s]."""
 
@@ -113,6 +113,8 @@ OPERATIONS = {
     'over-feed and stall': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.02, 5.0), move(0.0, 40.0)], 60.0, weight=30e3),
     'pump off and on': Operation([turn(100, flow=0.03), {'at': 20.0, 'flow': 0.0}, {'at': 35.0, 'flow': 0.03}], 50.0, weight=30e3),
     'into hard rock': Operation([turn(120, flow=0.03), move(-0.004, 5.0)], 60.0, weight=30e3, layers=0.05),
+    # gripped 90 m above the bottom: 60 m above the bit
+    'stuck': Operation([{'at': 2.0, 'stuck_at': -90.0}, move(0.05, 5.0), move(0.0, 11.0), {'at': 20.0, 'free': True}], 35.0, slides_from=20.0),
     'drill off': Operation([turn(120, flow=0.03)], 60.0, weight=60e3),
 }
 
@@ -142,7 +144,10 @@ class Cell:
         return {'name': 'cell', 'well': {'stations': well.stations, 'hole_depth': well.depth, 'sections': [
             {'to': self.cased(), 'diameter': 0.2224, 'friction': 0.2}, {'to': well.depth, 'diameter': diameter, 'friction': 0.28}]},
             'formation': layers, 'mud': MUD, 'string': string,
-            'rig': {'hoisting': {'max_hook_load': 4.0e6}}, 'start': start, 'program': what.program}
+            'rig': {'hoisting': {'max_hook_load': 4.0e6}}, 'start': start, 'program': [self.placed(line) for line in what.program]}
+
+    def placed(self, line):
+        return dict(line, stuck_at=WELLS[self.well].depth + line['stuck_at']) if 'stuck_at' in line else line
 
     def cased(self):
         """Down to here [m]; a slim hole begins where only the slim pipe comes."""
@@ -173,26 +178,27 @@ def cells_of(wells, strings, operations):
 
 CELLS = (
     cells_of(['vertical 1 km'], ['5 in'], ['rotate 120', 'rotate 180', 'pick up 0.3', 'slack off 0.3', 'reverse', 'tag 0.05', 'tag 0.3', 'drill rotating',
-                                           'pump off and on', 'into hard rock', 'drill off'])
+                                           'pump off and on', 'into hard rock', 'drill off', 'stuck'])
     + cells_of(['vertical 1 km'], ['5 in, motor'], ['drill sliding', 'over-feed and stall', 'rock', 'slide 25 min'])
     + cells_of(['J 2 km'], ['5 in'], ['rotate 60', 'rotate 120', 'rotate 180', 'pick up 0.02', 'pick up 0.1', 'pick up 0.3', 'slack off 0.02', 'slack off 0.1',
                                       'slack off 0.3', 'pick up 0.1, 120', 'slack off 0.1, 120', 'reverse', 'back-ream', 'rock', 'tag 0.05', 'tag 0.3',
-                                      'drill rotating', 'drill off'])
+                                      'drill rotating', 'drill off', 'stuck'])
     + cells_of(['J 2 km'], ['5 in, motor'], ['drill rotating', 'drill sliding', 'slide 25 min', 'over-feed and stall', 'pump off and on'])
     + cells_of(['J 2 km'], ['5 1/2 in'], ['rotate 120', 'rotate 180', 'pick up 0.1', 'slack off 0.1', 'pick up 0.3, 120'])
     + cells_of(['J 2 km'], ['4 in'], ['rotate 120', 'pick up 0.1', 'slack off 0.1', 'slack off 0.3', 'drill rotating'])
     + cells_of(['S 2 km'], ['5 in'], ['rotate 60', 'rotate 120', 'pick up 0.1', 'pick up 0.3', 'slack off 0.1', 'slack off 0.3', 'reverse', 'tag 0.3',
                                       'into hard rock'])
-    + cells_of(['S 2 km'], ['5 in, motor'], ['drill sliding', 'slide 25 min'])
+    + cells_of(['S 2 km'], ['5 in, motor'], ['drill sliding', 'slide 25 min', 'over-feed and stall'])
     + cells_of(['horizontal 1.2 km'], ['5 in'], ['rotate 60', 'rotate 120', 'rotate 180', 'pick up 0.1', 'slack off 0.1', 'slack off 0.3', 'pick up 0.1, 120',
-                                                 'slack off 0.1, 120', 'slack off 0.3, 120', 'back-ream', 'rock', 'drill rotating'])
+                                                 'slack off 0.1, 120', 'slack off 0.3, 120', 'back-ream', 'rock', 'drill rotating', 'stuck'])
     + cells_of(['horizontal 1.2 km'], ['5 in, motor'], ['drill sliding', 'slide 25 min'])
     + cells_of(['horizontal 1.2 km'], ['5 1/2 in'], ['rotate 120', 'rotate 180', 'pick up 0.1, 120', 'slack off 0.1, 120', 'slack off 0.1'])
     + cells_of(['horizontal 1.2 km'], ['4 in'], ['rotate 120', 'slack off 0.1', 'slack off 0.1, 120'])
     + cells_of(['horizontal 3 km'], ['5 in'], ['rotate 60', 'rotate 120', 'pick up 0.1', 'slack off 0.1', 'pick up 0.1, 120', 'slack off 0.1, 120', 'rock',
                                                'drill rotating'])
-    + cells_of(['horizontal 3 km'], ['5 in, motor'], ['drill sliding'])
+    + cells_of(['horizontal 3 km'], ['5 in, motor'], ['drill sliding', 'slide 25 min'])
     + cells_of(['extended 5 km'], ['5 in'], ['rotate 60', 'rotate 120', 'pick up 0.1', 'slack off 0.1', 'back-ream', 'drill rotating'])
+    + cells_of(['extended 5 km'], ['5 in, motor'], ['slide 25 min'])
     + cells_of(['extended 5 km'], ['5 1/2 in'], ['rotate 120', 'pick up 0.1'])
 )
 
