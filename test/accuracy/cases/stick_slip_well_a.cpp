@@ -171,6 +171,7 @@ Scene scene_of(double build_factor)
   drive.inertia = kRotor;
   drive.proportional_gain = kProportional;
   drive.integral_gain = kIntegral;
+  drive.gearbox_friction = 0.0;  // theirs has none
   drive.max_torque = 1e6;
   drive.max_power = 1e9;
   drive.meter_stiffness = 1e8;
