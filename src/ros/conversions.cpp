@@ -134,6 +134,9 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.winch_limited = from.winch_limited;
   m.slack_line = from.slack_line;
   m.stop_reached = from.stop_reached;
+  m.over_stress = from.over_stress;
+  m.over_torque = from.over_torque;
+  m.buckled = from.buckled;
   m.top_drive_limited = from.top_drive_limited;
   m.top_drive_brake_set = from.top_drive_brake_set;
   m.command_clamped = from.command_clamped;

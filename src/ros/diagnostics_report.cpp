@@ -101,6 +101,15 @@ DiagnosticsReport::Status DiagnosticsReport::physics_status(const FrameRecord& f
   const SimulatorStatistics& p = frame.physics;
   if (frame.run_state == RunState::failed)
     s.mergeSummary(DiagnosticStatus::ERROR, std::string("time stands at the last good state: ") + frame.failure.data());
+  const auto tell = [&s](bool beyond, const char* what, const std::string& key, const LoadShare& load)
+  {
+    if (beyond) s.mergeSummary(DiagnosticStatus::WARN, what);
+    s.add(key + "_share", load.share);
+    s.add(key + "_from_bit", load.from_bit);
+  };
+  tell(frame.truth.over_stress, "pipe beyond its yield strength", "yield", p.loads.stress);
+  tell(frame.truth.over_torque, "connection beyond its make-up torque", "make_up", p.loads.torque);
+  tell(frame.truth.buckled, "pipe beyond its buckling load", "buckling", p.loads.buckling);
   s.add("level", p.level);
   s.add("integrator", p.integrator);
   s.add("step", p.step);

@@ -145,6 +145,8 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"linear_mass",           "kg/m",   &PartSpec::linear_mass,              between(0.1, 5000.0), "in air, tool joints included", tube, tube},
   {"young_modulus",         "Pa",     &PartSpec::young_modulus,            between(1e9, 1e12),   "steel 206e9"},
   {"poisson_ratio",         "-",      &PartSpec::poisson_ratio,            between(0.0, 0.49),   "steel 0.3"},
+  {"yield_strength",        "Pa",     &PartSpec::yield_strength,           between(1e6, 1e10),   "over_stress is told above it; drill pipe of grade G-105"},
+  {"make_up_torque",        "N m",    &PartSpec::make_up_torque,           between(0.0, 1e7),    "of its connections; over_torque is told above it; 0: not known"},
   {"density",               "kg/m3",  &PartSpec::density,                  between(500.0, 20000.0), "of its material; displaced volume = mass / density"},
   {"contact",               "",       Nested{},                            none,                 "its own law of wall contact instead of the scene's"},
   {"tool_joint_diameter",   "m",      Inside<PartSpec>{of_tool_joint},     between(0.01, 1.0),   "outer diameter at the joints' ends", no_kind, pipe, "outer_diameter"},

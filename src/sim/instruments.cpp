@@ -49,7 +49,7 @@ void Instruments::read(const Truth& truth, const SensorView& view, Readings& rea
   read_gauges(truth, readings);
   work_out_weights(readings);
   work_out_depths(readings);
-  readings.on_bottom = readings.motor_stalled = false;
+  readings.on_bottom = readings.motor_stalled = readings.over_stress = readings.over_torque = readings.buckled = false;
   mwd_.update(truth.time, truth.flow, view, readings.mwd, readings.toolface);
 }
 

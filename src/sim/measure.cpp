@@ -19,6 +19,7 @@ void Simulator::Impl::measure() noexcept
 {
   measure_rig();
   measure_bit();
+  measure_string();
 }
 
 void Simulator::Impl::measure_rig() noexcept
@@ -76,6 +77,15 @@ void Simulator::Impl::measure_bit() noexcept
   m.bit_inclination = inclination_of(hole);
   m.bit_azimuth = azimuth_of(hole);
   m.bend_toolface = bend_toolface(*model, s);
+}
+
+void Simulator::Impl::measure_string() noexcept
+{
+  Truth& m = state.truth;
+  statistics.loads = watch.look(*model, mechanics(), state.forces);
+  m.over_stress = statistics.loads.stress.share > 1.0;
+  m.over_torque = statistics.loads.torque.share > 1.0;
+  m.buckled = statistics.loads.buckling.share > 1.0;
 }
 
 SensorView Simulator::Impl::sensor_view() const noexcept

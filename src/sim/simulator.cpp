@@ -24,7 +24,8 @@ const Scene& available(const Scene& scene)
 
 Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   : scene(s), model(std::move(rig.model)), state(std::move(rig.state), std::move(rig.statics.forces)),
-    integrator(make_integrator(scene.numerics.integrator, model, state.mechanics))
+    integrator(make_integrator(scene.numerics.integrator, model, state.mechanics)),
+    watch(*model)
 {
   state.scene = scene_hash(scene);
   for (const PartSpec& part : scene.string)

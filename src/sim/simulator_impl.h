@@ -3,6 +3,7 @@
 
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/simulator_state.h"
+#include "drill_rig_sim/sim/string_watch.h"
 #include "drill_rig_sim/solve/energy_balance.h"
 #include "drill_rig_sim/solve/integrator.h"
 #include "drill_rig_sim/solve/start.h"
@@ -27,6 +28,7 @@ struct Simulator::Impl
   SimulatorState state;
   std::unique_ptr<Integrator> integrator;
   std::unique_ptr<EnergyBalance> balance;
+  StringWatch watch;
   SimulatorStatistics statistics;
   double command_timeout = 0.0;
   const char* failure = "";
@@ -41,6 +43,7 @@ struct Simulator::Impl
   void measure() noexcept;
   void measure_rig() noexcept;
   void measure_bit() noexcept;
+  void measure_string() noexcept;
   SensorView sensor_view() const noexcept;
 };
 

@@ -93,6 +93,7 @@ TEST_F(Report, eachNumberIsItsOwn)
   p.error_test_failures = 17;
   p.last_error_estimate = 1.8e-5;
   p.commands_clamped = 19;
+  p.loads = {{0.31, 32.0}, {0.33, 34.0}, {0.35, 36.0}};
   for (int i = 0; i < 21; ++i) refusals_.count(i < 20 ? "an older one" : "a refusal");
   frame_.loop.ticked_seconds = 123.5;
   frame_.loop.speed = 2.5;
@@ -105,7 +106,8 @@ TEST_F(Report, eachNumberIsItsOwn)
   const std::map<std::string, double> expected = {{"simulated_time", 123.5}, {"speed", 2.5}, {"overruns", 22}, {"dropped_seconds", 0.75},
       {"unpublished_frames", 23}, {"longest_frame_ms", 24.5}, {"step", 0.005}, {"nodes", 11}, {"coordinates", 12}, {"frames", 13}, {"steps", 20},
       {"newton_iterations", 50}, {"newton_iterations_per_step", 2.5}, {"convergence_failures", 16}, {"error_test_failures", 17},
-      {"error_estimate", 1.8e-5}, {"clamped", 19}, {"refused", 21}};
+      {"error_estimate", 1.8e-5}, {"clamped", 19}, {"refused", 21}, {"yield_share", 0.31}, {"yield_from_bit", 32.0}, {"make_up_share", 0.33},
+      {"make_up_from_bit", 34.0}, {"buckling_share", 0.35}, {"buckling_from_bit", 36.0}};
   for (const auto& [key, value] : expected) EXPECT_DOUBLE_EQ(value, number(array, key)) << key;
   const std::map<std::string, std::string> words = {{"state", "running"}, {"level", "beam3d"}, {"integrator", "auto_one"},
       {"last_refusal", "a refusal"}, {"last_clamp", "a clamp"}};

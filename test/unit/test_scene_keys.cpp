@@ -87,6 +87,8 @@ std::vector<Expected> of_string()
       {"string[]", "outer_diameter", [](const Scene& s) { return s.string.at(2).outer_diameter; }, 0.203},
       {"string[]", "inner_diameter", [](const Scene& s) { return s.string.at(2).inner_diameter; }, 0.072},
       {"string[]", "linear_mass", [](const Scene& s) { return s.string.at(2).linear_mass; }, 221.0},
+      {"string[]", "yield_strength", [](const Scene& s) { return s.string.at(2).yield_strength; }, 9.31e8},
+      {"string[]", "make_up_torque", [](const Scene& s) { return s.string.at(2).make_up_torque; }, 4.1e4},
       {"string[]", "young_modulus", [](const Scene& s) { return s.string.at(2).young_modulus; }, 2.01e11},
       {"string[]", "poisson_ratio", [](const Scene& s) { return s.string.at(2).poisson_ratio; }, 0.28},
       {"string[]", "density", [](const Scene& s) { return s.string.at(2).density; }, 7801.0},

@@ -75,6 +75,9 @@ struct RigSignals
   bool winch_limited = false;       ///< a limit of speed, acceleration, load or height holds the winch back
   bool slack_line = false;          ///< the lines carry nothing
   bool stop_reached = false;        ///< the block is at its lowest or highest place: the winch stands, or the block rests on the stop
+  bool over_stress = false;         ///< pipe is stressed beyond its yield strength (sim/string_watch.h)
+  bool over_torque = false;         ///< beyond the make-up torque of its connections
+  bool buckled = false;             ///< compressed beyond what it bears straight in its hole
   bool top_drive_brake_set = false;
   bool top_drive_limited = false;   ///< torque, speed or power limit active
   bool command_clamped = false;     ///< the last command was
@@ -108,6 +111,9 @@ struct RigSignals
     v("winch_limited", winch_limited);
     v("slack_line", slack_line);
     v("stop_reached", stop_reached);
+    v("over_stress", over_stress);
+    v("over_torque", over_torque);
+    v("buckled", buckled);
     v("top_drive_brake_set", top_drive_brake_set);
     v("top_drive_limited", top_drive_limited);
     v("command_clamped", command_clamped);
@@ -158,7 +164,7 @@ struct Truth : RigSignals
 /// - worked out, as a rig does: bit_depth = tally - block_height (the tally is right at the start), hole_depth its largest so far, rop the
 ///   rate of that over the last 10 s, hook_load_string = hook_load - weight of block and top drive, surface_wob = tare - hook_load,
 ///   differential_pressure = stand_pipe_pressure - tare, 0 until tared.
-/// - on_bottom, motor_stalled: false, no rig can sense them. The other flags are the rig's own and true.
+/// - on_bottom, motor_stalled, over_stress, over_torque, buckled: false, no rig can sense them. The other flags are the rig's own and true.
 struct Readings : RigSignals
 {
   MwdReading mwd;

@@ -10,6 +10,7 @@
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/signals.h"
+#include "drill_rig_sim/sim/string_watch.h"
 #include "drill_rig_sim/sim/string_profile.h"
 #include "drill_rig_sim/solve/reference_report.h"
 #include "drill_rig_sim/model/energy_accounts.h"
@@ -43,6 +44,7 @@ struct SimulatorStatistics
   const char* integrator = "";
   double step = 0.0;                    ///< [s]
   double last_error_estimate = 0.0;     ///< local, of the last step's positions [m]
+  StringLoads loads;                    ///< of the last frame
   Profiler costs;                       ///< where the frames' time went
   bool is_reference = false;            ///< the integrator is ida, and this is its report:
   ReferenceReport reference;

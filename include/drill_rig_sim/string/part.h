@@ -74,6 +74,8 @@ struct PartSpec
   double young_modulus = 206e9;
   double poisson_ratio = 0.3;
   double density = 7850.0;      ///< of its material: displaced volume = linear mass / density [kg/m3]
+  double yield_strength = 724e6;  ///< of its material; drill pipe of grade G-105 [Pa]
+  double make_up_torque = 0.0;    ///< of its connections; 0: not known [N m]
   std::optional<ContactLaw> contact;  ///< its own law of wall contact instead of the scene's
 
   std::optional<BitSpec> bit;

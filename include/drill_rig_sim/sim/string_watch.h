@@ -1,0 +1,54 @@
+#ifndef DRILL_RIG_SIM_SIM_STRING_WATCH_H
+#define DRILL_RIG_SIM_SIM_STRING_WATCH_H
+
+#include <vector>
+
+#include "drill_rig_sim/model/model.h"
+#include "drill_rig_sim/model/rig_forces.h"
+#include "drill_rig_sim/model/state.h"
+
+namespace drill_rig_sim
+{
+/// A load over what is borne, where it is largest.
+struct LoadShare
+{
+  double share = 0.0;     ///< above 1: too much
+  double from_bit = 0.0;  ///< of the element's middle [m]
+};
+
+/// What the string's pipe has to bear.
+struct StringLoads
+{
+  LoadShare stress;    ///< von Mises' stress at the outer fibre over the part's yield strength
+  LoadShare torque;    ///< torque over the make-up torque of the part's connections, where that is given
+  LoadShare buckling;  ///< compression over the load at which the pipe buckles in its hole
+};
+
+/// Compares what the string carries with what it bears. Limits are told, not simulated: pipe beyond them goes on as if it were not.
+class StringWatch
+{
+public:
+  explicit StringWatch(const Model& model);
+
+  /// - Stress: sqrt((|T|/A + M/W)^2 + 3 (Q/W_t)^2), T the element's tension, M the larger bending moment of its ends, Q its torque, of a
+  ///   tube with the part's diameters (any book on strength of materials). Without pressure.
+  /// - Buckling, into a sine: 2 sqrt(E I w sin I / r) in an inclined hole, r the clearance of the pipe's body (Dawson and Paslay, J. Petroleum
+  ///   Technology 36 (1984), 1734-1738), at least 1.94 (E I w^2)^(1/3), that of a vertical one (Lubinski 1950). Below the rotary table alone.
+  StringLoads look(const Model& model, const State& state, const RigForces& forces) const noexcept;
+
+private:
+  struct Strength
+  {
+    double area, bending, torsion;  // A [m2], W, W_t [m3]
+    double yield;                   // [Pa]
+    double make_up;                 // [N m]; 0: not known
+    double from_bit;                // [m]
+  };
+  double buckling_load(const Model& model, const State& state, std::size_t e) const noexcept;
+
+  std::vector<Strength> strength_;  // of the elements
+};
+
+}  // namespace drill_rig_sim
+
+#endif

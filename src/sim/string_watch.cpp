@@ -1,0 +1,63 @@
+#include "drill_rig_sim/sim/string_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "drill_rig_sim/math/units.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Vector3d;
+
+namespace
+{
+void take(double share, double from_bit, LoadShare& most) noexcept
+{
+  if (share > most.share) most = {share, from_bit};
+}
+}  // namespace
+
+StringWatch::StringWatch(const Model& model)
+{
+  const Mesh& mesh = model.mesh();
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+  {
+    const PartSpec& part = model.scene().string[static_cast<std::size_t>(mesh.elements[e].part)];
+    const double outer = part.outer_diameter, inner = part.inner_diameter;
+    const double bending = pi / 32.0 * (std::pow(outer, 4) - std::pow(inner, 4)) / outer;
+    strength_.push_back({0.25 * pi * (outer * outer - inner * inner), bending, 2.0 * bending, part.yield_strength, part.make_up_torque,
+                         0.5 * (mesh.nodes[e].from_bit + mesh.nodes[e + 1].from_bit)});
+  }
+}
+
+double StringWatch::buckling_load(const Model& model, const State& state, std::size_t e) const noexcept
+{
+  const MeshElement& element = model.mesh().elements[e];
+  const NodeState &lower = state.nodes[e], &upper = state.nodes[e + 1];
+  if (upper.position.z() > 0.0) return std::numeric_limits<double>::infinity();
+  const double stiffness = element.section.bending;
+  const double weight = model.element_weight(static_cast<int>(e), lower.position.z(), upper.position.z()) / element.section.length;
+  const double vertical = 1.94 * std::cbrt(stiffness * weight * weight);
+  const double clearance = state.well.radius_near(lower.position, lower.segment) - 0.5 * element.outer_diameter;
+  const Vector3d along = upper.position - lower.position;
+  const double inclined = along.head<2>().norm() / along.norm();  // sin I
+  return clearance > 0.0 ? std::max(vertical, 2.0 * std::sqrt(stiffness * weight * inclined / clearance)) : std::numeric_limits<double>::infinity();
+}
+
+StringLoads StringWatch::look(const Model& model, const State& state, const RigForces& forces) const noexcept
+{
+  StringLoads out;
+  for (std::size_t e = 0; e < strength_.size(); ++e)
+  {
+    const Strength& s = strength_[e];
+    const double tension = forces.tension[e], torque = std::abs(forces.torque[e]);
+    const double axial = std::abs(tension) / s.area + std::max(forces.bending_moment[e], forces.bending_moment[e + 1]) / s.bending;
+    take(std::sqrt(axial * axial + 3.0 * std::pow(torque / s.torsion, 2)) / s.yield, s.from_bit, out.stress);
+    if (s.make_up > 0.0) take(torque / s.make_up, s.from_bit, out.torque);
+    if (tension < 0.0) take(-tension / buckling_load(model, state, e), s.from_bit, out.buckling);
+  }
+  return out;
+}
+
+}  // namespace drill_rig_sim
