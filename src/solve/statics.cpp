@@ -15,6 +15,7 @@ namespace
 constexpr double kFirstCoefficient = 100.0;  // c at the start: inertia of 10 ms steps [1/s]
 constexpr double kLastCoefficient = 0.01;    // below this inertia is gone beside every stiffness [1/s]
 constexpr double kLongMove = 0.02;           // a longer increment is cut, and c stays [m, rad]
+constexpr double kLongSpin = 1.0;            // the same of spin where the string turns: friction twists it by many radians [rad]
 constexpr int kMaxContinuation = 400;
 constexpr int kMaxNewton = 100;
 constexpr double kTolerance = 1e-3;          // residual: round-off of a kilometre of steel is 1e-4 [N, N m]
@@ -23,6 +24,20 @@ double largest(const std::vector<double>& values)
 {
   double most = 0.0;
   for (double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+/// The same of the increments of a string that turns: of place and tilt, and of spin in the measure of a long move.
+double largest_of_turning(const std::vector<double>& move, const std::vector<Eigen::Vector3d>& normals)
+{
+  double most = 0.0;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    const Eigen::Map<const Eigen::Vector3d> place(&move[6 * i]), rotation(&move[6 * i + 3]);
+    const double spin = rotation.dot(normals[i]);
+    const Eigen::Vector3d tilt = rotation - spin * normals[i];
+    most = std::max({most, place.lpNorm<Eigen::Infinity>(), tilt.lpNorm<Eigen::Infinity>(), std::abs(spin) * kLongMove / kLongSpin});
+  }
   return most;
 }
 
@@ -41,7 +56,8 @@ int continuation(const Model& model, State& state, FrictionMode friction, int mo
     evaluate_static(model, state, stage, origin.data(), work, move.data(), &tangent);
     if (!tangent.solve(move.data())) return k + 1;
     const double size = largest(move);
-    const double scale = size > kLongMove ? kLongMove / size : 1.0;
+    const double length = friction == FrictionMode::rotate ? largest_of_turning(move, stage.normal) : size;
+    const double scale = length > kLongMove ? kLongMove / length : 1.0;
     for (double& m : move) m *= -scale;
     evaluate_static(model, state, stage, move.data(), work, residual.data(), nullptr);
     commit(work, state);
