@@ -20,7 +20,7 @@ winch.publish(WinchCommand(block_velocity=-0.01))
 top_drive = rospy.Publisher("top_drive/command", TopDriveCommand, queue_size=1, latch=True)
 top_drive.publish(TopDriveCommand(mode=TopDriveCommand.SPEED, speed=9.4))  # [rad/s], 90 rpm
 rospy.wait_for_service("tare")
-rospy.sleep(3.0)
-rospy.ServiceProxy("tare", Trigger)()  # the hook load off bottom, on the way down: going up or at rest the block's rail carries another share
+rospy.sleep(8.0)
+rospy.ServiceProxy("tare", Trigger)()  # the hook load off bottom, on the way down, when it rings no more: else the block's rail carries another share
 rospy.Subscriber("rig_state", RigState, feed, queue_size=1)
 rospy.spin()

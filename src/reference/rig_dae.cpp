@@ -201,7 +201,8 @@ RigDae::BlockForces RigDae::block_forces(const double* y) const
   const BodyMotion& m = motion(block());
   const int z = 12 * block() + 2;
   const double height = m.position.z() - kBlockAbove, lift = y[z] - start_y_[static_cast<std::size_t>(z)];
-  return {line_pull(spec, height, stage_.hoist.line_length),
+  const LinePull pull = line_pull(spec, height, stage_.hoist.line_length);
+  return {pull, line_damper(spec, pull, m.velocity.z(), stage_.hoist.winch_speed),
           rail_bristle(spec, start_->hoist.rail_deflection).at(lift, m.velocity.z(), stage_.time), stop_force(spec, height, m.velocity.z())};
 }
 
@@ -217,7 +218,7 @@ void RigDae::add_forces(double t, const double* y, double* force)
   for (const int body : {rotor(), stator(), block()})
     force[6 * body + 2] += standard_gravity * bodies()[static_cast<std::size_t>(body)].mass;
   const BlockForces on_block = block_forces(y);
-  force[6 * block() + 2] -= on_block.pull.hook_force + on_block.resistance();
+  force[6 * block() + 2] -= on_block.hook_load() + on_block.resistance();
   const Drive drive = drive_at(y);
   const double meter = model_.scene().rig.top_drive.meter_stiffness * drive.twist;
   const int top = string_nodes() - 1;
@@ -287,7 +288,7 @@ void RigDae::add_rig_jacobian(const double* y, SparseJacobian& j)
   const BlockForces on_block = block_forces(y);
   Matrix6 by_height = Matrix6::Zero(), by_velocity = Matrix6::Zero();
   by_height(2, 2) = on_block.pull.stiffness - on_block.rail.by_move + on_block.stop.stiffness;
-  by_velocity(2, 2) = on_block.stop.damping - on_block.rail.by_speed;
+  by_velocity(2, 2) = on_block.damper.damping + on_block.stop.damping - on_block.rail.by_speed;
   add_force_derivative(block(), block(), by_height, by_velocity, j);
 
   const Drive drive = drive_at(y);

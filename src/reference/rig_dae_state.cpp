@@ -37,7 +37,7 @@ void RigDae::finish(double t, const std::vector<double>& y, State& state)
   const Drive drive = drive_at(y.data());
   StageResult& result = work_.result;
   const BlockForces on_block = block_forces(y.data());
-  result.forces.hook_load = on_block.pull.hook_force;
+  result.forces.hook_load = on_block.hook_load();
   result.forces.block_resistance = on_block.resistance();
   result.rail_deflection = on_block.rail.next;
   result.forces.meter_torque = model_.scene().rig.top_drive.meter_stiffness * drive.twist;

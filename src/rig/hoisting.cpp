@@ -51,6 +51,14 @@ double line_length_for(const HoistingSpec& spec, double block_height, double hoo
   return strung_length(spec, block_height) / (1.0 + tension / spec.line_ea);
 }
 
+LineDamper line_damper(const HoistingSpec& spec, const LinePull& pull, double block_velocity, double winch_speed) noexcept
+{
+  const double damping = 2.0 * spec.line_damping * std::sqrt(pull.stiffness * spec.block_mass);
+  const double force = damping * (winch_speed - block_velocity);
+  if (force < -pull.hook_force) return {-pull.hook_force, 0.0};
+  return {force, damping};
+}
+
 DampedBristle rail_bristle(const HoistingSpec& spec, double deflection) noexcept
 {
   // half of critical

@@ -208,6 +208,7 @@ const Table<HoistingSpec> hoisting_keys = {"rig.hoisting", "Drill line, travelli
   {"block_mass",            "kg",     &HoistingSpec::block_mass,           between(1.0, 3e5),    "travelling block and top drive"},
   {"sheave_efficiency",     "-",      &HoistingSpec::sheave_efficiency,    between(0.8, 1.0),    "of one sheave"},
   {"rail_friction",         "-",      &HoistingSpec::rail_friction,        between(0.0, 0.5),    "of the block on its guide rail, over its weight"},
+  {"line_damping",          "-",      &HoistingSpec::line_damping,         between(0.0, 1.0),    "of the block alone on its lines, over critical"},
   {"max_speed",             "m/s",    &HoistingSpec::max_speed,            between(0.001, 20.0), "of the block"},
   {"max_acceleration",      "m/s2",   &HoistingSpec::max_acceleration,     between(0.001, 50.0), "of the block"},
   {"max_hook_load",         "N",      &HoistingSpec::max_hook_load,        between(1e3, 5e7),    "the winch does not pull more"},

@@ -136,7 +136,10 @@ void EnergyBalance::book_inputs() noexcept
   accounts_.winch -= h * mean(before_.line_price, after_.line_price) * mean(before_.pay_out, after_.pay_out);
   accounts_.drive += h * mean(before_.drive_torque, after_.drive_torque) * mean(before_.rotor_speed, after_.rotor_speed);
   const std::size_t lift = after_.rate.size() - 4;  // of the block, z of the last node
-  accounts_.block -= h * mean(before_.block_resistance, after_.block_resistance) * mean(before_.rate[lift], after_.rate[lift]) +
+  const double block_speed = mean(before_.rate[lift], after_.rate[lift]), winch_speed = mean(before_.winch_speed, after_.winch_speed);
+  const double damper = h * mean(before_.line_damping, after_.line_damping);
+  accounts_.winch += damper * winch_speed;
+  accounts_.block -= h * mean(before_.block_resistance, after_.block_resistance) * block_speed + damper * (block_speed - winch_speed) +
                      after_.stored.block - start_.block;
   accounts_.gearbox -= h * mean(before_.gear_friction, after_.gear_friction) * mean(before_.rotor_speed, after_.rotor_speed) +
                        after_.stored.gear - start_.gear;

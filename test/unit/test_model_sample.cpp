@@ -141,7 +141,7 @@ TEST(Sample, itsPartsAddUpToTheResidual)
       if (i == 0) sum.head<3>() -= d.weight_of_bit();
       if (i == d.model().top())
       {
-        sum[2] += standard_gravity * d.model().scene().rig.hoisting.block_mass - d.sample.hook_force - d.sample.block_resistance;
+        sum[2] += standard_gravity * d.model().scene().rig.hoisting.block_mass - d.sample.hook_force - d.sample.line_damping - d.sample.block_resistance;
         const RotorState rotor{d.rig.state.drive.speed, d.rig.state.drive.integral, d.rig.state.drive.meter_twist};
         sum[5] += d.model().scene().rig.top_drive.meter_stiffness * (rotor.twist + d.sample.rotor_increment - node.spin);
         for (const int k : {0, 1, 3, 4}) sum[k] = 0.0;
@@ -168,7 +168,9 @@ TEST(Sample, rigAndBitAreThoseOfTheStep)
   EXPECT_NEAR(s.rotor_inertia, s.drive_torque + s.gear_friction - forces.meter_torque, 1e-6 * std::abs(s.drive_torque));
   EXPECT_NEAR(s.rotor_speed, s.rotor_increment / step, 1e-9);
   EXPECT_EQ(s.rotor_increment, drive_increment(d.model(), d.rig.state, d.stage, d.u.data() + 6 * d.model().top()));
-  EXPECT_EQ(s.hook_force, forces.hook_load);
+  EXPECT_EQ(s.hook_force + s.line_damping, forces.hook_load);
+  EXPECT_GT(std::abs(s.line_damping), 100.0);
+  EXPECT_EQ(s.winch_speed, d.stage.hoist.winch_speed);
   EXPECT_EQ(s.block_resistance, forces.block_resistance);
   EXPECT_EQ(s.step, step);
   const double tension = s.hook_force / 10.0;  // of ten lines

@@ -26,6 +26,23 @@ TEST(Rail, FrictionByHand)
   EXPECT_NEAR(rail_bristle(spec, 0.0).at(-3e-3, -0.3, 0.01).force, 5148.49, 0.01);
 }
 
+// 34 m up with 407 kN: L_0 = 180 m / (1 + 40.7e3/4e7) = 179.817 m, k = 100 * 4e7 / L_0 = 22.2448 MN/m, c = 0.06 sqrt(k 17500) = 37435 N s/m.
+TEST(LineDamper, byHand)
+{
+  const HoistingSpec spec;
+  const LinePull pull = line_pull(spec, 34.0, line_length_for(spec, 34.0, 407e3));
+  const LineDamper damper = line_damper(spec, pull, -0.1, 0.02);
+  EXPECT_NEAR(damper.force, 0.12 * 37435.0, 1.0);
+  EXPECT_NEAR(damper.damping, 37435.0, 1.0);
+  EXPECT_EQ(line_damper(spec, pull, 0.3, 0.3).force, 0.0) << "the block goes as the drum does";
+  const LineDamper pushing = line_damper(spec, pull, 11.0, 0.0);
+  EXPECT_EQ(pushing.force, -pull.hook_force) << "lines do not push";
+  EXPECT_EQ(pushing.damping, 0.0);
+  const LineDamper slack = line_damper(spec, line_pull(spec, 34.1, line_length_for(spec, 34.0, 407e3)), -1.0, 0.0);
+  EXPECT_EQ(slack.force, 0.0);
+  EXPECT_EQ(slack.damping, 0.0);
+}
+
 // The field's figure (model.md, "Hoisting has losses"): 66 t up against down, 40 kN.
 TEST(Rail, MakesFortyKilonewtonsOfSixtySixTons)
 {

@@ -132,6 +132,7 @@ std::vector<Expected> of_rig()
       {"rig.hoisting", "block_mass", [](const Scene& s) { return s.rig.hoisting.block_mass; }, 17600.0},
       {"rig.hoisting", "sheave_efficiency", [](const Scene& s) { return s.rig.hoisting.sheave_efficiency; }, 0.97},
       {"rig.hoisting", "rail_friction", [](const Scene& s) { return s.rig.hoisting.rail_friction; }, 0.04},
+      {"rig.hoisting", "line_damping", [](const Scene& s) { return s.rig.hoisting.line_damping; }, 0.05},
       {"rig.hoisting", "max_speed", [](const Scene& s) { return s.rig.hoisting.max_speed; }, 1.6},
       {"rig.hoisting", "max_acceleration", [](const Scene& s) { return s.rig.hoisting.max_acceleration; }, 0.6},
       {"rig.hoisting", "max_hook_load", [](const Scene& s) { return s.rig.hoisting.max_hook_load; }, 2.6e6},

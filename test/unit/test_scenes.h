@@ -122,7 +122,7 @@ inline Scene without_damping(Scene scene)
 {
   scene.mud.axial_damping = scene.mud.torsional_damping = scene.mud.drag_coefficient = 0.0;
   scene.numerics.structural_damping = 0.0;
-  scene.rig.hoisting.rail_friction = 0.0;
+  scene.rig.hoisting.rail_friction = scene.rig.hoisting.line_damping = 0.0;
   return scene;
 }
 

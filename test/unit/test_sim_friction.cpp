@@ -29,7 +29,7 @@ Scene pipe_on_a_wire(double kinetic, double static_ratio)
   // sideways the mud would weigh three times what the wire does
   scene.mud.added_mass = scene.mud.drag_coefficient = 0.0;
   scene.rig.hoisting.max_speed = 20.0;
-  scene.rig.hoisting.rail_friction = 0.0;  // the block is to run ahead of the pipe
+  scene.rig.hoisting.rail_friction = scene.rig.hoisting.line_damping = 0.0;  // the block is to run ahead of the pipe
   return scene;
 }
 

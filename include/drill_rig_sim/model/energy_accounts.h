@@ -39,7 +39,7 @@ struct EnergyAccounts
   double squeeze_film = 0.0;              ///< mud squeezed between blades or gauge and wall
   double mud = 0.0;
   double structural = 0.0;
-  double block = 0.0;             ///< friction of the block's rail, less what it holds, and its stops' damping
+  double block = 0.0;             ///< friction of the block's rail, less what it holds, damping of its stops and lines
   double gearbox = 0.0;           ///< friction of the top drive's gearbox and brake, less what it holds
   double motor_slip = 0.0;        ///< pump less torque times the mud motor's speed
   double stuck_point_released = 0.0;     ///< held by a stuck point when it let go

@@ -70,6 +70,8 @@ struct EnergySample
 
   // rig
   double hook_force = 0.0;     ///< [N]
+  double line_damping = 0.0;   ///< of lines and sheaves, on the block, + up [N]
+  double winch_speed = 0.0;    ///< [m/s], + up
   double block_resistance = 0.0;  ///< of rail and stops, + up [N]
   double line_price = 0.0;     ///< T + T^2/(2 EA), energy that a metre of unstretched line paid out takes from the line [N]
   double line_paid_out = 0.0;  ///< L_0 since the start of the step [m]

@@ -71,8 +71,10 @@ private:
   struct BlockForces
   {
     LinePull pull;
+    LineDamper damper;
     BristleForce rail;
     StopForce stop;
+    double hook_load() const { return pull.hook_force + damper.force; }  // [N]
     double resistance() const { return rail.force + stop.force; }  // + up [N]
   };
   using BitAnswer = Eigen::Matrix<double, 12, 1>;  // minus the force on the bit, rates of the further states

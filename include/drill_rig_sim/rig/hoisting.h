@@ -10,7 +10,8 @@
 /// fixed_length, unstretched length of the same line L_0; tension T = E A (L - L_0) / L_0, never negative (slack); hook force 2 n
 /// T. Line and sheaves have no mass. Friction of the sheaves shifts tension from line to line, and leaves their sum as it is: what the
 /// lines have stretched in all is given by drum and block. So it shows in the dead line's reading, and rubs on the drum; what hinders the
-/// block is its guide rail.
+/// block is its guide rail. What lines and sheaves lose when they are stretched, as where the block rings on them, is a damper beside the
+/// lines' spring.
 namespace drill_rig_sim
 {
 struct HoistingSpec
@@ -22,6 +23,7 @@ struct HoistingSpec
   double block_mass = 17500.0;  ///< travelling block, hook and top drive [kg]
   double sheave_efficiency = 0.98;
   double rail_friction = 0.03;    ///< of the block on its guide rail, as a share of its weight
+  double line_damping = 0.03;     ///< of the block alone on its lines, as a share of critical: "a few percent"
   double max_speed = 1.5;         ///< of the block [m/s]
   double max_acceleration = 0.5;  ///< of the block [m/s2]
   double max_hook_load = 2.5e6;   ///< [N]
@@ -52,6 +54,15 @@ LinePull line_pull(const HoistingSpec& spec, double block_height, double line_le
 
 /// L_0 that carries `hook_force` (>= 0) [N] at a block height [m]: L_0 = L / (1 + T / E A). For the start.
 double line_length_for(const HoistingSpec& spec, double block_height, double hook_force) noexcept;
+
+/// Damping of lines and sheaves, on the block: c (drum's speed - block's), c = 2 z sqrt(k m), z line_damping, k the lines' stiffness, m the
+/// block's mass; at least -hook_force, for lines do not push. None where they are slack.
+struct LineDamper
+{
+  double force = 0.0;    ///< on the block, + up [N]
+  double damping = 0.0;  ///< -d force / d block velocity, >= 0 [N s/m]
+};
+LineDamper line_damper(const HoistingSpec& spec, const LinePull& pull, double block_velocity, double winch_speed) noexcept;
 
 /// Friction of the block on its rail, for a step from `deflection` [m] of what holds it. A record of the field: a block of 66 t moves up at
 /// 40 kN more than down, a twentieth of that with the load (a North Sea rig): +-3 % of the block's weight, whatever hangs on it.

@@ -24,6 +24,11 @@ LinePull pull_of(const StageContext& at) noexcept
   return line_pull(at.model.scene().rig.hoisting, block_height(at), at.stage.hoist.line_length);
 }
 
+LineDamper damper_at(const StageContext& at, const LinePull& pull) noexcept
+{
+  return line_damper(at.model.scene().rig.hoisting, pull, at.work.nodes.back().rate[2], at.stage.hoist.winch_speed);
+}
+
 BristleForce rail_at(const StageContext& at) noexcept
 {
   const NodeMotion& block = at.work.nodes.back();
@@ -39,15 +44,16 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
 {
   const int top = at.model.top();
   const LinePull pull = pull_of(at);
+  const LineDamper damper = damper_at(at, pull);
   const BristleForce rail = rail_at(at);
   const StopForce stop = stop_at(at);
   StageResult& result = at.work.result;
-  result.forces.hook_load = pull.hook_force;
+  result.forces.hook_load = pull.hook_force + damper.force;
   result.forces.block_resistance = rail.force + stop.force;
   result.rail_deflection = rail.next;
-  at_node(residual, top)[2] -= pull.hook_force + result.forces.block_resistance - block_weight(at);
+  at_node(residual, top)[2] -= result.forces.hook_load + result.forces.block_resistance - block_weight(at);
   if (!tangent) return;
-  const double by_place = pull.stiffness - rail.by_move + stop.stiffness, by_rate = stop.damping - rail.by_speed;
+  const double by_place = pull.stiffness - rail.by_move + stop.stiffness, by_rate = damper.damping + stop.damping - rail.by_speed;
   tangent->diagonal(top)(2, 2) += by_place + at.stage.dv_du * by_rate;
 }
 
@@ -66,6 +72,8 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
   const HoistState& end = at.stage.hoist;
   const LinePull pull = pull_of(at);
   sample.hook_force = pull.hook_force;
+  sample.line_damping = damper_at(at, pull).force;
+  sample.winch_speed = end.winch_speed;
   sample.block_resistance = at.work.result.forces.block_resistance;
   sample.line_price = pull.tension * (1.0 + 0.5 * pull.tension / spec.line_ea);
   sample.line_paid_out = end.line_length - at.start.hoist.line_length;
