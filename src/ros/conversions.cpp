@@ -137,6 +137,7 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.over_stress = from.over_stress;
   m.over_torque = from.over_torque;
   m.buckled = from.buckled;
+  m.accuracy_warning = from.accuracy_warning;
   m.top_drive_limited = from.top_drive_limited;
   m.top_drive_brake_set = from.top_drive_brake_set;
   m.command_clamped = from.command_clamped;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/string/string_checks.h"
 #include "drill_rig_sim/well/well_checks.h"
 
@@ -192,6 +193,12 @@ void check_program(const Scene& scene, ProblemList& problems)
   }
 }
 
+void check_element_length(double length, ProblemList& problems)
+{
+  if (length > 0.0 && length < 0.1)
+    problems.emplace_back("numerics.element_length", metres(length) + " is given, allowed: 0.1 m to 50 m, or 0 (by the hole)");
+}
+
 /// Telemetry that would be saturated for good: readings would be lost one after the other.
 void check_telemetry(const char* key, double period, double latency, ProblemList& problems)
 {
@@ -232,7 +239,8 @@ ProblemList scene_problems(const Scene& scene)
   append(problems, unavailable(scene));
   check_formation(scene.formation, problems);
   check_part_names(scene.string, problems);
-  append(problems, string_problems(scene.string, scene.start.bit_depth + scene.start.block_height, scene.numerics.element_length));
+  check_element_length(scene.numerics.element_length, problems);
+  append(problems, string_problems(scene.string, scene.start.bit_depth + scene.start.block_height, element_lengths(scene)));
   check_diameters(scene, problems);
   check_hoisting(scene.rig.hoisting, problems);
   check_start(scene, problems);

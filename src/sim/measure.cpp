@@ -86,6 +86,8 @@ void Simulator::Impl::measure_string() noexcept
   m.over_stress = statistics.loads.stress.share > 1.0;
   m.over_torque = statistics.loads.torque.share > 1.0;
   m.buckled = statistics.loads.buckling.share > 1.0;
+  statistics.accuracy = state.accuracy.report;
+  m.accuracy_warning = statistics.accuracy.doubt != AccuracyDoubt::none;
 }
 
 SensorView Simulator::Impl::sensor_view() const noexcept

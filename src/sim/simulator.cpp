@@ -25,7 +25,7 @@ const Scene& available(const Scene& scene)
 Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   : scene(s), model(std::move(rig.model)), state(std::move(rig.state), std::move(rig.statics.forces)),
     integrator(make_integrator(scene.numerics.integrator, model, state.mechanics)),
-    watch(*model)
+    watch(*model), accuracy(model)
 {
   state.scene = scene_hash(scene);
   for (const PartSpec& part : scene.string)
@@ -90,6 +90,7 @@ FrameStatus Simulator::frame(double duration) noexcept
   const int steps = std::max(1, static_cast<int>(std::lround(duration / impl_->scene.numerics.step)));
   State& mechanics = impl_->mechanics();
   const double hole_depth = mechanics.well.hole_depth();
+  impl_->accuracy.begin_frame(*impl_->integrator, impl_->state.accuracy);
   for (int k = 0; k < steps; ++k)
   {
     mechanics.flow = setpoints.pump.flow;
@@ -98,6 +99,7 @@ FrameStatus Simulator::frame(double duration) noexcept
       impl_->failure = impl_->integrator->failure();
       return FrameStatus::failed;
     }
+    if (k == 0) impl_->accuracy.end_first_step(*impl_->integrator, duration / steps, impl_->state.accuracy);
   }
   impl_->state.forces = impl_->integrator->find_forces(mechanics);
   impl_->state.truth.rop = (mechanics.well.hole_depth() - hole_depth) / duration;
@@ -114,6 +116,7 @@ FrameStatus Simulator::frame(double duration) noexcept
     impl_->statistics.reference = *report;
   }
   impl_->statistics.last_error_estimate = impl_->integrator->error_estimate();
+  impl_->accuracy.end_frame(*impl_->integrator, mechanics, impl_->state.forces, duration, impl_->state.accuracy);
   impl_->measure();
   impl_->state.instruments.read(impl_->state.truth, impl_->sensor_view(), impl_->state.readings);
   impl_->integrator->profiler().lap(Cost::other);

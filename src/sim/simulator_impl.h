@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_SRC_SIM_SIMULATOR_IMPL_H
 #define DRILL_RIG_SIM_SRC_SIM_SIMULATOR_IMPL_H
 
+#include "drill_rig_sim/sim/accuracy_watch.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 #include "drill_rig_sim/sim/string_watch.h"
@@ -29,6 +30,7 @@ struct Simulator::Impl
   std::unique_ptr<Integrator> integrator;
   std::unique_ptr<EnergyBalance> balance;
   StringWatch watch;
+  AccuracyWatch accuracy;
   SimulatorStatistics statistics;
   double command_timeout = 0.0;
   const char* failure = "";

@@ -13,7 +13,6 @@
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/forces/inertia.h"
 #include "drill_rig_sim/model/forces/top_drive.h"
-#include "drill_rig_sim/solve/energy_balance.h"
 #include "drill_rig_sim/solve/methods/method.h"
 #include "drill_rig_sim/solve/vector_operations.h"
 #include "drill_rig_sim/solve/sundials_owners.h"
@@ -341,13 +340,13 @@ NewtonLimits& ArkodeStepper::limits() noexcept
 
 StepResult ArkodeStepper::attempt(State& state, double step, const Setpoints& setpoints, int& budget, bool) noexcept
 {
-  if (balance_) balance_->begin_step(state, setpoints);
+  open_books(state, setpoints);
   begin_step(*model_, state, step, setpoints, stage_);
   const bool solved = session_->step(state, step, budget);
   counters_.newton_iterations += static_cast<std::uint64_t>(session_->iterations);
   budget -= session_->iterations;
   if (!solved) return StepResult::not_converged;
-  if (balance_) balance_->end_step(state, stage_, session_->increments());
+  close_books(state, stage_, session_->increments());
   remember_last_rate(work_, state);
   remember(work_, &NodeMotion::acceleration, work_.result.drive_acceleration, state.memory.past[last_acceleration]);
   state.memory.last_step = step;

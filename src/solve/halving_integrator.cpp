@@ -1,5 +1,7 @@
 #include "drill_rig_sim/solve/halving_integrator.h"
 
+#include "drill_rig_sim/solve/energy_balance.h"
+
 namespace drill_rig_sim
 {
 namespace
@@ -10,9 +12,16 @@ constexpr int kBudget = 240;    // Newton iterations that one step may cost in a
 constexpr int kLeftToHalve = 60;  // of them those that must be left before a step is refined that has a solution: its eighths need some 16
 }  // namespace
 
-void HalvingIntegrator::keep_balance(EnergyBalance* balance) noexcept
+void HalvingIntegrator::open_books(const State& state, const Setpoints& setpoints) noexcept
 {
-  balance_ = balance;
+  for (EnergyBalance* balance : balances_)
+    if (balance) balance->begin_step(state, setpoints);
+}
+
+void HalvingIntegrator::close_books(const State& state, const Stage& stage, const double* u) noexcept
+{
+  for (EnergyBalance* balance : balances_)
+    if (balance) balance->end_step(state, stage, u);
 }
 
 bool HalvingIntegrator::advance(State& state, double step, const Setpoints& setpoints) noexcept

@@ -6,7 +6,6 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/forces/inertia.h"
-#include "drill_rig_sim/solve/energy_balance.h"
 
 namespace drill_rig_sim
 {
@@ -38,7 +37,7 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const Method& method)
 StepResult Stepper::attempt(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept
 {
   if (method_.first_acceleration > 0 && state.memory.last_step <= 0.0) find_acceleration(state, setpoints);
-  if (balance_) balance_->begin_step(state, setpoints);
+  open_books(state, setpoints);
   begin_step(*model_, state, step, setpoints, stage_);
   predict(state, step, u_.data());
   std::copy(u_.begin(), u_.end(), guess_.begin());
@@ -49,7 +48,7 @@ StepResult Stepper::attempt(State& state, double step, const Setpoints& setpoint
   if (!solved) return StepResult::not_converged;
   error_estimate_ = method_.local_error ? method_.local_error(context) : predictor_distance() / 6.0;
   if (method_.refines && may_refine && error_estimate_ > largest_local_error) return StepResult::error_test_failed;
-  if (balance_) balance_->end_step(state, stage_, u_.data());
+  close_books(state, stage_, u_.data());
   remember_last_rate(work_, state);
   if (method_.remember) method_.remember(context, state.memory);
   state.memory.last_step = step;

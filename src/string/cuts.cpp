@@ -47,17 +47,19 @@ std::vector<double> joint_lengths(const PartSpec& part, double rest)
   return lengths;
 }
 
-void cut_part(const PartSpec& part, int index, double lower, const std::vector<double>& lengths, double longest, std::vector<Cut>& cuts)
+void cut_part(const PartSpec& part, int index, double lower, const std::vector<double>& lengths, const ElementLengths& longest,
+              std::vector<Cut>& cuts)
 {
   const double upper = lower + lengths.front();
   if (part.motor && part.motor->bend != 0.0)
-    cut_joint_at(part, index, lower, part.motor->bit_to_bend, upper, 0.5 * part.outer_diameter, longest, cuts);
+    cut_joint_at(part, index, lower, part.motor->bit_to_bend, upper, 0.5 * part.outer_diameter, longest.at(lower), cuts);
   else if (part.stabilizer)
-    cut_joint_at(part, index, lower, 0.5 * (lower + upper), upper, 0.5 * part.stabilizer->blade_diameter, longest, cuts);
+    cut_joint_at(part, index, lower, 0.5 * (lower + upper), upper, 0.5 * part.stabilizer->blade_diameter, longest.at(lower),
+                 cuts);
   else
     for (std::size_t j = 0; j < lengths.size(); ++j)
     {
-      cut_joint(part, index, static_cast<int>(j), lower, lower + lengths[j], longest, cuts);
+      cut_joint(part, index, static_cast<int>(j), lower, lower + lengths[j], longest.at(lower), cuts);
       lower += lengths[j];
     }
 }

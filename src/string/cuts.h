@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "drill_rig_sim/string/element_lengths.h"
 #include "drill_rig_sim/string/part.h"
 
 namespace drill_rig_sim
@@ -26,8 +27,9 @@ double joint_end_diameter(const PartSpec& part);
 /// less than shortest_joint.
 std::vector<double> joint_lengths(const PartSpec& part, double rest);
 
-/// Appends the cuts of one part, whose joints begin at `lower` from the bit's face, into elements of `longest` at most [m].
-void cut_part(const PartSpec& part, int index, double lower, const std::vector<double>& lengths, double longest, std::vector<Cut>& cuts);
+/// Appends the cuts of one part, whose joints begin at `lower` from the bit's face [m], into elements of `longest` at most.
+void cut_part(const PartSpec& part, int index, double lower, const std::vector<double>& lengths, const ElementLengths& longest,
+              std::vector<Cut>& cuts);
 
 }  // namespace drill_rig_sim
 

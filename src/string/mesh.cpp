@@ -56,7 +56,7 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
 }
 
 /// Where the elements of all parts end, and where the parts begin and end.
-std::vector<Cut> cut_string(const std::vector<PartSpec>& parts, double element_length, Mesh& mesh)
+std::vector<Cut> cut_string(const std::vector<PartSpec>& parts, const ElementLengths& longest, Mesh& mesh)
 {
   std::vector<Cut> cuts;
   double top = parts.front().length;
@@ -68,7 +68,7 @@ std::vector<Cut> cut_string(const std::vector<PartSpec>& parts, double element_l
     const std::vector<double> lengths = joint_lengths(part, mesh.total_length - top);
     if (lengths.empty()) refuse_rest(part, mesh.total_length - top);
     mesh.part_bottom.push_back(top);
-    cut_part(part, static_cast<int>(p), top, lengths, element_length, cuts);
+    cut_part(part, static_cast<int>(p), top, lengths, longest, cuts);
     for (double length : lengths) top += length;
     mesh.part_top.push_back(top);
     if (part.mwd) mesh.sensor_from_bit = mesh.part_bottom.back() + part.mwd->sensor_offset;
@@ -123,7 +123,7 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
 
 }  // namespace
 
-Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, double element_length,
+Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, const ElementLengths& longest,
                 double total_length)
 {
   Mesh mesh;
@@ -132,7 +132,7 @@ Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, c
   mesh.bit_radius = 0.5 * bit.bit->diameter;
   mesh.bit_mass = bit.bit->mass;
   mesh.bit_displaced = bit.bit->mass / bit.density;
-  const std::vector<Cut> cuts = cut_string(parts, element_length, mesh);
+  const std::vector<Cut> cuts = cut_string(parts, longest, mesh);
   mesh.nodes.push_back(bit_node(bit, contact, mesh));
   for (const Cut& cut : cuts) add_element(parts, cut, contact, mud, mesh);
   // a joint's end touches with the larger of the two ends that meet there

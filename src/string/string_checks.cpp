@@ -76,7 +76,7 @@ void check_length(const std::vector<PartSpec>& parts, double needed, ProblemList
 }
 
 /// The cuts of the whole string; none if they would be more than are allowed. `count`: how many they are [-].
-std::vector<Cut> cuts_of(const std::vector<PartSpec>& parts, double length, double element_length, double& count)
+std::vector<Cut> cuts_of(const std::vector<PartSpec>& parts, double length, const ElementLengths& longest, double& count)
 {
   std::vector<Cut> cuts;
   count = 0.0;
@@ -85,22 +85,22 @@ std::vector<Cut> cuts_of(const std::vector<PartSpec>& parts, double length, doub
   {
     const PartSpec& part = parts[i];
     const double joints = part.joints > 0 ? part.joints : std::ceil((length - lower) / part.joint_length);
-    count += joints * std::ceil(part.joint_length / element_length) + 1.0;
+    count += joints * std::ceil(part.joint_length / std::min(longest.lower, longest.upper)) + 1.0;
     if (count > most_mesh_nodes) continue;
     const std::vector<double> lengths = joint_lengths(part, length - lower);
-    cut_part(part, static_cast<int>(i), lower, lengths, element_length, cuts);
+    cut_part(part, static_cast<int>(i), lower, lengths, longest, cuts);
     for (double joint : lengths) lower += joint;
   }
   return cuts;
 }
 
-void check_mesh(const std::vector<PartSpec>& parts, double length, double element_length, ProblemList& problems)
+void check_mesh(const std::vector<PartSpec>& parts, double length, const ElementLengths& longest, ProblemList& problems)
 {
   double count = 0.0;
-  const std::vector<Cut> cuts = cuts_of(parts, length, element_length, count);
+  const std::vector<Cut> cuts = cuts_of(parts, length, longest, count);
   if (count > most_mesh_nodes)
   {
-    problems.emplace_back("numerics.element_length", metres(element_length) + " makes some " + plain(count) + " nodes of this string, allowed: up to " +
+    problems.emplace_back("numerics.element_length", metres(std::min(longest.lower, longest.upper)) + " makes some " + plain(count) + " nodes of this string, allowed: up to " +
                                                          std::to_string(most_mesh_nodes));
     return;
   }
@@ -123,7 +123,7 @@ void check_mesh(const std::vector<PartSpec>& parts, double length, double elemen
 }
 }  // namespace
 
-ProblemList string_problems(const std::vector<PartSpec>& parts, double length, double element_length)
+ProblemList string_problems(const std::vector<PartSpec>& parts, double length, const ElementLengths& longest)
 {
   ProblemList problems;
   if (parts.empty())
@@ -135,7 +135,7 @@ ProblemList string_problems(const std::vector<PartSpec>& parts, double length, d
   check_inside(parts, problems);
   if (parts.size() > 1) check_length(parts, length, problems);
   // where parts stand wrongly the mesh makes no sense
-  if (problems.empty()) check_mesh(parts, length, element_length, problems);
+  if (problems.empty()) check_mesh(parts, length, longest, problems);
   return problems;
 }
 

@@ -8,7 +8,6 @@
 #include <memory>
 #include <utility>
 
-#include "drill_averages.h"
 #include "drill_command.h"
 #include "drill_failure.h"
 #include "drill_output.h"
@@ -34,7 +33,7 @@ double cpu_time()
 }
 
 /// Plays the scene's program up to the goal, with its series, its averages and a progress bar.
-RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, ProfileSeries& profiles, DrillingRecord& record)
+RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, ProfileSeries& profiles, RunRecord& record)
 {
   const double frame = frame_of_whole_steps(frame_length, simulator.scene().numerics.step);
   const double start_depth = simulator.truth().hole_depth;
@@ -45,7 +44,8 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, Profi
   return run(simulator, program, goal, frame_length,
              [&](const Truth& m)
              {
-               record.add(m);
+               record.drilling.add(m);
+               record.doubts.add(m.time, simulator.statistics().accuracy);
                series.add(simulator, frame);
                profiles.add(simulator, frame);
                const double drilled = (m.hole_depth - start_depth) / (goal.depth - start_depth);
@@ -67,7 +67,7 @@ void run_scene(const RunOptions& options)
 
   Simulator simulator = build_simulator(scene, options.seed);
   if (options.energy) simulator.balance_energy();
-  DrillingRecord record;
+  RunRecord record;
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_time();
   const RunEnd end = play(simulator, goal, series, profiles, record);

@@ -114,6 +114,13 @@ Json json_of(const EnergyAccounts& e)
           {"numerical_of_losses", e.numerical_of_losses()}};
 }
 
+Json json_of(const Doubts& doubts, double step)
+{
+  Json list = Json::array();
+  for (const Doubts::Entry& doubt : doubts.entries()) list.push_back({{"since", doubt.since}, {"text", text_of(doubt.report, step)}});
+  return list;
+}
+
 void add_work(const SimulatorStatistics& s, Json& json)
 {
   json["steps"] = s.steps;
@@ -127,7 +134,7 @@ void add_work(const SimulatorStatistics& s, Json& json)
   json["substitutions"] = s.work.substitutions;
 }
 
-Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record)
+Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record)
 {
   const SimulatorStatistics& s = simulator.statistics();
   const Truth& m = simulator.truth();
@@ -142,20 +149,21 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const Drilli
                {"nodes", s.nodes},
                {"coordinates", s.coordinates}};
   add_work(s, json);
+  json["accuracy_warnings"] = json_of(record.doubts, s.step);
   if (s.is_reference) json["reference"] = json_of(s.reference);
   json["cost_share"] = shares_of(s.costs);
   if (simulator.energy().time > 0.0) json["energy"] = json_of(simulator.energy());
   Averages now;
   now.add(m);
   json["final"] = json_of(now);
-  json["mean_drilling"] = json_of(record.all());
-  json["mean_last_quarter"] = json_of(record.last_quarter());
+  json["mean_drilling"] = json_of(record.drilling.all());
+  json["mean_last_quarter"] = json_of(record.drilling.last_quarter());
   if (*simulator.failure()) json["failure"] = simulator.failure();
   return json;
 }
 }  // namespace
 
-std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record, bool readings)
+std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, bool readings)
 {
   // a scene's name may hold bytes that are no UTF-8: shown as U+FFFD instead of an exception at the end of a long run
   Json json = summary_of(simulator, elapsed, record);
@@ -163,12 +171,14 @@ std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, con
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void print_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record)
+void print_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record)
 {
   const Truth& m = simulator.truth();
   std::printf("%s: %.1f s simulated in %.2f s (%.1f times real time), hole %.3f m\n", simulator.scene().name.c_str(), m.time,
               elapsed.cpu, m.time / elapsed.cpu, m.hole_depth);
-  const Averages mean = record.last_quarter();
+  for (const Doubts::Entry& doubt : record.doubts.entries())
+    std::printf("accuracy warning from %.1f s on: %s\n", doubt.since, text_of(doubt.report, simulator.statistics().step).c_str());
+  const Averages mean = record.drilling.last_quarter();
   if (mean.samples() == 0)
   {
     std::printf("the bit was not on bottom; hook load %.1f kN, torque %.2f kN m\n", m.hook_load / 1e3, m.torque / 1e3);

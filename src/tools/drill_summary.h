@@ -4,6 +4,7 @@
 #include <string>
 
 #include "drill_averages.h"
+#include "drill_doubts.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 namespace drill_rig_sim
@@ -15,12 +16,19 @@ struct Elapsed
   double cpu;   ///< [s]
 };
 
+/// What is kept of a run's frames.
+struct RunRecord
+{
+  DrillingRecord drilling;
+  Doubts doubts;
+};
+
 /// A run's summary as a JSON object, a newline at its end. Numbers read back to the same double; what is not finite is null.
 /// `readings`: it also says what the instruments show at the end.
-std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record, bool readings);
+std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, bool readings);
 
-/// The same in two lines on standard output.
-void print_summary(const Simulator& simulator, const Elapsed& elapsed, const DrillingRecord& record);
+/// The same in two lines on standard output, and a line for each doubt.
+void print_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record);
 
 }  // namespace drill_rig_sim
 

@@ -9,6 +9,7 @@ import matplotlib.lines as lines  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 
 import drill  # noqa: E402
+import points as points_of  # noqa: E402
 import verdict  # noqa: E402
 
 COLORS = dict(zip(drill.METHODS, ('#1f77b4', '#9467bd', '#8c564b', '#2ca02c', '#ff7f0e', '#d62728', '#17becf', '#7f7f7f')))
@@ -48,7 +49,7 @@ def draw_cost(axes, points, cost, lengths, own_error):
 def legend(points, lengths, own_error):
     seen = groups(points)
     handles = [lines.Line2D([], [], color=COLORS[m], label=m) for m in drill.METHODS if any(key[0] == m for key in seen)]
-    handles += [lines.Line2D([], [], color='0.3', linestyle='', marker=MARKERS[k % len(MARKERS)], markersize=5, label='elements up to %g m' % length)
+    handles += [lines.Line2D([], [], color='0.3', linestyle='', marker=MARKERS[k % len(MARKERS)], markersize=5, label='elements: ' + points_of.mesh(length))
                 for k, length in enumerate(lengths)]
     handles += [lines.Line2D([], [], color='0.3', linestyle=DASHES[e], label=e) for e in drill.ELEMENTS[1:] if any(key[1] == e for key in seen)]
     loose = sorted({p.newton for p in points if p.newton and p.errors})

@@ -73,12 +73,6 @@ class Drill:
             return str(refusal)
         return None
 
-    def default_element_length(self):
-        for line in self.call(['reference']).splitlines():
-            if line.startswith('| `element_length`'):
-                return float(line.split('|')[3])
-        raise Failed('drill reference does not name element_length')
-
 
 def read_series(path):
     """Columns by name. Numbers that are not finite are a failure."""

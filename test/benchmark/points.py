@@ -13,9 +13,14 @@ LOOSE_NEWTON = 1e-4
 LOOSEST_NEWTON = 1e-3
 TIGHT_NEWTON = 1e-8
 REFERENCE_METHOD = 'ida'
+MESH_BY_THE_HOLE = 0.0  # numerics.element_length: the program chooses
 LOOSE_REFERENCE = (1e-4, 1e-3)  # numerics.reference_tolerance of the method that chooses its own steps
 FIELDS = ('scene', 'method', 'element', 'step', 'element_length', 'newton_tolerance', 'reference_tolerance', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'steps', 'residuals',
           'tangents', 'solves', 'substitutions', 'newton_iterations', 'convergence_failures') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')
+
+
+def mesh(length):
+    return 'mesh by the hole' if length == MESH_BY_THE_HOLE else '%g m' % length
 
 
 class Point:
@@ -63,7 +68,7 @@ class Point:
         return words
 
     def label(self):
-        return '%s, %g ms, %g m%s%s%s' % (self.method, 1e3 * self.step, self.length, '' if self.element == drill.ELEMENTS[0] else ', ' + self.element,
+        return '%s, %g ms, %s%s%s%s' % (self.method, 1e3 * self.step, mesh(self.length), '' if self.element == drill.ELEMENTS[0] else ', ' + self.element,
                                           ', Newton to %g' % self.newton if self.newton else '', ', tolerance %g' % self.tolerance if self.tolerance else '')
 
     def compute(self, program, reference, weights):

@@ -9,6 +9,7 @@
 
 #include "counters.h"
 #include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "random.h"
 #include "shown.h"
@@ -41,12 +42,13 @@ std::optional<Scene> read(const std::string& text)
 /// Would take so long that other inputs are of more use.
 bool too_large(const Scene& scene)
 {
+  const double longest = element_lengths(scene).lower;
   double elements = 0.0;
   for (const PartSpec& part : scene.string)
   {
     const double length = part.joints == 0 ? scene.start.bit_depth + scene.start.block_height : part.length;
     const double joints = std::max(1.0, length / part.joint_length);
-    elements += joints * std::max(1.0, std::ceil(part.joint_length / scene.numerics.element_length));
+    elements += joints * std::max(1.0, std::ceil(part.joint_length / longest));
   }
   return !(elements <= most_elements) || scene.well.survey.size() > most_stations;
 }

@@ -115,6 +115,16 @@ TEST_F(Report, eachNumberIsItsOwn)
   EXPECT_EQ(expected.size() + words.size() + 1, values(array).size()) << "and the histogram; a real-time factor needs half a second";
 }
 
+TEST_F(Report, saysWhyTheNumbersMayBeWrong)
+{
+  frame_.truth.accuracy_warning = true;
+  frame_.physics.step = 0.01;
+  frame_.physics.accuracy = {AccuracyDoubt::dissipation, 0.08, 0.0, 0.0};
+  const auto array = next();
+  EXPECT_EQ(text_of(frame_.physics.accuracy, 0.01), part(array, "physics").message);
+  EXPECT_EQ((std::vector<int>{ok, warn, ok}), levels(array));
+}
+
 TEST_F(Report, withoutAStepThereAreNoIterationsPerStep)
 {
   EXPECT_EQ(0.0, number(next(), "newton_iterations_per_step"));

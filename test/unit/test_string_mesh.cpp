@@ -66,7 +66,7 @@ TEST(Mesh, carriesAllOfTheStringsLengthAndMass)
     for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     {
       EXPECT_NEAR(mesh.elements[e].section.length, mesh.nodes[e + 1].from_bit - mesh.nodes[e].from_bit, 1e-9);
-      EXPECT_LE(mesh.elements[e].section.length, scene.numerics.element_length + 0.5);
+      EXPECT_LE(mesh.elements[e].section.length, element_lengths(scene).at(mesh.nodes[e].from_bit) + 0.5);
       EXPECT_NEAR(mesh.elements[e].displaced, mesh.elements[e].linear_mass / steel_density, 1e-12);
     }
   }
@@ -201,7 +201,7 @@ TEST(StringProblems, nameTheKeyOfAnElementThatIsTooShortOrOfTooMany)
 {
   const auto first = [](const Scene& scene)
   {
-    const ProblemList problems = string_problems(scene.string, 320.0, scene.numerics.element_length);
+    const ProblemList problems = string_problems(scene.string, 320.0, element_lengths(scene));
     return problems.empty() ? std::string() : problems.front().key;
   };
   Scene scene = assembly();

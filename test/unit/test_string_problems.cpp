@@ -29,7 +29,7 @@ const PartSpec fill = pipe_part(0, 9.5, tool_jointed_mass);
 /// "key: text" of the one problem; how many there are if it is not one.
 std::string said_of(const Parts& parts, double length = 320.0, double element_length = 9.5)
 {
-  const ProblemList problems = string_problems(parts, length, element_length);
+  const ProblemList problems = string_problems(parts, length, uniform_elements(element_length));
   return problems.size() == 1 ? problems[0].key + ": " + problems[0].text : std::to_string(problems.size()) + " problems";
 }
 

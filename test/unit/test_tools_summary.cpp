@@ -25,7 +25,7 @@ Scene steered_scene()
   return scene;
 }
 
-Simulator after_two_seconds(const Scene& scene, DrillingRecord& record, bool energy)
+Simulator after_two_seconds(const Scene& scene, RunRecord& record, bool energy)
 {
   Simulator simulator(scene);
   if (energy) simulator.balance_energy();
@@ -34,12 +34,12 @@ Simulator after_two_seconds(const Scene& scene, DrillingRecord& record, bool ene
   for (int k = 0; k < 200; ++k)
   {
     EXPECT_EQ(FrameStatus::running, simulator.frame(0.01));
-    record.add(simulator.truth());
+    record.drilling.add(simulator.truth());
   }
   return simulator;
 }
 
-nlohmann::json summary_of(const Simulator& simulator, const DrillingRecord& record, bool readings)
+nlohmann::json summary_of(const Simulator& simulator, const RunRecord& record, bool readings)
 {
   return nlohmann::json::parse(json_summary(simulator, Elapsed{0.5, 0.25}, record, readings));
 }
@@ -74,7 +74,7 @@ Numbers numbers_of(const Averages& a)
 
 TEST(Summary, tellsWhatRanAndHowFast)
 {
-  DrillingRecord record;
+  RunRecord record;
   const Simulator simulator = after_two_seconds(drilling_scene(), record, false);
   const SimulatorStatistics& s = simulator.statistics();
   const nlohmann::json told = summary_of(simulator, record, false);
@@ -102,7 +102,7 @@ TEST(Summary, tellsWhatRanAndHowFast)
 
 TEST(Summary, sharesOfCostAreOfTheProfiledTime)
 {
-  DrillingRecord record;
+  RunRecord record;
   const Simulator simulator = after_two_seconds(drilling_scene(), record, false);
   // in the order of the sum
   const std::pair<const char*, Cost> costs[] = {{"kinematics", Cost::kinematics},     {"elements", Cost::elements},
@@ -119,21 +119,21 @@ TEST(Summary, sharesOfCostAreOfTheProfiledTime)
 
 TEST(Summary, meansAreOfTheEndOfTheDrillingAndOfItsLastQuarter)
 {
-  DrillingRecord record;
+  RunRecord record;
   const Simulator simulator = after_two_seconds(steered_scene(), record, false);
   const nlohmann::json told = summary_of(simulator, record, false);
   Averages end;
   end.add(simulator.truth());
   expect_numbers(numbers_of(end), told["final"]);
-  expect_numbers(numbers_of(record.all()), told["mean_drilling"]);
-  expect_numbers(numbers_of(record.last_quarter()), told["mean_last_quarter"]);
+  expect_numbers(numbers_of(record.drilling.all()), told["mean_drilling"]);
+  expect_numbers(numbers_of(record.drilling.last_quarter()), told["mean_last_quarter"]);
   EXPECT_NE(told["mean_drilling"]["torque"], told["mean_last_quarter"]["torque"]);
   EXPECT_NE(told["final"]["torque"], told["mean_last_quarter"]["torque"]);
 }
 
 TEST(Summary, readingsAreTheInstruments)
 {
-  DrillingRecord record;
+  RunRecord record;
   const Simulator simulator = after_two_seconds(steered_scene(), record, false);
   const Readings& r = simulator.readings();
   const Numbers expected = {{"hook_load", r.hook_load},
@@ -158,7 +158,7 @@ TEST(Summary, readingsAreTheInstruments)
 
 TEST(Summary, energyIsToldAccountByAccountWhereItIsBalanced)
 {
-  DrillingRecord record;
+  RunRecord record;
   const Simulator simulator = after_two_seconds(steered_scene(), record, true);
   const EnergyAccounts& e = simulator.energy();
   expect_numbers({{"winch", e.winch},
@@ -211,12 +211,12 @@ TEST(Summary, aReferenceReportsItsWork)
                   {"last_order", report.ida.last_order},
                   {"last_step", report.ida.last_step},
                   {"smallest_step", report.ida.smallest_step}},
-                 summary_of(simulator, DrillingRecord(), false)["reference"]);
+                 summary_of(simulator, RunRecord(), false)["reference"]);
 }
 
 TEST(Summary, inTwoLines)
 {
-  DrillingRecord record;
+  RunRecord record;
   Truth m;
   m.on_bottom = true;
   m.hook_load = 1234e2;
@@ -224,23 +224,43 @@ TEST(Summary, inTwoLines)
   m.wob = 8900.0;
   m.rop = 0.01;
   m.bit_speed = 2.0 * pi;
-  record.add(m);
+  record.drilling.add(m);
   const Simulator simulator(drilling_scene());
   testing::internal::CaptureStdout();
   print_summary(simulator, Elapsed{9.0, 0.5}, record);
-  print_summary(simulator, Elapsed{9.0, 0.5}, DrillingRecord());
+  print_summary(simulator, Elapsed{9.0, 0.5}, RunRecord());
   const std::string text = testing::internal::GetCapturedStdout();
   EXPECT_NE(std::string::npos, text.find(": 0.0 s simulated in 0.50 s (0.0 times real time), hole 100.000 m\n"));
   EXPECT_NE(std::string::npos, text.find("hook load 123.4 kN, torque 5.67 kN m, WOB 8.9 kN, ROP 36.00 m/h, bit 60 rpm\n"));
   EXPECT_NE(std::string::npos, text.find("the bit was not on bottom; hook load "));
 }
 
+TEST(Summary, saysWhatMayBeWrong)
+{
+  RunRecord record;
+  const AccuracyReport first{AccuracyDoubt::refused_steps, 0.3, 0.0, 0.0}, later{AccuracyDoubt::refused_steps, 0.4, 0.0, 0.0};
+  const AccuracyReport other{AccuracyDoubt::compression, 1.5, 80.0, 9.5};
+  record.doubts.add(1.5, first);
+  record.doubts.add(2.0, AccuracyReport());
+  record.doubts.add(2.5, later);
+  record.doubts.add(3.5, first);
+  record.doubts.add(4.5, other);
+  const Simulator simulator(drilling_scene());
+  const double step = simulator.scene().numerics.step;
+  const nlohmann::json expected = {{{"since", 1.5}, {"text", text_of(later, step)}}, {{"since", 4.5}, {"text", text_of(other, step)}}};
+  EXPECT_EQ(expected, summary_of(simulator, record, false)["accuracy_warnings"]);
+  testing::internal::CaptureStdout();
+  print_summary(simulator, Elapsed{9.0, 0.5}, record);
+  const std::string text = testing::internal::GetCapturedStdout();
+  EXPECT_NE(std::string::npos, text.find("accuracy warning from 1.5 s on: " + text_of(later, step) + "\n")) << text;
+}
+
 TEST(Summary, withoutDrillingTellsWhatHangsAndTurns)
 {
-  DrillingRecord record;
+  RunRecord record;
   const Simulator simulator = after_two_seconds(steered_scene(), record, false);
   testing::internal::CaptureStdout();
-  print_summary(simulator, Elapsed{9.0, 0.5}, DrillingRecord());
+  print_summary(simulator, Elapsed{9.0, 0.5}, RunRecord());
   const std::string text = testing::internal::GetCapturedStdout(), words = "hook load ";
   double load = 0.0, torque = 0.0;
   ASSERT_NE(std::string::npos, text.find(words));

@@ -35,7 +35,7 @@ struct NumericsSpec
   IntegratorKind integrator = IntegratorKind::automatic;
   ElementKind element = ElementKind::automatic;
   double step = 0.01;               ///< [s]; test/benchmark: shorter ones gain little on elements as long as a joint
-  double element_length = 9.5;      ///< longest element [m]
+  double element_length = 0.0;      ///< longest element [m]; 0: by the hole, element_lengths() (scene_mesh.h)
   double tolerance = 0.01;          ///< relative, of the scene's outputs; level auto only
   double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]
   int reference_order = 2;          ///< integrator ida: highest order; 2 is the last that damps every oscillation (A-stable)

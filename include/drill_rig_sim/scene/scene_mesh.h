@@ -6,11 +6,15 @@
 
 namespace drill_rig_sim
 {
+/// Longest elements of a scene's string: `numerics.element_length` where it is given; else, by the hole, half a joint (4.75 m) from the bit
+/// up to 45 m (a stand and a half, for the string goes down) above the place where the survey first inclines by more than 3 deg, and a
+/// joint (9.5 m) above that. Where pipe lies on the wall its elements have to carry the bending between two contacts, or it gives way
+/// below its buckling load and whirls falsely; where it hangs, joints do as well. Chosen by the operations matrix (test/accuracy/run
+/// --operations --variants).
+ElementLengths element_lengths(const Scene& scene) noexcept;
+
 /// The mesh of a scene's string over `total_length`, bit's face to top-drive shaft [m]; string/mesh.h says what may be wrong.
-inline Mesh build_mesh(const Scene& scene, double total_length)
-{
-  return build_mesh(scene.string, scene.contact.law, scene.mud, scene.numerics.element_length, total_length);
-}
+Mesh build_mesh(const Scene& scene, double total_length);
 
 }  // namespace drill_rig_sim
 

@@ -78,6 +78,7 @@ struct RigSignals
   bool over_stress = false;         ///< pipe is stressed beyond its yield strength (sim/string_watch.h)
   bool over_torque = false;         ///< beyond the make-up torque of its connections
   bool buckled = false;             ///< compressed beyond what it bears straight in its hole
+  bool accuracy_warning = false;    ///< the simulation may be wrong, for a reason that its diagnostics tell (sim/accuracy.h)
   bool top_drive_brake_set = false;
   bool top_drive_limited = false;   ///< torque, speed or power limit active
   bool command_clamped = false;     ///< the last command was
@@ -114,6 +115,7 @@ struct RigSignals
     v("over_stress", over_stress);
     v("over_torque", over_torque);
     v("buckled", buckled);
+    v("accuracy_warning", accuracy_warning);
     v("top_drive_brake_set", top_drive_brake_set);
     v("top_drive_limited", top_drive_limited);
     v("command_clamped", command_clamped);

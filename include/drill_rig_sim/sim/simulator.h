@@ -8,6 +8,7 @@
 
 #include "drill_rig_sim/model/profiler.h"
 #include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/sim/accuracy.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/signals.h"
 #include "drill_rig_sim/sim/string_watch.h"
@@ -45,6 +46,7 @@ struct SimulatorStatistics
   double step = 0.0;                    ///< [s]
   double last_error_estimate = 0.0;     ///< local, of the last step's positions [m]
   StringLoads loads;                    ///< of the last frame
+  AccuracyReport accuracy;              ///< what stands after the last frame
   Profiler costs;                       ///< where the frames' time went
   bool is_reference = false;            ///< the integrator is ida, and this is its report:
   ReferenceReport reference;

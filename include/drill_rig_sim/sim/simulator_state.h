@@ -6,6 +6,7 @@
 
 #include "drill_rig_sim/model/rig_forces.h"
 #include "drill_rig_sim/model/state.h"
+#include "drill_rig_sim/sim/accuracy.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/instruments.h"
 #include "drill_rig_sim/sim/signals.h"
@@ -24,6 +25,7 @@ struct SimulatorState
   bool tared = false;
   double tare_hook_load = 0.0;  ///< true one [N]
   double tare_pressure = 0.0;   ///< true one over the motor [Pa]
+  AccuracyMemory accuracy;
   Truth truth;
   Instruments instruments;
   Readings readings;
@@ -38,6 +40,7 @@ struct SimulatorState
     v("tared", tared);
     v("tare_hook_load", tare_hook_load);
     v("tare_pressure", tare_pressure);
+    v("accuracy", accuracy);
     v("truth", truth);
     v("instruments", instruments);
     v("readings", readings);

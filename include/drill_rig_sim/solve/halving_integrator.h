@@ -1,6 +1,8 @@
 #ifndef DRILL_RIG_SIM_SOLVE_HALVING_INTEGRATOR_H
 #define DRILL_RIG_SIM_SOLVE_HALVING_INTEGRATOR_H
 
+#include <array>
+
 #include "drill_rig_sim/solve/integrator.h"
 
 namespace drill_rig_sim
@@ -20,12 +22,16 @@ class HalvingIntegrator : public Integrator
 public:
   using Integrator::Integrator;
   bool advance(State& state, double step, const Setpoints& setpoints) noexcept final;
-  void keep_balance(EnergyBalance* balance) noexcept final;
+  void keep_balance(EnergyBalance* balance) noexcept final { balances_[0] = balance; }
+  void sample_balance(EnergyBalance* balance) noexcept final { balances_[1] = balance; }
 
 protected:
-  EnergyBalance* balance_ = nullptr;  ///< attempt() begins its step before begin_step() and ends it before commit()
+  /// In attempt() before begin_step(), and once it is solved before commit().
+  void open_books(const State& state, const Setpoints& setpoints) noexcept;
+  void close_books(const State& state, const Stage& stage, const double* u) noexcept;
 
 private:
+  std::array<EnergyBalance*, 2> balances_ = {};
   /// One step of `step` [s]. `budget`: Newton iterations left, reduced by those it took; `may_refine`: error_test_failed may be answered.
   virtual StepResult attempt(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept = 0;
 };

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "drill_rig_sim/contact/normal_law.h"
+#include "drill_rig_sim/string/element_lengths.h"
 #include "drill_rig_sim/string/mud.h"
 #include "drill_rig_sim/string/part.h"
 #include "drill_rig_sim/string/beam_element.h"
@@ -60,10 +61,10 @@ struct Mesh
   std::vector<double> part_top;
 };
 
-/// Cuts a string of `parts`, bit first, in `mud` into elements no longer than `element_length` [m]; `contact`: the wall's law for parts without
+/// Cuts a string of `parts`, bit first, in `mud` into elements no longer than `longest`; `contact`: the wall's law for parts without
 /// one of their own. `total_length` [m] fixes how many joints the `fill` entry has and how long its last one is. Throws
 /// std::runtime_error if the string does not fit.
-Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, double element_length,
+Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, const ElementLengths& longest,
                 double total_length);
 
 }  // namespace drill_rig_sim

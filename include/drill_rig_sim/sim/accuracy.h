@@ -1,0 +1,65 @@
+#ifndef DRILL_RIG_SIM_SIM_ACCURACY_H
+#define DRILL_RIG_SIM_SIM_ACCURACY_H
+
+#include <cstdint>
+#include <string>
+
+namespace drill_rig_sim
+{
+/// Why a run's numbers may be wrong, though every step was solved.
+enum class AccuracyDoubt
+{
+  none,
+  compression,    ///< an element carries more than it can bend under
+  twist,          ///< an element is twisted by more than its beam is made for
+  embedding,      ///< the string lies deeper in the wall than the hole is wide beside it
+  refused_steps,  ///< many steps had to be taken in parts
+  dissipation     ///< the method itself takes much of the energy that goes through rig and string
+};
+
+/// A doubt, how large and where.
+struct AccuracyReport
+{
+  AccuracyDoubt doubt = AccuracyDoubt::none;
+  double measure = 0.0;         ///< compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy
+  double from_bit = 0.0;        ///< where on the string [m]; compression, twist, embedding
+  double element_length = 0.0;  ///< of the element there [m]; compression, twist
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("doubt", doubt);
+    v("measure", measure);
+    v("from_bit", from_bit);
+    v("element_length", element_length);
+  }
+};
+
+/// The report in a line that names the remedy; empty without a doubt. `step`: numerics.step [s]. Allocates.
+std::string text_of(const AccuracyReport& report, double step);
+
+/// What the watch remembers from frame to frame.
+struct AccuracyMemory
+{
+  std::uint64_t frames = 0;   ///< since the start
+  double dissipated = 0.0;    ///< numerical, mean over the last seconds by magnitudes [W]
+  double throughput = 0.0;    ///< of the inputs, in the same way [W]
+  double refused = 0.0;       ///< attempts a step that were repeated in parts, in the same way
+  double stands_for = 0.0;    ///< the report stands that much longer without a new cause [s]
+  AccuracyReport report;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("frames", frames);
+    v("dissipated", dissipated);
+    v("throughput", throughput);
+    v("refused", refused);
+    v("stands_for", stands_for);
+    v("report", report);
+  }
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,48 @@
+#ifndef DRILL_RIG_SIM_SIM_ACCURACY_WATCH_H
+#define DRILL_RIG_SIM_SIM_ACCURACY_WATCH_H
+
+#include <memory>
+#include <vector>
+
+#include "drill_rig_sim/model/model.h"
+#include "drill_rig_sim/model/rig_forces.h"
+#include "drill_rig_sim/model/state.h"
+#include "drill_rig_sim/sim/accuracy.h"
+#include "drill_rig_sim/solve/energy_balance.h"
+#include "drill_rig_sim/solve/integrator.h"
+
+namespace drill_rig_sim
+{
+/// Watches what makes a run inaccurate without failing it. Every tenth frame is looked at, and the energy of its first step booked.
+///
+/// - Compression: two cubic elements carry the half wave into which pipe in a hole buckles, pi sqrt(2 E I/P), so an element of length L
+///   carries (pi^2/2) E I/L^2 (shared/design/model.md, Contact along the string). Above it a mesh buckles in its own way.
+/// - Twist: 1 rad an element; the corotational element is made for less.
+/// - Embedding: the string is deeper in the wall than its clearance there and 2 mm: place and side forces are those of a wider hole.
+/// - Refused steps: more than a fifth of the attempts of the last ten seconds.
+/// - Dissipation: more than 5 % of the throughput of the last ten seconds, or of 1 kW if that is more, so that a string at rest is not
+///   judged. Both are sums of magnitudes, account by account and step by step (energy_accounts.h): what cancels counts.
+class AccuracyWatch
+{
+public:
+  explicit AccuracyWatch(std::shared_ptr<const Model> model);
+
+  /// Before the first step of a frame: books its energy where its turn has come. The reference's steps are not booked.
+  void begin_frame(Integrator& integrator, const AccuracyMemory& memory) noexcept;
+  /// After the frame's first step of `step` [s].
+  void end_first_step(Integrator& integrator, double step, AccuracyMemory& memory) noexcept;
+  /// After a frame of `duration` [s]; `forces`: at its end.
+  void end_frame(const Integrator& integrator, const State& state, const RigForces& forces, double duration, AccuracyMemory& memory) noexcept;
+
+private:
+  void look(const State& state, const RigForces& forces, AccuracyReport& report) const noexcept;
+
+  std::shared_ptr<const Model> model_;
+  EnergyBalance balance_;
+  bool booked_ = false;
+  std::uint64_t steps_ = 0, attempts_ = 0;  // of the integrator, before the frame
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,42 @@
+#include <cmath>
+#include <cstdio>
+
+#include "drill_rig_sim/sim/accuracy.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+template <class... Numbers>
+std::string text(const char* format, Numbers... numbers)
+{
+  char line[256];
+  std::snprintf(line, sizeof line, format, numbers...);
+  return line;
+}
+}  // namespace
+
+std::string text_of(const AccuracyReport& r, double step)
+{
+  switch (r.doubt)
+  {
+    case AccuracyDoubt::none: return "";
+    case AccuracyDoubt::compression:
+      return text("%.4g m above the bit an element of %.3g m carries %.2f times the compression that it can bend under; numerics.element_length: %.2g or less",
+                  r.from_bit, r.element_length, r.measure, r.element_length / std::sqrt(r.measure));
+    case AccuracyDoubt::twist:
+      return text("%.4g m above the bit an element of %.3g m is twisted by %.2f rad; numerics.element_length: %.2g or less", r.from_bit,
+                  r.element_length, r.measure, r.element_length / r.measure);
+    case AccuracyDoubt::embedding:
+      return text("%.4g m above the bit the string is %.2g mm deep in the wall, more than its clearance; contact.stiffness: stiffer", r.from_bit,
+                  1e3 * r.measure);
+    case AccuracyDoubt::refused_steps:
+      return text("%.0f %% of the steps had to be taken in parts; numerics.step: below %.3g s", 100.0 * r.measure, step);
+    case AccuracyDoubt::dissipation:
+      return text("the method takes %.0f %% of the energy that goes through; numerics.step: below %.3g s, or shorter elements", 100.0 * r.measure,
+                  step);
+  }
+  return "";
+}
+
+}  // namespace drill_rig_sim

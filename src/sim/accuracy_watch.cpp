@@ -1,0 +1,113 @@
+#include "drill_rig_sim/sim/accuracy_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "drill_rig_sim/math/units.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr std::uint64_t every = 10;          // frames
+constexpr double memory_time = 10.0;         // [s]
+constexpr double most_twist = 1.0;           // [rad]
+constexpr double least_clearance = 2e-3;     // [m]
+constexpr double most_refused = 0.2;
+constexpr double most_dissipation = 0.05;
+constexpr double least_throughput = 1e3;     // [W]
+
+/// Towards `value`, which stands for `duration` [s].
+void average(double value, double duration, double& mean) noexcept
+{
+  mean += (1.0 - std::exp(-duration / memory_time)) * (value - mean);
+}
+
+double magnitudes_of_inputs(const EnergyAccounts& a) noexcept
+{
+  return std::abs(a.winch) + std::abs(a.drive) + std::abs(a.pump) + std::abs(a.gravity);
+}
+
+double magnitudes_of_numerical(const EnergyAccounts& a) noexcept
+{
+  return std::abs(a.of_inertia) + std::abs(a.of_beams) + std::abs(a.of_contact) + std::abs(a.of_line) + std::abs(a.of_residual) +
+         std::abs(a.of_rebasing);
+}
+
+std::uint64_t attempts_of(const StepperCounters& c) noexcept
+{
+  return c.steps + c.convergence_failures + c.error_test_failures;
+}
+}  // namespace
+
+AccuracyWatch::AccuracyWatch(std::shared_ptr<const Model> model) : model_(std::move(model)), balance_(model_) {}
+
+void AccuracyWatch::begin_frame(Integrator& integrator, const AccuracyMemory& memory) noexcept
+{
+  steps_ = integrator.counters().steps;
+  attempts_ = attempts_of(integrator.counters());
+  booked_ = memory.frames % every == 0 && !integrator.reference();
+  if (booked_) balance_.restart();
+  integrator.sample_balance(booked_ ? &balance_ : nullptr);
+}
+
+void AccuracyWatch::end_first_step(Integrator& integrator, double step, AccuracyMemory& memory) noexcept
+{
+  if (!booked_) return;
+  integrator.sample_balance(nullptr);
+  const double stands_for = every * step;
+  average(magnitudes_of_inputs(balance_.accounts()) / step, stands_for, memory.throughput);
+  average(magnitudes_of_numerical(balance_.accounts()) / step, stands_for, memory.dissipated);
+}
+
+void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, const RigForces& forces, double duration,
+                              AccuracyMemory& memory) noexcept
+{
+  const double steps = static_cast<double>(integrator.counters().steps - steps_);
+  const double attempts = static_cast<double>(attempts_of(integrator.counters()) - attempts_);
+  average(attempts > 0.0 ? 1.0 - steps / attempts : 0.0, duration, memory.refused);
+  memory.stands_for = std::max(0.0, memory.stands_for - duration);
+  if (memory.stands_for == 0.0) memory.report = AccuracyReport();
+  if (memory.frames++ % every != 0) return;
+  AccuracyReport found;
+  look(state, forces, found);
+  const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
+  if (found.doubt == AccuracyDoubt::none && memory.refused > most_refused) found = {AccuracyDoubt::refused_steps, memory.refused, 0.0, 0.0};
+  if (found.doubt == AccuracyDoubt::none && share > most_dissipation) found = {AccuracyDoubt::dissipation, share, 0.0, 0.0};
+  if (found.doubt == AccuracyDoubt::none) return;
+  memory.report = found;
+  memory.stands_for = memory_time;
+}
+
+/// The largest of the first kind that there is.
+void AccuracyWatch::look(const State& state, const RigForces& forces, AccuracyReport& report) const noexcept
+{
+  const Mesh& mesh = model_->mesh();
+  const auto take = [&report](AccuracyDoubt doubt, double measure, double from_bit, double length)
+  {
+    const bool before = report.doubt == AccuracyDoubt::none || doubt < report.doubt;
+    if (before || (doubt == report.doubt && measure > report.measure)) report = {doubt, measure, from_bit, length};
+  };
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+  {
+    const BeamSection& s = mesh.elements[e].section;
+    const double middle = 0.5 * (mesh.nodes[e].from_bit + mesh.nodes[e + 1].from_bit);
+    const double share = -forces.tension[e] * s.length * s.length / (0.5 * pi * pi * s.bending);
+    const double twist = std::abs(forces.torque[e]) / s.torsion;
+    if (share > 1.0) take(AccuracyDoubt::compression, share, middle, s.length);
+    if (twist > most_twist) take(AccuracyDoubt::twist, twist, middle, s.length);
+  }
+  for (int i = 0; i < model_->top(); ++i)
+  {
+    const MeshNode& node = mesh.nodes[static_cast<std::size_t>(i)];
+    const double force = forces.contact[static_cast<std::size_t>(i)];
+    if (force <= elastic_force(node.contact, least_clearance)) continue;
+    const double depth = std::pow(force / node.contact.stiffness, 1.0 / node.contact.exponent);
+    const NodeState& at = state.nodes[static_cast<std::size_t>(i)];
+    if (depth > state.well.radius_near(at.position, at.segment) - node.contact_radius)
+      take(AccuracyDoubt::embedding, depth, node.from_bit, 0.0);
+  }
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,59 @@
+// How fine a scene's string is cut where the scene does not say it.
+#include <gtest/gtest.h>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+
+TEST(ElementLengths, asTheSceneSays)
+{
+  Scene scene = slanted_scene(199.9, 0.2);
+  scene.numerics.element_length = 2.5;
+  const ElementLengths lengths = element_lengths(scene);
+  for (const double from_bit : {0.0, 50.0, 500.0}) EXPECT_EQ(lengths.at(from_bit), 2.5);
+}
+
+TEST(ElementLengths, jointsInAVerticalHole)
+{
+  Scene scene = vertical_scene(400.0, 390.0);
+  for (const double from_bit : {0.0, 44.0, 389.0}) EXPECT_EQ(element_lengths(scene).at(from_bit), 9.5);
+  scene.well.survey.back().inclination = 2.99 * degree;  // is still vertical
+  EXPECT_EQ(element_lengths(scene).at(0.0), 9.5);
+}
+
+TEST(ElementLengths, halvesInAHoleThatInclinesFromTheTop)
+{
+  const Scene scene = slanted_scene(199.9, 0.2);
+  for (const double from_bit : {0.0, 199.0, 220.0}) EXPECT_EQ(element_lengths(scene).at(from_bit), 4.75);
+}
+
+// 1 deg/10 m from 300 m on: 3 deg at 330 m; the bit at 500 m: 170 m below it, and 45 m more.
+TEST(ElementLengths, halvesUpToAStandAndAHalfAboveWhereItInclines)
+{
+  Scene scene = vertical_scene(500.0, 500.0);
+  scene.well.survey = {{0.0, 0.0, 0.0}, {300.0, 0.0, 0.0}, {500.0, 20.0 * degree, 0.0}};
+  const ElementLengths lengths = element_lengths(scene);
+  EXPECT_NEAR(lengths.change, 215.0, 1e-9);
+  EXPECT_EQ(lengths.at(214.9), 4.75);
+  EXPECT_EQ(lengths.at(215.1), 9.5);
+  // with the bit far above, all hangs
+  scene.start.bit_depth = 200.0;
+  EXPECT_EQ(element_lengths(scene).at(0.0), 9.5);
+
+  scene.start.bit_depth = 500.0;
+  const Mesh mesh = build_mesh(scene, 520.0);
+  for (std::size_t e = 1; e + 1 < mesh.elements.size(); ++e)
+  {
+    const bool fine = mesh.nodes[e].from_bit < 215.0 - 9.5, coarse = mesh.nodes[e].from_bit > 215.0 + 9.5;
+    if (!fine && !coarse) continue;
+    EXPECT_NEAR(mesh.elements[e].section.length, fine ? 4.75 : 9.5, 1e-9) << e;
+  }
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,172 @@
+// What makes a run inaccurate is told, with a remedy; an accurate one is left in peace.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/sim/accuracy_watch.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/solve/start.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+constexpr std::size_t watched = 8;  // an element of drill pipe
+constexpr double frame = 0.01;      // [s]
+
+/// Counts steps as it is told, and solves none.
+class Counting : public Integrator
+{
+public:
+  using Integrator::Integrator;
+  bool advance(State&, double, const Setpoints&) noexcept override { return true; }
+  void keep_balance(EnergyBalance*) noexcept override {}
+  void count(std::uint64_t steps, std::uint64_t refused)
+  {
+    counters_.steps += steps;
+    counters_.convergence_failures += refused;
+  }
+};
+
+struct Watched
+{
+  explicit Watched(const Scene& scene) : rig(build_at_rest(scene)), watch(rig.model), integrator(rig.model)
+  {
+    forces.tension.assign(rig.model->mesh().elements.size(), 0.0);
+    forces.torque = forces.tension;
+    forces.contact.assign(rig.model->mesh().nodes.size(), 0.0);
+  }
+
+  void play(double seconds, std::uint64_t refused_a_step = 0)
+  {
+    for (long k = 0; k < std::lround(seconds / frame); ++k)
+    {
+      watch.begin_frame(integrator, memory);
+      integrator.count(1, refused_a_step);
+      watch.end_frame(integrator, rig.state, forces, frame, memory);
+    }
+  }
+  AccuracyReport after(double seconds)
+  {
+    play(seconds);
+    return memory.report;
+  }
+
+  RigAtRest rig;
+  AccuracyWatch watch;
+  Counting integrator;
+  AccuracyMemory memory;
+  RigForces forces;
+};
+}  // namespace
+
+// E I = 206e9 * 5.942e-6 = 1.2241e6 N m2: (pi^2/2) E I / 9.5^2 = 66.93 kN.
+TEST(Accuracy, anElementCarriesSoMuchCompression)
+{
+  Watched w(vertical_scene(400.0, 290.0));
+  const Mesh& mesh = w.rig.model->mesh();
+  ASSERT_NEAR(mesh.elements[watched].section.length, 9.5, 1e-9);
+  w.forces.tension[watched] = -66.8e3;
+  w.forces.tension[watched + 1] = 500e3;
+  EXPECT_EQ(w.after(1.0).doubt, AccuracyDoubt::none);
+  w.forces.tension[watched] = -2.0 * 66.93e3;
+  w.forces.tension[watched + 1] = -1.5 * 66.93e3;
+  const AccuracyReport report = w.after(0.1);
+  EXPECT_EQ(report.doubt, AccuracyDoubt::compression);
+  EXPECT_NEAR(report.measure, 2.0, 1e-3);
+  EXPECT_EQ(report.from_bit, 0.5 * (mesh.nodes[watched].from_bit + mesh.nodes[watched + 1].from_bit));
+  EXPECT_NEAR(report.element_length, 9.5, 1e-9);
+}
+
+TEST(Accuracy, aDoubtStandsForTenSeconds)
+{
+  Watched w(vertical_scene(400.0, 290.0));
+  w.forces.tension[watched] = -100e3;
+  w.play(0.1);
+  w.forces.tension[watched] = 0.0;
+  EXPECT_EQ(w.after(9.8).doubt, AccuracyDoubt::compression);
+  EXPECT_EQ(w.after(0.3).doubt, AccuracyDoubt::none);
+}
+
+// G J = 206e9/2.6 * 1.1884e-5 = 941.6e3 N m2; 110 kN m over 9.5 m: 1.11 rad.
+TEST(Accuracy, anElementIsTwisted)
+{
+  Watched w(vertical_scene(400.0, 290.0));
+  w.forces.torque[watched] = 98e3;
+  EXPECT_EQ(w.after(0.2).doubt, AccuracyDoubt::none);
+  w.forces.torque[watched] = -110e3;
+  EXPECT_EQ(w.after(0.2).doubt, AccuracyDoubt::twist);
+  EXPECT_NEAR(w.memory.report.measure, 1.11, 1e-3);
+}
+
+// A tool joint of 168 mm in a hole of 215.9 mm: clearance 23.95 mm, 5e7 N/m^1.5 * 0.02395^1.5 = 185.3 kN.
+TEST(Accuracy, theWallIsTooSoft)
+{
+  Watched w(vertical_scene(400.0, 290.0));
+  ASSERT_NEAR(w.rig.model->mesh().nodes[watched].contact_radius, 0.084, 1e-12);
+  w.forces.contact[watched] = 185e3;
+  EXPECT_EQ(w.after(0.2).doubt, AccuracyDoubt::none);
+  w.forces.contact[watched] = 186e3;
+  EXPECT_EQ(w.after(0.2).doubt, AccuracyDoubt::embedding);
+  EXPECT_NEAR(w.memory.report.measure, 0.024, 1e-4);
+  // the bit fills its hole: 2 mm, 4.47 kN
+  Watched bit(vertical_scene(400.0, 290.0));
+  bit.forces.contact[0] = 4.4e3;
+  EXPECT_EQ(bit.after(0.2).doubt, AccuracyDoubt::none);
+  bit.forces.contact[0] = 4.5e3;
+  EXPECT_EQ(bit.after(0.2).doubt, AccuracyDoubt::embedding);
+}
+
+// An attempt a second is refused of two: the mean over 10 s passes a fifth after 10 ln(0.5/0.3) = 5.1 s.
+TEST(Accuracy, stepsAreRefused)
+{
+  Watched w(vertical_scene(400.0, 290.0));
+  w.play(4.9, 1);
+  EXPECT_EQ(w.memory.report.doubt, AccuracyDoubt::none);
+  w.play(0.5, 1);
+  EXPECT_EQ(w.memory.report.doubt, AccuracyDoubt::refused_steps);
+}
+
+// A string that is set turning at once rings: implicit Euler eats that, BDF2 does not.
+TEST(Accuracy, theMethodDissipates)
+{
+  Scene scene = vertical_scene(400.0, 390.0);
+  for (const auto& [method, doubt] : {std::pair{IntegratorKind::bdf2, AccuracyDoubt::none}, std::pair{IntegratorKind::implicit_euler, AccuracyDoubt::dissipation}})
+  {
+    scene.numerics.integrator = method;
+    Simulator rig(scene);
+    TopDriveSetpoint turn;
+    turn.speed = 12.0;
+    rig.command(turn);
+    AccuracyDoubt told = AccuracyDoubt::none;
+    for (int k = 0; k < 300; ++k)
+    {
+      ASSERT_EQ(rig.frame(frame), FrameStatus::running);
+      told = std::max(told, rig.statistics().accuracy.doubt);
+      EXPECT_EQ(rig.truth().accuracy_warning, rig.statistics().accuracy.doubt != AccuracyDoubt::none);
+    }
+    EXPECT_EQ(told, doubt) << text_of(rig.statistics().accuracy, scene.numerics.step);
+  }
+}
+
+TEST(Accuracy, saysWhereWhatAndWhatHelps)
+{
+  EXPECT_EQ(text_of({}, 0.01), "");
+  EXPECT_EQ(text_of({AccuracyDoubt::compression, 4.0, 812.0, 9.5}, 0.01),
+            "812 m above the bit an element of 9.5 m carries 4.00 times the compression that it can bend under; numerics.element_length: 4.8 or less");
+  EXPECT_EQ(text_of({AccuracyDoubt::twist, 2.0, 812.0, 9.5}, 0.01),
+            "812 m above the bit an element of 9.5 m is twisted by 2.00 rad; numerics.element_length: 4.8 or less");
+  EXPECT_EQ(text_of({AccuracyDoubt::embedding, 0.0062, 1.8, 0.0}, 0.01),
+            "1.8 m above the bit the string is 6.2 mm deep in the wall, more than its clearance; contact.stiffness: stiffer");
+  EXPECT_EQ(text_of({AccuracyDoubt::refused_steps, 0.3, 0.0, 0.0}, 0.01), "30 % of the steps had to be taken in parts; numerics.step: below 0.01 s");
+  EXPECT_EQ(text_of({AccuracyDoubt::dissipation, 0.08, 0.0, 0.0}, 0.01),
+            "the method takes 8 % of the energy that goes through; numerics.step: below 0.01 s, or shorter elements");
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
