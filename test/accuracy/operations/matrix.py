@@ -1,5 +1,6 @@
 """Runs cells of the operations matrix, with the default numerics and with a reference's, and says how far they are apart.
 
+A run that is wrong is warned where its `accuracy_warnings` came before the error passed the bound, else silent.
 Error of an output: root mean square of the difference to the reference, over the largest of its range, a tenth of its level and what its
 instrument resolves; where a cell is irregular, from there on of mean, deviation and extrema instead of the series. Shares of the bound: 1 is 2 %.
 An output of a reference is known where its own error, the difference to the next coarser numerics, is below a third of the bound.
@@ -165,6 +166,16 @@ def worst_of(shares):
     return shares[by], by
 
 
+def right_until(since, cell, table, reference, outputs):
+    """Whether these outputs would be within their bounds had the run been right from `since` [s] on."""
+    regular = cell.irregular_from()
+    time = numpy.asarray(reference.table['time'])
+    before = time < (since if regular is None else min(since, regular))
+    cut = {name: numpy.where(before, column, reference.table[name]) for name, column in table.items()}
+    shares = errors(cut, reference.table, regular)
+    return all(shares[name] <= 1.0 for name in outputs)
+
+
 def judge(cell, mine, reference):
     out = Verdict(cell, 'undecided')
     if mine.failure:
@@ -174,11 +185,12 @@ def judge(cell, mine, reference):
     out.worst, out.by = worst_of(shares)
     out.own, out.own_by = worst_of(reference.own)
     out.cost = mine.summary['cpu_s'] / mine.summary['simulated_s']
-    out.note = mine.summary.get('accuracy_warning', '')
+    warnings = mine.summary['accuracy_warnings']
+    out.note = warnings[0]['text'] if warnings else ''
     wrong = {name: share for name, share in shares.items() if share > 1.0 and 3.0 * reference.own[name] <= max(1.0, share)}
     if wrong:
         out.worst, out.by = worst_of(wrong)
-        out.kind = 'warned' if out.note else 'silent'
+        out.kind = 'warned' if warnings and right_until(warnings[0]['since'], cell, mine.table, reference, wrong) else 'silent'
     elif out.own <= 1.0 / 3.0:
         out.kind = 'right'
     return out
