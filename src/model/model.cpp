@@ -9,7 +9,7 @@
 namespace drill_rig_sim
 {
 Model::Model(const Scene& scene, Mesh mesh)
-  : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), formation_(scene.formation)
+  : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), formation_(scene.formation), friction_(scene.contact, scene.well.sections)
 {
   for (const MeshNode& node : mesh_.nodes) contact_.push_back(wall_law(scene.contact, node.contact, node.mass));
   for (const MeshElement& element : mesh_.elements)

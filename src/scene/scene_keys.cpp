@@ -110,6 +110,8 @@ const Table<HoleSection> section_keys = {"well.sections[]", "A stretch of hole, 
   {"to",                    "m",      &HoleSection::to,                    between(0.01, 20000.0), "measured depth of its lower end", must},
   {"diameter",              "m",      &HoleSection::diameter,              between(0.03, 2.0),   "hole diameter", must},
   {"friction",              "-",      &HoleSection::friction,              between(0.0, 5.0),    "kinetic friction coefficient of string on wall", must},
+  {"static_ratio",          "-",      &HoleSection::static_ratio,          between(1.0, 5.0),    "static / kinetic friction there", no_kind, every_kind, "of `contact`"},
+  {"stribeck_speed",        "m/s",    &HoleSection::stribeck_speed,        between(1e-4, 10.0),  "slip speed over which friction falls there", no_kind, every_kind, "of `contact`"},
 }};
 
 const Table<FormationLayer> layer_keys = {"formation[]", "A layer of rock; the last one goes on below its base. ROP = drillability (weight - threshold)^weight_exponent bit_speed^speed_exponent.", {

@@ -10,7 +10,7 @@ well:
   stations: [[0.0, 1.0, 2.0], [400.0, 3.0, 4.0], [900.0, 5.0, 6.0]]
   hole_depth: 801.0
   sections:
-    - {to: 301.0, diameter: 0.35, friction: 0.21}
+    - {to: 301.0, diameter: 0.35, friction: 0.21, static_ratio: 1.25, stribeck_speed: 0.061}
     - {to: 801.0, diameter: 0.3112, friction: 0.31}
 formation:
   - {to_tvd: 501.0, drillability: 1.1e-8, weight_exponent: 1.2, speed_exponent: 0.7, threshold: 1301.0, dip_deg: 14.0, strike_deg: 15.0, anisotropy: 0.16}

@@ -55,6 +55,8 @@ std::vector<Expected> of_well()
       {"well.sections[]", "to", [](const Scene& s) { return s.well.sections.at(0).to; }, 301.0},
       {"well.sections[]", "diameter", [](const Scene& s) { return s.well.sections.at(0).diameter; }, 0.35},
       {"well.sections[]", "friction", [](const Scene& s) { return s.well.sections.at(0).friction; }, 0.21},
+      {"well.sections[]", "static_ratio", [](const Scene& s) { return s.well.sections.at(0).static_ratio; }, 1.25},
+      {"well.sections[]", "stribeck_speed", [](const Scene& s) { return s.well.sections.at(0).stribeck_speed; }, 0.061},
       {"", "formation", [](const Scene& s) { return double(s.formation.size()); }, 2.0},
       {"formation[]", "to_tvd", [](const Scene& s) { return s.formation.at(0).to_tvd; }, 501.0},
       {"formation[]", "drillability", [](const Scene& s) { return s.formation.at(0).drillability; }, 1.1e-8},

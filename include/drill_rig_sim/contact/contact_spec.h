@@ -7,7 +7,7 @@
 
 namespace drill_rig_sim
 {
-/// Wall contact of the whole string unless a part sets its own law, and the friction law's shape.
+/// Wall contact of the whole string unless a part sets its own law, and the friction law's shape unless a hole section sets its own.
 struct ContactSpec
 {
   ContactLaw law;

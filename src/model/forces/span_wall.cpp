@@ -31,8 +31,9 @@ WallForce sticking_force(const StageContext& at, int e, Matrix6d* block) noexcep
   const ContactMotion motion{span.position,  span.increment.head<3>(), span.increment.tail<3>(), rate.head<3>(),
                              rate.tail<3>(), at.stage.dv_du,             at.stage.time};
   const Vector3d& bristle = at.start.spans[e].bristle;
-  return block ? wall_contact(span.closest, radius_of(at, e), motion, bristle, at.model.span_contact(e), *block)
-               : wall_contact(span.closest, radius_of(at, e), motion, bristle, at.model.span_contact(e));
+  const WallLaw law = at.model.span_contact(e, span.closest);
+  return block ? wall_contact(span.closest, radius_of(at, e), motion, bristle, law, *block)
+               : wall_contact(span.closest, radius_of(at, e), motion, bristle, law);
 }
 
 WallForce sliding_force(const StageContext& at, int e, Matrix6d* block) noexcept

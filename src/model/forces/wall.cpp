@@ -33,8 +33,9 @@ WallForce sticking_force(const StageContext& at, int i, Matrix6d* block) noexcep
     motion.angular_velocity += at.stage.bit.motor_speed * node.axis;
   }
   const Vector3d& bristle = at.start.nodes[i].bristle;
-  return block ? wall_contact(node.closest, radius_of(at, i), motion, bristle, at.model.contact(i), *block)
-               : wall_contact(node.closest, radius_of(at, i), motion, bristle, at.model.contact(i));
+  const WallLaw law = at.model.contact(i, node.closest);
+  return block ? wall_contact(node.closest, radius_of(at, i), motion, bristle, law, *block)
+               : wall_contact(node.closest, radius_of(at, i), motion, bristle, law);
 }
 
 WallForce sliding_force(const StageContext& at, int i, Matrix6d* block) noexcept
