@@ -81,7 +81,7 @@ Friction friction_force(const Geometry& g, double normal_force, double kinetic, 
 
   const Vector3d slip_velocity = in_plane(g, f.surface_velocity);
   const double speed = slip_velocity.norm();
-  f.mu = stribeck_friction(kinetic, law.static_ratio, law.stribeck_speed, speed);
+  f.mu = stribeck_friction(kinetic, law.static_ratio, law.stribeck_speed, speed, law.stribeck_curve);
   const double limit = f.mu.value * normal_force;
   if (f.trial <= limit) return f;
 

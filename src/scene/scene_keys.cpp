@@ -4,6 +4,7 @@ namespace drill_rig_sim
 {
 const std::vector<const char*> part_type_words = {"bit", "mud_motor", "collar", "stabilizer", "mwd", "pipe"};
 const std::vector<const char*> bit_torque_words = {"stribeck", "detournay"};
+const std::vector<const char*> stribeck_curve_words = {"gaussian", "exponential"};
 const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybrid", "beam3d", "auto"};
 const std::vector<const char*> integrator_words = {"auto",   "bdf2",              "implicit_euler", "linearly_implicit_euler",
                                                    "trbdf2", "generalised_alpha", "explicit",       "arkode_dirk",
@@ -241,6 +242,9 @@ const Table<ContactSpec> contact_keys = {"contact", "Contact of string and wall,
   {"damping",               "s/m",    Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.law.damping; }},   between(0.0, 100.0), "c"},
   {"stribeck_speed",        "m/s",    &ContactSpec::stribeck_speed,        between(1e-4, 10.0),  "slip speed over which friction falls from static to kinetic"},
   {"static_ratio",          "-",      &ContactSpec::static_ratio,          between(1.0, 5.0),    "static / kinetic friction"},
+  {"stribeck_curve",        "",       Choice<ContactSpec>{stribeck_curve_words, [](ContactSpec& c, int word) { c.stribeck_curve = static_cast<StribeckCurve>(word); },
+                                               [](const ContactSpec& c) { return static_cast<int>(c.stribeck_curve); }},
+                                                                           none,                 "how it falls: exp(-(v/stribeck_speed)^2) or exp(-v/stribeck_speed)"},
   {"tangential_stiffness",  "N/m",    &ContactSpec::tangential_stiffness,  between(1e3, 1e12),   "of the bristle that carries sticking friction"},
   {"tangential_damping",    "-",      &ContactSpec::tangential_damping,    between(0.0, 10.0),   "of that bristle, of critical for the mass at the contact"},
 }};

@@ -20,6 +20,17 @@ TEST(StribeckFriction, FallsFromStaticToKinetic)
   EXPECT_NEAR(stribeck_friction(0.3, 1.2, 0.05, 0.04).slope, slope, 1e-6 * std::abs(slope));
 }
 
+TEST(StribeckFriction, FallsFromRestOnByTheExponentialCurve)
+{
+  const auto at = [](double speed) { return stribeck_friction(0.3, 1.2, 0.05, speed, StribeckCurve::exponential); };
+  EXPECT_DOUBLE_EQ(at(0.0).value, 0.36);
+  EXPECT_DOUBLE_EQ(at(0.0).slope, -0.06 / 0.05);
+  EXPECT_NEAR(at(0.05).value, 0.3 + 0.06 / std::exp(1.0), 1e-15);
+  EXPECT_NEAR(at(2.0).value, 0.3, 1e-15);
+  const double h = 1e-5;
+  EXPECT_NEAR(at(0.04).slope, (at(0.04 + h).value - at(0.04 - h).value) / (2.0 * h), 1e-6 * std::abs(at(0.04).slope));
+}
+
 TEST(WallContact, TangentSticking)
 {
   const StraightHole hole = leaning_hole();
@@ -50,6 +61,8 @@ TEST(WallContact, TangentSlipping)
 
   ArcHole arc;
   stage.start = at_the_wall(arc);
+  expect_tangent(arc, stage, u, true);
+  stage.law.stribeck_curve = StribeckCurve::exponential;
   expect_tangent(arc, stage, u, true);
   stage.law.law.exponent = 1.8;
   expect_tangent(arc, stage, u, true);

@@ -156,6 +156,7 @@ std::vector<Expected> of_rig()
       {"contact", "damping", [](const Scene& s) { return s.contact.law.damping; }, 0.33},
       {"contact", "stribeck_speed", [](const Scene& s) { return s.contact.stribeck_speed; }, 0.051},
       {"contact", "static_ratio", [](const Scene& s) { return s.contact.static_ratio; }, 1.21},
+      {"contact", "stribeck_curve", [](const Scene& s) { return number(s.contact.stribeck_curve == StribeckCurve::exponential); }, 1.0},
       {"contact", "tangential_stiffness", [](const Scene& s) { return s.contact.tangential_stiffness; }, 5.4e6},
       {"contact", "tangential_damping", [](const Scene& s) { return s.contact.tangential_damping; }, 0.26},
       {"trajectory", "stage_two_length", [](const Scene& s) { return s.trajectory.stage_two_length; }, 0.11},

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/contact/friction_law.h"
 #include "drill_rig_sim/contact/normal_law.h"
 
 namespace drill_rig_sim
@@ -13,6 +14,7 @@ struct ContactSpec
   ContactLaw law;
   double stribeck_speed = 0.05;       ///< slip speed over which friction falls from static to kinetic [m/s]
   double static_ratio = 1.2;          ///< static / kinetic friction [-], >= 1
+  StribeckCurve stribeck_curve = StribeckCurve::gaussian;
   double tangential_stiffness = 5e6;  ///< of the bristle that carries sticking friction [N/m]
   double tangential_damping = 0.25;   ///< of that bristle, of what is critical for the mass at the contact: what sticks does not ring [-]
 };
@@ -25,6 +27,7 @@ struct WallLaw
   double static_ratio = 1.0;          ///< [-]
   double tangential_stiffness = 1.0;  ///< k_b [N/m]
   double tangential_damping = 0.0;    ///< c_b [N s/m]
+  StribeckCurve stribeck_curve = StribeckCurve::gaussian;
 };
 
 /// @param law   normal law of the part there
@@ -32,7 +35,7 @@ struct WallLaw
 inline WallLaw wall_law(const ContactSpec& spec, const ContactLaw& law, double mass)
 {
   return {law, spec.stribeck_speed, spec.static_ratio, spec.tangential_stiffness,
-          2.0 * spec.tangential_damping * std::sqrt(spec.tangential_stiffness * mass)};
+          2.0 * spec.tangential_damping * std::sqrt(spec.tangential_stiffness * mass), spec.stribeck_curve};
 }
 
 }  // namespace drill_rig_sim
