@@ -5,6 +5,7 @@
 
 #include "drill_rig_sim/contact/friction_law.h"
 #include "drill_rig_sim/contact/normal_law.h"
+#include "drill_rig_sim/contact/rest_growth.h"
 
 namespace drill_rig_sim
 {
@@ -15,6 +16,7 @@ struct ContactSpec
   double stribeck_speed = 0.05;       ///< slip speed over which friction falls from static to kinetic [m/s]
   double static_ratio = 1.2;          ///< static / kinetic friction [-], >= 1
   StribeckCurve stribeck_curve = StribeckCurve::gaussian;
+  RestGrowth growth;
   double tangential_stiffness = 5e6;  ///< of the bristle that carries sticking friction [N/m]
   double tangential_damping = 0.25;   ///< of that bristle, of what is critical for the mass at the contact: what sticks does not ring [-]
 };

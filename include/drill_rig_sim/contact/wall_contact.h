@@ -20,7 +20,7 @@
 ///              f   = -q                                 if |q| <= mu(|v_t|) F_n: sticks, z = z_t
 ///              f   = -mu F_n q/|q|                      otherwise: slips; the bristle goes to its own limit, z_l = f/-k_b, over
 ///                                                       c_b/k_b: z = P z_n + (z_l - P z_n) t/(t + c_b/k_b), t the time since z_n
-///            with mu(v) the Stribeck curve. The bristle is driven by the displacement, not by the velocity: under a constant load
+///            with mu(v) the Stribeck curve, its static ratio grown by the rest before the step (rest_growth.h). The bristle is driven by the displacement, not by the velocity: under a constant load
 ///            it does not creep, whatever the time scheme. The damper sits inside the friction cone: the two together never pull
 ///            harder than mu F_n, and never give energy back that they did not take. mu = 0 is the frictionless mode.
 ///

@@ -39,18 +39,19 @@ public:
   const WallLaw& contact(int i) const noexcept { return contact_[static_cast<std::size_t>(i)]; }
   /// And at an element's middle.
   const WallLaw& span_contact(int e) const noexcept { return span_contact_[static_cast<std::size_t>(e)]; }
-  /// The same with the friction of where the hole is met.
-  WallLaw contact(int i, const ClosestPoint& closest) const noexcept { return there(contact(i), closest); }
-  WallLaw span_contact(int e, const ClosestPoint& closest) const noexcept { return there(span_contact(e), closest); }
+  /// The same with the friction of where the hole is met, after a rest there [s].
+  WallLaw contact(int i, const ClosestPoint& closest, double rest) const noexcept { return there(contact(i), closest, rest); }
+  WallLaw span_contact(int e, const ClosestPoint& closest, double rest) const noexcept { return there(span_contact(e), closest, rest); }
   /// Of the bristle that carries a stuck bit's torque [N m/rad].
   double bit_bristle_stiffness() const noexcept { return bit_bristle_; }
   /// Weight of element `e` in mud, its ends at heights `z_lower`, `z_upper` [m]; no buoyancy above the rotary table [N].
   double element_weight(int e, double z_lower, double z_upper) const noexcept;
 
 private:
-  WallLaw there(WallLaw law, const ClosestPoint& closest) const noexcept
+  WallLaw there(WallLaw law, const ClosestPoint& closest, double rest) const noexcept
   {
     friction_.apply(closest.section, law);
+    law.static_ratio += scene_.contact.growth.at(rest);
     return law;
   }
 

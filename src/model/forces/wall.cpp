@@ -33,7 +33,7 @@ WallForce sticking_force(const StageContext& at, int i, Matrix6d* block) noexcep
     motion.angular_velocity += at.stage.bit.motor_speed * node.axis;
   }
   const Vector3d& bristle = at.start.nodes[i].bristle;
-  const WallLaw law = at.model.contact(i, node.closest);
+  const WallLaw law = at.model.contact(i, node.closest, at.start.nodes[i].rest);
   return block ? wall_contact(node.closest, radius_of(at, i), motion, bristle, law, *block)
                : wall_contact(node.closest, radius_of(at, i), motion, bristle, law);
 }
@@ -63,6 +63,7 @@ void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* t
     if (tangent) tangent->diagonal(i) -= block;
   }
   result.bristle[i] = f.bristle;
+  result.rest[i] = rest_after(f, at.start.nodes[i].rest, at.stage.time);
   result.forces.contact[i] = f.normal_force;
   result.forces.wall[i] = f.force;
   if (i == 0) result.forces.bit_moment = f.moment;
