@@ -12,11 +12,18 @@ namespace drill_rig_sim
 {
 namespace
 {
+BeamSection section_of(const PartSpec& part, double length)
+{
+  const StiffnessSpec& given = part.stiffness;
+  return given.axial > 0.0 ? stiff_section(length, given.axial, given.bending, given.torsional, part.inner_diameter / part.outer_diameter)
+                           : tube_section(length, part.outer_diameter, part.inner_diameter, part.young_modulus, part.poisson_ratio);
+}
+
 MeshElement make_element(const PartSpec& part, int index, double lower, double upper, double mass)
 {
   MeshElement e;
   const double length = upper - lower;
-  e.section = tube_section(length, part.outer_diameter, part.inner_diameter, part.young_modulus, part.poisson_ratio);
+  e.section = section_of(part, length);
   e.linear_mass = mass / length;
   e.displaced = e.linear_mass / part.density;
   e.outer_area = 0.25 * pi * part.outer_diameter * part.outer_diameter;
@@ -35,6 +42,7 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
   const double inside = mud.added_mass * mud.density * e.bore_area * length;
   const double outside = mud.added_mass * mud.density * e.outer_area * length;
   const double square = 0.25 * (part.outer_diameter * part.outer_diameter + part.inner_diameter * part.inner_diameter);  // ro^2 + ri^2
+  const double polar = part.polar_inertia > 0.0 ? part.polar_inertia * mass / part.linear_mass : 0.5 * mass * square;
   for (MeshNode* node : {&lower, &upper})
   {
     node->mass += 0.5 * mass;
@@ -42,8 +50,8 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
     node->mud_outside += 0.5 * outside;
     node->diameter = (node->length * node->diameter + 0.5 * length * part.outer_diameter) / (node->length + 0.5 * length);
     node->length += 0.5 * length;
-    node->spin_inertia += 0.25 * mass * square;
-    node->tilt_inertia += 0.125 * mass * square + (mass + inside + outside) * length * length / 78.0;
+    node->spin_inertia += 0.5 * polar;
+    node->tilt_inertia += 0.25 * polar + (mass + inside + outside) * length * length / 78.0;
   }
 }
 
