@@ -155,6 +155,7 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"yield_strength",        "Pa",     &PartSpec::yield_strength,           between(1e6, 1e10),   "over_stress is told above it; drill pipe of grade G-105"},
   {"make_up_torque",        "N m",    &PartSpec::make_up_torque,           between(0.0, 1e7),    "of its connections; over_torque is told above it; 0: not known"},
   {"density",               "kg/m3",  &PartSpec::density,                  between(500.0, 20000.0), "of its material; displaced volume = mass / density"},
+  {"friction_radius",       "m",      &PartSpec::friction_radius,            above(0.0, 0.5),      "lever of the wall's friction about its axis; smaller than where it touches for pipe in non-rotating protectors", no_kind, tube, "where it touches"},
   {"contact",               "",       Nested{},                            none,                 "its own law of wall contact instead of the scene's"},
   {"tool_joint_diameter",   "m",      Inside<PartSpec>{of_tool_joint},     between(0.01, 1.0),   "outer diameter at the joints' ends", no_kind, pipe, "outer_diameter"},
   {"blade_diameter",        "m",      Inside<PartSpec>{of_blades},         between(0.01, 1.0),   "outer diameter over the blades", stabilizer, stabilizer},

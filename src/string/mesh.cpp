@@ -29,6 +29,7 @@ MeshElement make_element(const PartSpec& part, int index, double lower, double u
   e.outer_area = 0.25 * pi * part.outer_diameter * part.outer_diameter;
   e.bore_area = 0.25 * pi * part.inner_diameter * part.inner_diameter;
   e.outer_diameter = part.outer_diameter;
+  e.friction_radius = part.friction_radius;
   e.part = index;
   return e;
 }
@@ -113,6 +114,7 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
   node.from_bit = cut.from_bit;
   node.contact_radius = cut.contact_radius;
   node.contact = element.contact;
+  node.friction_radius = part.friction_radius;
   node.part = cut.part;
   node.joint = cut.joint;
   node.joint_end = cut.joint_end;
@@ -129,6 +131,15 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
   mesh.nodes.push_back(node);
 }
 
+/// A joint's end touches with the larger of the two ends that meet there; `above`: the part above it.
+void widen(const PartSpec& above, MeshNode& node)
+{
+  const double radius = 0.5 * joint_end_diameter(above);
+  if (!node.joint_end || radius <= node.contact_radius) return;
+  node.contact_radius = radius;
+  node.friction_radius = above.friction_radius;
+}
+
 }  // namespace
 
 Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, double element_length,
@@ -143,11 +154,7 @@ Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, c
   const std::vector<Cut> cuts = cut_string(parts, element_length, mesh);
   mesh.nodes.push_back(bit_node(bit, contact, mesh));
   for (const Cut& cut : cuts) add_element(parts, cut, contact, mud, mesh);
-  // a joint's end touches with the larger of the two ends that meet there
-  for (std::size_t i = 1; i + 1 < mesh.nodes.size(); ++i)
-    if (mesh.nodes[i].joint_end)
-      mesh.nodes[i].contact_radius =
-          std::max(mesh.nodes[i].contact_radius, 0.5 * joint_end_diameter(parts[mesh.nodes[i + 1].part]));
+  for (std::size_t i = 1; i + 1 < mesh.nodes.size(); ++i) widen(parts[mesh.nodes[i + 1].part], mesh.nodes[i]);
   return mesh;
 }
 

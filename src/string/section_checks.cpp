@@ -47,6 +47,14 @@ void check_inertia(const PartSpec& part, std::size_t i, ProblemList& problems)
     problems.emplace_back(item_key("string", i, "polar_inertia"),
                           plain(part.polar_inertia) + " kg m2/m is more than linear_mass can have, allowed: up to " + plain(most) + " kg m2/m");
 }
+
+void check_lever(const PartSpec& part, std::size_t i, ProblemList& problems)
+{
+  const double most = widest_radius(part);
+  if (part.friction_radius > most * (1.0 + round_off))
+    problems.emplace_back(item_key("string", i, "friction_radius"),
+                          metres(part.friction_radius) + " lies outside the part, allowed: up to half its widest diameter, " + metres(most));
+}
 }  // namespace
 
 void check_sections(const std::vector<PartSpec>& parts, ProblemList& problems)
@@ -55,6 +63,7 @@ void check_sections(const std::vector<PartSpec>& parts, ProblemList& problems)
   {
     check_stiffness(parts[i], i, problems);
     check_inertia(parts[i], i, problems);
+    check_lever(parts[i], i, problems);
   }
 }
 

@@ -70,6 +70,33 @@ TEST(WallContact, TangentSlipping)
   expect_tangent(arc, stage, u, true);
 }
 
+// The friction's power is its moment times the turning: force and slip know the same lever.
+TEST(WallContact, FrictionHasALeverApartFromTheRadius)
+{
+  ArcHole arc;
+  ContactStage stage = touching_stage(at_the_wall(arc));
+  stage.law.friction_radius = 0.05;
+  Vector6d u;
+  u << 2e-4, -4e-4, 3e-4, 1e-3, -2e-3, 3e-3;
+  expect_tangent(arc, stage, u, true);
+  stage.law.tangential_stiffness = 1e4;
+  stage.law.tangential_damping = 10.0;
+  expect_tangent(arc, stage, u, false);
+
+  const StraightHole hole;
+  ContactStage turning;
+  turning.start << 0.0214, 0.0, -3.0;
+  turning.law.friction_radius = 0.05;
+  Vector6d turn;
+  turn << 0, 0, 0, 0, 0, -0.1;
+  const ContactMotion m = turning.motion(turn);
+  const WallForce f = wall_contact(hole.locate(m.position), turning.radius, m, turning.bristle, turning.law);
+  EXPECT_TRUE(f.slipping);
+  const double friction = hole.friction * f.normal_force;  // at 1 m/s
+  EXPECT_NEAR(f.moment.z(), 0.05 * friction, 1e-9 * friction);
+  EXPECT_NEAR(f.friction_power, -0.05 * friction * 20.0, 1e-9 * friction);
+}
+
 TEST(WallContact, TangentAtRandomStates)
 {
   std::mt19937 random(7);
@@ -171,7 +198,7 @@ TEST(WallFriction, PulsatingLoadWithinTheLimitDoesNotCreep)
 TEST(WallFriction, DampingIsAShareOfCritical)
 {
   // 2 * 0.25 * sqrt(5e6 N/m * 320 kg)
-  EXPECT_DOUBLE_EQ(wall_law(ContactSpec(), ContactLaw(), 320.0).tangential_damping, 2e4);
+  EXPECT_DOUBLE_EQ(wall_law(ContactSpec(), ContactLaw(), 320.0, 0.0).tangential_damping, 2e4);
 }
 
 TEST(WallFriction, BristleAndDamperByHand)

@@ -98,6 +98,7 @@ std::vector<Expected> of_string()
       {"string[]", "torsional_stiffness", [](const Scene& s) { return s.string.at(4).stiffness.torsional; }, 1.27e7},
       {"string[]", "polar_inertia", [](const Scene& s) { return s.string.at(4).polar_inertia; }, 1.26},
       {"string[]", "density", [](const Scene& s) { return s.string.at(2).density; }, 7801.0},
+      {"string[]", "friction_radius", [](const Scene& s) { return s.string.at(2).friction_radius; }, 0.081},
       {"string[]", "contact", [](const Scene& s) { return s.string.at(2).contact.has_value(); }, 1.0},
       {"string[].contact", "stiffness", [](const Scene& s) { return s.string.at(2).contact->stiffness; }, 5.1e7},
       {"string[].contact", "exponent", [](const Scene& s) { return s.string.at(2).contact->exponent; }, 1.52},

@@ -30,14 +30,16 @@ struct WallLaw
   double tangential_stiffness = 1.0;  ///< k_b [N/m]
   double tangential_damping = 0.0;    ///< c_b [N s/m]
   StribeckCurve stribeck_curve = StribeckCurve::gaussian;
+  double friction_radius = 0.0;       ///< R_F [m]; 0: the section's radius
 };
 
 /// @param law   normal law of the part there
 /// @param mass  that rests on the contact [kg]; c_b = 2 zeta sqrt(k_b m)
-inline WallLaw wall_law(const ContactSpec& spec, const ContactLaw& law, double mass)
+/// @param friction_radius  R_F [m]; 0: the section's radius
+inline WallLaw wall_law(const ContactSpec& spec, const ContactLaw& law, double mass, double friction_radius)
 {
   return {law, spec.stribeck_speed, spec.static_ratio, spec.tangential_stiffness,
-          2.0 * spec.tangential_damping * std::sqrt(spec.tangential_stiffness * mass), spec.stribeck_curve};
+          2.0 * spec.tangential_damping * std::sqrt(spec.tangential_stiffness * mass), spec.stribeck_curve, friction_radius};
 }
 
 }  // namespace drill_rig_sim

@@ -86,6 +86,7 @@ struct PartSpec
   double density = 7850.0;      ///< of its material: displaced volume = linear mass / density [kg/m3]
   double yield_strength = 724e6;  ///< of its material; drill pipe of grade G-105 [Pa]
   double make_up_torque = 0.0;    ///< of its connections; 0: not known [N m]
+  double friction_radius = 0.0;   ///< lever of the wall's friction about the axis; 0: half the diameter where it touches [m]
   std::optional<ContactLaw> contact;  ///< its own law of wall contact instead of the scene's
 
   std::optional<BitSpec> bit;

@@ -40,8 +40,7 @@ WallForce sliding_force(const StageContext& at, int e, Matrix6d* block) noexcept
 {
   const SpanMotion& span = at.work.spans[e];
   Matrix6d unused;
-  return sliding_wall_contact(span.closest, radius_of(at, e), span.position, at.stage.sliding, at.model.span_contact(e).law,
-                              block ? *block : unused);
+  return sliding_wall_contact(span.closest, radius_of(at, e), span.position, at.stage.sliding, at.model.span_contact(e), block ? *block : unused);
 }
 
 using ForceAtSpan = WallForce (*)(const StageContext&, int, Matrix6d*) noexcept;

@@ -42,8 +42,7 @@ WallForce sliding_force(const StageContext& at, int i, Matrix6d* block) noexcept
 {
   const NodeMotion& node = at.work.nodes[i];
   Matrix6d unused;
-  return sliding_wall_contact(node.closest, radius_of(at, i), node.position, at.stage.sliding, at.model.contact(i).law,
-                              block ? *block : unused);
+  return sliding_wall_contact(node.closest, radius_of(at, i), node.position, at.stage.sliding, at.model.contact(i), block ? *block : unused);
 }
 
 using ForceAtNode = WallForce (*)(const StageContext&, int, Matrix6d*) noexcept;
