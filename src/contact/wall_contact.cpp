@@ -57,6 +57,12 @@ struct Friction
   bool slipping = false;
 };
 
+/// R_F.
+inline double lever(const WallLaw& law, double radius) noexcept
+{
+  return law.friction_radius > 0.0 ? law.friction_radius : radius;
+}
+
 inline Vector3d in_plane(const Geometry& g, const Vector3d& v) noexcept
 {
   return v - g.normal * g.normal.dot(v);
@@ -81,7 +87,7 @@ Friction friction_force(const Geometry& g, double normal_force, double kinetic, 
 
   const Vector3d slip_velocity = in_plane(g, f.surface_velocity);
   const double speed = slip_velocity.norm();
-  f.mu = stribeck_friction(kinetic, law.static_ratio, law.stribeck_speed, speed);
+  f.mu = stribeck_friction(kinetic, law.static_ratio, law.stribeck_speed, speed, law.stribeck_curve);
   const double limit = f.mu.value * normal_force;
   if (f.trial <= limit) return f;
 
@@ -168,8 +174,8 @@ void write_tangent(const ClosestPoint& closest, const Geometry& g, const NormalF
                             normal.damping * (b.transpose() * motion.velocity);
   const FrictionDerivative derivative(g, b, f, normal.value, gradient, radius, motion);
 
-  // q = P w, w = k (z_n + x + r x R_D n) + c_b (v + omega x R_D n), with s = k + c c_b and rho = k r + c_b omega:
-  //   dq/dx = s + R_D skew(rho) B - (n . w) B - n (s n + B^T (R_D n x rho + w))^T
+  // q = P w, w = k (z_n + x + r x R_F n) + c_b (v + omega x R_F n), with s = k + c c_b and rho = k r + c_b omega:
+  //   dq/dx = s + R_F skew(rho) B - (n . w) B - n (s n + B^T (R_F n x rho + w))^T
   const double s = law.tangential_stiffness + motion.velocity_coefficient * law.tangential_damping;
   const Vector3d turn = law.tangential_stiffness * motion.rotation + law.tangential_damping * motion.angular_velocity;
   const double along = g.normal.dot(f.pull);
@@ -181,7 +187,7 @@ void write_tangent(const ClosestPoint& closest, const Geometry& g, const NormalF
     write_column_x(g, j, bj, normal.value, gradient[j], radius, f.force, derivative.column_x(j, trial), tangent);
   }
 
-  // dq/dr = -s R_D skew(n)
+  // dq/dr = -s R_F skew(n)
   const Vector3d arm = radius * g.normal;
   for (int j = 0; j < 3; ++j)
   {
@@ -215,15 +221,16 @@ WallForce evaluate(const ClosestPoint& closest, double radius, const ContactMoti
   }
 
   const NormalForce normal = normal_force(law.law, g.penetration, g.gradient.dot(motion.velocity));
-  const Friction f = friction_force(g, normal.value, closest.friction, radius, motion, bristle, law);
-  fill_result(g, normal.value, f.force, radius, out);
+  const double arm = lever(law, radius);
+  const Friction f = friction_force(g, normal.value, closest.friction, arm, motion, bristle, law);
+  fill_result(g, normal.value, f.force, arm, out);
   out.bristle = f.bristle;
   out.slipping = f.slipping;
   out.friction_power = f.force.dot(f.surface_velocity);
 
   if (tangent != nullptr)
   {
-    write_tangent(closest, g, normal, f, radius, motion, law, *tangent);
+    write_tangent(closest, g, normal, f, arm, motion, law, *tangent);
   }
   return out;
 }
@@ -242,7 +249,7 @@ WallForce wall_contact(const ClosestPoint& closest, double radius, const Contact
 }
 
 WallForce sliding_wall_contact(const ClosestPoint& closest, double radius, const Eigen::Vector3d& position, const SlidingMotion& sliding,
-                               const ContactLaw& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept
+                               const WallLaw& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept
 {
   WallForce out;
   tangent.setZero();
@@ -253,15 +260,16 @@ WallForce sliding_wall_contact(const ClosestPoint& closest, double radius, const
     return out;
   }
 
-  const NormalForce normal = normal_force(law, g.penetration, 0.0);
-  const double rim_speed = sliding.spin_speed * radius;
+  const NormalForce normal = normal_force(law.law, g.penetration, 0.0);
+  const double arm = lever(law, radius);
+  const double rim_speed = sliding.spin_speed * arm;
   const double speed = std::hypot(sliding.axial_speed, rim_speed);
   const double axial = speed > 0.0 ? sliding.axial_speed / speed : 0.0;
   const double around = speed > 0.0 ? rim_speed / speed : 0.0;
   const Vector3d direction = axial * closest.tangent + around * closest.tangent.cross(g.normal);
   const double limit = closest.friction * normal.value;
   const Vector3d friction = -limit * direction;
-  fill_result(g, normal.value, friction, radius, out);
+  fill_result(g, normal.value, friction, arm, out);
   out.slipping = speed > 0.0;
   out.friction_power = -limit * speed;
 
@@ -271,7 +279,7 @@ WallForce sliding_wall_contact(const ClosestPoint& closest, double radius, const
   {
     const Vector3d bj = b.col(j);
     const Vector3d df = -closest.friction * gradient[j] * direction - limit * around * closest.tangent.cross(bj);
-    write_column_x(g, j, bj, normal.value, gradient[j], radius, friction, df, tangent);
+    write_column_x(g, j, bj, normal.value, gradient[j], arm, friction, df, tangent);
   }
   return out;
 }

@@ -37,8 +37,16 @@ void commit(const Workspace& work, State& state) noexcept
 
 void advance_static(const Workspace& work, State& state) noexcept
 {
-  for (std::size_t i = 0; i < work.nodes.size(); ++i) state.nodes[i].bristle = work.result.bristle[i];
-  for (std::size_t e = 0; e < work.spans.size(); ++e) state.spans[e].bristle = work.result.span_bristle[e];
+  for (std::size_t i = 0; i < work.nodes.size(); ++i)
+  {
+    state.nodes[i].bristle = work.result.bristle[i];
+    state.nodes[i].rest = work.result.rest[i];
+  }
+  for (std::size_t e = 0; e < work.spans.size(); ++e)
+  {
+    state.spans[e].bristle = work.result.span_bristle[e];
+    state.spans[e].rest = work.result.span_rest[e];
+  }
 }
 
 void advance_discrete(const Model& model, const Stage& stage, Workspace& work, State& state) noexcept

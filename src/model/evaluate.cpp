@@ -121,6 +121,8 @@ Workspace::Workspace(const Model& model)
 {
   result.bristle.assign(nodes.size(), Vector3d::Zero());
   result.span_bristle.assign(spans.size(), Vector3d::Zero());
+  result.rest.assign(nodes.size(), 0.0);
+  result.span_rest.assign(spans.size(), 0.0);
   RigForces& forces = result.forces;
   forces.tension.assign(model.mesh().elements.size(), 0.0);
   forces.torque = forces.tension;

@@ -9,11 +9,11 @@
 namespace drill_rig_sim
 {
 Model::Model(const Scene& scene, Mesh mesh)
-  : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), formation_(scene.formation)
+  : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), formation_(scene.formation), friction_(scene.contact, scene.well.sections)
 {
-  for (const MeshNode& node : mesh_.nodes) contact_.push_back(wall_law(scene.contact, node.contact, node.mass));
+  for (const MeshNode& node : mesh_.nodes) contact_.push_back(wall_law(scene.contact, node.contact, node.mass, node.friction_radius));
   for (const MeshElement& element : mesh_.elements)
-    span_contact_.push_back(wall_law(scene.contact, element.contact, element.linear_mass * element.section.length));
+    span_contact_.push_back(wall_law(scene.contact, element.contact, element.linear_mass * element.section.length, element.friction_radius));
   for (const PartSpec& part : scene_.string)
     if (part.motor) motor_ = &*part.motor;
   bit_bristle_ = drill_rig_sim::bit_bristle_stiffness(bit().torque, bit().diameter);

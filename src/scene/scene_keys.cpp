@@ -4,6 +4,7 @@ namespace drill_rig_sim
 {
 const std::vector<const char*> part_type_words = {"bit", "mud_motor", "collar", "stabilizer", "mwd", "pipe"};
 const std::vector<const char*> bit_torque_words = {"stribeck", "detournay"};
+const std::vector<const char*> stribeck_curve_words = {"gaussian", "exponential"};
 const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybrid", "beam3d", "auto"};
 const std::vector<const char*> integrator_words = {"auto",   "bdf2",              "implicit_euler", "linearly_implicit_euler",
                                                    "trbdf2", "generalised_alpha", "explicit",       "arkode_dirk",
@@ -110,6 +111,8 @@ const Table<HoleSection> section_keys = {"well.sections[]", "A stretch of hole, 
   {"to",                    "m",      &HoleSection::to,                    between(0.01, 20000.0), "measured depth of its lower end", must},
   {"diameter",              "m",      &HoleSection::diameter,              between(0.03, 2.0),   "hole diameter", must},
   {"friction",              "-",      &HoleSection::friction,              between(0.0, 5.0),    "kinetic friction coefficient of string on wall", must},
+  {"static_ratio",          "-",      &HoleSection::static_ratio,          between(1.0, 5.0),    "static / kinetic friction there", no_kind, every_kind, "of `contact`"},
+  {"stribeck_speed",        "m/s",    &HoleSection::stribeck_speed,        between(1e-4, 10.0),  "slip speed over which friction falls there", no_kind, every_kind, "of `contact`"},
 }};
 
 const Table<FormationLayer> layer_keys = {"formation[]", "A layer of rock; the last one goes on below its base. ROP = drillability (weight - threshold)^weight_exponent bit_speed^speed_exponent.", {
@@ -145,9 +148,14 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"linear_mass",           "kg/m",   &PartSpec::linear_mass,              between(0.1, 5000.0), "in air, tool joints included", tube, tube},
   {"young_modulus",         "Pa",     &PartSpec::young_modulus,            between(1e9, 1e12),   "steel 206e9"},
   {"poisson_ratio",         "-",      &PartSpec::poisson_ratio,            between(0.0, 0.49),   "steel 0.3"},
+  {"axial_stiffness",       "N",      Inside<PartSpec>{[](PartSpec& p) -> double& { return p.stiffness.axial; }}, between(1e3, 1e13), "E A, beside the two below; the diameters then say where it touches and where mud is", no_kind, tube, "of the tube"},
+  {"bending_stiffness",     "N m2",   Inside<PartSpec>{[](PartSpec& p) -> double& { return p.stiffness.bending; }}, between(1e-3, 1e12), "E I", no_kind, tube, "of the tube"},
+  {"torsional_stiffness",   "N m2",   Inside<PartSpec>{[](PartSpec& p) -> double& { return p.stiffness.torsional; }}, between(1e-3, 1e12), "G J", no_kind, tube, "of the tube"},
+  {"polar_inertia",         "kg m2/m", &PartSpec::polar_inertia,           above(0.0, 1e4),      "about the axis, in air", no_kind, tube, "of the tube with this linear_mass"},
   {"yield_strength",        "Pa",     &PartSpec::yield_strength,           between(1e6, 1e10),   "over_stress is told above it; drill pipe of grade G-105"},
   {"make_up_torque",        "N m",    &PartSpec::make_up_torque,           between(0.0, 1e7),    "of its connections; over_torque is told above it; 0: not known"},
   {"density",               "kg/m3",  &PartSpec::density,                  between(500.0, 20000.0), "of its material; displaced volume = mass / density"},
+  {"friction_radius",       "m",      &PartSpec::friction_radius,            above(0.0, 0.5),      "lever of the wall's friction about its axis; smaller than where it touches for pipe in non-rotating protectors", no_kind, tube, "where it touches"},
   {"contact",               "",       Nested{},                            none,                 "its own law of wall contact instead of the scene's"},
   {"tool_joint_diameter",   "m",      Inside<PartSpec>{of_tool_joint},     between(0.01, 1.0),   "outer diameter at the joints' ends", no_kind, pipe, "outer_diameter"},
   {"blade_diameter",        "m",      Inside<PartSpec>{of_blades},         between(0.01, 1.0),   "outer diameter over the blades", stabilizer, stabilizer},
@@ -239,6 +247,12 @@ const Table<ContactSpec> contact_keys = {"contact", "Contact of string and wall,
   {"damping",               "s/m",    Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.law.damping; }},   between(0.0, 100.0), "c"},
   {"stribeck_speed",        "m/s",    &ContactSpec::stribeck_speed,        between(1e-4, 10.0),  "slip speed over which friction falls from static to kinetic"},
   {"static_ratio",          "-",      &ContactSpec::static_ratio,          between(1.0, 5.0),    "static / kinetic friction"},
+  {"stribeck_curve",        "",       Choice<ContactSpec>{stribeck_curve_words, [](ContactSpec& c, int word) { c.stribeck_curve = static_cast<StribeckCurve>(word); },
+                                               [](const ContactSpec& c) { return static_cast<int>(c.stribeck_curve); }},
+                                                                           none,                 "how it falls: exp(-(v/stribeck_speed)^2) or exp(-v/stribeck_speed)"},
+  {"growth_at_rest",        "-",      Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.growth.per_fold; }}, between(0.0, 5.0), "what static_ratio grows by while a contact rests, for each e-fold of 1 + time/growth_time; 0: it does not"},
+  {"growth_time",           "s",      Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.growth.time; }}, between(1e-3, 1e6), "time at rest from which that growth is logarithmic"},
+  {"growth_limit",          "-",      Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.growth.limit; }}, between(0.0, 10.0), "most that static_ratio grows by"},
   {"tangential_stiffness",  "N/m",    &ContactSpec::tangential_stiffness,  between(1e3, 1e12),   "of the bristle that carries sticking friction"},
   {"tangential_damping",    "-",      &ContactSpec::tangential_damping,    between(0.0, 10.0),   "of that bristle, of critical for the mass at the contact"},
 }};

@@ -22,6 +22,7 @@ extern const std::vector<const char*> bit_torque_words;
 extern const std::vector<const char*> level_words;
 extern const std::vector<const char*> integrator_words;
 extern const std::vector<const char*> element_words;
+extern const std::vector<const char*> stribeck_curve_words;
 extern const std::vector<const char*> hook_load_place_words;
 
 extern const Table<Scene> scene_keys;

@@ -24,9 +24,9 @@ StringWatch::StringWatch(const Model& model)
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
   {
     const PartSpec& part = model.scene().string[static_cast<std::size_t>(mesh.elements[e].part)];
-    const double outer = part.outer_diameter, inner = part.inner_diameter;
-    const double bending = pi / 32.0 * (std::pow(outer, 4) - std::pow(inner, 4)) / outer;
-    strength_.push_back({0.25 * pi * (outer * outer - inner * inner), bending, 2.0 * bending, part.yield_strength, part.make_up_torque,
+    const BeamSection& section = mesh.elements[e].section;
+    const double bending = 2.0 * section.bending / (part.young_modulus * part.outer_diameter);  // I over the outer radius
+    strength_.push_back({section.axial / part.young_modulus, bending, 2.0 * bending, part.yield_strength, part.make_up_torque,
                          0.5 * (mesh.nodes[e].from_bit + mesh.nodes[e + 1].from_bit)});
   }
 }

@@ -94,9 +94,14 @@ void clear_motion(State& state)
   {
     node.rate = NodeRate();
     node.bristle.setZero();
+    node.rest = 0.0;
     node.spin_angle = 0.0;
   }
-  for (SpanState& span : state.spans) span.bristle.setZero();
+  for (SpanState& span : state.spans)
+  {
+    span.bristle.setZero();
+    span.rest = 0.0;
+  }
   state.memory.last_step = 0.0;
 }
 

@@ -226,6 +226,27 @@ void tangent_of(const BeamSection& s, const Shape& f, const BeamPose& pose, cons
   add_skew(twist.w_lower, 1.0, -f.g2.dot(n2), t.lower_lower);
 }
 
+/// Shear coefficient of a thick tube (Cowper 1966). `m2`: square of bore over outer diameter.
+double cowper(double m2, double poisson_ratio)
+{
+  const double ring = (1.0 + m2) * (1.0 + m2);
+  return 6.0 * (1.0 + poisson_ratio) * ring / ((7.0 + 6.0 * poisson_ratio) * ring + (20.0 + 12.0 * poisson_ratio) * m2);
+}
+
+BeamSection section_with(double length, double axial, double bending, double torsional, double shear)
+{
+  BeamSection s;
+  s.length = length;
+  s.axial = axial;
+  s.bending = bending;
+  s.shear = shear;
+  const double phi = 12.0 * s.bending / (s.shear * length * length);
+  s.bending_near = (4.0 + phi) / (1.0 + phi) * s.bending / length;
+  s.bending_far = (2.0 - phi) / (1.0 + phi) * s.bending / length;
+  s.torsion = torsional / length;
+  return s;
+}
+
 }  // namespace
 
 BeamSection tube_section(double length, double outer_diameter, double inner_diameter, double young_modulus, double poisson_ratio)
@@ -235,21 +256,14 @@ BeamSection tube_section(double length, double outer_diameter, double inner_diam
   const double area = pi / 4.0 * (square_o - square_i);
   const double inertia = pi / 64.0 * (square_o * square_o - square_i * square_i);
   const double shear_modulus = young_modulus / (2.0 * (1.0 + poisson_ratio));
-  // Cowper (1966), thick tube
-  const double m2 = square_i / square_o;
-  const double ring = (1.0 + m2) * (1.0 + m2);
-  const double kappa =
-      6.0 * (1.0 + poisson_ratio) * ring / ((7.0 + 6.0 * poisson_ratio) * ring + (20.0 + 12.0 * poisson_ratio) * m2);
-  BeamSection s;
-  s.length = length;
-  s.axial = young_modulus * area;
-  s.bending = young_modulus * inertia;
-  s.shear = kappa * shear_modulus * area;
-  const double phi = 12.0 * s.bending / (s.shear * length * length);
-  s.bending_near = (4.0 + phi) / (1.0 + phi) * s.bending / length;
-  s.bending_far = (2.0 - phi) / (1.0 + phi) * s.bending / length;
-  s.torsion = shear_modulus * 2.0 * inertia / length;
-  return s;
+  return section_with(length, young_modulus * area, young_modulus * inertia, shear_modulus * 2.0 * inertia,
+                      cowper(square_i / square_o, poisson_ratio) * shear_modulus * area);
+}
+
+BeamSection stiff_section(double length, double axial, double bending, double torsional, double bore)
+{
+  const double poisson_ratio = bending / torsional - 1.0;
+  return section_with(length, axial, bending, torsional, cowper(bore * bore, poisson_ratio) * axial / (2.0 * (1.0 + poisson_ratio)));
 }
 
 BeamForces beam_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping, const Vector3d& load,

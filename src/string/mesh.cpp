@@ -12,16 +12,24 @@ namespace drill_rig_sim
 {
 namespace
 {
+BeamSection section_of(const PartSpec& part, double length)
+{
+  const StiffnessSpec& given = part.stiffness;
+  return given.axial > 0.0 ? stiff_section(length, given.axial, given.bending, given.torsional, part.inner_diameter / part.outer_diameter)
+                           : tube_section(length, part.outer_diameter, part.inner_diameter, part.young_modulus, part.poisson_ratio);
+}
+
 MeshElement make_element(const PartSpec& part, int index, double lower, double upper, double mass)
 {
   MeshElement e;
   const double length = upper - lower;
-  e.section = tube_section(length, part.outer_diameter, part.inner_diameter, part.young_modulus, part.poisson_ratio);
+  e.section = section_of(part, length);
   e.linear_mass = mass / length;
   e.displaced = e.linear_mass / part.density;
   e.outer_area = 0.25 * pi * part.outer_diameter * part.outer_diameter;
   e.bore_area = 0.25 * pi * part.inner_diameter * part.inner_diameter;
   e.outer_diameter = part.outer_diameter;
+  e.friction_radius = part.friction_radius;
   e.part = index;
   return e;
 }
@@ -35,6 +43,7 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
   const double inside = mud.added_mass * mud.density * e.bore_area * length;
   const double outside = mud.added_mass * mud.density * e.outer_area * length;
   const double square = 0.25 * (part.outer_diameter * part.outer_diameter + part.inner_diameter * part.inner_diameter);  // ro^2 + ri^2
+  const double polar = part.polar_inertia > 0.0 ? part.polar_inertia * mass / part.linear_mass : 0.5 * mass * square;
   for (MeshNode* node : {&lower, &upper})
   {
     node->mass += 0.5 * mass;
@@ -42,8 +51,8 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
     node->mud_outside += 0.5 * outside;
     node->diameter = (node->length * node->diameter + 0.5 * length * part.outer_diameter) / (node->length + 0.5 * length);
     node->length += 0.5 * length;
-    node->spin_inertia += 0.25 * mass * square;
-    node->tilt_inertia += 0.125 * mass * square + (mass + inside + outside) * length * length / 78.0;
+    node->spin_inertia += 0.5 * polar;
+    node->tilt_inertia += 0.25 * polar + (mass + inside + outside) * length * length / 78.0;
   }
 }
 
@@ -105,6 +114,7 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
   node.from_bit = cut.from_bit;
   node.contact_radius = cut.contact_radius;
   node.contact = element.contact;
+  node.friction_radius = part.friction_radius;
   node.part = cut.part;
   node.joint = cut.joint;
   node.joint_end = cut.joint_end;
@@ -121,6 +131,15 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
   mesh.nodes.push_back(node);
 }
 
+/// A joint's end touches with the larger of the two ends that meet there; `above`: the part above it.
+void widen(const PartSpec& above, MeshNode& node)
+{
+  const double radius = 0.5 * joint_end_diameter(above);
+  if (!node.joint_end || radius <= node.contact_radius) return;
+  node.contact_radius = radius;
+  node.friction_radius = above.friction_radius;
+}
+
 }  // namespace
 
 Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, const ElementLengths& longest,
@@ -135,11 +154,7 @@ Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, c
   const std::vector<Cut> cuts = cut_string(parts, longest, mesh);
   mesh.nodes.push_back(bit_node(bit, contact, mesh));
   for (const Cut& cut : cuts) add_element(parts, cut, contact, mud, mesh);
-  // a joint's end touches with the larger of the two ends that meet there
-  for (std::size_t i = 1; i + 1 < mesh.nodes.size(); ++i)
-    if (mesh.nodes[i].joint_end)
-      mesh.nodes[i].contact_radius =
-          std::max(mesh.nodes[i].contact_radius, 0.5 * joint_end_diameter(parts[mesh.nodes[i + 1].part]));
+  for (std::size_t i = 1; i + 1 < mesh.nodes.size(); ++i) widen(parts[mesh.nodes[i + 1].part], mesh.nodes[i]);
   return mesh;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cuts.h"
+#include "section_checks.h"
 
 namespace drill_rig_sim
 {
@@ -133,6 +134,7 @@ ProblemList string_problems(const std::vector<PartSpec>& parts, double length, c
   }
   check_kinds(parts, problems);
   check_inside(parts, problems);
+  check_sections(parts, problems);
   if (parts.size() > 1) check_length(parts, length, problems);
   // where parts stand wrongly the mesh makes no sense
   if (problems.empty()) check_mesh(parts, length, longest, problems);

@@ -37,6 +37,7 @@ struct Command
 Command add_run_command(CLI::App& drill);
 Command add_check_command(CLI::App& drill);
 Command add_static_command(CLI::App& drill);
+Command add_modes_command(CLI::App& drill);
 Command add_survey_command(CLI::App& drill);
 Command add_reference_command(CLI::App& drill);
 

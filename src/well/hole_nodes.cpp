@@ -60,9 +60,9 @@ std::vector<Anchor> with_stations(const std::vector<Anchor>& anchors, const Surv
   return all;
 }
 
-WellNode node_at(const PathPoint& p, double radius, double friction)
+WellNode node_at(const PathPoint& p, double radius, double friction, std::size_t section)
 {
-  return {p.md, p.position, p.tangent.normalized(), radius, friction};
+  return {p.md, p.position, p.tangent.normalized(), radius, friction, static_cast<double>(section)};
 }
 }  // namespace
 
@@ -81,9 +81,9 @@ std::vector<WellNode> place_nodes(const WellSpec& spec, const Survey& survey, do
       const double length = anchors[i].md - from;
       const double curvature = survey.curvature(survey.arc_at(0.5 * (from + anchors[i].md)));
       const double pieces = std::ceil(std::pow(std::pow(curvature, 3) * std::pow(length, 4) / (384.0 * hermite_tolerance), 0.25));
-      for (int k = 1; k < pieces; ++k) nodes.push_back(node_at(survey.at(from + length * k / pieces), radius, section.friction));
+      for (int k = 1; k < pieces; ++k) nodes.push_back(node_at(survey.at(from + length * k / pieces), radius, section.friction, anchors[i].section));
     }
-    nodes.push_back(node_at(survey.at(anchors[i].md), radius, section.friction));
+    nodes.push_back(node_at(survey.at(anchors[i].md), radius, section.friction, anchors[i].section));
   }
   return nodes;
 }

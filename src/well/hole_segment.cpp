@@ -18,11 +18,12 @@ HoleSegment HoleSegment::between(const WellNode& from, const WellNode& to) noexc
   g.radius_change = to.radius - from.radius;
   g.friction = from.friction;
   g.friction_change = to.friction - from.friction;
+  g.section = from.section;
+  g.section_change = to.section - from.section;
   return g;
 }
 
-HoleSegment HoleSegment::line(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double md, double radius,
-                              double friction) noexcept
+HoleSegment HoleSegment::line(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, const WellNode& from) noexcept
 {
   HoleSegment g;
   g.c0 = origin;
@@ -30,12 +31,14 @@ HoleSegment HoleSegment::line(const Eigen::Vector3d& origin, const Eigen::Vector
   g.c2.setZero();
   g.c3.setZero();
   g.chord = direction;
-  g.md = md;
+  g.md = from.md;
   g.length = 1.0;
-  g.radius = radius;
+  g.radius = from.radius;
   g.radius_change = 0.0;
-  g.friction = friction;
+  g.friction = from.friction;
   g.friction_change = 0.0;
+  g.section = from.section;
+  g.section_change = 0.0;
   return g;
 }
 
@@ -47,6 +50,7 @@ WellNode HoleSegment::at(double s) const noexcept
   node.tangent = (c1 + s * (2.0 * c2 + 3.0 * s * c3)).normalized();
   node.radius = radius + s * radius_change;
   node.friction = friction + s * friction_change;
+  node.section = section + s * section_change;
   return node;
 }
 

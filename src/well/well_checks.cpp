@@ -83,6 +83,10 @@ ProblemList well_problems(const WellSpec& well)
       problems.emplace_back(item_key("well.sections", i, "diameter"), metres(section.diameter) + " is no diameter, allowed: above 0");
     if (!(section.friction >= 0.0))
       problems.emplace_back(item_key("well.sections", i, "friction"), plain(section.friction) + " is no friction, allowed: 0 or more");
+    if (section.static_ratio < 1.0)
+      problems.emplace_back(item_key("well.sections", i, "static_ratio"), plain(section.static_ratio) + " is no ratio, allowed: 1 or more");
+    if (section.stribeck_speed <= 0.0)
+      problems.emplace_back(item_key("well.sections", i, "stribeck_speed"), plain(section.stribeck_speed) + " m/s is no speed, allowed: above 0");
     if (!(section.to > above))
       problems.emplace_back(item_key("well.sections", i, "to"),
                             metres(section.to) + " does not exceed the " + metres(above) + " where it begins");

@@ -47,7 +47,7 @@ std::shared_ptr<const Wellbore::Original> Wellbore::build(const WellSpec& spec, 
   hole->stage_two_length = trajectory.stage_two_length;
   hole->stage_two_steps = trajectory.stage_two_steps;
   const WellNode& top = hole->nodes.front();
-  hole->segments.push_back(HoleSegment::line(top.position, -Eigen::Vector3d::UnitZ(), top.md, top.radius, top.friction));
+  hole->segments.push_back(HoleSegment::line(top.position, -Eigen::Vector3d::UnitZ(), top));
   for (std::size_t i = 1; i < hole->nodes.size(); ++i)
     hole->segments.push_back(HoleSegment::between(hole->nodes[i - 1], hole->nodes[i]));
   for (const HoleSegment& segment : hole->segments) hole->boxes.push_back(Box::around(segment));
@@ -74,11 +74,11 @@ WellNode Wellbore::at(double md) const noexcept
   return g.at((md - g.md) / g.length);
 }
 
-double Wellbore::friction_at(double md) const noexcept
+int Wellbore::section_at(double md) const noexcept
 {
-  for (const HoleSection& section : original_->sections)
-    if (md < section.to) return section.friction;
-  return original_->sections.back().friction;
+  const std::vector<HoleSection>& sections = original_->sections;
+  const auto below = [md](const HoleSection& section) { return md < section.to; };
+  return static_cast<int>(std::find_if(sections.begin(), sections.end() - 1, below) - sections.begin());
 }
 
 bool Wellbore::extend(const Eigen::Vector3d& bottom_displacement, const Eigen::Vector3d& bit_axis) noexcept
@@ -130,10 +130,12 @@ void Wellbore::commit_stage_two() noexcept
   node.tangent = chord / length;
   node.radius = new_interval_.radius;
   node.friction = new_interval_.friction;
+  node.section = new_interval_.section;
   const HoleSegment segment = HoleSegment::between(last_, node);
   drilled_.push({segment, Box::around(segment), node}, bottom_.x(), bottom_.y(), bottom_.z());
   last_ = node;
-  last_.friction = friction_at(node.md);
+  last_.section = section_at(node.md);
+  last_.friction = original_->sections[static_cast<std::size_t>(last_.section)].friction;
   interval_steps_ = 0;
   if (original_->stage_two_steps > 0 && !strained_) interval_ = length;
 
@@ -151,7 +153,7 @@ void Wellbore::update_new_interval() noexcept
   const Eigen::Vector3d chord = bottom_ - last_.position;
   const Eigen::Vector3d d = (last_.tangent * std::max(interval_ - chord.norm(), 0.0) + chord).normalized();
   const double along = chord.dot(d);
-  new_interval_ = HoleSegment::line(bottom_ - along * d, d, last_.md, last_.radius, last_.friction);
+  new_interval_ = HoleSegment::line(bottom_ - along * d, d, last_);
   hole_depth_ = last_.md + along;
 }
 

@@ -78,6 +78,7 @@ ClosestPoint closest(const HoleSegment& g, const Foot& foot, int segment) noexce
   closest.radius = g.radius + share * g.radius_change;
   closest.radius_slope = share == foot.s ? g.radius_change * inverse_length : 0.0;
   closest.friction = g.friction + share * g.friction_change;
+  closest.section = g.section + share * g.section_change;
   closest.segment = segment;
   closest.iterations = foot.iterations;
   return closest;

@@ -54,7 +54,7 @@ class Drill(unittest.TestCase):
 class Usage(Drill):
     def test_help_lists_every_command_and_option(self):
         text = self.succeed('--help')
-        for command in ('run', 'check', 'static', 'survey', 'reference'):
+        for command in ('run', 'check', 'static', 'modes', 'survey', 'reference'):
             self.assertIn('\n  ' + command, text)
         text = self.succeed('run', '--help')
         for option in ('--duration', '--until-depth', '--level', '--integrator', '--step', '--element-length', '--csv', '--bag', '--every',

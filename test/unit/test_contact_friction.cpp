@@ -20,6 +20,17 @@ TEST(StribeckFriction, FallsFromStaticToKinetic)
   EXPECT_NEAR(stribeck_friction(0.3, 1.2, 0.05, 0.04).slope, slope, 1e-6 * std::abs(slope));
 }
 
+TEST(StribeckFriction, FallsFromRestOnByTheExponentialCurve)
+{
+  const auto at = [](double speed) { return stribeck_friction(0.3, 1.2, 0.05, speed, StribeckCurve::exponential); };
+  EXPECT_DOUBLE_EQ(at(0.0).value, 0.36);
+  EXPECT_DOUBLE_EQ(at(0.0).slope, -0.06 / 0.05);
+  EXPECT_NEAR(at(0.05).value, 0.3 + 0.06 / std::exp(1.0), 1e-15);
+  EXPECT_NEAR(at(2.0).value, 0.3, 1e-15);
+  const double h = 1e-5;
+  EXPECT_NEAR(at(0.04).slope, (at(0.04 + h).value - at(0.04 - h).value) / (2.0 * h), 1e-6 * std::abs(at(0.04).slope));
+}
+
 TEST(WallContact, TangentSticking)
 {
   const StraightHole hole = leaning_hole();
@@ -51,10 +62,39 @@ TEST(WallContact, TangentSlipping)
   ArcHole arc;
   stage.start = at_the_wall(arc);
   expect_tangent(arc, stage, u, true);
+  stage.law.stribeck_curve = StribeckCurve::exponential;
+  expect_tangent(arc, stage, u, true);
   stage.law.law.exponent = 1.8;
   expect_tangent(arc, stage, u, true);
   arc.friction = 0.0;
   expect_tangent(arc, stage, u, true);
+}
+
+// The friction's power is its moment times the turning: force and slip know the same lever.
+TEST(WallContact, FrictionHasALeverApartFromTheRadius)
+{
+  ArcHole arc;
+  ContactStage stage = touching_stage(at_the_wall(arc));
+  stage.law.friction_radius = 0.05;
+  Vector6d u;
+  u << 2e-4, -4e-4, 3e-4, 1e-3, -2e-3, 3e-3;
+  expect_tangent(arc, stage, u, true);
+  stage.law.tangential_stiffness = 1e4;
+  stage.law.tangential_damping = 10.0;
+  expect_tangent(arc, stage, u, false);
+
+  const StraightHole hole;
+  ContactStage turning;
+  turning.start << 0.0214, 0.0, -3.0;
+  turning.law.friction_radius = 0.05;
+  Vector6d turn;
+  turn << 0, 0, 0, 0, 0, -0.1;
+  const ContactMotion m = turning.motion(turn);
+  const WallForce f = wall_contact(hole.locate(m.position), turning.radius, m, turning.bristle, turning.law);
+  EXPECT_TRUE(f.slipping);
+  const double friction = hole.friction * f.normal_force;  // at 1 m/s
+  EXPECT_NEAR(f.moment.z(), 0.05 * friction, 1e-9 * friction);
+  EXPECT_NEAR(f.friction_power, -0.05 * friction * 20.0, 1e-9 * friction);
 }
 
 TEST(WallContact, TangentAtRandomStates)
@@ -158,7 +198,7 @@ TEST(WallFriction, PulsatingLoadWithinTheLimitDoesNotCreep)
 TEST(WallFriction, DampingIsAShareOfCritical)
 {
   // 2 * 0.25 * sqrt(5e6 N/m * 320 kg)
-  EXPECT_DOUBLE_EQ(wall_law(ContactSpec(), ContactLaw(), 320.0).tangential_damping, 2e4);
+  EXPECT_DOUBLE_EQ(wall_law(ContactSpec(), ContactLaw(), 320.0, 0.0).tangential_damping, 2e4);
 }
 
 TEST(WallFriction, BristleAndDamperByHand)

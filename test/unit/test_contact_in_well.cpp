@@ -28,7 +28,7 @@ Vector6d wrench_at(const Wellbore& well, const Vector3d& start, const Vector3d& 
   m.angular_velocity = rate * m.rotation + Vector3d(0.1, 0.3, -0.2);
   m.velocity_coefficient = rate;
   const ClosestPoint closest = well.locate(m.position, -1);
-  WallLaw law = wall_law(ContactSpec(), ContactLaw(), 1.0);
+  WallLaw law = wall_law(ContactSpec(), ContactLaw(), 1.0, 0.0);
   law.tangential_damping = 1e3;  // of a section that moves at some 0.05 m/s: it may stick
   const WallForce f =
       tangent ? wall_contact(closest, radius, m, bristle, law, *tangent) : wall_contact(closest, radius, m, bristle, law);
@@ -74,7 +74,7 @@ TEST(WallContactInWell, FrictionlessSlideKeepsItsEnergy)
     section.friction = 0.0;
   }
   const Wellbore well(spec, TrajectorySpec{}, 0.1556);
-  WallLaw law = wall_law(ContactSpec(), ContactLaw(), 1.0);
+  WallLaw law = wall_law(ContactSpec(), ContactLaw(), 1.0, 0.0);
   law.law.damping = 0.0;
   const double mass = 300.0;
   const double h = 2e-4;

@@ -85,7 +85,7 @@ TEST(SlidingWallContact, ForcesAndTangent)
 {
   ArcHole arc;
   const Vector3d where = at_the_wall(arc);
-  ContactLaw law;
+  WallLaw law = usual_law();
   const SlidingMotion pull_out{-1.0, 0.0};
   const SlidingMotion rotate{0.0, 1.0};
   Matrix6d tangent;
@@ -112,6 +112,29 @@ TEST(SlidingWallContact, ForcesAndTangent)
     const Matrix6d numeric = difference(force, Vector6d::Zero(), 1e-6);
     EXPECT_LT((tangent - numeric).norm(), 1e-6 * numeric.norm());
   }
+}
+
+// Half the lever: half the torque of pure turning; the slip is half as fast around, so that more of it goes along.
+TEST(SlidingWallContact, HasALeverApartFromTheRadius)
+{
+  const StraightHole hole = leaning_hole();
+  const Vector3d start = at_the_wall(hole);
+  const ClosestPoint closest = hole.locate(start);
+  WallLaw law = usual_law();
+  law.friction_radius = 0.04;
+  Matrix6d tangent;
+  const WallForce turning = sliding_wall_contact(closest, 0.08, start, {0.0, 1.0}, law, tangent);
+  EXPECT_NEAR(turning.moment.dot(hole.tangent), -hole.friction * turning.normal_force * 0.04, 1e-9 * turning.normal_force);
+  const WallForce both = sliding_wall_contact(closest, 0.08, start, {0.3, 7.0}, law, tangent);
+  EXPECT_NEAR(both.force.dot(hole.tangent), -hole.friction * both.normal_force * 0.3 / std::hypot(0.3, 0.28), 1e-9 * both.normal_force);
+  const auto force = [&](const Vector6d& u)
+  {
+    const Vector3d p = start + u.head<3>();
+    Matrix6d unused;
+    return wrench(sliding_wall_contact(hole.locate(p), 0.08, p, {0.3, 7.0}, law, unused));
+  };
+  const Matrix6d numeric = difference(force, Vector6d::Zero(), 1e-6);
+  EXPECT_LT((tangent - numeric).norm(), 1e-6 * numeric.norm());
 }
 
 }  // namespace drill_rig_sim

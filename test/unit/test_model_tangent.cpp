@@ -207,6 +207,24 @@ TEST(ModelTangent, inContactSlidingAndTurningWithStribeckFriction)
   expect_exact(rig);
 }
 
+TEST(ModelTangent, inSectionsWithFrictionOfTheirOwn)
+{
+  Scene scene = slanted_scene(60.0, 0.3);
+  HoleSection upper = scene.well.sections[0];
+  upper.to = 30.0;
+  upper.friction = 0.2;
+  upper.static_ratio = 1.5;
+  upper.stribeck_speed = 0.2;
+  scene.well.sections.insert(scene.well.sections.begin(), upper);
+  scene.well.sections[1].stribeck_speed = 0.4;
+  Rig rig(scene);
+  rig.setpoints.winch = {-0.1, false};
+  rig.setpoints.top_drive.speed = 20.0 * rpm;
+  rig.run(6.0);
+  EXPECT_GT(rig.contacts(), 4);
+  expect_exact(rig);
+}
+
 TEST(ModelTangent, inACurvedHole)
 {
   Rig rig(built());

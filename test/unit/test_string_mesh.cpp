@@ -99,6 +99,56 @@ TEST(Mesh, putsNodesWhereTheStringIsSpecial)
     }
 }
 
+// A lever is the part's own; where two parts meet, that of the one that touches.
+TEST(Mesh, knowsTheLeverOfFriction)
+{
+  Scene scene = assembly();
+  const Mesh usual = build_mesh(scene, 320.0);
+  for (const MeshNode& node : usual.nodes) EXPECT_EQ(node.friction_radius, 0.0);
+  scene.string.back().friction_radius = 0.05;
+  scene.string[1].friction_radius = 0.03;
+  const Mesh mesh = build_mesh(scene, 320.0);
+  const int pipe = static_cast<int>(scene.string.size()) - 1;
+  for (std::size_t i = 1; i < mesh.nodes.size(); ++i)
+  {
+    const MeshNode& node = mesh.nodes[i];
+    const bool pipes = node.part == pipe || std::abs(node.from_bit - mesh.part_bottom[pipe]) < 1e-9;  // its tool joint is the wider
+    EXPECT_EQ(node.friction_radius, pipes ? 0.05 : node.part == 1 ? 0.03 : 0.0) << i;
+    EXPECT_EQ(mesh.elements[i - 1].friction_radius, node.part == pipe ? 0.05 : node.part == 1 ? 0.03 : 0.0) << i;
+  }
+}
+
+// The tube's own stiffness, given outright, makes the same mesh; another one is another section's.
+TEST(Mesh, takesSectionsByTheirStiffness)
+{
+  const Scene scene = assembly();
+  const PartSpec& pipe = scene.string.back();
+  const double area = 0.25 * pi * (std::pow(pipe.outer_diameter, 2) - std::pow(pipe.inner_diameter, 2));
+  const double inertia = pi / 64.0 * (std::pow(pipe.outer_diameter, 4) - std::pow(pipe.inner_diameter, 4));
+  Scene given = scene;
+  given.string.back().stiffness = {206e9 * area, 206e9 * inertia, 206e9 * inertia / 1.3};
+  given.string.back().polar_inertia = pipe.linear_mass * (std::pow(pipe.outer_diameter, 2) + std::pow(pipe.inner_diameter, 2)) / 8.0;
+  const Mesh tube = build_mesh(scene, 320.0), same = build_mesh(given, 320.0);
+  given.string.back().stiffness = {1e8, 2e5, 1.5e5};
+  given.string.back().polar_inertia = 0.2;
+  const Mesh other = build_mesh(given, 320.0);
+  ASSERT_EQ(tube.elements.size(), same.elements.size());
+  for (std::size_t e = 0; e < tube.elements.size(); ++e)
+  {
+    const BeamSection &a = tube.elements[e].section, &b = same.elements[e].section;
+    for (double BeamSection::*k : {&BeamSection::axial, &BeamSection::bending, &BeamSection::bending_near, &BeamSection::bending_far,
+                                   &BeamSection::torsion, &BeamSection::shear})
+      EXPECT_NEAR(b.*k, a.*k, 1e-12 * a.*k);
+    EXPECT_NEAR(same.nodes[e].spin_inertia, tube.nodes[e].spin_inertia, 1e-12 * tube.nodes[e].spin_inertia);
+    EXPECT_NEAR(same.nodes[e].tilt_inertia, tube.nodes[e].tilt_inertia, 1e-12 * tube.nodes[e].tilt_inertia);
+  }
+  const BeamSection& last = other.elements.back().section;
+  EXPECT_EQ(last.axial, 1e8);
+  EXPECT_EQ(last.bending, 2e5);
+  EXPECT_NEAR(last.torsion * last.length, 1.5e5, 1e-9);
+  EXPECT_NEAR(other.nodes.back().spin_inertia, 0.5 * 0.2 * last.length, 1e-9);
+}
+
 // Bit, motor, stabiliser, survey tool, two collars, pipe: each node and element tells whose it is and has that part's own numbers.
 TEST(Mesh, knowsWhoseEachPlaceIs)
 {

@@ -118,6 +118,44 @@ TEST(StringRules, TheBitsCentreLiesBelowTheNextNode)
   EXPECT_EQ("string[1].bit_to_bend: an element of this part is 0.005 m long, allowed: 0.01 m or more", said_of({bit, bent, fill}));
 }
 
+TEST(StringRules, SectionsThatAreGivenOutrightCanBe)
+{
+  const auto with = [](double axial, double bending, double torsional)
+  {
+    PartSpec part = fill;
+    part.stiffness = {axial, bending, torsional};
+    return said_of({bit, part});
+  };
+  const double most = 7e8 * pipe_outer * pipe_outer / 8.0;
+  EXPECT_EQ("0 problems", with(7e8, most, most / 1.3));
+  EXPECT_EQ("0 problems", with(7e8, 1e6, 1e6));
+  EXPECT_EQ("0 problems", with(1e9, 1.49e6, 1e6));
+  EXPECT_EQ("string[1]: axial_stiffness, bending_stiffness and torsional_stiffness belong together, needed: all three or none", with(7e8, 1e6, 0.0));
+  EXPECT_EQ("string[1]: axial_stiffness, bending_stiffness and torsional_stiffness belong together, needed: all three or none", with(0.0, 0.0, 1e6));
+  EXPECT_EQ("string[1].bending_stiffness: 2e+07 N m2 is more than axial_stiffness inside outer_diameter can give, allowed: up to " + plain(most) + " N m2",
+            with(7e8, 2e7, 1.5e7));
+  EXPECT_EQ("string[1].torsional_stiffness: 1.1e+06 N m2 does not go with bending_stiffness (their ratio is 1 + Poisson's), allowed: " +
+                plain(1e6 / 1.49) + " to 1e+06 N m2",
+            with(7e8, 1e6, 1.1e6));
+  EXPECT_EQ("string[1].torsional_stiffness: 600000 N m2 does not go with bending_stiffness (their ratio is 1 + Poisson's), allowed: " +
+                plain(1e6 / 1.49) + " to 1e+06 N m2",
+            with(7e8, 1e6, 6e5));
+}
+
+TEST(StringRules, InertiaAndLeverFitThePart)
+{
+  PartSpec part = fill;
+  const double radius = 0.5 * part.pipe->tool_joint_diameter, most = part.linear_mass * radius * radius;
+  part.polar_inertia = most;
+  part.friction_radius = radius;
+  EXPECT_EQ("0 problems", said_of({bit, part}));
+  part.polar_inertia = 10.0;
+  EXPECT_EQ("string[1].polar_inertia: 10 kg m2/m is more than linear_mass can have, allowed: up to " + plain(most) + " kg m2/m", said_of({bit, part}));
+  part.polar_inertia = 0.0;
+  part.friction_radius = 0.2;
+  EXPECT_EQ("string[1].friction_radius: 0.2 m lies outside the part, allowed: up to half its widest diameter, " + metres(radius), said_of({bit, part}));
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);

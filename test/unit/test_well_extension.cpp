@@ -231,6 +231,10 @@ TEST(WellExtension, FrictionFollowsTheSections)
   while (hole.hole_depth() < 101.0) hole.extend(advance * axis, axis);
   EXPECT_NEAR(hole.at(100.3).friction, 0.2, 1e-12);
   EXPECT_NEAR(hole.at(100.8).friction, 0.3, 1e-12);
+  EXPECT_EQ(hole.at(100.3).section, 0.0);
+  EXPECT_EQ(hole.at(100.8).section, 1.0);
+  EXPECT_EQ(hole.locate(100.3 * axis, -1).section, 0.0);
+  EXPECT_EQ(hole.locate(100.99 * axis, -1).section, 1.0);
 }
 
 // Rock does not grow back: the plane turns by no more than what is drilled over the bit's radius, so that its rim never rises. The bit

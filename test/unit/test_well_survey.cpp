@@ -252,6 +252,9 @@ TEST(HoleNodes, SectionsChangeWithinAMillimetreAndTheHoleEndsAtItsDepth)
   EXPECT_NEAR(hole.at(200.0005).radius, 0.5 * (0.1602 + 0.1556), 1e-9);
   EXPECT_NEAR(hole.at(200.0010001).radius, 0.1556, 1e-12);
   EXPECT_NEAR(hole.at(200.0010001).friction, 0.28, 1e-12);
+  EXPECT_EQ(hole.at(199.9999).section, 0.0);
+  EXPECT_NEAR(hole.at(200.00025).section, 0.25, 1e-9);
+  EXPECT_NEAR(hole.at(200.0010001).section, 1.0, 1e-12);
   EXPECT_NEAR(hole.at(729.248).radius, 0.1556, 1e-12);  // the bit's radius differs: the hole's end is the bit's
   EXPECT_NEAR(hole.at(729.25).radius, 0.1, 1e-12);
   EXPECT_EQ(hole.bottom_radius(), 0.1);
@@ -275,6 +278,9 @@ TEST(HoleNodes, EachRuleForAHoleSaysWhereAndWhat)
   EXPECT_EQ("well.sections: the list is empty, needed: at least one section", problem_with([](WellSpec& w) { w.sections.clear(); }));
   EXPECT_EQ("well.sections[1].diameter: 0 m is no diameter, allowed: above 0", problem_with([](WellSpec& w) { w.sections[1].diameter = 0.0; }));
   EXPECT_EQ("well.sections[0].friction: -0.1 is no friction, allowed: 0 or more", problem_with([](WellSpec& w) { w.sections[0].friction = -0.1; }));
+  EXPECT_EQ("well.sections[0].static_ratio: 0.9 is no ratio, allowed: 1 or more", problem_with([](WellSpec& w) { w.sections[0].static_ratio = 0.9; }));
+  EXPECT_EQ("well.sections[1].stribeck_speed: 0 m/s is no speed, allowed: above 0",
+            problem_with([](WellSpec& w) { w.sections[1].stribeck_speed = 0.0; }));
   EXPECT_EQ("well.sections[1].to: the last section ends at 700 m, needed: down to hole_depth, 730 m",
             problem_with([](WellSpec& w) { w.sections[1].to = 700.0; }));
   EXPECT_EQ("well.sections[0].to: 0 m does not exceed the 0 m where it begins", problem_with([](WellSpec& w) { w.sections[0].to = 0.0; }));

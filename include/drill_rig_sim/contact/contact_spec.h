@@ -3,16 +3,20 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/contact/friction_law.h"
 #include "drill_rig_sim/contact/normal_law.h"
+#include "drill_rig_sim/contact/rest_growth.h"
 
 namespace drill_rig_sim
 {
-/// Wall contact of the whole string unless a part sets its own law, and the friction law's shape.
+/// Wall contact of the whole string unless a part sets its own law, and the friction law's shape unless a hole section sets its own.
 struct ContactSpec
 {
   ContactLaw law;
   double stribeck_speed = 0.05;       ///< slip speed over which friction falls from static to kinetic [m/s]
   double static_ratio = 1.2;          ///< static / kinetic friction [-], >= 1
+  StribeckCurve stribeck_curve = StribeckCurve::gaussian;
+  RestGrowth growth;
   double tangential_stiffness = 5e6;  ///< of the bristle that carries sticking friction [N/m]
   double tangential_damping = 0.25;   ///< of that bristle, of what is critical for the mass at the contact: what sticks does not ring [-]
 };
@@ -25,14 +29,17 @@ struct WallLaw
   double static_ratio = 1.0;          ///< [-]
   double tangential_stiffness = 1.0;  ///< k_b [N/m]
   double tangential_damping = 0.0;    ///< c_b [N s/m]
+  StribeckCurve stribeck_curve = StribeckCurve::gaussian;
+  double friction_radius = 0.0;       ///< R_F [m]; 0: the section's radius
 };
 
 /// @param law   normal law of the part there
 /// @param mass  that rests on the contact [kg]; c_b = 2 zeta sqrt(k_b m)
-inline WallLaw wall_law(const ContactSpec& spec, const ContactLaw& law, double mass)
+/// @param friction_radius  R_F [m]; 0: the section's radius
+inline WallLaw wall_law(const ContactSpec& spec, const ContactLaw& law, double mass, double friction_radius)
 {
   return {law, spec.stribeck_speed, spec.static_ratio, spec.tangential_stiffness,
-          2.0 * spec.tangential_damping * std::sqrt(spec.tangential_stiffness * mass)};
+          2.0 * spec.tangential_damping * std::sqrt(spec.tangential_stiffness * mass), spec.stribeck_curve, friction_radius};
 }
 
 }  // namespace drill_rig_sim

@@ -4,10 +4,12 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "drill_rig_sim/contact/section_friction.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/string/beam_table.h"
 #include "drill_rig_sim/string/mesh.h"
 #include "drill_rig_sim/well/formation.h"
+#include "drill_rig_sim/well/wellbore.h"
 
 namespace drill_rig_sim
 {
@@ -33,20 +35,31 @@ public:
   const BitSpec& bit() const noexcept { return *scene_.string.front().bit; }
   /// Null: none.
   const MotorSpec* motor() const noexcept { return motor_; }
-  /// Wall contact at a node.
+  /// Wall contact at a node; friction as the scene has it everywhere.
   const WallLaw& contact(int i) const noexcept { return contact_[static_cast<std::size_t>(i)]; }
   /// And at an element's middle.
   const WallLaw& span_contact(int e) const noexcept { return span_contact_[static_cast<std::size_t>(e)]; }
+  /// The same with the friction of where the hole is met, after a rest there [s].
+  WallLaw contact(int i, const ClosestPoint& closest, double rest) const noexcept { return there(contact(i), closest, rest); }
+  WallLaw span_contact(int e, const ClosestPoint& closest, double rest) const noexcept { return there(span_contact(e), closest, rest); }
   /// Of the bristle that carries a stuck bit's torque [N m/rad].
   double bit_bristle_stiffness() const noexcept { return bit_bristle_; }
   /// Weight of element `e` in mud, its ends at heights `z_lower`, `z_upper` [m]; no buoyancy above the rotary table [N].
   double element_weight(int e, double z_lower, double z_upper) const noexcept;
 
 private:
+  WallLaw there(WallLaw law, const ClosestPoint& closest, double rest) const noexcept
+  {
+    friction_.apply(closest.section, law);
+    law.static_ratio += scene_.contact.growth.at(rest);
+    return law;
+  }
+
   Scene scene_;
   Mesh mesh_;
   const BeamKind& beam_;
   Formation formation_;
+  SectionFriction friction_;
   std::vector<WallLaw> contact_;       // per node
   std::vector<WallLaw> span_contact_;  // per element
   const MotorSpec* motor_ = nullptr;   // into scene_

@@ -35,6 +35,7 @@ struct NodeState
   double spin_angle = 0.0;                                              ///< turned since the start, unbounded [rad]
   NodeRate rate;
   Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction, world axes [m]
+  double rest = 0.0;                                  ///< how long that friction has stuck [s]
   int segment = -1;                                   ///< hole segment of the last contact search
 
   template <class V>
@@ -45,6 +46,7 @@ struct NodeState
     v("spin_angle", spin_angle);
     v("rate", rate);
     v("bristle", bristle);
+    v("rest", rest);
     v("segment", segment);
   }
 };
@@ -53,12 +55,14 @@ struct NodeState
 struct SpanState
 {
   Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction at the element's middle, world axes [m]
+  double rest = 0.0;                                  ///< how long that friction has stuck [s]
   int segment = -1;                                   ///< hole segment of the last contact search
 
   template <class V>
   void visit(V& v)
   {
     v("bristle", bristle);
+    v("rest", rest);
     v("segment", segment);
   }
 };

@@ -44,6 +44,7 @@ struct StageResult
 {
   std::vector<Eigen::Vector3d> bristle;  ///< of the wall's friction, per node [m]
   std::vector<Eigen::Vector3d> span_bristle;  ///< and per element [m]
+  std::vector<double> rest, span_rest;        ///< how long that friction has stuck, per node and element [s]
   DriveState drive;
   double drive_increment = 0.0;     ///< of the rotor since the start of the step [rad]
   double drive_acceleration = 0.0;  ///< [rad/s2]

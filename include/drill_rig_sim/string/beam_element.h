@@ -34,6 +34,10 @@ struct BeamSection
 /// Section of a straight tube [m, m, m, Pa, -]; shear coefficient of a thick tube after Cowper (1966).
 BeamSection tube_section(double length, double outer_diameter, double inner_diameter, double young_modulus, double poisson_ratio);
 
+/// Section given by its stiffness [m, N, N m2, N m2]; its bore is `bore` of its outer diameter [-]. Circular and of one material, hence J = 2 I,
+/// and EI/GJ = 1 + nu: that gives the shear stiffness, with Cowper's coefficient as for the tube.
+BeamSection stiff_section(double length, double axial, double bending, double torsional, double bore);
+
 /// Stress-like results.
 struct BeamStrain
 {

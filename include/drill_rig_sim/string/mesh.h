@@ -16,6 +16,7 @@ struct MeshNode
 {
   double from_bit = 0.0;        ///< unstretched distance from the bit's face [m]
   double contact_radius = 0.0;  ///< [m]
+  double friction_radius = 0.0;  ///< WallLaw's [m]
   ContactLaw contact;
   double mass = 0.0;          ///< in air [kg]
   double mud_inside = 0.0;    ///< in the bore; moves along sideways [kg]
@@ -42,6 +43,7 @@ struct MeshElement
   double bore_area = 0.0;    ///< [m2]
   double outer_diameter = 0.0;
   ContactLaw contact;  ///< of its middle
+  double friction_radius = 0.0;  ///< WallLaw's [m]
   int part = 0;
 };
 

@@ -10,7 +10,7 @@ namespace drill_rig_sim
 /// The hole between two nodes, ready to be searched: a cubic Hermite in powers of s = (md - md_i)/h, h = md_{i+1} - md_i,
 ///   c(s) = c0 + c1 s + c2 s^2 + c3 s^3,  c0 = r_i, c1 = h t_i, c2 = 3 d - h (2 t_i + t_{i+1}), c3 = h (t_i + t_{i+1}) - 2 d,
 /// d = r_{i+1} - r_i, which is r(s) = (1-3s^2+2s^3) r_i + h (s-2s^2+s^3) t_i + (3s^2-2s^3) r_{i+1} + h (s^3-s^2) t_{i+1}
-/// sorted by powers. Radius and friction are linear in s. An axis-aligned straight or slanted line is c2 = c3 = 0.
+/// sorted by powers. Radius, friction and section are linear in s. An axis-aligned straight or slanted line is c2 = c3 = 0.
 struct HoleSegment
 {
   Eigen::Vector3d c0, c1, c2, c3;  ///< [m]
@@ -19,6 +19,7 @@ struct HoleSegment
   double length;                   ///< h [m]
   double radius, radius_change;    ///< at s = 0, and from s = 0 to 1 [m]
   double friction, friction_change;
+  double section, section_change;  ///< 2.25: a quarter of the way from hole section 2 to 3
 
   template <class V>
   void visit(V& v)
@@ -34,13 +35,15 @@ struct HoleSegment
     v("radius_change", radius_change);
     v("friction", friction);
     v("friction_change", friction_change);
+    v("section", section);
+    v("section_change", section_change);
   }
 
   /// Between two nodes, `to.md` > `from.md`.
   static HoleSegment between(const WellNode& from, const WellNode& to) noexcept;
   /// A straight line through `origin` along the unit vector `direction`, s in metres from there.
-  static HoleSegment line(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double md, double radius,
-                          double friction) noexcept;
+  /// There the hole is as at `from`, its place and tangent apart.
+  static HoleSegment line(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, const WellNode& from) noexcept;
   /// The hole at s, which may lie outside 0 .. 1.
   WellNode at(double s) const noexcept;
   Eigen::Vector3d centre(double s) const noexcept { return c0 + s * (c1 + s * (c2 + s * c3)); }

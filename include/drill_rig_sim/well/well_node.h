@@ -5,7 +5,7 @@
 
 namespace drill_rig_sim
 {
-/// The nine numbers of a wellbore node.
+/// The nine numbers of a wellbore node, and its hole section.
 struct WellNode
 {
   double md = 0.0;                                      ///< material coordinate l [m]
@@ -13,6 +13,7 @@ struct WellNode
   Eigen::Vector3d tangent = -Eigen::Vector3d::UnitZ();  ///< unit, down the hole
   double radius = 0.0;                                  ///< [m]
   double friction = 0.0;                                ///< kinetic [-]
+  double section = 0.0;                                 ///< index of the hole section it lies in
 
   template <class V>
   void visit(V& v)
@@ -22,6 +23,7 @@ struct WellNode
     v("tangent", tangent);
     v("radius", radius);
     v("friction", friction);
+    v("section", section);
   }
 };
 

@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_WELL_WELL_SPEC_H
 #define DRILL_RIG_SIM_WELL_WELL_SPEC_H
 
+#include <limits>
 #include <vector>
 
 namespace drill_rig_sim
@@ -19,6 +20,10 @@ struct HoleSection
   double to = 0.0;        ///< measured depth of its lower end [m]
   double diameter = 0.0;  ///< [m]
   double friction = 0.0;  ///< kinetic friction coefficient, pipe on wall [-]
+
+  static constexpr double unset = std::numeric_limits<double>::quiet_NaN();  ///< as ContactSpec has it
+  double static_ratio = unset;    ///< static / kinetic friction [-], >= 1
+  double stribeck_speed = unset;  ///< slip speed over which friction falls from static to kinetic [m/s]
 };
 
 struct WellSpec

@@ -23,7 +23,8 @@ struct ClosestPoint
   Eigen::Vector3d md_gradient = -Eigen::Vector3d::UnitZ();   ///< d md / d r_D = c' / (|c'|^2 - (r_D - c) . c'')
   double radius = 0.0;
   double radius_slope = 0.0;  ///< dR/dmd
-  double friction = 0.0;
+  double friction = 0.0;  ///< kinetic [-]
+  double section = 0.0;   ///< index of the hole section; between two, over the millimetre where one gives way to the next
   int segment = 0;     ///< start of the next search
   int iterations = 0;  ///< Newton iterations used
 };
@@ -158,7 +159,7 @@ private:
   const Box& box(int i) const noexcept;
   int neighbour(int i, double s, const Eigen::Vector3d& point) const noexcept;
   int nearest_segment(const Eigen::Vector3d& point) const noexcept;
-  double friction_at(double md) const noexcept;
+  int section_at(double md) const noexcept;
   void turn_bottom(const Eigen::Vector3d& direction, double drilled) noexcept;
   bool stage_two_due() const noexcept;
   void commit_stage_two() noexcept;

@@ -31,16 +31,16 @@ WallForce sticking_force(const StageContext& at, int e, Matrix6d* block) noexcep
   const ContactMotion motion{span.position,  span.increment.head<3>(), span.increment.tail<3>(), rate.head<3>(),
                              rate.tail<3>(), at.stage.dv_du,             at.stage.time};
   const Vector3d& bristle = at.start.spans[e].bristle;
-  return block ? wall_contact(span.closest, radius_of(at, e), motion, bristle, at.model.span_contact(e), *block)
-               : wall_contact(span.closest, radius_of(at, e), motion, bristle, at.model.span_contact(e));
+  const WallLaw law = at.model.span_contact(e, span.closest, at.start.spans[e].rest);
+  return block ? wall_contact(span.closest, radius_of(at, e), motion, bristle, law, *block)
+               : wall_contact(span.closest, radius_of(at, e), motion, bristle, law);
 }
 
 WallForce sliding_force(const StageContext& at, int e, Matrix6d* block) noexcept
 {
   const SpanMotion& span = at.work.spans[e];
   Matrix6d unused;
-  return sliding_wall_contact(span.closest, radius_of(at, e), span.position, at.stage.sliding, at.model.span_contact(e).law,
-                              block ? *block : unused);
+  return sliding_wall_contact(span.closest, radius_of(at, e), span.position, at.stage.sliding, at.model.span_contact(e), block ? *block : unused);
 }
 
 using ForceAtSpan = WallForce (*)(const StageContext&, int, Matrix6d*) noexcept;
@@ -62,6 +62,7 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
       if (tangent) add_at_ends(span, e, -block, *tangent);
     }
     result.span_bristle[e] = f.bristle;
+    result.span_rest[e] = rest_after(f, at.start.spans[e].rest, at.stage.time);
     result.forces.span_contact[e] = f.normal_force;
     result.forces.span_wall[e] = f.force;
   }

@@ -33,16 +33,16 @@ WallForce sticking_force(const StageContext& at, int i, Matrix6d* block) noexcep
     motion.angular_velocity += at.stage.bit.motor_speed * node.axis;
   }
   const Vector3d& bristle = at.start.nodes[i].bristle;
-  return block ? wall_contact(node.closest, radius_of(at, i), motion, bristle, at.model.contact(i), *block)
-               : wall_contact(node.closest, radius_of(at, i), motion, bristle, at.model.contact(i));
+  const WallLaw law = at.model.contact(i, node.closest, at.start.nodes[i].rest);
+  return block ? wall_contact(node.closest, radius_of(at, i), motion, bristle, law, *block)
+               : wall_contact(node.closest, radius_of(at, i), motion, bristle, law);
 }
 
 WallForce sliding_force(const StageContext& at, int i, Matrix6d* block) noexcept
 {
   const NodeMotion& node = at.work.nodes[i];
   Matrix6d unused;
-  return sliding_wall_contact(node.closest, radius_of(at, i), node.position, at.stage.sliding, at.model.contact(i).law,
-                              block ? *block : unused);
+  return sliding_wall_contact(node.closest, radius_of(at, i), node.position, at.stage.sliding, at.model.contact(i), block ? *block : unused);
 }
 
 using ForceAtNode = WallForce (*)(const StageContext&, int, Matrix6d*) noexcept;
@@ -62,6 +62,7 @@ void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* t
     if (tangent) tangent->diagonal(i) -= block;
   }
   result.bristle[i] = f.bristle;
+  result.rest[i] = rest_after(f, at.start.nodes[i].rest, at.stage.time);
   result.forces.contact[i] = f.normal_force;
   result.forces.wall[i] = f.force;
   if (i == 0) result.forces.bit_moment = f.moment;

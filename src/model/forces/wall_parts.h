@@ -28,6 +28,12 @@ inline WallParts parts_of(const WallForce& f, const ClosestPoint& closest, const
   return parts;
 }
 
+/// How long a contact's friction has stuck after `time` at this force, `before` at its start [s].
+inline double rest_after(const WallForce& f, double before, double time) noexcept
+{
+  return f.normal_force > 0.0 && !f.slipping ? before + time : 0.0;
+}
+
 }  // namespace drill_rig_sim
 
 #endif
