@@ -7,8 +7,8 @@ from job import Job
 DEPTH = 740.0  # [m]
 VARIANTS = [
     ('as in the scene', []),
-    ('no side cutting (0.1 in the scene)', ['string[0].side_cutting=0']),
-    ('side cutting 0.3', ['string[0].side_cutting=0.3']),
+    ('no side cutting (0.02 in the scene)', ['string[0].side_cutting=0']),
+    ('side cutting 0.1, a bit that steers well', ['string[0].side_cutting=0.1']),
     ('no stabiliser blades (308.0 mm in the scene)', ['string[3].blade_diameter=0.2032']),
     ('stabiliser blades 311.2 mm, full gauge', ['string[3].blade_diameter=0.3112']),
     ('straight motor (bend 1.25 deg in the scene)', ['string[1].bend_deg=0']),

@@ -9,7 +9,7 @@ namespace drill_rig_sim
 /// The mesh of a scene's string over `total_length`, bit's face to top-drive shaft [m]; string/mesh.h says what may be wrong.
 inline Mesh build_mesh(const Scene& scene, double total_length)
 {
-  return build_mesh(scene.string, scene.contact.law, scene.mud, scene.numerics.element_length, total_length);
+  return build_mesh(scene.string, scene.contact, scene.mud, scene.numerics.element_length, total_length);
 }
 
 }  // namespace drill_rig_sim

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "drill_rig_sim/contact/normal_law.h"
+#include "drill_rig_sim/contact/contact_spec.h"
 #include "drill_rig_sim/string/mud.h"
 #include "drill_rig_sim/string/part.h"
 #include "drill_rig_sim/string/beam_element.h"
@@ -60,10 +60,10 @@ struct Mesh
   std::vector<double> part_top;
 };
 
-/// Cuts a string of `parts`, bit first, in `mud` into elements no longer than `element_length` [m]; `contact`: the wall's law for parts without
-/// one of their own. `total_length` [m] fixes how many joints the `fill` entry has and how long its last one is. Throws
+/// Cuts a string of `parts`, bit first, in `mud` into elements no longer than `element_length` [m]; `contact`: the wall's laws for parts without
+/// one of their own, stiffer for those below the pipe. `total_length` [m] fixes how many joints the `fill` entry has and how long its last one is. Throws
 /// std::runtime_error if the string does not fit.
-Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, double element_length,
+Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactSpec& contact, const MudSpec& mud, double element_length,
                 double total_length);
 
 }  // namespace drill_rig_sim

@@ -212,8 +212,6 @@ BeamInHole beam_of(const Assembly& assembly, const Slide& slide)
 {
   BeamInHole beam;
   beam.inclination = kInclination;
-  beam.build = slide.build;
-  beam.curved = slide.curved;
   beam.weight_on_bit = slide.weight;
   double top = 0.0;
   for (const std::vector<double>& row : assembly.elements)
@@ -224,7 +222,11 @@ BeamInHole beam_of(const Assembly& assembly, const Slide& slide)
     const double bending = part.young_modulus * row[6] * std::pow(kInch, 4);
     const double weight = standard_gravity * part.linear_mass * (1.0 - kMud / part.density);
     const double clearance = 0.5 * (kHole - part.outer_diameter);
-    for (int k = 0; k < 4; ++k) beam.pieces.push_back({0.25 * row[2] * kFoot, bending, shear, weight, clearance});
+    for (int k = 0; k < 4; ++k)
+    {
+      const double middle = (top + 0.25 * row[2] * (k + 0.5)) * kFoot;
+      beam.pieces.push_back({0.25 * row[2] * kFoot, bending, shear, weight, clearance, 0.0, middle < slide.curved ? slide.build : 0.0});
+    }
     top += row[2];
     if (std::abs(top - kBendAt) < 1e-6) beam.pieces.back().bend = kBend;
     if (assembly.blade_at(top) > 0.0) beam.pieces.back().clearance = 0.5 * (kHole - assembly.blade_at(top));
@@ -244,7 +246,7 @@ void against_beam_column(Report& report, const Assembly& assembly, const std::ve
     const Slide slide{14.0 * kRate, row.curved, 20e3 * kPoundForce};
     // 100 lbf: on the short lever from bit to blade that is 0.05 mm, to which the hole's nodes follow an arc and its beginning
     report.add({std::string("bent motor: bit side force in ") + row.name + " of 14 deg/100 ft at 20 klbf [lbf]",
-                side_force(settled(parts, slide)) / kPoundForce, beam_of(assembly, slide).bit_side_force() / kPoundForce, 100.0,
+                side_force(settled(parts, slide)) / kPoundForce, beam_of(assembly, slide).bit().side_force / kPoundForce, 100.0,
                 "Timoshenko beam-column of the tests", true});
   }
 }
