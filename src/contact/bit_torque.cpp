@@ -19,21 +19,39 @@ TorqueLimit stribeck_bit_torque(const BitTorqueSpec& spec, double diameter, doub
   return out;
 }
 
-TorqueLimit detournay_bit_torque(const BitTorqueSpec& spec, double diameter, double force, double speed,
-                                 const FormationLayer& rock) noexcept
+double implied_inclination(double diameter, double drillability, double cutting_energy) noexcept
+{
+  return 1.0 / (pi * diameter * drillability * cutting_energy);
+}
+
+namespace
+{
+/// Of the cutters alone.
+TorqueLimit cutting_torque(const BitTorqueSpec& spec, double a, double force, double speed, const FormationLayer& rock) noexcept
 {
   constexpr double least_speed = 1.0;
-  const double a = 0.5 * diameter;
+  if (spec.cutting_energy <= 0.0)
+  {
+    const double arm = 0.5 * a / cutter_inclination;
+    return {arm * std::max(0.0, force - rock.threshold), force > rock.threshold ? arm : 0.0, 0.0};
+  }
   const double turning = std::max(least_speed, std::abs(speed));
   const double per_turn = 2.0 * pi * std::pow(turning, rock.speed_exponent - 1.0);
   const RockBreakingSpeed v = rock_breaking_speed({rock.drillability * per_turn, rock.weight_exponent, rock.threshold}, force);
-  const double cutting = 0.5 * spec.cutting_energy * a * a;  // torque per depth of cut
-  const double rubbing = 0.5 * spec.wear_friction * a;       // torque per weight on the flats
+  const double per_depth = 0.5 * spec.cutting_energy * a * a;
+  return {per_depth * v.value, per_depth * v.slope,
+          std::abs(speed) > least_speed ? per_depth * v.value * (rock.speed_exponent - 1.0) / turning : 0.0};
+}
+}  // namespace
 
-  TorqueLimit out;
-  out.value = cutting * v.value + rubbing * std::clamp(force, 0.0, std::max(0.0, spec.wear_weight));
-  out.force_slope = cutting * v.slope + (force > 0.0 && force < spec.wear_weight ? rubbing : 0.0);
-  out.speed_slope = std::abs(speed) > least_speed ? cutting * v.value * (rock.speed_exponent - 1.0) / turning : 0.0;
+TorqueLimit detournay_bit_torque(const BitTorqueSpec& spec, double diameter, double force, double speed,
+                                 const FormationLayer& rock) noexcept
+{
+  const double a = 0.5 * diameter;
+  const double rubbing = 0.5 * spec.wear_friction * a;  // torque per weight on the flats
+  TorqueLimit out = cutting_torque(spec, a, force, speed, rock);
+  out.value += rubbing * std::clamp(force, 0.0, std::max(0.0, spec.wear_weight));
+  out.force_slope += force > 0.0 && force < spec.wear_weight ? rubbing : 0.0;
   return out;
 }
 

@@ -164,11 +164,13 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"sensor_offset",         "m",      Inside<PartSpec>{of_sensor},         between(0.0, 2000.0), "from the part's lower end up to the sensor", no_kind, mwd},
   {"mass",                  "kg",     Inside<PartSpec>{of_bit<&BitSpec::mass>}, between(0.1, 1e5),    "of the bit", bit, bit},
   {"diameter",              "m",      Inside<PartSpec>{of_bit<&BitSpec::diameter>}, between(0.03, 1.0),   "gauge of the bit: it drills this hole", bit, bit},
-  {"side_cutting",          "-",      Inside<PartSpec>{of_bit<&BitSpec::side_cutting>}, between(0.0, 1.0),    "how well the bit cuts sideways, relative to ahead", no_kind, bit},
+  {"side_cutting",          "-",      Inside<PartSpec>{of_bit<&BitSpec::side_cutting>}, between(0.0, 1.0),    "lateral over axial drillability: PDC bits 0.001 to 0.1, less the longer their gauge", no_kind, bit},
   {"torque",                "",       Nested{},                            none,                 "law of the torque on bit", no_kind, bit},
   {"bottom",                "",       Nested{},                            none,                 "law of the bit's contact with the hole's bottom", no_kind, bit},
   {"bend_deg",              "deg",    Inside<PartSpec>{of_motor<&MotorSpec::bend>}, between(0.0, 5.0),    "angle of the bent housing", no_kind, motor},
   {"bit_to_bend",           "m",      Inside<PartSpec>{of_motor<&MotorSpec::bit_to_bend>}, between(0.01, 100.0), "from the bit's face to the bend; lies inside the motor", motor, motor},
+  {"sleeve_diameter",       "m",      Inside<PartSpec>{of_motor<&MotorSpec::sleeve_diameter>}, between(0.0, 1.0), "over the blades on its bearing housing, which turn with the string; 0: none", no_kind, motor},
+  {"bit_to_sleeve",         "m",      Inside<PartSpec>{of_motor<&MotorSpec::bit_to_sleeve>}, between(0.0, 100.0), "from the bit's face to the middle of these blades; lies inside the motor", no_kind, motor},
   {"displacement_per_rev",  "m3/rev", Inside<PartSpec>{of_motor<&MotorSpec::displacement_per_rev>}, between(1e-4, 1.0),   "mud volume that turns the motor once", motor, motor},
   {"stall_torque",          "N m",    Inside<PartSpec>{of_motor<&MotorSpec::stall_torque>}, between(1.0, 1e6),    "torque at which the motor stalls", motor, motor},
   {"curve_exponent",        "-",      Inside<PartSpec>{of_motor<&MotorSpec::curve_exponent>}, between(1.0, 20.0),   "b of the motor's speed, N_0 (1 - (T/T_stall)^b); 1 a straight line, power sections 3 to 5", no_kind, motor},
@@ -197,9 +199,9 @@ const Table<BitTorqueSpec> bit_torque_keys = {"string[].torque", "Torque on bit.
   {"static",                "-",      &BitTorqueSpec::static_friction,     between(0.0, 5.0),    "mu of the bit at rest, at least `kinetic`", no_kind, stribeck},
   {"kinetic",               "-",      &BitTorqueSpec::kinetic_friction,    between(0.0, 5.0),    "mu of the bit turning fast", no_kind, stribeck},
   {"speed_rpm",             "rpm",    &BitTorqueSpec::speed,               between(0.1, 1000.0), "bit speed over which mu falls", no_kind, stribeck},
-  {"cutting_energy",        "J/m3",   &BitTorqueSpec::cutting_energy,      between(0.0, 1e10),   "intrinsic specific energy of the rock", no_kind, detournay},
+  {"cutting_energy",        "J/m3",   &BitTorqueSpec::cutting_energy,      between(0.0, 1e10),   "intrinsic specific energy of the rock, if it must agree with the drillability; 0: what that says", no_kind, detournay},
   {"wear_friction",         "-",      &BitTorqueSpec::wear_friction,       between(0.0, 5.0),    "friction coefficient times bit constant of the wear flats", no_kind, detournay},
-  {"wear_weight",           "N",      &BitTorqueSpec::wear_weight,         between(0.0, 1e6),    "weight that the wear flats carry", no_kind, detournay},
+  {"wear_weight",           "N",      &BitTorqueSpec::wear_weight,         between(0.0, 1e6),    "weight that the wear flats carry, up to the rock's threshold", no_kind, detournay},
 }};
 
 const Table<RigSpec> rig_keys = {"rig", "The rig above the rotary table.", {
@@ -243,6 +245,7 @@ const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe."
 
 const Table<ContactSpec> contact_keys = {"contact", "Contact of string and wall, F = k d^e (1 + c d'), and the shape of the friction law; `friction` of the hole sections is kinetic.", {
   {"stiffness",             "N/m^e",  Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.law.stiffness; }}, between(1e3, 1e13), "k"},
+  {"assembly_stiffness",    "N/m^e",  &ContactSpec::assembly_stiffness,    between(1e3, 1e13),   "least k under bit, motor, stabilizer, mwd and collars: what they embed themselves is missing from the bit's side force"},
   {"exponent",              "-",      Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.law.exponent; }},  between(1.0, 3.0),  "e; Hertz 1.5"},
   {"damping",               "s/m",    Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.law.damping; }},   between(0.0, 100.0), "c"},
   {"stribeck_speed",        "m/s",    &ContactSpec::stribeck_speed,        between(1e-4, 10.0),  "slip speed over which friction falls from static to kinetic"},

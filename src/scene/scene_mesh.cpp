@@ -37,7 +37,7 @@ ElementLengths element_lengths(const Scene& scene) noexcept
 
 Mesh build_mesh(const Scene& scene, double total_length)
 {
-  return build_mesh(scene.string, scene.contact.law, scene.mud, element_lengths(scene), total_length);
+  return build_mesh(scene.string, scene.contact, scene.mud, element_lengths(scene), total_length);
 }
 
 }  // namespace drill_rig_sim

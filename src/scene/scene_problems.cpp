@@ -26,6 +26,35 @@ void check_formation(const std::vector<FormationLayer>& layers, ProblemList& pro
   }
 }
 
+/// A drag bit's torque and the rock's law must be about one rock: its energy, its cutters' inclination and its drillability are two numbers, not
+/// three, and the weight on its flats breaks none.
+void check_drag_bit(const BitSpec& bit, const std::vector<FormationLayer>& layers, ProblemList& problems)
+{
+  constexpr double least = 0.4, most = 1.0;  // about the measured 0.5 to 0.8
+  const BitTorqueSpec& torque = bit.torque;
+  if (torque.model != BitTorqueModel::detournay) return;
+  for (std::size_t i = 0; i < layers.size(); ++i)
+  {
+    const FormationLayer& rock = layers[i];
+    const std::string layer = "formation[" + std::to_string(i) + "]";
+    if (torque.wear_weight > rock.threshold)
+      problems.emplace_back("string[0].torque.wear_weight", plain(torque.wear_weight) + " N on flats, which break no rock, exceed the threshold of " +
+                                                                layer + ", allowed: up to " + plain(rock.threshold) + " N");
+    if (torque.cutting_energy == 0.0) continue;
+    if (rock.weight_exponent != 1.0 || rock.speed_exponent != 1.0)
+    {
+      problems.emplace_back("string[0].torque.cutting_energy", "the rate in " + layer + " is not proportional to weight and speed, it has no one energy, needed: leave it out");
+      continue;
+    }
+    const double zeta = implied_inclination(bit.diameter, rock.drillability, torque.cutting_energy);
+    if (zeta >= least && zeta <= most) continue;
+    const double own = torque.cutting_energy * zeta / cutter_inclination;
+    problems.emplace_back("string[0].torque.cutting_energy", plain(torque.cutting_energy) + " J/m3 contradicts the drillability of " + layer +
+                                                                 ", which says some " + plain(own) + " J/m3, allowed: " + plain(torque.cutting_energy * zeta / most) +
+                                                                 " to " + plain(torque.cutting_energy * zeta / least) + " J/m3; or leave it out");
+  }
+}
+
 // names become frames of the transform tree
 void check_part_names(const std::vector<PartSpec>& parts, ProblemList& problems)
 {
@@ -53,6 +82,7 @@ Width widest(const PartSpec& part)
 {
   Width width{"outer_diameter", part.outer_diameter};
   for (const Width& other : {Width{"tool_joint_diameter", part.pipe ? part.pipe->tool_joint_diameter : 0.0},
+                             Width{"sleeve_diameter", part.motor ? part.motor->sleeve_diameter : 0.0},
                              Width{"blade_diameter", part.stabilizer ? part.stabilizer->blade_diameter : 0.0},
                              Width{"diameter", part.bit ? part.bit->diameter : 0.0}})
   {
@@ -99,6 +129,12 @@ void check_diameters(const Scene& scene, ProblemList& problems)
       problems.emplace_back(item_key("string", i, "tool_joint_diameter"), metres(part.pipe->tool_joint_diameter) +
                                                                  " is thinner than the body, allowed: at least outer_diameter, " +
                                                                  metres(part.outer_diameter));
+    }
+    if (part.motor && part.motor->sleeve_diameter > 0.0 && part.motor->sleeve_diameter < part.outer_diameter)
+    {
+      problems.emplace_back(item_key("string", i, "sleeve_diameter"), metres(part.motor->sleeve_diameter) +
+                                                             " is thinner than the body, allowed: at least outer_diameter, " +
+                                                             metres(part.outer_diameter) + ", or 0");
     }
     if (part.stabilizer && part.stabilizer->blade_diameter < part.outer_diameter)
     {
@@ -238,6 +274,7 @@ ProblemList scene_problems(const Scene& scene)
   append(problems, trajectory_problems(scene.trajectory));
   append(problems, unavailable(scene));
   check_formation(scene.formation, problems);
+  if (!scene.string.empty() && scene.string[0].bit) check_drag_bit(*scene.string[0].bit, scene.formation, problems);
   check_part_names(scene.string, problems);
   check_element_length(scene.numerics.element_length, problems);
   append(problems, string_problems(scene.string, scene.start.bit_depth + scene.start.block_height, element_lengths(scene)));

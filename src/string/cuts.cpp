@@ -18,14 +18,36 @@ void cut_joint(const PartSpec& part, int index, int joint, double lower, double 
   }
 }
 
-/// A joint that has a special place inside: bend or blade.
-void cut_joint_at(const PartSpec& part, int index, double lower, double place, double upper, double radius, double longest,
+/// A node inside a joint: bend or blade.
+struct Place
+{
+  double from_bit, radius;
+};
+
+/// A joint that has special places inside, from the bit up.
+void cut_joint_at(const PartSpec& part, int index, double lower, const std::vector<Place>& places, double upper, double longest,
                   std::vector<Cut>& cuts)
 {
-  cut_joint(part, index, 0, lower, place, longest, cuts);
-  cuts.back().contact_radius = radius;
-  cuts.back().joint_end = false;
-  cut_joint(part, index, 0, place, upper, longest, cuts);
+  for (const Place& place : places)
+  {
+    cut_joint(part, index, 0, lower, place.from_bit, longest, cuts);
+    cuts.back().contact_radius = place.radius;
+    cuts.back().joint_end = false;
+    lower = place.from_bit;
+  }
+  cut_joint(part, index, 0, lower, upper, longest, cuts);
+}
+
+std::vector<Place> places_in(const PartSpec& part, double lower, double upper)
+{
+  std::vector<Place> places;
+  if (part.stabilizer) places.push_back({0.5 * (lower + upper), 0.5 * part.stabilizer->blade_diameter});
+  if (!part.motor) return places;
+  const MotorSpec& motor = *part.motor;
+  if (motor.sleeve_diameter > 0.0) places.push_back({motor.bit_to_sleeve, 0.5 * motor.sleeve_diameter});
+  if (motor.bend != 0.0) places.push_back({motor.bit_to_bend, 0.5 * part.outer_diameter});
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.from_bit < b.from_bit; });
+  return places;
 }
 }  // namespace
 
@@ -51,11 +73,9 @@ void cut_part(const PartSpec& part, int index, double lower, const std::vector<d
               std::vector<Cut>& cuts)
 {
   const double upper = lower + lengths.front();
-  if (part.motor && part.motor->bend != 0.0)
-    cut_joint_at(part, index, lower, part.motor->bit_to_bend, upper, 0.5 * part.outer_diameter, longest.at(lower), cuts);
-  else if (part.stabilizer)
-    cut_joint_at(part, index, lower, 0.5 * (lower + upper), upper, 0.5 * part.stabilizer->blade_diameter, longest.at(lower),
-                 cuts);
+  const std::vector<Place> places = places_in(part, lower, upper);
+  if (!places.empty())
+    cut_joint_at(part, index, lower, places, upper, longest.at(lower), cuts);
   else
     for (std::size_t j = 0; j < lengths.size(); ++j)
     {

@@ -89,12 +89,21 @@ std::vector<Cut> cut_string(const std::vector<PartSpec>& parts, const ElementLen
   throw std::runtime_error(message.str());
 }
 
-MeshNode bit_node(const PartSpec& bit, const ContactLaw& contact, const Mesh& mesh)
+/// The wall's law under a part.
+ContactLaw law_under(const PartSpec& part, const ContactSpec& contact)
+{
+  if (part.contact) return *part.contact;
+  ContactLaw law = contact.law;
+  if (part.type != PartType::pipe) law.stiffness = std::max(law.stiffness, contact.assembly_stiffness);
+  return law;
+}
+
+MeshNode bit_node(const PartSpec& bit, const ContactSpec& contact, const Mesh& mesh)
 {
   MeshNode node;
   node.from_bit = mesh.bit_radius;
   node.contact_radius = mesh.bit_radius;
-  node.contact = bit.contact.value_or(contact);
+  node.contact = law_under(bit, contact);
   node.mass = bit.bit->mass;
   node.squeeze_film_damping = bit.bit->squeeze_film_damping;
   node.spin_inertia = node.tilt_inertia = 0.4 * bit.bit->mass * mesh.bit_radius * mesh.bit_radius;
@@ -102,14 +111,14 @@ MeshNode bit_node(const PartSpec& bit, const ContactLaw& contact, const Mesh& me
 }
 
 /// The element that ends at `cut`, on top of those that are there.
-void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const ContactLaw& contact, const MudSpec& mud, Mesh& mesh)
+void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const ContactSpec& contact, const MudSpec& mud, Mesh& mesh)
 {
   const PartSpec& part = parts[cut.part];
   const double lower = mesh.nodes.back().from_bit;
   // the bit's own length carries no mass of the part above it
   const double mass = part.linear_mass * (cut.from_bit - std::max(lower, parts.front().length));
   MeshElement element = make_element(part, cut.part, lower, cut.from_bit, mass);
-  element.contact = part.contact.value_or(contact);
+  element.contact = law_under(part, contact);
   MeshNode node;
   node.from_bit = cut.from_bit;
   node.contact_radius = cut.contact_radius;
@@ -120,6 +129,8 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
   node.joint_end = cut.joint_end;
   if (part.stabilizer && !cut.joint_end && cut.contact_radius == 0.5 * part.stabilizer->blade_diameter)
     node.squeeze_film_damping = part.stabilizer->squeeze_film_damping;
+  if (part.motor && part.motor->sleeve_diameter > 0.0 && std::abs(cut.from_bit - part.motor->bit_to_sleeve) < 1e-9)
+    node.squeeze_film_damping = StabilizerSpec().squeeze_film_damping;
   if (part.motor && part.motor->bend != 0.0 && std::abs(cut.from_bit - part.motor->bit_to_bend) < 1e-9)
   {
     mesh.bend_node = static_cast<int>(mesh.nodes.size());
@@ -142,7 +153,7 @@ void widen(const PartSpec& above, MeshNode& node)
 
 }  // namespace
 
-Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, const ElementLengths& longest,
+Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactSpec& contact, const MudSpec& mud, const ElementLengths& longest,
                 double total_length)
 {
   Mesh mesh;

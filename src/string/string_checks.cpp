@@ -43,6 +43,9 @@ void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
     if (part.motor && (part.motor->bit_to_bend <= bottom || part.motor->bit_to_bend >= top))
       problems.emplace_back(item_key("string", i, "bit_to_bend"), metres(part.motor->bit_to_bend) + " is outside the motor, allowed: between " +
                                                                       plain(bottom) + " and " + metres(top));
+    if (part.motor && part.motor->sleeve_diameter > 0.0 && (part.motor->bit_to_sleeve <= bottom || part.motor->bit_to_sleeve >= top))
+      problems.emplace_back(item_key("string", i, "bit_to_sleeve"), metres(part.motor->bit_to_sleeve) + " is outside the motor, allowed: between " +
+                                                                        plain(bottom) + " and " + metres(top));
     if (part.mwd && part.mwd->sensor_offset > part.length)
       problems.emplace_back(item_key("string", i, "sensor_offset"),
                             metres(part.mwd->sensor_offset) + " is outside the part, allowed: 0 to " + metres(part.length));

@@ -234,7 +234,7 @@ class Job:
             Check('rate of penetration = feed', 'm/h', 3600.0 * m['rop'], 3600.0 * self.feed, 0.005 * 3600.0 * self.feed, '32.7 m/h'),
             Check('hook load = soft-string sum - WOB', 't', m['hook_load'] / TONNE, soft / TONNE, 0.01 * soft / TONNE, '34 t'),
             Check('WOB = rock law at this ROP', 'kN', m['wob'] / 1e3, law / 1e3, 0.02 * law / 1e3),
-            Check('mean inclination of the drilled path', 'deg', depth[0], 51.0, 1.0, '51 deg'),
+            Check('mean inclination of the drilled path', 'deg', depth[0], 51.0, 0.3, '51 deg'),
             Check('mean azimuth of the drilled path', 'deg', depth[1], 297.0, 1.0, '297 deg'),
             Check('pitch of the raw helix', 'mm', 1e3 * self.raw_helix.pitch, 1e3 * pitch, 0.02 * 1e3 * pitch),
             Check('swing of the raw tangents', 'deg', self.tangent_swing_deg(), 1.0, 0.3),

@@ -11,6 +11,8 @@ SUBJECTS = [
     ('weight and torque on the bit in steady drilling', 'detournay', ''),
     ('whirl', 'whirl', ''),
     ('build rate of a bent motor', 'bent_motor', 'build rate at'),
+    ('side force at the wall of the default', 'bent_motor', "default's wall"),
+    ('slides drilled', 'sliding', ''),
     ('critical load of buckling', 'buckling|beams', 'sinusoidal|column|critical weight'),
     ('helix of buckled pipe', 'buckling', 'helix'),
     ('beams bent far', 'beams', 'tip [xyz]'),

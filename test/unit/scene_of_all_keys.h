@@ -19,7 +19,7 @@ mud: {density: 1181.0, axial_damping: 0.19, lateral_damping: 21.0, drag_coeffici
 string:
   - {name: b1, type: bit, length: 0.36, mass: 91.0, diameter: 0.3112, side_cutting: 0.12, speed_lag: 0.31, squeeze_film_damping: 41000.0,
      torque: {model: stribeck, static: 0.61, kinetic: 0.41, speed_rpm: 31.0}, bottom: {stiffness: 1.1e9, exponent: 1.51, damping: 1.01}}
-  - {name: m1, type: mud_motor, length: 8.4, outer_diameter: 0.204, inner_diameter: 0.121, linear_mass: 191.0, bend_deg: 1.3, bit_to_bend: 2.1, displacement_per_rev: 0.025, stall_torque: 12100.0, curve_exponent: 3.9}
+  - {name: m1, type: mud_motor, length: 8.4, outer_diameter: 0.204, inner_diameter: 0.121, linear_mass: 191.0, bend_deg: 1.3, bit_to_bend: 2.1, sleeve_diameter: 0.3079, bit_to_sleeve: 1.05, displacement_per_rev: 0.025, stall_torque: 12100.0, curve_exponent: 3.9}
   - {name: c1, type: collar, joints: 2, joint_length: 9.1, outer_diameter: 0.203, inner_diameter: 0.072, linear_mass: 221.0, young_modulus: 2.01e11, poisson_ratio: 0.28, yield_strength: 9.31e8, make_up_torque: 4.1e4, density: 7801.0, friction_radius: 0.081,
      contact: {stiffness: 5.1e7, exponent: 1.52, damping: 0.32}}
   - {name: s1, type: stabilizer, length: 1.9, outer_diameter: 0.2031, inner_diameter: 0.073, linear_mass: 231.0, blade_diameter: 0.3081, squeeze_film_damping: 42000.0}
@@ -29,7 +29,7 @@ rig:
   hoisting: {sheaves: 6, line_ea: 4.1e7, crown_height: 47.0, fixed_length: 61.0, block_mass: 17600.0, sheave_efficiency: 0.97, rail_friction: 0.04, line_damping: 0.05, max_speed: 1.6, max_acceleration: 0.6, max_hook_load: 2.6e6, lowest_block_height: 1.1, highest_block_height: 41.0}
   top_drive: {inertia: 2600.0, proportional_gain: 20001.0, integral_gain: 5001.0, max_torque: 50001.0, max_speed_rpm: 221.0, max_power: 750001.0, meter_stiffness: 1.1e6, gearbox_friction: 1001.0, brake_torque: 50001.0}
   mud_pump: {max_flow: 0.061, pressure_coefficient: 4.1e9}
-contact: {stiffness: 5.3e7, exponent: 1.53, damping: 0.33, stribeck_speed: 0.051, static_ratio: 1.21, stribeck_curve: exponential, growth_at_rest: 0.03, growth_time: 1.7, growth_limit: 0.43, tangential_stiffness: 5.4e6, tangential_damping: 0.26}
+contact: {stiffness: 5.3e7, assembly_stiffness: 2.1e10, exponent: 1.53, damping: 0.33, stribeck_speed: 0.051, static_ratio: 1.21, stribeck_curve: exponential, growth_at_rest: 0.03, growth_time: 1.7, growth_limit: 0.43, tangential_stiffness: 5.4e6, tangential_damping: 0.26}
 trajectory: {stage_two_length: 0.11}
 start: {bit_depth: 801.0, block_height: 35.0, weight_on_bit: 1001.0, torque_on_bit: 101.0, toolface_deg: 11.0}
 numerics: {level: beam3d, integrator: trbdf2, element: corotational, step: 0.004, element_length: 9.7, tolerance: 0.012, reference_tolerance: 1.1e-6,

@@ -27,6 +27,7 @@ BitTorqueSpec drag_bit()
 {
   BitTorqueSpec spec;
   spec.model = BitTorqueModel::detournay;
+  spec.cutting_energy = 60e6;
   spec.wear_weight = 2e4;
   return spec;
 }
@@ -70,6 +71,29 @@ TEST(BitTorqueLimit, DetournayCutsAndRubs)
   expect_slopes(drag_bit(), 74e3, 14.0, rock_with(0.7));
   expect_slopes(drag_bit(), 74e3, -14.0, rock_with(0.7));
   expect_slopes(drag_bit(), 10e3, 14.0, rock_with(0.7));
+}
+
+// quick.yaml's rock: 10 kN cut 1.3e-7 2 pi 10 kN = 8.168 mm a turn. That is W = zeta epsilon a d with epsilon = 18.9 MPa, and
+// T = epsilon a^2 d/2 = a W/(2 zeta).
+TEST(BitTorqueLimit, DetournayWithoutAnEnergyTakesTheRocksOwn)
+{
+  BitTorqueSpec spec;
+  spec.model = BitTorqueModel::detournay;
+  FormationLayer rock;
+  rock.drillability = 1.3e-7;
+  const double diameter = 0.2159, a = 0.5 * diameter;
+  EXPECT_NEAR(implied_inclination(diameter, 1.3e-7, 18.9e6), 0.6, 1e-3);
+  const double own = 1.0 / (2.0 * pi * a * 0.6 * 1.3e-7);
+  EXPECT_NEAR(own, 18.9e6, 0.02e6);
+  EXPECT_NEAR(detournay_bit_torque(spec, diameter, 10e3, 9.0, rock).value, 0.5 * own * a * a * 2.0 * pi * 1.3e-7 * 10e3, 1e-6);
+  EXPECT_NEAR(detournay_bit_torque(spec, diameter, 10e3, 9.0, rock).value, 899.6, 0.1);
+  expect_slopes(spec, 10e3, 9.0, rock);
+
+  // the threshold's weight does not cut; where the flats carry it, it rubs
+  rock.threshold = spec.wear_weight = 4e3;
+  EXPECT_NEAR(detournay_bit_torque(spec, diameter, 10e3, 9.0, rock).value, a * (6e3 / 1.2 + 0.5 * 0.6 * 4e3), 1e-9);
+  expect_slopes(spec, 10e3, 9.0, rock);
+  expect_slopes(spec, 3e3, 9.0, rock);
 }
 
 TEST(BitTorqueLimit, DetournayIsFiniteAtRest)

@@ -123,6 +123,8 @@ std::vector<Expected> of_string()
       {"string[].bottom", "damping", [](const Scene& s) { return s.string.at(0).bit->bottom.damping; }, 1.01},
       {"string[]", "bend_deg", [](const Scene& s) { return s.string.at(1).motor->bend; }, 1.3 * degree},
       {"string[]", "bit_to_bend", [](const Scene& s) { return s.string.at(1).motor->bit_to_bend; }, 2.1},
+      {"string[]", "sleeve_diameter", [](const Scene& s) { return s.string.at(1).motor->sleeve_diameter; }, 0.3079},
+      {"string[]", "bit_to_sleeve", [](const Scene& s) { return s.string.at(1).motor->bit_to_sleeve; }, 1.05},
       {"string[]", "displacement_per_rev", [](const Scene& s) { return s.string.at(1).motor->displacement_per_rev; }, 0.025},
       {"string[]", "curve_exponent", [](const Scene& s) { return s.string.at(1).motor->curve_exponent; }, 3.9},
       {"string[]", "stall_torque", [](const Scene& s) { return s.string.at(1).motor->stall_torque; }, 12100.0},
@@ -165,6 +167,7 @@ std::vector<Expected> of_rig()
       {"contact", "growth_at_rest", [](const Scene& s) { return s.contact.growth.per_fold; }, 0.03},
       {"contact", "growth_time", [](const Scene& s) { return s.contact.growth.time; }, 1.7},
       {"contact", "growth_limit", [](const Scene& s) { return s.contact.growth.limit; }, 0.43},
+      {"contact", "assembly_stiffness", [](const Scene& s) { return s.contact.assembly_stiffness; }, 2.1e10},
       {"contact", "tangential_stiffness", [](const Scene& s) { return s.contact.tangential_stiffness; }, 5.4e6},
       {"contact", "tangential_damping", [](const Scene& s) { return s.contact.tangential_damping; }, 0.26},
       {"trajectory", "stage_two_length", [](const Scene& s) { return s.trajectory.stage_two_length; }, 0.11},
@@ -305,12 +308,14 @@ TEST(SceneKeys, thatExcludeOthersAreInTheirFieldsToo)
   };
   replace("stage_two_length: 0.11", "stage_two_steps: 12");
   replace("{model: stribeck, static: 0.61, kinetic: 0.41, speed_rpm: 31.0}",
-          "{model: detournay, cutting_energy: 6.1e7, wear_friction: 0.62, wear_weight: 601.0}");
+          "{model: detournay, cutting_energy: 1.25e8, wear_friction: 0.62, wear_weight: 601.0}");
+  replace("weight_exponent: 1.2, speed_exponent: 0.7, ", "");
+  replace("drillability: 1.7e-8", "drillability: 1.7e-8, threshold: 602.0");
   const Scene scene = parse_scene(text, "all_keys.yaml");
   EXPECT_EQ(scene.trajectory.stage_two_steps, 12);
   const BitTorqueSpec& torque = scene.string.at(0).bit->torque;
   EXPECT_EQ(torque.model, BitTorqueModel::detournay);
-  EXPECT_EQ(torque.cutting_energy, 6.1e7);
+  EXPECT_EQ(torque.cutting_energy, 1.25e8);
   EXPECT_EQ(torque.wear_friction, 0.62);
   EXPECT_EQ(torque.wear_weight, 601.0);
 }

@@ -107,14 +107,20 @@ TEST(SceneRead, APartMaySetItsOwnContactLaw)
   EXPECT_DOUBLE_EQ(scene.string[0].contact->exponent, 1.5);
 }
 
+TEST(SceneRead, ABitCutsSidewaysByDefault)
+{
+  EXPECT_DOUBLE_EQ(parse_scene(smallest, "smallest.yaml").string[0].bit->side_cutting, 0.02);
+}
+
 TEST(SceneRead, DetournayTorqueTakesItsOwnKeys)
 {
   std::string text = smallest;
+  text.replace(text.find("drillability: 1e-8"), 18, "drillability: 1e-8, threshold: 1000");
   text.replace(text.find("diameter: 0.25}"), 15,
-               "diameter: 0.25, torque: {model: detournay, cutting_energy: 5e7, wear_weight: 1000}}");
+               "diameter: 0.25, torque: {model: detournay, cutting_energy: 2e8, wear_weight: 1000}}");
   const Scene scene = parse_scene(text, "detournay.yaml");
   EXPECT_EQ(scene.string[0].bit->torque.model, BitTorqueModel::detournay);
-  EXPECT_DOUBLE_EQ(scene.string[0].bit->torque.cutting_energy, 5e7);
+  EXPECT_DOUBLE_EQ(scene.string[0].bit->torque.cutting_energy, 2e8);
   EXPECT_DOUBLE_EQ(scene.string[0].bit->torque.wear_weight, 1000.0);
 }
 

@@ -176,18 +176,18 @@ TEST(OnBottom, aStartHoldsOnlyWhatRockAndLineHold)
   EXPECT_EQ(0u, refusal_of(scene).find("start: weight_on_bit: ")) << refusal_of(scene);
 }
 
-// A drag bit that stands resists as at 1 rad/s: epsilon a^2/2 times a turn's depth of cut, 2 pi K F, in the rock of the hole's bottom.
+// A drag bit that stands resists by the weight that cuts, a (F - F_0)/(2 zeta), in the rock of the hole's bottom.
 TEST(OnBottom, aStartsTorqueIsHeldByTheBottomsRock)
 {
   Scene scene = frictionless({1.3e-7, 1.0, 0.0, 0.0});
   scene.formation.insert(scene.formation.begin(), scene.formation[0]);
   scene.formation[0].to_tvd = 50.0;
-  scene.formation[0].drillability = 1e-6;
+  scene.formation[1].threshold = 5e3;
   scene.string[0].bit->torque.model = BitTorqueModel::detournay;
   scene.start.bit_depth = scene.well.hole_depth;
   scene.start.weight_on_bit = 20e3;
   const double a = 0.5 * scene.string[0].bit->diameter;
-  const double most = 0.5 * scene.string[0].bit->torque.cutting_energy * a * a * 2.0 * pi * 1.3e-7 * 20e3;
+  const double most = a * 15e3 / (2.0 * cutter_inclination);
   scene.start.torque_on_bit = 0.999 * most;
   EXPECT_EQ("", refusal_of(scene));
   scene.start.torque_on_bit = 1.001 * most;

@@ -72,6 +72,30 @@ TEST(Mesh, carriesAllOfTheStringsLengthAndMass)
   }
 }
 
+// Sleeve below the bend or above it: both are nodes, and the wall is stiff under them.
+TEST(Mesh, aMotorsSleeveIsANode)
+{
+  for (const double at : {1.0, 3.5})
+  {
+    Scene scene = assembly();
+    scene.string[1].motor->sleeve_diameter = 0.2142;
+    scene.string[1].motor->bit_to_sleeve = at;
+    const Mesh mesh = build_mesh(scene, 320.0);
+    ASSERT_GE(mesh.bend_node, 0);
+    EXPECT_NEAR(mesh.nodes[mesh.bend_node].from_bit, 2.0, 1e-9);
+    int sleeves = 0;
+    for (const MeshNode& node : mesh.nodes)
+    {
+      if (node.contact_radius != 0.1071) continue;
+      ++sleeves;
+      EXPECT_NEAR(node.from_bit, at, 1e-9);
+      EXPECT_EQ(node.contact.stiffness, scene.contact.assembly_stiffness);
+      EXPECT_EQ(node.squeeze_film_damping, 5e4);
+    }
+    EXPECT_EQ(sleeves, 1);
+  }
+}
+
 TEST(Mesh, putsNodesWhereTheStringIsSpecial)
 {
   const Scene scene = assembly();
@@ -175,7 +199,8 @@ TEST(Mesh, knowsWhoseEachPlaceIs)
     EXPECT_EQ(e.part, node.part);
     EXPECT_GT(node.from_bit, bottoms[node.part] + 1e-9);
     EXPECT_LT(node.from_bit, bottoms[node.part + 1] + 1e-9);
-    EXPECT_EQ(node.contact.stiffness, node.part == 4 ? 1e9 : scene.contact.law.stiffness);
+    const double stiffness = part.type == PartType::pipe ? scene.contact.law.stiffness : scene.contact.assembly_stiffness;
+    EXPECT_EQ(node.contact.stiffness, node.part == 4 ? 1e9 : stiffness);
     EXPECT_EQ(e.outer_diameter, part.outer_diameter);
     EXPECT_NEAR(e.outer_area, pi * std::pow(0.5 * part.outer_diameter, 2), 1e-15);
     EXPECT_NEAR(e.bore_area, pi * std::pow(0.5 * part.inner_diameter, 2), 1e-15);

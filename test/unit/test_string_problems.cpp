@@ -67,6 +67,17 @@ TEST(StringRules, PlacesInsideAPartLieInside)
   EXPECT_EQ("string[1].sensor_offset: 9.25 m is outside the part, allowed: 0 to 9 m", said_of({bit, mwd, fill}));
 }
 
+TEST(StringRules, ASleeveIsInsideItsMotor)
+{
+  PartSpec motor = motor_bent_at(2.0);
+  motor.motor->bit_to_sleeve = 50.0;
+  EXPECT_EQ("0 problems", said_of({bit, motor, fill})) << "there is none";
+  motor.motor->sleeve_diameter = 0.2;
+  EXPECT_EQ("string[1].bit_to_sleeve: 50 m is outside the motor, allowed: between 0.3 and 8.6 m", said_of({bit, motor, fill}));
+  motor.motor->bit_to_sleeve = 1.0;
+  EXPECT_EQ("0 problems", said_of({bit, motor, fill}));
+}
+
 // Of a bit's friction the kinetic one may equal the static one; other laws do not have them.
 TEST(StringRules, KineticFrictionDoesNotExceedStatic)
 {

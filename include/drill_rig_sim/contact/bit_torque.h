@@ -19,7 +19,7 @@ struct BitTorqueSpec
   double static_friction = 0.6;   ///< YAML `static` [-]
   double kinetic_friction = 0.4;  ///< YAML `kinetic` [-]
   double speed = 30.0 * rpm;      ///< YAML `speed_rpm`: bit speed over which it falls [rad/s]
-  double cutting_energy = 60e6;   ///< detournay: intrinsic specific energy epsilon [J/m3]
+  double cutting_energy = 0.0;    ///< detournay: intrinsic specific energy epsilon; 0: what the rock's drillability says [J/m3]
   double wear_friction = 0.6;     ///< detournay: mu * gamma of the wear flat [-]
   double wear_weight = 0.0;       ///< detournay: weight carried by the wear flats [N]
 };
@@ -40,13 +40,22 @@ struct TorqueLimit
 /// @param speed     N, either sign [rad/s]
 TorqueLimit stribeck_bit_torque(const BitTorqueSpec& spec, double diameter, double force, double speed) noexcept;
 
+/// zeta of a drag bit: the weight that its cutters need over the force they cut with. Detournay and Defourny measured 0.5 to 0.8.
+constexpr double cutter_inclination = 0.6;
+
+/// The zeta that a drillability K and an intrinsic specific energy epsilon make together [-]: the cutters carry W - F_0 = zeta epsilon a d,
+/// the rock law says d = 2 pi K (W - F_0), hence zeta = 1/(2 pi a K epsilon). For the exponents alpha = beta = 1.
+/// @param diameter  D = 2 a [m]
+double implied_inclination(double diameter, double drillability, double cutting_energy) noexcept;
+
 /// Drag bit: cutting plus friction of the wear flats, T_max = epsilon a^2 d/2 + mu_gamma (a/2) min(F, W_f),
 /// a = D/2, d = 2 pi v/N the depth of cut per revolution, epsilon the intrinsic specific energy, mu_gamma the friction of the
 /// wear flats times the bit's constant gamma, W_f the weight that the flats carry when they bear fully. v = K (F - F_0)^alpha
 /// N^beta by the formation, hence d = 2 pi K (F - F_0)^alpha N^(beta - 1). Below 1 rad/s N is held at 1 rad/s here: a stuck bit
-/// is held by the cut it is in, not by an infinite one. Source: Detournay and Defourny, A phenomenological model for the drilling
-/// action of drag bits, Int. J. Rock Mech. Min. Sci. 29 (1992), 13-23: T = T_c + T_f, T_c = epsilon a^2 d/2, 2 T_f/a = mu gamma
-/// W_f.
+/// is held by the cut it is in, not by an infinite one. With epsilon = 0 the two laws share one input: the cutters' weight W_c = F - F_0
+/// cuts by T_c = a W_c/(2 zeta), zeta the cutter_inclination, whatever the exponents. Source: Detournay and Defourny, A phenomenological model for the drilling
+/// action of drag bits, Int. J. Rock Mech. Min. Sci. 29 (1992), 13-23: T = T_c + T_f, T_c = epsilon a^2 d/2, W_c = zeta
+/// epsilon a d, 2 T_f/a = mu gamma W_f.
 /// @param spec  cutting_energy [J/m3], wear_friction [-], wear_weight [N]
 /// @param rock  drillability K, weight_exponent alpha, speed_exponent beta, threshold F_0
 TorqueLimit detournay_bit_torque(const BitTorqueSpec& spec, double diameter, double force, double speed,

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "drill_rig_sim/contact/normal_law.h"
+#include "drill_rig_sim/contact/contact_spec.h"
 #include "drill_rig_sim/string/element_lengths.h"
 #include "drill_rig_sim/string/mud.h"
 #include "drill_rig_sim/string/part.h"
@@ -63,10 +63,10 @@ struct Mesh
   std::vector<double> part_top;
 };
 
-/// Cuts a string of `parts`, bit first, in `mud` into elements no longer than `longest`; `contact`: the wall's law for parts without
-/// one of their own. `total_length` [m] fixes how many joints the `fill` entry has and how long its last one is. Throws
+/// Cuts a string of `parts`, bit first, in `mud` into elements no longer than `longest`; `contact`: the wall's laws for parts without
+/// one of their own, stiffer for those below the pipe. `total_length` [m] fixes how many joints the `fill` entry has and how long its last one is. Throws
 /// std::runtime_error if the string does not fit.
-Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactLaw& contact, const MudSpec& mud, const ElementLengths& longest,
+Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactSpec& contact, const MudSpec& mud, const ElementLengths& longest,
                 double total_length);
 
 }  // namespace drill_rig_sim

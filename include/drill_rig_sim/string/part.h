@@ -24,7 +24,10 @@ struct BitSpec
 {
   double mass = 0.0;          ///< [kg]
   double diameter = 0.0;      ///< gauge [m]
-  double side_cutting = 0.0;  ///< i_b in [0, 1]
+  /// i_b in [0, 1]: sideways per revolution and side force over ahead per revolution and weight. PDC bits have 0.001 (long passive gauge)
+  /// to 0.1 (short, cutting); the default is a middle. Source: Menand, Sellami, Simon, PDC bit classification according to
+  /// steerability, SPE Drilling & Completion 19 (2004), SPE 87837, eq. (1): ratio of lateral to axial drillability.
+  double side_cutting = 0.02;
   double squeeze_film_damping = 5e4;  ///< lateral, by the mud squeezed between gauge and wall [N s/m]
   double speed_lag = 0.4;             ///< of the speed that drills behind the bit's [s]
   BitTorqueSpec torque;
@@ -36,6 +39,8 @@ struct MotorSpec
 {
   double bend = 0.0;                  ///< angle of the bent housing [rad]
   double bit_to_bend = 0.0;           ///< from the bit's face to the bend [m]
+  double sleeve_diameter = 0.0;       ///< over the blades on its bearing housing, does not turn with the bit; 0: none [m]
+  double bit_to_sleeve = 0.0;         ///< from the bit's face to the middle of these blades [m]
   double displacement_per_rev = 0.0;  ///< [m3/rev]
   double stall_torque = 0.0;          ///< [N m]
   double curve_exponent = 4.0;        ///< of speed over torque: 1 a straight line, more: the speed holds until near stall [-]

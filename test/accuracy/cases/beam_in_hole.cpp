@@ -1,6 +1,7 @@
 #include "beam_in_hole.h"
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -12,6 +13,7 @@ namespace
 constexpr double kWall = 1e9;  // spring of a contact [N/m]
 using Matrix4 = Eigen::Matrix4d;
 using Vector4 = Eigen::Vector4d;
+using Entries = std::vector<Eigen::Triplet<double>>;
 
 /// Of displacement and slope at both ends: Przemieniecki's Timoshenko beam.
 Matrix4 elastic(const BeamInHole::Piece& p)
@@ -47,50 +49,70 @@ std::vector<int> contacts(const Eigen::VectorXd& y, const std::vector<BeamInHole
 }
 }  // namespace
 
-double BeamInHole::bit_side_force() const
+BeamInHole::Bit BeamInHole::bit() const
 {
   const auto n = static_cast<Eigen::Index>(pieces.size());
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(2 * n + 2, 2 * n + 2);
+  Entries entries;
   Eigen::VectorXd load = Eigen::VectorXd::Zero(2 * n + 2);
-  double s = 0.0, compression = weight_on_bit;
+  double incline = inclination, compression = weight_on_bit;
   for (Eigen::Index e = 0; e < n; ++e)
   {
     const Piece& p = pieces[static_cast<std::size_t>(e)];
-    const double l = p.length, middle = s + 0.5 * l;
-    const double curvature = middle < curved ? build : 0.0;
-    const double incline = inclination - build * std::min(middle, curved);
+    const double l = p.length, curvature = p.build;
+    incline -= 0.5 * l * curvature;
     const double lost = p.weight * std::cos(incline) * l;
     const Matrix4 k = elastic(p) - (compression - 0.5 * lost) * geometric(l);
     const double side = -p.weight * std::sin(incline) - (compression - 0.5 * lost) * curvature;
-    stiffness.block<4, 4>(2 * e, 2 * e) += k;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) entries.emplace_back(2 * e + i, 2 * e + j, k(i, j));
     load.segment<4>(2 * e) += side * l * Vector4(0.5, l / 12.0, 0.5, -l / 12.0) +
                               p.bending * curvature * Vector4(0.0, 1.0, 0.0, -1.0) + k * Vector4(0.0, 0.0, 0.0, p.bend);
     compression -= lost;
-    s += l;
+    incline -= 0.5 * l * curvature;
   }
-  stiffness(0, 0) += kWall;
-  stiffness(2 * n, 2 * n) += 1e3 * kWall;
-  stiffness(2 * n + 1, 2 * n + 1) += 1e3 * kWall;
+  entries.emplace_back(0, 0, kWall);
+  entries.emplace_back(2 * n, 2 * n, 1e3 * kWall);
+  entries.emplace_back(2 * n + 1, 2 * n + 1, 1e3 * kWall);
   load[2 * n] -= 1e3 * kWall * pieces.back().clearance;
 
   std::vector<int> touching(pieces.size(), -1);
   for (int round = 0; round < 300; ++round)
   {
-    Eigen::MatrixXd k = stiffness;
+    Entries all = entries;
     Eigen::VectorXd f = load;
     for (Eigen::Index e = 0; e < n; ++e)
     {
       const int side = touching[static_cast<std::size_t>(e)];
       if (side == 0) continue;
-      k(2 * e + 2, 2 * e + 2) += kWall;
+      all.emplace_back(2 * e + 2, 2 * e + 2, kWall);
       f[2 * e + 2] += kWall * side * pieces[static_cast<std::size_t>(e)].clearance;
     }
-    const Eigen::VectorXd y = k.ldlt().solve(f);
+    Eigen::SparseMatrix<double> k(2 * n + 2, 2 * n + 2);
+    k.setFromTriplets(all.begin(), all.end());
+    const Eigen::VectorXd y = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(k).solve(f);
     const std::vector<int> now = contacts(y, pieces);
-    if (now == touching) return kWall * y[0];
+    if (now == touching) return {kWall * y[0], -y[1]};
     touching = now;
   }
   throw std::runtime_error("beam in hole: no set of contacts found");
+}
+
+std::vector<double> drilled_directions(BeamInHole beam, double side_cutting, int pieces)
+{
+  const double length = beam.pieces.front().length;
+  std::vector<double> directions;
+  double direction = 0.0;
+  for (int k = 0; k < pieces; ++k)
+  {
+    const BeamInHole::Bit bit = beam.bit();
+    const double turn = bit.tilt + side_cutting * bit.side_force / beam.weight_on_bit;
+    direction += turn;
+    directions.push_back(direction);
+    beam.inclination += turn;
+    for (std::size_t e = beam.pieces.size() - 1; e > 0; --e) beam.pieces[e].build = beam.pieces[e - 1].build;
+    beam.pieces.front().build = turn / length;
+  }
+  return directions;
 }
 
 }  // namespace drill_rig_sim

@@ -15,6 +15,7 @@ const std::vector<CaseGroup>& case_groups()
       {"stick_slip", When::fast, stick_slip_cases},
       {"buckling", When::fast, buckling_cases},
       {"bent_motor", When::fast_with_data, bent_motor_cases},
+      {"sliding", When::slow, sliding_cases},
       {"stick_slip_well_a", When::slow, stick_slip_well_a_cases},
       {"beams", When::fast, beam_cases},
       {"reference", When::fast, reference_cases},

@@ -14,6 +14,7 @@ void torque_and_drag_cases(Report& report);
 void vibration_cases(Report& report);
 /// Steady drilling with a drag bit.
 void detournay_cases(Report& report);
+void sliding_cases(Report& report);
 /// A collar that rolls on the wall.
 void whirl_cases(Report& report);
 /// One degree of freedom against its closed form.
