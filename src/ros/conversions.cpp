@@ -134,6 +134,7 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.winch_limited = from.winch_limited;
   m.slack_line = from.slack_line;
   m.stop_reached = from.stop_reached;
+  m.relief_valve_open = from.relief_valve_open;
   m.over_stress = from.over_stress;
   m.over_torque = from.over_torque;
   m.buckled = from.buckled;

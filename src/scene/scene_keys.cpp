@@ -230,6 +230,8 @@ const Table<TopDriveSpec> top_drive_keys = {"rig.top_drive", "Rotary drive with 
 
 const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe.", {
   {"max_flow",              "m3/s",   &MudPumpSpec::max_flow,              above(0.0, 1.0),      "of the pump"},
+  {"flow_ramp",             "m3/s2",  &MudPumpSpec::flow_ramp,             above(0.0, 1000.0),   "rate at which the pump's flow changes"},
+  {"relief_pressure",       "Pa",     &MudPumpSpec::relief_pressure,       between(1e5, 2e8),    "at which the relief valve by the pump opens; what the string does not take at it goes back to the tanks"},
   {"pressure_coefficient",  "Pa s2/m6", &MudPumpSpec::pressure_coefficient, between(0.0, 1e12),  "stand-pipe pressure without motor / flow^2"},
 }};
 

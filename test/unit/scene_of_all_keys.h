@@ -28,7 +28,7 @@ string:
 rig:
   hoisting: {sheaves: 6, line_ea: 4.1e7, crown_height: 47.0, fixed_length: 61.0, block_mass: 17600.0, sheave_efficiency: 0.97, rail_friction: 0.04, line_damping: 0.05, max_speed: 1.6, max_acceleration: 0.6, max_hook_load: 2.6e6, lowest_block_height: 1.1, highest_block_height: 41.0}
   top_drive: {inertia: 2600.0, proportional_gain: 20001.0, integral_gain: 5001.0, max_torque: 50001.0, max_speed_rpm: 221.0, max_power: 750001.0, meter_stiffness: 1.1e6, gearbox_friction: 1001.0, brake_torque: 50001.0}
-  mud_pump: {max_flow: 0.061, pressure_coefficient: 4.1e9}
+  mud_pump: {max_flow: 0.061, flow_ramp: 0.011, relief_pressure: 3.51e7, pressure_coefficient: 4.1e9}
 contact: {stiffness: 5.3e7, exponent: 1.53, damping: 0.33, stribeck_speed: 0.051, static_ratio: 1.21, tangential_stiffness: 5.4e6, tangential_damping: 0.26}
 trajectory: {stage_two_length: 0.11}
 start: {bit_depth: 801.0, block_height: 35.0, weight_on_bit: 1001.0, torque_on_bit: 101.0, toolface_deg: 11.0}

@@ -5,7 +5,7 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/mud_motor.h"
-#include "drill_rig_sim/rig/mud_pump.h"
+#include "drill_rig_sim/rig/hydraulics.h"
 #include "drill_rig_sim/string/mud.h"
 
 namespace drill_rig_sim
@@ -33,13 +33,43 @@ TEST(MudAround, dragIsHalfTheDynamicPressureOnTheDiameter)
   EXPECT_DOUBLE_EQ(lateral_drag(mud, 0.1), 90.0);
 }
 
-TEST(MudPump, ClampsAndPressure)
+TEST(MudPump, goesToItsCommandAtItsRamp)
 {
-  const MudPumpSpec spec;
-  EXPECT_EQ(pump_flow(spec, 0.1), spec.max_flow);
-  EXPECT_EQ(pump_flow(spec, -0.1), 0.0);
-  EXPECT_EQ(pump_flow(spec, 0.045), 0.045);
-  EXPECT_DOUBLE_EQ(stand_pipe_pressure(spec, 0.045, 1e6), 4e9 * 0.045 * 0.045 + 1e6);
+  MudPumpSpec spec;
+  spec.flow_ramp = 0.02;
+  EXPECT_DOUBLE_EQ(advance_pump(spec, 0.0, 0.045, 0.5), 0.01);
+  EXPECT_DOUBLE_EQ(advance_pump(spec, 0.01, 0.0, 0.25), 0.005);
+  EXPECT_EQ(advance_pump(spec, 0.0, 0.045, 10.0), 0.045) << "not past it";
+  EXPECT_EQ(advance_pump(spec, 0.0, 0.1, 10.0), spec.max_flow);
+  EXPECT_EQ(advance_pump(spec, 0.01, -0.1, 10.0), 0.0);
+}
+
+// 4e9 Q^2 at 0.045 m3/s is 8.1 MPa, with 1 MPa over the motor 9.1 MPa.
+TEST(Hydraulics, standPipeHasTheLossesAndTheMotor)
+{
+  MudPumpSpec spec;
+  spec.flow_ramp = 1e3;
+  HydraulicState state;
+  EXPECT_EQ(advance_hydraulics(spec, 0.045, 1e6, 0.01, state), 0.045);
+  EXPECT_DOUBLE_EQ(state.stand_pipe_pressure, 9.1e6);
+  EXPECT_EQ(state.pump_flow, 0.045);
+  EXPECT_FALSE(state.relief_open);
+}
+
+// At 5.41 MPa the losses may be 4.41 MPa beside the motor's 1 MPa: sqrt(4.41e6/4e9) = 0.0332 m3/s; the rest goes back.
+TEST(Hydraulics, reliefValveHoldsItsPressure)
+{
+  MudPumpSpec spec;
+  spec.flow_ramp = 1e3;
+  spec.relief_pressure = 5.41e6;
+  HydraulicState state;
+  EXPECT_NEAR(advance_hydraulics(spec, 0.045, 1e6, 0.01, state), 0.0332039, 1e-7);
+  EXPECT_TRUE(state.relief_open);
+  EXPECT_EQ(state.stand_pipe_pressure, 5.41e6);
+  EXPECT_EQ(state.pump_flow, 0.045) << "the pump does not feel it";
+  EXPECT_EQ(advance_hydraulics(spec, 0.045, 6e6, 0.01, state), 0.0) << "the motor alone needs more";
+  EXPECT_EQ(advance_hydraulics(spec, 0.03, 1e6, 0.01, state), 0.03) << "4.6 MPa";
+  EXPECT_FALSE(state.relief_open);
 }
 
 TEST(MudMotor, SpeedHoldsUntilNearStall)

@@ -115,6 +115,12 @@ TEST_F(Report, eachNumberIsItsOwn)
   EXPECT_EQ(expected.size() + words.size() + 1, values(array).size()) << "and the histogram; a real-time factor needs half a second";
 }
 
+TEST_F(Report, anOpenReliefValveIsTold)
+{
+  frame_.truth.relief_valve_open = true;
+  EXPECT_EQ(part(next(), "physics").message, "relief valve open: part of the flow goes back to the tanks");
+}
+
 TEST_F(Report, withoutAStepThereAreNoIterationsPerStep)
 {
   EXPECT_EQ(0.0, number(next(), "newton_iterations_per_step"));

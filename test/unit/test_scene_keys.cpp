@@ -148,6 +148,8 @@ std::vector<Expected> of_rig()
       {"rig.top_drive", "brake_torque", [](const Scene& s) { return s.rig.top_drive.brake_torque; }, 50001.0},
       {"rig.top_drive", "meter_stiffness", [](const Scene& s) { return s.rig.top_drive.meter_stiffness; }, 1.1e6},
       {"rig.mud_pump", "max_flow", [](const Scene& s) { return s.rig.mud_pump.max_flow; }, 0.061},
+      {"rig.mud_pump", "flow_ramp", [](const Scene& s) { return s.rig.mud_pump.flow_ramp; }, 0.011},
+      {"rig.mud_pump", "relief_pressure", [](const Scene& s) { return s.rig.mud_pump.relief_pressure; }, 3.51e7},
       {"rig.mud_pump", "pressure_coefficient", [](const Scene& s) { return s.rig.mud_pump.pressure_coefficient; }, 4.1e9},
       {"contact", "stiffness", [](const Scene& s) { return s.contact.law.stiffness; }, 5.3e7},
       {"contact", "exponent", [](const Scene& s) { return s.contact.law.exponent; }, 1.53},

@@ -62,7 +62,7 @@ struct RigSignals
   double torque = 0.0;                 ///< of the torque meter's spring, + drives the string clockwise [N m]
   double stand_pipe_pressure = 0.0;    ///< [Pa]
   double differential_pressure = 0.0;  ///< of the mud motor, zeroed by tare [Pa]
-  double flow = 0.0;                   ///< [m3/s]
+  double flow = 0.0;                   ///< that the pump delivers [m3/s]
   double hole_depth = 0.0;             ///< [m MD]
   double bit_depth = 0.0;              ///< of the bit's face [m MD]
   double surface_wob = 0.0;            ///< tare - hook_load; 0 until tared [N]
@@ -75,6 +75,7 @@ struct RigSignals
   bool winch_limited = false;       ///< a limit of speed, acceleration, load or height holds the winch back
   bool slack_line = false;          ///< the lines carry nothing
   bool stop_reached = false;        ///< the block is at its lowest or highest place: the winch stands, or the block rests on the stop
+  bool relief_valve_open = false;   ///< by the pump: part of its flow goes back to the tanks
   bool over_stress = false;         ///< pipe is stressed beyond its yield strength (sim/string_watch.h)
   bool over_torque = false;         ///< beyond the make-up torque of its connections
   bool buckled = false;             ///< compressed beyond what it bears straight in its hole
@@ -111,6 +112,7 @@ struct RigSignals
     v("winch_limited", winch_limited);
     v("slack_line", slack_line);
     v("stop_reached", stop_reached);
+    v("relief_valve_open", relief_valve_open);
     v("over_stress", over_stress);
     v("over_torque", over_torque);
     v("buckled", buckled);
@@ -133,6 +135,7 @@ struct Truth : RigSignals
   Eigen::Vector3d bit_moment = Eigen::Vector3d::Zero();   ///< rock on bit about the bit's centre, world axes [N m]
   double wob = 0.0;               ///< >= 0 [N]
   double bit_torque = 0.0;        ///< >= 0 when the rock resists clockwise turning [N m]
+  double bit_flow = 0.0;          ///< through motor and bit [m3/s]
   double bit_speed = 0.0;         ///< string below the motor plus motor [rad/s]
   double bit_inclination = 0.0;   ///< of the hole at its bottom [rad]
   double bit_azimuth = 0.0;       ///< [rad], 0 .. 2 pi
@@ -150,6 +153,7 @@ struct Truth : RigSignals
     v("bit_moment", bit_moment);
     v("wob", wob);
     v("bit_torque", bit_torque);
+    v("bit_flow", bit_flow);
     v("bit_speed", bit_speed);
     v("bit_inclination", bit_inclination);
     v("bit_azimuth", bit_azimuth);
