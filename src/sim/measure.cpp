@@ -5,6 +5,7 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/hoisting.h"
+#include "drill_rig_sim/rig/hydraulics.h"
 #include "drill_rig_sim/rig/mud_motor.h"
 #include "drill_rig_sim/well/directions.h"
 #include "simulator_impl.h"
@@ -74,6 +75,7 @@ void Simulator::Impl::measure_bit() noexcept
   m.bit_orientation = bit.orientation * rotation_from_vector(Vector3d(std::remainder(s.bit.turned, 2.0 * pi), 0.0, 0.0));
   m.bit_velocity = bit.rate.velocity + bit.rate.tilt.cross(model->mesh().bit_radius * axis);
   m.bit_flow = s.flow;
+  m.ecd = equivalent_circulating_density(scene.mud.density, s.hydraulics.annulus_pressure, -m.bit_position.z());
   m.bit_speed = bit.rate.spin + s.bit.motor_speed;
   m.bit_angular_velocity = bit.rate.tilt + m.bit_speed * axis;
   m.bit_force = state.forces.bit_force;

@@ -87,8 +87,8 @@ void Simulator::set_command_timeout(double seconds) noexcept
 void Simulator::Impl::pump(double commanded, double step) noexcept
 {
   State& s = mechanics();
-  const double over_motor = motor ? mud_motor_pressure(1.0, motor->displacement_per_rev, s.bit.motor_torque) : 0.0;
-  s.flow = advance_hydraulics(scene.rig.mud_pump, commanded, over_motor, step, s.hydraulics);
+  const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->displacement_per_rev, s.bit.motor_torque) : 0.0;
+  advance_hydraulics(scene.rig.mud_pump, model->mud().circuit, commanded, over_motor, step, s.flow, s.hydraulics);
 }
 
 FrameStatus Simulator::frame(double duration) noexcept

@@ -5,7 +5,7 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/mud_motor.h"
-#include "drill_rig_sim/rig/hydraulics.h"
+#include "drill_rig_sim/rig/mud_pump.h"
 #include "drill_rig_sim/string/mud.h"
 
 namespace drill_rig_sim
@@ -42,34 +42,6 @@ TEST(MudPump, goesToItsCommandAtItsRamp)
   EXPECT_EQ(advance_pump(spec, 0.0, 0.045, 10.0), 0.045) << "not past it";
   EXPECT_EQ(advance_pump(spec, 0.0, 0.1, 10.0), spec.max_flow);
   EXPECT_EQ(advance_pump(spec, 0.01, -0.1, 10.0), 0.0);
-}
-
-// 4e9 Q^2 at 0.045 m3/s is 8.1 MPa, with 1 MPa over the motor 9.1 MPa.
-TEST(Hydraulics, standPipeHasTheLossesAndTheMotor)
-{
-  MudPumpSpec spec;
-  spec.flow_ramp = 1e3;
-  HydraulicState state;
-  EXPECT_EQ(advance_hydraulics(spec, 0.045, 1e6, 0.01, state), 0.045);
-  EXPECT_DOUBLE_EQ(state.stand_pipe_pressure, 9.1e6);
-  EXPECT_EQ(state.pump_flow, 0.045);
-  EXPECT_FALSE(state.relief_open);
-}
-
-// At 5.41 MPa the losses may be 4.41 MPa beside the motor's 1 MPa: sqrt(4.41e6/4e9) = 0.0332 m3/s; the rest goes back.
-TEST(Hydraulics, reliefValveHoldsItsPressure)
-{
-  MudPumpSpec spec;
-  spec.flow_ramp = 1e3;
-  spec.relief_pressure = 5.41e6;
-  HydraulicState state;
-  EXPECT_NEAR(advance_hydraulics(spec, 0.045, 1e6, 0.01, state), 0.0332039, 1e-7);
-  EXPECT_TRUE(state.relief_open);
-  EXPECT_EQ(state.stand_pipe_pressure, 5.41e6);
-  EXPECT_EQ(state.pump_flow, 0.045) << "the pump does not feel it";
-  EXPECT_EQ(advance_hydraulics(spec, 0.045, 6e6, 0.01, state), 0.0) << "the motor alone needs more";
-  EXPECT_EQ(advance_hydraulics(spec, 0.03, 1e6, 0.01, state), 0.03) << "4.6 MPa";
-  EXPECT_FALSE(state.relief_open);
 }
 
 TEST(MudMotor, SpeedHoldsUntilNearStall)
@@ -121,6 +93,7 @@ TEST(MudMotor, PressureDoesTheWorkOfTheTorque)
   // ideal motor: dp V = 2 pi T per revolution
   EXPECT_NEAR(mud_motor_pressure(0.045, displacement, 4e3) * displacement, 2.0 * pi * 4e3, 1e-9);
   EXPECT_EQ(mud_motor_pressure(0.0, displacement, 4e3), 0.0);
+  EXPECT_DOUBLE_EQ(mud_motor_pressure(0.5 * mud_motor_leakage, displacement, 4e3), 0.5 * mud_motor_pressure(0.045, displacement, 4e3)) << "it leaks";
   EXPECT_EQ(mud_motor_pressure(0.045, displacement, -4e3), 0.0);
   // never more power out than in
   for (int i = 0; i < 30; ++i)

@@ -303,6 +303,7 @@ TEST(Readings, differentialPressureIsTheMotorsAtConstantFlow)
 {
   Scene scene = ideal_scene();
   scene.rig.mud_pump.flow_ramp = 1e3;
+  scene.mud.bulk_modulus = 1e11;
   Simulator rig(scene);
   drill_ahead(rig, 60.0 * rpm, 0.03, 0.0);
   for (int k = 0; k < 200; ++k) rig.frame(frame);

@@ -93,6 +93,7 @@ TEST(Truth, ratesOfTheBitAreTheRatesOfItsPose)
 {
   Scene scene = slanted_motor(0.5, 0.0005);
   scene.rig.mud_pump.flow_ramp = 1e3;
+  scene.mud.bulk_modulus = 1e11;
   Simulator rig(scene);
   drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
   play(rig, 1.0);
@@ -155,6 +156,7 @@ TEST(Truth, pressuresAreThoseOfFlowAndTorque)
   Scene scene = motor_drilling_scene(0.02);
   scene.rig.mud_pump.pressure_coefficient = 3e9;
   scene.rig.mud_pump.flow_ramp = 1e3;
+  scene.mud.bulk_modulus = 1e11;
   Simulator rig(scene);
   play(rig, 0.1);
   EXPECT_EQ(rig.truth().stand_pipe_pressure, 0.0);
@@ -259,6 +261,7 @@ TEST(Truth, driveAndMotorTellTheirLimits)
   Scene scene = motor_drilling_scene(0.01);
   scene.string[1].motor->stall_torque = 200.0;
   scene.rig.mud_pump.flow_ramp = 1e3;
+  scene.mud.bulk_modulus = 1e11;
   Simulator weak(scene);
   drill_ahead(weak, 20.0 * rpm, 0.02, 0.012);
   play(weak, 0.5);

@@ -10,7 +10,8 @@ struct MudPumpSpec
   double max_flow = 0.06;             ///< [m3/s]
   double flow_ramp = 0.01;            ///< rate at which the pump's flow changes [m3/s2]
   double relief_pressure = 35e6;      ///< at which the relief valve opens [Pa]
-  double pressure_coefficient = 4e9;  ///< stand-pipe pressure / flow^2 [Pa s2/m6]
+  double pressure_coefficient = 4e9;  ///< losses from pump to flow line at max_flow / max_flow^2 [Pa s2/m6]
+  double loss_exponent = 2.0;         ///< m of losses ~ Q^m [-]
 };
 
 /// Flow that the pump delivers after a step h [s]: it goes to the command, clamped to 0 .. max_flow, at flow_ramp [m3/s].

@@ -63,6 +63,7 @@ struct RigSignals
   double stand_pipe_pressure = 0.0;    ///< [Pa]
   double differential_pressure = 0.0;  ///< of the mud motor, zeroed by tare [Pa]
   double flow = 0.0;                   ///< that the pump delivers [m3/s]
+  double ecd = 0.0;                    ///< equivalent circulating density at the bit, ecd() [kg/m3]
   double hole_depth = 0.0;             ///< [m MD]
   double bit_depth = 0.0;              ///< of the bit's face [m MD]
   double surface_wob = 0.0;            ///< tare - hook_load; 0 until tared [N]
@@ -100,6 +101,7 @@ struct RigSignals
     v("stand_pipe_pressure", stand_pipe_pressure);
     v("differential_pressure", differential_pressure);
     v("flow", flow);
+    v("ecd", ecd);
     v("hole_depth", hole_depth);
     v("bit_depth", bit_depth);
     v("surface_wob", surface_wob);
@@ -164,7 +166,7 @@ struct Truth : RigSignals
 /// What the driller sees.
 /// - hook_load, dead_line_hook_load, torque, stand_pipe_pressure, flow, block_height: gauges, each with its delay, filter, bias, noise and
 ///   resolution; hook_load is the gauge where the scene puts it.
-/// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact.
+/// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact. ecd: as if a tool by the bit told it at once.
 /// - worked out, as a rig does: bit_depth = tally - block_height (the tally is right at the start), hole_depth its largest so far, rop the
 ///   rate of that over the last 10 s, hook_load_string = hook_load - weight of block and top drive, surface_wob = tare - hook_load,
 ///   differential_pressure = stand_pipe_pressure - tare, 0 until tared.
