@@ -16,6 +16,7 @@ Model::Model(const Scene& scene, Mesh mesh)
     span_contact_.push_back(wall_law(scene.contact, element.contact, element.linear_mass * element.section.length, element.friction_radius));
   for (const PartSpec& part : scene_.string)
     if (part.motor) motor_ = &*part.motor;
+  mud_ = mud_circuit(scene_, mesh_);
   bit_bristle_ = drill_rig_sim::bit_bristle_stiffness(bit().torque, bit().diameter);
 }
 

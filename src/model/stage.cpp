@@ -17,6 +17,24 @@ double mud_mass(const MeshNode& node, const NodeState& at, const Wellbore& well)
   return node.mud_inside + confinement(node.diameter, 2.0 * well.radius_near(at.position, at.segment)) * node.mud_outside;
 }
 
+/// What the pump's pressure does to the elements (mud_circuit.h).
+void take_pressures(const Model& model, const State& state, Stage& stage) noexcept
+{
+  const MudCircuit& mud = model.mud();
+  const MudPressures pressures = mud_pressures(mud, state.hydraulics, state.flow);
+  const bool pumped = pressures.any();
+  for (std::size_t e = 0; e < stage.load.size(); ++e)
+  {
+    Vector3d& load = stage.load[e];
+    load.x() = load.y() = 0.0;
+    stage.free_stretch[e] = 0.0;
+    if (!pumped) continue;
+    stage.free_stretch[e] = mud.stretch_by_bore[e] * pressures.in_bore(mud, e) + mud.stretch_by_annulus[e] * pressures.in_annulus(mud, e);
+    const double lift = mud.lift[e] * pressures.annulus;
+    if (lift > 0.0) load += lift * (state.nodes[e + 1].position - state.nodes[e].position).normalized();
+  }
+}
+
 /// What the state says of the step that starts from it.
 void take_start(const Model& model, const State& state, Stage& stage) noexcept
 {
@@ -28,6 +46,7 @@ void take_start(const Model& model, const State& state, Stage& stage) noexcept
   }
   for (std::size_t e = 0; e < stage.load.size(); ++e)
     stage.load[e].z() = -model.element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z());
+  take_pressures(model, state, stage);
 }
 
 SlidingMotion sliding_of(FrictionMode mode) noexcept
@@ -53,7 +72,8 @@ Stage::Stage(const Model& model)
     normal(rate.size(), -Vector3d::UnitZ()),
     immersed(rate.size(), 0.0),
     added_mass(rate.size(), 0.0),
-    load(model.mesh().elements.size(), Vector3d::Zero())
+    load(model.mesh().elements.size(), Vector3d::Zero()),
+    free_stretch(load.size(), 0.0)
 {
 }
 

@@ -122,6 +122,7 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.stand_pipe_pressure = from.stand_pipe_pressure;
   m.differential_pressure = from.differential_pressure;
   m.flow = from.flow;
+  m.ecd = from.ecd;
   m.hole_depth = from.hole_depth;
   m.bit_depth = from.bit_depth;
   m.surface_wob = from.surface_wob;
@@ -134,6 +135,7 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.winch_limited = from.winch_limited;
   m.slack_line = from.slack_line;
   m.stop_reached = from.stop_reached;
+  m.relief_valve_open = from.relief_valve_open;
   m.over_stress = from.over_stress;
   m.over_torque = from.over_torque;
   m.buckled = from.buckled;

@@ -132,6 +132,8 @@ const Table<MudSpec> mud_keys = {"mud", "The drilling fluid around and inside th
   {"lateral_damping",       "N s/m per m", &MudSpec::lateral_damping,      between(0.0, 1e5),    "viscous drag across the string"},
   {"drag_coefficient",      "-",      &MudSpec::drag_coefficient,          between(0.0, 10.0),   "C_d of the drag across the string that grows with the square of its speed"},
   {"torsional_damping",     "N m s/rad per m", &MudSpec::torsional_damping, between(0.0, 100.0), "viscous drag against spin"},
+  {"bulk_modulus",          "Pa",     &MudSpec::bulk_modulus,              between(1e7, 1e11),   "of the mud in pipe and hole, which give way with it: pressure follows the pump by volume / bulk_modulus"},
+  {"gel_strength",          "Pa",     &MudSpec::gel_strength,              between(0.0, 100.0),  "after ten minutes' rest, to be broken before mud flows; 1 lb/100 ft2 is 0.479 Pa, muds have 2 to 15 Pa"},
   {"added_mass",            "-",      &MudSpec::added_mass,                between(0.0, 5.0),    "factor on the mass of the mud that moves sideways with the string: in its bore, and around it as the hole confines it"},
 }};
 
@@ -240,7 +242,10 @@ const Table<TopDriveSpec> top_drive_keys = {"rig.top_drive", "Rotary drive with 
 
 const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe.", {
   {"max_flow",              "m3/s",   &MudPumpSpec::max_flow,              above(0.0, 1.0),      "of the pump"},
-  {"pressure_coefficient",  "Pa s2/m6", &MudPumpSpec::pressure_coefficient, between(0.0, 1e12),  "stand-pipe pressure without motor / flow^2"},
+  {"flow_ramp",             "m3/s2",  &MudPumpSpec::flow_ramp,             above(0.0, 1000.0),   "rate at which the pump's flow changes"},
+  {"relief_pressure",       "Pa",     &MudPumpSpec::relief_pressure,       between(1e5, 2e8),    "at which the relief valve by the pump opens; what the string does not take at it goes back to the tanks"},
+  {"pressure_coefficient",  "Pa s2/m6", &MudPumpSpec::pressure_coefficient, between(0.0, 1e12),  "losses of string, bit and annulus at max_flow / max_flow^2"},
+  {"loss_exponent",         "-",      &MudPumpSpec::loss_exponent,         between(1.0, 2.0),    "m: at other flows losses go with Q^m; 2 rough turbulence, 1.86 smooth, a record of the field 1.56"},
 }};
 
 const Table<ContactSpec> contact_keys = {"contact", "Contact of string and wall, F = k d^e (1 + c d'), and the shape of the friction law; `friction` of the hole sections is kinetic.", {

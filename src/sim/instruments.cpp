@@ -50,7 +50,7 @@ void Instruments::read(const Truth& truth, const SensorView& view, Readings& rea
   work_out_weights(readings);
   work_out_depths(readings);
   readings.on_bottom = readings.motor_stalled = readings.over_stress = readings.over_torque = readings.buckled = false;
-  mwd_.update(truth.time, truth.flow, view, readings.mwd, readings.toolface);
+  mwd_.update(truth.time, truth.bit_flow, view, readings.mwd, readings.toolface);
 }
 
 void Instruments::read_gauges(const Truth& truth, Readings& readings) noexcept

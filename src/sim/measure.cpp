@@ -5,8 +5,8 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/hoisting.h"
+#include "drill_rig_sim/rig/hydraulics.h"
 #include "drill_rig_sim/rig/mud_motor.h"
-#include "drill_rig_sim/rig/mud_pump.h"
 #include "drill_rig_sim/well/directions.h"
 #include "simulator_impl.h"
 
@@ -20,6 +20,13 @@ void Simulator::Impl::measure() noexcept
   measure_rig();
   measure_bit();
   measure_string();
+}
+
+/// That the motor's torque needs [Pa].
+double Simulator::Impl::motor_pressure() const noexcept
+{
+  const State& s = state.mechanics;
+  return motor ? mud_motor_pressure(s.flow, motor->displacement_per_rev, s.bit.motor_torque) : 0.0;
 }
 
 void Simulator::Impl::measure_rig() noexcept
@@ -37,10 +44,10 @@ void Simulator::Impl::measure_rig() noexcept
   m.top_drive_angle = s.drive.angle;
   m.top_drive_speed = s.drive.speed;
   m.torque = state.forces.meter_torque;
-  m.flow = s.flow;
-  const double motor_pressure = motor ? mud_motor_pressure(s.flow, motor->displacement_per_rev, state.forces.motor_torque) : 0.0;
-  m.differential_pressure = motor_pressure - state.tare_pressure;
-  m.stand_pipe_pressure = stand_pipe_pressure(scene.rig.mud_pump, s.flow, motor_pressure);
+  m.flow = s.hydraulics.pump_flow;
+  m.relief_valve_open = s.hydraulics.relief_open;
+  m.stand_pipe_pressure = s.hydraulics.stand_pipe_pressure;
+  m.differential_pressure = motor_pressure() - state.tare_pressure;
   m.tared = state.tared;
   m.surface_wob = state.tared ? state.tare_hook_load - m.hook_load : 0.0;
   m.setpoints = state.commands.in_force();
@@ -67,6 +74,8 @@ void Simulator::Impl::measure_bit() noexcept
   m.bit_position = bit.position + model->mesh().bit_radius * axis;
   m.bit_orientation = bit.orientation * rotation_from_vector(Vector3d(std::remainder(s.bit.turned, 2.0 * pi), 0.0, 0.0));
   m.bit_velocity = bit.rate.velocity + bit.rate.tilt.cross(model->mesh().bit_radius * axis);
+  m.bit_flow = s.flow;
+  m.ecd = equivalent_circulating_density(scene.mud.density, s.hydraulics.annulus_pressure, -m.bit_position.z());
   m.bit_speed = bit.rate.spin + s.bit.motor_speed;
   m.bit_angular_velocity = bit.rate.tilt + m.bit_speed * axis;
   m.bit_force = state.forces.bit_force;

@@ -14,11 +14,10 @@ namespace drill_rig_sim
 {
 namespace
 {
-/// Effective tension to true axial force: the mud's pressure outside and in the bore, hydrostatic.
-double true_axial_force(double effective, const MeshElement& e, double mud_density, double depth) noexcept
+/// Effective tension to true axial force: the mud's pressures outside and in the bore, hydrostatic and of the pump, at an element [Pa].
+double true_axial_force(double effective, const MeshElement& e, double hydrostatic, double bore, double annulus) noexcept
 {
-  const double pressure = mud_density * standard_gravity * std::max(depth, 0.0);
-  return effective - pressure * (e.outer_area - e.bore_area);
+  return effective + (hydrostatic + bore) * e.bore_area - (hydrostatic + annulus) * e.outer_area;
 }
 
 /// An element's quantity at node i: the mean of the elements that meet there.
@@ -80,6 +79,7 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
 {
   const Mesh& mesh = model.mesh();
   const std::size_t n = s.nodes.size();
+  const MudPressures pressures = mud_pressures(model.mud(), s.hydraulics, s.flow);
   for (auto* values : {&out.md, &out.from_bit, &out.tension, &out.true_axial_force, &out.torque, &out.bending_moment,
                        &out.contact_force, &out.contact_side, &out.spin_speed, &out.radius})
     values->resize(n);
@@ -89,12 +89,15 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
   {
     const NodeState& node = s.nodes[i];
     const ClosestPoint closest = s.well.locate(node.position, node.segment);
-    const MeshElement& element = mesh.elements[std::min(i, mesh.elements.size() - 1)];
+    const std::size_t e = std::min(i, mesh.elements.size() - 1);
+    const MeshElement& element = mesh.elements[e];
+    const double hydrostatic = model.scene().mud.density * standard_gravity * std::max(-node.position.z(), 0.0);
     out.md[i] = closest.md;
     out.from_bit[i] = mesh.nodes[i].from_bit;
     out.position[i] = node.position;
     out.tension[i] = tension_at(model, s, forces.tension, i);
-    out.true_axial_force[i] = true_axial_force(out.tension[i], element, model.scene().mud.density, -node.position.z());
+    out.true_axial_force[i] = true_axial_force(out.tension[i], element, hydrostatic, pressures.in_bore(model.mud(), e),
+                                               pressures.in_annulus(model.mud(), e));
     out.torque[i] = at_node(forces.torque, i);
     out.bending_moment[i] = forces.bending_moment[i];
     out.contact_force[i] = forces.contact[i] + half_of_spans(forces.span_contact, i, 0.0);

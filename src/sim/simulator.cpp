@@ -8,6 +8,8 @@
 #include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/rig/hydraulics.h"
+#include "drill_rig_sim/rig/mud_motor.h"
 #include "drill_rig_sim/scene/scene_hash.h"
 #include "drill_rig_sim/scene/scene_problems.h"
 
@@ -81,6 +83,14 @@ void Simulator::set_command_timeout(double seconds) noexcept
   impl_->command_timeout = seconds;
 }
 
+/// The flow of the step that comes: the mud does not wait for the string, whose torque is that of the step before.
+void Simulator::Impl::pump(double commanded, double step) noexcept
+{
+  State& s = mechanics();
+  const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->displacement_per_rev, s.bit.motor_torque) : 0.0;
+  advance_hydraulics(scene.rig.mud_pump, model->mud().circuit, commanded, over_motor, step, s.flow, s.hydraulics);
+}
+
 FrameStatus Simulator::frame(double duration) noexcept
 {
   if (*impl_->failure) return FrameStatus::failed;
@@ -93,7 +103,7 @@ FrameStatus Simulator::frame(double duration) noexcept
   impl_->accuracy.begin_frame(*impl_->integrator, impl_->state.accuracy);
   for (int k = 0; k < steps; ++k)
   {
-    mechanics.flow = setpoints.pump.flow;
+    impl_->pump(setpoints.pump.flow, duration / steps);
     if (!impl_->integrator->advance(mechanics, duration / steps, setpoints))
     {
       impl_->failure = impl_->integrator->failure();

@@ -46,6 +46,8 @@ struct Simulator::Impl
   void measure_rig() noexcept;
   void measure_bit() noexcept;
   void measure_string() noexcept;
+  double motor_pressure() const noexcept;
+  void pump(double commanded, double step) noexcept;
   SensorView sensor_view() const noexcept;
 };
 

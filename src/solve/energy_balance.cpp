@@ -101,6 +101,7 @@ void EnergyBalance::book_jump() noexcept
   const StoredEnergy &end = accounts_.last, &start = start_;
   const double contact = end.wall + end.bottom - start.wall - start.bottom, stuck = end.stuck_point - start.stuck_point;
   const double translation = end.kinetic - start.kinetic;
+  const double stretched = end.beams - start.beams;  // by the pump's pressure, which changes between steps
   // between steps hole and mud motor move on, and with them the limits of friction: bristles beyond them slip
   const double slip = end.bristles - start.bristles, bit_slip = end.bit_bristle - start.bit_bristle;
   accounts_.wall_friction += slip;
@@ -108,8 +109,9 @@ void EnergyBalance::book_jump() noexcept
   accounts_.correction += contact;
   accounts_.stuck_point_released += stuck;
   accounts_.added_mass += translation;
+  accounts_.pump -= stretched;
   accounts_.of_rebasing +=
-      end.kinetic_all() + end.elastic_all() - start.kinetic_all() - start.elastic_all() - contact - stuck - translation - slip - bit_slip;
+      end.kinetic_all() + end.elastic_all() - start.kinetic_all() - start.elastic_all() - contact - stuck - translation - stretched - slip - bit_slip;
 }
 
 /// Mean force times mean rate times time.

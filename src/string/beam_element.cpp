@@ -59,7 +59,7 @@ Shape shape_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& da
   add_stretch_gradient(s, pose, f);
   strain.stretch = (f.l - s.length) / s.length + kShorteningNear * (2.0 - f.tilt) + kShorteningFar * (f.c12 - f.tilt + 1.0);
   strain.twist = pose.twist;
-  f.tension = s.axial * strain.stretch;
+  f.tension = s.axial * (strain.stretch - pose.free_stretch);
   f.torque = s.torsion * strain.twist;
   if (damping.time > 0.0)
   {
@@ -287,7 +287,7 @@ double beam_energy(const BeamSection& section, const BeamPose& pose) noexcept
   const Vector3d upper = pose.upper_normal - d / length, lower = pose.lower_normal - d / length;  // a1, a2
   const double squares = upper.squaredNorm() + lower.squaredNorm(), mixed = upper.dot(lower);
   const double stretch =
-      (length - section.length) / section.length + 0.5 * kShorteningNear * squares + kShorteningFar * mixed;
+      (length - section.length) / section.length + 0.5 * kShorteningNear * squares + kShorteningFar * mixed - pose.free_stretch;
   return 0.5 * section.axial * section.length * stretch * stretch + 0.5 * section.bending_near * squares + section.bending_far * mixed +
          0.5 * section.torsion * pose.twist * pose.twist;
 }

@@ -88,7 +88,7 @@ Middle middle_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& 
   const double damped = 1.0 + damping.time * damping.dv_du;
   k.excess = inverse * (damped * s.axial - s.shear);
   k.torsion = damped * s.torsion;
-  k.lack = s.shear * (strain.stretch + 1.0) - s.axial * (strain.stretch + damping.time * stretch_rate);
+  k.lack = s.shear * (strain.stretch + 1.0) - s.axial * (strain.stretch - pose.free_stretch + damping.time * stretch_rate);
   k.n = (s.shear * inverse) * k.d - k.lack * k.t;
   k.m = (2.0 * inverse * s.bending) * (k.a - ta * k.t) + s.torsion * (strain.twist + damping.time * twist_rate) * k.t;
   k.q = k.n.cross(k.d);
@@ -184,8 +184,9 @@ double geometrically_exact_energy(const BeamSection& section, const BeamPose& po
   BeamStrain strain;
   const Middle k = middle_of(section, pose, BeamDamping(), strain);
   const Vector3d bent = 2.0 * (k.a - k.t.dot(k.a) * k.t);  // across the string
+  const double stretch = strain.stretch - pose.free_stretch;
   const double along = k.t.dot(k.d), shear_square = k.d.squaredNorm() - along * along;
-  return 0.5 * section.axial * section.length * strain.stretch * strain.stretch + 0.5 * section.shear / section.length * shear_square +
+  return 0.5 * section.axial * section.length * stretch * stretch + 0.5 * section.shear / section.length * shear_square +
          0.5 * section.bending / section.length * bent.squaredNorm() + 0.5 * section.torsion * strain.twist * strain.twist;
 }
 

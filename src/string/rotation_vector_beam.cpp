@@ -173,7 +173,7 @@ Middle middle_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& 
   const double damped = 1.0 + damping.time * damping.dv_du;
   k.excess = inverse * (damped * s.axial - s.shear);
   k.torsion = damped * s.torsion;
-  k.lack = s.shear * (strain.stretch + 1.0) - s.axial * (strain.stretch + damping.time * stretch_rate);
+  k.lack = s.shear * (strain.stretch + 1.0) - s.axial * (strain.stretch - pose.free_stretch + damping.time * stretch_rate);
   k.n = (s.shear * inverse) * k.d - k.lack * k.t;
   k.m = (inverse * s.bending) * (turn - strain.twist * k.t) + s.torsion * (strain.twist + damping.time * twist_rate) * k.t;
   k.q = k.n.cross(k.d);
@@ -263,8 +263,9 @@ double rotation_vector_energy(const BeamSection& section, const BeamPose& pose) 
   if (!k.upper.defined || !k.lower.defined) return std::numeric_limits<double>::quiet_NaN();
   const Vector3d turn = k.j * k.eta;
   const Vector3d bent = turn - k.t.dot(turn) * k.t;
+  const double stretch = strain.stretch - pose.free_stretch;
   const double along = k.t.dot(k.d), shear_square = k.d.squaredNorm() - along * along;
-  return 0.5 * section.axial * section.length * strain.stretch * strain.stretch + 0.5 * section.shear / section.length * shear_square +
+  return 0.5 * section.axial * section.length * stretch * stretch + 0.5 * section.shear / section.length * shear_square +
          0.5 * section.bending / section.length * bent.squaredNorm() + 0.5 * section.torsion * strain.twist * strain.twist;
 }
 

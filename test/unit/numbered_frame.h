@@ -8,7 +8,7 @@
 /// A frame whose every number is another one, so that whatever takes the place of something else shows.
 namespace drill_rig_sim
 {
-/// base + 1 .. base + 15, no flag set.
+/// base + 1 .. base + 16, no flag set.
 inline void number_signals(RigSignals& s, double base)
 {
   s.time = base;
@@ -27,6 +27,7 @@ inline void number_signals(RigSignals& s, double base)
   s.bit_depth = base + 13;
   s.surface_wob = base + 14;
   s.rop = base + 15;
+  s.ecd = base + 16;
 }
 
 inline void number_bit(Truth& t)

@@ -15,7 +15,7 @@ well:
 formation:
   - {to_tvd: 501.0, drillability: 1.1e-8, weight_exponent: 1.2, speed_exponent: 0.7, threshold: 1301.0, dip_deg: 14.0, strike_deg: 15.0, anisotropy: 0.16}
   - {to_tvd: 5001.0, drillability: 1.7e-8}
-mud: {density: 1181.0, axial_damping: 0.19, lateral_damping: 21.0, drag_coefficient: 1.4, torsional_damping: 2.2e-4, added_mass: 1.23}
+mud: {density: 1181.0, axial_damping: 0.19, lateral_damping: 21.0, drag_coefficient: 1.4, torsional_damping: 2.2e-4, added_mass: 1.23, bulk_modulus: 1.51e9, gel_strength: 4.7}
 string:
   - {name: b1, type: bit, length: 0.36, mass: 91.0, diameter: 0.3112, side_cutting: 0.12, speed_lag: 0.31, squeeze_film_damping: 41000.0,
      torque: {model: stribeck, static: 0.61, kinetic: 0.41, speed_rpm: 31.0}, bottom: {stiffness: 1.1e9, exponent: 1.51, damping: 1.01}}
@@ -28,7 +28,7 @@ string:
 rig:
   hoisting: {sheaves: 6, line_ea: 4.1e7, crown_height: 47.0, fixed_length: 61.0, block_mass: 17600.0, sheave_efficiency: 0.97, rail_friction: 0.04, line_damping: 0.05, max_speed: 1.6, max_acceleration: 0.6, max_hook_load: 2.6e6, lowest_block_height: 1.1, highest_block_height: 41.0}
   top_drive: {inertia: 2600.0, proportional_gain: 20001.0, integral_gain: 5001.0, max_torque: 50001.0, max_speed_rpm: 221.0, max_power: 750001.0, meter_stiffness: 1.1e6, gearbox_friction: 1001.0, brake_torque: 50001.0}
-  mud_pump: {max_flow: 0.061, pressure_coefficient: 4.1e9}
+  mud_pump: {max_flow: 0.061, flow_ramp: 0.011, relief_pressure: 3.51e7, pressure_coefficient: 4.1e9, loss_exponent: 1.83}
 contact: {stiffness: 5.3e7, assembly_stiffness: 2.1e10, exponent: 1.53, damping: 0.33, stribeck_speed: 0.051, static_ratio: 1.21, stribeck_curve: exponential, growth_at_rest: 0.03, growth_time: 1.7, growth_limit: 0.43, tangential_stiffness: 5.4e6, tangential_damping: 0.26}
 trajectory: {stage_two_length: 0.11}
 start: {bit_depth: 801.0, block_height: 35.0, weight_on_bit: 1001.0, torque_on_bit: 101.0, toolface_deg: 11.0}

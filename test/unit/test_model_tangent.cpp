@@ -289,6 +289,9 @@ TEST(ModelTangent, motorTurningBehindABentHousing)
   EXPECT_GT(rig.rest.state.bit.motor_speed, 1.0);
   EXPECT_GT(rig.contacts(), 0);
   expect_exact(rig);
+  rig.rest.state.hydraulics.stand_pipe_pressure = 3e7;
+  rig.rest.state.hydraulics.annulus_pressure = 2e6;
+  expect_exact(rig);
 }
 
 TEST(ModelTangent, stuckPoint)

@@ -33,13 +33,15 @@ TEST(MudAround, dragIsHalfTheDynamicPressureOnTheDiameter)
   EXPECT_DOUBLE_EQ(lateral_drag(mud, 0.1), 90.0);
 }
 
-TEST(MudPump, ClampsAndPressure)
+TEST(MudPump, goesToItsCommandAtItsRamp)
 {
-  const MudPumpSpec spec;
-  EXPECT_EQ(pump_flow(spec, 0.1), spec.max_flow);
-  EXPECT_EQ(pump_flow(spec, -0.1), 0.0);
-  EXPECT_EQ(pump_flow(spec, 0.045), 0.045);
-  EXPECT_DOUBLE_EQ(stand_pipe_pressure(spec, 0.045, 1e6), 4e9 * 0.045 * 0.045 + 1e6);
+  MudPumpSpec spec;
+  spec.flow_ramp = 0.02;
+  EXPECT_DOUBLE_EQ(advance_pump(spec, 0.0, 0.045, 0.5), 0.01);
+  EXPECT_DOUBLE_EQ(advance_pump(spec, 0.01, 0.0, 0.25), 0.005);
+  EXPECT_EQ(advance_pump(spec, 0.0, 0.045, 10.0), 0.045) << "not past it";
+  EXPECT_EQ(advance_pump(spec, 0.0, 0.1, 10.0), spec.max_flow);
+  EXPECT_EQ(advance_pump(spec, 0.01, -0.1, 10.0), 0.0);
 }
 
 TEST(MudMotor, SpeedHoldsUntilNearStall)
@@ -91,6 +93,7 @@ TEST(MudMotor, PressureDoesTheWorkOfTheTorque)
   // ideal motor: dp V = 2 pi T per revolution
   EXPECT_NEAR(mud_motor_pressure(0.045, displacement, 4e3) * displacement, 2.0 * pi * 4e3, 1e-9);
   EXPECT_EQ(mud_motor_pressure(0.0, displacement, 4e3), 0.0);
+  EXPECT_DOUBLE_EQ(mud_motor_pressure(0.5 * mud_motor_leakage, displacement, 4e3), 0.5 * mud_motor_pressure(0.045, displacement, 4e3)) << "it leaks";
   EXPECT_EQ(mud_motor_pressure(0.045, displacement, -4e3), 0.0);
   // never more power out than in
   for (int i = 0; i < 30; ++i)

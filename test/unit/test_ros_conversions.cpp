@@ -28,6 +28,7 @@ void expect_numbers(const RigState& m, double base)
   EXPECT_EQ(base + 9, m.stand_pipe_pressure);
   EXPECT_EQ(base + 10, m.differential_pressure);
   EXPECT_EQ(base + 11, m.flow);
+  EXPECT_EQ(base + 16, m.ecd);
   EXPECT_EQ(base + 12, m.hole_depth);
   EXPECT_EQ(base + 13, m.bit_depth);
   EXPECT_EQ(base + 14, m.surface_wob);
@@ -55,6 +56,7 @@ const std::vector<Flag> flags = {{&RigSignals::tared, &RigState::tared},
                                  {&RigSignals::winch_limited, &RigState::winch_limited},
                                  {&RigSignals::slack_line, &RigState::slack_line},
                                  {&RigSignals::stop_reached, &RigState::stop_reached},
+                                 {&RigSignals::relief_valve_open, &RigState::relief_valve_open},
                                  {&RigSignals::over_stress, &RigState::over_stress},
                                  {&RigSignals::over_torque, &RigState::over_torque},
                                  {&RigSignals::buckled, &RigState::buckled},

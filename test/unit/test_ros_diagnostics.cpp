@@ -125,6 +125,12 @@ TEST_F(Report, saysWhyTheNumbersMayBeWrong)
   EXPECT_EQ((std::vector<int>{ok, warn, ok}), levels(array));
 }
 
+TEST_F(Report, anOpenReliefValveIsTold)
+{
+  frame_.truth.relief_valve_open = true;
+  EXPECT_EQ(part(next(), "physics").message, "relief valve open: part of the flow goes back to the tanks");
+}
+
 TEST_F(Report, withoutAStepThereAreNoIterationsPerStep)
 {
   EXPECT_EQ(0.0, number(next(), "newton_iterations_per_step"));

@@ -269,7 +269,7 @@ TEST(Loop, goingBackBringsStateAndProgramAndLeavesTheClock)
   p.play_program = true;
   RunningLoop rig(p, with_program());
   rig.start();
-  EXPECT_EQ(0.01, rig.step(3).back().frame.truth.flow);  // at 0.03 s
+  EXPECT_EQ(0.01, rig.step(3).back().frame.truth.setpoints.pump.flow);  // at 0.03 s
   std::shared_ptr<const SimulatorState> state;
   std::optional<ProgramPlayer> program;
   const CommandStamps commands{7 * period, {0, 5 * period, 7 * period}};
@@ -280,10 +280,10 @@ TEST(Loop, goingBackBringsStateAndProgramAndLeavesTheClock)
         program = loop.rig().program;
       });
   std::vector<double> first;
-  for (const FrameOutput& s : rig.step(8)) first.push_back(s.frame.truth.flow);
+  for (const FrameOutput& s : rig.step(8)) first.push_back(s.frame.truth.setpoints.pump.flow);
   EXPECT_EQ((std::vector<double>{0.01, 0.01, 0.02, 0.02, 0.02, 0.03, 0.03, 0.03}), first);  // lines of 0.05 s and 0.08 s
   rig.mailbox.receive(flow(0.05));
-  EXPECT_EQ(0.05, rig.step(1).back().frame.truth.flow);  // at 13; the program is over
+  EXPECT_EQ(0.05, rig.step(1).back().frame.truth.setpoints.pump.flow);  // at 13; the program is over
   rig.mailbox.receive(flow(0.06));                         // not taken yet
   const FrameOutput back = rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *program, true, commands); });
   EXPECT_EQ(14 * period, back.frame.stamp);
@@ -293,10 +293,10 @@ TEST(Loop, goingBackBringsStateAndProgramAndLeavesTheClock)
   EXPECT_DOUBLE_EQ(0.03, back.frame.truth.time);
   EXPECT_TRUE(back.new_stamp && !back.rebuilt);
   std::vector<double> again;
-  for (const FrameOutput& s : rig.step(8)) again.push_back(s.frame.truth.flow);
+  for (const FrameOutput& s : rig.step(8)) again.push_back(s.frame.truth.setpoints.pump.flow);
   EXPECT_EQ(first, again);
   rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *program, false, commands); });
-  for (const FrameOutput& s : rig.step(8)) EXPECT_EQ(0.01, s.frame.truth.flow) << "as it was saved: not playing";
+  for (const FrameOutput& s : rig.step(8)) EXPECT_EQ(0.01, s.frame.truth.setpoints.pump.flow) << "as it was saved: not playing";
 }
 
 TEST(Loop, aCommandTakesOverFromTheProgram)
@@ -307,14 +307,14 @@ TEST(Loop, aCommandTakesOverFromTheProgram)
   rig.start();
   rig.step(1);
   rig.mailbox.receive(winch(0.1));
-  EXPECT_EQ(0.01, rig.step(20).back().frame.truth.flow) << "no further line";
+  EXPECT_EQ(0.01, rig.step(20).back().frame.truth.setpoints.pump.flow) << "no further line";
 }
 
 TEST(Loop, aProgramIsNotPlayedUnasked)
 {
   RunningLoop rig(lockstep(), with_program());
   rig.start();
-  EXPECT_EQ(0.0, rig.step(20).back().frame.truth.flow);
+  EXPECT_EQ(0.0, rig.step(20).back().frame.truth.setpoints.pump.flow);
 }
 
 TEST(Loop, silenceCountsFromTheFirstCommandAndNotInAProgram)

@@ -168,6 +168,8 @@ TEST(LoopTime, telemetryArrivesByItsLatencyLater)
   Scene scene = vertical_scene(60.0, 50.0);
   scene.string.insert(scene.string.begin() + 1, mwd_part());
   scene.instruments.mwd.latency = 0.25;
+  scene.rig.mud_pump.flow_ramp = 1e3;
+  scene.mud.bulk_modulus = 1e11;
   scene.instruments.toolface.latency = 0.07;
   RunningLoop rig(lockstep(), scene);
   rig.start();  // at 1

@@ -71,6 +71,8 @@ std::vector<Expected> of_well()
       {"mud", "lateral_damping", [](const Scene& s) { return s.mud.lateral_damping; }, 21.0},
       {"mud", "torsional_damping", [](const Scene& s) { return s.mud.torsional_damping; }, 2.2e-4},
       {"mud", "drag_coefficient", [](const Scene& s) { return s.mud.drag_coefficient; }, 1.4},
+      {"mud", "bulk_modulus", [](const Scene& s) { return s.mud.bulk_modulus; }, 1.51e9},
+      {"mud", "gel_strength", [](const Scene& s) { return s.mud.gel_strength; }, 4.7},
       {"mud", "added_mass", [](const Scene& s) { return s.mud.added_mass; }, 1.23},
   };
 }
@@ -157,6 +159,9 @@ std::vector<Expected> of_rig()
       {"rig.top_drive", "brake_torque", [](const Scene& s) { return s.rig.top_drive.brake_torque; }, 50001.0},
       {"rig.top_drive", "meter_stiffness", [](const Scene& s) { return s.rig.top_drive.meter_stiffness; }, 1.1e6},
       {"rig.mud_pump", "max_flow", [](const Scene& s) { return s.rig.mud_pump.max_flow; }, 0.061},
+      {"rig.mud_pump", "flow_ramp", [](const Scene& s) { return s.rig.mud_pump.flow_ramp; }, 0.011},
+      {"rig.mud_pump", "loss_exponent", [](const Scene& s) { return s.rig.mud_pump.loss_exponent; }, 1.83},
+      {"rig.mud_pump", "relief_pressure", [](const Scene& s) { return s.rig.mud_pump.relief_pressure; }, 3.51e7},
       {"rig.mud_pump", "pressure_coefficient", [](const Scene& s) { return s.rig.mud_pump.pressure_coefficient; }, 4.1e9},
       {"contact", "stiffness", [](const Scene& s) { return s.contact.law.stiffness; }, 5.3e7},
       {"contact", "exponent", [](const Scene& s) { return s.contact.law.exponent; }, 1.53},

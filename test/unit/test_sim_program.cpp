@@ -101,7 +101,6 @@ TEST(ProgramPlayer, LinesActInOrderFromTheFrameThatStartsAtTheirTime)
     const Setpoints& now = show.simulator.truth().setpoints;
     const double flow = k >= 5 ? 0.02 : k >= 3 ? 0.01 : 0.0;
     EXPECT_DOUBLE_EQ(now.pump.flow, flow) << k;
-    EXPECT_DOUBLE_EQ(show.simulator.truth().flow, flow) << k;
     EXPECT_DOUBLE_EQ(now.top_drive.torque, k >= 5 ? 300.0 : 0.0) << k;
     EXPECT_DOUBLE_EQ(now.top_drive.speed, k >= 7 ? 30.0 * rpm : 0.0) << k;
     EXPECT_EQ(now.top_drive.mode, k >= 5 && k < 7 ? TopDriveMode::torque : TopDriveMode::speed) << k;

@@ -34,7 +34,7 @@ TEST(PlayFrame, GivesTheProgramsLinesBeforeTheFrame)
   Simulator simulator(scene);
   ProgramPlayer program(scene.program);
   ASSERT_EQ(play_frame(simulator, &program, kFrame), FrameStatus::running);
-  EXPECT_DOUBLE_EQ(simulator.truth().flow, 0.02) << "in force in the frame itself";
+  EXPECT_DOUBLE_EQ(simulator.truth().setpoints.pump.flow, 0.02) << "in force in the frame itself";
   EXPECT_DOUBLE_EQ(simulator.truth().time, kFrame);
 }
 
@@ -43,7 +43,7 @@ TEST(PlayFrame, WithoutAProgramTheSetPointsStay)
   Simulator simulator(quick("[{at: 0, flow: 0.02}]"));
   simulator.command(PumpSetpoint{0.01});
   ASSERT_EQ(play_frame(simulator, nullptr, kFrame), FrameStatus::running);
-  EXPECT_DOUBLE_EQ(simulator.truth().flow, 0.01);
+  EXPECT_DOUBLE_EQ(simulator.truth().setpoints.pump.flow, 0.01);
   EXPECT_DOUBLE_EQ(simulator.truth().time, kFrame);
 }
 
@@ -78,7 +78,7 @@ TEST(Run, EndsAfterItsDurationAndTellsEachFrameOnce)
   ASSERT_EQ(times.size(), 30U);
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], static_cast<double>(i + 1) * kFrame, 1e-9);
   EXPECT_TRUE(program.finished());
-  EXPECT_DOUBLE_EQ(simulator.truth().flow, 0.02);
+  EXPECT_DOUBLE_EQ(simulator.truth().setpoints.pump.flow, 0.02);
 
   // a second run goes on from there
   ASSERT_EQ(run(simulator, program, {0.2}, kFrame, note), RunEnd::duration);

@@ -91,7 +91,10 @@ TEST(Truth, ofTheBitIsThatOfItsFace)
 // ends.
 TEST(Truth, ratesOfTheBitAreTheRatesOfItsPose)
 {
-  Simulator rig(slanted_motor(0.5, 0.0005));
+  Scene scene = slanted_motor(0.5, 0.0005);
+  scene.rig.mud_pump.flow_ramp = 1e3;
+  scene.mud.bulk_modulus = 1e11;
+  Simulator rig(scene);
   drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
   play(rig, 1.0);
   for (int k = 0; k < 40; ++k)
@@ -152,6 +155,8 @@ TEST(Truth, pressuresAreThoseOfFlowAndTorque)
 {
   Scene scene = motor_drilling_scene(0.02);
   scene.rig.mud_pump.pressure_coefficient = 3e9;
+  scene.rig.mud_pump.flow_ramp = 1e3;
+  scene.mud.bulk_modulus = 1e11;
   Simulator rig(scene);
   play(rig, 0.1);
   EXPECT_EQ(rig.truth().stand_pipe_pressure, 0.0);
@@ -159,14 +164,15 @@ TEST(Truth, pressuresAreThoseOfFlowAndTorque)
   play(rig, 0.1);
   const auto over = [&rig] { return 2.0 * pi * rig.save()->forces.motor_torque / displacement; };
   EXPECT_EQ(rig.truth().bit_torque, 0.0) << "off bottom";
-  EXPECT_NEAR(rig.truth().stand_pipe_pressure, 3e9 * 0.03 * 0.03 + over(), 1e-6);
+  EXPECT_NEAR(rig.truth().stand_pipe_pressure, 3e9 * 0.03 * 0.03 + over(), 0.1 * over() + 1e4);
   EXPECT_NEAR(rig.truth().differential_pressure, over(), 1e-6);
+  EXPECT_EQ(rig.truth().flow, 0.03);
   play(rig, 8.0);
   ASSERT_GT(rig.truth().bit_torque, 100.0);
   const double over_motor = over();
   EXPECT_GE(over_motor, 2.0 * pi * rig.truth().bit_torque / displacement);
   EXPECT_NEAR(rig.truth().differential_pressure, over_motor, 1e-6);
-  EXPECT_NEAR(rig.truth().stand_pipe_pressure, 3e9 * 0.03 * 0.03 + over_motor, 1e-6);
+  EXPECT_NEAR(rig.truth().stand_pipe_pressure, 3e9 * 0.03 * 0.03 + over_motor, 0.1 * over_motor) << "the mud is a step behind";
 }
 
 // The second zero takes the first one's place; on bottom there is none.
@@ -254,6 +260,8 @@ TEST(Truth, driveAndMotorTellTheirLimits)
 
   Scene scene = motor_drilling_scene(0.01);
   scene.string[1].motor->stall_torque = 200.0;
+  scene.rig.mud_pump.flow_ramp = 1e3;
+  scene.mud.bulk_modulus = 1e11;
   Simulator weak(scene);
   drill_ahead(weak, 20.0 * rpm, 0.02, 0.012);
   play(weak, 0.5);

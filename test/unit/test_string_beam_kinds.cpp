@@ -108,6 +108,40 @@ TEST(BeamKinds, everyKindIsAWordOfTheSceneFile)
   for (const BeamKind& kind : beam_table()) EXPECT_EQ(read_scene(quick, {std::string("numerics.element=") + kind.name}).numerics.element, kind.kind) << kind.name;
 }
 
+// Without tension at its free stretch, and elastic about it: forces are the gradient of the energy there, the tangent that of the forces.
+TEST(BeamKinds, freeStretchIsWhereThereIsNoTension)
+{
+  std::mt19937 generator(7);
+  for (const BeamKind& kind : beam_table())
+  {
+    const BeamEnds s = any_ends(generator, 0.03);
+    const auto with = [](const BeamEnds& ends)
+    {
+      BeamPose pose = pose_of(ends);
+      pose.free_stretch = 2e-3;
+      return pose;
+    };
+    const auto at = [&](const BeamEnds& ends)
+    {
+      BeamStrain strain;
+      return kind.forces(kPipe, with(ends), {}, Vector3d::Zero(), strain);
+    };
+    BeamStrain strain;
+    BeamTangent t;
+    const BeamForces f = kind.forces_and_tangent(kPipe, with(s), {}, Vector3d::Zero(), strain, t);
+    EXPECT_NEAR(f.tension, forces(kind, s).tension - 2e-3 * kPipe.axial, 1e-9 * kPipe.axial) << kind.name;
+    const Matrix12d tangent = stacked(t);
+    for (int k = 0; k < 12; ++k)
+    {
+      const double h = 1e-5;
+      EXPECT_NEAR(stacked(f)[k], (kind.energy(kPipe, with(moved(s, k, h))) - kind.energy(kPipe, with(moved(s, k, -h)))) / (2.0 * h), 1e-5 * stacked(f).norm())
+          << kind.name << " " << k;
+      const Vector12d column = (stacked(at(moved(s, k, 0.1 * h))) - stacked(at(moved(s, k, -0.1 * h)))) / (0.2 * h);
+      EXPECT_LT((tangent.col(k) - column).norm(), 1e-6 * tangent.norm()) << kind.name << " " << k;
+    }
+  }
+}
+
 TEST(BeamKinds, tangentIsTheDerivativeOfTheForces)
 {
   for (const BeamKind& kind : beam_table())

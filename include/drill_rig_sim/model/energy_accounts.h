@@ -25,8 +25,9 @@ struct EnergyAccounts
   // inputs
   double winch = 0.0;    ///< drum: line tension times the speed of the line, less the elastic energy of the line wound up
   double drive = 0.0;    ///< top drive's motor torque times rotor speed
-  double pump = 0.0;     ///< flow times the pressure that the mud motor's torque needs, gauge friction included, 2 pi T/V
-  double gravity = 0.0;  ///< weight in mud
+  double pump = 0.0;     ///< flow times the pressure that the mud motor's torque needs, gauge friction included, 2 pi T/V; and what its pressure does to the elastic energy as it
+                         ///< stretches the string, -N dL where it is under an effective tension N
+  double gravity = 0.0;  ///< weight in mud, less what lifts the string up the annulus
 
   // stored
   StoredEnergy first;  ///< when the balance was opened

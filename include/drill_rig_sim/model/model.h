@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drill_rig_sim/contact/section_friction.h"
+#include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/string/beam_table.h"
 #include "drill_rig_sim/string/mesh.h"
@@ -35,6 +36,8 @@ public:
   const BitSpec& bit() const noexcept { return *scene_.string.front().bit; }
   /// Null: none.
   const MotorSpec* motor() const noexcept { return motor_; }
+  /// The mud's way through string and hole.
+  const MudCircuit& mud() const noexcept { return mud_; }
   /// Wall contact at a node; friction as the scene has it everywhere.
   const WallLaw& contact(int i) const noexcept { return contact_[static_cast<std::size_t>(i)]; }
   /// And at an element's middle.
@@ -64,6 +67,7 @@ private:
   std::vector<WallLaw> span_contact_;  // per element
   const MotorSpec* motor_ = nullptr;   // into scene_
   double bit_bristle_ = 0.0;
+  MudCircuit mud_;
 };
 
 }  // namespace drill_rig_sim

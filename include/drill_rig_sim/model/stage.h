@@ -46,7 +46,8 @@ struct Stage
   std::vector<Eigen::Vector3d> normal;  ///< n, of the nodes
   std::vector<double> immersed;         ///< 1 for a node below the rotary table, 0 above
   std::vector<double> added_mass;       ///< of the mud that moves sideways with a node; of the bit none, its gauge squeezes a film [kg]
-  std::vector<Eigen::Vector3d> load;    ///< weight of the elements in mud [N]
+  std::vector<Eigen::Vector3d> load;    ///< weight of the elements in mud, less what lifts them up the annulus [N]
+  std::vector<double> free_stretch;     ///< of the elements, by the pump's pressure (mud_circuit.h) [-]
   double structural_damping = 0.0;      ///< [s]
   Setpoints setpoints;
   SlidingMotion sliding;                ///< of the string in the hole; statics only

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "drill_rig_sim/rig/hydraulics.h"
 #include "drill_rig_sim/well/wellbore.h"
 
 namespace drill_rig_sim
@@ -149,6 +150,7 @@ struct BitState
 {
   double twist = 0.0;        ///< bristle of the torque on bit [rad]
   double motor_speed = 0.0;  ///< of the bit relative to the string [rad/s]
+  double motor_torque = 0.0; ///< on the motor's rotor [N m]
   double turned = 0.0;       ///< by the motor since the start [rad]
   double mean_speed = 0.0;   ///< of the bit, behind its speed by the lag [rad/s]
   bool stalled = false;
@@ -159,6 +161,7 @@ struct BitState
   {
     v("twist", twist);
     v("motor_speed", motor_speed);
+    v("motor_torque", motor_torque);
     v("turned", turned);
     v("mean_speed", mean_speed);
     v("stalled", stalled);
@@ -196,7 +199,8 @@ struct State
   HoistState hoist;
   BitState bit;
   StuckPointState stuck_point;
-  double flow = 0.0;  ///< of the pump [m3/s]
+  HydraulicState hydraulics;
+  double flow = 0.0;  ///< through string, motor and bit; constant within a step [m3/s]
 
   template <class V>
   void visit(V& v)
@@ -210,6 +214,7 @@ struct State
     v("hoist", hoist);
     v("bit", bit);
     v("stuck_point", stuck_point);
+    v("hydraulics", hydraulics);
     v("flow", flow);
   }
 };

@@ -13,7 +13,7 @@ namespace drill_rig_sim
 {
 /// The reference: the rig as a DAE (rig_dae.h), integrated by IDA within each step of `numerics.step`, at whose end the hole is
 /// extended (the paper's order: integrate, extend the well, correct, next step). Steps of IDA go on across the ends of intervals;
-/// it starts afresh at order one, from consistent accelerations, only where something jumps: set points, flow, a stuck point, a
+/// it starts afresh at order one, from consistent accelerations, only where something jumps: set points, flow by more than 1e-3 m3/s, a stuck point, a
 /// node that dips into the mud, bases that are renewed because a section has tilted by more than 0.3 rad, and the state itself.
 /// Order two at most by default: a string's fast axial and torsional modes are hardly damped, and the BDF formulas of order three and more
 /// excite such modes unless the step resolves them. At 1e-6 the main job then takes a tenth of the steps. Its joints hold within

@@ -17,6 +17,9 @@
 namespace drill_rig_sim
 {
 constexpr double mud_motor_lag = 0.05;  ///< [s]
+/// Flow that passes a loaded motor without turning it: below, its pressure falls in proportion, so that what the pump has left behind
+/// leaks away through it [m3/s].
+constexpr double mud_motor_leakage = 5e-4;
 
 struct MudMotorSpeed
 {
@@ -47,10 +50,10 @@ inline double advance_mud_motor(double speed, const MudMotorSpeed& steady, doubl
   return speed + share * (steady.value - speed) / (1.0 - share * steady.slope * std::max(0.0, by_turn) * step);
 }
 
-/// Differential pressure dp = 2 pi T/V [Pa]; zero without flow, and for a torque that drives the bit on.
+/// Differential pressure dp = 2 pi T/V [Pa], in proportion below the leakage; zero for a torque that drives the bit on.
 inline double mud_motor_pressure(double flow, double displacement, double torque) noexcept
 {
-  return flow > 0.0 ? 2.0 * pi * std::max(0.0, torque) / displacement : 0.0;
+  return std::clamp(flow / mud_motor_leakage, 0.0, 1.0) * 2.0 * pi * std::max(0.0, torque) / displacement;
 }
 
 /// The motor is pumped but its torque has reached T_stall.

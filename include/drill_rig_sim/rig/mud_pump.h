@@ -8,19 +8,18 @@ namespace drill_rig_sim
 struct MudPumpSpec
 {
   double max_flow = 0.06;             ///< [m3/s]
-  double pressure_coefficient = 4e9;  ///< stand-pipe pressure / flow^2 [Pa s2/m6]
+  double flow_ramp = 0.01;            ///< rate at which the pump's flow changes [m3/s2]
+  double relief_pressure = 35e6;      ///< at which the relief valve opens [Pa]
+  double pressure_coefficient = 4e9;  ///< losses from pump to flow line at max_flow / max_flow^2 [Pa s2/m6]
+  double loss_exponent = 2.0;         ///< m of losses ~ Q^m [-]
 };
 
-/// Flow that the pump delivers for a command: clamped to 0 .. max_flow [m3/s]. Follows at once: no ramp, no compressibility.
-inline double pump_flow(const MudPumpSpec& spec, double commanded) noexcept
+/// Flow that the pump delivers after a step h [s]: it goes to the command, clamped to 0 .. max_flow, at flow_ramp [m3/s].
+/// @param flow  at the start of the step [m3/s]
+inline double advance_pump(const MudPumpSpec& spec, double flow, double commanded, double step) noexcept
 {
-  return std::clamp(commanded, 0.0, spec.max_flow);
-}
-
-/// Stand-pipe pressure [Pa]: turbulent losses, pressure_coefficient flow^2, plus the motor's differential pressure [Pa].
-inline double stand_pipe_pressure(const MudPumpSpec& spec, double flow, double differential_pressure) noexcept
-{
-  return spec.pressure_coefficient * flow * flow + differential_pressure;
+  const double most = spec.flow_ramp * step;
+  return flow + std::clamp(std::clamp(commanded, 0.0, spec.max_flow) - flow, -most, most);
 }
 
 }  // namespace drill_rig_sim

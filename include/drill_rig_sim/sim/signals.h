@@ -62,7 +62,8 @@ struct RigSignals
   double torque = 0.0;                 ///< of the torque meter's spring, + drives the string clockwise [N m]
   double stand_pipe_pressure = 0.0;    ///< [Pa]
   double differential_pressure = 0.0;  ///< of the mud motor, zeroed by tare [Pa]
-  double flow = 0.0;                   ///< [m3/s]
+  double flow = 0.0;                   ///< that the pump delivers [m3/s]
+  double ecd = 0.0;                    ///< equivalent circulating density at the bit, ecd() [kg/m3]
   double hole_depth = 0.0;             ///< [m MD]
   double bit_depth = 0.0;              ///< of the bit's face [m MD]
   double surface_wob = 0.0;            ///< tare - hook_load; 0 until tared [N]
@@ -75,6 +76,7 @@ struct RigSignals
   bool winch_limited = false;       ///< a limit of speed, acceleration, load or height holds the winch back
   bool slack_line = false;          ///< the lines carry nothing
   bool stop_reached = false;        ///< the block is at its lowest or highest place: the winch stands, or the block rests on the stop
+  bool relief_valve_open = false;   ///< by the pump: part of its flow goes back to the tanks
   bool over_stress = false;         ///< pipe is stressed beyond its yield strength (sim/string_watch.h)
   bool over_torque = false;         ///< beyond the make-up torque of its connections
   bool buckled = false;             ///< compressed beyond what it bears straight in its hole
@@ -100,6 +102,7 @@ struct RigSignals
     v("stand_pipe_pressure", stand_pipe_pressure);
     v("differential_pressure", differential_pressure);
     v("flow", flow);
+    v("ecd", ecd);
     v("hole_depth", hole_depth);
     v("bit_depth", bit_depth);
     v("surface_wob", surface_wob);
@@ -112,6 +115,7 @@ struct RigSignals
     v("winch_limited", winch_limited);
     v("slack_line", slack_line);
     v("stop_reached", stop_reached);
+    v("relief_valve_open", relief_valve_open);
     v("over_stress", over_stress);
     v("over_torque", over_torque);
     v("buckled", buckled);
@@ -135,6 +139,7 @@ struct Truth : RigSignals
   Eigen::Vector3d bit_moment = Eigen::Vector3d::Zero();   ///< rock on bit about the bit's centre, world axes [N m]
   double wob = 0.0;               ///< >= 0 [N]
   double bit_torque = 0.0;        ///< >= 0 when the rock resists clockwise turning [N m]
+  double bit_flow = 0.0;          ///< through motor and bit [m3/s]
   double bit_speed = 0.0;         ///< string below the motor plus motor [rad/s]
   double bit_inclination = 0.0;   ///< of the hole at its bottom [rad]
   double bit_azimuth = 0.0;       ///< [rad], 0 .. 2 pi
@@ -152,6 +157,7 @@ struct Truth : RigSignals
     v("bit_moment", bit_moment);
     v("wob", wob);
     v("bit_torque", bit_torque);
+    v("bit_flow", bit_flow);
     v("bit_speed", bit_speed);
     v("bit_inclination", bit_inclination);
     v("bit_azimuth", bit_azimuth);
@@ -162,7 +168,7 @@ struct Truth : RigSignals
 /// What the driller sees.
 /// - hook_load, dead_line_hook_load, torque, stand_pipe_pressure, flow, block_height: gauges, each with its delay, filter, bias, noise and
 ///   resolution; hook_load is the gauge where the scene puts it.
-/// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact.
+/// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact. ecd: as if a tool by the bit told it at once.
 /// - worked out, as a rig does: bit_depth = tally - block_height (the tally is right at the start), hole_depth its largest so far, rop the
 ///   rate of that over the last 10 s, hook_load_string = hook_load - weight of block and top drive, surface_wob = tare - hook_load,
 ///   differential_pressure = stand_pipe_pressure - tare, 0 until tared.

@@ -81,6 +81,7 @@ struct BeamPose
   Eigen::Vector3d upper_normal, lower_normal;  ///< unit
   double twist = 0.0;                          ///< tau
   Eigen::Quaterniond upper_orientation, lower_orientation;  ///< unit, end's axes to world; not read by the corotational element
+  double free_stretch = 0.0;  ///< eps_0, of the element without tension, as by pressure: eps - eps_0 takes the place of eps in energy and forces
 };
 
 /// `load`: dead load spread evenly over the element, in total [N]. Carried by the cubic shape functions it puts half on each end, which is

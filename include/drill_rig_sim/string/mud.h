@@ -11,6 +11,8 @@ struct MudSpec
   double lateral_damping = 20.0;    ///< linear part [N s/m per m]
   double drag_coefficient = 1.0;    ///< C_d of the quadratic part, on the outer diameter [-]
   double torsional_damping = 5e-4;  ///< [N m s/rad per m]
+  double bulk_modulus = 1.4e9;      ///< as a well shows it, with what pipe and hole give way [Pa]
+  double gel_strength = 0.0;        ///< after ten minutes' rest [Pa]
   double added_mass = 1.0;          ///< factor on the mass of the mud that moves sideways with the string [-]
 };
 

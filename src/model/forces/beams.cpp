@@ -14,7 +14,7 @@ BeamPose pose_of(const StageContext& at, int e) noexcept
   const MeshElement& element = at.model.mesh().elements[e];
   const NodeMotion& lower = at.work.nodes[e];
   const NodeMotion& upper = at.work.nodes[e + 1];
-  BeamPose pose{upper.position, lower.position, upper.normal, lower.normal, 0.0, upper.orientation, lower.orientation};
+  BeamPose pose{upper.position, lower.position, upper.normal, lower.normal, 0.0, upper.orientation, lower.orientation, at.stage.free_stretch[static_cast<std::size_t>(e)]};
   if (element.bend != 0.0)
   {
     const Eigen::Quaterniond bent = upper.orientation * element.upper_end;

@@ -98,6 +98,7 @@ void advance_bit(const StageContext& at, const BitTorque& torque) noexcept
   const double load = at.work.result.forces.motor_torque;
   const MudMotorSpeed steady =
       mud_motor_steady_speed(at.start.flow, motor->displacement_per_rev, motor->stall_torque, motor->curve_exponent, load);
+  end.motor_torque = load;
   end.motor_speed = advance_mud_motor(at.start.bit.motor_speed, steady, torque.spin_slope, at.stage.time);
   end.stalled = mud_motor_stalled(at.start.flow, motor->stall_torque, load);
 }

@@ -1,0 +1,113 @@
+#ifndef DRILL_RIG_SIM_RIG_HYDRAULICS_H
+#define DRILL_RIG_SIM_RIG_HYDRAULICS_H
+
+#include "drill_rig_sim/rig/mud_pump.h"
+
+/// The mud's way from the pump through string, motor and bit, and up the annulus: two compressible volumes, the string's bore and the
+/// annulus, each at one pressure above the hydrostatic one, and the resistances behind them.
+///
+///   C_p dp_p/dt = Q_pump - Q_relief - Q,    p_p - p_a = P_i (Q/Q_n)^m + D(Q) + G_p,      C = V/beta
+///   C_a dp_a/dt = Q - Q_out,                p_a       = P_a (Q_out/Q_n)^m + G_a
+///
+/// p_p the stand pipe's pressure, p_a that of the annulus at the bit, Q the flow through motor and bit; P_i, P_a the losses in string and
+/// bit and in the annulus at the pump's largest flow Q_n; D what the motor's torque needs (rig/mud_motor.h); G what the mud's gel holds,
+/// the most that it can while mud moves, and whatever is there below that. No flow backwards: a float valve above the bit. Two volumes
+/// without the mud's inertia: the model of Kaasa, Stamnes, Aamo and Imsland, SPE Drilling & Completion 27 (2012) 127-138, whose annulus
+/// ends at a choke and ours in the open. Waves in the mud, seconds in long wells, are not in it.
+///
+/// Gel: mud that stands holds p = 4 tau L/d in a bore, 4 tau L/(D_h - D) in an annulus (gel L/(300 d) in psi, lb/100 ft2, ft, in: Lapeyrouse,
+/// Formulas and Calculations for Drilling, Production and Workover, 2nd ed., p. 79), tau the strength after ten minutes' rest. It grows
+/// with gel_time towards that, and breaks as mud moves, over gel_break_volume.
+///
+/// Relief valve, by the pump: the stand pipe does not exceed relief_pressure, and what is too much goes back to the tanks.
+///
+/// Implicit Euler, volume by volume from the pump on, each a scalar equation with one root: stable at any step, though resistance vanishes
+/// with flow, and no mud is lost. The annulus pushes back with its pressure before the step.
+namespace drill_rig_sim
+{
+constexpr double gel_time = 200.0;          ///< of growth at rest: 95 % after ten minutes [s]
+constexpr double gel_break_volume = 0.005;  ///< that passes while it falls to 1/e: some five diameters of a bore of 0.1 m [m3]
+
+/// A volume and the resistance behind it.
+struct HydraulicVolume
+{
+  double capacity = 0.0;  ///< V/beta [m3/Pa]
+  double loss = 0.0;      ///< at nominal flow [Pa]
+  double gel = 0.0;       ///< held by mud at rest that has stood for long [Pa]
+};
+
+/// What does not change in a run.
+struct HydraulicCircuit
+{
+  HydraulicVolume bore, annulus;
+  double nominal_flow = 0.06;  ///< Q_n > 0 [m3/s]
+  double exponent = 2.0;       ///< m in [1, 2]
+};
+
+struct HydraulicState
+{
+  double pump_flow = 0.0;            ///< that the pump delivers, strokes times displacement [m3/s]
+  double stand_pipe_pressure = 0.0;  ///< p_p [Pa]
+  double annulus_pressure = 0.0;     ///< p_a, at the bit, above the hydrostatic one [Pa]
+  double return_flow = 0.0;          ///< Q_out [m3/s]
+  double gel = 1.0;                  ///< share of its strength; at the start the mud has stood for long
+  bool relief_open = false;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("pump_flow", pump_flow);
+    v("stand_pipe_pressure", stand_pipe_pressure);
+    v("annulus_pressure", annulus_pressure);
+    v("return_flow", return_flow);
+    v("gel", gel);
+    v("relief_open", relief_open);
+  }
+};
+
+/// What leaves a volume, and what is left in it, after a step.
+struct Outflow
+{
+  double flow = 0.0;      ///< [m3/s], >= 0
+  double pressure = 0.0;  ///< [Pa]
+};
+
+/// What holds the mud back behind a volume.
+struct HydraulicResistance
+{
+  double back = 0.0;    ///< pressure there [Pa]
+  double loss = 0.0;    ///< at nominal flow [Pa]
+  double gel = 0.0;     ///< [Pa]
+  double motor = 0.0;   ///< >= 0, D above the motor's leakage [Pa]
+  double nominal_flow = 0.06;
+  double exponent = 2.0;
+
+  /// Pressure that a flow > 0 needs [Pa], and its derivative [Pa s/m3].
+  double pressure(double flow) const noexcept;
+  double slope(double flow) const noexcept;
+};
+
+/// One step of a volume: p + (step/capacity) (inflow - Q) = r.pressure(Q), or Q = 0 where that cannot be. Volumes of capacity 0 let
+/// everything through.
+/// @param pressure  p, at the start of the step [Pa]
+/// @param step      > 0 [s]
+/// @param guess     near Q [m3/s]; where it is Q to the last digits, it is the answer
+Outflow outflow(double capacity, double pressure, double inflow, double step, const HydraulicResistance& r, double guess) noexcept;
+/// The same from a volume whose pressure is held.
+double outflow_at(double pressure, const HydraulicResistance& r, double guess) noexcept;
+
+/// One step h [s] of the circuit.
+/// @param commanded       of the pump [m3/s]
+/// @param motor_pressure  that the mud motor's torque needs, >= 0 [Pa]
+/// @param flow            through motor and bit; in and out [m3/s]
+void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit, double commanded, double motor_pressure, double step,
+                        double& flow, HydraulicState& state) noexcept;
+
+/// Density of a mud at rest with the same pressure at the bit: density + p_a/(g depth) [kg/m3]; the mud's own within a metre of the rotary
+/// table, where it would mean nothing.
+/// @param depth  of the bit below the rotary table [m]
+double equivalent_circulating_density(double density, double annulus_pressure, double depth) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,96 @@
+// The mud's way through string and hole: published losses, volumes, where along the string the pressures drop.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/mud_circuit.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+constexpr double psi = 6894.757, foot = 0.3048, inch = 0.0254, gpm = 6.30902e-5, ppg = 119.8264;
+
+Scene long_pipe()
+{
+  Scene scene = vertical_scene(1000.0, 990.0);
+  scene.mud.gel_strength = 5.0;
+  scene.rig.mud_pump.pressure_coefficient = 2e10;
+  return scene;
+}
+
+MudCircuit circuit_of(const Scene& scene)
+{
+  return mud_circuit(scene, build_mesh(scene, scene.start.bit_depth + scene.start.block_height));
+}
+}  // namespace
+
+// drillingformulas.com, after Lapeyrouse: 13 lb/gal, 8000 ft of 4 in in 6.5 in, 320 gal/min: 531.65 psi, of a speed rounded to 299 ft/min.
+TEST(MudCircuit, annulusLosesWhatLapeyrouseSays)
+{
+  const double loss = 8000.0 * foot * annulus_gradient(13.0 * ppg, 320.0 * gpm, 6.5 * inch, 4.0 * inch) / psi;
+  EXPECT_NEAR(loss, 531.65, 0.005 * 531.65);
+  EXPECT_EQ(annulus_gradient(1200.0, 0.03, 0.2, 0.2), 0.0) << "no annulus";
+}
+
+// 6.1e-5 x 9.5 lb/gal x 5000 ft x 600^1.86 / 3.34^4.86 = 1213 psi; an example of drillingformulas.com with another law has 1254.
+TEST(MudCircuit, boreLosesWhatLapeyrouseSays)
+{
+  EXPECT_NEAR(5000.0 * foot * bore_gradient(9.5 * ppg, 600.0 * gpm, 3.34 * inch) / psi, 1213.0, 2.0);
+}
+
+TEST(MudCircuit, volumesAndGelAreThoseOfTheGeometry)
+{
+  const Scene scene = long_pipe();
+  const MudCircuit mud = circuit_of(scene);
+  const double length = scene.start.bit_depth + scene.start.block_height;  // of the bore, less a bit's
+  EXPECT_NEAR(mud.circuit.bore.capacity * scene.mud.bulk_modulus, 0.25 * pi * pipe_inner * pipe_inner * length, 0.01);
+  EXPECT_NEAR(mud.circuit.bore.gel, 4.0 * 5.0 * length / pipe_inner, 0.002 * mud.circuit.bore.gel);
+  const double hole = scene.well.sections.back().diameter;
+  const double in_hole = scene.start.bit_depth;
+  EXPECT_NEAR(mud.circuit.annulus.capacity * scene.mud.bulk_modulus, 0.25 * pi * (hole * hole - pipe_outer * pipe_outer) * in_hole, 0.5);
+  EXPECT_NEAR(mud.circuit.annulus.gel, 4.0 * 5.0 * in_hole / (hole - pipe_outer), 0.02 * mud.circuit.annulus.gel);
+}
+
+// The losses add up to the scene's; along plain pipe they fall in a straight line.
+TEST(MudCircuit, lossesAddUpToTheScenes)
+{
+  const Scene scene = long_pipe();
+  const MudCircuit mud = circuit_of(scene);
+  const MudPumpSpec& pump = scene.rig.mud_pump;
+  EXPECT_NEAR(mud.circuit.bore.loss + mud.circuit.annulus.loss, pump.pressure_coefficient * pump.max_flow * pump.max_flow, 1e-3);
+  const double hole = scene.well.sections.back().diameter;
+  EXPECT_NEAR(mud.circuit.annulus.loss, 990.0 * annulus_gradient(scene.mud.density, pump.max_flow, hole, pipe_outer), 0.01 * mud.circuit.annulus.loss);
+  EXPECT_NEAR(mud.bore_friction * mud.circuit.bore.loss,
+              (scene.start.bit_depth + scene.start.block_height) * bore_gradient(scene.mud.density, pump.max_flow, pipe_inner), 0.002 * mud.circuit.bore.loss);
+  EXPECT_NEAR(std::accumulate(mud.annulus_here.begin(), mud.annulus_here.end(), 0.0), 1.0, 1e-12);
+  HydraulicState state;
+  state.stand_pipe_pressure = 3e7;
+  state.annulus_pressure = 1e6;
+  const std::size_t lowest = 1, top = mud.bore_above.size() - 1;
+  const MudPressures flowing = mud_pressures(mud, state, pump.max_flow);
+  EXPECT_NEAR(flowing.in_annulus(mud, lowest), 1e6, 2e4);
+  EXPECT_EQ(flowing.in_annulus(mud, top), 0.0) << "above the rotary table";
+  EXPECT_NEAR(flowing.in_bore(mud, top), 3e7, 2e5);
+  EXPECT_NEAR(flowing.in_bore(mud, lowest), 3e7 - mud.bore_friction * mud.circuit.bore.loss, 2e5);
+  EXPECT_EQ(mud_pressures(mud, state, 0.0).in_bore(mud, lowest), 3e7) << "at rest";
+}
+
+TEST(MudCircuit, aSceneWithoutLossesHasNone)
+{
+  Scene scene = long_pipe();
+  scene.rig.mud_pump.pressure_coefficient = 0.0;
+  const MudCircuit mud = circuit_of(scene);
+  EXPECT_EQ(mud.circuit.bore.loss, 0.0);
+  EXPECT_EQ(mud.circuit.annulus.loss, 0.0);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

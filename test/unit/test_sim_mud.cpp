@@ -1,0 +1,191 @@
+// What the pump does to the rig: pressures in hook load, stretch and steel, ECD, relief valve, energy, snapshots, the reference.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/mud_circuit.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/sim/simulator_state.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+constexpr double frame = 0.01;  // [s]
+constexpr double hole = 0.2159;
+constexpr double bore_area = pi / 4.0 * pipe_inner * pipe_inner, outer_area = pi / 4.0 * pipe_outer * pipe_outer;
+
+void play(Simulator& rig, double seconds)
+{
+  for (int k = 0; k < std::lround(seconds / frame); ++k) ASSERT_EQ(rig.frame(frame), FrameStatus::running) << rig.failure();
+}
+
+/// Pipe that hangs 5 m off the bottom of 300 m, with little friction of mud in it: 18 MPa at 0.03 m3/s, most of it at the bit. What
+/// swings dies soon.
+Scene hanging()
+{
+  Scene scene = vertical_scene(300.0, 295.0);
+  for (HoleSection& section : scene.well.sections) section.diameter = hole;
+  scene.rig.mud_pump.pressure_coefficient = 2e10;
+  scene.rig.hoisting.rail_friction = 0.0;  // it would hold some of the load
+  scene.rig.hoisting.line_damping = 0.3;
+  scene.mud.axial_damping = 20.0;
+  return scene;
+}
+
+double string_length(const Truth& t)
+{
+  return t.block_height - t.bit_position.z();
+}
+}  // namespace
+
+// The bore's pressure pulls the steel against the swivel and leaves the hook alone; the mud in the annulus lifts p_a pi/4 D D_h.
+TEST(MudOnString, hookFeelsTheAnnulusAlone)
+{
+  const Scene scene = hanging();
+  Simulator rig(scene);
+  play(rig, 20.0);
+  const double before = rig.truth().hook_load;
+  rig.command(PumpSetpoint{0.03});
+  play(rig, 60.0);
+  const HydraulicState mud = rig.save()->mechanics.hydraulics;
+  ASSERT_NEAR(mud.stand_pipe_pressure, 18e6, 1e3);
+  ASSERT_GT(mud.annulus_pressure, 2e4);
+  const double lift = mud.annulus_pressure * 0.25 * pi * pipe_outer * hole;
+  EXPECT_NEAR(before - rig.truth().hook_load, lift, 0.01 * lift);
+  StringProfile profile;
+  rig.profile(profile);
+  EXPECT_NEAR(profile.true_axial_force.back() - profile.tension.back(), 18e6 * bore_area, 0.01 * 18e6 * bore_area) << "the swivel takes it";
+}
+
+// e = ((1 - 2 nu)(p_i A_i - p_o A_o) - lift above)/(E A): p_i falls by the bore's friction, p_o and the lift grow in a straight line to the bit.
+TEST(MudOnString, pressureStretchesTheString)
+{
+  const Scene scene = hanging();
+  Simulator rig(scene);
+  play(rig, 20.0);
+  const double before = string_length(rig.truth());
+  rig.command(PumpSetpoint{0.03});
+  play(rig, 60.0);
+  const HydraulicState mud = rig.save()->mechanics.hydraulics;
+  const double ea = 206e9 * pipe_area, in_hole = 295.0, all = in_hole + scene.start.block_height;
+  const double friction = bore_gradient(scene.mud.density, scene.rig.mud_pump.max_flow, pipe_inner) * 0.25 * all;  // Q^2 from max_flow down
+  const double inside = 0.4 * (18e6 - 0.5 * friction) * bore_area * all, outside = 0.4 * 0.5 * mud.annulus_pressure * outer_area * in_hole;
+  const double lift = mud.annulus_pressure * 0.25 * pi * pipe_outer * hole;
+  // the lift takes from the tension everywhere above where it acts: of the part in the hole half of it, above the table all
+  const double lifted = lift * (0.5 * in_hole + scene.start.block_height);
+  const double expected = (inside - outside - lifted) / ea;
+  EXPECT_GT(expected, 0.02);
+  EXPECT_NEAR(string_length(rig.truth()) - before, expected, 0.01 * expected);
+}
+
+// With the block held a string on bottom that grows puts weight on the bit, and takes it off the hook: all but the annulus's lift.
+TEST(MudOnString, pumpPutsWeightOnTheBit)
+{
+  Scene scene = hanging();
+  scene.start.bit_depth = 300.0;
+  scene.start.weight_on_bit = 2e4;
+  Simulator rig(scene);
+  play(rig, 20.0);
+  const Truth before = rig.truth();
+  rig.command(PumpSetpoint{0.03});
+  play(rig, 60.0);
+  const double lift = rig.save()->mechanics.hydraulics.annulus_pressure * 0.25 * pi * pipe_outer * hole;
+  const double gained = rig.truth().wob - before.wob;
+  EXPECT_GT(gained, 3e3);
+  EXPECT_NEAR(before.hook_load - rig.truth().hook_load, gained + lift, 0.01 * gained);
+}
+
+TEST(MudOnString, ecdIsThatOfTheAnnulus)
+{
+  const Scene scene = hanging();
+  Simulator rig(scene);
+  EXPECT_EQ(rig.truth().ecd, scene.mud.density);
+  rig.command(PumpSetpoint{0.03});
+  play(rig, 60.0);
+  const double loss = 295.0 * annulus_gradient(scene.mud.density, 0.03, hole, pipe_outer);
+  EXPECT_NEAR(rig.truth().ecd - scene.mud.density, loss / (standard_gravity * 295.0), 0.01 * loss / (standard_gravity * 295.0));
+  EXPECT_EQ(rig.readings().ecd, rig.truth().ecd);
+}
+
+// Ramp 0.01 m3/s2, then the mud's own lag.
+TEST(MudPumped, pressureFollowsThePump)
+{
+  Scene scene = hanging();
+  scene.rig.mud_pump.relief_pressure = 15e6;
+  Simulator rig(scene);
+  rig.command(PumpSetpoint{0.03});
+  play(rig, 1.0);
+  EXPECT_NEAR(rig.truth().flow, 0.01, 1e-12);
+  EXPECT_GT(rig.truth().bit_flow, 0.0);
+  EXPECT_LT(rig.truth().bit_flow, 0.01);
+  EXPECT_FALSE(rig.truth().relief_valve_open);
+  play(rig, 30.0);
+  EXPECT_EQ(rig.truth().flow, 0.03);
+  EXPECT_TRUE(rig.truth().relief_valve_open);
+  EXPECT_TRUE(rig.readings().relief_valve_open) << "the rig's own";
+  EXPECT_EQ(rig.truth().stand_pipe_pressure, 15e6);
+  EXPECT_NEAR(rig.truth().bit_flow, 0.03 * std::sqrt(15.0 / 18.0), 1e-4);
+  rig.command(PumpSetpoint{0.0});
+  play(rig, 30.0);
+  EXPECT_EQ(rig.truth().bit_flow, 0.0);
+  EXPECT_LT(rig.truth().stand_pipe_pressure, 1e3);
+  EXPECT_FALSE(rig.truth().relief_valve_open);
+}
+
+TEST(MudPumped, aSnapshotInTheRampGoesOnTheSame)
+{
+  Simulator rig(motor_drilling_scene(0.5));
+  rig.command(PumpSetpoint{0.03});
+  play(rig, 1.5);
+  const auto state = rig.save();
+  play(rig, 3.0);
+  const double pressure = rig.truth().stand_pipe_pressure, hook_load = rig.truth().hook_load;
+  ASSERT_TRUE(rig.restore(*state));
+  play(rig, 3.0);
+  EXPECT_EQ(rig.truth().stand_pipe_pressure, pressure);
+  EXPECT_EQ(rig.truth().hook_load, hook_load);
+}
+
+// What the pressure does as it stretches the string is the pump's, and nothing is missing. Elastic energy is that of the effective tension
+// N: a free stretch that grows by e takes N e L from it, and the weight that goes down brings it back.
+TEST(MudPumped, energyIsClosed)
+{
+  Scene scene = hanging();
+  Simulator rig(scene);
+  rig.balance_energy(true);
+  rig.command(PumpSetpoint{0.03});
+  play(rig, 10.0);
+  const EnergyAccounts& e = rig.energy();
+  EXPECT_LT(e.pump, -100.0);
+  EXPECT_GT(e.gravity, 100.0);
+  EXPECT_LT(e.closure(), 5e-3);
+  EXPECT_LT(std::abs(e.numerical_share()), 0.05);
+}
+
+// The reference is handed the same flow and pressures.
+TEST(MudPumped, referenceAgrees)
+{
+  Scene scene = hanging();
+  scene.numerics.integrator = IntegratorKind::ida;
+  scene.numerics.element_length = 30.0;
+  Scene other = scene;
+  other.numerics.integrator = IntegratorKind::bdf2;
+  Simulator reference(scene), rig(other);
+  for (Simulator* r : {&reference, &rig})
+  {
+    r->command(PumpSetpoint{0.03});
+    play(*r, 4.0);
+  }
+  EXPECT_NEAR(rig.truth().hook_load, reference.truth().hook_load, 300.0);
+  EXPECT_NEAR(string_length(rig.truth()), string_length(reference.truth()), 5e-4);
+  EXPECT_EQ(rig.truth().stand_pipe_pressure, reference.truth().stand_pipe_pressure);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
