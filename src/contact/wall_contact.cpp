@@ -267,7 +267,8 @@ WallForce sliding_wall_contact(const ClosestPoint& closest, double radius, const
   const double axial = speed > 0.0 ? sliding.axial_speed / speed : 0.0;
   const double around = speed > 0.0 ? rim_speed / speed : 0.0;
   const Vector3d direction = axial * closest.tangent + around * closest.tangent.cross(g.normal);
-  const double limit = closest.friction * normal.value;
+  const double coefficient = sliding.share * closest.friction;
+  const double limit = coefficient * normal.value;
   const Vector3d friction = -limit * direction;
   fill_result(g, normal.value, friction, arm, out);
   out.slipping = speed > 0.0;
@@ -278,7 +279,7 @@ WallForce sliding_wall_contact(const ClosestPoint& closest, double radius, const
   for (int j = 0; j < 3; ++j)
   {
     const Vector3d bj = b.col(j);
-    const Vector3d df = -closest.friction * gradient[j] * direction - limit * around * closest.tangent.cross(bj);
+    const Vector3d df = -coefficient * gradient[j] * direction - limit * around * closest.tangent.cross(bj);
     write_column_x(g, j, bj, normal.value, gradient[j], arm, friction, df, tangent);
   }
   return out;

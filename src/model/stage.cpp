@@ -48,22 +48,6 @@ void take_start(const Model& model, const State& state, Stage& stage) noexcept
     stage.load[e].z() = -model.element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z());
   take_pressures(model, state, stage);
 }
-
-SlidingMotion sliding_of(FrictionMode mode) noexcept
-{
-  switch (mode)
-  {
-    case FrictionMode::up:
-      return {-1.0, 0.0};
-    case FrictionMode::down:
-      return {1.0, 0.0};
-    case FrictionMode::rotate:
-      return {0.0, 1.0};
-    case FrictionMode::none:
-      break;
-  }
-  return {};
-}
 }  // namespace
 
 Stage::Stage(const Model& model)
@@ -94,13 +78,13 @@ void move_stage(const Model& model, const State& state, double time, Stage& stag
   stage.bit = {motor, time * motor, mean, drilling_speed(mean, state.nodes[0].rate.spin + motor), time, false, Vector3d::Zero()};
 }
 
-void begin_static(const Model& model, const State& state, FrictionMode friction, double coefficient, Stage& stage) noexcept
+void begin_static(const Model& model, const State& state, const SlidingMotion& sliding, double coefficient, Stage& stage) noexcept
 {
   stage.time = 0.0;
   stage.dv_du = coefficient;
   stage.da_du = coefficient * coefficient;
   stage.structural_damping = 0.0;
-  stage.sliding = sliding_of(friction);
+  stage.sliding = sliding;
   std::fill(stage.rate.begin(), stage.rate.end(), Vector6d::Zero());
   std::fill(stage.acceleration.begin(), stage.acceleration.end(), Vector6d::Zero());
   take_start(model, state, stage);

@@ -70,8 +70,7 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   memory.stands_for = std::max(0.0, memory.stands_for - duration);
   if (memory.stands_for == 0.0) memory.report = AccuracyReport();
   if (memory.frames++ % every != 0) return;
-  AccuracyReport found;
-  look(state, forces, found);
+  AccuracyReport found = doubt_of_string(*model_, state, forces);
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
   if (found.doubt == AccuracyDoubt::none && memory.refused > most_refused) found = {AccuracyDoubt::refused_steps, memory.refused, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && share > most_dissipation) found = {AccuracyDoubt::dissipation, share, 0.0, 0.0};
@@ -80,10 +79,10 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   memory.stands_for = memory_time;
 }
 
-/// The largest of the first kind that there is.
-void AccuracyWatch::look(const State& state, const RigForces& forces, AccuracyReport& report) const noexcept
+AccuracyReport doubt_of_string(const Model& model, const State& state, const RigForces& forces) noexcept
 {
-  const Mesh& mesh = model_->mesh();
+  AccuracyReport report;
+  const Mesh& mesh = model.mesh();
   const auto take = [&report](AccuracyDoubt doubt, double measure, double from_bit, double length)
   {
     const bool before = report.doubt == AccuracyDoubt::none || doubt < report.doubt;
@@ -98,7 +97,7 @@ void AccuracyWatch::look(const State& state, const RigForces& forces, AccuracyRe
     if (share > 1.0) take(AccuracyDoubt::compression, share, middle, s.length);
     if (twist > most_twist) take(AccuracyDoubt::twist, twist, middle, s.length);
   }
-  for (int i = 0; i < model_->top(); ++i)
+  for (int i = 0; i < model.top(); ++i)
   {
     const MeshNode& node = mesh.nodes[static_cast<std::size_t>(i)];
     const double force = forces.contact[static_cast<std::size_t>(i)];
@@ -108,6 +107,7 @@ void AccuracyWatch::look(const State& state, const RigForces& forces, AccuracyRe
     if (depth > state.well.radius_near(at.position, at.segment) - node.contact_radius)
       take(AccuracyDoubt::embedding, depth, node.from_bit, 0.0);
   }
+  return report;
 }
 
 }  // namespace drill_rig_sim

@@ -7,6 +7,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/sim/accuracy_watch.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/well/directions.h"
 
@@ -48,7 +49,7 @@ double tension_at(const Model& model, const State& s, const std::vector<double>&
 }
 
 /// Slips the string on until the bit carries the scene's weight again, which friction has changed.
-StaticOutcome hold_weight(const Scene& scene, FrictionMode friction, RigAtRest& rig)
+StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigAtRest& rig)
 {
   constexpr int most_rounds = 20;
   constexpr double tolerance = 1e-4;  // of the weight on bit
@@ -56,7 +57,7 @@ StaticOutcome hold_weight(const Scene& scene, FrictionMode friction, RigAtRest& 
   StaticOutcome outcome;
   for (int round = 0; round < most_rounds; ++round)
   {
-    outcome = solve_static(*rig.model, rig.state, friction);
+    outcome = solve_static(*rig.model, rig.state, sliding);
     const double error = outcome.forces.wob - wanted;
     if (!outcome.converged || wanted <= 0.0 || std::abs(error) < tolerance * wanted) return outcome;
     rig.state.nodes.back().position.z() += error * compliance;
@@ -65,6 +66,22 @@ StaticOutcome hold_weight(const Scene& scene, FrictionMode friction, RigAtRest& 
   message << "static: with this motion the weight on bit is " << outcome.forces.wob << " N, not the scene's " << wanted << " N";
   throw std::runtime_error(message.str());
 }
+
+/// Says how far the friction could be raised, and what the string is like there.
+[[noreturn]] void refuse(const StaticReport& report)
+{
+  std::ostringstream message;
+  message.precision(3);
+  message << "static: no equilibrium found for this motion with more than " << 100.0 * report.outcome.share << " % of the friction";
+  const LoadShare& buckling = report.loads.buckling;
+  if (buckling.share > 1.0)
+    message << "; with that the pipe " << buckling.from_bit << " m above the bit is compressed by " << buckling.share
+            << " times what it bears straight: it buckles";
+  const std::string doubt = text_of(report.accuracy, 0.0);
+  if (!doubt.empty()) message << "; " << doubt;
+  throw std::runtime_error(message.str());
+}
+
 /// A node's share of what the elements beside it have at their middles.
 template <class T>
 T half_of_spans(const std::vector<T>& spans, std::size_t i, T sum)
@@ -109,18 +126,14 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
   }
 }
 
-StaticReport static_report(const Scene& scene, FrictionMode friction)
+StaticReport static_report(const Scene& scene, const SlidingMotion& sliding)
 {
   RigAtRest rig = build_at_rest(scene);
   StaticReport report;
-  report.outcome = friction == FrictionMode::none ? rig.statics : hold_weight(scene, friction, rig);
-  if (!report.outcome.converged)
-  {
-    std::ostringstream message;
-    message << "static: no equilibrium found for this motion (residual " << report.outcome.residual << " N after "
-            << report.outcome.iterations << " iterations)";
-    throw std::runtime_error(message.str());
-  }
+  report.outcome = sliding.still() ? rig.statics : hold_weight(scene, sliding, rig);
+  report.loads = StringWatch(*rig.model).look(*rig.model, rig.state, report.outcome.forces);
+  report.accuracy = doubt_of_string(*rig.model, rig.state, report.outcome.forces);
+  if (!report.outcome.converged) refuse(report);
   fill_profile(*rig.model, rig.state, report.outcome.forces, report.profile);
   report.hook_load_string = report.outcome.top_force;
   report.hook_load = report.hook_load_string + standard_gravity * scene.rig.hoisting.block_mass;

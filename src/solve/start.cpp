@@ -106,7 +106,7 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, do
   place_string(mesh, well, depth, toolface, stretch, rig.state);
   hang_on_block(scene, rig.state);
   const double most = (kMostWork - work) / rig.model->nodes();
-  rig.statics = solve_static(*rig.model, rig.state, FrictionMode::none, static_cast<int>(most));
+  rig.statics = solve_static(*rig.model, rig.state, no_sliding, static_cast<int>(most));
   work += 1.0 * rig.statics.iterations * rig.model->nodes();
   if (rig.statics.converged) return;
   std::ostringstream message;

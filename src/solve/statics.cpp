@@ -18,6 +18,8 @@ constexpr double kLongMove = 0.02;           // a longer increment is cut, and c
 constexpr double kLongSpin = 1.0;            // the same of spin where the string turns: friction twists it by many radians [rad]
 constexpr int kMaxContinuation = 400;
 constexpr int kMaxNewton = 100;
+constexpr double kFirstShare = 0.25;         // of the friction, where the whole of it is too much at once
+constexpr double kLeastShare = 0.01;
 constexpr double kTolerance = 1e-3;          // residual: round-off of a kilometre of steel is 1e-4 [N, N m]
 
 double largest(const std::vector<double>& values)
@@ -42,7 +44,7 @@ double largest_of_turning(const std::vector<double>& move, const std::vector<Eig
 }
 
 /// Steps of pseudo-time, each one Newton iteration from rest; returns the iterations used.
-int continuation(const Model& model, State& state, FrictionMode friction, int most, Stage& stage, Workspace& work)
+int continuation(const Model& model, State& state, const SlidingMotion& sliding, int most, Stage& stage, Workspace& work)
 {
   const int n = model.nodes();
   BlockTridiagonal tangent;
@@ -52,11 +54,11 @@ int continuation(const Model& model, State& state, FrictionMode friction, int mo
   double c = kFirstCoefficient;
   for (int k = 0; k < most; ++k)
   {
-    begin_static(model, state, friction, c, stage);
+    begin_static(model, state, sliding, c, stage);
     evaluate_static(model, state, stage, origin.data(), work, move.data(), &tangent);
     if (!tangent.solve(move.data())) return k + 1;
     const double size = largest(move);
-    const double length = friction == FrictionMode::rotate ? largest_of_turning(move, stage.normal) : size;
+    const double length = sliding.spin_speed != 0.0 ? largest_of_turning(move, stage.normal) : size;
     const double scale = length > kLongMove ? kLongMove / length : 1.0;
     for (double& m : move) m *= -scale;
     evaluate_static(model, state, stage, move.data(), work, residual.data(), nullptr);
@@ -105,14 +107,13 @@ void clear_motion(State& state)
   state.memory.last_step = 0.0;
 }
 
-}  // namespace
-
-StaticOutcome solve_static(const Model& model, State& state, FrictionMode friction, int most_iterations)
+/// From the guess `state` to the equilibrium with the friction that `sliding` says, in one go.
+StaticOutcome attempt(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations)
 {
   Stage stage(model);
   Workspace work(model);
   StaticOutcome out;
-  out.iterations = continuation(model, state, friction, std::min(kMaxContinuation, most_iterations), stage, work);
+  out.iterations = continuation(model, state, sliding, std::min(kMaxContinuation, most_iterations), stage, work);
 
   BlockTridiagonal tangent;
   tangent.resize(model.nodes());
@@ -124,7 +125,7 @@ StaticOutcome solve_static(const Model& model, State& state, FrictionMode fricti
     evaluate_static(model, state, stage, u, work, scratch.data(), &tangent);
     return tangent.solve(b);
   };
-  begin_static(model, state, friction, 0.0, stage);
+  begin_static(model, state, sliding, 0.0, stage);
   std::vector<double> u(6 * model.nodes(), 0.0);
   const KinsolOutcome finished = kinsol_solve(problem, kTolerance, std::min(kMaxNewton, most_iterations - out.iterations), u);
   evaluate_static(model, state, stage, u.data(), work, scratch.data(), nullptr);
@@ -139,7 +140,38 @@ StaticOutcome solve_static(const Model& model, State& state, FrictionMode fricti
   out.top_force = work.result.held_force;
   out.top_torque = work.result.held_torque;
   out.forces = work.result.forces;
+  out.share = sliding.share;
   return out;
+}
+}  // namespace
+
+StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations)
+{
+  State last = state;
+  const StaticOutcome out = attempt(model, state, sliding, most_iterations);
+  if (out.converged || sliding.still()) return out;
+  // the friction of a long string moves its nodes by metres: by and by
+  SlidingMotion part = sliding;
+  StaticOutcome found = out;
+  found.share = 0.0;
+  for (double step = kFirstShare; found.share < 1.0 && step >= kLeastShare && found.iterations < most_iterations;)
+  {
+    part.share = std::min(1.0, found.share + step);
+    State next = last;
+    StaticOutcome outcome = attempt(model, next, part, most_iterations - found.iterations);
+    outcome.iterations += found.iterations;
+    if (outcome.converged)
+    {
+      last = next;
+      found = outcome;
+      continue;
+    }
+    found.iterations = outcome.iterations;
+    step *= 0.5;
+  }
+  state = last;
+  found.converged = found.share == 1.0;
+  return found;
 }
 
 }  // namespace drill_rig_sim

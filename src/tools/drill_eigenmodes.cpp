@@ -83,7 +83,7 @@ Problem problem_of(const RigAtRest& rig, ModeFamily family, int clamp)
   const Model& model = *rig.model;
   Stage stage(model);
   Workspace work(model);
-  begin_static(model, rig.state, FrictionMode::none, 0.0, stage);
+  begin_static(model, rig.state, no_sliding, 0.0, stage);
   BlockTridiagonal tangent;
   tangent.resize(model.nodes());
   const std::vector<double> origin(static_cast<std::size_t>(6 * model.nodes()), 0.0);

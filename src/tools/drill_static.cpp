@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "drill_command.h"
@@ -18,21 +19,28 @@ struct StaticOptions
   std::string scene;
   std::vector<std::string> settings;
   std::string motion = "none";
+  std::optional<double> speed, rpm;
   std::string csv;
 };
 
-FrictionMode motion_of(const std::string& motion)
+SlidingMotion motion_of(const StaticOptions& options)
 {
-  if (motion == "none") return FrictionMode::none;
-  if (motion == "up") return FrictionMode::up;
-  if (motion == "down") return FrictionMode::down;
-  if (motion == "rotate") return FrictionMode::rotate;
+  const std::string& motion = options.motion;
+  if (options.speed || options.rpm)
+  {
+    if (motion != "none") throw UsageError("--motion: with --speed or --rpm it is given twice, needed: one of them");
+    return {-options.speed.value_or(0.0), options.rpm.value_or(0.0) * rpm};
+  }
+  if (motion == "none") return no_sliding;
+  if (motion == "up") return sliding_up;
+  if (motion == "down") return sliding_down;
+  if (motion == "rotate") return sliding_around;
   throw UsageError("--motion: '" + motion + "' is not known, allowed: none, up, down or rotate");
 }
 
 void print_static(const StaticOptions& options)
 {
-  const FrictionMode motion = motion_of(options.motion);
+  const SlidingMotion motion = motion_of(options);
   const Scene scene = read_scene(options.scene, options.settings);
   if (is_same_file(options.csv, options.scene)) throw UsageError("--csv: " + options.csv + " is the scene, needed: a file of its own");
   File csv = open_output("--csv", options.csv);
@@ -52,6 +60,10 @@ void print_static(const StaticOptions& options)
   std::printf("bit side force   %12.1f N, at %.1f deg clockwise from the high side\n", report.bit_side_force,
               report.bit_side_direction / degree);
   std::printf("bit tilt         %12.3f deg to the hole\n", report.bit_tilt / degree);
+  std::printf("yield            %12.2f of what the pipe bears, %.0f m above the bit\n", report.loads.stress.share, report.loads.stress.from_bit);
+  std::printf("buckling         %12.2f of what it bears straight, %.0f m above the bit\n", report.loads.buckling.share, report.loads.buckling.from_bit);
+  const std::string doubt = text_of(report.accuracy, scene.numerics.step);
+  if (!doubt.empty()) std::printf("accuracy warning: %s\n", doubt.c_str());
   if (csv)
   {
     write_profile(csv.get(), report.profile);
@@ -66,6 +78,8 @@ Command add_static_command(CLI::App& drill)
   const auto options = std::make_shared<StaticOptions>();
   add_file(*words, "SCENE", options->scene, "the scene's file");
   add_text(*words, "--motion", options->motion, "M", "none (frictionless, the default), up, down or rotate");
+  add_number(*words, "--speed", options->speed, -20.0, 20.0, "M/S", "moves along the hole instead, + up, and turns at --rpm [m/s]");
+  add_number(*words, "--rpm", options->rpm, -1000.0, 1000.0, "N", "turns instead, + clockwise, and moves at --speed; their ratio counts [rpm]");
   add_text(*words, "--csv", options->csv, "FILE", "writes forces along the string");
   add_settings(*words, options->settings);
   return {words, [options] { print_static(*options); }};

@@ -55,7 +55,7 @@ TEST(Evaluate, aRestingRigHasNothingOfTheMotionBefore)
   evaluate(*rig.model, state, stage, turning.data(), work, residual.data(), nullptr);
   ASSERT_NE(0.0, work.result.forces.bit_speed);
 
-  begin_static(*rig.model, rig.state, FrictionMode::none, 0.0, stage);
+  begin_static(*rig.model, rig.state, no_sliding, 0.0, stage);
   for (const Vector6d& a : stage.acceleration) EXPECT_EQ(0.0, a.norm());
   evaluate(*rig.model, rig.state, stage, still.data(), work, residual.data(), nullptr);
   EXPECT_EQ(0.0, work.result.forces.bit_speed);

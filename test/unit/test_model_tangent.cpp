@@ -308,7 +308,7 @@ TEST(ModelTangent, stuckPoint)
 
 TEST(ModelTangent, statics)
 {
-  for (const FrictionMode mode : {FrictionMode::none, FrictionMode::up, FrictionMode::rotate})
+  for (const SlidingMotion mode : {no_sliding, sliding_up, sliding_around})
   {
     RigAtRest rig = build_at_rest(plain(built()));
     Problem problem(rig, evaluate_static);

@@ -57,7 +57,7 @@ TEST(Profile, tensionIsTheWeightBelow)
     Scene scene = vertical_scene(200.0, 150.0);
     scene.string = {bit_part(0.2159), collar_part(2, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
     scene.numerics.element_length = element_length;
-    const StaticReport report = static_report(scene, FrictionMode::none);
+    const StaticReport report = static_report(scene, no_sliding);
     const StringProfile& p = report.profile;
     const RigAtRest rig = build_at_rest(scene);
     double below = standard_gravity * (rig.model->mesh().bit_mass - scene.mud.density * rig.model->mesh().bit_displaced);

@@ -30,7 +30,7 @@ Scene resting_string()
 TEST(StaticReport, isOfTheBitAtTheStringsLowerEnd)
 {
   const Scene scene = resting_string();
-  const StaticReport report = static_report(scene, FrictionMode::none);
+  const StaticReport report = static_report(scene, no_sliding);
   const RigAtRest rig = build_at_rest(scene);
   ASSERT_NE(report.profile.contact_side.front(), report.profile.contact_side.back());
   EXPECT_EQ(report.bit_side_force, rig.statics.forces.contact.front());
@@ -48,16 +48,16 @@ TEST(StaticReport, isOfTheBitAtTheStringsLowerEnd)
 TEST(StaticReport, holdsTheWeightOnBitInEachMotion)
 {
   const Scene scene = resting_string();
-  const StaticReport still = static_report(scene, FrictionMode::none);
-  for (const FrictionMode motion : {FrictionMode::none, FrictionMode::up, FrictionMode::down, FrictionMode::rotate})
+  const StaticReport still = static_report(scene, no_sliding);
+  for (const SlidingMotion& motion : {no_sliding, sliding_up, sliding_down, sliding_around})
   {
     const StaticReport report = static_report(scene, motion);
-    const double tolerance = motion == FrictionMode::none ? 1e-2 : 1e-4;  // a start's; a motion's
+    const double tolerance = motion.still() ? 1e-2 : 1e-4;  // a start's; a motion's
     EXPECT_NEAR(report.outcome.forces.wob, weight_on_bit, tolerance * weight_on_bit);
     const double drag = report.hook_load - still.hook_load;
-    EXPECT_EQ(drag > 100.0, motion == FrictionMode::up) << drag;
-    EXPECT_EQ(drag < -100.0, motion == FrictionMode::down) << drag;
-    EXPECT_EQ(report.torque > 1.0, motion == FrictionMode::rotate) << report.torque;
+    EXPECT_EQ(drag > 100.0, motion.axial_speed < 0.0) << drag;
+    EXPECT_EQ(drag < -100.0, motion.axial_speed > 0.0) << drag;
+    EXPECT_EQ(report.torque > 1.0, motion.spin_speed > 0.0) << report.torque;
     EXPECT_EQ(report.torque, report.outcome.top_torque);
     EXPECT_EQ(report.hook_load_string, report.outcome.top_force);
   }

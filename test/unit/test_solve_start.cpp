@@ -154,13 +154,13 @@ TEST(Start, anEquilibriumTakesNoMoreIterationsThanAllowed)
   {
     State state = rig.state;
     for (NodeState& node : state.nodes) node.position.z() += 0.3 * std::sin(node.position.z());
-    const StaticOutcome out = solve_static(*rig.model, state, FrictionMode::none, most);
+    const StaticOutcome out = solve_static(*rig.model, state, no_sliding, most);
     EXPECT_FALSE(out.converged);
     EXPECT_GE(out.iterations, most);
     EXPECT_LE(out.iterations, most + 1);
   }
   State state = rig.state;
-  EXPECT_TRUE(solve_static(*rig.model, state, FrictionMode::none, 400).converged);
+  EXPECT_TRUE(solve_static(*rig.model, state, no_sliding, 400).converged);
 }
 
 // The continuation takes inertia back where a step was too long: without it this start is not found.

@@ -99,7 +99,7 @@ TEST(StuckPoint, carriesTheLoadInStatics)
   NodeState& top = state.nodes.back();
   top.position.z() += 0.02;
   top.orientation = rotation_from_vector(-0.5 * pi * Vector3d::UnitZ()) * top.orientation;  // clockwise
-  const StaticOutcome held = solve_static(*rig.model, state, FrictionMode::none);
+  const StaticOutcome held = solve_static(*rig.model, state, no_sliding);
   ASSERT_TRUE(held.converged);
   const double force = 0.02 * pull_stiffness(mesh), torque = 0.5 * pi * twist_stiffness(mesh);
   ASSERT_GT(force, 1e5);

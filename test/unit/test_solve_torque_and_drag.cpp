@@ -58,18 +58,18 @@ Case twisted()
   return {"twisted", scene_in(survey, 1500.0, 1490.0, friction), well};
 }
 
-FrictionMode mode_of(Sliding sliding)
+SlidingMotion mode_of(Sliding sliding)
 {
   switch (sliding)
   {
     case Sliding::up:
-      return FrictionMode::up;
+      return sliding_up;
     case Sliding::down:
-      return FrictionMode::down;
+      return sliding_down;
     case Sliding::rotate:
-      return FrictionMode::rotate;
+      return sliding_around;
     default:
-      return FrictionMode::none;
+      return no_sliding;
   }
 }
 
@@ -155,7 +155,7 @@ TEST(TorqueAndDrag, manyRadiansOfTwistAreFound)
 {
   const Case c = twisted();
   RigAtRest rig = build_at_rest(c.scene);
-  const StaticOutcome out = solve_static(*rig.model, rig.state, FrictionMode::rotate);
+  const StaticOutcome out = solve_static(*rig.model, rig.state, sliding_around);
   ASSERT_TRUE(out.converged);
   const SoftStringResult soft = expected(c, Sliding::rotate);
   EXPECT_NEAR(out.top_force, soft.hook_load, 0.01 * soft.hook_load);

@@ -88,14 +88,19 @@ WallForce wall_contact(const ClosestPoint& closest, double radius, const Contact
 WallForce wall_contact(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Eigen::Vector3d& bristle,
                        const WallLaw& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept;
 
-/// Prescribed sliding of the section's surface, for quasi-static torque and drag. Only the ratio of the two matters.
+/// Prescribed sliding of the section's surface, for quasi-static torque and drag. Only the ratio of the two speeds matters.
 struct SlidingMotion
 {
   double axial_speed = 0.0;  ///< along the hole, + down [m/s]: -1 pulls out, +1 runs in
   double spin_speed = 0.0;   ///< about the hole's tangent, + clockwise looking downhole [rad/s]
+  double share = 1.0;        ///< of the friction that acts, 0 to 1: on the way to an equilibrium [-]
+
+  bool still() const noexcept { return axial_speed == 0.0 && spin_speed == 0.0; }
 };
 
-/// Wall on string in steady sliding: full kinetic friction mu_k F_n against the given motion, no damping, no bristle.
+constexpr SlidingMotion no_sliding{}, sliding_up{-1.0, 0.0}, sliding_down{1.0, 0.0}, sliding_around{0.0, 1.0};
+
+/// Wall on string in steady sliding: full kinetic friction mu_k F_n, or that share of it, against the given motion, no damping, no bristle.
 /// Slip direction m = (v_a t + w R_F t x n) / |...|; friction -mu_k F_n m, moment R_F n x friction. No sliding: no friction.
 /// @param tangent  d(force, moment)/d(x, r) at fixed sliding motion and hole tangent t, overwritten; columns of r are zero
 WallForce sliding_wall_contact(const ClosestPoint& closest, double radius, const Eigen::Vector3d& position, const SlidingMotion& sliding,

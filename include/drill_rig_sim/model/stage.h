@@ -63,18 +63,9 @@ void begin_step(const Model& model, const State& state, double step, const Setpo
 /// The stage is at `time` [s] after the start of the step: methods of several stages.
 void move_stage(const Model& model, const State& state, double time, Stage& stage) noexcept;
 
-/// Friction in statics.
-enum class FrictionMode
-{
-  none,   ///< frictionless
-  up,     ///< full slip of a string that moves up the hole
-  down,   ///< down the hole
-  rotate  ///< that turns clockwise
-};
-
-/// Statics: no rates, full slip as `friction` says. `coefficient` c [1/s] > 0 adds the inertia of a start from rest, M c^2 u: a step of
+/// Statics: no rates, full slip as `sliding` says. `coefficient` c [1/s] > 0 adds the inertia of a start from rest, M c^2 u: a step of
 /// pseudo-transient continuation.
-void begin_static(const Model& model, const State& state, FrictionMode friction, double coefficient, Stage& stage) noexcept;
+void begin_static(const Model& model, const State& state, const SlidingMotion& sliding, double coefficient, Stage& stage) noexcept;
 
 }  // namespace drill_rig_sim
 

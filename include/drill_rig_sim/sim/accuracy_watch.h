@@ -13,6 +13,10 @@
 
 namespace drill_rig_sim
 {
+/// What of the string's loads its elements, or its walls, do not stand for: the largest of the first of compression, twist and embedding
+/// that there is (below).
+AccuracyReport doubt_of_string(const Model& model, const State& state, const RigForces& forces) noexcept;
+
 /// Watches what makes a run inaccurate without failing it. Every tenth frame is looked at, and the energy of its first step booked.
 ///
 /// - Compression: two cubic elements carry the half wave into which pipe in a hole buckles, pi sqrt(2 E I/P), so an element of length L
@@ -35,8 +39,6 @@ public:
   void end_frame(const Integrator& integrator, const State& state, const RigForces& forces, double duration, AccuracyMemory& memory) noexcept;
 
 private:
-  void look(const State& state, const RigForces& forces, AccuracyReport& report) const noexcept;
-
   std::shared_ptr<const Model> model_;
   EnergyBalance balance_;
   bool booked_ = false;

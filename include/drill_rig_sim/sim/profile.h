@@ -1,7 +1,9 @@
 #ifndef DRILL_RIG_SIM_SIM_PROFILE_H
 #define DRILL_RIG_SIM_SIM_PROFILE_H
 
+#include "drill_rig_sim/sim/accuracy.h"
 #include "drill_rig_sim/sim/string_profile.h"
+#include "drill_rig_sim/sim/string_watch.h"
 #include "drill_rig_sim/solve/statics.h"
 
 namespace drill_rig_sim
@@ -13,6 +15,8 @@ void fill_profile(const Model& model, const State& state, const RigForces& force
 struct StaticReport
 {
   StaticOutcome outcome;
+  StringLoads loads;        ///< what the string bears
+  AccuracyReport accuracy;  ///< what of it the elements do not stand for
   StringProfile profile;
   double hook_load = 0.0;         ///< block and top drive included [N]
   double hook_load_string = 0.0;  ///< [N]
@@ -22,9 +26,9 @@ struct StaticReport
   double bit_tilt = 0.0;          ///< between the bit's axis and the hole's [rad]
 };
 
-/// The scene's string at its start, then moved as `friction` says: none (frictionless equilibrium), up, down, rotate (no axial friction).
-/// Throws std::runtime_error with one line if there is no such equilibrium.
-StaticReport static_report(const Scene& scene, FrictionMode friction);
+/// The scene's string at its start, then moved as `sliding` says, at rest without friction.
+/// Throws std::runtime_error with one line if there is no such equilibrium; it says where the pipe buckles, if it does.
+StaticReport static_report(const Scene& scene, const SlidingMotion& sliding);
 
 }  // namespace drill_rig_sim
 

@@ -28,7 +28,7 @@ bool PieceInHole::settle()
   // without weight needs a second walk
   for (int attempt = 0; attempt < 4; ++attempt)
   {
-    const StaticOutcome out = solve_static(*model, state, FrictionMode::none);
+    const StaticOutcome out = solve_static(*model, state, no_sliding);
     forces = out.forces;
     if (out.converged || out.residual < 1.0) return true;
   }

@@ -185,7 +185,7 @@ Scene scene_of(double build_factor)
 std::pair<double, double> turning_torque(const RigAtRest& rig, double md)
 {
   State state = rig.state;
-  const RigForces forces = solve_static(*rig.model, state, FrictionMode::rotate).forces;
+  const RigForces forces = solve_static(*rig.model, state, sliding_around).forces;
   double above = 0.0, all = 0.0;
   for (int i = 0; i + 1 < rig.model->nodes(); ++i)
   {

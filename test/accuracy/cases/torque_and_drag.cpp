@@ -21,7 +21,7 @@ namespace drill_rig_sim
 namespace
 {
 /// Hook load of the string below the rotary table, and torque.
-SoftStringResult simulated(const RigAtRest& rig, FrictionMode mode)
+SoftStringResult simulated(const RigAtRest& rig, const SlidingMotion& mode)
 {
   State state = rig.state;
   const StaticOutcome out = solve_static(*rig.model, state, mode);
@@ -84,11 +84,11 @@ void constant_curvature(Report& report)
   {
     const double end = bit * (std::cos(lower) + sigma * mu * std::sin(lower));
     report.add({sigma > 0.0 ? "constant curvature: pick-up [N]" : "constant curvature: slack-off [N]",
-                simulated(rig, sigma > 0.0 ? FrictionMode::up : FrictionMode::down).hook_load,
+                simulated(rig, sigma > 0.0 ? sliding_up : sliding_down).hook_load,
                 tension_after_arc(end, weight_radius, mu, sigma, lower, 0.0), 0.005, source});
   }
   const double end = bit * std::cos(lower);
-  const SoftStringResult turning = simulated(rig, FrictionMode::rotate);
+  const SoftStringResult turning = simulated(rig, sliding_around);
   report.add({"constant curvature: rotating [N]", turning.hook_load, end + weight_radius * std::sin(lower), 0.005,
               "weight over the true vertical depth"});
   const double joints = 0.5 * scene.string[1].pipe->tool_joint_diameter * side_force_of_arc(end, weight_radius, lower, 0.0);
@@ -116,11 +116,11 @@ void capstan(Report& report)
   const RigAtRest rig = build_at_rest(scene);
   const double load = standard_gravity * scene.string[0].bit->mass;
   const char* const source = "T exp(mu theta): Euler; Eytelwein";
-  report.add({"capstan: pulled over two bends [N]", simulated(rig, FrictionMode::up).hook_load, load * std::exp(mu * turned),
+  report.add({"capstan: pulled over two bends [N]", simulated(rig, sliding_up).hook_load, load * std::exp(mu * turned),
               0.002, source});
-  report.add({"capstan: lowered over two bends [N]", simulated(rig, FrictionMode::down).hook_load, load * std::exp(-mu * turned),
+  report.add({"capstan: lowered over two bends [N]", simulated(rig, sliding_down).hook_load, load * std::exp(-mu * turned),
               0.002, source});
-  report.add({"capstan: torque of turning [N m]", simulated(rig, FrictionMode::rotate).torque,
+  report.add({"capstan: torque of turning [N m]", simulated(rig, sliding_around).torque,
               mu / std::sqrt(1.0 + mu * mu) * 0.5 * pipe_outer * load * turned, 0.002, "mu r T theta with N = S/sqrt(1 + mu^2)"});
 }
 
@@ -158,13 +158,13 @@ void published_well(Report& report)
   {
     const char* name;
     Sliding sliding;
-    FrictionMode mode;
+    SlidingMotion mode;
     double published;
   };
   const std::string paper = "Aarsnes and Shor 2018 Well A: soft string N = S";
   for (const Row& row :
-       {Row{"pick-up", Sliding::up, FrictionMode::up, 916.14e3}, Row{"slack-off", Sliding::down, FrictionMode::down, 686.47e3},
-        Row{"rotating", Sliding::rotate, FrictionMode::rotate, 781.23e3}})
+       {Row{"pick-up", Sliding::up, sliding_up, 916.14e3}, Row{"slack-off", Sliding::down, sliding_down, 686.47e3},
+        Row{"rotating", Sliding::rotate, sliding_around, 781.23e3}})
   {
     const std::string name = std::string("Well A ") + row.name;
     const SoftStringResult soft = soft_string(scene, well, 2500.0, 0.0, row.sliding, false);

@@ -1,0 +1,123 @@
+#!/usr/bin/python3
+"""What the operations matrix measures and how it judges, on series made by hand."""
+import math
+import os
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(HERE, 'operations'))
+import cells  # noqa: E402
+import matrix  # noqa: E402
+
+TIME = numpy.linspace(0.0, 10.0, 101)
+
+
+def series(**columns):
+    """Level 100 kN with a range of 50, all else at rest."""
+    out = {name: numpy.zeros_like(TIME) for name in matrix.KEPT}
+    out.update(time=TIME, hook_load=1e5 + 5e3 * TIME, torque=numpy.full_like(TIME, 2e4))
+    out.update(columns)
+    return out
+
+
+class FakeCell:
+    name = file = 'fake'
+
+    def __init__(self, irregular_from=None):
+        self._irregular_from = irregular_from
+
+    def irregular_from(self):
+        return self._irregular_from
+
+
+def judged(table, own=None, warnings=(), irregular_from=None):
+    known = dict.fromkeys(list(matrix.FLOORS) + ['inclination'], 0.0)
+    known.update(own or {})
+    summary = {'cpu_s': 1.0, 'simulated_s': 10.0, 'accuracy_warnings': list(warnings)}
+    return matrix.judge(FakeCell(irregular_from), matrix.Run(table, summary), matrix.Reference(series(), known, '', ''))
+
+
+class Errors(unittest.TestCase):
+    def test_over_the_range_a_tenth_of_the_level_or_the_resolution(self):
+        told = matrix.errors(series(hook_load=1e5 + 5e3 * TIME + 500.0, torque=numpy.full_like(TIME, 2e4 + 40.0), wob=numpy.full_like(TIME, 10.0)), series(), None)
+        self.assertAlmostEqual(told['hook_load'], 500.0 / 5e4 / 0.02)  # range
+        self.assertAlmostEqual(told['torque'], 40.0 / 2e3 / 0.02)      # a tenth of the level
+        self.assertAlmostEqual(told['wob'], 10.0 / 1e3 / 0.02)         # resolution
+
+    def test_inclination_is_absolute(self):
+        told = matrix.errors(series(inclination=numpy.where(TIME == 5.0, math.radians(0.05), 0.0)), series(), None)
+        self.assertAlmostEqual(told['inclination'], 0.5)
+
+    def test_places_by_their_distance(self):
+        told = matrix.errors(series(bit_east=numpy.full_like(TIME, 3e-4), bit_up=numpy.full_like(TIME, 4e-4)), series(), None)
+        self.assertAlmostEqual(told['position'], 5e-4 / 0.01 / 0.02)
+
+    def test_where_it_is_irregular_statistics_are_compared(self):
+        swing = 2e4 + 1e3 * numpy.sin(20.0 * TIME)
+        late = 2e4 - 1e3 * numpy.sin(20.0 * TIME)
+        self.assertGreater(matrix.errors(series(torque=late), series(torque=swing), None)['torque'], 10.0)
+        self.assertLess(matrix.errors(series(torque=late), series(torque=swing), 0.0)['torque'], 1.5)
+        self.assertGreater(matrix.errors(series(torque=2.2e4 - 1e3 * numpy.sin(20.0 * TIME)), series(torque=swing), 0.0)['torque'], 1.5)
+
+    def test_series_of_other_lengths_are_no_run(self):
+        with self.assertRaises(ValueError):
+            matrix.errors({name: column[:-1] for name, column in series().items()}, series(), None)
+
+
+class Verdicts(unittest.TestCase):
+    wrong = series(hook_load=1e5 + 5e3 * TIME + numpy.where(TIME > 5.0, 5e3, 0.0))
+
+    def test_right(self):
+        self.assertEqual(judged(series()).kind, 'right')
+
+    def test_wrong_without_a_word_is_silent(self):
+        verdict = judged(self.wrong)
+        self.assertEqual((verdict.kind, verdict.by), ('silent', 'hook_load'))
+
+    def test_warned_before_it_went_wrong(self):
+        self.assertEqual(judged(self.wrong, warnings=[{'since': 4.0, 'text': 'shorter elements'}]).kind, 'warned')
+        self.assertEqual(judged(self.wrong, warnings=[{'since': 4.0, 'text': 'shorter elements'}]).note, 'shorter elements')
+
+    def test_a_warning_that_comes_too_late_is_none(self):
+        self.assertEqual(judged(self.wrong, warnings=[{'since': 9.0, 'text': 'shorter elements'}]).kind, 'silent')
+
+    def test_a_reference_that_does_not_know_decides_nothing(self):
+        self.assertEqual(judged(series(), own={'torque': 0.5}).kind, 'undecided')
+        self.assertEqual(judged(self.wrong, own={'hook_load': 10.0}).kind, 'undecided')
+        self.assertEqual(judged(self.wrong, own={'torque': 10.0}).kind, 'silent')
+
+    def test_a_run_that_fails_is_silent_and_says_why(self):
+        verdict = matrix.judge(FakeCell(), matrix.Run(None, {}, 'no solution'), matrix.Reference(series(), {'torque': 0.0}, '', ''))
+        self.assertEqual((verdict.kind, verdict.note), ('silent', 'no solution'))
+
+
+class References(unittest.TestCase):
+    def test_one_that_is_kept_comes_back(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'r.npz')
+            matrix.Reference(series(bit_up=-2000.0 - 0.01 * TIME), {'torque': 0.25}, 'trbdf2', 'abc').save(path)
+            back = matrix.Reference.load(path)
+        numpy.testing.assert_allclose(back.table['bit_up'], -2000.0 - 0.01 * TIME, atol=1e-8)
+        self.assertEqual((back.own, back.numerics, back.made_of), ({'torque': 0.25}, 'trbdf2', 'abc'))
+
+    def test_what_a_cell_can_afford_is_finer_where_it_is_shorter(self):
+        by_name = {cell.name: cell for cell in cells.CELLS}
+        short, long = by_name['vertical 1 km / 5 in / pick up 0.3'], by_name['extended 5 km / 5 in, motor / slide 25 min']
+        self.assertEqual(matrix.reference_rung(short, 600.0), 0)
+        self.assertGreater(matrix.reference_rung(long, 600.0), 0)
+
+
+class Cells(unittest.TestCase):
+    def test_there_are_ninety_with_names_of_their_own(self):
+        self.assertGreaterEqual(len(cells.CELLS), 90)
+        self.assertEqual(len({cell.file for cell in cells.CELLS}), len(cells.CELLS))
+        self.assertLessEqual(cells.FAST, {cell.name for cell in cells.CELLS})
+
+
+if __name__ == '__main__':
+    unittest.main()
