@@ -5,6 +5,7 @@
 #include "drill_command.h"
 #include "drill_options.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/program.h"
@@ -52,6 +53,17 @@ void print_string(const Scene& scene)
   std::printf("%-16s %-10s %10s %10.2f %12.0f\n\n", "string", "", "", mesh.total_length, total);
 }
 
+void print_mud(const Scene& scene)
+{
+  const MudCircuit mud = mud_circuit(scene, build_mesh(scene, scene.start.bit_depth + scene.start.block_height));
+  const HydraulicVolume &bore = mud.circuit.bore, &annulus = mud.circuit.annulus;
+  std::printf("mud         %.1f m3 in the string, %.1f m3 in the annulus; of %.2f MPa lost at %g m3/s %.2f in the bore, %.2f in the annulus\n",
+              bore.capacity * scene.mud.bulk_modulus, annulus.capacity * scene.mud.bulk_modulus, (bore.loss + annulus.loss) / 1e6,
+              mud.circuit.nominal_flow, mud.bore_friction * bore.loss / 1e6, annulus.loss / 1e6);
+  if (mud.bore_friction >= 1.0)
+    std::printf("            bore and annulus alone would lose that much or more: pressure_coefficient leaves nothing for the bit\n");
+}
+
 struct CheckOptions
 {
   std::string scene;
@@ -71,6 +83,7 @@ void check(const CheckOptions& options)
   print_string(scene);
   std::printf("start       bit at %.3f m, block at %.2f m, hook load %.1f kN, of it the string %.1f kN\n", m.bit_depth,
               m.block_height, m.hook_load / 1e3, m.hook_load_string / 1e3);
+  print_mud(scene);
   std::printf("model       level %s, integrator %s, step %g s, %d nodes, %d coordinates\n", s.level, s.integrator, s.step,
               s.nodes, s.coordinates);
   const bool has_tool = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& p) { return p.type == PartType::mwd; });

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/well/wellbore.h"
 #include "drill_ahead.h"
@@ -103,7 +104,12 @@ TEST(OnBottom, hookLoadDropsByTheWeightOnBit)
   const double submerged = 0.45 * standard_gravity * 1150.0 * tool_jointed_mass / steel_density;
   // and the rail carries its share of a block that goes down
   const double rail = 0.03 * standard_gravity * 17500.0;
-  EXPECT_NEAR(off_bottom - m.hook_load, m.wob + submerged + rail, 0.02 * m.wob);
+  // and mud lifts the string on its way up the annulus (model/mud_circuit.h): collars, then pipe
+  const auto lift = [&m](double length, double diameter)
+  { return length * annulus_gradient(1150.0, m.bit_flow, 0.2159, diameter) * 0.25 * pi * diameter * 0.2159; };
+  const double lifted = lift(18.8, 0.165) + lift(100.0 - 19.1, pipe_outer);
+  EXPECT_GT(lifted, 500.0);
+  EXPECT_NEAR(off_bottom - m.hook_load, m.wob + submerged + rail + lifted, 0.02 * m.wob);
   EXPECT_NEAR(m.surface_wob, off_bottom - m.hook_load, 1e-9);
   EXPECT_FALSE(rig.tare()) << "on bottom";
 }
