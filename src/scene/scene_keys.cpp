@@ -162,7 +162,7 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"tool_joint_diameter",   "m",      Inside<PartSpec>{of_tool_joint},     between(0.01, 1.0),   "outer diameter at the joints' ends", no_kind, pipe, "outer_diameter"},
   {"blade_diameter",        "m",      Inside<PartSpec>{of_blades},         between(0.01, 1.0),   "outer diameter over the blades", stabilizer, stabilizer},
   {"speed_lag",             "s",      Inside<PartSpec>{of_bit<&BitSpec::speed_lag>}, between(1e-3, 10.0),   "lag of the speed that drills behind the bit's: the rate of penetration is a law of means over turns", no_kind, bit},
-  {"squeeze_film_damping",  "N s/m",  Inside<PartSpec>{of_film},           between(0.0, 1e8),    "of sideways motion, by the mud squeezed between gauge or blades and wall", no_kind, bit | stabilizer},
+  {"squeeze_film_damping",  "N s/m",  Inside<PartSpec>{of_film},           between(0.0, 1e8),    "of sideways motion, by the mud squeezed between wall and gauge, or blades (50000 by default)", no_kind, bit | stabilizer},
   {"sensor_offset",         "m",      Inside<PartSpec>{of_sensor},         between(0.0, 2000.0), "from the part's lower end up to the sensor", no_kind, mwd},
   {"mass",                  "kg",     Inside<PartSpec>{of_bit<&BitSpec::mass>}, between(0.1, 1e5),    "of the bit", bit, bit},
   {"diameter",              "m",      Inside<PartSpec>{of_bit<&BitSpec::diameter>}, between(0.03, 1.0),   "gauge of the bit: it drills this hole", bit, bit},
@@ -250,7 +250,7 @@ const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe."
 
 const Table<ContactSpec> contact_keys = {"contact", "Contact of string and wall, F = k d^e (1 + c d'), and the shape of the friction law; `friction` of the hole sections is kinetic.", {
   {"stiffness",             "N/m^e",  Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.law.stiffness; }}, between(1e3, 1e13), "k"},
-  {"assembly_stiffness",    "N/m^e",  &ContactSpec::assembly_stiffness,    between(1e3, 1e13),   "least k under bit, motor, stabilizer, mwd and collars: what they embed themselves is missing from the bit's side force"},
+  {"assembly_stiffness",    "N/m^e",  &ContactSpec::assembly_stiffness,    between(1e3, 1e13),   "least k under the bit's gauge, blades and a motor's sleeve: what they embed themselves is missing from the bit's side force"},
   {"exponent",              "-",      Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.law.exponent; }},  between(1.0, 3.0),  "e; Hertz 1.5"},
   {"damping",               "s/m",    Inside<ContactSpec>{[](ContactSpec& c) -> double& { return c.law.damping; }},   between(0.0, 100.0), "c"},
   {"stribeck_speed",        "m/s",    &ContactSpec::stribeck_speed,        between(1e-4, 10.0),  "slip speed over which friction falls from static to kinetic"},

@@ -25,8 +25,6 @@ constexpr double kDepthTolerance = 1e-6;     // [m]
 constexpr double kWeightTolerance = 1e-4;    // of the weight on bit, relative
 constexpr double kToolfaceTolerance = 1e-6;  // [rad]
 constexpr double kMostWork = 2e7;            // of one start [nodes times iterations]; some 50 s
-// A string that stretches by more is put into the hole stretched: the way to the equilibrium goes in increments of 2 cm, 400 at most [m].
-constexpr double kLongStretch = 8.0;
 constexpr int kStretchRounds = 4;
 
 /// The smallest turn of `q` that points its x axis along `tangent`.
@@ -36,7 +34,7 @@ Quaterniond carried_along(const Quaterniond& q, const Vector3d& tangent)
 }
 
 /// Nodes along the hole, resting on its low side where it is inclined; sections without twist, y axes at the toolface. `stretch`: how far each
-/// node is from its unstretched place, away from the bit; empty: not at all [m].
+/// node is from its unstretched place, away from the bit [m].
 void place_string(const Mesh& mesh, const Wellbore& well, double depth, double toolface, const std::vector<double>& stretch, State& state)
 {
   state.nodes.assign(mesh.nodes.size(), NodeState());
@@ -50,7 +48,7 @@ void place_string(const Mesh& mesh, const Wellbore& well, double depth, double t
   Quaterniond q(axes);
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
   {
-    const double md = depth - mesh.nodes[i].from_bit - (stretch.empty() ? 0.0 : stretch[i]);
+    const double md = depth - mesh.nodes[i].from_bit - stretch[i];
     const WellNode p = well.at(md);
     q = carried_along(q, p.tangent);
     state.nodes[i].orientation = q;
@@ -101,9 +99,8 @@ std::vector<double> estimated_stretch(const Mesh& mesh, const Scene& scene, cons
 void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, double toolface, double& work, RigAtRest& rig)
 {
   const Mesh& mesh = rig.model->mesh();
-  std::vector<double> stretch = estimated_stretch(mesh, scene, well, depth);
-  if (stretch.back() < kLongStretch) stretch.clear();
-  place_string(mesh, well, depth, toolface, stretch, rig.state);
+  // stretched as it will be: the way to the equilibrium goes in increments of 2 cm
+  place_string(mesh, well, depth, toolface, estimated_stretch(mesh, scene, well, depth), rig.state);
   hang_on_block(scene, rig.state);
   const double most = (kMostWork - work) / rig.model->nodes();
   rig.statics = solve_static(*rig.model, rig.state, no_sliding, static_cast<int>(most));
@@ -204,14 +201,11 @@ RigAtRest build_at_rest(const Scene& scene)
   const bool on_bottom = start.weight_on_bit > 0.0;
   const double depth = on_bottom ? scene.well.hole_depth : start.bit_depth;
   double length = depth + start.block_height;
-  double stretch = 0.0;
-  // a string that stretches by much is so much shorter, and stretches less for it
-  for (int round = 0; round == 0 || (round < kStretchRounds && stretch > kLongStretch); ++round)
+  // a string that stretches is so much shorter, and stretches less for it
+  for (int round = 0; round < kStretchRounds; ++round)
   {
     const Mesh mesh = build_mesh(scene, length);
-    stretch = estimated_stretch(mesh, scene, well, depth).back() - start.weight_on_bit * string_compliance(mesh);
-    length = depth + start.block_height;
-    length -= stretch;
+    length = depth + start.block_height - estimated_stretch(mesh, scene, well, depth).back() + start.weight_on_bit * string_compliance(mesh);
   }
 
   RigAtRest rig{nullptr, State(well), {}};

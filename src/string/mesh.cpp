@@ -89,12 +89,12 @@ std::vector<Cut> cut_string(const std::vector<PartSpec>& parts, const ElementLen
   throw std::runtime_error(message.str());
 }
 
-/// The wall's law under a part.
-ContactLaw law_under(const PartSpec& part, const ContactSpec& contact)
+/// The wall's law under a part; `guide`: gauge or blades.
+ContactLaw law_under(const PartSpec& part, const ContactSpec& contact, bool guide)
 {
   if (part.contact) return *part.contact;
   ContactLaw law = contact.law;
-  if (part.type != PartType::pipe) law.stiffness = std::max(law.stiffness, contact.assembly_stiffness);
+  if (guide) law.stiffness = std::max(law.stiffness, contact.assembly_stiffness);
   return law;
 }
 
@@ -103,7 +103,7 @@ MeshNode bit_node(const PartSpec& bit, const ContactSpec& contact, const Mesh& m
   MeshNode node;
   node.from_bit = mesh.bit_radius;
   node.contact_radius = mesh.bit_radius;
-  node.contact = law_under(bit, contact);
+  node.contact = law_under(bit, contact, true);
   node.mass = bit.bit->mass;
   node.squeeze_film_damping = bit.bit->squeeze_film_damping;
   node.spin_inertia = node.tilt_inertia = 0.4 * bit.bit->mass * mesh.bit_radius * mesh.bit_radius;
@@ -118,19 +118,19 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
   // the bit's own length carries no mass of the part above it
   const double mass = part.linear_mass * (cut.from_bit - std::max(lower, parts.front().length));
   MeshElement element = make_element(part, cut.part, lower, cut.from_bit, mass);
-  element.contact = law_under(part, contact);
+  element.contact = law_under(part, contact, false);
   MeshNode node;
   node.from_bit = cut.from_bit;
   node.contact_radius = cut.contact_radius;
-  node.contact = element.contact;
+  const bool blades = part.stabilizer && !cut.joint_end && cut.contact_radius == 0.5 * part.stabilizer->blade_diameter;
+  const bool sleeve = part.motor && part.motor->sleeve_diameter > 0.0 && std::abs(cut.from_bit - part.motor->bit_to_sleeve) < 1e-9;
+  node.contact = law_under(part, contact, blades || sleeve);
   node.friction_radius = part.friction_radius;
   node.part = cut.part;
   node.joint = cut.joint;
   node.joint_end = cut.joint_end;
-  if (part.stabilizer && !cut.joint_end && cut.contact_radius == 0.5 * part.stabilizer->blade_diameter)
-    node.squeeze_film_damping = part.stabilizer->squeeze_film_damping;
-  if (part.motor && part.motor->sleeve_diameter > 0.0 && std::abs(cut.from_bit - part.motor->bit_to_sleeve) < 1e-9)
-    node.squeeze_film_damping = StabilizerSpec().squeeze_film_damping;
+  if (blades) node.squeeze_film_damping = part.stabilizer->squeeze_film_damping;
+  if (sleeve) node.squeeze_film_damping = StabilizerSpec().squeeze_film_damping;
   if (part.motor && part.motor->bend != 0.0 && std::abs(cut.from_bit - part.motor->bit_to_bend) < 1e-9)
   {
     mesh.bend_node = static_cast<int>(mesh.nodes.size());

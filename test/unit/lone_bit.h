@@ -16,6 +16,7 @@ inline Scene lone_bit_scene()
 {
   Scene scene = without_damping(vertical_scene(100.0, 10.0));
   scene.mud.lateral_damping = 0.0;
+  scene.contact.assembly_stiffness = 5e7;  // a bit that comes a millimetre into the wall
   scene.string = {bit_part(0.1), pipe_part(0, 1e5, plain_pipe_mass, pipe_outer)};
   scene.string[0].bit->squeeze_film_damping = 0.0;
   scene.start.block_height = 2.0;

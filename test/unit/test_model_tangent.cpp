@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 namespace
 {
 constexpr double kStep = 0.005;
-constexpr double kDifference = 3e-7;  // [m, rad]: penetrations are some 1e-5 under collars, 1e-4 under pipe, round-off of a place 1e-13
+constexpr double kDifference = 3e-7;  // [m, rad]: penetrations are some 1e-5 under the gauge, 1e-4 elsewhere, round-off of a place 1e-13
 
 /// A rig in a situation, and how many nodes touch the wall in it.
 struct Rig

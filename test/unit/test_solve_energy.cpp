@@ -206,7 +206,7 @@ TEST(Energy, ofAReleasedGripIsBooked)
 TEST(Energy, ofTheReferenceClosesAndAgreesWithTheDefaults)
 {
   Scene scene = motor_drilling_scene(0.01);
-  scene.numerics.step = 0.005;
+  scene.numerics.step = 0.0025;  // at 0.005 what the mud takes from the sideways motion differs by 2.1 %
   EnergyAccounts accounts[2];
   for (const bool reference : {false, true})
   {

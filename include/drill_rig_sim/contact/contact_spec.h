@@ -13,8 +13,8 @@ namespace drill_rig_sim
 struct ContactSpec
 {
   ContactLaw law;
-  /// Least k of the wall under the parts below the pipe, unless they set a law of their own: their levers are short, and what they embed
-  /// themselves is missing from the bit's side force [N/m^e]
+  /// Least k of the wall under bit gauge, stabiliser blades and motor sleeve, unless the part has a law of its own: their levers are short,
+  /// and what they embed themselves is missing from the bit's side force [N/m^e]
   double assembly_stiffness = 2e10;
   double stribeck_speed = 0.05;       ///< slip speed over which friction falls from static to kinetic [m/s]
   double static_ratio = 1.2;          ///< static / kinetic friction [-], >= 1

@@ -64,7 +64,7 @@ struct Mesh
 };
 
 /// Cuts a string of `parts`, bit first, in `mud` into elements no longer than `longest`; `contact`: the wall's laws for parts without
-/// one of their own, stiffer for those below the pipe. `total_length` [m] fixes how many joints the `fill` entry has and how long its last one is. Throws
+/// one of their own, stiffer under gauge, blades and sleeve. `total_length` [m] fixes how many joints the `fill` entry has and how long its last one is. Throws
 /// std::runtime_error if the string does not fit.
 Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactSpec& contact, const MudSpec& mud, const ElementLengths& longest,
                 double total_length);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/contact/bit_face.h"
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/contact/normal_law.h"
 #include "drill_rig_sim/math/units.h"
@@ -46,11 +47,44 @@ double bit_speed(const StageContext& at) noexcept
   return at.work.nodes[0].rate.tail<3>().dot(at.work.nodes[0].axis) + at.stage.bit.motor_speed;
 }
 
-BitTorque torque_under(const StageContext& at, const BottomForce& bottom, double speed) noexcept
+TorqueLimit limit_under(const StageContext& at, const BottomForce& bottom, double speed) noexcept
 {
   const BitSpec& bit = at.model.bit();
-  return bit_torque(bit_torque_limit(bit.torque, bit.diameter, bottom.value, speed, rock_of(at)), at.model.bit_bristle_stiffness(),
-                    at.start.bit.twist, at.work.nodes[0].spin + at.stage.bit.motor_turn, speed, at.stage.dv_du);
+  return bit_torque_limit(bit.torque, bit.diameter, bottom.value, speed, rock_of(at));
+}
+
+BitTorque torque_under(const StageContext& at, const TorqueLimit& limit, double speed) noexcept
+{
+  return bit_torque(limit, at.model.bit_bristle_stiffness(), at.start.bit.twist, at.work.nodes[0].spin + at.stage.bit.motor_turn, speed,
+                    at.stage.dv_du);
+}
+
+/// Resistance of the face that makes the torque: T = 2/3 a M, by torque [1/m].
+double resistance_per_torque(const StageContext& at) noexcept
+{
+  return 1.5 / at.model.mesh().bit_radius;
+}
+
+BitFaceFriction face_friction(const StageContext& at, const TorqueLimit& limit, double speed) noexcept
+{
+  return bit_face_friction(resistance_per_torque(at) * limit.value, at.model.mesh().bit_radius, at.work.nodes[0].rate.head<3>(), speed,
+                           at.start.well.bottom_normal());
+}
+
+/// Across the bottom, against the face's motion. `stiffness`: of the bottom's force by place, its damping included [N/m].
+void put_on_face(const StageContext& at, const TorqueLimit& limit, double speed, double stiffness, double* residual,
+                 BlockTridiagonal* tangent) noexcept
+{
+  const BitFaceFriction face = face_friction(at, limit, speed);
+  at_node(residual, 0).head<3>() += face.value;
+  at.work.result.forces.bit_force -= face.value;
+  if (!tangent) return;
+  const double c = at.stage.dv_du, per_torque = resistance_per_torque(at);
+  const Vector3d by_speed = face.by_speed + (per_torque * limit.speed_slope * std::copysign(1.0, speed)) * face.by_resistance;
+  auto d = tangent->diagonal(0);
+  d.topLeftCorner<3, 3>() += c * face.by_velocity;
+  d.topLeftCorner<3, 3>() += (per_torque * limit.force_slope * stiffness) * face.by_resistance * at.start.well.bottom_normal().transpose();
+  d.topRightCorner<3, 3>() += c * by_speed * at.work.nodes[0].axis.transpose();
 }
 
 /// Force and moment on node 0, and where the bit pushes the rock.
@@ -108,9 +142,16 @@ void add_drilling(const StageContext& at, double* residual, BlockTridiagonal* ta
   StageResult& result = at.work.result;
   result.bottom = drilled_bottom(at);
   result.forces.bit_speed = bit_speed(at);
+  const double damping = at.stage.dv_du * result.bottom.damping, speed = result.forces.bit_speed;
+  TorqueLimit limit;
   BitTorque torque;
-  if (result.bottom.value > 0.0) torque = torque_under(at, result.bottom, result.forces.bit_speed);
-  put_on_bit(at, result.bottom, torque, at.stage.dv_du * result.bottom.damping, residual, tangent);
+  if (result.bottom.value > 0.0)
+  {
+    limit = limit_under(at, result.bottom, speed);
+    torque = torque_under(at, limit, speed);
+  }
+  put_on_bit(at, result.bottom, torque, damping, residual, tangent);
+  if (limit.value > 0.0) put_on_face(at, limit, speed, result.bottom.stiffness + damping, residual, tangent);
   advance_bit(at, torque);
 }
 
@@ -140,6 +181,9 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
   sample.bottom_damped = result.bottom.value - sample.bottom_elastic;
   sample.bottom = sample.bottom_elastic * down;
   sample.bottom_damping = sample.bottom_damped * down;
+  if (result.bottom.value > 0.0)
+    at_node(sample, NodeForce::friction, 0).head<3>() +=
+        face_friction(at, limit_under(at, result.bottom, result.forces.bit_speed), result.forces.bit_speed).value;
   sample.rock_speed = result.bottom.speed;
   sample.rock_advance = at.stage.bit.bottom_known ? at.stage.bit.bottom_increment.dot(down) : result.bottom.advance;
   sample.bit_torque = result.forces.bit_torque;

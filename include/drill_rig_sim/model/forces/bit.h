@@ -5,8 +5,8 @@
 
 namespace drill_rig_sim
 {
-/// The bit on the bottom: its weight in mud, the bottom's push (contact/bit_bottom.h), the torque on bit (contact/bit_torque.h), and the
-/// mud motor that both load. After the wall in its list: the rock feels the gauge's force too.
+/// The bit on the bottom: its weight in mud, the bottom's push (contact/bit_bottom.h), the torque on bit (contact/bit_torque.h), the
+/// face's friction across the bottom (contact/bit_face.h), and the mud motor that bit and gauge load. After the wall in its list: the rock feels the gauge's force too.
 extern const Force bit_on_bottom;
 
 /// The same at rest: statics; the torque is the start's.
