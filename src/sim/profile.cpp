@@ -48,19 +48,24 @@ double tension_at(const Model& model, const State& s, const std::vector<double>&
   return 0.5 * (top_of(i - 1) + foot_of(i));
 }
 
-/// Slips the string on until the bit carries the scene's weight again, which friction has changed.
+/// Slips the string on until the bit carries the scene's weight again, which friction has changed: by secants, for friction holds part of
+/// what is slipped on.
 StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigAtRest& rig)
 {
   constexpr int most_rounds = 20;
   constexpr double tolerance = 1e-4;  // of the weight on bit
   const double wanted = scene.start.weight_on_bit, compliance = string_compliance(rig.model->mesh());
   StaticOutcome outcome;
+  double last_error = 0.0, rise = 0.0, gain = compliance;
   for (int round = 0; round < most_rounds; ++round)
   {
     outcome = solve_static(*rig.model, rig.state, sliding);
     const double error = outcome.forces.wob - wanted;
     if (!outcome.converged || wanted <= 0.0 || std::abs(error) < tolerance * wanted) return outcome;
-    rig.state.nodes.back().position.z() += error * compliance;
+    if (round > 0 && rise / (last_error - error) > 0.0) gain = std::clamp(rise / (last_error - error), 0.2 * compliance, 5.0 * compliance);
+    last_error = error;
+    rise = error * gain;
+    rig.state.nodes.back().position.z() += rise;
   }
   std::ostringstream message;
   message << "static: with this motion the weight on bit is " << outcome.forces.wob << " N, not the scene's " << wanted << " N";

@@ -111,11 +111,11 @@ TEST(Accuracy, theWallIsTooSoft)
   w.forces.contact[watched] = 186e3;
   EXPECT_EQ(w.after(0.2).doubt, AccuracyDoubt::embedding);
   EXPECT_NEAR(w.memory.report.measure, 0.024, 1e-4);
-  // the bit fills its hole: 2 mm, 4.47 kN
+  // the bit fills its hole, on a wall of its own: 2 mm, 2e10 * 0.002^1.5 = 1789 kN
   Watched bit(vertical_scene(400.0, 290.0));
-  bit.forces.contact[0] = 4.4e3;
+  bit.forces.contact[0] = 1.78e6;
   EXPECT_EQ(bit.after(0.2).doubt, AccuracyDoubt::none);
-  bit.forces.contact[0] = 4.5e3;
+  bit.forces.contact[0] = 1.80e6;
   EXPECT_EQ(bit.after(0.2).doubt, AccuracyDoubt::embedding);
 }
 

@@ -214,6 +214,7 @@ TEST(Readings, surveyToolMeasuresWhereItIs)
   Scene scene = scene_in({{0.0, 0.0, 0.0}, {100.0, 0.0, 1.0}, {300.0, 60.0 * degree, 1.0}}, 300.0, 290.0, 0.2);
   scene.string.insert(scene.string.begin() + 1, mwd_part());
   scene.instruments.mwd.latency = 0.0;
+  scene.numerics.element_length = 9.5;
   Simulator rig(scene);
   rig.command(PumpSetpoint{0.02});
   while (rig.readings().mwd.sequence == 0) ASSERT_EQ(rig.frame(frame), FrameStatus::running) << rig.failure();
