@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "drill_rig_sim/contact/bit_cut.h"
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
@@ -163,6 +164,15 @@ void check_hook_load(const HoistingSpec& hoisting, double hook_load)
   fail(message.str());
 }
 
+/// The blades where they rest, their flats with what they carry.
+void rest_on_ground(const Model& model, State& state)
+{
+  const FormationLayer& rock = model.formation().at(-state.well.bottom_position().z());
+  const Vector3d to_bottom = state.well.bottom_position() - state.nodes[0].position;
+  state.ground.height = model.mesh().bit_radius - to_bottom.dot(state.well.bottom_normal());
+  state.ground.flats = resting_cut_weight(bit_cut_law(model.bit().torque, rock), state.ground.height).flats;
+}
+
 /// The brake holds the string's torque, and the motor would.
 void hold_drive(const TopDriveSpec& spec, double torque, DriveState& drive)
 {
@@ -250,6 +260,7 @@ RigAtRest build_at_rest(const Scene& scene)
   rig.state.hoist.line_length = line_length_for(scene.rig.hoisting, start.block_height, hook_load);
   hold_drive(scene.rig.top_drive, rig.statics.top_torque, rig.state.drive);
   if (start.torque_on_bit > 0.0) rig.state.bit.twist = start.torque_on_bit / rig.model->bit_bristle_stiffness();
+  if (rig.model->regenerative()) rest_on_ground(*rig.model, rig.state);
   return rig;
 }
 
