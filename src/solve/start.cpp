@@ -183,6 +183,13 @@ void hold_drive(const TopDriveSpec& spec, double torque, DriveState& drive)
 }
 }  // namespace
 
+/// How far the blades sink into the rock per weight [m/N]; the bit of the mean law next to not at all.
+double rock_compliance(const Model& model, const Wellbore& well)
+{
+  if (!model.regenerative()) return 0.0;
+  return 1.0 / bit_cut_law(model.bit().torque, model.formation().at(-well.bottom_position().z())).stiffness;
+}
+
 double string_compliance(const Mesh& mesh)
 {
   double compliance = 0.0;
@@ -236,8 +243,8 @@ RigAtRest build_at_rest(const Scene& scene)
     find_equilibrium(scene, well, depth, toolface, work, rig);
     toolface_error = rig.model->mesh().bend_node >= 0 ? angle_error(bend_toolface(*rig.model, rig.state), start.toolface) : 0.0;
     const double weight_error = rig.statics.forces.wob - start.weight_on_bit;
-    // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance
-    depth_error = weight_error * string_compliance(rig.model->mesh());
+    // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance and the rock's
+    depth_error = weight_error * (string_compliance(rig.model->mesh()) + rock_compliance(*rig.model, well));
     if (!on_bottom || rig.statics.forces.wob <= 0.0) depth_error += bit_depth(*rig.model, rig.state) - depth;
     const bool deep_enough = on_bottom ? std::abs(weight_error) < kWeightTolerance * start.weight_on_bit : std::abs(depth_error) < kDepthTolerance;
     met = std::abs(toolface_error) < 1e-3 && (on_bottom ? std::abs(weight_error) < 0.01 * start.weight_on_bit : std::abs(depth_error) < 1e-3);

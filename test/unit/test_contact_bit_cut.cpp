@@ -119,7 +119,7 @@ TEST(CutGround, aHelixIsSeenASectorLater)
       EXPECT_NEAR(ground_ahead(ground, kBlades, end + ahead).slope, pitch, 1e-9);
     }
     EXPECT_NEAR(lowered, ground.mean, 1e-15);
-    EXPECT_NEAR(ground.mean, height(end - 0.5 * kSector), 1e-2 * pitch * kCell + 1e-12) << "a cell's parts at most";
+    EXPECT_NEAR(ground.mean, height(end - 0.5 * (kSector - kCell)), 1e-2 * pitch * kCell) << "each cell counts to the next";
   }
 }
 

@@ -285,6 +285,8 @@ TEST(ModelTangent, cuttingBladeByBlade)
   {
     rig.run(0.1);
     EXPECT_GT(rig.stepper.find_forces(rig.rest.state).wob, 1000.0);
+    const CutGround& ground = rig.rest.state.ground;
+    EXPECT_GT(ground_ahead(ground, scene.string[0].bit->torque.blades, ground.front + 0.01).slope, 1e-4) << "climbs to the blade ahead";
     expect_exact(rig);
   }
 }
