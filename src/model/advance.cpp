@@ -61,7 +61,7 @@ void advance_discrete(const Model& model, const Stage& stage, Workspace& work, S
   state.bit = work.result.bit;
   state.time += stage.time;
   work.profiler.lap(Cost::other);
-  extend_hole(model, stage, work.result.forces, state);
+  extend_hole(model, stage, work.result, state);
   work.profiler.lap(Cost::rock_penetration);
 }
 

@@ -11,13 +11,32 @@ using Eigen::Vector3d;
 Vector3d rock_velocity(const Model& model, const Wellbore& well, const RigForces& forces, double drilling_speed,
                        const Vector3d& bit_axis) noexcept
 {
-  if (forces.wob <= 0.0) return Vector3d::Zero();
+  if (forces.wob <= 0.0 || model.regenerative()) return Vector3d::Zero();
   const FormationLayer& rock = model.formation().at(-well.bottom_position().z());
   return rock_breaking_velocity(rock, forces.rock_force, drilling_speed, bit_axis, model.bit().side_cutting);
 }
 
-void extend_hole(const Model& model, const Stage& stage, const RigForces& forces, State& state) noexcept
+namespace
 {
+/// By the rock that the blades have cut away since the last step.
+void extend_by_cut(const Model& model, const Stage& stage, const StageResult& result, State& state) noexcept
+{
+  const BitSpec& bit = model.bit();
+  const Vector3d bit_axis = x_axis(state.nodes[0].orientation);
+  const Vector3d down = state.well.bottom_normal();
+  const FormationLayer& rock = model.formation().at(-state.well.bottom_position().z());
+  const double lowered = cut(state.ground, bit.torque.blades, result.cut.angle, result.cut.height);
+  state.ground.flats = result.cut.flats;
+  const Vector3d way = lowered * rock_breaking_direction(rock, result.forces.rock_force, bit_axis, bit.side_cutting, down);
+  state.bit.rock_velocity = way / stage.time;
+  state.well.extend(way, bit_axis);
+}
+}  // namespace
+
+void extend_hole(const Model& model, const Stage& stage, const StageResult& result, State& state) noexcept
+{
+  if (model.regenerative()) return extend_by_cut(model, stage, result, state);
+  const RigForces& forces = result.forces;
   const Vector3d bit_axis = x_axis(state.nodes[0].orientation);
   state.bit.rock_velocity = stage.bit.bottom_known ? Vector3d(stage.bit.bottom_increment / stage.time)
                                                    : rock_velocity(model, state.well, forces, stage.bit.drilling_speed, bit_axis);

@@ -3,7 +3,7 @@
 namespace drill_rig_sim
 {
 const std::vector<const char*> part_type_words = {"bit", "mud_motor", "collar", "stabilizer", "mwd", "pipe"};
-const std::vector<const char*> bit_torque_words = {"stribeck", "detournay"};
+const std::vector<const char*> bit_torque_words = {"stribeck", "detournay", "regenerative"};
 const std::vector<const char*> stribeck_curve_words = {"gaussian", "exponential"};
 const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybrid", "beam3d", "auto"};
 const std::vector<const char*> integrator_words = {"auto",   "bdf2",              "implicit_euler", "linearly_implicit_euler",
@@ -47,7 +47,8 @@ constexpr unsigned bit = kind(PartType::bit), motor = kind(PartType::mud_motor),
                    mwd = kind(PartType::mwd), pipe = kind(PartType::pipe);
 constexpr unsigned tube = every_kind & ~bit;
 constexpr unsigned jointed = pipe | kind(PartType::collar);
-constexpr unsigned stribeck = kind(BitTorqueModel::stribeck), detournay = kind(BitTorqueModel::detournay);
+constexpr unsigned stribeck = kind(BitTorqueModel::stribeck), regenerative = kind(BitTorqueModel::regenerative),
+                   drag = kind(BitTorqueModel::detournay) | regenerative;
 constexpr unsigned must = every_kind;
 constexpr Range turn = between(-360.0, 360.0);
 constexpr Range none{};
@@ -194,16 +195,17 @@ std::vector<Key<ContactLaw>> contact_law_keys()
 const Table<ContactLaw> part_contact_keys = {"string[].contact", "Wall contact of one part.", contact_law_keys()};
 const Table<ContactLaw> bit_bottom_keys = {"string[].bottom", "Contact of the bit with the hole's bottom.", contact_law_keys()};
 
-const Table<BitTorqueSpec> bit_torque_keys = {"string[].torque", "Torque on bit. stribeck: mu(speed) weight diameter / 3, mu falling from static to kinetic; detournay: cutting plus wear-flat friction.", {
+const Table<BitTorqueSpec> bit_torque_keys = {"string[].torque", "Torque on bit. stribeck: mu(speed) weight diameter / 3, mu falling from static to kinetic; detournay: cutting plus wear-flat friction; regenerative: the same, weight and torque by the depth of cut that each blade finds in what the one before left.", {
   {"model",                 "",       Choice<BitTorqueSpec>{bit_torque_words, [](BitTorqueSpec& t, int word) { t.model = static_cast<BitTorqueModel>(word); },
                                                             [](const BitTorqueSpec& t) { return static_cast<int>(t.model); }},
                                                                            none,                 "which law"},
   {"static",                "-",      &BitTorqueSpec::static_friction,     between(0.0, 5.0),    "mu of the bit at rest, at least `kinetic`", no_kind, stribeck},
   {"kinetic",               "-",      &BitTorqueSpec::kinetic_friction,    between(0.0, 5.0),    "mu of the bit turning fast", no_kind, stribeck},
   {"speed_rpm",             "rpm",    &BitTorqueSpec::speed,               between(0.1, 1000.0), "bit speed over which mu falls", no_kind, stribeck},
-  {"cutting_energy",        "J/m3",   &BitTorqueSpec::cutting_energy,      between(0.0, 1e10),   "intrinsic specific energy of the rock, if it must agree with the drillability; 0: what that says", no_kind, detournay},
-  {"wear_friction",         "-",      &BitTorqueSpec::wear_friction,       between(0.0, 5.0),    "friction coefficient times bit constant of the wear flats", no_kind, detournay},
-  {"wear_weight",           "N",      &BitTorqueSpec::wear_weight,         between(0.0, 1e6),    "weight that the wear flats carry, up to the rock's threshold", no_kind, detournay},
+  {"cutting_energy",        "J/m3",   &BitTorqueSpec::cutting_energy,      between(0.0, 1e10),   "intrinsic specific energy of the rock, if it must agree with the drillability; 0: what that says", no_kind, drag},
+  {"wear_friction",         "-",      &BitTorqueSpec::wear_friction,       between(0.0, 5.0),    "friction coefficient times bit constant of the wear flats", no_kind, drag},
+  {"wear_weight",           "N",      &BitTorqueSpec::wear_weight,         between(0.0, 1e6),    "weight that the wear flats carry, up to the rock's threshold", no_kind, drag},
+  {"blades",                "",       &BitTorqueSpec::blades,              between(1, 12),       "alike and evenly set, each cuts what the one before left", no_kind, regenerative},
 }};
 
 const Table<RigSpec> rig_keys = {"rig", "The rig above the rotary table.", {

@@ -32,7 +32,7 @@ void check_drag_bit(const BitSpec& bit, const std::vector<FormationLayer>& layer
 {
   constexpr double least = 0.4, most = 1.0;  // about the measured 0.5 to 0.8
   const BitTorqueSpec& torque = bit.torque;
-  if (torque.model != BitTorqueModel::detournay) return;
+  if (torque.model == BitTorqueModel::stribeck) return;
   for (std::size_t i = 0; i < layers.size(); ++i)
   {
     const FormationLayer& rock = layers[i];
@@ -40,6 +40,11 @@ void check_drag_bit(const BitSpec& bit, const std::vector<FormationLayer>& layer
     if (torque.wear_weight > rock.threshold)
       problems.emplace_back("string[0].torque.wear_weight", plain(torque.wear_weight) + " N on flats, which break no rock, exceed the threshold of " +
                                                                 layer + ", allowed: up to " + plain(rock.threshold) + " N");
+    if (torque.model == BitTorqueModel::regenerative && (rock.weight_exponent != 1.0 || rock.speed_exponent != 1.0))
+    {
+      problems.emplace_back("string[0].torque.model", "regenerative cuts in proportion to weight and speed, the rate in " + layer + " is not, needed there: weight_exponent 1, speed_exponent 1");
+      continue;
+    }
     if (torque.cutting_energy == 0.0) continue;
     if (rock.weight_exponent != 1.0 || rock.speed_exponent != 1.0)
     {

@@ -35,6 +35,9 @@ std::string text_of(const AccuracyReport& r, double step)
     case AccuracyDoubt::dissipation:
       return text("the method takes %.0f %% of the energy that goes through; numerics.step: below %.3g s, or shorter elements", 100.0 * r.measure,
                   step);
+    case AccuracyDoubt::cut:
+      return text("a blade comes where the one before was in %.0f steps, too few for the waves that it leaves; numerics.step: %.2g s or less",
+                  1.0 / r.measure, 0.01 * step / r.measure);
   }
   return "";
 }

@@ -16,6 +16,7 @@ constexpr double most_twist = 1.0;           // [rad]
 constexpr double least_clearance = 2e-3;     // [m]
 constexpr double most_refused = 0.2;
 constexpr double most_dissipation = 0.05;
+constexpr double most_blades = 0.01;         // passed a step
 constexpr double least_throughput = 1e3;     // [W]
 
 /// Towards `value`, which stands for `duration` [s].
@@ -33,6 +34,13 @@ double magnitudes_of_numerical(const EnergyAccounts& a) noexcept
 {
   return std::abs(a.of_inertia) + std::abs(a.of_beams) + std::abs(a.of_contact) + std::abs(a.of_line) + std::abs(a.of_residual) +
          std::abs(a.of_rebasing);
+}
+
+/// Blades that pass by a place of the bottom in a step [-].
+double blades_passed(const Model& model, const RigForces& forces, double step) noexcept
+{
+  if (!model.regenerative() || forces.wob <= 0.0) return 0.0;
+  return std::abs(forces.bit_speed) * step * model.bit().torque.blades / (2.0 * pi);
 }
 
 std::uint64_t attempts_of(const StepperCounters& c) noexcept
@@ -74,6 +82,8 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
   if (found.doubt == AccuracyDoubt::none && memory.refused > most_refused) found = {AccuracyDoubt::refused_steps, memory.refused, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && share > most_dissipation) found = {AccuracyDoubt::dissipation, share, 0.0, 0.0};
+  const double blades = integrator.reference() || steps == 0.0 ? 0.0 : blades_passed(*model_, forces, duration / steps);
+  if (found.doubt == AccuracyDoubt::none && blades > most_blades) found = {AccuracyDoubt::cut, blades, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none) return;
   memory.report = found;
   memory.stands_for = memory_time;

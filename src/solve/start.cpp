@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "drill_rig_sim/contact/bit_cut.h"
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
@@ -160,6 +161,15 @@ void check_hook_load(const HoistingSpec& hoisting, double hook_load)
   fail(message.str());
 }
 
+/// The blades where they rest, their flats with what they carry.
+void rest_on_ground(const Model& model, State& state)
+{
+  const FormationLayer& rock = model.formation().at(-state.well.bottom_position().z());
+  const Vector3d to_bottom = state.well.bottom_position() - state.nodes[0].position;
+  state.ground.height = model.mesh().bit_radius - to_bottom.dot(state.well.bottom_normal());
+  state.ground.flats = resting_cut_weight(bit_cut_law(model.bit().torque, rock), state.ground.height).flats;
+}
+
 /// The brake holds the string's torque, and the motor would.
 void hold_drive(const TopDriveSpec& spec, double torque, DriveState& drive)
 {
@@ -169,6 +179,13 @@ void hold_drive(const TopDriveSpec& spec, double torque, DriveState& drive)
   if (spec.integral_gain > 0.0) drive.integral = torque / spec.integral_gain;
 }
 }  // namespace
+
+/// How far the blades sink into the rock per weight [m/N]; the bit of the mean law next to not at all.
+double rock_compliance(const Model& model, const Wellbore& well)
+{
+  if (!model.regenerative()) return 0.0;
+  return 1.0 / bit_cut_law(model.bit().torque, model.formation().at(-well.bottom_position().z())).stiffness;
+}
 
 double string_compliance(const Mesh& mesh)
 {
@@ -220,8 +237,8 @@ RigAtRest build_at_rest(const Scene& scene)
     find_equilibrium(scene, well, depth, toolface, work, rig);
     toolface_error = rig.model->mesh().bend_node >= 0 ? angle_error(bend_toolface(*rig.model, rig.state), start.toolface) : 0.0;
     const double weight_error = rig.statics.forces.wob - start.weight_on_bit;
-    // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance
-    depth_error = weight_error * string_compliance(rig.model->mesh());
+    // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance and the rock's
+    depth_error = weight_error * (string_compliance(rig.model->mesh()) + rock_compliance(*rig.model, well));
     if (!on_bottom || rig.statics.forces.wob <= 0.0) depth_error += bit_depth(*rig.model, rig.state) - depth;
     const bool deep_enough = on_bottom ? std::abs(weight_error) < kWeightTolerance * start.weight_on_bit : std::abs(depth_error) < kDepthTolerance;
     met = std::abs(toolface_error) < 1e-3 && (on_bottom ? std::abs(weight_error) < 0.01 * start.weight_on_bit : std::abs(depth_error) < 1e-3);
@@ -244,6 +261,7 @@ RigAtRest build_at_rest(const Scene& scene)
   rig.state.hoist.line_length = line_length_for(scene.rig.hoisting, start.block_height, hook_load);
   hold_drive(scene.rig.top_drive, rig.statics.top_torque, rig.state.drive);
   if (start.torque_on_bit > 0.0) rig.state.bit.twist = start.torque_on_bit / rig.model->bit_bristle_stiffness();
+  if (rig.model->regenerative()) rest_on_ground(*rig.model, rig.state);
   return rig;
 }
 

@@ -90,18 +90,35 @@ Eigen::Vector3d cutting_direction(const FormationLayer& layer, const Eigen::Vect
   return (1.0 - layer.anisotropy) * cut + layer.anisotropy * n.dot(cut) * n;
 }
 
+namespace
+{
+/// 1 where the bit's face presses, 0 where its gauge alone touches.
+double pressing_share(double axial, const Eigen::Vector3d& across) noexcept
+{
+  return axial * axial / (axial * axial + gauge_share * gauge_share * across.squaredNorm());
+}
+}  // namespace
+
 Eigen::Vector3d rock_breaking_velocity(const FormationLayer& layer, const Eigen::Vector3d& force, double bit_speed,
                                        const Eigen::Vector3d& bit_axis, double side_cutting) noexcept
 {
   const double axial = force.dot(bit_axis);
   const double magnitude = force.norm();
   if (!(axial > 0.0)) return Eigen::Vector3d::Zero();
-  const double lateral2 = (force - axial * bit_axis).squaredNorm();
-  const double pressing = axial * axial / (axial * axial + gauge_share * gauge_share * lateral2);
+  const double pressing = pressing_share(axial, force - axial * bit_axis);
   const double rate = pressing * on_axis_rop(layer, bit_speed, magnitude);
   Eigen::Vector3d v = rate * cutting_direction(layer, bit_axis, side_cutting, force / magnitude);
   v -= std::min(v.dot(bit_axis), 0.0) * bit_axis;
   return v;
+}
+
+Eigen::Vector3d rock_breaking_direction(const FormationLayer& layer, const Eigen::Vector3d& force, const Eigen::Vector3d& bit_axis,
+                                        double side_cutting, const Eigen::Vector3d& down) noexcept
+{
+  const Eigen::Vector3d cut = cutting_direction(layer, bit_axis, side_cutting, force);
+  const double ahead = cut.dot(down), axial = force.dot(bit_axis);
+  if (!(ahead > 0.0 && axial > 0.0)) return down;
+  return down + (pressing_share(axial, force - axial * bit_axis) / ahead) * (cut - ahead * down);
 }
 
 }  // namespace drill_rig_sim

@@ -269,6 +269,28 @@ TEST(ModelTangent, drillingOnBottom)
   }
 }
 
+// Weight and torque follow the spin too: the rock ahead of a blade is not level while the string still swings.
+TEST(ModelTangent, cuttingBladeByBlade)
+{
+  Scene scene = drilling_clear();
+  scene.string[0].bit->torque.model = BitTorqueModel::regenerative;
+  scene.string[0].bit->torque.wear_weight = 1000.0;
+  scene.formation[0].threshold = 1000.0;
+  Rig rig(scene);
+  rig.setpoints.top_drive.speed = 90.0 * rpm;
+  rig.run(1.0);
+  rig.setpoints.winch = {-0.012, false};
+  rig.run(2.0);
+  for (int k = 0; k < 5; ++k)
+  {
+    rig.run(0.1);
+    EXPECT_GT(rig.stepper.find_forces(rig.rest.state).wob, 1000.0);
+    const CutGround& ground = rig.rest.state.ground;
+    EXPECT_GT(ground_ahead(ground, scene.string[0].bit->torque.blades, ground.front + 0.01).slope, 1e-4) << "climbs to the blade ahead";
+    expect_exact(rig);
+  }
+}
+
 TEST(ModelTangent, bitStuckInTheRock)
 {
   Rig rig(drilling_clear());

@@ -289,7 +289,7 @@ TEST(SceneKeys, noKeyIsForgotten)
 {
   const std::set<std::pair<std::string, std::string>> apart = {
       {"well", "survey"}, {"trajectory", "stage_two_steps"}, {"string[].torque", "cutting_energy"}, {"string[].torque", "wear_friction"},
-      {"string[].torque", "wear_weight"}};
+      {"string[].torque", "wear_weight"}, {"string[].torque", "blades"}};
   std::set<std::pair<std::string, std::string>> expected = apart;
   std::set<std::string> blocks;
   for (const Expected& e : all_expected()) expected.insert({e.block, e.key}), blocks.insert(e.block);
@@ -313,13 +313,14 @@ TEST(SceneKeys, thatExcludeOthersAreInTheirFieldsToo)
   };
   replace("stage_two_length: 0.11", "stage_two_steps: 12");
   replace("{model: stribeck, static: 0.61, kinetic: 0.41, speed_rpm: 31.0}",
-          "{model: detournay, cutting_energy: 1.25e8, wear_friction: 0.62, wear_weight: 601.0}");
+          "{model: regenerative, cutting_energy: 1.25e8, wear_friction: 0.62, wear_weight: 601.0, blades: 7}");
   replace("weight_exponent: 1.2, speed_exponent: 0.7, ", "");
   replace("drillability: 1.7e-8", "drillability: 1.7e-8, threshold: 602.0");
   const Scene scene = parse_scene(text, "all_keys.yaml");
   EXPECT_EQ(scene.trajectory.stage_two_steps, 12);
   const BitTorqueSpec& torque = scene.string.at(0).bit->torque;
-  EXPECT_EQ(torque.model, BitTorqueModel::detournay);
+  EXPECT_EQ(torque.model, BitTorqueModel::regenerative);
+  EXPECT_EQ(torque.blades, 7);
   EXPECT_EQ(torque.cutting_energy, 1.25e8);
   EXPECT_EQ(torque.wear_friction, 0.62);
   EXPECT_EQ(torque.wear_weight, 601.0);

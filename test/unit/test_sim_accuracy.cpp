@@ -44,7 +44,7 @@ struct Watched
     for (long k = 0; k < std::lround(seconds / frame); ++k)
     {
       watch.begin_frame(integrator, memory);
-      integrator.count(1, refused_a_step);
+      integrator.count(steps, refused_a_step);
       watch.end_frame(integrator, rig.state, forces, frame, memory);
     }
   }
@@ -59,6 +59,7 @@ struct Watched
   Counting integrator;
   AccuracyMemory memory;
   RigForces forces;
+  std::uint64_t steps = 1;  // a frame
 };
 }  // namespace
 
@@ -78,6 +79,26 @@ TEST(Accuracy, anElementCarriesSoMuchCompression)
   EXPECT_NEAR(report.measure, 2.0, 1e-3);
   EXPECT_EQ(report.from_bit, 0.5 * (mesh.nodes[watched].from_bit + mesh.nodes[watched + 1].from_bit));
   EXPECT_NEAR(report.element_length, 9.5, 1e-9);
+}
+
+// 12 rad/s and 4 blades: 7.64 blades a second. A step a frame passes 0.0764 of one, 8 steps 0.00955.
+TEST(Accuracy, theStepIsTooLongForTheCut)
+{
+  Scene scene = vertical_scene(400.0, 290.0);
+  scene.string[0].bit->torque.model = BitTorqueModel::regenerative;
+  scene.string[0].bit->torque.blades = 4;
+  Watched w(scene);
+  w.forces.bit_speed = 12.0;
+  EXPECT_EQ(w.after(0.2).doubt, AccuracyDoubt::none) << "off bottom";
+  w.forces.wob = 1e3;
+  EXPECT_EQ(w.after(0.2).doubt, AccuracyDoubt::cut);
+  EXPECT_NEAR(w.memory.report.measure, 0.0764, 1e-4);
+  EXPECT_EQ(text_of(w.memory.report, 0.01),
+            "a blade comes where the one before was in 13 steps, too few for the waves that it leaves; numerics.step: 0.0013 s or less");
+  Watched fine(scene);
+  fine.forces = w.forces;
+  fine.steps = 8;
+  EXPECT_EQ(fine.after(0.2).doubt, AccuracyDoubt::none);
 }
 
 TEST(Accuracy, aDoubtStandsForTenSeconds)

@@ -81,10 +81,11 @@ using namespace drill_rig_sim;
 
 namespace
 {
-void drill(bool balance)
+void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck)
 {
   allocations = 0;
   Scene scene = drilling_scene(0.005);
+  scene.string[0].bit->torque.model = law;
   scene.instruments.hook_load = {500.0, 100.0, 0.25, 0.5};
   scene.instruments.mwd.period = 2.0;
   Simulator rig(scene);
@@ -112,6 +113,11 @@ void drill(bool balance)
 TEST(Frame, allocatesNothingWhileDrilling)
 {
   drill(false);
+}
+
+TEST(Frame, allocatesNothingWhileCuttingBladeByBlade)
+{
+  drill(true, BitTorqueModel::regenerative);
 }
 
 TEST(Frame, allocatesNothingWithAnEnergyBook)

@@ -10,7 +10,8 @@ namespace drill_rig_sim
 enum class BitTorqueModel
 {
   stribeck,  ///< T = mu_b(omega) F D / 3 with mu_b falling from static to kinetic
-  detournay  ///< T = cutting energy * a^2 d / 2 + wear-flat friction
+  detournay,  ///< T = cutting energy * a^2 d / 2 + wear-flat friction
+  regenerative  ///< the same, and the weight too, by the depth of cut that each blade finds (bit_cut.h)
 };
 
 struct BitTorqueSpec
@@ -22,6 +23,7 @@ struct BitTorqueSpec
   double cutting_energy = 0.0;    ///< detournay: intrinsic specific energy epsilon; 0: what the rock's drillability says [J/m3]
   double wear_friction = 0.6;     ///< detournay: mu * gamma of the wear flat [-]
   double wear_weight = 0.0;       ///< detournay: weight carried by the wear flats [N]
+  int blades = 5;                 ///< regenerative: n, alike and evenly set
 };
 
 /// The largest torque at a force on the bottom and a bit speed, and its slopes.

@@ -7,8 +7,8 @@
 namespace drill_rig_sim
 {
 /// The hole at the end of a step whose nodes are committed: its bottom moves by the rock-breaking velocity at the stage's forces times the
-/// step, or by what the stage knows of it.
-void extend_hole(const Model& model, const Stage& stage, const RigForces& forces, State& state) noexcept;
+/// step, or by what the stage knows of it, or (regenerative law) by the mean height of what the blades have cut in the step.
+void extend_hole(const Model& model, const Stage& stage, const StageResult& result, State& state) noexcept;
 
 }  // namespace drill_rig_sim
 

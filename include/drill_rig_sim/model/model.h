@@ -34,6 +34,8 @@ public:
   /// The last node: the top drive's shaft.
   int top() const noexcept { return nodes() - 1; }
   const BitSpec& bit() const noexcept { return *scene_.string.front().bit; }
+  /// Whether the bit cuts blade by blade (contact/bit_cut.h).
+  bool regenerative() const noexcept { return bit().torque.model == BitTorqueModel::regenerative; }
   /// Null: none.
   const MotorSpec* motor() const noexcept { return motor_; }
   /// The mud's way through string and hole.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "drill_rig_sim/contact/cut_ground.h"
 #include "drill_rig_sim/rig/hydraulics.h"
 #include "drill_rig_sim/well/wellbore.h"
 
@@ -198,6 +199,7 @@ struct State
   DriveState drive;
   HoistState hoist;
   BitState bit;
+  CutGround ground;  ///< under the bit; of the regenerative law alone, its fixed place the bottom at the start
   StuckPointState stuck_point;
   HydraulicState hydraulics;
   double flow = 0.0;  ///< through string, motor and bit; constant within a step [m3/s]
@@ -213,6 +215,7 @@ struct State
     v("drive", drive);
     v("hoist", hoist);
     v("bit", bit);
+    v("ground", ground);
     v("stuck_point", stuck_point);
     v("hydraulics", hydraulics);
     v("flow", flow);

@@ -39,6 +39,14 @@ struct SpanMotion
   bool touches;          ///< the wall
 };
 
+/// Where the bit is over its ground (contact/cut_ground.h) at a stage, and what its flats carry.
+struct BitCutPlace
+{
+  double angle = 0.0;   ///< [rad]
+  double height = 0.0;  ///< [m]
+  double flats = 0.0;   ///< [N]
+};
+
 /// What the laws with a state of their own have come to at a stage: the next step's start, once this one is accepted.
 struct StageResult
 {
@@ -51,6 +59,7 @@ struct StageResult
   double rail_deflection = 0.0;     ///< HoistState::rail_deflection [m]
   BitState bit;
   BottomForce bottom;
+  BitCutPlace cut;           ///< regenerative law
   RigForces forces;
   double held_force = 0.0;   ///< statics: vertical force that holds the top node, + up [N]
   double held_torque = 0.0;  ///< and the torque about the string, + drives it clockwise [N m]

@@ -14,14 +14,15 @@ enum class AccuracyDoubt
   twist,          ///< an element is twisted by more than its beam is made for
   embedding,      ///< the string lies deeper in the wall than the hole is wide beside it
   refused_steps,  ///< many steps had to be taken in parts
-  dissipation     ///< the method itself takes much of the energy that goes through rig and string
+  dissipation,    ///< the method itself takes much of the energy that goes through rig and string
+  cut             ///< the step is too long for the waves that one blade leaves to the next
 };
 
 /// A doubt, how large and where.
 struct AccuracyReport
 {
   AccuracyDoubt doubt = AccuracyDoubt::none;
-  double measure = 0.0;         ///< compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy
+  double measure = 0.0;         ///< compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step
   double from_bit = 0.0;        ///< where on the string [m]; compression, twist, embedding
   double element_length = 0.0;  ///< of the element there [m]; compression, twist
 

@@ -26,6 +26,8 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
 /// - Refused steps: more than a fifth of the attempts of the last ten seconds.
 /// - Dissipation: more than 5 % of the throughput of the last ten seconds, or of 1 kW if that is more, so that a string at rest is not
 ///   judged. Both are sums of magnitudes, account by account and step by step (energy_accounts.h): what cancels counts.
+/// - Cut (regenerative law): the bit turns by more than a hundredth of the way from blade to blade in a step. On quick.yaml with 5 blades,
+///   which shakes, the deviation of weight is 0 at 13 steps a blade, 0.58 of the reference's at 27, 0.81 at 53 and 1.04 at 133.
 class AccuracyWatch
 {
 public:

@@ -81,6 +81,12 @@ Eigen::Vector3d cutting_direction(const FormationLayer& layer, const Eigen::Vect
 Eigen::Vector3d rock_breaking_velocity(const FormationLayer& layer, const Eigen::Vector3d& force, double bit_speed,
                                        const Eigen::Vector3d& bit_axis, double side_cutting) noexcept;
 
+/// The direction of the drilling equation's v where something else says how fast the bottom goes down [-]: its part along `down` is 1.
+/// @param force     bit on rock, world axes; pushes along `down` [N]
+/// @param down      normal of the bottom, unit, downhole
+Eigen::Vector3d rock_breaking_direction(const FormationLayer& layer, const Eigen::Vector3d& force, const Eigen::Vector3d& bit_axis,
+                                        double side_cutting, const Eigen::Vector3d& down) noexcept;
+
 }  // namespace drill_rig_sim
 
 #endif

@@ -1,7 +1,9 @@
 #include "drill_rig_sim/model/forces/bit.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "drill_rig_sim/contact/bit_cut.h"
 #include "drill_rig_sim/contact/bit_face.h"
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/contact/normal_law.h"
@@ -87,35 +89,51 @@ void put_on_face(const StageContext& at, const TorqueLimit& limit, double speed,
   d.topRightCorner<3, 3>() += c * by_speed * at.work.nodes[0].axis.transpose();
 }
 
+/// What the rock does to the bit along the bottom's normal and about the bit's axis, and its slopes by the increments in the two.
+struct RockLoad
+{
+  double force = 0.0;            ///< up the hole [N]
+  double force_by_place = 0.0;   ///< [N/m]
+  double force_by_spin = 0.0;    ///< [N/rad]
+  double torque = 0.0;           ///< against clockwise turning [N m]
+  double torque_by_place = 0.0;  ///< [N]
+  double torque_by_spin = 0.0;   ///< [N m/rad]
+};
+
+RockLoad rock_load(const BottomForce& bottom, const BitTorque& torque, double damping_by_place) noexcept
+{
+  const double stiffness = bottom.stiffness + damping_by_place;
+  return {bottom.value, stiffness, 0.0, torque.value, torque.force_slope * stiffness, torque.spin_slope};
+}
+
 /// Force and moment on node 0, and where the bit pushes the rock.
-void put_on_bit(const StageContext& at, const BottomForce& bottom, const BitTorque& torque, double damping_by_place, double* residual,
-                BlockTridiagonal* tangent) noexcept
+void put_on_bit(const StageContext& at, const RockLoad& rock, double* residual, BlockTridiagonal* tangent) noexcept
 {
   const NodeMotion& node = at.work.nodes[0];
   const Vector3d down = at.start.well.bottom_normal();
   const Vector3d& n = node.axis;
   auto r = at_node(residual, 0);
-  r.head<3>() += bottom.value * down;
-  r.tail<3>() += torque.value * n;
+  r.head<3>() += rock.force * down;
+  r.tail<3>() += rock.torque * n;
   r[2] += weight_in_mud(at);
-  if (tangent && bottom.value > 0.0)
+  if (tangent && rock.force > 0.0)
   {
-    const double stiffness = bottom.stiffness + damping_by_place;
     auto d = tangent->diagonal(0);
-    d.topLeftCorner<3, 3>() += stiffness * down * down.transpose();
-    d.bottomLeftCorner<3, 3>() += (torque.force_slope * stiffness) * n * down.transpose();
-    d.bottomRightCorner<3, 3>() += torque.spin_slope * n * n.transpose();
+    d.topLeftCorner<3, 3>() += rock.force_by_place * down * down.transpose();
+    if (rock.force_by_spin != 0.0) d.topRightCorner<3, 3>() += rock.force_by_spin * down * n.transpose();
+    d.bottomLeftCorner<3, 3>() += rock.torque_by_place * n * down.transpose();
+    d.bottomRightCorner<3, 3>() += rock.torque_by_spin * n * n.transpose();
   }
 
   RigForces& forces = at.work.result.forces;
-  forces.wob = bottom.value;
-  forces.bit_torque = torque.value;
-  forces.bit_force = forces.wall[0] - bottom.value * down;
-  forces.bit_moment -= torque.value * n;  // the wall left the gauge's share
+  forces.wob = rock.force;
+  forces.bit_torque = rock.torque;
+  forces.bit_force = forces.wall[0] - rock.force * down;
+  forces.bit_moment -= rock.torque * n;  // the wall left the gauge's share
   forces.motor_torque = -n.dot(forces.bit_moment);
   const Vector3d outward = node.position - node.closest.centre;
   const double offset = std::sqrt(outward.squaredNorm() + wall_contact_smoothing * wall_contact_smoothing);  // as the wall's law has it
-  forces.rock_force = bottom.value * down;
+  forces.rock_force = rock.force * down;
   if (forces.contact[0] > 0.0) forces.rock_force += (forces.contact[0] / offset) * outward;
 }
 
@@ -137,11 +155,10 @@ void advance_bit(const StageContext& at, const BitTorque& torque) noexcept
   end.stalled = mud_motor_stalled(at.start.flow, motor->stall_torque, load);
 }
 
-void add_drilling(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_mean_drilling(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   StageResult& result = at.work.result;
   result.bottom = drilled_bottom(at);
-  result.forces.bit_speed = bit_speed(at);
   const double damping = at.stage.dv_du * result.bottom.damping, speed = result.forces.bit_speed;
   TorqueLimit limit;
   BitTorque torque;
@@ -150,25 +167,90 @@ void add_drilling(const StageContext& at, double* residual, BlockTridiagonal* ta
     limit = limit_under(at, result.bottom, speed);
     torque = torque_under(at, limit, speed);
   }
-  put_on_bit(at, result.bottom, torque, damping, residual, tangent);
+  put_on_bit(at, rock_load(result.bottom, torque, damping), residual, tangent);
   if (limit.value > 0.0) put_on_face(at, limit, speed, result.bottom.stiffness + damping, residual, tangent);
   advance_bit(at, torque);
+}
+
+/// The bit over its ground at the stage; its flats are to be found.
+BitCutPlace place_over_ground(const StageContext& at) noexcept
+{
+  const double turned = at.start.nodes[0].spin_angle + at.work.nodes[0].spin + at.start.bit.turned + at.stage.bit.motor_turn;
+  return {turned, at.start.ground.mean + approach_of(at), 0.0};
+}
+
+/// The weight is all the rock's: nothing of it is held.
+void take_weight(const CutWeight& weight, BitCutPlace& place, BottomForce& bottom) noexcept
+{
+  place.flats = weight.flats;
+  bottom = {};
+  bottom.value = weight.weight();
+}
+
+void add_cutting(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  StageResult& result = at.work.result;
+  const BitSpec& bit = at.model.bit();
+  const FormationLayer& rock = rock_of(at);
+  result.cut = place_over_ground(at);
+  const GroundHeight ground = ground_ahead(at.start.ground, bit.torque.blades, result.cut.angle);
+  const double sunk = at.work.nodes[0].increment.head<3>().dot(at.start.well.bottom_normal());
+  const CutWeight weight = cut_weight(bit_cut_law(bit.torque, rock), result.cut.height - ground.value, sunk, at.start.ground.flats);
+  take_weight(weight, result.cut, result.bottom);
+
+  // the torque's limit, its slopes beside it
+  const CutArms arms = cut_arms(bit.torque, bit.diameter, rock);
+  const double flats_arm = weight.flats < bit.torque.wear_weight ? arms.flats : 0.0;
+  const TorqueLimit limit{arms.cutters * weight.cutters + arms.flats * std::min(weight.flats, bit.torque.wear_weight), 1.0, 0.0};
+  const double limit_by_depth = arms.cutters * weight.cutters_by_depth + flats_arm * weight.flats_by_depth;
+  const double by_depth = weight.cutters_by_depth + weight.flats_by_depth;
+  BitTorque torque;
+  if (limit.value > 0.0)
+    torque = bit_torque(limit, at.model.bit_bristle_stiffness(), at.start.bit.twist, at.work.nodes[0].spin + at.stage.bit.motor_turn,
+                        result.forces.bit_speed, at.stage.dv_du);
+  put_on_bit(at,
+             {weight.weight(), by_depth + weight.flats_by_height, -by_depth * ground.slope, torque.value,
+              torque.force_slope * (limit_by_depth + flats_arm * weight.flats_by_height),
+              torque.spin_slope - torque.force_slope * limit_by_depth * ground.slope},
+             residual, tangent);
+  advance_bit(at, torque);
+}
+
+void add_drilling(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  at.work.result.forces.bit_speed = bit_speed(at);
+  (at.model.regenerative() ? add_cutting : add_mean_drilling)(at, residual, tangent);
+}
+
+/// The bit's weight at rest, on ground that is still even.
+void find_resting_bottom(const StageContext& at) noexcept
+{
+  StageResult& result = at.work.result;
+  if (!at.model.regenerative())
+  {
+    result.bottom = bit_bottom_force(at.model.bit().bottom, approach_of(at), 0.0, RockBreaking(), 0.0);
+    return;
+  }
+  result.cut = place_over_ground(at);
+  const CutWeight weight = resting_cut_weight(bit_cut_law(at.model.bit().torque, rock_of(at)), approach_of(at));
+  take_weight(weight, result.cut, result.bottom);
+  result.bottom.stiffness = weight.cutters_by_depth + weight.flats_by_depth;
 }
 
 void add_resting(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   StageResult& result = at.work.result;
-  result.bottom = bit_bottom_force(at.model.bit().bottom, approach_of(at), 0.0, RockBreaking(), 0.0);
+  find_resting_bottom(at);
   result.forces.bit_speed = 0.0;
   BitTorque torque;
   torque.value = result.bottom.value > 0.0 ? at.model.scene().start.torque_on_bit : 0.0;
-  put_on_bit(at, result.bottom, torque, 0.0, residual, tangent);
+  put_on_bit(at, rock_load(result.bottom, torque, 0.0), residual, tangent);
 }
 
 void store(const StageContext& at, StoredEnergy& energy) noexcept
 {
   const StageResult& result = at.work.result;
-  energy.bottom += elastic_energy(at.model.bit().bottom, result.bottom.penetration);
+  if (!at.model.regenerative()) energy.bottom += elastic_energy(at.model.bit().bottom, result.bottom.penetration);
   energy.bit_bristle += 0.5 * at.model.bit_bristle_stiffness() * result.bit.twist * result.bit.twist;
   energy.weight += weight_in_mud(at) * at.work.nodes[0].position.z();
 }
@@ -177,14 +259,15 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 {
   const StageResult& result = at.work.result;
   const Vector3d down = at.start.well.bottom_normal();
-  sample.bottom_elastic = elastic_force(at.model.bit().bottom, result.bottom.penetration);
+  const bool regenerative = at.model.regenerative();  // what the bit then loses on its way the rock has
+  sample.bottom_elastic = regenerative ? 0.0 : elastic_force(at.model.bit().bottom, result.bottom.penetration);
   sample.bottom_damped = result.bottom.value - sample.bottom_elastic;
   sample.bottom = sample.bottom_elastic * down;
   sample.bottom_damping = sample.bottom_damped * down;
-  if (result.bottom.value > 0.0)
+  if (result.bottom.value > 0.0 && !regenerative)
     at_node(sample, NodeForce::friction, 0).head<3>() +=
         face_friction(at, limit_under(at, result.bottom, result.forces.bit_speed), result.forces.bit_speed).value;
-  sample.rock_speed = result.bottom.speed;
+  sample.rock_speed = regenerative ? at.work.nodes[0].rate.head<3>().dot(down) : result.bottom.speed;
   sample.rock_advance = at.stage.bit.bottom_known ? at.stage.bit.bottom_increment.dot(down) : result.bottom.advance;
   sample.bit_torque = result.forces.bit_torque;
   sample.bit_speed = result.forces.bit_speed;

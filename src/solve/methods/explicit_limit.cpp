@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "drill_rig_sim/contact/bit_cut.h"
 #include "drill_rig_sim/model/forces/inertia.h"
 #include "drill_rig_sim/model/forces/span_wall.h"
 #include "drill_rig_sim/solve/methods/method.h"
@@ -22,11 +23,24 @@ double stiffness_of(const ContactLaw& law)
   return law.exponent * law.stiffness * std::pow(kPressed, law.exponent - 1.0);
 }
 
+/// Of the rock on the bit [N/m].
+double bottom_stiffness(const Model& model)
+{
+  if (!model.regenerative()) return stiffness_of(model.bit().bottom);
+  double stiffest = 0.0;
+  for (const FormationLayer& rock : model.formation().layers())
+  {
+    const BitCutLaw law = bit_cut_law(model.bit().torque, rock);
+    stiffest = std::max(stiffest, law.stiffness + law.flats / flats_height);
+  }
+  return stiffest;
+}
+
 void press_all(const Model& model, const Workspace& work, BlockTridiagonal& stiffness)
 {
   for (int i = 0; i < model.top(); ++i)
     stiffness.diagonal(i).topLeftCorner<3, 3>().diagonal().array() += stiffness_of(model.mesh().nodes[i].contact);
-  stiffness.diagonal(0).topLeftCorner<3, 3>().diagonal().array() += stiffness_of(model.bit().bottom);
+  stiffness.diagonal(0).topLeftCorner<3, 3>().diagonal().array() += bottom_stiffness(model);
   Eigen::Matrix<double, 6, 6> block = Eigen::Matrix<double, 6, 6>::Zero();
   for (int e = 0; e < model.elements(); ++e)
   {
