@@ -20,6 +20,16 @@ double EnergyAccounts::numerical() const noexcept
   return of_inertia + of_beams + of_contact + of_line + of_residual + of_rebasing;
 }
 
+double EnergyAccounts::input_magnitudes() const noexcept
+{
+  return std::abs(winch) + std::abs(drive) + std::abs(pump) + std::abs(gravity);
+}
+
+double EnergyAccounts::numerical_magnitudes() const noexcept
+{
+  return std::abs(of_inertia) + std::abs(of_beams) + std::abs(of_contact) + std::abs(of_line) + std::abs(of_residual) + std::abs(of_rebasing);
+}
+
 double EnergyAccounts::residual() const noexcept
 {
   return input() - stored() - dissipated() - broken_rock() - correction - numerical();
@@ -27,7 +37,7 @@ double EnergyAccounts::residual() const noexcept
 
 double EnergyAccounts::throughput() const noexcept
 {
-  return std::max(std::abs(winch) + std::abs(drive) + std::abs(pump) + std::abs(gravity), largest_kinetic);
+  return std::max(input_magnitudes(), largest_kinetic);
 }
 
 double EnergyAccounts::closure() const noexcept

@@ -13,14 +13,6 @@ namespace
 constexpr double psi = 6894.757, pound_per_gallon = 119.8264, foot = 0.3048, inch = 0.0254, gallon_per_minute = 6.30902e-5;
 constexpr double narrowest = 1e-3;  // annulus and bore are never taken narrower [m]
 
-/// Of the hole at a measured depth; below the hole's bottom its lowest section goes on.
-double hole_diameter(const WellSpec& well, double md) noexcept
-{
-  for (const HoleSection& section : well.sections)
-    if (md <= section.to) return section.diameter;
-  return well.sections.back().diameter;
-}
-
 /// An element's stretch of bore and annulus.
 struct Stretch
 {
@@ -52,8 +44,8 @@ Stretch stretch_of(const Scene& scene, const Mesh& mesh, std::size_t e)
     out.bore_gel = 4.0 * length / std::max(bore, narrowest);
     out.bore_loss = bore_gradient(density, flow, bore) * length;
   }
-  const double md = scene.start.bit_depth - 0.5 * (mesh.nodes[e].from_bit + mesh.nodes[e + 1].from_bit);
-  const double hole = hole_diameter(scene.well, md), gap = hole - element.outer_diameter;
+  const double md = scene.start.bit_depth - mesh.middle(e);
+  const double hole = scene.well.sections[section_at(scene.well.sections, md)].diameter, gap = hole - element.outer_diameter;
   if (md <= 0.0 || gap <= 0.0) return out;
   out.hole = hole;
   out.annulus_volume = (0.25 * pi * hole * hole - element.outer_area) * length;
@@ -61,6 +53,7 @@ Stretch stretch_of(const Scene& scene, const Mesh& mesh, std::size_t e)
   out.annulus_loss = annulus_gradient(density, flow, hole, element.outer_diameter) * length;
   return out;
 }
+
 /// Where along the string the losses lie.
 void share_losses(const std::vector<Stretch>& stretches, const Stretch& all, MudCircuit& out)
 {

@@ -10,11 +10,11 @@ namespace
 {
 constexpr double joint = 9.5;             // [m]
 constexpr double half_joint = 4.75;       // [m]
-constexpr double lying = 3.0 * pi / 180;  // a hole that inclines more carries the pipe in it [rad]
+constexpr double lying = 3.0 * degree;    // a hole that inclines more carries the pipe in it [rad]
 constexpr double margin = 45.0;           // [m]
 
-/// Measured depth at which the survey's inclination first passes `lying` [m], between stations by proportion; the hole's bottom where it
-/// never does.
+/// Measured depth at which the survey's inclination first passes `lying` [m], between stations by proportion; where it
+/// never does, beyond the survey by the margin: no bit is there.
 double first_inclined(const WellSpec& well) noexcept
 {
   for (std::size_t i = 0; i < well.survey.size(); ++i)

@@ -25,17 +25,6 @@ void average(double value, double duration, double& mean) noexcept
   mean += (1.0 - std::exp(-duration / memory_time)) * (value - mean);
 }
 
-double magnitudes_of_inputs(const EnergyAccounts& a) noexcept
-{
-  return std::abs(a.winch) + std::abs(a.drive) + std::abs(a.pump) + std::abs(a.gravity);
-}
-
-double magnitudes_of_numerical(const EnergyAccounts& a) noexcept
-{
-  return std::abs(a.of_inertia) + std::abs(a.of_beams) + std::abs(a.of_contact) + std::abs(a.of_line) + std::abs(a.of_residual) +
-         std::abs(a.of_rebasing);
-}
-
 /// Blades that pass by a place of the bottom in a step [-].
 double blades_passed(const Model& model, const RigForces& forces, double step) noexcept
 {
@@ -65,8 +54,8 @@ void AccuracyWatch::end_first_step(Integrator& integrator, double step, Accuracy
   if (!booked_) return;
   integrator.sample_balance(nullptr);
   const double stands_for = every * step;
-  average(magnitudes_of_inputs(balance_.accounts()) / step, stands_for, memory.throughput);
-  average(magnitudes_of_numerical(balance_.accounts()) / step, stands_for, memory.dissipated);
+  average(balance_.accounts().input_magnitudes() / step, stands_for, memory.throughput);
+  average(balance_.accounts().numerical_magnitudes() / step, stands_for, memory.dissipated);
 }
 
 void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, const RigForces& forces, double duration,
@@ -101,11 +90,10 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
   {
     const BeamSection& s = mesh.elements[e].section;
-    const double middle = 0.5 * (mesh.nodes[e].from_bit + mesh.nodes[e + 1].from_bit);
     const double share = -forces.tension[e] * s.length * s.length / (0.5 * pi * pi * s.bending);
     const double twist = std::abs(forces.torque[e]) / s.torsion;
-    if (share > 1.0) take(AccuracyDoubt::compression, share, middle, s.length);
-    if (twist > most_twist) take(AccuracyDoubt::twist, twist, middle, s.length);
+    if (share > 1.0) take(AccuracyDoubt::compression, share, mesh.middle(e), s.length);
+    if (twist > most_twist) take(AccuracyDoubt::twist, twist, mesh.middle(e), s.length);
   }
   for (int i = 0; i < model.top(); ++i)
   {

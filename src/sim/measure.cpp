@@ -26,6 +26,7 @@ void Simulator::Impl::measure() noexcept
 double Simulator::Impl::motor_pressure() const noexcept
 {
   const State& s = state.mechanics;
+  const MotorSpec* motor = model->motor();
   return motor ? mud_motor_pressure(s.flow, motor->displacement_per_rev, s.bit.motor_torque) : 0.0;
 }
 

@@ -8,6 +8,7 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/accuracy_watch.h"
+#include "drill_rig_sim/solve/length_search.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/well/directions.h"
 
@@ -56,16 +57,14 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigA
   constexpr double tolerance = 1e-4;  // of the weight on bit
   const double wanted = scene.start.weight_on_bit, compliance = string_compliance(rig.model->mesh());
   StaticOutcome outcome;
-  double last_error = 0.0, rise = 0.0, gain = compliance;
+  LengthSearch slipped_on;  // of the top, down from the table: what is slipped on comes to the bit as weight
   for (int round = 0; round < most_rounds; ++round)
   {
     outcome = solve_static(*rig.model, rig.state, sliding);
     const double error = outcome.forces.wob - wanted;
     if (!outcome.converged || wanted <= 0.0 || std::abs(error) < tolerance * wanted) return outcome;
-    if (round > 0 && rise / (last_error - error) > 0.0) gain = std::clamp(rise / (last_error - error), 0.2 * compliance, 5.0 * compliance);
-    last_error = error;
-    rise = error * gain;
-    rig.state.nodes.back().position.z() += rise;
+    double& top = rig.state.nodes.back().position.z();
+    top = -slipped_on.next(-top, error * compliance);
   }
   std::ostringstream message;
   message << "static: with this motion the weight on bit is " << outcome.forces.wob << " N, not the scene's " << wanted << " N";

@@ -30,8 +30,6 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
     watch(*model), accuracy(model)
 {
   state.scene = scene_hash(scene);
-  for (const PartSpec& part : scene.string)
-    if (part.motor) motor = &*part.motor;
   statistics.nodes = model->nodes();
   statistics.coordinates = 6 * model->nodes() - 4 + 2;  // less the rail's four, plus rotor and line
   statistics.level = "beam3d";
@@ -87,6 +85,7 @@ void Simulator::set_command_timeout(double seconds) noexcept
 void Simulator::Impl::pump(double commanded, double step) noexcept
 {
   State& s = mechanics();
+  const MotorSpec* motor = model->motor();
   const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->displacement_per_rev, s.bit.motor_torque) : 0.0;
   advance_hydraulics(scene.rig.mud_pump, model->mud().circuit, commanded, over_motor, step, s.flow, s.hydraulics);
 }

@@ -34,7 +34,6 @@ struct Simulator::Impl
   SimulatorStatistics statistics;
   double command_timeout = 0.0;
   const char* failure = "";
-  const MotorSpec* motor = nullptr;
 
   Impl(const Scene& s, std::uint64_t seed) : Impl(s, seed, build_at_rest(available(s))) {}
   Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig);

@@ -27,7 +27,7 @@ StringWatch::StringWatch(const Model& model)
     const BeamSection& section = mesh.elements[e].section;
     const double bending = 2.0 * section.bending / (part.young_modulus * part.outer_diameter);  // I over the outer radius
     strength_.push_back({section.axial / part.young_modulus, bending, 2.0 * bending, part.yield_strength, part.make_up_torque,
-                         0.5 * (mesh.nodes[e].from_bit + mesh.nodes[e + 1].from_bit)});
+                         mesh.middle(e)});
   }
 }
 

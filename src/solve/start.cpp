@@ -11,6 +11,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
+#include "drill_rig_sim/solve/length_search.h"
 #include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim
@@ -117,26 +118,6 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, do
   fail(message.str());
 }
 
-/// Finds the length of string that leaves no error of depth: by secants, for a string that leans on its hole's wall, or hangs from the
-/// table into a slant hole, does not reach as much farther as it is longer.
-struct LengthSearch
-{
-  double last_length = 0.0, last_error = 0.0, slope = 1.0;
-  bool begun = false;
-
-  /// The length to try after `length` has left `error` [m].
-  double next(double length, double error)
-  {
-    constexpr double least = 0.2, most = 5.0;
-    if (begun && length != last_length) slope = (error - last_error) / (length - last_length);
-    if (!(slope >= least && slope <= most)) slope = 1.0;
-    begun = true;
-    last_length = length;
-    last_error = error;
-    return length - error / slope;
-  }
-};
-
 /// What could not rest is no start: a slack line, or a bit that its rock does not hold.
 void check_loads_of_bit(const StartSpec& start, const Model& model, const Wellbore& well, double hook_load)
 {
@@ -161,13 +142,24 @@ void check_hook_load(const HoistingSpec& hoisting, double hook_load)
   fail(message.str());
 }
 
+/// Of the rock at the hole's bottom.
+BitCutLaw cut_law_at_bottom(const Model& model, const Wellbore& well)
+{
+  return bit_cut_law(model.bit().torque, model.formation().at(-well.bottom_position().z()));
+}
+
+/// How far the blades sink into the rock per weight [m/N]; the bit of the mean law next to not at all.
+double rock_compliance(const Model& model, const Wellbore& well)
+{
+  return model.regenerative() ? 1.0 / cut_law_at_bottom(model, well).stiffness : 0.0;
+}
+
 /// The blades where they rest, their flats with what they carry.
 void rest_on_ground(const Model& model, State& state)
 {
-  const FormationLayer& rock = model.formation().at(-state.well.bottom_position().z());
   const Vector3d to_bottom = state.well.bottom_position() - state.nodes[0].position;
   state.ground.height = model.mesh().bit_radius - to_bottom.dot(state.well.bottom_normal());
-  state.ground.flats = resting_cut_weight(bit_cut_law(model.bit().torque, rock), state.ground.height).flats;
+  state.ground.flats = resting_cut_weight(cut_law_at_bottom(model, state.well), state.ground.height).flats;
 }
 
 /// The brake holds the string's torque, and the motor would.
@@ -179,13 +171,6 @@ void hold_drive(const TopDriveSpec& spec, double torque, DriveState& drive)
   if (spec.integral_gain > 0.0) drive.integral = torque / spec.integral_gain;
 }
 }  // namespace
-
-/// How far the blades sink into the rock per weight [m/N]; the bit of the mean law next to not at all.
-double rock_compliance(const Model& model, const Wellbore& well)
-{
-  if (!model.regenerative()) return 0.0;
-  return 1.0 / bit_cut_law(model.bit().torque, model.formation().at(-well.bottom_position().z())).stiffness;
-}
 
 double string_compliance(const Mesh& mesh)
 {

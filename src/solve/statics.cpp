@@ -147,12 +147,12 @@ StaticOutcome attempt(const Model& model, State& state, const SlidingMotion& sli
 
 StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations)
 {
+  if (sliding.still()) return attempt(model, state, sliding, most_iterations);
   State last = state;
-  const StaticOutcome out = attempt(model, state, sliding, most_iterations);
-  if (out.converged || sliding.still()) return out;
+  StaticOutcome found = attempt(model, state, sliding, most_iterations);
+  if (found.converged) return found;
   // the friction of a long string moves its nodes by metres: by and by
   SlidingMotion part = sliding;
-  StaticOutcome found = out;
   found.share = 0.0;
   for (double step = kFirstShare; found.share < 1.0 && step >= kLeastShare && found.iterations < most_iterations;)
   {

@@ -74,13 +74,6 @@ WellNode Wellbore::at(double md) const noexcept
   return g.at((md - g.md) / g.length);
 }
 
-int Wellbore::section_at(double md) const noexcept
-{
-  const std::vector<HoleSection>& sections = original_->sections;
-  const auto below = [md](const HoleSection& section) { return md < section.to; };
-  return static_cast<int>(std::find_if(sections.begin(), sections.end() - 1, below) - sections.begin());
-}
-
 bool Wellbore::extend(const Eigen::Vector3d& bottom_displacement, const Eigen::Vector3d& bit_axis) noexcept
 {
   const double drilled = bottom_displacement.norm();
@@ -134,8 +127,9 @@ void Wellbore::commit_stage_two() noexcept
   const HoleSegment segment = HoleSegment::between(last_, node);
   drilled_.push({segment, Box::around(segment), node}, bottom_.x(), bottom_.y(), bottom_.z());
   last_ = node;
-  last_.section = section_at(node.md);
-  last_.friction = original_->sections[static_cast<std::size_t>(last_.section)].friction;
+  const std::size_t section = section_at(original_->sections, node.md);
+  last_.section = static_cast<double>(section);
+  last_.friction = original_->sections[section].friction;
   interval_steps_ = 0;
   if (original_->stage_two_steps > 0 && !strained_) interval_ = length;
 

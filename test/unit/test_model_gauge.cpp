@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
-#include "drill_rig_sim/model/evaluate.h"
-#include "drill_rig_sim/solve/methods/method.h"
 #include "lone_bit.h"
+#include "one_step.h"
 
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
@@ -42,13 +41,10 @@ struct Gauge
   const RigForces& after(double spin, double down, double motor, Workspace& work)
   {
     rig.state.bit.motor_speed = motor;
-    Stage stage(*rig.model);
-    begin_step(*rig.model, rig.state, step, Setpoints(), stage);
-    prepare_implicit_euler(rig.state, step, stage);
-    std::vector<double> u(6 * rig.model->nodes(), 0.0), residual(u);
+    std::vector<double> u(6 * rig.model->nodes(), 0.0);
     u[6 * node + 2] = -step * down;
     u[6 * node + 5] = -step * spin;  // clockwise looking down
-    evaluate(*rig.model, rig.state, stage, u.data(), work, residual.data(), nullptr);
+    evaluate_one_step(rig, step, u, work);
     return work.result.forces;
   }
   /// Of the friction at a sliding speed [N].

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/simulator_state.h"
-#include "drill_rig_sim/solve/methods/method.h"
 #include "lone_bit.h"
+#include "one_step.h"
 
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
@@ -42,12 +41,8 @@ struct Resting
   {
     rig.state.nodes[0].rest = rest;
     rig.state.nodes[0].bristle = Vector3d(0.0, 0.0, pull / rig.model->contact(0).tangential_stiffness);
-    Stage stage(*rig.model);
-    begin_step(*rig.model, rig.state, step, Setpoints(), stage);
-    prepare_implicit_euler(rig.state, step, stage);
-    std::vector<double> u(6 * rig.model->nodes(), 0.0), residual(u);
     Workspace work(*rig.model);
-    evaluate(*rig.model, rig.state, stage, u.data(), work, residual.data(), nullptr);
+    evaluate_one_step(rig, step, {}, work);
     rest_then = work.result.rest[0];
     return -work.result.forces.wall[0].z();
   }

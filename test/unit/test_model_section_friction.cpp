@@ -3,9 +3,8 @@
 
 #include <cmath>
 
-#include "drill_rig_sim/model/evaluate.h"
-#include "drill_rig_sim/solve/methods/method.h"
 #include "lone_bit.h"
+#include "one_step.h"
 
 using namespace drill_rig_sim;
 
@@ -37,12 +36,8 @@ double felt(const HoleSection& own)
   RigAtRest rig = build_at_rest(scene);
   rig.state.nodes[0].position.x() = 0.5 * above.diameter - radius + pressed;
   rig.state.bit.motor_speed = motor;
-  Stage stage(*rig.model);
-  begin_step(*rig.model, rig.state, step, Setpoints(), stage);
-  prepare_implicit_euler(rig.state, step, stage);
-  std::vector<double> u(6 * rig.model->nodes(), 0.0), residual(u);
   Workspace work(*rig.model);
-  evaluate(*rig.model, rig.state, stage, u.data(), work, residual.data(), nullptr);
+  evaluate_one_step(rig, step, {}, work);
   return work.result.forces.wall[0].y() / work.result.forces.contact[0];
 }
 

@@ -141,6 +141,17 @@ void expect_exact(const Rig& rig, double difference = kDifference)
   EXPECT_LT(worst_column(problem, increments_without_tilt(rig), difference), 1e-6);
 }
 
+/// While the string of an inclined hole is lowered and turned.
+void expect_exact_sliding_and_turning(const Scene& scene)
+{
+  Rig rig(scene);
+  rig.setpoints.winch = {-0.1, false};
+  rig.setpoints.top_drive.speed = 20.0 * rpm;
+  rig.run(6.0);
+  EXPECT_GT(rig.contacts(), 4);
+  expect_exact(rig);
+}
+
 /// The bit's gauge clear of the hole: centred without clearance it stands on the contact's switch.
 Scene drilling_clear()
 {
@@ -199,12 +210,7 @@ TEST(ModelTangent, inContactSlidingAndTurningWithStribeckFriction)
   Scene scene = slanted_scene(60.0, 0.3);
   scene.contact.static_ratio = 1.3;
   scene.contact.stribeck_speed = 0.3;
-  Rig rig(scene);
-  rig.setpoints.winch = {-0.1, false};
-  rig.setpoints.top_drive.speed = 20.0 * rpm;
-  rig.run(6.0);
-  EXPECT_GT(rig.contacts(), 4);
-  expect_exact(rig);
+  expect_exact_sliding_and_turning(scene);
 }
 
 TEST(ModelTangent, inSectionsWithFrictionOfTheirOwn)
@@ -217,12 +223,7 @@ TEST(ModelTangent, inSectionsWithFrictionOfTheirOwn)
   upper.stribeck_speed = 0.2;
   scene.well.sections.insert(scene.well.sections.begin(), upper);
   scene.well.sections[1].stribeck_speed = 0.4;
-  Rig rig(scene);
-  rig.setpoints.winch = {-0.1, false};
-  rig.setpoints.top_drive.speed = 20.0 * rpm;
-  rig.run(6.0);
-  EXPECT_GT(rig.contacts(), 4);
-  expect_exact(rig);
+  expect_exact_sliding_and_turning(scene);
 }
 
 TEST(ModelTangent, inACurvedHole)

@@ -71,6 +71,9 @@ struct EnergyAccounts
   double dissipated() const noexcept;
   double broken_rock() const noexcept { return rock_thrust + rock_torque; }
   double numerical() const noexcept;
+  /// Sums of the absolute accounts: what cancels counts.
+  double input_magnitudes() const noexcept;
+  double numerical_magnitudes() const noexcept;
   double residual() const noexcept;
   /// What the balance is measured by: sum of the absolute inputs, or the largest kinetic energy if that is more.
   double throughput() const noexcept;

@@ -61,6 +61,9 @@ struct Mesh
   double sensor_from_bit = -1.0;    ///< the MWD's sensor; -1: none
   std::vector<double> part_bottom;  ///< from_bit of each part's lower end [m]
   std::vector<double> part_top;
+
+  /// Unstretched distance of an element's middle from the bit's face [m].
+  double middle(std::size_t e) const noexcept { return 0.5 * (nodes[e].from_bit + nodes[e + 1].from_bit); }
 };
 
 /// Cuts a string of `parts`, bit first, in `mud` into elements no longer than `longest`; `contact`: the wall's laws for parts without

@@ -1,6 +1,8 @@
 #ifndef DRILL_RIG_SIM_WELL_WELL_SPEC_H
 #define DRILL_RIG_SIM_WELL_WELL_SPEC_H
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -25,6 +27,13 @@ struct HoleSection
   double static_ratio = unset;    ///< static / kinetic friction [-], >= 1
   double stribeck_speed = unset;  ///< slip speed over which friction falls from static to kinetic [m/s]
 };
+
+/// Index of the section that holds measured depth `md` [m]; below them all that of the last. `sections`: at least one.
+inline std::size_t section_at(const std::vector<HoleSection>& sections, double md)
+{
+  const auto below = [md](const HoleSection& section) { return md < section.to; };
+  return static_cast<std::size_t>(std::find_if(sections.begin(), sections.end() - 1, below) - sections.begin());
+}
 
 struct WellSpec
 {

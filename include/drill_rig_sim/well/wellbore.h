@@ -159,7 +159,6 @@ private:
   const Box& box(int i) const noexcept;
   int neighbour(int i, double s, const Eigen::Vector3d& point) const noexcept;
   int nearest_segment(const Eigen::Vector3d& point) const noexcept;
-  int section_at(double md) const noexcept;
   void turn_bottom(const Eigen::Vector3d& direction, double drilled) noexcept;
   bool stage_two_due() const noexcept;
   void commit_stage_two() noexcept;

@@ -205,9 +205,7 @@ void add_cutting(const StageContext& at, double* residual, BlockTridiagonal* tan
   const double limit_by_depth = arms.cutters * weight.cutters_by_depth + flats_arm * weight.flats_by_depth;
   const double by_depth = weight.cutters_by_depth + weight.flats_by_depth;
   BitTorque torque;
-  if (limit.value > 0.0)
-    torque = bit_torque(limit, at.model.bit_bristle_stiffness(), at.start.bit.twist, at.work.nodes[0].spin + at.stage.bit.motor_turn,
-                        result.forces.bit_speed, at.stage.dv_du);
+  if (limit.value > 0.0) torque = torque_under(at, limit, result.forces.bit_speed);
   put_on_bit(at,
              {weight.weight(), by_depth + weight.flats_by_height, -by_depth * ground.slope, torque.value,
               torque.force_slope * (limit_by_depth + flats_arm * weight.flats_by_height),
