@@ -13,6 +13,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(HERE, 'operations'))
 import cells  # noqa: E402
 import matrix  # noqa: E402
+import report  # noqa: E402
 
 TIME = numpy.linspace(0.0, 10.0, 101)
 
@@ -94,6 +95,30 @@ class Verdicts(unittest.TestCase):
     def test_a_run_that_fails_is_silent_and_says_why(self):
         verdict = matrix.judge(FakeCell(), matrix.Run(None, {}, 'no solution'), matrix.Reference(series(), {'torque': 0.0}, '', ''))
         self.assertEqual((verdict.kind, verdict.note), ('silent', 'no solution'))
+
+
+class Energy(unittest.TestCase):
+    ACCOUNTS = {'closure': 0.001, 'throughput': 1e6, 'numerical_inertia': 4e4, 'numerical_contact': -3e4, 'numerical_share': 0.01, 'numerical_of_losses': 0.5}
+
+    def test_what_cancels_counts(self):
+        closure, dissipation = matrix.shares_of_energy(self.ACCOUNTS)
+        self.assertEqual(closure, 0.001)
+        self.assertAlmostEqual(dissipation, 0.07)
+
+    def test_a_right_run_that_leaks_does_not_hold(self):
+        verdict = judged(series())
+        self.assertTrue(verdict.balances())  # nothing was booked
+        self.assertTrue(report.holds([verdict], whole=False))
+        verdict.closure, verdict.dissipation = matrix.shares_of_energy(self.ACCOUNTS)
+        self.assertFalse(report.holds([verdict], whole=False))
+
+    def test_of_the_whole_enough_are_right_and_decided(self):
+        def verdicts(**kinds):
+            return [matrix.Verdict(FakeCell(), kind) for kind, number in kinds.items() for _ in range(number)]
+        self.assertTrue(report.holds(verdicts(right=17, warned=3, undecided=5), whole=True))
+        self.assertFalse(report.holds(verdicts(right=16, warned=4), whole=True))
+        self.assertFalse(report.holds(verdicts(right=17, undecided=5), whole=True))
+        self.assertFalse(report.holds(verdicts(right=99, silent=1), whole=True))
 
 
 class References(unittest.TestCase):

@@ -4,6 +4,7 @@ A run that is wrong is warned where its `accuracy_warnings` came before the erro
 Error of an output: root mean square of the difference to the reference, over the largest of its range, a tenth of its level and what its
 instrument resolves; where a cell is irregular, from there on of mean, deviation and extrema instead of the series. Shares of the bound: 1 is 2 %.
 An output of a reference is known where its own error, the difference to the next coarser numerics, is below a third of the bound (KNOWN).
+The default's runs of a minute and less keep an energy balance too: CLOSURE and DISSIPATION are what it may miss and what the method may take.
 """
 import hashlib
 import json
@@ -19,6 +20,8 @@ FLOORS = {'hook_load': 1e3, 'torque': 100.0, 'wob': 1e3, 'bit_speed': 0.1, 'pres
 COLUMNS = {'pressure': 'reading_stand_pipe_pressure'}
 KEPT = ['time', 'hook_load', 'torque', 'wob', 'bit_speed', 'reading_stand_pipe_pressure', 'bit_east', 'bit_north', 'bit_up', 'inclination']
 JOINT = 9.5
+CLOSURE, DISSIPATION = 0.005, 0.05  # of the throughput; the second by magnitudes, account by account
+BALANCED = 60.0  # a balance doubles the cost: not of longer runs [s]
 WINDOWS = 10  # of an irregular stretch; its extrema are means over them
 
 
@@ -68,13 +71,13 @@ def fingerprint(cell):
     return hashlib.sha256(repr((scene_text(cell), what.duration, what.every)).encode()).hexdigest()[:16]
 
 
-def run(drill, cell, numerics, folder):
+def run(drill, cell, numerics, folder, energy=False):
     name = os.path.join(folder, '%s.%s' % (cell.file, str(numerics).replace(', ', '_')))
     scene, series, summary = name + '.yaml', name + '.csv', name + '.json'
     with open(scene, 'w') as file:
         file.write(scene_text(cell))
     command = [drill, 'run', scene, '--duration', '%g' % cell.what.duration, '--every', '%g' % cell.what.every, '--csv', series, '--readings',
-               '--json', summary] + numerics.options()
+               '--json', summary] + (['--energy'] if energy else []) + numerics.options()
     done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, universal_newlines=True, check=False)
     if done.returncode:
         return Run(None, {}, (done.stderr.strip().splitlines() or ['exit status %d' % done.returncode])[-1])
@@ -165,6 +168,11 @@ class Verdict:
         self.worst, self.by = float('nan'), ''
         self.own, self.own_by = float('nan'), ''
         self.cost = float('nan')  # processor time over simulated time
+        self.closure = self.dissipation = float('nan')  # of the energy balance, shares of the throughput
+
+    def balances(self):
+        """Also where nothing was booked."""
+        return not (self.closure > CLOSURE or self.dissipation > DISSIPATION)
 
 
 def worst_of(shares):
@@ -182,6 +190,14 @@ def right_until(since, cell, table, reference, outputs):
     return all(shares[name] <= 1.0 for name in outputs)
 
 
+def shares_of_energy(accounts):
+    """What the balance misses and what the method takes, over the throughput; of nothing where there is no balance."""
+    if not accounts:
+        return float('nan'), float('nan')
+    taken = sum(abs(value) for name, value in accounts.items() if name.startswith('numerical_') and name not in ('numerical_share', 'numerical_of_losses'))
+    return accounts['closure'], taken / accounts['throughput']
+
+
 def judge(cell, mine, reference):
     out = Verdict(cell, 'undecided')
     if mine.failure:
@@ -191,6 +207,7 @@ def judge(cell, mine, reference):
     out.worst, out.by = worst_of(shares)
     out.own, out.own_by = worst_of(reference.own)
     out.cost = mine.summary['cpu_s'] / mine.summary['simulated_s']
+    out.closure, out.dissipation = shares_of_energy(mine.summary.get('energy'))
     warnings = mine.summary['accuracy_warnings']
     out.note = warnings[0]['text'] if warnings else ''
     wrong = {name: share for name, share in shares.items() if share > 1.0 and reference.own[name] <= KNOWN * max(1.0, share)}

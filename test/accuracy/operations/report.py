@@ -12,6 +12,7 @@ import matrix  # noqa: E402
 
 REFERENCES = os.path.join(HERE, 'references')
 KINDS = ('right', 'warned', 'silent', 'undecided')
+LEAST_RIGHT, MOST_UNDECIDED = 0.85, 0.20  # of the decided, of all
 COLOURS = {'right': '#2e8b57', 'warned': '#d9822b', 'silent': '#c0392b', 'undecided': '#9a9a9a'}
 # What the default was chosen from.
 VARIANTS = tuple(matrix.Numerics(length, step, method) for method, step, length in (
@@ -46,7 +47,7 @@ def make_references(drill, todo, folder, jobs, budget):
     return all(in_parallel(jobs, make, todo).values())
 
 
-def judge_all(drill, todo, folder, jobs, numerics):
+def judge_all(drill, todo, folder, jobs, numerics, energy=False):
     def one(cell):
         if not os.path.exists(path_of(cell)):
             verdict = matrix.Verdict(cell, 'undecided', 'no reference')
@@ -55,7 +56,8 @@ def judge_all(drill, todo, folder, jobs, numerics):
             if reference.made_of != matrix.fingerprint(cell):
                 verdict = matrix.Verdict(cell, 'undecided', 'the reference is of another scene')
             else:
-                verdict = matrix.judge(cell, matrix.run(drill, cell, numerics, folder), reference)
+                mine = matrix.run(drill, cell, numerics, folder, energy and cell.what.duration <= matrix.BALANCED)
+                verdict = matrix.judge(cell, mine, reference)
         return verdict, line_of(verdict)
     verdicts = in_parallel(jobs, one, todo)
     return [verdicts[cell.name] for cell in todo]
@@ -69,9 +71,15 @@ def counts(verdicts):
     return collections.Counter(v.kind for v in verdicts)
 
 
+def percent(share):
+    return '%.2g' % (100.0 * share) if share == share else '-'
+
+
 def table(verdicts):
-    rows = ['| cell | verdict | largest error, bound 1 | of | reference\'s own |', '| --- | --- | --- | --- | --- |']
-    rows += ['| %s | %s | %.2f | %s | %.2f |' % (v.cell.name, v.kind, v.worst, v.by.replace('_', ' '), v.own) for v in verdicts]
+    rows = ['| cell | verdict | largest error, bound 1 | of | reference\'s own | balance misses [%] | method takes [%] |',
+            '| --- | --- | --- | --- | --- | --- | --- |']
+    rows += ['| %s | %s | %.2f | %s | %.2f | %s | %s |' % (v.cell.name, v.kind, v.worst, v.by.replace('_', ' '), v.own, percent(v.closure),
+                                                        percent(v.dissipation)) for v in verdicts]
     return '\n'.join(rows) + '\n'
 
 
@@ -131,11 +139,24 @@ def play(args, out):
         for numerics, verdicts in results:
             print('%s: %s' % (numerics, summary_line(verdicts)))
         return 0, [write('variants.md', variants_table(results), out)]
-    verdicts = judge_all(args.drill, todo, folder, args.jobs, matrix.Numerics())
+    verdicts = judge_all(args.drill, todo, folder, args.jobs, matrix.Numerics(), energy=True)
     print(summary_line(verdicts))
     names = [write('operations.md', summary_line(verdicts) + '.\n\n' + table(verdicts), out)]
     if not args.no_pictures:
         chart(verdicts, os.path.join(out, 'operations.png'))
         names.append('operations.png')
-    told = counts(verdicts)
-    return (1 if told['silent'] else 0), names
+    return (0 if holds(verdicts, whole=len(todo) == len(cells.CELLS)) else 1), names
+
+
+def holds(verdicts, whole):
+    """No cell silent, none right whose energy leaks; of the whole matrix enough right and decided. Says what does not hold."""
+    told, good = counts(verdicts), True
+    leaking = [v for v in verdicts if v.kind == 'right' and not v.balances()]
+    for v in leaking:
+        print('%s: energy balance misses %s %% of the throughput, the method takes %s %%' % (v.cell.name, percent(v.closure), percent(v.dissipation)))
+    if whole:
+        decided = len(verdicts) - told['undecided']
+        good = told['right'] >= LEAST_RIGHT * decided and told['undecided'] <= MOST_UNDECIDED * len(verdicts)
+        print('of the %d decided %.0f %% are right (at least %.0f), %.0f %% of all undecided (at most %.0f)' % (
+            decided, 100.0 * told['right'] / max(decided, 1), 100.0 * LEAST_RIGHT, 100.0 * told['undecided'] / len(verdicts), 100.0 * MOST_UNDECIDED))
+    return good and not leaking and not told['silent']

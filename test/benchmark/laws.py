@@ -1,0 +1,88 @@
+"""What each law costs: instructions of a frame by callgrind, counted inside Simulator::frame() alone, over nodes and steps.
+
+Both trees run the same scene on the same mesh with the same method and step, so that what differs is what a step of a node costs. Instructions do not
+depend on what else the machine does.
+"""
+import collections
+import json
+import os
+import re
+import subprocess
+
+JOINT = '9.5'  # [m]
+STEP = '0.01'  # [s]
+Scene = collections.namedtuple('Scene', 'name path duration')  # path: from the source; duration: simulated [s], past the tag where there is one
+SCENES = (Scene('drilling with a bent motor, 0.7 km', 'config/scenes/bohai.yaml', 12.0),
+          Scene('horizontal 5 km, picked up', 'test/operations/scenes/horizontal_5_km.yaml', 3.0))
+# (what, source file, function): all that is called from it counts; a sum where there are several
+PARTS = (('frame', (('sim/simulator.cpp', 'Simulator::frame('),)),
+         ('beams: forces and tangents', (('model/forces/beams.cpp', 'add('),)),
+         ('inertia, sideways mass of the mud in it', (('model/forces/inertia.cpp', 'add('),)),
+         ('places in the hole, of nodes', (('model/evaluate.cpp', 'find_closest('),)),
+         ('places in the hole, between nodes', (('model/evaluate.cpp', 'find_span('),)),
+         ('wall and friction, at nodes', (('model/forces/wall.cpp', 'add<'),)),
+         ('wall and friction, between nodes', (('model/forces/span_wall.cpp', 'add<'),)),
+         ('drag of the mud', (('model/forces/mud_drag.cpp', 'add('),)),
+         ('squeeze films', (('model/forces/squeeze_film.cpp', 'add('),)),
+         ('bit and rock', (('model/forces/bit.cpp', 'add('), ('model/extend_hole.cpp', 'extend_hole('))),
+         ('rig: lines, block, mast, top drive', (('model/forces/hoisting.cpp', 'add('), ('model/forces/guide_rail.cpp', 'add('),
+                                                 ('model/forces/top_drive.cpp', 'add('))),
+         ('pressures of the mud', (('model/stage.cpp', 'take_pressures('),)),
+         ('linear system', (('math/block_tridiagonal.cpp', 'BlockTridiagonal::solve('), ('math/block_tridiagonal.cpp', 'BlockTridiagonal::solve_again('))),
+         ('accuracy watch', (('sim/accuracy_watch.cpp', 'doubt_of_string('), ('solve/halving_integrator.cpp', 'open_books('),
+                             ('solve/halving_integrator.cpp', 'close_books('))))
+
+
+def run(drill, scene, folder):
+    """Inclusive instructions by (source file, signature), and nodes times steps."""
+    out, summary = os.path.join(folder, 'callgrind.laws'), os.path.join(folder, 'laws.json')
+    subprocess.run(['valgrind', '--tool=callgrind', '--callgrind-out-file=' + out, '--toggle-collect=drill_rig_sim::Simulator::frame*', drill, 'run', scene,
+                    '--duration', '%g' % duration_of(scene), '--element-length', JOINT, '--step', STEP, '--integrator', 'bdf2', '--json', summary],
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
+    told = subprocess.run(['callgrind_annotate', '--inclusive=yes', '--threshold=100', out], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True,
+                          universal_newlines=True).stdout
+    with open(summary) as file:
+        counted = json.load(file)
+    return table_of(told), counted['nodes'] * counted['steps']
+
+
+def duration_of(path):
+    return next(scene.duration for scene in SCENES if path.endswith(scene.path))
+
+
+def table_of(annotated):
+    """Rows of callgrind_annotate as {(file, signature): instructions}."""
+    rows = {}
+    for line in annotated.splitlines():
+        match = re.match(r'\s*([\d,]+) \([\d. ]+%\)\s+(\S+?/src/[^:]+):(.*?)( \[[^\]]*\])?$', line)
+        if match:
+            key = (match.group(2), match.group(3))
+            rows[key] = max(rows.get(key, 0), int(match.group(1).replace(',', '')))
+    return rows
+
+
+def count(rows, pieces):
+    return sum(n for (file, signature), n in rows.items() for end, function in pieces
+               if file.endswith('/src/' + end) and ('::' + function) in signature)
+
+
+def measure(tree, folder):
+    """By scene and part: instructions a node and step, or None where the tree has no such scene."""
+    drill = os.path.join(tree, 'build/devel/lib/drill_rig_sim/drill')
+    found = {}
+    for scene in SCENES:
+        path = os.path.join(tree, scene.path)
+        if os.path.exists(path):
+            rows, node_steps = run(drill, path, folder)
+            found[scene.name] = [count(rows, pieces) / node_steps for _, pieces in PARTS]
+    return found
+
+
+def text(mine, theirs):
+    """A table; `theirs`: of an older tree, or empty."""
+    head = [name for scene in SCENES for name in ([scene.name] + ([scene.name + ', before'] if scene.name in theirs else []))]
+    rows = ['| instructions a node and step | ' + ' | '.join(head) + ' |', '| --- ' * (len(head) + 1) + '|']
+    for k, (what, _) in enumerate(PARTS):
+        values = [side[scene.name][k] for scene in SCENES for side in (mine, theirs) if scene.name in side]
+        rows.append('| %s | %s |' % (what, ' | '.join('%.0f' % value if value else '-' for value in values)))
+    return '\n'.join(rows) + '\n'
