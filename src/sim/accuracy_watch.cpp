@@ -40,12 +40,20 @@ std::uint64_t attempts_of(const StepperCounters& c) noexcept
 
 AccuracyWatch::AccuracyWatch(std::shared_ptr<const Model> model) : model_(std::move(model)), balance_(model_) {}
 
-void AccuracyWatch::begin_frame(Integrator& integrator, const AccuracyMemory& memory) noexcept
+void AccuracyWatch::begin_frame(Integrator& integrator, const Setpoints& setpoints, AccuracyMemory& memory) noexcept
 {
+  const bool commanded = !(setpoints == memory.setpoints);
+  memory.setpoints = setpoints;
+  if (commanded) ++memory.commanded;
   steps_ = integrator.counters().steps;
   attempts_ = attempts_of(integrator.counters());
   booked_ = memory.frames % every == 0 && !integrator.reference();
-  if (booked_) balance_.restart();
+  if (booked_)
+  {
+    balance_.restart();
+    stands_for_ = commanded ? memory.commanded : every - std::min(every, memory.commanded);
+    memory.commanded = 0;
+  }
   integrator.sample_balance(booked_ ? &balance_ : nullptr);
 }
 
@@ -53,7 +61,7 @@ void AccuracyWatch::end_first_step(Integrator& integrator, double step, Accuracy
 {
   if (!booked_) return;
   integrator.sample_balance(nullptr);
-  const double stands_for = every * step;
+  const double stands_for = static_cast<double>(stands_for_) * step;
   average(balance_.accounts().input_magnitudes() / step, stands_for, memory.throughput);
   average(balance_.accounts().numerical_magnitudes() / step, stands_for, memory.dissipated);
 }

@@ -99,7 +99,7 @@ FrameStatus Simulator::frame(double duration) noexcept
   const int steps = std::max(1, static_cast<int>(std::lround(duration / impl_->scene.numerics.step)));
   State& mechanics = impl_->mechanics();
   const double hole_depth = mechanics.well.hole_depth();
-  impl_->accuracy.begin_frame(*impl_->integrator, impl_->state.accuracy);
+  impl_->accuracy.begin_frame(*impl_->integrator, setpoints, impl_->state.accuracy);
   for (int k = 0; k < steps; ++k)
   {
     impl_->pump(setpoints.pump.flow, duration / steps);

@@ -43,7 +43,7 @@ struct Watched
   {
     for (long k = 0; k < std::lround(seconds / frame); ++k)
     {
-      watch.begin_frame(integrator, memory);
+      watch.begin_frame(integrator, Setpoints(), memory);
       integrator.count(steps, refused_a_step);
       watch.end_frame(integrator, rig.state, forces, frame, memory);
     }
@@ -169,6 +169,20 @@ TEST(Accuracy, theMethodDissipates)
       EXPECT_EQ(rig.truth().accuracy_warning, rig.statistics().accuracy.doubt != AccuracyDoubt::none);
     }
     EXPECT_EQ(told, doubt) << text_of(rig.statistics().accuracy, scene.numerics.step);
+  }
+}
+
+// The jump of a command costs energy in its own step alone, in any method; programs give commands at full seconds, where samples are taken too.
+TEST(Accuracy, aCommandsOwnStepDoesNotStandForOthers)
+{
+  Simulator rig(vertical_scene(400.0, 390.0));
+  TopDriveSetpoint turn;
+  for (int k = 0; k < 1200; ++k)
+  {
+    turn.speed = (k / 300) % 2 == 0 ? 3.0 : -3.0;
+    if (k % 300 == 0) rig.command(turn);
+    ASSERT_EQ(rig.frame(frame), FrameStatus::running);
+    ASSERT_EQ(rig.statistics().accuracy.doubt, AccuracyDoubt::none) << k << ": " << text_of(rig.statistics().accuracy, frame);
   }
 }
 

@@ -76,6 +76,22 @@ struct Setpoints
   }
 };
 
+inline bool operator==(const WinchSetpoint& a, const WinchSetpoint& b) noexcept
+{
+  return a.block_velocity == b.block_velocity && a.brake == b.brake;
+}
+
+inline bool operator==(const TopDriveSetpoint& a, const TopDriveSetpoint& b) noexcept
+{
+  return a.mode == b.mode && a.speed == b.speed && a.torque == b.torque && a.angle == b.angle && a.torque_limit == b.torque_limit &&
+         a.brake == b.brake;
+}
+
+inline bool operator==(const Setpoints& a, const Setpoints& b) noexcept
+{
+  return a.winch == b.winch && a.top_drive == b.top_drive && a.pump.flow == b.pump.flow;
+}
+
 }  // namespace drill_rig_sim
 
 #endif

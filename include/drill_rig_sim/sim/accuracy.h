@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "drill_rig_sim/rig/setpoints.h"
+
 namespace drill_rig_sim
 {
 /// Why a run's numbers may be wrong, though every step was solved.
@@ -43,6 +45,8 @@ std::string text_of(const AccuracyReport& report, double step);
 struct AccuracyMemory
 {
   std::uint64_t frames = 0;   ///< since the start
+  Setpoints setpoints;        ///< of the last frame
+  std::uint64_t commanded = 0;  ///< frames that took up new set points since the last sample of energy
   double dissipated = 0.0;    ///< numerical, mean over the last seconds by magnitudes [W]
   double throughput = 0.0;    ///< of the inputs, in the same way [W]
   double refused = 0.0;       ///< attempts a step that were repeated in parts, in the same way
@@ -53,6 +57,8 @@ struct AccuracyMemory
   void visit(V& v)
   {
     v("frames", frames);
+    v("setpoints", setpoints);
+    v("commanded", commanded);
     v("dissipated", dissipated);
     v("throughput", throughput);
     v("refused", refused);

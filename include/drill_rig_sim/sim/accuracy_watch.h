@@ -26,6 +26,7 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
 /// - Refused steps: more than a fifth of the attempts of the last ten seconds.
 /// - Dissipation: more than 5 % of the throughput of the last ten seconds, or of 1 kW if that is more, so that a string at rest is not
 ///   judged. Both are sums of magnitudes, account by account and step by step (energy_accounts.h): what cancels counts.
+///   A frame that takes up new set points stands for those of its kind, any other for the rest: programs' commands come in time with the samples.
 /// - Cut (regenerative law): the bit turns by more than a hundredth of the way from blade to blade in a step. On quick.yaml with 5 blades,
 ///   which shakes, the deviation of weight is 0 at 13 steps a blade, 0.58 of the reference's at 27, 0.81 at 53 and 1.04 at 133.
 class AccuracyWatch
@@ -33,8 +34,8 @@ class AccuracyWatch
 public:
   explicit AccuracyWatch(std::shared_ptr<const Model> model);
 
-  /// Before the first step of a frame: books its energy where its turn has come. The reference's steps are not booked.
-  void begin_frame(Integrator& integrator, const AccuracyMemory& memory) noexcept;
+  /// Before the first step of a frame under `setpoints`: books its energy where its turn has come. The reference's steps are not booked.
+  void begin_frame(Integrator& integrator, const Setpoints& setpoints, AccuracyMemory& memory) noexcept;
   /// After the frame's first step of `step` [s].
   void end_first_step(Integrator& integrator, double step, AccuracyMemory& memory) noexcept;
   /// After a frame of `duration` [s]; `forces`: at its end.
@@ -44,6 +45,7 @@ private:
   std::shared_ptr<const Model> model_;
   EnergyBalance balance_;
   bool booked_ = false;
+  std::uint64_t stands_for_ = 0;  // what is booked [frames]
   std::uint64_t steps_ = 0, attempts_ = 0;  // of the integrator, before the frame
 };
 
