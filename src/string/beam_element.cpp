@@ -36,6 +36,38 @@ struct Shape
   Vector3d g1, g2;                         // dU/dn1, dU/dn2, load included
 };
 
+/// What damps the bending (BeamDamping), m_i = c (k11 w_i + k12 w_j) and s = c (k11 + k12):
+///   M_i = P m_i - s (e x v)/l,  force F = s G/l,  G = e x (w_1 + w_2) + 2 P v/l.
+struct BendingDamping
+{
+  double near, far, both;  // c k11, c k12, s
+  Vector3d m_upper, m_lower;
+  Vector3d across;         // P v
+  Vector3d turned;         // (e x v)/l
+  Vector3d g;              // G
+};
+
+BendingDamping bending_damping(const BeamSection& s, const Shape& f, const BeamDamping& damping)
+{
+  BendingDamping b;
+  b.near = damping.time * s.bending_near;
+  b.far = damping.time * s.bending_far;
+  b.both = b.near + b.far;
+  b.m_upper = b.near * damping.upper_turning + b.far * damping.lower_turning;
+  b.m_lower = b.far * damping.upper_turning + b.near * damping.lower_turning;
+  b.across = damping.velocity - f.e.dot(damping.velocity) * f.e;
+  b.turned = f.inverse_l * f.e.cross(damping.velocity);
+  b.g = f.e.cross(damping.upper_turning + damping.lower_turning) + (2.0 * f.inverse_l) * b.across;
+  return b;
+}
+
+void add_forces(const BendingDamping& b, const Shape& f, BeamForces& out)
+{
+  out.force += (b.both * f.inverse_l) * b.g;
+  out.moment_upper += b.m_upper - f.e.dot(b.m_upper) * f.e - b.both * b.turned;
+  out.moment_lower += b.m_lower - f.e.dot(b.m_lower) * f.e - b.both * b.turned;
+}
+
 void add_stretch_gradient(const BeamSection& s, const BeamPose& pose, Shape& f)
 {
   f.by_n1 = kShorteningFar * pose.lower_normal - kShortening * f.e;
@@ -103,8 +135,8 @@ StretchGradient tension_gradient(const BeamSection& s, const Shape& f, const Bea
   if (damping.time <= 0.0) return out;
   const StretchGradient h = stretch_rate_gradient(s, f, pose, damping);
   out.d += by_rate * h.d;
-  out.upper += by_rate * h.upper;
-  out.lower += by_rate * h.lower;
+  out.upper += by_rate * (h.upper + damping.upper_spin.cross(f.stretch.upper));
+  out.lower += by_rate * (h.lower + damping.lower_spin.cross(f.stretch.lower));
   return out;
 }
 
@@ -141,9 +173,9 @@ TwistGradient twist_gradient(const BeamSection& s, const Shape& f, const BeamPos
   // (d b / d theta_i)^T (k t_d) (turning of the lower end less that of the upper one)
   const Vector3d turning = (s.torsion * damping.time) * (damping.lower_turning - damping.upper_turning);
   const Vector3d along = f.binormal.dot(turning) * turned;
-  const Vector3d scaled = inverse * turning;
-  out.r_upper += n1.cross(scaled) - along;
-  out.r_lower += n2.cross(scaled) + along;
+  const Vector3d scaled = inverse * turning, b = (s.torsion * damping.time) * f.binormal;
+  out.r_upper += n1.cross(scaled) - along - damping.upper_spin.cross(b);
+  out.r_lower += n2.cross(scaled) + along + damping.lower_spin.cross(b);
   return out;
 }
 
@@ -226,6 +258,63 @@ void tangent_of(const BeamSection& s, const Shape& f, const BeamPose& pose, cons
   add_skew(twist.w_lower, 1.0, -f.g2.dot(n2), t.lower_lower);
 }
 
+/// Adds a b^T.
+inline void add_dyad(const Vector3d& a, const Vector3d& b, Matrix3d& out)
+{
+  const double a0 = a[0], a1 = a[1], a2 = a[2];
+  double* column = out.data();
+  for (int j = 0; j < 3; ++j, column += 3)
+  {
+    const double p = b[j];
+    column[0] += a0 * p;
+    column[1] += a1 * p;
+    column[2] += a2 * p;
+  }
+}
+
+/// The derivative of M_i by the chord.
+void add_moment_by_chord(const BendingDamping& b, const Shape& f, const Vector3d& m, const Vector3d& skewed, Matrix3d& out)
+{
+  const double along = f.e.dot(m);
+  add_dyad(f.inverse_l * f.e, 2.0 * along * f.e - m, out);
+  add_dyad((2.0 * b.both * f.inverse_l) * b.turned, f.e, out);
+  add_skew(skewed, 1.0, -along * f.inverse_l, out);
+}
+
+/// The derivative of M_i by the rotation of an end; `stiffness`: c k11 or c k12.
+void add_moment_by_turn(double stiffness, double dv_du, const Vector3d& spin, const Vector3d& e, Matrix3d& out)
+{
+  add_dyad(e, stiffness * (e.cross(spin) - dv_du * e), out);
+  add_skew(spin, -stiffness, stiffness * dv_du, out);
+}
+
+/// The derivative of F by the rotation of an end; `stiffness`: s/l.
+void add_force_by_turn(double stiffness, double dv_du, const Vector3d& spin, const Vector3d& e, Matrix3d& out)
+{
+  add_dyad(-stiffness * spin, e, out);
+  add_skew(e, stiffness * dv_du, stiffness * e.dot(spin), out);
+}
+
+/// With d w_i = dv_du d theta_i + d theta_i x spin_i and d v = dv_du d d.
+void add_tangent(const BendingDamping& b, const Shape& f, const BeamDamping& damping, BeamTangent& t)
+{
+  const Vector3d& e = f.e;
+  const double rate = damping.dv_du, s_l = b.both * f.inverse_l, s_ll = s_l * f.inverse_l;
+  const double across = 2.0 * s_ll * (rate - f.inverse_l * e.dot(damping.velocity));
+  add_dyad(e, -across * e - (2.0 * s_ll * f.inverse_l) * b.across, t.force_d);
+  add_dyad((-2.0 * s_ll) * b.g, e, t.force_d);
+  add_skew(damping.upper_turning + damping.lower_turning, -s_ll, across, t.force_d);
+  add_force_by_turn(s_l, rate, damping.upper_spin, e, t.force_upper);
+  add_force_by_turn(s_l, rate, damping.lower_spin, e, t.force_lower);
+  const Vector3d skewed = s_l * (f.inverse_l * damping.velocity - rate * e);
+  add_moment_by_chord(b, f, b.m_upper, skewed, t.upper_d);
+  add_moment_by_chord(b, f, b.m_lower, skewed, t.lower_d);
+  add_moment_by_turn(b.near, rate, damping.upper_spin, e, t.upper_upper);
+  add_moment_by_turn(b.far, rate, damping.lower_spin, e, t.upper_lower);
+  add_moment_by_turn(b.far, rate, damping.upper_spin, e, t.lower_upper);
+  add_moment_by_turn(b.near, rate, damping.lower_spin, e, t.lower_lower);
+}
+
 /// Shear coefficient of a thick tube (Cowper 1966). `m2`: square of bore over outer diameter.
 double cowper(double m2, double poisson_ratio)
 {
@@ -269,7 +358,10 @@ BeamSection stiff_section(double length, double axial, double bending, double to
 BeamForces beam_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping, const Vector3d& load,
                        BeamStrain& strain) noexcept
 {
-  return forces_of(shape_of(section, pose, damping, load, strain), pose);
+  const Shape f = shape_of(section, pose, damping, load, strain);
+  BeamForces out = forces_of(f, pose);
+  if (damping.time > 0.0) add_forces(bending_damping(section, f, damping), f, out);
+  return out;
 }
 
 BeamForces beam_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping, const Vector3d& load,
@@ -277,7 +369,12 @@ BeamForces beam_forces(const BeamSection& section, const BeamPose& pose, const B
 {
   const Shape f = shape_of(section, pose, damping, load, strain);
   tangent_of(section, f, pose, damping, tangent);
-  return forces_of(f, pose);
+  BeamForces out = forces_of(f, pose);
+  if (damping.time <= 0.0) return out;
+  const BendingDamping bending = bending_damping(section, f, damping);
+  add_forces(bending, f, out);
+  add_tangent(bending, f, damping, tangent);
+  return out;
 }
 
 double beam_energy(const BeamSection& section, const BeamPose& pose) noexcept
