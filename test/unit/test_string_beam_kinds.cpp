@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <ctime>
-#include <functional>
 #include <random>
 
 #include "beam_ends.h"
@@ -25,21 +24,6 @@ Quaterniond turn_about(const Vector3d& axis, double angle)
   return Quaterniond(AngleAxisd(angle, axis.normalized()));
 }
 
-BeamForces forces(const BeamKind& kind, const BeamEnds& s, const BeamDamping& damping = {})
-{
-  BeamStrain strain;
-  return kind.forces(kPipe, pose_of(s), damping, Vector3d::Zero(), strain);
-}
-
-/// Ends near the ground's axes, turned by less than half a turn: any element is at its best there.
-BeamEnds any_ends(std::mt19937& generator, double size)
-{
-  std::normal_distribution<double> g;
-  const Vector3d common = 0.7 * Vector3d(g(generator), g(generator), g(generator));
-  const double spin = 0.3 * g(generator);
-  return random_ends(generator, kPipe.length, size, 3.0 * size, spin, rotation_from_vector(common) * ground_axes());
-}
-
 /// Energy of rigid-section strains in the middle of an element [J].
 double section_energy(const Matrix3d& middle, const Vector3d& turn, const BeamEnds& s)
 {
@@ -48,40 +32,11 @@ double section_energy(const Matrix3d& middle, const Vector3d& turn, const BeamEn
   return 0.5 * kPipe.length * gamma.cwiseProduct(stretch).dot(gamma) + 0.5 / kPipe.length * turn.cwiseProduct(bend).dot(turn);
 }
 
-Vector3d vector_of(const Matrix3d& rotation)
-{
-  const AngleAxisd a(rotation);
-  return a.angle() * a.axis();
-}
-
 double exact_energy(const BeamEnds& s)
 {
   const Matrix3d r1(s.q1), r2(s.q2);
   const Vector3d phi = vector_of(r1.transpose() * r2);
   return section_energy(r1 * AngleAxisd(0.5 * phi.norm(), phi.normalized()).toRotationMatrix(), phi, s);
-}
-
-/// The rotation vector's section in the middle, and L times its curvature in its axes: by differences of the rotation itself, not by the
-/// formula for J.
-struct VectorMiddle
-{
-  Matrix3d section;
-  Vector3d turn;
-};
-
-VectorMiddle vector_middle(const BeamEnds& s)
-{
-  const Matrix3d ground(ground_axes());
-  const Vector3d psi1 = vector_of(Matrix3d(s.q1) * ground.transpose()), psi2 = vector_of(Matrix3d(s.q2) * ground.transpose());
-  auto at = [&](double x)
-  {
-    const Vector3d psi = psi1 + x * (psi2 - psi1);
-    return Matrix3d(AngleAxisd(psi.norm(), psi.normalized()).toRotationMatrix() * ground);
-  };
-  const double h = 1e-3;
-  // fourth order: (8 turn(h) - turn(2 h))/(12 h), turns from -h to h and from -2 h to 2 h
-  const Vector3d near = vector_of(at(0.5 - h).transpose() * at(0.5 + h)), far = vector_of(at(0.5 - 2.0 * h).transpose() * at(0.5 + 2.0 * h));
-  return {at(0.5), (8.0 * near - far) / (12.0 * h)};
 }
 
 double vector_energy(const BeamEnds& s)
@@ -217,71 +172,6 @@ TEST(BeamKinds, theyTellTheSameEnergy)
     const BeamEnds s = any_ends(generator, 0.1);
     EXPECT_NEAR(kExact.energy(kPipe, pose_of(s)), exact_energy(s), 1e-9 * exact_energy(s));
     EXPECT_NEAR(kVector.energy(kPipe, pose_of(s)), vector_energy(s), 1e-6 * vector_energy(s));
-  }
-}
-
-/// Rates by difference of what each kind calls its bend, in the section's axes: c times their quadratic form [W].
-double bending_power(const BeamKind& kind, const std::function<BeamEnds(double)>& after, double time)
-{
-  const double h = 1e-5;
-  if (&kind == &kCorotational)
-  {
-    // the ends' angular velocities against the chord, across it
-    const BeamEnds s = after(0.0), m = after(h), b = after(-h);
-    const Vector3d e = (s.x2 - s.x1).normalized();
-    const Vector3d chord = e.cross((m.x2 - m.x1).normalized() - (b.x2 - b.x1).normalized()) / (2.0 * h);
-    auto across = [&](const Quaterniond& now, const Quaterniond& before)
-    {
-      const Vector3d w = vector_of(Matrix3d(now * before.conjugate())) / (2.0 * h);
-      return Vector3d(w - e * e.dot(w) - chord);
-    };
-    const Vector3d upper = across(m.q1, b.q1), lower = across(m.q2, b.q2);
-    return time * (kPipe.bending_near * (upper.squaredNorm() + lower.squaredNorm()) + 2.0 * kPipe.bending_far * upper.dot(lower));
-  }
-  auto bend = [&](double t)
-  {
-    const BeamEnds s = after(t);
-    return Vector3d(&kind == &kExact ? vector_of(Matrix3d(s.q1.conjugate() * s.q2)) : vector_middle(s).turn);
-  };
-  const Vector3d rate = (bend(h) - bend(-h)) / (2.0 * h);
-  return time * kPipe.bending / kPipe.length * (rate.y() * rate.y() + rate.z() * rate.z());
-}
-
-TEST(BeamKinds, dampingTakesThePowerOfStretchTwistAndBending)
-{
-  for (const BeamKind& kind : beam_table())
-  {
-    std::mt19937 generator(5);
-    std::normal_distribution<double> g;
-    for (int i = 0; i < 20; ++i)
-    {
-      const BeamEnds s = any_ends(generator, 0.1);
-      const double time = 0.01, h = 1e-5;
-      BeamDamping damping;
-      damping.time = time;
-      damping.velocity = Vector3d(g(generator), g(generator), g(generator));
-      damping.upper_turning = Vector3d(g(generator), g(generator), g(generator));
-      damping.lower_turning = Vector3d(g(generator), g(generator), g(generator));
-      const auto ends_after = [&](double t)
-      {
-        return BeamEnds{s.x1, s.x2 + t * damping.velocity, rotation_from_vector(t * damping.upper_turning) * s.q1,
-                        rotation_from_vector(t * damping.lower_turning) * s.q2};
-      };
-      auto strain_after = [&](double t)
-      {
-        BeamStrain strain;
-        kind.forces(kPipe, pose_of(ends_after(t)), {}, Vector3d::Zero(), strain);
-        return strain;
-      };
-      const BeamStrain before = strain_after(-h), after = strain_after(h);
-      const double stretch_rate = (after.stretch - before.stretch) / (2.0 * h), twist_rate = (after.twist - before.twist) / (2.0 * h);
-      const double bending = bending_power(kind, ends_after, time);
-      const double expected = time * (kPipe.axial * kPipe.length * stretch_rate * stretch_rate + kPipe.torsion * twist_rate * twist_rate) + bending;
-      const BeamForces still = forces(kind, s), damped = forces(kind, s, damping);
-      const double power = (damped.force - still.force).dot(damping.velocity) + (damped.moment_upper - still.moment_upper).dot(damping.upper_turning) +
-                           (damped.moment_lower - still.moment_lower).dot(damping.lower_turning);
-      EXPECT_NEAR(power, expected, 1e-6 * expected + 1e-4 * bending) << kind.name;
-    }
   }
 }
 
