@@ -39,6 +39,7 @@ void move_nodes(const State& start, const Stage& stage, const double* u, Workspa
     node.orientation = rotation_from_vector(node.tilt) * rotation_from_vector(node.spin * node.axis) * before.orientation;
     node.normal = x_axis(node.orientation);
     node.rate = stage.dv_du * node.increment + stage.rate[i];
+    node.carried_spin = node.rate.tail<3>().dot(node.axis);
     node.acceleration = stage.da_du * node.increment + stage.acceleration[i];
   }
 }
@@ -96,6 +97,7 @@ void place(const GivenNode& given, NodeMotion& node) noexcept
   node.spin = given.increment.tail<3>().dot(node.axis);
   node.tilt = given.increment.tail<3>() - node.spin * node.axis;
   node.rate = given.rate;
+  node.carried_spin = 0.0;
   node.acceleration.setZero();
 }
 

@@ -297,7 +297,7 @@ const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are so
   {"reference_order",       "",       &NumericsSpec::reference_order,      between(1, 5),        "integrator ida: highest order of its BDF; above 2 waves that are hardly damped force shorter steps"},
   {"reference_index",       "",       &NumericsSpec::reference_index,      between(2, 3),        "integrator ida: index of the DAE, 2 stabilised; 3 only shows how it fails"},
   {"newton_tolerance",      "m, rad", &NumericsSpec::newton_tolerance,     between(1e-12, 1e-3), "error that Newton's iteration may leave in the increments of a step"},
-  {"structural_damping",    "s",      &NumericsSpec::structural_damping,   between(0.0, 0.1),    "c of stress = E (strain + c strain rate)"},
+  {"structural_damping",    "s",      &NumericsSpec::structural_damping,   between(0.0, 0.1),    "c of stress = E (strain + c strain rate), in stretch, twist and bending"},
 }};
 
 const Table<InstrumentsSpec> instruments_keys = {"instruments", "What the sensors make of the truth.", {

@@ -23,6 +23,16 @@ struct StretchGradient
   Vector3d d, upper, lower;  // with respect to d = x2 - x1 and the ends' spatial rotations
 };
 
+/// What damps the bending (BeamDamping), with m_i = c (k11 w_i + k12 w_j) and s = c (k11 + k12):
+///   M_i = P m_i - (s/l) e x v,   force (s/l) G,   G = e x (w_1 + w_2) + 2 P v/l.
+struct BendingDamping
+{
+  double near = 0.0, far = 0.0, by_l = 0.0;  // c k11, c k12, s/l
+  Vector3d m_upper = Vector3d::Zero(), m_lower = Vector3d::Zero();
+  Vector3d across = Vector3d::Zero(), turned = Vector3d::Zero();  // P v/l, e x v
+  Vector3d sum = Vector3d::Zero(), g = Vector3d::Zero();          // w_1 + w_2, G
+};
+
 /// What forces and tangent share.
 struct Shape
 {
@@ -34,7 +44,23 @@ struct Shape
   StretchGradient stretch;
   double tension, torque, chord, normals;  // chord P = -dU/dc1 = -dU/dc2, normals Q = dU/dc12
   Vector3d g1, g2;                         // dU/dn1, dU/dn2, load included
+  BendingDamping bending;
 };
+
+BendingDamping bending_damping(const BeamSection& s, const Shape& f, const BeamDamping& damping)
+{
+  BendingDamping b;
+  b.near = damping.time * s.bending_near;
+  b.far = damping.time * s.bending_far;
+  b.by_l = f.inverse_l * (b.near + b.far);
+  b.m_upper = b.near * damping.upper_turning + b.far * damping.lower_turning;
+  b.m_lower = b.far * damping.upper_turning + b.near * damping.lower_turning;
+  b.across = f.inverse_l * (damping.velocity - f.e.dot(damping.velocity) * f.e);
+  b.turned = f.e.cross(damping.velocity);
+  b.sum = damping.upper_turning + damping.lower_turning;
+  b.g = f.e.cross(b.sum) + 2.0 * b.across;
+  return b;
+}
 
 void add_stretch_gradient(const BeamSection& s, const BeamPose& pose, Shape& f)
 {
@@ -67,6 +93,7 @@ Shape shape_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& da
     f.tension += s.axial * damping.time *
                  (g.d.dot(damping.velocity) + g.upper.dot(damping.upper_turning) + g.lower.dot(damping.lower_turning));
     f.torque += s.torsion * damping.time * f.binormal.dot(damping.lower_turning - damping.upper_turning);
+    f.bending = bending_damping(s, f, damping);
   }
   f.chord = s.bending_near + s.bending_far + f.tension * s.length * kShortening;
   f.normals = s.bending_far + f.tension * s.length * kShorteningFar;
@@ -103,8 +130,8 @@ StretchGradient tension_gradient(const BeamSection& s, const Shape& f, const Bea
   if (damping.time <= 0.0) return out;
   const StretchGradient h = stretch_rate_gradient(s, f, pose, damping);
   out.d += by_rate * h.d;
-  out.upper += by_rate * h.upper;
-  out.lower += by_rate * h.lower;
+  out.upper += by_rate * (h.upper + damping.upper_spin.cross(f.stretch.upper));
+  out.lower += by_rate * (h.lower + damping.lower_spin.cross(f.stretch.lower));
   return out;
 }
 
@@ -116,6 +143,11 @@ BeamForces forces_of(const Shape& f, const BeamPose& pose)
   out.moment_lower = pose.lower_normal.cross(f.g2) + f.torque * f.binormal;
   out.tension = f.tension;
   out.torque = f.torque;
+  const BendingDamping& b = f.bending;
+  if (b.by_l <= 0.0) return out;
+  out.force += b.by_l * b.g;
+  out.moment_upper += b.m_upper - f.e.dot(b.m_upper) * f.e - b.by_l * b.turned;
+  out.moment_lower += b.m_lower - f.e.dot(b.m_lower) * f.e - b.by_l * b.turned;
   return out;
 }
 
@@ -141,9 +173,9 @@ TwistGradient twist_gradient(const BeamSection& s, const Shape& f, const BeamPos
   // (d b / d theta_i)^T (k t_d) (turning of the lower end less that of the upper one)
   const Vector3d turning = (s.torsion * damping.time) * (damping.lower_turning - damping.upper_turning);
   const Vector3d along = f.binormal.dot(turning) * turned;
-  const Vector3d scaled = inverse * turning;
-  out.r_upper += n1.cross(scaled) - along;
-  out.r_lower += n2.cross(scaled) + along;
+  const Vector3d scaled = inverse * turning, b = (s.torsion * damping.time) * f.binormal;
+  out.r_upper += n1.cross(scaled) - along - damping.upper_spin.cross(b);
+  out.r_lower += n2.cross(scaled) + along + damping.lower_spin.cross(b);
   return out;
 }
 
@@ -176,54 +208,72 @@ inline void write_dyads(const Vector3d& a, const Vector3d& b, const Vector3d& c,
   }
 }
 
-/// Adds `factor` skew(v) + `diagonal` 1.
-inline void add_skew(const Vector3d& v, double factor, double diagonal, Matrix3d& out)
+inline void write_dyads(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d, const Vector3d& e,
+                        const Vector3d& f, const Vector3d& g, const Vector3d& h, Matrix3d& out)
 {
-  const double x = factor * v.x(), y = factor * v.y(), z = factor * v.z();
+  const double a0 = a[0], a1 = a[1], a2 = a[2], c0 = c[0], c1 = c[1], c2 = c[2];
+  const double e0 = e[0], e1 = e[1], e2 = e[2], g0 = g[0], g1 = g[1], g2 = g[2];
+  double* column = out.data();
+  for (int j = 0; j < 3; ++j, column += 3)
+  {
+    const double p = b[j], q = d[j], r = f[j], t = h[j];
+    column[0] = a0 * p + c0 * q + e0 * r + g0 * t;
+    column[1] = a1 * p + c1 * q + e1 * r + g1 * t;
+    column[2] = a2 * p + c2 * q + e2 * r + g2 * t;
+  }
+}
+
+/// Adds skew(v) + `diagonal` 1.
+inline void add_skew(const Vector3d& v, double diagonal, Matrix3d& out)
+{
   out(0, 0) += diagonal;
-  out(1, 0) += z;
-  out(2, 0) -= y;
-  out(0, 1) -= z;
+  out(1, 0) += v.z();
+  out(2, 0) -= v.y();
+  out(0, 1) -= v.z();
   out(1, 1) += diagonal;
-  out(2, 1) += x;
-  out(0, 2) += y;
-  out(1, 2) -= x;
+  out(2, 1) += v.x();
+  out(0, 2) += v.y();
+  out(1, 2) -= v.x();
   out(2, 2) += diagonal;
 }
 
-/// Each block: at constant tension and torque, then twist, then tension, the last two as dyads.
+/// Each block: at constant tension and torque, then twist, then tension, the last two as dyads; in the same sums what damps the bending,
+/// with d w_i = dv_du d theta_i + d theta_i x spin_i and d v = dv_du d d.
 void tangent_of(const BeamSection& s, const Shape& f, const BeamPose& pose, const BeamDamping& damping, BeamTangent& t)
 {
-  const Vector3d& n1 = pose.upper_normal;
-  const Vector3d& n2 = pose.lower_normal;
-  const Vector3d& b = f.binormal;
+  const Vector3d &n1 = pose.upper_normal, &n2 = pose.lower_normal, &b = f.binormal, &e = f.e;
+  const BendingDamping& m = f.bending;
   const StretchGradient& g = f.stretch;
   const StretchGradient tension = tension_gradient(s, f, pose, damping);
   const TwistGradient twist = twist_gradient(s, f, pose, damping);
   const double p_l = f.chord * f.inverse_l, p_ll = p_l * f.inverse_l;
-  const double across = f.tension * f.inverse_l + p_ll * f.tilt;
+  const double rate = damping.dv_du, s_l = m.by_l, s_ll = 2.0 * s_l * f.inverse_l;
+  const double across = f.tension * f.inverse_l + p_ll * f.tilt + s_ll * (rate - f.inverse_l * e.dot(damping.velocity));
+  const Vector3d turn_1 = p_l * n1.cross(e), turn_2 = p_l * n2.cross(e);
+  const Vector3d tilted = rate * s_l * e, by_chord = s_l * f.inverse_l * damping.velocity - tilted, turned = s_ll * m.turned;
 
-  write_dyads(f.e, p_ll * f.sum_across - across * f.e, f.sum_across, p_ll * f.e, g.d, tension.d, t.force_d);
-  t.force_d.diagonal().array() += across;
+  write_dyads(e, p_ll * f.sum_across - across * e - s_ll * m.across, p_ll * f.sum_across - s_ll * m.g, e, g.d, tension.d, t.force_d);
+  add_skew(-0.5 * s_ll * m.sum, across, t.force_d);
+  write_dyads(e, turn_1, g.d, tension.upper, damping.upper_spin, -s_l * e, t.force_upper);
+  write_dyads(e, turn_2, g.d, tension.lower, damping.lower_spin, -s_l * e, t.force_lower);
+  add_skew(p_l * n1 + tilted, s_l * e.dot(damping.upper_spin), t.force_upper);
+  add_skew(p_l * n2 + tilted, s_l * e.dot(damping.lower_spin), t.force_lower);
+  const double along_1 = f.inverse_l * e.dot(m.m_upper), along_2 = f.inverse_l * e.dot(m.m_lower);
+  write_dyads(turn_1 + turned, e, g.upper, tension.d, e, 2.0 * along_1 * e - f.inverse_l * m.m_upper, t.upper_d);
+  write_dyads(turn_2 + turned, e, g.lower, tension.d, e, 2.0 * along_2 * e - f.inverse_l * m.m_lower, t.lower_d);
+  add_skew(by_chord - p_l * n1, -along_1, t.upper_d);
+  add_skew(by_chord - p_l * n2, -along_2, t.lower_d);
 
-  const Vector3d turn_1 = p_l * n1.cross(f.e), turn_2 = p_l * n2.cross(f.e);
-  write_dyads(f.e, turn_1, g.d, tension.upper, t.force_upper);
-  write_dyads(f.e, turn_2, g.d, tension.lower, t.force_lower);
-  write_dyads(turn_1, f.e, g.upper, tension.d, t.upper_d);
-  write_dyads(turn_2, f.e, g.lower, tension.d, t.lower_d);
-  add_skew(n1, p_l, 0.0, t.force_upper);
-  add_skew(n2, p_l, 0.0, t.force_lower);
-  add_skew(n1, -p_l, 0.0, t.upper_d);
-  add_skew(n2, -p_l, 0.0, t.lower_d);
-
-  write_dyads(n1, f.g1, b, -twist.r_upper, g.upper, tension.upper, t.upper_upper);
-  write_dyads(n2, -f.normals * n1, b, -twist.r_lower, g.upper, tension.lower, t.upper_lower);
-  write_dyads(n1, -f.normals * n2, b, twist.r_upper, g.lower, tension.upper, t.lower_upper);
-  write_dyads(n2, f.g2, b, twist.r_lower, g.lower, tension.lower, t.lower_lower);
-  add_skew(twist.w_upper, -1.0, -f.g1.dot(n1), t.upper_upper);
-  add_skew(twist.w_lower, -1.0, f.normals * f.c12, t.upper_lower);
-  add_skew(twist.w_upper, 1.0, f.normals * f.c12, t.lower_upper);
-  add_skew(twist.w_lower, 1.0, -f.g2.dot(n2), t.lower_lower);
+  const Vector3d row_1 = e.cross(damping.upper_spin) - rate * e, row_2 = e.cross(damping.lower_spin) - rate * e;
+  const double near = m.near * rate, far = m.far * rate + f.normals * f.c12;
+  write_dyads(n1, f.g1, b, -twist.r_upper, g.upper, tension.upper, e, m.near * row_1, t.upper_upper);
+  write_dyads(n2, -f.normals * n1, b, -twist.r_lower, g.upper, tension.lower, e, m.far * row_2, t.upper_lower);
+  write_dyads(n1, -f.normals * n2, b, twist.r_upper, g.lower, tension.upper, e, m.far * row_1, t.lower_upper);
+  write_dyads(n2, f.g2, b, twist.r_lower, g.lower, tension.lower, e, m.near * row_2, t.lower_lower);
+  add_skew(-twist.w_upper - m.near * damping.upper_spin, near - f.g1.dot(n1), t.upper_upper);
+  add_skew(-twist.w_lower - m.far * damping.lower_spin, far, t.upper_lower);
+  add_skew(twist.w_upper - m.far * damping.upper_spin, far, t.lower_upper);
+  add_skew(twist.w_lower - m.near * damping.lower_spin, near - f.g2.dot(n2), t.lower_lower);
 }
 
 /// Shear coefficient of a thick tube (Cowper 1966). `m2`: square of bore over outer diameter.

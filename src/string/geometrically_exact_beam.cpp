@@ -51,7 +51,7 @@ struct Middle
   HalfAngle f;
   double excess;  // d stress / d stretch less kappa G A, over L
   double lack;    // n = kappa G A d/L - lack t
-  double torsion; // d torque / d twist
+  double torsion, bending;  // d torque / d twist, d moment / d curvature over L
   Vector3d n, m, q, bent;  // bent = B m
 };
 
@@ -84,13 +84,16 @@ Middle middle_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& 
   const Vector3d turning = damping.lower_turning - damping.upper_turning;
   const Vector3d middle_turning = 0.5 * (damping.lower_turning + damping.upper_turning) - (0.5 * k.f.c) * k.a.cross(turning);
   const double stretch_rate = inverse * (k.t.dot(damping.velocity) + k.u.dot(middle_turning));
-  const double twist_rate = k.f.b * k.t.dot(turning) + k.f.h * ta * k.a.dot(turning);
+  const Vector3d bend_rate = k.f.b * turning + (k.f.h * k.a.dot(turning)) * k.a;  // R_m phi' = B turning
+  const double twist_rate = k.t.dot(bend_rate);
   const double damped = 1.0 + damping.time * damping.dv_du;
   k.excess = inverse * (damped * s.axial - s.shear);
   k.torsion = damped * s.torsion;
+  k.bending = damped * inverse * s.bending;
   k.lack = s.shear * (strain.stretch + 1.0) - s.axial * (strain.stretch - pose.free_stretch + damping.time * stretch_rate);
   k.n = (s.shear * inverse) * k.d - k.lack * k.t;
-  k.m = (2.0 * inverse * s.bending) * (k.a - ta * k.t) + s.torsion * (strain.twist + damping.time * twist_rate) * k.t;
+  k.m = (inverse * s.bending) * (2.0 * (k.a - ta * k.t) + damping.time * (bend_rate - twist_rate * k.t)) +
+        s.torsion * (strain.twist + damping.time * twist_rate) * k.t;
   k.q = k.n.cross(k.d);
   k.bent = k.f.b * k.m + (k.f.h * k.a.dot(k.m)) * k.a;
   return k;
@@ -109,16 +112,15 @@ BeamForces forces_of(const Middle& k)
 }
 
 /// d p / d Delta at a fixed turn of the middle.
-Matrix3d moment_by_relative_turn(const BeamSection& s, const Middle& k)
+Matrix3d moment_by_relative_turn(const Middle& k)
 {
   const HalfAngle& f = k.f;
-  const double inverse = 1.0 / s.length;
   const double am = k.a.dot(k.m);
   const Vector3d bt = f.b * k.t + (f.h * k.a.dot(k.t)) * k.a;  // B t
   // B D B/L
-  Matrix3d out = ((k.torsion - s.bending * inverse) * bt) * bt.transpose();
-  out.noalias() += (s.bending * inverse * f.h * (1.0 + f.b)) * k.a * k.a.transpose();
-  out.diagonal().array() += s.bending * inverse * f.b * f.b;
+  Matrix3d out = ((k.torsion - k.bending) * bt) * bt.transpose();
+  out.noalias() += (k.bending * f.h * (1.0 + f.b)) * k.a * k.a.transpose();
+  out.diagonal().array() += k.bending * f.b * f.b;
   // d(B m)/da at fixed m, less that of c/2 q x a, times da = B Delta/2
   Matrix3d by_a = (f.b_ * k.m + f.h_ * am * k.a - (0.5 * f.c_) * k.q.cross(k.a)) * k.a.transpose();
   by_a.noalias() += (f.h * k.a) * k.m.transpose();
@@ -146,7 +148,7 @@ void tangent_of(const BeamSection& s, const Middle& k, BeamTangent& out)
   const Matrix3d a_hat = skew(half_c * k.a);
   Matrix3d p_w = skew(k.q) * a_hat - skew(k.bent);
   p_w.noalias() += a_hat * q_w;
-  const Matrix3d p_delta = moment_by_relative_turn(s, k);
+  const Matrix3d p_delta = moment_by_relative_turn(k);
 
   out.force_d = (k.excess * k.t) * k.t.transpose();
   out.force_d.diagonal().array() += s.shear / s.length;

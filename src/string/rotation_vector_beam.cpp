@@ -145,7 +145,7 @@ struct Middle
   Vector3d d, t, psi, eta;
   Coefficients c;
   Matrix3d j, dj;  // J, DJ[eta]
-  double excess, lack, torsion;  // as in the geometrically exact element
+  double excess, lack, torsion, bending;  // as in the geometrically exact element
   Vector3d n, m, q;
 };
 
@@ -169,13 +169,16 @@ Middle middle_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& 
   const Vector3d psi_upper = k.upper.inverse * damping.upper_turning, psi_lower = k.lower.inverse * damping.lower_turning;
   const Vector3d psi_rate = 0.5 * (psi_upper + psi_lower);
   const double stretch_rate = inverse * (k.t.dot(damping.velocity) + k.t.cross(k.d).dot(k.j * psi_rate));
-  const double twist_rate = k.t.dot(k.j * (psi_lower - psi_upper) + k.dj * psi_rate);
+  const Vector3d turn_rate = k.j * (psi_lower - psi_upper) + k.dj * psi_rate;  // L w', w = J psi' of the sections: in their axes the rate of turn
+  const double twist_rate = k.t.dot(turn_rate);
   const double damped = 1.0 + damping.time * damping.dv_du;
   k.excess = inverse * (damped * s.axial - s.shear);
   k.torsion = damped * s.torsion;
+  k.bending = damped * inverse * s.bending;
   k.lack = s.shear * (strain.stretch + 1.0) - s.axial * (strain.stretch - pose.free_stretch + damping.time * stretch_rate);
   k.n = (s.shear * inverse) * k.d - k.lack * k.t;
-  k.m = (inverse * s.bending) * (turn - strain.twist * k.t) + s.torsion * (strain.twist + damping.time * twist_rate) * k.t;
+  k.m = (inverse * s.bending) * (turn - strain.twist * k.t + damping.time * (turn_rate - twist_rate * k.t)) +
+        s.torsion * (strain.twist + damping.time * twist_rate) * k.t;
   k.q = k.n.cross(k.d);
   return k;
 }
@@ -207,8 +210,8 @@ void tangent_of(const BeamSection& s, const Middle& k, const BeamForces& forces,
   Matrix3d q_w = (k.excess * u) * u.transpose();
   q_w.noalias() -= (k.lack * k.t) * k.d.transpose();
   q_w.diagonal().array() += k.lack * k.d.dot(k.t);
-  Matrix3d stiffness = ((k.torsion - s.bending / s.length) * k.t) * k.t.transpose();
-  stiffness.diagonal().array() += s.bending / s.length;
+  Matrix3d stiffness = ((k.torsion - k.bending) * k.t) * k.t.transpose();
+  stiffness.diagonal().array() += k.bending;
 
   // Hessian of the energy in d, psi, eta
   out.force_d = (k.excess * k.t) * k.t.transpose();

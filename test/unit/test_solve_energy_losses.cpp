@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 
 #include "drill_rig_sim/solve/energy_balance.h"
 #include "drill_rig_sim/solve/stepper.h"
@@ -19,17 +20,20 @@ Scene quiet()
   return weightless(lone_bit_scene());
 }
 
-/// A bit of the `mass`, the mud that goes along sideways and the inertia about its axis. `spring`: the pipe's stiffness in stretch and twist is kept; otherwise the bit is free.
-RigAtRest heavy_bit(const Scene& scene, bool spring)
+/// A bit of the `mass`, the mud that goes along sideways and the inertia about its axis. `spring`: the pipe's stiffness in stretch and twist
+/// is kept, and with `bending` [N m2] that of a slender beam; otherwise the bit is free.
+RigAtRest heavy_bit(const Scene& scene, bool spring, double bending = 0.0, double about_axis = spin_inertia)
 {
   return lone_bit(scene,
-                  [spring](MeshNode& bit, BeamSection& pipe)
+                  [spring, bending, about_axis](MeshNode& bit, BeamSection& pipe)
                   {
                     bit.mass = mass;
                     bit.mud_inside = mud_mass;
                     bit.mud_outside = 0.0;
-                    bit.spin_inertia = spin_inertia;
-                    pipe.bending_near = pipe.bending_far = 1e-9;
+                    bit.spin_inertia = about_axis;
+                    if (bending > 0.0) bit.tilt_inertia = 1e-3;
+                    pipe.bending_near = 4.0 * bending / pipe.length + 1e-9;
+                    pipe.bending_far = 2.0 * bending / pipe.length + 1e-9;
                     if (!spring) pipe.axial = pipe.torsion = 1e-9;
                   });
 }
@@ -113,10 +117,10 @@ TEST(Losses, mudTakesTheCubeOfASidewaysSpeed)
   EXPECT_LT(std::abs(run(rig, 1e-3, 0.2).mud), 1e-6);
 }
 
-// A swing at w with the damping ratio z = w t_d/2: what stretch and twist have lost by the time t is what is missing of the closed form.
+// A swing at w with the damping ratio z = w t_d/2: what stretch, twist and bending have lost by the time t is what is missing of the closed form.
 TEST(Losses, structuralDampingTakesWhatTheSwingLoses)
 {
-  constexpr double damping_time = 0.004, t = 0.05, speed = 0.02, spin = 0.3;
+  constexpr double damping_time = 0.004, t = 0.05, speed = 0.02, spin = 0.3, bending = 1e9;
   Scene scene = quiet();
   scene.numerics.structural_damping = damping_time;
   RigAtRest rig = heavy_bit(scene, true);
@@ -134,6 +138,37 @@ TEST(Losses, structuralDampingTakesWhatTheSwingLoses)
   rig.state.nodes[0].rate.velocity.z() = 0.0;
   rig.state.nodes[0].rate.spin = spin;
   expect_alone(run(rig, 2e-5, t), &EnergyAccounts::structural, lost(spin_inertia, pipe.torsion, spin));
+  // a cantilever with the mass at its end, whose tilt follows without inertia
+  RigAtRest beam = heavy_bit(scene, true, bending);
+  const double length = beam.model->mesh().elements[0].section.length;
+  beam.state.nodes[0].rate.velocity.x() = speed;
+  beam.state.nodes[0].rate.tilt = Vector3d(0.0, -1.5 * speed / length, 0.0);
+  expect_alone(run(beam, 2e-5, t), &EnergyAccounts::structural, lost(mass + mud_mass, 3.0 * bending / (length * length * length), speed));
+}
+
+// A disk on a light shaft that turns at W (Jeffcott's rotor, Genta 4.5): with z = x - i y, seen from above, m z" + c k (z' - i W z) + k z = 0.
+// Above the critical speed the shaft's damping feeds the forward whirl and takes from the backward one.
+TEST(Losses, dampingOfATurningShaftFeedsForwardWhirl)
+{
+  constexpr double damping_time = 0.001, bending = 1e9, turning = 100.0, speed = 0.001, t = 1.0;  // [s], [N m2], [rad/s], [m/s], [s]
+  Scene scene = quiet();
+  scene.numerics.structural_damping = damping_time;
+  RigAtRest rig = heavy_bit(scene, true, bending, 1e-3);
+  const double length = rig.model->mesh().elements[0].section.length;
+  for (NodeState& node : rig.state.nodes) node.rate.spin = turning;
+  rig.state.nodes[0].rate.velocity.x() = speed;
+  rig.state.nodes[0].rate.tilt = Vector3d(0.0, -1.5 * speed / length, 0.0);
+  State end = rig.state;
+  run(rig, 1e-4, t, &end);
+
+  using Complex = std::complex<double>;
+  const double square = 3.0 * bending / (length * length * length) / (mass + mud_mass), rate = damping_time * square;
+  const Complex root = std::sqrt(Complex(0.25 * rate * rate - square, rate * turning));
+  const Complex one = -0.5 * rate + root, two = -0.5 * rate - root;
+  const Complex place = speed * (std::exp(one * t) - std::exp(two * t)) / (one - two);
+  const Vector3d moved = end.nodes[0].position - rig.state.nodes[0].position;
+  EXPECT_GT(std::abs(place), speed / std::sqrt(square)) << "it has grown";
+  EXPECT_LT(std::abs(Complex(moved.x(), -moved.y()) - place), 0.02 * std::abs(place));
 }
 
 // Hunt and Crossley: m v dv = -k d^e (1 + c v) dd, so c (v + w) = log((1 + c v)/(1 - c w)) for the speeds v before and w after.

@@ -24,33 +24,12 @@ Quaterniond turn_about(const Vector3d& axis, double angle)
   return Quaterniond(AngleAxisd(angle, axis.normalized()));
 }
 
-BeamForces forces(const BeamKind& kind, const BeamEnds& s, const BeamDamping& damping = {})
-{
-  BeamStrain strain;
-  return kind.forces(kPipe, pose_of(s), damping, Vector3d::Zero(), strain);
-}
-
-/// Ends near the ground's axes, turned by less than half a turn: any element is at its best there.
-BeamEnds any_ends(std::mt19937& generator, double size)
-{
-  std::normal_distribution<double> g;
-  const Vector3d common = 0.7 * Vector3d(g(generator), g(generator), g(generator));
-  const double spin = 0.3 * g(generator);
-  return random_ends(generator, kPipe.length, size, 3.0 * size, spin, rotation_from_vector(common) * ground_axes());
-}
-
 /// Energy of rigid-section strains in the middle of an element [J].
 double section_energy(const Matrix3d& middle, const Vector3d& turn, const BeamEnds& s)
 {
   const Vector3d gamma = middle.transpose() * (s.x2 - s.x1) / kPipe.length - Vector3d::UnitX();
   const Vector3d stretch(kPipe.axial, kPipe.shear, kPipe.shear), bend(kPipe.torsion * kPipe.length, kPipe.bending, kPipe.bending);
   return 0.5 * kPipe.length * gamma.cwiseProduct(stretch).dot(gamma) + 0.5 / kPipe.length * turn.cwiseProduct(bend).dot(turn);
-}
-
-Vector3d vector_of(const Matrix3d& rotation)
-{
-  const AngleAxisd a(rotation);
-  return a.angle() * a.axis();
 }
 
 double exact_energy(const BeamEnds& s)
@@ -60,20 +39,10 @@ double exact_energy(const BeamEnds& s)
   return section_energy(r1 * AngleAxisd(0.5 * phi.norm(), phi.normalized()).toRotationMatrix(), phi, s);
 }
 
-/// The curvature by differences of the rotation itself, not by the formula for J.
 double vector_energy(const BeamEnds& s)
 {
-  const Matrix3d ground(ground_axes());
-  const Vector3d psi1 = vector_of(Matrix3d(s.q1) * ground.transpose()), psi2 = vector_of(Matrix3d(s.q2) * ground.transpose());
-  auto at = [&](double x)
-  {
-    const Vector3d psi = psi1 + x * (psi2 - psi1);
-    return Matrix3d(AngleAxisd(psi.norm(), psi.normalized()).toRotationMatrix() * ground);
-  };
-  const double h = 1e-3;
-  // fourth order: (8 turn(h) - turn(2 h))/(12 h), turns from -h to h and from -2 h to 2 h
-  const Vector3d turn = (8.0 * vector_of(at(0.5 - h).transpose() * at(0.5 + h)) - vector_of(at(0.5 - 2.0 * h).transpose() * at(0.5 + 2.0 * h))) / (12.0 * h);
-  return section_energy(at(0.5), turn, s);
+  const VectorMiddle middle = vector_middle(s);
+  return section_energy(middle.section, middle.turn, s);
 }
 
 /// Largest difference of the forces, relative, when the element is turned as a rigid body.
@@ -203,40 +172,6 @@ TEST(BeamKinds, theyTellTheSameEnergy)
     const BeamEnds s = any_ends(generator, 0.1);
     EXPECT_NEAR(kExact.energy(kPipe, pose_of(s)), exact_energy(s), 1e-9 * exact_energy(s));
     EXPECT_NEAR(kVector.energy(kPipe, pose_of(s)), vector_energy(s), 1e-6 * vector_energy(s));
-  }
-}
-
-TEST(BeamKinds, dampingTakesThePowerOfStretchAndTwist)
-{
-  for (const BeamKind& kind : beam_table())
-  {
-    std::mt19937 generator(5);
-    std::normal_distribution<double> g;
-    for (int i = 0; i < 20; ++i)
-    {
-      const BeamEnds s = any_ends(generator, 0.1);
-      const double time = 0.01, h = 1e-5;
-      BeamDamping damping;
-      damping.time = time;
-      damping.velocity = Vector3d(g(generator), g(generator), g(generator));
-      damping.upper_turning = Vector3d(g(generator), g(generator), g(generator));
-      damping.lower_turning = Vector3d(g(generator), g(generator), g(generator));
-      auto strain_after = [&](double t)
-      {
-        const BeamEnds m{s.x1, s.x2 + t * damping.velocity, rotation_from_vector(t * damping.upper_turning) * s.q1,
-                         rotation_from_vector(t * damping.lower_turning) * s.q2};
-        BeamStrain strain;
-        kind.forces(kPipe, pose_of(m), {}, Vector3d::Zero(), strain);
-        return strain;
-      };
-      const BeamStrain before = strain_after(-h), after = strain_after(h);
-      const double stretch_rate = (after.stretch - before.stretch) / (2.0 * h), twist_rate = (after.twist - before.twist) / (2.0 * h);
-      const double expected = time * (kPipe.axial * kPipe.length * stretch_rate * stretch_rate + kPipe.torsion * twist_rate * twist_rate);
-      const BeamForces still = forces(kind, s), damped = forces(kind, s, damping);
-      const double power = (damped.force - still.force).dot(damping.velocity) + (damped.moment_upper - still.moment_upper).dot(damping.upper_turning) +
-                           (damped.moment_lower - still.moment_lower).dot(damping.lower_turning);
-      EXPECT_NEAR(power, expected, 1e-6 * expected) << kind.name;
-    }
   }
 }
 

@@ -64,11 +64,14 @@ TEST(BeamElement, tangentIsTheDerivativeOfTheForces)
     const BeamEnds s = random_ends(generator, 0.1, 0.3);
     const double time = 0.005, dv_du = 140.0;  // [s], [1/s]
     std::normal_distribution<double> g;
-    const BeamDamping moving{time, dv_du, Vector3d(g(generator), g(generator), g(generator)),
-                             Vector3d(g(generator), g(generator), g(generator)), Vector3d(g(generator), g(generator), g(generator))};
+    auto random_vector = [&] { return Vector3d(g(generator), g(generator), g(generator)); };
+    const BeamDamping moving{time, dv_du, random_vector(), random_vector(), random_vector(), 20.0 * random_vector(), 20.0 * random_vector()};
     auto damped = [&](int k, double h)
     {
       BeamDamping damping = moving;
+      const BeamEnds m = moved(s, k, h);
+      damping.upper_turning += m.q1 * (s.q1.conjugate() * moving.upper_spin) - moving.upper_spin;
+      damping.lower_turning += m.q2 * (s.q2.conjugate() * moving.lower_spin) - moving.lower_spin;
       const Vector3d rate = dv_du * h * Vector3d::Unit(k % 3);
       if (k < 3) damping.velocity -= rate;
       if (k >= 3 && k < 6) damping.upper_turning += rate;
@@ -121,6 +124,74 @@ TEST(BeamElement, dampingForcesAreThoseOfTheStrainsRate)
   }
 }
 
+// Kelvin and Voigt: with the strains' gradient at a straight element at rest the damping matrix is the stiffness times the time, so that
+// every small motion at w is damped by w time/2 of critical.
+TEST(BeamElement, dampingOfAStraightElementIsItsStiffnessTimesTheTime)
+{
+  std::mt19937 generator(6);
+  const BeamEnds s = random_ends(generator, 0.0, 0.0);
+  const double time = 0.003, dv_du = 50.0;
+  BeamStrain strain;
+  BeamTangent at_rest, in_motion;
+  const BeamEnds unloaded{s.x1, s.x1 + kPipe.length * (s.x2 - s.x1).normalized(), s.q1, s.q2};
+  beam_forces(kPipe, pose_of(unloaded), {}, Vector3d::Zero(), strain, at_rest);
+  BeamDamping damping;
+  damping.time = time;
+  damping.dv_du = dv_du;
+  beam_forces(kPipe, pose_of(unloaded), damping, Vector3d::Zero(), strain, in_motion);
+  const Matrix12d stiffness = stacked(at_rest), more = stacked(in_motion) - stiffness;
+  const Eigen::MatrixXd rest = more - time * dv_du * stiffness;
+  EXPECT_LT(rest.norm(), 1e-9 * more.norm());
+  for (const int k : {3, 9})
+  {
+    const Matrix3d of_turn = rest.block<3, 3>(k, k), whole = more.block<3, 3>(k, k);
+    EXPECT_LT(of_turn.norm(), 1e-9 * whole.norm());
+  }
+}
+
+// The bend's rates are those of the ends' tilts in axes that turn with the element and spin with its ends; damping takes their power.
+TEST(BeamElement, bendingDampingTakesThePowerOfTheTiltsInAxesThatSpin)
+{
+  std::mt19937 generator(7);
+  std::normal_distribution<double> g;
+  auto random_vector = [&] { return Vector3d(g(generator), g(generator), g(generator)); };
+  double largest = 0.0;
+  for (int i = 0; i < 20; ++i)
+  {
+    const double tilt = 1e-3;
+    const BeamEnds s = random_ends(generator, tilt, 1e-3);
+    const Vector3d e = (s.x2 - s.x1).normalized(), common = random_vector();
+    const double spin = 20.0 * g(generator);
+    const Vector3d v = (common + spin * e).cross(s.x2 - s.x1);
+    // a rigid motion, and on top of it each end's own: a bit of tilt, and the spin about its own normal
+    const Vector3d w1 = common + spin * x_axis(s.q1) + 0.01 * random_vector(), w2 = common + spin * x_axis(s.q2) + 0.01 * random_vector();
+    auto tilts_after = [&](double time)
+    {
+      const Quaterniond back = rotation_from_vector(time * (common + spin * e)).conjugate();
+      const Vector3d n1 = rotation_from_vector(time * w1) * x_axis(s.q1), n2 = rotation_from_vector(time * w2) * x_axis(s.q2);
+      Eigen::Matrix<double, 6, 1> a;
+      a << back * n1 - e, back * n2 - e;
+      return a;
+    };
+    const double h = 1e-6, time = 1e-3;
+    const Eigen::Matrix<double, 6, 1> rate = (tilts_after(h) - tilts_after(-h)) / (2.0 * h);
+    const Vector3d a1 = rate.head<3>(), a2 = rate.tail<3>();
+    const double expected = time * (kPipe.bending_near * (a1.squaredNorm() + a2.squaredNorm()) + 2.0 * kPipe.bending_far * a1.dot(a2));
+    BeamSection bare = kPipe;
+    bare.axial = bare.torsion = 0.0;
+    BeamStrain strain;
+    const BeamDamping damping{time, 0.0, v, w1, w2};
+    const BeamForces with = beam_forces(bare, pose_of(s), damping, Vector3d::Zero(), strain);
+    const BeamForces without = beam_forces(bare, pose_of(s), {}, Vector3d::Zero(), strain);
+    const double power = (with.force - without.force).dot(v) + (with.moment_upper - without.moment_upper).dot(w1) +
+                         (with.moment_lower - without.moment_lower).dot(w2);
+    const double own = (w1 - common - spin * e).squaredNorm() + (w2 - common - spin * e).squaredNorm();
+    EXPECT_NEAR(power, expected, 5.0 * tilt * time * kPipe.bending_near * own);
+    largest = std::max(largest, power / (time * kPipe.bending_near * own));
+  }
+  EXPECT_GT(largest, 0.5);
+}
+
 TEST(BeamElement, rigidMotionAndCommonSpinCostNothing)
 {
   std::mt19937 generator(3);
@@ -138,6 +209,28 @@ TEST(BeamElement, rigidMotionAndCommonSpinCostNothing)
   const BeamPose a = pose_of(s), b = pose_of(spun);
   EXPECT_LT((a.upper_normal - b.upper_normal).norm(), 1e-14);
   EXPECT_NEAR(forces(spun).moment_upper.norm(), forces(s).moment_upper.norm(), 1e-6 * forces(s).moment_upper.norm());
+  // and nothing is damped when it turns with its bend, about whatever axis
+  const Vector3d w(3.0, -20.0, 7.0);
+  const BeamDamping rigid{0.01, 0.0, w.cross(s.x2 - s.x1), w, w};
+  EXPECT_LT((stacked(forces(s, rigid)) - stacked(forces(s))).norm(), 1e-12 * kPipe.axial);
+}
+
+// Bent to k and spinning at W, each section about its own normal: c E I k^2 W^2 L, the loss of a rotating shaft.
+TEST(BeamElement, spinningInABendCostsWhatARotatingShaftLoses)
+{
+  const double curvature = 5.8e-3, spin = 18.85, time = 1e-4;  // 10 deg/30 m, 180 rpm
+  const double half = 0.5 * curvature * kPipe.length;
+  BeamEnds s;
+  s.x1 = Vector3d::Zero();
+  s.x2 = Vector3d(kPipe.length * std::sin(half) / half, 0.0, 0.0);
+  s.q1 = rotation_from_vector(Vector3d(0.0, 0.0, half));
+  s.q2 = rotation_from_vector(Vector3d(0.0, 0.0, -half));
+  const BeamDamping damping{time, 0.0, Vector3d::Zero(), spin * x_axis(s.q1), spin * x_axis(s.q2)};
+  const BeamForces with = forces(s, damping), without = forces(s);
+  const double power =
+      (with.moment_upper - without.moment_upper).dot(damping.upper_turning) + (with.moment_lower - without.moment_lower).dot(damping.lower_turning);
+  const double expected = time * kPipe.bending * curvature * curvature * spin * spin * kPipe.length;
+  EXPECT_NEAR(power, expected, 1e-3 * expected);
 }
 
 TEST(BeamElement, forcesAndMomentsBalance)
@@ -146,7 +239,7 @@ TEST(BeamElement, forcesAndMomentsBalance)
   for (int i = 0; i < 20; ++i)
   {
     const BeamEnds s = random_ends(generator, 0.1, 0.3);
-    const BeamForces f = forces(s);
+    const BeamForces f = forces(s, {0.01, 0.0, s.q1 * Vector3d(1.0, 2.0, -0.5), s.q2 * Vector3d(0.3, -1.0, 2.0), Vector3d(-1.0, 0.5, 3.0)});
     const Vector3d rest = f.moment_upper + f.moment_lower + (s.x2 - s.x1).cross(f.force);
     EXPECT_LT(rest.norm(), 1e-9 * (f.force.norm() * 9.5 + f.moment_upper.norm()));
   }

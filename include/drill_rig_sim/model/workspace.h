@@ -24,6 +24,7 @@ struct NodeMotion
   Eigen::Vector3d tilt;  ///< of the increment, across the axis [rad]
   double spin;           ///< and about it [rad]
   Vector6d increment, rate, acceleration;
+  double carried_spin;   ///< the part of the rate that stays about the normal when that tilts: the spin; 0 where rates are given [rad/s]
   ClosestPoint closest;  ///< of hole or mast
   bool touches;          ///< the wall
 };

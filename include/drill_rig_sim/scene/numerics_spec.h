@@ -42,7 +42,7 @@ struct NumericsSpec
   int reference_index = 2;          ///< integrator ida: 2 with both levels of constraints, 3 to show how it fails
   double newton_tolerance = 1e-6;   ///< error that Newton's iteration may leave in a step's increments [m, rad]
   double structural_damping =
-      1e-4;  ///< stiffness-proportional, axial and torsional: stress = E (strain + value * strain rate) [s]
+      1e-4;  ///< of stretch, twist and bending (BeamDamping): stress = E (strain + value * strain rate) [s]
 };
 
 }  // namespace drill_rig_sim

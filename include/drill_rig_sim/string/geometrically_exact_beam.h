@@ -24,13 +24,14 @@ namespace drill_rig_sim
 /// element deflects a quarter less than the cubic under a tip load. A dead load goes to the ends in halves, without end moments. The
 /// correction that would make it exact there (1/(kappa G A) + L^2/(12 EI) in place of 1/(kappa G A), MacNeal 1978) is left out: with it
 /// any tension above 12 EI/L^2 buckles the element.
-/// Structural damping acts on the stretch Gamma_x and the twist phi_x: on a straight element the corotational one's stretch and twist.
+/// Structural damping (BeamDamping) acts on the stretch Gamma_x and on twist and bending, d/dt phi = R_m^T B (w_2 - w_1), w_i the ends'
+/// angular velocities; not on the shears, which one Gauss point makes of bending.
 /// Reported tension and torque: EA Gamma_x and GJ phi_x/L, damping included.
 BeamForces geometrically_exact_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping,
                                       const Eigen::Vector3d& load, BeamStrain& strain) noexcept;
 
 /// The same with the tangent: exact, but for the change of the strain's rate with the place at given rates, which is left out (relative to
-/// the axial stiffness `damping.time` |velocity|/length).
+/// the axial stiffness `damping.time` |velocity|/length, to the bending stiffness `damping.time` |angular velocity|).
 BeamForces geometrically_exact_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping,
                                       const Eigen::Vector3d& load, BeamStrain& strain, BeamTangent& tangent) noexcept;
 

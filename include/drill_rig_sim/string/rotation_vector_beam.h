@@ -30,7 +30,7 @@ BeamForces rotation_vector_forces(const BeamSection& section, const BeamPose& po
                                   const Eigen::Vector3d& load, BeamStrain& strain) noexcept;
 
 /// The same with the tangent: exact, but for the change of the strain's rate with the place at given rates, which is left out (relative to
-/// the axial stiffness `damping.time` |velocity|/length).
+/// the axial stiffness `damping.time` |velocity|/length, to the bending stiffness `damping.time` |angular velocity|).
 BeamForces rotation_vector_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping,
                                   const Eigen::Vector3d& load, BeamStrain& strain, BeamTangent& tangent) noexcept;
 

@@ -27,12 +27,18 @@ BeamPose pose_of(const StageContext& at, int e) noexcept
   return pose;
 }
 
+/// Angular velocity: the spin of the rate is about the normal at the start of the step, that of the pipe about the present one.
+Vector3d turning_of(const NodeMotion& node) noexcept
+{
+  return node.rate.tail<3>() + node.carried_spin * (node.normal - node.axis);
+}
+
 BeamDamping damping_of(const StageContext& at, int e) noexcept
 {
   const NodeMotion& lower = at.work.nodes[e];
   const NodeMotion& upper = at.work.nodes[e + 1];
-  return {at.stage.structural_damping, at.stage.dv_du, lower.rate.head<3>() - upper.rate.head<3>(), upper.rate.tail<3>(),
-          lower.rate.tail<3>()};
+  return {at.stage.structural_damping, at.stage.dv_du, lower.rate.head<3>() - upper.rate.head<3>(), turning_of(upper),
+          turning_of(lower), upper.carried_spin * upper.normal, lower.carried_spin * lower.normal};
 }
 
 /// d = lower - upper. An element writes the blocks of its upper node and those between; only the first node's is there before.
