@@ -125,6 +125,7 @@ const Table<FormationLayer> layer_keys = {"formation[]", "A layer of rock; the l
   {"dip_deg",               "deg",    &FormationLayer::dip,                between(0.0, 90.0),   "dip of the beds below the horizontal"},
   {"strike_deg",            "deg",    &FormationLayer::strike,             turn,                 "azimuth of the strike; the beds dip to its right"},
   {"anisotropy",            "-",      &FormationLayer::anisotropy,         below(0.0, 1.0),      "0: drills alike in all directions"},
+  {"friction",              "-",      &FormationLayer::friction,           between(0.0, 5.0),    "kinetic friction coefficient of string on wall in hole that the run drills in it, instead of the section's", no_kind, every_kind, "of the section"},
 }};
 
 const Table<MudSpec> mud_keys = {"mud", "The drilling fluid around and inside the string.", {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -64,6 +65,26 @@ void print_mud(const Scene& scene)
     std::printf("            bore and annulus alone would lose that much or more: pressure_coefficient leaves nothing for the bit\n");
 }
 
+/// What the rock makes of the friction of hole yet to be drilled, from the hole's bottom down.
+void print_new_hole(const Scene& scene, double bottom_tvd)
+{
+  const std::vector<FormationLayer>& rock = scene.formation;
+  const bool has_friction = std::any_of(rock.begin(), rock.end(), [](const FormationLayer& layer) { return !std::isnan(layer.friction); });
+  if (!has_friction) return;
+  std::printf("new hole    friction");
+  for (std::size_t i = 0; i < rock.size(); ++i)
+  {
+    const bool last = i + 1 == rock.size();
+    if (!last && rock[i].to_tvd <= bottom_tvd) continue;
+    if (std::isnan(rock[i].friction))
+      std::printf(" its section's");
+    else
+      std::printf(" %g", rock[i].friction);
+    if (!last) std::printf(" to %g m TVD,", rock[i].to_tvd);
+  }
+  std::printf("\n");
+}
+
 struct CheckOptions
 {
   std::string scene;
@@ -80,6 +101,7 @@ void check(const CheckOptions& options)
   std::printf("well        %zu stations to %g m, hole %g m deep, at its bottom %.2f deg inclination, %.2f deg azimuth\n",
               scene.well.survey.size(), scene.well.survey.back().md, scene.well.hole_depth, m.bit_inclination / degree,
               m.bit_azimuth / degree);
+  print_new_hole(scene, -simulator.wellbore().bottom_position().z());
   print_string(scene);
   std::printf("start       bit at %.3f m, block at %.2f m, hook load %.1f kN, of it the string %.1f kN\n", m.bit_depth,
               m.block_height, m.hook_load / 1e3, m.hook_load_string / 1e3);

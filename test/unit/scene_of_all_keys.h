@@ -13,7 +13,7 @@ well:
     - {to: 301.0, diameter: 0.35, friction: 0.21, static_ratio: 1.25, stribeck_speed: 0.061}
     - {to: 801.0, diameter: 0.3112, friction: 0.31}
 formation:
-  - {to_tvd: 501.0, drillability: 1.1e-8, weight_exponent: 1.2, speed_exponent: 0.7, threshold: 1301.0, dip_deg: 14.0, strike_deg: 15.0, anisotropy: 0.16}
+  - {to_tvd: 501.0, drillability: 1.1e-8, weight_exponent: 1.2, speed_exponent: 0.7, threshold: 1301.0, dip_deg: 14.0, strike_deg: 15.0, anisotropy: 0.16, friction: 0.23}
   - {to_tvd: 5001.0, drillability: 1.7e-8}
 mud: {density: 1181.0, axial_damping: 0.19, lateral_damping: 21.0, drag_coefficient: 1.4, torsional_damping: 2.2e-4, added_mass: 1.23, bulk_modulus: 1.51e9, gel_strength: 4.7}
 string:

@@ -66,6 +66,7 @@ std::vector<Expected> of_well()
       {"formation[]", "dip_deg", [](const Scene& s) { return s.formation.at(0).dip; }, 14.0 * degree},
       {"formation[]", "strike_deg", [](const Scene& s) { return s.formation.at(0).strike; }, 15.0 * degree},
       {"formation[]", "anisotropy", [](const Scene& s) { return s.formation.at(0).anisotropy; }, 0.16},
+      {"formation[]", "friction", [](const Scene& s) { return s.formation.at(0).friction; }, 0.23},
       {"mud", "density", [](const Scene& s) { return s.mud.density; }, 1181.0},
       {"mud", "axial_damping", [](const Scene& s) { return s.mud.axial_damping; }, 0.19},
       {"mud", "lateral_damping", [](const Scene& s) { return s.mud.lateral_damping; }, 21.0},
