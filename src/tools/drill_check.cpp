@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "drill_command.h"
 #include "drill_options.h"
@@ -11,6 +12,7 @@
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/sim/wall_loss.h"
 #include "drill_scene.h"
 
 namespace drill_rig_sim
@@ -85,6 +87,23 @@ void print_new_hole(const Scene& scene, double bottom_tvd)
   std::printf("\n");
 }
 
+/// What the run leaves out or gets too small, and would not be seen by its numbers.
+void print_shortcomings(const Scene& scene)
+{
+  if (scene.string.front().bit->torque.model == BitTorqueModel::regenerative)
+    std::printf("bit         regenerative: weight and torque are those of the cut; the face does not rub across the bottom\n");
+  const std::optional<WallLoss> loss = wall_loss(scene);
+  if (!loss) return;
+  const char* part = scene.string[static_cast<std::size_t>(loss->part)].name.c_str();
+  std::printf("wall        %s lies %.2g mm deep in it %.3g m above the bit; ", part, 1e3 * loss->depth, loss->from_bit);
+  if (loss->known)
+    std::printf("on a wall as stiff as under gauge and blades (%g N/m^e) the bit's side force would be %.1f kN, not %.1f, all contact forces %.1f kN, not %.1f",
+                scene.contact.assembly_stiffness, loss->stiff_side_force / 1e3, loss->side_force / 1e3, loss->stiff_contact / 1e3, loss->contact / 1e3);
+  else
+    std::printf("what its side forces lose by that is not known, a stiffer wall has no equilibrium");
+  std::printf("; contact of %s: stiffer\n", part);
+}
+
 struct CheckOptions
 {
   std::string scene;
@@ -110,6 +129,7 @@ void check(const CheckOptions& options)
               s.nodes, s.coordinates);
   const bool has_tool = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& p) { return p.type == PartType::mwd; });
   if (!has_tool) std::printf("survey tool no part is of type mwd: survey and toolface are measured at the bit's face\n");
+  print_shortcomings(scene);
   std::printf("program     %zu lines to %g s\n", scene.program.size(), program_end(scene.program));
 }
 }  // namespace

@@ -92,12 +92,6 @@ class Check(Drill):
             self.assertIn('level beam3d', text)
             self.assertIn('drill_pipe', text)
 
-    def test_friction_of_new_hole_is_told_from_the_bottom_down(self):
-        self.assertNotIn('new hole', self.succeed('check', QUICK))
-        rock = ', '.join('{to_tvd: %d, drillability: 1e-8%s}' % layer for layer in ((50, ', friction: 0.2'), (120, ', friction: 0.25'), (300, ''), (999, ', friction: 0.35')))
-        text = self.succeed('check', QUICK, '--set', 'formation=[%s]' % rock)
-        self.assertIn("new hole    friction 0.25 to 120 m TVD, its section's to 300 m TVD, 0.35\n", text)
-
     def test_bad_scenes_are_refused_with_file_line_and_key(self):
         scenes = sorted(glob.glob(os.path.join(SOURCE, 'test/bad_scenes/*.yaml')))
         self.assertGreaterEqual(len(scenes), 30)
