@@ -13,6 +13,7 @@
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/wall_loss.h"
+#include "drill_rig_sim/solve/start.h"
 #include "drill_scene.h"
 
 namespace drill_rig_sim
@@ -87,11 +88,33 @@ void print_new_hole(const Scene& scene, double bottom_tvd)
   std::printf("\n");
 }
 
+/// Pads that a bent motor wedges into a hole as narrow as the bit: it turns no more, and steps may fail.
+void print_wedged_gauge(const Scene& scene)
+{
+  constexpr double much = 0.25;  // of the motor's stall torque
+  const RigAtRest rig = build_at_rest(scene);
+  const MotorSpec* motor = rig.model->motor();
+  const Mesh& mesh = rig.model->mesh();
+  if (!motor || mesh.gauge_nodes < 2) return;
+  const double kinetic = scene.well.sections[section_at(scene.well.sections, scene.start.bit_depth)].friction;
+  double force = 0.0, friction = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.gauge_nodes); ++i)
+  {
+    force += rig.statics.forces.contact[i];
+    friction += kinetic * mesh.nodes[i].contact_radius * rig.statics.forces.contact[i];
+  }
+  if (friction < much * motor->stall_torque) return;
+  std::printf("gauge       its pads are wedged in the hole: %.1f kN on the wall, whose friction takes %.1f kN m of the %.1f that stall the motor; "
+              "gauge_clearance: wider\n",
+              force / 1e3, friction / 1e3, motor->stall_torque / 1e3);
+}
+
 /// What the run leaves out or gets too small, and would not be seen by its numbers.
 void print_shortcomings(const Scene& scene)
 {
   if (scene.string.front().bit->torque.model == BitTorqueModel::regenerative)
     std::printf("bit         regenerative: weight and torque are those of the cut; the face does not rub across the bottom\n");
+  if (scene.string.front().bit->gauge_length > 0.0) print_wedged_gauge(scene);
   const std::optional<WallLoss> loss = wall_loss(scene);
   if (!loss) return;
   const char* part = scene.string[static_cast<std::size_t>(loss->part)].name.c_str();
