@@ -231,6 +231,8 @@ private:
     {
       read_one(entries, path, "bottom", bit_bottom_keys, part.bit->bottom);
       in(entries, path, "torque", [&](const YAML::Node& n, const std::string& p) { read_bit_torque(n, p, part.bit->torque); });
+      if (entries.count("bottom") && part.bit->torque.model == BitTorqueModel::regenerative)
+        problems_.add(join(path, "bottom"), "has no effect with the regenerative torque, whose weight is that of the cut, allowed: leave it out");
     }
     if (part.stiffness.axial > 0.0 && entries.count("poisson_ratio"))
       problems_.add(join(path, "poisson_ratio"), "is given beside the stiffnesses, which say it, allowed: one of the two");

@@ -125,6 +125,7 @@ const Table<FormationLayer> layer_keys = {"formation[]", "A layer of rock; the l
   {"dip_deg",               "deg",    &FormationLayer::dip,                between(0.0, 90.0),   "dip of the beds below the horizontal"},
   {"strike_deg",            "deg",    &FormationLayer::strike,             turn,                 "azimuth of the strike; the beds dip to its right"},
   {"anisotropy",            "-",      &FormationLayer::anisotropy,         below(0.0, 1.0),      "0: drills alike in all directions"},
+  {"friction",              "-",      &FormationLayer::friction,           between(0.0, 5.0),    "kinetic friction coefficient of string on wall in hole that the run drills in it, instead of the section's", no_kind, every_kind, "of the section"},
 }};
 
 const Table<MudSpec> mud_keys = {"mud", "The drilling fluid around and inside the string.", {
@@ -168,8 +169,10 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"mass",                  "kg",     Inside<PartSpec>{of_bit<&BitSpec::mass>}, between(0.1, 1e5),    "of the bit", bit, bit},
   {"diameter",              "m",      Inside<PartSpec>{of_bit<&BitSpec::diameter>}, between(0.03, 1.0),   "gauge of the bit: it drills this hole", bit, bit},
   {"side_cutting",          "-",      Inside<PartSpec>{of_bit<&BitSpec::side_cutting>}, between(0.0, 1.0),    "lateral over axial drillability: PDC bits 0.001 to 0.1, less the longer their gauge", no_kind, bit},
+  {"gauge_length",          "m",      Inside<PartSpec>{of_bit<&BitSpec::gauge_length>}, between(0.0, 2.0),    "of its gauge pads, up from half a diameter above its face, inside its length: they resist a tilt of the bit in its hole, and cut nothing; 0: a ball touches, which tilts freely", no_kind, bit},
+  {"gauge_clearance",       "m",      Inside<PartSpec>{of_bit<&BitSpec::gauge_clearance>}, between(0.0, 0.02),   "of the pads' upper end, all round, in the hole that the bit cuts: what the bit tilts freely is this over gauge_length", no_kind, bit},
   {"torque",                "",       Nested{},                            none,                 "law of the torque on bit", no_kind, bit},
-  {"bottom",                "",       Nested{},                            none,                 "law of the bit's contact with the hole's bottom", no_kind, bit},
+  {"bottom",                "",       Nested{},                            none,                 "law of the bit's contact with the hole's bottom; not with `torque: {model: regenerative}`", no_kind, bit},
   {"bend_deg",              "deg",    Inside<PartSpec>{of_motor<&MotorSpec::bend>}, between(0.0, 5.0),    "angle of the bent housing", no_kind, motor},
   {"bit_to_bend",           "m",      Inside<PartSpec>{of_motor<&MotorSpec::bit_to_bend>}, between(0.01, 100.0), "from the bit's face to the bend; lies inside the motor", motor, motor},
   {"sleeve_diameter",       "m",      Inside<PartSpec>{of_motor<&MotorSpec::sleeve_diameter>}, between(0.0, 1.0), "over the blades on its bearing housing, which turn with the string; 0: none", no_kind, motor},
@@ -195,7 +198,7 @@ std::vector<Key<ContactLaw>> contact_law_keys()
 const Table<ContactLaw> part_contact_keys = {"string[].contact", "Wall contact of one part.", contact_law_keys()};
 const Table<ContactLaw> bit_bottom_keys = {"string[].bottom", "Contact of the bit with the hole's bottom.", contact_law_keys()};
 
-const Table<BitTorqueSpec> bit_torque_keys = {"string[].torque", "Torque on bit. stribeck: mu(speed) weight diameter / 3, mu falling from static to kinetic; detournay: cutting plus wear-flat friction; regenerative: the same, weight and torque by the depth of cut that each blade finds in what the one before left.", {
+const Table<BitTorqueSpec> bit_torque_keys = {"string[].torque", "Torque on bit. stribeck: mu(speed) weight diameter / 3, mu falling from static to kinetic; detournay: cutting plus wear-flat friction; regenerative: the same, weight and torque by the depth of cut that each blade finds in what the one before left, without `bottom` and without friction of the face across it.", {
   {"model",                 "",       Choice<BitTorqueSpec>{bit_torque_words, [](BitTorqueSpec& t, int word) { t.model = static_cast<BitTorqueModel>(word); },
                                                             [](const BitTorqueSpec& t) { return static_cast<int>(t.model); }},
                                                                            none,                 "which law"},

@@ -114,7 +114,8 @@ void check_diameters(const Scene& scene, ProblemList& problems)
     {
       problems.emplace_back(
           item_key("string", i, width.key),
-          metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section, " + metres(narrowest));
+          metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section, " + metres(narrowest) +
+              (part.type == PartType::bit ? "; reaming is not available yet" : ""));
     }
     else if (i > 0 && scene.string[0].bit && width.diameter > scene.string[0].bit->diameter)
     {

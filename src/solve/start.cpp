@@ -199,7 +199,7 @@ RigAtRest build_at_rest(const Scene& scene)
 {
   const StartSpec& start = scene.start;
   const double bit_radius = 0.5 * scene.string.front().bit->diameter;
-  Wellbore well(scene.well, scene.trajectory, bit_radius);
+  Wellbore well(scene.well, scene.trajectory, bit_radius, scene.formation);
   const bool on_bottom = start.weight_on_bit > 0.0;
   const double depth = on_bottom ? scene.well.hole_depth : start.bit_depth;
   double length = depth + start.block_height;

@@ -51,6 +51,12 @@ std::vector<Place> places_in(const PartSpec& part, double lower, double upper)
 }
 }  // namespace
 
+Cut cut_gauge(const BitSpec& bit)
+{
+  const double radius = 0.5 * bit.diameter;
+  return {radius + bit.gauge_length, radius - bit.gauge_clearance, 1, 0, false};
+}
+
 double joint_end_diameter(const PartSpec& part)
 {
   return part.pipe ? std::max(part.pipe->tool_joint_diameter, part.outer_diameter) : part.outer_diameter;

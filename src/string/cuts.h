@@ -20,6 +20,9 @@ struct Cut
   bool joint_end;
 };
 
+/// Where the gauge pads of a bit that has a gauge length end.
+Cut cut_gauge(const BitSpec& bit);
+
 /// Radius with which a part's joint ends touch the wall, times two [m].
 double joint_end_diameter(const PartSpec& part);
 

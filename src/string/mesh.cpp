@@ -68,6 +68,11 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
 std::vector<Cut> cut_string(const std::vector<PartSpec>& parts, const ElementLengths& longest, Mesh& mesh)
 {
   std::vector<Cut> cuts;
+  if (parts.front().bit->gauge_length > 0.0)
+  {
+    cuts.push_back(cut_gauge(*parts.front().bit));
+    mesh.gauge_nodes = 2;
+  }
   double top = parts.front().length;
   mesh.part_bottom.push_back(0.0);
   mesh.part_top.push_back(top);
@@ -116,7 +121,7 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
   const PartSpec& part = parts[cut.part];
   const double lower = mesh.nodes.back().from_bit;
   // the bit's own length carries no mass of the part above it
-  const double mass = part.linear_mass * (cut.from_bit - std::max(lower, parts.front().length));
+  const double mass = part.linear_mass * std::max(0.0, cut.from_bit - std::max(lower, parts.front().length));
   MeshElement element = make_element(part, cut.part, lower, cut.from_bit, mass);
   element.contact = law_under(part, contact, false);
   MeshNode node;
@@ -142,6 +147,14 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
   mesh.nodes.push_back(node);
 }
 
+/// The pads' upper end touches as the gauge does, and half of the mud that they squeeze is there.
+void put_gauge(const PartSpec& bit, const ContactSpec& contact, MeshNode& lower, MeshNode& upper)
+{
+  upper.contact = law_under(bit, contact, true);
+  upper.friction_radius = 0.0;
+  lower.squeeze_film_damping = upper.squeeze_film_damping = 0.5 * bit.bit->squeeze_film_damping;
+}
+
 /// A joint's end touches with the larger of the two ends that meet there; `above`: the part above it.
 void widen(const PartSpec& above, MeshNode& node)
 {
@@ -165,6 +178,7 @@ Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactSpec& contact, 
   const std::vector<Cut> cuts = cut_string(parts, longest, mesh);
   mesh.nodes.push_back(bit_node(bit, contact, mesh));
   for (const Cut& cut : cuts) add_element(parts, cut, contact, mud, mesh);
+  if (mesh.gauge_nodes > 1) put_gauge(bit, contact, mesh.nodes[0], mesh.nodes[1]);
   for (std::size_t i = 1; i + 1 < mesh.nodes.size(); ++i) widen(parts[mesh.nodes[i + 1].part], mesh.nodes[i]);
   return mesh;
 }

@@ -33,6 +33,17 @@ void check_kinds(const std::vector<PartSpec>& parts, ProblemList& problems)
   }
 }
 
+void check_gauge(const PartSpec& part, const std::string& key, ProblemList& problems)
+{
+  const double length = part.bit->gauge_length, most = part.length - 0.5 * part.bit->diameter;
+  if (length == 0.0) return;
+  if (length > most * (1.0 + 1e-9))
+    problems.emplace_back(key, metres(length) + " reaches beyond the bit, from the middle of its ball, half its diameter above its face; allowed: " +
+                                   (most >= least_element_length ? "up to " + metres(most) : "0, or a longer bit"));
+  else if (length < least_element_length)
+    problems.emplace_back(key, metres(length) + " is too short, allowed: 0, or " + metres(least_element_length) + " or more");
+}
+
 void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
 {
   double bottom = 0.0;
@@ -53,6 +64,7 @@ void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
         part.bit->torque.kinetic_friction > part.bit->torque.static_friction)
       problems.emplace_back(item_key("string", i, "torque.kinetic"), plain(part.bit->torque.kinetic_friction) + " exceeds static, allowed: up to " +
                                                                          plain(part.bit->torque.static_friction));
+    if (part.bit) check_gauge(part, item_key("string", i, "gauge_length"), problems);
     bottom = top;
   }
 }
@@ -83,6 +95,7 @@ void check_length(const std::vector<PartSpec>& parts, double needed, ProblemList
 std::vector<Cut> cuts_of(const std::vector<PartSpec>& parts, double length, const ElementLengths& longest, double& count)
 {
   std::vector<Cut> cuts;
+  if (parts.front().bit->gauge_length > 0.0) cuts.push_back(cut_gauge(*parts.front().bit));
   count = 0.0;
   double lower = parts.front().length;
   for (std::size_t i = 1; i < parts.size(); ++i)

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "drill_command.h"
 #include "drill_options.h"
@@ -10,6 +12,8 @@
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/sim/wall_loss.h"
+#include "drill_rig_sim/solve/start.h"
 #include "drill_scene.h"
 
 namespace drill_rig_sim
@@ -64,6 +68,65 @@ void print_mud(const Scene& scene)
     std::printf("            bore and annulus alone would lose that much or more: pressure_coefficient leaves nothing for the bit\n");
 }
 
+/// What the rock makes of the friction of hole yet to be drilled, from the hole's bottom down.
+void print_new_hole(const Scene& scene, double bottom_tvd)
+{
+  const std::vector<FormationLayer>& rock = scene.formation;
+  const bool has_friction = std::any_of(rock.begin(), rock.end(), [](const FormationLayer& layer) { return !std::isnan(layer.friction); });
+  if (!has_friction) return;
+  std::printf("new hole    friction");
+  for (std::size_t i = 0; i < rock.size(); ++i)
+  {
+    const bool last = i + 1 == rock.size();
+    if (!last && rock[i].to_tvd <= bottom_tvd) continue;
+    if (std::isnan(rock[i].friction))
+      std::printf(" its section's");
+    else
+      std::printf(" %g", rock[i].friction);
+    if (!last) std::printf(" to %g m TVD,", rock[i].to_tvd);
+  }
+  std::printf("\n");
+}
+
+/// Pads that a bent motor wedges into a hole as narrow as the bit: it turns no more, and steps may fail.
+void print_wedged_gauge(const Scene& scene)
+{
+  constexpr double much = 0.25;  // of the motor's stall torque
+  const RigAtRest rig = build_at_rest(scene);
+  const MotorSpec* motor = rig.model->motor();
+  const Mesh& mesh = rig.model->mesh();
+  if (!motor || mesh.gauge_nodes < 2) return;
+  const double kinetic = scene.well.sections[section_at(scene.well.sections, scene.start.bit_depth)].friction;
+  double force = 0.0, friction = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.gauge_nodes); ++i)
+  {
+    force += rig.statics.forces.contact[i];
+    friction += kinetic * mesh.nodes[i].contact_radius * rig.statics.forces.contact[i];
+  }
+  if (friction < much * motor->stall_torque) return;
+  std::printf("gauge       its pads are wedged in the hole: %.1f kN on the wall, whose friction takes %.1f kN m of the %.1f that stall the motor; "
+              "gauge_clearance: wider\n",
+              force / 1e3, friction / 1e3, motor->stall_torque / 1e3);
+}
+
+/// What the run leaves out or gets too small, and would not be seen by its numbers.
+void print_shortcomings(const Scene& scene)
+{
+  if (scene.string.front().bit->torque.model == BitTorqueModel::regenerative)
+    std::printf("bit         regenerative: weight and torque are those of the cut; the face does not rub across the bottom\n");
+  if (scene.string.front().bit->gauge_length > 0.0) print_wedged_gauge(scene);
+  const std::optional<WallLoss> loss = wall_loss(scene);
+  if (!loss) return;
+  const char* part = scene.string[static_cast<std::size_t>(loss->part)].name.c_str();
+  std::printf("wall        %s lies %.2g mm deep in it %.3g m above the bit; ", part, 1e3 * loss->depth, loss->from_bit);
+  if (loss->known)
+    std::printf("on a wall as stiff as under gauge and blades (%g N/m^e) the bit's side force would be %.1f kN, not %.1f, all contact forces %.1f kN, not %.1f",
+                scene.contact.assembly_stiffness, loss->stiff_side_force / 1e3, loss->side_force / 1e3, loss->stiff_contact / 1e3, loss->contact / 1e3);
+  else
+    std::printf("what its side forces lose by that is not known, a stiffer wall has no equilibrium");
+  std::printf("; contact of %s: stiffer\n", part);
+}
+
 struct CheckOptions
 {
   std::string scene;
@@ -80,6 +143,7 @@ void check(const CheckOptions& options)
   std::printf("well        %zu stations to %g m, hole %g m deep, at its bottom %.2f deg inclination, %.2f deg azimuth\n",
               scene.well.survey.size(), scene.well.survey.back().md, scene.well.hole_depth, m.bit_inclination / degree,
               m.bit_azimuth / degree);
+  print_new_hole(scene, -simulator.wellbore().bottom_position().z());
   print_string(scene);
   std::printf("start       bit at %.3f m, block at %.2f m, hook load %.1f kN, of it the string %.1f kN\n", m.bit_depth,
               m.block_height, m.hook_load / 1e3, m.hook_load_string / 1e3);
@@ -88,6 +152,7 @@ void check(const CheckOptions& options)
               s.nodes, s.coordinates);
   const bool has_tool = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& p) { return p.type == PartType::mwd; });
   if (!has_tool) std::printf("survey tool no part is of type mwd: survey and toolface are measured at the bit's face\n");
+  print_shortcomings(scene);
   std::printf("program     %zu lines to %g s\n", scene.program.size(), program_end(scene.program));
 }
 }  // namespace

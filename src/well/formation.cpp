@@ -36,11 +36,11 @@ Formation::Formation(std::vector<FormationLayer> layers) : layers_(std::move(lay
   }
 }
 
-const FormationLayer& Formation::at(double tvd) const noexcept
+const FormationLayer& layer_at(const std::vector<FormationLayer>& layers, double tvd) noexcept
 {
-  for (const FormationLayer& layer : layers_)
+  for (const FormationLayer& layer : layers)
     if (tvd < layer.to_tvd) return layer;
-  return layers_.back();
+  return layers.back();
 }
 
 Eigen::Vector3d bed_normal(const FormationLayer& layer) noexcept

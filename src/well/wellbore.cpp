@@ -24,8 +24,9 @@ std::size_t checked_capacity(int capacity)
 }
 }  // namespace
 
-Wellbore::Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius, int drilled_capacity)
-    : original_(build(spec, trajectory, bit_radius)), drilled_(checked_capacity(drilled_capacity)), raw_(raw_capacity)
+Wellbore::Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius, const std::vector<FormationLayer>& rock,
+                   int drilled_capacity)
+    : original_(build(spec, trajectory, bit_radius, rock)), drilled_(checked_capacity(drilled_capacity)), raw_(raw_capacity)
 {
   last_ = original_->nodes.back();
   bottom_ = last_.position;
@@ -36,7 +37,7 @@ Wellbore::Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, doubl
 }
 
 std::shared_ptr<const Wellbore::Original> Wellbore::build(const WellSpec& spec, const TrajectorySpec& trajectory,
-                                                          double bit_radius)
+                                                          double bit_radius, const std::vector<FormationLayer>& rock)
 {
   const Survey survey(spec.survey);
   const ProblemList problems = trajectory_problems(trajectory);
@@ -44,6 +45,7 @@ std::shared_ptr<const Wellbore::Original> Wellbore::build(const WellSpec& spec, 
   auto hole = std::make_shared<Original>();
   hole->nodes = place_nodes(spec, survey, bit_radius);
   hole->sections = spec.sections;
+  hole->rock = rock;
   hole->stage_two_length = trajectory.stage_two_length;
   hole->stage_two_steps = trajectory.stage_two_steps;
   const WellNode& top = hole->nodes.front();
@@ -113,23 +115,30 @@ bool Wellbore::stage_two_due() const noexcept
   return interval_steps_ >= original_->stage_two_steps && chord2 >= shortest_chord * shortest_chord;
 }
 
-void Wellbore::commit_stage_two() noexcept
+WellNode Wellbore::node_to_commit() const noexcept
 {
+  const Original& hole = *original_;
   const Eigen::Vector3d chord = bottom_ - last_.position;
   const double length = chord.norm();
+  const std::size_t section = section_at(hole.sections, last_.md + length);
   WellNode node;
   node.md = last_.md + length;
   node.position = bottom_;
   node.tangent = chord / length;
   node.radius = new_interval_.radius;
-  node.friction = new_interval_.friction;
-  node.section = new_interval_.section;
+  node.friction = hole.rock.empty() ? FormationLayer::unset : layer_at(hole.rock, -bottom_.z()).friction;
+  if (std::isnan(node.friction)) node.friction = hole.sections[section].friction;
+  node.section = static_cast<double>(section);
+  return node;
+}
+
+void Wellbore::commit_stage_two() noexcept
+{
+  const WellNode node = node_to_commit();
+  const double length = (node.position - last_.position).norm();
   const HoleSegment segment = HoleSegment::between(last_, node);
   drilled_.push({segment, Box::around(segment), node}, bottom_.x(), bottom_.y(), bottom_.z());
   last_ = node;
-  const std::size_t section = section_at(original_->sections, node.md);
-  last_.section = static_cast<double>(section);
-  last_.friction = original_->sections[section].friction;
   interval_steps_ = 0;
   if (original_->stage_two_steps > 0 && !strained_) interval_ = length;
 

@@ -24,6 +24,29 @@ class Check(test_drill.Drill):
         self.assertIn(['drill_pipe', 'pipe', '19.10', '119.70', '%.0f' % (31.9 * 100.6)], rows)
         self.assertIn(['string', '119.70', '%.0f' % (40.0 + 136.0 * 18.8 + 31.9 * 100.6)], rows)
 
+    def test_friction_of_new_hole_is_told_from_the_bottom_down(self):
+        self.assertNotIn('new hole', self.succeed('check', QUICK))
+        rock = ', '.join('{to_tvd: %d, drillability: 1e-8%s}' % layer for layer in ((50, ', friction: 0.2'), (120, ', friction: 0.25'), (300, ''), (999, ', friction: 0.35')))
+        text = self.succeed('check', QUICK, '--set', 'formation=[%s]' % rock)
+        self.assertIn("new hole    friction 0.25 to 120 m TVD, its section's to 300 m TVD, 0.35\n", text)
+
+    def test_what_a_scene_leaves_out_is_told(self):
+        text = self.succeed('check', QUICK)
+        self.assertNotIn('regenerative', text)
+        self.assertNotIn('deep in it', text)
+        self.assertIn('face does not rub', self.succeed('check', QUICK, '--set', 'string[0].torque={model: regenerative}'))
+        motor = ('{name: motor, type: mud_motor, length: 8.3, outer_diameter: 0.2032, inner_diameter: 0.12, linear_mass: 190, bend_deg: 1.25, '
+                 'bit_to_bend: 2, displacement_per_rev: 0.024, stall_torque: 12000}')
+        pipe = ('{name: pipe, type: pipe, joints: fill, joint_length: 9.5, outer_diameter: 0.127, inner_diameter: 0.1086, linear_mass: 31.9, '
+                'tool_joint_diameter: 0.168}')
+        bit = '{name: bit, type: bit, length: 0.3, mass: 40, diameter: 0.2159}'
+        words = ('--set', 'string=[%s, %s, %s]' % (bit, motor, pipe))
+        self.assertRegex(self.succeed('check', QUICK, *words), r"wall +motor lies [0-9.]+ mm deep in it 2 m above the bit; on a wall as stiff")
+        self.assertNotIn('deep in it', self.succeed('check', QUICK, *words, '--set', 'contact.stiffness=2e10'))
+        pads = words + ('--set', 'string[1].outer_diameter=0.1715', '--set', 'string[0].gauge_length=0.15')
+        self.assertIn('pads are wedged in the hole', self.succeed('check', QUICK, *pads))
+        self.assertNotIn('wedged', self.succeed('check', QUICK, *pads, '--set', 'string[0].gauge_clearance=2e-3'))
+
     def test_every_kind_of_part_has_its_word(self):
         string = ('[{name: a, type: bit, length: 0.3, mass: 40, diameter: 0.2159}, '
                   '{name: b, type: mud_motor, length: 8, outer_diameter: 0.165, inner_diameter: 0.0714, linear_mass: 120, '

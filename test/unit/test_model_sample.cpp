@@ -80,6 +80,7 @@ struct Drilling
     Scene scene = scene_in({{0.0, 20.0 * degree, 1.0}, {200.0, 20.0 * degree, 1.0}}, 150.0, 149.0, 0.3);
     scene.string.insert(scene.string.begin() + 1, motor_part());
     scene.string[0].bit->squeeze_film_damping = 3000.0;
+    scene.string[0].bit->gauge_length = 0.15;
     scene.contact.law.damping = 0.3;
     scene.string.back().pipe->tool_joint_diameter = 0.0;  // so that it touches between the nodes too
     return scene;

@@ -66,6 +66,7 @@ std::vector<Expected> of_well()
       {"formation[]", "dip_deg", [](const Scene& s) { return s.formation.at(0).dip; }, 14.0 * degree},
       {"formation[]", "strike_deg", [](const Scene& s) { return s.formation.at(0).strike; }, 15.0 * degree},
       {"formation[]", "anisotropy", [](const Scene& s) { return s.formation.at(0).anisotropy; }, 0.16},
+      {"formation[]", "friction", [](const Scene& s) { return s.formation.at(0).friction; }, 0.23},
       {"mud", "density", [](const Scene& s) { return s.mud.density; }, 1181.0},
       {"mud", "axial_damping", [](const Scene& s) { return s.mud.axial_damping; }, 0.19},
       {"mud", "lateral_damping", [](const Scene& s) { return s.mud.lateral_damping; }, 21.0},
@@ -108,6 +109,8 @@ std::vector<Expected> of_string()
       {"string[]", "tool_joint_diameter", [](const Scene& s) { return s.string.at(5).pipe->tool_joint_diameter; }, 0.169},
       {"string[]", "blade_diameter", [](const Scene& s) { return s.string.at(3).stabilizer->blade_diameter; }, 0.3081},
       {"string[]", "speed_lag", [](const Scene& s) { return s.string.at(0).bit->speed_lag; }, 0.31},
+      {"string[]", "gauge_length", [](const Scene& s) { return s.string.at(0).bit->gauge_length; }, 0.15},
+      {"string[]", "gauge_clearance", [](const Scene& s) { return s.string.at(0).bit->gauge_clearance; }, 4.3e-4},
       {"string[]", "squeeze_film_damping", [](const Scene& s) { return s.string.at(0).bit->squeeze_film_damping; }, 41000.0},
       {"string[]", "squeeze_film_damping", [](const Scene& s) { return s.string.at(3).stabilizer->squeeze_film_damping; }, 42000.0},
       {"string[]", "sensor_offset", [](const Scene& s) { return s.string.at(4).mwd->sensor_offset; }, 4.6},
@@ -314,6 +317,7 @@ TEST(SceneKeys, thatExcludeOthersAreInTheirFieldsToo)
   replace("stage_two_length: 0.11", "stage_two_steps: 12");
   replace("{model: stribeck, static: 0.61, kinetic: 0.41, speed_rpm: 31.0}",
           "{model: regenerative, cutting_energy: 1.25e8, wear_friction: 0.62, wear_weight: 601.0, blades: 7}");
+  replace(", bottom: {stiffness: 1.1e9, exponent: 1.51, damping: 1.01}", "");
   replace("weight_exponent: 1.2, speed_exponent: 0.7, ", "");
   replace("drillability: 1.7e-8", "drillability: 1.7e-8, threshold: 602.0");
   const Scene scene = parse_scene(text, "all_keys.yaml");

@@ -90,6 +90,44 @@ TEST(Snapshot, nextTenThousandFramesAreBitIdentical)
   expect_identical(run(other, kFrames), first);
 }
 
+// Out of one layer into the next: the hole drilled in each has its friction, and a hole that is taken back and drilled anew has it again.
+TEST(Snapshot, keepsTheFrictionThatTheRockGaveTheHole)
+{
+  Scene scene = drilling_scene(0.005);
+  scene.formation.insert(scene.formation.begin(), scene.formation[0]);
+  scene.formation[0].to_tvd = 100.15;
+  scene.formation[0].friction = 0.18;
+  scene.formation[1].friction = 0.37;
+  Simulator rig(scene, 7);
+  const auto start = rig.save();
+  const Wellbore& well = rig.wellbore();
+  const auto drill_to = [&rig](double depth)
+  {
+    drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
+    while (rig.wellbore().hole_depth() < depth && rig.truth().time < 120.0) ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+  };
+  drill_to(100.22);
+  const auto between = rig.save();
+  drill_to(100.45);
+  const auto expect_layers = [&well]
+  {
+    EXPECT_EQ(well.at(99.9).friction, 0.25) << "hole that was there";
+    EXPECT_NEAR(well.at(100.105).friction, 0.18, 0.02);
+    EXPECT_NEAR(well.at(100.35).friction, 0.37, 1e-12);
+  };
+  expect_layers();
+  const auto version = well.version();
+  rig.restore(*between);
+  drill_to(100.45);
+  EXPECT_EQ(well.version(), version);
+  expect_layers();
+  rig.restore(*start);
+  EXPECT_EQ(well.at(100.35).friction, 0.25) << "not drilled any more";
+  drill_to(100.45);
+  EXPECT_EQ(well.version(), version);
+  expect_layers();
+}
+
 TEST(Snapshot, sameSeedAndCommandsGiveTheSameBits)
 {
   const Scene scene = noisy_scene();

@@ -96,6 +96,28 @@ TEST(Mesh, aMotorsSleeveIsANode)
   }
 }
 
+TEST(Mesh, putsANodeWhereTheGaugePadsEnd)
+{
+  Scene scene = assembly();
+  const Mesh ball = build_mesh(scene, 320.0);
+  EXPECT_EQ(ball.gauge_nodes, 1);
+  BitSpec& bit = *scene.string[0].bit;
+  bit.gauge_length = 0.15;
+  bit.gauge_clearance = 3e-4;
+  scene.string[1].friction_radius = 0.05;
+  const Mesh mesh = build_mesh(scene, 320.0);
+  ASSERT_EQ(mesh.gauge_nodes, 2);
+  EXPECT_EQ(mesh.nodes.size(), ball.nodes.size() + 1);
+  const MeshNode &lower = mesh.nodes[0], &upper = mesh.nodes[1];
+  EXPECT_NEAR(upper.from_bit - lower.from_bit, 0.15, 1e-15);
+  EXPECT_NEAR(upper.contact_radius, 0.5 * 0.2159 - 3e-4, 1e-15);
+  EXPECT_EQ(upper.contact.stiffness, lower.contact.stiffness);
+  EXPECT_EQ(upper.friction_radius, 0.0) << "not that of the part above";
+  EXPECT_EQ(lower.squeeze_film_damping + upper.squeeze_film_damping, bit.squeeze_film_damping);
+  EXPECT_EQ(mesh.elements[0].linear_mass, 0.0) << "the bit's mass is all at its centre";
+  EXPECT_NEAR(total_mass(mesh), total_mass(ball), 1e-9 * total_mass(ball));
+}
+
 TEST(Mesh, putsNodesWhereTheStringIsSpecial)
 {
   const Scene scene = assembly();

@@ -206,7 +206,7 @@ TEST(WellExtension, NothingIsAllocatedInAFrame)
 // A bit that nobody stops: the room for nodes is shared out over ever longer intervals, and the hole goes on after that.
 TEST(WellExtension, FullCapacityIsSaidAndSurvived)
 {
-  Wellbore hole(straight_well(100.0), every_metres(0.1), bit_radius, 16);
+  Wellbore hole(straight_well(100.0), every_metres(0.1), bit_radius, {}, 16);
   const int before = hole.node_count();
   const Vector3d axis = hole.end_direction();
   while (hole.hole_depth() < 100.75) hole.extend(advance * axis, axis);
@@ -218,7 +218,7 @@ TEST(WellExtension, FullCapacityIsSaidAndSurvived)
   const ClosestPoint closest = hole.locate(hole.bottom_position(), -1);
   EXPECT_NEAR(closest.md, hole.hole_depth(), 1e-9);
   EXPECT_LT((hole.at(115.0).position - 115.0 * axis).norm(), 1e-9);
-  EXPECT_THROW(Wellbore(straight_well(100.0), every_metres(0.1), bit_radius, 100), std::invalid_argument);
+  EXPECT_THROW(Wellbore(straight_well(100.0), every_metres(0.1), bit_radius, {}, 100), std::invalid_argument);
 }
 
 // The next section's friction holds for what is drilled in it; the diameter is the bit's.
@@ -235,6 +235,37 @@ TEST(WellExtension, FrictionFollowsTheSections)
   EXPECT_EQ(hole.at(100.8).section, 1.0);
   EXPECT_EQ(hole.locate(100.3 * axis, -1).section, 0.0);
   EXPECT_EQ(hole.locate(100.99 * axis, -1).section, 1.0);
+}
+
+// Hole that is drilled in a layer with a friction of its own has that from node to node; elsewhere it has its section's.
+TEST(WellExtension, FrictionFollowsTheRock)
+{
+  const double inclination = 60.0 * degree;  // 0.5 m TVD a metre
+  WellSpec spec = straight_well(100.0, inclination);
+  spec.sections = {{101.5, 0.3112, 0.2}, {200.0, 0.3112, 0.3}};
+  std::vector<FormationLayer> rock(3);
+  rock[0].to_tvd = 50.5;
+  rock[0].friction = 0.25;
+  rock[1].to_tvd = 51.0;
+  rock[2].to_tvd = 1000.0;
+  rock[2].friction = 0.35;
+  Wellbore hole(spec, every_metres(0.1), bit_radius, rock);
+  const Wellbore start = hole;
+  const Vector3d axis = hole.end_direction();
+  while (hole.hole_depth() < 103.0) hole.extend(advance * axis, axis);
+  EXPECT_EQ(hole.at(99.0).friction, 0.2) << "hole that was there keeps its section's";
+  EXPECT_EQ(hole.at(100.0).friction, 0.2);
+  EXPECT_NEAR(hole.at(100.5).friction, 0.25, 1e-12);
+  EXPECT_NEAR(hole.at(101.3).friction, 0.2, 1e-12);
+  EXPECT_NEAR(hole.at(101.8).friction, 0.3, 1e-12);
+  EXPECT_NEAR(hole.at(102.5).friction, 0.35, 1e-12);
+  EXPECT_NEAR(hole.locate(102.5 * axis, -1).friction, 0.35, 1e-12);
+  // from one value to the next along one interval, without a jump
+  for (double md = 100.0; md < 102.9; md += 1e-3) ASSERT_LE(std::abs(hole.at(md + 1e-3).friction - hole.at(md).friction), 0.1 * 1.02e-2) << md;
+
+  Wellbore again = start;
+  while (again.hole_depth() < 103.0) again.extend(advance * axis, axis);
+  expect_identical(again, hole);
 }
 
 // Rock does not grow back: the plane turns by no more than what is drilled over the bit's radius, so that its rim never rises. The bit

@@ -48,7 +48,8 @@ struct MeshElement
 };
 
 /// The drillstring as nodes and elements, bit first. Node 0 is the centre of the bit's ball, half a diameter above the bit's face; the
-/// bit is a rigid body on it. The last node is the top-drive shaft. Every joint's end, part's end, stabiliser's blade and bend is a node.
+/// bit is a rigid body on it. A bit with a gauge length has node 1 at the upper end of its pads, so that they take moments between two circles;
+/// between these it bends like the part above it. The last node is the top-drive shaft. Every joint's end, part's end, stabiliser's blade and bend is a node.
 struct Mesh
 {
   std::vector<MeshNode> nodes;
@@ -57,6 +58,7 @@ struct Mesh
   double bit_radius = 0.0;    ///< [m]
   double bit_mass = 0.0;      ///< [kg]
   double bit_displaced = 0.0; ///< volume [m3]
+  int gauge_nodes = 1;        ///< so many of the lowest nodes are the bit's gauge: their contact turns with the motor and loads it
   int bend_node = -1;         ///< -1: straight string
   double sensor_from_bit = -1.0;    ///< the MWD's sensor; -1: none
   std::vector<double> part_bottom;  ///< from_bit of each part's lower end [m]

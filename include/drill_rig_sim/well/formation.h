@@ -2,8 +2,8 @@
 #define DRILL_RIG_SIM_WELL_FORMATION_H
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
-
 
 /// The rock, and how fast a bit breaks it: the three-dimensional drilling equation
 ///   v = K N^beta g(|F|) A_f A_b F/|F|,   g(F) = max(F - F_0, 0)^alpha,
@@ -27,7 +27,13 @@ struct FormationLayer
   double dip = 0.0;              ///< bed dip below horizontal [rad]
   double strike = 0.0;           ///< azimuth of the strike, dip to its right [rad]
   double anisotropy = 0.0;       ///< h in [0, 1); 0 = isotropic
+
+  static constexpr double unset = std::numeric_limits<double>::quiet_NaN();  ///< as its hole section has it
+  double friction = unset;       ///< kinetic friction coefficient, pipe on the wall of hole that is drilled in it [-]
 };
+
+/// The layer at true vertical depth `tvd` = -z [m]; above the first base the first, below the last base the last. `layers`: at least one.
+const FormationLayer& layer_at(const std::vector<FormationLayer>& layers, double tvd) noexcept;
 
 /// The layers by true vertical depth.
 class Formation
@@ -35,8 +41,8 @@ class Formation
 public:
   /// `layers`: at least one, to_tvd strictly increasing. Throws std::invalid_argument with one line otherwise.
   explicit Formation(std::vector<FormationLayer> layers);
-  /// The layer at true vertical depth `tvd` = -z [m]; above the first base the first, below the last base the last.
-  const FormationLayer& at(double tvd) const noexcept;
+  /// layer_at().
+  const FormationLayer& at(double tvd) const noexcept { return layer_at(layers_, tvd); }
   const std::vector<FormationLayer>& layers() const noexcept { return layers_; }
 
 private:

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "drill_rig_sim/well/formation.h"
 #include "drill_rig_sim/well/well_spec.h"
 #include "drill_rig_sim/well/history.h"
 #include "drill_rig_sim/well/hole_segment.h"
@@ -46,6 +47,9 @@ struct ClosestPoint
 /// continuous along the hole and in time; on commit it is md_P + |C - P|. At P the line is offset sideways by up to
 /// (1 - |C - P|/L2) times C's distance from the tangent at P: tens of microns in a raw helix of 30 um.
 ///
+/// Friction of drilled hole: that of the rock layer at the node, if the layer has one, else its hole section's; in a straight line between nodes.
+/// Until its first commit the newly drilled interval has that of the hole above it.
+///
 /// Segments are numbered 0: the straight vertical line above the first node (md = -z), 1 .. n: permanent, n + 1: the newly drilled interval.
 /// Copies are snapshots. Assignment between copies of one well costs what was drilled in between and does not allocate.
 class Wellbore
@@ -56,9 +60,11 @@ public:
   static constexpr double longest_extension = 1000.0;  ///< of one step; what would be longer is a step that has gone astray [m]
 
   /// A hole with its first node at the origin. `spec.survey`'s first station must be at md 0; `bit_radius` [m] is the radius of
-  /// everything drilled and of the hole at its bottom; `drilled_capacity`: most drilled nodes, a power of two.
+  /// everything drilled and of the hole at its bottom; `rock`: layers whose friction drilled hole gets, none: its sections' friction
+  /// everywhere; `drilled_capacity`: most drilled nodes, a power of two.
   /// Throws std::invalid_argument with one line if survey, sections, depth or trajectory are not usable.
-  Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius, int drilled_capacity = default_capacity);
+  Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius, const std::vector<FormationLayer>& rock = {},
+           int drilled_capacity = default_capacity);
 
   /// The cross section nearest to `point` [m]. `segment_hint` < 0 searches the whole hole (nearest of all); otherwise the search
   /// walks from that segment, and turns to the whole hole if it walks far or ends more than four radii from the axis. Newton's
@@ -133,6 +139,7 @@ private:
     std::vector<HoleSegment> segments;  // [0]: above the first node; [i]: from node i - 1 to node i
     std::vector<Box> boxes;             // of segments; [0] unused
     std::vector<HoleSection> sections;
+    std::vector<FormationLayer> rock;
     double stage_two_length;
     int stage_two_steps;
   };
@@ -152,7 +159,8 @@ private:
     }
   };
 
-  static std::shared_ptr<const Original> build(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius);
+  static std::shared_ptr<const Original> build(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius,
+                                               const std::vector<FormationLayer>& rock);
   int original_count() const noexcept { return static_cast<int>(original_->nodes.size()); }
   int new_interval_index() const noexcept { return node_count(); }
   const HoleSegment& segment(int i) const noexcept;
@@ -161,6 +169,7 @@ private:
   int nearest_segment(const Eigen::Vector3d& point) const noexcept;
   void turn_bottom(const Eigen::Vector3d& direction, double drilled) noexcept;
   bool stage_two_due() const noexcept;
+  WellNode node_to_commit() const noexcept;
   void commit_stage_two() noexcept;
   void update_new_interval() noexcept;
 

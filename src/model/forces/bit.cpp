@@ -129,6 +129,7 @@ void put_on_bit(const StageContext& at, const RockLoad& rock, double* residual, 
   forces.wob = rock.force;
   forces.bit_torque = rock.torque;
   forces.bit_force = forces.wall[0] - rock.force * down;
+  for (int i = 1; i < at.model.mesh().gauge_nodes; ++i) forces.bit_force += forces.wall[i];
   forces.bit_moment -= rock.torque * n;  // the wall left the gauge's share
   forces.motor_torque = -n.dot(forces.bit_moment);
   const Vector3d outward = node.position - node.closest.centre;

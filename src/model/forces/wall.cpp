@@ -27,7 +27,7 @@ WallForce sticking_force(const StageContext& at, int i, Matrix6d* block) noexcep
   motion.angular_velocity = node.rate.tail<3>();
   motion.velocity_coefficient = at.stage.dv_du;
   motion.time = at.stage.time;
-  if (i == 0)  // the bit turns with the motor
+  if (i < at.model.mesh().gauge_nodes)  // the bit turns with the motor
   {
     motion.rotation += at.stage.bit.motor_turn * node.axis;
     motion.angular_velocity += at.stage.bit.motor_speed * node.axis;
@@ -43,6 +43,12 @@ WallForce sliding_force(const StageContext& at, int i, Matrix6d* block) noexcept
   const NodeMotion& node = at.work.nodes[i];
   Matrix6d unused;
   return sliding_wall_contact(node.closest, radius_of(at, i), node.position, at.stage.sliding, at.model.contact(i), block ? *block : unused);
+}
+
+/// Rock on bit about its centre.
+Vector3d moment_on_bit(const StageContext& at, int i, const WallForce& f) noexcept
+{
+  return f.moment + (at.work.nodes[i].position - at.work.nodes[0].position).cross(f.force);
 }
 
 using ForceAtNode = WallForce (*)(const StageContext&, int, Matrix6d*) noexcept;
@@ -65,7 +71,8 @@ void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* t
   result.rest[i] = rest_after(f, at.start.nodes[i].rest, at.stage.time);
   result.forces.contact[i] = f.normal_force;
   result.forces.wall[i] = f.force;
-  if (i == 0) result.forces.bit_moment = f.moment;
+  if (i == 0) result.forces.bit_moment.setZero();
+  if (i < at.model.mesh().gauge_nodes) result.forces.bit_moment += moment_on_bit(at, i, f);
 }
 
 template <ForceAtNode force_at>
@@ -96,7 +103,7 @@ void sample_at(const StageContext& at, int i, EnergySample& sample) noexcept
   auto friction = at_node(sample, NodeForce::friction, i);
   friction.head<3>() += parts.friction;
   friction.tail<3>() += parts.friction_moment;
-  if (i == 0) sample.gauge_torque = -f.moment.dot(node.axis);
+  if (i < at.model.mesh().gauge_nodes) sample.gauge_torque -= f.moment.dot(node.axis);
 }
 
 void sample(const StageContext& at, EnergySample& sample) noexcept
