@@ -49,27 +49,28 @@ double tension_at(const Model& model, const State& s, const std::vector<double>&
   return 0.5 * (top_of(i - 1) + foot_of(i));
 }
 
-/// What the bit carries beside the scene's weight, as string: too much of it, or too little and how far the bit is off bottom [m].
+/// What the bit carries beside the scene's weight, and how far it is from where it should be, as string too much [m].
 double weight_error(const Scene& scene, const RigAtRest& rig, double weight)
 {
-  const double error = (weight - scene.start.weight_on_bit) * string_compliance(rig.model->mesh());
-  return weight > 0.0 ? error : error + bit_depth(*rig.model, rig.state) - scene.well.hole_depth;
+  const StartSpec& start = scene.start;
+  const double error = (weight - start.weight_on_bit) * string_compliance(rig.model->mesh());
+  if (start.weight_on_bit > 0.0 && weight > 0.0) return error;
+  return error + bit_depth(*rig.model, rig.state) - (start.weight_on_bit > 0.0 ? scene.well.hole_depth : start.bit_depth);
 }
 
-/// Slips the string on until the bit carries the scene's weight again, which friction has changed: by secants, for friction holds part of
+/// Slips the string on until the bit carries the scene's weight again, or none as in the scene, which friction has changed: by secants, for friction holds part of
 /// what is slipped on, and by halves where so much at once finds no equilibrium.
 StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigAtRest& rig)
 {
   constexpr int most_rounds = 20, most_tried = 500;
-  constexpr double tolerance = 1e-4;  // of the weight on bit
   constexpr double least_slip = 1e-3;  // [m]
-  const double wanted = scene.start.weight_on_bit;
+  const double wanted = scene.start.weight_on_bit, tolerance = std::max(1e-4 * wanted, 1.0);  // [N]
   StaticOutcome outcome = solve_static(*rig.model, rig.state, sliding);
-  if (wanted <= 0.0 || !outcome.converged) return outcome;
+  if (!outcome.converged) return outcome;
   LengthSearch slipped_on;  // of the top, down from the table: what is slipped on comes to the bit as weight
   for (int round = 0; round < most_rounds; ++round)
   {
-    if (std::abs(outcome.forces.wob - wanted) < tolerance * wanted) return outcome;
+    if (std::abs(outcome.forces.wob - wanted) < tolerance) return outcome;
     const State found = rig.state;
     const double top = found.nodes.back().position.z();
     double slip = slipped_on.next(-top, weight_error(scene, rig, outcome.forces.wob)) + top;

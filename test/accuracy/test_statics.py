@@ -74,7 +74,7 @@ def verdict(done, weight):
     if done.returncode or len(found) != 4:
         return 'status %d: %s' % (done.returncode, done.stderr.strip()), False
     hook, torque, wob, buckling = (float(found[key]) for key in ('hook load', 'torque', 'weight on bit', 'buckling'))
-    held = weight is None or abs(wob - weight) <= 0.01 * weight
+    held = abs(wob - (weight or 0.0)) <= max(1.0, 0.01 * (weight or 0.0))
     return '%.1f kN, %.2f kN m, %.1f kN on bit, %.2f of its buckling load%s' % (hook / 1e3, torque / 1e3, wob / 1e3, buckling, '' if held else ': WEIGHT'), held
 
 
