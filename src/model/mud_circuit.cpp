@@ -57,9 +57,10 @@ Stretch stretch_of(const Scene& scene, const Mesh& mesh, std::size_t e)
   return out;
 }
 
-/// The mean of what displaces mud: so much, wherever it is, makes the moving string's losses.
+/// The mean of what displaces mud: so much, wherever it is, makes the moving string's losses; none where nothing is lost.
 double displaced_area(const std::vector<Stretch>& stretches, const MudCircuit& mud)
 {
+  if (mud.circuit.annulus.loss <= 0.0) return 0.0;
   double mean = 0.0;
   for (std::size_t e = 0; e < stretches.size(); ++e) mean += mud.annulus_here[e] * std::pow(stretches[e].displaced, mud.circuit.exponent);
   return std::pow(mean, 1.0 / mud.circuit.exponent);

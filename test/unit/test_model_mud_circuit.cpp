@@ -131,6 +131,7 @@ TEST(MudCircuit, aSceneWithoutLossesHasNone)
   const MudCircuit mud = circuit_of(scene);
   EXPECT_EQ(mud.circuit.bore.loss, 0.0);
   EXPECT_EQ(mud.circuit.annulus.loss, 0.0);
+  EXPECT_EQ(mud.displaced_area, 0.0);
 }
 
 int main(int argc, char** argv)
