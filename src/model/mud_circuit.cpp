@@ -19,6 +19,7 @@ struct Stretch
   double bore_volume = 0.0, bore_gel = 0.0, bore_loss = 0.0;           // m3, m/m, Pa at nominal flow
   double annulus_volume = 0.0, annulus_gel = 0.0, annulus_loss = 0.0;
   double hole = 0.0;  // diameter [m]; 0 above the rotary table
+  double displaced = 0.0;  // area that displaces mud as the string moves, with what clings to it [m2]
 
   Stretch& operator+=(const Stretch& s) noexcept
   {
@@ -48,10 +49,21 @@ Stretch stretch_of(const Scene& scene, const Mesh& mesh, std::size_t e)
   const double hole = scene.well.sections[section_at(scene.well.sections, md)].diameter, gap = hole - element.outer_diameter;
   if (md <= 0.0 || gap <= 0.0) return out;
   out.hole = hole;
-  out.annulus_volume = (0.25 * pi * hole * hole - element.outer_area) * length;
+  const double annulus_area = 0.25 * pi * hole * hole - element.outer_area;
+  out.displaced = element.outer_area + clinging_constant(element.outer_diameter / hole) * annulus_area;
+  out.annulus_volume = annulus_area * length;
   out.annulus_gel = 4.0 * length / std::max(gap, narrowest);
   out.annulus_loss = annulus_gradient(density, flow, hole, element.outer_diameter) * length;
   return out;
+}
+
+/// The mean of what displaces mud: so much, wherever it is, makes the moving string's losses; none where nothing is lost.
+double displaced_area(const std::vector<Stretch>& stretches, const MudCircuit& mud)
+{
+  if (mud.circuit.annulus.loss <= 0.0) return 0.0;
+  double mean = 0.0;
+  for (std::size_t e = 0; e < stretches.size(); ++e) mean += mud.annulus_here[e] * std::pow(stretches[e].displaced, mud.circuit.exponent);
+  return std::pow(mean, 1.0 / mud.circuit.exponent);
 }
 
 /// Where along the string the losses lie.
@@ -82,6 +94,11 @@ void add_forces(const Scene& scene, const MeshElement& element, const Stretch& s
   out.lift.push_back(0.25 * pi * element.outer_diameter * stretch.hole * annulus_here);
 }
 }  // namespace
+
+double clinging_constant(double diameter_ratio) noexcept
+{
+  return 0.41 + 0.1 * diameter_ratio;
+}
 
 double annulus_gradient(double density, double flow, double hole_diameter, double diameter) noexcept
 {
@@ -116,8 +133,22 @@ MudCircuit mud_circuit(const Scene& scene, const Mesh& mesh)
   out.circuit.annulus = {all.annulus_volume / scene.mud.bulk_modulus, annulus, all.annulus_gel * scene.mud.gel_strength};
   out.bore_friction = inner > 0.0 ? std::min(1.0, all.bore_loss / inner) : 0.0;
   share_losses(stretches, all, out);
+  out.displaced_area = displaced_area(stretches, out);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) add_forces(scene, mesh.elements[e], stretches[e], out.annulus_here[e], out);
   return out;
+}
+
+double running_speed(const MudCircuit& mud, const std::vector<NodeState>& nodes) noexcept
+{
+  double sum = 0.0, weight = 0.0;
+  for (std::size_t e = 0; e < mud.lift.size(); ++e)
+  {
+    if (mud.lift[e] <= 0.0) continue;
+    const Eigen::Vector3d up = (nodes[e + 1].position - nodes[e].position).normalized();
+    sum -= 0.5 * mud.lift[e] * up.dot(nodes[e].rate.velocity + nodes[e + 1].rate.velocity);
+    weight += mud.lift[e];
+  }
+  return weight > 0.0 ? sum / weight : 0.0;
 }
 
 MudPressures mud_pressures(const MudCircuit& mud, const HydraulicState& state, double flow) noexcept

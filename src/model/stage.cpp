@@ -17,7 +17,7 @@ double mud_mass(const MeshNode& node, const NodeState& at, const Wellbore& well)
   return node.mud_inside + confinement(node.diameter, 2.0 * well.radius_near(at.position, at.segment)) * node.mud_outside;
 }
 
-/// What the pump's pressure does to the elements (mud_circuit.h).
+/// What the mud's pressures do to the elements (mud_circuit.h).
 void take_pressures(const Model& model, const State& state, Stage& stage) noexcept
 {
   const MudCircuit& mud = model.mud();
@@ -31,7 +31,7 @@ void take_pressures(const Model& model, const State& state, Stage& stage) noexce
     if (!pumped) continue;
     stage.free_stretch[e] = mud.stretch_by_bore[e] * pressures.in_bore(mud, e) + mud.stretch_by_annulus[e] * pressures.in_annulus(mud, e);
     const double lift = mud.lift[e] * pressures.annulus;
-    if (lift > 0.0) load += lift * (state.nodes[e + 1].position - state.nodes[e].position).normalized();
+    if (lift != 0.0) load += lift * (state.nodes[e + 1].position - state.nodes[e].position).normalized();
   }
 }
 

@@ -38,6 +38,21 @@ double root(double top, double by_flow, const HydraulicResistance& r, double gue
   }
   return q;
 }
+
+/// outflow() of a volume whose mud may as well go the other way.
+Outflow outflow_either_way(double capacity, double pressure, double inflow, double step, const HydraulicResistance& r, double guess) noexcept
+{
+  const double sign = (capacity > 0.0 ? pressure + step / capacity * inflow : inflow) < 0.0 ? -1.0 : 1.0;
+  const Outflow out = outflow(capacity, sign * pressure, sign * inflow, step, r, sign * guess);
+  return {sign * out.flow, sign * out.pressure};
+}
+
+/// Share of the gel's strength after a step in which mud moved past it at a rate [m3/s].
+double advance_gel(double gel, double flow, double step) noexcept
+{
+  const bool breaks = flow * gel_time > gel_break_volume;
+  return breaks ? gel * std::exp(-flow * step / gel_break_volume) : gel + (1.0 - gel) * -std::expm1(-step / gel_time);
+}
 }  // namespace
 
 double HydraulicResistance::pressure(double flow) const noexcept
@@ -65,26 +80,24 @@ double outflow_at(double pressure, const HydraulicResistance& r, double guess) n
   return pressure <= r.back + r.gel ? 0.0 : root(pressure, 0.0, r, guess);
 }
 
-void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit, double commanded, double motor_pressure, double step,
-                        double& flow, HydraulicState& state) noexcept
+void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit, double commanded, double motor_pressure,
+                        double displaced, double step, double& flow, HydraulicState& state) noexcept
 {
   state.pump_flow = advance_pump(spec, state.pump_flow, commanded, step);
   const double n = circuit.nominal_flow, m = circuit.exponent;
-  const HydraulicResistance inner{state.annulus_pressure, circuit.bore.loss, state.gel * circuit.bore.gel, motor_pressure, n, m};
+  const HydraulicResistance inner{std::max(state.annulus_pressure, 0.0), circuit.bore.loss, state.gel * circuit.bore.gel, motor_pressure, n, m};
   Outflow bore = outflow(circuit.bore.capacity, state.stand_pipe_pressure, state.pump_flow, step, inner, flow);
   state.relief_open = bore.pressure > spec.relief_pressure;
   if (state.relief_open) bore = {std::min(bore.flow, outflow_at(spec.relief_pressure, inner, bore.flow)), spec.relief_pressure};
 
   const HydraulicResistance outer{0.0, circuit.annulus.loss, state.gel * circuit.annulus.gel, 0.0, n, m};
-  const Outflow annulus = outflow(circuit.annulus.capacity, state.annulus_pressure, bore.flow, step, outer, state.return_flow);
+  const Outflow annulus =
+      outflow_either_way(circuit.annulus.capacity, state.annulus_pressure, bore.flow + displaced, step, outer, state.return_flow);
   flow = bore.flow;
   state.stand_pipe_pressure = bore.pressure;
   state.annulus_pressure = annulus.pressure;
   state.return_flow = annulus.flow;
-  if (flow > 0.0)
-    state.gel *= std::exp(-flow * step / gel_break_volume);
-  else
-    state.gel += (1.0 - state.gel) * -std::expm1(-step / gel_time);
+  state.gel = advance_gel(state.gel, std::max(flow, std::abs(annulus.flow)), step);
 }
 
 double equivalent_circulating_density(double density, double annulus_pressure, double depth) noexcept

@@ -96,20 +96,31 @@ Width widest(const PartSpec& part)
   return width;
 }
 
-void check_diameters(const Scene& scene, ProblemList& problems)
+// of the sections that begin above a depth [m]
+double narrowest_above(const std::vector<HoleSection>& sections, double depth)
 {
-  // every part passes all sections on its way down; reaming is not modelled
-  double narrowest = 1e9;
-  double top = 0.0;
-  for (const HoleSection& section : scene.well.sections)
+  double narrowest = 1e9, top = 0.0;
+  for (const HoleSection& section : sections)
   {
-    if (top < scene.well.hole_depth) narrowest = std::min(narrowest, section.diameter);
+    if (top < depth) narrowest = std::min(narrowest, section.diameter);
     top = section.to;
   }
+  return narrowest;
+}
+
+void check_diameters(const Scene& scene, ProblemList& problems)
+{
+  // every part passes all sections on its way down, with the bit as deep as a run may drill; reaming is not modelled
+  const double drilled = scene.rig.hoisting.highest_block_height;
+  double from_bit = 0.0;
   for (std::size_t i = 0; i < scene.string.size(); ++i)
   {
     const PartSpec& part = scene.string[i];
     const Width width = widest(part);
+    const bool into_drilled = from_bit < drilled;
+    const double deepest = scene.well.hole_depth + (into_drilled ? 0.0 : drilled - from_bit);
+    const double narrowest = narrowest_above(scene.well.sections, deepest);
+    from_bit += std::max(part.length, part.joints * part.joint_length);
     if (width.diameter > narrowest)
     {
       problems.emplace_back(
@@ -117,7 +128,7 @@ void check_diameters(const Scene& scene, ProblemList& problems)
           metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section, " + metres(narrowest) +
               (part.type == PartType::bit ? "; reaming is not available yet" : ""));
     }
-    else if (i > 0 && scene.string[0].bit && width.diameter > scene.string[0].bit->diameter)
+    else if (i > 0 && into_drilled && scene.string[0].bit && width.diameter > scene.string[0].bit->diameter)
     {
       problems.emplace_back(item_key("string", i, width.key), metres(width.diameter) +
                                                      " does not fit the hole that the bit drills, allowed: up to " +

@@ -49,22 +49,42 @@ double tension_at(const Model& model, const State& s, const std::vector<double>&
   return 0.5 * (top_of(i - 1) + foot_of(i));
 }
 
-/// Slips the string on until the bit carries the scene's weight again, which friction has changed: by secants, for friction holds part of
-/// what is slipped on.
+/// What the bit carries beside the scene's weight, and how far it is from where it should be, as string too much [m].
+double weight_error(const Scene& scene, const RigAtRest& rig, double weight)
+{
+  const StartSpec& start = scene.start;
+  const double error = (weight - start.weight_on_bit) * string_compliance(rig.model->mesh());
+  if (start.weight_on_bit > 0.0 && weight > 0.0) return error;
+  return error + bit_depth(*rig.model, rig.state) - (start.weight_on_bit > 0.0 ? scene.well.hole_depth : start.bit_depth);
+}
+
+/// Slips the string on until the bit carries the scene's weight again, or none as in the scene, which friction has changed: by secants, for friction holds part of
+/// what is slipped on, and by halves where so much at once finds no equilibrium.
 StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigAtRest& rig)
 {
-  constexpr int most_rounds = 20;
-  constexpr double tolerance = 1e-4;  // of the weight on bit
-  const double wanted = scene.start.weight_on_bit, compliance = string_compliance(rig.model->mesh());
-  StaticOutcome outcome;
+  constexpr int most_rounds = 20, most_tried = 500;
+  constexpr double least_slip = 1e-3;  // [m]
+  const double wanted = scene.start.weight_on_bit, tolerance = std::max(1e-4 * wanted, 1.0);  // [N]
+  StaticOutcome outcome = solve_static(*rig.model, rig.state, sliding);
+  if (!outcome.converged) return outcome;
   LengthSearch slipped_on;  // of the top, down from the table: what is slipped on comes to the bit as weight
   for (int round = 0; round < most_rounds; ++round)
   {
-    outcome = solve_static(*rig.model, rig.state, sliding);
-    const double error = outcome.forces.wob - wanted;
-    if (!outcome.converged || wanted <= 0.0 || std::abs(error) < tolerance * wanted) return outcome;
-    double& top = rig.state.nodes.back().position.z();
-    top = -slipped_on.next(-top, error * compliance);
+    if (std::abs(outcome.forces.wob - wanted) < tolerance) return outcome;
+    const State found = rig.state;
+    const double top = found.nodes.back().position.z();
+    double slip = slipped_on.next(-top, weight_error(scene, rig, outcome.forces.wob)) + top;
+    do
+    {
+      rig.state = found;
+      rig.state.nodes.back().position.z() = top - slip;
+      outcome = solve_static(*rig.model, rig.state, sliding, most_tried);
+      slip *= 0.5;
+    } while (!outcome.converged && std::abs(slip) > least_slip);
+    if (outcome.converged) continue;
+    rig.state = found;
+    rig.state.nodes.back().position.z() = top - 2.0 * slip;
+    return solve_static(*rig.model, rig.state, sliding);
   }
   std::ostringstream message;
   message << "static: with this motion the weight on bit is " << outcome.forces.wob << " N, not the scene's " << wanted << " N";

@@ -87,7 +87,9 @@ void Simulator::Impl::pump(double commanded, double step) noexcept
   State& s = mechanics();
   const MotorSpec* motor = model->motor();
   const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->displacement_per_rev, s.bit.motor_torque) : 0.0;
-  advance_hydraulics(scene.rig.mud_pump, model->mud().circuit, commanded, over_motor, step, s.flow, s.hydraulics);
+  const MudCircuit& mud = model->mud();
+  const double displaced = mud.displaced_area * running_speed(mud, s.nodes);
+  advance_hydraulics(scene.rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, s.flow, s.hydraulics);
 }
 
 FrameStatus Simulator::frame(double duration) noexcept

@@ -80,6 +80,50 @@ TEST(MudCircuit, lossesAddUpToTheScenes)
   EXPECT_EQ(mud_pressures(mud, state, 0.0).in_bore(mud, lowest), 3e7) << "at rest";
 }
 
+// Lapeyrouse's plugged pipe, 4 1/2 in in 7 7/8 in, 270 ft/min: K + D^2/(D_h^2 - D^2) = 0.467 + 0.485 of it is 257 ft/min, he has 252 with
+// K = 0.45; 1.4327e-7 x 15 lb/gal x 14300 ft x 257^2/3.375 = 601 psi, his power law 516 at that speed, 716 at 1.5 times as much.
+TEST(MudCircuit, plungedPipeSurgesAsLapeyrousesDoes)
+{
+  const double d = 4.5 * inch, hole = 7.875 * inch, speed = 270.0 * foot / 60.0;
+  const double inside = 0.25 * pi * d * d, around = 0.25 * pi * hole * hole - inside;
+  const double flow = speed * (inside + clinging_constant(d / hole) * around);
+  EXPECT_NEAR(flow / around * 60.0 / foot, 257.0, 0.5);
+  EXPECT_NEAR(14300.0 * foot * annulus_gradient(15.0 * ppg, flow, hole, d) / psi, 601.0, 3.0);
+}
+
+TEST(MudCircuit, displacedAreaIsThePipesAndWhatClingsToIt)
+{
+  Scene scene = long_pipe();
+  const double hole = scene.well.sections.back().diameter;
+  const auto of = [&](double d) { return 0.25 * pi * (d * d + clinging_constant(d / hole) * (hole * hole - d * d)); };
+  EXPECT_NEAR(circuit_of(scene).displaced_area, of(pipe_outer), 1e-3 * of(pipe_outer));
+  // collars take 3.1 times what pipe takes of the losses per metre
+  scene.string.insert(scene.string.begin() + 1, collar_part(20, 9.5));
+  const MudCircuit mud = circuit_of(scene);
+  const double pipe = annulus_gradient(1.0, 1.0, hole, pipe_outer), collar = annulus_gradient(1.0, 1.0, hole, 0.165);
+  const double share = 190.0 * collar / (190.0 * collar + 800.0 * pipe);
+  const double expected = std::sqrt(share * std::pow(of(0.165), 2) + (1.0 - share) * std::pow(of(pipe_outer), 2));
+  EXPECT_NEAR(mud.displaced_area, expected, 0.003 * expected);
+}
+
+TEST(MudCircuit, runningSpeedIsTheMeanOfThePipeInTheHole)
+{
+  const Scene scene = long_pipe();
+  const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
+  const MudCircuit mud = mud_circuit(scene, mesh);
+  std::vector<NodeState> nodes(mesh.nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    nodes[i].position = {0.0, 0.0, mesh.nodes[i].from_bit - scene.start.bit_depth};
+    nodes[i].rate.velocity = {0.7, 0.0, -0.3};
+  }
+  EXPECT_NEAR(running_speed(mud, nodes), 0.3, 1e-12) << "across it nothing is displaced";
+  nodes.back().rate.velocity.z() = -9.0;
+  EXPECT_NEAR(running_speed(mud, nodes), 0.3, 1e-12) << "above the table neither";
+  for (NodeState& node : nodes) node.rate.velocity.z() = 0.6 * node.position.z() / scene.start.bit_depth;
+  EXPECT_NEAR(running_speed(mud, nodes), 0.3, 0.01) << "half, of a string stretched from above";
+}
+
 TEST(MudCircuit, aSceneWithoutLossesHasNone)
 {
   Scene scene = long_pipe();
@@ -87,6 +131,7 @@ TEST(MudCircuit, aSceneWithoutLossesHasNone)
   const MudCircuit mud = circuit_of(scene);
   EXPECT_EQ(mud.circuit.bore.loss, 0.0);
   EXPECT_EQ(mud.circuit.annulus.loss, 0.0);
+  EXPECT_EQ(mud.displaced_area, 0.0);
 }
 
 int main(int argc, char** argv)

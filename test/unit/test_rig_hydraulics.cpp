@@ -39,6 +39,7 @@ struct Rig
   MudPumpSpec pump;
   HydraulicState state;
   double flow = 0.0;
+  double displaced = 0.0;  // by the string [m3/s]
   double pumped = 0.0, returned = 0.0, most = 0.0;  // [m3, m3, Pa]
 
   explicit Rig(const HydraulicCircuit& c) : circuit(c) { pump.flow_ramp = 1e3; }
@@ -46,7 +47,7 @@ struct Rig
   {
     for (long k = 0; k < std::lround(seconds / step); ++k)
     {
-      advance_hydraulics(pump, circuit, commanded, motor_pressure, step, flow, state);
+      advance_hydraulics(pump, circuit, commanded, motor_pressure, displaced, step, flow, state);
       pumped += step * state.pump_flow;
       returned += step * state.return_flow;
       most = std::max(most, state.stand_pipe_pressure);
@@ -101,6 +102,52 @@ TEST(Hydraulics, settlesWhereTheLossesSay)
   EXPECT_DOUBLE_EQ(rig.state.stand_pipe_pressure, before.stand_pipe_pressure) << "it stands";
 }
 
+// A string that displaces a sixth of the nominal flow, up or down; with the pump's flow where it goes the same way, against it else.
+TEST(Hydraulics, stringThatMovesSurgesAndSwabs)
+{
+  Rig rig(whole());
+  const double alone = std::pow(1.0 / 6.0, 1.7) * 0.8e6;  // 38.0 kPa
+  for (const double way : {1.0, -1.0})
+  {
+    rig.displaced = way * 0.01;
+    rig.run(300.0, 0.0, 0.01);
+    EXPECT_NEAR(rig.state.annulus_pressure, way * alone, 1e-3 * alone);
+    EXPECT_NEAR(rig.state.return_flow, way * 0.01, 1e-5);
+    EXPECT_EQ(rig.flow, 0.0) << "the float holds, and nothing is sucked through the bit";
+    EXPECT_GE(rig.state.stand_pipe_pressure, 0.0);
+  }
+  rig.displaced = 0.01;
+  rig.run(300.0, 0.03, 0.01);
+  EXPECT_NEAR(rig.state.annulus_pressure, std::pow(4.0 / 6.0, 1.7) * 0.8e6, 10.0);
+  EXPECT_NEAR(rig.state.stand_pipe_pressure, std::pow(0.5, 1.7) * 14.4e6 + rig.state.annulus_pressure, 100.0);
+  rig.displaced = -0.01;
+  rig.run(300.0, 0.03, 0.01);
+  EXPECT_NEAR(rig.state.annulus_pressure, std::pow(2.0 / 6.0, 1.7) * 0.8e6, 10.0);
+  rig.displaced = 0.0;
+  rig.run(1000.0, 0.0, 0.01);
+  EXPECT_LT(std::abs(rig.state.annulus_pressure), 1.0) << "and it goes when all rests";
+}
+
+TEST(Hydraulics, stringThatMovesBreaksTheGel)
+{
+  HydraulicCircuit c = whole();
+  c.annulus.gel = 0.3e6;
+  Rig rig(c);
+  double least = 0.0;
+  rig.displaced = -0.01;
+  for (int k = 0; k < 3000; ++k)
+  {
+    rig.run(0.01, 0.0, 0.01);
+    least = std::min(least, rig.state.annulus_pressure);
+  }
+  EXPECT_NEAR(least, -0.3e6, 0.06e6) << "it yields there";
+  EXPECT_LT(rig.state.gel, 1e-6);
+  EXPECT_NEAR(rig.state.annulus_pressure, -std::pow(1.0 / 6.0, 1.7) * 0.8e6, 100.0);
+  rig.displaced = 1e-6;  // a string that creeps: mud that takes 5000 s for the volume that breaks it
+  rig.run(600.0, 0.0, 0.1);
+  EXPECT_GT(rig.state.gel, 0.9) << "it stiffens";
+}
+
 TEST(Hydraulics, losesNoMudAndIsStableAtAnyStep)
 {
   for (const double step : {1e-3, 0.01, 0.1, 1.0, 30.0})
@@ -115,6 +162,24 @@ TEST(Hydraulics, losesNoMudAndIsStableAtAnyStep)
       EXPECT_GE(rig.state.annulus_pressure, 0.0);
     }
     EXPECT_LT(rig.most, 15.2e6 + 3e6 + 1.0) << step;
+  }
+}
+
+// The annulus alone, moved to and fro by the string: what it lets out is what was displaced, less what it holds.
+TEST(Hydraulics, losesNoMudAsTheStringMoves)
+{
+  for (const double step : {1e-3, 0.01, 0.1, 1.0, 30.0})
+  {
+    Rig rig(whole());
+    double displaced = 0.0;
+    for (const double flow : {0.02, -0.03, 1e-5, -1e-5, 0.05})
+    {
+      rig.displaced = flow;
+      rig.run(60.0, 0.0, step);
+      displaced += 60.0 * flow;
+      EXPECT_NEAR(displaced, rig.returned + 4e-8 * rig.state.annulus_pressure + capacity * rig.state.stand_pipe_pressure, 1e-9) << step << " " << flow;
+      EXPECT_LT(std::abs(rig.state.annulus_pressure), 0.8e6) << step;
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "drill_rig_sim/math/units.h"
@@ -79,6 +80,17 @@ TEST(SceneRead, ShippedAndTestScenesAreGood)
   {
     EXPECT_NO_THROW(read_scene(in_source(file))) << file;
   }
+}
+
+// 18 joints of slim pipe are too few for 190 m between the wide pipe and the deepest bit, 21 are enough.
+TEST(SceneRead, PipeThatStaysAboveASlimHoleMayBeWider)
+{
+  std::ifstream file(in_source("test/bad_scenes/pipe_too_wide_for_the_liner.yaml"));
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  EXPECT_THROW(parse_scene(text, "wide.yaml"), SceneError);
+  const std::string few = "joints: 18";
+  text.replace(text.find(few), few.size(), "joints: 21");
+  EXPECT_NO_THROW(parse_scene(text, "wide.yaml"));
 }
 
 TEST(SceneRead, KeysLeftOutTakeTheDefaults)

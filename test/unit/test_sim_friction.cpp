@@ -28,6 +28,8 @@ Scene pipe_on_a_wire(double kinetic, double static_ratio)
   scene.string[0].bit->squeeze_film_damping = 0.0;
   // sideways the mud would weigh three times what the wire does
   scene.mud.added_mass = scene.mud.drag_coefficient = 0.0;
+  // along it the surge of pipe that slides at metres per second would lift wire and pipe
+  scene.rig.mud_pump.pressure_coefficient = 0.0;
   scene.rig.hoisting.max_speed = 20.0;
   scene.rig.hoisting.rail_friction = scene.rig.hoisting.line_damping = 0.0;  // the block is to run ahead of the pipe
   return scene;

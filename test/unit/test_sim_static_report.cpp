@@ -44,6 +44,20 @@ TEST(StaticReport, isOfTheBitAtTheStringsLowerEnd)
   EXPECT_NEAR(report.hook_load - report.hook_load_string, standard_gravity * scene.rig.hoisting.block_mass, 1e-6);
 }
 
+// A string that friction stretches on its way up hangs as free of the bottom as it began.
+TEST(StaticReport, isOffBottomWhereTheSceneIs)
+{
+  const double depth = 2000.0;
+  const Scene near = scene_in(build_and_hold(100.0, 0.1 * degree, 60.0 * degree, 1.0, depth), depth, depth - 0.01, 0.4);
+  const StaticReport up = static_report(near, sliding_up);
+  EXPECT_LT(up.outcome.forces.wob, 1.0);
+  Scene above = near;
+  above.start.bit_depth = depth - 5.0;
+  const StaticReport free = static_report(above, sliding_up);
+  EXPECT_GT(up.hook_load, free.hook_load) << "five metres more of pipe, at 60 deg";
+  EXPECT_LT(up.hook_load, free.hook_load + 2e3);
+}
+
 // Friction on the way up or down is the pipe's, not the bottom's: the bit goes on carrying the scene's weight.
 TEST(StaticReport, holdsTheWeightOnBitInEachMotion)
 {

@@ -7,17 +7,21 @@
 /// annulus, each at one pressure above the hydrostatic one, and the resistances behind them.
 ///
 ///   C_p dp_p/dt = Q_pump - Q_relief - Q,    p_p - p_a = P_i (Q/Q_n)^m + D(Q) + G_p,      C = V/beta
-///   C_a dp_a/dt = Q - Q_out,                p_a       = P_a (Q_out/Q_n)^m + G_a
+///   C_a dp_a/dt = Q + Q_s - Q_out,          p_a       = P_a (Q_out/Q_n)^m + G_a,         the same both ways
 ///
 /// p_p the stand pipe's pressure, p_a that of the annulus at the bit, Q the flow through motor and bit; P_i, P_a the losses in string and
 /// bit and in the annulus at the pump's largest flow Q_n; D what the motor's torque needs (rig/mud_motor.h); G what the mud's gel holds,
-/// the most that it can while mud moves, and whatever is there below that. No flow backwards: a float valve above the bit. Two volumes
+/// the most that it can while mud moves, and whatever is there below that. No flow backwards: a float valve above the bit. Q_s is what the
+/// string sets in motion as it runs in, < 0 where it is pulled (model/mud_circuit.h): surge and swab. Pulled, p_a may fall below the
+/// hydrostatic pressure; the bit's nozzles, too narrow to matter, then let no more through than the pump sends: the string counts as
+/// closed both ways, as is usual (Lapeyrouse; Moore, Drilling Practices Manual, 1974, takes swab as the opposite of surge). Two volumes
 /// without the mud's inertia: the model of Kaasa, Stamnes, Aamo and Imsland, SPE Drilling & Completion 27 (2012) 127-138, whose annulus
 /// ends at a choke and ours in the open. Waves in the mud, seconds in long wells, are not in it.
 ///
 /// Gel: mud that stands holds p = 4 tau L/d in a bore, 4 tau L/(D_h - D) in an annulus (gel L/(300 d) in psi, lb/100 ft2, ft, in: Lapeyrouse,
 /// Formulas and Calculations for Drilling, Production and Workover, 2nd ed., p. 79), tau the strength after ten minutes' rest. It grows
-/// with gel_time towards that, and breaks as mud moves, over gel_break_volume.
+/// with gel_time towards that, and breaks as mud moves, over gel_break_volume: by the pump or the string, in both volumes at once; mud that
+/// would take longer than gel_time for that volume counts as standing.
 ///
 /// Relief valve, by the pump: the stand pipe does not exceed relief_pressure, and what is too much goes back to the tanks.
 ///
@@ -48,8 +52,8 @@ struct HydraulicState
 {
   double pump_flow = 0.0;            ///< that the pump delivers, strokes times displacement [m3/s]
   double stand_pipe_pressure = 0.0;  ///< p_p [Pa]
-  double annulus_pressure = 0.0;     ///< p_a, at the bit, above the hydrostatic one [Pa]
-  double return_flow = 0.0;          ///< Q_out [m3/s]
+  double annulus_pressure = 0.0;     ///< p_a, at the bit, above the hydrostatic one; < 0: swab [Pa]
+  double return_flow = 0.0;          ///< Q_out, that the annulus's losses see: of mud along pipe and wall, < 0 down [m3/s]
   double gel = 1.0;                  ///< share of its strength; at the start the mud has stood for long
   bool relief_open = false;
 
@@ -68,7 +72,7 @@ struct HydraulicState
 /// What leaves a volume, and what is left in it, after a step.
 struct Outflow
 {
-  double flow = 0.0;      ///< [m3/s], >= 0
+  double flow = 0.0;      ///< [m3/s]
   double pressure = 0.0;  ///< [Pa]
 };
 
@@ -87,8 +91,8 @@ struct HydraulicResistance
   double slope(double flow) const noexcept;
 };
 
-/// One step of a volume: p + (step/capacity) (inflow - Q) = r.pressure(Q), or Q = 0 where that cannot be. Volumes of capacity 0 let
-/// everything through.
+/// One step of a volume: p + (step/capacity) (inflow - Q) = r.pressure(Q), Q >= 0, or Q = 0 where that cannot be. Volumes of capacity 0
+/// let everything through.
 /// @param pressure  p, at the start of the step [Pa]
 /// @param step      > 0 [s]
 /// @param guess     near Q [m3/s]; where it is Q to the last digits, it is the answer
@@ -99,9 +103,10 @@ double outflow_at(double pressure, const HydraulicResistance& r, double guess) n
 /// One step h [s] of the circuit.
 /// @param commanded       of the pump [m3/s]
 /// @param motor_pressure  that the mud motor's torque needs, >= 0 [Pa]
+/// @param displaced       Q_s [m3/s]
 /// @param flow            through motor and bit; in and out [m3/s]
-void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit, double commanded, double motor_pressure, double step,
-                        double& flow, HydraulicState& state) noexcept;
+void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit, double commanded, double motor_pressure,
+                        double displaced, double step, double& flow, HydraulicState& state) noexcept;
 
 /// Density of a mud at rest with the same pressure at the bit: density + p_a/(g depth) [kg/m3]; the mud's own within a metre of the rotary
 /// table, where it would mean nothing.
