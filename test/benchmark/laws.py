@@ -9,10 +9,11 @@ import os
 import re
 import subprocess
 
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 JOINT = '9.5'  # [m]
 STEP = '0.01'  # [s]
-Scene = collections.namedtuple('Scene', 'name path duration')  # path: from the source; duration: simulated [s], past the tag where there is one
-SCENES = (Scene('drilling with a bent motor, 0.7 km', 'config/scenes/bohai.yaml', 12.0),
+Scene = collections.namedtuple('Scene', 'name path duration')  # path: from the source; duration: simulated [s]
+SCENES = (Scene('bent motor turned and lowered, 0.7 km', 'config/scenes/bohai.yaml', 12.0),
           Scene('horizontal 5 km, picked up', 'test/operations/scenes/horizontal_5_km.yaml', 3.0))
 # (what, source file, function): all that is called from it counts; a sum where there are several
 PARTS = (('frame', (('sim/simulator.cpp', 'Simulator::frame('),)),
@@ -33,11 +34,11 @@ PARTS = (('frame', (('sim/simulator.cpp', 'Simulator::frame('),)),
                              ('solve/halving_integrator.cpp', 'close_books('))))
 
 
-def run(drill, scene, folder):
+def run(drill, scene, duration, folder):
     """Inclusive instructions by (source file, signature), and nodes times steps."""
     out, summary = os.path.join(folder, 'callgrind.laws'), os.path.join(folder, 'laws.json')
     subprocess.run(['valgrind', '--tool=callgrind', '--callgrind-out-file=' + out, '--toggle-collect=drill_rig_sim::Simulator::frame*', drill, 'run', scene,
-                    '--duration', '%g' % duration_of(scene), '--element-length', JOINT, '--step', STEP, '--integrator', 'bdf2', '--json', summary],
+                    '--duration', '%g' % duration, '--element-length', JOINT, '--step', STEP, '--integrator', 'bdf2', '--json', summary],
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
     told = subprocess.run(['callgrind_annotate', '--inclusive=yes', '--threshold=100', out], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True,
                           universal_newlines=True).stdout
@@ -46,15 +47,11 @@ def run(drill, scene, folder):
     return table_of(told), counted['nodes'] * counted['steps']
 
 
-def duration_of(path):
-    return next(scene.duration for scene in SCENES if path.endswith(scene.path))
-
-
 def table_of(annotated):
-    """Rows of callgrind_annotate as {(file, signature): instructions}."""
+    """Rows of callgrind_annotate as {(file below src, signature): instructions}; a file may stand there by two paths."""
     rows = {}
     for line in annotated.splitlines():
-        match = re.match(r'\s*([\d,]+) \([\d. ]+%\)\s+(\S+?/src/[^:]+):(.*?)( \[[^\]]*\])?$', line)
+        match = re.match(r'\s*([\d,]+) \([\d. ]+%\)\s+\S+?/src/([^:]+):(.*?)( \[[^\]]*\])?$', line)
         if match:
             key = (match.group(2), match.group(3))
             rows[key] = max(rows.get(key, 0), int(match.group(1).replace(',', '')))
@@ -63,23 +60,22 @@ def table_of(annotated):
 
 def count(rows, pieces):
     return sum(n for (file, signature), n in rows.items() for end, function in pieces
-               if file.endswith('/src/' + end) and ('::' + function) in signature)
+               if file == end and ('::' + function) in signature)
 
 
 def measure(tree, folder):
-    """By scene and part: instructions a node and step, or None where the tree has no such scene."""
+    """By scene and part: instructions a node and step. A scene that the tree does not have is this one's."""
     drill = os.path.join(tree, 'build/devel/lib/drill_rig_sim/drill')
     found = {}
     for scene in SCENES:
-        path = os.path.join(tree, scene.path)
-        if os.path.exists(path):
-            rows, node_steps = run(drill, path, folder)
-            found[scene.name] = [count(rows, pieces) / node_steps for _, pieces in PARTS]
+        path = next(path for path in (os.path.join(tree, scene.path), os.path.join(SOURCE, scene.path)) if os.path.exists(path))
+        rows, node_steps = run(drill, path, scene.duration, folder)
+        found[scene.name] = [count(rows, pieces) / node_steps for _, pieces in PARTS]
     return found
 
 
 def text(mine, theirs):
-    """A table; `theirs`: of an older tree, or empty."""
+    """A table; `theirs`: of an older tree, or empty. What a tree has not, or another way, has a dash."""
     head = [name for scene in SCENES for name in ([scene.name] + ([scene.name + ', before'] if scene.name in theirs else []))]
     rows = ['| instructions a node and step | ' + ' | '.join(head) + ' |', '| --- ' * (len(head) + 1) + '|']
     for k, (what, _) in enumerate(PARTS):

@@ -138,7 +138,7 @@ bool check_well(const std::vector<SurveyStation>& stations, Random random)
   TrajectorySpec trajectory;
   trajectory.stage_two_length = std::pow(10.0, random.between(-3.0, 1.0));
   if (random.one_in(4)) trajectory.stage_two_steps = 1 + static_cast<int>(random.below(20));
-  Wellbore well(spec, trajectory, 0.1, room_for_drilled);
+  Wellbore well(spec, trajectory, 0.1, {}, room_for_drilled);
   check_bottom(well);
   for (int k = 0; k < 16; ++k) check_closest(well, random);
   const Wellbore before = well;
