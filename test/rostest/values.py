@@ -113,7 +113,8 @@ class Values(unittest.TestCase):
                 self.assertEqual(getattr(truth, name), getattr(reading, name), name)
             for state in (reading, truth):
                 self.assertAlmostEqual(state.hook_load - BLOCK_WEIGHT, state.hook_load_string, places=6)
-        self.assertAlmostEqual(4.0e9 * 0.02**2, record.readings[-1].stand_pipe_pressure, delta=1e-3)  # the motor turns freely
+        # the motor turns freely; the string, which bounces by a millimetre a second, displaces a little mud
+        self.assertAlmostEqual(4.0e9 * 0.02**2, record.readings[-1].stand_pipe_pressure, delta=400.0)
         self.assertEqual(0.02, record.readings[-1].flow)
 
     def test_tare_is_the_zero_of_both(self):
@@ -219,7 +220,9 @@ class Values(unittest.TestCase):
         self.assertAlmostEqual(4.0 + slip * free, turning, delta=0.02 * free)
         pressure = 2.0 * math.pi * mean(torque) / MOTOR["displacement_per_rev"]
         for states in (record.truth, record.readings):
-            self.assertAlmostEqual(4.0e9 * 0.02**2 + pressure, mean(s.stand_pipe_pressure for s in states), delta=0.03 * pressure)
+            surge = mean(s.stand_pipe_pressure for s in states) - 4.0e9 * 0.02**2 - pressure  # of the string that follows the bit
+            self.assertGreater(surge, -0.01 * pressure)
+            self.assertLess(surge, 0.05 * pressure)
         self.assertAlmostEqual(mean(torque), mean(s.torque for s in record.truth), delta=0.1 * mean(torque))
 
     def test_rate_of_penetration_is_the_depths(self):

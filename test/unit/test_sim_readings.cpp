@@ -304,6 +304,7 @@ TEST(Readings, differentialPressureIsTheMotorsAtConstantFlow)
 {
   Scene scene = ideal_scene();
   scene.rig.mud_pump.flow_ramp = 1e3;
+  scene.rig.mud_pump.pressure_coefficient = 0.0;  // nor surge of the string that follows the bit
   scene.mud.bulk_modulus = 1e11;
   Simulator rig(scene);
   drill_ahead(rig, 60.0 * rpm, 0.03, 0.0);
