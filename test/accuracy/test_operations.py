@@ -130,6 +130,15 @@ class References(unittest.TestCase):
         numpy.testing.assert_allclose(back.table['bit_up'], -2000.0 - 0.01 * TIME, atol=1e-8)
         self.assertEqual((back.own, back.numerics, back.made_of), ({'torque': 0.25}, 'trbdf2', 'abc'))
 
+    def test_own_error_is_the_rest_of_a_series_where_there_is_one(self):
+        def off(by):
+            return series(torque=numpy.full_like(TIME, 2e4 + by))
+        difference = matrix.errors(off(4.0), off(0.0), None)['torque']
+        self.assertAlmostEqual(matrix.own_errors(off(0.0), off(4.0), off(20.0), None)['torque'], 1.25 * difference / 3.0, 3)  # second order
+        self.assertAlmostEqual(matrix.own_errors(off(0.0), off(4.0), off(104.0), None)['torque'], 1.25 * difference / 3.0, 3)  # better is not believed
+        self.assertAlmostEqual(matrix.own_errors(off(0.0), off(4.0), off(9.0), None)['torque'], difference, 3)  # hardly shrinks
+        self.assertEqual(matrix.own_errors(off(0.0), off(0.0), off(9.0), None)['torque'], 0.0)
+
     def test_what_a_cell_can_afford_is_finer_where_it_is_shorter(self):
         by_name = {cell.name: cell for cell in cells.CELLS}
         short, long = by_name['vertical 1 km / 5 in / pick up 0.3'], by_name['extended 5 km / 5 in, motor / slide 25 min']

@@ -3,7 +3,8 @@
 A run that is wrong is warned where its `accuracy_warnings` came before the error passed the bound, else silent.
 Error of an output: root mean square of the difference to the reference, over the largest of its range, a tenth of its level and what its
 instrument resolves; where a cell is irregular, from there on of mean, deviation and extrema instead of the series. Shares of the bound: 1 is 2 %.
-An output of a reference is known where its own error, the difference to the next coarser numerics, is below a third of the bound (KNOWN).
+An output of a reference is known where its own error is below a third of the bound (KNOWN). That error is what the next two coarser numerics
+tell of it (own_errors).
 The default's runs of a minute and less keep an energy balance too: CLOSURE and DISSIPATION are what it may miss and what the method may take.
 """
 import hashlib
@@ -40,9 +41,9 @@ class Numerics:
 
 
 KNOWN = 1.0 / 3.0  # of the bound: where a reference's own error is below that, its cell counts
-# Elements a joint, and steps: what a cell can afford is its reference; the next coarser tells its error. Quarters first, eighths where they leave
+# Elements a joint, and steps: what a cell can afford is its reference; the next two tell its error. Quarters first, eighths where they leave
 # the cell undecided.
-LADDER = tuple(Numerics(JOINT / parts * 1.001, step, 'trbdf2') for parts, step in ((8, 0.00125), (4, 0.0025), (2, 0.005), (1, 0.01)))
+LADDER = tuple(Numerics(JOINT / parts * 1.001, step, 'trbdf2') for parts, step in ((8, 0.00125), (4, 0.0025), (2, 0.005), (1, 0.01), (1, 0.02)))
 NODE_STEPS = 4e5  # of TR-BDF2 in a second of processor time, about
 
 
@@ -51,7 +52,7 @@ def seconds_of(cell, numerics):
 
 
 def reference_rung(cell, budget):
-    return next((rung for rung in range(1, len(LADDER) - 2) if seconds_of(cell, LADDER[rung]) <= budget), len(LADDER) - 2)
+    return next((rung for rung in range(1, len(LADDER) - 3) if seconds_of(cell, LADDER[rung]) <= budget), len(LADDER) - 3)
 
 
 class Run:
@@ -146,17 +147,32 @@ class Reference:
             return Reference(table, json.loads(str(file['own'])), str(file['numerics']), str(file['made_of']))
 
 
+SAFETY = 1.25  # with three numerics (Roache, J. Fluids Eng. 116 (1994) 405-413: the grid convergence index)
+ORDER = 2.0  # of the finest elements and steps, both halved from rung to rung
+
+
+def own_errors(fine, middle, coarse, irregular_from):
+    """Of the finest of three runs, by output, as shares of their bounds: where the differences shrink from one pair to the next by a factor r of at
+    least two, the rest of their geometric series, d/(r - 1), times SAFETY; r not above 2^ORDER. Else the last difference itself."""
+    last, before = errors(middle, fine, irregular_from), errors(coarse, middle, irregular_from)
+    out = {}
+    for name, difference in last.items():
+        shrinks = min(before[name] / difference, 2.0 ** ORDER) if difference > 0.0 else 1.0
+        out[name] = min(difference, SAFETY * difference / (shrinks - 1.0)) if shrinks >= 2.0 else difference
+    return out
+
+
 def make_reference(drill, cell, folder, budget):
     """Or None, and why."""
     rung = reference_rung(cell, budget)
-    fine, coarse = (run(drill, cell, numerics, folder) for numerics in LADDER[rung:rung + 2])
-    while not (fine.failure or coarse.failure):
-        own = errors(coarse.table, fine.table, cell.irregular_from())
+    runs = [run(drill, cell, numerics, folder) for numerics in LADDER[rung:rung + 3]]
+    while not any(done.failure for done in runs):
+        own = own_errors(*(done.table for done in runs), cell.irregular_from())
         if max(own.values()) <= KNOWN or rung == 0 or seconds_of(cell, LADDER[rung - 1]) > budget:
-            return Reference(fine.table, own, str(LADDER[rung]), fingerprint(cell)), ''
+            return Reference(runs[0].table, own, str(LADDER[rung]), fingerprint(cell)), ''
         rung -= 1
-        fine, coarse = run(drill, cell, LADDER[rung], folder), fine
-    return None, fine.failure or coarse.failure
+        runs = [run(drill, cell, LADDER[rung], folder)] + runs[:2]
+    return None, next(done.failure for done in runs if done.failure)
 
 
 class Verdict:
