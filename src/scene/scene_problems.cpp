@@ -120,7 +120,7 @@ void check_diameters(const Scene& scene, ProblemList& problems)
     const bool into_drilled = from_bit < drilled;
     const double deepest = scene.well.hole_depth + (into_drilled ? 0.0 : drilled - from_bit);
     const double narrowest = narrowest_above(scene.well.sections, deepest);
-    from_bit += std::max(part.length, part.joints * part.joint_length);
+    from_bit += part.length;
     if (width.diameter > narrowest)
     {
       problems.emplace_back(

@@ -5,8 +5,6 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "drill_rig_sim/solve/start.h"
-
 namespace drill_rig_sim
 {
 namespace
@@ -84,9 +82,8 @@ bool differ(double a, double b)
 }
 }  // namespace
 
-std::optional<WallLoss> wall_loss(const Scene& scene)
+std::optional<WallLoss> wall_loss(const RigAtRest& rig)
 {
-  const RigAtRest rig = build_at_rest(scene);
   const Deepest deepest = deepest_of(rig);
   if (!deepest.deep()) return std::nullopt;
   WallLoss loss = deepest.loss;
@@ -94,7 +91,7 @@ std::optional<WallLoss> wall_loss(const Scene& scene)
   loss.contact = sum_of_contacts(rig.statics.forces);
   try
   {
-    const RigForces forces = build_at_rest(with_stiff_wall(scene)).statics.forces;
+    const RigForces forces = build_at_rest(with_stiff_wall(rig.model->scene())).statics.forces;
     loss.stiff_side_force = forces.contact.front();
     loss.stiff_contact = sum_of_contacts(forces);
     loss.known = true;

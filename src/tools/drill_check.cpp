@@ -89,10 +89,9 @@ void print_new_hole(const Scene& scene, double bottom_tvd)
 }
 
 /// Pads that a bent motor wedges into a hole as narrow as the bit: it turns no more, and steps may fail.
-void print_wedged_gauge(const Scene& scene)
+void print_wedged_gauge(const Scene& scene, const RigAtRest& rig)
 {
   constexpr double much = 0.25;  // of the motor's stall torque
-  const RigAtRest rig = build_at_rest(scene);
   const MotorSpec* motor = rig.model->motor();
   const Mesh& mesh = rig.model->mesh();
   if (!motor || mesh.gauge_nodes < 2) return;
@@ -114,8 +113,9 @@ void print_shortcomings(const Scene& scene)
 {
   if (scene.string.front().bit->torque.model == BitTorqueModel::regenerative)
     std::printf("bit         regenerative: weight and torque are those of the cut; the face does not rub across the bottom\n");
-  if (scene.string.front().bit->gauge_length > 0.0) print_wedged_gauge(scene);
-  const std::optional<WallLoss> loss = wall_loss(scene);
+  const RigAtRest rig = build_at_rest(scene);
+  if (scene.string.front().bit->gauge_length > 0.0) print_wedged_gauge(scene, rig);
+  const std::optional<WallLoss> loss = wall_loss(rig);
   if (!loss) return;
   const char* part = scene.string[static_cast<std::size_t>(loss->part)].name.c_str();
   std::printf("wall        %s lies %.2g mm deep in it %.3g m above the bit; ", part, 1e3 * loss->depth, loss->from_bit);

@@ -48,6 +48,14 @@ double string_length(const Truth& t)
 {
   return t.block_height - t.bit_position.z();
 }
+/// On elements that the reference can afford.
+Scene coarse(Scene scene, IntegratorKind integrator)
+{
+  scene.numerics.integrator = integrator;
+  scene.numerics.element_length = 30.0;
+  return scene;
+}
+
 }  // namespace
 
 // The bore's pressure pulls the steel against the swivel and leaves the hook alone; the mud in the annulus lifts p_a pi/4 D D_h.
@@ -230,12 +238,7 @@ TEST(MudDisplaced, energyIsClosed)
 
 TEST(MudDisplaced, referenceAgrees)
 {
-  Scene scene = narrow(0.145);
-  scene.numerics.integrator = IntegratorKind::ida;
-  scene.numerics.element_length = 30.0;
-  Scene other = scene;
-  other.numerics.integrator = IntegratorKind::bdf2;
-  Simulator reference(scene), rig(other);
+  Simulator reference(coarse(narrow(0.145), IntegratorKind::ida)), rig(coarse(narrow(0.145), IntegratorKind::bdf2));
   for (Simulator* r : {&reference, &rig})
   {
     r->command(WinchSetpoint{0.5, false});
@@ -250,12 +253,7 @@ TEST(MudDisplaced, referenceAgrees)
 // The reference is handed the same flow.
 TEST(MudPumped, referenceAgrees)
 {
-  Scene scene = hanging();
-  scene.numerics.integrator = IntegratorKind::ida;
-  scene.numerics.element_length = 30.0;
-  Scene other = scene;
-  other.numerics.integrator = IntegratorKind::bdf2;
-  Simulator reference(scene), rig(other);
+  Simulator reference(coarse(hanging(), IntegratorKind::ida)), rig(coarse(hanging(), IntegratorKind::bdf2));
   for (Simulator* r : {&reference, &rig})
   {
     r->command(PumpSetpoint{0.03});

@@ -21,7 +21,7 @@ Scene bent_motor(double diameter)
 TEST(WallLoss, isThatOfTheSameSceneOnAStiffWall)
 {
   const Scene scene = bent_motor(0.2032);
-  const auto loss = wall_loss(scene);
+  const auto loss = wall_loss(build_at_rest(scene));
   ASSERT_TRUE(loss && loss->known);
   EXPECT_NEAR(loss->from_bit, 2.0, 1e-9) << "the bend";
   EXPECT_GT(loss->depth, 2e-3);
@@ -35,13 +35,13 @@ TEST(WallLoss, isThatOfTheSameSceneOnAStiffWall)
     stiff.string[body].contact->stiffness = scene.contact.assembly_stiffness;
   }
   EXPECT_EQ(loss->stiff_side_force, static_report(stiff, no_sliding).bit_side_force);
-  EXPECT_FALSE(wall_loss(stiff)) << "nothing is lost there";
+  EXPECT_FALSE(wall_loss(build_at_rest(stiff))) << "nothing is lost there";
 }
 
 TEST(WallLoss, isNoneWhereTheStringFits)
 {
-  EXPECT_FALSE(wall_loss(drilling_scene()));
-  EXPECT_FALSE(wall_loss(slanted_scene(150.0, 0.3))) << "pipe on the low side carries its weight, whatever the wall";
+  EXPECT_FALSE(wall_loss(build_at_rest(drilling_scene())));
+  EXPECT_FALSE(wall_loss(build_at_rest(slanted_scene(150.0, 0.3)))) << "pipe on the low side carries its weight, whatever the wall";
 }
 
 int main(int argc, char** argv)

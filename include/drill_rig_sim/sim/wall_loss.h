@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/solve/start.h"
 
 namespace drill_rig_sim
 {
@@ -19,9 +19,10 @@ struct WallLoss
   bool known = false;     ///< whether there is an equilibrium on the stiffer wall; else what is `stiff_` is not set
 };
 
-/// The loss at the scene's start, at rest without friction; none where no such body lies deeper than a twentieth of its clearance, or where
-/// neither the bit's side force nor the sum changes by more than 5 % and 500 N. One or two starts. Throws as build_at_rest().
-std::optional<WallLoss> wall_loss(const Scene& scene);
+/// The loss at a scene's start, at rest without friction; none where no such body lies deeper than a twentieth of its clearance, or where
+/// neither the bit's side force nor the sum changes by more than 5 % and 500 N. Solves a start with the stiffer wall where a body is deep.
+/// @param rig  build_at_rest() of the scene
+std::optional<WallLoss> wall_loss(const RigAtRest& rig);
 
 }  // namespace drill_rig_sim
 

@@ -148,7 +148,7 @@ class Reference:
 
 
 SAFETY = 1.25  # with three numerics (Roache, J. Fluids Eng. 116 (1994) 405-413: the grid convergence index)
-ORDER = 2.0  # of the finest elements and steps, both halved from rung to rung
+ORDER = 2.0  # elements and steps are halved from rung to rung; the coarsest has the next one's elements, which as a rule makes r smaller
 
 
 def own_errors(fine, middle, coarse, irregular_from):
