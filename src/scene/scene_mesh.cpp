@@ -1,6 +1,8 @@
 #include "drill_rig_sim/scene/scene_mesh.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "drill_rig_sim/math/units.h"
 
@@ -27,12 +29,54 @@ double first_inclined(const WellSpec& well) noexcept
   }
   return well.survey.empty() ? 0.0 : well.survey.back().md + margin;
 }
+/// At measured depth `md` [m], between stations by proportion [rad].
+double inclination_at(const std::vector<SurveyStation>& survey, double md) noexcept
+{
+  const auto below = [md](const SurveyStation& station) { return md < station.md; };
+  const auto next = std::find_if(survey.begin(), survey.end(), below);
+  if (next == survey.begin() || next == survey.end()) return survey.empty() ? 0.0 : (next == survey.end() ? survey.back() : *next).inclination;
+  const SurveyStation& above = *(next - 1);
+  return above.inclination + (next->inclination - above.inclination) * (md - above.md) / (next->md - above.md);
+}
+
+/// In air, of the part at `from_bit` [m] above the bit's face [kg/m].
+double linear_mass_at(const std::vector<PartSpec>& string, double from_bit) noexcept
+{
+  double top = 0.0;
+  for (const PartSpec& part : string)
+  {
+    top += part.joints > 0 ? part.joints * part.joint_length : std::numeric_limits<double>::infinity();
+    if (from_bit < top) return part.linear_mass;
+  }
+  return string.empty() ? 0.0 : string.back().linear_mass;
+}
+
+/// Least measured depth [m] where pipe that slides down with nothing on the bit is pushed from above instead of hanging; where none is, beyond the
+/// bit. By the soft string (Johancsik, Friesen, Dawson, J. Petroleum Technology 36 (1984), SPE 11380, eqs. 2 and 4) from the bit up,
+/// turns of azimuth and mud left out: dT = w cos(i) ds - mu |T di + w sin(i) ds|.
+double first_pushed(const Scene& scene) noexcept
+{
+  constexpr double piece = 10.0;  // [m]
+  double pushed = std::numeric_limits<double>::infinity(), tension = 0.0;
+  for (double md = scene.start.bit_depth; md > 0.0; md -= piece)
+  {
+    const double middle = std::max(0.0, md - 0.5 * piece);
+    const double weight = linear_mass_at(scene.string, scene.start.bit_depth - middle) * piece;  // in units of g [kg]
+    const double inclination = inclination_at(scene.well.survey, middle);
+    const double turned = inclination_at(scene.well.survey, std::max(0.0, md - piece)) - inclination_at(scene.well.survey, md);
+    const double friction = scene.well.sections.empty() ? 0.0 : scene.well.sections[section_at(scene.well.sections, middle)].friction;
+    tension += weight * std::cos(inclination) - friction * std::abs(tension * turned + weight * std::sin(inclination));
+    if (tension < 0.0) pushed = middle;
+  }
+  return pushed;
+}
 }  // namespace
 
 ElementLengths element_lengths(const Scene& scene) noexcept
 {
   if (scene.numerics.element_length > 0.0) return uniform_elements(scene.numerics.element_length);
-  return {half_joint, joint, std::max(0.0, scene.start.bit_depth - first_inclined(scene.well) + margin)};
+  const double hangs_above = std::min(first_inclined(scene.well), first_pushed(scene));
+  return {half_joint, joint, std::max(0.0, scene.start.bit_depth - hangs_above + margin)};
 }
 
 Mesh build_mesh(const Scene& scene, double total_length)

@@ -38,6 +38,12 @@ std::string text_of(const AccuracyReport& r, double step)
     case AccuracyDoubt::cut:
       return text("a blade comes where the one before was in %.0f steps, too few for the waves that it leaves; numerics.step: %.2g s or less",
                   1.0 / r.measure, 0.01 * step / r.measure);
+    case AccuracyDoubt::blows:
+      return text("the bit strikes the bottom %.2g times a second: the waves of its blows are blurred; numerics.step: %.2g s or less", r.measure,
+                  0.5 * step);
+    case AccuracyDoubt::jerks:
+      return text("the string sticks and slips on its walls %.2g times a second: means hold, peaks and what a stop leaves hang on the numerics;"
+                  " numerics.step: %.2g s or less, and shorter elements", r.measure, 0.5 * step);
   }
   return "";
 }

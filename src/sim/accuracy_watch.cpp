@@ -12,17 +12,48 @@ namespace
 {
 constexpr std::uint64_t every = 10;          // frames
 constexpr double memory_time = 10.0;         // [s]
+constexpr double short_memory = 3.0;         // [s]
 constexpr double most_twist = 1.0;           // [rad]
 constexpr double least_clearance = 2e-3;     // [m]
 constexpr double most_refused = 0.2;
 constexpr double most_dissipation = 0.05;
 constexpr double most_blades = 0.01;         // passed a step
 constexpr double least_throughput = 1e3;     // [W]
+constexpr double most_jerks = 0.25;          // [1/s]
+constexpr double least_contact = 5e3;        // [N]
+constexpr double most_blows = 0.5;           // [1/s]
 
-/// Towards `value`, which stands for `duration` [s].
-void average(double value, double duration, double& mean) noexcept
+/// Towards `value`, which stands for `duration` [s], over the last `over` [s].
+void average(double value, double duration, double& mean, double over = memory_time) noexcept
 {
-  mean += (1.0 - std::exp(-duration / memory_time)) * (value - mean);
+  mean += (1.0 - std::exp(-duration / over)) * (value - mean);
+}
+
+/// Of the walls' force, the share where friction sticks [-].
+double share_that_sticks(const State& state, const RigForces& forces) noexcept
+{
+  double all = 0.0, sticks = 0.0;
+  const auto add = [&all, &sticks](double force, double rest)
+  {
+    all += force;
+    if (rest > 0.0) sticks += force;
+  };
+  for (std::size_t i = 0; i < forces.contact.size(); ++i) add(forces.contact[i], state.nodes[i].rest);
+  for (std::size_t e = 0; e < forces.span_contact.size(); ++e) add(forces.span_contact[e], state.spans[e].rest);
+  return sticks / std::max(all, least_contact);
+}
+
+/// `sticking`: of the walls' force, `since` the last time [s]. A whole jerk lets go and takes hold.
+void note_jerks(double sticking, double since, AccuracyMemory& memory) noexcept
+{
+  average(0.5 * std::abs(sticking - memory.sticking) / since, since, memory.jerks, short_memory);
+  memory.sticking = sticking;
+}
+
+void note_blows(bool on_bottom, double duration, AccuracyMemory& memory) noexcept
+{
+  average(on_bottom && !memory.on_bottom ? 1.0 / duration : 0.0, duration, memory.blows, short_memory);
+  memory.on_bottom = on_bottom;
 }
 
 /// Blades that pass by a place of the bottom in a step [-].
@@ -72,15 +103,19 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   const double steps = static_cast<double>(integrator.counters().steps - steps_);
   const double attempts = static_cast<double>(attempts_of(integrator.counters()) - attempts_);
   average(attempts > 0.0 ? 1.0 - steps / attempts : 0.0, duration, memory.refused);
+  note_blows(forces.wob > 0.0, duration, memory);
   memory.stands_for = std::max(0.0, memory.stands_for - duration);
   if (memory.stands_for == 0.0) memory.report = AccuracyReport();
   if (memory.frames++ % every != 0) return;
+  note_jerks(share_that_sticks(state, forces), static_cast<double>(every) * duration, memory);
   AccuracyReport found = doubt_of_string(*model_, state, forces);
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
   if (found.doubt == AccuracyDoubt::none && memory.refused > most_refused) found = {AccuracyDoubt::refused_steps, memory.refused, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && share > most_dissipation) found = {AccuracyDoubt::dissipation, share, 0.0, 0.0};
   const double blades = integrator.reference() || steps == 0.0 ? 0.0 : blades_passed(*model_, forces, duration / steps);
   if (found.doubt == AccuracyDoubt::none && blades > most_blades) found = {AccuracyDoubt::cut, blades, 0.0, 0.0};
+  if (found.doubt == AccuracyDoubt::none && memory.blows > most_blows) found = {AccuracyDoubt::blows, memory.blows, 0.0, 0.0};
+  if (found.doubt == AccuracyDoubt::none && memory.jerks > most_jerks) found = {AccuracyDoubt::jerks, memory.jerks, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none) return;
   memory.report = found;
   memory.stands_for = memory_time;

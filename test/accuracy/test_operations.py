@@ -29,18 +29,18 @@ def series(**columns):
 class FakeCell:
     name = file = 'fake'
 
-    def __init__(self, irregular_from=None):
-        self._irregular_from = irregular_from
+    def __init__(self, irregular=None):
+        self._irregular = irregular
 
-    def irregular_from(self):
-        return self._irregular_from
+    def irregular(self):
+        return self._irregular
 
 
-def judged(table, own=None, warnings=(), irregular_from=None):
-    known = dict.fromkeys(list(matrix.FLOORS) + ['inclination'], 0.0)
+def judged(table, own=None, warnings=(), irregular=None):
+    known = dict.fromkeys(list(matrix.FLOORS) + ['period', 'inclination'], 0.0)
     known.update(own or {})
     summary = {'cpu_s': 1.0, 'simulated_s': 10.0, 'accuracy_warnings': list(warnings)}
-    return matrix.judge(FakeCell(irregular_from), matrix.Run(table, summary), matrix.Reference(series(), known, '', ''))
+    return matrix.judge(FakeCell(irregular), matrix.Run(table, summary), matrix.Reference(series(), known, '', ''))
 
 
 class Errors(unittest.TestCase):
@@ -62,8 +62,28 @@ class Errors(unittest.TestCase):
         swing = 2e4 + 1e3 * numpy.sin(20.0 * TIME)
         late = 2e4 - 1e3 * numpy.sin(20.0 * TIME)
         self.assertGreater(matrix.errors(series(torque=late), series(torque=swing), None)['torque'], 10.0)
-        self.assertLess(matrix.errors(series(torque=late), series(torque=swing), 0.0)['torque'], 1.5)
-        self.assertGreater(matrix.errors(series(torque=2.2e4 - 1e3 * numpy.sin(20.0 * TIME)), series(torque=swing), 0.0)['torque'], 1.5)
+        self.assertLess(matrix.errors(series(torque=late), series(torque=swing), (0.0, 10.0))['torque'], 1.5)
+        self.assertGreater(matrix.errors(series(torque=2.2e4 - 1e3 * numpy.sin(20.0 * TIME)), series(torque=swing), (0.0, 10.0))['torque'], 1.5)
+
+    def test_what_comes_after_an_irregular_stretch_is_not_compared(self):
+        stopped = series(torque=numpy.where(TIME > 8.0, 9e4, 2e4))
+        self.assertLess(matrix.errors(stopped, series(), (1.0, 8.0))['torque'], 1e-9)
+        self.assertGreater(matrix.errors(stopped, series(), (1.0, 9.0))['torque'], 1.0)
+
+    def test_period(self):
+        self.assertAlmostEqual(matrix.period(TIME, 3.0 + numpy.sin(2.0 * math.pi * TIME / 1.7)), 1.7, delta=0.01)
+        spikes = 1e5 + 1e3 * (numpy.mod(TIME, 1.3) < 0.25)
+        self.assertAlmostEqual(matrix.period(TIME, spikes), 1.3, 1)
+        self.assertTrue(math.isnan(matrix.period(TIME, numpy.random.default_rng(1).normal(size=TIME.size))))
+        self.assertTrue(math.isnan(matrix.period(TIME, numpy.zeros_like(TIME))))
+
+    def test_the_hook_load_s_period_is_relative(self):
+        def swing(seconds):
+            return series(hook_load=1e5 + 2e3 * numpy.sin(2.0 * math.pi * TIME / seconds))
+        told = matrix.errors(swing(1.03), swing(1.0), (0.0, 10.0))['period']
+        self.assertAlmostEqual(told, 1.5, 0)
+        self.assertEqual(matrix.errors(swing(1.03), swing(1.0), None)['period'], 0.0)
+        self.assertEqual(matrix.errors(swing(1.0), series(hook_load=numpy.full_like(TIME, 1e5)), (0.0, 10.0))['period'], 0.0)
 
     def test_series_of_other_lengths_are_no_run(self):
         with self.assertRaises(ValueError):

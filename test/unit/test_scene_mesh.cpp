@@ -52,6 +52,27 @@ TEST(ElementLengths, halvesUpToAStandAndAHalfAboveWhereItInclines)
   }
 }
 
+// 100 m of vertical hole over 1000 m that lie flat: friction of 0.3 on 1000 m pushes back with three times what the 100 m weigh.
+TEST(ElementLengths, halvesWherePipeIsPushedFromAbove)
+{
+  Scene scene = vertical_scene(1150.0, 1150.0);
+  scene.well.survey = {{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}, {150.0, 90.0 * degree, 0.0}, {1150.0, 90.0 * degree, 0.0}};
+  for (HoleSection& section : scene.well.sections) section.friction = 0.3;
+  EXPECT_EQ(element_lengths(scene).at(1150.0), 4.75);
+  for (HoleSection& section : scene.well.sections) section.friction = 0.0;
+  EXPECT_NEAR(element_lengths(scene).change, 1150.0 - 100.0 - 50.0 * 3.0 / 90.0 + 45.0, 1e-9);
+}
+
+// 0.3 on 1000 m that lie flat, by hand over the bend with mu = 0 there: what of 1000 m of vertical pipe is pushed is 300 m at most.
+TEST(ElementLengths, jointsWhereItHangsAbovePipeThatIsPushed)
+{
+  Scene scene = vertical_scene(2050.0, 2050.0);
+  scene.well.survey = {{0.0, 0.0, 0.0}, {1000.0, 0.0, 0.0}, {1050.0, 90.0 * degree, 0.0}, {2050.0, 90.0 * degree, 0.0}};
+  scene.well.sections = {{1050.0, 0.25, 0.0}, {2050.0, 0.25, 0.3}};
+  const double pipe_pushed = 2050.0 - element_lengths(scene).change + 45.0;  // the 50 m of the bend weigh as 2/pi of them upright
+  EXPECT_NEAR(pipe_pushed, 1000.0 - (300.0 - 50.0 * 2.0 / pi), 15.0);
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);

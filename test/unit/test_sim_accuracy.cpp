@@ -140,6 +140,57 @@ TEST(Accuracy, theWallIsTooSoft)
   EXPECT_EQ(bit.after(0.2).doubt, AccuracyDoubt::embedding);
 }
 
+namespace
+{
+/// All of the walls' force sticks and slips by turns, for `seconds` each; the largest mean of it [1/s].
+double jerks_of(Watched& w, double force, double seconds)
+{
+  w.forces.contact.assign(w.forces.contact.size(), force / static_cast<double>(w.forces.contact.size()));
+  double largest = 0.0;
+  for (double t = 0.0; t < 12.0 * seconds; t += 0.1)
+  {
+    for (NodeState& node : w.rig.state.nodes) node.rest = std::lround(t / seconds - 0.49) % 2 == 0 ? 1.0 : 0.0;
+    w.play(0.1);
+    largest = std::max(largest, w.memory.jerks);
+  }
+  return largest;
+}
+}  // namespace
+
+// A jerk lets go and takes hold, half of it each: over the last 3 s T seconds apart at most 0.5/3/(1 - exp(-T/3)) a second.
+TEST(Accuracy, theStringSticksAndSlips)
+{
+  Watched quick(vertical_scene(400.0, 290.0));
+  EXPECT_NEAR(jerks_of(quick, 50e3, 1.0), 0.5 / 3.0 / (1.0 - std::exp(-1.0 / 3.0)), 0.03);
+  EXPECT_EQ(quick.memory.report.doubt, AccuracyDoubt::jerks);
+  EXPECT_EQ(text_of({AccuracyDoubt::jerks, 0.5, 0.0, 0.0}, 0.01),
+            "the string sticks and slips on its walls 0.5 times a second: means hold, peaks and what a stop leaves hang on the numerics;"
+            " numerics.step: 0.005 s or less, and shorter elements");
+  Watched slow(vertical_scene(400.0, 290.0));
+  EXPECT_NEAR(jerks_of(slow, 50e3, 4.0), 0.5 / 3.0 / (1.0 - std::exp(-4.0 / 3.0)), 0.01);
+  EXPECT_EQ(slow.memory.report.doubt, AccuracyDoubt::none);
+  Watched light(vertical_scene(400.0, 290.0));
+  EXPECT_LT(jerks_of(light, 2e3, 1.0), 0.25) << "a string that hangs free touches here and there";
+  EXPECT_EQ(light.memory.report.doubt, AccuracyDoubt::none);
+}
+
+// The second blow a second after the first: (1 + exp(-1/3))/3 = 0.572 a second over the last 3 s.
+TEST(Accuracy, theBitStrikesTheBottom)
+{
+  Watched w(vertical_scene(400.0, 290.0));
+  w.play(1.0);
+  w.forces.wob = 10e3;
+  w.play(0.5);
+  EXPECT_EQ(w.memory.report.doubt, AccuracyDoubt::none) << "it is on bottom";
+  w.forces.wob = 0.0;
+  w.play(0.5);
+  w.forces.wob = 10e3;
+  w.play(0.1);
+  EXPECT_EQ(w.memory.report.doubt, AccuracyDoubt::blows);
+  EXPECT_NEAR(w.memory.report.measure, 0.572, 0.03);
+  EXPECT_EQ(text_of(w.memory.report, 0.01).substr(0, 31), "the bit strikes the bottom 0.57");
+}
+
 // An attempt a second is refused of two: the mean over 10 s passes a fifth after 10 ln(0.5/0.3) = 5.1 s.
 TEST(Accuracy, stepsAreRefused)
 {

@@ -17,14 +17,16 @@ enum class AccuracyDoubt
   embedding,      ///< the string lies deeper in the wall than the hole is wide beside it
   refused_steps,  ///< many steps had to be taken in parts
   dissipation,    ///< the method itself takes much of the energy that goes through rig and string
-  cut             ///< the step is too long for the waves that one blade leaves to the next
+  cut,            ///< the step is too long for the waves that one blade leaves to the next
+  blows,          ///< the bit strikes the bottom again and again
+  jerks           ///< the string sticks and slips on its walls again and again
 };
 
 /// A doubt, how large and where.
 struct AccuracyReport
 {
   AccuracyDoubt doubt = AccuracyDoubt::none;
-  double measure = 0.0;         ///< compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step
+  double measure = 0.0;         ///< compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; blows, jerks [1/s]
   double from_bit = 0.0;        ///< where on the string [m]; compression, twist, embedding
   double element_length = 0.0;  ///< of the element there [m]; compression, twist
 
@@ -50,6 +52,10 @@ struct AccuracyMemory
   double dissipated = 0.0;    ///< numerical, mean over the last seconds by magnitudes [W]
   double throughput = 0.0;    ///< of the inputs, in the same way [W]
   double refused = 0.0;       ///< attempts a step that were repeated in parts, in the same way
+  double sticking = 1.0;      ///< share of the walls' force that sticks, when it was last looked at [-]
+  double jerks = 0.0;         ///< how often it comes loose and takes hold, mean over the last seconds [1/s]
+  bool on_bottom = true;      ///< at the end of the last frame
+  double blows = 0.0;         ///< how often the bit comes down on the bottom, in the same way [1/s]
   double stands_for = 0.0;    ///< the report stands that much longer without a new cause [s]
   AccuracyReport report;
 
@@ -62,6 +68,10 @@ struct AccuracyMemory
     v("dissipated", dissipated);
     v("throughput", throughput);
     v("refused", refused);
+    v("sticking", sticking);
+    v("jerks", jerks);
+    v("on_bottom", on_bottom);
+    v("blows", blows);
     v("stands_for", stands_for);
     v("report", report);
   }

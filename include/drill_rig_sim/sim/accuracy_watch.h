@@ -29,6 +29,12 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
 ///   A frame that takes up new set points stands for those of its kind, any other for the rest: programs' commands come in time with the samples.
 /// - Cut (regenerative law): the bit turns by more than a hundredth of the way from blade to blade in a step. On quick.yaml with 5 blades,
 ///   which shakes, the deviation of weight is 0 at 13 steps a blade, 0.58 of the reference's at 27, 0.81 at 53 and 1.04 at 133.
+/// - Blows: the bit came down on the bottom every other second or more often, over the last 3 s. Its waves are what a long step blurs first:
+///   tagging at 0.3 m/s in 1 km, torque 2.5 % off at 10 ms and 0.9 % at 5 ms (test/accuracy/README.md, operations).
+/// - Jerks: of the force between string and walls, the share that sticks came and went every four seconds or more often, over the last 3 s
+///   (5 kN of force at least). Pipe that slides below its friction's Stribeck speed does that by itself; where in its slip it is, and so the
+///   peaks and what a stop leaves, hangs on the numerics. In the operations matrix it reaches 0.4 to 0.8 a second where
+///   pipe slides at 0.1 m/s, and 0.18 at most where it turns or slides evenly.
 class AccuracyWatch
 {
 public:

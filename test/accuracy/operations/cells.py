@@ -64,16 +64,16 @@ DRILLABILITY = 1.0e-8  # 1.8 to 11 m/h at 20 to 60 kN and 14 rad/s
 
 class Operation:
     """`program`: lines of the scene's program; `stuck_at` from the well's depth [m]. `off`: how far the bit begins off bottom [m]; `weight`: on bottom with this on bit [N].
-    `irregular_from`: from here on statistics are compared [s]; `slides_from`: the same in wells where pipe that slides sticks and slips.
+    `irregular`: from when to when statistics are compared [s]; what comes after them, which hangs on where in its slip the string was stopped, is
+    not. `slides`: the same in wells where pipe that slides sticks and slips; `bent`: with a bent motor, which knocks about as it turns.
     `layers`: how far below the bottom hard rock begins [m]. `every`: between samples [s]."""
 
-    def __init__(self, program, duration, off=30.0, weight=None, irregular_from=None, slides_from=None, layers=None, every=0.1):
+    def __init__(self, program, duration, off=30.0, weight=None, irregular=None, slides=None, bent=None, layers=None, every=0.1):
         self.program = program
         self.duration = duration
         self.off = off
         self.weight = weight
-        self.irregular_from = irregular_from
-        self.slides_from = slides_from
+        self.irregular, self.slides, self.bent = irregular, slides, bent
         self.layers = layers
         self.every = every
 
@@ -90,7 +90,7 @@ def trip(speed, rpm):
     """Up (+) or down (-) from 5 s on (20 s if turned), over 4 m or 30 s."""
     begins = 20.0 if rpm else 5.0
     ends = begins + min(30.0, max(8.0, 4.0 / abs(speed)))
-    return Operation(([turn(rpm)] if rpm else []) + [move(speed, begins), move(0.0, ends)], ends + 5.0, slides_from=None if rpm else begins)
+    return Operation(([turn(rpm)] if rpm else []) + [move(speed, begins), move(0.0, ends)], ends + 5.0, slides=None if rpm else (begins, ends))
 
 
 ROCKING = [turn((30.0 if k % 2 == 0 else -30.0), 1.0 + 3.0 * k) for k in range(6)] + [turn(0.0, 19.0)]  # 1.5 turns each way
@@ -102,19 +102,19 @@ OPERATIONS = {
     'slack off 0.02': trip(-0.02, 0), 'slack off 0.1': trip(-0.1, 0), 'slack off 0.3': trip(-0.3, 0),
     'pick up 0.1, 120': trip(0.1, 120), 'pick up 0.3, 120': trip(0.3, 120),
     'slack off 0.1, 120': trip(-0.1, 120), 'slack off 0.3, 120': trip(-0.3, 120),
-    'reverse': Operation([move(0.1, 2.0), move(-0.1, 20.0), move(0.0, 35.0)], 40.0, slides_from=2.0),
+    'reverse': Operation([move(0.1, 2.0), move(-0.1, 20.0), move(0.0, 35.0)], 40.0, slides=(2.0, 35.0)),
     'back-ream': Operation([turn(100, flow=0.03), move(0.1, 15.0)], 45.0),
-    'rock': Operation(ROCKING, 25.0, slides_from=1.0),
-    'tag 0.05': Operation([turn(60, flow=0.03), move(-0.05, 10.0), move(0.0, 32.0)], 40.0, off=1.0, irregular_from=29.0, every=0.02),
-    'tag 0.3': Operation([turn(60, flow=0.03), move(-0.3, 10.0), move(0.0, 13.5)], 25.0, off=1.0, irregular_from=13.3, every=0.02),
-    'drill rotating': Operation([turn(120, flow=0.03), move(-0.002, 5.0)], 60.0, weight=30e3),
+    'rock': Operation(ROCKING, 25.0, slides=(1.0, 19.0), bent=(1.0, 19.0)),
+    'tag 0.05': Operation([turn(60, flow=0.03), move(-0.05, 10.0), move(0.0, 32.0)], 40.0, off=1.0, irregular=(29.0, 40.0), every=0.02),
+    'tag 0.3': Operation([turn(60, flow=0.03), move(-0.3, 10.0), move(0.0, 13.5)], 25.0, off=1.0, irregular=(13.3, 25.0), every=0.02),
+    'drill rotating': Operation([turn(120, flow=0.03), move(-0.002, 5.0)], 60.0, weight=30e3, bent=(5.0, 60.0)),
     'drill sliding': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.003, 5.0)], 60.0, weight=30e3),
-    'slide 25 min': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.003, 5.0)], 1500.0, weight=30e3, every=2.0),
-    'over-feed and stall': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.02, 5.0), move(0.0, 40.0)], 60.0, weight=30e3),
-    'pump off and on': Operation([turn(100, flow=0.03), {'at': 20.0, 'flow': 0.0}, {'at': 35.0, 'flow': 0.03}], 50.0, weight=30e3),
+    'slide 25 min': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.003, 5.0)], 1500.0, weight=30e3, slides=(5.0, 1500.0), every=2.0),
+    'over-feed and stall': Operation([{'at': 0.0, 'flow': 0.03}, move(-0.02, 5.0), move(0.0, 40.0)], 60.0, weight=30e3, slides=(5.0, 60.0)),
+    'pump off and on': Operation([turn(100, flow=0.03), {'at': 20.0, 'flow': 0.0}, {'at': 35.0, 'flow': 0.03}], 50.0, weight=30e3, bent=(5.0, 50.0)),
     'into hard rock': Operation([turn(120, flow=0.03), move(-0.004, 5.0)], 60.0, weight=30e3, layers=0.05),
     # gripped 90 m above the bottom: 60 m above the bit
-    'stuck': Operation([{'at': 2.0, 'stuck_at': -90.0}, move(0.05, 5.0), move(0.0, 11.0), {'at': 20.0, 'free': True}], 35.0, slides_from=20.0),
+    'stuck': Operation([{'at': 2.0, 'stuck_at': -90.0}, move(0.05, 5.0), move(0.0, 11.0), {'at': 20.0, 'free': True}], 35.0, slides=(20.0, 35.0)),
     'drill off': Operation([turn(120, flow=0.03)], 60.0, weight=60e3),
 }
 
@@ -166,10 +166,12 @@ class Cell:
     def length(self):
         return WELLS[self.well].depth
 
-    def irregular_from(self):
-        """From here on statistics are compared [s]; None: the series are."""
+    def irregular(self):
+        """From when to when statistics are compared [s]; None: the series are."""
         what = self.what
-        return what.slides_from if what.irregular_from is None and not self.well.startswith('vertical') else what.irregular_from
+        bent = what.bent if 'motor' in self.string else None
+        slides = None if self.well.startswith('vertical') else what.slides
+        return what.irregular or bent or slides
 
 
 def cells_of(wells, strings, operations):

@@ -2,7 +2,8 @@
 
 A run that is wrong is warned where its `accuracy_warnings` came before the error passed the bound, else silent.
 Error of an output: root mean square of the difference to the reference, over the largest of its range, a tenth of its level and what its
-instrument resolves; where a cell is irregular, from there on of mean, deviation and extrema instead of the series. Shares of the bound: 1 is 2 %.
+instrument resolves; where a cell is irregular, of mean, deviation and extrema instead of the series, and of the hook load's period where the
+reference has one. Shares of the bound: 1 is 2 %.
 An output of a reference is known where its own error is below a third of the bound (KNOWN). That error is what the next two coarser numerics
 tell of it (own_errors).
 The default's runs of a minute and less keep an energy balance too: CLOSURE and DISSIPATION are what it may miss and what the method may take.
@@ -24,6 +25,7 @@ JOINT = 9.5
 CLOSURE, DISSIPATION = 0.005, 0.05  # of the throughput; the second by magnitudes, account by account
 BALANCED = 60.0  # a balance doubles the cost: not of longer runs [s]
 WINDOWS = 10  # of an irregular stretch; its extrema are means over them
+COMES_BACK, NEARLY = 0.3, 0.8  # autocorrelation of what has a period; of its first peak over its highest
 
 
 class Numerics:
@@ -107,24 +109,61 @@ def statistics(y):
             numpy.mean([w.max(axis=0) for w in windows], axis=0)]
 
 
-def error(table, reference, output, irregular_from):
+def period(time, y):
+    """By the first peak of the autocorrelation that is nearly its highest, after it first fell below 0; nan where nothing comes back."""
+    y = y - numpy.mean(y)
+    lags = len(y) // 2
+    if lags < 3 or not y.any():
+        return float('nan')
+    like = numpy.array([numpy.mean(y[:len(y) - k] * y[k:]) for k in range(lags)]) / numpy.mean(y * y)
+    below = numpy.flatnonzero(like < 0.0)
+    rest = numpy.arange(below[0] if len(below) else lags, lags - 1)
+    peaks = [k for k in rest if like[k] >= like[k - 1] and like[k] > like[k + 1]]
+    highest = max((like[k] for k in peaks), default=0.0)
+    if highest < COMES_BACK:
+        return float('nan')
+    k = next(k for k in peaks if like[k] >= NEARLY * highest)
+    bend = like[k - 1] - 2.0 * like[k] + like[k + 1]  # the parabola's top lies between samples
+    return (k + 0.5 * (like[k - 1] - like[k + 1]) / bend) * (time[1] - time[0])
+
+
+def parts(time, irregular):
+    """Which samples are compared one by one, and which by statistics."""
+    begins, ends = irregular or (time[-1], time[-1])
+    return time <= begins + 1e-6, (time > begins + 1e-6) & (time <= ends + 1e-6)
+
+
+def error(table, reference, output, irregular):
     a, b = values(table, output), values(reference, output)
     level = 0.0 if output == 'position' else 0.1 * float(numpy.mean(numpy.abs(b)))  # where the bit is has no level
     scale = max(size(numpy.ptp(b, axis=0)), level, FLOORS[output])
-    time = numpy.asarray(reference['time'])
-    regular = time <= (time[-1] if irregular_from is None else irregular_from) + 1e-6
-    squares = [numpy.mean(numpy.sum((a - b)[regular] ** 2, axis=1))]
-    if not regular.all():
-        squares.append(numpy.mean([size(p - q) ** 2 for p, q in zip(statistics(a[~regular]), statistics(b[~regular]))]))
+    one_by_one, counted = parts(numpy.asarray(reference['time']), irregular)
+    squares = [numpy.mean(numpy.sum((a - b)[one_by_one] ** 2, axis=1))]
+    if counted.any():
+        squares.append(numpy.mean([size(p - q) ** 2 for p, q in zip(statistics(a[counted]), statistics(b[counted]))]))
     return float(numpy.sqrt(max(squares))) / scale
 
 
-def errors(table, reference, irregular_from):
+def period_error(table, reference, irregular):
+    """Of the hook load's; 0 where the reference has none."""
+    time = numpy.asarray(reference['time'])
+    counted = parts(time, irregular)[1]
+    if not counted.any() or numpy.ptp(reference['hook_load'][counted]) < FLOORS['hook_load']:
+        return 0.0
+    ours, wanted = (period(time[counted], numpy.asarray(t['hook_load'])[counted]) for t in (table, reference))
+    if wanted != wanted:
+        return 0.0
+    return abs(ours - wanted) / wanted if ours == ours else 1.0
+
+
+def errors(table, reference, irregular):
     """By output, as shares of their bounds."""
     if len(table['time']) != len(reference['time']):
         raise ValueError('series of other lengths')
-    out = {output: error(table, reference, output, irregular_from) / BOUND for output in FLOORS}
-    out['inclination'] = float(numpy.degrees(numpy.max(numpy.abs(table['inclination'] - reference['inclination'])))) / INCLINATION_BOUND
+    out = {output: error(table, reference, output, irregular) / BOUND for output in FLOORS}
+    out['period'] = period_error(table, reference, irregular) / BOUND
+    compared = numpy.logical_or(*parts(numpy.asarray(reference['time']), irregular))
+    out['inclination'] = float(numpy.degrees(numpy.max(numpy.abs(table['inclination'] - reference['inclination'])[compared]))) / INCLINATION_BOUND
     return out
 
 
@@ -151,10 +190,10 @@ SAFETY = 1.25  # with three numerics (Roache, J. Fluids Eng. 116 (1994) 405-413:
 ORDER = 2.0  # elements and steps are halved from rung to rung; the coarsest has the next one's elements, which as a rule makes r smaller
 
 
-def own_errors(fine, middle, coarse, irregular_from):
+def own_errors(fine, middle, coarse, irregular):
     """Of the finest of three runs, by output, as shares of their bounds: where the differences shrink from one pair to the next by a factor r of at
     least two, the rest of their geometric series, d/(r - 1), times SAFETY; r not above 2^ORDER. Else the last difference itself."""
-    last, before = errors(middle, fine, irregular_from), errors(coarse, middle, irregular_from)
+    last, before = errors(middle, fine, irregular), errors(coarse, middle, irregular)
     out = {}
     for name, difference in last.items():
         shrinks = min(before[name] / difference, 2.0 ** ORDER) if difference > 0.0 else 1.0
@@ -167,7 +206,7 @@ def make_reference(drill, cell, folder, budget):
     rung = reference_rung(cell, budget)
     runs = [run(drill, cell, numerics, folder) for numerics in LADDER[rung:rung + 3]]
     while not any(done.failure for done in runs):
-        own = own_errors(*(done.table for done in runs), cell.irregular_from())
+        own = own_errors(*(done.table for done in runs), cell.irregular())
         if max(own.values()) <= KNOWN or rung == 0 or seconds_of(cell, LADDER[rung - 1]) > budget:
             return Reference(runs[0].table, own, str(LADDER[rung]), fingerprint(cell)), ''
         rung -= 1
@@ -198,9 +237,9 @@ def worst_of(shares):
 
 def right_until(since, cell, table, reference, outputs):
     """Whether these outputs would be within their bounds had the run been right from `since` [s] on."""
-    regular = cell.irregular_from()
+    regular = cell.irregular()
     time = numpy.asarray(reference.table['time'])
-    before = time < (since if regular is None else min(since, regular))
+    before = time < (since if regular is None else min(since, regular[0]))
     cut = {name: numpy.where(before, column, reference.table[name]) for name, column in table.items()}
     shares = errors(cut, reference.table, regular)
     return all(shares[name] <= 1.0 for name in outputs)
@@ -219,7 +258,7 @@ def judge(cell, mine, reference):
     if mine.failure:
         out.kind, out.note = 'silent', mine.failure
         return out
-    shares = errors(mine.table, reference.table, cell.irregular_from())
+    shares = errors(mine.table, reference.table, cell.irregular())
     out.worst, out.by = worst_of(shares)
     out.own, out.own_by = worst_of(reference.own)
     out.cost = mine.summary['cpu_s'] / mine.summary['simulated_s']
