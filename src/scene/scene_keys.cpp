@@ -294,7 +294,7 @@ const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are so
                                                [](const NumericsSpec& n) { return static_cast<int>(n.element); }},
                                                                            none,                 "kind of beam element; rotation_vector fails when the string's top has made a full turn"},
   {"step",                  "s",      &NumericsSpec::step,                 between(1e-5, 0.05),  "physics step"},
-  {"element_length",        "m",      &NumericsSpec::element_length,       between(0.0, 50.0),   "longest element; by the hole: 4.75 m where it inclines and a stand and a half above, 9.5 m higher up", no_kind, every_kind, "by the hole"},
+  {"element_length",        "m",      &NumericsSpec::element_length,       between(0.0, 50.0),   "longest element; by the hole: 4.75 m where it inclines or friction below pushes the pipe, and a stand and a half above, 9.5 m higher up", no_kind, every_kind, "by the hole"},
   {"tolerance",             "-",      &NumericsSpec::tolerance,            between(1e-6, 0.5),   "relative, of the scene's outputs; level auto"},
   {"reference_tolerance",   "-",      &NumericsSpec::reference_tolerance,  between(1e-10, 1e-2), "integrator ida: local error of velocities (m/s, rad/s, and relative); of places (m, rad) a hundredth of it"},
   {"reference_order",       "",       &NumericsSpec::reference_order,      between(1, 5),        "integrator ida: highest order of its BDF; above 2 waves that are hardly damped force shorter steps"},

@@ -88,7 +88,7 @@ TEST(SceneBad, AllProblemsAreReportedAtOnce)
   std::string text = text_of(in_source("config/scenes/bohai.yaml"));
   text.replace(text.find("sheaves: 5"), 10, "sheaves: 0");
   text.replace(text.find("crown_height: 46.0"), 18, "crown_height: high");
-  text.replace(text.find("step: 0.005"), 11, "stepp: 0.005");
+  text.replace(text.find("stage_two_length: 0.1"), 21, "stage_2_length: 0.1");
   try
   {
     parse_scene(text, in_source("config/scenes/bohai.yaml"));
