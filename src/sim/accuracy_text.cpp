@@ -38,6 +38,9 @@ std::string text_of(const AccuracyReport& r, double step)
     case AccuracyDoubt::cut:
       return text("a blade comes where the one before was in %.0f steps, too few for the waves that it leaves; numerics.step: %.2g s or less",
                   1.0 / r.measure, 0.01 * step / r.measure);
+    case AccuracyDoubt::shaking:
+      return text("the bent motor shakes the string three times a turn, and the method damps such waves by %.2g a second; numerics.step: %.2g s or less",
+                  r.measure, step * std::cbrt(0.1 / r.measure));
     case AccuracyDoubt::blows:
       return text("the bit strikes the bottom %.2g times a second: the waves of its blows are blurred; numerics.step: %.2g s or less", r.measure,
                   0.5 * step);

@@ -22,6 +22,7 @@ constexpr double least_throughput = 1e3;     // [W]
 constexpr double most_jerks = 0.25;          // [1/s]
 constexpr double least_contact = 5e3;        // [N]
 constexpr double most_blows = 0.5;           // [1/s]
+constexpr double most_damping = 0.1;         // [1/s]
 
 /// Towards `value`, which stands for `duration` [s], over the last `over` [s].
 void average(double value, double duration, double& mean, double over = memory_time) noexcept
@@ -61,6 +62,13 @@ double blades_passed(const Model& model, const RigForces& forces, double step) n
 {
   if (!model.regenerative() || forces.wob <= 0.0) return 0.0;
   return std::abs(forces.bit_speed) * step * model.bit().torque.blades / (2.0 * pi);
+}
+
+/// What BDF2 of `step` [s] takes of the waves of three times the frequency at which a bent motor turns [1/s]; 0 without one.
+double damping_of_shaking(const Model& model, double turning, double step) noexcept
+{
+  if (!model.motor() || model.motor()->bend == 0.0) return 0.0;
+  return 0.25 * std::pow(3.0 * turning * step, 4) / step;
 }
 
 std::uint64_t attempts_of(const StepperCounters& c) noexcept
@@ -108,12 +116,16 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   if (memory.stands_for == 0.0) memory.report = AccuracyReport();
   if (memory.frames++ % every != 0) return;
   note_jerks(share_that_sticks(state, forces), static_cast<double>(every) * duration, memory);
+  average(std::abs(state.nodes[0].rate.spin), static_cast<double>(every) * duration, memory.turning, short_memory);
   AccuracyReport found = doubt_of_string(*model_, state, forces);
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
   if (found.doubt == AccuracyDoubt::none && memory.refused > most_refused) found = {AccuracyDoubt::refused_steps, memory.refused, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && share > most_dissipation) found = {AccuracyDoubt::dissipation, share, 0.0, 0.0};
-  const double blades = integrator.reference() || steps == 0.0 ? 0.0 : blades_passed(*model_, forces, duration / steps);
+  const bool stepped = !integrator.reference() && steps > 0.0;
+  const double blades = stepped ? blades_passed(*model_, forces, duration / steps) : 0.0;
+  const double damping = stepped ? damping_of_shaking(*model_, memory.turning, duration / steps) : 0.0;
   if (found.doubt == AccuracyDoubt::none && blades > most_blades) found = {AccuracyDoubt::cut, blades, 0.0, 0.0};
+  if (found.doubt == AccuracyDoubt::none && damping > most_damping) found = {AccuracyDoubt::shaking, damping, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && memory.blows > most_blows) found = {AccuracyDoubt::blows, memory.blows, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && memory.jerks > most_jerks) found = {AccuracyDoubt::jerks, memory.jerks, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none) return;

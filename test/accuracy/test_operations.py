@@ -71,7 +71,8 @@ class Errors(unittest.TestCase):
         self.assertGreater(matrix.errors(stopped, series(), (1.0, 9.0))['torque'], 1.0)
 
     def test_period(self):
-        self.assertAlmostEqual(matrix.period(TIME, 3.0 + numpy.sin(2.0 * math.pi * TIME / 1.7)), 1.7, delta=0.01)
+        self.assertAlmostEqual(matrix.period(TIME, 3.0 + numpy.sin(2.0 * math.pi * TIME / 1.4)), 1.4, delta=0.01)
+        self.assertTrue(math.isnan(matrix.period(TIME, numpy.sin(2.0 * math.pi * TIME / 1.4) * numpy.exp(-TIME / 2.0))), 'waves that die out')
         spikes = 1e5 + 1e3 * (numpy.mod(TIME, 1.3) < 0.25)
         self.assertAlmostEqual(matrix.period(TIME, spikes), 1.3, 1)
         self.assertTrue(math.isnan(matrix.period(TIME, numpy.random.default_rng(1).normal(size=TIME.size))))

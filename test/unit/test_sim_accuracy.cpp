@@ -174,6 +174,30 @@ TEST(Accuracy, theStringSticksAndSlips)
   EXPECT_EQ(light.memory.report.doubt, AccuracyDoubt::none);
 }
 
+// 120 rpm and 10 ms: (3 * 12.566 * 0.01)^4/0.04 = 0.505 a second; at 5 ms (.../2)^4/0.02 = 0.0631.
+TEST(Accuracy, aBentMotorShakesTheString)
+{
+  Scene scene = motor_drilling_scene(0.01);
+  ASSERT_TRUE(scene.string[1].motor);
+  scene.string[1].motor->bend = 1.0 * degree;
+  const auto after = [](const Scene& told, std::uint64_t steps)
+  {
+    Watched w(told);
+    w.steps = steps;
+    w.rig.state.nodes[0].rate.spin = -12.566;
+    w.forces.wob = 10e3;
+    return w.after(20.0);
+  };
+  const AccuracyReport report = after(scene, 1);
+  EXPECT_EQ(report.doubt, AccuracyDoubt::shaking);
+  EXPECT_NEAR(report.measure, 0.505, 0.01);
+  EXPECT_EQ(text_of({AccuracyDoubt::shaking, 0.8, 0.0, 0.0}, 0.01),
+            "the bent motor shakes the string three times a turn, and the method damps such waves by 0.8 a second; numerics.step: 0.005 s or less");
+  EXPECT_EQ(after(scene, 2).doubt, AccuracyDoubt::none) << "steps of 5 ms";
+  scene.string[1].motor->bend = 0.0;
+  EXPECT_EQ(after(scene, 1).doubt, AccuracyDoubt::none) << "a straight motor";
+}
+
 // The second blow a second after the first: (1 + exp(-1/3))/3 = 0.572 a second over the last 3 s.
 TEST(Accuracy, theBitStrikesTheBottom)
 {

@@ -29,6 +29,9 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
 ///   A frame that takes up new set points stands for those of its kind, any other for the rest: programs' commands come in time with the samples.
 /// - Cut (regenerative law): the bit turns by more than a hundredth of the way from blade to blade in a step. On quick.yaml with 5 blades,
 ///   which shakes, the deviation of weight is 0 at 13 steps a blade, 0.58 of the reference's at 27, 0.81 at 53 and 1.04 at 133.
+/// - Shaking: a bent motor that turns at W sends up waves of W, 2 W and 3 W, and BDF2 takes (w h)^4/4 of a wave's amplitude a step. More than 0.1
+///   a second of those of 3 W: as much as the mud takes of turning pipe at its default. A motor of 1.15 deg at 120 rpm in a J well sways the torque
+///   by 0.36 kN m at 10 ms, by 0.64 in its reference.
 /// - Blows: the bit came down on the bottom every other second or more often, over the last 3 s. Its waves are what a long step blurs first:
 ///   tagging at 0.3 m/s in 1 km, torque 2.5 % off at 10 ms and 0.9 % at 5 ms (test/accuracy/README.md, operations).
 /// - Jerks: of the force between string and walls, the share that sticks came and went every four seconds or more often, over the last 3 s

@@ -25,7 +25,7 @@ JOINT = 9.5
 CLOSURE, DISSIPATION = 0.005, 0.05  # of the throughput; the second by magnitudes, account by account
 BALANCED = 60.0  # a balance doubles the cost: not of longer runs [s]
 WINDOWS = 10  # of an irregular stretch; its extrema are means over them
-COMES_BACK, NEARLY = 0.3, 0.8  # autocorrelation of what has a period; of its first peak over its highest
+COMES_BACK, STILL, NEARLY, RETURNS = 0.5, 0.3, 0.65, 3  # autocorrelation of a reference that has a period, of a run that is held against it; first peak over highest; how often
 
 
 class Numerics:
@@ -109,8 +109,14 @@ def statistics(y):
             numpy.mean([w.max(axis=0) for w in windows], axis=0)]
 
 
-def period(time, y):
-    """By the first peak of the autocorrelation that is nearly its highest, after it first fell below 0; nan where nothing comes back."""
+def top_of(y, k):
+    """Where the parabola through sample k, a peak, and its neighbours is highest [samples]."""
+    return k + 0.5 * (y[k - 1] - y[k + 1]) / (y[k - 1] - 2.0 * y[k] + y[k + 1])
+
+
+def period(time, y, comes_back=COMES_BACK):
+    """By the first peak of the autocorrelation that is nearly its highest, after it first fell below 0, and by the peaks that follow it a period
+    apart, which are surer; nan where it does not come back RETURNS times, as waves do that die out."""
     y = y - numpy.mean(y)
     lags = len(y) // 2
     if lags < 3 or not y.any():
@@ -118,13 +124,13 @@ def period(time, y):
     like = numpy.array([numpy.mean(y[:len(y) - k] * y[k:]) for k in range(lags)]) / numpy.mean(y * y)
     below = numpy.flatnonzero(like < 0.0)
     rest = numpy.arange(below[0] if len(below) else lags, lags - 1)
-    peaks = [k for k in rest if like[k] >= like[k - 1] and like[k] > like[k + 1]]
+    peaks = [k for k in rest if like[k] >= like[k - 1] and like[k] > like[k + 1] and like[k] >= comes_back]
     highest = max((like[k] for k in peaks), default=0.0)
-    if highest < COMES_BACK:
-        return float('nan')
-    k = next(k for k in peaks if like[k] >= NEARLY * highest)
-    bend = like[k - 1] - 2.0 * like[k] + like[k + 1]  # the parabola's top lies between samples
-    return (k + 0.5 * (like[k - 1] - like[k + 1]) / bend) * (time[1] - time[0])
+    returns = []  # lag over how many periods it is [samples]
+    for k in peaks:
+        if (abs(k - (len(returns) + 1) * returns[-1]) < 0.2 * returns[-1]) if returns else like[k] >= NEARLY * highest:
+            returns.append(top_of(like, k) / (len(returns) + 1))
+    return returns[-1] * (time[1] - time[0]) if len(returns) >= RETURNS else float('nan')
 
 
 def parts(time, irregular):
@@ -150,7 +156,8 @@ def period_error(table, reference, irregular):
     counted = parts(time, irregular)[1]
     if not counted.any() or numpy.ptp(reference['hook_load'][counted]) < FLOORS['hook_load']:
         return 0.0
-    ours, wanted = (period(time[counted], numpy.asarray(t['hook_load'])[counted]) for t in (table, reference))
+    wanted = period(time[counted], numpy.asarray(reference['hook_load'])[counted])
+    ours = period(time[counted], numpy.asarray(table['hook_load'])[counted], STILL)
     if wanted != wanted:
         return 0.0
     return abs(ours - wanted) / wanted if ours == ours else 1.0
