@@ -85,19 +85,20 @@ void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit
 {
   state.pump_flow = advance_pump(spec, state.pump_flow, commanded, step);
   const double n = circuit.nominal_flow, m = circuit.exponent;
-  const HydraulicResistance inner{std::max(state.annulus_pressure, 0.0), circuit.bore.loss, state.gel * circuit.bore.gel, motor_pressure, n, m};
+  const HydraulicResistance inner{std::max(state.annulus_pressure, 0.0), circuit.bore.loss, state.bore_gel * circuit.bore.gel, motor_pressure, n, m};
   Outflow bore = outflow(circuit.bore.capacity, state.stand_pipe_pressure, state.pump_flow, step, inner, flow);
   state.relief_open = bore.pressure > spec.relief_pressure;
   if (state.relief_open) bore = {std::min(bore.flow, outflow_at(spec.relief_pressure, inner, bore.flow)), spec.relief_pressure};
 
-  const HydraulicResistance outer{0.0, circuit.annulus.loss, state.gel * circuit.annulus.gel, 0.0, n, m};
+  const HydraulicResistance outer{0.0, circuit.annulus.loss, state.annulus_gel * circuit.annulus.gel, 0.0, n, m};
   const Outflow annulus =
       outflow_either_way(circuit.annulus.capacity, state.annulus_pressure, bore.flow + displaced, step, outer, state.return_flow);
   flow = bore.flow;
   state.stand_pipe_pressure = bore.pressure;
   state.annulus_pressure = annulus.pressure;
   state.return_flow = annulus.flow;
-  state.gel = advance_gel(state.gel, std::max(flow, std::abs(annulus.flow)), step);
+  state.bore_gel = advance_gel(state.bore_gel, flow, step);
+  state.annulus_gel = advance_gel(state.annulus_gel, std::abs(annulus.flow), step);
 }
 
 double equivalent_circulating_density(double density, double annulus_pressure, double depth) noexcept

@@ -42,11 +42,14 @@ std::string text_of(const AccuracyReport& r, double step)
       return text("the bent motor shakes the string three times a turn, and the method damps such waves by %.2g a second; numerics.step: %.2g s or less",
                   r.measure, step * std::cbrt(0.1 / r.measure));
     case AccuracyDoubt::blows:
-      return text("the bit strikes the bottom %.2g times a second: the waves of its blows are blurred; numerics.step: %.2g s or less", r.measure,
+      return text("the bit strikes the bottom %.2g times a second: means hold, the waves of its blows are blurred; how much, numerics.step: %.2g s shows", r.measure,
                   0.5 * step);
+    case AccuracyDoubt::loose:
+      return text("the string came loose wound up by %.0f turns: the moment and the waves after it are off by a tenth of a second; numerics.step: %.2g s or"
+                  " less, and shorter elements", r.measure, 0.5 * step);
     case AccuracyDoubt::jerks:
-      return text("the string sticks and slips on its walls %.2g times a second: means hold, peaks and what a stop leaves hang on the numerics;"
-                  " numerics.step: %.2g s or less, and shorter elements", r.measure, 0.5 * step);
+      return text("the string sticks and slips on its walls %.2g times a second: means hold, peaks and what a stop leaves are one case of many;"
+                  " how far apart these are, numerics.step: %.2g s and shorter elements show", r.measure, 0.5 * step);
   }
   return "";
 }

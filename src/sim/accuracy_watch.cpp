@@ -19,10 +19,13 @@ constexpr double most_refused = 0.2;
 constexpr double most_dissipation = 0.05;
 constexpr double most_blades = 0.01;         // passed a step
 constexpr double least_throughput = 1e3;     // [W]
-constexpr double most_jerks = 0.25;          // [1/s]
+constexpr double most_jerks = 0.08;          // [1/s]
 constexpr double least_contact = 5e3;        // [N]
 constexpr double most_blows = 0.5;           // [1/s]
 constexpr double most_damping = 0.1;         // [1/s]
+constexpr double rests = 0.1, turns = 1.0;   // [rad/s]
+constexpr double least_held = 1.0;           // [s]
+constexpr double most_wound = 10.0;          // [turns]
 
 /// Towards `value`, which stands for `duration` [s], over the last `over` [s].
 void average(double value, double duration, double& mean, double over = memory_time) noexcept
@@ -47,7 +50,7 @@ double share_that_sticks(const State& state, const RigForces& forces) noexcept
 /// `sticking`: of the walls' force, `since` the last time [s]. A whole jerk lets go and takes hold.
 void note_jerks(double sticking, double since, AccuracyMemory& memory) noexcept
 {
-  average(0.5 * std::abs(sticking - memory.sticking) / since, since, memory.jerks, short_memory);
+  average(0.5 * std::abs(sticking - memory.sticking) / since, since, memory.jerks);
   memory.sticking = sticking;
 }
 
@@ -55,6 +58,18 @@ void note_blows(bool on_bottom, double duration, AccuracyMemory& memory) noexcep
 {
   average(on_bottom && !memory.on_bottom ? 1.0 / duration : 0.0, duration, memory.blows, short_memory);
   memory.on_bottom = on_bottom;
+}
+
+/// By how many turns the string was wound up when its lower end came loose just now; 0: it did not.
+double came_loose(const Model& model, const State& state, double duration, AccuracyMemory& memory) noexcept
+{
+  const NodeState& lower = state.nodes[0];
+  const double speed = std::abs(lower.rate.spin);
+  if (speed < rests) memory.held += duration;
+  if (speed < turns) return 0.0;
+  const bool was_held = memory.held > least_held;
+  memory.held = 0.0;
+  return was_held ? std::abs(state.nodes[static_cast<std::size_t>(model.top())].spin_angle - lower.spin_angle) / (2.0 * pi) : 0.0;
 }
 
 /// Blades that pass by a place of the bottom in a step [-].
@@ -115,8 +130,10 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   memory.stands_for = std::max(0.0, memory.stands_for - duration);
   if (memory.stands_for == 0.0) memory.report = AccuracyReport();
   if (memory.frames++ % every != 0) return;
-  note_jerks(share_that_sticks(state, forces), static_cast<double>(every) * duration, memory);
-  average(std::abs(state.nodes[0].rate.spin), static_cast<double>(every) * duration, memory.turning, short_memory);
+  const double looked = static_cast<double>(every) * duration;
+  note_jerks(share_that_sticks(state, forces), looked, memory);
+  average(std::abs(state.nodes[0].rate.spin), looked, memory.turning, short_memory);
+  const double wound = came_loose(*model_, state, looked, memory);
   AccuracyReport found = doubt_of_string(*model_, state, forces);
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
   if (found.doubt == AccuracyDoubt::none && memory.refused > most_refused) found = {AccuracyDoubt::refused_steps, memory.refused, 0.0, 0.0};
@@ -127,6 +144,7 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   if (found.doubt == AccuracyDoubt::none && blades > most_blades) found = {AccuracyDoubt::cut, blades, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && damping > most_damping) found = {AccuracyDoubt::shaking, damping, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && memory.blows > most_blows) found = {AccuracyDoubt::blows, memory.blows, 0.0, 0.0};
+  if (found.doubt == AccuracyDoubt::none && wound > most_wound) found = {AccuracyDoubt::loose, wound, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && memory.jerks > most_jerks) found = {AccuracyDoubt::jerks, memory.jerks, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none) return;
   memory.report = found;

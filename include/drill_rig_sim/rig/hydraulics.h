@@ -20,7 +20,7 @@
 ///
 /// Gel: mud that stands holds p = 4 tau L/d in a bore, 4 tau L/(D_h - D) in an annulus (gel L/(300 d) in psi, lb/100 ft2, ft, in: Lapeyrouse,
 /// Formulas and Calculations for Drilling, Production and Workover, 2nd ed., p. 79), tau the strength after ten minutes' rest. It grows
-/// with gel_time towards that, and breaks as mud moves, over gel_break_volume: by the pump or the string, in both volumes at once; mud that
+/// with gel_time towards that, and breaks in each volume as mud leaves it, over gel_break_volume, by the pump or the string; mud that
 /// would take longer than gel_time for that volume counts as standing.
 ///
 /// Relief valve, by the pump: the stand pipe does not exceed relief_pressure, and what is too much goes back to the tanks.
@@ -54,7 +54,8 @@ struct HydraulicState
   double stand_pipe_pressure = 0.0;  ///< p_p [Pa]
   double annulus_pressure = 0.0;     ///< p_a, at the bit, above the hydrostatic one; < 0: swab [Pa]
   double return_flow = 0.0;          ///< Q_out, that the annulus's losses see: of mud along pipe and wall, < 0 down [m3/s]
-  double gel = 1.0;                  ///< share of its strength; at the start the mud has stood for long
+  double bore_gel = 1.0;             ///< share of its strength; at the start the mud has stood for long
+  double annulus_gel = 1.0;          ///< the same
   bool relief_open = false;
 
   template <class V>
@@ -64,7 +65,8 @@ struct HydraulicState
     v("stand_pipe_pressure", stand_pipe_pressure);
     v("annulus_pressure", annulus_pressure);
     v("return_flow", return_flow);
-    v("gel", gel);
+    v("bore_gel", bore_gel);
+    v("annulus_gel", annulus_gel);
     v("relief_open", relief_open);
   }
 };

@@ -20,6 +20,7 @@ enum class AccuracyDoubt
   cut,            ///< the step is too long for the waves that one blade leaves to the next
   shaking,        ///< a bent motor turns, and the step is too long for the waves that it sends up
   blows,          ///< the bit strikes the bottom again and again
+  loose,          ///< a string that was wound up by many turns came loose
   jerks           ///< the string sticks and slips on its walls again and again
 };
 
@@ -27,7 +28,7 @@ enum class AccuracyDoubt
 struct AccuracyReport
 {
   AccuracyDoubt doubt = AccuracyDoubt::none;
-  double measure = 0.0;         ///< compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]
+  double measure = 0.0;         ///< compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]
   double from_bit = 0.0;        ///< where on the string [m]; compression, twist, embedding
   double element_length = 0.0;  ///< of the element there [m]; compression, twist
 
@@ -54,10 +55,11 @@ struct AccuracyMemory
   double throughput = 0.0;    ///< of the inputs, in the same way [W]
   double refused = 0.0;       ///< attempts a step that were repeated in parts, in the same way
   double sticking = 1.0;      ///< share of the walls' force that sticks, when it was last looked at [-]
-  double jerks = 0.0;         ///< how often it comes loose and takes hold, mean over the last seconds [1/s]
-  double turning = 0.0;       ///< speed of the string above the bit, in the same way [rad/s]
+  double jerks = 0.0;         ///< how often it comes loose and takes hold, in the same way [1/s]
+  double turning = 0.0;       ///< speed of the string's lower end, mean over the last seconds [rad/s]
+  double held = 0.0;          ///< how long the lower end has not turned [s]
   bool on_bottom = true;      ///< at the end of the last frame
-  double blows = 0.0;         ///< how often the bit comes down on the bottom, in the same way [1/s]
+  double blows = 0.0;         ///< how often the bit comes down on the bottom, mean over the last seconds [1/s]
   double stands_for = 0.0;    ///< the report stands that much longer without a new cause [s]
   AccuracyReport report;
 
@@ -73,6 +75,7 @@ struct AccuracyMemory
     v("sticking", sticking);
     v("jerks", jerks);
     v("turning", turning);
+    v("held", held);
     v("on_bottom", on_bottom);
     v("blows", blows);
     v("stands_for", stands_for);

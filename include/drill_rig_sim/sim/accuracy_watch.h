@@ -34,10 +34,11 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
 ///   by 0.36 kN m at 10 ms, by 0.64 in its reference.
 /// - Blows: the bit came down on the bottom every other second or more often, over the last 3 s. Its waves are what a long step blurs first:
 ///   tagging at 0.3 m/s in 1 km, torque 2.5 % off at 10 ms and 0.9 % at 5 ms (test/accuracy/README.md, operations).
-/// - Jerks: of the force between string and walls, the share that sticks came and went every four seconds or more often, over the last 3 s
-///   (5 kN of force at least). Pipe that slides below its friction's Stribeck speed does that by itself; where in its slip it is, and so the
-///   peaks and what a stop leaves, hangs on the numerics. In the operations matrix it reaches 0.4 to 0.8 a second where
-///   pipe slides at 0.1 m/s, and 0.18 at most where it turns or slides evenly.
+/// - Loose: the lower end began to turn after at least a second of rest, with the string wound up by ten turns or more. The moment of that and
+///   the waves after it are off by a tenth of a second: 3 % of the bit's speed over 30 s in 5 km at 60 rpm.
+/// - Jerks: of the force between string and walls (5 kN at least), the share that sticks came and went every twelve seconds or more often, over the
+///   last 10 s; a start or a stop alone is half of that. Pipe that slides below its friction's Stribeck speed does that by itself;
+///   where in its slip it is, and so the peaks and what a stop leaves, hangs on the numerics.
 class AccuracyWatch
 {
 public:
