@@ -224,6 +224,33 @@ TEST(OnBottom, pendulumDropsAndFrictionWalksItToTheRight)
   EXPECT_LT(std::abs(drift(0.0, 0.0).first), 0.25 * std::abs(drop)) << "a bit that does not cut sideways goes where it points";
 }
 
+// A bit that stands by turns drills with its mean speed when it turns: of all turns none is lost, whatever the lag.
+TEST(OnBottom, aBitThatStopsAndGoesDrillsByItsTurns)
+{
+  for (const double lag : {0.1, 0.4, 1.0})
+  {
+    Scene scene = frictionless({1.3e-7, 1.0, 1.0, 0.0});
+    scene.string[0].bit->speed_lag = lag;
+    Simulator rig(scene);
+    drill(rig, 1e-3, 9.4, 20.0);
+    double turned = 0.0, drilled_with = 0.0, stood = 0.0, depth = rig.truth().hole_depth;  // rad, rad, s, m
+    for (int k = 0; k < 60; ++k)
+    {
+      drill_ahead(rig, k % 2 == 0 ? 0.0 : 12.0, 0.02, 1e-3);
+      for (int frame = 0; frame < 200; ++frame)
+      {
+        ASSERT_EQ(rig.frame(kFrame), FrameStatus::running) << rig.failure();
+        turned += rig.truth().bit_speed * kFrame;
+        drilled_with += (rig.truth().hole_depth - depth) / (1.3e-7 * rig.truth().wob);
+        depth = rig.truth().hole_depth;
+        if (std::abs(rig.truth().bit_speed) < 0.1) stood += kFrame;
+      }
+    }
+    EXPECT_GT(stood, 20.0) << "of 120 s";
+    EXPECT_NEAR(drilled_with / turned, 1.0, 0.03) << lag;
+  }
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);

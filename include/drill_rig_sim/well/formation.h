@@ -60,7 +60,7 @@ double drilling_coefficient(const FormationLayer& layer, double bit_speed) noexc
 
 /// The speed that the rate of penetration is to be worked out with: the law is a mean over turns, used with the speed of the instant it
 /// feeds the drilling string's axial and torsional vibration (flutter). `mean_speed`: the bit's, lagged by about a turn. A bit that stands
-/// drills nothing: at most five times the speed it has [rad/s].
+/// drills nothing: at most five times the speed it has; what that holds back stays in the mean (forces/bit.cpp) [rad/s].
 double drilling_speed(double mean_speed, double bit_speed) noexcept;
 
 /// ROP of a bit that pushes and turns along its axis in isotropic rock, K N^beta (W - F_0)^alpha [m/s]; 0 for W <= F_0.

@@ -145,7 +145,8 @@ void advance_bit(const StageContext& at, const BitTorque& torque) noexcept
   end = at.start.bit;
   end.twist = torque.twist;
   end.turned += at.stage.bit.motor_turn;
-  end.mean_speed -= std::expm1(-at.stage.time / at.model.bit().speed_lag) * (at.work.result.forces.bit_speed - end.mean_speed);
+  // what was not drilled with stays in the mean: the turns that drill are those that were made
+  end.mean_speed -= std::expm1(-at.stage.time / at.model.bit().speed_lag) * (at.work.result.forces.bit_speed - at.stage.bit.drilling_speed);
   const MotorSpec* motor = at.model.motor();
   if (!motor) return;
   const double load = at.work.result.forces.motor_torque;
