@@ -175,7 +175,10 @@ TEST(Convergence, theEstimateOfTrbdf2IsOfThirdOrder)
     for (int k = 0; k < 200; ++k) ASSERT_TRUE(fine.advance(state, 5e-5, Setpoints()));
     ASSERT_TRUE(stepper.advance(state, step, Setpoints()));
     const double now = stepper.error_estimate();
-    if (last > 0.0) EXPECT_NEAR(std::log2(last / now), 3.0, 0.2) << step;
+    if (last > 0.0)
+    {
+      EXPECT_NEAR(std::log2(last / now), 3.0, 0.2) << step;
+    }
     last = now;
   }
 }
