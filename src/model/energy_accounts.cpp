@@ -25,6 +25,14 @@ double EnergyAccounts::input_magnitudes() const noexcept
   return std::abs(winch) + std::abs(drive) + std::abs(pump) + std::abs(gravity);
 }
 
+double EnergyAccounts::loss_magnitudes() const noexcept
+{
+  double sum = std::abs(rock_thrust) + std::abs(rock_torque);
+  for (const double loss : {wall_friction, wall_damping, bottom_damping, squeeze_film, mud, structural, block, gearbox, motor_slip, stuck_point_released, ledge, added_mass})
+    sum += std::abs(loss);
+  return sum;
+}
+
 double EnergyAccounts::numerical_magnitudes() const noexcept
 {
   return std::abs(of_inertia) + std::abs(of_beams) + std::abs(of_contact) + std::abs(of_line) + std::abs(of_residual) + std::abs(of_rebasing);

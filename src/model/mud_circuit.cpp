@@ -127,6 +127,7 @@ MudCircuit mud_circuit(const Scene& scene, const Mesh& mesh)
   const double total = pump.pressure_coefficient * pump.max_flow * pump.max_flow;
   const double annulus = std::min(all.annulus_loss, total), inner = total - annulus;
   MudCircuit out;
+  out.tubular_loss = all.bore_loss + all.annulus_loss;
   out.circuit.nominal_flow = pump.max_flow;
   out.circuit.exponent = pump.loss_exponent;
   out.circuit.bore = {all.bore_volume / scene.mud.bulk_modulus, inner, all.bore_gel * scene.mud.gel_strength};

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/accuracy.h"
 
 namespace drill_rig_sim
@@ -14,6 +15,13 @@ std::string text(const char* format, Numbers... numbers)
   std::snprintf(line, sizeof line, format, numbers...);
   return line;
 }
+
+/// An element's length with a tenth to spare, for the string bends a little more on a finer mesh, and its two digits are rounded down [m].
+double shorter(double length)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(0.9 * length)) - 1.0);
+  return std::floor(0.9 * length / unit) * unit;
+}
 }  // namespace
 
 std::string text_of(const AccuracyReport& r, double step)
@@ -23,10 +31,10 @@ std::string text_of(const AccuracyReport& r, double step)
     case AccuracyDoubt::none: return "";
     case AccuracyDoubt::compression:
       return text("%.4g m above the bit an element of %.3g m carries %.2f times the compression that it can bend under; numerics.element_length: %.2g or less",
-                  r.from_bit, r.element_length, r.measure, r.element_length / std::sqrt(r.measure));
+                  r.from_bit, r.element_length, r.measure, shorter(r.element_length / std::sqrt(r.measure)));
     case AccuracyDoubt::twist:
       return text("%.4g m above the bit an element of %.3g m is twisted by %.2f rad; numerics.element_length: %.2g or less", r.from_bit,
-                  r.element_length, r.measure, r.element_length / r.measure);
+                  r.element_length, r.measure, shorter(r.element_length / r.measure));
     case AccuracyDoubt::embedding:
       return text("%.4g m above the bit the string is %.2g mm deep in the wall, more than its clearance; contact.stiffness: stiffer", r.from_bit,
                   1e3 * r.measure);
@@ -50,6 +58,9 @@ std::string text_of(const AccuracyReport& r, double step)
     case AccuracyDoubt::jerks:
       return text("the string sticks and slips on its walls %.2g times a second: means hold, peaks and what a stop leaves are one case of many;"
                   " how far apart these are, numerics.step: %.2g s and shorter elements show", r.measure, 0.5 * step);
+    case AccuracyDoubt::slant:
+      return text("the hole leaves the table by %.0f deg from the vertical, and the rig stands upright: hook load and torque are those of a string pulled over"
+                  " a corner; well.survey: vertical at the table", r.measure / degree);
   }
   return "";
 }

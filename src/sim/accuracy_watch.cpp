@@ -26,6 +26,7 @@ constexpr double most_damping = 0.1;         // [1/s]
 constexpr double rests = 0.1, turns = 1.0;   // [rad/s]
 constexpr double least_held = 1.0;           // [s]
 constexpr double most_wound = 10.0;          // [turns]
+constexpr double most_slant = 10.0 * degree;
 
 /// Towards `value`, which stands for `duration` [s], over the last `over` [s].
 void average(double value, double duration, double& mean, double over = memory_time) noexcept
@@ -116,8 +117,9 @@ void AccuracyWatch::end_first_step(Integrator& integrator, double step, Accuracy
   if (!booked_) return;
   integrator.sample_balance(nullptr);
   const double stands_for = static_cast<double>(stands_for_) * step;
-  average(balance_.accounts().input_magnitudes() / step, stands_for, memory.throughput);
-  average(balance_.accounts().numerical_magnitudes() / step, stands_for, memory.dissipated);
+  const EnergyAccounts& accounts = balance_.accounts();
+  average(std::max(accounts.input_magnitudes(), accounts.loss_magnitudes()) / step, stands_for, memory.throughput);
+  average(accounts.numerical_magnitudes() / step, stands_for, memory.dissipated);
 }
 
 void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, const RigForces& forces, double duration,
@@ -146,9 +148,16 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   if (found.doubt == AccuracyDoubt::none && memory.blows > most_blows) found = {AccuracyDoubt::blows, memory.blows, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && wound > most_wound) found = {AccuracyDoubt::loose, wound, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && memory.jerks > most_jerks) found = {AccuracyDoubt::jerks, memory.jerks, 0.0, 0.0};
+  if (found.doubt == AccuracyDoubt::none) found = doubt_of_hole(state);
   if (found.doubt == AccuracyDoubt::none) return;
   memory.report = found;
   memory.stands_for = memory_time;
+}
+
+AccuracyReport doubt_of_hole(const State& state) noexcept
+{
+  const double slant = std::acos(std::clamp(-state.well.node(0).tangent.z(), -1.0, 1.0));
+  return slant > most_slant ? AccuracyReport{AccuracyDoubt::slant, slant, 0.0, 0.0} : AccuracyReport();
 }
 
 AccuracyReport doubt_of_string(const Model& model, const State& state, const RigForces& forces) noexcept

@@ -10,6 +10,7 @@
 #include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
+#include "drill_rig_sim/sim/accuracy_watch.h"
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/wall_loss.h"
@@ -64,8 +65,10 @@ void print_mud(const Scene& scene)
   std::printf("mud         %.1f m3 in the string, %.1f m3 in the annulus; of %.2f MPa lost at %g m3/s %.2f in the bore, %.2f in the annulus\n",
               bore.capacity * scene.mud.bulk_modulus, annulus.capacity * scene.mud.bulk_modulus, (bore.loss + annulus.loss) / 1e6,
               mud.circuit.nominal_flow, mud.bore_friction * bore.loss / 1e6, annulus.loss / 1e6);
-  if (mud.bore_friction >= 1.0)
-    std::printf("            bore and annulus alone would lose that much or more: pressure_coefficient leaves nothing for the bit\n");
+  const double lost = bore.loss + annulus.loss;
+  if (lost > 0.0 && mud.tubular_loss >= lost)
+    std::printf("            bore and annulus alone would lose %.2f MPa: pressure_coefficient leaves nothing for the bit; more than %.3g does\n",
+                mud.tubular_loss / 1e6, mud.tubular_loss / std::pow(mud.circuit.nominal_flow, 2));
 }
 
 /// What the rock makes of the friction of hole yet to be drilled, from the hole's bottom down.
@@ -114,6 +117,8 @@ void print_shortcomings(const Scene& scene)
   if (scene.string.front().bit->torque.model == BitTorqueModel::regenerative)
     std::printf("bit         regenerative: weight and torque are those of the cut; the face does not rub across the bottom\n");
   const RigAtRest rig = build_at_rest(scene);
+  for (const AccuracyReport& doubt : {doubt_of_string(*rig.model, rig.state, rig.statics.forces), doubt_of_hole(rig.state)})
+    if (doubt.doubt != AccuracyDoubt::none) std::printf("accuracy    %s\n", text_of(doubt, scene.numerics.step).c_str());
   if (scene.string.front().bit->gauge_length > 0.0) print_wedged_gauge(scene, rig);
   const std::optional<WallLoss> loss = wall_loss(rig);
   if (!loss) return;

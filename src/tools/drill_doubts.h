@@ -7,13 +7,13 @@
 
 namespace drill_rig_sim
 {
-/// Why a run's numbers may be wrong: of each kind of doubt when it was first raised, and its largest.
+/// Why a run's numbers may be wrong: of each kind of doubt when it was first raised, when it last stood, and its largest.
 class Doubts
 {
 public:
   struct Entry
   {
-    double since;           ///< simulated time [s]
+    double since, until;    ///< simulated time [s]
     AccuracyReport report;  ///< the largest
   };
 
@@ -24,10 +24,11 @@ public:
     for (Entry& entry : entries_)
       if (entry.report.doubt == now.doubt)
       {
+        entry.until = time;
         if (now.measure > entry.report.measure) entry.report = now;
         return;
       }
-    entries_.push_back({time, now});
+    entries_.push_back({time, time, now});
   }
 
   /// In the order in which they came.

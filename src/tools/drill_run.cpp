@@ -46,6 +46,7 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, Profi
              {
                record.drilling.add(m);
                record.doubts.add(m.time, simulator.statistics().accuracy);
+               record.limits.add(m, simulator.statistics().loads);
                series.add(simulator, frame);
                profiles.add(simulator, frame);
                const double drilled = (m.hole_depth - start_depth) / (goal.depth - start_depth);

@@ -117,8 +117,28 @@ Json json_of(const EnergyAccounts& e)
 Json json_of(const Doubts& doubts, double step)
 {
   Json list = Json::array();
-  for (const Doubts::Entry& doubt : doubts.entries()) list.push_back({{"since", doubt.since}, {"text", text_of(doubt.report, step)}});
+  for (const Doubts::Entry& doubt : doubts.entries()) list.push_back({{"since", doubt.since}, {"until", doubt.until}, {"text", text_of(doubt.report, step)}});
   return list;
+}
+
+Json json_of(const Limits& limits)
+{
+  Json list = Json::array();
+  for (const Limits::Entry& entry : limits.entries())
+  {
+    list.push_back({{"flag", entry.flag}, {"since", entry.since}, {"until", entry.until}});
+    if (entry.load.share == 0.0) continue;
+    list.back()["share"] = entry.load.share;
+    list.back()["from_bit"] = entry.load.from_bit;
+  }
+  return list;
+}
+
+void print(const Limits::Entry& entry)
+{
+  std::printf("limit passed, %.1f to %.1f s: %s", entry.since, entry.until, entry.what);
+  if (entry.load.share > 0.0) std::printf(", %.2f times that %.4g m above the bit", entry.load.share, entry.load.from_bit);
+  std::printf(" (%s)\n", entry.flag);
 }
 
 void add_work(const SimulatorStatistics& s, Json& json)
@@ -150,6 +170,7 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const RunRec
                {"coordinates", s.coordinates}};
   add_work(s, json);
   json["accuracy_warnings"] = json_of(record.doubts, s.step);
+  json["limits_passed"] = json_of(record.limits);
   if (s.is_reference) json["reference"] = json_of(s.reference);
   json["cost_share"] = shares_of(s.costs);
   if (simulator.energy().time > 0.0) json["energy"] = json_of(simulator.energy());
@@ -177,7 +198,8 @@ void print_summary(const Simulator& simulator, const Elapsed& elapsed, const Run
   std::printf("%s: %.1f s simulated in %.2f s (%.1f times real time), hole %.3f m\n", simulator.scene().name.c_str(), m.time,
               elapsed.cpu, m.time / elapsed.cpu, m.hole_depth);
   for (const Doubts::Entry& doubt : record.doubts.entries())
-    std::printf("accuracy warning from %.1f s on: %s\n", doubt.since, text_of(doubt.report, simulator.statistics().step).c_str());
+    std::printf("accuracy warning, %.1f to %.1f s: %s\n", doubt.since, doubt.until, text_of(doubt.report, simulator.statistics().step).c_str());
+  for (const Limits::Entry& entry : record.limits.entries()) print(entry);
   const Averages mean = record.drilling.last_quarter();
   if (mean.samples() == 0)
   {

@@ -5,6 +5,7 @@
 
 #include "drill_averages.h"
 #include "drill_doubts.h"
+#include "drill_limits.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 namespace drill_rig_sim
@@ -21,13 +22,14 @@ struct RunRecord
 {
   DrillingRecord drilling;
   Doubts doubts;
+  Limits limits;
 };
 
 /// A run's summary as a JSON object, a newline at its end. Numbers read back to the same double; what is not finite is null.
 /// `readings`: it also says what the instruments show at the end.
 std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, bool readings);
 
-/// The same in two lines on standard output, and a line for each doubt.
+/// The same in two lines on standard output, and a line for each doubt and each limit that was passed.
 void print_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record);
 
 }  // namespace drill_rig_sim

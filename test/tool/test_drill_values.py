@@ -47,6 +47,18 @@ class Check(test_drill.Drill):
         self.assertIn('pads are wedged in the hole', self.succeed('check', QUICK, *pads))
         self.assertNotIn('wedged', self.succeed('check', QUICK, *pads, '--set', 'string[0].gauge_clearance=2e-3'))
 
+    def test_a_hole_that_leaves_the_upright_rig_inclined_is_told(self):
+        self.assertNotIn('accuracy', self.succeed('check', QUICK))
+        self.assertIn('accuracy    the hole leaves the table by 12 deg from the vertical',
+                      self.succeed('check', QUICK, '--set', 'well.stations=[[0, 12, 0], [100, 12, 0]]'))
+
+    def test_what_leaves_the_bit_some_pressure_is_told(self):
+        def coefficient(value):
+            return self.succeed('check', QUICK, '--set', 'rig.mud_pump.pressure_coefficient=%.3g' % value)
+        told = re.search('leaves nothing for the bit; more than ([0-9.e+]+) does', coefficient(1e4))
+        self.assertIn('leaves nothing', coefficient(0.99 * float(told.group(1))))
+        self.assertNotIn('leaves nothing', coefficient(1.01 * float(told.group(1))))
+
     def test_every_kind_of_part_has_its_word(self):
         string = ('[{name: a, type: bit, length: 0.3, mass: 40, diameter: 0.2159}, '
                   '{name: b, type: mud_motor, length: 8, outer_diameter: 0.165, inner_diameter: 0.0714, linear_mass: 120, '

@@ -179,6 +179,9 @@ TEST(Accounts, addUpEveryTermOnce)
   e.drive = -e.drive;
   EXPECT_EQ(input, e.throughput()) << "magnitudes";
   e.drive = -e.drive;
+  for (double* loss : {&e.mud, &e.wall_damping, &e.rock_torque}) *loss = -*loss;
+  EXPECT_EQ(lost + rock, e.loss_magnitudes());
+  for (double* loss : {&e.mud, &e.wall_damping, &e.rock_torque}) *loss = -*loss;
   EXPECT_EQ(std::abs(e.residual()) / input, e.closure());
   EXPECT_EQ(numerical / input, e.numerical_share());
   EXPECT_EQ(numerical / (lost + rock + numerical), e.numerical_of_losses());

@@ -95,13 +95,22 @@ TEST(MudMotor, PressureDoesTheWorkOfTheTorque)
   EXPECT_EQ(mud_motor_pressure(0.0, displacement, 4e3), 0.0);
   EXPECT_DOUBLE_EQ(mud_motor_pressure(0.5 * mud_motor_leakage, displacement, 4e3), 0.5 * mud_motor_pressure(0.045, displacement, 4e3)) << "it leaks";
   EXPECT_EQ(mud_motor_pressure(0.045, displacement, -4e3), 0.0);
-  // never more power out than in
-  for (int i = 0; i < 30; ++i)
-  {
-    const double torque = 500.0 * i;
-    EXPECT_LE(torque * mud_motor_steady_speed(0.045, displacement, stall, 4.0, torque).value,
-              0.045 * mud_motor_pressure(0.045, displacement, torque) * (1.0 + 1e-12));
-  }
+  // never more power out than in, also of what flows on behind a pump that stands
+  for (const double flow : {0.045, 1.9 * mud_motor_leakage, 0.9 * mud_motor_leakage, 0.1 * mud_motor_leakage})
+    for (int i = 0; i < 30; ++i)
+    {
+      const double torque = 500.0 * i, power = flow * mud_motor_pressure(flow, displacement, torque);
+      EXPECT_LE(torque * mud_motor_steady_speed(flow, displacement, stall, 4.0, torque).value, power * (1.0 + 1e-12));
+      EXPECT_NEAR(torque * mud_motor_flow_speed(flow, displacement), power, 1e-9 * power);
+    }
+}
+
+TEST(MudMotor, FlowBelowItsLeakageDoesNotTurnIt)
+{
+  const double free = 2.0 * pi / displacement;  // [rad/s per m3/s]
+  EXPECT_EQ(mud_motor_steady_speed(0.99 * mud_motor_leakage, displacement, stall, 4.0, 1e3).value, 0.0);
+  EXPECT_NEAR(mud_motor_steady_speed(1.5 * mud_motor_leakage, displacement, stall, 4.0, 0.0).value, 0.75 * mud_motor_leakage * free, 1e-12);
+  EXPECT_NEAR(mud_motor_steady_speed(2.0 * mud_motor_leakage, displacement, stall, 4.0, 0.0).value, 2.0 * mud_motor_leakage * free, 1e-12);
 }
 
 TEST(MudMotor, LagsByItsTimeConstantAndSettlesExactly)

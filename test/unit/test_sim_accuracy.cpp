@@ -6,6 +6,7 @@
 
 #include "drill_rig_sim/sim/accuracy_watch.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/sim/profile.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/solve/start.h"
 #include "test_scenes.h"
@@ -267,6 +268,22 @@ TEST(Accuracy, theMethodDissipates)
   }
 }
 
+// An upright rig over a slant hole.
+TEST(Accuracy, theHoleLeavesTheTableInclined)
+{
+  for (const auto& [inclination, doubt] : {std::pair{9.0, AccuracyDoubt::none}, std::pair{12.0, AccuracyDoubt::slant}})
+  {
+    Scene scene = vertical_scene(400.0, 290.0);
+    for (SurveyStation& station : scene.well.survey) station.inclination = inclination * degree;
+    Watched w(scene);
+    EXPECT_EQ(w.after(0.2).doubt, doubt) << inclination;
+    EXPECT_EQ(static_report(scene, SlidingMotion()).accuracy.doubt, doubt) << inclination;
+  }
+  EXPECT_EQ(text_of({AccuracyDoubt::slant, 12.0 * degree, 0.0, 0.0}, 0.01),
+            "the hole leaves the table by 12 deg from the vertical, and the rig stands upright: hook load and torque are those of a string pulled over a corner;"
+            " well.survey: vertical at the table");
+}
+
 // The jump of a command costs energy in its own step alone, in any method; programs give commands at full seconds, where samples are taken too.
 TEST(Accuracy, aCommandsOwnStepDoesNotStandForOthers)
 {
@@ -285,9 +302,9 @@ TEST(Accuracy, saysWhereWhatAndWhatHelps)
 {
   EXPECT_EQ(text_of({}, 0.01), "");
   EXPECT_EQ(text_of({AccuracyDoubt::compression, 4.0, 812.0, 9.5}, 0.01),
-            "812 m above the bit an element of 9.5 m carries 4.00 times the compression that it can bend under; numerics.element_length: 4.8 or less");
+            "812 m above the bit an element of 9.5 m carries 4.00 times the compression that it can bend under; numerics.element_length: 4.2 or less");
   EXPECT_EQ(text_of({AccuracyDoubt::twist, 2.0, 812.0, 9.5}, 0.01),
-            "812 m above the bit an element of 9.5 m is twisted by 2.00 rad; numerics.element_length: 4.8 or less");
+            "812 m above the bit an element of 9.5 m is twisted by 2.00 rad; numerics.element_length: 4.2 or less");
   EXPECT_EQ(text_of({AccuracyDoubt::embedding, 0.0062, 1.8, 0.0}, 0.01),
             "1.8 m above the bit the string is 6.2 mm deep in the wall, more than its clearance; contact.stiffness: stiffer");
   EXPECT_EQ(text_of({AccuracyDoubt::refused_steps, 0.3, 0.0, 0.0}, 0.01), "30 % of the steps had to be taken in parts; numerics.step: below 0.01 s");

@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 
 #include "drill_ahead.h"
 #include "drill_rig_sim/math/units.h"
@@ -247,12 +248,43 @@ TEST(Summary, saysWhatMayBeWrong)
   record.doubts.add(4.5, other);
   const Simulator simulator(drilling_scene());
   const double step = simulator.scene().numerics.step;
-  const nlohmann::json expected = {{{"since", 1.5}, {"text", text_of(later, step)}}, {{"since", 4.5}, {"text", text_of(other, step)}}};
+  const nlohmann::json expected = {{{"since", 1.5}, {"until", 3.5}, {"text", text_of(later, step)}},
+                                   {{"since", 4.5}, {"until", 4.5}, {"text", text_of(other, step)}}};
   EXPECT_EQ(expected, summary_of(simulator, record, false)["accuracy_warnings"]);
   testing::internal::CaptureStdout();
   print_summary(simulator, Elapsed{9.0, 0.5}, record);
   const std::string text = testing::internal::GetCapturedStdout();
-  EXPECT_NE(std::string::npos, text.find("accuracy warning from 1.5 s on: " + text_of(later, step) + "\n")) << text;
+  EXPECT_NE(std::string::npos, text.find("accuracy warning, 1.5 to 3.5 s: " + text_of(later, step) + "\n")) << text;
+}
+
+TEST(Summary, saysWhichLimitsWerePassed)
+{
+  RunRecord record;
+  Truth m;
+  StringLoads loads;
+  m.time = 1.0;
+  record.limits.add(m, loads);
+  m.time = 2.0;
+  m.slack_line = true;
+  record.limits.add(m, loads);
+  m.over_stress = true;
+  m.slack_line = false;
+  for (const auto& [time, share, from_bit] : {std::tuple{3.0, 1.5, 80.0}, {4.0, 1.25, 90.0}})
+  {
+    m.time = time;
+    loads.stress = {share, from_bit};
+    record.limits.add(m, loads);
+  }
+  const Simulator simulator(drilling_scene());
+  const nlohmann::json expected = {{{"flag", "slack_line"}, {"since", 2.0}, {"until", 2.0}},
+                                   {{"flag", "over_stress"}, {"since", 3.0}, {"until", 4.0}, {"share", 1.5}, {"from_bit", 80.0}}};
+  EXPECT_EQ(expected, summary_of(simulator, record, false)["limits_passed"]);
+  testing::internal::CaptureStdout();
+  print_summary(simulator, Elapsed{9.0, 0.5}, record);
+  const std::string text = testing::internal::GetCapturedStdout();
+  EXPECT_NE(std::string::npos, text.find("limit passed, 2.0 to 2.0 s: the lines carry nothing (slack_line)\n")) << text;
+  EXPECT_NE(std::string::npos, text.find("limit passed, 3.0 to 4.0 s: pipe beyond its yield strength, 1.50 times that 80 m above the bit (over_stress)\n"))
+      << text;
 }
 
 TEST(Summary, withoutDrillingTellsWhatHangsAndTurns)

@@ -73,6 +73,7 @@ struct EnergyAccounts
   double numerical() const noexcept;
   /// Sums of the absolute accounts: what cancels counts.
   double input_magnitudes() const noexcept;
+  double loss_magnitudes() const noexcept;
   double numerical_magnitudes() const noexcept;
   double residual() const noexcept;
   /// What the balance is measured by: sum of the absolute inputs, or the largest kinetic energy if that is more.

@@ -66,7 +66,7 @@ struct EnergySample
   double bit_speed = 0.0;       ///< spin of the string's end plus the motor's [rad/s]
   double gauge_torque = 0.0;    ///< of the wall's friction on the bit, against its turning [N m]
   double motor_speed = 0.0;     ///< in this step [rad/s]
-  double motor_flow_speed = 0.0;  ///< what the flow would turn it at without slip, 2 pi Q / V [rad/s]; 0: no motor
+  double motor_flow_speed = 0.0;  ///< what the flow would turn it at without slip (mud_motor.h) [rad/s]; 0: no motor
 
   // rig
   double hook_force = 0.0;     ///< [N]

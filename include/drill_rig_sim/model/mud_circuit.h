@@ -52,6 +52,7 @@ struct MudCircuit
   std::vector<double> stretch_by_annulus;  ///< -(1 - 2 nu) A_o/(E A_s): by one around it [1/Pa]
   std::vector<double> lift;                ///< pi/4 D D_h annulus_here: by the annulus's pressure at the bit [m2]
   double displaced_area = 0.0;        ///< A_o + K (A_h - A_o): flow that counts for the annulus's losses per speed of the string [m2]
+  double tubular_loss = 0.0;          ///< of bore and annulus at the largest flow by the rules above, whatever pressure_coefficient says [Pa]
   double bore_friction = 0.0;         ///< share of circuit.bore.loss that is the bore's; the rest is the bit's
 };
 

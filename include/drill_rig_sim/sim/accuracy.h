@@ -21,14 +21,15 @@ enum class AccuracyDoubt
   shaking,        ///< a bent motor turns, and the step is too long for the waves that it sends up
   blows,          ///< the bit strikes the bottom again and again
   loose,          ///< a string that was wound up by many turns came loose
-  jerks           ///< the string sticks and slips on its walls again and again
+  jerks,          ///< the string sticks and slips on its walls again and again
+  slant           ///< the hole leaves the table inclined, and the rig stands upright
 };
 
 /// A doubt, how large and where.
 struct AccuracyReport
 {
   AccuracyDoubt doubt = AccuracyDoubt::none;
-  double measure = 0.0;         ///< compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]
+  double measure = 0.0;         ///< compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]; slant [rad]
   double from_bit = 0.0;        ///< where on the string [m]; compression, twist, embedding
   double element_length = 0.0;  ///< of the element there [m]; compression, twist
 
@@ -52,7 +53,7 @@ struct AccuracyMemory
   Setpoints setpoints;        ///< of the last frame
   std::uint64_t commanded = 0;  ///< frames that took up new set points since the last sample of energy
   double dissipated = 0.0;    ///< numerical, mean over the last seconds by magnitudes [W]
-  double throughput = 0.0;    ///< of the inputs, in the same way [W]
+  double throughput = 0.0;    ///< of the inputs, or of the losses where they are more, in the same way [W]
   double refused = 0.0;       ///< attempts a step that were repeated in parts, in the same way
   double sticking = 1.0;      ///< share of the walls' force that sticks, when it was last looked at [-]
   double jerks = 0.0;         ///< how often it comes loose and takes hold, in the same way [1/s]

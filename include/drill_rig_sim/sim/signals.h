@@ -138,7 +138,7 @@ struct Truth : RigSignals
   Eigen::Vector3d bit_force = Eigen::Vector3d::Zero();    ///< rock on bit, world axes [N]
   Eigen::Vector3d bit_moment = Eigen::Vector3d::Zero();   ///< rock on bit about the bit's centre, world axes [N m]
   double wob = 0.0;               ///< >= 0 [N]
-  double bit_torque = 0.0;        ///< >= 0 when the rock resists clockwise turning [N m]
+  double bit_torque = 0.0;        ///< of the rock on the bit's face, >= 0 when it resists clockwise turning; the gauge's friction on the wall is not in it [N m]
   double bit_flow = 0.0;          ///< through motor and bit [m3/s]
   double bit_speed = 0.0;         ///< string below the motor plus motor [rad/s]
   double bit_inclination = 0.0;   ///< of the hole at its bottom [rad]
