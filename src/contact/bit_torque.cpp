@@ -38,7 +38,7 @@ TorqueLimit cutting_torque(const BitTorqueSpec& spec, double a, double force, do
   const double turning = std::max(least_speed, std::abs(speed));
   const double per_turn = 2.0 * pi * std::pow(turning, rock.speed_exponent - 1.0);
   const RockBreakingSpeed v = rock_breaking_speed({rock.drillability * per_turn, rock.weight_exponent, rock.threshold}, force);
-  const double per_depth = 0.5 * spec.cutting_energy * a * a;
+  const double per_depth = 0.5 * spec.cutting_energy * a * a * rock.ring.share;
   return {per_depth * v.value, per_depth * v.slope,
           std::abs(speed) > least_speed ? per_depth * v.value * (rock.speed_exponent - 1.0) / turning : 0.0};
 }
@@ -50,16 +50,22 @@ TorqueLimit detournay_bit_torque(const BitTorqueSpec& spec, double diameter, dou
   const double a = 0.5 * diameter;
   const double rubbing = 0.5 * spec.wear_friction * a;  // torque per weight on the flats
   TorqueLimit out = cutting_torque(spec, a, force, speed, rock);
-  out.value += rubbing * std::clamp(force, 0.0, std::max(0.0, spec.wear_weight));
-  out.force_slope += force > 0.0 && force < spec.wear_weight ? rubbing : 0.0;
+  const double flats = std::max(0.0, spec.wear_weight * rock.ring.share);
+  out.value += rubbing * std::clamp(force, 0.0, flats);
+  out.force_slope += force > 0.0 && force < flats ? rubbing : 0.0;
   return out;
 }
 
 TorqueLimit bit_torque_limit(const BitTorqueSpec& spec, double diameter, double force, double speed,
                              const FormationLayer& rock) noexcept
 {
-  return spec.model == BitTorqueModel::stribeck ? stribeck_bit_torque(spec, diameter, force, speed)
-                                                : detournay_bit_torque(spec, diameter, force, speed, rock);
+  TorqueLimit out = spec.model == BitTorqueModel::stribeck ? stribeck_bit_torque(spec, diameter, force, speed)
+                                                           : detournay_bit_torque(spec, diameter, force, speed, rock);
+  if (rock.ring.lever == 1.0) return out;
+  out.value *= rock.ring.lever;
+  out.force_slope *= rock.ring.lever;
+  out.speed_slope *= rock.ring.lever;
+  return out;
 }
 
 BitTorque bit_torque(const TorqueLimit& limit, double stiffness, double twist, double slip, double speed,

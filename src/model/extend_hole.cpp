@@ -12,7 +12,9 @@ Vector3d rock_velocity(const Model& model, const Wellbore& well, const RigForces
                        const Vector3d& bit_axis) noexcept
 {
   if (forces.wob <= 0.0 || model.regenerative()) return Vector3d::Zero();
-  const FormationLayer& rock = model.formation().at(-well.bottom_position().z());
+  const FormationLayer& rock = model.rock_under(well);
+  if (model.pilot().is_ahead(well.hole_depth()))
+    return on_axis_rop(rock, drilling_speed, forces.wob) * model.pilot().direction(well.bottom_position(), well.hole_depth());
   return rock_breaking_velocity(rock, forces.rock_force, drilling_speed, bit_axis, model.bit().side_cutting);
 }
 
@@ -24,7 +26,7 @@ void extend_by_cut(const Model& model, const Stage& stage, const StageResult& re
   const BitSpec& bit = model.bit();
   const Vector3d bit_axis = x_axis(state.nodes[0].orientation);
   const Vector3d down = state.well.bottom_normal();
-  const FormationLayer& rock = model.formation().at(-state.well.bottom_position().z());
+  const FormationLayer& rock = model.rock_under(state.well);
   const double lowered = cut(state.ground, bit.torque.blades, result.cut.angle, result.cut.height);
   state.ground.flats = result.cut.flats;
   const Vector3d way = lowered * rock_breaking_direction(rock, result.forces.rock_force, bit_axis, bit.side_cutting, down);

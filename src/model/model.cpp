@@ -8,8 +8,20 @@
 
 namespace drill_rig_sim
 {
+namespace
+{
+std::vector<FormationLayer> rings_of(const Scene& scene)
+{
+  const BitSpec& bit = *scene.string.front().bit;
+  const bool by_width = bit.torque.model != BitTorqueModel::stribeck;
+  std::vector<FormationLayer> layers = scene.formation;
+  for (FormationLayer& layer : layers) layer = ring_of(layer, scene.well.pilot_diameter / bit.diameter, by_width);
+  return layers;
+}
+}  // namespace
+
 Model::Model(const Scene& scene, Mesh mesh)
-  : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), formation_(scene.formation), friction_(scene.contact, scene.well.sections)
+  : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), formation_(scene.formation), ring_(rings_of(scene)), pilot_(scene.well), friction_(scene.contact, scene.well.sections)
 {
   for (const MeshNode& node : mesh_.nodes) contact_.push_back(wall_law(scene.contact, node.contact, node.mass, node.friction_radius));
   for (const MeshElement& element : mesh_.elements)

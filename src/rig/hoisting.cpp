@@ -68,7 +68,7 @@ DampedBristle rail_bristle(const HoistingSpec& spec, double deflection) noexcept
 StopForce stop_force(const HoistingSpec& spec, double block_height, double block_velocity) noexcept
 {
   const bool low = block_height < spec.lowest_block_height;
-  const double beyond = low ? spec.lowest_block_height - block_height : block_height - spec.highest_block_height;
+  const double beyond = (low ? spec.lowest_block_height - block_height : block_height - spec.highest_block_height) - stop_clearance;
   const double side = low ? 1.0 : -1.0;
   const double share = 1.0 - stop_damping * side * block_velocity;
   if (beyond <= 0.0) return {};

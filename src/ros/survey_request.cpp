@@ -84,6 +84,7 @@ Scene with_survey(const Scene& scene, double off_bottom, const LoadSurvey::Reque
   if (!(request.bit_depth >= 0.0 && request.bit_depth <= next.well.hole_depth))
     refuse("bit_depth is ", request.bit_depth, "; allowed is 0 (", off_bottom, " m off bottom) to ", next.well.hole_depth, " m");
   next.start.bit_depth = request.bit_depth > 0.0 ? request.bit_depth : next.well.hole_depth - off_bottom;
+  next.well.pilot_depth = next.well.pilot_diameter = 0.0;  // of the scene's own hole
   next.well.sections = fitted(next.well.sections, next.well.hole_depth);
   const ProblemList problems = scene_problems(next);
   if (!problems.empty()) refuse(problems.front().key, ": ", problems.front().text);

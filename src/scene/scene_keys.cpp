@@ -100,6 +100,8 @@ const Table<WellSpec> well_keys = {"well", "The hole before drilling starts. Giv
   {"tie_in",                "",       Nested{},                            none,                 "where the first station lies, if that is below depth 0: a smooth hole leads there; instead of the CSV file's columns"},
   {"hole_depth",            "m",      &WellSpec::hole_depth,               between(0.1, 20000.0), "measured depth of the hole's bottom", no_kind, every_kind, "the last station"},
   {"sections",              "",       Nested{},                            none,                 "list of hole sections, top down; the last reaches hole_depth", must},
+  {"pilot_depth",           "m",      &WellSpec::pilot_depth,              between(0.0, 20000.0), "measured depth down to which a narrower hole is there already, which the bit reams from hole_depth on; 0: none"},
+  {"pilot_diameter",        "m",      &WellSpec::pilot_diameter,           between(0.0, 1.0),    "of that hole, at most 0.95 of the bit's"},
 }};
 
 const Table<TieIn> tie_in_keys = {"well.tie_in", "Where a survey's first station below the rotary table lies. The hole above it leaves the table vertically and is made of straight pieces and arcs of at most 15 deg/30 m.", {

@@ -108,9 +108,20 @@ double narrowest_above(const std::vector<HoleSection>& sections, double depth)
   return narrowest;
 }
 
+void check_reaming(const Scene& scene, ProblemList& problems)
+{
+  constexpr double most = 0.95;  // of the bit's diameter: what is left of less is no ring that a law of drilling holds for
+  if (scene.well.pilot_depth == 0.0 || !scene.string[0].bit) return;
+  const BitSpec& bit = *scene.string[0].bit;
+  if (scene.well.pilot_diameter > most * bit.diameter)
+    problems.emplace_back("well.pilot_diameter", metres(scene.well.pilot_diameter) + " leaves the bit no ring to ream, allowed: up to " + metres(most * bit.diameter));
+  if (bit.torque.model == BitTorqueModel::regenerative)
+    problems.emplace_back("string[0].torque.model", "reaming with the regenerative law is not available yet, allowed: stribeck or detournay, or no well.pilot_depth");
+}
+
 void check_diameters(const Scene& scene, ProblemList& problems)
 {
-  // every part passes all sections on its way down, with the bit as deep as a run may drill; reaming is not modelled
+  // every part passes all sections on its way down, with the bit as deep as a run may drill
   const double drilled = scene.rig.hoisting.highest_block_height;
   double from_bit = 0.0;
   for (std::size_t i = 0; i < scene.string.size(); ++i)
@@ -126,7 +137,7 @@ void check_diameters(const Scene& scene, ProblemList& problems)
       problems.emplace_back(
           item_key("string", i, width.key),
           metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section, " + metres(narrowest) +
-              (part.type == PartType::bit ? "; reaming is not available yet" : ""));
+              (part.type == PartType::bit ? "; a narrower hole that the bit reams: well.pilot_depth" : ""));
     }
     else if (i > 0 && into_drilled && scene.string[0].bit && width.diameter > scene.string[0].bit->diameter)
     {
@@ -295,6 +306,7 @@ ProblemList scene_problems(const Scene& scene)
   check_part_names(scene.string, problems);
   check_element_length(scene.numerics.element_length, problems);
   append(problems, string_problems(scene.string, scene.start.bit_depth + scene.start.block_height, element_lengths(scene)));
+  check_reaming(scene, problems);
   check_diameters(scene, problems);
   check_hoisting(scene.rig.hoisting, problems);
   check_start(scene, problems);

@@ -49,6 +49,9 @@ std::string text_of(const AccuracyReport& r, double step)
     case AccuracyDoubt::shaking:
       return text("the bent motor shakes the string three times a turn, and the method damps such waves by %.2g a second; numerics.step: %.2g s or less",
                   r.measure, step * std::cbrt(0.1 / r.measure));
+    case AccuracyDoubt::waves:
+      return text("the step blurs the torque's waves by %.2g %% of its range in 3 s; numerics.step: %.2g s or less", 100.0 * r.measure,
+                  step * std::sqrt(0.02 / r.measure));
     case AccuracyDoubt::blows:
       return text("the bit strikes the bottom %.2g times a second: means hold, the waves of its blows are blurred; how much, numerics.step: %.2g s shows", r.measure,
                   0.5 * step);
@@ -58,6 +61,9 @@ std::string text_of(const AccuracyReport& r, double step)
     case AccuracyDoubt::jerks:
       return text("the string sticks and slips on its walls %.2g times a second: means hold, peaks and what a stop leaves are one case of many;"
                   " how far apart these are, numerics.step: %.2g s and shorter elements show", r.measure, 0.5 * step);
+    case AccuracyDoubt::whirl:
+      return text("the string whirls: it rolls along its walls at %.2g of pure rolling, how far and where hangs on the mesh; numerics.element_length: half as long shows"
+                  " what of it is the mesh's", r.measure);
     case AccuracyDoubt::slant:
       return text("the hole leaves the table by %.0f deg from the vertical, and the rig stands upright: hook load and torque are those of a string pulled over"
                   " a corner; well.survey: vertical at the table", r.measure / degree);

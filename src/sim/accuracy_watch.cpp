@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 
 namespace drill_rig_sim
@@ -23,9 +24,16 @@ constexpr double most_jerks = 0.08;          // [1/s]
 constexpr double least_contact = 5e3;        // [N]
 constexpr double most_blows = 0.5;           // [1/s]
 constexpr double most_damping = 0.1;         // [1/s]
+constexpr double trend = 0.5;                // what is slower is no wave of torque [s]
+constexpr double least_torque_range = 100.0; // what a meter resolves [N m]
+constexpr double most_blur = 0.02;           // of the torque's range
 constexpr double rests = 0.1, turns = 1.0;   // [rad/s]
 constexpr double least_held = 1.0;           // [s]
 constexpr double most_wound = 10.0;          // [turns]
+constexpr double least_slip = 2e-3;          // of a contact that slides [m/s]
+constexpr double least_surface_speed = 0.1;  // of turning pipe [m/s]
+constexpr double most_rolling = 0.1;         // of pure rolling
+constexpr double least_whirled = 8.0;        // pipe that begins to turn rolls up its wall until it slips [s]
 constexpr double most_slant = 10.0 * degree;
 
 /// Towards `value`, which stands for `duration` [s], over the last `over` [s].
@@ -34,18 +42,42 @@ void average(double value, double duration, double& mean, double over = memory_t
   mean += (1.0 - std::exp(-duration / over)) * (value - mean);
 }
 
-/// Of the walls' force, the share where friction sticks [-].
-double share_that_sticks(const State& state, const RigForces& forces) noexcept
+double along(const NodeState& node) noexcept
+{
+  return node.rate.velocity.dot(x_axis(node.orientation));
+}
+
+/// Of the walls' force, the share where friction sticks or creeps [-].
+double share_that_sticks(const Mesh& mesh, const State& state, const RigForces& forces) noexcept
 {
   double all = 0.0, sticks = 0.0;
-  const auto add = [&all, &sticks](double force, double rest)
+  const auto add = [&all, &sticks](double force, double rest, const NodeState& node, double radius)
   {
     all += force;
-    if (rest > 0.0) sticks += force;
+    if (rest > 0.0 || std::hypot(along(node), node.rate.spin * radius) < least_slip) sticks += force;
   };
-  for (std::size_t i = 0; i < forces.contact.size(); ++i) add(forces.contact[i], state.nodes[i].rest);
-  for (std::size_t e = 0; e < forces.span_contact.size(); ++e) add(forces.span_contact[e], state.spans[e].rest);
+  for (std::size_t i = 0; i < forces.contact.size(); ++i) add(forces.contact[i], state.nodes[i].rest, state.nodes[i], mesh.nodes[i].contact_radius);
+  for (std::size_t e = 0; e < forces.span_contact.size(); ++e)
+    add(forces.span_contact[e], state.spans[e].rest, state.nodes[e], 0.5 * mesh.elements[e].outer_diameter);
   return sticks / std::max(all, least_contact);
+}
+
+/// How fast the string moves sideways, and its surface about its axis: means by mass, below the rotary table.
+void note_whirl(const Mesh& mesh, const State& state, double since, AccuracyMemory& memory) noexcept
+{
+  double mass = 0.0, sideways = 0.0, surface = 0.0;
+  for (std::size_t i = 0; i < mesh.nodes.size() && state.nodes[i].position.z() <= 0.0; ++i)
+  {
+    const NodeState& node = state.nodes[i];
+    const double m = mesh.nodes[i].mass;
+    mass += m;
+    sideways += m * (node.rate.velocity - along(node) * x_axis(node.orientation)).norm();
+    surface += m * std::abs(node.rate.spin) * mesh.nodes[i].contact_radius;
+  }
+  average(sideways / std::max(mass, 1.0), since, memory.sideways, short_memory);
+  average(surface / std::max(mass, 1.0), since, memory.surface, short_memory);
+  const bool rolls = memory.surface > least_surface_speed && memory.sideways > most_rolling * memory.surface;
+  memory.whirled = rolls ? memory.whirled + since : 0.0;
 }
 
 /// `sticking`: of the walls' force, `since` the last time [s]. A whole jerk lets go and takes hold.
@@ -59,6 +91,17 @@ void note_blows(bool on_bottom, double duration, AccuracyMemory& memory) noexcep
 {
   average(on_bottom && !memory.on_bottom ? 1.0 / duration : 0.0, duration, memory.blows, short_memory);
   memory.on_bottom = on_bottom;
+}
+
+void note_torque(double torque, double duration, AccuracyMemory& memory) noexcept
+{
+  average(torque, duration, memory.torque_trend, trend);
+  const double away = torque - memory.torque_trend;
+  average(away * away, duration, memory.torque_waves, short_memory);
+  average((away > 0.0) != (memory.torque_away > 0.0) ? 1.0 / duration : 0.0, duration, memory.torque_turns, short_memory);
+  memory.torque_away = away;
+  memory.least_torque = std::min(memory.least_torque, torque);
+  memory.most_torque = std::max(memory.most_torque, torque);
 }
 
 /// By how many turns the string was wound up when its lower end came loose just now; 0: it did not.
@@ -80,11 +123,25 @@ double blades_passed(const Model& model, const RigForces& forces, double step) n
   return std::abs(forces.bit_speed) * step * model.bit().torque.blades / (2.0 * pi);
 }
 
+/// BDF2 of `step` [s]: (w h)^4/4 of a wave's amplitude a step [1/s].
+double damping_of(double frequency, double step) noexcept
+{
+  return 0.25 * std::pow(frequency * step, 4) / step;
+}
+
 /// What BDF2 of `step` [s] takes of the waves of three times the frequency at which a bent motor turns [1/s]; 0 without one.
 double damping_of_shaking(const Model& model, double turning, double step) noexcept
 {
   if (!model.motor() || model.motor()->bend == 0.0) return 0.0;
-  return 0.25 * std::pow(3.0 * turning * step, 4) / step;
+  return damping_of(3.0 * turning, step);
+}
+
+/// What BDF2 of `step` [s] changes of the torque's waves in 3 s, over the torque's range [-]: it damps them, and is late by w (w h)^2/3 [rad/s].
+double blur_of_torque(const AccuracyMemory& memory, double step) noexcept
+{
+  const double frequency = pi * memory.torque_turns, late = frequency * std::pow(frequency * step, 2) / 3.0;
+  const double share = std::min(1.0, (damping_of(frequency, step) + late) * short_memory);
+  return share * std::sqrt(memory.torque_waves) / std::max(least_torque_range, memory.most_torque - memory.least_torque);
 }
 
 std::uint64_t attempts_of(const StepperCounters& c) noexcept
@@ -129,12 +186,14 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   const double attempts = static_cast<double>(attempts_of(integrator.counters()) - attempts_);
   average(attempts > 0.0 ? 1.0 - steps / attempts : 0.0, duration, memory.refused);
   note_blows(forces.wob > 0.0, duration, memory);
+  note_torque(forces.meter_torque, duration, memory);
   memory.stands_for = std::max(0.0, memory.stands_for - duration);
   if (memory.stands_for == 0.0) memory.report = AccuracyReport();
   if (memory.frames++ % every != 0) return;
   const double looked = static_cast<double>(every) * duration;
-  note_jerks(share_that_sticks(state, forces), looked, memory);
+  note_jerks(share_that_sticks(model_->mesh(), state, forces), looked, memory);
   average(std::abs(state.nodes[0].rate.spin), looked, memory.turning, short_memory);
+  note_whirl(model_->mesh(), state, looked, memory);
   const double wound = came_loose(*model_, state, looked, memory);
   AccuracyReport found = doubt_of_string(*model_, state, forces);
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
@@ -145,8 +204,12 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   const double damping = stepped ? damping_of_shaking(*model_, memory.turning, duration / steps) : 0.0;
   if (found.doubt == AccuracyDoubt::none && blades > most_blades) found = {AccuracyDoubt::cut, blades, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && damping > most_damping) found = {AccuracyDoubt::shaking, damping, 0.0, 0.0};
+  const double blur = stepped ? blur_of_torque(memory, duration / steps) : 0.0;
+  if (found.doubt == AccuracyDoubt::none && blur > most_blur) found = {AccuracyDoubt::waves, blur, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && memory.blows > most_blows) found = {AccuracyDoubt::blows, memory.blows, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && wound > most_wound) found = {AccuracyDoubt::loose, wound, 0.0, 0.0};
+  if (found.doubt == AccuracyDoubt::none && memory.whirled > least_whirled)
+    found = {AccuracyDoubt::whirl, memory.sideways / memory.surface, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none && memory.jerks > most_jerks) found = {AccuracyDoubt::jerks, memory.jerks, 0.0, 0.0};
   if (found.doubt == AccuracyDoubt::none) found = doubt_of_hole(state);
   if (found.doubt == AccuracyDoubt::none) return;

@@ -75,6 +75,12 @@ double angle_error(double angle, double wanted)
   return std::remainder(angle - wanted, 2.0 * pi);
 }
 
+/// What an element at measured depth `depth` pulls along its hole, in mud [N].
+double pull_along_hole(const MeshElement& e, const Scene& scene, const Wellbore& well, double depth)
+{
+  return standard_gravity * (e.linear_mass - scene.mud.density * e.displaced) * e.section.length * -well.at(depth).tangent.z();
+}
+
 /// How far each node moves away from the bit as the string stretches under its own weight in mud, bit
 /// first [m]. A guess: no drag, no bending, no weight on bit.
 std::vector<double> estimated_stretch(const Mesh& mesh, const Scene& scene, const Wellbore& well, double depth)
@@ -84,8 +90,7 @@ std::vector<double> estimated_stretch(const Mesh& mesh, const Scene& scene, cons
   for (const MeshElement& e : mesh.elements)
   {
     depth -= e.section.length;
-    const double cosine = -well.at(depth).tangent.z();
-    const double weight = standard_gravity * (e.linear_mass - scene.mud.density * e.displaced) * e.section.length * cosine;
+    const double weight = pull_along_hole(e, scene, well, depth);
     stretch.push_back(stretch.back() + (load + 0.5 * weight) * e.section.length / e.section.axial);
     load += weight;
   }
@@ -95,6 +100,17 @@ std::vector<double> estimated_stretch(const Mesh& mesh, const Scene& scene, cons
 [[noreturn]] void fail(const std::string& what)
 {
   throw std::runtime_error("start: " + what);
+}
+
+/// A weight on bit that string and block together do not make, whatever the equilibrium.
+void check_weight_on_bit(const Scene& scene, const Mesh& mesh, const Wellbore& well, double depth)
+{
+  double most = standard_gravity * (scene.rig.hoisting.block_mass + mesh.bit_mass);
+  for (const MeshElement& e : mesh.elements) most += pull_along_hole(e, scene, well, depth -= e.section.length);
+  if (scene.start.weight_on_bit < most) return;
+  std::ostringstream message;
+  message << "weight_on_bit: " << scene.start.weight_on_bit << " N is more than string and block weigh, allowed: less than " << most << " N";
+  fail(message.str());
 }
 
 /// Puts the string of `rig` into the hole and lets it come to rest. `work`: of the start so far [nodes times iterations], bounded.
@@ -123,7 +139,7 @@ void check_loads_of_bit(const StartSpec& start, const Model& model, const Wellbo
 {
   std::ostringstream message;
   const BitSpec& bit = model.bit();
-  const FormationLayer& rock = model.formation().at(-well.bottom_position().z());
+  const FormationLayer& rock = model.rock_under(well);
   const double most = bit_torque_limit(bit.torque, bit.diameter, start.weight_on_bit, 0.0, rock).value;
   if (hook_load <= 0.0)
     message << "weight_on_bit: " << start.weight_on_bit << " N is more than string and block weigh, allowed: less than "
@@ -210,6 +226,7 @@ RigAtRest build_at_rest(const Scene& scene)
     length = depth + start.block_height - estimated_stretch(mesh, scene, well, depth).back() + start.weight_on_bit * string_compliance(mesh);
   }
 
+  check_weight_on_bit(scene, build_mesh(scene, length), well, depth);
   RigAtRest rig{nullptr, State(well), {}};
   double toolface = start.toolface;
   double depth_error = 0.0, toolface_error = 0.0;

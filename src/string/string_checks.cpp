@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cuts.h"
+#include "drill_rig_sim/math/units.h"
 #include "section_checks.h"
 
 namespace drill_rig_sim
@@ -44,6 +45,17 @@ void check_gauge(const PartSpec& part, const std::string& key, ProblemList& prob
     problems.emplace_back(key, metres(length) + " is too short, allowed: 0, or " + metres(least_element_length) + " or more");
 }
 
+/// Pipe lighter than the tube of its material is a slip: of units, or without it of the material. Tools are no plain tubes.
+void check_mass(const PartSpec& part, const std::string& key, ProblemList& problems)
+{
+  constexpr double least = 0.9;  // pipe worn, diameters rounded
+  if (part.type != PartType::pipe || part.stiffness.axial > 0.0) return;
+  const double tube = part.density * 0.25 * pi * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter);
+  if (part.linear_mass < least * tube)
+    problems.emplace_back(key, plain(part.linear_mass) + " kg/m is less than a tube of its diameters weighs with density " + plain(part.density) +
+                                   " kg/m3, " + plain(tube) + " kg/m, allowed: " + plain(least * tube) + " or more, or the material's own density");
+}
+
 void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
 {
   double bottom = 0.0;
@@ -64,6 +76,7 @@ void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
         part.bit->torque.kinetic_friction > part.bit->torque.static_friction)
       problems.emplace_back(item_key("string", i, "torque.kinetic"), plain(part.bit->torque.kinetic_friction) + " exceeds static, allowed: up to " +
                                                                          plain(part.bit->torque.static_friction));
+    check_mass(part, item_key("string", i, "linear_mass"), problems);
     if (part.bit) check_gauge(part, item_key("string", i, "gauge_length"), problems);
     bottom = top;
   }

@@ -62,13 +62,23 @@ void print_mud(const Scene& scene)
 {
   const MudCircuit mud = mud_circuit(scene, build_mesh(scene, scene.start.bit_depth + scene.start.block_height));
   const HydraulicVolume &bore = mud.circuit.bore, &annulus = mud.circuit.annulus;
-  std::printf("mud         %.1f m3 in the string, %.1f m3 in the annulus; of %.2f MPa lost at %g m3/s %.2f in the bore, %.2f in the annulus\n",
-              bore.capacity * scene.mud.bulk_modulus, annulus.capacity * scene.mud.bulk_modulus, (bore.loss + annulus.loss) / 1e6,
+  std::printf("mud         %g kg/m3, %.1f m3 in the string, %.1f m3 in the annulus; of %.2f MPa lost at %g m3/s %.2f in the bore, %.2f in the annulus\n",
+              scene.mud.density, bore.capacity * scene.mud.bulk_modulus, annulus.capacity * scene.mud.bulk_modulus, (bore.loss + annulus.loss) / 1e6,
               mud.circuit.nominal_flow, mud.bore_friction * bore.loss / 1e6, annulus.loss / 1e6);
   const double lost = bore.loss + annulus.loss;
   if (lost > 0.0 && mud.tubular_loss >= lost)
     std::printf("            bore and annulus alone would lose %.2f MPa: pressure_coefficient leaves nothing for the bit; more than %.3g does\n",
                 mud.tubular_loss / 1e6, mud.tubular_loss / std::pow(mud.circuit.nominal_flow, 2));
+}
+
+void print_sharpest_bend(const Survey& survey)
+{
+  int sharpest = 0;
+  for (int i = 1; i + 1 < survey.size(); ++i)
+    if (survey.dogleg_severity(i) > survey.dogleg_severity(sharpest)) sharpest = i;
+  const double severity = survey.dogleg_severity(sharpest) / degree;
+  if (severity > 0.0)
+    std::printf("dogleg      at most %.3g deg/30 m, from %g to %g m\n", severity, survey.station(sharpest).md, survey.station(sharpest + 1).md);
 }
 
 /// What the rock makes of the friction of hole yet to be drilled, from the hole's bottom down.
@@ -148,6 +158,7 @@ void check(const CheckOptions& options)
   std::printf("well        %zu stations to %g m, hole %g m deep, at its bottom %.2f deg inclination, %.2f deg azimuth\n",
               scene.well.survey.size(), scene.well.survey.back().md, scene.well.hole_depth, m.bit_inclination / degree,
               m.bit_azimuth / degree);
+  print_sharpest_bend(Survey(scene.well.survey));
   print_new_hole(scene, -simulator.wellbore().bottom_position().z());
   print_string(scene);
   std::printf("start       bit at %.3f m, block at %.2f m, hook load %.1f kN, of it the string %.1f kN\n", m.bit_depth,

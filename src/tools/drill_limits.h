@@ -15,18 +15,24 @@ class Limits
 public:
   struct Entry
   {
-    const char* flag;     ///< of RigState
+    const char* flag;     ///< of RigState, or max_hook_load
     const char* what;
     double since, until;  ///< simulated time [s]
     LoadShare load;       ///< share 0: the flag has no load
   };
 
-  void add(const Truth& m, const StringLoads& loads)
+  /// `max_hook_load`: of the rig [N].
+  void add(const Truth& m, const StringLoads& loads, double max_hook_load)
   {
     add(m.over_stress, {"over_stress", "pipe beyond its yield strength", m.time, m.time, loads.stress});
     add(m.over_torque, {"over_torque", "connection beyond its make-up torque", m.time, m.time, loads.torque});
     add(m.buckled, {"buckled", "pipe beyond its buckling load", m.time, m.time, loads.buckling});
     add(m.slack_line, {"slack_line", "the lines carry nothing", m.time, m.time, LoadShare()});
+    add(m.stop_reached, {"stop_reached", "the block is at its lowest or highest place", m.time, m.time, LoadShare()});
+    if (!m.top_drive_limited) top_drive_free_ = m.time;
+    add(m.time - top_drive_free_ > 1.0, {"top_drive_limited", "the top drive is at its limit of torque, speed or power", m.time, m.time, LoadShare()});
+    add(m.relief_valve_open, {"relief_valve_open", "part of the pump's flow goes back to the tanks", m.time, m.time, LoadShare()});
+    add(m.hook_load >= max_hook_load, {"max_hook_load", "the winch does not raise beyond rig.hoisting.max_hook_load", m.time, m.time, LoadShare()});
     add(m.motor_stalled, {"motor_stalled", "the mud motor is at its stall torque", m.time, m.time, LoadShare()});
   }
 
@@ -47,6 +53,7 @@ private:
     entries_.push_back(now);
   }
 
+  double top_drive_free_ = 0.0;  // when it was last within its limits: on its way to a set point it may be at them for a moment [s]
   std::vector<Entry> entries_;
 };
 

@@ -46,7 +46,7 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, Profi
              {
                record.drilling.add(m);
                record.doubts.add(m.time, simulator.statistics().accuracy);
-               record.limits.add(m, simulator.statistics().loads);
+               record.limits.add(m, simulator.statistics().loads, simulator.scene().rig.hoisting.max_hook_load);
                series.add(simulator, frame);
                profiles.add(simulator, frame);
                const double drilled = (m.hole_depth - start_depth) / (goal.depth - start_depth);

@@ -99,6 +99,12 @@ ProblemList well_problems(const WellSpec& well)
     problems.emplace_back(item_key("well.sections", well.sections.size() - 1, "to"),
                           "the last section ends at " + metres(well.sections.back().to) + ", needed: down to hole_depth, " +
                               metres(well.hole_depth));
+  if (well.pilot_depth > 0.0 && !(well.pilot_depth > well.hole_depth && well.pilot_depth <= last))
+    problems.emplace_back("well.pilot_depth", metres(well.pilot_depth) + " is no depth of a hole ahead of the bit, allowed: 0, or from hole_depth, " +
+                                                  metres(well.hole_depth) + ", to the last station, " + metres(last));
+  if ((well.pilot_depth > 0.0) != (well.pilot_diameter > 0.0))
+    problems.emplace_back(well.pilot_depth > 0.0 ? "well.pilot_depth" : "well.pilot_diameter",
+                          "pilot_depth and pilot_diameter say together what the bit reams, allowed: both, or neither");
   return problems;
 }
 

@@ -141,6 +141,14 @@ class Energy(unittest.TestCase):
         self.assertFalse(report.holds(verdicts(right=17, undecided=5), whole=True))
         self.assertFalse(report.holds(verdicts(right=99, silent=1), whole=True))
 
+    def test_by_operation_the_farthest_of_the_decided_stands(self):
+        told = []
+        for kind, worst, operation in (('right', 0.5, 'rock'), ('warned', 1.5, 'rock'), ('undecided', 9.0, 'rock'), ('undecided', 2.0, 'stuck')):
+            told.append(matrix.Verdict(cells.Cell('J 2 km', '5 in', operation), kind))
+            told[-1].worst, told[-1].by = worst, 'hook_load'
+        rows = report.table_by_operation(told).splitlines()[2:]
+        self.assertEqual(rows, ['| rock | 3 | 1 | 1 | 0 | 1 | 1.50 | hook load | J 2 km, 5 in |', '| stuck | 1 | 0 | 0 | 0 | 1 | - | - | - |'])
+
 
 class References(unittest.TestCase):
     def test_one_that_is_kept_comes_back(self):

@@ -9,6 +9,8 @@ name: all_keys
 well:
   stations: [[0.0, 1.0, 2.0], [400.0, 3.0, 4.0], [900.0, 5.0, 6.0]]
   hole_depth: 801.0
+  pilot_depth: 851.0
+  pilot_diameter: 0.21
   sections:
     - {to: 301.0, diameter: 0.35, friction: 0.21, static_ratio: 1.25, stribeck_speed: 0.061}
     - {to: 801.0, diameter: 0.3112, friction: 0.31}

@@ -99,13 +99,13 @@ TEST(Rail, EndsABounceLinearly)
 TEST(Stop, ByHand)
 {
   const HoistingSpec spec;
-  const double low = spec.lowest_block_height, high = spec.highest_block_height;
+  const double low = spec.lowest_block_height - 0.02, high = spec.highest_block_height + 0.02;
   EXPECT_NEAR(stop_force(spec, low - 0.01, -0.3).force, 1.6e6, 1e-3);
   EXPECT_NEAR(stop_force(spec, high + 0.01, 0.3).force, -1.6e6, 1e-3);
   EXPECT_NEAR(stop_force(spec, high + 0.01, 0.0).energy, 0.5 * 1e8 * 1e-4, 1e-6);
   EXPECT_EQ(stop_force(spec, high + 0.01, -0.6).force, 0.0);
   EXPECT_NEAR(stop_force(spec, high + 0.01, -0.6).energy, 0.5 * 1e8 * 1e-4, 1e-6);
-  for (const double height : {low, 20.0, high})
+  for (const double height : {spec.lowest_block_height, 20.0, spec.highest_block_height})
   {
     EXPECT_EQ(stop_force(spec, height, 1.0).force, 0.0);
     EXPECT_EQ(stop_force(spec, height, 1.0).energy, 0.0);
@@ -115,7 +115,7 @@ TEST(Stop, ByHand)
 TEST(Stop, TangentByDifferences)
 {
   const HoistingSpec spec;
-  for (const double height : {spec.lowest_block_height - 0.02, spec.highest_block_height + 0.01})
+  for (const double height : {spec.lowest_block_height - 0.04, spec.highest_block_height + 0.03})
     for (const double velocity : {-0.2, 0.0, 0.3})
     {
       const StopForce f = stop_force(spec, height, velocity);

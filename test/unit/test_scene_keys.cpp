@@ -51,6 +51,8 @@ std::vector<Expected> of_well()
       {"well.tie_in", "east", [](const Scene&) { return tied_in_at_400().x(); }, -9.0},
       {"well.tie_in", "tvd", [](const Scene&) { return -tied_in_at_400().z(); }, 399.0},
       {"well", "hole_depth", [](const Scene& s) { return s.well.hole_depth; }, 801.0},
+      {"well", "pilot_depth", [](const Scene& s) { return s.well.pilot_depth; }, 851.0},
+      {"well", "pilot_diameter", [](const Scene& s) { return s.well.pilot_diameter; }, 0.21},
       {"well", "sections", [](const Scene& s) { return double(s.well.sections.size()); }, 2.0},
       {"well.sections[]", "to", [](const Scene& s) { return s.well.sections.at(0).to; }, 301.0},
       {"well.sections[]", "diameter", [](const Scene& s) { return s.well.sections.at(0).diameter; }, 0.35},
@@ -319,6 +321,7 @@ TEST(SceneKeys, thatExcludeOthersAreInTheirFieldsToo)
           "{model: regenerative, cutting_energy: 1.25e8, wear_friction: 0.62, wear_weight: 601.0, blades: 7}");
   replace(", bottom: {stiffness: 1.1e9, exponent: 1.51, damping: 1.01}", "");
   replace("weight_exponent: 1.2, speed_exponent: 0.7, ", "");
+  replace("  pilot_depth: 851.0\n  pilot_diameter: 0.21\n", "");
   replace("drillability: 1.7e-8", "drillability: 1.7e-8, threshold: 602.0");
   const Scene scene = parse_scene(text, "all_keys.yaml");
   EXPECT_EQ(scene.trajectory.stage_two_steps, 12);

@@ -263,21 +263,23 @@ TEST(Summary, saysWhichLimitsWerePassed)
   Truth m;
   StringLoads loads;
   m.time = 1.0;
-  record.limits.add(m, loads);
+  record.limits.add(m, loads, 1e6);
   m.time = 2.0;
   m.slack_line = true;
-  record.limits.add(m, loads);
+  record.limits.add(m, loads, 1e6);
   m.over_stress = true;
   m.slack_line = false;
+  m.hook_load = 1.1e6;
   for (const auto& [time, share, from_bit] : {std::tuple{3.0, 1.5, 80.0}, {4.0, 1.25, 90.0}})
   {
     m.time = time;
     loads.stress = {share, from_bit};
-    record.limits.add(m, loads);
+    record.limits.add(m, loads, 1e6);
   }
   const Simulator simulator(drilling_scene());
   const nlohmann::json expected = {{{"flag", "slack_line"}, {"since", 2.0}, {"until", 2.0}},
-                                   {{"flag", "over_stress"}, {"since", 3.0}, {"until", 4.0}, {"share", 1.5}, {"from_bit", 80.0}}};
+                                   {{"flag", "over_stress"}, {"since", 3.0}, {"until", 4.0}, {"share", 1.5}, {"from_bit", 80.0}},
+                                   {{"flag", "max_hook_load"}, {"since", 3.0}, {"until", 4.0}}};
   EXPECT_EQ(expected, summary_of(simulator, record, false)["limits_passed"]);
   testing::internal::CaptureStdout();
   print_summary(simulator, Elapsed{9.0, 0.5}, record);

@@ -63,7 +63,7 @@ double implied_inclination(double diameter, double drillability, double cutting_
 TorqueLimit detournay_bit_torque(const BitTorqueSpec& spec, double diameter, double force, double speed,
                                  const FormationLayer& rock) noexcept;
 
-/// The one that `spec.model` selects.
+/// The one that `spec.model` selects; on a ring of rock (pilot_hole.h) with its share and lever.
 TorqueLimit bit_torque_limit(const BitTorqueSpec& spec, double diameter, double force, double speed,
                              const FormationLayer& rock) noexcept;
 

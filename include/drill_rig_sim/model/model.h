@@ -10,6 +10,7 @@
 #include "drill_rig_sim/string/beam_table.h"
 #include "drill_rig_sim/string/mesh.h"
 #include "drill_rig_sim/well/formation.h"
+#include "drill_rig_sim/well/pilot_hole.h"
 #include "drill_rig_sim/well/wellbore.h"
 
 namespace drill_rig_sim
@@ -28,6 +29,12 @@ public:
   const Scene& scene() const noexcept { return scene_; }
   const Mesh& mesh() const noexcept { return mesh_; }
   const Formation& formation() const noexcept { return formation_; }
+  const PilotHole& pilot() const noexcept { return pilot_; }
+  /// What the bit stands on at a hole's bottom; of a pilot hole ahead the ring around it.
+  const FormationLayer& rock_under(const Wellbore& well) const noexcept
+  {
+    return (pilot_.is_ahead(well.hole_depth()) ? ring_ : formation_).at(-well.bottom_position().z());
+  }
   const BeamKind& beam() const noexcept { return beam_; }
   int nodes() const noexcept { return static_cast<int>(mesh_.nodes.size()); }
   int elements() const noexcept { return static_cast<int>(mesh_.elements.size()); }
@@ -63,7 +70,8 @@ private:
   Scene scene_;
   Mesh mesh_;
   const BeamKind& beam_;
-  Formation formation_;
+  Formation formation_, ring_;  // the second around the pilot
+  PilotHole pilot_;
   SectionFriction friction_;
   std::vector<WallLaw> contact_;       // per node
   std::vector<WallLaw> span_contact_;  // per element

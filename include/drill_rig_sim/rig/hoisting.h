@@ -32,7 +32,8 @@ struct HoistingSpec
 };
 
 constexpr double rail_stiffness = 5e6;      ///< of what rail friction holds the block by [N/m]
-constexpr double stop_stiffness = 1e8;      ///< of crown and floor stop [N/m]
+constexpr double stop_clearance = 0.02;     ///< of crown and floor stop beyond the heights where the winch stops: what hangs bounces by less [m]
+constexpr double stop_stiffness = 1e8;      ///< of them [N/m]
 constexpr double stop_damping = 2.0;        ///< Hunt and Crossley's [s/m]
 constexpr double standing_winch = 1e-3;     ///< slower, it counts as standing [m/s]
 constexpr double sheave_presliding = 0.01;  ///< block travel over which the sheaves' friction builds up from rest [m]
@@ -68,7 +69,7 @@ LineDamper line_damper(const HoistingSpec& spec, const LinePull& pull, double bl
 /// 40 kN more than down, a twentieth of that with the load (a North Sea rig): +-3 % of the block's weight, whatever hangs on it.
 DampedBristle rail_bristle(const HoistingSpec& spec, double deflection) noexcept;
 
-/// Stops at lowest_block_height and highest_block_height, p beyond which the block is pushed back with k p (1 + d dp/dt), never pulled.
+/// Stops stop_clearance beyond lowest_block_height and highest_block_height, p beyond which the block is pushed back with k p (1 + d dp/dt), never pulled.
 struct StopForce
 {
   double force = 0.0;      ///< on the block, + up [N]

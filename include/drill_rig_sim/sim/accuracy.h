@@ -19,8 +19,10 @@ enum class AccuracyDoubt
   dissipation,    ///< the method itself takes much of the energy that goes through rig and string
   cut,            ///< the step is too long for the waves that one blade leaves to the next
   shaking,        ///< a bent motor turns, and the step is too long for the waves that it sends up
+  waves,          ///< torque swings faster than the step can follow
   blows,          ///< the bit strikes the bottom again and again
   loose,          ///< a string that was wound up by many turns came loose
+  whirl,          ///< turning pipe rolls along its walls
   jerks,          ///< the string sticks and slips on its walls again and again
   slant           ///< the hole leaves the table inclined, and the rig stands upright
 };
@@ -29,7 +31,7 @@ enum class AccuracyDoubt
 struct AccuracyReport
 {
   AccuracyDoubt doubt = AccuracyDoubt::none;
-  double measure = 0.0;         ///< compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]; slant [rad]
+  double measure = 0.0;         ///< compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]; whirl: of pure rolling, waves: of the torque's range [-]; slant [rad]
   double from_bit = 0.0;        ///< where on the string [m]; compression, twist, embedding
   double element_length = 0.0;  ///< of the element there [m]; compression, twist
 
@@ -58,7 +60,15 @@ struct AccuracyMemory
   double sticking = 1.0;      ///< share of the walls' force that sticks, when it was last looked at [-]
   double jerks = 0.0;         ///< how often it comes loose and takes hold, in the same way [1/s]
   double turning = 0.0;       ///< speed of the string's lower end, mean over the last seconds [rad/s]
+  double sideways = 0.0;      ///< of the string's speed sideways, in the same way [m/s]
+  double surface = 0.0;       ///< and of its surface's about its axis [m/s]
+  double whirled = 0.0;       ///< how long it has rolled along its walls [s]
   double held = 0.0;          ///< how long the lower end has not turned [s]
+  double torque_trend = 0.0;  ///< surface torque, mean over the last half second [N m]
+  double torque_waves = 0.0;  ///< square of what it is away from that, over the last seconds [N2 m2]
+  double torque_turns = 0.0;  ///< how often it passes that, in the same way [1/s]
+  double torque_away = 0.0;   ///< what it was away from that at the end of the last frame [N m]
+  double least_torque = 0.0, most_torque = 0.0;  ///< so far [N m]
   bool on_bottom = true;      ///< at the end of the last frame
   double blows = 0.0;         ///< how often the bit comes down on the bottom, mean over the last seconds [1/s]
   double stands_for = 0.0;    ///< the report stands that much longer without a new cause [s]
@@ -76,7 +86,16 @@ struct AccuracyMemory
     v("sticking", sticking);
     v("jerks", jerks);
     v("turning", turning);
+    v("sideways", sideways);
+    v("surface", surface);
+    v("whirled", whirled);
     v("held", held);
+    v("torque_trend", torque_trend);
+    v("torque_waves", torque_waves);
+    v("torque_turns", torque_turns);
+    v("torque_away", torque_away);
+    v("least_torque", least_torque);
+    v("most_torque", most_torque);
     v("on_bottom", on_bottom);
     v("blows", blows);
     v("stands_for", stands_for);

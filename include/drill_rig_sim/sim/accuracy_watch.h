@@ -37,11 +37,15 @@ AccuracyReport doubt_of_hole(const State& state) noexcept;
 /// - Shaking: a bent motor that turns at W sends up waves of W, 2 W and 3 W, and BDF2 takes (w h)^4/4 of a wave's amplitude a step. More than 0.1
 ///   a second of those of 3 W: as much as the mud takes of turning pipe at its default. A motor of 1.15 deg at 120 rpm in a J well sways the torque
 ///   by 0.36 kN m at 10 ms, by 0.64 in its reference.
+/// - Waves: the surface torque swings, about its mean over half a second, so fast that BDF2 damps or delays it by more than 2 % of the torque's range so
+///   far (of 100 N m at least) in 3 s: a motor that starts under weight, say, whose bit breaks loose.
 /// - Blows: the bit came down on the bottom every other second or more often, over the last 3 s. Its waves are what a long step blurs first:
 ///   tagging at 0.3 m/s in 1 km, torque 2.5 % off at 10 ms and 0.9 % at 5 ms (test/accuracy/README.md, operations).
 /// - Loose: the lower end began to turn after at least a second of rest, with the string wound up by ten turns or more. The moment of that and
 ///   the waves after it are off by a tenth of a second: 3 % of the bit's speed over 30 s in 5 km at 60 rpm.
-/// - Jerks: of the force between string and walls (5 kN at least), the share that sticks came and went every twelve seconds or more often, over the
+/// - Whirl: turning pipe (0.1 m/s at its surface, in the mean) moved sideways at more than a tenth of what rolling on its walls would make,
+///   over the last 3 s, for 8 s on end. Pulled or pushed along a hole it may roll up the wall and round it; elements that bend too little do that more readily.
+/// - Jerks: of the force between string and walls (5 kN at least), the share that sticks, or slides slower than 2 mm/s, came and went every twelve seconds or more often, over the
 ///   last 10 s; a start or a stop alone is half of that. Pipe that slides below its friction's Stribeck speed does that by itself;
 ///   where in its slip it is, and so the peaks and what a stop leaves, hangs on the numerics.
 /// - Slant: doubt_of_hole(), where nothing else is doubted.

@@ -16,6 +16,13 @@
 /// turn to the next.
 namespace drill_rig_sim
 {
+/// What of a bit's face stands on rock: the whole, or a ring (pilot_hole.h).
+struct FaceRing
+{
+  double share = 1.0;  ///< of the whole face's weight at the same depth of cut [-]
+  double lever = 1.0;  ///< of the torque, over the whole face's [-]
+};
+
 /// Rock between the layer above and `to_tvd`. ROP = drillability (weight - threshold)^weight_exponent bit_speed^speed_exponent.
 struct FormationLayer
 {
@@ -30,6 +37,8 @@ struct FormationLayer
 
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();  ///< as its hole section has it
   double friction = unset;       ///< kinetic friction coefficient, pipe on the wall of hole that is drilled in it [-]
+
+  FaceRing ring;  ///< no input: ring_of() sets it, and drillability and threshold with it
 };
 
 /// The layer at true vertical depth `tvd` = -z [m]; above the first base the first, below the last base the last. `layers`: at least one.

@@ -41,6 +41,8 @@ struct WellSpec
   std::vector<SurveyStation> survey;
   double hole_depth = 0.0;            ///< measured depth of the hole's bottom [m]; at most the last station's md
   std::vector<HoleSection> sections;  ///< top down; the last reaches at least hole_depth
+  double pilot_depth = 0.0;           ///< measured depth to which a narrower hole goes on below hole_depth; 0: none [m]
+  double pilot_diameter = 0.0;        ///< of that [m]
 };
 
 /// How the drilled path is corrected.

@@ -24,7 +24,7 @@ double weight_in_mud(const StageContext& at) noexcept
 
 const FormationLayer& rock_of(const StageContext& at) noexcept
 {
-  return at.model.formation().at(-at.start.well.bottom_position().z());
+  return at.model.rock_under(at.start.well);
 }
 
 /// Of the bit's face over the bottom's place at the start of the step [m].
@@ -64,7 +64,7 @@ BitTorque torque_under(const StageContext& at, const TorqueLimit& limit, double 
 /// Resistance of the face that makes the torque: T = 2/3 a M, by torque [1/m].
 double resistance_per_torque(const StageContext& at) noexcept
 {
-  return 1.5 / at.model.mesh().bit_radius;
+  return 1.5 / (at.model.mesh().bit_radius * rock_of(at).ring.lever);
 }
 
 BitFaceFriction face_friction(const StageContext& at, const TorqueLimit& limit, double speed) noexcept

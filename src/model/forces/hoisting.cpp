@@ -83,19 +83,33 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 
 const Force hoisting = {"hoisting", Cost::rig, add, store, sample};
 
+namespace
+{
+/// A winch that stands at a stop stays there until it is sent the other way, or the block is well away: a block that bounces in its lines
+/// would be let down a little further at each bounce, until it lay on the stop.
+bool stays_at_stop(const HoistingSpec& spec, const HoistState& hoist, const WinchSetpoint& command, double height) noexcept
+{
+  constexpr double well_away = 0.05;  // [m]
+  const double above = height - spec.lowest_block_height, below = spec.highest_block_height - height;
+  const bool on_towards_it = above < below ? command.block_velocity < 0.0 : command.block_velocity > 0.0;
+  return hoist.at_stop && !command.brake && on_towards_it && std::min(above, below) < well_away;
+}
+}  // namespace
+
 HoistState advance_hoist(const Model& model, const State& state, const Setpoints& setpoints, double time) noexcept
 {
   const HoistingSpec& spec = model.scene().rig.hoisting;
   const double height = state.nodes.back().position.z();
   const double hook_load = line_pull(spec, height, state.hoist.line_length).hook_force;
-  const WinchStep winch =
-      advance_winch(spec, setpoints.winch, state.hoist.line_length, state.hoist.winch_speed, height, hook_load, time);
+  const bool stays = stays_at_stop(spec, state.hoist, setpoints.winch, height);
+  const WinchStep winch = advance_winch(spec, stays ? WinchSetpoint{0.0, false} : setpoints.winch, state.hoist.line_length,
+                                        state.hoist.winch_speed, height, hook_load, time);
   HoistState out = state.hoist;
   out.line_length = winch.line_length;
   out.winch_speed = winch.speed;
   out.sheave_slip = sheave_slip(state.hoist.sheave_slip, (state.hoist.line_length - winch.line_length) / (2.0 * spec.sheaves));
-  out.limited = winch.limits.any();
-  out.at_stop = winch.limits.height && std::abs(winch.speed) < standing_winch;
+  out.limited = stays || winch.limits.any();
+  out.at_stop = stays || (winch.limits.height && std::abs(winch.speed) < standing_winch);
   return out;
 }
 

@@ -83,6 +83,20 @@ def table(verdicts):
     return '\n'.join(rows) + '\n'
 
 
+def table_by_operation(verdicts):
+    """A row each, with its cell that is nearest to the bound or farthest beyond, of those that are decided."""
+    rows = ['| operation | cells | %s | largest error, bound 1 | of | in |' % ' | '.join(KINDS), '| --- | --- |%s --- | --- | --- |' % (' --- |' * len(KINDS))]
+    for operation in cells.OPERATIONS:
+        mine = [v for v in verdicts if v.cell.operation == operation]
+        if not mine:
+            continue
+        told = counts(mine)
+        worst = max((v for v in mine if v.kind != 'undecided' and v.worst == v.worst), key=lambda v: v.worst, default=None)
+        words = ['%.2f' % worst.worst, worst.by.replace('_', ' '), '%s, %s' % (worst.cell.well, worst.cell.string)] if worst else ['-'] * 3
+        rows.append('| %s |' % ' | '.join([operation, '%d' % len(mine)] + ['%d' % told[kind] for kind in KINDS] + words))
+    return '\n'.join(rows) + '\n'
+
+
 def summary_line(verdicts):
     told = counts(verdicts)
     return '%d cells: %s' % (len(verdicts), ', '.join('%d %s' % (told[kind], kind) for kind in KINDS))
@@ -143,7 +157,8 @@ def play(args, out):
         return 0, [write('variants.md', variants_table(results), out)]
     verdicts = judge_all(args.drill, todo, folder, args.jobs, matrix.Numerics(), energy=True)
     print(summary_line(verdicts))
-    names = [write('operations.md', summary_line(verdicts) + '.\n\n' + table(verdicts), out)]
+    names = [write('operations.md', summary_line(verdicts) + '.\n\n' + table(verdicts), out),
+             write('operations_by_kind.md', table_by_operation(verdicts) + '\n' + summary_line(verdicts) + '.\n', out)]
     if not args.no_pictures:
         chart(verdicts, os.path.join(out, 'operations.png'))
         names.append('operations.png')
