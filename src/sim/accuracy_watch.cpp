@@ -25,6 +25,7 @@ constexpr double least_contact = 5e3;        // [N]
 constexpr double most_blows = 0.5;           // [1/s]
 constexpr double most_damping = 0.1;         // [1/s]
 constexpr double trend = 0.5;                // what is slower is no wave of torque [s]
+constexpr double wave_memory = 1.0;          // a motor's start sends its waves within seconds [s]
 constexpr double least_torque_range = 100.0; // what a meter resolves [N m]
 constexpr double most_blur = 0.02;           // of the torque's range
 constexpr double rests = 0.1, turns = 1.0;   // [rad/s]
@@ -97,8 +98,8 @@ void note_torque(double torque, double duration, AccuracyMemory& memory) noexcep
 {
   average(torque, duration, memory.torque_trend, trend);
   const double away = torque - memory.torque_trend;
-  average(away * away, duration, memory.torque_waves, short_memory);
-  average((away > 0.0) != (memory.torque_away > 0.0) ? 1.0 / duration : 0.0, duration, memory.torque_turns, short_memory);
+  average(away * away, duration, memory.torque_waves, wave_memory);
+  average((away > 0.0) != (memory.torque_away > 0.0) ? 1.0 / duration : 0.0, duration, memory.torque_turns, wave_memory);
   memory.torque_away = away;
   memory.least_torque = std::min(memory.least_torque, torque);
   memory.most_torque = std::max(memory.most_torque, torque);

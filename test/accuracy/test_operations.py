@@ -171,8 +171,8 @@ class References(unittest.TestCase):
     def test_what_a_cell_can_afford_is_finer_where_it_is_shorter(self):
         by_name = {cell.name: cell for cell in cells.CELLS}
         short, long = by_name['vertical 1 km / 5 in / pick up 0.3'], by_name['extended 5 km / 5 in, motor / slide 25 min']
-        self.assertEqual(matrix.reference_rung(short, 600.0), 1)
-        self.assertGreater(matrix.reference_rung(long, 600.0), 1)
+        self.assertEqual(matrix.reference_rung(short, 600.0), matrix.QUARTERS)
+        self.assertGreater(matrix.reference_rung(long, 600.0), matrix.QUARTERS)
 
 
 class Cells(unittest.TestCase):

@@ -222,8 +222,9 @@ TEST(Accuracy, theTorqueSwingsTooFastForTheStep)
     }
     EXPECT_EQ(w.memory.report.doubt, doubt) << amplitude << " N m, " << frequency << " Hz";
     if (doubt == AccuracyDoubt::none) continue;
-    EXPECT_NEAR(w.memory.torque_turns, 2.0 * frequency, 0.2);
-    EXPECT_NEAR(w.memory.report.measure, 0.153, 0.01);
+    // counted over a second
+    EXPECT_NEAR(w.memory.torque_turns, 2.0 * frequency, 0.6);
+    EXPECT_NEAR(w.memory.report.measure, 0.153, 0.06);
   }
   EXPECT_EQ(text_of({AccuracyDoubt::waves, 0.08, 0.0, 0.0}, 0.01),
             "the step blurs the torque's waves by 8 % of its range in 3 s; numerics.step: 0.005 s or less");

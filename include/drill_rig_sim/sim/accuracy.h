@@ -65,7 +65,7 @@ struct AccuracyMemory
   double whirled = 0.0;       ///< how long it has rolled along its walls [s]
   double held = 0.0;          ///< how long the lower end has not turned [s]
   double torque_trend = 0.0;  ///< surface torque, mean over the last half second [N m]
-  double torque_waves = 0.0;  ///< square of what it is away from that, over the last seconds [N2 m2]
+  double torque_waves = 0.0;  ///< square of what it is away from that, over the last second [N2 m2]
   double torque_turns = 0.0;  ///< how often it passes that, in the same way [1/s]
   double torque_away = 0.0;   ///< what it was away from that at the end of the last frame [N m]
   double least_torque = 0.0, most_torque = 0.0;  ///< so far [N m]

@@ -43,9 +43,10 @@ class Numerics:
 
 
 KNOWN = 1.0 / 3.0  # of the bound: where a reference's own error is below that, its cell counts
-# Elements a joint, and steps: what a cell can afford is its reference; the next two tell its error. Quarters first, eighths where they leave
-# the cell undecided.
-LADDER = tuple(Numerics(JOINT / parts * 1.001, step, 'trbdf2') for parts, step in ((8, 0.00125), (4, 0.0025), (2, 0.005), (1, 0.01), (1, 0.02)))
+# Elements a joint, and steps: what a cell can afford is its reference; the next two tell its error. Quarters first, finer where they leave the
+# cell undecided.
+LADDER = tuple(Numerics(JOINT / parts * 1.001, step, 'trbdf2') for parts, step in ((16, 0.000625), (8, 0.00125), (4, 0.0025), (2, 0.005), (1, 0.01), (1, 0.02)))
+QUARTERS = 2  # of the ladder
 NODE_STEPS = 4e5  # of TR-BDF2 in a second of processor time, about
 
 
@@ -54,7 +55,7 @@ def seconds_of(cell, numerics):
 
 
 def reference_rung(cell, budget):
-    return next((rung for rung in range(1, len(LADDER) - 3) if seconds_of(cell, LADDER[rung]) <= budget), len(LADDER) - 3)
+    return next((rung for rung in range(QUARTERS, len(LADDER) - 3) if seconds_of(cell, LADDER[rung]) <= budget), len(LADDER) - 3)
 
 
 class Run:
