@@ -12,7 +12,7 @@ VARIANTS = [
     ('no stabiliser blades (301.6 mm in the scene)', ['string[3].blade_diameter=0.2032']),
     ('stabiliser blades 311.2 mm, full gauge', ['string[3].blade_diameter=0.3112']),
     ('straight motor (bend 1.25 deg in the scene)', ['string[1].bend_deg=0']),
-    ('no squeeze film (5e4 N s/m in the scene)', ['string[0].squeeze_film_damping=0', 'string[3].squeeze_film_damping=0']),
+    ('no squeeze film (5e5 of the bit, 5e4 N s/m of the blades in the scene)', ['string[0].squeeze_film_damping=0', 'string[3].squeeze_film_damping=0']),
     ('wall ten times as stiff (5e7 N/m^1.5 in the scene, 2e10 under gauge and blades)', ['contact.stiffness=5e8', 'contact.assembly_stiffness=2e11']),
     ('wall as soft under gauge and blades as elsewhere', ['contact.assembly_stiffness=5e7']),
 ]
