@@ -67,7 +67,7 @@ ALL = (
     Scene('drilling', 'drilling on bottom', 60.0, trace_until=4.0, period_of='bit_inclination', every=0.1, steps=(0.05,) + STEPS[1:5],
           reference_tolerance=1e-6, fingerprint_until=12.5,  # leaves a node of hole after 0.1 m, at 11 s
           largest_error=0.07, why_so_large='small vibrations of the hook load, which an element a joint carries otherwise'),
-    Scene('stick_slip', 'stick-slip in a 3 km vertical well', 18.0, trace_until=9.0, period_of='bit_speed', steps=STEPS[:5],
+    Scene('stick_slip', 'stick-slip in a 3 km vertical well', 18.0, trace_until=8.0, period_of='bit_speed', steps=STEPS[:5],
           reference_length=4.75, fingerprint_until=5.0,  # the bit lets go at 3.4 s
           largest_error=0.002, why_so_large='torsional waves are long and slow: mesh and step are fine for them'),
     Scene('tagging', 'bit bounce on tagging at 0.3 m/s', 3.0, trace_until=1.5, reference_length=4.75,
