@@ -197,21 +197,24 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   note_whirl(model_->mesh(), state, looked, memory);
   const double wound = came_loose(*model_, state, looked, memory);
   AccuracyReport found = doubt_of_string(*model_, state, forces);
+  const auto doubt = [&found](AccuracyDoubt kind, double measure, bool raised)
+  {
+    if (found.doubt == AccuracyDoubt::none && raised) found = {kind, measure, 0.0, 0.0};
+  };
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
-  if (found.doubt == AccuracyDoubt::none && memory.refused > most_refused) found = {AccuracyDoubt::refused_steps, memory.refused, 0.0, 0.0};
-  if (found.doubt == AccuracyDoubt::none && share > most_dissipation) found = {AccuracyDoubt::dissipation, share, 0.0, 0.0};
   const bool stepped = !integrator.reference() && steps > 0.0;
   const double blades = stepped ? blades_passed(*model_, forces, duration / steps) : 0.0;
   const double damping = stepped ? damping_of_shaking(*model_, memory.turning, duration / steps) : 0.0;
-  if (found.doubt == AccuracyDoubt::none && blades > most_blades) found = {AccuracyDoubt::cut, blades, 0.0, 0.0};
-  if (found.doubt == AccuracyDoubt::none && damping > most_damping) found = {AccuracyDoubt::shaking, damping, 0.0, 0.0};
   const double blur = stepped ? blur_of_torque(memory, duration / steps) : 0.0;
-  if (found.doubt == AccuracyDoubt::none && blur > most_blur) found = {AccuracyDoubt::waves, blur, 0.0, 0.0};
-  if (found.doubt == AccuracyDoubt::none && memory.blows > most_blows) found = {AccuracyDoubt::blows, memory.blows, 0.0, 0.0};
-  if (found.doubt == AccuracyDoubt::none && wound > most_wound) found = {AccuracyDoubt::loose, wound, 0.0, 0.0};
-  if (found.doubt == AccuracyDoubt::none && memory.whirled > least_whirled)
-    found = {AccuracyDoubt::whirl, memory.sideways / memory.surface, 0.0, 0.0};
-  if (found.doubt == AccuracyDoubt::none && memory.jerks > most_jerks) found = {AccuracyDoubt::jerks, memory.jerks, 0.0, 0.0};
+  doubt(AccuracyDoubt::refused_steps, memory.refused, memory.refused > most_refused);
+  doubt(AccuracyDoubt::dissipation, share, share > most_dissipation);
+  doubt(AccuracyDoubt::cut, blades, blades > most_blades);
+  doubt(AccuracyDoubt::shaking, damping, damping > most_damping);
+  doubt(AccuracyDoubt::waves, blur, blur > most_blur);
+  doubt(AccuracyDoubt::blows, memory.blows, memory.blows > most_blows);
+  doubt(AccuracyDoubt::loose, wound, wound > most_wound);
+  doubt(AccuracyDoubt::whirl, memory.sideways / std::max(memory.surface, least_surface_speed), memory.whirled > least_whirled);
+  doubt(AccuracyDoubt::jerks, memory.jerks, memory.jerks > most_jerks);
   if (found.doubt == AccuracyDoubt::none) found = doubt_of_hole(state);
   if (found.doubt == AccuracyDoubt::none) return;
   memory.report = found;

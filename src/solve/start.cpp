@@ -226,7 +226,7 @@ RigAtRest build_at_rest(const Scene& scene)
     length = depth + start.block_height - estimated_stretch(mesh, scene, well, depth).back() + start.weight_on_bit * string_compliance(mesh);
   }
 
-  check_weight_on_bit(scene, build_mesh(scene, length), well, depth);
+  if (on_bottom) check_weight_on_bit(scene, build_mesh(scene, length), well, depth);
   RigAtRest rig{nullptr, State(well), {}};
   double toolface = start.toolface;
   double depth_error = 0.0, toolface_error = 0.0;
