@@ -15,6 +15,8 @@ import verdict  # noqa: E402
 COLORS = dict(zip(drill.METHODS, ('#1f77b4', '#9467bd', '#8c564b', '#2ca02c', '#ff7f0e', '#d62728', '#17becf', '#7f7f7f')))
 MARKERS = ('o', 's', '^', 'v', 'D')
 DASHES = dict(zip(drill.ELEMENTS, ('-', '--', ':')))
+# of meshes that compete, and with those that are too coarse to (points.mark_coarse())
+FRONTS = {False: {'color': 'black', 'linewidth': 3.5, 'alpha': 0.2}, True: {'color': 'black', 'linewidth': 1.2, 'alpha': 0.3, 'linestyle': '--'}}
 FAR = 2.0  # errors beyond are drawn at the edge: a run that far off is off, no matter how far
 
 
@@ -31,8 +33,9 @@ def draw_cost(axes, points, cost, lengths, own_error):
     for (method, element, length, newton, tolerance), group in groups(points).items():
         axes.plot([min(p.error, FAR) for p in group], [getattr(p, cost) for p in group], linestyle=(0, (1, 1)) if newton else DASHES[element],
                   marker=MARKERS[lengths.index(length) % len(MARKERS)], color=COLORS[method], markersize=4, fillstyle='none' if newton or tolerance else 'full', linewidth=0.9, alpha=0.85)
-    best = verdict.front([(p.error, getattr(p, cost)) for p in points if p.competes or (p.errors and cost == 'cpu')])
-    axes.plot([min(e, FAR) for e, _ in best], [c for _, c in best], color='black', linewidth=3.5, alpha=0.2, zorder=0, solid_capstyle='round')
+    for any_mesh in (True, False):
+        best = verdict.front([(p.error, getattr(p, cost)) for p in points if p.errors and (p.counted or cost == 'cpu') and (any_mesh or not p.coarse)])
+        axes.plot([min(e, FAR) for e, _ in best], [c for _, c in best], zorder=0, solid_capstyle='round', **FRONTS[any_mesh])
     for p in points:
         if p.default and p.errors:
             axes.plot(min(p.error, FAR), getattr(p, cost), marker='*', color='black', markersize=14, fillstyle='none', markeredgewidth=1.5, zorder=5)
@@ -55,7 +58,7 @@ def legend(points, lengths, own_error):
     loose = sorted({p.newton for p in points if p.newton and p.errors})
     handles += [lines.Line2D([], [], color='0.3', linestyle=(0, (1, 1)), marker='o', fillstyle='none', markersize=5, label='Newton to %g' % n) for n in loose]
     handles.append(lines.Line2D([], [], color='black', linestyle='', marker='*', markersize=11, fillstyle='none', label='the default'))
-    handles.append(lines.Line2D([], [], color='black', linewidth=3.5, alpha=0.2, label='Pareto front'))
+    handles += [lines.Line2D([], [], label='Pareto front' + (', coarser meshes too' if any_mesh else ''), **style) for any_mesh, style in FRONTS.items()]
     if own_error > 0.0:
         handles.append(lines.Line2D([], [], color='0.9', linewidth=6, label="below the reference's own error"))
     return handles

@@ -35,6 +35,7 @@ class Point:
         self.tolerance = tolerance  # numerics.reference_tolerance; None: the scene's
         self.errors = None    # by output; None: the run failed
         self.failure = ''
+        self.coarse = False   # a mesh of fewer nodes than the default's here: see mark_coarse()
         self.summary = {}
         self.cpu = self.work = float('nan')  # per simulated second: [s], [instructions]
 
@@ -48,10 +49,21 @@ class Point:
         return self.errors['all'] if self.errors else float('nan')
 
     @property
-    def competes(self):
-        """Whether the verdict compares the default with it. The reference's method is left out: of its work much is counted nowhere
-        (factorisations, a larger system), while it is charged with solves that it does not make."""
+    def counted(self):
+        """Whether its counted work is its work. The reference's method is left out: of its work much is counted nowhere (factorisations,
+        a larger system), while it is charged with solves that it does not make."""
         return bool(self.errors) and self.method != REFERENCE_METHOD
+
+    @property
+    def competes(self):
+        """Whether the verdict compares the default with it. A mesh coarser than the default's does not: it could not be the default, for
+        in other holes it is wrong without a word (the operations matrix and its variants, test/accuracy/README.md)."""
+        return self.counted and not self.coarse
+
+    @property
+    def warned(self):
+        """Whether the run itself said that its figures are in doubt."""
+        return bool(self.summary.get('accuracy_warnings'))
 
     def options(self):
         if self.default:
@@ -97,7 +109,7 @@ class Point:
 
 def grid(scene, methods, elements, default_method, default_step, default_length):
     """Every method x step x element length with the default's element; with the default's method also the other elements; and settings
-    coarser and finer than the default's: longer and shorter steps are among the scene's, no mesh is coarser than an element a joint."""
+    coarser and finer than the default's: longer and shorter steps are among the scene's."""
     out = [Point(scene, default_method, drill.ELEMENTS[0], default_step, default_length, default=True)]
     for element in elements:
         for method in methods if element == drill.ELEMENTS[0] else [default_method]:
@@ -109,19 +121,30 @@ def grid(scene, methods, elements, default_method, default_step, default_length)
 
 
 def coarser_and_finer(scene, methods, default_method, default_step, default_length):
-    """Ends of Newton's iteration, of the default's method and of the others; finer meshes; loose tolerances of the reference's method."""
+    """The default's mesh with other methods; ends of Newton's iteration, of the default's method and of the others; finer meshes; loose tolerances of the reference's method."""
     def point(method, step, length=default_length, **tolerances):
         return Point(scene, method, drill.ELEMENTS[0], step, length, **tolerances)
     coarse_steps = [step for step in scene.steps if step >= default_step]
-    out = [point(default_method, step, newton=LOOSE_NEWTON) for step in scene.steps]
+    near_steps = [step for step in scene.steps if step >= 0.5 * default_step]
+    out = []
+    if default_length not in scene.lengths:
+        out += [point(method, step) for method in methods if method in ITERATED for step in near_steps if (method, step) != (default_method, default_step)]
+    out += [point(default_method, step, newton=LOOSE_NEWTON) for step in scene.steps]
     out += [point(default_method, step, newton=LOOSEST_NEWTON) for step in coarse_steps]
     out.append(point(default_method, default_step, newton=TIGHT_NEWTON))
     out += [point(method, step, newton=LOOSE_NEWTON) for method in methods if method in ITERATED and method != default_method for step in coarse_steps]
     if scene.reference_length < scenes.FINE_LENGTH and scenes.FINE_LENGTH not in scene.lengths:
-        out += [point(default_method, step, scenes.FINE_LENGTH) for step in scene.steps if step >= 0.5 * default_step]
+        out += [point(default_method, step, scenes.FINE_LENGTH) for step in near_steps]
     if REFERENCE_METHOD in methods:
         out += [point(REFERENCE_METHOD, step, tolerance=tolerance) for step in scenes.REFERENCE_STEPS for tolerance in LOOSE_REFERENCE]
     return out
+
+
+def mark_coarse(points):
+    """Of one scene's points, computed."""
+    default = next(p for p in points if p.default)
+    for p in points:
+        p.coarse = p.summary.get('nodes', 0) < default.summary.get('nodes', 0)
 
 
 def compute(all_points, program, references, weights, jobs, say):

@@ -52,7 +52,7 @@ def rows(chosen_scenes, by_scene, notes, judged):
 
 
 def closing(chosen_scenes, by_scene, judged):
-    lines = ['geometric mean of the ratios: %.2f (at most 1.5)' % judged.mean]
+    lines = ['geometric mean of the ratios: %.2f (at most 1.5); with meshes coarser than the default\'s: %.2f' % (judged.mean, judged.mean_on_any_mesh)]
     for label, work, error in better_settings(chosen_scenes, by_scene)[:3]:
         lines.append('better than the default over all scenes: %s: %.2f of its work at %.2f of its error' % (label, work, error))
     return lines + judged.complaints
@@ -64,8 +64,7 @@ def text(chosen_scenes, by_scene, notes, judged):
         if s is None:
             lines.append('%s, failed: %s' % (scene.name, default.failure))
             continue
-        lines.append('%s, %.2e, %.2f%s, %s, %.4f, %s (%.1e)' % (scene.name, default.error, s.ratio, ' (%s)' % s.reason if s.reason and s.ratio > 4.0 else '',
-                                                                 rival.label(), default.cpu, by, own))
+        lines.append('%s, %.2e, %.2f, %s, %.4f, %s (%.1e)' % (scene.name, default.error, s.ratio, rival.label(), default.cpu, by, own))
     failures = [p for points in by_scene.values() for p in points if p.failure]
     lines.append('%d of %d points failed; points.csv says why' % (len(failures), sum(len(points) for points in by_scene.values())))
     return '\n'.join(lines + closing(chosen_scenes, by_scene, judged))
@@ -74,13 +73,14 @@ def text(chosen_scenes, by_scene, notes, judged):
 def write(chosen_scenes, by_scene, notes, judged, about, folder):
     """verdict.md; returns its name."""
     with open(os.path.join(folder, 'verdict.md'), 'w') as out:
-        out.write('| scene | error of the default | allowed | its work / the best\'s at this error | cheapest as accurate | CPU s per simulated s | '
-                  'reference | its own error |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n')
+        out.write('| scene | error of the default | allowed | the run warns | its work / the best\'s at this error | on any mesh | cheapest as accurate | '
+                  'CPU s per simulated s | reference | its own error |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n')
         for scene, default, s, rival, by, own in rows(chosen_scenes, by_scene, notes, judged):
             if s is None:
-                out.write('| %s | failed: %s | | | | | %s | %.1e |\n' % (scene.title, default.failure, by, own))
+                out.write('| %s | failed: %s | | | | | | | %s | %.1e |\n' % (scene.title, default.failure, by, own))
             else:
-                out.write('| %s | %.1e | %s | %.2f | %s | %.4f | %s | %.1e |\n' % (scene.title, default.error, allowed(scene), s.ratio, rival.label(), default.cpu, by, own))
+                out.write('| %s | %.1e | %s | %s | %.2f | %.2f | %s | %.4f | %s | %.1e |\n' % (
+                    scene.title, default.error, allowed(scene), 'yes' if default.warned else 'no', s.ratio, s.ratio_on_any_mesh, rival.label(), default.cpu, by, own))
         out.write('\n%s.\n\n%s, %d cores, %s, %s; load %.1f; %s.\n' % ('; '.join(closing(chosen_scenes, by_scene, judged)), about['cpu'], about['cores'],
                                                                      about['compiler'], about['flags'], about['load'][0], about['date']))
     return ['verdict.md']

@@ -16,7 +16,8 @@ LEAST_RIGHT, MOST_UNDECIDED = 0.85, 0.20  # of the decided, of all
 COLOURS = {'right': '#2e8b57', 'warned': '#d9822b', 'silent': '#c0392b', 'undecided': '#9a9a9a'}
 # What the default, the first, was chosen from; None: the default's own.
 VARIANTS = tuple(matrix.Numerics(length, step, method) for method, step, length in (
-    (None, None, None), (None, None, 9.51), (None, None, 4.755), (None, 0.005, None), ('trbdf2', 0.01, None), ('trbdf2', 0.01, 4.755)))
+    (None, None, None), (None, None, 9.51), (None, None, 4.755), (None, 0.005, None), ('trbdf2', 0.02, None), ('trbdf2', 0.01, None),
+    ('generalised_alpha', 0.01, None)))
 
 
 def path_of(cell):
