@@ -23,6 +23,7 @@ constexpr double least_throughput = 1e3;     // [W]
 constexpr double most_jerks = 0.08;          // [1/s]
 constexpr double least_contact = 5e3;        // [N]
 constexpr double most_blows = 0.5;           // [1/s]
+constexpr double least_blow = 1e3;           // what a hook-load cell resolves [N]
 constexpr double most_damping = 0.1;         // [1/s]
 constexpr double trend = 0.5;                // what is slower is no wave of torque [s]
 constexpr double wave_memory = 1.0;          // a motor's start sends its waves within seconds [s]
@@ -88,8 +89,10 @@ void note_jerks(double sticking, double since, AccuracyMemory& memory) noexcept
   memory.sticking = sticking;
 }
 
-void note_blows(bool on_bottom, double duration, AccuracyMemory& memory) noexcept
+/// A bit that comes down gently may leave and touch the bottom a while, with newtons: no blows.
+void note_blows(double wob, double duration, AccuracyMemory& memory) noexcept
 {
+  const bool on_bottom = memory.on_bottom ? wob > 0.0 : wob >= least_blow;
   average(on_bottom && !memory.on_bottom ? 1.0 / duration : 0.0, duration, memory.blows, short_memory);
   memory.on_bottom = on_bottom;
 }
@@ -186,7 +189,7 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   const double steps = static_cast<double>(integrator.counters().steps - steps_);
   const double attempts = static_cast<double>(attempts_of(integrator.counters()) - attempts_);
   average(attempts > 0.0 ? 1.0 - steps / attempts : 0.0, duration, memory.refused);
-  note_blows(forces.wob > 0.0, duration, memory);
+  note_blows(forces.wob, duration, memory);
   note_torque(forces.meter_torque, duration, memory);
   memory.stands_for = std::max(0.0, memory.stands_for - duration);
   if (memory.stands_for == 0.0) memory.report = AccuracyReport();

@@ -290,6 +290,19 @@ TEST(Accuracy, theBitStrikesTheBottom)
   EXPECT_EQ(text_of(w.memory.report, 0.01).substr(0, 31), "the bit strikes the bottom 0.57");
 }
 
+TEST(Accuracy, aBitThatComesDownGentlyStrikesNothing)
+{
+  Watched w(vertical_scene(400.0, 290.0));
+  for (int k = 0; k < 20; ++k)
+  {
+    w.forces.wob = 0.0;
+    w.play(0.1);
+    w.forces.wob = 50.0 * k;
+    w.play(0.1);
+  }
+  EXPECT_EQ(w.memory.report.doubt, AccuracyDoubt::none) << w.memory.blows;
+}
+
 // An attempt a second is refused of two: the mean over 10 s passes a fifth after 10 ln(0.5/0.3) = 5.1 s.
 TEST(Accuracy, stepsAreRefused)
 {

@@ -69,7 +69,7 @@ struct AccuracyMemory
   double torque_turns = 0.0;  ///< how often it passes that, in the same way [1/s]
   double torque_away = 0.0;   ///< what it was away from that at the end of the last frame [N m]
   double least_torque = 0.0, most_torque = 0.0;  ///< so far [N m]
-  bool on_bottom = true;      ///< at the end of the last frame
+  bool on_bottom = true;      ///< at the end of the last frame; with 1 kN or more since it came down
   double blows = 0.0;         ///< how often the bit comes down on the bottom, mean over the last seconds [1/s]
   double stands_for = 0.0;    ///< the report stands that much longer without a new cause [s]
   AccuracyReport report;

@@ -12,9 +12,13 @@ import hashlib
 import json
 import os
 import subprocess
+import sys
 
 import numpy
 import yaml
+
+sys.path.append(os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), 'benchmark'))
+import weights  # noqa: E402
 
 BOUND = 0.02
 INCLINATION_BOUND = 0.1  # [deg]
@@ -230,7 +234,7 @@ class Verdict:
         self.cell, self.kind, self.note = cell, kind, note
         self.worst, self.by = float('nan'), ''
         self.own, self.own_by = float('nan'), ''
-        self.cost = float('nan')  # processor time over simulated time
+        self.cost = float('nan')  # counted work: instructions, as test/benchmark counts them
         self.closure = self.dissipation = float('nan')  # of the energy balance, shares of the throughput
 
     def balances(self):
@@ -269,7 +273,7 @@ def judge(cell, mine, reference):
     shares = errors(mine.table, reference.table, cell.irregular())
     out.worst, out.by = worst_of(shares)
     out.own, out.own_by = worst_of(reference.own)
-    out.cost = mine.summary['cpu_s'] / mine.summary['simulated_s']
+    out.cost = weights.load().of(None, 'corotational', mine.summary, mine.summary['nodes'])
     out.closure, out.dissipation = shares_of_energy(mine.summary.get('energy'))
     warnings = mine.summary['accuracy_warnings']
     out.note = warnings[0]['text'] if warnings else ''

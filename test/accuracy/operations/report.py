@@ -109,7 +109,7 @@ def variants_table(results):
     first = {v.cell.name: v.cost for v in results[0][1] if v.cost == v.cost}
     for numerics, verdicts in results:
         told, both = counts(verdicts), [v for v in verdicts if v.cell.name in first and v.cost == v.cost]
-        cost = sum(v.cost * v.cell.what.duration for v in both) / sum(first[v.cell.name] * v.cell.what.duration for v in both)
+        cost = sum(v.cost for v in both) / sum(first[v.cell.name] for v in both)
         words = [numerics.method or 'default', '%g ms' % (1e3 * numerics.step) if numerics.step else 'default',
                  '%.3g m' % numerics.length if numerics.length else 'default']
         rows.append('| %s | %.2f |' % (' | '.join(words + ['%d' % told[kind] for kind in KINDS]), cost))
