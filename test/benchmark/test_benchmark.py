@@ -280,7 +280,7 @@ class Laws(unittest.TestCase):
   700 (35.00%)  /a/build/../src/model/forces/beams.cpp:drill_rig_sim::(anonymous namespace)::add(drill_rig_sim::StageContext const&) [/a/lib.so]
   600 (30.00%)  /usr/include/emmintrin.h:drill_rig_sim::(anonymous namespace)::add(drill_rig_sim::StageContext const&) [/a/lib.so]
   300 (15.00%)  /a/build/../src/math/block_tridiagonal.cpp:drill_rig_sim::BlockTridiagonal::solve(double*)
-   50 ( 2.50%)  /a/build/../src/math/block_tridiagonal.cpp:drill_rig_sim::BlockTridiagonal::solve_again(double*) const [/a/lib.so]
+   50 ( 2.50%)  src/math/block_tridiagonal.cpp:drill_rig_sim::BlockTridiagonal::solve_again(double*) const [/a/lib.so]
 """
 
     def test_a_part_is_the_sum_of_its_functions_in_their_own_files(self):
