@@ -90,7 +90,7 @@ const Table<Scene> scene_keys = {"", "The scene file's top level.", {
   {"instruments",           "",       Nested{},                            none,                 "what the sensors make of the truth"},
   {"connections",           "",       Choice<Scene>{connections_words, [](Scene& s, int word) { s.connections = static_cast<Connections>(word); },
                                                     [](const Scene& s) { return static_cast<int>(s.connections); }},
-                                                                           none,                 "auto: a stand is added whenever the block reaches its lowest height"},
+                                                                           none,                 "off; auto is not available yet"},
   {"program",               "",       Nested{},                            none,                 "list of commands at simulated times, for the offline runner and demos"},
 }};
 
@@ -288,7 +288,7 @@ const Table<StartSpec> start_keys = {"start", "At rest, in static equilibrium, w
 const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are solved.", {
   {"level",                 "",       Choice<NumericsSpec>{level_words, [](NumericsSpec& n, int word) { n.level = static_cast<Level>(word); },
                                                [](const NumericsSpec& n) { return static_cast<int>(n.level); }},
-                                                                           none,                 "which motions are modelled"},
+                                                                           none,                 "which motions are modelled; auto is beam3d, the others are not available yet"},
   {"integrator",            "",       Choice<NumericsSpec>{integrator_words, [](NumericsSpec& n, int word) { n.integrator = static_cast<IntegratorKind>(word); },
                                                [](const NumericsSpec& n) { return static_cast<int>(n.integrator); }},
                                                                            none,                 "method of time integration"},
@@ -296,8 +296,8 @@ const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are so
                                                [](const NumericsSpec& n) { return static_cast<int>(n.element); }},
                                                                            none,                 "kind of beam element; rotation_vector fails when the string's top has made a full turn"},
   {"step",                  "s",      &NumericsSpec::step,                 between(1e-5, 0.05),  "physics step"},
-  {"element_length",        "m",      &NumericsSpec::element_length,       between(0.0, 50.0),   "longest element; by the hole: 4.75 m where it inclines or friction below pushes the pipe, and a stand and a half above, 9.5 m higher up", no_kind, every_kind, "by the hole"},
-  {"tolerance",             "-",      &NumericsSpec::tolerance,            between(1e-6, 0.5),   "relative, of the scene's outputs; level auto"},
+  {"element_length",        "m",      &NumericsSpec::element_length,       between(0.0, 50.0),   "longest element, 0.1 or more; 0, by the hole: 4.75 m where it inclines or friction below pushes the pipe, and a stand and a half above, 9.5 m higher up", no_kind, every_kind, "by the hole"},
+  {"tolerance",             "-",      &NumericsSpec::tolerance,            between(1e-6, 0.5),   "without effect yet: level auto will meet it"},
   {"reference_tolerance",   "-",      &NumericsSpec::reference_tolerance,  between(1e-10, 1e-2), "integrator ida: local error of velocities (m/s, rad/s, and relative); of places (m, rad) a hundredth of it"},
   {"reference_order",       "",       &NumericsSpec::reference_order,      between(1, 5),        "integrator ida: highest order of its BDF; above 2 waves that are hardly damped force shorter steps"},
   {"reference_index",       "",       &NumericsSpec::reference_index,      between(2, 3),        "integrator ida: index of the DAE, 2 stabilised; 3 only shows how it fails"},

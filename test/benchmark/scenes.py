@@ -62,10 +62,10 @@ ALL = (
     Scene('torque_release', 'torque wind-up and release', 6.0, fingerprint_until=4.5,  # let go at 4 s
           largest_error=0.09, why_so_large='pipe that quivers between its walls moves the inclination by 0.02 deg, the hook load by 0.1 kN: ranges here are hardly more'),
     Scene('build_trip', 'picking up and slacking off through a build', 4.6, fingerprint_until=3.0,  # goes down from 2.5 s on
-          largest_error=0.03, why_so_large='friction that turns round joint by joint: the reference is sure to 0.02 only'),
+          largest_error=0.03, why_so_large='friction that turns round joint by joint: the reference is sure to 0.01 only'),
     Scene('drilling', 'drilling on bottom', 60.0, trace_until=4.0, period_of='bit_inclination', every=0.1, steps=(0.05,) + STEPS[1:5],
           reference_tolerance=1e-6, fingerprint_until=12.5,  # leaves a node of hole after 0.1 m, at 11 s
-          largest_error=0.04, why_so_large='small vibrations of the hook load, which half joints carry otherwise'),
+          largest_error=0.04, why_so_large='small vibrations of the hook load, for which both step and elements are too long'),
     Scene('stick_slip', 'stick-slip in a 3 km vertical well', 18.0, trace_until=8.0, period_of='bit_speed', steps=STEPS[:5],
           reference_length=4.75, fingerprint_until=5.0,  # the bit lets go at 3.4 s
           largest_error=0.002, why_so_large='torsional waves are long and slow: mesh and step are fine for them'),

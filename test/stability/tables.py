@@ -3,7 +3,7 @@ import os
 
 AXES = {'contact_stiffness': 'contact stiffness [N/m^1.5]', 'bristle_stiffness': 'bristle stiffness (sticking friction) [N/m]',
         'stribeck_speed': 'Stribeck speed [m/s]', 'element_length': 'element length [m]', 'lateral_damping': 'lateral damping of the mud [N s/m per m]'}
-USUAL = {'contact_stiffness': '5e+07', 'bristle_stiffness': '5e+06', 'stribeck_speed': '0.05', 'element_length': '9.5', 'lateral_damping': '20'}
+USUAL = {'contact_stiffness': '5e+07', 'bristle_stiffness': '5e+06', 'stribeck_speed': '0.05', 'element_length': '4.75', 'lateral_damping': '20'}
 CASES = {'turns': 'turns of the top drive', 'sticking': 'sticking on a slope of 20 deg', 'buckling': 'slack-off to a coil and back', 'impact': 'bit on hard rock at 2 m/s',
          'slow drilling': 'slow drilling, 0.35 mm/s'}
 

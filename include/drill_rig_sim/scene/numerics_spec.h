@@ -34,7 +34,7 @@ struct NumericsSpec
   Level level = Level::beam3d;
   IntegratorKind integrator = IntegratorKind::automatic;
   ElementKind element = ElementKind::automatic;
-  double step = 0.01;               ///< [s]; test/benchmark: shorter ones gain little on elements as long as a joint
+  double step = 0.01;               ///< [s]; chosen by ./test/accuracy/run --operations --variants
   double element_length = 0.0;      ///< longest element [m]; 0: by the hole, element_lengths() (scene_mesh.h)
   double tolerance = 0.01;          ///< relative, of the scene's outputs; level auto only
   double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]

@@ -24,7 +24,7 @@ AccuracyReport doubt_of_hole(const State& state) noexcept;
 /// Watches what makes a run inaccurate without failing it. Every tenth frame is looked at, and the energy of its first step booked.
 ///
 /// - Compression: two cubic elements carry the half wave into which pipe in a hole buckles, pi sqrt(2 E I/P), so an element of length L
-///   carries (pi^2/2) E I/L^2 (shared/design/model.md, Contact along the string). Above it a mesh buckles in its own way.
+///   carries (pi^2/2) E I/L^2. Above it a mesh buckles in its own way.
 /// - Twist: 1 rad an element; the corotational element is made for less.
 /// - Embedding: the string is deeper in the wall than its clearance there and 2 mm: place and side forces are those of a wider hole.
 /// - Refused steps: more than a fifth of the attempts of the last ten seconds.
