@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include "drill_rig_sim/math/units.h"
@@ -47,11 +48,12 @@ double cut(CutGround& ground, int blades, double angle, double height) noexcept
   ground.height = height;
   if (angle <= ground.front) return 0.0;
   const double to = cells_at(blades, angle);
-  const double last = std::floor(to);
+  const auto last = static_cast<std::int64_t>(std::floor(to));
+  const auto first = static_cast<std::int64_t>(std::floor(cells_at(blades, ground.front))) + 1;
   // more than a sector in one step: what the blades left at first is cut again
-  double passed = std::max(std::floor(cells_at(blades, ground.front)) + 1.0, last - CutGround::cells + 1.0);
-  for (; passed <= last; ++passed)
+  for (std::int64_t cell = std::max(first, last - CutGround::cells + 1); cell <= last; ++cell)
   {
+    const auto passed = static_cast<double>(cell);
     double& before = ground.heights[in_ring(passed - 1.0)];
     before = std::max(before, ground.pending);
     const double share = (passed / cells_at(blades, 1.0) - start_angle) / (angle - start_angle);
