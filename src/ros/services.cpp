@@ -156,7 +156,7 @@ std::string Services::load_survey(const LoadSurvey::Request& request)
 std::string Services::forget_states_of_another(const Scene& next)
 {
   if (saved_.count() == 0 || scene_hash(next) == scene_hash(running_)) return {};
-  const std::string said = "; " + std::to_string(saved_.count()) + " states saved of the rig before are forgotten";
+  std::string said = "; " + std::to_string(saved_.count()) + " states saved of the rig before are forgotten";
   saved_.clear();
   return said;
 }
@@ -307,7 +307,7 @@ std::string Services::step(const StepSimulation::Request& request, RigState& sta
 {
   const auto answer_last = [&]
   {
-    const FrameRecord last = publishing_.last();
+    FrameRecord last = publishing_.last();
     state = to_rig_state(last.readings, last, parameters_.floor());
     return last;
   };

@@ -58,8 +58,9 @@ double first_pushed(const Scene& scene) noexcept
 {
   constexpr double piece = 10.0;  // [m]
   double pushed = std::numeric_limits<double>::infinity(), tension = 0.0;
-  for (double md = scene.start.bit_depth; md > 0.0; md -= piece)
+  for (int k = 0; k * piece < scene.start.bit_depth; ++k)
   {
+    const double md = scene.start.bit_depth - k * piece;
     const double middle = std::max(0.0, md - 0.5 * piece);
     const double weight = linear_mass_at(scene.string, scene.start.bit_depth - middle) * piece;  // in units of g [kg]
     const double inclination = inclination_at(scene.well.survey, middle);

@@ -34,7 +34,7 @@ std::string refusal(const struct stat& status, const char* needed)
 
 std::string read_text_file(const std::string& file, const char* needed, std::string& text)
 {
-  const std::string unreadable = std::string("cannot be read, needed: ") + needed;
+  std::string unreadable = std::string("cannot be read, needed: ") + needed;
   struct stat status = {};
   // looked at before it is opened, for opening alone may act on a device, and once more after, for names can change their file
   if (::stat(file.c_str(), &status) != 0) return unreadable;

@@ -52,6 +52,7 @@ int look_at(dl_phdr_info* object, std::size_t, void* data)
   {
     const ElfW(Phdr)& part = object->dlpi_phdr[i];
     if (part.p_type == PT_NOTE)
+      // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader gives addresses as numbers
       take_identity(reinterpret_cast<const unsigned char*>(object->dlpi_addr + part.p_vaddr), part.p_memsz, search->found);
   }
   return 1;

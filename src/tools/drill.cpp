@@ -44,9 +44,8 @@ void set_help(CLI::App& drill)
   drill.get_formatter()->label("SUBCOMMAND", "COMMAND");
   drill.get_formatter()->label("OPTIONS", "options");
 }
-}  // namespace
 
-int main(int argc, char** argv)
+int play(int argc, char** argv)
 {
   CLI::App drill("", "drill");
   set_help(drill);
@@ -75,4 +74,18 @@ int main(int argc, char** argv)
   }
   std::fputs(drill.help().c_str(), stderr);
   return bad_input;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    return play(argc, argv);
+  }
+  catch (const std::exception& e)
+  {
+    std::fprintf(stderr, "drill: %s\n", e.what());
+    return computation_failed;
+  }
 }
