@@ -2,6 +2,7 @@
 import os
 
 import reference
+import verdict
 
 ADVICE = 1.2  # another setting is named as better when it takes this much less work at no more error, in geometric mean
 
@@ -9,23 +10,19 @@ ADVICE = 1.2  # another setting is named as better when it takes this much less 
 def better_settings(chosen_scenes, by_scene):
     """Settings (method, element, step, length, tolerances) that worked in every scene and beat the default there in geometric mean at no more error in
     geometric mean: (label, ratio of work, ratio of error), best first."""
-    import math
-    defaults, sums = {}, {}
+    ratios = {}  # by setting: its point, and of each scene that it worked in work and error over the default's
     for scene in chosen_scenes:
         points = [p for p in by_scene[scene.name] if p.competes]
         default = next((p for p in points if p.default), None)
         if default is None:
             return []
-        defaults[scene.name] = default
         for p in points:
             if p.default:
                 continue
-            entry = sums.setdefault((p.method, p.element, p.step, p.length, p.newton, p.tolerance), [p, 0, 0.0, 0.0])
-            entry[1] += 1
-            entry[2] += math.log(p.work / default.work)
-            entry[3] += math.log(max(p.error, 1e-12) / max(default.error, 1e-12))
-    n = len(chosen_scenes)
-    means = [(e[0].label(), math.exp(e[2] / n), math.exp(e[3] / n)) for e in sums.values() if e[1] == n]
+            _, work, error = ratios.setdefault((p.method, p.element, p.step, p.length, p.newton, p.tolerance), (p, [], []))
+            work.append(p.work / default.work)
+            error.append(max(p.error, 1e-12) / max(default.error, 1e-12))
+    means = [(p.label(), verdict.geometric_mean(work), verdict.geometric_mean(error)) for p, work, error in ratios.values() if len(work) == len(chosen_scenes)]
     return sorted((m for m in means if m[1] * ADVICE < 1.0 and m[2] <= 1.0), key=lambda m: m[1])
 
 

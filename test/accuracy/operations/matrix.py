@@ -20,6 +20,7 @@ import yaml
 sys.path.append(os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), 'benchmark'))
 import weights  # noqa: E402
 
+WEIGHTS = weights.load()  # of counted work
 BOUND = 0.02
 INCLINATION_BOUND = 0.1  # [deg]
 FLOORS = {'hook_load': 1e3, 'torque': 100.0, 'wob': 1e3, 'bit_speed': 0.1, 'pressure': 1e5, 'position': 0.01}  # N, N m, N, rad/s, Pa, m
@@ -273,7 +274,7 @@ def judge(cell, mine, reference):
     shares = errors(mine.table, reference.table, cell.irregular())
     out.worst, out.by = worst_of(shares)
     out.own, out.own_by = worst_of(reference.own)
-    out.cost = weights.load().of(None, 'corotational', mine.summary, mine.summary['nodes'])
+    out.cost = WEIGHTS.of(None, 'corotational', mine.summary, mine.summary['nodes'])
     out.closure, out.dissipation = shares_of_energy(mine.summary.get('energy'))
     warnings = mine.summary['accuracy_warnings']
     out.note = warnings[0]['text'] if warnings else ''
