@@ -94,17 +94,7 @@ Friction friction_force(const Geometry& g, double normal_force, double kinetic, 
   f.slipping = true;
   f.direction = trial / f.trial;
   f.force = -limit * f.direction;
-  const Vector3d stretched = (limit / law.tangential_stiffness) * f.direction;
-  if (law.tangential_damping > 0.0)
-  {
-    const Vector3d before = in_plane(g, bristle);
-    const double follows = motion.time / (motion.time + law.tangential_damping / law.tangential_stiffness);
-    f.bristle = before + follows * (stretched - before);
-  }
-  else
-  {
-    f.bristle = stretched;
-  }
+  f.bristle = slipping_bristle(law, motion.time, in_plane(g, bristle), Vector3d((limit / law.tangential_stiffness) * f.direction));
   if (speed > 0.0) f.slip_direction = slip_velocity / speed;
   return f;
 }

@@ -20,7 +20,7 @@ NodeRate split(const NodeMotion& node, const Vector6d& vector) noexcept
   return {vector.head<3>(), carried(node, vector.tail<3>() - spin * node.axis), spin};
 }
 
-void commit(const Workspace& work, State& state) noexcept
+void commit(const Stage& stage, const Workspace& work, State& state) noexcept
 {
   for (std::size_t i = 0; i < work.nodes.size(); ++i)
   {
@@ -28,10 +28,16 @@ void commit(const Workspace& work, State& state) noexcept
     NodeState& node = state.nodes[i];
     node.rate = split(motion, motion.rate);
     node.position = motion.position;
-    node.orientation = motion.orientation.normalized();
     node.spin_angle += motion.spin;
+    if (stage.guides[i].guided)
+    {
+      node.orientation = rotation_from_vector(motion.spin * motion.axis) * node.orientation;
+      continue;
+    }
+    node.orientation = motion.orientation.normalized();
     node.segment = motion.closest.segment;
   }
+  put_on_hole(stage, work.lean, stage.time, state);
   for (std::size_t e = 0; e < work.spans.size(); ++e) state.spans[e].segment = work.spans[e].closest.segment;
 }
 

@@ -24,12 +24,37 @@ void add_forces(const std::array<const Force*, N>& forces, const StageContext& a
   }
 }
 
+/// The same of a guided node; where it is only if somebody looks there.
+void move_guided(const NodeState& before, const Stage& stage, std::size_t i, const double* u, NodeMotion& node) noexcept
+{
+  const Guide& guide = stage.guides[i];
+  const Eigen::Map<const Vector3d> place(u + 6 * i), rotation(u + 6 * i + 3);
+  const double along = guide.tangent.dot(place);
+  node.axis = guide.tangent;
+  node.spin = guide.tangent.dot(rotation);
+  node.tilt = along * guide.turn;
+  node.increment << along * guide.tangent, node.tilt + node.spin * guide.tangent;
+  node.rate = stage.dv_du * node.increment + stage.rate[i];
+  node.acceleration = stage.da_du * node.increment + stage.acceleration[i];
+  node.carried_spin = node.rate.tail<3>().dot(node.axis);
+  node.position = before.position + node.increment.head<3>();
+  node.normal = guide.tangent + node.tilt.cross(guide.tangent);
+  if (!guide.joined) return;
+  node.orientation = rotation_from_vector(node.tilt) * rotation_from_vector(node.spin * node.axis) * before.orientation;
+  node.normal = x_axis(node.orientation);
+}
+
 /// Places and rates of the nodes at u.
 void move_nodes(const State& start, const Stage& stage, const double* u, Workspace& work) noexcept
 {
   for (std::size_t i = 0; i < work.nodes.size(); ++i)
   {
     NodeMotion& node = work.nodes[i];
+    if (stage.guides[i].guided)
+    {
+      move_guided(start.nodes[i], stage, i, u, node);
+      continue;
+    }
     const NodeState& before = start.nodes[i];
     node.axis = stage.normal[i];
     node.increment = Eigen::Map<const Vector6d>(u + 6 * i);
@@ -45,19 +70,19 @@ void move_nodes(const State& start, const Stage& stage, const double* u, Workspa
 }
 
 /// Closest point of hole or mast; not for the shaft.
-void find_closest(const Model& model, const State& start, int i, NodeMotion& node) noexcept
+void find_closest(const Model& model, const State& start, const Stage& stage, int i, NodeMotion& node) noexcept
 {
   node.touches = false;
   node.closest.segment = start.nodes[i].segment;
-  if (i == model.top()) return;
+  if (i == model.top() || stage.guides[i].guided) return;
   node.closest = start.well.locate(node.position, node.closest.segment);
   open_mast(node.closest);
   node.touches = wall_gap(node.closest, node.position, model.mesh().nodes[i].contact_radius) < 0.0;
 }
 
-void find_closest(const Model& model, const State& start, Workspace& work) noexcept
+void find_closest(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
 {
-  for (int i = 0; i < model.nodes(); ++i) find_closest(model, start, i, work.nodes[i]);
+  for (int i = 0; i < model.nodes(); ++i) find_closest(model, start, stage, i, work.nodes[i]);
 }
 
 /// Section normal of a bent element's upper end, its node turned like this.
@@ -109,17 +134,25 @@ void evaluate_list(const std::array<const Force*, N>& forces, const Model& model
   ++work.work.residuals;
   if (tangent) ++work.work.tangents;
   std::fill(residual, residual + 6 * model.nodes(), 0.0);
+  if (tangent)
+    for (int i = 0; i < model.nodes(); ++i) tangent->set_small(i, stage.guides[i].guided);
   move_nodes(start, stage, u, work);
   work.profiler.lap(Cost::kinematics);
-  find_closest(model, start, work);
-  for (int e = 0; e < model.elements(); ++e) find_span(model, start, stage, e, work);
+  find_closest(model, start, stage, work);
+  for (int e = 0; e < model.elements(); ++e)
+    if (!stage.guided_spans[e].guided) find_span(model, start, stage, e, work);
   work.profiler.lap(Cost::contact);
   add_forces(forces, {model, start, stage, work}, residual, tangent);
 }
 }  // namespace
 
 Workspace::Workspace(const Model& model)
-  : nodes(model.mesh().nodes.size()), spans(model.mesh().elements.size()), unused(6 * nodes.size(), 0.0)
+  : nodes(model.mesh().nodes.size()),
+    spans(model.mesh().elements.size()),
+    guided_forces(spans.size(), Eigen::Vector2d::Zero()),
+    push(nodes.size(), Vector3d::Zero()),
+    lean(push),
+    unused(6 * nodes.size(), 0.0)
 {
   result.bristle.assign(nodes.size(), Vector3d::Zero());
   result.span_bristle.assign(spans.size(), Vector3d::Zero());
@@ -152,11 +185,29 @@ void update(const Model& model, const State& start, const Stage& stage, const do
   evaluate_list(forces_with_results, model, start, stage, u, work, work.unused.data(), nullptr);
 }
 
+namespace
+{
+/// Bent as the hole is.
+void find_guided_forces(const Model& model, const Stage& stage, int e, Workspace& work) noexcept
+{
+  const BeamSection& section = model.mesh().elements[e].section;
+  RigForces& out = work.result.forces;
+  out.tension[e] = work.guided_forces[e].x();
+  out.torque[e] = -work.guided_forces[e].y();
+  out.bending_moment[e + 1] = section.bending * stage.guides[e + 1].turn.norm();
+}
+}  // namespace
+
 void find_string_forces(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
 {
   RigForces& out = work.result.forces;
   for (int e = 0; e < model.elements(); ++e)
   {
+    if (stage.guided_spans[e].guided)
+    {
+      find_guided_forces(model, stage, e, work);
+      continue;
+    }
     const BeamForces f = element_forces({model, start, stage, work}, e);
     const MeshElement& element = model.mesh().elements[e];
     const NodeMotion& upper = work.nodes[e + 1];
@@ -182,7 +233,7 @@ void evaluate_motion(const Model& model, const State& start, const Stage& stage,
   add_forces(string_forces, at, string, string_tangent);
   if (contact_tangent) contact_tangent->set_zero();
   place(motion.bit, work.nodes[0]);  // from here on node 0 stands for the bit
-  find_closest(model, start, work);
+  find_closest(model, start, stage, work);
   add_forces(contact_forces, at, contact, contact_tangent);
 }
 
@@ -191,7 +242,7 @@ Vector6d evaluate_bit_motion(const Model& model, const State& start, const Stage
   Vector6d out = Vector6d::Zero();
   const StageContext at{model, start, stage, work};
   place(bit, work.nodes[0]);
-  find_closest(model, start, 0, work.nodes[0]);
+  find_closest(model, start, stage, 0, work.nodes[0]);
   add_film_at_bit(at, out.data());
   add_wall_at_bit(at, out.data());
   bit_on_bottom.add(at, out.data(), nullptr);

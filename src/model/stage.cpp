@@ -47,6 +47,7 @@ void take_start(const Model& model, const State& state, Stage& stage) noexcept
   for (std::size_t e = 0; e < stage.load.size(); ++e)
     stage.load[e].z() = -model.element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z());
   take_pressures(model, state, stage);
+  find_guides(model, state, stage);
 }
 }  // namespace
 
@@ -57,7 +58,9 @@ Stage::Stage(const Model& model)
     immersed(rate.size(), 0.0),
     added_mass(rate.size(), 0.0),
     load(model.mesh().elements.size(), Vector3d::Zero()),
-    free_stretch(load.size(), 0.0)
+    free_stretch(load.size(), 0.0),
+    guides(rate.size()),
+    guided_spans(load.size())
 {
 }
 

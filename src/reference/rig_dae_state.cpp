@@ -48,7 +48,7 @@ void RigDae::finish(double t, const std::vector<double>& y, State& state)
   result.bit.motor_speed = stage_.bit.motor_speed;
   result.bit.mean_speed = stage_.bit.mean_speed;
 
-  commit(work_, state);
+  commit(stage_, work_, state);
   for (int i = 0; i < string_nodes(); ++i)
   {
     NodeState& node = state.nodes[static_cast<std::size_t>(i)];

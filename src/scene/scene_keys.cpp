@@ -288,7 +288,8 @@ const Table<StartSpec> start_keys = {"start", "At rest, in static equilibrium, w
 const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are solved.", {
   {"level",                 "",       Choice<NumericsSpec>{level_words, [](NumericsSpec& n, int word) { n.level = static_cast<Level>(word); },
                                                [](const NumericsSpec& n) { return static_cast<int>(n.level); }},
-                                                                           none,                 "which motions are modelled; auto is beam3d, the others are not available yet"},
+                                                                           none,                 "which motions are modelled. beam3d: all. axial_torsional: along the hole and about it, the string confined to it, its friction a soft string's. hybrid: all near the bit, those two above. auto is beam3d; rigid is not available yet"},
+  {"free_length",           "m",      &NumericsSpec::free_length,          between(0.0, 20000.0), "level hybrid: so far above the bit's face all motions are modelled; 0: the parts below the last one and two stands", no_kind, every_kind, "the parts below the last one and two stands"},
   {"integrator",            "",       Choice<NumericsSpec>{integrator_words, [](NumericsSpec& n, int word) { n.integrator = static_cast<IntegratorKind>(word); },
                                                [](const NumericsSpec& n) { return static_cast<int>(n.integrator); }},
                                                                            none,                 "method of time integration"},

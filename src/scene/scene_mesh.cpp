@@ -14,6 +14,7 @@ constexpr double joint = 9.5;             // [m]
 constexpr double half_joint = 4.75;       // [m]
 constexpr double lying = 3.0 * degree;    // a hole that inclines more carries the pipe in it [rad]
 constexpr double margin = 45.0;           // [m]
+constexpr double two_stands = 57.0;       // [m]
 
 /// Measured depth at which the survey's inclination first passes `lying` [m], between stations by proportion; where it
 /// never does, beyond the survey by the margin: no bit is there.
@@ -73,11 +74,22 @@ double first_pushed(const Scene& scene) noexcept
 }
 }  // namespace
 
+double free_length(const Scene& scene) noexcept
+{
+  const NumericsSpec& numerics = scene.numerics;
+  if (numerics.level == Level::axial_torsional) return -1.0;
+  if (numerics.level != Level::hybrid) return std::numeric_limits<double>::infinity();
+  if (numerics.free_length > 0.0) return numerics.free_length;
+  double length = two_stands;
+  for (std::size_t p = 0; p + 1 < scene.string.size(); ++p) length += scene.string[p].joints * scene.string[p].joint_length;
+  return length;
+}
+
 ElementLengths element_lengths(const Scene& scene) noexcept
 {
   if (scene.numerics.element_length > 0.0) return uniform_elements(scene.numerics.element_length);
   const double hangs_above = std::min(first_inclined(scene.well), first_pushed(scene));
-  return {half_joint, joint, std::max(0.0, scene.start.bit_depth - hangs_above + margin)};
+  return {half_joint, joint, std::clamp(free_length(scene), 0.0, std::max(0.0, scene.start.bit_depth - hangs_above + margin))};
 }
 
 Mesh build_mesh(const Scene& scene, double total_length)

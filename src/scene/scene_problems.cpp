@@ -288,8 +288,13 @@ bool is_name(const std::string& text)
 ProblemList unavailable(const Scene& scene)
 {
   ProblemList problems;
-  if (scene.numerics.level != Level::beam3d && scene.numerics.level != Level::automatic)
-    problems.emplace_back("numerics.level", "this level is not available yet, allowed: beam3d or auto");
+  const NumericsSpec& numerics = scene.numerics;
+  if (numerics.level == Level::rigid)
+    problems.emplace_back("numerics.level", "this level is not available yet, allowed: axial_torsional, hybrid, beam3d or auto");
+  const bool guided = numerics.level == Level::axial_torsional || numerics.level == Level::hybrid;
+  const bool one_of_its_own = numerics.integrator == IntegratorKind::arkode_dirk || numerics.integrator == IntegratorKind::ida ||
+                              numerics.integrator == IntegratorKind::central_differences;
+  if (guided && one_of_its_own) problems.emplace_back("numerics.integrator", "this method is available for level beam3d alone");
   if (scene.connections == Connections::automatic) problems.emplace_back("connections", "auto is not available yet, allowed: off");
   return problems;
 }

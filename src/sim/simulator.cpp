@@ -24,6 +24,23 @@ const Scene& available(const Scene& scene)
   return scene;
 }
 
+namespace
+{
+const char* name_of(Level level) noexcept
+{
+  if (level == Level::axial_torsional) return "axial_torsional";
+  return level == Level::hybrid ? "hybrid" : "beam3d";
+}
+
+/// Of the nodes, rotor and line.
+int coordinates_of(const State& state) noexcept
+{
+  int count = 2;
+  for (const NodeState& node : state.nodes) count += node.guided ? 2 : 6;
+  return state.nodes.back().guided ? count : count - 4;  // the rail's
+}
+}  // namespace
+
 Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   : scene(s), model(std::move(rig.model)), state(std::move(rig.state), std::move(rig.statics.forces)),
     integrator(make_integrator(scene.numerics.integrator, model, state.mechanics)),
@@ -31,8 +48,8 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
 {
   state.scene = scene_hash(scene);
   statistics.nodes = model->nodes();
-  statistics.coordinates = 6 * model->nodes() - 4 + 2;  // less the rail's four, plus rotor and line
-  statistics.level = "beam3d";
+  statistics.coordinates = coordinates_of(state.mechanics);
+  statistics.level = name_of(scene.numerics.level);
   statistics.integrator = find_integrator(scene.numerics.integrator).name;
   statistics.step = scene.numerics.step;
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;

@@ -350,7 +350,7 @@ StepResult ArkodeStepper::attempt(State& state, double step, const Setpoints& se
   remember_last_rate(work_, state);
   remember(work_, &NodeMotion::acceleration, work_.result.drive_acceleration, state.memory.past[last_acceleration]);
   state.memory.last_step = step;
-  commit(work_, state);
+  commit(stage_, work_, state);
   advance_discrete(*model_, stage_, work_, state);
   ++counters_.steps;
   return StepResult::solved;

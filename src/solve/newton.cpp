@@ -44,12 +44,12 @@ double Newton::find_increment(const StageContext& problem, const double* u, bool
   bool solved = true;
   if (new_tangent)
   {
-    solved = tangent_.solve(step_.data());
+    solved = solve_increment(problem.stage, tangent_, step_.data());
     ++problem.work.work.solves;
   }
   else
   {
-    tangent_.solve_again(step_.data());
+    solve_increment_again(problem.stage, tangent_, step_.data());
     ++problem.work.work.substitutions;
   }
   problem.work.profiler.lap(Cost::linear_solve);

@@ -36,8 +36,9 @@ Quaterniond carried_along(const Quaterniond& q, const Vector3d& tangent)
 }
 
 /// Nodes along the hole, resting on its low side where it is inclined; sections without twist, y axes at the toolface. `stretch`: how far each
-/// node is from its unstretched place, away from the bit [m].
-void place_string(const Mesh& mesh, const Wellbore& well, double depth, double toolface, const std::vector<double>& stretch, State& state)
+/// node is from its unstretched place, away from the bit [m]; nodes farther than `free_length` above the bit's face are guided [m].
+void place_string(const Mesh& mesh, const Wellbore& well, double depth, double toolface, const std::vector<double>& stretch, double free_length,
+                  State& state)
 {
   state.nodes.assign(mesh.nodes.size(), NodeState());
   state.spans.assign(mesh.elements.size(), SpanState());
@@ -55,6 +56,7 @@ void place_string(const Mesh& mesh, const Wellbore& well, double depth, double t
     q = carried_along(q, p.tangent);
     state.nodes[i].orientation = q;
     state.nodes[i].position = p.position;
+    state.nodes[i].guided = mesh.nodes[i].from_bit > free_length;
     if (md <= 0.0) continue;
     const double gap = p.radius - mesh.nodes[i].contact_radius;
     const double inclined = p.tangent.head<2>().norm();  // sin I
@@ -118,7 +120,7 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, do
 {
   const Mesh& mesh = rig.model->mesh();
   // stretched as it will be: the way to the equilibrium goes in increments of 2 cm
-  place_string(mesh, well, depth, toolface, estimated_stretch(mesh, scene, well, depth), rig.state);
+  place_string(mesh, well, depth, toolface, estimated_stretch(mesh, scene, well, depth), free_length(scene), rig.state);
   hang_on_block(scene, rig.state);
   const double most = (kMostWork - work) / rig.model->nodes();
   rig.statics = solve_static(*rig.model, rig.state, no_sliding, static_cast<int>(most));

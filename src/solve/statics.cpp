@@ -56,13 +56,13 @@ int continuation(const Model& model, State& state, const SlidingMotion& sliding,
   {
     begin_static(model, state, sliding, c, stage);
     evaluate_static(model, state, stage, origin.data(), work, move.data(), &tangent);
-    if (!tangent.solve(move.data())) return k + 1;
+    if (!solve_increment(stage, tangent, move.data())) return k + 1;
     const double size = largest(move);
     const double length = sliding.spin_speed != 0.0 ? largest_of_turning(move, stage.normal) : size;
     const double scale = length > kLongMove ? kLongMove / length : 1.0;
     for (double& m : move) m *= -scale;
     evaluate_static(model, state, stage, move.data(), work, residual.data(), nullptr);
-    commit(work, state);
+    commit(stage, work, state);
     advance_static(work, state);
     if (size < 1e-7 && c <= kLastCoefficient) return k + 1;
     if (scale == 1.0) c = std::max(0.5 * c, 0.5 * kLastCoefficient);
@@ -123,14 +123,14 @@ StaticOutcome attempt(const Model& model, State& state, const SlidingMotion& sli
   problem.solve_tangent = [&](const double* u, double* b)
   {
     evaluate_static(model, state, stage, u, work, scratch.data(), &tangent);
-    return tangent.solve(b);
+    return solve_increment(stage, tangent, b);
   };
   begin_static(model, state, sliding, 0.0, stage);
   std::vector<double> u(6 * model.nodes(), 0.0);
   const KinsolOutcome finished = kinsol_solve(problem, kTolerance, std::min(kMaxNewton, most_iterations - out.iterations), u);
   evaluate_static(model, state, stage, u.data(), work, scratch.data(), nullptr);
   find_string_forces(model, state, stage, work);
-  commit(work, state);
+  commit(stage, work, state);
   advance_static(work, state);
   clear_motion(state);
 

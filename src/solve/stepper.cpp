@@ -52,7 +52,7 @@ StepResult Stepper::attempt(State& state, double step, const Setpoints& setpoint
   remember_last_rate(work_, state);
   if (method_.remember) method_.remember(context, state.memory);
   state.memory.last_step = step;
-  commit(work_, state);
+  commit(stage_, work_, state);
   advance_discrete(*model_, stage_, work_, state);
   ++counters_.steps;
   return StepResult::solved;

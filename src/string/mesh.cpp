@@ -164,6 +164,12 @@ void widen(const PartSpec& above, MeshNode& node)
   node.friction_radius = above.friction_radius;
 }
 
+/// Lever of a guided node's friction.
+double bearing_radius(const PartSpec& part, const MeshNode& node)
+{
+  if (node.friction_radius > 0.0) return node.friction_radius;
+  return part.pipe ? std::max(node.contact_radius, 0.5 * joint_end_diameter(part)) : node.contact_radius;
+}
 }  // namespace
 
 Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactSpec& contact, const MudSpec& mud, const ElementLengths& longest,
@@ -180,6 +186,7 @@ Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactSpec& contact, 
   for (const Cut& cut : cuts) add_element(parts, cut, contact, mud, mesh);
   if (mesh.gauge_nodes > 1) put_gauge(bit, contact, mesh.nodes[0], mesh.nodes[1]);
   for (std::size_t i = 1; i + 1 < mesh.nodes.size(); ++i) widen(parts[mesh.nodes[i + 1].part], mesh.nodes[i]);
+  for (MeshNode& node : mesh.nodes) node.bearing_radius = bearing_radius(parts[node.part], node);
   return mesh;
 }
 

@@ -19,7 +19,9 @@ constexpr double largest_seed = 9e15;           // a double holds every whole nu
 
 std::string problem_of_level(const std::string& level)
 {
-  return level == "beam3d" || level == "auto" ? "" : "'" + level + "' is not available yet, allowed: beam3d or auto";
+  for (const char* known : {"axial_torsional", "hybrid", "beam3d", "auto"})
+    if (level == known) return "";
+  return "'" + level + "' is not available yet, allowed: axial_torsional, hybrid, beam3d or auto";
 }
 
 std::string problem_of_bag(const std::string&)

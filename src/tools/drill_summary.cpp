@@ -52,6 +52,7 @@ Json shares_of(const Profiler& costs)
 {
   const std::pair<const char*, Cost> names[] = {{"kinematics", Cost::kinematics},
                                                 {"elements", Cost::elements},
+                                                {"guided", Cost::guided},
                                                 {"inertia", Cost::inertia},
                                                 {"contact", Cost::contact},
                                                 {"bit", Cost::bit},

@@ -67,6 +67,75 @@ TEST(BlockTridiagonal, agreesWithDenseLuOnNonsymmetricMatrices)
   }
 }
 
+namespace
+{
+/// The same where rows of two stand between rows of six; in the dense matrix what a small row has not is a row of the identity.
+void fill_mixed(BlockTridiagonal& a, MatrixXd& dense, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  const int n = a.rows();
+  dense.setZero(6 * n, 6 * n);
+  a.set_zero();
+  for (int i = 0; i < n; ++i) a.set_small(i, random() % 2 == 0);
+  const auto unknowns = [&a](int i) { return a.small(i) ? 2 : 6; };
+  const auto put = [&](int i, int j, auto block)
+  {
+    for (int r = 0; r < unknowns(i); ++r)
+      for (int c = 0; c < unknowns(j); ++c) dense(6 * i + r, 6 * j + c) = block(r, c) = number(random) + (i == j && r == c ? 12.0 : 0.0);
+  };
+  for (int i = 0; i < n; ++i)
+  {
+    for (int r = unknowns(i); r < 6; ++r) dense(6 * i + r, 6 * i + r) = 1.0;
+    if (a.small(i)) put(i, i, a.small_diagonal(i));
+    else put(i, i, a.diagonal(i));
+    if (i + 1 == n) continue;
+    if (a.small(i) && a.small(i + 1))
+    {
+      put(i, i + 1, a.small_upper(i));
+      put(i + 1, i, a.small_lower(i));
+      continue;
+    }
+    put(i, i + 1, a.upper(i));
+    put(i + 1, i, a.lower(i));
+  }
+}
+
+VectorXd random_right_side(const BlockTridiagonal& a, std::mt19937& random)
+{
+  VectorXd b = random_vector(6 * a.rows(), random);
+  for (int i = 0; i < a.rows(); ++i)
+    if (a.small(i)) b.segment<4>(6 * i + 2).setZero();
+  return b;
+}
+}  // namespace
+
+TEST(BlockTridiagonal, agreesWithDenseLuWhereSmallRowsStandBetweenTheOthers)
+{
+  std::mt19937 random(4);
+  for (int n : {1, 2, 3, 4, 10, 60})
+  {
+    for (int repeat = 0; repeat < 40; ++repeat)
+    {
+      BlockTridiagonal a;
+      a.resize(n);
+      MatrixXd dense;
+      fill_mixed(a, dense, random);
+      const VectorXd b = random_right_side(a, random);
+      VectorXd y(6 * n);
+      a.multiply(b.data(), y.data());
+      EXPECT_LT((y - dense * b).norm(), 1e-14 * (100 * n)) << n << " block rows";
+      VectorXd x = b;
+      ASSERT_TRUE(a.solve(x.data()));
+      const VectorXd reference = dense.partialPivLu().solve(b);
+      EXPECT_LT((x - reference).norm(), 1e-13 * reference.norm()) << n << " block rows";
+      const VectorXd other = random_right_side(a, random);
+      x = other;
+      a.solve_again(x.data());
+      EXPECT_LT((x - dense.partialPivLu().solve(other)).norm(), 1e-13 * other.norm()) << n << " block rows, with the factors of before";
+    }
+  }
+}
+
 TEST(BlockTridiagonal, multipliesAsTheDenseMatrixDoes)
 {
   std::mt19937 random(3);

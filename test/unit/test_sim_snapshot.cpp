@@ -90,6 +90,20 @@ TEST(Snapshot, nextTenThousandFramesAreBitIdentical)
   expect_identical(run(other, kFrames), first);
 }
 
+TEST(Snapshot, ofAStringGuidedAboveTheMotorIsBitIdentical)
+{
+  Scene scene = noisy_scene();
+  scene.numerics.level = Level::hybrid;
+  scene.numerics.free_length = 40.0;
+  Simulator rig(scene, 7);
+  drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
+  while (rig.truth().time < 17.3) ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+  const auto snapshot = rig.save();
+  const Record first = run(rig, 1500);
+  rig.restore(*snapshot);
+  expect_identical(run(rig, 1500), first);
+}
+
 // Out of one layer into the next: the hole drilled in each has its friction, and a hole that is taken back and drilled anew has it again.
 TEST(Snapshot, keepsTheFrictionThatTheRockGaveTheHole)
 {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/solve/start.h"
@@ -78,6 +80,23 @@ const char* name_of(Sliding sliding)
   return sliding == Sliding::up ? "up" : sliding == Sliding::down ? "down" : sliding == Sliding::rotate ? "rotate" : "none";
 }
 
+/// The two levels that each model the whole string alike.
+std::vector<Case> at_both_levels(const std::vector<Case>& cases)
+{
+  std::vector<Case> out = cases;
+  for (Case guided : cases)
+  {
+    guided.scene.numerics.level = Level::axial_torsional;
+    out.push_back(guided);
+  }
+  return out;
+}
+
+std::string named(const Case& c, Sliding sliding)
+{
+  return std::string(c.name) + (c.scene.numerics.level == Level::axial_torsional ? ", guided, " : ", ") + name_of(sliding);
+}
+
 SoftStringResult expected(const Case& c, Sliding sliding)
 {
   return soft_string(c.scene, c.well, c.scene.start.bit_depth, c.scene.start.block_height, sliding);
@@ -134,17 +153,17 @@ TEST(SoftString, straightHoleIsTheTextbookSum)
 // and has a clearance.
 TEST(TorqueAndDrag, staticSolutionAgreesWithTheSoftString)
 {
-  for (const Case& c : {straight_inclined(), constant_curvature()})
+  for (const Case& c : at_both_levels({straight_inclined(), constant_curvature()}))
   {
     RigAtRest rig = build_at_rest(c.scene);
     for (Sliding sliding : {Sliding::none, Sliding::up, Sliding::down, Sliding::rotate})
     {
       State state = rig.state;
       const StaticOutcome out = solve_static(*rig.model, state, mode_of(sliding));
-      ASSERT_TRUE(out.converged) << c.name << ", " << name_of(sliding);
+      ASSERT_TRUE(out.converged) << named(c, sliding);
       const SoftStringResult soft = expected(c, sliding);
-      EXPECT_NEAR(out.top_force, soft.hook_load, 0.01 * soft.hook_load) << c.name << ", " << name_of(sliding);
-      EXPECT_NEAR(out.top_torque, soft.torque, 0.01 * soft.torque + 1.0) << c.name << ", " << name_of(sliding);
+      EXPECT_NEAR(out.top_force, soft.hook_load, 0.01 * soft.hook_load) << named(c, sliding);
+      EXPECT_NEAR(out.top_torque, soft.torque, 0.01 * soft.torque + 1.0) << named(c, sliding);
     }
   }
 }
@@ -153,24 +172,26 @@ TEST(TorqueAndDrag, staticSolutionAgreesWithTheSoftString)
 // weight as above; of the torque 2 %, for clearance takes 2 acos(1 - c/R) = 0.74 deg off the 40 deg of the bends.
 TEST(TorqueAndDrag, manyRadiansOfTwistAreFound)
 {
-  const Case c = twisted();
-  RigAtRest rig = build_at_rest(c.scene);
-  const StaticOutcome out = solve_static(*rig.model, rig.state, sliding_around);
-  ASSERT_TRUE(out.converged);
-  const SoftStringResult soft = expected(c, Sliding::rotate);
-  EXPECT_NEAR(out.top_force, soft.hook_load, 0.01 * soft.hook_load);
-  EXPECT_NEAR(out.top_torque, soft.torque, 0.02 * soft.torque);
+  for (const Case& c : at_both_levels({twisted()}))
+  {
+    RigAtRest rig = build_at_rest(c.scene);
+    const StaticOutcome out = solve_static(*rig.model, rig.state, sliding_around);
+    ASSERT_TRUE(out.converged) << named(c, Sliding::rotate);
+    const SoftStringResult soft = expected(c, Sliding::rotate);
+    EXPECT_NEAR(out.top_force, soft.hook_load, 0.01 * soft.hook_load) << named(c, Sliding::rotate);
+    EXPECT_NEAR(out.top_torque, soft.torque, 0.02 * soft.torque) << named(c, Sliding::rotate);
+  }
 }
 
 TEST(TorqueAndDrag, movingStringAgreesWithTheSoftString)
 {
-  for (const Case& c : {straight_inclined(), constant_curvature()})
+  for (const Case& c : at_both_levels({straight_inclined(), constant_curvature()}))
     for (Sliding sliding : {Sliding::up, Sliding::down, Sliding::rotate})
     {
       const SoftStringResult soft = expected(c, sliding), run = moving(c, sliding);
-      EXPECT_NEAR(run.hook_load, soft.hook_load, 0.01 * soft.hook_load) << c.name << ", " << name_of(sliding);
+      EXPECT_NEAR(run.hook_load, soft.hook_load, 0.01 * soft.hook_load) << named(c, sliding);
       if (sliding != Sliding::rotate) continue;
-      EXPECT_NEAR(run.torque, soft.torque, 0.01 * soft.torque) << c.name;
+      EXPECT_NEAR(run.torque, soft.torque, 0.01 * soft.torque) << named(c, sliding);
     }
 }
 

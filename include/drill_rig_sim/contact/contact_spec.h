@@ -45,6 +45,16 @@ inline WallLaw wall_law(const ContactSpec& spec, const ContactLaw& law, double m
           2.0 * spec.tangential_damping * std::sqrt(spec.tangential_stiffness * mass), spec.stribeck_curve, friction_radius};
 }
 
+/// Bristle of a contact that has slipped for `time` [s] under friction at its limit: it goes from `before` to what it is stretched to
+/// at that limit over c_b/k_b (wall_contact.h). In the plane of contact [m].
+template <class Vector>
+Vector slipping_bristle(const WallLaw& law, double time, const Vector& before, const Vector& stretched) noexcept
+{
+  if (!(law.tangential_damping > 0.0)) return stretched;
+  const double follows = time / (time + law.tangential_damping / law.tangential_stiffness);
+  return before + follows * (stretched - before);
+}
+
 }  // namespace drill_rig_sim
 
 #endif

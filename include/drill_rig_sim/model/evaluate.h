@@ -29,7 +29,7 @@ void evaluate_static(const Model& model, const State& start, const Stage& stage,
 void update(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work) noexcept;
 
 /// Writes the accepted stage's places and rates into `state`, which may be the start itself.
-void commit(const Workspace& work, State& state) noexcept;
+void commit(const Stage& stage, const Workspace& work, State& state) noexcept;
 /// The one place where bristles, hoist, drive, motor, rock and the clock move on; after commit(). The hole is extended by the
 /// rock-breaking velocity times the step, or by what the stage knows of its bottom.
 void advance_discrete(const Model& model, const Stage& stage, Workspace& work, State& state) noexcept;

@@ -12,6 +12,7 @@ enum class Cost
 {
   kinematics,        ///< positions, rotations and rates from the unknowns
   elements,          ///< beams: residual and tangent
+  guided,            ///< all of the guided nodes but their linear solve
   inertia,           ///< and the mud's damping
   contact,           ///< location in the hole, normal force, friction
   bit,               ///< bottom, torque on bit

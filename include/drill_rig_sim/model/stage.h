@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drill_rig_sim/contact/wall_contact.h"
+#include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/model/model.h"
 #include "drill_rig_sim/model/state.h"
 #include "drill_rig_sim/rig/setpoints.h"
@@ -48,6 +49,9 @@ struct Stage
   std::vector<double> added_mass;       ///< of the mud that moves sideways with a node; of the bit none, its gauge squeezes a film [kg]
   std::vector<Eigen::Vector3d> load;    ///< weight of the elements in mud, less what lifts them up the annulus [N]
   std::vector<double> free_stretch;     ///< of the elements, by the pump's pressure (mud_circuit.h) [-]
+  bool any_guided = false;              ///< whether there is anything in these:
+  std::vector<Guide> guides;             ///< of the nodes
+  std::vector<GuidedSpan> guided_spans;  ///< of the elements
   double structural_damping = 0.0;      ///< [s]
   Setpoints setpoints;
   SlidingMotion sliding;                ///< of the string in the hole; statics only

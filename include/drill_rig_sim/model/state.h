@@ -36,9 +36,10 @@ struct NodeState
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();      ///< body to world; x towards the bit
   double spin_angle = 0.0;                                              ///< turned since the start, unbounded [rad]
   NodeRate rate;
-  Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction, world axes [m]
+  Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction, world axes; of a guided node along the hole, around it, and 0 [m]
   double rest = 0.0;                                  ///< how long that friction has stuck [s]
   int segment = -1;                                   ///< hole segment of the last contact search
+  bool guided = false;                                ///< confined to the hole (model/guides.h)
 
   template <class V>
   void visit(V& v)
@@ -50,6 +51,7 @@ struct NodeState
     v("bristle", bristle);
     v("rest", rest);
     v("segment", segment);
+    v("guided", guided);
   }
 };
 

@@ -73,6 +73,9 @@ struct Workspace
 
   std::vector<NodeMotion> nodes;
   std::vector<SpanMotion> spans;  ///< one per element
+  std::vector<Eigen::Vector2d> guided_forces;  ///< of the guided elements: tension and torque, damping included [N, N m]
+  std::vector<Eigen::Vector3d> push;           ///< of the guided nodes: load on their wall [N]
+  std::vector<Eigen::Vector3d> lean;           ///< the same without what free neighbours give [N]
   StageResult result;
   std::vector<double> unused;  ///< 6 per node: a residual that nobody asks for
   Profiler profiler;           ///< where the time goes; evaluate() times its parts, its callers theirs

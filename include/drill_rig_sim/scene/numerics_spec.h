@@ -36,6 +36,7 @@ struct NumericsSpec
   ElementKind element = ElementKind::automatic;
   double step = 0.01;               ///< [s]; chosen by ./test/accuracy/run --operations --variants
   double element_length = 0.0;      ///< longest element [m]; 0: by the hole, element_lengths() (scene_mesh.h)
+  double free_length = 0.0;         ///< level hybrid: nodes up to here above the bit's face are free [m]; 0: free_length() (scene_mesh.h)
   double tolerance = 0.01;          ///< relative, of the scene's outputs; level auto only
   double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]
   int reference_order = 2;          ///< integrator ida: highest order; 2 is the last that damps every oscillation (A-stable)

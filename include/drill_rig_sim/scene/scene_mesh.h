@@ -9,10 +9,15 @@ namespace drill_rig_sim
 /// Longest elements of a scene's string: `numerics.element_length` where it is given; else half a joint (4.75 m) from the bit
 /// up to 45 m (a stand and a half, for the string goes down) above the place where the survey first inclines by more than 3 deg, or where
 /// friction below would push the pipe that slides down, if that is higher, and a
-/// joint (9.5 m) above that. Where pipe lies on the wall its elements have to carry the bending between two contacts, or it gives way
+/// joint (9.5 m) above that and where the string is guided. Where pipe lies on the wall its elements have to carry the bending between two contacts, or it gives way
 /// below its buckling load and whirls falsely; so it does where it is pushed; where it hangs, joints do as well. Chosen by the operations matrix (test/accuracy/run
 /// --operations --variants).
 ElementLengths element_lengths(const Scene& scene) noexcept;
+
+/// How far above the bit's face the string's nodes are free, those above are guided [m]: infinity for level beam3d, less than 0 for
+/// axial_torsional. For hybrid `numerics.free_length` where it is given, else the parts below the last one (the bottom-hole assembly
+/// with its heavyweight pipe) and two stands.
+double free_length(const Scene& scene) noexcept;
 
 /// The mesh of a scene's string over `total_length`, bit's face to top-drive shaft [m]; string/mesh.h says what may be wrong.
 Mesh build_mesh(const Scene& scene, double total_length);

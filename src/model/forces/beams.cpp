@@ -41,6 +41,20 @@ BeamDamping damping_of(const StageContext& at, int e) noexcept
           turning_of(lower), upper.carried_spin * upper.normal, lower.carried_spin * lower.normal};
 }
 
+bool guided_element(const StageContext& at, int e) noexcept
+{
+  return at.stage.guided_spans[static_cast<std::size_t>(e)].guided;
+}
+
+/// The blocks that no element writes before something is added to them.
+void clear_unwritten(const StageContext& at, BlockTridiagonal& tangent) noexcept
+{
+  tangent.diagonal(0).setZero();
+  if (!at.stage.any_guided) return;
+  for (int e = 0; e < at.model.elements(); ++e)
+    if (guided_element(at, e) && at.stage.guides[static_cast<std::size_t>(e) + 1].joined) tangent.diagonal(e + 1).setZero();
+}
+
 /// d = lower - upper. An element writes the blocks of its upper node and those between; only the first node's is there before.
 void scatter(const BeamTangent& t, int e, BlockTridiagonal& tangent) noexcept
 {
@@ -68,12 +82,13 @@ void scatter(const BeamTangent& t, int e, BlockTridiagonal& tangent) noexcept
 
 void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
-  if (tangent) tangent->diagonal(0).setZero();  // the elements write every other block before anything is added to it
+  if (tangent) clear_unwritten(at, *tangent);
   const BeamKind& kind = at.model.beam();
   BeamTangent t;
   BeamStrain strain;
   for (int e = 0; e < at.model.elements(); ++e)
   {
+    if (guided_element(at, e)) continue;
     const BeamSection& section = at.model.mesh().elements[e].section;
     const Vector3d& load = at.stage.load[e];
     const BeamPose pose = pose_of(at, e);
@@ -102,6 +117,7 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
 {
   for (int e = 0; e < at.model.elements(); ++e)
   {
+    if (guided_element(at, e)) continue;
     const BeamPose pose = pose_of(at, e);
     energy.beams += at.model.beam().energy(at.model.mesh().elements[e].section, pose);
     energy.weight += weight_potential(at, e, pose);
@@ -124,6 +140,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
   BeamStrain strain;
   for (int e = 0; e < at.model.elements(); ++e)
   {
+    if (guided_element(at, e)) continue;
     const BeamSection& section = at.model.mesh().elements[e].section;
     const BeamPose pose = pose_of(at, e);
     add_to_ends(sample, NodeForce::beams, e, kind.forces(section, pose, BeamDamping(), Vector3d::Zero(), strain), 1.0);

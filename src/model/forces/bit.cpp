@@ -16,12 +16,6 @@ using Eigen::Vector3d;
 
 namespace
 {
-double weight_in_mud(const StageContext& at) noexcept
-{
-  const Mesh& mesh = at.model.mesh();
-  return standard_gravity * (mesh.bit_mass - at.model.scene().mud.density * mesh.bit_displaced * at.stage.immersed[0]);
-}
-
 const FormationLayer& rock_of(const StageContext& at) noexcept
 {
   return at.model.rock_under(at.start.well);
@@ -115,7 +109,7 @@ void put_on_bit(const StageContext& at, const RockLoad& rock, double* residual, 
   auto r = at_node(residual, 0);
   r.head<3>() += rock.force * down;
   r.tail<3>() += rock.torque * n;
-  r[2] += weight_in_mud(at);
+  r[2] += bit_weight(at);
   if (tangent && rock.force > 0.0)
   {
     auto d = tangent->diagonal(0);
@@ -128,14 +122,16 @@ void put_on_bit(const StageContext& at, const RockLoad& rock, double* residual, 
   RigForces& forces = at.work.result.forces;
   forces.wob = rock.force;
   forces.bit_torque = rock.torque;
-  forces.bit_force = forces.wall[0] - rock.force * down;
-  for (int i = 1; i < at.model.mesh().gauge_nodes; ++i) forces.bit_force += forces.wall[i];
+  const bool guided = at.stage.guides[0].guided;  // its side force is not known
+  forces.bit_force = (guided ? Vector3d(Vector3d::Zero()) : forces.wall[0]) - rock.force * down;
+  for (int i = 1; i < at.model.mesh().gauge_nodes && !guided; ++i) forces.bit_force += forces.wall[i];
   forces.bit_moment -= rock.torque * n;  // the wall left the gauge's share
   forces.motor_torque = -n.dot(forces.bit_moment);
+  forces.rock_force = rock.force * down;
+  if (guided || forces.contact[0] <= 0.0) return;
   const Vector3d outward = node.position - node.closest.centre;
   const double offset = std::sqrt(outward.squaredNorm() + wall_contact_smoothing * wall_contact_smoothing);  // as the wall's law has it
-  forces.rock_force = rock.force * down;
-  if (forces.contact[0] > 0.0) forces.rock_force += (forces.contact[0] / offset) * outward;
+  forces.rock_force += (forces.contact[0] / offset) * outward;
 }
 
 /// Bristle, mean speed and mud motor at the stage.
@@ -252,7 +248,7 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
   const StageResult& result = at.work.result;
   if (!at.model.regenerative()) energy.bottom += elastic_energy(at.model.bit().bottom, result.bottom.penetration);
   energy.bit_bristle += 0.5 * at.model.bit_bristle_stiffness() * result.bit.twist * result.bit.twist;
-  energy.weight += weight_in_mud(at) * at.work.nodes[0].position.z();
+  energy.weight += bit_weight(at) * at.work.nodes[0].position.z();
 }
 
 void sample(const StageContext& at, EnergySample& sample) noexcept
@@ -279,5 +275,11 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 
 const Force bit_on_bottom = {"bit", Cost::bit, add_drilling, store, sample};
 const Force resting_bit = {"resting bit", Cost::bit, add_resting, nullptr, nullptr};
+
+double bit_weight(const StageContext& at) noexcept
+{
+  const Mesh& mesh = at.model.mesh();
+  return standard_gravity * (mesh.bit_mass - at.model.scene().mud.density * mesh.bit_displaced * at.stage.immersed[0]);
+}
 
 }  // namespace drill_rig_sim

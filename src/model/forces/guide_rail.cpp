@@ -4,6 +4,17 @@ namespace drill_rig_sim
 {
 namespace
 {
+/// A guided node at the top, which the hole's guide holds as the rail does.
+void hold_guided(int top, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  at_node(residual, top).setZero();
+  if (!tangent) return;
+  tangent->small_diagonal(top).setIdentity();
+  if (!tangent->small(top - 1)) return;
+  tangent->small_upper(top - 1).setZero();
+  tangent->small_lower(top - 1).setZero();
+}
+
 void hold(int top, int k, double* residual, BlockTridiagonal* tangent) noexcept
 {
   at_node(residual, top)[k] = 0.0;
@@ -17,6 +28,7 @@ void hold(int top, int k, double* residual, BlockTridiagonal* tangent) noexcept
 
 void add_rail(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
+  if (at.stage.guides.back().guided) return;
   for (int k : held_by_rail) hold(at.model.top(), k, residual, tangent);
 }
 
@@ -25,6 +37,7 @@ void add_hold(const StageContext& at, double* residual, BlockTridiagonal* tangen
   const auto r = at_node(residual, at.model.top());
   at.work.result.held_force = r[2];
   at.work.result.held_torque = -r[5];
+  if (at.stage.guides.back().guided) return hold_guided(at.model.top(), residual, tangent);
   for (int k = 0; k < 6; ++k) hold(at.model.top(), k, residual, tangent);
 }
 }  // namespace

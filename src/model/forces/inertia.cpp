@@ -16,6 +16,7 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   const double dv_du = at.stage.dv_du, da_du = at.stage.da_du;
   for (int i = 0; i < at.model.nodes(); ++i)
   {
+    if (at.stage.guides[i].guided) continue;
     const RigidBody body = node_body(at.model, at.stage, i);
     const NodeMotion& node = at.work.nodes[i];
     const Vector3d& n = node.axis;
@@ -37,6 +38,7 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
 {
   for (int i = 0; i < at.model.nodes(); ++i)
   {
+    if (at.stage.guides[i].guided) continue;
     const RigidBody body = node_body(at.model, at.stage, i);
     const NodeMotion& node = at.work.nodes[i];
     energy.kinetic += kinetic_energy(body, node.axis, node.rate.head<3>());
@@ -48,6 +50,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 {
   for (int i = 0; i < at.model.nodes(); ++i)
   {
+    if (at.stage.guides[i].guided) continue;
     const RigidBody body = node_body(at.model, at.stage, i);
     const NodeMotion& node = at.work.nodes[i];
     // the gyroscopic moment does no work

@@ -46,6 +46,7 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   const double dv_du = at.stage.dv_du;
   for (int i = 0; i < at.model.nodes(); ++i)
   {
+    if (at.stage.guides[i].guided) continue;
     const NodeMotion& node = at.work.nodes[i];
     const Drag drag = drag_of(at, i);
     const Vector3d& n = at.stage.normal[i];
@@ -67,7 +68,8 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
 
 void sample(const StageContext& at, EnergySample& sample) noexcept
 {
-  for (int i = 0; i < at.model.nodes(); ++i) at_node(sample, NodeForce::mud, i) += force_of(drag_of(at, i), at.work.nodes[i], at.stage.normal[i]);
+  for (int i = 0; i < at.model.nodes(); ++i)
+    if (!at.stage.guides[i].guided) at_node(sample, NodeForce::mud, i) += force_of(drag_of(at, i), at.work.nodes[i], at.stage.normal[i]);
 }
 }  // namespace
 

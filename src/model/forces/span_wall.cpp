@@ -52,6 +52,7 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   Matrix6d block;
   for (int e = 0; e < at.model.elements(); ++e)
   {
+    if (at.stage.guided_spans[e].guided) continue;
     const SpanMotion& span = at.work.spans[e];
     WallForce f;
     if (span.touches)
@@ -72,6 +73,7 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
 {
   for (int e = 0; e < at.model.elements(); ++e)
   {
+    if (at.stage.guided_spans[e].guided) continue;
     const SpanMotion& span = at.work.spans[e];
     const WallLaw& contact = at.model.span_contact(e);
     energy.bristles += 0.5 * contact.tangential_stiffness * at.work.result.span_bristle[e].squaredNorm();
@@ -97,7 +99,7 @@ void sample_at(const StageContext& at, int e, EnergySample& sample) noexcept
 void sample(const StageContext& at, EnergySample& sample) noexcept
 {
   for (int e = 0; e < at.model.elements(); ++e)
-    if (at.work.spans[e].touches) sample_at(at, e, sample);
+    if (!at.stage.guided_spans[e].guided && at.work.spans[e].touches) sample_at(at, e, sample);
 }
 }  // namespace
 

@@ -71,20 +71,22 @@ void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* t
   result.rest[i] = rest_after(f, at.start.nodes[i].rest, at.stage.time);
   result.forces.contact[i] = f.normal_force;
   result.forces.wall[i] = f.force;
-  if (i == 0) result.forces.bit_moment.setZero();
   if (i < at.model.mesh().gauge_nodes) result.forces.bit_moment += moment_on_bit(at, i, f);
 }
 
 template <ForceAtNode force_at>
 void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
-  for (int i = 0; i < at.model.top(); ++i) add_at<force_at>(at, i, residual, tangent);
+  at.work.result.forces.bit_moment.setZero();
+  for (int i = 0; i < at.model.top(); ++i)
+    if (!at.stage.guides[i].guided) add_at<force_at>(at, i, residual, tangent);
 }
 
 void store(const StageContext& at, StoredEnergy& energy) noexcept
 {
   for (int i = 0; i < at.model.top(); ++i)
   {
+    if (at.stage.guides[i].guided) continue;
     const NodeMotion& node = at.work.nodes[i];
     energy.bristles += 0.5 * at.model.contact(i).tangential_stiffness * at.work.result.bristle[i].squaredNorm();
     if (node.touches) energy.wall += elastic_energy(at.model.contact(i).law, -wall_gap(node.closest, node.position, radius_of(at, i)));
@@ -110,7 +112,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 {
   sample.gauge_torque = 0.0;
   for (int i = 0; i < at.model.top(); ++i)
-    if (at.work.nodes[i].touches) sample_at(at, i, sample);
+    if (!at.stage.guides[i].guided && at.work.nodes[i].touches) sample_at(at, i, sample);
 }
 }  // namespace
 
@@ -119,6 +121,7 @@ const Force sliding_wall = {"sliding wall", Cost::contact, add<sliding_force>, n
 
 void add_wall_at_bit(const StageContext& at, double* residual) noexcept
 {
+  at.work.result.forces.bit_moment.setZero();
   add_at<sticking_force>(at, 0, residual, nullptr);
 }
 

@@ -12,6 +12,9 @@ extern const Force bit_on_bottom;
 /// The same at rest: statics; the torque is the start's.
 extern const Force resting_bit;
 
+/// Of the bit as a body on node 0, in mud [N].
+double bit_weight(const StageContext& at) noexcept;
+
 }  // namespace drill_rig_sim
 
 #endif

@@ -6,6 +6,7 @@
 #include "drill_rig_sim/model/forces/beams.h"
 #include "drill_rig_sim/model/forces/bit.h"
 #include "drill_rig_sim/model/forces/guide_rail.h"
+#include "drill_rig_sim/model/forces/guided_string.h"
 #include "drill_rig_sim/model/forces/hoisting.h"
 #include "drill_rig_sim/model/forces/inertia.h"
 #include "drill_rig_sim/model/forces/mud_drag.h"
@@ -19,14 +20,15 @@
 /// last digit: sums are rounded in this order.
 namespace drill_rig_sim
 {
-/// Dynamics. Beams first: they write the tangent's blocks; the rail last: it overwrites rows.
-inline const std::array<const Force*, 11> dynamic_forces = {&beams,         &mud_drag,    &inertia,  &squeeze_film, &wall,      &span_wall,
-                                                            &bit_on_bottom, &stuck_point, &hoisting, &top_drive,    &guide_rail};
+/// Dynamics. Beams first: they write the tangent's blocks; the guided string behind all that acts on its nodes; the rail last: it overwrites rows.
+inline const std::array<const Force*, 13> dynamic_forces = {&beams,         &mud_drag,    &inertia,  &squeeze_film, &wall,          &span_wall, &guided_gauge,
+                                                            &bit_on_bottom, &stuck_point, &hoisting, &top_drive,    &guided_string, &guide_rail};
 /// Statics, inertia for continuation.
-inline const std::array<const Force*, 7> static_forces = {&beams,       &inertia,     &sliding_wall, &sliding_span_wall,
-                                                          &resting_bit, &stuck_point, &held_top};
+inline const std::array<const Force*, 8> static_forces = {&beams,       &inertia,     &sliding_wall,          &sliding_span_wall,
+                                                          &resting_bit, &stuck_point, &sliding_guided_string, &held_top};
 /// What has results of its own at a solution, beside the residual.
-inline const std::array<const Force*, 5> forces_with_results = {&wall, &span_wall, &bit_on_bottom, &hoisting, &top_drive};
+inline const std::array<const Force*, 8> forces_with_results = {&beams_at_guides, &wall,     &span_wall, &guided_gauge,
+                                                                &bit_on_bottom,   &hoisting, &top_drive, &guided_string};
 /// For those who integrate bodies themselves: on the string, and at its contacts.
 inline const std::array<const Force*, 3> string_forces = {&beams, &mud_drag, &span_wall};
 inline const std::array<const Force*, 4> contact_forces = {&squeeze_film, &wall, &bit_on_bottom, &stuck_point};
