@@ -47,8 +47,8 @@ void find_guide(const Model& model, const State& state, std::size_t i, Guide& gu
   guide.centre = closest.centre;
   guide.md = closest.md;
   guide.friction = closest.md > 0.0 ? closest.friction : 0.0;
-  guide.lever = mesh.bearing_radius;
-  guide.clearance = std::max(0.0, closest.radius - mesh.contact_radius);
+  guide.lever = mesh.friction_radius > 0.0 ? mesh.friction_radius : mesh.bearing_radius;
+  guide.clearance = std::max(0.0, closest.radius - mesh.bearing_radius);
   guide.law = model.contact(static_cast<int>(i), closest, node.rest);
   guide.held = guide.law.tangential_stiffness * node.bristle.y();
   guide.joined = joined(state, i);

@@ -27,9 +27,9 @@ void take_pressures(const Model& model, const State& state, Stage& stage) noexce
   {
     Vector3d& load = stage.load[e];
     load.x() = load.y() = 0.0;
-    stage.free_stretch[e] = 0.0;
+    stage.free_stretch[e] = state.spans[e].free_stretch;
     if (!pumped) continue;
-    stage.free_stretch[e] = mud.stretch_by_bore[e] * pressures.in_bore(mud, e) + mud.stretch_by_annulus[e] * pressures.in_annulus(mud, e);
+    stage.free_stretch[e] += mud.stretch_by_bore[e] * pressures.in_bore(mud, e) + mud.stretch_by_annulus[e] * pressures.in_annulus(mud, e);
     const double lift = mud.lift[e] * pressures.annulus;
     if (lift != 0.0) load += lift * (state.nodes[e + 1].position - state.nodes[e].position).normalized();
   }

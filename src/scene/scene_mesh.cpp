@@ -89,7 +89,8 @@ ElementLengths element_lengths(const Scene& scene) noexcept
 {
   if (scene.numerics.element_length > 0.0) return uniform_elements(scene.numerics.element_length);
   const double hangs_above = std::min(first_inclined(scene.well), first_pushed(scene));
-  return {half_joint, joint, std::clamp(free_length(scene), 0.0, std::max(0.0, scene.start.bit_depth - hangs_above + margin))};
+  if (scene.numerics.level == Level::axial_torsional) return uniform_elements(joint);
+  return {half_joint, joint, std::max(0.0, scene.start.bit_depth - hangs_above + margin)};
 }
 
 Mesh build_mesh(const Scene& scene, double total_length)

@@ -6,6 +6,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/sim/string_watch.h"
 
 namespace drill_rig_sim
 {
@@ -14,6 +15,7 @@ namespace
 constexpr std::uint64_t every = 10;          // frames
 constexpr double memory_time = 10.0;         // [s]
 constexpr double short_memory = 3.0;         // [s]
+constexpr double most_confined = 0.8;        // of the load at which pipe buckles
 constexpr double most_twist = 1.0;           // [rad]
 constexpr double least_clearance = 2e-3;     // [m]
 constexpr double most_refused = 0.2;
@@ -244,13 +246,17 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
     const BeamSection& s = mesh.elements[e].section;
     const double share = -forces.tension[e] * s.length * s.length / (0.5 * pi * pi * s.bending);
     const double twist = std::abs(forces.torque[e]) / s.torsion;
-    if (share > 1.0) take(AccuracyDoubt::compression, share, mesh.middle(e), s.length);
+    const bool guided = state.nodes[e].guided && state.nodes[e + 1].guided;
+    const double buckles = guided && forces.tension[e] < 0.0 ? -forces.tension[e] / buckling_load(model, state, e) : 0.0;
+    if (buckles > most_confined) take(AccuracyDoubt::confined, buckles, mesh.middle(e), s.length);
+    if (share > 1.0 && !guided) take(AccuracyDoubt::compression, share, mesh.middle(e), s.length);
     if (twist > most_twist) take(AccuracyDoubt::twist, twist, mesh.middle(e), s.length);
   }
   for (int i = 0; i < model.top(); ++i)
   {
     const MeshNode& node = mesh.nodes[static_cast<std::size_t>(i)];
     const double force = forces.contact[static_cast<std::size_t>(i)];
+    if (state.nodes[static_cast<std::size_t>(i)].guided) continue;
     if (force <= elastic_force(node.contact, least_clearance)) continue;
     const double depth = std::pow(force / node.contact.stiffness, 1.0 / node.contact.exponent);
     const NodeState& at = state.nodes[static_cast<std::size_t>(i)];

@@ -44,7 +44,7 @@ int coordinates_of(const State& state) noexcept
 Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   : scene(s), model(std::move(rig.model)), state(std::move(rig.state), std::move(rig.statics.forces)),
     integrator(make_integrator(scene.numerics.integrator, model, state.mechanics)),
-    watch(*model), accuracy(model)
+    watch(*model), accuracy(model), levels(*model)
 {
   state.scene = scene_hash(scene);
   statistics.nodes = model->nodes();
@@ -118,6 +118,8 @@ FrameStatus Simulator::frame(double duration) noexcept
   const int steps = std::max(1, static_cast<int>(std::lround(duration / impl_->scene.numerics.step)));
   State& mechanics = impl_->mechanics();
   const double hole_depth = mechanics.well.hole_depth();
+  impl_->levels.look(*impl_->model, impl_->state.forces, duration, mechanics, impl_->state.levels);
+  impl_->statistics.coordinates = coordinates_of(mechanics);
   impl_->accuracy.begin_frame(*impl_->integrator, setpoints, impl_->state.accuracy);
   for (int k = 0; k < steps; ++k)
   {

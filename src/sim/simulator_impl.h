@@ -2,6 +2,7 @@
 #define DRILL_RIG_SIM_SRC_SIM_SIMULATOR_IMPL_H
 
 #include "drill_rig_sim/sim/accuracy_watch.h"
+#include "drill_rig_sim/sim/level_watch.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 #include "drill_rig_sim/sim/string_watch.h"
@@ -31,6 +32,7 @@ struct Simulator::Impl
   std::unique_ptr<EnergyBalance> balance;
   StringWatch watch;
   AccuracyWatch accuracy;
+  LevelWatch levels;
   SimulatorStatistics statistics;
   double command_timeout = 0.0;
   const char* failure = "";

@@ -31,7 +31,7 @@ StringWatch::StringWatch(const Model& model)
   }
 }
 
-double StringWatch::buckling_load(const Model& model, const State& state, std::size_t e) const noexcept
+double buckling_load(const Model& model, const State& state, std::size_t e) noexcept
 {
   const MeshElement& element = model.mesh().elements[e];
   const NodeState &lower = state.nodes[e], &upper = state.nodes[e + 1];

@@ -164,10 +164,8 @@ void widen(const PartSpec& above, MeshNode& node)
   node.friction_radius = above.friction_radius;
 }
 
-/// Lever of a guided node's friction.
 double bearing_radius(const PartSpec& part, const MeshNode& node)
 {
-  if (node.friction_radius > 0.0) return node.friction_radius;
   return part.pipe ? std::max(node.contact_radius, 0.5 * joint_end_diameter(part)) : node.contact_radius;
 }
 }  // namespace

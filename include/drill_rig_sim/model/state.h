@@ -58,6 +58,7 @@ struct NodeState
 /// Where the pipe between two nodes touches the wall.
 struct SpanState
 {
+  double free_stretch = 0.0;  ///< what a change of level has made of the element's length without tension (levels.h) [-]
   Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction at the element's middle, world axes [m]
   double rest = 0.0;                                  ///< how long that friction has stuck [s]
   int segment = -1;                                   ///< hole segment of the last contact search
@@ -65,6 +66,7 @@ struct SpanState
   template <class V>
   void visit(V& v)
   {
+    v("free_stretch", free_stretch);
     v("bristle", bristle);
     v("rest", rest);
     v("segment", segment);

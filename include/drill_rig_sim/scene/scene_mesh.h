@@ -9,7 +9,7 @@ namespace drill_rig_sim
 /// Longest elements of a scene's string: `numerics.element_length` where it is given; else half a joint (4.75 m) from the bit
 /// up to 45 m (a stand and a half, for the string goes down) above the place where the survey first inclines by more than 3 deg, or where
 /// friction below would push the pipe that slides down, if that is higher, and a
-/// joint (9.5 m) above that and where the string is guided. Where pipe lies on the wall its elements have to carry the bending between two contacts, or it gives way
+/// joint (9.5 m) above that, and throughout for level axial_torsional. Where pipe lies on the wall its elements have to carry the bending between two contacts, or it gives way
 /// below its buckling load and whirls falsely; so it does where it is pushed; where it hangs, joints do as well. Chosen by the operations matrix (test/accuracy/run
 /// --operations --variants).
 ElementLengths element_lengths(const Scene& scene) noexcept;

@@ -12,6 +12,7 @@ namespace drill_rig_sim
 enum class AccuracyDoubt
 {
   none,
+  confined,       ///< guided pipe is compressed so far that it would leave the middle of its hole
   compression,    ///< an element carries more than it can bend under
   twist,          ///< an element is twisted by more than its beam is made for
   embedding,      ///< the string lies deeper in the wall than the hole is wide beside it
@@ -31,8 +32,8 @@ enum class AccuracyDoubt
 struct AccuracyReport
 {
   AccuracyDoubt doubt = AccuracyDoubt::none;
-  double measure = 0.0;         ///< compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]; whirl: of pure rolling, waves: of the torque's range [-]; slant [rad]
-  double from_bit = 0.0;        ///< where on the string [m]; compression, twist, embedding
+  double measure = 0.0;         ///< confined: of the load at which it buckles; compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]; whirl: of pure rolling, waves: of the torque's range [-]; slant [rad]
+  double from_bit = 0.0;        ///< where on the string [m]; confined, compression, twist, embedding
   double element_length = 0.0;  ///< of the element there [m]; compression, twist
 
   template <class V>

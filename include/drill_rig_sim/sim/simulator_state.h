@@ -9,6 +9,7 @@
 #include "drill_rig_sim/sim/accuracy.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/instruments.h"
+#include "drill_rig_sim/sim/level_watch.h"
 #include "drill_rig_sim/sim/signals.h"
 
 namespace drill_rig_sim
@@ -26,6 +27,7 @@ struct SimulatorState
   double tare_hook_load = 0.0;  ///< true one [N]
   double tare_pressure = 0.0;   ///< true one over the motor [Pa]
   AccuracyMemory accuracy;
+  LevelMemory levels;
   Truth truth;
   Instruments instruments;
   Readings readings;
@@ -41,6 +43,7 @@ struct SimulatorState
     v("tare_hook_load", tare_hook_load);
     v("tare_pressure", tare_pressure);
     v("accuracy", accuracy);
+    v("levels", levels);
     v("truth", truth);
     v("instruments", instruments);
     v("readings", readings);

@@ -24,6 +24,11 @@ struct StringLoads
   LoadShare buckling;  ///< compression over the load at which the pipe buckles in its hole
 };
 
+/// At which an element's pipe buckles into a sine [N]: 2 sqrt(E I w sin I / r) in an inclined hole, r the clearance of the pipe's body (Dawson and
+/// Paslay, J. Petroleum Technology 36 (1984), 1734-1738), at least 1.94 (E I w^2)^(1/3), that of a vertical one (Lubinski 1950). Infinite
+/// above the rotary table.
+double buckling_load(const Model& model, const State& state, std::size_t e) noexcept;
+
 /// Compares what the string carries with what it bears. Limits are told, not simulated: pipe beyond them goes on as if it were not.
 class StringWatch
 {
@@ -32,8 +37,7 @@ public:
 
   /// - Stress: sqrt((|T|/A + M/W)^2 + 3 (Q/W_t)^2), T the element's tension, M the larger bending moment of its ends, Q its torque, of a
   ///   tube with the part's diameters (any book on strength of materials). Without pressure.
-  /// - Buckling, into a sine: 2 sqrt(E I w sin I / r) in an inclined hole, r the clearance of the pipe's body (Dawson and Paslay, J. Petroleum
-  ///   Technology 36 (1984), 1734-1738), at least 1.94 (E I w^2)^(1/3), that of a vertical one (Lubinski 1950). Below the rotary table alone.
+  /// - Buckling: compression over buckling_load().
   StringLoads look(const Model& model, const State& state, const RigForces& forces) const noexcept;
 
 private:
@@ -44,8 +48,6 @@ private:
     double make_up;                 // [N m]; 0: not known
     double from_bit;                // [m]
   };
-  double buckling_load(const Model& model, const State& state, std::size_t e) const noexcept;
-
   std::vector<Strength> strength_;  // of the elements
 };
 

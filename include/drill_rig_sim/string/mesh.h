@@ -17,7 +17,7 @@ struct MeshNode
   double from_bit = 0.0;        ///< unstretched distance from the bit's face [m]
   double contact_radius = 0.0;  ///< [m]
   double friction_radius = 0.0;  ///< WallLaw's [m]
-  double bearing_radius = 0.0;   ///< of what bears a guided string's load here: within a joint its ends, if they are wider [m]
+  double bearing_radius = 0.0;   ///< of what bears the string's load here while it lies straight: within a joint its ends, if they are wider [m]
   ContactLaw contact;
   double mass = 0.0;          ///< in air [kg]
   double mud_inside = 0.0;    ///< in the bore; moves along sideways [kg]

@@ -1,0 +1,50 @@
+#ifndef DRILL_RIG_SIM_SIM_LEVEL_WATCH_H
+#define DRILL_RIG_SIM_SIM_LEVEL_WATCH_H
+
+#include <vector>
+
+#include "drill_rig_sim/model/model.h"
+#include "drill_rig_sim/model/rig_forces.h"
+#include "drill_rig_sim/model/state.h"
+
+namespace drill_rig_sim
+{
+/// What the watch remembers from frame to frame.
+struct LevelMemory
+{
+  double calm = 0.0;          ///< how long all pipe in windows could have been guided [s]
+  std::uint64_t opened = 0;   ///< windows since the start, and those that grew
+  std::uint64_t closed = 0;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("calm", calm);
+    v("opened", opened);
+    v("closed", closed);
+  }
+};
+
+/// Level hybrid: guided pipe is set free before it is compressed so far that it could buckle, wherever in the string that is, and guided again
+/// when it is not. A window opens where an element next to a guided node carries 0.6 of its buckling load (string_watch.h), over 30 m up and down from
+/// there; all windows close when for 10 s no element in them carried more than 0.4 of it.
+class LevelWatch
+{
+public:
+  explicit LevelWatch(const Model& model);
+
+  /// Between two frames of `duration` [s]; `forces`: of the step before. Nothing happens at other levels.
+  void look(const Model& model, const RigForces& forces, double duration, State& state, LevelMemory& memory) noexcept;
+
+private:
+  bool open(const Model& model, const RigForces& forces, const State& state) noexcept;
+  bool calm(const Model& model, const RigForces& forces, const State& state) const noexcept;
+
+  bool hybrid_;
+  std::vector<unsigned char> guided_;  // by the scene
+  std::vector<unsigned char> wanted_;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

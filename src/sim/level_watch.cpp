@@ -1,0 +1,79 @@
+#include "drill_rig_sim/sim/level_watch.h"
+
+#include <cmath>
+
+#include "drill_rig_sim/model/levels.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
+#include "drill_rig_sim/sim/string_watch.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double opens = 0.6;    // of the buckling load
+constexpr double closes = 0.4;
+constexpr double reach = 30.0;   // [m]
+constexpr double patience = 10.0;  // [s]
+
+double share_of(const Model& model, const RigForces& forces, const State& state, std::size_t e) noexcept
+{
+  return forces.tension[e] < 0.0 ? -forces.tension[e] / buckling_load(model, state, e) : 0.0;
+}
+}  // namespace
+
+LevelWatch::LevelWatch(const Model& model) : hybrid_(model.scene().numerics.level == Level::hybrid)
+{
+  const double length = free_length(model.scene());
+  for (const MeshNode& node : model.mesh().nodes) guided_.push_back(node.from_bit > length ? 1 : 0);
+  wanted_ = guided_;
+}
+
+/// Into wanted_; false: all may stay as it is.
+bool LevelWatch::open(const Model& model, const RigForces& forces, const State& state) noexcept
+{
+  const std::vector<MeshNode>& nodes = model.mesh().nodes;
+  bool any = false;
+  for (std::size_t i = 0; i < nodes.size(); ++i) wanted_[i] = state.nodes[i].guided ? 1 : 0;
+  for (std::size_t e = 0; e + 1 < nodes.size(); ++e)
+  {
+    if (!state.nodes[e].guided && !state.nodes[e + 1].guided) continue;
+    if (share_of(model, forces, state, e) < opens) continue;
+    any = true;
+    const double middle = model.mesh().middle(e);
+    for (std::size_t i = e + 1; i-- > 0 && nodes[i].from_bit > middle - reach;) wanted_[i] = 0;
+    for (std::size_t i = e + 1; i + 1 < nodes.size() && nodes[i].from_bit < middle + reach; ++i) wanted_[i] = 0;
+  }
+  return any;
+}
+
+bool LevelWatch::calm(const Model& model, const RigForces& forces, const State& state) const noexcept
+{
+  for (std::size_t e = 0; e + 1 < guided_.size(); ++e)
+  {
+    const bool in_window = (guided_[e] && !state.nodes[e].guided) || (guided_[e + 1] && !state.nodes[e + 1].guided);
+    if (in_window && share_of(model, forces, state, e) > closes) return false;
+  }
+  return true;
+}
+
+void LevelWatch::look(const Model& model, const RigForces& forces, double duration, State& state, LevelMemory& memory) noexcept
+{
+  if (!hybrid_) return;
+  if (open(model, forces, state))
+  {
+    if (change_guided(model, wanted_, forces, state)) ++memory.opened;
+    memory.calm = 0.0;
+    return;
+  }
+  if (wanted_ == guided_ || !calm(model, forces, state))
+  {
+    memory.calm = 0.0;
+    return;
+  }
+  memory.calm += duration;
+  if (memory.calm < patience) return;
+  if (change_guided(model, guided_, forces, state)) ++memory.closed;
+  memory.calm = 0.0;
+}
+
+}  // namespace drill_rig_sim
