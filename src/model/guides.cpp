@@ -12,8 +12,9 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double kSettles = 1.0;     // over this time a guided node changes sides [s]
-constexpr double kPressed = 10.0;    // a load that presses it nearly to the wall [N]
+constexpr double kSettles = 0.5;     // over this time a guided node changes sides [s]
+constexpr double kAtOnce = 0.5;      // and so much of it in each step of statics
+constexpr double kPressed = 50.0;    // a load that presses it nearly to the wall [N]
 
 bool guided_pair(const State& state, std::size_t lower) noexcept
 {
@@ -43,6 +44,7 @@ void find_guide(const Model& model, const State& state, std::size_t i, Guide& gu
   const MeshNode& mesh = model.mesh().nodes[i];
   ClosestPoint closest = state.well.locate(node.position, node.segment);
   open_mast(closest);
+  guide.side = across(closest.tangent, node.position - closest.centre);
   guide.tangent = closest.tangent;
   guide.centre = closest.centre;
   guide.md = closest.md;
@@ -59,6 +61,12 @@ Vector3d turn_between(const Guide& a, const Guide& b) noexcept
 {
   const double length = a.md - b.md;
   return std::abs(length) > 1e-6 ? Vector3d(a.tangent.cross(a.tangent - b.tangent) / length) : Vector3d(Vector3d::Zero());
+}
+
+/// `axis`: of the hole's axis; `chord`: between its two ends; `sides`: how far those of the string are apart beyond that.
+double length_along(double axis, const Vector3d& chord, const Vector3d& sides) noexcept
+{
+  return axis + (chord + sides).norm() - chord.norm();
 }
 
 void reduce(const Stage& stage, double* b) noexcept
@@ -90,6 +98,11 @@ void expand(const Stage& stage, double* b) noexcept
 }
 }  // namespace
 
+double length_between(const ClosestPoint& lower, const ClosestPoint& upper, const Vector3d& lower_side, const Vector3d& upper_side) noexcept
+{
+  return length_along(lower.md - upper.md, lower.centre - upper.centre, lower_side - upper_side);
+}
+
 void find_guides(const Model& model, const State& state, Stage& stage) noexcept
 {
   stage.any_guided = false;
@@ -111,7 +124,8 @@ void find_guides(const Model& model, const State& state, Stage& stage) noexcept
     span.guided = guided_pair(state, e);
     if (!span.guided) continue;
     Guide &lower = stage.guides[e], &upper = stage.guides[e + 1];
-    span.stretch = (lower.md - upper.md) / model.mesh().elements[e].section.length - 1.0 - stage.free_stretch[e];
+    const double length = length_along(lower.md - upper.md, lower.centre - upper.centre, lower.side - upper.side);
+    span.stretch = length / model.mesh().elements[e].section.length - 1.0 - stage.free_stretch[e];
     span.twist = twist_between(state.nodes[e + 1].orientation, state.nodes[e].orientation);
     upper.turn = lower.turn = turn_between(lower, upper);
     lower.above = direction_across(lower, upper);
@@ -141,7 +155,7 @@ void solve_increment_again(const Stage& stage, const BlockTridiagonal& tangent, 
 void put_on_hole(const Stage& stage, const std::vector<Vector3d>& lean, double time, State& state) noexcept
 {
   if (!stage.any_guided) return;
-  const double follows = time > 0.0 ? -std::expm1(-time / kSettles) : 1.0;
+  const double follows = time > 0.0 ? -std::expm1(-time / kSettles) : kAtOnce;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const Guide& guide = stage.guides[i];

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/model/mast.h"
 
 namespace drill_rig_sim
@@ -11,13 +12,22 @@ using Eigen::Vector3d;
 
 namespace
 {
+Vector3d side_of(const ClosestPoint& closest, const NodeState& node) noexcept
+{
+  const Vector3d off = node.position - closest.centre;
+  return off - closest.tangent * closest.tangent.dot(off);
+}
+
 /// Stretch of an element as its nodes lie, whatever its length without tension [-].
 double stretch_of(const Model& model, const State& state, std::size_t e) noexcept
 {
   const MeshElement& element = model.mesh().elements[e];
   const NodeState &lower = state.nodes[e], &upper = state.nodes[e + 1];
   if (lower.guided && upper.guided)
-    return (state.well.locate(lower.position, lower.segment).md - state.well.locate(upper.position, upper.segment).md) / element.section.length - 1.0;
+  {
+    const ClosestPoint below = state.well.locate(lower.position, lower.segment), above = state.well.locate(upper.position, upper.segment);
+    return length_between(below, above, side_of(below, lower), side_of(above, upper)) / element.section.length - 1.0;
+  }
   BeamPose pose{upper.position, lower.position, x_axis(upper.orientation), x_axis(lower.orientation), 0.0, upper.orientation, lower.orientation, 0.0};
   if (element.bend != 0.0)
   {
@@ -42,12 +52,10 @@ Side side_of(const State& state, const NodeState& node) noexcept
   Side side;
   side.closest = state.well.locate(node.position, node.segment);
   open_mast(side.closest);
-  const Vector3d& t = side.closest.tangent;
-  Vector3d off = node.position - side.closest.centre;
-  off -= t * t.dot(off);
+  const Vector3d off = side_of(side.closest, node);
   const double distance = off.norm();
   side.outward = distance > 1e-9 ? Vector3d(off / distance) : Vector3d(Vector3d::Zero());
-  side.around = t.cross(side.outward);
+  side.around = side.closest.tangent.cross(side.outward);
   return side;
 }
 

@@ -6,6 +6,7 @@
 
 #include "drill_rig_sim/contact/contact_spec.h"
 #include "drill_rig_sim/math/block_tridiagonal.h"
+#include "drill_rig_sim/well/wellbore.h"
 
 /// Guided nodes: model no more than a scene needs.
 ///
@@ -32,6 +33,7 @@ struct Guide
   Eigen::Vector3d tangent = -Eigen::Vector3d::UnitZ();  ///< t of the hole, down it
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();       ///< w [rad/m]
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();     ///< of the hole [m]
+  Eigen::Vector3d side = Eigen::Vector3d::Zero();       ///< of the hole that the node lies on, from its centre [m]
   double md = 0.0;                                      ///< [m]
   // of the hole at the neighbours above and below, where they are guided too: its direction, unit length, the part across the hole here [-]
   Eigen::Vector3d above = Eigen::Vector3d::Zero(), below = Eigen::Vector3d::Zero();
@@ -51,6 +53,10 @@ struct GuidedSpan
   double twist = 0.0;    ///< at the start of the step, lower end relative to upper [rad]
 };
 
+/// Length of a guided string between two places of the line in which it lies, that of the hole's axis and what the sides add or take [m]. A string
+/// on the inside of a bend is shorter by clearance times angle.
+double length_between(const ClosestPoint& lower, const ClosestPoint& upper, const Eigen::Vector3d& lower_side, const Eigen::Vector3d& upper_side) noexcept;
+
 /// Takes the state's guided nodes into the stage; its loads, normals and free stretches must be there.
 void find_guides(const Model& model, const State& state, Stage& stage) noexcept;
 
@@ -60,7 +66,7 @@ bool solve_increment(const Stage& stage, BlockTridiagonal& tangent, double* b) n
 void solve_increment_again(const Stage& stage, const BlockTridiagonal& tangent, double* b) noexcept;
 
 /// Puts the committed state's guided nodes back onto their hole, on the side of it that `lean` [N] presses them to (Workspace), which
-/// they change over a second; `time`: since the start of the step [s], 0 in statics: at once.
+/// they change over half a second; `time`: since the start of the step [s], 0 in statics: half of it at once.
 void put_on_hole(const Stage& stage, const std::vector<Eigen::Vector3d>& lean, double time, State& state) noexcept;
 
 }  // namespace drill_rig_sim

@@ -274,6 +274,14 @@ void reduce_rows(const StageContext& at, int i, const Load& load, const Vector2d
   if (i > 0 && !guide_of(at, i - 1).guided) reduce_off(tangent.lower(i - 1), tangent.upper(i - 1));
 }
 
+/// The load turned by how far friction `around` the pipe [N] makes it climb: the wall's normal force N and F balance P if it lies on the side n = (N P + F t x P)/Q^2.
+Vector3d climbed(const Guide& guide, const Vector3d& push, double around) noexcept
+{
+  const double square = push.squaredNorm();
+  if (!(square > around * around)) return push;
+  return (std::sqrt(square - around * around) * push + around * guide.tangent.cross(push)) / std::sqrt(square);
+}
+
 void write_results(const StageContext& at, int i, const Vector3d& push, const Load& load, const NodeFriction& friction) noexcept
 {
   const Guide& guide = guide_of(at, i);
@@ -283,7 +291,7 @@ void write_results(const StageContext& at, int i, const Vector3d& push, const Lo
   result.forces.contact[i] = load.normal;
   result.forces.wall[i] = friction.force.x() * guide.tangent - push;
   at.work.push[i] = push;
-  at.work.lean[i] = lean_of(at, i);
+  at.work.lean[i] = climbed(guide, lean_of(at, i), friction.force.y());
 }
 
 template <FrictionAtNode friction_at>

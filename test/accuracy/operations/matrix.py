@@ -34,13 +34,13 @@ COMES_BACK, STILL, NEARLY, RETURNS = 0.5, 0.3, 0.65, 3  # autocorrelation of a r
 
 
 class Numerics:
-    """Length of elements [m], step [s] and method; None: the default's."""
+    """Length of elements [m], step [s], method and level; None: the default's."""
 
-    def __init__(self, length=None, step=None, method=None):
-        self.length, self.step, self.method = length, step, method
+    def __init__(self, length=None, step=None, method=None, level=None):
+        self.length, self.step, self.method, self.level = length, step, method, level
 
     def options(self):
-        pairs = (('--element-length', self.length), ('--step', self.step), ('--integrator', self.method))
+        pairs = (('--element-length', self.length), ('--step', self.step), ('--integrator', self.method), ('--level', self.level))
         return [word for option, value in pairs if value is not None for word in (option, value if isinstance(value, str) else '%.6g' % value)]
 
     def __str__(self):
