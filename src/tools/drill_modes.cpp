@@ -119,7 +119,8 @@ std::vector<FamilyModes> find_all(const RigAtRest& rig, const std::vector<NamedF
 void print_all(const ModesOptions& options)
 {
   const std::vector<NamedFamily> asked = wanted(options.family);
-  const Scene scene = read_scene(options.scene, options.settings);
+  Scene scene = read_scene(options.scene, options.settings);
+  scene.numerics.level = Level::beam3d;  // modes are of the beams
   if (is_same_file(options.json, options.scene)) throw UsageError("--json: " + options.json + " is the scene, needed: a file of its own");
   File json = open_output("--json", options.json);
   try
