@@ -7,7 +7,8 @@ namespace drill_rig_sim
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-SurfaceFriction surface_friction(double normal_force, double kinetic, const SurfaceMotion& motion, const Vector2d& bristle, const WallLaw& law) noexcept
+SurfaceFriction surface_friction(double normal_force, double kinetic, const SurfaceMotion& motion, const Vector2d& bristle, const WallLaw& law,
+                                 SurfaceSlopes* slopes) noexcept
 {
   SurfaceFriction f;
   const double c = motion.velocity_coefficient;
@@ -17,7 +18,11 @@ SurfaceFriction surface_friction(double normal_force, double kinetic, const Surf
   const double size = trial.norm(), speed = motion.velocity.norm();
   f.force = -trial;
   f.bristle = slip;
-  f.by_displacement.diagonal().setConstant(-stiffness);
+  if (slopes)
+  {
+    *slopes = SurfaceSlopes();
+    slopes->by_displacement.diagonal().setConstant(-stiffness);
+  }
   if (size <= kinetic * normal_force) return f;  // friction is never below kinetic
   const FrictionCoefficient mu = stribeck_friction(kinetic, law.static_ratio, law.stribeck_speed, speed, law.stribeck_curve);
   const double limit = mu.value * normal_force;
@@ -27,10 +32,11 @@ SurfaceFriction surface_friction(double normal_force, double kinetic, const Surf
   const Vector2d direction = trial / size;
   f.force = -limit * direction;
   f.bristle = slipping_bristle(law, motion.time, bristle, Vector2d((limit / law.tangential_stiffness) * direction));
-  f.by_normal_force = -mu.value * direction;
+  if (!slopes) return f;
+  slopes->by_normal_force = -mu.value * direction;
   // -d (limit q/|q|)
-  f.by_displacement = (-limit / size * stiffness) * (Matrix2d::Identity() - direction * direction.transpose());
-  if (speed > 0.0) f.by_displacement -= (mu.slope * normal_force * c / speed) * direction * motion.velocity.transpose();
+  slopes->by_displacement = (-limit / size * stiffness) * (Matrix2d::Identity() - direction * direction.transpose());
+  if (speed > 0.0) slopes->by_displacement -= (mu.slope * normal_force * c / speed) * direction * motion.velocity.transpose();
   return f;
 }
 

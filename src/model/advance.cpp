@@ -26,18 +26,14 @@ void commit(const Stage& stage, const Workspace& work, State& state) noexcept
   {
     const NodeMotion& motion = work.nodes[i];
     NodeState& node = state.nodes[i];
+    if (stage.guides[i].guided) continue;
     node.rate = split(motion, motion.rate);
     node.position = motion.position;
     node.spin_angle += motion.spin;
-    if (stage.guides[i].guided)
-    {
-      node.orientation = rotation_from_vector(motion.spin * motion.axis) * node.orientation;
-      continue;
-    }
     node.orientation = motion.orientation.normalized();
     node.segment = motion.closest.segment;
   }
-  put_on_hole(stage, work.lean, stage.time, state);
+  commit_guided(stage, work, state);
   for (std::size_t e = 0; e < work.spans.size(); ++e) state.spans[e].segment = work.spans[e].closest.segment;
 }
 

@@ -31,6 +31,7 @@ void sample_energy(const Model& model, const State& start, const Stage& stage, c
   out.step = stage.time;
   // the whole residual as the methods see it, not the sum of what the forces tell apart: one that is missing there would show
   evaluate(model, start, stage, u, work, out.force[static_cast<std::size_t>(NodeForce::unsolved)].data(), nullptr);
+  expand_motions(stage, work);
   const StageContext at{model, start, stage, work};
   out.stored = stored_at(at);
   for (int i = 0; i < model.nodes(); ++i)

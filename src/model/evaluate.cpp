@@ -24,22 +24,24 @@ void add_forces(const std::array<const Force*, N>& forces, const StageContext& a
   }
 }
 
-/// The same of a guided node; where it is only if somebody looks there.
-void move_guided(const NodeState& before, const Stage& stage, std::size_t i, const double* u, NodeMotion& node) noexcept
+/// The same of a guided node; as a free one's only if other forces look at it.
+void move_guided(const NodeState& before, const Stage& stage, std::size_t i, const double* u, Workspace& work) noexcept
 {
   const Guide& guide = stage.guides[i];
-  const Eigen::Map<const Vector3d> place(u + 6 * i), rotation(u + 6 * i + 3);
-  const double along = guide.tangent.dot(place);
-  node.axis = guide.tangent;
-  node.spin = guide.tangent.dot(rotation);
-  node.tilt = along * guide.turn;
-  node.increment << along * guide.tangent, node.tilt + node.spin * guide.tangent;
-  node.rate = stage.dv_du * node.increment + stage.rate[i];
-  node.acceleration = stage.da_du * node.increment + stage.acceleration[i];
-  node.carried_spin = node.rate.tail<3>().dot(node.axis);
-  node.position = before.position + node.increment.head<3>();
-  node.normal = guide.tangent + node.tilt.cross(guide.tangent);
+  GuidedMotion& motion = work.guided[i];
+  const auto dot = [&guide](const double* v) { return guide.tangent.x() * v[0] + guide.tangent.y() * v[1] + guide.tangent.z() * v[2]; };
+  const double *rate = stage.rate[i].data(), *acceleration = stage.acceleration[i].data();
+  motion.along = dot(u + 6 * i);
+  motion.about = dot(u + 6 * i + 3);
+  motion.along_rate = stage.dv_du * motion.along + dot(rate);
+  motion.about_rate = stage.dv_du * motion.about + dot(rate + 3);
+  motion.along_acceleration = stage.da_du * motion.along + dot(acceleration);
+  motion.about_acceleration = stage.da_du * motion.about + dot(acceleration + 3);
   if (!guide.joined) return;
+  NodeMotion& node = work.nodes[i];
+  expand_motion(guide, motion, node);
+  node.carried_spin = motion.about_rate;
+  node.position = before.position + node.increment.head<3>();
   node.orientation = rotation_from_vector(node.tilt) * rotation_from_vector(node.spin * node.axis) * before.orientation;
   node.normal = x_axis(node.orientation);
 }
@@ -52,7 +54,7 @@ void move_nodes(const State& start, const Stage& stage, const double* u, Workspa
     NodeMotion& node = work.nodes[i];
     if (stage.guides[i].guided)
     {
-      move_guided(start.nodes[i], stage, i, u, node);
+      move_guided(start.nodes[i], stage, i, u, work);
       continue;
     }
     const NodeState& before = start.nodes[i];
@@ -149,9 +151,8 @@ void evaluate_list(const std::array<const Force*, N>& forces, const Model& model
 Workspace::Workspace(const Model& model)
   : nodes(model.mesh().nodes.size()),
     spans(model.mesh().elements.size()),
-    guided_forces(spans.size(), Eigen::Vector2d::Zero()),
-    push(nodes.size(), Vector3d::Zero()),
-    lean(push),
+    guided(nodes.size()),
+    guided_forces(spans.size()),
     unused(6 * nodes.size(), 0.0)
 {
   result.bristle.assign(nodes.size(), Vector3d::Zero());
@@ -192,8 +193,8 @@ void find_guided_forces(const Model& model, const Stage& stage, int e, Workspace
 {
   const BeamSection& section = model.mesh().elements[e].section;
   RigForces& out = work.result.forces;
-  out.tension[e] = work.guided_forces[e].x();
-  out.torque[e] = -work.guided_forces[e].y();
+  out.tension[e] = work.guided_forces[e].tension;
+  out.torque[e] = -work.guided_forces[e].torque;
   out.bending_moment[e + 1] = section.bending * stage.guides[e + 1].turn.norm();
 }
 }  // namespace

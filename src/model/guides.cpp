@@ -1,10 +1,13 @@
 #include "drill_rig_sim/model/guides.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/forces/inertia.h"
 #include "drill_rig_sim/model/mast.h"
 #include "drill_rig_sim/model/stage.h"
+#include "drill_rig_sim/model/workspace.h"
 
 namespace drill_rig_sim
 {
@@ -12,9 +15,9 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double kSettles = 0.5;     // over this time a guided node changes sides [s]
-constexpr double kAtOnce = 0.5;      // and so much of it in each step of statics
-constexpr double kPressed = 50.0;    // a load that presses it nearly to the wall [N]
+constexpr double kSettles = 0.5;  // over this time a guided node changes sides [s]
+constexpr double kAtOnce = 0.5;   // and so much of it in each step of statics
+constexpr double kPressed = 50.0; // a load that presses it nearly to the wall [N]
 
 bool guided_pair(const State& state, std::size_t lower) noexcept
 {
@@ -32,41 +35,54 @@ Vector3d across(const Vector3d& tangent, const Vector3d& v) noexcept
   return v - tangent * tangent.dot(v);
 }
 
-/// The part across a guide's hole of the direction to another's.
-Vector3d direction_across(const Guide& from, const Guide& to) noexcept
+/// The part across a guide's hole of the direction to another's, `way` from it.
+Vector3d direction_across(const Guide& from, const Vector3d& way, double distance) noexcept
 {
-  return across(from.tangent, (to.centre - from.centre).normalized());
+  return across(from.tangent, way / distance);
 }
 
-void find_guide(const Model& model, const State& state, std::size_t i, Guide& guide) noexcept
+void find_mud(const MudSpec& mud, const MeshNode& mesh, double immersed, Guide& guide) noexcept
+{
+  guide.mud_along = immersed * mesh.length * mud.axial_damping;
+  guide.mud_about = immersed * mesh.length * mud.torsional_damping;
+}
+
+void find_guide(const Model& model, const State& state, const Stage& stage, std::size_t i, Guide& guide) noexcept
 {
   const NodeState& node = state.nodes[i];
   const MeshNode& mesh = model.mesh().nodes[i];
-  ClosestPoint closest = state.well.locate(node.position, node.segment);
-  open_mast(closest);
-  guide.side = across(closest.tangent, node.position - closest.centre);
-  guide.tangent = closest.tangent;
-  guide.centre = closest.centre;
-  guide.md = closest.md;
-  guide.friction = closest.md > 0.0 ? closest.friction : 0.0;
+  const RigidBody body = node_body(model, stage, static_cast<int>(i));
+  int segment = node.segment;
+  const WellNode hole = state.well.at(node.md, segment);
+  guide.tangent = hole.tangent;
+  guide.centre = hole.position;
+  guide.weight = guide.above = guide.below = guide.turn = Vector3d::Zero();
+  guide.mass = body.mass;
+  guide.spin_inertia = body.spin_inertia;
+  guide.friction = node.md > 0.0 ? hole.friction : 0.0;
   guide.lever = mesh.friction_radius > 0.0 ? mesh.friction_radius : mesh.bearing_radius;
-  guide.clearance = std::max(0.0, closest.radius - mesh.bearing_radius);
-  guide.law = model.contact(static_cast<int>(i), closest, node.rest);
+  guide.clearance = node.md > 0.0 ? std::max(0.0, hole.radius - mesh.bearing_radius) : 0.0;
+  guide.law = model.contact(static_cast<int>(i), hole.section, node.rest);
   guide.held = guide.law.tangential_stiffness * node.bristle.y();
   guide.joined = joined(state, i);
+  find_mud(model.scene().mud, mesh, stage.immersed[i], guide);
 }
 
-/// w by the change of the tangent towards the next guided node.
-Vector3d turn_between(const Guide& a, const Guide& b) noexcept
+void find_span(const Model& model, const State& state, const Stage& stage, std::size_t e, Guide& lower, Guide& upper, GuidedSpan& span) noexcept
 {
-  const double length = a.md - b.md;
-  return std::abs(length) > 1e-6 ? Vector3d(a.tangent.cross(a.tangent - b.tangent) / length) : Vector3d(Vector3d::Zero());
-}
-
-/// `axis`: of the hole's axis; `chord`: between its two ends; `sides`: how far those of the string are apart beyond that.
-double length_along(double axis, const Vector3d& chord, const Vector3d& sides) noexcept
-{
-  return axis + (chord + sides).norm() - chord.norm();
+  const BeamSection& section = model.mesh().elements[e].section;
+  const NodeState &below = state.nodes[e], &above = state.nodes[e + 1];
+  const Vector3d way = upper.centre - lower.centre;
+  const double chord = way.norm(), axis = below.md - above.md;
+  span.axial = section.axial / section.length;
+  span.torsion = section.torsion;
+  span.stretch = axis + (way + above.side - below.side).norm() - chord - section.length * (1.0 + stage.free_stretch[e]);
+  span.twist = state.spans[e].twist;
+  upper.turn = lower.turn = lower.tangent.cross(lower.tangent - upper.tangent) / axis;
+  lower.above = direction_across(lower, way, chord);
+  upper.below = direction_across(upper, -way, chord);
+  lower.weight += 0.5 * stage.load[e];
+  upper.weight += 0.5 * stage.load[e];
 }
 
 void reduce(const Stage& stage, double* b) noexcept
@@ -96,42 +112,72 @@ void expand(const Stage& stage, double* b) noexcept
     Eigen::Map<Vector3d>(at + 3) = along * guide.turn + about * guide.tangent;
   }
 }
+
+/// The load turned by how far friction `around` the pipe [N] makes it climb: the wall's normal force N and F balance P on the side n = (N P + F t x P)/Q^2.
+Vector3d climbed(const Guide& guide, const Vector3d& push, double around) noexcept
+{
+  const double square = push.squaredNorm();
+  if (!(square > around * around)) return push;
+  return (std::sqrt(square - around * around) * push + around * guide.tangent.cross(push)) / std::sqrt(square);
+}
+
+/// Where a node at its md and side is, and how it is turned.
+void place(State& state, NodeState& node) noexcept
+{
+  const WellNode hole = state.well.at(node.md, node.segment);
+  node.side = across(hole.tangent, node.side);
+  node.position = hole.position + node.side;
+  node.orientation = (Eigen::Quaterniond::FromTwoVectors(x_axis(node.orientation), hole.tangent) * node.orientation).normalized();
+}
 }  // namespace
 
-double length_between(const ClosestPoint& lower, const ClosestPoint& upper, const Vector3d& lower_side, const Vector3d& upper_side) noexcept
+void settle_in_hole(State& state, std::size_t i) noexcept
 {
-  return length_along(lower.md - upper.md, lower.centre - upper.centre, lower_side - upper_side);
+  NodeState& node = state.nodes[i];
+  const ClosestPoint closest = state.well.locate(node.position, node.segment);
+  node.md = closest.md;
+  node.segment = closest.segment;
+  node.side = across(closest.tangent, node.position - closest.centre);
+}
+
+void settle_span(State& state, std::size_t e) noexcept
+{
+  state.spans[e].twist = twist_between(state.nodes[e + 1].orientation, state.nodes[e].orientation);
+}
+
+void settle_guided(State& state) noexcept
+{
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+    if (state.nodes[i].guided) settle_in_hole(state, i);
+  for (std::size_t e = 0; e < state.spans.size(); ++e)
+    if (guided_pair(state, e)) settle_span(state, e);
+}
+
+double guided_length(const State& state, std::size_t e) noexcept
+{
+  const NodeState &lower = state.nodes[e], &upper = state.nodes[e + 1];
+  const Vector3d way = (upper.position - upper.side) - (lower.position - lower.side);
+  return lower.md - upper.md + (way + upper.side - lower.side).norm() - way.norm();
 }
 
 void find_guides(const Model& model, const State& state, Stage& stage) noexcept
 {
-  stage.any_guided = false;
   const std::size_t n = state.nodes.size();
+  stage.any_guided = false;
   for (std::size_t i = 0; i < n; ++i)
   {
     Guide& guide = stage.guides[i];
     guide.guided = state.nodes[i].guided;
-    guide.weight = guide.above = guide.below = Vector3d::Zero();
     if (!guide.guided) continue;
     stage.any_guided = true;
-    find_guide(model, state, i, guide);
+    find_guide(model, state, stage, i, guide);
     stage.normal[i] = guide.tangent;
   }
-  if (!stage.any_guided) return;
   for (std::size_t e = 0; e + 1 < n; ++e)
   {
     GuidedSpan& span = stage.guided_spans[e];
     span.guided = guided_pair(state, e);
-    if (!span.guided) continue;
-    Guide &lower = stage.guides[e], &upper = stage.guides[e + 1];
-    const double length = length_along(lower.md - upper.md, lower.centre - upper.centre, lower.side - upper.side);
-    span.stretch = length / model.mesh().elements[e].section.length - 1.0 - stage.free_stretch[e];
-    span.twist = twist_between(state.nodes[e + 1].orientation, state.nodes[e].orientation);
-    upper.turn = lower.turn = turn_between(lower, upper);
-    lower.above = direction_across(lower, upper);
-    upper.below = direction_across(upper, lower);
-    lower.weight += 0.5 * stage.load[e];
-    upper.weight += 0.5 * stage.load[e];
+    if (span.guided) find_span(model, state, stage, e, stage.guides[e], stage.guides[e + 1], span);
   }
 }
 
@@ -152,25 +198,33 @@ void solve_increment_again(const Stage& stage, const BlockTridiagonal& tangent, 
   expand(stage, b);
 }
 
-void put_on_hole(const Stage& stage, const std::vector<Vector3d>& lean, double time, State& state) noexcept
+void expand_motions(const Stage& stage, Workspace& work) noexcept
 {
   if (!stage.any_guided) return;
-  const double follows = time > 0.0 ? -std::expm1(-time / kSettles) : kAtOnce;
+  for (std::size_t i = 0; i < stage.guides.size(); ++i)
+    if (stage.guides[i].guided && !stage.guides[i].joined) expand_motion(stage.guides[i], work.guided[i], work.nodes[i]);
+}
+
+void commit_guided(const Stage& stage, const Workspace& work, State& state) noexcept
+{
+  if (!stage.any_guided) return;
+  const double follows = stage.time > 0.0 ? -std::expm1(-stage.time / kSettles) : kAtOnce;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const Guide& guide = stage.guides[i];
     if (!guide.guided) continue;
     NodeState& node = state.nodes[i];
-    const ClosestPoint closest = state.well.locate(node.position, node.segment);
-    const Vector3d load = across(closest.tangent, lean[i]);
-    const Vector3d target = (guide.clearance / (kPressed + load.norm())) * load;
-    const Vector3d side = across(closest.tangent, node.position - closest.centre);
-    node.position = closest.centre + side + follows * (target - side);
-    node.segment = closest.segment;
-    node.orientation = (Eigen::Quaterniond::FromTwoVectors(x_axis(node.orientation), closest.tangent) * node.orientation).normalized();
-    node.rate.velocity = closest.tangent * guide.tangent.dot(node.rate.velocity);
-    node.rate.tilt = across(closest.tangent, node.rate.tilt);
+    const GuidedMotion& motion = work.guided[i];
+    const Vector3d load = climbed(guide, motion.lean, motion.around);
+    node.side += follows * ((guide.clearance / (kPressed + load.norm())) * load - node.side);
+    node.md += motion.along;
+    node.spin_angle += motion.about;
+    node.rate = {motion.along_rate * guide.tangent, motion.along_rate * guide.turn, motion.about_rate};
+    node.orientation = rotation_from_vector(motion.about * guide.tangent) * node.orientation;
+    place(state, node);
   }
+  for (std::size_t e = 0; e < state.spans.size(); ++e)
+    if (stage.guided_spans[e].guided) state.spans[e].twist += work.guided[e].about - work.guided[e + 1].about;
 }
 
 }  // namespace drill_rig_sim

@@ -12,22 +12,12 @@ using Eigen::Vector3d;
 
 namespace
 {
-Vector3d side_of(const ClosestPoint& closest, const NodeState& node) noexcept
-{
-  const Vector3d off = node.position - closest.centre;
-  return off - closest.tangent * closest.tangent.dot(off);
-}
-
 /// Stretch of an element as its nodes lie, whatever its length without tension [-].
 double stretch_of(const Model& model, const State& state, std::size_t e) noexcept
 {
   const MeshElement& element = model.mesh().elements[e];
   const NodeState &lower = state.nodes[e], &upper = state.nodes[e + 1];
-  if (lower.guided && upper.guided)
-  {
-    const ClosestPoint below = state.well.locate(lower.position, lower.segment), above = state.well.locate(upper.position, upper.segment);
-    return length_between(below, above, side_of(below, lower), side_of(above, upper)) / element.section.length - 1.0;
-  }
+  if (lower.guided && upper.guided) return guided_length(state, e) / element.section.length - 1.0;
   BeamPose pose{upper.position, lower.position, x_axis(upper.orientation), x_axis(lower.orientation), 0.0, upper.orientation, lower.orientation, 0.0};
   if (element.bend != 0.0)
   {
@@ -52,7 +42,8 @@ Side side_of(const State& state, const NodeState& node) noexcept
   Side side;
   side.closest = state.well.locate(node.position, node.segment);
   open_mast(side.closest);
-  const Vector3d off = side_of(side.closest, node);
+  Vector3d off = node.position - side.closest.centre;
+  off -= side.closest.tangent * side.closest.tangent.dot(off);
   const double distance = off.norm();
   side.outward = distance > 1e-9 ? Vector3d(off / distance) : Vector3d(Vector3d::Zero());
   side.around = side.closest.tangent.cross(side.outward);
@@ -70,11 +61,13 @@ void make_free(const MeshNode& mesh, const State& state, double load, NodeState&
   node.guided = false;
 }
 
-void make_guided(const State& state, NodeState& node) noexcept
+void make_guided(State& state, std::size_t i) noexcept
 {
+  NodeState& node = state.nodes[i];
   const Side side = side_of(state, node);
   node.bristle = Vector3d(node.bristle.dot(side.closest.tangent), node.bristle.dot(side.around), 0.0);
   node.guided = true;
+  settle_in_hole(state, i);
 }
 
 void clear(SpanState& span) noexcept
@@ -102,12 +95,13 @@ bool change_guided(const Model& model, const std::vector<unsigned char>& guided,
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     if (!changes(i)) continue;
-    if (guided[i]) make_guided(state, state.nodes[i]);
+    if (guided[i]) make_guided(state, i);
     else make_free(model.mesh().nodes[i], state, forces.contact[i], state.nodes[i]);
   }
   for (std::size_t e = 0; e < state.spans.size(); ++e)
   {
     if (state.spans[e].rest != changed) continue;
+    settle_span(state, e);
     state.spans[e].free_stretch += stretch_of(model, state, e);
     clear(state.spans[e]);
   }

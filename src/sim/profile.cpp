@@ -7,6 +7,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/sim/accuracy_watch.h"
 #include "drill_rig_sim/solve/length_search.h"
 #include "drill_rig_sim/solve/start.h"
@@ -58,6 +59,14 @@ double weight_error(const Scene& scene, const RigAtRest& rig, double weight)
   return error + bit_depth(*rig.model, rig.state) - (start.weight_on_bit > 0.0 ? scene.well.hole_depth : start.bit_depth);
 }
 
+/// [m] above the table
+void put_top(double height, State& state) noexcept
+{
+  NodeState& top = state.nodes.back();
+  top.position.z() = height;
+  if (top.guided) settle_in_hole(state, state.nodes.size() - 1);
+}
+
 /// Slips the string on until the bit carries the scene's weight again, or none as in the scene, which friction has changed: by secants, for friction holds part of
 /// what is slipped on, and by halves where so much at once finds no equilibrium.
 StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigAtRest& rig)
@@ -77,13 +86,13 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigA
     do
     {
       rig.state = found;
-      rig.state.nodes.back().position.z() = top - slip;
+      put_top(top - slip, rig.state);
       outcome = solve_static(*rig.model, rig.state, sliding, most_tried);
       slip *= 0.5;
     } while (!outcome.converged && std::abs(slip) > least_slip);
     if (outcome.converged) continue;
     rig.state = found;
-    rig.state.nodes.back().position.z() = top - 2.0 * slip;
+    put_top(top - 2.0 * slip, rig.state);
     return solve_static(*rig.model, rig.state, sliding);
   }
   std::ostringstream message;

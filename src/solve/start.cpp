@@ -9,6 +9,7 @@
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/solve/length_search.h"
@@ -122,6 +123,7 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, do
   // stretched as it will be: the way to the equilibrium goes in increments of 2 cm
   place_string(mesh, well, depth, toolface, estimated_stretch(mesh, scene, well, depth), free_length(scene), rig.state);
   hang_on_block(scene, rig.state);
+  settle_guided(rig.state);
   const double most = (kMostWork - work) / rig.model->nodes();
   rig.statics = solve_static(*rig.model, rig.state, no_sliding, static_cast<int>(most));
   work += 1.0 * rig.statics.iterations * rig.model->nodes();

@@ -76,6 +76,16 @@ WellNode Wellbore::at(double md) const noexcept
   return g.at((md - g.md) / g.length);
 }
 
+WellNode Wellbore::at(double md, int& hint) const noexcept
+{
+  const int last = new_interval_index();
+  hint = std::clamp(hint, 0, last);
+  while (hint > 0 && md < segment(hint).md) --hint;
+  while (hint < last && md > segment(hint + 1).md) ++hint;
+  const HoleSegment& g = segment(hint);
+  return g.at((md - g.md) / g.length);
+}
+
 bool Wellbore::extend(const Eigen::Vector3d& bottom_displacement, const Eigen::Vector3d& bit_axis) noexcept
 {
   const double drilled = bottom_displacement.norm();

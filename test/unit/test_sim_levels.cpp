@@ -7,6 +7,7 @@
 
 #include "drill_ahead.h"
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "test_scenes.h"
@@ -165,6 +166,7 @@ std::vector<double> pulse(Level level, bool axial)
     if (axial) rig.state.nodes[i].position.z() += 1e-4 * shape;
     else rig.state.nodes[i].orientation = rig.state.nodes[i].orientation * rotation_from_vector(Eigen::Vector3d(1e-3 * shape, 0.0, 0.0));
   }
+  settle_guided(rig.state);
   Stepper stepper(rig.model, find_method(IntegratorKind::automatic));
   stepper.limits().tolerance = 1e-12;
   std::vector<double> out;

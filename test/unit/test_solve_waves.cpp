@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "test_scenes.h"
@@ -45,6 +46,7 @@ void release_pulse(RigAtRest& rig, Kind kind)
     else
       rig.state.nodes[i].orientation = rig.state.nodes[i].orientation * rotation_from_vector(Vector3d(1e-3 * shape, 0.0, 0.0));
   }
+  settle_guided(rig.state);
 }
 
 /// Times at which the pulse's peak passes the nodes nearest to `places`: the zero of the rate there, from the sign that it had.

@@ -21,16 +21,22 @@ struct SurfaceFriction
 {
   Eigen::Vector2d force = Eigen::Vector2d::Zero();    ///< wall on string [N]
   Eigen::Vector2d bristle = Eigen::Vector2d::Zero();  ///< at the stage [m]
-  Eigen::Matrix2d by_displacement = Eigen::Matrix2d::Zero();  ///< d force / dx, through the velocity too [N/m]
-  Eigen::Vector2d by_normal_force = Eigen::Vector2d::Zero();  ///< d force / d normal_force [-]
   bool slipping = false;
+};
+
+/// Derivatives of the force.
+struct SurfaceSlopes
+{
+  Eigen::Matrix2d by_displacement = Eigen::Matrix2d::Zero();  ///< through the velocity too [N/m]
+  Eigen::Vector2d by_normal_force = Eigen::Vector2d::Zero();  ///< [-]
 };
 
 /// Friction of pipe that is known to lie on the wall with `normal_force` [N], by the law of wall_contact.h with its sticking bristle and Stribeck curve.
 /// @param kinetic  mu_k [-]
 /// @param bristle  at the start of the step [m]
+/// @param slopes   overwritten; null: nobody wants them
 SurfaceFriction surface_friction(double normal_force, double kinetic, const SurfaceMotion& motion, const Eigen::Vector2d& bristle,
-                                 const WallLaw& law) noexcept;
+                                 const WallLaw& law, SurfaceSlopes* slopes) noexcept;
 
 }  // namespace drill_rig_sim
 

@@ -24,6 +24,7 @@ namespace drill_rig_sim
 class Model;
 struct State;
 struct Stage;
+struct Workspace;
 
 /// What holds of a node during a step if it is guided.
 struct Guide
@@ -33,29 +34,55 @@ struct Guide
   Eigen::Vector3d tangent = -Eigen::Vector3d::UnitZ();  ///< t of the hole, down it
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();       ///< w [rad/m]
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();     ///< of the hole [m]
-  Eigen::Vector3d side = Eigen::Vector3d::Zero();       ///< of the hole that the node lies on, from its centre [m]
-  double md = 0.0;                                      ///< [m]
+  double md_per_length = 1.0;                           ///< dmd/ds
   // of the hole at the neighbours above and below, where they are guided too: its direction, unit length, the part across the hole here [-]
   Eigen::Vector3d above = Eigen::Vector3d::Zero(), below = Eigen::Vector3d::Zero();
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();  ///< of half of those elements, in mud [N]
+  double mass = 0.0, spin_inertia = 0.0;             ///< [kg, kg m2]
+  double mud_along = 0.0, mud_about = 0.0;           ///< drag of the mud [N s/m, N m s]
   double friction = 0.0;                             ///< kinetic [-]
   double lever = 0.0;                                ///< of that friction about the axis [m]
   double clearance = 0.0;                            ///< between string and wall all around [m]
+  double held = 0.0;                                 ///< by friction around the pipe at the start of the step [N]
   WallLaw law;
-  double held = 0.0;  ///< by friction around the pipe at the start of the step [N]
 };
 
 /// The same of the element between two guided nodes.
 struct GuidedSpan
 {
   bool guided = false;
-  double stretch = 0.0;  ///< at the start of the step, what pressure makes of it taken off [-]
-  double twist = 0.0;    ///< at the start of the step, lower end relative to upper [rad]
+  double axial = 0.0, torsion = 0.0;  ///< EA/L, GJ/L [N/m, N m/rad]
+  double stretch = 0.0;               ///< at the start of the step, what pressure makes of it taken off [m]
+  double twist = 0.0;                 ///< at the start of the step, lower end relative to upper [rad]
 };
 
-/// Length of a guided string between two places of the line in which it lies, that of the hole's axis and what the sides add or take [m]. A string
-/// on the inside of a bend is shorter by clearance times angle.
-double length_between(const ClosestPoint& lower, const ClosestPoint& upper, const Eigen::Vector3d& lower_side, const Eigen::Vector3d& upper_side) noexcept;
+/// How a guided node moves at a stage, and what its wall does.
+struct GuidedMotion
+{
+  double along = 0.0, about = 0.0;                            ///< s, phi [m, rad]
+  double along_rate = 0.0, about_rate = 0.0;                  ///< [m/s, rad/s]
+  double along_acceleration = 0.0, about_acceleration = 0.0;  ///< [m/s2, rad/s2]
+  Eigen::Vector3d push = Eigen::Vector3d::Zero();             ///< load on the wall [N]
+  Eigen::Vector3d lean = Eigen::Vector3d::Zero();             ///< the same without what free neighbours give [N]
+  double around = 0.0;                                        ///< friction of the wall around the pipe [N]
+};
+
+/// Tension and torque of a guided element, damping included [N, N m].
+struct GuidedForce
+{
+  double tension = 0.0, torque = 0.0;
+};
+
+/// Puts a guided node onto its hole where it is: md, side.
+void settle_in_hole(State& state, std::size_t i) noexcept;
+/// Gives a span the twist that its ends have.
+void settle_span(State& state, std::size_t e) noexcept;
+/// Both, of all guided nodes and the spans between them: after somebody has placed them in six coordinates.
+void settle_guided(State& state) noexcept;
+
+/// Length of the guided string between nodes e and e + 1 [m]: of the line in which it lies, that of the hole's axis and what the sides add or take. A
+/// string on the inside of a bend is shorter by clearance times angle.
+double guided_length(const State& state, std::size_t e) noexcept;
 
 /// Takes the state's guided nodes into the stage; its loads, normals and free stretches must be there.
 void find_guides(const Model& model, const State& state, Stage& stage) noexcept;
@@ -65,9 +92,12 @@ bool solve_increment(const Stage& stage, BlockTridiagonal& tangent, double* b) n
 /// The same with the factors of the last solve_increment().
 void solve_increment_again(const Stage& stage, const BlockTridiagonal& tangent, double* b) noexcept;
 
-/// Puts the committed state's guided nodes back onto their hole, on the side of it that `lean` [N] presses them to (Workspace), which
-/// they change over half a second; `time`: since the start of the step [s], 0 in statics: half of it at once.
-void put_on_hole(const Stage& stage, const std::vector<Eigen::Vector3d>& lean, double time, State& state) noexcept;
+/// The motions of the guided nodes in six coordinates, where evaluate() has left them out: increments, rates and accelerations.
+void expand_motions(const Stage& stage, Workspace& work) noexcept;
+
+/// Commits the guided nodes: along their hole, on the side of it that their load presses them to and that friction makes them climb to, which they
+/// change over half a second; in statics half of it at once.
+void commit_guided(const Stage& stage, const Workspace& work, State& state) noexcept;
 
 }  // namespace drill_rig_sim
 

@@ -52,17 +52,18 @@ public:
   /// And at an element's middle.
   const WallLaw& span_contact(int e) const noexcept { return span_contact_[static_cast<std::size_t>(e)]; }
   /// The same with the friction of where the hole is met, after a rest there [s].
-  WallLaw contact(int i, const ClosestPoint& closest, double rest) const noexcept { return there(contact(i), closest, rest); }
-  WallLaw span_contact(int e, const ClosestPoint& closest, double rest) const noexcept { return there(span_contact(e), closest, rest); }
+  WallLaw contact(int i, const ClosestPoint& closest, double rest) const noexcept { return there(contact(i), closest.section, rest); }
+  WallLaw contact(int i, double section, double rest) const noexcept { return there(contact(i), section, rest); }
+  WallLaw span_contact(int e, const ClosestPoint& closest, double rest) const noexcept { return there(span_contact(e), closest.section, rest); }
   /// Of the bristle that carries a stuck bit's torque [N m/rad].
   double bit_bristle_stiffness() const noexcept { return bit_bristle_; }
   /// Weight of element `e` in mud, its ends at heights `z_lower`, `z_upper` [m]; no buoyancy above the rotary table [N].
   double element_weight(int e, double z_lower, double z_upper) const noexcept;
 
 private:
-  WallLaw there(WallLaw law, const ClosestPoint& closest, double rest) const noexcept
+  WallLaw there(WallLaw law, double section, double rest) const noexcept
   {
-    friction_.apply(closest.section, law);
+    friction_.apply(section, law);
     law.static_ratio += scene_.contact.growth.at(rest);
     return law;
   }

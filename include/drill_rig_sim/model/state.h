@@ -39,7 +39,9 @@ struct NodeState
   Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction, world axes; of a guided node along the hole, around it, and 0 [m]
   double rest = 0.0;                                  ///< how long that friction has stuck [s]
   int segment = -1;                                   ///< hole segment of the last contact search
-  bool guided = false;                                ///< confined to the hole (model/guides.h)
+  bool guided = false;                                ///< confined to the hole (model/guides.h); then also:
+  double md = 0.0;                                    ///< where in it [m]
+  Eigen::Vector3d side = Eigen::Vector3d::Zero();     ///< of the hole's centre that it lies on, across the hole [m]
 
   template <class V>
   void visit(V& v)
@@ -52,12 +54,15 @@ struct NodeState
     v("rest", rest);
     v("segment", segment);
     v("guided", guided);
+    v("md", md);
+    v("side", side);
   }
 };
 
 /// Where the pipe between two nodes touches the wall.
 struct SpanState
 {
+  double twist = 0.0;         ///< lower end relative to upper, between two guided nodes alone [rad]
   double free_stretch = 0.0;  ///< what a change of level has made of the element's length without tension (levels.h) [-]
   Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction at the element's middle, world axes [m]
   double rest = 0.0;                                  ///< how long that friction has stuck [s]
@@ -66,6 +71,7 @@ struct SpanState
   template <class V>
   void visit(V& v)
   {
+    v("twist", twist);
     v("free_stretch", free_stretch);
     v("bristle", bristle);
     v("rest", rest);

@@ -7,6 +7,7 @@
 
 #include "drill_rig_sim/contact/bit_bottom.h"
 #include "drill_rig_sim/contact/wall_contact.h"
+#include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/model/model.h"
 #include "drill_rig_sim/model/profiler.h"
 #include "drill_rig_sim/model/rig_forces.h"
@@ -28,6 +29,19 @@ struct NodeMotion
   ClosestPoint closest;  ///< of hole or mast
   bool touches;          ///< the wall
 };
+
+/// A guided node's motion as a free one's: increment, rate, acceleration.
+inline void expand_motion(const Guide& guide, const GuidedMotion& motion, NodeMotion& node) noexcept
+{
+  const auto to_six = [&guide](double along, double about, Vector6d& out) { out << along * guide.tangent, along * guide.turn + about * guide.tangent; };
+  node.axis = guide.tangent;
+  node.spin = motion.about;
+  node.tilt = motion.along * guide.turn;
+  node.normal = guide.tangent + node.tilt.cross(guide.tangent);
+  to_six(motion.along, motion.about, node.increment);
+  to_six(motion.along_rate, motion.about_rate, node.rate);
+  to_six(motion.along_acceleration, motion.about_acceleration, node.acceleration);
+}
 
 /// The middle of an element at a stage, on its cubic between two nodes: r = (r_u + r_l)/2 + a_u + a_l, with the arms a_u = L/8 n_u and
 /// a_l = -L/8 n_l, n the section normals. Its motions are v = (v_u + v_l)/2 + w_u x a_u + w_l x a_l and w = (w_u + w_l)/2.
@@ -73,9 +87,8 @@ struct Workspace
 
   std::vector<NodeMotion> nodes;
   std::vector<SpanMotion> spans;  ///< one per element
-  std::vector<Eigen::Vector2d> guided_forces;  ///< of the guided elements: tension and torque, damping included [N, N m]
-  std::vector<Eigen::Vector3d> push;           ///< of the guided nodes: load on their wall [N]
-  std::vector<Eigen::Vector3d> lean;           ///< the same without what free neighbours give [N]
+  std::vector<GuidedMotion> guided;        ///< one per node
+  std::vector<GuidedForce> guided_forces;  ///< one per element
   StageResult result;
   std::vector<double> unused;  ///< 6 per node: a residual that nobody asks for
   Profiler profiler;           ///< where the time goes; evaluate() times its parts, its callers theirs

@@ -103,6 +103,8 @@ public:
   WellNode node(int i) const noexcept;
   /// The hole at measured depth `md`; above 0 on the vertical line, below the last node on the newly drilled interval.
   WellNode at(double md) const noexcept;
+  /// The same from where `segment` of the last search was, brought up to date: without a search where little has changed.
+  WellNode at(double md, int& segment) const noexcept;
   /// Changes when permanent nodes change, and back when a snapshot is restored.
   std::uint64_t version() const noexcept { return drilled_.hash(); }
   /// Nearly full: Stage II intervals have been lengthened to make the room last (or, when full, no more nodes are added and the

@@ -20,8 +20,9 @@ Matrix3d across_hole(const NodeMotion& node) noexcept
 
 void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* tangent) noexcept
 {
+  if (at.stage.guides[i].guided) return;
   const double damping = damping_of(at, i);
-  if (damping <= 0.0 || at.stage.guides[i].guided) return;
+  if (damping <= 0.0) return;
   const NodeMotion& node = at.work.nodes[i];
   const Matrix3d across = across_hole(node);
   at_node(residual, i).head<3>() += damping * (across * node.rate.head<3>());

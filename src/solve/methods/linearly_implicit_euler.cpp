@@ -15,6 +15,7 @@ bool step(StepContext& context) noexcept
   ++context.iterations;
   if (!context.newton.improve(context.at_stage(), context.u)) return false;
   update(context.model, context.state, context.stage, context.u, context.work);
+  expand_motions(context.stage, context.work);
   return true;
 }
 }  // namespace

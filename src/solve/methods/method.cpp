@@ -12,6 +12,7 @@ bool StepContext::solve() noexcept
   left.max_iterations = std::min(limits.max_iterations, budget - iterations);
   const NewtonOutcome outcome = newton.solve(at_stage(), u, left);
   iterations += outcome.iterations;
+  expand_motions(stage, work);
   return outcome.converged;
 }
 
