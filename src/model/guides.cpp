@@ -52,10 +52,9 @@ void find_guide(const Model& model, const State& state, const Stage& stage, std:
   const NodeState& node = state.nodes[i];
   const MeshNode& mesh = model.mesh().nodes[i];
   const RigidBody body = node_body(model, stage, static_cast<int>(i));
-  int segment = node.segment;
-  const WellNode hole = state.well.at(node.md, segment);
-  guide.tangent = hole.tangent;
-  guide.centre = hole.position;
+  const HoleWall hole = state.well.wall_at(node.md, node.segment);
+  guide.tangent = x_axis(node.orientation);
+  guide.centre = node.position - node.side;
   guide.weight = guide.above = guide.below = guide.turn = Vector3d::Zero();
   guide.mass = body.mass;
   guide.spin_inertia = body.spin_inertia;
@@ -121,13 +120,23 @@ Vector3d climbed(const Guide& guide, const Vector3d& push, double around) noexce
   return (std::sqrt(square - around * around) * push + around * guide.tangent.cross(push)) / std::sqrt(square);
 }
 
+/// `q` by the smallest turn that points its x axis along `tangent`: of the angles of a step n x t says it to their cube.
+Eigen::Quaterniond turned_to(const Vector3d& tangent, const Eigen::Quaterniond& q) noexcept
+{
+  constexpr double small = 1e-3;  // [rad]
+  const Vector3d normal = x_axis(q), turn = normal.cross(tangent);
+  if (turn.squaredNorm() > small * small || normal.dot(tangent) < 0.0) return (Eigen::Quaterniond::FromTwoVectors(normal, tangent) * q).normalized();
+  const Vector3d half = 0.5 * turn;
+  return (Eigen::Quaterniond(1.0, half.x(), half.y(), half.z()) * q).normalized();
+}
+
 /// Where a node at its md and side is, and how it is turned.
 void place(State& state, NodeState& node) noexcept
 {
   const WellNode hole = state.well.at(node.md, node.segment);
   node.side = across(hole.tangent, node.side);
   node.position = hole.position + node.side;
-  node.orientation = (Eigen::Quaterniond::FromTwoVectors(x_axis(node.orientation), hole.tangent) * node.orientation).normalized();
+  node.orientation = turned_to(hole.tangent, node.orientation);
 }
 }  // namespace
 
@@ -138,6 +147,7 @@ void settle_in_hole(State& state, std::size_t i) noexcept
   node.md = closest.md;
   node.segment = closest.segment;
   node.side = across(closest.tangent, node.position - closest.centre);
+  place(state, node);
 }
 
 void settle_span(State& state, std::size_t e) noexcept

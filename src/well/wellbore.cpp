@@ -76,14 +76,27 @@ WellNode Wellbore::at(double md) const noexcept
   return g.at((md - g.md) / g.length);
 }
 
-WellNode Wellbore::at(double md, int& hint) const noexcept
+int Wellbore::segment_at(double md, int hint) const noexcept
 {
   const int last = new_interval_index();
   hint = std::clamp(hint, 0, last);
   while (hint > 0 && md < segment(hint).md) --hint;
   while (hint < last && md > segment(hint + 1).md) ++hint;
+  return hint;
+}
+
+WellNode Wellbore::at(double md, int& hint) const noexcept
+{
+  hint = segment_at(md, hint);
   const HoleSegment& g = segment(hint);
   return g.at((md - g.md) / g.length);
+}
+
+HoleWall Wellbore::wall_at(double md, int hint) const noexcept
+{
+  const HoleSegment& g = segment(segment_at(md, hint));
+  const double s = (md - g.md) / g.length;
+  return {g.radius + s * g.radius_change, g.friction + s * g.friction_change, g.section + s * g.section_change};
 }
 
 bool Wellbore::extend(const Eigen::Vector3d& bottom_displacement, const Eigen::Vector3d& bit_axis) noexcept

@@ -5,6 +5,14 @@
 
 namespace drill_rig_sim
 {
+/// How wide and how rough a hole is at one depth.
+struct HoleWall
+{
+  double radius = 0.0;    ///< [m]
+  double friction = 0.0;  ///< kinetic [-]
+  double section = 0.0;   ///< as WellNode's
+};
+
 /// The nine numbers of a wellbore node, and its hole section.
 struct WellNode
 {

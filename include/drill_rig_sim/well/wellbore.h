@@ -105,6 +105,7 @@ public:
   WellNode at(double md) const noexcept;
   /// The same from where `segment` of the last search was, brought up to date: without a search where little has changed.
   WellNode at(double md, int& segment) const noexcept;
+  HoleWall wall_at(double md, int segment) const noexcept;
   /// Changes when permanent nodes change, and back when a snapshot is restored.
   std::uint64_t version() const noexcept { return drilled_.hash(); }
   /// Nearly full: Stage II intervals have been lengthened to make the room last (or, when full, no more nodes are added and the
@@ -134,6 +135,7 @@ public:
   }
 
 private:
+  int segment_at(double md, int hint) const noexcept;
   // What never changes, shared by all copies.
   struct Original
   {
