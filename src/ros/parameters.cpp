@@ -65,10 +65,9 @@ public:
     refuse(name, raw, "one of " + allowed);
   }
 
-  void whole_number(const std::string& name, double& value, double most)
+  void whole_number(const std::string& name, double& value, double most, const std::string& allowed = "a whole number >= 0", double least = 0.0)
   {
-    const std::string allowed = "a whole number >= 0";
-    number(name, value, 0.0, most, allowed);
+    number(name, value, least, most, allowed);
     XmlRpc::XmlRpcValue raw;
     if (value != std::floor(value) && find(name, raw)) refuse(name, raw, allowed);
   }
@@ -136,6 +135,19 @@ bool readable(const std::string& file)
 }
 }  // namespace
 
+namespace
+{
+void read_realtime(Reader& read, RealtimeSpec& spec)
+{
+  double priority = spec.fifo_priority, core = spec.core;
+  read.whole_number("realtime/fifo_priority", priority, 98.0, "a whole number from 0 to 98, 0 = off");
+  read.flag("realtime/lock_memory", spec.lock_memory);
+  read.whole_number("realtime/core", core, 4095.0, "a whole number from -1 on, -1 = any", -1.0);
+  spec.fifo_priority = static_cast<int>(priority);
+  spec.core = static_cast<int>(core);
+}
+}  // namespace
+
 Parameters read_parameters(const ros::NodeHandle& node)
 {
   Parameters p;
@@ -161,6 +173,7 @@ Parameters read_parameters(const ros::NodeHandle& node)
   read.number("lateral_exaggeration", p.lateral_exaggeration, 1.0, 1e4, "a number from 1 to 10000");
   read.number("force_scale", p.force_scale, 0.0, 1e3, "a number >= 0 [m/N]");
   read.choice("color_by", p.color_by, {"contact_force", "tension", "torque", "bending_moment"});
+  read_realtime(read, p.realtime);
   read.refuse_unknown();
 
   p.seed = static_cast<std::uint64_t>(seed);

@@ -2,6 +2,7 @@
 
 #include <rosgraph_msgs/Clock.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "drill_rig_sim/ros/conversions.h"
@@ -13,6 +14,7 @@ PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& para
     : ring_(ring),
       on_change_(std::move(on_change)),
       publish_clock_(parameters.publish_clock),
+      priority_(std::max(0, parameters.realtime.fifo_priority - 1)),
       state_(node, parameters, subscriptions),
       frames_(node, parameters),
       markers_(node, parameters, subscriptions, std::move(ask_for_picture)),
@@ -52,6 +54,8 @@ void PublishingThread::wait_until_published(std::uint64_t handed_over)
 
 void PublishingThread::run()
 {
+  name_thread("publishing");
+  prioritise_thread(priority_, -1);
   while (const FrameOutput* s = ring_.next())
   {
     publish(*s);

@@ -30,6 +30,8 @@ RigNode::RigNode()
       spinner_(1),
       service_spinner_(2, &service_queue_)
 {
+  const std::string problem = try_realtime(parameters_.realtime);
+  if (!problem.empty()) throw ParameterError("parameter ~" + problem);
   say_what_runs();
   publishing_.start();
   loop_.start();

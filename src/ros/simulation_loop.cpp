@@ -70,6 +70,8 @@ void SimulationLoop::join()
 
 void SimulationLoop::run() noexcept
 {
+  name_thread("simulation");
+  prioritise_thread(parameters_.realtime.fifo_priority, parameters_.realtime.core);
   while (!quit_)
   {
     run_between_frames();

@@ -32,12 +32,17 @@ const char* name_of(Level level) noexcept
   return level == Level::hybrid ? "hybrid" : "beam3d";
 }
 
+int guided_nodes(const State& state) noexcept
+{
+  return static_cast<int>(std::count_if(state.nodes.begin(), state.nodes.end(), [](const NodeState& node) { return node.guided; }));
+}
+
 /// Of the nodes, rotor and line.
 int coordinates_of(const State& state) noexcept
 {
-  int count = 2;
-  for (const NodeState& node : state.nodes) count += node.guided ? 2 : 6;
-  return state.nodes.back().guided ? count : count - 4;  // the rail's
+  const int nodes = static_cast<int>(state.nodes.size()), guided = guided_nodes(state);
+  const int of_rail = state.nodes.back().guided ? 0 : 4;
+  return 6 * (nodes - guided) + 2 * guided - of_rail + 2;
 }
 }  // namespace
 
@@ -120,6 +125,7 @@ FrameStatus Simulator::frame(double duration) noexcept
   const double hole_depth = mechanics.well.hole_depth();
   impl_->levels.look(*impl_->model, impl_->state.forces, duration, mechanics, impl_->state.levels);
   impl_->statistics.coordinates = coordinates_of(mechanics);
+  impl_->statistics.guided_node_frames += static_cast<std::uint64_t>(guided_nodes(mechanics));
   impl_->accuracy.begin_frame(*impl_->integrator, setpoints, impl_->state.accuracy);
   for (int k = 0; k < steps; ++k)
   {

@@ -47,12 +47,12 @@ struct Bench
 
 [[gnu::noinline]] bool benchmark_solve(Bench& bench)
 {
-  return bench.tangent.solve(bench.residual.data());
+  return solve_increment(bench.stage, bench.tangent, bench.residual.data());
 }
 
 [[gnu::noinline]] void benchmark_substitution(Bench& bench)
 {
-  bench.tangent.solve_again(bench.residual.data());
+  solve_increment_again(bench.stage, bench.tangent, bench.residual.data());
 }
 
 int run(const std::string& file, const std::string& kernel, int count, const std::vector<std::string>& settings)

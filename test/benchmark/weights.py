@@ -2,7 +2,7 @@
 
 Counted work of a run = nodes x (residuals x w_residual + tangents x w_tangent + solves x w_solve +
 substitutions x w_substitution). A tangent comes with its residual: w_tangent
-is what it costs beyond that. Instructions do not depend on what else the machine does.
+is what it costs beyond that. Free and guided nodes (numerics.level) have weights of their own; of a run whose level changes their mean numbers count. Instructions do not depend on what else the machine does.
 """
 import datetime
 import json
@@ -22,8 +22,9 @@ class Weights:
 
     def of(self, method, element, counted, nodes):
         """Instructions of a run."""
-        w = self.table.get(element) or self.table['corotational']
-        return nodes * sum(counted[kernel + 's'] * w[kernel] for kernel in KERNELS)
+        guided = counted.get('guided_nodes', 0.0)
+        kinds = ((nodes - guided, self.table.get(element) or self.table['corotational']), (guided, self.table.get('guided', {})))
+        return sum(n * counted[kernel + 's'] * w[kernel] for n, w in kinds if n > 0.0 for kernel in KERNELS)
 
 
 def load():
@@ -45,8 +46,8 @@ def instructions(kernels_program, scene, kernel, settings, folder):
 def measure(kernels_program, scene, elements, folder, machine):
     """Counts, and writes weights.json."""
     table = {}
-    for element in elements:
-        settings = [] if element == 'corotational' else ['numerics.element=' + element]
+    for element in list(elements) + ['guided']:
+        settings = {'corotational': [], 'guided': ['numerics.level=axial_torsional']}.get(element, ['numerics.element=' + element])
         counted = {kernel: instructions(kernels_program, scene, kernel, settings, folder) for kernel in KERNELS}
         counted['tangent'] -= counted['residual']
         table[element] = {kernel: round(count) for kernel, count in counted.items()}

@@ -58,6 +58,13 @@ class Parameters(unittest.TestCase):
         self.refused("rig_pose:=[1,2]", "~rig_pose is ", "six")
         self.refused("rig_pose:=[0,0,0,0,0,x]", "~rig_pose is ", "six")
 
+    def test_priorities_and_cores(self):
+        self.refused("realtime/fifo_priority:=99", "~realtime/fifo_priority is 99", "0 to 98")
+        self.refused("realtime/fifo_priority:=1.5", "1.5", "whole number")
+        self.refused("realtime/core:=-2", "~realtime/core is -2", "-1 = any")
+        self.refused("realtime/core:=4000", "~realtime/core", "a core that this process may run on")
+        self.refused("realtime/lock_memory:=maybe", "maybe", "true or false")
+
     def test_unknown_words(self):
         self.refused("clock:=sometimes", "sometimes", "realtime, lockstep, free_run")
         self.refused("color_by:=mood", "mood", "contact_force")
@@ -78,7 +85,7 @@ class Parameters(unittest.TestCase):
         given = {p.get("name") for p in node.iter("param")} | {p.get("param") for p in node.iter("rosparam")}
         self.assertEqual(there_are, given)
         documented = {a.get("name") for a in root.findall("arg") if a.get("doc")}
-        self.assertEqual(set(), given - documented)
+        self.assertEqual(set(), {name.split("/")[-1] for name in given} - documented)
         self.assertEqual(len(root.findall("arg")), len(documented))
 
     def test_rviz_shows_the_rig_of_its_own_namespace(self):

@@ -8,6 +8,7 @@
 #include "drill_ahead.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/guides.h"
+#include "drill_rig_sim/model/levels.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "test_scenes.h"
@@ -211,6 +212,94 @@ TEST(Levels, closeTheEnergyBalance)
     EXPECT_LT(rig.energy().closure(), 1e-3) << free_length;
     EXPECT_LT(std::abs(rig.energy().numerical_share()), 0.01) << free_length;
   }
+}
+
+namespace
+{
+/// Of the elements, as the nodes of a rig lie.
+std::vector<double> tensions(const RigAtRest& rig)
+{
+  Stage stage(*rig.model);
+  Workspace work(*rig.model);
+  begin_step(*rig.model, rig.state, 0.0, Setpoints(), stage);
+  prepare_start(rig.state, stage);
+  stage.structural_damping = 0.0;
+  std::vector<double> u(6 * rig.model->nodes(), 0.0), residual(u);
+  evaluate(*rig.model, rig.state, stage, u.data(), work, residual.data(), nullptr);
+  find_string_forces(*rig.model, rig.state, stage, work);
+  return work.result.forces.tension;
+}
+}  // namespace
+
+// In the bend, where the line on the wall and the axis differ most.
+TEST(Levels, aChangeKeepsTheTensionOfEveryElement)
+{
+  RigAtRest rig = build_at_rest(at_level(deviated(), Level::axial_torsional));
+  Stepper stepper(rig.model, find_method(IntegratorKind::automatic));
+  Setpoints setpoints;
+  setpoints.winch = {-0.1, false};
+  setpoints.top_drive.speed = 30.0 * rpm;
+  for (int k = 0; k < 500; ++k) ASSERT_TRUE(stepper.advance(rig.state, kFrame, setpoints));
+  const std::vector<unsigned char> guided(rig.state.nodes.size(), 1);
+  std::vector<unsigned char> window = guided;
+  for (std::size_t i = 60; i < 90; ++i) window[i] = 0;
+  const double hook_load = stepper.find_forces(rig.state).hook_load;
+  for (const std::vector<unsigned char>& wanted : {window, guided, window})
+  {
+    const std::vector<double> before = tensions(rig);
+    ASSERT_TRUE(change_guided(*rig.model, wanted, stepper.find_forces(rig.state), rig.state));
+    const std::vector<double> after = tensions(rig);
+    for (std::size_t e = 0; e < before.size(); ++e) EXPECT_NEAR(after[e], before[e], 1e-3) << "element " << e;
+    EXPECT_FALSE(change_guided(*rig.model, wanted, stepper.find_forces(rig.state), rig.state)) << "is as wanted";
+    double most = 0.0;
+    for (int k = 0; k < 300; ++k)
+    {
+      ASSERT_TRUE(stepper.advance(rig.state, kFrame, setpoints));
+      most = std::max(most, std::abs(stepper.find_forces(rig.state).hook_load - hook_load));
+    }
+    EXPECT_LT(most, 0.01 * hook_load);
+  }
+}
+
+// Pipe without collars stands on its bit in a vertical hole, and buckles.
+TEST(Levels, hybridSetsFreeWhatWouldBuckleAndGuidesItAgain)
+{
+  const auto scene_of = [](Level level)
+  {
+    Scene scene = at_level(vertical_scene(300.0, 299.99, 0.2), level, 20.0);
+    scene.numerics.element_length = 4.75;
+    return scene;
+  };
+  Simulator reference(scene_of(Level::beam3d)), rig(scene_of(Level::hybrid));
+  const auto move = [&](double velocity, double seconds)
+  {
+    for (Simulator* one : {&reference, &rig}) one->command(WinchSetpoint{velocity, false});
+    double error = 0.0, free = 0.0;
+    for (int k = 0; k < seconds / kFrame; ++k)
+    {
+      for (Simulator* one : {&reference, &rig}) EXPECT_EQ(one->frame(kFrame), FrameStatus::running) << one->failure();
+      error = std::max(error, std::abs(rig.truth().hook_load_string - reference.truth().hook_load_string));
+      free = std::max(free, static_cast<double>(rig.statistics().coordinates) / reference.statistics().coordinates);
+    }
+    EXPECT_LT(error, 0.03 * reference.truth().hook_load_string) << velocity << " m/s";
+    return free;
+  };
+  const int at_start = rig.statistics().coordinates;
+  EXPECT_LT(at_start, 0.5 * reference.statistics().coordinates);
+  EXPECT_GT(move(-0.01, 5.0), 0.5);
+  EXPECT_GT(rig.truth().wob, 2e4);
+  move(0.01, 10.0);
+  EXPECT_GT(rig.statistics().coordinates, at_start);
+  move(0.0, 12.0);
+  EXPECT_EQ(rig.statistics().coordinates, at_start) << "guided again when nothing presses it for ten seconds";
+}
+
+TEST(Levels, guidedPipeThatWouldBuckleWarns)
+{
+  Simulator rig(at_level(vertical_scene(300.0, 299.99, 0.2), Level::axial_torsional));
+  rig.command(WinchSetpoint{-0.01, false});
+  watch(rig, 5.0, 0.01);
+  EXPECT_EQ(rig.statistics().accuracy.doubt, AccuracyDoubt::confined);
 }
 
 int main(int argc, char** argv)

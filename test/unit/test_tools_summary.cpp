@@ -98,6 +98,7 @@ TEST(Summary, tellsWhatRanAndHowFast)
                                                        {"solves", s.work.solves},
                                                        {"substitutions", s.work.substitutions}};
   for (const auto& [name, count] : counts) EXPECT_EQ(count, told[name].get<std::uint64_t>()) << name;
+  EXPECT_EQ(0.0, told["guided_nodes"].get<double>());
   for (const char* name : {"reference", "energy", "final_readings", "failure"}) EXPECT_FALSE(told.contains(name)) << name;
 }
 
@@ -107,7 +108,7 @@ TEST(Summary, sharesOfCostAreOfTheProfiledTime)
   const Simulator simulator = after_two_seconds(drilling_scene(), record, false);
   // in the order of the sum
   const std::pair<const char*, Cost> costs[] = {{"kinematics", Cost::kinematics},     {"elements", Cost::elements},
-                                                {"inertia", Cost::inertia},           {"contact", Cost::contact},
+                                                {"guided", Cost::guided},             {"inertia", Cost::inertia},           {"contact", Cost::contact},
                                                 {"bit", Cost::bit},                   {"rig", Cost::rig},
                                                 {"linear_solve", Cost::linear_solve}, {"rock_penetration", Cost::rock_penetration},
                                                 {"other", Cost::other}};

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "drill_rig_sim/realtime/threads.h"
 #include "drill_rig_sim/realtime/timekeeper.h"
 #include "drill_rig_sim/scene/scene.h"
 
@@ -53,6 +54,7 @@ struct Parameters
   bool use_sim_time = false;  ///< the global /use_sim_time
   double lateral_exaggeration = 50.0;
   ColorQuantity color_by = ColorQuantity::contact_force;
+  RealtimeSpec realtime;
   double force_scale = 5e-3;  ///< length of a contact force's arrow [m/N]
 
   TimeSource time_source() const noexcept

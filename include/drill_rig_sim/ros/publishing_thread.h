@@ -42,6 +42,7 @@ private:
   FrameRing& ring_;
   std::function<void()> on_change_;
   bool publish_clock_;
+  int priority_;  // SCHED_FIFO; 0: as all threads
   ros::Publisher clock_;
   StatePublisher state_;
   FramePublisher frames_;

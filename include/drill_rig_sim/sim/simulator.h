@@ -40,7 +40,8 @@ struct SimulatorStatistics
   std::uint64_t commands_clamped = 0;
   std::uint64_t commands_refused = 0;
   int nodes = 0;
-  int coordinates = 0;
+  int coordinates = 0;                  ///< of the last frame
+  std::uint64_t guided_node_frames = 0;  ///< guided nodes, summed over all frames
   const char* level = "";
   const char* integrator = "";
   double step = 0.0;                    ///< [s]

@@ -19,6 +19,9 @@ VARIANTS = tuple(matrix.Numerics(length, step, method) for method, step, length 
     (None, None, None), (None, None, 9.51), (None, None, 4.755), (None, 0.005, None), ('trbdf2', 0.02, None), ('trbdf2', 0.01, None),
     ('generalised_alpha', 0.01, None)))
 
+LEVELS = tuple(matrix.Numerics(level=level) for level in ('beam3d', 'hybrid', 'axial_torsional'))
+WIDER = 2.5  # bounds: 5 %
+
 
 def path_of(cell):
     return os.path.join(REFERENCES, cell.file + '.npz')
@@ -116,6 +119,21 @@ def variants_table(results):
     return '\n'.join(rows) + '\n'
 
 
+def levels_table(results):
+    """results: (numerics, verdicts); the first is the finest level. Near: of the decided those whose errors are all within 5 %."""
+    rows = ['| level | right | warned | silent | undecided | within 5 % | largest silent error | cost |', '| --- | --- | --- | --- | --- | --- | --- | --- |']
+    dearest = {v.cell.name: v.cost for v in results[0][1]}
+    for numerics, verdicts in results:
+        told, decided = counts(verdicts), [v for v in verdicts if v.kind != 'undecided']
+        near = sum(v.worst <= WIDER for v in decided)
+        silent = max((v.worst for v in decided if v.kind == 'silent'), default=0.0)
+        both = [v for v in verdicts if v.cost == v.cost and dearest[v.cell.name] == dearest[v.cell.name]]
+        cost = sum(v.cost for v in both) / sum(dearest[v.cell.name] for v in both)
+        cells = ['%d' % told[kind] for kind in KINDS] + ['%d of %d' % (near, len(decided)), '%.1f %%' % (100.0 * matrix.BOUND * silent) if silent else '-']
+        rows.append('| `%s` | %s | %.2f |' % (numerics, ' | '.join(cells), cost))
+    return '\n'.join(rows) + '\n'
+
+
 def chart(verdicts, path):
     import matplotlib
     matplotlib.use('Agg')
@@ -150,12 +168,14 @@ def play(args, out):
         return 2, []
     if args.full and not make_references(args.drill, todo, folder, args.jobs, args.budget):
         return 3, []
-    if args.variants:
+    for asked, compared, name, as_table in ((args.variants, VARIANTS, 'variants.md', variants_table), (args.levels, LEVELS, 'levels.md', levels_table)):
+        if not asked:
+            continue
         short = [cell for cell in todo if cell.what.duration <= matrix.BALANCED]
-        results = [(numerics, judge_all(args.drill, short, folder, args.jobs, numerics)) for numerics in VARIANTS]
+        results = [(numerics, judge_all(args.drill, short, folder, args.jobs, numerics)) for numerics in compared]
         for numerics, verdicts in results:
             print('%s: %s' % (numerics, summary_line(verdicts)))
-        return 0, [write('variants.md', variants_table(results), out)]
+        return 0, [write(name, as_table(results), out)]
     verdicts = judge_all(args.drill, todo, folder, args.jobs, matrix.Numerics(), energy=True)
     print(summary_line(verdicts))
     names = [write('operations.md', summary_line(verdicts) + '.\n\n' + table(verdicts), out),
