@@ -42,6 +42,14 @@ struct Choice
   int (*get)(const Spec&);
 };
 
+/// A list of words, each at most once, kept as a sum of powers of two: the first word is 1.
+template <class Spec>
+struct WordSet
+{
+  std::vector<const char*> words;
+  unsigned Spec::*member;
+};
+
 /// A whole number, or the word `fill`, kept as 0.
 template <class Spec>
 struct CountOrFill
@@ -69,7 +77,7 @@ struct Nested
 };
 
 template <class Spec>
-using Field = std::variant<double Spec::*, int Spec::*, std::string Spec::*, Choice<Spec>, CountOrFill<Spec>, Flag<Spec>,
+using Field = std::variant<double Spec::*, int Spec::*, std::string Spec::*, Choice<Spec>, WordSet<Spec>, CountOrFill<Spec>, Flag<Spec>,
                            Inside<Spec>, Nested>;
 
 /// Bits of the kinds (of string part, of bit law) that a row belongs to.

@@ -72,6 +72,7 @@ private:
     if (const auto* number = std::get_if<double Spec::*>(&key.field)) return add_number(spec.*(*number));
     if (const auto* inside = std::get_if<Inside<Spec>>(&key.field)) return add_number(inside->ref(spec));
     if (const auto* count = std::get_if<int Spec::*>(&key.field)) return add_number(spec.*(*count));
+    if (const auto* set = std::get_if<WordSet<Spec>>(&key.field)) return add_number(spec.*(set->member));
     if (const auto* fill = std::get_if<CountOrFill<Spec>>(&key.field)) return add_number(spec.*(fill->member));
     if (const auto* flag = std::get_if<Flag<Spec>>(&key.field)) return add_number(spec.*(flag->member));
     if (const auto* choice = std::get_if<Choice<Spec>>(&key.field)) return add_number(choice->get(spec));

@@ -5,6 +5,7 @@ namespace drill_rig_sim
 const std::vector<const char*> part_type_words = {"bit", "mud_motor", "collar", "stabilizer", "mwd", "pipe"};
 const std::vector<const char*> bit_torque_words = {"stribeck", "detournay", "regenerative"};
 const std::vector<const char*> stribeck_curve_words = {"gaussian", "exponential"};
+const std::vector<const char*> need_words = {"hook_load", "torque", "wob", "rop", "bit_speed", "pressure", "direction", "contact", "buckling"};
 const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybrid", "beam3d", "auto"};
 const std::vector<const char*> integrator_words = {"auto",   "bdf2",              "implicit_euler", "linearly_implicit_euler",
                                                    "trbdf2", "generalised_alpha", "explicit",       "arkode_dirk",
@@ -88,6 +89,7 @@ const Table<Scene> scene_keys = {"", "The scene file's top level.", {
   {"start",                 "",       Nested{},                            none,                 "the state at time 0", must},
   {"numerics",              "",       Nested{},                            none,                 "how the equations are solved"},
   {"instruments",           "",       Nested{},                            none,                 "what the sensors make of the truth"},
+  {"needs",                 "",       WordSet<Scene>{need_words, &Scene::needs}, none,           "outputs that matter; `accuracy_warning` where the level does not represent one"},
   {"connections",           "",       Choice<Scene>{connections_words, [](Scene& s, int word) { s.connections = static_cast<Connections>(word); },
                                                     [](const Scene& s) { return static_cast<int>(s.connections); }},
                                                                            none,                 "off; auto is not available yet"},

@@ -19,6 +19,7 @@ constexpr unsigned kind(Enum e)
 /// The words of an enumeration in the order of its enumerators.
 extern const std::vector<const char*> part_type_words;
 extern const std::vector<const char*> bit_torque_words;
+extern const std::vector<const char*> need_words;
 extern const std::vector<const char*> level_words;
 extern const std::vector<const char*> integrator_words;
 extern const std::vector<const char*> element_words;

@@ -20,6 +20,7 @@ std::string default_of(const Key<Spec>& key, Spec defaults)
   if (const auto* field = std::get_if<CountOrFill<Spec>>(&key.field)) return plain(defaults.*(field->member));
   if (const auto* field = std::get_if<Choice<Spec>>(&key.field))
     return field->words[static_cast<std::size_t>(field->get(defaults))];
+  if (std::get_if<WordSet<Spec>>(&key.field)) return "all";
   return "";
 }
 
@@ -31,6 +32,7 @@ std::string allowed_of(const Key<Spec>& key)
   if (std::get_if<Flag<Spec>>(&key.field)) return "true, false";
   if (std::get_if<CountOrFill<Spec>>(&key.field)) return to_text(key.allowed) + ", fill";
   if (const auto* field = std::get_if<Choice<Spec>>(&key.field)) return to_text(field->words);
+  if (const auto* field = std::get_if<WordSet<Spec>>(&key.field)) return "list of " + to_text(field->words);
   return to_text(key.allowed);
 }
 

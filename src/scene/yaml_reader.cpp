@@ -173,6 +173,24 @@ bool read_word(const YAML::Node& node, const std::string& path, const std::vecto
   return false;
 }
 
+void read_word_set(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, unsigned& value, Problems& problems)
+{
+  if (!node.IsSequence() || node.size() == 0)
+  {
+    problems.add(path, describe(node) + " is given, allowed: a list with some of " + to_text(words));
+    return;
+  }
+  unsigned found = 0;
+  for (std::size_t i = 0; i < node.size(); ++i)
+  {
+    int word = 0;
+    if (!read_word(node[i], item_key(path, i), words, word, problems)) return;
+    if (found & (1u << word)) problems.add(item_key(path, i), std::string(words[static_cast<std::size_t>(word)]) + " stands twice, allowed: once");
+    found |= 1u << word;
+  }
+  value = found;
+}
+
 bool read_text(const YAML::Node& node, const std::string& path, std::string& value, Problems& problems)
 {
   if (!node.IsScalar() || node.Scalar().empty())

@@ -26,6 +26,7 @@ bool read_number(const YAML::Node& node, const std::string& path, const Range& a
 void read_whole(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems);
 bool read_word(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, int& word,
                Problems& problems);
+void read_word_set(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, unsigned& value, Problems& problems);
 bool read_text(const YAML::Node& node, const std::string& path, std::string& value, Problems& problems);
 void read_flag(const YAML::Node& node, const std::string& path, double& value, Problems& problems);
 void read_count_or_fill(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems);
@@ -56,6 +57,7 @@ void read_value(const YAML::Node& node, const std::string& path, const Key<Spec>
   {
     read_count_or_fill(node, path, key.allowed, spec.*(field->member), problems);
   }
+  if (const auto* field = std::get_if<WordSet<Spec>>(&key.field)) read_word_set(node, path, field->words, spec.*(field->member), problems);
   if (const auto* field = std::get_if<Choice<Spec>>(&key.field))
   {
     int word = 0;

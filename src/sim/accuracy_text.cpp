@@ -1,7 +1,9 @@
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/needs.h"
 #include "drill_rig_sim/sim/accuracy.h"
 
 namespace drill_rig_sim
@@ -21,6 +23,15 @@ double shorter(double length)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(0.9 * length)) - 1.0);
   return std::floor(0.9 * length / unit) * unit;
+}
+
+/// Of the needs that a level may leave out.
+std::string words_of(unsigned needs)
+{
+  std::string out;
+  for (const auto& [need, word] : {std::make_pair(need_direction, "direction"), std::make_pair(need_contact, "contact"), std::make_pair(need_buckling, "buckling")})
+    if (needs & need) out += (out.empty() ? "" : ", ") + std::string(word);
+  return out;
 }
 }  // namespace
 
@@ -67,6 +78,9 @@ std::string text_of(const AccuracyReport& r, double step)
     case AccuracyDoubt::whirl:
       return text("the string whirls: it rolls along its walls at %.2g of pure rolling, how far and where hangs on the mesh; numerics.element_length: half as long shows"
                   " what of it is the mesh's", r.measure);
+    case AccuracyDoubt::level:
+      return "guided pipe has no bending: this level does not represent " + words_of(static_cast<unsigned>(r.measure)) +
+             "; numerics.level: hybrid or beam3d, or needs without it";
     case AccuracyDoubt::slant:
       return text("the hole leaves the table by %.0f deg from the vertical, and the rig stands upright: hook load and torque are those of a string pulled over"
                   " a corner; well.survey: vertical at the table", r.measure / degree);

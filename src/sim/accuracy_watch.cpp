@@ -221,9 +221,17 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   doubt(AccuracyDoubt::whirl, memory.sideways / std::max(memory.surface, least_surface_speed), memory.whirled > least_whirled);
   doubt(AccuracyDoubt::jerks, memory.jerks, memory.jerks > most_jerks);
   if (found.doubt == AccuracyDoubt::none) found = doubt_of_hole(state);
+  if (found.doubt == AccuracyDoubt::none) found = doubt_of_level(model_->scene());
   if (found.doubt == AccuracyDoubt::none) return;
   memory.report = found;
   memory.stands_for = memory_time;
+}
+
+AccuracyReport doubt_of_level(const Scene& scene) noexcept
+{
+  constexpr unsigned of_free_nodes = need_direction | need_contact | need_buckling;
+  const unsigned left_out = scene.numerics.level == Level::axial_torsional ? scene.needs & of_free_nodes : 0u;
+  return left_out ? AccuracyReport{AccuracyDoubt::level, static_cast<double>(left_out), 0.0, 0.0} : AccuracyReport();
 }
 
 AccuracyReport doubt_of_hole(const State& state) noexcept

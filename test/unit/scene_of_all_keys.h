@@ -45,6 +45,7 @@ instruments:
     stand_pipe_pressure: {noise: 3.1, bias: 3.2, delay: 3.3, filter_time: 3.4, resolution: 3.5}
     flow: {noise: 4.1, bias: 4.2, delay: 4.3, filter_time: 4.4, resolution: 4.5}
     block_height: {noise: 5.1, bias: 5.2, delay: 5.3, filter_time: 5.4, resolution: 5.5}
+needs: [torque, rop]
 connections: off
 program:
   - {at: 1.5, block_velocity: -0.01, top_drive_speed_rpm: 54.0, flow: 0.046}

@@ -192,6 +192,7 @@ std::vector<Expected> of_rig()
 std::vector<Expected> of_numerics()
 {
   return {
+      {"", "needs", [](const Scene& s) { return static_cast<double>(s.needs); }, 10.0},
       {"numerics", "level", [](const Scene& s) { return number(s.numerics.level == Level::beam3d); }, 1.0},
       {"numerics", "integrator", [](const Scene& s) { return number(s.numerics.integrator == IntegratorKind::trbdf2); }, 1.0},
       {"numerics", "element", [](const Scene& s) { return number(s.numerics.element == ElementKind::corotational); }, 1.0},

@@ -302,6 +302,25 @@ TEST(Levels, guidedPipeThatWouldBuckleWarns)
   EXPECT_EQ(rig.statistics().accuracy.doubt, AccuracyDoubt::confined);
 }
 
+TEST(Levels, thatLeaveOutWhatTheSceneNeedsWarn)
+{
+  Scene scene = at_level(vertical_scene(300.0, 250.0), Level::axial_torsional);
+  const auto told = [](const Scene& s)
+  {
+    Simulator rig(s);
+    EXPECT_EQ(rig.frame(kFrame), FrameStatus::running);
+    return text_of(rig.statistics().accuracy, s.numerics.step);
+  };
+  EXPECT_NE(told(scene).find("does not represent direction, contact, buckling;"), std::string::npos) << told(scene);
+  scene.needs = need_hook_load | need_torque | need_direction;
+  EXPECT_NE(told(scene).find("does not represent direction;"), std::string::npos) << told(scene);
+  scene.needs = need_hook_load | need_torque;
+  EXPECT_EQ(told(scene), "");
+  scene.needs = every_need;
+  scene.numerics.level = Level::hybrid;
+  EXPECT_EQ(told(scene), "");
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);

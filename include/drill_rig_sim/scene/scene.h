@@ -10,6 +10,7 @@
 #include "drill_rig_sim/rig/mud_pump.h"
 #include "drill_rig_sim/rig/top_drive.h"
 #include "drill_rig_sim/scene/instruments_spec.h"
+#include "drill_rig_sim/scene/needs.h"
 #include "drill_rig_sim/scene/numerics_spec.h"
 #include "drill_rig_sim/string/mud.h"
 #include "drill_rig_sim/string/part.h"
@@ -73,6 +74,7 @@ struct Scene
   StartSpec start;
   NumericsSpec numerics;
   InstrumentsSpec instruments;
+  unsigned needs = every_need;  ///< sum of Need
   Connections connections = Connections::off;
   std::vector<ProgramStep> program;
 };

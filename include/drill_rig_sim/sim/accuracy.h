@@ -25,14 +25,15 @@ enum class AccuracyDoubt
   loose,          ///< a string that was wound up by many turns came loose
   whirl,          ///< turning pipe rolls along its walls
   jerks,          ///< the string sticks and slips on its walls again and again
-  slant           ///< the hole leaves the table inclined, and the rig stands upright
+  slant,          ///< the hole leaves the table inclined, and the rig stands upright
+  level           ///< the level does not represent an output that the scene needs
 };
 
 /// A doubt, how large and where.
 struct AccuracyReport
 {
   AccuracyDoubt doubt = AccuracyDoubt::none;
-  double measure = 0.0;         ///< confined: of the load at which it buckles; compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]; whirl: of pure rolling, waves: of the torque's range [-]; slant [rad]
+  double measure = 0.0;         ///< confined: of the load at which it buckles; compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]; whirl: of pure rolling, waves: of the torque's range [-]; slant [rad]; level: sum of the needs
   double from_bit = 0.0;        ///< where on the string [m]; confined, compression, twist, embedding
   double element_length = 0.0;  ///< of the element there [m]; compression, twist
 

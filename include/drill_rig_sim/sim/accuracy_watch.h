@@ -21,6 +21,9 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
 /// corner there. Without friction the hook load is 1 % low at 12 deg, 6 % at 20 deg.
 AccuracyReport doubt_of_hole(const State& state) noexcept;
 
+/// Where the scene needs an output that its level does not represent.
+AccuracyReport doubt_of_level(const Scene& scene) noexcept;
+
 /// Watches what makes a run inaccurate without failing it. Every tenth frame is looked at, and the energy of its first step booked.
 ///
 /// - Compression: two cubic elements carry the half wave into which pipe in a hole buckles, pi sqrt(2 E I/P), so an element of length L
@@ -48,7 +51,7 @@ AccuracyReport doubt_of_hole(const State& state) noexcept;
 /// - Jerks: of the force between string and walls (5 kN at least), the share that sticks, or slides slower than 2 mm/s, came and went every twelve seconds or more often, over the
 ///   last 10 s; a start or a stop alone is half of that. Pipe that slides below its friction's Stribeck speed does that by itself;
 ///   where in its slip it is, and so the peaks and what a stop leaves, hangs on the numerics.
-/// - Slant: doubt_of_hole(), where nothing else is doubted.
+/// - Slant, level: doubt_of_hole(), doubt_of_level(), where nothing else is doubted.
 class AccuracyWatch
 {
 public:
