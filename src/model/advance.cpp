@@ -34,7 +34,8 @@ void commit(const Stage& stage, const Workspace& work, State& state) noexcept
     node.segment = motion.closest.segment;
   }
   commit_guided(stage, work, state);
-  for (std::size_t e = 0; e < work.spans.size(); ++e) state.spans[e].segment = work.spans[e].closest.segment;
+  for (std::size_t e = 0; e < work.spans.size(); ++e)
+    if (!stage.guided_spans[e].guided) state.spans[e].segment = work.spans[e].closest.segment;
 }
 
 void advance_static(const Workspace& work, State& state) noexcept

@@ -20,6 +20,15 @@ Vector3d rock_velocity(const Model& model, const Wellbore& well, const RigForces
 
 namespace
 {
+/// `way` of the bottom in a step or a second; a guided bit goes straight on, whatever the rock: nothing of a string without bending would hold it
+/// back.
+Vector3d way_of_bit(const Stage& stage, const Wellbore& well, const Vector3d& way) noexcept
+{
+  if (!stage.guides.front().guided) return way;
+  const Vector3d on = well.end_direction();
+  return on * on.dot(way);
+}
+
 /// By the rock that the blades have cut away since the last step.
 void extend_by_cut(const Model& model, const Stage& stage, const StageResult& result, State& state) noexcept
 {
@@ -29,7 +38,8 @@ void extend_by_cut(const Model& model, const Stage& stage, const StageResult& re
   const FormationLayer& rock = model.rock_under(state.well);
   const double lowered = cut(state.ground, bit.torque.blades, result.cut.angle, result.cut.height);
   state.ground.flats = result.cut.flats;
-  const Vector3d way = lowered * rock_breaking_direction(rock, result.forces.rock_force, bit_axis, bit.side_cutting, down);
+  const Vector3d way =
+      way_of_bit(stage, state.well, lowered * rock_breaking_direction(rock, result.forces.rock_force, bit_axis, bit.side_cutting, down));
   state.bit.rock_velocity = way / stage.time;
   state.well.extend(way, bit_axis);
 }
@@ -41,7 +51,7 @@ void extend_hole(const Model& model, const Stage& stage, const StageResult& resu
   const RigForces& forces = result.forces;
   const Vector3d bit_axis = x_axis(state.nodes[0].orientation);
   state.bit.rock_velocity = stage.bit.bottom_known ? Vector3d(stage.bit.bottom_increment / stage.time)
-                                                   : rock_velocity(model, state.well, forces, stage.bit.drilling_speed, bit_axis);
+                                                   : way_of_bit(stage, state.well, rock_velocity(model, state.well, forces, stage.bit.drilling_speed, bit_axis));
   state.well.extend(stage.bit.bottom_known ? stage.bit.bottom_increment : Vector3d(stage.time * state.bit.rock_velocity), bit_axis);
 }
 

@@ -138,6 +138,11 @@ void place(State& state, NodeState& node) noexcept
   node.position = hole.position + node.side;
   node.orientation = turned_to(hole.tangent, node.orientation);
 }
+/// The formation that holds a guided node goes with it across the hole: along it and about it the node is held.
+void keep_beside(const NodeState& node, const Vector3d& tangent, StuckPointState& stuck) noexcept
+{
+  stuck.position = node.position - tangent * tangent.dot(node.position - stuck.position);
+}
 }  // namespace
 
 void settle_in_hole(State& state, std::size_t i) noexcept
@@ -232,6 +237,7 @@ void commit_guided(const Stage& stage, const Workspace& work, State& state) noex
     node.rate = {motion.along_rate * guide.tangent, motion.along_rate * guide.turn, motion.about_rate};
     node.orientation = rotation_from_vector(motion.about * guide.tangent) * node.orientation;
     place(state, node);
+    if (static_cast<int>(i) == state.stuck_point.node) keep_beside(node, x_axis(node.orientation), state.stuck_point);
   }
   for (std::size_t e = 0; e < state.spans.size(); ++e)
     if (stage.guided_spans[e].guided) state.spans[e].twist += work.guided[e].about - work.guided[e + 1].about;

@@ -4,7 +4,6 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/guides.h"
-#include "drill_rig_sim/model/mast.h"
 
 namespace drill_rig_sim
 {
@@ -41,7 +40,6 @@ Side side_of(const State& state, const NodeState& node) noexcept
 {
   Side side;
   side.closest = state.well.locate(node.position, node.segment);
-  open_mast(side.closest);
   Vector3d off = node.position - side.closest.centre;
   off -= side.closest.tangent * side.closest.tangent.dot(off);
   const double distance = off.norm();
@@ -55,7 +53,7 @@ void make_free(const MeshNode& mesh, const State& state, double load, NodeState&
 {
   const Side side = side_of(state, node);
   const double clearance = side.closest.radius - mesh.contact_radius;
-  if (load > 0.0 && clearance > 0.0 && mesh.contact_radius >= mesh.bearing_radius)
+  if (load > 0.0 && clearance > 0.0 && side.closest.md > 0.0 && mesh.contact_radius >= mesh.bearing_radius)
     node.position = side.closest.centre + (clearance + std::pow(load / mesh.contact.stiffness, 1.0 / mesh.contact.exponent)) * side.outward;
   node.bristle = node.bristle.x() * side.closest.tangent + node.bristle.y() * side.around;
   node.guided = false;
@@ -95,8 +93,10 @@ bool change_guided(const Model& model, const std::vector<unsigned char>& guided,
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     if (!changes(i)) continue;
+    const Vector3d before = state.nodes[i].position;
     if (guided[i]) make_guided(state, i);
     else make_free(model.mesh().nodes[i], state, forces.contact[i], state.nodes[i]);
+    if (static_cast<int>(i) == state.stuck_point.node) state.stuck_point.position += state.nodes[i].position - before;
   }
   for (std::size_t e = 0; e < state.spans.size(); ++e)
   {

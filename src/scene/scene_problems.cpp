@@ -291,6 +291,9 @@ ProblemList unavailable(const Scene& scene)
   const NumericsSpec& numerics = scene.numerics;
   if (numerics.level == Level::rigid)
     problems.emplace_back("numerics.level", "this level is not available yet, allowed: axial_torsional, hybrid, beam3d or auto");
+  const double bit = scene.string.empty() ? 0.0 : scene.string.front().length;
+  if (numerics.level == Level::hybrid && numerics.free_length > 0.0 && numerics.free_length < bit)
+    problems.emplace_back("numerics.free_length", metres(numerics.free_length) + " ends within the bit, allowed: 0 or from " + metres(bit) + " on");
   const bool guided = numerics.level == Level::axial_torsional || numerics.level == Level::hybrid;
   const bool one_of_its_own = numerics.integrator == IntegratorKind::arkode_dirk || numerics.integrator == IntegratorKind::ida ||
                               numerics.integrator == IntegratorKind::central_differences;

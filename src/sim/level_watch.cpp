@@ -43,6 +43,9 @@ bool LevelWatch::open(const Model& model, const RigForces& forces, const State& 
     for (std::size_t i = e + 1; i-- > 0 && nodes[i].from_bit > middle - reach;) wanted_[i] = 0;
     for (std::size_t i = e + 1; i + 1 < nodes.size() && nodes[i].from_bit < middle + reach; ++i) wanted_[i] = 0;
   }
+  // a guided node alone would know of no load that presses it to its wall
+  for (std::size_t i = 1; any && i + 1 < nodes.size(); ++i)
+    if (!wanted_[i - 1] && !wanted_[i + 1]) wanted_[i] = 0;
   return any;
 }
 

@@ -38,6 +38,7 @@ double buckling_load(const Model& model, const State& state, std::size_t e) noex
   if (upper.position.z() > 0.0) return std::numeric_limits<double>::infinity();
   const double stiffness = element.section.bending;
   const double weight = model.element_weight(static_cast<int>(e), lower.position.z(), upper.position.z()) / element.section.length;
+  if (weight <= 0.0) return std::numeric_limits<double>::infinity();  // within the bit's own length
   const double vertical = 1.94 * std::cbrt(stiffness * weight * weight);
   const double clearance = state.well.radius_near(lower.position, lower.segment) - 0.5 * element.outer_diameter;
   const Vector3d along = upper.position - lower.position;

@@ -24,7 +24,7 @@ const std::vector<double>& force_of(const EnergySample& sample, NodeForce kind) 
 }  // namespace
 
 EnergyBalance::EnergyBalance(std::shared_ptr<const Model> model)
-  : model_(std::move(model)), stage_(*model_), work_(*model_), no_increment_(6 * model_->nodes(), 0.0)
+  : model_(std::move(model)), stage_(*model_), work_(*model_), no_increment_(6 * model_->nodes(), 0.0), pressure_(model_->mesh().elements.size(), 0.0)
 {
   // so that samples need no memory later
   for (EnergySample* sample : {&before_, &after_})
@@ -48,10 +48,27 @@ void EnergyBalance::begin_step(const State& state, const Setpoints& setpoints) n
   stage_.drive.rate_0 = state.drive.speed;
   if (!opened_) open(state);
   start_ = stored_energy(*model_, state, stage_, no_increment_.data(), work_);
+  find_reshaped(state);
   if (!opened_) accounts_.first = accounts_.last = start_;
   opened_ = true;
   part_.time = part_.line_paid_out = part_.rotor_increment = part_.rock_advance = 0.0;
   std::fill(part_.increment.begin(), part_.increment.end(), 0.0);
+}
+
+/// What the beams lost between the steps for another reason than the pump's pressure: guided pipe changes the side on which it lies, and kinds
+/// of nodes change. Their energy at the pressures of the step before tells it from what the pressure does.
+void EnergyBalance::find_reshaped(const State& state) noexcept
+{
+  reshaped_ = 0.0;
+  if (!stage_.any_guided || !opened_) return;
+  const auto by_pressure = [&](std::size_t e) { return stage_.free_stretch[e] - state.spans[e].free_stretch; };
+  for (std::size_t e = 0; e < pressure_.size(); ++e)
+  {
+    const double more = pressure_[e] - by_pressure(e);
+    stage_.free_stretch[e] += more;
+    stage_.guided_spans[e].stretch -= more * model_->mesh().elements[e].section.length;
+  }
+  reshaped_ = accounts_.last.beams - stored_energy(*model_, state, stage_, no_increment_.data(), work_).beams;
 }
 
 /// Forces and accelerations where nothing has been booked yet: the accelerations are those that the forces make.
@@ -59,6 +76,7 @@ void EnergyBalance::open(const State& state) noexcept
 {
   std::vector<double>& residual = before_.force[static_cast<std::size_t>(NodeForce::unsolved)];
   evaluate(*model_, state, stage_, no_increment_.data(), work_, residual.data(), nullptr);
+  expand_motions(stage_, work_);
   accelerate(*model_, stage_, residual.data(), work_);
   for (std::size_t i = 0; i < stage_.acceleration.size(); ++i) stage_.acceleration[i] = work_.nodes[i].acceleration;
   sample_energy(*model_, state, stage_, no_increment_.data(), work_, before_);
@@ -73,6 +91,7 @@ void EnergyBalance::end_step(const State& start, const Stage& stage, const doubl
   book_dissipation();
   book_numerical();
   accounts_.last = after_.stored;
+  for (std::size_t e = 0; e < pressure_.size(); ++e) pressure_[e] = stage.free_stretch[e] - start.spans[e].free_stretch;
   accounts_.largest_kinetic = std::max(accounts_.largest_kinetic, after_.stored.kinetic_all());
   accounts_.time += after_.step;
   start_ = after_.stored;
@@ -99,9 +118,9 @@ void EnergyBalance::count_from_last_part() noexcept
 void EnergyBalance::book_jump() noexcept
 {
   const StoredEnergy &end = accounts_.last, &start = start_;
-  const double contact = end.wall + end.bottom - start.wall - start.bottom, stuck = end.stuck_point - start.stuck_point;
+  const double contact = end.wall + end.bottom - start.wall - start.bottom + reshaped_, stuck = end.stuck_point - start.stuck_point;
   const double translation = end.kinetic - start.kinetic;
-  const double stretched = end.beams - start.beams;  // by the pump's pressure, which changes between steps
+  const double stretched = end.beams - start.beams - reshaped_;  // by the pump's pressure, which changes between steps
   // between steps hole and mud motor move on, and with them the limits of friction: bristles beyond them slip
   const double slip = end.bristles - start.bristles, bit_slip = end.bit_bristle - start.bit_bristle;
   accounts_.wall_friction += slip;

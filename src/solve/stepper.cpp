@@ -64,6 +64,7 @@ void Stepper::find_acceleration(State& state, const Setpoints& setpoints) noexce
   prepare_start(state, stage_);
   std::fill(u_.begin(), u_.end(), 0.0);
   evaluate(*model_, state, stage_, u_.data(), work_, residual_.data(), nullptr);
+  expand_motions(stage_, work_);
   accelerate(*model_, stage_, residual_.data(), work_);
   for (int k = 1; k <= method_.first_acceleration; ++k)
   {

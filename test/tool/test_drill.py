@@ -232,7 +232,7 @@ class Run(Drill):
             self.assertAlmostEqual(float(row[0]), 0.5 * i, delta=0.011)
         with open(self.file('q.json')) as text:
             summary = json.load(text)
-        for key in ('simulated_s', 'wall_s', 'cpu_s', 'real_time_factor', 'nodes', 'coordinates', 'steps', 'newton_iterations',
+        for key in ('simulated_s', 'wall_s', 'cpu_s', 'real_time_factor', 'nodes', 'guided_nodes', 'coordinates', 'steps', 'newton_iterations',
                     'convergence_failures'):
             self.assertGreaterEqual(summary[key], 0.0, key)
         self.assertAlmostEqual(summary['simulated_s'], 60.0, delta=0.011)
@@ -278,7 +278,7 @@ class Run(Drill):
         with open(self.file('q.json')) as text:
             written = text.read()
         summary = json.loads(written)
-        keys = ['scene', 'simulated_s', 'wall_s', 'cpu_s', 'real_time_factor', 'level', 'integrator', 'step', 'nodes', 'coordinates', 'steps',
+        keys = ['scene', 'simulated_s', 'wall_s', 'cpu_s', 'real_time_factor', 'level', 'integrator', 'step', 'nodes', 'guided_nodes', 'coordinates', 'steps',
                 'newton_iterations', 'rejected_steps', 'convergence_failures', 'error_test_failures', 'residuals', 'tangents', 'solves',
                 'substitutions', 'accuracy_warnings', 'limits_passed', 'cost_share', 'final', 'mean_drilling', 'mean_last_quarter']
         self.assertEqual(list(summary), keys)

@@ -52,7 +52,7 @@ struct EnergyAccounts
   double rock_thrust = 0.0;  ///< force on the bottom times the bottom's speed
   double rock_torque = 0.0;  ///< torque on bit times bit speed, cutting and rubbing alike, less what the bristle holds
 
-  double correction = 0.0;
+  double correction = 0.0;  ///< contacts; and beams, where guided pipe changes the side on which it lies or kinds of nodes change (levels.h)
 
   // numerical dissipation
   double of_inertia = 0.0;   ///< nodes and rotor

@@ -34,7 +34,6 @@ struct Guide
   Eigen::Vector3d tangent = -Eigen::Vector3d::UnitZ();  ///< t of the hole, down it
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();       ///< w [rad/m]
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();     ///< of the hole [m]
-  double md_per_length = 1.0;                           ///< dmd/ds
   // of the hole at the neighbours above and below, where they are guided too: its direction, unit length, the part across the hole here [-]
   Eigen::Vector3d above = Eigen::Vector3d::Zero(), below = Eigen::Vector3d::Zero();
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();  ///< of half of those elements, in mud [N]

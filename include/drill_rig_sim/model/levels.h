@@ -16,7 +16,7 @@ namespace drill_rig_sim
 /// without tension differs by since then is kept in SpanState::free_stretch. Over a whole well that is a few centimetres of string, the angle built
 /// times the clearance.
 /// Wall: a node that becomes free stands where the wall gives the force that it had. Bristles are carried along; those between the nodes start anew.
-/// Energy that the change makes or takes is in the balance, as of_rebasing.
+/// Energy that the change makes or takes is in the balance: of beams and contact as correction, of rates as of_rebasing and added_mass.
 /// @param guided   for each node whether it is to be guided, 1 or 0
 /// @param forces   of the step before
 /// @return whether anything changed

@@ -21,7 +21,7 @@ struct SimulatorState
 
   std::uint64_t scene = 0;  ///< scene_hash() of the rig that it belongs to
   State mechanics;
-  RigForces forces;  ///< of the last step: for the truth only
+  RigForces forces;  ///< of the last step: for the truth, and for which pipe is guided
   CommandState commands;
   bool tared = false;
   double tare_hook_load = 0.0;  ///< true one [N]

@@ -29,6 +29,7 @@ public:
 
 private:
   void open(const State& state) noexcept;
+  void find_reshaped(const State& state) noexcept;
   void count_from_last_part() noexcept;
   void book_jump() noexcept;
   void book_inputs() noexcept;
@@ -53,6 +54,8 @@ private:
   };
   Part part_;
   std::vector<double> no_increment_;
+  std::vector<double> pressure_;  // of the elements: stretch that the pump's pressure made of them in the last step [-]
+  double reshaped_ = 0.0;         // lost by the beams since then for other reasons [J]
 };
 
 }  // namespace drill_rig_sim

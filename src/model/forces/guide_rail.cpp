@@ -10,9 +10,11 @@ void hold_guided(int top, double* residual, BlockTridiagonal* tangent) noexcept
   at_node(residual, top).setZero();
   if (!tangent) return;
   tangent->small_diagonal(top).setIdentity();
-  if (!tangent->small(top - 1)) return;
   tangent->small_upper(top - 1).setZero();
   tangent->small_lower(top - 1).setZero();
+  if (tangent->small(top - 1)) return;
+  tangent->upper(top - 1).setZero();
+  tangent->lower(top - 1).setZero();
 }
 
 void hold(int top, int k, double* residual, BlockTridiagonal* tangent) noexcept

@@ -128,6 +128,7 @@ struct NodeFriction
   Vector2d bristle = Vector2d::Zero();
   Matrix2d by_displacement = Matrix2d::Zero();
   Vector2d by_load = Vector2d::Zero();
+  double normal = 0.0;  ///< [N]
   bool slipping = false;
 };
 
@@ -143,6 +144,7 @@ SurfaceMotion surface_motion(const StageContext& at, int i) noexcept
 NodeFriction sticking_friction(const StageContext& at, int i, const Load& load, bool slopes) noexcept
 {
   NodeFriction out;
+  out.normal = load.normal;
   const Guide& guide = guide_of(at, i);
   if (!(load.normal > 0.0) || !(guide.friction > 0.0)) return out;
   SurfaceSlopes slope;
@@ -159,13 +161,16 @@ NodeFriction sticking_friction(const StageContext& at, int i, const Load& load, 
 NodeFriction sliding_friction(const StageContext& at, int i, const Load& load, bool) noexcept
 {
   NodeFriction out;
+  out.normal = load.size;
   const Guide& guide = guide_of(at, i);
   const SlidingMotion& sliding = at.stage.sliding;
   const Vector2d motion(sliding.axial_speed, sliding.spin_speed * guide.lever);
   const double speed = motion.norm();
   if (!(speed > 0.0)) return out;
   const Vector2d mu = sliding.share * guide.friction / speed * motion;
-  out.by_load = -mu / std::sqrt(1.0 + mu.y() * mu.y());
+  const double climbs = 1.0 / std::sqrt(1.0 + mu.y() * mu.y());
+  out.normal = climbs * load.size;
+  out.by_load = -climbs * mu;
   out.force = load.size * out.by_load;
   out.slipping = true;
   return out;
@@ -224,14 +229,14 @@ void reduce_rows(const StageContext& at, int i, const Load& load, const Vector2d
   if (i > 0 && !guide_of(at, i - 1).guided) reduce_off(tangent.lower(i - 1), tangent.upper(i - 1));
 }
 
-void write_results(const StageContext& at, int i, const Load& load, const NodeFriction& friction) noexcept
+void write_results(const StageContext& at, int i, const NodeFriction& friction) noexcept
 {
   const Guide& guide = guide_of(at, i);
   StageResult& result = at.work.result;
   GuidedMotion& motion = at.work.guided[i];
   result.bristle[i] << friction.bristle, 0.0;
-  result.rest[i] = load.normal > 0.0 && guide.friction > 0.0 && !friction.slipping ? at.start.nodes[i].rest + at.stage.time : 0.0;
-  result.forces.contact[i] = load.normal;
+  result.rest[i] = friction.normal > 0.0 && guide.friction > 0.0 && !friction.slipping ? at.start.nodes[i].rest + at.stage.time : 0.0;
+  result.forces.contact[i] = friction.normal;
   result.forces.wall[i] = friction.force.x() * guide.tangent - motion.push;
   motion.around = friction.force.y();
 }
@@ -260,7 +265,7 @@ void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* t
   about -= guide.lever * friction.force.y();
   r.head<3>() = along * guide.tangent;
   r.tail<3>() = about * guide.tangent;
-  write_results(at, i, load, friction);
+  write_results(at, i, friction);
   if (!tangent) return;
   const Vector2d by_load(-friction.by_load.x(), -guide.lever * friction.by_load.y());
   write_small_rows(at, i, load, friction, by_load, *tangent);

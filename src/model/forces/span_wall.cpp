@@ -52,10 +52,9 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   Matrix6d block;
   for (int e = 0; e < at.model.elements(); ++e)
   {
-    if (at.stage.guided_spans[e].guided) continue;
     const SpanMotion& span = at.work.spans[e];
     WallForce f;
-    if (span.touches)
+    if (!at.stage.guided_spans[e].guided && span.touches)
     {
       f = force_at(at, e, tangent ? &block : nullptr);
       at_node(residual, e) -= share(span.lower_arm, f.force, f.moment);

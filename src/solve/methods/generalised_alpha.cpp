@@ -38,7 +38,7 @@ T next_average(double step, const T& now, const T& before, const T& a) noexcept
 NodeRate averaged(const NodeMotion& node, const NodeRate& before, const NodeRate& a, double step) noexcept
 {
   const NodeRate now = split(node, node.rate);
-  const Eigen::Vector3d n = x_axis(node.orientation.normalized());
+  const Eigen::Vector3d n = node.normal.normalized();
   NodeRate out;
   out.velocity = next_average(step, now.velocity, before.velocity, a.velocity);
   out.tilt = next_average(step, now.tilt, before.tilt, Eigen::Vector3d(a.tilt - n * n.dot(a.tilt)));

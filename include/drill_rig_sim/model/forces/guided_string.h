@@ -7,7 +7,7 @@ namespace drill_rig_sim
 {
 /// All laws of the guided nodes and of the elements between two of them, in their two coordinates: stretch and twist with structural
 /// damping, inertia, weight, mud's drag along and about the string, and the wall's friction, a soft string's:
-///   the load on the wall   P = - (what acts on the node across the hole) = N_a c_a + N_b c_b + weight + what a free neighbour's beam gives,
+///   the load on the wall   P, what acts on the node across the hole, = N_a c_a + N_b c_b + weight + what a free neighbour's beam gives,
 ///   N_a, N_b the tensions of the elements above and below, c their directions across the hole (Johancsik, Friesen, Dawson,
 ///   J. Petroleum Technology 36 (1984), SPE 11380, with vectors for inclination and azimuth alike); the bending of a pipe that follows its hole is left out;
 ///   the wall's normal force  N = sqrt(Q^2 - F_c^2), Q = |P|: friction around the pipe, F_c, carries its share as the pipe climbs. F_c is that of
