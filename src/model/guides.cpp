@@ -5,7 +5,6 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/forces/inertia.h"
-#include "drill_rig_sim/model/mast.h"
 #include "drill_rig_sim/model/stage.h"
 #include "drill_rig_sim/model/workspace.h"
 

@@ -78,18 +78,16 @@ void clear(SpanState& span) noexcept
 bool change_guided(const Model& model, const std::vector<unsigned char>& guided, const RigForces& forces, State& state) noexcept
 {
   const auto changes = [&](std::size_t i) { return state.nodes[i].guided != (guided[i] != 0); };
+  constexpr double changed = -1.0;  // what is to be measured anew is marked by its bristle's rest until then
   bool any = false;
   for (std::size_t e = 0; e < state.spans.size(); ++e)
     if (changes(e) || changes(e + 1))
     {
       state.spans[e].free_stretch -= stretch_of(model, state, e);
+      state.spans[e].rest = changed;
       any = true;
     }
   if (!any) return false;
-  // what is to be measured anew is marked by its bristle's rest until then
-  constexpr double changed = -1.0;
-  for (std::size_t e = 0; e < state.spans.size(); ++e)
-    if (changes(e) || changes(e + 1)) state.spans[e].rest = changed;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     if (!changes(i)) continue;

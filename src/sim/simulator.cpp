@@ -38,9 +38,9 @@ int guided_nodes(const State& state) noexcept
 }
 
 /// Of the nodes, rotor and line.
-int coordinates_of(const State& state) noexcept
+int coordinates_of(const State& state, int guided) noexcept
 {
-  const int nodes = static_cast<int>(state.nodes.size()), guided = guided_nodes(state);
+  const int nodes = static_cast<int>(state.nodes.size());
   const int of_rail = state.nodes.back().guided ? 0 : 4;
   return 6 * (nodes - guided) + 2 * guided - of_rail + 2;
 }
@@ -53,7 +53,7 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
 {
   state.scene = scene_hash(scene);
   statistics.nodes = model->nodes();
-  statistics.coordinates = coordinates_of(state.mechanics);
+  statistics.coordinates = coordinates_of(state.mechanics, guided_nodes(state.mechanics));
   statistics.level = name_of(scene.numerics.level);
   statistics.integrator = find_integrator(scene.numerics.integrator).name;
   statistics.step = scene.numerics.step;
@@ -124,8 +124,9 @@ FrameStatus Simulator::frame(double duration) noexcept
   State& mechanics = impl_->mechanics();
   const double hole_depth = mechanics.well.hole_depth();
   impl_->levels.look(*impl_->model, impl_->state.forces, duration, mechanics, impl_->state.levels);
-  impl_->statistics.coordinates = coordinates_of(mechanics);
-  impl_->statistics.guided_node_frames += static_cast<std::uint64_t>(guided_nodes(mechanics));
+  const int guided = guided_nodes(mechanics);
+  impl_->statistics.coordinates = coordinates_of(mechanics, guided);
+  impl_->statistics.guided_node_frames += static_cast<std::uint64_t>(guided);
   impl_->accuracy.begin_frame(*impl_->integrator, setpoints, impl_->state.accuracy);
   for (int k = 0; k < steps; ++k)
   {

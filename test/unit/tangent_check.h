@@ -49,6 +49,16 @@ struct Rig
   }
 };
 
+/// Makes the formation hold node `i`, then pulls and turns the string.
+inline void pull_at_stuck_point(Rig& rig, int i)
+{
+  const NodeState& held = rig.rest.state.nodes[i];
+  rig.rest.state.stuck_point = {i, held.position, held.spin_angle};
+  rig.setpoints.winch = {0.1, false};
+  rig.setpoints.top_drive.speed = 30.0 * rpm;
+  rig.run(1.5);
+}
+
 /// A stage, and what evaluates it: evaluate() or evaluate_static().
 struct Problem
 {

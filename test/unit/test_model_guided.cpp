@@ -72,11 +72,7 @@ TEST(ModelGuided, tangentWithAStuckPoint)
 {
   Rig rig(built_and_held(Level::axial_torsional));
   rig.run(0.5);
-  const NodeState& held = rig.rest.state.nodes[5];
-  rig.rest.state.stuck_point = {5, held.position, held.spin_angle};
-  rig.setpoints.winch = {0.1, false};
-  rig.setpoints.top_drive.speed = 30.0 * rpm;
-  rig.run(1.5);
+  pull_at_stuck_point(rig, 5);
   expect_exact(rig);
 }
 

@@ -189,11 +189,7 @@ TEST(ModelTangent, stuckPoint)
 {
   Rig rig(slanted_scene(60.0, 0.3));
   rig.run(1.0);
-  NodeState& held = rig.rest.state.nodes[3];
-  rig.rest.state.stuck_point = {3, held.position, held.spin_angle};
-  rig.setpoints.winch = {0.1, false};
-  rig.setpoints.top_drive.speed = 30.0 * rpm;
-  rig.run(1.5);
+  pull_at_stuck_point(rig, 3);
   expect_exact(rig);
 }
 
