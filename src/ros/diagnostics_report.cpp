@@ -115,6 +115,7 @@ DiagnosticsReport::Status DiagnosticsReport::physics_status(const FrameRecord& f
   s.add("level", p.level);
   s.add("integrator", p.integrator);
   s.add("step", p.step);
+  s.add("last_step", p.last_step);
   s.add("nodes", p.nodes);
   s.add("coordinates", p.coordinates);
   s.add("frames", p.frames);

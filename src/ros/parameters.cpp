@@ -222,6 +222,7 @@ std::string find_scene(const std::string& name)
 
 void check_rate(double rate, const Scene& scene)
 {
+  if (scene.numerics.step == 0.0) return;
   const double steps = 1.0 / (rate * scene.numerics.step);
   if (std::lround(steps) >= 1 && std::abs(steps - std::round(steps)) < 1e-6 * steps) return;
   std::ostringstream text;

@@ -41,9 +41,11 @@ RigNode::RigNode()
 
 void RigNode::say_what_runs()
 {
-  const SimulatorStatistics& rig = loop_.rig().simulator->statistics();
+  const Simulator& simulator = *loop_.rig().simulator;
+  const SimulatorStatistics& rig = simulator.statistics();
   ROS_INFO_STREAM("scene " << scene_.name << ", level " << rig.level << ", " << rig.nodes << " nodes, step " << rig.step << " s, rate "
                            << parameters_.rate << " Hz, namespace " << node_.getNamespace());
+  if (!simulator.choice().empty()) ROS_INFO_STREAM("level " << rig.level << " and variable steps were chosen: " << simulator.choice());
   if (parameters_.publish_clock && !parameters_.use_sim_time)
     ROS_WARN("stamps are simulated time from 0 on, and /use_sim_time is not set: other nodes go by wall time");
 }

@@ -85,12 +85,35 @@ double free_length(const Scene& scene) noexcept
   return length;
 }
 
+bool hangs(const WellSpec& well, double depth) noexcept
+{
+  return first_inclined(well) >= depth;
+}
+
+double pushed_length(const Scene& scene) noexcept
+{
+  const double pushed = first_pushed(scene);
+  return pushed < scene.start.bit_depth ? scene.start.bit_depth - pushed + margin : 0.0;
+}
+
 ElementLengths element_lengths(const Scene& scene) noexcept
 {
-  if (scene.numerics.element_length > 0.0) return uniform_elements(scene.numerics.element_length);
-  const double hangs_above = std::min(first_inclined(scene.well), first_pushed(scene));
-  if (scene.numerics.level == Level::axial_torsional) return uniform_elements(joint);
-  return {half_joint, joint, std::max(0.0, scene.start.bit_depth - hangs_above + margin)};
+  const NumericsSpec& numerics = scene.numerics;
+  ElementLengths lengths = uniform_elements(joint);
+  if (numerics.element_length > 0.0)
+    lengths = uniform_elements(numerics.element_length);
+  else if (numerics.level != Level::axial_torsional)
+  {
+    const double hangs_above = std::min(first_inclined(scene.well), first_pushed(scene));
+    lengths.lower = half_joint;
+    lengths.change = std::max(0.0, scene.start.bit_depth - hangs_above + margin);
+  }
+  if (numerics.pushed_element_length > 0.0)
+  {
+    lengths.pushed = numerics.pushed_element_length;
+    lengths.pushed_change = pushed_length(scene);
+  }
+  return lengths;
 }
 
 Mesh build_mesh(const Scene& scene, double total_length)

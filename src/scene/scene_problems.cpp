@@ -257,10 +257,15 @@ void check_program(const Scene& scene, ProblemList& problems)
   }
 }
 
-void check_element_length(double length, ProblemList& problems)
+void check_element_length(const char* key, double length, const char* none, ProblemList& problems)
 {
-  if (length > 0.0 && length < 0.1)
-    problems.emplace_back("numerics.element_length", metres(length) + " is given, allowed: 0.1 m to 50 m, or 0 (by the hole)");
+  if (length > 0.0 && length < 0.1) problems.emplace_back(key, metres(length) + " is given, allowed: 0.1 m to 50 m, or 0 (" + none + ")");
+}
+
+void check_step(const NumericsSpec& numerics, ProblemList& problems)
+{
+  if (numerics.step > 0.0 && numerics.step < 1e-5)
+    problems.emplace_back("numerics.step", plain(numerics.step) + " s is given, allowed: 1e-5 s to 0.05 s, or 0 (variable)");
 }
 
 /// Telemetry that would be saturated for good: readings would be lost one after the other.
@@ -298,6 +303,9 @@ ProblemList unavailable(const Scene& scene)
   const bool one_of_its_own = numerics.integrator == IntegratorKind::arkode_dirk || numerics.integrator == IntegratorKind::ida ||
                               numerics.integrator == IntegratorKind::central_differences;
   if (guided && one_of_its_own) problems.emplace_back("numerics.integrator", "this method is available for level beam3d alone");
+  const bool varies = numerics.integrator == IntegratorKind::automatic || numerics.integrator == IntegratorKind::bdf2;
+  if ((numerics.step == 0.0 || numerics.level == Level::automatic) && !varies)
+    problems.emplace_back("numerics.integrator", "steps of variable length (step 0, level auto) are available for bdf2 and auto alone");
   if (scene.connections == Connections::automatic) problems.emplace_back("connections", "auto is not available yet, allowed: off");
   return problems;
 }
@@ -312,7 +320,9 @@ ProblemList scene_problems(const Scene& scene)
   check_formation(scene.formation, problems);
   if (!scene.string.empty() && scene.string[0].bit) check_drag_bit(*scene.string[0].bit, scene.formation, problems);
   check_part_names(scene.string, problems);
-  check_element_length(scene.numerics.element_length, problems);
+  check_element_length("numerics.element_length", scene.numerics.element_length, "by the hole", problems);
+  check_element_length("numerics.pushed_element_length", scene.numerics.pushed_element_length, "as elsewhere", problems);
+  check_step(scene.numerics, problems);
   append(problems, string_problems(scene.string, scene.start.bit_depth + scene.start.block_height, element_lengths(scene)));
   check_reaming(scene, problems);
   check_diameters(scene, problems);

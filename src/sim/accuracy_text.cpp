@@ -25,6 +25,17 @@ double shorter(double length)
   return std::floor(0.9 * length / unit) * unit;
 }
 
+/// What makes the step `share` of what it is [s]; of variable ones, step 0, which go with the root of the tolerance.
+std::string shorter_step(double step, double share)
+{
+  return step > 0.0 ? text("numerics.step: %.2g s", share * step) : text("numerics.tolerance: %.2g of what it is", share * share);
+}
+
+std::string any_shorter_step(double step)
+{
+  return step > 0.0 ? text("numerics.step: below %.3g s", step) : "numerics.tolerance: smaller";
+}
+
 /// Of the needs that a level may leave out.
 std::string words_of(unsigned needs)
 {
@@ -53,28 +64,26 @@ std::string text_of(const AccuracyReport& r, double step)
       return text("%.4g m above the bit the string is %.2g mm deep in the wall, more than its clearance; contact.stiffness: stiffer", r.from_bit,
                   1e3 * r.measure);
     case AccuracyDoubt::refused_steps:
-      return text("%.0f %% of the steps had to be taken in parts; numerics.step: below %.3g s", 100.0 * r.measure, step);
+      return text("%.0f %% of the steps had to be taken in parts; ", 100.0 * r.measure) + any_shorter_step(step);
     case AccuracyDoubt::dissipation:
-      return text("the method takes %.0f %% of the energy that goes through; numerics.step: below %.3g s, or shorter elements", 100.0 * r.measure,
-                  step);
+      return text("the method takes %.0f %% of the energy that goes through; ", 100.0 * r.measure) + any_shorter_step(step) + ", or shorter elements";
     case AccuracyDoubt::cut:
-      return text("a blade comes where the one before was in %.0f steps, too few for the waves that it leaves; numerics.step: %.2g s or less",
-                  1.0 / r.measure, 0.01 * step / r.measure);
+      return text("a blade comes where the one before was in %.0f steps, too few for the waves that it leaves; ", 1.0 / r.measure) +
+             shorter_step(step, 0.01 / r.measure) + " or less";
     case AccuracyDoubt::shaking:
-      return text("the bent motor shakes the string three times a turn, and the method damps such waves by %.2g a second; numerics.step: %.2g s or less",
-                  r.measure, step * std::cbrt(0.1 / r.measure));
+      return text("the bent motor shakes the string three times a turn, and the method damps such waves by %.2g a second; ", r.measure) +
+             shorter_step(step, std::cbrt(0.1 / r.measure)) + " or less";
     case AccuracyDoubt::waves:
-      return text("the step blurs the torque's waves by %.2g %% of its range in 3 s; numerics.step: %.2g s or less", 100.0 * r.measure,
-                  step * std::sqrt(0.02 / r.measure));
+      return text("the step blurs the torque's waves by %.2g %% of its range in 3 s; ", 100.0 * r.measure) +
+             shorter_step(step, std::sqrt(0.02 / r.measure)) + " or less";
     case AccuracyDoubt::blows:
-      return text("the bit strikes the bottom %.2g times a second: means hold, the waves of its blows are blurred; how much, numerics.step: %.2g s shows", r.measure,
-                  0.5 * step);
+      return text("the bit strikes the bottom %.2g times a second: means hold, the waves of its blows are blurred; how much, ", r.measure) + shorter_step(step, 0.5) + " shows";
     case AccuracyDoubt::loose:
-      return text("the string came loose wound up by %.0f turns: the moment and the waves after it are off by a tenth of a second; numerics.step: %.2g s or"
-                  " less, and shorter elements", r.measure, 0.5 * step);
+      return text("the string came loose wound up by %.0f turns: the moment and the waves after it are off by a tenth of a second; ", r.measure) +
+             shorter_step(step, 0.5) + " or less, and shorter elements";
     case AccuracyDoubt::jerks:
       return text("the string sticks and slips on its walls %.2g times a second: means hold, peaks and what a stop leaves are one case of many;"
-                  " how far apart these are, numerics.step: %.2g s and shorter elements show", r.measure, 0.5 * step);
+                  " how far apart these are, ", r.measure) + shorter_step(step, 0.5) + " and shorter elements show";
     case AccuracyDoubt::whirl:
       return text("the string whirls: it rolls along its walls at %.2g of pure rolling, how far and where hangs on the mesh; numerics.element_length: half as long shows"
                   " what of it is the mesh's", r.measure);

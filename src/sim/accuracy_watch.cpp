@@ -158,19 +158,21 @@ std::uint64_t attempts_of(const StepperCounters& c) noexcept
 
 AccuracyWatch::AccuracyWatch(std::shared_ptr<const Model> model) : model_(std::move(model)), balance_(model_) {}
 
-void AccuracyWatch::begin_frame(Integrator& integrator, const Setpoints& setpoints, AccuracyMemory& memory) noexcept
+void AccuracyWatch::begin_frame(Integrator& integrator, const Setpoints& setpoints, bool steps, AccuracyMemory& memory) noexcept
 {
   const bool commanded = !(setpoints == memory.setpoints);
   memory.setpoints = setpoints;
   if (commanded) ++memory.commanded;
   steps_ = integrator.counters().steps;
   attempts_ = attempts_of(integrator.counters());
-  booked_ = memory.frames % every == 0 && !integrator.reference();
+  if (memory.frames % every == 0) memory.due = true;
+  booked_ = memory.due && steps && !integrator.reference();
   if (booked_)
   {
     balance_.restart();
     stands_for_ = commanded ? memory.commanded : every - std::min(every, memory.commanded);
     memory.commanded = 0;
+    memory.due = false;
   }
   integrator.sample_balance(booked_ ? &balance_ : nullptr);
 }
@@ -207,10 +209,11 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
     if (found.doubt == AccuracyDoubt::none && raised) found = {kind, measure, 0.0, 0.0};
   };
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
-  const bool stepped = !integrator.reference() && steps > 0.0;
-  const double blades = stepped ? blades_passed(*model_, forces, duration / steps) : 0.0;
-  const double damping = stepped ? damping_of_shaking(*model_, memory.turning, duration / steps) : 0.0;
-  const double blur = stepped ? blur_of_torque(memory, duration / steps) : 0.0;
+  const bool variable = model_->scene().numerics.step == 0.0, stepped = !integrator.reference() && steps > 0.0;
+  const double step = variable ? state.memory.last_step : stepped ? duration / steps : 0.0;
+  const double blades = blades_passed(*model_, forces, step);
+  const double damping = damping_of_shaking(*model_, memory.turning, step);
+  const double blur = blur_of_torque(memory, step);
   doubt(AccuracyDoubt::refused_steps, memory.refused, memory.refused > most_refused);
   doubt(AccuracyDoubt::dissipation, share, share > most_dissipation);
   doubt(AccuracyDoubt::cut, blades, blades > most_blades);

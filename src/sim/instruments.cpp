@@ -6,6 +6,11 @@
 
 namespace drill_rig_sim
 {
+namespace
+{
+constexpr double shortest_frame = 1e-3;  // a kilohertz [s]
+}  // namespace
+
 double RateMeter::rate(double depth, double time) noexcept
 {
   if (held_ == 0 || time >= samples_[newest_].time + spacing - time_rounding)
@@ -31,7 +36,8 @@ Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_
 {
   const InstrumentsSpec& spec = scene.instruments;
   std::uint64_t index = 0;
-  const auto gauge = [&](const SensorSpec& s) { return Sensor(s, scene.numerics.step, NoiseSource::of(seed, index++)); };
+  const double interval = scene.numerics.step > 0.0 ? scene.numerics.step : shortest_frame;
+  const auto gauge = [&](const SensorSpec& s) { return Sensor(s, interval, NoiseSource::of(seed, index++)); };
   block_load_ = gauge(spec.hook_load);
   dead_line_ = gauge(spec.hook_load);
   torque_ = gauge(spec.torque);

@@ -25,7 +25,7 @@ void Simulator::Impl::measure() noexcept
 /// That the motor's torque needs [Pa].
 double Simulator::Impl::motor_pressure() const noexcept
 {
-  const State& s = state.mechanics;
+  const State& s = shown();
   const MotorSpec* motor = model->motor();
   return motor ? mud_motor_pressure(s.flow, motor->displacement_per_rev, s.bit.motor_torque) : 0.0;
 }
@@ -33,18 +33,18 @@ double Simulator::Impl::motor_pressure() const noexcept
 void Simulator::Impl::measure_rig() noexcept
 {
   Truth& m = state.truth;
-  const State& s = mechanics();
+  const State& s = shown();
   const NodeState& top = s.nodes.back();
   const HoistingSpec& hoisting = scene.rig.hoisting;
   m.time = s.time;
-  m.hook_load = state.forces.hook_load;
+  m.hook_load = shown_forces().hook_load;
   m.hook_load_string = m.hook_load - standard_gravity * hoisting.block_mass;
   m.block_height = top.position.z();
   m.block_velocity = top.rate.velocity.z();
   m.dead_line_hook_load = dead_line_hook_load(m.hook_load, s.hoist.sheave_slip, hoisting.sheaves, hoisting.sheave_efficiency);
   m.top_drive_angle = s.drive.angle;
   m.top_drive_speed = s.drive.speed;
-  m.torque = state.forces.meter_torque;
+  m.torque = shown_forces().meter_torque;
   m.flow = s.hydraulics.pump_flow;
   m.relief_valve_open = s.hydraulics.relief_open;
   m.stand_pipe_pressure = s.hydraulics.stand_pipe_pressure;
@@ -66,12 +66,12 @@ void Simulator::Impl::measure_rig() noexcept
 void Simulator::Impl::measure_bit() noexcept
 {
   Truth& m = state.truth;
-  const State& s = mechanics();
+  const State& s = shown();
   const NodeState& bit = s.nodes.front();
   const Vector3d axis = x_axis(bit.orientation);
-  m.hole_depth = s.well.hole_depth();
+  m.hole_depth = hole_depth();
   m.bit_depth = bit_depth(*model, s);
-  m.on_bottom = state.forces.wob > 0.0;
+  m.on_bottom = shown_forces().wob > 0.0;
   m.bit_position = bit.position + model->mesh().bit_radius * axis;
   m.bit_orientation = bit.orientation * rotation_from_vector(Vector3d(std::remainder(s.bit.turned, 2.0 * pi), 0.0, 0.0));
   m.bit_velocity = bit.rate.velocity + bit.rate.tilt.cross(model->mesh().bit_radius * axis);
@@ -79,10 +79,10 @@ void Simulator::Impl::measure_bit() noexcept
   m.ecd = equivalent_circulating_density(scene.mud.density, s.hydraulics.annulus_pressure, -m.bit_position.z());
   m.bit_speed = bit.rate.spin + s.bit.motor_speed;
   m.bit_angular_velocity = bit.rate.tilt + m.bit_speed * axis;
-  m.bit_force = state.forces.bit_force;
-  m.bit_moment = state.forces.bit_moment;
-  m.wob = state.forces.wob;
-  m.bit_torque = state.forces.bit_torque;
+  m.bit_force = shown_forces().bit_force;
+  m.bit_moment = shown_forces().bit_moment;
+  m.wob = shown_forces().wob;
+  m.bit_torque = shown_forces().bit_torque;
   const Vector3d hole = s.well.end_direction();
   m.bit_inclination = inclination_of(hole);
   m.bit_azimuth = azimuth_of(hole);
@@ -92,7 +92,7 @@ void Simulator::Impl::measure_bit() noexcept
 void Simulator::Impl::measure_string() noexcept
 {
   Truth& m = state.truth;
-  statistics.loads = watch.look(*model, mechanics(), state.forces);
+  statistics.loads = watch.look(*model, shown(), shown_forces());
   m.over_stress = statistics.loads.stress.share > 1.0;
   m.over_torque = statistics.loads.torque.share > 1.0;
   m.buckled = statistics.loads.buckling.share > 1.0;
@@ -105,8 +105,8 @@ SensorView Simulator::Impl::sensor_view() const noexcept
   SensorView view;
   const Mesh& mesh = model->mesh();
   const Between at = find_between(mesh, mesh.sensor_from_bit >= 0.0 ? mesh.sensor_from_bit : 0.0);
-  const Quaterniond& upper = state.mechanics.nodes[at.lower + 1].orientation;
-  const Quaterniond q = state.mechanics.nodes[at.lower].orientation.slerp(std::clamp(at.share, 0.0, 1.0), upper);
+  const Quaterniond& upper = shown().nodes[at.lower + 1].orientation;
+  const Quaterniond q = shown().nodes[at.lower].orientation.slerp(std::clamp(at.share, 0.0, 1.0), upper);
   view.md = state.truth.bit_depth - std::max(mesh.sensor_from_bit, 0.0);
   view.axis = x_axis(q);
   view.scribe = y_axis(q);

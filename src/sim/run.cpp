@@ -18,7 +18,7 @@ FrameStatus play_frame(Simulator& simulator, ProgramPlayer* program, double dura
 
 double frame_of_whole_steps(double length, double step) noexcept
 {
-  return step * std::max(1.0, std::round(length / step));
+  return step > 0.0 ? step * std::max(1.0, std::round(length / step)) : length;
 }
 
 RunEnd run(Simulator& simulator, ProgramPlayer& program, const RunGoal& goal, double frame_length,

@@ -49,11 +49,13 @@ int coordinates_of(const State& state, int guided) noexcept
 Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   : scene(s), model(std::move(rig.model)), state(std::move(rig.state), std::move(rig.statics.forces)),
     integrator(make_integrator(scene.numerics.integrator, model, state.mechanics)),
-    watch(*model), accuracy(model), levels(*model)
+    watch(*model), accuracy(model), levels(*model), variable(scene.numerics.step == 0.0), stride_end(state.mechanics), between(state.mechanics),
+    end_forces(state.forces), forces_between(state.forces)
 {
   state.scene = scene_hash(scene);
   statistics.nodes = model->nodes();
-  statistics.coordinates = coordinates_of(state.mechanics, guided_nodes(state.mechanics));
+  statistics.guided_nodes = guided_nodes(state.mechanics);
+  statistics.coordinates = coordinates_of(state.mechanics, statistics.guided_nodes);
   statistics.level = name_of(scene.numerics.level);
   statistics.integrator = find_integrator(scene.numerics.integrator).name;
   statistics.step = scene.numerics.step;
@@ -64,7 +66,10 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   state.instruments.read(state.truth, sensor_view(), state.readings);
 }
 
-Simulator::Simulator(const Scene& scene, std::uint64_t seed) : impl_(std::make_unique<Impl>(scene, seed)) {}
+Simulator::Simulator(const Scene& scene, std::uint64_t seed) : impl_(std::make_unique<Impl>(with_choice(available(scene)), seed))
+{
+  if (scene.numerics.level == Level::automatic) impl_->choice = choose(scene).reason;
+}
 Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;
 Simulator& Simulator::operator=(Simulator&&) noexcept = default;
@@ -72,7 +77,7 @@ Simulator& Simulator::operator=(Simulator&&) noexcept = default;
 template <class Setpoint>
 CommandResult Simulator::Impl::command(const Setpoint& c) noexcept
 {
-  const CommandResult result = take(scene.rig, mechanics().time, c, state.commands);
+  const CommandResult result = take(scene.rig, now(), c, state.commands);
   statistics.commands_clamped += result.outcome == CommandResult::Outcome::clamped;
   statistics.commands_refused += result.outcome == CommandResult::Outcome::refused;
   return result;
@@ -103,43 +108,23 @@ void Simulator::set_command_timeout(double seconds) noexcept
   impl_->command_timeout = seconds;
 }
 
-/// The flow of the step that comes: the mud does not wait for the string, whose torque is that of the step before.
-void Simulator::Impl::pump(double commanded, double step) noexcept
-{
-  State& s = mechanics();
-  const MotorSpec* motor = model->motor();
-  const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->displacement_per_rev, s.bit.motor_torque) : 0.0;
-  const MudCircuit& mud = model->mud();
-  const double displaced = mud.displaced_area * running_speed(mud, s.nodes);
-  advance_hydraulics(scene.rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, s.flow, s.hydraulics);
-}
-
 FrameStatus Simulator::frame(double duration) noexcept
 {
   if (*impl_->failure) return FrameStatus::failed;
   impl_->integrator->profiler().restart();
-  drill_rig_sim::watch_commands(impl_->command_timeout, impl_->mechanics().time, impl_->state.commands);
+  drill_rig_sim::watch_commands(impl_->command_timeout, impl_->now(), impl_->state.commands);
   const Setpoints setpoints = impl_->state.commands.in_force();
-  const int steps = std::max(1, static_cast<int>(std::lround(duration / impl_->scene.numerics.step)));
-  State& mechanics = impl_->mechanics();
-  const double hole_depth = mechanics.well.hole_depth();
-  impl_->levels.look(*impl_->model, impl_->state.forces, duration, mechanics, impl_->state.levels);
-  const int guided = guided_nodes(mechanics);
-  impl_->statistics.coordinates = coordinates_of(mechanics, guided);
-  impl_->statistics.guided_node_frames += static_cast<std::uint64_t>(guided);
-  impl_->accuracy.begin_frame(*impl_->integrator, setpoints, impl_->state.accuracy);
-  for (int k = 0; k < steps; ++k)
+  const double hole_depth = impl_->state.truth.hole_depth;
+  if (!impl_->advance_frame(duration, setpoints))
   {
-    impl_->pump(setpoints.pump.flow, duration / steps);
-    if (!impl_->integrator->advance(mechanics, duration / steps, setpoints))
-    {
-      impl_->failure = impl_->integrator->failure();
-      return FrameStatus::failed;
-    }
-    if (k == 0) impl_->accuracy.end_first_step(*impl_->integrator, duration / steps, impl_->state.accuracy);
+    impl_->failure = impl_->integrator->failure();
+    return FrameStatus::failed;
   }
-  impl_->state.forces = impl_->integrator->find_forces(mechanics);
-  impl_->state.truth.rop = (mechanics.well.hole_depth() - hole_depth) / duration;
+  const int guided = guided_nodes(impl_->shown());
+  impl_->statistics.coordinates = coordinates_of(impl_->shown(), guided);
+  impl_->statistics.guided_nodes = guided;
+  impl_->statistics.guided_node_frames += static_cast<std::uint64_t>(guided);
+  impl_->state.truth.rop = (impl_->hole_depth() - hole_depth) / duration;
   ++impl_->statistics.frames;
   const StepperCounters& counters = impl_->integrator->counters();
   impl_->statistics.steps = counters.steps;
@@ -152,8 +137,9 @@ FrameStatus Simulator::frame(double duration) noexcept
     impl_->statistics.is_reference = true;
     impl_->statistics.reference = *report;
   }
+  impl_->statistics.last_step = impl_->shown().memory.last_step;
   impl_->statistics.last_error_estimate = impl_->integrator->error_estimate();
-  impl_->accuracy.end_frame(*impl_->integrator, mechanics, impl_->state.forces, duration, impl_->state.accuracy);
+  impl_->accuracy.end_frame(*impl_->integrator, impl_->shown(), impl_->shown_forces(), duration, impl_->state.accuracy);
   impl_->measure();
   impl_->state.instruments.read(impl_->state.truth, impl_->sensor_view(), impl_->state.readings);
   impl_->integrator->profiler().lap(Cost::other);
@@ -172,6 +158,7 @@ void Simulator::balance_energy(bool on)
   impl_->balance.reset();
   if (!on) return;
   impl_->balance = std::make_unique<EnergyBalance>(impl_->model);
+  impl_->balance_before = std::make_unique<EnergyBalance>(impl_->model);
   impl_->integrator->keep_balance(impl_->balance.get());
 }
 
@@ -211,6 +198,11 @@ const SimulatorStatistics& Simulator::statistics() const noexcept
   return impl_->statistics;
 }
 
+const std::string& Simulator::choice() const noexcept
+{
+  return impl_->choice;
+}
+
 const Scene& Simulator::scene() const noexcept
 {
   return impl_->scene;
@@ -221,7 +213,7 @@ bool Simulator::tare() noexcept
   SimulatorState& state = impl_->state;
   if (state.truth.on_bottom) return false;
   state.tared = true;
-  state.tare_hook_load = state.forces.hook_load;
+  state.tare_hook_load = impl_->shown_forces().hook_load;
   state.tare_pressure += state.truth.differential_pressure;
   impl_->measure_rig();
   state.instruments.tare(state.readings);
@@ -230,11 +222,13 @@ bool Simulator::tare() noexcept
 
 bool Simulator::stick_pipe(double md) noexcept
 {
+  impl_->settle();
   return drill_rig_sim::stick_pipe(*impl_->model, impl_->state.truth.bit_depth, md, impl_->mechanics());
 }
 
 void Simulator::free_pipe() noexcept
 {
+  impl_->settle();
   drill_rig_sim::free_pipe(impl_->mechanics());
 }
 
@@ -246,20 +240,27 @@ std::shared_ptr<const SimulatorState> Simulator::save() const
 bool Simulator::restore(const SimulatorState& state, bool keep_time)
 {
   if (state.scene != impl_->state.scene) return false;
-  const double now = impl_->mechanics().time;
+  const double now = impl_->now();
   impl_->state = state;
   impl_->integrator->restart();
+  if (keep_time) impl_->shift_time(now);
+  if (impl_->variable && state.stride.length > 0.0)
+  {
+    if (impl_->solve_stride())
+      impl_->show_stride();
+    else
+      impl_->settle();
+  }
   if (impl_->balance) impl_->balance->restart();
   impl_->failure = "";
-  if (keep_time) impl_->shift_time(now);
   return true;
 }
 
 /// The simulator's clock alone: everything that is a time moves with it.
 void Simulator::Impl::shift_time(double now) noexcept
 {
-  const double shift = now - mechanics().time;
-  mechanics().time = now;
+  const double shift = now - this->now();
+  mechanics().time += shift;
   state.truth.time = state.readings.time = now;
   state.commands.shift_time(shift);
   state.instruments.shift_time(shift);

@@ -2,6 +2,7 @@
 #define DRILL_RIG_SIM_SRC_SIM_SIMULATOR_IMPL_H
 
 #include "drill_rig_sim/sim/accuracy_watch.h"
+#include "drill_rig_sim/sim/choice.h"
 #include "drill_rig_sim/sim/level_watch.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/simulator_state.h"
@@ -26,20 +27,38 @@ const Scene& available(const Scene& scene);
 struct Simulator::Impl
 {
   Scene scene;
+  std::string choice;  // why level auto is what it is; empty for other levels
   std::shared_ptr<const Model> model;
   SimulatorState state;
   std::unique_ptr<Integrator> integrator;
   std::unique_ptr<EnergyBalance> balance;
+  std::unique_ptr<EnergyBalance> balance_before;  // as it was at the start of the stride under way
   StringWatch watch;
   AccuracyWatch accuracy;
   LevelWatch levels;
   SimulatorStatistics statistics;
+  const bool variable;  // steps, numerics.step 0
+  // while a stride is under way: its end, and what the last frame shows
+  State stride_end, between;
+  RigForces end_forces, forces_between;
   double command_timeout = 0.0;
   const char* failure = "";
 
-  Impl(const Scene& s, std::uint64_t seed) : Impl(s, seed, build_at_rest(available(s))) {}
+  Impl(const Scene& s, std::uint64_t seed) : Impl(s, seed, build_at_rest(s)) {}
   Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig);
   State& mechanics() { return state.mechanics; }
+  /// What the last frame shows, in whose forces also.
+  const State& shown() const noexcept { return state.stride.length > 0.0 ? between : state.mechanics; }
+  const RigForces& shown_forces() const noexcept { return state.stride.length > 0.0 ? forces_between : state.forces; }
+  double now() const noexcept { return state.mechanics.time + state.stride.played; }
+  double hole_depth() const noexcept;
+  bool advance_frame(double duration, const Setpoints& setpoints) noexcept;
+  bool take_steps(double step, int steps, const Setpoints& setpoints) noexcept;
+  bool advance_in_strides(double duration, const Setpoints& setpoints) noexcept;
+  bool begin_stride(double duration) noexcept;
+  bool solve_stride() noexcept;
+  void show_stride() noexcept;
+  bool settle() noexcept;
   template <class Setpoint>
   CommandResult command(const Setpoint& c) noexcept;
   void shift_time(double now) noexcept;
@@ -48,7 +67,7 @@ struct Simulator::Impl
   void measure_bit() noexcept;
   void measure_string() noexcept;
   double motor_pressure() const noexcept;
-  void pump(double commanded, double step) noexcept;
+  void pump(double commanded, double step, State& s) noexcept;
   SensorView sensor_view() const noexcept;
 };
 

@@ -22,13 +22,13 @@ Between find_between(const Mesh& mesh, double from_bit) noexcept
 
 void Simulator::profile(StringProfile& out) const
 {
-  fill_profile(*impl_->model, impl_->state.mechanics, impl_->state.forces, out);
+  fill_profile(*impl_->model, impl_->shown(), impl_->shown_forces(), out);
 }
 
 void Simulator::part_poses(int every, std::vector<PartPose>& out) const
 {
   const Mesh& mesh = impl_->model->mesh();
-  const std::vector<NodeState>& nodes = impl_->state.mechanics.nodes;
+  const std::vector<NodeState>& nodes = impl_->shown().nodes;
   std::size_t used = 0;
   auto add = [&](double from_bit) -> PartPose&
   {

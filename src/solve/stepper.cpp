@@ -9,6 +9,20 @@
 
 namespace drill_rig_sim
 {
+namespace
+{
+// of variable steps
+constexpr double first_step = 1e-3;      // [s]
+constexpr double largest_growth = 1.8;   // from step to step; times 1.25, BDF2 still remembers, and is stable below 1 + sqrt 2
+constexpr double least_stretch = 0.5;    // a step four times as wrong as allowed is repeated
+constexpr double iterations = 800.0, in_time = 0.01;  // of Newton's, and the time that they are for [s]
+constexpr double for_a_step = 4.0;       // of them are kept for each step that is left
+int budget_of(double duration) noexcept
+{
+  return static_cast<int>(iterations * std::ceil(duration / in_time));
+}
+}  // namespace
+
 const std::vector<const Method*>& method_table()
 {
   static const std::vector<const Method*> table = {&bdf2,   &implicit_euler,    &linearly_implicit_euler,
@@ -31,7 +45,66 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const Method& method)
     guess_(u_),
     residual_(u_)
 {
-  limits_.tolerance = model_->scene().numerics.newton_tolerance;
+  const NumericsSpec& numerics = model_->scene().numerics;
+  limits_.tolerance = numerics.newton_tolerance;
+  if (numerics.step == 0.0 && method_.share_of_distance) control_.emplace(*model_);
+}
+
+bool Stepper::advance(State& state, double step, const Setpoints& setpoints) noexcept
+{
+  return control_ ? advance_by_control(state, step, setpoints) : HalvingIntegrator::advance(state, step, setpoints);
+}
+
+bool Stepper::take_one_step(State& state, double step, const Setpoints& setpoints) noexcept
+{
+  int budget = budget_of(step);
+  return control_ && attempt_by_control(state, step, setpoints, budget, true) == StepResult::solved;
+}
+
+/// Also says how long the next attempt should be.
+StepResult Stepper::attempt_by_control(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept
+{
+  const StepResult outcome = attempt(state, step, setpoints, budget, may_refine);
+  double& wanted = state.step.wanted;
+  if (outcome == StepResult::solved)
+    wanted = std::min(step * std::clamp(0.9 * stretch_, 0.2, largest_growth), control_->longest(state));
+  else if (outcome == StepResult::error_test_failed)
+    wanted = step * std::clamp(0.9 * stretch_, 0.1, 0.5);
+  else
+    wanted = 0.25 * step;
+  if (outcome == StepResult::error_test_failed) ++counters_.error_test_failures;
+  if (outcome == StepResult::not_converged) ++counters_.convergence_failures;
+  return outcome;
+}
+
+/// A step that fails is repeated shorter. The work is bounded: steps are no shorter than what is left of it allows, and when half of it is done errors
+/// are no reason to repeat any more.
+bool Stepper::advance_by_control(State& state, double duration, const Setpoints& setpoints) noexcept
+{
+  if (state.step.wanted <= 0.0) state.step.wanted = first_step;
+  const int whole = budget_of(duration);
+  int budget = whole;
+  for (double left = duration; left > 0.0;)
+  {
+    const double wanted = std::ceil(left / std::clamp(state.step.wanted, shortest_step, longest_step) - may_be_longer);
+    const double parts = std::max(1.0, std::min(wanted, std::floor(budget / for_a_step)));
+    const double step = left / parts;
+    const bool may_refine = step > shortest_step && budget > whole / 2;
+    const StepResult outcome = attempt_by_control(state, step, setpoints, budget, may_refine);
+    if (outcome == StepResult::solved)
+      left = parts > 1.0 ? left - step : 0.0;
+    else if (outcome == StepResult::not_converged && (step <= 0.5 * shortest_step || budget <= 0))
+      return false;
+  }
+  return true;
+}
+
+/// The local error of the step just solved, as the distance to the extrapolation tells it, goes into guess_.
+double Stepper::find_stretch(const State& state, double step) noexcept
+{
+  const double share = method_.share_of_distance(state.memory.last_step > 0.0 ? step / state.memory.last_step : 0.0);
+  for (std::size_t k = 0; k < u_.size(); ++k) guess_[k] = share * (u_[k] - guess_[k]);
+  return control_->stretch(state, work_, guess_.data(), step);
 }
 
 StepResult Stepper::attempt(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept
@@ -47,13 +120,20 @@ StepResult Stepper::attempt(State& state, double step, const Setpoints& setpoint
   budget -= context.iterations;
   if (!solved) return StepResult::not_converged;
   error_estimate_ = method_.local_error ? method_.local_error(context) : predictor_distance() / 6.0;
-  if (method_.refines && may_refine && error_estimate_ > largest_local_error) return StepResult::error_test_failed;
+  if (control_)
+  {
+    stretch_ = find_stretch(state, step);
+    if (may_refine && stretch_ < least_stretch) return StepResult::error_test_failed;
+  }
+  else if (method_.refines && may_refine && error_estimate_ > largest_local_error)
+    return StepResult::error_test_failed;
   close_books(state, stage_, u_.data());
   remember_last_rate(work_, state);
   if (method_.remember) method_.remember(context, state.memory);
   state.memory.last_step = step;
   commit(stage_, work_, state);
   advance_discrete(*model_, stage_, work_, state);
+  if (control_) StepControl::note(work_.result.forces, state.step);
   ++counters_.steps;
   return StepResult::solved;
 }

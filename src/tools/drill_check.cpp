@@ -142,6 +142,14 @@ void print_shortcomings(const Scene& scene)
   std::printf("; contact of %s: stiffer\n", part);
 }
 
+/// What level auto has chosen, as keys that could be given instead.
+void print_choice(const Simulator& simulator)
+{
+  const NumericsSpec& chosen = simulator.scene().numerics;
+  std::printf("choice      %s: numerics {level: %s, step: 0, pushed_element_length: %g}\n", simulator.choice().c_str(), simulator.statistics().level,
+              chosen.pushed_element_length);
+}
+
 struct CheckOptions
 {
   std::string scene;
@@ -164,11 +172,13 @@ void check(const CheckOptions& options)
   std::printf("start       bit at %.3f m, block at %.2f m, hook load %.1f kN, of it the string %.1f kN\n", m.bit_depth,
               m.block_height, m.hook_load / 1e3, m.hook_load_string / 1e3);
   print_mud(scene);
-  std::printf("model       level %s, integrator %s, step %g s, %d nodes, %d coordinates\n", s.level, s.integrator, s.step,
-              s.nodes, s.coordinates);
+  std::printf(s.step > 0.0 ? "model       level %s, integrator %s, step %g s, %d nodes, %d coordinates\n"
+                           : "model       level %s, integrator %s, variable steps by a tolerance of %g, %d nodes, %d coordinates\n",
+              s.level, s.integrator, s.step > 0.0 ? s.step : scene.numerics.tolerance, s.nodes, s.coordinates);
+  if (!simulator.choice().empty()) print_choice(simulator);
   const bool has_tool = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& p) { return p.type == PartType::mwd; });
   if (!has_tool) std::printf("survey tool no part is of type mwd: survey and toolface are measured at the bit's face\n");
-  print_shortcomings(scene);
+  print_shortcomings(simulator.scene());
   std::printf("program     %zu lines to %g s\n", scene.program.size(), program_end(scene.program));
 }
 }  // namespace

@@ -33,7 +33,7 @@ double cpu_time()
 }
 
 /// Plays the scene's program up to the goal, with its series, its averages and a progress bar.
-RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, ProfileSeries& profiles, RunRecord& record)
+RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, ProfileSeries& profiles, ChoiceSeries& choices, RunRecord& record)
 {
   const double frame = frame_of_whole_steps(frame_length, simulator.scene().numerics.step);
   const double start_depth = simulator.truth().hole_depth;
@@ -41,6 +41,7 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, Profi
   Progress progress;
   series.add(simulator, frame);
   profiles.add(simulator, frame);
+  choices.add(simulator);
   return run(simulator, program, goal, frame_length,
              [&](const Truth& m)
              {
@@ -49,6 +50,7 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, Profi
                record.limits.add(m, simulator.statistics().loads, simulator.scene().rig.hoisting.max_hook_load);
                series.add(simulator, frame);
                profiles.add(simulator, frame);
+               choices.add(simulator);
                const double drilled = (m.hole_depth - start_depth) / (goal.depth - start_depth);
                progress.show(std::max(m.time / goal.duration, drilled), m.time, m.hole_depth);
              });
@@ -63,6 +65,7 @@ void run_scene(const RunOptions& options)
   // all files are opened ahead, so that a long run does not end on a misspelt folder
   TimeSeries series(options.csv, options.every.value_or(0.1), options.readings);
   ProfileSeries profiles(options.profile, options.profile_every.value_or(1.0));
+  ChoiceSeries choices(options.explain);
   File json = open_output("--json", options.json), path = open_output("--path", options.path);
   File raw_path = open_output("--raw-path", options.raw_path);
 
@@ -71,7 +74,7 @@ void run_scene(const RunOptions& options)
   RunRecord record;
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_time();
-  const RunEnd end = play(simulator, goal, series, profiles, record);
+  const RunEnd end = play(simulator, goal, series, profiles, choices, record);
   const Elapsed elapsed{std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count(),
                         cpu_time() - cpu_start};
   const std::string summary = json_summary(simulator, elapsed, record, options.readings);
@@ -81,6 +84,7 @@ void run_scene(const RunOptions& options)
   if (raw_path) write_raw_path(raw_path.get(), simulator);
   series.close();
   profiles.close();
+  choices.close();
   close_output(std::move(json), options.json);
   close_output(std::move(path), options.path);
   close_output(std::move(raw_path), options.raw_path);

@@ -56,6 +56,7 @@ void add_output_options(CLI::App& command, RunOptions& options)
   add_text(command, "--json", options.json, "FILE", "writes a summary");
   command.add_flag("--readings", options.readings, "adds what the instruments show to time series and summary")->disable_flag_override();
   command.add_flag("--energy", options.energy, "keeps an energy balance; the summary shows it [J]")->disable_flag_override();
+  add_text(command, "--explain", options.explain, "FILE", "writes what was modelled and why, a row a change");
   add_text(command, "--path", options.path, "FILE", "writes the well's corrected path");
   add_text(command, "--raw-path", options.raw_path, "FILE", "writes the uncorrected path of the last metres");
   command.add_option("--bag", "not available yet")->type_name("FILE")->check(problem_of_bag);
@@ -89,7 +90,8 @@ std::vector<std::string> settings_of(const RunOptions& options)
 void require_files_apart(const RunOptions& options)
 {
   const std::pair<const char*, const std::string&> files[] = {
-    {"--csv", options.csv}, {"--profile", options.profile}, {"--json", options.json}, {"--path", options.path}, {"--raw-path", options.raw_path}};
+    {"--csv", options.csv}, {"--profile", options.profile}, {"--json", options.json}, {"--explain", options.explain},
+    {"--path", options.path}, {"--raw-path", options.raw_path}};
   for (const auto& one : files)
   {
     if (is_same_file(one.second, options.scene))

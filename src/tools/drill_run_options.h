@@ -27,7 +27,7 @@ struct RunOptions
   std::optional<double> every;                          ///< between rows of the time series [s]
   std::optional<double> profile_every;                  ///< between profiles along the string [s]
   std::uint64_t seed = 0;
-  std::string csv, profile, json, path, raw_path;
+  std::string csv, profile, json, explain, path, raw_path;
   bool readings = false;  ///< series and summary hold the instruments' readings beside the truth
   bool energy = false;
 };

@@ -48,4 +48,38 @@ void ProfileSeries::close()
   close_output(std::move(file_), name_);
 }
 
+ChoiceSeries::ChoiceSeries(const std::string& name) : name_(name), file_(open_output("--explain", name))
+{
+  if (file_) std::fputs("time,step,guided_nodes,why\n", file_.get());
+}
+
+/// Empty: all is as in the last row.
+std::string ChoiceSeries::why(const Simulator& simulator) const
+{
+  const SimulatorStatistics& s = simulator.statistics();
+  if (!begun_) return std::string("level ") + s.level + (simulator.choice().empty() ? ", as the scene says" : ": " + simulator.choice());
+  if (s.guided_nodes != guided_) return s.guided_nodes < guided_ ? "pipe was set free: its compression comes near to buckling" : "pipe is guided again: it is calm";
+  if (s.accuracy.doubt != doubt_) return s.accuracy.doubt == AccuracyDoubt::none ? "no doubt any more" : text_of(s.accuracy, s.step);
+  if (s.last_step > 0.0 && (s.last_step >= 2.0 * step_ || s.last_step <= 0.5 * step_)) return s.last_step > step_ ? "longer steps do" : "shorter steps are needed";
+  return "";
+}
+
+void ChoiceSeries::add(const Simulator& simulator)
+{
+  if (!file_) return;
+  const std::string reason = why(simulator);
+  if (reason.empty()) return;
+  const SimulatorStatistics& s = simulator.statistics();
+  std::fprintf(file_.get(), "%.3f,%.3g,%d,\"%s\"\n", simulator.truth().time, s.last_step, s.guided_nodes, reason.c_str());
+  begun_ = true;
+  step_ = s.last_step;
+  guided_ = s.guided_nodes;
+  doubt_ = s.accuracy.doubt;
+}
+
+void ChoiceSeries::close()
+{
+  close_output(std::move(file_), name_);
+}
+
 }  // namespace drill_rig_sim

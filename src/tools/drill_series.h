@@ -55,6 +55,28 @@ private:
   StringProfile profile_;
 };
 
+/// The history of what was modelled in the course of a run: a row where nodes became free or guided, where steps became twice as long or half, and
+/// where a doubt of the accuracy came or went; the first says what level auto has chosen. One without a file writes nothing.
+class ChoiceSeries
+{
+public:
+  /// As TimeSeries.
+  explicit ChoiceSeries(const std::string& name);
+  void add(const Simulator& simulator);
+  void close();
+
+private:
+  std::string why(const Simulator& simulator) const;
+
+  std::string name_;
+  File file_;
+  bool begun_ = false;
+  // of the last row
+  double step_ = 0.0;
+  int guided_ = 0;
+  AccuracyDoubt doubt_ = AccuracyDoubt::none;
+};
+
 }  // namespace drill_rig_sim
 
 #endif

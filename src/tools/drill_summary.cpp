@@ -170,6 +170,7 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const RunRec
                {"nodes", s.nodes},
                {"guided_nodes", s.frames > 0 ? static_cast<double>(s.guided_node_frames) / static_cast<double>(s.frames) : 0.0},
                {"coordinates", s.coordinates}};
+  if (!simulator.choice().empty()) json["choice"] = simulator.choice();
   add_work(s, json);
   json["accuracy_warnings"] = json_of(record.doubts, s.step);
   json["limits_passed"] = json_of(record.limits);

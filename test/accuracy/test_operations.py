@@ -11,6 +11,7 @@ import numpy
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(HERE, 'operations'))
+import automatic  # noqa: E402
 import cells  # noqa: E402
 import matrix  # noqa: E402
 import report  # noqa: E402
@@ -116,6 +117,38 @@ class Verdicts(unittest.TestCase):
     def test_a_run_that_fails_is_silent_and_says_why(self):
         verdict = matrix.judge(FakeCell(), matrix.Run(None, {}, 'no solution'), matrix.Reference(series(), {'torque': 0.0}, '', ''))
         self.assertEqual((verdict.kind, verdict.note), ('silent', 'no solution'))
+
+
+class Automatic(unittest.TestCase):
+    def test_a_cell_is_judged_by_the_tolerance_asked_for(self):
+        off = matrix.Run(series(torque=numpy.full_like(TIME, 2e4 + 40.0)), {'nodes': 1, 'residuals': 1, 'tangents': 1, 'solves': 1, 'substitutions': 1,
+                                                                             'accuracy_warnings': []})  # 2 % of a tenth of the level
+        reference = matrix.Reference(series(), dict.fromkeys(list(matrix.FLOORS) + ['period', 'inclination'], 0.1), '', '')
+        told = [matrix.judge(FakeCell(), off, reference, tolerance) for tolerance in (0.05, 0.015, 0.002)]
+        self.assertEqual([verdict.kind for verdict in told], ['right', 'silent', 'silent'])
+        self.assertEqual([automatic.known(verdict) for verdict in told], [True, True, False])
+
+    def test_the_first_setting_that_is_right_is_the_cheapest_by_hand(self):
+        def judged_at(numerics, tolerance):
+            out = matrix.Verdict(FakeCell(), 'right' if numerics <= tolerance else 'silent')
+            out.cost = 1.0 / numerics
+            return out
+        self.assertEqual(automatic.cheapest([0.04, 0.02, 0.01], [0.05, 0.01], judged_at), {0.05: 25.0, 0.01: 100.0})
+        self.assertEqual(automatic.cheapest([0.04, 0.02], [0.05, 0.01], judged_at), {0.05: 25.0})
+
+    def test_settings_by_hand_begin_with_what_costs_least(self):
+        settings = automatic.by_hand()
+        self.assertEqual((settings[0].level, settings[0].length, settings[0].step), ('axial_torsional', 9.51, 0.04))
+        self.assertEqual((settings[-1].level, settings[-1].length, settings[-1].step), ('beam3d', 2.4, 0.0025))
+
+    def test_a_row_counts_cells_that_are_known(self):
+        told = []
+        for kind, own, cost in (('right', 0.1, 2.0), ('right', 0.2, 8.0), ('warned', 0.3, 4.0), ('silent', 0.9, 4.0)):
+            told.append(matrix.Verdict(cells.Cell('J 2 km', '5 in', 'rock'), kind))
+            told[-1].own, told[-1].cost = own, cost
+        name = told[0].cell.name
+        row = automatic.Row(0.01, told, {name: 4.0}, {(name, 0.01): 2.0})
+        self.assertEqual(row.line(), '| 1 % | 3 | 2 | 1 | 0 | 67 % | 1.00 | 2.00 | 4.00 |')
 
 
 class Energy(unittest.TestCase):

@@ -84,6 +84,7 @@ TEST_F(Report, eachNumberIsItsOwn)
 {
   SimulatorStatistics& p = frame_.physics;
   p.step = 0.005;
+  p.last_step = 0.0025;
   p.nodes = 11;
   p.coordinates = 12;
   p.frames = 13;
@@ -104,7 +105,7 @@ TEST_F(Report, eachNumberIsItsOwn)
   frame_.last_clamp = "a clamp";
   const auto array = next();
   const std::map<std::string, double> expected = {{"simulated_time", 123.5}, {"speed", 2.5}, {"overruns", 22}, {"dropped_seconds", 0.75},
-      {"unpublished_frames", 23}, {"longest_frame_ms", 24.5}, {"step", 0.005}, {"nodes", 11}, {"coordinates", 12}, {"frames", 13}, {"steps", 20},
+      {"unpublished_frames", 23}, {"longest_frame_ms", 24.5}, {"step", 0.005}, {"last_step", 0.0025}, {"nodes", 11}, {"coordinates", 12}, {"frames", 13}, {"steps", 20},
       {"newton_iterations", 50}, {"newton_iterations_per_step", 2.5}, {"convergence_failures", 16}, {"error_test_failures", 17},
       {"error_estimate", 1.8e-5}, {"clamped", 19}, {"refused", 21}, {"yield_share", 0.31}, {"yield_from_bit", 32.0}, {"make_up_share", 0.33},
       {"make_up_from_bit", 34.0}, {"buckling_share", 0.35}, {"buckling_from_bit", 36.0}};

@@ -198,6 +198,7 @@ std::vector<Expected> of_numerics()
       {"numerics", "element", [](const Scene& s) { return number(s.numerics.element == ElementKind::corotational); }, 1.0},
       {"numerics", "step", [](const Scene& s) { return s.numerics.step; }, 0.004},
       {"numerics", "element_length", [](const Scene& s) { return s.numerics.element_length; }, 9.7},
+      {"numerics", "pushed_element_length", [](const Scene& s) { return s.numerics.pushed_element_length; }, 4.6},
       {"numerics", "free_length", [](const Scene& s) { return s.numerics.free_length; }, 57.5},
       {"numerics", "tolerance", [](const Scene& s) { return s.numerics.tolerance; }, 0.012},
       {"numerics", "reference_tolerance", [](const Scene& s) { return s.numerics.reference_tolerance; }, 1.1e-6},

@@ -73,6 +73,36 @@ TEST(ElementLengths, jointsWhereItHangsAbovePipeThatIsPushed)
   EXPECT_NEAR(pipe_pushed, 1000.0 - (300.0 - 50.0 * 2.0 / pi), 15.0);
 }
 
+// 100 m of pipe over 1000 m that lie flat, as above: pushed from where it begins to hang, and a stand and a half more.
+TEST(ElementLengths, shorterWherePipeIsPushedIfAskedFor)
+{
+  Scene scene = vertical_scene(2050.0, 2050.0);
+  scene.well.survey = {{0.0, 0.0, 0.0}, {1000.0, 0.0, 0.0}, {1050.0, 90.0 * degree, 0.0}, {2050.0, 90.0 * degree, 0.0}};
+  scene.well.sections = {{1050.0, 0.25, 0.0}, {2050.0, 0.25, 0.3}};
+  scene.numerics.pushed_element_length = 2.4;
+  const ElementLengths lengths = element_lengths(scene);
+  EXPECT_NEAR(lengths.pushed_change, pushed_length(scene), 1e-9);
+  EXPECT_EQ(lengths.at(pushed_length(scene) - 1.0), 2.4);
+  EXPECT_EQ(lengths.at(pushed_length(scene) + 1.0), 9.5);
+
+  scene.numerics.element_length = 1.0;  // is shorter: stays
+  EXPECT_EQ(element_lengths(scene).at(0.0), 1.0);
+
+  scene.numerics.element_length = 0.0;
+  for (HoleSection& section : scene.well.sections) section.friction = 0.0;
+  scene.well.survey = vertical_scene(2050.0, 2050.0).well.survey;
+  EXPECT_EQ(pushed_length(scene), 0.0);
+  EXPECT_EQ(element_lengths(scene).at(0.0), 9.5);
+}
+
+TEST(Hangs, whereTheHoleInclinesByThreeDegreesAtMost)
+{
+  WellSpec well = vertical_scene(400.0, 390.0).well;
+  well.survey = {{0.0, 0.0, 0.0}, {200.0, 2.9 * degree, 0.0}, {400.0, 4.0 * degree, 0.0}};
+  EXPECT_TRUE(hangs(well, 200.0));
+  EXPECT_FALSE(hangs(well, 400.0));
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);

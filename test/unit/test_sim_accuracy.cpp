@@ -45,7 +45,7 @@ struct Watched
   {
     for (long k = 0; k < std::lround(seconds / frame); ++k)
     {
-      watch.begin_frame(integrator, Setpoints(), memory);
+      watch.begin_frame(integrator, Setpoints(), true, memory);
       integrator.count(steps, refused_a_step);
       watch.end_frame(integrator, rig.state, forces, frame, memory);
     }

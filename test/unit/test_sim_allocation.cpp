@@ -81,10 +81,11 @@ using namespace drill_rig_sim;
 
 namespace
 {
-void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck)
+void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck, double step = 0.01)
 {
   allocations = 0;
   Scene scene = drilling_scene(0.005);
+  scene.numerics.step = step;
   scene.string[0].bit->torque.model = law;
   scene.instruments.hook_load = {500.0, 100.0, 0.25, 0.5};
   scene.instruments.mwd.period = 2.0;
@@ -123,6 +124,11 @@ TEST(Frame, allocatesNothingWhileCuttingBladeByBlade)
 TEST(Frame, allocatesNothingWithAnEnergyBook)
 {
   drill(true);
+}
+
+TEST(Frame, allocatesNothingInStrides)
+{
+  drill(true, BitTorqueModel::stribeck, 0.0);
 }
 
 int main(int argc, char** argv)

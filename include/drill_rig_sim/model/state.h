@@ -110,6 +110,47 @@ struct MethodMemory
   }
 };
 
+/// Least and largest value so far.
+struct ValueRange
+{
+  double least = 0.0, largest = 0.0;
+
+  void add(double value) noexcept
+  {
+    if (value < least) least = value;
+    if (value > largest) largest = value;
+  }
+  double span() const noexcept { return largest - least; }
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("least", least);
+    v("largest", largest);
+  }
+};
+
+/// What the control of the step's length remembers (solve/step_control.h): the step that it wants next, and what the outputs have ranged over,
+/// by which their errors are judged.
+struct StepMemory
+{
+  double wanted = 0.0;  ///< 0: nothing is known yet [s]
+  bool begun = false;   ///< the ranges stand
+  ValueRange hook_load, torque, wob;  ///< [N, N m, N]
+  ValueRange bit_speed;               ///< [rad/s]
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("wanted", wanted);
+    v("begun", begun);
+    v("hook_load", hook_load);
+    v("torque", torque);
+    v("wob", wob);
+    v("bit_speed", bit_speed);
+  }
+};
+
 /// The rotor of the top drive and its speed loop.
 struct DriveState
 {
@@ -206,6 +247,7 @@ struct State
   std::vector<NodeState> nodes;
   std::vector<SpanState> spans;  ///< one per element
   MethodMemory memory;
+  StepMemory step;
   DriveState drive;
   HoistState hoist;
   BitState bit;
@@ -222,6 +264,7 @@ struct State
     v("nodes", nodes);
     v("spans", spans);
     v("memory", memory);
+    v("step", step);
     v("drive", drive);
     v("hoist", hoist);
     v("bit", bit);

@@ -57,8 +57,9 @@ class AccuracyWatch
 public:
   explicit AccuracyWatch(std::shared_ptr<const Model> model);
 
-  /// Before the first step of a frame under `setpoints`: books its energy where its turn has come. The reference's steps are not booked.
-  void begin_frame(Integrator& integrator, const Setpoints& setpoints, AccuracyMemory& memory) noexcept;
+  /// Before a frame under `setpoints`: books the energy of its first step where its turn has come, if it `steps` at all. The reference's steps are not
+  /// booked.
+  void begin_frame(Integrator& integrator, const Setpoints& setpoints, bool steps, AccuracyMemory& memory) noexcept;
   /// After the frame's first step of `step` [s].
   void end_first_step(Integrator& integrator, double step, AccuracyMemory& memory) noexcept;
   /// After a frame of `duration` [s]; `forces`: at its end.

@@ -41,10 +41,12 @@ struct SimulatorStatistics
   std::uint64_t commands_refused = 0;
   int nodes = 0;
   int coordinates = 0;                  ///< of the last frame
+  int guided_nodes = 0;                 ///< of the last frame
   std::uint64_t guided_node_frames = 0;  ///< guided nodes, summed over all frames
   const char* level = "";
   const char* integrator = "";
-  double step = 0.0;                    ///< [s]
+  double step = 0.0;                    ///< numerics.step, 0: variable [s]
+  double last_step = 0.0;               ///< the one that the last frame lies in, or its last [s]
   double last_error_estimate = 0.0;     ///< local, of the last step's positions [m]
   StringLoads loads;                    ///< of the last frame
   AccuracyReport accuracy;              ///< what stands after the last frame
@@ -97,7 +99,10 @@ public:
   /// The uncorrected path of the last metres drilled, oldest first (a bounded buffer).
   void raw_path(std::vector<Eigen::Vector3d>& out) const;
   const SimulatorStatistics& statistics() const noexcept;
+  /// The scene that runs, with what level auto has chosen (choice.h) in its keys.
   const Scene& scene() const noexcept;
+  /// Why level auto has chosen what it has, one line; empty for other levels.
+  const std::string& choice() const noexcept;
 
   /// Zero of surface WOB and differential pressure, where they are and where the gauges show them. False (unchanged) on bottom.
   bool tare() noexcept;

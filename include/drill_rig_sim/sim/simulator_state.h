@@ -11,6 +11,7 @@
 #include "drill_rig_sim/sim/instruments.h"
 #include "drill_rig_sim/sim/level_watch.h"
 #include "drill_rig_sim/sim/signals.h"
+#include "drill_rig_sim/sim/stride.h"
 
 namespace drill_rig_sim
 {
@@ -28,6 +29,7 @@ struct SimulatorState
   double tare_pressure = 0.0;   ///< true one over the motor [Pa]
   AccuracyMemory accuracy;
   LevelMemory levels;
+  Stride stride;
   Truth truth;
   Instruments instruments;
   Readings readings;
@@ -44,6 +46,7 @@ struct SimulatorState
     v("tare_pressure", tare_pressure);
     v("accuracy", accuracy);
     v("levels", levels);
+    v("stride", stride);
     v("truth", truth);
     v("instruments", instruments);
     v("readings", readings);

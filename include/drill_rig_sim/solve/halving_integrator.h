@@ -21,7 +21,7 @@ class HalvingIntegrator : public Integrator
 {
 public:
   using Integrator::Integrator;
-  bool advance(State& state, double step, const Setpoints& setpoints) noexcept final;
+  bool advance(State& state, double step, const Setpoints& setpoints) noexcept override;
   void keep_balance(EnergyBalance* balance) noexcept final { balances_[0] = balance; }
   void sample_balance(EnergyBalance* balance) noexcept final { balances_[1] = balance; }
 

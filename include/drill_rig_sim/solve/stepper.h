@@ -1,11 +1,13 @@
 #ifndef DRILL_RIG_SIM_SOLVE_STEPPER_H
 #define DRILL_RIG_SIM_SOLVE_STEPPER_H
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "drill_rig_sim/solve/halving_integrator.h"
 #include "drill_rig_sim/solve/methods/method.h"
+#include "drill_rig_sim/solve/step_control.h"
 
 namespace drill_rig_sim
 {
@@ -18,7 +20,8 @@ const std::vector<const Method*>& method_table();
 /// The table's method; automatic, and what is no method of the table: the first, the default.
 const Method& find_method(IntegratorKind kind) noexcept;
 
-/// Fixed-step real-time stepping with a method of the table, the hole extended after each step.
+/// Real-time stepping with a method of the table, the hole extended after each step: steps of the given length, halved where they must be, or,
+/// with numerics.step 0, steps as the control chooses them (step_control.h), so many of one length as fill what is asked for.
 /// Noexcept and allocation-free after construction.
 class Stepper : public HalvingIntegrator
 {
@@ -27,8 +30,13 @@ public:
 
   const Method& method() const noexcept { return method_; }
   NewtonLimits& limits() noexcept { return limits_; }
+  bool advance(State& state, double step, const Setpoints& setpoints) noexcept override;
+  bool take_one_step(State& state, double step, const Setpoints& setpoints) noexcept override;
 
 private:
+  StepResult attempt_by_control(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept;
+  bool advance_by_control(State& state, double duration, const Setpoints& setpoints) noexcept;
+  double find_stretch(const State& state, double step) noexcept;
   double predictor_distance() const noexcept;
   void find_acceleration(State& state, const Setpoints& setpoints) noexcept;
   StepResult attempt(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept override;
@@ -36,6 +44,8 @@ private:
   const Method& method_;
   Newton newton_;
   NewtonLimits limits_;
+  std::optional<StepControl> control_;  // of variable steps
+  double stretch_ = 1.0;                // what it says of the step just solved
   std::vector<double> u_;
   std::vector<double> guess_;
   std::vector<double> residual_;

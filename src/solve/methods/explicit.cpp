@@ -48,6 +48,6 @@ void remember_acceleration(const StepContext& context, MethodMemory& memory) noe
 }  // namespace
 
 const Method explicit_differences = {IntegratorKind::central_differences, "explicit", "central differences, second order, short steps only", step, remember_acceleration, 1,
-                                     false, nullptr};
+                                     false, nullptr, nullptr};
 
 }  // namespace drill_rig_sim

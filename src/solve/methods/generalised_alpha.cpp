@@ -80,6 +80,6 @@ void remember_accelerations(const StepContext& context, MethodMemory& memory) no
 }  // namespace
 
 const Method generalised_alpha = {IntegratorKind::generalised_alpha, "generalised_alpha", "generalised alpha, second order, spectral radius 1/2 at infinity", step,
-                                  remember_accelerations, 2, false, nullptr};
+                                  remember_accelerations, 2, false, nullptr, nullptr};
 
 }  // namespace drill_rig_sim

@@ -12,7 +12,7 @@ bool step(StepContext& context) noexcept
 }
 }  // namespace
 
-const Method implicit_euler = {IntegratorKind::implicit_euler, "implicit_euler", "implicit Euler, first order, L-stable", step, nullptr, 0, false, nullptr};
+const Method implicit_euler = {IntegratorKind::implicit_euler, "implicit_euler", "implicit Euler, first order, L-stable", step, nullptr, 0, false, nullptr, nullptr};
 
 void prepare_implicit_euler(const State& state, double step, Stage& stage) noexcept
 {

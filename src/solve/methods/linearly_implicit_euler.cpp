@@ -20,6 +20,6 @@ bool step(StepContext& context) noexcept
 }
 }  // namespace
 
-const Method linearly_implicit_euler = {IntegratorKind::linearly_implicit_euler, "linearly_implicit_euler", "linearly implicit Euler, first order, one solve without iteration", step, nullptr, 0, false, nullptr};
+const Method linearly_implicit_euler = {IntegratorKind::linearly_implicit_euler, "linearly_implicit_euler", "linearly implicit Euler, first order, one solve without iteration", step, nullptr, 0, false, nullptr, nullptr};
 
 }  // namespace drill_rig_sim

@@ -94,6 +94,6 @@ void remember_acceleration(const StepContext& context, MethodMemory& memory) noe
 }  // namespace
 
 const Method trbdf2 = {IntegratorKind::trbdf2, "trbdf2", "TR-BDF2, second order, L-stable, two solves a step, halved where the motion changes fast", step, remember_acceleration, 1, true,
-                       embedded_error};
+                       embedded_error, nullptr};
 
 }  // namespace drill_rig_sim

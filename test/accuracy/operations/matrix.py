@@ -34,17 +34,20 @@ COMES_BACK, STILL, NEARLY, RETURNS = 0.5, 0.3, 0.65, 3  # autocorrelation of a r
 
 
 class Numerics:
-    """Length of elements [m], step [s], method and level; None: the default's."""
+    """Length of elements [m], also where friction pushes the pipe, step [s], method, level and tolerance; None: the default's."""
 
-    def __init__(self, length=None, step=None, method=None, level=None):
-        self.length, self.step, self.method, self.level = length, step, method, level
+    def __init__(self, length=None, step=None, method=None, level=None, pushed=None, tolerance=None):
+        self.length, self.step, self.method, self.level, self.pushed, self.tolerance = length, step, method, level, pushed, tolerance
 
     def options(self):
         pairs = (('--element-length', self.length), ('--step', self.step), ('--integrator', self.method), ('--level', self.level))
-        return [word for option, value in pairs if value is not None for word in (option, value if isinstance(value, str) else '%.6g' % value)]
+        words = [word for option, value in pairs if value is not None for word in (option, value if isinstance(value, str) else '%.6g' % value)]
+        for key, value in (('pushed_element_length', self.pushed), ('tolerance', self.tolerance)):
+            words += [] if value is None else ['--set', 'numerics.%s=%.6g' % (key, value)]
+        return words
 
     def __str__(self):
-        return ', '.join(self.options()[1::2]) or 'default'
+        return ', '.join(word.split('.', 1)[1] if word.startswith('numerics.') else word for word in self.options()[1::2]) or 'default'
 
 
 KNOWN = 1.0 / 3.0  # of the bound: where a reference's own error is below that, its cell counts
@@ -248,13 +251,18 @@ def worst_of(shares):
     return shares[by], by
 
 
-def right_until(since, cell, table, reference, outputs):
+def within(shares, tolerance):
+    """Shares of the bounds that belong to another tolerance."""
+    return {name: share * BOUND / tolerance for name, share in shares.items()}
+
+
+def right_until(since, cell, table, reference, outputs, tolerance=BOUND):
     """Whether these outputs would be within their bounds had the run been right from `since` [s] on."""
     regular = cell.irregular()
     time = numpy.asarray(reference.table['time'])
     before = time < (since if regular is None else min(since, regular[0]))
     cut = {name: numpy.where(before, column, reference.table[name]) for name, column in table.items()}
-    shares = errors(cut, reference.table, regular)
+    shares = within(errors(cut, reference.table, regular), tolerance)
     return all(shares[name] <= 1.0 for name in outputs)
 
 
@@ -266,22 +274,23 @@ def shares_of_energy(accounts):
     return accounts['closure'], taken / accounts['throughput']
 
 
-def judge(cell, mine, reference):
+def judge(cell, mine, reference, tolerance=BOUND):
     out = Verdict(cell, 'undecided')
     if mine.failure:
         out.kind, out.note = 'silent', mine.failure
         return out
-    shares = errors(mine.table, reference.table, cell.irregular())
+    shares = within(errors(mine.table, reference.table, cell.irregular()), tolerance)
+    own = within(reference.own, tolerance)
     out.worst, out.by = worst_of(shares)
-    out.own, out.own_by = worst_of(reference.own)
+    out.own, out.own_by = worst_of(own)
     out.cost = WEIGHTS.of(None, 'corotational', mine.summary, mine.summary['nodes'])
     out.closure, out.dissipation = shares_of_energy(mine.summary.get('energy'))
     warnings = mine.summary['accuracy_warnings']
     out.note = warnings[0]['text'] if warnings else ''
-    wrong = {name: share for name, share in shares.items() if share > 1.0 and reference.own[name] <= KNOWN * max(1.0, share)}
+    wrong = {name: share for name, share in shares.items() if share > 1.0 and own[name] <= KNOWN * max(1.0, share)}
     if wrong:
         out.worst, out.by = worst_of(wrong)
-        out.kind = 'warned' if warnings and right_until(warnings[0]['since'], cell, mine.table, reference, wrong) else 'silent'
+        out.kind = 'warned' if warnings and right_until(warnings[0]['since'], cell, mine.table, reference, wrong, tolerance) else 'silent'
     elif out.own <= KNOWN:
         out.kind = 'right'
     return out

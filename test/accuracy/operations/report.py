@@ -7,7 +7,8 @@ from concurrent.futures import ThreadPoolExecutor
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
-import cells  # noqa: E402 (they lie beside this file)
+import automatic  # noqa: E402 (they lie beside this file)
+import cells  # noqa: E402
 import matrix  # noqa: E402
 
 REFERENCES = os.path.join(HERE, 'references')
@@ -51,17 +52,19 @@ def make_references(drill, todo, folder, jobs, budget):
     return all(in_parallel(jobs, make, todo).values())
 
 
-def judge_all(drill, todo, folder, jobs, numerics, energy=False):
+def judge_one(drill, cell, folder, numerics, energy=False, tolerance=matrix.BOUND):
+    if not os.path.exists(path_of(cell)):
+        return matrix.Verdict(cell, 'undecided', 'no reference')
+    reference = matrix.Reference.load(path_of(cell))
+    if reference.made_of != matrix.fingerprint(cell):
+        return matrix.Verdict(cell, 'undecided', 'the reference is of another scene')
+    mine = matrix.run(drill, cell, numerics, folder, energy and cell.what.duration <= matrix.BALANCED)
+    return matrix.judge(cell, mine, reference, tolerance)
+
+
+def judge_all(drill, todo, folder, jobs, numerics, energy=False, tolerance=matrix.BOUND):
     def one(cell):
-        if not os.path.exists(path_of(cell)):
-            verdict = matrix.Verdict(cell, 'undecided', 'no reference')
-        else:
-            reference = matrix.Reference.load(path_of(cell))
-            if reference.made_of != matrix.fingerprint(cell):
-                verdict = matrix.Verdict(cell, 'undecided', 'the reference is of another scene')
-            else:
-                mine = matrix.run(drill, cell, numerics, folder, energy and cell.what.duration <= matrix.BALANCED)
-                verdict = matrix.judge(cell, mine, reference)
+        verdict = judge_one(drill, cell, folder, numerics, energy, tolerance)
         return verdict, line_of(verdict)
     verdicts = in_parallel(jobs, one, todo)
     return [verdicts[cell.name] for cell in todo]
@@ -176,6 +179,8 @@ def play(args, out):
         for numerics, verdicts in results:
             print('%s: %s' % (numerics, summary_line(verdicts)))
         return 0, [write(name, as_table(results), out)]
+    if args.auto:
+        return 0, [write('auto.md', play_automatic(args, todo, folder), out)]
     verdicts = judge_all(args.drill, todo, folder, args.jobs, matrix.Numerics(), energy=True)
     print(summary_line(verdicts))
     names = [write('operations.md', summary_line(verdicts) + '.\n\n' + table(verdicts), out),
@@ -184,6 +189,14 @@ def play(args, out):
         chart(verdicts, os.path.join(out, 'operations.png'))
         names.append('operations.png')
     return (0 if holds(verdicts, whole=len(todo) == len(cells.CELLS)) else 1), names
+
+
+def play_automatic(args, todo, folder):
+    short = [cell for cell in todo if cell.what.duration <= matrix.BALANCED]
+    return automatic.play(
+        short, lambda todo, numerics, tolerance: judge_all(args.drill, todo, folder, args.jobs, numerics, tolerance=tolerance),
+        lambda cell, numerics, tolerance: judge_one(args.drill, cell, folder, numerics, tolerance=tolerance),
+        lambda function, todo: in_parallel(args.jobs, function, todo), args.search)
 
 
 def holds(verdicts, whole):

@@ -47,6 +47,9 @@ struct Method
   /// Local error of the nodes' places in the step just solved, the largest component [m]. Null: a sixth of what the solution is away from the
   /// extrapolation, as it is for BDF2.
   double (*local_error)(const StepContext& context) noexcept;
+  /// Of what a step's solution is away from the extrapolation predict(), the share that is the step's local error; `ratio`: the step over the
+  /// one before, 0 where nothing is remembered. Null: steps of variable length are not available.
+  double (*share_of_distance)(double ratio) noexcept;
 };
 
 /// The quantity that every method remembers first: the rates one step before.

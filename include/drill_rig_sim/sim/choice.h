@@ -1,0 +1,32 @@
+#ifndef DRILL_RIG_SIM_SIM_CHOICE_H
+#define DRILL_RIG_SIM_SIM_CHOICE_H
+
+#include <string>
+
+#include "drill_rig_sim/scene/scene.h"
+
+namespace drill_rig_sim
+{
+/// What `numerics.level: auto` comes to: keys that could have been given instead, and why.
+struct Choice
+{
+  Level level = Level::beam3d;
+  double pushed_element_length = 0.0;  ///< [m]
+  std::string reason;                  ///< one line
+};
+
+/// The cheapest level and mesh that keep the scene's needs within its tolerance, by rules that the operations matrix has taught (98 cells of a
+/// minute, errors over the outputs' ranges; test/accuracy/README.md, levels):
+/// - From 5 % on, without needs of bending (direction, contact, buckling) and without a mud motor: axial_torsional.
+/// - From 5 % on, or in a hole that hangs the string (nowhere beyond 3 deg) without a mud motor, or from 2 % on without torque and bit speed among
+///   the needs: hybrid. Where pipe begins to turn on the low side of a hole, guided pipe is 1 to 3 % off in these two.
+/// - Else beam3d; below 2 %, with quarter joints where friction pushes the pipe, and below 0.5 % eighths.
+/// Steps are variable. What is given by hand of element_length and free_length stays.
+Choice choose(const Scene& scene);
+
+/// The scene with that choice made in its keys; itself, where its level is not auto.
+Scene with_choice(const Scene& scene);
+
+}  // namespace drill_rig_sim
+
+#endif

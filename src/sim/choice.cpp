@@ -1,0 +1,65 @@
+#include "drill_rig_sim/sim/choice.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "drill_rig_sim/scene/scene_mesh.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double wide = 0.05, middle = 0.02, narrow = 0.005;  // tolerances
+constexpr double quarter_joint = 2.4, eighth_joint = 1.2;     // [m]
+
+bool has_motor(const Scene& scene)
+{
+  return std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& part) { return part.motor.has_value(); });
+}
+
+std::string percent(double tolerance)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%", 100.0 * tolerance);
+  return text;
+}
+
+Choice choose_level(const Scene& scene)
+{
+  constexpr unsigned bending = need_direction | need_contact | need_buckling, turning = need_torque | need_bit_speed;
+  const double tolerance = scene.numerics.tolerance;
+  const bool motor = has_motor(scene);
+  if (tolerance >= wide && !(scene.needs & bending) && !motor)
+    return {Level::axial_torsional, 0.0, "within " + percent(tolerance) + " nothing is needed of bending"};
+  if (tolerance >= wide) return {Level::hybrid, 0.0, "within " + percent(tolerance) + " bending is needed near the bit alone"};
+  if (!motor && hangs(scene.well, std::max(scene.well.hole_depth, scene.start.bit_depth)))
+    return {Level::hybrid, 0.0, "the string hangs: above the bottom-hole assembly it does not bend"};
+  if (tolerance >= middle && !(scene.needs & (bending | turning)))
+    return {Level::hybrid, 0.0, "within " + percent(tolerance) + " neither bending nor torque and bit speed are needed"};
+  return {Level::beam3d, 0.0, "torque, bit speed or bending are needed within " + percent(tolerance) + " where pipe lies on its wall"};
+}
+}  // namespace
+
+Choice choose(const Scene& scene)
+{
+  Choice choice = choose_level(scene);
+  const double tolerance = scene.numerics.tolerance;
+  choice.pushed_element_length = scene.numerics.pushed_element_length;
+  if (choice.level != Level::beam3d || tolerance >= middle || choice.pushed_element_length > 0.0) return choice;
+  choice.pushed_element_length = tolerance < narrow ? eighth_joint : quarter_joint;
+  if (pushed_length(scene) > 0.0) choice.reason += "; elements are short where friction pushes it";
+  return choice;
+}
+
+Scene with_choice(const Scene& scene)
+{
+  if (scene.numerics.level != Level::automatic) return scene;
+  const Choice choice = choose(scene);
+  Scene chosen = scene;
+  chosen.numerics.level = choice.level;
+  chosen.numerics.pushed_element_length = choice.pushed_element_length;
+  chosen.numerics.step = 0.0;
+  return chosen;
+}
+
+}  // namespace drill_rig_sim

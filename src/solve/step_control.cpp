@@ -1,0 +1,117 @@
+#include "drill_rig_sim/solve/step_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drill_rig_sim/math/units.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double wave_life = 6.0;         // over which errors of waves add up [s]
+constexpr double largest_share = 0.05;     // of the tolerance
+constexpr double largest_place_error = 1e-2;  // over the tolerance [m]
+constexpr double least_force = 1e3, least_torque = 100.0, least_speed = 0.1;  // what instruments resolve [N, N m, rad/s]
+constexpr double share_of_level = 0.1;
+constexpr double most_damping = 5.0;  // over the tolerance, of a bent motor's waves [1/s]
+constexpr double steps_a_blade = 100.0;
+constexpr double smooth_tolerance = 0.01; // where the two agree
+constexpr double most_stretch = 10.0;
+
+/// Of the tolerance, for the waves of a string that they take `time` [s] to run along; the slowest that it can swing by, a quarter of its length.
+double share_of_tolerance(double time) noexcept
+{
+  const double frequency = 0.5 * pi / time;
+  return std::min(largest_share, 1.0 / (frequency * wave_life));
+}
+
+double scale(const ValueRange& range, double level, double least) noexcept
+{
+  return std::max({range.span(), share_of_level * std::abs(level), least});
+}
+}  // namespace
+
+StepControl::StepControl(const Model& model) : tolerance_(model.scene().numerics.tolerance)
+{
+  if (model.motor() && model.motor()->bend != 0.0) shaking_ = 3.0;
+  if (model.regenerative()) blades_ = model.bit().torque.blades;
+  const Mesh& mesh = model.mesh();
+  double time_along = 0.0, time_about = 0.0;
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+  {
+    const MeshNode& node = mesh.nodes[i];
+    const BeamSection& section = mesh.elements[std::min(i, mesh.elements.size() - 1)].section;
+    along_.push_back(std::sqrt(section.axial * node.mass / node.length));
+    about_.push_back(std::sqrt(section.torsion * section.length * node.spin_inertia / node.length));
+    time_along += node.mass / along_.back();
+    time_about += node.spin_inertia / about_.back();
+  }
+  const double of_fronts = std::sqrt(tolerance_ / smooth_tolerance);
+  allowed_along_ = of_fronts * tolerance_ * share_of_tolerance(time_along);
+  allowed_about_ = of_fronts * tolerance_ * share_of_tolerance(time_about);
+}
+
+/// Over what is allowed, times the step [s].
+double StepControl::output_error(const State& start, const Workspace& work, const double* error) const noexcept
+{
+  const StepMemory& memory = start.step;
+  const RigForces& forces = work.result.forces;
+  const double force = scale(memory.hook_load, forces.hook_load, least_force), torque = scale(memory.torque, forces.meter_torque, least_torque);
+  double along = 0.0, about = 0.0;
+  const auto parts_of = [&](std::size_t i)
+  {
+    const Eigen::Vector3d& axis = work.nodes[i].axis;
+    const Eigen::Map<const Vector6d> e(error + 6 * i);
+    return std::pair<double, double>{std::abs(e.head<3>().dot(axis)), std::abs(e.tail<3>().dot(axis))};
+  };
+  for (std::size_t i = 0; i < along_.size(); ++i)
+  {
+    const auto [path, turn] = parts_of(i);
+    along = std::max(along, along_[i] * path);
+    about = std::max(about, about_[i] * turn);
+  }
+  const auto [path, turn] = parts_of(0);
+  double of_along = along / force;
+  if (forces.wob > 0.0) of_along = std::max(of_along, along_[0] * path / scale(memory.wob, forces.wob, least_force));
+  const double of_about = std::max(about / torque, turn / scale(memory.bit_speed, forces.bit_speed, least_speed));
+  return std::max(of_along / allowed_along_, of_about / allowed_about_);
+}
+
+double StepControl::stretch(const State& start, const Workspace& work, const double* error, double step) const noexcept
+{
+  double place = 0.0;
+  for (std::size_t k = 0; k < 6 * along_.size(); k += 6)
+    for (std::size_t c = k; c < k + 3; ++c) place = std::max(place, std::abs(error[c]));
+  const double of_outputs = output_error(start, work, error) / step;
+  const double of_places = place / (largest_place_error * tolerance_);
+  const double least = std::pow(most_stretch, -3);
+  return std::min(1.0 / std::sqrt(std::max(of_outputs, least)), 1.0 / std::cbrt(std::max(of_places, least)));
+}
+
+double StepControl::longest(const State& state) const noexcept
+{
+  const double turning = std::abs(state.nodes[0].rate.spin), of_bit = std::abs(state.nodes[0].rate.spin + state.bit.motor_speed);
+  double step = longest_step;
+  if (shaking_ * turning > 0.0) step = std::min(step, std::cbrt(4.0 * most_damping * tolerance_ / std::pow(shaking_ * turning, 4)));
+  if (blades_ * of_bit > 0.0) step = std::min(step, 2.0 * pi / (steps_a_blade * blades_ * of_bit));
+  return std::max(step, shortest_step);
+}
+
+void StepControl::note(const RigForces& forces, StepMemory& memory) noexcept
+{
+  if (!memory.begun)
+  {
+    memory.hook_load = {forces.hook_load, forces.hook_load};
+    memory.torque = {forces.meter_torque, forces.meter_torque};
+    memory.wob = {forces.wob, forces.wob};
+    memory.bit_speed = {forces.bit_speed, forces.bit_speed};
+    memory.begun = true;
+  }
+  memory.hook_load.add(forces.hook_load);
+  memory.torque.add(forces.meter_torque);
+  memory.wob.add(forces.wob);
+  memory.bit_speed.add(forces.bit_speed);
+}
+
+}  // namespace drill_rig_sim

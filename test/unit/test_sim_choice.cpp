@@ -1,0 +1,93 @@
+// What level auto comes to: one test a rule.
+#include <gtest/gtest.h>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/sim/choice.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+Scene hanging(double tolerance, unsigned needs = every_need)
+{
+  Scene scene = vertical_scene(400.0, 390.0);
+  scene.numerics.level = Level::automatic;
+  scene.numerics.tolerance = tolerance;
+  scene.needs = needs;
+  return scene;
+}
+
+Scene lying(double tolerance, unsigned needs = every_need)
+{
+  Scene scene = slanted_scene(199.9, 0.6);
+  scene.numerics.level = Level::automatic;
+  scene.numerics.tolerance = tolerance;
+  scene.needs = needs;
+  return scene;
+}
+
+Scene with_motor(Scene scene)
+{
+  scene.string[1].motor.emplace();
+  return scene;
+}
+
+constexpr unsigned along = need_hook_load | need_wob | need_rop;
+}  // namespace
+
+TEST(Choice, alongAndAboutTheHoleAloneWhereLittleIsNeeded)
+{
+  EXPECT_EQ(choose(lying(0.05, along | need_torque | need_bit_speed)).level, Level::axial_torsional);
+  EXPECT_EQ(choose(lying(0.05, along | need_direction)).level, Level::hybrid);
+  EXPECT_EQ(choose(with_motor(lying(0.05, along))).level, Level::hybrid);
+}
+
+TEST(Choice, bendingNearTheBitAloneInAHoleThatHangsTheString)
+{
+  EXPECT_EQ(choose(hanging(0.002)).level, Level::hybrid);
+  EXPECT_EQ(choose(with_motor(hanging(0.01))).level, Level::beam3d);
+}
+
+TEST(Choice, bendingNearTheBitAloneWhereTorqueIsNotNeeded)
+{
+  EXPECT_EQ(choose(lying(0.02, along)).level, Level::hybrid);
+  EXPECT_EQ(choose(lying(0.02, along | need_torque)).level, Level::beam3d);
+  EXPECT_EQ(choose(lying(0.01, along)).level, Level::beam3d);
+}
+
+TEST(Choice, shorterElementsTheNarrowerTheTolerance)
+{
+  EXPECT_EQ(choose(lying(0.02)).pushed_element_length, 0.0);
+  EXPECT_EQ(choose(lying(0.01)).pushed_element_length, 2.4);
+  EXPECT_EQ(choose(lying(0.002)).pushed_element_length, 1.2);
+  Scene given = lying(0.002);
+  given.numerics.pushed_element_length = 3.0;
+  EXPECT_EQ(choose(given).pushed_element_length, 3.0);
+}
+
+TEST(Choice, isMadeInTheScenesKeysWithStepsOfVariableLength)
+{
+  const Scene chosen = with_choice(hanging(0.01));
+  EXPECT_EQ(chosen.numerics.level, Level::hybrid);
+  EXPECT_EQ(chosen.numerics.step, 0.0);
+  Scene by_hand = hanging(0.01);
+  by_hand.numerics.level = Level::beam3d;
+  EXPECT_EQ(with_choice(by_hand).numerics.level, Level::beam3d);
+  EXPECT_EQ(with_choice(by_hand).numerics.step, by_hand.numerics.step);
+}
+
+TEST(Choice, isToldByTheSimulator)
+{
+  const Simulator automatic(hanging(0.01));
+  EXPECT_NE(automatic.choice().find("hangs"), std::string::npos) << automatic.choice();
+  const Simulator by_hand(vertical_scene(400.0, 390.0));
+  EXPECT_TRUE(by_hand.choice().empty());
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,244 @@
+// Steps longer than frames: what the frames between show, commands at their own frame, snapshots on the way, energy.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "drill_ahead.h"
+#include "drill_rig_sim/model/interpolate.h"
+#include "drill_rig_sim/solve/start.h"
+#include "sim_numbers.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+constexpr double kFrame = 0.01;
+
+Scene with_step(Scene scene, double step)
+{
+  scene.numerics.step = step;
+  return scene;
+}
+
+/// On the way down, some seconds after the last command: in the middle of a stride.
+Simulator on_the_way(const Scene& scene, int frames = 1503)
+{
+  Simulator rig(scene, 7);
+  drill_ahead(rig, 0.0, 0.03, 0.01);
+  for (int k = 0; k < frames; ++k) EXPECT_EQ(rig.frame(kFrame), FrameStatus::running) << rig.failure();
+  return rig;
+}
+
+void play(Simulator& rig, int frames, double frame = kFrame)
+{
+  for (int k = 0; k < frames; ++k) ASSERT_EQ(rig.frame(frame), FrameStatus::running) << rig.failure();
+}
+
+const Scene& variable()
+{
+  static const Scene scene = with_step(vertical_scene(400.0, 290.0), 0.0);
+  return scene;
+}
+
+bool under_way(const Simulator& rig)
+{
+  return rig.save()->stride.length > 0.0;
+}
+
+/// Plays on until a stride is under way.
+void into_a_stride(Simulator& rig)
+{
+  for (int k = 0; k < 200 && !under_way(rig); ++k) ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+  ASSERT_TRUE(under_way(rig));
+}
+}  // namespace
+
+TEST(Strides, aQuietRigTakesFewerStepsThanFrames)
+{
+  Simulator rig = on_the_way(variable());
+  const std::uint64_t before = rig.statistics().steps;
+  play(rig, 1000);
+  EXPECT_LT(rig.statistics().steps - before, 400u);
+}
+
+TEST(Strides, timeAdvancesByTheFrame)
+{
+  Simulator rig(variable());
+  for (int k = 1; k <= 500; ++k)
+  {
+    ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+    ASSERT_NEAR(rig.truth().time, k * kFrame, 1e-9);
+  }
+}
+
+TEST(Strides, betweenTheEndsOfAStepAreItsEnds)
+{
+  const RigAtRest rig = build_at_rest(variable());
+  State end = rig.state, out = rig.state;
+  end.time = 0.05;
+  end.drive.angle = 0.3;
+  end.hydraulics.stand_pipe_pressure = 1e6;
+  for (NodeState& node : end.nodes)
+  {
+    node.position.z() -= 0.01;
+    node.rate.spin = 2.0;
+    node.spin_angle += 0.1;
+  }
+  interpolate(rig.state, end, 0.0, out);
+  EXPECT_EQ(out.nodes[3].position, rig.state.nodes[3].position);
+  EXPECT_EQ(out.drive.angle, 0.0);
+  interpolate(rig.state, end, 1.0, out);
+  EXPECT_TRUE(out.nodes[3].position.isApprox(end.nodes[3].position, 1e-15));
+  EXPECT_EQ(out.drive.angle, 0.3);
+  interpolate(rig.state, end, 0.5, out);
+  EXPECT_NEAR(out.time, 0.025, 1e-15);
+  EXPECT_NEAR(out.nodes[3].rate.spin, 1.0, 1e-15);
+  EXPECT_NEAR(out.hydraulics.stand_pipe_pressure, 0.5e6, 1e-6);
+}
+
+// Against steps of a millisecond: start, stop and a change of direction in one run, commands in the middle of strides.
+TEST(Strides, commandsActAtTheirOwnFrame)
+{
+  Scene damped = variable();  // as a string in mud is: waves that never die are late by ever more
+  damped.mud.axial_damping = 12.0;
+  const auto course = [](const Scene& scene, const std::function<void(const Truth&, int)>& see)
+  {
+    Simulator rig(scene);
+    for (int k = 0; k < 2400; ++k)
+    {
+      if (k == 1003) rig.command(WinchSetpoint{0.2, false});
+      if (k == 1707) rig.command(WinchSetpoint{-0.1, false});
+      ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+      see(rig.truth(), k);
+    }
+  };
+  std::vector<double> height, load;
+  course(with_step(damped, 1e-3), [&](const Truth& m, int) { height.push_back(m.block_height), load.push_back(m.hook_load); });
+  double square = 0.0;
+  course(damped, [&](const Truth& m, int k)
+  {
+    ASSERT_NEAR(m.block_height, height[k], 1e-3) << k;
+    square += (m.hook_load - load[k]) * (m.hook_load - load[k]);
+  });
+  const auto [least, most] = std::minmax_element(load.begin(), load.end());
+  EXPECT_LT(std::sqrt(square / static_cast<double>(load.size())), variable().numerics.tolerance * (*most - *least));
+}
+
+TEST(Strides, framesAfterASnapshotOnTheWayAreBitIdentical)
+{
+  Simulator rig = on_the_way(variable());
+  into_a_stride(rig);
+  const auto saved = rig.save();
+  const auto go_on = [](Simulator& r)
+  {
+    std::vector<double> out;
+    for (int k = 0; k < 600; ++k)
+    {
+      if (k == 251) r.command(WinchSetpoint{0.05, false});
+      EXPECT_EQ(r.frame(kFrame), FrameStatus::running);
+      const std::vector<double> now = numbers_of(r.truth());
+      out.insert(out.end(), now.begin(), now.end());
+    }
+    return out;
+  };
+  const std::vector<double> first = go_on(rig);
+  ASSERT_TRUE(rig.restore(*saved));
+  EXPECT_TRUE(bit_identical(first, go_on(rig)));
+  Simulator other(variable());
+  ASSERT_TRUE(other.restore(*saved));
+  EXPECT_TRUE(bit_identical(first, go_on(other)));
+}
+
+TEST(Strides, aSnapshotKeepsTimeOnTheWay)
+{
+  Simulator rig = on_the_way(variable());
+  into_a_stride(rig);
+  const auto saved = rig.save();
+  play(rig, 100);
+  const double now = rig.truth().time, depth = saved->truth.bit_depth;
+  ASSERT_TRUE(rig.restore(*saved, true));
+  EXPECT_NEAR(rig.truth().time, now, 1e-9);
+  play(rig, 1);
+  EXPECT_NEAR(rig.truth().time, now + kFrame, 1e-9);
+  EXPECT_NEAR(rig.truth().bit_depth, depth, 1e-3);
+}
+
+TEST(Strides, framesMayChangeTheirLength)
+{
+  Simulator rig = on_the_way(variable());
+  for (const double frame : {0.01, 0.003, 0.02, 0.001, 0.05, 0.01})
+  {
+    into_a_stride(rig);
+    const double before = rig.truth().time, depth = rig.truth().bit_depth;
+    play(rig, 7, frame);
+    EXPECT_NEAR(rig.truth().time, before + 7.0 * frame, 1e-9);
+    EXPECT_NEAR(rig.truth().bit_depth, depth + 0.07 * frame, 1e-3);
+  }
+}
+
+TEST(Strides, pipeMaySticksOnTheWay)
+{
+  Simulator rig = on_the_way(variable());
+  into_a_stride(rig);
+  const double time = rig.truth().time;
+  EXPECT_TRUE(rig.stick_pipe(150.0));
+  play(rig, 300);
+  EXPECT_NEAR(rig.truth().time, time + 3.0, 1e-9);
+  EXPECT_TRUE(all_finite(numbers_of(rig.truth())));
+  rig.free_pipe();
+  play(rig, 300);
+}
+
+TEST(Strides, aControllerThatCommandsEveryFrameCostsNoWorkThatIsThrownAway)
+{
+  Simulator rig = on_the_way(variable());
+  const std::uint64_t before = rig.statistics().steps;
+  for (int k = 0; k < 500; ++k)
+  {
+    rig.command(WinchSetpoint{-0.01 - 1e-6 * (k % 7), false});
+    ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+  }
+  EXPECT_LE(rig.statistics().steps - before, 520u);
+}
+
+TEST(Strides, energyCloses)
+{
+  Simulator rig = on_the_way(variable(), 300);
+  rig.balance_energy();
+  for (int k = 0; k < 1500; ++k)
+  {
+    if (k % 400 == 203) rig.command(WinchSetpoint{k % 800 < 400 ? 0.1 : -0.1, false});
+    ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+  }
+  const EnergyAccounts& accounts = rig.energy();
+  EXPECT_LT(std::abs(accounts.closure()), 2e-3 * accounts.input_magnitudes());
+}
+
+TEST(Strides, aBlowIsSteppedFinely)
+{
+  Scene scene = with_step(drilling_scene(0.005), 0.0);
+  Simulator rig(scene);
+  rig.command(WinchSetpoint{-0.1, false});
+  double shortest = 1.0;
+  for (int k = 0; k < 1500 && !rig.truth().on_bottom; ++k)
+  {
+    ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+    shortest = std::min(shortest, rig.save()->mechanics.memory.last_step);
+  }
+  ASSERT_TRUE(rig.truth().on_bottom);
+  for (int k = 0; k < 20; ++k)
+  {
+    ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
+    shortest = std::min(shortest, rig.save()->mechanics.memory.last_step);
+  }
+  EXPECT_LT(shortest, 2e-3);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
