@@ -290,7 +290,7 @@ const Table<StartSpec> start_keys = {"start", "At rest, in static equilibrium, w
 const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are solved.", {
   {"level",                 "",       Choice<NumericsSpec>{level_words, [](NumericsSpec& n, int word) { n.level = static_cast<Level>(word); },
                                                [](const NumericsSpec& n) { return static_cast<int>(n.level); }},
-                                                                           none,                 "which motions are modelled. beam3d: all. axial_torsional: along the hole and about it, the string confined to it, its friction a soft string's. hybrid: all near the bit, those two above. auto: the cheapest of them that meets the tolerance in the needs, with the steps and elements that go with it. rigid is not available yet"},
+                                                                           none,                 "which motions are modelled. beam3d: all. axial_torsional: along the hole and about it, the string confined to it, its friction a soft string's. hybrid: all near the bit, those two above. auto: the cheapest of them that meets the tolerance in the needs, with the steps and elements that go with it. rigid: as axial_torsional, but the string stretches and twists a hundredth of what it would, for steady loads"},
   {"free_length",           "m",      &NumericsSpec::free_length,          between(0.0, 20000.0), "level hybrid: so far above the bit's face all motions are modelled; 0: the parts below the last one and two stands", no_kind, every_kind, "the parts below the last one and two stands"},
   {"integrator",            "",       Choice<NumericsSpec>{integrator_words, [](NumericsSpec& n, int word) { n.integrator = static_cast<IntegratorKind>(word); },
                                                [](const NumericsSpec& n) { return static_cast<int>(n.integrator); }},
@@ -301,6 +301,7 @@ const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are so
   {"step",                  "s",      &NumericsSpec::step,                 between(0.0, 0.05),   "physics step, 1e-5 or more; 0: variable, as long as the tolerance allows"},
   {"element_length",        "m",      &NumericsSpec::element_length,       between(0.0, 50.0),   "longest element, 0.1 or more; 0, by the hole: 4.75 m where it inclines or friction below pushes the pipe, and a stand and a half above, 9.5 m higher up", no_kind, every_kind, "by the hole"},
   {"pushed_element_length", "m",      &NumericsSpec::pushed_element_length, between(0.0, 50.0),  "longest element where friction pushes pipe that slides down, 0.1 or more, if that is shorter than element_length; 0: as elsewhere"},
+  {"guided_element_length", "m",      &NumericsSpec::guided_element_length, between(0.0, 50.0),  "longest element of guided pipe that friction does not push, if that is longer than element_length: two joints that are no longer together are one element; 0: as elsewhere"},
   {"tolerance",             "-",      &NumericsSpec::tolerance,            between(1e-6, 0.5),   "of variable steps and level auto: error that they may leave in the needs, over what these range over"},
   {"reference_tolerance",   "-",      &NumericsSpec::reference_tolerance,  between(1e-10, 1e-2), "integrator ida: local error of velocities (m/s, rad/s, and relative); of places (m, rad) a hundredth of it"},
   {"reference_order",       "",       &NumericsSpec::reference_order,      between(1, 5),        "integrator ida: highest order of its BDF; above 2 waves that are hardly damped force shorter steps"},
@@ -355,6 +356,7 @@ const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at 
   {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},
   {"stuck_at",              "m",      &ProgramStep::stuck_at,              above(0.0, 20000.0),  "measured depth where the hole grips the pipe, not below the bit by then", no_kind, every_kind, "as before"},
   {"free",                  "",       Flag<ProgramStep>{&ProgramStep::free}, none,               "true: it lets go", no_kind, every_kind, "as before"},
+  {"free_length",           "m",      &ProgramStep::free_length,           between(0.0, 20000.0), "another level: so far above the bit's face all motions are modelled, above that those along the hole and about it; 0: axial_torsional; the string's length or more: beam3d", no_kind, every_kind, "as before"},
 }};
 // clang-format on
 

@@ -77,7 +77,7 @@ double first_pushed(const Scene& scene) noexcept
 double free_length(const Scene& scene) noexcept
 {
   const NumericsSpec& numerics = scene.numerics;
-  if (numerics.level == Level::axial_torsional) return -1.0;
+  if (all_guided(numerics.level)) return -1.0;
   if (numerics.level != Level::hybrid) return std::numeric_limits<double>::infinity();
   if (numerics.free_length > 0.0) return numerics.free_length;
   double length = two_stands;
@@ -102,7 +102,7 @@ ElementLengths element_lengths(const Scene& scene) noexcept
   ElementLengths lengths = uniform_elements(joint);
   if (numerics.element_length > 0.0)
     lengths = uniform_elements(numerics.element_length);
-  else if (numerics.level != Level::axial_torsional)
+  else if (!all_guided(numerics.level))
   {
     const double hangs_above = std::min(first_inclined(scene.well), first_pushed(scene));
     lengths.lower = half_joint;
@@ -113,12 +113,24 @@ ElementLengths element_lengths(const Scene& scene) noexcept
     lengths.pushed = numerics.pushed_element_length;
     lengths.pushed_change = pushed_length(scene);
   }
+  if (numerics.guided_element_length > 0.0)
+  {
+    lengths.guided = numerics.guided_element_length;
+    lengths.guided_change = std::max(free_length(scene), pushed_length(scene));
+  }
   return lengths;
 }
 
 Mesh build_mesh(const Scene& scene, double total_length)
 {
-  return build_mesh(scene.string, scene.contact, scene.mud, element_lengths(scene), total_length);
+  Mesh mesh = build_mesh(scene.string, scene.contact, scene.mud, element_lengths(scene), total_length);
+  if (scene.numerics.level != Level::rigid) return mesh;
+  for (MeshElement& element : mesh.elements)
+  {
+    element.section.axial *= rigid_stiffness;
+    element.section.torsion *= rigid_stiffness;
+  }
+  return mesh;
 }
 
 }  // namespace drill_rig_sim

@@ -250,6 +250,8 @@ void check_program(const Scene& scene, ProblemList& problems)
       problems.emplace_back(item_key("program", i), "the brake is set and the block moves, allowed: one of them");
     }
     check_ramp_and_faults(step, i, problems);
+    if (!std::isnan(step.free_length) && (scene.numerics.level == Level::rigid || has_no_levels(scene.numerics.integrator)))
+      problems.emplace_back(item_key("program", i, "free_length"), "a rigid string, and this integrator, have but one level; allowed with the others");
     limit(i, "block_velocity", step.block_velocity, scene.rig.hoisting.max_speed, "m/s", 1.0);
     limit(i, "top_drive_speed_rpm", step.top_drive_speed, scene.rig.top_drive.max_speed, "rpm", rpm);
     limit(i, "top_drive_torque", step.top_drive_torque, scene.rig.top_drive.max_torque, "N m", 1.0);
@@ -294,15 +296,11 @@ ProblemList unavailable(const Scene& scene)
 {
   ProblemList problems;
   const NumericsSpec& numerics = scene.numerics;
-  if (numerics.level == Level::rigid)
-    problems.emplace_back("numerics.level", "this level is not available yet, allowed: axial_torsional, hybrid, beam3d or auto");
   const double bit = scene.string.empty() ? 0.0 : scene.string.front().length;
   if (numerics.level == Level::hybrid && numerics.free_length > 0.0 && numerics.free_length < bit)
     problems.emplace_back("numerics.free_length", metres(numerics.free_length) + " ends within the bit, allowed: 0 or from " + metres(bit) + " on");
-  const bool guided = numerics.level == Level::axial_torsional || numerics.level == Level::hybrid;
-  const bool one_of_its_own = numerics.integrator == IntegratorKind::arkode_dirk || numerics.integrator == IntegratorKind::ida ||
-                              numerics.integrator == IntegratorKind::central_differences;
-  if (guided && one_of_its_own) problems.emplace_back("numerics.integrator", "this method is available for level beam3d alone");
+  const bool guided = all_guided(numerics.level) || numerics.level == Level::hybrid;
+  if (guided && has_no_levels(numerics.integrator)) problems.emplace_back("numerics.integrator", "this method is available for level beam3d alone");
   const bool varies = numerics.integrator == IntegratorKind::automatic || numerics.integrator == IntegratorKind::bdf2;
   if ((numerics.step == 0.0 || numerics.level == Level::automatic) && !varies)
     problems.emplace_back("numerics.integrator", "steps of variable length (step 0, level auto) are available for bdf2 and auto alone");

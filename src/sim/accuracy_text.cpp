@@ -40,7 +40,9 @@ std::string any_shorter_step(double step)
 std::string words_of(unsigned needs)
 {
   std::string out;
-  for (const auto& [need, word] : {std::make_pair(need_direction, "direction"), std::make_pair(need_contact, "contact"), std::make_pair(need_buckling, "buckling")})
+  const std::pair<Need, const char*> words[] = {{need_torque, "waves of torque"}, {need_bit_speed, "waves of bit speed"},
+                                                {need_direction, "direction"},    {need_contact, "contact"},    {need_buckling, "buckling"}};
+  for (const auto& [need, word] : words)
     if (needs & need) out += (out.empty() ? "" : ", ") + std::string(word);
   return out;
 }
@@ -88,7 +90,7 @@ std::string text_of(const AccuracyReport& r, double step)
       return text("the string whirls: it rolls along its walls at %.2g of pure rolling, how far and where hangs on the mesh; numerics.element_length: half as long shows"
                   " what of it is the mesh's", r.measure);
     case AccuracyDoubt::level:
-      return "guided pipe has no bending: this level does not represent " + words_of(static_cast<unsigned>(r.measure)) +
+      return "guided pipe has no bending, rigid pipe no waves: this level does not represent " + words_of(static_cast<unsigned>(r.measure)) +
              "; numerics.level: hybrid or beam3d, or needs without it";
     case AccuracyDoubt::slant:
       return text("the hole leaves the table by %.0f deg from the vertical, and the rig stands upright: hook load and torque are those of a string pulled over"

@@ -224,16 +224,18 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   doubt(AccuracyDoubt::whirl, memory.sideways / std::max(memory.surface, least_surface_speed), memory.whirled > least_whirled);
   doubt(AccuracyDoubt::jerks, memory.jerks, memory.jerks > most_jerks);
   if (found.doubt == AccuracyDoubt::none) found = doubt_of_hole(state);
-  if (found.doubt == AccuracyDoubt::none) found = doubt_of_level(model_->scene());
+  if (found.doubt == AccuracyDoubt::none) found = doubt_of_level(model_->scene(), state);
   if (found.doubt == AccuracyDoubt::none) return;
   memory.report = found;
   memory.stands_for = memory_time;
 }
 
-AccuracyReport doubt_of_level(const Scene& scene) noexcept
+AccuracyReport doubt_of_level(const Scene& scene, const State& state) noexcept
 {
   constexpr unsigned of_free_nodes = need_direction | need_contact | need_buckling;
-  const unsigned left_out = scene.numerics.level == Level::axial_torsional ? scene.needs & of_free_nodes : 0u;
+  constexpr unsigned of_waves = need_torque | need_bit_speed;
+  const unsigned no_bending = state.nodes.front().guided ? of_free_nodes : 0u, no_waves = scene.numerics.level == Level::rigid ? of_waves : 0u;
+  const unsigned left_out = scene.needs & (no_bending | no_waves);
   return left_out ? AccuracyReport{AccuracyDoubt::level, static_cast<double>(left_out), 0.0, 0.0} : AccuracyReport();
 }
 

@@ -21,11 +21,23 @@ double share_of(const Model& model, const RigForces& forces, const State& state,
 }
 }  // namespace
 
-LevelWatch::LevelWatch(const Model& model) : hybrid_(model.scene().numerics.level == Level::hybrid)
+Level level_of(const Model& model, double free_length) noexcept
 {
-  const double length = free_length(model.scene());
-  for (const MeshNode& node : model.mesh().nodes) guided_.push_back(node.from_bit > length ? 1 : 0);
+  if (free_length >= model.mesh().nodes.back().from_bit) return Level::beam3d;
+  if (free_length > model.mesh().nodes.front().from_bit) return Level::hybrid;
+  return model.scene().numerics.level == Level::rigid ? Level::rigid : Level::axial_torsional;
+}
+
+LevelWatch::LevelWatch(const Model& model) : free_length_(free_length(model.scene())), guided_(model.mesh().nodes.size())
+{
+  follow(model, free_length_);
   wanted_ = guided_;
+}
+
+void LevelWatch::follow(const Model& model, double free_length) noexcept
+{
+  free_length_ = free_length;
+  for (std::size_t i = 0; i < guided_.size(); ++i) guided_[i] = model.mesh().nodes[i].from_bit > free_length ? 1 : 0;
 }
 
 /// Into wanted_; false: all may stay as it is.
@@ -61,7 +73,15 @@ bool LevelWatch::calm(const Model& model, const RigForces& forces, const State& 
 
 void LevelWatch::look(const Model& model, const RigForces& forces, double duration, State& state, LevelMemory& memory) noexcept
 {
-  if (!hybrid_) return;
+  if (free_length_ != memory.free_length) follow(model, memory.free_length);
+  if (memory.moved)
+  {
+    change_guided(model, guided_, forces, state);
+    memory.moved = false;
+    memory.calm = 0.0;
+    return;
+  }
+  if (level_of(model, memory.free_length) != Level::hybrid) return;
   if (open(model, forces, state))
   {
     if (change_guided(model, wanted_, forces, state)) ++memory.opened;

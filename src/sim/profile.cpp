@@ -168,7 +168,7 @@ StaticReport static_report(const Scene& scene, const SlidingMotion& sliding)
   report.accuracy = doubt_of_string(*rig.model, rig.state, report.outcome.forces);
   if (!report.outcome.converged) refuse(report);
   if (report.accuracy.doubt == AccuracyDoubt::none) report.accuracy = doubt_of_hole(rig.state);
-  if (report.accuracy.doubt == AccuracyDoubt::none) report.accuracy = doubt_of_level(scene);
+  if (report.accuracy.doubt == AccuracyDoubt::none) report.accuracy = doubt_of_level(scene, rig.state);
   fill_profile(*rig.model, rig.state, report.outcome.forces, report.profile);
   report.hook_load_string = report.outcome.top_force;
   report.hook_load = report.hook_load_string + standard_gravity * scene.rig.hoisting.block_mass;

@@ -11,6 +11,7 @@
 #include "drill_rig_sim/rig/hydraulics.h"
 #include "drill_rig_sim/rig/mud_motor.h"
 #include "drill_rig_sim/scene/scene_hash.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/scene/scene_problems.h"
 
 namespace drill_rig_sim
@@ -28,7 +29,7 @@ namespace
 {
 const char* name_of(Level level) noexcept
 {
-  if (level == Level::axial_torsional) return "axial_torsional";
+  if (all_guided(level)) return level == Level::rigid ? "rigid" : "axial_torsional";
   return level == Level::hybrid ? "hybrid" : "beam3d";
 }
 
@@ -56,7 +57,8 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   statistics.nodes = model->nodes();
   statistics.guided_nodes = guided_nodes(state.mechanics);
   statistics.coordinates = coordinates_of(state.mechanics, statistics.guided_nodes);
-  statistics.level = name_of(scene.numerics.level);
+  state.levels.free_length = free_length(scene);
+  statistics.level = name_of(level_of(*model, state.levels.free_length));
   statistics.integrator = find_integrator(scene.numerics.integrator).name;
   statistics.step = scene.numerics.step;
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
@@ -121,6 +123,7 @@ FrameStatus Simulator::frame(double duration) noexcept
     return FrameStatus::failed;
   }
   const int guided = guided_nodes(impl_->shown());
+  impl_->statistics.level = name_of(level_of(*impl_->model, impl_->state.levels.free_length));
   impl_->statistics.coordinates = coordinates_of(impl_->shown(), guided);
   impl_->statistics.guided_nodes = guided;
   impl_->statistics.guided_node_frames += static_cast<std::uint64_t>(guided);
@@ -230,6 +233,16 @@ void Simulator::free_pipe() noexcept
 {
   impl_->settle();
   drill_rig_sim::free_pipe(impl_->mechanics());
+}
+
+bool Simulator::set_free_length(double from_bit) noexcept
+{
+  const NumericsSpec& numerics = impl_->scene.numerics;
+  if (!(from_bit >= 0.0) || numerics.level == Level::rigid || has_no_levels(numerics.integrator)) return false;
+  impl_->settle();
+  impl_->state.levels.free_length = from_bit;
+  impl_->state.levels.moved = true;
+  return true;
 }
 
 std::shared_ptr<const SimulatorState> Simulator::save() const

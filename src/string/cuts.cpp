@@ -49,6 +49,12 @@ std::vector<Place> places_in(const PartSpec& part, double lower, double upper)
   std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.from_bit < b.from_bit; });
   return places;
 }
+/// Joint j, which begins at `lower` [m], and the next one are one element.
+bool merges(const std::vector<double>& lengths, std::size_t j, double lower, const ElementLengths& longest)
+{
+  if (j + 1 == lengths.size() || lower < longest.guided_change) return false;
+  return lengths[j] + lengths[j + 1] <= longest.guided + 1e-9;
+}
 }  // namespace
 
 Cut cut_gauge(const BitSpec& bit)
@@ -85,8 +91,10 @@ void cut_part(const PartSpec& part, int index, double lower, const std::vector<d
   else
     for (std::size_t j = 0; j < lengths.size(); ++j)
     {
-      cut_joint(part, index, static_cast<int>(j), lower, lower + lengths[j], longest.at(lower), cuts);
-      lower += lengths[j];
+      double end = lower + lengths[j];
+      if (merges(lengths, j, lower, longest)) end += lengths[++j];
+      cut_joint(part, index, static_cast<int>(j), lower, end, longest.at(lower), cuts);
+      lower = end;
     }
 }
 

@@ -127,7 +127,7 @@ void print_shortcomings(const Scene& scene)
   if (scene.string.front().bit->torque.model == BitTorqueModel::regenerative)
     std::printf("bit         regenerative: weight and torque are those of the cut; the face does not rub across the bottom\n");
   const RigAtRest rig = build_at_rest(scene);
-  for (const AccuracyReport& doubt : {doubt_of_string(*rig.model, rig.state, rig.statics.forces), doubt_of_hole(rig.state), doubt_of_level(scene)})
+  for (const AccuracyReport& doubt : {doubt_of_string(*rig.model, rig.state, rig.statics.forces), doubt_of_hole(rig.state), doubt_of_level(scene, rig.state)})
     if (doubt.doubt != AccuracyDoubt::none) std::printf("accuracy    %s\n", text_of(doubt, scene.numerics.step).c_str());
   if (scene.string.front().bit->gauge_length > 0.0) print_wedged_gauge(scene, rig);
   const std::optional<WallLoss> loss = wall_loss(rig);

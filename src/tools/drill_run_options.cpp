@@ -19,9 +19,9 @@ constexpr double largest_seed = 9e15;           // a double holds every whole nu
 
 std::string problem_of_level(const std::string& level)
 {
-  for (const char* known : {"axial_torsional", "hybrid", "beam3d", "auto"})
+  for (const char* known : {"rigid", "axial_torsional", "hybrid", "beam3d", "auto"})
     if (level == known) return "";
-  return "'" + level + "' is not available yet, allowed: axial_torsional, hybrid, beam3d or auto";
+  return "'" + level + "' is unknown, allowed: rigid, axial_torsional, hybrid, beam3d or auto";
 }
 
 std::string problem_of_bag(const std::string&)

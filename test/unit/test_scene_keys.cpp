@@ -199,6 +199,7 @@ std::vector<Expected> of_numerics()
       {"numerics", "step", [](const Scene& s) { return s.numerics.step; }, 0.004},
       {"numerics", "element_length", [](const Scene& s) { return s.numerics.element_length; }, 9.7},
       {"numerics", "pushed_element_length", [](const Scene& s) { return s.numerics.pushed_element_length; }, 4.6},
+      {"numerics", "guided_element_length", [](const Scene& s) { return s.numerics.guided_element_length; }, 19.1},
       {"numerics", "free_length", [](const Scene& s) { return s.numerics.free_length; }, 57.5},
       {"numerics", "tolerance", [](const Scene& s) { return s.numerics.tolerance; }, 0.012},
       {"numerics", "reference_tolerance", [](const Scene& s) { return s.numerics.reference_tolerance; }, 1.1e-6},
@@ -219,6 +220,7 @@ std::vector<Expected> of_numerics()
       {"program[]", "ramp", [](const Scene& s) { return s.program.at(2).ramp; }, 6.5},
       {"program[]", "stuck_at", [](const Scene& s) { return s.program.at(2).stuck_at; }, 701.0},
       {"program[]", "free", [](const Scene& s) { return s.program.at(3).free; }, 1.0},
+      {"program[]", "free_length", [](const Scene& s) { return s.program.at(3).free_length; }, 91.0},
   };
 }
 

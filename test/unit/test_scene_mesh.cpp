@@ -95,6 +95,29 @@ TEST(ElementLengths, shorterWherePipeIsPushedIfAskedFor)
   EXPECT_EQ(element_lengths(scene).at(0.0), 9.5);
 }
 
+// 390 m of joints of 9.5 m and the block's height above the table, all guided.
+TEST(ElementLengths, guidedPipeMayHaveElementsOfTwoJoints)
+{
+  Scene scene = vertical_scene(400.0, 390.0);
+  scene.numerics.level = Level::axial_torsional;
+  const Mesh joints = build_mesh(scene, 410.0);
+  scene.numerics.guided_element_length = 19.1;
+  const Mesh merged = build_mesh(scene, 410.0);
+  EXPECT_LE(merged.elements.size(), joints.elements.size() / 2 + 2);
+  double mass = 0.0, merged_mass = 0.0;
+  for (const MeshElement& e : joints.elements) mass += e.linear_mass * e.section.length;
+  for (const MeshElement& e : merged.elements) merged_mass += e.linear_mass * e.section.length;
+  EXPECT_NEAR(merged_mass, mass, 1e-9 * mass);
+  EXPECT_EQ(merged.nodes.back().from_bit, joints.nodes.back().from_bit);
+  scene.numerics.guided_element_length = 18.9;  // is shorter than two
+  EXPECT_EQ(build_mesh(scene, 410.0).elements.size(), joints.elements.size());
+  scene.numerics.guided_element_length = 19.1;
+  scene.numerics.level = Level::beam3d;  // has no guided pipe
+  const Mesh free = build_mesh(scene, 410.0);
+  scene.numerics.guided_element_length = 0.0;
+  EXPECT_EQ(free.elements.size(), build_mesh(scene, 410.0).elements.size());
+}
+
 TEST(Hangs, whereTheHoleInclinesByThreeDegreesAtMost)
 {
   WellSpec well = vertical_scene(400.0, 390.0).well;

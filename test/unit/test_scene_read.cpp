@@ -178,7 +178,6 @@ TEST(SceneRead, WrongSettingsAreRefusedByName)
   EXPECT_EQ(message("numerics.stepp=1").rfind("setting: numerics.stepp: unknown key", 0), 0u) << message("numerics.stepp=1");
   EXPECT_EQ(message("well.sections[7].friction=0").rfind("setting: well.sections[7].friction: there is no such", 0), 0u);
   EXPECT_EQ(message("numerics.integrator=no_such").rfind("setting: numerics.integrator: text is not known, allowed: auto, bdf2", 0), 0u);
-  EXPECT_EQ(message("numerics.level=rigid").rfind("setting: numerics.level: this level is not available yet", 0), 0u);
   EXPECT_EQ(message("numerics.step").rfind("setting: numerics.step: has no value", 0), 0u);
   EXPECT_EQ(message("mud={densty: 1000}").rfind("setting: mud.densty: unknown key", 0), 0u) << message("mud={densty: 1000}");
   EXPECT_EQ(message("string=[{name: bit, type: bit, length: 0.3, mass: 40}]").rfind("setting: string[0].diameter: is missing", 0), 0u);

@@ -80,6 +80,7 @@ Course moving(const Scene& scene, double block_velocity, double speed)
 }
 
 const std::pair<Level, double> kGuidedLevels[] = {{Level::axial_torsional, 0.0}, {Level::hybrid, 200.0}, {Level::hybrid, 700.0}};
+const std::pair<Level, double> kLevelsOfSteadyLoads[] = {{Level::rigid, 0.0}, {Level::axial_torsional, 0.0}, {Level::hybrid, 200.0}, {Level::hybrid, 700.0}};
 }  // namespace
 
 TEST(Levels, agreeOnTorqueAndDragOfTurningPipe)
@@ -87,7 +88,7 @@ TEST(Levels, agreeOnTorqueAndDragOfTurningPipe)
   for (const double up : {0.0, 0.1, -0.1})
   {
     const Course reference = moving(deviated(), up, 60.0 * rpm);
-    for (const auto& [level, free_length] : kGuidedLevels)
+    for (const auto& [level, free_length] : kLevelsOfSteadyLoads)
     {
       const Course run = moving(at_level(deviated(), level, free_length), up, 60.0 * rpm);
       EXPECT_NEAR(mean(run.hook_load), mean(reference.hook_load), 0.01 * mean(reference.hook_load)) << up << " m/s, free " << free_length;
@@ -103,7 +104,7 @@ TEST(Levels, agreeOnDragOfSlidingPipe)
   {
     const double drag = mean(moving(deviated(), up, 0.0).hook_load) - still;
     EXPECT_GT(std::abs(drag), 1e4);
-    for (const auto& [level, free_length] : kGuidedLevels)
+    for (const auto& [level, free_length] : kLevelsOfSteadyLoads)
     {
       const double guided = mean(moving(at_level(deviated(), level, free_length), up, 0.0).hook_load) - still;
       EXPECT_NEAR(guided, drag, 0.035 * std::abs(drag)) << up << " m/s, free " << free_length;
@@ -121,7 +122,7 @@ TEST(Levels, agreeOnDrilling)
     return watch(rig, 20.0, 10.0);
   };
   const Course reference = drilling(Level::beam3d, 0.0);
-  for (const auto& [level, free_length] : {std::make_pair(Level::axial_torsional, 0.0), std::make_pair(Level::hybrid, 40.0)})
+  for (const auto& [level, free_length] : {std::make_pair(Level::rigid, 0.0), std::make_pair(Level::axial_torsional, 0.0), std::make_pair(Level::hybrid, 40.0)})
   {
     const Course run = drilling(level, free_length);
     EXPECT_NEAR(mean(run.wob), mean(reference.wob), 0.01 * mean(reference.wob)) << free_length;
@@ -294,6 +295,58 @@ TEST(Levels, hybridSetsFreeWhatWouldBuckleAndGuidesItAgain)
   EXPECT_EQ(rig.statistics().coordinates, at_start) << "guided again when nothing presses it for ten seconds";
 }
 
+// Two joints an element where nothing pushes the pipe: half the nodes, the same loads.
+TEST(Levels, agreeOnTorqueAndDragWithMergedJoints)
+{
+  const Course reference = moving(deviated(), 0.1, 60.0 * rpm);
+  Scene scene = at_level(deviated(), Level::axial_torsional);
+  scene.numerics.guided_element_length = 20.0;
+  const Course run = moving(scene, 0.1, 60.0 * rpm);
+  EXPECT_NEAR(mean(run.hook_load), mean(reference.hook_load), 0.01 * mean(reference.hook_load));
+  EXPECT_NEAR(mean(run.torque), mean(reference.torque), 0.01 * mean(reference.torque));
+  const Simulator joints(at_level(deviated(), Level::axial_torsional)), merged(scene);
+  EXPECT_LT(merged.statistics().nodes, 0.55 * joints.statistics().nodes);
+}
+
+// A string that turns and goes down; its level changes three times beside one whose level stays.
+TEST(Levels, changeInARunningRigWithoutABump)
+{
+  Simulator reference(deviated()), rig(deviated());
+  rig.balance_energy();
+  TopDriveSetpoint drive;
+  drive.speed = 60.0 * rpm;
+  for (Simulator* one : {&reference, &rig})
+  {
+    one->command(drive);
+    one->command(WinchSetpoint{-0.05, false});
+    watch(*one, 20.0, 0.0);
+  }
+  const std::pair<double, const char*> levels[] = {{200.0, "hybrid"}, {0.0, "axial_torsional"}, {5000.0, "beam3d"}};
+  for (const auto& [free_length, name] : levels)
+  {
+    ASSERT_TRUE(rig.set_free_length(free_length));
+    for (int k = 0; k < 1000; ++k)
+    {
+      for (Simulator* one : {&reference, &rig}) ASSERT_EQ(one->frame(kFrame), FrameStatus::running) << one->failure();
+      const Truth &is = rig.truth(), &was = reference.truth();
+      ASSERT_NEAR(is.hook_load_string, was.hook_load_string, 0.01 * was.hook_load_string) << name << " after " << k * kFrame << " s";
+      ASSERT_NEAR(is.torque, was.torque, 0.02 * was.torque) << name << " after " << k * kFrame << " s";
+      ASSERT_NEAR(is.bit_depth, was.bit_depth, 0.002) << name << " after " << k * kFrame << " s";
+    }
+    EXPECT_STREQ(rig.statistics().level, name);
+  }
+  EXPECT_LT(rig.energy().closure(), 1e-3);
+}
+
+TEST(Levels, ofARigidStringDoNotChange)
+{
+  Simulator rig(at_level(deviated(), Level::rigid));
+  EXPECT_FALSE(rig.set_free_length(100.0));
+  Simulator other(deviated());
+  EXPECT_FALSE(other.set_free_length(-1.0));
+  EXPECT_FALSE(other.set_free_length(std::nan("")));
+}
+
 TEST(Levels, guidedPipeThatWouldBuckleWarns)
 {
   Simulator rig(at_level(vertical_scene(300.0, 299.99, 0.2), Level::axial_torsional));
@@ -316,6 +369,8 @@ TEST(Levels, thatLeaveOutWhatTheSceneNeedsWarn)
   EXPECT_NE(told(scene).find("does not represent direction;"), std::string::npos) << told(scene);
   scene.needs = need_hook_load | need_torque;
   EXPECT_EQ(told(scene), "");
+  scene.numerics.level = Level::rigid;
+  EXPECT_NE(told(scene).find("does not represent waves of torque;"), std::string::npos) << told(scene);
   scene.needs = every_need;
   scene.numerics.level = Level::hybrid;
   EXPECT_EQ(told(scene), "");

@@ -15,6 +15,12 @@ enum class Level
   automatic
 };
 
+/// Levels whose nodes are all confined to the hole.
+constexpr bool all_guided(Level level) noexcept
+{
+  return level == Level::axial_torsional || level == Level::rigid;
+}
+
 /// What `numerics.integrator` can be; automatic is the first of integrator_table() (solve/integrator.h).
 enum class IntegratorKind
 {
@@ -29,6 +35,12 @@ enum class IntegratorKind
   ida
 };
 
+/// Methods that know free nodes alone.
+constexpr bool has_no_levels(IntegratorKind kind) noexcept
+{
+  return kind == IntegratorKind::arkode_dirk || kind == IntegratorKind::ida || kind == IntegratorKind::central_differences;
+}
+
 struct NumericsSpec
 {
   Level level = Level::beam3d;
@@ -37,6 +49,7 @@ struct NumericsSpec
   double step = 0.01;               ///< [s]; 0: variable (solve/step_control.h). Chosen by ./test/accuracy/run --operations --variants
   double element_length = 0.0;      ///< longest element [m]; 0: by the hole, element_lengths() (scene_mesh.h)
   double pushed_element_length = 0.0;  ///< longest element where friction pushes the pipe that slides down [m]; 0: as elsewhere
+  double guided_element_length = 0.0;  ///< longest element of guided pipe that friction does not push, above 9.5 m two joints [m]; 0: as elsewhere
   double free_length = 0.0;         ///< level hybrid: nodes up to here above the bit's face are free [m]; 0: free_length() (scene_mesh.h)
   double tolerance = 0.01;          ///< relative, of the scene's outputs; variable steps and level auto only
   double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]

@@ -58,6 +58,7 @@ struct ProgramStep
   double brake = unset;             ///< the winch's: 1 sets, 0 releases
   double stuck_at = unset;          ///< the hole grips the pipe there [m MD]
   double free = unset;              ///< 1: it lets go
+  double free_length = unset;       ///< nodes up to here above the bit's face are free, those above it guided [m]
 };
 
 struct Scene

@@ -11,11 +11,12 @@ namespace drill_rig_sim
 /// friction below would push the pipe that slides down, if that is higher, and a
 /// joint (9.5 m) above that, and throughout for level axial_torsional. Where pipe lies on the wall its elements have to carry the bending between two contacts, or it gives way
 /// below its buckling load and whirls falsely; so it does where it is pushed; where it hangs, joints do as well. Chosen by the operations matrix (test/accuracy/run
-/// --operations --variants). Where friction pushes the pipe and `numerics.pushed_element_length` is given, elements are that short.
+/// --operations --variants). Where friction pushes the pipe and `numerics.pushed_element_length` is given, elements are that short; guided pipe that it
+/// does not push has elements of `numerics.guided_element_length`, if that is given, of two joints at most.
 ElementLengths element_lengths(const Scene& scene) noexcept;
 
 /// How far above the bit's face the string's nodes are free, those above are guided [m]: infinity for level beam3d, less than 0 for
-/// axial_torsional. For hybrid `numerics.free_length` where it is given, else the parts below the last one (the bottom-hole assembly
+/// axial_torsional and rigid. For hybrid `numerics.free_length` where it is given, else the parts below the last one (the bottom-hole assembly
 /// with its heavyweight pipe) and two stands.
 double free_length(const Scene& scene) noexcept;
 
@@ -25,7 +26,11 @@ bool hangs(const WellSpec& well, double depth) noexcept;
 /// How far above the bit's face friction pushes pipe that slides down with nothing on the bit (by the soft string), and 45 m more; 0: nowhere [m].
 double pushed_length(const Scene& scene) noexcept;
 
-/// The mesh of a scene's string over `total_length`, bit's face to top-drive shaft [m]; string/mesh.h says what may be wrong.
+/// What stretch and twist of a rigid string are smaller by than those of its pipe (level rigid): so stiff that its waves are over at once, and not so
+/// stiff that tensions drown in rounding.
+constexpr double rigid_stiffness = 100.0;
+
+/// The mesh of a scene's string over `total_length`, bit's face to top-drive shaft [m], stiffened for level rigid; string/mesh.h says what may be wrong.
 Mesh build_mesh(const Scene& scene, double total_length);
 
 }  // namespace drill_rig_sim

@@ -22,7 +22,7 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
 AccuracyReport doubt_of_hole(const State& state) noexcept;
 
 /// Where the scene needs an output that its level does not represent.
-AccuracyReport doubt_of_level(const Scene& scene) noexcept;
+AccuracyReport doubt_of_level(const Scene& scene, const State& state) noexcept;
 
 /// Watches what makes a run inaccurate without failing it. Every tenth frame is looked at, and the energy of its first step booked.
 ///

@@ -12,6 +12,8 @@ namespace drill_rig_sim
 /// What the watch remembers from frame to frame.
 struct LevelMemory
 {
+  double free_length = 0.0;   ///< nodes up to here above the bit's face are free, windows apart [m]
+  bool moved = false;         ///< since the last frame
   double calm = 0.0;          ///< how long all pipe in windows could have been guided [s]
   std::uint64_t opened = 0;   ///< windows since the start, and those that grew
   std::uint64_t closed = 0;
@@ -19,13 +21,19 @@ struct LevelMemory
   template <class V>
   void visit(V& v)
   {
+    v("free_length", free_length);
+    v("moved", moved);
     v("calm", calm);
     v("opened", opened);
     v("closed", closed);
   }
 };
 
-/// Level hybrid: guided pipe is set free before it is compressed so far that it could buckle, wherever in the string that is, and guided again
+/// Level of a string whose nodes are free up to `free_length` above the bit's face [m].
+Level level_of(const Model& model, double free_length) noexcept;
+
+/// Sets nodes free and guides them, between two frames: as the memory's free length wants, whenever that is moved.
+/// Level hybrid besides: guided pipe is set free before it is compressed so far that it could buckle, wherever in the string that is, and guided again
 /// when it is not. A window opens where an element next to a guided node carries 0.6 of its buckling load (string_watch.h), over 30 m up and down from
 /// there; all windows close when for 10 s no element in them carried more than 0.4 of it.
 class LevelWatch
@@ -33,15 +41,16 @@ class LevelWatch
 public:
   explicit LevelWatch(const Model& model);
 
-  /// Between two frames of `duration` [s]; `forces`: of the step before. Nothing happens at other levels.
+  /// Between two frames of `duration` [s]; `forces`: of the step before.
   void look(const Model& model, const RigForces& forces, double duration, State& state, LevelMemory& memory) noexcept;
 
 private:
+  void follow(const Model& model, double free_length) noexcept;
   bool open(const Model& model, const RigForces& forces, const State& state) noexcept;
   bool calm(const Model& model, const RigForces& forces, const State& state) const noexcept;
 
-  bool hybrid_;
-  std::vector<unsigned char> guided_;  // by the scene
+  double free_length_;
+  std::vector<unsigned char> guided_;  // by that length
   std::vector<unsigned char> wanted_;
 };
 

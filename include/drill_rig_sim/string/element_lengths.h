@@ -3,8 +3,9 @@
 
 namespace drill_rig_sim
 {
-/// How long a string's elements are at most: joints that begin below `change` are cut to `lower`, those above it to `upper`, and those below
-/// `pushed_change` to `pushed`, if that is shorter.
+/// How long a string's elements are at most: joints that begin below `change` are cut to `lower`, those above it to `upper`, those below
+/// `pushed_change` to `pushed`, if that is shorter, and those above `guided_change` to `guided`, if that is longer: two joints that are no longer than it
+/// together are one element.
 struct ElementLengths
 {
   double lower = 9.5;   ///< [m]
@@ -12,19 +13,22 @@ struct ElementLengths
   double change = 0.0;  ///< distance from the bit's face [m]
   double pushed = 9.5;  ///< [m]
   double pushed_change = 0.0;  ///< distance from the bit's face [m]
+  double guided = 0.0;  ///< [m]
+  double guided_change = 0.0;  ///< distance from the bit's face [m]
 
   /// Of a joint whose lower end is `from_bit` above the bit's face [m].
   double at(double from_bit) const noexcept
   {
     const double length = from_bit < change ? lower : upper;
-    return from_bit < pushed_change && pushed < length ? pushed : length;
+    if (from_bit < pushed_change && pushed < length) return pushed;
+    return from_bit >= guided_change && guided > length ? guided : length;
   }
 };
 
 /// `length` everywhere [m].
 constexpr ElementLengths uniform_elements(double length) noexcept
 {
-  return {length, length, 0.0, length, 0.0};
+  return {length, length, 0.0, length, 0.0, 0.0, 0.0};
 }
 
 }  // namespace drill_rig_sim
