@@ -21,7 +21,7 @@ std::vector<FormationLayer> rings_of(const Scene& scene)
 }  // namespace
 
 Model::Model(const Scene& scene, Mesh mesh)
-  : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), formation_(scene.formation), ring_(rings_of(scene)), pilot_(scene.well), friction_(scene.contact, scene.well.sections)
+  : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), kernel_(resolved(scene.numerics.kernel)), formation_(scene.formation), ring_(rings_of(scene)), pilot_(scene.well), friction_(scene.contact, scene.well.sections)
 {
   for (const MeshNode& node : mesh_.nodes) contact_.push_back(wall_law(scene.contact, node.contact, node.mass, node.friction_radius));
   for (const MeshElement& element : mesh_.elements)

@@ -114,6 +114,7 @@ DiagnosticsReport::Status DiagnosticsReport::physics_status(const FrameRecord& f
   if (frame.truth.relief_valve_open) s.mergeSummary(DiagnosticStatus::WARN, "relief valve open: part of the flow goes back to the tanks");
   s.add("level", p.level);
   s.add("integrator", p.integrator);
+  s.add("kernel", name_of(p.kernel));
   s.add("step", p.step);
   s.add("last_step", p.last_step);
   s.add("nodes", p.nodes);

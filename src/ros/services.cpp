@@ -240,7 +240,7 @@ Saved Services::present_state(bool to_go_on_from)
       {
         const RunningRig& rig = loop.rig();
         if (to_go_on_from && rig.failed) throw Refusal("the last frame failed: there is no good state to go on from");
-        saved = {rig.simulator->save(), rig.program, rig.playing, rig.commands, loop.time().stamp(), 0};
+        saved = {rig.simulator->save(), rig.program, rig.playing, rig.commands, rig.simulator->statistics().kernel, loop.time().stamp(), 0};
       });
   return saved;
 }
@@ -250,8 +250,16 @@ std::string Services::restore_state(const RestoreState::Request& request)
   require_no_step();
   require_name_or_file(request.name, request.file);
   const Saved saved = request.file.empty() ? saved_.find(request.name) : read_saved(request.file, present_state(false));
-  loop_.between_frames([&](SimulationLoop& loop) { loop.go_back(*saved.state, *saved.program, saved.playing, saved.commands); });
-  return "restored " + (request.file.empty() ? request.name : request.file);
+  Kernel kernel = saved.kernel;
+  loop_.between_frames(
+      [&](SimulationLoop& loop)
+      {
+        loop.go_back(*saved.state, *saved.program, saved.playing, saved.commands);
+        kernel = loop.rig().simulator->statistics().kernel;
+      });
+  const std::string restored = "restored " + (request.file.empty() ? request.name : request.file);
+  if (kernel == saved.kernel) return restored;
+  return restored + ", made by kernel " + name_of(saved.kernel) + ": what follows by " + name_of(kernel) + " differs from then in rounding";
 }
 
 std::string Services::list_states(ListStates::Response& response)

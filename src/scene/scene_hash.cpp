@@ -26,7 +26,7 @@ public:
     add_keys(contact_keys, scene.contact);
     add_keys(trajectory_keys, scene.trajectory);
     add_keys(start_keys, scene.start);
-    add_keys(numerics_keys, scene.numerics);
+    add_numerics(scene.numerics);
     add_instruments(scene.instruments);
     for (const ProgramStep& step : scene.program) add_keys(program_keys, step);
   }
@@ -48,6 +48,13 @@ private:
     if (!part.bit) return;
     add_keys(bit_bottom_keys, part.bit->bottom);
     add_keys(bit_torque_keys, part.bit->torque);
+  }
+
+  /// Without the kernel, of which a rig is as much the same as another machine's: by auto it may be another too.
+  void add_numerics(NumericsSpec numerics)
+  {
+    numerics.kernel = Kernel::automatic;
+    add_keys(numerics_keys, numerics);
   }
 
   void add_instruments(const InstrumentsSpec& instruments)

@@ -10,6 +10,7 @@ const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybri
 const std::vector<const char*> integrator_words = {"auto",   "bdf2",              "implicit_euler", "linearly_implicit_euler",
                                                    "trbdf2", "generalised_alpha", "explicit",       "arkode_dirk",
                                                    "ida"};
+const std::vector<const char*> kernel_words = {"auto", "scalar", "sse4", "avx2", "avx512", "neon"};
 const std::vector<const char*> hook_load_place_words = {"block", "dead_line"};
 const std::vector<const char*> element_words = {"auto", "corotational", "geometrically_exact", "rotation_vector"};
 
@@ -298,6 +299,9 @@ const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are so
   {"element",               "",       Choice<NumericsSpec>{element_words, [](NumericsSpec& n, int word) { n.element = static_cast<ElementKind>(word); },
                                                [](const NumericsSpec& n) { return static_cast<int>(n.element); }},
                                                                            none,                 "kind of beam element; rotation_vector fails when the string's top has made a full turn"},
+  {"kernel",                "",       Choice<NumericsSpec>{kernel_words, [](NumericsSpec& n, int word) { n.kernel = static_cast<Kernel>(word); },
+                                               [](const NumericsSpec& n) { return static_cast<int>(n.kernel); }},
+                                                                           none,                 "instructions of the processor that the arithmetic is made of; auto: the widest that it has. Runs repeat bit for bit by one kernel; others differ in rounding"},
   {"step",                  "s",      &NumericsSpec::step,                 between(0.0, 0.05),   "physics step, 1e-5 or more; 0: variable, as long as the tolerance allows"},
   {"element_length",        "m",      &NumericsSpec::element_length,       between(0.0, 50.0),   "longest element, 0.1 or more; 0, by the hole: 4.75 m where it inclines or friction below pushes the pipe, and a stand and a half above, 9.5 m higher up", no_kind, every_kind, "by the hole"},
   {"pushed_element_length", "m",      &NumericsSpec::pushed_element_length, between(0.0, 50.0),  "longest element where friction pushes pipe that slides down, 0.1 or more, if that is shorter than element_length; 0: as elsewhere"},

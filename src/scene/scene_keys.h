@@ -23,6 +23,7 @@ extern const std::vector<const char*> need_words;
 extern const std::vector<const char*> level_words;
 extern const std::vector<const char*> integrator_words;
 extern const std::vector<const char*> element_words;
+extern const std::vector<const char*> kernel_words;
 extern const std::vector<const char*> stribeck_curve_words;
 extern const std::vector<const char*> hook_load_place_words;
 

@@ -304,6 +304,8 @@ ProblemList unavailable(const Scene& scene)
   const bool varies = numerics.integrator == IntegratorKind::automatic || numerics.integrator == IntegratorKind::bdf2;
   if ((numerics.step == 0.0 || numerics.level == Level::automatic) && !varies)
     problems.emplace_back("numerics.integrator", "steps of variable length (step 0, level auto) are available for bdf2 and auto alone");
+  if (!has_kernel(numerics.kernel))
+    problems.emplace_back("numerics.kernel", std::string(name_of(numerics.kernel)) + " is not among what this machine and build have, allowed: " + kernels_here());
   if (scene.connections == Connections::automatic) problems.emplace_back("connections", "auto is not available yet, allowed: off");
   return problems;
 }

@@ -60,6 +60,7 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   state.levels.free_length = free_length(scene);
   statistics.level = name_of(level_of(*model, state.levels.free_length));
   statistics.integrator = find_integrator(scene.numerics.integrator).name;
+  statistics.kernel = model->kernel();
   statistics.step = scene.numerics.step;
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   state.forces.meter_torque = rig.statics.top_torque;

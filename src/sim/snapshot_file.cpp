@@ -24,8 +24,9 @@ struct Head
   BuildIdentity build = build_identity();
   std::uint64_t size = 0;
   std::uint64_t checksum = 0;
+  std::uint32_t kernel = 0;
 
-  static constexpr std::size_t length = sizeof mark + 4 + 8 + 20 + 8 + 8;
+  static constexpr std::size_t length = sizeof mark + 4 + 8 + 20 + 8 + 8 + 4;
 
   std::vector<unsigned char> bytes() const
   {
@@ -40,6 +41,7 @@ struct Head
     append(build.data(), build.size());
     append(&size, sizeof size);
     append(&checksum, sizeof checksum);
+    append(&kernel, sizeof kernel);
     return out;
   }
 };
@@ -77,13 +79,15 @@ void refuse_to_replace_another(const std::string& file)
 }
 }  // namespace
 
-void write_snapshot(const std::string& file, std::uint64_t scene, const std::vector<unsigned char>& bytes)
+void write_snapshot(const std::string& file, std::uint64_t scene, const Snapshot& snapshot)
 {
   refuse_to_replace_another(file);
+  const std::vector<unsigned char>& bytes = snapshot.bytes;
   Head head;
   head.scene = scene;
   head.size = bytes.size();
   head.checksum = hash_bytes(bytes.data(), bytes.size());
+  head.kernel = static_cast<std::uint32_t>(snapshot.kernel);
   const std::vector<unsigned char> start = head.bytes();
   const std::string beside = file + ".part";
   {
@@ -102,11 +106,12 @@ void write_snapshot(const std::string& file, std::uint64_t scene, const std::vec
   refuse(file, "cannot be written");
 }
 
-std::vector<unsigned char> read_snapshot(const std::string& file, std::uint64_t scene)
+Snapshot read_snapshot(const std::string& file, std::uint64_t scene)
 {
   const std::vector<unsigned char> all = whole_file(file);
   if (all.size() < Head::length || std::memcmp(all.data(), mark, sizeof mark) != 0) refuse(file, "is no snapshot");
-  std::vector<unsigned char> bytes(all.begin() + Head::length, all.end());
+  Snapshot snapshot{Kernel::scalar, std::vector<unsigned char>(all.begin() + Head::length, all.end())};
+  const std::vector<unsigned char>& bytes = snapshot.bytes;
   Head head;
   head.scene = scene;
   head.size = bytes.size();
@@ -117,7 +122,14 @@ std::vector<unsigned char> read_snapshot(const std::string& file, std::uint64_t 
   if (differs(12, 8)) refuse(file, "is a snapshot of another scene; allowed is that of this rig");
   if (differs(20, 20)) refuse(file, "is a snapshot of another build of this program; allowed is that of this one");
   if (differs(40, 16)) refuse(file, "is damaged: its checksum does not fit");
-  return bytes;
+  std::memcpy(&head.kernel, all.data() + 56, sizeof head.kernel);
+  for (const Kernel kernel : all_kernels)
+  {
+    if (head.kernel != static_cast<std::uint32_t>(kernel)) continue;
+    snapshot.kernel = kernel;
+    return snapshot;
+  }
+  refuse(file, "is damaged: it names no kernel");
 }
 
 }  // namespace drill_rig_sim

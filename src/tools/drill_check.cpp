@@ -172,9 +172,9 @@ void check(const CheckOptions& options)
   std::printf("start       bit at %.3f m, block at %.2f m, hook load %.1f kN, of it the string %.1f kN\n", m.bit_depth,
               m.block_height, m.hook_load / 1e3, m.hook_load_string / 1e3);
   print_mud(scene);
-  std::printf(s.step > 0.0 ? "model       level %s, integrator %s, step %g s, %d nodes, %d coordinates\n"
-                           : "model       level %s, integrator %s, variable steps by a tolerance of %g, %d nodes, %d coordinates\n",
-              s.level, s.integrator, s.step > 0.0 ? s.step : scene.numerics.tolerance, s.nodes, s.coordinates);
+  std::printf(s.step > 0.0 ? "model       level %s, integrator %s, step %g s, %d nodes, %d coordinates, kernel %s\n"
+                           : "model       level %s, integrator %s, variable steps by a tolerance of %g, %d nodes, %d coordinates, kernel %s\n",
+              s.level, s.integrator, s.step > 0.0 ? s.step : scene.numerics.tolerance, s.nodes, s.coordinates, name_of(s.kernel));
   if (!simulator.choice().empty()) print_choice(simulator);
   const bool has_tool = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& p) { return p.type == PartType::mwd; });
   if (!has_tool) std::printf("survey tool no part is of type mwd: survey and toolface are measured at the bit's face\n");

@@ -166,6 +166,7 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const RunRec
                {"real_time_factor", m.time / elapsed.cpu},
                {"level", s.level},
                {"integrator", s.integrator},
+               {"kernel", name_of(s.kernel)},
                {"step", s.step},
                {"nodes", s.nodes},
                {"guided_nodes", s.frames > 0 ? static_cast<double>(s.guided_node_frames) / static_cast<double>(s.frames) : 0.0},

@@ -278,7 +278,7 @@ class Run(Drill):
         with open(self.file('q.json')) as text:
             written = text.read()
         summary = json.loads(written)
-        keys = ['scene', 'simulated_s', 'wall_s', 'cpu_s', 'real_time_factor', 'level', 'integrator', 'step', 'nodes', 'guided_nodes', 'coordinates', 'steps',
+        keys = ['scene', 'simulated_s', 'wall_s', 'cpu_s', 'real_time_factor', 'level', 'integrator', 'kernel', 'step', 'nodes', 'guided_nodes', 'coordinates', 'steps',
                 'newton_iterations', 'rejected_steps', 'convergence_failures', 'error_test_failures', 'residuals', 'tangents', 'solves',
                 'substitutions', 'accuracy_warnings', 'limits_passed', 'cost_share', 'final', 'mean_drilling', 'mean_last_quarter']
         self.assertEqual(list(summary), keys)

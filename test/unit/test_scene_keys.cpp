@@ -196,6 +196,7 @@ std::vector<Expected> of_numerics()
       {"numerics", "level", [](const Scene& s) { return number(s.numerics.level == Level::beam3d); }, 1.0},
       {"numerics", "integrator", [](const Scene& s) { return number(s.numerics.integrator == IntegratorKind::trbdf2); }, 1.0},
       {"numerics", "element", [](const Scene& s) { return number(s.numerics.element == ElementKind::corotational); }, 1.0},
+      {"numerics", "kernel", [](const Scene& s) { return number(s.numerics.kernel == Kernel::scalar); }, 1.0},
       {"numerics", "step", [](const Scene& s) { return s.numerics.step; }, 0.004},
       {"numerics", "element_length", [](const Scene& s) { return s.numerics.element_length; }, 9.7},
       {"numerics", "pushed_element_length", [](const Scene& s) { return s.numerics.pushed_element_length; }, 4.6},

@@ -178,6 +178,9 @@ TEST(SceneRead, WrongSettingsAreRefusedByName)
   EXPECT_EQ(message("numerics.stepp=1").rfind("setting: numerics.stepp: unknown key", 0), 0u) << message("numerics.stepp=1");
   EXPECT_EQ(message("well.sections[7].friction=0").rfind("setting: well.sections[7].friction: there is no such", 0), 0u);
   EXPECT_EQ(message("numerics.integrator=no_such").rfind("setting: numerics.integrator: text is not known, allowed: auto, bdf2", 0), 0u);
+  EXPECT_EQ(message("numerics.kernel=scalar"), "accepted");
+  const char* elsewhere = has_kernel(Kernel::neon) ? "sse4" : "neon";
+  EXPECT_EQ(message((std::string("numerics.kernel=") + elsewhere).c_str()), std::string("setting: numerics.kernel: ") + elsewhere + " is not among what this machine and build have, allowed: " + kernels_here());
   EXPECT_EQ(message("numerics.step").rfind("setting: numerics.step: has no value", 0), 0u);
   EXPECT_EQ(message("mud={densty: 1000}").rfind("setting: mud.densty: unknown key", 0), 0u) << message("mud={densty: 1000}");
   EXPECT_EQ(message("string=[{name: bit, type: bit, length: 0.3, mass: 40}]").rfind("setting: string[0].diameter: is missing", 0), 0u);

@@ -141,7 +141,7 @@ TEST(State, ofAnotherRigIsRefused)
 TEST(SnapshotFile, namesTheBuildByTheLibrarysNote)
 {
   const TemporaryFolder folder;
-  write_snapshot(folder.file("snapshot"), 5, {1, 2, 3});
+  write_snapshot(folder.file("snapshot"), 5, {Kernel::scalar, {1, 2, 3}});
   const std::string identity = bytes_of(folder.file("snapshot")).substr(20, 20);
   Dl_info library{};
   ASSERT_NE(0, dladdr(reinterpret_cast<void*>(&write_snapshot), &library));
@@ -154,14 +154,14 @@ TEST(SnapshotFile, goesOnBitByBit)
   const TemporaryFolder folder;
   const std::string file = folder.file("snapshot");
   const auto saved = rig.save();
-  write_snapshot(file, saved->scene, to_bytes(*saved));
+  write_snapshot(file, saved->scene, {Kernel::scalar, to_bytes(*saved)});
   for (int k = 0; k < 200; ++k) rig.frame(0.01);
   const std::vector<unsigned char> end = to_bytes(*rig.save());
 
   Simulator other(rig.scene(), 99);
   other.set_command_timeout(timeout);
   SimulatorState read = *other.save();
-  ASSERT_TRUE(from_bytes(read_snapshot(file, read.scene), read));
+  ASSERT_TRUE(from_bytes(read_snapshot(file, read.scene).bytes, read));
   ASSERT_TRUE(other.restore(read));
   for (int k = 0; k < 200; ++k) other.frame(0.01);
   EXPECT_EQ(to_bytes(*other.save()), end);
@@ -172,6 +172,7 @@ TEST(SnapshotFile, anythingElseIsRefused)
   const TemporaryFolder folder;
   const std::string file = folder.file("refused");
   const std::vector<unsigned char> value(100, 7);
+  const Snapshot whole{Kernel::sse4, value};
   const auto refused = [&file](std::uint64_t scene) -> std::string
   {
     try
@@ -184,15 +185,16 @@ TEST(SnapshotFile, anythingElseIsRefused)
     }
     return "";
   };
-  write_snapshot(file, 5, value);
-  EXPECT_EQ(read_snapshot(file, 5), value);
+  write_snapshot(file, 5, whole);
+  EXPECT_EQ(read_snapshot(file, 5).bytes, value);
+  EXPECT_EQ(read_snapshot(file, 5).kernel, Kernel::sse4);
   EXPECT_NE(refused(6).find("another scene"), std::string::npos);
 
   const std::string good = bytes_of(file);
-  ASSERT_EQ(good.size(), 56u + value.size());
+  ASSERT_EQ(good.size(), 60u + value.size());
   const std::pair<std::size_t, const char*> damage[] = {
       {0, "no snapshot"}, {8, "another format"}, {12, "another scene"}, {20, "another build"}, {39, "another build"},
-      {40, "damaged"},    {48, "damaged"},       {56, "damaged"},       {good.size() - 1, "damaged"}};
+      {40, "damaged"},    {48, "damaged"},       {57, "damaged"},       {60, "damaged"},       {good.size() - 1, "damaged"}};
   for (const auto& [place, words] : damage)
   {
     std::string bad = good;
@@ -204,17 +206,17 @@ TEST(SnapshotFile, anythingElseIsRefused)
   EXPECT_NE(refused(5).find("damaged"), std::string::npos);
   std::ofstream(file, std::ios::binary) << "short";
   EXPECT_NE(refused(5).find("no snapshot"), std::string::npos);
-  EXPECT_THROW(write_snapshot(file, 5, value), std::runtime_error) << "somebody else's";
+  EXPECT_THROW(write_snapshot(file, 5, whole), std::runtime_error) << "somebody else's";
   EXPECT_NE(refused(5).find("no snapshot"), std::string::npos) << "and still there";
   std::ofstream(file, std::ios::binary | std::ios::trunc);
-  write_snapshot(file, 5, value);
-  write_snapshot(file, 6, value);
-  EXPECT_EQ(read_snapshot(file, 6), value) << "in place of an empty one and of an earlier one";
+  write_snapshot(file, 5, whole);
+  write_snapshot(file, 6, whole);
+  EXPECT_EQ(read_snapshot(file, 6).bytes, value) << "in place of an empty one and of an earlier one";
   std::remove(file.c_str());
   EXPECT_NE(refused(5).find("no regular file"), std::string::npos);
   ASSERT_EQ(0, mkfifo(file.c_str(), 0600));
-  EXPECT_THROW(write_snapshot(file, 5, value), std::runtime_error) << "a pipe that nobody writes to: refused, and not waited for";
-  EXPECT_THROW(write_snapshot("/nowhere/at/all", 5, value), std::runtime_error);
+  EXPECT_THROW(write_snapshot(file, 5, whole), std::runtime_error) << "a pipe that nobody writes to: refused, and not waited for";
+  EXPECT_THROW(write_snapshot("/nowhere/at/all", 5, whole), std::runtime_error);
 }
 
 int main(int argc, char** argv)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drill_rig_sim/contact/section_friction.h"
+#include "drill_rig_sim/math/kernel.h"
 #include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/string/beam_table.h"
@@ -36,6 +37,8 @@ public:
     return (pilot_.is_ahead(well.hole_depth()) ? ring_ : formation_).at(-well.bottom_position().z());
   }
   const BeamKind& beam() const noexcept { return beam_; }
+  /// Of the batch kernels: what the scene means on this machine, never automatic.
+  Kernel kernel() const noexcept { return kernel_; }
   int nodes() const noexcept { return static_cast<int>(mesh_.nodes.size()); }
   int elements() const noexcept { return static_cast<int>(mesh_.elements.size()); }
   /// The last node: the top drive's shaft.
@@ -71,6 +74,7 @@ private:
   Scene scene_;
   Mesh mesh_;
   const BeamKind& beam_;
+  Kernel kernel_;
   Formation formation_, ring_;  // the second around the pilot
   PilotHole pilot_;
   SectionFriction friction_;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "drill_rig_sim/ListStates.h"
+#include "drill_rig_sim/math/kernel.h"
 #include "drill_rig_sim/realtime/frame_output.h"
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator_state.h"
@@ -22,6 +23,7 @@ struct Saved
   std::optional<ProgramPlayer> program;
   bool playing = false;
   CommandStamps commands;
+  Kernel kernel = Kernel::scalar;  ///< that the rig ran by
   std::int64_t stamp = 0;  ///< when it was taken [ns]
   std::size_t bytes = 0;   ///< memory_of(), once it is kept
 };

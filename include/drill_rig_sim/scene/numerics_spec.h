@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_SCENE_NUMERICS_SPEC_H
 #define DRILL_RIG_SIM_SCENE_NUMERICS_SPEC_H
 
+#include "drill_rig_sim/math/kernel.h"
 #include "drill_rig_sim/string/beam_table.h"
 
 namespace drill_rig_sim
@@ -46,6 +47,7 @@ struct NumericsSpec
   Level level = Level::beam3d;
   IntegratorKind integrator = IntegratorKind::automatic;
   ElementKind element = ElementKind::automatic;
+  Kernel kernel = Kernel::automatic;
   double step = 0.01;               ///< [s]; 0: variable (solve/step_control.h). Chosen by ./test/accuracy/run --operations --variants
   double element_length = 0.0;      ///< longest element [m]; 0: by the hole, element_lengths() (scene_mesh.h)
   double pushed_element_length = 0.0;  ///< longest element where friction pushes the pipe that slides down [m]; 0: as elsewhere

@@ -43,6 +43,7 @@ struct SimulatorStatistics
   int coordinates = 0;                  ///< of the last frame
   int guided_nodes = 0;                 ///< of the last frame
   std::uint64_t guided_node_frames = 0;  ///< guided nodes, summed over all frames
+  Kernel kernel = Kernel::scalar;  ///< of the batch kernels
   const char* level = "";
   const char* integrator = "";
   double step = 0.0;                    ///< numerics.step, 0: variable [s]
