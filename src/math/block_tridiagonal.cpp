@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/block_sweeps.h"
+
 namespace drill_rig_sim
 {
 namespace
@@ -133,15 +135,105 @@ void subtract_small_above(double* small, const double* lower, const double* abov
   for (int r = 0; r < 2; ++r)
     for (int c = 0; c < 2; ++c) small[2 * r + c] -= lower[2 * r] * above_w[c] + lower[2 * r + 1] * above_w[2 + c];
 }
+
+constexpr int kSix = 36, kSmall = 4;  // numbers of a block
+
+/// Of a row's blocks the one to the row before, and that to the next, for a sweep that goes this way.
+double* to_last(const BlockRows& rows, SweepRow at, int size) noexcept
+{
+  return at.step > 0 ? rows.lower + size * (at.row - 1) : rows.upper + size * at.row;
+}
+
+double* to_next(const BlockRows& rows, SweepRow at, int size) noexcept
+{
+  return at.step > 0 ? rows.upper + size * at.row : rows.lower + size * (at.row - 1);
+}
+
+SweepRow previous(SweepRow at) noexcept
+{
+  return {at.row - at.step, at.step};
+}
+
+bool is_first(const BlockRows& rows, SweepRow at) noexcept
+{
+  return previous(at).row < 0 || previous(at).row >= rows.count;
+}
+
+bool eliminate_six(const BlockRows& rows, SweepRow at, double* b) noexcept
+{
+  alignas(64) Work work;
+  double *diagonal = rows.diagonal + kSix * at.row, *upper = to_next(rows, at, kSix), *right = b + 6 * at.row;
+  load(work, diagonal, upper, right);
+  if (!is_first(rows, at)) subtract_above(work, to_last(rows, at, kSix), to_next(rows, previous(at), kSix), right - 6 * at.step);
+  if (!eliminate(work)) return false;
+  for (int r = 0; r < 6; ++r)
+  {
+    for (int c = 0; c < 6; ++c) diagonal[6 * r + c] = work[r][c];
+    for (int c = 0; c < 6; ++c) upper[6 * r + c] = work[r][6 + c];
+    right[r] = work[r][12];
+  }
+  return true;
+}
+
+/// Calls row(at) for the rows of one sweep after the other.
+template <class Row>
+void each(SweepRow a, SweepRow b, int count, Row&& row) noexcept
+{
+  const int sweeps = a.row == b.row ? 1 : 2;
+  for (int sweep = 0; sweep < sweeps; ++sweep, a = b)
+    for (int k = 0; k < count; ++k, a.row += a.step) row(a);
+}
+
+bool eliminate_rows(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
+{
+  bool done = true;
+  each(a, b, count, [&](SweepRow at) { done = done && eliminate_six(rows, at, right); });
+  return done;
+}
+
+void substitute_rows_inwards(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
+{
+  each(a, b, count, [&](SweepRow at)
+  {
+    double* here = right + 6 * at.row;
+    if (!is_first(rows, at)) subtract_product(to_last(rows, at, kSix), here - 6 * at.step, here);
+    solve_block(rows.diagonal + kSix * at.row, here);
+  });
+}
+
+void substitute_rows_outwards(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
+{
+  each(a, b, count, [&](SweepRow at)
+  {
+    double* here = right + 6 * at.row;
+    subtract_product(to_last(rows, at, kSix), here - 6 * at.step, here);
+  });
+}
+
+/// Rows of a sweep that are still to come.
+struct Sweep
+{
+  SweepRow at;
+  int left;
+
+  void take(int rows) noexcept
+  {
+    at.row += rows * at.step;
+    left -= rows;
+  }
+};
 }  // namespace
 
-void BlockTridiagonal::resize(int n)
+const BlockSweeps scalar_sweeps = {false, eliminate_rows, substitute_rows_inwards, substitute_rows_outwards};
+
+void BlockTridiagonal::resize(int n, Kernel kernel)
 {
   n_ = n;
+  sweeps_ = &block_sweeps(kernel);
   const auto rows = static_cast<std::size_t>(n);
   small_.assign(rows, 0);
-  for (std::vector<double>* blocks : {&diagonal_, &upper_, &lower_}) blocks->resize(36 * rows);
-  for (std::vector<double>* blocks : {&small_diagonal_, &small_upper_, &small_lower_}) blocks->resize(4 * rows);
+  for (std::vector<double>* blocks : {&diagonal_, &upper_, &lower_}) blocks->resize(kSix * rows);
+  for (std::vector<double>* blocks : {&small_diagonal_, &small_upper_, &small_lower_}) blocks->resize(kSmall * rows);
 }
 
 void BlockTridiagonal::set_zero() noexcept
@@ -150,70 +242,157 @@ void BlockTridiagonal::set_zero() noexcept
     std::fill(blocks->begin(), blocks->end(), 0.0);
 }
 
-/// Leaves the factors of D' = D - L W in diagonal_, W = D'^-1 U in upper_, y = D'^-1 b' in b.
-bool BlockTridiagonal::eliminate_six(int i, double* b) noexcept
+/// The row that is solved last: the middle one of the rows of six, for they cost most.
+int BlockTridiagonal::middle() const noexcept
 {
+  if (!sweeps_->both_ends) return n_ - 1;
+  const auto large = std::count(small_.begin(), small_.end(), 0);
+  if (large == 0) return n_ / 2;
+  int i = 0;
+  for (auto before = large / 2; before > 0 || small(i); ++i) before -= !small(i);
+  return i;
+}
+
+/// Two sweeps beside each other: small_row(at) for every small row, six_rows(a, b, count) for those of six.
+template <class SmallRow, class SixRows>
+void BlockTridiagonal::sweep(SweepRow first, int left_first, SweepRow second, int left_second, SmallRow&& small_row, SixRows&& six_rows) const noexcept
+{
+  Sweep a{first, left_first}, b{second, left_second};
+  const auto pass_small = [&](Sweep& s)
+  {
+    if (s.left == 0 || !small(s.at.row)) return false;
+    small_row(s.at);
+    s.take(1);
+    return true;
+  };
+  const auto rows_of_six = [this](Sweep s)
+  {
+    int count = 0;
+    for (; s.left > 0 && !small(s.at.row); s.take(1)) ++count;
+    return count;
+  };
+  while (a.left > 0 || b.left > 0)
+  {
+    const bool passed_a = pass_small(a), passed_b = pass_small(b);
+    if (passed_a || passed_b) continue;
+    const int of_a = rows_of_six(a), of_b = rows_of_six(b);
+    const int count = of_a > 0 && of_b > 0 ? std::min(of_a, of_b) : std::max(of_a, of_b);
+    six_rows(of_a > 0 ? a.at : b.at, of_b > 0 ? b.at : a.at, count);
+    if (of_a > 0) a.take(count);
+    if (of_b > 0) b.take(count);
+  }
+}
+
+/// D -= L W of the row before, in a small row.
+void BlockTridiagonal::subtract_from_small(SweepRow at) noexcept
+{
+  if (is_first(six(), at)) return;
+  double* d = small_diagonal_.data() + kSmall * at.row;
+  if (small(at.row - at.step)) subtract_small_above(d, to_last(twos(), at, kSmall), to_next(twos(), previous(at), kSmall));
+  else subtract_six_above(d, to_last(six(), at, kSix), to_next(six(), previous(at), kSix));
+}
+
+/// b -= L y of the row before.
+void BlockTridiagonal::subtract_from_right(SweepRow at, double* b) const noexcept
+{
+  if (is_first(six(), at)) return;
+  double *right = b + 6 * at.row, *last = right - 6 * at.step;
+  if (small(at.row) && small(at.row - at.step)) subtract_small_product(to_last(twos(), at, kSmall), last, right);
+  else subtract_product(to_last(six(), at, kSix), last, right);
+}
+
+void BlockTridiagonal::substitute_small(SweepRow at, double* b) const noexcept
+{
+  subtract_from_right(at, b);
+  multiply_small(small_diagonal_.data() + kSmall * at.row, b + 6 * at.row, 1, 1);
+}
+
+/// As BlockSweeps::eliminate(), with the inverse of D' in place of D.
+bool BlockTridiagonal::eliminate_small(SweepRow at, double* b) noexcept
+{
+  double* d = small_diagonal_.data() + kSmall * at.row;
+  subtract_from_small(at);
+  if (!invert_small(d)) return false;
+  substitute_small(at, b);
+  std::fill(b + 6 * at.row + 2, b + 6 * at.row + 6, 0.0);
+  if (small(at.row + at.step)) multiply_small(d, to_next(twos(), at, kSmall), 2, 2);
+  else multiply_small(d, to_next(six(), at, kSix), 6, 6);
+  return true;
+}
+
+bool BlockTridiagonal::eliminate_middle(double* b) noexcept
+{
+  const SweepRow down{middle_, 1}, up{middle_, -1};
+  double* right = b + 6 * middle_;
+  if (small(middle_))
+  {
+    subtract_from_small(down);
+    subtract_from_small(up);
+    if (!invert_small(small_diagonal_.data() + kSmall * middle_)) return false;
+    substitute_middle(b);
+    std::fill(right + 2, right + 6, 0.0);
+    return true;
+  }
   alignas(64) Work work;
-  load(work, diagonal_.data() + 36 * i, upper_.data() + 36 * i, b + 6 * i);
-  if (i > 0) subtract_above(work, lower_.data() + 36 * (i - 1), upper_.data() + 36 * (i - 1), b + 6 * (i - 1));
+  double* diagonal = diagonal_.data() + kSix * middle_;
+  load(work, diagonal, diagonal, right);  // what stands for U is not used
+  for (const SweepRow at : {down, up})
+    if (!is_first(six(), at)) subtract_above(work, to_last(six(), at, kSix), to_next(six(), previous(at), kSix), right - 6 * at.step);
   if (!eliminate(work)) return false;
   for (int r = 0; r < 6; ++r)
   {
-    for (int c = 0; c < 6; ++c) diagonal_[36 * i + 6 * r + c] = work[r][c];
-    for (int c = 0; c < 6; ++c) upper_[36 * i + 6 * r + c] = work[r][6 + c];
-    b[6 * i + r] = work[r][12];
+    for (int c = 0; c < 6; ++c) diagonal[6 * r + c] = work[r][c];
+    right[r] = work[r][12];
   }
   return true;
 }
 
-/// The same of a small row, with the inverse of D' instead of its factors.
-bool BlockTridiagonal::eliminate_small(int i, double* b) noexcept
+void BlockTridiagonal::substitute_middle(double* b) const noexcept
 {
-  double* d = small_diagonal_.data() + 4 * i;
-  double* right = b + 6 * i;
-  if (i > 0 && small(i - 1)) subtract_small_above(d, small_lower_.data() + 4 * (i - 1), small_upper_.data() + 4 * (i - 1));
-  if (i > 0 && !small(i - 1)) subtract_six_above(d, lower_.data() + 36 * (i - 1), upper_.data() + 36 * (i - 1));
-  if (!invert_small(d)) return false;
-  substitute_downwards(i, b);
-  std::fill(right + 2, right + 6, 0.0);
-  if (i + 1 == n_) return true;
-  if (small(i + 1)) multiply_small(d, small_upper_.data() + 4 * i, 2, 2);
-  else multiply_small(d, upper_.data() + 36 * i, 6, 6);
-  return true;
+  subtract_from_right({middle_, 1}, b);
+  subtract_from_right({middle_, -1}, b);
+  if (small(middle_)) multiply_small(small_diagonal_.data() + kSmall * middle_, b + 6 * middle_, 1, 1);
+  else solve_block(diagonal_.data() + kSix * middle_, b + 6 * middle_);
+}
+
+void BlockTridiagonal::substitute_outwards(double* b) const noexcept
+{
+  sweep({middle_ - 1, -1}, middle_, {middle_ + 1, 1}, n_ - 1 - middle_, [&](SweepRow at) { subtract_from_right(at, b); },
+        [&](SweepRow first, SweepRow second, int count) { sweeps_->substitute_outwards(six(), first, second, count, b); });
 }
 
 bool BlockTridiagonal::solve(double* b) noexcept
 {
-  for (int i = 0; i < n_; ++i)
-    if (!(small(i) ? eliminate_small(i, b) : eliminate_six(i, b))) return false;
-  substitute_upwards(b);
+  if (n_ == 0) return true;
+  middle_ = middle();
+  bool done = true;
+  sweep({0, 1}, middle_, {n_ - 1, -1}, n_ - 1 - middle_, [&](SweepRow at) { done = done && eliminate_small(at, b); },
+        [&](SweepRow first, SweepRow second, int count) { done = done && sweeps_->eliminate(six(), first, second, count, b); });
+  if (!done || !eliminate_middle(b)) return false;
+  substitute_outwards(b);
   return true;
-}
-
-/// y = D'^-1 (b - L y above).
-void BlockTridiagonal::substitute_downwards(int i, double* b) const noexcept
-{
-  double* right = b + 6 * i;
-  if (i > 0 && both_small(i - 1)) subtract_small_product(small_lower_.data() + 4 * (i - 1), right - 6, right);
-  else if (i > 0) subtract_product(lower_.data() + 36 * (i - 1), right - 6, right);
-  if (small(i)) multiply_small(small_diagonal_.data() + 4 * i, right, 1, 1);
-  else solve_block(diagonal_.data() + 36 * i, right);
 }
 
 void BlockTridiagonal::solve_again(double* b) const noexcept
 {
-  for (int i = 0; i < n_; ++i) substitute_downwards(i, b);
-  substitute_upwards(b);
+  if (n_ == 0) return;
+  sweep({0, 1}, middle_, {n_ - 1, -1}, n_ - 1 - middle_, [&](SweepRow at) { substitute_small(at, b); },
+        [&](SweepRow first, SweepRow second, int count) { sweeps_->substitute_inwards(six(), first, second, count, b); });
+  substitute_middle(b);
+  substitute_outwards(b);
 }
 
-/// x_i = y_i - W_i x_{i+1}.
-void BlockTridiagonal::substitute_upwards(double* b) const noexcept
+BlockRows BlockTridiagonal::six() const noexcept
 {
-  for (int i = n_ - 2; i >= 0; --i)
-  {
-    if (both_small(i)) subtract_small_product(small_upper_.data() + 4 * i, b + 6 * (i + 1), b + 6 * i);
-    else subtract_product(upper_.data() + 36 * i, b + 6 * (i + 1), b + 6 * i);
-  }
+  // written through by those alone that are not const
+  const auto data = [](const std::vector<double>& blocks) { return const_cast<double*>(blocks.data()); };
+  return {n_, data(diagonal_), data(upper_), data(lower_)};
+}
+
+BlockRows BlockTridiagonal::twos() const noexcept
+{
+  const auto data = [](const std::vector<double>& blocks) { return const_cast<double*>(blocks.data()); };
+  return {n_, data(small_diagonal_), data(small_upper_), data(small_lower_)};
 }
 
 void BlockTridiagonal::multiply(const double* x, double* y) noexcept

@@ -96,7 +96,7 @@ private:
 ArkodeStepper::Session::Session(const Model& m, Stage& s, Workspace& w)
   : model(m), stage(s), work(w), residual_(6 * m.nodes()), right_(6 * m.nodes())
 {
-  tangent_.resize(model.nodes());
+  tangent_.resize(model.nodes(), model.kernel());
   limits.tolerance = model.scene().numerics.newton_tolerance;
   SUNContext context = nullptr;
   if (SUNContext_Create(nullptr, &context) != 0) throw std::runtime_error("ARKODE: SUNDIALS gives no context");

@@ -32,9 +32,9 @@ bool newton_converged(double increment, double before, const NewtonLimits& limit
   return increment * std::fmin(1.0, contraction) < limits.tolerance;
 }
 
-Newton::Newton(int nodes) : step_(6 * nodes), last_(step_)
+Newton::Newton(const Model& model) : step_(6 * model.nodes()), last_(step_)
 {
-  tangent_.resize(nodes);
+  tangent_.resize(model.nodes(), model.kernel());
 }
 
 /// Into step_; returns its largest component, not a number where there is none.

@@ -48,7 +48,7 @@ int continuation(const Model& model, State& state, const SlidingMotion& sliding,
 {
   const int n = model.nodes();
   BlockTridiagonal tangent;
-  tangent.resize(n);
+  tangent.resize(n, model.kernel());
   const std::vector<double> origin(6 * n, 0.0);
   std::vector<double> move(6 * n), residual(6 * n);
   double c = kFirstCoefficient;
@@ -116,7 +116,7 @@ StaticOutcome attempt(const Model& model, State& state, const SlidingMotion& sli
   out.iterations = continuation(model, state, sliding, std::min(kMaxContinuation, most_iterations), stage, work);
 
   BlockTridiagonal tangent;
-  tangent.resize(model.nodes());
+  tangent.resize(model.nodes(), model.kernel());
   std::vector<double> scratch(6 * model.nodes());
   NonlinearProblem problem;
   problem.residual = [&](const double* u, double* residual) { evaluate_static(model, state, stage, u, work, residual, nullptr); };

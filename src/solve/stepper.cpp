@@ -40,7 +40,7 @@ const Method& find_method(IntegratorKind kind) noexcept
 Stepper::Stepper(std::shared_ptr<const Model> model, const Method& method)
   : HalvingIntegrator(std::move(model)),
     method_(method),
-    newton_(model_->nodes()),
+    newton_(*model_),
     u_(6 * model_->nodes()),
     guess_(u_),
     residual_(u_)

@@ -1,9 +1,10 @@
-// The block-tridiagonal solver against a dense LU with pivoting.
+// The block-tridiagonal solver, by every kernel that this machine has, against a dense LU with pivoting and against the scalar one.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "drill_rig_sim/math/block_tridiagonal.h"
 
@@ -39,18 +40,32 @@ VectorXd random_vector(int size, std::mt19937& random)
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   return VectorXd::NullaryExpr(size, [&] { return number(random); });
 }
+std::vector<Kernel> kernels()
+{
+  std::vector<Kernel> here;
+  for (const Kernel kernel : all_kernels)
+    if (has_kernel(kernel)) here.push_back(kernel);
+  return here;
+}
+
+class BlockTridiagonalBy : public testing::TestWithParam<Kernel>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Kernels, BlockTridiagonalBy, testing::ValuesIn(kernels()),
+                         [](const testing::TestParamInfo<Kernel>& info) { return std::string(name_of(info.param)); });
 }  // namespace
 
 // Rows dominated by the diagonal have a condition number of some tens: both solutions are good to a few hundred round-offs.
-TEST(BlockTridiagonal, agreesWithDenseLuOnNonsymmetricMatrices)
+TEST_P(BlockTridiagonalBy, agreesWithDenseLuOnNonsymmetricMatrices)
 {
   std::mt19937 random(1);
-  for (int n : {1, 2, 3, 10, 60})
+  for (int n : {1, 2, 3, 4, 5, 10, 11, 60})
   {
     for (int repeat = 0; repeat < 20; ++repeat)
     {
       BlockTridiagonal a;
-      a.resize(n);
+      a.resize(n, GetParam());
       MatrixXd dense;
       fill(a, dense, random, 12.0);
       const VectorXd b = random_vector(6 * n, random);
@@ -109,7 +124,7 @@ VectorXd random_right_side(const BlockTridiagonal& a, std::mt19937& random)
 }
 }  // namespace
 
-TEST(BlockTridiagonal, agreesWithDenseLuWhereSmallRowsStandBetweenTheOthers)
+TEST_P(BlockTridiagonalBy, agreesWithDenseLuWhereSmallRowsStandBetweenTheOthers)
 {
   std::mt19937 random(4);
   for (int n : {1, 2, 3, 4, 10, 60})
@@ -117,7 +132,7 @@ TEST(BlockTridiagonal, agreesWithDenseLuWhereSmallRowsStandBetweenTheOthers)
     for (int repeat = 0; repeat < 40; ++repeat)
     {
       BlockTridiagonal a;
-      a.resize(n);
+      a.resize(n, GetParam());
       MatrixXd dense;
       fill_mixed(a, dense, random);
       const VectorXd b = random_right_side(a, random);
@@ -155,13 +170,13 @@ TEST(BlockTridiagonal, multipliesAsTheDenseMatrixDoes)
 }
 
 // Without dominance pivots may be small; the residual must still be, within the growth that comes with the block order.
-TEST(BlockTridiagonal, leavesASmallResidualWithoutDominance)
+TEST_P(BlockTridiagonalBy, leavesASmallResidualWithoutDominance)
 {
   std::mt19937 random(2);
   for (int repeat = 0; repeat < 50; ++repeat)
   {
     BlockTridiagonal a;
-    a.resize(20);
+    a.resize(20, GetParam());
     MatrixXd dense;
     fill(a, dense, random, 3.0);
     const VectorXd b = random_vector(120, random);
@@ -171,11 +186,11 @@ TEST(BlockTridiagonal, leavesASmallResidualWithoutDominance)
   }
 }
 
-TEST(BlockTridiagonal, refusesSingularAndNonFiniteMatrices)
+TEST_P(BlockTridiagonalBy, refusesSingularAndNonFiniteMatrices)
 {
   std::mt19937 random(3);
   BlockTridiagonal a;
-  a.resize(4);
+  a.resize(4, GetParam());
   MatrixXd dense;
   VectorXd b = random_vector(24, random);
 

@@ -41,12 +41,12 @@ public:
   NewtonOutcome solve(double from, const NewtonLimits& limits)
   {
     u_[2] = -(touch_ + from);
-    return Newton(rig_.model->nodes()).solve(context(), u_.data(), limits);
+    return Newton(*rig_.model).solve(context(), u_.data(), limits);
   }
   bool improve(double from)
   {
     u_[2] = -(touch_ + from);
-    return Newton(rig_.model->nodes()).improve(context(), u_.data());
+    return Newton(*rig_.model).improve(context(), u_.data());
   }
   double depth() const { return -u_[2] - touch_; }
   const Work& work() const { return work_.work; }

@@ -4,8 +4,14 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "drill_rig_sim/math/kernel.h"
+
 namespace drill_rig_sim
 {
+struct BlockRows;
+struct BlockSweeps;
+struct SweepRow;
+
 /// A square matrix of blocks on three diagonals, not assumed symmetric, and its direct solution. A block row has six unknowns, or two
 /// where it is small; vectors have six places for either, those of a small row are its first two.
 /// Blocks are row-major and contiguous: block i of a diagonal starts at 36 i, a small one at 4 i.
@@ -16,8 +22,8 @@ public:
   using Block = Eigen::Map<Eigen::Matrix<double, size, size, Eigen::RowMajor>>;
   using SmallBlock = Eigen::Map<Eigen::Matrix<double, 2, 2, Eigen::RowMajor>>;
 
-  /// n block rows of six, whose blocks are still to be filled; the only call that allocates.
-  void resize(int n);
+  /// n block rows of six, whose blocks are still to be filled, to be solved by this kernel; the only call that allocates.
+  void resize(int n, Kernel kernel = Kernel::scalar);
   int rows() const noexcept { return n_; }
   /// Whether block row i has two unknowns.
   void set_small(int i, bool small) noexcept { small_[static_cast<std::size_t>(i)] = small; }
@@ -33,7 +39,8 @@ public:
   SmallBlock small_upper(int i) noexcept { return SmallBlock(small_upper_.data() + 4 * i); }
   SmallBlock small_lower(int i) noexcept { return SmallBlock(small_lower_.data() + 4 * i); }
 
-  /// Solves A x = b in place of `b` (6 n numbers) by block elimination; the blocks are overwritten with what solve_again() needs.
+  /// Solves A x = b in place of `b` (6 n numbers) by block elimination; the blocks are overwritten with what solve_again() needs. The scalar
+  /// kernel goes from the first row to the last, others from both ends to the middle.
   /// Pivots stay within a block's diagonal order: meant for matrices dominated by inertia and stiffness.
   /// Returns false, with b undefined, at a vanishing or non-finite pivot.
   bool solve(double* b) noexcept;
@@ -43,13 +50,23 @@ public:
   void multiply(const double* x, double* y) noexcept;
 
 private:
-  bool eliminate_six(int i, double* b) noexcept;
-  bool eliminate_small(int i, double* b) noexcept;
-  void substitute_downwards(int i, double* b) const noexcept;
-  void substitute_upwards(double* b) const noexcept;
+  int middle() const noexcept;
+  template <class SmallRow, class SixRows>
+  void sweep(SweepRow first, int left_first, SweepRow second, int left_second, SmallRow&& small_row, SixRows&& six_rows) const noexcept;
+  void subtract_from_small(SweepRow at) noexcept;
+  void subtract_from_right(SweepRow at, double* b) const noexcept;
+  void substitute_small(SweepRow at, double* b) const noexcept;
+  bool eliminate_small(SweepRow at, double* b) noexcept;
+  bool eliminate_middle(double* b) noexcept;
+  void substitute_middle(double* b) const noexcept;
+  void substitute_outwards(double* b) const noexcept;
+  BlockRows six() const noexcept;
+  BlockRows twos() const noexcept;
   bool both_small(int i) const noexcept { return small(i) && small(i + 1); }
 
   int n_ = 0;
+  int middle_ = 0;  // the row that was solved last
+  const BlockSweeps* sweeps_ = nullptr;
   std::vector<unsigned char> small_;
   std::vector<double> diagonal_, upper_, lower_;
   std::vector<double> small_diagonal_, small_upper_, small_lower_;

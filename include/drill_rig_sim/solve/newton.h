@@ -34,7 +34,7 @@ struct NewtonOutcome
 class Newton
 {
 public:
-  explicit Newton(int nodes);
+  explicit Newton(const Model& model);
   /// Improves `u` (6 per node, in: the guess) until R(u) = 0, and leaves `work` as evaluated or updated there. A non-finite increment
   /// ends it, unconverged.
   NewtonOutcome solve(const StageContext& problem, double* u, const NewtonLimits& limits) noexcept;
