@@ -3,9 +3,11 @@
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <thread>
 
 namespace drill_rig_sim
@@ -55,6 +57,24 @@ std::string try_realtime(const RealtimeSpec& spec)
 void name_thread(const char* name) noexcept
 {
   pthread_setname_np(pthread_self(), name);
+}
+
+void leave_core(int core)
+{
+  if (core < 0 || core >= CPU_SETSIZE) return;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task"))
+  {
+    const auto thread = static_cast<pid_t>(std::stol(task.path().filename()));
+    cpu_set_t cores;
+    if (sched_getaffinity(thread, sizeof cores, &cores) != 0) continue;  // it has ended
+    CPU_CLR(core, &cores);
+    sched_setaffinity(thread, sizeof cores, &cores);  // fails where no core is left: it keeps this one
+  }
+}
+
+void wake_on_time() noexcept
+{
+  prctl(PR_SET_TIMERSLACK, 1);  // [ns]
 }
 
 bool prioritise_thread(int priority, int core) noexcept

@@ -23,18 +23,18 @@ std::int64_t Timekeeper::next_frame_at() const noexcept
   return is_realtime() ? deadline_ : 0;
 }
 
-void Timekeeper::frame_begins(std::int64_t now) noexcept
+std::int64_t Timekeeper::frame_begins(std::int64_t now) noexcept
 {
-  if (!is_realtime()) return;
+  if (!is_realtime()) return 0;
   const std::int64_t late = now - deadline_;
-  const auto wall_period = static_cast<std::int64_t>(static_cast<double>(period_) / speed_);
-  if (late > wall_period / 10) ++overruns_;
+  if (late > wall_period() / 10) ++overruns_;
   if (late > most_backlog)
   {
     dropped_ += late - most_backlog;
     deadline_ += late - most_backlog;
   }
-  deadline_ += wall_period;
+  deadline_ += wall_period();
+  return late;
 }
 
 bool Timekeeper::adopt_clock() noexcept

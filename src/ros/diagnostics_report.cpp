@@ -1,5 +1,6 @@
 #include "drill_rig_sim/ros/diagnostics_report.h"
 
+#include <cmath>
 #include <sstream>
 
 #include "drill_rig_sim/ros/conversions.h"
@@ -26,16 +27,35 @@ const char* word(RunState state)
   return "failed";
 }
 
-std::string histogram(const LoopStatistics& loop)
+constexpr std::int64_t millisecond = 1'000'000;  // [ns]
+
+// How many times were below each bound and not below the one before.
+std::string text_of(const TimeHistogram& times)
 {
   std::ostringstream text;
-  for (std::size_t i = 0; i < loop.frame_times.size(); ++i)
+  std::uint64_t before = 0;
+  double last = 0.0;
+  for (const double bound : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0})
   {
-    const bool last = i == LoopStatistics::bounds_ms.size();
-    text << (i == 0 ? "" : ", ") << (last ? ">= " : "< ") << LoopStatistics::bounds_ms[last ? i - 1 : i]
-         << " ms: " << loop.frame_times[i];
+    const std::uint64_t below = times.below(std::llround(bound * millisecond));
+    text << "< " << bound << " ms: " << below - before << ", ";
+    before = below;
+    last = bound;
   }
+  text << ">= " << last << " ms: " << times.number() - before;
   return text.str();
+}
+
+void add_times(diagnostic_updater::DiagnosticStatusWrapper& s, const std::string& key, const TimeHistogram& times)
+{
+  for (const double percent : {50.0, 99.0, 99.9, 99.99})
+  {
+    std::ostringstream name;
+    name << key << "_p" << percent << "_ms";
+    s.add(name.str(), 1e3 * times.percentile(0.01 * percent));
+  }
+  s.add(key + "_share_below_1_ms", times.share_below(millisecond));
+  s.add(key + "_share_below_period", times.share_within());
 }
 }  // namespace
 
@@ -90,8 +110,13 @@ DiagnosticsReport::Status DiagnosticsReport::time_status(const FrameRecord& fram
   s.add("overruns", frame.loop.overruns);
   s.add("dropped_seconds", frame.loop.dropped_seconds);
   s.add("unpublished_frames", frame.loop.unpublished_frames);
-  s.add("longest_frame_ms", 1e3 * frame.loop.longest_frame);
-  s.add("frame_times", histogram(frame.loop));
+  s.add("pictures_left_out", frame.loop.pictures_left_out);
+  s.add("longest_frame_ms", 1e3 * frame.loop.frame_times.longest());
+  s.add("frame_times", text_of(frame.loop.frame_times));
+  add_times(s, "frame_time", frame.loop.frame_times);
+  s.add("longest_lateness_ms", 1e3 * frame.loop.lateness.longest());
+  s.add("latenesses", text_of(frame.loop.lateness));
+  add_times(s, "lateness", frame.loop.lateness);
   return s;
 }
 

@@ -1,5 +1,7 @@
 #include "drill_rig_sim/ros/frame_publisher.h"
 
+#include <utility>
+
 #include "drill_rig_sim/ros/frame_messages.h"
 
 namespace drill_rig_sim
@@ -9,9 +11,14 @@ namespace
 const ros::WallDuration standing_still(0.5);  // longer than any tf_rate in use between two messages
 }  // namespace
 
-FramePublisher::FramePublisher(ros::NodeHandle& node, const Parameters& parameters)
+FramePublisher::FramePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions,
+                               std::function<void()> ask_for_picture)
     : prefix_(parameters.frame_prefix),
-      tf_(node.advertise<tf2_msgs::TFMessage>("/tf", 100, [this](const ros::SingleSubscriberPublisher& s) { greet(s); }))
+      subscriptions_(subscriptions),
+      ask_for_picture_(std::move(ask_for_picture)),
+      tf_(node.advertise<tf2_msgs::TFMessage>(
+          "/tf", 100, [this](const ros::SingleSubscriberPublisher& s) { greet(s); },
+          [this](const ros::SingleSubscriberPublisher&) { subscriptions_.tf = tf_.getNumSubscribers() > 0; }))
 {
   tf_static_.sendTransform(to_rig_pose(parameters.rig_pose, parameters.floor()));
 }
@@ -27,6 +34,12 @@ void FramePublisher::publish(const FrameOutput& s)
 
 void FramePublisher::greet(const ros::SingleSubscriberPublisher& subscriber)
 {
+  if (!subscriptions_.tf.exchange(true))
+  {
+    subscriptions_.tf_missing = true;
+    ask_for_picture_();
+    return;
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!frames_.transforms.empty() && ros::WallTime::now() - sent_ > standing_still) subscriber.publish(frames_);
 }

@@ -16,7 +16,7 @@ PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& para
       publish_clock_(parameters.publish_clock),
       priority_(std::max(0, parameters.realtime.fifo_priority - 1)),
       state_(node, parameters, subscriptions),
-      frames_(node, parameters),
+      frames_(node, parameters, subscriptions, ask_for_picture),
       markers_(node, parameters, subscriptions, std::move(ask_for_picture)),
       trajectory_(node, parameters)
 {

@@ -32,6 +32,7 @@ RigNode::RigNode()
 {
   const std::string problem = try_realtime(parameters_.realtime);
   if (!problem.empty()) throw ParameterError("parameter ~" + problem);
+  leave_core(parameters_.realtime.core);
   say_what_runs();
   publishing_.start();
   loop_.start();

@@ -71,7 +71,9 @@ void SimulationLoop::join()
 void SimulationLoop::run() noexcept
 {
   name_thread("simulation");
+  wake_on_time();
   prioritise_thread(parameters_.realtime.fifo_priority, parameters_.realtime.core);
+  time_.restart(steady_now());  // what the thread took to come is no lateness of frames
   while (!quit_)
   {
     run_between_frames();
@@ -104,11 +106,12 @@ void SimulationLoop::wait_or_work() noexcept
 
 void SimulationLoop::one_frame(std::int64_t now) noexcept
 {
-  time_.frame_begins(now);
+  const std::int64_t late = time_.frame_begins(now);
+  if (time_.is_realtime()) statistics_.lateness.add(late, time_.wall_period());
   take_commands();
   ProgramPlayer* program = rig_.playing ? &rig_.program : nullptr;
   rig_.failed = play_frame(*rig_.simulator, program, frame_duration_) == FrameStatus::failed;
-  statistics_.count_frame(steady_now() - now);
+  statistics_.frame_times.add(steady_now() - now, time_.wall_period());
 
   if (!rig_.failed) time_.tick();
   if (stepping_)
@@ -178,6 +181,8 @@ void SimulationLoop::hand_over(Occasion occasion) noexcept
   }
   occasion.whole_picture |= subscriptions_.refresh.exchange(false);
   note_due(*output, occasion);
+  if (output->arrays_due() && !ring_.lend_arrays(*output, !may_be_lost)) leave_out_picture(*output, occasion.whole_picture);
+  note_shown(*output);
   fill_record(output->frame);
   fill_arrays(*output);
   announced_ = announced_ || occasion.new_stamp;
@@ -196,13 +201,26 @@ void SimulationLoop::note_due(FrameOutput& s, const Occasion& occasion) noexcept
   s.state_again = !s.new_stamp && announced_ && (occasion.said_again || run_state() != run_state_said_);
   if (s.state_due || s.state_again) run_state_said_ = run_state();
   s.profile_due = s.new_stamp && profile_cadence_.due(simulated) && subscriptions_.profile;
-  s.tf_due = s.new_stamp && (tf_cadence_.due(shown) || occasion.rebuilt);
+  const bool tf_moves = s.new_stamp && (tf_cadence_.due(shown) || occasion.rebuilt);
+  s.tf_due = (tf_moves || subscriptions_.tf_missing.exchange(false)) && subscriptions_.tf;
   s.markers_due = (marker_cadence_.due(shown) || occasion.whole_picture) && subscriptions_.markers;
   s.well_due = occasion.whole_picture || (s.new_stamp && depth != well_handed_over_ && well_cadence_.due(shown));
-  if (s.well_due && s.new_stamp) well_handed_over_ = depth;
-  tube_pending_ |= s.well_due;
-  s.tube_due = s.markers_due && tube_pending_;
-  if (s.tube_due) tube_pending_ = false;
+  s.tube_due = s.markers_due && (tube_pending_ || s.well_due);
+}
+
+// Small readings are never left out; a well that has grown is due again at once, and so is a picture that somebody new has asked for.
+void SimulationLoop::leave_out_picture(FrameOutput& s, bool asked_for) noexcept
+{
+  ++statistics_.pictures_left_out;
+  if (asked_for) subscriptions_.refresh = true;
+  if (s.well_due) well_cadence_.restart();
+  s.profile_due = s.tf_due = s.markers_due = s.well_due = s.tube_due = false;
+}
+
+void SimulationLoop::note_shown(const FrameOutput& s) noexcept
+{
+  if (s.well_due && s.new_stamp) well_handed_over_ = rig_.simulator->truth().hole_depth;
+  tube_pending_ = (tube_pending_ || s.well_due) && !s.tube_due;
 }
 
 void SimulationLoop::fill_record(FrameRecord& record) const noexcept
@@ -338,12 +356,15 @@ bool SimulationLoop::end_step_early() noexcept
 void SimulationLoop::reserve_memory()
 {
   const Wellbore& well = rig_.simulator->wellbore();
-  ring_.with_every_slot(
-      [&](FrameOutput& s)
+  FrameOutput whole;
+  whole.profile_due = whole.tf_due = whole.well_due = true;
+  ring_.with_every_set(
+      [&](FrameArrays& set)
       {
-        s.profile_due = s.tf_due = s.well_due = true;
-        s.well.reserve(static_cast<std::size_t>(well.node_count()) + spare_points);
-        fill_arrays(s);
+        std::swap<FrameArrays>(whole, set);
+        whole.well.reserve(static_cast<std::size_t>(well.node_count()) + spare_points);
+        fill_arrays(whole);
+        std::swap<FrameArrays>(whole, set);
       });
 }
 

@@ -96,32 +96,52 @@ TEST(FrameRing, afterCloseWhatIsLeftIsReadThenNull)
   EXPECT_EQ(nullptr, ring.next());
 }
 
-TEST(FrameRing, everySlotIsPreparedAndStaysEmpty)
+TEST(FrameRing, everySetOfArraysIsPreparedAndLentInTurn)
 {
-  FrameRing ring(4);
-  write(ring, 1);
-  EXPECT_EQ(1, read(ring));
+  FrameRing ring(8, 3);
   int prepared = 0;
-  ring.with_every_slot(
-      [&](FrameOutput& slot)
+  ring.with_every_set(
+      [&](FrameArrays& set)
       {
-        slot.well.reserve(1000);
+        set.well.reserve(1000);
         ++prepared;
       });
-  EXPECT_EQ(4, prepared);
+  EXPECT_EQ(3, prepared);
+  for (int turn = 0; turn < 7; ++turn)
+  {
+    FrameOutput* slot = ring.claim();
+    EXPECT_EQ(0u, slot->well.capacity()) << "a frame that shows nothing needs no memory";
+    ASSERT_TRUE(ring.lend_arrays(*slot, false));
+    EXPECT_GE(slot->well.capacity(), 1000u);
+    EXPECT_TRUE(slot->has_arrays);
+    ring.hand_over();
+    read(ring);
+    EXPECT_FALSE(slot->has_arrays);
+  }
+}
+
+TEST(FrameRing, whereAllArraysAreLentFramesGoOnWithoutThem)
+{
+  FrameRing ring(8, 2);
   for (int i = 0; i < 4; ++i)
   {
     FrameOutput* slot = ring.try_claim();
     ASSERT_NE(nullptr, slot);
-    EXPECT_GE(slot->well.capacity(), 1000u);
+    EXPECT_EQ(i < 2, ring.lend_arrays(*slot, false)) << i;
+    if (slot->has_arrays) slot->well.resize(static_cast<std::size_t>(i) + 1);
     ring.hand_over();
   }
+  EXPECT_EQ(1u, ring.next()->well.size());
+  ring.release();
+  EXPECT_TRUE(ring.lend_arrays(*ring.claim(), true)) << "one has come back";
+  ring.hand_over();
+  EXPECT_EQ(2u, ring.next()->well.size());
 }
 
 TEST(FrameRing, underTwoThreadsEveryFrameComesOnceAndInOrder)
 {
   constexpr std::int64_t last = 20000;
-  FrameRing ring(8);
+  FrameRing ring(8, 2);
   std::thread writer(
       [&]
       {
@@ -129,7 +149,7 @@ TEST(FrameRing, underTwoThreadsEveryFrameComesOnceAndInOrder)
         {
           FrameOutput* slot = ring.claim();
           slot->frame.stamp = i;
-          slot->well.resize(static_cast<std::size_t>(i % 7));
+          if (i % 7 != 0 && ring.lend_arrays(*slot, true)) slot->well.resize(static_cast<std::size_t>(i % 7));
           ring.hand_over();
         }
         ring.close();

@@ -65,6 +65,32 @@ TEST(Threads, stayOnTheirCoreOrSayWhyNot)
   EXPECT_NE(problem.find("allowed"), std::string::npos);
 }
 
+// The others leave a core to the simulation, unless it is all they have.
+TEST(Threads, leaveACoreWithThoseTheyStart)
+{
+  std::thread(
+      []
+      {
+        cpu_set_t mine, left, all;
+        sched_getaffinity(0, sizeof all, &all);
+        int core = 0;
+        while (!CPU_ISSET(core, &all)) ++core;
+        leave_core(core);
+        sched_getaffinity(0, sizeof mine, &mine);
+        std::thread([&left] { sched_getaffinity(0, sizeof left, &left); }).join();
+        EXPECT_EQ(CPU_COUNT(&all) > 1 ? CPU_COUNT(&all) - 1 : 1, CPU_COUNT(&mine));
+        EXPECT_EQ(CPU_COUNT(&all) > 1, !CPU_ISSET(core, &mine));
+        EXPECT_TRUE(CPU_EQUAL(&mine, &left));
+        leave_core(-1);
+        sched_getaffinity(0, sizeof left, &left);
+        EXPECT_TRUE(CPU_EQUAL(&mine, &left));
+        EXPECT_TRUE(prioritise_thread(0, core)) << "whose core it is may go there still";
+        sched_getaffinity(0, sizeof left, &left);
+        EXPECT_TRUE(CPU_ISSET(core, &left));
+      })
+      .join();
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);

@@ -101,11 +101,16 @@ TEST_F(Report, eachNumberIsItsOwn)
   frame_.loop.overruns = 22;
   frame_.loop.dropped_seconds = 0.75;
   frame_.loop.unpublished_frames = 23;
-  frame_.loop.longest_frame = 0.0245;
+  frame_.loop.pictures_left_out = 25;
+  frame_.loop.frame_times.add(24'500'000, 24'500'001);
+  frame_.loop.lateness.add(500'000, 400'000);
   frame_.last_clamp = "a clamp";
   const auto array = next();
   const std::map<std::string, double> expected = {{"simulated_time", 123.5}, {"speed", 2.5}, {"overruns", 22}, {"dropped_seconds", 0.75},
-      {"unpublished_frames", 23}, {"longest_frame_ms", 24.5}, {"step", 0.005}, {"last_step", 0.0025}, {"nodes", 11}, {"coordinates", 12}, {"frames", 13}, {"steps", 20},
+      {"unpublished_frames", 23}, {"longest_frame_ms", 24.5}, {"longest_lateness_ms", 0.5}, {"pictures_left_out", 25},
+      {"frame_time_p50_ms", 24.5}, {"frame_time_p99_ms", 24.5}, {"frame_time_p99.9_ms", 24.5}, {"frame_time_p99.99_ms", 24.5},
+      {"frame_time_share_below_1_ms", 0.0}, {"frame_time_share_below_period", 1.0}, {"lateness_p50_ms", 0.5}, {"lateness_p99_ms", 0.5},
+      {"lateness_p99.9_ms", 0.5}, {"lateness_p99.99_ms", 0.5}, {"lateness_share_below_1_ms", 1.0}, {"lateness_share_below_period", 0.0}, {"step", 0.005}, {"last_step", 0.0025}, {"nodes", 11}, {"coordinates", 12}, {"frames", 13}, {"steps", 20},
       {"newton_iterations", 50}, {"newton_iterations_per_step", 2.5}, {"convergence_failures", 16}, {"error_test_failures", 17},
       {"error_estimate", 1.8e-5}, {"clamped", 19}, {"refused", 21}, {"yield_share", 0.31}, {"yield_from_bit", 32.0}, {"make_up_share", 0.33},
       {"make_up_from_bit", 34.0}, {"buckling_share", 0.35}, {"buckling_from_bit", 36.0}};
@@ -113,7 +118,7 @@ TEST_F(Report, eachNumberIsItsOwn)
   const std::map<std::string, std::string> words = {{"state", "running"}, {"level", "beam3d"}, {"integrator", "auto_one"},
       {"last_refusal", "a refusal"}, {"last_clamp", "a clamp"}};
   for (const auto& [key, value] : words) EXPECT_EQ(value, values(array).at(key)) << key;
-  EXPECT_EQ(expected.size() + words.size() + 1, values(array).size()) << "and the histogram; a real-time factor needs half a second";
+  EXPECT_EQ(expected.size() + words.size() + 2, values(array).size()) << "and two histograms; a real-time factor needs half a second";
 }
 
 TEST_F(Report, saysWhyTheNumbersMayBeWrong)
@@ -244,26 +249,19 @@ TEST(RealTimeFactor, needsHalfASecondAndLeavesPausesOut)
   }
 }
 
-TEST(FrameTimes, fallIntoBinsThatBeginAtTheirBounds)
+TEST_F(Report, histogramsNameEachBinWhichBeginsAtItsBound)
 {
-  LoopStatistics loop;
-  const std::vector<std::pair<double, std::size_t>> frames = {{0.0, 0}, {0.999, 0}, {1.0, 1}, {1.999, 1}, {2.0, 2}, {4.999, 2}, {5.0, 3},
-      {9.999, 3}, {10.0, 4}, {19.999, 4}, {20.0, 5}, {5000.0, 5}};
-  for (const auto& [duration, bin] : frames)
+  const std::vector<std::int64_t> bins = {100'000, 200'000, 500'000, ms, 2 * ms, 5 * ms, 10 * ms, 20 * ms, second};  // where each ends
+  for (std::size_t i = 0; i < bins.size(); ++i)
   {
-    const auto before = loop.frame_times;
-    loop.count_frame(static_cast<std::int64_t>(duration * ms));
-    for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(before[i] + (i == bin ? 1 : 0), loop.frame_times[i]) << duration << " ms, bin " << i;
+    for (std::size_t n = 0; n < 31 + i; ++n) frame_.loop.frame_times.add(n == 0 && i > 0 ? bins[i - 1] : bins[i] - 1, ms);
+    for (std::size_t n = 0; n < 51 + i; ++n) frame_.loop.lateness.add(n == 0 && i > 0 ? bins[i - 1] : bins[i] - 1, ms);
   }
-  EXPECT_DOUBLE_EQ(5.0, loop.longest_frame);
-  loop.count_frame(3 * ms);
-  EXPECT_DOUBLE_EQ(5.0, loop.longest_frame) << "the longest stays";
-}
-
-TEST_F(Report, histogramNamesEachBin)
-{
-  frame_.loop.frame_times = {31, 32, 33, 34, 35, 36};
-  EXPECT_EQ("< 1 ms: 31, < 2 ms: 32, < 5 ms: 33, < 10 ms: 34, < 20 ms: 35, >= 20 ms: 36", values(next()).at("frame_times"));
+  const auto array = next();
+  EXPECT_EQ("< 0.1 ms: 31, < 0.2 ms: 32, < 0.5 ms: 33, < 1 ms: 34, < 2 ms: 35, < 5 ms: 36, < 10 ms: 37, < 20 ms: 38, >= 20 ms: 39",
+            values(array).at("frame_times"));
+  EXPECT_EQ("< 0.1 ms: 51, < 0.2 ms: 52, < 0.5 ms: 53, < 1 ms: 54, < 2 ms: 55, < 5 ms: 56, < 10 ms: 57, < 20 ms: 58, >= 20 ms: 59",
+            values(array).at("latenesses"));
 }
 
 }  // namespace drill_rig_sim

@@ -11,6 +11,16 @@
 
 namespace drill_rig_sim
 {
+namespace
+{
+std::uint64_t ring_count(SimulationLoop& loop, const FrameRing& ring)
+{
+  std::uint64_t all = 0;
+  loop.between_frames([&](SimulationLoop&) { all = ring.handed_over(); });
+  return all;
+}
+}  // namespace
+
 TEST(LoopTime, aFrameThatFailsIsSaidOnceWithTheLastGoodStamp)
 {
   Parameters p = lockstep();
@@ -134,6 +144,9 @@ TEST(LoopTime, backlogIsDroppedAndCounted)
   const FrameRecord before = rig.output(next - 1).frame, after = rig.output(next).frame;
   EXPECT_GE(after.loop.dropped_seconds - before.loop.dropped_seconds, 0.4 - 0.1 - 0.01) << "due at most a period after it stood";
   EXPECT_GE(after.loop.overruns, before.loop.overruns + 1);
+  EXPECT_GE(after.loop.lateness.longest(), 0.4 - 0.01) << "the whole of it, not what is caught up";
+  EXPECT_EQ(before.loop.lateness.number() + 1, after.loop.lateness.number());
+  EXPECT_EQ(after.loop.lateness.number(), after.loop.frame_times.number()) << "every frame of real time has both";
   EXPECT_EQ(before.stamp + period, after.stamp) << "simulated time falls behind, no frame is left out";
 }
 
@@ -161,6 +174,32 @@ TEST(LoopTime, framesThatNobodyTakesAreCounted)
   EXPECT_EQ(after.stamp - last.stamp, static_cast<std::int64_t>(after.loop.unpublished_frames + 1) * period) << "each missing stamp is counted";
   loop.halt();
   loop.join();
+}
+
+// Whoever is slow to publish misses pictures before he misses readings.
+TEST(LoopTime, picturesThatFindNoRoomAreLeftOutAndCounted)
+{
+  Parameters p = in_real_time();
+  p.drillstring_rate = p.rate;
+  Mailbox mailbox;
+  FrameRing ring(64, 2);
+  SimulationLoop loop(p, std::make_unique<Simulator>(vertical_scene(30.0, 29.0)), mailbox, ring);
+  loop.subscriptions().profile = true;
+  loop.start();
+  while (ring_count(loop, ring) < 20) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  loop.halt();
+  loop.join();
+  for (std::int64_t i = 1; i <= 20; ++i)
+  {
+    const FrameOutput* s = ring.next();
+    EXPECT_EQ(i * period, s->frame.stamp);
+    EXPECT_TRUE(s->state_due);
+    EXPECT_EQ(i <= 2, s->profile_due) << i;
+    EXPECT_EQ(i <= 2, !s->profile.md.empty()) << i;
+    EXPECT_EQ(i <= 2 ? 0u : static_cast<std::uint64_t>(i) - 2, s->frame.loop.pictures_left_out);
+    EXPECT_EQ(0u, s->frame.loop.unpublished_frames);
+    ring.release();
+  }
 }
 
 TEST(LoopTime, telemetryArrivesByItsLatencyLater)
@@ -209,6 +248,20 @@ TEST(LoopTime, aFollowerWaitsForTheClockAndGoesWithIt)
   EXPECT_EQ(4u, rig.count());
 }
 
+// Nothing is made for nobody; the first who comes gets it, also while time stands.
+TEST(LoopTime, framesOfTheStringAreMadeForWhoeverAsksForThem)
+{
+  RunningLoop rig(lockstep());
+  rig.start();
+  for (const FrameOutput& s : rig.step(20)) EXPECT_FALSE(s.tf_due);
+  rig.loop.subscriptions().tf = rig.loop.subscriptions().tf_missing = true;
+  rig.loop.refresh();
+  const FrameOutput picture = rig.output(21);
+  EXPECT_TRUE(picture.tf_due && !picture.new_stamp && !picture.parts.empty());
+  rig.loop.refresh();
+  EXPECT_FALSE(rig.output(22).tf_due) << "no stamp is sent twice";
+}
+
 // What is due by simulated time must not wait for stamps that the master's first life has had.
 TEST(LoopTime, aFollowerGoesOnWithAMasterThatBeganAgain)
 {
@@ -216,7 +269,7 @@ TEST(LoopTime, aFollowerGoesOnWithAMasterThatBeganAgain)
   p.publish_clock = false;
   p.use_sim_time = true;
   RunningLoop rig(p);
-  rig.loop.subscriptions().profile = true;
+  rig.loop.subscriptions().profile = rig.loop.subscriptions().tf = true;
   rig.start();
   rig.loop.hear_clock(500 * 1000 * ms);
   EXPECT_EQ(500 * 1000 * ms, rig.output(1).frame.stamp);

@@ -2,11 +2,11 @@
 #define DRILL_RIG_SIM_REALTIME_FRAME_OUTPUT_H
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "drill_rig_sim/realtime/time_histogram.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/signals.h"
 #include "drill_rig_sim/sim/simulator.h"
@@ -18,24 +18,14 @@ namespace drill_rig_sim
 /// How the simulation thread fares, for diagnostics.
 struct LoopStatistics
 {
-  static constexpr std::array<double, 5> bounds_ms{{1.0, 2.0, 5.0, 10.0, 20.0}};
-  std::array<std::uint64_t, bounds_ms.size() + 1> frame_times{};  ///< frames that took less than each bound; last: longer
-  double longest_frame = 0.0;                                     ///< [s]
+  TimeHistogram frame_times;  ///< that frames took to compute
+  TimeHistogram lateness;     ///< of frames begun behind their time; in real time alone, where they have one
   std::uint64_t overruns = 0;
   double dropped_seconds = 0.0;         ///< backlog dropped [s]
   std::uint64_t unpublished_frames = 0;  ///< frames not published because the publishers were behind
+  std::uint64_t pictures_left_out = 0;   ///< frames published without the arrays that were due, for the same reason
   double speed = 1.0;
   double ticked_seconds = 0.0;  ///< simulated time that has passed frame by frame, through resets too [s]
-
-  /// Counts a frame that took `duration` [ns] to compute.
-  void count_frame(std::int64_t duration) noexcept
-  {
-    const double ms = 1e-6 * static_cast<double>(duration);
-    std::size_t bin = 0;
-    while (bin < bounds_ms.size() && ms >= bounds_ms[bin]) ++bin;
-    ++frame_times[bin];
-    longest_frame = std::max(longest_frame, 1e-3 * ms);
-  }
 };
 
 enum class RunState
@@ -75,8 +65,18 @@ struct FrameRecord
   std::array<char, 256> failure{};  ///< why the last frame failed; empty otherwise
 };
 
+/// What is drawn or listed along string and well: large, so a ring lends it to those frames alone that show it.
+struct FrameArrays
+{
+  StringProfile profile;
+  std::vector<WellNode> axis;  ///< the hole at each entry of the profile
+  std::vector<PartPose> parts;
+  std::vector<WellNode> well;
+  std::vector<WellNode> stations;  ///< the hole at the survey's stations
+};
+
 /// What the simulation thread hands to the publishers after a frame. The arrays are filled where their flag says so.
-struct FrameOutput
+struct FrameOutput : FrameArrays
 {
   FrameRecord frame;
   bool new_stamp = true;  ///< false: nothing but a picture for a new subscriber
@@ -89,12 +89,10 @@ struct FrameOutput
   bool markers_due = false;
   bool well_due = false;  ///< the well has changed, or somebody new wants to see it
   bool tube_due = false;  ///< markers are due and have not shown the well as it is
+  bool has_arrays = false;   ///< a ring has lent it a set
 
-  StringProfile profile;
-  std::vector<WellNode> axis;  ///< the hole at each entry of the profile
-  std::vector<PartPose> parts;
-  std::vector<WellNode> well;
-  std::vector<WellNode> stations;  ///< the hole at the survey's stations
+  /// Whether any of the arrays is to be filled.
+  bool arrays_due() const noexcept { return profile_due || tf_due || markers_due || well_due; }
 };
 
 }  // namespace drill_rig_sim

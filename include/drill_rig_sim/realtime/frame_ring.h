@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "drill_rig_sim/realtime/semaphore.h"
@@ -11,20 +12,24 @@
 
 namespace drill_rig_sim
 {
-/// Frames on their way from the simulation thread to the publishing thread, in order. A ring and not a single latest
-/// one, because every frame is to be published. The slots' arrays keep their memory from turn to turn.
+/// Frames on their way from the simulation thread to the publishing thread, in order. A ring and not a single latest one, because every frame
+/// is to be published. Deep, so that no frame is lost while the publishers wait for a processor; few of the frames show arrays, so there are
+/// fewer sets of those, which keep their memory from turn to turn.
 class FrameRing
 {
 public:
-  explicit FrameRing(std::size_t size = 64) : slots_(size), empty_(static_cast<unsigned>(size)) {}
-
-  /// Waits until all are empty and gives each to `prepare`. For the writer's side.
-  template <class Prepare>
-  void with_every_slot(Prepare prepare)
+  explicit FrameRing(std::size_t size = 1024, std::size_t sets = 32)
+      : slots_(size), sets_(sets), empty_(static_cast<unsigned>(size)), free_sets_(static_cast<unsigned>(sets))
   {
-    for (std::size_t i = 0; i < slots_.size(); ++i) empty_.wait();
-    for (FrameOutput& slot : slots_) prepare(slot);
-    for (std::size_t i = 0; i < slots_.size(); ++i) empty_.post();
+  }
+
+  /// Waits until no frame has a set of arrays any more and gives each set to `prepare`. For the writer's side.
+  template <class Prepare>
+  void with_every_set(Prepare prepare)
+  {
+    for (std::size_t i = 0; i < sets_.size(); ++i) free_sets_.wait();
+    for (FrameArrays& set : sets_) prepare(set);
+    for (std::size_t i = 0; i < sets_.size(); ++i) free_sets_.post();
   }
 
   /// The writer's side: a slot to fill, then hand_over(). try_claim() returns null where all are full, claim() waits.
@@ -33,6 +38,18 @@ public:
   {
     empty_.wait();
     return &slots_[write_];
+  }
+  /// Lends the slot just claimed a set of arrays. False where all are lent; with `wait` until one is free.
+  bool lend_arrays(FrameOutput& slot, bool wait) noexcept
+  {
+    if (wait)
+      free_sets_.wait();
+    else if (!free_sets_.try_wait())
+      return false;
+    std::swap<FrameArrays>(slot, sets_[write_set_]);
+    write_set_ = (write_set_ + 1) % sets_.size();
+    slot.has_arrays = true;
+    return true;
   }
   void hand_over() noexcept
   {
@@ -51,6 +68,7 @@ public:
   }
   void release() noexcept
   {
+    return_arrays(slots_[read_]);
     read_ = (read_ + 1) % slots_.size();
     empty_.post();
   }
@@ -64,11 +82,23 @@ public:
   }
 
 private:
+  // Frames are released in the order they were claimed in, so the sets come back in the order they were lent in.
+  void return_arrays(FrameOutput& slot) noexcept
+  {
+    if (!slot.has_arrays) return;
+    std::swap<FrameArrays>(slot, sets_[read_set_]);
+    read_set_ = (read_set_ + 1) % sets_.size();
+    slot.has_arrays = false;
+    free_sets_.post();
+  }
+
   std::vector<FrameOutput> slots_;
+  std::vector<FrameArrays> sets_;
   std::size_t write_ = 0, read_ = 0;
+  std::size_t write_set_ = 0, read_set_ = 0;
   std::uint64_t handed_over_ = 0;
   std::atomic<std::size_t> end_{SIZE_MAX};
-  Semaphore empty_, full_;
+  Semaphore empty_, full_, free_sets_;
 };
 
 }  // namespace drill_rig_sim

@@ -55,8 +55,10 @@ public:
 
   /// Steady time [ns] at which the next frame is due: 0 = now, not_yet = wait to be woken.
   std::int64_t next_frame_at() const noexcept;
-  /// Accounts for the frame that begins at steady time `now`.
-  void frame_begins(std::int64_t now) noexcept;
+  /// Accounts for the frame that begins at steady time `now`; returns how far behind its time that is [wall ns], 0 where it has none.
+  std::int64_t frame_begins(std::int64_t now) noexcept;
+  /// Time there is for a frame [wall ns]; that of a frame as simulated where it has none.
+  std::int64_t wall_period() const noexcept { return is_realtime() ? static_cast<std::int64_t>(static_cast<double>(period_) / speed_) : period_; }
   /// The next frame is due now: after a pause, or at the start.
   void restart(std::int64_t now) noexcept { deadline_ = now; }
   /// Where another rig's clock is more than longest_jump ahead (the first one heard, or one that runs faster than this rig can) or more than

@@ -5,11 +5,13 @@
 #include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
+#include <functional>
 #include <mutex>
 #include <string>
 
-#include "drill_rig_sim/ros/parameters.h"
 #include "drill_rig_sim/realtime/frame_output.h"
+#include "drill_rig_sim/ros/parameters.h"
+#include "drill_rig_sim/ros/simulation_loop.h"
 
 namespace drill_rig_sim
 {
@@ -18,13 +20,16 @@ namespace drill_rig_sim
 class FramePublisher
 {
 public:
-  FramePublisher(ros::NodeHandle& node, const Parameters& parameters);
+  /// `ask_for_picture` is called when somebody subscribes after nobody did, for nothing was made before.
+  FramePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture);
   void publish(const FrameOutput& s);
 
 private:
   void greet(const ros::SingleSubscriberPublisher& subscriber);
 
   std::string prefix_;
+  Subscriptions& subscriptions_;
+  std::function<void()> ask_for_picture_;
   std::mutex mutex_;  // guards frames_: the greeting comes from another thread
   tf2_msgs::TFMessage frames_;
   ros::WallTime sent_;

@@ -23,6 +23,8 @@ struct Subscriptions
 {
   std::atomic<bool> profile{false};
   std::atomic<bool> markers{false};
+  std::atomic<bool> tf{false};
+  std::atomic<bool> tf_missing{false};  ///< whoever subscribed to tf first has got none yet
   std::atomic<bool> refresh{false};  ///< somebody new wants a picture of the present state
 };
 
@@ -152,6 +154,8 @@ private:
   void hand_over(Occasion occasion) noexcept;
   void note_due(FrameOutput& s, const Occasion& occasion) noexcept;
   void fill_record(FrameRecord& record) const noexcept;
+  void leave_out_picture(FrameOutput& s, bool asked_for) noexcept;
+  void note_shown(const FrameOutput& s) noexcept;
   void fill_arrays(FrameOutput& s) noexcept;
   void reserve_memory();
 
