@@ -1,7 +1,5 @@
 #include "drill_rig_sim/ros/publishing_thread.h"
 
-#include <rosgraph_msgs/Clock.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -13,14 +11,14 @@ PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& para
                                    std::function<void()> ask_for_picture, std::function<void()> on_change)
     : ring_(ring),
       on_change_(std::move(on_change)),
-      publish_clock_(parameters.publish_clock),
+      tells_time_(parameters.publish_clock && parameters.use_sim_time),
       priority_(std::max(0, parameters.realtime.fifo_priority - 1)),
       state_(node, parameters, subscriptions),
       frames_(node, parameters, subscriptions, ask_for_picture),
       markers_(node, parameters, subscriptions, std::move(ask_for_picture)),
       trajectory_(node, parameters)
 {
-  if (publish_clock_) clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", parameters.queue());
+  if (parameters.publish_clock) clock_.emplace(node, "/clock", parameters.queue());
 }
 
 PublishingThread::~PublishingThread()
@@ -74,16 +72,22 @@ void PublishingThread::run()
 
 void PublishingThread::publish(const FrameOutput& s)
 {
+  if (tells_time_ && s.new_stamp) ros::Time::setNow(to_time(s.frame.stamp));
   state_.publish(s);
   frames_.publish(s);
   markers_.publish(s);
   trajectory_.publish(s);
-  if (publish_clock_ && s.new_stamp)
+  if (clock_ && s.new_stamp)
   {
-    rosgraph_msgs::Clock clock;
-    clock.clock = to_time(s.frame.stamp);
-    clock_.publish(clock);
+    clock_->post(
+        [&]
+        {
+          rosgraph_msgs::Clock clock;
+          clock.clock = to_time(s.frame.stamp);
+          return clock;
+        });
   }
+  send_posted();
 }
 
 }  // namespace drill_rig_sim

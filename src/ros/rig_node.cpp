@@ -14,19 +14,27 @@ Scene checked_scene(const Parameters& parameters)
   check_rate(parameters.rate, scene);
   return scene;
 }
+
+ros::NodeHandle on_queue(ros::CallbackQueue& queue)
+{
+  ros::NodeHandle node;
+  node.setCallbackQueue(&queue);
+  return node;
+}
 }  // namespace
 
 RigNode::RigNode()
-    : parameters_(read_parameters(ros::NodeHandle("~"))),
+    : service_node_(on_queue(service_queue_)),
+      parameters_(read_parameters(ros::NodeHandle("~"))),
       scene_(checked_scene(parameters_)),
       mailbox_(node_),
       loop_(parameters_, std::make_unique<Simulator>(scene_, parameters_.seed), mailbox_, ring_),
-      clock_(node_, parameters_, [this](std::int64_t clock) { loop_.hear_clock(clock); }),
+      clock_(node_, service_node_, parameters_, [this](std::int64_t clock) { loop_.hear_clock(clock); }),
       publishing_(
           node_, parameters_, ring_, loop_.subscriptions(), [this] { loop_.refresh(); }, [this] { diagnostics_.publish(); }),
       diagnostics_(
           node_, [this] { return publishing_.last(); }, mailbox_.refusals(), [this] { return clock_.trouble(); }),
-      services_((service_node_.setCallbackQueue(&service_queue_), service_node_), parameters_, scene_, loop_, publishing_, ring_),
+      services_(service_node_, parameters_, scene_, loop_, publishing_, ring_),
       spinner_(1),
       service_spinner_(2, &service_queue_)
 {

@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "drill_rig_sim/ros/own_time.h"
 #include "drill_rig_sim/ros/rig_node.h"
 #include "drill_rig_sim/ros/signals.h"
 
@@ -9,6 +10,7 @@ int main(int argc, char** argv)
 {
   ros::init(argc, argv, "rig_simulator", ros::init_options::NoSigintHandler);
   drill_rig_sim::end_on_signals();
+  drill_rig_sim::start_roscpp();
   try
   {
     drill_rig_sim::RigNode node;

@@ -1,7 +1,5 @@
 #include "drill_rig_sim/ros/state_publisher.h"
 
-#include <std_msgs/Float64.h>
-
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
 
@@ -20,15 +18,15 @@ std_msgs::Float64 number(double value)
 StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions)
     : floor_(parameters.floor()),
       subscriptions_(subscriptions),
-      hook_load_(node.advertise<std_msgs::Float64>("hook_load", parameters.queue())),
-      torque_(node.advertise<std_msgs::Float64>("torque", parameters.queue())),
-      rig_state_(node.advertise<RigState>("rig_state", parameters.queue())),
-      true_rig_state_(node.advertise<RigState>("truth/rig_state", parameters.queue())),
+      hook_load_(node, "hook_load", parameters.queue()),
+      torque_(node, "torque", parameters.queue()),
+      rig_state_(node, "rig_state", parameters.queue()),
+      true_rig_state_(node, "truth/rig_state", parameters.queue()),
+      joint_states_(node, "joint_states", parameters.queue()),
+      bit_pose_(node, "bit/pose", parameters.queue()),
+      bit_twist_(node, "bit/twist", parameters.queue()),
+      bit_wrench_(node, "bit/wrench", parameters.queue()),
       rig_limits_(node.advertise<RigLimits>("rig_limits", parameters.queue(), true)),
-      joint_states_(node.advertise<sensor_msgs::JointState>("joint_states", parameters.queue())),
-      bit_pose_(node.advertise<geometry_msgs::PoseStamped>("bit/pose", parameters.queue())),
-      bit_twist_(node.advertise<geometry_msgs::TwistStamped>("bit/twist", parameters.queue())),
-      bit_wrench_(node.advertise<geometry_msgs::WrenchStamped>("bit/wrench", parameters.queue())),
       mwd_(node.advertise<MwdSurvey>("downhole/mwd", parameters.queue())),
       toolface_(node.advertise<MwdToolface>("downhole/toolface", parameters.queue())),
       drillstring_(node.advertise<DrillstringState>(
@@ -54,8 +52,8 @@ void StatePublisher::publish(const FrameOutput& s)
   }
   if (s.state_due || s.state_again)
   {
-    rig_state_.publish(to_rig_state(s.frame.readings, s.frame, floor_));
-    true_rig_state_.publish(to_rig_state(s.frame.truth, s.frame, floor_));
+    rig_state_.post([&] { return to_rig_state(s.frame.readings, s.frame, floor_); });
+    true_rig_state_.post([&] { return to_rig_state(s.frame.truth, s.frame, floor_); });
   }
   if (s.state_due)
   {
@@ -68,16 +66,16 @@ void StatePublisher::publish(const FrameOutput& s)
 
 void StatePublisher::publish_rig(const FrameOutput& s)
 {
-  hook_load_.publish(number(s.frame.readings.hook_load));
-  torque_.publish(number(s.frame.readings.torque));
-  joint_states_.publish(to_joint_states(s.frame));
+  hook_load_.post([&] { return number(s.frame.readings.hook_load); });
+  torque_.post([&] { return number(s.frame.readings.torque); });
+  joint_states_.post([&] { return to_joint_states(s.frame); });
 }
 
 void StatePublisher::publish_bit(const FrameOutput& s)
 {
-  bit_pose_.publish(to_bit_pose(s.frame, floor_));
-  bit_twist_.publish(to_bit_twist(s.frame, floor_));
-  bit_wrench_.publish(to_bit_wrench(s.frame, floor_));
+  bit_pose_.post([&] { return to_bit_pose(s.frame, floor_); });
+  bit_twist_.post([&] { return to_bit_twist(s.frame, floor_); });
+  bit_wrench_.post([&] { return to_bit_wrench(s.frame, floor_); });
 }
 
 void StatePublisher::publish_telemetry(const FrameOutput& s)

@@ -38,11 +38,12 @@ private:
 
 /// Listens to /clock: passes it on to a rig that follows it, and knows what is wrong with it. Nobody has published it, it has gone
 /// silent, a second node publishes it too: each is warned of once when it begins, and told in diagnostics as long as it lasts.
+/// A rig that publishes the clock itself listens only where the master knows of another: its own would come back with every frame.
 class ClockWatch
 {
 public:
-  /// `hear` gets another rig's clock [ns]; called where the parameters say that the rig follows it.
-  ClockWatch(ros::NodeHandle& node, const Parameters& parameters, std::function<void(std::int64_t)> hear);
+  /// `hear` gets another rig's clock [ns]; called where the parameters say that the rig follows it. `unhurried`: whose callbacks may wait for the master.
+  ClockWatch(ros::NodeHandle& node, ros::NodeHandle& unhurried, const Parameters& parameters, std::function<void(std::int64_t)> hear);
 
   /// What is wrong with the clock now, one line; empty where nothing is.
   std::string trouble();
@@ -50,15 +51,18 @@ public:
 private:
   using Event = ros::MessageEvent<const rosgraph_msgs::Clock>;
   void take(const Event& event);
+  void look();
+  void listen();
   void warn();
 
   bool follows_;
   std::function<void(std::int64_t)> hear_;
-  std::mutex mutex_;  // guards heard_
+  std::mutex mutex_;  // guards heard_ and clock_
   HeardClock heard_;
   std::string warned_of_;
+  ros::NodeHandle node_;
   ros::Subscriber clock_;
-  ros::WallTimer timer_;
+  ros::WallTimer look_timer_, warn_timer_;
 };
 
 }  // namespace drill_rig_sim

@@ -2,15 +2,18 @@
 #define DRILL_RIG_SIM_ROS_PUBLISHING_THREAD_H
 
 #include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
 
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 
-#include "drill_rig_sim/ros/frame_publisher.h"
-#include "drill_rig_sim/ros/marker_publisher.h"
 #include "drill_rig_sim/realtime/frame_ring.h"
+#include "drill_rig_sim/ros/frame_publisher.h"
+#include "drill_rig_sim/ros/frame_topic.h"
+#include "drill_rig_sim/ros/marker_publisher.h"
 #include "drill_rig_sim/ros/state_publisher.h"
 #include "drill_rig_sim/ros/trajectory_publisher.h"
 
@@ -41,13 +44,13 @@ private:
 
   FrameRing& ring_;
   std::function<void()> on_change_;
-  bool publish_clock_;
-  int priority_;  // SCHED_FIFO; 0: as all threads
-  ros::Publisher clock_;
+  bool tells_time_;  // to this node's ros::Time, see start_roscpp()
+  int priority_;     // SCHED_FIFO; 0: as all threads
   StatePublisher state_;
   FramePublisher frames_;
   MarkerPublisher markers_;
   TrajectoryPublisher trajectory_;
+  std::optional<FrameTopic<rosgraph_msgs::Clock>> clock_;  // advertised last, so sent last; none where the time is another's
 
   mutable std::mutex mutex_;  // guards last_ and published_
   std::condition_variable arrived_;

@@ -31,9 +31,9 @@ public:
 private:
   void say_what_runs();
 
-  ros::NodeHandle node_;
-  ros::NodeHandle service_node_;
   ros::CallbackQueue service_queue_;
+  ros::NodeHandle node_;
+  ros::NodeHandle service_node_;  // calls back on service_queue_
   Parameters parameters_;
   Scene scene_;
   Mailbox mailbox_;

@@ -1,14 +1,21 @@
 #ifndef DRILL_RIG_SIM_ROS_STATE_PUBLISHER_H
 #define DRILL_RIG_SIM_ROS_STATE_PUBLISHER_H
 
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/TwistStamped.h>
+#include <geometry_msgs/WrenchStamped.h>
 #include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+#include <std_msgs/Float64.h>
 
 #include <cstdint>
 #include <string>
 
 #include "drill_rig_sim/DrillstringState.h"
-#include "drill_rig_sim/ros/simulation_loop.h"
+#include "drill_rig_sim/RigState.h"
 #include "drill_rig_sim/realtime/frame_output.h"
+#include "drill_rig_sim/ros/frame_topic.h"
+#include "drill_rig_sim/ros/simulation_loop.h"
 
 namespace drill_rig_sim
 {
@@ -17,6 +24,7 @@ class StatePublisher
 {
 public:
   StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions);
+  /// What comes with every frame is posted: send_posted() sends it.
   void publish(const FrameOutput& s);
 
 private:
@@ -29,8 +37,13 @@ private:
   Subscriptions& subscriptions_;
   std::uint64_t last_survey_ = 0, last_toolface_ = 0;
   DrillstringState profile_;
-  ros::Publisher hook_load_, torque_, rig_state_, true_rig_state_, rig_limits_, joint_states_;
-  ros::Publisher bit_pose_, bit_twist_, bit_wrench_, mwd_, toolface_, drillstring_;
+  FrameTopic<std_msgs::Float64> hook_load_, torque_;
+  FrameTopic<RigState> rig_state_, true_rig_state_;
+  FrameTopic<sensor_msgs::JointState> joint_states_;
+  FrameTopic<geometry_msgs::PoseStamped> bit_pose_;
+  FrameTopic<geometry_msgs::TwistStamped> bit_twist_;
+  FrameTopic<geometry_msgs::WrenchStamped> bit_wrench_;
+  ros::Publisher rig_limits_, mwd_, toolface_, drillstring_;
 };
 
 }  // namespace drill_rig_sim
