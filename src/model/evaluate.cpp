@@ -46,6 +46,36 @@ void move_guided(const NodeState& before, const Stage& stage, std::size_t i, con
   node.normal = x_axis(node.orientation);
 }
 
+/// The free nodes from `first` to `last`, the latter not among them, by the batch kernel.
+void move_free_nodes(const State& start, const Stage& stage, const double* u, int first, int last, Workspace& work) noexcept
+{
+  const NodeState& before = start.nodes[static_cast<std::size_t>(first)];
+  NodeMotion& node = work.nodes[static_cast<std::size_t>(first)];
+  work.string->move({first, last, u + 6 * first, stage.rate[static_cast<std::size_t>(first)].data(),
+                    stage.acceleration[static_cast<std::size_t>(first)].data(), stage.dv_du, stage.da_du, before.position.data(),
+                    before.orientation.coeffs().data(), sizeof(NodeState), node.orientation.coeffs().data(), sizeof(NodeMotion),
+                    &work.columns.nodes});
+}
+
+/// move_nodes() by the batch kernel, which leaves the columns of all nodes of the free string.
+void move_batches(const State& start, const Stage& stage, const double* u, Workspace& work) noexcept
+{
+  const int nodes = static_cast<int>(work.nodes.size());
+  work.columns.moved = true;
+  for (int first = 0; first < nodes;)
+  {
+    int last = first;
+    while (last < nodes && !stage.guides[static_cast<std::size_t>(last)].guided) ++last;
+    if (last > first) move_free_nodes(start, stage, u, first, last, work);
+    for (first = last; first < nodes && stage.guides[static_cast<std::size_t>(first)].guided; ++first)
+    {
+      const std::size_t i = static_cast<std::size_t>(first);
+      move_guided(start.nodes[i], stage, i, u, work);
+      if (stage.guides[i].joined) work.columns.take(work.nodes[i], first);
+    }
+  }
+}
+
 /// Places and rates of the nodes at u.
 void move_nodes(const State& start, const Stage& stage, const double* u, Workspace& work) noexcept
 {
@@ -95,7 +125,7 @@ Vector3d bent_normal(const MeshElement& element, const Eigen::Quaterniond& node)
 
 /// The middle of element e: from where the cubic had it at the start of the step, by the ends' increments. Its arms stay those of the
 /// start; what that leaves out of a tilt, half its square, points along the pipe.
-void find_span(const Model& model, const State& start, const Stage& stage, int e, Workspace& work) noexcept
+void move_span(const Model& model, const State& start, const Stage& stage, int e, Workspace& work) noexcept
 {
   const MeshElement& element = model.mesh().elements[e];
   const NodeMotion &lower = work.nodes[e], &upper = work.nodes[e + 1];
@@ -106,11 +136,92 @@ void find_span(const Model& model, const State& start, const Stage& stage, int e
   span.increment = middle(span, lower.increment, upper.increment);
   span.position =
       0.5 * (start.nodes[e].position + start.nodes[e + 1].position) + span.upper_arm + span.lower_arm + span.increment.head<3>();
+}
+
+void find_span(const Model& model, const State& start, const Stage& stage, int e, Workspace& work) noexcept
+{
+  move_span(model, start, stage, e, work);
+  SpanMotion& span = work.spans[e];
   span.touches = false;
   span.closest.segment = start.spans[e].segment;
   span.closest = start.well.locate(span.position, span.closest.segment);
   open_mast(span.closest);
-  span.touches = wall_gap(span.closest, span.position, 0.5 * element.outer_diameter) < 0.0;
+  span.touches = wall_gap(span.closest, span.position, 0.5 * model.mesh().elements[e].outer_diameter) < 0.0;
+}
+
+const double* numbers_of(const HoleSegment* segment) noexcept
+{
+  static_assert(sizeof(HoleSegment) == 23 * sizeof(double), "numbers without a gap");
+  return segment ? segment->c0.data() : nullptr;
+}
+
+/// find_closest() of all nodes by the batch kernel. One by one: gauge and blades, whose film of mud wants to know the hole even where they are
+/// clear of it, and what the kernel leaves.
+void find_nodes(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
+{
+  StringColumns& columns = work.columns;
+  for (int i = 0; i < model.nodes(); ++i)
+  {
+    const MeshNode& node = model.mesh().nodes[i];
+    const bool singly = i == model.top() || stage.guides[i].guided || i < model.mesh().gauge_nodes || node.squeeze_film_damping > 0.0;
+    columns.segments[i] = singly ? nullptr : numbers_of(start.well.smooth_segment(start.nodes[i].segment, work.nodes[i].position));
+  }
+  work.place->find({model.nodes(), &columns.nodes, node_column::position, node_column::contact_radius, columns.segments.data(),
+                    &work.nodes[0].closest, sizeof(NodeMotion), columns.places.data()});
+  for (int i = 0; i < model.nodes(); ++i)
+  {
+    NodeMotion& node = work.nodes[i];
+    if (columns.places[i] == Place::search)
+    {
+      find_closest(model, start, stage, i, node);
+      continue;
+    }
+    node.closest.segment = start.nodes[i].segment;
+    node.touches = columns.places[i] == Place::touches;
+  }
+}
+
+/// find_span() of all free elements, in the same way; of those that are clear of the wall only that is known.
+void find_spans(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
+{
+  StringColumns& columns = work.columns;
+  work.place->find_middles({model.elements(), &columns.nodes, &columns.elements});
+  const NumberColumns& elements = columns.elements;
+  const double *x = elements[element_column::middle], *y = elements[element_column::middle + 1], *z = elements[element_column::middle + 2];
+  for (int e = 0; e < model.elements(); ++e)
+  {
+    const bool singly = stage.guided_spans[e].guided || model.mesh().elements[e].bend != 0.0;
+    columns.segments[e] = singly ? nullptr : numbers_of(start.well.smooth_segment(start.spans[e].segment, {x[e], y[e], z[e]}));
+  }
+  work.place->find({model.elements(), &elements, element_column::middle, element_column::radius, columns.segments.data(),
+                    &work.spans[0].closest, sizeof(SpanMotion), columns.places.data()});
+  for (int e = 0; e < model.elements(); ++e)
+  {
+    if (stage.guided_spans[e].guided) continue;
+    SpanMotion& span = work.spans[e];
+    if (columns.places[e] == Place::search)
+    {
+      find_span(model, start, stage, e, work);
+      continue;
+    }
+    span.closest.segment = start.spans[e].segment;
+    span.touches = columns.places[e] == Place::touches;
+    if (span.touches) move_span(model, start, stage, e, work);
+  }
+}
+
+/// All of them; by batch kernels after move_batches().
+void find_in_hole(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
+{
+  if (work.place)
+  {
+    find_nodes(model, start, stage, work);
+    find_spans(model, start, stage, work);
+    return;
+  }
+  find_closest(model, start, stage, work);
+  for (int e = 0; e < model.elements(); ++e)
+    if (!stage.guided_spans[e].guided) find_span(model, start, stage, e, work);
 }
 
 /// The node where somebody else says that it is.
@@ -138,13 +249,19 @@ void evaluate_list(const std::array<const Force*, N>& forces, const Model& model
   std::fill(residual, residual + 6 * model.nodes(), 0.0);
   if (tangent)
     for (int i = 0; i < model.nodes(); ++i) tangent->set_small(i, stage.guides[i].guided);
-  move_nodes(start, stage, u, work);
+  if (work.string)
+    move_batches(start, stage, u, work);
+  else
+    move_nodes(start, stage, u, work);
   work.profiler.lap(Cost::kinematics);
-  find_closest(model, start, stage, work);
-  for (int e = 0; e < model.elements(); ++e)
-    if (!stage.guided_spans[e].guided) find_span(model, start, stage, e, work);
+  find_in_hole(model, start, stage, work);
   work.profiler.lap(Cost::contact);
   add_forces(forces, {model, start, stage, work}, residual, tangent);
+}
+/// The other kinds of element are evaluated one by one.
+Kernel kernel_of(const Model& model) noexcept
+{
+  return model.beam().kind == ElementKind::corotational ? model.kernel() : Kernel::scalar;
 }
 }  // namespace
 
@@ -153,6 +270,10 @@ Workspace::Workspace(const Model& model)
     spans(model.mesh().elements.size()),
     guided(nodes.size()),
     guided_forces(spans.size()),
+    columns(model),
+    string(string_kernel(kernel_of(model))),
+    place(place_kernel(kernel_of(model))),
+    wall(wall_kernel(kernel_of(model))),
     unused(6 * nodes.size(), 0.0)
 {
   result.bristle.assign(nodes.size(), Vector3d::Zero());
@@ -172,7 +293,10 @@ Workspace::Workspace(const Model& model)
 void evaluate(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, double* residual,
               BlockTridiagonal* tangent) noexcept
 {
-  evaluate_list(dynamic_forces, model, start, stage, u, work, residual, tangent);
+  if (work.string)
+    evaluate_list(batched_forces, model, start, stage, u, work, residual, tangent);
+  else
+    evaluate_list(dynamic_forces, model, start, stage, u, work, residual, tangent);
 }
 
 void evaluate_static(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, double* residual,
@@ -202,6 +326,8 @@ void find_guided_forces(const Model& model, const Stage& stage, int e, Workspace
 void find_string_forces(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
 {
   RigForces& out = work.result.forces;
+  const StageContext at{model, start, stage, work};
+  if (work.string && work.columns.moved) find_free_forces(at);
   for (int e = 0; e < model.elements(); ++e)
   {
     if (stage.guided_spans[e].guided)
@@ -209,7 +335,8 @@ void find_string_forces(const Model& model, const State& start, const Stage& sta
       find_guided_forces(model, stage, e, work);
       continue;
     }
-    const BeamForces f = element_forces({model, start, stage, work}, e);
+    if (work.string && work.columns.moved) continue;
+    const BeamForces f = element_forces(at, e);
     const MeshElement& element = model.mesh().elements[e];
     const NodeMotion& upper = work.nodes[e + 1];
     const Vector3d n = element.bend != 0.0 ? bent_normal(element, upper.orientation) : upper.normal;
@@ -228,6 +355,7 @@ void evaluate_motion(const Model& model, const State& start, const Stage& stage,
   std::fill(string, string + 6 * model.nodes(), 0.0);
   std::fill(contact, contact + 6 * model.nodes(), 0.0);
   for (std::size_t i = 0; i < work.nodes.size(); ++i) place(motion.nodes[i], work.nodes[i]);
+  work.columns.moved = false;
   for (int e = 0; e < model.elements(); ++e) find_span(model, start, stage, e, work);
   work.profiler.lap(Cost::kinematics);
   const StageContext at{model, start, stage, work};

@@ -177,6 +177,15 @@ ClosestPoint Wellbore::locate(const Eigen::Vector3d& point, int segment_hint) co
   }
 }
 
+const HoleSegment* Wellbore::smooth_segment(int i, const Eigen::Vector3d& point) const noexcept
+{
+  if (i < 1 || i > new_interval_index() - 2) return nullptr;
+  const HoleSegment& g = segment(i);
+  if (i > 1) return &g;
+  const bool far_below = first_guess(g, point) * g.length > 4.0 * g.radius + 1.0;  // of the first node
+  return far_below ? &g : nullptr;
+}
+
 double Wellbore::radius_near(const Eigen::Vector3d& point, int segment_hint) const noexcept
 {
   if (segment_hint < 0) return locate(point, segment_hint).radius;

@@ -8,6 +8,10 @@
 #include "drill_rig_sim/contact/bit_bottom.h"
 #include "drill_rig_sim/contact/wall_contact.h"
 #include "drill_rig_sim/model/guides.h"
+#include "drill_rig_sim/model/kernels/place_kernel.h"
+#include "drill_rig_sim/model/kernels/string_columns.h"
+#include "drill_rig_sim/model/kernels/string_kernel.h"
+#include "drill_rig_sim/model/kernels/wall_kernel.h"
 #include "drill_rig_sim/model/model.h"
 #include "drill_rig_sim/model/profiler.h"
 #include "drill_rig_sim/model/rig_forces.h"
@@ -16,16 +20,22 @@
 
 namespace drill_rig_sim
 {
-/// Where and how a node moves at a stage.
-struct NodeMotion
+/// Where and how a node moves at a stage: numbers without a gap, in the order in which the motion kernel writes them.
+struct NodeMoves
 {
+  Eigen::Quaterniond orientation;
   Eigen::Vector3d axis;  ///< section normal that rates and rotations are split by: at the start of the step
   Eigen::Vector3d position, normal;
-  Eigen::Quaterniond orientation;
   Eigen::Vector3d tilt;  ///< of the increment, across the axis [rad]
   double spin;           ///< and about it [rad]
-  Vector6d increment, rate, acceleration;
   double carried_spin;   ///< the part of the rate that stays about the normal when that tilts: the spin; 0 where rates are given [rad/s]
+  Vector6d increment, rate, acceleration;
+};
+static_assert(sizeof(NodeMoves) == 36 * sizeof(double), "without a gap");
+
+/// And where it is in the hole.
+struct NodeMotion : NodeMoves
+{
   ClosestPoint closest;  ///< of hole or mast
   bool touches;          ///< the wall
 };
@@ -89,6 +99,10 @@ struct Workspace
   std::vector<SpanMotion> spans;  ///< one per element
   std::vector<GuidedMotion> guided;        ///< one per node
   std::vector<GuidedForce> guided_forces;  ///< one per element
+  StringColumns columns;   ///< the same for the batch kernels
+  const StringKernel* string;  ///< what moves nodes and adds up the free string; null: one by one, for any kind of element
+  const PlaceKernel* place;    ///< what finds them in the hole; null together with that
+  const WallKernel* wall;      ///< and the same of the wall's forces
   StageResult result;
   std::vector<double> unused;  ///< 6 per node: a residual that nobody asks for
   Profiler profiler;           ///< where the time goes; evaluate() times its parts, its callers theirs

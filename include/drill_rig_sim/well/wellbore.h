@@ -73,6 +73,10 @@ public:
   /// not.
   ClosestPoint locate(const Eigen::Vector3d& point, int segment_hint) const noexcept;
 
+  /// The segment for those who search several points at a time; null where the search from it at `point` may have to look at one of the
+  /// hole's two kinks: the line above the first node and what is beside it, the newly drilled interval and the segment above that.
+  const HoleSegment* smooth_segment(int i, const Eigen::Vector3d& point) const noexcept;
+
   /// Radius of the hole at about `point` [m], which lies in or beside `segment`: read off that segment's chord, without a search; < 0
   /// searches.
   double radius_near(const Eigen::Vector3d& point, int segment) const noexcept;

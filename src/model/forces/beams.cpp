@@ -46,15 +46,6 @@ bool guided_element(const StageContext& at, int e) noexcept
   return at.stage.guided_spans[static_cast<std::size_t>(e)].guided;
 }
 
-/// The blocks that no element writes before something is added to them.
-void clear_unwritten(const StageContext& at, BlockTridiagonal& tangent) noexcept
-{
-  tangent.diagonal(0).setZero();
-  if (!at.stage.any_guided) return;
-  for (int e = 0; e < at.model.elements(); ++e)
-    if (guided_element(at, e) && at.stage.guides[static_cast<std::size_t>(e) + 1].joined) tangent.diagonal(e + 1).setZero();
-}
-
 /// d = lower - upper. An element writes the blocks of its upper node and those between; only the first node's is there before.
 void scatter(const BeamTangent& t, int e, BlockTridiagonal& tangent) noexcept
 {
@@ -82,7 +73,7 @@ void scatter(const BeamTangent& t, int e, BlockTridiagonal& tangent) noexcept
 
 void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
-  if (tangent) clear_unwritten(at, *tangent);
+  if (tangent) clear_unwritten_blocks(at, *tangent);
   const BeamKind& kind = at.model.beam();
   BeamTangent t;
   BeamStrain strain;
@@ -151,6 +142,14 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 }  // namespace
 
 const Force beams = {"beams", Cost::elements, add, store, sample};
+
+void clear_unwritten_blocks(const StageContext& at, BlockTridiagonal& tangent) noexcept
+{
+  tangent.diagonal(0).setZero();
+  if (!at.stage.any_guided) return;
+  for (int e = 0; e < at.model.elements(); ++e)
+    if (guided_element(at, e) && at.stage.guides[static_cast<std::size_t>(e) + 1].joined) tangent.diagonal(e + 1).setZero();
+}
 
 BeamForces element_forces(const StageContext& at, int e) noexcept
 {

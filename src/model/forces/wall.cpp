@@ -82,6 +82,61 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
     if (!at.stage.guides[i].guided) add_at<force_at>(at, i, residual, tangent);
 }
 
+WallNumbers numbers_of(const WallLaw& law, double radius) noexcept
+{
+  return {law.law.stiffness, law.law.exponent, law.law.damping, law.stribeck_speed, law.static_ratio, law.tangential_stiffness,
+          law.tangential_damping, law.friction_radius > 0.0 ? law.friction_radius : radius, radius, {}};
+}
+
+/// For the batch kernel: node i, the k-th that touches.
+void enter(const StageContext& at, int i, int k, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  const NodeMotion& node = at.work.nodes[i];
+  StageResult& result = at.work.result;
+  const double before = at.start.nodes[i].rest;
+  WallNumbers& numbers = at.work.columns.wall_numbers[k];
+  numbers = numbers_of(at.model.contact(i, node.closest, before), radius_of(at, i));
+  result.rest[i] = before;
+  at.work.columns.wall_places[k] = {node.orientation.coeffs().data(), &node.closest.md, at.start.nodes[i].bristle.data(), &numbers.stiffness,
+                                    residual + 6 * i, tangent ? tangent->diagonal(i).data() : nullptr, result.forces.wall[i].data(),
+                                    result.bristle[i].data(), &result.forces.contact[i], &result.rest[i]};
+}
+
+void leave_clear(StageResult& result, int i) noexcept
+{
+  result.bristle[i].setZero();
+  result.rest[i] = 0.0;
+  result.forces.contact[i] = 0.0;
+  result.forces.wall[i].setZero();
+}
+
+/// The gauge, which turns with the motor, and unusual laws one by one.
+void add_batches(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  at.work.result.forces.bit_moment.setZero();
+  int count = 0;
+  for (int i = 0; i < at.model.top(); ++i)
+  {
+    if (at.stage.guides[i].guided) continue;
+    if (i < at.model.mesh().gauge_nodes || (at.work.nodes[i].touches && at.model.contact(i).law.exponent != 1.5))
+      add_at<sticking_force>(at, i, residual, tangent);
+    else if (at.work.nodes[i].touches)
+      enter(at, i, count++, residual, tangent);
+    else
+      leave_clear(at.work.result, i);
+  }
+  const bool exponential = at.model.scene().contact.stribeck_curve == StribeckCurve::exponential;
+  at.work.wall->add({at.work.columns.wall_places.data(), count, at.stage.dv_du, at.stage.time, exponential});
+}
+
+void add_sticking(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  if (at.work.wall)
+    add_batches(at, residual, tangent);
+  else
+    add<sticking_force>(at, residual, tangent);
+}
+
 void store(const StageContext& at, StoredEnergy& energy) noexcept
 {
   for (int i = 0; i < at.model.top(); ++i)
@@ -116,7 +171,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force wall = {"wall", Cost::contact, add<sticking_force>, store, sample};
+const Force wall = {"wall", Cost::contact, add_sticking, store, sample};
 const Force sliding_wall = {"sliding wall", Cost::contact, add<sliding_force>, nullptr, nullptr};
 
 void add_wall_at_bit(const StageContext& at, double* residual) noexcept

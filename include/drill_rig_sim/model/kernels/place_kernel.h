@@ -1,0 +1,57 @@
+#ifndef DRILL_RIG_SIM_MODEL_KERNELS_PLACE_KERNEL_H
+#define DRILL_RIG_SIM_MODEL_KERNELS_PLACE_KERNEL_H
+
+#include <cstddef>
+
+#include "drill_rig_sim/math/kernel.h"
+#include "drill_rig_sim/math/number_columns.h"
+
+/// Where in the hole nodes and elements' middles are, several at a time: Wellbore::locate() from the segment of the start, for those that are
+/// beside that segment, and wall_gap() there.
+namespace drill_rig_sim
+{
+struct ClosestPoint;
+
+/// What a search has found.
+enum class Place : unsigned char
+{
+  clear,   ///< of the wall
+  touches,
+  search   ///< nothing, the search must be done singly
+};
+
+struct PlaceTask
+{
+  int count;
+  const NumberColumns* columns;
+  int position;  ///< the first of its three columns
+  int radius;    ///< column of the sections' radii
+  /// Of each its HoleSegment's numbers, in the segment's order; null: to be searched singly. Room for a batch behind the last.
+  const double* const* segments;
+  /// Overwritten but for segment and iterations, of batches in which one touches; `closest_stride` bytes apart.
+  ClosestPoint* closest;
+  std::ptrdiff_t closest_stride;
+  Place* places;  ///< room for a batch behind the last
+};
+
+/// Middles of the elements on their cubics (SpanMotion), from the nodes' columns.
+struct MiddleTask
+{
+  int count;
+  const NumberColumns* nodes;
+  NumberColumns* elements;
+};
+
+/// A kernel's.
+struct PlaceKernel
+{
+  void (*find)(const PlaceTask& task) noexcept;
+  void (*find_middles)(const MiddleTask& task) noexcept;
+};
+
+/// Null: there is none, and one by one is the way.
+const PlaceKernel* place_kernel(Kernel kernel) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif

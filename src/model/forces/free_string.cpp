@@ -1,0 +1,54 @@
+#include "drill_rig_sim/model/forces/free_string.h"
+
+#include "drill_rig_sim/model/forces/beams.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+/// Calls run() with the task on each stretch of elements whose ends are not both guided.
+template <class Run>
+void for_each_free_run(const Stage& stage, StringTask& task, const Run& run)
+{
+  const int elements = static_cast<int>(stage.guided_spans.size());
+  const auto guided = [&](int e) { return stage.any_guided && stage.guided_spans[static_cast<std::size_t>(e)].guided; };
+  for (task.first = 0; task.first < elements; task.first = task.last + 1)
+  {
+    task.last = task.first;
+    while (task.last < elements && !guided(task.last)) ++task.last;
+    if (task.last > task.first) run();
+  }
+}
+
+StringTask task_of(const StageContext& at, double* residual) noexcept
+{
+  StringColumns& columns = at.work.columns;
+  columns.take_stage(at.stage);
+  return {0, 0, &columns.nodes, &columns.elements, at.stage.structural_damping, at.stage.dv_du, at.stage.da_du, residual, nullptr, nullptr, nullptr};
+}
+
+void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  if (tangent) clear_unwritten_blocks(at, *tangent);
+  StringTask task = task_of(at, residual);
+  if (tangent)
+  {
+    task.diagonal = tangent->diagonal(0).data();
+    task.upper = tangent->upper(0).data();
+    task.lower = tangent->lower(0).data();
+  }
+  for_each_free_run(at.stage, task, [&] { at.work.string->add(task); });
+}
+}  // namespace
+
+const Force free_string = {"free string", Cost::elements, add, nullptr, nullptr};
+
+void find_free_forces(const StageContext& at) noexcept
+{
+  RigForces& out = at.work.result.forces;
+  const StringForces to{out.tension.data(), out.torque.data(), out.bending_moment.data()};
+  StringTask task = task_of(at, nullptr);
+  for_each_free_run(at.stage, task, [&] { at.work.string->find_forces(task, to); });
+}
+
+}  // namespace drill_rig_sim
