@@ -5,21 +5,20 @@ import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 from drill_rig_sim.msg import RigState
 from drill_rig_sim.srv import StepSimulation
-from processes import NAMESPACE, Hog, Listener, Node, stop, wait_for
+from processes import Hog, Listener, Node, stop, wait_for
 from std_srvs.srv import Trigger
-
-NODE = NAMESPACE + '/rig_simulator'
 
 
 class Diagnostics:
     """The node's numbers as they come, once a wall second."""
 
-    def __init__(self):
+    def __init__(self, node):
+        self.name = node.namespace[1:] + '/rig_simulator:'
         self.all = []
         self.subscriber = rospy.Subscriber('/diagnostics', DiagnosticArray, self.take)
 
     def take(self, message):
-        values = {pair.key: pair.value for status in message.status for pair in status.values if status.name.startswith(NODE[1:] + ':')}
+        values = {pair.key: pair.value for status in message.status for pair in status.values if status.name.startswith(self.name)}
         if values:
             values['slow'] = any('slower than asked' in status.message for status in message.status)
             self.all.append(values)
@@ -40,7 +39,7 @@ def started(args, **more):
     def runs():
         if node.process.poll() is not None:
             raise RuntimeError('the node has ended: ' + node.said())
-        return '/'.join((NAMESPACE, 'pause')) in dict((name, None) for name, _ in rospy.get_master().getSystemState()[2][2])
+        return node.namespace + '/pause' in [name for name, _ in rospy.get_master().getSystemState()[2][2]]
     wait_for(runs, 'the node')
     return node
 
@@ -59,12 +58,12 @@ def numbers(message):
     return values
 
 
-def paused_state():
+def paused_state(node):
     """(stamp [ns], truth) of the rig, which stands from then on."""
     states = []
-    subscriber = rospy.Subscriber(NAMESPACE + '/truth/rig_state', RigState, states.append)
+    subscriber = rospy.Subscriber(node.namespace + '/truth/rig_state', RigState, states.append)
     wait_for(lambda: states, 'truth/rig_state')
-    rospy.ServiceProxy(NAMESPACE + '/pause', Trigger)()
+    rospy.ServiceProxy(node.namespace + '/pause', Trigger)()
     last = wait_for(lambda: [m for m in states if m.run_state == RigState.PAUSED], 'a paused state')[-1]
     subscriber.unregister()
     return last.header.stamp.to_nsec(), numbers(last)
@@ -73,20 +72,22 @@ def paused_state():
 def lockstep_state(args, stamp):
     """The truth at this stamp [ns] where nothing but the number of frames matters."""
     node = started(args, clock='lockstep')
+    subscriber, states = None, []
     try:
-        step = rospy.ServiceProxy(NAMESPACE + '/step', StepSimulation, persistent=True)
+        step = rospy.ServiceProxy(node.namespace + '/step', StepSimulation)
         frames = round(1e-9 * stamp * args.rate) - 1  # the first stamp is the start
         while frames > 1:
             part = min(frames - 1, 50000)
             step(frames=part)
             frames -= part
-        states = []
-        subscriber = rospy.Subscriber(NAMESPACE + '/truth/rig_state', RigState, states.append)
+        subscriber = rospy.Subscriber(node.namespace + '/truth/rig_state', RigState, states.append)
         wait_for(lambda: subscriber.get_num_connections() > 0, 'truth/rig_state')
         time.sleep(0.5)  # the publisher may take the connection up later
         step(frames=1)
         return numbers(wait_for(lambda: [m for m in states if m.header.stamp.to_nsec() == stamp], 'the state in lockstep')[-1])
     finally:
+        if subscriber:
+            subscriber.unregister()
         stop(node.process)
 
 
@@ -111,8 +112,8 @@ def watch(args, node, diagnostics):
 def measured(args, name, parameters):
     """All that is known of a node with these parameters in real time."""
     node = started(args, **parameters)
-    listener = Listener(args.listener, round(1e9 / args.rate))
-    diagnostics = Diagnostics()
+    listener = Listener(args.listener, node, round(1e9 / args.rate))
+    diagnostics = Diagnostics(node)
     try:
         before, cpu = diagnostics.next(), node.cpu()
         watched = watch(args, node, diagnostics)
@@ -120,7 +121,7 @@ def measured(args, name, parameters):
         result = {'name': name, 'last': after, 'phases': watched, 'frames': int(after['frames']) - int(before['frames'])}
         result['cpu'] = {kind: spent[kind] - cpu.get(kind, 0.0) for kind in spent}
         if args.hog:
-            result['stamp'], result['truth'] = paused_state()
+            result['stamp'], result['truth'] = paused_state(node)
     finally:
         diagnostics.end()
         topics = listener.end()

@@ -8,7 +8,6 @@ import time
 import xmlrpc.client
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-NAMESPACE = '/rig'
 PATIENCE = 60.0  # wall seconds that anything may take on a loaded machine
 # offset of the stamp in the message [bytes], of those that come with every frame
 STAMPED = {'rig_state': 4, 'truth/rig_state': 4, 'joint_states': 4, 'bit/pose': 4, 'bit/twist': 4, 'bit/wrench': 4, '/clock': 0}
@@ -67,12 +66,15 @@ class Master:
 
 
 class Node:
-    """The node in the namespace of the rig, with private parameters."""
+    """The node, with private parameters, in a namespace that none has had before: rospy may miss a node that comes back under an old name."""
+    count = 0
 
     def __init__(self, program, parameters):
+        Node.count += 1
+        self.namespace = '/rig_%d' % Node.count
         self.output = tempfile.TemporaryFile('w+')
         words = ['_%s:=%s' % (name, value) for name, value in parameters.items()]
-        self.process = subprocess.Popen([program, '__ns:=' + NAMESPACE] + words, stdout=self.output, stderr=subprocess.STDOUT)
+        self.process = subprocess.Popen([program, '__ns:=' + self.namespace] + words, stdout=self.output, stderr=subprocess.STDOUT)
 
     def said(self):
         self.output.seek(0)
@@ -95,18 +97,19 @@ class Node:
 
 
 class Listener:
-    """One process that subscribes to all topics of the rig."""
+    """One process that subscribes to all topics of a node."""
 
-    def __init__(self, program, period):
+    def __init__(self, program, node, period):
+        self.prefix = node.namespace + '/'
         topics = ['%s=%d' % (name, offset) for name, offset in STAMPED.items()] + list(OTHERS)
-        words = [name if name.startswith('/') else NAMESPACE + '/' + name for name in topics]
+        words = [name if name.startswith('/') else self.prefix + name for name in topics]
         self.process = subprocess.Popen([program, str(period)] + words, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
 
     def end(self):
         """{topic: (received, missing)}, without the rig's namespace."""
         stop(self.process)
         rows = [line.split() for line in self.process.stdout.read().splitlines()]
-        return {name.replace(NAMESPACE + '/', ''): (int(received), int(missing)) for name, received, missing in rows}
+        return {name.replace(self.prefix, ''): (int(received), int(missing)) for name, received, missing in rows}
 
 
 class Hog:
