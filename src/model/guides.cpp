@@ -177,6 +177,7 @@ double guided_length(const State& state, std::size_t e) noexcept
 void find_guides(const Model& model, const State& state, Stage& stage) noexcept
 {
   const std::size_t n = state.nodes.size();
+  stage.sides_stay = model.scene().numerics.level == Level::rigid && stage.time > 0.0;
   stage.any_guided = false;
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -222,7 +223,7 @@ void expand_motions(const Stage& stage, Workspace& work) noexcept
 void commit_guided(const Stage& stage, const Workspace& work, State& state) noexcept
 {
   if (!stage.any_guided) return;
-  const double follows = stage.time > 0.0 ? -std::expm1(-stage.time / kSettles) : kAtOnce;
+  const double follows = stage.sides_stay ? 0.0 : stage.time > 0.0 ? -std::expm1(-stage.time / kSettles) : kAtOnce;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const Guide& guide = stage.guides[i];
