@@ -62,6 +62,7 @@ void expect_same(const Scene& scene, const Rig& rig)
   for (const Kernel kernel : wide_kernels())
   {
     Twin twin(scene, kernel, rig);
+    ASSERT_NE(twin.problem.work.string, nullptr) << name_of(kernel);
     const System system = system_of(twin.problem, u);
     double worst_force = 0.0, worst_stiffness = 0.0;
     for (int row = 0; row < expected.residual.size(); ++row)
@@ -77,15 +78,20 @@ void expect_same(const Scene& scene, const Rig& rig)
 }
 
 /// Lowered and turned a while by the scalar kernel.
-Rig turned(Scene scene, double seconds)
+struct Turned : Rig
 {
-  scene.numerics.kernel = Kernel::scalar;
-  Rig rig(scene);
-  rig.setpoints.winch = {-0.1, false};
-  rig.setpoints.top_drive.speed = 60.0 * rpm;
-  rig.run(seconds);
-  return rig;
-}
+  Turned(const Scene& scene, double seconds) : Rig(by_scalar(scene))
+  {
+    setpoints.winch = {-0.1, false};
+    setpoints.top_drive.speed = 60.0 * rpm;
+    run(seconds);
+  }
+  static Scene by_scalar(Scene scene)
+  {
+    scene.numerics.kernel = Kernel::scalar;
+    return scene;
+  }
+};
 }  // namespace
 
 // Strings of lengths that leave every number of elements over for the last batch.
@@ -95,12 +101,103 @@ TEST(ModelKernels, stringsOfAnyLength)
   {
     const Scene scene = slanted_scene(depth, 0.3);
     SCOPED_TRACE(depth);
-    expect_same(scene, turned(scene, 1.0));
+    expect_same(scene, Turned(scene, 1.0));
   }
 }
 
 TEST(ModelKernels, bentAndWithGaugeInACurvedHole)
 {
   const Scene scene = scene_in(build_and_hold(0.0, 0.1 * degree, 40.0 * degree, 2.0, 400.0), 400.0, 300.0, 0.3);
-  expect_same(scene, turned(scene, 1.0));
+  expect_same(scene, Turned(scene, 1.0));
+}
+
+TEST(ModelKernels, drillingWithABentMotor)
+{
+  const Scene scene = motor_drilling_scene(0.02);
+  expect_same(scene, Turned(scene, 1.0));
+}
+
+TEST(ModelKernels, slidingWithGrownFrictionInSectionsOfTheirOwn)
+{
+  for (const StribeckCurve curve : {StribeckCurve::gaussian, StribeckCurve::exponential})
+  {
+    Scene scene = slanted_scene(60.0, 0.3);
+    scene.contact.static_ratio = 1.3;
+    scene.contact.stribeck_curve = curve;
+    scene.contact.growth.per_fold = 0.05;
+    HoleSection upper = scene.well.sections[0];
+    upper.to = 30.0;
+    upper.friction = 0.2;
+    upper.stribeck_speed = 0.2;
+    scene.well.sections.insert(scene.well.sections.begin(), upper);
+    expect_same(scene, Turned(scene, 0.2));  // begins to slip
+    expect_same(scene, Turned(scene, 3.0));
+  }
+}
+
+// Pipe above, or all of it: the kernels take the free stretch and leave the guided one.
+TEST(ModelKernels, withGuidedPipeAbove)
+{
+  Scene scene = slanted_scene(110.0, 0.3);
+  scene.numerics.level = Level::hybrid;
+  scene.numerics.free_length = 40.0;
+  expect_same(scene, Turned(scene, 1.0));
+}
+
+// Half a turn in one step.
+TEST(ModelKernels, turnedFar)
+{
+  const Scene scene = slanted_scene(60.0, 0.3);
+  const Turned rig(scene, 1.0);
+  for (const double turn : {0.3, 2.0, 4.0})
+  {
+    VectorXd u = VectorXd::Zero(6 * rig.rest.model->nodes());
+    for (int i = 0; i < rig.rest.model->nodes(); ++i)
+      u.segment<3>(6 * i + 3) = (turn + 0.01 * i) * x_axis(rig.rest.state.nodes[i].orientation) + Vector3d(0.0, 0.01, -0.02);
+    Twin scalar(scene, Kernel::scalar, rig);
+    VectorXd residual(u.size());
+    scalar.problem.at(u, residual, nullptr);
+    for (const Kernel kernel : wide_kernels())
+    {
+      Twin twin(scene, kernel, rig);
+      twin.problem.at(u, residual, nullptr);
+      for (int i = 0; i < rig.rest.model->nodes(); ++i)
+      {
+        const NodeMotion &a = scalar.problem.work.nodes[i], &b = twin.problem.work.nodes[i];
+        EXPECT_LT((a.orientation.coeffs() - b.orientation.coeffs()).norm(), 1e-14) << name_of(kernel) << ", " << turn;
+        EXPECT_LT((a.normal - b.normal).norm(), 1e-14) << name_of(kernel);
+      }
+    }
+  }
+}
+
+TEST(ModelKernels, forcesAlongTheString)
+{
+  const Scene scene = motor_drilling_scene(0.02);
+  const Turned rig(scene, 1.0);
+  VectorXd u(6 * rig.rest.model->nodes());
+  predict(rig.rest.state, tangent_step, u.data());
+  Twin scalar(scene, Kernel::scalar, rig);
+  update(scalar.problem.model, scalar.problem.start, scalar.problem.stage, u.data(), scalar.problem.work);
+  find_string_forces(scalar.problem.model, scalar.problem.start, scalar.problem.stage, scalar.problem.work);
+  const RigForces& expected = scalar.problem.work.result.forces;
+  for (const Kernel kernel : wide_kernels())
+  {
+    Twin twin(scene, kernel, rig);
+    update(twin.problem.model, twin.problem.start, twin.problem.stage, u.data(), twin.problem.work);
+    find_string_forces(twin.problem.model, twin.problem.start, twin.problem.stage, twin.problem.work);
+    const RigForces& forces = twin.problem.work.result.forces;
+    for (std::size_t e = 0; e < expected.tension.size(); ++e)
+    {
+      EXPECT_NEAR(forces.tension[e], expected.tension[e], 1e-5) << name_of(kernel);
+      EXPECT_NEAR(forces.torque[e], expected.torque[e], 1e-6) << name_of(kernel);
+      EXPECT_NEAR(forces.bending_moment[e + 1], expected.bending_moment[e + 1], 1e-5) << name_of(kernel);
+    }
+  }
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
 }
