@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The node as a process: one line at the start, the end by a signal whatever it is doing, and what it says of other nodes' clocks."""
 import os
+import re
 import signal
 import subprocess
 import tempfile
@@ -202,6 +203,18 @@ class Process(unittest.TestCase):
         def found(messages):
             return [s for m in messages for s in m.status if s.name == node.name[1:] + ": time" and wanted(s)]
         return {pair.key: pair.value for pair in found(diagnostics.wait_until(found))[0].values}
+
+    def test_it_knows_its_own_clock_without_listening_to_it(self):
+        node = self.start("alone", "clock:=lockstep")
+        rig = Rig("alone")
+        state = rig.advance(50)
+        subscribers = dict(rosgraph.Master(rospy.get_name()).getSystemState()[1]).get("/clock", [])
+        self.assertNotIn(node.name, subscribers)
+        self.assertFalse(rig.restore_state("never saved", "").success)
+        wait_until(lambda: [line for line in node.said() if "WARN" in line], "a warning")
+        told = [re.search(r"\[\d+\.\d+, (\d+\.\d+)\]", line) for line in node.said() if "WARN" in line]
+        self.assertEqual([state.header.stamp.to_sec()], [float(match.group(1)) for match in told])  # the time of its log
+        self.ends_cleanly(node, signal.SIGTERM)
 
     def test_two_clocks_are_noticed(self):
         first = self.start("first")
