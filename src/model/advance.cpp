@@ -20,14 +20,28 @@ NodeRate split(const NodeMotion& node, const Vector6d& vector) noexcept
   return {vector.head<3>(), carried(node, vector.tail<3>() - spin * node.axis), spin};
 }
 
+namespace
+{
+/// The rates of all nodes by the batch kernel. False: it is not there, or not for these.
+bool split_rates(const Workspace& work, State& state) noexcept
+{
+  if (!work.history || work.columns.any_guided) return false;
+  const double *moves = work.nodes[0].orientation.coeffs().data(), *rate = work.nodes[0].rate.data();
+  work.history->split(static_cast<int>(work.nodes.size()), {moves, sizeof(NodeMotion)}, static_cast<int>(rate - moves),
+                      {state.nodes[0].rate.velocity.data(), sizeof(NodeState)});
+  return true;
+}
+}  // namespace
+
 void commit(const Stage& stage, const Workspace& work, State& state) noexcept
 {
+  const bool rates_are_there = split_rates(work, state);
   for (std::size_t i = 0; i < work.nodes.size(); ++i)
   {
     const NodeMotion& motion = work.nodes[i];
     NodeState& node = state.nodes[i];
-    if (stage.guides[i].guided) continue;
-    node.rate = split(motion, motion.rate);
+    if (stage.any_guided && stage.guides[i].guided) continue;
+    if (!rates_are_there) node.rate = split(motion, motion.rate);
     node.position = motion.position;
     node.spin_angle += motion.spin;
     node.orientation = motion.orientation.normalized();
@@ -35,7 +49,7 @@ void commit(const Stage& stage, const Workspace& work, State& state) noexcept
   }
   commit_guided(stage, work, state);
   for (std::size_t e = 0; e < work.spans.size(); ++e)
-    if (!stage.guided_spans[e].guided) state.spans[e].segment = work.spans[e].closest.segment;
+    if (!(stage.any_guided && stage.guided_spans[e].guided)) state.spans[e].segment = work.spans[e].closest.segment;
 }
 
 void advance_static(const Workspace& work, State& state) noexcept

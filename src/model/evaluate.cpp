@@ -51,7 +51,7 @@ void move_free_nodes(const State& start, const Stage& stage, const double* u, in
 {
   const NodeState& before = start.nodes[static_cast<std::size_t>(first)];
   NodeMotion& node = work.nodes[static_cast<std::size_t>(first)];
-  work.string->move({first, last, u + 6 * first, stage.rate[static_cast<std::size_t>(first)].data(),
+  work.motion->move({first, last, u + 6 * first, stage.rate[static_cast<std::size_t>(first)].data(),
                     stage.acceleration[static_cast<std::size_t>(first)].data(), stage.dv_du, stage.da_du, before.position.data(),
                     before.orientation.coeffs().data(), sizeof(NodeState), node.orientation.coeffs().data(), sizeof(NodeMotion),
                     &work.columns.nodes});
@@ -62,6 +62,8 @@ void move_batches(const State& start, const Stage& stage, const double* u, Works
 {
   const int nodes = static_cast<int>(work.nodes.size());
   work.columns.moved = true;
+  work.columns.any_guided = stage.any_guided;
+  if (!stage.any_guided) return move_free_nodes(start, stage, u, 0, nodes, work);
   for (int first = 0; first < nodes;)
   {
     int last = first;
@@ -163,7 +165,8 @@ void find_nodes(const Model& model, const State& start, const Stage& stage, Work
   for (int i = 0; i < model.nodes(); ++i)
   {
     const MeshNode& node = model.mesh().nodes[i];
-    const bool singly = i == model.top() || stage.guides[i].guided || i < model.mesh().gauge_nodes || node.squeeze_film_damping > 0.0;
+    const bool guided = stage.any_guided && stage.guides[i].guided;
+    const bool singly = i == model.top() || guided || i < model.mesh().gauge_nodes || node.squeeze_film_damping > 0.0;
     columns.segments[i] = singly ? nullptr : numbers_of(start.well.smooth_segment(start.nodes[i].segment, work.nodes[i].position));
   }
   work.place->find({model.nodes(), &columns.nodes, node_column::position, node_column::contact_radius, columns.segments.data(),
@@ -171,7 +174,8 @@ void find_nodes(const Model& model, const State& start, const Stage& stage, Work
   for (int i = 0; i < model.nodes(); ++i)
   {
     NodeMotion& node = work.nodes[i];
-    if (columns.places[i] == Place::search)
+    const bool in_mast = start.nodes[i].segment == 0 && clear_in_mast(start.well, node.position, model.mesh().nodes[i].contact_radius);
+    if (columns.places[i] == Place::search && !in_mast)
     {
       find_closest(model, start, stage, i, node);
       continue;
@@ -190,16 +194,17 @@ void find_spans(const Model& model, const State& start, const Stage& stage, Work
   const double *x = elements[element_column::middle], *y = elements[element_column::middle + 1], *z = elements[element_column::middle + 2];
   for (int e = 0; e < model.elements(); ++e)
   {
-    const bool singly = stage.guided_spans[e].guided || model.mesh().elements[e].bend != 0.0;
+    const bool singly = (stage.any_guided && stage.guided_spans[e].guided) || model.mesh().elements[e].bend != 0.0;
     columns.segments[e] = singly ? nullptr : numbers_of(start.well.smooth_segment(start.spans[e].segment, {x[e], y[e], z[e]}));
   }
   work.place->find({model.elements(), &elements, element_column::middle, element_column::radius, columns.segments.data(),
                     &work.spans[0].closest, sizeof(SpanMotion), columns.places.data()});
   for (int e = 0; e < model.elements(); ++e)
   {
-    if (stage.guided_spans[e].guided) continue;
+    if (stage.any_guided && stage.guided_spans[e].guided) continue;
     SpanMotion& span = work.spans[e];
-    if (columns.places[e] == Place::search)
+    const bool in_mast = start.spans[e].segment == 0 && clear_in_mast(start.well, {x[e], y[e], z[e]}, elements[element_column::radius][e]);
+    if (columns.places[e] == Place::search && !in_mast)
     {
       find_span(model, start, stage, e, work);
       continue;
@@ -248,8 +253,8 @@ void evaluate_list(const std::array<const Force*, N>& forces, const Model& model
   if (tangent) ++work.work.tangents;
   std::fill(residual, residual + 6 * model.nodes(), 0.0);
   if (tangent)
-    for (int i = 0; i < model.nodes(); ++i) tangent->set_small(i, stage.guides[i].guided);
-  if (work.string)
+    for (int i = 0; i < model.nodes(); ++i) tangent->set_small(i, stage.any_guided && stage.guides[i].guided);
+  if (work.motion)
     move_batches(start, stage, u, work);
   else
     move_nodes(start, stage, u, work);
@@ -271,9 +276,11 @@ Workspace::Workspace(const Model& model)
     guided(nodes.size()),
     guided_forces(spans.size()),
     columns(model),
+    motion(motion_kernel(kernel_of(model))),
     string(string_kernel(kernel_of(model))),
     place(place_kernel(kernel_of(model))),
     wall(wall_kernel(kernel_of(model))),
+    history(history_kernel(kernel_of(model))),
     unused(6 * nodes.size(), 0.0)
 {
   result.bristle.assign(nodes.size(), Vector3d::Zero());
@@ -327,7 +334,8 @@ void find_string_forces(const Model& model, const State& start, const Stage& sta
 {
   RigForces& out = work.result.forces;
   const StageContext at{model, start, stage, work};
-  if (work.string && work.columns.moved) find_free_forces(at);
+  const bool batched = moved_in_batches(at);
+  if (batched) find_free_forces(at);
   for (int e = 0; e < model.elements(); ++e)
   {
     if (stage.guided_spans[e].guided)
@@ -335,7 +343,7 @@ void find_string_forces(const Model& model, const State& start, const Stage& sta
       find_guided_forces(model, stage, e, work);
       continue;
     }
-    if (work.string && work.columns.moved) continue;
+    if (batched) continue;
     const BeamForces f = element_forces(at, e);
     const MeshElement& element = model.mesh().elements[e];
     const NodeMotion& upper = work.nodes[e + 1];
@@ -356,6 +364,7 @@ void evaluate_motion(const Model& model, const State& start, const Stage& stage,
   std::fill(contact, contact + 6 * model.nodes(), 0.0);
   for (std::size_t i = 0; i < work.nodes.size(); ++i) place(motion.nodes[i], work.nodes[i]);
   work.columns.moved = false;
+  work.columns.any_guided = true;  // nobody knows
   for (int e = 0; e < model.elements(); ++e) find_span(model, start, stage, e, work);
   work.profiler.lap(Cost::kinematics);
   const StageContext at{model, start, stage, work};

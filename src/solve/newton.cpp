@@ -12,16 +12,11 @@ namespace
 {
 constexpr double kServes = 0.2;  // a kept tangent whose increments shrink less than this is made anew
 
+/// Not a number if one of them is not finite.
 double largest(const std::vector<double>& values) noexcept
 {
-  double most = 0.0;
-  for (double value : values)
-  {
-    const double size = std::abs(value);
-    if (!(size <= most)) most = size;  // keeps a NaN
-    if (!(most < 1e300)) return most;
-  }
-  return most;
+  const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+  return all.abs().maxCoeff() + (all - all).sum();
 }
 }  // namespace
 

@@ -13,6 +13,9 @@ constexpr double mast_opening = 0.6;  ///< [m/m]
 /// and nothing jumps where it passes the table. `closest`: as found by Wellbore::locate(); elsewhere nothing changes.
 void open_mast(ClosestPoint& closest) noexcept;
 
+/// Whether a section of `radius` [m] about `point` above the table is clear of the mast for sure: it is even of a hole as wide as the table's bore.
+bool clear_in_mast(const Wellbore& well, const Eigen::Vector3d& point, double radius) noexcept;
+
 }  // namespace drill_rig_sim
 
 #endif

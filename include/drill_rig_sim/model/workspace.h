@@ -8,6 +8,8 @@
 #include "drill_rig_sim/contact/bit_bottom.h"
 #include "drill_rig_sim/contact/wall_contact.h"
 #include "drill_rig_sim/model/guides.h"
+#include "drill_rig_sim/model/kernels/history_kernel.h"
+#include "drill_rig_sim/model/kernels/motion_kernel.h"
 #include "drill_rig_sim/model/kernels/place_kernel.h"
 #include "drill_rig_sim/model/kernels/string_columns.h"
 #include "drill_rig_sim/model/kernels/string_kernel.h"
@@ -100,9 +102,12 @@ struct Workspace
   std::vector<GuidedMotion> guided;        ///< one per node
   std::vector<GuidedForce> guided_forces;  ///< one per element
   StringColumns columns;   ///< the same for the batch kernels
-  const StringKernel* string;  ///< what moves nodes and adds up the free string; null: one by one, for any kind of element
-  const PlaceKernel* place;    ///< what finds them in the hole; null together with that
-  const WallKernel* wall;      ///< and the same of the wall's forces
+  // batch kernels of the free string; all null: one by one, for any kind of element
+  const MotionKernel* motion;
+  const StringKernel* string;
+  const PlaceKernel* place;
+  const WallKernel* wall;
+  const HistoryKernel* history;
   StageResult result;
   std::vector<double> unused;  ///< 6 per node: a residual that nobody asks for
   Profiler profiler;           ///< where the time goes; evaluate() times its parts, its callers theirs

@@ -1,6 +1,7 @@
 #include "drill_rig_sim/model/forces/beams.h"
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/forces/free_string.h"
 
 namespace drill_rig_sim
 {
@@ -106,6 +107,7 @@ double weight_potential(const StageContext& at, int e, const BeamPose& pose) noe
 
 void store(const StageContext& at, StoredEnergy& energy) noexcept
 {
+  if (moved_in_batches(at)) return store_free_string(at, energy);
   for (int e = 0; e < at.model.elements(); ++e)
   {
     if (guided_element(at, e)) continue;
@@ -127,6 +129,7 @@ void add_to_ends(EnergySample& sample, NodeForce kind, int e, const BeamForces& 
 /// The same element without damping and load is the elastic part; what damping adds is the rest.
 void sample(const StageContext& at, EnergySample& sample) noexcept
 {
+  if (moved_in_batches(at)) return sample_free_string(at, sample);
   const BeamKind& kind = at.model.beam();
   BeamStrain strain;
   for (int e = 0; e < at.model.elements(); ++e)

@@ -51,4 +51,24 @@ void find_free_forces(const StageContext& at) noexcept
   for_each_free_run(at.stage, task, [&] { at.work.string->find_forces(task, to); });
 }
 
+void store_free_string(const StageContext& at, StoredEnergy& energy) noexcept
+{
+  StringTask task = task_of(at, nullptr);
+  for_each_free_run(at.stage, task,
+                    [&]
+                    {
+                      const StringEnergy stored = at.work.string->stored(task);
+                      energy.beams += stored.beams;
+                      energy.weight += stored.weight;
+                    });
+}
+
+void sample_free_string(const StageContext& at, EnergySample& sample) noexcept
+{
+  double* elastic = at_node(sample, NodeForce::beams, 0).data();
+  double* damping = at_node(sample, NodeForce::structural, 0).data();
+  StringTask task = task_of(at, nullptr);
+  for_each_free_run(at.stage, task, [&] { at.work.string->sample(task, elastic, damping); });
+}
+
 }  // namespace drill_rig_sim

@@ -54,7 +54,7 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   {
     const SpanMotion& span = at.work.spans[e];
     WallForce f;
-    if (!at.stage.guided_spans[e].guided && span.touches)
+    if (span.touches && !at.stage.guided_spans[e].guided)
     {
       f = force_at(at, e, tangent ? &block : nullptr);
       at_node(residual, e) -= share(span.lower_arm, f.force, f.moment);

@@ -10,7 +10,8 @@ namespace
 /// [N s/m]; 0 where there is none.
 double damping_of(const StageContext& at, int i) noexcept
 {
-  return at.work.nodes[i].position.z() < 0.0 ? at.model.mesh().nodes[i].squeeze_film_damping : 0.0;
+  const double damping = at.model.mesh().nodes[i].squeeze_film_damping;
+  return damping > 0.0 && at.work.nodes[i].position.z() < 0.0 ? damping : 0.0;
 }
 
 Matrix3d across_hole(const NodeMotion& node) noexcept
@@ -20,9 +21,9 @@ Matrix3d across_hole(const NodeMotion& node) noexcept
 
 void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* tangent) noexcept
 {
-  if (at.stage.guides[i].guided) return;
   const double damping = damping_of(at, i);
   if (damping <= 0.0) return;
+  if (at.stage.guides[i].guided) return;
   const NodeMotion& node = at.work.nodes[i];
   const Matrix3d across = across_hole(node);
   at_node(residual, i).head<3>() += damping * (across * node.rate.head<3>());

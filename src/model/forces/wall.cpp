@@ -117,7 +117,7 @@ void add_batches(const StageContext& at, double* residual, BlockTridiagonal* tan
   int count = 0;
   for (int i = 0; i < at.model.top(); ++i)
   {
-    if (at.stage.guides[i].guided) continue;
+    if (at.stage.any_guided && at.stage.guides[i].guided) continue;
     if (i < at.model.mesh().gauge_nodes || (at.work.nodes[i].touches && at.model.contact(i).law.exponent != 1.5))
       add_at<sticking_force>(at, i, residual, tangent);
     else if (at.work.nodes[i].touches)

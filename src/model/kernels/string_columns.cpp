@@ -56,10 +56,18 @@ void StringColumns::take_stage(const Stage& stage) noexcept
 {
   const std::size_t count = stage.normal.size();
   double *free = nodes[node_column::free], *immersed = nodes[node_column::immersed], *added = nodes[node_column::added_mass];
-  for (std::size_t i = 0; i < count; ++i) free[i] = stage.guides[i].guided ? 0.0 : 1.0;
-  for (std::size_t i = 0; i < count; ++i) immersed[i] = free[i] * stage.immersed[i];
-  for (std::size_t i = 0; i < count; ++i) added[i] = free[i] * stage.added_mass[i];
-  for (std::size_t e = 0; e < stage.load.size(); ++e) put(elements, element_column::load, static_cast<int>(e), stage.load[e]);
+  std::fill(free, free + count, 1.0);
+  std::copy(stage.immersed.begin(), stage.immersed.end(), immersed);
+  std::copy(stage.added_mass.begin(), stage.added_mass.end(), added);
+  for (std::size_t i = 0; stage.any_guided && i < count; ++i)
+    if (stage.guides[i].guided) free[i] = immersed[i] = added[i] = 0.0;
+  double *x = elements[element_column::load], *y = elements[element_column::load + 1], *z = elements[element_column::load + 2];
+  for (std::size_t e = 0; e < stage.load.size(); ++e)
+  {
+    x[e] = stage.load[e].x();
+    y[e] = stage.load[e].y();
+    z[e] = stage.load[e].z();
+  }
   std::copy(stage.free_stretch.begin(), stage.free_stretch.end(), elements[element_column::free_stretch]);
 }
 

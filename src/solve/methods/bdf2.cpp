@@ -11,20 +11,82 @@ namespace
 {
 constexpr int last_increment = 1;  // u_-
 
+bool remembers(double ratio) noexcept
+{
+  return ratio > 0.0 && ratio < 2.3;
+}
+
+/// The formula for steps of length h after h_-.
+struct Coefficients
+{
+  double c, p, q;
+
+  Coefficients(double step, double ratio)
+    : c((1.0 + 2.0 * ratio) / ((1.0 + ratio) * step)), p(ratio * ratio / ((1.0 + ratio) * step)), q((1.0 + ratio) / step)
+  {
+  }
+};
+
+double ratio_of(const State& state, double step) noexcept
+{
+  return state.memory.last_step > 0.0 ? step / state.memory.last_step : 0.0;
+}
+
+/// Rates and accelerations that do not follow from u, node by node.
+void prepare_nodes(const State& state, const Coefficients& by, Stage& stage) noexcept
+{
+  const PastQuantity &increment = state.memory.past[last_increment], &rate = state.memory.past[last_rate];
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+  {
+    const Eigen::Vector3d& n = stage.normal[i];
+    stage.rate[i] = -by.p * in_step_axes(increment.nodes[i], n);
+    stage.acceleration[i] = by.c * stage.rate[i] + by.p * in_step_axes(rate.nodes[i], n) - by.q * in_step_axes(state.nodes[i].rate, n);
+  }
+}
+
+/// The same by the batch kernel.
+void prepare_batches(const HistoryKernel& history, const State& state, const Coefficients& by, Stage& stage) noexcept
+{
+  const auto past = [&state](int k)
+  { return NumberRows<const double>{state.memory.past[static_cast<std::size_t>(k)].nodes[0].velocity.data(), sizeof(NodeRate)}; };
+  const NodeState& first = state.nodes[0];
+  history.find_rates({static_cast<int>(state.nodes.size()),
+                      {first.orientation.coeffs().data(), sizeof(NodeState)},
+                      {past(last_increment), past(last_rate), {first.rate.velocity.data(), sizeof(NodeState)}},
+                      {-by.p, 0.0, 0.0},
+                      {-by.c * by.p, by.p, -by.q},
+                      stage.rate[0].data(),
+                      stage.acceleration[0].data()});
+}
+
+void prepare(const State& state, double step, const HistoryKernel* history, Stage& stage) noexcept
+{
+  const double ratio = ratio_of(state, step);
+  if (!remembers(ratio))
+  {
+    prepare_implicit_euler(state, step, stage);
+    return;
+  }
+  const Coefficients by(step, ratio);
+  stage.dv_du = by.c;
+  stage.da_du = by.c * by.c;
+  if (history && !stage.any_guided)
+    prepare_batches(*history, state, by, stage);
+  else
+    prepare_nodes(state, by, stage);
+  const double drive_rate = -by.p * state.memory.past[last_increment].rotor;
+  stage.drive = {step, by.c, by.c * by.c, drive_rate, by.c * drive_rate + by.p * state.memory.past[last_rate].rotor - by.q * state.drive.speed};
+}
+
 bool step(StepContext& context) noexcept
 {
-  prepare_bdf2(context.state, context.step, context.stage);
+  prepare(context.state, context.step, context.work.history, context.stage);
   return context.solve();
 }
 
 void remember_increment(const StepContext& context, MethodMemory& memory) noexcept
 {
   remember(context.work, &NodeMotion::increment, context.work.result.drive_increment, memory.past[last_increment]);
-}
-
-bool remembers(double ratio) noexcept
-{
-  return ratio > 0.0 && ratio < 2.3;
 }
 
 /// BDF2 ends (1 + r)^2/(6 r (1 + 2 r)) h^3 y''' too far. The extrapolation h rate_n + r h/2 (rate_n - rate_-) falls short by 1/6 + 1/(4 r) of
@@ -44,27 +106,7 @@ const Method bdf2 = {IntegratorKind::bdf2, "bdf2", "BDF2, second order, L-stable
 
 void prepare_bdf2(const State& state, double step, Stage& stage) noexcept
 {
-  const MethodMemory& memory = state.memory;
-  const double ratio = memory.last_step > 0.0 ? step / memory.last_step : 0.0;
-  if (!remembers(ratio))
-  {
-    prepare_implicit_euler(state, step, stage);
-    return;
-  }
-  const double c = (1.0 + 2.0 * ratio) / ((1.0 + ratio) * step);
-  const double p = ratio * ratio / ((1.0 + ratio) * step);
-  const double q = (1.0 + ratio) / step;
-  stage.dv_du = c;
-  stage.da_du = c * c;
-  const PastQuantity &increment = memory.past[last_increment], &rate = memory.past[last_rate];
-  for (std::size_t i = 0; i < state.nodes.size(); ++i)
-  {
-    const Eigen::Vector3d& n = stage.normal[i];
-    stage.rate[i] = -p * in_step_axes(increment.nodes[i], n);
-    stage.acceleration[i] = c * stage.rate[i] + p * in_step_axes(rate.nodes[i], n) - q * in_step_axes(state.nodes[i].rate, n);
-  }
-  const double drive_rate = -p * increment.rotor;
-  stage.drive = {step, c, c * c, drive_rate, c * drive_rate + p * rate.rotor - q * state.drive.speed};
+  prepare(state, step, nullptr, stage);
 }
 
 }  // namespace drill_rig_sim

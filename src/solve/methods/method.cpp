@@ -6,6 +6,25 @@
 
 namespace drill_rig_sim
 {
+namespace
+{
+/// The batch kernel, if there are no guided nodes.
+const HistoryKernel* history_of_free(const Workspace& work) noexcept
+{
+  return work.columns.any_guided ? nullptr : work.history;
+}
+
+NumberRows<const double> rows_of(const Workspace& work) noexcept
+{
+  return {work.nodes[0].orientation.coeffs().data(), sizeof(NodeMotion)};
+}
+
+NumberRows<double> rows_of(PastQuantity& past) noexcept
+{
+  return {past.nodes[0].velocity.data(), sizeof(NodeRate)};
+}
+}  // namespace
+
 bool StepContext::solve() noexcept
 {
   NewtonLimits left = limits;
@@ -47,18 +66,29 @@ void predict(const State& state, double time, double* u) noexcept
 void remember_last_rate(const Workspace& work, State& state) noexcept
 {
   PastQuantity& past = state.memory.past[last_rate];
+  past.rotor = state.drive.speed;
+  if (const HistoryKernel* history = history_of_free(work))
+  {
+    history->carry(static_cast<int>(past.nodes.size()), rows_of(work), {state.nodes[0].rate.velocity.data(), sizeof(NodeState)}, rows_of(past));
+    return;
+  }
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const NodeRate& before = state.nodes[i].rate;
     past.nodes[i] = {before.velocity, carried(work.nodes[i], before.tilt), before.spin};
   }
-  past.rotor = state.drive.speed;
 }
 
 void remember(const Workspace& work, Vector6d NodeMotion::*vector, double rotor, PastQuantity& past) noexcept
 {
-  for (std::size_t i = 0; i < work.nodes.size(); ++i) past.nodes[i] = split(work.nodes[i], work.nodes[i].*vector);
   past.rotor = rotor;
+  if (const HistoryKernel* history = history_of_free(work))
+  {
+    const auto at = (work.nodes[0].*vector).data() - rows_of(work).first;
+    history->split(static_cast<int>(past.nodes.size()), rows_of(work), static_cast<int>(at), rows_of(past));
+    return;
+  }
+  for (std::size_t i = 0; i < work.nodes.size(); ++i) past.nodes[i] = split(work.nodes[i], work.nodes[i].*vector);
 }
 
 }  // namespace drill_rig_sim

@@ -6,11 +6,19 @@
 namespace drill_rig_sim
 {
 /// The forces `beams`, `mud_drag` and `inertia` in one, several elements at a time: by the workspace's batch kernel, which must be there, at
-/// its columns. Energy and its samples are left to those three.
+/// its columns. Energy and its samples are those of the three.
 extern const Force free_string;
 
 /// The part of find_string_forces() that is the free elements'.
 void find_free_forces(const StageContext& at) noexcept;
+/// The parts of `beams`.
+void store_free_string(const StageContext& at, StoredEnergy& energy) noexcept;
+void sample_free_string(const StageContext& at, EnergySample& sample) noexcept;
+/// Whether these can be had: the kernel is there and has moved the nodes last.
+inline bool moved_in_batches(const StageContext& at) noexcept
+{
+  return at.work.string && at.work.columns.moved;
+}
 
 }  // namespace drill_rig_sim
 

@@ -79,7 +79,8 @@ struct StringColumns
   void take(const NodeMoves& node, int i) noexcept;
 
   NumberColumns nodes, elements;
-  bool moved = false;  ///< hold the motion of the workspace's nodes
+  bool moved = false;       ///< hold the motion of the workspace's nodes
+  bool any_guided = true;  ///< of these, when they moved
   // of the search in the hole: where it starts, and what it finds
   std::vector<const double*> segments;
   std::vector<Place> places;

@@ -1,30 +1,13 @@
 #ifndef DRILL_RIG_SIM_MODEL_KERNELS_STRING_KERNEL_H
 #define DRILL_RIG_SIM_MODEL_KERNELS_STRING_KERNEL_H
 
-#include <cstddef>
-
 #include "drill_rig_sim/math/kernel.h"
 #include "drill_rig_sim/math/number_columns.h"
 
-/// The string's inner loops, several nodes or elements at a time. They do what move_nodes() of evaluate.cpp and the forces `beams` (the
-/// corotational element), `mud_drag` and `inertia` do node by node and element by element, to rounding.
+/// The string's inner loops, several elements at a time: what the forces `beams` (the corotational element), `mud_drag` and `inertia` do
+/// one by one, to rounding.
 namespace drill_rig_sim
 {
-/// Places and rates of free nodes at the increments u: into NodeMoves and columns.
-struct MoveTask
-{
-  int first, last;  ///< nodes from and to, the latter not among them
-  // of the first of them; 6 numbers a node
-  const double *u, *rate, *acceleration;
-  double dv_du, da_du;
-  // at the start of the step, of the first of them; `state_stride` bytes apart
-  const double *position, *orientation;
-  std::ptrdiff_t state_stride;
-  double* moves;  ///< NodeMoves of the first, `move_stride` bytes apart
-  std::ptrdiff_t move_stride;
-  NumberColumns* nodes;
-};
-
 /// Beams between free nodes (or a free one and a guided one), mud and inertia of these.
 struct StringTask
 {
@@ -42,12 +25,21 @@ struct StringForces
   double *tension, *torque, *bending_moment;
 };
 
-/// A kernel's.
+/// Of elements: elastic, and the potential of their weight in mud [J].
+struct StringEnergy
+{
+  double beams, weight;
+};
+
+/// A kernel's, on the columns that the motion kernel leaves.
 struct StringKernel
 {
-  void (*move)(const MoveTask& task) noexcept;
   void (*add)(const StringTask& task) noexcept;
-  void (*find_forces)(const StringTask& task, const StringForces& out) noexcept;  ///< of the task neither residual nor tangent is looked at
+  // these look at neither residual nor tangent of the task
+  void (*find_forces)(const StringTask& task, const StringForces& out) noexcept;
+  /// Adds the beams' elastic forces and those of their structural damping, 6 a node, of node 0.
+  void (*sample)(const StringTask& task, double* elastic, double* damping) noexcept;
+  StringEnergy (*stored)(const StringTask& task) noexcept;
 };
 
 /// Null: there is none, and one by one is the way.
