@@ -126,7 +126,6 @@ class Automatic(unittest.TestCase):
         reference = matrix.Reference(series(), dict.fromkeys(list(matrix.FLOORS) + ['period', 'inclination'], 0.1), '', '')
         told = [matrix.judge(FakeCell(), off, reference, tolerance) for tolerance in (0.05, 0.015, 0.002)]
         self.assertEqual([verdict.kind for verdict in told], ['right', 'silent', 'silent'])
-        self.assertEqual([automatic.known(verdict) for verdict in told], [True, True, False])
 
     def test_the_first_setting_that_is_right_is_the_cheapest_by_hand(self):
         def judged_at(numerics, tolerance):
@@ -141,14 +140,26 @@ class Automatic(unittest.TestCase):
         self.assertEqual((settings[0].level, settings[0].length, settings[0].step), ('axial_torsional', 9.51, 0.04))
         self.assertEqual((settings[-1].level, settings[-1].length, settings[-1].step), ('beam3d', 2.4, 0.0025))
 
-    def test_a_row_counts_cells_that_are_known(self):
+    def test_a_row_is_of_verdicts_and_cost(self):
         told = []
-        for kind, own, cost in (('right', 0.1, 2.0), ('right', 0.2, 8.0), ('warned', 0.3, 4.0), ('silent', 0.9, 4.0)):
+        for kind, cost in (('right', 2.0), ('right', 8.0), ('warned', 4.0)):
             told.append(matrix.Verdict(cells.Cell('J 2 km', '5 in', 'rock'), kind))
-            told[-1].own, told[-1].cost = own, cost
+            told[-1].cost = cost
         name = told[0].cell.name
         row = automatic.Row(0.01, told, {name: 4.0}, {(name, 0.01): 2.0})
         self.assertEqual(row.line(), '| 1 % | 3 | 2 | 1 | 0 | 67 % | 1.00 | 2.00 | 4.00 |')
+
+    def test_cells_count_whose_reference_knows_its_error_to_a_third(self):
+        asked = []
+
+        def judge_all(todo, numerics, _):
+            asked.append((str(numerics), [cell.operation for cell in todo]))
+            return []
+        todo = [cells.Cell('J 2 km', '5 in', operation) for operation in ('rock', 'stuck', 'reverse')]
+        own = {'rock': 0.1, 'stuck': 0.7, 'reverse': 5.0}  # of 2 %
+        automatic.play(todo, lambda cell: own[cell.operation], judge_all, None, None, searches=False)
+        self.assertEqual(asked, [('beam3d', ['rock', 'stuck']), ('auto, tolerance=0.05', ['rock', 'stuck']), ('auto, tolerance=0.01', ['rock']),
+                                 ('auto, tolerance=0.002', [])])
 
 
 class Energy(unittest.TestCase):

@@ -21,6 +21,7 @@ std::vector<Job> all_jobs(bool fast);
 
 // Each file adds its own.
 void add_map_jobs(bool fast, std::vector<Job>& jobs);       ///< largest stable step along an axis
+void add_level_jobs(bool fast, std::vector<Job>& jobs);     ///< levels and variable steps at the ends of the axes
 void add_corner_jobs(bool fast, std::vector<Job>& jobs);    ///< the default in the corners of the promised range
 void add_turn_jobs(bool fast, std::vector<Job>& jobs);      ///< 10^5 turns; one full turn with each element
 void add_sticking_jobs(bool fast, std::vector<Job>& jobs);  ///< an hour on a slope

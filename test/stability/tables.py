@@ -98,6 +98,18 @@ def default(rows):
     return table(['case', 'verdict', 'seen'], lines)
 
 
+def levels(rows):
+    """Of levels and variable steps, what was seen along the axes."""
+    lines = []
+    for name in unique(row['case'] for row in rows if row['group'] == 'levels'):
+        mine = [row for row in rows if row['group'] == 'levels' and row['case'] == name]
+        bad = [row for row in mine if not row['verdict'].startswith('passes')]
+        halved = sum(row['verdict'] == 'passes by halving' for row in mine)
+        seen = '%d of %d pass, %d of them by halving' % (len(mine) - len(bad), len(mine), halved)
+        lines.append([name, 'passes' if not bad else bad[0]['verdict'], seen + ''.join('; %s: %s' % (row['value'], row['text']) for row in bad)])
+    return table(['level and steps', 'verdict', 'seen'], lines)
+
+
 def index3(rows):
     mine = [row for row in rows if row['group'] == 'index 3']
     steps = unique(row['value'] for row in mine)
@@ -117,7 +129,7 @@ def outside(rows):
 def write(rows, folder):
     """Writes the tables; returns their names."""
     names = []
-    for make in (maps, methods, default, index3, outside):
+    for make in (maps, methods, default, levels, index3, outside):
         name = make.__name__ + '.md'
         with open(os.path.join(folder, name), 'w') as out:
             out.write(make(rows))

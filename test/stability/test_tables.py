@@ -26,6 +26,7 @@ def rows():
     out = [row('map', axis, value=tables.USUAL[axis], text='by halving 0.1 s; more') for axis in tables.AXES]
     out += [row(group, case) for group, case in CASES.items()]
     out += [row('full turn', 'three turns of the string'), row('short steps', 'element_length'), row('corners', 'a', verdict='passes by halving')]
+    out += [row('levels', 'hybrid', value='mud.lateral_damping=0')]
     out += [row('index 3', 'index 3', value='0.001', figure='1'), row('outside', 'step 0', promise='diagnostic')]
     return out
 
@@ -56,7 +57,7 @@ def committed(name):
 
 class Tables(unittest.TestCase):
     def test_columns(self):
-        for make in (tables.methods, tables.default, tables.outside):
+        for make in (tables.methods, tables.default, tables.levels, tables.outside):
             self.assertEqual(committed(make.__name__)[0], cells(make(rows()))[0], '%s.md: %s' % (make.__name__, RENEW))
         self.assertEqual(committed('index3')[0][0], cells(tables.index3(rows()))[0][0], RENEW)
         heads = [[line[0] for line in table if line[0] in tables.AXES.values()] for table in (committed('maps'), cells(tables.maps(rows())))]

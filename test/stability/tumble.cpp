@@ -5,12 +5,12 @@
 
 namespace drill_rig_sim
 {
-const TumbleKind whole_tumble{16.0, {2.0, 1.9, 2.1}};
-const TumbleKind first_bounces{0.5, {2.0, 1.9, 2.1}};
+const TumbleKind whole_tumble{16.0, {2.0, 1.9, 2.1}, 2.0};
+const TumbleKind first_bounces{0.5, {2.0, 1.9, 2.1}, 2.0};
+const TumbleKind lowered_and_turned{16.0, {0.0}, 0.0};
 
 namespace
 {
-constexpr double kThrown = 2.0;  // [m/s]
 constexpr double kReferenceStep = 2e-4;
 
 struct Means
@@ -91,12 +91,12 @@ Tumble ride_out(const std::vector<std::string>& settings, const Choice& choice, 
   if (ride.going())
   {
     out.load_at_rest = ride.now().hook_load_string;
-    ride.throw_sideways(thrown);
+    if (thrown > 0.0) ride.throw_sideways(thrown);
   }
   while (ride.going() && static_cast<long>(out.samples.size()) < std::lround(seconds / 0.1))
   {
     // a hundredth of a second resolves the swing of torque and load
-    const int frames = std::max(1, std::min(10, static_cast<int>(std::lround(0.1 / step))));
+    const int frames = step > 0.0 ? std::max(1, std::min(10, static_cast<int>(std::lround(0.1 / step)))) : 10;
     double torque = 0.0, load = 0.0;
     for (int k = 0; k < frames && ride.go(0.1 / frames, 0.1 / frames); ++k)
     {
@@ -133,7 +133,7 @@ TumbleReference tumble_reference(const std::vector<std::string>& settings, const
 Tumble tumble(const std::vector<std::string>& settings, const Choice& choice, double step, const TumbleReference& reference,
               double limit)
 {
-  Tumble out = ride_out(settings, choice, step, kThrown, reference.kind.seconds, limit);
+  Tumble out = ride_out(settings, choice, step, reference.kind.thrown, reference.kind.seconds, limit);
   if (passed(out.verdict)) judge(reference, out);
   return out;
 }

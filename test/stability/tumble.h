@@ -24,12 +24,17 @@ struct TumbleKind
 {
   double seconds;
   std::vector<double> reference_throws;  ///< one small-step run each [m/s]
+  double thrown;                         ///< [m/s]
 };
 
 /// The whole of it.
 extern const TumbleKind whole_tumble;
 /// The throw and its first bounces, for steps too short for more.
 extern const TumbleKind first_bounces;
+/// Without a throw.
+extern const TumbleKind lowered_and_turned;
+/// A step that is left to the scene.
+constexpr double as_the_scene_says = 0.0;
 
 /// Small-step runs of the default method and element, at 2e-4 s.
 struct TumbleReference

@@ -21,10 +21,6 @@ def by_hand():
     return [numerics for _, numerics in sorted(found, key=lambda pair: pair[0])]
 
 
-def known(verdict):
-    return verdict.own <= matrix.KNOWN
-
-
 def cheapest(settings, tolerances, judged):
     """Counted work of the first of the settings that is right, by tolerance. `judged(numerics, tolerance)`: a run's verdict."""
     found = {}
@@ -48,19 +44,19 @@ def number(value):
 
 
 class Row:
-    """A tolerance's verdicts, of cells that count, and their cost over others'."""
+    """A tolerance's verdicts and their cost over others'."""
 
     def __init__(self, tolerance, verdicts, today, hand):
         self.tolerance = tolerance
-        self.counted = [v for v in verdicts if known(v)]
+        self.counted = verdicts
         self.kinds = {kind: sum(v.kind == kind for v in self.counted) for kind in ('right', 'warned', 'silent')}
         self.cost = geometric_mean([v.cost / today[v.cell.name] for v in self.counted if v.cell.name in today])
         self.over_hand = [v.cost / hand[v.cell.name, tolerance] for v in self.counted if v.kind == 'right' and (v.cell.name, tolerance) in hand]
 
     def line(self):
-        share = 100.0 * self.kinds['right'] / len(self.counted) if self.counted else float('nan')
+        share = '%.0f %%' % (100.0 * self.kinds['right'] / len(self.counted)) if self.counted else '-'
         words = ['%g %%' % (100.0 * self.tolerance), '%d' % len(self.counted)] + ['%d' % count for count in self.kinds.values()]
-        words += ['%.0f %%' % share, number(self.cost), number(geometric_mean(self.over_hand)), number(max(self.over_hand, default=float('nan')))]
+        words += [share, number(self.cost), number(geometric_mean(self.over_hand)), number(max(self.over_hand, default=float('nan')))]
         return '| %s |' % ' | '.join(words)
 
 
@@ -69,20 +65,25 @@ def table(rows):
     return '\n'.join(['| %s |' % ' | '.join(head), '|%s' % (' --- |' * len(head))] + [row.line() for row in rows]) + '\n'
 
 
-def search(todo, verdicts, judge, each):
-    """Cheapest work by hand, by cell's name and tolerance; of the cells that count. `each(function, cells)`: results by name, in parallel."""
-    wanted = {cell.name: [t for t in TOLERANCES if known(verdicts[t][cell.name])] for cell in todo}
-
+def search(wanted, judge, each):
+    """Cheapest work by hand, by cell's name and tolerance. `wanted`: tolerances by cell; `each(function, cells)`: results by name, in parallel."""
     def of(cell):
-        found = cheapest(by_hand(), wanted[cell.name], lambda numerics, tolerance: judge(cell, numerics, tolerance))
+        found = cheapest(by_hand(), wanted[cell], lambda numerics, tolerance: judge(cell, numerics, tolerance))
         return found, '%-45s by hand: %s' % (cell.name, ', '.join('%g: %.3g' % pair for pair in found.items()) or 'nothing')
-    found = each(of, [cell for cell in todo if wanted[cell.name]])
+    found = each(of, list(wanted))
     return {(name, tolerance): cost for name, costs in found.items() for tolerance, cost in costs.items()}
 
 
-def play(todo, judge_all, judge, each, searches):
-    """The table. `judge_all(cells, numerics, tolerance)`: verdicts; `judge` of one cell."""
-    today = {v.cell.name: v.cost for v in judge_all(todo, TODAY, matrix.BOUND) if v.cost == v.cost}
-    verdicts = {t: {v.cell.name: v for v in judge_all(todo, matrix.Numerics(level='auto', tolerance=t), t)} for t in TOLERANCES}
-    hand = search(todo, verdicts, judge, each) if searches else {}
-    return table([Row(t, list(verdicts[t].values()), today, hand) for t in TOLERANCES])
+def play(todo, own, judge_all, judge, each, searches):
+    """The table. `own(cell)`: error of its reference, a share of matrix.BOUND, infinite where there is none; `judge_all(cells, numerics, tolerance)`:
+    verdicts; `judge` of one cell."""
+    wanted = {cell: [t for t in TOLERANCES if own(cell) * matrix.BOUND <= matrix.KNOWN * t] for cell in todo}
+    wanted = {cell: tolerances for cell, tolerances in wanted.items() if tolerances}
+    today = {v.cell.name: v.cost for v in judge_all(list(wanted), TODAY, matrix.BOUND) if v.cost == v.cost}
+    hand = search(wanted, judge, each) if searches else {}
+    rows = []
+    for t in TOLERANCES:
+        verdicts = judge_all([cell for cell in wanted if t in wanted[cell]], matrix.Numerics(level='auto', tolerance=t), t)
+        rows.append(Row(t, verdicts, today, hand))
+        print(rows[-1].line(), flush=True)
+    return table(rows)

@@ -52,6 +52,14 @@ def make_references(drill, todo, folder, jobs, budget):
     return all(in_parallel(jobs, make, todo).values())
 
 
+def own_error(cell):
+    """Of the cell's reference, a share of the bound; infinite where there is none of this scene."""
+    if not os.path.exists(path_of(cell)):
+        return float('inf')
+    reference = matrix.Reference.load(path_of(cell))
+    return matrix.worst_of(reference.own)[0] if reference.made_of == matrix.fingerprint(cell) else float('inf')
+
+
 def judge_one(drill, cell, folder, numerics, energy=False, tolerance=matrix.BOUND):
     if not os.path.exists(path_of(cell)):
         return matrix.Verdict(cell, 'undecided', 'no reference')
@@ -194,7 +202,7 @@ def play(args, out):
 def play_automatic(args, todo, folder):
     short = [cell for cell in todo if cell.what.duration <= matrix.BALANCED]
     return automatic.play(
-        short, lambda todo, numerics, tolerance: judge_all(args.drill, todo, folder, args.jobs, numerics, tolerance=tolerance),
+        short, own_error, lambda todo, numerics, tolerance: judge_all(args.drill, todo, folder, args.jobs, numerics, tolerance=tolerance),
         lambda cell, numerics, tolerance: judge_one(args.drill, cell, folder, numerics, tolerance=tolerance),
         lambda function, todo: in_parallel(args.jobs, function, todo), args.search)
 
