@@ -5,7 +5,7 @@ import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 from drill_rig_sim.msg import RigState
 from drill_rig_sim.srv import StepSimulation
-from processes import Hog, Listener, Node, stop, wait_for
+from processes import Hog, Listener, Node, stolen, stop, wait_for
 from std_srvs.srv import Trigger
 
 
@@ -115,10 +115,11 @@ def measured(args, name, parameters):
     listener = Listener(args.listener, node, round(1e9 / args.rate))
     diagnostics = Diagnostics(node)
     try:
-        before, cpu = diagnostics.next(), node.cpu()
+        before, cpu, kept = diagnostics.next(), node.cpu(), stolen()
         watched = watch(args, node, diagnostics)
         after, spent = diagnostics.next(), node.cpu()
         result = {'name': name, 'last': after, 'phases': watched, 'frames': int(after['frames']) - int(before['frames'])}
+        result['stolen'] = stolen() - kept
         result['cpu'] = {kind: spent[kind] - cpu.get(kind, 0.0) for kind in spent}
         if args.hog:
             result['stamp'], result['truth'] = paused_state(node)

@@ -37,6 +37,12 @@ def stop(process, how=signal.SIGINT):
         return process.wait()
 
 
+def stolen():
+    """Time that the host of a virtual machine has kept its processors for others so far [s]."""
+    with open('/proc/stat') as file:
+        return float(file.readline().split()[8]) / os.sysconf('SC_CLK_TCK')
+
+
 class Master:
     """A rosmaster on a port of its own, which this process and its children then use."""
 

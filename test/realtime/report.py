@@ -70,9 +70,11 @@ def phases(runs):
 
 def setting(args, runs):
     last = runs[0]['last']
-    return ('%s, %g Hz, %g minutes each; level %s, %s nodes, step %s s, %s; %d processors, Linux %s, load at the start %.1f.' % (
-        os.path.basename(args.scene), args.rate, args.minutes, last['level'], last['nodes'], last['step'], last['integrator'], os.cpu_count(),
-        platform.release(), args.load))
+    kept = ' and '.join('%.2f' % run['stolen'] for run in runs)
+    return ('%s, %g Hz, %g minutes each; level %s, %s nodes, step %s s, %s; %d processors, Linux %s, load at the start %.1f. '
+            'The host kept the processors for others for %s s.' % (
+                os.path.basename(args.scene), args.rate, args.minutes, last['level'], last['nodes'], last['step'], last['integrator'],
+                os.cpu_count(), platform.release(), args.load, kept))
 
 
 def whole(args, runs):
