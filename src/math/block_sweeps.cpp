@@ -1,6 +1,4 @@
-// Sweeps from both ends of a block-tridiagonal matrix at once. A vector holds two neighbouring numbers of a row of the one end and the two
-// of the other, {a0, a1, b0, b1}: two chains of dependent arithmetic run beside each other, every lane has work, and nothing is shuffled
-// between the ends.
+// Sweeps from both ends of a block-tridiagonal matrix to its middle: two chains of dependent arithmetic, one beside the other.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "math/block_sweeps.cpp"
 #include "math/simd.h"
@@ -13,6 +11,7 @@ namespace drill_rig_sim::HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Substitution: a pair is two neighbouring numbers of a row of the one end and the two of the other, {a0, a1, b0, b1}, in a vector or two.
 #if HWY_MAX_BYTES >= 32
 using Two = hn::FixedTag<double, 2>;
 using Four = hn::FixedTag<double, 4>;
@@ -27,20 +26,11 @@ HWY_INLINE void store(Pair v, double* a, double* b)
   hn::StoreU(hn::LowerHalf(Two(), v), Two(), a);
   hn::StoreU(hn::UpperHalf(Two(), v), Two(), b);
 }
-HWY_INLINE Pair all(double x) { return hn::Set(Four(), x); }
-HWY_INLINE Pair evens(Pair v) { return hn::InterleaveLower(Four(), v, v); }
-HWY_INLINE Pair odds(Pair v) { return hn::InterleaveUpper(Four(), v, v); }
 /// {x0 + x1, y0 + y1} of both ends.
 HWY_INLINE Pair sums(Pair x, Pair y) { return hn::Add(hn::InterleaveLower(Four(), x, y), hn::InterleaveUpper(Four(), x, y)); }
-/// The evens of the one beside the odds of the other.
-HWY_INLINE Pair even_odd(Pair even, Pair odd) { return hn::OddEven(odd, even); }
 HWY_INLINE Pair times(Pair x, Pair y) { return hn::Mul(x, y); }
 HWY_INLINE Pair plus_product(Pair sum, Pair x, Pair y) { return hn::MulAdd(x, y, sum); }
-HWY_INLINE Pair minus_product(Pair sum, Pair x, Pair y) { return hn::NegMulAdd(x, y, sum); }
 HWY_INLINE Pair minus(Pair x, Pair y) { return hn::Sub(x, y); }
-HWY_INLINE Pair over(Pair x, Pair y) { return hn::Div(x, y); }
-HWY_INLINE Pair smaller_size(Pair least, Pair x) { return hn::IfThenElse(hn::Lt(least, hn::Abs(x)), least, hn::Abs(x)); }  // keeps a NaN
-HWY_INLINE bool all_above(Pair x, double bound) { return hn::AllTrue(Four(), hn::Gt(x, all(bound))); }
 #else
 using Two = hn::FixedTag<double, 2>;
 using Half = hn::Vec<Two>;
@@ -55,27 +45,14 @@ HWY_INLINE void store(Pair v, double* a, double* b)
   hn::StoreU(v.a, Two(), a);
   hn::StoreU(v.b, Two(), b);
 }
-HWY_INLINE Pair all(double x) { return {hn::Set(Two(), x), hn::Set(Two(), x)}; }
-HWY_INLINE Pair evens(Pair v) { return {hn::InterleaveLower(Two(), v.a, v.a), hn::InterleaveLower(Two(), v.b, v.b)}; }
-HWY_INLINE Pair odds(Pair v) { return {hn::InterleaveUpper(Two(), v.a, v.a), hn::InterleaveUpper(Two(), v.b, v.b)}; }
 HWY_INLINE Half sum(Half x, Half y) { return hn::Add(hn::InterleaveLower(Two(), x, y), hn::InterleaveUpper(Two(), x, y)); }
 HWY_INLINE Pair sums(Pair x, Pair y) { return {sum(x.a, y.a), sum(x.b, y.b)}; }
-HWY_INLINE Pair even_odd(Pair even, Pair odd) { return {hn::OddEven(odd.a, even.a), hn::OddEven(odd.b, even.b)}; }
 HWY_INLINE Pair times(Pair x, Pair y) { return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)}; }
 HWY_INLINE Pair plus_product(Pair sum, Pair x, Pair y) { return {hn::MulAdd(x.a, y.a, sum.a), hn::MulAdd(x.b, y.b, sum.b)}; }
-HWY_INLINE Pair minus_product(Pair sum, Pair x, Pair y) { return {hn::NegMulAdd(x.a, y.a, sum.a), hn::NegMulAdd(x.b, y.b, sum.b)}; }
 HWY_INLINE Pair minus(Pair x, Pair y) { return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b)}; }
-HWY_INLINE Pair over(Pair x, Pair y) { return {hn::Div(x.a, y.a), hn::Div(x.b, y.b)}; }
-HWY_INLINE Half smaller_size(Half least, Half x) { return hn::IfThenElse(hn::Lt(least, hn::Abs(x)), least, hn::Abs(x)); }
-HWY_INLINE Pair smaller_size(Pair least, Pair x) { return {smaller_size(least.a, x.a), smaller_size(least.b, x.b)}; }
-HWY_INLINE bool all_above(Pair x, double bound)
-{
-  return hn::AllTrue(Two(), hn::Gt(x.a, hn::Set(Two(), bound))) && hn::AllTrue(Two(), hn::Gt(x.b, hn::Set(Two(), bound)));
-}
 #endif
 
-using Row = Pair[3];   // six numbers of both ends
-using Block = Row[6];
+using Row = Pair[3];  // six numbers of both ends
 
 constexpr double kZeros[36] = {};
 
@@ -89,15 +66,13 @@ struct Places
 HWY_INLINE Places places(const BlockRows& rows, SweepRow at, double* right)
 {
   const bool first = at.row - at.step < 0 || at.row - at.step >= rows.count;
-  double* const to_next = rows.upper + 36 * at.row;             // block (i, i + 1)
-  double* const to_last = rows.lower + 36 * (at.row - 1);       // block (i, i - 1)
-  const bool up = at.step > 0;
+  const bool down = at.step > 0;  // the matrix
   Places p;
-  p.lower = first ? kZeros : up ? to_last : to_next;
-  p.w_before = first ? kZeros : up ? rows.upper + 36 * (at.row - 1) : rows.lower + 36 * at.row;
+  p.lower = first ? kZeros : down ? rows.lower + 36 * (at.row - 1) : rows.upper + 36 * at.row;
+  p.w_before = first ? kZeros : down ? rows.upper + 36 * (at.row - 1) : rows.lower + 36 * at.row;
   p.y_before = first ? kZeros : right + 6 * (at.row - at.step);
   p.diagonal = rows.diagonal + 36 * at.row;
-  p.upper = up ? to_next : to_last;
+  p.upper = down ? rows.upper + 36 * at.row : rows.lower + 36 * (at.row - 1);
   p.right = right + 6 * at.row;
   return p;
 }
@@ -106,8 +81,6 @@ HWY_INLINE void load_row(const double* a, const double* b, Row& out)
 {
   for (int c = 0; c < 3; ++c) out[c] = load(a + 2 * c, b + 2 * c);
 }
-
-HWY_INLINE Pair number(const Row& row, int c) { return c % 2 == 0 ? evens(row[c / 2]) : odds(row[c / 2]); }
 
 /// M x, the rows of M as they lie at a and b.
 HWY_INLINE void multiply(const double* a, const double* b, const Row& x, Row& out)
@@ -127,8 +100,7 @@ HWY_INLINE void multiply(const double* a, const double* b, const Row& x, Row& ou
   }
 }
 
-// Elimination: a line is a row of a block and the right side beside it, {m0 .. m5, b, -}, in one vector, two or four. Two chains of dependent
-// arithmetic, of both ends, run beside each other.
+// Elimination: a line is a row of a block and a number of the right side beside it, {m0 .. m5, b, -}, in one vector, two or four.
 constexpr int kLanes = HWY_MAX_BYTES >= 64 ? 8 : HWY_MAX_BYTES >= 32 ? 4 : 2;
 constexpr int kParts = 8 / kLanes;
 using Wide = hn::FixedTag<double, kLanes>;
@@ -137,7 +109,7 @@ using Line = Vector[kParts];
 
 alignas(64) constexpr double kLaneNumbers[8] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
 
-/// Of one lane alone of a line's part.
+/// Lanes of a line's part: one alone, and those below one.
 HWY_INLINE hn::Mask<Wide> lane_of(int part, int lane)
 {
   return hn::Eq(hn::Load(Wide(), kLaneNumbers + kLanes * part), hn::Set(Wide(), lane));
@@ -168,7 +140,7 @@ HWY_INLINE Vector spread(const Line& line, int c)
 #endif
 }
 
-/// {row, b, 0}
+/// {row, b, -}
 HWY_INLINE void load_line(const double* row, double b, Line& out)
 {
 #if HWY_MAX_BYTES >= 64
@@ -185,7 +157,9 @@ HWY_INLINE void load_line(const double* row, double b, Line& out)
 HWY_INLINE void store_line(const Line& line, double* row)
 {
 #if HWY_MAX_BYTES >= 64
-  hn::BlendedStore(line[0], lanes_below(0, 6), Wide(), row);
+  hn::StoreU(hn::LowerHalf(hn::FixedTag<double, 4>(), line[0]), hn::FixedTag<double, 4>(), row);
+  const auto upper = hn::UpperHalf(hn::FixedTag<double, 4>(), line[0]);
+  hn::StoreU(hn::LowerHalf(hn::FixedTag<double, 2>(), upper), hn::FixedTag<double, 2>(), row + 4);
 #elif HWY_MAX_BYTES >= 32
   hn::StoreU(line[0], Wide(), row);
   hn::StoreU(hn::LowerHalf(hn::FixedTag<double, 2>(), line[1]), hn::FixedTag<double, 2>(), row + 4);
@@ -194,6 +168,7 @@ HWY_INLINE void store_line(const Line& line, double* row)
 #endif
 }
 
+/// Lane 6 of a line.
 HWY_INLINE double right_of(const Line& line)
 {
 #if HWY_MAX_BYTES >= 64
@@ -205,34 +180,48 @@ HWY_INLINE double right_of(const Line& line)
 #endif
 }
 
-/// The inverse of a block in place, by Gauss and Jordan, pivots down the diagonal, times the right sides too.
-HWY_INLINE void pivot_on(Line (&d)[6], int p, hn::Mask<Wide>& sound)
+/// Lines of a block.
+using Lines = Line[6];
+
+HWY_INLINE Vector inverse_of(Vector pivot, hn::Mask<Wide>& sound)
 {
-  const Vector pivot = spread(d[p], p);
-  sound = hn::And(sound, hn::Gt(hn::Abs(pivot), every(1e-200)));
-  const Vector inverse = hn::Div(every(1.0), pivot);
+  sound = hn::And(sound, hn::Gt(hn::Abs(pivot), every(1e-200)));  // not so for NaN
+  return hn::Div(every(1.0), pivot);
+}
+
+/// One pivot of Gauss and Jordan, down the diagonal: of D, towards its inverse in place, and of the lines beside it, from [U | b] towards
+/// D^-1 [U | b]. `inverse`: of the pivot, and after it of the next, which is found ahead of its line: divisions make the longest chain.
+HWY_INLINE void pivot_on(Lines& d, Lines& u, int p, Vector& inverse, hn::Mask<Wide>& sound)
+{
+  Vector next = inverse;
+  if (p < 5) next = inverse_of(hn::NegMulAdd(hn::Mul(spread(d[p + 1], p), spread(d[p], p + 1)), inverse, spread(d[p + 1], p + 1)), sound);
+  const hn::Mask<Wide> in_column = lane_of(p / kLanes, p);
   for (int part = 0; part < kParts; ++part)
   {
     d[p][part] = hn::Mul(d[p][part], inverse);
-    if (p / kLanes == part) d[p][part] = hn::IfThenElse(lane_of(part, p), inverse, d[p][part]);
+    u[p][part] = hn::Mul(u[p][part], inverse);
   }
+  d[p][p / kLanes] = hn::IfThenElse(in_column, inverse, d[p][p / kLanes]);
 #pragma GCC unroll 6
-  for (int r = 0; r < 6; ++r)
+  for (int k = 1; k < 6; ++k)
   {
-    if (r == p) continue;
+    const int r = (p + k) % 6;
     const Vector factor = spread(d[r], p);
-    d[r][p / kLanes] = hn::IfThenZeroElse(lane_of(p / kLanes, p), d[r][p / kLanes]);
-    for (int part = 0; part < kParts; ++part) d[r][part] = hn::NegMulAdd(factor, d[p][part], d[r][part]);
+    d[r][p / kLanes] = hn::IfThenZeroElse(in_column, d[r][p / kLanes]);
+    for (int part = 0; part < kParts; ++part)
+    {
+      if (part * kLanes < 6) d[r][part] = hn::NegMulAdd(factor, d[p][part], d[r][part]);
+      u[r][part] = hn::NegMulAdd(factor, u[p][part], u[r][part]);
+    }
   }
+  inverse = next;
 }
 
-/// What a row hands on to the next: lines of W and y.
-using Done = Line[6];
-
+/// `w`: [W | y] of the rows before, and then of these.
 template <int ends>
-HWY_INLINE void eliminate_one(const Places (&at)[ends], Done (&w)[ends], hn::Mask<Wide>& sound)
+HWY_INLINE void eliminate_one(const Places (&at)[ends], Lines (&w)[ends], hn::Mask<Wide>& sound)
 {
-  Line d[ends][6];
+  Lines d[ends];
 #pragma GCC unroll 6
   for (int r = 0; r < 6; ++r)
 #pragma GCC unroll 2
@@ -241,63 +230,74 @@ HWY_INLINE void eliminate_one(const Places (&at)[ends], Done (&w)[ends], hn::Mas
       load_line(at[e].diagonal + 6 * r, at[e].right[r], d[e][r]);
 #pragma GCC unroll 6
       for (int k = 0; k < 6; ++k)
-        for (int part = 0; part < kParts; ++part) d[e][r][part] = hn::NegMulAdd(every(at[e].lower[6 * r + k]), w[e][k][part], d[e][r][part]);
+        for (int part = 0; part < kParts; ++part)
+          d[e][r][part] = hn::NegMulAdd(every(at[e].lower[6 * r + k]), w[e][k][part], d[e][r][part]);
     }
+#pragma GCC unroll 6
+  for (int r = 0; r < 6; ++r)
+#pragma GCC unroll 2
+    for (int e = 0; e < ends; ++e)
+    {
+      load_line(at[e].upper + 6 * r, 0.0, w[e][r]);
+      w[e][r][6 / kLanes] = hn::IfThenElse(lane_of(6 / kLanes, 6), d[e][r][6 / kLanes], w[e][r][6 / kLanes]);
+    }
+  Vector inverse[ends];
+  for (int e = 0; e < ends; ++e) inverse[e] = inverse_of(spread(d[e][0], 0), sound);
 #pragma GCC unroll 6
   for (int p = 0; p < 6; ++p)
 #pragma GCC unroll 2
-    for (int e = 0; e < ends; ++e) pivot_on(d[e], p, sound);
+    for (int e = 0; e < ends; ++e) pivot_on(d[e], w[e], p, inverse[e], sound);
 #pragma GCC unroll 2
   for (int e = 0; e < ends; ++e)
-  {
-    Line u[6];
-    for (int k = 0; k < 6; ++k) load_line(at[e].upper + 6 * k, 0.0, u[k]);
 #pragma GCC unroll 6
     for (int r = 0; r < 6; ++r)
     {
       store_line(d[e][r], at[e].diagonal + 6 * r);
-      at[e].right[r] = right_of(d[e][r]);
-    }
-#pragma GCC unroll 6
-    for (int r = 0; r < 6; ++r)
-    {
-      for (int part = 0; part < kParts; ++part)
-        w[e][r][part] = 6 / kLanes == part ? hn::IfThenElseZero(lane_of(part, 6), d[e][r][part]) : hn::Zero(Wide());
-#pragma GCC unroll 6
-      for (int k = 0; k < 6; ++k)
-        for (int part = 0; part < (kLanes == 2 ? 3 : kParts); ++part)
-          w[e][r][part] = hn::MulAdd(every(at[e].diagonal[6 * r + k]), u[k][part], w[e][r][part]);
       store_line(w[e][r], at[e].upper + 6 * r);
+      at[e].right[r] = right_of(w[e][r]);
     }
-  }
 }
 
-HWY_INLINE void load_done(const Places& at, Done& w)
+HWY_INLINE void load_before(const Places& at, Lines& w)
 {
   for (int k = 0; k < 6; ++k) load_line(at.w_before + 6 * k, at.y_before[k], w[k]);
+}
+
+/// From one end. With half the registers that is a function of its own: otherwise blocks of both ends would share them.
+#if HWY_MAX_BYTES >= 64
+HWY_INLINE
+#else
+HWY_NOINLINE
+#endif
+void eliminate_alone(const Places& at, Lines (&w)[1], hn::Mask<Wide>& sound)
+{
+  const Places one[1] = {at};
+  eliminate_one<1>(one, w, sound);
 }
 
 bool eliminate(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
 {
   hn::Mask<Wide> sound = hn::Eq(every(0.0), every(0.0));
-  Done w[2];
-  load_done(places(rows, a, right), w[0]);
-  load_done(places(rows, b, right), w[1]);
-  if (a.row == b.row)
+  const bool alone = a.row == b.row;
+  if (kLanes == 8 && !alone)  // there are registers for two
   {
-    Done alone[1];
-    load_done(places(rows, a, right), alone[0]);
-    for (int k = 0; k < count; ++k, a.row += a.step)
+    Lines w[2];
+    load_before(places(rows, a, right), w[0]);
+    load_before(places(rows, b, right), w[1]);
+    for (int k = 0; k < count; ++k, a.row += a.step, b.row += b.step)
     {
-      const Places at[1] = {places(rows, a, right)};
-      eliminate_one<1>(at, alone, sound);
+      const Places at[2] = {places(rows, a, right), places(rows, b, right)};
+      eliminate_one<2>(at, w, sound);
     }
     return hn::AllTrue(Wide(), sound);
   }
+  Lines of_a[1], of_b[1];
+  load_before(places(rows, a, right), of_a[0]);
+  load_before(places(rows, b, right), of_b[0]);
   for (int k = 0; k < count; ++k, a.row += a.step, b.row += b.step)
   {
-    const Places at[2] = {places(rows, a, right), places(rows, b, right)};
-    eliminate_one<2>(at, w, sound);
+    eliminate_alone(places(rows, a, right), of_a, sound);
+    if (!alone) eliminate_alone(places(rows, b, right), of_b, sound);
   }
   return hn::AllTrue(Wide(), sound);
 }
