@@ -83,6 +83,21 @@ void substitute_rows_outwards(const BlockRows& rows, SweepRow a, SweepRow b, int
   });
 }
 
+/// As a function of two sweeps and a number of rows: calls row(at) for the rows of both in turns. What they wait for they wait for together.
+template <class Row>
+auto in_turns(Row row) noexcept
+{
+  return [row](SweepRow a, SweepRow b, int count) noexcept
+  {
+    if (a.row == b.row) return each(a, b, count, row);
+    for (int k = 0; k < count; ++k, a.row += a.step, b.row += b.step)
+    {
+      row(a);
+      row(b);
+    }
+  };
+}
+
 /// Rows of a sweep that are still to come.
 struct Sweep
 {
@@ -126,39 +141,52 @@ int BlockTridiagonal::middle() const noexcept
   return i;
 }
 
-/// Two sweeps beside each other: small_row(at) for every small row, six_rows(a, b, count) for those of six.
-template <class SmallRow, class SixRows>
-void BlockTridiagonal::sweep(SweepRow first, int left_first, SweepRow second, int left_second, SmallRow&& small_row,
+/// Two sweeps beside each other, by runs of rows of a kind: small_rows(a, b, count) and six_rows(a, b, count) go on from both, or, where a
+/// and b are the same, from one.
+template <class SmallRows, class SixRows>
+void BlockTridiagonal::sweep(SweepRow first, int left_first, SweepRow second, int left_second, SmallRows&& small_rows,
                              SixRows&& six_rows) const noexcept
 {
   Sweep a{first, left_first}, b{second, left_second};
-  const auto pass_small = [&](Sweep& s)
-  {
-    if (s.left == 0 || !small(s.at.row)) return false;
-    small_row(s.at);
-    s.take(1);
-    return true;
-  };
-  const auto rows_of_six = [this](Sweep s)
+  const auto run = [this](Sweep s, bool of_small)
   {
     int count = 0;
-    for (; s.left > 0 && !small(s.at.row); s.take(1)) ++count;
+    for (; s.left > 0 && small(s.at.row) == of_small; s.take(1)) ++count;
     return count;
   };
   while (a.left > 0 || b.left > 0)
   {
-    const bool passed_a = pass_small(a), passed_b = pass_small(b);
-    if (passed_a || passed_b) continue;
-    const int of_a = rows_of_six(a), of_b = rows_of_six(b);
+    int of_a = run(a, true), of_b = run(b, true);
+    const bool is_small = of_a > 0 || of_b > 0;
+    if (!is_small)
+    {
+      of_a = run(a, false);
+      of_b = run(b, false);
+    }
     const int count = of_a > 0 && of_b > 0 ? std::min(of_a, of_b) : std::max(of_a, of_b);
-    six_rows(of_a > 0 ? a.at : b.at, of_b > 0 ? b.at : a.at, count);
+    const SweepRow from_a = of_a > 0 ? a.at : b.at, from_b = of_b > 0 ? b.at : a.at;
+    if (is_small) small_rows(from_a, from_b, count);
+    else six_rows(from_a, from_b, count);
     if (of_a > 0) a.take(count);
     if (of_b > 0) b.take(count);
   }
 }
 
+[[gnu::always_inline]] inline BlockRows BlockTridiagonal::six() const noexcept
+{
+  // written through by those alone that are not const
+  const auto data = [](const std::vector<double>& blocks) { return const_cast<double*>(blocks.data()); };
+  return {n_, data(diagonal_), data(upper_), data(lower_)};
+}
+
+[[gnu::always_inline]] inline BlockRows BlockTridiagonal::twos() const noexcept
+{
+  const auto data = [](const std::vector<double>& blocks) { return const_cast<double*>(blocks.data()); };
+  return {n_, data(small_diagonal_), data(small_upper_), data(small_lower_)};
+}
+
 /// D -= L W of the row before, in a small row.
-void BlockTridiagonal::subtract_from_small(SweepRow at) noexcept
+[[gnu::always_inline]] inline void BlockTridiagonal::subtract_from_small(SweepRow at) noexcept
 {
   if (is_first(six(), at)) return;
   double* d = small_diagonal_.data() + kSmall * at.row;
@@ -167,7 +195,7 @@ void BlockTridiagonal::subtract_from_small(SweepRow at) noexcept
 }
 
 /// b -= L y of the row before.
-void BlockTridiagonal::subtract_from_right(SweepRow at, double* b) const noexcept
+[[gnu::always_inline]] inline void BlockTridiagonal::subtract_from_right(SweepRow at, double* b) const noexcept
 {
   if (is_first(six(), at)) return;
   double *right = b + 6 * at.row, *last = right - 6 * at.step;
@@ -175,14 +203,14 @@ void BlockTridiagonal::subtract_from_right(SweepRow at, double* b) const noexcep
   else subtract_product(to_last(six(), at, kSix), last, right);
 }
 
-void BlockTridiagonal::substitute_small(SweepRow at, double* b) const noexcept
+[[gnu::always_inline]] inline void BlockTridiagonal::substitute_small(SweepRow at, double* b) const noexcept
 {
   subtract_from_right(at, b);
   multiply_small(small_diagonal_.data() + kSmall * at.row, b + 6 * at.row, 1, 1);
 }
 
 /// As BlockSweeps::eliminate(), with the inverse of D' in place of D.
-bool BlockTridiagonal::eliminate_small(SweepRow at, double* b) noexcept
+[[gnu::always_inline]] inline bool BlockTridiagonal::eliminate_small(SweepRow at, double* b) noexcept
 {
   double* d = small_diagonal_.data() + kSmall * at.row;
   subtract_from_small(at);
@@ -231,7 +259,7 @@ void BlockTridiagonal::substitute_middle(double* b) const noexcept
 
 void BlockTridiagonal::substitute_outwards(double* b) const noexcept
 {
-  sweep({middle_ - 1, -1}, middle_, {middle_ + 1, 1}, n_ - 1 - middle_, [&](SweepRow at) { subtract_from_right(at, b); },
+  sweep({middle_ - 1, -1}, middle_, {middle_ + 1, 1}, n_ - 1 - middle_, in_turns([&](SweepRow at) { subtract_from_right(at, b); }),
         [&](SweepRow first, SweepRow second, int count) { sweeps_->substitute_outwards(six(), first, second, count, b); });
 }
 
@@ -240,7 +268,7 @@ bool BlockTridiagonal::solve(double* b) noexcept
   if (n_ == 0) return true;
   middle_ = middle();
   bool done = true;
-  sweep({0, 1}, middle_, {n_ - 1, -1}, n_ - 1 - middle_, [&](SweepRow at) { done = done && eliminate_small(at, b); },
+  sweep({0, 1}, middle_, {n_ - 1, -1}, n_ - 1 - middle_, in_turns([&](SweepRow at) { done = done && eliminate_small(at, b); }),
         [&](SweepRow first, SweepRow second, int count) { done = done && sweeps_->eliminate(six(), first, second, count, b); });
   if (!done || !eliminate_middle(b)) return false;
   substitute_outwards(b);
@@ -250,23 +278,10 @@ bool BlockTridiagonal::solve(double* b) noexcept
 void BlockTridiagonal::solve_again(double* b) const noexcept
 {
   if (n_ == 0) return;
-  sweep({0, 1}, middle_, {n_ - 1, -1}, n_ - 1 - middle_, [&](SweepRow at) { substitute_small(at, b); },
+  sweep({0, 1}, middle_, {n_ - 1, -1}, n_ - 1 - middle_, in_turns([&](SweepRow at) { substitute_small(at, b); }),
         [&](SweepRow first, SweepRow second, int count) { sweeps_->substitute_inwards(six(), first, second, count, b); });
   substitute_middle(b);
   substitute_outwards(b);
-}
-
-BlockRows BlockTridiagonal::six() const noexcept
-{
-  // written through by those alone that are not const
-  const auto data = [](const std::vector<double>& blocks) { return const_cast<double*>(blocks.data()); };
-  return {n_, data(diagonal_), data(upper_), data(lower_)};
-}
-
-BlockRows BlockTridiagonal::twos() const noexcept
-{
-  const auto data = [](const std::vector<double>& blocks) { return const_cast<double*>(blocks.data()); };
-  return {n_, data(small_diagonal_), data(small_upper_), data(small_lower_)};
 }
 
 void BlockTridiagonal::multiply(const double* x, double* y) noexcept
