@@ -11,6 +11,7 @@ packages_rviz="rviz librviz-dev"
 packages_test="catkin-lint python3-matplotlib python3-rostest xvfb xauth imagemagick python3-yaml valgrind"
 packages_tidy="clang-tidy"
 packages_fuzz="clang libclang-rt-dev"
+packages_neon="g++-aarch64-linux-gnu qemu-user"
 
 package_dir=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 

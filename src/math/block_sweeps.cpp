@@ -36,6 +36,8 @@ using Two = hn::FixedTag<double, 2>;
 using Half = hn::Vec<Two>;
 struct Pair
 {
+  HWY_INLINE Pair() {}  // what the compiler would make is of another set of instructions
+  HWY_INLINE Pair(Half first, Half second) : a(first), b(second) {}
   Half a, b;
 };
 

@@ -46,8 +46,10 @@ void EnergyBalance::begin_step(const State& state, const Setpoints& setpoints) n
   drill_rig_sim::begin_step(*model_, state, 0.0, setpoints, stage_);
   prepare_start(state, stage_);
   stage_.drive.rate_0 = state.drive.speed;
-  if (!opened_) open(state);
-  start_ = stored_energy(*model_, state, stage_, no_increment_.data(), work_);
+  if (opened_)
+    start_ = stored_energy(*model_, state, stage_, no_increment_.data(), work_);
+  else
+    open(state);
   find_reshaped(state);
   if (!opened_) accounts_.first = accounts_.last = start_;
   opened_ = true;
@@ -80,6 +82,7 @@ void EnergyBalance::open(const State& state) noexcept
   accelerate(*model_, stage_, residual.data(), work_);
   for (std::size_t i = 0; i < stage_.acceleration.size(); ++i) stage_.acceleration[i] = work_.nodes[i].acceleration;
   sample_energy(*model_, state, stage_, no_increment_.data(), work_, before_);
+  start_ = before_.stored;
 }
 
 void EnergyBalance::end_step(const State& start, const Stage& stage, const double* u) noexcept

@@ -37,7 +37,7 @@ class Diagnostics(unittest.TestCase):
         told = values(next(filter(sound, messages)))
         self.assertEqual("running", told["state"])
         for key in ("real_time_factor", "frame_times", "overruns", "dropped_seconds", "newton_iterations", "convergence_failures",
-                    "error_estimate", "level", "integrator", "refused", "clamped"):
+                    "error_estimate", "level", "integrator", "kernel", "refused", "clamped"):
             self.assertIn(key, told)
         self.assertEqual("beam3d", told["level"])
 

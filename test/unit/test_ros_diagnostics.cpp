@@ -20,6 +20,7 @@ FrameRecord sound_frame()
   FrameRecord frame = numbered_record();
   frame.physics.level = "beam3d";
   frame.physics.integrator = "auto_one";
+  frame.physics.kernel = Kernel::sse4;
   return frame;
 }
 
@@ -115,7 +116,7 @@ TEST_F(Report, eachNumberIsItsOwn)
       {"error_estimate", 1.8e-5}, {"clamped", 19}, {"refused", 21}, {"yield_share", 0.31}, {"yield_from_bit", 32.0}, {"make_up_share", 0.33},
       {"make_up_from_bit", 34.0}, {"buckling_share", 0.35}, {"buckling_from_bit", 36.0}};
   for (const auto& [key, value] : expected) EXPECT_DOUBLE_EQ(value, number(array, key)) << key;
-  const std::map<std::string, std::string> words = {{"state", "running"}, {"level", "beam3d"}, {"integrator", "auto_one"},
+  const std::map<std::string, std::string> words = {{"state", "running"}, {"level", "beam3d"}, {"integrator", "auto_one"}, {"kernel", "sse4"},
       {"last_refusal", "a refusal"}, {"last_clamp", "a clamp"}};
   for (const auto& [key, value] : words) EXPECT_EQ(value, values(array).at(key)) << key;
   EXPECT_EQ(expected.size() + words.size() + 2, values(array).size()) << "and two histograms; a real-time factor needs half a second";

@@ -137,6 +137,25 @@ TEST(State, ofAnotherRigIsRefused)
   EXPECT_EQ(to_bytes(*other.save()), before);
 }
 
+TEST(State, goesOnByAnotherKernelButForRounding)
+{
+  Scene scene = drilling_rig().scene();
+  scene.numerics.kernel = Kernel::scalar;
+  Simulator scalar(scene);
+  for (int k = 0; k < 100; ++k) scalar.frame(0.01);
+  scene.numerics.kernel = Kernel::automatic;
+  Simulator best(scene);
+  ASSERT_TRUE(best.restore(*scalar.save()));
+  for (int k = 0; k < 100; ++k)
+  {
+    scalar.frame(0.01);
+    best.frame(0.01);
+  }
+  EXPECT_EQ(best.statistics().kernel, resolved(Kernel::automatic));
+  EXPECT_NEAR(best.truth().hook_load, scalar.truth().hook_load, 1e-6 * scalar.truth().hook_load);
+  EXPECT_NEAR(best.truth().bit_depth, scalar.truth().bit_depth, 1e-9);
+}
+
 // Snapshots are refused by another build: they hold what the linker wrote into the binary as its hash.
 TEST(SnapshotFile, namesTheBuildByTheLibrarysNote)
 {
