@@ -8,7 +8,7 @@ import sys
 # what it says (a pattern of the whole line, without package and place) and why that stays
 ALLOWED = {
     r"warning: file 'launch/demo' is executable but not installed": "it builds from the sources, so it stays with them",
-    r"warning: target '(benchmark_kernels|stability_map|accuracy_cases|fuzz_replay_\$\{target\}|fuzz_replay_\w+)' is not installed": "a program of the tests",
+    r"warning: target '(benchmark_kernels|benchmark_speed|stability_map|accuracy_cases|fuzz_replay_\$\{target\}|fuzz_replay_\w+)' is not installed": "a program of the tests",
     r"notice: list of source files should be sorted": "a loop's variable is one of the names",
     r"warning: target 'realtime_listener' is not installed": "a part of test/realtime/run",
     r"notice: package path name '.*' differs from package name": "a checkout may be called anything",
