@@ -162,25 +162,31 @@ const double* numbers_of(const HoleSegment* segment) noexcept
 void find_nodes(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
 {
   StringColumns& columns = work.columns;
+  const PlaceTask task{model.nodes(), &columns.nodes, node_column::position, node_column::contact_radius, node_column::searched, node_column::room,
+                       columns.segments.data(), &work.nodes[0].closest, sizeof(NodeMotion), columns.places.data()};
+  work.place->look(task);
   for (int i = 0; i < model.nodes(); ++i)
   {
-    const MeshNode& node = model.mesh().nodes[i];
-    const bool guided = stage.any_guided && stage.guides[i].guided;
-    const bool singly = i == model.top() || guided || i < model.mesh().gauge_nodes || node.squeeze_film_damping > 0.0;
-    columns.segments[i] = singly ? nullptr : numbers_of(start.well.smooth_segment(start.nodes[i].segment, work.nodes[i].position));
+    const int hint = start.nodes[i].segment;
+    columns.segments[i] = nullptr;
+    if (columns.places[i] == Place::clear && columns.node_hints[i] == hint) continue;
+    columns.places[i] = Place::search;
+    columns.node_hints[i] = hint;
+    if (columns.single_nodes[i] || (stage.any_guided && stage.guides[i].guided)) continue;
+    columns.segments[i] = numbers_of(start.well.smooth_segment(hint, work.nodes[i].position));
   }
-  work.place->find({model.nodes(), &columns.nodes, node_column::position, node_column::contact_radius, columns.segments.data(),
-                    &work.nodes[0].closest, sizeof(NodeMotion), columns.places.data()});
+  work.place->find(task);
   for (int i = 0; i < model.nodes(); ++i)
   {
     NodeMotion& node = work.nodes[i];
-    const bool in_mast = start.nodes[i].segment == 0 && clear_in_mast(start.well, node.position, model.mesh().nodes[i].contact_radius);
+    const int hint = columns.node_hints[i];
+    const bool in_mast = hint == 0 && clear_in_mast(start.well, node.position, model.mesh().nodes[i].contact_radius);
     if (columns.places[i] == Place::search && !in_mast)
     {
       find_closest(model, start, stage, i, node);
       continue;
     }
-    node.closest.segment = start.nodes[i].segment;
+    node.closest.segment = hint;
     node.touches = columns.places[i] == Place::touches;
   }
 }
@@ -192,27 +198,45 @@ void find_spans(const Model& model, const State& start, const Stage& stage, Work
   work.place->find_middles({model.elements(), &columns.nodes, &columns.elements});
   const NumberColumns& elements = columns.elements;
   const double *x = elements[element_column::middle], *y = elements[element_column::middle + 1], *z = elements[element_column::middle + 2];
+  const PlaceTask task{model.elements(), &columns.elements, element_column::middle, element_column::radius, element_column::searched, element_column::room,
+                       columns.segments.data(), &work.spans[0].closest, sizeof(SpanMotion), columns.places.data()};
+  work.place->look(task);
   for (int e = 0; e < model.elements(); ++e)
   {
-    const bool singly = (stage.any_guided && stage.guided_spans[e].guided) || model.mesh().elements[e].bend != 0.0;
-    columns.segments[e] = singly ? nullptr : numbers_of(start.well.smooth_segment(start.spans[e].segment, {x[e], y[e], z[e]}));
+    const int hint = start.spans[e].segment;
+    columns.segments[e] = nullptr;
+    if (columns.places[e] == Place::clear && columns.element_hints[e] == hint) continue;
+    columns.places[e] = Place::search;
+    columns.element_hints[e] = hint;
+    if (columns.single_elements[e] || (stage.any_guided && stage.guided_spans[e].guided)) continue;
+    columns.segments[e] = numbers_of(start.well.smooth_segment(hint, {x[e], y[e], z[e]}));
   }
-  work.place->find({model.elements(), &elements, element_column::middle, element_column::radius, columns.segments.data(),
-                    &work.spans[0].closest, sizeof(SpanMotion), columns.places.data()});
+  work.place->find(task);
   for (int e = 0; e < model.elements(); ++e)
   {
     if (stage.any_guided && stage.guided_spans[e].guided) continue;
     SpanMotion& span = work.spans[e];
-    const bool in_mast = start.spans[e].segment == 0 && clear_in_mast(start.well, {x[e], y[e], z[e]}, elements[element_column::radius][e]);
+    const int hint = columns.element_hints[e];
+    const bool in_mast = hint == 0 && clear_in_mast(start.well, {x[e], y[e], z[e]}, elements[element_column::radius][e]);
     if (columns.places[e] == Place::search && !in_mast)
     {
       find_span(model, start, stage, e, work);
       continue;
     }
-    span.closest.segment = start.spans[e].segment;
+    span.closest.segment = hint;
     span.touches = columns.places[e] == Place::touches;
     if (span.touches) move_span(model, start, stage, e, work);
   }
+}
+
+/// What was found in another hole is void: it has been drilled on since.
+void forget_other_hole(const Wellbore& well, StringColumns& columns) noexcept
+{
+  if (columns.hole == well.version()) return;
+  columns.hole = well.version();
+  double *nodes = columns.nodes[node_column::room], *elements = columns.elements[element_column::room];
+  std::fill(nodes, nodes + columns.node_hints.size(), 0.0);
+  std::fill(elements, elements + columns.element_hints.size(), 0.0);
 }
 
 /// All of them; by batch kernels after move_batches().
@@ -220,6 +244,7 @@ void find_in_hole(const Model& model, const State& start, const Stage& stage, Wo
 {
   if (work.place)
   {
+    forget_other_hole(start.well, work.columns);
     find_nodes(model, start, stage, work);
     find_spans(model, start, stage, work);
     return;

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "drill_rig_sim/math/visit.h"
 #include "tangent_check.h"
 
 using namespace drill_rig_sim;
@@ -75,6 +76,14 @@ void expect_same(const Scene& scene, const Rig& rig)
     EXPECT_LT(worst_stiffness, rounding) << name_of(kernel);
     EXPECT_LT(worst_column(twin.problem, increments_without_tilt(rig), tangent_difference), 1e-6) << name_of(kernel);
   }
+}
+
+/// Above bottom in a hole that bends, reaches it and drills.
+Scene plain_drilling()
+{
+  Scene scene = scene_in(build_and_hold(20.0, 0.1 * degree, 40.0 * degree, 2.0, 300.0), 300.0, 299.95, 0.3);
+  scene.string.insert(scene.string.begin() + 1, collar_part(2, 9.4));
+  return scene;
 }
 
 /// Lowered and turned a while by the scalar kernel.
@@ -193,6 +202,27 @@ TEST(ModelKernels, forcesAlongTheString)
       EXPECT_NEAR(forces.torque[e], expected.torque[e], 1e-6) << name_of(kernel);
       EXPECT_NEAR(forces.bending_moment[e + 1], expected.bending_moment[e + 1], 1e-5) << name_of(kernel);
     }
+  }
+}
+
+// Room that a search has left is a help, not a state: who begins anew from the state, at any step, goes on bit for bit.
+TEST(ModelKernels, whatWasFoundBeforeChangesNothing)
+{
+  for (const Kernel kernel : wide_kernels())
+  {
+    Scene scene = plain_drilling();
+    scene.numerics.kernel = kernel;
+    Rig whole(scene), parts(scene);
+    whole.setpoints.winch = parts.setpoints.winch = {-0.05, false};
+    whole.setpoints.top_drive.speed = parts.setpoints.top_drive.speed = 60.0 * rpm;
+    for (int part = 0; part < 20; ++part)
+    {
+      whole.run(0.2);
+      Stepper fresh(parts.rest.model, find_method(IntegratorKind::automatic));
+      fresh.limits().tolerance = 1e-9;
+      for (int k = 0; k < 40; ++k) ASSERT_TRUE(fresh.advance(parts.rest.state, tangent_step, parts.setpoints));
+    }
+    EXPECT_EQ(to_bytes(whole.rest.state), to_bytes(parts.rest.state)) << name_of(kernel);
   }
 }
 

@@ -58,18 +58,31 @@ HWY_INLINE V step_of(const Segments& g, const V3& point, Foot& foot)
 
 using Mask = hn::Mask<Tag>;
 
-/// Which of them end within their segment, near its axis.
+HWY_INLINE V3 choose(Mask mask, const V3& yes, const V3& no)
+{
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+}
+
+/// Which of them end within their segment, near its axis. One that has arrived stays, however long its neighbours take: what is found does not
+/// depend on who is searched beside it.
 HWY_INLINE Mask refine(const Segments& g, const V3& point, Foot& foot)
 {
   foot.s = dot(point - g.c0, g.chord);
   Mask good = hn::And(foot.s >= all(-far_outside), foot.s <= all(1.0 + far_outside));
   V step = step_of(g, point, foot);
   foot.s = foot.s + step;
-  const auto settled = [&] { return hn::Or(hn::Abs(step) <= all(step_tolerance), hn::Not(good)); };
-  for (int k = 1; k < most_iterations && !hn::AllTrue(Tag(), settled()); ++k)
+  for (int k = 1; k < most_iterations; ++k)
   {
-    step = step_of(g, point, foot);
-    foot.s = foot.s + step;
+    const Mask under_way = hn::And(hn::Abs(step) > all(step_tolerance), good);
+    if (hn::AllFalse(Tag(), under_way)) break;
+    Foot next = foot;
+    const V next_step = step_of(g, point, next);
+    foot.s = hn::IfThenElse(under_way, foot.s + next_step, foot.s);
+    foot.centre = choose(under_way, next.centre, foot.centre);
+    foot.first = choose(under_way, next.first, foot.first);
+    foot.second = choose(under_way, next.second, foot.second);
+    foot.decline = hn::IfThenElse(under_way, next.decline, foot.decline);
+    step = hn::IfThenElse(under_way, next_step, step);
   }
   foot.centre = mul_add(step, foot.first, foot.centre);
   foot.first = mul_add(step, foot.second, foot.first);
@@ -101,6 +114,36 @@ unsigned bits_of(Mask mask)
   return bits[0];
 }
 
+/// How far a point may go from here: not to the wall, nor to an end of its segment, nor anywhere where the hole's radius changes.
+HWY_INLINE V room_of(const Segments& g, const Foot& foot, V gap)
+{
+  constexpr double share = 0.99, rounding = 1e-6;  // the hole's curvature, and [m]
+  const V zero = all(0.0), to_end = g.length * hn::Min(foot.s, all(1.0) - foot.s);
+  const V room = hn::MulSub(all(share), hn::Min(gap, to_end), all(rounding));
+  return hn::IfThenElseZero(g.radius_change == zero, hn::Max(room, zero));
+}
+
+Mask mask_of(unsigned bits)
+{
+  HWY_ALIGN double lane[kLanes];
+  for (int k = 0; k < kLanes; ++k) lane[k] = bits >> k & 1u;
+  return hn::Load(Tag(), lane) > all(0.0);
+}
+
+HWY_INLINE void note(V value, Mask mask, double* to)
+{
+  hn::StoreU(hn::IfThenElse(mask, value, load(to)), Tag(), to);
+}
+
+void note_search(const PlaceTask& task, int i, const V3& point, V room, Mask mask)
+{
+  NumberColumns& columns = *task.columns;
+  note(point.x, mask, columns[task.searched] + i);
+  note(point.y, mask, columns[task.searched + 1] + i);
+  note(point.z, mask, columns[task.searched + 2] + i);
+  note(room, mask, columns[task.room] + i);
+}
+
 void find_batch(const PlaceTask& task, int i, int count, const double* any, double* spare)
 {
   Rows from;
@@ -111,6 +154,7 @@ void find_batch(const PlaceTask& task, int i, int count, const double* any, doub
     if (segment) there |= 1u << k;
     from.row[k] = const_cast<double*>(segment ? segment : any);
   }
+  if (there == 0) return;
   const Segments g = load_segments(from);
   const V3 point = load3(*task.columns, task.position, i);
   Foot foot;
@@ -122,10 +166,23 @@ void find_batch(const PlaceTask& task, int i, int count, const double* any, doub
   const V gap = radius - load((*task.columns)[task.radius] + i) - hn::Sqrt(dot(away, away) + all(smoothing));
   const unsigned touches = bits_of(gap < all(0.0)) & found;
   for (int k = 0; k < count; ++k)
-    task.places[i + k] = !(found >> k & 1u) ? Place::search : touches >> k & 1u ? Place::touches : Place::clear;
+    if (found >> k & 1u) task.places[i + k] = touches >> k & 1u ? Place::touches : Place::clear;
+  note_search(task, i, point, room_of(g, foot, gap), mask_of(found));
   if (touches == 0) return;
   char* closest = reinterpret_cast<char*>(task.closest) + i * task.closest_stride;
   write_closest(g, foot, share, radius, rows(reinterpret_cast<double*>(closest), task.closest_stride, count, spare));
+}
+
+void look(const PlaceTask& task) noexcept
+{
+  const NumberColumns& columns = *task.columns;
+  for (int i = 0; i < task.count; i += kLanes)
+  {
+    const V3 gone = load3(columns, task.position, i) - load3(columns, task.searched, i);
+    const V room = load(columns[task.room] + i);
+    const unsigned clear = bits_of(dot(gone, gone) < room * room);
+    for (int k = 0; k < kLanes; ++k) task.places[i + k] = clear >> k & 1u ? Place::clear : Place::search;
+  }
 }
 
 void find(const PlaceTask& task) noexcept
@@ -133,11 +190,7 @@ void find(const PlaceTask& task) noexcept
   double spare[20];
   const double* any = nullptr;
   for (int i = 0; i < task.count && !any; ++i) any = task.segments[i];
-  if (!any)
-  {
-    for (int i = 0; i < task.count; ++i) task.places[i] = Place::search;
-    return;
-  }
+  if (!any) return;
   for (int i = 0; i < task.count; i += kLanes) find_batch(task, i, task.count - i < kLanes ? task.count - i : kLanes, any, spare);
 }
 
@@ -155,7 +208,7 @@ void find_middles(const MiddleTask& task) noexcept
 }
 }  // namespace
 
-constexpr PlaceKernel table = {find, find_middles};
+constexpr PlaceKernel table = {look, find, find_middles};
 }  // namespace drill_rig_sim::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

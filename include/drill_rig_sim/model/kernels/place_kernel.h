@@ -23,10 +23,11 @@ enum class Place : unsigned char
 struct PlaceTask
 {
   int count;
-  const NumberColumns* columns;
-  int position;  ///< the first of its three columns
-  int radius;    ///< column of the sections' radii
-  /// Of each its HoleSegment's numbers, in the segment's order; null: to be searched singly. Room for a batch behind the last.
+  NumberColumns* columns;
+  int position;        ///< the first of its three columns
+  int radius;          ///< column of the sections' radii
+  int searched, room;  ///< where they were at their last searches (three columns), and how far they may go from there (string_columns.h)
+  /// Of each its HoleSegment's numbers, in the segment's order; null: to be left as it is. Room for a batch behind the last.
   const double* const* segments;
   /// Overwritten but for segment and iterations, of batches in which one touches; `closest_stride` bytes apart.
   ClosestPoint* closest;
@@ -45,6 +46,9 @@ struct MiddleTask
 /// A kernel's.
 struct PlaceKernel
 {
+  /// Those that are where the last search has left them room are clear, the others are to be searched.
+  void (*look)(const PlaceTask& task) noexcept;
+  /// Searches; what is found leaves its place and room.
   void (*find)(const PlaceTask& task) noexcept;
   void (*find_middles)(const MiddleTask& task) noexcept;
 };

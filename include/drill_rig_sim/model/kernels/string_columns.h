@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_MODEL_KERNELS_STRING_COLUMNS_H
 #define DRILL_RIG_SIM_MODEL_KERNELS_STRING_COLUMNS_H
 
+#include <cstdint>
 #include <vector>
 
 #include "drill_rig_sim/math/number_columns.h"
@@ -42,7 +43,10 @@ enum : int
   mud_torsional = 43,
   mud_quadratic = 44,
   contact_radius = 45,
-  count = 46
+  // by the place kernel
+  searched = 46,  ///< where it was when the hole was searched last
+  room = 49,      ///< how far from there it may go and still be clear of the wall in the same segment, for sure; 0: not known
+  count = 50
 };
 }  // namespace node_column
 
@@ -64,7 +68,9 @@ enum : int
   radius = 13,    ///< of the body
   // by the place kernel
   middle = 14,
-  count = 17
+  searched = 17,  ///< as of nodes
+  room = 20,
+  count = 21
 };
 }  // namespace element_column
 
@@ -81,9 +87,13 @@ struct StringColumns
   NumberColumns nodes, elements;
   bool moved = false;       ///< hold the motion of the workspace's nodes
   bool any_guided = true;  ///< of these, when they moved
-  // of the search in the hole: where it starts, and what it finds
+  // of the search in the hole: who is searched singly at any time; where the search starts, and what it finds
+  std::vector<unsigned char> single_nodes, single_elements;
   std::vector<const double*> segments;
   std::vector<Place> places;
+  // the hole and the first segments of the last searches
+  std::uint64_t hole = 0;
+  std::vector<int> node_hints, element_hints;
   // of nodes that touch the wall
   std::vector<WallPlace> wall_places;
   std::vector<WallNumbers> wall_numbers;
