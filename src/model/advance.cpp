@@ -22,34 +22,39 @@ NodeRate split(const NodeMotion& node, const Vector6d& vector) noexcept
 
 namespace
 {
-/// The rates of all nodes by the batch kernel. False: it is not there, or not for these.
-bool split_rates(const Workspace& work, State& state) noexcept
+/// The rates of the free nodes by the batch kernel. False: it is not there, or not for these.
+bool split_rates(const Stage& stage, const Workspace& work, State& state) noexcept
 {
-  if (!work.history || work.columns.any_guided) return false;
-  const double *moves = work.nodes[0].orientation.coeffs().data(), *rate = work.nodes[0].rate.data();
-  work.history->split(static_cast<int>(work.nodes.size()), {moves, sizeof(NodeMotion)}, static_cast<int>(rate - moves),
-                      {state.nodes[0].rate.velocity.data(), sizeof(NodeState)});
+  if (!work.history || !work.columns.moved) return false;
+  each_between(stage.guided_nodes, static_cast<int>(work.nodes.size()),
+               [&](int first, int last)
+               {
+                 const NodeMotion& node = work.nodes[static_cast<std::size_t>(first)];
+                 const double *moves = node.orientation.coeffs().data(), *rate = node.rate.data();
+                 work.history->split(last - first, {moves, sizeof(NodeMotion)}, static_cast<int>(rate - moves),
+                                     {state.nodes[static_cast<std::size_t>(first)].rate.velocity.data(), sizeof(NodeState)});
+               });
   return true;
 }
 }  // namespace
 
 void commit(const Stage& stage, const Workspace& work, State& state) noexcept
 {
-  const bool rates_are_there = split_rates(work, state);
-  for (std::size_t i = 0; i < work.nodes.size(); ++i)
+  const bool rates_are_there = split_rates(stage, work, state);
+  each_outside(stage.guided_nodes, static_cast<int>(work.nodes.size()), [&](int k)
   {
+    const std::size_t i = static_cast<std::size_t>(k);
     const NodeMotion& motion = work.nodes[i];
     NodeState& node = state.nodes[i];
-    if (stage.any_guided && stage.guides[i].guided) continue;
     if (!rates_are_there) node.rate = split(motion, motion.rate);
     node.position = motion.position;
     node.spin_angle += motion.spin;
     node.orientation = motion.orientation.normalized();
     node.segment = motion.closest.segment;
-  }
+  });
   commit_guided(stage, work, state);
-  for (std::size_t e = 0; e < work.spans.size(); ++e)
-    if (!(stage.any_guided && stage.guided_spans[e].guided)) state.spans[e].segment = work.spans[e].closest.segment;
+  each_outside(stage.guided_elements, static_cast<int>(work.spans.size()),
+               [&](int e) { state.spans[static_cast<std::size_t>(e)].segment = work.spans[static_cast<std::size_t>(e)].closest.segment; });
 }
 
 void advance_static(const Workspace& work, State& state) noexcept
@@ -61,6 +66,7 @@ void advance_static(const Workspace& work, State& state) noexcept
   }
   for (std::size_t e = 0; e < work.spans.size(); ++e)
   {
+    if (state.nodes[e].guided && state.nodes[e + 1].guided) continue;
     state.spans[e].bristle = work.result.span_bristle[e];
     state.spans[e].rest = work.result.span_rest[e];
   }

@@ -4,6 +4,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/forces/lists.h"
+#include "drill_rig_sim/model/kernels/guided_kernel.h"
 #include "drill_rig_sim/model/places.h"
 
 namespace drill_rig_sim
@@ -23,8 +24,7 @@ void add_forces(const std::array<const Force*, N>& forces, const StageContext& a
   }
 }
 
-/// The same of a guided node; as a free one's only if other forces look at it.
-void move_guided(const NodeState& before, const Stage& stage, std::size_t i, const double* u, Workspace& work) noexcept
+void move_guided(const Stage& stage, std::size_t i, const double* u, Workspace& work) noexcept
 {
   const Guide& guide = stage.guides[i];
   GuidedMotion& motion = work.guided[i];
@@ -36,13 +36,38 @@ void move_guided(const NodeState& before, const Stage& stage, std::size_t i, con
   motion.about_rate = stage.dv_du * motion.about + dot(rate + 3);
   motion.along_acceleration = stage.da_du * motion.along + dot(acceleration);
   motion.about_acceleration = stage.da_du * motion.about + dot(acceleration + 3);
-  if (!guide.joined) return;
-  NodeMotion& node = work.nodes[i];
+}
+
+/// A guided node that other forces look at, as a free one.
+void move_joined(const NodeState& before, const Guide& guide, const GuidedMotion& motion, NodeMotion& node) noexcept
+{
   expand_motion(guide, motion, node);
   node.carried_spin = motion.about_rate;
   node.position = before.position + node.increment.head<3>();
   node.orientation = rotation_from_vector(node.tilt) * rotation_from_vector(node.spin * node.axis) * before.orientation;
   node.normal = x_axis(node.orientation);
+}
+
+void move_guided_nodes(const StageContext& at, const double* u) noexcept
+{
+  const Stage& stage = at.stage;
+  for (const Runs::Run& run : stage.guided_nodes)
+  {
+    if (stage.guided_kernel)
+    {
+      stage.guided_kernel->move(at, u, run);
+      continue;
+    }
+    for (int i = run.first; i < run.last; ++i) move_guided(stage, static_cast<std::size_t>(i), u, at.work);
+  }
+  each_outside(stage.inner_nodes, at.model.nodes(),
+               [&](int k)
+               {
+                 const std::size_t i = static_cast<std::size_t>(k);
+                 if (!stage.guides[i].guided || !stage.guides[i].joined) return;
+                 move_joined(at.start.nodes[i], stage.guides[i], at.work.guided[i], at.work.nodes[i]);
+                 if (at.work.columns.moved) at.work.columns.take(at.work.nodes[i], k);
+               });
 }
 
 /// The free nodes from `first` to `last`, the latter not among them, by the batch kernel.
@@ -56,38 +81,21 @@ void move_free_nodes(const State& start, const Stage& stage, const double* u, in
                     &work.columns.nodes});
 }
 
-/// move_nodes() by the batch kernel, which leaves the columns of all nodes of the free string.
+/// move_free() by the batch kernel, which leaves the columns of all nodes of the free string.
 void move_batches(const State& start, const Stage& stage, const double* u, Workspace& work) noexcept
 {
   const int nodes = static_cast<int>(work.nodes.size());
   work.columns.moved = true;
-  work.columns.any_guided = stage.any_guided;
-  if (!stage.any_guided) return move_free_nodes(start, stage, u, 0, nodes, work);
-  for (int first = 0; first < nodes;)
-  {
-    int last = first;
-    while (last < nodes && !stage.guides[static_cast<std::size_t>(last)].guided) ++last;
-    if (last > first) move_free_nodes(start, stage, u, first, last, work);
-    for (first = last; first < nodes && stage.guides[static_cast<std::size_t>(first)].guided; ++first)
-    {
-      const std::size_t i = static_cast<std::size_t>(first);
-      move_guided(start.nodes[i], stage, i, u, work);
-      if (stage.guides[i].joined) work.columns.take(work.nodes[i], first);
-    }
-  }
+  each_between(stage.guided_nodes, nodes, [&](int first, int last) { move_free_nodes(start, stage, u, first, last, work); });
 }
 
-/// Places and rates of the nodes at u.
-void move_nodes(const State& start, const Stage& stage, const double* u, Workspace& work) noexcept
+/// Places and rates of the free nodes at u.
+void move_free(const State& start, const Stage& stage, const double* u, Workspace& work) noexcept
 {
   for (std::size_t i = 0; i < work.nodes.size(); ++i)
   {
+    if (stage.guides[i].guided) continue;
     NodeMotion& node = work.nodes[i];
-    if (stage.guides[i].guided)
-    {
-      move_guided(start.nodes[i], stage, i, u, work);
-      continue;
-    }
     const NodeState& before = start.nodes[i];
     node.axis = stage.normal[i];
     node.increment = Eigen::Map<const Vector6d>(u + 6 * i);
@@ -126,11 +134,16 @@ void evaluate_list(const std::array<const Force*, N>& forces, const Model& model
   if (tangent) ++work.work.tangents;
   std::fill(residual, residual + 6 * model.nodes(), 0.0);
   if (tangent)
-    for (int i = 0; i < model.nodes(); ++i) tangent->set_small(i, stage.any_guided && stage.guides[i].guided);
+  {
+    each_outside(stage.guided_nodes, model.nodes(), [&](int i) { tangent->set_small(i, false); });
+    for (const Runs::Run& run : stage.guided_nodes)
+      for (int i = run.first; i < run.last; ++i) tangent->set_small(i, true);
+  }
   if (work.motion)
     move_batches(start, stage, u, work);
   else
-    move_nodes(start, stage, u, work);
+    move_free(start, stage, u, work);
+  move_guided_nodes({model, start, stage, work}, u);
   work.profiler.lap(Cost::kinematics);
   find_in_hole(model, start, stage, work);
   work.profiler.lap(Cost::contact);
@@ -154,6 +167,7 @@ Workspace::Workspace(const Model& model)
     place(place_kernel(kernel_of(model))),
     wall(wall_kernel(kernel_of(model))),
     history(history_kernel(kernel_of(model))),
+    guided_columns(guided_column::count, model.nodes()),
     unused(6 * nodes.size(), 0.0)
 {
   result.bristle.assign(nodes.size(), Vector3d::Zero());
@@ -199,6 +213,8 @@ void find_guided_forces(const Model& model, const Stage& stage, int e, Workspace
   RigForces& out = work.result.forces;
   out.tension[e] = work.guided_forces[e].tension;
   out.torque[e] = -work.guided_forces[e].torque;
+  out.span_contact[e] = 0.0;
+  out.span_wall[e].setZero();
   out.bending_moment[e + 1] = section.bending * stage.guides[e + 1].turn.norm();
 }
 }  // namespace
@@ -237,14 +253,13 @@ void evaluate_motion(const Model& model, const State& start, const Stage& stage,
   std::fill(contact, contact + 6 * model.nodes(), 0.0);
   for (std::size_t i = 0; i < work.nodes.size(); ++i) place(motion.nodes[i], work.nodes[i]);
   work.columns.moved = false;
-  work.columns.any_guided = true;  // nobody knows
   for (int e = 0; e < model.elements(); ++e) find_span(model, start, stage, e, work);
   work.profiler.lap(Cost::kinematics);
   const StageContext at{model, start, stage, work};
   add_forces(string_forces, at, string, string_tangent);
   if (contact_tangent) contact_tangent->set_zero();
   place(motion.bit, work.nodes[0]);  // from here on node 0 stands for the bit
-  find_closest(model, start, stage, work);
+  for (int i = 0; i < model.nodes(); ++i) find_closest(model, start, i, work.nodes[i]);
   add_forces(contact_forces, at, contact, contact_tangent);
 }
 
@@ -253,7 +268,7 @@ Vector6d evaluate_bit_motion(const Model& model, const State& start, const Stage
   Vector6d out = Vector6d::Zero();
   const StageContext at{model, start, stage, work};
   place(bit, work.nodes[0]);
-  find_closest(model, start, stage, 0, work.nodes[0]);
+  find_closest(model, start, 0, work.nodes[0]);
   add_film_at_bit(at, out.data());
   add_wall_at_bit(at, out.data());
   bit_on_bottom.add(at, out.data(), nullptr);

@@ -5,6 +5,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/forces/inertia.h"
+#include "drill_rig_sim/model/kernels/guided_kernel.h"
 #include "drill_rig_sim/model/stage.h"
 #include "drill_rig_sim/model/workspace.h"
 
@@ -16,7 +17,6 @@ namespace
 {
 constexpr double kSettles = 0.5;  // over this time a guided node changes sides [s]
 constexpr double kAtOnce = 0.5;   // and so much of it in each step of statics
-constexpr double kPressed = 50.0; // a load that presses it nearly to the wall [N]
 
 bool guided_pair(const State& state, std::size_t lower) noexcept
 {
@@ -40,30 +40,21 @@ Vector3d direction_across(const Guide& from, const Vector3d& way, double distanc
   return across(from.tangent, way / distance);
 }
 
-void find_mud(const MudSpec& mud, const MeshNode& mesh, double immersed, Guide& guide) noexcept
-{
-  guide.mud_along = immersed * mesh.length * mud.axial_damping;
-  guide.mud_about = immersed * mesh.length * mud.torsional_damping;
-}
-
 void find_guide(const Model& model, const State& state, const Stage& stage, std::size_t i, Guide& guide) noexcept
 {
   const NodeState& node = state.nodes[i];
   const MeshNode& mesh = model.mesh().nodes[i];
-  const RigidBody body = node_body(model, stage, static_cast<int>(i));
   const HoleWall hole = state.well.wall_at(node.md, node.segment);
   guide.tangent = x_axis(node.orientation);
   guide.centre = node.position - node.side;
   guide.weight = guide.above = guide.below = guide.turn = Vector3d::Zero();
-  guide.mass = body.mass;
-  guide.spin_inertia = body.spin_inertia;
   guide.friction = node.md > 0.0 ? hole.friction : 0.0;
-  guide.lever = mesh.friction_radius > 0.0 ? mesh.friction_radius : mesh.bearing_radius;
   guide.clearance = node.md > 0.0 ? std::max(0.0, hole.radius - mesh.bearing_radius) : 0.0;
   guide.law = model.contact(static_cast<int>(i), hole.section, node.rest);
   guide.held = guide.law.tangential_stiffness * node.bristle.y();
-  guide.joined = joined(state, i);
-  find_mud(model.scene().mud, mesh, stage.immersed[i], guide);
+  const MudSpec& mud = model.scene().mud;
+  guide.mud_along = stage.immersed[i] * mesh.length * mud.axial_damping;
+  guide.mud_about = stage.immersed[i] * mesh.length * mud.torsional_damping;
 }
 
 void find_span(const Model& model, const State& state, const Stage& stage, std::size_t e, Guide& lower, Guide& upper, GuidedSpan& span) noexcept
@@ -72,8 +63,6 @@ void find_span(const Model& model, const State& state, const Stage& stage, std::
   const NodeState &below = state.nodes[e], &above = state.nodes[e + 1];
   const Vector3d way = upper.centre - lower.centre;
   const double chord = way.norm(), axis = below.md - above.md;
-  span.axial = section.axial / section.length;
-  span.torsion = section.torsion;
   span.stretch = axis + (way + above.side - below.side).norm() - chord - section.length * (1.0 + stage.free_stretch[e]);
   span.twist = state.spans[e].twist;
   upper.turn = lower.turn = lower.tangent.cross(lower.tangent - upper.tangent) / axis;
@@ -83,32 +72,52 @@ void find_span(const Model& model, const State& state, const Stage& stage, std::
   upper.weight += 0.5 * stage.load[e];
 }
 
+/// Calls batch(kernel, run) for the runs of guided nodes if there is a batch kernel, else node(i) for each of them.
+template <class Batch, class Node>
+void each_guided(const Stage& stage, const Batch& batch, const Node& node)
+{
+  for (const Runs::Run& run : stage.guided_nodes)
+  {
+    if (stage.guided_kernel)
+    {
+      batch(*stage.guided_kernel, run);
+      continue;
+    }
+    for (int i = run.first; i < run.last; ++i) node(i);
+  }
+}
+
+void find_run(const Model& model, const State& state, Stage& stage, Runs::Run run) noexcept
+{
+  const std::size_t first = static_cast<std::size_t>(run.first), last = static_cast<std::size_t>(run.last);
+  for (std::size_t i = first; i < last; ++i) find_guide(model, state, stage, i, stage.guides[i]);
+  for (std::size_t e = first; e + 1 < last; ++e) find_span(model, state, stage, e, stage.guides[e], stage.guides[e + 1], stage.guided_spans[e]);
+}
+
 void reduce(const Stage& stage, double* b) noexcept
 {
-  for (std::size_t i = 0; i < stage.guides.size(); ++i)
+  each_guided(stage, [&](const GuidedKernel& by, Runs::Run run) { by.reduce(stage, run, b); }, [&](int i)
   {
-    const Guide& guide = stage.guides[i];
-    if (!guide.guided) continue;
+    const Guide& guide = stage.guides[static_cast<std::size_t>(i)];
     double* at = b + 6 * i;
     const double along = guide.tangent.dot(Eigen::Map<const Vector3d>(at)), about = guide.tangent.dot(Eigen::Map<const Vector3d>(at + 3));
     at[0] = along;
     at[1] = about;
     at[2] = at[3] = at[4] = at[5] = 0.0;
-  }
+  });
 }
 
 void expand(const Stage& stage, double* b) noexcept
 {
-  for (std::size_t i = 0; i < stage.guides.size(); ++i)
+  each_guided(stage, [&](const GuidedKernel& by, Runs::Run run) { by.expand(stage, run, b); }, [&](int i)
   {
-    const Guide& guide = stage.guides[i];
-    if (!guide.guided) continue;
+    const Guide& guide = stage.guides[static_cast<std::size_t>(i)];
     double* at = b + 6 * i;
     const double along = at[0], about = at[1];
     Eigen::Map<Vector3d> place{at};
     place = along * guide.tangent;
     Eigen::Map<Vector3d>(at + 3) = along * guide.turn + about * guide.tangent;
-  }
+  });
 }
 
 /// The load turned by how far friction `around` the pipe [N] makes it climb: the wall's normal force N and F balance P on the side n = (N P + F t x P)/Q^2.
@@ -119,7 +128,9 @@ Vector3d climbed(const Guide& guide, const Vector3d& push, double around) noexce
   return (std::sqrt(square - around * around) * push + around * guide.tangent.cross(push)) / std::sqrt(square);
 }
 
-/// `q` by the smallest turn that points its x axis along `tangent`: of the angles of a step n x t says it to their cube.
+}  // namespace
+
+/// Of the angles of a step n x t says it to their cube.
 Eigen::Quaterniond turned_to(const Vector3d& tangent, const Eigen::Quaterniond& q) noexcept
 {
   constexpr double small = 1e-3;  // [rad]
@@ -129,6 +140,8 @@ Eigen::Quaterniond turned_to(const Vector3d& tangent, const Eigen::Quaterniond& 
   return (Eigen::Quaterniond(1.0, half.x(), half.y(), half.z()) * q).normalized();
 }
 
+namespace
+{
 /// Where a node at its md and side is, and how it is turned.
 void place(State& state, NodeState& node) noexcept
 {
@@ -174,31 +187,63 @@ double guided_length(const State& state, std::size_t e) noexcept
   return lower.md - upper.md + (way + upper.side - lower.side).norm() - way.norm();
 }
 
+void prepare_guides(const Model& model, Stage& stage)
+{
+  for (std::size_t i = 0; i < stage.guides.size(); ++i)
+  {
+    const MeshNode& mesh = model.mesh().nodes[i];
+    const RigidBody body = node_body(model, stage, static_cast<int>(i));
+    Guide& guide = stage.guides[i];
+    guide.mass = body.mass;
+    guide.spin_inertia = body.spin_inertia;
+    guide.lever = mesh.friction_radius > 0.0 ? mesh.friction_radius : mesh.bearing_radius;
+    guide.law = model.contact(static_cast<int>(i));
+    NumberColumns& columns = stage.guided_columns;
+    columns[guide_column::bearing_radius][i + 1] = mesh.bearing_radius;
+    columns[guide_column::mud_along][i + 1] = mesh.length * model.scene().mud.axial_damping;
+    columns[guide_column::mud_about][i + 1] = mesh.length * model.scene().mud.torsional_damping;
+  }
+  for (std::size_t e = 0; e < stage.guided_spans.size(); ++e)
+  {
+    const BeamSection& section = model.mesh().elements[e].section;
+    stage.guided_spans[e].axial = section.axial / section.length;
+    stage.guided_spans[e].torsion = section.torsion;
+    stage.guided_columns[guide_column::length][e + 1] = section.length;
+  }
+}
+
 void find_guides(const Model& model, const State& state, Stage& stage) noexcept
 {
   const std::size_t n = state.nodes.size();
+  for (Runs* runs : {&stage.guided_nodes, &stage.guided_elements, &stage.inner_nodes}) runs->clear();
   stage.sides_stay = model.scene().numerics.level == Level::rigid && stage.time > 0.0;
-  stage.any_guided = false;
   for (std::size_t i = 0; i < n; ++i)
   {
     Guide& guide = stage.guides[i];
     guide.guided = state.nodes[i].guided;
     if (!guide.guided) continue;
-    stage.any_guided = true;
-    find_guide(model, state, stage, i, guide);
-    stage.normal[i] = guide.tangent;
+    guide.joined = joined(state, i);
+    stage.guided_nodes.add(static_cast<int>(i));
+    if (!guide.joined && static_cast<int>(i) >= model.mesh().gauge_nodes) stage.inner_nodes.add(static_cast<int>(i));
   }
+  stage.any_guided = !stage.guided_nodes.empty();
   for (std::size_t e = 0; e + 1 < n; ++e)
   {
     GuidedSpan& span = stage.guided_spans[e];
-    span.guided = guided_pair(state, e);
-    if (span.guided) find_span(model, state, stage, e, stage.guides[e], stage.guides[e + 1], span);
+    span.guided = stage.guides[e].guided && stage.guides[e + 1].guided;
+    if (span.guided) stage.guided_elements.add(static_cast<int>(e));
+  }
+  for (const Runs::Run& run : stage.guided_nodes)
+  {
+    if (stage.guided_kernel)
+      stage.guided_kernel->find(model, state, stage, run);
+    else
+      find_run(model, state, stage, run);
   }
 }
 
 bool solve_increment(const Stage& stage, BlockTridiagonal& tangent, double* b) noexcept
 {
-  if (!stage.any_guided) return tangent.solve(b);
   reduce(stage, b);
   if (!tangent.solve(b)) return false;
   expand(stage, b);
@@ -207,7 +252,6 @@ bool solve_increment(const Stage& stage, BlockTridiagonal& tangent, double* b) n
 
 void solve_increment_again(const Stage& stage, const BlockTridiagonal& tangent, double* b) noexcept
 {
-  if (!stage.any_guided) return tangent.solve_again(b);
   reduce(stage, b);
   tangent.solve_again(b);
   expand(stage, b);
@@ -216,31 +260,55 @@ void solve_increment_again(const Stage& stage, const BlockTridiagonal& tangent, 
 void expand_motions(const Stage& stage, Workspace& work) noexcept
 {
   if (!stage.any_guided) return;
-  for (std::size_t i = 0; i < stage.guides.size(); ++i)
+  const auto expand_one = [&](std::size_t i)
+  {
     if (stage.guides[i].guided && !stage.guides[i].joined) expand_motion(stage.guides[i], work.guided[i], work.nodes[i]);
+  };
+  if (!stage.guided_kernel)
+  {
+    for (std::size_t i = 0; i < stage.guides.size(); ++i) expand_one(i);
+    return;
+  }
+  for (const Runs::Run& run : stage.inner_nodes) stage.guided_kernel->expand_motions(stage, work, run);
+  each_outside(stage.inner_nodes, static_cast<int>(stage.guides.size()), [&](int i) { expand_one(static_cast<std::size_t>(i)); });
 }
+
+namespace
+{
+void commit_node(const Stage& stage, const Workspace& work, double follows, std::size_t i, State& state) noexcept
+{
+  const Guide& guide = stage.guides[i];
+  NodeState& node = state.nodes[i];
+  const GuidedMotion& motion = work.guided[i];
+  const Vector3d load = climbed(guide, motion.lean, motion.around);
+  node.side += follows * ((guide.clearance / (pressed + load.norm())) * load - node.side);
+  node.md += motion.along;
+  node.spin_angle += motion.about;
+  node.rate = {motion.along_rate * guide.tangent, motion.along_rate * guide.turn, motion.about_rate};
+  node.orientation = rotation_from_vector(motion.about * guide.tangent) * node.orientation;
+  place(state, node);
+  if (static_cast<int>(i) == state.stuck_point.node) keep_beside(node, x_axis(node.orientation), state.stuck_point);
+}
+}  // namespace
 
 void commit_guided(const Stage& stage, const Workspace& work, State& state) noexcept
 {
   if (!stage.any_guided) return;
   const double follows = stage.sides_stay ? 0.0 : stage.time > 0.0 ? -std::expm1(-stage.time / kSettles) : kAtOnce;
-  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+  const auto commit_one = [&](int i)
   {
-    const Guide& guide = stage.guides[i];
-    if (!guide.guided) continue;
-    NodeState& node = state.nodes[i];
-    const GuidedMotion& motion = work.guided[i];
-    const Vector3d load = climbed(guide, motion.lean, motion.around);
-    node.side += follows * ((guide.clearance / (kPressed + load.norm())) * load - node.side);
-    node.md += motion.along;
-    node.spin_angle += motion.about;
-    node.rate = {motion.along_rate * guide.tangent, motion.along_rate * guide.turn, motion.about_rate};
-    node.orientation = rotation_from_vector(motion.about * guide.tangent) * node.orientation;
-    place(state, node);
-    if (static_cast<int>(i) == state.stuck_point.node) keep_beside(node, x_axis(node.orientation), state.stuck_point);
+    if (stage.guides[static_cast<std::size_t>(i)].guided) commit_node(stage, work, follows, static_cast<std::size_t>(i), state);
+  };
+  if (stage.guided_kernel)
+  {
+    for (const Runs::Run& run : stage.inner_nodes) stage.guided_kernel->commit(stage, work, follows, run, state);
+    each_outside(stage.inner_nodes, static_cast<int>(state.nodes.size()), commit_one);
   }
-  for (std::size_t e = 0; e < state.spans.size(); ++e)
-    if (stage.guided_spans[e].guided) state.spans[e].twist += work.guided[e].about - work.guided[e + 1].about;
+  else
+    for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i) commit_one(i);
+  for (const Runs::Run& run : stage.guided_elements)
+    for (std::size_t e = static_cast<std::size_t>(run.first); e < static_cast<std::size_t>(run.last); ++e)
+      state.spans[e].twist += work.guided[e].about - work.guided[e + 1].about;
 }
 
 }  // namespace drill_rig_sim

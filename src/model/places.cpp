@@ -32,76 +32,74 @@ const double* numbers_of(const HoleSegment* segment) noexcept
   return segment ? segment->c0.data() : nullptr;
 }
 
-/// find_closest() of all nodes by the batch kernel. One by one: gauge and blades, whose film of mud wants to know the hole even where they are
+/// find_closest() of all free nodes by the batch kernel. One by one: gauge and blades, whose film of mud wants to know the hole even where they are
 /// clear of it, and what the kernel leaves.
 void find_nodes(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
 {
   StringColumns& columns = work.columns;
-  const PlaceTask task{model.nodes(), &columns.nodes, node_column::position, node_column::contact_radius, node_column::searched, node_column::room,
-                       columns.segments.data(), &work.nodes[0].closest, sizeof(NodeMotion), columns.places.data()};
-  work.place->look(task);
-  for (int i = 0; i < model.nodes(); ++i)
+  const auto task = [&](int first, int last)
+  {
+    return PlaceTask{first, last, &columns.nodes, node_column::position, node_column::contact_radius, node_column::searched, node_column::room,
+                     columns.segments.data(), &work.nodes[0].closest, sizeof(NodeMotion), columns.places.data()};
+  };
+  each_between(stage.guided_nodes, model.nodes(), [&](int first, int last) { work.place->look(task(first, last)); });
+  each_outside(stage.guided_nodes, model.nodes(), [&](int i)
   {
     const int hint = start.nodes[i].segment;
     columns.segments[i] = nullptr;
-    if (columns.places[i] == Place::clear && columns.node_hints[i] == hint) continue;
+    if (columns.places[i] == Place::clear && columns.node_hints[i] == hint) return;
     columns.places[i] = Place::search;
     columns.node_hints[i] = hint;
-    if (columns.single_nodes[i] || (stage.any_guided && stage.guides[i].guided)) continue;
-    columns.segments[i] = numbers_of(start.well.smooth_segment(hint, work.nodes[i].position));
-  }
-  work.place->find(task);
-  for (int i = 0; i < model.nodes(); ++i)
+    if (!columns.single_nodes[i]) columns.segments[i] = numbers_of(start.well.smooth_segment(hint, work.nodes[i].position));
+  });
+  each_between(stage.guided_nodes, model.nodes(), [&](int first, int last) { work.place->find(task(first, last)); });
+  each_outside(stage.guided_nodes, model.nodes(), [&](int i)
   {
     NodeMotion& node = work.nodes[i];
     const int hint = columns.node_hints[i];
     const bool in_mast = hint == 0 && clear_in_mast(start.well, node.position, model.mesh().nodes[i].contact_radius);
-    if (columns.places[i] == Place::search && !in_mast)
-    {
-      find_closest(model, start, stage, i, node);
-      continue;
-    }
+    if (columns.places[i] == Place::search && !in_mast) return find_closest(model, start, i, node);
     node.closest.segment = hint;
     node.touches = columns.places[i] == Place::touches;
-  }
+  });
 }
 
 /// find_span() of all free elements, in the same way; of those that are clear of the wall only that is known.
 void find_spans(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
 {
   StringColumns& columns = work.columns;
-  work.place->find_middles({model.elements(), &columns.nodes, &columns.elements});
   const NumberColumns& elements = columns.elements;
   const double *x = elements[element_column::middle], *y = elements[element_column::middle + 1], *z = elements[element_column::middle + 2];
-  const PlaceTask task{model.elements(), &columns.elements, element_column::middle, element_column::radius, element_column::searched, element_column::room,
-                       columns.segments.data(), &work.spans[0].closest, sizeof(SpanMotion), columns.places.data()};
-  work.place->look(task);
-  for (int e = 0; e < model.elements(); ++e)
+  const auto task = [&](int first, int last)
+  {
+    return PlaceTask{first, last, &columns.elements, element_column::middle, element_column::radius, element_column::searched, element_column::room,
+                     columns.segments.data(), &work.spans[0].closest, sizeof(SpanMotion), columns.places.data()};
+  };
+  each_between(stage.guided_elements, model.elements(), [&](int first, int last)
+  {
+    work.place->find_middles({first, last, &columns.nodes, &columns.elements});
+    work.place->look(task(first, last));
+  });
+  each_outside(stage.guided_elements, model.elements(), [&](int e)
   {
     const int hint = start.spans[e].segment;
     columns.segments[e] = nullptr;
-    if (columns.places[e] == Place::clear && columns.element_hints[e] == hint) continue;
+    if (columns.places[e] == Place::clear && columns.element_hints[e] == hint) return;
     columns.places[e] = Place::search;
     columns.element_hints[e] = hint;
-    if (columns.single_elements[e] || (stage.any_guided && stage.guided_spans[e].guided)) continue;
-    columns.segments[e] = numbers_of(start.well.smooth_segment(hint, {x[e], y[e], z[e]}));
-  }
-  work.place->find(task);
-  for (int e = 0; e < model.elements(); ++e)
+    if (!columns.single_elements[e]) columns.segments[e] = numbers_of(start.well.smooth_segment(hint, {x[e], y[e], z[e]}));
+  });
+  each_between(stage.guided_elements, model.elements(), [&](int first, int last) { work.place->find(task(first, last)); });
+  each_outside(stage.guided_elements, model.elements(), [&](int e)
   {
-    if (stage.any_guided && stage.guided_spans[e].guided) continue;
     SpanMotion& span = work.spans[e];
     const int hint = columns.element_hints[e];
     const bool in_mast = hint == 0 && clear_in_mast(start.well, {x[e], y[e], z[e]}, elements[element_column::radius][e]);
-    if (columns.places[e] == Place::search && !in_mast)
-    {
-      find_span(model, start, stage, e, work);
-      continue;
-    }
+    if (columns.places[e] == Place::search && !in_mast) return find_span(model, start, stage, e, work);
     span.closest.segment = hint;
     span.touches = columns.places[e] == Place::touches;
     if (span.touches) move_span(model, start, stage, e, work);
-  }
+  });
 }
 
 /// What was found in another hole is void: it has been drilled on since.
@@ -115,19 +113,14 @@ void forget_other_hole(const Wellbore& well, StringColumns& columns) noexcept
 }
 }  // namespace
 
-void find_closest(const Model& model, const State& start, const Stage& stage, int i, NodeMotion& node) noexcept
+void find_closest(const Model& model, const State& start, int i, NodeMotion& node) noexcept
 {
   node.touches = false;
   node.closest.segment = start.nodes[i].segment;
-  if (i == model.top() || stage.guides[i].guided) return;
+  if (i == model.top()) return;
   node.closest = start.well.locate(node.position, node.closest.segment);
   open_mast(node.closest);
   node.touches = wall_gap(node.closest, node.position, model.mesh().nodes[i].contact_radius) < 0.0;
-}
-
-void find_closest(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
-{
-  for (int i = 0; i < model.nodes(); ++i) find_closest(model, start, stage, i, work.nodes[i]);
 }
 
 void find_span(const Model& model, const State& start, const Stage& stage, int e, Workspace& work) noexcept
@@ -150,9 +143,8 @@ void find_in_hole(const Model& model, const State& start, const Stage& stage, Wo
     find_spans(model, start, stage, work);
     return;
   }
-  find_closest(model, start, stage, work);
-  for (int e = 0; e < model.elements(); ++e)
-    if (!stage.guided_spans[e].guided) find_span(model, start, stage, e, work);
+  each_outside(stage.guided_nodes, model.nodes(), [&](int i) { find_closest(model, start, i, work.nodes[i]); });
+  each_outside(stage.guided_elements, model.elements(), [&](int e) { find_span(model, start, stage, e, work); });
 }
 
 }  // namespace drill_rig_sim

@@ -4,6 +4,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/forces/hoisting.h"
+#include "drill_rig_sim/model/kernels/guided_kernel.h"
 
 namespace drill_rig_sim
 {
@@ -42,7 +43,7 @@ void take_start(const Model& model, const State& state, Stage& stage) noexcept
   {
     stage.normal[i] = x_axis(state.nodes[i].orientation);
     stage.immersed[i] = state.nodes[i].position.z() < 0.0 ? 1.0 : 0.0;
-    stage.added_mass[i] = stage.immersed[i] > 0.0 ? mud_mass(model.mesh().nodes[i], state.nodes[i], state.well) : 0.0;
+    stage.added_mass[i] = stage.immersed[i] > 0.0 && !state.nodes[i].guided ? mud_mass(model.mesh().nodes[i], state.nodes[i], state.well) : 0.0;
   }
   for (std::size_t e = 0; e < stage.load.size(); ++e)
     stage.load[e].z() = -model.element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z());
@@ -60,8 +61,14 @@ Stage::Stage(const Model& model)
     load(model.mesh().elements.size(), Vector3d::Zero()),
     free_stretch(load.size(), 0.0),
     guides(rate.size()),
-    guided_spans(load.size())
+    guided_spans(load.size()),
+    guided_kernel(drill_rig_sim::guided_kernel(model.kernel())),
+    guided_nodes(rate.size()),
+    guided_elements(load.size()),
+    guided_columns(guide_column::count, model.nodes() + 1),
+    inner_nodes(rate.size())
 {
+  prepare_guides(model, *this);
 }
 
 void begin_step(const Model& model, const State& state, double step, const Setpoints& setpoints, Stage& stage) noexcept

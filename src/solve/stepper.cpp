@@ -112,7 +112,7 @@ StepResult Stepper::attempt(State& state, double step, const Setpoints& setpoint
   if (method_.first_acceleration > 0 && state.memory.last_step <= 0.0) find_acceleration(state, setpoints);
   open_books(state, setpoints);
   begin_step(*model_, state, step, setpoints, stage_);
-  predict(state, step, u_.data());
+  predict(state, step, u_.data(), work_.history);
   std::copy(u_.begin(), u_.end(), guess_.begin());
   StepContext context{*model_, state, step, stage_, work_, newton_, limits_, budget, u_.data(), residual_.data()};
   const bool solved = method_.step(context);

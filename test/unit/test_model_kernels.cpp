@@ -53,8 +53,9 @@ System system_of(Problem& problem, const VectorXd& u)
   return out;
 }
 
-/// In every kernel, at the next step's increments.
-void expect_same(const Scene& scene, const Rig& rig)
+/// In every kernel, at the next step's increments. `in_tangent`: by how much a row's numbers may differ, over its largest. `difference`: 0 if finite
+/// ones are left out.
+void expect_same(const Scene& scene, const Rig& rig, double in_tangent = rounding, double difference = tangent_difference)
 {
   VectorXd u(6 * rig.rest.model->nodes());
   predict(rig.rest.state, tangent_step, u.data());
@@ -73,8 +74,8 @@ void expect_same(const Scene& scene, const Rig& rig)
       worst_stiffness = std::max(worst_stiffness, (system.tangent.row(row) - expected.tangent.row(row)).cwiseAbs().maxCoeff() / scale);
     }
     EXPECT_LT(worst_force, rounding) << name_of(kernel);
-    EXPECT_LT(worst_stiffness, rounding) << name_of(kernel);
-    EXPECT_LT(worst_column(twin.problem, increments_without_tilt(rig), tangent_difference), 1e-6) << name_of(kernel);
+    EXPECT_LT(worst_stiffness, in_tangent) << name_of(kernel);
+    if (difference > 0.0) EXPECT_LT(worst_column(twin.problem, increments_without_tilt(rig), difference), 1e-6) << name_of(kernel);
   }
 }
 
@@ -101,6 +102,32 @@ struct Turned : Rig
     return scene;
   }
 };
+/// Where the load on the wall of a guided node changes sides it does so within a newton: there a tension's rounding is more of the tangent. (Finite
+/// differences: ModelGuided.)
+constexpr double of_sides = 1e-9;
+
+/// Guided throughout, built to 40 deg and held.
+Scene guided_scene(double bit_depth)
+{
+  Scene scene = scene_in(build_and_hold(40.0, 0.15 * degree, 40.0 * degree, 2.0, 500.0), 500.0, bit_depth, 0.3);
+  scene.contact.static_ratio = 1.3;
+  scene.contact.stribeck_speed = 0.3;
+  scene.contact.growth.per_fold = 0.05;
+  scene.numerics.level = Level::axial_torsional;
+  return scene;
+}
+
+/// What a step with this solution makes of its start.
+State state_after(Problem& problem, const VectorXd& u)
+{
+  VectorXd residual(u.size());
+  problem.at(u, residual, nullptr);
+  expand_motions(problem.stage, problem.work);
+  State state = problem.start;
+  commit(problem.stage, problem.work, state);
+  advance_static(problem.work, state);
+  return state;
+}
 }  // namespace
 
 // Strings of lengths that leave every number of elements over for the last batch.
@@ -151,6 +178,50 @@ TEST(ModelKernels, withGuidedPipeAbove)
   scene.numerics.level = Level::hybrid;
   scene.numerics.free_length = 40.0;
   expect_same(scene, Turned(scene, 1.0));
+}
+
+// Guided throughout, over a bend, of lengths that leave every number of nodes over; sticking and sliding, friction that grows at rest.
+TEST(ModelKernels, guidedThroughout)
+{
+  for (double bit_depth = 330.0; bit_depth < 400.0; bit_depth += 9.5)
+  {
+    SCOPED_TRACE(bit_depth);
+    const Scene scene = guided_scene(bit_depth);
+    expect_same(scene, Turned(scene, 0.2), of_sides, 0.0);
+    expect_same(scene, Turned(scene, 3.0), of_sides, 0.0);
+  }
+}
+
+// Along the hole and around it, about the pipe by more than a small angle too, and onto the side that the wall's friction makes it climb to.
+TEST(ModelKernels, endOfAGuidedStep)
+{
+  const Scene scene = guided_scene(390.0);
+  const Turned rig(scene, 3.0);
+  for (const double turn : {0.0, 2.0})
+  {
+    VectorXd u(6 * rig.rest.model->nodes());
+    predict(rig.rest.state, tangent_step, u.data());
+    for (int i = 0; i < rig.rest.model->nodes(); ++i) u.segment<3>(6 * i + 3) += turn * x_axis(rig.rest.state.nodes[i].orientation);
+    Twin scalar(scene, Kernel::scalar, rig);
+    const State expected = state_after(scalar.problem, u);
+    for (const Kernel kernel : wide_kernels())
+    {
+      Twin twin(scene, kernel, rig);
+      const State state = state_after(twin.problem, u);
+      for (std::size_t i = 0; i < state.nodes.size(); ++i)
+      {
+        const NodeState &a = expected.nodes[i], &b = state.nodes[i];
+        EXPECT_LT((a.position - b.position).norm(), 1e-11) << name_of(kernel);
+        EXPECT_LT((a.orientation.coeffs() - b.orientation.coeffs()).norm(), 1e-13) << name_of(kernel);
+        EXPECT_LT((a.side - b.side).norm(), 1e-11) << name_of(kernel);
+        EXPECT_LT(std::abs(a.md - b.md) + std::abs(a.spin_angle - b.spin_angle), 1e-11) << name_of(kernel);
+        EXPECT_LT((a.rate.velocity - b.rate.velocity).norm() + (a.rate.tilt - b.rate.tilt).norm() + std::abs(a.rate.spin - b.rate.spin), 1e-9) << name_of(kernel);
+        EXPECT_LT((a.bristle - b.bristle).norm() + std::abs(a.rest - b.rest), 1e-11) << name_of(kernel);
+        EXPECT_EQ(a.segment, b.segment);
+      }
+      for (std::size_t e = 0; e < state.spans.size(); ++e) EXPECT_NEAR(expected.spans[e].twist, state.spans[e].twist, 1e-12) << name_of(kernel);
+    }
+  }
 }
 
 // Half a turn in one step.

@@ -18,6 +18,8 @@ public:
 
   /// Puts them into the law of a place.
   /// @param section  ClosestPoint::section
+  /// Whether it is the same everywhere.
+  bool uniform() const noexcept { return sections_.empty(); }
   void apply(double section, WallLaw& law) const noexcept
   {
     if (!sections_.empty()) look_up(section, law);

@@ -26,14 +26,12 @@ struct State;
 struct Stage;
 struct Workspace;
 
-/// What holds of a node during a step if it is guided.
+/// What holds of a node during a step if it is guided. Its numbers are a row for the batch kernel (kernels/guided_kernel.h), in this order.
 struct Guide
 {
   bool guided = false;
   bool joined = false;  ///< other forces than the guided string's act on it: end of the string, stuck point, next to a free node
   Eigen::Vector3d tangent = -Eigen::Vector3d::UnitZ();  ///< t of the hole, down it
-  Eigen::Vector3d turn = Eigen::Vector3d::Zero();       ///< w [rad/m]
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();     ///< of the hole [m]
   // of the hole at the neighbours above and below, where they are guided too: its direction, unit length, the part across the hole here [-]
   Eigen::Vector3d above = Eigen::Vector3d::Zero(), below = Eigen::Vector3d::Zero();
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();  ///< of half of those elements, in mud [N]
@@ -44,7 +42,61 @@ struct Guide
   double clearance = 0.0;                            ///< between string and wall all around [m]
   double held = 0.0;                                 ///< by friction around the pipe at the start of the step [N]
   WallLaw law;
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();    ///< w [rad/m]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the hole [m]
 };
+
+/// Runs of neighbouring nodes or elements, in ascending order; room for all there can be.
+class Runs
+{
+public:
+  struct Run
+  {
+    int first, last;  ///< from and to, the latter not among them
+  };
+
+  explicit Runs(std::size_t count) : runs_(count / 2 + 1) {}
+  void clear() noexcept { count_ = 0; }
+  /// Node or element i, which is behind all that are there.
+  void add(int i) noexcept
+  {
+    if (count_ > 0 && runs_[count_ - 1].last == i)
+      runs_[count_ - 1].last = i + 1;
+    else
+      runs_[count_++] = {i, i + 1};
+  }
+  bool empty() const noexcept { return count_ == 0; }
+  const Run* begin() const noexcept { return runs_.data(); }
+  const Run* end() const noexcept { return runs_.data() + count_; }
+
+private:
+  std::vector<Run> runs_;
+  std::size_t count_ = 0;
+};
+
+/// Calls visit(first, last) for the runs between these, of 0 to count - 1.
+template <class Visit>
+void each_between(const Runs& runs, int count, Visit&& visit)
+{
+  int i = 0;
+  for (const Runs::Run& run : runs)
+  {
+    if (run.first > i) visit(i, run.first);
+    i = run.last;
+  }
+  if (i < count) visit(i, count);
+}
+
+/// And visit(i) for what is in them.
+template <class Visit>
+void each_outside(const Runs& runs, int count, Visit&& visit)
+{
+  each_between(runs, count,
+               [&](int first, int last)
+               {
+                 for (int i = first; i < last; ++i) visit(i);
+               });
+}
 
 /// The same of the element between two guided nodes.
 struct GuidedSpan
@@ -82,6 +134,9 @@ void settle_guided(State& state) noexcept;
 /// Length of the guided string between nodes e and e + 1 [m]: of the line in which it lies, that of the hole's axis and what the sides add or take. A
 /// string on the inside of a bend is shorter by clearance times angle.
 double guided_length(const State& state, std::size_t e) noexcept;
+
+/// What the scene alone says of all nodes and elements, once they are guided.
+void prepare_guides(const Model& model, Stage& stage);
 
 /// Takes the state's guided nodes into the stage; its loads, normals and free stretches must be there.
 void find_guides(const Model& model, const State& state, Stage& stage) noexcept;

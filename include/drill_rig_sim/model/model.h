@@ -58,6 +58,8 @@ public:
   WallLaw contact(int i, const ClosestPoint& closest, double rest) const noexcept { return there(contact(i), closest.section, rest); }
   WallLaw contact(int i, double section, double rest) const noexcept { return there(contact(i), section, rest); }
   WallLaw span_contact(int e, const ClosestPoint& closest, double rest) const noexcept { return there(span_contact(e), closest.section, rest); }
+  /// Whether these two ever differ from contact(i).
+  bool contact_varies() const noexcept { return !friction_.uniform() || scene_.contact.growth.per_fold > 0.0; }
   /// Of the bristle that carries a stuck bit's torque [N m/rad].
   double bit_bristle_stiffness() const noexcept { return bit_bristle_; }
   /// Weight of element `e` in mud, its ends at heights `z_lower`, `z_upper` [m]; no buoyancy above the rotary table [N].

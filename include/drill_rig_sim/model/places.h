@@ -9,14 +9,12 @@
 namespace drill_rig_sim
 {
 /// Closest point of hole or mast to node i, which has moved; not for the shaft.
-void find_closest(const Model& model, const State& start, const Stage& stage, int i, NodeMotion& node) noexcept;
-/// Of all nodes.
-void find_closest(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept;
+void find_closest(const Model& model, const State& start, int i, NodeMotion& node) noexcept;
 
 /// The middle of element e, whose ends have moved, and its closest point.
 void find_span(const Model& model, const State& start, const Stage& stage, int e, Workspace& work) noexcept;
 
-/// All nodes and the middles of all free elements, by the batch kernels where the motion kernel has moved the nodes. Of what these find clear of
+/// All free nodes and the middles of all free elements, by the batch kernels where the motion kernel has moved the nodes. Of what these find clear of
 /// the wall only that and the segment is known.
 void find_in_hole(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept;
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drill_rig_sim/contact/wall_contact.h"
+#include "drill_rig_sim/math/number_columns.h"
 #include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/model/model.h"
 #include "drill_rig_sim/model/state.h"
@@ -13,6 +14,8 @@
 
 namespace drill_rig_sim
 {
+struct GuidedKernel;
+
 /// What turns the bit and moves the bottom under it within the step.
 struct BitDrive
 {
@@ -53,6 +56,10 @@ struct Stage
   bool any_guided = false;              ///< whether there is anything in these:
   std::vector<Guide> guides;             ///< of the nodes
   std::vector<GuidedSpan> guided_spans;  ///< of the elements
+  const GuidedKernel* guided_kernel;     ///< what works on them; null: one by one
+  Runs guided_nodes, guided_elements;    ///< those that are guided
+  NumberColumns guided_columns;          ///< for that
+  Runs inner_nodes;                      ///< and of these nodes those on which the guided string's forces alone act, but for the bit's gauge
   double structural_damping = 0.0;      ///< [s]
   Setpoints setpoints;
   SlidingMotion sliding;                ///< of the string in the hole; statics only

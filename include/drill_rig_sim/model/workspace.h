@@ -108,6 +108,7 @@ struct Workspace
   const PlaceKernel* place;
   const WallKernel* wall;
   const HistoryKernel* history;
+  NumberColumns guided_columns;  ///< of guided nodes and elements, for the batch kernel
   StageResult result;
   std::vector<double> unused;  ///< 6 per node: a residual that nobody asks for
   Profiler profiler;           ///< where the time goes; evaluate() times its parts, its callers theirs

@@ -110,6 +110,8 @@ public:
   /// The same from where `segment` of the last search was, brought up to date: without a search where little has changed.
   WellNode at(double md, int& segment) const noexcept;
   HoleWall wall_at(double md, int segment) const noexcept;
+  /// The segment in which they look, in the same way.
+  const HoleSegment& segment_there(double md, int& segment) const noexcept { return this->segment(segment = segment_at(md, segment)); }
   /// Changes when permanent nodes change, and back when a snapshot is restored.
   std::uint64_t version() const noexcept { return drilled_.hash(); }
   /// Nearly full: Stage II intervals have been lengthened to make the room last (or, when full, no more nodes are added and the

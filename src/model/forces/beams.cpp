@@ -150,8 +150,11 @@ void clear_unwritten_blocks(const StageContext& at, BlockTridiagonal& tangent) n
 {
   tangent.diagonal(0).setZero();
   if (!at.stage.any_guided) return;
-  for (int e = 0; e < at.model.elements(); ++e)
-    if (guided_element(at, e) && at.stage.guides[static_cast<std::size_t>(e) + 1].joined) tangent.diagonal(e + 1).setZero();
+  each_outside(at.stage.inner_nodes, at.model.nodes(),
+               [&](int i)
+               {
+                 if (i > 0 && guided_element(at, i - 1) && at.stage.guides[static_cast<std::size_t>(i)].joined) tangent.diagonal(i).setZero();
+               });
 }
 
 BeamForces element_forces(const StageContext& at, int e) noexcept

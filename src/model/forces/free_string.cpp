@@ -10,14 +10,13 @@ namespace
 template <class Run>
 void for_each_free_run(const Stage& stage, StringTask& task, const Run& run)
 {
-  const int elements = static_cast<int>(stage.guided_spans.size());
-  const auto guided = [&](int e) { return stage.any_guided && stage.guided_spans[static_cast<std::size_t>(e)].guided; };
-  for (task.first = 0; task.first < elements; task.first = task.last + 1)
-  {
-    task.last = task.first;
-    while (task.last < elements && !guided(task.last)) ++task.last;
-    if (task.last > task.first) run();
-  }
+  each_between(stage.guided_elements, static_cast<int>(stage.guided_spans.size()),
+               [&](int first, int last)
+               {
+                 task.first = first;
+                 task.last = last;
+                 run();
+               });
 }
 
 StringTask task_of(const StageContext& at, double* residual) noexcept

@@ -1,10 +1,12 @@
 #include "drill_rig_sim/model/forces/guided_string.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "drill_rig_sim/contact/surface_friction.h"
 #include "drill_rig_sim/model/forces/beams.h"
 #include "drill_rig_sim/model/forces/bit.h"
+#include "drill_rig_sim/model/kernels/guided_kernel.h"
 
 namespace drill_rig_sim
 {
@@ -57,17 +59,20 @@ GuidedForce damping(const StageContext& at, int e) noexcept
   return {c * span.axial * (lower.along_rate - upper.along_rate), c * span.torsion * (lower.about_rate - upper.about_rate)};
 }
 
-/// Of all guided elements, into the workspace; of the others none.
+/// Of guided elements, into the workspace.
+void find_tensions(const StageContext& at, Runs::Run run) noexcept
+{
+  if (at.stage.guided_kernel) return at.stage.guided_kernel->find_tensions(at, run);
+  for (int e = run.first; e < run.last; ++e)
+  {
+    const GuidedForce held = elastic(at, e), damped = damping(at, e);
+    at.work.guided_forces[static_cast<std::size_t>(e)] = {held.tension + damped.tension, held.torque + damped.torque};
+  }
+}
+
 void find_tensions(const StageContext& at) noexcept
 {
-  for (int e = 0; e < at.model.elements(); ++e)
-  {
-    GuidedForce& force = at.work.guided_forces[static_cast<std::size_t>(e)];
-    force = {};
-    if (!span_of(at, e).guided) continue;
-    const GuidedForce held = elastic(at, e), damped = damping(at, e);
-    force = {held.tension + damped.tension, held.torque + damped.torque};
-  }
+  for (const Runs::Run& run : at.stage.guided_elements) find_tensions(at, run);
 }
 
 /// Of the elements that end in a node.
@@ -79,8 +84,8 @@ struct Ends
 Ends ends_of(const StageContext& at, int i) noexcept
 {
   Ends ends;
-  if (i < at.model.top()) ends.above = at.work.guided_forces[static_cast<std::size_t>(i)];
-  if (i > 0) ends.below = at.work.guided_forces[static_cast<std::size_t>(i - 1)];
+  if (i < at.model.top() && span_of(at, i).guided) ends.above = at.work.guided_forces[static_cast<std::size_t>(i)];
+  if (i > 0 && span_of(at, i - 1).guided) ends.below = at.work.guided_forces[static_cast<std::size_t>(i - 1)];
   return ends;
 }
 
@@ -277,8 +282,24 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
 {
   if (!at.stage.any_guided) return;
   find_tensions(at);
-  for (int i = 0; i < at.model.nodes(); ++i)
-    if (guide_of(at, i).guided) add_at<friction_at>(at, i, residual, tangent);
+  for (const Runs::Run& run : at.stage.guided_nodes)
+    for (int i = run.first; i < run.last; ++i) add_at<friction_at>(at, i, residual, tangent);
+}
+
+/// Inner nodes by the batch kernel, then the others: they are beside what it writes too much.
+void add_sticking(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  if (!at.stage.guided_kernel) return add<sticking_friction>(at, residual, tangent);
+  if (!at.stage.any_guided) return;
+  find_tensions(at);
+  GuidedRows to{residual, nullptr, nullptr, nullptr};
+  if (tangent) to = {residual, tangent->small_diagonal(0).data(), tangent->small_upper(0).data(), tangent->small_lower(0).data()};
+  for (const Runs::Run& run : at.stage.inner_nodes) at.stage.guided_kernel->add(at, run, to);
+  each_outside(at.stage.inner_nodes, at.model.nodes(),
+               [&](int i)
+               {
+                 if (guide_of(at, i).guided) add_at<sticking_friction>(at, i, residual, tangent);
+               });
 }
 
 void store(const StageContext& at, StoredEnergy& energy) noexcept
@@ -340,7 +361,11 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 void add_gauge(const StageContext& at, double*, BlockTridiagonal*) noexcept
 {
   if (!at.stage.any_guided || !guide_of(at, 0).guided) return;
-  find_tensions(at);
+  if (!at.stage.guided_elements.empty())
+  {
+    const Runs::Run run = *at.stage.guided_elements.begin();
+    find_tensions(at, {run.first, std::min(run.last, at.model.mesh().gauge_nodes)});
+  }
   for (int i = 0; gauge(at, i); ++i)
   {
     const Guide& guide = guide_of(at, i);
@@ -353,17 +378,21 @@ void add_gauge(const StageContext& at, double*, BlockTridiagonal*) noexcept
 void add_beams_at_guides(const StageContext& at, double* residual, BlockTridiagonal*) noexcept
 {
   if (!at.stage.any_guided) return;
-  for (int e = 0; e < at.model.elements(); ++e)
+  const auto add_beam = [&](int e)
   {
-    if (guide_of(at, e).guided == guide_of(at, e + 1).guided) continue;
     const Vector3d force = element_forces(at, e).force, half = 0.5 * at.stage.load[e];
     at_node(residual, e).head<3>() += force - half;
     at_node(residual, e + 1).head<3>() -= force + half;
+  };
+  for (const Runs::Run& run : at.stage.guided_nodes)
+  {
+    if (run.first > 0) add_beam(run.first - 1);
+    if (run.last < at.model.nodes()) add_beam(run.last - 1);
   }
 }
 }  // namespace
 
-const Force guided_string = {"guided string", Cost::guided, add<sticking_friction>, store, sample};
+const Force guided_string = {"guided string", Cost::guided, add_sticking, store, sample};
 const Force sliding_guided_string = {"sliding guided string", Cost::guided, add<sliding_friction>, nullptr, nullptr};
 const Force guided_gauge = {"guided gauge", Cost::guided, add_gauge, nullptr, nullptr};
 const Force beams_at_guides = {"beams at guided nodes", Cost::guided, add_beams_at_guides, nullptr, nullptr};

@@ -50,11 +50,11 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
 {
   StageResult& result = at.work.result;
   Matrix6d block;
-  for (int e = 0; e < at.model.elements(); ++e)
+  each_outside(at.stage.guided_elements, at.model.elements(), [&](int e)
   {
     const SpanMotion& span = at.work.spans[e];
     WallForce f;
-    if (span.touches && !at.stage.guided_spans[e].guided)
+    if (span.touches)
     {
       f = force_at(at, e, tangent ? &block : nullptr);
       at_node(residual, e) -= share(span.lower_arm, f.force, f.moment);
@@ -65,19 +65,18 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
     result.span_rest[e] = rest_after(f, at.start.spans[e].rest, at.stage.time);
     result.forces.span_contact[e] = f.normal_force;
     result.forces.span_wall[e] = f.force;
-  }
+  });
 }
 
 void store(const StageContext& at, StoredEnergy& energy) noexcept
 {
-  for (int e = 0; e < at.model.elements(); ++e)
+  each_outside(at.stage.guided_elements, at.model.elements(), [&](int e)
   {
-    if (at.stage.guided_spans[e].guided) continue;
     const SpanMotion& span = at.work.spans[e];
     const WallLaw& contact = at.model.span_contact(e);
     energy.bristles += 0.5 * contact.tangential_stiffness * at.work.result.span_bristle[e].squaredNorm();
     if (span.touches) energy.wall += elastic_energy(contact.law, -wall_gap(span.closest, span.position, radius_of(at, e)));
-  }
+  });
 }
 
 void sample_at(const StageContext& at, int e, EnergySample& sample) noexcept
@@ -97,8 +96,11 @@ void sample_at(const StageContext& at, int e, EnergySample& sample) noexcept
 
 void sample(const StageContext& at, EnergySample& sample) noexcept
 {
-  for (int e = 0; e < at.model.elements(); ++e)
-    if (!at.stage.guided_spans[e].guided && at.work.spans[e].touches) sample_at(at, e, sample);
+  each_outside(at.stage.guided_elements, at.model.elements(),
+               [&](int e)
+               {
+                 if (at.work.spans[e].touches) sample_at(at, e, sample);
+               });
 }
 }  // namespace
 

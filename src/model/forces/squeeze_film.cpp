@@ -23,7 +23,6 @@ void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* t
 {
   const double damping = damping_of(at, i);
   if (damping <= 0.0) return;
-  if (at.stage.guides[i].guided) return;
   const NodeMotion& node = at.work.nodes[i];
   const Matrix3d across = across_hole(node);
   at_node(residual, i).head<3>() += damping * (across * node.rate.head<3>());
@@ -32,13 +31,12 @@ void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* t
 
 void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
-  for (int i = 0; i < at.model.top(); ++i) add_at(at, i, residual, tangent);
+  each_outside(at.stage.guided_nodes, at.model.top(), [&](int i) { add_at(at, i, residual, tangent); });
 }
 
 void sample(const StageContext& at, EnergySample& sample) noexcept
 {
-  for (int i = 0; i < at.model.top(); ++i)
-    add_at(at, i, sample.force[static_cast<std::size_t>(NodeForce::squeeze_film)].data(), nullptr);
+  add(at, sample.force[static_cast<std::size_t>(NodeForce::squeeze_film)].data(), nullptr);
 }
 }  // namespace
 

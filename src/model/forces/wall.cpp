@@ -78,8 +78,7 @@ template <ForceAtNode force_at>
 void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   at.work.result.forces.bit_moment.setZero();
-  for (int i = 0; i < at.model.top(); ++i)
-    if (!at.stage.guides[i].guided) add_at<force_at>(at, i, residual, tangent);
+  each_outside(at.stage.guided_nodes, at.model.top(), [&](int i) { add_at<force_at>(at, i, residual, tangent); });
 }
 
 WallNumbers numbers_of(const WallLaw& law, double radius) noexcept
@@ -115,16 +114,15 @@ void add_batches(const StageContext& at, double* residual, BlockTridiagonal* tan
 {
   at.work.result.forces.bit_moment.setZero();
   int count = 0;
-  for (int i = 0; i < at.model.top(); ++i)
+  each_outside(at.stage.guided_nodes, at.model.top(), [&](int i)
   {
-    if (at.stage.any_guided && at.stage.guides[i].guided) continue;
     if (i < at.model.mesh().gauge_nodes || (at.work.nodes[i].touches && at.model.contact(i).law.exponent != 1.5))
       add_at<sticking_force>(at, i, residual, tangent);
     else if (at.work.nodes[i].touches)
       enter(at, i, count++, residual, tangent);
     else
       leave_clear(at.work.result, i);
-  }
+  });
   const bool exponential = at.model.scene().contact.stribeck_curve == StribeckCurve::exponential;
   at.work.wall->add({at.work.columns.wall_places.data(), count, at.stage.dv_du, at.stage.time, exponential});
 }
@@ -139,13 +137,12 @@ void add_sticking(const StageContext& at, double* residual, BlockTridiagonal* ta
 
 void store(const StageContext& at, StoredEnergy& energy) noexcept
 {
-  for (int i = 0; i < at.model.top(); ++i)
+  each_outside(at.stage.guided_nodes, at.model.top(), [&](int i)
   {
-    if (at.stage.guides[i].guided) continue;
     const NodeMotion& node = at.work.nodes[i];
     energy.bristles += 0.5 * at.model.contact(i).tangential_stiffness * at.work.result.bristle[i].squaredNorm();
     if (node.touches) energy.wall += elastic_energy(at.model.contact(i).law, -wall_gap(node.closest, node.position, radius_of(at, i)));
-  }
+  });
 }
 
 /// The normal force apart: its elastic part is the gradient of the wall's energy, but for its share along a ledge.
@@ -166,8 +163,11 @@ void sample_at(const StageContext& at, int i, EnergySample& sample) noexcept
 void sample(const StageContext& at, EnergySample& sample) noexcept
 {
   sample.gauge_torque = 0.0;
-  for (int i = 0; i < at.model.top(); ++i)
-    if (!at.stage.guides[i].guided && at.work.nodes[i].touches) sample_at(at, i, sample);
+  each_outside(at.stage.guided_nodes, at.model.top(),
+               [&](int i)
+               {
+                 if (at.work.nodes[i].touches) sample_at(at, i, sample);
+               });
 }
 }  // namespace
 

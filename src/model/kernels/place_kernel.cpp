@@ -176,7 +176,7 @@ void find_batch(const PlaceTask& task, int i, int count, const double* any, doub
 void look(const PlaceTask& task) noexcept
 {
   const NumberColumns& columns = *task.columns;
-  for (int i = 0; i < task.count; i += kLanes)
+  for (int i = task.first; i < task.last; i += kLanes)
   {
     const V3 gone = load3(columns, task.position, i) - load3(columns, task.searched, i);
     const V room = load(columns[task.room] + i);
@@ -189,15 +189,15 @@ void find(const PlaceTask& task) noexcept
 {
   double spare[20];
   const double* any = nullptr;
-  for (int i = 0; i < task.count && !any; ++i) any = task.segments[i];
+  for (int i = task.first; i < task.last && !any; ++i) any = task.segments[i];
   if (!any) return;
-  for (int i = 0; i < task.count; i += kLanes) find_batch(task, i, task.count - i < kLanes ? task.count - i : kLanes, any, spare);
+  for (int i = task.first; i < task.last; i += kLanes) find_batch(task, i, task.last - i < kLanes ? task.last - i : kLanes, any, spare);
 }
 
 void find_middles(const MiddleTask& task) noexcept
 {
   const NumberColumns& nodes = *task.nodes;
-  for (int e = 0; e < task.count; e += kLanes)
+  for (int e = task.first; e < task.last; e += kLanes)
   {
     const V arm = all(0.125) * load((*task.elements)[element_column::length] + e);
     const V3 sum = load3(nodes, node_column::position, e) + load3(nodes, node_column::position, e + 1);

@@ -62,21 +62,28 @@ StringColumns::StringColumns(const Model& model) : nodes(node_column::count, mod
 
 void StringColumns::take_stage(const Stage& stage) noexcept
 {
-  const std::size_t count = stage.normal.size();
   double *free = nodes[node_column::free], *immersed = nodes[node_column::immersed], *added = nodes[node_column::added_mass];
-  std::fill(free, free + count, 1.0);
-  std::copy(stage.immersed.begin(), stage.immersed.end(), immersed);
-  std::copy(stage.added_mass.begin(), stage.added_mass.end(), added);
-  for (std::size_t i = 0; stage.any_guided && i < count; ++i)
-    if (stage.guides[i].guided) free[i] = immersed[i] = added[i] = 0.0;
   double *x = elements[element_column::load], *y = elements[element_column::load + 1], *z = elements[element_column::load + 2];
-  for (std::size_t e = 0; e < stage.load.size(); ++e)
+  double* stretch = elements[element_column::free_stretch];
+  const auto take_node = [&](std::size_t i)
+  {
+    free[i] = stage.any_guided && stage.guides[i].guided ? 0.0 : 1.0;
+    immersed[i] = free[i] * stage.immersed[i];
+    added[i] = free[i] * stage.added_mass[i];
+  };
+  const auto take_element = [&](std::size_t e)
   {
     x[e] = stage.load[e].x();
     y[e] = stage.load[e].y();
     z[e] = stage.load[e].z();
-  }
-  std::copy(stage.free_stretch.begin(), stage.free_stretch.end(), elements[element_column::free_stretch]);
+    stretch[e] = stage.free_stretch[e];
+  };
+  each_between(stage.guided_elements, static_cast<int>(stage.load.size()),
+               [&](int first, int last)
+               {
+                 for (int e = first; e < last; ++e) take_element(static_cast<std::size_t>(e));
+                 for (int i = first; i <= last; ++i) take_node(static_cast<std::size_t>(i));
+               });
 }
 
 void StringColumns::take(const NodeMoves& node, int i) noexcept

@@ -70,7 +70,7 @@ void prepare(const State& state, double step, const HistoryKernel* history, Stag
   const Coefficients by(step, ratio);
   stage.dv_du = by.c;
   stage.da_du = by.c * by.c;
-  if (history && !stage.any_guided)
+  if (history)
     prepare_batches(*history, state, by, stage);
   else
     prepare_nodes(state, by, stage);

@@ -8,10 +8,10 @@ namespace drill_rig_sim
 {
 namespace
 {
-/// The batch kernel, if there are no guided nodes.
-const HistoryKernel* history_of_free(const Workspace& work) noexcept
+/// The batch kernel, if there is one and the motion is a stage's.
+const HistoryKernel* history_of(const Workspace& work) noexcept
 {
-  return work.columns.any_guided ? nullptr : work.history;
+  return work.columns.moved ? work.history : nullptr;
 }
 
 NumberRows<const double> rows_of(const Workspace& work) noexcept
@@ -47,11 +47,20 @@ void prepare_start(const State& state, Stage& stage) noexcept
   stage.drive = {0.0, held, held * held, 0.0, 0.0};
 }
 
-void predict(const State& state, double time, double* u) noexcept
+void predict(const State& state, double time, double* u, const HistoryKernel* history) noexcept
 {
   // rate + time/2 times the last acceleration
   const double bend = state.memory.last_step > 0.0 ? 0.5 * time / state.memory.last_step : 0.0;
   const std::vector<NodeRate>& before = state.memory.past[last_rate].nodes;
+  if (history)
+  {
+    const NodeState& first = state.nodes[0];
+    const NumberRows<const double> now{first.rate.velocity.data(), sizeof(NodeState)}, last{before[0].velocity.data(), sizeof(NodeRate)};
+    const double of_now = time * (1.0 + bend), of_last = -time * bend;
+    history->find_rates({static_cast<int>(state.nodes.size()), {first.orientation.coeffs().data(), sizeof(NodeState)}, {now, last, last},
+                         {of_now, of_last, 0.0}, {of_now, of_last, 0.0}, u, u});
+    return;
+  }
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const NodeState& node = state.nodes[i];
@@ -67,7 +76,7 @@ void remember_last_rate(const Workspace& work, State& state) noexcept
 {
   PastQuantity& past = state.memory.past[last_rate];
   past.rotor = state.drive.speed;
-  if (const HistoryKernel* history = history_of_free(work))
+  if (const HistoryKernel* history = history_of(work))
   {
     history->carry(static_cast<int>(past.nodes.size()), rows_of(work), {state.nodes[0].rate.velocity.data(), sizeof(NodeState)}, rows_of(past));
     return;
@@ -82,7 +91,7 @@ void remember_last_rate(const Workspace& work, State& state) noexcept
 void remember(const Workspace& work, Vector6d NodeMotion::*vector, double rotor, PastQuantity& past) noexcept
 {
   past.rotor = rotor;
-  if (const HistoryKernel* history = history_of_free(work))
+  if (const HistoryKernel* history = history_of(work))
   {
     const auto at = (work.nodes[0].*vector).data() - rows_of(work).first;
     history->split(static_cast<int>(past.nodes.size()), rows_of(work), static_cast<int>(at), rows_of(past));

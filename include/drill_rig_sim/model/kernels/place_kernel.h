@@ -22,7 +22,7 @@ enum class Place : unsigned char
 
 struct PlaceTask
 {
-  int count;
+  int first, last;  ///< nodes or elements from and to, the latter not among them
   NumberColumns* columns;
   int position;        ///< the first of its three columns
   int radius;          ///< column of the sections' radii
@@ -38,7 +38,7 @@ struct PlaceTask
 /// Middles of the elements on their cubics (SpanMotion), from the nodes' columns.
 struct MiddleTask
 {
-  int count;
+  int first, last;
   const NumberColumns* nodes;
   NumberColumns* elements;
 };

@@ -85,8 +85,7 @@ struct StringColumns
   void take(const NodeMoves& node, int i) noexcept;
 
   NumberColumns nodes, elements;
-  bool moved = false;       ///< hold the motion of the workspace's nodes
-  bool any_guided = true;  ///< of these, when they moved
+  bool moved = false;  ///< hold the motion of the workspace's nodes
   // of the search in the hole: who is searched singly at any time; where the search starts, and what it finds
   std::vector<unsigned char> single_nodes, single_elements;
   std::vector<const double*> segments;

@@ -57,8 +57,8 @@ constexpr int last_rate = 0;
 
 /// The stage at the start of the step itself: u = 0 has the state's rates, accelerations are zero, the rotor is held.
 void prepare_start(const State& state, Stage& stage) noexcept;
-/// Extrapolates the last steps to `time` after the start of this one [s]: the first guess of u (6 per node).
-void predict(const State& state, double time, double* u) noexcept;
+/// Extrapolates the last steps to `time` after the start of this one [s]: the first guess of u (6 per node); by the batch kernel, if one is given.
+void predict(const State& state, double time, double* u, const HistoryKernel* history = nullptr) noexcept;
 /// Keeps the rates and the rotor's speed of the step's start as the last ones, while `state` is still the start.
 void remember_last_rate(const Workspace& work, State& state) noexcept;
 /// Puts a quantity of the stage's nodes (`vector`: increment, rate or acceleration) into memory, in the axes of the coming normals.
