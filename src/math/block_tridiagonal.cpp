@@ -1,6 +1,7 @@
 #include "drill_rig_sim/math/block_tridiagonal.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "math/block_scalar.h"
 #include "math/block_sweeps.h"
@@ -83,18 +84,79 @@ void substitute_rows_outwards(const BlockRows& rows, SweepRow a, SweepRow b, int
   });
 }
 
-/// As a function of two sweeps and a number of rows: calls row(at) for the rows of both in turns. What they wait for they wait for together.
-template <class Row>
-auto in_turns(Row row) noexcept
+/// What a sweep over small rows keeps of the row before: W, and y or x.
+struct SmallRow
 {
-  return [row](SweepRow a, SweepRow b, int count) noexcept
+  double w00, w01, w10, w11, first, second;
+
+  SmallRow(const double* w, const double* b) noexcept : w00(w[0]), w01(w[1]), w10(w[2]), w11(w[3]), first(b[0]), second(b[1]) {}
+};
+
+/// As BlockTridiagonal::eliminate_small(), between small rows.
+inline bool eliminate_two(SmallRow& before, const double* lower, double* diagonal, double* upper, double* b) noexcept
+{
+  const double l00 = lower[0], l01 = lower[1], l10 = lower[2], l11 = lower[3];
+  const double d00 = diagonal[0] - (l00 * before.w00 + l01 * before.w10), d01 = diagonal[1] - (l00 * before.w01 + l01 * before.w11);
+  const double d10 = diagonal[2] - (l10 * before.w00 + l11 * before.w10), d11 = diagonal[3] - (l10 * before.w01 + l11 * before.w11);
+  const double right0 = b[0] - (l00 * before.first + l01 * before.second), right1 = b[1] - (l10 * before.first + l11 * before.second);
+  const double determinant = d00 * d11 - d01 * d10, scale = 1.0 / determinant;
+  const double u00 = upper[0], u01 = upper[1], u10 = upper[2], u11 = upper[3];
+  // the division is the longest wait: all else is done beside it
+  upper[0] = before.w00 = scale * (d11 * u00 - d01 * u10);
+  upper[1] = before.w01 = scale * (d11 * u01 - d01 * u11);
+  upper[2] = before.w10 = scale * (d00 * u10 - d10 * u00);
+  upper[3] = before.w11 = scale * (d00 * u11 - d10 * u01);
+  b[0] = before.first = scale * (d11 * right0 - d01 * right1);
+  b[1] = before.second = scale * (d00 * right1 - d10 * right0);
+  b[2] = b[3] = b[4] = b[5] = 0.0;
+  diagonal[0] = scale * d11;
+  diagonal[1] = -scale * d01;
+  diagonal[2] = -scale * d10;
+  diagonal[3] = scale * d00;
+  return std::abs(determinant) > 1e-200;  // also catches NaN
+}
+
+/// y = D^-1 (b - L y of the row before) with the inverse of D.
+inline void substitute_two(SmallRow& before, const double* lower, const double* inverse, double* b) noexcept
+{
+  const double right0 = b[0] - (lower[0] * before.first + lower[1] * before.second);
+  const double right1 = b[1] - (lower[2] * before.first + lower[3] * before.second);
+  b[0] = before.first = inverse[0] * right0 + inverse[1] * right1;
+  b[1] = before.second = inverse[2] * right0 + inverse[3] * right1;
+}
+
+/// x = y - W x of the row before.
+inline void subtract_two(SmallRow& before, const double* w, double* b) noexcept
+{
+  const double first = b[0] - (w[0] * before.first + w[1] * before.second);
+  b[1] = before.second = b[1] - (w[2] * before.first + w[3] * before.second);
+  b[0] = before.first = first;
+}
+
+/// As a function of two sweeps and a number of small rows: goes on in both in turns, for what they wait for they wait for together; general(at) for the first and the last of them, which may be beside rows of six, and for the others
+/// two(at, before), whose row before is still at hand. `right`: the right side of `rows`.
+template <class General, class Two>
+auto small_in_turns(const BlockRows& rows, const double* right, General general, Two two) noexcept
+{
+  return [=](SweepRow a, SweepRow b, int count) noexcept
   {
-    if (a.row == b.row) return each(a, b, count, row);
-    for (int k = 0; k < count; ++k, a.row += a.step, b.row += b.step)
+    const bool alone = a.row == b.row;
+    const auto both = [&]
     {
-      row(a);
-      row(b);
+      general(a);
+      if (!alone) general(b);
+      a.row += a.step;
+      b.row += b.step;
+    };
+    const auto row_before = [&](SweepRow at) { return SmallRow(to_next(rows, previous(at), kSmall), right + 6 * previous(at).row); };
+    both();
+    SmallRow before_a = count > 2 ? row_before(a) : SmallRow(rows.diagonal, right), before_b = count > 2 && !alone ? row_before(b) : before_a;
+    for (int k = 2; k < count; ++k, a.row += a.step, b.row += b.step)
+    {
+      two(a, before_a);
+      if (!alone) two(b, before_b);
     }
+    if (count > 1) both();
   };
 }
 
@@ -259,7 +321,9 @@ void BlockTridiagonal::substitute_middle(double* b) const noexcept
 
 void BlockTridiagonal::substitute_outwards(double* b) const noexcept
 {
-  sweep({middle_ - 1, -1}, middle_, {middle_ + 1, 1}, n_ - 1 - middle_, in_turns([&](SweepRow at) { subtract_from_right(at, b); }),
+  sweep({middle_ - 1, -1}, middle_, {middle_ + 1, 1}, n_ - 1 - middle_,
+        small_in_turns(twos(), b, [&](SweepRow at) { subtract_from_right(at, b); },
+                       [rows = twos(), b](SweepRow at, SmallRow& before) { subtract_two(before, to_last(rows, at, kSmall), b + 6 * at.row); }),
         [&](SweepRow first, SweepRow second, int count) { sweeps_->substitute_outwards(six(), first, second, count, b); });
 }
 
@@ -268,7 +332,12 @@ bool BlockTridiagonal::solve(double* b) noexcept
   if (n_ == 0) return true;
   middle_ = middle();
   bool done = true;
-  sweep({0, 1}, middle_, {n_ - 1, -1}, n_ - 1 - middle_, in_turns([&](SweepRow at) { done = done && eliminate_small(at, b); }),
+  sweep({0, 1}, middle_, {n_ - 1, -1}, n_ - 1 - middle_,
+        small_in_turns(twos(), b, [&](SweepRow at) { done = done && eliminate_small(at, b); },
+                       [&done, rows = twos(), b](SweepRow at, SmallRow& before)
+                       {
+                         done &= eliminate_two(before, to_last(rows, at, kSmall), rows.diagonal + kSmall * at.row, to_next(rows, at, kSmall), b + 6 * at.row);
+                       }),
         [&](SweepRow first, SweepRow second, int count) { done = done && sweeps_->eliminate(six(), first, second, count, b); });
   if (!done || !eliminate_middle(b)) return false;
   substitute_outwards(b);
@@ -278,7 +347,10 @@ bool BlockTridiagonal::solve(double* b) noexcept
 void BlockTridiagonal::solve_again(double* b) const noexcept
 {
   if (n_ == 0) return;
-  sweep({0, 1}, middle_, {n_ - 1, -1}, n_ - 1 - middle_, in_turns([&](SweepRow at) { substitute_small(at, b); }),
+  sweep({0, 1}, middle_, {n_ - 1, -1}, n_ - 1 - middle_,
+        small_in_turns(twos(), b, [&](SweepRow at) { substitute_small(at, b); },
+                       [rows = twos(), b](SweepRow at, SmallRow& before)
+                       { substitute_two(before, to_last(rows, at, kSmall), rows.diagonal + kSmall * at.row, b + 6 * at.row); }),
         [&](SweepRow first, SweepRow second, int count) { sweeps_->substitute_inwards(six(), first, second, count, b); });
   substitute_middle(b);
   substitute_outwards(b);

@@ -132,7 +132,8 @@ void evaluate_list(const std::array<const Force*, N>& forces, const Model& model
   work.profiler.lap(Cost::other);
   ++work.work.residuals;
   if (tangent) ++work.work.tangents;
-  std::fill(residual, residual + 6 * model.nodes(), 0.0);
+  // the guided string overwrites the rows of inner nodes
+  each_between(stage.inner_nodes, model.nodes(), [&](int first, int last) { std::fill(residual + 6 * first, residual + 6 * last, 0.0); });
   if (tangent)
   {
     each_outside(stage.guided_nodes, model.nodes(), [&](int i) { tangent->set_small(i, false); });

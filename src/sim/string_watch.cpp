@@ -16,6 +16,14 @@ void take(double share, double from_bit, LoadShare& most) noexcept
 {
   if (share > most.share) most = {share, from_bit};
 }
+
+/// Below the rotary table.
+double vertical_buckling_load(const Model& model, std::size_t e) noexcept
+{
+  const BeamSection& section = model.mesh().elements[e].section;
+  const double weight = model.element_weight(static_cast<int>(e), -section.length, 0.0) / section.length;
+  return weight > 0.0 ? 1.94 * std::cbrt(section.bending * weight * weight) : 0.0;
+}
 }  // namespace
 
 StringWatch::StringWatch(const Model& model)
@@ -27,7 +35,7 @@ StringWatch::StringWatch(const Model& model)
     const BeamSection& section = mesh.elements[e].section;
     const double bending = 2.0 * section.bending / (part.young_modulus * part.outer_diameter);  // I over the outer radius
     strength_.push_back({section.axial / part.young_modulus, bending, 2.0 * bending, part.yield_strength, part.make_up_torque,
-                         mesh.middle(e)});
+                         mesh.middle(e), vertical_buckling_load(model, e)});
   }
 }
 
@@ -56,7 +64,7 @@ StringLoads StringWatch::look(const Model& model, const State& state, const RigF
     const double axial = std::abs(tension) / s.area + std::max(forces.bending_moment[e], forces.bending_moment[e + 1]) / s.bending;
     take(std::sqrt(axial * axial + 3.0 * std::pow(torque / s.torsion, 2)) / s.yield, s.from_bit, out.stress);
     if (s.make_up > 0.0) take(torque / s.make_up, s.from_bit, out.torque);
-    if (tension < 0.0) take(-tension / buckling_load(model, state, e), s.from_bit, out.buckling);
+    if (tension < 0.0 && -tension > out.buckling.share * s.least_buckling) take(-tension / buckling_load(model, state, e), s.from_bit, out.buckling);
   }
   return out;
 }

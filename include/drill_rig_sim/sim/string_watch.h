@@ -47,6 +47,7 @@ private:
     double yield;                   // [Pa]
     double make_up;                 // [N m]; 0: not known
     double from_bit;                // [m]
+    double least_buckling;          // buckling_load() is not below [N]
   };
   std::vector<Strength> strength_;  // of the elements
 };

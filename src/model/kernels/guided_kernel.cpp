@@ -27,38 +27,51 @@ using Mask = hn::Mask<Tag>;
 constexpr double smooth = 1.0;  // of the load on the wall, where it changes sides [N]
 
 /// A batch: nodes or elements from `i` on, `count` of them.
-struct Batch
+struct Rest
 {
   int i, count;
+  Rest next() const { return {i + 1, count}; }
+};
+
+/// One without lanes that nobody asks for: the compiler knows where all its rows are.
+struct Whole
+{
+  int i;
+  static constexpr int count = kLanes;
+  Whole next() const { return {i + 1}; }
 };
 
 /// Calls visit(batch) for those of a run.
 template <class Visit>
 HWY_INLINE void each_batch(Runs::Run run, const Visit& visit)
 {
-  for (int i = run.first; i < run.last; i += kLanes) visit(Batch{i, run.last - i < kLanes ? run.last - i : kLanes});
+  int i = run.first;
+  for (; i + kLanes <= run.last; i += kLanes) visit(Whole{i});
+  if (i < run.last) visit(Rest{i, run.last - i});
 }
 
 /// Rows that begin with this member of a vector's elements.
-template <class Element>
+template <class Element, class Batch>
 HWY_INLINE Rows rows_of(const std::vector<Element>& from, const double& member_of_first, Batch b)
 {
   const char* first = reinterpret_cast<const char*>(&member_of_first) + b.i * static_cast<std::ptrdiff_t>(sizeof(Element));
   return rows(reinterpret_cast<const double*>(first), sizeof(Element), b.count);
 }
 
-template <class Element>
+template <class Element, class Batch>
 HWY_INLINE Rows rows_to(std::vector<Element>& to, double& member_of_first, Batch b, double* spare)
 {
   char* first = reinterpret_cast<char*>(&member_of_first) + b.i * static_cast<std::ptrdiff_t>(sizeof(Element));
   return rows(reinterpret_cast<double*>(first), sizeof(Element), b.count, spare);
 }
 
+template <class Batch>
 HWY_INLINE Rows rows_to(double* first, int numbers, Batch b, double* spare)
 {
   return rows(first + numbers * b.i, numbers * static_cast<std::ptrdiff_t>(sizeof(double)), b.count, spare);
 }
 
+template <class Batch>
 HWY_INLINE Rows guides_of(const Stage& stage, Batch b)
 {
   return rows_of(stage.guides, stage.guides[0].tangent.x(), b);
@@ -102,6 +115,7 @@ HWY_INLINE void store6(const V3& p, const V3& q, const Rows& to, int at)
 }
 
 /// Of `count` numbers in a row.
+template <class Batch>
 HWY_INLINE void put_down(V v, double* to, Batch b)
 {
   if (b.count == kLanes) return hn::StoreU(v, Tag(), to + b.i);
@@ -110,6 +124,7 @@ HWY_INLINE void put_down(V v, double* to, Batch b)
   for (int k = 0; k < b.count; ++k) to[b.i + k] = numbers[k];
 }
 
+template <class Batch>
 void move_batch(const StageContext& at, const double* u, Batch b)
 {
   using namespace guided_column;
@@ -137,9 +152,10 @@ void move_batch(const StageContext& at, const double* u, Batch b)
 
 void move(const StageContext& at, const double* u, Runs::Run nodes) noexcept
 {
-  each_batch(nodes, [&](Batch b) { move_batch(at, u, b); });
+  each_batch(nodes, [&](auto b) { move_batch(at, u, b); });
 }
 
+template <class Batch>
 void tension_batch(const StageContext& at, Batch b)
 {
   using namespace guided_column;
@@ -160,7 +176,7 @@ void tension_batch(const StageContext& at, Batch b)
 
 void find_tensions(const StageContext& at, Runs::Run elements) noexcept
 {
-  each_batch(elements, [&](Batch b) { tension_batch(at, b); });
+  each_batch(elements, [&](auto b) { tension_batch(at, b); });
 }
 
 /// A Guide's numbers that forces want, and what the node's friction was at the start of the step.
@@ -172,6 +188,7 @@ struct Numbers
   V bristle_along, bristle_around, rest;
 };
 
+template <class Batch>
 HWY_INLINE Numbers load_numbers(const StageContext& at, Batch b)
 {
   const Rows guide = guides_of(at.stage, b);
@@ -198,7 +215,8 @@ HWY_INLINE Load load_of(const Numbers& n, V above, V below)
   load.direction = (one / smoothed) * load.push;
   const V square = size * size, least = square / hn::MulAdd(n.friction, n.friction, one), left = hn::NegMulAdd(n.held, n.held, square);
   load.normal = hn::Sqrt(hn::Max(left, least));
-  const V ratio = hn::IfThenElse(left > least, size / load.normal, load.normal / size);
+  const Mask held = left > least;
+  const V ratio = hn::IfThenElse(held, size, load.normal) / hn::IfThenElse(held, load.normal, size);
   load.normal_by_size = hn::IfThenElse(load.normal > zero, ratio, one);
   return load;
 }
@@ -250,24 +268,25 @@ HWY_INLINE Surface surface_of(const Numbers& n, const StageContext& at, const Nu
 HWY_INLINE Mask slip(const Numbers& n, const StageContext& at, const Surface& s, V normal, Friction& f)
 {
   const V one = all(1.0), zero = all(0.0);
-  const V speed = norm(s.velocity), x = speed / n.stribeck_speed;
+  const V speed = norm(s.velocity), by_stribeck = one / n.stribeck_speed, x = speed * by_stribeck;
   const bool exponential = at.model.scene().contact.stribeck_curve == StribeckCurve::exponential;
   const V excess = n.friction * (n.static_ratio - one) * hn::Exp(Tag(), hn::Neg(exponential ? x : x * x));
-  const V slope = exponential ? hn::Neg(excess / n.stribeck_speed) : all(-2.0) * x / n.stribeck_speed * excess;
+  const V slope_by_speed = exponential ? hn::IfThenElseZero(speed > zero, hn::Neg(excess * by_stribeck) / speed)
+                                       : all(-2.0) * by_stribeck * by_stribeck * excess;
   const V mu = n.friction + excess, limit = mu * normal;
   const Mask slips = s.size > limit;
   const V inverse = one / s.size;
   const V2 d{inverse * s.trial.x, inverse * s.trial.y};
   f.force = choose(slips, {hn::Neg(limit * d.x), hn::Neg(limit * d.y)}, f.force);
   const V time = all(at.stage.time), of_limit = limit / n.stiffness;
-  const V follows = hn::IfThenElse(n.damping > zero, time / (time + n.damping / n.stiffness), one);
+  const V elastic = time * n.stiffness, follows = hn::IfThenElse(n.damping > zero, elastic / (elastic + n.damping), one);
   f.bristle = choose(slips,
                      {hn::MulAdd(follows, hn::MulSub(of_limit, d.x, s.bristle.x), s.bristle.x),
                       hn::MulAdd(follows, hn::MulSub(of_limit, d.y, s.bristle.y), s.bristle.y)},
                      f.bristle);
   f.by_load = choose(slips, {hn::Neg(mu * d.x), hn::Neg(mu * d.y)}, f.by_load);
   const V across = limit * inverse * s.stiffness;
-  const V by_speed = hn::IfThenElseZero(speed > zero, slope * normal * all(at.stage.dv_du) / speed);
+  const V by_speed = slope_by_speed * normal * all(at.stage.dv_du);
   const V off = across * d.x * d.y;
   f.first_row = choose(slips,
                        {hn::NegMulAdd(by_speed * d.x, s.velocity.x, hn::Neg(across * hn::NegMulAdd(d.x, d.x, one))),
@@ -302,6 +321,7 @@ HWY_INLINE Friction friction_of(const Numbers& n, const StageContext& at, const 
   return f;
 }
 
+template <class Batch>
 HWY_INLINE void write_residual(const StageContext& at, const Numbers& n, const Friction& f, Batch b, double* residual)
 {
   using namespace guided_column;
@@ -314,6 +334,7 @@ HWY_INLINE void write_residual(const StageContext& at, const Numbers& n, const F
   store_along(along_hole, about_hole, n.tangent, rows_to(residual, 6, b, spare));
 }
 
+template <class Batch>
 HWY_INLINE void write_tangent(const StageContext& at, const Numbers& n, const Load& load_on_wall, const Friction& f, Batch b, const GuidedRows& to)
 {
   using namespace guided_column;
@@ -334,6 +355,7 @@ HWY_INLINE void write_tangent(const StageContext& at, const Numbers& n, const Lo
 }
 
 /// Rows of three are written with a number too many each, which the next row puts right; behind a run there is always a node that is evaluated later.
+template <class Batch>
 HWY_INLINE void write_results(const StageContext& at, const Numbers& n, const Load& load_on_wall, const Friction& f, Batch b)
 {
   StageResult& result = at.work.result;
@@ -350,6 +372,7 @@ HWY_INLINE void write_results(const StageContext& at, const Numbers& n, const Lo
   store4<false>(p.x, p.y, p.z, f.force.y, motion, 3);
 }
 
+template <class Batch>
 void add_batch(const StageContext& at, Batch b, const GuidedRows& to)
 {
   const NumberColumns& columns = at.work.guided_columns;
@@ -363,14 +386,14 @@ void add_batch(const StageContext& at, Batch b, const GuidedRows& to)
 
 void add(const StageContext& at, Runs::Run nodes, const GuidedRows& to) noexcept
 {
-  each_batch(nodes, [&](Batch b) { add_batch(at, b, to); });
+  each_batch(nodes, [&](auto b) { add_batch(at, b, to); });
 }
 
 void reduce(const Stage& stage, Runs::Run nodes, double* b) noexcept
 {
   double spare[6];
   each_batch(nodes,
-             [&](Batch batch)
+             [&](auto batch)
              {
                const V3 t = tangent_of(guides_of(stage, batch));
                const V6 r = load6(rows(b + 6 * batch.i, 6 * sizeof(double), batch.count));
@@ -385,7 +408,7 @@ void expand(const Stage& stage, Runs::Run nodes, double* b) noexcept
 {
   double spare[6];
   each_batch(nodes,
-             [&](Batch batch)
+             [&](auto batch)
              {
                const Rows guide = guides_of(stage, batch);
                const V4 t = load4(guide, 0), w = load4(guide, turn_at), x = load4(rows(b + 6 * batch.i, 6 * sizeof(double), batch.count), 0);
@@ -394,6 +417,7 @@ void expand(const Stage& stage, Runs::Run nodes, double* b) noexcept
              });
 }
 
+template <class Batch>
 void expand_batch(const Stage& stage, Workspace& work, Batch b)
 {
   const Rows guide = guides_of(stage, b);
@@ -416,7 +440,7 @@ void expand_batch(const Stage& stage, Workspace& work, Batch b)
 
 void expand_motions(const Stage& stage, Workspace& work, Runs::Run nodes) noexcept
 {
-  each_batch(nodes, [&](Batch b) { expand_batch(stage, work, b); });
+  each_batch(nodes, [&](auto b) { expand_batch(stage, work, b); });
 }
 /// Numbers in a row from `from` on; those behind the last are the last.
 HWY_INLINE V take(const double* from, int count)
@@ -435,6 +459,7 @@ HWY_INLINE V3 take3(const Eigen::Vector3d* from, int count)
   return {hn::Load(Tag(), numbers[0]), hn::Load(Tag(), numbers[1]), hn::Load(Tag(), numbers[2])};
 }
 
+template <class Batch>
 HWY_INLINE Rows states_of(const State& state, const double& member_of_first, Batch b)
 {
   return rows_of(state.nodes, member_of_first, b);
@@ -445,6 +470,7 @@ constexpr int segment_md_at = 15, segment_friction_at = 19;
 static_assert(sizeof(HoleSegment) == 23 * sizeof(double), "a segment's numbers");
 
 /// A node's numbers from the state: tangent and centre of the hole into columns, what its wall is like into the guide.
+template <class Batch>
 void find_node_batch(const Model& model, const State& state, Stage& stage, Batch b)
 {
   using namespace guide_column;
@@ -491,12 +517,13 @@ void find_node_batch(const Model& model, const State& state, Stage& stage, Batch
 }
 
 /// An element's direction, turn and load into columns, its stretch and twist into the span.
+template <class Batch>
 void find_element_batch(const State& state, Stage& stage, Batch b)
 {
   using namespace guide_column;
   NumberColumns& columns = stage.guided_columns;
   const int lower = b.i + 1, upper = b.i + 2;
-  const V4 at_lower = load4(states_of(state, state.nodes[0].md, b), 0), at_upper = load4(states_of(state, state.nodes[0].md, {b.i + 1, b.count}), 0);
+  const V4 at_lower = load4(states_of(state, state.nodes[0].md, b), 0), at_upper = load4(states_of(state, state.nodes[0].md, b.next()), 0);
   const V3 way = load3(columns, centre, upper) - load3(columns, centre, lower);
   const V chord = hn::Sqrt(dot(way, way)), axis = at_lower.a - at_upper.a, one = all(1.0);
   const V3 line = way + V3{at_upper.b - at_lower.b, at_upper.c - at_lower.c, at_upper.d - at_lower.d};
@@ -524,6 +551,7 @@ void close_ends(NumberColumns& columns, Runs::Run nodes)
 }
 
 /// What its elements are to a node.
+template <class Batch>
 void find_ends_batch(Stage& stage, Batch b)
 {
   using namespace guide_column;
@@ -542,10 +570,10 @@ void find_ends_batch(Stage& stage, Batch b)
 
 void find(const Model& model, const State& state, Stage& stage, Runs::Run nodes) noexcept
 {
-  each_batch(nodes, [&](Batch b) { find_node_batch(model, state, stage, b); });
-  each_batch({nodes.first, nodes.last - 1}, [&](Batch b) { find_element_batch(state, stage, b); });
+  each_batch(nodes, [&](auto b) { find_node_batch(model, state, stage, b); });
+  each_batch({nodes.first, nodes.last - 1}, [&](auto b) { find_element_batch(state, stage, b); });
   close_ends(stage.guided_columns, nodes);
-  each_batch(nodes, [&](Batch b) { find_ends_batch(stage, b); });
+  each_batch(nodes, [&](auto b) { find_ends_batch(stage, b); });
 }
 
 /// sin(x)/x and cos(x); far from 0 one by one.
@@ -594,6 +622,7 @@ struct HolePlace
 };
 
 /// The hole at these depths; the nodes' segments are brought up to date.
+template <class Batch>
 HWY_INLINE HolePlace place_of(State& state, V md, Batch b)
 {
   HWY_ALIGN double depth[kLanes];
@@ -612,6 +641,7 @@ HWY_INLINE HolePlace place_of(State& state, V md, Batch b)
   return {mul_add(s, mul_add(s, c2 + cubic, c1), c0), (all(1.0) / hn::Sqrt(dot(slope, slope))) * slope};
 }
 
+template <class Batch>
 void commit_batch(const Stage& stage, const Workspace& work, double follows, State& state, Batch b)
 {
   const Rows guide = guides_of(stage, b), moved = rows_of(work.guided, work.guided[0].along, b);
@@ -656,7 +686,7 @@ void commit_batch(const Stage& stage, const Workspace& work, double follows, Sta
 
 void commit(const Stage& stage, const Workspace& work, double follows, Runs::Run nodes, State& state) noexcept
 {
-  each_batch(nodes, [&](Batch b) { commit_batch(stage, work, follows, state, b); });
+  each_batch(nodes, [&](auto b) { commit_batch(stage, work, follows, state, b); });
 }
 }  // namespace
 
