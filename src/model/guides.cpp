@@ -216,7 +216,7 @@ void find_guides(const Model& model, const State& state, Stage& stage) noexcept
 {
   const std::size_t n = state.nodes.size();
   for (Runs* runs : {&stage.guided_nodes, &stage.guided_elements, &stage.inner_nodes}) runs->clear();
-  stage.sides_stay = model.scene().numerics.level == Level::rigid && stage.time > 0.0;
+  stage.sides_stay = model.scene().numerics.level == Level::rigid;
   for (std::size_t i = 0; i < n; ++i)
   {
     Guide& guide = stage.guides[i];

@@ -52,7 +52,7 @@ struct Stage
   std::vector<double> added_mass;       ///< of the mud that moves sideways with a node; of the bit none, its gauge squeezes a film [kg]
   std::vector<Eigen::Vector3d> load;    ///< weight of the elements in mud, less what lifts them up the annulus [N]
   std::vector<double> free_stretch;     ///< of the elements, by the pump's pressure (mud_circuit.h) [-]
-  bool sides_stay = false;              ///< guided pipe stays on the side of its wall where it is: a rigid string would be jerked by what it moves
+  bool sides_stay = false;              ///< guided pipe stays in the middle of its hole: a rigid string would be jerked by what going to its wall moves
   bool any_guided = false;              ///< whether there is anything in these:
   std::vector<Guide> guides;             ///< of the nodes
   std::vector<GuidedSpan> guided_spans;  ///< of the elements
