@@ -23,12 +23,6 @@ bool guided_pair(const State& state, std::size_t lower) noexcept
   return state.nodes[lower].guided && state.nodes[lower + 1].guided;
 }
 
-bool joined(const State& state, std::size_t i) noexcept
-{
-  const std::size_t top = state.nodes.size() - 1;
-  return i == 0 || i == top || !state.nodes[i - 1].guided || !state.nodes[i + 1].guided || static_cast<int>(i) == state.stuck_point.node;
-}
-
 Vector3d across(const Vector3d& tangent, const Vector3d& v) noexcept
 {
   return v - tangent * tangent.dot(v);
@@ -217,22 +211,25 @@ void find_guides(const Model& model, const State& state, Stage& stage) noexcept
   const std::size_t n = state.nodes.size();
   for (Runs* runs : {&stage.guided_nodes, &stage.guided_elements, &stage.inner_nodes}) runs->clear();
   stage.sides_stay = model.scene().numerics.level == Level::rigid;
+  bool below = false, here = state.nodes[0].guided;
   for (std::size_t i = 0; i < n; ++i)
   {
+    const bool above = i + 1 < n && state.nodes[i + 1].guided;
+    const int node = static_cast<int>(i);
     Guide& guide = stage.guides[i];
-    guide.guided = state.nodes[i].guided;
-    if (!guide.guided) continue;
-    guide.joined = joined(state, i);
-    stage.guided_nodes.add(static_cast<int>(i));
-    if (!guide.joined && static_cast<int>(i) >= model.mesh().gauge_nodes) stage.inner_nodes.add(static_cast<int>(i));
+    guide.guided = here;
+    if (i + 1 < n) stage.guided_spans[i].guided = here && above;
+    if (here)
+    {
+      guide.joined = !below || !above || node == state.stuck_point.node;
+      stage.guided_nodes.add(node);
+      if (above) stage.guided_elements.add(node);
+      if (!guide.joined && node >= model.mesh().gauge_nodes) stage.inner_nodes.add(node);
+    }
+    below = here;
+    here = above;
   }
   stage.any_guided = !stage.guided_nodes.empty();
-  for (std::size_t e = 0; e + 1 < n; ++e)
-  {
-    GuidedSpan& span = stage.guided_spans[e];
-    span.guided = stage.guides[e].guided && stage.guides[e + 1].guided;
-    if (span.guided) stage.guided_elements.add(static_cast<int>(e));
-  }
   for (const Runs::Run& run : stage.guided_nodes)
   {
     if (stage.guided_kernel)

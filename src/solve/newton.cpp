@@ -53,7 +53,8 @@ double Newton::find_increment(const StageContext& problem, const double* u, bool
 
 void Newton::apply(double scale, double* u) const noexcept
 {
-  for (std::size_t k = 0; k < step_.size(); ++k) u[k] -= scale * step_[k];
+  const auto size = static_cast<Eigen::Index>(step_.size());
+  Eigen::Map<Eigen::ArrayXd>(u, size) -= scale * Eigen::Map<const Eigen::ArrayXd>(step_.data(), size);
 }
 
 void Newton::go_back(double* u) const noexcept

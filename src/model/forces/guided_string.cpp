@@ -349,11 +349,11 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
     const Guide& guide = guide_of(at, i);
     if (!guide.guided) continue;
     const GuidedMotion& motion = at.work.guided[i];
-    const NodeFriction friction = sticking_friction(at, i, load_of(guide, motion.push), false);
-    const double torque = guide.lever * friction.force.y();
+    // the friction of the wall as add() has left it: along the pipe what of the wall's force is not across it
+    const double friction = guide.tangent.dot(at.work.result.forces.wall[i] + motion.push), torque = guide.lever * motion.around;
     add_to(sample, NodeForce::inertia, i, guide, guide.mass * motion.along_acceleration, guide.spin_inertia * motion.about_acceleration);
     add_to(sample, NodeForce::mud, i, guide, guide.mud_along * motion.along_rate, guide.mud_about * motion.about_rate);
-    add_to(sample, NodeForce::friction, i, guide, -friction.force.x(), -torque);
+    add_to(sample, NodeForce::friction, i, guide, -friction, -torque);
     if (gauge(at, i)) sample.gauge_torque -= torque;
   }
 }
