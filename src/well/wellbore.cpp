@@ -78,9 +78,12 @@ WellNode Wellbore::at(double md) const noexcept
 
 int Wellbore::segment_at(double md, int hint) const noexcept
 {
-  const std::vector<HoleSegment>& originals = original_->segments;
-  const std::size_t next = static_cast<std::size_t>(hint) + 1;
-  if (hint > 0 && next < originals.size() && md >= originals[next - 1].md && md <= originals[next].md) return hint;  // where it was, mostly
+  // where it was, mostly
+  const HoleSegment* const originals = original_->segments.data();
+  const int count = original_count();
+  if (hint > 0 && hint < count && md >= originals[hint].md &&
+      (hint + 1 < count ? md <= originals[hint + 1].md : drilled_.count() == 0 && md <= new_interval_.md))
+    return hint;
   const int last = new_interval_index();
   hint = std::clamp(hint, 0, last);
   while (hint > 0 && md < segment(hint).md) --hint;
