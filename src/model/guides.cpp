@@ -232,8 +232,8 @@ void find_guides(const Model& model, const State& state, Stage& stage) noexcept
   stage.any_guided = !stage.guided_nodes.empty();
   for (const Runs::Run& run : stage.guided_nodes)
   {
-    if (stage.guided_kernel)
-      stage.guided_kernel->find(model, state, stage, run);
+    if (stage.guided_step_kernel)
+      stage.guided_step_kernel->find(model, state, stage, run);
     else
       find_run(model, state, stage, run);
   }
@@ -296,9 +296,9 @@ void commit_guided(const Stage& stage, const Workspace& work, State& state) noex
   {
     if (stage.guides[static_cast<std::size_t>(i)].guided) commit_node(stage, work, follows, static_cast<std::size_t>(i), state);
   };
-  if (stage.guided_kernel)
+  if (stage.guided_step_kernel)
   {
-    for (const Runs::Run& run : stage.inner_nodes) stage.guided_kernel->commit(stage, work, follows, run, state);
+    for (const Runs::Run& run : stage.inner_nodes) stage.guided_step_kernel->commit(stage, work, follows, run, state);
     each_outside(stage.inner_nodes, static_cast<int>(state.nodes.size()), commit_one);
   }
   else

@@ -63,6 +63,7 @@ Stage::Stage(const Model& model)
     guides(rate.size()),
     guided_spans(load.size()),
     guided_kernel(drill_rig_sim::guided_kernel(model.kernel())),
+    guided_step_kernel(drill_rig_sim::guided_step_kernel(model.kernel())),
     guided_nodes(rate.size()),
     guided_elements(load.size()),
     guided_columns(guide_column::count, model.nodes() + 1),

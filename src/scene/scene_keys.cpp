@@ -360,7 +360,7 @@ const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at 
   {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},
   {"stuck_at",              "m",      &ProgramStep::stuck_at,              above(0.0, 20000.0),  "measured depth where the hole grips the pipe, not below the bit by then", no_kind, every_kind, "as before"},
   {"free",                  "",       Flag<ProgramStep>{&ProgramStep::free}, none,               "true: it lets go", no_kind, every_kind, "as before"},
-  {"free_length",           "m",      &ProgramStep::free_length,           between(0.0, 20000.0), "another level: so far above the bit's face all motions are modelled, above that those along the hole and about it; 0: axial_torsional; the string's length or more: beam3d", no_kind, every_kind, "as before"},
+  {"free_length",           "m",      &ProgramStep::free_length,           between(0.0, 20000.0), "a coarser level: so far above the bit's face all motions are modelled from now on, above that those along the hole and about it; 0: axial_torsional; not longer than before", no_kind, every_kind, "as before"},
 }};
 // clang-format on
 

@@ -233,6 +233,7 @@ void check_program(const Scene& scene, ProblemList& problems)
     problems.emplace_back(item_key("program", i, key), plain(value / scale) + " " + unit + " is beyond the rig's limit, allowed: up to " +
                                               plain(most / scale) + " " + unit);
   };
+  double free = free_length(scene);
   for (std::size_t i = 0; i < scene.program.size(); ++i)
   {
     const ProgramStep& step = scene.program[i];
@@ -252,6 +253,9 @@ void check_program(const Scene& scene, ProblemList& problems)
     check_ramp_and_faults(step, i, problems);
     if (!std::isnan(step.free_length) && (scene.numerics.level == Level::rigid || has_no_levels(scene.numerics.integrator)))
       problems.emplace_back(item_key("program", i, "free_length"), "a rigid string, and this integrator, have but one level; allowed with the others");
+    else if (step.free_length > free)
+      problems.emplace_back(item_key("program", i, "free_length"), metres(step.free_length) + " would set guided pipe free, allowed: up to " + metres(free));
+    if (!std::isnan(step.free_length)) free = step.free_length;
     limit(i, "block_velocity", step.block_velocity, scene.rig.hoisting.max_speed, "m/s", 1.0);
     limit(i, "top_drive_speed_rpm", step.top_drive_speed, scene.rig.top_drive.max_speed, "rpm", rpm);
     limit(i, "top_drive_torque", step.top_drive_torque, scene.rig.top_drive.max_torque, "N m", 1.0);

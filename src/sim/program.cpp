@@ -72,7 +72,8 @@ void ProgramPlayer::begin(const ProgramStep& step, Simulator& simulator) noexcep
   if (is_set(step.top_drive_speed) || is_set(step.top_drive_torque) || is_set(step.top_drive_brake)) begin_top_drive(step, simulator);
   if (is_set(step.flow)) flow_ = ramp_of(step, simulator.setpoints().pump.flow, step.flow);
   if (step.free == 1.0) simulator.free_pipe();
-  if (is_set(step.free_length)) simulator.set_free_length(step.free_length);
+  if (is_set(step.free_length) && !simulator.set_free_length(step.free_length))
+    simulator.fail("program: free_length would set guided pipe free, allowed: shorter ones than before");
   if (is_set(step.stuck_at) && !simulator.stick_pipe(step.stuck_at))
     simulator.fail("program: stuck_at is below the bit, allowed: where there is pipe in the hole");
 }

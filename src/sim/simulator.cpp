@@ -57,7 +57,7 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   statistics.nodes = model->nodes();
   statistics.guided_nodes = guided_nodes(state.mechanics);
   statistics.coordinates = coordinates_of(state.mechanics, statistics.guided_nodes);
-  state.levels.free_length = free_length(scene);
+  state.levels.free_length = std::min(free_length(scene), model->mesh().nodes.back().from_bit);
   statistics.level = name_of(level_of(*model, state.levels.free_length));
   statistics.integrator = find_integrator(scene.numerics.integrator).name;
   statistics.kernel = model->kernel();
@@ -239,7 +239,8 @@ void Simulator::free_pipe() noexcept
 bool Simulator::set_free_length(double from_bit) noexcept
 {
   const NumericsSpec& numerics = impl_->scene.numerics;
-  if (!(from_bit >= 0.0) || numerics.level == Level::rigid || has_no_levels(numerics.integrator)) return false;
+  if (!(from_bit >= 0.0) || from_bit > impl_->state.levels.free_length) return false;
+  if (numerics.level == Level::rigid || has_no_levels(numerics.integrator)) return false;
   impl_->settle();
   impl_->state.levels.free_length = from_bit;
   impl_->state.levels.moved = true;

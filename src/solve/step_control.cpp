@@ -16,7 +16,7 @@ constexpr double least_force = 1e3, least_torque = 100.0, least_speed = 0.1;  //
 constexpr double share_of_level = 0.1;
 constexpr double most_damping = 5.0;  // over the tolerance, of a bent motor's waves [1/s]
 constexpr double steps_a_blade = 100.0;
-constexpr double smooth_tolerance = 0.01; // where the two agree
+constexpr double smooth_tolerance = 0.04;  // where fronts and smooth waves are allowed the same
 constexpr double most_stretch = 10.0;
 
 /// Of the tolerance, for the waves of a string that they take `time` [s] to run along; the slowest that it can swing by, a quarter of its length.
@@ -47,7 +47,7 @@ StepControl::StepControl(const Model& model) : tolerance_(model.scene().numerics
     time_along += node.mass / along_.back();
     time_about += node.spin_inertia / about_.back();
   }
-  const double of_fronts = std::sqrt(tolerance_ / smooth_tolerance);
+  const double of_fronts = std::pow(tolerance_ / smooth_tolerance, 2.0 / 3.0);
   allowed_along_ = of_fronts * tolerance_ * share_of_tolerance(time_along);
   allowed_about_ = of_fronts * tolerance_ * share_of_tolerance(time_about);
 }

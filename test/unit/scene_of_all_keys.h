@@ -51,7 +51,7 @@ program:
   - {at: 1.5, block_velocity: -0.01, top_drive_speed_rpm: 54.0, flow: 0.046}
   - {at: 2.5, top_drive_torque: 1234.0, top_drive_brake: true, brake: true}
   - {at: 3.5, brake: false, flow: 0.045, ramp: 6.5, stuck_at: 701.0}
-  - {at: 4.5, free: true, free_length: 91.0}
+  - {at: 4.5, free: true, free_length: 57.0}
 )";
 }  // namespace drill_rig_sim
 

@@ -221,7 +221,7 @@ std::vector<Expected> of_numerics()
       {"program[]", "ramp", [](const Scene& s) { return s.program.at(2).ramp; }, 6.5},
       {"program[]", "stuck_at", [](const Scene& s) { return s.program.at(2).stuck_at; }, 701.0},
       {"program[]", "free", [](const Scene& s) { return s.program.at(3).free; }, 1.0},
-      {"program[]", "free_length", [](const Scene& s) { return s.program.at(3).free_length; }, 91.0},
+      {"program[]", "free_length", [](const Scene& s) { return s.program.at(3).free_length; }, 57.0},
   };
 }
 

@@ -15,6 +15,7 @@
 namespace drill_rig_sim
 {
 struct GuidedKernel;
+struct GuidedStepKernel;
 
 /// What turns the bit and moves the bottom under it within the step.
 struct BitDrive
@@ -57,6 +58,7 @@ struct Stage
   std::vector<Guide> guides;             ///< of the nodes
   std::vector<GuidedSpan> guided_spans;  ///< of the elements
   const GuidedKernel* guided_kernel;     ///< what works on them; null: one by one
+  const GuidedStepKernel* guided_step_kernel;
   Runs guided_nodes, guided_elements;    ///< those that are guided
   NumberColumns guided_columns;          ///< for that
   Runs inner_nodes;                      ///< and of these nodes those on which the guided string's forces alone act, but for the bit's gauge

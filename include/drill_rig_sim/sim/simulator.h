@@ -110,9 +110,9 @@ public:
   /// Grips the pipe within an element of measured depth `md` [m]; false, and nothing changed, unless 0 < md <= the bit's depth.
   bool stick_pipe(double md) noexcept;
   void free_pipe() noexcept;
-  /// Another level from the next frame on: nodes up to `from_bit` above the bit's face [m] are free, those above it guided (0: axial_torsional; the string's
-  /// length or more: beam3d; else hybrid). What the string carries goes on as it was (model/levels.h). False, and nothing changed, for level
-  /// rigid, for methods that know free nodes alone, and where `from_bit` is no length.
+  /// A coarser level from the next frame on: nodes up to `from_bit` above the bit's face [m] stay free, those above it are guided (0: axial_torsional; else
+  /// hybrid). What the string carries goes on as it was (model/levels.h). False, and nothing changed, where it would set guided pipe free, for that
+  /// shakes turning pipe for seconds (torque off by up to 40 %), for level rigid, for methods that know free nodes alone, and where `from_bit` is no length.
   bool set_free_length(double from_bit) noexcept;
 
   /// A copy of everything that the next frame depends on.

@@ -59,13 +59,18 @@ struct GuidedRows
   double *diagonal, *upper, *lower;
 };
 
-/// A kernel's. Runs of Stage::guided_nodes, guided_elements or inner_nodes.
-struct GuidedKernel
+/// A kernel's, at the two ends of a step. Runs of Stage::guided_nodes or inner_nodes.
+struct GuidedStepKernel
 {
   /// find_guides() of a run of nodes and the elements between them, but for what the scene alone says.
   void (*find)(const Model& model, const State& state, Stage& stage, Runs::Run nodes) noexcept;
   /// commit_guided() of inner nodes. `follows`: the share of its way that the string goes towards the side it is pressed to.
   void (*commit)(const Stage& stage, const Workspace& work, double follows, Runs::Run nodes, State& state) noexcept;
+};
+
+/// A kernel's, at a stage. Runs of Stage::guided_nodes, guided_elements or inner_nodes.
+struct GuidedKernel
+{
   /// Motion of guided nodes at the increments u: into Workspace::guided and columns.
   void (*move)(const StageContext& at, const double* u, Runs::Run nodes) noexcept;
   /// Tension and torque of guided elements: into Workspace::guided_forces and columns.
@@ -81,6 +86,7 @@ struct GuidedKernel
 
 /// Null: there is none, and one by one is the way.
 const GuidedKernel* guided_kernel(Kernel kernel) noexcept;
+const GuidedStepKernel* guided_step_kernel(Kernel kernel) noexcept;
 
 }  // namespace drill_rig_sim
 
