@@ -9,6 +9,10 @@
 // quite periodic, its limits move by some per cent with cell and scheme. Then the simulator against that wave model, with the
 // simulator's law, and against the figures.
 //
+// The fastest bit of single cycles lies within 2 % of their mean, and which of them is the fastest goes by rounding: two kernels
+// of the simulator differ by 0.4 % in it. So simulator and wave model are compared by the mean of the cycles. Theirs is the
+// fastest of all, and the wave model with their own law is 3 % below it.
+//
 // The simulator's law is smooth, mu_k (1 + (ratio - 1) exp(-(v/v_s)^2)), and falls most steeply at v_s/sqrt(2): v_s is chosen
 // such that this is where theirs jumps, at 1 rad/s on the collars' surface. Its side force has tension times curvature: in the
 // build section the friction coefficient is scaled to their torque. A turning string climbs the wall, N = S/sqrt(1 + mu^2):
@@ -51,6 +55,7 @@ struct SetPoint
 struct Cycle
 {
   double torque_low = 1e9, torque_high = -1e9, bit_low = 1e9, bit_high = -1e9, mean_torque = 0.0, period = 0.0;
+  double mean_bit_high = 0.0;  ///< of the cycles' highest
 
   void add(double time, double motor_torque, double bit_speed, double level)
   {
@@ -62,14 +67,19 @@ struct Cycle
     bit_low = std::min(bit_low, bit_speed);
     bit_high = std::max(bit_high, bit_speed);
     mean_torque += (motor_torque - mean_torque) / ++samples_;
+    highest_ = std::max(highest_, bit_speed);
     if (!risen || time - last_ < 2.0) return;  // the front of a slip crosses the level more than once
-    if (cycles_++ == 0) first_ = time;
+    if (cycles_++ == 0)
+      first_ = time;
+    else
+      mean_bit_high += (highest_ - mean_bit_high) / (cycles_ - 1);
     last_ = time;
+    highest_ = 0.0;
     if (cycles_ > 1) period = (last_ - first_) / (cycles_ - 1);
   }
 
 private:
-  double before_ = 0.0, first_ = 0.0, last_ = -10.0;
+  double before_ = 0.0, first_ = 0.0, last_ = -10.0, highest_ = 0.0;
   int cycles_ = 0;
   long samples_ = 0;
 };
@@ -223,15 +233,14 @@ Cycle simulated(const Scene& scene, const SetPoint& set_point)
   return cycle;
 }
 
-/// The bound of the torques is relative to theirs, the lowest torque's to the swing of theirs: it is the small difference of
-/// large numbers.
-void compare(Report& report, const std::string& name, const Cycle& ours, const Cycle& theirs, double torque_bound,
+/// The bound is relative to theirs, the lowest torque's to the swing of theirs: it is the small difference of large numbers.
+void compare(Report& report, const std::string& name, const Cycle& ours, const Cycle& theirs, double bound,
              const std::string& source)
 {
   const double swing = theirs.torque_high - theirs.torque_low;
-  report.add({name + ": lowest motor torque [N m]", ours.torque_low, theirs.torque_low, torque_bound * swing, source, true});
-  report.add({name + ": highest motor torque [N m]", ours.torque_high, theirs.torque_high, torque_bound, source});
-  report.add({name + ": fastest bit [rpm]", ours.bit_high / rpm, theirs.bit_high / rpm, 0.05, source});
+  report.add({name + ": lowest motor torque [N m]", ours.torque_low, theirs.torque_low, bound * swing, source, true});
+  report.add({name + ": highest motor torque [N m]", ours.torque_high, theirs.torque_high, bound, source});
+  report.add({name + ": fastest bit [rpm]", ours.bit_high / rpm, theirs.bit_high / rpm, bound, source});
   report.add({name + ": period [s]", ours.period, theirs.period, 0.03, source});
 }
 }  // namespace
@@ -257,7 +266,10 @@ void stick_slip_well_a_cases(Report& report)
   const double break_off_torque = turning_torque(build_at_rest(scene), 0.0).second / kKineticRatio;
   report.add({"Well A break-off torque [N m]", break_off_torque, 10228.0, 0.01, "9639.5 with 67/61 of it on the collars"});
   const Cycle ours = simulated(scene, slow);
-  compare(report, "Well A stick-slip at 60 rpm", ours, wave_model(Law::simulator, slow), 0.05, wave);
+  const Cycle waves = wave_model(Law::simulator, slow);
+  compare(report, "Well A stick-slip at 60 rpm", ours, waves, 0.05, wave);
+  report.add({"Well A stick-slip at 60 rpm: fastest bit, mean of the cycles [rpm]", ours.mean_bit_high / rpm,
+              waves.mean_bit_high / rpm, 0.02, wave});
   compare(report, "Well A stick-slip at 60 rpm as published", ours, published, 0.08,
           paper + ": friction law and side force differ");
   const Cycle steady = simulated(scene, fast);
