@@ -4,7 +4,14 @@
 namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<double>;
 using V = hn::Vec<Tag>;
+using Mask = hn::Mask<Tag>;
 constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag()));
+
+/// Of a batch that begins with `i`, those before `end`.
+HWY_INLINE int lanes_from(int i, int end)
+{
+  return end - i < kLanes ? end - i : kLanes;
+}
 
 HWY_INLINE V all(double value)
 {
@@ -61,6 +68,11 @@ HWY_INLINE V3 mul_add(V a, const V3& b, const V3& c)
 HWY_INLINE V3 mul_sub_from(V a, const V3& b, const V3& c)
 {
   return {hn::NegMulAdd(a, b.x, c.x), hn::NegMulAdd(a, b.y, c.y), hn::NegMulAdd(a, b.z, c.z)};
+}
+
+HWY_INLINE V3 choose(Mask mask, const V3& yes, const V3& no)
+{
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
 /// Orientation; w last, as Eigen keeps it.
@@ -214,6 +226,13 @@ HWY_INLINE V6 load6(const Rows& from)
 {
   const V4 p = load4(from, 0), q = load4(from, 2);
   return {{p.a, p.b, p.c}, {p.d, q.c, q.d}};
+}
+
+/// From column `at` on.
+HWY_INLINE void store6(const V3& head, const V3& tail, const Rows& to, int at)
+{
+  store4<false>(head.x, head.y, head.z, tail.x, to, at);
+  store4<false>(head.z, tail.x, tail.y, tail.z, to, at + 2);
 }
 
 HWY_INLINE V6 mul_add(V a, const V6& b, const V6& c)

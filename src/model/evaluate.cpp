@@ -150,6 +150,7 @@ void evaluate_list(const std::array<const Force*, N>& forces, const Model& model
   work.profiler.lap(Cost::contact);
   add_forces(forces, {model, start, stage, work}, residual, tangent);
 }
+
 /// The other kinds of element are evaluated one by one.
 Kernel kernel_of(const Model& model) noexcept
 {

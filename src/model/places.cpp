@@ -32,74 +32,89 @@ const double* numbers_of(const HoleSegment* segment) noexcept
   return segment ? segment->c0.data() : nullptr;
 }
 
+/// Whom a search by the batch kernel is about: nodes or elements outside `guided`.
+struct Search
+{
+  const Runs& guided;
+  int count;
+  PlaceTask task;  ///< but for first and last
+  const std::vector<unsigned char>& singly;
+  std::vector<int>& hints;  ///< segments at the start of their last searches
+};
+
+/// Clear is who has not gone far since he was found clear; of the others those are searched in batches that are beside a smooth segment, and what then
+/// is left, unless it is in the mast, by one(k). For the rest found(k, segment, touches). `hint_of(k)`: the segment at the start of the step;
+/// `point_of(k)`: where he is.
+template <class Hint, class Point, class One, class Found>
+void search(const Wellbore& well, const Search& who, Workspace& work, Hint&& hint_of, Point&& point_of, One&& one, Found&& found) noexcept
+{
+  StringColumns& columns = work.columns;
+  PlaceTask task = who.task;
+  const auto each_run = [&](void (*batch)(const PlaceTask&) noexcept)
+  {
+    each_between(who.guided, who.count, [&](int first, int last)
+    {
+      task.first = first;
+      task.last = last;
+      batch(task);
+    });
+  };
+  each_run(work.place->look);
+  each_outside(who.guided, who.count, [&](int k)
+  {
+    const int hint = hint_of(k);
+    columns.segments[k] = nullptr;
+    if (columns.places[k] == Place::clear && who.hints[k] == hint) return;
+    columns.places[k] = Place::search;
+    who.hints[k] = hint;
+    if (!who.singly[k]) columns.segments[k] = numbers_of(well.smooth_segment(hint, point_of(k)));
+  });
+  each_run(work.place->find);
+  const double* radius = (*task.columns)[task.radius];
+  each_outside(who.guided, who.count, [&](int k)
+  {
+    const bool in_mast = who.hints[k] == 0 && clear_in_mast(well, point_of(k), radius[k]);
+    if (columns.places[k] == Place::search && !in_mast) return one(k);
+    found(k, who.hints[k], columns.places[k] == Place::touches);
+  });
+}
+
 /// find_closest() of all free nodes by the batch kernel. One by one: gauge and blades, whose film of mud wants to know the hole even where they are
 /// clear of it, and what the kernel leaves.
 void find_nodes(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
 {
   StringColumns& columns = work.columns;
-  const auto task = [&](int first, int last)
-  {
-    return PlaceTask{first, last, &columns.nodes, node_column::position, node_column::contact_radius, node_column::searched, node_column::room,
-                     columns.segments.data(), &work.nodes[0].closest, sizeof(NodeMotion), columns.places.data()};
-  };
-  each_between(stage.guided_nodes, model.nodes(), [&](int first, int last) { work.place->look(task(first, last)); });
-  each_outside(stage.guided_nodes, model.nodes(), [&](int i)
-  {
-    const int hint = start.nodes[i].segment;
-    columns.segments[i] = nullptr;
-    if (columns.places[i] == Place::clear && columns.node_hints[i] == hint) return;
-    columns.places[i] = Place::search;
-    columns.node_hints[i] = hint;
-    if (!columns.single_nodes[i]) columns.segments[i] = numbers_of(start.well.smooth_segment(hint, work.nodes[i].position));
-  });
-  each_between(stage.guided_nodes, model.nodes(), [&](int first, int last) { work.place->find(task(first, last)); });
-  each_outside(stage.guided_nodes, model.nodes(), [&](int i)
-  {
-    NodeMotion& node = work.nodes[i];
-    const int hint = columns.node_hints[i];
-    const bool in_mast = hint == 0 && clear_in_mast(start.well, node.position, model.mesh().nodes[i].contact_radius);
-    if (columns.places[i] == Place::search && !in_mast) return find_closest(model, start, i, node);
-    node.closest.segment = hint;
-    node.touches = columns.places[i] == Place::touches;
-  });
+  const PlaceTask task{0, 0, &columns.nodes, node_column::position, node_column::contact_radius, node_column::searched, node_column::room,
+                       columns.segments.data(), &work.nodes[0].closest, sizeof(NodeMotion), columns.places.data()};
+  search(start.well, {stage.guided_nodes, model.nodes(), task, columns.single_nodes, columns.node_hints}, work,
+         [&](int i) { return start.nodes[i].segment; },
+         [&](int i) -> const Vector3d& { return work.nodes[i].position; },
+         [&](int i) { find_closest(model, start, i, work.nodes[i]); },
+         [&](int i, int segment, bool touches)
+         {
+           work.nodes[i].closest.segment = segment;
+           work.nodes[i].touches = touches;
+         });
 }
 
 /// find_span() of all free elements, in the same way; of those that are clear of the wall only that is known.
 void find_spans(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
 {
   StringColumns& columns = work.columns;
-  const NumberColumns& elements = columns.elements;
-  const double *x = elements[element_column::middle], *y = elements[element_column::middle + 1], *z = elements[element_column::middle + 2];
-  const auto task = [&](int first, int last)
-  {
-    return PlaceTask{first, last, &columns.elements, element_column::middle, element_column::radius, element_column::searched, element_column::room,
-                     columns.segments.data(), &work.spans[0].closest, sizeof(SpanMotion), columns.places.data()};
-  };
-  each_between(stage.guided_elements, model.elements(), [&](int first, int last)
-  {
-    work.place->find_middles({first, last, &columns.nodes, &columns.elements});
-    work.place->look(task(first, last));
-  });
-  each_outside(stage.guided_elements, model.elements(), [&](int e)
-  {
-    const int hint = start.spans[e].segment;
-    columns.segments[e] = nullptr;
-    if (columns.places[e] == Place::clear && columns.element_hints[e] == hint) return;
-    columns.places[e] = Place::search;
-    columns.element_hints[e] = hint;
-    if (!columns.single_elements[e]) columns.segments[e] = numbers_of(start.well.smooth_segment(hint, {x[e], y[e], z[e]}));
-  });
-  each_between(stage.guided_elements, model.elements(), [&](int first, int last) { work.place->find(task(first, last)); });
-  each_outside(stage.guided_elements, model.elements(), [&](int e)
-  {
-    SpanMotion& span = work.spans[e];
-    const int hint = columns.element_hints[e];
-    const bool in_mast = hint == 0 && clear_in_mast(start.well, {x[e], y[e], z[e]}, elements[element_column::radius][e]);
-    if (columns.places[e] == Place::search && !in_mast) return find_span(model, start, stage, e, work);
-    span.closest.segment = hint;
-    span.touches = columns.places[e] == Place::touches;
-    if (span.touches) move_span(model, start, stage, e, work);
-  });
+  const double *x = columns.elements[element_column::middle], *y = columns.elements[element_column::middle + 1], *z = columns.elements[element_column::middle + 2];
+  each_between(stage.guided_elements, model.elements(), [&](int first, int last) { work.place->find_middles({first, last, &columns.nodes, &columns.elements}); });
+  const PlaceTask task{0, 0, &columns.elements, element_column::middle, element_column::radius, element_column::searched, element_column::room,
+                       columns.segments.data(), &work.spans[0].closest, sizeof(SpanMotion), columns.places.data()};
+  search(start.well, {stage.guided_elements, model.elements(), task, columns.single_elements, columns.element_hints}, work,
+         [&](int e) { return start.spans[e].segment; },
+         [&](int e) { return Vector3d(x[e], y[e], z[e]); },
+         [&](int e) { find_span(model, start, stage, e, work); },
+         [&](int e, int segment, bool touches)
+         {
+           work.spans[e].closest.segment = segment;
+           work.spans[e].touches = touches;
+           if (touches) move_span(model, start, stage, e, work);
+         });
 }
 
 /// What was found in another hole is void: it has been drilled on since.

@@ -8,8 +8,6 @@
 #include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/rig/hydraulics.h"
-#include "drill_rig_sim/rig/mud_motor.h"
 #include "drill_rig_sim/scene/scene_hash.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/scene/scene_problems.h"

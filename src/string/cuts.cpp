@@ -49,6 +49,7 @@ std::vector<Place> places_in(const PartSpec& part, double lower, double upper)
   std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.from_bit < b.from_bit; });
   return places;
 }
+
 /// Joint j, which begins at `lower` [m], and the next one are one element.
 bool merges(const std::vector<double>& lengths, std::size_t j, double lower, const ElementLengths& longest)
 {

@@ -26,7 +26,7 @@ constexpr double may_be_longer = 0.2;
 /// so e may be the tolerance over w T, w the lowest frequency of the string fixed at its top, and T 6 s, as long as waves last in mud; a twentieth of the
 /// tolerance at most. But a string's waves have fronts, where something lets go or takes hold, and their error falls with h^1.2 alone (measured: a vertical
 /// kilometre that begins to turn, 1.3 % at 20 ms, 0.55 at 10, 0.23 at 5, by TR-BDF2 0.60, 0.25, 0.09): so what is allowed, h^2, goes with the tolerance to the power of
-/// 5/3, as above at 0.04 (at 0.01 four cells in ten of the operations matrix that are known to a third of it were 5 to 30 % beyond it otherwise).
+/// 5/3, as above at 0.04 (with the power of 3/2, as above at 0.01, 14 of 51 cells of the operations matrix were beyond 1 % without a word, most of them by 5 to 30 % of it; so 3 are).
 /// Besides, no node's place may be wrong by more than `largest_place_error` in a step, whatever it does to the outputs: blows, whirl.
 class StepControl
 {

@@ -1,7 +1,6 @@
 // The formulas are those of evaluate.cpp, guides.cpp, forces/guided_string.cpp and contact/surface_friction.cpp; symbols as there.
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
 
-#include <cmath>
 #include <cstddef>
 
 #include "drill_rig_sim/math/number_columns.h"
@@ -120,7 +119,7 @@ HWY_INLINE Load load_of(const Numbers& n, V above, V below)
   return load;
 }
 
-/// Along and around.
+/// At the rim, with its slopes by the rim's displacement, rows first, and by the load on the wall.
 struct Friction
 {
   V2 force, bristle, first_row, second_row, by_load;
@@ -214,7 +213,7 @@ HWY_INLINE void write_residual(const StageContext& at, const Numbers& n, const F
   const V along_hole = hn::MulAdd(n.mass, of(along_acceleration), hn::MulAdd(n.mud_along, of(along_rate), ends(tension))) - dot(n.tangent, n.weight) - f.force.x;
   const V about_hole = hn::NegMulAdd(n.lever, f.force.y, hn::MulAdd(n.spin_inertia, of(about_acceleration), hn::MulAdd(n.mud_about, of(about_rate), ends(torque))));
   double spare[6];
-  store_along(along_hole, about_hole, n.tangent, rows_to(residual, 6, b, spare));
+  store6(along_hole * n.tangent, about_hole * n.tangent, rows_to(residual, 6, b, spare), 0);
 }
 
 template <class Batch>
@@ -312,8 +311,7 @@ void expand_batch(const Stage& stage, Workspace& work, Batch b)
   const Rows to = rows_to(work.nodes, work.nodes[0].axis.x(), b, spare);  // axis, position, normal, tilt, spin, carried_spin, increment, rate, acceleration
   store4<false>(t.x, t.y, t.z, all(0.0), to, 0);  // the place is not looked at
   const V3 tilt = m.a * w, normal = t + cross(tilt, t);
-  store4<false>(normal.x, normal.y, normal.z, tilt.x, to, 6);
-  store4<false>(normal.z, tilt.x, tilt.y, tilt.z, to, 8);
+  store6(normal, tilt, to, 6);
   const auto six = [&](V along, V about, int column) { store6(along * t, mul_add(along, w, about * t), to, column); };
   store2(m.b, m.d, rows_to(work.nodes, work.nodes[0].spin, b, spare));
   six(m.a, m.b, 14);

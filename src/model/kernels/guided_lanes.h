@@ -1,8 +1,6 @@
 // What the batch kernels of guided nodes have in common: batches, and rows of what they work on. Included inside the namespace of such a source, behind
 // math/lanes.h, once for each set of instructions; no include guard, therefore.
 
-using Mask = hn::Mask<Tag>;
-
 constexpr double smooth = 1.0;  // of the load on the wall, where it changes sides [N]
 
 /// A batch: nodes or elements from `i` on, `count` of them.
@@ -79,20 +77,6 @@ HWY_INLINE void store2(V a, V b, const Rows& to)
   }
 }
 
-/// Rows of six, (a t, b t).
-HWY_INLINE void store_along(V a, V b, const V3& t, const Rows& to)
-{
-  const V3 p = a * t, q = b * t;
-  store4<false>(p.x, p.y, p.z, q.x, to, 0);
-  store4<false>(p.z, q.x, q.y, q.z, to, 2);
-}
-
-HWY_INLINE void store6(const V3& p, const V3& q, const Rows& to, int at)
-{
-  store4<false>(p.x, p.y, p.z, q.x, to, at);
-  store4<false>(p.z, q.x, q.y, q.z, to, at + 2);
-}
-
 /// Of `count` numbers in a row.
 template <class Batch>
 HWY_INLINE void put_down(V v, double* to, Batch b)
@@ -103,6 +87,7 @@ HWY_INLINE void put_down(V v, double* to, Batch b)
   for (int k = 0; k < b.count; ++k) to[b.i + k] = numbers[k];
 }
 
+/// Along and around.
 struct V2
 {
   V x, y;
@@ -117,5 +102,3 @@ HWY_INLINE V norm(const V2& v)
 {
   return hn::Sqrt(hn::MulAdd(v.x, v.x, v.y * v.y));
 }
-
-/// At the rim, with its slopes by the rim's displacement, rows first, and by the load on the wall.

@@ -190,8 +190,7 @@ HWY_INLINE V3 climbed(const V3& t, const V3& push, V around)
 {
   const V square = dot(push, push), left = hn::NegMulAdd(around, around, square);
   const V3 turned = (all(1.0) / hn::Sqrt(square)) * mul_add(hn::Sqrt(left), push, around * cross(t, push));
-  const Mask climbs = left > all(0.0);
-  return {hn::IfThenElse(climbs, turned.x, push.x), hn::IfThenElse(climbs, turned.y, push.y), hn::IfThenElse(climbs, turned.z, push.z)};
+  return choose(left > all(0.0), turned, push);
 }
 
 struct HolePlace

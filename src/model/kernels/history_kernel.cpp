@@ -47,17 +47,6 @@ HWY_INLINE void store(const Rate& r, const Rows& to)
   store4<false>(r.tilt.x, r.tilt.y, r.tilt.z, r.spin, to, 3);
 }
 
-HWY_INLINE void store(const V6& v, const Rows& to)
-{
-  store4<false>(v.head.x, v.head.y, v.head.z, v.tail.x, to, 0);
-  store4<false>(v.head.z, v.tail.x, v.tail.y, v.tail.z, to, 2);
-}
-
-HWY_INLINE int lanes_from(int i, int count)
-{
-  return count - i < kLanes ? count - i : kLanes;
-}
-
 void find_rates(const RatesTask& task) noexcept
 {
   double spare[6];
@@ -75,8 +64,8 @@ void find_rates(const RatesTask& task) noexcept
       rate = mul_add(all(task.in_rate[k]), six, rate);
       acceleration = mul_add(all(task.in_acceleration[k]), six, acceleration);
     }
-    store(rate, rows(task.rate + 6 * i, 6 * sizeof(double), count, spare));
-    store(acceleration, rows(task.acceleration + 6 * i, 6 * sizeof(double), count, spare));
+    store6(rate.head, rate.tail, rows(task.rate + 6 * i, 6 * sizeof(double), count, spare), 0);
+    store6(acceleration.head, acceleration.tail, rows(task.acceleration + 6 * i, 6 * sizeof(double), count, spare), 0);
   }
 }
 

@@ -165,7 +165,7 @@ void move(const MoveTask& task) noexcept
   double spare[36];
   for (int i = task.first; i < task.last; i += kLanes)
   {
-    const int count = task.last - i < kLanes ? task.last - i : kLanes;
+    const int count = lanes_from(i, task.last);
     const Moves m = moved(task, i, count);
     char* to = reinterpret_cast<char*>(task.moves) + (i - task.first) * task.move_stride;
     store(m, rows(reinterpret_cast<double*>(to), task.move_stride, count, spare));

@@ -56,13 +56,6 @@ HWY_INLINE V step_of(const Segments& g, const V3& point, Foot& foot)
   return dot(offset, foot.first) / foot.decline;
 }
 
-using Mask = hn::Mask<Tag>;
-
-HWY_INLINE V3 choose(Mask mask, const V3& yes, const V3& no)
-{
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
-}
-
 /// Which of them end within their segment, near its axis. One that has arrived stays, however long its neighbours take: what is found does not
 /// depend on who is searched beside it.
 HWY_INLINE Mask refine(const Segments& g, const V3& point, Foot& foot)
@@ -191,7 +184,7 @@ void find(const PlaceTask& task) noexcept
   const double* any = nullptr;
   for (int i = task.first; i < task.last && !any; ++i) any = task.segments[i];
   if (!any) return;
-  for (int i = task.first; i < task.last; i += kLanes) find_batch(task, i, task.last - i < kLanes ? task.last - i : kLanes, any, spare);
+  for (int i = task.first; i < task.last; i += kLanes) find_batch(task, i, lanes_from(i, task.last), any, spare);
 }
 
 void find_middles(const MiddleTask& task) noexcept

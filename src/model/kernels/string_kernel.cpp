@@ -168,7 +168,7 @@ void add_run(const StringTask& task)
   double spare[36] = {};
   begin_run<kTangent>(task, spare);
   for (int e = task.first; e < task.last; e += kLanes)
-    add_batch<kTangent>(task, e, task.last - e < kLanes ? task.last - e : kLanes, spare);
+    add_batch<kTangent>(task, e, lanes_from(e, task.last), spare);
 }
 
 void add(const StringTask& task) noexcept
@@ -183,7 +183,7 @@ void find_forces(const StringTask& task, const StringForces& out) noexcept
 {
   for (int e = task.first; e < task.last; e += kLanes)
   {
-    const int count = task.last - e < kLanes ? task.last - e : kLanes;
+    const int count = lanes_from(e, task.last);
     const Beam beam = load_beam(task, e);
     const Shape shape = shape_of(beam, task.structural_damping);
     const V3 moment = forces_of(beam, shape).moment_1;
@@ -212,7 +212,7 @@ void sample(const StringTask& task, double* elastic, double* damping) noexcept
 {
   for (int e = task.first; e < task.last; e += kLanes)
   {
-    const int count = task.last - e < kLanes ? task.last - e : kLanes;
+    const int count = lanes_from(e, task.last);
     Beam beam = load_beam(task, e);
     const Forces with_load = forces_of(beam, shape_of(beam, 0.0)), damped = forces_of(beam, shape_of(beam, task.structural_damping));
     beam.load = {all(0.0), all(0.0), all(0.0)};

@@ -20,8 +20,6 @@ namespace
 {
 #include "math/lanes.h"
 
-using Mask = hn::Mask<Tag>;
-
 /// Where numbers are in NodeMoves (workspace.h).
 constexpr int position_at = 7, increment_at = 18, rate_at = 24;
 
@@ -101,11 +99,6 @@ struct Wall
 HWY_INLINE V3 in_plane(const V3& n, const V3& v)
 {
   return mul_sub_from(dot(n, v), n, v);
-}
-
-HWY_INLINE V3 choose(Mask mask, const V3& yes, const V3& no)
-{
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
 HWY_INLINE V norm(const V3& v)
@@ -269,7 +262,7 @@ void add_batch(const WallTask& task, const WallPlace* places, int count)
 
 void add(const WallTask& task) noexcept
 {
-  for (int i = 0; i < task.count; i += kLanes) add_batch(task, task.places + i, task.count - i < kLanes ? task.count - i : kLanes);
+  for (int i = 0; i < task.count; i += kLanes) add_batch(task, task.places + i, lanes_from(i, task.count));
 }
 }  // namespace
 

@@ -12,7 +12,6 @@ extern const Force beams;
 /// Clears the diagonal blocks that no element writes before something is added to them.
 void clear_unwritten_blocks(const StageContext& at, BlockTridiagonal& tangent) noexcept;
 
-
 /// Forces of element `e` at the stage.
 BeamForces element_forces(const StageContext& at, int e) noexcept;
 

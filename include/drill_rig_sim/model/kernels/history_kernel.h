@@ -5,7 +5,7 @@
 
 #include "drill_rig_sim/math/kernel.h"
 
-/// What a step takes from those before it and leaves to the next, several nodes at a time; of strings without guided nodes.
+/// What a step takes from those before it and leaves to the next, several nodes at a time.
 namespace drill_rig_sim
 {
 /// Rows of numbers: the first, and how many bytes lie between two.

@@ -23,7 +23,7 @@ struct MoveTask
   NumberColumns* nodes;
 };
 
-/// What move_nodes() of evaluate.cpp does node by node, to rounding.
+/// What move_free() of evaluate.cpp does node by node, to rounding.
 struct MotionKernel
 {
   void (*move)(const MoveTask& task) noexcept;
