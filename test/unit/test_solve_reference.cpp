@@ -194,6 +194,8 @@ TEST(Reference, JacobianOfTheRigByFiniteDifferences)
   scene.mud.lateral_damping = scene.mud.axial_damping;
   scene.mud.drag_coefficient = 0.0;
   scene.mud.torsional_damping = 0.0;
+  // the same state on every machine: how near a corner of its law some contact stands goes by rounding
+  scene.numerics.kernel = Kernel::scalar;
   Simulator simulator(scene);
   start_up(simulator);
   run(simulator, 0.5);
