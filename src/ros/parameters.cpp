@@ -9,6 +9,8 @@
 #include <sstream>
 #include <vector>
 
+#include "drill_rig_sim/sim/choice.h"
+
 namespace drill_rig_sim
 {
 namespace
@@ -222,12 +224,13 @@ std::string find_scene(const std::string& name)
 
 void check_rate(double rate, const Scene& scene)
 {
-  if (scene.numerics.step == 0.0) return;
-  const double steps = 1.0 / (rate * scene.numerics.step);
+  const double step = with_choice(scene).numerics.step;
+  if (step == 0.0) return;
+  const double steps = 1.0 / (rate * step);
   if (std::lround(steps) >= 1 && std::abs(steps - std::round(steps)) < 1e-6 * steps) return;
   std::ostringstream text;
   text << "rate is " << rate << "; allowed is a rate whose frames hold a whole number of the scene's steps of "
-       << scene.numerics.step << " s";
+       << step << " s";
   throw ParameterError(text.str());
 }
 

@@ -1,6 +1,7 @@
 #include "drill_rig_sim/ros/rig_node.h"
 
 #include <memory>
+#include <sstream>
 
 #include "drill_rig_sim/scene/read_scene.h"
 
@@ -52,9 +53,14 @@ void RigNode::say_what_runs()
 {
   const Simulator& simulator = *loop_.rig().simulator;
   const SimulatorStatistics& rig = simulator.statistics();
-  ROS_INFO_STREAM("scene " << scene_.name << ", level " << rig.level << ", " << rig.nodes << " nodes, step " << rig.step << " s, rate "
+  std::ostringstream steps, why;
+  if (rig.step > 0.0)
+    steps << "steps of " << rig.step << " s";
+  else
+    steps << "variable steps by a tolerance of " << scene_.numerics.tolerance;
+  if (!simulator.choice().empty()) why << " (auto: " << simulator.choice() << ")";
+  ROS_INFO_STREAM("scene " << scene_.name << ", level " << rig.level << why.str() << ", " << rig.nodes << " nodes, " << steps.str() << ", rate "
                            << parameters_.rate << " Hz, namespace " << node_.getNamespace());
-  if (!simulator.choice().empty()) ROS_INFO_STREAM("level " << rig.level << " and variable steps were chosen: " << simulator.choice());
   if (parameters_.publish_clock && !parameters_.use_sim_time)
     ROS_WARN("stamps are simulated time from 0 on, and /use_sim_time is not set: other nodes go by wall time");
 }

@@ -26,6 +26,7 @@ std::string percent(double tolerance)
 
 Choice choose_level(const Scene& scene)
 {
+  if (has_no_levels(scene.numerics.integrator)) return {Level::beam3d, 0.0, "the integrator has no other level"};
   constexpr unsigned bending = need_direction | need_contact | need_buckling, turning = need_torque | need_bit_speed;
   const double tolerance = scene.numerics.tolerance;
   const bool motor = has_motor(scene);
@@ -53,12 +54,13 @@ Choice choose(const Scene& scene)
 
 Scene with_choice(const Scene& scene)
 {
-  if (scene.numerics.level != Level::automatic) return scene;
-  const Choice choice = choose(scene);
   Scene chosen = scene;
-  chosen.numerics.level = choice.level;
-  chosen.numerics.pushed_element_length = choice.pushed_element_length;
-  chosen.numerics.step = 0.0;
+  NumericsSpec& numerics = chosen.numerics;
+  if (numerics.step == step_by_level) numerics.step = numerics.level == Level::automatic && varies_steps(numerics.integrator) ? 0.0 : default_step;
+  if (numerics.level != Level::automatic) return chosen;
+  const Choice choice = choose(scene);
+  numerics.level = choice.level;
+  numerics.pushed_element_length = choice.pushed_element_length;
   return chosen;
 }
 

@@ -4,9 +4,13 @@
 
 namespace drill_rig_sim
 {
-bool stick_pipe(const Model& model, double bit_depth, double md, State& state) noexcept
+bool is_in_hole(double md, double bit_depth) noexcept
 {
-  if (!(md > 0.0 && md <= bit_depth)) return false;
+  return md > 0.0 && md <= bit_depth;
+}
+
+void stick_pipe(const Model& model, double bit_depth, double md, State& state) noexcept
+{
   int nearest = 0;
   for (int i = 1; i < model.top(); ++i)
   {
@@ -15,7 +19,6 @@ bool stick_pipe(const Model& model, double bit_depth, double md, State& state) n
     if (depth > 0.0 && std::abs(depth - md) < std::abs(of_nearest - md)) nearest = i;
   }
   state.stuck_point = {nearest, state.nodes[nearest].position, state.nodes[nearest].spin_angle};
-  return true;
 }
 
 void free_pipe(State& state) noexcept

@@ -112,6 +112,7 @@ void Simulator::set_command_timeout(double seconds) noexcept
 FrameStatus Simulator::frame(double duration) noexcept
 {
   if (*impl_->failure) return FrameStatus::failed;
+  if (!(duration > 0.0)) return FrameStatus::running;
   impl_->integrator->profiler().restart();
   drill_rig_sim::watch_commands(impl_->command_timeout, impl_->now(), impl_->state.commands);
   const Setpoints setpoints = impl_->state.commands.in_force();
@@ -224,12 +225,16 @@ bool Simulator::tare() noexcept
 
 bool Simulator::stick_pipe(double md) noexcept
 {
+  const double bit_depth = impl_->state.truth.bit_depth;
+  if (!is_in_hole(md, bit_depth)) return false;
   impl_->settle();
-  return drill_rig_sim::stick_pipe(*impl_->model, impl_->state.truth.bit_depth, md, impl_->mechanics());
+  drill_rig_sim::stick_pipe(*impl_->model, bit_depth, md, impl_->mechanics());
+  return true;
 }
 
 void Simulator::free_pipe() noexcept
 {
+  if (impl_->mechanics().stuck_point.node < 0) return;
   impl_->settle();
   drill_rig_sim::free_pipe(impl_->mechanics());
 }

@@ -4,23 +4,11 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/interpolate.h"
-#include "drill_rig_sim/rig/hydraulics.h"
-#include "drill_rig_sim/rig/mud_motor.h"
 #include "drill_rig_sim/solve/step_control.h"
 #include "simulator_impl.h"
 
 namespace drill_rig_sim
 {
-/// The flow of the step that comes: the mud does not wait for the string, whose torque is that of the step before.
-void Simulator::Impl::pump(double commanded, double step, State& s) noexcept
-{
-  const MotorSpec* motor = model->motor();
-  const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->displacement_per_rev, s.bit.motor_torque) : 0.0;
-  const MudCircuit& mud = model->mud();
-  const double displaced = mud.displaced_area * running_speed(mud, s.nodes);
-  advance_hydraulics(scene.rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, s.flow, s.hydraulics);
-}
-
 bool Simulator::Impl::advance_frame(double duration, const Setpoints& setpoints) noexcept
 {
   if (variable) return advance_in_strides(duration, setpoints);
@@ -35,7 +23,7 @@ bool Simulator::Impl::take_steps(double step, int steps, const Setpoints& setpoi
 {
   for (int k = 0; k < steps; ++k)
   {
-    pump(setpoints.pump.flow, step, mechanics());
+    if (!variable) advance_mud(*model, setpoints.pump.flow, step, mechanics());
     if (!integrator->advance(mechanics(), step, setpoints)) return false;
     if (k == 0) accuracy.end_first_step(*integrator, step, state.accuracy);
   }
@@ -91,7 +79,6 @@ bool Simulator::Impl::solve_stride() noexcept
 {
   const Stride& stride = state.stride;
   stride_end = mechanics();
-  pump(stride.setpoints.pump.flow, stride.length, stride_end);
   if (!integrator->take_one_step(stride_end, stride.length, stride.setpoints))
   {
     mechanics().step.wanted = stride_end.step.wanted;

@@ -67,7 +67,6 @@ struct Simulator::Impl
   void measure_bit() noexcept;
   void measure_string() noexcept;
   double motor_pressure() const noexcept;
-  void pump(double commanded, double step, State& s) noexcept;
   SensorView sensor_view() const noexcept;
 };
 

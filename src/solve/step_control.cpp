@@ -18,6 +18,8 @@ constexpr double most_damping = 5.0;  // over the tolerance, of a bent motor's w
 constexpr double steps_a_blade = 100.0;
 constexpr double smooth_tolerance = 0.04;  // where fronts and smooth waves are allowed the same
 constexpr double most_stretch = 10.0;
+constexpr double settled_flow = 2e-3;   // of the nominal flow
+constexpr double with_the_flow = 0.25;  // step over tolerance [s]
 
 /// Of the tolerance, for the waves of a string that they take `time` [s] to run along; the slowest that it can swing by, a quarter of its length.
 double share_of_tolerance(double time) noexcept
@@ -35,6 +37,7 @@ double scale(const ValueRange& range, double level, double least) noexcept
 StepControl::StepControl(const Model& model) : tolerance_(model.scene().numerics.tolerance)
 {
   if (model.motor() && model.motor()->bend != 0.0) shaking_ = 3.0;
+  if (model.motor()) flow_that_settles_ = settled_flow * model.mud().circuit.nominal_flow;
   if (model.regenerative()) blades_ = model.bit().torque.blades;
   const Mesh& mesh = model.mesh();
   double time_along = 0.0, time_about = 0.0;
@@ -94,6 +97,7 @@ double StepControl::longest(const State& state) const noexcept
   const double turning = std::abs(state.nodes[0].rate.spin), of_bit = std::abs(state.nodes[0].rate.spin + state.bit.motor_speed);
   double step = longest_step;
   if (shaking_ * turning > 0.0) step = std::min(step, std::cbrt(4.0 * most_damping * tolerance_ / std::pow(shaking_ * turning, 4)));
+  if (flow_that_settles_ > 0.0 && std::abs(state.hydraulics.pump_flow - state.flow) > flow_that_settles_) step = std::min(step, with_the_flow * tolerance_);
   if (blades_ * of_bit > 0.0) step = std::min(step, 2.0 * pi / (steps_a_blade * blades_ * of_bit));
   return std::max(step, shortest_step);
 }

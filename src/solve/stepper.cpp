@@ -61,10 +61,18 @@ bool Stepper::take_one_step(State& state, double step, const Setpoints& setpoint
   return control_ && attempt_by_control(state, step, setpoints, budget, true) == StepResult::solved;
 }
 
-/// Also says how long the next attempt should be.
+/// Also says how long the next attempt should be. The mud goes by these steps too.
 StepResult Stepper::attempt_by_control(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept
 {
+  const double flow = state.flow;
+  const HydraulicState hydraulics = state.hydraulics;
+  advance_mud(*model_, setpoints.pump.flow, step, state);
   const StepResult outcome = attempt(state, step, setpoints, budget, may_refine);
+  if (outcome != StepResult::solved)
+  {
+    state.flow = flow;
+    state.hydraulics = hydraulics;
+  }
   double& wanted = state.step.wanted;
   if (outcome == StepResult::solved)
     wanted = std::min(step * std::clamp(0.9 * stretch_, 0.2, largest_growth), control_->longest(state));

@@ -85,10 +85,11 @@ void command_wildly(Simulator& rig, Random& random)
 /// Frames `first` to `last` under commands drawn from `random`; false if one of them could not be solved.
 bool ride(Simulator& rig, int first, int last, Random random)
 {
+  const double step = rig.scene().numerics.step, frame = step > 0.0 ? step : default_step;
   for (int k = first; k < last; ++k)
   {
     command_wildly(rig, random);
-    const FrameStatus status = rig.frame(rig.scene().numerics.step * static_cast<double>(1 + random.below(2)));
+    const FrameStatus status = rig.frame(frame * static_cast<double>(1 + random.below(2)));
     check_signals(rig);
     check(std::isfinite(rig.energy().residual()), "the energy balance is not finite");
     if (k % 10 == 0 || status == FrameStatus::failed) check_reports(rig);

@@ -60,7 +60,7 @@ void buckle(const Choice& choice, Rows& rows)
 {
   Row row = row_of("buckling", "slack-off to a coil and back", choice, "mm left");
   const Coil reference = coil(default_choice(), 5e-4, 240e6);
-  const double step = workable_step("buckling", choice, NumericsSpec().step);
+  const double step = workable_step("buckling", choice, default_step);
   const Coil run = coil(choice, step, 32e6);
   row.figure = 1e3 * run.left;
   row.text = text("step %g s; pushed with %.1f kN (reference %.1f); %.0f mm aside; after pick-up %.2f mm; hook load %.2f kN off",

@@ -19,7 +19,7 @@ const Corner kAxes[] = {
     {"lateral damping", "mud.lateral_damping", 20.0, 2e4},
 };
 constexpr int kCorners = 1 << 5;
-const double kStep = NumericsSpec().step;
+const double kStep = default_step;
 
 void run_corner(int corner, Rows& rows)
 {

@@ -45,7 +45,7 @@ void impact(const Choice& choice, Rows& rows)
 {
   Row row = row_of("impact", "bit on hard rock at 2 m/s", choice, "peak / reference");
   const Blow reference = strike(default_choice(), 2e-5, 240e6);
-  const double step = workable_step("impact", choice, NumericsSpec().step);
+  const double step = workable_step("impact", choice, default_step);
   const Blow run = strike(choice, step, 32e6);
   row.figure = run.peak / reference.peak;
   row.text =

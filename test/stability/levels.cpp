@@ -41,6 +41,7 @@ const std::vector<Kind>& kinds()
       {"axial_torsional", guided, {}, false},
       {"axial_torsional with steps variable by 1 %", guided, {"numerics.step=0"}, false},
       {"rigid", {"numerics.level=rigid"}, {}, false},
+      {"auto by 1 %", {"numerics.level=auto"}, {"numerics.step=0"}, true},
   };
   return table;
 }

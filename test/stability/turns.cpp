@@ -44,7 +44,7 @@ bool repeats(Ride& ride)
 void many_turns(const Choice& choice, double turns, Rows& rows)
 {
   Row row = row_of("turns", text("%g turns of the top drive", turns), choice, "torque drift");
-  const double step = workable_step("turns", choice, NumericsSpec().step);
+  const double step = workable_step("turns", choice, default_step);
   Ride ride(load_scene("turns", {}, choice, step), is_default(choice) ? 500e6 : 32e6);
   if (!ride.go(kSettled, 0.1))
   {

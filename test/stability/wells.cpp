@@ -80,7 +80,7 @@ void well(const Shape& shape, Rows& rows)
 {
   Row row = row_of("wells", shape.name, default_choice(), "mm from axis");
   const Trip reference = make_trip(shape, default_choice(), 5e-4);
-  const Trip run = passed(reference.verdict) ? make_trip(shape, default_choice(), NumericsSpec().step) : reference;
+  const Trip run = passed(reference.verdict) ? make_trip(shape, default_choice(), default_step) : reference;
   row.figure = 1e3 * run.aside;
   row.text = text("string's load %.2f kN (small steps %.2f); torque %.0f N m (%.0f); bit %.2g mm apart", 1e-3 * run.string_load,
                   1e-3 * reference.string_load, run.torque, reference.torque, 1e3 * (run.bit - reference.bit).norm());

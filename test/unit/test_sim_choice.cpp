@@ -14,6 +14,7 @@ Scene hanging(double tolerance, unsigned needs = every_need)
 {
   Scene scene = vertical_scene(400.0, 390.0);
   scene.numerics.level = Level::automatic;
+  scene.numerics.step = step_by_level;
   scene.numerics.tolerance = tolerance;
   scene.needs = needs;
   return scene;
@@ -72,10 +73,31 @@ TEST(Choice, isMadeInTheScenesKeysWithStepsOfVariableLength)
   const Scene chosen = with_choice(hanging(0.01));
   EXPECT_EQ(chosen.numerics.level, Level::hybrid);
   EXPECT_EQ(chosen.numerics.step, 0.0);
-  Scene by_hand = hanging(0.01);
-  by_hand.numerics.level = Level::beam3d;
-  EXPECT_EQ(with_choice(by_hand).numerics.level, Level::beam3d);
-  EXPECT_EQ(with_choice(by_hand).numerics.step, by_hand.numerics.step);
+}
+
+TEST(Choice, leavesWhatIsGivenByHand)
+{
+  Scene level = hanging(0.01);
+  level.numerics.level = Level::beam3d;
+  EXPECT_EQ(with_choice(level).numerics.level, Level::beam3d);
+  EXPECT_EQ(with_choice(level).numerics.step, default_step);
+  level.numerics.step = 0.0;
+  EXPECT_EQ(with_choice(level).numerics.step, 0.0);
+  Scene step = hanging(0.01);
+  step.numerics.step = 0.004;
+  EXPECT_EQ(with_choice(step).numerics.level, Level::hybrid);
+  EXPECT_EQ(with_choice(step).numerics.step, 0.004);
+}
+
+TEST(Choice, ofWhatTheIntegratorCan)
+{
+  Scene scene = hanging(0.01);
+  scene.numerics.integrator = IntegratorKind::trbdf2;
+  EXPECT_EQ(with_choice(scene).numerics.level, Level::hybrid);
+  EXPECT_EQ(with_choice(scene).numerics.step, default_step);
+  scene.numerics.integrator = IntegratorKind::ida;
+  EXPECT_EQ(with_choice(scene).numerics.level, Level::beam3d);
+  EXPECT_EQ(with_choice(scene).numerics.step, default_step);
 }
 
 TEST(Choice, isToldByTheSimulator)

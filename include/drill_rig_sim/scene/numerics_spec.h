@@ -36,6 +36,16 @@ enum class IntegratorKind
   ida
 };
 
+/// Methods whose steps can be of variable length.
+constexpr bool varies_steps(IntegratorKind kind) noexcept
+{
+  return kind == IntegratorKind::automatic || kind == IntegratorKind::bdf2;
+}
+
+/// A scene's step where it gives none [s]: variable at level automatic by a method that can, else default_step, chosen by ./test/accuracy/run --operations
+/// --variants. with_choice() (sim/choice.h) makes it one of these.
+constexpr double step_by_level = -1.0, default_step = 0.01;
+
 /// Methods that know free nodes alone.
 constexpr bool has_no_levels(IntegratorKind kind) noexcept
 {
@@ -44,11 +54,11 @@ constexpr bool has_no_levels(IntegratorKind kind) noexcept
 
 struct NumericsSpec
 {
-  Level level = Level::beam3d;
+  Level level = Level::beam3d;      ///< automatic: chosen by with_choice() (sim/choice.h)
   IntegratorKind integrator = IntegratorKind::automatic;
   ElementKind element = ElementKind::automatic;
   Kernel kernel = Kernel::automatic;
-  double step = 0.01;               ///< [s]; 0: variable (solve/step_control.h). Chosen by ./test/accuracy/run --operations --variants
+  double step = step_by_level;      ///< [s]; 0: variable (solve/step_control.h)
   double element_length = 0.0;      ///< longest element [m]; 0: by the hole, element_lengths() (scene_mesh.h)
   double pushed_element_length = 0.0;  ///< longest element where friction pushes the pipe that slides down [m]; 0: as elsewhere
   double guided_element_length = 0.0;  ///< longest element of guided pipe that friction does not push, above 9.5 m two joints [m]; 0: as elsewhere

@@ -21,10 +21,11 @@ struct Choice
 /// - From 5 % on, or in a hole that hangs the string (nowhere beyond 3 deg) without a mud motor, or from 2 % on without torque and bit speed among
 ///   the needs: hybrid. Where pipe begins to turn on the low side of a hole, guided pipe is 1 to 3 % off in these two.
 /// - Else beam3d; below 2 %, with quarter joints where friction pushes the pipe, and below 0.5 % eighths.
-/// Steps are variable. What is given by hand of element_length and free_length stays.
+/// What is given by hand of step, element_length, pushed_element_length and free_length stays.
+/// A method that knows free nodes alone has beam3d.
 Choice choose(const Scene& scene);
 
-/// The scene with that choice made in its keys; itself, where its level is not auto.
+/// The scene with that choice made in its keys, where its level is auto, and a step where it gives none.
 Scene with_choice(const Scene& scene);
 
 }  // namespace drill_rig_sim

@@ -76,7 +76,8 @@ public:
   /// Winch and drive streams silent for longer than this set the brake and coast the drive [s]; 0 = off.
   void set_command_timeout(double seconds) noexcept;
 
-  /// Advances by `duration` [s], a multiple of the scene's step, in as many physics steps.
+  /// Advances by `duration` [s], a multiple of the scene's step, in as many physics steps; where that is 0, in steps as its tolerance allows. Nothing
+  /// happens in a duration that is not above 0.
   FrameStatus frame(double duration) noexcept;
   /// The next frame fails for this reason (one line, static storage) unless another has failed before.
   void fail(const char* reason) noexcept;
