@@ -30,6 +30,11 @@ def mesh(length):
     return 'mesh by the hole' if length == MESH_BY_THE_HOLE else '%g m' % length
 
 
+def percent(share):
+    """Two digits."""
+    return '%.2g %%' % (100.0 * share)
+
+
 class Point:
     def __init__(self, scene, method, element, step, length, default=False, newton=None, tolerance=None, level=BEAM):
         self.scene = scene
