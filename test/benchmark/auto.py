@@ -4,13 +4,15 @@ import os
 import points as points_of
 import verdict
 
+KNOWN = 1.0 / 3.0  # of tolerance or error, the larger, that a reference's own error may be for auto to be judged by it
+EQUAL = 1.01  # errors that differ by less are equal
 HEAD = ('scene', 'tolerance', 'error', 'the run warns', 'its work / the cheapest\'s at no more error', 'which that is', 'its work / the default\'s')
 
 
 def cheapest(points, error, floor=0.0):
     """Of all meshes, levels and steps, auto's own among them, the point of least work whose error is no larger. Errors below the reference's own,
     `floor`, say nothing: they count as the floor."""
-    return min((p for p in points if p.counted and max(p.error, floor) <= max(error, floor)), key=lambda p: p.work)
+    return min((p for p in points if p.counted and p.error <= max(EQUAL * error, floor)), key=lambda p: p.work)
 
 
 class Row:
@@ -18,6 +20,7 @@ class Row:
 
     def __init__(self, point, points, floor=0.0):
         self.point = point
+        self.floor = floor
         self.over_cheapest = self.over_default = float('nan')
         if not point.errors:
             return
@@ -26,6 +29,14 @@ class Row:
         default = next(p for p in points if p.default)
         if default.errors:
             self.over_default = point.work / default.work
+
+    @property
+    def judged(self):
+        return self.floor <= KNOWN * max(self.point.tolerance, self.point.error)
+
+    @property
+    def within(self):
+        return self.point.error <= self.point.tolerance
 
     def line(self):
         scene, tolerance = self.point.scene.title, '%g %%' % (100.0 * self.point.tolerance)
@@ -47,9 +58,9 @@ def means(found):
         of = [row for row in found if row.point.tolerance == tolerance and row.point.errors]
         if not of:
             continue
-        within = sum(row.point.error <= tolerance for row in of)
-        lines.append('To %g %%: within it in %d of %d scenes; in geometric mean %.2f times the cheapest\'s work, %.2f times the default\'s.'
-                     % (100.0 * tolerance, within, len(of), *(verdict.geometric_mean(ratios) for ratios in ([row.over_cheapest for row in of], [row.over_default for row in of]))))
+        judged = [row for row in of if row.judged]
+        lines.append('To %g %%: within it in %d of the %d scenes whose reference can tell; in geometric mean over all %.2f times the cheapest\'s work, %.2f times the default\'s.'
+                     % (100.0 * tolerance, sum(row.within for row in judged), len(judged), *(verdict.geometric_mean(ratios) for ratios in ([row.over_cheapest for row in of], [row.over_default for row in of]))))
     return lines
 
 

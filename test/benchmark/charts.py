@@ -49,7 +49,8 @@ def draw_auto(axes, points, cost):
     axes.plot([min(p.error, FAR) for p in stars], [getattr(p, cost) for p in stars], color=AUTO, linewidth=1.2, marker='*', markersize=12,
               markeredgecolor='white', markeredgewidth=0.6, zorder=6)
     for p in stars:
-        axes.annotate(points_of.percent(p.tolerance), (min(p.error, FAR), getattr(p, cost)), xytext=(6, 5), textcoords='offset points', color=AUTO, fontsize=8, zorder=7)
+        axes.annotate(points_of.percent(p.tolerance), (min(p.error, FAR), getattr(p, cost)), xytext=(6, 5), textcoords='offset points', color=AUTO, fontsize=9,
+                      fontweight='bold', zorder=7, bbox={'facecolor': 'white', 'edgecolor': 'none', 'alpha': 0.7, 'pad': 0.5})
 
 
 def draw_cost(axes, points, cost, lengths, own_error):
@@ -72,12 +73,6 @@ def draw_cost(axes, points, cost, lengths, own_error):
     axes.set_xlabel('relative error of the outputs')
 
 
-def ends_of(points):
-    """Of Newton's iteration, beside the scene's."""
-    ends = sorted({p.newton for p in points if p.newton and p.errors})
-    return ' or '.join('%g' % end for end in ends)
-
-
 def legend(points, lengths, own_error):
     seen = groups(points)
     fixed = {key[2] for key in seen if key[0] == points_of.BEAM and not key[1]}
@@ -89,7 +84,7 @@ def legend(points, lengths, own_error):
                 for k, length in enumerate(lengths)]
     handles += [lines.Line2D([], [], color='0.3', linestyle=DASHES[e], label=e) for e in drill.ELEMENTS[1:] if any(key[3] == e for key in seen)]
     if any(p.newton and p.errors for p in points):
-        handles.append(lines.Line2D([], [], color='0.3', linestyle=(0, (1, 1)), marker='o', fillstyle='none', markersize=4, label="Newton's end, %s" % ends_of(points)))
+        handles.append(lines.Line2D([], [], color='0.3', linestyle=(0, (1, 1)), marker='o', fillstyle='none', markersize=4, label='other Newton tolerance'))
     handles.append(lines.Line2D([], [], color='black', linestyle='', marker='*', markersize=11, fillstyle='none', label='the default'))
     if any(p.errors and p.level == points_of.AUTO for p in points):
         handles.append(lines.Line2D([], [], color=AUTO, linewidth=1.2, marker='*', markersize=10, label='auto, at its tolerances'))
@@ -111,7 +106,7 @@ def draw(scene, points, note, own_error, folder):
     figure.suptitle('%s (%s), %g s; reference: %s, %g ms, %g m' % (scene.title, scene.name, scene.duration, recipe['integrator'],
                                                                    1e3 * recipe['step'], recipe['element_length']), fontsize=11)
     figure.legend(handles=legend(points, lengths, own_error), loc='center right', fontsize=8, frameon=False)
-    figure.tight_layout(rect=(0.0, 0.0, 0.82, 1.0))
+    figure.tight_layout(rect=(0.0, 0.0, 0.81, 1.0))
     names = []
     for end, options in (('svg', {'metadata': {'Date': None}}), ('png', {'dpi': 90, 'metadata': {'Software': None}})):
         names.append(scene.name + '.' + end)

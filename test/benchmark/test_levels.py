@@ -58,6 +58,8 @@ class Levels(unittest.TestCase):
         self.assertIs(row.rival, hybrid)
         self.assertAlmostEqual(row.over_cheapest, 2.5)
         self.assertAlmostEqual(row.over_default, 1.0)
+        hybrid.errors = {'all': 0.1004}
+        self.assertIs(auto.Row(star, grid).rival, hybrid)
         hybrid.errors = {'all': 0.11}
         self.assertAlmostEqual(auto.Row(star, grid).over_cheapest, 1.0)
         self.assertIs(auto.Row(star, grid, floor=0.2).rival, hybrid)  # both are as near as the reference can tell
@@ -70,8 +72,19 @@ class Levels(unittest.TestCase):
         said = auto.text(found).splitlines()
         self.assertIn('| 5 % | 10 % | yes | 1.00 |', said[2])
         self.assertIn('| 1 % | failed: no more |', said[3])
-        self.assertEqual(said[-2:], ['- To 5 %: within it in 0 of 1 scenes; in geometric mean 1.00 times the cheapest\'s work, 1.00 times the default\'s.',
-                                     '- To 0.2 %: within it in 0 of 1 scenes; in geometric mean 1.00 times the cheapest\'s work, 1.00 times the default\'s.'])
+        self.assertEqual(said[-2:], ['- To 5 %: within it in 0 of the 1 scenes whose reference can tell; in geometric mean over all 1.00 times the cheapest\'s work, 1.00 times the default\'s.',
+                                     '- To 0.2 %: within it in 0 of the 1 scenes whose reference can tell; in geometric mean over all 1.00 times the cheapest\'s work, 1.00 times the default\'s.'])
+
+
+    def test_a_scene_whose_reference_cannot_tell_is_not_judged(self):
+        def row(error, floor):
+            star = points.Point(scenes.ALL[0], 'bdf2', 'corotational', points.VARIABLE, 9.5, tolerance=0.01, level=points.AUTO, default=True)
+            star.errors, star.work = {'all': error}, 1.0
+            return auto.Row(star, [star], floor)
+        self.assertTrue(row(0.005, 0.003).judged and row(0.005, 0.003).within)
+        self.assertFalse(row(0.005, 0.004).judged)
+        self.assertTrue(row(0.02, 0.006).judged)  # beyond, however the reference errs
+        self.assertFalse(row(0.02, 0.006).within)
 
 
 class Work(unittest.TestCase):
