@@ -20,7 +20,7 @@ MARKERS = ('o', 's', '^', 'v', 'D')
 DASHES = dict(zip(drill.ELEMENTS, ('-', '--', ':')))
 # of what competes, and with meshes and levels that do not (points.mark_coarse())
 FRONTS = {False: {'color': 'black', 'linewidth': 3.5, 'alpha': 0.2}, True: {'color': 'black', 'linewidth': 1.2, 'alpha': 0.3, 'linestyle': '--'}}
-FAR = 2.0  # errors beyond are drawn at the edge: a run that far off is off, no matter how far
+FAR = 10.0  # over the default's: errors beyond are drawn at the edge, a run that far off is off, no matter how far
 
 
 def groups(points):
@@ -43,26 +43,33 @@ def style_of(key, lengths):
             'alpha': 0.95 if own else 0.5, 'zorder': 3 if own else 2}
 
 
-def draw_auto(axes, points, cost):
+def edge(points):
+    """The largest error that is drawn where it is."""
+    default = next(p for p in points if p.default)
+    return FAR * default.error if default.errors else max([p.error for p in points if p.errors], default=1.0)
+
+
+def draw_auto(axes, points, cost, far):
     """Stars by tolerance, joined."""
     stars = sorted((p for p in points if p.errors and p.level == points_of.AUTO), key=lambda p: p.tolerance)
-    axes.plot([min(p.error, FAR) for p in stars], [getattr(p, cost) for p in stars], color=AUTO, linewidth=1.2, marker='*', markersize=12,
+    axes.plot([min(p.error, far) for p in stars], [getattr(p, cost) for p in stars], color=AUTO, linewidth=1.2, marker='*', markersize=12,
               markeredgecolor='white', markeredgewidth=0.6, zorder=6)
     for p in stars:
-        axes.annotate(points_of.percent(p.tolerance), (min(p.error, FAR), getattr(p, cost)), xytext=(6, 5), textcoords='offset points', color=AUTO, fontsize=9,
+        axes.annotate(points_of.percent(p.tolerance), (min(p.error, far), getattr(p, cost)), xytext=(6, 5), textcoords='offset points', color=AUTO, fontsize=9,
                       fontweight='bold', zorder=7, bbox={'facecolor': 'white', 'edgecolor': 'none', 'alpha': 0.7, 'pad': 0.5})
 
 
 def draw_cost(axes, points, cost, lengths, own_error):
+    far = edge(points)
     for key, group in groups(points).items():
-        axes.plot([min(p.error, FAR) for p in group], [getattr(p, cost) for p in group], **style_of(key, lengths))
-    draw_auto(axes, points, cost)
+        axes.plot([min(p.error, far) for p in group], [getattr(p, cost) for p in group], **style_of(key, lengths))
+    draw_auto(axes, points, cost, far)
     for any_mesh in (True, False):
         best = verdict.front([(p.error, getattr(p, cost)) for p in points if p.errors and (p.counted or cost == 'cpu') and (any_mesh or not p.coarse)])
-        axes.plot([min(e, FAR) for e, _ in best], [c for _, c in best], zorder=0, solid_capstyle='round', **FRONTS[any_mesh])
+        axes.plot([min(e, far) for e, _ in best], [c for _, c in best], zorder=0, solid_capstyle='round', **FRONTS[any_mesh])
     for p in points:
         if p.default and p.errors:
-            axes.plot(min(p.error, FAR), getattr(p, cost), marker='*', color='black', markersize=14, fillstyle='none', markeredgewidth=1.5, zorder=5)
+            axes.plot(min(p.error, far), getattr(p, cost), marker='*', color='black', markersize=14, fillstyle='none', markeredgewidth=1.5, zorder=5)
     axes.set_xscale('log')
     axes.set_yscale('log')
     if own_error > 0.0:
@@ -70,7 +77,7 @@ def draw_cost(axes, points, cost, lengths, own_error):
         axes.axvspan(min(left, own_error), own_error, color='0.9', zorder=-1)
         axes.set_xlim(left=left)
     axes.grid(True, which='major', linewidth=0.4)
-    axes.set_xlabel('relative error of the outputs')
+    axes.set_xlabel('relative error of the outputs; beyond %.2g at the edge' % far)
 
 
 def legend(points, lengths, own_error):
