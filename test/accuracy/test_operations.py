@@ -40,7 +40,8 @@ class FakeCell:
 def judged(table, own=None, warnings=(), irregular=None):
     known = dict.fromkeys(list(matrix.FLOORS) + ['period', 'inclination'], 0.0)
     known.update(own or {})
-    summary = {'nodes': 100, 'residuals': 9, 'tangents': 5, 'solves': 5, 'substitutions': 5, 'accuracy_warnings': list(warnings)}
+    summary = {'nodes': 100, 'residuals': 9, 'tangents': 5, 'solves': 5, 'substitutions': 5, 'steps': 4, 'rejected_steps': 0, 'step': 0.01, 'simulated_s': 0.04,
+               'accuracy_warnings': list(warnings)}
     return matrix.judge(FakeCell(irregular), matrix.Run(table, summary), matrix.Reference(series(), known, '', ''))
 
 
