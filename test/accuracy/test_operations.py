@@ -40,7 +40,8 @@ class FakeCell:
 def judged(table, own=None, warnings=(), irregular=None):
     known = dict.fromkeys(list(matrix.FLOORS) + ['period', 'inclination'], 0.0)
     known.update(own or {})
-    summary = {'nodes': 100, 'residuals': 9, 'tangents': 5, 'solves': 5, 'substitutions': 5, 'accuracy_warnings': list(warnings)}
+    summary = {'nodes': 100, 'residuals': 9, 'tangents': 5, 'solves': 5, 'substitutions': 5, 'steps': 4, 'rejected_steps': 0, 'step': 0.01, 'simulated_s': 0.04,
+               'accuracy_warnings': list(warnings)}
     return matrix.judge(FakeCell(irregular), matrix.Run(table, summary), matrix.Reference(series(), known, '', ''))
 
 
@@ -121,7 +122,7 @@ class Verdicts(unittest.TestCase):
 
 class Automatic(unittest.TestCase):
     def test_a_cell_is_judged_by_the_tolerance_asked_for(self):
-        off = matrix.Run(series(torque=numpy.full_like(TIME, 2e4 + 40.0)), {'nodes': 1, 'residuals': 1, 'tangents': 1, 'solves': 1, 'substitutions': 1,
+        off = matrix.Run(series(torque=numpy.full_like(TIME, 2e4 + 40.0)), {'nodes': 1, 'residuals': 1, 'tangents': 1, 'solves': 1, 'substitutions': 1, 'steps': 1, 'rejected_steps': 0, 'step': 0.01, 'simulated_s': 0.01,
                                                                              'accuracy_warnings': []})  # 2 % of a tenth of the level
         reference = matrix.Reference(series(), dict.fromkeys(list(matrix.FLOORS) + ['period', 'inclination'], 0.1), '', '')
         told = [matrix.judge(FakeCell(), off, reference, tolerance) for tolerance in (0.05, 0.015, 0.002)]

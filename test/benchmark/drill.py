@@ -20,7 +20,7 @@ class Failed(Exception):
 
 
 class Drill:
-    def __init__(self, program, folder, reuse=False, cpu_limit=40):
+    def __init__(self, program, folder, reuse=False, cpu_limit=150):
         self.program = program
         self.folder = folder
         self.reuse = reuse  # what the folder holds of earlier runs
@@ -83,8 +83,3 @@ def read_series(path):
     if not numpy.isfinite(table).all():
         raise Failed('numbers that are not finite')
     return dict(zip(measure.COLUMNS, table.T))
-
-
-def counted_work(summary):
-    """Residuals, tangents, solves and substitutions of a run."""
-    return {what: summary[what] for what in ('residuals', 'tangents', 'solves', 'substitutions')}

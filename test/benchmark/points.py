@@ -1,4 +1,4 @@
-"""The points of the charts: method x step x element length, each run once."""
+"""The points of the charts: method x step x element length, levels and variable steps, each run once."""
 import csv
 import json
 from concurrent.futures import ThreadPoolExecutor
@@ -15,16 +15,28 @@ TIGHT_NEWTON = 1e-8
 REFERENCE_METHOD = 'ida'
 MESH_BY_THE_HOLE = 0.0  # numerics.element_length: the program chooses
 LOOSE_REFERENCE = (1e-4, 1e-3)  # numerics.reference_tolerance of the method that chooses its own steps
-FIELDS = ('scene', 'method', 'element', 'step', 'element_length', 'newton_tolerance', 'reference_tolerance', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'steps', 'residuals',
-          'tangents', 'solves', 'substitutions', 'newton_iterations', 'convergence_failures') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')
+BEAM, HYBRID, AXIAL, AUTO = 'beam3d', 'hybrid', 'axial_torsional', 'auto'  # numerics.level
+CHEAP_LEVELS = (HYBRID, AXIAL)
+VARIABLE = 0.0  # numerics.step: as numerics.tolerance allows
+VARIABLE_METHOD = 'bdf2'
+TOLERANCES = (0.05, 0.02, 0.01, 0.005, 0.002)  # of variable steps
+AUTO_TOLERANCES = (0.05, 0.01, 0.002)
+LEAST_ON_JOINTS = 0.01  # below it an element a joint is the error
+FIELDS = ('scene', 'level', 'method', 'element', 'step', 'element_length', 'newton_tolerance', 'tolerance', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'guided_nodes', 'steps', 'residuals',
+          'tangents', 'solves', 'substitutions', 'newton_iterations', 'rejected_steps', 'warned') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')
 
 
 def mesh(length):
     return 'mesh by the hole' if length == MESH_BY_THE_HOLE else '%g m' % length
 
 
+def percent(share):
+    """Two digits."""
+    return '%.2g %%' % (100.0 * share)
+
+
 class Point:
-    def __init__(self, scene, method, element, step, length, default=False, newton=None, tolerance=None):
+    def __init__(self, scene, method, element, step, length, default=False, newton=None, tolerance=None, level=BEAM):
         self.scene = scene
         self.method = method
         self.element = element
@@ -32,16 +44,17 @@ class Point:
         self.length = length
         self.default = default
         self.newton = newton  # numerics.newton_tolerance; None: the scene's
-        self.tolerance = tolerance  # numerics.reference_tolerance; None: the scene's
+        self.tolerance = tolerance  # numerics.tolerance of variable steps, numerics.reference_tolerance of others; None: the scene's
+        self.level = level
         self.errors = None    # by output; None: the run failed
         self.failure = ''
-        self.coarse = False   # a mesh of fewer nodes than the default's here: see mark_coarse()
+        self.coarse = False   # a mesh of fewer nodes than the default's here, or a level that is right in some holes only: see mark_coarse()
         self.summary = {}
         self.cpu = self.work = float('nan')  # per simulated second: [s], [instructions]
 
     @property
     def name(self):
-        words = (self.scene.name, self.method, self.element, '%g' % self.step, '%g' % self.length)
+        words = (self.scene.name, self.method, self.element, '%g' % self.step, '%g' % self.length) + ((self.level,) if self.level != BEAM else ())
         return '_'.join(words + (('newton_%g' % self.newton,) if self.newton else ()) + (('tolerance_%g' % self.tolerance,) if self.tolerance else ()))
 
     @property
@@ -56,8 +69,8 @@ class Point:
 
     @property
     def competes(self):
-        """Whether the verdict compares the default with it. A mesh coarser than the default's does not: it could not be the default, for
-        in other holes it is wrong without a word (the operations matrix and its variants, test/accuracy/README.md)."""
+        """Whether the verdict compares the default with it. A mesh coarser than the default's and a level of guided pipe do not: they could not be
+        the default, for in other holes they are wrong (the operations matrix and its variants, test/accuracy/README.md). Level auto does."""
         return self.counted and not self.coarse
 
     @property
@@ -68,20 +81,33 @@ class Point:
     def options(self):
         if self.default:
             return []
-        words = ['--integrator', self.method, '--step', repr(self.step), '--element-length', repr(self.length)]
+        words = ['--level', self.level, '--integrator', self.method, '--step', repr(self.step), '--element-length', repr(self.length)]
         if self.element != drill.ELEMENTS[0]:
             words += ['--set', 'numerics.element=' + self.element]
         if self.newton:
             words += ['--set', 'numerics.newton_tolerance=%g' % self.newton]
         if self.tolerance:
-            words += ['--set', 'numerics.reference_tolerance=%g' % self.tolerance]
+            words += ['--set', 'numerics.%s=%g' % ('tolerance' if self.step == VARIABLE else 'reference_tolerance', self.tolerance)]
         if self.step > self.scene.every:
             words += ['--every', repr(self.step)]
         return words
 
     def label(self):
-        return '%s, %g ms, %s%s%s%s' % (self.method, 1e3 * self.step, mesh(self.length), '' if self.element == drill.ELEMENTS[0] else ', ' + self.element,
-                                          ', Newton to %g' % self.newton if self.newton else '', ', tolerance %g' % self.tolerance if self.tolerance else '')
+        if self.level == AUTO:
+            return 'auto to %g' % self.tolerance
+        words = [] if self.level == BEAM else [self.level]
+        if self.step == VARIABLE:
+            words.append('variable steps to %g' % self.tolerance)
+        else:
+            words += [self.method, '%g ms' % (1e3 * self.step)]
+        words.append(mesh(self.length))
+        if self.element != drill.ELEMENTS[0]:
+            words.append(self.element)
+        if self.newton:
+            words.append('Newton to %g' % self.newton)
+        if self.tolerance and self.step != VARIABLE:
+            words.append('tolerance %g' % self.tolerance)
+        return ', '.join(words)
 
     def compute(self, program, reference, weights):
         """Runs it; a failure is kept, not raised."""
@@ -93,16 +119,14 @@ class Point:
             return self
         simulated = self.summary['simulated_s']
         self.cpu = self.summary['cpu_s'] / simulated
-        self.work = weights.of(self.method, self.element, drill.counted_work(self.summary), self.summary['nodes']) / simulated
+        self.work = weights.of(self.element, self.summary) / simulated
         return self
 
     def row(self):
-        counted = drill.counted_work(self.summary) if self.summary else {}
-        values = {'scene': self.scene.name, 'method': self.method, 'element': self.element, 'step': self.step, 'element_length': self.length,
-                  'newton_tolerance': self.newton or '',
-                  'reference_tolerance': self.tolerance or '', 'default': int(self.default), 'error': self.error, 'cpu_s_per_s': self.cpu, 'work_per_s': self.work, 'failure': self.failure}
-        values.update(counted)
-        values.update({key: self.summary.get(key, '') for key in ('nodes', 'steps', 'newton_iterations', 'convergence_failures')})
+        values = {'scene': self.scene.name, 'level': self.level, 'method': self.method, 'element': self.element, 'step': self.step,
+                  'element_length': self.length, 'newton_tolerance': self.newton or '', 'tolerance': self.tolerance or '', 'default': int(self.default),
+                  'error': self.error, 'cpu_s_per_s': self.cpu, 'work_per_s': self.work, 'warned': int(self.warned), 'failure': self.failure}
+        values.update({field: self.summary[field] for field in FIELDS if field not in values and field in self.summary})
         values.update({'error_' + output: error for output, error in (self.errors or {}).items() if output != 'all'})
         return ['%.6g' % values[field] if isinstance(values.get(field), float) else values.get(field, '') for field in FIELDS]
 
@@ -117,7 +141,8 @@ def grid(scene, methods, elements, default_method, default_step, default_length)
                 for step in scene.steps_of(method):
                     if (method, element, step, length) != (default_method, drill.ELEMENTS[0], default_step, default_length):
                         out.append(Point(scene, method, element, step, length))
-    return out + coarser_and_finer(scene, methods, default_method, default_step, default_length)
+    out += coarser_and_finer(scene, methods, default_method, default_step, default_length)
+    return out + levels(scene, default_length) if VARIABLE_METHOD in methods else out
 
 
 def coarser_and_finer(scene, methods, default_method, default_step, default_length):
@@ -140,11 +165,22 @@ def coarser_and_finer(scene, methods, default_method, default_step, default_leng
     return out
 
 
+def levels(scene, default_length):
+    """Variable steps, of the full string and of the cheap levels; these with fixed steps too; and level auto, which chooses all by itself."""
+    def point(level, length, step=VARIABLE, tolerance=None):
+        return Point(scene, VARIABLE_METHOD, drill.ELEMENTS[0], step, length, tolerance=tolerance, level=level)
+    out = [point(level, default_length, tolerance=tolerance) for level in (BEAM,) + CHEAP_LEVELS for tolerance in TOLERANCES]
+    if default_length == MESH_BY_THE_HOLE:
+        out += [point(level, scenes.LENGTHS[0], tolerance=tolerance) for level in (BEAM, HYBRID) for tolerance in TOLERANCES if tolerance >= LEAST_ON_JOINTS]
+    out += [point(level, default_length, step) for level in CHEAP_LEVELS for step in scene.steps]
+    return out + [point(AUTO, default_length, tolerance=tolerance) for tolerance in AUTO_TOLERANCES]
+
+
 def mark_coarse(points):
-    """Of one scene's points, computed."""
+    """Of one scene's points, computed. What auto chooses is up to it."""
     default = next(p for p in points if p.default)
     for p in points:
-        p.coarse = p.summary.get('nodes', 0) < default.summary.get('nodes', 0)
+        p.coarse = p.level in CHEAP_LEVELS or p.level != AUTO and p.summary.get('nodes', 0) < default.summary.get('nodes', 0)
 
 
 def compute(all_points, program, references, weights, jobs, say):

@@ -8,7 +8,7 @@ ADVICE = 1.2  # another setting is named as better when it takes this much less 
 
 
 def better_settings(chosen_scenes, by_scene):
-    """Settings (method, element, step, length, tolerances) that worked in every scene and beat the default there in geometric mean at no more error in
+    """Settings (level, method, element, step, length, tolerances) that worked in every scene and beat the default there in geometric mean at no more error in
     geometric mean: (label, ratio of work, ratio of error), best first."""
     ratios = {}  # by setting: its point, and of each scene that it worked in work and error over the default's
     for scene in chosen_scenes:
@@ -19,7 +19,7 @@ def better_settings(chosen_scenes, by_scene):
         for p in points:
             if p.default:
                 continue
-            _, work, error = ratios.setdefault((p.method, p.element, p.step, p.length, p.newton, p.tolerance), (p, [], []))
+            _, work, error = ratios.setdefault((p.method, p.element, p.step, p.length, p.newton, p.tolerance, p.level), (p, [], []))
             work.append(p.work / default.work)
             error.append(max(p.error, 1e-12) / max(default.error, 1e-12))
     means = [(p.label(), verdict.geometric_mean(work), verdict.geometric_mean(error)) for p, work, error in ratios.values() if len(work) == len(chosen_scenes)]
@@ -49,7 +49,7 @@ def rows(chosen_scenes, by_scene, notes, judged):
 
 
 def closing(chosen_scenes, by_scene, judged):
-    lines = ['geometric mean of the ratios: %.2f (at most 1.5); with meshes coarser than the default\'s: %.2f' % (judged.mean, judged.mean_on_any_mesh)]
+    lines = ['geometric mean of the ratios: %.2f (at most 1.5); with meshes coarser than the default\'s and cheaper levels: %.2f' % (judged.mean, judged.mean_on_any_mesh)]
     for label, work, error in better_settings(chosen_scenes, by_scene)[:3]:
         lines.append('better than the default over all scenes: %s: %.2f of its work at %.2f of its error' % (label, work, error))
     return lines + judged.complaints
@@ -70,7 +70,7 @@ def text(chosen_scenes, by_scene, notes, judged):
 def write(chosen_scenes, by_scene, notes, judged, about, folder):
     """verdict.md; returns its name."""
     with open(os.path.join(folder, 'verdict.md'), 'w') as out:
-        out.write('| scene | error of the default | allowed | the run warns | its work / the best\'s at this error | on any mesh | cheapest as accurate | '
+        out.write('| scene | error of the default | allowed | the run warns | its work / the best\'s at this error | on any mesh or level | cheapest as accurate | '
                   'CPU s per simulated s | reference | its own error |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n')
         for scene, default, s, rival, by, own in rows(chosen_scenes, by_scene, notes, judged):
             if s is None:
