@@ -150,13 +150,17 @@ double blur_of_torque(const AccuracyMemory& memory, double step) noexcept
   return share * std::sqrt(memory.torque_waves) / std::max(least_torque_range, memory.most_torque - memory.least_torque);
 }
 
-std::uint64_t attempts_of(const StepperCounters& c) noexcept
+/// Variable steps are tried by their errors: that one was too long says nothing of those that were taken.
+std::uint64_t attempts_of(const StepperCounters& c, bool variable) noexcept
 {
-  return c.steps + c.convergence_failures + c.error_test_failures;
+  return c.steps + c.convergence_failures + (variable ? 0 : c.error_test_failures);
 }
 }  // namespace
 
-AccuracyWatch::AccuracyWatch(std::shared_ptr<const Model> model) : model_(std::move(model)), balance_(model_) {}
+AccuracyWatch::AccuracyWatch(std::shared_ptr<const Model> model)
+  : model_(std::move(model)), balance_(model_), variable_(model_->scene().numerics.step == 0.0)
+{
+}
 
 void AccuracyWatch::begin_frame(Integrator& integrator, const Setpoints& setpoints, bool steps, AccuracyMemory& memory) noexcept
 {
@@ -164,7 +168,7 @@ void AccuracyWatch::begin_frame(Integrator& integrator, const Setpoints& setpoin
   memory.setpoints = setpoints;
   if (commanded) ++memory.commanded;
   steps_ = integrator.counters().steps;
-  attempts_ = attempts_of(integrator.counters());
+  attempts_ = attempts_of(integrator.counters(), variable_);
   if (memory.frames % every == 0) memory.due = true;
   booked_ = memory.due && steps && !integrator.reference();
   if (booked_)
@@ -191,7 +195,7 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
                               AccuracyMemory& memory) noexcept
 {
   const double steps = static_cast<double>(integrator.counters().steps - steps_);
-  const double attempts = static_cast<double>(attempts_of(integrator.counters()) - attempts_);
+  const double attempts = static_cast<double>(attempts_of(integrator.counters(), variable_) - attempts_);
   average(attempts > 0.0 ? 1.0 - steps / attempts : 0.0, duration, memory.refused);
   note_blows(forces.wob, duration, memory);
   note_torque(forces.meter_torque, duration, memory);
@@ -209,8 +213,8 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
     if (found.doubt == AccuracyDoubt::none && raised) found = {kind, measure, 0.0, 0.0};
   };
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
-  const bool variable = model_->scene().numerics.step == 0.0, stepped = !integrator.reference() && steps > 0.0;
-  const double step = variable ? state.memory.last_step : stepped ? duration / steps : 0.0;
+  const bool stepped = !integrator.reference() && steps > 0.0;
+  const double step = variable_ ? state.memory.last_step : stepped ? duration / steps : 0.0;
   const double blades = blades_passed(*model_, forces, step);
   const double damping = damping_of_shaking(*model_, memory.turning, step);
   const double blur = blur_of_torque(memory, step);

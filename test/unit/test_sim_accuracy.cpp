@@ -25,10 +25,11 @@ public:
   using Integrator::Integrator;
   bool advance(State&, double, const Setpoints&) noexcept override { return true; }
   void keep_balance(EnergyBalance*) noexcept override {}
-  void count(std::uint64_t steps, std::uint64_t refused)
+  void count(std::uint64_t steps, std::uint64_t unsolved, std::uint64_t too_wrong)
   {
     counters_.steps += steps;
-    counters_.convergence_failures += refused;
+    counters_.convergence_failures += unsolved;
+    counters_.error_test_failures += too_wrong;
   }
 };
 
@@ -41,12 +42,12 @@ struct Watched
     forces.contact.assign(rig.model->mesh().nodes.size(), 0.0);
   }
 
-  void play(double seconds, std::uint64_t refused_a_step = 0)
+  void play(double seconds, std::uint64_t unsolved_a_step = 0, std::uint64_t too_wrong_a_step = 0)
   {
     for (long k = 0; k < std::lround(seconds / frame); ++k)
     {
       watch.begin_frame(integrator, Setpoints(), true, memory);
-      integrator.count(steps, refused_a_step);
+      integrator.count(steps, unsolved_a_step, too_wrong_a_step);
       watch.end_frame(integrator, rig.state, forces, frame, memory);
     }
   }
@@ -315,6 +316,15 @@ TEST(Accuracy, stepsAreRefused)
   EXPECT_EQ(w.memory.report.doubt, AccuracyDoubt::none);
   w.play(0.5, 1);
   EXPECT_EQ(w.memory.report.doubt, AccuracyDoubt::refused_steps);
+}
+
+TEST(Accuracy, variableStepsAreTriedByTheirErrors)
+{
+  Scene scene = vertical_scene(400.0, 290.0);
+  scene.numerics.step = 0.0;
+  Watched w(scene);
+  w.play(5.4, 0, 1);
+  EXPECT_EQ(w.memory.report.doubt, AccuracyDoubt::none);
 }
 
 // A string that is set turning at once rings: implicit Euler eats that, BDF2 does not.

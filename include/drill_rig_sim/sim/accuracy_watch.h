@@ -30,7 +30,7 @@ AccuracyReport doubt_of_level(const Scene& scene, const State& state) noexcept;
 ///   carries (pi^2/2) E I/L^2. Above it a mesh buckles in its own way.
 /// - Twist: 1 rad an element; the corotational element is made for less.
 /// - Embedding: the string is deeper in the wall than its clearance there and 2 mm: place and side forces are those of a wider hole.
-/// - Refused steps: more than a fifth of the attempts of the last ten seconds.
+/// - Refused steps: more than a fifth of the attempts of the last ten seconds; of variable steps only those that Newton's iteration did not solve.
 /// - Dissipation: more than 5 % of the throughput of the last ten seconds, or of 1 kW if that is more, so that a string at rest is not
 ///   judged. The throughput is what comes in or what is lost, whichever is more: a string that comes free lives on what it has stored. Both are
 ///   sums of magnitudes, account by account and step by step (energy_accounts.h): what cancels counts.
@@ -68,6 +68,7 @@ public:
 private:
   std::shared_ptr<const Model> model_;
   EnergyBalance balance_;
+  bool variable_;  // steps, numerics.step 0
   bool booked_ = false;
   std::uint64_t stands_for_ = 0;  // what is booked [frames]
   std::uint64_t steps_ = 0, attempts_ = 0;  // of the integrator, before the frame
