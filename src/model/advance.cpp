@@ -1,7 +1,8 @@
-// What follows an accepted step.
+// What follows an accepted step; of the mud, what goes before one.
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/extend_hole.h"
+#include "drill_rig_sim/rig/mud_motor.h"
 
 namespace drill_rig_sim
 {
@@ -86,6 +87,15 @@ void advance_discrete(const Model& model, const Stage& stage, Workspace& work, S
   work.profiler.lap(Cost::other);
   extend_hole(model, stage, work.result, state);
   work.profiler.lap(Cost::rock_penetration);
+}
+
+void advance_mud(const Model& model, double commanded, double step, State& state) noexcept
+{
+  const MotorSpec* motor = model.motor();
+  const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->displacement_per_rev, state.bit.motor_torque) : 0.0;
+  const MudCircuit& mud = model.mud();
+  const double displaced = mud.displaced_area * running_speed(mud, state.nodes);
+  advance_hydraulics(model.scene().rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, state.flow, state.hydraulics);
 }
 
 }  // namespace drill_rig_sim

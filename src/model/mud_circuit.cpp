@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/model/model.h"
-#include "drill_rig_sim/rig/mud_motor.h"
 
 namespace drill_rig_sim
 {
@@ -159,15 +157,6 @@ MudPressures mud_pressures(const MudCircuit& mud, const HydraulicState& state, d
   const HydraulicCircuit& c = mud.circuit;
   const double friction = flow > 0.0 ? mud.bore_friction * c.bore.loss * std::pow(flow / c.nominal_flow, c.exponent) : 0.0;
   return {state.stand_pipe_pressure, friction, state.annulus_pressure};
-}
-
-void advance_mud(const Model& model, double commanded, double step, State& state) noexcept
-{
-  const MotorSpec* motor = model.motor();
-  const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->displacement_per_rev, state.bit.motor_torque) : 0.0;
-  const MudCircuit& mud = model.mud();
-  const double displaced = mud.displaced_area * running_speed(mud, state.nodes);
-  advance_hydraulics(model.scene().rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, state.flow, state.hydraulics);
 }
 
 }  // namespace drill_rig_sim

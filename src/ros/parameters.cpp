@@ -224,13 +224,13 @@ std::string find_scene(const std::string& name)
 
 void check_rate(double rate, const Scene& scene)
 {
-  const double step = with_choice(scene).numerics.step;
-  if (step == 0.0) return;
-  const double steps = 1.0 / (rate * step);
+  const NumericsSpec numerics = with_choice(scene).numerics;
+  if (numerics.has_variable_steps()) return;
+  const double steps = 1.0 / (rate * numerics.step);
   if (std::lround(steps) >= 1 && std::abs(steps - std::round(steps)) < 1e-6 * steps) return;
   std::ostringstream text;
   text << "rate is " << rate << "; allowed is a rate whose frames hold a whole number of the scene's steps of "
-       << step << " s";
+       << numerics.step << " s";
   throw ParameterError(text.str());
 }
 

@@ -305,7 +305,7 @@ ProblemList unavailable(const Scene& scene)
     problems.emplace_back("numerics.free_length", metres(numerics.free_length) + " ends within the bit, allowed: 0 or from " + metres(bit) + " on");
   const bool guided = all_guided(numerics.level) || numerics.level == Level::hybrid;
   if (guided && has_no_levels(numerics.integrator)) problems.emplace_back("numerics.integrator", "this method is available for level beam3d alone");
-  if (numerics.step == 0.0 && !varies_steps(numerics.integrator))
+  if (numerics.has_variable_steps() && !varies_steps(numerics.integrator))
     problems.emplace_back("numerics.integrator", "steps of variable length (step 0) are available for bdf2 and auto alone");
   if (!has_kernel(numerics.kernel))
     problems.emplace_back("numerics.kernel", std::string(name_of(numerics.kernel)) + " is not among what this machine and build have, allowed: " + kernels_here());

@@ -151,16 +151,13 @@ double blur_of_torque(const AccuracyMemory& memory, double step) noexcept
 }
 
 /// Variable steps are tried by their errors: that one was too long says nothing of those that were taken.
-std::uint64_t attempts_of(const StepperCounters& c, bool variable) noexcept
+std::uint64_t attempts_of(const StepperCounters& c, const NumericsSpec& numerics) noexcept
 {
-  return c.steps + c.convergence_failures + (variable ? 0 : c.error_test_failures);
+  return c.steps + c.convergence_failures + (numerics.has_variable_steps() ? 0 : c.error_test_failures);
 }
 }  // namespace
 
-AccuracyWatch::AccuracyWatch(std::shared_ptr<const Model> model)
-  : model_(std::move(model)), balance_(model_), variable_(model_->scene().numerics.step == 0.0)
-{
-}
+AccuracyWatch::AccuracyWatch(std::shared_ptr<const Model> model) : model_(std::move(model)), balance_(model_) {}
 
 void AccuracyWatch::begin_frame(Integrator& integrator, const Setpoints& setpoints, bool steps, AccuracyMemory& memory) noexcept
 {
@@ -168,7 +165,7 @@ void AccuracyWatch::begin_frame(Integrator& integrator, const Setpoints& setpoin
   memory.setpoints = setpoints;
   if (commanded) ++memory.commanded;
   steps_ = integrator.counters().steps;
-  attempts_ = attempts_of(integrator.counters(), variable_);
+  attempts_ = attempts_of(integrator.counters(), model_->scene().numerics);
   if (memory.frames % every == 0) memory.due = true;
   booked_ = memory.due && steps && !integrator.reference();
   if (booked_)
@@ -195,7 +192,7 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
                               AccuracyMemory& memory) noexcept
 {
   const double steps = static_cast<double>(integrator.counters().steps - steps_);
-  const double attempts = static_cast<double>(attempts_of(integrator.counters(), variable_) - attempts_);
+  const double attempts = static_cast<double>(attempts_of(integrator.counters(), model_->scene().numerics) - attempts_);
   average(attempts > 0.0 ? 1.0 - steps / attempts : 0.0, duration, memory.refused);
   note_blows(forces.wob, duration, memory);
   note_torque(forces.meter_torque, duration, memory);
@@ -214,7 +211,7 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   };
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
   const bool stepped = !integrator.reference() && steps > 0.0;
-  const double step = variable_ ? state.memory.last_step : stepped ? duration / steps : 0.0;
+  const double step = model_->scene().numerics.has_variable_steps() ? state.memory.last_step : stepped ? duration / steps : 0.0;
   const double blades = blades_passed(*model_, forces, step);
   const double damping = damping_of_shaking(*model_, memory.turning, step);
   const double blur = blur_of_torque(memory, step);

@@ -48,7 +48,7 @@ int coordinates_of(const State& state, int guided) noexcept
 Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   : scene(s), model(std::move(rig.model)), state(std::move(rig.state), std::move(rig.statics.forces)),
     integrator(make_integrator(scene.numerics.integrator, model, state.mechanics)),
-    watch(*model), accuracy(model), levels(*model), variable(scene.numerics.step == 0.0), stride_end(state.mechanics), between(state.mechanics),
+    watch(*model), accuracy(model), levels(*model), variable(scene.numerics.has_variable_steps()), stride_end(state.mechanics), between(state.mechanics),
     end_forces(state.forces), forces_between(state.forces)
 {
   state.scene = scene_hash(scene);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/interpolate.h"
 #include "drill_rig_sim/solve/step_control.h"
 #include "simulator_impl.h"

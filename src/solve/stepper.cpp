@@ -47,7 +47,7 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const Method& method)
 {
   const NumericsSpec& numerics = model_->scene().numerics;
   limits_.tolerance = numerics.newton_tolerance;
-  if (numerics.step == 0.0 && method_.share_of_distance) control_.emplace(*model_);
+  if (numerics.has_variable_steps() && method_.share_of_distance) control_.emplace(*model_);
 }
 
 bool Stepper::advance(State& state, double step, const Setpoints& setpoints) noexcept

@@ -15,16 +15,14 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double step = 0.01;  // [s]
-
 struct Bench
 {
   explicit Bench(const Scene& scene)
     : rig(build_at_rest(scene)), stage(*rig.model), work(*rig.model), u(6 * rig.model->nodes()), residual(u.size())
   {
     tangent.resize(rig.model->nodes(), rig.model->kernel());
-    begin_step(*rig.model, rig.state, step, Setpoints(), stage);
-    prepare_implicit_euler(rig.state, step, stage);
+    begin_step(*rig.model, rig.state, default_step, Setpoints(), stage);
+    prepare_implicit_euler(rig.state, default_step, stage);
   }
 
   RigAtRest rig;

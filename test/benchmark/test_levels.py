@@ -75,7 +75,6 @@ class Levels(unittest.TestCase):
         self.assertEqual(said[-2:], ['- To 5 %: within it in 0 of the 1 scenes whose reference can tell; in geometric mean over all 1.00 times the cheapest\'s work, 1.00 times the default\'s.',
                                      '- To 0.2 %: within it in 0 of the 1 scenes whose reference can tell; in geometric mean over all 1.00 times the cheapest\'s work, 1.00 times the default\'s.'])
 
-
     def test_a_scene_whose_reference_cannot_tell_is_not_judged(self):
         def row(error, floor):
             star = points.Point(scenes.ALL[0], 'bdf2', 'corotational', points.VARIABLE, 9.5, tolerance=0.01, level=points.AUTO, default=True)

@@ -86,7 +86,6 @@ bool is_default(const Choice& choice)
 
 Scene load_scene(const std::string& name, std::vector<std::string> settings, const Choice& choice, double step)
 {
-  settings.insert(settings.begin(), "numerics.step=0.01");
   settings.push_back("numerics.integrator=" + choice.method);
   if (choice.element != kDefaultElement) settings.push_back("numerics.element=" + choice.element);
   Scene scene = read_scene(scene_file(name), settings);

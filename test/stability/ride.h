@@ -30,7 +30,7 @@ Choice default_choice();
 bool is_default(const Choice& choice);
 
 /// Reads test/stability/scenes/NAME.yaml with settings over it, for a choice. The step [s] may lie beyond the reader's
-/// range; 0 leaves what the settings say, 10 ms without such.
+/// range; 0 leaves the scene's.
 /// Throws SceneError.
 Scene load_scene(const std::string& name, std::vector<std::string> settings, const Choice& choice, double step);
 

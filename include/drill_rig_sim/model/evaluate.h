@@ -33,6 +33,9 @@ void commit(const Stage& stage, const Workspace& work, State& state) noexcept;
 /// The one place where bristles, hoist, drive, motor, rock and the clock move on; after commit(). The hole is extended by the
 /// rock-breaking velocity times the step, or by what the stage knows of its bottom.
 void advance_discrete(const Model& model, const Stage& stage, Workspace& work, State& state) noexcept;
+/// Pump, mud and flow over a step [s], ahead of the string's: the flow of the step that comes, against the torque of the step before.
+/// @param commanded  of the pump [m3/s]
+void advance_mud(const Model& model, double commanded, double step, State& state) noexcept;
 /// The same in statics: bristles alone.
 void advance_static(const Workspace& work, State& state) noexcept;
 

@@ -69,12 +69,6 @@ MudCircuit mud_circuit(const Scene& scene, const Mesh& mesh);
 /// Mean speed of the string along its annulus, + into the hole [m/s]; 0 without one.
 double running_speed(const MudCircuit& mud, const std::vector<NodeState>& nodes) noexcept;
 
-class Model;
-
-/// Pump, mud and flow over a step [s], ahead of the string's: the flow of the step that comes, against the torque of the step before.
-/// @param commanded  of the pump [m3/s]
-void advance_mud(const Model& model, double commanded, double step, State& state) noexcept;
-
 /// Pressures above the hydrostatic ones.
 struct MudPressures
 {

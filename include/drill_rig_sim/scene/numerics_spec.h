@@ -70,6 +70,8 @@ struct NumericsSpec
   double newton_tolerance = 1e-6;   ///< error that Newton's iteration may leave in a step's increments [m, rad]
   double structural_damping =
       1e-4;  ///< of stretch, twist and bending (BeamDamping): stress = E (strain + value * strain rate) [s]
+
+  bool has_variable_steps() const noexcept { return step == 0.0; }
 };
 
 }  // namespace drill_rig_sim

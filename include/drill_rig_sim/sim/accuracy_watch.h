@@ -68,7 +68,6 @@ public:
 private:
   std::shared_ptr<const Model> model_;
   EnergyBalance balance_;
-  bool variable_;  // steps, numerics.step 0
   bool booked_ = false;
   std::uint64_t stands_for_ = 0;  // what is booked [frames]
   std::uint64_t steps_ = 0, attempts_ = 0;  // of the integrator, before the frame
