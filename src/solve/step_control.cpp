@@ -14,9 +14,12 @@ constexpr double largest_share = 0.05;     // of the tolerance
 constexpr double largest_place_error = 1e-2;  // over the tolerance [m]
 constexpr double least_force = 1e3, least_torque = 100.0, least_speed = 0.1;  // what instruments resolve [N, N m, rad/s]
 constexpr double share_of_level = 0.1;
+constexpr double seen = 0.1;           // share of what an instrument resolves below which no error matters
+constexpr double along_over_about = 2.0;  // what motions along the string are allowed over those about it
+constexpr double unneeded = 10.0;      // what motions are allowed whose outputs nobody needs
 constexpr double most_damping = 5.0;  // over the tolerance, of a bent motor's waves [1/s]
 constexpr double steps_a_blade = 100.0;
-constexpr double smooth_tolerance = 0.04;  // where fronts and smooth waves are allowed the same
+constexpr double smooth_tolerance = 0.063;  // where fronts and smooth waves are allowed the same
 constexpr double most_stretch = 10.0;
 constexpr double settled_flow = 2e-3;   // of the nominal flow
 constexpr double with_the_flow = 0.25;  // step over tolerance [s]
@@ -32,9 +35,15 @@ double scale(const ValueRange& range, double level, double least) noexcept
 {
   return std::max({range.span(), share_of_level * std::abs(level), least});
 }
+
+double allowed_over(unsigned needs, unsigned those) noexcept
+{
+  return needs & those ? 1.0 : unneeded;
+}
 }  // namespace
 
-StepControl::StepControl(const Model& model) : tolerance_(model.scene().numerics.tolerance)
+StepControl::StepControl(const Model& model)
+  : tolerance_(model.scene().numerics.tolerance), resolved_(std::max(1.0, seen / tolerance_))
 {
   if (model.motor() && model.motor()->bend != 0.0) shaking_ = 3.0;
   if (model.motor()) flow_that_settles_ = settled_flow * model.mud().circuit.nominal_flow;
@@ -50,9 +59,10 @@ StepControl::StepControl(const Model& model) : tolerance_(model.scene().numerics
     time_along += node.mass / along_.back();
     time_about += node.spin_inertia / about_.back();
   }
-  const double of_fronts = std::pow(tolerance_ / smooth_tolerance, 2.0 / 3.0);
-  allowed_along_ = of_fronts * tolerance_ * share_of_tolerance(time_along);
-  allowed_about_ = of_fronts * tolerance_ * share_of_tolerance(time_about);
+  const unsigned needs = model.scene().needs;
+  const double of_fronts = std::sqrt(tolerance_ / smooth_tolerance);
+  allowed_along_ = along_over_about * of_fronts * tolerance_ * share_of_tolerance(time_along) * allowed_over(needs, ~(need_torque | need_bit_speed));
+  allowed_about_ = of_fronts * tolerance_ * share_of_tolerance(time_about) * allowed_over(needs, ~(need_hook_load | need_wob | need_pressure));
 }
 
 /// Over what is allowed, times the step [s].
@@ -60,7 +70,8 @@ double StepControl::output_error(const State& start, const Workspace& work, cons
 {
   const StepMemory& memory = start.step;
   const RigForces& forces = work.result.forces;
-  const double force = scale(memory.hook_load, forces.hook_load, least_force), torque = scale(memory.torque, forces.meter_torque, least_torque);
+  const double force = scale(memory.hook_load, forces.hook_load, resolved_ * least_force);
+  const double torque = scale(memory.torque, forces.meter_torque, resolved_ * least_torque);
   double along = 0.0, about = 0.0;
   const auto parts_of = [&](std::size_t i)
   {
@@ -76,8 +87,8 @@ double StepControl::output_error(const State& start, const Workspace& work, cons
   }
   const auto [path, turn] = parts_of(0);
   double of_along = along / force;
-  if (forces.wob > 0.0) of_along = std::max(of_along, along_[0] * path / scale(memory.wob, forces.wob, least_force));
-  const double of_about = std::max(about / torque, turn / scale(memory.bit_speed, forces.bit_speed, least_speed));
+  if (forces.wob > 0.0) of_along = std::max(of_along, along_[0] * path / scale(memory.wob, forces.wob, resolved_ * least_force));
+  const double of_about = std::max(about / torque, turn / scale(memory.bit_speed, forces.bit_speed, resolved_ * least_speed));
   return std::max(of_along / allowed_along_, of_about / allowed_about_);
 }
 

@@ -20,13 +20,16 @@ constexpr double may_be_longer = 0.2;
 /// A step's local error is a wrong place of every node; over the step's length it is a wrong speed, and a wrong speed v is a wrong force
 /// Z v in the wave that it sends along the string, Z = sqrt(EA m') along it and sqrt(GJ i') about it (m', i': mass and inertia per length),
 /// the string's wave impedances. That force counts as a share of what its output has ranged over so far:
-///   e = max over nodes of  Z |v| / S,   S = max(range, a tenth of the level, what an instrument resolves)
-/// with hook load for motions along the string, torque for those about it, and weight and speed of the bit at the bit itself. Of a wave of
-/// frequency w that makes up the whole range, BDF2 makes e = (2/9) (w h)^2 in every step, which falls with h^2, and is wrong by w T e after a time T:
-/// so e may be the tolerance over w T, w the lowest frequency of the string fixed at its top, and T 6 s, as long as waves last in mud; a twentieth of the
-/// tolerance at most. But a string's waves have fronts, where something lets go or takes hold, and their error falls with h^1.2 alone (measured: a vertical
-/// kilometre that begins to turn, 1.3 % at 20 ms, 0.55 at 10, 0.23 at 5, by TR-BDF2 0.60, 0.25, 0.09): so what is allowed, h^2, goes with the tolerance to the power of
-/// 5/3, as above at 0.04 (with the power of 3/2, as above at 0.01, 14 of 51 cells of the operations matrix were beyond 1 % without a word, most of them by 5 to 30 % of it; so 3 are).
+///   e = max over nodes of  Z |v| / S,   S = max(range, a tenth of the level, what an instrument resolves; a tenth of that over the tolerance)
+/// with hook load for motions along the string, torque for those about it, and weight and speed of the bit at the bit itself: no error matters that is
+/// below a tenth of what an instrument resolves. Of a wave of frequency w that makes up the whole range, BDF2 makes e = (2/9) (w h)^2 in every step,
+/// which falls with h^2, and is wrong by w T e after a time T: so e may be the tolerance over w T, w the lowest frequency of the string fixed at its top,
+/// and T 6 s, as long as waves last in mud; a twentieth of the tolerance at most. But a string's waves have fronts, where something lets go or takes hold,
+/// and their error falls with h^1.2 alone (measured: a vertical kilometre that begins to turn, 1.3 % at 20 ms, 0.55 at 10, 0.23 at 5, by TR-BDF2 0.60,
+/// 0.25, 0.09): so what is allowed, h^2, goes with the tolerance to the power of 3/2, as above at 0.063. Of motions along the string twice as much is
+/// allowed. All this is weighed by the operations matrix (test/accuracy/README.md): the largest steps that keep the share of cells within 5, 1 and 0.2 %.
+/// Where the scene needs nothing but torque and bit speed, motions along the string are allowed ten times as much; where nothing but hook load, weight
+/// and pressure, those about it.
 /// Besides, no node's place may be wrong by more than `largest_place_error` in a step, whatever it does to the outputs: blows, whirl.
 class StepControl
 {
@@ -47,6 +50,7 @@ private:
   double output_error(const State& start, const Workspace& work, const double* error) const noexcept;
 
   double tolerance_;
+  double resolved_;  // over what instruments resolve, the least scale of an output
   double allowed_along_ = 0.0, allowed_about_ = 0.0;  // e
   double shaking_ = 0.0;   // 3 of a bent motor, 0 without [1/turn]
   double blades_ = 0.0;    // of a regenerative bit, 0 for others
