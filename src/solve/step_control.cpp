@@ -15,7 +15,8 @@ constexpr double largest_place_error = 1e-2;  // over the tolerance [m]
 constexpr double least_force = 1e3, least_torque = 100.0, least_speed = 0.1;  // what instruments resolve [N, N m, rad/s]
 constexpr double share_of_level = 0.1;
 constexpr double seen = 0.1;           // share of what an instrument resolves below which no error matters
-constexpr double along_over_about = 2.0;  // what motions along the string are allowed over those about it
+constexpr double along_may = 3.0, about_may = 0.85;  // what motions along the string and about it are allowed over the rule
+constexpr double turning_speed = 5.0;  // a bit that has never been as fast does not turn [rad/s]
 constexpr double unneeded = 10.0;      // what motions are allowed whose outputs nobody needs
 constexpr double most_damping = 5.0;  // over the tolerance, of a bent motor's waves [1/s]
 constexpr double steps_a_blade = 100.0;
@@ -61,8 +62,8 @@ StepControl::StepControl(const Model& model)
   }
   const unsigned needs = model.scene().needs;
   const double of_fronts = std::sqrt(tolerance_ / smooth_tolerance);
-  allowed_along_ = along_over_about * of_fronts * tolerance_ * share_of_tolerance(time_along) * allowed_over(needs, ~(need_torque | need_bit_speed));
-  allowed_about_ = of_fronts * tolerance_ * share_of_tolerance(time_about) * allowed_over(needs, ~(need_hook_load | need_wob | need_pressure));
+  allowed_along_ = along_may * of_fronts * tolerance_ * share_of_tolerance(time_along) * allowed_over(needs, ~(need_torque | need_bit_speed));
+  allowed_about_ = about_may * of_fronts * tolerance_ * share_of_tolerance(time_about) * allowed_over(needs, ~(need_hook_load | need_wob | need_pressure));
 }
 
 /// Over what is allowed, times the step [s].
@@ -72,7 +73,8 @@ double StepControl::output_error(const State& start, const Workspace& work, cons
   const RigForces& forces = work.result.forces;
   const double force = scale(memory.hook_load, forces.hook_load, resolved_ * least_force);
   const double torque = scale(memory.torque, forces.meter_torque, resolved_ * least_torque);
-  double along = 0.0, about = 0.0;
+  const double bit_speed = scale(memory.bit_speed, forces.bit_speed, resolved_ * least_speed), turning = std::max(bit_speed, turning_speed);
+  double of_along = 0.0, of_about = 0.0;
   const auto parts_of = [&](std::size_t i)
   {
     const Eigen::Vector3d& axis = work.nodes[i].axis;
@@ -82,13 +84,12 @@ double StepControl::output_error(const State& start, const Workspace& work, cons
   for (std::size_t i = 0; i < along_.size(); ++i)
   {
     const auto [path, turn] = parts_of(i);
-    along = std::max(along, along_[i] * path);
-    about = std::max(about, about_[i] * turn);
+    of_along = std::max(of_along, along_[i] * path / force);
+    of_about = std::max(of_about, std::max(about_[i] / torque, 1.0 / turning) * turn);
   }
   const auto [path, turn] = parts_of(0);
-  double of_along = along / force;
   if (forces.wob > 0.0) of_along = std::max(of_along, along_[0] * path / scale(memory.wob, forces.wob, resolved_ * least_force));
-  const double of_about = std::max(about / torque, turn / scale(memory.bit_speed, forces.bit_speed, resolved_ * least_speed));
+  of_about = std::max(of_about, turn / bit_speed);
   return std::max(of_along / allowed_along_, of_about / allowed_about_);
 }
 

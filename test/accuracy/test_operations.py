@@ -159,7 +159,8 @@ class Automatic(unittest.TestCase):
         todo = [cells.Cell('J 2 km', '5 in', operation) for operation in ('rock', 'stuck', 'reverse')]
         own = {'rock': 0.1, 'stuck': 0.7, 'reverse': 5.0}  # of 2 %
         automatic.play(todo, lambda cell: own[cell.operation], judge_all, None, None, searches=False)
-        self.assertEqual(asked, [('beam3d', ['rock', 'stuck']), ('auto, tolerance=0.05', ['rock', 'stuck']), ('auto, tolerance=0.01', ['rock']),
+        self.assertEqual(asked, [('beam3d', ['rock', 'stuck']), ('auto, tolerance=0.05', ['rock', 'stuck']), ('auto, tolerance=0.02', ['rock']),
+                                 ('auto, tolerance=0.01', ['rock']),
                                  ('auto, tolerance=0.002', [])])
 
 

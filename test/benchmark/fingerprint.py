@@ -22,7 +22,7 @@ def seconds(scene):
 
 
 def options(scene, integrator):
-    words = ['--set', 'numerics.kernel=scalar', '--duration', repr(seconds(scene)), '--every', repr(EVERY), '--integrator', integrator, '--step', repr(STEP),
+    words = ['--set', 'numerics.kernel=scalar', '--duration', repr(seconds(scene)), '--every', repr(EVERY), '--level', 'beam3d', '--integrator', integrator, '--step', repr(STEP),
              '--element-length', repr(max(scene.lengths))]
     return words + (['--set', 'numerics.reference_tolerance=%g' % TOLERANCE] if integrator == 'ida' else [])
 

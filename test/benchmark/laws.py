@@ -38,7 +38,7 @@ def run(drill, scene, duration, folder):
     """Inclusive instructions by (source file, signature), and nodes times steps."""
     out, summary = os.path.join(folder, 'callgrind.laws'), os.path.join(folder, 'laws.json')
     subprocess.run(['valgrind', '--tool=callgrind', '--callgrind-out-file=' + out, '--toggle-collect=drill_rig_sim::Simulator::frame*', drill, 'run', scene,
-                    '--duration', '%g' % duration, '--element-length', JOINT, '--step', STEP, '--integrator', 'bdf2', '--json', summary],
+                    '--duration', '%g' % duration, '--element-length', JOINT, '--step', STEP, '--integrator', 'bdf2', '--set', 'numerics.level=beam3d', '--json', summary],
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
     told = subprocess.run(['callgrind_annotate', '--inclusive=yes', '--threshold=100', out], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True,
                           universal_newlines=True).stdout

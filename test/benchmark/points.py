@@ -20,7 +20,8 @@ CHEAP_LEVELS = (HYBRID, AXIAL)
 VARIABLE = 0.0  # numerics.step: as numerics.tolerance allows
 VARIABLE_METHOD = 'bdf2'
 TOLERANCES = (0.05, 0.02, 0.01, 0.005, 0.002)  # of variable steps
-AUTO_TOLERANCES = (0.05, 0.01, 0.002)
+AUTO_TOLERANCES = (0.05, 0.02, 0.01, 0.002)
+DEFAULT_TOLERANCE = 0.02  # numerics.tolerance
 LEAST_ON_JOINTS = 0.01  # below it an element a joint is the error
 FIELDS = ('scene', 'level', 'method', 'element', 'step', 'element_length', 'newton_tolerance', 'tolerance', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'guided_nodes', 'steps', 'residuals',
           'tangents', 'solves', 'substitutions', 'newton_iterations', 'rejected_steps', 'warned') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')
@@ -132,15 +133,13 @@ class Point:
 
 
 def grid(scene, methods, elements, default_method, default_step, default_length):
-    """Every method x step x element length with the default's element; with the default's method also the other elements; and settings
-    coarser and finer than the default's: longer and shorter steps are among the scene's."""
-    out = [Point(scene, default_method, drill.ELEMENTS[0], default_step, default_length, default=True)]
+    """The default, level auto. Every method x step x element length with the default's element; with the default's method also the other elements; and
+    settings coarser and finer than the default's by fixed steps: longer and shorter ones are among the scene's."""
+    out = [Point(scene, default_method, drill.ELEMENTS[0], VARIABLE, default_length, default=True, tolerance=DEFAULT_TOLERANCE, level=AUTO)]
     for element in elements:
         for method in methods if element == drill.ELEMENTS[0] else [default_method]:
             for length in scene.lengths_of(method):
-                for step in scene.steps_of(method):
-                    if (method, element, step, length) != (default_method, drill.ELEMENTS[0], default_step, default_length):
-                        out.append(Point(scene, method, element, step, length))
+                out += [Point(scene, method, element, step, length) for step in scene.steps_of(method)]
     out += coarser_and_finer(scene, methods, default_method, default_step, default_length)
     return out + levels(scene, default_length) if VARIABLE_METHOD in methods else out
 
@@ -153,7 +152,7 @@ def coarser_and_finer(scene, methods, default_method, default_step, default_leng
     near_steps = [step for step in scene.steps if step >= 0.5 * default_step]
     out = []
     if default_length not in scene.lengths:
-        out += [point(method, step) for method in methods if method in ITERATED for step in near_steps if (method, step) != (default_method, default_step)]
+        out += [point(method, step) for method in methods if method in ITERATED for step in near_steps]
     out += [point(default_method, step, newton=LOOSE_NEWTON) for step in scene.steps]
     out += [point(default_method, step, newton=LOOSEST_NEWTON) for step in coarse_steps]
     out.append(point(default_method, default_step, newton=TIGHT_NEWTON))

@@ -33,7 +33,7 @@ def scene_hash(scene):
 
 
 def options(recipe):
-    words = ['--integrator', recipe['integrator'], '--step', repr(recipe['step']), '--element-length', repr(recipe['element_length'])]
+    words = ['--level', 'beam3d', '--integrator', recipe['integrator'], '--step', repr(recipe['step']), '--element-length', repr(recipe['element_length'])]
     for key, value in recipe.get('set', {}).items():
         words += ['--set', '%s=%s' % (key, value)]
     return words

@@ -30,7 +30,7 @@ class Levels(unittest.TestCase):
         for level in (points.BEAM, points.HYBRID, points.AXIAL):
             variable = [p for p in self.grid() if p.step == points.VARIABLE and p.level == level and p.length == points.MESH_BY_THE_HOLE]
             self.assertEqual(tuple(p.tolerance for p in variable), points.TOLERANCES, level)
-        self.assertEqual(tuple(p.tolerance for p in self.grid() if p.level == points.AUTO), points.AUTO_TOLERANCES)
+        self.assertEqual(tuple(p.tolerance for p in self.grid() if p.level == points.AUTO and not p.default), points.AUTO_TOLERANCES)
 
     def test_no_two_points_share_their_files(self):
         for length in (points.MESH_BY_THE_HOLE, 9.5):
@@ -57,7 +57,7 @@ class Levels(unittest.TestCase):
         row = auto.Row(star, grid)
         self.assertIs(row.rival, hybrid)
         self.assertAlmostEqual(row.over_cheapest, 2.5)
-        self.assertAlmostEqual(row.over_default, 1.0)
+        self.assertAlmostEqual(row.over_fixed, 1.0)
         hybrid.errors = {'all': 0.1004}
         self.assertIs(auto.Row(star, grid).rival, hybrid)
         hybrid.errors = {'all': 0.11}
@@ -66,14 +66,14 @@ class Levels(unittest.TestCase):
 
     def test_the_table_tells_each_scene_and_tolerance_and_what_failed(self):
         grid = self.computed()
-        stars = [p for p in grid if p.level == points.AUTO]
+        stars = [p for p in grid if p.level == points.AUTO and not p.default]
         stars[0].summary, stars[1].errors, stars[1].failure = {'accuracy_warnings': ['so']}, None, 'no more'
         found = auto.rows({'axial_wave': grid}, {'axial_wave': 0.0})
         said = auto.text(found).splitlines()
         self.assertIn('| 5 % | 10 % | yes | 1.00 |', said[2])
-        self.assertIn('| 1 % | failed: no more |', said[3])
-        self.assertEqual(said[-2:], ['- To 5 %: within it in 0 of the 1 scenes whose reference can tell; in geometric mean over all 1.00 times the cheapest\'s work, 1.00 times the default\'s.',
-                                     '- To 0.2 %: within it in 0 of the 1 scenes whose reference can tell; in geometric mean over all 1.00 times the cheapest\'s work, 1.00 times the default\'s.'])
+        self.assertIn('| 2 % | failed: no more |', said[3])
+        self.assertEqual(said[-3:], ['- To %s %%: within it in 0 of the 1 scenes whose reference can tell; in geometric mean over all 1.00 times the cheapest\'s work, '
+                                     '1.00 times that of free nodes by 10 ms.' % tolerance for tolerance in ('5', '1', '0.2')])
 
     def test_a_scene_whose_reference_cannot_tell_is_not_judged(self):
         def row(error, floor):

@@ -39,7 +39,7 @@ class Diagnostics(unittest.TestCase):
         for key in ("real_time_factor", "frame_times", "overruns", "dropped_seconds", "newton_iterations", "convergence_failures",
                     "error_estimate", "level", "integrator", "kernel", "refused", "clamped"):
             self.assertIn(key, told)
-        self.assertEqual("beam3d", told["level"])
+        self.assertEqual("hybrid", told["level"])
 
     def test_they_keep_coming_while_paused(self):
         self.assertTrue(self.rig.pause().success)

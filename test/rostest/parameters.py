@@ -19,8 +19,8 @@ def start(*settings):
 
 
 class Parameters(unittest.TestCase):
-    def refused(self, setting, *words):
-        status, said = start("scene:=quick.yaml", setting)
+    def refused(self, setting, *words, scene="quick.yaml"):
+        status, said = start("scene:=" + scene, setting)
         self.assertEqual(2, status, said)
         self.assertEqual(1, said.count("\n"), said)
         for word in (setting.split(":=")[0],) + words:
@@ -98,8 +98,8 @@ class Parameters(unittest.TestCase):
         for topic in topics:
             self.assertIn(" %s:=%s " % (topic, topic.replace("/rig/", "")), done.stdout)
 
-    def test_a_frame_is_a_whole_number_of_steps(self):
-        self.refused("rate:=130", "130", "step")
+    def test_a_frame_is_a_whole_number_of_fixed_steps(self):
+        self.refused("rate:=130", "130", "step", scene=os.path.join(PACKAGE_DIR, "test", "operations", "scenes", "hard_layer_then_pick_up.yaml"))
 
     def test_scenes_that_are_not_there_or_broken(self):
         status, said = start("scene:=no_such.yaml")

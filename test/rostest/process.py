@@ -71,7 +71,7 @@ class Process(unittest.TestCase):
         Rig("one_line")
         lines = [line for line in node.said() if line]
         self.assertEqual(1, len(lines), lines)
-        for word in ("quick", "level beam3d", "nodes", "steps of 0.01 s", "rate 100 Hz", "namespace /one_line"):
+        for word in ("quick", "level hybrid (auto: the string hangs", "nodes", "variable steps by a tolerance of 0.02", "rate 100 Hz", "namespace /one_line"):
             self.assertIn(word, lines[0])
 
     def test_signals_end_it_at_work_and_in_a_long_step(self):

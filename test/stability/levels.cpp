@@ -34,14 +34,14 @@ const std::vector<Kind>& kinds()
   static const std::vector<std::string> hybrid{"numerics.level=hybrid", "numerics.free_length=30"}, guided{"numerics.level=axial_torsional"};
   static const std::vector<Kind> table = {
       {"beam3d with steps variable by 5 %", {}, {"numerics.step=0", "numerics.tolerance=0.05"}, false},
-      {"beam3d with steps variable by 1 %", {}, {"numerics.step=0"}, true},
+      {"beam3d with steps variable by 1 %", {}, {"numerics.step=0", "numerics.tolerance=0.01"}, true},
       {"beam3d with steps variable by 0.2 %", {}, {"numerics.step=0", "numerics.tolerance=0.002"}, false},
       {"hybrid", hybrid, {}, false},
-      {"hybrid with steps variable by 1 %", hybrid, {"numerics.step=0"}, true},
+      {"hybrid with steps variable by 1 %", hybrid, {"numerics.step=0", "numerics.tolerance=0.01"}, true},
       {"axial_torsional", guided, {}, false},
-      {"axial_torsional with steps variable by 1 %", guided, {"numerics.step=0"}, false},
+      {"axial_torsional with steps variable by 1 %", guided, {"numerics.step=0", "numerics.tolerance=0.01"}, false},
       {"rigid", {"numerics.level=rigid"}, {}, false},
-      {"auto by 1 %", {"numerics.level=auto"}, {"numerics.step=0"}, true},
+      {"auto by 2 %", {"numerics.level=auto"}, {"numerics.step=0"}, true},
   };
   return table;
 }

@@ -86,6 +86,7 @@ bool is_default(const Choice& choice)
 
 Scene load_scene(const std::string& name, std::vector<std::string> settings, const Choice& choice, double step)
 {
+  settings.insert(settings.begin(), "numerics.level=beam3d");  // the settings may say another
   settings.push_back("numerics.integrator=" + choice.method);
   if (choice.element != kDefaultElement) settings.push_back("numerics.element=" + choice.element);
   Scene scene = read_scene(scene_file(name), settings);

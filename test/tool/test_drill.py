@@ -86,10 +86,10 @@ class Usage(Drill):
 
 class Check(Drill):
     def test_good_scenes_are_described(self):
-        for scene in (QUICK, BOHAI):
+        for scene, level in ((QUICK, 'hybrid'), (BOHAI, 'beam3d')):
             text = self.succeed('check', scene)
             self.assertIn('is good', text)
-            self.assertIn('level beam3d', text)
+            self.assertIn('level %s, integrator bdf2, variable steps' % level, text)
             self.assertIn('drill_pipe', text)
 
     def test_bad_scenes_are_refused_with_file_line_and_key(self):
@@ -278,7 +278,7 @@ class Run(Drill):
         with open(self.file('q.json')) as text:
             written = text.read()
         summary = json.loads(written)
-        keys = ['scene', 'simulated_s', 'wall_s', 'cpu_s', 'real_time_factor', 'level', 'integrator', 'kernel', 'step', 'nodes', 'guided_nodes', 'coordinates', 'steps',
+        keys = ['scene', 'simulated_s', 'wall_s', 'cpu_s', 'real_time_factor', 'level', 'integrator', 'kernel', 'step', 'nodes', 'guided_nodes', 'coordinates', 'choice', 'steps',
                 'newton_iterations', 'rejected_steps', 'convergence_failures', 'error_test_failures', 'residuals', 'tangents', 'solves',
                 'substitutions', 'accuracy_warnings', 'limits_passed', 'cost_share', 'final', 'mean_drilling', 'mean_last_quarter']
         self.assertEqual(list(summary), keys)

@@ -101,7 +101,7 @@ TEST(SceneRead, KeysLeftOutTakeTheDefaults)
   EXPECT_DOUBLE_EQ(scene.start.block_height, StartSpec{}.block_height);
   EXPECT_DOUBLE_EQ(scene.mud.density, 1150.0);
   EXPECT_DOUBLE_EQ(scene.contact.law.stiffness, 5e7);
-  EXPECT_EQ(scene.numerics.level, Level::beam3d);
+  EXPECT_EQ(scene.numerics.level, Level::automatic);
   EXPECT_EQ(scene.trajectory.stage_two_steps, 0);
   EXPECT_FALSE(scene.string[1].contact.has_value());
   EXPECT_EQ(scene.string[0].joints, 1);
@@ -298,7 +298,7 @@ TEST(SceneReference, ListsKeysWithUnitsAndDefaults)
   const std::string reference = scene_reference();
   EXPECT_NE(reference.find("| `max_speed_rpm` | rpm | 220 | 1 to 1000 |"), std::string::npos) << reference;
   EXPECT_NE(reference.find("| `blade_diameter` | m | **required** |"), std::string::npos);
-  EXPECT_NE(reference.find("| `level` |  | beam3d | rigid, axial_torsional, hybrid, beam3d or auto |"), std::string::npos);
+  EXPECT_NE(reference.find("| `level` |  | auto | rigid, axial_torsional, hybrid, beam3d or auto |"), std::string::npos);
 }
 
 }  // namespace

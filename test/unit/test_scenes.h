@@ -86,7 +86,7 @@ inline PartSpec motor_part(double bend = 1.25 * degree)
 }
 
 /// A hole of 0.2159 m through `survey` down to `hole_depth`, one friction, drillable rock, a bit and tool-jointed pipe up to the
-/// block. Steps of 10 ms.
+/// block. Free nodes, steps of 10 ms.
 inline Scene scene_in(std::vector<SurveyStation> survey, double hole_depth, double bit_depth, double friction)
 {
   Scene scene;
@@ -102,6 +102,7 @@ inline Scene scene_in(std::vector<SurveyStation> survey, double hole_depth, doub
   scene.contact.static_ratio = 1.0;
   scene.start.bit_depth = bit_depth;
   scene.start.block_height = 20.0;
+  scene.numerics.level = Level::beam3d;
   scene.numerics.step = default_step;
   return scene;
 }

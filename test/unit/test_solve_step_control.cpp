@@ -85,7 +85,8 @@ TEST(StepControl, theDistanceToTheExtrapolationTellsTheLocalError)
   }
 }
 
-// The error of smooth waves goes with h^2, and what is allowed with the tolerance to the power of 3/2: ten times the tolerance, 5.6 times the step.
+// The error of smooth waves goes with h^2, and what is allowed with the tolerance to the power of 3/2: ten times the tolerance, 5.6 times the step; less
+// where places, whose error goes with h^3, or what instruments resolve stand in the way.
 TEST(StepControl, stepsGoWithTheTolerance)
 {
   const auto mean = [](double tolerance)
@@ -93,9 +94,9 @@ TEST(StepControl, stepsGoWithTheTolerance)
     const std::vector<double> steps = steps_of_plucked(tolerance, 4.0);
     return 4.0 / static_cast<double>(steps.size());
   };
-  const double loose = mean(3e-2), tight = mean(3e-3);
-  EXPECT_GT(loose / tight, 4.5);
-  EXPECT_LT(loose / tight, 7.0);
+  const double loose = mean(1e-1), tight = mean(1e-2);
+  EXPECT_GT(loose / tight, 3.5);
+  EXPECT_LT(loose / tight, 6.0);
 }
 
 // A string that begins to turn in its hole: who reads the hook load alone has longer steps.

@@ -22,12 +22,13 @@ constexpr double may_be_longer = 0.2;
 /// the string's wave impedances. That force counts as a share of what its output has ranged over so far:
 ///   e = max over nodes of  Z |v| / S,   S = max(range, a tenth of the level, what an instrument resolves; a tenth of that over the tolerance)
 /// with hook load for motions along the string, torque for those about it, and weight and speed of the bit at the bit itself: no error matters that is
-/// below a tenth of what an instrument resolves. Of a wave of frequency w that makes up the whole range, BDF2 makes e = (2/9) (w h)^2 in every step,
+/// below a tenth of what an instrument resolves. Where the bit turns, the speed of a wave about the string also counts over the range of the bit's speed,
+/// for that is what the wave becomes below. Of a wave of frequency w that makes up the whole range, BDF2 makes e = (2/9) (w h)^2 in every step,
 /// which falls with h^2, and is wrong by w T e after a time T: so e may be the tolerance over w T, w the lowest frequency of the string fixed at its top,
 /// and T 6 s, as long as waves last in mud; a twentieth of the tolerance at most. But a string's waves have fronts, where something lets go or takes hold,
 /// and their error falls with h^1.2 alone (measured: a vertical kilometre that begins to turn, 1.3 % at 20 ms, 0.55 at 10, 0.23 at 5, by TR-BDF2 0.60,
-/// 0.25, 0.09): so what is allowed, h^2, goes with the tolerance to the power of 3/2, as above at 0.063. Of motions along the string twice as much is
-/// allowed. All this is weighed by the operations matrix (test/accuracy/README.md): the largest steps that keep the share of cells within 5, 1 and 0.2 %.
+/// 0.25, 0.09): so what is allowed, h^2, goes with the tolerance to the power of 3/2, as above at 0.063. Three times that is allowed along the string, 0.85
+/// times about it: the largest steps that keep the share of the operations matrix's cells within 5, 2, 1 and 0.2 % (test/accuracy/README.md).
 /// Where the scene needs nothing but torque and bit speed, motions along the string are allowed ten times as much; where nothing but hook load, weight
 /// and pressure, those about it.
 /// Besides, no node's place may be wrong by more than `largest_place_error` in a step, whatever it does to the outputs: blows, whirl.

@@ -46,6 +46,7 @@ std::vector<ProgramStep> manoeuvre(double duration)
 EnergyAccounts balance_of(Scene scene, double duration, double step)
 {
   if (scene.program.empty()) scene.program = manoeuvre(duration);
+  scene.numerics.level = Level::beam3d;
   scene.numerics.step = step;
   Simulator simulator(scene);
   simulator.balance_energy();
@@ -78,9 +79,9 @@ void balance(Report& report, const Scene& scene, double duration)
   double before = kNumerical;
   for (int parts : {1, 2, 4})
   {
-    const EnergyAccounts energy = balance_of(scene, duration, scene.numerics.step / parts);
+    const EnergyAccounts energy = balance_of(scene, duration, default_step / parts);
     char at[48];
-    std::snprintf(at, sizeof at, " at %g ms [%%]", 1e3 * scene.numerics.step / parts);
+    std::snprintf(at, sizeof at, " at %g ms [%%]", 1e3 * default_step / parts);
     const double numerical = 100.0 * std::abs(energy.numerical_share());
     report.add({name + "closure" + at, 100.0 * energy.closure(), 0.0, kClosure, "balance of energy", true});
     report.add({name + "numerical dissipation" + at, numerical, 0.0, before,

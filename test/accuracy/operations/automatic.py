@@ -7,8 +7,8 @@ import math
 
 import matrix
 
-TOLERANCES = (0.05, 0.01, 0.002)
-TODAY = matrix.Numerics(level='beam3d')  # what costs are over: the default method and step
+TOLERANCES = (0.05, 0.02, 0.01, 0.002)
+FIXED = matrix.Numerics(level='beam3d')  # what costs are over: free nodes, steps of 10 ms
 LEVELS = {'axial_torsional': 0.27, 'hybrid': 0.54, 'beam3d': 1.0}  # and about what they cost beside beam3d
 MESHES = {(9.51, None): 0.6, (None, None): 1.0, (None, 2.4): 1.5, (2.4, None): 2.2}  # longest elements, and those where friction pushes the pipe [m]
 STEPS = (0.04, 0.02, 0.01, 0.005, 0.0025)  # [s]
@@ -46,11 +46,11 @@ def number(value):
 class Row:
     """A tolerance's verdicts and their cost over others'."""
 
-    def __init__(self, tolerance, verdicts, today, hand):
+    def __init__(self, tolerance, verdicts, fixed, hand):
         self.tolerance = tolerance
         self.counted = verdicts
         self.kinds = {kind: sum(v.kind == kind for v in self.counted) for kind in ('right', 'warned', 'silent')}
-        self.cost = geometric_mean([v.cost / today[v.cell.name] for v in self.counted if v.cell.name in today])
+        self.cost = geometric_mean([v.cost / fixed[v.cell.name] for v in self.counted if v.cell.name in fixed])
         self.over_hand = [v.cost / hand[v.cell.name, tolerance] for v in self.counted if v.kind == 'right' and (v.cell.name, tolerance) in hand]
 
     def line(self):
@@ -79,11 +79,11 @@ def play(todo, own, judge_all, judge, each, searches):
     verdicts; `judge` of one cell."""
     wanted = {cell: [t for t in TOLERANCES if own(cell) * matrix.BOUND <= matrix.KNOWN * t] for cell in todo}
     wanted = {cell: tolerances for cell, tolerances in wanted.items() if tolerances}
-    today = {v.cell.name: v.cost for v in judge_all(list(wanted), TODAY, matrix.BOUND) if v.cost == v.cost}
+    fixed = {v.cell.name: v.cost for v in judge_all(list(wanted), FIXED, matrix.BOUND) if v.cost == v.cost}
     hand = search(wanted, judge, each) if searches else {}
     rows = []
     for t in TOLERANCES:
         verdicts = judge_all([cell for cell in wanted if t in wanted[cell]], matrix.Numerics(level='auto', tolerance=t), t)
-        rows.append(Row(t, verdicts, today, hand))
+        rows.append(Row(t, verdicts, fixed, hand))
         print(rows[-1].line(), flush=True)
     return table(rows)

@@ -53,7 +53,7 @@ class Numerics:
 KNOWN = 1.0 / 3.0  # of the bound: where a reference's own error is below that, its cell counts
 # Elements a joint, and steps: what a cell can afford is its reference; the next two tell its error. Quarters first, finer where they leave the
 # cell undecided.
-LADDER = tuple(Numerics(JOINT / parts * 1.001, step, 'trbdf2') for parts, step in ((16, 0.000625), (8, 0.00125), (4, 0.0025), (2, 0.005), (1, 0.01), (1, 0.02)))
+LADDER = tuple(Numerics(JOINT / parts * 1.001, step, 'trbdf2', 'beam3d') for parts, step in ((16, 0.000625), (8, 0.00125), (4, 0.0025), (2, 0.005), (1, 0.01), (1, 0.02)))
 QUARTERS = 2  # of the ladder
 NODE_STEPS = 4e5  # of TR-BDF2 in a second of processor time, about
 
