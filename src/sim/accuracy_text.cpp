@@ -54,7 +54,7 @@ std::string text_of(const AccuracyReport& r, double step)
   {
     case AccuracyDoubt::none: return "";
     case AccuracyDoubt::confined:
-      return text("%.4g m above the bit guided pipe is compressed by %.2f times what it bears straight: it would buckle; numerics.level: hybrid or beam3d",
+      return text("%.4g m above the bit guided pipe is compressed by %.2f times what it bears straight: it would buckle; numerics.level: beam3d, or hybrid with numerics.free_length beyond it",
                   r.from_bit, r.measure);
     case AccuracyDoubt::compression:
       return text("%.4g m above the bit an element of %.3g m carries %.2f times the compression that it can bend under; numerics.element_length: %.2g or less",
