@@ -53,13 +53,13 @@ class Row:
 
 def rows(by_scene, floors):
     """`by_scene`: points by the scene's name; `floors`: errors of the references."""
-    return [Row(p, points, floors[name]) for name, points in by_scene.items() for p in points if p.level == points_of.AUTO and not p.default]
+    return [Row(p, points, floors[name]) for name, points in by_scene.items() for p in sorted(points, key=lambda p: -(p.tolerance or 0.0)) if p.level == points_of.AUTO]
 
 
 def means(found):
     """A line a tolerance."""
     lines = []
-    for tolerance in points_of.AUTO_TOLERANCES:
+    for tolerance in sorted({row.point.tolerance for row in found}, reverse=True):
         of = [row for row in found if row.point.tolerance == tolerance and row.point.errors]
         if not of:
             continue

@@ -51,7 +51,7 @@ def edge(points):
 
 def draw_auto(axes, points, cost, far):
     """Stars by tolerance, joined."""
-    stars = sorted((p for p in points if p.errors and p.level == points_of.AUTO and not p.default), key=lambda p: p.tolerance)
+    stars = sorted((p for p in points if p.errors and p.level == points_of.AUTO), key=lambda p: p.tolerance)
     axes.plot([min(p.error, far) for p in stars], [getattr(p, cost) for p in stars], color=AUTO, linewidth=1.2, marker='*', markersize=12,
               markeredgecolor='white', markeredgewidth=0.6, zorder=6)
     for p in stars:

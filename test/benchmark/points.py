@@ -20,8 +20,8 @@ CHEAP_LEVELS = (HYBRID, AXIAL)
 VARIABLE = 0.0  # numerics.step: as numerics.tolerance allows
 VARIABLE_METHOD = 'bdf2'
 TOLERANCES = (0.05, 0.02, 0.01, 0.005, 0.002)  # of variable steps
-AUTO_TOLERANCES = (0.05, 0.02, 0.01, 0.002)
 DEFAULT_TOLERANCE = 0.02  # numerics.tolerance
+AUTO_TOLERANCES = (0.05, 0.01, 0.002)  # beside it
 LEAST_ON_JOINTS = 0.01  # below it an element a joint is the error
 FIELDS = ('scene', 'level', 'method', 'element', 'step', 'element_length', 'newton_tolerance', 'tolerance', 'default', 'error', 'cpu_s_per_s', 'work_per_s', 'nodes', 'guided_nodes', 'steps', 'residuals',
           'tangents', 'solves', 'substitutions', 'newton_iterations', 'rejected_steps', 'warned') + tuple('error_' + o for o in measure.OUTPUTS) + ('error_period', 'failure')

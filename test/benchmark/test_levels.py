@@ -30,7 +30,7 @@ class Levels(unittest.TestCase):
         for level in (points.BEAM, points.HYBRID, points.AXIAL):
             variable = [p for p in self.grid() if p.step == points.VARIABLE and p.level == level and p.length == points.MESH_BY_THE_HOLE]
             self.assertEqual(tuple(p.tolerance for p in variable), points.TOLERANCES, level)
-        self.assertEqual(tuple(p.tolerance for p in self.grid() if p.level == points.AUTO and not p.default), points.AUTO_TOLERANCES)
+        self.assertEqual(tuple(p.tolerance for p in self.grid() if p.level == points.AUTO), (points.DEFAULT_TOLERANCE,) + points.AUTO_TOLERANCES)
 
     def test_no_two_points_share_their_files(self):
         for length in (points.MESH_BY_THE_HOLE, 9.5):
@@ -66,7 +66,7 @@ class Levels(unittest.TestCase):
 
     def test_the_table_tells_each_scene_and_tolerance_and_what_failed(self):
         grid = self.computed()
-        stars = [p for p in grid if p.level == points.AUTO and not p.default]
+        stars = sorted((p for p in grid if p.level == points.AUTO), key=lambda p: -p.tolerance)
         stars[0].summary, stars[1].errors, stars[1].failure = {'accuracy_warnings': ['so']}, None, 'no more'
         found = auto.rows({'axial_wave': grid}, {'axial_wave': 0.0})
         said = auto.text(found).splitlines()

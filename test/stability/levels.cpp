@@ -41,7 +41,7 @@ const std::vector<Kind>& kinds()
       {"axial_torsional", guided, {}, false},
       {"axial_torsional with steps variable by 1 %", guided, {"numerics.step=0", "numerics.tolerance=0.01"}, false},
       {"rigid", {"numerics.level=rigid"}, {}, false},
-      {"auto by 2 %", {"numerics.level=auto"}, {"numerics.step=0"}, true},
+      {"auto by 2 %", {"numerics.level=auto"}, {}, true},
   };
   return table;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "plucked_rig.h"
 #include "test_scenes.h"
@@ -97,6 +98,47 @@ TEST(StepControl, stepsGoWithTheTolerance)
   const double loose = mean(1e-1), tight = mean(1e-2);
   EXPECT_GT(loose / tight, 3.5);
   EXPECT_LT(loose / tight, 6.0);
+}
+
+/// What the control allows of a wave about the string, or along it, over what it allows by a tolerance of 2 % where all is needed: outputs that have
+/// ranged so far that nothing but the rule is in the way.
+double allowed(double tolerance, unsigned needs, bool about)
+{
+  const auto stretch_squared = [&](double t, unsigned n)
+  {
+    Scene scene = vertical_scene(400.0, 290.0);
+    scene.numerics.tolerance = t;
+    scene.needs = n;
+    RigAtRest rig = build_at_rest(scene);
+    rig.state.step.hook_load = {0.0, 1e7};
+    rig.state.step.torque = {0.0, 1e6};
+    rig.state.step.bit_speed = {0.0, 1e4};
+    Stage stage(*rig.model);
+    Workspace work(*rig.model);
+    std::vector<double> u(6 * rig.state.nodes.size(), 0.0), residual(u.size()), error(u.size(), 0.0);
+    begin_step(*rig.model, rig.state, default_step, Setpoints(), stage);
+    prepare_implicit_euler(rig.state, default_step, stage);
+    evaluate(*rig.model, rig.state, stage, u.data(), work, residual.data(), nullptr);
+    const Eigen::Vector3d axis = work.nodes[5].axis;
+    for (int c = 0; c < 3; ++c) error[6 * 5 + (about ? 3 : 0) + c] = (about ? 1e-3 : 1e-6) * axis[c];
+    return std::pow(StepControl(*rig.model).stretch(rig.state, work, error.data(), 1e-8), 2);
+  };
+  return stretch_squared(tolerance, needs) / stretch_squared(0.02, every_need);
+}
+
+// The rule by itself: the power of 3/2 of the tolerance, ten times as much where nobody reads what comes of it.
+TEST(StepControl, waveErrorsAreAllowedByToleranceAndNeeds)
+{
+  for (const bool about : {false, true})
+  {
+    EXPECT_NEAR(allowed(0.04, every_need, about), std::pow(2.0, 1.5), 1e-9) << about;
+    EXPECT_NEAR(allowed(0.005, every_need, about), std::pow(0.25, 1.5), 1e-9) << about;
+  }
+  EXPECT_NEAR(allowed(0.02, need_hook_load | need_wob, true), 10.0, 1e-9);
+  EXPECT_NEAR(allowed(0.02, need_hook_load | need_wob, false), 1.0, 1e-9);
+  EXPECT_NEAR(allowed(0.02, need_torque, true), 1.0, 1e-9);
+  EXPECT_NEAR(allowed(0.02, need_torque, false), 10.0, 1e-9);
+  EXPECT_NEAR(allowed(0.02, need_rop, true), 1.0, 1e-9);
 }
 
 // A string that begins to turn in its hole: who reads the hook load alone has longer steps.
