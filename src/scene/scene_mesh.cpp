@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim
 {
@@ -13,6 +14,7 @@ namespace
 constexpr double joint = 9.5;             // [m]
 constexpr double half_joint = 4.75;       // [m]
 constexpr double lying = 3.0 * degree;    // a hole that inclines more carries the pipe in it [rad]
+constexpr double straight = 1.5 * degree / 30.0;  // a hole that bends more [rad/m]
 constexpr double margin = 45.0;           // [m]
 constexpr double two_stands = 57.0;       // [m]
 
@@ -30,6 +32,19 @@ double first_inclined(const WellSpec& well) noexcept
   }
   return well.survey.empty() ? 0.0 : well.survey.back().md + margin;
 }
+
+/// Whether the survey bends above `depth` [m] by more than the string does without leaning on its hole.
+bool bends(const std::vector<SurveyStation>& survey, double depth) noexcept
+{
+  for (std::size_t i = 1; i < survey.size() && survey[i - 1].md < depth; ++i)
+  {
+    const SurveyStation &above = survey[i - 1], &below = survey[i];
+    const double turned = (tangent_from(below.inclination, below.azimuth) - tangent_from(above.inclination, above.azimuth)).norm();
+    if (turned > straight * (below.md - above.md)) return true;
+  }
+  return false;
+}
+
 /// At measured depth `md` [m], between stations by proportion [rad].
 double inclination_at(const std::vector<SurveyStation>& survey, double md) noexcept
 {
@@ -87,7 +102,7 @@ double free_length(const Scene& scene) noexcept
 
 bool hangs(const WellSpec& well, double depth) noexcept
 {
-  return first_inclined(well) >= depth;
+  return first_inclined(well) >= depth && !bends(well.survey, depth);
 }
 
 double pushed_length(const Scene& scene) noexcept
@@ -106,7 +121,7 @@ ElementLengths element_lengths(const Scene& scene) noexcept
   {
     const double hangs_above = std::min(first_inclined(scene.well), first_pushed(scene));
     lengths.lower = half_joint;
-    lengths.change = std::max(0.0, scene.start.bit_depth - hangs_above + margin);
+    lengths.change = std::max(0.0, scene.start.bit_depth - hangs_above) + margin;  // the assembly bends between what it leans on, wherever it is
   }
   if (numerics.pushed_element_length > 0.0)
   {

@@ -206,6 +206,9 @@ void check_start(const Scene& scene, ProblemList& problems)
   if (start.weight_on_bit > 0.0 && !on_bottom)
     problems.emplace_back("start.weight_on_bit",
                  plain(start.weight_on_bit) + " N with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth");
+  const auto bent = [](const PartSpec& part) { return part.motor && part.motor->bend != 0.0; };
+  if (start.toolface != 0.0 && std::none_of(scene.string.begin(), scene.string.end(), bent))
+    problems.emplace_back("start.toolface_deg", "there is no bend to turn there, allowed: 0, or a mud_motor with bend_deg");
   if (start.torque_on_bit > 0.0 && !on_bottom)
     problems.emplace_back("start.torque_on_bit",
                  plain(start.torque_on_bit) + " N m with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth");

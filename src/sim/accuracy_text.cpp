@@ -76,16 +76,20 @@ std::string text_of(const AccuracyReport& r, double step)
       return text("the bent motor shakes the string three times a turn, and the method damps such waves by %.2g a second; ", r.measure) +
              shorter_step(step, std::cbrt(0.1 / r.measure)) + " or less";
     case AccuracyDoubt::waves:
-      return text("the step blurs the torque's waves by %.2g %% of its range in 3 s; ", 100.0 * r.measure) +
+    case AccuracyDoubt::load_waves:
+      return text("the steps blur the %s waves by %.2g %% of its range; ", r.doubt == AccuracyDoubt::waves ? "torque's" : "hook load's", 100.0 * r.measure) +
              shorter_step(step, std::sqrt(0.02 / r.measure)) + " or less";
     case AccuracyDoubt::blows:
-      return text("the bit strikes the bottom %.2g times a second: means hold, the waves of its blows are blurred; how much, ", r.measure) + shorter_step(step, 0.5) + " shows";
+      return text("the bit strikes the bottom %.2g times a second: the waves of its blows are blurred, and where it goes on bouncing so are means; how much, ", r.measure) + shorter_step(step, 0.5) + " and shorter elements show";
     case AccuracyDoubt::loose:
       return text("the string came loose wound up by %.0f turns: the moment and the waves after it are off by a tenth of a second; ", r.measure) +
              shorter_step(step, 0.5) + " or less, and shorter elements";
+    case AccuracyDoubt::hesitation:
+      return text("the string's lower end came loose to %.2g rad/s and stuck again: when it goes hangs on the smallest waves, and so does the time of all that"
+                  " follows; means and extremes hold, how far, ", r.measure) + shorter_step(step, 0.5) + " shows";
     case AccuracyDoubt::jerks:
-      return text("the string sticks and slips on its walls %.2g times a second: means hold, peaks and what a stop leaves are one case of many;"
-                  " how far apart these are, ", r.measure) + shorter_step(step, 0.5) + " and shorter elements show";
+      return text("the string sticks and slips on its walls %.2g times a second: long means hold, peaks, means of seconds and what a stop leaves are"
+                  " one case of many; how far apart these are, ", r.measure) + shorter_step(step, 0.5) + " and shorter elements show";
     case AccuracyDoubt::whirl:
       return text("the string whirls: it rolls along its walls at %.2g of pure rolling, how far and where hangs on the mesh; numerics.element_length: half as long shows"
                   " what of it is the mesh's", r.measure);

@@ -27,11 +27,10 @@ constexpr double least_contact = 5e3;        // [N]
 constexpr double most_blows = 0.5;           // [1/s]
 constexpr double least_blow = 1e3;           // what a hook-load cell resolves [N]
 constexpr double most_damping = 0.1;         // [1/s]
-constexpr double trend = 0.5;                // what is slower is no wave of torque [s]
-constexpr double wave_memory = 1.0;          // a motor's start sends its waves within seconds [s]
-constexpr double least_torque_range = 100.0; // what a meter resolves [N m]
-constexpr double most_blur = 0.02;           // of the torque's range
+constexpr double least_torque = 100.0, least_load = 1e3;  // what meter and cell resolve [N m, N]
+constexpr double most_blur = 0.02, most_load_blur = 0.05;  // of the signal's range; of hook loads the estimate is two to four times too large
 constexpr double rests = 0.1, turns = 1.0;   // [rad/s]
+constexpr double stands = 0.2, creeps = 0.4;  // a lower end that has just stuck quivers [rad/s]
 constexpr double least_held = 1.0;           // [s]
 constexpr double most_wound = 10.0;          // [turns]
 constexpr double least_slip = 2e-3;          // of a contact that slides [m/s]
@@ -99,17 +98,6 @@ void note_blows(double wob, double duration, AccuracyMemory& memory) noexcept
   memory.on_bottom = on_bottom;
 }
 
-void note_torque(double torque, double duration, AccuracyMemory& memory) noexcept
-{
-  average(torque, duration, memory.torque_trend, trend);
-  const double away = torque - memory.torque_trend;
-  average(away * away, duration, memory.torque_waves, wave_memory);
-  average((away > 0.0) != (memory.torque_away > 0.0) ? 1.0 / duration : 0.0, duration, memory.torque_turns, wave_memory);
-  memory.torque_away = away;
-  memory.least_torque = std::min(memory.least_torque, torque);
-  memory.most_torque = std::max(memory.most_torque, torque);
-}
-
 /// By how many turns the string was wound up when its lower end came loose just now; 0: it did not.
 double came_loose(const Model& model, const State& state, double duration, AccuracyMemory& memory) noexcept
 {
@@ -129,25 +117,19 @@ double blades_passed(const Model& model, const RigForces& forces, double step) n
   return std::abs(forces.bit_speed) * step * model.bit().torque.blades / (2.0 * pi);
 }
 
-/// BDF2 of `step` [s]: (w h)^4/4 of a wave's amplitude a step [1/s].
-double damping_of(double frequency, double step) noexcept
-{
-  return 0.25 * std::pow(frequency * step, 4) / step;
-}
-
 /// What BDF2 of `step` [s] takes of the waves of three times the frequency at which a bent motor turns [1/s]; 0 without one.
 double damping_of_shaking(const Model& model, double turning, double step) noexcept
 {
   if (!model.motor() || model.motor()->bend == 0.0) return 0.0;
-  return damping_of(3.0 * turning, step);
+  return damping_of_wave(3.0 * turning, step);
 }
 
-/// What BDF2 of `step` [s] changes of the torque's waves in 3 s, over the torque's range [-]: it damps them, and is late by w (w h)^2/3 [rad/s].
-double blur_of_torque(const AccuracyMemory& memory, double step) noexcept
+/// The speed that the lower end had reached when it stuck again, where it had not run as the drive does; 0: it did not.
+double hesitated(const State& state, AccuracyMemory& memory) noexcept
 {
-  const double frequency = pi * memory.torque_turns, late = frequency * std::pow(frequency * step, 2) / 3.0;
-  const double share = std::min(1.0, (damping_of(frequency, step) + late) * short_memory);
-  return share * std::sqrt(memory.torque_waves) / std::max(least_torque_range, memory.most_torque - memory.least_torque);
+  const double speed = std::abs(state.nodes[0].rate.spin), reached = memory.ran;
+  memory.ran = speed < stands ? 0.0 : std::max(memory.ran, speed);
+  return speed < stands && reached > creeps && reached < std::abs(state.drive.speed) ? reached : 0.0;
 }
 
 /// Variable steps are tried by their errors: that one was too long says nothing of those that were taken.
@@ -157,7 +139,7 @@ std::uint64_t attempts_of(const StepperCounters& c, const NumericsSpec& numerics
 }
 }  // namespace
 
-AccuracyWatch::AccuracyWatch(std::shared_ptr<const Model> model) : model_(std::move(model)), balance_(model_) {}
+AccuracyWatch::AccuracyWatch(std::shared_ptr<const Model> model) : model_(std::move(model)), balance_(model_), life_(wave_life(*model_)) {}
 
 void AccuracyWatch::begin_frame(Integrator& integrator, const Setpoints& setpoints, bool steps, AccuracyMemory& memory) noexcept
 {
@@ -195,7 +177,11 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   const double attempts = static_cast<double>(attempts_of(integrator.counters(), model_->scene().numerics) - attempts_);
   average(attempts > 0.0 ? 1.0 - steps / attempts : 0.0, duration, memory.refused);
   note_blows(forces.wob, duration, memory);
-  note_torque(forces.meter_torque, duration, memory);
+  const bool stepped = !integrator.reference() && steps > 0.0;
+  const double step = model_->scene().numerics.has_variable_steps() ? state.memory.last_step : stepped ? duration / steps : 0.0;
+  memory.torque.note(forces.meter_torque, duration, step, life_.about);
+  memory.hook_load.note(forces.hook_load, duration, step, life_.along);
+  memory.hesitated = std::max(memory.hesitated, hesitated(state, memory));
   memory.stands_for = std::max(0.0, memory.stands_for - duration);
   if (memory.stands_for == 0.0) memory.report = AccuracyReport();
   if (memory.frames++ % every != 0) return;
@@ -210,18 +196,19 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
     if (found.doubt == AccuracyDoubt::none && raised) found = {kind, measure, 0.0, 0.0};
   };
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
-  const bool stepped = !integrator.reference() && steps > 0.0;
-  const double step = model_->scene().numerics.has_variable_steps() ? state.memory.last_step : stepped ? duration / steps : 0.0;
   const double blades = blades_passed(*model_, forces, step);
   const double damping = damping_of_shaking(*model_, memory.turning, step);
-  const double blur = blur_of_torque(memory, step);
+  const double of_torque = memory.torque.blur(step, least_torque), of_load = memory.hook_load.blur(step, least_load);
   doubt(AccuracyDoubt::refused_steps, memory.refused, memory.refused > most_refused);
   doubt(AccuracyDoubt::dissipation, share, share > most_dissipation);
   doubt(AccuracyDoubt::cut, blades, blades > most_blades);
   doubt(AccuracyDoubt::shaking, damping, damping > most_damping);
-  doubt(AccuracyDoubt::waves, blur, blur > most_blur);
+  doubt(AccuracyDoubt::waves, of_torque, of_torque > most_blur);
+  doubt(AccuracyDoubt::load_waves, of_load, of_load > most_load_blur);
   doubt(AccuracyDoubt::blows, memory.blows, memory.blows > most_blows);
   doubt(AccuracyDoubt::loose, wound, wound > most_wound);
+  doubt(AccuracyDoubt::hesitation, memory.hesitated, memory.hesitated > 0.0);
+  memory.hesitated = 0.0;
   doubt(AccuracyDoubt::whirl, memory.sideways / std::max(memory.surface, least_surface_speed), memory.whirled > least_whirled);
   doubt(AccuracyDoubt::jerks, memory.jerks, memory.jerks > most_jerks);
   if (found.doubt == AccuracyDoubt::none) found = doubt_of_hole(state);

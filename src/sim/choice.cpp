@@ -30,10 +30,11 @@ Choice choose_level(const Scene& scene)
   constexpr unsigned bending = need_direction | need_contact | need_buckling, turning = need_torque | need_bit_speed;
   const double tolerance = scene.numerics.tolerance;
   const bool motor = has_motor(scene);
-  if (tolerance >= wide && !(scene.needs & bending) && !motor)
+  const bool in_the_middle = !motor && hangs(scene.well, std::max(scene.well.hole_depth, scene.start.bit_depth));
+  if (tolerance >= wide && !(scene.needs & bending) && in_the_middle)
     return {Level::axial_torsional, 0.0, "within " + percent(tolerance) + " nothing is needed of bending"};
   if (tolerance >= wide) return {Level::hybrid, 0.0, "within " + percent(tolerance) + " bending is needed near the bit alone"};
-  if (!motor && hangs(scene.well, std::max(scene.well.hole_depth, scene.start.bit_depth)))
+  if (in_the_middle)
     return {Level::hybrid, 0.0, "the string hangs: above the bottom-hole assembly it does not bend"};
   if (tolerance >= middle && !(scene.needs & (bending | turning)))
     return {Level::hybrid, 0.0, "within " + percent(tolerance) + " neither bending nor torque and bit speed are needed"};

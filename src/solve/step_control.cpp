@@ -9,13 +9,13 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double wave_life = 6.0;         // over which errors of waves add up [s]
+constexpr double longest_life = 20.0;      // of waves, over which their errors add up [s]
 constexpr double largest_share = 0.05;     // of the tolerance
 constexpr double largest_place_error = 1e-2;  // over the tolerance [m]
 constexpr double least_force = 1e3, least_torque = 100.0, least_speed = 0.1;  // what instruments resolve [N, N m, rad/s]
 constexpr double share_of_level = 0.1;
 constexpr double seen = 0.1;           // share of what an instrument resolves below which no error matters
-constexpr double along_may = 3.0, about_may = 0.85;  // what motions along the string and about it are allowed over the rule
+constexpr double along_may = 3.0, about_may = 1.15;  // what motions along the string and about it are allowed over the rule
 constexpr double turning_speed = 5.0;  // a bit that has never been as fast does not turn [rad/s]
 constexpr double unneeded = 10.0;      // what motions are allowed whose outputs nobody needs
 constexpr double most_damping = 5.0;  // over the tolerance, of a bent motor's waves [1/s]
@@ -26,10 +26,16 @@ constexpr double settled_flow = 2e-3;   // of the nominal flow
 constexpr double with_the_flow = 0.25;  // step over tolerance [s]
 
 /// Of the tolerance, for the waves of a string that they take `time` [s] to run along; the slowest that it can swing by, a quarter of its length.
-double share_of_tolerance(double time) noexcept
+double share_of_tolerance(double time, double life) noexcept
 {
   const double frequency = 0.5 * pi / time;
-  return std::min(largest_share, 1.0 / (frequency * wave_life));
+  return std::min(largest_share, 1.0 / (frequency * life));
+}
+
+/// `inertia` moves against `damping` [kg, N s/m; kg m2, N m s].
+double life_of_waves(double inertia, double damping) noexcept
+{
+  return damping > 0.0 ? std::min(longest_life, 2.0 * inertia / damping) : longest_life;
 }
 
 double scale(const ValueRange& range, double level, double least) noexcept
@@ -42,6 +48,19 @@ double allowed_over(unsigned needs, unsigned those) noexcept
   return needs & those ? 1.0 : unneeded;
 }
 }  // namespace
+
+WaveLife wave_life(const Model& model) noexcept
+{
+  double mass = 0.0, spin_inertia = 0.0;
+  for (const MeshNode& node : model.mesh().nodes)
+  {
+    mass += node.mass;
+    spin_inertia += node.spin_inertia;
+  }
+  const MudSpec& mud = model.scene().mud;
+  const double length = model.mesh().total_length;
+  return {life_of_waves(mass, mud.axial_damping * length), life_of_waves(spin_inertia, mud.torsional_damping * length)};
+}
 
 StepControl::StepControl(const Model& model)
   : tolerance_(model.scene().numerics.tolerance), resolved_(std::max(1.0, seen / tolerance_))
@@ -60,10 +79,11 @@ StepControl::StepControl(const Model& model)
     time_along += node.mass / along_.back();
     time_about += node.spin_inertia / about_.back();
   }
+  const WaveLife life = wave_life(model);
   const unsigned needs = model.scene().needs;
   const double of_fronts = std::sqrt(tolerance_ / smooth_tolerance);
-  allowed_along_ = along_may * of_fronts * tolerance_ * share_of_tolerance(time_along) * allowed_over(needs, ~(need_torque | need_bit_speed));
-  allowed_about_ = about_may * of_fronts * tolerance_ * share_of_tolerance(time_about) * allowed_over(needs, ~(need_hook_load | need_wob | need_pressure));
+  allowed_along_ = along_may * of_fronts * tolerance_ * share_of_tolerance(time_along, life.along) * allowed_over(needs, ~(need_torque | need_bit_speed));
+  allowed_about_ = about_may * of_fronts * tolerance_ * share_of_tolerance(time_about, life.about) * allowed_over(needs, ~(need_hook_load | need_wob | need_pressure));
 }
 
 /// Over what is allowed, times the step [s].

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "drill_command.h"
@@ -30,6 +31,14 @@ double cpu_time()
   timespec t{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+void require_whole_frames(const char* option, const std::optional<double>& every, double frame)
+{
+  if (!every || std::abs(std::remainder(*every, frame)) < 1e-6 * frame) return;
+  char text[128];
+  std::snprintf(text, sizeof text, "%s: %g s is given, allowed: whole frames of %g s", option, *every, frame);
+  throw UsageError(text);
 }
 
 /// Plays the scene's program up to the goal, with its series, its averages and a progress bar.
@@ -61,6 +70,9 @@ void run_scene(const RunOptions& options)
   const Scene scene = read_scene(options.scene, settings_of(options));
   const RunGoal goal = goal_of(options, scene);
   require_files_apart(options);
+  const double frame = frame_of_whole_steps(frame_length, scene.numerics.step);
+  require_whole_frames("--every", options.every, frame);
+  require_whole_frames("--profile-every", options.profile_every, frame);
 
   // all files are opened ahead, so that a long run does not end on a misspelt folder
   TimeSeries series(options.csv, options.every.value_or(0.1), options.readings);

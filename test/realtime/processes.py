@@ -120,7 +120,7 @@ class Listener:
 
 class Hog:
     """So many busy loops a processor that a fair share of one is too little for the rig."""
-    PER_CORE = 8
+    PER_CORE = 32
 
     def __init__(self):
         self.loops = [subprocess.Popen(['sh', '-c', 'while :; do :; done']) for _ in range(self.PER_CORE * os.cpu_count())]

@@ -246,7 +246,8 @@ class Run(Drill):
         self.assertAlmostEqual(summary['mean_last_quarter']['rop'] / 0.012, 1.0, delta=0.02)
         with open(self.file('path.csv')) as text:
             path = list(csv.DictReader(text))
-        self.assertAlmostEqual(float(path[-1]['md']), summary['final']['hole_depth'], delta=1e-6)
+        # the path is that of the last whole step, which may have begun frames ago: 50 ms of 12 mm/s
+        self.assertAlmostEqual(float(path[-1]['md']), summary['final']['hole_depth'], delta=6e-4)
         with open(self.file('raw.csv')) as text:
             self.assertGreater(len(text.readlines()), 100)
 

@@ -82,7 +82,7 @@ class Check(test_drill.Drill):
         weight = GRAVITY * ((40.0 + 136.0 * 18.8 + 31.9 * 80.6) * in_mud + 31.9 * 20.0)  # what is above the table hangs in air
         self.assertAlmostEqual(float(start.group(2)), weight / 1e3, delta=0.06)
         self.assertAlmostEqual(float(start.group(1)), (weight + GRAVITY * 17500.0) / 1e3, delta=0.06)
-        self.assertIn('level hybrid, integrator bdf2, variable steps by a tolerance of 0.02, 14 nodes', text)
+        self.assertIn('level hybrid, integrator bdf2, variable steps by a tolerance of 0.02, 19 nodes', text)
         self.assertIn('no part is of type mwd', text)
         self.assertIn('3 lines to 35 s\n', text)
         self.assertIn('at its bottom 51.00 deg inclination, 297.00 deg azimuth\n', self.succeed('check', BOHAI))

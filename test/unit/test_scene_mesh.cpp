@@ -7,6 +7,17 @@
 
 using namespace drill_rig_sim;
 
+namespace
+{
+/// Elements by the hole.
+Scene vertical(double hole_depth, double bit_depth)
+{
+  Scene scene = vertical_scene(hole_depth, bit_depth);
+  scene.numerics.element_length = 0.0;
+  return scene;
+}
+}  // namespace
+
 TEST(ElementLengths, asTheSceneSays)
 {
   Scene scene = slanted_scene(199.9, 0.2);
@@ -15,12 +26,15 @@ TEST(ElementLengths, asTheSceneSays)
   for (const double from_bit : {0.0, 50.0, 500.0}) EXPECT_EQ(lengths.at(from_bit), 2.5);
 }
 
-TEST(ElementLengths, jointsInAVerticalHole)
+TEST(ElementLengths, jointsInAVerticalHoleAndHalvesByTheBit)
 {
-  Scene scene = vertical_scene(400.0, 390.0);
-  for (const double from_bit : {0.0, 44.0, 389.0}) EXPECT_EQ(element_lengths(scene).at(from_bit), 9.5);
-  scene.well.survey.back().inclination = 2.99 * degree;  // is still vertical
-  EXPECT_EQ(element_lengths(scene).at(0.0), 9.5);
+  Scene scene = vertical(400.0, 390.0);
+  for (const double inclination : {0.0, 2.99 * degree})  // is still vertical
+  {
+    scene.well.survey.back().inclination = inclination;
+    for (const double from_bit : {0.0, 44.0}) EXPECT_EQ(element_lengths(scene).at(from_bit), 4.75);
+    for (const double from_bit : {46.0, 389.0}) EXPECT_EQ(element_lengths(scene).at(from_bit), 9.5);
+  }
 }
 
 TEST(ElementLengths, halvesInAHoleThatInclinesFromTheTop)
@@ -32,7 +46,7 @@ TEST(ElementLengths, halvesInAHoleThatInclinesFromTheTop)
 // 1 deg/10 m from 300 m on: 3 deg at 330 m; the bit at 500 m: 170 m below it, and 45 m more.
 TEST(ElementLengths, halvesUpToAStandAndAHalfAboveWhereItInclines)
 {
-  Scene scene = vertical_scene(500.0, 500.0);
+  Scene scene = vertical(500.0, 500.0);
   scene.well.survey = {{0.0, 0.0, 0.0}, {300.0, 0.0, 0.0}, {500.0, 20.0 * degree, 0.0}};
   const ElementLengths lengths = element_lengths(scene);
   EXPECT_NEAR(lengths.change, 215.0, 1e-9);
@@ -40,7 +54,7 @@ TEST(ElementLengths, halvesUpToAStandAndAHalfAboveWhereItInclines)
   EXPECT_EQ(lengths.at(215.1), 9.5);
   // with the bit far above, all hangs
   scene.start.bit_depth = 200.0;
-  EXPECT_EQ(element_lengths(scene).at(0.0), 9.5);
+  EXPECT_EQ(element_lengths(scene).at(46.0), 9.5);
 
   scene.start.bit_depth = 500.0;
   const Mesh mesh = build_mesh(scene, 520.0);
@@ -55,7 +69,7 @@ TEST(ElementLengths, halvesUpToAStandAndAHalfAboveWhereItInclines)
 // 100 m of vertical hole over 1000 m that lie flat: friction of 0.3 on 1000 m pushes back with three times what the 100 m weigh.
 TEST(ElementLengths, halvesWherePipeIsPushedFromAbove)
 {
-  Scene scene = vertical_scene(1150.0, 1150.0);
+  Scene scene = vertical(1150.0, 1150.0);
   scene.well.survey = {{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}, {150.0, 90.0 * degree, 0.0}, {1150.0, 90.0 * degree, 0.0}};
   for (HoleSection& section : scene.well.sections) section.friction = 0.3;
   EXPECT_EQ(element_lengths(scene).at(1150.0), 4.75);
@@ -66,7 +80,7 @@ TEST(ElementLengths, halvesWherePipeIsPushedFromAbove)
 // 0.3 on 1000 m that lie flat, by hand over the bend with mu = 0 there: what of 1000 m of vertical pipe is pushed is 300 m at most.
 TEST(ElementLengths, jointsWhereItHangsAbovePipeThatIsPushed)
 {
-  Scene scene = vertical_scene(2050.0, 2050.0);
+  Scene scene = vertical(2050.0, 2050.0);
   scene.well.survey = {{0.0, 0.0, 0.0}, {1000.0, 0.0, 0.0}, {1050.0, 90.0 * degree, 0.0}, {2050.0, 90.0 * degree, 0.0}};
   scene.well.sections = {{1050.0, 0.25, 0.0}, {2050.0, 0.25, 0.3}};
   const double pipe_pushed = 2050.0 - element_lengths(scene).change + 45.0;  // the 50 m of the bend weigh as 2/pi of them upright
@@ -76,7 +90,7 @@ TEST(ElementLengths, jointsWhereItHangsAbovePipeThatIsPushed)
 // 100 m of pipe over 1000 m that lie flat, as above: pushed from where it begins to hang, and a stand and a half more.
 TEST(ElementLengths, shorterWherePipeIsPushedIfAskedFor)
 {
-  Scene scene = vertical_scene(2050.0, 2050.0);
+  Scene scene = vertical(2050.0, 2050.0);
   scene.well.survey = {{0.0, 0.0, 0.0}, {1000.0, 0.0, 0.0}, {1050.0, 90.0 * degree, 0.0}, {2050.0, 90.0 * degree, 0.0}};
   scene.well.sections = {{1050.0, 0.25, 0.0}, {2050.0, 0.25, 0.3}};
   scene.numerics.pushed_element_length = 2.4;
@@ -90,15 +104,15 @@ TEST(ElementLengths, shorterWherePipeIsPushedIfAskedFor)
 
   scene.numerics.element_length = 0.0;
   for (HoleSection& section : scene.well.sections) section.friction = 0.0;
-  scene.well.survey = vertical_scene(2050.0, 2050.0).well.survey;
+  scene.well.survey = vertical(2050.0, 2050.0).well.survey;
   EXPECT_EQ(pushed_length(scene), 0.0);
-  EXPECT_EQ(element_lengths(scene).at(0.0), 9.5);
+  EXPECT_EQ(element_lengths(scene).at(46.0), 9.5);
 }
 
 // 390 m of joints of 9.5 m and the block's height above the table, all guided.
 TEST(ElementLengths, guidedPipeMayHaveElementsOfTwoJoints)
 {
-  Scene scene = vertical_scene(400.0, 390.0);
+  Scene scene = vertical(400.0, 390.0);
   scene.numerics.level = Level::axial_torsional;
   const Mesh joints = build_mesh(scene, 410.0);
   scene.numerics.guided_element_length = 19.1;
@@ -120,7 +134,7 @@ TEST(ElementLengths, guidedPipeMayHaveElementsOfTwoJoints)
 
 TEST(Hangs, whereTheHoleInclinesByThreeDegreesAtMost)
 {
-  WellSpec well = vertical_scene(400.0, 390.0).well;
+  WellSpec well = vertical(400.0, 390.0).well;
   well.survey = {{0.0, 0.0, 0.0}, {200.0, 2.9 * degree, 0.0}, {400.0, 4.0 * degree, 0.0}};
   EXPECT_TRUE(hangs(well, 200.0));
   EXPECT_FALSE(hangs(well, 400.0));

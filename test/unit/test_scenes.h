@@ -109,7 +109,9 @@ inline Scene scene_in(std::vector<SurveyStation> survey, double hole_depth, doub
 
 inline Scene vertical_scene(double hole_depth, double bit_depth, double friction = 0.0)
 {
-  return scene_in({{0.0, 0.0, 0.0}, {hole_depth, 0.0, 0.0}}, hole_depth, bit_depth, friction);
+  Scene scene = scene_in({{0.0, 0.0, 0.0}, {hole_depth, 0.0, 0.0}}, hole_depth, bit_depth, friction);
+  scene.numerics.element_length = 9.5;
+  return scene;
 }
 
 /// A straight hole 20 deg from the vertical.

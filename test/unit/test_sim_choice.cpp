@@ -40,15 +40,19 @@ constexpr unsigned along = need_hook_load | need_wob | need_rop;
 
 TEST(Choice, alongAndAboutTheHoleAloneWhereLittleIsNeeded)
 {
-  EXPECT_EQ(choose(lying(0.05, along | need_torque | need_bit_speed)).level, Level::axial_torsional);
-  EXPECT_EQ(choose(lying(0.05, along | need_direction)).level, Level::hybrid);
-  EXPECT_EQ(choose(with_motor(lying(0.05, along))).level, Level::hybrid);
+  EXPECT_EQ(choose(hanging(0.05, along | need_torque | need_bit_speed)).level, Level::axial_torsional);
+  EXPECT_EQ(choose(hanging(0.05, along | need_direction)).level, Level::hybrid);
+  EXPECT_EQ(choose(with_motor(hanging(0.05, along))).level, Level::hybrid);
+  EXPECT_EQ(choose(lying(0.05, along)).level, Level::hybrid) << "what is stiff bears on a hole that bends";
 }
 
 TEST(Choice, bendingNearTheBitAloneInAHoleThatHangsTheString)
 {
   EXPECT_EQ(choose(hanging(0.002)).level, Level::hybrid);
   EXPECT_EQ(choose(with_motor(hanging(0.01))).level, Level::beam3d);
+  Scene spiral = hanging(0.01);  // never beyond 3 deg, and bends by 4.5 deg/30 m
+  spiral.well.survey = {{0.0, 0.0, 0.0}, {200.0, 2.0 * degree, 0.0}, {226.7, 2.0 * degree, pi}, {400.0, 2.0 * degree, pi}};
+  EXPECT_EQ(choose(spiral).level, Level::beam3d);
 }
 
 TEST(Choice, bendingNearTheBitAloneWhereTorqueIsNotNeeded)

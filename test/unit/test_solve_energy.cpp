@@ -142,7 +142,9 @@ TEST(Energy, ofASlidingPipeGoesIntoFriction)
 // Steady drilling: thrust times ROP and torque times speed, from the truth of every frame.
 TEST(Energy, ofBrokenRockIsForceTimesSpeed)
 {
-  Simulator simulator(read_scene(in_source("config/scenes/quick.yaml")));
+  Scene scene = read_scene(in_source("config/scenes/quick.yaml"));
+  scene.numerics.level = Level::beam3d;  // a step a frame: sums over frames are the steps'
+  Simulator simulator(scene);
   ProgramPlayer player(simulator.scene().program);
   play(simulator, player, 60.0);
   simulator.balance_energy();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "drill_rig_sim/rig/setpoints.h"
+#include "drill_rig_sim/sim/wave_watch.h"
 
 namespace drill_rig_sim
 {
@@ -21,8 +22,10 @@ enum class AccuracyDoubt
   cut,            ///< the step is too long for the waves that one blade leaves to the next
   shaking,        ///< a bent motor turns, and the step is too long for the waves that it sends up
   waves,          ///< torque swings faster than the step can follow
+  load_waves,     ///< and hook load
   blows,          ///< the bit strikes the bottom again and again
   loose,          ///< a string that was wound up by many turns came loose
+  hesitation,     ///< the string's lower end came loose and stuck again before it had run
   whirl,          ///< turning pipe rolls along its walls
   jerks,          ///< the string sticks and slips on its walls again and again
   slant,          ///< the hole leaves the table inclined, and the rig stands upright
@@ -33,7 +36,7 @@ enum class AccuracyDoubt
 struct AccuracyReport
 {
   AccuracyDoubt doubt = AccuracyDoubt::none;
-  double measure = 0.0;         ///< confined: of the load at which it buckles; compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]; whirl: of pure rolling, waves: of the torque's range [-]; slant [rad]; level: sum of the needs
+  double measure = 0.0;         ///< confined: of the load at which it buckles; compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]; whirl: of pure rolling, waves: of the signal's range [-]; hesitation: speed that was reached [rad/s]; slant [rad]; level: sum of the needs
   double from_bit = 0.0;        ///< where on the string [m]; confined, compression, twist, embedding
   double element_length = 0.0;  ///< of the element there [m]; compression, twist
 
@@ -67,11 +70,10 @@ struct AccuracyMemory
   double surface = 0.0;       ///< and of its surface's about its axis [m/s]
   double whirled = 0.0;       ///< how long it has rolled along its walls [s]
   double held = 0.0;          ///< how long the lower end has not turned [s]
-  double torque_trend = 0.0;  ///< surface torque, mean over the last half second [N m]
-  double torque_waves = 0.0;  ///< square of what it is away from that, over the last second [N2 m2]
-  double torque_turns = 0.0;  ///< how often it passes that, in the same way [1/s]
-  double torque_away = 0.0;   ///< what it was away from that at the end of the last frame [N m]
-  double least_torque = 0.0, most_torque = 0.0;  ///< so far [N m]
+  double hesitated = 0.0;     ///< since the last look, the largest speed at which it stuck again without having run [rad/s]
+  double ran = 0.0;           ///< largest speed of the lower end since it last stood [rad/s]
+  WaveWatch torque;           ///< of the torque meter [N m]
+  WaveWatch hook_load;        ///< [N]
   bool on_bottom = true;      ///< at the end of the last frame; with 1 kN or more since it came down
   double blows = 0.0;         ///< how often the bit comes down on the bottom, mean over the last seconds [1/s]
   double stands_for = 0.0;    ///< the report stands that much longer without a new cause [s]
@@ -94,12 +96,10 @@ struct AccuracyMemory
     v("surface", surface);
     v("whirled", whirled);
     v("held", held);
-    v("torque_trend", torque_trend);
-    v("torque_waves", torque_waves);
-    v("torque_turns", torque_turns);
-    v("torque_away", torque_away);
-    v("least_torque", least_torque);
-    v("most_torque", most_torque);
+    v("hesitated", hesitated);
+    v("ran", ran);
+    v("torque", torque);
+    v("hook_load", hook_load);
     v("on_bottom", on_bottom);
     v("blows", blows);
     v("stands_for", stands_for);

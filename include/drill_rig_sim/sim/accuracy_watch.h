@@ -10,6 +10,7 @@
 #include "drill_rig_sim/sim/accuracy.h"
 #include "drill_rig_sim/solve/energy_balance.h"
 #include "drill_rig_sim/solve/integrator.h"
+#include "drill_rig_sim/solve/step_control.h"
 
 namespace drill_rig_sim
 {
@@ -40,12 +41,14 @@ AccuracyReport doubt_of_level(const Scene& scene, const State& state) noexcept;
 /// - Shaking: a bent motor that turns at W sends up waves of W, 2 W and 3 W, and BDF2 takes (w h)^4/4 of a wave's amplitude a step. More than 0.1
 ///   a second of those of 3 W: as much as the mud takes of turning pipe at its default. A motor of 1.15 deg at 120 rpm in a J well sways the torque
 ///   by 0.36 kN m at 10 ms, by 0.64 in its reference.
-/// - Waves: the surface torque swings, about its mean over half a second, so fast that BDF2 damps or delays it by more than 2 % of the torque's range so
-///   far (of 100 N m at least) in 3 s: a motor that starts under weight, say, whose bit breaks loose.
+/// - Waves: surface torque or hook load swing so fast that the steps have damped or delayed them by more than 2 % of the signal's range so far, or will
+///   have within 3 s (wave_watch.h): a motor that starts under weight, say, whose bit breaks loose; a block that stops at once.
 /// - Blows: the bit came down on the bottom every other second or more often, over the last 3 s. Its waves are what a long step blurs first:
 ///   tagging at 0.3 m/s in 1 km, torque 2.5 % off at 10 ms and 0.9 % at 5 ms (test/accuracy/README.md, operations).
 /// - Loose: the lower end began to turn after at least a second of rest, with the string wound up by ten turns or more. The moment of that and
 ///   the waves after it are off by a tenth of a second: 3 % of the bit's speed over 30 s in 5 km at 60 rpm.
+/// - Hesitation: the string's lower end came loose (0.4 rad/s), but stuck again before it had run as fast as the drive. Whether it goes or sticks hangs on
+///   the smallest waves then, and so does the time of all that follows: stick-slip of 2.5 km at 60 rpm runs apart there by 8 % of the torque, at 10 and at 5 ms.
 /// - Whirl: turning pipe (0.1 m/s at its surface, in the mean) moved sideways at more than a tenth of what rolling on its walls would make,
 ///   over the last 3 s, for 8 s on end. Pulled or pushed along a hole it may roll up the wall and round it; elements that bend too little do that more readily.
 /// - Jerks: of the force between string and walls (5 kN at least), the share that sticks, or slides slower than 2 mm/s, came and went every twelve seconds or more often, over the
@@ -68,6 +71,7 @@ public:
 private:
   std::shared_ptr<const Model> model_;
   EnergyBalance balance_;
+  WaveLife life_;
   bool booked_ = false;
   std::uint64_t stands_for_ = 0;  // what is booked [frames]
   std::uint64_t steps_ = 0, attempts_ = 0;  // of the integrator, before the frame

@@ -17,8 +17,9 @@ struct Choice
 
 /// The cheapest level and mesh that keep the scene's needs within its tolerance, by rules that the operations matrix has taught (98 cells of a
 /// minute, errors over the outputs' ranges; test/accuracy/README.md, levels):
-/// - From 5 % on, without needs of bending (direction, contact, buckling) and without a mud motor: axial_torsional.
-/// - From 5 % on, or in a hole that hangs the string (nowhere beyond 3 deg) without a mud motor, or from 2 % on without torque and bit speed among
+/// - From 5 % on, without needs of bending (direction, contact, buckling), in a hole that hangs the string (hangs()) without a mud motor: axial_torsional. Where the
+///   hole bends, stiff and stabilised assemblies bear on it harder than their weight does: torque would be 6 to 11 % low.
+/// - From 5 % on, or in a hole that hangs the string without a mud motor, or from 2 % on without torque and bit speed among
 ///   the needs: hybrid. Where pipe begins to turn on the low side of a hole, guided pipe is 1 to 3 % off in these two.
 /// - Else beam3d; below 2 %, with quarter joints where friction pushes the pipe, and below 0.5 % eighths.
 /// What is given by hand of step, element_length, pushed_element_length and free_length stays.

@@ -97,6 +97,7 @@ public:
   void profile(StringProfile& out) const;
   /// Named bottom-hole parts and every `every`-th pipe joint.
   void part_poses(int every, std::vector<PartPose>& out) const;
+  /// As the last whole step left it: by variable steps up to 50 ms before the last frame's end.
   const Wellbore& wellbore() const noexcept;
   /// The uncorrected path of the last metres drilled, oldest first (a bounded buffer).
   void raw_path(std::vector<Eigen::Vector3d>& out) const;

@@ -15,6 +15,14 @@ constexpr double shortest_step = 1e-4, longest_step = 0.05;
 /// Steps fill frames, or frames a step: so that a step but little too long is not halved, one of up to 1.25 of what is wanted is tried.
 constexpr double may_be_longer = 0.2;
 
+/// How long the mud lets waves along and about a string live, over which their errors add up [s]: 2 m'/c' of mass and damping per length, 20 s
+/// at most.
+struct WaveLife
+{
+  double along, about;
+};
+WaveLife wave_life(const Model& model) noexcept;
+
 /// Chooses the length of the steps by what they do to the outputs (numerics.step 0).
 ///
 /// A step's local error is a wrong place of every node; over the step's length it is a wrong speed, and a wrong speed v is a wrong force
@@ -25,9 +33,9 @@ constexpr double may_be_longer = 0.2;
 /// below a tenth of what an instrument resolves. Where the bit turns, the speed of a wave about the string also counts over the range of the bit's speed,
 /// for that is what the wave becomes below. Of a wave of frequency w that makes up the whole range, BDF2 makes e = (2/9) (w h)^2 in every step,
 /// which falls with h^2, and is wrong by w T e after a time T: so e may be the tolerance over w T, w the lowest frequency of the string fixed at its top,
-/// and T 6 s, as long as waves last in mud; a twentieth of the tolerance at most. But a string's waves have fronts, where something lets go or takes hold,
+/// and T the life of waves in the scene's mud (wave_life()); a twentieth of the tolerance at most. But a string's waves have fronts, where something lets go or takes hold,
 /// and their error falls with h^1.2 alone (measured: a vertical kilometre that begins to turn, 1.3 % at 20 ms, 0.55 at 10, 0.23 at 5, by TR-BDF2 0.60,
-/// 0.25, 0.09): so what is allowed, h^2, goes with the tolerance to the power of 3/2, as above at 0.063. Three times that is allowed along the string, 0.85
+/// 0.25, 0.09): so what is allowed, h^2, goes with the tolerance to the power of 3/2, as above at 0.063. Three times that is allowed along the string, 1.4
 /// times about it: the largest steps that keep the share of the operations matrix's cells within 5, 2, 1 and 0.2 % (test/accuracy/README.md).
 /// Where the scene needs nothing but torque and bit speed, motions along the string are allowed ten times as much; where nothing but hook load, weight
 /// and pressure, those about it.
