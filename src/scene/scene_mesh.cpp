@@ -12,7 +12,7 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double joint = 9.5;             // [m]
-constexpr double half_joint = 4.75;       // [m]
+constexpr double half_joint = 4.75, quarter_joint = 2.38;  // [m]
 constexpr double lying = 3.0 * degree;    // a hole that inclines more carries the pipe in it [rad]
 constexpr double straight = 1.5 * degree / 30.0;  // a hole that bends more [rad/m]
 constexpr double margin = 45.0;           // [m]
@@ -105,6 +105,12 @@ bool hangs(const WellSpec& well, double depth) noexcept
   return first_inclined(well) >= depth && !bends(well.survey, depth);
 }
 
+bool hangs_in_the_middle(const Scene& scene) noexcept
+{
+  const bool motor = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& part) { return part.motor.has_value(); });
+  return !motor && hangs(scene.well, std::max(scene.well.hole_depth, scene.start.bit_depth));
+}
+
 double pushed_length(const Scene& scene) noexcept
 {
   const double pushed = first_pushed(scene);
@@ -121,7 +127,9 @@ ElementLengths element_lengths(const Scene& scene) noexcept
   {
     const double hangs_above = std::min(first_inclined(scene.well), first_pushed(scene));
     lengths.lower = half_joint;
-    lengths.change = std::max(0.0, scene.start.bit_depth - hangs_above) + margin;  // the assembly bends between what it leans on, wherever it is
+    lengths.change = std::max(0.0, scene.start.bit_depth - hangs_above + margin);
+    lengths.by_bit = hangs_in_the_middle(scene) ? half_joint : quarter_joint;
+    lengths.by_bit_change = margin;
   }
   if (numerics.pushed_element_length > 0.0)
   {

@@ -1,6 +1,5 @@
 #include "drill_rig_sim/sim/choice.h"
 
-#include <algorithm>
 #include <cstdio>
 
 #include "drill_rig_sim/scene/scene_mesh.h"
@@ -11,11 +10,6 @@ namespace
 {
 constexpr double wide = 0.05, middle = 0.02, narrow = 0.005;  // tolerances
 constexpr double quarter_joint = 2.4, eighth_joint = 1.2;     // [m]
-
-bool has_motor(const Scene& scene)
-{
-  return std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& part) { return part.motor.has_value(); });
-}
 
 std::string percent(double tolerance)
 {
@@ -29,8 +23,7 @@ Choice choose_level(const Scene& scene)
   if (has_no_levels(scene.numerics.integrator)) return {Level::beam3d, 0.0, "the integrator has no other level"};
   constexpr unsigned bending = need_direction | need_contact | need_buckling, turning = need_torque | need_bit_speed;
   const double tolerance = scene.numerics.tolerance;
-  const bool motor = has_motor(scene);
-  const bool in_the_middle = !motor && hangs(scene.well, std::max(scene.well.hole_depth, scene.start.bit_depth));
+  const bool in_the_middle = hangs_in_the_middle(scene);
   if (tolerance >= wide && !(scene.needs & bending) && in_the_middle)
     return {Level::axial_torsional, 0.0, "within " + percent(tolerance) + " nothing is needed of bending"};
   if (tolerance >= wide) return {Level::hybrid, 0.0, "within " + percent(tolerance) + " bending is needed near the bit alone"};

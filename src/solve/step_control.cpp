@@ -15,7 +15,7 @@ constexpr double largest_place_error = 1e-2;  // over the tolerance [m]
 constexpr double least_force = 1e3, least_torque = 100.0, least_speed = 0.1;  // what instruments resolve [N, N m, rad/s]
 constexpr double share_of_level = 0.1;
 constexpr double seen = 0.1;           // share of what an instrument resolves below which no error matters
-constexpr double along_may = 3.0, about_may = 1.15;  // what motions along the string and about it are allowed over the rule
+constexpr double along_may = 3.0;      // what motions along the string are allowed over the rule
 constexpr double turning_speed = 5.0;  // a bit that has never been as fast does not turn [rad/s]
 constexpr double unneeded = 10.0;      // what motions are allowed whose outputs nobody needs
 constexpr double most_damping = 5.0;  // over the tolerance, of a bent motor's waves [1/s]
@@ -83,7 +83,7 @@ StepControl::StepControl(const Model& model)
   const unsigned needs = model.scene().needs;
   const double of_fronts = std::sqrt(tolerance_ / smooth_tolerance);
   allowed_along_ = along_may * of_fronts * tolerance_ * share_of_tolerance(time_along, life.along) * allowed_over(needs, ~(need_torque | need_bit_speed));
-  allowed_about_ = about_may * of_fronts * tolerance_ * share_of_tolerance(time_about, life.about) * allowed_over(needs, ~(need_hook_load | need_wob | need_pressure));
+  allowed_about_ = of_fronts * tolerance_ * share_of_tolerance(time_about, life.about) * allowed_over(needs, ~(need_hook_load | need_wob | need_pressure));
 }
 
 /// Over what is allowed, times the step [s].

@@ -39,8 +39,10 @@ TEST(ElementLengths, jointsInAVerticalHoleAndHalvesByTheBit)
 
 TEST(ElementLengths, halvesInAHoleThatInclinesFromTheTop)
 {
-  const Scene scene = slanted_scene(199.9, 0.2);
-  for (const double from_bit : {0.0, 199.0, 220.0}) EXPECT_EQ(element_lengths(scene).at(from_bit), 4.75);
+  Scene scene = slanted_scene(199.9, 0.2);
+  scene.numerics.element_length = 0.0;
+  for (const double from_bit : {46.0, 199.0, 220.0}) EXPECT_EQ(element_lengths(scene).at(from_bit), 4.75);
+  for (const double from_bit : {0.0, 44.0}) EXPECT_EQ(element_lengths(scene).at(from_bit), 2.38) << "by the bit";
 }
 
 // 1 deg/10 m from 300 m on: 3 deg at 330 m; the bit at 500 m: 170 m below it, and 45 m more.
@@ -60,7 +62,7 @@ TEST(ElementLengths, halvesUpToAStandAndAHalfAboveWhereItInclines)
   const Mesh mesh = build_mesh(scene, 520.0);
   for (std::size_t e = 1; e + 1 < mesh.elements.size(); ++e)
   {
-    const bool fine = mesh.nodes[e].from_bit < 215.0 - 9.5, coarse = mesh.nodes[e].from_bit > 215.0 + 9.5;
+    const bool fine = mesh.nodes[e].from_bit > 45.0 + 9.5 && mesh.nodes[e].from_bit < 215.0 - 9.5, coarse = mesh.nodes[e].from_bit > 215.0 + 9.5;
     if (!fine && !coarse) continue;
     EXPECT_NEAR(mesh.elements[e].section.length, fine ? 4.75 : 9.5, 1e-9) << e;
   }

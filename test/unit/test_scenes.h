@@ -118,7 +118,9 @@ inline Scene vertical_scene(double hole_depth, double bit_depth, double friction
 constexpr double slant = 20.0 * degree, slant_azimuth = 1.0;
 inline Scene slanted_scene(double bit_depth, double friction)
 {
-  return scene_in({{0.0, slant, slant_azimuth}, {200.0, slant, slant_azimuth}}, 200.0, bit_depth, friction);
+  Scene scene = scene_in({{0.0, slant, slant_azimuth}, {200.0, slant, slant_azimuth}}, 200.0, bit_depth, friction);
+  scene.numerics.element_length = 4.75;
+  return scene;
 }
 
 /// Nothing takes energy out: no mud drag, no structural damping.

@@ -56,7 +56,7 @@ TEST(Accuracy, theHookLoadSwingsTooFastForTheStep)
 // Loose and stuck again before it has run as the drive does; after a whole slip, or while the drive stands, it may stand as it likes.
 TEST(Accuracy, theLowerEndHesitates)
 {
-  for (const auto& [reached, drive, doubt] : {std::tuple{1.0, 5.0, AccuracyDoubt::hesitation}, {0.3, 5.0, AccuracyDoubt::none},
+  for (const auto& [reached, drive, doubt] : {std::tuple{1.0, 5.0, AccuracyDoubt::hesitation}, {0.25, 5.0, AccuracyDoubt::none},
                                              {9.0, 5.0, AccuracyDoubt::none}, {1.0, 0.0, AccuracyDoubt::none}})
   {
     Watched w(vertical_scene(400.0, 290.0));

@@ -8,8 +8,9 @@ namespace drill_rig_sim
 {
 /// Longest elements of a scene's string: `numerics.element_length` where it is given; else half a joint (4.75 m) from the bit
 /// up to 45 m (a stand and a half, for the string goes down) above the place where the survey first inclines by more than 3 deg, or where
-/// friction below would push the pipe that slides down, if that is higher (of the bit, where it does neither), and a
-/// joint (9.5 m) above that, and throughout for level axial_torsional. Where pipe lies on the wall its elements have to carry the bending between two contacts, or it gives way
+/// friction below would push the pipe that slides down, if that is higher, and a
+/// joint (9.5 m) above that, and throughout for level axial_torsional; within 45 m of the bit, where an assembly bends between what it leans on, a quarter (2.38 m),
+/// or a half where the string hangs in the middle of its hole. Where pipe lies on the wall its elements have to carry the bending between two contacts, or it gives way
 /// below its buckling load and whirls falsely; so it does where it is pushed; where it hangs, joints do as well. Chosen by the operations matrix (test/accuracy/run
 /// --operations --variants). Where friction pushes the pipe and `numerics.pushed_element_length` is given, elements are that short; guided pipe that it
 /// does not push has elements of `numerics.guided_element_length`, if that is given, of two joints at most.
@@ -22,6 +23,9 @@ double free_length(const Scene& scene) noexcept;
 
 /// The hole down to `depth` [m] nowhere inclines by more than 3 deg, nor bends by more than 1.5 deg/30 m.
 bool hangs(const WellSpec& well, double depth) noexcept;
+
+/// The string hangs in the middle of its hole: hangs(), and no mud motor bends it.
+bool hangs_in_the_middle(const Scene& scene) noexcept;
 
 /// How far above the bit's face friction pushes pipe that slides down with nothing on the bit (by the soft string), and 45 m more; 0: nowhere [m].
 double pushed_length(const Scene& scene) noexcept;

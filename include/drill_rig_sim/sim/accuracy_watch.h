@@ -47,7 +47,7 @@ AccuracyReport doubt_of_level(const Scene& scene, const State& state) noexcept;
 ///   tagging at 0.3 m/s in 1 km, torque 2.5 % off at 10 ms and 0.9 % at 5 ms (test/accuracy/README.md, operations).
 /// - Loose: the lower end began to turn after at least a second of rest, with the string wound up by ten turns or more. The moment of that and
 ///   the waves after it are off by a tenth of a second: 3 % of the bit's speed over 30 s in 5 km at 60 rpm.
-/// - Hesitation: the string's lower end came loose (0.4 rad/s), but stuck again before it had run as fast as the drive. Whether it goes or sticks hangs on
+/// - Hesitation: the string's lower end came loose (0.3 rad/s), but stuck again before it had run as fast as the drive. Whether it goes or sticks hangs on
 ///   the smallest waves then, and so does the time of all that follows: stick-slip of 2.5 km at 60 rpm runs apart there by 8 % of the torque, at 10 and at 5 ms.
 /// - Whirl: turning pipe (0.1 m/s at its surface, in the mean) moved sideways at more than a tenth of what rolling on its walls would make,
 ///   over the last 3 s, for 8 s on end. Pulled or pushed along a hole it may roll up the wall and round it; elements that bend too little do that more readily.

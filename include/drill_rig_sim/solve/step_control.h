@@ -35,8 +35,8 @@ WaveLife wave_life(const Model& model) noexcept;
 /// which falls with h^2, and is wrong by w T e after a time T: so e may be the tolerance over w T, w the lowest frequency of the string fixed at its top,
 /// and T the life of waves in the scene's mud (wave_life()); a twentieth of the tolerance at most. But a string's waves have fronts, where something lets go or takes hold,
 /// and their error falls with h^1.2 alone (measured: a vertical kilometre that begins to turn, 1.3 % at 20 ms, 0.55 at 10, 0.23 at 5, by TR-BDF2 0.60,
-/// 0.25, 0.09): so what is allowed, h^2, goes with the tolerance to the power of 3/2, as above at 0.063. Three times that is allowed along the string, 1.4
-/// times about it: the largest steps that keep the share of the operations matrix's cells within 5, 2, 1 and 0.2 % (test/accuracy/README.md).
+/// 0.25, 0.09): so what is allowed, h^2, goes with the tolerance to the power of 3/2, as above at 0.063. Three times that is allowed along the string,
+/// the largest steps that keep the share of the operations matrix's cells within 5, 2, 1 and 0.2 % (test/accuracy/README.md).
 /// Where the scene needs nothing but torque and bit speed, motions along the string are allowed ten times as much; where nothing but hook load, weight
 /// and pressure, those about it.
 /// Besides, no node's place may be wrong by more than `largest_place_error` in a step, whatever it does to the outputs: blows, whirl.

@@ -4,7 +4,7 @@
 namespace drill_rig_sim
 {
 /// How long a string's elements are at most: joints that begin below `change` are cut to `lower`, those above it to `upper`, those below
-/// `pushed_change` to `pushed`, if that is shorter, and those above `guided_change` to `guided`, if that is longer: two joints that are no longer than it
+/// `pushed_change` to `pushed` and below `by_bit_change` to `by_bit`, if that is shorter, and those above `guided_change` to `guided`, if that is longer: two joints that are no longer than it
 /// together are one element.
 struct ElementLengths
 {
@@ -13,14 +13,17 @@ struct ElementLengths
   double change = 0.0;  ///< distance from the bit's face [m]
   double pushed = 9.5;  ///< [m]
   double pushed_change = 0.0;  ///< distance from the bit's face [m]
+  double by_bit = 9.5;         ///< [m]
+  double by_bit_change = 0.0;  ///< distance from the bit's face [m]
   double guided = 0.0;  ///< [m]
   double guided_change = 0.0;  ///< distance from the bit's face [m]
 
   /// Of a joint whose lower end is `from_bit` above the bit's face [m].
   double at(double from_bit) const noexcept
   {
-    const double length = from_bit < change ? lower : upper;
-    if (from_bit < pushed_change && pushed < length) return pushed;
+    double length = from_bit < change ? lower : upper;
+    if (from_bit < by_bit_change && by_bit < length) length = by_bit;
+    if (from_bit < pushed_change && pushed < length) length = pushed;
     return from_bit >= guided_change && guided > length ? guided : length;
   }
 };
@@ -28,7 +31,7 @@ struct ElementLengths
 /// `length` everywhere [m].
 constexpr ElementLengths uniform_elements(double length) noexcept
 {
-  return {length, length, 0.0, length, 0.0, 0.0, 0.0};
+  return {length, length, 0.0, length, 0.0, length, 0.0, 0.0, 0.0};
 }
 
 }  // namespace drill_rig_sim

@@ -1,0 +1,68 @@
+#!/usr/bin/python3
+"""How a foreign scene is judged: right, warned in time, silent, undecided."""
+import csv
+import json
+import os
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), 'foreign'))
+import trial  # noqa: E402
+
+
+class Judging(unittest.TestCase):
+    TIME = numpy.arange(0.0, 30.0, 0.02)
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        path = os.path.join(self.folder.name, 'swing.yaml')
+        with open(path, 'w') as file:
+            file.write('# a swing; for 30 s\nname: swing\n')
+        self.scene = trial.Scene(path)
+
+    def put(self, kind, torque, warned=None):
+        """A run whose torque is so far from a swing of 1 kN m [N m], its other outputs still."""
+        name = os.path.join(self.folder.name, 'swing.' + kind)
+        with open(name + '.csv', 'w', newline='') as file:
+            table = csv.writer(file)
+            table.writerow(['time'] + list(trial.RESOLVED))
+            for t, wrong in zip(self.TIME, torque):
+                table.writerow([t] + [500.0 * numpy.sin(t) + wrong if output == 'torque' else 1.0 for output in trial.RESOLVED])
+        with open(name + '.json', 'w') as file:
+            json.dump({'accuracy_warnings': [] if warned is None else [{'since': warned, 'until': 30.0, 'text': 'x'}]}, file)
+
+    def verdict(self, ours, coarse, warned=None):
+        for kind, torque in (('default', ours), ('fine', 0.0 * self.TIME), ('coarse', coarse)):
+            self.put(kind, torque, warned)
+        return trial.Verdict(self.scene, self.folder.name)
+
+    def after(self, start, size):
+        return numpy.where(self.TIME >= start, size, 0.0)
+
+    def test_reads_what_and_how_long(self):
+        self.assertEqual((self.scene.name, self.scene.what, self.scene.seconds), ('swing', 'a swing', '30'))
+
+    def test_right_within_two_percent_of_the_range(self):
+        verdict = self.verdict(self.after(12.0, 19.0), self.after(0.0, 1.0))
+        self.assertEqual((verdict.kind, verdict.output), ('right', 'torque'))
+        self.assertAlmostEqual(verdict.worst, 0.019, delta=1e-4)
+
+    def test_silent_beyond_unless_warned_in_time(self):
+        ours, coarse = self.after(12.0, 21.0), self.after(0.0, 1.0)
+        silent = self.verdict(ours, coarse)
+        self.assertEqual((silent.kind, silent.wrong_from), ('silent', 12.0))
+        self.assertEqual(self.verdict(ours, coarse, warned=14.9).kind, 'warned')
+        self.assertEqual(self.verdict(ours, coarse, warned=15.1).kind, 'silent')
+
+    def test_undecided_where_the_references_differ(self):
+        self.assertEqual(self.verdict(self.after(12.0, 21.0), self.after(12.0, 21.0)).kind, 'undecided')
+        self.assertEqual(self.verdict(self.after(12.0, 21.0), self.after(18.0, 21.0)).kind, 'silent')
+
+
+if __name__ == '__main__':
+    unittest.main()
