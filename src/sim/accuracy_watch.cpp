@@ -28,7 +28,7 @@ constexpr double most_blows = 0.5;           // [1/s]
 constexpr double least_blow = 1e3;           // what a hook-load cell resolves [N]
 constexpr double most_damping = 0.1;         // [1/s]
 constexpr double least_torque = 100.0, least_load = 1e3;  // what meter and cell resolve [N m, N]
-constexpr double most_blur = 0.02, most_load_blur = 0.05;  // of the signal's range; of hook loads the estimate is two to four times too large
+constexpr double most_blur = 0.02, most_load_blur = 0.1;  // of the signal's range; of hook loads the estimate is two to seven times too large
 constexpr double rests = 0.1, turns = 1.0;   // [rad/s]
 constexpr double stands = 0.2, creeps = 0.3;  // a lower end that has just stuck quivers [rad/s]
 constexpr double least_held = 1.0;           // [s]

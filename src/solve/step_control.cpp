@@ -9,7 +9,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double longest_life = 20.0;      // of waves, over which their errors add up [s]
+constexpr double longest_life = 25.0;      // of waves, over which their errors add up [s]
 constexpr double largest_share = 0.05;     // of the tolerance
 constexpr double largest_place_error = 1e-2;  // over the tolerance [m]
 constexpr double least_force = 1e3, least_torque = 100.0, least_speed = 0.1;  // what instruments resolve [N, N m, rad/s]

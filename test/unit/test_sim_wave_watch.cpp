@@ -36,7 +36,7 @@ TEST(Accuracy, theTorqueSwingsTooFastForTheStep)
             "the steps blur the torque's waves by 8 % of its range; numerics.step: 0.005 s or less");
 }
 
-// The hook load's likewise, to 5 %; its range begins where it is, of a level of 500 kN a tenth counts.
+// The hook load's likewise, to 10 %; its range begins where it is, of a level of 500 kN a tenth counts.
 TEST(Accuracy, theHookLoadSwingsTooFastForTheStep)
 {
   for (const auto& [amplitude, doubt] : {std::pair{20e3, AccuracyDoubt::load_waves}, {2e3, AccuracyDoubt::none}})

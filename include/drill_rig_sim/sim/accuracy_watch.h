@@ -41,8 +41,8 @@ AccuracyReport doubt_of_level(const Scene& scene, const State& state) noexcept;
 /// - Shaking: a bent motor that turns at W sends up waves of W, 2 W and 3 W, and BDF2 takes (w h)^4/4 of a wave's amplitude a step. More than 0.1
 ///   a second of those of 3 W: as much as the mud takes of turning pipe at its default. A motor of 1.15 deg at 120 rpm in a J well sways the torque
 ///   by 0.36 kN m at 10 ms, by 0.64 in its reference.
-/// - Waves: surface torque or hook load swing so fast that the steps have damped or delayed them by more than 2 % of the signal's range so far, or will
-///   have within 3 s (wave_watch.h): a motor that starts under weight, say, whose bit breaks loose; a block that stops at once.
+/// - Waves: surface torque or hook load swing so fast that the steps have damped or delayed them by more than 2 % of the signal's range so far (10 % of the
+///   hook load's, for which the estimate is too large), or will have within 3 s (wave_watch.h): a motor that starts under weight, say, whose bit breaks loose; a block that stops at once.
 /// - Blows: the bit came down on the bottom every other second or more often, over the last 3 s. Its waves are what a long step blurs first:
 ///   tagging at 0.3 m/s in 1 km, torque 2.5 % off at 10 ms and 0.9 % at 5 ms (test/accuracy/README.md, operations).
 /// - Loose: the lower end began to turn after at least a second of rest, with the string wound up by ten turns or more. The moment of that and

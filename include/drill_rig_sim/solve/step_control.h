@@ -15,7 +15,7 @@ constexpr double shortest_step = 1e-4, longest_step = 0.05;
 /// Steps fill frames, or frames a step: so that a step but little too long is not halved, one of up to 1.25 of what is wanted is tried.
 constexpr double may_be_longer = 0.2;
 
-/// How long the mud lets waves along and about a string live, over which their errors add up [s]: 2 m'/c' of mass and damping per length, 20 s
+/// How long the mud lets waves along and about a string live, over which their errors add up [s]: 2 m'/c' of mass and damping per length, 25 s
 /// at most.
 struct WaveLife
 {

@@ -20,7 +20,7 @@ import subprocess
 import numpy
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-BOUND, WINDOW = 0.02, 3.0
+BOUND, WINDOW, AVERAGED = 0.02, 3.0, 50  # [-], [s], rows
 RESOLVED = {'hook_load': 1e3, 'torque': 100.0, 'wob': 1e3, 'bit_speed': 0.1, 'rop': 1e-5}
 FREE = ['--level', 'beam3d', '--integrator', 'trbdf2']
 REFERENCES = {'fine': FREE + ['--step', '0.0025', '--element-length', '2.38'], 'coarse': FREE + ['--step', '0.005', '--element-length', '4.75']}
@@ -48,10 +48,19 @@ def series(scene, kind, folder):
         return dict(zip(names, numpy.loadtxt(file, delimiter=',').T))
 
 
+def smooth(column, output):
+    """A rate of penetration is a mean, here of the last second: where the rock changes it jumps, and when it does to the frame is nothing."""
+    if output != 'rop':
+        return column
+    sums = numpy.cumsum(numpy.concatenate([numpy.zeros(1), column]))
+    first = numpy.maximum(0, numpy.arange(1, len(sums)) - AVERAGED)
+    return (sums[1:] - sums[first]) / (numpy.arange(1, len(sums)) - first)
+
+
 def off(a, b, output):
     """Of a from b, a number for every WINDOW seconds."""
     rows = min(len(a['time']), len(b['time']))
-    x, y, window = a[output][:rows], b[output][:rows], (b['time'][:rows] / WINDOW).astype(int)
+    x, y, window = smooth(a[output][:rows], output), smooth(b[output][:rows], output), (b['time'][:rows] / WINDOW).astype(int)
     scale = max(numpy.ptp(y), 0.1 * numpy.mean(numpy.abs(y)), RESOLVED[output])
     return numpy.array([numpy.sqrt(numpy.mean((x - y)[window == k] ** 2)) / scale for k in range(window[-1] + 1)])
 
