@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/math/running_mean.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/string_watch.h"
 
@@ -42,7 +43,7 @@ constexpr double most_slant = 10.0 * degree;
 /// Towards `value`, which stands for `duration` [s], over the last `over` [s].
 void average(double value, double duration, double& mean, double over = memory_time) noexcept
 {
-  mean += (1.0 - std::exp(-duration / over)) * (value - mean);
+  drill_rig_sim::average(value, duration, over, mean);
 }
 
 double along(const NodeState& node) noexcept

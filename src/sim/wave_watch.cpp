@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drill_rig_sim/math/running_mean.h"
 #include "drill_rig_sim/math/units.h"
 
 namespace drill_rig_sim
@@ -13,12 +14,6 @@ constexpr double trend_time = 0.5;  // what is slower is no wave [s]
 constexpr double wave_time = 1.0;   // a motor's start sends its waves within seconds [s]
 constexpr double ahead = 3.0;       // [s]
 constexpr double share_of_level = 0.1;
-
-/// Towards `value`, which stands for `duration` [s], over the last `over` [s].
-void average(double value, double duration, double over, double& mean) noexcept
-{
-  mean += (1.0 - std::exp(-duration / over)) * (value - mean);
-}
 
 /// Of a wave's amplitude, a second.
 double blur_rate(double passes, double step) noexcept
