@@ -9,13 +9,13 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double longest_life = 25.0;      // of waves, over which their errors add up [s]
 constexpr double largest_share = 0.05;     // of the tolerance
 constexpr double largest_place_error = 1e-2;  // over the tolerance [m]
 constexpr double least_force = 1e3, least_torque = 100.0, least_speed = 0.1;  // what instruments resolve [N, N m, rad/s]
 constexpr double share_of_level = 0.1;
 constexpr double seen = 0.1;           // share of what an instrument resolves below which no error matters
 constexpr double along_may = 3.0;      // what motions along the string are allowed over the rule
+constexpr double peak_along = 2.8, peak_about = 3.3;  // of a wave's front over its root mean square along the string
 constexpr double turning_speed = 5.0;  // a bit that has never been as fast does not turn [rad/s]
 constexpr double unneeded = 10.0;      // what motions are allowed whose outputs nobody needs
 constexpr double most_damping = 5.0;  // over the tolerance, of a bent motor's waves [1/s]
@@ -25,17 +25,10 @@ constexpr double most_stretch = 10.0;
 constexpr double settled_flow = 2e-3;   // of the nominal flow
 constexpr double with_the_flow = 0.25;  // step over tolerance [s]
 
-/// Of the tolerance, for the waves of a string that they take `time` [s] to run along; the slowest that it can swing by, a quarter of its length.
-double share_of_tolerance(double time, double life) noexcept
+/// Of the tolerance, for waves that live so long [s] in a string that can swing by `slowest` [rad/s].
+double share_of_tolerance(double slowest, double life) noexcept
 {
-  const double frequency = 0.5 * pi / time;
-  return std::min(largest_share, 1.0 / (frequency * life));
-}
-
-/// `inertia` moves against `damping` [kg, N s/m; kg m2, N m s].
-double life_of_waves(double inertia, double damping) noexcept
-{
-  return damping > 0.0 ? std::min(longest_life, 2.0 * inertia / damping) : longest_life;
+  return std::min(largest_share, 1.0 / (slowest * life));
 }
 
 double scale(const ValueRange& range, double level, double least) noexcept
@@ -49,21 +42,8 @@ double allowed_over(unsigned needs, unsigned those) noexcept
 }
 }  // namespace
 
-WaveLife wave_life(const Model& model) noexcept
-{
-  double mass = 0.0, spin_inertia = 0.0;
-  for (const MeshNode& node : model.mesh().nodes)
-  {
-    mass += node.mass;
-    spin_inertia += node.spin_inertia;
-  }
-  const MudSpec& mud = model.scene().mud;
-  const double length = model.mesh().total_length;
-  return {life_of_waves(mass, mud.axial_damping * length), life_of_waves(spin_inertia, mud.torsional_damping * length)};
-}
-
 StepControl::StepControl(const Model& model)
-  : tolerance_(model.scene().numerics.tolerance), resolved_(std::max(1.0, seen / tolerance_))
+  : tolerance_(model.scene().numerics.tolerance), resolved_(std::max(1.0, seen / tolerance_)), life_(model)
 {
   if (model.motor() && model.motor()->bend != 0.0) shaking_ = 3.0;
   if (model.motor()) flow_that_settles_ = settled_flow * model.mud().circuit.nominal_flow;
@@ -76,41 +56,50 @@ StepControl::StepControl(const Model& model)
     const BeamSection& section = mesh.elements[std::min(i, mesh.elements.size() - 1)].section;
     along_.push_back(std::sqrt(section.axial * node.mass / node.length));
     about_.push_back(std::sqrt(section.torsion * section.length * node.spin_inertia / node.length));
+    share_.push_back(node.length / mesh.total_length);
     time_along += node.mass / along_.back();
     time_about += node.spin_inertia / about_.back();
   }
-  const WaveLife life = wave_life(model);
+  slowest_ = {0.5 * pi / time_along, 0.5 * pi / time_about};  // a quarter of their waves is as long as the string
   const unsigned needs = model.scene().needs;
-  const double of_fronts = std::sqrt(tolerance_ / smooth_tolerance);
-  allowed_along_ = along_may * of_fronts * tolerance_ * share_of_tolerance(time_along, life.along) * allowed_over(needs, ~(need_torque | need_bit_speed));
-  allowed_about_ = of_fronts * tolerance_ * share_of_tolerance(time_about, life.about) * allowed_over(needs, ~(need_hook_load | need_wob | need_pressure));
+  const double rule = std::sqrt(tolerance_ / smooth_tolerance) * tolerance_;
+  allowed_.along = along_may * rule * allowed_over(needs, ~(need_torque | need_bit_speed));
+  allowed_.about = rule * allowed_over(needs, ~(need_hook_load | need_wob | need_pressure));
 }
 
-/// Over what is allowed, times the step [s].
-double StepControl::output_error(const State& start, const Workspace& work, const double* error) const noexcept
+StepControl::Waves StepControl::allowed(const State& state) const noexcept
+{
+  const WaveLives life = life_.now(state);
+  return {allowed_.along * share_of_tolerance(slowest_.along, life.along), allowed_.about * share_of_tolerance(slowest_.about, life.about)};
+}
+
+/// Times the step [s].
+StepControl::Waves StepControl::output_error(const State& start, const Workspace& work, const double* error) const noexcept
 {
   const StepMemory& memory = start.step;
   const RigForces& forces = work.result.forces;
   const double force = scale(memory.hook_load, forces.hook_load, resolved_ * least_force);
   const double torque = scale(memory.torque, forces.meter_torque, resolved_ * least_torque);
   const double bit_speed = scale(memory.bit_speed, forces.bit_speed, resolved_ * least_speed), turning = std::max(bit_speed, turning_speed);
-  double of_along = 0.0, of_about = 0.0;
   const auto parts_of = [&](std::size_t i)
   {
     const Eigen::Vector3d& axis = work.nodes[i].axis;
     const Eigen::Map<const Vector6d> e(error + 6 * i);
     return std::pair<double, double>{std::abs(e.head<3>().dot(axis)), std::abs(e.tail<3>().dot(axis))};
   };
+  Waves squares;
   for (std::size_t i = 0; i < along_.size(); ++i)
   {
     const auto [path, turn] = parts_of(i);
-    of_along = std::max(of_along, along_[i] * path / force);
-    of_about = std::max(of_about, std::max(about_[i] / torque, 1.0 / turning) * turn);
+    const double of_along = along_[i] * path / force, of_about = std::max(about_[i] / torque, 1.0 / turning) * turn;
+    squares.along += share_[i] * of_along * of_along;
+    squares.about += share_[i] * of_about * of_about;
   }
+  Waves out{peak_along * std::sqrt(squares.along), peak_about * std::sqrt(squares.about)};
   const auto [path, turn] = parts_of(0);
-  if (forces.wob > 0.0) of_along = std::max(of_along, along_[0] * path / scale(memory.wob, forces.wob, resolved_ * least_force));
-  of_about = std::max(of_about, turn / bit_speed);
-  return std::max(of_along / allowed_along_, of_about / allowed_about_);
+  if (forces.wob > 0.0) out.along = std::max(out.along, along_[0] * path / scale(memory.wob, forces.wob, resolved_ * least_force));
+  out.about = std::max(out.about, turn / bit_speed);
+  return out;
 }
 
 double StepControl::stretch(const State& start, const Workspace& work, const double* error, double step) const noexcept
@@ -118,7 +107,8 @@ double StepControl::stretch(const State& start, const Workspace& work, const dou
   double place = 0.0;
   for (std::size_t k = 0; k < 6 * along_.size(); k += 6)
     for (std::size_t c = k; c < k + 3; ++c) place = std::max(place, std::abs(error[c]));
-  const double of_outputs = output_error(start, work, error) / step;
+  const Waves wrong = output_error(start, work, error), may = allowed(start);
+  const double of_outputs = std::max(wrong.along / may.along, wrong.about / may.about) / step;
   const double of_places = place / (largest_place_error * tolerance_);
   const double least = std::pow(most_stretch, -3);
   return std::min(1.0 / std::sqrt(std::max(of_outputs, least)), 1.0 / std::cbrt(std::max(of_places, least)));

@@ -33,7 +33,7 @@ Scene dying_in_two_seconds()
   Scene scene = vertical_scene(400.0, 290.0);
   scene.mud.axial_damping = 100.0;
   scene.mud.torsional_damping = 1.0;
-  const WaveLife fast = wave_life(*build_at_rest(scene).model);
+  const WaveLives fast = WaveLife(*build_at_rest(scene).model).in_mud();
   scene.mud.axial_damping *= fast.along / 2.0;
   scene.mud.torsional_damping *= fast.about / 2.0;
   return scene;

@@ -7,6 +7,7 @@
 #include "drill_rig_sim/model/rig_forces.h"
 #include "drill_rig_sim/model/state.h"
 #include "drill_rig_sim/model/workspace.h"
+#include "drill_rig_sim/solve/wave_life.h"
 
 namespace drill_rig_sim
 {
@@ -15,26 +16,20 @@ constexpr double shortest_step = 1e-4, longest_step = 0.05;
 /// Steps fill frames, or frames a step: so that a step but little too long is not halved, one of up to 1.25 of what is wanted is tried.
 constexpr double may_be_longer = 0.2;
 
-/// How long the mud lets waves along and about a string live, over which their errors add up [s]: 2 m'/c' of mass and damping per length, 25 s
-/// at most.
-struct WaveLife
-{
-  double along, about;
-};
-WaveLife wave_life(const Model& model) noexcept;
-
 /// Chooses the length of the steps by what they do to the outputs (numerics.step 0).
 ///
 /// A step's local error is a wrong place of every node; over the step's length it is a wrong speed, and a wrong speed v is a wrong force
 /// Z v in the wave that it sends along the string, Z = sqrt(EA m') along it and sqrt(GJ i') about it (m', i': mass and inertia per length),
 /// the string's wave impedances. That force counts as a share of what its output has ranged over so far:
-///   e = max over nodes of  Z |v| / S,   S = max(range, a tenth of the level, what an instrument resolves; a tenth of that over the tolerance)
-/// with hook load for motions along the string, torque for those about it, and weight and speed of the bit at the bit itself: no error matters that is
+///   e = P rms of  Z |v| / S,   S = max(range, a tenth of the level, what an instrument resolves; a tenth of that over the tolerance)
+/// in root mean square along the string, for where one node lets go or takes hold the wave that it sends is short; P, 2.8 along the string and 3.3
+/// about it, is a front's peak over that. S is of hook load for motions along the string, of torque for those about it; at the bit itself also of its
+/// weight and speed, and P is 1. No error matters that is
 /// below a tenth of what an instrument resolves. Where the bit turns, the speed of a wave about the string also counts over the range of the bit's speed,
 /// for that is what the wave becomes below. Of a wave of frequency w that makes up the whole range, BDF2 makes e = (2/9) (w h)^2 in every step,
 /// which falls with h^2, and is wrong by w T e after a time T: so e may be the tolerance over w T, w the lowest frequency of the string fixed at its top,
-/// and T the life of waves in the scene's mud (wave_life()); a twentieth of the tolerance at most. But a string's waves have fronts, where something lets go or takes hold,
-/// and their error falls with h^1.2 alone (measured: a vertical kilometre that begins to turn, 1.3 % at 20 ms, 0.55 at 10, 0.23 at 5, by TR-BDF2 0.60,
+/// and T the life of waves now (WaveLife::now()); a twentieth of the tolerance at most. But a string's waves have fronts, where something lets go or takes
+/// hold, and their error falls with h^1.2 alone (measured: a vertical kilometre that begins to turn, 1.3 % at 20 ms, 0.55 at 10, 0.23 at 5, by TR-BDF2 0.60,
 /// 0.25, 0.09): so what is allowed, h^2, goes with the tolerance to the power of 3/2, as above at 0.063. Three times that is allowed along the string,
 /// the largest steps that keep the share of the operations matrix's cells within 5, 2, 1 and 0.2 % (test/accuracy/README.md).
 /// Where the scene needs nothing but torque and bit speed, motions along the string are allowed ten times as much; where nothing but hook load, weight
@@ -56,15 +51,24 @@ public:
   static void note(const RigForces& forces, StepMemory& memory) noexcept;
 
 private:
-  double output_error(const State& start, const Workspace& work, const double* error) const noexcept;
+  /// A number each for motions along the string and about it.
+  struct Waves
+  {
+    double along = 0.0, about = 0.0;
+  };
+  Waves allowed(const State& state) const noexcept;
+  Waves output_error(const State& start, const Workspace& work, const double* error) const noexcept;
 
   double tolerance_;
   double resolved_;  // over what instruments resolve, the least scale of an output
-  double allowed_along_ = 0.0, allowed_about_ = 0.0;  // e
+  Waves allowed_;  // e, over the share of the tolerance that goes by the waves' life [-]
+  Waves slowest_;  // frequency [rad/s]
+  WaveLife life_;
   double shaking_ = 0.0;   // 3 of a bent motor, 0 without [1/turn]
   double blades_ = 0.0;    // of a regenerative bit, 0 for others
   double flow_that_settles_ = 0.0;  // of a motor, 0 without [m3/s]
   std::vector<double> along_, about_;  // impedances at the nodes [N s/m, N m s]
+  std::vector<double> share_;          // of the string's length, at the nodes [-]
 };
 
 }  // namespace drill_rig_sim
