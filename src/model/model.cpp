@@ -5,6 +5,7 @@
 
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/string/drive_tuning.h"
 
 namespace drill_rig_sim
 {
@@ -29,6 +30,7 @@ Model::Model(const Scene& scene, Mesh mesh)
   for (const PartSpec& part : scene_.string)
     if (part.motor) motor_ = &*part.motor;
   mud_ = mud_circuit(scene_, mesh_);
+  scene_.rig.top_drive = tuned(scene_.rig.top_drive, mesh_);
   bit_bristle_ = drill_rig_sim::bit_bristle_stiffness(bit().torque, bit().diameter);
 }
 

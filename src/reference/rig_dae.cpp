@@ -189,9 +189,8 @@ RigDae::Drive RigDae::drive_at(const double* y) const
   out.turn = spin(rotor(), y) - spin(rotor(), start_y_.data());
   out.speed = motion(rotor()).angular_velocity.dot(motion(rotor()).normal);
   out.twist = start_->drive.meter_twist + out.turn - (spin(top, y) - spin(top, start_y_.data()));
-  const RotorState start{start_->drive.speed, start_->drive.integral, start_->drive.meter_twist, start_->drive.gear_twist,
-                         start_->drive.braked};
-  out.by_drive = drive_torque(model_.scene().rig.top_drive, setpoints_.top_drive, start, stage_.time, out.turn, out.speed);
+  out.by_drive = drive_torque(model_.scene().rig.top_drive, setpoints_.top_drive, start_->drive, stage_.time, out.turn, out.speed,
+                             out.twist);
   return out;
 }
 
@@ -302,9 +301,11 @@ void RigDae::add_rig_jacobian(const double* y, SparseJacobian& j)
   };
   const double spring = model_.scene().rig.top_drive.meter_stiffness;
   const double meter = spring * drive.twist, motor = drive.torques();
-  about(rotor(), rotor(), meter - motor, spring - drive.by_drive.by_turn, -drive.by_drive.by_speed);
-  about(rotor(), top, 0.0, -spring, 0.0);
-  about(stator(), rotor(), motor, drive.by_drive.by_turn, drive.by_drive.by_speed);
+  const double fed_back = spring * drive.by_drive.by_meter, by_turn = drive.by_drive.by_turn + fed_back;
+  about(rotor(), rotor(), meter - motor, spring - by_turn, -drive.by_drive.by_speed);
+  about(rotor(), top, 0.0, fed_back - spring, 0.0);
+  about(stator(), rotor(), motor, by_turn, drive.by_drive.by_speed);
+  if (fed_back != 0.0) about(stator(), top, 0.0, -fed_back, 0.0);
   about(top, rotor(), 0.0, -spring, 0.0);
   about(top, top, -meter, spring, 0.0);
 }

@@ -43,8 +43,7 @@ void RigDae::finish(double t, const std::vector<double>& y, State& state)
   result.forces.meter_torque = model_.scene().rig.top_drive.meter_stiffness * drive.twist;
   result.forces.drive_torque = drive.by_drive.motor;
   result.forces.gear_friction = drive.by_drive.friction;
-  result.drive = {state.drive.angle + drive.turn, drive.speed,           drive.by_drive.integral, drive.twist,
-                  drive.by_drive.gear_twist,      drive.by_drive.braked, drive.by_drive.limited};
+  result.drive = drive.by_drive.state;
   result.bit.motor_speed = stage_.bit.motor_speed;
   result.bit.mean_speed = stage_.bit.mean_speed;
 

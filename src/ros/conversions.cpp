@@ -58,6 +58,8 @@ TopDriveSetpoint to_setpoint(const TopDriveCommand& m)
   s.angle = m.angle;
   s.torque_limit = m.torque_limit;
   s.brake = m.brake;
+  s.amplitude_right = m.amplitude_right;
+  s.amplitude_left = m.amplitude_left;
   return s;
 }
 
@@ -84,6 +86,8 @@ void copy_setpoints(const FrameRecord& frame, RigState& m)
   m.top_drive.angle = s.top_drive.angle;
   m.top_drive.torque_limit = s.top_drive.torque_limit;
   m.top_drive.brake = s.top_drive.brake;
+  m.top_drive.amplitude_right = s.top_drive.amplitude_right;
+  m.top_drive.amplitude_left = s.top_drive.amplitude_left;
   m.mud_pump.header.stamp = to_time(frame.commands.accepted[2]);
   m.mud_pump.flow = s.pump.flow;
 }

@@ -276,8 +276,19 @@ private:
   {
     const Entries entries = read_block(node, path, rig_keys, every_kind, rig, problems_);
     read_one(entries, path, "hoisting", hoisting_keys, rig.hoisting);
-    read_one(entries, path, "top_drive", top_drive_keys, rig.top_drive);
+    read_top_drive(entries, path, rig.top_drive);
     read_one(entries, path, "mud_pump", mud_pump_keys, rig.mud_pump);
+  }
+
+  void read_top_drive(const Entries& entries, const std::string& path, TopDriveSpec& drive)
+  {
+    in(entries, path, "top_drive",
+       [&](const YAML::Node& n, const std::string& p)
+       {
+         const Entries inside = read_block(n, p, top_drive_keys, every_kind, drive, problems_);
+         read_one(inside, p, "soft_torque", soft_torque_keys, drive.soft_torque);
+         read_one(inside, p, "z_torque", z_torque_keys, drive.z_torque);
+       });
   }
 
   void read_instruments(const YAML::Node& node, const std::string& path, InstrumentsSpec& instruments)

@@ -22,6 +22,8 @@ public:
     for (const PartSpec& part : scene.string) add_part(part);
     add_keys(hoisting_keys, scene.rig.hoisting);
     add_keys(top_drive_keys, scene.rig.top_drive);
+    add_keys(soft_torque_keys, scene.rig.top_drive.soft_torque);
+    add_keys(z_torque_keys, scene.rig.top_drive.z_torque);
     add_keys(mud_pump_keys, scene.rig.mud_pump);
     add_keys(contact_keys, scene.contact);
     add_keys(trajectory_keys, scene.trajectory);

@@ -17,6 +17,7 @@ const std::vector<const char*> element_words = {"auto", "corotational", "geometr
 namespace
 {
 const std::vector<const char*> connections_words = {"off", "auto"};
+const std::vector<const char*> top_drive_mode_words = {"speed", "torque", "angle", "soft_torque", "z_torque", "oscillate"};
 // fields that a type of part alone has; the reader makes them when it has read the type
 template <double BitSpec::*field>
 double& of_bit(PartSpec& part)
@@ -244,11 +245,30 @@ const Table<TopDriveSpec> top_drive_keys = {"rig.top_drive", "Rotary drive with 
   {"integral_gain",         "N m/rad", &TopDriveSpec::integral_gain,       between(0.0, 1e7),    "of the speed loop"},
   {"max_torque",            "N m",    &TopDriveSpec::max_torque,           between(1.0, 1e6),    "of the drive"},
   {"max_speed_rpm",         "rpm",    &TopDriveSpec::max_speed,            between(1.0, 1000.0), "of the drive"},
+  {"max_acceleration_rpm",  "rpm/s",  &TopDriveSpec::max_acceleration,     between(0.0, 1e4),    "so fast the speed that the loop follows changes; 0: at once (ANGLE and OSCILLATE: 2 rad/s2)"},
   {"max_power",             "W",      &TopDriveSpec::max_power,            between(1e3, 1e8),    "of the drive"},
   {"meter_stiffness",       "N m/rad", &TopDriveSpec::meter_stiffness,     between(1e3, 1e9),    "of the torque meter's spring"},
   {"gearbox_friction",      "N m",    &TopDriveSpec::gearbox_friction,     between(0.0, 1e5),    "against the rotor's turning"},
   {"brake_torque",          "N m",    &TopDriveSpec::brake_torque,         between(0.0, 1e6),    "of the brake, which comes on at a set point of 0 once the rotor stands; 0: none"},
+  {"soft_torque",           "",       Nested{},                            none,                 "mode SOFT_TORQUE"},
+  {"z_torque",              "",       Nested{},                            none,                 "mode Z_TORQUE"},
 }};
+
+namespace
+{
+std::vector<Key<DriveImpedance>> impedance_rows(const char* damping, const char* stiffness)
+{
+  return {
+  {"damping",               "N m s/rad", &DriveImpedance::damping,         between(0.0, 1e6),    "P", no_kind, every_kind, damping},
+  {"stiffness",             "N m/rad", &DriveImpedance::stiffness,         between(0.0, 1e6),    "I", no_kind, every_kind, stiffness},
+  {"inertia_compensation",  "-",      &DriveImpedance::inertia_compensation, between(0.0, 0.99), "c: the share of the rotor's inertia that the drive hides, by feeding the torque meter back"},
+  };
+}
+}  // namespace
+
+const Table<DriveImpedance> soft_torque_keys = {"rig.top_drive.soft_torque", "SOFT_TORQUE makes the drive an impedance P + s (1 - c) inertia + I/s in front of the string.", impedance_rows("twice the pipe's impedance", "what cancels the inertia left at the string's slowest torsion")};
+
+const Table<DriveImpedance> z_torque_keys = {"rig.top_drive.z_torque", "Z_TORQUE does too, with little of its inertia left: over a band of frequencies.", impedance_rows("the pipe's impedance", "P w / 8, w the string's slowest torsion")};
 
 const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe.", {
   {"max_flow",              "m3/s",   &MudPumpSpec::max_flow,              above(0.0, 1.0),      "of the pump"},
@@ -353,8 +373,15 @@ const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at 
   {"at",                    "s",      &ProgramStep::at,                    between(0.0, 1e7),    "simulated time, ascending", must},
   {"ramp",                  "s",      &ProgramStep::ramp,                  between(0.0, 1e7),    "the line's block_velocity, top_drive_speed_rpm, top_drive_torque and flow are reached in a straight line over this time; 0: at once"},
   {"block_velocity",        "m/s",    &ProgramStep::block_velocity,        between(-20.0, 20.0), "+ up; releases the brake", no_kind, every_kind, "as before"},
-  {"top_drive_speed_rpm",   "rpm",    &ProgramStep::top_drive_speed,       between(-1000.0, 1000.0), "speed mode, + clockwise", no_kind, every_kind, "as before"},
+  {"top_drive_speed_rpm",   "rpm",    &ProgramStep::top_drive_speed,       between(-1000.0, 1000.0), "+ clockwise: speed mode, or soft_torque and z_torque; of angle and oscillate the largest", no_kind, every_kind, "as before"},
   {"top_drive_torque",      "N m",    &ProgramStep::top_drive_torque,      between(-1e6, 1e6),   "torque mode, + clockwise", no_kind, every_kind, "as before"},
+  {"top_drive_mode",        "",       Choice<ProgramStep>{top_drive_mode_words, [](ProgramStep& s, int word) { s.top_drive_mode = word; },
+                                                          [](const ProgramStep& s) { return s.top_drive_mode; }},
+                                                                           none,                 "of the top drive", no_kind, every_kind, "by the keys beside it; a speed leaves soft_torque and z_torque"},
+  {"top_drive_angle_deg",   "deg",    &ProgramStep::top_drive_angle,       between(-1e7, 1e7),   "of the shaft, since the start: angle mode, or the middle of oscillate", no_kind, every_kind, "as before"},
+  {"amplitude_right_deg",   "deg",    &ProgramStep::amplitude_right,       between(0.0, 1e5),    "from there clockwise: oscillate", no_kind, every_kind, "as before"},
+  {"amplitude_left_deg",    "deg",    &ProgramStep::amplitude_left,        between(0.0, 1e5),    "from there counterclockwise: oscillate", no_kind, every_kind, "as before"},
+  {"top_drive_torque_limit", "N m",   &ProgramStep::torque_limit,          between(0.0, 1e6),    "largest that the drive may use; 0: the rig's", no_kind, every_kind, "as before"},
   {"flow",                  "m3/s",   &ProgramStep::flow,                  between(0.0, 1.0),    "of the mud pump", no_kind, every_kind, "as before"},
   {"top_drive_brake",       "",       Flag<ProgramStep>{&ProgramStep::top_drive_brake}, none,    "sets or releases the top drive's brake; speed and torque release it", no_kind, every_kind, "as before"},
   {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},

@@ -40,6 +40,8 @@ extern const Table<BitTorqueSpec> bit_torque_keys;
 extern const Table<RigSpec> rig_keys;
 extern const Table<HoistingSpec> hoisting_keys;
 extern const Table<TopDriveSpec> top_drive_keys;
+extern const Table<DriveImpedance> soft_torque_keys;
+extern const Table<DriveImpedance> z_torque_keys;
 extern const Table<MudPumpSpec> mud_pump_keys;
 extern const Table<ContactSpec> contact_keys;
 extern const Table<TrajectorySpec> trajectory_keys;

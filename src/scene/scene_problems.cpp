@@ -214,6 +214,32 @@ void check_start(const Scene& scene, ProblemList& problems)
                  plain(start.torque_on_bit) + " N m with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth");
 }
 
+/// Amplitudes of OSCILLATE that a program has given so far [rad].
+struct Amplitudes
+{
+  double right = 0.0, left = 0.0;
+};
+
+// keys of different modes in one line
+void check_drive_modes(const ProgramStep& step, std::size_t i, Amplitudes& amplitudes, ProblemList& problems)
+{
+  const bool turns = !std::isnan(step.top_drive_speed), twists = !std::isnan(step.top_drive_torque), aims = !std::isnan(step.top_drive_angle);
+  const bool rocks = !std::isnan(step.amplitude_right) || !std::isnan(step.amplitude_left), named = step.top_drive_mode >= 0;
+  const auto mode = [&](TopDriveMode m) { return step.top_drive_mode == static_cast<int>(m); };
+  const auto problem = [&](const std::string& text) { problems.emplace_back(item_key("program", i), text); };
+  const auto not_in = [&](const char* key, const char* modes) { problem(std::string(key) + " is not of this top_drive_mode, allowed: with " + modes); };
+  if (turns && twists) problem("both top_drive_speed_rpm and top_drive_torque are given, allowed: one of them");
+  if (twists && (aims || rocks)) problem("both top_drive_torque and an angle or an amplitude are given, allowed: one of them");
+  if (named && turns && mode(TopDriveMode::torque)) not_in("top_drive_speed_rpm", "any but torque");
+  if (named && twists && !mode(TopDriveMode::torque)) not_in("top_drive_torque", "torque");
+  if (named && aims && !mode(TopDriveMode::angle) && !mode(TopDriveMode::oscillate)) not_in("top_drive_angle_deg", "angle or oscillate");
+  if (named && rocks && !mode(TopDriveMode::oscillate)) not_in("an amplitude", "oscillate");
+  if (!std::isnan(step.amplitude_right)) amplitudes.right = step.amplitude_right;
+  if (!std::isnan(step.amplitude_left)) amplitudes.left = step.amplitude_left;
+  if ((rocks || mode(TopDriveMode::oscillate)) && amplitudes.right + amplitudes.left == 0.0)
+    problem("both amplitudes of oscillate are 0, needed: amplitude_right_deg or amplitude_left_deg above 0");
+}
+
 // what a line of the program says beside its set points
 void check_ramp_and_faults(const ProgramStep& step, std::size_t i, ProblemList& problems)
 {
@@ -237,6 +263,7 @@ void check_program(const Scene& scene, ProblemList& problems)
                                               plain(most / scale) + " " + unit);
   };
   double free = free_length(scene);
+  Amplitudes amplitudes;
   for (std::size_t i = 0; i < scene.program.size(); ++i)
   {
     const ProgramStep& step = scene.program[i];
@@ -245,10 +272,7 @@ void check_program(const Scene& scene, ProblemList& problems)
       problems.emplace_back(item_key("program", i, "at"),
                    plain(step.at) + " s is not after the " + plain(scene.program[i - 1].at) + " s of the line before it");
     }
-    if (!std::isnan(step.top_drive_speed) && !std::isnan(step.top_drive_torque))
-    {
-      problems.emplace_back(item_key("program", i), "both top_drive_speed_rpm and top_drive_torque are given, allowed: one of them");
-    }
+    check_drive_modes(step, i, amplitudes, problems);
     if (step.brake == 1.0 && !std::isnan(step.block_velocity) && (step.block_velocity != 0.0 || step.ramp > 0.0))
     {
       problems.emplace_back(item_key("program", i), "the brake is set and the block moves, allowed: one of them");
@@ -262,6 +286,7 @@ void check_program(const Scene& scene, ProblemList& problems)
     limit(i, "block_velocity", step.block_velocity, scene.rig.hoisting.max_speed, "m/s", 1.0);
     limit(i, "top_drive_speed_rpm", step.top_drive_speed, scene.rig.top_drive.max_speed, "rpm", rpm);
     limit(i, "top_drive_torque", step.top_drive_torque, scene.rig.top_drive.max_torque, "N m", 1.0);
+    limit(i, "top_drive_torque_limit", step.torque_limit, scene.rig.top_drive.max_torque, "N m", 1.0);
     limit(i, "flow", step.flow, scene.rig.mud_pump.max_flow, "m3/s", 1.0);
   }
 }

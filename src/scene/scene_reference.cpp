@@ -81,6 +81,8 @@ std::string scene_reference()
   write(out, rig_keys);
   write(out, hoisting_keys);
   write(out, top_drive_keys);
+  write(out, soft_torque_keys, {}, TopDriveSpec{}.soft_torque);
+  write(out, z_torque_keys, {}, TopDriveSpec{}.z_torque);
   write(out, mud_pump_keys);
   write(out, contact_keys);
   write(out, trajectory_keys);

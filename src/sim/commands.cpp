@@ -38,9 +38,13 @@ const char* what_is_wrong(const WinchSetpoint& c) noexcept
 
 const char* what_is_wrong(const TopDriveSetpoint& c) noexcept
 {
-  if (c.mode != TopDriveMode::speed && c.mode != TopDriveMode::torque) return "mode: allowed are SPEED and TORQUE; no other is available yet";
+  if (c.mode < TopDriveMode::speed || c.mode > TopDriveMode::oscillate) return "mode: allowed are 0 (SPEED) to 5 (OSCILLATE)";
   if (!std::isfinite(c.speed) || !std::isfinite(c.torque) || !std::isfinite(c.angle) || !std::isfinite(c.torque_limit))
     return "speed, torque, angle and torque_limit: must be finite";
+  if (!std::isfinite(c.amplitude_right) || !std::isfinite(c.amplitude_left)) return "amplitude_right and amplitude_left: must be finite";
+  if (c.amplitude_right < 0.0 || c.amplitude_left < 0.0) return "amplitude_right and amplitude_left: must not be negative";
+  if (c.mode == TopDriveMode::oscillate && c.amplitude_right + c.amplitude_left == 0.0)
+    return "amplitude_right and amplitude_left: one of them must be above 0 in OSCILLATE";
   if (c.torque_limit < 0.0) return "torque_limit: must not be negative; 0 means the rig's";
   return nullptr;
 }

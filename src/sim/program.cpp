@@ -16,6 +16,32 @@ bool is_set(double value) noexcept
   return !std::isnan(value);
 }
 
+bool commands_top_drive(const ProgramStep& step) noexcept
+{
+  return step.top_drive_mode >= 0 || is_set(step.top_drive_speed) || is_set(step.top_drive_torque) || is_set(step.top_drive_angle) ||
+         is_set(step.amplitude_right) || is_set(step.amplitude_left) || is_set(step.torque_limit) || is_set(step.top_drive_brake);
+}
+
+bool turns_to_angle(TopDriveMode mode) noexcept
+{
+  return mode == TopDriveMode::angle || mode == TopDriveMode::oscillate;
+}
+
+bool keeps_speed(TopDriveMode mode) noexcept
+{
+  return mode != TopDriveMode::torque && !turns_to_angle(mode);
+}
+
+/// By the line's own word or its keys; what says nothing of it leaves it.
+TopDriveMode mode_of(const ProgramStep& step, TopDriveMode before) noexcept
+{
+  if (step.top_drive_mode >= 0) return static_cast<TopDriveMode>(step.top_drive_mode);
+  if (is_set(step.amplitude_right) || is_set(step.amplitude_left)) return TopDriveMode::oscillate;
+  if (is_set(step.top_drive_angle)) return before == TopDriveMode::oscillate ? before : TopDriveMode::angle;
+  if (is_set(step.top_drive_torque)) return TopDriveMode::torque;
+  return is_set(step.top_drive_speed) && !keeps_speed(before) ? TopDriveMode::speed : before;
+}
+
 Ramp ramp_of(const ProgramStep& step, double from, double to) noexcept
 {
   return {from, to, step.at, step.ramp, true};
@@ -69,7 +95,7 @@ void ProgramPlayer::rewind() noexcept
 void ProgramPlayer::begin(const ProgramStep& step, Simulator& simulator) noexcept
 {
   if (is_set(step.block_velocity) || is_set(step.brake)) begin_winch(step, simulator);
-  if (is_set(step.top_drive_speed) || is_set(step.top_drive_torque) || is_set(step.top_drive_brake)) begin_top_drive(step, simulator);
+  if (commands_top_drive(step)) begin_top_drive(step, simulator);
   if (is_set(step.flow)) flow_ = ramp_of(step, simulator.setpoints().pump.flow, step.flow);
   if (step.free == 1.0) simulator.free_pipe();
   if (is_set(step.free_length) && !simulator.set_free_length(step.free_length))
@@ -95,22 +121,25 @@ void ProgramPlayer::begin_top_drive(const ProgramStep& step, Simulator& simulato
 {
   TopDriveSetpoint drive = simulator.setpoints().top_drive;
   const Truth& truth = simulator.truth();
+  const TopDriveMode before = drive.mode;
+  drive.mode = mode_of(step, before);
+  if (drive.mode != before) top_drive_speed_.running = top_drive_torque_.running = false;
   if (is_set(step.top_drive_speed))
   {
-    const bool in_force = drive.mode == TopDriveMode::speed && !drive.brake;
-    top_drive_speed_ = ramp_of(step, in_force ? drive.speed : truth.top_drive_speed, step.top_drive_speed);
-    top_drive_torque_.running = false;
-    drive.mode = TopDriveMode::speed;
+    const double from = turns_to_angle(drive.mode) ? step.top_drive_speed : keeps_speed(before) && !drive.brake ? drive.speed : truth.top_drive_speed;
+    top_drive_speed_ = ramp_of(step, from, step.top_drive_speed);
     drive.speed = top_drive_speed_.value(step.at);
   }
   if (is_set(step.top_drive_torque))
   {
-    const bool in_force = drive.mode == TopDriveMode::torque && !drive.brake;
+    const bool in_force = before == TopDriveMode::torque && !drive.brake;
     top_drive_torque_ = ramp_of(step, in_force ? drive.torque : truth.torque, step.top_drive_torque);
-    top_drive_speed_.running = false;
-    drive.mode = TopDriveMode::torque;
     drive.torque = top_drive_torque_.value(step.at);
   }
+  if (is_set(step.top_drive_angle)) drive.angle = step.top_drive_angle;
+  if (is_set(step.amplitude_right)) drive.amplitude_right = step.amplitude_right;
+  if (is_set(step.amplitude_left)) drive.amplitude_left = step.amplitude_left;
+  if (is_set(step.torque_limit)) drive.torque_limit = step.torque_limit;
   drive.brake = step.top_drive_brake == 1.0;
   if (drive.brake) top_drive_speed_.running = top_drive_torque_.running = false;
   simulator.command(drive);

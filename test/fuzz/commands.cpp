@@ -117,10 +117,16 @@ private:
   void drive(Orders& orders)
   {
     TopDriveSetpoint c;
-    c.mode = static_cast<TopDriveMode>(orders.byte() % 5);
+    c.mode = static_cast<TopDriveMode>(orders.byte() % 7);
     c.speed = orders.number(20.0);
     c.torque = orders.number(3e4);
     c.torque_limit = orders.number(3e4);
+    if (c.mode == TopDriveMode::angle || c.mode == TopDriveMode::oscillate) c.angle = orders.number(20.0);
+    if (c.mode == TopDriveMode::oscillate)
+    {
+      c.amplitude_right = orders.number(10.0);
+      c.amplitude_left = orders.number(10.0);
+    }
     rig_.command(c);
   }
 

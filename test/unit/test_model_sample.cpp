@@ -143,8 +143,7 @@ TEST(Sample, itsPartsAddUpToTheResidual)
       if (i == d.model().top())
       {
         sum[2] += standard_gravity * d.model().scene().rig.hoisting.block_mass - d.sample.hook_force - d.sample.line_damping - d.sample.block_resistance;
-        const RotorState rotor{d.rig.state.drive.speed, d.rig.state.drive.integral, d.rig.state.drive.meter_twist};
-        sum[5] += d.model().scene().rig.top_drive.meter_stiffness * (rotor.twist + d.sample.rotor_increment - node.spin);
+        sum[5] += d.model().scene().rig.top_drive.meter_stiffness * (d.rig.state.drive.meter_twist + d.sample.rotor_increment - node.spin);
         for (const int k : {0, 1, 3, 4}) sum[k] = 0.0;
       }
       const Vector6d residual = d.part(NodeForce::unsolved, i);

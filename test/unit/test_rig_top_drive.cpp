@@ -11,17 +11,17 @@ TEST(TopDrive, EveryBranchObeysTheEquationOfMotion)
 {
   const TopDriveSpec spec = smooth();
   const RotorStage stage{0.005, 300.0, 90000.0, 0.4, 300.0 * 0.4 - 900.0};
-  const RotorState start{5.5, 0.3, 0.006};
-  EXPECT_FALSE(check(spec, speed_command(5.5), start, stage, 0.0275).limited);
-  EXPECT_TRUE(check(spec, speed_command(20.0), start, stage, 0.0275).limited);
-  EXPECT_TRUE(check(spec, speed_command(-20.0), start, stage, 0.0275).limited);
-  EXPECT_FALSE(check(spec, torque_command(8e3), start, stage, 0.0275).limited);
-  EXPECT_TRUE(check(spec, torque_command(9e4), start, stage, 0.0275).limited);
+  const DriveState start = running(5.5, 0.3, 0.006);
+  EXPECT_FALSE(check(spec, speed_command(5.5), start, stage, 0.0275).state.limited);
+  EXPECT_TRUE(check(spec, speed_command(20.0), start, stage, 0.0275).state.limited);
+  EXPECT_TRUE(check(spec, speed_command(-20.0), start, stage, 0.0275).state.limited);
+  EXPECT_FALSE(check(spec, torque_command(8e3), start, stage, 0.0275).state.limited);
+  EXPECT_TRUE(check(spec, torque_command(9e4), start, stage, 0.0275).state.limited);
 
   // near the speed limit
   const RotorStage fast{0.005, 200.0, 40000.0, 0.0, -200.0 * spec.max_speed};
-  const RotorState at_limit{spec.max_speed, 0.0, 0.0};
-  EXPECT_TRUE(check(spec, torque_command(3e4), at_limit, fast, 0.005 * spec.max_speed).limited);
+  const DriveState at_limit = running(spec.max_speed);
+  EXPECT_TRUE(check(spec, torque_command(3e4), at_limit, fast, 0.005 * spec.max_speed).state.limited);
   EXPECT_NEAR(check(spec, torque_command(3e4), at_limit, fast, 0.005 * spec.max_speed).state.speed, spec.max_speed, 1e-9);
 }
 
@@ -29,7 +29,7 @@ TEST(TopDrive, EveryBranchObeysTheEquationOfMotion)
 TEST(TopDrive, TheMotorOnItsOwnAgreesWithTheSolvedRotor)
 {
   const RotorStage stage{0.005, 300.0, 90000.0, 0.4, 300.0 * 0.4 - 900.0};
-  const RotorState start{5.5, 0.3, 0.006};
+  const DriveState start = running(5.5, 0.3, 0.006);
   TopDriveSpec spec = smooth(), weak = smooth();
   weak.max_power = 40e3;
   TopDriveSpec slow = smooth();
@@ -57,11 +57,11 @@ TEST(TopDrive, TheMotorOnItsOwnAgreesWithTheSolvedRotor)
   {
     SCOPED_TRACE(c.name);
     const RotorResult solved = solve_rotor(c.spec, c.command, start, stage, 0.0275);
-    const DriveTorque motor = drive_torque(c.spec, c.command, start, stage.time, solved.increment, solved.state.speed);
+    const DriveTorque motor = drive_torque(c.spec, c.command, start, stage.time, solved.increment, solved.state.speed, solved.state.meter_twist);
     EXPECT_NEAR(motor.motor, solved.motor_torque, 1e-6);
-    EXPECT_NEAR(motor.integral, solved.state.integral, 1e-9);
-    EXPECT_EQ(motor.limited, c.limited);
-    EXPECT_EQ(solved.limited, c.limited);
+    EXPECT_NEAR(motor.state.integral, solved.state.integral, 1e-9);
+    EXPECT_EQ(motor.state.limited, c.limited);
+    EXPECT_EQ(solved.state.limited, c.limited);
     const double slope = motor.by_turn + motor.by_speed * stage.dv_du, spring = c.spec.meter_stiffness;
     const double free = c.spec.inertia * stage.da_du + spring - slope;
     EXPECT_NEAR(solved.stiffness, spring * (1.0 - spring / free), 1e-9 * spring);
@@ -79,9 +79,9 @@ TEST(TopDrive, TheSolvedRotorStopsItsIntegralWithinAStep)
     TopDriveSetpoint command = speed_command(way);
     command.torque_limit = 9.7e3;
     const double top = way * 0.12 - way * 9.7e3 / spec.meter_stiffness;  // the meter takes what the motor gives: the speed stays
-    const RotorResult solved = solve_rotor(spec, command, {way * 0.6, way * 0.3, 0.0}, stage, top);
+    const RotorResult solved = solve_rotor(spec, command, running(way * 0.6, way * 0.3, 0.0), stage, top);
     EXPECT_NEAR(solved.increment, way * 0.12, 1e-9);
-    EXPECT_TRUE(solved.limited);
+    EXPECT_TRUE(solved.state.limited);
     EXPECT_NEAR(solved.state.integral, way * 0.34, 1e-9);
   }
 }
@@ -104,18 +104,18 @@ TEST(TopDrive, TorqueLimits)
 TEST(TopDrive, SpeedLoopByHand)
 {
   const TopDriveSpec spec = smooth();
-  const DriveTorque motor = drive_torque(spec, speed_command(6.0), {5.0, 0.3, 0.0}, 0.005, 0.0275, 5.5);
+  const DriveTorque motor = drive_torque(spec, speed_command(6.0), running(5.0, 0.3, 0.0), 0.005, 0.0275, 5.5, 0.0);
   EXPECT_NEAR(motor.motor, 10000.0 + 1512.5, 1e-9);
-  EXPECT_NEAR(motor.integral, 0.3025, 1e-12);
+  EXPECT_NEAR(motor.state.integral, 0.3025, 1e-12);
   EXPECT_DOUBLE_EQ(motor.by_speed, -20e3);
   EXPECT_DOUBLE_EQ(motor.by_turn, -5e3);
-  EXPECT_FALSE(motor.limited);
+  EXPECT_FALSE(motor.state.limited);
   // backwards all changes its sign
-  EXPECT_NEAR(drive_torque(spec, speed_command(-6.0), {-5.0, -0.3, 0.0}, 0.005, -0.0275, -5.5).motor, -11512.5, 1e-9);
+  EXPECT_NEAR(drive_torque(spec, speed_command(-6.0), running(-5.0, -0.3, 0.0), 0.005, -0.0275, -5.5, 0.0).motor, -11512.5, 1e-9);
   // a speed beyond the rig's is its limit, either way
   const double most = spec.max_speed, near = most - 0.2;
-  EXPECT_NEAR(drive_torque(spec, speed_command(most + 50.0), {near, 0.0, 0.0}, 0.0, 0.0, near).motor, 4000.0, 1e-6);
-  EXPECT_NEAR(drive_torque(spec, speed_command(-most - 50.0), {-near, 0.0, 0.0}, 0.0, 0.0, -near).motor, -4000.0, 1e-6);
+  EXPECT_NEAR(drive_torque(spec, speed_command(most + 50.0), running(near, 0.0, 0.0), 0.0, 0.0, near, 0.0).motor, 4000.0, 1e-6);
+  EXPECT_NEAR(drive_torque(spec, speed_command(-most - 50.0), running(-near, 0.0, 0.0), 0.0, 0.0, -near, 0.0).motor, -4000.0, 1e-6);
 }
 
 // Saturated, the integral moves no deeper than to where the law is at its limit, and freely out of it; k_i |I| never exceeds the limit.
@@ -125,29 +125,29 @@ TEST(TopDrive, IntegralStopsWhereTheMotorDoes)
   TopDriveSetpoint command = speed_command(1.0);
   command.torque_limit = 10e3;
   // at rest: k_p w* = 20 kN m is beyond the limit already: I stays, 0.1 rad, though 0.02 rad of error came
-  const DriveTorque held = drive_torque(spec, command, {0.0, 0.1, 0.0}, 0.02, 0.0, 0.0);
+  const DriveTorque held = drive_torque(spec, command, running(0.0, 0.1, 0.0), 0.02, 0.0, 0.0, 0.0);
   EXPECT_DOUBLE_EQ(held.motor, 10e3);
-  EXPECT_TRUE(held.limited);
-  EXPECT_DOUBLE_EQ(held.integral, 0.1);
+  EXPECT_TRUE(held.state.limited);
+  EXPECT_DOUBLE_EQ(held.state.integral, 0.1);
   // 8 kN m by the error of 0.4 rad/s: I may come to 0.4 rad, where the law is at its limit, of the 0.5 it would have
-  EXPECT_NEAR(drive_torque(spec, command, {0.6, 0.3, 0.0}, 0.2, 0.0, 0.6).integral, 0.4, 1e-12);
+  EXPECT_NEAR(drive_torque(spec, command, running(0.6, 0.3, 0.0), 0.2, 0.0, 0.6, 0.0).state.integral, 0.4, 1e-12);
   // runs back while the motor is at its limit: out of the saturation, freely
-  EXPECT_NEAR(drive_torque(spec, command, {0.0, 1.5, 0.0}, 0.0, 0.1, 0.0).integral, 1.4, 1e-12);
+  EXPECT_NEAR(drive_torque(spec, command, running(0.0, 1.5, 0.0), 0.0, 0.1, 0.0, 0.0).state.integral, 1.4, 1e-12);
   // above the wanted speed the loop brakes, I would grow by 2 rad: 10e3/5e3 is the most it holds
-  EXPECT_NEAR(drive_torque(spec, command, {1.4, 1.9, 0.0}, 2.0, 0.0, 1.4).integral, 2.0, 1e-12);
+  EXPECT_NEAR(drive_torque(spec, command, running(1.4, 1.9, 0.0), 2.0, 0.0, 1.4, 0.0).state.integral, 2.0, 1e-12);
   // and all of it backwards
   TopDriveSetpoint back = speed_command(-1.0);
   back.torque_limit = 10e3;
-  EXPECT_DOUBLE_EQ(drive_torque(spec, back, {0.0, -0.1, 0.0}, 0.02, 0.0, 0.0).integral, -0.1);
-  EXPECT_NEAR(drive_torque(spec, back, {-0.6, -0.3, 0.0}, 0.2, 0.0, -0.6).integral, -0.4, 1e-12);
-  EXPECT_NEAR(drive_torque(spec, back, {0.0, -1.5, 0.0}, 0.0, -0.1, 0.0).integral, -1.4, 1e-12);
-  EXPECT_NEAR(drive_torque(spec, back, {-1.4, -1.9, 0.0}, 2.0, 0.0, -1.4).integral, -2.0, 1e-12);
+  EXPECT_DOUBLE_EQ(drive_torque(spec, back, running(0.0, -0.1, 0.0), 0.02, 0.0, 0.0, 0.0).state.integral, -0.1);
+  EXPECT_NEAR(drive_torque(spec, back, running(-0.6, -0.3, 0.0), 0.2, 0.0, -0.6, 0.0).state.integral, -0.4, 1e-12);
+  EXPECT_NEAR(drive_torque(spec, back, running(0.0, -1.5, 0.0), 0.0, -0.1, 0.0, 0.0).state.integral, -1.4, 1e-12);
+  EXPECT_NEAR(drive_torque(spec, back, running(-1.4, -1.9, 0.0), 2.0, 0.0, -1.4, 0.0).state.integral, -2.0, 1e-12);
   // torque mode: I follows the torque
-  EXPECT_NEAR(drive_torque(spec, torque_command(8e3), {1.0, 0.0, 0.0}, 0.01, 0.01, 1.0).integral, 8e3 / 5e3, 1e-12);
+  EXPECT_NEAR(drive_torque(spec, torque_command(8e3), running(1.0, 0.0, 0.0), 0.01, 0.01, 1.0, 0.0).state.integral, 8e3 / 5e3, 1e-12);
   TopDriveSpec proportional = smooth();
   proportional.integral_gain = 0.0;
-  EXPECT_EQ(drive_torque(proportional, command, {0.9, 0.0, 0.0}, 0.1, 0.0, 0.9).integral, 0.0);
-  EXPECT_EQ(drive_torque(proportional, torque_command(8e3), {1.0, 0.0, 0.0}, 0.01, 0.01, 1.0).integral, 0.0);
+  EXPECT_EQ(drive_torque(proportional, command, running(0.9, 0.0, 0.0), 0.1, 0.0, 0.9, 0.0).state.integral, 0.0);
+  EXPECT_EQ(drive_torque(proportional, speed_command(1.0), running(0.9, 1.0), 0.0, 0.0, 0.9, 0.0).motor, 20e3 * (1.0 - 0.9)) << "what it held is forgotten";
 }
 
 // Torque mode is held off by k_p (w_max - w) where that is less, either way, and never pushes on beyond.
@@ -157,14 +157,14 @@ TEST(TopDrive, TorqueModeGivesWayAtTheSpeedLimit)
   for (const double way : {1.0, -1.0})
   {
     const double fast = way * (spec.max_speed - 0.1);
-    const DriveTorque at_limit = drive_torque(spec, torque_command(way * 9e3), {fast, 0.0, 0.0}, 0.0, 0.0, fast);
+    const DriveTorque at_limit = drive_torque(spec, torque_command(way * 9e3), running(fast, 0.0, 0.0), 0.0, 0.0, fast, 0.0);
     EXPECT_NEAR(at_limit.motor, way * 2000.0, 1e-6);
-    EXPECT_TRUE(at_limit.limited);
-    const DriveTorque beyond = drive_torque(spec, torque_command(way * 9e3), {fast, 0.0, 0.0}, 0.0, 0.0, fast + way * 0.2);
+    EXPECT_TRUE(at_limit.state.limited);
+    const DriveTorque beyond = drive_torque(spec, torque_command(way * 9e3), running(fast, 0.0, 0.0), 0.0, 0.0, fast + way * 0.2, 0.0);
     EXPECT_NEAR(beyond.motor, -way * 2000.0, 1e-6);
-    const DriveTorque braking = drive_torque(spec, torque_command(-way * 9e3), {fast, 0.0, 0.0}, 0.0, 0.0, fast);
+    const DriveTorque braking = drive_torque(spec, torque_command(-way * 9e3), running(fast, 0.0, 0.0), 0.0, 0.0, fast, 0.0);
     EXPECT_NEAR(braking.motor, -way * 9e3, 1e-9);
-    EXPECT_FALSE(braking.limited);
+    EXPECT_FALSE(braking.state.limited);
   }
 }
 
@@ -177,11 +177,11 @@ TEST(TopDrive, PowerTakesOverFromTorqueAtTheirQuotient)
   EXPECT_DOUBLE_EQ(motor_torque_limit(spec, speed_command(5.0), 16.0), 750e3 / 16.0);
   TopDriveSetpoint command = torque_command(40e3);
   const RotorStage stage = euler(0.005, 22.0);
-  const RotorResult r = solve_rotor(spec, command, {22.0, 0.0, 0.0}, stage, 0.11);
+  const RotorResult r = solve_rotor(spec, command, running(22.0, 0.0, 0.0), stage, 0.11);
   EXPECT_NEAR(r.motor_torque, 750e3 / 22.0, 1e-6);
-  EXPECT_TRUE(r.limited);
+  EXPECT_TRUE(r.state.limited);
   command.torque_limit = 20e3;
-  EXPECT_NEAR(solve_rotor(spec, command, {22.0, 0.0, 0.0}, stage, 0.11).motor_torque, 20e3, 1e-6) << "the command's own is less";
+  EXPECT_NEAR(solve_rotor(spec, command, running(22.0, 0.0, 0.0), stage, 0.11).motor_torque, 20e3, 1e-6) << "the command's own is less";
 }
 
 TEST(TopDrive, StepResponseOfTheSpeedLoop)
@@ -203,7 +203,7 @@ TEST(TopDrive, StepResponseOfTheSpeedLoop)
   for (int i = 1; i <= 20000; ++i)
   {
     const RotorResult r = rotor.step(speed_command(target), h);
-    EXPECT_FALSE(r.limited);
+    EXPECT_FALSE(r.state.limited);
     const double error = c1 * std::exp(s1 * i * h) + c2 * std::exp(s2 * i * h);
     worst = std::max(worst, std::abs(target - error - rotor.state().speed));
   }
@@ -222,7 +222,7 @@ TEST(TopDrive, IntegralActionHoldsTheSpeedUnderLoad)
   }
   EXPECT_NEAR(rotor.state().speed, 5.5, 1e-6);
   EXPECT_NEAR(r.motor_torque, 9e3, 1e-2);
-  EXPECT_NEAR(rotor.state().twist, 9e3 / spec.meter_stiffness, 1e-9);
+  EXPECT_NEAR(rotor.state().meter_twist, 9e3 / spec.meter_stiffness, 1e-9);
 }
 
 TEST(TopDrive, NoWindUpInStall)
@@ -231,7 +231,7 @@ TEST(TopDrive, NoWindUpInStall)
   const TopDriveSpec spec = smooth();
   TopDriveSetpoint command = speed_command(5.5);
   command.torque_limit = 12e3;
-  RotorState state;
+  DriveState state;
   for (int i = 0; i < 12000; ++i)
   {
     const RotorResult r = solve_rotor(spec, command, state, euler(0.005, state.speed), 0.0);
@@ -239,7 +239,7 @@ TEST(TopDrive, NoWindUpInStall)
     state = r.state;
   }
   EXPECT_NEAR(state.speed, 0.0, 1e-6);
-  EXPECT_NEAR(spec.meter_stiffness * state.twist, 12e3, 1.0);
+  EXPECT_NEAR(spec.meter_stiffness * state.meter_twist, 12e3, 1.0);
   EXPECT_LE(spec.integral_gain * state.integral, 12e3);
 
   FreeRotor rotor(spec);
@@ -286,7 +286,7 @@ TEST(TopDrive, TorqueModeRunsUpToTheSpeedLimit)
   }
   EXPECT_LE(rotor.state().speed, spec.max_speed);
   EXPECT_NEAR(rotor.state().speed, spec.max_speed, 1e-6);
-  EXPECT_TRUE(r.limited);
+  EXPECT_TRUE(r.state.limited);
 }
 
 TEST(TopDrive, ChangeToSpeedModeIsBumpless)

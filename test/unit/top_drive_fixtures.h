@@ -31,6 +31,18 @@ inline TopDriveSetpoint brake_command()
   return {TopDriveMode::speed, 0.0, 0.0, 0.0, 0.0, true};
 }
 
+/// A rotor at `speed` [rad/s] whose loop has gathered `integral` [rad], its meter and gear twisted [rad].
+inline DriveState running(double speed, double integral = 0.0, double meter_twist = 0.0, double gear_twist = 0.0, bool braked = false)
+{
+  DriveState out;
+  out.speed = out.reference = speed;
+  out.integral = integral;
+  out.meter_twist = meter_twist;
+  out.gear_twist = gear_twist;
+  out.braked = braked;
+  return out;
+}
+
 /// Implicit Euler of length h from a start at `speed`.
 inline RotorStage euler(double h, double speed)
 {
@@ -59,22 +71,22 @@ public:
     return r;
   }
 
-  RotorState& state() { return state_; }
+  DriveState& state() { return state_; }
 
 private:
   TopDriveSpec spec_;
-  RotorState state_;
+  DriveState state_;
 };
 
 /// Checks the equation of motion and the derivative at a stage, and returns the result.
-inline RotorResult check(const TopDriveSpec& spec, const TopDriveSetpoint& command, const RotorState& start, const RotorStage& stage,
+inline RotorResult check(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start, const RotorStage& stage,
                   double top)
 {
   const RotorResult r = solve_rotor(spec, command, start, stage, top);
   
   const double acceleration = stage.da_du * r.increment + stage.acceleration_0;
   EXPECT_NEAR(spec.inertia * acceleration, r.motor_torque + r.friction - r.meter_torque, 1e-8 * (std::abs(r.meter_torque) + 1e4));
-  EXPECT_NEAR(r.meter_torque, spec.meter_stiffness * (start.twist + r.increment - top), 1e-8);
+  EXPECT_NEAR(r.meter_torque, spec.meter_stiffness * (start.meter_twist + r.increment - top), 1e-8);
   const double h = 1e-7;
   const double slope = (solve_rotor(spec, command, start, stage, top + h).meter_torque -
                         solve_rotor(spec, command, start, stage, top - h).meter_torque) /

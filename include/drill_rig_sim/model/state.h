@@ -8,6 +8,7 @@
 
 #include "drill_rig_sim/contact/cut_ground.h"
 #include "drill_rig_sim/rig/hydraulics.h"
+#include "drill_rig_sim/rig/top_drive.h"
 #include "drill_rig_sim/well/wellbore.h"
 
 namespace drill_rig_sim
@@ -148,30 +149,6 @@ struct StepMemory
     v("torque", torque);
     v("wob", wob);
     v("bit_speed", bit_speed);
-  }
-};
-
-/// The rotor of the top drive and its speed loop.
-struct DriveState
-{
-  double angle = 0.0;        ///< [rad], unbounded
-  double speed = 0.0;        ///< [rad/s]
-  double integral = 0.0;     ///< of the speed error [rad]
-  double meter_twist = 0.0;  ///< rotor ahead of the string's top [rad]
-  double gear_twist = 0.0;   ///< of what gearbox and brake hold it by [rad]
-  bool braked = false;
-  bool limited = false;
-
-  template <class V>
-  void visit(V& v)
-  {
-    v("angle", angle);
-    v("speed", speed);
-    v("integral", integral);
-    v("meter_twist", meter_twist);
-    v("gear_twist", gear_twist);
-    v("braked", braked);
-    v("limited", limited);
   }
 };
 

@@ -9,7 +9,8 @@ enum class TopDriveMode
   torque = 1,
   angle = 2,
   soft_torque = 3,
-  z_torque = 4
+  z_torque = 4,
+  oscillate = 5
 };
 
 /// Set points, in the signs of the interface: block velocity + up, spin and torque + clockwise looking downhole.
@@ -31,11 +32,13 @@ struct WinchSetpoint
 struct TopDriveSetpoint
 {
   TopDriveMode mode = TopDriveMode::speed;
-  double speed = 0.0;         ///< [rad/s]
+  double speed = 0.0;         ///< [rad/s]; of angle and oscillate the largest, 0 = angle_speed (drive_reference.h)
   double torque = 0.0;        ///< [N m], torque mode
-  double angle = 0.0;         ///< [rad], angle mode
+  double angle = 0.0;         ///< of the shaft, unbounded, to be held or rocked about [rad], modes angle and oscillate
   double torque_limit = 0.0;  ///< [N m]; 0 = the rig's
-  bool brake = false;         ///< on, whatever the mode; it comes on by itself at a speed of 0
+  bool brake = false;         ///< on, whatever the mode; it comes on by itself at a speed of 0 and at the angle
+  double amplitude_right = 0.0;  ///< clockwise, mode oscillate [rad]
+  double amplitude_left = 0.0;   ///< counterclockwise [rad]
 
   template <class V>
   void visit(V& v)
@@ -46,6 +49,8 @@ struct TopDriveSetpoint
     v("angle", angle);
     v("torque_limit", torque_limit);
     v("brake", brake);
+    v("amplitude_right", amplitude_right);
+    v("amplitude_left", amplitude_left);
   }
 };
 
@@ -84,7 +89,7 @@ inline bool operator==(const WinchSetpoint& a, const WinchSetpoint& b) noexcept
 inline bool operator==(const TopDriveSetpoint& a, const TopDriveSetpoint& b) noexcept
 {
   return a.mode == b.mode && a.speed == b.speed && a.torque == b.torque && a.angle == b.angle && a.torque_limit == b.torque_limit &&
-         a.brake == b.brake;
+         a.brake == b.brake && a.amplitude_right == b.amplitude_right && a.amplitude_left == b.amplitude_left;
 }
 
 inline bool operator==(const Setpoints& a, const Setpoints& b) noexcept

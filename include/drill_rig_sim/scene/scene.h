@@ -53,6 +53,10 @@ struct ProgramStep
   double block_velocity = unset;    ///< [m/s], + up; releases the brake
   double top_drive_speed = unset;   ///< [rad/s]
   double top_drive_torque = unset;  ///< [N m]: torque mode
+  int top_drive_mode = -1;          ///< a TopDriveMode; -1: by the others
+  double top_drive_angle = unset;   ///< of the shaft: angle mode, or the middle of oscillate [rad]
+  double amplitude_right = unset, amplitude_left = unset;  ///< of oscillate [rad]
+  double torque_limit = unset;      ///< [N m]; 0 = the rig's
   double flow = unset;              ///< [m3/s]
   double top_drive_brake = unset;   ///< 1 sets, 0 releases
   double brake = unset;             ///< the winch's: 1 sets, 0 releases

@@ -59,7 +59,8 @@ const char* what_is_wrong(const TopDriveSetpoint& command) noexcept;
 const char* what_is_wrong(const PumpSetpoint& command) noexcept;
 
 /// Takes a command at simulated time `now` [s]. A finite value beyond the rig's limit is clamped, as a real drive saturates; a value that
-/// is not finite, an unknown mode and a negative torque limit are refused whole: the last good one stays.
+/// is not finite, an unknown mode, a negative torque limit or amplitude, and OSCILLATE without amplitudes are refused whole: the last good one
+/// stays.
 CommandResult take(const RigSpec& rig, double now, const WinchSetpoint& command, CommandState& state) noexcept;
 CommandResult take(const RigSpec& rig, double now, const TopDriveSetpoint& command, CommandState& state) noexcept;
 CommandResult take(const RigSpec& rig, double now, const PumpSetpoint& command, CommandState& state) noexcept;

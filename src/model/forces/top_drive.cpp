@@ -8,11 +8,9 @@ namespace
 {
 RotorResult rotor_at(const Model& model, const State& start, const Stage& at, double top_spin) noexcept
 {
-  const RotorState rotor{start.drive.speed, start.drive.integral, start.drive.meter_twist, start.drive.gear_twist,
-                         start.drive.braked};
   RotorStage stage = at.drive;
   stage.time = at.time;
-  return solve_rotor(model.scene().rig.top_drive, at.setpoints.top_drive, rotor, stage, top_spin);
+  return solve_rotor(model.scene().rig.top_drive, at.setpoints.top_drive, start.drive, stage, top_spin);
 }
 
 void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
@@ -26,8 +24,7 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   result.forces.meter_torque = rotor.meter_torque;
   result.forces.drive_torque = rotor.motor_torque;
   result.forces.gear_friction = rotor.friction;
-  result.drive = {at.start.drive.angle + rotor.increment, rotor.state.speed,      rotor.state.integral, rotor.state.twist,
-                  rotor.state.gear_twist,                 rotor.state.braked, rotor.limited};
+  result.drive = rotor.state;
   result.drive_increment = rotor.increment;
   result.drive_acceleration = rotor.acceleration;
 }
