@@ -53,6 +53,26 @@ TEST(ModelTangent, hangingFreeAndTurning)
   expect_exact(rig);
 }
 
+TEST(ModelTangent, inEveryModeOfTheTopDrive)
+{
+  Scene scene = vertical_scene(100.0, 60.0);
+  scene.string[0].bit->diameter = 0.21;
+  for (const TopDriveMode mode :
+       {TopDriveMode::torque, TopDriveMode::angle, TopDriveMode::soft_torque, TopDriveMode::z_torque, TopDriveMode::oscillate})
+  {
+    SCOPED_TRACE(static_cast<int>(mode));
+    Rig rig(scene);
+    TopDriveSetpoint& drive = rig.setpoints.top_drive;
+    drive.mode = mode;
+    drive.speed = 20.0 * rpm;
+    drive.torque = 2e3;
+    drive.angle = 20.0;
+    drive.amplitude_right = 1.0;
+    rig.run(2.0);
+    expect_exact(rig);
+  }
+}
+
 TEST(ModelTangent, inContactAndSticking)
 {
   Rig rig(slanted_scene(60.0, 0.5));

@@ -1,6 +1,9 @@
 // What a command leaves in the state by itself, and what the clock's shift does to it.
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <string>
+
 #include "drill_rig_sim/sim/commands.h"
 
 using namespace drill_rig_sim;
@@ -78,6 +81,55 @@ TEST(CommandState, shiftsWithTheClock)
   EXPECT_TRUE(state.clamped) << "of the same frame";
   take(rig, now + 5.01, PumpSetpoint{0.0}, state);
   EXPECT_FALSE(state.clamped);
+}
+
+// The last good one stays, and the reason is one line that names the field.
+TEST(TopDriveCommand, nonsenseIsRefusedWhole)
+{
+  const RigSpec rig;
+  CommandState state;
+  TopDriveSetpoint good;
+  good.mode = TopDriveMode::oscillate;
+  good.amplitude_right = 1.0;
+  ASSERT_EQ(take(rig, now, good, state).outcome, CommandResult::Outcome::accepted);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto with = [&](auto change)
+  {
+    TopDriveSetpoint c = good;
+    change(c);
+    return c;
+  };
+  const std::pair<const char*, TopDriveSetpoint> bad[] = {
+      {"mode", with([](auto& c) { c.mode = static_cast<TopDriveMode>(6); })},
+      {"mode", with([](auto& c) { c.mode = static_cast<TopDriveMode>(255); })},
+      {"angle", with([](auto& c) { c.angle = nan; })},
+      {"amplitude_right", with([](auto& c) { c.amplitude_right = nan; })},
+      {"amplitude_left", with([](auto& c) { c.amplitude_left = nan; })},
+      {"amplitude_right", with([](auto& c) { c.amplitude_right = -1.0; })},
+      {"amplitude_left", with([](auto& c) { c.amplitude_left = -1.0; })},
+      {"amplitude_right", with([](auto& c) { c.amplitude_right = 0.0; })},
+      {"torque_limit", with([](auto& c) { c.torque_limit = -1.0; })}};
+  for (const auto& [field, command] : bad)
+  {
+    const CommandResult result = take(rig, now + 1.0, command, state);
+    EXPECT_EQ(result.outcome, CommandResult::Outcome::refused) << field;
+    EXPECT_NE(std::string(result.reason).find(field), std::string::npos) << result.reason;
+    EXPECT_EQ(std::string(result.reason).find('\n'), std::string::npos);
+    EXPECT_TRUE(state.asked.top_drive == good) << field;
+  }
+}
+
+TEST(TopDriveCommand, everyModeIsTaken)
+{
+  const RigSpec rig;
+  for (const TopDriveMode mode : {TopDriveMode::speed, TopDriveMode::torque, TopDriveMode::angle, TopDriveMode::soft_torque, TopDriveMode::z_torque})
+  {
+    CommandState state;
+    TopDriveSetpoint c;
+    c.mode = mode;
+    EXPECT_EQ(take(rig, now, c, state).outcome, CommandResult::Outcome::accepted);
+    EXPECT_EQ(state.asked.top_drive.mode, mode);
+  }
 }
 
 int main(int argc, char** argv)

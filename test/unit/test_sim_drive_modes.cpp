@@ -36,10 +36,10 @@ TopDriveSetpoint by_torque(double torque)
   return c;
 }
 
-/// A string of 400 m in an inclined hole with friction: it winds up.
+/// A string of 1200 m in an inclined hole with friction: it winds up.
 Scene rubbing_scene()
 {
-  Scene scene = scene_in({{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}, {300.0, 40.0 * degree, 0.0}, {500.0, 40.0 * degree, 0.0}}, 500.0, 400.0, 0.3);
+  Scene scene = scene_in(build_and_hold(100.0, 0.2 * degree, 40.0 * degree, 0.0, 1300.0), 1300.0, 1200.0, 0.3);
   scene.numerics.level = Level::axial_torsional;
   return scene;
 }
@@ -84,9 +84,9 @@ TEST(SimDriveModes, rocksTheStringWithoutTurningTheBit)
 {
   Simulator rig(rubbing_scene());
   TopDriveSetpoint rock = in_mode(TopDriveMode::oscillate, 1.5);
-  rock.angle = 1.0;
-  rock.amplitude_right = 2.0;
-  rock.amplitude_left = 1.5;
+  rock.angle = 0.5;
+  rock.amplitude_right = 1.2;
+  rock.amplitude_left = 0.9;
   rig.command(rock);
   run(rig, 20.0);
   double highest = -1e9, lowest = 1e9;
@@ -94,11 +94,12 @@ TEST(SimDriveModes, rocksTheStringWithoutTurningTheBit)
   {
     highest = std::max(highest, t.top_drive_angle);
     lowest = std::min(lowest, t.top_drive_angle);
-    EXPECT_NEAR(t.bit_speed, 0.0, 0.02);
+    EXPECT_NEAR(t.bit_speed, 0.0, 1e-3);
     EXPECT_FALSE(t.top_drive_brake_set);
   });
-  EXPECT_NEAR(highest, 3.0, 0.05);
-  EXPECT_NEAR(lowest, -0.5, 0.05);
+  // the string's torque grows on the way, and the loop lags by its rate over k_i: 1.2 kN m/s, 0.03 rad
+  EXPECT_NEAR(highest, 1.7, 0.07);
+  EXPECT_NEAR(lowest, -0.4, 0.07);
 }
 
 // Gripped at 300 m the string takes the limit's torque and stands; let go it turns the drive back, faster the more is wound up; free, it

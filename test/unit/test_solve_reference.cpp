@@ -185,7 +185,9 @@ TEST(Reference, EachBodyHasItsNodesMassAndTheMudsAtItsSide)
   EXPECT_NEAR(mesh.nodes[1].mass, mass_of(1), 1e-6) << "out of the mud";
 }
 
-TEST(Reference, JacobianOfTheRigByFiniteDifferences)
+namespace
+{
+void expect_exact_jacobian(TopDriveMode mode)
 {
   Scene scene = drilling(1e-6);
   // the tangents are those of a step, in which the axes of damping stand still: what tilts with the section is left out, some
@@ -206,6 +208,7 @@ TEST(Reference, JacobianOfTheRigByFiniteDifferences)
   RigDae rig(*rest.model, stage, work, state, Formulation::stabilised_index_2, 1e-6);
   Setpoints setpoints;
   setpoints.top_drive.speed = 8.0;
+  setpoints.top_drive.mode = mode;
   begin_step(*rest.model, state, kStep, setpoints, stage);
   std::vector<double> y = rig.initial(state), rate;
   rig.begin(0.0, state, setpoints, y);
@@ -243,6 +246,16 @@ TEST(Reference, JacobianOfTheRigByFiniteDifferences)
   }
   // of the largest entry of the row; round-off of forces over 1e-8 m
   for (std::size_t i = 0; i < n; ++i) EXPECT_LT(off[i], 1e-6 * scale[i] + 1e-6) << i;
+}
+}  // namespace
+
+TEST(Reference, JacobianOfTheRigByFiniteDifferences)
+{
+  for (const TopDriveMode mode : {TopDriveMode::speed, TopDriveMode::soft_torque, TopDriveMode::z_torque})
+  {
+    SCOPED_TRACE(static_cast<int>(mode));
+    expect_exact_jacobian(mode);
+  }
 }
 
 int main(int argc, char** argv)
