@@ -259,8 +259,8 @@ namespace
 std::vector<Key<DriveImpedance>> impedance_rows(const char* damping, const char* stiffness)
 {
   return {
-  {"damping",               "N m s/rad", &DriveImpedance::damping,         between(0.0, 1e6),    "P", no_kind, every_kind, damping},
-  {"stiffness",             "N m/rad", &DriveImpedance::stiffness,         between(0.0, 1e6),    "I", no_kind, every_kind, stiffness},
+  {"damping",               "N m s/rad", &DriveImpedance::damping,         between(0.0, 1e6),    "P; 0: as by default", no_kind, every_kind, damping},
+  {"stiffness",             "N m/rad", &DriveImpedance::stiffness,         between(0.0, 1e6),    "I; 0: as by default", no_kind, every_kind, stiffness},
   {"inertia_compensation",  "-",      &DriveImpedance::inertia_compensation, between(0.0, 0.99), "c: the share of the rotor's inertia that the drive hides, by feeding the torque meter back"},
   };
 }

@@ -51,7 +51,7 @@ inline FrameRecord numbered_record()
   number_bit(f.truth);
   number_signals(f.readings, 300.0);
   f.truth.setpoints.winch = {401.0, false};
-  f.truth.setpoints.top_drive = {TopDriveMode::torque, 402.0, 403.0, 404.0, 405.0};
+  f.truth.setpoints.top_drive = {TopDriveMode::torque, 402.0, 403.0, 404.0, 405.0, false, 407.0, 408.0};
   f.truth.setpoints.pump.flow = 406.0;
   f.readings.setpoints = f.truth.setpoints;
   f.readings.mwd = {7, 298.5, 501.0, 502.0, 503.0};         // measured 1.5 s before the frame

@@ -107,6 +107,8 @@ TEST(RigStateMessage, setPointsInForceWithTheStampsOfTheirCommands)
   EXPECT_EQ(403.0, m.top_drive.torque);
   EXPECT_EQ(404.0, m.top_drive.angle);
   EXPECT_EQ(405.0, m.top_drive.torque_limit);
+  EXPECT_EQ(407.0, m.top_drive.amplitude_right);
+  EXPECT_EQ(408.0, m.top_drive.amplitude_left);
   EXPECT_EQ(ros::Time(9, 9), m.mud_pump.header.stamp);
   EXPECT_EQ(406.0, m.mud_pump.flow);
   FrameRecord braked = frame;
@@ -176,11 +178,14 @@ TEST(SetPoints, eachFieldComesFromItsOwn)
   drive.torque = 2.0;
   drive.angle = 3.0;
   drive.torque_limit = 4.0;
+  drive.amplitude_right = 5.0;
+  drive.amplitude_left = 6.0;
   const std::vector<std::pair<std::uint8_t, TopDriveMode>> modes = {{TopDriveCommand::SPEED, TopDriveMode::speed},
                                                                     {TopDriveCommand::TORQUE, TopDriveMode::torque},
                                                                     {TopDriveCommand::ANGLE, TopDriveMode::angle},
                                                                     {TopDriveCommand::SOFT_TORQUE, TopDriveMode::soft_torque},
-                                                                    {TopDriveCommand::Z_TORQUE, TopDriveMode::z_torque}};
+                                                                    {TopDriveCommand::Z_TORQUE, TopDriveMode::z_torque},
+                                                                    {TopDriveCommand::OSCILLATE, TopDriveMode::oscillate}};
   for (const auto& [said, mode] : modes)
   {
     drive.mode = said;
@@ -192,6 +197,8 @@ TEST(SetPoints, eachFieldComesFromItsOwn)
   EXPECT_EQ(2.0, to_setpoint(drive).torque);
   EXPECT_EQ(3.0, to_setpoint(drive).angle);
   EXPECT_EQ(4.0, to_setpoint(drive).torque_limit);
+  EXPECT_EQ(5.0, to_setpoint(drive).amplitude_right);
+  EXPECT_EQ(6.0, to_setpoint(drive).amplitude_left);
   EXPECT_FALSE(to_setpoint(drive).brake);
   drive.brake = true;
   EXPECT_TRUE(to_setpoint(drive).brake);

@@ -212,6 +212,36 @@ TEST(ProgramRamp, ToAnotherModeBeginsAtWhatTheDriveDoes)
 }
 
 // A program that comes late is as far as one that came in time.
+// A line's own word, or its keys; what it leaves out stays.
+TEST(ProgramPlayer, LinesNameTheModeOfTheTopDrive)
+{
+  Show show(quick("[{at: 0, top_drive_mode: z_torque, top_drive_speed_rpm: 60}, {at: 0.1, top_drive_speed_rpm: 30}, {at: 0.2, top_drive_mode: soft_torque, "
+                  "top_drive_torque_limit: 8000}, {at: 0.3, top_drive_angle_deg: 90}, {at: 0.4, amplitude_right_deg: 180}, {at: 0.5, top_drive_angle_deg: 45, "
+                  "top_drive_speed_rpm: 5}, {at: 0.6, top_drive_torque: 300}, {at: 0.7, top_drive_speed_rpm: 10}, {at: 0.8, top_drive_mode: angle}]"));
+  EXPECT_EQ(show.play(0.05).top_drive.mode, TopDriveMode::z_torque);
+  EXPECT_EQ(show.play(0.15).top_drive.mode, TopDriveMode::z_torque) << "a speed leaves it";
+  EXPECT_DOUBLE_EQ(show.play(0.16).top_drive.speed, 30.0 * rpm);
+  const TopDriveSetpoint soft = show.play(0.25).top_drive;
+  EXPECT_EQ(soft.mode, TopDriveMode::soft_torque);
+  EXPECT_DOUBLE_EQ(soft.speed, 30.0 * rpm);
+  EXPECT_DOUBLE_EQ(soft.torque_limit, 8000.0);
+  const TopDriveSetpoint angle = show.play(0.35).top_drive;
+  EXPECT_EQ(angle.mode, TopDriveMode::angle);
+  EXPECT_DOUBLE_EQ(angle.angle, 90.0 * degree);
+  const TopDriveSetpoint rocking = show.play(0.45).top_drive;
+  EXPECT_EQ(rocking.mode, TopDriveMode::oscillate);
+  EXPECT_DOUBLE_EQ(rocking.amplitude_right, 180.0 * degree);
+  EXPECT_EQ(rocking.amplitude_left, 0.0);
+  const TopDriveSetpoint elsewhere = show.play(0.55).top_drive;
+  EXPECT_EQ(elsewhere.mode, TopDriveMode::oscillate) << "about another middle";
+  EXPECT_DOUBLE_EQ(elsewhere.angle, 45.0 * degree);
+  EXPECT_DOUBLE_EQ(elsewhere.speed, 5.0 * rpm);
+  EXPECT_EQ(show.play(0.65).top_drive.mode, TopDriveMode::torque);
+  EXPECT_EQ(show.play(0.75).top_drive.mode, TopDriveMode::speed);
+  EXPECT_EQ(show.play(0.85).top_drive.mode, TopDriveMode::angle);
+  EXPECT_DOUBLE_EQ(show.play(0.86).top_drive.angle, 45.0 * degree);
+}
+
 TEST(ProgramRamp, OverdueItIsAsFarAsItWouldBe)
 {
   const Scene scene = quick("[{at: 0, flow: 0.02, ramp: 0.2}, {at: 0.05, top_drive_speed_rpm: 60, ramp: 0.05}, {at: 0.1, flow: 0.03, ramp: 0.2}]");

@@ -14,9 +14,9 @@
 /// moves by ramps: drive_reference.h.
 /// SPEED, ANGLE, OSCILLATE:  tau = k_p (w* - w) + k_i i + J dw*/dt, di/dt = w* - w, saturated; in ANGLE and OSCILLATE k_i is at least
 ///   k_p^2/(4 J), or what the loop has gathered on the way would go on turning the string for seconds.
-/// SOFT_TORQUE, Z_TORQUE:    tau = T + q (P (w* - w) + I i - T) + J dw*/dt, q = 1/(1 - c): feeding the meter back makes the rotor as light as (1 - c) J, and
-///   the drive an impedance Z(s) = P + s (1 - c) J + I/s in front of the string's zeta (without friction). The wave that comes up comes
-///   back r = (Z - zeta)/(Z + zeta) times (Halsey, Kyllingstad and Kylling, SPE 18049, 1988; Kyllingstad and Nessjoen 2009).
+/// SOFT_TORQUE, Z_TORQUE:    tau = T + q (P (w* - w) + I i - T) + J dw*/dt, q = 1/(1 - c): feeding the meter back makes the rotor as light as
+///   (1 - c) J, and the drive an impedance Z(s) = P + s (1 - c) J + I/s in front of the string's zeta (without friction). The wave that comes
+///   up comes back r = (Z - zeta)/(Z + zeta) times (Halsey, Kyllingstad and Kylling, SPE 18049, 1988; Kyllingstad and Nessjoen 2009).
 /// TORQUE: tau = T*, held off where it would push the speed beyond +-max_speed: k_p (-w_max - w) <= tau <= k_p (w_max - w).
 /// Saturation: |tau| <= torque limit, and |tau w| <= max_power with w at the start of the step.
 /// Anti-windup: while saturated i moves only so far as it does not lead deeper into saturation; what it holds never exceeds the limit.
