@@ -33,7 +33,7 @@
 /// closed form.
 namespace drill_rig_sim
 {
-/// What SOFT_TORQUE or Z_TORQUE makes of the drive; 0: tuned to the string (string/drive_tuning.h).
+/// What SOFT_TORQUE or Z_TORQUE makes of the drive; 0: tuned to the string (rig/drive_tuning.h).
 struct DriveImpedance
 {
   double damping = 0.0;               ///< P [N m s/rad]

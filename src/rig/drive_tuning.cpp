@@ -1,4 +1,4 @@
-#include "drill_rig_sim/string/drive_tuning.h"
+#include "drill_rig_sim/rig/drive_tuning.h"
 
 #include <cmath>
 

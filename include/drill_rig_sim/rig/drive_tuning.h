@@ -1,5 +1,5 @@
-#ifndef DRILL_RIG_SIM_STRING_DRIVE_TUNING_H
-#define DRILL_RIG_SIM_STRING_DRIVE_TUNING_H
+#ifndef DRILL_RIG_SIM_RIG_DRIVE_TUNING_H
+#define DRILL_RIG_SIM_RIG_DRIVE_TUNING_H
 
 #include "drill_rig_sim/rig/top_drive.h"
 #include "drill_rig_sim/string/mesh.h"

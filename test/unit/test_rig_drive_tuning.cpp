@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/string/drive_tuning.h"
+#include "drill_rig_sim/rig/drive_tuning.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
