@@ -293,6 +293,30 @@ TEST(DriveModes, ModesTakeOverWithoutABump)
   }
 }
 
+// Nor does one amid the string's waves and against the gearbox's friction, which Z_TORQUE carries fifty times lighter than the others.
+TEST(DriveModes, ModesTakeOverAmidWaves)
+{
+  TopDriveSpec spec;
+  spec.soft_torque = {800.0, 3950.0, 0.0};
+  spec.z_torque = {400.0, 60.0, 0.98};
+  FreeRotor rotor(spec);
+  double time = 0.0;
+  const auto step = [&](TopDriveMode mode)
+  {
+    TopDriveSetpoint command = speed_command(5.0);
+    command.mode = mode;
+    time += 0.005;
+    return rotor.step(command, 0.005, 9e3 + 300.0 * std::sin(2.0 * pi * 0.2 * time)).motor_torque;
+  };
+  double before = 0.0;
+  for (int i = 0; i < 4000; ++i) before = step(TopDriveMode::speed);
+  for (const TopDriveMode mode : {TopDriveMode::z_torque, TopDriveMode::speed, TopDriveMode::soft_torque, TopDriveMode::z_torque, TopDriveMode::soft_torque})
+  {
+    EXPECT_NEAR(step(mode), before, 150.0) << static_cast<int>(mode);
+    for (int i = 0; i < 777; ++i) before = step(mode);
+  }
+}
+
 }  // namespace
 }  // namespace drill_rig_sim
 

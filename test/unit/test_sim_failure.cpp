@@ -155,7 +155,7 @@ TEST(Commands, notNumbersAreRefusedAndChangeNothing)
     }
   }
   TopDriveSetpoint mode, negative;
-  mode.mode = TopDriveMode::z_torque;
+  mode.mode = static_cast<TopDriveMode>(6);
   negative.torque_limit = -1.0;
   EXPECT_EQ(rig.command(mode).outcome, Outcome::refused);
   EXPECT_EQ(rig.command(negative).outcome, Outcome::refused);
