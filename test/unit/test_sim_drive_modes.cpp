@@ -156,6 +156,22 @@ TEST(SimDriveModes, rampsTheSpeed)
   run(rig, 3.5, [&](const Truth& t) { EXPECT_NEAR(t.top_drive_speed, 4.0 - 0.5 * (t.time - from), 0.12); });
 }
 
+TEST(SimDriveModes, theEnergyBalanceClosesInEach)
+{
+  for (const TopDriveMode mode : {TopDriveMode::speed, TopDriveMode::soft_torque, TopDriveMode::z_torque, TopDriveMode::angle, TopDriveMode::oscillate})
+  {
+    Simulator rig(vertical_scene(100.0, 60.0));
+    rig.balance_energy();
+    TopDriveSetpoint command = in_mode(mode, 4.0);
+    command.angle = 10.0;
+    command.amplitude_right = command.amplitude_left = 1.0;
+    rig.command(command);
+    run(rig, 6.0);
+    EXPECT_GT(rig.energy().drive, 1e3);
+    EXPECT_LT(rig.energy().closure(), 5e-3) << static_cast<int>(mode);  // the motor starts within a step of 10 ms
+  }
+}
+
 // One mode after the other, saved in the middle of each and at each change.
 TEST(Snapshot, inEveryModeOfTheTopDriveIsBitIdentical)
 {
