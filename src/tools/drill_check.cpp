@@ -8,6 +8,7 @@
 #include "drill_options.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/mud_circuit.h"
+#include "drill_rig_sim/rig/drive_tuning.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/accuracy_watch.h"
@@ -69,6 +70,17 @@ void print_mud(const Scene& scene)
   if (lost > 0.0 && mud.tubular_loss >= lost)
     std::printf("            bore and annulus alone would lose %.2f MPa: pressure_coefficient leaves nothing for the bit; more than %.3g does\n",
                 mud.tubular_loss / 1e6, mud.tubular_loss / std::pow(mud.circuit.nominal_flow, 2));
+}
+
+/// What the drive's modes are tuned to, and by it.
+void print_tuned_drive(const Scene& scene)
+{
+  const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
+  const TopDriveSpec drive = tuned(scene.rig.top_drive, mesh);
+  const DriveImpedance &soft = drive.soft_torque, &z = drive.z_torque;
+  std::printf("top drive   pipe of %.0f N m s/rad, slowest torsion %.3f Hz: SOFT_TORQUE P %.3g N m s/rad, I %.3g N m/rad; Z_TORQUE P %.3g N m s/rad, "
+              "I %.3g N m/rad\n",
+              torsional_impedance(mesh), slowest_torsion(mesh) / (2.0 * pi), soft.damping, soft.stiffness, z.damping, z.stiffness);
 }
 
 void print_sharpest_bend(const Survey& survey)
@@ -172,6 +184,7 @@ void check(const CheckOptions& options)
   std::printf("start       bit at %.3f m, block at %.2f m, hook load %.1f kN, of it the string %.1f kN\n", m.bit_depth,
               m.block_height, m.hook_load / 1e3, m.hook_load_string / 1e3);
   print_mud(scene);
+  print_tuned_drive(scene);
   std::printf(s.step > 0.0 ? "model       level %s, integrator %s, step %g s, %d nodes, %d coordinates, kernel %s\n"
                            : "model       level %s, integrator %s, variable steps by a tolerance of %g, %d nodes, %d coordinates, kernel %s\n",
               s.level, s.integrator, s.step > 0.0 ? s.step : scene.numerics.tolerance, s.nodes, s.coordinates, name_of(s.kernel));
