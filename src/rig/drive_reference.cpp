@@ -58,8 +58,7 @@ double SpeedReference::acceleration(double time) const noexcept
 SpeedReference speed_reference(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start) noexcept
 {
   const double target = target_speed(spec, command, start);
-  const bool to_angle = command.mode == TopDriveMode::angle || command.mode == TopDriveMode::oscillate;
-  const double acceleration = to_angle ? acceleration_to_angles(spec) : spec.max_acceleration;
+  const double acceleration = turns_to_angle(command.mode) ? acceleration_to_angles(spec) : spec.max_acceleration;
   if (acceleration <= 0.0 || command.mode == TopDriveMode::torque) return {target, target, 0.0};
   return {start.reference, target, std::abs(target - start.reference) / acceleration};
 }

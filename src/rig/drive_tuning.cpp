@@ -1,6 +1,6 @@
 #include "drill_rig_sim/rig/drive_tuning.h"
 
-#include <cmath>
+#include "drill_rig_sim/string/wave_impedance.h"
 
 namespace drill_rig_sim
 {
@@ -32,9 +32,7 @@ void tune(double inertia, double damping, double stiffness_per_inertia, double s
 
 double torsional_impedance(const Mesh& mesh)
 {
-  const BeamSection& section = mesh.elements.back().section;
-  const MeshNode& node = mesh.nodes[mesh.nodes.size() - 2];
-  return std::sqrt(section.torsion * section.length * node.spin_inertia / node.length);
+  return torsional_impedance(mesh.elements.back().section, mesh.nodes[mesh.nodes.size() - 2]);
 }
 
 double slowest_torsion(const Mesh& mesh)

@@ -140,7 +140,7 @@ std::uint64_t attempts_of(const StepperCounters& c, const NumericsSpec& numerics
 }
 }  // namespace
 
-AccuracyWatch::AccuracyWatch(std::shared_ptr<const Model> model) : model_(std::move(model)), balance_(model_), life_(*model_) {}
+AccuracyWatch::AccuracyWatch(std::shared_ptr<const Model> model) : model_(std::move(model)), balance_(model_), life_(WaveLife(*model_).in_mud()) {}
 
 void AccuracyWatch::begin_frame(Integrator& integrator, const Setpoints& setpoints, bool steps, AccuracyMemory& memory) noexcept
 {
@@ -180,9 +180,8 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   note_blows(forces.wob, duration, memory);
   const bool stepped = !integrator.reference() && steps > 0.0;
   const double step = model_->scene().numerics.has_variable_steps() ? state.memory.last_step : stepped ? duration / steps : 0.0;
-  const WaveLives& life = life_.in_mud();
-  memory.torque.note(forces.meter_torque, duration, step, life.about);
-  memory.hook_load.note(forces.hook_load, duration, step, life.along);
+  memory.torque.note(forces.meter_torque, duration, step, life_.about);
+  memory.hook_load.note(forces.hook_load, duration, step, life_.along);
   memory.hesitated = std::max(memory.hesitated, hesitated(state, memory));
   memory.stands_for = std::max(0.0, memory.stands_for - duration);
   if (memory.stands_for == 0.0) memory.report = AccuracyReport();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/rig/drive_reference.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 namespace drill_rig_sim
@@ -20,11 +21,6 @@ bool commands_top_drive(const ProgramStep& step) noexcept
 {
   return step.top_drive_mode >= 0 || is_set(step.top_drive_speed) || is_set(step.top_drive_torque) || is_set(step.top_drive_angle) ||
          is_set(step.amplitude_right) || is_set(step.amplitude_left) || is_set(step.torque_limit) || is_set(step.top_drive_brake);
-}
-
-bool turns_to_angle(TopDriveMode mode) noexcept
-{
-  return mode == TopDriveMode::angle || mode == TopDriveMode::oscillate;
 }
 
 bool keeps_speed(TopDriveMode mode) noexcept

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/string/wave_impedance.h"
 
 namespace drill_rig_sim
 {
@@ -55,7 +56,7 @@ StepControl::StepControl(const Model& model)
     const MeshNode& node = mesh.nodes[i];
     const BeamSection& section = mesh.elements[std::min(i, mesh.elements.size() - 1)].section;
     along_.push_back(std::sqrt(section.axial * node.mass / node.length));
-    about_.push_back(std::sqrt(section.torsion * section.length * node.spin_inertia / node.length));
+    about_.push_back(torsional_impedance(section, node));
     share_.push_back(node.length / mesh.total_length);
     time_along += node.mass / along_.back();
     time_about += node.spin_inertia / about_.back();

@@ -59,9 +59,9 @@ void print_string(const Scene& scene)
   std::printf("%-16s %-10s %10s %10.2f %12.0f\n\n", "string", "", "", mesh.total_length, total);
 }
 
-void print_mud(const Scene& scene)
+void print_mud(const Scene& scene, const Mesh& mesh)
 {
-  const MudCircuit mud = mud_circuit(scene, build_mesh(scene, scene.start.bit_depth + scene.start.block_height));
+  const MudCircuit mud = mud_circuit(scene, mesh);
   const HydraulicVolume &bore = mud.circuit.bore, &annulus = mud.circuit.annulus;
   std::printf("mud         %g kg/m3, %.1f m3 in the string, %.1f m3 in the annulus; of %.2f MPa lost at %g m3/s %.2f in the bore, %.2f in the annulus\n",
               scene.mud.density, bore.capacity * scene.mud.bulk_modulus, annulus.capacity * scene.mud.bulk_modulus, (bore.loss + annulus.loss) / 1e6,
@@ -73,9 +73,8 @@ void print_mud(const Scene& scene)
 }
 
 /// What the drive's modes are tuned to, and by it.
-void print_tuned_drive(const Scene& scene)
+void print_tuned_drive(const Scene& scene, const Mesh& mesh)
 {
-  const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
   const TopDriveSpec drive = tuned(scene.rig.top_drive, mesh);
   const DriveImpedance &soft = drive.soft_torque, &z = drive.z_torque;
   std::printf("top drive   pipe of %.0f N m s/rad, slowest torsion %.3f Hz: SOFT_TORQUE P %.3g N m s/rad, I %.3g N m/rad; Z_TORQUE P %.3g N m s/rad, "
@@ -183,8 +182,9 @@ void check(const CheckOptions& options)
   print_string(scene);
   std::printf("start       bit at %.3f m, block at %.2f m, hook load %.1f kN, of it the string %.1f kN\n", m.bit_depth,
               m.block_height, m.hook_load / 1e3, m.hook_load_string / 1e3);
-  print_mud(scene);
-  print_tuned_drive(scene);
+  const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
+  print_mud(scene, mesh);
+  print_tuned_drive(scene, mesh);
   std::printf(s.step > 0.0 ? "model       level %s, integrator %s, step %g s, %d nodes, %d coordinates, kernel %s\n"
                            : "model       level %s, integrator %s, variable steps by a tolerance of %g, %d nodes, %d coordinates, kernel %s\n",
               s.level, s.integrator, s.step > 0.0 ? s.step : scene.numerics.tolerance, s.nodes, s.coordinates, name_of(s.kernel));

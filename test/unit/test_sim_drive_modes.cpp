@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "drill_rig_sim/rig/drive_reference.h"
-#include "drill_rig_sim/sim/simulator.h"
+#include "playing.h"
 #include "sim_numbers.h"
 #include "test_scenes.h"
 
@@ -12,8 +12,6 @@ using namespace drill_rig_sim;
 
 namespace
 {
-constexpr double kFrame = 0.01;  // [s]
-
 TopDriveSetpoint in_mode(TopDriveMode mode, double speed = 0.0)
 {
   TopDriveSetpoint c;
@@ -43,21 +41,6 @@ Scene rubbing_scene()
   scene.numerics.level = Level::axial_torsional;
   return scene;
 }
-
-template <typename Look>
-void run(Simulator& rig, double seconds, const Look& look)
-{
-  for (int k = 0; k < std::lround(seconds / kFrame); ++k)
-  {
-    ASSERT_EQ(rig.frame(kFrame), FrameStatus::running) << rig.failure();
-    look(rig.truth());
-  }
-}
-
-void run(Simulator& rig, double seconds)
-{
-  run(rig, seconds, [](const Truth&) {});
-}
 }  // namespace
 
 TEST(SimDriveModes, turnsTheStringToAnAngleAndHoldsItWhileTheBlockMoves)
@@ -67,9 +50,9 @@ TEST(SimDriveModes, turnsTheStringToAnAngleAndHoldsItWhileTheBlockMoves)
   for (const double angle : {20.0, 17.5, 17.7})
   {
     rig.command(to_angle(angle));
-    run(rig, 45.0);
+    play(rig, 45.0);
     rig.command(WinchSetpoint{angle > 18.0 ? -0.1 : 0.1, false});
-    run(rig, 10.0, [&](const Truth& t)
+    play(rig, 10.0, [&](const Truth& t)
     {
       EXPECT_TRUE(t.top_drive_brake_set);
       EXPECT_NEAR(t.top_drive_angle, angle, angle_tolerance);
@@ -88,9 +71,9 @@ TEST(SimDriveModes, rocksTheStringWithoutTurningTheBit)
   rock.amplitude_right = 1.2;
   rock.amplitude_left = 0.9;
   rig.command(rock);
-  run(rig, 20.0);
+  play(rig, 20.0);
   double highest = -1e9, lowest = 1e9;
-  run(rig, 30.0, [&](const Truth& t)
+  play(rig, 30.0, [&](const Truth& t)
   {
     highest = std::max(highest, t.top_drive_angle);
     lowest = std::min(lowest, t.top_drive_angle);
@@ -114,8 +97,8 @@ TEST(SimDriveModes, stallsAtTheLimitSpinsBackAndRecovers)
   TopDriveSetpoint turn = in_mode(TopDriveMode::speed, speed);
   turn.torque_limit = limit;
   rig.command(turn);
-  run(rig, 40.0);
-  run(rig, 5.0, [&](const Truth& t)
+  play(rig, 40.0);
+  play(rig, 5.0, [&](const Truth& t)
   {
     EXPECT_TRUE(t.top_drive_limited);
     EXPECT_NEAR(t.top_drive_speed, 0.0, 0.05);
@@ -125,7 +108,7 @@ TEST(SimDriveModes, stallsAtTheLimitSpinsBackAndRecovers)
   const double wound = rig.truth().torque, angle = rig.truth().top_drive_angle;
   rig.command(by_torque(0.0));
   double fastest = 0.0;
-  run(rig, 10.0, [&](const Truth& t) { fastest = std::min(fastest, t.top_drive_speed); });
+  play(rig, 10.0, [&](const Truth& t) { fastest = std::min(fastest, t.top_drive_speed); });
   // the rotor on the string's spring against Coulomb friction: (T - f)/sqrt(k J), the string's own inertia takes a few percent
   const double stiffness = wound / angle;
   EXPECT_NEAR(-fastest, (wound - gearbox) / std::sqrt(stiffness * scene.rig.top_drive.inertia), 0.06 * -fastest);
@@ -135,7 +118,7 @@ TEST(SimDriveModes, stallsAtTheLimitSpinsBackAndRecovers)
   turn.torque_limit = 0.0;
   rig.command(turn);
   double highest = 0.0;
-  run(rig, 30.0, [&](const Truth& t) { highest = std::max(highest, t.top_drive_speed); });
+  play(rig, 30.0, [&](const Truth& t) { highest = std::max(highest, t.top_drive_speed); });
   EXPECT_LT(highest, 1.2 * speed);
   EXPECT_NEAR(rig.truth().top_drive_speed, speed, 0.01 * speed);
   EXPECT_FALSE(rig.truth().top_drive_limited);
@@ -148,12 +131,12 @@ TEST(SimDriveModes, rampsTheSpeed)
   scene.rig.top_drive.max_acceleration = 0.5;
   Simulator rig(scene);
   rig.command(in_mode(TopDriveMode::speed, 4.0));
-  run(rig, 7.5, [](const Truth& t) { EXPECT_NEAR(t.top_drive_speed, 0.5 * t.time, 0.12); });
-  run(rig, 5.0);
+  play(rig, 7.5, [](const Truth& t) { EXPECT_NEAR(t.top_drive_speed, 0.5 * t.time, 0.12); });
+  play(rig, 5.0);
   EXPECT_NEAR(rig.truth().top_drive_speed, 4.0, 0.02);
   rig.command(in_mode(TopDriveMode::speed, 2.0));
   const double from = rig.truth().time;
-  run(rig, 3.5, [&](const Truth& t) { EXPECT_NEAR(t.top_drive_speed, 4.0 - 0.5 * (t.time - from), 0.12); });
+  play(rig, 3.5, [&](const Truth& t) { EXPECT_NEAR(t.top_drive_speed, 4.0 - 0.5 * (t.time - from), 0.12); });
 }
 
 TEST(SimDriveModes, theEnergyBalanceClosesInEach)
@@ -166,7 +149,7 @@ TEST(SimDriveModes, theEnergyBalanceClosesInEach)
     command.angle = 10.0;
     command.amplitude_right = command.amplitude_left = 1.0;
     rig.command(command);
-    run(rig, 6.0);
+    play(rig, 6.0);
     EXPECT_GT(rig.energy().drive, 1e3);
     EXPECT_LT(rig.energy().closure(), 5e-3) << static_cast<int>(mode);  // the motor starts within a step of 10 ms
   }
@@ -190,13 +173,13 @@ TEST(Snapshot, inEveryModeOfTheTopDriveIsBitIdentical)
     for (const double seconds : {0.02, 3.0})
     {
       const auto snapshot = rig.save();
-      run(rig, seconds);
+      play(rig, seconds);
       const auto first = numbers_of(rig.save()->mechanics);
       rig.restore(*snapshot);
-      run(rig, seconds);
+      play(rig, seconds);
       EXPECT_TRUE(bit_identical(numbers_of(rig.save()->mechanics), first));
       other.restore(*snapshot);
-      run(other, seconds);
+      play(other, seconds);
       EXPECT_TRUE(bit_identical(numbers_of(other.save()->mechanics), first));
     }
   }

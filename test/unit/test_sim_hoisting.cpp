@@ -5,35 +5,17 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/sim/simulator.h"
+#include "playing.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
 
 namespace
 {
-constexpr double frame = 0.01;  // [s]
-
 /// Bit 2 m off the bottom of 400 m.
 Scene hanging_scene()
 {
   return vertical_scene(400.0, 398.0);
-}
-
-/// Plays on; see(truth) after each frame.
-template <typename See>
-void play(Simulator& rig, double seconds, const See& see)
-{
-  for (int k = 0; k < std::lround(seconds / frame); ++k)
-  {
-    ASSERT_EQ(rig.frame(frame), FrameStatus::running) << rig.failure();
-    see(rig.truth());
-  }
-}
-
-void play(Simulator& rig, double seconds)
-{
-  play(rig, seconds, [](const Truth&) {});
 }
 
 /// Half the range over what is played.

@@ -5,22 +5,16 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/mud_circuit.h"
-#include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/simulator_state.h"
+#include "playing.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
 
 namespace
 {
-constexpr double frame = 0.01;  // [s]
 constexpr double hole = 0.2159;
 constexpr double bore_area = pi / 4.0 * pipe_inner * pipe_inner, outer_area = pi / 4.0 * pipe_outer * pipe_outer;
-
-void play(Simulator& rig, double seconds)
-{
-  for (int k = 0; k < std::lround(seconds / frame); ++k) ASSERT_EQ(rig.frame(frame), FrameStatus::running) << rig.failure();
-}
 
 /// Pipe that hangs 5 m off the bottom of 300 m, with little friction of mud in it: 18 MPa at 0.03 m3/s, most of it at the bit. What
 /// swings dies soon.

@@ -211,7 +211,6 @@ TEST(ProgramRamp, ToAnotherModeBeginsAtWhatTheDriveDoes)
   EXPECT_NEAR(back.top_drive.speed, speed, 1e-12 * speed);
 }
 
-// A program that comes late is as far as one that came in time.
 // A line's own word, or its keys; what it leaves out stays.
 TEST(ProgramPlayer, LinesNameTheModeOfTheTopDrive)
 {
@@ -242,6 +241,7 @@ TEST(ProgramPlayer, LinesNameTheModeOfTheTopDrive)
   EXPECT_DOUBLE_EQ(show.play(0.86).top_drive.angle, 45.0 * degree);
 }
 
+// A program that comes late is as far as one that came in time.
 TEST(ProgramRamp, OverdueItIsAsFarAsItWouldBe)
 {
   const Scene scene = quick("[{at: 0, flow: 0.02, ramp: 0.2}, {at: 0.05, top_drive_speed_rpm: 60, ramp: 0.05}, {at: 0.1, flow: 0.03, ramp: 0.2}]");

@@ -15,30 +15,20 @@ using namespace drill_rig_sim;
 
 namespace
 {
-struct Range
-{
-  double least = 1e9, most = -1e9;
-  void add(double x)
-  {
-    least = std::min(least, x);
-    most = std::max(most, x);
-  }
-};
-
 Simulator rig_of_3_km()
 {
   return Simulator(read_scene(in_source("test/top_drive/stick_slip.yaml")));
 }
 
 /// Of the bit's speed [rpm] at a speed of the drive, the last 30 of 90 s.
-Range bit_speed(Simulator& rig, TopDriveMode mode, double speed = 90.0 * rpm)
+ValueRange bit_speed(Simulator& rig, TopDriveMode mode, double speed = 90.0 * rpm)
 {
   TopDriveSetpoint turn;
   turn.mode = mode;
   turn.speed = speed;
   rig.command(turn);
   rig.command(PumpSetpoint{0.03});
-  Range out;
+  ValueRange out{1e9, -1e9};
   for (int k = 0; k < 9000; ++k)
   {
     EXPECT_EQ(rig.frame(0.01), FrameStatus::running) << rig.failure();
@@ -51,25 +41,25 @@ Range bit_speed(Simulator& rig, TopDriveMode mode, double speed = 90.0 * rpm)
 TEST(StickSlip, aStiffDriveSticksAndSlips)
 {
   Simulator rig = rig_of_3_km();
-  const Range speed = bit_speed(rig, TopDriveMode::speed);
+  const ValueRange speed = bit_speed(rig, TopDriveMode::speed);
   EXPECT_LT(speed.least, 1.0);
-  EXPECT_NEAR(speed.most, 193.0, 10.0);
+  EXPECT_NEAR(speed.largest, 193.0, 10.0);
 }
 
 TEST(StickSlip, aTunedSoftTorqueTurnsSteadily)
 {
   Simulator rig = rig_of_3_km();
-  const Range speed = bit_speed(rig, TopDriveMode::soft_torque);
+  const ValueRange speed = bit_speed(rig, TopDriveMode::soft_torque);
   EXPECT_GT(speed.least, 80.0);
-  EXPECT_LT(speed.most, 100.0);
+  EXPECT_LT(speed.largest, 100.0);
 }
 
 TEST(StickSlip, aTunedZTorqueTurnsSteadily)
 {
   Simulator rig = rig_of_3_km();
-  const Range speed = bit_speed(rig, TopDriveMode::z_torque);
+  const ValueRange speed = bit_speed(rig, TopDriveMode::z_torque);
   EXPECT_GT(speed.least, 80.0);
-  EXPECT_LT(speed.most, 100.0);
+  EXPECT_LT(speed.largest, 100.0);
 }
 
 // Where no SOFT_TORQUE helps any more.
@@ -77,9 +67,9 @@ TEST(StickSlip, aTunedZTorqueTurnsSteadilyAt50Rpm)
 {
   Simulator soft = rig_of_3_km(), rig = rig_of_3_km();
   EXPECT_LT(bit_speed(soft, TopDriveMode::soft_torque, 50.0 * rpm).least, 1.0);
-  const Range speed = bit_speed(rig, TopDriveMode::z_torque, 50.0 * rpm);
+  const ValueRange speed = bit_speed(rig, TopDriveMode::z_torque, 50.0 * rpm);
   EXPECT_GT(speed.least, 45.0);
-  EXPECT_LT(speed.most, 55.0);
+  EXPECT_LT(speed.largest, 55.0);
 }
 
 // Out of stick-slip, which has begun: what makes it worth switching over.
@@ -87,7 +77,7 @@ TEST(StickSlip, softTorqueEndsItOnceItRuns)
 {
   Simulator rig = rig_of_3_km();
   EXPECT_LT(bit_speed(rig, TopDriveMode::speed).least, 1.0);
-  const Range speed = bit_speed(rig, TopDriveMode::soft_torque);
+  const ValueRange speed = bit_speed(rig, TopDriveMode::soft_torque);
   EXPECT_GT(speed.least, 60.0);
 }
 

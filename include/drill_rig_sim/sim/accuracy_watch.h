@@ -10,7 +10,7 @@
 #include "drill_rig_sim/sim/accuracy.h"
 #include "drill_rig_sim/solve/energy_balance.h"
 #include "drill_rig_sim/solve/integrator.h"
-#include "drill_rig_sim/solve/step_control.h"
+#include "drill_rig_sim/solve/wave_life.h"
 
 namespace drill_rig_sim
 {
@@ -71,7 +71,7 @@ public:
 private:
   std::shared_ptr<const Model> model_;
   EnergyBalance balance_;
-  WaveLife life_;
+  WaveLives life_;  // in the mud
   bool booked_ = false;
   std::uint64_t stands_for_ = 0;  // what is booked [frames]
   std::uint64_t steps_ = 0, attempts_ = 0;  // of the integrator, before the frame
