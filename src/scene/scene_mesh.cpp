@@ -12,7 +12,8 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double joint = 9.5;             // [m]
-constexpr double half_joint = 4.75, quarter_joint = 2.38;  // [m]
+constexpr double half_joint = 4.75, third_joint = 3.17, quarter_joint = 2.38;  // [m]
+constexpr double middle = 0.02, narrow = 0.005;  // tolerances
 constexpr double lying = 3.0 * degree;    // a hole that inclines more carries the pipe in it [rad]
 constexpr double straight = 1.5 * degree / 30.0;  // a hole that bends more [rad/m]
 constexpr double margin = 45.0;           // [m]
@@ -87,6 +88,13 @@ double first_pushed(const Scene& scene) noexcept
   }
   return pushed;
 }
+
+/// Longest element where pipe lies on its wall or moves sideways [m]: how far apart contacts are is an error that no step mends.
+double lower_element(double tolerance) noexcept
+{
+  if (tolerance >= middle) return half_joint;
+  return tolerance >= narrow ? third_joint : quarter_joint;
+}
 }  // namespace
 
 double free_length(const Scene& scene) noexcept
@@ -126,9 +134,9 @@ ElementLengths element_lengths(const Scene& scene) noexcept
   else if (!all_guided(numerics.level))
   {
     const double hangs_above = std::min(first_inclined(scene.well), first_pushed(scene));
-    lengths.lower = half_joint;
+    lengths.lower = lower_element(numerics.tolerance);
     lengths.change = std::max(0.0, scene.start.bit_depth - hangs_above + margin);
-    lengths.by_bit = hangs_in_the_middle(scene) ? half_joint : quarter_joint;
+    lengths.by_bit = hangs_in_the_middle(scene) ? lengths.lower : quarter_joint;
     lengths.by_bit_change = margin;
   }
   if (numerics.pushed_element_length > 0.0)

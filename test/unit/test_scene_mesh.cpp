@@ -45,6 +45,18 @@ TEST(ElementLengths, halvesInAHoleThatInclinesFromTheTop)
   for (const double from_bit : {0.0, 44.0}) EXPECT_EQ(element_lengths(scene).at(from_bit), 2.38) << "by the bit";
 }
 
+TEST(ElementLengths, shorterForASmallTolerance)
+{
+  Scene scene = slanted_scene(199.9, 0.2);
+  scene.numerics.element_length = 0.0;
+  const std::pair<double, double> cases[] = {{0.05, 4.75}, {0.02, 4.75}, {0.019, 3.17}, {0.005, 3.17}, {0.002, 2.38}};
+  for (const auto& [tolerance, length] : cases)
+  {
+    scene.numerics.tolerance = tolerance;
+    EXPECT_EQ(element_lengths(scene).at(199.0), length) << tolerance;
+  }
+}
+
 // 1 deg/10 m from 300 m on: 3 deg at 330 m; the bit at 500 m: 170 m below it, and 45 m more.
 TEST(ElementLengths, halvesUpToAStandAndAHalfAboveWhereItInclines)
 {

@@ -6,13 +6,13 @@
 
 namespace drill_rig_sim
 {
-/// Longest elements of a scene's string: `numerics.element_length` where it is given; else half a joint (4.75 m) from the bit
-/// up to 45 m (a stand and a half, for the string goes down) above the place where the survey first inclines by more than 3 deg, or where
+/// Longest elements of a scene's string: `numerics.element_length` where it is given; else half a joint (4.75 m; for a tolerance below 2 % a third,
+/// 3.17 m, below 0.5 % a quarter, 2.38 m) from the bit up to 45 m (a stand and a half, for the string goes down) above the place where the survey first inclines by more than 3 deg, or where
 /// friction below would push the pipe that slides down, if that is higher, and a
 /// joint (9.5 m) above that, and throughout for level axial_torsional; within 45 m of the bit, where an assembly bends between what it leans on, a quarter (2.38 m),
-/// or a half where the string hangs in the middle of its hole. Where pipe lies on the wall its elements have to carry the bending between two contacts, or it gives way
+/// or as above where the string hangs in the middle of its hole. Where pipe lies on the wall its elements have to carry the bending between two contacts, or it gives way
 /// below its buckling load and whirls falsely; so it does where it is pushed; where it hangs, joints do as well. Chosen by the operations matrix (test/accuracy/run
-/// --operations --variants). Where friction pushes the pipe and `numerics.pushed_element_length` is given, elements are that short; guided pipe that it
+/// --operations, --variants and --auto). Where friction pushes the pipe and `numerics.pushed_element_length` is given, elements are that short; guided pipe that it
 /// does not push has elements of `numerics.guided_element_length`, if that is given, of two joints at most.
 ElementLengths element_lengths(const Scene& scene) noexcept;
 
