@@ -148,6 +148,9 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.top_drive_brake_set = from.top_drive_brake_set;
   m.command_clamped = from.command_clamped;
   m.commands_timed_out = from.commands_timed_out;
+  if (frame.operation.number > 0) m.operation = word_of(frame.operation.kind);
+  m.operation_number = static_cast<std::uint32_t>(frame.operation.number);
+  m.operation_progress = frame.operation.progress;
   copy_setpoints(frame, m);
   return m;
 }

@@ -41,7 +41,7 @@ namespace
 struct FileContent
 {
   SimulatorState state;
-  ProgramPlayer program;
+  ScenePlayer player;
   bool playing;
   CommandStamps commands;
 
@@ -49,7 +49,7 @@ struct FileContent
   void visit(V& v)
   {
     v("state", state);
-    v("program", program);
+    v("player", player);
     v("playing", playing);
     v("commands", commands);
   }
@@ -58,17 +58,17 @@ struct FileContent
 
 void write_saved(const std::string& file, const Saved& saved)
 {
-  write_snapshot(file, saved.state->scene, {saved.kernel, to_bytes(FileContent{*saved.state, *saved.program, saved.playing, saved.commands})});
+  write_snapshot(file, saved.state->scene, {saved.kernel, to_bytes(FileContent{*saved.state, *saved.player, saved.playing, saved.commands})});
 }
 
 Saved read_saved(const std::string& file, const Saved& present)
 {
-  FileContent content{*present.state, *present.program, present.playing, present.commands};
+  FileContent content{*present.state, *present.player, present.playing, present.commands};
   const Snapshot snapshot = read_snapshot(file, present.state->scene);
   if (!from_bytes(snapshot.bytes, content)) throw std::runtime_error(file + ": is damaged");
   for (std::int64_t* stamp : {&content.commands.last, &content.commands.accepted[0], &content.commands.accepted[1], &content.commands.accepted[2]})
     if (*stamp != 0) *stamp = present.stamp;
-  return {std::make_shared<SimulatorState>(std::move(content.state)), content.program, content.playing, content.commands, snapshot.kernel, present.stamp, 0};
+  return {std::make_shared<SimulatorState>(std::move(content.state)), content.player, content.playing, content.commands, snapshot.kernel, present.stamp, 0};
 }
 
 void SavedStates::keep(const std::string& name, Saved saved)

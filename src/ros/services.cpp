@@ -240,7 +240,7 @@ Saved Services::present_state(bool to_go_on_from)
       {
         const RunningRig& rig = loop.rig();
         if (to_go_on_from && rig.failed) throw Refusal("the last frame failed: there is no good state to go on from");
-        saved = {rig.simulator->save(), rig.program, rig.playing, rig.commands, rig.simulator->statistics().kernel, loop.time().stamp(), 0};
+        saved = {rig.simulator->save(), rig.player, rig.playing, rig.commands, rig.simulator->statistics().kernel, loop.time().stamp(), 0};
       });
   return saved;
 }
@@ -254,7 +254,7 @@ std::string Services::restore_state(const RestoreState::Request& request)
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
-        loop.go_back(*saved.state, *saved.program, saved.playing, saved.commands);
+        loop.go_back(*saved.state, *saved.player, saved.playing, saved.commands);
         kernel = loop.rig().simulator->statistics().kernel;
       });
   const std::string restored = "restored " + (request.file.empty() ? request.name : request.file);

@@ -14,7 +14,7 @@ constexpr std::size_t spare_points = 4096;
 }  // namespace
 
 RunningRig::RunningRig(std::unique_ptr<Simulator> s, bool play)
-    : simulator(std::move(s)), program(simulator->scene().program), playing(play)
+    : simulator(std::move(s)), player(simulator->scene()), playing(play)
 {
 }
 
@@ -109,8 +109,8 @@ void SimulationLoop::one_frame(std::int64_t now) noexcept
   const std::int64_t late = time_.frame_begins(now);
   if (time_.is_realtime()) statistics_.lateness.add(late, time_.wall_period());
   take_commands();
-  ProgramPlayer* program = rig_.playing ? &rig_.program : nullptr;
-  rig_.failed = play_frame(*rig_.simulator, program, frame_duration_) == FrameStatus::failed;
+  ScenePlayer* player = rig_.playing ? &rig_.player : nullptr;
+  rig_.failed = play_frame(*rig_.simulator, player, frame_duration_) == FrameStatus::failed;
   statistics_.frame_times.add(steady_now() - now, time_.wall_period());
 
   if (!rig_.failed) time_.tick();
@@ -231,6 +231,7 @@ void SimulationLoop::fill_record(FrameRecord& record) const noexcept
   record.readings = rig_.simulator->readings();
   record.rig = rig_.simulator->scene().rig;
   record.commands = rig_.commands;
+  record.operation = rig_.playing ? rig_.player.operations().status() : OperationStatus();
   record.physics = rig_.simulator->statistics();
   record.loop = statistics_;
   record.loop.overruns = time_.overruns();
@@ -299,10 +300,10 @@ void SimulationLoop::restart_cadences() noexcept
     cadence->restart();
 }
 
-void SimulationLoop::go_back(const SimulatorState& state, const ProgramPlayer& program, bool playing, const CommandStamps& commands)
+void SimulationLoop::go_back(const SimulatorState& state, const ScenePlayer& player, bool playing, const CommandStamps& commands)
 {
   rig_.simulator->restore(state);
-  rig_.program = program;
+  rig_.player = player;
   rig_.playing = playing;
   rig_.failed = false;
   rig_.commands = commands;

@@ -51,6 +51,7 @@ public:
     read_one(top, "", "numerics", numerics_keys, scene.numerics);
     in(top, "", "instruments", [&](const YAML::Node& n, const std::string& p) { read_instruments(n, p, scene.instruments); });
     read_list(top, "", "program", program_keys, scene.program);
+    read_operations(top, scene.operations);
 
     // checks between keys make sense only once every key alone is right
     problems_.raise();
@@ -237,6 +238,22 @@ private:
     if (part.stiffness.axial > 0.0 && entries.count("poisson_ratio"))
       problems_.add(join(path, "poisson_ratio"), "is given beside the stiffnesses, which say it, allowed: one of the two");
     finish_length(entries, path, part);
+  }
+
+  void read_operations(const Entries& top, std::vector<Operation>& operations)
+  {
+    in(top, "", "operations",
+       [&](const YAML::Node& n, const std::string& p)
+       {
+         for_each_item(n, p,
+                       [&](const YAML::Node& item, const std::string& path)
+                       {
+                         int word = 0;
+                         if (!read_kind(item, path, "do", operation_words, word)) return;
+                         operations.push_back(default_operation(static_cast<OperationKind>(word)));
+                         read_block(item, path, operation_keys, 1u << word, operations.back(), problems_);
+                       });
+       });
   }
 
   void read_bit_torque(const YAML::Node& node, const std::string& path, BitTorqueSpec& torque)

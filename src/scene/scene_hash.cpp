@@ -31,6 +31,7 @@ public:
     add_numerics(scene.numerics);
     add_instruments(scene.instruments);
     for (const ProgramStep& step : scene.program) add_keys(program_keys, step);
+    for (const Operation& operation : scene.operations) add_keys(operation_keys, operation, kind(operation.kind));
   }
 
 private:

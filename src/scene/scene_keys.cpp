@@ -96,6 +96,7 @@ const Table<Scene> scene_keys = {"", "The scene file's top level.", {
                                                     [](const Scene& s) { return static_cast<int>(s.connections); }},
                                                                            none,                 "off; auto is not available yet"},
   {"program",               "",       Nested{},                            none,                 "list of commands at simulated times, for the offline runner and demos"},
+  {"operations",            "",       Nested{},                            none,                 "list of what the driller does, one after the other, for the same"},
 }};
 
 const Table<WellSpec> well_keys = {"well", "The hole before drilling starts. Give `survey` or `stations`.", {

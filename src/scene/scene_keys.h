@@ -26,6 +26,7 @@ extern const std::vector<const char*> element_words;
 extern const std::vector<const char*> kernel_words;
 extern const std::vector<const char*> stribeck_curve_words;
 extern const std::vector<const char*> hook_load_place_words;
+extern const std::vector<const char*> operation_words;
 
 extern const Table<Scene> scene_keys;
 extern const Table<WellSpec> well_keys;
@@ -54,6 +55,7 @@ extern const Table<InstrumentsSpec> surface_keys;
 extern const Table<HookLoadSpec> hook_load_keys;
 extern const Table<SensorSpec> sensor_keys;
 extern const Table<ProgramStep> program_keys;
+extern const Table<Operation> operation_keys;
 
 }  // namespace drill_rig_sim
 

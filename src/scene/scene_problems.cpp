@@ -8,6 +8,7 @@
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/string/string_checks.h"
 #include "drill_rig_sim/well/well_checks.h"
+#include "operation_problems.h"
 
 namespace drill_rig_sim
 {
@@ -360,6 +361,7 @@ ProblemList scene_problems(const Scene& scene)
   check_hoisting(scene.rig.hoisting, problems);
   check_start(scene, problems);
   check_program(scene, problems);
+  append(problems, operation_problems(scene));
   check_telemetry("instruments.mwd.latency", scene.instruments.mwd.period, scene.instruments.mwd.latency, problems);
   check_telemetry("instruments.toolface.latency", scene.instruments.toolface.period, scene.instruments.toolface.latency, problems);
   return problems;

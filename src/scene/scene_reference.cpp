@@ -95,6 +95,7 @@ std::string scene_reference()
   write(out, hook_load_keys);
   write(out, sensor_keys);
   write(out, program_keys);
+  write(out, operation_keys, operation_words);
   return out.str();
 }
 

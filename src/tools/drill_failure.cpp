@@ -1,5 +1,7 @@
 #include "drill_failure.h"
 
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <utility>
 
@@ -49,9 +51,17 @@ void report_failure(const Simulator& simulator, const std::string& summary, cons
   throw ComputationError(simulator.scene().file + ": " + at + simulator.failure() + "; " + keep_last_state(simulator, summary, json_name));
 }
 
-void report_standstill(const Simulator& simulator, const RunGoal& goal)
+void report_standstill(const Simulator& simulator, const RunGoal& goal, const std::vector<double>& operations_began)
 {
   char text[160];
+  const std::vector<Operation>& operations = simulator.scene().operations;
+  std::size_t i = 0;
+  while (i < operations.size() && !std::isnan(operations_began[i + 1])) ++i;
+  if (i < operations.size())
+  {
+    std::snprintf(text, sizeof text, ": operations[%zu], %s, has come no nearer to its end for %g s: its end is out of reach", i, word_of(operations[i].kind), goal.patience);
+    throw ComputationError(simulator.scene().file + text);
+  }
   std::snprintf(text, sizeof text, ": the depth of --until-depth, %g m, is not reached: the hole is %.3f m deep and has not grown for %g s",
                 goal.depth, simulator.truth().hole_depth, goal.patience);
   throw ComputationError(simulator.scene().file + text);

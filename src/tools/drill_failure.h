@@ -2,6 +2,7 @@
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_FAILURE_H
 
 #include <string>
+#include <vector>
 
 #include "drill_rig_sim/sim/run.h"
 #include "drill_rig_sim/sim/simulator.h"
@@ -13,8 +14,9 @@ namespace drill_rig_sim
 /// along the string beside it, in <the name without .json>_string.csv.
 [[noreturn]] void report_failure(const Simulator& simulator, const std::string& summary, const std::string& json_name);
 
-/// The hole has stopped growing before the goal's depth: throws ComputationError with one line (where, how deep, since when).
-[[noreturn]] void report_standstill(const Simulator& simulator, const RunGoal& goal);
+/// The hole has stopped growing before the goal's depth, or the operation under way gets nowhere: throws ComputationError with one line (where,
+/// how deep, since when). `operations_began`: OperationsPlayer::began().
+[[noreturn]] void report_standstill(const Simulator& simulator, const RunGoal& goal, const std::vector<double>& operations_began);
 
 }  // namespace drill_rig_sim
 

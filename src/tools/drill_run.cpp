@@ -41,28 +41,37 @@ void require_whole_frames(const char* option, const std::optional<double>& every
   throw UsageError(text);
 }
 
-/// Plays the scene's program up to the goal, with its series, its averages and a progress bar.
+/// What share of the run is over, by whatever it is nearest by.
+double done(const Truth& m, double start_depth, const RunGoal& goal, const OperationStatus& operation)
+{
+  const double drilled = (m.hole_depth - start_depth) / (goal.depth - start_depth);
+  const double operations = operation.number > 0 ? (operation.number - 1 + operation.progress) / operation.count : 0.0;
+  return std::max({m.time / goal.duration, drilled, operations});
+}
+
+/// Plays the scene's program and operations up to the goal, with its series, its averages and a progress bar.
 RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, ProfileSeries& profiles, ChoiceSeries& choices, RunRecord& record)
 {
   const double frame = frame_of_whole_steps(frame_length, simulator.scene().numerics.step);
   const double start_depth = simulator.truth().hole_depth;
-  ProgramPlayer program(simulator.scene().program);
+  ScenePlayer player(simulator.scene());
   Progress progress;
   series.add(simulator, frame);
   profiles.add(simulator, frame);
   choices.add(simulator);
-  return run(simulator, program, goal, frame_length,
-             [&](const Truth& m)
-             {
-               record.drilling.add(m);
-               record.doubts.add(m.time, simulator.statistics().accuracy);
-               record.limits.add(m, simulator.statistics().loads, simulator.scene().rig.hoisting.max_hook_load);
-               series.add(simulator, frame);
-               profiles.add(simulator, frame);
-               choices.add(simulator);
-               const double drilled = (m.hole_depth - start_depth) / (goal.depth - start_depth);
-               progress.show(std::max(m.time / goal.duration, drilled), m.time, m.hole_depth);
-             });
+  const RunEnd end = run(simulator, player, goal, frame_length,
+                         [&](const Truth& m)
+                         {
+                           record.drilling.add(m);
+                           record.doubts.add(m.time, simulator.statistics().accuracy);
+                           record.limits.add(m, simulator.statistics().loads, simulator.scene().rig.hoisting.max_hook_load);
+                           series.add(simulator, frame);
+                           profiles.add(simulator, frame);
+                           choices.add(simulator);
+                           progress.show(done(m, start_depth, goal, player.operations().status()), m.time, m.hole_depth);
+                         });
+  record.operations_began = player.operations().began();
+  return end;
 }
 
 void run_scene(const RunOptions& options)
@@ -104,7 +113,7 @@ void run_scene(const RunOptions& options)
   print_summary(simulator, elapsed, record);
   if (end == RunEnd::duration && std::isfinite(goal.depth))
     std::printf("the depth of --until-depth was not reached within --duration\n");
-  if (end == RunEnd::standstill) report_standstill(simulator, goal);
+  if (end == RunEnd::standstill) report_standstill(simulator, goal, record.operations_began);
 }
 }  // namespace
 

@@ -13,6 +13,7 @@ namespace
 {
 constexpr double longest_run = 30.0 * 86400.0;  // simulated [s]
 constexpr double after_program = 60.0;          // simulated [s] that a run goes on after the program's end by default
+constexpr double after_operations = 0.0;       // and after its operations
 constexpr double patience = 600.0;              // simulated [s] that a run until a depth waits for new hole after the program
 constexpr double deepest = 20000.0;             // measured depth [m]
 constexpr double largest_seed = 9e15;           // a double holds every whole number up to it
@@ -67,8 +68,8 @@ void add_options(CLI::App& command, RunOptions& options)
 {
   add_file(command, "SCENE", options.scene, "the scene's file");
   add_number(command, "--duration", options.duration, 1e-3, longest_run, "S",
-             "simulated seconds; default: until depth, or 60 s after the program's end");
-  add_number(command, "--until-depth", options.until_depth, 0.0, deepest, "MD", "stop when the hole is this deep [m], or has not grown for 600 s after the program");
+             "simulated seconds; default: until depth, until the operations are over, or 60 s after the program's end");
+  add_number(command, "--until-depth", options.until_depth, 0.0, deepest, "MD", "stop when the hole is this deep [m], or nothing has been gained for 600 s after the program, or in an operation");
   add_scene_options(command, options);
   add_output_options(command, options);
 }
@@ -107,7 +108,10 @@ void require_files_apart(const RunOptions& options)
 RunGoal goal_of(const RunOptions& options, const Scene& scene)
 {
   RunGoal goal;
-  goal.duration = options.duration.value_or(options.until_depth ? longest_run : program_end(scene.program) + after_program);
+  const bool open = options.until_depth || !scene.operations.empty();
+  goal.duration = options.duration.value_or(open ? longest_run : program_end(scene.program) + after_program);
+  if (!scene.operations.empty() && !options.duration) goal.patience = patience;
+  if (!scene.operations.empty() && !options.duration && !options.until_depth) goal.goes_on = after_operations;
   if (!options.until_depth) return goal;
   goal.depth = *options.until_depth;
   goal.patience = patience;

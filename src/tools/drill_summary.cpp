@@ -1,5 +1,7 @@
 #include "drill_summary.h"
 
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -135,6 +137,29 @@ Json json_of(const Limits& limits)
   return list;
 }
 
+/// Those that have begun; the last one without an end is under way.
+Json json_of(const std::vector<Operation>& operations, const std::vector<double>& began)
+{
+  Json list = Json::array();
+  for (std::size_t i = 0; i < operations.size() && !std::isnan(began[i]); ++i)
+  {
+    list.push_back({{"do", word_of(operations[i].kind)}, {"began", began[i]}});
+    if (!std::isnan(began[i + 1])) list.back()["ended"] = began[i + 1];
+  }
+  return list;
+}
+
+void print_operations(const std::vector<Operation>& operations, const std::vector<double>& began)
+{
+  if (operations.empty()) return;
+  std::size_t i = 0;
+  while (i < operations.size() && !std::isnan(began[i + 1])) ++i;
+  if (i == operations.size())
+    std::printf("operations: all %zu over at %.1f s\n", i, began[i]);
+  else
+    std::printf("operations: number %zu of %zu, %s, was not over by the end\n", i + 1, operations.size(), word_of(operations[i].kind));
+}
+
 void print(const Limits::Entry& entry)
 {
   std::printf("limit passed, %.1f to %.1f s: %s", entry.since, entry.until, entry.what);
@@ -175,6 +200,7 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const RunRec
   add_work(s, json);
   json["accuracy_warnings"] = json_of(record.doubts, s.step);
   json["limits_passed"] = json_of(record.limits);
+  if (!simulator.scene().operations.empty()) json["operations"] = json_of(simulator.scene().operations, record.operations_began);
   if (s.is_reference) json["reference"] = json_of(s.reference);
   json["cost_share"] = shares_of(s.costs);
   if (simulator.energy().time > 0.0) json["energy"] = json_of(simulator.energy());
@@ -204,6 +230,7 @@ void print_summary(const Simulator& simulator, const Elapsed& elapsed, const Run
   for (const Doubts::Entry& doubt : record.doubts.entries())
     std::printf("accuracy warning, %.1f to %.1f s: %s\n", doubt.since, doubt.until, text_of(doubt.report, simulator.statistics().step).c_str());
   for (const Limits::Entry& entry : record.limits.entries()) print(entry);
+  print_operations(simulator.scene().operations, record.operations_began);
   const Averages mean = record.drilling.last_quarter();
   if (mean.samples() == 0)
   {

@@ -2,6 +2,7 @@
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_SUMMARY_H
 
 #include <string>
+#include <vector>
 
 #include "drill_averages.h"
 #include "drill_doubts.h"
@@ -23,6 +24,7 @@ struct RunRecord
   DrillingRecord drilling;
   Doubts doubts;
   Limits limits;
+  std::vector<double> operations_began;  ///< OperationsPlayer::began()
 };
 
 /// A run's summary as a JSON object, a newline at its end. Numbers read back to the same double; what is not finite is null.

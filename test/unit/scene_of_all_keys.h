@@ -54,6 +54,17 @@ program:
   - {at: 3.5, brake: false, flow: 0.045, ramp: 6.5, stuck_at: 701.0}
   - {at: 4.5, free: true, free_length: 57.0}
   - {at: 5.5, top_drive_mode: oscillate, top_drive_angle_deg: 1801.0, amplitude_right_deg: 721.0, amplitude_left_deg: 361.0, top_drive_torque_limit: 9001.0}
+operations:
+  - {do: flow, flow: 0.044, ramp: 7.5, time: 3.1}
+  - {do: rotate, speed_rpm: 61.0, ramp: 8.5}
+  - {do: pick_up, speed: 0.11, to_depth: 795.0, distance: 5.1, time: 90.0, overpull: 81000.0}
+  - {do: slack_off, speed: 0.12, to_depth: 801.5, weight: 21000.0}
+  - {do: tag, speed: 0.013, weight: 6100.0}
+  - {do: drill, speed: 0.014, weight: 22000.0, to_depth: 803.0, distance: 2.1, time: 4000.0}
+  - {do: slide, speed: 0.015, weight: 23000.0, toolface_deg: 91.0, distance: 2.2, speed_rpm: 11.0, amplitude_right_deg: 181.0, amplitude_left_deg: 182.0}
+  - {do: oscillate, amplitude_right_deg: 183.0, amplitude_left_deg: 184.0, speed_rpm: 12.0}
+  - {do: ream, speed: 0.16, distance: 3.1, times: 2}
+  - {do: wait, time: 66.0}
 )";
 }  // namespace drill_rig_sim
 

@@ -270,13 +270,13 @@ TEST(Loop, goingBackBringsStateAndProgramAndLeavesTheClock)
   rig.start();
   EXPECT_EQ(0.01, rig.step(3).back().frame.truth.setpoints.pump.flow);  // at 0.03 s
   std::shared_ptr<const SimulatorState> state;
-  std::optional<ProgramPlayer> program;
+  std::optional<ScenePlayer> player;
   const CommandStamps commands{7 * period, {0, 5 * period, 7 * period}};
   rig.loop.between_frames(
       [&](SimulationLoop& loop)
       {
         state = loop.rig().simulator->save();
-        program = loop.rig().program;
+        player = loop.rig().player;
       });
   std::vector<double> first;
   for (const FrameOutput& s : rig.step(8)) first.push_back(s.frame.truth.setpoints.pump.flow);
@@ -284,7 +284,7 @@ TEST(Loop, goingBackBringsStateAndProgramAndLeavesTheClock)
   rig.mailbox.receive(flow(0.05));
   EXPECT_EQ(0.05, rig.step(1).back().frame.truth.setpoints.pump.flow);  // at 13; the program is over
   rig.mailbox.receive(flow(0.06));                         // not taken yet
-  const FrameOutput back = rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *program, true, commands); });
+  const FrameOutput back = rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *player, true, commands); });
   EXPECT_EQ(14 * period, back.frame.stamp);
   EXPECT_TRUE(back.restored);
   EXPECT_EQ(7 * period, back.frame.commands.last) << "as they were saved";
@@ -294,7 +294,7 @@ TEST(Loop, goingBackBringsStateAndProgramAndLeavesTheClock)
   std::vector<double> again;
   for (const FrameOutput& s : rig.step(8)) again.push_back(s.frame.truth.setpoints.pump.flow);
   EXPECT_EQ(first, again);
-  rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *program, false, commands); });
+  rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *player, false, commands); });
   for (const FrameOutput& s : rig.step(8)) EXPECT_EQ(0.01, s.frame.truth.setpoints.pump.flow) << "as it was saved: not playing";
 }
 

@@ -32,7 +32,7 @@ const std::shared_ptr<const SimulatorState>& large_state()
 
 Saved saved_at(std::int64_t stamp, const std::shared_ptr<const SimulatorState>& state = small_state())
 {
-  return {state, ProgramPlayer({}), false, {}, Kernel::scalar, stamp, 0};
+  return {state, ScenePlayer(), false, {}, Kernel::scalar, stamp, 0};
 }
 
 ListStates::Response listed(const SavedStates& states)

@@ -32,7 +32,7 @@ TEST(PlayFrame, GivesTheProgramsLinesBeforeTheFrame)
 {
   const Scene scene = quick("[{at: 0, flow: 0.02}]");
   Simulator simulator(scene);
-  ProgramPlayer program(scene.program);
+  ScenePlayer program(scene);
   ASSERT_EQ(play_frame(simulator, &program, kFrame), FrameStatus::running);
   EXPECT_DOUBLE_EQ(simulator.truth().setpoints.pump.flow, 0.02) << "in force in the frame itself";
   EXPECT_DOUBLE_EQ(simulator.truth().time, kFrame);
@@ -59,7 +59,7 @@ TEST(Run, PlaysFramesOfWholeSteps)
 {
   const Scene scene = read_scene(in_source("config/scenes/quick.yaml"), {"numerics.step=0.003"});
   Simulator simulator(scene);
-  ProgramPlayer program(scene.program);
+  ScenePlayer program(scene);
   std::vector<double> times;
   EXPECT_EQ(RunEnd::duration, run(simulator, program, {0.027}, kFrame, [&](const Truth& m) { times.push_back(m.time); }));
   ASSERT_EQ(3u, times.size()) << "of 9 ms each";
@@ -70,7 +70,7 @@ TEST(Run, EndsAfterItsDurationAndTellsEachFrameOnce)
 {
   const Scene scene = quick("[{at: 0.1, flow: 0.02}]");
   Simulator simulator(scene);
-  ProgramPlayer program(scene.program);
+  ScenePlayer program(scene);
   std::vector<double> times;
   const auto note = [&](const Truth& m) { times.push_back(m.time); };
 
@@ -90,7 +90,7 @@ TEST(Run, EndsWithTheFirstFrameThatReachesTheDepth)
 {
   const Scene scene = drilling();
   Simulator simulator(scene);
-  ProgramPlayer program(scene.program);
+  ScenePlayer program(scene);
   const double depth = scene.well.hole_depth + 0.01;
   double before = 0.0, last = scene.well.hole_depth;
   const auto note = [&](const Truth& m)
@@ -113,7 +113,7 @@ TEST(Run, EndsWhereAFrameFailsAndTellsNothingOfIt)
 {
   const Scene scene = read_scene(in_source("test/scenes/unsolvable.yaml"));
   Simulator simulator(scene);
-  ProgramPlayer program(scene.program);
+  ScenePlayer program(scene);
   double told = 0.0;
   ASSERT_EQ(run(simulator, program, {60.0}, kFrame, [&](const Truth& m) { told = m.time; }), RunEnd::failure);
   EXPECT_STRNE(simulator.failure(), "");
@@ -123,7 +123,7 @@ TEST(Run, EndsWhereAFrameFailsAndTellsNothingOfIt)
 TEST(Run, WhatTheCallbackThrowsEndsIt)
 {
   Simulator simulator(quick("[]"));
-  ProgramPlayer program({});
+  ScenePlayer program;
   const auto full_disk = [](const Truth&) { throw std::runtime_error("full"); };
   EXPECT_THROW(run(simulator, program, {1.0}, kFrame, full_disk), std::runtime_error);
   EXPECT_NEAR(simulator.truth().time, kFrame, 1e-12);

@@ -53,7 +53,7 @@ Drilling drill(IntegratorKind integrator, double from, double to)
 {
   const Scene scene = quick_scene(integrator);
   Simulator rig(scene);
-  ProgramPlayer program(scene.program);
+  ScenePlayer program(scene);
   Drilling mean;
   double frames = 0.0;
   while (rig.truth().time < to)
@@ -133,7 +133,7 @@ TEST(Arkode, goesOnBitByBitFromASnapshot)
 {
   const Scene scene = quick_scene(IntegratorKind::arkode_dirk);
   Simulator rig(scene);
-  ProgramPlayer program(scene.program);
+  ScenePlayer program(scene);
   auto go_on = [&](int frames)
   {
     for (int k = 0; k < frames; ++k)

@@ -49,7 +49,7 @@ RigAtRest plucked()
   return rig;
 }
 
-void play(Simulator& simulator, ProgramPlayer& player, double seconds)
+void play(Simulator& simulator, ScenePlayer& player, double seconds)
 {
   for (long k = 0; k < std::lround(seconds / 0.01); ++k)
   {
@@ -126,7 +126,7 @@ TEST(Energy, ofASlidingPipeGoesIntoFriction)
   Scene scene = read_scene(in_source("test/scenes/inclined_straight_20deg.yaml"));
   Simulator simulator(scene);
   simulator.command(WinchSetpoint{-0.1, false});
-  ProgramPlayer nothing({});
+  ScenePlayer nothing;
   play(simulator, nothing, 8.0);
   simulator.balance_energy();
   play(simulator, nothing, 4.0);
@@ -145,7 +145,7 @@ TEST(Energy, ofBrokenRockIsForceTimesSpeed)
   Scene scene = read_scene(in_source("config/scenes/quick.yaml"));
   scene.numerics.level = Level::beam3d;  // a step a frame: sums over frames are the steps'
   Simulator simulator(scene);
-  ProgramPlayer player(simulator.scene().program);
+  ScenePlayer player(simulator.scene());
   play(simulator, player, 60.0);
   simulator.balance_energy();
   double thrust = 0.0, torque = 0.0;
@@ -193,7 +193,7 @@ TEST(Energy, ofAReleasedGripIsBooked)
   simulator.balance_energy();
   ASSERT_TRUE(simulator.stick_pipe(80.0));
   simulator.command(WinchSetpoint{0.05, false});
-  ProgramPlayer nothing({});
+  ScenePlayer nothing;
   play(simulator, nothing, 2.0);
   const double held = simulator.energy().last.stuck_point;
   EXPECT_GT(held, 0.1);
@@ -215,7 +215,7 @@ TEST(Energy, ofTheReferenceClosesAndAgreesWithTheDefaults)
     scene.numerics.integrator = reference ? IntegratorKind::ida : IntegratorKind::automatic;
     Simulator rig(scene);
     drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
-    ProgramPlayer nothing({});
+    ScenePlayer nothing;
     play(rig, nothing, 3.0);
     rig.balance_energy();
     play(rig, nothing, 3.0);

@@ -8,6 +8,7 @@
 
 #include "drill_rig_sim/realtime/time_histogram.h"
 #include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/sim/operations.h"
 #include "drill_rig_sim/sim/signals.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/string_profile.h"
@@ -59,6 +60,7 @@ struct FrameRecord
   Readings readings;
   RigSpec rig;
   CommandStamps commands;
+  OperationStatus operation;  ///< number 0 also while commands from outside have the rig
   SimulatorStatistics physics;
   LoopStatistics loop;
   const char* last_clamp = "";      ///< which limit the last clamped command met; static storage

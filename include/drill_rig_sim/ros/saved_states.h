@@ -11,7 +11,7 @@
 #include "drill_rig_sim/ListStates.h"
 #include "drill_rig_sim/math/kernel.h"
 #include "drill_rig_sim/realtime/frame_output.h"
-#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/sim/player.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 
 namespace drill_rig_sim
@@ -20,7 +20,7 @@ namespace drill_rig_sim
 struct Saved
 {
   std::shared_ptr<const SimulatorState> state;
-  std::optional<ProgramPlayer> program;
+  std::optional<ScenePlayer> player;
   bool playing = false;
   CommandStamps commands;
   Kernel kernel = Kernel::scalar;  ///< that the rig ran by
@@ -28,7 +28,7 @@ struct Saved
   std::size_t bytes = 0;   ///< memory_of(), once it is kept
 };
 
-/// Writes a snapshot with its program's place into a file (sim/snapshot_file.h). Throws std::runtime_error with one line.
+/// Writes a snapshot with its player's place into a file (sim/snapshot_file.h). Throws std::runtime_error with one line.
 void write_saved(const std::string& file, const Saved& saved);
 /// Reads it back for the rig that `present` is a snapshot of; throws std::runtime_error with one line for any other file. The stamps of
 /// its commands, of another clock, become that of `present`: they are given anew.

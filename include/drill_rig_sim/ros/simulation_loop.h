@@ -13,7 +13,7 @@
 #include "drill_rig_sim/realtime/timekeeper.h"
 #include "drill_rig_sim/ros/mailbox.h"
 #include "drill_rig_sim/ros/parameters.h"
-#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/sim/player.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 namespace drill_rig_sim
@@ -34,8 +34,8 @@ struct RunningRig
   RunningRig(std::unique_ptr<Simulator> s, bool play);
 
   std::unique_ptr<Simulator> simulator;
-  ProgramPlayer program;
-  bool playing;  ///< the scene's program gives the commands
+  ScenePlayer player;
+  bool playing;  ///< the scene's program and operations give the commands
   bool failed = false;
   CommandStamps commands;
   const char* last_clamp = "";
@@ -96,8 +96,8 @@ public:
   void set_paused(bool paused) noexcept;
   /// Another simulator takes over, its commands zeroed; returns the old one, which the caller destroys.
   std::unique_ptr<Simulator> replace(std::unique_ptr<Simulator> simulator);
-  /// Back to a saved state of this simulator, to the place in the program it was saved at and to its commands' stamps. The clock runs on.
-  void go_back(const SimulatorState& state, const ProgramPlayer& program, bool playing, const CommandStamps& commands);
+  /// Back to a saved state of this simulator, to where its player was and to its commands' stamps. The clock runs on.
+  void go_back(const SimulatorState& state, const ScenePlayer& player, bool playing, const CommandStamps& commands);
   /// Hands the present state over once more, stamped as it was: after a change of the readings alone. While time stands rig_state
   /// says it; otherwise its next frame does.
   void hand_over_again() noexcept;

@@ -12,6 +12,7 @@
 #include "drill_rig_sim/scene/instruments_spec.h"
 #include "drill_rig_sim/scene/needs.h"
 #include "drill_rig_sim/scene/numerics_spec.h"
+#include "drill_rig_sim/scene/operation.h"
 #include "drill_rig_sim/string/mud.h"
 #include "drill_rig_sim/string/part.h"
 #include "drill_rig_sim/well/formation.h"
@@ -82,6 +83,7 @@ struct Scene
   unsigned needs = every_need;  ///< sum of Need
   Connections connections = Connections::off;
   std::vector<ProgramStep> program;
+  std::vector<Operation> operations;
 };
 
 }  // namespace drill_rig_sim

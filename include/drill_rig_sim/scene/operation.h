@@ -1,0 +1,50 @@
+#ifndef DRILL_RIG_SIM_SCENE_OPERATION_H
+#define DRILL_RIG_SIM_SCENE_OPERATION_H
+
+#include <limits>
+
+/// What a scene's operations program is made of: what a driller does, one thing after the other, each until its end.
+namespace drill_rig_sim
+{
+enum class OperationKind
+{
+  flow,
+  rotate,
+  pick_up,
+  slack_off,
+  tag,
+  drill,
+  slide,
+  oscillate,
+  ream,
+  wait
+};
+
+/// One operation. NaN means that it does not end by this. It goes by the readings, as a driller does, and ends by whichever of its ends comes first.
+struct Operation
+{
+  static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
+  OperationKind kind = OperationKind::wait;
+  double ramp = 0.0;             ///< over which flow or rotary speed is reached, in a straight line [s]
+  double flow = 0.0;             ///< of the pump [m3/s]
+  double rotary_speed = 0.0;     ///< + clockwise; of oscillate, and of slide that rocks, the largest, 0: angle_speed (drive_reference.h) [rad/s]
+  double speed = 0.1;            ///< of the block; of drill and slide the largest [m/s]
+  double weight = unset;         ///< surface weight on bit: to be kept by drill and slide, an end of slack_off and tag [N]
+  double toolface = 0.0;         ///< to be held [rad]
+  double amplitude_right = 0.0;  ///< about the drive's angle clockwise [rad]
+  double amplitude_left = 0.0;   ///< counterclockwise [rad]
+  int times = 1;                 ///< strokes of ream, up and down
+  double to_depth = unset;       ///< end: bit depth; of drill and slide hole depth [m MD]
+  double distance = unset;       ///< end: travel of the block; of drill and slide metres drilled; of ream a stroke [m]
+  double time = unset;           ///< end: so long after it began, or after a ramp was over [s]
+  double overpull = unset;       ///< end of pick_up: hook load above that at its beginning [N]
+};
+
+/// The word of the scene file.
+const char* word_of(OperationKind kind) noexcept;
+/// Of a kind, with what it is by default.
+Operation default_operation(OperationKind kind) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,261 @@
+#include "drill_rig_sim/sim/operations.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/rig/hoisting.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
+#include "drill_rig_sim/sim/simulator.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+bool is_set(double value) noexcept
+{
+  return !std::isnan(value);
+}
+
+/// 1 once `value` has come from `from` to `to`.
+double share(double value, double from, double to) noexcept
+{
+  if (to == from) return 1.0;
+  return std::clamp((value - from) / (to - from), 0.0, 1.0);
+}
+
+/// Axial, of all pipe between bit and shaft and of the lines at the start's block height, one after the other [N/m].
+double stiffness_of(const Scene& scene)
+{
+  const HoistingSpec& hoisting = scene.rig.hoisting;
+  const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
+  const double height = scene.start.block_height;
+  double weight = hoisting.block_mass, give = 0.0;
+  for (const MeshElement& element : mesh.elements)
+  {
+    weight += element.linear_mass * element.section.length;
+    give += element.section.length / element.section.axial;
+  }
+  const LinePull lines = line_pull(hoisting, height, line_length_for(hoisting, height, weight * standard_gravity));
+  return 1.0 / (give + 1.0 / lines.stiffness);
+}
+
+/// The least turn that leads from one direction to another [rad].
+double turn_between(double from, double to) noexcept
+{
+  return std::remainder(to - from, 2.0 * pi);
+}
+}  // namespace
+
+double WeightFeed::velocity(double lacking, double stiffness, double most, double duration) noexcept
+{
+  const double quick = lacking / (stiffness * feed_time);
+  const double slow = learnt + duration * quick / (4.0 * feed_time);
+  const double down = std::clamp(quick + slow, -most, most);
+  if (down == quick + slow) learnt = slow;
+  return -down;
+}
+
+OperationsPlayer::OperationsPlayer(const Scene& scene) : operations_(scene.operations), began_(operations_.size() + 1, Operation::unset)
+{
+  if (!operations_.empty()) stiffness_ = stiffness_of(scene);
+}
+
+void OperationsPlayer::rewind() noexcept
+{
+  next_ = 0;
+  under_way_ = false;
+  std::fill(began_.begin(), began_.end(), Operation::unset);
+}
+
+OperationStatus OperationsPlayer::status() const noexcept
+{
+  OperationStatus status;
+  status.count = static_cast<int>(operations_.size());
+  if (finished()) return status;
+  status.number = static_cast<int>(next_) + 1;
+  status.kind = operations_[next_].kind;
+  status.progress = progress_;
+  return status;
+}
+
+void OperationsPlayer::apply(Simulator& simulator) noexcept
+{
+  while (!finished())
+  {
+    if (!under_way_) begin(simulator);
+    follow(simulator);
+    progress_ = progress(simulator);
+    if (progress_ < 1.0) return;
+    end(simulator);
+    under_way_ = false;
+    ++next_;
+    if (finished()) began_[next_] = simulator.truth().time;
+  }
+}
+
+void OperationsPlayer::begin(Simulator& simulator) noexcept
+{
+  const Operation& o = operations_[next_];
+  const Readings& now = simulator.readings();
+  under_way_ = true;
+  began_[next_] = began_at_ = followed_at_ = now.time;
+  began_bit_ = now.bit_depth;
+  began_hole_ = now.hole_depth;
+  began_block_ = now.block_height;
+  began_load_ = now.hook_load;
+  feed_ = WeightFeed();
+  legs_ = 0;
+  settled_ = false;
+  const TopDriveSetpoint drive = simulator.setpoints().top_drive;
+  if (o.kind == OperationKind::flow) ramp_ = {simulator.setpoints().pump.flow, o.flow, now.time, o.ramp, true};
+  if (o.kind == OperationKind::rotate)
+    ramp_ = {turns_to_angle(drive.mode) || drive.mode == TopDriveMode::torque ? now.top_drive_speed : drive.speed, o.rotary_speed, now.time, o.ramp, true};
+  if (o.kind == OperationKind::pick_up) simulator.command(WinchSetpoint{o.speed, false});
+  if (o.kind == OperationKind::slack_off || o.kind == OperationKind::tag)
+  {
+    if (is_set(o.weight)) simulator.tare();  // on bottom it keeps the zero it had
+    simulator.command(WinchSetpoint{-o.speed, false});
+  }
+  if (o.kind == OperationKind::slide || o.kind == OperationKind::oscillate)
+  {
+    angle_ = now.top_drive_angle;
+    turned_at_ = now.time - toolface_settles;
+    toolface_seen_ = 0;
+    follow_toolface(simulator);
+  }
+}
+
+void OperationsPlayer::follow(Simulator& simulator) noexcept
+{
+  switch (operations_[next_].kind)
+  {
+    case OperationKind::flow:
+    case OperationKind::rotate:
+      return follow_ramp(simulator);
+    case OperationKind::drill:
+      return follow_weight(simulator);
+    case OperationKind::slide:
+      follow_toolface(simulator);
+      return follow_weight(simulator);
+    case OperationKind::ream:
+      return follow_strokes(simulator);
+    case OperationKind::tag:
+      return follow_tag(simulator);
+    case OperationKind::pick_up:
+    case OperationKind::slack_off:
+    case OperationKind::oscillate:
+    case OperationKind::wait:
+      return;
+  }
+}
+
+void OperationsPlayer::follow_ramp(Simulator& simulator) noexcept
+{
+  if (!ramp_.running) return;
+  const double now = simulator.truth().time, value = ramp_.value(now);
+  ramp_.running = !ramp_.over(now);
+  if (operations_[next_].kind == OperationKind::flow)
+  {
+    simulator.command(PumpSetpoint{value});
+    return;
+  }
+  TopDriveSetpoint drive = simulator.setpoints().top_drive;
+  if (turns_to_angle(drive.mode) || drive.mode == TopDriveMode::torque) drive.mode = TopDriveMode::speed;
+  drive.brake = false;
+  drive.speed = value;
+  simulator.command(drive);
+}
+
+void OperationsPlayer::follow_weight(Simulator& simulator) noexcept
+{
+  const Operation& o = operations_[next_];
+  const Readings& now = simulator.readings();
+  const double velocity = feed_.velocity(o.weight - now.surface_wob, stiffness_, o.speed, now.time - followed_at_);
+  followed_at_ = now.time;
+  simulator.command(WinchSetpoint{velocity, false});
+}
+
+void OperationsPlayer::follow_strokes(Simulator& simulator) noexcept
+{
+  const Operation& o = operations_[next_];
+  const double height = simulator.readings().block_height;
+  const bool up = legs_ % 2 == 0;
+  if (up ? height >= began_block_ + o.distance : height <= began_block_) ++legs_;
+  simulator.command(WinchSetpoint{legs_ % 2 == 0 ? o.speed : -o.speed, false});
+}
+
+void OperationsPlayer::follow_tag(Simulator& simulator) noexcept
+{
+  if (settled_ || simulator.readings().time < began_at_ + tag_settles - time_rounding) return;
+  simulator.tare();
+  settled_ = true;
+}
+
+void OperationsPlayer::follow_toolface(Simulator& simulator) noexcept
+{
+  const Operation& o = operations_[next_];
+  const ToolfaceReading& toolface = simulator.readings().toolface;
+  const bool is_new = toolface.sequence != toolface_seen_ && toolface.time >= turned_at_ + toolface_settles;
+  if (o.kind == OperationKind::slide && toolface.sequence > 0 && is_new)
+  {
+    toolface_seen_ = toolface.sequence;
+    angle_ += turn_between(toolface.toolface, o.toolface);
+    turned_at_ = simulator.truth().time;
+  }
+  TopDriveSetpoint drive = simulator.setpoints().top_drive;
+  const bool rocks = o.amplitude_right + o.amplitude_left > 0.0;
+  drive.mode = rocks ? TopDriveMode::oscillate : TopDriveMode::angle;
+  drive.brake = false;
+  drive.speed = o.rotary_speed;
+  drive.angle = angle_;
+  drive.amplitude_right = o.amplitude_right;
+  drive.amplitude_left = o.amplitude_left;
+  if (!(drive == simulator.setpoints().top_drive)) simulator.command(drive);
+}
+
+void OperationsPlayer::end(Simulator& simulator) const noexcept
+{
+  const OperationKind kind = operations_[next_].kind;
+  const bool moved = kind == OperationKind::pick_up || kind == OperationKind::slack_off || kind == OperationKind::tag || kind == OperationKind::drill ||
+                     kind == OperationKind::slide || kind == OperationKind::ream;
+  if (moved) simulator.command(WinchSetpoint{0.0, true});
+}
+
+double OperationsPlayer::progress(const Simulator& simulator) const noexcept
+{
+  const Operation& o = operations_[next_];
+  const Readings& now = simulator.readings();
+  if (o.kind == OperationKind::flow || o.kind == OperationKind::rotate)
+  {
+    const double lasts = o.ramp + (is_set(o.time) ? o.time : 0.0);
+    return lasts > 0.0 ? share(now.time + time_rounding, began_at_, began_at_ + lasts) : 1.0;
+  }
+  if (o.kind == OperationKind::oscillate && !is_set(o.time)) return 1.0;
+  double nearest = progress_in_place(simulator);
+  if (is_set(o.time)) nearest = std::max(nearest, o.time > 0.0 ? share(now.time + time_rounding, began_at_, began_at_ + o.time) : 1.0);
+  if (is_set(o.overpull)) nearest = std::max(nearest, share(now.hook_load, began_load_, began_load_ + o.overpull));
+  const bool on_its_way = o.kind == OperationKind::tag && !settled_ && now.bit_depth < now.hole_depth - tag_near;
+  const bool by_weight = o.kind == OperationKind::slack_off || (o.kind == OperationKind::tag && !on_its_way);
+  if (by_weight && is_set(o.weight)) nearest = std::max(nearest, share(now.surface_wob, 0.0, o.weight));
+  return nearest;
+}
+
+double OperationsPlayer::progress_in_place(const Simulator& simulator) const noexcept
+{
+  const Operation& o = operations_[next_];
+  const Readings& now = simulator.readings();
+  if (o.kind == OperationKind::ream)
+  {
+    const double left = legs_ % 2 == 0 ? now.block_height - began_block_ : began_block_ + o.distance - now.block_height;
+    return std::min((legs_ + std::clamp(left / o.distance, 0.0, 0.99)) / (2.0 * o.times), 1.0);
+  }
+  const bool drills = o.kind == OperationKind::drill || o.kind == OperationKind::slide;
+  const double from = drills ? began_hole_ : began_bit_, here = drills ? now.hole_depth : now.bit_depth;
+  double nearest = 0.0;
+  if (is_set(o.to_depth)) nearest = (o.kind == OperationKind::pick_up ? here <= o.to_depth : here >= o.to_depth) ? 1.0 : share(here, from, o.to_depth);
+  if (is_set(o.distance)) nearest = std::max(nearest, std::abs((drills ? here - from : now.block_height - began_block_) / o.distance));
+  return std::min(nearest, 1.0);
+}
+
+}  // namespace drill_rig_sim

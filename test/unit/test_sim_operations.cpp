@@ -1,0 +1,267 @@
+// What a driller does, one thing after the other: feed by weight against its closed form, and each operation's end.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/sim/run.h"
+#include "sim_numbers.h"
+#include "test_scenes.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+constexpr double frame = 0.01;  // [s]
+
+Operation operation(OperationKind kind)
+{
+  return default_operation(kind);
+}
+
+Operation wait(double time)
+{
+  Operation o = operation(OperationKind::wait);
+  o.time = time;
+  return o;
+}
+
+Operation rotate(double speed, double ramp)
+{
+  Operation o = operation(OperationKind::rotate);
+  o.rotary_speed = speed;
+  o.ramp = ramp;
+  return o;
+}
+
+Operation flow(double rate)
+{
+  Operation o = operation(OperationKind::flow);
+  o.flow = rate;
+  return o;
+}
+
+Operation move(OperationKind kind, double speed, double distance)
+{
+  Operation o = operation(kind);
+  o.speed = speed;
+  o.distance = distance;
+  return o;
+}
+
+/// Drills `distance` [m] with 20 kN.
+Operation drill(double distance)
+{
+  Operation o = operation(OperationKind::drill);
+  o.weight = 20e3;
+  o.speed = 0.02;
+  o.distance = distance;
+  return o;
+}
+
+Scene scene_with(std::vector<Operation> operations, double above = 0.3)
+{
+  Scene scene = drilling_scene(above, 0.0);
+  scene.operations = std::move(operations);
+  return scene;
+}
+
+/// Plays on until the operation of this number is under way, 0: all are over.
+void play_up_to(int number, Simulator& rig, ScenePlayer& player)
+{
+  for (int k = 0; k < 100000 && (k == 0 || player.operations().status().number != number); ++k)
+    ASSERT_EQ(play_frame(rig, &player, frame), FrameStatus::running) << rig.failure();
+  ASSERT_EQ(player.operations().status().number, number);
+}
+}  // namespace
+
+// Rock that does not give way: e = e_0 (1 - t/2T) exp(-t/2T).
+TEST(WeightFeed, closesOnTheWeightAsItsPolesSay)
+{
+  constexpr double stiffness = 2e5, wanted = 50e3, dt = 1e-3;
+  WeightFeed feed;
+  double weight = 0.0;
+  for (int k = 1; k <= 60000; ++k)
+  {
+    weight += -feed.velocity(wanted - weight, stiffness, 1.0, dt) * stiffness * dt;
+    const double t = k * dt / (2.0 * WeightFeed::feed_time);
+    ASSERT_NEAR(wanted - weight, wanted * (1.0 - t) * std::exp(-t), 2e-4 * wanted) << k;
+  }
+}
+
+// Rock that gives way in proportion: no lasting error, and the feed has learnt the rate of penetration.
+TEST(WeightFeed, leavesNoErrorWhileItDrills)
+{
+  constexpr double stiffness = 2e5, wanted = 50e3, dt = 0.01, rop = 0.01;
+  WeightFeed feed;
+  double weight = 0.0;
+  for (int k = 0; k < 20000; ++k) weight += (-feed.velocity(wanted - weight, stiffness, 1.0, dt) - rop * weight / wanted) * stiffness * dt;
+  EXPECT_NEAR(weight, wanted, 1e-3 * wanted);
+  EXPECT_NEAR(feed.learnt, rop, 1e-3 * rop);
+}
+
+TEST(WeightFeed, learnsNothingAtItsLimit)
+{
+  WeightFeed feed;
+  for (int k = 0; k < 1000; ++k) EXPECT_EQ(feed.velocity(1e6, 1e5, 0.05, 0.1), -0.05);
+  EXPECT_EQ(feed.learnt, 0.0);
+  EXPECT_EQ(feed.velocity(-1e6, 1e5, 0.05, 0.1), 0.05);
+}
+
+TEST(Operations, followEachOther)
+{
+  Simulator rig(scene_with({flow(0.02), rotate(60.0 * rpm, 5.0), wait(2.0)}));
+  ScenePlayer player(rig.scene());
+  play_up_to(2, rig, player);
+  EXPECT_EQ(rig.setpoints().pump.flow, 0.02);
+  EXPECT_NEAR(rig.truth().time, frame, 1e-9);
+  play_up_to(3, rig, player);
+  EXPECT_NEAR(player.operations().began()[2], 5.0, 1e-9);
+  EXPECT_EQ(rig.setpoints().top_drive.speed, 60.0 * rpm);
+  EXPECT_FALSE(player.finished());
+  play_up_to(0, rig, player);
+  EXPECT_TRUE(player.finished());
+  EXPECT_NEAR(player.operations().began()[3], 7.0, 1e-9);
+}
+
+TEST(Operations, aRampIsStraight)
+{
+  Simulator rig(scene_with({rotate(60.0 * rpm, 5.0)}));
+  ScenePlayer player(rig.scene());
+  for (int k = 0; k < 251; ++k) ASSERT_EQ(play_frame(rig, &player, frame), FrameStatus::running);
+  EXPECT_NEAR(rig.setpoints().top_drive.speed, 30.0 * rpm, 1e-9);
+  EXPECT_NEAR(player.operations().status().progress, 0.5, 1e-6);
+}
+
+TEST(Operations, tagDrillAndPickUp)
+{
+  Simulator rig(scene_with({flow(0.02), rotate(60.0 * rpm, 5.0), operation(OperationKind::tag), drill(0.3), move(OperationKind::pick_up, 0.2, 3.0)}));
+  ScenePlayer player(rig.scene());
+  play_up_to(4, rig, player);
+  EXPECT_TRUE(rig.readings().tared);
+  EXPECT_GE(rig.readings().surface_wob, 5e3);
+  EXPECT_TRUE(rig.truth().on_bottom);
+  const double hole = rig.readings().hole_depth;
+  double sum = 0.0;
+  int count = 0;
+  while (player.operations().status().number == 4)
+  {
+    ASSERT_EQ(play_frame(rig, &player, frame), FrameStatus::running);
+    if (player.operations().status().progress < 0.5) continue;
+    sum += rig.truth().wob;
+    ++count;
+  }
+  EXPECT_NEAR(sum / count, 20e3, 400.0);
+  EXPECT_NEAR(rig.readings().hole_depth, hole + 0.3, 1e-3);
+  const double block = rig.readings().block_height;
+  play_up_to(0, rig, player);
+  EXPECT_TRUE(rig.setpoints().winch.brake);
+  EXPECT_NEAR(rig.readings().block_height, block + 3.0, 0.06) << "the brake takes its way";
+}
+
+TEST(Operations, reamGoesUpAndDownAgain)
+{
+  Operation ream = move(OperationKind::ream, 0.5, 2.0);
+  ream.times = 2;
+  Simulator rig(scene_with({ream}, 5.0));
+  ScenePlayer player(rig.scene());
+  const double block = rig.readings().block_height;
+  double highest = 0.0, before = block, turns = 0.0;
+  bool up = true;
+  while (!player.finished())
+  {
+    ASSERT_EQ(play_frame(rig, &player, frame), FrameStatus::running);
+    const double height = rig.readings().block_height;
+    highest = std::max(highest, height);
+    if ((height > before) != up && std::abs(height - before) > 1e-4) ++turns, up = !up;
+    before = height;
+  }
+  EXPECT_EQ(turns, 3);
+  EXPECT_NEAR(highest, block + 2.0, 0.3) << "with what it takes to turn back";
+  EXPECT_NEAR(rig.readings().block_height, block, 0.3);
+}
+
+TEST(Operations, anOverpullEndsAPickUp)
+{
+  Scene scene = scene_with({move(OperationKind::pick_up, 0.05, 5.0)}, 5.0);
+  scene.operations[0].overpull = 50e3;
+  Simulator rig(scene);
+  ASSERT_TRUE(rig.stick_pipe(60.0));
+  ScenePlayer player(rig.scene());
+  const double load = rig.readings().hook_load;
+  play_up_to(0, rig, player);
+  EXPECT_NEAR(rig.readings().hook_load, load + 50e3, 6e3);
+  EXPECT_TRUE(rig.setpoints().winch.brake);
+}
+
+TEST(Operations, slideTurnsToTheToolface)
+{
+  Scene scene = slanted_scene(150.0, 0.2);
+  scene.string = {bit_part(0.2), motor_part(), mwd_part(), collar_part(2, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
+  scene.instruments.toolface = {};
+  Operation slide = operation(OperationKind::slide);
+  slide.toolface = 90.0 * degree;
+  slide.weight = 1e3;  // off bottom it lowers slowly
+  slide.speed = 0.01;
+  slide.time = 90.0;
+  scene.operations = {flow(0.02), slide};
+  Simulator rig(scene);
+  ScenePlayer player(rig.scene());
+  play_up_to(0, rig, player);
+  EXPECT_NEAR(std::remainder(rig.truth().bend_toolface - 90.0 * degree, 2.0 * pi), 0.0, 10.0 * degree);
+}
+
+TEST(Operations, oscillateGoesOnWhileOthersFollow)
+{
+  Operation rock = operation(OperationKind::oscillate);
+  rock.amplitude_right = rock.amplitude_left = 1.0;
+  Simulator rig(scene_with({rock, wait(1.0)}));
+  ScenePlayer player(rig.scene());
+  play_up_to(2, rig, player);
+  EXPECT_EQ(rig.setpoints().top_drive.mode, TopDriveMode::oscillate);
+  EXPECT_EQ(rig.setpoints().top_drive.amplitude_left, 1.0);
+}
+
+TEST(Operations, goOnFromASnapshotBitForBit)
+{
+  Simulator rig(scene_with({flow(0.02), rotate(60.0 * rpm, 5.0), operation(OperationKind::tag), drill(0.3)}));
+  ScenePlayer player(rig.scene());
+  play_up_to(4, rig, player);
+  const auto state = rig.save();
+  const ScenePlayer there = player;
+  const auto play_on = [&](ScenePlayer from)
+  {
+    for (int k = 0; k < 500; ++k) EXPECT_EQ(play_frame(rig, &from, frame), FrameStatus::running);
+    return std::make_pair(rig.truth(), from.operations().status().progress);
+  };
+  const auto [once, progress] = play_on(there);
+  ASSERT_TRUE(rig.restore(*state));
+  const auto [again, progress_again] = play_on(there);
+  EXPECT_EQ(once.hook_load, again.hook_load);
+  EXPECT_EQ(once.hole_depth, again.hole_depth);
+  EXPECT_EQ(progress, progress_again);
+}
+
+TEST(Operations, endARun)
+{
+  Simulator rig(scene_with({wait(2.0)}));
+  ScenePlayer player(rig.scene());
+  RunGoal goal;
+  goal.duration = 100.0;
+  goal.goes_on = 1.0;
+  EXPECT_EQ(run(rig, player, goal, frame), RunEnd::played);
+  EXPECT_NEAR(rig.truth().time, 3.0, 0.02);
+}
+
+TEST(Operations, aRunEndsWhereOneGetsNowhere)
+{
+  Scene scene = scene_with({drill(0.3)}, 0.0);
+  scene.formation[0].threshold = 1e6;  // no weight that it has breaks the rock
+  Simulator rig(scene);
+  ScenePlayer player(rig.scene());
+  RunGoal goal;
+  goal.duration = 1e4;
+  goal.patience = 60.0;
+  EXPECT_EQ(run(rig, player, goal, frame), RunEnd::standstill);
+  EXPECT_LT(rig.truth().time, 200.0);
+}
