@@ -221,7 +221,7 @@ void find_guides(const Model& model, const State& state, Stage& stage) noexcept
     if (i + 1 < n) stage.guided_spans[i].guided = here && above;
     if (here)
     {
-      guide.joined = !below || !above || node == state.stuck_point.node;
+      guide.joined = !below || !above || node == state.stuck_point.node || node == model.mesh().pad_node;
       stage.guided_nodes.add(node);
       if (above) stage.guided_elements.add(node);
       if (!guide.joined && node >= model.mesh().gauge_nodes) stage.inner_nodes.add(node);

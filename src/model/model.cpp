@@ -28,7 +28,12 @@ Model::Model(const Scene& scene, Mesh mesh)
   for (const MeshElement& element : mesh_.elements)
     span_contact_.push_back(wall_law(scene.contact, element.contact, element.linear_mass * element.section.length, element.friction_radius));
   for (const PartSpec& part : scene_.string)
+  {
     if (part.motor) motor_ = &*part.motor;
+    if (!part.steerable) continue;
+    pad_force_ = part.steerable->pad_force;
+    downlink_bit_time_ = part.steerable->downlink_bit_time;
+  }
   mud_ = mud_circuit(scene_, mesh_);
   scene_.rig.top_drive = tuned(scene_.rig.top_drive, mesh_);
   bit_bristle_ = drill_rig_sim::bit_bristle_stiffness(bit().torque, bit().diameter);

@@ -1,10 +1,12 @@
 #include "drill_rig_sim/model/stage.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/forces/hoisting.h"
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
+#include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim
 {
@@ -34,6 +36,17 @@ void take_pressures(const Model& model, const State& state, Stage& stage) noexce
     const double lift = mud.lift[e] * pressures.annulus;
     if (lift != 0.0) load += lift * (state.nodes[e + 1].position - state.nodes[e].position).normalized();
   }
+}
+
+/// Of a rotary steerable tool, at the set points' ratio and toolface, about the string's axis at the pads.
+Vector3d pad_force(const Model& model, const State& state, const Setpoints& setpoints) noexcept
+{
+  const int node = model.mesh().pad_node;
+  if (node < 0 || setpoints.steering.ratio == 0.0) return Vector3d::Zero();
+  const Vector3d axis = x_axis(state.nodes[node].orientation);
+  const Vector3d from = setpoints.magnetic_steering ? north_side(axis) : high_side(axis);
+  const double toolface = setpoints.steering.toolface;
+  return setpoints.steering.ratio * model.pad_force() * (std::cos(toolface) * from + std::sin(toolface) * axis.cross(from));
 }
 
 /// What the state says of the step that starts from it.
@@ -77,6 +90,7 @@ void begin_step(const Model& model, const State& state, double step, const Setpo
   stage.structural_damping = model.scene().numerics.structural_damping;
   stage.setpoints = setpoints;
   take_start(model, state, stage);
+  stage.pad_force = pad_force(model, state, setpoints);
   move_stage(model, state, step, stage);
 }
 
@@ -95,6 +109,7 @@ void begin_static(const Model& model, const State& state, const SlidingMotion& s
   stage.dv_du = coefficient;
   stage.da_du = coefficient * coefficient;
   stage.structural_damping = 0.0;
+  stage.pad_force.setZero();
   stage.sliding = sliding;
   std::fill(stage.rate.begin(), stage.rate.end(), Vector6d::Zero());
   std::fill(stage.acceleration.begin(), stage.acceleration.end(), Vector6d::Zero());

@@ -22,7 +22,8 @@ bool same(const Setpoints& a, const Setpoints& b)
   return a.winch.block_velocity == b.winch.block_velocity && a.winch.brake == b.winch.brake &&
          a.top_drive.mode == b.top_drive.mode && a.top_drive.speed == b.top_drive.speed &&
          a.top_drive.torque == b.top_drive.torque && a.top_drive.angle == b.top_drive.angle &&
-         a.top_drive.torque_limit == b.top_drive.torque_limit && a.top_drive.brake == b.top_drive.brake;
+         a.top_drive.torque_limit == b.top_drive.torque_limit && a.top_drive.brake == b.top_drive.brake && a.steering == b.steering &&
+         a.magnetic_steering == b.magnetic_steering;
 }
 }  // namespace
 

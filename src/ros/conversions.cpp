@@ -70,6 +70,14 @@ PumpSetpoint to_setpoint(const MudPumpCommand& m)
   return s;
 }
 
+SteeringSetpoint to_setpoint(const SteeringCommand& m)
+{
+  SteeringSetpoint s;
+  s.toolface = m.toolface;
+  s.ratio = m.ratio;
+  return s;
+}
+
 namespace
 {
 void copy_setpoints(const FrameRecord& frame, RigState& m)
@@ -90,6 +98,10 @@ void copy_setpoints(const FrameRecord& frame, RigState& m)
   m.top_drive.amplitude_left = s.top_drive.amplitude_left;
   m.mud_pump.header.stamp = to_time(frame.commands.accepted[2]);
   m.mud_pump.flow = s.pump.flow;
+  m.steering.header.stamp = to_time(frame.commands.accepted[3]);
+  m.steering.toolface = s.steering.toolface;
+  m.steering.ratio = s.steering.ratio;
+  m.magnetic_steering = s.magnetic_steering;
 }
 
 std::uint8_t to_run_state(RunState state)

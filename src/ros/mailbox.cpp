@@ -20,6 +20,7 @@ void Mailbox::clear() noexcept
   winch_.read();
   top_drive_.read();
   pump_.read();
+  steering_.read();
 }
 
 }  // namespace drill_rig_sim

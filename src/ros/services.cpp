@@ -294,9 +294,8 @@ std::string Services::inject_fault(const InjectFault::Request& request)
 
 void Services::command_all(const StepSimulation::Request& request)
 {
-  if (request.winch.size() > 1 || request.top_drive.size() > 1 || request.mud_pump.size() > 1)
+  if (request.winch.size() > 1 || request.top_drive.size() > 1 || request.mud_pump.size() > 1 || request.steering.size() > 1)
     throw Refusal("allowed is no or one command of a kind");
-  if (!request.steering.empty()) throw Refusal("steering: not available yet");
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
@@ -304,10 +303,13 @@ void Services::command_all(const StepSimulation::Request& request)
         for (const auto& c : request.winch) require_right(loop, to_setpoint(c));
         for (const auto& c : request.top_drive) require_right(loop, to_setpoint(c));
         for (const auto& c : request.mud_pump) require_right(loop, to_setpoint(c));
+        for (const auto& c : request.steering) require_right(loop, to_setpoint(c));
+        if (!request.steering.empty() && !loop.rig().simulator->is_steerable()) throw Refusal("steering: the string has no rotary_steerable");
         loop.take_commands();  // what topics brought before the request is older
         for (const auto& c : request.winch) loop.take(to_setpoint(c));
         for (const auto& c : request.top_drive) loop.take(to_setpoint(c));
         for (const auto& c : request.mud_pump) loop.take(to_setpoint(c));
+        for (const auto& c : request.steering) loop.take(to_setpoint(c));
       });
 }
 

@@ -129,6 +129,7 @@ void SimulationLoop::take_commands() noexcept
   if (const WinchSetpoint* c = mailbox_.winch()) take(*c);
   if (const TopDriveSetpoint* c = mailbox_.top_drive()) take(*c);
   if (const PumpSetpoint* c = mailbox_.pump()) take(*c);
+  if (const SteeringSetpoint* c = mailbox_.steering()) take(*c);
 }
 
 template <class Setpoint>
@@ -153,6 +154,7 @@ CommandResult SimulationLoop::accept(const Setpoint& c, std::size_t kind) noexce
 template CommandResult SimulationLoop::accept(const WinchSetpoint&, std::size_t) noexcept;
 template CommandResult SimulationLoop::accept(const TopDriveSetpoint&, std::size_t) noexcept;
 template CommandResult SimulationLoop::accept(const PumpSetpoint&, std::size_t) noexcept;
+template CommandResult SimulationLoop::accept(const SteeringSetpoint&, std::size_t) noexcept;
 
 // A program speaks once per line: its silence is no lost stream.
 void SimulationLoop::set_timeout() noexcept

@@ -221,6 +221,7 @@ private:
     if (type == PartType::stabilizer) part.stabilizer.emplace();
     if (type == PartType::mwd) part.mwd.emplace();
     if (type == PartType::pipe) part.pipe.emplace();
+    if (type == PartType::rotary_steerable) part.steerable.emplace();
     const Entries entries = read_block(node, path, part_keys, 1u << word, part, problems_);
     in(entries, path, "contact",
        [&](const YAML::Node& n, const std::string& p)

@@ -2,7 +2,7 @@
 
 namespace drill_rig_sim
 {
-const std::vector<const char*> part_type_words = {"bit", "mud_motor", "collar", "stabilizer", "mwd", "pipe"};
+const std::vector<const char*> part_type_words = {"bit", "mud_motor", "collar", "stabilizer", "mwd", "pipe", "rotary_steerable"};
 const std::vector<const char*> bit_torque_words = {"stribeck", "detournay", "regenerative"};
 const std::vector<const char*> stribeck_curve_words = {"gaussian", "exponential"};
 const std::vector<const char*> need_words = {"hook_load", "torque", "wob", "rop", "bit_speed", "pressure", "direction", "contact", "buckling"};
@@ -41,13 +41,18 @@ double& of_sensor(PartSpec& part)
 {
   return part.mwd->sensor_offset;
 }
+template <double SteerableSpec::*field>
+double& of_steerable(PartSpec& part)
+{
+  return (*part.steerable).*field;
+}
 double& of_tool_joint(PartSpec& part)
 {
   return part.pipe->tool_joint_diameter;
 }
 
 constexpr unsigned bit = kind(PartType::bit), motor = kind(PartType::mud_motor), stabilizer = kind(PartType::stabilizer),
-                   mwd = kind(PartType::mwd), pipe = kind(PartType::pipe);
+                   mwd = kind(PartType::mwd), pipe = kind(PartType::pipe), steerable = kind(PartType::rotary_steerable);
 constexpr unsigned tube = every_kind & ~bit;
 constexpr unsigned jointed = pipe | kind(PartType::collar);
 constexpr unsigned stribeck = kind(BitTorqueModel::stribeck), regenerative = kind(BitTorqueModel::regenerative),
@@ -151,7 +156,7 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"type",                  "",       Choice<PartSpec>{part_type_words, [](PartSpec& p, int word) { p.type = static_cast<PartType>(word); },
                                                        [](const PartSpec& p) { return static_cast<int>(p.type); }},
                                                                            none,                 "what it is", must},
-  {"length",                "m",      &PartSpec::length,                   between(0.02, 2000.0), "length of a part that has no `joints`", bit | motor | stabilizer | mwd, every_kind, "joints * joint_length"},
+  {"length",                "m",      &PartSpec::length,                   between(0.02, 2000.0), "length of a part that has no `joints`", bit | motor | stabilizer | mwd | steerable, every_kind, "joints * joint_length"},
   {"joints",                "",       CountOrFill<PartSpec>{&PartSpec::joints}, between(1, 10000), "number of joints; `fill`, the last part only: as many as reach the surface", no_kind, jointed},
   {"joint_length",          "m",      &PartSpec::joint_length,             between(0.5, 30.0),   "length of one joint", no_kind, jointed, "length"},
   {"outer_diameter",        "m",      &PartSpec::outer_diameter,           between(0.01, 1.0),   "of the body", tube, tube},
@@ -187,6 +192,9 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"displacement_per_rev",  "m3/rev", Inside<PartSpec>{of_motor<&MotorSpec::displacement_per_rev>}, between(1e-4, 1.0),   "mud volume that turns the motor once", motor, motor},
   {"stall_torque",          "N m",    Inside<PartSpec>{of_motor<&MotorSpec::stall_torque>}, between(1.0, 1e6),    "torque at which the motor stalls", motor, motor},
   {"curve_exponent",        "-",      Inside<PartSpec>{of_motor<&MotorSpec::curve_exponent>}, between(1.0, 20.0),   "b of the motor's speed, N_0 (1 - (T/T_stall)^b); 1 a straight line, power sections 3 to 5", no_kind, motor},
+  {"bit_to_pads",           "m",      Inside<PartSpec>{of_steerable<&SteerableSpec::bit_to_pads>}, between(0.01, 100.0), "from the bit's face to the pads that push it; lies inside the tool", steerable, steerable},
+  {"pad_force",             "N",      Inside<PartSpec>{of_steerable<&SteerableSpec::pad_force>}, above(0.0, 2e5), "on the tool at full steering", steerable, steerable},
+  {"downlink_bit_time",     "s",      Inside<PartSpec>{of_steerable<&SteerableSpec::downlink_bit_time>}, between(1.0, 120.0), "of a downlink by the pump's flow", no_kind, steerable},
 }};
 
 namespace
@@ -384,6 +392,8 @@ const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at 
   {"amplitude_left_deg",    "deg",    &ProgramStep::amplitude_left,        between(0.0, 1e5),    "from there counterclockwise: oscillate", no_kind, every_kind, "as before"},
   {"top_drive_torque_limit", "N m",   &ProgramStep::torque_limit,          between(0.0, 1e6),    "largest that the drive may use; 0: the rig's", no_kind, every_kind, "as before"},
   {"flow",                  "m3/s",   &ProgramStep::flow,                  between(0.0, 1.0),    "of the mud pump", no_kind, every_kind, "as before"},
+  {"steering_toolface_deg", "deg",    &ProgramStep::steering_toolface,     between(-360.0, 360.0), "of the force of a rotary_steerable on the string", no_kind, every_kind, "as before"},
+  {"steering_ratio",        "-",      &ProgramStep::steering_ratio,        between(0.0, 1.0),    "of its full force", no_kind, every_kind, "as before"},
   {"top_drive_brake",       "",       Flag<ProgramStep>{&ProgramStep::top_drive_brake}, none,    "sets or releases the top drive's brake; speed and torque release it", no_kind, every_kind, "as before"},
   {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},
   {"stuck_at",              "m",      &ProgramStep::stuck_at,              above(0.0, 20000.0),  "measured depth where the hole grips the pipe, not below the bit by then", no_kind, every_kind, "as before"},

@@ -263,6 +263,7 @@ void check_program(const Scene& scene, ProblemList& problems)
     problems.emplace_back(item_key("program", i, key), plain(value / scale) + " " + unit + " is beyond the rig's limit, allowed: up to " +
                                               plain(most / scale) + " " + unit);
   };
+  const bool steerable = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& part) { return part.steerable.has_value(); });
   double free = free_length(scene);
   Amplitudes amplitudes;
   for (std::size_t i = 0; i < scene.program.size(); ++i)
@@ -279,6 +280,8 @@ void check_program(const Scene& scene, ProblemList& problems)
       problems.emplace_back(item_key("program", i), "the brake is set and the block moves, allowed: one of them");
     }
     check_ramp_and_faults(step, i, problems);
+    if ((!std::isnan(step.steering_toolface) || !std::isnan(step.steering_ratio)) && !steerable)
+      problems.emplace_back(item_key("program", i), "steers, needed: a part of type rotary_steerable");
     if (!std::isnan(step.free_length) && (scene.numerics.level == Level::rigid || has_no_levels(scene.numerics.integrator)))
       problems.emplace_back(item_key("program", i, "free_length"), "a rigid string, and this integrator, have but one level; allowed with the others");
     else if (step.free_length > free)

@@ -74,6 +74,7 @@ std::string scene_reference()
   part.stabilizer.emplace();
   part.mwd.emplace();
   part.pipe.emplace();
+  part.steerable.emplace();
   write(out, part_keys, part_type_words, part);
   write(out, part_contact_keys);
   write(out, bit_bottom_keys, {}, BitSpec{}.bottom);

@@ -54,12 +54,19 @@ const char* what_is_wrong(const PumpSetpoint& c) noexcept
   return std::isfinite(c.flow) ? nullptr : "flow: must be finite";
 }
 
+const char* what_is_wrong(const SteeringSetpoint& c) noexcept
+{
+  return std::isfinite(c.toolface) && std::isfinite(c.ratio) ? nullptr : "toolface and ratio: must be finite";
+}
+
 Setpoints CommandState::in_force() const noexcept
 {
   if (!timed_out()) return asked;
   Setpoints safe;
   safe.top_drive.mode = TopDriveMode::torque;
   safe.pump = asked.pump;
+  safe.steering = asked.steering;
+  safe.magnetic_steering = asked.magnetic_steering;
   return safe;
 }
 
@@ -102,6 +109,14 @@ CommandResult take(const RigSpec& rig, double now, const PumpSetpoint& c, Comman
   bool clamped = false;
   state.asked.pump.flow = clamped_to(c.flow, 0.0, rig.mud_pump.max_flow, clamped);
   return taken(clamped, "flow: clamped to 0 .. the pump's max_flow", now, state);
+}
+
+CommandResult take(const RigSpec&, double now, const SteeringSetpoint& c, CommandState& state) noexcept
+{
+  if (const char* wrong = what_is_wrong(c)) return refused(wrong);
+  bool clamped = false;
+  state.asked.steering = {c.toolface, clamped_to(c.ratio, 0.0, 1.0, clamped)};
+  return taken(clamped, "ratio: clamped to 0 .. 1", now, state);
 }
 
 void watch_commands(double timeout, double now, CommandState& state) noexcept

@@ -93,6 +93,13 @@ void ProgramPlayer::begin(const ProgramStep& step, Simulator& simulator) noexcep
   if (is_set(step.block_velocity) || is_set(step.brake)) begin_winch(step, simulator);
   if (commands_top_drive(step)) begin_top_drive(step, simulator);
   if (is_set(step.flow)) flow_ = ramp_of(step, simulator.setpoints().pump.flow, step.flow);
+  if (is_set(step.steering_toolface) || is_set(step.steering_ratio))
+  {
+    SteeringSetpoint steering = simulator.setpoints().steering;
+    if (is_set(step.steering_toolface)) steering.toolface = step.steering_toolface;
+    if (is_set(step.steering_ratio)) steering.ratio = step.steering_ratio;
+    simulator.command(steering);
+  }
   if (step.free == 1.0) simulator.free_pipe();
   if (is_set(step.free_length) && !simulator.set_free_length(step.free_length))
     simulator.fail("program: free_length would set guided pipe free, allowed: shorter ones than before");

@@ -11,6 +11,7 @@
 #include "drill_rig_sim/scene/scene_hash.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/scene/scene_problems.h"
+#include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim
 {
@@ -99,6 +100,29 @@ CommandResult Simulator::command(const PumpSetpoint& c) noexcept
   return impl_->command(c);
 }
 
+bool Simulator::is_steerable() const noexcept
+{
+  return impl_->model->mesh().pad_node >= 0;
+}
+
+CommandResult Simulator::command(const SteeringSetpoint& c) noexcept
+{
+  if (is_steerable()) return impl_->command(c);
+  ++impl_->statistics.commands_refused;
+  return {CommandResult::Outcome::refused, "steering: the string has no rotary_steerable"};
+}
+
+/// What the tool in the string hears and feels before a frame.
+void Simulator::Impl::steer() noexcept
+{
+  const int node = model->mesh().pad_node;
+  if (node < 0) return;
+  Setpoints& asked = state.commands.asked;
+  const auto heard = state.downlink.hear(now(), state.truth.bit_flow, model->downlink_bit_time());
+  if (heard) asked.steering = *heard;
+  asked.magnetic_steering = toolface_reference(x_axis(shown().nodes[node].orientation), asked.magnetic_steering).magnetic;
+}
+
 Setpoints Simulator::setpoints() const noexcept
 {
   return impl_->state.commands.in_force();
@@ -115,6 +139,7 @@ FrameStatus Simulator::frame(double duration) noexcept
   if (!(duration > 0.0)) return FrameStatus::running;
   impl_->integrator->profiler().restart();
   drill_rig_sim::watch_commands(impl_->command_timeout, impl_->now(), impl_->state.commands);
+  impl_->steer();
   const Setpoints setpoints = impl_->state.commands.in_force();
   const double hole_depth = impl_->state.truth.hole_depth;
   if (!impl_->advance_frame(duration, setpoints))
@@ -281,6 +306,7 @@ void Simulator::Impl::shift_time(double now) noexcept
   mechanics().time += shift;
   state.truth.time = state.readings.time = now;
   state.commands.shift_time(shift);
+  state.downlink.shift_time(shift);
   state.instruments.shift_time(shift);
 }
 

@@ -62,6 +62,7 @@ struct Simulator::Impl
   template <class Setpoint>
   CommandResult command(const Setpoint& c) noexcept;
   void shift_time(double now) noexcept;
+  void steer() noexcept;
   void measure() noexcept;
   void measure_rig() noexcept;
   void measure_bit() noexcept;

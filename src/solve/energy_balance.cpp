@@ -168,6 +168,7 @@ void EnergyBalance::book_inputs() noexcept
   accounts_.gearbox -= h * mean(before_.gear_friction, after_.gear_friction) * mean(before_.rotor_speed, after_.rotor_speed) +
                        after_.stored.gear - start_.gear;
   accounts_.gravity += start_.weight - after_.stored.weight;
+  accounts_.steering -= work_in_time(NodeForce::pads);
   const double torque = mean(before_.bit_torque + before_.gauge_torque, after_.bit_torque + after_.gauge_torque);
   const double pump = h * std::max(0.0, torque) * after_.motor_flow_speed;
   accounts_.pump += pump;

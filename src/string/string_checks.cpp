@@ -17,17 +17,19 @@ void check_kinds(const std::vector<PartSpec>& parts, ProblemList& problems)
     problems.emplace_back("string[0].type", "the first part is no bit, needed: parts from the bit up");
   if (parts.back().type == PartType::bit)
     problems.emplace_back("string", "there is nothing above the bit, needed: at least one pipe or collar");
-  int motors = 0, surveyors = 0;
+  int motors = 0, surveyors = 0, steerers = 0;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     const PartType type = parts[i].type;
     motors += type == PartType::mud_motor ? 1 : 0;
     surveyors += type == PartType::mwd ? 1 : 0;
+    steerers += type == PartType::rotary_steerable ? 1 : 0;
     if (i > 0 && type == PartType::bit) problems.emplace_back(item_key("string", i, "type"), "a second bit, allowed: one");
     if (type == PartType::mud_motor && motors == 2)
       problems.emplace_back(item_key("string", i, "type"), "a second mud motor, allowed: one");
     if (type == PartType::mud_motor && motors == 1 && i > 1)
       problems.emplace_back(item_key("string", i, "type"), "a mud motor turns the bit alone, allowed: directly above the bit");
+    if (type == PartType::rotary_steerable && steerers == 2) problems.emplace_back(item_key("string", i, "type"), "a second rotary_steerable, allowed: one");
     if (type == PartType::mwd && surveyors == 2) problems.emplace_back(item_key("string", i, "type"), "a second mwd, allowed: one");
     if (parts[i].joints == 0 && i + 1 < parts.size())
       problems.emplace_back(item_key("string", i, "joints"), "`fill` is not the string's last part, allowed: on the last part only");
@@ -69,6 +71,9 @@ void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
     if (part.motor && part.motor->sleeve_diameter > 0.0 && (part.motor->bit_to_sleeve <= bottom || part.motor->bit_to_sleeve >= top))
       problems.emplace_back(item_key("string", i, "bit_to_sleeve"), metres(part.motor->bit_to_sleeve) + " is outside the motor, allowed: between " +
                                                                         plain(bottom) + " and " + metres(top));
+    if (part.steerable && (part.steerable->bit_to_pads <= bottom || part.steerable->bit_to_pads >= top))
+      problems.emplace_back(item_key("string", i, "bit_to_pads"), metres(part.steerable->bit_to_pads) + " is outside the tool, allowed: between " +
+                                                                      plain(bottom) + " and " + metres(top));
     if (part.mwd && part.mwd->sensor_offset > part.length)
       problems.emplace_back(item_key("string", i, "sensor_offset"),
                             metres(part.mwd->sensor_offset) + " is outside the part, allowed: 0 to " + metres(part.length));

@@ -38,6 +38,8 @@ const char* word(PartType type)
       return "mwd";
     case PartType::pipe:
       return "pipe";
+    case PartType::rotary_steerable:
+      return "rotary steerable";
   }
   return "";
 }

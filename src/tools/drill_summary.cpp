@@ -88,6 +88,7 @@ Json json_of(const EnergyAccounts& e)
           {"drive", e.drive},
           {"pump", e.pump},
           {"gravity", e.gravity},
+          {"steering", e.steering},
           {"stored", e.stored()},
           {"wall_friction", e.wall_friction},
           {"wall_damping", e.wall_damping},

@@ -42,6 +42,7 @@ enum class NodeForce
   friction,
   ledge,         ///< what the wall's force lacks of the gradient where the radius changes (wall_contact.h: "sideways, never along")
   stuck_point,   ///< gradient of the stuck point's energy
+  pads,          ///< of a rotary steerable tool
   unsolved,      ///< the residual that the method left
   count
 };

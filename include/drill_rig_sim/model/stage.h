@@ -64,6 +64,7 @@ struct Stage
   Runs inner_nodes;                      ///< and of these nodes those on which the guided string's forces alone act, but for the bit's gauge
   double structural_damping = 0.0;      ///< [s]
   Setpoints setpoints;
+  Eigen::Vector3d pad_force = Eigen::Vector3d::Zero();  ///< of a rotary steerable tool, on it, across the string; none in statics [N]
   SlidingMotion sliding;                ///< of the string in the hole; statics only
 
   // where the laws with a course of their own are at `time`

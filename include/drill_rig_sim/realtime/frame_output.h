@@ -41,7 +41,7 @@ enum class RunState
 struct CommandStamps
 {
   std::int64_t last = 0;
-  std::array<std::int64_t, 3> accepted{};  ///< the set points asked for last: winch, top drive, pump
+  std::array<std::int64_t, 4> accepted{};  ///< the set points asked for last: winch, top drive, pump, steering
 
   template <class V>
   void visit(V& v)

@@ -65,12 +65,28 @@ struct PumpSetpoint
   }
 };
 
+/// Of a rotary steerable tool.
+struct SteeringSetpoint
+{
+  double toolface = 0.0;  ///< of the force on the tool, clockwise looking downhole from the high side, or from north in a hole nearer the vertical [rad]
+  double ratio = 0.0;     ///< of full steering, 0 .. 1
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("toolface", toolface);
+    v("ratio", ratio);
+  }
+};
+
 /// The set points in force.
 struct Setpoints
 {
   WinchSetpoint winch;
   TopDriveSetpoint top_drive;
   PumpSetpoint pump;
+  SteeringSetpoint steering;       ///< that the tool obeys
+  bool magnetic_steering = false;  ///< its toolface counts from north
 
   template <class V>
   void visit(V& v)
@@ -78,6 +94,8 @@ struct Setpoints
     v("winch", winch);
     v("top_drive", top_drive);
     v("pump", pump);
+    v("steering", steering);
+    v("magnetic_steering", magnetic_steering);
   }
 };
 
@@ -92,9 +110,15 @@ inline bool operator==(const TopDriveSetpoint& a, const TopDriveSetpoint& b) noe
          a.brake == b.brake && a.amplitude_right == b.amplitude_right && a.amplitude_left == b.amplitude_left;
 }
 
+inline bool operator==(const SteeringSetpoint& a, const SteeringSetpoint& b) noexcept
+{
+  return a.toolface == b.toolface && a.ratio == b.ratio;
+}
+
 inline bool operator==(const Setpoints& a, const Setpoints& b) noexcept
 {
-  return a.winch == b.winch && a.top_drive == b.top_drive && a.pump.flow == b.pump.flow;
+  return a.winch == b.winch && a.top_drive == b.top_drive && a.pump.flow == b.pump.flow && a.steering == b.steering &&
+         a.magnetic_steering == b.magnetic_steering;
 }
 
 }  // namespace drill_rig_sim

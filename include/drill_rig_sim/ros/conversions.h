@@ -15,6 +15,7 @@
 #include "drill_rig_sim/MudPumpCommand.h"
 #include "drill_rig_sim/RigLimits.h"
 #include "drill_rig_sim/RigState.h"
+#include "drill_rig_sim/SteeringCommand.h"
 #include "drill_rig_sim/TopDriveCommand.h"
 #include "drill_rig_sim/WinchCommand.h"
 #include "drill_rig_sim/realtime/frame_output.h"
@@ -35,6 +36,7 @@ geometry_msgs::Quaternion pointing(const Eigen::Vector3d& direction);
 WinchSetpoint to_setpoint(const WinchCommand& m);
 TopDriveSetpoint to_setpoint(const TopDriveCommand& m);
 PumpSetpoint to_setpoint(const MudPumpCommand& m);
+SteeringSetpoint to_setpoint(const SteeringCommand& m);
 
 /// `from` is the frame's truth or its readings.
 RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const std::string& frame_id);

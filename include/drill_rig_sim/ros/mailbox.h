@@ -48,12 +48,13 @@ public:
   void receive(const WinchCommand& m) noexcept { keep(to_setpoint(m), winch_); }
   void receive(const TopDriveCommand& m) noexcept { keep(to_setpoint(m), top_drive_); }
   void receive(const MudPumpCommand& m) noexcept { keep(to_setpoint(m), pump_); }
-  void receive(const SteeringCommand&) noexcept { refusals_.count("steering/command: not available yet"); }
+  void receive(const SteeringCommand& m) noexcept { keep(to_setpoint(m), steering_); }
 
   /// For the simulation thread: the latest set point not taken yet, or null.
   const WinchSetpoint* winch() noexcept { return winch_.read(); }
   const TopDriveSetpoint* top_drive() noexcept { return top_drive_.read(); }
   const PumpSetpoint* pump() noexcept { return pump_.read(); }
+  const SteeringSetpoint* steering() noexcept { return steering_.read(); }
 
   /// Forgets what has not been taken yet; on the reader's side.
   void clear() noexcept;
@@ -75,6 +76,7 @@ private:
   TripleBuffer<WinchSetpoint> winch_;
   TripleBuffer<TopDriveSetpoint> top_drive_;
   TripleBuffer<PumpSetpoint> pump_;
+  TripleBuffer<SteeringSetpoint> steering_;
   Refusals refusals_;
   ros::Subscriber subscribers_[4];
 };

@@ -106,6 +106,7 @@ public:
   CommandResult take(const WinchSetpoint& c) noexcept { return accept(c, 0); }
   CommandResult take(const TopDriveSetpoint& c) noexcept { return accept(c, 1); }
   CommandResult take(const PumpSetpoint& c) noexcept { return accept(c, 2); }
+  CommandResult take(const SteeringSetpoint& c) noexcept { return accept(c, 3); }
   RunState run_state() const noexcept;
 
   /// For between-frames callbacks: the step under way ends here. False: none is.

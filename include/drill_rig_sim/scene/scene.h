@@ -59,6 +59,8 @@ struct ProgramStep
   double amplitude_right = unset, amplitude_left = unset;  ///< of oscillate [rad]
   double torque_limit = unset;      ///< [N m]; 0 = the rig's
   double flow = unset;              ///< [m3/s]
+  double steering_toolface = unset; ///< of a rotary steerable tool [rad]
+  double steering_ratio = unset;    ///< 0 .. 1
   double top_drive_brake = unset;   ///< 1 sets, 0 releases
   double brake = unset;             ///< the winch's: 1 sets, 0 releases
   double stuck_at = unset;          ///< the hole grips the pipe there [m MD]

@@ -57,6 +57,7 @@ struct CommandState
 const char* what_is_wrong(const WinchSetpoint& command) noexcept;
 const char* what_is_wrong(const TopDriveSetpoint& command) noexcept;
 const char* what_is_wrong(const PumpSetpoint& command) noexcept;
+const char* what_is_wrong(const SteeringSetpoint& command) noexcept;
 
 /// Takes a command at simulated time `now` [s]. A finite value beyond the rig's limit is clamped, as a real drive saturates; a value that
 /// is not finite, an unknown mode, a negative torque limit or amplitude, and OSCILLATE without amplitudes are refused whole: the last good one
@@ -64,6 +65,7 @@ const char* what_is_wrong(const PumpSetpoint& command) noexcept;
 CommandResult take(const RigSpec& rig, double now, const WinchSetpoint& command, CommandState& state) noexcept;
 CommandResult take(const RigSpec& rig, double now, const TopDriveSetpoint& command, CommandState& state) noexcept;
 CommandResult take(const RigSpec& rig, double now, const PumpSetpoint& command, CommandState& state) noexcept;
+CommandResult take(const RigSpec& rig, double now, const SteeringSetpoint& command, CommandState& state) noexcept;
 
 /// Notes which of the winch's and the drive's commands have been silent for longer than `timeout` [s]; 0: never. A stream is watched from
 /// its first command on: its first since the start, or since `timeout` was 0.

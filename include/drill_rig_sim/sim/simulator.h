@@ -71,6 +71,10 @@ public:
   CommandResult command(const WinchSetpoint& c) noexcept;
   CommandResult command(const TopDriveSetpoint& c) noexcept;
   CommandResult command(const PumpSetpoint& c) noexcept;
+  /// Obeyed at once; by the pump's flow as downlink.h says. Refused where the string has no rotary_steerable.
+  CommandResult command(const SteeringSetpoint& c) noexcept;
+  /// The string has a rotary_steerable.
+  bool is_steerable() const noexcept;
   /// The set points in force: of the last commands, taken though no frame has been computed since.
   Setpoints setpoints() const noexcept;
   /// Winch and drive streams silent for longer than this set the brake and coast the drive [s]; 0 = off.

@@ -61,6 +61,7 @@ struct Mesh
   double bit_displaced = 0.0; ///< volume [m3]
   int gauge_nodes = 1;        ///< so many of the lowest nodes are the bit's gauge: their contact turns with the motor and loads it
   int bend_node = -1;         ///< -1: straight string
+  int pad_node = -1;          ///< where a rotary steerable tool pushes; -1: none
   double sensor_from_bit = -1.0;    ///< the MWD's sensor; -1: none
   std::vector<double> part_bottom;  ///< from_bit of each part's lower end [m]
   std::vector<double> part_top;

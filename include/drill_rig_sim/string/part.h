@@ -16,7 +16,8 @@ enum class PartType
   collar,
   stabilizer,
   mwd,
-  pipe
+  pipe,
+  rotary_steerable
 };
 
 /// What a bit has beside what every part has.
@@ -64,6 +65,15 @@ struct MwdToolSpec
   double sensor_offset = 0.0;  ///< from the part's lower end up to the sensor [m]
 };
 
+/// What a rotary steerable tool has beside what every part has: it pushes the bit. Pads press on the wall, one after the other as the tool turns, so
+/// that the force on the tool stays in one direction. Their own friction on the wall is left out.
+struct SteerableSpec
+{
+  double bit_to_pads = 0.0;         ///< from the bit's face [m]
+  double pad_force = 0.0;           ///< at full steering [N]
+  double downlink_bit_time = 12.0;  ///< of a downlink by the pump's flow (sim/steering_tool.h) [s]
+};
+
 /// What drill pipe has beside what every part has.
 struct PipeSpec
 {
@@ -104,6 +114,7 @@ struct PartSpec
   std::optional<StabilizerSpec> stabilizer;
   std::optional<MwdToolSpec> mwd;
   std::optional<PipeSpec> pipe;
+  std::optional<SteerableSpec> steerable;
 };
 
 }  // namespace drill_rig_sim
