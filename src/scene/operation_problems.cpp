@@ -48,6 +48,9 @@ public:
     const auto tells = [](const PartSpec& part) { return part.type == PartType::mwd; };
     if (o_.kind == OperationKind::slide && std::none_of(scene_.string.begin(), scene_.string.end(), tells))
       add("do", "slide is given, needed: a part of type mwd, whose toolface it goes by");
+    const auto steers = [](const PartSpec& part) { return part.steerable.has_value(); };
+    if (o_.kind == OperationKind::steer && std::none_of(scene_.string.begin(), scene_.string.end(), steers))
+      add("do", "steer is given, needed: a part of type rotary_steerable");
     if (o_.kind == OperationKind::oscillate && o_.amplitude_right + o_.amplitude_left == 0.0)
       add("", "rocks by nothing, needed: amplitude_right_deg or amplitude_left_deg above 0");
     const bool angles = o_.kind == OperationKind::slide || o_.kind == OperationKind::oscillate;

@@ -17,7 +17,6 @@ const std::vector<const char*> element_words = {"auto", "corotational", "geometr
 namespace
 {
 const std::vector<const char*> connections_words = {"off", "auto"};
-const std::vector<const char*> top_drive_mode_words = {"speed", "torque", "angle", "soft_torque", "z_torque", "oscillate"};
 // fields that a type of part alone has; the reader makes them when it has read the type
 template <double BitSpec::*field>
 double& of_bit(PartSpec& part)
@@ -377,29 +376,6 @@ const Table<HookLoadSpec> hook_load_keys = {"instruments.surface.hook_load", "Wh
 }, gauge_rows<HookLoadSpec>())};
 
 const Table<SensorSpec> sensor_keys = {"instruments.surface.*", "Any gauge, in the unit of its signal.", gauge_rows<SensorSpec>()};
-
-const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at a simulated time; a key that is left out leaves its set point alone. A ramp begins at the set point in force (at 0 where the winch's brake holds the block, at what the drive does where it is braked or in the other mode) and is followed frame by frame; a later line that sets the same, the other mode or the brake ends it.", {
-  {"at",                    "s",      &ProgramStep::at,                    between(0.0, 1e7),    "simulated time, ascending", must},
-  {"ramp",                  "s",      &ProgramStep::ramp,                  between(0.0, 1e7),    "the line's block_velocity, top_drive_speed_rpm, top_drive_torque and flow are reached in a straight line over this time; 0: at once"},
-  {"block_velocity",        "m/s",    &ProgramStep::block_velocity,        between(-20.0, 20.0), "+ up; releases the brake", no_kind, every_kind, "as before"},
-  {"top_drive_speed_rpm",   "rpm",    &ProgramStep::top_drive_speed,       between(-1000.0, 1000.0), "+ clockwise: speed mode, or soft_torque and z_torque; of angle and oscillate the largest", no_kind, every_kind, "as before"},
-  {"top_drive_torque",      "N m",    &ProgramStep::top_drive_torque,      between(-1e6, 1e6),   "torque mode, + clockwise", no_kind, every_kind, "as before"},
-  {"top_drive_mode",        "",       Choice<ProgramStep>{top_drive_mode_words, [](ProgramStep& s, int word) { s.top_drive_mode = word; },
-                                                          [](const ProgramStep& s) { return s.top_drive_mode; }},
-                                                                           none,                 "of the top drive", no_kind, every_kind, "by the keys beside it; a speed leaves soft_torque and z_torque"},
-  {"top_drive_angle_deg",   "deg",    &ProgramStep::top_drive_angle,       between(-1e7, 1e7),   "of the shaft, since the start: angle mode, or the middle of oscillate", no_kind, every_kind, "as before"},
-  {"amplitude_right_deg",   "deg",    &ProgramStep::amplitude_right,       between(0.0, 1e5),    "from there clockwise: oscillate", no_kind, every_kind, "as before"},
-  {"amplitude_left_deg",    "deg",    &ProgramStep::amplitude_left,        between(0.0, 1e5),    "from there counterclockwise: oscillate", no_kind, every_kind, "as before"},
-  {"top_drive_torque_limit", "N m",   &ProgramStep::torque_limit,          between(0.0, 1e6),    "largest that the drive may use; 0: the rig's", no_kind, every_kind, "as before"},
-  {"flow",                  "m3/s",   &ProgramStep::flow,                  between(0.0, 1.0),    "of the mud pump", no_kind, every_kind, "as before"},
-  {"steering_toolface_deg", "deg",    &ProgramStep::steering_toolface,     between(-360.0, 360.0), "of the force of a rotary_steerable on the string", no_kind, every_kind, "as before"},
-  {"steering_ratio",        "-",      &ProgramStep::steering_ratio,        between(0.0, 1.0),    "of its full force", no_kind, every_kind, "as before"},
-  {"top_drive_brake",       "",       Flag<ProgramStep>{&ProgramStep::top_drive_brake}, none,    "sets or releases the top drive's brake; speed and torque release it", no_kind, every_kind, "as before"},
-  {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},
-  {"stuck_at",              "m",      &ProgramStep::stuck_at,              above(0.0, 20000.0),  "measured depth where the hole grips the pipe, not below the bit by then", no_kind, every_kind, "as before"},
-  {"free",                  "",       Flag<ProgramStep>{&ProgramStep::free}, none,               "true: it lets go", no_kind, every_kind, "as before"},
-  {"free_length",           "m",      &ProgramStep::free_length,           between(0.0, 20000.0), "a coarser level: so far above the bit's face all motions are modelled from now on, above that those along the hole and about it; 0: axial_torsional; not longer than before", no_kind, every_kind, "as before"},
-}};
 // clang-format on
 
 }  // namespace drill_rig_sim

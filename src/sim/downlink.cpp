@@ -24,7 +24,7 @@ std::optional<SteeringSetpoint> DownlinkReceiver::hear(double time, double flow,
   if (heard_ < 0)
   {
     high_ = std::max(high_, flow);
-    if (flow >= low * high_) return {};
+    if (flow >= low * high_ || time < deaf_until_) return {};
     if (flow < stopped * high_)
     {
       high_ = flow;  // the pump stops: no downlink
@@ -41,6 +41,7 @@ std::optional<SteeringSetpoint> DownlinkReceiver::hear(double time, double flow,
   if (heard_ < bits && !broken) return {};
   heard_ = -1;
   if (is_one || broken) high_ = flow;  // it has changed for good
+  if (broken) deaf_until_ = time + bits * bit_time;
   return broken ? std::nullopt : decode();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/rig/drive_reference.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/simulator.h"
@@ -47,16 +48,19 @@ double turn_between(double from, double to) noexcept
 }
 }  // namespace
 
-double WeightFeed::velocity(double lacking, double stiffness, double most, double duration) noexcept
+double WeightFeed::velocity(double weight, double wanted, double stiffness, double most, double duration) noexcept
 {
-  const double quick = lacking / (stiffness * feed_time);
-  const double slow = learnt + duration * quick / (4.0 * feed_time);
-  const double down = std::clamp(quick + slow, -most, most);
-  if (down == quick + slow) learnt = slow;
+  const double held = 1.0 / (stiffness * learn_time);  // without a derivative: the lag of dW/dt is W less its own
+  if (!begun) *this = {weight * held, weight, true};
+  const double rop = std::max(0.0, rate - weight * held), drillability = rop / std::max(mean_weight, 0.25 * wanted);
+  const double down = std::clamp(drillability * wanted + (wanted - weight) / (stiffness * feed_time), -most, most);
+  const double share = std::min(1.0, duration / learn_time);
+  rate += share * (down - (rate - weight * held));
+  mean_weight += share * (weight - mean_weight);
   return -down;
 }
 
-OperationsPlayer::OperationsPlayer(const Scene& scene) : operations_(scene.operations), began_(operations_.size() + 1, Operation::unset)
+OperationsPlayer::OperationsPlayer(const Scene& scene) : operations_(scene.operations), acceleration_(scene.rig.hoisting.max_acceleration), began_(operations_.size() + 1, Operation::unset)
 {
   if (!operations_.empty()) stiffness_ = stiffness_of(scene);
 }
@@ -117,6 +121,9 @@ void OperationsPlayer::begin(Simulator& simulator) noexcept
     if (is_set(o.weight)) simulator.tare();  // on bottom it keeps the zero it had
     simulator.command(WinchSetpoint{-o.speed, false});
   }
+  const bool by_weight = o.kind == OperationKind::drill || o.kind == OperationKind::slide;
+  if (by_weight && !now.tared && !simulator.tare()) simulator.fail("operations: the weight on bit has no zero, needed: tag before drill or slide");
+  if (o.kind == OperationKind::steer) simulator.command(SteeringSetpoint{o.toolface, o.ratio});
   if (o.kind == OperationKind::slide || o.kind == OperationKind::oscillate)
   {
     angle_ = now.top_drive_angle;
@@ -146,6 +153,7 @@ void OperationsPlayer::follow(Simulator& simulator) noexcept
     case OperationKind::slack_off:
     case OperationKind::oscillate:
     case OperationKind::wait:
+    case OperationKind::steer:
       return;
   }
 }
@@ -171,15 +179,21 @@ void OperationsPlayer::follow_weight(Simulator& simulator) noexcept
 {
   const Operation& o = operations_[next_];
   const Readings& now = simulator.readings();
-  const double velocity = feed_.velocity(o.weight - now.surface_wob, stiffness_, o.speed, now.time - followed_at_);
+  const double velocity = feed_.velocity(now.surface_wob, o.weight, stiffness_, o.speed, now.time - followed_at_);
   followed_at_ = now.time;
   simulator.command(WinchSetpoint{velocity, false});
+}
+
+/// How far the block still rises until it stands, if it is stopped or turned back now [m].
+double OperationsPlayer::rise(const Readings& now) const noexcept
+{
+  return now.block_velocity * std::abs(now.block_velocity) / (2.0 * acceleration_);
 }
 
 void OperationsPlayer::follow_strokes(Simulator& simulator) noexcept
 {
   const Operation& o = operations_[next_];
-  const double height = simulator.readings().block_height;
+  const double height = simulator.readings().block_height + rise(simulator.readings());
   const bool up = legs_ % 2 == 0;
   if (up ? height >= began_block_ + o.distance : height <= began_block_) ++legs_;
   simulator.command(WinchSetpoint{legs_ % 2 == 0 ? o.speed : -o.speed, false});
@@ -231,11 +245,11 @@ double OperationsPlayer::progress(const Simulator& simulator) const noexcept
     const double lasts = o.ramp + (is_set(o.time) ? o.time : 0.0);
     return lasts > 0.0 ? share(now.time + time_rounding, began_at_, began_at_ + lasts) : 1.0;
   }
-  if (o.kind == OperationKind::oscillate && !is_set(o.time)) return 1.0;
+  if (o.kind == OperationKind::steer || (o.kind == OperationKind::oscillate && !is_set(o.time))) return 1.0;
   double nearest = progress_in_place(simulator);
   if (is_set(o.time)) nearest = std::max(nearest, o.time > 0.0 ? share(now.time + time_rounding, began_at_, began_at_ + o.time) : 1.0);
   if (is_set(o.overpull)) nearest = std::max(nearest, share(now.hook_load, began_load_, began_load_ + o.overpull));
-  const bool on_its_way = o.kind == OperationKind::tag && !settled_ && now.bit_depth < now.hole_depth - tag_near;
+  const bool on_its_way = o.kind == OperationKind::tag && !settled_ && now.bit_depth < now.hole_depth;
   const bool by_weight = o.kind == OperationKind::slack_off || (o.kind == OperationKind::tag && !on_its_way);
   if (by_weight && is_set(o.weight)) nearest = std::max(nearest, share(now.surface_wob, 0.0, o.weight));
   return nearest;
@@ -247,14 +261,14 @@ double OperationsPlayer::progress_in_place(const Simulator& simulator) const noe
   const Readings& now = simulator.readings();
   if (o.kind == OperationKind::ream)
   {
-    const double left = legs_ % 2 == 0 ? now.block_height - began_block_ : began_block_ + o.distance - now.block_height;
-    return std::min((legs_ + std::clamp(left / o.distance, 0.0, 0.99)) / (2.0 * o.times), 1.0);
+    const double height = now.block_height - began_block_, done = legs_ % 2 == 0 ? height : o.distance - height;
+    return std::min((legs_ + std::clamp(done / o.distance, 0.0, 0.99)) / (2.0 * o.times), 1.0);
   }
   const bool drills = o.kind == OperationKind::drill || o.kind == OperationKind::slide;
-  const double from = drills ? began_hole_ : began_bit_, here = drills ? now.hole_depth : now.bit_depth;
+  const double from = drills ? began_hole_ : began_bit_, here = drills ? now.hole_depth : now.bit_depth - rise(now);
   double nearest = 0.0;
   if (is_set(o.to_depth)) nearest = (o.kind == OperationKind::pick_up ? here <= o.to_depth : here >= o.to_depth) ? 1.0 : share(here, from, o.to_depth);
-  if (is_set(o.distance)) nearest = std::max(nearest, std::abs((drills ? here - from : now.block_height - began_block_) / o.distance));
+  if (is_set(o.distance)) nearest = std::max(nearest, std::abs((drills ? here - from : now.block_height + rise(now) - began_block_) / o.distance));
   return std::min(nearest, 1.0);
 }
 

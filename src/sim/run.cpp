@@ -62,7 +62,7 @@ RunEnd run(Simulator& simulator, ScenePlayer& player, const RunGoal& goal, doubl
   {
     if (m.time >= last_start) return RunEnd::duration;
     if (m.time - gains.gained_at() >= goal.patience) return RunEnd::standstill;
-    if (m.time - gains.played_at() >= goal.goes_on - 0.5 * frame) return RunEnd::played;
+    if (player.finished() && m.time - gains.played_at() >= goal.goes_on - 0.5 * frame) return RunEnd::played;
     if (play_frame(simulator, &player, frame) == FrameStatus::failed) return RunEnd::failure;
     gains.note(m, player);
     if (after_frame) after_frame(m);

@@ -145,6 +145,15 @@ double EnergyBalance::work_in_time(NodeForce kind) const noexcept
   return 0.25 * after_.step * sum;
 }
 
+/// The same of forces that are constant in a step and change with the set points between two.
+double EnergyBalance::work_of_step(NodeForce kind) const noexcept
+{
+  const std::vector<double>& f = force_of(after_, kind);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < f.size(); ++k) sum += f[k] * (before_.rate[k] + after_.rate[k]);
+  return 0.5 * after_.step * sum;
+}
+
 /// Mean force times increment.
 double EnergyBalance::work_along(NodeForce kind) const noexcept
 {
@@ -168,7 +177,7 @@ void EnergyBalance::book_inputs() noexcept
   accounts_.gearbox -= h * mean(before_.gear_friction, after_.gear_friction) * mean(before_.rotor_speed, after_.rotor_speed) +
                        after_.stored.gear - start_.gear;
   accounts_.gravity += start_.weight - after_.stored.weight;
-  accounts_.steering -= work_in_time(NodeForce::pads);
+  accounts_.steering -= work_of_step(NodeForce::pads);
   const double torque = mean(before_.bit_torque + before_.gauge_torque, after_.bit_torque + after_.gauge_torque);
   const double pump = h * std::max(0.0, torque) * after_.motor_flow_speed;
   accounts_.pump += pump;

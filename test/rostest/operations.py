@@ -44,7 +44,7 @@ class Operations(unittest.TestCase):
                 told.append((state.operation_number, state.operation))
             if state.operation_number == 0:
                 break
-        names = ["flow", "rotate", "tag", "drill", "ream", "wait"]
+        names = ["flow", "rotate", "tag", "drill", "pick_up", "ream", "wait"]
         self.assertEqual([(i + 1, name) for i, name in enumerate(names)] + [(0, "")], told)
         self.assertTrue(state.brake_set)
 

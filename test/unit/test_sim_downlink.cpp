@@ -102,3 +102,9 @@ TEST(Downlink, isHeardAfterAnotherOne)
   }
   EXPECT_EQ(count, 2);
 }
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -2,18 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/run.h"
-#include "sim_numbers.h"
+#include "playing.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
 
 namespace
 {
-constexpr double frame = 0.01;  // [s]
-
 Operation operation(OperationKind kind)
 {
   return default_operation(kind);
@@ -62,6 +61,7 @@ Operation drill(double distance)
 Scene scene_with(std::vector<Operation> operations, double above = 0.3)
 {
   Scene scene = drilling_scene(above, 0.0);
+  scene.instruments.hook_load.place = HookLoadPlace::block;  // the dead line's shows another share of the sheaves' friction at another speed
   scene.operations = std::move(operations);
   return scene;
 }
@@ -75,37 +75,43 @@ void play_up_to(int number, Simulator& rig, ScenePlayer& player)
 }
 }  // namespace
 
-// Rock that does not give way: e = e_0 (1 - t/2T) exp(-t/2T).
-TEST(WeightFeed, closesOnTheWeightAsItsPolesSay)
+// Rock that does not give way: W* - W = W* exp(-t/T).
+TEST(WeightFeed, closesOnTheWeightWithItsTime)
 {
   constexpr double stiffness = 2e5, wanted = 50e3, dt = 1e-3;
   WeightFeed feed;
   double weight = 0.0;
   for (int k = 1; k <= 60000; ++k)
   {
-    weight += -feed.velocity(wanted - weight, stiffness, 1.0, dt) * stiffness * dt;
-    const double t = k * dt / (2.0 * WeightFeed::feed_time);
-    ASSERT_NEAR(wanted - weight, wanted * (1.0 - t) * std::exp(-t), 2e-4 * wanted) << k;
+    weight += -feed.velocity(weight, wanted, stiffness, 1.0, dt) * stiffness * dt;
+    ASSERT_NEAR(wanted - weight, wanted * std::exp(-k * dt / WeightFeed::feed_time), 1e-3 * wanted) << k;
   }
 }
 
-// Rock that gives way in proportion: no lasting error, and the feed has learnt the rate of penetration.
+// Rock that gives way, from hard to soft beside the string: no lasting error, and soon.
 TEST(WeightFeed, leavesNoErrorWhileItDrills)
 {
-  constexpr double stiffness = 2e5, wanted = 50e3, dt = 0.01, rop = 0.01;
-  WeightFeed feed;
-  double weight = 0.0;
-  for (int k = 0; k < 20000; ++k) weight += (-feed.velocity(wanted - weight, stiffness, 1.0, dt) - rop * weight / wanted) * stiffness * dt;
-  EXPECT_NEAR(weight, wanted, 1e-3 * wanted);
-  EXPECT_NEAR(feed.learnt, rop, 1e-3 * rop);
+  constexpr double wanted = 50e3, dt = 0.01;
+  for (const double stiffness : {5e4, 1e6, 1e7})
+    for (const double rop : {1e-4, 1e-3, 1e-2})
+      for (const double threshold : {0.0, 20e3})
+      {
+        WeightFeed feed;
+        double weight = 5e3;
+        for (int k = 0; k < 8000; ++k)
+        {
+          const double rate = rop * std::max(0.0, weight - threshold) / (wanted - threshold);
+          weight += (-feed.velocity(weight, wanted, stiffness, 0.05, dt) - rate) * stiffness * dt;
+        }
+        EXPECT_NEAR(weight, wanted, 0.03 * wanted) << stiffness << ' ' << rop << ' ' << threshold;
+      }
 }
 
-TEST(WeightFeed, learnsNothingAtItsLimit)
+TEST(WeightFeed, keepsItsLimit)
 {
   WeightFeed feed;
-  for (int k = 0; k < 1000; ++k) EXPECT_EQ(feed.velocity(1e6, 1e5, 0.05, 0.1), -0.05);
-  EXPECT_EQ(feed.learnt, 0.0);
-  EXPECT_EQ(feed.velocity(-1e6, 1e5, 0.05, 0.1), 0.05);
+  for (int k = 0; k < 1000; ++k) EXPECT_EQ(feed.velocity(0.0, 1e6, 1e5, 0.05, 0.1), -0.05);
+  EXPECT_EQ(feed.velocity(3e6, 1e6, 1e5, 0.05, 0.1), 0.05);
 }
 
 TEST(Operations, followEachOther)
@@ -135,7 +141,9 @@ TEST(Operations, aRampIsStraight)
 
 TEST(Operations, tagDrillAndPickUp)
 {
-  Simulator rig(scene_with({flow(0.02), rotate(60.0 * rpm, 5.0), operation(OperationKind::tag), drill(0.3), move(OperationKind::pick_up, 0.2, 3.0)}));
+  Scene scene = scene_with({flow(0.02), rotate(60.0 * rpm, 5.0), operation(OperationKind::tag), drill(0.3), move(OperationKind::pick_up, 0.2, 3.0)});
+  scene.formation[0].drillability = 2e-8;  // 2.5 mm/s: some periods of the feed
+  Simulator rig(scene);
   ScenePlayer player(rig.scene());
   play_up_to(4, rig, player);
   EXPECT_TRUE(rig.readings().tared);
@@ -156,7 +164,8 @@ TEST(Operations, tagDrillAndPickUp)
   const double block = rig.readings().block_height;
   play_up_to(0, rig, player);
   EXPECT_TRUE(rig.setpoints().winch.brake);
-  EXPECT_NEAR(rig.readings().block_height, block + 3.0, 0.06) << "the brake takes its way";
+  play(rig, 1.0);
+  EXPECT_NEAR(rig.readings().block_height, block + 3.0, 0.01);
 }
 
 TEST(Operations, reamGoesUpAndDownAgain)
@@ -177,8 +186,9 @@ TEST(Operations, reamGoesUpAndDownAgain)
     before = height;
   }
   EXPECT_EQ(turns, 3);
-  EXPECT_NEAR(highest, block + 2.0, 0.3) << "with what it takes to turn back";
-  EXPECT_NEAR(rig.readings().block_height, block, 0.3);
+  EXPECT_NEAR(highest, block + 2.0, 0.02);
+  play(rig, 2.0);
+  EXPECT_NEAR(rig.readings().block_height, block, 0.02);
 }
 
 TEST(Operations, anOverpullEndsAPickUp)
@@ -190,7 +200,7 @@ TEST(Operations, anOverpullEndsAPickUp)
   ScenePlayer player(rig.scene());
   const double load = rig.readings().hook_load;
   play_up_to(0, rig, player);
-  EXPECT_NEAR(rig.readings().hook_load, load + 50e3, 6e3);
+  EXPECT_NEAR(rig.readings().hook_load, load + 50e3, 8e3);
   EXPECT_TRUE(rig.setpoints().winch.brake);
 }
 
@@ -242,6 +252,16 @@ TEST(Operations, goOnFromASnapshotBitForBit)
   EXPECT_EQ(progress, progress_again);
 }
 
+TEST(Operations, drillingWithoutAZeroFails)
+{
+  Scene scene = scene_with({drill(0.3)}, 0.0);
+  scene.start.weight_on_bit = 5e3;
+  Simulator rig(scene);
+  ScenePlayer player(rig.scene());
+  EXPECT_EQ(play_frame(rig, &player, frame), FrameStatus::failed);
+  EXPECT_NE(std::string(rig.failure()).find("tag before drill"), std::string::npos) << rig.failure();
+}
+
 TEST(Operations, endARun)
 {
   Simulator rig(scene_with({wait(2.0)}));
@@ -255,7 +275,7 @@ TEST(Operations, endARun)
 
 TEST(Operations, aRunEndsWhereOneGetsNowhere)
 {
-  Scene scene = scene_with({drill(0.3)}, 0.0);
+  Scene scene = scene_with({operation(OperationKind::tag), drill(0.3)});
   scene.formation[0].threshold = 1e6;  // no weight that it has breaks the rock
   Simulator rig(scene);
   ScenePlayer player(rig.scene());
@@ -263,5 +283,11 @@ TEST(Operations, aRunEndsWhereOneGetsNowhere)
   goal.duration = 1e4;
   goal.patience = 60.0;
   EXPECT_EQ(run(rig, player, goal, frame), RunEnd::standstill);
-  EXPECT_LT(rig.truth().time, 200.0);
+  EXPECT_LT(rig.truth().time, 300.0);
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
 }

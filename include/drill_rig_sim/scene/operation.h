@@ -17,7 +17,8 @@ enum class OperationKind
   slide,
   oscillate,
   ream,
-  wait
+  wait,
+  steer
 };
 
 /// One operation. NaN means that it does not end by this. It goes by the readings, as a driller does, and ends by whichever of its ends comes first.
@@ -30,7 +31,8 @@ struct Operation
   double rotary_speed = 0.0;     ///< + clockwise; of oscillate, and of slide that rocks, the largest, 0: angle_speed (drive_reference.h) [rad/s]
   double speed = 0.1;            ///< of the block; of drill and slide the largest [m/s]
   double weight = unset;         ///< surface weight on bit: to be kept by drill and slide, an end of slack_off and tag [N]
-  double toolface = 0.0;         ///< to be held [rad]
+  double toolface = 0.0;         ///< to be held; of steer as SteeringSetpoint's [rad]
+  double ratio = 0.0;            ///< of steer, 0 .. 1
   double amplitude_right = 0.0;  ///< about the drive's angle clockwise [rad]
   double amplitude_left = 0.0;   ///< counterclockwise [rad]
   int times = 1;                 ///< strokes of ream, up and down

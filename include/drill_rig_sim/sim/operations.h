@@ -11,6 +11,7 @@
 namespace drill_rig_sim
 {
 class Simulator;
+struct Readings;
 
 /// What the driller is about.
 struct OperationStatus
@@ -21,39 +22,47 @@ struct OperationStatus
   double progress = 0.0;  ///< towards the end that is nearest, 0 to 1
 };
 
-/// The feed of drill and slide: block velocity by what the surface weight lacks, e = weight - surface_wob [N]. Against a string and lines of
-/// stiffness K that stand on rock, weight grows with d W/dt = K (v - ROP), v the block's speed down. With v = e/(K T) + u and
-/// du/dt = e/(4 K T^2) both poles lie at -1/(2 T), whatever the rock: critically damped, without a lasting error. T is feed_time.
+/// The feed of drill and slide, by the surface weight W [N] that is wanted to be W*. String and lines of stiffness K [N/m] stand on rock:
+/// dW/dt = K (v - ROP), v the block's speed down. With v = c W* + (W* - W)/(K T), weight closes on W* with the time T on rock that does not give way, and faster
+/// on one that gives way in proportion to weight, c W, once c is learnt: the mean of v - (dW/dt)/K over that of W, both by a first-order lag. There is no lasting
+/// error on any rock, for what is learnt in a steady state is its ROP.
 struct WeightFeed
 {
-  static constexpr double feed_time = 8.0;  ///< T, longer than waves take up and down a string of 5 km [s]
-  double learnt = 0.0;                      ///< u, downwards [m/s]
+  static constexpr double feed_time = 8.0;   ///< T, longer than waves take up and down a string of 5 km [s]
+  static constexpr double learn_time = 4.0;  ///< of the lag [s]
+  double rate = 0.0;         ///< mean rate of penetration, plus W/(K learn_time) [m/s]
+  double mean_weight = 0.0;  ///< [N]
+  bool begun = false;
 
-  /// Block velocity, + up [m/s], for `lacking` weight e [N], `stiffness` K [N/m], within +-`most` [m/s]; learns over `duration` [s] what is within.
-  double velocity(double lacking, double stiffness, double most, double duration) noexcept;
+  /// Block velocity, + up [m/s], within +-`most` [m/s], for the next `duration` [s].
+  double velocity(double weight, double wanted, double stiffness, double most, double duration) noexcept;
 
   template <class V>
   void visit(V& v)
   {
-    v("learnt", learnt);
+    v("rate", rate);
+    v("mean_weight", mean_weight);
+    v("begun", begun);
   }
 };
 
 /// Plays a scene's operations: gives the simulator the set points of the one under way before every frame, by the readings alone.
 /// - flow and rotate ramp their set point; it stays in force.
-/// - pick_up and slack_off move the block, ream up and down again `times`; all end with the brake set.
+/// - pick_up and slack_off move the block, ream up and down again to where it began `times`; all are stopped or turned back so far ahead of their end as
+///   the winch needs, and end with the brake set.
 /// - tag lowers until the bit takes `weight`; it zeroes the weight (tare) at its beginning and again when the string has come to move steadily, after
-///   tag_settles, and counts weight from then on, or within tag_near of the hole's depth. slack_off with a `weight` zeroes it at its beginning.
-/// - drill keeps `weight` by the block (WeightFeed), and ends with the brake set.
+///   tag_settles, and counts weight from then on, or at the hole's depth. slack_off with a `weight` zeroes it at its beginning.
+/// - drill keeps `weight` by the block (WeightFeed), and ends with the brake set. Without a zero of the weight it takes one first; where it cannot, on
+///   bottom, it fails the simulator's next frame.
 /// - slide does the same with the drive holding an angle (or rocking about it), which it turns by what the toolface lacks whenever a toolface has
 ///   come that was measured toolface_settles after the last turn.
+/// - steer commands a rotary steerable tool.
 /// - oscillate rocks the string; without a `time` it goes on while others follow.
 class OperationsPlayer
 {
 public:
   static constexpr double toolface_settles = 8.0;  ///< [s]
   static constexpr double tag_settles = 10.0;      ///< [s]
-  static constexpr double tag_near = 0.5;          ///< [m]
 
   /// Works out the stiffness of string and lines. Allocates; nothing else here does.
   explicit OperationsPlayer(const Scene& scene);
@@ -98,9 +107,11 @@ private:
   void follow_toolface(Simulator& simulator) noexcept;
   void end(Simulator& simulator) const noexcept;
   double progress(const Simulator& simulator) const noexcept;
+  double rise(const Readings& now) const noexcept;
   double progress_in_place(const Simulator& simulator) const noexcept;
 
   std::vector<Operation> operations_;
+  double acceleration_;     // of the winch [m/s2]
   double stiffness_ = 0.0;  // of string and lines in series [N/m]
   std::size_t next_ = 0;
   bool under_way_ = false;

@@ -36,6 +36,7 @@ private:
   void book_dissipation() noexcept;
   void book_numerical() noexcept;
   double work_in_time(NodeForce kind) const noexcept;
+  double work_of_step(NodeForce kind) const noexcept;
   double work_along(NodeForce kind) const noexcept;
 
   std::shared_ptr<const Model> model_;

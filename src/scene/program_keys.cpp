@@ -1,0 +1,82 @@
+#include <cstddef>
+
+#include "scene_keys.h"
+
+namespace drill_rig_sim
+{
+const std::vector<const char*> operation_words = {"flow", "rotate", "pick_up", "slack_off", "tag", "drill", "slide", "oscillate", "ream", "wait", "steer"};
+
+namespace
+{
+constexpr unsigned flow = kind(OperationKind::flow), rotate = kind(OperationKind::rotate), pick_up = kind(OperationKind::pick_up),
+                   slack_off = kind(OperationKind::slack_off), tag = kind(OperationKind::tag), drill = kind(OperationKind::drill),
+                   slide = kind(OperationKind::slide), oscillate = kind(OperationKind::oscillate), ream = kind(OperationKind::ream),
+                   wait = kind(OperationKind::wait), steer = kind(OperationKind::steer);
+constexpr unsigned ramps = flow | rotate, rocks = slide | oscillate, drills = drill | slide, moves = pick_up | slack_off;
+constexpr unsigned lasts = every_kind & ~(tag | ream | steer);
+constexpr unsigned must = every_kind;
+constexpr Range none{};
+const std::vector<const char*> top_drive_mode_words = {"speed", "torque", "angle", "soft_torque", "z_torque", "oscillate"};
+}  // namespace
+
+// clang-format off
+const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at a simulated time; a key that is left out leaves its set point alone. A ramp begins at the set point in force (at 0 where the winch's brake holds the block, at what the drive does where it is braked or in the other mode) and is followed frame by frame; a later line that sets the same, the other mode or the brake ends it.", {
+  {"at",                    "s",      &ProgramStep::at,                    between(0.0, 1e7),    "simulated time, ascending", must},
+  {"ramp",                  "s",      &ProgramStep::ramp,                  between(0.0, 1e7),    "the line's block_velocity, top_drive_speed_rpm, top_drive_torque and flow are reached in a straight line over this time; 0: at once"},
+  {"block_velocity",        "m/s",    &ProgramStep::block_velocity,        between(-20.0, 20.0), "+ up; releases the brake", no_kind, every_kind, "as before"},
+  {"top_drive_speed_rpm",   "rpm",    &ProgramStep::top_drive_speed,       between(-1000.0, 1000.0), "+ clockwise: speed mode, or soft_torque and z_torque; of angle and oscillate the largest", no_kind, every_kind, "as before"},
+  {"top_drive_torque",      "N m",    &ProgramStep::top_drive_torque,      between(-1e6, 1e6),   "torque mode, + clockwise", no_kind, every_kind, "as before"},
+  {"top_drive_mode",        "",       Choice<ProgramStep>{top_drive_mode_words, [](ProgramStep& s, int word) { s.top_drive_mode = word; },
+                                                          [](const ProgramStep& s) { return s.top_drive_mode; }},
+                                                                           none,                 "of the top drive", no_kind, every_kind, "by the keys beside it; a speed leaves soft_torque and z_torque"},
+  {"top_drive_angle_deg",   "deg",    &ProgramStep::top_drive_angle,       between(-1e7, 1e7),   "of the shaft, since the start: angle mode, or the middle of oscillate", no_kind, every_kind, "as before"},
+  {"amplitude_right_deg",   "deg",    &ProgramStep::amplitude_right,       between(0.0, 1e5),    "from there clockwise: oscillate", no_kind, every_kind, "as before"},
+  {"amplitude_left_deg",    "deg",    &ProgramStep::amplitude_left,        between(0.0, 1e5),    "from there counterclockwise: oscillate", no_kind, every_kind, "as before"},
+  {"top_drive_torque_limit", "N m",   &ProgramStep::torque_limit,          between(0.0, 1e6),    "largest that the drive may use; 0: the rig's", no_kind, every_kind, "as before"},
+  {"flow",                  "m3/s",   &ProgramStep::flow,                  between(0.0, 1.0),    "of the mud pump", no_kind, every_kind, "as before"},
+  {"steering_toolface_deg", "deg",    &ProgramStep::steering_toolface,     between(-360.0, 360.0), "of the force of a rotary_steerable on the string", no_kind, every_kind, "as before"},
+  {"steering_ratio",        "-",      &ProgramStep::steering_ratio,        between(0.0, 1.0),    "of its full force", no_kind, every_kind, "as before"},
+  {"top_drive_brake",       "",       Flag<ProgramStep>{&ProgramStep::top_drive_brake}, none,    "sets or releases the top drive's brake; speed and torque release it", no_kind, every_kind, "as before"},
+  {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},
+  {"stuck_at",              "m",      &ProgramStep::stuck_at,              above(0.0, 20000.0),  "measured depth where the hole grips the pipe, not below the bit by then", no_kind, every_kind, "as before"},
+  {"free",                  "",       Flag<ProgramStep>{&ProgramStep::free}, none,               "true: it lets go", no_kind, every_kind, "as before"},
+  {"free_length",           "m",      &ProgramStep::free_length,           between(0.0, 20000.0), "a coarser level: so far above the bit's face all motions are modelled from now on, above that those along the hole and about it; 0: axial_torsional; not longer than before", no_kind, every_kind, "as before"},
+}};
+
+const Table<Operation> operation_keys = {"operations[]", "What the driller does, one operation after the other, each until the first of its ends has come; beside `program`, whose lines act at their times. Weights, depths and toolface are those of the readings. Ends are to_depth, distance, time, weight (of slack_off and tag) and overpull.", {
+  {"do",                    "",       Choice<Operation>{operation_words, [](Operation& o, int word) { o.kind = static_cast<OperationKind>(word); },
+                                                        [](const Operation& o) { return static_cast<int>(o.kind); }},
+                                                                           none,                 "what; flow, rotate and steer go on while others follow", every_kind},
+  {"ramp",                  "s",      &Operation::ramp,                    between(0.0, 1e5),    "over which flow or speed_rpm is reached", no_kind, ramps},
+  {"flow",                  "m3/s",   &Operation::flow,                    between(0.0, 1.0),    "of the mud pump", flow, flow},
+  {"speed_rpm",             "rpm",    &Operation::rotary_speed,            between(-1000.0, 1000.0), "of the top drive, + clockwise; of oscillate, and of slide that rocks, the largest, 0: 10 rpm", rotate, rotate | rocks},
+  {"speed",                 "m/s",    &Operation::speed,                   above(0.0, 20.0),     "of the block; of drill and slide the largest", no_kind, moves | tag | drills | ream, "0.1; of tag 0.02"},
+  {"weight",                "N",      &Operation::weight,                  above(0.0, 2e6),      "surface weight on bit: that drill and slide keep, and at which slack_off and tag end", drills, slack_off | tag | drills, "none; of tag 5000"},
+  {"toolface_deg",          "deg",    &Operation::toolface,                between(-360.0, 360.0), "of the readings, to which slide turns the string by the top drive's angle; of the force of a rotary_steerable", slide | steer, slide | steer},
+  {"ratio",                 "-",      &Operation::ratio,                   between(0.0, 1.0),    "of the full force of a rotary_steerable", steer, steer},
+  {"amplitude_right_deg",   "deg",    &Operation::amplitude_right,         between(0.0, 1e5),    "rocks the string so far clockwise; slide: 0, it does not rock", no_kind, rocks},
+  {"amplitude_left_deg",    "deg",    &Operation::amplitude_left,          between(0.0, 1e5),    "and so far counterclockwise", no_kind, rocks},
+  {"times",                 "",       &Operation::times,                   between(1, 1000),     "up and down again", no_kind, ream},
+  {"to_depth",              "m",      &Operation::to_depth,                between(0.0, 20000.0), "end: measured depth, of the bit; of the hole for drill and slide", no_kind, moves | drills, "none"},
+  {"distance",              "m",      &Operation::distance,                above(0.0, 20000.0),  "end: travel of the block; of drill and slide metres of new hole; of ream each stroke", ream, moves | drills | ream, "none"},
+  {"time",                  "s",      &Operation::time,                    between(0.0, 1e7),    "end: since its beginning; of flow and rotate since the ramp was over, 0 by default", wait, lasts, "none"},
+  {"overpull",              "N",      &Operation::overpull,                above(0.0, 5e6),      "end: hook load above that at the beginning", no_kind, pick_up, "none"},
+}};
+// clang-format on
+
+const char* word_of(OperationKind kind) noexcept
+{
+  return operation_words[static_cast<std::size_t>(kind)];
+}
+
+Operation default_operation(OperationKind kind) noexcept
+{
+  Operation o;
+  o.kind = kind;
+  if (kind != OperationKind::tag) return o;
+  o.speed = 0.02;
+  o.weight = 5000.0;
+  return o;
+}
+
+}  // namespace drill_rig_sim
