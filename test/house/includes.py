@@ -9,7 +9,7 @@ import tokens
 
 # from the ground up: a room includes rooms before it alone
 ORDER = ('math', 'well', 'contact', 'string', 'rig', 'hydraulics', 'scene', 'model', 'solve', 'reference', 'sim', 'realtime',
-         'ros', 'rviz', 'tools')
+         'ros', 'rviz', 'tools', 'python')
 OF_ROS = ('ros', 'rviz')
 OF_SUNDIALS = ('solve', 'reference')
 # the one file of realtime/ that knows the simulator: what a frame hands out
