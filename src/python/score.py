@@ -17,6 +17,7 @@ SLIDING = 0.105         # slower than this mean of the top drive the string slid
 TURNING = 0.5           # windows whose mean bit speed is below this have no stick-slip index [rad/s]
 STATIONS = 10.0         # between the stations whose doglegs are added up [m]
 LEAST = 1.0             # hole that doglegs need [m]
+RESET = 1e-3            # shallower by that in a row: another hole [m]
 PATH_SPACING = 0.5      # between the points of the hole that are held against the plan [m]
 
 
@@ -222,6 +223,9 @@ def path(run, drilled, plan, left_out):
     beyond the plan's between the same depths, per 30 m. Distances [m] of the bottom to the nearest place of the plan, every half metre."""
     scores = {"dogleg_mean_deg_30m": None, "dogleg_largest_deg_30m": None, "tortuosity_deg_30m": None, "distance_mean_m": None,
               "distance_largest_m": None, "distance_end_m": None}
+    if is_reset(run):
+        left_out.append("path: the hole became shallower, by a reset: this is no single hole")
+        return scores
     found = stations(run, drilled)
     if found is None:
         left_out.append("path: needs %g m of new hole, or two surveys" % LEAST)
@@ -244,6 +248,11 @@ def path(run, drilled, plan, left_out):
     return scores
 
 
+def is_reset(run):
+    """Whether the hole ever became shallower, by more than a correction of its path could take off."""
+    return bool((numpy.diff(run["hole_depth"]) < -RESET).any())
+
+
 def distances(run, drilled, plan, left_out):
     points = bottom_points(run, drilled)
     if points is None:
@@ -254,10 +263,10 @@ def distances(run, drilled, plan, left_out):
 
 
 def bottom_points(run, drilled):
-    """Where the bit was, every PATH_SPACING of new hole and at its end; None where the run does not say."""
-    if "bit_east" not in run:
-        return None
+    """Where the bit was, every PATH_SPACING of new hole and at its end; None where the run does not say, and for no single hole."""
     rows = numpy.flatnonzero(drilled > 0.0)
+    if "bit_east" not in run or not len(rows) or is_reset(run):
+        return None
     depth = run["hole_depth"][rows]
     picked = rows[numpy.searchsorted(depth, numpy.arange(depth[0], depth[-1], PATH_SPACING))]
     picked = numpy.append(picked, rows[-1])

@@ -113,7 +113,7 @@ def section(panel, run, plan):
     panel.set_xlabel("along the new hole, horizontally [m]")
     panel.set_ylabel("true vertical depth [m]")
     points = bottom_points(run, new_hole(run, on_bottom(run)))
-    if points is None or not len(points):
+    if points is None:
         nothing(panel, "new hole")
         return
     begin, way = points[0], points[-1, :2] - points[0, :2]

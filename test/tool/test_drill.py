@@ -74,7 +74,7 @@ class Usage(Drill):
         self.assertIn('--every', self.refuse('run', QUICK, '--every', '-1'))
         self.assertIn('--every', self.refuse('run', QUICK, '--every', 'nan'))
         self.assertIn('--until-depth', self.refuse('run', QUICK, '--until-depth', '99'))
-        self.assertIn('not available yet', self.refuse('run', QUICK, '--bag', self.file('x.bag')))
+        self.assertIn('cannot be written', self.refuse('run', QUICK, '--bag', self.file('no/such/folder.bag')))
         self.assertIn('is unknown, allowed: rigid', self.refuse('run', QUICK, '--level', 'planar'))
         self.assertIn('not available yet', self.refuse('run', QUICK, '--set', 'connections=auto'))
         self.assertIn('integrator', self.refuse('run', QUICK, '--integrator', 'no_such'))
