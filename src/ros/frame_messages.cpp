@@ -79,6 +79,21 @@ geometry_msgs::WrenchStamped to_bit_wrench(const FrameRecord& frame, const std::
   return m;
 }
 
+BitTruth to_bit_truth(const FrameRecord& frame, const std::string& floor)
+{
+  const Truth& t = frame.truth;
+  BitTruth m;
+  m.header = header_of(frame, floor);
+  m.position = to_point(t.bit_position);
+  m.wob = t.wob;
+  m.torque = t.bit_torque;
+  m.speed = t.bit_speed;
+  m.inclination = t.bit_inclination;
+  m.azimuth = t.bit_azimuth;
+  m.toolface = t.bend_toolface;
+  return m;
+}
+
 MwdSurvey to_mwd_survey(const FrameRecord& frame, const std::string& floor)
 {
   const MwdReading& survey = frame.readings.mwd;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "drill_rig_sim/ros/conversions.h"
+#include "drill_rig_sim/ros/frame_messages.h"
 #include "drill_rig_sim/ros/survey_request.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_hash.h"
@@ -57,17 +58,32 @@ void require_right(SimulationLoop& loop, const Setpoint& c)
 {
   if (what_is_wrong(c)) throw Refusal(loop.take(c).reason);
 }
+
+/// A step's commands, all of them or none. For between-frames callbacks.
+void command_all(SimulationLoop& loop, const StepSimulation::Request& request)
+{
+  require_good(loop.rig());
+  for (const auto& c : request.winch) require_right(loop, to_setpoint(c));
+  for (const auto& c : request.top_drive) require_right(loop, to_setpoint(c));
+  for (const auto& c : request.mud_pump) require_right(loop, to_setpoint(c));
+  for (const auto& c : request.steering) require_right(loop, to_setpoint(c));
+  if (!request.steering.empty() && !loop.rig().simulator->is_steerable()) throw Refusal("steering: the string has no rotary_steerable");
+  loop.take_commands();  // what topics brought before the request is older
+  for (const auto& c : request.winch) loop.take(to_setpoint(c));
+  for (const auto& c : request.top_drive) loop.take(to_setpoint(c));
+  for (const auto& c : request.mud_pump) loop.take(to_setpoint(c));
+  for (const auto& c : request.steering) loop.take(to_setpoint(c));
+}
 }  // namespace
 
 Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene scene, SimulationLoop& loop,
-                   PublishingThread& publishing, FrameRing& ring)
+                   PublishingThread& publishing)
     : parameters_(parameters),
       scene_(std::move(scene)),
       off_bottom_(off_bottom(scene_)),
       running_(scene_),
       loop_(loop),
-      publishing_(publishing),
-      ring_(ring)
+      publishing_(publishing)
 {
   using std_srvs::SetBool;
   using std_srvs::Trigger;
@@ -85,7 +101,7 @@ Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene sc
   serve<InjectFault>(node, "inject_fault", [this](const auto& q, auto&, Lock&) { return inject_fault(q); });
   serve<SetBool>(node, "set_slips", not_yet);
   serve<MakeConnection>(node, "make_connection", not_yet);
-  serve<StepSimulation>(node, "step", [this](const auto& q, auto& r, Lock& lock) { return step(q, r.state, lock); });
+  serve<StepSimulation>(node, "step", [this](const auto& q, auto& r, Lock& lock) { return step(q, r, lock); });
 }
 
 template <class Service, class Action>
@@ -292,33 +308,14 @@ std::string Services::inject_fault(const InjectFault::Request& request)
   return request.clear ? "the pipe is free" : "the pipe is stuck at " + std::to_string(request.depth) + " m";
 }
 
-void Services::command_all(const StepSimulation::Request& request)
-{
-  if (request.winch.size() > 1 || request.top_drive.size() > 1 || request.mud_pump.size() > 1 || request.steering.size() > 1)
-    throw Refusal("allowed is no or one command of a kind");
-  loop_.between_frames(
-      [&](SimulationLoop& loop)
-      {
-        require_good(loop.rig());
-        for (const auto& c : request.winch) require_right(loop, to_setpoint(c));
-        for (const auto& c : request.top_drive) require_right(loop, to_setpoint(c));
-        for (const auto& c : request.mud_pump) require_right(loop, to_setpoint(c));
-        for (const auto& c : request.steering) require_right(loop, to_setpoint(c));
-        if (!request.steering.empty() && !loop.rig().simulator->is_steerable()) throw Refusal("steering: the string has no rotary_steerable");
-        loop.take_commands();  // what topics brought before the request is older
-        for (const auto& c : request.winch) loop.take(to_setpoint(c));
-        for (const auto& c : request.top_drive) loop.take(to_setpoint(c));
-        for (const auto& c : request.mud_pump) loop.take(to_setpoint(c));
-        for (const auto& c : request.steering) loop.take(to_setpoint(c));
-      });
-}
-
-std::string Services::step(const StepSimulation::Request& request, RigState& state, Lock& lock)
+std::string Services::step(const StepSimulation::Request& request, StepSimulation::Response& answer, Lock& lock)
 {
   const auto answer_last = [&]
   {
     FrameRecord last = publishing_.last();
-    state = to_rig_state(last.readings, last, parameters_.floor());
+    answer.state = to_rig_state(last.readings, last, parameters_.floor());
+    answer.truth = to_rig_state(last.truth, last, parameters_.floor());
+    answer.bit = to_bit_truth(last, parameters_.floor());
     return last;
   };
   answer_last();  // what is refused changes nothing
@@ -326,14 +323,18 @@ std::string Services::step(const StepSimulation::Request& request, RigState& sta
   require_no_step();
   if (request.frames > most_frames_of_step)
     throw Refusal("frames is " + std::to_string(request.frames) + "; allowed is 0 to " + std::to_string(most_frames_of_step));
-  command_all(request);
-  loop_.begin_step(request.frames);
+  if (request.winch.size() > 1 || request.top_drive.size() > 1 || request.mud_pump.size() > 1 || request.steering.size() > 1)
+    throw Refusal("allowed is no or one command of a kind");
+  loop_.between_frames(
+      [&](SimulationLoop& loop)
+      {
+        command_all(loop, request);
+        loop.begin_step(request.frames);
+      });
   step_under_way_ = true;
   lock.unlock();  // the other services answer meanwhile
   const StepResult result = loop_.wait_for_step();
-  std::uint64_t handed_over = 0;
-  loop_.between_frames([&](SimulationLoop&) { handed_over = ring_.handed_over(); });
-  publishing_.wait_until_published(handed_over);
+  publishing_.wait_until_published(result.handed_over);
   const FrameRecord last = answer_last();
   lock.lock();
   step_under_way_ = false;

@@ -167,6 +167,7 @@ void SimulationLoop::end_step(StepResult::End end) noexcept
   stepping_ = false;
   frames_to_go_ = 0;
   step_.end = end;
+  step_.handed_over = ring_.handed_over();
   step_done_.post();
 }
 
@@ -329,16 +330,12 @@ void SimulationLoop::publish_now(bool rebuilt) noexcept
   hand_over({true, true, rebuilt, !rebuilt});
 }
 
-void SimulationLoop::begin_step(std::uint32_t frames)
+void SimulationLoop::begin_step(std::uint32_t frames) noexcept
 {
-  between_frames(
-      [frames](SimulationLoop& loop)
-      {
-        loop.step_ = StepResult();
-        loop.frames_to_go_ = frames;
-        loop.stepping_ = true;
-        if (frames == 0) loop.end_step(StepResult::End::complete);
-      });
+  step_ = StepResult();
+  frames_to_go_ = frames;
+  stepping_ = true;
+  if (frames == 0) end_step(StepResult::End::complete);
 }
 
 StepResult SimulationLoop::wait_for_step() noexcept

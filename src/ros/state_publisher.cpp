@@ -26,6 +26,7 @@ StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& paramete
       bit_pose_(node, "bit/pose", parameters.queue()),
       bit_twist_(node, "bit/twist", parameters.queue()),
       bit_wrench_(node, "bit/wrench", parameters.queue()),
+      true_bit_(node, "truth/bit", parameters.queue()),
       rig_limits_(node.advertise<RigLimits>("rig_limits", parameters.queue(), true)),
       mwd_(node.advertise<MwdSurvey>("downhole/mwd", parameters.queue())),
       toolface_(node.advertise<MwdToolface>("downhole/toolface", parameters.queue())),
@@ -76,6 +77,7 @@ void StatePublisher::publish_bit(const FrameOutput& s)
   bit_pose_.post([&] { return to_bit_pose(s.frame, floor_); });
   bit_twist_.post([&] { return to_bit_twist(s.frame, floor_); });
   bit_wrench_.post([&] { return to_bit_wrench(s.frame, floor_); });
+  true_bit_.post([&] { return to_bit_truth(s.frame, floor_); });
 }
 
 void StatePublisher::publish_telemetry(const FrameOutput& s)

@@ -39,6 +39,7 @@ Command add_check_command(CLI::App& drill);
 Command add_static_command(CLI::App& drill);
 Command add_modes_command(CLI::App& drill);
 Command add_survey_command(CLI::App& drill);
+Command add_score_command(CLI::App& drill);
 Command add_reference_command(CLI::App& drill);
 
 }  // namespace drill_rig_sim

@@ -30,6 +30,14 @@ void write_profile_row(std::FILE* file, const StringProfile& p, std::size_t i)
                p.contact_side[i] / degree);
 }
 
+/// Up or not, in the order of the header.
+void write_flags(std::FILE* file, const RigSignals& m)
+{
+  for (const bool up : {m.in_slips, m.motor_stalled, m.winch_limited, m.top_drive_limited, m.stop_reached, m.slack_line, m.relief_valve_open,
+                        m.over_stress, m.over_torque, m.buckled, m.accuracy_warning})
+    std::fputs(up ? ",1" : ",0", file);
+}
+
 void write_readings(std::FILE* file, const Readings& r)
 {
   std::fprintf(file, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.10g,%.10g,%.9g,%.9g,%.9g", r.hook_load, r.torque, r.stand_pipe_pressure, r.flow,
@@ -87,7 +95,8 @@ void write_csv_header(std::FILE* file, bool with_readings)
 {
   std::fputs(
       "time,hook_load,torque,block_height,top_drive_speed,wob,bit_torque,bit_speed,bit_depth,hole_depth,rop,inclination,azimuth,"
-      "toolface,bit_east,bit_north,bit_up,bit_inclination",
+      "toolface,bit_east,bit_north,bit_up,bit_inclination,in_slips,motor_stalled,winch_limited,top_drive_limited,stop_reached,slack_line,"
+      "relief_valve_open,over_stress,over_torque,buckled,accuracy_warning",
       file);
   if (with_readings)
     std::fputs(
@@ -104,6 +113,7 @@ void write_csv_row(std::FILE* file, const Truth& m, const Readings* readings)
                m.bit_inclination, m.bit_azimuth, m.bend_toolface);
   std::fprintf(file, "%.11g,%.11g,%.11g,%.9g", m.bit_position.x(), m.bit_position.y(), m.bit_position.z(),
                inclination_of(m.bit_orientation * Eigen::Vector3d::UnitX()));
+  write_flags(file, m);
   if (readings) write_readings(file, *readings);
   std::fputs("\n", file);
 }

@@ -49,16 +49,44 @@ double done(const Truth& m, double start_depth, const RunGoal& goal, const Opera
   return std::max({m.time / goal.duration, drilled, operations});
 }
 
+/// What is written in the course of a run. All files are opened ahead, so that a long run does not end on a misspelt folder.
+struct Series
+{
+  explicit Series(const RunOptions& o)
+    : rows(o.csv, o.every.value_or(0.1), o.readings), bag(o.bag, o.every.value_or(0.1)), profiles(o.profile, o.profile_every.value_or(1.0)), choices(o.explain)
+  {
+  }
+
+  void add(const Simulator& simulator, double frame)
+  {
+    rows.add(simulator, frame);
+    bag.add(simulator, frame);
+    profiles.add(simulator, frame);
+    choices.add(simulator);
+  }
+
+  void close()
+  {
+    rows.close();
+    bag.close();
+    profiles.close();
+    choices.close();
+  }
+
+  TimeSeries rows;
+  BagSeries bag;
+  ProfileSeries profiles;
+  ChoiceSeries choices;
+};
+
 /// Plays the scene's program and operations up to the goal, with its series, its averages and a progress bar.
-RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, ProfileSeries& profiles, ChoiceSeries& choices, RunRecord& record)
+RunEnd play(Simulator& simulator, const RunGoal& goal, Series& series, RunRecord& record)
 {
   const double frame = frame_of_whole_steps(frame_length, simulator.scene().numerics.step);
   const double start_depth = simulator.truth().hole_depth;
   ScenePlayer player(simulator.scene());
   Progress progress;
   series.add(simulator, frame);
-  profiles.add(simulator, frame);
-  choices.add(simulator);
   const RunEnd end = run(simulator, player, goal, frame_length,
                          [&](const Truth& m)
                          {
@@ -66,8 +94,6 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, TimeSeries& series, Profi
                            record.doubts.add(m.time, simulator.statistics().accuracy);
                            record.limits.add(m, simulator.statistics().loads, simulator.scene().rig.hoisting.max_hook_load);
                            series.add(simulator, frame);
-                           profiles.add(simulator, frame);
-                           choices.add(simulator);
                            progress.show(done(m, start_depth, goal, player.operations().status()), m.time, m.hole_depth);
                          });
   record.operations_began = player.operations().began();
@@ -83,10 +109,7 @@ void run_scene(const RunOptions& options)
   require_whole_frames("--every", options.every, frame);
   require_whole_frames("--profile-every", options.profile_every, frame);
 
-  // all files are opened ahead, so that a long run does not end on a misspelt folder
-  TimeSeries series(options.csv, options.every.value_or(0.1), options.readings);
-  ProfileSeries profiles(options.profile, options.profile_every.value_or(1.0));
-  ChoiceSeries choices(options.explain);
+  Series series(options);
   File json = open_output("--json", options.json), path = open_output("--path", options.path);
   File raw_path = open_output("--raw-path", options.raw_path);
 
@@ -95,7 +118,7 @@ void run_scene(const RunOptions& options)
   RunRecord record;
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = cpu_time();
-  const RunEnd end = play(simulator, goal, series, profiles, choices, record);
+  const RunEnd end = play(simulator, goal, series, record);
   const Elapsed elapsed{std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count(),
                         cpu_time() - cpu_start};
   const std::string summary = json_summary(simulator, elapsed, record, options.readings);
@@ -104,8 +127,6 @@ void run_scene(const RunOptions& options)
   if (path) write_path(path.get(), simulator);
   if (raw_path) write_raw_path(raw_path.get(), simulator);
   series.close();
-  profiles.close();
-  choices.close();
   close_output(std::move(json), options.json);
   close_output(std::move(path), options.path);
   close_output(std::move(raw_path), options.raw_path);

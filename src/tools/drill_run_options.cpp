@@ -25,11 +25,6 @@ std::string problem_of_level(const std::string& level)
   return "'" + level + "' is unknown, allowed: rigid, axial_torsional, hybrid, beam3d or auto";
 }
 
-std::string problem_of_bag(const std::string&)
-{
-  return "not available yet; use --csv";
-}
-
 std::string problem_of_seed(const std::string& seed)
 {
   std::uint64_t number = 0;
@@ -51,7 +46,8 @@ void add_scene_options(CLI::App& command, RunOptions& options)
 void add_output_options(CLI::App& command, RunOptions& options)
 {
   add_text(command, "--csv", options.csv, "FILE", "writes time series");
-  add_number(command, "--every", options.every, 1e-4, 1e6, "S", "between rows of the time series, whole frames, default 0.1");
+  add_text(command, "--bag", options.bag, "FILE", "writes the topics that the node publishes of measurements");
+  add_number(command, "--every", options.every, 1e-4, 1e6, "S", "between rows of the time series, or the bag's measurements; whole frames, default 0.1");
   add_text(command, "--profile", options.profile, "FILE", "writes forces along the string in the course of the run");
   add_number(command, "--profile-every", options.profile_every, 1e-4, 1e6, "S", "between these, whole frames, default 1");
   add_text(command, "--json", options.json, "FILE", "writes a summary");
@@ -60,7 +56,6 @@ void add_output_options(CLI::App& command, RunOptions& options)
   add_text(command, "--explain", options.explain, "FILE", "writes what was modelled and why, a row a change");
   add_text(command, "--path", options.path, "FILE", "writes the well's corrected path");
   add_text(command, "--raw-path", options.raw_path, "FILE", "writes the uncorrected path of the last metres");
-  command.add_option("--bag", "not available yet")->type_name("FILE")->check(problem_of_bag);
 }
 }  // namespace
 
@@ -91,7 +86,7 @@ std::vector<std::string> settings_of(const RunOptions& options)
 void require_files_apart(const RunOptions& options)
 {
   const std::pair<const char*, const std::string&> files[] = {
-    {"--csv", options.csv}, {"--profile", options.profile}, {"--json", options.json}, {"--explain", options.explain},
+    {"--csv", options.csv}, {"--bag", options.bag}, {"--profile", options.profile}, {"--json", options.json}, {"--explain", options.explain},
     {"--path", options.path}, {"--raw-path", options.raw_path}};
   for (const auto& one : files)
   {

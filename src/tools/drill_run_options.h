@@ -24,10 +24,10 @@ struct RunOptions
   std::string level, integrator, step, element_length;  ///< keys of the scene under another name; empty: the scene's
   std::optional<double> duration;                       ///< [s]
   std::optional<double> until_depth;                    ///< measured depth [m]
-  std::optional<double> every;                          ///< between rows of the time series [s]
+  std::optional<double> every;                          ///< between rows of the time series, and measurements of the bag [s]
   std::optional<double> profile_every;                  ///< between profiles along the string [s]
   std::uint64_t seed = 0;
-  std::string csv, profile, json, explain, path, raw_path;
+  std::string csv, bag, profile, json, explain, path, raw_path;
   bool readings = false;  ///< series and summary hold the instruments' readings beside the truth
   bool energy = false;
 };

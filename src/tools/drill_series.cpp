@@ -30,6 +30,23 @@ void TimeSeries::close()
   close_output(std::move(file_), name_);
 }
 
+BagSeries::BagSeries(const std::string& name, double every) : beat_(every)
+{
+  if (name.empty()) return;
+  open_output("--bag", name).reset();  // says why not, if not
+  bag_.emplace(name);
+}
+
+void BagSeries::add(const Simulator& simulator, double frame)
+{
+  if (bag_) bag_->add(simulator, beat_.due(simulator.truth().time, frame));
+}
+
+void BagSeries::close()
+{
+  if (bag_) bag_->close();
+}
+
 ProfileSeries::ProfileSeries(const std::string& name, double every) : name_(name), file_(open_output("--profile", name)), beat_(every)
 {
   if (file_) write_profile_series_header(file_.get());

@@ -1,9 +1,11 @@
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_SERIES_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_SERIES_H
 
+#include <optional>
 #include <string>
 
 #include "drill_output.h"
+#include "drill_rig_sim/ros/run_bag.h"
 
 namespace drill_rig_sim
 {
@@ -18,6 +20,22 @@ public:
 private:
   double every_;
   double next_ = 0.0;  // [s]
+};
+
+/// The bag of a run: its measurements every so often, telemetry when it arrives. One without a file writes nothing.
+class BagSeries
+{
+public:
+  /// Opens the file `name`, unless that is empty. Throws UsageError with one line if it cannot be written. `every`: between measurements [s].
+  BagSeries(const std::string& name, double every);
+  /// As TimeSeries. Throws std::runtime_error with one line if it cannot be written.
+  void add(const Simulator& simulator, double frame);
+  /// Throws std::runtime_error with one line if not all of it reached the disk.
+  void close();
+
+private:
+  std::optional<RunBag> bag_;
+  Beat beat_;
 };
 
 /// The time series of a run: a row every so often. One without a file writes nothing.

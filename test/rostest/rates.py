@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Topics come at their rates, counted by their stamps, and real time is kept."""
 from diagnostic_msgs.msg import DiagnosticArray
-from drill_rig_sim.msg import DrillstringState, MwdSurvey, MwdToolface, RigLimits, RigState
+from drill_rig_sim.msg import BitTruth, DrillstringState, MwdSurvey, MwdToolface, RigLimits, RigState
 from geometry_msgs.msg import PoseStamped, TwistStamped, WrenchStamped
 from nav_msgs.msg import Path
 from rig_test import Rig, rospy, run, time, unittest
@@ -20,8 +20,8 @@ class Rates(unittest.TestCase):
         rig = Rig()
         cls.topics = {name: rig.collect(name, kind) for name, kind in {
             "rig_state": RigState, "joint_states": JointState, "hook_load": Float64, "torque": Float64, "bit/pose": PoseStamped,
-            "bit/twist": TwistStamped, "bit/wrench": WrenchStamped, "drillstring_state": DrillstringState, "markers": MarkerArray,
-            "trajectory": Path, "rig_limits": RigLimits, "downhole/mwd": MwdSurvey, "downhole/toolface": MwdToolface,
+            "bit/twist": TwistStamped, "bit/wrench": WrenchStamped, "truth/rig_state": RigState, "truth/bit": BitTruth,
+            "drillstring_state": DrillstringState, "markers": MarkerArray, "trajectory": Path, "rig_limits": RigLimits, "downhole/mwd": MwdSurvey, "downhole/toolface": MwdToolface,
             "/tf": TFMessage, "/tf_static": TFMessage, "/clock": Clock, "/diagnostics": DiagnosticArray}.items()}
         states = cls.topics["rig_state"]
         begin = states.wait(1)[-1].header.stamp
@@ -50,7 +50,7 @@ class Rates(unittest.TestCase):
         self.assertEqual(list(range(self.begin + 10000000, self.end + 1, 10000000)), self.stamps)
 
     def test_measurements_come_with_every_frame_and_its_stamp(self):
-        for name in ("joint_states", "bit/pose", "bit/twist", "bit/wrench"):
+        for name in ("joint_states", "bit/pose", "bit/twist", "bit/wrench", "truth/rig_state", "truth/bit"):
             self.assertEqual(self.stamps, self.stamps_of(name, self.header_stamp), name)
         self.assertEqual(self.stamps, self.stamps_of("/clock", lambda m: m.clock.to_nsec()))
 

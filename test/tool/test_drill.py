@@ -19,7 +19,8 @@ SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 QUICK = os.path.join(SOURCE, 'config/scenes/quick.yaml')
 BOHAI = os.path.join(SOURCE, 'config/scenes/bohai.yaml')
 COLUMNS = ('time,hook_load,torque,block_height,top_drive_speed,wob,bit_torque,bit_speed,bit_depth,hole_depth,rop,inclination,azimuth,'
-           'toolface,bit_east,bit_north,bit_up,bit_inclination').split(',')
+           'toolface,bit_east,bit_north,bit_up,bit_inclination,in_slips,motor_stalled,winch_limited,top_drive_limited,stop_reached,slack_line,'
+           'relief_valve_open,over_stress,over_torque,buckled,accuracy_warning').split(',')
 drill_program = None
 
 
@@ -54,7 +55,7 @@ class Drill(unittest.TestCase):
 class Usage(Drill):
     def test_help_lists_every_command_and_option(self):
         text = self.succeed('--help')
-        for command in ('run', 'check', 'static', 'modes', 'survey', 'reference'):
+        for command in ('run', 'check', 'static', 'modes', 'survey', 'score', 'reference'):
             self.assertIn('\n  ' + command, text)
         text = self.succeed('run', '--help')
         for option in ('--duration', '--until-depth', '--level', '--integrator', '--step', '--element-length', '--csv', '--bag', '--every',
@@ -73,7 +74,7 @@ class Usage(Drill):
         self.assertIn('--every', self.refuse('run', QUICK, '--every', '-1'))
         self.assertIn('--every', self.refuse('run', QUICK, '--every', 'nan'))
         self.assertIn('--until-depth', self.refuse('run', QUICK, '--until-depth', '99'))
-        self.assertIn('not available yet', self.refuse('run', QUICK, '--bag', self.file('x.bag')))
+        self.assertIn('cannot be written', self.refuse('run', QUICK, '--bag', self.file('no/such/folder.bag')))
         self.assertIn('is unknown, allowed: rigid', self.refuse('run', QUICK, '--level', 'planar'))
         self.assertIn('not available yet', self.refuse('run', QUICK, '--set', 'connections=auto'))
         self.assertIn('integrator', self.refuse('run', QUICK, '--integrator', 'no_such'))

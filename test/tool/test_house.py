@@ -48,7 +48,7 @@ class Arrows(unittest.TestCase):
             below = includes.ORDER[:includes.ORDER.index(room) + 1]
             if room == 'realtime':
                 below = ('realtime',)
-            if room == 'tools':
+            if room in ('tools', 'python'):
                 below = [other for other in below if other not in includes.OF_ROS]
             text = ''.join(include('%s/%s.h' % (other, other)) for other in below)
             self.assertEqual([], includes.faults(tree(**{room + '__a': text})), room)
@@ -89,6 +89,11 @@ class Arrows(unittest.TestCase):
                 texts.update({'msg/RigState.msg': '', 'srv/SaveState.srv': ''})
                 self.one(texts, 'src/%s/a.cpp:1: ' % room, 'ROS is for ros/ and rviz/ alone')
         self.one(tree(tools__a=include('ros/ros.h')), 'src/tools/a.cpp:1: ', 'and ROS with it')
+        bag = PUBLIC + 'ros/run_bag.h'
+        self.assertEqual([], includes.faults({**tree(tools__a=include('ros/run_bag.h')), bag: include('sim/sim.h')}))
+        self.one({**tree(), bag: include('ros/ros.h')}, bag + ':1: ', 'no ROS in it')
+        self.one({**tree(), bag: '#include <rosbag/bag.h>\n'}, bag + ':1: ', 'no ROS in it')
+        self.one({**tree(sim__a=include('ros/run_bag.h')), bag: ''}, 'src/sim/a.cpp:1: ', 'ros/ comes later')
 
     def test_sundials(self):
         for header in ('ida/ida.h', 'kinsol/kinsol.h', 'arkode/arkode_arkstep.h', 'sundials/sundials_context.h', 'nvector/nvector_serial.h',

@@ -18,7 +18,7 @@ SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 BLOCK = re.compile(r'(<!-- begin: (.+?) -->\n)(.*?)(<!-- end -->)', re.DOTALL)
 FENCES = {'.py': '```python\n%s```\n', '.md': '%s'}
 TREES = ('config', 'include', 'launch', 'msg', 'src', 'srv', 'test')  # paths in the texts that start so are files of the package
-STRANGERS = ('.', 'rosdep', 'rostopic')  # quoted commands of others that nothing here can check
+STRANGERS = ('.', 'rosbag', 'rosdep', 'rostopic')  # quoted commands of others that nothing here can check
 LONGEST_FRONT_PAGE = 150  # lines of the first README that a reader takes in
 drill_program = None
 

@@ -70,13 +70,16 @@ public:
   /// Lockstep: what so many frames hand over.
   std::vector<FrameOutput> step(std::uint32_t frames)
   {
-    std::uint64_t before = 0, after = 0;
-    loop.between_frames([&](SimulationLoop&) { before = ring.handed_over(); });
-    loop.begin_step(frames);
+    std::uint64_t before = 0;
+    loop.between_frames(
+        [&](SimulationLoop& l)
+        {
+          before = ring.handed_over();
+          l.begin_step(frames);
+        });
     result = loop.wait_for_step();
-    loop.between_frames([&](SimulationLoop&) { after = ring.handed_over(); });
     std::vector<FrameOutput> all;
-    for (std::uint64_t i = before; i < after; ++i) all.push_back(output(i));
+    for (std::uint64_t i = before; i < result.handed_over; ++i) all.push_back(output(i));
     return all;
   }
 

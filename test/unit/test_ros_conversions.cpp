@@ -271,6 +271,23 @@ TEST(Bit, poseTwistAndWrench)
   EXPECT_EQ(243.0, wrench.wrench.torque.z);
 }
 
+TEST(Bit, truth)
+{
+  FrameRecord frame = numbered_record();
+  Truth& t = frame.truth;
+  t.wob = 1.0;
+  t.bit_torque = 2.0;
+  t.bit_speed = 3.0;
+  t.bit_inclination = 4.0;
+  t.bit_azimuth = 5.0;
+  t.bend_toolface = 6.0;
+  const BitTruth m = to_bit_truth(frame, floor_name);
+  expect_header(m.header, 12, 345678901);
+  EXPECT_EQ(201.0, m.position.x);
+  EXPECT_EQ(203.0, m.position.z);
+  EXPECT_EQ((std::vector<double>{1.0, 2.0, 3.0, 4.0, 5.0, 6.0}), (std::vector<double>{m.wob, m.torque, m.speed, m.inclination, m.azimuth, m.toolface}));
+}
+
 TEST(Telemetry, isStampedWhenItWasMeasured)
 {
   FrameRecord frame = numbered_record();

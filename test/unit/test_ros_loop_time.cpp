@@ -112,7 +112,7 @@ TEST(LoopTime, aStepEndsEarlyWhereItIsAskedTo)
   RunningLoop rig(lockstep());
   rig.start();
   EXPECT_FALSE(rig.loop.end_step_early()) << "none is under way";
-  rig.loop.begin_step(100000);
+  rig.loop.between_frames([](SimulationLoop& loop) { loop.begin_step(100000); });
   rig.output(10);
   std::int64_t stamp = 0;
   const FrameOutput end = rig.between(
@@ -127,6 +127,7 @@ TEST(LoopTime, aStepEndsEarlyWhereItIsAskedTo)
   const StepResult result = rig.loop.wait_for_step();
   EXPECT_EQ(StepResult::End::ended_early, result.end);
   EXPECT_EQ((stamp - period) / period, result.frames);
+  EXPECT_EQ(1u + result.frames + 1u, result.handed_over) << "the start, the frames, the end";
 }
 
 TEST(LoopTime, backlogIsDroppedAndCounted)

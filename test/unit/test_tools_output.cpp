@@ -94,7 +94,18 @@ Row truth_row()
           {"bit_east", 201},
           {"bit_north", 202},
           {"bit_up", 203},
-          {"bit_inclination", 0.75}};
+          {"bit_inclination", 0.75},
+          {"in_slips", 0},
+          {"motor_stalled", 0},
+          {"winch_limited", 0},
+          {"top_drive_limited", 0},
+          {"stop_reached", 0},
+          {"slack_line", 0},
+          {"relief_valve_open", 0},
+          {"over_stress", 0},
+          {"over_torque", 0},
+          {"buckled", 0},
+          {"accuracy_warning", 0}};
 }
 }  // namespace
 
@@ -106,6 +117,28 @@ TEST(Csv, eachColumnHasItsFieldOfTheTruth)
   const std::vector<Row> rows = rows_of(file.get());
   ASSERT_EQ(1u, rows.size());
   expect_row(truth_row(), rows[0]);
+}
+
+TEST(Csv, eachFlagHasItsColumn)
+{
+  const std::pair<const char*, bool RigSignals::*> flags[] = {
+      {"in_slips", &RigSignals::in_slips},         {"motor_stalled", &RigSignals::motor_stalled},
+      {"winch_limited", &RigSignals::winch_limited}, {"top_drive_limited", &RigSignals::top_drive_limited},
+      {"stop_reached", &RigSignals::stop_reached}, {"slack_line", &RigSignals::slack_line},
+      {"relief_valve_open", &RigSignals::relief_valve_open}, {"over_stress", &RigSignals::over_stress},
+      {"over_torque", &RigSignals::over_torque},   {"buckled", &RigSignals::buckled},
+      {"accuracy_warning", &RigSignals::accuracy_warning}};
+  for (const auto& [name, flag] : flags)
+  {
+    Truth m = numbered_truth();
+    m.*flag = true;
+    const File file(std::tmpfile());
+    write_csv_header(file.get(), false);
+    write_csv_row(file.get(), m, nullptr);
+    Row expected = truth_row();
+    expected[name] = 1;
+    expect_row(expected, rows_of(file.get()).at(0));
+  }
 }
 
 TEST(Csv, readingsStandBesideTheTruth)

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "drill_rig_sim/BitTruth.h"
 #include "drill_rig_sim/DrillstringState.h"
 #include "drill_rig_sim/MwdSurvey.h"
 #include "drill_rig_sim/MwdToolface.h"
@@ -27,6 +28,7 @@ sensor_msgs::JointState to_joint_states(const FrameRecord& frame);
 geometry_msgs::PoseStamped to_bit_pose(const FrameRecord& frame, const std::string& floor);
 geometry_msgs::TwistStamped to_bit_twist(const FrameRecord& frame, const std::string& floor);
 geometry_msgs::WrenchStamped to_bit_wrench(const FrameRecord& frame, const std::string& floor);
+BitTruth to_bit_truth(const FrameRecord& frame, const std::string& floor);
 
 /// Telemetry; stamped when it was measured.
 MwdSurvey to_mwd_survey(const FrameRecord& frame, const std::string& floor);

@@ -33,8 +33,7 @@ class Services
 {
 public:
   /// `node` answers on its own callback queue, so that a long step() holds up no command.
-  Services(ros::NodeHandle& node, const Parameters& parameters, Scene scene, SimulationLoop& loop, PublishingThread& publishing,
-           FrameRing& ring);
+  Services(ros::NodeHandle& node, const Parameters& parameters, Scene scene, SimulationLoop& loop, PublishingThread& publishing);
 
 private:
   using Lock = std::unique_lock<std::mutex>;
@@ -53,14 +52,13 @@ private:
   std::string delete_state(const std::string& name);
   std::string inject_fault(const InjectFault::Request& request);
   /// Gives `lock` free while the frames are computed.
-  std::string step(const StepSimulation::Request& request, RigState& state, Lock& lock);
+  std::string step(const StepSimulation::Request& request, StepSimulation::Response& answer, Lock& lock);
 
   void rebuild(const Scene& scene);
   /// Where `next` is another rig than the running one; what the answer says of it.
   std::string forget_states_of_another(const Scene& next);
   void require_pausable() const;
   void require_no_step() const;
-  void command_all(const StepSimulation::Request& request);
 
   template <class Service, class Action>
   void serve(ros::NodeHandle& node, const std::string& name, Action action);
@@ -71,7 +69,6 @@ private:
   Scene running_;      // scene_ with the bit depth asked for
   SimulationLoop& loop_;
   PublishingThread& publishing_;
-  FrameRing& ring_;
   SavedStates saved_;  // of the running scene
   bool step_under_way_ = false;
   std::mutex one_at_a_time_;

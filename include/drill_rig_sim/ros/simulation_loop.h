@@ -53,6 +53,7 @@ struct StepResult
   };
   End end = End::complete;
   std::uint32_t frames = 0;  ///< computed, a failed one included
+  std::uint64_t handed_over = 0;  ///< to the publishers since the node began, the step's last one included
 };
 
 /// The simulation thread: takes the commands, computes a frame when the timekeeper says so, hands over its output. It never
@@ -112,9 +113,9 @@ public:
   /// For between-frames callbacks: the step under way ends here. False: none is.
   bool end_step_early() noexcept;
 
-  /// Lockstep: has `frames` frames computed; wait_for_step() then waits until they are handed over, fewer where one fails or
-  /// somebody ends the step. From one caller at a time, not from a between-frames callback.
-  void begin_step(std::uint32_t frames);
+  /// Lockstep, for between-frames callbacks: has `frames` frames computed. wait_for_step(), by the same caller outside of the callback, waits
+  /// until they are handed over, fewer where one fails or somebody ends the step. One caller at a time.
+  void begin_step(std::uint32_t frames) noexcept;
   StepResult wait_for_step() noexcept;
 
   /// From any one thread: the clock of another rig [ns].

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <string>
 
+#include "drill_rig_sim/BitTruth.h"
 #include "drill_rig_sim/DrillstringState.h"
 #include "drill_rig_sim/RigState.h"
 #include "drill_rig_sim/realtime/frame_output.h"
@@ -43,6 +44,7 @@ private:
   FrameTopic<geometry_msgs::PoseStamped> bit_pose_;
   FrameTopic<geometry_msgs::TwistStamped> bit_twist_;
   FrameTopic<geometry_msgs::WrenchStamped> bit_wrench_;
+  FrameTopic<BitTruth> true_bit_;
   ros::Publisher rig_limits_, mwd_, toolface_, drillstring_;
 };
 

@@ -1,0 +1,111 @@
+"""What `drill score` starts: the scores as a table, as JSON, and as a page of plots. The runner has checked the command line."""
+import argparse
+import json
+import math
+import os
+import sys
+
+from drill_rig_sim.score import read_run, read_survey, score
+from drill_rig_sim.score_runs import RunError
+from drill_rig_sim.survey import SurveyError
+
+GOOD, BAD_INPUT, FAILED = 0, 2, 3
+
+# section, score, what the table calls it, unit, factor, decimals
+TABLE = (
+    ("drilling", "duration_s", "run", "s", 1.0, 1),
+    ("drilling", "on_bottom_s", "on bottom", "s", 1.0, 1),
+    ("drilling", "drilled_m", "drilled", "m", 1.0, 3),
+    ("drilling", "rop_on_bottom_m_h", "rate of penetration on bottom", "m/h", 1.0, 2),
+    ("drilling", "rop_m_h", "rate of penetration of the run", "m/h", 1.0, 2),
+    ("wob", "mean", "weight on bit, mean", "kN", 1e-3, 2),
+    ("wob", "deviation", "weight on bit, deviation", "kN", 1e-3, 2),
+    ("wob", "largest", "weight on bit, largest", "kN", 1e-3, 2),
+    ("wob", "share_in_band", "weight on bit within its band", "%", 100.0, 1),
+    ("toolface", "sliding_s", "sliding", "s", 1.0, 1),
+    ("toolface", "mean_deg", "toolface, mean", "deg", 1.0, 1),
+    ("toolface", "deviation_deg", "toolface, deviation", "deg", 1.0, 1),
+    ("toolface", "share_in_band", "toolface within its band", "%", 100.0, 1),
+    ("stick_slip", "mean", "stick-slip index, mean", "", 1.0, 2),
+    ("stick_slip", "largest", "stick-slip index, largest", "", 1.0, 2),
+    ("stick_slip", "share_at_1", "windows in full stick-slip", "%", 100.0, 1),
+    ("energy", "mse_mpa", "mechanical specific energy", "MPa", 1.0, 1),
+    ("connections", "number", "connections", "", 1.0, 0),
+    ("connections", "in_slips_s", "in slips, mean", "s", 1.0, 1),
+    ("connections", "weight_to_weight_s", "weight to weight, mean", "s", 1.0, 1),
+    ("stalls", "number", "stalls of the motor", "", 1.0, 0),
+    ("stalls", "s", "stalled", "s", 1.0, 1),
+    ("path", "dogleg_mean_deg_30m", "dogleg, mean", "deg/30 m", 1.0, 2),
+    ("path", "dogleg_largest_deg_30m", "dogleg, largest", "deg/30 m", 1.0, 2),
+    ("path", "tortuosity_deg_30m", "tortuosity beyond the plan's", "deg/30 m", 1.0, 2),
+    ("path", "distance_mean_m", "distance to plan, mean", "m", 1.0, 2),
+    ("path", "distance_largest_m", "distance to plan, largest", "m", 1.0, 2),
+    ("path", "distance_end_m", "distance to plan, at the end", "m", 1.0, 2))
+
+
+def table(scores):
+    """Lines of what was told, and of what was left out and why."""
+    lines = ["%s, by its %s" % (scores["run"], scores["source"])]
+    for section, name, meaning, unit, factor, decimals in TABLE:
+        value = (scores[section] or {}).get(name)
+        if value is not None:
+            lines.append("%-32s %12.*f %s" % (meaning, decimals, factor * value, unit))
+    lines += ["%-32s %12d times, %.1f s" % (flag, found["number"], found["s"]) for flag, found in scores["limits"].items() if found["number"]]
+    return [line.rstrip() for line in lines] + ["left out: " + reason for reason in scores["left_out"]]
+
+
+def parse(words):
+    parser = argparse.ArgumentParser(prog="drill score", description=__doc__)
+    parser.add_argument("run")
+    for name in ("--plan", "--namespace", "--json", "--plots"):
+        parser.add_argument(name)
+    for name in ("--bit-diameter", "--wob", "--wob-band", "--toolface", "--toolface-band"):
+        parser.add_argument(name, type=float)
+    return parser.parse_args(words)
+
+
+def require_files_apart(args):
+    """No output is an input or the other output."""
+    files = [("the run", args.run), ("the plan", args.plan), ("--json", args.json), ("--plots", args.plots)]
+    for i, (option, file) in enumerate(files[2:], 2):
+        for what, other in files[:i]:
+            if file and other and os.path.realpath(file) == os.path.realpath(other) != "/dev/null":
+                raise RunError("%s: %s is the file of %s, needed: a file of its own" % (option, file, what))
+
+
+def radians(angle):
+    return None if angle is None else math.radians(angle)
+
+
+def judge(args):
+    require_files_apart(args)
+    run = read_run(args.run, args.namespace)
+    plan = read_survey(args.plan) if args.plan else None
+    scores = score(run, plan, args.bit_diameter, args.wob, args.wob_band, radians(args.toolface), radians(args.toolface_band))
+    if args.json:
+        with open(args.json, "w", encoding="utf-8") as out:
+            json.dump(scores, out, indent=2, allow_nan=False)
+            out.write("\n")
+    if args.plots:
+        from drill_rig_sim import score_plots  # needs matplotlib
+        score_plots.draw(run, scores, plan, args.bit_diameter, args.plots)
+    print("\n".join(table(scores)))
+
+
+def main(words):
+    try:
+        judge(parse(words))
+        return GOOD
+    except (RunError, SurveyError) as error:
+        print("drill score: %s" % error, file=sys.stderr)
+        return BAD_INPUT
+    except OSError as error:
+        print("drill score: %s: %s" % (error.filename, error.strerror), file=sys.stderr)
+        return BAD_INPUT
+    except ImportError as error:
+        print("drill score: %s; plots need Debian's python3-matplotlib" % error, file=sys.stderr)
+        return FAILED
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

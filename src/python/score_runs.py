@@ -1,0 +1,136 @@
+"""Runs to be judged: time series of `drill run --csv`, and bags, as columns by the names that `drill run --csv` has. Needs ROS for bags alone."""
+import csv
+
+import numpy
+
+FLAGS = ("winch_limited", "top_drive_limited", "stop_reached", "slack_line", "relief_valve_open", "over_stress", "over_torque", "buckled",
+         "accuracy_warning")
+NEEDED = ("time", "hole_depth", "bit_depth", "wob", "torque", "top_drive_speed")
+STATE = {"hole_depth": "hole_depth", "bit_depth": "bit_depth", "torque": "torque", "top_drive_speed": "top_drive_speed",
+         "in_slips": "in_slips", "motor_stalled": "motor_stalled", "wob": "surface_wob", **{flag: flag for flag in FLAGS}}
+BIT = {"wob": "wob", "bit_torque": "torque", "bit_speed": "speed", "inclination": "inclination", "azimuth": "azimuth", "toolface": "toolface",
+       "bit_east": "position.x", "bit_north": "position.y", "bit_up": "position.z"}
+
+
+class RunError(Exception):
+    """What is wrong with a run, in one line."""
+
+
+class Run:
+    """Columns of equal length by name, in SI units and radians. `source`: truth or readings. What a row says holds for the time since the row
+    before: `dt` [s], 0 of the first. `surveys`: rows of measured depth, inclination and azimuth, where the hole itself was not seen."""
+
+    def __init__(self, columns, source="truth", name="", surveys=()):
+        missing = [column for column in NEEDED if column not in columns]
+        if missing:
+            raise RunError("%s: has no %s, needed: the time series of drill run --csv or a bag" % (name, ", ".join(missing)))
+        self.columns = {column: numpy.asarray(values, dtype=float) for column, values in columns.items()}
+        self.source, self.name, self.surveys = source, name, numpy.array(surveys, dtype=float).reshape(-1, 3)
+        time = self.columns["time"]
+        if len(time) < 2 or not (numpy.diff(time) > 0.0).all():
+            raise RunError("%s: needed: two rows or more whose time increases" % name)
+        bad = [column for column, values in self.columns.items() if not numpy.isfinite(values).all()]
+        if bad:
+            raise RunError("%s: %s is not finite everywhere" % (name, ", ".join(bad)))
+        self.dt = numpy.diff(time, prepend=time[0])
+
+    def __contains__(self, column):
+        return column in self.columns
+
+    def __getitem__(self, column):
+        return self.columns[column]
+
+
+def read_run(file, namespace=None):
+    """A bag where the file's name ends with .bag, else a time series."""
+    return read_bag(file, namespace) if file.endswith(".bag") else read_series(file)
+
+
+def read_series(file):
+    try:
+        with open(file, newline="", encoding="utf-8") as text:
+            rows = csv.reader(text)
+            names = next(rows, [])
+            table = [[float(cell) for cell in row] for row in rows]
+    except OSError as error:
+        raise RunError("%s: %s" % (file, error.strerror))
+    except (ValueError, csv.Error):
+        raise RunError("%s: holds what is no number, needed: the time series of drill run --csv" % file)
+    if any(len(row) != len(names) for row in table):
+        raise RunError("%s: has rows of another length than its header" % file)
+    return Run(dict(zip(names, zip(*table))), "truth", file)
+
+
+def read_bag(file, namespace=None):
+    """Of truth/rig_state and truth/bit where the bag has them, else of rig_state and downhole/*."""
+    try:
+        import rosbag  # needed for bags alone
+    except ImportError:
+        raise RunError("%s: bags need Debian's python3-rosbag" % file)
+    try:
+        with rosbag.Bag(file) as bag:
+            prefix = namespace_of(bag, file, namespace)
+            messages = {name: [m for _, m, _ in bag.read_messages(topics=[prefix + name])]
+                        for name in ("truth/rig_state", "truth/bit", "rig_state", "downhole/mwd", "downhole/toolface")}
+    except (OSError, rosbag.ROSBagException) as error:
+        raise RunError("%s: %s" % (file, str(error).splitlines()[0]))
+    if messages["truth/rig_state"]:
+        return Run(columns_of_truth(once(messages["truth/rig_state"]), once(messages["truth/bit"])), "truth", file)
+    states = once(messages["rig_state"])
+    columns = columns_of(states, STATE)
+    if messages["downhole/toolface"]:
+        columns["toolface"] = last_toolface(columns["time"], messages["downhole/toolface"])
+    for unsensed in ("motor_stalled", "over_stress", "over_torque", "buckled"):
+        del columns[unsensed]
+    return Run(columns, "readings", file, [(m.md, m.inclination, m.azimuth) for m in messages["downhole/mwd"]])
+
+
+def namespace_of(bag, file, wanted):
+    """What stands before the topics of the rig to be judged."""
+    found = sorted({topic[:-len(name)] for topic in bag.get_type_and_topic_info().topics for name in ("truth/rig_state", "rig_state")
+                    if topic.endswith("/" + name) and not (name == "rig_state" and topic.endswith("/truth/rig_state"))})
+    if wanted is not None:
+        found = [prefix for prefix in found if prefix.strip("/") == wanted.strip("/")]
+    if not found:
+        raise RunError("%s: has no rig_state%s" % (file, "" if wanted is None else " of the namespace " + wanted))
+    if len(found) > 1:
+        raise RunError("%s: has several rigs, needed: --namespace, of %s" % (file, ", ".join(prefix.strip("/") or "/" for prefix in found)))
+    return found[0]
+
+
+def once(messages):
+    """One message for each stamp, the last: a change that no frame brings repeats a stamp."""
+    return list({m.header.stamp.to_nsec(): m for m in messages}.values())
+
+
+def stamps(messages):
+    return numpy.array([1e-9 * m.header.stamp.to_nsec() for m in messages])
+
+
+def field(message, path):
+    for part in path.split("."):
+        message = getattr(message, part)
+    return float(message)
+
+
+def columns_of(messages, table):
+    columns = {column: numpy.array([field(m, path) for m in messages]) for column, path in table.items()}
+    columns["time"] = stamps(messages)
+    return columns
+
+
+def columns_of_truth(states, bits):
+    """The rig's, and the bit's where every state has one."""
+    by_stamp = {m.header.stamp.to_nsec(): m for m in bits}
+    if bits:
+        states = [m for m in states if m.header.stamp.to_nsec() in by_stamp]
+    columns = columns_of(states, STATE)
+    if bits:
+        columns.update(columns_of([by_stamp[m.header.stamp.to_nsec()] for m in states], BIT))
+    return columns
+
+
+def last_toolface(time, toolfaces):
+    """That was measured by then; before the first, the first."""
+    last = numpy.searchsorted(stamps(toolfaces), time + 1e-9, side="right") - 1
+    return numpy.array([m.toolface for m in toolfaces])[numpy.maximum(last, 0)]

@@ -1,0 +1,107 @@
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "drill_command.h"
+#include "drill_options.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+struct ScoreOptions
+{
+  std::string run, plan, name_space, json, plots;
+  std::optional<double> bit_diameter, wob, wob_band, toolface, toolface_band;
+};
+
+/// The folder of Python's packages that belongs to this program: both lie in the devel space, or in one install space.
+/// Throws UsageError where it has no drill_rig_sim.
+std::string python_folder()
+{
+  std::error_code unreadable;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unreadable);
+  const fs::path folder = program.parent_path() / DRILL_RIG_SIM_PYTHON_FOLDER;
+  const fs::path module = folder / "drill_rig_sim" / "score_command.py";
+  if (!fs::exists(module, unreadable)) throw UsageError("there is no " + module.lexically_normal().string() + ", which judges the run; build or install the package whole");
+  return folder.lexically_normal().string();
+}
+
+std::string written(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+/// The command line of Python's side. Values stand behind `=`: one may begin with a dash.
+std::vector<std::string> words_of(const ScoreOptions& o)
+{
+  std::vector<std::string> words = {"python3", "-m", "drill_rig_sim.score_command"};
+  const auto add_text = [&](const char* name, const std::string& value)
+  {
+    if (!value.empty()) words.push_back(std::string(name) + "=" + value);
+  };
+  const auto add_number = [&](const char* name, const std::optional<double>& value)
+  {
+    if (value) words.push_back(std::string(name) + "=" + written(*value));
+  };
+  add_text("--plan", o.plan);
+  add_text("--namespace", o.name_space);
+  add_text("--json", o.json);
+  add_text("--plots", o.plots);
+  add_number("--bit-diameter", o.bit_diameter);
+  add_number("--wob", o.wob);
+  add_number("--wob-band", o.wob_band);
+  add_number("--toolface", o.toolface);
+  add_number("--toolface-band", o.toolface_band);
+  words.insert(words.end(), {"--", o.run});
+  return words;
+}
+
+/// Becomes Python, whose exit status is the runner's.
+void judge(const ScoreOptions& options)
+{
+  if (options.wob_band && !options.wob) throw UsageError("--wob-band: needs --wob");
+  if (options.toolface_band && !options.toolface) throw UsageError("--toolface-band: needs --toolface");
+  const char* before = std::getenv("PYTHONPATH");
+  const std::string path = python_folder() + (before == nullptr || *before == '\0' ? "" : std::string(":") + before);
+  setenv("PYTHONPATH", path.c_str(), 1);
+  setenv("PYTHONDONTWRITEBYTECODE", "1", 0);
+  std::vector<std::string> words = words_of(options);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execvp(DRILL_RIG_SIM_PYTHON, arguments.data());
+  throw UsageError(std::string(DRILL_RIG_SIM_PYTHON) + " cannot be started: " + std::strerror(errno));
+}
+}  // namespace
+
+Command add_score_command(CLI::App& drill)
+{
+  CLI::App* words = drill.add_subcommand("score", "judges a controller's run from its time series or bag");
+  const auto options = std::make_shared<ScoreOptions>();
+  add_file(*words, "RUN", options->run, "of drill run --csv, or a bag (.bag) with truth/rig_state and truth/bit, or with rig_state alone");
+  add_text(*words, "--plan", options->plan, "FILE", "planned survey, for distance and tortuosity");
+  add_number(*words, "--bit-diameter", options->bit_diameter, 0.01, 2.0, "M", "for the mechanical specific energy");
+  add_number(*words, "--wob", options->wob, 0.0, 1e7, "N", "set point of the weight on bit");
+  add_number(*words, "--wob-band", options->wob_band, 0.0, 1e7, "N", "so far from it counts as held; default: a tenth of it");
+  add_number(*words, "--toolface", options->toolface, -360.0, 360.0, "DEG", "set point of the toolface");
+  add_number(*words, "--toolface-band", options->toolface_band, 0.0, 180.0, "DEG", "so far from it counts as held; default: 15");
+  add_text(*words, "--namespace", options->name_space, "NS", "which rig of a bag with several");
+  add_text(*words, "--json", options->json, "FILE", "writes the scores");
+  add_text(*words, "--plots", options->plots, "FILE", "draws a page (.png, .svg, .pdf)");
+  return {words, [options] { judge(*options); }};
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+"""The Python module drill_rig_sim.rig against the node: set points, time, readings and truth, what is refused, and runs that repeat."""
+import os
+import tempfile
+
+from drill_rig_sim.msg import BitTruth, RigState, TopDriveCommand
+from drill_rig_sim.rig import RPM, Refused, Rig, TimedOut, series
+from rig_test import Collector, numbers, rospy, run, unittest
+
+FRAME = 0.01  # [s]
+
+
+class RigModule(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.rig = Rig("rig")
+
+    def setUp(self):
+        self.rig.reset()
+
+    def drilling(self):
+        """Quick's bit, a few centimetres into the rock."""
+        self.rig.rotate(rpm=90)
+        self.rig.winch(-0.02)
+        return self.rig.step_until(lambda s: s.truth.on_bottom and s.truth.hole_depth > 100.02, timeout=60)
+
+    def test_the_rate_is_the_nodes(self):
+        self.assertEqual(100.0, self.rig.rate)
+
+    def test_set_points_wait_for_a_frame_and_act_from_it_on(self):
+        self.rig.winch(-0.02)
+        self.rig.pump(0.03)
+        self.rig.rotate(rpm=60, torque_limit=5e3)
+        before = self.rig.tare()  # moves nothing, and loses none
+        self.assertTrue(before.tared)
+        self.assertTrue(before.brake_set)
+        after = self.rig.step()
+        self.assertAlmostEqual(before.t + FRAME, after.t, places=9)
+        self.assertEqual((-0.02, 0.03), (after.winch.block_velocity, after.mud_pump.flow))
+        self.assertEqual((TopDriveCommand.SPEED, 60 * RPM, 5e3), (after.top_drive.mode, after.top_drive.speed, after.top_drive.torque_limit))
+        self.assertEqual(-0.02, self.rig.step().winch.block_velocity)
+        self.rig.brake()
+        self.rig.top_drive(mode=TopDriveCommand.TORQUE, torque=100.0)
+        state = self.rig.step(1.0)
+        self.assertAlmostEqual(before.t + 102 * FRAME, state.t, places=9)
+        self.assertTrue(state.winch.brake and state.brake_set)
+        self.assertEqual((TopDriveCommand.TORQUE, 100.0), (state.top_drive.mode, state.top_drive.torque))
+
+    def test_time_moves_by_whole_frames(self):
+        begin = self.rig.state.t
+        self.assertEqual([3, 6, 9, 10], [round((s.t - begin) / FRAME) for s in self.rig.frames(0.1, every=3)])
+        for seconds in (0.005, -1.0, float("nan"), float("inf")):
+            self.assertRaises(ValueError, self.rig.step, seconds)
+        self.assertAlmostEqual(begin + 0.1, self.rig.step(frames=0).t, places=9)
+
+    def test_a_condition_is_waited_for_no_longer_than_told(self):
+        begin = self.rig.state.t
+        with self.assertRaisesRegex(TimedOut, "not within 0.5 s"):
+            self.rig.step_until(lambda s: s.truth.on_bottom, timeout=0.5)
+        self.assertAlmostEqual(begin + 0.5, self.rig.state.t, places=9)
+        state = self.drilling()
+        self.assertIs(state, self.rig.state)
+        self.assertGreater(state.bit.wob, 0.0)
+
+    def test_states_are_what_the_topics_say(self):
+        topics = {"rig_state": RigState, "truth/rig_state": RigState, "truth/bit": BitTruth}
+        heard = {name: Collector("/rig/" + name, kind) for name, kind in topics.items()}
+        state = self.drilling()
+        stamp = state.header.stamp
+        self.assertEqual(stamp.to_sec(), state.t)
+        for name, message in (("rig_state", state.readings), ("truth/rig_state", state.truth), ("truth/bit", state.bit)):
+            self.assertEqual(numbers(heard[name].at(stamp)), numbers(message), name)
+            self.assertEqual(stamp, message.header.stamp, name)
+            heard[name].subscriber.unregister()
+
+    def test_the_truth_of_the_bit(self):
+        state = self.drilling()
+        self.assertAlmostEqual(-state.truth.bit_depth, state.bit.position.z, delta=1e-6)  # the well is vertical
+        self.assertLess(state.bit.inclination, 0.01)
+        self.assertAlmostEqual(90 * RPM, state.bit.speed, delta=3.0)
+        self.assertGreater(state.bit.torque, 0.0)
+        self.assertGreater(state.truth.rop, 0.0)
+
+    def test_what_no_rig_can_sense_is_asked_of_the_truth(self):
+        state = self.drilling()
+        self.assertFalse(state.readings.on_bottom)
+        with self.assertRaisesRegex(AttributeError, "truth.on_bottom"):
+            self.rig.step_until(lambda s: s.on_bottom, timeout=1.0)
+
+    def test_refusals_are_raised_and_change_nothing(self):
+        before = self.rig.step()
+        self.rig.winch(float("nan"))
+        self.assertRaises(Refused, self.rig.step)
+        self.rig.steer(0.0, 0.5)
+        self.assertRaisesRegex(Refused, "not available yet", self.rig.step)
+        self.assertRaisesRegex(Refused, "100000", self.rig.step, frames=100001)
+        self.assertRaises(Refused, self.rig.restore, "never saved")
+        self.assertRaises(Refused, self.rig.reset, bit_depth=1e6)
+        self.assertRaises(Refused, self.rig.load_survey, "no_such.csv")
+        self.assertRaisesRegex(Refused, "not available yet", self.rig.slips, True)
+        self.assertRaisesRegex(Refused, "not available yet", self.rig.connection)
+        self.assertRaisesRegex(Refused, "not available yet", self.rig.fault, "DRIVE_TRIP")
+        self.assertRaises(AttributeError, self.rig.fault, "EARTHQUAKE")
+        self.assertEqual(before.t, self.rig.step(frames=0).t)
+        self.assertEqual(before.t + FRAME, self.rig.step().t)
+        with self.assertRaises(rospy.ROSException):
+            Rig("no_such_rig", patience=0.5)
+
+    def test_a_stuck_pipe_hangs_until_it_is_free(self):
+        self.rig.fault("STUCK_PIPE", depth=90.0)
+        self.rig.winch(0.05)
+        stuck = self.rig.step(4.0)
+        self.assertLess(abs(stuck.truth.bit_depth - 99.7), 0.02)
+        self.rig.clear_fault("STUCK_PIPE")
+        self.rig.step(4.0)
+        self.assertLess(self.rig.state.truth.bit_depth, 99.5)
+
+    def test_another_well(self):
+        state = self.rig.load_survey(md=[0.0, 100.0], inclination=[0.0, 0.05], azimuth=[0.0, 1.0])
+        self.assertAlmostEqual(0.05, state.bit.inclination, delta=1e-3)
+        self.assertAlmostEqual(1.0, state.bit.azimuth, delta=1e-3)
+        self.assertEqual(50.0, round(self.rig.reset(scene="quick.yaml", bit_depth=50.0).truth.bit_depth, 3))
+
+    def test_runs_repeat_bit_for_bit_from_the_start_and_from_snapshots(self):
+        def drill():
+            speed, states = 0.01, []
+            for _ in range(500):
+                speed = min(max(speed + 5e-9 * (10e3 - self.rig.state.surface_wob), 0.0), 0.015)
+                self.rig.winch(-speed)
+                states.append(self.rig.step())
+            return [numbers(s.readings) + numbers(s.truth) + numbers(s.bit) for s in states]
+
+        self.drilling()
+        self.rig.save("here")
+        with tempfile.TemporaryDirectory() as folder:
+            self.rig.save(file=os.path.join(folder, "state"))
+            first = drill()
+            self.rig.winch(0.5)  # forgotten
+            self.rig.restore("here")
+            self.assertEqual(first, drill())
+            self.rig.restore(file=os.path.join(folder, "state"))
+            self.assertEqual(first, drill())
+        self.rig.reset()
+        self.drilling()
+        self.assertEqual(first, drill())
+
+    def test_numbers_come_as_arrays(self):
+        states = list(self.rig.frames(0.05))
+        self.assertEqual((5,), series(states, "truth.hook_load").shape)
+        self.assertEqual([s.hook_load for s in states], series(states, "hook_load").tolist())
+        self.assertAlmostEqual(4 * FRAME, series(states, "t").ptp(), places=9)
+
+
+if __name__ == "__main__":
+    run(RigModule)
