@@ -148,6 +148,7 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.top_drive_brake_set = from.top_drive_brake_set;
   m.command_clamped = from.command_clamped;
   m.commands_timed_out = from.commands_timed_out;
+  m.lost_gauges = from.lost_gauges;
   copy_setpoints(frame, m);
   return m;
 }

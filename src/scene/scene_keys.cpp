@@ -11,7 +11,6 @@ const std::vector<const char*> integrator_words = {"auto",   "bdf2",            
                                                    "trbdf2", "generalised_alpha", "explicit",       "arkode_dirk",
                                                    "ida"};
 const std::vector<const char*> kernel_words = {"auto", "scalar", "sse4", "avx2", "avx512", "neon"};
-const std::vector<const char*> hook_load_place_words = {"block", "dead_line"};
 const std::vector<const char*> element_words = {"auto", "corotational", "geometrically_exact", "rotation_vector"};
 
 namespace
@@ -56,28 +55,9 @@ constexpr unsigned must = every_kind;
 constexpr Range turn = between(-360.0, 360.0);
 constexpr Range none{};
 
-// clang-format off
-/// What every gauge has; of Spec, because a gauge may have more.
-template <class Spec>
-std::vector<Key<Spec>> gauge_rows()
-{
-  return {
-  {"noise",                 "signal", &Spec::noise,                        between(0.0, 1e9),    "standard deviation"},
-  {"bias",                  "signal", &Spec::bias,                         between(-1e9, 1e9),   "constant error"},
-  {"delay",                 "s",      &Spec::delay,                        between(0.0, 60.0),   "dead time"},
-  {"filter_time",           "s",      &Spec::filter_time,                  between(0.0, 60.0),   "first-order time constant"},
-  {"resolution",            "signal", &Spec::resolution,                   between(0.0, 1e9),    "steps in which it shows; 0: none"},
-  };
-}
-
-template <class Spec>
-std::vector<Key<Spec>> joined(std::vector<Key<Spec>> first, const std::vector<Key<Spec>>& then)
-{
-  first.insert(first.end(), then.begin(), then.end());
-  return first;
-}
 }  // namespace
 
+// clang-format off
 const Table<Scene> scene_keys = {"", "The scene file's top level.", {
   // key                    unit      field                                allowed               meaning
   {"name",                  "",       &Scene::name,                        none,                 "what the scene is called; letters, digits and _", must},
@@ -333,41 +313,6 @@ const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are so
   {"newton_tolerance",      "m, rad", &NumericsSpec::newton_tolerance,     between(1e-12, 1e-3), "error that Newton's iteration may leave in the increments of a step"},
   {"structural_damping",    "s",      &NumericsSpec::structural_damping,   between(0.0, 0.1),    "c of stress = E (strain + c strain rate), in stretch, twist and bending"},
 }};
-
-const Table<InstrumentsSpec> instruments_keys = {"instruments", "What the sensors make of the truth.", {
-  {"mwd",                   "",       Nested{},                            none,                 "survey tool"},
-  {"toolface",              "",       Nested{},                            none,                 "toolface between surveys"},
-  {"surface",               "",       Nested{},                            none,                 "gauges of the rig"},
-}};
-
-const Table<MwdSpec> mwd_keys = {"instruments.mwd", "Survey tool in the string's `mwd` part; at the bit's face where there is none.", {
-  {"period",                "s",      &MwdSpec::period,                    between(0.0, 3600.0), "between surveys; 0: only after the pumps went off and on"},
-  {"latency",               "s",      &MwdSpec::latency,                   between(0.0, 600.0),  "from measurement to surface"},
-  {"inclination_resolution_deg", "deg", &MwdSpec::inclination_resolution,  between(0.0, 5.0),    "0: exact"},
-  {"noise_deg",             "deg",    &MwdSpec::noise,                     between(0.0, 5.0),    "standard deviation of inclination, azimuth and toolface"},
-  {"scribe_offset_deg",     "deg",    &MwdSpec::scribe_offset,             turn,                 "added to the sensor's toolface to name the bend's"},
-}};
-
-const Table<ToolfaceSpec> toolface_keys = {"instruments.toolface", "Toolface sent between surveys.", {
-  {"period",                "s",      &ToolfaceSpec::period,               above(0.0, 600.0),    "between readings"},
-  {"latency",               "s",      &ToolfaceSpec::latency,              between(0.0, 600.0),  "from measurement to surface"},
-}};
-
-const Table<InstrumentsSpec> surface_keys = {"instruments.surface", "Gauges of the rig.", {
-  {"hook_load",             "N",      Nested{},                            none,                 "load cell"},
-  {"torque",                "N m",    Nested{},                            none,                 "torque meter"},
-  {"stand_pipe_pressure",   "Pa",     Nested{},                            none,                 "pressure gauge"},
-  {"flow",                  "m3/s",   Nested{},                            none,                 "flow meter"},
-  {"block_height",          "m",      Nested{},                            none,                 "drawworks encoder; bit depth, hole depth and rate of penetration are worked out from it"},
-}};
-
-const Table<HookLoadSpec> hook_load_keys = {"instruments.surface.hook_load", "What `hook_load` of `rig_state` is read from.", joined<HookLoadSpec>({
-  {"place",                 "",       Choice<HookLoadSpec>{hook_load_place_words, [](HookLoadSpec& h, int word) { h.place = static_cast<HookLoadPlace>(word); },
-                                               [](const HookLoadSpec& h) { return static_cast<int>(h.place); }},
-                                                                           none,                 "dead_line: the anchor's sensor, the sheaves' friction is in its signal; block: the load itself"},
-}, gauge_rows<HookLoadSpec>())};
-
-const Table<SensorSpec> sensor_keys = {"instruments.surface.*", "Any gauge, in the unit of its signal.", gauge_rows<SensorSpec>()};
 
 const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at a simulated time; a key that is left out leaves its set point alone. A ramp begins at the set point in force (at 0 where the winch's brake holds the block, at what the drive does where it is braked or in the other mode) and is followed frame by frame; a later line that sets the same, the other mode or the brake ends it.", {
   {"at",                    "s",      &ProgramStep::at,                    between(0.0, 1e7),    "simulated time, ascending", must},

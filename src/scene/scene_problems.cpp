@@ -361,6 +361,7 @@ ProblemList scene_problems(const Scene& scene)
   check_start(scene, problems);
   check_program(scene, problems);
   check_telemetry("instruments.mwd.latency", scene.instruments.mwd.period, scene.instruments.mwd.latency, problems);
+  check_telemetry("instruments.mwd.latency", scene.instruments.mwd.inclination_period, scene.instruments.mwd.latency, problems);
   check_telemetry("instruments.toolface.latency", scene.instruments.toolface.period, scene.instruments.toolface.latency, problems);
   return problems;
 }

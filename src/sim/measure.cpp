@@ -110,6 +110,7 @@ SensorView Simulator::Impl::sensor_view() const noexcept
   view.md = state.truth.bit_depth - std::max(mesh.sensor_from_bit, 0.0);
   view.axis = x_axis(q);
   view.scribe = y_axis(q);
+  view.spin_speed = shown().nodes[at.lower].rate.spin;
   return view;
 }
 

@@ -38,14 +38,14 @@ start: {bit_depth: 801.0, block_height: 35.0, weight_on_bit: 1001.0, torque_on_b
 numerics: {level: beam3d, free_length: 57.5, integrator: trbdf2, element: corotational, kernel: scalar, step: 0.004, element_length: 9.7, pushed_element_length: 4.6, guided_element_length: 19.1, tolerance: 0.012, reference_tolerance: 1.1e-6,
            reference_order: 3, reference_index: 3, newton_tolerance: 1.2e-6, structural_damping: 1.3e-4}
 instruments:
-  mwd: {period: 32.0, latency: 8.1, inclination_resolution_deg: 0.13, noise_deg: 0.06, scribe_offset_deg: 17.0}
-  toolface: {period: 10.1, latency: 4.1}
+  mwd: {period: 32.0, latency: 8.1, inclination_resolution_deg: 0.13, noise_deg: 0.06, scribe_offset_deg: 17.0, quiet_time: 7.1, inclination_period: 21.3}
+  toolface: {period: 10.1, latency: 4.1, noise_deg: 0.51, resolution_deg: 2.8, max_speed_rpm: 12.1}
   surface:
-    hook_load: {place: block, noise: 1.1, bias: 1.2, delay: 1.3, filter_time: 1.4, resolution: 1.5}
-    torque: {noise: 2.1, bias: 2.2, delay: 2.3, filter_time: 2.4, resolution: 2.5}
-    stand_pipe_pressure: {noise: 3.1, bias: 3.2, delay: 3.3, filter_time: 3.4, resolution: 3.5}
-    flow: {noise: 4.1, bias: 4.2, delay: 4.3, filter_time: 4.4, resolution: 4.5}
-    block_height: {noise: 5.1, bias: 5.2, delay: 5.3, filter_time: 5.4, resolution: 5.5}
+    hook_load: {place: block, noise: 1.1, bias: 1.2, delay: 1.3, filter_time: 1.4, resolution: 1.5, drift: 1.6, rate: 1.7, dropout_interval: 1.8, dropout_duration: 1.9}
+    torque: {noise: 2.1, bias: 2.2, delay: 2.3, filter_time: 2.4, resolution: 2.5, drift: 2.6, rate: 2.7, dropout_interval: 2.8, dropout_duration: 2.9}
+    stand_pipe_pressure: {noise: 3.1, bias: 3.2, delay: 3.3, filter_time: 3.4, resolution: 3.5, drift: 3.6, rate: 3.7, dropout_interval: 3.8, dropout_duration: 3.9}
+    flow: {noise: 4.1, bias: 4.2, delay: 4.3, filter_time: 4.4, resolution: 4.5, drift: 4.6, rate: 4.7, dropout_interval: 4.8, dropout_duration: 4.9}
+    block_height: {noise: 5.1, bias: 5.2, delay: 5.3, filter_time: 5.4, resolution: 5.5, drift: 5.6, rate: 5.7, dropout_interval: 5.8, dropout_duration: 5.9}
 needs: [torque, rop]
 connections: off
 program:

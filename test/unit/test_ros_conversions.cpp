@@ -82,6 +82,16 @@ TEST(RigStateMessage, readingsAndTruthComeFromTheirOwnNumbers)
   for (const RigState& m : {truth, readings}) expect_header(m.header, 12, 345678901);
 }
 
+TEST(RigStateMessage, namesTheLostGauges)
+{
+  const FrameRecord frame = numbered_record();
+  EXPECT_EQ(RigState::HOOK_LOAD + RigState::TORQUE, to_rig_state(frame.readings, frame, floor_name).lost_gauges);
+  EXPECT_EQ(0u, to_rig_state(frame.truth, frame, floor_name).lost_gauges);
+  const std::uint32_t bits[gauge_count] = {RigState::HOOK_LOAD,           RigState::DEAD_LINE_HOOK_LOAD, RigState::TORQUE,
+                                           RigState::STAND_PIPE_PRESSURE, RigState::FLOW,                RigState::BLOCK_HEIGHT};
+  for (int k = 0; k < gauge_count; ++k) EXPECT_EQ(1u << k, bits[k]) << gauge_names[k];
+}
+
 TEST(RigStateMessage, eachFlagIsItsOwn)
 {
   for (const Flag& set : flags)
@@ -285,6 +295,10 @@ TEST(Telemetry, isStampedWhenItWasMeasured)
   EXPECT_EQ(MwdToolface::GRAVITY, toolface.reference);
   frame.readings.toolface.magnetic = true;
   EXPECT_EQ(MwdToolface::MAGNETIC, to_mwd_toolface(frame, floor_name).reference);
+  const MwdInclination inclination = to_mwd_inclination(frame, floor_name);
+  expect_header(inclination.header, 11, 95678901);  // 1.25 s before it
+  EXPECT_EQ(521.0, inclination.md);
+  EXPECT_EQ(522.0, inclination.inclination);
 }
 
 TEST(DrillstringStateMessage, eachArrayComesFromItsOwn)

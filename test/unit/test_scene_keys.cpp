@@ -247,6 +247,11 @@ std::vector<Expected> of_instruments()
       {"instruments.mwd", "inclination_resolution_deg", [](const Scene& s) { return s.instruments.mwd.inclination_resolution; }, 0.13 * degree},
       {"instruments.mwd", "noise_deg", [](const Scene& s) { return s.instruments.mwd.noise; }, 0.06 * degree},
       {"instruments.mwd", "scribe_offset_deg", [](const Scene& s) { return s.instruments.mwd.scribe_offset; }, 17.0 * degree},
+      {"instruments.mwd", "quiet_time", [](const Scene& s) { return s.instruments.mwd.quiet_time; }, 7.1},
+      {"instruments.mwd", "inclination_period", [](const Scene& s) { return s.instruments.mwd.inclination_period; }, 21.3},
+      {"instruments.toolface", "noise_deg", [](const Scene& s) { return s.instruments.toolface.noise; }, 0.51 * degree},
+      {"instruments.toolface", "resolution_deg", [](const Scene& s) { return s.instruments.toolface.resolution; }, 2.8 * degree},
+      {"instruments.toolface", "max_speed_rpm", [](const Scene& s) { return s.instruments.toolface.max_speed; }, 12.1 * rpm},
       {"instruments.toolface", "period", [](const Scene& s) { return s.instruments.toolface.period; }, 10.1},
       {"instruments.toolface", "latency", [](const Scene& s) { return s.instruments.toolface.latency; }, 4.1},
       {"instruments.surface.hook_load", "place", [](const Scene& s) { return number(s.instruments.hook_load.place == HookLoadPlace::block); }, 1.0},
@@ -262,9 +267,13 @@ std::vector<Expected> of_instruments()
                                                                {"bias", &SensorSpec::bias},
                                                                {"delay", &SensorSpec::delay},
                                                                {"filter_time", &SensorSpec::filter_time},
-                                                               {"resolution", &SensorSpec::resolution}};
+                                                               {"resolution", &SensorSpec::resolution},
+                                                               {"drift", &SensorSpec::drift},
+                                                               {"rate", &SensorSpec::rate},
+                                                               {"dropout_interval", &SensorSpec::dropout_interval},
+                                                               {"dropout_duration", &SensorSpec::dropout_duration}};
   for (int g = 0; g < 5; ++g)
-    for (int k = 0; k < 5; ++k)
+    for (int k = 0; k < 9; ++k)
     {
       const Get get = gauges[g].second;
       const auto member = keys[k].second;
