@@ -148,6 +148,9 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.top_drive_brake_set = from.top_drive_brake_set;
   m.command_clamped = from.command_clamped;
   m.commands_timed_out = from.commands_timed_out;
+  m.over_pull = from.over_pull;
+  m.pump_tripped = from.pump_tripped;
+  m.drive_tripped = from.drive_tripped;
   m.lost_gauges = from.lost_gauges;
   copy_setpoints(frame, m);
   return m;
@@ -166,6 +169,10 @@ RigLimits to_rig_limits(const RigSpec& rig, const std_msgs::Header& header)
   m.max_top_drive_torque = rig.top_drive.max_torque;
   m.max_top_drive_power = rig.top_drive.max_power;
   m.max_flow = rig.mud_pump.max_flow;
+  m.min_hook_load = rig.hoisting.min_hook_load;
+  m.trip_hook_load = rig.hoisting.trip_hook_load;
+  m.relief_pressure = rig.mud_pump.relief_pressure;
+  m.trip_pressure = rig.mud_pump.trip_pressure;
   return m;
 }
 

@@ -17,6 +17,7 @@ namespace
 {
 const std::vector<const char*> connections_words = {"off", "auto"};
 const std::vector<const char*> top_drive_mode_words = {"speed", "torque", "angle", "soft_torque", "z_torque", "oscillate"};
+const std::vector<const char*> fault_words(fault_names, fault_names + fault_count), gauge_words(gauge_names, gauge_names + gauge_count);
 // fields that a type of part alone has; the reader makes them when it has read the type
 template <double BitSpec::*field>
 double& of_bit(PartSpec& part)
@@ -215,6 +216,8 @@ const Table<HoistingSpec> hoisting_keys = {"rig.hoisting", "Drill line, travelli
   {"max_speed",             "m/s",    &HoistingSpec::max_speed,            between(0.001, 20.0), "of the block"},
   {"max_acceleration",      "m/s2",   &HoistingSpec::max_acceleration,     between(0.001, 50.0), "of the block"},
   {"max_hook_load",         "N",      &HoistingSpec::max_hook_load,        between(1e3, 5e7),    "the winch does not pull more"},
+  {"min_hook_load",         "N",      &HoistingSpec::min_hook_load,        between(0.0, 5e7),    "below it the winch does not lower: slack line; 0: it does"},
+  {"trip_hook_load",        "N",      &HoistingSpec::trip_hook_load,       between(0.0, 5e7),    "over-pull: where `hook_load` of `rig_state` reaches it while raising, the brake is set until a command that does not raise; 0: never"},
   {"lowest_block_height",   "m",      &HoistingSpec::lowest_block_height,  between(0.0, 200.0),  "top-drive shaft above the rotary table"},
   {"highest_block_height",  "m",      &HoistingSpec::highest_block_height, between(0.0, 200.0),  "below crown_height"},
 }};
@@ -254,6 +257,7 @@ const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe."
   {"max_flow",              "m3/s",   &MudPumpSpec::max_flow,              above(0.0, 1.0),      "of the pump"},
   {"flow_ramp",             "m3/s2",  &MudPumpSpec::flow_ramp,             above(0.0, 1000.0),   "rate at which the pump's flow changes"},
   {"relief_pressure",       "Pa",     &MudPumpSpec::relief_pressure,       between(1e5, 2e8),    "at which the relief valve by the pump opens; what the string does not take at it goes back to the tanks"},
+  {"trip_pressure",         "Pa",     &MudPumpSpec::trip_pressure,         between(0.0, 2e8),    "where `stand_pipe_pressure` of `rig_state` reaches it the pump stops until a flow of 0 is commanded; 0: never"},
   {"pressure_coefficient",  "Pa s2/m6", &MudPumpSpec::pressure_coefficient, between(0.0, 1e12),  "losses of string, bit and annulus at max_flow / max_flow^2"},
   {"loss_exponent",         "-",      &MudPumpSpec::loss_exponent,         between(1.0, 2.0),    "m: at other flows losses go with Q^m; 2 rough turbulence, 1.86 smooth, a record of the field 1.56"},
 }};
@@ -332,6 +336,14 @@ const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at 
   {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},
   {"stuck_at",              "m",      &ProgramStep::stuck_at,              above(0.0, 20000.0),  "measured depth where the hole grips the pipe, not below the bit by then", no_kind, every_kind, "as before"},
   {"free",                  "",       Flag<ProgramStep>{&ProgramStep::free}, none,               "true: it lets go", no_kind, every_kind, "as before"},
+  {"fault",                 "",       Choice<ProgramStep>{fault_words, [](ProgramStep& s, int word) { s.fault = word; }, [](const ProgramStep& s) { return s.fault; }},
+                                                                           none,                 "begins, as by the service inject_fault", no_kind, every_kind, "none"},
+  {"fault_depth",           "m",      &ProgramStep::fault_depth,           between(0.0, 20000.0), "measured depth of its place, where it has one; pipe must be there by then"},
+  {"fault_magnitude",       "",       &ProgramStep::fault_magnitude,       between(-1e9, 1e9),   "in its own unit (InjectFault.srv), where it has one"},
+  {"fault_target",          "",       Choice<ProgramStep>{gauge_words, [](ProgramStep& s, int word) { s.fault_gauge = word; }, [](const ProgramStep& s) { return s.fault_gauge; }},
+                                                                           none,                 "gauge of a sensor's fault that begins or ends", no_kind, every_kind, "none"},
+  {"clear_fault",           "",       Choice<ProgramStep>{fault_words, [](ProgramStep& s, int word) { s.clear_fault = word; }, [](const ProgramStep& s) { return s.clear_fault; }},
+                                                                           none,                 "ends", no_kind, every_kind, "none"},
   {"free_length",           "m",      &ProgramStep::free_length,           between(0.0, 20000.0), "a coarser level: so far above the bit's face all motions are modelled from now on, above that those along the hole and about it; 0: axial_torsional; not longer than before", no_kind, every_kind, "as before"},
 }};
 // clang-format on

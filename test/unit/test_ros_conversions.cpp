@@ -64,7 +64,10 @@ const std::vector<Flag> flags = {{&RigSignals::tared, &RigState::tared},
                                  {&RigSignals::top_drive_brake_set, &RigState::top_drive_brake_set},
                                  {&RigSignals::top_drive_limited, &RigState::top_drive_limited},
                                  {&RigSignals::command_clamped, &RigState::command_clamped},
-                                 {&RigSignals::commands_timed_out, &RigState::commands_timed_out}};
+                                 {&RigSignals::commands_timed_out, &RigState::commands_timed_out},
+                                 {&RigSignals::over_pull, &RigState::over_pull},
+                                 {&RigSignals::pump_tripped, &RigState::pump_tripped},
+                                 {&RigSignals::drive_tripped, &RigState::drive_tripped}};
 
 void expect_turns(const geometry_msgs::Quaternion& q, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {

@@ -103,6 +103,9 @@ struct RigSignals
   bool top_drive_limited = false;   ///< torque, speed or power limit active
   bool command_clamped = false;     ///< the last command was
   bool commands_timed_out = false;
+  bool over_pull = false;           ///< trip_hook_load was reached: the brake is set until a winch command that does not raise
+  bool pump_tripped = false;        ///< by trip_pressure or a fault: no flow, after trip_pressure until a flow of 0 is commanded
+  bool drive_tripped = false;       ///< by a fault: the top drive coasts
   unsigned lost_gauges = 0;  ///< in a drop-out, each 1 << Gauge
   Setpoints setpoints;
 
@@ -143,6 +146,9 @@ struct RigSignals
     v("top_drive_limited", top_drive_limited);
     v("command_clamped", command_clamped);
     v("commands_timed_out", commands_timed_out);
+    v("over_pull", over_pull);
+    v("pump_tripped", pump_tripped);
+    v("drive_tripped", drive_tripped);
     v("lost_gauges", lost_gauges);
     v("setpoints", setpoints);
   }

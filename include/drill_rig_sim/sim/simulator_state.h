@@ -9,6 +9,7 @@
 #include "drill_rig_sim/sim/accuracy.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/instruments.h"
+#include "drill_rig_sim/sim/interlocks.h"
 #include "drill_rig_sim/sim/level_watch.h"
 #include "drill_rig_sim/sim/signals.h"
 #include "drill_rig_sim/sim/stride.h"
@@ -24,6 +25,7 @@ struct SimulatorState
   State mechanics;
   RigForces forces;  ///< of the last step: for the truth, and for which pipe is guided
   CommandState commands;
+  InterlockState interlocks;
   bool tared = false;
   double tare_hook_load = 0.0;  ///< true one [N]
   double tare_pressure = 0.0;   ///< true one over the motor [Pa]
@@ -41,6 +43,7 @@ struct SimulatorState
     v("mechanics", mechanics);
     v("forces", forces);
     v("commands", commands);
+    v("interlocks", interlocks);
     v("tared", tared);
     v("tare_hook_load", tare_hook_load);
     v("tare_pressure", tare_pressure);
