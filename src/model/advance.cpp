@@ -2,6 +2,7 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/extend_hole.h"
+#include "drill_rig_sim/model/forces/place_drag.h"
 #include "drill_rig_sim/rig/mud_motor.h"
 
 namespace drill_rig_sim
@@ -83,19 +84,40 @@ void advance_discrete(const Model& model, const Stage& stage, Workspace& work, S
   state.hoist.rail_deflection = work.result.rail_deflection;
   state.drive = work.result.drive;
   state.bit = work.result.bit;
+  advance_drags(stage, work.result, state.faults);
   state.time += stage.time;
   work.profiler.lap(Cost::other);
   extend_hole(model, stage, work.result, state);
   work.profiler.lap(Cost::rock_penetration);
 }
 
+double motor_load(const Model& model, const State& state) noexcept
+{
+  return state.faults.motor_locked ? model.motor()->stall_torque : state.bit.motor_torque;
+}
+
+namespace
+{
+/// Through a hole in the pipe [m3/s].
+double leak_flow(const Model& model, const State& state) noexcept
+{
+  const FaultState& faults = state.faults;
+  if (faults.leak_area <= 0.0) return 0.0;
+  const MudPressures pressures = mud_pressures(model.mud(), state.hydraulics, state.flow);
+  std::size_t e = 0;
+  while (e + 1 < model.mesh().elements.size() && model.mesh().nodes[e + 1].from_bit < faults.leak_from_bit) ++e;
+  return orifice_flow(faults.leak_area, pressures.in_bore(model.mud(), e) - pressures.in_annulus(model.mud(), e), model.scene().mud.density);
+}
+}  // namespace
+
 void advance_mud(const Model& model, double commanded, double step, State& state) noexcept
 {
   const MotorSpec* motor = model.motor();
-  const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->displacement_per_rev, state.bit.motor_torque) : 0.0;
+  const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->displacement_per_rev, motor_load(model, state)) : 0.0;
   const MudCircuit& mud = model.mud();
   const double displaced = mud.displaced_area * running_speed(mud, state.nodes);
-  advance_hydraulics(model.scene().rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, state.flow, state.hydraulics);
+  const MudWays ways{plug_pressure(model, state), leak_flow(model, state)};
+  advance_hydraulics(model.scene().rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, state.flow, state.hydraulics, ways);
 }
 
 }  // namespace drill_rig_sim

@@ -6,6 +6,7 @@
 #include "drill_rig_sim/model/forces/lists.h"
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
 #include "drill_rig_sim/model/places.h"
+#include "drill_rig_sim/model/wall_faults.h"
 
 namespace drill_rig_sim
 {
@@ -147,6 +148,7 @@ void evaluate_list(const std::array<const Force*, N>& forces, const Model& model
   move_guided_nodes({model, start, stage, work}, u);
   work.profiler.lap(Cost::kinematics);
   find_in_hole(model, start, stage, work);
+  put_faults_on_wall(model, start.faults, stage, work);
   work.profiler.lap(Cost::contact);
   add_forces(forces, {model, start, stage, work}, residual, tangent);
 }

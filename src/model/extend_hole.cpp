@@ -8,11 +8,19 @@ namespace drill_rig_sim
 {
 using Eigen::Vector3d;
 
-Vector3d rock_velocity(const Model& model, const Wellbore& well, const RigForces& forces, double drilling_speed,
+FormationLayer rock_under_bit(const Model& model, const State& state) noexcept
+{
+  FormationLayer rock = model.rock_under(state.well);
+  rock.drillability *= state.faults.drillability_factor;
+  return rock;
+}
+
+Vector3d rock_velocity(const Model& model, const State& state, const RigForces& forces, double drilling_speed,
                        const Vector3d& bit_axis) noexcept
 {
   if (forces.wob <= 0.0 || model.regenerative()) return Vector3d::Zero();
-  const FormationLayer& rock = model.rock_under(well);
+  const Wellbore& well = state.well;
+  const FormationLayer rock = rock_under_bit(model, state);
   if (model.pilot().is_ahead(well.hole_depth()))
     return on_axis_rop(rock, drilling_speed, forces.wob) * model.pilot().direction(well.bottom_position(), well.hole_depth());
   return rock_breaking_velocity(rock, forces.rock_force, drilling_speed, bit_axis, model.bit().side_cutting);
@@ -35,7 +43,7 @@ void extend_by_cut(const Model& model, const Stage& stage, const StageResult& re
   const BitSpec& bit = model.bit();
   const Vector3d bit_axis = x_axis(state.nodes[0].orientation);
   const Vector3d down = state.well.bottom_normal();
-  const FormationLayer& rock = model.rock_under(state.well);
+  const FormationLayer rock = rock_under_bit(model, state);
   const double lowered = cut(state.ground, bit.torque.blades, result.cut.angle, result.cut.height);
   state.ground.flats = result.cut.flats;
   const Vector3d way =
@@ -51,7 +59,7 @@ void extend_hole(const Model& model, const Stage& stage, const StageResult& resu
   const RigForces& forces = result.forces;
   const Vector3d bit_axis = x_axis(state.nodes[0].orientation);
   state.bit.rock_velocity = stage.bit.bottom_known ? Vector3d(stage.bit.bottom_increment / stage.time)
-                                                   : way_of_bit(stage, state.well, rock_velocity(model, state.well, forces, stage.bit.drilling_speed, bit_axis));
+                                                   : way_of_bit(stage, state.well, rock_velocity(model, state, forces, stage.bit.drilling_speed, bit_axis));
   state.well.extend(stage.bit.bottom_known ? stage.bit.bottom_increment : Vector3d(stage.time * state.bit.rock_velocity), bit_axis);
 }
 

@@ -7,6 +7,7 @@
 #include "drill_rig_sim/model/forces/inertia.h"
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
 #include "drill_rig_sim/model/stage.h"
+#include "drill_rig_sim/model/wall_faults.h"
 #include "drill_rig_sim/model/workspace.h"
 
 namespace drill_rig_sim
@@ -221,7 +222,7 @@ void find_guides(const Model& model, const State& state, Stage& stage) noexcept
     if (i + 1 < n) stage.guided_spans[i].guided = here && above;
     if (here)
     {
-      guide.joined = !below || !above || node == state.stuck_point.node || node == model.mesh().pad_node;
+      guide.joined = !below || !above || node == state.stuck_point.node || node == model.mesh().pad_node || node == stage.drags[0].node || node == stage.drags[1].node;
       stage.guided_nodes.add(node);
       if (above) stage.guided_elements.add(node);
       if (!guide.joined && node >= model.mesh().gauge_nodes) stage.inner_nodes.add(node);
@@ -237,6 +238,7 @@ void find_guides(const Model& model, const State& state, Stage& stage) noexcept
     else
       find_run(model, state, stage, run);
   }
+  put_faults_on_guides(state, stage);
 }
 
 bool solve_increment(const Stage& stage, BlockTridiagonal& tangent, double* b) noexcept

@@ -5,6 +5,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/forces/hoisting.h"
+#include "drill_rig_sim/model/forces/place_drag.h"
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
 #include "drill_rig_sim/well/directions.h"
 
@@ -20,6 +21,11 @@ double mud_mass(const MeshNode& node, const NodeState& at, const Wellbore& well)
   return node.mud_inside + confinement(node.diameter, 2.0 * well.radius_near(at.position, at.segment)) * node.mud_outside;
 }
 
+Vector3d up_along(const State& state, std::size_t e) noexcept
+{
+  return (state.nodes[e + 1].position - state.nodes[e].position).normalized();
+}
+
 /// What the mud's pressures do to the elements (mud_circuit.h).
 void take_pressures(const Model& model, const State& state, Stage& stage) noexcept
 {
@@ -33,9 +39,12 @@ void take_pressures(const Model& model, const State& state, Stage& stage) noexce
     stage.free_stretch[e] = state.spans[e].free_stretch;
     if (!pumped) continue;
     stage.free_stretch[e] += mud.stretch_by_bore[e] * pressures.in_bore(mud, e) + mud.stretch_by_annulus[e] * pressures.in_annulus(mud, e);
-    const double lift = mud.lift[e] * pressures.annulus;
-    if (lift != 0.0) load += lift * (state.nodes[e + 1].position - state.nodes[e].position).normalized();
+    const double lift = mud.lift[e] * (pressures.annulus - stage.drags[0].pressure);
+    if (lift != 0.0) load += lift * up_along(state, e);
   }
+  if (stage.drags[0].pressure <= 0.0) return;
+  const std::size_t packed = static_cast<std::size_t>(std::min(stage.drags[0].node, model.elements() - 1));
+  stage.load[packed] += stage.drags[0].pressure * model.mesh().elements[packed].outer_area * up_along(state, packed);
 }
 
 /// Of a rotary steerable tool, at the set points' ratio and toolface, about the string's axis at the pads.
@@ -60,6 +69,7 @@ void take_start(const Model& model, const State& state, Stage& stage) noexcept
   }
   for (std::size_t e = 0; e < stage.load.size(); ++e)
     stage.load[e].z() = -model.element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z());
+  find_drags(model, state, stage);
   take_pressures(model, state, stage);
   find_guides(model, state, stage);
 }

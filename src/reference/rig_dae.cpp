@@ -246,7 +246,7 @@ RigDae::BitAnswer RigDae::bit_rates(const Vector6d& force) const
 {
   BitAnswer out;
   out << force, (steady_motor_speed() - stage_.bit.motor_speed) / mud_motor_lag, stage_.bit.motor_speed,
-      rock_velocity(model_, start_->well, work_.result.forces, stage_.bit.drilling_speed, work_.nodes[0].normal),
+      rock_velocity(model_, *start_, work_.result.forces, stage_.bit.drilling_speed, work_.nodes[0].normal),
       (work_.result.forces.bit_speed - stage_.bit.drilling_speed) / model_.bit().speed_lag;
   return out;
 }

@@ -95,8 +95,10 @@ WinchStep advance_winch(const HoistingSpec& spec, const WinchSetpoint& command, 
   const double down = stopping_speed(block_height - spec.lowest_block_height, -speed, spec.max_acceleration, step);
   double reached = std::clamp(ramped, -down, up);
   out.limits.height = reached != ramped;
-  out.limits.load = hook_load >= spec.max_hook_load;
-  if (out.limits.load) reached = std::min(reached, 0.0);
+  const bool most = hook_load >= spec.max_hook_load, least = hook_load < spec.min_hook_load;
+  out.limits.load = most || least;
+  if (most) reached = std::min(reached, 0.0);
+  if (least) reached = std::max(reached, 0.0);
 
   // What the drum takes in: a ramp that may end within the step. A stop at once is one at the start of the step.
   const double ramp_share = std::abs(reached - speed) / change;
@@ -105,6 +107,11 @@ WinchStep advance_winch(const HoistingSpec& spec, const WinchSetpoint& command, 
   out.speed = reached;
   out.line_length = line_length * (1.0 - line_count(spec) * mean * step / strung_length(spec, block_height));
   return out;
+}
+
+double slipping_line(const HoistingSpec& spec, double line_length, double block_height, double block_velocity, double most, double step) noexcept
+{
+  return std::max(line_length, line_length_for(spec, block_height + block_velocity * step, most));
 }
 
 double sheave_slip(double slip, double travel) noexcept

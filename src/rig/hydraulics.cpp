@@ -80,19 +80,27 @@ double outflow_at(double pressure, const HydraulicResistance& r, double guess) n
   return pressure <= r.back + r.gel ? 0.0 : root(pressure, 0.0, r, guess);
 }
 
+double orifice_flow(double area, double pressure, double density) noexcept
+{
+  constexpr double contraction = pi / (pi + 2.0);
+  return pressure > 0.0 && density > 0.0 ? contraction * area * std::sqrt(2.0 * pressure / density) : 0.0;
+}
+
 void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit, double commanded, double motor_pressure,
-                        double displaced, double step, double& flow, HydraulicState& state) noexcept
+                        double displaced, double step, double& flow, HydraulicState& state, const MudWays& ways) noexcept
 {
   state.pump_flow = advance_pump(spec, state.pump_flow, commanded, step);
   const double n = circuit.nominal_flow, m = circuit.exponent;
   const HydraulicResistance inner{std::max(state.annulus_pressure, 0.0), circuit.bore.loss, state.bore_gel * circuit.bore.gel, motor_pressure, n, m};
-  Outflow bore = outflow(circuit.bore.capacity, state.stand_pipe_pressure, state.pump_flow, step, inner, flow);
+  const double leak = std::min(ways.leak, state.pump_flow + std::max(0.0, state.stand_pipe_pressure) * circuit.bore.capacity / step);
+  Outflow bore = outflow(circuit.bore.capacity, state.stand_pipe_pressure, state.pump_flow - leak, step, inner, flow);
   state.relief_open = bore.pressure > spec.relief_pressure;
   if (state.relief_open) bore = {std::min(bore.flow, outflow_at(spec.relief_pressure, inner, bore.flow)), spec.relief_pressure};
 
-  const HydraulicResistance outer{0.0, circuit.annulus.loss, state.annulus_gel * circuit.annulus.gel, 0.0, n, m};
+  const double plug = bore.flow + leak > 0.0 ? ways.plug : 0.0;
+  const HydraulicResistance outer{0.0, circuit.annulus.loss, state.annulus_gel * circuit.annulus.gel + plug, 0.0, n, m};
   const Outflow annulus =
-      outflow_either_way(circuit.annulus.capacity, state.annulus_pressure, bore.flow + displaced, step, outer, state.return_flow);
+      outflow_either_way(circuit.annulus.capacity, state.annulus_pressure, bore.flow + leak + displaced, step, outer, state.return_flow);
   flow = bore.flow;
   state.stand_pipe_pressure = bore.pressure;
   state.annulus_pressure = annulus.pressure;

@@ -163,6 +163,10 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   if (frame.operation.number > 0) m.operation = word_of(frame.operation.kind);
   m.operation_number = static_cast<std::uint32_t>(frame.operation.number);
   m.operation_progress = frame.operation.progress;
+  m.over_pull = from.over_pull;
+  m.pump_tripped = from.pump_tripped;
+  m.drive_tripped = from.drive_tripped;
+  m.lost_gauges = from.lost_gauges;
   copy_setpoints(frame, m);
   return m;
 }
@@ -180,6 +184,10 @@ RigLimits to_rig_limits(const RigSpec& rig, const std_msgs::Header& header)
   m.max_top_drive_torque = rig.top_drive.max_torque;
   m.max_top_drive_power = rig.top_drive.max_power;
   m.max_flow = rig.mud_pump.max_flow;
+  m.min_hook_load = rig.hoisting.min_hook_load;
+  m.trip_hook_load = rig.hoisting.trip_hook_load;
+  m.relief_pressure = rig.mud_pump.relief_pressure;
+  m.trip_pressure = rig.mud_pump.trip_pressure;
   return m;
 }
 

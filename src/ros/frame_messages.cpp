@@ -115,6 +115,16 @@ MwdToolface to_mwd_toolface(const FrameRecord& frame, const std::string& floor)
   return m;
 }
 
+MwdInclination to_mwd_inclination(const FrameRecord& frame, const std::string& floor)
+{
+  const InclinationReading& reading = frame.readings.inclination;
+  MwdInclination m;
+  m.header = measured_at(frame, reading.time, floor);
+  m.md = reading.md;
+  m.inclination = reading.inclination;
+  return m;
+}
+
 void fill_drillstring_state(const FrameOutput& s, const std::string& floor, DrillstringState& m)
 {
   const StringProfile& from = s.profile;

@@ -12,6 +12,7 @@
 #include "drill_rig_sim/ros/survey_request.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_hash.h"
+#include "drill_rig_sim/sim/faults.h"
 
 namespace drill_rig_sim
 {
@@ -50,6 +51,30 @@ std::string one_line(std::string text)
 void require_good(const RunningRig& rig)
 {
   if (rig.failed) throw Refusal("the last frame failed: reset_well or restore_state first");
+}
+
+/// Throws where there is no such fault or gauge.
+Fault to_fault(const InjectFault::Request& request)
+{
+  if (request.fault >= fault_count) throw Refusal("fault is " + std::to_string(request.fault) + "; allowed is 0 to " + std::to_string(fault_count - 1));
+  Fault fault{static_cast<FaultKind>(request.fault), request.depth, request.magnitude};
+  if (!is_of_gauge(fault.kind)) return fault;
+  std::string names;
+  for (int k = 0; k < gauge_count; ++k)
+  {
+    fault.gauge = static_cast<Gauge>(k);
+    if (request.target == gauge_names[k]) return fault;
+    names += (k == 0 ? "" : k + 1 < gauge_count ? ", " : " or ") + std::string(gauge_names[k]);
+  }
+  throw Refusal("target is not the name of a gauge; allowed is " + names);
+}
+
+std::string said_of(const Fault& fault, bool cleared)
+{
+  if (fault.kind == FaultKind::stuck_pipe) return cleared ? "the pipe is free" : "the pipe is stuck at " + std::to_string(fault.depth) + " m";
+  const std::string name = fault_names[static_cast<int>(fault.kind)];
+  const std::string of = is_of_gauge(fault.kind) ? std::string(" of ") + gauge_names[static_cast<int>(fault.gauge)] : "";
+  return name + of + (cleared ? " has ended" : " has begun");
 }
 
 /// What would be refused is handed to the loop all the same, which counts it and changes nothing.
@@ -292,20 +317,21 @@ std::string Services::delete_state(const std::string& name)
 
 std::string Services::inject_fault(const InjectFault::Request& request)
 {
-  if (request.fault != InjectFault::Request::STUCK_PIPE) throw Refusal("not available yet; allowed is STUCK_PIPE");
+  const Fault fault = to_fault(request);
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
         require_good(loop.rig());
         Simulator& simulator = *loop.rig().simulator;
-        if (request.clear)
-          simulator.free_pipe();
-        else if (!simulator.stick_pipe(request.depth))
+        if (request.clear) return simulator.clear(fault.kind, fault.gauge);
+        const char* wrong = simulator.inject(fault);
+        if (wrong == no_pipe_there)
           throw Refusal("depth is " + std::to_string(request.depth) +
                         "; allowed is a depth where there is pipe in the hole, more than 0 (the rotary table) to " +
                         std::to_string(simulator.truth().bit_depth) + " m (the bit)");
+        if (wrong) throw Refusal(wrong);
       });
-  return request.clear ? "the pipe is free" : "the pipe is stuck at " + std::to_string(request.depth) + " m";
+  return said_of(fault, request.clear);
 }
 
 std::string Services::step(const StepSimulation::Request& request, StepSimulation::Response& answer, Lock& lock)

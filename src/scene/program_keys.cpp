@@ -17,6 +17,7 @@ constexpr unsigned lasts = every_kind & ~(tag | ream | steer);
 constexpr unsigned must = every_kind;
 constexpr Range none{};
 const std::vector<const char*> top_drive_mode_words = {"speed", "torque", "angle", "soft_torque", "z_torque", "oscillate"};
+const std::vector<const char*> fault_words(fault_names, fault_names + fault_count), gauge_words(gauge_names, gauge_names + gauge_count);
 }  // namespace
 
 // clang-format off
@@ -40,6 +41,14 @@ const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at 
   {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},
   {"stuck_at",              "m",      &ProgramStep::stuck_at,              above(0.0, 20000.0),  "measured depth where the hole grips the pipe, not below the bit by then", no_kind, every_kind, "as before"},
   {"free",                  "",       Flag<ProgramStep>{&ProgramStep::free}, none,               "true: it lets go", no_kind, every_kind, "as before"},
+  {"fault",                 "",       Choice<ProgramStep>{fault_words, [](ProgramStep& s, int word) { s.fault = word; }, [](const ProgramStep& s) { return s.fault; }},
+                                                                           none,                 "begins, as by the service inject_fault", no_kind, every_kind, "none"},
+  {"fault_depth",           "m",      &ProgramStep::fault_depth,           between(0.0, 20000.0), "measured depth of its place, where it has one; pipe must be there by then"},
+  {"fault_magnitude",       "",       &ProgramStep::fault_magnitude,       between(-1e9, 1e9),   "in its own unit (InjectFault.srv), where it has one"},
+  {"fault_target",          "",       Choice<ProgramStep>{gauge_words, [](ProgramStep& s, int word) { s.fault_gauge = word; }, [](const ProgramStep& s) { return s.fault_gauge; }},
+                                                                           none,                 "gauge of a sensor's fault that begins or ends", no_kind, every_kind, "none"},
+  {"clear_fault",           "",       Choice<ProgramStep>{fault_words, [](ProgramStep& s, int word) { s.clear_fault = word; }, [](const ProgramStep& s) { return s.clear_fault; }},
+                                                                           none,                 "ends", no_kind, every_kind, "none"},
   {"free_length",           "m",      &ProgramStep::free_length,           between(0.0, 20000.0), "a coarser level: so far above the bit's face all motions are modelled from now on, above that those along the hole and about it; 0: axial_torsional; not longer than before", no_kind, every_kind, "as before"},
 }};
 

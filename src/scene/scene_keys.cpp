@@ -11,7 +11,6 @@ const std::vector<const char*> integrator_words = {"auto",   "bdf2",            
                                                    "trbdf2", "generalised_alpha", "explicit",       "arkode_dirk",
                                                    "ida"};
 const std::vector<const char*> kernel_words = {"auto", "scalar", "sse4", "avx2", "avx512", "neon"};
-const std::vector<const char*> hook_load_place_words = {"block", "dead_line"};
 const std::vector<const char*> element_words = {"auto", "corotational", "geometrically_exact", "rotation_vector"};
 
 namespace
@@ -60,28 +59,9 @@ constexpr unsigned must = every_kind;
 constexpr Range turn = between(-360.0, 360.0);
 constexpr Range none{};
 
-// clang-format off
-/// What every gauge has; of Spec, because a gauge may have more.
-template <class Spec>
-std::vector<Key<Spec>> gauge_rows()
-{
-  return {
-  {"noise",                 "signal", &Spec::noise,                        between(0.0, 1e9),    "standard deviation"},
-  {"bias",                  "signal", &Spec::bias,                         between(-1e9, 1e9),   "constant error"},
-  {"delay",                 "s",      &Spec::delay,                        between(0.0, 60.0),   "dead time"},
-  {"filter_time",           "s",      &Spec::filter_time,                  between(0.0, 60.0),   "first-order time constant"},
-  {"resolution",            "signal", &Spec::resolution,                   between(0.0, 1e9),    "steps in which it shows; 0: none"},
-  };
-}
-
-template <class Spec>
-std::vector<Key<Spec>> joined(std::vector<Key<Spec>> first, const std::vector<Key<Spec>>& then)
-{
-  first.insert(first.end(), then.begin(), then.end());
-  return first;
-}
 }  // namespace
 
+// clang-format off
 const Table<Scene> scene_keys = {"", "The scene file's top level.", {
   // key                    unit      field                                allowed               meaning
   {"name",                  "",       &Scene::name,                        none,                 "what the scene is called; letters, digits and _", must},
@@ -243,6 +223,8 @@ const Table<HoistingSpec> hoisting_keys = {"rig.hoisting", "Drill line, travelli
   {"max_speed",             "m/s",    &HoistingSpec::max_speed,            between(0.001, 20.0), "of the block"},
   {"max_acceleration",      "m/s2",   &HoistingSpec::max_acceleration,     between(0.001, 50.0), "of the block"},
   {"max_hook_load",         "N",      &HoistingSpec::max_hook_load,        between(1e3, 5e7),    "the winch does not pull more"},
+  {"min_hook_load",         "N",      &HoistingSpec::min_hook_load,        between(0.0, 5e7),    "below it the winch does not lower: slack line; 0: it does"},
+  {"trip_hook_load",        "N",      &HoistingSpec::trip_hook_load,       between(0.0, 5e7),    "over-pull: where `hook_load` of `rig_state` reaches it while raising, the brake is set until a command that does not raise; 0: never"},
   {"lowest_block_height",   "m",      &HoistingSpec::lowest_block_height,  between(0.0, 200.0),  "top-drive shaft above the rotary table"},
   {"highest_block_height",  "m",      &HoistingSpec::highest_block_height, between(0.0, 200.0),  "below crown_height"},
 }};
@@ -282,6 +264,7 @@ const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe."
   {"max_flow",              "m3/s",   &MudPumpSpec::max_flow,              above(0.0, 1.0),      "of the pump"},
   {"flow_ramp",             "m3/s2",  &MudPumpSpec::flow_ramp,             above(0.0, 1000.0),   "rate at which the pump's flow changes"},
   {"relief_pressure",       "Pa",     &MudPumpSpec::relief_pressure,       between(1e5, 2e8),    "at which the relief valve by the pump opens; what the string does not take at it goes back to the tanks"},
+  {"trip_pressure",         "Pa",     &MudPumpSpec::trip_pressure,         between(0.0, 2e8),    "where `stand_pipe_pressure` of `rig_state` reaches it the pump stops until a flow of 0 is commanded; 0: never"},
   {"pressure_coefficient",  "Pa s2/m6", &MudPumpSpec::pressure_coefficient, between(0.0, 1e12),  "losses of string, bit and annulus at max_flow / max_flow^2"},
   {"loss_exponent",         "-",      &MudPumpSpec::loss_exponent,         between(1.0, 2.0),    "m: at other flows losses go with Q^m; 2 rough turbulence, 1.86 smooth, a record of the field 1.56"},
 }};
@@ -342,40 +325,6 @@ const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are so
   {"structural_damping",    "s",      &NumericsSpec::structural_damping,   between(0.0, 0.1),    "c of stress = E (strain + c strain rate), in stretch, twist and bending"},
 }};
 
-const Table<InstrumentsSpec> instruments_keys = {"instruments", "What the sensors make of the truth.", {
-  {"mwd",                   "",       Nested{},                            none,                 "survey tool"},
-  {"toolface",              "",       Nested{},                            none,                 "toolface between surveys"},
-  {"surface",               "",       Nested{},                            none,                 "gauges of the rig"},
-}};
-
-const Table<MwdSpec> mwd_keys = {"instruments.mwd", "Survey tool in the string's `mwd` part; at the bit's face where there is none.", {
-  {"period",                "s",      &MwdSpec::period,                    between(0.0, 3600.0), "between surveys; 0: only after the pumps went off and on"},
-  {"latency",               "s",      &MwdSpec::latency,                   between(0.0, 600.0),  "from measurement to surface"},
-  {"inclination_resolution_deg", "deg", &MwdSpec::inclination_resolution,  between(0.0, 5.0),    "0: exact"},
-  {"noise_deg",             "deg",    &MwdSpec::noise,                     between(0.0, 5.0),    "standard deviation of inclination, azimuth and toolface"},
-  {"scribe_offset_deg",     "deg",    &MwdSpec::scribe_offset,             turn,                 "added to the sensor's toolface to name the bend's"},
-}};
-
-const Table<ToolfaceSpec> toolface_keys = {"instruments.toolface", "Toolface sent between surveys.", {
-  {"period",                "s",      &ToolfaceSpec::period,               above(0.0, 600.0),    "between readings"},
-  {"latency",               "s",      &ToolfaceSpec::latency,              between(0.0, 600.0),  "from measurement to surface"},
-}};
-
-const Table<InstrumentsSpec> surface_keys = {"instruments.surface", "Gauges of the rig.", {
-  {"hook_load",             "N",      Nested{},                            none,                 "load cell"},
-  {"torque",                "N m",    Nested{},                            none,                 "torque meter"},
-  {"stand_pipe_pressure",   "Pa",     Nested{},                            none,                 "pressure gauge"},
-  {"flow",                  "m3/s",   Nested{},                            none,                 "flow meter"},
-  {"block_height",          "m",      Nested{},                            none,                 "drawworks encoder; bit depth, hole depth and rate of penetration are worked out from it"},
-}};
-
-const Table<HookLoadSpec> hook_load_keys = {"instruments.surface.hook_load", "What `hook_load` of `rig_state` is read from.", joined<HookLoadSpec>({
-  {"place",                 "",       Choice<HookLoadSpec>{hook_load_place_words, [](HookLoadSpec& h, int word) { h.place = static_cast<HookLoadPlace>(word); },
-                                               [](const HookLoadSpec& h) { return static_cast<int>(h.place); }},
-                                                                           none,                 "dead_line: the anchor's sensor, the sheaves' friction is in its signal; block: the load itself"},
-}, gauge_rows<HookLoadSpec>())};
-
-const Table<SensorSpec> sensor_keys = {"instruments.surface.*", "Any gauge, in the unit of its signal.", gauge_rows<SensorSpec>()};
 // clang-format on
 
 }  // namespace drill_rig_sim

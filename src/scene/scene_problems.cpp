@@ -255,6 +255,18 @@ void check_ramp_and_faults(const ProgramStep& step, std::size_t i, ProblemList& 
     problems.emplace_back(item_key("program", i), "both stuck_at and free are given, allowed: one of them");
 }
 
+void check_fault(const ProgramStep& step, std::size_t i, ProblemList& problems)
+{
+  const auto problem = [&](const char* key, const std::string& text) { problems.emplace_back(item_key("program", i, key), text); };
+  const auto of_gauge = [](int kind) { return kind >= 0 && is_of_gauge(static_cast<FaultKind>(kind)); };
+  if ((of_gauge(step.fault) || of_gauge(step.clear_fault)) != (step.fault_gauge >= 0))
+    problem("fault_target", step.fault_gauge < 0 ? "a gauge is needed with this fault" : "is given without a sensor's fault, allowed: with one");
+  if (step.fault < 0) return;
+  const Fault fault{static_cast<FaultKind>(step.fault), step.fault_depth, step.fault_magnitude};
+  if (needs_pipe(fault.kind) && step.fault_depth <= 0.0) problem("fault_depth", "is needed with this fault, allowed: above 0 (the rotary table)");
+  if (const char* wrong = what_is_wrong_with_magnitude(fault)) problem("fault_magnitude", wrong + std::string("magnitude: ").size());
+}
+
 void check_program(const Scene& scene, ProblemList& problems)
 {
   const auto limit = [&](std::size_t i, const char* key, double value, double most, const char* unit, double scale)
@@ -282,6 +294,7 @@ void check_program(const Scene& scene, ProblemList& problems)
     check_ramp_and_faults(step, i, problems);
     if ((!std::isnan(step.steering_toolface) || !std::isnan(step.steering_ratio)) && !steerable)
       problems.emplace_back(item_key("program", i), "steers, needed: a part of type rotary_steerable");
+    check_fault(step, i, problems);
     if (!std::isnan(step.free_length) && (scene.numerics.level == Level::rigid || has_no_levels(scene.numerics.integrator)))
       problems.emplace_back(item_key("program", i, "free_length"), "a rigid string, and this integrator, have but one level; allowed with the others");
     else if (step.free_length > free)
@@ -366,6 +379,7 @@ ProblemList scene_problems(const Scene& scene)
   check_program(scene, problems);
   append(problems, operation_problems(scene));
   check_telemetry("instruments.mwd.latency", scene.instruments.mwd.period, scene.instruments.mwd.latency, problems);
+  check_telemetry("instruments.mwd.latency", scene.instruments.mwd.inclination_period, scene.instruments.mwd.latency, problems);
   check_telemetry("instruments.toolface.latency", scene.instruments.toolface.period, scene.instruments.toolface.latency, problems);
   return problems;
 }

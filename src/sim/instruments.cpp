@@ -38,12 +38,9 @@ Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_
   std::uint64_t index = 0;
   const double interval = scene.numerics.step > 0.0 ? scene.numerics.step : shortest_frame;
   const auto gauge = [&](const SensorSpec& s) { return Sensor(s, interval, NoiseSource::of(seed, index++)); };
-  block_load_ = gauge(spec.hook_load);
-  dead_line_ = gauge(spec.hook_load);
-  torque_ = gauge(spec.torque);
-  stand_pipe_pressure_ = gauge(spec.stand_pipe_pressure);
-  flow_ = gauge(spec.flow);
-  block_height_ = gauge(spec.block_height);
+  const std::array<const SensorSpec*, gauge_count> specs = {&spec.hook_load,           &spec.hook_load, &spec.torque,
+                                                            &spec.stand_pipe_pressure, &spec.flow,      &spec.block_height};
+  for (std::size_t k = 0; k < specs.size(); ++k) gauges_[k] = gauge(*specs[k]);
   mwd_ = Mwd(spec.mwd, spec.toolface, NoiseSource::of(seed, index++));
   tally_ = at_start.bit_depth + at_start.block_height;
   hole_depth_ = at_start.hole_depth;
@@ -57,17 +54,24 @@ void Instruments::read(const Truth& truth, const SensorView& view, Readings& rea
   work_out_depths(readings);
   readings.on_bottom = readings.motor_stalled = readings.over_stress = readings.over_torque = readings.buckled = false;
   mwd_.update(truth.time, truth.bit_flow, view, readings.mwd, readings.toolface);
+  readings.inclination = mwd_.inclination();
 }
 
 void Instruments::read_gauges(const Truth& truth, Readings& readings) noexcept
 {
-  readings.dead_line_hook_load = dead_line_.read(truth.dead_line_hook_load, truth.time);
-  const double at_block = block_load_.read(truth.hook_load, truth.time);
-  readings.hook_load = place_ == HookLoadPlace::block ? at_block : readings.dead_line_hook_load;
-  readings.torque = torque_.read(truth.torque, truth.time);
-  readings.stand_pipe_pressure = stand_pipe_pressure_.read(truth.stand_pipe_pressure, truth.time);
-  readings.flow = flow_.read(truth.flow, truth.time);
-  readings.block_height = block_height_.read(truth.block_height, truth.time);
+  const std::array<double, gauge_count> signals = {truth.hook_load,           truth.dead_line_hook_load, truth.torque,
+                                                   truth.stand_pipe_pressure, truth.flow,                truth.block_height};
+  std::array<double, gauge_count> shown;
+  readings.lost_gauges = 0;
+  for (std::size_t k = 0; k < signals.size(); ++k) shown[k] = gauges_[k].read(signals[k], truth.time);
+  for (int k = 0; k < gauge_count; ++k) readings.lost_gauges |= source_of(static_cast<Gauge>(k)).is_lost() ? 1u << k : 0u;
+  const auto of = [&shown](Gauge gauge) { return shown[static_cast<std::size_t>(gauge)]; };
+  readings.dead_line_hook_load = of(Gauge::dead_line_hook_load);
+  readings.hook_load = place_ == HookLoadPlace::block ? of(Gauge::hook_load) : readings.dead_line_hook_load;
+  readings.torque = of(Gauge::torque);
+  readings.stand_pipe_pressure = of(Gauge::stand_pipe_pressure);
+  readings.flow = of(Gauge::flow);
+  readings.block_height = of(Gauge::block_height);
 }
 
 void Instruments::work_out_weights(Readings& readings) const noexcept
@@ -95,7 +99,7 @@ void Instruments::tare(Readings& readings) noexcept
 
 void Instruments::shift_time(double shift) noexcept
 {
-  for (Sensor* gauge : {&block_load_, &dead_line_, &torque_, &stand_pipe_pressure_, &flow_, &block_height_}) gauge->shift_time(shift);
+  for (Sensor& gauge : gauges_) gauge.shift_time(shift);
   mwd_.shift_time(shift);
   rop_.shift_time(shift);
 }

@@ -4,6 +4,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/rig/hydraulics.h"
 #include "drill_rig_sim/rig/mud_motor.h"
@@ -27,7 +28,7 @@ double Simulator::Impl::motor_pressure() const noexcept
 {
   const State& s = shown();
   const MotorSpec* motor = model->motor();
-  return motor ? mud_motor_pressure(s.flow, motor->displacement_per_rev, s.bit.motor_torque) : 0.0;
+  return motor ? mud_motor_pressure(s.flow, motor->displacement_per_rev, motor_load(*model, s)) : 0.0;
 }
 
 void Simulator::Impl::measure_rig() noexcept
@@ -51,7 +52,7 @@ void Simulator::Impl::measure_rig() noexcept
   m.differential_pressure = motor_pressure() - state.tare_pressure;
   m.tared = state.tared;
   m.surface_wob = state.tared ? state.tare_hook_load - m.hook_load : 0.0;
-  m.setpoints = state.commands.in_force();
+  m.setpoints = in_force();
   m.brake_set = m.setpoints.winch.brake;
   m.winch_limited = s.hoist.limited;
   m.slack_line = line_pull(hoisting, m.block_height, s.hoist.line_length).slack;
@@ -61,6 +62,9 @@ void Simulator::Impl::measure_rig() noexcept
   m.motor_stalled = s.bit.stalled;
   m.command_clamped = state.commands.clamped;
   m.commands_timed_out = state.commands.timed_out();
+  m.over_pull = state.interlocks.over_pull;
+  m.pump_tripped = state.interlocks.over_pressure || s.faults.pump_tripped;
+  m.drive_tripped = s.faults.drive_tripped;
 }
 
 void Simulator::Impl::measure_bit() noexcept
@@ -110,6 +114,7 @@ SensorView Simulator::Impl::sensor_view() const noexcept
   view.md = state.truth.bit_depth - std::max(mesh.sensor_from_bit, 0.0);
   view.axis = x_axis(q);
   view.scribe = y_axis(q);
+  view.spin_speed = shown().nodes[at.lower].rate.spin;
   return view;
 }
 

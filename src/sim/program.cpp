@@ -6,6 +6,7 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/drive_reference.h"
+#include "drill_rig_sim/sim/faults.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 namespace drill_rig_sim
@@ -101,10 +102,16 @@ void ProgramPlayer::begin(const ProgramStep& step, Simulator& simulator) noexcep
     simulator.command(steering);
   }
   if (step.free == 1.0) simulator.free_pipe();
+  const Gauge gauge = static_cast<Gauge>(std::max(0, step.fault_gauge));
+  if (step.clear_fault >= 0) simulator.clear(static_cast<FaultKind>(step.clear_fault), gauge);
   if (is_set(step.free_length) && !simulator.set_free_length(step.free_length))
     simulator.fail("program: free_length would set guided pipe free, allowed: shorter ones than before");
   if (is_set(step.stuck_at) && !simulator.stick_pipe(step.stuck_at))
     simulator.fail("program: stuck_at is below the bit, allowed: where there is pipe in the hole");
+  if (step.fault < 0) return;
+  const char* wrong = simulator.inject({static_cast<FaultKind>(step.fault), step.fault_depth, step.fault_magnitude, gauge});
+  if (wrong == no_pipe_there) wrong = "program: fault_depth is below the bit, allowed: where there is pipe in the hole";
+  if (wrong) simulator.fail(wrong);
 }
 
 void ProgramPlayer::begin_winch(const ProgramStep& step, Simulator& simulator) noexcept

@@ -57,11 +57,46 @@ double Sensor::read(double truth, double time) noexcept
 {
   remember(truth, time);
   const double seen = delayed(truth, time);
+  const double passed = started_ ? time - last_time_ : 0.0;
   // exact for a signal that is held between samples
-  filtered_ = started_ ? seen + (filtered_ - seen) * std::exp(-(time - last_time_) / std::max(spec_.filter_time, 1e-12)) : seen;
+  filtered_ = started_ ? seen + (filtered_ - seen) * std::exp(-passed / std::max(spec_.filter_time, 1e-12)) : seen;
+  drop_out(passed);
+  fault.drifted += fault.drift * passed;
+  if (sample_is_due(time))
+  {
+    const double reading = sample(time);
+    if (!started_ || !(is_lost() || fault.frozen)) shown_ = reading;
+  }
   started_ = true;
   last_time_ = time;
-  const double shown = filtered_ + spec_.bias + (spec_.noise > 0.0 ? spec_.noise * noise_.normal() : 0.0);
+  return shown_;
+}
+
+/// Whether it is lost after `passed` [s].
+void Sensor::drop_out(double passed) noexcept
+{
+  if (spec_.dropout_interval <= 0.0) return;
+  const double lose = 1.0 / spec_.dropout_interval, find = 1.0 / spec_.dropout_duration;
+  const double turns = -std::expm1(-(lose + find) * passed) / (lose + find);
+  if (noise_.uniform() < turns * (lost_ ? find : lose)) lost_ = !lost_;
+}
+
+bool Sensor::sample_is_due(double time) noexcept
+{
+  if (spec_.rate <= 0.0) return true;
+  if (!started_) next_sample_ = time;
+  const double late = time - next_sample_ + time_rounding;
+  if (late < 0.0) return false;
+  next_sample_ += (1.0 + std::floor(late * spec_.rate)) / spec_.rate;
+  return true;
+}
+
+double Sensor::sample(double time) noexcept
+{
+  if (spec_.drift > 0.0 && started_) wandered_ += spec_.drift * std::sqrt(time - last_sample_) * noise_.normal();
+  last_sample_ = time;
+  const double noise = std::hypot(spec_.noise, fault.noise);
+  const double shown = filtered_ + spec_.bias + wandered_ + fault.bias + fault.drifted + (noise > 0.0 ? noise * noise_.normal() : 0.0);
   return rounded(shown, spec_.resolution);
 }
 
@@ -91,6 +126,8 @@ void Sensor::shift_time(double shift) noexcept
 {
   for (Sample& sample : line_) sample.time += shift;
   last_time_ += shift;
+  next_sample_ += shift;
+  last_sample_ += shift;
 }
 
 }  // namespace drill_rig_sim

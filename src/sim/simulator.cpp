@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "drill_rig_sim/sim/faults.h"
 #include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
@@ -140,7 +139,8 @@ FrameStatus Simulator::frame(double duration) noexcept
   impl_->integrator->profiler().restart();
   drill_rig_sim::watch_commands(impl_->command_timeout, impl_->now(), impl_->state.commands);
   impl_->steer();
-  const Setpoints setpoints = impl_->state.commands.in_force();
+  watch_interlocks(impl_->scene.rig, impl_->state.readings, impl_->state.commands.in_force(), impl_->state.interlocks);
+  const Setpoints setpoints = impl_->in_force();
   const double hole_depth = impl_->state.truth.hole_depth;
   if (!impl_->advance_frame(duration, setpoints))
   {
@@ -246,22 +246,6 @@ bool Simulator::tare() noexcept
   impl_->measure_rig();
   state.instruments.tare(state.readings);
   return true;
-}
-
-bool Simulator::stick_pipe(double md) noexcept
-{
-  const double bit_depth = impl_->state.truth.bit_depth;
-  if (!is_in_hole(md, bit_depth)) return false;
-  impl_->settle();
-  drill_rig_sim::stick_pipe(*impl_->model, bit_depth, md, impl_->mechanics());
-  return true;
-}
-
-void Simulator::free_pipe() noexcept
-{
-  if (impl_->mechanics().stuck_point.node < 0) return;
-  impl_->settle();
-  drill_rig_sim::free_pipe(impl_->mechanics());
 }
 
 bool Simulator::set_free_length(double from_bit) noexcept

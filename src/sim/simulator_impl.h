@@ -61,6 +61,8 @@ struct Simulator::Impl
   bool settle() noexcept;
   template <class Setpoint>
   CommandResult command(const Setpoint& c) noexcept;
+  /// Set points that act: those asked for, but for what the watchdog, interlocks and faults make of them.
+  Setpoints in_force() const noexcept { return restrained(state.commands.in_force(), state.interlocks, state.mechanics.faults); }
   void shift_time(double now) noexcept;
   void steer() noexcept;
   void measure() noexcept;

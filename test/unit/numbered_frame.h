@@ -56,6 +56,8 @@ inline FrameRecord numbered_record()
   f.readings.setpoints = f.truth.setpoints;
   f.readings.mwd = {7, 298.5, 501.0, 502.0, 503.0};         // measured 1.5 s before the frame
   f.readings.toolface = {9, 299.25, 511.0, false};          // 0.75 s before it
+  f.readings.inclination = {11, 300.0 - 1.25, 521.0, 522.0};  // 1.25 s before it
+  f.readings.lost_gauges = 5;
   f.commands.last = 9'000'000'009;
   f.commands.accepted = {7'000'000'007, 8'000'000'008, 9'000'000'009};
   return f;

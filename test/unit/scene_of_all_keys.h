@@ -28,24 +28,24 @@ string:
   - {name: g1, type: mwd, length: 9.2, outer_diameter: 0.2033, inner_diameter: 0.074, linear_mass: 216.0, sensor_offset: 4.6, axial_stiffness: 5.61e9, bending_stiffness: 1.65e7, torsional_stiffness: 1.27e7, polar_inertia: 1.26}
   - {name: p1, type: pipe, joints: fill, joint_length: 9.6, outer_diameter: 0.128, inner_diameter: 0.1087, linear_mass: 32.0, tool_joint_diameter: 0.169}
 rig:
-  hoisting: {sheaves: 6, line_ea: 4.1e7, crown_height: 47.0, fixed_length: 61.0, block_mass: 17600.0, sheave_efficiency: 0.97, rail_friction: 0.04, line_damping: 0.05, max_speed: 1.6, max_acceleration: 0.6, max_hook_load: 2.6e6, lowest_block_height: 1.1, highest_block_height: 41.0}
+  hoisting: {sheaves: 6, line_ea: 4.1e7, crown_height: 47.0, fixed_length: 61.0, block_mass: 17600.0, sheave_efficiency: 0.97, rail_friction: 0.04, line_damping: 0.05, max_speed: 1.6, max_acceleration: 0.6, max_hook_load: 2.6e6, min_hook_load: 51001.0, trip_hook_load: 1.9e6, lowest_block_height: 1.1, highest_block_height: 41.0}
   top_drive: {inertia: 2600.0, proportional_gain: 20001.0, integral_gain: 5001.0, max_torque: 50001.0, max_speed_rpm: 221.0, max_power: 750001.0, meter_stiffness: 1.1e6, gearbox_friction: 1001.0, brake_torque: 50001.0, max_acceleration_rpm: 71.0,
     soft_torque: {damping: 801.0, stiffness: 3951.0, inertia_compensation: 0.11}, z_torque: {damping: 401.0, stiffness: 61.0, inertia_compensation: 0.91}}
-  mud_pump: {max_flow: 0.061, flow_ramp: 0.011, relief_pressure: 3.51e7, pressure_coefficient: 4.1e9, loss_exponent: 1.83}
+  mud_pump: {max_flow: 0.061, flow_ramp: 0.011, relief_pressure: 3.51e7, trip_pressure: 3.41e7, pressure_coefficient: 4.1e9, loss_exponent: 1.83}
 contact: {stiffness: 5.3e7, assembly_stiffness: 2.1e10, exponent: 1.53, damping: 0.33, stribeck_speed: 0.051, static_ratio: 1.21, stribeck_curve: exponential, growth_at_rest: 0.03, growth_time: 1.7, growth_limit: 0.43, tangential_stiffness: 5.4e6, tangential_damping: 0.26}
 trajectory: {stage_two_length: 0.11}
 start: {bit_depth: 801.0, block_height: 35.0, weight_on_bit: 1001.0, torque_on_bit: 101.0, toolface_deg: 11.0}
 numerics: {level: beam3d, free_length: 57.5, integrator: trbdf2, element: corotational, kernel: scalar, step: 0.004, element_length: 9.7, pushed_element_length: 4.6, guided_element_length: 19.1, tolerance: 0.012, reference_tolerance: 1.1e-6,
            reference_order: 3, reference_index: 3, newton_tolerance: 1.2e-6, structural_damping: 1.3e-4}
 instruments:
-  mwd: {period: 32.0, latency: 8.1, inclination_resolution_deg: 0.13, noise_deg: 0.06, scribe_offset_deg: 17.0}
-  toolface: {period: 10.1, latency: 4.1}
+  mwd: {period: 32.0, latency: 8.1, inclination_resolution_deg: 0.13, noise_deg: 0.06, scribe_offset_deg: 17.0, quiet_time: 7.1, inclination_period: 21.3}
+  toolface: {period: 10.1, latency: 4.1, noise_deg: 0.51, resolution_deg: 2.8, max_speed_rpm: 12.1}
   surface:
-    hook_load: {place: block, noise: 1.1, bias: 1.2, delay: 1.3, filter_time: 1.4, resolution: 1.5}
-    torque: {noise: 2.1, bias: 2.2, delay: 2.3, filter_time: 2.4, resolution: 2.5}
-    stand_pipe_pressure: {noise: 3.1, bias: 3.2, delay: 3.3, filter_time: 3.4, resolution: 3.5}
-    flow: {noise: 4.1, bias: 4.2, delay: 4.3, filter_time: 4.4, resolution: 4.5}
-    block_height: {noise: 5.1, bias: 5.2, delay: 5.3, filter_time: 5.4, resolution: 5.5}
+    hook_load: {place: block, noise: 1.1, bias: 1.2, delay: 1.3, filter_time: 1.4, resolution: 1.5, drift: 1.6, rate: 1.7, dropout_interval: 1.8, dropout_duration: 1.9}
+    torque: {noise: 2.1, bias: 2.2, delay: 2.3, filter_time: 2.4, resolution: 2.5, drift: 2.6, rate: 2.7, dropout_interval: 2.8, dropout_duration: 2.9}
+    stand_pipe_pressure: {noise: 3.1, bias: 3.2, delay: 3.3, filter_time: 3.4, resolution: 3.5, drift: 3.6, rate: 3.7, dropout_interval: 3.8, dropout_duration: 3.9}
+    flow: {noise: 4.1, bias: 4.2, delay: 4.3, filter_time: 4.4, resolution: 4.5, drift: 4.6, rate: 4.7, dropout_interval: 4.8, dropout_duration: 4.9}
+    block_height: {noise: 5.1, bias: 5.2, delay: 5.3, filter_time: 5.4, resolution: 5.5, drift: 5.6, rate: 5.7, dropout_interval: 5.8, dropout_duration: 5.9}
 needs: [torque, rop]
 connections: off
 program:
@@ -54,6 +54,8 @@ program:
   - {at: 3.5, brake: false, flow: 0.045, ramp: 6.5, stuck_at: 701.0}
   - {at: 4.5, free: true, free_length: 57.0}
   - {at: 5.5, top_drive_mode: oscillate, top_drive_angle_deg: 1801.0, amplitude_right_deg: 721.0, amplitude_left_deg: 361.0, top_drive_torque_limit: 9001.0}
+  - {at: 6.5, fault: pack_off, fault_depth: 501.0, fault_magnitude: 20001.0}
+  - {at: 7.5, clear_fault: sensor_freeze, fault_target: flow}
 operations:
   - {do: flow, flow: 0.044, ramp: 7.5, time: 3.1}
   - {do: rotate, speed_rpm: 61.0, ramp: 8.5}

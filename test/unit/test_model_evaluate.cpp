@@ -143,9 +143,9 @@ TEST(Evaluate, withoutWeightNoRockBreaks)
   const RigAtRest rig = build_at_rest(drilling_scene());
   RigForces forces;
   forces.rock_force = Vector3d(2e4, 0.0, -2e4);
-  EXPECT_EQ(rock_velocity(*rig.model, rig.state.well, forces, 10.0, -Vector3d::UnitZ()).norm(), 0.0);
+  EXPECT_EQ(rock_velocity(*rig.model, rig.state, forces, 10.0, -Vector3d::UnitZ()).norm(), 0.0);
   forces.wob = 2e4;
-  EXPECT_LT(rock_velocity(*rig.model, rig.state.well, forces, 10.0, -Vector3d::UnitZ()).z(), -1e-5);
+  EXPECT_LT(rock_velocity(*rig.model, rig.state, forces, 10.0, -Vector3d::UnitZ()).z(), -1e-5);
 }
 
 // Mesh nodes of different parts have walls of different stiffness.

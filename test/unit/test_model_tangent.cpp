@@ -213,6 +213,26 @@ TEST(ModelTangent, stuckPoint)
   expect_exact(rig);
 }
 
+// Packed cuttings slip, those beside pipe that rests hold; both of pipe that is lowered and turned.
+TEST(ModelTangent, dragsAtAPlace)
+{
+  for (const double amount : {2e4, 1e6})
+  {
+    Rig rig(slanted_scene(60.0, 0.3));
+    rig.run(1.0);
+    rig.rest.state.faults.pack_off.amount = amount;
+    rig.rest.state.faults.pack_off.md = 30.0;
+    rig.rest.state.faults.sticking.amount = 1e7;
+    rig.rest.state.faults.sticking.md = 45.0;
+    rig.run(2.0);
+    rig.setpoints.winch = {-0.1, false};
+    rig.setpoints.top_drive.speed = 30.0 * rpm;
+    rig.run(1.5);
+    EXPECT_GT(rig.rest.state.faults.pack_off.bristle.norm(), 0.0);
+    expect_exact(rig);
+  }
+}
+
 TEST(ModelTangent, statics)
 {
   for (const SlidingMotion mode : {no_sliding, sliding_up, sliding_around})

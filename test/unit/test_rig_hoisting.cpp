@@ -144,6 +144,51 @@ TEST(Winch, HookLoadLimitStopsRaisingOnly)
 }
 
 // One step by hand for each limit: 0.1 s, 0.5 m/s2, a line of 200 m on 320 m strung, ten lines.
+TEST(Winch, LeastHookLoadStopsLoweringOnly)
+{
+  HoistingSpec spec;
+  spec.min_hook_load = 50e3;
+  const double line = line_length_for(spec, 20.0, 40e3);
+  const WinchStep down = advance_winch(spec, velocity(-0.2), line, -0.2, 20.0, 40e3, 0.01);
+  EXPECT_EQ(down.speed, 0.0);
+  EXPECT_EQ(down.line_length, line);
+  EXPECT_TRUE(down.limits.load);
+  const WinchStep up = advance_winch(spec, velocity(0.2), line, 0.2, 20.0, 40e3, 0.01);
+  EXPECT_EQ(up.speed, 0.2);
+  const WinchStep enough = advance_winch(spec, velocity(-0.2), line, -0.2, 20.0, 50e3, 0.01);
+  EXPECT_EQ(enough.speed, -0.2);
+  EXPECT_FALSE(enough.limits.load);
+  spec.min_hook_load = 0.0;
+  EXPECT_EQ(advance_winch(spec, velocity(-0.2), line, -0.2, 20.0, 0.0, 0.01).speed, -0.2) << "off: slack line is paid out";
+}
+
+// A block of mass m under its weight W and lines that carry F at most: it sinks with (W - F)/m from rest, the lines' pull off F by what the
+// block's acceleration does within a step, k a h^2/2.
+TEST(SlippingBrake, LetsTheBlockSinkByWhatItDoesNotHold)
+{
+  const HoistingSpec spec;
+  const double mass = 40e3, weight = 400e3, most = 300e3, h = 0.002;
+  double height = 30.0, velocity = 0.0, line = line_length_for(spec, height, weight);
+  for (int k = 0; k < 1000; ++k)
+  {
+    line = slipping_line(spec, line, height, velocity, most, h);
+    height += velocity * h;
+    const LinePull pull = line_pull(spec, height, line);
+    EXPECT_NEAR(pull.hook_force, most, 1.0) << k;
+    velocity += h * (pull.hook_force - weight) / mass;
+  }
+  EXPECT_NEAR(velocity, -2.0 * (weight - most) / mass, 1e-3);
+}
+
+TEST(SlippingBrake, HoldsWhatItCanAndNeverTakesLineIn)
+{
+  const HoistingSpec spec;
+  const double line = line_length_for(spec, 30.0, 200e3);
+  EXPECT_EQ(slipping_line(spec, line, 30.0, 0.0, 300e3, 0.01), line);
+  EXPECT_EQ(slipping_line(spec, line, 30.0, 0.5, 300e3, 0.01), line) << "a block that goes up";
+  EXPECT_GT(slipping_line(spec, line, 30.0, 0.0, 100e3, 0.01), line);
+}
+
 TEST(Winch, EachLimitByHand)
 {
   const HoistingSpec spec;

@@ -40,6 +40,7 @@ struct Rig
   HydraulicState state;
   double flow = 0.0;
   double displaced = 0.0;  // by the string [m3/s]
+  MudWays ways;
   double pumped = 0.0, returned = 0.0, most = 0.0;  // [m3, m3, Pa]
 
   explicit Rig(const HydraulicCircuit& c) : circuit(c) { pump.flow_ramp = 1e3; }
@@ -47,7 +48,7 @@ struct Rig
   {
     for (long k = 0; k < std::lround(seconds / step); ++k)
     {
-      advance_hydraulics(pump, circuit, commanded, motor_pressure, displaced, step, flow, state);
+      advance_hydraulics(pump, circuit, commanded, motor_pressure, displaced, step, flow, state, ways);
       pumped += step * state.pump_flow;
       returned += step * state.return_flow;
       most = std::max(most, state.stand_pipe_pressure);
@@ -262,6 +263,58 @@ TEST(Hydraulics, ecdIsTheMudThatWouldPushAsHard)
 {
   EXPECT_NEAR(equivalent_circulating_density(1200.0, 1e6, 1000.0), 1200.0 + 1e6 / 9806.65, 1e-9);
   EXPECT_EQ(equivalent_circulating_density(1200.0, 1e6, 0.5), 1200.0);
+}
+
+// Packed cuttings hold their pressure back while mud moves, on top of the losses, however much it is.
+TEST(MudWays, aPlugAddsItsPressureToTheAnnulus)
+{
+  for (const double q : {0.02, 0.05})
+  {
+    Rig rig(whole()), plugged(whole());
+    plugged.ways.plug = 3e6;
+    for (Rig* one : {&rig, &plugged}) one->run(600.0, q, 0.05);
+    EXPECT_NEAR(plugged.state.annulus_pressure - rig.state.annulus_pressure, 3e6, 10.0);
+    EXPECT_NEAR(plugged.state.stand_pipe_pressure - rig.state.stand_pipe_pressure, 3e6, 10.0);
+    EXPECT_NEAR(plugged.state.return_flow, q, 1e-9);
+    plugged.run(600.0, 0.0, 0.05);
+    EXPECT_NEAR(plugged.state.annulus_pressure, 0.0, 10.0) << "it seeps away with the pump off";
+    plugged.displaced = -0.01;
+    plugged.run(600.0, 0.0, 0.05);
+    EXPECT_NEAR(plugged.state.annulus_pressure, -0.8e6 * std::pow(0.01 / nominal, 1.7), 10.0) << "no swab but the losses'";
+  }
+}
+
+// What leaks passes the bit by: it makes no pressure in the bore, but comes back through the annulus; nothing is lost.
+TEST(MudWays, aLeakPassesTheBitBy)
+{
+  Rig rig(whole());
+  rig.ways.leak = 0.01;
+  rig.run(600.0, 0.04, 0.05);
+  EXPECT_NEAR(rig.flow, 0.03, 1e-9);
+  EXPECT_NEAR(rig.state.return_flow, 0.04, 1e-9);
+  const double annulus = 0.8e6 * std::pow(0.04 / nominal, 1.7);
+  EXPECT_NEAR(rig.state.annulus_pressure, annulus, 1.0);
+  EXPECT_NEAR(rig.state.stand_pipe_pressure, annulus + 14.4e6 * std::pow(0.03 / nominal, 1.7), 10.0);
+  const double held = capacity * rig.state.stand_pipe_pressure + 4e-8 * rig.state.annulus_pressure;
+  EXPECT_NEAR(rig.pumped - rig.returned, held, 1e-6 * rig.pumped);
+}
+
+TEST(MudWays, noMoreLeaksThanThereIs)
+{
+  Rig rig(whole());
+  rig.ways.leak = 10.0;
+  rig.run(60.0, 0.02, 0.05);
+  EXPECT_EQ(rig.flow, 0.0);
+  EXPECT_NEAR(rig.state.stand_pipe_pressure, 0.0, 1.0);
+  EXPECT_NEAR(rig.state.return_flow, 0.02, 1e-6);
+}
+
+// 1 cm2 under 10 MPa of mud of 1200 kg/m3: 129.1 m/s, contracted to 0.611.
+TEST(MudWays, anOrificeIsTorricellis)
+{
+  EXPECT_NEAR(orifice_flow(1e-4, 10e6, 1200.0), 0.611 * 1e-4 * 129.1, 1e-5);
+  EXPECT_EQ(orifice_flow(1e-4, -1.0, 1200.0), 0.0);
+  EXPECT_EQ(orifice_flow(1e-4, 10e6, 0.0), 0.0) << "air has no density here";
 }
 
 int main(int argc, char** argv)

@@ -64,7 +64,10 @@ const std::vector<Flag> flags = {{&RigSignals::tared, &RigState::tared},
                                  {&RigSignals::top_drive_brake_set, &RigState::top_drive_brake_set},
                                  {&RigSignals::top_drive_limited, &RigState::top_drive_limited},
                                  {&RigSignals::command_clamped, &RigState::command_clamped},
-                                 {&RigSignals::commands_timed_out, &RigState::commands_timed_out}};
+                                 {&RigSignals::commands_timed_out, &RigState::commands_timed_out},
+                                 {&RigSignals::over_pull, &RigState::over_pull},
+                                 {&RigSignals::pump_tripped, &RigState::pump_tripped},
+                                 {&RigSignals::drive_tripped, &RigState::drive_tripped}};
 
 void expect_turns(const geometry_msgs::Quaternion& q, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
@@ -80,6 +83,16 @@ TEST(RigStateMessage, readingsAndTruthComeFromTheirOwnNumbers)
   expect_numbers(truth, 100.0);
   expect_numbers(readings, 300.0);
   for (const RigState& m : {truth, readings}) expect_header(m.header, 12, 345678901);
+}
+
+TEST(RigStateMessage, namesTheLostGauges)
+{
+  const FrameRecord frame = numbered_record();
+  EXPECT_EQ(RigState::HOOK_LOAD + RigState::TORQUE, to_rig_state(frame.readings, frame, floor_name).lost_gauges);
+  EXPECT_EQ(0u, to_rig_state(frame.truth, frame, floor_name).lost_gauges);
+  const std::uint32_t bits[gauge_count] = {RigState::HOOK_LOAD,           RigState::DEAD_LINE_HOOK_LOAD, RigState::TORQUE,
+                                           RigState::STAND_PIPE_PRESSURE, RigState::FLOW,                RigState::BLOCK_HEIGHT};
+  for (int k = 0; k < gauge_count; ++k) EXPECT_EQ(1u << k, bits[k]) << gauge_names[k];
 }
 
 TEST(RigStateMessage, eachFlagIsItsOwn)
@@ -302,6 +315,10 @@ TEST(Telemetry, isStampedWhenItWasMeasured)
   EXPECT_EQ(MwdToolface::GRAVITY, toolface.reference);
   frame.readings.toolface.magnetic = true;
   EXPECT_EQ(MwdToolface::MAGNETIC, to_mwd_toolface(frame, floor_name).reference);
+  const MwdInclination inclination = to_mwd_inclination(frame, floor_name);
+  expect_header(inclination.header, 11, 95678901);  // 1.25 s before it
+  EXPECT_EQ(521.0, inclination.md);
+  EXPECT_EQ(522.0, inclination.inclination);
 }
 
 TEST(DrillstringStateMessage, eachArrayComesFromItsOwn)

@@ -218,7 +218,7 @@ std::vector<Expected> of_numerics()
       {"numerics", "newton_tolerance", [](const Scene& s) { return s.numerics.newton_tolerance; }, 1.2e-6},
       {"numerics", "structural_damping", [](const Scene& s) { return s.numerics.structural_damping; }, 1.3e-4},
       {"", "connections", [](const Scene& s) { return number(s.connections == Connections::off); }, 1.0},
-      {"", "program", [](const Scene& s) { return double(s.program.size()); }, 5.0},
+      {"", "program", [](const Scene& s) { return double(s.program.size()); }, 7.0},
       {"program[]", "at", [](const Scene& s) { return s.program.at(0).at; }, 1.5},
       {"program[]", "block_velocity", [](const Scene& s) { return s.program.at(0).block_velocity; }, -0.01},
       {"program[]", "top_drive_speed_rpm", [](const Scene& s) { return s.program.at(0).top_drive_speed; }, 54.0 * rpm},
@@ -231,6 +231,14 @@ std::vector<Expected> of_numerics()
       {"program[]", "stuck_at", [](const Scene& s) { return s.program.at(2).stuck_at; }, 701.0},
       {"program[]", "free", [](const Scene& s) { return s.program.at(3).free; }, 1.0},
       {"program[]", "free_length", [](const Scene& s) { return s.program.at(3).free_length; }, 57.0},
+      {"program[]", "fault", [](const Scene& s) { return number(s.program.at(5).fault == static_cast<int>(FaultKind::pack_off)); }, 1.0},
+      {"program[]", "fault_depth", [](const Scene& s) { return s.program.at(5).fault_depth; }, 501.0},
+      {"program[]", "fault_magnitude", [](const Scene& s) { return s.program.at(5).fault_magnitude; }, 20001.0},
+      {"program[]", "fault_target", [](const Scene& s) { return number(s.program.at(6).fault_gauge == static_cast<int>(Gauge::flow)); }, 1.0},
+      {"program[]", "clear_fault", [](const Scene& s) { return number(s.program.at(6).clear_fault == static_cast<int>(FaultKind::sensor_freeze)); }, 1.0},
+      {"rig.hoisting", "min_hook_load", [](const Scene& s) { return s.rig.hoisting.min_hook_load; }, 51001.0},
+      {"rig.hoisting", "trip_hook_load", [](const Scene& s) { return s.rig.hoisting.trip_hook_load; }, 1.9e6},
+      {"rig.mud_pump", "trip_pressure", [](const Scene& s) { return s.rig.mud_pump.trip_pressure; }, 3.41e7},
       {"program[]", "top_drive_mode", [](const Scene& s) { return static_cast<double>(s.program.at(4).top_drive_mode); }, 5.0},
       {"program[]", "top_drive_angle_deg", [](const Scene& s) { return s.program.at(4).top_drive_angle; }, 1801.0 * degree},
       {"program[]", "amplitude_right_deg", [](const Scene& s) { return s.program.at(4).amplitude_right; }, 721.0 * degree},
@@ -247,6 +255,11 @@ std::vector<Expected> of_instruments()
       {"instruments.mwd", "inclination_resolution_deg", [](const Scene& s) { return s.instruments.mwd.inclination_resolution; }, 0.13 * degree},
       {"instruments.mwd", "noise_deg", [](const Scene& s) { return s.instruments.mwd.noise; }, 0.06 * degree},
       {"instruments.mwd", "scribe_offset_deg", [](const Scene& s) { return s.instruments.mwd.scribe_offset; }, 17.0 * degree},
+      {"instruments.mwd", "quiet_time", [](const Scene& s) { return s.instruments.mwd.quiet_time; }, 7.1},
+      {"instruments.mwd", "inclination_period", [](const Scene& s) { return s.instruments.mwd.inclination_period; }, 21.3},
+      {"instruments.toolface", "noise_deg", [](const Scene& s) { return s.instruments.toolface.noise; }, 0.51 * degree},
+      {"instruments.toolface", "resolution_deg", [](const Scene& s) { return s.instruments.toolface.resolution; }, 2.8 * degree},
+      {"instruments.toolface", "max_speed_rpm", [](const Scene& s) { return s.instruments.toolface.max_speed; }, 12.1 * rpm},
       {"instruments.toolface", "period", [](const Scene& s) { return s.instruments.toolface.period; }, 10.1},
       {"instruments.toolface", "latency", [](const Scene& s) { return s.instruments.toolface.latency; }, 4.1},
       {"instruments.surface.hook_load", "place", [](const Scene& s) { return number(s.instruments.hook_load.place == HookLoadPlace::block); }, 1.0},
@@ -262,9 +275,13 @@ std::vector<Expected> of_instruments()
                                                                {"bias", &SensorSpec::bias},
                                                                {"delay", &SensorSpec::delay},
                                                                {"filter_time", &SensorSpec::filter_time},
-                                                               {"resolution", &SensorSpec::resolution}};
+                                                               {"resolution", &SensorSpec::resolution},
+                                                               {"drift", &SensorSpec::drift},
+                                                               {"rate", &SensorSpec::rate},
+                                                               {"dropout_interval", &SensorSpec::dropout_interval},
+                                                               {"dropout_duration", &SensorSpec::dropout_duration}};
   for (int g = 0; g < 5; ++g)
-    for (int k = 0; k < 5; ++k)
+    for (int k = 0; k < 9; ++k)
     {
       const Get get = gauges[g].second;
       const auto member = keys[k].second;

@@ -44,7 +44,7 @@ void drill(Simulator& rig, int frames, const std::function<void()>& after_frame)
 }
 
 /// A gauge by name: its specification, its signal in truth, its field in the readings.
-struct Gauge
+struct GaugeField
 {
   const char* name;
   SensorSpec& (*spec)(InstrumentsSpec&);
@@ -52,7 +52,7 @@ struct Gauge
   double size;  // an error that shows, in the signal's unit
 };
 
-const Gauge gauges[] = {
+const GaugeField gauges[] = {
     {"hook_load", [](InstrumentsSpec& s) -> SensorSpec& { return s.hook_load; }, &RigSignals::hook_load, 1000.0},
     {"torque", [](InstrumentsSpec& s) -> SensorSpec& { return s.torque; }, &RigSignals::torque, 50.0},
     {"stand_pipe_pressure", [](InstrumentsSpec& s) -> SensorSpec& { return s.stand_pipe_pressure; }, &RigSignals::stand_pipe_pressure, 1e5},
@@ -69,7 +69,7 @@ TEST(Readings, idealInstrumentsAtTheBlockShowTheTruthToTheLastBit)
         {
           const Truth& t = rig.truth();
           const Readings& r = rig.readings();
-          for (const Gauge& gauge : gauges) ASSERT_EQ(r.*gauge.field, t.*gauge.field) << gauge.name << " at " << t.time;
+          for (const GaugeField& gauge : gauges) ASSERT_EQ(r.*gauge.field, t.*gauge.field) << gauge.name << " at " << t.time;
           ASSERT_EQ(r.time, t.time);
           ASSERT_EQ(r.dead_line_hook_load, t.dead_line_hook_load);
           ASSERT_EQ(r.hook_load_string, t.hook_load_string);
@@ -101,7 +101,7 @@ TEST(Readings, hookLoadIsTheDeadLinesByDefault)
 // One gauge at a time is off by its bias, and no other signal moves; the physics do not feel it.
 TEST(Readings, eachGaugeHasItsOwnBias)
 {
-  for (const Gauge& off : gauges)
+  for (const GaugeField& off : gauges)
   {
     Simulator ideal(ideal_scene());
     Simulator rig(scene_with([&](InstrumentsSpec& s) { off.spec(s).bias = off.size; }));
@@ -110,7 +110,7 @@ TEST(Readings, eachGaugeHasItsOwnBias)
           [&]
           {
             ideal.frame(frame);
-            for (const Gauge& gauge : gauges)
+            for (const GaugeField& gauge : gauges)
             {
               const double error = &gauge == &off ? off.size : 0.0;
               ASSERT_NEAR(rig.readings().*gauge.field, ideal.readings().*gauge.field + error, 1e-9 * off.size) << off.name << " on " << gauge.name;
@@ -124,7 +124,7 @@ TEST(Readings, eachGaugeHasItsOwnBias)
 TEST(Readings, eachGaugeHasItsOwnNoise)
 {
   std::vector<std::vector<double>> errors;
-  for (const Gauge& off : gauges)
+  for (const GaugeField& off : gauges)
   {
     Simulator rig(scene_with([&](InstrumentsSpec& s) { off.spec(s).noise = off.size; }), 3);
     std::vector<double> error;
@@ -132,7 +132,7 @@ TEST(Readings, eachGaugeHasItsOwnNoise)
           [&]
           {
             error.push_back((rig.readings().*off.field - rig.truth().*off.field) / off.size);
-            for (const Gauge& gauge : gauges)
+            for (const GaugeField& gauge : gauges)
             {
               if (&gauge == &off) continue;
               ASSERT_EQ(rig.readings().*gauge.field, rig.truth().*gauge.field) << off.name << " on " << gauge.name;
@@ -157,7 +157,7 @@ TEST(Readings, eachGaugeHasItsOwnNoise)
 // A delay of five frames shows what was five frames ago; a resolution shows whole multiples of it, the nearest.
 TEST(Readings, eachGaugeHasItsOwnDelayAndResolution)
 {
-  for (const Gauge& off : gauges)
+  for (const GaugeField& off : gauges)
   {
     Simulator late(scene_with([&](InstrumentsSpec& s) { off.spec(s).delay = 5 * frame; }));
     std::vector<double> truth = {late.truth().*off.field};

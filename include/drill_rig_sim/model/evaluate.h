@@ -33,6 +33,8 @@ void commit(const Stage& stage, const Workspace& work, State& state) noexcept;
 /// The one place where bristles, hoist, drive, motor, rock and the clock move on; after commit(). The hole is extended by the
 /// rock-breaking velocity times the step, or by what the stage knows of its bottom.
 void advance_discrete(const Model& model, const Stage& stage, Workspace& work, State& state) noexcept;
+/// Torque that the mud's pressure over the motor carries: the rotor's, of a locked one that at which it stalls [N m]. Needs a motor.
+double motor_load(const Model& model, const State& state) noexcept;
 /// Pump, mud and flow over a step [s], ahead of the string's: the flow of the step that comes, against the torque of the step before.
 /// @param commanded  of the pump [m3/s]
 void advance_mud(const Model& model, double commanded, double step, State& state) noexcept;
@@ -56,9 +58,12 @@ void find_string_forces(const Model& model, const State& start, const Stage& sta
 
 /// Velocity of the hole's bottom under the bit at the stage's forces (three-dimensional rock-breaking velocity) [m/s]; of the regenerative
 /// law none: there the bottom moves by what is cut, between steps.
-/// `drilling_speed`: BitDrive's [rad/s]; `bit_axis`: unit, downhole.
-Eigen::Vector3d rock_velocity(const Model& model, const Wellbore& well, const RigForces& forces, double drilling_speed,
+/// `state`: of the hole and its rock; `drilling_speed`: BitDrive's [rad/s]; `bit_axis`: unit, downhole.
+Eigen::Vector3d rock_velocity(const Model& model, const State& state, const RigForces& forces, double drilling_speed,
                               const Eigen::Vector3d& bit_axis) noexcept;
+
+/// What the bit stands on, as faults have it.
+FormationLayer rock_under_bit(const Model& model, const State& state) noexcept;
 
 /// A node's motion given outright instead of through a stage.
 struct GivenNode

@@ -2,6 +2,7 @@
 #define DRILL_RIG_SIM_MODEL_STAGE_H
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "drill_rig_sim/contact/wall_contact.h"
@@ -27,6 +28,15 @@ struct BitDrive
   double rock_time = 0.0;       ///< over which the bottom recedes implicitly, by the law at the stage [s]
   bool bottom_known = false;    ///< somebody else integrates the bottom:
   Eigen::Vector3d bottom_increment = Eigen::Vector3d::Zero();  ///< how far it has receded since the start of the step [m]
+};
+
+/// What drags at a place, during the step (forces/place_drag.h).
+struct PlaceDrag
+{
+  int node = -1;       ///< on which it acts; -1: there is none
+  double most = 0.0;   ///< [N]
+  double lever = 0.0;  ///< about the pipe's axis [m]
+  double pressure = 0.0;  ///< of mud that a pack-off holds back [Pa]
 };
 
 /// One stage of a step of a method: which forces act, and how rates follow from the unknowns. A value; together with the step's start
@@ -61,6 +71,7 @@ struct Stage
   const GuidedStepKernel* guided_step_kernel;
   Runs guided_nodes, guided_elements;    ///< those that are guided
   NumberColumns guided_columns;          ///< for that
+  std::array<PlaceDrag, 2> drags;        ///< pack-off, differential sticking
   Runs inner_nodes;                      ///< and of these nodes those on which the guided string's forces alone act, but for the bit's gauge
   double structural_damping = 0.0;      ///< [s]
   Setpoints setpoints;

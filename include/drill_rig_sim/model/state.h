@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drill_rig_sim/contact/cut_ground.h"
+#include "drill_rig_sim/model/fault_state.h"
 #include "drill_rig_sim/rig/hydraulics.h"
 #include "drill_rig_sim/rig/top_drive.h"
 #include "drill_rig_sim/well/wellbore.h"
@@ -230,6 +231,7 @@ struct State
   BitState bit;
   CutGround ground;  ///< under the bit; of the regenerative law alone, its fixed place the bottom at the start
   StuckPointState stuck_point;
+  FaultState faults;
   HydraulicState hydraulics;
   double flow = 0.0;  ///< through string, motor and bit; constant within a step [m3/s]
 
@@ -247,6 +249,7 @@ struct State
     v("bit", bit);
     v("ground", ground);
     v("stuck_point", stuck_point);
+    v("faults", faults);
     v("hydraulics", hydraulics);
     v("flow", flow);
   }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <vector>
 
 #include "drill_rig_sim/contact/bit_bottom.h"
@@ -84,6 +85,7 @@ struct StageResult
   double drive_increment = 0.0;     ///< of the rotor since the start of the step [rad]
   double drive_acceleration = 0.0;  ///< [rad/s2]
   double rail_deflection = 0.0;     ///< HoistState::rail_deflection [m]
+  std::array<DragState, 2> drags;   ///< pack-off, differential sticking
   BitState bit;
   BottomForce bottom;
   BitCutPlace cut;           ///< regenerative law

@@ -27,6 +27,8 @@ struct HoistingSpec
   double max_speed = 1.5;         ///< of the block [m/s]
   double max_acceleration = 0.5;  ///< of the block [m/s2]
   double max_hook_load = 2.5e6;   ///< [N]
+  double min_hook_load = 0.0;     ///< below it the winch does not lower: slack line [N]; 0: it does
+  double trip_hook_load = 0.0;    ///< over-pull: a hook load that sets the brake while it is raised [N]; 0: none
   double lowest_block_height = 1.0;
   double highest_block_height = 40.0;
 };
@@ -85,7 +87,7 @@ struct WinchLimits
   bool speed = false;         ///< the command is beyond max_speed
   bool acceleration = false;  ///< still ramping
   bool height = false;        ///< slowed down or stopped before lowest_block_height or highest_block_height
-  bool load = false;          ///< at max_hook_load or beyond it, as an impact may bring it: raising is refused
+  bool load = false;          ///< at max_hook_load or beyond it, as an impact may bring it: raising is refused; below min_hook_load: lowering
   bool any() const noexcept { return speed || acceleration || height || load; }
 };
 
@@ -100,8 +102,8 @@ struct WinchStep
 /// Advances drum and line over one step.
 ///
 /// The block's speed ramps at max_acceleration to the command (zero with the brake set), clamped to max_speed. Near a height
-/// limit it is held to what can still stop there, v <= sqrt(2 a d) at distance d; beyond a limit, and when raising at or above
-/// max_hook_load, the drum stops at once. The other direction stays free. The drum winds stretched line at 2 n v, which holds 2 n
+/// limit it is held to what can still stop there, v <= sqrt(2 a d) at distance d; beyond a limit, when raising at or above
+/// max_hook_load, and when lowering below min_hook_load, the drum stops at once. The other direction stays free. The drum winds stretched line at 2 n v, which holds 2 n
 /// v L_0/L unstretched: dL_0/dt = -2 n v L_0/L. So a constant command gives, at a steady load, exactly that block speed.
 /// @param line_length   L_0 at the start of the step [m]
 /// @param speed         of the drum at the start of the step [m/s], + up
@@ -110,6 +112,12 @@ struct WinchStep
 /// @param step          > 0 [s]
 WinchStep advance_winch(const HoistingSpec& spec, const WinchSetpoint& command, double line_length, double speed,
                         double block_height, double hook_load, double step) noexcept;
+
+/// A brake that holds no more than `most` [N] at the block, on a drum without inertia: where more hangs on it line runs out, so that the
+/// lines carry `most` and the rest sinks, (W - most)/m for a rigid string of weight W and mass m. L_0 at the end of the step, from the
+/// block's height and velocity at its start: max(L_0, L_0 that carries `most` at height + velocity step). Off by the block's acceleration
+/// within the step alone, stiffness a step^2/2.
+double slipping_line(const HoistingSpec& spec, double line_length, double block_height, double block_velocity, double most, double step) noexcept;
 
 /// How far the sheaves' friction has built up, from -1 (lowering) to 1 (raising), after the drum has moved the block by `travel` [m] from
 /// where it was at `slip`. Sheaves turn with the line that passes them, not with a block that bounces on lines of equal stretch: a

@@ -102,13 +102,25 @@ Outflow outflow(double capacity, double pressure, double inflow, double step, co
 /// The same from a volume whose pressure is held.
 double outflow_at(double pressure, const HydraulicResistance& r, double guess) noexcept;
 
+/// Ways that the mud should not have, and those that are closed to it.
+struct MudWays
+{
+  double plug = 0.0;  ///< what packed cuttings hold back in the annulus while mud is pumped; what the string displaces seeps through [Pa]
+  double leak = 0.0;  ///< through a hole in the string, past motor and bit into the annulus [m3/s]
+};
+
+/// Flow through a hole of an area [m2] by a pressure [Pa]: 0.61 A sqrt(2 p/rho), Torricelli's with a sharp edge's contraction, pi/(pi + 2)
+/// (Kirchhoff) [m3/s]; none backwards, and none of a mud without mass.
+double orifice_flow(double area, double pressure, double density) noexcept;
+
 /// One step h [s] of the circuit.
 /// @param commanded       of the pump [m3/s]
 /// @param motor_pressure  that the mud motor's torque needs, >= 0 [Pa]
 /// @param displaced       Q_s [m3/s]
 /// @param flow            through motor and bit; in and out [m3/s]
+/// @param ways            the leak at most what the bore holds
 void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit, double commanded, double motor_pressure,
-                        double displaced, double step, double& flow, HydraulicState& state) noexcept;
+                        double displaced, double step, double& flow, HydraulicState& state, const MudWays& ways = {}) noexcept;
 
 /// Density of a mud at rest with the same pressure at the bit: density + p_a/(g depth) [kg/m3]; the mud's own within a metre of the rotary
 /// table, where it would mean nothing.

@@ -14,6 +14,7 @@
 
 #include "drill_rig_sim/BitTruth.h"
 #include "drill_rig_sim/DrillstringState.h"
+#include "drill_rig_sim/MwdInclination.h"
 #include "drill_rig_sim/MwdSurvey.h"
 #include "drill_rig_sim/MwdToolface.h"
 #include "drill_rig_sim/realtime/frame_output.h"
@@ -33,6 +34,7 @@ BitTruth to_bit_truth(const FrameRecord& frame, const std::string& floor);
 /// Telemetry; stamped when it was measured.
 MwdSurvey to_mwd_survey(const FrameRecord& frame, const std::string& floor);
 MwdToolface to_mwd_toolface(const FrameRecord& frame, const std::string& floor);
+MwdInclination to_mwd_inclination(const FrameRecord& frame, const std::string& floor);
 
 /// Fills the message in place: its arrays keep their memory.
 void fill_drillstring_state(const FrameOutput& s, const std::string& floor, DrillstringState& m);

@@ -1,8 +1,24 @@
 #ifndef DRILL_RIG_SIM_SCENE_INSTRUMENTS_SPEC_H
 #define DRILL_RIG_SIM_SCENE_INSTRUMENTS_SPEC_H
 
+#include <limits>
+
 namespace drill_rig_sim
 {
+/// The outputs of the rig's gauges.
+enum class Gauge
+{
+  hook_load,
+  dead_line_hook_load,
+  torque,
+  stand_pipe_pressure,
+  flow,
+  block_height
+};
+constexpr int gauge_count = 6;
+constexpr const char* gauge_names[gauge_count] = {"hook_load", "dead_line_hook_load", "torque", "stand_pipe_pressure", "flow", "block_height"};
+
+/// A gauge's errors (sim/sensor.h).
 struct SensorSpec
 {
   double noise = 0.0;        ///< standard deviation [unit of the signal]
@@ -10,6 +26,10 @@ struct SensorSpec
   double delay = 0.0;        ///< [s]
   double filter_time = 0.0;  ///< first-order time constant [s]
   double resolution = 0.0;   ///< steps in which it shows [unit of the signal]; 0 = none
+  double drift = 0.0;        ///< of the bias, a random walk: its standard deviation after a second [unit of the signal/s^0.5]
+  double rate = 0.0;         ///< samples per second, each shown until the next [1/s]; 0: one each frame
+  double dropout_interval = 0.0;  ///< mean time from a drop-out's end to the next [s]; 0: none
+  double dropout_duration = 5.0;  ///< mean [s]
 };
 
 /// Where the hook load is measured.
@@ -34,12 +54,18 @@ struct MwdSpec
   double inclination_resolution = 0.0;  ///< [rad]
   double noise = 0.0;                   ///< standard deviation of inclination and azimuth [rad]
   double scribe_offset = 0.0;           ///< added to the sensor's toolface to name the bend's [rad]
+  double quiet_time = 0.0;              ///< period 0: the survey is taken so long after the flow has stopped, and sent when it is back [s]; 0: taken then
+  double inclination_period = 0.0;      ///< between readings of the continuous inclination [s]; 0: none
 };
 
 struct ToolfaceSpec
 {
-  double period = 10.0;  ///< [s]
-  double latency = 4.0;  ///< [s]
+  static constexpr double of_mwd = std::numeric_limits<double>::quiet_NaN();
+  double period = 10.0;     ///< [s]
+  double latency = 4.0;     ///< [s]
+  double noise = of_mwd;    ///< standard deviation [rad]; NaN: the survey's
+  double resolution = 0.0;  ///< [rad]; 0 = none
+  double max_speed = 0.0;   ///< of the pipe: above it no toolface is sent [rad/s]; 0: whatever the speed
 };
 
 struct InstrumentsSpec

@@ -9,6 +9,7 @@
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/rig/mud_pump.h"
 #include "drill_rig_sim/rig/top_drive.h"
+#include "drill_rig_sim/scene/fault_spec.h"
 #include "drill_rig_sim/scene/instruments_spec.h"
 #include "drill_rig_sim/scene/needs.h"
 #include "drill_rig_sim/scene/numerics_spec.h"
@@ -65,6 +66,11 @@ struct ProgramStep
   double brake = unset;             ///< the winch's: 1 sets, 0 releases
   double stuck_at = unset;          ///< the hole grips the pipe there [m MD]
   double free = unset;              ///< 1: it lets go
+  int fault = -1;                   ///< a FaultKind that begins; -1: none
+  double fault_depth = 0.0;         ///< of it [m MD]
+  double fault_magnitude = 0.0;     ///< in its own unit
+  int fault_gauge = -1;             ///< of it or of the one that ends: a Gauge
+  int clear_fault = -1;             ///< a FaultKind that ends; -1: none
   double free_length = unset;       ///< nodes up to here above the bit's face are free, those above it guided [m]
 };
 

@@ -61,6 +61,8 @@ public:
   void read(const Truth& truth, const SensorView& view, Readings& readings) noexcept;
   /// Zeroes surface WOB and differential pressure at what the gauges show.
   void tare(Readings& readings) noexcept;
+  /// What is wrong with the gauge that a reading comes from: hook_load's is the dead line's where the scene reads it there.
+  SensorFault& fault_of(Gauge gauge) noexcept { return source_of(gauge).fault; }
   /// Moves all they remember by `shift` [s].
   void shift_time(double shift) noexcept;
 
@@ -68,12 +70,7 @@ public:
   template <class V>
   void visit(V& v)
   {
-    v("block_load", block_load_);
-    v("dead_line", dead_line_);
-    v("torque", torque_);
-    v("stand_pipe_pressure", stand_pipe_pressure_);
-    v("flow", flow_);
-    v("block_height", block_height_);
+    v("gauges", gauges_);
     v("mwd", mwd_);
     v("tally", tally_);
     v("hole_depth", hole_depth_);
@@ -84,13 +81,18 @@ public:
   }
 
 private:
+  Sensor& source_of(Gauge gauge) noexcept
+  {
+    const bool dead_line = gauge == Gauge::hook_load && place_ == HookLoadPlace::dead_line;
+    return gauges_[static_cast<std::size_t>(dead_line ? Gauge::dead_line_hook_load : gauge)];
+  }
   void read_gauges(const Truth& truth, Readings& readings) noexcept;
   void work_out_weights(Readings& readings) const noexcept;
   void work_out_depths(Readings& readings) noexcept;
 
   HookLoadPlace place_ = HookLoadPlace::dead_line;
   double block_weight_ = 0.0;  // with top drive [N]
-  Sensor block_load_, dead_line_, torque_, stand_pipe_pressure_, flow_, block_height_;
+  std::array<Sensor, gauge_count> gauges_;  // by Gauge; the first at the block
   Mwd mwd_;
   double tally_ = 0.0;  // of the pipe from the bit's face to the top-drive shaft [m]
   double hole_depth_ = 0.0;  // the bit's deepest so far [m]

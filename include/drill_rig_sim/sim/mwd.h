@@ -17,10 +17,13 @@ struct SensorView
   double md = 0.0;                                      ///< [m]
   Eigen::Vector3d axis = -Eigen::Vector3d::UnitZ();     ///< along the string, towards the bit
   Eigen::Vector3d scribe = Eigen::Vector3d::UnitY();    ///< across the string: the bend's direction without twist
+  double spin_speed = 0.0;                              ///< of the pipe [rad/s]
 };
 
-/// Measurement while drilling: surveys by period, or after a pumps-off/on cycle when the period is 0, and the faster toolface; each
-/// reaches the surface late. No reading without flow but the survey that a cycle takes.
+/// Measurement while drilling: surveys by period, or after a pumps-off/on cycle when the period is 0, the faster toolface and the continuous
+/// inclination; each reaches the surface late. Telemetry by pulses in the mud: nothing is sent without flow, and what is on its way then
+/// waits. The survey of a cycle is taken in the quiet, quiet_time after the flow has stopped (a cycle that is over earlier has none), or where
+/// that is 0 as the flow comes back. A pipe that turns faster than max_speed shows its accelerometers no steady high side: no toolface.
 class Mwd
 {
 public:
@@ -28,6 +31,8 @@ public:
   Mwd(const MwdSpec& survey, const ToolfaceSpec& toolface, NoiseSource noise = {});
   /// Takes what is due at `time` [s] and hands over what has arrived by now.
   void update(double time, double flow, const SensorView& view, MwdReading& survey, ToolfaceReading& toolface) noexcept;
+  /// The last that has arrived.
+  const InclinationReading& inclination() const noexcept { return inclination_; }
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept;
 
@@ -38,12 +43,19 @@ public:
     v("noise", noise_);
     v("surveys", surveys_);
     v("toolfaces", toolfaces_);
+    v("inclinations", inclinations_);
     v("next_survey", next_survey_);
     v("next_toolface", next_toolface_);
+    v("next_inclination", next_inclination_);
     v("flowing", flowing_);
+    v("quiet_since", quiet_since_);
+    v("quiet_survey", quiet_survey_);
+    v("has_quiet_survey", has_quiet_survey_);
+    v("inclination", inclination_);
     v("magnetic", magnetic_);
     v("survey_count", survey_count_);
     v("toolface_count", toolface_count_);
+    v("inclination_count", inclination_count_);
   }
 
 private:
@@ -51,31 +63,46 @@ private:
   struct Queue  // readings on their way up
   {
     std::array<Reading, most_on_the_way> entry;
+    std::array<double, most_on_the_way> sent{};  // when [s]
     std::size_t first = 0, count = 0;
-    void push(const Reading& r) noexcept;
+    void push(const Reading& r, double time) noexcept;
     bool pop_before(double time, Reading& r) noexcept;
+    void shift_time(double shift) noexcept;
 
     template <class V>
     void visit(V& v)
     {
       v("entry", entry);
+      v("sent", sent);
       v("first", first);
       v("count", count);
     }
   };
   MwdReading measure(double time, const SensorView& view) noexcept;
+  double measured_inclination(const SensorView& view) noexcept;
+  void rest(double time, const SensorView& view) noexcept;
+  void send_survey(double time, const SensorView& view) noexcept;
+  void send_toolface(double time, const SensorView& view) noexcept;
+  void send_inclination(double time, const SensorView& view) noexcept;
 
   MwdSpec survey_;
   ToolfaceSpec toolface_;
   NoiseSource noise_;
   Queue<MwdReading> surveys_;
   Queue<ToolfaceReading> toolfaces_;
+  Queue<InclinationReading> inclinations_;
   double next_survey_ = 0.0;
   double next_toolface_ = 0.0;
+  double next_inclination_ = 0.0;
   bool flowing_ = false;
+  double quiet_since_ = 0.0;  // when the flow stopped [s]
+  MwdReading quiet_survey_;   // taken since then
+  bool has_quiet_survey_ = false;
+  InclinationReading inclination_;
   bool magnetic_ = true;
   std::uint64_t survey_count_ = 0;
   std::uint64_t toolface_count_ = 0;
+  std::uint64_t inclination_count_ = 0;
 };
 
 }  // namespace drill_rig_sim

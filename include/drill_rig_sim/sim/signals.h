@@ -47,6 +47,24 @@ struct ToolfaceReading
   }
 };
 
+/// The inclination between surveys, by the accelerometers alone.
+struct InclinationReading
+{
+  std::uint64_t sequence = 0;
+  double time = 0.0;         ///< simulated time of measurement [s]
+  double md = 0.0;           ///< sensor's measured depth [m]
+  double inclination = 0.0;  ///< [rad]
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("sequence", sequence);
+    v("time", time);
+    v("md", md);
+    v("inclination", inclination);
+  }
+};
+
 /// A rig's signals at one instant. Signs as in commands.h. Each field says what it is in truth; Readings says what instruments make of it.
 struct RigSignals
 {
@@ -85,6 +103,10 @@ struct RigSignals
   bool top_drive_limited = false;   ///< torque, speed or power limit active
   bool command_clamped = false;     ///< the last command was
   bool commands_timed_out = false;
+  bool over_pull = false;           ///< trip_hook_load was reached: the brake is set until a winch command that does not raise
+  bool pump_tripped = false;        ///< by trip_pressure or a fault: no flow, after trip_pressure until a flow of 0 is commanded
+  bool drive_tripped = false;       ///< by a fault: the top drive coasts
+  unsigned lost_gauges = 0;  ///< in a drop-out, each 1 << Gauge
   Setpoints setpoints;
 
   template <class V>
@@ -124,6 +146,10 @@ struct RigSignals
     v("top_drive_limited", top_drive_limited);
     v("command_clamped", command_clamped);
     v("commands_timed_out", commands_timed_out);
+    v("over_pull", over_pull);
+    v("pump_tripped", pump_tripped);
+    v("drive_tripped", drive_tripped);
+    v("lost_gauges", lost_gauges);
     v("setpoints", setpoints);
   }
 };
@@ -166,8 +192,8 @@ struct Truth : RigSignals
 };
 
 /// What the driller sees.
-/// - hook_load, dead_line_hook_load, torque, stand_pipe_pressure, flow, block_height: gauges, each with its delay, filter, bias, noise and
-///   resolution; hook_load is the gauge where the scene puts it.
+/// - hook_load, dead_line_hook_load, torque, stand_pipe_pressure, flow, block_height: gauges, each with its errors (sensor.h); hook_load is the
+///   gauge where the scene puts it. lost_gauges: those in a drop-out, which show their last reading.
 /// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact. ecd: as if a tool by the bit told it at once.
 /// - worked out, as a rig does: bit_depth = tally - block_height (the tally is right at the start), hole_depth its largest so far, rop the
 ///   rate of that over the last 10 s, hook_load_string = hook_load - weight of block and top drive, surface_wob = tare - hook_load,
@@ -177,6 +203,7 @@ struct Readings : RigSignals
 {
   MwdReading mwd;
   ToolfaceReading toolface;
+  InclinationReading inclination;
 
   template <class V>
   void visit(V& v)
@@ -184,6 +211,7 @@ struct Readings : RigSignals
     RigSignals::visit(v);
     v("mwd", mwd);
     v("toolface", toolface);
+    v("inclination", inclination);
   }
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drill_rig_sim/model/profiler.h"
+#include "drill_rig_sim/scene/fault_spec.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/accuracy.h"
 #include "drill_rig_sim/sim/commands.h"
@@ -75,7 +76,7 @@ public:
   CommandResult command(const SteeringSetpoint& c) noexcept;
   /// The string has a rotary_steerable.
   bool is_steerable() const noexcept;
-  /// The set points in force: of the last commands, taken though no frame has been computed since.
+  /// The set points asked for by the last commands, or the watchdog's, though no frame has been computed since; the truth holds what interlocks and faults leave of them.
   Setpoints setpoints() const noexcept;
   /// Winch and drive streams silent for longer than this set the brake and coast the drive [s]; 0 = off.
   void set_command_timeout(double seconds) noexcept;
@@ -116,6 +117,10 @@ public:
   /// Grips the pipe within an element of measured depth `md` [m]; false, and nothing changed, unless 0 < md <= the bit's depth.
   bool stick_pipe(double md) noexcept;
   void free_pipe() noexcept;
+  /// A fault (sim/faults.h) begins. Null; or why not, one line, static storage, and nothing changed.
+  const char* inject(const Fault& fault) noexcept;
+  /// The one of this kind (and gauge) ends.
+  void clear(FaultKind kind, Gauge gauge) noexcept;
   /// A coarser level from the next frame on: nodes up to `from_bit` above the bit's face [m] stay free, those above it are guided (0: axial_torsional; else
   /// hybrid). What the string carries goes on as it was (model/levels.h). False, and nothing changed, where it would set guided pipe free, for that
   /// shakes turning pipe for seconds (torque off by up to 40 %), for level rigid, for methods that know free nodes alone, and where `from_bit` is no length.

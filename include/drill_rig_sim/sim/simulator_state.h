@@ -10,6 +10,7 @@
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/downlink.h"
 #include "drill_rig_sim/sim/instruments.h"
+#include "drill_rig_sim/sim/interlocks.h"
 #include "drill_rig_sim/sim/level_watch.h"
 #include "drill_rig_sim/sim/signals.h"
 #include "drill_rig_sim/sim/stride.h"
@@ -26,6 +27,7 @@ struct SimulatorState
   RigForces forces;  ///< of the last step: for the truth, and for which pipe is guided
   CommandState commands;
   DownlinkReceiver downlink;
+  InterlockState interlocks;
   bool tared = false;
   double tare_hook_load = 0.0;  ///< true one [N]
   double tare_pressure = 0.0;   ///< true one over the motor [Pa]
@@ -44,6 +46,7 @@ struct SimulatorState
     v("forces", forces);
     v("commands", commands);
     v("downlink", downlink);
+    v("interlocks", interlocks);
     v("tared", tared);
     v("tare_hook_load", tare_hook_load);
     v("tare_pressure", tare_pressure);

@@ -8,6 +8,7 @@
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/contact/normal_law.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/rig/mud_motor.h"
 
 namespace drill_rig_sim
@@ -16,9 +17,9 @@ using Eigen::Vector3d;
 
 namespace
 {
-const FormationLayer& rock_of(const StageContext& at) noexcept
+FormationLayer rock_of(const StageContext& at) noexcept
 {
-  return at.model.rock_under(at.start.well);
+  return rock_under_bit(at.model, at.start);
 }
 
 /// Of the bit's face over the bottom's place at the start of the step [m].
@@ -31,7 +32,7 @@ double approach_of(const StageContext& at) noexcept
 BottomForce drilled_bottom(const StageContext& at) noexcept
 {
   const Vector3d down = at.start.well.bottom_normal();
-  const FormationLayer& rock = rock_of(at);
+  const FormationLayer rock = rock_of(at);
   const BitDrive& drive = at.stage.bit;
   const RockBreaking breaking{drilling_coefficient(rock, drive.drilling_speed), rock.weight_exponent, rock.threshold};
   const double approach = approach_of(at) - (drive.bottom_known ? drive.bottom_increment.dot(down) : 0.0);
@@ -146,11 +147,13 @@ void advance_bit(const StageContext& at, const BitTorque& torque) noexcept
   const MotorSpec* motor = at.model.motor();
   if (!motor) return;
   const double load = at.work.result.forces.motor_torque;
+  const bool locked = at.start.faults.motor_locked;
   const MudMotorSpeed steady =
-      mud_motor_steady_speed(at.start.flow, motor->displacement_per_rev, motor->stall_torque, motor->curve_exponent, load);
+      locked ? MudMotorSpeed()
+             : mud_motor_steady_speed(at.start.flow, motor->displacement_per_rev, motor->stall_torque, motor->curve_exponent, load);
   end.motor_torque = load;
   end.motor_speed = advance_mud_motor(at.start.bit.motor_speed, steady, torque.spin_slope, at.stage.time);
-  end.stalled = mud_motor_stalled(at.start.flow, motor->stall_torque, load);
+  end.stalled = mud_motor_stalled(at.start.flow, motor->stall_torque, locked ? motor->stall_torque : load);
 }
 
 void add_mean_drilling(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept

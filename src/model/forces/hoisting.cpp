@@ -96,9 +96,27 @@ bool stays_at_stop(const HoistingSpec& spec, const HoistState& hoist, const Winc
 }
 }  // namespace
 
+namespace
+{
+/// With a brake that slips.
+HoistState slip(const HoistingSpec& spec, const State& state, double time) noexcept
+{
+  const NodeState& block = state.nodes.back();
+  const double before = state.hoist.line_length, height = block.position.z();
+  HoistState out = state.hoist;
+  out.line_length = slipping_line(spec, before, height, block.rate.velocity.z(), state.faults.brake_holds, time);
+  const double paid_out = (out.line_length - before) / (2.0 * spec.sheaves);
+  out.winch_speed = -paid_out / time * strung_length(spec, height) / before;
+  out.sheave_slip = sheave_slip(state.hoist.sheave_slip, -paid_out);
+  out.limited = out.at_stop = false;
+  return out;
+}
+}  // namespace
+
 HoistState advance_hoist(const Model& model, const State& state, const Setpoints& setpoints, double time) noexcept
 {
   const HoistingSpec& spec = model.scene().rig.hoisting;
+  if (setpoints.winch.brake && state.faults.brake_holds > 0.0) return slip(spec, state, time);
   const double height = state.nodes.back().position.z();
   const double hook_load = line_pull(spec, height, state.hoist.line_length).hook_force;
   const bool stays = stays_at_stop(spec, state.hoist, setpoints.winch, height);

@@ -1,0 +1,34 @@
+#ifndef DRILL_RIG_SIM_MODEL_WALL_FAULTS_H
+#define DRILL_RIG_SIM_MODEL_WALL_FAULTS_H
+
+#include "drill_rig_sim/model/state.h"
+#include "drill_rig_sim/model/workspace.h"
+
+/// What faults make of the hole's wall: another friction from a depth down, and a wash-out, where the hole is wider. The well itself stays
+/// as it is: whoever has found a place in it puts these in.
+namespace drill_rig_sim
+{
+constexpr double wash_out_length = 5.0;  ///< from the middle of a wash-out to its ends [m]
+
+/// How much larger the hole's radius is at measured depth `md`, in the shape of a cosine: by/4 (1 + cos(pi (md - at)/length)) [m]; and its slope.
+struct WashOut
+{
+  double radius = 0.0;  ///< [m]
+  double slope = 0.0;   ///< d radius / d md [-]
+};
+WashOut wash_out(const FaultState& faults, double md) noexcept;
+
+/// Factor on the wall's friction at `md`.
+inline double friction_factor(const FaultState& faults, double md) noexcept
+{
+  return md >= faults.friction_from ? faults.friction_factor : 1.0;
+}
+
+/// Into what find_in_hole() has found, and whether it still touches.
+void put_faults_on_wall(const Model& model, const FaultState& faults, const Stage& stage, Workspace& work) noexcept;
+/// Into what find_guides() has.
+void put_faults_on_guides(const State& state, Stage& stage) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif
