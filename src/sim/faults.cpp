@@ -23,7 +23,7 @@ void stick_pipe(const Model& model, double bit_depth, double md, State& state) n
 
 void free_pipe(State& state) noexcept
 {
-  state.stuck_point = StuckPointState();
+  state.stuck_point = HeldNode();
 }
 
 }  // namespace drill_rig_sim
