@@ -1,5 +1,7 @@
 #include "drill_rig_sim/ros/conversions.h"
 
+#include <algorithm>
+
 namespace drill_rig_sim
 {
 ros::Time to_time(std::int64_t stamp)
@@ -134,6 +136,8 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.rop = from.rop;
   m.on_bottom = from.on_bottom;
   m.in_slips = from.in_slips;
+  m.stand_count = static_cast<std::uint32_t>(std::max(from.stand_count, 0));
+  m.current_operation = text_of(from.operation);
   m.brake_set = from.brake_set;
   m.motor_stalled = from.motor_stalled;
   m.winch_limited = from.winch_limited;

@@ -94,7 +94,7 @@ const Table<Scene> scene_keys = {"", "The scene file's top level.", {
   {"needs",                 "",       WordSet<Scene>{need_words, &Scene::needs}, none,           "outputs that matter; `accuracy_warning` where the level does not represent one"},
   {"connections",           "",       Choice<Scene>{connections_words, [](Scene& s, int word) { s.connections = static_cast<Connections>(word); },
                                                     [](const Scene& s) { return static_cast<int>(s.connections); }},
-                                                                           none,                 "off; auto is not available yet"},
+                                                                           none,                 "auto: the crew adds a stand where the block has come down, and takes one away where it has come up; off: slips and connections are commanded"},
   {"program",               "",       Nested{},                            none,                 "list of commands at simulated times, for the offline runner and demos"},
 }};
 
@@ -237,6 +237,8 @@ const Table<HoistingSpec> hoisting_keys = {"rig.hoisting", "Drill line, travelli
   {"max_hook_load",         "N",      &HoistingSpec::max_hook_load,        between(1e3, 5e7),    "the winch does not pull more"},
   {"lowest_block_height",   "m",      &HoistingSpec::lowest_block_height,  between(0.0, 200.0),  "top-drive shaft above the rotary table"},
   {"highest_block_height",  "m",      &HoistingSpec::highest_block_height, between(0.0, 200.0),  "below crown_height"},
+  {"connection_time",       "s",      &HoistingSpec::connection_time,      between(1.0, 3600.0), "that the string rests in the slips, broken out, while pipe is added or taken away; half of it the block runs, longer where its limits say so"},
+  {"stand_joints",          "",       &HoistingSpec::stand_joints,         between(1, 4),        "joints of the last part in a stand"},
 }};
 
 const Table<TopDriveSpec> top_drive_keys = {"rig.top_drive", "Rotary drive with a PI speed loop, and the spring of the torque meter.", {
@@ -387,6 +389,8 @@ const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at 
   {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},
   {"stuck_at",              "m",      &ProgramStep::stuck_at,              above(0.0, 20000.0),  "measured depth where the hole grips the pipe, not below the bit by then", no_kind, every_kind, "as before"},
   {"free",                  "",       Flag<ProgramStep>{&ProgramStep::free}, none,               "true: it lets go", no_kind, every_kind, "as before"},
+  {"slips",                 "",       Flag<ProgramStep>{&ProgramStep::slips}, none,              "sets the slips, block and drive at rest, or pulls them", no_kind, every_kind, "as before"},
+  {"connection",            "",       &ProgramStep::connection,            between(-12.0, 12.0), "so many joints are added to the string in the slips; negative: taken away", no_kind, every_kind, "none"},
   {"free_length",           "m",      &ProgramStep::free_length,           between(0.0, 20000.0), "a coarser level: so far above the bit's face all motions are modelled from now on, above that those along the hole and about it; 0: axial_torsional; not longer than before", no_kind, every_kind, "as before"},
 }};
 // clang-format on

@@ -13,6 +13,7 @@ constexpr double growth = 1e-3;  // of the hole that is not nothing [m]
 FrameStatus play_frame(Simulator& simulator, ProgramPlayer* program, double duration) noexcept
 {
   if (program) program->apply(simulator);
+  simulator.attend();
   return simulator.frame(duration);
 }
 
@@ -34,7 +35,7 @@ RunEnd run(Simulator& simulator, ProgramPlayer& program, const RunGoal& goal, do
     if (m.time >= last_start) return RunEnd::duration;
     if (m.time - grown_at >= goal.patience) return RunEnd::standstill;
     if (play_frame(simulator, &program, frame) == FrameStatus::failed) return RunEnd::failure;
-    if (!program.finished() || m.hole_depth >= grown_to + growth)
+    if (!program.finished() || m.operation != Operation::none || m.hole_depth >= grown_to + growth)
     {
       grown_at = m.time;
       grown_to = m.hole_depth;

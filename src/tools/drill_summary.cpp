@@ -86,6 +86,7 @@ Json json_of(const EnergyAccounts& e)
           {"drive", e.drive},
           {"pump", e.pump},
           {"gravity", e.gravity},
+          {"handled", e.handled},
           {"stored", e.stored()},
           {"wall_friction", e.wall_friction},
           {"wall_damping", e.wall_damping},

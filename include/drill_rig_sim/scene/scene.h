@@ -62,6 +62,8 @@ struct ProgramStep
   double brake = unset;             ///< the winch's: 1 sets, 0 releases
   double stuck_at = unset;          ///< the hole grips the pipe there [m MD]
   double free = unset;              ///< 1: it lets go
+  double slips = unset;             ///< 1 sets, 0 pulls
+  double connection = unset;        ///< joints to be added; < 0: to be taken away
   double free_length = unset;       ///< nodes up to here above the bit's face are free, those above it guided [m]
 };
 

@@ -17,6 +17,7 @@ struct SensorView
   double md = 0.0;                                      ///< [m]
   Eigen::Vector3d axis = -Eigen::Vector3d::UnitZ();     ///< along the string, towards the bit
   Eigen::Vector3d scribe = Eigen::Vector3d::UnitY();    ///< across the string: the bend's direction without twist
+  bool in_slips = false;                                ///< the slips bear the string: where the block is says nothing of the bit
 };
 
 /// Measurement while drilling: surveys by period, or after a pumps-off/on cycle when the period is 0, and the faster toolface; each

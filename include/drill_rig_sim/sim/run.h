@@ -14,7 +14,7 @@ struct RunGoal
 {
   double duration = 0.0;                                   ///< simulated time that the run takes [s]
   double depth = std::numeric_limits<double>::infinity();  ///< measured depth of the hole [m]; infinite where only time counts
-  /// Simulated time that the run waits for a millimetre of new hole once the program is over [s]
+  /// Simulated time that the run waits for a millimetre of new hole once the program is over, connections apart [s]
   double patience = std::numeric_limits<double>::infinity();
 };
 
@@ -27,7 +27,7 @@ enum class RunEnd
   failure    ///< a frame failed; Simulator::failure() says why
 };
 
-/// One frame of `duration` [s], a multiple of the scene's step: the program's lines whose time has come, then the physics.
+/// One frame of `duration` [s], a multiple of the scene's step: the program's lines whose time has come, what the crew does (Simulator::attend()), then the physics.
 /// Without a program (null) the set points in force stay. The node's loop and run() both play by this.
 FrameStatus play_frame(Simulator& simulator, ProgramPlayer* program, double duration) noexcept;
 
