@@ -145,10 +145,10 @@ void place(State& state, NodeState& node) noexcept
   node.position = hole.position + node.side;
   node.orientation = turned_to(hole.tangent, node.orientation);
 }
-/// The formation that holds a guided node goes with it across the hole: along it and about it the node is held.
-void keep_beside(const NodeState& node, const Vector3d& tangent, StuckPointState& stuck) noexcept
+/// What holds a guided node goes with it across the hole: along it and about it the node is held.
+void keep_beside(const NodeState& node, const Vector3d& tangent, HeldNode& held) noexcept
 {
-  stuck.position = node.position - tangent * tangent.dot(node.position - stuck.position);
+  held.position = node.position - tangent * tangent.dot(node.position - held.position);
 }
 }  // namespace
 
@@ -222,7 +222,8 @@ void find_guides(const Model& model, const State& state, Stage& stage) noexcept
     if (i + 1 < n) stage.guided_spans[i].guided = here && above;
     if (here)
     {
-      guide.joined = !below || !above || node == state.stuck_point.node || node == model.mesh().pad_node || node == stage.drags[0].node || node == stage.drags[1].node;
+      const bool held = node == state.stuck_point.node || node == state.slips.node || node == stage.drags[0].node || node == stage.drags[1].node;
+      guide.joined = !below || !above || held || node == model.mesh().pad_node;
       stage.guided_nodes.add(node);
       if (above) stage.guided_elements.add(node);
       if (!guide.joined && node >= model.mesh().gauge_nodes) stage.inner_nodes.add(node);
@@ -286,7 +287,8 @@ void commit_node(const Stage& stage, const Workspace& work, double follows, std:
   node.rate = {motion.along_rate * guide.tangent, motion.along_rate * guide.turn, motion.about_rate};
   node.orientation = rotation_from_vector(motion.about * guide.tangent) * node.orientation;
   place(state, node);
-  if (static_cast<int>(i) == state.stuck_point.node) keep_beside(node, x_axis(node.orientation), state.stuck_point);
+  for (HeldNode* held : {&state.stuck_point, &state.slips})
+    if (static_cast<int>(i) == held->node) keep_beside(node, x_axis(node.orientation), *held);
 }
 }  // namespace
 

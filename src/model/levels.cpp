@@ -94,7 +94,8 @@ bool change_guided(const Model& model, const std::vector<unsigned char>& guided,
     const Vector3d before = state.nodes[i].position;
     if (guided[i]) make_guided(state, i);
     else make_free(model.mesh().nodes[i], state, forces.contact[i], state.nodes[i]);
-    if (static_cast<int>(i) == state.stuck_point.node) state.stuck_point.position += state.nodes[i].position - before;
+    for (HeldNode* held : {&state.stuck_point, &state.slips})
+      if (static_cast<int>(i) == held->node) held->position += state.nodes[i].position - before;
   }
   for (std::size_t e = 0; e < state.spans.size(); ++e)
   {

@@ -1,5 +1,7 @@
 #include "drill_rig_sim/ros/conversions.h"
 
+#include <algorithm>
+
 namespace drill_rig_sim
 {
 ros::Time to_time(std::int64_t stamp)
@@ -146,6 +148,8 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.rop = from.rop;
   m.on_bottom = from.on_bottom;
   m.in_slips = from.in_slips;
+  m.stand_count = static_cast<std::uint32_t>(std::max(from.stand_count, 0));
+  m.current_operation = text_of(from.crew);
   m.brake_set = from.brake_set;
   m.motor_stalled = from.motor_stalled;
   m.winch_limited = from.winch_limited;
@@ -160,7 +164,7 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.top_drive_brake_set = from.top_drive_brake_set;
   m.command_clamped = from.command_clamped;
   m.commands_timed_out = from.commands_timed_out;
-  if (frame.operation.number > 0) m.operation = word_of(frame.operation.kind);
+  if (from.crew == CrewTask::none && frame.operation.number > 0) m.current_operation = word_of(frame.operation.kind);
   m.operation_number = static_cast<std::uint32_t>(frame.operation.number);
   m.operation_progress = frame.operation.progress;
   m.over_pull = from.over_pull;

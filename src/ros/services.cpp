@@ -81,7 +81,7 @@ std::string said_of(const Fault& fault, bool cleared)
 template <class Setpoint>
 void require_right(SimulationLoop& loop, const Setpoint& c)
 {
-  if (what_is_wrong(c)) throw Refusal(loop.take(c).reason);
+  if (what_is_wrong(c) || loop.rig().simulator->locked(c)) throw Refusal(loop.take(c).reason);
 }
 
 /// A step's commands, all of them or none. For between-frames callbacks.
@@ -112,7 +112,6 @@ Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene sc
 {
   using std_srvs::SetBool;
   using std_srvs::Trigger;
-  const auto not_yet = [](const auto&, auto&, Lock&) -> std::string { throw Refusal("not available yet"); };
   serve<ResetWell>(node, "reset_well", [this](const auto& q, auto&, Lock&) { return reset_well(q); });
   serve<LoadSurvey>(node, "load_survey", [this](const auto& q, auto&, Lock&) { return load_survey(q); });
   serve<Trigger>(node, "pause", [this](const auto&, auto&, Lock&) { return pause(); });
@@ -124,8 +123,8 @@ Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene sc
   serve<ListStates>(node, "list_states", [this](const auto&, auto& r, Lock&) { return list_states(r); });
   serve<DeleteState>(node, "delete_state", [this](const auto& q, auto&, Lock&) { return delete_state(q.name); });
   serve<InjectFault>(node, "inject_fault", [this](const auto& q, auto&, Lock&) { return inject_fault(q); });
-  serve<SetBool>(node, "set_slips", not_yet);
-  serve<MakeConnection>(node, "make_connection", not_yet);
+  serve<SetBool>(node, "set_slips", [this](const auto& q, auto&, Lock&) { return set_slips(q.data); });
+  serve<MakeConnection>(node, "make_connection", [this](const auto& q, auto&, Lock&) { return make_connection(q); });
   serve<StepSimulation>(node, "step", [this](const auto& q, auto& r, Lock& lock) { return step(q, r, lock); });
 }
 
@@ -244,7 +243,7 @@ std::string Services::tare()
         done = loop.rig().simulator->tare();
         if (done) loop.hand_over_again();
       });
-  if (!done) throw Refusal("the bit is on bottom; allowed is off bottom");
+  if (!done) throw Refusal("the bit is on bottom or the string in the slips; allowed is off bottom, on the hook");
   return "weight on bit and differential pressure read zero here";
 }
 
@@ -332,6 +331,35 @@ std::string Services::inject_fault(const InjectFault::Request& request)
         if (wrong) throw Refusal(wrong);
       });
   return said_of(fault, request.clear);
+}
+
+std::string Services::set_slips(bool set)
+{
+  bool pumps = false;
+  loop_.between_frames(
+      [&](SimulationLoop& loop)
+      {
+        require_good(loop.rig());
+        Simulator& simulator = *loop.rig().simulator;
+        if (const char* refused = simulator.set_slips(set)) throw Refusal(refused);
+        pumps = set && simulator.setpoints().pump.flow > 0.0;
+        loop.hand_over_again();
+      });
+  return std::string(set ? "the slips are set" : "the slips are pulled") + (pumps ? "; the pump runs" : "");
+}
+
+std::string Services::make_connection(const MakeConnection::Request& request)
+{
+  if (request.joints > most_joints) throw Refusal("joints is " + std::to_string(request.joints) + "; allowed is 0 (a stand) to " + std::to_string(most_joints));
+  loop_.between_frames(
+      [&](SimulationLoop& loop)
+      {
+        require_good(loop.rig());
+        if (const char* refused = loop.rig().simulator->make_connection(static_cast<int>(request.joints), request.remove)) throw Refusal(refused);
+        loop.hand_over_again();
+      });
+  const std::string pipe = request.joints > 0 ? std::to_string(request.joints) + " joints" : "a stand's joints";
+  return pipe + (request.remove ? " less" : " more") + " are being made; current_operation says when it is over";
 }
 
 std::string Services::step(const StepSimulation::Request& request, StepSimulation::Response& answer, Lock& lock)

@@ -41,6 +41,8 @@ const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at 
   {"brake",                 "",       Flag<ProgramStep>{&ProgramStep::brake}, none,              "sets or releases the winch's brake", no_kind, every_kind, "as before"},
   {"stuck_at",              "m",      &ProgramStep::stuck_at,              above(0.0, 20000.0),  "measured depth where the hole grips the pipe, not below the bit by then", no_kind, every_kind, "as before"},
   {"free",                  "",       Flag<ProgramStep>{&ProgramStep::free}, none,               "true: it lets go", no_kind, every_kind, "as before"},
+  {"slips",                 "",       Flag<ProgramStep>{&ProgramStep::slips}, none,              "sets the slips, block and drive at rest, or pulls them", no_kind, every_kind, "as before"},
+  {"connection",            "",       &ProgramStep::connection,            between(-12.0, 12.0), "so many joints are added to the string in the slips; negative: taken away", no_kind, every_kind, "none"},
   {"fault",                 "",       Choice<ProgramStep>{fault_words, [](ProgramStep& s, int word) { s.fault = word; }, [](const ProgramStep& s) { return s.fault; }},
                                                                            none,                 "begins, as by the service inject_fault", no_kind, every_kind, "none"},
   {"fault_depth",           "m",      &ProgramStep::fault_depth,           between(0.0, 20000.0), "measured depth of its place, where it has one; pipe must be there by then"},

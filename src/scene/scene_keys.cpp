@@ -78,7 +78,7 @@ const Table<Scene> scene_keys = {"", "The scene file's top level.", {
   {"needs",                 "",       WordSet<Scene>{need_words, &Scene::needs}, none,           "outputs that matter; `accuracy_warning` where the level does not represent one"},
   {"connections",           "",       Choice<Scene>{connections_words, [](Scene& s, int word) { s.connections = static_cast<Connections>(word); },
                                                     [](const Scene& s) { return static_cast<int>(s.connections); }},
-                                                                           none,                 "off; auto is not available yet"},
+                                                                           none,                 "auto: the crew adds a stand where the block has come down, and takes one away where it has come up; off: slips and connections are commanded"},
   {"program",               "",       Nested{},                            none,                 "list of commands at simulated times, for the offline runner and demos"},
   {"operations",            "",       Nested{},                            none,                 "list of what the driller does, one after the other, for the same"},
 }};
@@ -227,6 +227,8 @@ const Table<HoistingSpec> hoisting_keys = {"rig.hoisting", "Drill line, travelli
   {"trip_hook_load",        "N",      &HoistingSpec::trip_hook_load,       between(0.0, 5e7),    "over-pull: where `hook_load` of `rig_state` reaches it while raising, the brake is set until a command that does not raise; 0: never"},
   {"lowest_block_height",   "m",      &HoistingSpec::lowest_block_height,  between(0.0, 200.0),  "top-drive shaft above the rotary table"},
   {"highest_block_height",  "m",      &HoistingSpec::highest_block_height, between(0.0, 200.0),  "below crown_height"},
+  {"connection_time",       "s",      &HoistingSpec::connection_time,      between(1.0, 3600.0), "that the string rests in the slips, broken out, while pipe is added or taken away; half of it the block runs, longer where its limits say so"},
+  {"stand_joints",          "",       &HoistingSpec::stand_joints,         between(1, 4),        "joints of the last part in a stand"},
 }};
 
 const Table<TopDriveSpec> top_drive_keys = {"rig.top_drive", "Rotary drive with a PI speed loop, and the spring of the torque meter.", {

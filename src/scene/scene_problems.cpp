@@ -188,6 +188,17 @@ void check_hoisting(const HoistingSpec& h, ProblemList& problems)
   }
 }
 
+/// What `connections: auto` needs.
+void check_connections(const Scene& scene, ProblemList& problems)
+{
+  if (scene.connections == Connections::off || scene.string.empty()) return;
+  const HoistingSpec& h = scene.rig.hoisting;
+  const double needed = room_for_stand(h.stand_joints * scene.string.back().joint_length);
+  if (h.highest_block_height - h.lowest_block_height < needed)
+    problems.emplace_back("connections", "auto: the block travels " + metres(h.highest_block_height - h.lowest_block_height) +
+                                             ", needed for a stand: " + metres(needed));
+}
+
 void check_start(const Scene& scene, ProblemList& problems)
 {
   const StartSpec& start = scene.start;
@@ -253,6 +264,8 @@ void check_ramp_and_faults(const ProgramStep& step, std::size_t i, ProblemList& 
   if (step.free == 0.0) problems.emplace_back(item_key("program", i, "free"), "false is given, allowed: true");
   if (step.free == 1.0 && !std::isnan(step.stuck_at))
     problems.emplace_back(item_key("program", i), "both stuck_at and free are given, allowed: one of them");
+  if (step.connection == 0.0 || (!std::isnan(step.connection) && step.connection != std::round(step.connection)))
+    problems.emplace_back(item_key("program", i, "connection"), plain(step.connection) + " joints are given, allowed: a whole number, not 0");
 }
 
 void check_fault(const ProgramStep& step, std::size_t i, ProblemList& problems)
@@ -354,7 +367,8 @@ ProblemList unavailable(const Scene& scene)
     problems.emplace_back("numerics.integrator", "steps of variable length (step 0) are available for bdf2 and auto alone");
   if (!has_kernel(numerics.kernel))
     problems.emplace_back("numerics.kernel", std::string(name_of(numerics.kernel)) + " is not among what this machine and build have, allowed: " + kernels_here());
-  if (scene.connections == Connections::automatic) problems.emplace_back("connections", "auto is not available yet, allowed: off");
+  if (scene.connections == Connections::automatic && numerics.integrator == IntegratorKind::ida)
+    problems.emplace_back("connections", "auto is not available with the reference (ida), allowed: off");
   return problems;
 }
 
@@ -375,6 +389,7 @@ ProblemList scene_problems(const Scene& scene)
   check_reaming(scene, problems);
   check_diameters(scene, problems);
   check_hoisting(scene.rig.hoisting, problems);
+  check_connections(scene, problems);
   check_start(scene, problems);
   check_program(scene, problems);
   append(problems, operation_problems(scene));

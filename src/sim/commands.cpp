@@ -61,6 +61,7 @@ const char* what_is_wrong(const SteeringSetpoint& c) noexcept
 
 Setpoints CommandState::in_force() const noexcept
 {
+  if (crew_drives) return by_crew;
   if (!timed_out()) return asked;
   Setpoints safe;
   safe.top_drive.mode = TopDriveMode::torque;

@@ -22,7 +22,7 @@ void stick_pipe(const Model& model, double bit_depth, double md, State& state) n
 
 void free_pipe(State& state) noexcept
 {
-  state.stuck_point = StuckPointState();
+  state.stuck_point = HeldNode();
 }
 
 const char* what_is_wrong(const Model& model, double bit_depth, double hole_depth, const Fault& fault) noexcept

@@ -46,11 +46,14 @@ Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_
   hole_depth_ = at_start.hole_depth;
 }
 
+/// While the slips bear the string its depth is held, and the tally follows the block: with all pipe that comes in and goes out.
 void Instruments::read(const Truth& truth, const SensorView& view, Readings& readings) noexcept
 {
+  if (view.in_slips) tally_ = readings.bit_depth;
   static_cast<RigSignals&>(readings) = truth;
   read_gauges(truth, readings);
   work_out_weights(readings);
+  if (view.in_slips) tally_ += readings.block_height;
   work_out_depths(readings);
   readings.on_bottom = readings.motor_stalled = readings.over_stress = readings.over_torque = readings.buckled = false;
   mwd_.update(truth.time, truth.bit_flow, view, readings.mwd, readings.toolface);
@@ -78,7 +81,7 @@ void Instruments::work_out_weights(Readings& readings) const noexcept
 {
   readings.tared = tared_;
   readings.hook_load_string = readings.hook_load - block_weight_;
-  readings.surface_wob = tared_ ? tare_hook_load_ - readings.hook_load : 0.0;
+  readings.surface_wob = tared_ && !readings.in_slips ? tare_hook_load_ - readings.hook_load : 0.0;
   readings.differential_pressure = tared_ ? readings.stand_pipe_pressure - tare_pressure_ : 0.0;
 }
 

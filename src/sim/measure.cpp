@@ -5,6 +5,7 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/evaluate.h"
+#include "drill_rig_sim/model/forces/slips.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/rig/hydraulics.h"
 #include "drill_rig_sim/rig/mud_motor.h"
@@ -18,6 +19,7 @@ using Eigen::Vector3d;
 
 void Simulator::Impl::measure() noexcept
 {
+  measure_string_built();
   measure_rig();
   measure_bit();
   measure_string();
@@ -38,25 +40,20 @@ void Simulator::Impl::measure_rig() noexcept
   const NodeState& top = s.nodes.back();
   const HoistingSpec& hoisting = scene.rig.hoisting;
   m.time = s.time;
-  m.hook_load = shown_forces().hook_load;
-  m.hook_load_string = m.hook_load - standard_gravity * hoisting.block_mass;
-  m.block_height = top.position.z();
-  m.block_velocity = top.rate.velocity.z();
-  m.dead_line_hook_load = dead_line_hook_load(m.hook_load, s.hoist.sheave_slip, hoisting.sheaves, hoisting.sheave_efficiency);
+  measure_block();
   m.top_drive_angle = s.drive.angle;
   m.top_drive_speed = s.drive.speed;
-  m.torque = shown_forces().meter_torque;
   m.flow = s.hydraulics.pump_flow;
   m.relief_valve_open = s.hydraulics.relief_open;
   m.stand_pipe_pressure = s.hydraulics.stand_pipe_pressure;
   m.differential_pressure = motor_pressure() - state.tare_pressure;
   m.tared = state.tared;
-  m.surface_wob = state.tared ? state.tare_hook_load - m.hook_load : 0.0;
+  m.surface_wob = state.tared && !m.in_slips ? state.tare_hook_load - m.hook_load : 0.0;
   m.setpoints = in_force();
   m.brake_set = m.setpoints.winch.brake;
   m.winch_limited = s.hoist.limited;
-  m.slack_line = line_pull(hoisting, m.block_height, s.hoist.line_length).slack;
-  m.stop_reached = s.hoist.at_stop || stop_force(hoisting, m.block_height, m.block_velocity).energy > 0.0;
+  m.slack_line = line_pull(hoisting, top.position.z(), s.hoist.line_length).slack;
+  m.stop_reached = s.hoist.at_stop || stop_force(hoisting, top.position.z(), top.rate.velocity.z()).energy > 0.0;
   m.top_drive_brake_set = s.drive.braked;
   m.top_drive_limited = s.drive.limited;
   m.motor_stalled = s.bit.stalled;
@@ -115,6 +112,7 @@ SensorView Simulator::Impl::sensor_view() const noexcept
   view.axis = x_axis(q);
   view.scribe = y_axis(q);
   view.spin_speed = shown().nodes[at.lower].rate.spin;
+  view.in_slips = state.connection.under_way || slips_load(shown()) > 0.0;
   return view;
 }
 

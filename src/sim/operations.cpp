@@ -85,6 +85,12 @@ OperationStatus OperationsPlayer::status() const noexcept
 
 void OperationsPlayer::apply(Simulator& simulator) noexcept
 {
+  if (simulator.truth().crew != CrewTask::none)
+  {
+    feed_ = WeightFeed();  // the crew has the rig
+    followed_at_ = simulator.truth().time;
+    return;
+  }
   while (!finished())
   {
     if (!under_way_) begin(simulator);
@@ -111,8 +117,8 @@ void OperationsPlayer::begin(Simulator& simulator) noexcept
   feed_ = WeightFeed();
   legs_ = 0;
   settled_ = false;
-  const TopDriveSetpoint drive = simulator.setpoints().top_drive;
-  if (o.kind == OperationKind::flow) ramp_ = {simulator.setpoints().pump.flow, o.flow, now.time, o.ramp, true};
+  const TopDriveSetpoint drive = simulator.asked().top_drive;
+  if (o.kind == OperationKind::flow) ramp_ = {simulator.asked().pump.flow, o.flow, now.time, o.ramp, true};
   if (o.kind == OperationKind::rotate)
     ramp_ = {turns_to_angle(drive.mode) || drive.mode == TopDriveMode::torque ? now.top_drive_speed : drive.speed, o.rotary_speed, now.time, o.ramp, true};
   if (o.kind == OperationKind::pick_up) simulator.command(WinchSetpoint{o.speed, false});
@@ -168,7 +174,7 @@ void OperationsPlayer::follow_ramp(Simulator& simulator) noexcept
     simulator.command(PumpSetpoint{value});
     return;
   }
-  TopDriveSetpoint drive = simulator.setpoints().top_drive;
+  TopDriveSetpoint drive = simulator.asked().top_drive;
   if (turns_to_angle(drive.mode) || drive.mode == TopDriveMode::torque) drive.mode = TopDriveMode::speed;
   drive.brake = false;
   drive.speed = value;
@@ -217,7 +223,7 @@ void OperationsPlayer::follow_toolface(Simulator& simulator) noexcept
     angle_ += turn_between(toolface.toolface, o.toolface);
     turned_at_ = simulator.truth().time;
   }
-  TopDriveSetpoint drive = simulator.setpoints().top_drive;
+  TopDriveSetpoint drive = simulator.asked().top_drive;
   const bool rocks = o.amplitude_right + o.amplitude_left > 0.0;
   drive.mode = rocks ? TopDriveMode::oscillate : TopDriveMode::angle;
   drive.brake = false;
@@ -225,7 +231,7 @@ void OperationsPlayer::follow_toolface(Simulator& simulator) noexcept
   drive.angle = angle_;
   drive.amplitude_right = o.amplitude_right;
   drive.amplitude_left = o.amplitude_left;
-  if (!(drive == simulator.setpoints().top_drive)) simulator.command(drive);
+  if (!(drive == simulator.asked().top_drive)) simulator.command(drive);
 }
 
 void OperationsPlayer::end(Simulator& simulator) const noexcept

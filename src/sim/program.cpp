@@ -93,10 +93,10 @@ void ProgramPlayer::begin(const ProgramStep& step, Simulator& simulator) noexcep
 {
   if (is_set(step.block_velocity) || is_set(step.brake)) begin_winch(step, simulator);
   if (commands_top_drive(step)) begin_top_drive(step, simulator);
-  if (is_set(step.flow)) flow_ = ramp_of(step, simulator.setpoints().pump.flow, step.flow);
+  if (is_set(step.flow)) flow_ = ramp_of(step, simulator.asked().pump.flow, step.flow);
   if (is_set(step.steering_toolface) || is_set(step.steering_ratio))
   {
-    SteeringSetpoint steering = simulator.setpoints().steering;
+    SteeringSetpoint steering = simulator.asked().steering;
     if (is_set(step.steering_toolface)) steering.toolface = step.steering_toolface;
     if (is_set(step.steering_ratio)) steering.ratio = step.steering_ratio;
     simulator.command(steering);
@@ -104,6 +104,10 @@ void ProgramPlayer::begin(const ProgramStep& step, Simulator& simulator) noexcep
   if (step.free == 1.0) simulator.free_pipe();
   const Gauge gauge = static_cast<Gauge>(std::max(0, step.fault_gauge));
   if (step.clear_fault >= 0) simulator.clear(static_cast<FaultKind>(step.clear_fault), gauge);
+  if (is_set(step.slips))
+    if (const char* refused = simulator.set_slips(step.slips == 1.0)) simulator.fail(refused);
+  if (is_set(step.connection))
+    if (const char* refused = simulator.make_connection(static_cast<int>(std::abs(step.connection)), step.connection < 0.0)) simulator.fail(refused);
   if (is_set(step.free_length) && !simulator.set_free_length(step.free_length))
     simulator.fail("program: free_length would set guided pipe free, allowed: shorter ones than before");
   if (is_set(step.stuck_at) && !simulator.stick_pipe(step.stuck_at))
@@ -116,7 +120,7 @@ void ProgramPlayer::begin(const ProgramStep& step, Simulator& simulator) noexcep
 
 void ProgramPlayer::begin_winch(const ProgramStep& step, Simulator& simulator) noexcept
 {
-  WinchSetpoint winch = simulator.setpoints().winch;  // what this line leaves out stays
+  WinchSetpoint winch = simulator.asked().winch;  // what this line leaves out stays
   if (is_set(step.block_velocity))
   {
     block_velocity_ = ramp_of(step, winch.brake ? 0.0 : winch.block_velocity, step.block_velocity);
@@ -129,7 +133,7 @@ void ProgramPlayer::begin_winch(const ProgramStep& step, Simulator& simulator) n
 
 void ProgramPlayer::begin_top_drive(const ProgramStep& step, Simulator& simulator) noexcept
 {
-  TopDriveSetpoint drive = simulator.setpoints().top_drive;
+  TopDriveSetpoint drive = simulator.asked().top_drive;
   const Truth& truth = simulator.truth();
   const TopDriveMode before = drive.mode;
   drive.mode = mode_of(step, before);
@@ -157,7 +161,7 @@ void ProgramPlayer::begin_top_drive(const ProgramStep& step, Simulator& simulato
 
 void ProgramPlayer::follow(double now, Simulator& simulator) noexcept
 {
-  const Setpoints in_force = simulator.setpoints();
+  const Setpoints in_force = simulator.asked();
   const auto move = [now](Ramp& ramp, double& setpoint)
   {
     const bool moves = ramp.running;

@@ -42,6 +42,7 @@ private:
 FrameStatus play_frame(Simulator& simulator, ScenePlayer* player, double duration) noexcept
 {
   if (player) player->apply(simulator);
+  simulator.attend();
   return simulator.frame(duration);
 }
 

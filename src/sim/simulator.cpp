@@ -52,6 +52,7 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
     end_forces(state.forces), forces_between(state.forces)
 {
   state.scene = scene_hash(scene);
+  state.string = {model->mesh().total_length, scene.start.bit_depth};
   statistics.nodes = model->nodes();
   statistics.guided_nodes = guided_nodes(state.mechanics);
   statistics.coordinates = coordinates_of(state.mechanics, statistics.guided_nodes);
@@ -62,6 +63,7 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   statistics.step = scene.numerics.step;
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   state.forces.meter_torque = rig.statics.top_torque;
+  find_stand();
   measure();
   state.instruments = Instruments(scene, state.truth, seed);
   state.instruments.read(state.truth, sensor_view(), state.readings);
@@ -76,9 +78,9 @@ Simulator::Simulator(Simulator&&) noexcept = default;
 Simulator& Simulator::operator=(Simulator&&) noexcept = default;
 
 template <class Setpoint>
-CommandResult Simulator::Impl::command(const Setpoint& c) noexcept
+CommandResult Simulator::Impl::command(const Setpoint& c, const char* lock) noexcept
 {
-  const CommandResult result = take(scene.rig, now(), c, state.commands);
+  const CommandResult result = lock ? CommandResult{CommandResult::Outcome::refused, lock} : take(scene.rig, now(), c, state.commands);
   statistics.commands_clamped += result.outcome == CommandResult::Outcome::clamped;
   statistics.commands_refused += result.outcome == CommandResult::Outcome::refused;
   return result;
@@ -86,17 +88,17 @@ CommandResult Simulator::Impl::command(const Setpoint& c) noexcept
 
 CommandResult Simulator::command(const WinchSetpoint& c) noexcept
 {
-  return impl_->command(c);
+  return impl_->command(c, locked(c));
 }
 
 CommandResult Simulator::command(const TopDriveSetpoint& c) noexcept
 {
-  return impl_->command(c);
+  return impl_->command(c, locked(c));
 }
 
 CommandResult Simulator::command(const PumpSetpoint& c) noexcept
 {
-  return impl_->command(c);
+  return impl_->command(c, locked(c));
 }
 
 bool Simulator::is_steerable() const noexcept
@@ -106,9 +108,7 @@ bool Simulator::is_steerable() const noexcept
 
 CommandResult Simulator::command(const SteeringSetpoint& c) noexcept
 {
-  if (is_steerable()) return impl_->command(c);
-  ++impl_->statistics.commands_refused;
-  return {CommandResult::Outcome::refused, "steering: the string has no rotary_steerable"};
+  return impl_->command(c, is_steerable() ? nullptr : "steering: the string has no rotary_steerable");
 }
 
 /// What the tool in the string hears and feels before a frame.
@@ -127,6 +127,11 @@ Setpoints Simulator::setpoints() const noexcept
   return impl_->state.commands.in_force();
 }
 
+const Setpoints& Simulator::asked() const noexcept
+{
+  return impl_->state.commands.asked;
+}
+
 void Simulator::set_command_timeout(double seconds) noexcept
 {
   impl_->command_timeout = seconds;
@@ -136,6 +141,8 @@ FrameStatus Simulator::frame(double duration) noexcept
 {
   if (*impl_->failure) return FrameStatus::failed;
   if (!(duration > 0.0)) return FrameStatus::running;
+  if (impl_->state.connection.under_way) impl_->state.connection.elapsed += duration;
+  impl_->state.crew.waited += duration;
   impl_->integrator->profiler().restart();
   drill_rig_sim::watch_commands(impl_->command_timeout, impl_->now(), impl_->state.commands);
   impl_->steer();
@@ -236,16 +243,20 @@ const Scene& Simulator::scene() const noexcept
   return impl_->scene;
 }
 
-bool Simulator::tare() noexcept
+bool Simulator::Impl::tare() noexcept
 {
-  SimulatorState& state = impl_->state;
-  if (state.truth.on_bottom) return false;
+  if (state.truth.on_bottom || state.truth.in_slips) return false;
   state.tared = true;
-  state.tare_hook_load = impl_->shown_forces().hook_load;
+  state.tare_hook_load = shown_forces().hook_load;
   state.tare_pressure += state.truth.differential_pressure;
-  impl_->measure_rig();
+  measure_rig();
   state.instruments.tare(state.readings);
   return true;
+}
+
+bool Simulator::tare() noexcept
+{
+  return impl_->tare();
 }
 
 bool Simulator::set_free_length(double from_bit) noexcept
@@ -268,7 +279,11 @@ bool Simulator::restore(const SimulatorState& state, bool keep_time)
 {
   if (state.scene != impl_->state.scene) return false;
   const double now = impl_->now();
+  const bool another_string = state.string.length != impl_->state.string.length || state.string.bit_depth != impl_->state.string.bit_depth;
+  const std::shared_ptr<const Model> model = another_string ? impl_->model_of(state.string) : impl_->model;
+  if (model->mesh().nodes.size() != state.mechanics.nodes.size()) return false;
   impl_->state = state;
+  if (another_string) impl_->take_string(model);
   impl_->integrator->restart();
   if (keep_time) impl_->shift_time(now);
   if (impl_->variable && state.stride.length > 0.0)

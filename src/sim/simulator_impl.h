@@ -41,6 +41,7 @@ struct Simulator::Impl
   // while a stride is under way: its end, and what the last frame shows
   State stride_end, between;
   RigForces end_forces, forces_between;
+  int below_stand = -1;  // node at which the crew would take a stand away; -1: none
   double command_timeout = 0.0;
   const char* failure = "";
 
@@ -60,7 +61,7 @@ struct Simulator::Impl
   void show_stride() noexcept;
   bool settle() noexcept;
   template <class Setpoint>
-  CommandResult command(const Setpoint& c) noexcept;
+  CommandResult command(const Setpoint& c, const char* lock) noexcept;
   /// Set points that act: those asked for, but for what the watchdog, interlocks and faults make of them.
   Setpoints in_force() const noexcept { return restrained(state.commands.in_force(), state.interlocks, state.mechanics.faults); }
   void shift_time(double now) noexcept;
@@ -69,8 +70,28 @@ struct Simulator::Impl
   void measure_rig() noexcept;
   void measure_bit() noexcept;
   void measure_string() noexcept;
+  void measure_block() noexcept;
+  void measure_string_built() noexcept;
   double motor_pressure() const noexcept;
   SensorView sensor_view() const noexcept;
+  bool broken_out_by_hand() const noexcept { return state.connection.under_way && state.crew.doing == CrewTask::none; }
+  void tell_string_built() noexcept;
+  const char* set_slips(bool set) noexcept;
+  const char* make_connection(int joints, bool remove) noexcept;
+  const char* begin_connection(double length);
+  void end_connection();
+  void take_string(std::shared_ptr<const Model> longer);
+  std::shared_ptr<const Model> model_of(const StringBuilt& string) const;
+  double free_length_of(const Model& longer) const noexcept;
+  void find_stand();
+  double rest_load() const noexcept;
+  bool tare() noexcept;
+  WinchSetpoint to_slack() const noexcept;
+  void crew_begins() noexcept;
+  void crew_works() noexcept;
+  void crew_does(CrewTask task) noexcept;
+  void crew_goes_on(double height) noexcept;
+  bool crew_has_done(WinchSetpoint& winch) noexcept;
 };
 
 }  // namespace drill_rig_sim

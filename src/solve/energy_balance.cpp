@@ -38,7 +38,14 @@ EnergyBalance::EnergyBalance(std::shared_ptr<const Model> model)
 void EnergyBalance::restart() noexcept
 {
   accounts_ = EnergyAccounts();
+  opened_ = goes_on_ = false;
+}
+
+void EnergyBalance::go_on_from(const EnergyBalance& before) noexcept
+{
+  accounts_ = before.accounts_;
   opened_ = false;
+  goes_on_ = before.opened_ || before.goes_on_;
 }
 
 void EnergyBalance::begin_step(const State& state, const Setpoints& setpoints) noexcept
@@ -51,10 +58,21 @@ void EnergyBalance::begin_step(const State& state, const Setpoints& setpoints) n
   else
     open(state);
   find_reshaped(state);
-  if (!opened_) accounts_.first = accounts_.last = start_;
+  if (!opened_) begin_accounts();
   opened_ = true;
   part_.time = part_.line_paid_out = part_.rotor_increment = part_.rock_advance = 0.0;
   std::fill(part_.increment.begin(), part_.increment.end(), 0.0);
+}
+
+void EnergyBalance::begin_accounts() noexcept
+{
+  const StoredEnergy& last = accounts_.last;
+  if (goes_on_)
+    accounts_.handled += start_.kinetic_all() + start_.elastic_all() - last.kinetic_all() - last.elastic_all();
+  else
+    accounts_.first = start_;
+  accounts_.last = start_;
+  goes_on_ = false;
 }
 
 /// What the beams lost between the steps for another reason than the pump's pressure: guided pipe changes the side on which it lies, and kinds

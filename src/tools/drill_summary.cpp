@@ -89,6 +89,7 @@ Json json_of(const EnergyAccounts& e)
           {"pump", e.pump},
           {"gravity", e.gravity},
           {"steering", e.steering},
+          {"handled", e.handled},
           {"stored", e.stored()},
           {"wall_friction", e.wall_friction},
           {"wall_damping", e.wall_damping},

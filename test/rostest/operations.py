@@ -40,8 +40,8 @@ class Operations(unittest.TestCase):
         for _ in range(1000):
             state = self.rig.advance(20)
             self.assertTrue(0.0 <= state.operation_progress <= 1.0)
-            if not told or told[-1] != (state.operation_number, state.operation):
-                told.append((state.operation_number, state.operation))
+            if not told or told[-1] != (state.operation_number, state.current_operation):
+                told.append((state.operation_number, state.current_operation))
             if state.operation_number == 0:
                 break
         names = ["flow", "rotate", "tag", "drill", "pick_up", "ream", "wait"]
@@ -49,9 +49,9 @@ class Operations(unittest.TestCase):
         self.assertTrue(state.brake_set)
 
     def test_a_command_takes_over(self):
-        self.assertEqual("flow", self.rig.advance(10).operation)
+        self.assertEqual("flow", self.rig.advance(10).current_operation)
         state = self.rig.advance(10, winch=winch(0.0))
-        self.assertEqual(("", 0), (state.operation, state.operation_number))
+        self.assertEqual(("", 0), (state.current_operation, state.operation_number))
 
 
 if __name__ == "__main__":

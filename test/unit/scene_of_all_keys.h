@@ -28,7 +28,7 @@ string:
   - {name: g1, type: mwd, length: 9.2, outer_diameter: 0.2033, inner_diameter: 0.074, linear_mass: 216.0, sensor_offset: 4.6, axial_stiffness: 5.61e9, bending_stiffness: 1.65e7, torsional_stiffness: 1.27e7, polar_inertia: 1.26}
   - {name: p1, type: pipe, joints: fill, joint_length: 9.6, outer_diameter: 0.128, inner_diameter: 0.1087, linear_mass: 32.0, tool_joint_diameter: 0.169}
 rig:
-  hoisting: {sheaves: 6, line_ea: 4.1e7, crown_height: 47.0, fixed_length: 61.0, block_mass: 17600.0, sheave_efficiency: 0.97, rail_friction: 0.04, line_damping: 0.05, max_speed: 1.6, max_acceleration: 0.6, max_hook_load: 2.6e6, min_hook_load: 51001.0, trip_hook_load: 1.9e6, lowest_block_height: 1.1, highest_block_height: 41.0}
+  hoisting: {sheaves: 6, line_ea: 4.1e7, crown_height: 47.0, fixed_length: 61.0, block_mass: 17600.0, sheave_efficiency: 0.97, rail_friction: 0.04, line_damping: 0.05, max_speed: 1.6, max_acceleration: 0.6, max_hook_load: 2.6e6, min_hook_load: 51001.0, trip_hook_load: 1.9e6, lowest_block_height: 1.1, highest_block_height: 41.0, connection_time: 171.0, stand_joints: 2}
   top_drive: {inertia: 2600.0, proportional_gain: 20001.0, integral_gain: 5001.0, max_torque: 50001.0, max_speed_rpm: 221.0, max_power: 750001.0, meter_stiffness: 1.1e6, gearbox_friction: 1001.0, brake_torque: 50001.0, max_acceleration_rpm: 71.0,
     soft_torque: {damping: 801.0, stiffness: 3951.0, inertia_compensation: 0.11}, z_torque: {damping: 401.0, stiffness: 61.0, inertia_compensation: 0.91}}
   mud_pump: {max_flow: 0.061, flow_ramp: 0.011, relief_pressure: 3.51e7, trip_pressure: 3.41e7, pressure_coefficient: 4.1e9, loss_exponent: 1.83}
@@ -52,7 +52,7 @@ program:
   - {at: 1.5, block_velocity: -0.01, top_drive_speed_rpm: 54.0, flow: 0.046}
   - {at: 2.5, top_drive_torque: 1234.0, top_drive_brake: true, brake: true}
   - {at: 3.5, brake: false, flow: 0.045, ramp: 6.5, stuck_at: 701.0}
-  - {at: 4.5, free: true, free_length: 57.0}
+  - {at: 4.5, free: true, free_length: 57.0, slips: true, connection: -2.0}
   - {at: 5.5, top_drive_mode: oscillate, top_drive_angle_deg: 1801.0, amplitude_right_deg: 721.0, amplitude_left_deg: 361.0, top_drive_torque_limit: 9001.0}
   - {at: 6.5, fault: pack_off, fault_depth: 501.0, fault_magnitude: 20001.0}
   - {at: 7.5, clear_fault: sensor_freeze, fault_target: flow}

@@ -59,6 +59,17 @@ inline void pull_at_stuck_point(Rig& rig, int i)
   rig.run(1.5);
 }
 
+/// Lets the slips hold node `i`, slacks off and turns the drive against them.
+inline void rest_in_slips(Rig& rig, int i)
+{
+  const NodeState& held = rig.rest.state.nodes[i];
+  rig.rest.state.slips = {i, held.position, held.spin_angle};
+  rig.setpoints.winch = {-0.02, false};
+  rig.setpoints.top_drive.speed = 3.0 * rpm;
+  rig.run(1.0);
+  ASSERT_LT(rig.rest.state.nodes[i].position.z(), rig.rest.state.slips.position.z());
+}
+
 /// A stage, and what evaluates it: evaluate() or evaluate_static().
 struct Problem
 {

@@ -76,6 +76,13 @@ TEST(ModelGuided, tangentWithAStuckPoint)
   expect_exact(rig);
 }
 
+TEST(ModelGuided, tangentInTheSlips)
+{
+  Rig rig(built_and_held(Level::axial_torsional));
+  rest_in_slips(rig, rig.rest.model->top() - 2);
+  expect_exact(rig, guided_difference);
+}
+
 TEST(ModelGuided, tangentOnBottom)
 {
   Scene scene = drilling_scene(0.002);

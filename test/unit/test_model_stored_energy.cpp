@@ -159,7 +159,7 @@ TEST(Accounts, addUpEveryTermOnce)
     }
     return sum;
   };
-  const double input = fill({&e.winch, &e.drive, &e.pump, &e.gravity});
+  const double input = fill({&e.winch, &e.drive, &e.pump, &e.gravity, &e.handled});
   StoredEnergy &now = e.last, &before = e.first;
   const double held = fill({&now.kinetic, &now.turning, &now.rotor, &now.beams, &now.line, &now.meter, &now.gear, &now.block, &now.wall, &now.bottom, &now.bristles,
                             &now.bit_bristle, &now.stuck_point}) -

@@ -205,6 +205,13 @@ TEST(ModelTangent, motorTurningBehindABentHousing)
   expect_exact(rig);
 }
 
+TEST(ModelTangent, slips)
+{
+  Rig rig(slanted_scene(60.0, 0.3));
+  rest_in_slips(rig, rig.rest.model->top() - 3);
+  expect_exact(rig);
+}
+
 TEST(ModelTangent, stuckPoint)
 {
   Rig rig(slanted_scene(60.0, 0.3));

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "drill_ahead.h"
+#include "in_slips.h"
 #include "test_scenes.h"
 
 namespace
@@ -129,6 +130,28 @@ TEST(Frame, allocatesNothingWithAnEnergyBook)
 TEST(Frame, allocatesNothingInStrides)
 {
   drill(true, BitTorqueModel::stribeck, 0.0);
+}
+
+// The crew works between the frames.
+TEST(Frame, allocatesNothingInConnections)
+{
+  allocations = 0;
+  Scene scene = slips_scene(Level::axial_torsional);
+  scene.connections = Connections::automatic;
+  Simulator rig(scene);
+  rig.command(WinchSetpoint{-0.1, false});
+  const int stands = rig.truth().stand_count;
+  long failed = 0;
+  for (int k = 0; k < 20000 && rig.truth().stand_count == stands; ++k)
+  {
+    rig.attend();
+    counting = true;
+    failed += rig.frame(0.01) != FrameStatus::running;
+    counting = false;
+  }
+  EXPECT_EQ(failed, 0);
+  EXPECT_EQ(allocations, 0);
+  EXPECT_EQ(rig.truth().stand_count, stands + 1);
 }
 
 int main(int argc, char** argv)

@@ -96,7 +96,8 @@ TEST(State, everyNumberComesBack)
   for (std::size_t k = 0; k < list.paths.size(); ++k)
   {
     const std::string& path = list.paths[k];
-    if (path == "scene" || path.find("count") != std::string::npos) continue;  // of another rig, or of a list that would not be there
+    // of another rig, of another string than the state's, or of a list that would not be there
+    if (path == "scene" || path == "string.length" || path.find("count") != std::string::npos) continue;
     SimulatorState changed = *good;
     change(changed, k);
     if (path.find(".slots.") != std::string::npos && k != last_hash_of(list.paths, path)) change(changed, last_hash_of(list.paths, path));

@@ -167,6 +167,7 @@ TEST(Summary, energyIsToldAccountByAccountWhereItIsBalanced)
                   {"drive", e.drive},
                   {"pump", e.pump},
                   {"gravity", e.gravity},
+                  {"handled", e.handled},
                   {"stored", e.stored()},
                   {"wall_friction", e.wall_friction},
                   {"wall_damping", e.wall_damping},

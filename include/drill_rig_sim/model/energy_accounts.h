@@ -7,7 +7,7 @@ namespace drill_rig_sim
 {
 /// Work and energy since a balance was opened [J]. Positive: inputs feed the system, everything else takes from it.
 ///
-///   winch + drive + pump + gravity + steering = stored + dissipated + broken rock + numerical + correction + residual
+///   winch + drive + pump + gravity + steering + handled = stored + dissipated + broken rock + numerical + correction + residual
 ///
 /// How a step of length h from n to n + 1 is booked; f: a force, v: the method's rates, u: its increments, bar: mean of n and n + 1.
 ///  - Inputs, dissipation and broken rock are integrated in time, h f_bar v_bar. They know rates and the clock, not the increments.
@@ -29,6 +29,7 @@ struct EnergyAccounts
                          ///< stretches the string, -N dL where it is under an effective tension N
   double gravity = 0.0;  ///< weight in mud, less what lifts the string up the annulus
   double steering = 0.0; ///< of the pads of a rotary steerable tool
+  double handled = 0.0;  ///< brought in or taken out with the pipe of a connection, between two steps
 
   // stored
   StoredEnergy first;  ///< when the balance was opened
@@ -44,7 +45,7 @@ struct EnergyAccounts
   double block = 0.0;             ///< friction of the block's rail, less what it holds, damping of its stops and lines
   double gearbox = 0.0;           ///< friction of the top drive's gearbox and brake, less what it holds
   double motor_slip = 0.0;        ///< pump less torque times the mud motor's speed
-  double stuck_point_released = 0.0;     ///< held by a stuck point when it let go
+  double stuck_point_released = 0.0;     ///< held by a stuck point, or the slips, when it let go
   // what the model itself leaves out
   double ledge = 0.0;       ///< work of the wall's axial push where its radius changes (wall_contact.h: "sideways, never along")
   double added_mass = 0.0;  ///< of the added mass, lateral only: the force of its axes' turning with the string, and nodes that enter mud
@@ -66,7 +67,7 @@ struct EnergyAccounts
   double largest_kinetic = 0.0;  ///< highest kinetic energy so far
   double time = 0.0;             ///< booked [s]
 
-  double input() const noexcept { return winch + drive + pump + gravity + steering; }
+  double input() const noexcept { return winch + drive + pump + gravity + steering + handled; }
   double stored() const noexcept;
   /// What the model leaves out counts here.
   double dissipated() const noexcept;

@@ -22,7 +22,7 @@ struct StoredEnergy
   double bottom = 0.0;       ///< the same of the bit on the bottom
   double bristles = 0.0;     ///< sticking friction at the wall, k_b z^2 / 2
   double bit_bristle = 0.0;  ///< sticking bit
-  double stuck_point = 0.0;         ///< formation that holds the pipe
+  double stuck_point = 0.0;         ///< formation that holds the pipe, and slips
   double weight = 0.0;       ///< - (weight in mud of this step) . places: only its change within a step means anything
 
   double kinetic_all() const noexcept { return kinetic + turning + rotor; }
@@ -41,7 +41,7 @@ enum class NodeForce
   wall_damping,  ///< Hunt and Crossley's part of the normal force
   friction,
   ledge,         ///< what the wall's force lacks of the gradient where the radius changes (wall_contact.h: "sideways, never along")
-  stuck_point,   ///< gradient of the stuck point's energy
+  stuck_point,   ///< gradient of the stuck point's and the slips' energy
   pads,          ///< of a rotary steerable tool
   unsolved,      ///< the residual that the method left
   count

@@ -199,8 +199,8 @@ struct BitState
   }
 };
 
-/// Where the formation holds the pipe.
-struct StuckPointState
+/// A node that is held: where the formation grips the pipe, or the slips do.
+struct HeldNode
 {
   int node = -1;  ///< -1: none
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -230,7 +230,8 @@ struct State
   HoistState hoist;
   BitState bit;
   CutGround ground;  ///< under the bit; of the regenerative law alone, its fixed place the bottom at the start
-  StuckPointState stuck_point;
+  HeldNode stuck_point;
+  HeldNode slips;  ///< of the rotary table, under a joint's end
   FaultState faults;
   HydraulicState hydraulics;
   double flow = 0.0;  ///< through string, motor and bit; constant within a step [m3/s]
@@ -249,6 +250,7 @@ struct State
     v("bit", bit);
     v("ground", ground);
     v("stuck_point", stuck_point);
+    v("slips", slips);
     v("faults", faults);
     v("hydraulics", hydraulics);
     v("flow", flow);

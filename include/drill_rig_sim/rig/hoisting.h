@@ -31,6 +31,8 @@ struct HoistingSpec
   double trip_hook_load = 0.0;    ///< over-pull: a hook load that sets the brake while it is raised [N]; 0: none
   double lowest_block_height = 1.0;
   double highest_block_height = 40.0;
+  double connection_time = 180.0;  ///< that the string rests broken out in the slips, while a stand is added or taken away [s]
+  int stand_joints = 3;            ///< joints of drill pipe in a stand
 };
 
 constexpr double rail_stiffness = 5e6;      ///< of what rail friction holds the block by [N/m]
@@ -38,7 +40,14 @@ constexpr double stop_clearance = 0.02;     ///< of crown and floor stop beyond 
 constexpr double stop_stiffness = 1e8;      ///< of them [N/m]
 constexpr double stop_damping = 2.0;        ///< Hunt and Crossley's [s/m]
 constexpr double standing_winch = 1e-3;     ///< slower, it counts as standing [m/s]
+constexpr double stick_up = 1.0;            ///< so high above the rotary table stands the joint that is broken out in a connection [m]
 constexpr double sheave_presliding = 0.01;  ///< block travel over which the sheaves' friction builds up from rest [m]
+
+/// What a stand of `stand` [m] needs between the block's heights where the crew adds it: stick_up, and half a metre to spare [m].
+constexpr double room_for_stand(double stand) noexcept
+{
+  return stand + stick_up + 0.5;
+}
 
 /// The lines' pull on the block.
 struct LinePull

@@ -51,6 +51,8 @@ private:
   std::string list_states(ListStates::Response& response);
   std::string delete_state(const std::string& name);
   std::string inject_fault(const InjectFault::Request& request);
+  std::string set_slips(bool set);
+  std::string make_connection(const MakeConnection::Request& request);
   /// Gives `lock` free while the frames are computed.
   std::string step(const StepSimulation::Request& request, StepSimulation::Response& answer, Lock& lock);
 

@@ -57,7 +57,7 @@ struct StepResult
 };
 
 /// The simulation thread: takes the commands, computes a frame when the timekeeper says so, hands over its output. It never
-/// locks, logs or allocates (the outputs' arrays have got their memory before). It waits in one place, on one semaphore.
+/// locks, logs or allocates (the outputs' arrays have got their memory before), but between two frames where a connection ends: for the string is rebuilt then. It waits in one place, on one semaphore.
 class SimulationLoop
 {
 public:

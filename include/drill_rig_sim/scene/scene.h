@@ -71,6 +71,8 @@ struct ProgramStep
   double fault_magnitude = 0.0;     ///< in its own unit
   int fault_gauge = -1;             ///< of it or of the one that ends: a Gauge
   int clear_fault = -1;             ///< a FaultKind that ends; -1: none
+  double slips = unset;             ///< 1 sets, 0 pulls
+  double connection = unset;        ///< joints to be added; < 0: to be taken away
   double free_length = unset;       ///< nodes up to here above the bit's face are free, those above it guided [m]
 };
 

@@ -33,9 +33,11 @@ struct CommandState
   double last_winch = std::numeric_limits<double>::infinity();
   double last_drive = std::numeric_limits<double>::infinity();
   bool winch_silent = false, drive_silent = false;  ///< for longer than the timeout, up to its next command
+  bool crew_drives = false;  ///< the rig's crew gives the set points for a while (crew.h): what is asked meanwhile acts afterwards
+  Setpoints by_crew;
 
   bool timed_out() const noexcept { return winch_silent || drive_silent; }
-  /// What was asked; brake and coasting drive while a stream is silent.
+  /// What was asked, or the crew's; brake and coasting drive while a stream is silent.
   Setpoints in_force() const noexcept;
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept;
@@ -50,6 +52,8 @@ struct CommandState
     v("last_drive", last_drive);
     v("winch_silent", winch_silent);
     v("drive_silent", drive_silent);
+    v("crew_drives", crew_drives);
+    v("by_crew", by_crew);
   }
 };
 

@@ -18,6 +18,7 @@ struct SensorView
   Eigen::Vector3d axis = -Eigen::Vector3d::UnitZ();     ///< along the string, towards the bit
   Eigen::Vector3d scribe = Eigen::Vector3d::UnitY();    ///< across the string: the bend's direction without twist
   double spin_speed = 0.0;                              ///< of the pipe [rad/s]
+  bool in_slips = false;                                ///< the slips bear the string: where the block is says nothing of the bit
 };
 
 /// Measurement while drilling: surveys by period, or after a pumps-off/on cycle when the period is 0, the faster toolface and the continuous

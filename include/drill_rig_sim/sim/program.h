@@ -44,7 +44,7 @@ class ProgramPlayer
 public:
   explicit ProgramPlayer(std::vector<ProgramStep> steps);
   /// Applies every line with `at` <= the simulator's time that has not been applied yet. Call before each frame. A line that cannot be (a
-  /// stuck point below the bit) fails the simulator's next frame.
+  /// stuck point below the bit, slips under a moving block) fails the simulator's next frame.
   void apply(Simulator& simulator) noexcept;
   /// No line is left and no set point on its way.
   bool finished() const noexcept;

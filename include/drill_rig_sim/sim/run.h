@@ -14,7 +14,7 @@ struct RunGoal
 {
   double duration = 0.0;                                   ///< simulated time that the run takes [s]
   double depth = std::numeric_limits<double>::infinity();  ///< measured depth of the hole [m]; infinite where only time counts
-  /// Simulated time that the run waits for a millimetre of new hole once nothing is left to play, or for the operation under way to get nearer its end [s]
+  /// Simulated time that the run waits for a millimetre of new hole once nothing is left to play, or for the operation under way to get nearer its end, connections apart [s]
   double patience = std::numeric_limits<double>::infinity();
   double goes_on = std::numeric_limits<double>::infinity();  ///< simulated time that the run goes on once nothing is left to play [s]
 };
@@ -29,7 +29,7 @@ enum class RunEnd
   failure    ///< a frame failed; Simulator::failure() says why
 };
 
-/// One frame of `duration` [s], a multiple of the scene's step: what the player has for it, then the physics.
+/// One frame of `duration` [s], a multiple of the scene's step: what the player has for it, what the crew does (Simulator::attend()), then the physics.
 /// Without a player (null) the set points in force stay. The node's loop and run() both play by this.
 FrameStatus play_frame(Simulator& simulator, ScenePlayer* player, double duration) noexcept;
 

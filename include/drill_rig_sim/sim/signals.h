@@ -65,6 +65,23 @@ struct InclinationReading
   }
 };
 
+/// What the rig's crew is about (crew.h).
+enum class CrewTask
+{
+  none,
+  stopping,    ///< the block, for a connection by `connections: auto`
+  lifting,     ///< the bit off bottom
+  quieting,    ///< drive and pump come to rest
+  slacking,    ///< the weight goes to the slips
+  connecting,  ///< pipe is added or taken away; by make_connection too
+  picking_up,  ///< the weight comes back to the hook
+  restarting,  ///< drive and pump go back to their set points
+  lowering     ///< to where the bit was
+};
+
+/// The same in a word; empty for none.
+const char* text_of(CrewTask task) noexcept;
+
 /// A rig's signals at one instant. Signs as in commands.h. Each field says what it is in truth; Readings says what instruments make of it.
 struct RigSignals
 {
@@ -84,11 +101,11 @@ struct RigSignals
   double ecd = 0.0;                    ///< equivalent circulating density at the bit, ecd() [kg/m3]
   double hole_depth = 0.0;             ///< [m MD]
   double bit_depth = 0.0;              ///< of the bit's face [m MD]
-  double surface_wob = 0.0;            ///< tare - hook_load; 0 until tared [N]
+  double surface_wob = 0.0;            ///< tare - hook_load; 0 until tared, and in the slips [N]
   double rop = 0.0;                    ///< rate of hole_depth over the last frame [m/s]
   bool tared = false;
   bool on_bottom = false;
-  bool in_slips = false;
+  bool in_slips = false;            ///< the slips are set
   bool brake_set = false;
   bool motor_stalled = false;
   bool winch_limited = false;       ///< a limit of speed, acceleration, load or height holds the winch back
@@ -107,6 +124,8 @@ struct RigSignals
   bool pump_tripped = false;        ///< by trip_pressure or a fault: no flow, after trip_pressure until a flow of 0 is commanded
   bool drive_tripped = false;       ///< by a fault: the top drive coasts
   unsigned lost_gauges = 0;  ///< in a drop-out, each 1 << Gauge
+  int stand_count = 0;              ///< whole stands of the last part's pipe in the string
+  CrewTask crew = CrewTask::none;
   Setpoints setpoints;
 
   template <class V>
@@ -150,6 +169,8 @@ struct RigSignals
     v("pump_tripped", pump_tripped);
     v("drive_tripped", drive_tripped);
     v("lost_gauges", lost_gauges);
+    v("stand_count", stand_count);
+    v("crew", crew);
     v("setpoints", setpoints);
   }
 };
@@ -197,7 +218,7 @@ struct Truth : RigSignals
 /// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact. ecd: as if a tool by the bit told it at once.
 /// - worked out, as a rig does: bit_depth = tally - block_height (the tally is right at the start), hole_depth its largest so far, rop the
 ///   rate of that over the last 10 s, hook_load_string = hook_load - weight of block and top drive, surface_wob = tare - hook_load,
-///   differential_pressure = stand_pipe_pressure - tare, 0 until tared.
+///   differential_pressure = stand_pipe_pressure - tare, 0 until tared. While the slips bear the string bit_depth is held.
 /// - on_bottom, motor_stalled, over_stress, over_torque, buckled: false, no rig can sense them. The other flags are the rig's own and true.
 struct Readings : RigSignals
 {

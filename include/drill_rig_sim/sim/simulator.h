@@ -58,7 +58,7 @@ struct SimulatorStatistics
 };
 
 /// A rig, a string and a well that commands drive through time. Knows no wall clock and no ROS.
-/// After construction nothing here but save() allocates, and frame() never throws.
+/// After construction nothing here allocates but save(), make_connection(), attend() and a restore() of a longer or shorter string, and frame() never throws.
 class Simulator
 {
 public:
@@ -72,12 +72,18 @@ public:
   CommandResult command(const WinchSetpoint& c) noexcept;
   CommandResult command(const TopDriveSetpoint& c) noexcept;
   CommandResult command(const PumpSetpoint& c) noexcept;
+  /// Why a command would be refused at present, one line, static storage: slips and a broken-out string lock what would turn, run or pump; null: it would not be.
+  const char* locked(const WinchSetpoint& c) const noexcept;
+  const char* locked(const TopDriveSetpoint& c) const noexcept;
+  const char* locked(const PumpSetpoint& c) const noexcept;
   /// Obeyed at once; by the pump's flow as downlink.h says. Refused where the string has no rotary_steerable.
   CommandResult command(const SteeringSetpoint& c) noexcept;
   /// The string has a rotary_steerable.
   bool is_steerable() const noexcept;
   /// The set points asked for by the last commands, or the watchdog's, though no frame has been computed since; the truth holds what interlocks and faults leave of them.
   Setpoints setpoints() const noexcept;
+  /// The last commands themselves, whoever gives the set points meanwhile: a crew, or the watchdog of silent streams.
+  const Setpoints& asked() const noexcept;
   /// Winch and drive streams silent for longer than this set the brake and coast the drive [s]; 0 = off.
   void set_command_timeout(double seconds) noexcept;
 
@@ -112,7 +118,7 @@ public:
   /// Why level auto has chosen what it has, one line; empty for other levels.
   const std::string& choice() const noexcept;
 
-  /// Zero of surface WOB and differential pressure, where they are and where the gauges show them. False (unchanged) on bottom.
+  /// Zero of surface WOB and differential pressure, where they are and where the gauges show them. False (unchanged) on bottom and in the slips.
   bool tare() noexcept;
   /// Grips the pipe within an element of measured depth `md` [m]; false, and nothing changed, unless 0 < md <= the bit's depth.
   bool stick_pipe(double md) noexcept;
@@ -126,9 +132,19 @@ public:
   /// shakes turning pipe for seconds (torque off by up to 40 %), for level rigid, for methods that know free nodes alone, and where `from_bit` is no length.
   bool set_free_length(double from_bit) noexcept;
 
+  /// Sets the slips: they grip the joint's end nearest to the rotary table (model/forces/slips.h). Or pulls them. Null where it is done, else why not, one
+  /// line, static storage; nothing has changed then.
+  const char* set_slips(bool set) noexcept;
+  /// Begins to add `joints` of the last part's pipe (0: a stand) to the string in the slips, or to `remove` them (connection.h). It is over after
+  /// connection_time, or what the block's way takes if that is longer; attend() then makes up the string. Null, or why not.
+  const char* make_connection(int joints, bool remove) noexcept;
+  /// What the rig's crew does between two frames: makes up the string of a connection that is over, and connections of its own (crew.h). Only
+  /// here a simulator rebuilds its string, and then allocates. play_frame() calls it before every frame; without it no connection ends.
+  void attend() noexcept;
+
   /// A copy of everything that the next frame depends on.
   std::shared_ptr<const SimulatorState> save() const;
-  /// Back to a saved state of this same scene; false, and nothing changed, for one of another scene. After it the next frames are bit-identical to those that followed save().
+  /// Back to a saved state of this same scene; false, and nothing changed, for one of another scene, or whose string is not what it says. After it the next frames are bit-identical to those that followed save().
   /// `keep_time`: simulated time runs on from now instead of jumping back.
   bool restore(const SimulatorState& state, bool keep_time = false);
 

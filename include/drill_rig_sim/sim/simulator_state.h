@@ -9,6 +9,8 @@
 #include "drill_rig_sim/sim/accuracy.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/downlink.h"
+#include "drill_rig_sim/sim/connection.h"
+#include "drill_rig_sim/sim/crew.h"
 #include "drill_rig_sim/sim/instruments.h"
 #include "drill_rig_sim/sim/interlocks.h"
 #include "drill_rig_sim/sim/level_watch.h"
@@ -23,11 +25,14 @@ struct SimulatorState
   SimulatorState(State start, RigForces at_start) : mechanics(std::move(start)), forces(std::move(at_start)) {}
 
   std::uint64_t scene = 0;  ///< scene_hash() of the rig that it belongs to
+  StringBuilt string;
   State mechanics;
   RigForces forces;  ///< of the last step: for the truth, and for which pipe is guided
   CommandState commands;
   DownlinkReceiver downlink;
   InterlockState interlocks;
+  ConnectionState connection;
+  CrewState crew;
   bool tared = false;
   double tare_hook_load = 0.0;  ///< true one [N]
   double tare_pressure = 0.0;   ///< true one over the motor [Pa]
@@ -42,11 +47,14 @@ struct SimulatorState
   void visit(V& v)
   {
     v("scene", scene);
+    v("string", string);
     v("mechanics", mechanics);
     v("forces", forces);
     v("commands", commands);
     v("downlink", downlink);
     v("interlocks", interlocks);
+    v("connection", connection);
+    v("crew", crew);
     v("tared", tared);
     v("tare_hook_load", tare_hook_load);
     v("tare_pressure", tare_pressure);

@@ -25,10 +25,14 @@ public:
   /// The next step does not start where the last one ended: opens the balance anew.
   void restart() noexcept;
 
+  /// Takes over another string's accounts: what the next step starts with beyond what they ended with is booked as handled.
+  void go_on_from(const EnergyBalance& before) noexcept;
+
   const EnergyAccounts& accounts() const noexcept { return accounts_; }
 
 private:
   void open(const State& state) noexcept;
+  void begin_accounts() noexcept;
   void find_reshaped(const State& state) noexcept;
   void count_from_last_part() noexcept;
   void book_jump() noexcept;
@@ -44,6 +48,7 @@ private:
   Workspace work_;
   EnergyAccounts accounts_;
   bool opened_ = false;
+  bool goes_on_ = false;   // opened with accounts of a string before
   StoredEnergy start_;     // of this step
   EnergySample before_;    // end of the last step
   EnergySample after_;     // end of this one

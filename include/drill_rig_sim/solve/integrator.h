@@ -45,6 +45,13 @@ public:
   Profiler& profiler() noexcept { return work_.profiler; }
   Work& work() noexcept { return work_.work; }
   const StepperCounters& counters() const noexcept { return counters_; }
+  /// Counts on where another one ended: this one goes on with a string that has been lengthened.
+  void count_on_from(const Integrator& before) noexcept
+  {
+    counters_ = before.counters_;
+    work_.work = before.work_.work;
+    work_.profiler = before.work_.profiler;
+  }
   /// Why the last advance() could not, one line.
   virtual const char* failure() const noexcept
   {

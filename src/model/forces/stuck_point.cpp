@@ -13,7 +13,7 @@ struct Offset
 
 Offset offset_of(const StageContext& at) noexcept
 {
-  const StuckPointState& held = at.start.stuck_point;
+  const HeldNode& held = at.start.stuck_point;
   const NodeMotion& node = at.work.nodes[held.node];
   return {node.position - held.position, at.start.nodes[held.node].spin_angle + node.spin - held.spin_angle};
 }

@@ -13,6 +13,7 @@
 #include "drill_rig_sim/model/forces/mud_drag.h"
 #include "drill_rig_sim/model/forces/pads.h"
 #include "drill_rig_sim/model/forces/place_drag.h"
+#include "drill_rig_sim/model/forces/slips.h"
 #include "drill_rig_sim/model/forces/span_wall.h"
 #include "drill_rig_sim/model/forces/squeeze_film.h"
 #include "drill_rig_sim/model/forces/stuck_point.h"
@@ -24,11 +25,11 @@
 namespace drill_rig_sim
 {
 /// Dynamics. Beams first: they write the tangent's blocks; the guided string behind all that acts on its nodes; the rail last: it overwrites rows.
-inline const std::array<const Force*, 15> dynamic_forces = {&beams,         &mud_drag,    &inertia, &squeeze_film, &wall,     &span_wall, &guided_gauge,
-                                                            &bit_on_bottom, &stuck_point, &pads,    &place_drag,   &hoisting, &top_drive, &guided_string, &guide_rail};
+inline const std::array<const Force*, 16> dynamic_forces = {&beams,         &mud_drag,    &inertia, &squeeze_film, &wall,       &span_wall, &guided_gauge,  &bit_on_bottom,
+                                                            &stuck_point,   &slips,       &pads,    &place_drag,   &hoisting,   &top_drive, &guided_string, &guide_rail};
 /// The same by batch kernels.
-inline const std::array<const Force*, 13> batched_forces = {&free_string, &squeeze_film, &wall,       &span_wall, &guided_gauge, &bit_on_bottom, &stuck_point,
-                                                            &pads,        &place_drag,   &hoisting,   &top_drive, &guided_string, &guide_rail};
+inline const std::array<const Force*, 14> batched_forces = {&free_string, &squeeze_film, &wall,       &span_wall, &guided_gauge, &bit_on_bottom,  &stuck_point,
+                                                            &slips,       &pads,         &place_drag, &hoisting,  &top_drive,    &guided_string, &guide_rail};
 /// Statics, inertia for continuation.
 inline const std::array<const Force*, 8> static_forces = {&beams,       &inertia,     &sliding_wall,          &sliding_span_wall,
                                                           &resting_bit, &stuck_point, &sliding_guided_string, &held_top};

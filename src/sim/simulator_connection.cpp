@@ -1,0 +1,277 @@
+// Slips, and the string that is lengthened or shortened in them.
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/forces/slips.h"
+#include "drill_rig_sim/rig/hoisting.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
+#include "drill_rig_sim/sim/integrator_table.h"
+#include "simulator_impl.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double standing_block = 0.01;  // bouncing in its lines by less it counts as at rest [m/s]
+constexpr double same_place = 1e-6;      // of two nodes along the string [m]
+
+bool moves(const WinchSetpoint& c) noexcept
+{
+  return !c.brake && c.block_velocity != 0.0;
+}
+
+bool turns(const TopDriveSetpoint& c) noexcept
+{
+  if (c.brake) return false;
+  return c.mode == TopDriveMode::torque ? c.torque != 0.0 : c.mode == TopDriveMode::angle || c.mode == TopDriveMode::oscillate || c.speed != 0.0;
+}
+
+/// The joint's end of pipe that is nearest to the rotary table; -1: there is none.
+int joint_at_table(const Model& model, const State& state) noexcept
+{
+  int nearest = -1;
+  double away = 0.0;
+  for (int i = 1; i < model.top(); ++i)
+  {
+    const MeshNode& node = model.mesh().nodes[static_cast<std::size_t>(i)];
+    if (!node.joint_end || !model.scene().string[static_cast<std::size_t>(node.part)].pipe) continue;
+    const double z = std::abs(state.nodes[static_cast<std::size_t>(i)].position.z());
+    if (nearest >= 0 && z >= away) continue;
+    nearest = i;
+    away = z;
+  }
+  return nearest;
+}
+
+/// Whether two strings are the same from the bit up to node `i`.
+bool same_below(const Mesh& a, const Mesh& b, int i) noexcept
+{
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(i); ++k)
+    if (std::abs(a.nodes[k].from_bit - b.nodes[k].from_bit) > same_place) return false;
+  return true;
+}
+}  // namespace
+
+const char* Simulator::locked(const WinchSetpoint& c) const noexcept
+{
+  return impl_->broken_out_by_hand() && moves(c) ? "the string is broken out: the crew runs the block until the connection is made" : nullptr;
+}
+
+const char* Simulator::locked(const TopDriveSetpoint& c) const noexcept
+{
+  const bool in_slips = impl_->state.mechanics.slips.node >= 0 && impl_->state.crew.doing == CrewTask::none;
+  return in_slips && turns(c) ? "the string is in the slips: the top drive is locked, allowed: at rest" : nullptr;
+}
+
+const char* Simulator::locked(const PumpSetpoint& c) const noexcept
+{
+  return impl_->broken_out_by_hand() && c.flow > 0.0 ? "the string is broken out: the pump is locked, allowed: 0" : nullptr;
+}
+
+const char* Simulator::Impl::set_slips(bool set) noexcept
+{
+  const State& now = shown();
+  if (scene.numerics.integrator == IntegratorKind::ida) return "slips: the reference (ida) has none, allowed: the other integrators";
+  if (set == (now.slips.node >= 0)) return set ? "slips: they are set already" : "slips: they are not set";
+  if (!set)
+  {
+    if (state.connection.under_way) return "slips: the string is broken out, the connection must be made first";
+    if (slips_load(now) > most_slips_load) return "slips: they bear the string, allowed: up to 5 kN, pick up first";
+    settle();
+    mechanics().slips = HeldNode();
+    return nullptr;
+  }
+  if (std::abs(now.hoist.winch_speed) > standing_winch || std::abs(now.nodes.back().rate.velocity.z()) > standing_block)
+    return "slips: the block moves, allowed: at rest";
+  if (std::abs(now.drive.speed) > standing_rotor || turns(state.commands.in_force().top_drive)) return "slips: the top drive turns, allowed: at rest";
+  settle();
+  const int joint = joint_at_table(*model, mechanics());
+  if (joint < 0) return "slips: there is no joint of pipe below the shaft";
+  const NodeState& node = mechanics().nodes[static_cast<std::size_t>(joint)];
+  mechanics().slips = {joint, node.position, node.spin_angle};
+  return nullptr;
+}
+
+/// Of the pipe above the slips on what they hold [N].
+double Simulator::Impl::rest_load() const noexcept
+{
+  return shown_forces().tension[static_cast<std::size_t>(shown().slips.node)];
+}
+
+std::shared_ptr<const Model> Simulator::Impl::model_of(const StringBuilt& string) const
+{
+  Scene there = scene;
+  there.start.bit_depth = string.bit_depth;
+  return std::make_shared<Model>(there, build_mesh(scene, string.length));
+}
+
+const char* Simulator::Impl::make_connection(int joints, bool remove) noexcept
+{
+  const HoistingSpec& hoisting = scene.rig.hoisting;
+  const State& now = shown();
+  const PartSpec& pipe = scene.string.back();
+  const int count = joints > 0 ? joints : hoisting.stand_joints;
+  if (now.slips.node < 0) return "connection: the slips are not set";
+  if (state.connection.under_way) return "connection: one is under way";
+  if (now.stuck_point.node > now.slips.node) return "connection: the pipe is stuck above the slips";
+  if (state.commands.in_force().pump.flow > 0.0 || now.hydraulics.pump_flow > 0.0) return "connection: the pump runs, allowed: off";
+  if (std::abs(now.drive.speed) > standing_rotor) return "connection: the top drive turns, allowed: at rest";
+  if (std::abs(now.hoist.winch_speed) > standing_winch || moves(state.commands.in_force().winch)) return "connection: the block moves, allowed: at rest";
+  if (rest_load() > most_rest_load) return "connection: the hook carries more than block and pipe above the slips, allowed: up to 10 kN more, slack off first";
+  if (shown_forces().hook_load < most_rest_load) return "connection: the block rests on the pipe, allowed: on its lines, pick up first";
+  if (remove && count >= joints_below_stump(model->mesh(), scene)) return "connection: so many joints are not in the string";
+  const double length = (remove ? -1.0 : 1.0) * count * pipe.joint_length, height = now.nodes.back().position.z();
+  if (height + length > hoisting.highest_block_height) return "connection: the block has no room for that above, allowed: up to highest_block_height";
+  if (height + length < hoisting.lowest_block_height) return "connection: the block has no room for that below, allowed: down to lowest_block_height";
+  try
+  {
+    return begin_connection(length);
+  }
+  catch (const std::exception&)
+  {
+    return "connection: the integrator cannot go on with such a string";
+  }
+}
+
+/// Of a string that `longer` is: what is free all over stays so [m].
+double Simulator::Impl::free_length_of(const Model& longer) const noexcept
+{
+  const bool all_free = level_of(*model, state.levels.free_length) == Level::beam3d;
+  return all_free ? longer.mesh().nodes.back().from_bit : state.levels.free_length;
+}
+
+/// Makes the string up once to see where the block has to run, and whether it can be.
+const char* Simulator::Impl::begin_connection(double length)
+{
+  const std::shared_ptr<const Model> longer = model_of({state.string.length + length, state.truth.bit_depth});
+  const int held = shown().slips.node;
+  if (uppermost_joint(length < 0.0 ? longer->mesh() : model->mesh()) != held || !same_below(model->mesh(), longer->mesh(), held))
+    return "connection: the slips hold another joint than the one to be broken out, run the block there first";
+  settle();
+  const State next = made_up(*longer, mechanics(), held, length, free_length_of(*longer));
+  make_integrator(scene.numerics.integrator, longer, next);
+  const double foot = next.nodes[static_cast<std::size_t>(held)].position.z(), block = standard_gravity * scene.rig.hoisting.block_mass;
+  const double after = hanging_pipe(*longer, held, foot).weight;
+  const double travel = next.nodes.back().position.z() - mechanics().nodes.back().position.z();
+  state.connection = {true, 0.0, length, travel, block + (length < 0.0 ? after : hanging_pipe(*model, held, foot).weight), block + after};
+  if (!state.commands.crew_drives) state.commands.by_crew = Setpoints();
+  state.commands.crew_drives = true;
+  return nullptr;
+}
+
+void Simulator::Impl::end_connection()
+{
+  settle();
+  const int held = mechanics().slips.node;
+  state.string = {state.string.length + state.connection.length, state.truth.bit_depth};
+  const std::shared_ptr<const Model> longer = model_of(state.string);
+  state.levels.free_length = free_length_of(*longer);
+  state.mechanics = made_up(*longer, mechanics(), held, state.connection.travel, state.levels.free_length);
+  state.forces = forces_of_made_up(*longer, mechanics(), state.forces, held);
+  state.connection = ConnectionState();
+  state.commands.crew_drives = state.crew.doing != CrewTask::none;
+  take_string(longer);
+}
+
+/// Goes on with another string, whose state is there.
+void Simulator::Impl::take_string(std::shared_ptr<const Model> longer)
+{
+  std::unique_ptr<Integrator> next = make_integrator(scene.numerics.integrator, longer, mechanics());
+  next->count_on_from(*integrator);
+  integrator = std::move(next);
+  model = std::move(longer);
+  watch = StringWatch(*model);
+  accuracy = AccuracyWatch(model);
+  levels = LevelWatch(*model);
+  stride_end = between = mechanics();
+  end_forces = forces_between = state.forces;
+  statistics.nodes = model->nodes();
+  find_stand();
+  if (!balance) return;
+  const std::unique_ptr<EnergyBalance> before = std::move(balance);
+  balance = std::make_unique<EnergyBalance>(model);
+  balance->go_on_from(*before);
+  balance_before = std::make_unique<EnergyBalance>(*balance);
+  integrator->keep_balance(balance.get());
+}
+
+/// Where the string would be broken out to take a stand away, for the crew alone.
+void Simulator::Impl::find_stand()
+{
+  below_stand = -1;
+  const int joints = scene.rig.hoisting.stand_joints;
+  if (scene.connections != Connections::automatic || joints_below_stump(model->mesh(), scene) <= joints) return;
+  const double length = state.string.length - joints * scene.string.back().joint_length;
+  below_stand = uppermost_joint(build_mesh(scene, length));
+}
+
+/// What the block's gauges see, which while the string is broken out is not what holds it in the slips.
+void Simulator::Impl::measure_block() noexcept
+{
+  Truth& m = state.truth;
+  const State& s = shown();
+  const HoistingSpec& hoisting = scene.rig.hoisting;
+  const NodeState& top = s.nodes.back();
+  m.hook_load = shown_forces().hook_load;
+  m.torque = shown_forces().meter_torque;
+  m.block_height = top.position.z();
+  m.block_velocity = top.rate.velocity.z();
+  double slip = s.hoist.sheave_slip;
+  if (const ConnectionState& c = state.connection; c.under_way)
+  {
+    const BlockRun run = block_run(hoisting, c);
+    m.hook_load = shown_while_broken_out(hoisting, c, m.hook_load, c.load_between, c.load_after);
+    m.torque = shown_while_broken_out(hoisting, c, m.torque, 0.0, 0.0);
+    m.block_height += run.travel;
+    m.block_velocity += run.speed;
+    slip = sheave_slip(slip, run.travel);
+  }
+  m.hook_load_string = m.hook_load - standard_gravity * hoisting.block_mass;
+  m.dead_line_hook_load = dead_line_hook_load(m.hook_load, slip, hoisting.sheaves, hoisting.sheave_efficiency);
+}
+
+void Simulator::Impl::measure_string_built() noexcept
+{
+  Truth& m = state.truth;
+  m.in_slips = shown().slips.node >= 0;
+  m.crew = state.connection.under_way ? CrewTask::connecting : state.crew.doing;
+  // whole joints of the last part, the one at the block counted by its length
+  const double pipe = state.string.length - model->mesh().part_bottom.back();
+  m.stand_count = static_cast<int>(std::floor(pipe / (scene.rig.hoisting.stand_joints * scene.string.back().joint_length) + 1e-9));
+}
+
+void Simulator::Impl::tell_string_built() noexcept
+{
+  measure_string_built();
+  state.readings.in_slips = state.truth.in_slips;
+  state.readings.crew = state.truth.crew;
+}
+
+const char* Simulator::set_slips(bool set) noexcept
+{
+  if (impl_->state.crew.doing != CrewTask::none) return "slips: the crew makes a connection (connections: auto)";
+  const char* refused = impl_->set_slips(set);
+  impl_->tell_string_built();
+  return refused;
+}
+
+const char* Simulator::make_connection(int joints, bool remove) noexcept
+{
+  if (impl_->state.crew.doing != CrewTask::none) return "connection: the crew makes one (connections: auto)";
+  const char* refused = impl_->make_connection(joints, remove);
+  impl_->tell_string_built();
+  return refused;
+}
+
+void Simulator::attend() noexcept
+{
+  if (*impl_->failure) return;
+  const ConnectionState& c = impl_->state.connection;
+  if (c.under_way && c.elapsed >= connection_duration(impl_->scene.rig.hoisting, c.travel) - time_rounding) impl_->end_connection();
+  if (impl_->broken_out_by_hand()) impl_->state.commands.by_crew.winch = impl_->to_slack();
+  if (impl_->scene.connections == Connections::automatic) impl_->crew_works();
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,234 @@
+// connections: auto. The crew drills on by stands, and trips.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "drill_rig_sim/scene/scene_problems.h"
+#include "in_slips.h"
+#include "sim_numbers.h"
+
+using namespace drill_rig_sim;
+
+namespace
+{
+constexpr double stand = 3 * 9.5;  // [m]
+
+Scene with_crew(Scene scene)
+{
+  scene.connections = Connections::automatic;
+  scene.numerics.step = 0.0;
+  return scene;
+}
+
+/// 5 cm off bottom, in rock that a block fed at 5 cm/s drills.
+Scene soft_rock(Level level)
+{
+  Scene scene = with_crew(slips_scene(level, 0.2));
+  scene.start.bit_depth = 205.0;
+  scene.well.hole_depth = scene.well.survey.back().md = scene.well.sections.back().to = 205.05;
+  scene.formation[0].drillability = 2e-6;
+  scene.mud.axial_damping = 10.0;
+  scene.mud.torsional_damping = 0.1;
+  return scene;
+}
+
+void drill(Simulator& rig, double feed)
+{
+  TopDriveSetpoint drive;
+  drive.speed = 10.0;
+  rig.command(drive);
+  rig.command(PumpSetpoint{0.02});
+  rig.command(WinchSetpoint{-feed, false});
+}
+
+template <class Until>
+void play_until(Simulator& rig, double frame, double most, const Until& until)
+{
+  const double end = rig.truth().time + most;
+  while (!until(rig.truth()))
+  {
+    ASSERT_LT(rig.truth().time, end) << text_of(rig.truth().crew);
+    ASSERT_EQ(play_frame(rig, nullptr, frame), FrameStatus::running) << rig.failure();
+  }
+}
+
+/// The operations that a rig goes through.
+struct Log
+{
+  std::vector<CrewTask> operations;
+  void note(CrewTask operation)
+  {
+    if (operations.empty() || operations.back() != operation) operations.push_back(operation);
+  }
+};
+}  // namespace
+
+// Ten stands: the hole is ten stands deeper, the string ten stands longer, what was asked of drive and pump is in force again, and the depths that
+// the driller reads are the true ones but for the string's stretch, of which a tenth of a millimetre a stand is new.
+TEST(Crew, drillsTenStands)
+{
+  Simulator rig(soft_rock(Level::axial_torsional));
+  const int stands = rig.truth().stand_count;
+  const double length = rig.save()->string.length;
+  drill(rig, 0.05);
+  double most_jump = 0.0, before = rig.truth().hole_depth, error = 0.0, first = 0.0;
+  play_until(rig, slips_frame, 2e4,
+             [&](const Truth& m)
+             {
+               most_jump = std::max(most_jump, std::abs(m.hole_depth - before));
+               before = m.hole_depth;
+               if (first == 0.0 && m.crew != CrewTask::none) first = m.hole_depth;
+               error = std::max(error, std::abs(rig.readings().hole_depth - m.hole_depth));
+               return m.stand_count == stands + 10 && m.crew == CrewTask::none;
+             });
+  EXPECT_NEAR(rig.save()->string.length, length + 10 * stand, 1e-6);
+  EXPECT_NEAR(rig.truth().hole_depth, first + 9 * stand, 0.1);
+  EXPECT_LT(most_jump, 2e-3);
+  EXPECT_LT(error, 0.05);
+  EXPECT_EQ(rig.truth().setpoints.top_drive.speed, 10.0);
+  EXPECT_EQ(rig.truth().setpoints.pump.flow, 0.02);
+  EXPECT_EQ(rig.truth().setpoints.winch.block_velocity, -0.05);
+  play_on(rig, 30.0);
+  EXPECT_TRUE(rig.truth().on_bottom);
+}
+
+// One connection in its parts, in their order. The weight on bit that the surface knows is right again after it: the crew tares.
+TEST(Crew, goesThroughItsOperations)
+{
+  Simulator rig(soft_rock(Level::beam3d));
+  rig.command(WinchSetpoint{-0.02, false});
+  drill(rig, 0.02);
+  play_on(rig, 1.0);
+  ASSERT_TRUE(rig.tare());
+  Log log;
+  bool pumps_in_slips = false, turns_in_slips = false;
+  int stands = rig.truth().stand_count;
+  play_until(rig, slips_frame, 2e3,
+             [&](const Truth& m)
+             {
+               log.note(m.crew);
+               pumps_in_slips |= m.crew == CrewTask::connecting && m.flow > 0.0;
+               turns_in_slips |= m.in_slips && std::abs(m.top_drive_speed) > 0.02;
+               return m.stand_count > stands && m.crew == CrewTask::none;
+             });
+  const std::vector<CrewTask> all = {CrewTask::none,       CrewTask::stopping,   CrewTask::lifting,    CrewTask::quieting, CrewTask::slacking,
+                                      CrewTask::connecting, CrewTask::picking_up, CrewTask::restarting, CrewTask::lowering, CrewTask::none};
+  EXPECT_EQ(log.operations, all);
+  EXPECT_FALSE(pumps_in_slips);
+  EXPECT_FALSE(turns_in_slips);
+  play_on(rig, 15.0);
+  double wob = 0.0, seen = 0.0;
+  play_on(rig, 5.0,
+          [&](const Simulator& now)
+          {
+            wob += now.truth().wob;
+            seen += now.truth().surface_wob;
+          });
+  EXPECT_GT(wob, 0.0);
+  EXPECT_NEAR(seen, wob, 0.1 * wob + 500 * 500.0);
+}
+
+// What is commanded while the crew is at work acts afterwards, and slips and connections by hand are refused meanwhile.
+TEST(Crew, handsBackWhatIsAskedLast)
+{
+  Simulator rig(soft_rock(Level::rigid));
+  drill(rig, 0.05);
+  play_until(rig, slips_frame, 1e3, [](const Truth& m) { return m.crew == CrewTask::connecting; });
+  EXPECT_STREQ(rig.set_slips(false), "slips: the crew makes a connection (connections: auto)");
+  EXPECT_STREQ(rig.make_connection(1, false), "connection: the crew makes one (connections: auto)");
+  EXPECT_EQ(rig.command(WinchSetpoint{-0.01, false}).outcome, CommandResult::Outcome::accepted);
+  EXPECT_EQ(rig.command(PumpSetpoint{0.03}).outcome, CommandResult::Outcome::accepted);
+  EXPECT_EQ(rig.truth().flow, 0.0);
+  play_until(rig, slips_frame, 1e3, [](const Truth& m) { return m.crew == CrewTask::none; });
+  EXPECT_EQ(rig.truth().setpoints.winch.block_velocity, -0.01);
+  EXPECT_NEAR(rig.truth().flow, 0.03, 1e-3);
+}
+
+// A trip out of 3 km and in again. Without friction the hook carries block, string in mud and the stretch in air, closed form, whenever the block
+// runs; the depth read is the tally's, and at the end all is where it was.
+TEST(Crew, tripsOutOfThreeKilometresAndIn)
+{
+  Scene scene = slips_scene(Level::rigid);
+  scene.well.hole_depth = scene.well.survey.back().md = scene.well.sections.back().to = 3010.0;
+  scene.start.bit_depth = 3000.0;
+  scene.mud.axial_damping = scene.rig.mud_pump.pressure_coefficient = 0.0;  // the string alone is weighed
+  scene.rig.hoisting.line_damping = 0.1;
+  scene.connections = Connections::automatic;
+  scene.numerics.step = 0.05;
+  scene.numerics.guided_element_length = 19.0;
+  Simulator rig(scene);
+  const int stands = rig.truth().stand_count;
+  const double length = rig.save()->string.length, collars = 2 * 9.4 * 136.0, bit = 40.0;
+  double worst = 0.0, depth_error = 0.0;
+  const auto weigh = [&](const Truth& m)
+  {
+    depth_error = std::max(depth_error, std::abs(rig.readings().bit_depth - m.bit_depth));
+    if (m.crew != CrewTask::none) return;
+    const double pipe = (m.bit_depth - 0.3 - 2 * 9.4) * tool_jointed_mass;
+    const double expected = standard_gravity * ((bit + collars + pipe) * (1.0 - scene.mud.density / steel_density) + tool_jointed_mass * m.block_height);
+    worst = std::max(worst, std::abs(m.hook_load_string - expected));
+  };
+  rig.command(WinchSetpoint{1.0, false});
+  const int last = stands - 100;
+  play_until(rig, 0.05, 2e4, [&](const Truth& m) { return m.stand_count == last && m.crew == CrewTask::none; });
+  rig.command(WinchSetpoint{0.0, true});
+  play_until(rig, 0.05, 30.0, [&, start = rig.truth().time](const Truth& m) { return m.time > start + 25.0; });
+  EXPECT_NEAR(rig.save()->string.length, length - 100 * stand, 1e-6);
+  weigh(rig.truth());
+  EXPECT_LT(worst, 50.0);
+  EXPECT_LT(rig.truth().bit_depth, 3000.0 - 99 * stand);
+  rig.command(WinchSetpoint{-1.0, false});
+  play_until(rig, 0.05, 3e4,
+             [&](const Truth& m)
+             {
+               depth_error = std::max(depth_error, std::abs(rig.readings().bit_depth - m.bit_depth));
+               return m.stand_count == stands && m.crew == CrewTask::none;
+             });
+  rig.command(WinchSetpoint{0.0, true});
+  play_until(rig, 0.05, 30.0, [&, start = rig.truth().time](const Truth& m) { return m.time > start + 25.0; });
+  weigh(rig.truth());
+  EXPECT_LT(worst, 50.0);
+  EXPECT_NEAR(rig.save()->string.length, length, 1e-6);
+  EXPECT_LT(depth_error, 0.02);
+  EXPECT_NEAR(rig.truth().bit_depth + rig.truth().block_height, 3000.0 + scene.start.block_height, 0.01) << "the string is what it was";
+}
+
+TEST(Crew, needsRoomAndPipe)
+{
+  Scene scene = soft_rock(Level::rigid);
+  EXPECT_TRUE(scene_problems(scene).empty()) << scene_problems(scene).front().text;
+  scene.rig.hoisting.highest_block_height = 25.0;
+  ASSERT_EQ(scene_problems(scene).size(), 1u);
+  EXPECT_EQ(scene_problems(scene).front().text, "auto: the block travels 24 m, needed for a stand: 30 m");
+  scene = soft_rock(Level::beam3d);
+  scene.numerics.step = 0.01;
+  scene.numerics.integrator = IntegratorKind::ida;
+  ASSERT_FALSE(scene_problems(scene).empty());
+  EXPECT_EQ(scene_problems(scene).front().text, "auto is not available with the reference (ida), allowed: off");
+}
+
+// Saved in the midst of the crew's work: it goes on as it did.
+TEST(Crew, isInSnapshots)
+{
+  Simulator rig(soft_rock(Level::hybrid));
+  drill(rig, 0.05);
+  for (const CrewTask in : {CrewTask::slacking, CrewTask::connecting, CrewTask::lowering})
+  {
+    play_until(rig, slips_frame, 1e3, [in](const Truth& m) { return m.crew == in; });
+    const auto saved = rig.save();
+    play_on(rig, 20.0);
+    const std::vector<double> end = numbers_of(rig.truth());
+    rig.restore(*saved);
+    play_on(rig, 20.0);
+    EXPECT_TRUE(bit_identical(numbers_of(rig.truth()), end)) << text_of(in);
+    rig.restore(*saved);
+  }
+}
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
