@@ -38,7 +38,8 @@ struct RunBag::Writer
     bag->write(std::string("/rig/") + topic, to_time(frame.stamp), message);
   }
 
-  /// Runs `work`, which writes. A bag that could not is given up, never closed: its destructor would try again and end the program.
+  /// Runs `work`, which writes. A bag that could not is given up, never closed: its destructor would try again and end the
+  /// program.
   template <class Work>
   void attempt(Work work)
   {

@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -33,7 +34,9 @@ std::string python_folder()
   const fs::path program = fs::read_symlink("/proc/self/exe", unreadable);
   const fs::path folder = program.parent_path() / DRILL_RIG_SIM_PYTHON_FOLDER;
   const fs::path module = folder / "drill_rig_sim" / "score_command.py";
-  if (!fs::exists(module, unreadable)) throw UsageError("there is no " + module.lexically_normal().string() + ", which judges the run; build or install the package whole");
+  if (!fs::exists(module, unreadable))
+    throw UsageError("there is no " + module.lexically_normal().string() +
+                     ", which judges the run; build or install the package whole");
   return folder.lexically_normal().string();
 }
 
@@ -91,7 +94,8 @@ Command add_score_command(CLI::App& drill)
 {
   CLI::App* words = drill.add_subcommand("score", "judges a controller's run from its time series or bag");
   const auto options = std::make_shared<ScoreOptions>();
-  add_file(*words, "RUN", options->run, "of drill run --csv, or a bag (.bag) with truth/rig_state and truth/bit, or with rig_state alone");
+  add_file(*words, "RUN", options->run,
+           "of drill run --csv, or a bag (.bag) with truth/rig_state and truth/bit, or with rig_state alone");
   add_text(*words, "--plan", options->plan, "FILE", "planned survey, for distance and tortuosity");
   add_number(*words, "--bit-diameter", options->bit_diameter, 0.01, 2.0, "M", "for the mechanical specific energy");
   add_number(*words, "--wob", options->wob, 0.0, 1e7, "N", "set point of the weight on bit");

@@ -6,11 +6,15 @@
 #include <ros/ros.h>
 #include <ros/topic_manager.h>
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 
 namespace drill_rig_sim
 {
+/// Whether something was posted since send_posted() was called last; by any thread.
+inline std::atomic<bool> something_posted{false};
+
 /// A topic that has a message in every frame. ros::Publisher wakes roscpp's sending thread for each message, which then looks through all topics:
 /// with ten topics at 1 kHz that costs more than the sending. Here a message waits until send_posted() wakes it for the whole frame, in the order
 /// in which the topics were advertised. Nothing is made for nobody.
@@ -36,6 +40,7 @@ public:
     }
     ros::SerializedMessage message = ros::serialization::serializeMessage<Message>(make());
     publication_->publish(message);
+    something_posted = true;
   }
 
 private:
@@ -43,10 +48,10 @@ private:
   ros::PublicationPtr publication_;  // none where the node was told to end before it had begun
 };
 
-/// Has roscpp send what was posted on all topics.
+/// Has roscpp send what was posted on all topics, if anything was: its thread is woken for nobody else.
 inline void send_posted()
 {
-  ros::PollManager::instance()->getPollSet().signal();
+  if (something_posted.exchange(false)) ros::PollManager::instance()->getPollSet().signal();
 }
 
 }  // namespace drill_rig_sim

@@ -8,9 +8,9 @@
 
 namespace drill_rig_sim
 {
-/// A run as a bag: the measurements that the node publishes, in the namespace `rig`, by the same topics and types. No master is needed, and this
-/// header has no ROS in it: the offline runner includes it.
-/// Stamps are the simulated time; what is at 0 is not written, for a stamp of 0 is none. Set points have the stamps of a program's, none.
+/// A run as a bag: the measurements that the node publishes, in the namespace `rig`, by the same topics and types. No master is
+/// needed, and this header has no ROS in it: the offline runner includes it. Stamps are the simulated time; what is at 0 is not
+/// written, for a stamp of 0 is none. Set points have the stamps of a program's, none.
 class RunBag
 {
 public:
