@@ -91,8 +91,8 @@ void command_all(SimulationLoop& loop, const StepSimulation::Request& request)
   for (const auto& c : request.winch) require_right(loop, to_setpoint(c));
   for (const auto& c : request.top_drive) require_right(loop, to_setpoint(c));
   for (const auto& c : request.mud_pump) require_right(loop, to_setpoint(c));
-  for (const auto& c : request.steering) require_right(loop, to_setpoint(c));
-  if (!request.steering.empty() && !loop.rig().simulator->is_steerable()) throw Refusal("steering: the string has no rotary_steerable");
+  for (const auto& c : request.steering)
+    if (what_is_wrong(to_setpoint(c)) || !loop.rig().simulator->is_steerable()) throw Refusal(loop.take(to_setpoint(c)).reason);
   loop.take_commands();  // what topics brought before the request is older
   for (const auto& c : request.winch) loop.take(to_setpoint(c));
   for (const auto& c : request.top_drive) loop.take(to_setpoint(c));

@@ -61,7 +61,13 @@ const char* what_is_wrong(const SteeringSetpoint& c) noexcept
 
 Setpoints CommandState::in_force() const noexcept
 {
-  if (crew_drives) return by_crew;
+  if (crew_drives)
+  {
+    Setpoints crew = by_crew;
+    crew.steering = asked.steering;
+    crew.magnetic_steering = asked.magnetic_steering;
+    return crew;
+  }
   if (!timed_out()) return asked;
   Setpoints safe;
   safe.top_drive.mode = TopDriveMode::torque;

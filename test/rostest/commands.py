@@ -114,7 +114,7 @@ class Commands(unittest.TestCase):
         self.rig.publisher("steering/command", SteeringCommand).publish(SteeringCommand())
         wait_until(lambda: self.rig.advance(1) and self.refused() > before, "refusal of steering/command")
         status = self.commands_status("")
-        self.assertIn("steering/command", next(p.value for p in status.values if p.key == "last_refusal"))
+        self.assertIn("rotary_steerable", next(p.value for p in status.values if p.key == "last_refusal"))
 
     def test_silence_sets_the_brake_and_the_next_command_takes_it_off(self):
         def speak():

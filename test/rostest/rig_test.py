@@ -145,12 +145,13 @@ class Rig:
     def state(self):
         return rospy.wait_for_message(self.topic("rig_state"), RigState, PATIENCE)
 
-    def advance(self, frames, winch=None, top_drive=None, mud_pump=None):
+    def advance(self, frames, winch=None, top_drive=None, mud_pump=None, steering=None):
         """Lockstep: the state after so many frames."""
         request = StepSimulationRequest(frames=frames)
         request.winch = [] if winch is None else [winch]
         request.top_drive = [] if top_drive is None else [top_drive]
         request.mud_pump = [] if mud_pump is None else [mud_pump]
+        request.steering = [] if steering is None else [steering]
         answer = self.step(request)
         if not answer.success:
             raise AssertionError("step: " + answer.message)

@@ -269,7 +269,7 @@ TEST(Connection, byAProgram)
   line(66.0).slips = 1.0;
   Simulator rig(scene);
   const double length = rig.save()->string.length;
-  ProgramPlayer program(scene.program);
+  ScenePlayer program(scene);
   FrameStatus status = FrameStatus::running;
   while (status == FrameStatus::running && rig.truth().time < 70.0) status = play_frame(rig, &program, slips_frame);
   EXPECT_NEAR(rig.save()->string.length, length + stand, 1e-9);
