@@ -26,6 +26,7 @@ string:
      contact: {stiffness: 5.1e7, exponent: 1.52, damping: 0.32}}
   - {name: s1, type: stabilizer, length: 1.9, outer_diameter: 0.2031, inner_diameter: 0.073, linear_mass: 231.0, blade_diameter: 0.3081, squeeze_film_damping: 42000.0}
   - {name: g1, type: mwd, length: 9.2, outer_diameter: 0.2033, inner_diameter: 0.074, linear_mass: 216.0, sensor_offset: 4.6, axial_stiffness: 5.61e9, bending_stiffness: 1.65e7, torsional_stiffness: 1.27e7, polar_inertia: 1.26}
+  - {name: r1, type: rotary_steerable, length: 4.1, outer_diameter: 0.2032, inner_diameter: 0.0741, linear_mass: 217.0, bit_to_pads: 39.5, pad_force: 15001.0, downlink_bit_time: 13.1}
   - {name: p1, type: pipe, joints: fill, joint_length: 9.6, outer_diameter: 0.128, inner_diameter: 0.1087, linear_mass: 32.0, tool_joint_diameter: 0.169}
 rig:
   hoisting: {sheaves: 6, line_ea: 4.1e7, crown_height: 47.0, fixed_length: 61.0, block_mass: 17600.0, sheave_efficiency: 0.97, rail_friction: 0.04, line_damping: 0.05, max_speed: 1.6, max_acceleration: 0.6, max_hook_load: 2.6e6, min_hook_load: 51001.0, trip_hook_load: 1.9e6, lowest_block_height: 1.1, highest_block_height: 41.0, connection_time: 171.0, stand_joints: 2}
@@ -53,7 +54,7 @@ program:
   - {at: 2.5, top_drive_torque: 1234.0, top_drive_brake: true, brake: true}
   - {at: 3.5, brake: false, flow: 0.045, ramp: 6.5, stuck_at: 701.0}
   - {at: 4.5, free: true, free_length: 57.0, slips: true, connection: -2.0}
-  - {at: 5.5, top_drive_mode: oscillate, top_drive_angle_deg: 1801.0, amplitude_right_deg: 721.0, amplitude_left_deg: 361.0, top_drive_torque_limit: 9001.0}
+  - {at: 5.5, top_drive_mode: oscillate, top_drive_angle_deg: 1801.0, amplitude_right_deg: 721.0, amplitude_left_deg: 361.0, top_drive_torque_limit: 9001.0, steering_toolface_deg: 92.0, steering_ratio: 0.61}
   - {at: 6.5, fault: pack_off, fault_depth: 501.0, fault_magnitude: 20001.0}
   - {at: 7.5, clear_fault: sensor_freeze, fault_target: flow}
 operations:
@@ -67,6 +68,7 @@ operations:
   - {do: oscillate, amplitude_right_deg: 183.0, amplitude_left_deg: 184.0, speed_rpm: 12.0}
   - {do: ream, speed: 0.16, distance: 3.1, times: 2}
   - {do: wait, time: 66.0}
+  - {do: steer, toolface_deg: 93.0, ratio: 0.62}
 )";
 }  // namespace drill_rig_sim
 

@@ -12,25 +12,13 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/well/survey.h"
+#include "expected_keys.h"
 #include "scene_of_all_keys.h"
 
 using namespace drill_rig_sim;
 
 namespace
 {
-struct Expected
-{
-  const char* block;  // as the scene reference calls it
-  const char* key;
-  std::function<double(const Scene&)> field;
-  double value;  // SI, radians
-};
-
-double number(bool same)
-{
-  return same ? 1.0 : 0.0;
-}
-
 /// Where the first station of a survey lies that is tied in.
 Eigen::Vector3d tied_in_at_400()
 {
@@ -88,7 +76,7 @@ std::vector<Expected> of_string()
       {"string[]", "type", [](const Scene& s) { return number(s.string.at(3).type == PartType::stabilizer); }, 1.0},
       {"string[]", "length", [](const Scene& s) { return s.string.at(1).length; }, 8.4},
       {"string[]", "joints", [](const Scene& s) { return s.string.at(2).joints; }, 2.0},
-      {"string[]", "joints", [](const Scene& s) { return s.string.at(5).joints; }, 0.0},
+      {"string[]", "joints", [](const Scene& s) { return s.string.at(6).joints; }, 0.0},
       {"string[]", "joint_length", [](const Scene& s) { return s.string.at(2).joint_length; }, 9.1},
       {"string[]", "joint_length", [](const Scene& s) { return s.string.at(2).length; }, 18.2},
       {"string[]", "outer_diameter", [](const Scene& s) { return s.string.at(2).outer_diameter; }, 0.203},
@@ -108,7 +96,7 @@ std::vector<Expected> of_string()
       {"string[].contact", "stiffness", [](const Scene& s) { return s.string.at(2).contact->stiffness; }, 5.1e7},
       {"string[].contact", "exponent", [](const Scene& s) { return s.string.at(2).contact->exponent; }, 1.52},
       {"string[].contact", "damping", [](const Scene& s) { return s.string.at(2).contact->damping; }, 0.32},
-      {"string[]", "tool_joint_diameter", [](const Scene& s) { return s.string.at(5).pipe->tool_joint_diameter; }, 0.169},
+      {"string[]", "tool_joint_diameter", [](const Scene& s) { return s.string.at(6).pipe->tool_joint_diameter; }, 0.169},
       {"string[]", "blade_diameter", [](const Scene& s) { return s.string.at(3).stabilizer->blade_diameter; }, 0.3081},
       {"string[]", "speed_lag", [](const Scene& s) { return s.string.at(0).bit->speed_lag; }, 0.31},
       {"string[]", "gauge_length", [](const Scene& s) { return s.string.at(0).bit->gauge_length; }, 0.15},
@@ -257,56 +245,10 @@ std::vector<Expected> of_numerics()
   };
 }
 
-std::vector<Expected> of_instruments()
-{
-  std::vector<Expected> all = {
-      {"instruments.mwd", "period", [](const Scene& s) { return s.instruments.mwd.period; }, 32.0},
-      {"instruments.mwd", "latency", [](const Scene& s) { return s.instruments.mwd.latency; }, 8.1},
-      {"instruments.mwd", "inclination_resolution_deg", [](const Scene& s) { return s.instruments.mwd.inclination_resolution; }, 0.13 * degree},
-      {"instruments.mwd", "noise_deg", [](const Scene& s) { return s.instruments.mwd.noise; }, 0.06 * degree},
-      {"instruments.mwd", "scribe_offset_deg", [](const Scene& s) { return s.instruments.mwd.scribe_offset; }, 17.0 * degree},
-      {"instruments.mwd", "quiet_time", [](const Scene& s) { return s.instruments.mwd.quiet_time; }, 7.1},
-      {"instruments.mwd", "inclination_period", [](const Scene& s) { return s.instruments.mwd.inclination_period; }, 21.3},
-      {"instruments.toolface", "noise_deg", [](const Scene& s) { return s.instruments.toolface.noise; }, 0.51 * degree},
-      {"instruments.toolface", "resolution_deg", [](const Scene& s) { return s.instruments.toolface.resolution; }, 2.8 * degree},
-      {"instruments.toolface", "max_speed_rpm", [](const Scene& s) { return s.instruments.toolface.max_speed; }, 12.1 * rpm},
-      {"instruments.toolface", "period", [](const Scene& s) { return s.instruments.toolface.period; }, 10.1},
-      {"instruments.toolface", "latency", [](const Scene& s) { return s.instruments.toolface.latency; }, 4.1},
-      {"instruments.surface.hook_load", "place", [](const Scene& s) { return number(s.instruments.hook_load.place == HookLoadPlace::block); }, 1.0},
-  };
-  using Get = std::function<const SensorSpec&(const Scene&)>;
-  const std::pair<const char*, Get> gauges[] = {
-      {"hook_load", [](const Scene& s) -> const SensorSpec& { return s.instruments.hook_load; }},
-      {"torque", [](const Scene& s) -> const SensorSpec& { return s.instruments.torque; }},
-      {"stand_pipe_pressure", [](const Scene& s) -> const SensorSpec& { return s.instruments.stand_pipe_pressure; }},
-      {"flow", [](const Scene& s) -> const SensorSpec& { return s.instruments.flow; }},
-      {"block_height", [](const Scene& s) -> const SensorSpec& { return s.instruments.block_height; }}};
-  const std::pair<const char*, double SensorSpec::*> keys[] = {{"noise", &SensorSpec::noise},
-                                                               {"bias", &SensorSpec::bias},
-                                                               {"delay", &SensorSpec::delay},
-                                                               {"filter_time", &SensorSpec::filter_time},
-                                                               {"resolution", &SensorSpec::resolution},
-                                                               {"drift", &SensorSpec::drift},
-                                                               {"rate", &SensorSpec::rate},
-                                                               {"dropout_interval", &SensorSpec::dropout_interval},
-                                                               {"dropout_duration", &SensorSpec::dropout_duration}};
-  for (int g = 0; g < 5; ++g)
-    for (int k = 0; k < 9; ++k)
-    {
-      const Get get = gauges[g].second;
-      const auto member = keys[k].second;
-      const auto field = [get, member](const Scene& s) { return get(s).*member; };
-      const double value = (g + 1) + 0.1 * (k + 1);
-      all.push_back({g == 0 ? "instruments.surface.hook_load" : "instruments.surface.*", keys[k].first, field, value});
-      all.push_back({"instruments.surface", gauges[g].first, field, value});
-    }
-  return all;
-}
-
 std::vector<Expected> all_expected()
 {
   std::vector<Expected> all;
-  for (const auto& part : {of_well(), of_string(), of_rig(), of_contact_and_start(), of_numerics(), of_instruments()})
+  for (const auto& part : {of_well(), of_string(), of_rig(), of_contact_and_start(), of_numerics(), of_instruments(), of_operations()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
