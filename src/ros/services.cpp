@@ -13,18 +13,12 @@
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_hash.h"
 #include "drill_rig_sim/sim/faults.h"
+#include "fault_request.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-// Says why a request is refused.
-class Refusal : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
 void require_name_or_file(const std::string& name, const std::string& file)
 {
   if (!file.empty() && !name.empty()) throw Refusal("name and file are both given; allowed is one of them");
@@ -51,30 +45,6 @@ std::string one_line(std::string text)
 void require_good(const RunningRig& rig)
 {
   if (rig.failed) throw Refusal("the last frame failed: reset_well or restore_state first");
-}
-
-/// Throws where there is no such fault or gauge.
-Fault to_fault(const InjectFault::Request& request)
-{
-  if (request.fault >= fault_count) throw Refusal("fault is " + std::to_string(request.fault) + "; allowed is 0 to " + std::to_string(fault_count - 1));
-  Fault fault{static_cast<FaultKind>(request.fault), request.depth, request.magnitude};
-  if (!is_of_gauge(fault.kind)) return fault;
-  std::string names;
-  for (int k = 0; k < gauge_count; ++k)
-  {
-    fault.gauge = static_cast<Gauge>(k);
-    if (request.target == gauge_names[k]) return fault;
-    names += (k == 0 ? "" : k + 1 < gauge_count ? ", " : " or ") + std::string(gauge_names[k]);
-  }
-  throw Refusal("target is not the name of a gauge; allowed is " + names);
-}
-
-std::string said_of(const Fault& fault, bool cleared)
-{
-  if (fault.kind == FaultKind::stuck_pipe) return cleared ? "the pipe is free" : "the pipe is stuck at " + std::to_string(fault.depth) + " m";
-  const std::string name = fault_names[static_cast<int>(fault.kind)];
-  const std::string of = is_of_gauge(fault.kind) ? std::string(" of ") + gauge_names[static_cast<int>(fault.gauge)] : "";
-  return name + of + (cleared ? " has ended" : " has begun");
 }
 
 /// What would be refused is handed to the loop all the same, which counts it and changes nothing.

@@ -134,8 +134,6 @@ class Commands(unittest.TestCase):
         self.assertFalse(state.commands_timed_out)
         self.assertFalse(state.brake_set)
 
-    def test_what_is_not_there_yet_says_so(self):
-
     def test_stuck_pipe_holds_the_string_until_it_is_freed(self):
         stuck = InjectFaultRequest(fault=InjectFaultRequest.STUCK_PIPE, depth=90.0)
         for nowhere in (500.0, 0.0, -3.0, math.nan, math.inf):  # below the bit, in the air, no place at all

@@ -91,7 +91,7 @@ inline std::vector<Expected> of_operations()
       {"operations[]", "ratio", [](const Scene& s) { return s.operations.at(10).ratio; }, 0.62},
       {"program[]", "steering_toolface_deg", [](const Scene& s) { return s.program.at(4).steering_toolface; }, 92.0 * degree},
       {"program[]", "steering_ratio", [](const Scene& s) { return s.program.at(4).steering_ratio; }, 0.61},
-      {"string[]", "bit_to_pads", [](const Scene& s) { return s.string.at(5).steerable->bit_to_pads; }, 39.5},
+      {"string[]", "bit_to_pads", [](const Scene& s) { return s.string.at(5).steerable->bit_to_pads; }, 48.5},
       {"string[]", "pad_force", [](const Scene& s) { return s.string.at(5).steerable->pad_force; }, 15001.0},
       {"string[]", "downlink_bit_time", [](const Scene& s) { return s.string.at(5).steerable->downlink_bit_time; }, 13.1},
   };

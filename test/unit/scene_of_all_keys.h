@@ -26,7 +26,7 @@ string:
      contact: {stiffness: 5.1e7, exponent: 1.52, damping: 0.32}}
   - {name: s1, type: stabilizer, length: 1.9, outer_diameter: 0.2031, inner_diameter: 0.073, linear_mass: 231.0, blade_diameter: 0.3081, squeeze_film_damping: 42000.0}
   - {name: g1, type: mwd, length: 9.2, outer_diameter: 0.2033, inner_diameter: 0.074, linear_mass: 216.0, sensor_offset: 4.6, axial_stiffness: 5.61e9, bending_stiffness: 1.65e7, torsional_stiffness: 1.27e7, polar_inertia: 1.26}
-  - {name: r1, type: rotary_steerable, length: 4.1, outer_diameter: 0.2032, inner_diameter: 0.0741, linear_mass: 217.0, bit_to_pads: 39.5, pad_force: 15001.0, downlink_bit_time: 13.1}
+  - {name: r1, type: rotary_steerable, length: 14.1, outer_diameter: 0.2032, inner_diameter: 0.0741, linear_mass: 217.0, bit_to_pads: 48.5, pad_force: 15001.0, downlink_bit_time: 13.1}
   - {name: p1, type: pipe, joints: fill, joint_length: 9.6, outer_diameter: 0.128, inner_diameter: 0.1087, linear_mass: 32.0, tool_joint_diameter: 0.169}
 rig:
   hoisting: {sheaves: 6, line_ea: 4.1e7, crown_height: 47.0, fixed_length: 61.0, block_mass: 17600.0, sheave_efficiency: 0.97, rail_friction: 0.04, line_damping: 0.05, max_speed: 1.6, max_acceleration: 0.6, max_hook_load: 2.6e6, min_hook_load: 51001.0, trip_hook_load: 1.9e6, lowest_block_height: 1.1, highest_block_height: 41.0, connection_time: 171.0, stand_joints: 2}

@@ -176,13 +176,13 @@ TEST(Loop, theLatestCommandWinsAndIsStampedWhereItsFrameBegins)
   const FrameRecord after = rig.step(1).back().frame;
   EXPECT_EQ(0.2, after.truth.setpoints.winch.block_velocity);
   EXPECT_EQ(0.03, after.truth.setpoints.pump.flow);
-  EXPECT_EQ((std::array<std::int64_t, 3>{3 * period, 0, 3 * period}), after.commands.accepted);
+  EXPECT_EQ((std::array<std::int64_t, 4>{3 * period, 0, 3 * period, 0}), after.commands.accepted);
   EXPECT_EQ(3 * period, after.commands.last);
   TopDriveCommand turn;
   turn.speed = 1.0;
   rig.mailbox.receive(turn);
   const FrameRecord next = rig.step(1).back().frame;
-  EXPECT_EQ((std::array<std::int64_t, 3>{3 * period, 4 * period, 3 * period}), next.commands.accepted);
+  EXPECT_EQ((std::array<std::int64_t, 4>{3 * period, 4 * period, 3 * period, 0}), next.commands.accepted);
   EXPECT_EQ(4 * period, next.commands.last);
   EXPECT_EQ(0.2, rig.step(1).back().frame.truth.setpoints.winch.block_velocity) << "it stays in force";
 }
@@ -254,7 +254,7 @@ TEST(Loop, anotherRigForgetsWhatWasOnTheWayAndBeginsItsRatesAnew)
   EXPECT_EQ(4 * period, s.frame.stamp) << "time runs on";
   EXPECT_EQ(40.0, s.frame.truth.hole_depth);
   EXPECT_EQ(0, s.frame.commands.last);
-  EXPECT_EQ((std::array<std::int64_t, 3>{}), s.frame.commands.accepted);
+  EXPECT_EQ((std::array<std::int64_t, 4>{}), s.frame.commands.accepted);
   const std::vector<FrameOutput> frames = rig.step(8);
   EXPECT_TRUE(frames[0].frame.truth.brake_set);
   EXPECT_EQ(0.0, frames[0].frame.truth.setpoints.pump.flow);
@@ -288,7 +288,7 @@ TEST(Loop, goingBackBringsStateAndProgramAndLeavesTheClock)
   EXPECT_EQ(14 * period, back.frame.stamp);
   EXPECT_TRUE(back.restored);
   EXPECT_EQ(7 * period, back.frame.commands.last) << "as they were saved";
-  EXPECT_EQ((std::array<std::int64_t, 3>{0, 5 * period, 7 * period}), back.frame.commands.accepted);
+  EXPECT_EQ((std::array<std::int64_t, 4>{0, 5 * period, 7 * period, 0}), back.frame.commands.accepted);
   EXPECT_DOUBLE_EQ(0.03, back.frame.truth.time);
   EXPECT_TRUE(back.new_stamp && !back.rebuilt);
   std::vector<double> again;

@@ -71,7 +71,7 @@ std::vector<Expected> of_well()
 std::vector<Expected> of_string()
 {
   return {
-      {"", "string", [](const Scene& s) { return double(s.string.size()); }, 6.0},
+      {"", "string", [](const Scene& s) { return double(s.string.size()); }, 7.0},
       {"string[]", "name", [](const Scene& s) { return number(s.string.at(2).name == "c1"); }, 1.0},
       {"string[]", "type", [](const Scene& s) { return number(s.string.at(3).type == PartType::stabilizer); }, 1.0},
       {"string[]", "length", [](const Scene& s) { return s.string.at(1).length; }, 8.4},

@@ -5,7 +5,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/scene/read_scene.h"
-#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/sim/player.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/solve/arkode_stepper.h"
 #include "drill_rig_sim/solve/start.h"

@@ -167,6 +167,7 @@ TEST(Summary, energyIsToldAccountByAccountWhereItIsBalanced)
                   {"drive", e.drive},
                   {"pump", e.pump},
                   {"gravity", e.gravity},
+                  {"steering", e.steering},
                   {"handled", e.handled},
                   {"stored", e.stored()},
                   {"wall_friction", e.wall_friction},

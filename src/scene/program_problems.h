@@ -1,0 +1,15 @@
+#ifndef DRILL_RIG_SIM_SRC_SCENE_PROGRAM_PROBLEMS_H
+#define DRILL_RIG_SIM_SRC_SCENE_PROGRAM_PROBLEMS_H
+
+#include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/well/problem.h"
+
+namespace drill_rig_sim
+{
+/// What does not go together in a scene's program: lines out of order, keys of different modes in one line, values beyond the rig's limits, faults
+/// without what they need.
+ProblemList program_problems(const Scene& scene);
+
+}  // namespace drill_rig_sim
+
+#endif
