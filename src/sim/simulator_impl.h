@@ -70,6 +70,7 @@ struct Simulator::Impl
   void measure_string() noexcept;
   double motor_pressure() const noexcept;
   SensorView sensor_view() const noexcept;
+  SubView sub_view() const noexcept;
 };
 
 }  // namespace drill_rig_sim

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "drill_rig_sim/DownholeDynamics.h"
 #include "drill_rig_sim/DrillstringState.h"
 #include "drill_rig_sim/MwdInclination.h"
 #include "drill_rig_sim/MwdSurvey.h"
@@ -33,6 +34,7 @@ geometry_msgs::WrenchStamped to_bit_wrench(const FrameRecord& frame, const std::
 MwdSurvey to_mwd_survey(const FrameRecord& frame, const std::string& floor);
 MwdToolface to_mwd_toolface(const FrameRecord& frame, const std::string& floor);
 MwdInclination to_mwd_inclination(const FrameRecord& frame, const std::string& floor);
+DownholeDynamics to_downhole_dynamics(const FrameRecord& frame, const std::string& floor);
 
 /// Fills the message in place: its arrays keep their memory.
 void fill_drillstring_state(const FrameOutput& s, const std::string& floor, DrillstringState& m);
