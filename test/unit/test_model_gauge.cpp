@@ -16,13 +16,13 @@ constexpr double step = 0.01, pressed = 1e-3, kinetic = 0.3, ratio = 1.5, stribe
 constexpr double radius = 0.05;                                                            // of the bit [m]
 
 /// The bit, or the string's node above it, pressed into the wall on the east side. Its friction falls from 0.45 to 0.3 over 0.8 m/s.
-struct Gauge
+struct PressedGauge
 {
   RigAtRest rig;
   int node;
   double normal = 0.0;  // force [N]
 
-  explicit Gauge(int at = 0) : rig(build_at_rest(scene())), node(at)
+  explicit PressedGauge(int at = 0) : rig(build_at_rest(scene())), node(at)
   {
     const MeshNode& mesh_node = rig.model->mesh().nodes[node];
     rig.state.nodes[node].position.x() = 0.5 * 0.2159 - mesh_node.contact_radius + pressed;
@@ -55,7 +55,7 @@ struct Gauge
 // Clockwise looking down the gauge's east side goes south: the wall pushes it north, and turns the bit anticlockwise, which is + z.
 TEST(Gauge, slidesAtTheMotorsSpeed)
 {
-  Gauge gauge;
+  PressedGauge gauge;
   Workspace work(*gauge.rig.model);
   for (const double motor : {8.0, 16.0, 40.0})
   {
@@ -70,7 +70,7 @@ TEST(Gauge, slidesAtTheMotorsSpeed)
 
 TEST(Gauge, addsTheStringsSpinToTheMotors)
 {
-  Gauge gauge;
+  PressedGauge gauge;
   Workspace work(*gauge.rig.model);
   const double together = gauge.friction(radius * 22.0);
   EXPECT_NEAR(gauge.after(6.0, 0.0, 16.0, work).wall[0].y(), together, 1e-3 * together);
@@ -83,7 +83,7 @@ TEST(Gauge, addsTheStringsSpinToTheMotors)
 // Turning frees the axial slide: friction points against the whole of the sliding, 0.6 m/s around and 0.3 m/s down.
 TEST(Gauge, motorTakesItsShareOfTheFriction)
 {
-  Gauge gauge;
+  PressedGauge gauge;
   Workspace work(*gauge.rig.model);
   const double around = radius * 12.0, down = 0.3, speed = std::hypot(around, down), friction = gauge.friction(speed);
   const RigForces& f = gauge.after(0.0, down, 12.0, work);
@@ -93,7 +93,7 @@ TEST(Gauge, motorTakesItsShareOfTheFriction)
 
 TEST(Gauge, turnsAloneTheStringStands)
 {
-  Gauge above(1);
+  PressedGauge above(1);
   Workspace work(*above.rig.model);
   const RigForces& f = above.after(0.0, 0.0, 40.0, work);
   EXPECT_NEAR(f.contact[1], above.normal, 1e-3 * above.normal);
