@@ -125,6 +125,25 @@ MwdInclination to_mwd_inclination(const FrameRecord& frame, const std::string& f
   return m;
 }
 
+DownholeDynamics to_downhole_dynamics(const FrameRecord& frame, const std::string& floor)
+{
+  const DynamicsReading& reading = frame.readings.dynamics;
+  DownholeDynamics m;
+  m.header = measured_at(frame, reading.time, floor);
+  m.md = reading.md;
+  m.duration = reading.duration;
+  m.weight = reading.weight;
+  m.torque = reading.torque;
+  m.bending_moment = reading.bending_moment;
+  m.speed = reading.speed;
+  m.least_speed = reading.least_speed;
+  m.largest_speed = reading.largest_speed;
+  m.stick_slip = reading.stick_slip;
+  m.axial_acceleration = reading.axial_acceleration;
+  m.lateral_acceleration = reading.lateral_acceleration;
+  return m;
+}
+
 void fill_drillstring_state(const FrameOutput& s, const std::string& floor, DrillstringState& m)
 {
   const StringProfile& from = s.profile;

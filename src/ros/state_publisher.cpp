@@ -31,6 +31,7 @@ StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& paramete
       mwd_(node.advertise<MwdSurvey>("downhole/mwd", parameters.queue())),
       toolface_(node.advertise<MwdToolface>("downhole/toolface", parameters.queue())),
       inclination_(node.advertise<MwdInclination>("downhole/inclination", parameters.queue())),
+      dynamics_(node.advertise<DownholeDynamics>("downhole/dynamics", parameters.queue())),
       drillstring_(node.advertise<DrillstringState>(
           "drillstring_state", parameters.queue(), [this](const ros::SingleSubscriberPublisher&) { subscriptions_.profile = true; },
           [this](const ros::SingleSubscriberPublisher&) { subscriptions_.profile = drillstring_.getNumSubscribers() > 0; }))
@@ -45,13 +46,14 @@ void StatePublisher::publish(const FrameOutput& s)
     header.stamp = to_time(s.frame.stamp);
     header.frame_id = floor_;
     rig_limits_.publish(to_rig_limits(s.frame.rig, header));
-    last_survey_ = last_toolface_ = last_inclination_ = 0;
+    last_survey_ = last_toolface_ = last_inclination_ = last_dynamics_ = 0;
   }
   if (s.restored)  // what had arrived before the state was saved does not arrive now
   {
     last_survey_ = s.frame.readings.mwd.sequence;
     last_toolface_ = s.frame.readings.toolface.sequence;
     last_inclination_ = s.frame.readings.inclination.sequence;
+    last_dynamics_ = s.frame.readings.dynamics.sequence;
   }
   if (s.state_due || s.state_again)
   {
@@ -85,10 +87,12 @@ void StatePublisher::publish_bit(const FrameOutput& s)
 void StatePublisher::publish_telemetry(const FrameOutput& s)
 {
   const std::uint64_t survey = s.frame.readings.mwd.sequence, toolface = s.frame.readings.toolface.sequence,
-                      inclination = s.frame.readings.inclination.sequence;
+                      inclination = s.frame.readings.inclination.sequence, dynamics = s.frame.readings.dynamics.sequence;
   if (survey > last_survey_) mwd_.publish(to_mwd_survey(s.frame, floor_));
   if (toolface > last_toolface_) toolface_.publish(to_mwd_toolface(s.frame, floor_));
   if (inclination > last_inclination_) inclination_.publish(to_mwd_inclination(s.frame, floor_));
+  if (dynamics > last_dynamics_) dynamics_.publish(to_downhole_dynamics(s.frame, floor_));
+  last_dynamics_ = dynamics;
   last_survey_ = survey;
   last_toolface_ = toolface;
   last_inclination_ = inclination;

@@ -67,7 +67,7 @@ const char* what_is_wrong_with_magnitude(const Fault& fault) noexcept
     case FaultKind::differential_sticking: return within(1e9, "magnitude: allowed is above 0, up to 1e9 N/m");
     case FaultKind::pack_off: return within(1e7, "magnitude: allowed is above 0, up to 1e7 N");
     case FaultKind::friction_change: return m >= 0.0 && m <= 10.0 ? nullptr : "magnitude: allowed is 0 to 10 times";
-    case FaultKind::formation_change: return within(100.0, "magnitude: allowed is above 0, up to 100 times");
+    case FaultKind::formation_change: return m >= 1e-3 && m <= 1e3 ? nullptr : "magnitude: allowed is 0.001 to 1000 times";
     default: return nullptr;
   }
 }

@@ -38,6 +38,7 @@ std::vector<Key<Spec>> joined(std::vector<Key<Spec>> first, const std::vector<Ke
 const Table<InstrumentsSpec> instruments_keys = {"instruments", "What the sensors make of the truth.", {
   {"mwd",                   "",       Nested{},                            none,                 "survey tool"},
   {"toolface",              "",       Nested{},                            none,                 "toolface between surveys"},
+  {"dynamics",              "",       Nested{},                            none,                 "tool of downhole dynamics"},
   {"surface",               "",       Nested{},                            none,                 "gauges of the rig"},
 }};
 
@@ -57,6 +58,12 @@ const Table<ToolfaceSpec> toolface_keys = {"instruments.toolface", "Toolface sen
   {"noise_deg",             "deg",    &ToolfaceSpec::noise,                between(0.0, 90.0),   "standard deviation", no_kind, every_kind, "of `mwd`"},
   {"resolution_deg",        "deg",    &ToolfaceSpec::resolution,           between(0.0, 90.0),   "steps in which it is sent; 0: none"},
   {"max_speed_rpm",         "rpm",    &ToolfaceSpec::max_speed,            between(0.0, 1000.0), "of the pipe at the sensor: while it turns faster no toolface is sent; 0: it is sent whatever the speed"},
+}};
+
+const Table<DynamicsSpec> dynamics_keys = {"instruments.dynamics", "A tool in the string that measures weight, torque, bending, speed and shocks, and sends means and extremes: topic `downhole/dynamics`.", {
+  {"period",                "s",      &DynamicsSpec::period,               between(0.0, 600.0),  "of its readings; 0: there is none"},
+  {"latency",               "s",      &DynamicsSpec::latency,              between(0.0, 600.0),  "from measurement to surface"},
+  {"from_bit",              "m",      &DynamicsSpec::from_bit,             between(0.0, 20000.0), "so far above the bit's face, below the rotary table", no_kind, every_kind, "the survey tool's sensor"},
 }};
 
 const Table<InstrumentsSpec> surface_keys = {"instruments.surface", "Gauges of the rig.", {

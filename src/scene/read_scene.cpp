@@ -314,6 +314,7 @@ private:
     const Entries entries = read_block(node, path, instruments_keys, every_kind, instruments, problems_);
     read_one(entries, path, "mwd", mwd_keys, instruments.mwd);
     read_one(entries, path, "toolface", toolface_keys, instruments.toolface);
+    read_one(entries, path, "dynamics", dynamics_keys, instruments.dynamics);
     in(entries, path, "surface",
        [&](const YAML::Node& n, const std::string& p)
        {

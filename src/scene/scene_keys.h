@@ -51,6 +51,7 @@ extern const Table<NumericsSpec> numerics_keys;
 extern const Table<InstrumentsSpec> instruments_keys;
 extern const Table<MwdSpec> mwd_keys;
 extern const Table<ToolfaceSpec> toolface_keys;
+extern const Table<DynamicsSpec> dynamics_keys;
 extern const Table<InstrumentsSpec> surface_keys;
 extern const Table<HookLoadSpec> hook_load_keys;
 extern const Table<SensorSpec> sensor_keys;

@@ -301,6 +301,10 @@ ProblemList scene_problems(const Scene& scene)
   append(problems, operation_problems(scene));
   check_telemetry("instruments.mwd.latency", scene.instruments.mwd.period, scene.instruments.mwd.latency, problems);
   check_telemetry("instruments.mwd.latency", scene.instruments.mwd.inclination_period, scene.instruments.mwd.latency, problems);
+  check_telemetry("instruments.dynamics.latency", scene.instruments.dynamics.period, scene.instruments.dynamics.latency, problems);
+  if (scene.instruments.dynamics.from_bit > scene.start.bit_depth)
+    problems.emplace_back("instruments.dynamics.from_bit", metres(scene.instruments.dynamics.from_bit) +
+                                                               " is above the rotary table, allowed: up to start.bit_depth, " + metres(scene.start.bit_depth));
   check_telemetry("instruments.toolface.latency", scene.instruments.toolface.period, scene.instruments.toolface.latency, problems);
   return problems;
 }

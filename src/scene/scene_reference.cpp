@@ -92,6 +92,7 @@ std::string scene_reference()
   write(out, instruments_keys);
   write(out, mwd_keys);
   write(out, toolface_keys);
+  write(out, dynamics_keys);
   write(out, surface_keys);
   write(out, hook_load_keys);
   write(out, sensor_keys);

@@ -42,6 +42,7 @@ Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_
                                                             &spec.stand_pipe_pressure, &spec.flow,      &spec.block_height};
   for (std::size_t k = 0; k < specs.size(); ++k) gauges_[k] = gauge(*specs[k]);
   mwd_ = Mwd(spec.mwd, spec.toolface, NoiseSource::of(seed, index++));
+  dynamics_ = DynamicsTool(spec.dynamics);
   tally_ = at_start.bit_depth + at_start.block_height;
   hole_depth_ = at_start.hole_depth;
 }
@@ -58,6 +59,8 @@ void Instruments::read(const Truth& truth, const SensorView& view, Readings& rea
   readings.on_bottom = readings.motor_stalled = readings.over_stress = readings.over_torque = readings.buckled = false;
   mwd_.update(truth.time, truth.bit_flow, view, readings.mwd, readings.toolface);
   readings.inclination = mwd_.inclination();
+  dynamics_.update(truth.time, truth.bit_flow, view.sub);
+  readings.dynamics = dynamics_.arrived();
 }
 
 void Instruments::read_gauges(const Truth& truth, Readings& readings) noexcept
@@ -104,6 +107,7 @@ void Instruments::shift_time(double shift) noexcept
 {
   for (Sensor& gauge : gauges_) gauge.shift_time(shift);
   mwd_.shift_time(shift);
+  dynamics_.shift_time(shift);
   rop_.shift_time(shift);
 }
 

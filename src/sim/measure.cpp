@@ -113,6 +113,31 @@ SensorView Simulator::Impl::sensor_view() const noexcept
   view.scribe = y_axis(q);
   view.spin_speed = shown().nodes[at.lower].rate.spin;
   view.in_slips = state.connection.under_way || slips_load(shown()) > 0.0;
+  if (scene.instruments.dynamics.period > 0.0) view.sub = sub_view();
+  return view;
+}
+
+/// Of the element in which it sits.
+SubView Simulator::Impl::sub_view() const noexcept
+{
+  const Mesh& mesh = model->mesh();
+  const State& s = shown();
+  const double from_bit = scene.instruments.dynamics.from_bit;
+  const Between at = find_between(mesh, std::isnan(from_bit) ? std::max(mesh.sensor_from_bit, 0.0) : from_bit);
+  const std::size_t here = static_cast<std::size_t>(at.lower);
+  SubView view;
+  view.md = state.truth.bit_depth - (std::isnan(from_bit) ? std::max(mesh.sensor_from_bit, 0.0) : from_bit);
+  view.axis = x_axis(s.nodes[here].orientation);
+  const auto along = [&](std::size_t i) { return -x_axis(s.nodes[i].orientation).z(); };
+  view.weight_below = standard_gravity * (mesh.bit_mass - scene.mud.density * mesh.bit_displaced) * along(0);
+  for (std::size_t e = 0; e <= here; ++e)
+    view.weight_below += (e < here ? 1.0 : 0.5) * along(e) *
+                         model->element_weight(static_cast<int>(e), s.nodes[e].position.z(), s.nodes[e + 1].position.z());
+  view.tension = shown_forces().tension[here];
+  view.torque = shown_forces().torque[here];
+  view.bending_moment = shown_forces().bending_moment[here + 1];
+  view.spin_speed = s.nodes[here].rate.spin;
+  view.velocity = s.nodes[here].rate.velocity;
   return view;
 }
 

@@ -10,40 +10,12 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double kFlowing = 1e-4;  // [m3/s]
-
 double turned_to_circle(double azimuth) noexcept
 {
   const double a = std::fmod(azimuth, 2.0 * pi);
   return a < 0.0 ? a + 2.0 * pi : a;
 }
 }  // namespace
-
-template <class Reading>
-void Mwd::Queue<Reading>::push(const Reading& r, double time) noexcept
-{
-  if (count == entry.size()) return;  // telemetry is saturated: the reading is lost, as downhole
-  const std::size_t last = (first + count++) % entry.size();
-  entry[last] = r;
-  sent[last] = time;
-}
-
-template <class Reading>
-bool Mwd::Queue<Reading>::pop_before(double time, Reading& r) noexcept
-{
-  if (count == 0 || sent[first] > time) return false;
-  r = entry[first];
-  first = (first + 1) % entry.size();
-  --count;
-  return true;
-}
-
-template <class Reading>
-void Mwd::Queue<Reading>::shift_time(double shift) noexcept
-{
-  for (Reading& r : entry) r.time += shift;
-  for (double& time : sent) time += shift;
-}
 
 Mwd::Mwd(const MwdSpec& survey, const ToolfaceSpec& toolface, NoiseSource noise) : survey_(survey), toolface_(toolface), noise_(noise) {}
 
@@ -118,7 +90,7 @@ void Mwd::send_inclination(double time, const SensorView& view) noexcept
 void Mwd::update(double time, double flow, const SensorView& view, MwdReading& survey,
                  ToolfaceReading& toolface) noexcept
 {
-  const bool flowing = flow > kFlowing;
+  const bool flowing = flow > least_flow_of_pulses;
   const bool pumps_on = flowing && !flowing_;
   if (flowing_ && !flowing) quiet_since_ = time;
   flowing_ = flowing;

@@ -93,6 +93,7 @@ struct Simulator::Impl
   void crew_does(CrewTask task) noexcept;
   void crew_goes_on(double height) noexcept;
   bool crew_has_done(WinchSetpoint& winch) noexcept;
+  SubView sub_view() const noexcept;
 };
 
 }  // namespace drill_rig_sim

@@ -1,6 +1,7 @@
-// Fuzz target: bytes as orders to a small rig on bottom: set points, frames, tares, stuck pipe, snapshots taken and gone back to.
+// Fuzz target: bytes as orders to a small rig on bottom: set points, frames, tares, faults, snapshots taken and gone back to.
 // Everything reported stays finite, and the same orders from the same start lead to the same bits.
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -108,10 +109,27 @@ private:
       case 10:
         check_reports(rig_);
         break;
+      case 11:
+        fault(orders);
+        break;
+      case 12:
+        rig_.clear(static_cast<FaultKind>(orders.byte() % fault_count), static_cast<Gauge>(orders.byte() % gauge_count));
+        break;
       default:
         frame(static_cast<double>(1 + orders.byte() % 4));
         break;
     }
+  }
+
+  /// Of any kind, by anything from a thousandth to ten million.
+  void fault(Orders& orders)
+  {
+    Fault fault;
+    fault.kind = static_cast<FaultKind>(orders.byte() % fault_count);
+    fault.gauge = static_cast<Gauge>(orders.byte() % gauge_count);
+    fault.depth = orders.number(50.0);
+    fault.magnitude = orders.number(std::pow(10.0, orders.byte() % 11 - 3.0));
+    rig_.inject(fault);
   }
 
   void drive(Orders& orders)

@@ -2,7 +2,7 @@
 """Faults and interlocks from outside: each begins, shows and ends; what makes no sense is refused and changes nothing."""
 import math
 
-from drill_rig_sim.msg import MwdInclination, MwdSurvey, MwdToolface, RigLimits, RigState
+from drill_rig_sim.msg import DownholeDynamics, MwdInclination, MwdSurvey, MwdToolface, RigLimits, RigState
 from drill_rig_sim.srv import InjectFaultRequest as Fault
 from rig_test import Rig, flow, rospy, run, turn, unittest, winch
 
@@ -128,6 +128,18 @@ class Faults(unittest.TestCase):
         self.assertTrue(self.rig.advance(100, mud_pump=flow(0.01)).pump_tripped)
         self.assertFalse(self.rig.advance(10, mud_pump=flow(0.0)).pump_tripped)
         self.assertAlmostEqual(0.01, self.rig.advance(1000, mud_pump=flow(0.01)).flow, delta=1e-6)
+
+    def test_a_tool_of_dynamics(self):
+        readings = self.rig.collect("downhole/dynamics", DownholeDynamics)
+        self.rig.advance(1500, mud_pump=flow(0.01), top_drive=turn(5.0))
+        last = readings.wait(5)[-1]
+        state = self.rig.advance(0)
+        self.assertLess((state.header.stamp - last.header.stamp).to_sec(), 3.0)
+        self.assertAlmostEqual(2.0, last.duration, delta=1e-6)
+        self.assertAlmostEqual(99.0, last.md, delta=0.5)
+        self.assertAlmostEqual(5.0, last.speed, delta=0.1)
+        self.assertGreaterEqual(last.largest_speed, last.least_speed)
+        self.assertLess(abs(last.weight), 0.02 * state.hook_load, "it hangs")
 
     def test_telemetry_of_a_pump_cycle(self):
         surveys, toolfaces, inclinations = (self.rig.collect("downhole/" + name, kind) for name, kind in

@@ -57,6 +57,7 @@ inline FrameRecord numbered_record()
   f.readings.mwd = {7, 298.5, 501.0, 502.0, 503.0};         // measured 1.5 s before the frame
   f.readings.toolface = {9, 299.25, 511.0, false};          // 0.75 s before it
   f.readings.inclination = {11, 300.0 - 1.25, 521.0, 522.0};  // 1.25 s before it
+  f.readings.dynamics = {13, 300.0 - 2.25, 531.0, 532.0, 533.0, 534.0, 535.0, 536.0, 537.0, 538.0, 539.0, 540.0, 541.0};  // 2.25 s before it
   f.readings.lost_gauges = 5;
   f.commands.last = 9'000'000'009;
   f.commands.accepted = {7'000'000'007, 8'000'000'008, 9'000'000'009};

@@ -41,6 +41,7 @@ numerics: {level: beam3d, free_length: 57.5, integrator: trbdf2, element: corota
 instruments:
   mwd: {period: 32.0, latency: 8.1, inclination_resolution_deg: 0.13, noise_deg: 0.06, scribe_offset_deg: 17.0, quiet_time: 7.1, inclination_period: 21.3}
   toolface: {period: 10.1, latency: 4.1, noise_deg: 0.51, resolution_deg: 2.8, max_speed_rpm: 12.1}
+  dynamics: {period: 17.1, latency: 7.3, from_bit: 21.7}
   surface:
     hook_load: {place: block, noise: 1.1, bias: 1.2, delay: 1.3, filter_time: 1.4, resolution: 1.5, drift: 1.6, rate: 1.7, dropout_interval: 1.8, dropout_duration: 1.9}
     torque: {noise: 2.1, bias: 2.2, delay: 2.3, filter_time: 2.4, resolution: 2.5, drift: 2.6, rate: 2.7, dropout_interval: 2.8, dropout_duration: 2.9}

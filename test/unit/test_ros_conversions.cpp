@@ -301,26 +301,6 @@ TEST(Bit, truth)
   EXPECT_EQ((std::vector<double>{1.0, 2.0, 3.0, 4.0, 5.0, 6.0}), (std::vector<double>{m.wob, m.torque, m.speed, m.inclination, m.azimuth, m.toolface}));
 }
 
-TEST(Telemetry, isStampedWhenItWasMeasured)
-{
-  FrameRecord frame = numbered_record();
-  const MwdSurvey survey = to_mwd_survey(frame, floor_name);
-  expect_header(survey.header, 10, 845678901);  // 1.5 s before the frame
-  EXPECT_EQ(501.0, survey.md);
-  EXPECT_EQ(502.0, survey.inclination);
-  EXPECT_EQ(503.0, survey.azimuth);
-  const MwdToolface toolface = to_mwd_toolface(frame, floor_name);
-  expect_header(toolface.header, 11, 595678901);  // 0.75 s before it
-  EXPECT_EQ(511.0, toolface.toolface);
-  EXPECT_EQ(MwdToolface::GRAVITY, toolface.reference);
-  frame.readings.toolface.magnetic = true;
-  EXPECT_EQ(MwdToolface::MAGNETIC, to_mwd_toolface(frame, floor_name).reference);
-  const MwdInclination inclination = to_mwd_inclination(frame, floor_name);
-  expect_header(inclination.header, 11, 95678901);  // 1.25 s before it
-  EXPECT_EQ(521.0, inclination.md);
-  EXPECT_EQ(522.0, inclination.inclination);
-}
-
 TEST(DrillstringStateMessage, eachArrayComesFromItsOwn)
 {
   const FrameOutput s = numbered_output();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "drill_rig_sim/BitTruth.h"
+#include "drill_rig_sim/DownholeDynamics.h"
 #include "drill_rig_sim/DrillstringState.h"
 #include "drill_rig_sim/MwdInclination.h"
 #include "drill_rig_sim/MwdSurvey.h"
@@ -35,6 +36,7 @@ BitTruth to_bit_truth(const FrameRecord& frame, const std::string& floor);
 MwdSurvey to_mwd_survey(const FrameRecord& frame, const std::string& floor);
 MwdToolface to_mwd_toolface(const FrameRecord& frame, const std::string& floor);
 MwdInclination to_mwd_inclination(const FrameRecord& frame, const std::string& floor);
+DownholeDynamics to_downhole_dynamics(const FrameRecord& frame, const std::string& floor);
 
 /// Fills the message in place: its arrays keep their memory.
 void fill_drillstring_state(const FrameOutput& s, const std::string& floor, DrillstringState& m);

@@ -36,7 +36,7 @@ private:
 
   std::string floor_;  // frame_id
   Subscriptions& subscriptions_;
-  std::uint64_t last_survey_ = 0, last_toolface_ = 0, last_inclination_ = 0;
+  std::uint64_t last_survey_ = 0, last_toolface_ = 0, last_inclination_ = 0, last_dynamics_ = 0;
   DrillstringState profile_;
   FrameTopic<std_msgs::Float64> hook_load_, torque_;
   FrameTopic<RigState> rig_state_, true_rig_state_;
@@ -45,7 +45,7 @@ private:
   FrameTopic<geometry_msgs::TwistStamped> bit_twist_;
   FrameTopic<geometry_msgs::WrenchStamped> bit_wrench_;
   FrameTopic<BitTruth> true_bit_;
-  ros::Publisher rig_limits_, mwd_, toolface_, inclination_, drillstring_;
+  ros::Publisher rig_limits_, mwd_, toolface_, inclination_, dynamics_, drillstring_;
 };
 
 }  // namespace drill_rig_sim

@@ -68,10 +68,19 @@ struct ToolfaceSpec
   double max_speed = 0.0;   ///< of the pipe: above it no toolface is sent [rad/s]; 0: whatever the speed
 };
 
+struct DynamicsSpec
+{
+  static constexpr double of_mwd = std::numeric_limits<double>::quiet_NaN();
+  double period = 0.0;       ///< of its readings [s]; 0 = none
+  double latency = 8.0;      ///< [s]
+  double from_bit = of_mwd;  ///< so far above the bit's face [m]; NaN: the survey tool's sensor, at the bit where there is none
+};
+
 struct InstrumentsSpec
 {
   MwdSpec mwd;
   ToolfaceSpec toolface;
+  DynamicsSpec dynamics;
   HookLoadSpec hook_load;          ///< [N]
   SensorSpec torque;               ///< torque meter [N m]
   SensorSpec stand_pipe_pressure;  ///< [Pa]

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/sim/dynamics_tool.h"
 #include "drill_rig_sim/sim/mwd.h"
 #include "drill_rig_sim/sim/sensor.h"
 #include "drill_rig_sim/sim/signals.h"
@@ -72,6 +73,7 @@ public:
   {
     v("gauges", gauges_);
     v("mwd", mwd_);
+    v("dynamics", dynamics_);
     v("tally", tally_);
     v("hole_depth", hole_depth_);
     v("rop", rop_);
@@ -94,6 +96,7 @@ private:
   double block_weight_ = 0.0;  // with top drive [N]
   std::array<Sensor, gauge_count> gauges_;  // by Gauge; the first at the block
   Mwd mwd_;
+  DynamicsTool dynamics_;
   double tally_ = 0.0;  // of the pipe from the bit's face to the top-drive shaft [m]
   double hole_depth_ = 0.0;  // the bit's deepest so far [m]
   RateMeter rop_;

@@ -2,16 +2,17 @@
 #define DRILL_RIG_SIM_SIM_MWD_H
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 
 #include "drill_rig_sim/scene/instruments_spec.h"
+#include "drill_rig_sim/sim/dynamics_tool.h"
 #include "drill_rig_sim/sim/sensor.h"
 #include "drill_rig_sim/sim/signals.h"
+#include "drill_rig_sim/sim/telemetry.h"
 
 namespace drill_rig_sim
 {
-/// What the MWD's sensor sees.
+/// What the MWD's sensor sees, and the tools beside it.
 struct SensorView
 {
   double md = 0.0;                                      ///< [m]
@@ -19,6 +20,7 @@ struct SensorView
   Eigen::Vector3d scribe = Eigen::Vector3d::UnitY();    ///< across the string: the bend's direction without twist
   double spin_speed = 0.0;                              ///< of the pipe [rad/s]
   bool in_slips = false;                                ///< the slips bear the string: where the block is says nothing of the bit
+  SubView sub;                                          ///< what the tool of dynamics sees
 };
 
 /// Measurement while drilling: surveys by period, or after a pumps-off/on cycle when the period is 0, the faster toolface and the continuous
@@ -60,25 +62,6 @@ public:
   }
 
 private:
-  template <class Reading>
-  struct Queue  // readings on their way up
-  {
-    std::array<Reading, most_on_the_way> entry;
-    std::array<double, most_on_the_way> sent{};  // when [s]
-    std::size_t first = 0, count = 0;
-    void push(const Reading& r, double time) noexcept;
-    bool pop_before(double time, Reading& r) noexcept;
-    void shift_time(double shift) noexcept;
-
-    template <class V>
-    void visit(V& v)
-    {
-      v("entry", entry);
-      v("sent", sent);
-      v("first", first);
-      v("count", count);
-    }
-  };
   MwdReading measure(double time, const SensorView& view) noexcept;
   double measured_inclination(const SensorView& view) noexcept;
   void rest(double time, const SensorView& view) noexcept;
@@ -89,9 +72,9 @@ private:
   MwdSpec survey_;
   ToolfaceSpec toolface_;
   NoiseSource noise_;
-  Queue<MwdReading> surveys_;
-  Queue<ToolfaceReading> toolfaces_;
-  Queue<InclinationReading> inclinations_;
+  TelemetryQueue<MwdReading> surveys_;
+  TelemetryQueue<ToolfaceReading> toolfaces_;
+  TelemetryQueue<InclinationReading> inclinations_;
   double next_survey_ = 0.0;
   double next_toolface_ = 0.0;
   double next_inclination_ = 0.0;

@@ -82,6 +82,40 @@ enum class CrewTask
 /// The same in a word; empty for none.
 const char* text_of(CrewTask task) noexcept;
 
+/// What a tool of dynamics has measured over an interval (dynamics_tool.h).
+struct DynamicsReading
+{
+  std::uint64_t sequence = 0;
+  double time = 0.0;      ///< simulated time of the interval's end [s]
+  double md = 0.0;        ///< the tool's measured depth [m]
+  double duration = 0.0;  ///< [s]
+  double weight = 0.0;    ///< mean [N]
+  double torque = 0.0;    ///< mean [N m]
+  double bending_moment = 0.0;  ///< largest [N m]
+  double speed = 0.0, least_speed = 0.0, largest_speed = 0.0;  ///< the first its mean [rad/s]
+  double stick_slip = 0.0;            ///< index [-]
+  double axial_acceleration = 0.0;    ///< largest [m/s2]
+  double lateral_acceleration = 0.0;  ///< [m/s2]
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("sequence", sequence);
+    v("time", time);
+    v("md", md);
+    v("duration", duration);
+    v("weight", weight);
+    v("torque", torque);
+    v("bending_moment", bending_moment);
+    v("speed", speed);
+    v("least_speed", least_speed);
+    v("largest_speed", largest_speed);
+    v("stick_slip", stick_slip);
+    v("axial_acceleration", axial_acceleration);
+    v("lateral_acceleration", lateral_acceleration);
+  }
+};
+
 /// A rig's signals at one instant. Signs as in commands.h. Each field says what it is in truth; Readings says what instruments make of it.
 struct RigSignals
 {
@@ -225,6 +259,7 @@ struct Readings : RigSignals
   MwdReading mwd;
   ToolfaceReading toolface;
   InclinationReading inclination;
+  DynamicsReading dynamics;
 
   template <class V>
   void visit(V& v)
@@ -233,6 +268,7 @@ struct Readings : RigSignals
     v("mwd", mwd);
     v("toolface", toolface);
     v("inclination", inclination);
+    v("dynamics", dynamics);
   }
 };
 
