@@ -54,7 +54,7 @@ class Bag(test_drill.Drill):
         self.assertNotEqual(rows[-1]['hook_load'], rows[-1]['reading_hook_load'])
 
     def test_topics_and_types_are_the_nodes(self):
-        messages, _ = self.run_scene()
+        messages, _ = self.run_scene('--set', 'instruments.mwd.inclination_period=5', '--set', 'instruments.dynamics={period: 5, latency: 1}')
         with open(os.path.join(SOURCE, 'test/interface_contract.yaml')) as text:
             published = yaml.safe_load(text)['publishes']
         expected = {topic: kind for topic, kind in published.items() if not topic.startswith('/') and topic not in NOT_MEASURED}
