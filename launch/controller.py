@@ -14,8 +14,9 @@ from drill_rig_sim.rig import Rig
 from drill_rig_sim.score import score
 from drill_rig_sim.score_command import table
 from drill_rig_sim.score_runs import Run, columns_of_truth
+from drill_rig_sim.slide_steering import SlideSteering
 
-LAWS = {"autodriller": Autodriller}
+LAWS = {"autodriller": Autodriller, "slide_steering": SlideSteering}
 
 
 def in_lockstep(law, timeout):

@@ -29,6 +29,7 @@ class Autodriller:
         self.lags = {name: Lag(1.0) for name in ("weight", "pressure", "torque")}
         self.phase, self.since, self.done = "spinning_up", None, False
         self.winner, self.stalls = "", 0
+        self.stay_off = self.blind = False       # for who steers: wait on off bottom; feed on as before, whatever the weight seems to be
         self.raw, self.zero, self.samples = {}, {}, []
         self.now = self.last_feed = self.height = 0.0
         self.beyond_since = None
@@ -101,6 +102,8 @@ class Autodriller:
         feeds = {name: loop.feed(self.seen[name]) for name, loop in self.loops.items()}
         feeds["rop"] = min(self.rop, self.tag_speed * (1.0 + 0.1 * self.lasted()))  # so does the feed, should the tag have been none
         self.winner = min(feeds, key=feeds.get)
+        if self.blind:
+            return self.loops["weight"].integral
         if self.beyond("pressure", self.stall_pressure, self.stall_time):
             self.stalls += 1
             self.set_points["weight"] *= self.back_off
@@ -117,7 +120,7 @@ class Autodriller:
         return -self.lift_speed
 
     def waiting(self, _):
-        if self.lasted() > self.wait_time:
+        if self.lasted() > self.wait_time and not self.stay_off:
             self.go("returning")
         return 0.0
 

@@ -11,7 +11,7 @@ import rospy
 from drill_rig_sim.msg import MudPumpCommand, MwdSurvey, MwdToolface, RigState, SteeringCommand, TopDriveCommand, WinchCommand
 from drill_rig_sim.rig import UNSENSED
 
-PATIENCE = 0.004  # wall time that telemetry may take from the rig's node to this one, beside the answer of a step [s]
+PATIENCE = 0.004  # wall time that telemetry may take to come from the rig's node, beside the answers of its steps: once a second [s]
 
 
 class Readings:
@@ -92,7 +92,7 @@ def drive(rig, law, timeout, telemetry=Deaf, judge=None):
     for _ in range(int(timeout * rig.rate / every)):
         if law.done:
             break
-        if telemetry is not Deaf:
+        if telemetry is not Deaf and int(rig.state.t) > int(rig.state.t - law.period):
             time.sleep(PATIENCE)
         hand_over(rig, law.step(Readings(rig.state.readings, telemetry)))
         states.append(rig.step(frames=every))

@@ -46,3 +46,21 @@ class Loop:
 def turn_between(angle, other):
     """The shorter way from one direction to the other [rad]."""
     return math.remainder(other - angle, 2.0 * math.pi)
+
+
+class Plan:
+    """Planned well: rows of measured depth [m], inclination and azimuth [deg], straight in between."""
+
+    def __init__(self, stations):
+        self.stations = [(depth, math.radians(inclination), math.radians(azimuth)) for depth, inclination, azimuth in stations]
+
+    def at(self, depth):
+        """Inclination and azimuth there [rad]; beyond its ends those of the end."""
+        before = self.stations[0]
+        for after in self.stations:
+            if depth < after[0]:
+                share = max(0.0, (depth - before[0]) / max(after[0] - before[0], 1e-9))
+                return before[1] + share * (after[1] - before[1]), before[2] + share * turn_between(before[2], after[2])
+            before = after
+        return before[1:]
+
