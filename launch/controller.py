@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A node that runs a control law of drill_rig_sim against the rig of its namespace: ~law and its arguments ~settings.
 
-~lockstep true: it steps the rig as fast as that goes, says how the law did (drill score) and, given ~csv, writes the truth as drill run --csv does.
+~plan: a survey's file, for a law that steers by one. ~lockstep true: it steps the rig as fast as that goes, says how the law did (drill score) and, given ~csv, writes the truth as drill run --csv does.
 False: it follows rig_state and publishes commands, as with a real rig.
 """
 import csv
@@ -11,12 +11,14 @@ import rospy
 from drill_rig_sim import control
 from drill_rig_sim.autodriller import Autodriller
 from drill_rig_sim.rig import Rig
+from drill_rig_sim.rss_steering import RssSteering
 from drill_rig_sim.score import score
 from drill_rig_sim.score_command import table
 from drill_rig_sim.score_runs import Run, columns_of_truth
 from drill_rig_sim.slide_steering import SlideSteering
+from drill_rig_sim.survey import read_survey
 
-LAWS = {"autodriller": Autodriller, "slide_steering": SlideSteering}
+LAWS = {"autodriller": Autodriller, "slide_steering": SlideSteering, "rss_steering": RssSteering}
 
 
 def in_lockstep(law, timeout):
@@ -26,7 +28,16 @@ def in_lockstep(law, timeout):
     run = Run(columns_of_truth([s.truth for s in states], [s.bit for s in states]), "truth", rospy.get_param("~law"))
     if rospy.has_param("~csv"):
         write(run, rospy.get_param("~csv"))
-    print("\n".join(table(score(run, **rospy.get_param("~score", {})))), flush=True)
+    plan = read_survey(rospy.get_param("~plan")) if rospy.has_param("~plan") else None
+    print("\n".join(table(score(run, plan, **rospy.get_param("~score", {})))), flush=True)
+
+
+def law_of_parameters():
+    settings = dict(rospy.get_param("~settings", {}))
+    if rospy.has_param("~plan"):
+        settings["plan"] = read_survey(rospy.get_param("~plan"))
+    law = LAWS[rospy.get_param("~law")](**settings)
+    return control.Ordered(law, rospy.get_param("~orders", []))
 
 
 def write(run, file):
@@ -38,8 +49,7 @@ def write(run, file):
 
 def main():
     rospy.init_node("controller", disable_rostime=rospy.get_param("~lockstep", False))
-    law = LAWS[rospy.get_param("~law")](**rospy.get_param("~settings", {}))
-    law = control.Ordered(law, rospy.get_param("~orders", []))
+    law = law_of_parameters()
     if rospy.get_param("~lockstep", False):
         in_lockstep(law, rospy.get_param("~timeout", 3600.0))
     else:

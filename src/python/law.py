@@ -49,18 +49,12 @@ def turn_between(angle, other):
 
 
 class Plan:
-    """Planned well: rows of measured depth [m], inclination and azimuth [deg], straight in between."""
+    """Planned well: a drill_rig_sim.survey.Survey."""
 
-    def __init__(self, stations):
-        self.stations = [(depth, math.radians(inclination), math.radians(azimuth)) for depth, inclination, azimuth in stations]
+    def __init__(self, survey):
+        self._survey = survey
 
     def at(self, depth):
         """Inclination and azimuth there [rad]; beyond its ends those of the end."""
-        before = self.stations[0]
-        for after in self.stations:
-            if depth < after[0]:
-                share = max(0.0, (depth - before[0]) / max(after[0] - before[0], 1e-9))
-                return before[1] + share * (after[1] - before[1]), before[2] + share * turn_between(before[2], after[2])
-            before = after
-        return before[1:]
-
+        east, north, up = self._survey.at(depth)[1]
+        return math.atan2(math.hypot(east, north), -up), math.atan2(east, north)

@@ -10,7 +10,7 @@ from drill_rig_sim.law import Lag, Plan, turn_between
 
 
 class SlideSteering:
-    """`build_rate`: of a slide [deg/30 m]. `twist`: of the string by the bit's torque at differential pressure
+    """`plan`: a drill_rig_sim.survey.Survey. `build_rate`: of a slide [deg/30 m]. `twist`: of the string by the bit's torque at differential pressure
     [deg/Pa]. `rocking`: of the string while it is brought to its toolface, off bottom [turns]. `driller`: settings of the autodriller."""
     period, listens = 0.1, True
     ahead, behind = math.radians(0.3), math.radians(0.3)  # of the plan, where a slide ends and begins

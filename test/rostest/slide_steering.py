@@ -7,9 +7,10 @@ from drill_rig_sim.control import Telemetry, drive
 from drill_rig_sim.law import Plan, turn_between
 from drill_rig_sim.rig import Rig, series
 from drill_rig_sim.slide_steering import SlideSteering
-from rig_test import run, unittest
+from drill_rig_sim.survey import read_survey
+from rig_test import PACKAGE_DIR, run, unittest
 
-PLAN = ((100.0, 0.0, 60.0), (430.0, 33.0, 60.0))
+PLAN = read_survey(PACKAGE_DIR + "/config/surveys/build_3_deg.csv")
 DRILLER = {"set_points": {"weight": 40e3}, "stiffness": 1e6, "rop": 0.03, "rpm": 60.0, "flow": 0.03, "to_depth": 414.0, "stall_pressure": 3.3e6}
 
 
