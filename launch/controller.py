@@ -16,9 +16,10 @@ from drill_rig_sim.score import score
 from drill_rig_sim.score_command import table
 from drill_rig_sim.score_runs import Run, columns_of_truth
 from drill_rig_sim.slide_steering import SlideSteering
+from drill_rig_sim.stands import Stands
 from drill_rig_sim.survey import read_survey
 
-LAWS = {"autodriller": Autodriller, "slide_steering": SlideSteering, "rss_steering": RssSteering}
+LAWS = {"autodriller": Autodriller, "slide_steering": SlideSteering, "rss_steering": RssSteering, "stands": Stands}
 
 
 def in_lockstep(law, timeout):

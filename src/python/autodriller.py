@@ -10,9 +10,10 @@ HOOK_LOAD = 1  # of RigState.lost_gauges
 
 class Autodriller:
     """`set_points`: weight [N], and where wanted pressure (differential) [Pa] and torque (above that off bottom) [N m]. `stiffness`: of the weight, of
-    string and lines [N/m]; those of pressure and torque follow by what a newton on the bit makes of them: pressure_per_weight, torque_per_weight."""
+    string and lines [N/m]; those of pressure and torque follow by what a newton on the bit makes of them: pressure_per_weight, torque_per_weight. `tag_speed` [m/s]: the
+    rock has to withstand it. `hook_load_gain`: what the gauge makes of a newton on the hook while the block goes down: a dead line's sheaves rub."""
     period, listens = 0.1, False             # [s]; to telemetry
-    tag_speed, lift_speed, return_speed = 0.005, 0.15, 0.05  # of the block [m/s]
+    lift_speed, return_speed = 0.15, 0.05    # of the block [m/s]
     tag_weight, weight_ramp = 5e3, 2e3       # [N], [N/s]
     slew = 0.03                              # of the feed: a jerk would ring in string and lines [m/s2]
     zero_time, wait_time, spin_up_time = 12.0, 10.0, 20.0  # [s]
@@ -21,14 +22,16 @@ class Autodriller:
     back_off = 0.8                           # share of the weight after a stall
 
     def __init__(self, set_points, stiffness, rop, rpm, flow, to_depth, stall_pressure=float("inf"), pressure_per_weight=1.0, torque_per_weight=1.0,
-                 lowest_block=1.5):
+                 lowest_block=1.5, tag_speed=0.005, hook_load_gain=1.0):
         self.set_points, self.rop, self.rpm, self.flow = dict(set_points), rop, rpm, flow
         self.to_depth, self.stall_pressure, self.lowest_block = to_depth, stall_pressure, lowest_block
+        self.tag_speed, self.hook_load_gain = tag_speed, hook_load_gain
         scale = {"weight": 1.0, "pressure": pressure_per_weight, "torque": torque_per_weight}
         self.loops = {name: Loop(value, stiffness * scale[name]) for name, value in self.set_points.items()}
         self.lags = {name: Lag(1.0) for name in ("weight", "pressure", "torque")}
         self.phase, self.since, self.done = "spinning_up", None, False
         self.winner, self.stalls = "", 0
+        self.string_load = 0.0                   # what hangs on the hook off bottom [N]
         self.stay_off = self.blind = False       # for who steers: wait on off bottom; feed on as before, whatever the weight seems to be
         self.raw, self.zero, self.samples = {}, {}, []
         self.now = self.last_feed = self.height = 0.0
@@ -38,12 +41,17 @@ class Autodriller:
 
     def take(self, readings):
         """Readings less what they were off bottom, smoothed. The zero is a mean: one reading of a noisy gauge is none."""
-        self.raw = {"weight": -readings.hook_load, "pressure": readings.stand_pipe_pressure, "torque": readings.torque}
+        self.raw = {"weight": -readings.hook_load / self.hook_load_gain, "pressure": readings.stand_pipe_pressure, "torque": readings.torque}
         self.seen = {name: self.lags[name].follow(self.raw[name] - self.zero.get(name, self.raw[name]), self.period) for name in self.raw}
 
     def go(self, phase):
         self.phase, self.since = phase, self.now
         self.samples, self.beyond_since = [], None
+
+    def restart(self):
+        """After a connection: pump and drive come back, then the bit goes down again."""
+        self.go("restarting")
+        self.done = False
 
     def lasted(self):
         return self.now - self.since
@@ -63,13 +71,14 @@ class Autodriller:
         if self.since is None:
             self.since = self.now
         self.take(readings)
+        self.winner = ""
         feed = getattr(self, self.phase)(readings)
         if readings.lost_gauges & HOOK_LOAD:  # a blind driller does not feed
             feed = min(feed, 0.0)
         most = self.slew * self.period
         self.last_feed = feed = min(max(feed, self.last_feed - most), self.last_feed + most)
-        for loop in self.loops.values():
-            loop.follow(max(feed, 0.0), self.period)
+        for name, loop in self.loops.items():
+            loop.follow(max(feed, 0.0), self.period, self.seen[name] if name == self.winner else None)
         return Commands(block_velocity=-feed, brake=feed == 0.0, flow=self.flow, top_drive={"mode": "SPEED", "speed": self.rpm * RPM})
 
     # --- phases: each gives the feed, + down [m/s]
@@ -79,11 +88,17 @@ class Autodriller:
             self.go("zeroing")
         return 0.0
 
-    def zeroing(self, _):
+    def restarting(self, _):
+        if self.lasted() > self.spin_up_time:
+            self.go("returning")
+        return 0.0
+
+    def zeroing(self, readings):
         """On the way down, as it drills: the block's rail carries the same share. The first seconds ring."""
         if self.lasted() > 0.3 * self.zero_time:
             self.samples.append(self.raw)
         if self.lasted() > self.zero_time:
+            self.string_load = readings.hook_load_string
             self.zero = {name: sum(sample[name] for sample in self.samples) / len(self.samples) for name in self.raw}
             self.lags = {name: Lag(lag.time) for name, lag in self.lags.items()}
             self.go("tagging")

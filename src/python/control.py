@@ -2,14 +2,17 @@
 
     commands = law.step(readings)    # every law.period of simulated time [s]; until law.done
 
-`readings` has the fields of RigState, `t` [s], and `toolface` and `survey`: the last of each that came up, or None. What a rig cannot sense is not in it.
+`readings` has the fields of RigState, `t` [s], `toolface` and `survey`: the last of each that came up, or None, and `refused`: why the slips or the connection
+asked for last were not (else ""). What a rig cannot sense is not in it.
 The same law runs in lockstep (`drive`) and by topics (`follow`).
 """
 import time
 
 import rospy
 from drill_rig_sim.msg import MudPumpCommand, MwdSurvey, MwdToolface, RigState, SteeringCommand, TopDriveCommand, WinchCommand
-from drill_rig_sim.rig import UNSENSED
+from drill_rig_sim.rig import UNSENSED, Refused, answered
+from drill_rig_sim.srv import MakeConnection
+from std_srvs.srv import SetBool
 
 PATIENCE = 0.004  # wall time that telemetry may take to come from the rig's node, beside the answers of its steps: once a second [s]
 
@@ -17,8 +20,8 @@ PATIENCE = 0.004  # wall time that telemetry may take to come from the rig's nod
 class Readings:
     """Of one instant."""
 
-    def __init__(self, state, telemetry):
-        self._state = state
+    def __init__(self, state, telemetry, refused=""):
+        self._state, self.refused = state, refused
         self.t = state.header.stamp.to_sec()
         self.toolface, self.survey = telemetry.toolface, telemetry.survey
 
@@ -64,7 +67,7 @@ def top_drive_command(fields):
 
 
 def hand_over(rig, commands):
-    """Set points for the next step of a drill_rig_sim.rig.Rig."""
+    """Set points for the next step of a drill_rig_sim.rig.Rig; why slips or connection were refused, or ""."""
     if commands.brake:
         rig.brake()
     elif commands.block_velocity is not None:
@@ -75,10 +78,19 @@ def hand_over(rig, commands):
         rig.pump(commands.flow)
     if commands.steering is not None:
         rig.steer(*commands.steering)
-    if commands.slips is not None:
-        rig.slips(commands.slips)
-    if commands.connection:
-        rig.connection()
+    return pipe_work(commands, rig.slips, rig.connection)
+
+
+def pipe_work(commands, slips, connection):
+    """Slips and connection, by two functions that may raise Refused; why they were refused, or ""."""
+    try:
+        if commands.slips is not None:
+            slips(commands.slips)
+        if commands.connection:
+            connection()
+    except Refused as refusal:
+        return str(refusal)
+    return ""
 
 
 def vars_of(message):
@@ -88,13 +100,13 @@ def vars_of(message):
 def drive(rig, law, timeout, telemetry=Deaf, judge=None):
     """Lockstep: steps the rig under the law until that is done, or for `timeout` simulated seconds; the states after each of its periods.
     `judge`: called with each state, to look at the law meanwhile or to break the rig."""
-    states, every = [], max(1, round(law.period * rig.rate))
+    states, every, refused = [], max(1, round(law.period * rig.rate)), ""
     for _ in range(int(timeout * rig.rate / every)):
         if law.done:
             break
         if telemetry is not Deaf and int(rig.state.t) > int(rig.state.t - law.period):
             time.sleep(PATIENCE)
-        hand_over(rig, law.step(Readings(rig.state.readings, telemetry)))
+        refused = hand_over(rig, law.step(Readings(rig.state.readings, telemetry, refused)))
         states.append(rig.step(frames=every))
         if judge is not None:
             judge(states[-1])
@@ -102,9 +114,9 @@ def drive(rig, law, timeout, telemetry=Deaf, judge=None):
 
 
 def follow(law):
-    """By topics, in the node's namespace: a step with the first state of each period; returns once the law is done. Slips and connections are the
-    crew's here (connections: auto)."""
-    telemetry, last = Telemetry(), [None]
+    """By topics, in the node's namespace: a step with the first state of each period; returns once the law is done."""
+    telemetry, last, refused = Telemetry(), [None], [""]
+    slips, connection = rospy.ServiceProxy("set_slips", SetBool), rospy.ServiceProxy("make_connection", MakeConnection)
     winch = rospy.Publisher("winch/command", WinchCommand, queue_size=1)
     top_drive = rospy.Publisher("top_drive/command", TopDriveCommand, queue_size=1)
     pump = rospy.Publisher("mud_pump/command", MudPumpCommand, queue_size=1)
@@ -115,7 +127,7 @@ def follow(law):
         if law.done or (last[0] is not None and now < last[0] + law.period - 1e-6):
             return
         last[0] = now
-        commands = law.step(Readings(state, telemetry))
+        commands = law.step(Readings(state, telemetry, refused[0]))
         if commands.brake or commands.block_velocity is not None:
             winch.publish(WinchCommand(block_velocity=commands.block_velocity or 0.0, brake=commands.brake))
         if commands.top_drive is not None:
@@ -124,6 +136,7 @@ def follow(law):
             pump.publish(MudPumpCommand(flow=commands.flow))
         if commands.steering is not None:
             steering.publish(SteeringCommand(toolface=commands.steering[0], ratio=commands.steering[1]))
+        refused[0] = pipe_work(commands, lambda are_set: answered(slips(are_set)), lambda: answered(connection()))
 
     subscriber = rospy.Subscriber("rig_state", RigState, take, queue_size=1, tcp_nodelay=True)
     while not (law.done or rospy.is_shutdown()):

@@ -39,7 +39,10 @@ class Loop:
     def feed(self, reading):
         return self.gain * (self.set_point - reading) + self.integral
 
-    def follow(self, feed, dt):
+    def follow(self, feed, dt, reading=None):
+        """`feed`: in force. If it is this loop's, its `reading` tells more: on rock that gives way in proportion, set point over reading times that."""
+        if reading is not None:
+            feed *= self.set_point / max(reading, 0.5 * self.set_point)
         self.integral += dt / self.reset_time * (feed - self.integral)
 
 

@@ -8,7 +8,7 @@ from drill_rig_sim.rig import Rig, series
 from rig_test import run, unittest
 
 WEIGHT = 60e3
-PRESSURE, TORQUE = 1.09e6, 1.72e3  # that this weight makes [Pa], [N m]
+PRESSURE, TORQUE = 1.09e6, 1.32e3  # that this weight makes [Pa], [N m]
 ORDERS = ((480.0, "pressure", PRESSURE), (480.0, "weight", 1.1 * WEIGHT),      # pressure takes over
           (540.0, "torque", TORQUE), (540.0, "pressure", 1.3 * PRESSURE),      # torque
           (600.0, "torque", 10 * TORQUE), (600.0, "pressure", 10 * PRESSURE),  # far too much weight: the motor stalls
@@ -19,7 +19,7 @@ class AutodrillerLoops(unittest.TestCase):
     def test_a_run(self):
         rig, phases = Rig("rig"), []
         law = Ordered(Autodriller({"weight": WEIGHT, "pressure": 1.3 * PRESSURE, "torque": 1.5 * TORQUE}, stiffness=6e5, rop=0.012, rpm=60.0, flow=0.03,
-                                  to_depth=1003.0, stall_pressure=1.8e6, pressure_per_weight=18.0, torque_per_weight=0.03), ORDERS)
+                                  to_depth=1003.0, stall_pressure=1.8e6, pressure_per_weight=18.0, torque_per_weight=0.022), ORDERS)
         begin = rig.state.t
         states = drive(rig, law, 1500.0, judge=lambda state: phases.append((law.phase, law.winner)))
         self.time, self.weight = series(states, "t") - begin, series(states, "bit.wob")
