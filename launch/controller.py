@@ -17,9 +17,10 @@ from drill_rig_sim.score_command import table
 from drill_rig_sim.score_runs import Run, columns_of_truth
 from drill_rig_sim.slide_steering import SlideSteering
 from drill_rig_sim.stands import Stands
+from drill_rig_sim.stick_slip import StickSlip
 from drill_rig_sim.survey import read_survey
 
-LAWS = {"autodriller": Autodriller, "slide_steering": SlideSteering, "rss_steering": RssSteering, "stands": Stands}
+LAWS = {"autodriller": Autodriller, "slide_steering": SlideSteering, "rss_steering": RssSteering, "stands": Stands, "stick_slip": StickSlip}
 
 
 def in_lockstep(law, timeout):
