@@ -4,7 +4,7 @@ import numpy
 from drill_rig_sim.control import Telemetry, drive
 from drill_rig_sim.law import Plan, turn_between
 from drill_rig_sim.rig import Rig
-from drill_rig_sim.rss_steering import RssSteering, downlink
+from drill_rig_sim.rss_steering import RssSteering
 from drill_rig_sim.score import score
 from drill_rig_sim.score_runs import Run, columns_of_truth
 from drill_rig_sim.survey import read_survey
@@ -15,10 +15,6 @@ DRILLER = {"set_points": {"weight": 40e3}, "stiffness": 1e6, "rop": 0.04, "rpm":
 
 
 class RssSteeringOfAPlan(unittest.TestCase):
-    def test_bits(self):
-        self.assertEqual([1, 0, 1, 1, 0, 1, 0, 0, 0, 1, 0], downlink(6, 8))   # 135 deg, 0.8: three ones, so a fourth
-        self.assertEqual([1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0], downlink(-1, 0))  # 337.5 deg, 0: four
-
     def test_a_run(self):
         rig, told = Rig("rig"), []
         law = RssSteering(PLAN, tool_rate=4.1, bit_time=6.0, driller=DRILLER)
