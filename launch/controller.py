@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """A node that runs a control law of drill_rig_sim against the rig of its namespace: ~law and its arguments ~settings.
 
-~plan: a survey's file, for a law that steers by one. ~lockstep true: it steps the rig as fast as that goes, says how the law did (drill score) and, given ~csv, writes the truth as drill run --csv does.
-False: it follows rig_state and publishes commands, as with a real rig.
+~plan: a survey's file, for a law that steers by one. ~orders: rows of time [s], set point and value. ~lockstep true: it steps the rig as fast as that
+goes, says how the law did (drill score) and, given ~csv, writes the truth as drill run --csv does. False: it follows rig_state and
+publishes commands, as with a real rig.
 """
 import csv
 import sys

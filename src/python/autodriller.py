@@ -10,8 +10,9 @@ HOOK_LOAD = 1  # of RigState.lost_gauges
 
 class Autodriller:
     """`set_points`: weight [N], and where wanted pressure (differential) [Pa] and torque (above that off bottom) [N m]. `stiffness`: of the weight, of
-    string and lines [N/m]; those of pressure and torque follow by what a newton on the bit makes of them: pressure_per_weight, torque_per_weight. `tag_speed` [m/s]: the
-    rock has to withstand it. `hook_load_gain`: what the gauge makes of a newton on the hook while the block goes down: a dead line's sheaves rub."""
+    string and lines [N/m]; those of pressure and torque follow by what a newton on the bit makes of them: pressure_per_weight, torque_per_weight.
+    `rop`: largest feed [m/s]. `stall_pressure`: differential, by which a stalled motor is known [Pa]. `tag_speed` [m/s]: the rock has to withstand it.
+    `hook_load_gain`: what the gauge makes of a newton on the hook while the block goes down: a dead line's sheaves rub."""
     period, listens = 0.1, False             # [s]; to telemetry
     lift_speed, return_speed = 0.15, 0.05    # of the block [m/s]
     tag_weight, weight_ramp = 5e3, 2e3       # [N], [N/s]

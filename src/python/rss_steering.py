@@ -19,7 +19,8 @@ def downlink(direction, tenths):
 
 
 class RssSteering:
-    """`plan`: a drill_rig_sim.survey.Survey. `tool_rate`: of the hole at full steering [deg/30 m]. `bit_time`: of a downlink [s]. `driller`: settings of the autodriller."""
+    """`plan`: a drill_rig_sim.survey.Survey. `tool_rate`: of the hole at full steering [deg/30 m]. `bit_time`: of a downlink [s]. `driller`: settings
+    of the autodriller."""
     period, listens = 0.1, True
     low = 0.7                       # share of the flow that says 1
     turn_within, back_within = 10.0, 14.0  # back to the plan's direction, and to its place [m]

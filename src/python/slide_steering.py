@@ -10,7 +10,7 @@ from drill_rig_sim.law import Lag, Plan, turn_between
 
 
 class SlideSteering:
-    """`plan`: a drill_rig_sim.survey.Survey. `build_rate`: of a slide [deg/30 m]. `twist`: of the string by the bit's torque at differential pressure
+    """`plan`: a drill_rig_sim.survey.Survey. `build_rate`: of a slide [deg/30 m]. `twist`: of the string by the bit's torque, by its differential pressure
     [deg/Pa]. `rocking`: of the string while it is brought to its toolface, off bottom [turns]. `driller`: settings of the autodriller."""
     period, listens = 0.1, True
     ahead, behind = math.radians(0.3), math.radians(0.3)  # of the plan, where a slide ends and begins
@@ -41,7 +41,7 @@ class SlideSteering:
     def step(self, readings):
         self.choose(readings)
         commands = self.driller.step(readings)
-        if self.sliding and self.driller.phase in ("waiting", "returning", "zeroing", "tagging", "drilling", "drilling_off"):
+        if self.sliding and (self.driller.phase != "lifting" or self.stopped_at is not None):  # on the way up from rotating it still turns
             commands.top_drive = self.hold_toolface(readings)
         return commands
 
@@ -59,9 +59,10 @@ class SlideSteering:
                 lag.follow(value, 1.0)
         below = max(self.start, survey.md)
         begun, now = self.plan.at(below), self.plan.at(depth)
-        slides = [(self.build_rate * max(0.0, end - max(begin, below)), toolface) for begin, end, toolface in self.slid]
-        return (self.behind_at_sensor[0].value + now[0] - begun[0] - sum(angle * math.cos(toolface) for angle, toolface in slides),
-                self.behind_at_sensor[1].value + math.sin(now[0]) * turn_between(begun[1], now[1]) - sum(angle * math.sin(toolface) for angle, toolface in slides))
+        turned = [(self.build_rate * max(0.0, end - max(begin, below)), toolface) for begin, end, toolface in self.slid]
+        build = now[0] - begun[0] - sum(angle * math.cos(toolface) for angle, toolface in turned)
+        turn = math.sin(now[0]) * turn_between(begun[1], now[1]) - sum(angle * math.sin(toolface) for angle, toolface in turned)
+        return self.behind_at_sensor[0].value + build, self.behind_at_sensor[1].value + turn
 
     def choose(self, readings):
         if readings.survey is None or self.driller.phase != "drilling":

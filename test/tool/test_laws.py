@@ -4,6 +4,7 @@ import math
 import types
 import unittest
 
+from drill_rig_sim.autodriller import HOOK_LOAD, Autodriller
 from drill_rig_sim.control import Ordered, pipe_work
 from drill_rig_sim.law import Commands, Lag, Loop, Plan, turn_between
 from drill_rig_sim.rig import Refused
@@ -80,6 +81,18 @@ class Laws(unittest.TestCase):
             raise Refused("the block moves")
         self.assertEqual("the block moves", pipe_work(Commands(slips=True), refuse, None))
         self.assertEqual("", pipe_work(Commands(), refuse, None))
+
+    def test_a_blind_driller_does_not_feed(self):
+        law = Autodriller({"weight": 60e3}, STIFFNESS, rop=0.01, rpm=60.0, flow=0.03, to_depth=2000.0)
+        law.phase, law.zero = "drilling", {"weight": -500e3, "pressure": 0.0, "torque": 0.0}
+        speeds = []
+        for i in range(300):
+            lost = HOOK_LOAD if i >= 200 else 0
+            speeds.append(law.step(types.SimpleNamespace(t=0.1 * i, hook_load=480e3, stand_pipe_pressure=1e6, torque=1e3, lost_gauges=lost, bit_depth=1000.0,
+                                                         block_height=20.0)))
+        self.assertLess(speeds[199].block_velocity, -0.001)
+        self.assertTrue(speeds[210].brake)
+        self.assertTrue(speeds[299].brake)
 
     def test_slides_begin_behind_the_plan_and_aim_at_it(self):
         plan = Survey([0.0, 400.0, 500.0], [math.radians(30.0)] * 3, [1.0] * 3)
