@@ -20,6 +20,7 @@ class Autodriller:
     zero_time, wait_time, spin_up_time = 12.0, 10.0, 20.0  # [s]
     lift, stand_off = 1.5, 0.3               # off bottom [m]
     tag_time, stall_time = 1.5, 1.0          # so long a reading has to be beyond [s]
+    bridge_time = 10.0                       # so long it feeds on as before when the hook load is lost, then no more [s]
     back_off = 0.8                           # share of the weight after a stall
 
     def __init__(self, set_points, stiffness, rop, rpm, flow, to_depth, stall_pressure=float("inf"), pressure_per_weight=1.0, torque_per_weight=1.0,
@@ -36,7 +37,7 @@ class Autodriller:
         self.stay_off = self.blind = False       # for who steers: wait on off bottom; feed on as before, whatever the weight seems to be
         self.raw, self.zero, self.samples = {}, {}, []
         self.now = self.last_feed = self.height = 0.0
-        self.beyond_since = None
+        self.beyond_since = self.lost_since = None
 
     # --- what the gauges say
 
@@ -72,9 +73,13 @@ class Autodriller:
         if self.since is None:
             self.since = self.now
         self.take(readings)
+        if not readings.lost_gauges & HOOK_LOAD:
+            self.lost_since = None
+        elif self.lost_since is None:
+            self.lost_since = self.now
         self.winner = ""
         feed = getattr(self, self.phase)(readings)
-        if readings.lost_gauges & HOOK_LOAD:  # a blind driller does not feed
+        if self.lost_since is not None and self.now - self.lost_since > self.bridge_time:
             feed = min(feed, 0.0)
         most = self.slew * self.period
         self.last_feed = feed = min(max(feed, self.last_feed - most), self.last_feed + most)
@@ -118,7 +123,8 @@ class Autodriller:
         feeds = {name: loop.feed(self.seen[name]) for name, loop in self.loops.items()}
         feeds["rop"] = min(self.rop, self.tag_speed * (1.0 + 0.1 * self.lasted()))  # so does the feed, should the tag have been none
         self.winner = min(feeds, key=feeds.get)
-        if self.blind:
+        if self.blind or self.lost_since is not None:
+            self.winner = ""
             return self.loops["weight"].integral
         if self.beyond("pressure", self.stall_pressure, self.stall_time):
             self.stalls += 1

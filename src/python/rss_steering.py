@@ -23,7 +23,7 @@ class RssSteering:
     of the autodriller."""
     period, listens = 0.1, True
     low = 0.7                       # share of the flow that says 1
-    turn_within, back_within = 10.0, 14.0  # back to the plan's direction, and to its place [m]
+    turn_within, back_within = 6.0, 10.0  # back to the plan's direction, and to its place [m]
     apart, settling = 3.0, 15.0     # between downlinks [m]; after one, until the hook load is right again [s]
 
     def __init__(self, plan, tool_rate, bit_time, driller):
@@ -31,6 +31,7 @@ class RssSteering:
         self.tool_rate, self.bit_time = math.radians(tool_rate) / 30.0, bit_time
         self.set_points = self.driller.set_points
         self.survey, self.survey_depth = None, None
+        self.before, self.sag = [], (0.0, 0.0)  # what the surveys show before drilling, and its mean (build, turn) [rad]
         self.error = self.offset = (0.0, 0.0)  # at the sensor: behind the plan (build, turn) [rad], away from it [m]
         self.told = []                  # [depth, (build, turn)]: what the tool steers from there on [rad/m]
         self.code, self.bits, self.began = (0, 0), [], 0.0
@@ -54,15 +55,19 @@ class RssSteering:
         return commands
 
     def listen(self, survey):
-        """A new survey's distance from the plan, in direction; in place it is the sum of that over the way."""
+        """A new survey's distance from the plan, in direction; in place it is the sum of that over the way. What it is before drilling begins is the
+        tool's own, which sags in its hole: that hole is on the plan."""
         if survey is None or survey is self.survey:
             return
         inclination, azimuth = self.plan.at(survey.md)
         seen = (inclination - survey.inclination, math.sin(inclination) * turn_between(survey.azimuth, azimuth))
         way = 0.0 if self.survey is None else max(0.0, survey.md - self.survey.md)
-        share = 1.0 if self.survey is None else 0.4
         self.survey = survey
-        self.error = tuple(old + share * (new - old) for old, new in zip(self.error, seen))
+        if not self.told:
+            self.before.append(seen)
+            self.sag = tuple(sum(values) / len(self.before) for values in zip(*self.before))
+            return
+        self.error = tuple(old + 0.4 * (new - sag - old) for old, new, sag in zip(self.error, seen, self.sag))
         self.offset = tuple(offset + way * error for offset, error in zip(self.offset, self.error))
 
     def since(self, depth, bit):
