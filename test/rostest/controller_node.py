@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+"""launch/autodriller.launch by topics: the law that test/rostest/autodriller_loops.py tries in lockstep keeps the weight as a node of its own too."""
+import threading
+import unittest
+
+import rospy
+import rostest
+from drill_rig_sim.msg import BitTruth
+from drill_rig_sim.srv import SetSpeed
+
+WEIGHT = 60e3        # what the launch file asks for [N]
+SETTLING, SECONDS = 60.0, 30.0  # after the tag, then averaged [simulated s]
+
+
+class ControllerNode(unittest.TestCase):
+    def test_weight_is_held(self):
+        weights, tag, done = [], [], threading.Event()
+
+        def take(bit):
+            now = bit.header.stamp.to_sec()
+            if bit.wob > 0.0 and not tag:
+                tag.append(now)
+            if tag and now > tag[0] + SETTLING:
+                weights.append(bit.wob)
+            if tag and now > tag[0] + SETTLING + SECONDS:
+                done.set()
+        rospy.wait_for_service("/rig/set_speed", 60)
+        self.assertTrue(rospy.ServiceProxy("/rig/set_speed", SetSpeed)(5.0).success)
+        rospy.Subscriber("/rig/truth/bit", BitTruth, take, queue_size=None)
+        self.assertTrue(done.wait(250), "the bit did not drill for %g s" % (SETTLING + SECONDS))
+        self.assertAlmostEqual(1.0, sum(weights) / len(weights) / WEIGHT, delta=0.05)
+
+
+if __name__ == "__main__":
+    rospy.init_node("test_controller_node")
+    rostest.rosrun("drill_rig_sim", "controller_node", ControllerNode)
