@@ -51,6 +51,31 @@ def turn_between(angle, other):
     return math.remainder(other - angle, 2.0 * math.pi)
 
 
+def bend(begin, end, inclination):
+    """From one direction of a hole to another, each (inclination, azimuth): (build, turn) [rad], the turn at an inclination."""
+    return end[0] - begin[0], math.sin(inclination) * turn_between(begin[1], end[1])
+
+
+class Steering:
+    """What steering laws share: an autodriller that drills, and a plan."""
+
+    def __init__(self, driller, plan):
+        self.driller, self.plan, self.set_points = driller, Plan(plan), driller.set_points
+
+    @property
+    def done(self):
+        return self.driller.done
+
+    @property
+    def phase(self):
+        return self.driller.phase
+
+    def behind_plan(self, survey):
+        """The plan at a survey's depth less the survey: (build, turn) [rad]."""
+        planned = self.plan.at(survey.md)
+        return bend((survey.inclination, survey.azimuth), planned, planned[0])
+
+
 class Plan:
     """Planned well: a drill_rig_sim.survey.Survey."""
 

@@ -7,7 +7,7 @@ told ahead by what the tool was told.
 import math
 
 from drill_rig_sim.autodriller import Autodriller
-from drill_rig_sim.law import Plan, turn_between
+from drill_rig_sim.law import Steering, bend
 
 DIRECTIONS, TENTHS = 16, 10  # what a downlink can say: steps of the toolface, of the ratio
 
@@ -18,7 +18,7 @@ def downlink(direction, tenths):
     return [1] + data + [sum(data) % 2, 0]
 
 
-class RssSteering:
+class RssSteering(Steering):
     """`plan`: a drill_rig_sim.survey.Survey. `tool_rate`: of the hole at full steering [deg/30 m]. `bit_time`: of a downlink [s]. `driller`: settings
     of the autodriller."""
     period, listens = 0.1, True
@@ -27,22 +27,13 @@ class RssSteering:
     apart, settling = 3.0, 15.0     # between downlinks [m]; after one, until the hook load is right again [s]
 
     def __init__(self, plan, tool_rate, bit_time, driller):
-        self.driller, self.plan = Autodriller(**driller), Plan(plan)
+        super().__init__(Autodriller(**driller), plan)
         self.tool_rate, self.bit_time = math.radians(tool_rate) / 30.0, bit_time
-        self.set_points = self.driller.set_points
         self.survey, self.survey_depth = None, None
         self.before, self.sag = [], (0.0, 0.0)  # what the surveys show before drilling, and its mean (build, turn) [rad]
         self.error = self.offset = (0.0, 0.0)  # at the sensor: behind the plan (build, turn) [rad], away from it [m]
         self.told = []                  # [depth, (build, turn)]: what the tool steers from there on [rad/m]
         self.code, self.bits, self.began = (0, 0), [], 0.0
-
-    @property
-    def done(self):
-        return self.driller.done
-
-    @property
-    def phase(self):
-        return self.driller.phase
 
     def step(self, readings):
         self.listen(readings.survey)
@@ -59,8 +50,7 @@ class RssSteering:
         tool's own, which sags in its hole: that hole is on the plan."""
         if survey is None or survey is self.survey:
             return
-        inclination, azimuth = self.plan.at(survey.md)
-        seen = (inclination - survey.inclination, math.sin(inclination) * turn_between(survey.azimuth, azimuth))
+        seen = self.behind_plan(survey)
         way = 0.0 if self.survey is None else max(0.0, survey.md - self.survey.md)
         self.survey = survey
         if not self.told:
@@ -86,8 +76,8 @@ class RssSteering:
             self.told = [[bit, (0.0, 0.0)]]
         below = max(self.told[0][0], self.survey.md)
         begun, now, ahead = self.plan.at(below), self.plan.at(bit), self.plan.at(bit + 5.0)
-        planned = ((ahead[0] - now[0]) / 5.0, math.sin(now[0]) * turn_between(now[1], ahead[1]) / 5.0)
-        change = (now[0] - begun[0], math.sin(now[0]) * turn_between(begun[1], now[1]))
+        planned = [angle / 5.0 for angle in bend(now, ahead, now[0])]
+        change = bend(begun, now, now[0])
         rates = [rate + (error + more - turned) / self.turn_within + offset / self.back_within ** 2
                  for rate, error, more, turned, offset in zip(planned, self.error, change, self.since(below, bit), self.offset)]
         code = (round(math.atan2(rates[1], rates[0]) / (2.0 * math.pi) * DIRECTIONS) % DIRECTIONS,

@@ -6,10 +6,10 @@ The motor's torque twists the string back. What the pressure says of it is turne
 import math
 
 from drill_rig_sim.autodriller import Autodriller
-from drill_rig_sim.law import Lag, Plan, turn_between
+from drill_rig_sim.law import Lag, Steering, bend, turn_between
 
 
-class SlideSteering:
+class SlideSteering(Steering):
     """`plan`: a drill_rig_sim.survey.Survey. `build_rate`: of a slide [deg/30 m]. `twist`: of the string by the bit's torque, by its differential pressure
     [deg/Pa]. `rocking`: of the string while it is brought to its toolface, off bottom [turns]. `driller`: settings of the autodriller."""
     period, listens = 0.1, True
@@ -20,23 +20,14 @@ class SlideSteering:
     rocking_time, rocking_speed = 30.0, 1.0  # [s], [rad/s]
 
     def __init__(self, plan, build_rate, twist, driller, rocking=0.5, gain=0.6):
-        self.driller, self.plan = Autodriller(**driller), Plan(plan)
+        super().__init__(Autodriller(**driller), plan)
         self.build_rate = math.radians(build_rate) / 30.0
         self.twist, self.rocking, self.gain = math.radians(twist), 2.0 * math.pi * rocking, gain
-        self.set_points = self.driller.set_points
         self.sliding = False
         self.target = self.angle = self.base = 0.0
         self.seen, self.turned_at, self.stopped_at = None, 0.0, None
         self.start, self.slid = None, []    # where drilling began; [from, to, toolface] of the slides [m, m, rad]
         self.survey, self.behind_at_sensor = None, (Lag(3.0), Lag(3.0))  # in surveys
-
-    @property
-    def done(self):
-        return self.driller.done
-
-    @property
-    def phase(self):
-        return self.driller.phase
 
     def step(self, readings):
         self.choose(readings)
@@ -53,15 +44,14 @@ class SlideSteering:
         survey, depth = readings.survey, readings.bit_depth
         if survey is not self.survey:
             self.survey = survey
-            inclination, azimuth = self.plan.at(survey.md)
-            seen = (inclination - survey.inclination, math.sin(inclination) * turn_between(survey.azimuth, azimuth))
-            for lag, value in zip(self.behind_at_sensor, seen):
+            for lag, value in zip(self.behind_at_sensor, self.behind_plan(survey)):
                 lag.follow(value, 1.0)
         below = max(self.start, survey.md)
         begun, now = self.plan.at(below), self.plan.at(depth)
         turned = [(self.build_rate * max(0.0, end - max(begin, below)), toolface) for begin, end, toolface in self.slid]
-        build = now[0] - begun[0] - sum(angle * math.cos(toolface) for angle, toolface in turned)
-        turn = math.sin(now[0]) * turn_between(begun[1], now[1]) - sum(angle * math.sin(toolface) for angle, toolface in turned)
+        build, turn = bend(begun, now, now[0])
+        build -= sum(angle * math.cos(toolface) for angle, toolface in turned)
+        turn -= sum(angle * math.sin(toolface) for angle, toolface in turned)
         return self.behind_at_sensor[0].value + build, self.behind_at_sensor[1].value + turn
 
     def choose(self, readings):

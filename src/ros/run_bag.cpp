@@ -4,11 +4,11 @@
 #include <std_msgs/Float64.h>
 
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
+#include "drill_rig_sim/ros/telemetry_news.h"
 
 namespace drill_rig_sim
 {
@@ -30,7 +30,7 @@ struct RunBag::Writer
   std::unique_ptr<rosbag::Bag> bag = std::make_unique<rosbag::Bag>();
   FrameRecord frame;
   bool begun = false;
-  std::uint64_t last_survey = 0, last_toolface = 0, last_inclination = 0, last_dynamics = 0;
+  TelemetryNews news;
 
   template <class Message>
   void write(const char* topic, const Message& message)
@@ -89,16 +89,7 @@ struct RunBag::Writer
 
   void write_telemetry()
   {
-    const std::uint64_t survey = frame.readings.mwd.sequence, toolface = frame.readings.toolface.sequence, inclination = frame.readings.inclination.sequence,
-                        dynamics = frame.readings.dynamics.sequence;
-    if (survey > last_survey) write("downhole/mwd", to_mwd_survey(frame, floor_name));
-    if (toolface > last_toolface) write("downhole/toolface", to_mwd_toolface(frame, floor_name));
-    if (inclination > last_inclination) write("downhole/inclination", to_mwd_inclination(frame, floor_name));
-    if (dynamics > last_dynamics) write("downhole/dynamics", to_downhole_dynamics(frame, floor_name));
-    last_inclination = inclination;
-    last_dynamics = dynamics;
-    last_survey = survey;
-    last_toolface = toolface;
+    news.tell(frame, floor_name, [this](const char* topic, const auto& message) { write(topic, message); });
   }
 };
 

@@ -46,15 +46,9 @@ void StatePublisher::publish(const FrameOutput& s)
     header.stamp = to_time(s.frame.stamp);
     header.frame_id = floor_;
     rig_limits_.publish(to_rig_limits(s.frame.rig, header));
-    last_survey_ = last_toolface_ = last_inclination_ = last_dynamics_ = 0;
+    news_.forget();
   }
-  if (s.restored)  // what had arrived before the state was saved does not arrive now
-  {
-    last_survey_ = s.frame.readings.mwd.sequence;
-    last_toolface_ = s.frame.readings.toolface.sequence;
-    last_inclination_ = s.frame.readings.inclination.sequence;
-    last_dynamics_ = s.frame.readings.dynamics.sequence;
-  }
+  if (s.restored) news_.skip(s.frame.readings);  // what had arrived before the state was saved does not arrive now
   if (s.state_due || s.state_again)
   {
     rig_state_.post([&] { return to_rig_state(s.frame.readings, s.frame, floor_); });
@@ -65,7 +59,7 @@ void StatePublisher::publish(const FrameOutput& s)
     publish_rig(s);
     publish_bit(s);
   }
-  if (s.new_stamp) publish_telemetry(s);
+  if (s.new_stamp) news_.tell(s.frame, floor_, [this](const char*, const auto& message) { send(message); });
   if (s.profile_due) publish_profile(s);
 }
 
@@ -82,20 +76,6 @@ void StatePublisher::publish_bit(const FrameOutput& s)
   bit_twist_.post([&] { return to_bit_twist(s.frame, floor_); });
   bit_wrench_.post([&] { return to_bit_wrench(s.frame, floor_); });
   true_bit_.post([&] { return to_bit_truth(s.frame, floor_); });
-}
-
-void StatePublisher::publish_telemetry(const FrameOutput& s)
-{
-  const std::uint64_t survey = s.frame.readings.mwd.sequence, toolface = s.frame.readings.toolface.sequence,
-                      inclination = s.frame.readings.inclination.sequence, dynamics = s.frame.readings.dynamics.sequence;
-  if (survey > last_survey_) mwd_.publish(to_mwd_survey(s.frame, floor_));
-  if (toolface > last_toolface_) toolface_.publish(to_mwd_toolface(s.frame, floor_));
-  if (inclination > last_inclination_) inclination_.publish(to_mwd_inclination(s.frame, floor_));
-  if (dynamics > last_dynamics_) dynamics_.publish(to_downhole_dynamics(s.frame, floor_));
-  last_dynamics_ = dynamics;
-  last_survey_ = survey;
-  last_toolface_ = toolface;
-  last_inclination_ = inclination;
 }
 
 void StatePublisher::publish_profile(const FrameOutput& s)

@@ -13,7 +13,6 @@ namespace
 {
 constexpr double joint = 9.5;             // [m]
 constexpr double half_joint = 4.75, third_joint = 3.17, quarter_joint = 2.38;  // [m]
-constexpr double middle = 0.02, narrow = 0.005;  // tolerances
 constexpr double lying = 3.0 * degree;    // a hole that inclines more carries the pipe in it [rad]
 constexpr double straight = 1.5 * degree / 30.0;  // a hole that bends more [rad/m]
 constexpr double margin = 45.0;           // [m]
@@ -92,8 +91,8 @@ double first_pushed(const Scene& scene) noexcept
 /// Longest element where pipe lies on its wall or moves sideways [m]: how far apart contacts are is an error that no step mends.
 double lower_element(double tolerance) noexcept
 {
-  if (tolerance >= middle) return half_joint;
-  return tolerance >= narrow ? third_joint : quarter_joint;
+  if (tolerance >= middle_tolerance) return half_joint;
+  return tolerance >= narrow_tolerance ? third_joint : quarter_joint;
 }
 }  // namespace
 

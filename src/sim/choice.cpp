@@ -8,7 +8,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double wide = 0.05, middle = 0.02, narrow = 0.005;  // tolerances
+constexpr double wide_tolerance = 0.05;
 constexpr double quarter_joint = 2.4, eighth_joint = 1.2;     // [m]
 
 std::string percent(double tolerance)
@@ -24,12 +24,12 @@ Choice choose_level(const Scene& scene)
   constexpr unsigned bending = need_direction | need_contact | need_buckling, turning = need_torque | need_bit_speed;
   const double tolerance = scene.numerics.tolerance;
   const bool in_the_middle = hangs_in_the_middle(scene);
-  if (tolerance >= wide && !(scene.needs & bending) && in_the_middle)
+  if (tolerance >= wide_tolerance && !(scene.needs & bending) && in_the_middle)
     return {Level::axial_torsional, 0.0, "within " + percent(tolerance) + " nothing is needed of bending"};
-  if (tolerance >= wide) return {Level::hybrid, 0.0, "within " + percent(tolerance) + " bending is needed near the bit alone"};
+  if (tolerance >= wide_tolerance) return {Level::hybrid, 0.0, "within " + percent(tolerance) + " bending is needed near the bit alone"};
   if (in_the_middle)
     return {Level::hybrid, 0.0, "the string hangs: above the bottom-hole assembly it does not bend"};
-  if (tolerance >= middle && !(scene.needs & (bending | turning)))
+  if (tolerance >= middle_tolerance && !(scene.needs & (bending | turning)))
     return {Level::hybrid, 0.0, "within " + percent(tolerance) + " neither bending nor torque and bit speed are needed"};
   return {Level::beam3d, 0.0, "torque, bit speed or bending are needed within " + percent(tolerance) + " where pipe lies on its wall"};
 }
@@ -40,8 +40,8 @@ Choice choose(const Scene& scene)
   Choice choice = choose_level(scene);
   const double tolerance = scene.numerics.tolerance;
   choice.pushed_element_length = scene.numerics.pushed_element_length;
-  if (choice.level != Level::beam3d || tolerance >= middle || choice.pushed_element_length > 0.0) return choice;
-  choice.pushed_element_length = tolerance < narrow ? eighth_joint : quarter_joint;
+  if (choice.level != Level::beam3d || tolerance >= middle_tolerance || choice.pushed_element_length > 0.0) return choice;
+  choice.pushed_element_length = tolerance < narrow_tolerance ? eighth_joint : quarter_joint;
   if (pushed_length(scene) > 0.0) choice.reason += "; elements are short where friction pushes it";
   return choice;
 }

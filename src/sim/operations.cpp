@@ -48,6 +48,13 @@ double turn_between(double from, double to) noexcept
 }
 }  // namespace
 
+std::size_t operations_over(const std::vector<double>& began) noexcept
+{
+  std::size_t over = 0;
+  while (over + 1 < began.size() && is_set(began[over + 1])) ++over;
+  return over;
+}
+
 double WeightFeed::velocity(double weight, double wanted, double stiffness, double most, double duration) noexcept
 {
   const double held = 1.0 / (stiffness * learn_time);  // without a derivative: the lag of dW/dt is W less its own
@@ -68,7 +75,6 @@ OperationsPlayer::OperationsPlayer(const Scene& scene) : operations_(scene.opera
 void OperationsPlayer::rewind() noexcept
 {
   next_ = 0;
-  under_way_ = false;
   std::fill(began_.begin(), began_.end(), Operation::unset);
 }
 
@@ -93,12 +99,11 @@ void OperationsPlayer::apply(Simulator& simulator) noexcept
   }
   while (!finished())
   {
-    if (!under_way_) begin(simulator);
+    if (!is_set(began_[next_])) begin(simulator);
     follow(simulator);
     progress_ = progress(simulator);
     if (progress_ < 1.0) return;
     end(simulator);
-    under_way_ = false;
     ++next_;
     if (finished()) began_[next_] = simulator.truth().time;
   }
@@ -108,8 +113,7 @@ void OperationsPlayer::begin(Simulator& simulator) noexcept
 {
   const Operation& o = operations_[next_];
   const Readings& now = simulator.readings();
-  under_way_ = true;
-  began_[next_] = began_at_ = followed_at_ = now.time;
+  began_[next_] = followed_at_ = now.time;
   began_bit_ = now.bit_depth;
   began_hole_ = now.hole_depth;
   began_block_ = now.block_height;
@@ -120,7 +124,7 @@ void OperationsPlayer::begin(Simulator& simulator) noexcept
   const TopDriveSetpoint drive = simulator.asked().top_drive;
   if (o.kind == OperationKind::flow) ramp_ = {simulator.asked().pump.flow, o.flow, now.time, o.ramp, true};
   if (o.kind == OperationKind::rotate)
-    ramp_ = {turns_to_angle(drive.mode) || drive.mode == TopDriveMode::torque ? now.top_drive_speed : drive.speed, o.rotary_speed, now.time, o.ramp, true};
+    ramp_ = {keeps_speed(drive.mode) ? drive.speed : now.top_drive_speed, o.rotary_speed, now.time, o.ramp, true};
   if (o.kind == OperationKind::pick_up) simulator.command(WinchSetpoint{o.speed, false});
   if (o.kind == OperationKind::slack_off || o.kind == OperationKind::tag)
   {
@@ -175,7 +179,7 @@ void OperationsPlayer::follow_ramp(Simulator& simulator) noexcept
     return;
   }
   TopDriveSetpoint drive = simulator.asked().top_drive;
-  if (turns_to_angle(drive.mode) || drive.mode == TopDriveMode::torque) drive.mode = TopDriveMode::speed;
+  if (!keeps_speed(drive.mode)) drive.mode = TopDriveMode::speed;
   drive.brake = false;
   drive.speed = value;
   simulator.command(drive);
@@ -207,7 +211,7 @@ void OperationsPlayer::follow_strokes(Simulator& simulator) noexcept
 
 void OperationsPlayer::follow_tag(Simulator& simulator) noexcept
 {
-  if (settled_ || simulator.readings().time < began_at_ + tag_settles - time_rounding) return;
+  if (settled_ || simulator.readings().time < began_[next_] + tag_settles - time_rounding) return;
   simulator.tare();
   settled_ = true;
 }
@@ -249,11 +253,11 @@ double OperationsPlayer::progress(const Simulator& simulator) const noexcept
   if (o.kind == OperationKind::flow || o.kind == OperationKind::rotate)
   {
     const double lasts = o.ramp + (is_set(o.time) ? o.time : 0.0);
-    return lasts > 0.0 ? share(now.time + time_rounding, began_at_, began_at_ + lasts) : 1.0;
+    return lasts > 0.0 ? share(now.time + time_rounding, began_[next_], began_[next_] + lasts) : 1.0;
   }
   if (o.kind == OperationKind::steer || (o.kind == OperationKind::oscillate && !is_set(o.time))) return 1.0;
   double nearest = progress_in_place(simulator);
-  if (is_set(o.time)) nearest = std::max(nearest, o.time > 0.0 ? share(now.time + time_rounding, began_at_, began_at_ + o.time) : 1.0);
+  if (is_set(o.time)) nearest = std::max(nearest, o.time > 0.0 ? share(now.time + time_rounding, began_[next_], began_[next_] + o.time) : 1.0);
   if (is_set(o.overpull)) nearest = std::max(nearest, share(now.hook_load, began_load_, began_load_ + o.overpull));
   const bool on_its_way = o.kind == OperationKind::tag && !settled_ && now.bit_depth < now.hole_depth;
   const bool by_weight = o.kind == OperationKind::slack_off || (o.kind == OperationKind::tag && !on_its_way);

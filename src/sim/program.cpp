@@ -24,11 +24,6 @@ bool commands_top_drive(const ProgramStep& step) noexcept
          is_set(step.amplitude_right) || is_set(step.amplitude_left) || is_set(step.torque_limit) || is_set(step.top_drive_brake);
 }
 
-bool keeps_speed(TopDriveMode mode) noexcept
-{
-  return mode != TopDriveMode::torque && !turns_to_angle(mode);
-}
-
 /// By the line's own word or its keys; what says nothing of it leaves it.
 TopDriveMode mode_of(const ProgramStep& step, TopDriveMode before) noexcept
 {

@@ -122,7 +122,7 @@ bool Simulator::Impl::crew_has_done(WinchSetpoint& winch) noexcept
       return false;
     case CrewTask::restarting:
     {
-      const bool to_speed = !asked.top_drive.brake && asked.top_drive.mode != TopDriveMode::torque && !turns_to_angle(asked.top_drive.mode);
+      const bool to_speed = !asked.top_drive.brake && keeps_speed(asked.top_drive.mode);
       const bool turns = !to_speed || std::abs(now.drive.speed - asked.top_drive.speed) <= 0.05 * std::abs(asked.top_drive.speed) + standing_rotor;
       return crew.waited > patience || (turns && std::abs(now.hydraulics.pump_flow - asked.pump.flow) <= 0.01 * asked.pump.flow);
     }

@@ -55,8 +55,7 @@ void report_standstill(const Simulator& simulator, const RunGoal& goal, const st
 {
   char text[160];
   const std::vector<Operation>& operations = simulator.scene().operations;
-  std::size_t i = 0;
-  while (i < operations.size() && !std::isnan(operations_began[i + 1])) ++i;
+  const std::size_t i = operations_over(operations_began);
   if (i < operations.size())
   {
     std::snprintf(text, sizeof text, ": operations[%zu], %s, has come no nearer to its end for %g s: its end is out of reach", i, word_of(operations[i].kind), goal.patience);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/sim/operations.h"
 
 namespace drill_rig_sim
 {
@@ -154,8 +155,7 @@ Json json_of(const std::vector<Operation>& operations, const std::vector<double>
 void print_operations(const std::vector<Operation>& operations, const std::vector<double>& began)
 {
   if (operations.empty()) return;
-  std::size_t i = 0;
-  while (i < operations.size() && !std::isnan(began[i + 1])) ++i;
+  const std::size_t i = operations_over(began);
   if (i == operations.size())
     std::printf("operations: all %zu over at %.1f s\n", i, began[i]);
   else

@@ -7,14 +7,13 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
+#include "frame_header.h"
 #include "numbered_frame.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-const std::string floor_name = "rig_b/rig_floor";
-
 void expect_numbers(const RigState& m, double base)
 {
   EXPECT_EQ(base + 1, m.hook_load);
@@ -33,12 +32,6 @@ void expect_numbers(const RigState& m, double base)
   EXPECT_EQ(base + 13, m.bit_depth);
   EXPECT_EQ(base + 14, m.surface_wob);
   EXPECT_EQ(base + 15, m.rop);
-}
-
-void expect_header(const std_msgs::Header& header, std::uint32_t sec, std::uint32_t nsec)
-{
-  EXPECT_EQ(floor_name, header.frame_id);
-  EXPECT_EQ(ros::Time(sec, nsec), header.stamp);
 }
 
 /// A flag of the simulator and its field.
@@ -69,11 +62,6 @@ const std::vector<Flag> flags = {{&RigSignals::tared, &RigState::tared},
                                  {&RigSignals::pump_tripped, &RigState::pump_tripped},
                                  {&RigSignals::drive_tripped, &RigState::drive_tripped}};
 
-void expect_turns(const geometry_msgs::Quaternion& q, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
-{
-  const Eigen::Vector3d turned = Eigen::Quaterniond(q.w, q.x, q.y, q.z) * from;
-  EXPECT_NEAR(0.0, (turned - to).norm(), 1e-12) << turned.transpose() << " for " << to.transpose();
-}
 }  // namespace
 
 TEST(RigStateMessage, readingsAndTruthComeFromTheirOwnNumbers)

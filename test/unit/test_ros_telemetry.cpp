@@ -3,21 +3,11 @@
 
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
+#include "frame_header.h"
 #include "numbered_frame.h"
 
 namespace drill_rig_sim
 {
-namespace
-{
-const std::string floor_name = "rig_b/rig_floor";
-
-void expect_header(const std_msgs::Header& header, std::uint32_t sec, std::uint32_t nsec)
-{
-  EXPECT_EQ(floor_name, header.frame_id);
-  EXPECT_EQ(ros::Time(sec, nsec), header.stamp);
-}
-}  // namespace
-
 TEST(Telemetry, isStampedWhenItWasMeasured)
 {
   FrameRecord frame = numbered_record();

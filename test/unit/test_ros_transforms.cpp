@@ -6,27 +6,11 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
+#include "frame_header.h"
 #include "numbered_frame.h"
 
 namespace drill_rig_sim
 {
-namespace
-{
-const std::string floor_name = "rig_b/rig_floor";
-
-void expect_header(const std_msgs::Header& header, std::uint32_t sec, std::uint32_t nsec)
-{
-  EXPECT_EQ(floor_name, header.frame_id);
-  EXPECT_EQ(ros::Time(sec, nsec), header.stamp);
-}
-
-void expect_turns(const geometry_msgs::Quaternion& q, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
-{
-  const Eigen::Vector3d turned = Eigen::Quaterniond(q.w, q.x, q.y, q.z) * from;
-  EXPECT_NEAR(0.0, (turned - to).norm(), 1e-12) << turned.transpose() << " for " << to.transpose();
-}
-}  // namespace
-
 TEST(Transforms, theRigFloorStandsInTheWorld)
 {
   const geometry_msgs::TransformStamped t = to_rig_pose({1.0, 2.0, 3.0, 90.0 * degree, 0.0, 90.0 * degree}, floor_name);

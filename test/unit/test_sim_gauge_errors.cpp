@@ -6,6 +6,7 @@
 #include "drill_ahead.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/instruments.h"
+#include "shifted_sensor.h"
 #include "sim_numbers.h"
 #include "test_scenes.h"
 
@@ -244,13 +245,7 @@ TEST(Sensor, samplesAndDriftMoveWithTheClock)
   SensorSpec spec;
   spec.rate = 4.0;
   spec.drift = 1.0;
-  Sensor still(spec, 0.125), moved(spec, 0.125);
-  double shift = 0.0;
-  for (int k = 0; k < 40; ++k)
-  {
-    if (k == 20) moved.shift_time(shift = 64.0);
-    EXPECT_EQ(still.read(k * k, 0.125 * k), moved.read(k * k, 0.125 * k + shift)) << k;
-  }
+  expect_to_move_with_the_clock(spec);
 }
 
 TEST(SensorFault, addsToWhatTheGaugeHas)

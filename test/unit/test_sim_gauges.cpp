@@ -6,6 +6,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/instruments.h"
 #include "drill_rig_sim/well/directions.h"
+#include "shifted_sensor.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
@@ -39,19 +40,12 @@ SensorView view_along(double inclination, double azimuth)
 }
 }  // namespace
 
-// Two alike, one of them moved by 64 s half-way: what follows is the same, 64 s later.
 TEST(Sensor, movesWithTheClock)
 {
   SensorSpec spec;
   spec.delay = 0.5;
   spec.filter_time = 0.25;
-  Sensor still(spec, 0.125), moved(spec, 0.125);
-  double shift = 0.0;
-  for (int k = 0; k < 40; ++k)
-  {
-    if (k == 20) moved.shift_time(shift = 64.0);
-    EXPECT_EQ(still.read(k * k, 0.125 * k), moved.read(k * k, 0.125 * k + shift)) << k;
-  }
+  expect_to_move_with_the_clock(spec);
 }
 
 TEST(RateMeter, movesWithTheClock)

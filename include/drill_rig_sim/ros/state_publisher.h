@@ -8,7 +8,6 @@
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/Float64.h>
 
-#include <cstdint>
 #include <string>
 
 #include "drill_rig_sim/BitTruth.h"
@@ -17,6 +16,7 @@
 #include "drill_rig_sim/realtime/frame_output.h"
 #include "drill_rig_sim/ros/frame_topic.h"
 #include "drill_rig_sim/ros/simulation_loop.h"
+#include "drill_rig_sim/ros/telemetry_news.h"
 
 namespace drill_rig_sim
 {
@@ -31,12 +31,15 @@ public:
 private:
   void publish_rig(const FrameOutput& s);
   void publish_bit(const FrameOutput& s);
-  void publish_telemetry(const FrameOutput& s);
+  void send(const MwdSurvey& m) { mwd_.publish(m); }
+  void send(const MwdToolface& m) { toolface_.publish(m); }
+  void send(const MwdInclination& m) { inclination_.publish(m); }
+  void send(const DownholeDynamics& m) { dynamics_.publish(m); }
   void publish_profile(const FrameOutput& s);
 
   std::string floor_;  // frame_id
   Subscriptions& subscriptions_;
-  std::uint64_t last_survey_ = 0, last_toolface_ = 0, last_inclination_ = 0, last_dynamics_ = 0;
+  TelemetryNews news_;
   DrillstringState profile_;
   FrameTopic<std_msgs::Float64> hook_load_, torque_;
   FrameTopic<RigState> rig_state_, true_rig_state_;

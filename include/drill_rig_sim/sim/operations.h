@@ -22,6 +22,9 @@ struct OperationStatus
   double progress = 0.0;  ///< towards the end that is nearest, 0 to 1
 };
 
+/// Operations that are over, by when they began (OperationsPlayer::began()).
+std::size_t operations_over(const std::vector<double>& began) noexcept;
+
 /// The feed of drill and slide, by the surface weight W [N] that is wanted to be W*. String and lines of stiffness K [N/m] stand on rock:
 /// dW/dt = K (v - ROP), v the block's speed down. With v = c W* + (W* - W)/(K T), weight closes on W* with the time T on rock that does not give way, and faster
 /// on one that gives way in proportion to weight, c W, once c is learnt: the mean of v - (dW/dt)/K over that of W, both by a first-order lag. There is no lasting
@@ -79,9 +82,7 @@ public:
   void visit(V& v)
   {
     v("next", next_);
-    v("under_way", under_way_);
     v("began", began_);
-    v("began_at", began_at_);
     v("began_bit", began_bit_);
     v("began_hole", began_hole_);
     v("began_block", began_block_);
@@ -114,9 +115,8 @@ private:
   double acceleration_;     // of the winch [m/s2]
   double stiffness_ = 0.0;  // of string and lines in series [N/m]
   std::size_t next_ = 0;
-  bool under_way_ = false;
   std::vector<double> began_;
-  double began_at_ = 0.0, began_bit_ = 0.0, began_hole_ = 0.0, began_block_ = 0.0, began_load_ = 0.0;  // time, bit depth, hole depth, block height, hook load
+  double began_bit_ = 0.0, began_hole_ = 0.0, began_block_ = 0.0, began_load_ = 0.0;  // of the one under way: bit depth, hole depth, block height, hook load
   Ramp ramp_;
   WeightFeed feed_;
   double followed_at_ = 0.0;  // [s]
