@@ -9,7 +9,7 @@ import csv
 import sys
 
 import rospy
-from drill_rig_sim import control
+from drill_rig_sim import control, topics
 from drill_rig_sim.autodriller import Autodriller
 from drill_rig_sim.rig import Rig
 from drill_rig_sim.rss_steering import RssSteering
@@ -26,7 +26,7 @@ LAWS = {"autodriller": Autodriller, "slide_steering": SlideSteering, "rss_steeri
 
 def in_lockstep(law, timeout):
     rig = Rig(rospy.get_namespace().rstrip("/"))
-    telemetry = control.Telemetry() if law.listens else control.Deaf
+    telemetry = topics.Telemetry() if law.listens else control.Deaf
     states = control.drive(rig, law, timeout, telemetry)
     run = Run(columns_of_truth([s.truth for s in states], [s.bit for s in states]), "truth", rospy.get_param("~law"))
     if rospy.has_param("~csv"):
@@ -56,7 +56,7 @@ def main():
     if rospy.get_param("~lockstep", False):
         in_lockstep(law, rospy.get_param("~timeout", 3600.0))
     else:
-        control.follow(law)
+        topics.follow(law)
     print("done" if law.done else "not done", flush=True)
     return 0 if law.done else 1
 

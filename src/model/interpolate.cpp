@@ -31,6 +31,7 @@ void interpolate_node(const Between& between, const NodeState& a, const NodeStat
 void interpolate_mud(const Between& between, const HydraulicState& a, const HydraulicState& b, HydraulicState& out) noexcept
 {
   out.pump_flow = between(a.pump_flow, b.pump_flow);
+  out.strokes = between(a.strokes, b.strokes);
   out.stand_pipe_pressure = between(a.stand_pipe_pressure, b.stand_pipe_pressure);
   out.annulus_pressure = between(a.annulus_pressure, b.annulus_pressure);
   out.return_flow = between(a.return_flow, b.return_flow);

@@ -55,8 +55,9 @@ class Autodriller:
         self.go("restarting")
         self.done = False
 
-    def lasted(self):
-        return self.now - self.since
+    def lasted(self, since=None):
+        """Time since then, or since the phase began [s]: whole periods, wherever the clock began."""
+        return round(self.now - (self.since if since is None else since), 6)
 
     def beyond(self, name, level, time):
         """Whether a reading has been beyond a level for so long: noise is not."""
@@ -64,7 +65,7 @@ class Autodriller:
             self.beyond_since = None
         elif self.beyond_since is None:
             self.beyond_since = self.now
-        return self.beyond_since is not None and self.now - self.beyond_since >= time
+        return self.beyond_since is not None and self.lasted(self.beyond_since) >= time
 
     # --- the law
 
@@ -79,7 +80,7 @@ class Autodriller:
             self.lost_since = self.now
         self.winner = ""
         feed = getattr(self, self.phase)(readings)
-        if self.lost_since is not None and self.now - self.lost_since > self.bridge_time:
+        if self.lost_since is not None and self.lasted(self.lost_since) > self.bridge_time:
             feed = min(feed, 0.0)
         most = self.slew * self.period
         self.last_feed = feed = min(max(feed, self.last_feed - most), self.last_feed + most)

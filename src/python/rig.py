@@ -7,62 +7,21 @@
     rig.winch(-0.01)
     rig.step_until(lambda s: s.truth.on_bottom, timeout=300)
 
-A set point acts from the next frame on. Nothing moves but by step(), step_until() and frames(). Units and signs are the messages'.
+drill_rig_sim.sim has the same without a node.
 """
-import math
-import operator
-
-import numpy
 import rosgraph
 import rospy
+from drill_rig_sim.lockstep import RPM, UNSENSED, Lockstep, Refused, State, TimedOut, series  # pylint: disable=unused-import
 from drill_rig_sim.msg import MudPumpCommand, SteeringCommand, TopDriveCommand, WinchCommand
 from drill_rig_sim.srv import (InjectFault, InjectFaultRequest, LoadSurvey, MakeConnection, ResetWell, RestoreState, SaveState, StepSimulation,
                                StepSimulationRequest)
 from std_srvs.srv import SetBool, Trigger
 
-RPM = 2.0 * math.pi / 60.0  # [rad/s]
-UNSENSED = ("on_bottom", "motor_stalled", "over_stress", "over_torque", "buckled")  # fields of RigState that are false in every reading
+COMMANDS = {"winch": WinchCommand, "top_drive": TopDriveCommand, "mud_pump": MudPumpCommand, "steering": SteeringCommand}
 
 
-class Refused(Exception):
-    """The rig answered no; the text says why."""
-
-
-class TimedOut(Exception):
-    """A condition did not come true within its simulated time."""
-
-
-class State:
-    """What one frame tells. Its attributes are the readings, fields of RigState: what a controller may know. Beside them:
-
-    t         stamp [s]
-    truth     the RigState as it is, and
-    bit       the BitTruth, for judging a controller
-    readings  the readings as a message
-
-    What no rig can sense is an error here and has to be asked of the truth: s.truth.on_bottom.
-    """
-    __slots__ = ("t", "readings", "truth", "bit")
-
-    def __init__(self, answer):
-        self.readings, self.truth, self.bit = answer.state, answer.truth, answer.bit
-        self.t = answer.state.header.stamp.to_sec()
-
-    def __getattr__(self, name):
-        if name in UNSENSED:
-            raise AttributeError("%s: no rig can sense it; ask for truth.%s" % (name, name))
-        if name in State.__slots__:  # of a copy that is not filled yet
-            raise AttributeError(name)
-        return getattr(self.readings, name)
-
-
-def series(states, name):
-    """Numbers of a list of states as an array: series(states, "hook_load"), series(states, "bit.wob")."""
-    return numpy.array([operator.attrgetter(name)(state) for state in states])
-
-
-class Rig:
-    """The rig of a namespace, in lockstep. `patience`: wall seconds to wait for it. A call that it refuses raises Refused and changes nothing."""
+class Rig(Lockstep):
+    """The rig of a namespace, in lockstep. `patience`: wall seconds to wait for it."""
 
     def __init__(self, namespace="rig", patience=60.0):
         self._prefix = rospy.resolve_name(namespace)
@@ -70,57 +29,7 @@ class Rig:
         self._step = rospy.ServiceProxy(self._prefix + "/step", StepSimulation, persistent=True)
         self._request = StepSimulationRequest()
         self.rate = frames_per_second(self._prefix + "/step")
-        self.state = None  # after the last frame
         self._look()
-
-    # --- set points, from the next frame on
-
-    def winch(self, velocity):
-        """Speed of the block, + up [m/s]."""
-        self._request.winch = [WinchCommand(block_velocity=velocity)]
-
-    def brake(self):
-        """Stops the block and holds it."""
-        self._request.winch = [WinchCommand(brake=True)]
-
-    def rotate(self, rpm, torque_limit=0.0, mode=TopDriveCommand.SPEED):
-        """Turns the string, + clockwise looking downhole [rpm]. mode: SPEED, SOFT_TORQUE or Z_TORQUE of TopDriveCommand."""
-        self.top_drive(mode=mode, speed=rpm * RPM, torque_limit=torque_limit)
-
-    def top_drive(self, **fields):
-        """Any set point of the top drive, by the fields of TopDriveCommand."""
-        self._request.top_drive = [TopDriveCommand(**fields)]
-
-    def pump(self, flow):
-        """Flow [m3/s]."""
-        self._request.mud_pump = [MudPumpCommand(flow=flow)]
-
-    def steer(self, toolface, ratio):
-        """Of a rotary steerable system: direction [rad] and share of its full steering [0..1]."""
-        self._request.steering = [SteeringCommand(toolface=toolface, ratio=ratio)]
-
-    # --- time
-
-    def step(self, seconds=None, frames=1):
-        """Computes so many frames, or as many as last `seconds`, at most 100000; the state after them."""
-        self._request.frames = frames if seconds is None else self._frames_in(seconds)
-        request, self._request = self._request, StepSimulationRequest()
-        self.state = State(answered(self._step.call(request)))
-        return self.state
-
-    def frames(self, seconds, every=1):
-        """Steps through `seconds`, giving the state after every so many frames: for s in rig.frames(60.0): ..."""
-        left = self._frames_in(seconds)
-        while left > 0:
-            yield self.step(frames=min(every, left))
-            left -= every
-
-    def step_until(self, condition, timeout, every=1):
-        """Steps until condition(state), looked at after every so many frames; the state then. TimedOut after `timeout` simulated seconds."""
-        for state in self.frames(timeout, every):
-            if condition(state):
-                return state
-        raise TimedOut("not within %g s, at t = %g s" % (timeout, self.state.t))
 
     # --- services
 
@@ -145,34 +54,36 @@ class Rig:
         """Back to a snapshot; the state there."""
         return self._rebuilt("restore_state", RestoreState, name=name, file=file)
 
-    def fault(self, fault, **fields):
+    def fault(self, fault, clear=False, **fields):
         """Begins a fault, named as in InjectFault: rig.fault("STUCK_PIPE", depth=900.0)."""
-        self._call("inject_fault", InjectFault, fault=getattr(InjectFaultRequest, fault), **fields)
-
-    def clear_fault(self, fault, **fields):
-        """Ends it."""
-        self.fault(fault, clear=True, **fields)
+        self._call("inject_fault", InjectFault, fault=getattr(InjectFaultRequest, fault), clear=clear, **fields)
 
     def slips(self, are_set):
         """Hangs the string in the slips or takes it from there."""
         self._call("set_slips", SetBool, data=are_set)
 
-    def connection(self, joints=0):
-        """Adds joints of drill pipe; 0: a stand."""
-        self._call("make_connection", MakeConnection, joints=joints)
+    def connection(self, joints=0, remove=False):
+        """Adds joints of drill pipe, or removes them; 0: a stand."""
+        self._call("make_connection", MakeConnection, joints=joints, remove=remove)
 
     # --- the connection
 
-    def _frames_in(self, seconds):
-        frames = seconds * self.rate
-        if not (math.isfinite(frames) and frames >= 0.0 and abs(frames - round(frames)) < 1e-6 * max(1.0, frames)):
-            raise ValueError("%r s is no whole number of frames of %g s" % (seconds, 1.0 / self.rate))
-        return round(frames)
+    def _set(self, kind, **fields):
+        setattr(self._request, kind, [COMMANDS[kind](**fields)])
+
+    def _advance(self, frames):
+        self._request.frames = frames
+        request, self._request = self._request, StepSimulationRequest()
+        return self._asked(request)
 
     def _look(self):
         """The state as it is; set points that wait for a frame go on waiting."""
-        self.state = State(answered(self._step.call(StepSimulationRequest())))
+        self.state = self._asked(StepSimulationRequest())
         return self.state
+
+    def _asked(self, request):
+        answer = answered(self._step.call(request))
+        return State(answer.state.header.stamp.to_sec(), answer.state, answer.truth, answer.bit)
 
     def _rebuilt(self, service, kind, **fields):
         self._call(service, kind, **fields)

@@ -88,7 +88,7 @@ class RssSteering(Steering):
             self.code, self.bits, self.began = code, downlink(*code), readings.t
 
     def share_of_flow(self, readings):
-        number = int((readings.t - self.began) / self.bit_time)
+        number = int((readings.t - self.began) / self.bit_time + 1e-6)
         if readings.t > self.began + len(self.bits) * self.bit_time + self.settling:
             self.bits = []
         return self.low if number < len(self.bits) and self.bits[number] else 1.0

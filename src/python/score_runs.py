@@ -134,3 +134,11 @@ def last_toolface(time, toolfaces):
     """That was measured by then; before the first, the first."""
     last = numpy.searchsorted(stamps(toolfaces), time + 1e-9, side="right") - 1
     return numpy.array([m.toolface for m in toolfaces])[numpy.maximum(last, 0)]
+
+
+def run_of_record(record, name="record"):
+    """Of a drill_rig_sim.sim.Record, by its truth."""
+    columns = {column: record.truth[path] for column, path in STATE.items()}
+    columns.update({column: record.bit[path] for column, path in BIT.items()})
+    columns["time"] = record.t
+    return Run(columns, "truth", name)

@@ -86,11 +86,11 @@ class SlideSteering(Steering):
         return {"mode": "ANGLE", "angle": self.angle}
 
     def listen(self, toolface):
-        if toolface is None or toolface is self.seen or toolface.header.stamp.to_sec() < self.turned_at + self.settling:
+        if toolface is None or toolface is self.seen or toolface.t < self.turned_at + self.settling:
             return
         self.seen = toolface
         error = turn_between(toolface.toolface, self.target)
         off_bottom = self.driller.stay_off
         self.driller.stay_off = off_bottom and abs(error) > self.on_target
         self.base += (1.0 if off_bottom else self.gain) * error
-        self.turned_at = toolface.header.stamp.to_sec() + 4.0
+        self.turned_at = toolface.t + 4.0

@@ -34,6 +34,7 @@ GENERAL = (
     (18, "torque", 1e-3, decimal),                         # kN m
     (20, "top_drive_speed", 30.0 / math.pi, whole),        # rpm, a whole number
     (21, "stand_pipe_pressure", 1e-3, decimal),            # kPa
+    (23, "stroke_rate", 60.0, whole),                      # strokes a minute, a whole number
     (30, "flow", 60000.0, decimal))                        # L/min
 
 
@@ -45,7 +46,7 @@ def record(number, stamp, items):
 
 
 def general_record(state):
-    """Record 01 of a RigState. Pump strokes (items 23 to 25) are not in it: rig_state has none."""
+    """Record 01 of a RigState."""
     return record(1, state.header.stamp.to_sec(), [(item, write(getattr(state, field) * factor)) for item, field, factor, write in GENERAL
                                                    if field != "surface_wob" or state.tared])
 
@@ -154,6 +155,7 @@ class Server:
             connection.close()
             return
         connection.setblocking(False)
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, MOST_WAITING)  # else the kernel keeps megabytes of what nobody reads
         with self.lock:
             self.clients.append(Client(connection, address))
         self.say("%s:%d has come" % address[:2])

@@ -90,6 +90,7 @@ void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit
                         double displaced, double step, double& flow, HydraulicState& state, const MudWays& ways) noexcept
 {
   state.pump_flow = advance_pump(spec, state.pump_flow, commanded, step);
+  state.strokes += state.pump_flow * step / spec.stroke_volume;
   const double n = circuit.nominal_flow, m = circuit.exponent;
   const HydraulicResistance inner{std::max(state.annulus_pressure, 0.0), circuit.bore.loss, state.bore_gel * circuit.bore.gel, motor_pressure, n, m};
   const double leak = std::min(ways.leak, state.pump_flow + std::max(0.0, state.stand_pipe_pressure) * circuit.bore.capacity / step);

@@ -140,6 +140,8 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.stand_pipe_pressure = from.stand_pipe_pressure;
   m.differential_pressure = from.differential_pressure;
   m.flow = from.flow;
+  m.stroke_rate = from.stroke_rate;
+  m.pump_strokes = from.pump_strokes;
   m.ecd = from.ecd;
   m.hole_depth = from.hole_depth;
   m.bit_depth = from.bit_depth;

@@ -9,8 +9,6 @@
 #include <sstream>
 #include <vector>
 
-#include "drill_rig_sim/sim/choice.h"
-
 namespace drill_rig_sim
 {
 namespace
@@ -220,18 +218,6 @@ std::string find_file(const std::string& what, const std::string& name, const st
 std::string find_scene(const std::string& name)
 {
   return find_file("scene", name, "config/scenes");
-}
-
-void check_rate(double rate, const Scene& scene)
-{
-  const NumericsSpec numerics = with_choice(scene).numerics;
-  if (numerics.has_variable_steps()) return;
-  const double steps = 1.0 / (rate * numerics.step);
-  if (std::lround(steps) >= 1 && std::abs(steps - std::round(steps)) < 1e-6 * steps) return;
-  std::ostringstream text;
-  text << "rate is " << rate << "; allowed is a rate whose frames hold a whole number of the scene's steps of "
-       << numerics.step << " s";
-  throw ParameterError(text.str());
 }
 
 }  // namespace drill_rig_sim

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/sim/requests.h"
 
 namespace drill_rig_sim
 {

@@ -12,7 +12,7 @@
 #include "drill_rig_sim/ros/survey_request.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_hash.h"
-#include "drill_rig_sim/sim/faults.h"
+#include "drill_rig_sim/sim/requests.h"
 #include "fault_request.h"
 
 namespace drill_rig_sim
@@ -31,11 +31,6 @@ std::string written(double number)
   return out.str();
 }
 
-double off_bottom(const Scene& scene)
-{
-  return scene.well.hole_depth - scene.start.bit_depth;
-}
-
 std::string one_line(std::string text)
 {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -51,7 +46,7 @@ void require_good(const RunningRig& rig)
 template <class Setpoint>
 void require_right(SimulationLoop& loop, const Setpoint& c)
 {
-  if (what_is_wrong(c) || loop.rig().simulator->locked(c)) throw Refusal(loop.take(c).reason);
+  if (why_refused(*loop.rig().simulator, c)) throw Refusal(loop.take(c).reason);
 }
 
 /// A step's commands, all of them or none. For between-frames callbacks.
@@ -61,8 +56,7 @@ void command_all(SimulationLoop& loop, const StepSimulation::Request& request)
   for (const auto& c : request.winch) require_right(loop, to_setpoint(c));
   for (const auto& c : request.top_drive) require_right(loop, to_setpoint(c));
   for (const auto& c : request.mud_pump) require_right(loop, to_setpoint(c));
-  for (const auto& c : request.steering)
-    if (what_is_wrong(to_setpoint(c)) || !loop.rig().simulator->is_steerable()) throw Refusal(loop.take(to_setpoint(c)).reason);
+  for (const auto& c : request.steering) require_right(loop, to_setpoint(c));
   loop.take_commands();  // what topics brought before the request is older
   for (const auto& c : request.winch) loop.take(to_setpoint(c));
   for (const auto& c : request.top_drive) loop.take(to_setpoint(c));
@@ -139,11 +133,7 @@ std::string Services::reset_well(const ResetWell::Request& request)
 {
   require_no_step();
   const Scene scene = request.scene.empty() ? scene_ : read_scene(find_scene(request.scene));
-  Scene next = scene;
-  if (!(request.bit_depth >= 0.0 && request.bit_depth <= scene.well.hole_depth))
-    throw Refusal("bit_depth is " + std::to_string(request.bit_depth) +
-                  "; allowed is 0 (as the scene says) to the hole's depth, " + std::to_string(scene.well.hole_depth) + " m");
-  if (request.bit_depth > 0.0) next.start.bit_depth = request.bit_depth;
+  const Scene next = with_bit_depth(scene, request.bit_depth);
   rebuild(next);
   const std::string forgotten = forget_states_of_another(next);
   scene_ = scene;
@@ -155,7 +145,7 @@ std::string Services::reset_well(const ResetWell::Request& request)
 std::string Services::load_survey(const LoadSurvey::Request& request)
 {
   require_no_step();
-  const Scene next = with_survey(scene_, off_bottom_, request);
+  const Scene next = with_well(scene_, off_bottom_, to_new_well(request));
   rebuild(next);
   const std::string forgotten = forget_states_of_another(next);
   scene_ = running_ = next;
@@ -205,15 +195,13 @@ std::string Services::resume()
 
 std::string Services::tare()
 {
-  bool done = false;
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
         require_good(loop.rig());
-        done = loop.rig().simulator->tare();
-        if (done) loop.hand_over_again();
+        ask_tare(*loop.rig().simulator);
+        loop.hand_over_again();
       });
-  if (!done) throw Refusal("the bit is on bottom or the string in the slips; allowed is off bottom, on the hook");
   return "weight on bit and differential pressure read zero here";
 }
 
@@ -291,14 +279,7 @@ std::string Services::inject_fault(const InjectFault::Request& request)
       [&](SimulationLoop& loop)
       {
         require_good(loop.rig());
-        Simulator& simulator = *loop.rig().simulator;
-        if (request.clear) return simulator.clear(fault.kind, fault.gauge);
-        const char* wrong = simulator.inject(fault);
-        if (wrong == no_pipe_there)
-          throw Refusal("depth is " + std::to_string(request.depth) +
-                        "; allowed is a depth where there is pipe in the hole, more than 0 (the rotary table) to " +
-                        std::to_string(simulator.truth().bit_depth) + " m (the bit)");
-        if (wrong) throw Refusal(wrong);
+        ask_fault(*loop.rig().simulator, fault, request.clear);
       });
   return said_of(fault, request.clear);
 }
@@ -311,7 +292,7 @@ std::string Services::set_slips(bool set)
       {
         require_good(loop.rig());
         Simulator& simulator = *loop.rig().simulator;
-        if (const char* refused = simulator.set_slips(set)) throw Refusal(refused);
+        ask_slips(simulator, set);
         pumps = set && simulator.setpoints().pump.flow > 0.0;
         loop.hand_over_again();
       });
@@ -320,12 +301,11 @@ std::string Services::set_slips(bool set)
 
 std::string Services::make_connection(const MakeConnection::Request& request)
 {
-  if (request.joints > most_joints) throw Refusal("joints is " + std::to_string(request.joints) + "; allowed is 0 (a stand) to " + std::to_string(most_joints));
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
         require_good(loop.rig());
-        if (const char* refused = loop.rig().simulator->make_connection(static_cast<int>(request.joints), request.remove)) throw Refusal(refused);
+        ask_connection(*loop.rig().simulator, request.joints, request.remove);
         loop.hand_over_again();
       });
   const std::string pipe = request.joints > 0 ? std::to_string(request.joints) + " joints" : "a stand's joints";

@@ -1,6 +1,7 @@
 #include "drill_rig_sim/scene/fault_spec.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace drill_rig_sim
 {
@@ -47,6 +48,20 @@ bool has_magnitude(FaultKind kind) noexcept
     default:
       return true;
   }
+}
+
+Fault fault_of(FaultKind kind, const std::string& gauge, double depth, double magnitude)
+{
+  Fault fault{kind, depth, magnitude};
+  if (!is_of_gauge(kind)) return fault;
+  std::string names;
+  for (int k = 0; k < gauge_count; ++k)
+  {
+    fault.gauge = static_cast<Gauge>(k);
+    if (gauge == gauge_names[k]) return fault;
+    names += (k == 0 ? "" : k + 1 < gauge_count ? ", " : " or ") + std::string(gauge_names[k]);
+  }
+  throw std::runtime_error("target is not the name of a gauge; allowed is " + names);
 }
 
 const char* what_is_wrong_with_magnitude(const Fault& fault) noexcept

@@ -36,7 +36,7 @@ public:
   {
     const double deepest = scene_.start.bit_depth + scene_.start.block_height - scene_.rig.hoisting.lowest_block_height;
     const double highest = scene_.start.bit_depth + scene_.start.block_height - scene_.rig.hoisting.highest_block_height;
-    if (scene_.connections == Connections::automatic || std::isnan(o_.to_depth)) return;
+    if (scene_.connections == Connections::automatic || o_.kind == OperationKind::trip || std::isnan(o_.to_depth)) return;
     if (o_.to_depth > deepest + nothing)
       add("to_depth", metres(o_.to_depth) + " is beyond where the block reaches its lowest place, allowed: up to " + metres(deepest));
     if (o_.kind == OperationKind::pick_up && o_.to_depth < highest - nothing)
@@ -53,6 +53,7 @@ public:
       add("do", "steer is given, needed: a part of type rotary_steerable");
     if (o_.kind == OperationKind::oscillate && o_.amplitude_right + o_.amplitude_left == 0.0)
       add("", "rocks by nothing, needed: amplitude_right_deg or amplitude_left_deg above 0");
+    if (needs_crew(o_.kind) && !what_the_crew_lacks(scene_).empty()) add("do", std::string(word_of(o_.kind)) + ": " + what_the_crew_lacks(scene_));
     const bool angles = o_.kind == OperationKind::slide || o_.kind == OperationKind::oscillate;
     if (angles && o_.rotary_speed < 0.0) add("speed_rpm", plain(o_.rotary_speed / rpm) + " rpm is given, allowed: 0 or more");
   }
@@ -77,6 +78,15 @@ private:
   ProblemList& problems_;
 };
 }  // namespace
+
+std::string what_the_crew_lacks(const Scene& scene)
+{
+  if (scene.string.empty()) return "";
+  if (scene.numerics.integrator == IntegratorKind::ida) return "not available with the reference (ida)";
+  const HoistingSpec& h = scene.rig.hoisting;
+  const double travel = h.highest_block_height - h.lowest_block_height, needed = room_for_stand(h.stand_joints * scene.string.back().joint_length);
+  return travel < needed ? "the block travels " + metres(travel) + ", needed for a stand: " + metres(needed) : "";
+}
 
 ProblemList operation_problems(const Scene& scene)
 {

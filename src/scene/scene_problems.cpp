@@ -189,15 +189,10 @@ void check_hoisting(const HoistingSpec& h, ProblemList& problems)
   }
 }
 
-/// What `connections: auto` needs.
 void check_connections(const Scene& scene, ProblemList& problems)
 {
-  if (scene.connections == Connections::off || scene.string.empty()) return;
-  const HoistingSpec& h = scene.rig.hoisting;
-  const double needed = room_for_stand(h.stand_joints * scene.string.back().joint_length);
-  if (h.highest_block_height - h.lowest_block_height < needed)
-    problems.emplace_back("connections", "auto: the block travels " + metres(h.highest_block_height - h.lowest_block_height) +
-                                             ", needed for a stand: " + metres(needed));
+  const std::string lacking = scene.connections == Connections::automatic ? what_the_crew_lacks(scene) : "";
+  if (!lacking.empty()) problems.emplace_back("connections", "auto: " + lacking);
 }
 
 void check_start(const Scene& scene, ProblemList& problems)
@@ -273,8 +268,6 @@ ProblemList unavailable(const Scene& scene)
     problems.emplace_back("numerics.integrator", "steps of variable length (step 0) are available for bdf2 and auto alone");
   if (!has_kernel(numerics.kernel))
     problems.emplace_back("numerics.kernel", std::string(name_of(numerics.kernel)) + " is not among what this machine and build have, allowed: " + kernels_here());
-  if (scene.connections == Connections::automatic && numerics.integrator == IntegratorKind::ida)
-    problems.emplace_back("connections", "auto is not available with the reference (ida), allowed: off");
   return problems;
 }
 

@@ -44,6 +44,8 @@ void Simulator::Impl::measure_rig() noexcept
   m.top_drive_angle = s.drive.angle;
   m.top_drive_speed = s.drive.speed;
   m.flow = s.hydraulics.pump_flow;
+  m.stroke_rate = m.flow / scene.rig.mud_pump.stroke_volume;
+  m.pump_strokes = static_cast<unsigned>(s.hydraulics.strokes);
   m.relief_valve_open = s.hydraulics.relief_open;
   m.stand_pipe_pressure = s.hydraulics.stand_pipe_pressure;
   m.differential_pressure = motor_pressure() - state.tare_pressure;

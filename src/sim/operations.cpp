@@ -41,6 +41,12 @@ double stiffness_of(const Scene& scene)
   return 1.0 / (give + 1.0 / lines.stiffness);
 }
 
+/// Whether an operation raises the block, that began with the bit at a depth [m MD].
+bool goes_up(const Operation& o, double began_bit) noexcept
+{
+  return o.kind == OperationKind::pick_up || (o.kind == OperationKind::trip && o.to_depth < began_bit) || o.remove == 1.0;
+}
+
 /// The least turn that leads from one direction to another [rad].
 double turn_between(double from, double to) noexcept
 {
@@ -94,6 +100,7 @@ void OperationsPlayer::apply(Simulator& simulator) noexcept
   if (simulator.truth().crew != CrewTask::none)
   {
     feed_ = WeightFeed();  // the crew has the rig
+    crew_came_ = true;
     followed_at_ = simulator.truth().time;
     return;
   }
@@ -120,12 +127,17 @@ void OperationsPlayer::begin(Simulator& simulator) noexcept
   began_load_ = now.hook_load;
   feed_ = WeightFeed();
   legs_ = 0;
-  settled_ = false;
+  settled_ = crew_came_ = false;
   const TopDriveSetpoint drive = simulator.asked().top_drive;
   if (o.kind == OperationKind::flow) ramp_ = {simulator.asked().pump.flow, o.flow, now.time, o.ramp, true};
   if (o.kind == OperationKind::rotate)
     ramp_ = {keeps_speed(drive.mode) ? drive.speed : now.top_drive_speed, o.rotary_speed, now.time, o.ramp, true};
   if (o.kind == OperationKind::pick_up) simulator.command(WinchSetpoint{o.speed, false});
+  if (needs_crew(o.kind))
+  {
+    simulator.call_crew(true);
+    simulator.command(WinchSetpoint{goes_up(o, began_bit_) ? o.speed : -o.speed, false});
+  }
   if (o.kind == OperationKind::slack_off || o.kind == OperationKind::tag)
   {
     if (is_set(o.weight)) simulator.tare();  // on bottom it keeps the zero it had
@@ -164,6 +176,8 @@ void OperationsPlayer::follow(Simulator& simulator) noexcept
     case OperationKind::oscillate:
     case OperationKind::wait:
     case OperationKind::steer:
+    case OperationKind::connection:
+    case OperationKind::trip:
       return;
   }
 }
@@ -242,7 +256,8 @@ void OperationsPlayer::end(Simulator& simulator) const noexcept
 {
   const OperationKind kind = operations_[next_].kind;
   const bool moved = kind == OperationKind::pick_up || kind == OperationKind::slack_off || kind == OperationKind::tag || kind == OperationKind::drill ||
-                     kind == OperationKind::slide || kind == OperationKind::ream;
+                     kind == OperationKind::slide || kind == OperationKind::ream || needs_crew(kind);
+  if (needs_crew(kind)) simulator.call_crew(false);
   if (moved) simulator.command(WinchSetpoint{0.0, true});
 }
 
@@ -276,8 +291,8 @@ double OperationsPlayer::progress_in_place(const Simulator& simulator) const noe
   }
   const bool drills = o.kind == OperationKind::drill || o.kind == OperationKind::slide;
   const double from = drills ? began_hole_ : began_bit_, here = drills ? now.hole_depth : now.bit_depth - rise(now);
-  double nearest = 0.0;
-  if (is_set(o.to_depth)) nearest = (o.kind == OperationKind::pick_up ? here <= o.to_depth : here >= o.to_depth) ? 1.0 : share(here, from, o.to_depth);
+  double nearest = o.kind == OperationKind::connection && crew_came_ ? 1.0 : 0.0;
+  if (is_set(o.to_depth)) nearest = (goes_up(o, began_bit_) ? here <= o.to_depth : here >= o.to_depth) ? 1.0 : share(here, from, o.to_depth);
   if (is_set(o.distance)) nearest = std::max(nearest, std::abs((drills ? here - from : now.block_height + rise(now) - began_block_) / o.distance));
   return std::min(nearest, 1.0);
 }

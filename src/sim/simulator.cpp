@@ -101,14 +101,14 @@ CommandResult Simulator::command(const PumpSetpoint& c) noexcept
   return impl_->command(c, locked(c));
 }
 
-bool Simulator::is_steerable() const noexcept
+const char* Simulator::locked(const SteeringSetpoint&) const noexcept
 {
-  return impl_->model->mesh().pad_node >= 0;
+  return impl_->model->mesh().pad_node >= 0 ? nullptr : "steering: the string has no rotary_steerable";
 }
 
 CommandResult Simulator::command(const SteeringSetpoint& c) noexcept
 {
-  return impl_->command(c, is_steerable() ? nullptr : "steering: the string has no rotary_steerable");
+  return impl_->command(c, locked(c));
 }
 
 /// What the tool in the string hears and feels before a frame.

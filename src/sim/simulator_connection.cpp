@@ -205,7 +205,7 @@ void Simulator::Impl::find_stand()
 {
   below_stand = -1;
   const int joints = scene.rig.hoisting.stand_joints;
-  if (scene.connections != Connections::automatic || joints_below_stump(model->mesh(), scene) <= joints) return;
+  if (joints_below_stump(model->mesh(), scene) <= joints) return;
   const double length = state.string.length - joints * scene.string.back().joint_length;
   below_stand = uppermost_joint(build_mesh(scene, length));
 }
@@ -254,7 +254,7 @@ void Simulator::Impl::tell_string_built() noexcept
 
 const char* Simulator::set_slips(bool set) noexcept
 {
-  if (impl_->state.crew.doing != CrewTask::none) return "slips: the crew makes a connection (connections: auto)";
+  if (impl_->state.crew.doing != CrewTask::none) return "slips: the crew makes a connection";
   const char* refused = set ? impl_->set_slips(joint_at_table(*impl_->model, impl_->shown())) : impl_->pull_slips();
   impl_->tell_string_built();
   return refused;
@@ -262,10 +262,15 @@ const char* Simulator::set_slips(bool set) noexcept
 
 const char* Simulator::make_connection(int joints, bool remove) noexcept
 {
-  if (impl_->state.crew.doing != CrewTask::none) return "connection: the crew makes one (connections: auto)";
+  if (impl_->state.crew.doing != CrewTask::none) return "connection: the crew makes one";
   const char* refused = impl_->make_connection(joints, remove);
   impl_->tell_string_built();
   return refused;
+}
+
+void Simulator::call_crew(bool on) noexcept
+{
+  impl_->state.crew.called = on;
 }
 
 void Simulator::attend() noexcept
@@ -274,7 +279,7 @@ void Simulator::attend() noexcept
   const ConnectionState& c = impl_->state.connection;
   if (c.under_way && c.elapsed >= connection_duration(impl_->scene.rig.hoisting, c.travel) - time_rounding) impl_->end_connection();
   if (impl_->broken_out_by_hand()) impl_->state.commands.by_crew.winch = impl_->to_slack();
-  if (impl_->scene.connections == Connections::automatic) impl_->crew_works();
+  impl_->crew_works();
 }
 
 }  // namespace drill_rig_sim

@@ -1,4 +1,4 @@
-// Connections that the crew makes by itself (connections: auto).
+// Connections that the crew makes by itself.
 #include <algorithm>
 #include <cmath>
 
@@ -51,6 +51,7 @@ void Simulator::Impl::crew_does(CrewTask task) noexcept
 /// Where the block comes to one of the places from which it goes no further.
 void Simulator::Impl::crew_begins() noexcept
 {
+  if (scene.connections != Connections::automatic && !state.crew.called) return;
   const WinchSetpoint winch = state.commands.in_force().winch;
   const State& now = shown();
   if (winch.brake || winch.block_velocity == 0.0 || now.slips.node >= 0 || state.connection.under_way) return;
@@ -71,8 +72,10 @@ void Simulator::Impl::crew_begins() noexcept
     const double joint = now.nodes[static_cast<std::size_t>(below_stand)].position.z();
     if (joint < stick_up - stop && height < spec.highest_block_height - stop) return;
   }
+  const bool called = state.crew.called;
   state.crew = CrewState();
   state.crew.adds = adds;
+  state.crew.called = called;
   crew_does(CrewTask::stopping);
   state.commands.by_crew = state.commands.in_force();
   state.commands.crew_drives = true;

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """The law drill_rig_sim.rss_steering: builds 3 deg/30 m by downlinks within half a degree and a metre of its plan."""
 import numpy
-from drill_rig_sim.control import Telemetry, drive
+from drill_rig_sim.control import drive
 from drill_rig_sim.law import Plan, turn_between
 from drill_rig_sim.rig import Rig
 from drill_rig_sim.rss_steering import RssSteering
 from drill_rig_sim.score import score
 from drill_rig_sim.score_runs import Run, columns_of_truth
 from drill_rig_sim.survey import read_survey
+from drill_rig_sim.topics import Telemetry
 from rig_test import PACKAGE_DIR, run, unittest
 
 PLAN = read_survey(PACKAGE_DIR + "/config/surveys/build_3_deg.csv")

@@ -3,11 +3,12 @@
 import math
 
 import numpy
-from drill_rig_sim.control import Telemetry, drive
+from drill_rig_sim.control import drive
 from drill_rig_sim.law import Plan, turn_between
 from drill_rig_sim.rig import Rig, series
 from drill_rig_sim.slide_steering import SlideSteering
 from drill_rig_sim.survey import read_survey
+from drill_rig_sim.topics import Telemetry
 from rig_test import PACKAGE_DIR, run, unittest
 
 PLAN = read_survey(PACKAGE_DIR + "/config/surveys/build_3_deg.csv")

@@ -76,7 +76,7 @@ class Usage(Drill):
         self.assertIn('--until-depth', self.refuse('run', QUICK, '--until-depth', '99'))
         self.assertIn('cannot be written', self.refuse('run', QUICK, '--bag', self.file('no/such/folder.bag')))
         self.assertIn('is unknown, allowed: rigid', self.refuse('run', QUICK, '--level', 'planar'))
-        self.assertIn('auto is not available with the reference (ida)', self.refuse('run', QUICK, '--integrator', 'ida', '--step', '0.01', '--level', 'beam3d', '--set', 'connections=auto'))
+        self.assertIn('auto: not available with the reference (ida)', self.refuse('run', QUICK, '--integrator', 'ida', '--step', '0.01', '--level', 'beam3d', '--set', 'connections=auto'))
         self.assertIn('integrator', self.refuse('run', QUICK, '--integrator', 'no_such'))
         self.assertIn('setting: numerics.step: 7 is out of range', self.refuse('run', QUICK, '--step', '7'))
         self.assertIn('setting: mud.densty: unknown key', self.refuse('run', QUICK, '--set', 'mud.densty=1'))

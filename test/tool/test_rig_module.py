@@ -92,7 +92,7 @@ class AgainstAStandIn(unittest.TestCase):
     def test_faults_go_by_their_names(self):
         self.rig.fault("STUCK_PIPE", depth=3.0)
         self.rig.clear_fault("SENSOR_BIAS", target="hook_load")
-        self.assertEqual([{"fault": 0, "depth": 3.0}, {"fault": 2, "clear": True, "target": "hook_load"}], [fields for _, fields in self.node.others])
+        self.assertEqual([{"fault": 0, "clear": False, "depth": 3.0}, {"fault": 2, "clear": True, "target": "hook_load"}], [fields for _, fields in self.node.others])
 
     def test_a_state_shows_readings_and_keeps_the_truth_apart(self):
         state = self.rig.step()

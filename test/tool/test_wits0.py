@@ -20,9 +20,9 @@ def stamped(message, seconds=86400.0 + 3723.5):
 class Records(unittest.TestCase):
     def test_the_general_record(self):
         state = stamped(RigState(bit_depth=729.0, hole_depth=730.0, block_height=34.1234, rop=0.01, hook_load=325e3, surface_wob=75e3, tared=True,
-                                 torque=6290.0, top_drive_speed=2.0 * math.pi, stand_pipe_pressure=14.4e6, flow=0.045))
+                                 torque=6290.0, top_drive_speed=2.0 * math.pi, stand_pipe_pressure=14.4e6, flow=0.045, stroke_rate=1.75))
         self.assertEqual("&&\r\n0105700102\r\n0106010203\r\n0108729.000\r\n0110730.000\r\n011234.123\r\n011336.000\r\n011432.500\r\n01167.500\r\n"
-                         "01186.290\r\n012060\r\n012114400.000\r\n01302700.000\r\n!!\r\n", wits0.general_record(state).decode())
+                         "01186.290\r\n012060\r\n012114400.000\r\n0123105\r\n01302700.000\r\n!!\r\n", wits0.general_record(state).decode())
 
     def test_no_weight_before_it_is_tared(self):
         self.assertNotIn("\n0116", wits0.general_record(stamped(RigState())).decode())

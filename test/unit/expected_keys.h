@@ -76,7 +76,7 @@ inline std::vector<Expected> of_instruments()
 inline std::vector<Expected> of_operations()
 {
   return {
-      {"", "operations", [](const Scene& s) { return double(s.operations.size()); }, 11.0},
+      {"", "operations", [](const Scene& s) { return double(s.operations.size()); }, 12.0},
       {"operations[]", "do", [](const Scene& s) { return number(s.operations.at(8).kind == OperationKind::ream); }, 1.0},
       {"operations[]", "flow", [](const Scene& s) { return s.operations.at(0).flow; }, 0.044},
       {"operations[]", "ramp", [](const Scene& s) { return s.operations.at(0).ramp; }, 7.5},
@@ -91,6 +91,7 @@ inline std::vector<Expected> of_operations()
       {"operations[]", "amplitude_right_deg", [](const Scene& s) { return s.operations.at(6).amplitude_right; }, 181.0 * degree},
       {"operations[]", "amplitude_left_deg", [](const Scene& s) { return s.operations.at(6).amplitude_left; }, 182.0 * degree},
       {"operations[]", "times", [](const Scene& s) { return double(s.operations.at(8).times); }, 2.0},
+      {"operations[]", "remove", [](const Scene& s) { return s.operations.at(11).remove; }, 1.0},
       {"operations[]", "ratio", [](const Scene& s) { return s.operations.at(10).ratio; }, 0.62},
       {"program[]", "steering_toolface_deg", [](const Scene& s) { return s.program.at(4).steering_toolface; }, 92.0 * degree},
       {"program[]", "steering_ratio", [](const Scene& s) { return s.program.at(4).steering_ratio; }, 0.61},

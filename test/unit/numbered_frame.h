@@ -28,6 +28,8 @@ inline void number_signals(RigSignals& s, double base)
   s.surface_wob = base + 14;
   s.rop = base + 15;
   s.ecd = base + 16;
+  s.stroke_rate = base + 17;
+  s.pump_strokes = static_cast<unsigned>(base) + 18;
 }
 
 inline void number_bit(Truth& t)

@@ -163,6 +163,7 @@ TEST(Hydraulics, losesNoMudAndIsStableAtAnyStep)
       EXPECT_GE(rig.state.annulus_pressure, 0.0);
     }
     EXPECT_LT(rig.most, 15.2e6 + 3e6 + 1.0) << step;
+    EXPECT_NEAR(rig.state.strokes * MudPumpSpec().stroke_volume, rig.pumped, 1e-9) << step << ": they are counted";
   }
 }
 

@@ -164,6 +164,7 @@ std::vector<Expected> of_rig()
       {"rig.top_drive.z_torque", "inertia_compensation", [](const Scene& s) { return s.rig.top_drive.z_torque.inertia_compensation; }, 0.91},
       {"rig.mud_pump", "max_flow", [](const Scene& s) { return s.rig.mud_pump.max_flow; }, 0.061},
       {"rig.mud_pump", "flow_ramp", [](const Scene& s) { return s.rig.mud_pump.flow_ramp; }, 0.011},
+      {"rig.mud_pump", "stroke_volume", [](const Scene& s) { return s.rig.mud_pump.stroke_volume; }, 0.0161},
       {"rig.mud_pump", "loss_exponent", [](const Scene& s) { return s.rig.mud_pump.loss_exponent; }, 1.83},
       {"rig.mud_pump", "relief_pressure", [](const Scene& s) { return s.rig.mud_pump.relief_pressure; }, 3.51e7},
       {"rig.mud_pump", "pressure_coefficient", [](const Scene& s) { return s.rig.mud_pump.pressure_coefficient; }, 4.1e9},

@@ -136,8 +136,8 @@ TEST(Crew, handsBackWhatIsAskedLast)
   Simulator rig(soft_rock(Level::rigid));
   drill(rig, 0.05);
   play_until(rig, slips_frame, 1e3, [](const Truth& m) { return m.crew == CrewTask::connecting; });
-  EXPECT_STREQ(rig.set_slips(false), "slips: the crew makes a connection (connections: auto)");
-  EXPECT_STREQ(rig.make_connection(1, false), "connection: the crew makes one (connections: auto)");
+  EXPECT_STREQ(rig.set_slips(false), "slips: the crew makes a connection");
+  EXPECT_STREQ(rig.make_connection(1, false), "connection: the crew makes one");
   EXPECT_EQ(rig.command(WinchSetpoint{-0.01, false}).outcome, CommandResult::Outcome::accepted);
   EXPECT_EQ(rig.command(PumpSetpoint{0.03}).outcome, CommandResult::Outcome::accepted);
   EXPECT_EQ(rig.truth().flow, 0.0);
@@ -206,7 +206,60 @@ TEST(Crew, needsRoomAndPipe)
   scene.numerics.step = 0.01;
   scene.numerics.integrator = IntegratorKind::ida;
   ASSERT_FALSE(scene_problems(scene).empty());
-  EXPECT_EQ(scene_problems(scene).front().text, "auto is not available with the reference (ida), allowed: off");
+  EXPECT_EQ(scene_problems(scene).front().text, "auto: not available with the reference (ida)");
+}
+
+// As operations, with `connections: off`: the crew comes for them, and for nothing else.
+TEST(Crew, comesForAnOperation)
+{
+  Scene scene = soft_rock(Level::rigid);
+  scene.connections = Connections::off;
+  const double stand_off = 5.0;  // [m]
+  scene.start.bit_depth -= stand_off;
+  const auto operation = [](OperationKind kind)
+  {
+    Operation o = default_operation(kind);
+    o.speed = 0.5;
+    return o;
+  };
+  Operation out = operation(OperationKind::trip), in = out, taken = operation(OperationKind::connection), pump = operation(OperationKind::flow);
+  Operation wait = operation(OperationKind::wait);
+  wait.time = 5.0;
+  pump.flow = 0.02;
+  out.to_depth = 140.0;
+  in.to_depth = 195.0;
+  taken.remove = 1.0;
+  scene.operations = {pump, operation(OperationKind::connection), out, wait, in, wait, taken};
+  EXPECT_TRUE(scene_problems(scene).empty()) << scene_problems(scene).front().text;
+  Simulator rig(scene);
+  ScenePlayer player(rig.scene());
+  const auto play_up_to = [&](int number)
+  {
+    for (int k = 0; k < 200000 && player.operations().status().number != number; ++k)
+      ASSERT_EQ(play_frame(rig, &player, slips_frame), FrameStatus::running) << rig.failure();
+    ASSERT_EQ(player.operations().status().number, number);
+  };
+  const int stands = rig.truth().stand_count;
+  play_up_to(2);
+  play_up_to(3);
+  EXPECT_EQ(rig.truth().stand_count, stands + 1);
+  EXPECT_EQ(rig.setpoints().pump.flow, 0.02) << "as before it";
+  EXPECT_LT(rig.truth().bit_depth, rig.truth().hole_depth);
+  play_up_to(5);
+  EXPECT_NEAR(rig.truth().bit_depth, out.to_depth, 0.02);
+  EXPECT_LT(rig.truth().stand_count, stands);
+  play_up_to(7);
+  EXPECT_NEAR(rig.truth().bit_depth, in.to_depth, 0.02);
+  const int there = rig.truth().stand_count;
+  play_up_to(0);
+  EXPECT_EQ(rig.truth().stand_count, there - 1);
+  EXPECT_TRUE(rig.setpoints().winch.brake);
+  rig.command(WinchSetpoint{0.5, false});
+  play_until(rig, slips_frame, 300.0, [](const Truth& m) { return m.stop_reached; });
+  EXPECT_EQ(rig.truth().stand_count, there - 1) << "nobody asked for the crew";
+  scene.rig.hoisting.highest_block_height = 25.0;
+  ASSERT_EQ(scene_problems(scene).size(), 4u);
+  EXPECT_EQ(scene_problems(scene).front().text, "connection: the block travels 24 m, needed for a stand: 30 m");
 }
 
 // Saved in the midst of the crew's work: it goes on as it did.

@@ -133,7 +133,7 @@ TEST(Steering, theHoleTurnsWhereItPushes)
 TEST(Steering, isRefusedWithoutATool)
 {
   Simulator rig(drilling_scene());
-  EXPECT_FALSE(rig.is_steerable());
+  EXPECT_NE(nullptr, rig.locked(SteeringSetpoint()));
   EXPECT_EQ(rig.command(SteeringSetpoint{1.0, 1.0}).outcome, CommandResult::Outcome::refused);
   EXPECT_EQ(rig.setpoints().steering.ratio, 0.0);
 }

@@ -51,6 +51,7 @@ struct HydraulicCircuit
 struct HydraulicState
 {
   double pump_flow = 0.0;            ///< that the pump delivers, strokes times displacement [m3/s]
+  double strokes = 0.0;              ///< of the pump since the start [-]
   double stand_pipe_pressure = 0.0;  ///< p_p [Pa]
   double annulus_pressure = 0.0;     ///< p_a, at the bit, above the hydrostatic one; < 0: swab [Pa]
   double return_flow = 0.0;          ///< Q_out, that the annulus's losses see: of mud along pipe and wall, < 0 down [m3/s]
@@ -62,6 +63,7 @@ struct HydraulicState
   void visit(V& v)
   {
     v("pump_flow", pump_flow);
+    v("strokes", strokes);
     v("stand_pipe_pressure", stand_pipe_pressure);
     v("annulus_pressure", annulus_pressure);
     v("return_flow", return_flow);

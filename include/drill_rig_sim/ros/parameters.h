@@ -82,9 +82,6 @@ std::string find_file(const std::string& what, const std::string& name, const st
 /// The same of a scene, in config/scenes.
 std::string find_scene(const std::string& name);
 
-/// Throws ParameterError unless a frame is a whole number of the scene's steps.
-void check_rate(double rate, const Scene& scene);
-
 }  // namespace drill_rig_sim
 
 #endif

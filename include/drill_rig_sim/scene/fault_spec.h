@@ -1,6 +1,8 @@
 #ifndef DRILL_RIG_SIM_SCENE_FAULT_SPEC_H
 #define DRILL_RIG_SIM_SCENE_FAULT_SPEC_H
 
+#include <string>
+
 #include "drill_rig_sim/scene/instruments_spec.h"
 
 namespace drill_rig_sim
@@ -44,6 +46,9 @@ struct Fault
 bool is_of_gauge(FaultKind kind) noexcept;
 bool needs_pipe(FaultKind kind) noexcept;
 bool has_magnitude(FaultKind kind) noexcept;
+
+/// The fault of this kind, and of the gauge that `gauge` names if it is of one. Throws std::runtime_error with one line where there is no such gauge.
+Fault fault_of(FaultKind kind, const std::string& gauge, double depth, double magnitude);
 
 /// Why a fault's magnitude makes no sense: one line, static storage; null: it does.
 const char* what_is_wrong_with_magnitude(const Fault& fault) noexcept;

@@ -18,7 +18,9 @@ enum class OperationKind
   oscillate,
   ream,
   wait,
-  steer
+  steer,
+  connection,
+  trip
 };
 
 /// One operation. NaN means that it does not end by this. It goes by the readings, as a driller does, and ends by whichever of its ends comes first.
@@ -39,11 +41,17 @@ struct Operation
   double to_depth = unset;       ///< end: bit depth; of drill and slide hole depth [m MD]
   double distance = unset;       ///< end: travel of the block; of drill and slide metres drilled; of ream a stroke [m]
   double time = unset;           ///< end: so long after it began, or after a ramp was over [s]
+  double remove = unset;         ///< 1: connection takes a stand away
   double overpull = unset;       ///< end of pick_up: hook load above that at its beginning [N]
 };
 
 /// The word of the scene file.
 const char* word_of(OperationKind kind) noexcept;
+/// Whether the rig's crew (sim/crew.h) makes connections for it, whatever `connections` of the scene says.
+constexpr bool needs_crew(OperationKind kind) noexcept
+{
+  return kind == OperationKind::connection || kind == OperationKind::trip;
+}
 /// Of a kind, with what it is by default.
 Operation default_operation(OperationKind kind) noexcept;
 

@@ -5,7 +5,7 @@
 
 namespace drill_rig_sim
 {
-/// The crew that makes connections by itself (`connections: auto`).
+/// The crew that makes connections by itself: with `connections: auto`, or while it is called (Simulator::call_crew()).
 ///
 /// Going down, it begins where the block is at its lowest, or where the uppermost joint's end comes to the rotary table if that is higher: it stops the block,
 /// lifts the bit by stick_up off bottom, brings drive and pump to rest, sets the slips, slacks off, adds a stand, picks up, pulls the slips, takes drive and
@@ -21,6 +21,7 @@ struct CrewState
   double broken_out_at = 0.0;  ///< [m]
   double waited = 0.0;       ///< in this task [s]
   bool zeroed = false;       ///< tared on this way down
+  bool called = false;       ///< whatever `connections` says
 
   template <class V>
   void visit(V& v)
@@ -31,6 +32,7 @@ struct CrewState
     v("broken_out_at", broken_out_at);
     v("waited", waited);
     v("zeroed", zeroed);
+    v("called", called);
   }
 };
 

@@ -60,6 +60,8 @@ struct WeightFeed
 /// - slide does the same with the drive holding an angle (or rocking about it), which it turns by what the toolface lacks whenever a toolface has
 ///   come that was measured toolface_settles after the last turn.
 /// - steer commands a rotary steerable tool.
+/// - connection runs the block to where the rig's crew (crew.h) adds a stand, or takes one away, and is over when that is done; trip moves the bit to a depth, the
+///   crew making connections on the way, whatever the scene's `connections` says. Both end with the brake set.
 /// - oscillate rocks the string; without a `time` it goes on while others follow.
 class OperationsPlayer
 {
@@ -91,6 +93,7 @@ public:
     v("feed", feed_);
     v("followed_at", followed_at_);
     v("legs", legs_);
+    v("crew_came", crew_came_);
     v("settled", settled_);
     v("angle", angle_);
     v("turned_at", turned_at_);
@@ -121,6 +124,7 @@ private:
   WeightFeed feed_;
   double followed_at_ = 0.0;  // [s]
   int legs_ = 0;              // of ream, that are over
+  bool crew_came_ = false;    // has been at work since it began
   bool settled_ = false;      // tag moves steadily
   double angle_ = 0.0;        // of the drive that slide has asked for [rad]
   double turned_at_ = 0.0;    // when it did [s]

@@ -132,6 +132,7 @@ struct RigSignals
   double stand_pipe_pressure = 0.0;    ///< [Pa]
   double differential_pressure = 0.0;  ///< of the mud motor, zeroed by tare [Pa]
   double flow = 0.0;                   ///< that the pump delivers [m3/s]
+  double stroke_rate = 0.0;            ///< of the pump [1/s]
   double ecd = 0.0;                    ///< equivalent circulating density at the bit, ecd() [kg/m3]
   double hole_depth = 0.0;             ///< [m MD]
   double bit_depth = 0.0;              ///< of the bit's face [m MD]
@@ -158,6 +159,7 @@ struct RigSignals
   bool pump_tripped = false;        ///< by trip_pressure or a fault: no flow, after trip_pressure until a flow of 0 is commanded
   bool drive_tripped = false;       ///< by a fault: the top drive coasts
   unsigned lost_gauges = 0;  ///< in a drop-out, each 1 << Gauge
+  unsigned pump_strokes = 0;        ///< whole ones of the pump since the start
   int stand_count = 0;              ///< whole stands of the last part's pipe in the string
   CrewTask crew = CrewTask::none;
   Setpoints setpoints;
@@ -177,6 +179,7 @@ struct RigSignals
     v("stand_pipe_pressure", stand_pipe_pressure);
     v("differential_pressure", differential_pressure);
     v("flow", flow);
+    v("stroke_rate", stroke_rate);
     v("ecd", ecd);
     v("hole_depth", hole_depth);
     v("bit_depth", bit_depth);
@@ -203,6 +206,7 @@ struct RigSignals
     v("pump_tripped", pump_tripped);
     v("drive_tripped", drive_tripped);
     v("lost_gauges", lost_gauges);
+    v("pump_strokes", pump_strokes);
     v("stand_count", stand_count);
     v("crew", crew);
     v("setpoints", setpoints);
@@ -249,7 +253,7 @@ struct Truth : RigSignals
 /// What the driller sees.
 /// - hook_load, dead_line_hook_load, torque, stand_pipe_pressure, flow, block_height: gauges, each with its errors (sensor.h); hook_load is the
 ///   gauge where the scene puts it. lost_gauges: those in a drop-out, which show their last reading.
-/// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact. ecd: as if a tool by the bit told it at once.
+/// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact. stroke_rate, pump_strokes: the pump's strokes are counted. ecd: as if a tool by the bit told it at once.
 /// - worked out, as a rig does: bit_depth = tally - block_height (the tally is right at the start), hole_depth its largest so far, rop the
 ///   rate of that over the last 10 s, hook_load_string = hook_load - weight of block and top drive, surface_wob = tare - hook_load,
 ///   differential_pressure = stand_pipe_pressure - tare, 0 until tared. While the slips bear the string bit_depth is held.

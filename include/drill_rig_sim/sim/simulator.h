@@ -72,14 +72,14 @@ public:
   CommandResult command(const WinchSetpoint& c) noexcept;
   CommandResult command(const TopDriveSetpoint& c) noexcept;
   CommandResult command(const PumpSetpoint& c) noexcept;
-  /// Why a command would be refused at present, one line, static storage: slips and a broken-out string lock what would turn, run or pump; null: it would not be.
+  /// Obeyed at once; by the pump's flow as downlink.h says.
+  CommandResult command(const SteeringSetpoint& c) noexcept;
+  /// Why a command would be refused at present, one line, static storage: slips and a broken-out string lock what would turn, run or pump, and a string
+  /// without a rotary_steerable cannot be steered; null: it would not be.
   const char* locked(const WinchSetpoint& c) const noexcept;
   const char* locked(const TopDriveSetpoint& c) const noexcept;
   const char* locked(const PumpSetpoint& c) const noexcept;
-  /// Obeyed at once; by the pump's flow as downlink.h says. Refused where the string has no rotary_steerable.
-  CommandResult command(const SteeringSetpoint& c) noexcept;
-  /// The string has a rotary_steerable.
-  bool is_steerable() const noexcept;
+  const char* locked(const SteeringSetpoint& c) const noexcept;
   /// The set points asked for by the last commands, or the watchdog's, though no frame has been computed since; the truth holds what interlocks and faults leave of them.
   Setpoints setpoints() const noexcept;
   /// The last commands themselves, whoever gives the set points meanwhile: a crew, or the watchdog of silent streams.
@@ -138,6 +138,8 @@ public:
   /// Begins to add `joints` of the last part's pipe (0: a stand) to the string in the slips, or to `remove` them (connection.h). It is over after
   /// connection_time, or what the block's way takes if that is longer; attend() then makes up the string. Null, or why not.
   const char* make_connection(int joints, bool remove) noexcept;
+  /// The rig's crew makes connections wherever the block's way ends, as with `connections: auto` (crew.h); or no more, but for what it is about.
+  void call_crew(bool on) noexcept;
   /// What the rig's crew does between two frames: makes up the string of a connection that is over, and connections of its own (crew.h). Only
   /// here a simulator rebuilds its string, and then allocates: a millisecond for 3 km of guided pipe, five for free nodes. play_frame() calls it before every frame; without it no connection ends.
   void attend() noexcept;

@@ -1,0 +1,34 @@
+#ifndef DRILL_RIG_SIM_SIM_REQUESTS_H
+#define DRILL_RIG_SIM_SIM_REQUESTS_H
+
+#include "drill_rig_sim/scene/fault_spec.h"
+#include "drill_rig_sim/sim/commands.h"
+#include "drill_rig_sim/sim/simulator.h"
+
+/// What somebody may ask of a simulator between two frames, refused with a reason: the node's services and the Python module speak by these.
+/// Each throws std::runtime_error with one line (what, where, what is allowed), and then nothing has changed.
+namespace drill_rig_sim
+{
+/// Refuses a rate [1/s] whose frames hold no whole number of the scene's steps.
+void check_rate(double rate, const Scene& scene);
+
+/// Why the simulator would refuse a command at present, one line, static storage; null: it would not.
+template <class Setpoint>
+const char* why_refused(const Simulator& simulator, const Setpoint& command) noexcept
+{
+  const char* wrong = what_is_wrong(command);
+  return wrong ? wrong : simulator.locked(command);
+}
+
+/// Zero of weight and differential pressure: Simulator::tare().
+void ask_tare(Simulator& simulator);
+/// Begins a fault, or ends it.
+void ask_fault(Simulator& simulator, const Fault& fault, bool clear);
+/// Sets the slips or pulls them.
+void ask_slips(Simulator& simulator, bool set);
+/// Begins to add `joints` to the string, 0 to most_joints (connection.h), or to `remove` them; 0: a stand.
+void ask_connection(Simulator& simulator, std::uint32_t joints, bool remove);
+
+}  // namespace drill_rig_sim
+
+#endif

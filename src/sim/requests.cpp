@@ -1,0 +1,62 @@
+#include "drill_rig_sim/sim/requests.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "drill_rig_sim/sim/choice.h"
+#include "drill_rig_sim/sim/connection.h"
+#include "drill_rig_sim/sim/faults.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+void refuse_if(const char* reason)
+{
+  if (reason) throw std::runtime_error(reason);
+}
+}  // namespace
+
+void check_rate(double rate, const Scene& scene)
+{
+  if (!(rate > 0.0 && std::isfinite(rate))) throw std::runtime_error("rate is " + std::to_string(rate) + "; allowed is a number > 0 [1/s]");
+  const NumericsSpec numerics = with_choice(scene).numerics;
+  if (numerics.has_variable_steps()) return;
+  const double steps = 1.0 / (rate * numerics.step);
+  if (std::lround(steps) >= 1 && std::abs(steps - std::round(steps)) < 1e-6 * steps) return;
+  std::ostringstream text;
+  text << "rate is " << rate << "; allowed is a rate whose frames hold a whole number of the scene's steps of "
+       << numerics.step << " s";
+  throw std::runtime_error(text.str());
+}
+
+void ask_tare(Simulator& simulator)
+{
+  if (!simulator.tare()) throw std::runtime_error("the bit is on bottom or the string in the slips; allowed is off bottom, on the hook");
+}
+
+void ask_fault(Simulator& simulator, const Fault& fault, bool clear)
+{
+  if (clear) return simulator.clear(fault.kind, fault.gauge);
+  const char* wrong = simulator.inject(fault);
+  if (wrong == no_pipe_there)
+    throw std::runtime_error("depth is " + std::to_string(fault.depth) +
+                             "; allowed is a depth where there is pipe in the hole, more than 0 (the rotary table) to " +
+                             std::to_string(simulator.truth().bit_depth) + " m (the bit)");
+  refuse_if(wrong);
+}
+
+void ask_slips(Simulator& simulator, bool set)
+{
+  refuse_if(simulator.set_slips(set));
+}
+
+void ask_connection(Simulator& simulator, std::uint32_t joints, bool remove)
+{
+  if (joints > most_joints) throw std::runtime_error("joints is " + std::to_string(joints) + "; allowed is 0 (a stand) to " + std::to_string(most_joints));
+  refuse_if(simulator.make_connection(static_cast<int>(joints), remove));
+}
+
+}  // namespace drill_rig_sim

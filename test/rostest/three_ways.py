@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""One controller, the same rig three ways: commands on topics, commands with the service `step`, and a simulator in this process. Readings, truth and
+bit are the same to the last bit."""
+import time
+
+from drill_rig_sim.autodriller import Autodriller
+from drill_rig_sim.control import Deaf, Readings, drive
+from drill_rig_sim.lockstep import MODES
+from drill_rig_sim.msg import BitTruth, MudPumpCommand, RigState, TopDriveCommand, WinchCommand
+from drill_rig_sim.rig import Rig
+from drill_rig_sim.sim import Simulator
+from drill_rig_sim.topics import Telemetry
+from rig_test import PATIENCE, Rig as Client, publishers_know, run, unittest, wait_until
+
+SCENE = "autodriller.yaml"  # hook load noisy and late
+SECONDS = 90.0              # it spins up, zeroes its weight, tags and drills
+PERIOD = 10                 # frames
+OTHERWISE = ("header", "run_state", "last_command")  # stamps and node; a simulator in this process has none of them
+
+
+def law():
+    driller = Autodriller({"weight": 60e3}, stiffness=6e5, rop=0.012, rpm=60.0, flow=0.03, to_depth=1003.0)
+    driller.spin_up_time, driller.tag_speed = 10.0, 0.01
+    return driller
+
+
+def plain(message, like):
+    """All that a message says, or a signal in this process by the fields of a message: [(field, value)]."""
+    values = []
+    for name, kind in zip(like.__slots__, like._slot_types):
+        if name in OTHERWISE:
+            continue
+        value = getattr(message, name)
+        values += [(name + "." + inner, v) for inner, v in plain(value, getattr(like, name))] if "/" in kind else [(name, value)]
+    return values
+
+
+def everything(states):
+    return [plain(s.readings, RigState()) + plain(s.truth, RigState()) + plain(s.bit, BitTruth()) for s in states]
+
+
+class ByTopics:
+    """Publishes what a law asks for, and steps by a service that carries no command. A command that comes too late for its frame is published anew, from
+    the state before."""
+
+    def __init__(self, client, rig):
+        self.client, self.rig = client, rig
+        self.publishers = {"winch": client.publisher("winch/command", WinchCommand), "top_drive": client.publisher("top_drive/command", TopDriveCommand),
+                           "mud_pump": client.publisher("mud_pump/command", MudPumpCommand)}
+
+    def drive(self, driller, periods):
+        states = []
+        for _ in range(periods):
+            commands = driller.step(Readings(self.rig.state.t, self.rig.state.readings, Deaf))
+            drive_fields = {**commands.top_drive, "mode": MODES[commands.top_drive["mode"]]}
+            messages = {"winch": WinchCommand(block_velocity=0.0 if commands.brake else commands.block_velocity, brake=commands.brake),
+                        "top_drive": TopDriveCommand(**drive_fields), "mud_pump": MudPumpCommand(flow=commands.flow)}
+            states.append(self.stepped(messages))
+        return states
+
+    def stepped(self, messages):
+        self.rig.save("before")
+        patience = 0.004
+        while patience < PATIENCE:
+            began = self.rig.state.readings.header.stamp
+            for kind, message in messages.items():
+                self.publishers[kind].publish(message)
+            time.sleep(patience)
+            state = self.rig.step(frames=PERIOD)
+            if all(getattr(state.readings, kind).header.stamp == began for kind in messages):
+                return state
+            self.rig.restore("before")
+            patience *= 2.0
+        raise AssertionError("no command arrived")
+
+
+class ThreeWays(unittest.TestCase):
+    def assert_same(self, expected, states, how):
+        for k, (a, b) in enumerate(zip(expected, everything(states))):
+            self.assertEqual([pair for pair in a if pair not in b], [pair for pair in b if pair not in a], "%s, period %d" % (how, k))
+        self.assertEqual(len(expected), len(states))
+
+    def test_the_same_controller_reads_the_same(self):
+        periods = round(SECONDS * 100 / PERIOD)
+        rig, stepped = Rig("rig"), law()
+        rig.reset(scene=SCENE)
+        expected = everything(drive(rig, stepped, SECONDS))
+        self.assertEqual(periods, len(expected))
+        self.assertEqual("drilling", stepped.phase)
+        self.assertGreater(rig.state.bit.wob, 2e4)
+
+        self.assert_same(expected, drive(Simulator(SCENE), law(), SECONDS), "in this process")
+
+        rig.reset()
+        self.assert_same(expected, ByTopics(Client("rig"), rig).drive(law(), periods), "by topics")
+
+    def test_telemetry_comes_up_at_the_same_frames(self):
+        rig, inside = Rig("rig"), Simulator("bohai.yaml")
+        rig.reset(scene="bohai.yaml")
+        telemetry, begin = Telemetry("/rig/"), rig.state.t
+        wait_until(lambda: publishers_know("/rig/downhole/toolface") and publishers_know("/rig/downhole/mwd"), "connections")
+        for each in (rig, inside):
+            each.pump(0.03)
+            each.step(40.0)
+        wait_until(lambda: telemetry.toolface is not None and telemetry.survey is not None, "telemetry")
+        wait_until(lambda: abs(telemetry.toolface.t - begin - inside.toolface.t) < 1e-6, "the last toolface")
+        wait_until(lambda: abs(telemetry.survey.t - begin - inside.survey.t) < 1e-6, "the last survey")
+        self.assertEqual((telemetry.toolface.toolface, telemetry.toolface.reference), (inside.toolface.toolface, inside.toolface.reference))
+        self.assertEqual((telemetry.survey.md, telemetry.survey.inclination, telemetry.survey.azimuth),
+                         (inside.survey.md, inside.survey.inclination, inside.survey.azimuth))
+
+
+if __name__ == "__main__":
+    run(ThreeWays)

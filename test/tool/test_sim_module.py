@@ -1,0 +1,164 @@
+#!/usr/bin/python3
+"""The Python module drill_rig_sim.sim: a rig in this process. That it reads as a node's does: test/rostest/three_ways.test"""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy
+from drill_rig_sim.lockstep import MODES, RPM
+from drill_rig_sim.score import score
+from drill_rig_sim.score_runs import run_of_record
+from drill_rig_sim.sim import Refused, Simulator, TimedOut, series
+
+PACKAGE_DIR = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+QUICK = os.path.join(PACKAGE_DIR, "config/scenes/quick.yaml")
+STEERABLE = os.path.join(PACKAGE_DIR, "test/scenes/steerable.yaml")
+sys.path.insert(0, os.path.join(PACKAGE_DIR, "launch"))
+OTHERWISE = ("header", "run_state", "last_command")  # fields of RigState that only a node has
+
+
+def fields_of(kind):
+    return [name for name in kind.__slots__ if name not in OTHERWISE]
+
+
+class InThisProcess(unittest.TestCase):
+    def setUp(self):
+        self.rig = Simulator(QUICK)
+
+    def drilling(self):
+        self.rig.rotate(rpm=90)
+        self.rig.winch(-0.02)
+        return self.rig.step_until(lambda s: s.truth.on_bottom and s.truth.hole_depth > 100.02, timeout=60)
+
+    def test_it_needs_no_ros(self):
+        asked = "import sys; from drill_rig_sim.sim import Simulator; Simulator(%r).step(); print([m for m in sys.modules if m.startswith(('ros', 'genpy'))])"
+        said = subprocess.run([sys.executable, "-c", asked % QUICK], capture_output=True, text=True, check=True)
+        self.assertEqual("[]", said.stdout.strip())
+
+    def test_states_have_the_fields_of_the_messages(self):
+        from drill_rig_sim.msg import BitTruth, RigState, TopDriveCommand
+        state = self.drilling()
+        for signals, kind in ((state.readings, RigState), (state.truth, RigState), (state.bit, BitTruth), (state.top_drive, TopDriveCommand)):
+            for name in fields_of(kind):
+                self.assertTrue(hasattr(signals, name), name)
+        self.assertEqual({name: getattr(TopDriveCommand, name) for name in MODES}, MODES)
+        self.assertIs(True, state.truth.on_bottom)
+        with self.assertRaisesRegex(AttributeError, "truth.on_bottom"):
+            state.on_bottom  # pylint: disable=pointless-statement
+
+    def test_set_points_act_from_the_next_frame_on(self):
+        self.rig.winch(-0.02)
+        self.rig.pump(0.03)
+        self.rig.rotate(rpm=60, torque_limit=5e3, mode="SOFT_TORQUE")
+        self.assertTrue(self.rig.tare().tared)
+        self.assertTrue(self.rig.state.brake_set)
+        after = self.rig.step()
+        self.assertAlmostEqual(0.01, after.t, places=12)
+        self.assertEqual((-0.02, 0.03), (after.winch.block_velocity, after.mud_pump.flow))
+        self.assertEqual((3, 60 * RPM, 5e3), (after.top_drive.mode, after.top_drive.speed, after.top_drive.torque_limit))
+        self.rig.brake()
+        self.assertTrue(self.rig.step().winch.brake)
+
+    def test_a_record_holds_what_steps_give(self):
+        first = self.drilling()
+        self.rig.save("drilling")
+        states = [self.rig.step() for _ in range(100)]
+        self.assertEqual(first.t, self.rig.restore("drilling").t)
+        run = self.rig.record(1.0)
+        self.assertEqual(100, len(run.t))
+        self.assertEqual(states[-1].hook_load, self.rig.state.hook_load)
+        for name in ("hook_load", "winch.block_velocity", "stand_count", "brake_set", "lost_gauges"):
+            self.assertTrue((series(states, name) == run.readings[name]).all(), name)
+        self.assertTrue((series(states, "truth.hole_depth") == run.truth["hole_depth"]).all())
+        self.assertTrue((series(states, "bit.position.z") == run.bit["position.z"]).all())
+        self.rig.restore("drilling")
+        self.assertTrue((run.t[[29, 59, 89, 99]] == self.rig.record(1.0, every=30).t).all())
+
+    def test_a_record_is_judged_as_a_run(self):
+        self.drilling()
+        judged = score(run_of_record(self.rig.record(20.0)))
+        self.assertAlmostEqual(20.0, judged["drilling"]["duration_s"], delta=0.02)
+
+    def test_runs_repeat(self):
+        runs = []
+        for _ in range(2):
+            self.drilling()
+            runs.append(self.rig.record(5.0))
+            self.rig.reset()
+        self.assertTrue((runs[0].readings == runs[1].readings).all() and (runs[0].truth == runs[1].truth).all())
+        self.assertTrue(numpy.isfinite(runs[0].bit["wob"]).all())
+
+    def test_a_scenes_program_gives_the_set_points_until_somebody_else_does(self):
+        rig = Simulator(os.path.join(PACKAGE_DIR, "test/scenes/operations.yaml"), play_program=True)
+        state = rig.step(1.0)
+        self.assertNotEqual("", state.current_operation)
+        self.assertEqual(1, state.operation_number)
+        rig.brake()
+        self.assertEqual(("", 0), (rig.step().current_operation, rig.state.operation_number))
+
+    def test_another_well_and_another_start(self):
+        self.assertAlmostEqual(50.0, self.rig.reset(bit_depth=50.0).truth.bit_depth, delta=1e-3)
+        self.assertAlmostEqual(79.5, self.rig.load_survey(md=[0.0, 80.0], inclination=[0.0, 0.1], azimuth=[0.0, 0.5]).truth.bit_depth, delta=0.3)
+        with tempfile.TemporaryDirectory() as folder:
+            survey = os.path.join(folder, "survey.csv")
+            with open(survey, "w") as text:
+                text.write("md_m,inclination_deg,azimuth_deg\n0,0,0\n120,2,90\n")
+            self.assertEqual(120.0, self.rig.load_survey(survey).truth.hole_depth)
+
+    def test_what_is_refused_changes_nothing(self):
+        self.drilling()
+        state = self.rig.step()
+        for text, call in {
+                "on bottom": self.rig.tare, "rotary_steerable": lambda: (self.rig.steer(0.0, 0.5), self.rig.step()),
+                "pipe in the hole": lambda: self.rig.fault("STUCK_PIPE", depth=1e4), "hook_load, dead_line": lambda: self.rig.fault("SENSOR_BIAS", magnitude=1.0),
+                "fault is nonsense": lambda: self.rig.fault("NONSENSE"), "0 .a stand. to 12": lambda: self.rig.connection(13),
+                "there is no state x": lambda: self.rig.restore("x"), "frames is 100001": lambda: self.rig.step(frames=100001),
+                "every is 0": lambda: self.rig.record(0.1, every=0), "nowhere.yaml": lambda: self.rig.reset("/nowhere.yaml"),
+                "one of each per station": lambda: self.rig.load_survey(md=[0.0, 1.0], inclination=[0.0], azimuth=[0.0]),
+                "bit_depth is": lambda: self.rig.reset(bit_depth=500.0), "block_velocity": lambda: (self.rig.winch(float("nan")), self.rig.step())}.items():
+            with self.assertRaisesRegex(Refused, text):
+                call()
+        self.rig.save("here")
+        self.rig.restore("here")  # what waits for a frame is forgotten
+        self.assertEqual((state.t, state.hook_load), (self.rig.state.t, self.rig.state.hook_load))
+        with self.assertRaisesRegex(Refused, "whole number"):
+            Simulator(os.path.join(PACKAGE_DIR, "test/scenes/vertical_frictionless.yaml"), rate=333.0)
+        with self.assertRaises(TypeError):
+            self.rig.top_drive(angel=1.0)
+        with self.assertRaises(TimedOut):
+            self.rig.step_until(lambda s: False, timeout=0.1)
+
+    def test_faults_connections_and_steering(self):
+        self.rig.fault("SENSOR_BIAS", target="hook_load", magnitude=1e4)
+        state = self.rig.step()
+        self.assertAlmostEqual(1e4, state.hook_load - state.truth.hook_load, delta=1.0)
+        self.rig.clear_fault("SENSOR_BIAS", target="hook_load")
+        state = self.rig.step()
+        self.assertAlmostEqual(0.0, state.hook_load - state.truth.hook_load, delta=1.0)
+        self.rig.slips(True)
+        self.assertTrue(self.rig.step().in_slips)
+        rss = Simulator(STEERABLE)
+        rss.steer(1.0, 0.5)
+        self.assertEqual((1.0, 0.5), (rss.step().steering.toolface, rss.state.steering.ratio))
+
+    def test_telemetry_is_the_same_until_another_comes(self):
+        rig = Simulator(os.path.join(PACKAGE_DIR, "config/scenes/bohai.yaml"))
+        self.assertIsNone(rig.toolface)
+        rig.pump(0.03)
+        rig.step(20.0)
+        first = rig.toolface
+        rig.step()
+        self.assertIs(first, rig.toolface)
+        rig.step(20.0)
+        self.assertGreater(rig.toolface.t, first.t)
+
+    def test_the_environment_for_learners_learns_what_its_rule_can(self):
+        from weight_env import play
+        rewards = play()
+        self.assertGreater(min(rewards[-50:]), -0.05)
+
+
+if __name__ == "__main__":
+    unittest.main()
