@@ -15,7 +15,7 @@ from drill_rig_sim.rig import Rig
 from drill_rig_sim.rss_steering import RssSteering
 from drill_rig_sim.score import score
 from drill_rig_sim.score_command import table
-from drill_rig_sim.score_runs import Run, columns_of_truth
+from drill_rig_sim.score_runs import run_of_states
 from drill_rig_sim.slide_steering import SlideSteering
 from drill_rig_sim.stands import Stands
 from drill_rig_sim.stick_slip import StickSlip
@@ -28,7 +28,7 @@ def in_lockstep(law, timeout):
     rig = Rig(rospy.get_namespace().rstrip("/"))
     telemetry = topics.Telemetry() if law.listens else control.Deaf
     states = control.drive(rig, law, timeout, telemetry)
-    run = Run(columns_of_truth([s.truth for s in states], [s.bit for s in states]), "truth", rospy.get_param("~law"))
+    run = run_of_states(states, rospy.get_param("~law"))
     if rospy.has_param("~csv"):
         write(run, rospy.get_param("~csv"))
     plan = read_survey(rospy.get_param("~plan")) if rospy.has_param("~plan") else None

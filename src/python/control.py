@@ -78,7 +78,9 @@ def pipe_work(commands, slips, connection):
 def drive(rig, law, timeout, telemetry=Deaf, judge=None):
     """Lockstep: steps the rig under the law until that is done, or for `timeout` simulated seconds; the states after each of its periods.
     `telemetry`: of drill_rig_sim.topics beside a node; a simulator in this process is its own. `judge`: called with each state, to look at the law meanwhile or to break the rig."""
-    states, every, refused = [], max(1, round(law.period * rig.rate)), ""
+    states, every, refused = [], round(law.period * rig.rate), ""
+    if every < 1 or abs(every - law.period * rig.rate) > 1e-6 * every:
+        raise ValueError("the law's period of %g s is no whole number of frames of %g s" % (law.period, 1.0 / rig.rate))
     for _ in range(int(timeout * rig.rate / every)):
         if law.done:
             break

@@ -14,6 +14,7 @@ namespace drill_rig_sim
 namespace
 {
 constexpr std::size_t most_frames = 100000;  // of one call, as of the service step
+constexpr std::size_t frames_between_looks = 100;
 
 template <class Setpoint>
 void require(const Simulator& simulator, const std::optional<Setpoint>& command)
@@ -27,11 +28,6 @@ bool take(Simulator& simulator, const std::optional<Setpoint>& command) noexcept
 {
   if (command) simulator.command(*command);
   return command.has_value();
-}
-
-void require_few(std::size_t frames)
-{
-  if (frames > most_frames) throw std::runtime_error("frames is " + std::to_string(frames) + "; allowed is 0 to " + std::to_string(most_frames));
 }
 
 Signals signals_of(const RigSignals& signals, const OperationStatus& operation)
@@ -88,6 +84,7 @@ void InProcessRig::require_good() const
 void InProcessRig::command(const std::optional<WinchSetpoint>& winch, const std::optional<TopDriveSetpoint>& top_drive,
                            const std::optional<PumpSetpoint>& pump, const std::optional<SteeringSetpoint>& steering)
 {
+  const Turn turn(*this);
   require_good();
   require(*simulator_, winch);
   require(*simulator_, top_drive);
@@ -97,62 +94,73 @@ void InProcessRig::command(const std::optional<WinchSetpoint>& winch, const std:
   if (any) playing_ = false;
 }
 
-bool InProcessRig::one_frame() noexcept
+InProcessRig::Turn::Turn(const InProcessRig& rig) : busy_(rig.busy_)
 {
-  failed_ = play_frame(*simulator_, playing_ ? &player_ : nullptr, 1.0 / rate_) == FrameStatus::failed;
-  return !failed_;
+  if (busy_.exchange(true)) throw std::runtime_error("another thread is using this rig");
 }
 
-void InProcessRig::refuse_failure(std::size_t done, std::size_t frames) const
+template <class AfterFrame>
+void InProcessRig::play(std::size_t frames, const std::function<void()>& may_go_on, const AfterFrame& after_frame)
 {
-  throw std::runtime_error(std::string("a frame failed: ") + simulator_->failure() + " (" + std::to_string(done) + " of " + std::to_string(frames) +
-                           " frames)");
-}
-
-void InProcessRig::advance(std::size_t frames)
-{
-  require_few(frames);
+  if (frames > most_frames) throw std::runtime_error("frames is " + std::to_string(frames) + "; allowed is 0 to " + std::to_string(most_frames));
   require_good();
-  for (std::size_t k = 0; k < frames; ++k)
-    if (!one_frame()) refuse_failure(k, frames);
+  for (std::size_t k = 1; k <= frames; ++k)
+  {
+    failed_ = play_frame(*simulator_, playing_ ? &player_ : nullptr, 1.0 / rate_) == FrameStatus::failed;
+    if (failed_) throw FrameFailed(std::string("a frame failed: ") + simulator_->failure() + " (" + std::to_string(k) + " of " + std::to_string(frames) + " frames)");
+    after_frame(k);
+    if (k % frames_between_looks == 0) may_go_on();
+  }
 }
 
-Frame InProcessRig::frame() const
+void InProcessRig::advance(std::size_t frames, const std::function<void()>& may_go_on)
+{
+  const Turn turn(*this);
+  play(frames, may_go_on, [](std::size_t) {});
+}
+
+Frame InProcessRig::last_frame() const
 {
   const OperationStatus operation = playing_ ? player_.operations().status() : OperationStatus();
   return {signals_of(simulator_->readings(), operation), signals_of(simulator_->truth(), operation), bit_of(simulator_->truth())};
 }
 
-Recording InProcessRig::record(std::size_t frames, std::size_t every)
+Frame InProcessRig::frame() const
 {
-  require_few(frames);
-  require_good();
-  if (every == 0) throw std::runtime_error("every is 0; allowed is a number of frames above 0");
-  Recording r;
-  for (std::size_t k = 1; k <= frames; ++k)
-  {
-    if (!one_frame()) refuse_failure(k - 1, frames);
-    if (k % every != 0 && k != frames) continue;
-    const Frame f = frame();
-    r.readings.push_back(f.readings);
-    r.truth.push_back(f.truth);
-    r.bit.push_back(f.bit);
-  }
-  return r;
+  const Turn turn(*this);
+  return last_frame();
+}
+
+void InProcessRig::record(std::size_t frames, std::size_t every, const std::function<void()>& may_go_on, Recording& out)
+{
+  const Turn turn(*this);
+  if (every < 1 || every > most_frames) throw std::runtime_error("every is " + std::to_string(every) + "; allowed is 1 to " + std::to_string(most_frames));
+  play(frames, may_go_on,
+       [&](std::size_t k)
+       {
+         if (k % every != 0 && k != frames) return;
+         const Frame f = last_frame();
+         out.readings.push_back(f.readings);
+         out.truth.push_back(f.truth);
+         out.bit.push_back(f.bit);
+       });
 }
 
 std::optional<ToolfaceReading> InProcessRig::toolface() const
 {
+  const Turn turn(*this);
   return if_any(simulator_->readings().toolface);
 }
 
 std::optional<MwdReading> InProcessRig::survey() const
 {
+  const Turn turn(*this);
   return if_any(simulator_->readings().mwd);
 }
 
 void InProcessRig::reset(const std::string& file, double bit_depth)
 {
+  const Turn turn(*this);
   const Scene scene = file.empty() ? scene_ : read_scene(file);
   build(with_bit_depth(scene, bit_depth));
   scene_ = scene;
@@ -161,6 +169,7 @@ void InProcessRig::reset(const std::string& file, double bit_depth)
 
 void InProcessRig::load_survey(const NewWell& well)
 {
+  const Turn turn(*this);
   const Scene scene = with_well(scene_, off_bottom_, well);
   build(scene);
   scene_ = scene;
@@ -168,36 +177,42 @@ void InProcessRig::load_survey(const NewWell& well)
 
 void InProcessRig::tare()
 {
+  const Turn turn(*this);
   require_good();
   ask_tare(*simulator_);
 }
 
 void InProcessRig::fault(const std::string& name, bool clear, const std::string& target, double depth, double magnitude)
 {
+  const Turn turn(*this);
   require_good();
   ask_fault(*simulator_, fault_of(kind_named(name), target, depth, magnitude), clear);
 }
 
 void InProcessRig::slips(bool are_set)
 {
+  const Turn turn(*this);
   require_good();
   ask_slips(*simulator_, are_set);
 }
 
 void InProcessRig::connection(std::uint32_t joints, bool remove)
 {
+  const Turn turn(*this);
   require_good();
   ask_connection(*simulator_, joints, remove);
 }
 
 SavedRig InProcessRig::save() const
 {
+  const Turn turn(*this);
   if (failed_) throw std::runtime_error("the last frame failed: there is no good state to go on from");
   return {simulator_->save(), player_, playing_};
 }
 
 void InProcessRig::restore(const SavedRig& saved)
 {
+  const Turn turn(*this);
   if (!simulator_->restore(*saved.state)) throw std::runtime_error("the snapshot is of another rig");
   player_ = saved.player;
   playing_ = saved.playing;

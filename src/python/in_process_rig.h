@@ -1,10 +1,13 @@
 #ifndef DRILL_RIG_SIM_SRC_PYTHON_IN_PROCESS_RIG_H
 #define DRILL_RIG_SIM_SRC_PYTHON_IN_PROCESS_RIG_H
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -91,6 +94,13 @@ struct Bit
   }
 };
 
+/// A frame could not be computed: the state is that of the last one that could, to go back from by restore() or reset().
+class FrameFailed : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /// What one frame tells.
 struct Frame
 {
@@ -113,6 +123,7 @@ struct SavedRig
   bool playing;
 };
 
+/// Two threads at once are refused; one after the other may use it.
 class InProcessRig
 {
 public:
@@ -122,11 +133,12 @@ public:
   /// Set points from the next frame on; all of them are taken, or none.
   void command(const std::optional<WinchSetpoint>& winch, const std::optional<TopDriveSetpoint>& top_drive, const std::optional<PumpSetpoint>& pump,
                const std::optional<SteeringSetpoint>& steering);
-  void advance(std::size_t frames);
+  /// Computes so many frames. `may_go_on` is asked now and then, and may throw; what has been computed by then stays.
+  void advance(std::size_t frames, const std::function<void()>& may_go_on);
   /// The state after the last frame.
   Frame frame() const;
-  /// Computes so many frames; the state after every `every`-th of them and after the last.
-  Recording record(std::size_t frames, std::size_t every);
+  /// The same; adds the state after every `every`-th of them, and after the last, to `out`.
+  void record(std::size_t frames, std::size_t every, const std::function<void()>& may_go_on, Recording& out);
   /// The last that has come up from downhole, if any.
   std::optional<ToolfaceReading> toolface() const;
   std::optional<MwdReading> survey() const;
@@ -142,16 +154,28 @@ public:
   void restore(const SavedRig& saved);
 
 private:
+  /// Whoever uses the rig, for as long as it lives. Refused to others meanwhile.
+  class Turn
+  {
+  public:
+    explicit Turn(const InProcessRig& rig);
+    ~Turn() { busy_ = false; }
+
+  private:
+    std::atomic<bool>& busy_;
+  };
   void require_good() const;
   void build(const Scene& scene);
-  /// One frame; false and nothing else where the last one failed.
-  bool one_frame() noexcept;
-  [[noreturn]] void refuse_failure(std::size_t done, std::size_t frames) const;
+  /// Computes them, and calls after_frame(k) after the k-th.
+  template <class AfterFrame>
+  void play(std::size_t frames, const std::function<void()>& may_go_on, const AfterFrame& after_frame);
+  Frame last_frame() const;
 
   Scene scene_;  // of the file, whatever has been loaded since
   double off_bottom_, rate_;
   std::uint64_t seed_;
   bool play_, playing_ = false, failed_ = false;
+  mutable std::atomic<bool> busy_{false};
   std::optional<Simulator> simulator_;
   ScenePlayer player_;
 };

@@ -13,6 +13,11 @@ class Refused(Exception):
     """The rig answered no; the text says why."""
 
 
+class Failed(Refused):
+    """A frame could not be computed: the state is that of the last one that could; restore() or reset() goes on. `record`: what a record() had got by then."""
+    record = None
+
+
 class TimedOut(Exception):
     """A condition did not come true within its simulated time."""
 
@@ -47,7 +52,7 @@ def series(states, name):
 
 class Lockstep:
     """A set point acts from the next frame on, the last one of its kind. Nothing moves but by step(), step_until() and frames(). Units and signs are the
-    messages'. A call that the rig refuses raises Refused and changes nothing.
+    messages'. A call that the rig refuses raises Refused and changes nothing, but for the set points that wait: they are forgotten, all of them.
 
     rate   frames a second
     state  after the last frame
@@ -69,7 +74,9 @@ class Lockstep:
 
     def top_drive(self, mode="SPEED", **fields):
         """Any set point of the top drive, by the fields of TopDriveCommand; its mode by name or number."""
-        self._set("top_drive", mode=MODES[mode] if isinstance(mode, str) else mode, **fields)
+        if isinstance(mode, str) and mode not in MODES:
+            raise ValueError("mode is %s; allowed is %s" % (mode, ", ".join(MODES)))
+        self._set("top_drive", mode=MODES.get(mode, mode), **fields)
 
     def pump(self, flow):
         """Flow [m3/s]."""
@@ -83,7 +90,9 @@ class Lockstep:
 
     def step(self, seconds=None, frames=1):
         """Computes so many frames, or as many as last `seconds`, at most 100000; the state after them."""
-        self.state = self._advance(frames if seconds is None else self._frames_in(seconds))
+        if seconds is None and (frames != int(frames) or frames < 0):
+            raise ValueError("frames is %r; allowed is a whole number from 0 on" % frames)
+        self.state = self._advance(int(frames) if seconds is None else self._frames_in(seconds))
         return self.state
 
     def frames(self, seconds, every=1):

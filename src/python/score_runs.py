@@ -2,6 +2,7 @@
 import csv
 
 import numpy
+from drill_rig_sim.lockstep import series
 
 FLAGS = ("winch_limited", "top_drive_limited", "stop_reached", "slack_line", "relief_valve_open", "over_stress", "over_torque", "buckled",
          "accuracy_warning")
@@ -134,6 +135,14 @@ def last_toolface(time, toolfaces):
     """That was measured by then; before the first, the first."""
     last = numpy.searchsorted(stamps(toolfaces), time + 1e-9, side="right") - 1
     return numpy.array([m.toolface for m in toolfaces])[numpy.maximum(last, 0)]
+
+
+def run_of_states(states, name="states"):
+    """Of a list of states (drill_rig_sim.lockstep), by their truth."""
+    columns = {column: series(states, "truth." + path) for column, path in STATE.items()}
+    columns.update({column: series(states, "bit." + path) for column, path in BIT.items()})
+    columns["time"] = series(states, "t")
+    return Run(columns, "truth", name)
 
 
 def run_of_record(record, name="record"):

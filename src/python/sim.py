@@ -15,14 +15,15 @@ import typing
 
 import numpy
 from drill_rig_sim import _sim
-from drill_rig_sim.lockstep import RPM, UNSENSED, Lockstep, Refused, State, TimedOut, series  # pylint: disable=unused-import
+from drill_rig_sim.lockstep import RPM, UNSENSED, Failed, Lockstep, Refused, State, TimedOut, series  # pylint: disable=unused-import
 
 COMMANDS = {"winch": _sim.Winch, "top_drive": _sim.TopDrive, "mud_pump": _sim.MudPump, "steering": _sim.Steering}
+MOST_FRAMES = 100000  # of one call into the simulator
 
 
 class Record(typing.NamedTuple):
     """Of many frames, a row each: fields of RigState and BitTruth by their names, those of a set point as "winch.brake". As drill score takes a run
-    (drill_rig_sim.score_runs.run_of_record)."""
+    (drill_rig_sim.score_runs.run_of_record). What no rig can sense is not among the readings."""
     t: numpy.ndarray  # [s]
     readings: numpy.ndarray
     truth: numpy.ndarray
@@ -30,8 +31,8 @@ class Record(typing.NamedTuple):
 
 
 class Simulator(Lockstep):
-    """The rig of a scene's file: a path, package://PACKAGE/FILE, or a name in the package's config/scenes. `rate`: frames a second. `play_program`: the scene's program
-    and operations give the set points until somebody else does. Time begins at 0 with every reset; snapshots bring back theirs."""
+    """The rig of a scene's file: a name in the package's config/scenes, package://PACKAGE/FILE, or a path. `rate`: frames a second. `play_program`: the scene's program
+    and operations give the set points until somebody else does. Time begins at 0 with every reset; snapshots bring back theirs. One thread at a time."""
 
     def __init__(self, scene, rate=100.0, seed=0, play_program=False):
         self._rig = _sim.Rig(found(scene, "config/scenes"), rate, seed, play_program)
@@ -58,12 +59,20 @@ class Simulator(Lockstep):
     # --- time
 
     def record(self, seconds, every=1):
-        """Steps through `seconds`, at most 100000 frames, and keeps the frame after every so many and the last: a Record."""
-        frames = self._frames_in(seconds)
+        """Steps through `seconds` and keeps the frame after every so many and the last: a Record."""
+        frames, recorder = self._frames_in(seconds), _sim.Recorder()
         self._hand_over()
-        readings, truth, bit = self._rig.record(frames, every)
-        self._look()
-        return Record(numpy.round(truth["time"], 9), readings, truth, bit)
+        try:
+            while frames > 0:
+                part = min(frames, MOST_FRAMES - MOST_FRAMES % max(every, 1))
+                recorder.record(self._rig, part, every)
+                frames -= part
+        except Failed as failure:
+            failure.record = record_of(*recorder.arrays())
+            raise
+        finally:
+            self._look()
+        return record_of(*recorder.arrays())
 
     # --- services
 
@@ -118,8 +127,11 @@ class Simulator(Lockstep):
 
     def _advance(self, frames):
         self._hand_over()
-        self._rig.advance(frames)
-        return self._look()
+        try:
+            self._rig.advance(frames)
+        finally:
+            self._look()
+        return self.state
 
     def _look(self):
         frame = self._rig.frame()
@@ -138,13 +150,34 @@ class Simulator(Lockstep):
         return self._telemetry[kind]
 
 
+def record_of(readings, truth, bit):
+    return Record(numpy.round(truth["time"], 9), readings[[name for name in readings.dtype.names if name not in UNSENSED]], truth, bit)
+
+
 def found(name, folder):
-    """The file of this name: a path as it is, else looked for as the node does."""
-    if os.path.exists(name):
+    """The file of this name: looked for as the node does, else a path as it is."""
+    name = os.fspath(name)
+    if os.path.isabs(name):
         return name
-    import rospkg  # of no use to whoever gives paths
-    package, file = name[len("package://"):].split("/", 1) if name.startswith("package://") else ("drill_rig_sim", os.path.join(folder, name))
+    package, file = "drill_rig_sim", os.path.join(folder, name)
+    if name.startswith("package://"):
+        package, _, file = name[len("package://"):].partition("/")
+    elif not file_of(package, file) and os.path.exists(name):
+        return name
+    path = file_of(package, file)
+    if not path:
+        raise Refused("%s: there is no such file, allowed: a name in %s, package://PACKAGE/FILE, or a path" % (name, folder))
+    return path
+
+
+def file_of(package, file):
+    """A file of a package; "" where there is none."""
     try:
-        return os.path.join(rospkg.RosPack().get_path(package), file)
+        import rospkg  # of no use to whoever gives paths
+    except ImportError:
+        return ""
+    try:
+        path = os.path.join(rospkg.RosPack().get_path(package), file)
     except rospkg.ResourceNotFound:
-        raise Refused("%s: there is neither such a file nor the package %s, needed: a path, package://PACKAGE/FILE, or a name in %s" % (name, package, folder))
+        return ""
+    return path if os.path.isfile(path) else ""

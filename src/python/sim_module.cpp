@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <cstring>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -25,6 +26,28 @@ py::array array_of(const std::vector<Row>& rows)
   return py::array(dtype_of<Row>(), {rows.size()}, {sizeof(Row)}, rows.data());
 }
 
+/// Lets Python see to its signals: Ctrl-C ends a long call.
+void look_at_signals()
+{
+  const py::gil_scoped_acquire python;
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+/// Frames of a call, in arrays; what a call that failed or was interrupted had computed by then is there all the same.
+class Recorder
+{
+public:
+  void record(InProcessRig& rig, std::size_t frames, std::size_t every)
+  {
+    const py::gil_scoped_release others;
+    rig.record(frames, every, look_at_signals, recording_);
+  }
+  py::tuple arrays() const { return py::make_tuple(array_of(recording_.readings), array_of(recording_.truth), array_of(recording_.bit)); }
+
+private:
+  Recording recording_;
+};
+
 /// What the rig refuses is drill_rig_sim.lockstep.Refused in Python, with the same line.
 void translate(std::exception_ptr error)
 {
@@ -32,10 +55,29 @@ void translate(std::exception_ptr error)
   {
     if (error) std::rethrow_exception(error);
   }
+  catch (const FrameFailed& failure)
+  {
+    PyErr_SetString(py::module_::import("drill_rig_sim.lockstep").attr("Failed").ptr(), failure.what());
+  }
   catch (const std::runtime_error& refusal)
   {
     PyErr_SetString(py::module_::import("drill_rig_sim.lockstep").attr("Refused").ptr(), refusal.what());
   }
+}
+
+/// Lets copies and pickles of a value be made: its bytes, for the same build.
+template <class T>
+void bind_pickle(py::class_<T>& type)
+{
+  type.def(py::pickle([](const T& value) { return py::bytes(reinterpret_cast<const char*>(&value), sizeof value); },
+                      [](const py::bytes& bytes)
+                      {
+                        const std::string text = bytes;
+                        if (text.size() != sizeof(T)) throw std::runtime_error("the pickle is of another build");
+                        T value;
+                        std::memcpy(&value, text.data(), sizeof value);
+                        return value;
+                      }));
 }
 
 void bind_setpoints(py::module_& module)
@@ -71,11 +113,13 @@ void bind_frames(py::module_& module)
 {
   py::class_<Signals> signals(module, "Signals");
   bind_fields(signals);
+  bind_pickle(signals);
   signals.def_property_readonly("current_operation", [](const Signals& s) { return s.current_operation(); });
   py::class_<Place> place(module, "Place");
   bind_fields(place);
   py::class_<Bit> bit(module, "Bit");
   bind_fields(bit);
+  bind_pickle(bit);
   py::class_<Frame>(module, "Frame")
       .def_property_readonly("t", [](const Frame& f) { return f.truth.signals.time; })
       .def_readonly("readings", &Frame::readings)
@@ -109,23 +153,13 @@ PYBIND11_MODULE(_sim, module)
   bind_frames(module);
   bind_telemetry(module);
   py::class_<SavedRig>(module, "Saved");
+  py::class_<Recorder>(module, "Recorder").def(py::init<>()).def("record", &Recorder::record).def("arrays", &Recorder::arrays);
   using no_gil = py::call_guard<py::gil_scoped_release>;
   py::class_<InProcessRig>(module, "Rig")
       .def(py::init<const std::string&, double, std::uint64_t, bool>(), no_gil())
       .def("command", &InProcessRig::command)
-      .def("advance", &InProcessRig::advance, no_gil())
+      .def("advance", [](InProcessRig& rig, std::size_t frames) { rig.advance(frames, look_at_signals); }, no_gil())
       .def("frame", &InProcessRig::frame)
-      .def(
-          "record",
-          [](InProcessRig& rig, std::size_t frames, std::size_t every)
-          {
-            Recording r;
-            {
-              const py::gil_scoped_release release;
-              r = rig.record(frames, every);
-            }
-            return py::make_tuple(array_of(r.readings), array_of(r.truth), array_of(r.bit));
-          })
       .def("toolface", &InProcessRig::toolface)
       .def("survey", &InProcessRig::survey)
       .def("reset", &InProcessRig::reset, no_gil())

@@ -36,7 +36,8 @@ public:
   {
     const double deepest = scene_.start.bit_depth + scene_.start.block_height - scene_.rig.hoisting.lowest_block_height;
     const double highest = scene_.start.bit_depth + scene_.start.block_height - scene_.rig.hoisting.highest_block_height;
-    if (scene_.connections == Connections::automatic || o_.kind == OperationKind::trip || std::isnan(o_.to_depth)) return;
+    if (o_.kind == OperationKind::trip) return trip();
+    if (scene_.connections == Connections::automatic || std::isnan(o_.to_depth)) return;
     if (o_.to_depth > deepest + nothing)
       add("to_depth", metres(o_.to_depth) + " is beyond where the block reaches its lowest place, allowed: up to " + metres(deepest));
     if (o_.kind == OperationKind::pick_up && o_.to_depth < highest - nothing)
@@ -59,6 +60,15 @@ public:
   }
 
 private:
+  /// As long as nothing has made the hole deeper.
+  void trip()
+  {
+    const auto drills = [](const Operation& before) { return before.kind == OperationKind::drill || before.kind == OperationKind::slide; };
+    const auto end = scene_.operations.begin() + static_cast<std::ptrdiff_t>(i_);
+    if (scene_.program.empty() && std::none_of(scene_.operations.begin(), end, drills) && o_.to_depth > scene_.well.hole_depth + nothing)
+      add("to_depth", metres(o_.to_depth) + " is below the hole's bottom, allowed: down to " + metres(scene_.well.hole_depth));
+  }
+
   static constexpr double nothing = 1e-6;  // [m]
 
   void add(const char* key, const std::string& text)

@@ -265,7 +265,7 @@ const Table<DriveImpedance> z_torque_keys = {"rig.top_drive.z_torque", "Z_TORQUE
 const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe.", {
   {"max_flow",              "m3/s",   &MudPumpSpec::max_flow,              above(0.0, 1.0),      "of the pump"},
   {"flow_ramp",             "m3/s2",  &MudPumpSpec::flow_ramp,             above(0.0, 1000.0),   "rate at which the pump's flow changes"},
-  {"stroke_volume",         "m3",     &MudPumpSpec::stroke_volume,         between(1e-4, 0.1),   "that a stroke delivers; a triplex of 6 in liners and 12 in strokes, 95 % full"},
+  {"stroke_volume",         "m3",     &MudPumpSpec::stroke_volume,         between(1e-4, 0.1),   "that a stroke delivers; two triplexes side by side, 6 in liners and 12 in strokes, 95 % full"},
   {"relief_pressure",       "Pa",     &MudPumpSpec::relief_pressure,       between(1e5, 2e8),    "at which the relief valve by the pump opens; what the string does not take at it goes back to the tanks"},
   {"trip_pressure",         "Pa",     &MudPumpSpec::trip_pressure,         between(0.0, 2e8),    "where `stand_pipe_pressure` of `rig_state` reaches it the pump stops until a flow of 0 is commanded; 0: never"},
   {"pressure_coefficient",  "Pa s2/m6", &MudPumpSpec::pressure_coefficient, between(0.0, 1e12),  "losses of string, bit and annulus at max_flow / max_flow^2"},

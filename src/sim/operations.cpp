@@ -13,6 +13,8 @@ namespace drill_rig_sim
 {
 namespace
 {
+constexpr double arrived = 0.01;  // from where a trip ends [m]
+
 bool is_set(double value) noexcept
 {
   return !std::isnan(value);
@@ -22,7 +24,7 @@ bool is_set(double value) noexcept
 double share(double value, double from, double to) noexcept
 {
   if (to == from) return 1.0;
-  return std::clamp((value - from) / (to - from), 0.0, 1.0);
+  return std::clamp((value - from) / (to - from), 0.0, 1.0) + 0.0;  // no -0
 }
 
 /// Axial, of all pipe between bit and shaft and of the lines at the start's block height, one after the other [N/m].
@@ -133,11 +135,8 @@ void OperationsPlayer::begin(Simulator& simulator) noexcept
   if (o.kind == OperationKind::rotate)
     ramp_ = {keeps_speed(drive.mode) ? drive.speed : now.top_drive_speed, o.rotary_speed, now.time, o.ramp, true};
   if (o.kind == OperationKind::pick_up) simulator.command(WinchSetpoint{o.speed, false});
-  if (needs_crew(o.kind))
-  {
-    simulator.call_crew(true);
-    simulator.command(WinchSetpoint{goes_up(o, began_bit_) ? o.speed : -o.speed, false});
-  }
+  if (needs_crew(o.kind)) simulator.call_crew(true);
+  if (o.kind == OperationKind::trip && o.to_depth > now.hole_depth + arrived) simulator.fail("operations: trip goes below the bottom of the hole");
   if (o.kind == OperationKind::slack_off || o.kind == OperationKind::tag)
   {
     if (is_set(o.weight)) simulator.tare();  // on bottom it keeps the zero it had
@@ -176,9 +175,10 @@ void OperationsPlayer::follow(Simulator& simulator) noexcept
     case OperationKind::oscillate:
     case OperationKind::wait:
     case OperationKind::steer:
+      return;
     case OperationKind::connection:
     case OperationKind::trip:
-      return;
+      return follow_trip(simulator);
   }
 }
 
@@ -228,6 +228,32 @@ void OperationsPlayer::follow_tag(Simulator& simulator) noexcept
   if (settled_ || simulator.readings().time < began_[next_] + tag_settles - time_rounding) return;
   simulator.tare();
   settled_ = true;
+}
+
+/// How far the bit still goes: to a trip's depth; without one as far as the hole [m].
+double OperationsPlayer::way_to_go(const Readings& now) const noexcept
+{
+  const Operation& o = operations_[next_];
+  if (goes_up(o, began_bit_)) return now.bit_depth - (is_set(o.to_depth) ? o.to_depth : 0.0);
+  return (is_set(o.to_depth) ? o.to_depth : now.hole_depth) - now.bit_depth;
+}
+
+/// The block runs no faster than it can still be stopped from after another frame h: v h + v^2/(2 a) = what is left.
+void OperationsPlayer::follow_trip(Simulator& simulator) noexcept
+{
+  const Operation& o = operations_[next_];
+  const Readings& now = simulator.readings();
+  const HoistingSpec& hoisting = simulator.scene().rig.hoisting;
+  const bool up = goes_up(o, began_bit_), has_begun = now.time > began_[next_];
+  const bool is_high = now.block_height > 0.5 * (hoisting.lowest_block_height + hoisting.highest_block_height);
+  const double left = std::max(0.0, way_to_go(now)), lost = acceleration_ * (now.time - followed_at_);
+  followed_at_ = now.time;
+  if (has_begun && now.stop_reached && up == is_high)
+    simulator.fail(up ? "operations: the block is at its highest place, and there is no stand to take away" : "operations: the block is at its lowest place, and no stand can be added");
+  if (has_begun && o.kind == OperationKind::connection && !crew_came_ && !up && left < arrived)
+    simulator.fail("operations: connection: the bit comes to bottom before the block is where a stand is added, needed: drill that far");
+  const double speed = std::min(o.speed, std::sqrt(lost * lost + 2.0 * acceleration_ * left) - lost);
+  simulator.command(WinchSetpoint{up ? speed : -speed, false});
 }
 
 void OperationsPlayer::follow_toolface(Simulator& simulator) noexcept
@@ -291,8 +317,10 @@ double OperationsPlayer::progress_in_place(const Simulator& simulator) const noe
   }
   const bool drills = o.kind == OperationKind::drill || o.kind == OperationKind::slide;
   const double from = drills ? began_hole_ : began_bit_, here = drills ? now.hole_depth : now.bit_depth - rise(now);
-  double nearest = o.kind == OperationKind::connection && crew_came_ ? 1.0 : 0.0;
-  if (is_set(o.to_depth)) nearest = (goes_up(o, began_bit_) ? here <= o.to_depth : here >= o.to_depth) ? 1.0 : share(here, from, o.to_depth);
+  if (o.kind == OperationKind::connection) return crew_came_ ? 1.0 : 0.0;
+  if (o.kind == OperationKind::trip) return way_to_go(now) < arrived ? 1.0 : share(now.bit_depth, began_bit_, o.to_depth);
+  double nearest = 0.0;
+  if (is_set(o.to_depth)) nearest = (o.kind == OperationKind::pick_up ? here <= o.to_depth : here >= o.to_depth) ? 1.0 : share(here, from, o.to_depth);
   if (is_set(o.distance)) nearest = std::max(nearest, std::abs((drills ? here - from : now.block_height + rise(now) - began_block_) / o.distance));
   return std::min(nearest, 1.0);
 }

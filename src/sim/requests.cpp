@@ -21,7 +21,7 @@ void refuse_if(const char* reason)
 
 void check_rate(double rate, const Scene& scene)
 {
-  if (!(rate > 0.0 && std::isfinite(rate))) throw std::runtime_error("rate is " + std::to_string(rate) + "; allowed is a number > 0 [1/s]");
+  if (!(rate >= 0.1 && rate <= 1e4)) throw std::runtime_error("rate is " + std::to_string(rate) + "; allowed is a number from 0.1 to 10000 [1/s]");
   const NumericsSpec numerics = with_choice(scene).numerics;
   if (numerics.has_variable_steps()) return;
   const double steps = 1.0 / (rate * numerics.step);

@@ -6,7 +6,7 @@ from drill_rig_sim.law import Plan, turn_between
 from drill_rig_sim.rig import Rig
 from drill_rig_sim.rss_steering import RssSteering
 from drill_rig_sim.score import score
-from drill_rig_sim.score_runs import Run, columns_of_truth
+from drill_rig_sim.score_runs import run_of_states
 from drill_rig_sim.survey import read_survey
 from drill_rig_sim.topics import Telemetry
 from rig_test import PACKAGE_DIR, run, unittest
@@ -35,7 +35,7 @@ class RssSteeringOfAPlan(unittest.TestCase):
             if state.truth.hole_depth > begin + 1.0:
                 inclination, azimuth = plan.at(state.truth.hole_depth)
                 errors.append(numpy.hypot(state.bit.inclination - inclination, numpy.sin(inclination) * turn_between(azimuth, state.bit.azimuth)))
-        path = score(Run(columns_of_truth([s.truth for s in states], [s.bit for s in states])), PLAN)["path"]
+        path = score(run_of_states(states), PLAN)["path"]
         print("largest distance from the plan: %.2f deg, %.2f m" % (numpy.degrees(max(errors)), path["distance_largest_m"]))
         self.assertLess(numpy.degrees(max(errors)), 0.5)
         self.assertLess(path["distance_largest_m"], 1.0)

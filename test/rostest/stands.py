@@ -4,7 +4,7 @@ import numpy
 from drill_rig_sim.control import drive
 from drill_rig_sim.rig import Rig, series
 from drill_rig_sim.score import score
-from drill_rig_sim.score_runs import Run, columns_of_truth
+from drill_rig_sim.score_runs import run_of_states
 from drill_rig_sim.stands import Stands
 from rig_test import run, unittest
 
@@ -21,7 +21,7 @@ class FiveStands(unittest.TestCase):
         self.assertTrue(law.done)
         self.assertEqual(begin.stand_count + 5, states[-1].stand_count)
         self.assertGreater(states[-1].truth.hole_depth - begin.truth.hole_depth, 5 * STAND)
-        scores = score(Run(columns_of_truth([s.truth for s in states], [s.bit for s in states])), wob=WEIGHT)
+        scores = score(run_of_states(states), wob=WEIGHT)
         print("%.1f m, %d connections, in slips %.0f s, weight to weight %.0f s" % (
             scores["drilling"]["drilled_m"], scores["connections"]["number"], scores["connections"]["in_slips_s"], scores["connections"]["weight_to_weight_s"]))
         self.assertEqual(5, scores["connections"]["number"])

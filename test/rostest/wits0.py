@@ -89,7 +89,7 @@ class Wits0(unittest.TestCase):
         numbers += [state.surface_wob * kdn] if state.tared else []
         numbers += [state.torque / 1e3]
         return (["700101", clock] + ["%.3f" % number for number in numbers] + ["%d" % round(state.top_drive_speed * 60.0 / (2.0 * math.pi))] +
-                ["%.3f" % (state.stand_pipe_pressure / 1e3), "%.3f" % (state.flow * 60000.0)])
+                ["%.3f" % (state.stand_pipe_pressure / 1e3), "%d" % round(60.0 * state.stroke_rate), "%.3f" % (state.flow * 60000.0)])
 
     def test_surveys_and_toolfaces(self):
         surveys, toolfaces = self.rig.collect("downhole/mwd", MwdSurvey), self.rig.collect("downhole/toolface", MwdToolface)
@@ -106,11 +106,11 @@ class Wits0(unittest.TestCase):
         for topic in (surveys, toolfaces):
             topic.subscriber.unregister()
 
-    def test_no_strokes_and_nothing_else(self):
+    def test_these_items_and_no_others(self):
         self.rig.must(self.rig.tare())
         self.rig.advance(300)
         records = self.client.until(lambda records: any(16 in items for _, items in records))
-        self.assertEqual([5, 6, 8, 10, 12, 13, 14, 16, 18, 20, 21, 30], sorted([items for number, items in records if number == 1][-1]))
+        self.assertEqual([5, 6, 8, 10, 12, 13, 14, 16, 18, 20, 21, 23, 30], sorted([items for number, items in records if number == 1][-1]))
 
     def test_a_client_that_never_reads_holds_up_nobody(self):
         deaf = socket.socket()

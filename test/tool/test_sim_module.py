@@ -1,16 +1,24 @@
 #!/usr/bin/python3
 """The Python module drill_rig_sim.sim: a rig in this process. That it reads as a node's does: test/rostest/three_ways.test"""
+import copy
 import os
+import pathlib
+import pickle
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 import unittest
 
 import numpy
-from drill_rig_sim.lockstep import MODES, RPM
+from drill_rig_sim.autodriller import Autodriller
+from drill_rig_sim.control import drive
+from drill_rig_sim.lockstep import MODES, RPM, UNSENSED
 from drill_rig_sim.score import score
-from drill_rig_sim.score_runs import run_of_record
-from drill_rig_sim.sim import Refused, Simulator, TimedOut, series
+from drill_rig_sim.score_runs import run_of_record, run_of_states
+from drill_rig_sim.sim import Failed, Refused, Simulator, TimedOut, series
 
 PACKAGE_DIR = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 QUICK = os.path.join(PACKAGE_DIR, "config/scenes/quick.yaml")
@@ -81,6 +89,76 @@ class InThisProcess(unittest.TestCase):
         judged = score(run_of_record(self.rig.record(20.0)))
         self.assertAlmostEqual(20.0, judged["drilling"]["duration_s"], delta=0.02)
 
+    def test_states_of_a_law_are_judged_as_a_run(self):
+        law = Autodriller({"weight": 10e3}, stiffness=6e5, rop=0.012, rpm=60.0, flow=0.03, to_depth=1000.6)
+        law.spin_up_time = law.zero_time = 5.0
+        rig = Simulator("autodriller.yaml")
+        states = drive(rig, law, 60.0, telemetry=rig)
+        self.assertAlmostEqual(59.9, score(run_of_states(states))["drilling"]["duration_s"], delta=1e-6)
+        with self.assertRaisesRegex(ValueError, "period of 0.1 s is no whole number of frames of 0.25 s"):
+            drive(Simulator("autodriller.yaml", rate=4.0), law, 1.0)
+
+    def test_what_no_rig_can_sense_is_not_among_recorded_readings(self):
+        run = self.rig.record(0.1)
+        for name in UNSENSED:
+            self.assertNotIn(name, run.readings.dtype.names)
+            self.assertIn(name, run.truth.dtype.names)
+
+    def test_a_long_record_is_one(self):
+        rig = Simulator(QUICK, rate=1000.0)
+        run = rig.record(150.0, every=40000)
+        self.assertEqual([40.0, 80.0, 120.0, 150.0], list(run.t))
+
+    def test_a_frame_that_fails_keeps_what_came_before(self):
+        rig = Simulator(os.path.join(PACKAGE_DIR, "test/scenes/unsolvable.yaml"), rate=20.0, play_program=True)
+        with self.assertRaisesRegex(Failed, "a frame failed") as caught:
+            rig.record(100.0)
+        self.assertGreater(len(caught.exception.record.t), 5)
+        self.assertEqual(caught.exception.record.t[-1], rig.state.t)
+        with self.assertRaisesRegex(Refused, "reset or restore first"):
+            rig.step()
+        self.assertEqual(0.0, rig.reset().t)
+
+    def test_ctrl_c_ends_a_long_step(self):
+        rig = Simulator("bohai.yaml")
+        threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+        begin = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            rig.rotate(rpm=60)
+            rig.step(1000.0)
+        self.assertLess(time.monotonic() - begin, 60.0)
+        self.assertTrue(0.0 < rig.state.t < 1000.0)
+
+    def test_two_threads_at_once_are_refused(self):
+        refused = []
+
+        def step():
+            for _ in range(20):
+                try:
+                    self.rig.step(5.0)
+                except Refused as refusal:
+                    refused.append(str(refusal))
+        threads = [threading.Thread(target=step) for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual({"another thread is using this rig"}, set(refused) or {"another thread is using this rig"})
+        self.rig.step()
+
+    def test_states_can_be_copied_and_pickled(self):
+        state = self.drilling()
+        for copied in (copy.deepcopy(state), pickle.loads(pickle.dumps(state))):
+            self.assertEqual((state.t, state.hook_load, state.truth.hole_depth, state.bit.position.z, state.winch.block_velocity),
+                             (copied.t, copied.hook_load, copied.truth.hole_depth, copied.bit.position.z, copied.winch.block_velocity))
+
+    def test_scenes_by_name_package_and_path(self):
+        for scene in ("quick.yaml", "package://drill_rig_sim/config/scenes/quick.yaml", pathlib.Path(QUICK)):
+            self.assertEqual(self.rig.state.hook_load, Simulator(scene).state.hook_load)
+        for wrong in ("nowhere.yaml", "package://drill_rig_sim", "package://nowhere/quick.yaml", "/nowhere.yaml"):
+            with self.assertRaises(Refused):
+                Simulator(wrong)
+
     def test_runs_repeat(self):
         runs = []
         for _ in range(2):
@@ -125,6 +203,11 @@ class InThisProcess(unittest.TestCase):
         self.assertEqual((state.t, state.hook_load), (self.rig.state.t, self.rig.state.hook_load))
         with self.assertRaisesRegex(Refused, "whole number"):
             Simulator(os.path.join(PACKAGE_DIR, "test/scenes/vertical_frictionless.yaml"), rate=333.0)
+        with self.assertRaisesRegex(ValueError, "SOFT_TORQUE"):
+            self.rig.rotate(10, mode="FOO")
+        for frames in (-1, 1.5):
+            with self.assertRaisesRegex(ValueError, "whole number"):
+                self.rig.step(frames=frames)
         with self.assertRaises(TypeError):
             self.rig.top_drive(angel=1.0)
         with self.assertRaises(TimedOut):

@@ -60,8 +60,9 @@ struct WeightFeed
 /// - slide does the same with the drive holding an angle (or rocking about it), which it turns by what the toolface lacks whenever a toolface has
 ///   come that was measured toolface_settles after the last turn.
 /// - steer commands a rotary steerable tool.
-/// - connection runs the block to where the rig's crew (crew.h) adds a stand, or takes one away, and is over when that is done; trip moves the bit to a depth, the
-///   crew making connections on the way, whatever the scene's `connections` says. Both end with the brake set.
+/// - connection runs the block to where the rig's crew (crew.h) adds a stand, or takes one away, and is over when that is done; trip moves the bit to a depth, where it
+///   stands at the end, the crew making connections on the way, whatever the scene's `connections` says. Both end with the brake set, and fail the
+///   simulator's next frame where the block's way ends without the crew, and where the bit would go through the hole's bottom.
 /// - oscillate rocks the string; without a `time` it goes on while others follow.
 class OperationsPlayer
 {
@@ -108,10 +109,12 @@ private:
   void follow_weight(Simulator& simulator) noexcept;
   void follow_strokes(Simulator& simulator) noexcept;
   void follow_tag(Simulator& simulator) noexcept;
+  void follow_trip(Simulator& simulator) noexcept;
   void follow_toolface(Simulator& simulator) noexcept;
   void end(Simulator& simulator) const noexcept;
   double progress(const Simulator& simulator) const noexcept;
   double rise(const Readings& now) const noexcept;
+  double way_to_go(const Readings& now) const noexcept;
   double progress_in_place(const Simulator& simulator) const noexcept;
 
   std::vector<Operation> operations_;

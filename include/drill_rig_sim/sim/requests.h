@@ -9,7 +9,7 @@
 /// Each throws std::runtime_error with one line (what, where, what is allowed), and then nothing has changed.
 namespace drill_rig_sim
 {
-/// Refuses a rate [1/s] whose frames hold no whole number of the scene's steps.
+/// Refuses a rate that is not 0.1 to 10000 [1/s], and one whose frames hold no whole number of the scene's steps.
 void check_rate(double rate, const Scene& scene);
 
 /// Why the simulator would refuse a command at present, one line, static storage; null: it would not.
