@@ -40,8 +40,8 @@ def everything(states):
 
 
 class ByTopics:
-    """Publishes what a law asks for, and steps by a service that carries no command. A command that comes too late for its frame is published anew, from
-    the state before."""
+    """Publishes what a law asks for, and steps by a service that carries no command. Where a command comes too late for its frame all is done anew, from
+    the state before; in its place may have come one that was published twice."""
 
     def __init__(self, client, rig):
         self.client, self.rig = client, rig
@@ -50,13 +50,17 @@ class ByTopics:
 
     def drive(self, driller, periods):
         states = []
-        for _ in range(periods):
-            commands = driller.step(Readings(self.rig.state.t, self.rig.state.readings, Deaf))
+        for k in range(periods):  # by the count: the node's clock runs on through what is done anew
+            commands = driller.step(Readings(k * PERIOD / self.rig.rate, self.rig.state.readings, Deaf))
             drive_fields = {**commands.top_drive, "mode": MODES[commands.top_drive["mode"]]}
             messages = {"winch": WinchCommand(block_velocity=0.0 if commands.brake else commands.block_velocity, brake=commands.brake),
                         "top_drive": TopDriveCommand(**drive_fields), "mud_pump": MudPumpCommand(flow=commands.flow)}
             states.append(self.stepped(messages))
         return states
+
+    @staticmethod
+    def was_taken(in_force, message, began):
+        return in_force.header.stamp == began and plain(in_force, message) == plain(message, message)
 
     def stepped(self, messages):
         self.rig.save("before")
@@ -67,7 +71,7 @@ class ByTopics:
                 self.publishers[kind].publish(message)
             time.sleep(patience)
             state = self.rig.step(frames=PERIOD)
-            if all(getattr(state.readings, kind).header.stamp == began for kind in messages):
+            if all(self.was_taken(getattr(state.readings, kind), message, began) for kind, message in messages.items()):
                 return state
             self.rig.restore("before")
             patience *= 2.0
