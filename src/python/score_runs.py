@@ -139,15 +139,16 @@ def last_toolface(time, toolfaces):
 
 def run_of_states(states, name="states"):
     """Of a list of states (drill_rig_sim.lockstep), by their truth."""
-    columns = {column: series(states, "truth." + path) for column, path in STATE.items()}
-    columns.update({column: series(states, "bit." + path) for column, path in BIT.items()})
-    columns["time"] = series(states, "t")
-    return Run(columns, "truth", name)
+    return run_by(series(states, "t"), lambda path: series(states, "truth." + path), lambda path: series(states, "bit." + path), name)
 
 
 def run_of_record(record, name="record"):
     """Of a drill_rig_sim.sim.Record, by its truth."""
-    columns = {column: record.truth[path] for column, path in STATE.items()}
-    columns.update({column: record.bit[path] for column, path in BIT.items()})
-    columns["time"] = record.t
-    return Run(columns, "truth", name)
+    return run_by(record.t, record.truth.__getitem__, record.bit.__getitem__, name)
+
+
+def run_by(time, truth, bit, name):
+    """By what gives a field of every RigState or BitTruth, named by its path."""
+    columns = {column: truth(path) for column, path in STATE.items()}
+    columns.update({column: bit(path) for column, path in BIT.items()})
+    return Run({**columns, "time": time}, "truth", name)

@@ -6,7 +6,7 @@ import rospy
 from drill_rig_sim.control import Readings, pipe_work
 from drill_rig_sim.lockstep import MODES
 from drill_rig_sim.msg import MudPumpCommand, MwdSurvey, MwdToolface, RigState, SteeringCommand, TopDriveCommand, WinchCommand
-from drill_rig_sim.rig import answered
+from drill_rig_sim.rig import COMMANDS, answered
 from drill_rig_sim.srv import MakeConnection
 from std_srvs.srv import SetBool
 
@@ -33,14 +33,25 @@ def arrived(message):
     return types.SimpleNamespace(t=message.header.stamp.to_sec(), **fields)
 
 
+def messages_of(commands):
+    """The set points that a law asks for, by their names in StepSimulation."""
+    messages = {}
+    if commands.brake or commands.block_velocity is not None:
+        messages["winch"] = WinchCommand(block_velocity=commands.block_velocity or 0.0, brake=commands.brake)
+    if commands.top_drive is not None:
+        messages["top_drive"] = TopDriveCommand(**{**commands.top_drive, "mode": MODES[commands.top_drive["mode"]]})
+    if commands.flow is not None:
+        messages["mud_pump"] = MudPumpCommand(flow=commands.flow)
+    if commands.steering is not None:
+        messages["steering"] = SteeringCommand(toolface=commands.steering[0], ratio=commands.steering[1])
+    return messages
+
+
 def follow(law):
     """By topics, in the node's namespace: a step with the first state of each period; returns once the law is done."""
     telemetry, last, refused = Telemetry(), [None], [""]
     slips, connection = rospy.ServiceProxy("set_slips", SetBool), rospy.ServiceProxy("make_connection", MakeConnection)
-    winch = rospy.Publisher("winch/command", WinchCommand, queue_size=1)
-    top_drive = rospy.Publisher("top_drive/command", TopDriveCommand, queue_size=1)
-    pump = rospy.Publisher("mud_pump/command", MudPumpCommand, queue_size=1)
-    steering = rospy.Publisher("steering/command", SteeringCommand, queue_size=1)
+    publishers = {name: rospy.Publisher(name + "/command", kind, queue_size=1) for name, kind in COMMANDS.items()}
 
     def take(state):
         now = state.header.stamp.to_sec()
@@ -48,14 +59,8 @@ def follow(law):
             return
         last[0] = now
         commands = law.step(Readings(now, state, telemetry, refused[0]))
-        if commands.brake or commands.block_velocity is not None:
-            winch.publish(WinchCommand(block_velocity=commands.block_velocity or 0.0, brake=commands.brake))
-        if commands.top_drive is not None:
-            top_drive.publish(TopDriveCommand(**{**commands.top_drive, "mode": MODES[commands.top_drive["mode"]]}))
-        if commands.flow is not None:
-            pump.publish(MudPumpCommand(flow=commands.flow))
-        if commands.steering is not None:
-            steering.publish(SteeringCommand(toolface=commands.steering[0], ratio=commands.steering[1]))
+        for name, message in messages_of(commands).items():
+            publishers[name].publish(message)
         refused[0] = pipe_work(commands, lambda are_set: answered(slips(are_set)), lambda: answered(connection()))
 
     subscriber = rospy.Subscriber("rig_state", RigState, take, queue_size=1, tcp_nodelay=True)

@@ -54,7 +54,8 @@ public:
       add("do", "steer is given, needed: a part of type rotary_steerable");
     if (o_.kind == OperationKind::oscillate && o_.amplitude_right + o_.amplitude_left == 0.0)
       add("", "rocks by nothing, needed: amplitude_right_deg or amplitude_left_deg above 0");
-    if (needs_crew(o_.kind) && !what_the_crew_lacks(scene_).empty()) add("do", std::string(word_of(o_.kind)) + ": " + what_the_crew_lacks(scene_));
+    const std::string lacking = needs_crew(o_.kind) ? what_the_crew_lacks(scene_) : "";
+    if (!lacking.empty()) add("do", std::string(word_of(o_.kind)) + ": " + lacking);
     const bool angles = o_.kind == OperationKind::slide || o_.kind == OperationKind::oscillate;
     if (angles && o_.rotary_speed < 0.0) add("speed_rpm", plain(o_.rotary_speed / rpm) + " rpm is given, allowed: 0 or more");
   }

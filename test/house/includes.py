@@ -9,8 +9,8 @@ import tokens
 
 # from the ground up: a room includes rooms before it alone
 ORDER = ('math', 'well', 'contact', 'string', 'rig', 'hydraulics', 'scene', 'model', 'solve', 'reference', 'sim', 'realtime',
-         'ros', 'rviz', 'tools', 'python', 'examples')
-OF_ROS = ('ros', 'rviz', 'examples')
+         'ros', 'rviz', 'tools', 'python')
+OF_ROS = ('ros', 'rviz')
 OF_SUNDIALS = ('solve', 'reference')
 # the one file of realtime/ that knows the simulator: what a frame hands out
 FRAME_OUTPUT = 'include/drill_rig_sim/realtime/frame_output.h'
@@ -101,8 +101,7 @@ def fault(include, messages):
 
 
 def folders(rooms):
-    named = [room + '/' for room in rooms]
-    return ' and '.join([', '.join(named[:-1]), named[-1]])
+    return ' and '.join(room + '/' for room in rooms)
 
 
 def faults(texts):

@@ -8,7 +8,7 @@ import re
 import builds
 import mutants
 
-LEFT_OUT = {'rviz', 'examples', 'python'}  # plug-ins for a screen; a controller; what Python tests alone see
+LEFT_OUT = {'rviz', 'python'}  # plug-ins for a screen; what Python tests alone see
 INCLUDE = re.compile(rb'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 

@@ -5,11 +5,10 @@ import time
 
 from drill_rig_sim.autodriller import Autodriller
 from drill_rig_sim.control import Deaf, Readings, drive
-from drill_rig_sim.lockstep import MODES
-from drill_rig_sim.msg import BitTruth, MudPumpCommand, RigState, TopDriveCommand, WinchCommand
-from drill_rig_sim.rig import Rig
+from drill_rig_sim.msg import BitTruth, RigState
+from drill_rig_sim.rig import COMMANDS, Rig
 from drill_rig_sim.sim import Simulator
-from drill_rig_sim.topics import Telemetry
+from drill_rig_sim.topics import Telemetry, messages_of
 from rig_test import PATIENCE, Rig as Client, publishers_know, run, unittest, wait_until
 
 SCENE = "autodriller.yaml"  # hook load noisy and late
@@ -45,17 +44,13 @@ class ByTopics:
 
     def __init__(self, client, rig):
         self.client, self.rig = client, rig
-        self.publishers = {"winch": client.publisher("winch/command", WinchCommand), "top_drive": client.publisher("top_drive/command", TopDriveCommand),
-                           "mud_pump": client.publisher("mud_pump/command", MudPumpCommand)}
+        self.publishers = {name: client.publisher(name + "/command", kind) for name, kind in COMMANDS.items()}
 
     def drive(self, driller, periods):
         states = []
         for k in range(periods):  # by the count: the node's clock runs on through what is done anew
             commands = driller.step(Readings(k * PERIOD / self.rig.rate, self.rig.state.readings, Deaf))
-            drive_fields = {**commands.top_drive, "mode": MODES[commands.top_drive["mode"]]}
-            messages = {"winch": WinchCommand(block_velocity=0.0 if commands.brake else commands.block_velocity, brake=commands.brake),
-                        "top_drive": TopDriveCommand(**drive_fields), "mud_pump": MudPumpCommand(flow=commands.flow)}
-            states.append(self.stepped(messages))
+            states.append(self.stepped(messages_of(commands)))
         return states
 
     @staticmethod

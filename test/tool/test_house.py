@@ -87,7 +87,7 @@ class Arrows(unittest.TestCase):
             for room in ('sim', 'realtime', 'tools'):
                 texts = tree(**{room + '__a': '#include <%s>\n' % header})
                 texts.update({'msg/RigState.msg': '', 'srv/SaveState.srv': ''})
-                self.one(texts, 'src/%s/a.cpp:1: ' % room, 'ROS is for ros/, rviz/ and examples/ alone')
+                self.one(texts, 'src/%s/a.cpp:1: ' % room, 'ROS is for ros/ and rviz/ alone')
         self.one(tree(tools__a=include('ros/ros.h')), 'src/tools/a.cpp:1: ', 'and ROS with it')
         bag = PUBLIC + 'ros/run_bag.h'
         self.assertEqual([], includes.faults({**tree(tools__a=include('ros/run_bag.h')), bag: include('sim/sim.h')}))
