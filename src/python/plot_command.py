@@ -1,0 +1,74 @@
+"""What `drill plot` starts: logs and pictures of a run as PNG and SVG, and one page that holds them. The runner has checked the command line."""
+import argparse
+import base64
+import html
+import os
+import sys
+
+from drill_rig_sim import plot_logs, plot_well
+from drill_rig_sim.score import read_run, read_survey, score
+from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD, table
+from drill_rig_sim.score_plots import plt
+from drill_rig_sim.score_runs import RunError
+from drill_rig_sim.survey import SurveyError
+
+PAGE = """<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>%(name)s</title>
+<style>body{font-family:sans-serif;margin:1.5em;color:#222}img{max-width:100%%;height:auto;border:1px solid #ddd;margin:0 0 1.5em}pre{background:#f6f6f6;padding:1em;
+overflow-x:auto}nav a{margin-right:1em}</style></head>
+<body><h1>%(name)s</h1><nav>%(links)s</nav><pre>%(scores)s</pre>
+%(pictures)s
+</body></html>
+"""
+
+
+def pictures_of(run, plan, string):
+    """Names, titles and figures; what the run does not hold is not there."""
+    drawn = [("time_log", "Time log", plot_logs.time_log(run)), ("depth_log", "Depth log", plot_logs.depth_log(run)),
+             ("well", "Well", plot_well.path(run, plan)), ("toolface", "Toolface", plot_well.toolface_dial(run))]
+    if string is not None:
+        drawn.append(("string", "String", plot_well.string_log(plot_well.read_string(string), os.path.basename(string))))
+    return [picture for picture in drawn if picture[2] is not None]
+
+
+def write(pictures, folder, run, scores):
+    """PNG, SVG and the page; returns the page's path."""
+    os.makedirs(folder, exist_ok=True)
+    parts = []
+    for name, title, figure in pictures:
+        for kind in ("png", "svg"):
+            figure.savefig(os.path.join(folder, "%s.%s" % (name, kind)), dpi=100)
+        plt.close(figure)
+        with open(os.path.join(folder, name + ".png"), "rb") as png:
+            data = base64.b64encode(png.read()).decode("ascii")
+        parts.append('<h2 id="%s">%s</h2>\n<img alt="%s" src="data:image/png;base64,%s">' % (name, title, title, data))
+    page = os.path.join(folder, "index.html")
+    with open(page, "w", encoding="utf-8") as out:
+        out.write(PAGE % {"name": html.escape(run.name), "links": "".join('<a href="#%s">%s</a>' % (name, title) for name, title, _ in pictures),
+                          "scores": html.escape("\n".join(table(scores))), "pictures": "\n".join(parts)})
+    return page
+
+
+def main(words):
+    parser = argparse.ArgumentParser(prog="drill plot", description=__doc__)
+    parser.add_argument("run")
+    for name in ("--out", "--plan", "--namespace", "--string"):
+        parser.add_argument(name)
+    options = parser.parse_args(words)
+    folder = options.out or os.path.splitext(options.run)[0] + "_plots"
+    try:
+        run = read_run(options.run, options.namespace)
+        plan = read_survey(options.plan) if options.plan else None
+        page = write(pictures_of(run, plan, options.string), folder, run, score(run, plan))
+    except (RunError, SurveyError, plot_well.StringError) as error:
+        print("drill plot: %s" % error, file=sys.stderr)
+        return BAD_INPUT
+    except OSError as error:
+        print("drill plot: %s: %s" % (error.filename, error.strerror), file=sys.stderr)
+        return FAILED
+    print(page)
+    return GOOD
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
