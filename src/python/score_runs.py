@@ -8,7 +8,8 @@ FLAGS = ("winch_limited", "top_drive_limited", "stop_reached", "slack_line", "re
          "accuracy_warning")
 NEEDED = ("time", "hole_depth", "bit_depth", "wob", "torque", "top_drive_speed")
 STATE = {"hole_depth": "hole_depth", "bit_depth": "bit_depth", "torque": "torque", "top_drive_speed": "top_drive_speed",
-         "in_slips": "in_slips", "motor_stalled": "motor_stalled", "wob": "surface_wob", **{flag: flag for flag in FLAGS}}
+         "in_slips": "in_slips", "motor_stalled": "motor_stalled", "wob": "surface_wob", **{flag: flag for flag in FLAGS},
+         **{name: name for name in ("hook_load", "block_height", "rop", "stand_pipe_pressure", "differential_pressure", "flow")}}
 BIT = {"wob": "wob", "bit_torque": "torque", "bit_speed": "speed", "inclination": "inclination", "azimuth": "azimuth", "toolface": "toolface",
        "bit_east": "position.x", "bit_north": "position.y", "bit_up": "position.z"}
 
