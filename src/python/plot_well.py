@@ -90,7 +90,7 @@ def toolface_dial(run):
 
 
 def read_string(file):
-    """Columns of a string by drill static --csv."""
+    """Columns of a string by drill static --csv, or at the end of drill run --profile."""
     try:
         with open(file, newline="", encoding="utf-8") as text:
             rows = list(csv.DictReader(text))
@@ -99,10 +99,11 @@ def read_string(file):
     except OSError as error:
         raise StringError("%s: %s" % (file, error.strerror))
     except (KeyError, TypeError, ValueError):
-        raise StringError("%s: needed: the string as drill static --csv writes it" % file)
+        raise StringError("%s: needed: a string as drill static --csv or drill run --profile writes it" % file)
     if not rows:
         raise StringError("%s: has no rows" % file)
-    return columns
+    last = [row.get("time") == rows[-1].get("time") for row in rows]
+    return {name: values[last] for name, values in columns.items()}
 
 
 def string_log(columns, name):

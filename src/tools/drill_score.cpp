@@ -1,44 +1,22 @@
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "drill_command.h"
 #include "drill_options.h"
+#include "drill_python.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-namespace fs = std::filesystem;
-
 struct ScoreOptions
 {
   std::string run, plan, name_space, json, plots;
   std::optional<double> bit_diameter, wob, wob_band, toolface, toolface_band;
 };
-
-/// The folder of Python's packages that belongs to this program: both lie in the devel space, or in one install space.
-/// Throws UsageError where it has no drill_rig_sim.
-std::string python_folder()
-{
-  std::error_code unreadable;
-  const fs::path program = fs::read_symlink("/proc/self/exe", unreadable);
-  const fs::path folder = program.parent_path() / DRILL_RIG_SIM_PYTHON_FOLDER;
-  const fs::path module = folder / "drill_rig_sim" / "score_command.py";
-  if (!fs::exists(module, unreadable))
-    throw UsageError("there is no " + module.lexically_normal().string() +
-                     ", which judges the run; build or install the package whole");
-  return folder.lexically_normal().string();
-}
 
 std::string written(double value)
 {
@@ -50,7 +28,7 @@ std::string written(double value)
 /// The command line of Python's side. Values stand behind `=`: one may begin with a dash.
 std::vector<std::string> words_of(const ScoreOptions& o)
 {
-  std::vector<std::string> words = {"python3", "-m", "drill_rig_sim.score_command"};
+  std::vector<std::string> words;
   const auto add_text = [&](const char* name, const std::string& value)
   {
     if (!value.empty()) words.push_back(std::string(name) + "=" + value);
@@ -72,21 +50,11 @@ std::vector<std::string> words_of(const ScoreOptions& o)
   return words;
 }
 
-/// Becomes Python, whose exit status is the runner's.
 void judge(const ScoreOptions& options)
 {
   if (options.wob_band && !options.wob) throw UsageError("--wob-band: needs --wob");
   if (options.toolface_band && !options.toolface) throw UsageError("--toolface-band: needs --toolface");
-  const char* before = std::getenv("PYTHONPATH");
-  const std::string path = python_folder() + (before == nullptr || *before == '\0' ? "" : std::string(":") + before);
-  setenv("PYTHONPATH", path.c_str(), 1);
-  setenv("PYTHONDONTWRITEBYTECODE", "1", 0);
-  std::vector<std::string> words = words_of(options);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  execvp(DRILL_RIG_SIM_PYTHON, arguments.data());
-  throw UsageError(std::string(DRILL_RIG_SIM_PYTHON) + " cannot be started: " + std::strerror(errno));
+  become_python("score_command", words_of(options));
 }
 }  // namespace
 

@@ -128,6 +128,17 @@ class Command(unittest.TestCase):
         with open(self.plot(odd, "--out", os.path.join(self.folder, "out"))[1]) as file:
             self.assertNotIn("<b>&", file.read())
 
+    def test_forces_along_the_string_at_its_end(self):
+        string = os.path.join(self.folder, "profile.csv")
+        with open(string, "w") as text:
+            text.write("time,md,from_bit,east,north,up,tension,true_axial_force,torque,bending_moment,contact_force,contact_side_deg\n")
+            for time in (1.0, 2.0):
+                text.writelines("%g,%g,0,0,0,0,%g,0,0,0,0,0\n" % (time, 100.0 * k, 1e3 * time * k) for k in range(3))
+        columns = plot_well.read_string(string)
+        self.assertEqual(([0.0, 100.0, 200.0], [0.0, 2e3, 4e3]), (list(columns["md"]), list(columns["tension"])))
+        self.assertEqual(0, self.plot(self.csv, "--string", string)[0])
+        self.assertTrue(os.path.exists(os.path.join(self.folder, "run_plots", "string.svg")))
+
     def test_what_is_refused(self):
         for words in (["/nowhere.csv"], [self.csv, "--plan", "/nowhere.csv"], [self.csv, "--string", self.csv]):
             status, out, said = self.plot(*words)

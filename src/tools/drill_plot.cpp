@@ -1,0 +1,46 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drill_command.h"
+#include "drill_options.h"
+#include "drill_python.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+struct PlotOptions
+{
+  std::string run, out, plan, string, name_space;
+};
+
+void plot(const PlotOptions& options)
+{
+  std::vector<std::string> words;
+  const auto add = [&](const char* name, const std::string& value)
+  {
+    if (!value.empty()) words.push_back(std::string(name) + "=" + value);  // it may begin with a dash
+  };
+  add("--out", options.out);
+  add("--plan", options.plan);
+  add("--string", options.string);
+  add("--namespace", options.name_space);
+  words.insert(words.end(), {"--", options.run});
+  become_python("plot_command", words);
+}
+}  // namespace
+
+Command add_plot_command(CLI::App& drill)
+{
+  CLI::App* words = drill.add_subcommand("plot", "draws a run: logs by time and depth, well, toolfaces, and a page that holds them");
+  const auto options = std::make_shared<PlotOptions>();
+  add_file(*words, "RUN", options->run, "of drill run --csv, or a bag (.bag) with truth/rig_state and truth/bit, or with rig_state alone");
+  add_text(*words, "--out", options->out, "DIR", "folder for PNG, SVG and index.html; default: beside the run");
+  add_text(*words, "--plan", options->plan, "FILE", "planned survey, beside the drilled well");
+  add_text(*words, "--string", options->string, "FILE", "of drill run --profile or drill static --csv: the forces along the string");
+  add_text(*words, "--namespace", options->name_space, "NS", "which rig of a bag with several");
+  return {words, [options] { plot(*options); }};
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,48 @@
+#include "drill_python.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "drill_command.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/// The folder of Python's packages that belongs to this program: both lie in the devel space, or in one install space.
+/// Throws UsageError where its drill_rig_sim has no such module.
+std::string python_folder(const std::string& module)
+{
+  std::error_code unreadable;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unreadable);
+  const fs::path folder = program.parent_path() / DRILL_RIG_SIM_PYTHON_FOLDER;
+  const fs::path file = folder / "drill_rig_sim" / (module + ".py");
+  if (!fs::exists(file, unreadable))
+    throw UsageError("there is no " + file.lexically_normal().string() + ", which does this; build or install the package whole");
+  return folder.lexically_normal().string();
+}
+}  // namespace
+
+void become_python(const std::string& module, const std::vector<std::string>& words)
+{
+  const char* before = std::getenv("PYTHONPATH");
+  const std::string path = python_folder(module) + (before == nullptr || *before == '\0' ? "" : std::string(":") + before);
+  setenv("PYTHONPATH", path.c_str(), 1);
+  setenv("PYTHONDONTWRITEBYTECODE", "1", 0);
+  std::vector<std::string> line = {"python3", "-m", "drill_rig_sim." + module};
+  line.insert(line.end(), words.begin(), words.end());
+  std::vector<char*> arguments;
+  for (std::string& word : line) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execvp(DRILL_RIG_SIM_PYTHON, arguments.data());
+  throw UsageError(std::string(DRILL_RIG_SIM_PYTHON) + " cannot be started: " + std::strerror(errno));
+}
+
+}  // namespace drill_rig_sim

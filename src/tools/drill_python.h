@@ -1,0 +1,14 @@
+#ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_PYTHON_H
+#define DRILL_RIG_SIM_SRC_TOOLS_DRILL_PYTHON_H
+
+#include <string>
+#include <vector>
+
+namespace drill_rig_sim
+{
+/// Becomes Python, which runs a module of drill_rig_sim with these words and whose exit status is the runner's. Throws UsageError where package or Python is missing.
+[[noreturn]] void become_python(const std::string& module, const std::vector<std::string>& words);
+
+}  // namespace drill_rig_sim
+
+#endif
