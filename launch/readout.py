@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 """The demo's driller's readout: goes fast to just before the bit tags bottom, then shows the rig in real time, line by line."""
 import argparse
+import atexit
 import os
+import signal
 import sys
 import threading
 import time
 
 import rospy
 from drill_rig_sim.msg import RigState
+from drill_rig_sim.recorder import Recorder
 from drill_rig_sim.srv import SetSpeed
 from std_srvs.srv import Trigger
 
@@ -148,6 +151,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--duration", type=float, default=0.0, help="simulated seconds from just before the tag; 0: until Ctrl-C")
     parser.add_argument("--namespace", default="rig", help="of the rig")
+    parser.add_argument("--record", metavar="FILE", help="time series of the whole run, as drill run --csv writes them")
     parser.add_argument("--watch", type=int, help="process id of the launcher; its end ends the readout")
     options = parser.parse_args()
     deadline = time.monotonic() + 60
@@ -158,6 +162,9 @@ def main():
     rospy.init_node("readout", anonymous=True, disable_signals=True)
 
     rig = Rig("/" + options.namespace)
+    if options.record:
+        signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that the file ends with a whole line
+        atexit.register(Recorder(options.record, "/" + options.namespace + "/").close)
     if not wait_for(rig, options.watch, 120):
         return 1
     every = 0.2 if sys.stdout.isatty() else 1.0

@@ -4,8 +4,10 @@ import os
 import tempfile
 
 from drill_rig_sim.msg import BitTruth, RigState, TopDriveCommand
+from drill_rig_sim.recorder import Recorder
 from drill_rig_sim.rig import RPM, Refused, Rig, TimedOut, series
-from rig_test import Collector, numbers, rospy, run, unittest
+from drill_rig_sim.score import read_run
+from rig_test import PATIENCE, Collector, numbers, rospy, run, time, unittest
 
 FRAME = 0.01  # [s]
 
@@ -23,6 +25,25 @@ class RigModule(unittest.TestCase):
         self.rig.rotate(rpm=90)
         self.rig.winch(-0.02)
         return self.rig.step_until(lambda s: s.truth.on_bottom and s.truth.hole_depth > 100.02, timeout=60)
+
+    def test_a_run_is_recorded_as_the_runner_writes_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            recorder = Recorder(os.path.join(folder, "run.csv"), "rig/", period=FRAME)
+            self.wait(lambda: self.rig.step() and recorder.last is not None)
+            states = []
+            for _ in range(5):
+                states.append(self.rig.step())
+                self.wait(lambda: recorder.last is not None and recorder.last > states[-1].t - 0.5 * FRAME)
+            recorder.close()
+            run = read_run(os.path.join(folder, "run.csv"))
+        for column, wanted in (("time", series(states, "t")), ("hook_load", series(states, "truth.hook_load")), ("wob", series(states, "bit.wob"))):
+            self.assertLess(max(abs(run[column][-5:] - wanted)), 1e-6 * max(abs(wanted)) + 1e-6)
+
+    def wait(self, until):
+        deadline = time.monotonic() + PATIENCE
+        while not until():
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
 
     def test_the_rate_is_the_nodes(self):
         self.assertEqual(100.0, self.rig.rate)

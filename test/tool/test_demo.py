@@ -83,6 +83,21 @@ class Demo(unittest.TestCase):
             self.assertEqual(demo.returncode, expected)
             self.assertFalse(alive(self.pid_in('launched')))
 
+    def test_it_leaves_a_page_and_says_where(self):
+        drawn = '#!/bin/sh\nif [ "$1" = -m ]; then [ -s "$3" ] && echo %s/index.html; exit; fi\n' % self.folder
+        records = 'for last; do :; done; echo time > $last\nwhile [ ! -s %s ]; do sleep 0.02; done\n' % self.place('launched')
+        said = self.demo(drawn + records).communicate(timeout=20)[0]
+        self.assertEqual(said.splitlines()[-1], 'logs and pictures of this run: %s/index.html' % self.folder)
+        waits = self.demo(drawn + records + 'echo $$ > %s\nexec sleep 100\n' % self.place('reading'))
+        self.pid_in('reading')
+        waits.send_signal(signal.SIGINT)
+        self.assertIn('logs and pictures of this run', waits.communicate(timeout=20)[0])
+
+    def test_without_a_page_it_says_why(self):
+        said = self.demo('#!/bin/sh\nif [ "$1" = -m ]; then echo "no matplotlib" >&2; exit 1; fi\n'
+                         'for last; do :; done; echo time > $last\nwhile [ ! -s %s ]; do sleep 0.02; done\n' % self.place('launched')).communicate(timeout=20)[0]
+        self.assertEqual(said.splitlines()[-1], 'no page of this run: no matplotlib')
+
 
 if __name__ == '__main__':
     unittest.main()
