@@ -9,14 +9,14 @@ RPM, DEGREE, BAR = 30.0 / math.pi, 180.0 / math.pi, 1e-5
 LEAST_INCLINATION = 0.005  # below it a hole has no azimuth [rad]
 BIN = 0.1  # of new hole, of which a depth log shows the mean [m]
 
-# tracks of curves: column, factor to the unit, name with unit, what its scale spans at least, colour
+# tracks of scales: columns, factor to the unit, name with unit, what it spans at least, colour; columns after the first are drawn on the same in grey
 TIME_TRACKS = (
     (("block_height", 1.0, "block [m]", 1, "#555555"), ("hook_load", 1e-3, "hook load [kN]", 5, "#1f5fa8")),
     (("rop", 3600.0, "ROP [m/h]", 1, "#c0392b"), ("wob", 1e-3, "WOB [kN]", 2, "#1f5fa8")),
     (("top_drive_speed", RPM, "top drive [rpm]", 5, "#555555"), ("bit_speed", RPM, "bit [rpm]", 5, "#e08e0b"), ("torque", 1e-3, "torque [kN m]", 0.2, "#1f5fa8")),
     (("stand_pipe_pressure", BAR, "stand pipe [bar]", 2, "#1f5fa8"), ("differential_pressure", BAR, "differential [bar]", 2, "#c0392b"),
      ("flow", 6e4, "flow [L/min]", 20, "#2ca02c")),
-    (("bit_depth", 1.0, "bit [m]", 1, "#1f5fa8"), ("hole_depth", 1.0, "hole [m]", 1, "#555555")))
+    (("bit_depth hole_depth", 1.0, "bit, hole (grey) [m]", 1, "#1f5fa8"),))
 DEPTH_TRACKS = (
     (("rop", 3600.0, "ROP [m/h]", 1, "#c0392b"), ("wob", 1e-3, "WOB [kN]", 2, "#1f5fa8")),
     (("top_drive_speed", RPM, "top drive [rpm]", 5, "#555555"), ("bit_speed", RPM, "bit [rpm]", 5, "#e08e0b"), ("torque", 1e-3, "torque [kN m]", 0.2, "#1f5fa8")),
@@ -49,15 +49,15 @@ def depth_log(run):
 
 
 def tracks(down, label, layout, columns, title):
-    """One axes a track; a track none of whose curves is there is left out."""
-    layout = [[curve for curve in track if curve[0] in columns] for track in layout]
+    """One axes a track; a track none of whose scales is there is left out."""
+    layout = [[scale for scale in track if scale[0].split()[0] in columns] for track in layout]
     layout = [track for track in layout if track]
     figure, axes = plt.subplots(1, len(layout), sharey=True, figsize=(2.3 * len(layout) + 0.6, 9.0), squeeze=False)
     for panel, track in zip(axes[0], layout):
         panel.set_xticks([])
         panel.grid(alpha=0.3)
-        for place, curve in enumerate(track):
-            draw_curve(panel, place, down, columns[curve[0]], curve)
+        for place, scale in enumerate(track):
+            draw_scale(panel, place, down, [scale[1] * columns[column] for column in scale[0].split()], scale)
     axes[0, 0].set_ylabel(label)
     axes[0, 0].set_ylim(down[-1], down[0])
     figure.suptitle(title, fontsize=10)
@@ -65,12 +65,13 @@ def tracks(down, label, layout, columns, title):
     return figure
 
 
-def draw_curve(panel, place, down, values, curve):
-    """On a scale of its own, above those before it."""
-    _, factor, name, least, colour = curve
+def draw_scale(panel, place, down, curves, drawn):
+    """Above those before it."""
+    _, _, name, least, colour = drawn
     scale = panel.twiny()
-    scale.plot(factor * values, down, color=colour, linewidth=0.8)
-    scale.set_xlim(*limits(factor * values, least))
+    for curve, shade in zip(curves, (colour, "#999999")):
+        scale.plot(curve, down, color=shade, linewidth=0.8)
+    scale.set_xlim(*limits(numpy.concatenate(curves), least))
     scale.spines["top"].set_position(("outward", 34.0 * place))
     scale.spines["top"].set_color(colour)
     scale.tick_params(axis="x", colors=colour, labelsize=7)
