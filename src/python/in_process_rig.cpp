@@ -4,6 +4,7 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "drill_rig_sim/math/kernel.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/requests.h"
 #include "drill_rig_sim/sim/run.h"
@@ -123,6 +124,12 @@ Frame InProcessRig::last_frame() const
 {
   const OperationStatus operation = playing_ ? player_.operations().status() : OperationStatus();
   return {signals_of(simulator_->readings(), operation), signals_of(simulator_->truth(), operation), bit_of(simulator_->truth())};
+}
+
+std::string InProcessRig::kernel() const
+{
+  const Turn turn(*this);
+  return name_of(simulator_->statistics().kernel);
 }
 
 Frame InProcessRig::frame() const

@@ -21,6 +21,11 @@ COMMANDS = {"winch": _sim.Winch, "top_drive": _sim.TopDrive, "mud_pump": _sim.Mu
 MOST_FRAMES = 100000  # of one call into the simulator
 
 
+def build():
+    """The linker's hash of the library, in hexadecimal digits."""
+    return _sim.build()
+
+
 class Record(typing.NamedTuple):
     """Of many frames, a row each: fields of RigState and BitTruth by their names, those of a set point as "winch.brake". As drill score takes a run
     (drill_rig_sim.score_runs.run_of_record). What no rig can sense is not among the readings."""
@@ -40,6 +45,11 @@ class Simulator(Lockstep):
         self._saved = {}
         self._telemetry = {"toolface": None, "survey": None}
         self._begin()
+
+    @property
+    def kernel(self):
+        """Of the batch kernels. The same scene gives the same bits by the same build() and kernel alone."""
+        return self._rig.kernel()
 
     # --- what downhole tools sent up, for drill_rig_sim.control.drive(rig, law, timeout, telemetry=rig)
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "../sim/build_identity.h"
 #include "in_process_rig.h"
 #include "python_fields.h"
 
@@ -47,6 +48,15 @@ public:
 private:
   Recording recording_;
 };
+
+/// Of the library, in hexadecimal digits.
+std::string build()
+{
+  constexpr char digits[] = "0123456789abcdef";
+  std::string text;
+  for (const unsigned char byte : build_identity()) text += {digits[byte / 16], digits[byte % 16]};
+  return text;
+}
 
 /// What the rig refuses is drill_rig_sim.lockstep.Refused in Python, with the same line.
 void translate(std::exception_ptr error)
@@ -149,6 +159,7 @@ void load_survey(InProcessRig& rig, const std::string& file, const std::vector<d
 PYBIND11_MODULE(_sim, module)
 {
   py::register_exception_translator(translate);
+  module.def("build", build);
   bind_setpoints(module);
   bind_frames(module);
   bind_telemetry(module);
@@ -160,6 +171,7 @@ PYBIND11_MODULE(_sim, module)
       .def("command", &InProcessRig::command)
       .def("advance", [](InProcessRig& rig, std::size_t frames) { rig.advance(frames, look_at_signals); }, no_gil())
       .def("frame", &InProcessRig::frame)
+      .def("kernel", &InProcessRig::kernel)
       .def("toolface", &InProcessRig::toolface)
       .def("survey", &InProcessRig::survey)
       .def("reset", &InProcessRig::reset, no_gil())

@@ -1,0 +1,185 @@
+"""drill_campaign PLAN.yaml: does its runs that are not done yet, into one SQLite file. drill_campaign report, export, scene FILE: looks at them."""
+import argparse
+import os
+import sys
+import time
+
+from drill_rig_sim.campaign import played
+from drill_rig_sim.campaign.plan import PlanError, read_plan
+from drill_rig_sim.campaign.results import Results, ResultsError
+from drill_rig_sim.campaign.runner import GOOD as RUN_GOOD, one_line
+from drill_rig_sim.campaign.scene_text import SceneTextError
+from drill_rig_sim.lockstep import Refused
+
+GOOD, SOME_BAD, BAD_INPUT, BROKEN = 0, 1, 2, 3
+TRIED = 10       # of the first runs, whether one can be built
+KEEP_EVERY = 0.5  # longest that results wait before they are in the file [s]
+
+
+class Said(Exception):
+    """The end of the command, and why."""
+
+
+def parser():
+    top = argparse.ArgumentParser(prog="drill_campaign", description=__doc__, epilog="Exit status: 0 all runs ended well, 1 some did not (their rows say why), "
+                                  "2 bad input, 3 the workers were lost or a signal came: what was done stays, the same command goes on.")
+    top.add_argument("plan", help="the plan's file; or report, export, scene with the results' file")
+    top.add_argument("--results", metavar="FILE", help="default: the plan's name with .sqlite, in this folder")
+    top.add_argument("--workers", type=int, default=0, metavar="N", help="processes on this machine; default: one a core")
+    top.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster, tcp://HOST:PORT")
+    top.add_argument("--slurm", type=int, default=0, metavar="N", help="so many workers by sbatch")
+    top.add_argument("--again", action="store_true", help="do runs anew that did not end well")
+    top.add_argument("--check", action="store_true", help="read the plan, build the first run's rig, say what there is to do, and end")
+    return top
+
+
+def looks():
+    """The parsers of the commands that look at results."""
+    found = {}
+    for name, text in (("report", "one page of a campaign's results"), ("export", "its rows as CSV"), ("scene", "the scene file of one of its runs")):
+        found[name] = argparse.ArgumentParser(prog="drill_campaign " + name, description=text)
+        found[name].add_argument("results", help="the campaign's SQLite file")
+        found[name].add_argument("--out", metavar="FILE", help="default: beside it")
+    found["scene"].add_argument("--run", type=int, required=True, metavar="K", help="number of the run, from 0 on")
+    return found
+
+
+class Progress:
+    """A line on a terminal, each half second; in a pipe one each ten."""
+
+    def __init__(self, left, out=sys.stderr):
+        self.left, self.done, self.bad, self.out = left, 0, 0, out
+        self.began, self.told = time.monotonic(), 0.0
+
+    def count(self, status):
+        self.done += 1
+        self.bad += status != RUN_GOOD
+        if time.monotonic() - self.told > (0.5 if self.out.isatty() else 10.0):
+            self.tell()
+
+    def tell(self, last=False):
+        self.told = time.monotonic()
+        rate = self.done / max(self.told - self.began, 1e-9)
+        line = "%d of %d done, %d of them bad, %.3g a second, %s to go" % (self.done, self.left, self.bad, rate, clock((self.left - self.done) / max(rate, 1e-9)))
+        ends = "\n" if last or not self.out.isatty() else "\x1b[K\r"
+        print(line, end=ends, file=self.out, flush=True)
+
+
+def clock(seconds):
+    return "%d:%02d:%02d" % (seconds // 3600, seconds // 60 % 60, seconds % 60)
+
+
+def campaign(options):
+    plan = read_plan(options.plan)
+    identity = first_rig(plan)
+    keys = [plan.blueprint.key_of(row, identity) for row in plan.rows]
+    file = options.results or os.path.splitext(os.path.basename(options.plan))[0] + ".sqlite"
+    if options.check:
+        print("%s: %d runs, %d of them different; build %s, kernel %s" % (options.plan, len(keys), len(set(keys)), identity[0][:8], identity[1]))
+        return GOOD
+    results = Results(file)
+    results.describe(keys, name=plan.blueprint.name, plan=plan.text, factors=plan.names, outputs=list(plan.blueprint.outputs), sample=plan.sample,
+                     report=plan.report, identity=identity, scenes=[plan.blueprint.scene, plan.blueprint.survey], keys=plan.blueprint.factors)
+    if options.again:
+        results.forget_bad(keys)
+    there = results.done()
+    todo = list({key: (key, row) for key, row in zip(keys, plan.rows) if key not in there}.values())
+    print("%s: %d runs, %d to do" % (file, len(keys), len(todo)), flush=True)
+    if todo:
+        do(plan.blueprint, todo, identity, results, options)
+    return told(results, len(keys))
+
+
+def first_rig(plan):
+    """Build and kernel, by the rig of one of the first runs; that one can be built and that outputs are there is seen too."""
+    for row in plan.rows[:TRIED]:
+        try:
+            rig = played.simulator(plan.blueprint, row)
+            check_outputs(plan.blueprint, rig)
+            return [played.identity(), rig.kernel]
+        except (Refused, SceneTextError) as error:
+            refusal = one_line(error, plan.blueprint)
+    raise PlanError("%s: %s" % ("the only run" if len(plan.rows) == 1 else "each of the first %d runs is refused, the last" % len(plan.rows[:TRIED]), refusal))
+
+
+def check_outputs(blueprint, rig):
+    """That each output by a path is one."""
+    from drill_rig_sim.campaign.outputs import check
+    for name, what in blueprint.outputs.items():
+        if isinstance(what, str):
+            problem = check(what, rig)
+            if problem:
+                raise PlanError("outputs: %s: %s" % (name, problem))
+
+
+def do(blueprint, todo, identity, results, options):
+    from drill_rig_sim.campaign import engine  # needs Dask
+    rows, progress, kept = [], Progress(len(todo)), [time.monotonic()]
+
+    def take(key, row, answer):
+        status, reason, outputs, cpu, worker = answer
+        rows.append((key, row, status, reason, outputs, cpu, worker))
+        progress.count(status)
+        if time.monotonic() - kept[0] > KEEP_EVERY:
+            keep()
+
+    def keep():
+        results.add(rows)
+        rows.clear()
+        kept[0] = time.monotonic()
+
+    open_things = []
+    try:
+        client, open_things = engine.connect(options.scheduler, options.slurm, options.workers)
+        open_things.insert(0, client)
+        engine.work(client, blueprint, todo, identity, take)
+    except (engine.EngineError, OSError) as error:
+        raise Said("%s; %d runs are done, the same command goes on" % (error, progress.done))
+    finally:
+        keep()
+        progress.tell(last=True)
+        for thing in open_things:
+            thing.close()
+
+
+def told(results, number):
+    counts = {}
+    for row in results.rows():
+        counts[row["status"]] = counts.get(row["status"], 0) + 1
+    print("%d of %d runs are there: %s" % (sum(counts.values()), number, ", ".join("%d %s" % (n, status) for status, n in sorted(counts.items()))))
+    return GOOD if counts.get(RUN_GOOD, 0) == number else SOME_BAD
+
+
+def look(name, words):
+    options = looks()[name].parse_args(words)
+    results = Results(options.results, write=False)
+    base = os.path.splitext(options.results)[0]
+    if name == "export":
+        file = options.out or base + ".csv"
+        results.write_csv(file)
+    else:
+        from drill_rig_sim.campaign import report
+        file = report.write_page(results, options.out or base + ".html") if name == "report" else report.write_scene(results, options.run, options.out)
+    print(file)
+    return GOOD
+
+
+def main(words=None):
+    words = sys.argv[1:] if words is None else words
+    try:
+        if words[:1] and words[0] in looks():
+            return look(words[0], words[1:])
+        return campaign(parser().parse_args(words))
+    except (PlanError, ResultsError) as error:
+        print("drill_campaign: %s" % error, file=sys.stderr)
+        return BAD_INPUT
+    except ImportError as error:
+        print("drill_campaign: %s; campaigns need Debian's python3-distributed and python3-scipy" % error, file=sys.stderr)
+        return BROKEN
+    except (Said, KeyboardInterrupt) as error:
+        print("drill_campaign: %s" % (str(error) or "stopped: what was done stays, the same command goes on"), file=sys.stderr)
+        return BROKEN
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,152 @@
+"""Dask distributed does the work: on this machine's cores, on a running cluster, or on workers that Slurm starts."""
+import ipaddress
+import os
+import shutil
+import subprocess
+import sys
+import urllib.parse
+
+import dask
+import distributed
+from drill_rig_sim.campaign.runner import DIED, Runner
+
+PLUGIN = "drill_campaign"
+PAGE = "127.0.0.1:0"  # Dask's own page, for this machine alone; it needs bokeh
+AHEAD = 3  # runs that wait beside each that is done: a worker is never idle, and the scheduler's memory stays small
+
+
+class EngineError(Exception):
+    """Why there are no workers, in one line."""
+
+
+class RunnerPlugin(distributed.WorkerPlugin):
+    """Gives every worker, also one that comes later, its runner."""
+    name = PLUGIN
+
+    def __init__(self, blueprint):
+        self.blueprint, self.runner = blueprint, None
+
+    def setup(self, worker):
+        self.runner = Runner(self.blueprint)
+
+    def teardown(self, worker):
+        if self.runner is not None:
+            self.runner.end()
+
+
+def one(row, identity):
+    """On a worker: a run, as runner.run() answers, and which worker it was."""
+    worker = distributed.get_worker()
+    return (*worker.plugins[PLUGIN].runner.run(row, identity), worker.address)
+
+
+def connect(scheduler=None, slurm=0, workers=0):
+    """A client and what is to be closed after it, itself first. Without arguments: as many processes on this machine as it has cores for us."""
+    dask.config.set({"distributed.worker.daemon": False, "distributed.comm.timeouts.connect": "20s", "distributed.admin.log-format": "%(levelname)s %(message)s"})
+    if scheduler is not None:
+        return distributed.Client(address_checked(scheduler), security=security(), timeout="20s"), []
+    if slurm:
+        return on_slurm(slurm)
+    cluster = distributed.LocalCluster(n_workers=workers or len(os.sched_getaffinity(0)), threads_per_worker=1, processes=True, host="127.0.0.1",
+                                       dashboard_address=PAGE, worker_dashboard_address=PAGE, memory_limit=None, silence_logs=50)
+    return distributed.Client(cluster), [cluster]
+
+
+def address_checked(address):
+    """Beyond this machine TLS is asked for: a task is code."""
+    parts = urllib.parse.urlsplit(address)
+    if parts.scheme not in ("tcp", "tls") or not parts.hostname or not parts.port:
+        raise EngineError("%s: is no address, needed: tcp://HOST:PORT of this machine, or tls://HOST:PORT" % address)
+    if parts.scheme == "tcp" and not is_here(parts.hostname):
+        raise EngineError("%s: is another machine: needed: tls://HOST:PORT, with certificates by Dask's configuration (distributed.comm.tls)" % address)
+    return address
+
+
+def is_here(host):
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
+
+
+def security():
+    found = distributed.Security()
+    return found if found.tls_client_cert else None
+
+
+def on_slurm(number):
+    """A scheduler here, and as many workers by sbatch, each of one core. They find it by a file in this folder, and end with it."""
+    if not shutil.which("sbatch"):
+        raise EngineError("--slurm: there is no sbatch")
+    if security() is None:
+        raise EngineError("--slurm: workers are on other machines: needed: certificates by Dask's configuration (distributed.comm.tls)")
+    cluster = distributed.LocalCluster(n_workers=0, host="tls://0.0.0.0", security=security(), dashboard_address=PAGE, silence_logs=50)
+    client = distributed.Client(cluster)
+    script = slurm_script(number, cluster.scheduler_address)
+    done = subprocess.run(["sbatch", "--parsable"], input=script, capture_output=True, text=True, check=False)
+    if done.returncode:
+        cluster.close()
+        raise EngineError("--slurm: sbatch: %s" % " ".join(done.stderr.split()))
+    job = done.stdout.strip().split(";")[0]
+    return client, [SlurmJob(job), cluster]
+
+
+def slurm_script(number, address):
+    return "\n".join(["#!/bin/sh", "#SBATCH --job-name=drill_campaign --ntasks=%d --cpus-per-task=1" % number, "export PYTHONPATH=%s" % ":".join(sys.path[1:]),
+                      "exec srun %s -m distributed.cli.dask_worker %s --nthreads 1 --nworkers 1 --dashboard-address %s --death-timeout 60" % (sys.executable, address, PAGE)]) + "\n"
+
+
+class SlurmJob:
+    """Workers that end with the campaign."""
+
+    def __init__(self, job):
+        self.job = job
+
+    def close(self):
+        subprocess.run(["scancel", self.job], check=False, capture_output=True)
+
+
+def work(client, blueprint, tasks, identity, take):
+    """Does tasks (key, row), a few more than there are workers at a time; take(key, row, answer) with each answer, in the order of their ends."""
+    client.register_worker_plugin(RunnerPlugin(blueprint), PLUGIN)
+    suspects = []
+
+    def taken(key, row, answer):
+        if answer is None:
+            suspects.append((key, row))
+        else:
+            take(key, row, answer)
+
+    send_all(client, iter(tasks), identity, (1 + AHEAD) * max(1, len(client.scheduler_info()["workers"])), taken)
+    # workers died, of one of the runs that they had: one after the other tells which
+    for key, row in list(suspects):
+        send_all(client, iter([(key, row)]), identity, 1, lambda key, row, answer: take(key, row, answer or (DIED, "its workers died, one after the other", {}, 0.0, "")))
+
+
+def send_all(client, tasks, identity, ahead, taken):
+    finished, rows = distributed.as_completed(), {}
+
+    def send():
+        for key, row in tasks:
+            rows[key] = row
+            finished.add(client.submit(one, row, identity, key=key, pure=False))
+            return
+
+    for _ in range(ahead):
+        send()
+    for future in finished:
+        taken(future.key, rows.pop(future.key), answer_of(future))
+        future.release()
+        send()
+
+
+def answer_of(future):
+    """None of a run whose workers died, one after the other."""
+    try:
+        return future.result()
+    except distributed.scheduler.KilledWorker:
+        return None
+    except Exception as error:  # pylint: disable=broad-except
+        if future.status == "error":  # of Dask or of our own code, not of a run
+            raise EngineError("%s: %s" % (type(error).__name__, " ".join(str(error).split())))
+        raise EngineError("the scheduler was lost")

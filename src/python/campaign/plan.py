@@ -1,0 +1,188 @@
+"""Reads a campaign's plan: a Plan, or a PlanError that names file, line and key."""
+import os
+
+from drill_rig_sim.campaign.blueprint import CONTROLLER, SEED, Blueprint, Source, in_scene
+from drill_rig_sim.campaign.designs import KINDS, DesignError, Factor, rows_of
+from drill_rig_sim.campaign.plan_text import PlanError, plan_of
+from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError
+from drill_rig_sim.lockstep import Refused
+from drill_rig_sim.sim import found
+
+KEYS = ("name", "scene", "duration", "rate", "every", "from", "seed", "controller", "factors", "sample", "judge", "outputs", "bounds", "report")
+FACTOR_KEYS = ("name", "key", "keys", "values", "from", "to", "log", "times")
+NUMBERED = ("latin_hypercube", "sobol", "saltelli")
+JUDGE = ("plan", "bit_diameter", "wob", "wob_band", "toolface", "toolface_band")  # as drill score's function has them
+MOST_RUNS = 10**6
+
+
+class Plan:
+    """`blueprint` of a run; `rows` of values, one a run, of the factors `names`; `sample`: kind, runs, steps, seed; `report`: what the page shows."""
+
+    def __init__(self, blueprint, names, rows, sample, report, text):
+        self.blueprint, self.names, self.rows, self.sample, self.report, self.text = blueprint, names, rows, sample, report, text
+
+
+def read_plan(file):
+    top = plan_of(file)
+    entries = top.mapping(KEYS, needed=("scene", "factors", "sample", "outputs"))
+    base = os.path.dirname(os.path.abspath(file))
+    factors, keys = factors_of(entries["factors"])
+    blueprint = blueprint_of(entries, base, factors, keys, os.path.splitext(os.path.basename(file))[0])
+    sample = sample_of(entries["sample"], factors)
+    try:
+        rows = rows_of(factors, **sample)
+    except DesignError as error:
+        entries["sample"].fail(str(error))
+    if len(rows) > MOST_RUNS:
+        entries["sample"].fail("these are %d runs, allowed: up to %d" % (len(rows), MOST_RUNS))
+    report = report_of(entries.get("report"), [factor.name for factor in factors], list(blueprint.outputs))
+    with open(file, encoding="utf-8") as text:
+        return Plan(blueprint, [factor.name for factor in factors], rows, sample, report, text.read())
+
+
+def factors_of(entry):
+    """Factors, and their keys as the blueprint has them."""
+    factors, keys = [], []
+    for item in entry.sequence():
+        parts = item.mapping(FACTOR_KEYS, needed=("name",))
+        if ("key" in parts) == ("keys" in parts):
+            item.fail("needs key or keys, not both")
+        name = parts["name"].text()
+        if name in [factor.name for factor in factors]:
+            parts["name"].fail("%s: there is one of this name" % name)
+        places = [parts["key"].text()] if "key" in parts else [one.text() for one in parts["keys"].sequence()]
+        factors.append(range_of(item, name, parts))
+        keys.append((name, places, "times" in parts and parts["times"].yes()))
+    return factors, keys
+
+
+def range_of(item, name, parts):
+    if "values" in parts:
+        for other in ("from", "to", "log"):
+            if other in parts:
+                parts[other].fail("stands beside values, allowed: values, or from and to")
+        return Factor(name, values=[one.plain() for one in parts["values"].sequence()])
+    for needed in ("from", "to"):
+        if needed not in parts:
+            item.fail("needs values, or from and to")
+    log = "log" in parts and parts["log"].yes()
+    low = parts["from"].number(beyond=0.0 if log else None)
+    return Factor(name, low=low, high=parts["to"].number(beyond=low), log=log)
+
+
+def sample_of(entry, factors):
+    parts = entry.mapping(("kind", "runs", "steps", "seed"), needed=("kind",))
+    kind = parts["kind"].choice(tuple(KINDS))
+    wanted = "runs" if kind in NUMBERED else "steps"
+    other = "steps" if wanted == "runs" else "runs"
+    if other in parts:
+        parts[other].fail("%s has %s" % (kind, wanted))
+    if wanted not in parts and (kind in NUMBERED or any(factor.values is None for factor in factors)):
+        entry.fail("%s needs %s" % (kind, wanted))
+    return {"kind": kind, "runs": parts["runs"].whole(1, MOST_RUNS) if "runs" in parts else 0, "steps": parts["steps"].whole(1, 10000) if "steps" in parts else 0,
+            "seed": parts["seed"].whole() if "seed" in parts else 0}
+
+
+def blueprint_of(entries, base, factors, keys, name):
+    scene_file = file_of(entries["scene"], base, "config/scenes")
+    scene = read(entries["scene"], scene_file)
+    controller, parameters = controller_of(entries.get("controller"), base)
+    for (_, places, _), item in zip(keys, entries["factors"].sequence()):
+        for place in places:
+            check_key(item, place, scene, controller is not None)
+    numbers = {name: entries[key].number(least, beyond) for key, name, least, beyond in
+               (("duration", "duration", None, 0.0), ("rate", "rate", 1.0, None), ("every", "every", None, 0.0), ("from", "begin", 0.0, None)) if key in entries}
+    bounds = entries["bounds"].mapping(("cpu", "wall", "memory")) if "bounds" in entries else {}
+    judge = judge_of(entries.get("judge"), base)
+    return Blueprint(entries["name"].text() if "name" in entries else name, scene, survey_of(entries["scene"], scene, scene_file), keys, controller, parameters,
+                     seed=entries["seed"].whole() if "seed" in entries else 0, outputs=outputs_of(entries["outputs"], base), judge=judge,
+                     **numbers, **{key: bound.number(beyond=0.0) for key, bound in bounds.items()})
+
+
+def check_key(item, place, scene, has_controller):
+    if place == SEED:
+        return
+    if place.startswith(CONTROLLER):
+        if not has_controller:
+            item.fail("%s: the plan has no controller" % place)
+        return
+    if not in_scene(place):
+        return
+    try:
+        SceneText(scene, [place])
+    except SceneTextError as error:
+        item.fail(str(error))
+
+
+def controller_of(entry, base):
+    if entry is None:
+        return None, {}
+    parts = entry.mapping(("class", "parameters"), needed=("class",))
+    return source_of(parts["class"], base), parts["parameters"].plain() if "parameters" in parts else {}
+
+
+def source_of(entry, base):
+    """file.py:Name from the plan's folder, or package.module:Name."""
+    where = entry.text()
+    module, colon, name = where.rpartition(":")
+    if not colon or not name.isidentifier():
+        entry.fail("is %s, needed: FILE.py:NAME or PACKAGE.MODULE:NAME" % where)
+    source = Source(where, read(entry, os.path.join(base, module)) if module.endswith(".py") else None)
+    try:
+        source.load()
+    except Exception as error:  # pylint: disable=broad-except
+        entry.fail("%s: %s: %s" % (where, type(error).__name__, " ".join(str(error).split())))
+    return source
+
+
+def outputs_of(entry, base):
+    found_outputs = {name: source_of(value, base) if ":" in value.text() else value.text() for name, value in entry.mapping().items()}
+    return found_outputs if found_outputs else entry.fail("needs one or more")
+
+
+def judge_of(entry, base):
+    if entry is None:
+        return {}
+    parts = entry.mapping(JUDGE)
+    return {name: read(value, file_of(value, base, "config/surveys")) if name == "plan" else value.number() for name, value in parts.items()}
+
+
+def report_of(entry, factors, outputs):
+    """The map's two factors and output, and by which output runs are worst: by default the first of each, the largest."""
+    parts = entry.mapping(("map", "worst")) if entry is not None else {}
+    shown = {"map": factors[:2] + outputs[:1] if len(factors) > 1 else [], "worst": outputs[0], "least": False}
+    if "map" in parts:
+        words = parts["map"].sequence()
+        if len(words) != 3:
+            parts["map"].fail("needed: two factors and an output")
+        shown["map"] = [words[0].choice(factors), words[1].choice(factors), words[2].choice(outputs)]
+    if "worst" in parts:
+        worst = parts["worst"].mapping(("output", "least"), needed=("output",))
+        shown["worst"], shown["least"] = worst["output"].choice(outputs), "least" in worst and worst["least"].yes()
+    return shown
+
+
+def file_of(entry, base, folder):
+    """From the plan's folder, else as a node finds it."""
+    beside = os.path.join(base, entry.text())
+    if os.path.isfile(beside):
+        return beside
+    try:
+        return found(entry.text(), folder)
+    except Refused as error:
+        return entry.fail(str(error))
+
+
+def survey_of(entry, scene, scene_file):
+    """The text of the survey's file that the scene names, or None."""
+    import yaml
+    well = (yaml.safe_load(scene) or {}).get("well") or {}
+    return read(entry, os.path.join(os.path.dirname(scene_file), str(well["survey"]))) if "survey" in well else None
+
+
+def read(entry, file):
+    try:
+        with open(file, encoding="utf-8") as text:
+            return text.read()
+    except (OSError, UnicodeDecodeError) as error:
+        return entry.fail("%s: %s" % (file, getattr(error, "strerror", None) or error))

@@ -1,0 +1,97 @@
+"""One run of a blueprint in this process, and what is asked of it."""
+import math
+
+import numpy
+from drill_rig_sim.control import drive
+from drill_rig_sim.lockstep import series
+from drill_rig_sim.score import score
+from drill_rig_sim.score_runs import run_of_record, run_of_states
+from drill_rig_sim.sim import Simulator, build
+
+STATISTICS = {
+    "mean": lambda values, weights: numpy.average(values, weights=weights),
+    "deviation": lambda values, weights: math.sqrt(numpy.average((values - numpy.average(values, weights=weights))**2, weights=weights)),
+    "least": lambda values, weights: values.min(), "largest": lambda values, weights: values.max(),
+    "first": lambda values, weights: values[0], "last": lambda values, weights: values[-1]}
+SIDES = ("readings", "truth", "bit")
+
+
+class Played:
+    """A run that is over. `t` [s]; readings(name), truth(name), bit(name): a number each, by the fields of RigState and BitTruth; `run`: as drill score takes it;
+    `scores`: drill score's; `done`: whether the controller says so (None without one)."""
+
+    def __init__(self, blueprint, record, states, done):
+        self.done, self._record, self._states = done, record, states
+        t = record.t if states is None else series(states, "t")
+        run = run_of_record(record) if states is None else run_of_states(states)
+        self.counted = t > blueprint.begin
+        if not self.counted.sum() > 1:
+            raise ValueError("the run ended by %g s, before what counts from %g s on" % (t[-1], blueprint.begin))
+        self.t = t[self.counted]
+        self.run = type(run)({name: values[self.counted] for name, values in run.columns.items()}, run.source, blueprint.name)
+        self._judge = blueprint.judge_files()
+        self._scores = None
+
+    @property
+    def scores(self):
+        if self._scores is None:
+            self._scores = score(self.run, **self._judge)
+        return self._scores
+
+    def readings(self, name):
+        return self._side("readings", name)
+
+    def truth(self, name):
+        return self._side("truth", name)
+
+    def bit(self, name):
+        return self._side("bit", name)
+
+    def _side(self, side, name):
+        if self._states is not None:
+            return series(self._states, side + "." + name)[self.counted].astype(float)
+        return getattr(self._record, side)[name][self.counted].astype(float)
+
+    def output(self, asked):
+        """By a path of drill score's (wob.mean), a statistic over time (mean.readings.surface_wob), or a function of this run. A number, or None."""
+        if callable(asked):
+            return number(asked(self))
+        first, _, rest = asked.partition(".")
+        if first in STATISTICS:
+            side, _, name = rest.partition(".")
+            return number(STATISTICS[first](self._side(side, name), numpy.gradient(self.t)))
+        value = self.scores
+        for name in asked.split("."):
+            value = None if value is None else value[name]
+        return number(value)
+
+
+def number(value):
+    """As JSON has them; what is no finite number is None."""
+    value = None if value is None else float(value)
+    return value if value is not None and math.isfinite(value) else None
+
+
+def identity():
+    """Of the library."""
+    return build()
+
+
+def play(blueprint, row, rig=None):
+    """The run of a row of factors' values."""
+    rig = rig or simulator(blueprint, row)
+    every = round(blueprint.every * rig.rate)
+    if blueprint.controller is None:
+        return Played(blueprint, rig.record(blueprint.duration, every), None, None)
+    law = blueprint.controller.load()(**blueprint.parameters_of(row))
+    states = drive(rig, law, blueprint.duration, telemetry=rig)
+    return Played(blueprint, None, states, bool(law.done))
+
+
+def simulator(blueprint, row):
+    return Simulator(blueprint.written(row), rate=blueprint.rate, seed=blueprint.seed_of(row), play_program=blueprint.controller is None)
+
+
+def outputs_of(blueprint, played):
+    """Numbers by the outputs' names."""
+    return {name: played.output(what if isinstance(what, str) else what.load()) for name, what in blueprint.outputs.items()}

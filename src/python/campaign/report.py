@@ -1,0 +1,131 @@
+"""A campaign's page: what came of it, map, sensitivity, histograms, the worst runs; and the scene of one of its runs."""
+import base64
+import html
+import io
+import os
+
+import numpy
+from drill_rig_sim.campaign import report_pictures
+from drill_rig_sim.campaign.blueprint import Blueprint
+from drill_rig_sim.campaign.results import ResultsError
+from drill_rig_sim.campaign.runner import GOOD
+
+WORST = 10
+STYLE = """body{font-family:sans-serif;margin:1.5em;color:#222;max-width:72em}img{max-width:100%;border:1px solid #ddd}table{border-collapse:collapse;margin:0.5em 0 1.5em}
+td,th{border:1px solid #ccc;padding:0.2em 0.6em;text-align:right}td:last-child,th:last-child{text-align:left}pre{background:#f6f6f6;padding:1em;overflow-x:auto}"""
+
+
+class Rows:
+    """The plan's runs that are there."""
+
+    def __init__(self, results):
+        self.about = results.about()
+        if "factors" not in self.about:
+            raise ResultsError("%s: holds no campaign" % results.file)
+        self.rows = list(results.rows())
+        self.good = [row for row in self.rows if row["status"] == GOOD]
+        self.factors, self.outputs = self.about["factors"], self.about["outputs"]
+
+    def output(self, name, rows=None):
+        """Numbers; not a number where a run has none."""
+        return numpy.array([numpy.nan if row["outputs"].get(name) is None else row["outputs"][name] for row in (self.good if rows is None else rows)], dtype=float)
+
+    def factor(self, name):
+        return [row["values"][self.factors.index(name)] for row in self.good]
+
+
+def write_page(results, file):
+    """Returns the file."""
+    rows = Rows(results)
+    parts = ["<h1>%s</h1>" % html.escape(rows.about["name"]), "<p>%s</p>" % html.escape(summary(rows)), statistics(rows)]
+    for title, figure in report_pictures.figures_of(rows):
+        parts += ["<h2>%s</h2>" % html.escape(title), '<img alt="%s" src="data:image/png;base64,%s">' % (html.escape(title), png_of(figure))]
+    parts += ["<h2>The worst by %s</h2>" % html.escape(rows.about["report"]["worst"]), worst(rows, os.path.basename(results.file)),
+              bad(rows), "<h2>Plan</h2><pre>%s</pre>" % html.escape(rows.about["plan"])]
+    with open(file, "w", encoding="utf-8") as out:
+        out.write('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>%s</title><style>%s</style></head>\n<body>%s</body></html>\n' %
+                  (html.escape(rows.about["name"]), STYLE, "\n".join(parts)))
+    return file
+
+
+def summary(rows):
+    build, kernel = rows.about["identity"]
+    return "%d runs, %d of them good; %.3g s of processor time. Build %s, kernel %s; sample: %s." % (
+        len(rows.rows), len(rows.good), sum(row["cpu"] for row in rows.rows), build[:8], kernel,
+        ", ".join("%s %s" % (name, value) for name, value in rows.about["sample"].items() if value))
+
+
+def table(head, lines):
+    cells = lambda kind, line: "<tr>%s</tr>" % "".join("<%s>%s</%s>" % (kind, html.escape(str(cell)), kind) for cell in line)  # noqa: E731
+    return "<table>%s%s</table>" % (cells("th", head), "".join(cells("td", line) for line in lines))
+
+
+def statistics(rows):
+    lines = []
+    for name in rows.outputs:
+        values = rows.output(name)
+        values = values[numpy.isfinite(values)]
+        if len(values):
+            lines.append([len(values), *("%.4g" % q for q in (values.mean(), values.std(), *numpy.percentile(values, (0, 5, 50, 95, 100)))), name])
+    return table(["runs", "mean", "deviation", "least", "5 %", "median", "95 %", "largest", "output"], lines)
+
+
+def worst_rows(rows):
+    name, least = rows.about["report"]["worst"], rows.about["report"]["least"]
+    values = rows.output(name)
+    order = numpy.argsort(values if least else -values, kind="stable")
+    return [rows.good[k] for k in order if numpy.isfinite(values[k])][:WORST]
+
+
+def worst(rows, file):
+    """The runs, and what shows each of them in rviz."""
+    shown = worst_rows(rows)
+    name = rows.about["report"]["worst"]
+    lines = [[row["number"], "%.5g" % row["outputs"][name], *(shortly(value) for value in row["values"]), "drill_campaign scene %s --run %d" % (file, row["number"])]
+             for row in shown]
+    text = table(["run", name, *rows.factors, "its scene"], lines)
+    if shown:
+        text += "<p>A look at one:</p><pre>%s</pre>" % html.escape(replay_commands(file, shown[0]["number"]))
+    return text
+
+
+def replay_commands(file, number):
+    return ("drill_campaign scene %s --run %d --out run_%d.yaml\nroslaunch drill_rig_sim rig.launch scene:=$PWD/run_%d.yaml play_program:=true rviz:=true" %
+            (file, number, number, number))
+
+
+def shortly(value):
+    return "%.5g" % value if isinstance(value, float) else value
+
+
+def bad(rows):
+    failed = [row for row in rows.rows if row["status"] != GOOD]
+    if not failed:
+        return ""
+    lines = [[row["number"], row["status"], *(shortly(value) for value in row["values"]), row["reason"]] for row in failed[:50]]
+    more = "<p>and %d more</p>" % (len(failed) - 50) if len(failed) > 50 else ""
+    return "<h2>What did not end well</h2>" + table(["run", "status", *rows.factors, "why"], lines) + more
+
+
+def png_of(figure):
+    out = io.BytesIO()
+    figure.savefig(out, format="png", dpi=90)
+    report_pictures.plt.close(figure)
+    return base64.b64encode(out.getvalue()).decode("ascii")
+
+
+def write_scene(results, number, file=None):
+    """The scene's file of a run; beside it its survey where it has one. Returns the file."""
+    rows = Rows(results)
+    wanted = [row for row in rows.rows if row["number"] == number]
+    if not wanted:
+        raise ResultsError("%s: has no run %d" % (results.file, number))
+    file = file or "run_%d.yaml" % number
+    scene, survey = rows.about["scenes"]
+    blueprint = Blueprint(rows.about["name"], scene, survey, [tuple(factor) for factor in rows.about["keys"]])
+    with open(file, "w", encoding="utf-8") as out:
+        out.write(blueprint.scene_of(wanted[0]["values"], os.path.basename(file) + ".survey.csv"))
+    if survey is not None:
+        with open(file + ".survey.csv", "w", encoding="utf-8") as out:
+            out.write(survey)
+    return file

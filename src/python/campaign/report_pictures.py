@@ -1,0 +1,105 @@
+"""Pictures of a campaign's page."""
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  pylint: disable=wrong-import-position
+import numpy  # noqa: E402  pylint: disable=wrong-import-position
+from drill_rig_sim.campaign import sensitivity  # noqa: E402  pylint: disable=wrong-import-position
+
+MOST_HISTOGRAMS = 12
+
+
+def figures_of(rows):
+    """Titles and figures; what there are no numbers for is left out."""
+    drawn = [("Map", factor_map(rows)), ("Sensitivity", influence(rows)), ("Histograms", histograms(rows))]
+    return [one for one in drawn if one[1] is not None]
+
+
+def numbers(values):
+    """A column as numbers; words by their place in the list of them, with their names."""
+    try:
+        return numpy.array([float(value) for value in values]), None
+    except (TypeError, ValueError):
+        names = sorted({str(value) for value in values})
+        return numpy.array([float(names.index(str(value))) for value in values]), names
+
+
+def factor_map(rows):
+    """An output over two factors: squares where the runs are a grid, else points."""
+    if not rows.about["report"]["map"] or not rows.good:
+        return None
+    first, second, output = rows.about["report"]["map"]
+    (x, x_names), (y, y_names), z = numbers(rows.factor(first)), numbers(rows.factor(second)), rows.output(output)
+    if not numpy.isfinite(z).any():
+        return None
+    figure, panel = plt.subplots(figsize=(7.5, 5.5))
+    columns, lines = numpy.unique(x), numpy.unique(y)
+    if 1 < len(columns) * len(lines) <= len(z):
+        squares = numpy.full((len(lines), len(columns)), numpy.nan)
+        for k in range(len(columns)):
+            for m in range(len(lines)):
+                inside = z[(x == columns[k]) & (y == lines[m]) & numpy.isfinite(z)]
+                squares[m, k] = inside.mean() if len(inside) else numpy.nan
+        shown = panel.pcolormesh(columns, lines, squares, shading="nearest", cmap="viridis")
+    else:
+        shown = panel.scatter(x, y, c=z, s=18, cmap="viridis")
+    for names, axis in ((x_names, panel.xaxis), (y_names, panel.yaxis)):
+        if names:
+            axis.set_ticks(range(len(names)), names)
+    panel.set_xlabel(first)
+    panel.set_ylabel(second)
+    figure.colorbar(shown, label=output)
+    figure.tight_layout()
+    return figure
+
+
+def influence(rows):
+    """Sobol's indices of a saltelli design, else rank correlations; a group of bars an output."""
+    saltelli = rows.about["sample"]["kind"] == "saltelli"
+    found = {}
+    for output in rows.outputs:
+        if saltelli:
+            whole = rows.output(output, [row if row["status"] == "good" else {"outputs": {}} for row in rows.rows])
+            complete = len(rows.rows) == rows.about["sample"]["runs"] * (len(rows.factors) + 2)
+            found[output] = sensitivity.indices(whole, len(rows.factors)) if complete else None
+        else:
+            found[output] = sensitivity.rank_correlations([rows.factor(name) for name in rows.factors], rows.output(output))
+    found = {output: values for output, values in found.items() if values and any(value is not None for value in values)}
+    if not found:
+        return None
+    figure, panels = plt.subplots(1, len(found), figsize=(max(4.0, 3.4 * len(found)), 0.5 * len(rows.factors) + 1.6), sharey=True, squeeze=False)
+    places = numpy.arange(len(rows.factors))
+    for panel, (output, values) in zip(panels[0], found.items()):
+        if saltelli:
+            first, first_width, total, total_width = numpy.array(values).T
+            panel.barh(places - 0.18, first, 0.34, xerr=first_width, label="first order", color="#1f5fa8")
+            panel.barh(places + 0.18, total, 0.34, xerr=total_width, label="total", color="#e08e0b")
+            panel.set_xlim(-0.1, 1.1)
+            panel.legend(fontsize=7)
+        else:
+            panel.barh(places, [0.0 if value is None else value for value in values], 0.5, color="#1f5fa8")
+            panel.set_xlim(-1.0, 1.0)
+            panel.set_xlabel("rank correlation", fontsize=8)
+        panel.axvline(0.0, color="#555555", linewidth=0.6)
+        panel.set_title(output, fontsize=9)
+        panel.set_yticks(places, rows.factors)
+    figure.tight_layout()
+    return figure
+
+
+def histograms(rows):
+    shown = [(name, rows.output(name)) for name in rows.outputs]
+    shown = [(name, values[numpy.isfinite(values)]) for name, values in shown if numpy.isfinite(values).any()][:MOST_HISTOGRAMS]
+    if not shown:
+        return None
+    wide = min(3, len(shown))
+    high = (len(shown) + wide - 1) // wide
+    figure, panels = plt.subplots(high, wide, figsize=(3.6 * wide, 2.4 * high), squeeze=False)
+    for panel in panels.flat[len(shown):]:
+        panel.set_visible(False)
+    for panel, (name, values) in zip(panels.flat, shown):
+        panel.hist(values, bins=min(40, max(5, int(len(values)**0.5))), color="#1f5fa8")
+        panel.set_xlabel(name, fontsize=8)
+        panel.set_ylabel("runs", fontsize=8)
+    figure.tight_layout()
+    return figure

@@ -1,0 +1,91 @@
+"""A campaign's results: one SQLite file, a row a run. What is in it stays, however the campaign ends."""
+import csv
+import fcntl
+import json
+import sqlite3
+import time
+
+SCHEMA = 1
+TABLES = """
+create table campaign (name text primary key, value text) without rowid;
+create table planned (number integer primary key, key text);
+create table runs (key text primary key, "values" text, status text, reason text, outputs text, cpu real, worker text, at real) without rowid;
+"""
+
+
+class ResultsError(Exception):
+    """What is wrong with a results' file, in one line."""
+
+
+class Results:
+    """Opens the file, or makes it. What it says of itself (`about`) is the newest plan's: name, text, factors, outputs. One process writes, any number read."""
+
+    def __init__(self, file, write=True):
+        self.file, self.lock = file, None
+        try:
+            self.data = sqlite3.connect("file:%s?mode=%s" % (file.replace("?", "%3f").replace("#", "%23"), "rwc" if write else "ro"), uri=True, timeout=30.0)
+            version = self.data.execute("pragma user_version").fetchone()[0]
+            if write and version == 0 and not self.data.execute("select count(*) from sqlite_master").fetchone()[0]:
+                self.data.executescript("begin; %s pragma user_version = %d; commit;" % (TABLES, SCHEMA))
+                version = SCHEMA
+        except sqlite3.Error as error:
+            raise ResultsError("%s: %s" % (file, error))
+        if version != SCHEMA:
+            raise ResultsError("%s: is no results' file of a campaign%s" % (file, " of version %d" % SCHEMA if version else ""))
+        if write:
+            self.take_lock()
+
+    def take_lock(self):
+        """Two campaigns that write one file would do runs twice."""
+        try:
+            self.lock = open(self.file, "rb")  # pylint: disable=consider-using-with
+            fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            raise ResultsError("%s: another campaign writes it" % self.file)
+
+    def describe(self, planned, **about):
+        """The plan from now on: its runs' keys in order, and what is said of it. Runs of older plans stay, unseen."""
+        with self.data:
+            self.data.execute("delete from planned")
+            self.data.executemany("insert into planned values (?, ?)", enumerate(planned))
+            self.data.executemany("insert or replace into campaign values (?, ?)", [(name, json.dumps(value)) for name, value in about.items()])
+
+    def about(self):
+        return {name: json.loads(value) for name, value in self.data.execute("select name, value from campaign")}
+
+    def done(self):
+        """Keys of the runs that are there."""
+        return {key for key, in self.data.execute("select key from runs")}
+
+    def forget_bad(self, keys):
+        """Of these runs those that did not end well: to do them again."""
+        with self.data:
+            self.data.executemany("delete from runs where key = ? and status <> 'good'", [(key,) for key in keys])
+
+    def add(self, rows):
+        """Of (key, values, status, reason, outputs, cpu, worker), all or none; a key that is there stays as it is."""
+        with self.data:
+            self.data.executemany("insert or ignore into runs values (?, ?, ?, ?, ?, ?, ?, ?)",
+                                  [(key, json.dumps(values), status, reason, json.dumps(outputs, allow_nan=False), cpu, worker, time.time())
+                                   for key, values, status, reason, outputs, cpu, worker in rows])
+
+    def rows(self):
+        """Dictionaries of the plan's runs that are there, in its order."""
+        names = ("number", "key", "values", "status", "reason", "outputs", "cpu")
+        for row in self.data.execute('select number, key, "values", status, reason, outputs, cpu from planned join runs using (key) order by number'):
+            found = dict(zip(names, row))
+            yield {**found, "values": json.loads(found["values"]), "outputs": json.loads(found["outputs"])}
+
+    def write_csv(self, file):
+        """Number, factors, status, reason, outputs, in the plan's order: the same for the same results."""
+        about = self.about()
+        with open(file, "w", newline="", encoding="utf-8") as text:
+            out = csv.writer(text)
+            out.writerow(["number", *about["factors"], "status", "reason", *about["outputs"]])
+            for row in self.rows():
+                out.writerow([row["number"], *row["values"], row["status"], row["reason"], *(row["outputs"].get(name) for name in about["outputs"])])
+
+    def close(self):
+        self.data.close()
+        if self.lock is not None:
+            self.lock.close()  # not before: it would take SQLite's own locks away

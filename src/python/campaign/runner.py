@@ -1,0 +1,136 @@
+"""Runs within bounds: each worker has one process of its own for them, which is ended when it hangs and made anew when it has died."""
+import contextlib
+import os
+import pickle
+import resource
+import select
+import signal
+import subprocess
+import sys
+import threading
+import time
+import traceback
+
+GOOD, REFUSED, FAILED, CONTROLLER, CPU, WALL, MEMORY, DIED = "good", "refused", "failed", "controller", "cpu", "wall", "memory", "died"  # of a run
+
+
+class OverTime(Exception):
+    """A run has had its share of the processor."""
+
+
+def over_time(*_):
+    raise OverTime
+
+
+def memory():
+    """What this process holds for itself [bytes]."""
+    with open("/proc/self/status", encoding="ascii") as status:
+        return next(1024 * int(line.split()[1]) for line in status if line.startswith("VmData"))
+
+
+def run(blueprint, row, identity, begin):
+    """Status, reason, outputs, and CPU time [s] of a row of values. `begin`: the memory before the first [bytes]."""
+    from drill_rig_sim.campaign import played  # pylint: disable=import-outside-toplevel
+    from drill_rig_sim.campaign.scene_text import SceneTextError  # pylint: disable=import-outside-toplevel
+    from drill_rig_sim.lockstep import Failed, Refused  # pylint: disable=import-outside-toplevel
+    began = time.process_time()
+    resource.setrlimit(resource.RLIMIT_DATA, (int(begin + blueprint.memory), resource.RLIM_INFINITY))
+    signal.setitimer(signal.ITIMER_PROF, blueprint.cpu)
+    try:
+        status, reason, outputs = GOOD, "", {}
+        rig = played.simulator(blueprint, row)
+        if [played.identity(), rig.kernel] != identity:
+            raise Refused("build and kernel here are %s %s, the campaign's are %s %s: the same build on all machines, and numerics.kernel in the scene" %
+                          (played.identity()[:8], rig.kernel, identity[0][:8], identity[1]))
+        outputs = played.outputs_of(blueprint, played.play(blueprint, row, rig))
+    except (Refused, SceneTextError) as refusal:
+        status, reason = FAILED if isinstance(refusal, Failed) else REFUSED, one_line(refusal, blueprint)
+    except OverTime:
+        status, reason = CPU, "took more than %g s of processor time" % blueprint.cpu
+    except MemoryError:
+        status, reason = MEMORY, "needed more than %g MB of memory" % (blueprint.memory / 1e6)
+    except Exception as error:  # pylint: disable=broad-except
+        status, reason = CONTROLLER, told(error)
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        resource.setrlimit(resource.RLIMIT_DATA, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+    return status, reason, outputs, time.process_time() - began
+
+
+def one_line(refusal, blueprint):
+    """The same wherever the run was."""
+    return "; ".join(str(refusal).replace("%s/" % blueprint.folder, "").splitlines())
+
+
+def told(error):
+    """An error of the user's code in one line, with where."""
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    return "%s, line %d: %s: %s" % (os.path.basename(last.filename), last.lineno, type(error).__name__, " ".join(str(error).split()))
+
+
+def end_with(parent):
+    """A worker that was killed leaves no run behind, not even one that hangs."""
+    while os.getppid() == parent:
+        time.sleep(1.0)
+    os._exit(1)  # pylint: disable=protected-access
+
+
+def serve():
+    """The runner's process: a blueprint, then rows and identities, by standard input; answers by standard output. Ends with its input."""
+    from drill_rig_sim.campaign import played  # noqa: F401  pylint: disable=unused-import,import-outside-toplevel
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the campaign
+    signal.signal(signal.SIGPROF, over_time)
+    threading.Thread(target=end_with, args=(os.getppid(),), daemon=True).start()
+    asked, answers = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # what a controller prints is no answer
+    try:
+        blueprint, begin = pickle.load(asked), memory()
+        while True:
+            pickle.dump(run(blueprint, *pickle.load(asked), begin), answers)
+            answers.flush()
+    except EOFError:
+        pass
+
+
+class Runner:
+    """The process beside a worker."""
+
+    def __init__(self, blueprint):
+        self.blueprint, self.process = blueprint, None
+
+    def run(self, row, identity):
+        """As run()."""
+        began = time.monotonic()
+        try:
+            if self.process is None:
+                self.process = subprocess.Popen([sys.executable, "-m", "drill_rig_sim.campaign.runner"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+                self.send(self.blueprint)
+            self.send((row, identity))
+            if select.select([self.process.stdout], [], [], self.blueprint.wall)[0]:
+                return pickle.load(self.process.stdout)
+            self.end()
+            return WALL, "had not ended after %g s" % self.blueprint.wall, {}, time.monotonic() - began
+        except (EOFError, BrokenPipeError, pickle.UnpicklingError):
+            status = self.end()
+            return DIED, "its process died%s" % (" of signal %d" % -status if status < 0 else ": status %d" % status), {}, time.monotonic() - began
+
+    def send(self, what):
+        pickle.dump(what, self.process.stdin)
+        self.process.stdin.flush()
+
+    def end(self):
+        """Kills the process; its status."""
+        if self.process is None:
+            return 0
+        status = self.process.poll()
+        self.process.kill()
+        self.process.wait()
+        for pipe in (self.process.stdin, self.process.stdout):
+            with contextlib.suppress(OSError):  # what was not read yet
+                pipe.close()
+        ended, self.process = self.process, None
+        return ended.returncode if status is None else status
+
+
+if __name__ == "__main__":
+    serve()

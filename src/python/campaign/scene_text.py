@@ -1,0 +1,135 @@
+"""A scene's file with places in it for values: any of its keys, those that it leaves out too."""
+import json
+import re
+
+import yaml
+
+STEP = re.compile(r"([A-Za-z_][A-Za-z_0-9]*)((?:\[[^\]]+\])*)$")
+
+
+class SceneTextError(Exception):
+    """What is wrong with a key or a file, in one line."""
+
+
+class Times(float):
+    """A value that multiplies the number that stands there."""
+
+
+class SceneText:
+    """Text of a scene in which `keys` take other values. A key is a path: numerics.tolerance, formation[0].drillability, string[bit].diameter (the part of
+    this name), well.sections[*].friction (all of them). SceneTextError where the scene has no such place."""
+
+    def __init__(self, text, keys):
+        try:
+            root = yaml.compose(text, Loader=yaml.SafeLoader)
+        except yaml.YAMLError as error:
+            raise SceneTextError(str(error).replace("\n", " "))
+        self.text = text
+        self.places = []    # begin, end, and what to write: a key, or a tree of keys that are missing there
+        self.missing = {}   # where a mapping begins: the mapping, and the tree of keys to be put into it
+        for key in keys:
+            self.find(root, steps_of(key), key)
+        for node, tree in self.missing.values():
+            at = node.start_mark.index + (1 if node.flow_style else 0)
+            self.places.append((at, at, tree))
+        self.places.sort(key=lambda place: place[0])
+        for before, after in zip(self.places, self.places[1:]):
+            if before[1] > after[0] or before[:2] == after[:2]:
+                raise SceneTextError("%s and %s: the same place" % (before[2], after[2]))
+
+    def find(self, node, steps, key):
+        """Notes where the path leads from a node: a value to be replaced, or keys to be put in."""
+        if not steps:
+            if not (isinstance(node, yaml.ScalarNode) or node.flow_style):
+                raise SceneTextError("%s: holds a block of lines; name the keys in it" % key)
+            self.places.append((node.start_mark.index, node.end_mark.index, key))
+            return
+        step, rest = steps[0], steps[1:]
+        if step.startswith("["):
+            for item in items(node, step[1:-1], key):
+                self.find(item, rest, key)
+            return
+        if not isinstance(node, yaml.MappingNode):
+            raise SceneTextError("%s: what stands before %s has no keys" % (key, step))
+        for name, value in node.value:
+            if name.value == step:
+                self.find(value, rest, key)
+                return
+        if any(name.startswith("[") for name in rest):
+            raise SceneTextError("%s: the scene has no %s" % (key, step))
+        tree = self.missing.setdefault(node.start_mark.index, (node, {}))[1]
+        for name in steps[:-1]:
+            tree = tree.setdefault(name, {})
+        tree[steps[-1]] = key
+
+    def with_values(self, values):
+        """The text with a value for each key: number, text, boolean, list or mapping, or Times. Keys that a block of lines does not have come as lines
+        of their own before its first."""
+        parts, at = [], 0
+        for begin, end, what in self.places:
+            parts.append(self.text[at:begin])
+            parts.append(self.replaced(begin, end, values[what], what) if isinstance(what, str) else self.put_in(begin, what, values))
+            at = end
+        return "".join(parts) + self.text[at:]
+
+    def replaced(self, begin, end, value, key):
+        if not isinstance(value, Times):
+            return written(value)
+        try:
+            return written(float(value) * float(self.text[begin:end]))
+        except ValueError:
+            raise SceneTextError("%s: %s is no number, which could be multiplied" % (key, self.text[begin:end]))
+
+    def put_in(self, begin, tree, values):
+        if self.text[begin - 1] == "{":
+            inside = ", ".join("%s: %s" % (name, flow(what, values)) for name, what in tree.items())
+            return inside + (", " if self.text[begin:].lstrip()[:1] != "}" else "")
+        column = begin - (self.text.rfind("\n", 0, begin) + 1)
+        return "".join("%s: %s\n%s" % (name, flow(what, values), " " * column) for name, what in tree.items())
+
+
+def steps_of(key):
+    """Names and indices in brackets, one after the other."""
+    steps = []
+    for part in key.split("."):
+        match = STEP.match(part)
+        if not match:
+            raise SceneTextError("%s: is no key, allowed is as in numerics.tolerance, formation[0].drillability, string[bit].diameter" % key)
+        steps += [match.group(1)] + ["[%s]" % index for index in re.findall(r"\[([^\]]+)\]", match.group(2))]
+    return steps
+
+
+def items(node, index, key):
+    """Of a sequence: all by *, one by its number or its name."""
+    if not isinstance(node, yaml.SequenceNode):
+        raise SceneTextError("%s: [%s] stands behind what is no list" % (key, index))
+    if index == "*":
+        found = list(node.value)
+    elif index.isdigit():
+        found = node.value[int(index):int(index) + 1]
+    else:
+        found = [item for item in node.value if isinstance(item, yaml.MappingNode) and
+                 any(name.value == "name" and value.value == index for name, value in item.value)]
+    if not found:
+        raise SceneTextError("%s: the list has no [%s]" % (key, index))
+    return found
+
+
+def flow(what, values):
+    if isinstance(what, str):
+        if isinstance(values[what], Times):
+            raise SceneTextError("%s: the scene does not say it, so that nothing can be multiplied" % what)
+        return written(values[what])
+    return "{%s}" % ", ".join("%s: %s" % (name, flow(inner, values)) for name, inner in what.items())
+
+
+def written(value):
+    """As YAML in one line. 1.0e-9 needs its point: without it YAML reads a text."""
+    if isinstance(value, float):
+        text = repr(value)
+        return text if "e" not in text or "." in text else text.replace("e", ".0e")
+    if isinstance(value, list):
+        return "[%s]" % ", ".join(written(item) for item in value)
+    if isinstance(value, dict):
+        return "{%s}" % ", ".join("%s: %s" % (json.dumps(name), written(item)) for name, item in value.items())
+    return json.dumps(value)

@@ -1,0 +1,257 @@
+#!/usr/bin/python3
+"""Campaigns on Dask, with two worker processes on localhost: the same results however many work and whoever is killed; Slurm by a stand-in."""
+import importlib.util
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+if not all(map(importlib.util.find_spec, ("distributed", "scipy"))):
+    print("skipped: Dask is not installed (python3-distributed, python3-scipy: ./test/run --campaigns)")
+    sys.exit(77)
+from drill_rig_sim.campaign import engine
+from drill_rig_sim.campaign.results import Results
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+QUICK = os.path.join(os.path.dirname(os.path.dirname(HERE)), "config/scenes/quick.yaml")
+PATIENCE = 240.0  # [s]
+RUNS = 12
+PLAN = """scene: %s
+duration: 0.5
+controller: {class: "%s/laws.py:Law", parameters: {pause: %%g}}
+factors:
+  - {name: rpm, key: controller.rpm, from: 30.0, to: 90.0}
+  - {name: fault, key: controller.fault, values: ["", error]}
+  - {name: friction, key: "well.sections[*].friction", values: [0.2, -1.0, 0.3]}
+sample: {kind: latin_hypercube, runs: %d, seed: 2}
+outputs: {turned: "%s/laws.py:turned", torque: largest.truth.torque}
+""" % (QUICK, HERE, RUNS, HERE)
+SBATCH = """#!/bin/sh
+sed -n 's/^exec srun //p' >"$0.command"
+cat "$0.command" | sed 's/^/exec /' >"$0.script"
+for k in 1 2; do sh "$0.script" >/dev/null 2>&1 & done
+echo 4711
+"""
+
+
+class Campaigns(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.processes = []
+        self.addCleanup(self.end)
+
+    def end(self):
+        for process in self.processes:
+            if process.poll() is None:
+                process.kill()
+            process.communicate()
+
+    def place(self, name):
+        return os.path.join(self.folder, name)
+
+    def plan(self, pause=0.0, text=PLAN, name="plan"):
+        with open(self.place(name + ".yaml"), "w", encoding="utf-8") as out:
+            out.write(text % pause)
+        return self.place(name + ".yaml")
+
+    def start(self, *words, **more):
+        process = subprocess.Popen([sys.executable, "-m", "drill_rig_sim.campaign.command", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                   cwd=self.folder, **more)
+        self.processes.append(process)
+        return process
+
+    def run_to_its_end(self, *words, **more):
+        process = self.start(*words, **more)
+        out, told = process.communicate(timeout=PATIENCE)
+        return process.returncode, out, told
+
+    def csv(self, name):
+        with open(self.place(name), "w", encoding="utf-8"):
+            pass
+        results = Results(self.place(name.replace(".csv", ".sqlite")), write=False)
+        results.write_csv(self.place(name))
+        results.close()
+        with open(self.place(name), encoding="utf-8") as text:
+            return text.read()
+
+    def wait(self, until, what):
+        deadline = time.monotonic() + PATIENCE
+        while not until():
+            self.assertLess(time.monotonic(), deadline, what)
+            time.sleep(0.02)
+
+    def rows_in(self, name):
+        if not os.path.exists(self.place(name)) or not os.path.getsize(self.place(name)):
+            return 0
+        results = Results(self.place(name), write=False)
+        try:
+            return len(results.done())
+        finally:
+            results.close()
+
+    # --- the same results
+
+    def test_results_are_the_same_by_one_two_and_four_workers(self):
+        found = []
+        for workers in (1, 2, 4):
+            status, out, told = self.run_to_its_end(self.plan(), "--workers", str(workers), "--results", self.place("%d.sqlite" % workers))
+            self.assertEqual(1, status, told)
+            self.assertIn("%d of %d runs are there" % (RUNS, RUNS), out)
+            found.append(self.csv("%d.csv" % workers))
+        self.assertEqual(found[0], found[1])
+        self.assertEqual(found[0], found[2])
+        for said in (",good,", ",controller,", ",refused,"):
+            self.assertIn(said, found[0])
+
+    def test_what_is_done_is_not_done_again(self):
+        self.run_to_its_end(self.plan(), "--workers", "2")
+        before = self.csv("plan.csv")
+        status, out, told = self.run_to_its_end(self.plan(), "--workers", "2")
+        self.assertEqual(1, status, told)
+        self.assertIn("%d runs, 0 to do" % RUNS, out)
+        more = PLAN.replace("runs: %d" % RUNS, "runs: %d" % (RUNS + 1)).replace("latin_hypercube", "sobol")
+        self.run_to_its_end(self.plan(text=more), "--workers", "2")
+        status, out, _ = self.run_to_its_end(self.plan(text=more.replace("runs: 13", "runs: 15")), "--workers", "2")
+        self.assertIn("15 runs, 2 to do", out)
+        self.run_to_its_end(self.plan(), "--workers", "1")
+        self.assertEqual(before, self.csv("plan.csv"))
+
+    # --- who is killed
+
+    def test_a_client_that_is_killed_loses_nothing(self):
+        client = self.start(self.plan(0.3), "--workers", "2")
+        self.wait(lambda: self.rows_in("plan.sqlite") > 2, "a few rows")
+        client.kill()
+        client.communicate()
+        there = self.rows_in("plan.sqlite")
+        self.assertLess(there, RUNS)
+        status, out, told = self.run_to_its_end(self.plan(0.3), "--workers", "2")
+        self.assertEqual(1, status, told)
+        to_do = int(re.search(r"runs, (\d+) to do", out).group(1))
+        self.assertEqual((RUNS, RUNS), (there + to_do, self.rows_in("plan.sqlite")))
+        self.run_to_its_end(self.plan(0.3), "--workers", "1", "--results", self.place("other.sqlite"))
+        self.assertEqual(self.csv("other.csv"), self.csv("plan.csv"))
+
+    def test_a_signal_ends_it_and_the_same_command_goes_on(self):
+        client = self.start(self.plan(0.3), "--workers", "1")
+        self.wait(lambda: self.rows_in("plan.sqlite") > 0, "a row")
+        client.send_signal(signal.SIGINT)
+        _, told = client.communicate(timeout=PATIENCE)
+        self.assertEqual(3, client.returncode)
+        self.assertIn("the same command goes on", told)
+
+    def cluster(self):
+        """Scheduler and two workers, as anybody starts them; address and processes."""
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            port = free.getsockname()[1]
+        address = "tcp://127.0.0.1:%d" % port
+        log = open(self.place("cluster.log"), "a", encoding="utf-8")
+        self.addCleanup(log.close)
+        commands = [["distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"]] + 2 * [
+            ["distributed.cli.dask_worker", address, "--nthreads", "1", "--no-dashboard", "--host", "127.0.0.1", "--death-timeout", "30"]]
+        started = [subprocess.Popen([sys.executable, "-m", *words], cwd=self.folder, stdout=log, stderr=log,
+                                    env=dict(os.environ, DASK_DISTRIBUTED__WORKER__DAEMON="False")) for words in commands]
+        self.processes += started
+        return address, started
+
+    def test_a_worker_that_is_killed_loses_nothing(self):
+        address, cluster = self.cluster()
+        client = self.start(self.plan(0.3), "--scheduler", address)
+        self.wait(lambda: self.rows_in("plan.sqlite") > 1, "a few rows")
+        pids = subprocess.run(["pgrep", "-P", str(cluster[1].pid)], capture_output=True, text=True, check=False).stdout.split()
+        for pid in [cluster[1].pid, *map(int, pids)]:
+            try:
+                os.kill(pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+        _, told = client.communicate(timeout=PATIENCE)
+        self.assertEqual((1, RUNS), (client.returncode, self.rows_in("plan.sqlite")), told)
+        self.run_to_its_end(self.plan(0.3), "--workers", "2", "--results", self.place("other.sqlite"))
+        self.assertEqual(self.csv("other.csv"), self.csv("plan.csv"))
+
+    def test_a_scheduler_that_is_killed_loses_nothing(self):
+        address, cluster = self.cluster()
+        client = self.start(self.plan(0.3), "--scheduler", address)
+        self.wait(lambda: self.rows_in("plan.sqlite") > 1, "a few rows")
+        cluster[0].kill()
+        _, told = client.communicate(timeout=PATIENCE)
+        self.assertEqual(3, client.returncode, told)
+        there = self.rows_in("plan.sqlite")
+        status, out, told = self.run_to_its_end(self.plan(0.3), "--workers", "2")
+        self.assertEqual(1, status, told)
+        self.assertIn("%d to do" % (RUNS - there), out)
+        self.assertEqual(RUNS, self.rows_in("plan.sqlite"))
+
+    def test_a_run_that_kills_its_workers_is_a_row(self):
+        text = PLAN.replace("values: [\"\", error]", "values: [\"\", kill_worker]").replace("values: [0.2, -1.0, 0.3]", "values: [0.2]").replace("runs: 12", "runs: 2")
+        status, out, told = self.run_to_its_end(self.plan(text=text), "--workers", "1")
+        self.assertEqual(1, status, told)
+        self.assertIn("1 died, 1 good", out)
+
+    # --- other machines
+
+    def test_other_machines_are_asked_for_tls(self):
+        for address, said in (("tcp://192.0.2.7:8786", "is another machine: needed: tls://"), ("http://localhost:1", "is no address"), ("tcp://localhost", "is no address")):
+            status, _, told = self.run_to_its_end(self.plan(), "--scheduler", address)
+            self.assertEqual(3, status)
+            self.assertIn(said, told)
+
+    def test_all_listens_on_localhost_alone(self):
+        client = self.start(self.plan(0.3), "--workers", "1")
+        self.wait(lambda: self.rows_in("plan.sqlite") > 0, "a row")
+        with open("/proc/%d/net/tcp" % client.pid, encoding="ascii") as table:
+            listening = {line.split()[9]: line.split()[1] for line in table if line.split()[3] == "0A"}
+        ours = {os.readlink(link)[8:-1] for pid in [client.pid, *children(client.pid)] for link in links(pid) if os.readlink(link).startswith("socket:")}
+        addresses = {address.split(":")[0] for inode, address in listening.items() if inode in ours}
+        self.assertEqual({"0100007F"}, addresses)
+
+    def test_slurm_starts_and_ends_the_workers(self):
+        certificate = self.place("certificate.pem")
+        subprocess.run(["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-keyout", certificate, "-out", self.place("c"), "-days", "1", "-subj", "/CN=localhost"],
+                       check=True, capture_output=True)
+        with open(certificate, "a", encoding="ascii") as out, open(self.place("c"), encoding="ascii") as more:
+            out.write(more.read())
+        for name, text in (("sbatch", SBATCH), ("scancel", "#!/bin/sh\necho $1 >$0.job\npkill -f 'dask_worker tls' || true\n")):
+            with open(self.place(name), "w", encoding="utf-8") as out:
+                out.write(text)
+            os.chmod(self.place(name), 0o755)
+        tls = {"DASK_DISTRIBUTED__COMM__TLS__%s" % name: certificate for name in ("CA_FILE", "SCHEDULER__CERT", "WORKER__CERT", "CLIENT__CERT")}
+        path = {"PATH": self.folder + ":" + os.environ["PATH"]}
+        status, _, told = self.run_to_its_end(self.plan(), "--slurm", "2", env=dict(os.environ, **path))
+        self.assertEqual(3, status)
+        self.assertIn("needed: certificates", told)
+        status, out, told = self.run_to_its_end(self.plan(), "--slurm", "2", env=dict(os.environ, DASK_DISTRIBUTED__WORKER__DAEMON="False", **path, **tls))
+        self.assertEqual(1, status, told)
+        self.assertIn("%d of %d runs are there" % (RUNS, RUNS), out)
+        with open(self.place("scancel.job"), encoding="ascii") as job:
+            self.assertEqual("4711", job.read().strip())
+        with open(self.place("sbatch.command"), encoding="ascii") as script:
+            self.assertIn("dask_worker tls://", script.read())
+
+    def test_the_script_asks_slurm_for_what_it_needs(self):
+        script = engine.slurm_script(12, "tls://node1:8786")
+        self.assertTrue(script.startswith("#!/bin/sh\n#SBATCH "))
+        self.assertIn("--ntasks=12", script)
+        self.assertIn("dask_worker tls://node1:8786", script)
+
+
+def children(pid):
+    found = subprocess.run(["pgrep", "-P", str(pid)], capture_output=True, text=True, check=False).stdout.split()
+    return [int(child) for child in found] + [grandchild for child in found for grandchild in children(int(child))]
+
+
+def links(pid):
+    folder = "/proc/%d/fd" % pid
+    return [os.path.join(folder, name) for name in os.listdir(folder) if os.path.islink(os.path.join(folder, name))]
+
+
+if __name__ == "__main__":
+    unittest.main()

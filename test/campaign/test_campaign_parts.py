@@ -1,0 +1,301 @@
+#!/usr/bin/python3
+"""Campaigns, the parts: scenes with other values, designs, indices, plans, runs that fail, the results' file, the page."""
+import importlib.util
+import io
+import math
+import os
+import re
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from contextlib import redirect_stderr, redirect_stdout
+
+if not all(map(importlib.util.find_spec, ("distributed", "scipy"))):
+    print("skipped: Dask is not installed (python3-distributed, python3-scipy: ./test/run --campaigns)")
+    sys.exit(77)
+import numpy
+import yaml
+from drill_rig_sim.campaign import command, played, sensitivity
+from drill_rig_sim.campaign.designs import DesignError, Factor, rows_of
+from drill_rig_sim.campaign.plan import PlanError, read_plan
+from drill_rig_sim.campaign.results import Results, ResultsError
+from drill_rig_sim.campaign.runner import Runner
+from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SOURCE = os.path.dirname(os.path.dirname(HERE))
+QUICK = os.path.join(SOURCE, "config/scenes/quick.yaml")
+PLAN = """name: made up
+scene: %s
+duration: 0.3
+controller: {class: "%s/laws.py:Law", parameters: {rpm: 60.0}}
+factors:
+  - {name: rpm, key: controller.rpm, values: [30.0, 60.0]}
+  - {name: friction, key: "well.sections[*].friction", from: 0.1, to: 0.4}
+sample: {kind: grid, steps: 3}
+outputs: {turned: "%s/laws.py:turned", torque: largest.truth.torque}
+""" % (QUICK, HERE, HERE)
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def place(self, name):
+        return os.path.join(self.folder, name)
+
+    def plan(self, text=PLAN):
+        with open(self.place("plan.yaml"), "w", encoding="utf-8") as out:
+            out.write(text)
+        return self.place("plan.yaml")
+
+
+class Scenes(unittest.TestCase):
+    TEXT = "a: 1.0  # kept\nlist:\n  - {name: x, v: 2}\n  - {name: y, v: 4}\nblock:\n  in: {c: 3e-9}\n"
+
+    def with_values(self, values):
+        return yaml.safe_load(SceneText(self.TEXT, list(values)).with_values(values))
+
+    def test_values_are_replaced_where_they_stand(self):
+        text = SceneText(self.TEXT, ["a", "list[1].v"]).with_values({"a": 1e-9, "list[1].v": 5})
+        self.assertEqual(self.TEXT.replace("1.0 ", "1.0e-09 ").replace("v: 4", "v: 5"), text)
+
+    def test_by_name_and_all_of_a_list_and_times(self):
+        self.assertEqual([7, 4], [item["v"] for item in self.with_values({"list[x].v": 7})["list"]])
+        self.assertEqual([1.0, 2.0], [item["v"] for item in self.with_values({"list[*].v": Times(0.5)})["list"]])
+        self.assertEqual(6e-9, self.with_values({"block.in.c": Times(2.0)})["block"]["in"]["c"])
+
+    def test_what_the_file_leaves_out_is_put_in(self):
+        found = self.with_values({"block.in.d": 1.5, "block.new.deep.e": True, "block.new.deep.f": "text", "g.h": [1, 2.5]})
+        self.assertEqual({"in": {"c": "3e-9", "d": 1.5}, "new": {"deep": {"e": True, "f": "text"}}}, found["block"])
+        self.assertEqual({"h": [1, 2.5]}, found["g"])
+        self.assertEqual(1.0, found["a"])
+
+    def test_what_is_no_place_is_told(self):
+        for key, said in (("list[2].v", r"no \[2\]"), ("list[z].v", r"no \[z\]"), ("a.b", "has no keys"), ("a[0]", "no list"), ("x..y", "is no key"),
+                          ("list", "block of lines"), ("m[0].n", "has no m")):
+            with self.assertRaisesRegex(SceneTextError, said, msg=key):
+                SceneText(self.TEXT, [key])
+        with self.assertRaisesRegex(SceneTextError, "the same place"):
+            SceneText(self.TEXT, ["list[0].v", "list[x].v"])
+        with self.assertRaisesRegex(SceneTextError, "nothing can be multiplied"):
+            self.with_values({"block.q": Times(2.0)})
+        with self.assertRaisesRegex(SceneTextError, "is no number"):
+            self.with_values({"list[x].name": Times(2.0)})
+
+
+class Designs(unittest.TestCase):
+    A, B = Factor("a", values=[1, 2, 3]), Factor("b", low=1e-3, high=1e1, log=True)
+
+    def test_grid_and_list(self):
+        self.assertEqual([[1, 1e-3], [1, 0.1], [1, 10.0]], [[a, round(b, 9)] for a, b in rows_of([self.A, self.B], "grid", steps=3)[:3]])
+        self.assertEqual([1e-3, 0.1, 10.0], [round(row[1], 9) for row in rows_of([self.A, self.B], "list", steps=3)])
+        with self.assertRaisesRegex(DesignError, "3 of a, 2 of b"):
+            rows_of([self.A, self.B], "list", steps=2)
+
+    def test_samples_fill_the_range_and_repeat(self):
+        for kind in ("latin_hypercube", "sobol"):
+            rows = rows_of([self.A, self.B], kind, runs=64, seed=4)
+            self.assertEqual(rows, rows_of([self.A, self.B], kind, runs=64, seed=4))
+            self.assertNotEqual(rows, rows_of([self.A, self.B], kind, runs=64, seed=5))
+            self.assertEqual(64, len(rows))
+            logs = numpy.log10([row[1] for row in rows])
+            self.assertEqual([16] * 4, list(numpy.histogram(logs, 4, (-3.0, 1.0))[0]))
+
+    def test_indices_of_ishigamis_function(self):
+        """Closed form: a = 7, b = 0.1: first order 0.3139, 0.4424, 0; total 0.5576, 0.4424, 0.2437."""
+        rows = numpy.array(rows_of([Factor(str(k), low=-math.pi, high=math.pi) for k in range(3)], "saltelli", runs=2048, seed=1))
+        outputs = numpy.sin(rows[:, 0]) + 7.0 * numpy.sin(rows[:, 1])**2 + 0.1 * rows[:, 2]**4 * numpy.sin(rows[:, 0])
+        for found, first, total in zip(sensitivity.indices(outputs, 3), (0.3139, 0.4424, 0.0), (0.5576, 0.4424, 0.2437)):
+            self.assertLess(abs(found[0] - first), max(found[1], 0.02))
+            self.assertLess(abs(found[2] - total), max(found[3], 0.02))
+            self.assertLess(found[1], 0.08)
+
+    def test_no_indices_of_what_is_not_there(self):
+        self.assertIsNone(sensitivity.indices([1.0] * 50, 3))
+        self.assertIsNone(sensitivity.indices([None] * 50, 3))
+        self.assertEqual([1.0, None, None], sensitivity.rank_correlations([[1, 2, 3], ["a", "b", "c"], [2, 2, 2]], [1.0, 4.0, 9.0]))
+
+
+class Plans(Folder):
+    def test_a_plan(self):
+        plan = read_plan(self.plan())
+        self.assertEqual(["rpm", "friction"], plan.names)
+        self.assertEqual([[30.0, 0.1], [30.0, 0.25], [30.0, 0.4], [60.0, 0.1]], [[rpm, round(friction, 9)] for rpm, friction in plan.rows[:4]])
+        self.assertEqual({"map": ["rpm", "friction", "turned"], "worst": "turned", "least": False}, plan.report)
+        self.assertEqual({"rpm": 30.0}, plan.blueprint.parameters_of(plan.rows[0]))
+        self.assertIn("friction: 0.4", plan.blueprint.scene_of(plan.rows[2]))
+
+    def test_a_runs_key_is_all_that_makes_it(self):
+        blueprint = read_plan(self.plan()).blueprint
+        keys = {blueprint.key_of(row, identity) for row in ([30.0, 0.1], [60.0, 0.1], [30.0, 0.2]) for identity in (["b", "avx2"], ["b", "avx512"], ["c", "avx2"])}
+        self.assertEqual(9, len(keys))
+        for other in (PLAN.replace("0.3\n", "0.4\n"), PLAN.replace("torque: largest", "torque: mean"), PLAN + "seed: 3\n", PLAN + "judge: {wob: 1e4}\n"):
+            keys.add(read_plan(self.plan(other)).blueprint.key_of([30.0, 0.1], ["b", "avx2"]))
+        self.assertEqual(13, len(keys))
+        self.assertIn(read_plan(self.plan(PLAN.replace("made up", "else"))).blueprint.key_of([30.0, 0.1], ["b", "avx2"]), keys)
+
+    def test_bad_plans_are_refused_with_their_line(self):
+        for old, new, line, said in (
+                ("name: made up", "nam: x", 1, "nam: unknown key, allowed: name, scene"), ("duration: 0.3", "duration: fast", 3, "duration: needed: a number above 0"),
+                ("duration: 0.3", "duration: -1", 3, "is -1"), ("values: [30.0, 60.0]", "values: []", 6, "needed: a list"),
+                ("key: controller.rpm", "key: controller.rpm, keys: [a]", 6, "key or keys"), ("from: 0.1", "from: 0.5", 7, "factors[1].to: is 0.4, needed: a number above 0.5"),
+                ("from: 0.1,", "", 7, "needs values, or from and to"), ("friction, key", "rpm, key", 7, "there is one of this name"),
+                ("sections[*].friction", "sections[9].friction", 7, "the list has no [9]"), ("sections[*].friction\"", "sections[*].friction\", log: true, values: [1]", 7, "stands beside values"),
+                ("kind: grid", "kind: random", 8, "allowed: grid, list, latin_hypercube, sobol, saltelli"), ("grid, steps: 3", "sobol", 8, "sobol needs runs"),
+                ("steps: 3", "steps: 3, runs: 4", 8, "grid has steps"), ("steps: 3", "steps: 3.5", 8, "a whole number"),
+                ("laws.py:turned", "laws.py:no_such", 9, "KeyError"), ("laws.py:Law", "other.py:Law", 4, "No such file"), ("duration: 0.3", "duration: 0.3\nduration: 0.4", 4, "twice"),
+                ("sample:", "report: {map: [rpm, friction, rop]}\nsample:", 8, "is rop, allowed: turned, torque")):
+            self.assertIn(old, PLAN)
+            with self.assertRaises(PlanError, msg=new) as told:
+                read_plan(self.plan(PLAN.replace(old, new, 1)))
+            self.assertTrue(str(told.exception).startswith("%s:%d: " % (self.place("plan.yaml"), line)), told.exception)
+            self.assertIn(said, str(told.exception))
+            self.assertNotIn("\n", str(told.exception))
+        for text in ("", "[1, 2", "a: b: c", "- 1\n"):
+            self.assertRaises(PlanError, read_plan, self.plan(text))
+        self.assertRaises(PlanError, read_plan, "/nowhere.yaml")
+
+    def test_what_only_a_rig_can_tell(self):
+        for old, new, said in (("largest.truth.torque", "largest.truth.talk", "truth has no number talk"), ("largest.truth.torque", "wob.middle", "of drill score: "),
+                               ("from: 0.1, to: 0.4", "from: -0.5, to: -0.1", "each of the first 6 runs is refused")):
+            status, _, told = drill_campaign(self.plan(PLAN.replace(old, new)), "--check")
+            self.assertEqual(2, status)
+            self.assertIn(said, told)
+            self.assertEqual(1, told.strip().count("\n") + 1)
+
+
+def alive(pid):
+    try:
+        with open("/proc/%d/stat" % pid, encoding="ascii") as stat:
+            return " Z " not in stat.read()
+    except FileNotFoundError:
+        return False
+
+
+def drill_campaign(*words):
+    """Status and what was said, in this process."""
+    out, told = io.StringIO(), io.StringIO()
+    with redirect_stdout(out), redirect_stderr(told):
+        status = command.main(list(words))
+    return status, out.getvalue(), told.getvalue()
+
+
+class Runs(Folder):
+    def runner(self, fault="", bounds="cpu: 2.0, wall: 20.0, memory: 3.0e+8"):
+        text = PLAN.replace("rpm: 60.0", "fault: %s" % (fault or '""')) + "bounds: {%s}\n" % bounds
+        plan = read_plan(self.plan(text))
+        runner = Runner(plan.blueprint)
+        self.addCleanup(runner.end)
+        rig = played.simulator(plan.blueprint, plan.rows[0])
+        return runner, plan.rows[0], [played.identity(), rig.kernel]
+
+    def test_outputs_of_a_good_run(self):
+        runner, row, identity = self.runner("chat")
+        status, reason, outputs, cpu = runner.run(row, identity)
+        self.assertEqual(("good", ""), (status, reason))
+        self.assertEqual(["torque", "turned"], sorted(outputs))
+        self.assertGreater(outputs["turned"], 0.0)
+        self.assertGreater(cpu, 0.0)
+        self.assertEqual(outputs, runner.run(row, identity)[2])
+
+    def test_runs_that_fail_have_their_reason_and_the_next_one_runs(self):
+        for fault, bounds, wanted, said in (("error", "cpu: 9.0", "controller", r"laws.py, line \d+: KeyError: 'no such gauge'"), ("spin", "cpu: 0.7", "cpu", "0.7 s"),
+                                            ("sleep", "wall: 3.0", "wall", "3 s"), ("hoard", "memory: 2.0e+8", "memory", "200 MB"), ("crash", "cpu: 9.0", "died", "signal 11"),
+                                            ("kill", "cpu: 9.0", "died", "signal 9")):
+            runner, row, identity = self.runner(fault, bounds)
+            for _ in range(2):
+                status, reason, outputs, _ = runner.run(row, identity)
+                self.assertEqual((wanted, {}), (status, outputs), reason)
+                self.assertRegex(reason, said)
+
+    def test_another_build_or_kernel_is_refused(self):
+        runner, row, identity = self.runner()
+        status, reason, _, _ = runner.run(row, ["other", identity[1]])
+        self.assertEqual("refused", status)
+        self.assertIn("the campaign's are other", reason)
+
+    def test_a_scene_out_of_range_is_refused_by_its_line(self):
+        runner, _, identity = self.runner()
+        status, reason, _, _ = runner.run([30.0, -1.0], identity)
+        self.assertEqual("refused", status)
+        self.assertRegex(reason, r"scene.yaml:\d+: .*friction")
+
+    def test_a_runner_ends_with_its_worker(self):
+        asked = "from drill_rig_sim.campaign.plan import read_plan; from drill_rig_sim.campaign.runner import Runner; import os, pickle, threading; p = read_plan(%r); " \
+            "r = Runner(p.blueprint); threading.Thread(target=r.run, args=(p.rows[0], ['x', 'y']), daemon=True).start()\n" \
+            "while r.process is None: pass\nprint(r.process.pid, flush=True); os.kill(os.getpid(), 9)"
+        done = subprocess.run([sys.executable, "-c", asked % self.plan()], capture_output=True, text=True, check=False)
+        pid = int(done.stdout)
+        deadline = time.monotonic() + 60.0
+        while alive(pid):
+            self.assertLess(time.monotonic(), deadline, "it lives on")
+            time.sleep(0.1)
+
+
+class File(Folder):
+    ROW = ("k1", [1.0], "good", "", {"x": 2.0}, 0.1, "w")
+
+    def about(self, planned):
+        return {"planned": planned, "name": "n", "factors": ["f"], "outputs": ["x"]}
+
+    def test_rows_come_back_in_the_plans_order_once_each(self):
+        results = Results(self.place("r.sqlite"))
+        self.addCleanup(results.close)
+        results.describe(**self.about(["k2", "k1", "k3"]))
+        results.add([self.ROW, ("k2", [2.0], "cpu", "long", {}, 9.0, "w")])
+        results.add([("k1", [1.0], "good", "", {"x": 5.0}, 0.1, "w")])
+        self.assertEqual([("k2", {}), ("k1", {"x": 2.0})], [(row["key"], row["outputs"]) for row in results.rows()])
+        self.assertEqual({"k1", "k2"}, results.done())
+        results.write_csv(self.place("r.csv"))
+        with open(self.place("r.csv"), encoding="utf-8") as text:
+            self.assertEqual("number,f,status,reason,x\n0,2.0,cpu,long,\n1,1.0,good,,2.0\n", text.read().replace("\r", ""))
+        results.forget_bad(["k1", "k2"])
+        self.assertEqual({"k1"}, results.done())
+
+    def test_one_writes_and_others_read(self):
+        results = Results(self.place("r.sqlite"))
+        self.addCleanup(results.close)
+        results.describe(**self.about(["k1"]))
+        with self.assertRaisesRegex(ResultsError, "another campaign writes it"):
+            Results(self.place("r.sqlite"))
+        results.add([self.ROW])
+        self.assertEqual(1, len(list(Results(self.place("r.sqlite"), write=False).rows())))
+
+    def test_what_is_no_results_file(self):
+        with open(self.place("text"), "w", encoding="utf-8") as out:
+            out.write("no database\n" * 100)
+        other = sqlite3.connect(self.place("other"))
+        other.execute("create table t (x)")
+        other.execute("pragma user_version = 7")
+        other.commit()
+        other.close()
+        for name in ("text", "other", "no/such/folder"):
+            with self.assertRaises(ResultsError) as told:
+                Results(self.place(name))
+            self.assertIn(name, str(told.exception))
+        self.assertEqual(2, drill_campaign("report", self.place("nowhere.sqlite"))[0])
+
+    def test_the_page_holds_all_and_a_run_comes_back_as_a_scene(self):
+        status, _, told = drill_campaign(self.plan(), "--results", self.place("r.sqlite"), "--workers", "1")
+        self.assertEqual(0, status, told)
+        status, page, _ = drill_campaign("report", self.place("r.sqlite"))
+        self.assertEqual((0, self.place("r.html")), (status, page.strip()))
+        with open(page.strip(), encoding="utf-8") as text:
+            text = text.read()
+        self.assertEqual(3, text.count("data:image/png;base64,"))
+        self.assertEqual([], re.findall(r"(?:src|href)=\"(?!data:)", text))
+        self.assertIn("drill_campaign scene r.sqlite --run 5", text)
+        self.assertEqual(0, drill_campaign("scene", self.place("r.sqlite"), "--run", "2", "--out", self.place("s.yaml"))[0])
+        with open(self.place("s.yaml"), encoding="utf-8") as scene:
+            self.assertIn("friction: 0.4", scene.read())
+        self.assertEqual(2, drill_campaign("scene", self.place("r.sqlite"), "--run", "99")[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
