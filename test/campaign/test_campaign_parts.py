@@ -127,7 +127,7 @@ class Plans(Folder):
         plan = read_plan(self.plan())
         self.assertEqual(["rpm", "friction"], plan.names)
         self.assertEqual([[30.0, 0.1], [30.0, 0.25], [30.0, 0.4], [60.0, 0.1]], [[rpm, round(friction, 9)] for rpm, friction in plan.rows[:4]])
-        self.assertEqual({"map": ["rpm", "friction", "turned"], "worst": "turned", "least": False}, plan.report)
+        self.assertEqual({"map": ["rpm", "friction", "turned"], "each": None, "worst": "turned", "least": False}, plan.report)
         self.assertEqual({"rpm": 30.0}, plan.blueprint.parameters_of(plan.rows[0]))
         self.assertIn("friction: 0.4", plan.blueprint.scene_of(plan.rows[2]))
 

@@ -148,9 +148,12 @@ def judge_of(entry, base):
 
 
 def report_of(entry, factors, outputs):
-    """The map's two factors and output, and by which output runs are worst: by default the first of each, the largest."""
-    parts = entry.mapping(("map", "worst")) if entry is not None else {}
-    shown = {"map": factors[:2] + outputs[:1] if len(factors) > 1 else [], "worst": outputs[0], "least": False}
+    """The map's two factors and output, for each value of another factor where it says so; and by which output runs are worst: by default the first of each,
+    the largest."""
+    parts = entry.mapping(("map", "each", "worst")) if entry is not None else {}
+    shown = {"map": factors[:2] + outputs[:1] if len(factors) > 1 else [], "each": None, "worst": outputs[0], "least": False}
+    if "each" in parts:
+        shown["each"] = parts["each"].choice(factors)
     if "map" in parts:
         words = parts["map"].sequence()
         if len(words) != 3:
@@ -165,7 +168,7 @@ def report_of(entry, factors, outputs):
 def file_of(entry, base, folder):
     """From the plan's folder, else as a node finds it."""
     beside = os.path.join(base, entry.text())
-    if os.path.isfile(beside):
+    if os.path.isfile(beside) and not os.path.samefile(beside, entry.file):
         return beside
     try:
         return found(entry.text(), folder)

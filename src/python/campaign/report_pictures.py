@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt  # noqa: E402  pylint: disable=wrong-import-posi
 import numpy  # noqa: E402  pylint: disable=wrong-import-position
 from drill_rig_sim.campaign import sensitivity  # noqa: E402  pylint: disable=wrong-import-position
 
-MOST_HISTOGRAMS = 12
+MOST_HISTOGRAMS, MOST_MAPS = 12, 6
 
 
 def figures_of(rows):
@@ -25,32 +25,37 @@ def numbers(values):
 
 
 def factor_map(rows):
-    """An output over two factors: squares where the runs are a grid, else points."""
-    if not rows.about["report"]["map"] or not rows.good:
+    """An output over two factors, one beside the other for each value of a third: squares where the runs are a grid, else points."""
+    shown, each = rows.about["report"]["map"], rows.about["report"]["each"]
+    if not shown or not rows.good:
         return None
-    first, second, output = rows.about["report"]["map"]
+    first, second, output = shown
     (x, x_names), (y, y_names), z = numbers(rows.factor(first)), numbers(rows.factor(second)), rows.output(output)
     if not numpy.isfinite(z).any():
         return None
-    figure, panel = plt.subplots(figsize=(7.5, 5.5))
-    columns, lines = numpy.unique(x), numpy.unique(y)
-    if 1 < len(columns) * len(lines) <= len(z):
-        squares = numpy.full((len(lines), len(columns)), numpy.nan)
-        for k in range(len(columns)):
-            for m in range(len(lines)):
-                inside = z[(x == columns[k]) & (y == lines[m]) & numpy.isfinite(z)]
-                squares[m, k] = inside.mean() if len(inside) else numpy.nan
-        shown = panel.pcolormesh(columns, lines, squares, shading="nearest", cmap="viridis")
-    else:
-        shown = panel.scatter(x, y, c=z, s=18, cmap="viridis")
-    for names, axis in ((x_names, panel.xaxis), (y_names, panel.yaxis)):
-        if names:
-            axis.set_ticks(range(len(names)), names)
-    panel.set_xlabel(first)
-    panel.set_ylabel(second)
-    figure.colorbar(shown, label=output)
-    figure.tight_layout()
+    groups = [str(value) for value in rows.factor(each)] if each else [""] * len(z)
+    names = sorted(set(groups), key=groups.index)[:MOST_MAPS]
+    limits = {"vmin": numpy.nanmin(z), "vmax": numpy.nanmax(z), "cmap": "viridis"}
+    figure, panels = plt.subplots(1, len(names), figsize=(max(7.5, 1.2 + 3.8 * len(names)), 4.8), sharey=True, squeeze=False, constrained_layout=True)
+    for panel, name in zip(panels[0], names):
+        inside = numpy.array([group == name for group in groups]) & numpy.isfinite(z)
+        drawn = draw_map(panel, x[inside], y[inside], z[inside], limits)
+        for words, axis in ((x_names, panel.xaxis), (y_names, panel.yaxis)):
+            if words:
+                axis.set_ticks(range(len(words)), words)
+        panel.set_xlabel(first)
+        panel.set_title("%s %s" % (each, name) if each else "", fontsize=9)
+    panels[0, 0].set_ylabel(second)
+    figure.colorbar(drawn, ax=list(panels[0]), label=output)
     return figure
+
+
+def draw_map(panel, x, y, z, limits):
+    columns, lines = numpy.unique(x), numpy.unique(y)
+    if not 1 < len(columns) * len(lines) <= len(z):
+        return panel.scatter(x, y, c=z, s=18, **limits)
+    squares = numpy.array([[z[(x == column) & (y == line)].mean() if ((x == column) & (y == line)).any() else numpy.nan for column in columns] for line in lines])
+    return panel.pcolormesh(columns, lines, squares, shading="nearest", **limits)
 
 
 def influence(rows):
