@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "drill_command.h"
@@ -19,6 +20,7 @@
 #include "drill_scene.h"
 #include "drill_series.h"
 #include "drill_summary.h"
+#include "drill_witsml.h"
 
 namespace drill_rig_sim
 {
@@ -52,8 +54,12 @@ double done(const Truth& m, double start_depth, const RunGoal& goal, const Opera
 /// What is written in the course of a run. All files are opened ahead, so that a long run does not end on a misspelt folder.
 struct Series
 {
-  explicit Series(const RunOptions& o)
-    : rows(o.csv, o.every.value_or(0.1), o.readings), bag(o.bag, o.every.value_or(0.1)), profiles(o.profile, o.profile_every.value_or(1.0)), choices(o.explain)
+  Series(const RunOptions& o, const std::string& well)
+    : rows(o.csv, o.every.value_or(0.1), o.readings),
+      bag(o.bag, o.every.value_or(0.1)),
+      log(o.witsml, well, o.every.value_or(1.0)),
+      profiles(o.profile, o.profile_every.value_or(1.0)),
+      choices(o.explain)
   {
   }
 
@@ -61,6 +67,7 @@ struct Series
   {
     rows.add(simulator, frame);
     bag.add(simulator, frame);
+    log.add(simulator, frame);
     profiles.add(simulator, frame);
     choices.add(simulator);
   }
@@ -69,12 +76,14 @@ struct Series
   {
     rows.close();
     bag.close();
+    log.close();
     profiles.close();
     choices.close();
   }
 
   TimeSeries rows;
   BagSeries bag;
+  WitsmlSeries log;
   ProfileSeries profiles;
   ChoiceSeries choices;
 };
@@ -109,7 +118,7 @@ void run_scene(const RunOptions& options)
   require_whole_frames("--every", options.every, frame);
   require_whole_frames("--profile-every", options.profile_every, frame);
 
-  Series series(options);
+  Series series(options, scene.name);
   File json = open_output("--json", options.json), path = open_output("--path", options.path);
   File raw_path = open_output("--raw-path", options.raw_path);
 

@@ -47,6 +47,7 @@ void add_output_options(CLI::App& command, RunOptions& options)
 {
   add_text(command, "--csv", options.csv, "FILE", "writes time series");
   add_text(command, "--bag", options.bag, "FILE", "writes the topics that the node publishes of measurements");
+  add_text(command, "--witsml", options.witsml, "FILE", "writes what the instruments show as a log of WITSML 1.4.1.1, by default a row a second");
   add_number(command, "--every", options.every, 1e-4, 1e6, "S", "between rows of the time series, or the bag's measurements; whole frames, default 0.1");
   add_text(command, "--profile", options.profile, "FILE", "writes forces along the string in the course of the run");
   add_number(command, "--profile-every", options.profile_every, 1e-4, 1e6, "S", "between these, whole frames, default 1");
@@ -86,7 +87,7 @@ std::vector<std::string> settings_of(const RunOptions& options)
 void require_files_apart(const RunOptions& options)
 {
   const std::pair<const char*, const std::string&> files[] = {
-    {"--csv", options.csv}, {"--bag", options.bag}, {"--profile", options.profile}, {"--json", options.json}, {"--explain", options.explain},
+    {"--csv", options.csv}, {"--bag", options.bag}, {"--witsml", options.witsml}, {"--profile", options.profile}, {"--json", options.json}, {"--explain", options.explain},
     {"--path", options.path}, {"--raw-path", options.raw_path}};
   for (const auto& one : files)
   {
