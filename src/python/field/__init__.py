@@ -1,0 +1,1 @@
+"""Recorded wells: what a rig's data system wrote, played to the simulator, and what of the model can be fitted to it."""

@@ -1,0 +1,81 @@
+"""What `drill replay` starts: plays a record to a scene and says how far the simulated hook load, torque and pressure are off. The runner has checked the
+command line."""
+import argparse
+import json
+import os
+import sys
+
+from drill_rig_sim.field.record import RecordError, read_record
+from drill_rig_sim.field.replay import play
+from drill_rig_sim.lockstep import Failed, Refused
+from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
+from drill_rig_sim.sim import Simulator
+
+SHOWN = {"hook_load": ("hook load", 1e-3, "kN"), "torque": ("torque", 1e-3, "kN m"), "stand_pipe_pressure": ("stand pipe", 1e-5, "bar")}
+
+
+def table(replay):
+    lines = ["%-12s %12s %12s %12s %12s" % ("", "mean off", "rms off", "largest off", "range")]
+    for signal, numbers in replay.table().items():
+        name, factor, unit = SHOWN[signal]
+        lines.append("%-12s %s %s" % (name, " ".join("%12.3f" % (factor * numbers[key]) for key in ("mean", "rms", "largest", "range")), unit))
+    return lines
+
+
+def draw(replay, file):
+    from drill_rig_sim.score_plots import plt  # needs matplotlib
+    figure, axes = plt.subplots(2 * len(replay.recorded), sharex=True, figsize=(9.0, 3.6 * len(replay.recorded)), squeeze=False, constrained_layout=True)
+    for place, signal in enumerate(replay.recorded):
+        name, factor, unit = SHOWN[signal]
+        both, off = axes[2 * place, 0], axes[2 * place + 1, 0]
+        both.plot(replay.time, factor * replay.recorded[signal], color="#555555", linewidth=0.9, label="recorded")
+        both.plot(replay.time, factor * replay.simulated[signal], color="#1f5fa8", linewidth=0.9, label="simulated")
+        both.set_ylabel("%s [%s]" % (name, unit))
+        both.legend(fontsize=8)
+        off.plot(replay.time, factor * replay.residual(signal), color="#c0392b", linewidth=0.8)
+        off.axhline(0.0, color="#bbbbbb", linewidth=0.6)
+        off.set_ylabel("off [%s]" % unit)
+    axes[-1, 0].set_xlabel("time [s]")
+    axes[0, 0].set_title(os.path.basename(replay.name), fontsize=10)
+    figure.savefig(file, dpi=100)
+    plt.close(figure)
+
+
+def write(replay, file):
+    with open(file, "w", encoding="utf-8") as out:
+        out.write(",".join(["time"] + [side + "_" + signal for signal in replay.recorded for side in ("recorded", "simulated")]) + "\n")
+        for k, time in enumerate(replay.time):
+            cells = [numbers[signal][k] for signal in replay.recorded for numbers in (replay.recorded, replay.simulated)]
+            out.write(",".join(["%.9g" % time] + ["" if cell != cell else "%.9g" % cell for cell in cells]) + "\n")
+
+
+def main(words):
+    parser = argparse.ArgumentParser(prog="drill replay", description=__doc__)
+    parser.add_argument("record")
+    parser.add_argument("scene")
+    for name in ("--columns", "--json", "--csv", "--plots"):
+        parser.add_argument(name)
+    options = parser.parse_args(words)
+    try:
+        record = read_record(options.record, options.columns)
+        replay = play(Simulator(options.scene if os.path.dirname(options.scene) or not os.path.exists(options.scene) else os.path.abspath(options.scene)), record)
+        if options.json:
+            with open(options.json, "w", encoding="utf-8") as out:
+                json.dump(replay.table(), out, indent=2, allow_nan=False)
+                out.write("\n")
+        if options.csv:
+            write(replay, options.csv)
+        if options.plots:
+            draw(replay, options.plots)
+        print("\n".join(table(replay)))
+        return GOOD
+    except (RecordError, Refused) as error:
+        print("drill replay: %s" % error, file=sys.stderr)
+        return FAILED if isinstance(error, Failed) else BAD_INPUT
+    except OSError as error:
+        print("drill replay: %s: %s" % (error.filename, error.strerror), file=sys.stderr)
+        return BAD_INPUT
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,47 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drill_command.h"
+#include "drill_options.h"
+#include "drill_python.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+struct ReplayOptions
+{
+  std::string record, scene, columns, json, csv, plots;
+};
+
+void replay(const ReplayOptions& options)
+{
+  std::vector<std::string> words;
+  const auto add = [&](const char* name, const std::string& value)
+  {
+    if (!value.empty()) words.push_back(std::string(name) + "=" + value);  // it may begin with a dash
+  };
+  add("--columns", options.columns);
+  add("--json", options.json);
+  add("--csv", options.csv);
+  add("--plots", options.plots);
+  words.insert(words.end(), {"--", options.record, options.scene});
+  become_python("replay_command", words);
+}
+}  // namespace
+
+Command add_replay_command(CLI::App& drill)
+{
+  CLI::App* words = drill.add_subcommand("replay", "plays a rig's record to a scene: how far are hook load, torque and pressure off");
+  const auto options = std::make_shared<ReplayOptions>();
+  add_file(*words, "RECORD", options->record, "CSV (of drill run --csv --readings, or with --columns), or a log of WITSML 1.4.1.1 (.xml)");
+  add_file(*words, "SCENE", options->scene, "the scene's file; its start is where the record begins");
+  add_text(*words, "--columns", options->columns, "FILE", "which column is what, and its unit: `hook_load: {column: HL, unit: klbf}` a line");
+  add_text(*words, "--json", options->json, "FILE", "writes the residuals");
+  add_text(*words, "--csv", options->csv, "FILE", "writes what was recorded and simulated");
+  add_text(*words, "--plots", options->plots, "FILE", "draws both (.png, .svg, .pdf)");
+  return {words, [options] { replay(*options); }};
+}
+
+}  // namespace drill_rig_sim

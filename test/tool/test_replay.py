@@ -1,0 +1,127 @@
+#!/usr/bin/python3
+"""drill replay, but for the runner in front of it: records are read as they are, a record that the simulator made comes back, what cannot be played is told."""
+import io
+import itertools
+import json
+import math
+import os
+import tempfile
+import unittest
+from contextlib import redirect_stderr, redirect_stdout
+
+import numpy
+from drill_rig_sim import replay_command
+from drill_rig_sim.field.record import RecordError, read_record
+from drill_rig_sim.field.replay import Follow, check
+from drill_rig_sim.sim import Simulator
+
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+QUICK = os.path.join(SOURCE, "config/scenes/quick.yaml")
+WITSML = """<?xml version="1.0"?>
+<logs xmlns="http://www.witsml.org/schemas/1series" version="1.4.1.1"><log>
+<nameWell>w</nameWell><nameWellbore>b</nameWellbore><name>n</name><indexType>date time</indexType><indexCurve>Time</indexCurve>
+<logData><mnemonicList>Time,HKLD,BLOCKCOMP,GAS,SURF_RPM</mnemonicList><unitList>s,klbf,ft,%%,rpm</unitList>
+<data>2024-05-01T10:00:00.000Z,200,30,0.1,60</data><data>2024-05-01T10:00:05Z,,29,0.1,60</data><data>2024-05-01T12:00:10+02:00,201.5,28,,60</data>
+</logData></log></logs>"""
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def file(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as out:
+            out.write(text)
+        return path
+
+
+class Records(Folder):
+    def test_columns_by_a_map(self):
+        columns = self.file("map.yaml", "time: {column: T, unit: min}\nhook_load: {column: Hook Load, unit: klbf}\nblock_height: {column: B, unit: ft}\nflow: {column: Q, unit: gpm}\n")
+        record = read_record(self.file("r.csv", "T, Hook Load,B,Q,x\n1,100,30,500,a\n2,-,29,500,b\n\n3,101,28,500,c\n"), columns)
+        self.assertEqual([0.0, 60.0, 120.0], list(record.time))
+        self.assertAlmostEqual(444822.16152605, record.at("hook_load", 0.0), places=4)
+        self.assertAlmostEqual(0.5 * (100 + 101) * 4448.2216152605, record.at("hook_load", 60.0), places=3)
+        self.assertTrue(math.isnan(record.signals["hook_load"][1]))
+        self.assertAlmostEqual(30 * 0.3048, record.at("block_height", 0.0))
+        self.assertAlmostEqual(500 * 3.785411784e-3 / 60, record.at("flow", 10.0))
+
+    def test_a_log_of_witsml(self):
+        record = read_record(self.file("r.xml", WITSML))
+        self.assertEqual([0.0, 5.0, 10.0], list(record.time))
+        self.assertAlmostEqual(201.5 * 4448.2216152605, record.at("hook_load", 10.0))
+        self.assertAlmostEqual(29 * 0.3048, record.at("block_height", 5.0))
+        self.assertAlmostEqual(2 * math.pi, record.at("top_drive_speed", 0.0))
+
+    def test_what_is_no_record(self):
+        for text, columns, said in (("a,b\n1,2\n", None, "needed: a map"), ("T\n1\n2\n", "time: {column: X, unit: s}\n", "has no column X"),
+                                    ("T\n1\n2\n", "time: {column: T, unit: fortnight}\n", "fortnight, allowed: s, min"), ("T\n1\n2\n", "tim: {column: T, unit: s}\n", "unknown key"),
+                                    ("T\n2\n1\n", "time: {column: T, unit: s}\n", "time increases"), ("T\n1\n", "time: {column: T, unit: s}\n", "two rows"),
+                                    ("", None, "needed: a map")):
+            with self.assertRaises(RecordError, msg=text) as told:
+                read_record(self.file("r.csv", text), self.file("m.yaml", columns) if columns else None)
+            self.assertIn(said, str(told.exception))
+            self.assertNotIn("\n", str(told.exception))
+        for text, said in ((WITSML.replace("klbf", "stone"), "the unit stone is not known"), ("<logs>", "r.xml"), ("<logs/>", "holds no log")):
+            with self.assertRaisesRegex(RecordError, said):
+                read_record(self.file("r.xml", text))
+        entity = '<!DOCTYPE x [<!ENTITY e SYSTEM "file:///etc/passwd">]>'
+        self.assertEqual(["time"], list(read_record(self.file("r.xml", WITSML.replace("<logs", entity + "<logs", 1).replace("Time,HKLD", "Time,&e;"))).signals))
+        self.assertRaisesRegex(RecordError, "No such file", read_record, "/nowhere.csv")
+
+
+class Replays(Folder):
+    def recorded(self, seconds=45.0):
+        """A record that the simulator made: the block is lowered, turning begins, the bit comes to bottom."""
+        rig, rows = Simulator(QUICK), []
+        for state in itertools.chain([rig.state], rig.frames(seconds, every=20)):
+            rows.append([state.t, state.block_height, state.top_drive_speed, state.flow, state.hook_load, state.torque, state.stand_pipe_pressure, state.bit_depth])
+            rig.pump(0.02)
+            rig.winch(-0.01)
+            rig.rotate(rpm=min(60.0, 3.0 * state.t))
+        names = "time,reading_block_height,top_drive_speed,reading_flow,reading_hook_load,reading_torque,reading_stand_pipe_pressure,reading_bit_depth"
+        return self.file("r.csv", "\n".join([names, *(",".join("%.9g" % cell for cell in row) for row in rows)]) + "\n")
+
+    def drill_replay(self, *words):
+        out, told = io.StringIO(), io.StringIO()
+        with redirect_stdout(out), redirect_stderr(told):
+            status = replay_command.main(list(words))
+        return status, out.getvalue(), told.getvalue()
+
+    def test_a_simulated_record_comes_back(self):
+        names = {key: os.path.join(self.folder, "out." + key) for key in ("json", "csv", "png")}
+        status, out, told = self.drill_replay(self.recorded(), QUICK, "--json", names["json"], "--csv", names["csv"], "--plots", names["png"])
+        self.assertEqual((0, ""), (status, told))
+        with open(names["json"], encoding="utf-8") as text:
+            table = json.load(text)
+        # what is between rows of 0.2 s is not in the record: the start is smeared
+        self.assertEqual({"hook_load", "torque", "stand_pipe_pressure"}, set(table))
+        for signal, share in (("hook_load", 0.06), ("torque", 0.06), ("stand_pipe_pressure", 0.02)):
+            self.assertLess(table[signal]["rms"], share * table[signal]["range"], signal)
+            self.assertLess(abs(table[signal]["mean"]), 0.01 * table[signal]["range"], signal)
+        self.assertGreater(os.path.getsize(names["png"]), 10000)
+        data = numpy.genfromtxt(names["csv"], delimiter=",", names=True)
+        self.assertAlmostEqual(table["torque"]["rms"], math.sqrt(numpy.mean((data["recorded_torque"] - data["simulated_torque"])**2)), delta=1e-3)
+        self.assertIn("hook load", out)
+
+    def test_the_block_by_its_velocity(self):
+        columns = self.file("m.yaml", "time: {column: t, unit: s}\nblock_velocity: {column: v, unit: ft/min}\nhook_load: {column: h, unit: N}\n")
+        law = Follow(read_record(self.file("v.csv", "t,v,h\n0,-10,1\n60,-10,1\n"), columns))
+        self.assertAlmostEqual(-10.0 * 0.3048, law.course[-2], places=6)
+
+    def test_what_cannot_be_played_is_told(self):
+        columns = self.file("m.yaml", "time: {column: t, unit: s}\nblock_height: {column: b, unit: m}\nhook_load: {column: h, unit: N}\nbit_depth: {column: d, unit: m}\n")
+        with self.assertRaisesRegex(RecordError, "at 2.0 s pipe was added"):
+            check(read_record(self.file("r.csv", "t,b,h,d\n0,10,1,100\n1,9,1,101\n2,18,1,101\n3,17,1,102\n"), columns))
+        columns = self.file("n.yaml", "time: {column: t, unit: s}\nhook_load: {column: h, unit: N}\n")
+        status, out, told = self.drill_replay(os.path.join(self.folder, "r.csv"), QUICK, "--columns", columns)
+        self.assertEqual((2, ""), (status, out))
+        self.assertIn("needs block_height or block_velocity", told)
+        self.assertEqual(2, self.drill_replay(self.recorded(1.0), "/nowhere.yaml")[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
