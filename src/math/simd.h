@@ -62,12 +62,25 @@
 #else
 #define DRILL_RIG_SIM_OF_NEON(scalar, table) scalar
 #endif
+namespace drill_rig_sim
+{
+/// Of a table each, the asked kernel's.
+template <class Table>
+const Table* table_of_kernel(Kernel kernel, const Table* scalar, const Table* sse4, const Table* avx2, const Table* avx512, const Table* neon) noexcept
+{
+  switch (kernel)
+  {
+    case Kernel::sse4: return sse4;
+    case Kernel::avx2: return avx2;
+    case Kernel::avx512: return avx512;
+    case Kernel::neon: return neon;
+    default: return scalar;
+  }
+}
+}  // namespace drill_rig_sim
 /// A pointer to the table of a kernel: to the scalar one as it is given, or to that of this name in Highway's namespaces. What is not built
 /// is scalar (has_kernel()).
-#define DRILL_RIG_SIM_TABLE(kernel, scalar, table)                               \
-  ((kernel) == Kernel::sse4     ? DRILL_RIG_SIM_OF_SSE4(scalar, table)           \
-   : (kernel) == Kernel::avx2   ? DRILL_RIG_SIM_OF_AVX2(scalar, table)           \
-   : (kernel) == Kernel::avx512 ? DRILL_RIG_SIM_OF_AVX512(scalar, table)         \
-   : (kernel) == Kernel::neon   ? DRILL_RIG_SIM_OF_NEON(scalar, table)           \
-                                : scalar)
+#define DRILL_RIG_SIM_TABLE(kernel, scalar, table)                                                                            \
+  table_of_kernel(kernel, scalar, DRILL_RIG_SIM_OF_SSE4(scalar, table), DRILL_RIG_SIM_OF_AVX2(scalar, table),                  \
+                  DRILL_RIG_SIM_OF_AVX512(scalar, table), DRILL_RIG_SIM_OF_NEON(scalar, table))
 #endif

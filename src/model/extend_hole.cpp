@@ -33,7 +33,7 @@ namespace
 Vector3d way_of_bit(const Stage& stage, const Wellbore& well, const Vector3d& way) noexcept
 {
   if (!stage.guides.front().guided) return way;
-  const Vector3d on = well.end_direction();
+  const Vector3d& on = well.end_direction();
   return on * on.dot(way);
 }
 

@@ -26,6 +26,11 @@ def build():
     return _sim.build()
 
 
+def static(scene, motion="none"):
+    """Loads of the string as it hangs at a scene's start, by name, as drill static prints them [N], [N m]. motion: none (without friction), up, down or rotate."""
+    return _sim.static_loads(found(scene, "config/scenes"), motion)
+
+
 class Record(typing.NamedTuple):
     """Of many frames, a row each: fields of RigState and BitTruth by their names, those of a set point as "winch.brake". As drill score takes a run
     (drill_rig_sim.score_runs.run_of_record). What no rig can sense is not among the readings."""

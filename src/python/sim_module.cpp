@@ -5,12 +5,15 @@
 
 #include <array>
 #include <cstring>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "../sim/build_identity.h"
+#include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/sim/profile.h"
 #include "in_process_rig.h"
 #include "python_fields.h"
 
@@ -56,6 +59,26 @@ std::string build()
   std::string text;
   for (const unsigned char byte : build_identity()) text += {digits[byte / 16], digits[byte % 16]};
   return text;
+}
+
+/// Loads of a scene's string as it hangs at its start, in SI units: static_report() of a motion as `drill static` names it.
+py::dict static_loads(const std::string& scene_file, const std::string& motion)
+{
+  const std::map<std::string, SlidingMotion> motions = {{"none", no_sliding}, {"up", sliding_up}, {"down", sliding_down}, {"rotate", sliding_around}};
+  const auto found = motions.find(motion);
+  if (found == motions.end()) throw std::runtime_error("motion: '" + motion + "' is not known, allowed: none, up, down or rotate");
+  StaticReport report;
+  {
+    const py::gil_scoped_release others;
+    report = static_report(read_scene(scene_file), found->second);
+  }
+  py::dict loads;
+  loads["hook_load"] = report.hook_load;
+  loads["hook_load_string"] = report.hook_load_string;
+  loads["torque"] = report.torque;
+  loads["wob"] = report.outcome.forces.wob;
+  loads["bit_side_force"] = report.bit_side_force;
+  return loads;
 }
 
 /// What the rig refuses is drill_rig_sim.lockstep.Refused in Python, with the same line.
@@ -160,6 +183,7 @@ PYBIND11_MODULE(_sim, module)
 {
   py::register_exception_translator(translate);
   module.def("build", build);
+  module.def("static_loads", static_loads);
   bind_setpoints(module);
   bind_frames(module);
   bind_telemetry(module);

@@ -11,7 +11,7 @@ JOINED = 0.5  # so much that the bit did not follow the block from row to row: p
 
 class Follow:
     """A law (drill_rig_sim.control): moves the block, turns the string and pumps as the record says, from where the rig stands at its first step."""
-    period, listens = 0.1, False
+    period, listens = 0.02, False  # [s]: jerks of longer steps would ring in the string
     catch_up = 1.0  # in which the block makes up for what it is off [s]
 
     def __init__(self, record):
@@ -69,10 +69,21 @@ def check(record):
 def course_of(record, times):
     """The block's height less that at the start [m]."""
     if "block_height" in record:
-        return record.at("block_height", times) - record.at("block_height", 0.0)
+        height = record.at("block_height", record.time)
+        return smooth(times, record.time, height - height[0])
     speed = record.at("block_velocity", record.time)
     way = numpy.concatenate(([0.0], numpy.cumsum(0.5 * (speed[1:] + speed[:-1]) * numpy.diff(record.time))))
     return numpy.interp(times, record.time, way)
+
+
+def smooth(at, times, values):
+    """Cubics between the rows, whose slopes at the rows are those from row to row on both sides: a block has no jumps of speed. Beyond the end it stays."""
+    slopes = numpy.gradient(values, times)
+    k = numpy.clip(numpy.searchsorted(times, at, side="right") - 1, 0, len(times) - 2)
+    width = times[k + 1] - times[k]
+    u = numpy.clip((at - times[k]) / width, 0.0, 1.0)
+    return ((1.0 + 2.0 * u) * (1.0 - u)**2 * values[k] + u**2 * (3.0 - 2.0 * u) * values[k + 1] +
+            u * (1.0 - u)**2 * width * slopes[k] - u**2 * (1.0 - u) * width * slopes[k + 1])
 
 
 def play(rig, record):

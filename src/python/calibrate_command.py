@@ -1,0 +1,76 @@
+"""What `drill calibrate` starts: fits parameters of a scene to a record or a table of weights, and says how sure they are and what a part of the data that
+the fit never saw says. The runner has checked the command line."""
+import argparse
+import json
+import sys
+
+import numpy
+from drill_rig_sim.lockstep import Refused
+from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
+
+UNITS = {"hook_load": (1e-3, "kN"), "torque": (1e-3, "kN m"), "stand_pipe_pressure": (1e-5, "bar")}
+
+
+def residuals(plan, found):
+    """Root mean square of what is off, by signal: of the fitted part, and of what was held out (None where that is nothing)."""
+    off, answered = found.predicted - plan.model.observed, {}
+    for signal in sorted(set(plan.model.signals)):
+        rows = (plan.model.signals == signal) & numpy.isfinite(off)
+        answered[signal] = [float(numpy.sqrt(numpy.mean(off[part]**2))) if part.any() else None for part in (rows & plan.fitted, rows & plan.held_out)]
+    return answered
+
+
+def table(plan, found, left):
+    lines = ["%-28s %14s %14s" % ("parameter", "value", "95 % within")]
+    lines += ["%-28s %14.6g %14s" % (p.name, value, "+- %.3g" % width) for p, value, width in zip(plan.parameters, found.values, found.half_widths)]
+    lines += ["", "%-28s %14s %14s" % ("off, root mean square", "fitted", "held out")]
+    for signal, numbers in left.items():
+        factor, unit = UNITS[signal]
+        lines.append("%-28s %14s %14s" % ("%s [%s]" % (signal, unit), *("-" if number is None else "%.4g" % (factor * number) for number in numbers)))
+    lost = int((~numpy.isfinite(found.predicted)).sum())
+    return lines + (["%d numbers could not be predicted: no equilibrium, or a scene out of range" % lost] if lost else []) + ["", "%d points of the parameters were tried" % found.runs]
+
+
+def as_json(plan, found, left):
+    return {"parameters": [{"name": p.name, "value": float(value), "half_width_95": float(width)} for p, value, width in zip(plan.parameters, found.values, found.half_widths)],
+            "covariance": found.covariance.tolist(), "rms": {signal: {"fitted": numbers[0], "held_out": numbers[1]} for signal, numbers in left.items()}}
+
+
+def main(words):
+    parser = argparse.ArgumentParser(prog="drill calibrate", description=__doc__)
+    parser.add_argument("fit")
+    parser.add_argument("--json")
+    parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--scheduler")
+    options = parser.parse_args(words)
+    try:
+        from drill_rig_sim.field.fit import FitError, Problem, fit  # needs SciPy
+        from drill_rig_sim.field.fit_plan import ModelError, PlanError, RecordError, read_fit
+        from drill_rig_sim.field.models import Evaluator
+    except ImportError as error:
+        print("drill calibrate: %s; it needs Debian's python3-scipy" % error, file=sys.stderr)
+        return FAILED
+    try:
+        plan = read_fit(options.fit)
+        evaluator = Evaluator(plan.model, options.workers, options.scheduler)
+        try:
+            found = fit(Problem(plan.parameters, evaluator, plan.model.observed, plan.model.signals, plan.fitted))
+        finally:
+            evaluator.close()
+        left = residuals(plan, found)
+        if options.json:
+            with open(options.json, "w", encoding="utf-8") as out:
+                json.dump(as_json(plan, found, left), out, indent=2)
+                out.write("\n")
+        print("\n".join(table(plan, found, left)))
+        return GOOD
+    except (PlanError, RecordError, ModelError, FitError, Refused) as error:
+        print("drill calibrate: %s" % error, file=sys.stderr)
+        return BAD_INPUT
+    except OSError as error:
+        print("drill calibrate: %s: %s" % (error.filename, error.strerror), file=sys.stderr)
+        return BAD_INPUT
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

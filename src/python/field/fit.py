@@ -1,0 +1,130 @@
+"""Least squares of a model's parameters with confidence, by scipy; the model is asked for many points at once, so that its runs may go side by side."""
+import numpy
+from scipy.optimize import least_squares
+from scipy.stats import t as student
+
+SHARE_OF_SCALE = 0.01  # of a parameter's scale, the step of finite differences
+NOWHERE = 30.0         # what a number counts that could not be predicted, in its scatter: no way leads there
+ROUNDS = 3             # of the scatter's estimate
+
+
+class FitError(Exception):
+    """Why nothing can be fitted, in one line."""
+
+
+class Parameter:
+    """What is fitted: `keys` of the scene set to it (or multiplied, `times`), or an offset that is added to a `signal`. It stays in low..high."""
+
+    def __init__(self, name, start, low, high, keys=(), times=False, signal=None):
+        self.name, self.start, self.low, self.high, self.keys, self.times, self.signal = name, start, low, high, list(keys), times, signal
+
+    @property
+    def scale(self):
+        """A change that matters: of a bounded parameter its range, else its size [its unit]."""
+        width = self.high - self.low
+        return width if numpy.isfinite(width) else max(abs(self.start), 1.0)
+
+
+class Fit:
+    """`values`, `half_widths` of their confidence and `covariance`; `predicted` beside the data; `scatter` by signal (root mean square of what was fitted)."""
+
+    def __init__(self, values, half_widths, covariance, predicted, scatter, runs):
+        self.values, self.half_widths, self.covariance, self.predicted, self.scatter, self.runs = values, half_widths, covariance, predicted, scatter, runs
+
+
+class Problem:
+    """`observed`: numbers, nan where there is none; `signals`: the name of each; `fitted`: which of them count. `model(list of parameter lists)`: a list of
+    predictions without offsets."""
+
+    def __init__(self, parameters, model, observed, signals, fitted):
+        self.parameters, self.model, self.observed = parameters, model, numpy.asarray(observed, dtype=float)
+        self.signals, self.rows = numpy.asarray(signals), numpy.asarray(fitted) & numpy.isfinite(self.observed)
+        self.inner = [k for k, parameter in enumerate(parameters) if parameter.signal is None]
+        self.offsets = numpy.array([self.signals == parameter.signal for parameter in parameters], dtype=float).reshape(len(parameters), -1).T
+        self.steps = numpy.array([SHARE_OF_SCALE * parameter.scale for parameter in parameters])
+        self.known, self.runs = {}, 0
+        self.scatter = {}
+
+    def ask(self, points):
+        """Predictions without offsets at points of all parameters; what is known is not run again."""
+        keys = [tuple(float(point[k]) for k in self.inner) for point in points]
+        new = list(dict.fromkeys(key for key in keys if key not in self.known))
+        self.known.update(zip(new, map(numpy.asarray, self.model([list(key) for key in new]) if new else [])))
+        self.runs += len(new)
+        return [self.known[key] for key in keys]
+
+    def predict(self, x):
+        return self.ask([x])[0] + self.offsets @ x
+
+    def slopes(self, x):
+        """Forward differences, backward at an upper bound; of an offset 1."""
+        steps = numpy.array([step if value + step <= parameter.high else -step for value, step, parameter in zip(x, self.steps, self.parameters)])
+        moved = [numpy.where(numpy.arange(len(x)) == k, x + steps, x) for k in self.inner]
+        base, *others = self.ask([x, *moved])
+        matrix = self.offsets.copy()
+        for k, other in zip(self.inner, others):
+            matrix[:, k] = (other - base) / steps[k]
+        return matrix
+
+    def weights(self):
+        return 1.0 / numpy.array([self.scatter[name] for name in self.signals[self.rows]])
+
+    def residuals(self, x):
+        off = (self.predict(x) - self.observed)[self.rows]
+        return numpy.where(numpy.isfinite(off), off * self.weights(), NOWHERE)
+
+    def jacobian(self, x):
+        matrix = self.slopes(x)[self.rows] * self.weights()[:, None]
+        return numpy.where(numpy.isfinite(matrix), matrix, 0.0)
+
+
+def fit(problem, level=0.95):
+    """A Fit, or a FitError. The scatter of each signal is found in rounds, from what is left; residuals that hang together (a model's error, not noise) count for as many
+    independent ones as their autocorrelation leaves, which widens the confidence."""
+    parameters, names = problem.parameters, sorted(set(problem.signals[problem.rows]))
+    x = numpy.array([parameter.start for parameter in parameters], dtype=float)
+    if not numpy.isfinite(problem.predict(x)[problem.rows]).any():
+        raise FitError("at the parameters' start nothing can be predicted: a scene out of range, or no equilibrium")
+    problem.scatter = {name: max(float(numpy.nanstd(problem.observed[problem.rows & (problem.signals == name)])), 1e-9) for name in names}
+    for _ in range(ROUNDS):
+        found = least_squares(problem.residuals, x, problem.jacobian, bounds=([p.low for p in parameters], [p.high for p in parameters]),
+                              x_scale="jac", xtol=1e-6, ftol=1e-8)
+        x = found.x
+        off = problem.predict(x) - problem.observed
+        for name in names:
+            left = off[problem.rows & (problem.signals == name)]
+            problem.scatter[name] = max(float(numpy.sqrt(numpy.nanmean(left**2))), 1e-9)
+    matrix = problem.slopes(x)
+    information = numpy.zeros((len(x), len(x)))
+    independent = 0.0
+    for name in names:
+        rows = problem.rows & (problem.signals == name) & numpy.isfinite(off)
+        apart = hang_together(off[rows])
+        independent += rows.sum() / apart
+        information += matrix[rows].T @ matrix[rows] / (problem.scatter[name]**2 * apart)
+    freedom = max(independent - len(x), 1.0)
+    covariance = inverse(information) * independent / freedom
+    widths = student.ppf(0.5 + 0.5 * level, freedom) * numpy.sqrt(numpy.diag(covariance))
+    return Fit(x, widths, covariance, problem.predict(x), dict(problem.scatter), problem.runs)
+
+
+def inverse(information):
+    """In the parameters' own scales; infinite of what the data do not tell."""
+    sizes = numpy.sqrt(numpy.diag(information))
+    told = sizes > 0.0
+    covariance = numpy.diag(numpy.where(told, 0.0, numpy.inf))
+    scaled = information[numpy.ix_(told, told)] / numpy.outer(sizes[told], sizes[told])
+    covariance[numpy.ix_(told, told)] = numpy.linalg.pinv(scaled) / numpy.outer(sizes[told], sizes[told])
+    return covariance
+
+
+def hang_together(series):
+    """How many of a series' values are as good as one: 1 + 2 sum of its autocorrelations up to where they end (Sokal's window of five times that)."""
+    count = len(series)
+    if count < 8 or not numpy.var(series) > 0.0:
+        return 1.0
+    spectrum = numpy.fft.rfft(series - series.mean(), 2 * count)
+    correlation = numpy.fft.irfft(spectrum * numpy.conj(spectrum))[:count]
+    sums = 2.0 * numpy.cumsum(correlation / correlation[0]) - 1.0
+    window = numpy.flatnonzero(numpy.arange(count) >= 5.0 * sums)
+    return float(max(1.0, sums[window[0] if len(window) else count - 1]))

@@ -1,0 +1,91 @@
+"""A fit's file: what is fitted to what."""
+import os
+
+import numpy
+from drill_rig_sim.campaign.plan_text import PlanError, plan_of
+from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError
+from drill_rig_sim.field.fit import Parameter
+from drill_rig_sim.field.models import MOTIONS, ModelError, RecordModel, TableModel, scene_and_survey
+from drill_rig_sim.field.record import RecordError, number, read_record
+from drill_rig_sim.field.replay import COMPARED
+from drill_rig_sim.field.units import FORCE, LENGTH
+
+KEYS = ("scene", "record", "columns", "table", "parameters", "signals", "from", "held_out")
+PARAMETER_KEYS = ("name", "key", "keys", "times", "signal", "start", "from", "to")
+
+
+class FitPlan:
+    """`model`, `parameters`, and which of the model's numbers are `fitted` and which `held_out`; the beginning may be neither."""
+
+    def __init__(self, model, parameters, fitted, held_out):
+        self.model, self.parameters, self.fitted, self.held_out = model, parameters, fitted, held_out
+
+
+def read_fit(file):
+    """A FitPlan; PlanError, RecordError or ModelError with one line."""
+    entries = plan_of(file).mapping(KEYS, needed=("scene", "parameters"))
+    if ("record" in entries) == ("table" in entries):
+        raise PlanError("%s: needed: record or table, not both" % file)
+    base = os.path.dirname(os.path.abspath(file))
+    scene, survey = scene_and_survey(os.path.join(base, entries["scene"].text()))
+    parameters = [parameter_of(item, scene) for item in entries["parameters"].sequence()]
+    if "table" in entries:
+        model = TableModel(scene, survey, parameters, *read_table(entries["table"], base))
+    else:
+        columns = os.path.join(base, entries["columns"].text()) if "columns" in entries else None
+        signals = [item.choice(COMPARED) for item in entries["signals"].sequence()] if "signals" in entries else ()
+        model = RecordModel(scene, survey, parameters, read_record(os.path.join(base, entries["record"].text()), columns), signals)
+    for parameter, item in zip(parameters, entries["parameters"].sequence()):
+        if parameter.signal and parameter.signal not in model.signals:
+            item.fail("%s: is not fitted" % parameter.signal)
+    held = entries["held_out"].number(0.0, most=0.9) if "held_out" in entries else 0.3
+    begin = entries["from"].number(0.0) / model.length if "from" in entries else 0.0
+    return FitPlan(model, parameters, (model.place >= begin) & (model.place < 1.0 - held), model.place >= 1.0 - held)
+
+
+def parameter_of(item, scene):
+    parts = item.mapping(PARAMETER_KEYS, needed=("name", "start"))
+    if sum(key in parts for key in ("key", "keys", "signal")) != 1:
+        item.fail("needs one of key, keys and signal (an offset of it)")
+    places = [parts["key"].text()] if "key" in parts else [one.text() for one in parts["keys"].sequence()] if "keys" in parts else []
+    try:
+        SceneText(scene, places)
+    except SceneTextError as error:
+        item.fail(str(error))
+    low = parts["from"].number() if "from" in parts else -numpy.inf
+    high = parts["to"].number(beyond=low if numpy.isfinite(low) else None) if "to" in parts else numpy.inf
+    start = parts["start"].number()
+    if not low <= start <= high:
+        parts["start"].fail("is %g, outside %g to %g" % (start, low, high))
+    signal = parts["signal"].choice(COMPARED) if "signal" in parts else None
+    return Parameter(parts["name"].text(), start, low, high, places, "times" in parts and parts["times"].yes(), signal)
+
+
+def read_table(entry, base):
+    """Depths and weights: `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`."""
+    import csv
+    parts = entry.mapping(("file", "depth", *MOTIONS), needed=("file", "depth"))
+    file = os.path.join(base, parts["file"].text())
+    try:
+        with open(file, newline="", encoding="utf-8-sig") as text:
+            rows = list(csv.DictReader(text))
+    except (OSError, UnicodeDecodeError) as error:
+        parts["file"].fail("%s: %s" % (file, getattr(error, "strerror", None) or error))
+    found = {}
+    for name in ("depth", *MOTIONS):
+        if name in parts:
+            said = parts[name].mapping(("column", "unit"), needed=("column", "unit"))
+            units = LENGTH if name == "depth" else FORCE
+            column, factor = said["column"].text(), units[said["unit"].choice(tuple(units))]
+            if not rows or column not in rows[0]:
+                said["column"].fail("%s: is no column of %s" % (column, file))
+            found[name] = factor * numpy.array([number(row[column]) for row in rows])
+    depths = found.pop("depth")
+    if not found:
+        entry.fail("needs one or more of %s" % ", ".join(MOTIONS))
+    if not numpy.isfinite(depths).all():
+        parts["depth"].fail("a row has no depth")
+    return depths, found
+
+
+__all__ = ["FitPlan", "ModelError", "PlanError", "RecordError", "read_fit"]

@@ -1,0 +1,42 @@
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drill_command.h"
+#include "drill_options.h"
+#include "drill_python.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+struct CalibrateOptions
+{
+  std::string fit, json, scheduler;
+  std::optional<double> workers;
+};
+
+void calibrate(const CalibrateOptions& options)
+{
+  std::vector<std::string> words;
+  if (!options.json.empty()) words.push_back("--json=" + options.json);  // it may begin with a dash
+  if (!options.scheduler.empty()) words.push_back("--scheduler=" + options.scheduler);
+  if (options.workers) words.push_back("--workers=" + std::to_string(static_cast<int>(*options.workers)));
+  words.insert(words.end(), {"--", options.fit});
+  become_python("calibrate_command", words);
+}
+}  // namespace
+
+Command add_calibrate_command(CLI::App& drill)
+{
+  CLI::App* words = drill.add_subcommand("calibrate", "fits a scene's parameters to a rig's record or to a table of weights");
+  const auto options = std::make_shared<CalibrateOptions>();
+  add_file(*words, "FIT", options->fit, "what is fitted to what (.yaml)");
+  add_text(*words, "--json", options->json, "FILE", "writes parameters, confidence and residuals");
+  add_number(*words, "--workers", options->workers, 1.0, 1024.0, "N", "processes of this machine, by Dask where there are several; default 1");
+  add_text(*words, "--scheduler", options->scheduler, "ADDRESS", "of a running Dask cluster");
+  return {words, [options] { calibrate(*options); }};
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,133 @@
+#!/usr/bin/python3
+"""drill calibrate, but for the runner in front of it: least squares with confidence, parameters of a record that the simulator made, what is refused.
+`test_calibrate.py --trials N`: how often the truth lies within the stated confidence in N records, by the model itself."""
+import importlib.util
+import io
+import json
+import os
+import sys
+import tempfile
+import unittest
+from contextlib import redirect_stderr, redirect_stdout
+
+if not importlib.util.find_spec("scipy"):
+    print("skipped: SciPy is not installed (python3-scipy: ./test/run --campaigns)")
+    sys.exit(77)
+import made_record
+import numpy
+from drill_rig_sim import calibrate_command
+from drill_rig_sim.field.fit import FitError, Parameter, Problem, fit, hang_together
+
+INFINITE = float("inf")
+
+
+def calibrate(*words):
+    out, told = io.StringIO(), io.StringIO()
+    with redirect_stdout(out), redirect_stderr(told):
+        status = calibrate_command.main(list(words))
+    return status, out.getvalue(), told.getvalue()
+
+
+class Least(unittest.TestCase):
+    """y = a exp(-b t) and a b t, with an offset of the first."""
+    TIME, TRUTH = numpy.linspace(0.0, 10.0, 200), (2.0, 0.3, 0.5)
+
+    def model(self, points):
+        return [numpy.concatenate([a * numpy.exp(-b * self.TIME), a * b * self.TIME]) for a, b in points]
+
+    def problem(self, noise, model=None):
+        parameters = [Parameter("a", 1.0, 0.0, 5.0, ["x"]), Parameter("b", 0.5, 0.0, 2.0, ["y"]), Parameter("offset", 0.0, -INFINITE, INFINITE, signal="u")]
+        observed = self.model([self.TRUTH[:2]])[0] + noise * numpy.repeat([0.1, 0.3], 200)
+        observed[:200] += self.TRUTH[2]
+        return Problem(parameters, model or self.model, observed, ["u"] * 200 + ["v"] * 200, numpy.ones(400, bool))
+
+    def test_without_noise_it_is_exact(self):
+        found = fit(self.problem(numpy.zeros(400)))
+        self.assertLess(abs(found.values - self.TRUTH).max(), 1e-6)
+
+    def test_the_truth_lies_within_the_stated_confidence(self):
+        chance, within, scatter = numpy.random.default_rng(1), numpy.zeros(3), []
+        for _ in range(200):
+            found = fit(self.problem(chance.normal(size=400)))
+            within += abs(found.values - self.TRUTH) < found.half_widths
+            scatter.append([found.scatter["u"], found.scatter["v"]])
+        self.assertTrue((within >= 182).all() and (within <= 198).all(), within)  # of 190, within 2.6 deviations
+        self.assertLess(abs(numpy.mean(scatter, axis=0) / (0.1, 0.3) - 1.0).max(), 0.02)
+
+    def test_residuals_that_hang_together_count_for_fewer(self):
+        chance = numpy.random.default_rng(2)
+        series = chance.normal(size=20000)
+        self.assertLess(hang_together(series), 1.2)
+        for k in range(1, len(series)):
+            series[k] += 0.8 * series[k - 1]
+        self.assertAlmostEqual(9.0, hang_together(series), delta=1.5)  # (1 + 0.8)/(1 - 0.8)
+
+    def test_where_nothing_can_be_predicted(self):
+        def holes(points):
+            return [self.model([point])[0] if point[1] < 0.45 else numpy.full(400, numpy.nan) for point in points]
+        problem = self.problem(numpy.zeros(400), holes)
+        with self.assertRaises(FitError):
+            fit(problem)
+        problem.parameters[1].start = 0.1
+        self.assertLess(abs(fit(problem).values - self.TRUTH).max(), 1e-5)
+
+
+class Records(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = folder.name
+        cls.rows = made_record.rows_of(made_record.write_scene(cls.folder))
+
+    def test_parameters_of_a_noisy_record_come_back(self):
+        made_record.write_record(self.folder, self.rows, 0)
+        file = os.path.join(self.folder, "out.json")
+        status, out, told = calibrate(made_record.write_fit(self.folder), "--json", file)
+        self.assertEqual((0, ""), (status, told))
+        with open(file, encoding="utf-8") as text:
+            found = json.load(text)
+        for parameter, truth in zip(found["parameters"], made_record.TRUTH):
+            self.assertLess(abs(parameter["value"] - truth), parameter["half_width_95"], parameter)
+            self.assertLess(parameter["half_width_95"], 0.1 * truth, parameter)
+        for signal, noise in zip(("hook_load", "torque", "stand_pipe_pressure"), made_record.NOISE):
+            for part in ("fitted", "held_out"):
+                self.assertLess(abs(found["rms"][signal][part] / noise - 1.0), 0.25, signal)
+        self.assertIn("held out", out)
+
+    def test_what_is_refused(self):
+        made_record.write_record(self.folder, self.rows[:50], 0)
+        first = made_record.FIT["parameters"][0]
+        for more, said in (({"parameters": [{**first, "start": "x"}]}, "parameters[0].start: needed: a number"), ({"parameters": [{"name": "a", "start": 1}]}, "one of key"),
+                           ({"parameters": [{"name": "a", "start": 1, "key": "well.nothing[3]"}]}, "the scene has no"), ({"record": "no.csv"}, "No such file"),
+                           ({"parameters": [{"name": "a", "start": 5, "key": "mud.density", "to": 1}]}, "outside"), ({"scene": "no.yaml"}, "No such file"),
+                           ({"table": {"file": "x"}}, "record or table"), ({"held_out": 2}, "up to 0.9"), ({"signals": ["rop"]}, "allowed: hook_load"),
+                           ({"parameters": [{"name": "a", "start": -1, "key": "mud.density"}]}, "nothing can be predicted"),
+                           ({"signals": ["torque"]}, "hook_load: is not fitted")):
+            status, _, told = calibrate(made_record.write_fit(self.folder, **more))
+            self.assertEqual((2, 1), (status, told.count("\n")), told)
+            self.assertIn(said, told)
+
+
+def trials(count):
+    """How often each parameter's truth lay within its confidence, and the mean of that over its value."""
+    from drill_rig_sim.field.fit_plan import read_fit
+    from drill_rig_sim.field.models import Evaluator
+    with tempfile.TemporaryDirectory() as folder:
+        rows = made_record.rows_of(made_record.write_scene(folder))
+        within, widths = numpy.zeros(len(made_record.TRUTH), int), []
+        for seed in range(count):
+            made_record.write_record(folder, rows, seed)
+            plan = read_fit(made_record.write_fit(folder))
+            found = fit(Problem(plan.parameters, Evaluator(plan.model), plan.model.observed, plan.model.signals, plan.fitted))
+            within += abs(found.values - made_record.TRUTH) < found.half_widths
+            widths.append(found.half_widths)
+    for parameter, good, width, truth in zip(plan.parameters, within, numpy.mean(widths, axis=0), made_record.TRUTH):
+        print("%-16s within its confidence in %d of %d, +- %.2g %% of it" % (parameter.name, good, count, 100.0 * width / truth))
+
+
+if __name__ == "__main__":
+    if "--trials" in sys.argv:
+        trials(int(sys.argv[sys.argv.index("--trials") + 1]))
+    else:
+        unittest.main()
