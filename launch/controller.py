@@ -57,8 +57,9 @@ def main():
         in_lockstep(law, rospy.get_param("~timeout", 3600.0))
     else:
         topics.follow(law)
-    print("done" if law.done else "not done", flush=True)
-    return 0 if law.done else 1
+    given_up = getattr(law, "given_up", "")
+    print("given up: " + given_up if given_up else "done" if law.done else "not done", flush=True)
+    return 0 if law.done and not given_up else 1
 
 
 if __name__ == "__main__":

@@ -57,14 +57,15 @@ def bend(begin, end, inclination):
 
 
 class Steering:
-    """What steering laws share: an autodriller that drills, and a plan."""
+    """What steering laws share: an autodriller that drills, and a plan. `given_up`: why it ended before its goal, or ""."""
 
     def __init__(self, driller, plan):
         self.driller, self.plan, self.set_points = driller, Plan(plan), driller.set_points
+        self.given_up = ""
 
     @property
     def done(self):
-        return self.driller.done
+        return self.driller.done or bool(self.given_up)
 
     @property
     def phase(self):

@@ -18,6 +18,7 @@ class SlideSteering(Steering):
     on_target = math.radians(5.0)       # off bottom, before the slide
     dead_band = math.radians(1.5)       # of the drive's angle: no brake opens for less
     rocking_time, rocking_speed = 30.0, 1.0  # [s], [rad/s]
+    patience = 300.0                    # without a toolface, in a slide [s]
 
     def __init__(self, plan, build_rate, twist, driller, rocking=0.5, gain=0.6):
         super().__init__(Autodriller(**driller), plan)
@@ -25,7 +26,7 @@ class SlideSteering(Steering):
         self.twist, self.rocking, self.gain = math.radians(twist), 2.0 * math.pi * rocking, gain
         self.sliding = False
         self.target = self.angle = self.base = 0.0
-        self.seen, self.turned_at, self.stopped_at = None, 0.0, None
+        self.seen, self.turned_at, self.stopped_at, self.heard_at = None, 0.0, None, 0.0
         self.start, self.slid = None, []    # where drilling began; [from, to, toolface] of the slides [m, m, rad]
         self.survey, self.behind_at_sensor = None, (Lag(3.0), Lag(3.0))  # in surveys
 
@@ -34,6 +35,9 @@ class SlideSteering(Steering):
         commands = self.driller.step(readings)
         if self.sliding and (self.driller.phase != "lifting" or self.stopped_at is not None):  # on the way up from rotating it still turns
             commands.top_drive = self.hold_toolface(readings)
+            if readings.t > max(self.stopped_at, self.heard_at) + self.patience:
+                self.given_up = "no toolface for %g s: a slide would go nobody knows where" % self.patience
+                commands.brake, commands.block_velocity = True, None
         return commands
 
     # --- slide or rotate
@@ -86,6 +90,8 @@ class SlideSteering(Steering):
         return {"mode": "ANGLE", "angle": self.angle}
 
     def listen(self, toolface):
+        if toolface is not None:
+            self.heard_at = toolface.t
         if toolface is None or toolface is self.seen or toolface.t < self.turned_at + self.settling:
             return
         self.seen = toolface

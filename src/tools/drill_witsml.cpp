@@ -1,6 +1,5 @@
 #include "drill_witsml.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -49,26 +48,6 @@ std::string date_of(double time)
   return whole;
 }
 
-/// As text of an element that holds 64 bytes at most; whole characters of UTF-8.
-std::string name_for_xml(const std::string& text)
-{
-  std::size_t end = std::min<std::size_t>(text.size(), 64);
-  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
-  std::string out;
-  for (const char c : text.substr(0, end))
-  {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 void write_curve(std::FILE* file, const char* mnemonic, const char* unit, const char* description, const char* kind)
 {
   std::fprintf(file,
@@ -97,7 +76,6 @@ WitsmlSeries::WitsmlSeries(const std::string& name, const std::string& well, dou
 void WitsmlSeries::write_head(const std::string& well)
 {
   std::FILE* file = file_.get();
-  const std::string of_well = name_for_xml(well.empty() ? "unnamed" : well);
   std::fprintf(
       file,
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<logs xmlns=\"http://www.witsml.org/schemas/1series\" version=\"1.4.1.1\">\n"
@@ -106,7 +84,7 @@ void WitsmlSeries::write_head(const std::string& well)
       "    <name>Drilling by time</name>\n    <description>By drill_rig_sim: simulated, as its gauges show it; time 0 is "
       "%s</description>\n"
       "    <indexType>date time</indexType>\n    <startDateTimeIndex>%s</startDateTimeIndex>\n    <endDateTimeIndex>",
-      of_well.c_str(), of_well.c_str(), date_of(0.0).c_str(), date_of(0.0).c_str());
+      well.c_str(), well.c_str(), date_of(0.0).c_str(), date_of(0.0).c_str());
   end_place_ = std::ftell(file);
   std::fprintf(file, "%s</endDateTimeIndex>\n    <direction>increasing</direction>\n    <indexCurve>TIME</indexCurve>\n",
                date_of(0.0).c_str());

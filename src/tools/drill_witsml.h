@@ -14,7 +14,7 @@ namespace drill_rig_sim
 class WitsmlSeries
 {
 public:
-  /// Opens the file, none where the name is empty. `well`: the scene's name. `every`: between rows [s]. Throws UsageError with
+  /// Opens the file, none where the name is empty. `well`: the scene's name: letters, digits and _. `every`: between rows [s]. Throws UsageError with
   /// one line if it cannot be written.
   WitsmlSeries(const std::string& name, const std::string& well, double every);
   /// Adds a row where one is due; `frame`: since the last call [s].

@@ -111,7 +111,8 @@ class Lockstep(unittest.TestCase):
 
     def test_while_a_step_runs_the_other_services_answer_and_pause_ends_it(self):
         states = self.rig.collect("rig_state", RigState)
-        start = self.rig.advance(1)
+        # drilling, that takes minutes: at rest a long step is over in seconds
+        start = self.rig.advance(1, winch=winch(-0.004), top_drive=turn(6.0), mud_pump=flow(0.02))
         answers = []
         stepping = threading.Thread(target=lambda: answers.append(self.rig.step(frames=100000)))
         stepping.start()

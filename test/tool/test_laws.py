@@ -105,6 +105,21 @@ class Laws(unittest.TestCase):
         self.assertAlmostEqual(math.radians(45.0), law.target, delta=1e-6)
         self.assertEqual("lifting", law.driller.phase)
 
+    def test_a_slide_without_toolfaces_is_given_up_with_the_block_braked(self):
+        plan = Survey([0.0, 100.0, 400.0], [0.0, 0.0, math.radians(30.0)], [1.0, 1.0, 1.0])
+        law = SlideSteering(plan, 6.0, 0.0, {"set_points": {"weight": 1e4}, "stiffness": 6e5, "rop": 0.01, "rpm": 60.0, "flow": 0.03, "to_depth": 500.0})
+        law.driller.go("lifting")
+        law.sliding, law.stopped_at, law.driller.stay_off = True, 0.0, True
+        rig = {"hook_load": 2e5, "stand_pipe_pressure": 1e7, "torque": 0.0, "lost_gauges": 0, "block_height": 10.0, "bit_depth": 390.0, "hole_depth": 400.0,
+               "survey": None, "toolface": None, "top_drive_angle": 0.0, "surface_wob": 0.0, "differential_pressure": 0.0, "rop": 0.0}
+        for i in range(10 * 301):
+            commands = law.step(types.SimpleNamespace(t=DT * i, **rig))
+            if law.done:
+                break
+        self.assertAlmostEqual(300.0, DT * i, delta=0.2)
+        self.assertIn("no toolface for 300 s", law.given_up)
+        self.assertEqual((True, None), (commands.brake, commands.block_velocity))
+
     def test_swings_by_the_torque(self):
         for amplitude, tried in ((0.05, []), (0.4, [[30.0, "SOFT_TORQUE"]])):
             law = StickSlip(90.0, 0.03, ["SOFT_TORQUE"], 5.0, 1e6)
