@@ -3,6 +3,7 @@
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/extend_hole.h"
 #include "drill_rig_sim/model/forces/place_drag.h"
+#include "drill_rig_sim/model/pointing.h"
 #include "drill_rig_sim/rig/mud_motor.h"
 
 namespace drill_rig_sim
@@ -80,6 +81,8 @@ void advance_discrete(const Model& model, const Stage& stage, Workspace& work, S
   // the guide rail holds the shaft upright: round-off of many turns must not tilt it
   Quaterniond& shaft = state.nodes.back().orientation;
   shaft = (Quaterniond::FromTwoVectors(x_axis(shaft), -Vector3d::UnitZ()) * shaft).normalized();
+  state.pads = work.result.pads;
+  if (model.mesh().pivot_node >= 0) state.lean = shaft_end(model, stage, work).lean;
   state.hoist = stage.hoist;
   state.hoist.rail_deflection = work.result.rail_deflection;
   state.drive = work.result.drive;

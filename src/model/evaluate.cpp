@@ -225,7 +225,6 @@ void find_guided_forces(const Model& model, const Stage& stage, int e, Workspace
 
 void find_string_forces(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
 {
-  RigForces& out = work.result.forces;
   const StageContext at{model, start, stage, work};
   const bool batched = moved_in_batches(at);
   if (batched) find_free_forces(at);
@@ -236,14 +235,7 @@ void find_string_forces(const Model& model, const State& start, const Stage& sta
       find_guided_forces(model, stage, e, work);
       continue;
     }
-    if (batched) continue;
-    const BeamForces f = element_forces(at, e);
-    const MeshElement& element = model.mesh().elements[e];
-    const NodeMotion& upper = work.nodes[e + 1];
-    const Vector3d n = element.bend != 0.0 ? bent_normal(element, upper.orientation) : upper.normal;
-    out.tension[e] = f.tension;
-    out.torque[e] = -f.torque;
-    out.bending_moment[e + 1] = (f.moment_upper - n * n.dot(f.moment_upper)).norm();
+    if (!batched) find_beam_forces(at, e);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/guides.h"
+#include "drill_rig_sim/model/pointing.h"
 
 namespace drill_rig_sim
 {
@@ -18,11 +19,9 @@ double stretch_of(const Model& model, const State& state, std::size_t e) noexcep
   const NodeState &lower = state.nodes[e], &upper = state.nodes[e + 1];
   if (lower.guided && upper.guided) return guided_length(state, e) / element.section.length - 1.0;
   BeamPose pose{upper.position, lower.position, x_axis(upper.orientation), x_axis(lower.orientation), 0.0, upper.orientation, lower.orientation, 0.0};
-  if (element.bend != 0.0)
-  {
-    pose.upper_orientation = upper.orientation * element.upper_end;
-    pose.upper_normal = x_axis(pose.upper_orientation);
-  }
+  if (element.bend != 0.0) pose.upper_orientation = upper.orientation * element.upper_end;
+  if (model.mesh().is_shaft(static_cast<int>(e))) pose.upper_orientation = leaning(upper.orientation, state.lean);
+  pose.upper_normal = x_axis(pose.upper_orientation);
   BeamStrain strain;
   model.beam().forces(element.section, pose, BeamDamping(), Vector3d::Zero(), strain);
   return strain.stretch;

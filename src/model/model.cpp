@@ -30,9 +30,7 @@ Model::Model(const Scene& scene, Mesh mesh)
   for (const PartSpec& part : scene_.string)
   {
     if (part.motor) motor_ = &*part.motor;
-    if (!part.steerable) continue;
-    pad_force_ = part.steerable->pad_force;
-    downlink_bit_time_ = part.steerable->downlink_bit_time;
+    if (part.steerable) steerable_ = &*part.steerable;
   }
   mud_ = mud_circuit(scene_, mesh_);
   scene_.rig.top_drive = tuned(scene_.rig.top_drive, mesh_);

@@ -4,6 +4,7 @@
 
 #include "drill_rig_sim/model/forces/span_wall.h"
 #include "drill_rig_sim/model/mast.h"
+#include "drill_rig_sim/model/pointing.h"
 
 namespace drill_rig_sim
 {
@@ -24,6 +25,8 @@ void move_span(const Model& model, const State& start, const Stage& stage, int e
   span.increment = middle(span, lower.increment, upper.increment);
   span.position =
       0.5 * (start.nodes[e].position + start.nodes[e + 1].position) + span.upper_arm + span.lower_arm + span.increment.head<3>();
+  if (model.mesh().is_shaft(e))  // its lean does not turn with the arm
+    span.position += arm * (x_axis(leaning(start.nodes[e + 1].orientation, stage.lean)) - stage.normal[e + 1]);
 }
 
 const double* numbers_of(const HoleSegment* segment) noexcept

@@ -5,9 +5,10 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/forces/hoisting.h"
+#include "drill_rig_sim/model/forces/pads.h"
 #include "drill_rig_sim/model/forces/place_drag.h"
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
-#include "drill_rig_sim/well/directions.h"
+#include "drill_rig_sim/model/pointing.h"
 
 namespace drill_rig_sim
 {
@@ -45,17 +46,6 @@ void take_pressures(const Model& model, const State& state, Stage& stage) noexce
   if (stage.drags[0].pressure <= 0.0) return;
   const std::size_t packed = static_cast<std::size_t>(std::min(stage.drags[0].node, model.elements() - 1));
   stage.load[packed] += stage.drags[0].pressure * model.mesh().elements[packed].outer_area * up_along(state, packed);
-}
-
-/// Of a rotary steerable tool, at the set points' ratio and toolface, about the string's axis at the pads.
-Vector3d pad_force(const Model& model, const State& state, const Setpoints& setpoints) noexcept
-{
-  const int node = model.mesh().pad_node;
-  if (node < 0 || setpoints.steering.ratio == 0.0) return Vector3d::Zero();
-  const Vector3d axis = x_axis(state.nodes[node].orientation);
-  const Vector3d from = setpoints.magnetic_steering ? north_side(axis) : high_side(axis);
-  const double toolface = setpoints.steering.toolface;
-  return setpoints.steering.ratio * model.pad_force() * (std::cos(toolface) * from + std::sin(toolface) * axis.cross(from));
 }
 
 /// What the state says of the step that starts from it.
@@ -100,7 +90,7 @@ void begin_step(const Model& model, const State& state, double step, const Setpo
   stage.structural_damping = model.scene().numerics.structural_damping;
   stage.setpoints = setpoints;
   take_start(model, state, stage);
-  stage.pad_force = pad_force(model, state, setpoints);
+  find_pads(model, state, setpoints, stage);
   move_stage(model, state, step, stage);
 }
 
@@ -108,6 +98,7 @@ void move_stage(const Model& model, const State& state, double time, Stage& stag
 {
   stage.time = time;
   stage.hoist = time > 0.0 ? advance_hoist(model, state, stage.setpoints, time) : state.hoist;
+  stage.lean = lean_after(model, state, stage.setpoints, time);
   const double motor = state.bit.motor_speed;
   const double mean = state.bit.mean_speed;
   stage.bit = {motor, time * motor, mean, drilling_speed(mean, state.nodes[0].rate.spin + motor), time, false, Vector3d::Zero()};
@@ -119,7 +110,8 @@ void begin_static(const Model& model, const State& state, const SlidingMotion& s
   stage.dv_du = coefficient;
   stage.da_du = coefficient * coefficient;
   stage.structural_damping = 0.0;
-  stage.pad_force.setZero();
+  stage.pads = Pads();
+  stage.lean = lean_after(model, state, Setpoints(), 0.0);
   stage.sliding = sliding;
   std::fill(stage.rate.begin(), stage.rate.end(), Vector6d::Zero());
   std::fill(stage.acceleration.begin(), stage.acceleration.end(), Vector6d::Zero());

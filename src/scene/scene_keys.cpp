@@ -171,8 +171,10 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"displacement_per_rev",  "m3/rev", Inside<PartSpec>{of_motor<&MotorSpec::displacement_per_rev>}, between(1e-4, 1.0),   "mud volume that turns the motor once", motor, motor},
   {"stall_torque",          "N m",    Inside<PartSpec>{of_motor<&MotorSpec::stall_torque>}, between(1.0, 1e6),    "torque at which the motor stalls", motor, motor},
   {"curve_exponent",        "-",      Inside<PartSpec>{of_motor<&MotorSpec::curve_exponent>}, between(1.0, 20.0),   "b of the motor's speed, N_0 (1 - (T/T_stall)^b); 1 a straight line, power sections 3 to 5", no_kind, motor},
-  {"bit_to_pads",           "m",      Inside<PartSpec>{of_steerable<&SteerableSpec::bit_to_pads>}, between(0.01, 100.0), "from the bit's face to the pads that push it; lies inside the tool", steerable, steerable},
-  {"pad_force",             "N",      Inside<PartSpec>{of_steerable<&SteerableSpec::pad_force>}, above(0.0, 2e5), "on the tool at full steering", steerable, steerable},
+  {"bit_to_pads",           "m",      Inside<PartSpec>{of_steerable<&SteerableSpec::bit_to_pads>}, between(0.01, 100.0), "from the bit's face to the pads that push it; lies inside the tool", no_kind, steerable, "required with pad_force"},
+  {"pad_force",             "N",      Inside<PartSpec>{of_steerable<&SteerableSpec::pad_force>}, above(0.0, 2e5), "on the tool at full steering: it pushes the bit", no_kind, steerable, "this or tilt_deg"},
+  {"bit_to_pivot",          "m",      Inside<PartSpec>{of_steerable<&SteerableSpec::bit_to_pivot>}, between(0.01, 100.0), "from the bit's face to the pivot at which the shaft below leans; lies inside the tool", no_kind, steerable, "required with tilt_deg"},
+  {"tilt_deg",              "deg",    Inside<PartSpec>{of_steerable<&SteerableSpec::tilt>}, above(0.0, 5.0), "of the shaft against the collar at full steering, reached in 5 s: it points the bit", no_kind, steerable, "this or pad_force"},
   {"downlink_bit_time",     "s",      Inside<PartSpec>{of_steerable<&SteerableSpec::downlink_bit_time>}, between(1.0, 120.0), "of a downlink by the pump's flow", no_kind, steerable},
 }};
 

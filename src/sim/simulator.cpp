@@ -103,7 +103,7 @@ CommandResult Simulator::command(const PumpSetpoint& c) noexcept
 
 const char* Simulator::locked(const SteeringSetpoint&) const noexcept
 {
-  return impl_->model->mesh().pad_node >= 0 ? nullptr : "steering: the string has no rotary_steerable";
+  return impl_->model->steerable() ? nullptr : "steering: the string has no rotary_steerable";
 }
 
 CommandResult Simulator::command(const SteeringSetpoint& c) noexcept
@@ -114,10 +114,10 @@ CommandResult Simulator::command(const SteeringSetpoint& c) noexcept
 /// What the tool in the string hears and feels before a frame.
 void Simulator::Impl::steer() noexcept
 {
-  const int node = model->mesh().pad_node;
+  const int node = model->mesh().steering_node();
   if (node < 0) return;
   Setpoints& asked = state.commands.asked;
-  const auto heard = state.downlink.hear(now(), state.truth.bit_flow, model->downlink_bit_time());
+  const auto heard = state.downlink.hear(now(), state.truth.bit_flow, model->steerable()->downlink_bit_time);
   if (heard) asked.steering = *heard;
   asked.magnetic_steering = toolface_reference(x_axis(shown().nodes[node].orientation), asked.magnetic_steering).magnetic;
 }

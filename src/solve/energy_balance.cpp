@@ -60,6 +60,7 @@ void EnergyBalance::begin_step(const State& state, const Setpoints& setpoints) n
   find_reshaped(state);
   if (!opened_) begin_accounts();
   opened_ = true;
+  part_.shaft_turn.setZero();
   part_.time = part_.line_paid_out = part_.rotor_increment = part_.rock_advance = 0.0;
   std::fill(part_.increment.begin(), part_.increment.end(), 0.0);
 }
@@ -122,9 +123,9 @@ void EnergyBalance::end_step(const State& start, const Stage& stage, const doubl
 /// The sample counts from the start of the step; the accounts want what has come since the last part.
 void EnergyBalance::count_from_last_part() noexcept
 {
-  const auto since = [](double& sample, double& part)
+  const auto since = [](auto& sample, auto& part)
   {
-    const double all = sample;
+    const auto all = sample;
     sample -= part;
     part = all;
   };
@@ -132,6 +133,7 @@ void EnergyBalance::count_from_last_part() noexcept
   since(after_.line_paid_out, part_.line_paid_out);
   since(after_.rotor_increment, part_.rotor_increment);
   since(after_.rock_advance, part_.rock_advance);
+  since(after_.shaft.turn, part_.shaft_turn);
   for (std::size_t k = 0; k < part_.increment.size(); ++k) since(after_.increment[k], part_.increment[k]);
 }
 
@@ -181,6 +183,12 @@ double EnergyBalance::work_along(NodeForce kind) const noexcept
   return 0.5 * sum;
 }
 
+/// Mean moment times what the shaft turns beyond the collar.
+double EnergyBalance::work_at_pivot(Eigen::Vector3d ShaftSample::*moment) const noexcept
+{
+  return 0.5 * (before_.shaft.*moment + after_.shaft.*moment).dot(after_.shaft.turn);
+}
+
 void EnergyBalance::book_inputs() noexcept
 {
   const double h = after_.step;
@@ -195,7 +203,7 @@ void EnergyBalance::book_inputs() noexcept
   accounts_.gearbox -= h * mean(before_.gear_friction, after_.gear_friction) * mean(before_.rotor_speed, after_.rotor_speed) +
                        after_.stored.gear - start_.gear;
   accounts_.gravity += start_.weight - after_.stored.weight;
-  accounts_.steering -= work_of_step(NodeForce::pads);
+  accounts_.steering += work_at_pivot(&ShaftSample::moment) - work_of_step(NodeForce::pads);
   const double torque = mean(before_.bit_torque + before_.gauge_torque, after_.bit_torque + after_.gauge_torque);
   const double pump = h * std::max(0.0, torque) * after_.motor_flow_speed;
   accounts_.pump += pump;
@@ -205,7 +213,7 @@ void EnergyBalance::book_inputs() noexcept
 void EnergyBalance::book_dissipation() noexcept
 {
   const double h = after_.step;
-  accounts_.structural += work_in_time(NodeForce::structural);
+  accounts_.structural += work_in_time(NodeForce::structural) + work_at_pivot(&ShaftSample::damping);
   accounts_.mud += work_in_time(NodeForce::mud);
   accounts_.squeeze_film += work_in_time(NodeForce::squeeze_film);
   accounts_.wall_damping += work_in_time(NodeForce::wall_damping);
@@ -230,7 +238,7 @@ void EnergyBalance::book_numerical() noexcept
   const StoredEnergy &start = start_, &end = after_.stored;
   accounts_.of_inertia += work_along(NodeForce::inertia) + mean(before_.rotor_inertia, after_.rotor_inertia) * after_.rotor_increment -
                           (end.kinetic_all() - start.kinetic_all());
-  accounts_.of_beams += work_along(NodeForce::beams) - (end.beams - start.beams);
+  accounts_.of_beams += work_along(NodeForce::beams) + work_at_pivot(&ShaftSample::elastic) - (end.beams - start.beams);
   accounts_.of_residual -= work_along(NodeForce::unsolved);
 
   const Eigen::Map<const Eigen::Vector3d> bit_increment(after_.increment.data());

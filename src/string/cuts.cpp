@@ -18,7 +18,7 @@ void cut_joint(const PartSpec& part, int index, int joint, double lower, double 
   }
 }
 
-/// A node inside a joint: bend or blade.
+/// A node inside a joint: bend, blade, pads or pivot.
 struct Place
 {
   double from_bit, radius;
@@ -42,7 +42,7 @@ std::vector<Place> places_in(const PartSpec& part, double lower, double upper)
 {
   std::vector<Place> places;
   if (part.stabilizer) places.push_back({0.5 * (lower + upper), 0.5 * part.stabilizer->blade_diameter});
-  if (part.steerable) places.push_back({part.steerable->bit_to_pads, 0.5 * part.outer_diameter});
+  if (part.steerable) places.push_back({part.steerable->place(), 0.5 * part.outer_diameter});
   if (!part.motor) return places;
   const MotorSpec& motor = *part.motor;
   if (motor.sleeve_diameter > 0.0) places.push_back({motor.bit_to_sleeve, 0.5 * motor.sleeve_diameter});

@@ -142,7 +142,8 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
     element.bend = part.motor->bend;
     element.upper_end = Eigen::Quaterniond(Eigen::AngleAxisd(part.motor->bend, Eigen::Vector3d::UnitZ()));
   }
-  if (part.steerable && std::abs(cut.from_bit - part.steerable->bit_to_pads) < 1e-9) mesh.pad_node = static_cast<int>(mesh.nodes.size());
+  if (part.steerable && std::abs(cut.from_bit - part.steerable->place()) < 1e-9)
+    (part.steerable->tilt > 0.0 ? mesh.pivot_node : mesh.pad_node) = static_cast<int>(mesh.nodes.size());
   lump(element, part, mud, mesh.nodes.back(), node);
   mesh.elements.push_back(element);
   mesh.nodes.push_back(node);

@@ -58,6 +58,31 @@ void check_mass(const PartSpec& part, const std::string& key, ProblemList& probl
                                    " kg/m3, " + plain(tube) + " kg/m, allowed: " + plain(least * tube) + " or more, or the material's own density");
 }
 
+const char* place_key(const SteerableSpec& tool)
+{
+  return tool.tilt > 0.0 ? "bit_to_pivot" : "bit_to_pads";
+}
+
+/// What cuts a part into elements.
+const char* key_of_places(const PartSpec& part)
+{
+  if (part.steerable) return place_key(*part.steerable);
+  return part.motor ? "bit_to_bend" : "length";
+}
+
+/// It pushes or points, by what it says.
+void check_steerable(const SteerableSpec& tool, std::size_t i, double bottom, double top, ProblemList& problems)
+{
+  const bool pushes = tool.pad_force > 0.0, points = tool.tilt > 0.0;
+  if (pushes == points)
+    return void(problems.emplace_back(item_key("string", i), "both or neither of `pad_force` and `tilt_deg` are given, needed: one of them"));
+  if (pushes && tool.bit_to_pivot > 0.0) problems.emplace_back(item_key("string", i, "bit_to_pivot"), "is given, allowed with `tilt_deg`");
+  if (points && tool.bit_to_pads > 0.0) problems.emplace_back(item_key("string", i, "bit_to_pads"), "is given, allowed with `pad_force`");
+  if (tool.place() <= bottom || tool.place() >= top)
+    problems.emplace_back(item_key("string", i, place_key(tool)),
+                          metres(tool.place()) + " is outside the tool, allowed: between " + plain(bottom) + " and " + metres(top));
+}
+
 void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
 {
   double bottom = 0.0;
@@ -71,9 +96,7 @@ void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
     if (part.motor && part.motor->sleeve_diameter > 0.0 && (part.motor->bit_to_sleeve <= bottom || part.motor->bit_to_sleeve >= top))
       problems.emplace_back(item_key("string", i, "bit_to_sleeve"), metres(part.motor->bit_to_sleeve) + " is outside the motor, allowed: between " +
                                                                         plain(bottom) + " and " + metres(top));
-    if (part.steerable && (part.steerable->bit_to_pads <= bottom || part.steerable->bit_to_pads >= top))
-      problems.emplace_back(item_key("string", i, "bit_to_pads"), metres(part.steerable->bit_to_pads) + " is outside the tool, allowed: between " +
-                                                                      plain(bottom) + " and " + metres(top));
+    if (part.steerable) check_steerable(*part.steerable, i, bottom, top, problems);
     if (part.mwd && part.mwd->sensor_offset > part.length)
       problems.emplace_back(item_key("string", i, "sensor_offset"),
                             metres(part.mwd->sensor_offset) + " is outside the part, allowed: 0 to " + metres(part.length));
@@ -151,7 +174,7 @@ void check_mesh(const std::vector<PartSpec>& parts, double length, const Element
     const PartSpec& part = parts[static_cast<std::size_t>(cut.part)];
     if (cut.from_bit - below < least_element_length * (1.0 - 1e-6))
       return void(problems.emplace_back(
-          item_key("string", static_cast<std::size_t>(cut.part), part.type == PartType::mud_motor ? "bit_to_bend" : "length"),
+          item_key("string", static_cast<std::size_t>(cut.part), key_of_places(part)),
           "an element of this part is " + metres(cut.from_bit - below) + " long, allowed: " + metres(least_element_length) + " or more"));
     below = cut.from_bit;
   }

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "drill_rig_sim/math/visit.h"
+#include "steerable_scenes.h"
 #include "tangent_check.h"
 
 using namespace drill_rig_sim;
@@ -154,6 +155,21 @@ TEST(ModelKernels, drillingWithABentMotor)
 {
   const Scene scene = motor_drilling_scene(0.02);
   expect_same(scene, Turned(scene, 1.0));
+}
+
+// The shaft that points the bit is an element by itself: with others below it, and with the bit at its end.
+TEST(ModelKernels, withAToolThatPoints)
+{
+  for (const double longest : {0.5, 4.75})
+  {
+    Scene scene = with_tool(slanted_scene(60.0, 0.3), pointing_part(2.0 * degree, 1.9));
+    scene.numerics.element_length = longest;
+    Turned rig(scene, 0.0);
+    rig.setpoints.steering = {1.0, 1.0};
+    rig.run(3.0);
+    ASSERT_GT(rig.rest.state.lean.norm(), 1.0 * degree);
+    expect_same(scene, rig);
+  }
 }
 
 TEST(ModelKernels, slidingWithGrownFrictionInSectionsOfTheirOwn)

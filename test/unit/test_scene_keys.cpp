@@ -285,7 +285,7 @@ TEST(SceneKeys, noKeyIsForgotten)
 {
   const std::set<std::pair<std::string, std::string>> apart = {
       {"well", "survey"}, {"trajectory", "stage_two_steps"}, {"string[].torque", "cutting_energy"}, {"string[].torque", "wear_friction"},
-      {"string[].torque", "wear_weight"}, {"string[].torque", "blades"}};
+      {"string[].torque", "wear_weight"}, {"string[].torque", "blades"}, {"string[]", "bit_to_pivot"}, {"string[]", "tilt_deg"}};
   std::set<std::pair<std::string, std::string>> expected = apart;
   std::set<std::string> blocks;
   for (const Expected& e : all_expected()) expected.insert({e.block, e.key}), blocks.insert(e.block);
@@ -314,8 +314,11 @@ TEST(SceneKeys, thatExcludeOthersAreInTheirFieldsToo)
   replace("weight_exponent: 1.2, speed_exponent: 0.7, ", "");
   replace("  pilot_depth: 851.0\n  pilot_diameter: 0.21\n", "");
   replace("drillability: 1.7e-8", "drillability: 1.7e-8, threshold: 602.0");
+  replace("bit_to_pads: 48.5, pad_force: 15001.0", "bit_to_pivot: 48.6, tilt_deg: 0.71");
   const Scene scene = parse_scene(text, "all_keys.yaml");
   EXPECT_EQ(scene.trajectory.stage_two_steps, 12);
+  EXPECT_EQ(scene.string.at(5).steerable->bit_to_pivot, 48.6);
+  EXPECT_NEAR(scene.string.at(5).steerable->tilt, 0.71 * degree, 1e-16);
   const BitTorqueSpec& torque = scene.string.at(0).bit->torque;
   EXPECT_EQ(torque.model, BitTorqueModel::regenerative);
   EXPECT_EQ(torque.blades, 7);

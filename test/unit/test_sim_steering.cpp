@@ -9,8 +9,7 @@
 #include "drill_rig_sim/sim/run.h"
 #include "drill_rig_sim/well/directions.h"
 #include "playing.h"
-#include "sim_numbers.h"
-#include "test_scenes.h"
+#include "steerable_scenes.h"
 
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
@@ -19,35 +18,9 @@ namespace
 {
 constexpr double pad_force = 15e3;  // [N]
 
-PartSpec steerable_part()
+Scene steerable_scene(const Scene& scene)
 {
-  PartSpec tool = collar_part(1, 4.0);
-  tool.name = "steerable";
-  tool.type = PartType::rotary_steerable;
-  tool.length = 4.0;
-  tool.steerable.emplace();
-  tool.steerable->bit_to_pads = 0.9;
-  tool.steerable->pad_force = pad_force;
-  return tool;
-}
-
-PartSpec blades_part()
-{
-  PartSpec blades = collar_part(1, 1.5);
-  blades.name = "blades";
-  blades.type = PartType::stabilizer;
-  blades.length = 1.5;
-  blades.stabilizer.emplace();
-  blades.stabilizer->blade_diameter = 0.2139;
-  return blades;
-}
-
-Scene steerable_scene(Scene scene)
-{
-  scene.string = {bit_part(0.2159), steerable_part(), blades_part(), mwd_part(), collar_part(2, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
-  scene.string[0].bit->side_cutting = 0.03;
-  scene.numerics.element_length = 4.75;
-  return scene;
+  return with_tool(scene, pushing_part(pad_force));
 }
 
 /// On bottom of a hole at 20 deg, 10 kN on the bit at 60 rpm: 6 mm/s.
@@ -157,6 +130,28 @@ TEST(Steering, itsEnergyIsBooked)
   play(rig, 0.5);
   EXPECT_GT(rig.energy().steering, 0.0);
   EXPECT_LT(rig.energy().closure(), 0.005);
+}
+
+TEST(Steering, theFrictionOfItsPadsIsBooked)
+{
+  const auto rubbed = [](double ratio)
+  {
+    Scene scene = steerable_scene(vertical_scene(100.0, 95.0, 0.25));
+    scene.numerics.step = 1e-3;
+    Simulator rig(scene);
+    TopDriveSetpoint drive;
+    drive.speed = 60.0 * rpm;
+    rig.command(drive);
+    rig.command(SteeringSetpoint{0.3, ratio});
+    play(rig, 6.0);
+    rig.balance_energy();
+    play(rig, 2.0);
+    EXPECT_LT(rig.energy().closure(), 0.005);
+    return rig.energy().wall_friction;
+  };
+  // pads, and gauge and blades on the other side, each on the wall with what its lever makes of the force
+  const double of_pads = 0.25 * pad_force * 0.5 * 0.2159 * 60.0 * rpm * 2.0;
+  EXPECT_NEAR(rubbed(1.0) - rubbed(0.0), 2.0 * of_pads, 0.2 * of_pads);
 }
 
 TEST(Steering, obeysADownlink)

@@ -6,7 +6,7 @@
 
 #include "drill_rig_sim/string/mesh.h"
 #include "drill_rig_sim/string/string_checks.h"
-#include "test_scenes.h"
+#include "steerable_scenes.h"
 
 using namespace drill_rig_sim;
 
@@ -65,6 +65,37 @@ TEST(StringRules, PlacesInsideAPartLieInside)
   mwd.length = mwd.joint_length = 9.0;
   mwd.mwd->sensor_offset = 9.25;
   EXPECT_EQ("string[1].sensor_offset: 9.25 m is outside the part, allowed: 0 to 9 m", said_of({bit, mwd, fill}));
+}
+
+TEST(StringRules, ARotarySteerablePushesOrPoints)
+{
+  PartSpec tool = pointing_part();
+  EXPECT_EQ("0 problems", said_of({bit, tool, fill}));
+  EXPECT_EQ("0 problems", said_of({bit, pushing_part(), fill}));
+  EXPECT_EQ("string[2].type: a second rotary_steerable, allowed: one", said_of({bit, pointing_part(), pointing_part(1.0 * degree, 4.0), fill}));
+  tool.steerable->pad_force = 1e4;
+  const std::string one_of_them = "string[1]: both or neither of `pad_force` and `tilt_deg` are given, needed: one of them";
+  EXPECT_EQ(one_of_them, said_of({bit, tool, fill}));
+  tool.steerable->pad_force = tool.steerable->tilt = 0.0;
+  EXPECT_EQ(one_of_them, said_of({bit, tool, fill}));
+  tool = pointing_part();
+  tool.steerable->bit_to_pads = 0.8;
+  EXPECT_EQ("string[1].bit_to_pads: is given, allowed with `pad_force`", said_of({bit, tool, fill}));
+  tool = pushing_part();
+  tool.steerable->bit_to_pivot = 0.8;
+  EXPECT_EQ("string[1].bit_to_pivot: is given, allowed with `tilt_deg`", said_of({bit, tool, fill}));
+}
+
+TEST(StringRules, PadsAndPivotLieInsideTheTool)
+{
+  PartSpec tool = pointing_part();
+  tool.steerable->bit_to_pivot = 3.0;
+  EXPECT_EQ("string[1].bit_to_pivot: 3 m is outside the tool, allowed: between 0.3 and 3 m", said_of({bit, tool, fill}));
+  tool.steerable->bit_to_pivot = 2.995;
+  EXPECT_EQ("string[1].bit_to_pivot: an element of this part is 0.005 m long, allowed: 0.01 m or more", said_of({bit, tool, fill}));
+  tool = pushing_part();
+  tool.steerable->bit_to_pads = 0.0;
+  EXPECT_EQ("string[1].bit_to_pads: 0 m is outside the tool, allowed: between 0.3 and 4.3 m", said_of({bit, tool, fill}));
 }
 
 TEST(StringRules, ASleeveIsInsideItsMotor)

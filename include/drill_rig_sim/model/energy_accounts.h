@@ -28,7 +28,7 @@ struct EnergyAccounts
   double pump = 0.0;     ///< flow times the pressure that the mud motor's torque needs, gauge friction included, 2 pi T/V; and what its pressure does to the elastic energy as it
                          ///< stretches the string, -N dL where it is under an effective tension N
   double gravity = 0.0;  ///< weight in mud, less what lifts the string up the annulus
-  double steering = 0.0; ///< of the pads of a rotary steerable tool
+  double steering = 0.0; ///< of a rotary steerable tool: its pads, or the actuator at its pivot
   double handled = 0.0;  ///< brought in or taken out with the pipe of a connection, between two steps
 
   // stored

@@ -47,6 +47,15 @@ enum class NodeForce
   count
 };
 
+/// At the pivot of a tool that points the bit (pointing.h): moments of the element below on the shaft's end, and how far that has turned beyond the collar.
+struct ShaftSample
+{
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();   ///< that holds it [N m]
+  Eigen::Vector3d elastic = Eigen::Vector3d::Zero();  ///< of that, without load and damping [N m]
+  Eigen::Vector3d damping = Eigen::Vector3d::Zero();  ///< [N m]
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();     ///< since the start of the step [rad]
+};
+
 /// All that an energy balance takes from one instant.
 struct EnergySample
 {
@@ -55,6 +64,7 @@ struct EnergySample
   std::vector<double> rate;  ///< 6 per node
   std::vector<double> increment;  ///< since the start of the step, 6 per node
   double step = 0.0;         ///< since the start of the step [s]
+  ShaftSample shaft;
 
   // bit
   Eigen::Vector3d bottom = Eigen::Vector3d::Zero();          ///< elastic force of the bottom, residual's sign [N]

@@ -48,10 +48,8 @@ public:
   bool regenerative() const noexcept { return bit().torque.model == BitTorqueModel::regenerative; }
   /// Null: none.
   const MotorSpec* motor() const noexcept { return motor_; }
-  /// Of a rotary steerable tool at full steering; 0: there is none [N].
-  double pad_force() const noexcept { return pad_force_; }
-  /// Of its downlink [s].
-  double downlink_bit_time() const noexcept { return downlink_bit_time_; }
+  /// Of the rotary steerable tool; null: none.
+  const SteerableSpec* steerable() const noexcept { return steerable_; }
   /// The mud's way through string and hole.
   const MudCircuit& mud() const noexcept { return mud_; }
   /// Wall contact at a node; friction as the scene has it everywhere.
@@ -86,8 +84,8 @@ private:
   SectionFriction friction_;
   std::vector<WallLaw> contact_;       // per node
   std::vector<WallLaw> span_contact_;  // per element
-  const MotorSpec* motor_ = nullptr;   // into scene_
-  double pad_force_ = 0.0, downlink_bit_time_ = 0.0;
+  const MotorSpec* motor_ = nullptr;          // into scene_
+  const SteerableSpec* steerable_ = nullptr;  // too
   double bit_bristle_ = 0.0;
   MudCircuit mud_;
 };

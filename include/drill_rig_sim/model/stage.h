@@ -39,6 +39,17 @@ struct PlaceDrag
   double pressure = 0.0;  ///< of mud that a pack-off holds back [Pa]
 };
 
+/// The pads of a rotary steerable tool, during the step (forces/pads.h).
+struct Pads
+{
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< F, on the tool, across the string [N]
+  double normal_force = 0.0;                         ///< |F|; 0: the rest is not looked at [N]
+  Eigen::Vector3d around = Eigen::Vector3d::Zero();  ///< c, unit
+  double lever = 0.0;     ///< R [m]
+  double friction = 0.0;  ///< kinetic [-]
+  WallLaw law;
+};
+
 /// One stage of a step of a method: which forces act, and how rates follow from the unknowns. A value; together with the step's start
 /// and the increments u it determines every force.
 ///
@@ -75,11 +86,12 @@ struct Stage
   Runs inner_nodes;                      ///< and of these nodes those on which the guided string's forces alone act, but for the bit's gauge
   double structural_damping = 0.0;      ///< [s]
   Setpoints setpoints;
-  Eigen::Vector3d pad_force = Eigen::Vector3d::Zero();  ///< of a rotary steerable tool, on it, across the string; none in statics [N]
+  Pads pads;                            ///< none in statics
   SlidingMotion sliding;                ///< of the string in the hole; statics only
 
   // where the laws with a course of their own are at `time`
   HoistState hoist;
+  Eigen::Vector3d lean = Eigen::Vector3d::Zero();  ///< of a shaft that points the bit (pointing.h), across the collar's section normal at the start [rad]
   BitDrive bit;
 };
 

@@ -215,6 +215,20 @@ struct HeldNode
   }
 };
 
+/// Of the friction of a rotary steerable tool's pads (forces/pads.h).
+struct PadsState
+{
+  Eigen::Vector2d bristle = Eigen::Vector2d::Zero();  ///< along the hole and around it [m]
+  double rest = 0.0;                                  ///< how long it has stuck [s]
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("bristle", bristle);
+    v("rest", rest);
+  }
+};
+
 /// Everything mechanical that the next step depends on: a value. visit() is the one list of its fields (math/visit.h).
 struct State
 {
@@ -232,6 +246,8 @@ struct State
   CutGround ground;  ///< under the bit; of the regenerative law alone, its fixed place the bottom at the start
   HeldNode stuck_point;
   HeldNode slips;  ///< of the rotary table, under a joint's end
+  PadsState pads;
+  Eigen::Vector3d lean = Eigen::Vector3d::Zero();  ///< of a shaft that points the bit (pointing.h), across its collar, world axes [rad]
   FaultState faults;
   HydraulicState hydraulics;
   double flow = 0.0;  ///< through string, motor and bit; constant within a step [m3/s]
@@ -251,6 +267,8 @@ struct State
     v("ground", ground);
     v("stuck_point", stuck_point);
     v("slips", slips);
+    v("pads", pads);
+    v("lean", lean);
     v("faults", faults);
     v("hydraulics", hydraulics);
     v("flow", flow);

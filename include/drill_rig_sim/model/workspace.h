@@ -86,6 +86,7 @@ struct StageResult
   double drive_acceleration = 0.0;  ///< [rad/s2]
   double rail_deflection = 0.0;     ///< HoistState::rail_deflection [m]
   std::array<DragState, 2> drags;   ///< pack-off, differential sticking
+  PadsState pads;
   BitState bit;
   BottomForce bottom;
   BitCutPlace cut;           ///< regenerative law

@@ -42,6 +42,7 @@ private:
   double work_in_time(NodeForce kind) const noexcept;
   double work_of_step(NodeForce kind) const noexcept;
   double work_along(NodeForce kind) const noexcept;
+  double work_at_pivot(Eigen::Vector3d ShaftSample::*moment) const noexcept;
 
   std::shared_ptr<const Model> model_;
   Stage stage_;
@@ -56,6 +57,7 @@ private:
   struct Part
   {
     double time = 0.0, line_paid_out = 0.0, rotor_increment = 0.0, rock_advance = 0.0;
+    Eigen::Vector3d shaft_turn = Eigen::Vector3d::Zero();
     std::vector<double> increment;
   };
   Part part_;

@@ -50,7 +50,7 @@ struct MeshElement
 
 /// The drillstring as nodes and elements, bit first. Node 0 is the centre of the bit's ball, half a diameter above the bit's face; the
 /// bit is a rigid body on it. A bit with a gauge length has node 1 at the upper end of its pads, so that they take moments between two circles;
-/// between these it bends like the part above it. The last node is the top-drive shaft. Every joint's end, part's end, stabiliser's blade and bend is a node.
+/// between these it bends like the part above it. The last node is the top-drive shaft. Every joint's end, part's end, stabiliser's blade, bend, pads and pivot is a node.
 struct Mesh
 {
   std::vector<MeshNode> nodes;
@@ -62,10 +62,15 @@ struct Mesh
   int gauge_nodes = 1;        ///< so many of the lowest nodes are the bit's gauge: their contact turns with the motor and loads it
   int bend_node = -1;         ///< -1: straight string
   int pad_node = -1;          ///< where a rotary steerable tool pushes; -1: none
+  int pivot_node = -1;        ///< where one that points leans; -1: none
   double sensor_from_bit = -1.0;    ///< the MWD's sensor; -1: none
   std::vector<double> part_bottom;  ///< from_bit of each part's lower end [m]
   std::vector<double> part_top;
 
+  /// Of the rotary steerable tool; -1: there is none.
+  int steering_node() const noexcept { return pivot_node >= 0 ? pivot_node : pad_node; }
+  /// Whether element `e` begins at the pivot with the shaft of a tool that points.
+  bool is_shaft(int e) const noexcept { return e + 1 == pivot_node; }
   /// Unstretched distance of an element's middle from the bit's face [m].
   double middle(std::size_t e) const noexcept { return 0.5 * (nodes[e].from_bit + nodes[e + 1].from_bit); }
 };

@@ -65,13 +65,19 @@ struct MwdToolSpec
   double sensor_offset = 0.0;  ///< from the part's lower end up to the sensor [m]
 };
 
-/// What a rotary steerable tool has beside what every part has: it pushes the bit. Pads press on the wall, one after the other as the tool turns, so
-/// that the force on the tool stays in one direction. Their own friction on the wall is left out.
+/// What a rotary steerable tool has beside what every part has. It pushes the bit: pads press on the wall, one after the other as the tool turns, so that
+/// the force on the tool stays in one direction (model/forces/pads.h). Or it points it: below its pivot the tool is a shaft that leans against its collar
+/// in a direction that stays (model/pointing.h).
 struct SteerableSpec
 {
   double bit_to_pads = 0.0;         ///< from the bit's face [m]
-  double pad_force = 0.0;           ///< at full steering [N]
-  double downlink_bit_time = 12.0;  ///< of a downlink by the pump's flow (sim/steering_tool.h) [s]
+  double pad_force = 0.0;           ///< at full steering; 0: it points [N]
+  double bit_to_pivot = 0.0;        ///< from the bit's face [m]
+  double tilt = 0.0;                ///< of the shaft at full steering; 0: it pushes [rad]
+  double downlink_bit_time = 12.0;  ///< of a downlink by the pump's flow (sim/downlink.h) [s]
+
+  /// Where it steers, from the bit's face [m].
+  double place() const noexcept { return tilt > 0.0 ? bit_to_pivot : bit_to_pads; }
 };
 
 /// What drill pipe has beside what every part has.

@@ -2,6 +2,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/forces/free_string.h"
+#include "drill_rig_sim/model/pointing.h"
 
 namespace drill_rig_sim
 {
@@ -15,10 +16,11 @@ BeamPose pose_of(const StageContext& at, int e) noexcept
   const MeshElement& element = at.model.mesh().elements[e];
   const NodeMotion& lower = at.work.nodes[e];
   const NodeMotion& upper = at.work.nodes[e + 1];
-  BeamPose pose{upper.position, lower.position, upper.normal, lower.normal, 0.0, upper.orientation, lower.orientation, at.stage.free_stretch[static_cast<std::size_t>(e)]};
-  if (element.bend != 0.0)
+  BeamPose pose{upper.position, lower.position, upper.normal, lower.normal, 0.0, upper.orientation, lower.orientation,
+                at.stage.free_stretch[static_cast<std::size_t>(e)]};
+  if (element.bend != 0.0 || at.model.mesh().is_shaft(e))
   {
-    const Eigen::Quaterniond bent = upper.orientation * element.upper_end;
+    const Eigen::Quaterniond bent = element.bend != 0.0 ? upper.orientation * element.upper_end : shaft_end(at.model, at.stage, at.work).orientation;
     pose.upper_normal = x_axis(bent);
     pose.upper_orientation = bent;
     pose.twist = twist_between(bent, lower.orientation);
@@ -38,8 +40,21 @@ BeamDamping damping_of(const StageContext& at, int e) noexcept
 {
   const NodeMotion& lower = at.work.nodes[e];
   const NodeMotion& upper = at.work.nodes[e + 1];
-  return {at.stage.structural_damping, at.stage.dv_du, lower.rate.head<3>() - upper.rate.head<3>(), turning_of(upper),
-          turning_of(lower), upper.carried_spin * upper.normal, lower.carried_spin * lower.normal};
+  BeamDamping damping{at.stage.structural_damping, at.stage.dv_du, lower.rate.head<3>() - upper.rate.head<3>(), turning_of(upper),
+                      turning_of(lower), upper.carried_spin * upper.normal, lower.carried_spin * lower.normal};
+  if (!at.model.mesh().is_shaft(e)) return damping;
+  const ShaftEnd end = shaft_end(at.model, at.stage, at.work);
+  damping.upper_turning += end.spin * end.off;
+  damping.upper_spin += end.spin * end.off;
+  return damping;
+}
+
+/// By the collar's rotation instead of the shaft's.
+void take_collar(const StageContext& at, int e, BeamTangent& t) noexcept
+{
+  const Vector3d& n = at.work.nodes[e + 1].normal;
+  const Vector3d off = shaft_end(at.model, at.stage, at.work).off;
+  for (Eigen::Matrix3d* by_upper : {&t.force_upper, &t.upper_upper, &t.lower_upper}) *by_upper += (*by_upper * off) * n.transpose();
 }
 
 bool guided_element(const StageContext& at, int e) noexcept
@@ -72,28 +87,33 @@ void scatter(const BeamTangent& t, int e, BlockTridiagonal& tangent) noexcept
   upper_by_lower.bottomRightCorner<3, 3>() = t.upper_lower;
 }
 
+/// Writes the diagonal block of its upper node.
+void add_element(const StageContext& at, int e, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  const BeamKind& kind = at.model.beam();
+  const BeamSection& section = at.model.mesh().elements[e].section;
+  const Vector3d& load = at.stage.load[e];
+  const BeamPose pose = pose_of(at, e);
+  const BeamDamping damping = damping_of(at, e);
+  BeamTangent t;
+  BeamStrain strain;
+  const BeamForces f = tangent ? kind.forces_and_tangent(section, pose, damping, load, strain, t)
+                               : kind.forces(section, pose, damping, load, strain);
+  auto lower = at_node(residual, e), upper = at_node(residual, e + 1);
+  lower.head<3>() += f.force - 0.5 * load;
+  lower.tail<3>() += f.moment_lower;
+  upper.head<3>() -= f.force + 0.5 * load;
+  upper.tail<3>() += f.moment_upper;
+  if (!tangent) return;
+  if (at.model.mesh().is_shaft(e)) take_collar(at, e, t);
+  scatter(t, e, *tangent);
+}
+
 void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   if (tangent) clear_unwritten_blocks(at, *tangent);
-  const BeamKind& kind = at.model.beam();
-  BeamTangent t;
-  BeamStrain strain;
   for (int e = 0; e < at.model.elements(); ++e)
-  {
-    if (guided_element(at, e)) continue;
-    const BeamSection& section = at.model.mesh().elements[e].section;
-    const Vector3d& load = at.stage.load[e];
-    const BeamPose pose = pose_of(at, e);
-    const BeamDamping damping = damping_of(at, e);
-    const BeamForces f = tangent ? kind.forces_and_tangent(section, pose, damping, load, strain, t)
-                                 : kind.forces(section, pose, damping, load, strain);
-    auto lower = at_node(residual, e), upper = at_node(residual, e + 1);
-    lower.head<3>() += f.force - 0.5 * load;
-    lower.tail<3>() += f.moment_lower;
-    upper.head<3>() -= f.force + 0.5 * load;
-    upper.tail<3>() += f.moment_upper;
-    if (tangent) scatter(t, e, *tangent);
-  }
+    if (!guided_element(at, e)) add_element(at, e, residual, tangent);
 }
 
 /// The dead load's potential, end moments included: the mean place of a cubic element is (x1 + x2)/2 + L/12 (n1 - n2). The two other
@@ -109,12 +129,7 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
 {
   if (moved_in_batches(at)) return store_free_string(at, energy);
   for (int e = 0; e < at.model.elements(); ++e)
-  {
-    if (guided_element(at, e)) continue;
-    const BeamPose pose = pose_of(at, e);
-    energy.beams += at.model.beam().energy(at.model.mesh().elements[e].section, pose);
-    energy.weight += weight_potential(at, e, pose);
-  }
+    if (!guided_element(at, e)) store_beam(at, e, energy);
 }
 
 void add_to_ends(EnergySample& sample, NodeForce kind, int e, const BeamForces& f, double sign) noexcept
@@ -126,21 +141,18 @@ void add_to_ends(EnergySample& sample, NodeForce kind, int e, const BeamForces& 
   upper.tail<3>() += sign * f.moment_upper;
 }
 
-/// The same element without damping and load is the elastic part; what damping adds is the rest.
 void sample(const StageContext& at, EnergySample& sample) noexcept
 {
   if (moved_in_batches(at)) return sample_free_string(at, sample);
-  const BeamKind& kind = at.model.beam();
-  BeamStrain strain;
   for (int e = 0; e < at.model.elements(); ++e)
-  {
-    if (guided_element(at, e)) continue;
-    const BeamSection& section = at.model.mesh().elements[e].section;
-    const BeamPose pose = pose_of(at, e);
-    add_to_ends(sample, NodeForce::beams, e, kind.forces(section, pose, BeamDamping(), Vector3d::Zero(), strain), 1.0);
-    add_to_ends(sample, NodeForce::structural, e, element_forces(at, e), 1.0);
-    add_to_ends(sample, NodeForce::structural, e, kind.forces(section, pose, BeamDamping(), at.stage.load[e], strain), -1.0);
-  }
+    if (!guided_element(at, e)) sample_beam(at, e, sample);
+}
+
+/// How far the shaft's end has turned since the start of the step beyond the collar.
+Vector3d turn_of_shaft(const StageContext& at, const ShaftEnd& end, const NodeMotion& collar) noexcept
+{
+  const Vector3d moved = at.stage.lean - at.start.lean;
+  return collar.spin * end.off + collar.normal.cross(moved);
 }
 }  // namespace
 
@@ -155,6 +167,49 @@ void clear_unwritten_blocks(const StageContext& at, BlockTridiagonal& tangent) n
                {
                  if (i > 0 && guided_element(at, i - 1) && at.stage.guides[static_cast<std::size_t>(i)].joined) tangent.diagonal(i).setZero();
                });
+}
+
+void add_beam(const StageContext& at, int e, double* residual, BlockTridiagonal* tangent) noexcept
+{
+  if (!tangent) return add_element(at, e, residual, nullptr);
+  const Eigen::Matrix<double, 6, 6> there = tangent->diagonal(e + 1);
+  add_element(at, e, residual, tangent);
+  tangent->diagonal(e + 1) += there;
+}
+
+void store_beam(const StageContext& at, int e, StoredEnergy& energy) noexcept
+{
+  const BeamPose pose = pose_of(at, e);
+  energy.beams += at.model.beam().energy(at.model.mesh().elements[e].section, pose);
+  energy.weight += weight_potential(at, e, pose);
+}
+
+void sample_beam(const StageContext& at, int e, EnergySample& sample) noexcept
+{
+  const BeamKind& kind = at.model.beam();
+  const BeamSection& section = at.model.mesh().elements[e].section;
+  const BeamPose pose = pose_of(at, e);
+  BeamStrain strain;
+  // the same element without damping and load is the elastic part; what damping adds is the rest
+  const BeamForces elastic = kind.forces(section, pose, BeamDamping(), Vector3d::Zero(), strain), all = element_forces(at, e),
+                   undamped = kind.forces(section, pose, BeamDamping(), at.stage.load[e], strain);
+  add_to_ends(sample, NodeForce::beams, e, elastic, 1.0);
+  add_to_ends(sample, NodeForce::structural, e, all, 1.0);
+  add_to_ends(sample, NodeForce::structural, e, undamped, -1.0);
+  if (!at.model.mesh().is_shaft(e)) return;
+  sample.shaft = {all.moment_upper, elastic.moment_upper, all.moment_upper - undamped.moment_upper,
+                  turn_of_shaft(at, shaft_end(at.model, at.stage, at.work), at.work.nodes[e + 1])};
+}
+
+void find_beam_forces(const StageContext& at, int e) noexcept
+{
+  const BeamPose pose = pose_of(at, e);
+  const BeamForces f = element_forces(at, e);
+  const Vector3d& n = pose.upper_normal;
+  RigForces& out = at.work.result.forces;
+  out.tension[e] = f.tension;
+  out.torque[e] = -f.torque;
+  out.bending_moment[e + 1] = (f.moment_upper - n * n.dot(f.moment_upper)).norm();
 }
 
 BeamForces element_forces(const StageContext& at, int e) noexcept

@@ -6,16 +6,25 @@ namespace drill_rig_sim
 {
 namespace
 {
-/// Calls run() with the task on each stretch of elements whose ends are not both guided.
-template <class Run>
-void for_each_free_run(const Stage& stage, StringTask& task, const Run& run)
+/// Calls run() with the task on each stretch of elements whose ends are not both guided, and single(e) on a shaft that points the bit, which lies
+/// between two of them.
+template <class Run, class Single>
+void for_each_free_run(const StageContext& at, StringTask& task, const Run& run, const Single& single)
 {
-  each_between(stage.guided_elements, static_cast<int>(stage.guided_spans.size()),
+  const int shaft = at.model.mesh().pivot_node - 1;
+  const auto run_on = [&](int first, int last)
+  {
+    task.first = first;
+    task.last = last;
+    run();
+  };
+  each_between(at.stage.guided_elements, static_cast<int>(at.stage.guided_spans.size()),
                [&](int first, int last)
                {
-                 task.first = first;
-                 task.last = last;
-                 run();
+                 if (shaft < first || shaft >= last) return run_on(first, last);
+                 run_on(first, shaft);
+                 run_on(shaft + 1, last);
+                 single(shaft);
                });
 }
 
@@ -36,7 +45,7 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
     task.upper = tangent->upper(0).data();
     task.lower = tangent->lower(0).data();
   }
-  for_each_free_run(at.stage, task, [&] { at.work.string->add(task); });
+  for_each_free_run(at, task, [&] { at.work.string->add(task); }, [&](int e) { add_beam(at, e, residual, tangent); });
 }
 }  // namespace
 
@@ -47,19 +56,20 @@ void find_free_forces(const StageContext& at) noexcept
   RigForces& out = at.work.result.forces;
   const StringForces to{out.tension.data(), out.torque.data(), out.bending_moment.data()};
   StringTask task = task_of(at, nullptr);
-  for_each_free_run(at.stage, task, [&] { at.work.string->find_forces(task, to); });
+  for_each_free_run(at, task, [&] { at.work.string->find_forces(task, to); }, [&](int e) { find_beam_forces(at, e); });
 }
 
 void store_free_string(const StageContext& at, StoredEnergy& energy) noexcept
 {
   StringTask task = task_of(at, nullptr);
-  for_each_free_run(at.stage, task,
+  for_each_free_run(at, task,
                     [&]
                     {
                       const StringEnergy stored = at.work.string->stored(task);
                       energy.beams += stored.beams;
                       energy.weight += stored.weight;
-                    });
+                    },
+                    [&](int e) { store_beam(at, e, energy); });
 }
 
 void sample_free_string(const StageContext& at, EnergySample& sample) noexcept
@@ -67,7 +77,7 @@ void sample_free_string(const StageContext& at, EnergySample& sample) noexcept
   double* elastic = at_node(sample, NodeForce::beams, 0).data();
   double* damping = at_node(sample, NodeForce::structural, 0).data();
   StringTask task = task_of(at, nullptr);
-  for_each_free_run(at.stage, task, [&] { at.work.string->sample(task, elastic, damping); });
+  for_each_free_run(at, task, [&] { at.work.string->sample(task, elastic, damping); }, [&](int e) { sample_beam(at, e, sample); });
 }
 
 }  // namespace drill_rig_sim

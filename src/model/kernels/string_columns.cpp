@@ -55,7 +55,7 @@ StringColumns::StringColumns(const Model& model) : nodes(node_column::count, mod
   for (int i = 0; i < model.nodes(); ++i)
     single_nodes[static_cast<std::size_t>(i)] =
         i == model.top() || i < model.mesh().gauge_nodes || model.mesh().nodes[static_cast<std::size_t>(i)].squeeze_film_damping > 0.0;
-  for (std::size_t e = 0; e < single_elements.size(); ++e) single_elements[e] = model.mesh().elements[e].bend != 0.0;
+  for (std::size_t e = 0; e < single_elements.size(); ++e) single_elements[e] = model.mesh().elements[e].bend != 0.0 || model.mesh().is_shaft(static_cast<int>(e));
   double* straight = elements[element_column::upper_end + 3] + model.elements();
   std::fill(straight, straight + NumberColumns::room, 1.0);  // nor is there a bend behind the last
 }

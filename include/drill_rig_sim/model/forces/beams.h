@@ -12,6 +12,14 @@ extern const Force beams;
 /// Clears the diagonal blocks that no element writes before something is added to them.
 void clear_unwritten_blocks(const StageContext& at, BlockTridiagonal& tangent) noexcept;
 
+/// Element `e` alone, where the batch kernels take those beside it: a shaft that points the bit (pointing.h). The diagonal blocks of its ends are there
+/// before, its own blocks beside them it writes.
+void add_beam(const StageContext& at, int e, double* residual, BlockTridiagonal* tangent) noexcept;
+void store_beam(const StageContext& at, int e, StoredEnergy& energy) noexcept;
+void sample_beam(const StageContext& at, int e, EnergySample& sample) noexcept;
+/// Its tension, torque and bending moment into work.result.forces.
+void find_beam_forces(const StageContext& at, int e) noexcept;
+
 /// Forces of element `e` at the stage.
 BeamForces element_forces(const StageContext& at, int e) noexcept;
 

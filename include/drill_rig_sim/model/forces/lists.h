@@ -34,8 +34,8 @@ inline const std::array<const Force*, 14> batched_forces = {&free_string, &squee
 inline const std::array<const Force*, 8> static_forces = {&beams,       &inertia,     &sliding_wall,          &sliding_span_wall,
                                                           &resting_bit, &stuck_point, &sliding_guided_string, &held_top};
 /// What has results of its own at a solution, beside the residual.
-inline const std::array<const Force*, 9> forces_with_results = {&beams_at_guides, &wall,       &span_wall, &guided_gauge, &bit_on_bottom,
-                                                                &place_drag,      &hoisting,   &top_drive, &guided_string};
+inline const std::array<const Force*, 10> forces_with_results = {&beams_at_guides, &wall,       &span_wall, &guided_gauge, &bit_on_bottom,
+                                                                 &pads,            &place_drag, &hoisting,  &top_drive,    &guided_string};
 /// For those who integrate bodies themselves: on the string, and at its contacts.
 inline const std::array<const Force*, 3> string_forces = {&beams, &mud_drag, &span_wall};
 inline const std::array<const Force*, 5> contact_forces = {&squeeze_film, &wall, &bit_on_bottom, &stuck_point, &pads};
