@@ -126,8 +126,9 @@ void ChartPage::choose(Quantity quantity, bool on)
 
 void ChartPage::set_quantities(const std::vector<Quantity>& list)
 {
-  for (ChartTrack* track : tracks_) delete track;
-  tracks_.clear();
+  std::vector<ChartTrack*> before;
+  before.swap(tracks_);  // their last events come here
+  for (ChartTrack* track : before) delete track;
   for (const Quantity quantity : list)
   {
     if (tracks_.size() == most_tracks) break;

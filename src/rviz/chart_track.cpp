@@ -56,7 +56,7 @@ private:
 
 namespace
 {
-constexpr int value_extent = 46, columns = 500;
+constexpr int value_extent = 46, end_margin = 24, columns = 500;
 constexpr QRgb colors[] = {0xff58a6e0, 0xffe0a050, 0xff70c080, 0xffd070c0, 0xffd8d060, 0xff60c8c8};
 
 /// Simulated time as h:mm:ss.
@@ -66,6 +66,7 @@ public:
   QwtText label(double value) const override
   {
     const auto s = static_cast<long long>(std::floor(value + 0.5));
+    if (s < 0) return QString();
     return QStringLiteral("%1:%2:%3").arg(s / 3600).arg(s / 60 % 60, 2, 10, QChar('0')).arg(s % 60, 2, 10, QChar('0'));
   }
 };
@@ -129,10 +130,16 @@ void ChartTrack::set_axis(Axis axis, bool labelled)
 {
   axis_ = axis;
   const bool downwards = axis == Axis::depth;
-  plot_->enableAxis(QwtPlot::xBottom, downwards || labelled);
-  plot_->enableAxis(QwtPlot::yLeft, !downwards || labelled);
   plot_->setAxisScaleDraw(QwtPlot::xBottom, downwards ? new QwtScaleDraw : new TimeDraw);
+  plot_->setAxisScaleDraw(QwtPlot::yLeft, new QwtScaleDraw);
   plot_->axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(downwards ? 0 : value_extent);
+  // an axis without numbers still keeps their margins: the tracks stand in line
+  const int common = downwards ? QwtPlot::yLeft : QwtPlot::xBottom;
+  plot_->enableAxis(QwtPlot::xBottom, true);
+  plot_->enableAxis(QwtPlot::yLeft, true);
+  for (const auto part : {QwtScaleDraw::Labels, QwtScaleDraw::Ticks, QwtScaleDraw::Backbone}) plot_->axisScaleDraw(common)->enableComponent(part, labelled);
+  plot_->axisWidget(QwtPlot::xBottom)->setMinBorderDist(downwards ? 4 : end_margin, downwards ? 4 : end_margin);
+  plot_->axisWidget(QwtPlot::yLeft)->setMinBorderDist(6, 6);
   plot_->setAxisMaxMajor(QwtPlot::xBottom, downwards ? 3 : 5);
   plot_->setAxisMaxMajor(QwtPlot::yLeft, downwards ? 12 : 4);
   for (const int side : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) plot_->axisScaleDraw(side)->setTickLength(QwtScaleDiv::MinorTick, 0);

@@ -28,7 +28,7 @@ DeadMan::DeadMan(QWidget* parent) : QWidget(parent), timer_(new QTimer(this))
 QPushButton* DeadMan::make(const QString& text, const QString& name, int direction)
 {
   QPushButton* button = make_button(text, name, this);
-  button->setMinimumHeight(38);
+  button->setMinimumHeight(34);
   button->setToolTip("Moves the block as long as it is held: mouse, space bar, or the arrow keys");
   button->installEventFilter(this);
   connect(button, &QPushButton::pressed, this, [this, direction] { begin(direction); });

@@ -1,6 +1,7 @@
 #include "drillers_console.h"
 
 #include <QLabel>
+#include <QResizeEvent>
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QThread>
@@ -32,10 +33,22 @@ namespace
 constexpr int between_ticks = 100;       // gauges [ms]
 constexpr int ticks_of_the_chart = 3;    // it is drawn at every third
 constexpr int answer_lines = 2;
+constexpr int wide_enough = 820;  // for the gauges beside the other pages [px]
+
+// rviz::Config knows single precision alone: 0.01 m/s would come back as another number.
+bool get_number(const rviz::Config& config, const QString& key, double& number)
+{
+  QVariant value;
+  bool is_number = false;
+  if (!config.mapGetValue(key, &value)) return false;
+  const double read = value.toDouble(&is_number);
+  if (is_number) number = read;
+  return is_number;
+}
 }  // namespace
 
 DrillersConsole::DrillersConsole(QWidget* parent)
-    : rviz::Panel(parent), link_(new RigLink(this)), timer_(new QTimer(this)), header_(new HeaderBar(this)), tabs_(new QTabWidget(this)), answer_(make_label("", this))
+    : rviz::Panel(parent), link_(new RigLink(this)), timer_(new QTimer(this)), header_(new HeaderBar(this)), body_(new QHBoxLayout), tabs_(new QTabWidget(this)), answer_(make_label("", this))
 {
   setAccessibleName("driller's console");
   setPalette(console_palette());
@@ -51,7 +64,9 @@ DrillersConsole::DrillersConsole(QWidget* parent)
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(2);
   box->addWidget(header_);
-  box->addWidget(tabs_, 1);
+  body_->setSpacing(2);
+  body_->addWidget(tabs_, 1);
+  box->addLayout(body_, 1);
   box->addWidget(answer_);
   connect_pages();
   apply_settings();
@@ -65,15 +80,14 @@ DrillersConsole::~DrillersConsole()
   if (was_held) QThread::msleep(100);  // the last command is on its way
 }
 
-QSize DrillersConsole::minimumSizeHint() const { return {360, 420}; }
-
-QWidget* DrillersConsole::make_control_page(const QString& name, const std::vector<Controls*>& groups)
+QWidget* DrillersConsole::make_control_page(const QString& name, QWidget* above, const std::vector<Controls*>& groups)
 {
   auto* page = new QWidget;
   page->setAccessibleName(name);
   auto* box = new QVBoxLayout(page);
   box->setContentsMargins(6, 4, 6, 4);
   box->setSpacing(4);
+  if (above != nullptr) box->addWidget(above);
   for (Controls* group : groups)
   {
     box->addWidget(group);
@@ -98,12 +112,41 @@ void DrillersConsole::make_pages()
   events_ = new EventPage(tabs_);
   settings_ = new SettingsPage(tabs_);
   winch_ = new WinchControls(*link_, tabs_);
-  tabs_->addTab(gauges_, "Gauges");
-  tabs_->addTab(chart_, "Chart");
-  tabs_->addTab(make_control_page("page drill", {winch_, new TopDriveControls(*link_, tabs_), new MudControls(*link_, tabs_), new SteeringControls(*link_, tabs_)}), "Drill");
-  tabs_->addTab(make_control_page("page rig", {new TimeControls(*link_, tabs_), new PipeControls(*link_, tabs_), new WellControls(*link_, tabs_), new FaultControls(*link_, tabs_)}), "Rig");
-  tabs_->addTab(events_, "Events");
-  tabs_->addTab(settings_, "Settings");
+  // who holds the winch watches the string
+  QWidget* strip = gauges_->make_strip("watch", {Quantity::hook_load, Quantity::surface_wob, Quantity::torque, Quantity::rop, Quantity::stand_pipe_pressure, Quantity::block_height}, tabs_);
+  add_page(gauges_, "Gauges");
+  add_page(chart_, "Chart");
+  add_page(make_control_page("page drill", strip, {winch_, new TopDriveControls(*link_, tabs_), new MudControls(*link_, tabs_), new SteeringControls(*link_, tabs_)}), "Drill");
+  add_page(make_control_page("page rig", nullptr, {new TimeControls(*link_, tabs_), new PipeControls(*link_, tabs_), new WellControls(*link_, tabs_), new FaultControls(*link_, tabs_)}), "Rig");
+  add_page(events_, "Events");
+  add_page(settings_, "Settings");
+}
+
+void DrillersConsole::add_page(QWidget* page, const QString& title)
+{
+  page->setObjectName(title);
+  tabs_->addTab(page, title);
+}
+
+void DrillersConsole::arrange(bool wide)
+{
+  const int tab = tabs_->indexOf(gauges_);
+  if (wide == (tab < 0)) return;
+  if (wide)
+  {
+    tabs_->removeTab(tab);
+    body_->insertWidget(0, gauges_, 1);
+    gauges_->show();
+    return;
+  }
+  body_->removeWidget(gauges_);
+  tabs_->insertTab(0, gauges_, gauges_->objectName());
+}
+
+void DrillersConsole::resizeEvent(QResizeEvent* event)
+{
+  arrange(event->size().width() >= wide_enough);
+  rviz::Panel::resizeEvent(event);
 }
 
 void DrillersConsole::connect_pages()
@@ -196,7 +239,7 @@ void DrillersConsole::show_news()
   const Settings& s = settings_->settings();
   const Values readings = readings_of(news, s.bit_diameter), truth = s.truth ? truth_of(news, s.bit_diameter) : Values();
   const bool stale = !hears(state_) || state_ == LinkState::late;
-  if (gauges_->isVisible() || ticks_ == 0) gauges_->show_news(news, readings, truth, s.alarms, stale);
+  gauges_->show_news(news, readings, truth, s.alarms, stale);
   if (news.limits.get() != limits_)
   {
     limits_ = news.limits.get();
@@ -228,17 +271,17 @@ void DrillersConsole::load(const rviz::Config& config)
   Settings s;
   QString text;
   bool on = false;
-  float number = 0.0f;
+  double number = 0.0;
   if (config.mapGetString("Namespace", &text)) s.rig = text;
   if (config.mapGetString("Units", &text)) s.units = text == "oilfield" ? UnitSystem::oilfield : UnitSystem::si;
   if (config.mapGetBool("Truth", &on)) s.truth = on;
-  if (config.mapGetFloat("Bit Diameter", &number)) s.bit_diameter = number;
-  if (config.mapGetFloat("Winch Speed", &number)) winch_->set_speed(number);
+  if (get_number(config, "Bit Diameter", number)) s.bit_diameter = number;
+  if (get_number(config, "Winch Speed", number)) winch_->set_speed(number);
   const rviz::Config alarms = config.mapGetChild("Alarms");
   for (const QuantityRow& row : quantities())
-    if (alarms.isValid() && alarms.mapGetFloat(row.key, &number)) s.alarms.above[index_of(row.quantity)] = number;
-  if (config.mapGetFloat("Chart Time Span", &number)) chart_->set_span(Axis::time, number);
-  if (config.mapGetFloat("Chart Depth Span", &number)) chart_->set_span(Axis::depth, number);
+    if (alarms.isValid() && get_number(alarms, row.key, number)) s.alarms.above[index_of(row.quantity)] = number;
+  if (get_number(config, "Chart Time Span", number)) chart_->set_span(Axis::time, number);
+  if (get_number(config, "Chart Depth Span", number)) chart_->set_span(Axis::depth, number);
   if (config.mapGetString("Chart Axis", &text)) chart_->set_axis(text == "depth" ? Axis::depth : Axis::time);
   if (config.mapGetString("Chart Values", &text))
   {
@@ -247,8 +290,9 @@ void DrillersConsole::load(const rviz::Config& config)
       if (quantity_of(key.toStdString()) != Quantity::count) chosen.push_back(quantity_of(key.toStdString()));
     chart_->set_quantities(chosen);
   }
-  int tab = 0;
-  if (config.mapGetInt("Page", &tab)) tabs_->setCurrentIndex(tab);
+  if (config.mapGetString("Page", &text))
+    for (int n = 0; n < tabs_->count(); ++n)
+      if (tabs_->widget(n)->objectName() == text) tabs_->setCurrentIndex(n);
   settings_->set_settings(s);
   if (s.rig != link_->wanted_namespace()) change_namespace(s.rig);
   apply_settings();
@@ -275,7 +319,7 @@ void DrillersConsole::save(rviz::Config config) const
   config.mapSetValue("Chart Axis", chart_->axis() == Axis::time ? "time" : "depth");
   config.mapSetValue("Chart Time Span", chart_->span(Axis::time));
   config.mapSetValue("Chart Depth Span", chart_->span(Axis::depth));
-  config.mapSetValue("Page", tabs_->currentIndex());
+  config.mapSetValue("Page", tabs_->currentWidget()->objectName());
 }
 
 }  // namespace drill_rig_sim

@@ -11,6 +11,7 @@
 class QLabel;
 class QTabWidget;
 class QTimer;
+class QHBoxLayout;
 
 namespace drill_rig_sim
 {
@@ -36,15 +37,17 @@ public:
   void load(const rviz::Config& config) override;
   void save(rviz::Config config) const override;
   QSize sizeHint() const override { return {420, 680}; }
-  QSize minimumSizeHint() const override;
 
 protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
   void make_pages();
-  QWidget* make_control_page(const QString& name, const std::vector<console::Controls*>& groups);
+  QWidget* make_control_page(const QString& name, QWidget* above, const std::vector<console::Controls*>& groups);
+  void add_page(QWidget* page, const QString& title);
+  void arrange(bool wide);
   void connect_pages();
   void apply_settings();
   void change_namespace(const QString& name);
@@ -56,6 +59,7 @@ private:
   console::RigLink* link_;
   QTimer* timer_;
   console::HeaderBar* header_;
+  QHBoxLayout* body_;
   QTabWidget* tabs_;
   console::GaugePage* gauges_;
   console::ChartPage* chart_;

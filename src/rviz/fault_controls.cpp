@@ -14,6 +14,11 @@ FaultControls::FaultControls(RigLink& link, QWidget* parent)
     : Controls("Faults", link, parent), fault_(new QComboBox(this)), target_(new QComboBox(this)), magnitude_label_(add_label(""))
 {
   fault_->setAccessibleName("fault kind");
+  for (QComboBox* box : {fault_, target_})
+  {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // no wider than the panel
+    box->setMinimumContentsLength(9);
+  }
   for (const FaultRow& row : fault_rows()) fault_->addItem(row.name);
   target_->setAccessibleName("fault gauge");
   for (const Quantity gauge : failing_gauges()) target_->addItem(row_of(gauge).label, row_of(gauge).key);

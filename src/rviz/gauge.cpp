@@ -12,7 +12,7 @@ namespace drill_rig_sim::console
 {
 namespace
 {
-constexpr int margin = 6, least_width = 150, least_height = 40, truth_height = 14, bar_height = 5;
+constexpr int margin = 6, least_width = 150, least_height = 36, truth_height = 12, bar_height = 5;
 
 bool same(const Limits& a, const Limits& b)
 {
@@ -22,9 +22,9 @@ bool same(const Limits& a, const Limits& b)
 }
 }  // namespace
 
-Gauge::Gauge(const QuantityRow& row, QWidget* parent) : QWidget(parent), row_(row)
+Gauge::Gauge(const QuantityRow& row, const QString& kind, QWidget* parent) : QWidget(parent), row_(row)
 {
-  setAccessibleName(QStringLiteral("gauge ") + row.key);
+  setAccessibleName(kind + " " + row.key);
   setToolTip(QStringLiteral("%1: %2").arg(row.label, row.source));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   scale_ = scale_of(row.quantity, limits_, least_, most_);
@@ -125,7 +125,7 @@ void Gauge::paint_texts(QPainter& painter, const QRect& area)
 
   QFont large = font();
   large.setBold(is_filled());
-  int size = is_filled() ? std::clamp(tall * 3 / 4, 15, 30) : small.pixelSize();
+  int size = is_filled() ? std::clamp(tall * 13 / 20, 15, 23) : small.pixelSize();
   large.setPixelSize(size);
   while (size > 9 && QFontMetrics(large).horizontalAdvance(text_) > room.width()) large.setPixelSize(--size);
   painter.setFont(large);
@@ -136,7 +136,7 @@ void Gauge::paint_texts(QPainter& painter, const QRect& area)
   painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, text_);
 
   if (!shows_truth_) return;
-  small.setPixelSize(11);
+  small.setPixelSize(10);
   painter.setFont(small);
   painter.setPen(QColor(look::off));
   painter.drawText(QRect(area.left(), area.bottom() - truth_height + 1, area.width(), truth_height), Qt::AlignRight | Qt::AlignVCenter, truth_text_);

@@ -9,12 +9,13 @@
 namespace drill_rig_sim::console
 {
 /// One value: its number large, a bar with zones of caution and alarm below it, and the truth as a faint line if asked for.
-/// Its accessible name is "gauge KEY", its accessible description what it shows.
+/// Its accessible name is "KIND KEY", its accessible description what it shows.
 class Gauge : public QWidget
 {
   Q_OBJECT
 public:
-  Gauge(const QuantityRow& row, QWidget* parent);
+  /// `kind`: first word of its name, "gauge" on the page of gauges.
+  Gauge(const QuantityRow& row, const QString& kind, QWidget* parent);
 
   Quantity quantity() const { return row_.quantity; }
   void set_units(UnitSystem system);

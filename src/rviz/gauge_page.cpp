@@ -20,8 +20,27 @@ GaugePage::GaugePage(QWidget* parent) : QWidget(parent), dial_(new ToolfaceDial(
   setAccessibleName("page gauges");
   grid_->setContentsMargins(4, 4, 4, 4);
   grid_->setSpacing(4);
-  for (std::size_t n = 0; n < gauge_count; ++n) gauges_.push_back(new Gauge(quantities()[n], this));
+  for (std::size_t n = 0; n < gauge_count; ++n) gauges_.push_back(new Gauge(quantities()[n], "gauge", this));
+  all_ = gauges_;
   arrange(2);
+}
+
+QWidget* GaugePage::make_strip(const QString& kind, const std::vector<Quantity>& chosen, QWidget* parent)
+{
+  auto* strip = new QWidget(parent);
+  strip->setAccessibleName(kind + " strip");
+  auto* grid = new QGridLayout(strip);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(4);
+  int n = 0;
+  for (const Quantity quantity : chosen)
+  {
+    auto* gauge = new Gauge(row_of(quantity), kind, strip);
+    grid->addWidget(gauge, n / 2, n % 2);
+    all_.push_back(gauge);
+    ++n;
+  }
+  return strip;
 }
 
 void GaugePage::arrange(int columns)
@@ -49,7 +68,7 @@ void GaugePage::resizeEvent(QResizeEvent* event)
 
 void GaugePage::set_units(UnitSystem system)
 {
-  for (Gauge* gauge : gauges_) gauge->set_units(system);
+  for (Gauge* gauge : all_) gauge->set_units(system);
   block_->set_units(system);
 }
 
@@ -61,7 +80,7 @@ void GaugePage::show_truth(bool on)
 void GaugePage::show_news(const News& news, const Values& readings, const Values& truth, const OwnAlarms& own, bool stale)
 {
   const RigAbilities rig = news.limits ? abilities_of(*news.limits) : RigAbilities();
-  for (Gauge* gauge : gauges_)
+  for (Gauge* gauge : all_)
   {
     const std::size_t n = index_of(gauge->quantity());
     gauge->set_truth(truth.value[n]);

@@ -21,11 +21,12 @@ class GaugePage : public QWidget
   Q_OBJECT
 public:
   explicit GaugePage(QWidget* parent);
+  /// A few of the gauges once more, for another page: what is shown is the same, but for the truth. Their accessible names begin with `kind`.
+  QWidget* make_strip(const QString& kind, const std::vector<Quantity>& chosen, QWidget* parent);
 
   void set_units(UnitSystem system);
   void show_truth(bool on);
   void show_news(const News& news, const Values& readings, const Values& truth, const OwnAlarms& own, bool stale);
-  const std::vector<Gauge*>& gauges() const { return gauges_; }
 
 protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -35,7 +36,7 @@ private:
   void show_block(const News& news, const RigAbilities& rig, bool stale);
   void show_toolface(const News& news, const Values& truth, bool stale);
 
-  std::vector<Gauge*> gauges_;
+  std::vector<Gauge*> gauges_, all_;  // of this page; of the strips too
   ToolfaceDial* dial_;
   BlockBar* block_;
   QGridLayout* grid_;

@@ -109,6 +109,7 @@ void HeaderBar::show_operation(const RigState* state)
     text += QStringLiteral(", %1 %").arg(percent);
   }
   tell(operation_, text);
+  progress_->setVisible(text != "No operation");
   if (progress_->value() != percent) progress_->setValue(percent);
 }
 

@@ -1,6 +1,6 @@
 #include "look.h"
 
-#include <QGroupBox>
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 
@@ -88,11 +88,14 @@ QLabel* make_reading(const QString& name, QWidget* parent)
   return label;
 }
 
-QGroupBox* make_group(const QString& title, QWidget* parent)
+QCheckBox* make_check(const QString& text, const QString& name, QWidget* parent)
 {
-  auto* group = new QGroupBox(title, parent);
-  group->setAccessibleName("group " + title.toLower());
-  return group;
+  auto* check = new QCheckBox(text, parent);
+  check->setAccessibleName(name);
+  QPalette p = parent->palette();
+  p.setColor(QPalette::Base, QColor(0xff56606c));  // the box is to be seen on the dark ground
+  check->setPalette(p);
+  return check;
 }
 
 void tell(QLabel* label, const QString& text)

@@ -8,7 +8,7 @@
 #include "model/limits.h"
 #include "model/units.h"
 
-class QGroupBox;
+class QCheckBox;
 class QLabel;
 class QPushButton;
 class QWidget;
@@ -37,7 +37,7 @@ QPushButton* make_button(const QString& text, const QString& name, QWidget* pare
 QLabel* make_label(const QString& text, QWidget* parent);
 /// A label that tells something: in small faint letters.
 QLabel* make_reading(const QString& name, QWidget* parent);
-QGroupBox* make_group(const QString& title, QWidget* parent);
+QCheckBox* make_check(const QString& text, const QString& name, QWidget* parent);
 /// Says what a reading label shows, on screen and to a screen reader.
 void tell(QLabel* label, const QString& text);
 

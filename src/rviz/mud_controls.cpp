@@ -31,7 +31,7 @@ void MudControls::set_flow(double flow)
 
 void MudControls::show_news(const News& news)
 {
-  tell(in_force_, news.state ? "in force: " + shown_text(news.state->mud_pump.flow, Dimension::flow, units()) : QString("in force: -"));
+  tell(in_force_, news.state ? shown_text(news.state->mud_pump.flow, Dimension::flow, units()) : QString("-"));
 }
 
 }  // namespace drill_rig_sim::console

@@ -17,7 +17,7 @@
 namespace drill_rig_sim::console
 {
 SettingsPage::SettingsPage(QWidget* parent)
-    : QWidget(parent), rig_box_(new QComboBox(this)), units_(new QComboBox(this)), truth_(new QCheckBox("Truth as a second line of each gauge", this)), table_(new QTableWidget(this))
+    : QWidget(parent), rig_box_(new QComboBox(this)), units_(new QComboBox(this)), truth_(make_check("Truth as a second line of each gauge", "settings truth", this)), table_(new QTableWidget(this))
 {
   setAccessibleName("page settings");
   rig_box_->setEditable(true);
@@ -27,7 +27,6 @@ SettingsPage::SettingsPage(QWidget* parent)
   rig_box_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   units_->addItems({"SI", "oilfield"});
   units_->setAccessibleName("settings units");
-  truth_->setAccessibleName("settings truth");
   truth_->setToolTip("What no instrument tells: for judging, not for drilling");
   bit_ = new UnitBox("settings bit diameter", Dimension::diameter, 0.0, 2.0, 0.0, this);
   bit_->setSpecialValueText("not set");
@@ -71,6 +70,7 @@ void SettingsPage::make_table()
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(22);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   for (int row = 0; row < table_->rowCount(); ++row)
     for (int column = 0; column < 3; ++column)
     {

@@ -13,14 +13,14 @@ SteeringControls::SteeringControls(RigLink& link, QWidget* parent)
 {
   toolface_ = add_box("steering toolface", Dimension::angle, -6.3, 6.3, 0.0);
   ratio_ = add_box("steering ratio", Dimension::share, 0.0, 1.0, 0.5);
-  toolface_->setToolTip("Clockwise from the high side, looking downhole; near vertical from north");
+  toolface_->setToolTip("Toolface: clockwise from the high side, looking downhole; near vertical from north");
   ratio_->setToolTip("Share of the tool's full steering");
   QPushButton* apply_button = make_button("Apply", "steering apply", this);
-  grid().addWidget(add_label("Toolface"), 0, 0);
-  grid().addWidget(toolface_, 0, 1);
-  grid().addWidget(ratio_, 0, 2);
-  grid().addWidget(apply_button, 0, 3);
-  grid().addWidget(in_force_, 1, 0, 1, 4);
+  grid().addWidget(toolface_, 0, 0);
+  grid().addWidget(ratio_, 0, 1);
+  grid().addWidget(apply_button, 0, 2);
+  grid().addWidget(in_force_, 0, 3);
+  grid().setColumnStretch(3, 1);
   connect(apply_button, &QPushButton::clicked, this, &SteeringControls::apply);
 }
 
@@ -34,10 +34,10 @@ void SteeringControls::apply()
 
 void SteeringControls::show_news(const News& news)
 {
-  if (!news.state) return tell(in_force_, "in force: -");
+  if (!news.state) return tell(in_force_, "-");
   const SteeringCommand& s = news.state->steering;
-  tell(in_force_, "in force: " + shown_text(s.toolface, Dimension::angle, units()) + ", " + shown_text(s.ratio, Dimension::share, units()) +
-                      (news.state->magnetic_steering != 0 ? ", from north" : ""));
+  tell(in_force_, shown_text(s.toolface, Dimension::angle, units()) + ", " + shown_text(s.ratio, Dimension::share, units()) +
+                      (news.state->magnetic_steering != 0 ? " N" : ""));
 }
 
 }  // namespace drill_rig_sim::console

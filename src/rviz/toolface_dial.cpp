@@ -108,7 +108,7 @@ void ToolfaceDial::paintEvent(QPaintEvent*)
   paint_history(painter, centre, radius);
   QFont large = font();
   large.setBold(true);
-  large.setPixelSize(std::clamp(static_cast<int>(radius / 3.0), 12, 26));
+  large.setPixelSize(toolfaces_.empty() ? 12 : std::clamp(static_cast<int>(radius / 3.0), 12, 26));
   painter.setFont(large);
   painter.setPen(QColor(stale_ || toolfaces_.empty() ? look::off : look::text));
   const QString text = toolfaces_.empty() ? QString("none yet") : QString::fromStdString(number_text(toolfaces_.back(), Dimension::angle, UnitSystem::si)) + QChar(0xb0);

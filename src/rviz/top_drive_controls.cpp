@@ -44,7 +44,7 @@ QString text_of(const TopDriveCommand& c, UnitSystem system)
 TopDriveControls::TopDriveControls(RigLink& link, QWidget* parent)
     : Controls("Top drive", link, parent),
       mode_(new QComboBox(this)),
-      brake_(new QCheckBox("brake", this)),
+      brake_(make_check("brake", "top drive brake", this)),
       here_(make_button("Now", "top drive take angle", this)),
       in_force_(make_reading("top drive in force", this))
 {
@@ -58,7 +58,6 @@ TopDriveControls::TopDriveControls(RigLink& link, QWidget* parent)
   limit_ = add_box("top drive torque limit", Dimension::torque, 0.0, 1e6, 0.0);
   limit_->setSpecialValueText("the rig's");
   speed_->setToolTip("In angle and oscillate the largest on the way; 0: 10 rpm");
-  brake_->setAccessibleName("top drive brake");
   brake_->setToolTip("Sets the brake and takes the motor off, whatever the mode");
   here_->setToolTip("Take the angle that the drive has now");
   place();

@@ -12,7 +12,7 @@ UnitBox::UnitBox(const QString& name, Dimension dimension, double least, double 
   setAccessibleName(name);
   setKeyboardTracking(false);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  setMinimumWidth(92);
+  setMinimumWidth(84);
   lay_out(value);
 }
 

@@ -39,10 +39,9 @@ WellControls::WellControls(RigLink& link, QWidget* parent)
   bit_depth_ = add_box("well bit depth", Dimension::length, 0.0, deepest, 0.0);
   hole_depth_->setSpecialValueText("survey's end");
   bit_depth_->setSpecialValueText("as the scene");
-  QPushButton* browse = make_button("...", "well browse scene", this);
+  QPushButton* browse = make_button("Browse", "well browse scene", this);
   QPushButton* reset_button = make_button("Reset", "well reset", this);
   QPushButton* load = make_button("Load survey...", "well load survey", this);
-  browse->setMaximumWidth(34);
   grid().addWidget(add_label("Scene"), 0, 0);
   grid().addWidget(scene_, 0, 1, 1, 2);
   grid().addWidget(browse, 0, 3);

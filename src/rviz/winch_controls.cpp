@@ -14,14 +14,16 @@ WinchControls::WinchControls(RigLink& link, QWidget* parent)
 {
   speed_ = add_box("winch speed", Dimension::speed, 0.0, 10.0, 0.01);
   speed_->setToolTip("Of the block, while a button is held");
-  QPushButton* set = make_button("Set brake", "winch set brake", this);
-  QPushButton* release = make_button("Release brake", "winch release brake", this);
-  release->setToolTip("The winch holds the block by its speed of 0");
-  grid().addWidget(dead_man_, 0, 0, 1, 3);
+  QPushButton* set = make_button("Brake", "winch set brake", this);
+  QPushButton* release = make_button("Release", "winch release brake", this);
+  set->setToolTip("Sets the drawworks brake");
+  release->setToolTip("Releases the brake: the winch holds the block by its speed of 0");
+  grid().addWidget(dead_man_, 0, 0, 1, 4);
   grid().addWidget(speed_, 1, 0);
   grid().addWidget(set, 1, 1);
   grid().addWidget(release, 1, 2);
-  grid().addWidget(in_force_, 2, 0, 1, 3);
+  grid().addWidget(in_force_, 1, 3);
+  grid().setColumnStretch(3, 1);
   connect(dead_man_, &DeadMan::hold, this, &WinchControls::move);
   connect(set, &QPushButton::clicked, this, [this] { brake(true); });
   connect(release, &QPushButton::clicked, this, [this] { brake(false); });
@@ -50,10 +52,10 @@ bool WinchControls::is_held() const { return dead_man_->is_held(); }
 
 void WinchControls::show_news(const News& news)
 {
-  if (!news.state) return tell(in_force_, "in force: -");
+  if (!news.state) return tell(in_force_, "-");
   const RigState& s = *news.state;
   const QString text = s.winch.brake != 0 ? QString("brake") : shown_text(s.winch.block_velocity, Dimension::speed, units());
-  tell(in_force_, "in force: " + text + (s.brake_set != 0 ? ", brake set" : ""));
+  tell(in_force_, text + (s.brake_set != 0 ? ", brake set" : ""));
 }
 
 }  // namespace drill_rig_sim::console

@@ -43,15 +43,18 @@ void expect_in_order(const QWidget* parent)
       if (widget->isVisible() && !widget->isWindow()) children << widget;
   for (QWidget* child : children)
   {
-    if (qobject_cast<const QAbstractScrollArea*>(parent) == nullptr && qobject_cast<const QAbstractScrollArea*>(parent->parentWidget()) == nullptr)
-      EXPECT_TRUE(parent->rect().contains(child->geometry())) << name_of(child) << " is not within " << name_of(parent);
+    const bool is_scrolled = qobject_cast<const QAbstractScrollArea*>(parent) != nullptr || qobject_cast<const QAbstractScrollArea*>(parent->parentWidget()) != nullptr;
+    EXPECT_TRUE(is_scrolled || parent->rect().contains(child->geometry())) << name_of(child) << " is not within " << name_of(parent);
     EXPECT_TRUE(words_fit(child) || may_be_cut(child)) << name_of(child) << " has no room for its words";
-    if (is_ours(parent))
-      for (QWidget* other : children)
-        if (other < child) EXPECT_FALSE(other->geometry().intersects(child->geometry())) << name_of(child) << " overlaps " << name_of(other);
+    for (QWidget* other : children)
+      EXPECT_FALSE(other != child && is_ours(parent) && other->geometry().intersects(child->geometry())) << name_of(child) << " overlaps " << name_of(other);
     if (qobject_cast<const QAbstractSpinBox*>(child) == nullptr && qobject_cast<const QComboBox*>(child) == nullptr && !child->inherits("QwtPlot")) expect_in_order(child);
   }
-  if (const auto* area = qobject_cast<const QScrollArea*>(parent)) EXPECT_EQ(0, area->verticalScrollBar()->maximum()) << name_of(area->widget()) << " must be scrolled";
+  if (const auto* area = qobject_cast<const QScrollArea*>(parent)) 
+  {
+    EXPECT_EQ(0, area->verticalScrollBar()->maximum()) << name_of(area->widget()) << " must be scrolled";
+    EXPECT_LE(area->widget()->width(), area->viewport()->width()) << name_of(area->widget()) << " is cut off";
+  }
 }
 
 void look_at_all_pages(Console& console, const QString& size)
@@ -118,7 +121,7 @@ TEST_F(Layout, EveryWidgetToWorkWithHasAName)
     if (is_of_qt(widget)) continue;
     const bool works = qobject_cast<const QAbstractButton*>(widget) != nullptr || qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
                        qobject_cast<const QComboBox*>(widget) != nullptr || qobject_cast<const QAbstractItemView*>(widget) != nullptr;
-    if (works) EXPECT_FALSE(widget->accessibleName().isEmpty()) << name_of(widget);
+    EXPECT_FALSE(works && widget->accessibleName().isEmpty()) << name_of(widget);
     if (!widget->accessibleName().isEmpty()) names << widget->accessibleName();
   }
   EXPECT_EQ(0, names.removeDuplicates()) << "a name is of one widget";

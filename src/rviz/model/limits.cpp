@@ -94,7 +94,7 @@ Scale scale_of(Quantity quantity, const Limits& limits, double least, double mos
   else if (most > scale.high)
     scale.high = rounded_up(most);
   if (quantity == Quantity::toolface) scale.low = -scale.high;
-  if (least < 0.0 && scale.low == 0.0)  // NaN is not
+  if (least < -0.01 * scale.high && scale.low == 0.0)  // NaN is not, nor is the noise of a gauge about 0
   {
     const bool limited = std::isfinite(limits.low_alarm) && limits.low_alarm < 0.0;
     scale.low = limited ? limits.low_alarm / share_of_caution : std::max(-scale.high, -rounded_up(-least));
