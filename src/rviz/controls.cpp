@@ -10,8 +10,8 @@ namespace drill_rig_sim::console
 Controls::Controls(const QString& title, RigLink& link, QWidget* parent) : QGroupBox(title, parent), link_(link), grid_(new QGridLayout(this))
 {
   setAccessibleName("group " + title.toLower());
-  grid_->setContentsMargins(8, 4, 8, 6);
-  grid_->setHorizontalSpacing(6);
+  grid_->setContentsMargins(6, 4, 6, 5);
+  grid_->setHorizontalSpacing(5);
   grid_->setVerticalSpacing(4);
 }
 

@@ -85,8 +85,8 @@ QWidget* DrillersConsole::make_control_page(const QString& name, QWidget* above,
   auto* page = new QWidget;
   page->setAccessibleName(name);
   auto* box = new QVBoxLayout(page);
-  box->setContentsMargins(6, 4, 6, 4);
-  box->setSpacing(4);
+  box->setContentsMargins(4, 2, 4, 2);
+  box->setSpacing(2);
   if (above != nullptr) box->addWidget(above);
   for (Controls* group : groups)
   {
@@ -188,6 +188,7 @@ void DrillersConsole::change_namespace(const QString& name)
   link_->set_namespace(name);
   chart_->interrupt();
   limits_ = nullptr;
+  show_state();
   Q_EMIT configChanged();
 }
 

@@ -17,13 +17,14 @@ FaultControls::FaultControls(RigLink& link, QWidget* parent)
   for (QComboBox* box : {fault_, target_})
   {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // no wider than the panel
-    box->setMinimumContentsLength(9);
+    box->setMinimumContentsLength(6);
   }
   for (const FaultRow& row : fault_rows()) fault_->addItem(row.name);
   target_->setAccessibleName("fault gauge");
   for (const Quantity gauge : failing_gauges()) target_->addItem(row_of(gauge).label, row_of(gauge).key);
   depth_ = add_box("fault depth", Dimension::length, 0.0, 20000.0, 100.0);
-  magnitude_ = add_box("fault magnitude", Dimension::number, -1e12, 1e12, 0.0);
+  magnitude_ = add_box("fault magnitude", Dimension::number, -1e9, 1e9, 0.0);
+  magnitude_->setMinimumWidth(120);
   magnitude_label_->setAccessibleName("fault magnitude means");
   QPushButton* begin = make_button("Begin", "fault begin", this);
   QPushButton* end = make_button("End", "fault end", this);

@@ -84,14 +84,11 @@ void Gauge::show_value(double value, const char* why, bool lost, bool stale, con
   level_ = level_of(value, limits_);
   const QString text = state_text();
   const int bar = is_filled() ? static_cast<int>(std::lround(place(value, rect()))) : -1;
-  if (text != text_)
-  {
-    text_ = text;
-    const char* const words[] = {"", " caution", " alarm"};
-    setAccessibleDescription(text_ + words[static_cast<int>(level_)] + (stale_ ? " stale" : ""));
-    differs = true;
-  }
-  differs = differs || bar != bar_;
+  const char* const words[] = {"", " caution", " alarm"};
+  const QString description = text + words[static_cast<int>(level_)] + (stale_ ? " stale" : "");
+  if (description != accessibleDescription()) setAccessibleDescription(description);
+  differs = differs || text != text_ || bar != bar_;
+  text_ = text;
   bar_ = bar;
   if (differs) update();
 }

@@ -120,7 +120,17 @@ void HeaderBar::show_warning(const QString& text, Level level)
   p.setColor(QPalette::WindowText, level == Level::normal ? QColor(look::faint) : drill_rig_sim::console::color_of(level));
   warning_->setPalette(p);
   warning_->setToolTip(text);
-  tell(warning_, text);
+  warning_->setAccessibleDescription(text);
+  cut_warning();
+}
+
+void HeaderBar::cut_warning() { warning_->setText(warning_->fontMetrics().elidedText(warning_->toolTip(), Qt::ElideRight, warning_->width())); }
+
+void HeaderBar::resizeEvent(QResizeEvent* event)
+{
+  QWidget::resizeEvent(event);
+  layout()->activate();
+  cut_warning();
 }
 
 }  // namespace drill_rig_sim::console

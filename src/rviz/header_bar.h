@@ -21,7 +21,11 @@ public:
   /// One line, and how grave it is.
   void show_warning(const QString& text, Level level);
 
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
 private:
+  void cut_warning();
   void show_operation(const RigState* state);
 
   QLabel *state_, *rig_, *time_, *operation_, *warning_;

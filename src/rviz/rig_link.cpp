@@ -178,8 +178,8 @@ void RigLink::take_diagnostics(const diagnostic_msgs::DiagnosticArrayConstPtr& m
 {
   for (const auto& status : m->status)
   {
-    // the rig's node lies in the rig's namespace itself
-    if (QString::fromStdString(ros::names::parentNamespace(status.hardware_id)) != used_namespace()) continue;
+    // its node's name without the first slash; the node lies in the rig's namespace itself
+    if (QString::fromStdString(ros::names::parentNamespace("/" + status.hardware_id)) != used_namespace()) continue;
     const std::string text = status.level == diagnostic_msgs::DiagnosticStatus::OK ? "" : status.message;
     Diagnosis& d = news_.diagnosis;
     if (ends_with(status.name, ": time"))

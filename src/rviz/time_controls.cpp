@@ -38,8 +38,7 @@ TimeControls::TimeControls(RigLink& link, QWidget* parent)
   speed_->setSuffix(QString::fromUtf8(" ×"));
   speed_->setSpecialValueText("full speed");
   speed_->setToolTip("Simulated seconds per wall second; 0: as fast as it goes");
-  frames_->setMinimumWidth(80);
-  speed_->setMinimumWidth(80);
+
   grid().addWidget(pause, 0, 0);
   grid().addWidget(resume, 0, 1);
   grid().addWidget(frames_, 0, 2);

@@ -201,7 +201,7 @@ TEST_F(Commands, FlowAndSteering)
   EXPECT_NEAR(0.8, steerings.all().back()->ratio, 1e-9);
   EXPECT_TRUE(wait_until([&] { return console_.shows("steering in force").contains("90.0 deg, 80 %"); }));
   console_.click("mud pump stop");
-  EXPECT_TRUE(wait_until([&] { return console_.shows("mud pump in force").contains(" 0 L/min"); }));
+  EXPECT_TRUE(wait_until([&] { return console_.shows("mud pump in force").startsWith("0 L/min"); }));
 }
 
 TEST_F(Commands, PauseResumeStepSpeed)

@@ -35,6 +35,15 @@ bool may_be_cut(const QWidget* widget) { return !widget->toolTip().isEmpty() && 
 // Whether a widget's children are laid out by this package, not within a widget of Qt's.
 bool is_ours(const QWidget* parent) { return parent->layout() != nullptr && qobject_cast<const QTabWidget*>(parent) == nullptr; }
 
+// What makes a page so wide.
+std::string least_widths(const QWidget* page)
+{
+  QStringList list;
+  for (const QWidget* widget : page->findChildren<QWidget*>())
+    if (!widget->accessibleName().isEmpty()) list << QStringLiteral("%1 %2").arg(widget->accessibleName()).arg(widget->minimumSizeHint().width());
+  return list.join(", ").toStdString();
+}
+
 void expect_in_order(const QWidget* parent)
 {
   QList<QWidget*> children;
@@ -53,7 +62,7 @@ void expect_in_order(const QWidget* parent)
   if (const auto* area = qobject_cast<const QScrollArea*>(parent)) 
   {
     EXPECT_EQ(0, area->verticalScrollBar()->maximum()) << name_of(area->widget()) << " must be scrolled";
-    EXPECT_LE(area->widget()->width(), area->viewport()->width()) << name_of(area->widget()) << " is cut off";
+    EXPECT_LE(area->widget()->width(), area->viewport()->width()) << name_of(area->widget()) << " is cut off: " << least_widths(area->widget());
   }
 }
 
