@@ -22,11 +22,8 @@ QString environment(const char* name, const QString& otherwise)
   return value != nullptr ? value : otherwise;
 }
 
-pluginlib::ClassLoader<rviz::Panel>& loader()
-{
-  static pluginlib::ClassLoader<rviz::Panel> loader("rviz", "rviz::Panel");
-  return loader;
-}
+using Loader = pluginlib::ClassLoader<rviz::Panel>;
+std::unique_ptr<Loader> the_loader;  // of main: it must go before the library of loaders does
 }  // namespace
 
 RigProcess::RigProcess(const std::string& name, const QStringList& more)
@@ -77,7 +74,7 @@ void wait_for(double seconds)
 
 QString out_folder() { return QFileInfo(environment("ROS_HOME", "/tmp/x")).path(); }
 
-Console::Console(const QString& rig, int width, int height) : window_(new QMainWindow), panel_(loader().createUnmanagedInstance("drill_rig_sim/DrillersConsole"))
+Console::Console(const QString& rig, int width, int height) : window_(new QMainWindow), panel_(the_loader->createUnmanagedInstance("drill_rig_sim/DrillersConsole"))
 {
   panel_->setClassId("drill_rig_sim/DrillersConsole");
   panel_->setName("DrillersConsole");
@@ -175,7 +172,9 @@ int main(int argc, char** argv)
   ros::init(argc, argv, "test_console", ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
   ros::NodeHandle node;
   QApplication application(argc, argv);
+  console_test::the_loader = std::make_unique<console_test::Loader>("rviz", "rviz::Panel");
   const int result = RUN_ALL_TESTS();
   console_test::the_rig.reset();
+  console_test::the_loader.reset();
   return result;
 }

@@ -90,13 +90,13 @@ private:
   rviz::Panel* panel_;
 };
 
-/// A subscriber that keeps the messages of a topic of the shared rig.
+/// A subscriber that keeps the messages of a topic of a rig.
 template <class Message>
 class Listener
 {
 public:
-  explicit Listener(const std::string& topic)
-      : subscriber_(ros::NodeHandle("/" + std::string(shared_name)).subscribe(topic, 1000, &Listener::take, this))
+  explicit Listener(const std::string& topic, const std::string& rig = shared_name)
+      : subscriber_(ros::NodeHandle("/" + rig).subscribe(topic, 1000, &Listener::take, this))
   {
   }
   const std::vector<typename Message::ConstPtr>& all()

@@ -65,11 +65,14 @@ TEST(Life, TheNodeIsKilledAndComesBack)
   EXPECT_TRUE(console.is_in_state("RUNNING"));
   console.open_page(0);
   EXPECT_TRUE(wait_until([&] { return !console.shows("gauge hook_load").contains("stale"); }));
+  console.click("mud pump apply");
+  EXPECT_TRUE(wait_until([&] { return console.shows("gauge azimuth").contains("deg"); })) << "telemetry comes again too";
   rig->end(SIGINT);
   EXPECT_TRUE(console.is_in_state("ABSENT"));
   rig = std::make_unique<RigProcess>("mortal");
   ASSERT_TRUE(console.is_in_state("RUNNING"));
-  EXPECT_TRUE(wait_until([&] { return console.asks("mud pump stop", "") && console.shows("mud pump in force").contains("0 L/min"); }));
+  console.click("mud pump stop");
+  EXPECT_TRUE(wait_until([&] { return console.shows("mud pump in force").startsWith("0 L/min"); }));
 }
 
 TEST(Life, ClosedBeforeTheNodeAndAfterIt)

@@ -4,7 +4,6 @@
 #include <QMenu>
 #include <QToolButton>
 #include <cmath>
-#include <csignal>
 #include <fstream>
 
 #include "console_test.h"
@@ -60,13 +59,12 @@ protected:
 
 TEST_F(Readings, EveryGaugeIsFilledWhileTheRigDrills)
 {
-  shared_rig().end(SIGINT);  // a rig that nobody has had before
-  shared_rig();
-  Console console;
+  const RigProcess rig("drilled");  // that nobody has had before
+  Console console("drilled");
   ASSERT_TRUE(console.is_in_state("RUNNING"));
   console.type("settings bit diameter", "215.9");
   drill(console);
-  Listener<RigState> states("rig_state");
+  Listener<RigState> states("rig_state", "drilled");
   ASSERT_TRUE(wait_until([&] { return !states.all().empty() && states.all().back()->rop > 1e-4 && states.all().back()->surface_wob > 1e3; }));
   wait_for(3.0);
   console.window().grab().save(out_folder() + "/console_drill.png");
