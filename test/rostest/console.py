@@ -5,6 +5,7 @@ import os
 import shutil
 import signal
 import subprocess
+import tempfile
 
 import roslib.packages
 from rig_test import PACKAGE_DIR, run, time, unittest
@@ -72,6 +73,15 @@ class Console(unittest.TestCase):
         program = find("test_console")
         self.assertIsNotNone(program, "test_console is not built")
         done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1920x1080x24", program], env=self.environment, timeout=LONGEST, check=False)
+        self.assertEqual(0, done.returncode)
+
+    def test_it_loads_from_an_install_space(self):
+        with tempfile.TemporaryDirectory() as place:
+            subprocess.run(["cmake", "--install", FOLDER, "--prefix", place], check=True, stdout=subprocess.DEVNULL)
+            environment = dict(self.environment, CMAKE_PREFIX_PATH=place, ROS_PACKAGE_PATH=os.path.join(place, "share"),
+                               LD_LIBRARY_PATH=os.path.join(place, "lib"))
+            done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x800x24", find("test_console"), "--gtest_filter=Life.SaysWhoIs*"],
+                                  env=environment, timeout=300, check=False)
         self.assertEqual(0, done.returncode)
 
     def test_rviz_ends_before_the_node(self):
