@@ -8,7 +8,7 @@ import subprocess
 from rig_test import PACKAGE_DIR, PATIENCE, Rig, run, time, unittest
 
 WIDTH, HEIGHT = 1280, 900
-VIEW = (370, 66, 1260, 866)  # of the window, where rviz draws: left, top, right, bottom
+VIEW = (20, 66, 826, 866)  # of the window, where rviz draws: left, top, right, bottom
 BACKGROUND = (30, 32, 38)  # as in rig.rviz
 # where ROS_HOME is build/ros_home; elsewhere it is the user's own choice
 FOLDER = os.path.dirname(os.environ.get("ROS_HOME", os.path.expanduser("~/.ros/x")))

@@ -1,0 +1,57 @@
+#ifndef DRILL_RIG_SIM_RVIZ_CHART_TRACK_H
+#define DRILL_RIG_SIM_RVIZ_CHART_TRACK_H
+
+#include <QColor>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "model/history.h"
+#include "model/quantities.h"
+
+class QLabel;
+class QwtPlot;
+class QwtPlotMarker;
+
+namespace drill_rig_sim::console
+{
+class StrokeCurve;
+
+/// One quantity of the strip chart: a plot by Qwt under a line with its name and the value at the cursor, or the latest. Against time the axis runs to the
+/// right, against depth downwards. Its accessible name is "chart KEY".
+class ChartTrack : public QWidget
+{
+  Q_OBJECT
+public:
+  ChartTrack(Quantity quantity, int number, QWidget* parent);
+  ~ChartTrack() override;
+
+  Quantity quantity() const { return quantity_; }
+  /// `labelled`: this track has the numbers of the common axis.
+  void set_axis(Axis axis, bool labelled);
+  void set_units(UnitSystem system);
+  /// Draws what lies between two places of the common axis [s] or [m].
+  void show_line(const History& history, double from, double to);
+  /// The cursor at a place, with the value there; NaN: no cursor, the latest value.
+  void show_cursor(const History& history, double place);
+  QwtPlot* plot() const { return plot_; }
+  /// Place on the common axis of a point of the canvas [s] or [m].
+  double place_at(const QPoint& point) const;
+
+private:
+  double shown_place(double place) const;
+  void scale_values();
+
+  Quantity quantity_;
+  Axis axis_ = Axis::time;
+  UnitSystem system_ = UnitSystem::si;
+  QColor color_;
+  QLabel* title_;
+  QwtPlot* plot_;
+  StrokeCurve* curve_;  // of the plot, as the cursor
+  QwtPlotMarker* cursor_;
+};
+
+}  // namespace drill_rig_sim::console
+
+#endif

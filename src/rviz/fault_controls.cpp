@@ -1,0 +1,86 @@
+#include "fault_controls.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "drill_rig_sim/InjectFault.h"
+#include "look.h"
+
+namespace drill_rig_sim::console
+{
+FaultControls::FaultControls(RigLink& link, QWidget* parent)
+    : Controls("Faults", link, parent), fault_(new QComboBox(this)), target_(new QComboBox(this)), magnitude_label_(add_label(""))
+{
+  fault_->setAccessibleName("fault kind");
+  for (QComboBox* box : {fault_, target_})
+  {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // no wider than the panel
+    box->setMinimumContentsLength(6);
+  }
+  for (const FaultRow& row : fault_rows()) fault_->addItem(row.name);
+  target_->setAccessibleName("fault gauge");
+  for (const Quantity gauge : failing_gauges()) target_->addItem(row_of(gauge).label, row_of(gauge).key);
+  depth_ = add_box("fault depth", Dimension::length, 0.0, 20000.0, 100.0);
+  magnitude_ = add_box("fault magnitude", Dimension::number, -1e9, 1e9, 0.0);
+  magnitude_->setMinimumWidth(120);
+  magnitude_label_->setAccessibleName("fault magnitude means");
+  QPushButton* begin = make_button("Begin", "fault begin", this);
+  QPushButton* end = make_button("End", "fault end", this);
+  grid().addWidget(add_label("Fault"), 0, 0);
+  grid().addWidget(fault_, 0, 1);
+  grid().addWidget(add_label("Gauge"), 0, 2);
+  grid().addWidget(target_, 0, 3);
+  grid().addWidget(add_label("Depth"), 1, 0);
+  grid().addWidget(depth_, 1, 1);
+  grid().addWidget(begin, 1, 2);
+  grid().addWidget(end, 1, 3);
+  grid().addWidget(magnitude_label_, 2, 0, 1, 2);
+  grid().addWidget(magnitude_, 2, 2, 1, 2);
+  grid().setColumnStretch(1, 1);
+  grid().setColumnStretch(3, 1);
+  connect(fault_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &FaultControls::follow_fault);
+  connect(target_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &FaultControls::follow_target);
+  connect(begin, &QPushButton::clicked, this, [this] { inject(false); });
+  connect(end, &QPushButton::clicked, this, [this] { inject(true); });
+  follow_fault();
+}
+
+void FaultControls::set_units(UnitSystem system)
+{
+  Controls::set_units(system);
+  follow_target();
+}
+
+void FaultControls::follow_fault()
+{
+  const FaultRow& row = fault_rows()[static_cast<std::size_t>(fault_->currentIndex())];
+  depth_->setEnabled(row.has_depth);
+  magnitude_->setEnabled(row.magnitude != nullptr);
+  target_->setEnabled(row.has_target);
+  follow_target();
+  if (row.dimension != Dimension::count) magnitude_->set_si(row.usual);
+}
+
+void FaultControls::follow_target()
+{
+  const FaultRow& row = fault_rows()[static_cast<std::size_t>(fault_->currentIndex())];
+  const bool of_gauge = row.dimension == Dimension::count;
+  magnitude_->set_dimension(of_gauge ? row_of(quantity_of(target_->currentData().toString().toStdString())).dimension : row.dimension);
+  tell(magnitude_label_, row.magnitude == nullptr ? "no magnitude" : QStringLiteral("Magnitude: %1").arg(row.magnitude));
+}
+
+void FaultControls::inject(bool clear)
+{
+  const FaultRow& row = fault_rows()[static_cast<std::size_t>(fault_->currentIndex())];
+  InjectFault service;
+  service.request.fault = row.code;
+  service.request.clear = clear;
+  if (row.has_depth) service.request.depth = depth_->si();
+  if (row.magnitude != nullptr) service.request.magnitude = magnitude_->si();
+  if (row.has_target) service.request.target = target_->currentData().toString().toStdString();
+  link().call("inject_fault", service);
+}
+
+}  // namespace drill_rig_sim::console

@@ -1,0 +1,183 @@
+#include "gauge.h"
+
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "look.h"
+
+namespace drill_rig_sim::console
+{
+namespace
+{
+constexpr int margin = 6, least_width = 150, least_height = 36, truth_height = 12, bar_height = 5;
+
+bool same(const Limits& a, const Limits& b)
+{
+  const auto equal = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  return equal(a.low_alarm, b.low_alarm) && equal(a.low_caution, b.low_caution) && equal(a.high_caution, b.high_caution) &&
+         equal(a.high_alarm, b.high_alarm);
+}
+}  // namespace
+
+Gauge::Gauge(const QuantityRow& row, const QString& kind, QWidget* parent) : QWidget(parent), row_(row)
+{
+  setAccessibleName(kind + " " + row.key);
+  setToolTip(QStringLiteral("%1: %2").arg(row.label, row.source));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  scale_ = scale_of(row.quantity, limits_, least_, most_);
+}
+
+QSize Gauge::sizeHint() const { return {190, minimumSizeHint().height() + 4}; }
+
+QSize Gauge::minimumSizeHint() const { return {least_width, least_height + (shows_truth_ ? truth_height : 0)}; }
+
+void Gauge::set_units(UnitSystem system)
+{
+  system_ = system;
+  text_.clear();
+  set_truth(truth_);
+  show_value(value_, why_, lost_, stale_, limits_);
+}
+
+void Gauge::show_truth(bool on)
+{
+  if (shows_truth_ == on) return;
+  shows_truth_ = on;
+  updateGeometry();
+  update();
+}
+
+void Gauge::forget()
+{
+  least_ = most_ = missing;
+}
+
+bool Gauge::is_filled() const { return std::isfinite(value_); }
+
+QString Gauge::state_text() const
+{
+  if (!is_filled()) return why_;
+  QString text = shown_text(value_, row_.dimension, system_);
+  if (lost_) text += " drop-out";
+  return text;
+}
+
+void Gauge::show_value(double value, const char* why, bool lost, bool stale, const Limits& limits)
+{
+  if (std::isfinite(value))
+  {
+    least_ = std::isnan(least_) ? value : std::min(least_, value);
+    most_ = std::isnan(most_) ? value : std::max(most_, value);
+  }
+  const bool was_filled = is_filled();
+  value_ = value;
+  why_ = why;
+  const Scale scale = scale_of(row_.quantity, limits, least_, most_);
+  bool differs = stale != stale_ || lost != lost_ || was_filled != is_filled() || !same(limits, limits_) || scale.high != scale_.high || scale.low != scale_.low;
+  lost_ = lost;
+  stale_ = stale;
+  limits_ = limits;
+  scale_ = scale;
+  level_ = level_of(value, limits_);
+  const QString text = state_text();
+  const int bar = is_filled() ? static_cast<int>(std::lround(place(value, rect()))) : -1;
+  const char* const words[] = {"", " caution", " alarm"};
+  const QString description = text + words[static_cast<int>(level_)] + (stale_ ? " stale" : "");
+  if (description != accessibleDescription()) setAccessibleDescription(description);
+  differs = differs || text != text_ || bar != bar_;
+  text_ = text;
+  bar_ = bar;
+  if (differs) update();
+}
+
+void Gauge::set_truth(double value)
+{
+  truth_ = value;
+  const QString text = std::isfinite(value) ? "truth " + shown_text(value, row_.dimension, system_) : QString("truth -");
+  if (text == truth_text_) return;
+  truth_text_ = text;
+  if (shows_truth_) update();
+}
+
+double Gauge::place(double value, const QRect& area) const
+{
+  const double share = (value - scale_.low) / (scale_.high - scale_.low);
+  return area.left() + std::clamp(share, 0.0, 1.0) * area.width();
+}
+
+void Gauge::paint_texts(QPainter& painter, const QRect& area)
+{
+  const int tall = std::clamp(area.height() - bar_height - 4 - (shows_truth_ ? truth_height : 0), 16, 44);
+  const QRect line(area.left(), area.top(), area.width(), tall);
+  QFont small = font();
+  small.setPixelSize(std::clamp(tall / 2, 11, 16));
+  painter.setFont(small);
+  painter.setPen(QColor(look::faint));
+  const int label_width = painter.fontMetrics().horizontalAdvance(row_.label);
+  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, row_.label);
+  const QRect room = line.adjusted(label_width + 6, 0, 0, 0);
+
+  QFont large = font();
+  large.setBold(is_filled());
+  int size = is_filled() ? std::clamp(tall * 13 / 20, 15, 23) : small.pixelSize();
+  large.setPixelSize(size);
+  while (size > 9 && QFontMetrics(large).horizontalAdvance(text_) > room.width()) large.setPixelSize(--size);
+  painter.setFont(large);
+  QColor color = level_ == Level::normal ? QColor(look::text) : color_of(level_);
+  if (stale_ || lost_) color = QColor(look::off);
+  if (!is_filled()) color = QColor(look::faint);
+  painter.setPen(color);
+  painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, text_);
+
+  if (!shows_truth_) return;
+  small.setPixelSize(10);
+  painter.setFont(small);
+  painter.setPen(QColor(look::off));
+  painter.drawText(QRect(area.left(), area.bottom() - truth_height + 1, area.width(), truth_height), Qt::AlignRight | Qt::AlignVCenter, truth_text_);
+}
+
+void Gauge::paint_bar(QPainter& painter, const QRect& area)
+{
+  painter.fillRect(area, QColor(look::groove));
+  const auto zone = [&](double from, double to, Level level)
+  {
+    if (!std::isfinite(from) || !std::isfinite(to)) return;
+    QColor color = color_of(level);
+    color.setAlpha(110);
+    const double a = place(from, area), b = place(to, area);
+    painter.fillRect(QRectF(a, area.top(), b - a, area.height()), color);
+  };
+  zone(scale_.low, limits_.low_alarm, Level::alarm);
+  zone(std::isfinite(limits_.low_alarm) ? limits_.low_alarm : scale_.low, limits_.low_caution, Level::caution);
+  zone(limits_.high_caution, std::isfinite(limits_.high_alarm) ? limits_.high_alarm : scale_.high, Level::caution);
+  zone(limits_.high_alarm, scale_.high, Level::alarm);
+  if (!is_filled()) return;
+  const double zero = place(std::clamp(0.0, scale_.low, scale_.high), area), here = place(value_, area);
+  const QColor color = stale_ ? QColor(look::off) : color_of(level_);
+  painter.fillRect(QRectF(std::min(zero, here), area.top(), std::max(std::abs(here - zero), 1.0), area.height()), color);
+  painter.fillRect(QRectF(std::clamp(here - 1.0, double(area.left()), area.right() - 1.0), area.top() - 2, 3, area.height() + 4), QColor(look::text));
+  if (shows_truth_ && std::isfinite(truth_)) painter.fillRect(QRectF(place(truth_, area) - 0.5, area.top() - 2, 1, area.height() + 4), QColor(look::accent));
+}
+
+void Gauge::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.fillRect(rect(), QColor(look::tile));
+  if (level_ != Level::normal && is_filled() && !stale_) painter.fillRect(QRect(0, 0, 3, height()), color_of(level_));
+  const QRect area = rect().adjusted(margin, 2, -margin, -5);
+  paint_texts(painter, area);
+  const int below = shows_truth_ ? truth_height : 0;
+  paint_bar(painter, QRect(area.left(), area.bottom() - below - bar_height + 1, area.width(), bar_height));
+}
+
+void Gauge::contextMenuEvent(QContextMenuEvent* event)
+{
+  QMenu menu(this);
+  menu.addAction("Scale anew from now on", this, &Gauge::forget);
+  menu.exec(event->globalPos());
+}
+
+}  // namespace drill_rig_sim::console

@@ -1,0 +1,60 @@
+#ifndef DRILL_RIG_SIM_RVIZ_GAUGE_H
+#define DRILL_RIG_SIM_RVIZ_GAUGE_H
+
+#include <QWidget>
+
+#include "model/limits.h"
+#include "model/quantities.h"
+
+namespace drill_rig_sim::console
+{
+/// One value: its number large, a bar with zones of caution and alarm below it, and the truth as a faint line if asked for.
+/// Its accessible name is "KIND KEY", its accessible description what it shows.
+class Gauge : public QWidget
+{
+  Q_OBJECT
+public:
+  /// `kind`: first word of its name, "gauge" on the page of gauges.
+  Gauge(const QuantityRow& row, const QString& kind, QWidget* parent);
+
+  Quantity quantity() const { return row_.quantity; }
+  void set_units(UnitSystem system);
+  /// Room for the second line.
+  void show_truth(bool on);
+  /// A reading; NaN shows `why` instead. `lost`: its gauge repeats itself. `stale`: nothing has come for a while.
+  void show_value(double value, const char* why, bool lost, bool stale, const Limits& limits);
+  /// The truth; NaN: nobody tells it.
+  void set_truth(double value);
+  Level level() const { return level_; }
+  bool is_filled() const;
+  /// Forgets which values its scale has seen.
+  void forget();
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+  QString state_text() const;
+  void paint_texts(QPainter& painter, const QRect& area);
+  void paint_bar(QPainter& painter, const QRect& area);
+  double place(double value, const QRect& area) const;
+
+  const QuantityRow& row_;
+  UnitSystem system_ = UnitSystem::si;
+  double value_ = missing, truth_ = missing, least_ = missing, most_ = missing;
+  const char* why_ = "no reading";
+  bool lost_ = false, stale_ = true, shows_truth_ = false;
+  Limits limits_;
+  Scale scale_;
+  Level level_ = Level::normal;
+  QString text_, truth_text_;
+  int bar_ = -1;  // pixel where it ends
+};
+
+}  // namespace drill_rig_sim::console
+
+#endif

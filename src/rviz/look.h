@@ -1,0 +1,46 @@
+#ifndef DRILL_RIG_SIM_RVIZ_LOOK_H
+#define DRILL_RIG_SIM_RVIZ_LOOK_H
+
+#include <QColor>
+#include <QPalette>
+#include <QString>
+
+#include "model/limits.h"
+#include "model/units.h"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QWidget;
+
+namespace drill_rig_sim::console
+{
+/// The console's colours: dark, so that what is coloured is what matters.
+namespace look
+{
+constexpr QRgb ground = 0xff1e2228, tile = 0xff2a2f37, groove = 0xff3a414b, text = 0xffe8e8e8, faint = 0xff98a0ac;
+constexpr QRgb good = 0xff4caf7a, caution = 0xffe0b03c, alarm = 0xffe8544f, accent = 0xff58a6e0, off = 0xff7a828e;
+}  // namespace look
+
+/// Of a value or a warning.
+QColor color_of(Level level);
+/// Of the whole console; dialogs inherit it.
+QPalette console_palette();
+
+/// "kN" and so on, as it stands behind a number; "" for a mere number.
+QString unit_text(Dimension dimension, UnitSystem system);
+/// A number with its unit.
+QString shown_text(double si, Dimension dimension, UnitSystem system);
+
+/// Widgets with the name that tests and screen readers know them by.
+QPushButton* make_button(const QString& text, const QString& name, QWidget* parent);
+QLabel* make_label(const QString& text, QWidget* parent);
+/// A label that tells something: in small faint letters.
+QLabel* make_reading(const QString& name, QWidget* parent);
+QCheckBox* make_check(const QString& text, const QString& name, QWidget* parent);
+/// Says what a reading label shows, on screen and to a screen reader.
+void tell(QLabel* label, const QString& text);
+
+}  // namespace drill_rig_sim::console
+
+#endif

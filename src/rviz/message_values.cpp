@@ -1,0 +1,178 @@
+#include "message_values.h"
+
+#include <utility>
+
+namespace drill_rig_sim::console
+{
+namespace
+{
+using Field = RigState::_hook_load_type RigState::*;
+using Mark = RigState::_brake_set_type RigState::*;
+
+constexpr std::pair<Quantity, Field> fields[] = {
+    {Quantity::hook_load, &RigState::hook_load},
+    {Quantity::torque, &RigState::torque},
+    {Quantity::top_drive_speed, &RigState::top_drive_speed},
+    {Quantity::rop, &RigState::rop},
+    {Quantity::stand_pipe_pressure, &RigState::stand_pipe_pressure},
+    {Quantity::flow, &RigState::flow},
+    {Quantity::bit_depth, &RigState::bit_depth},
+    {Quantity::hole_depth, &RigState::hole_depth},
+    {Quantity::block_height, &RigState::block_height},
+    {Quantity::dead_line_hook_load, &RigState::dead_line_hook_load},
+    {Quantity::block_velocity, &RigState::block_velocity},
+    {Quantity::top_drive_angle, &RigState::top_drive_angle},
+    {Quantity::stroke_rate, &RigState::stroke_rate},
+    {Quantity::ecd, &RigState::ecd},
+};
+
+// in the order of Flag
+constexpr Mark marks[flag_count] = {
+    &RigState::accuracy_warning,
+    &RigState::over_pull,
+    &RigState::slack_line,
+    &RigState::over_stress,
+    &RigState::over_torque,
+    &RigState::buckled,
+    &RigState::motor_stalled,
+    &RigState::relief_valve_open,
+    &RigState::pump_tripped,
+    &RigState::drive_tripped,
+    &RigState::commands_timed_out,
+    &RigState::command_clamped,
+    &RigState::stop_reached,
+    &RigState::winch_limited,
+    &RigState::top_drive_limited,
+    &RigState::brake_set,
+    &RigState::top_drive_brake_set,
+    &RigState::in_slips,
+    &RigState::on_bottom,
+};
+
+void take_fields(Values& values, const RigState& state)
+{
+  for (const auto& [quantity, field] : fields) values.set(quantity, state.*field);
+  if (state.tared)
+    values.set(Quantity::differential_pressure, state.differential_pressure);
+  else
+    values.lack(Quantity::differential_pressure, "not tared");
+}
+
+void take_telemetry(Values& values, const News& news)
+{
+  values.lack(Quantity::inclination, "no survey yet");
+  values.lack(Quantity::azimuth, "no survey yet");
+  if (news.survey)
+  {
+    values.set(Quantity::inclination, news.survey->inclination);
+    values.set(Quantity::azimuth, news.survey->azimuth);
+  }
+  if (news.inclination && (!news.survey || news.inclination->header.stamp > news.survey->header.stamp))
+    values.set(Quantity::inclination, news.inclination->inclination);
+  if (news.toolfaces.empty())
+    values.lack(Quantity::toolface, "none yet");
+  else
+    values.set(Quantity::toolface, news.toolfaces.back()->toolface);
+  if (news.dynamics)
+    values.set(Quantity::stick_slip, news.dynamics->stick_slip);
+  else
+    values.lack(Quantity::stick_slip, "no tool heard");
+}
+
+void take_energy(Values& values, double weight, double torque, double speed, double rop, double diameter)
+{
+  const double energy = specific_energy(weight, torque, speed, rop, diameter);
+  if (energy == energy)
+    values.set(Quantity::specific_energy, energy);
+  else
+    values.lack(Quantity::specific_energy, diameter > 0.0 ? "not drilling" : "bit size not set");
+}
+}  // namespace
+
+Values readings_of(const News& news, double bit_diameter)
+{
+  Values values;
+  take_telemetry(values, news);
+  if (!news.state) return values;
+  const RigState& s = *news.state;
+  take_fields(values, s);
+  if (s.tared)
+  {
+    values.set(Quantity::surface_wob, s.surface_wob);
+    take_energy(values, s.surface_wob, s.torque, s.top_drive_speed, s.rop, bit_diameter);
+  }
+  else
+  {
+    values.lack(Quantity::surface_wob, "not tared");
+    values.lack(Quantity::specific_energy, "not tared");
+  }
+  for (std::size_t n = 0; n < failing_gauges().size(); ++n)
+    if ((s.lost_gauges >> n & 1u) != 0) values.lost.set(index_of(failing_gauges()[n]));
+  return values;
+}
+
+Values truth_of(const News& news, double bit_diameter)
+{
+  Values values;
+  if (news.truth) take_fields(values, *news.truth);
+  if (news.bit)
+  {
+    values.set(Quantity::surface_wob, news.bit->wob);
+    values.set(Quantity::inclination, news.bit->inclination);
+    values.set(Quantity::azimuth, news.bit->azimuth);
+    values.set(Quantity::toolface, news.bit->toolface);
+    if (news.truth) take_energy(values, news.bit->wob, news.bit->torque, news.bit->speed, news.truth->rop, bit_diameter);
+  }
+  return values;
+}
+
+RigAbilities abilities_of(const RigLimits& m)
+{
+  RigAbilities rig;
+  rig.max_block_speed = m.max_block_speed;
+  rig.max_hook_load = m.max_hook_load;
+  rig.min_hook_load = m.min_hook_load;
+  rig.trip_hook_load = m.trip_hook_load;
+  rig.lowest_block_height = m.lowest_block_height;
+  rig.highest_block_height = m.highest_block_height;
+  rig.max_top_drive_speed = m.max_top_drive_speed;
+  rig.max_top_drive_torque = m.max_top_drive_torque;
+  rig.max_flow = m.max_flow;
+  rig.relief_pressure = m.relief_pressure;
+  rig.trip_pressure = m.trip_pressure;
+  return rig;
+}
+
+Flags flags_of(const RigState& state)
+{
+  Flags flags;
+  for (std::size_t n = 0; n < flag_count; ++n) flags[n] = (state.*marks[n]) != 0;
+  return flags;
+}
+
+RunState run_state_of(const RigState& state)
+{
+  switch (state.run_state)
+  {
+    case RigState::RUNNING:
+      return RunState::running;
+    case RigState::PAUSED:
+      return RunState::paused;
+    case RigState::WAITING:
+      return RunState::waiting;
+    case RigState::FAILED:
+      return RunState::failed;
+    default:
+      return RunState::unknown;
+  }
+}
+
+std::vector<std::string> remarks_of(const Diagnosis& diagnosis)
+{
+  std::vector<std::string> lines;
+  for (const std::string* text : {&diagnosis.physics, &diagnosis.commands, &diagnosis.time})
+    if (!text->empty()) lines.push_back(*text);
+  return lines;
+}
+
+}  // namespace drill_rig_sim::console

@@ -1,0 +1,55 @@
+#ifndef DRILL_RIG_SIM_RVIZ_MESSAGE_VALUES_H
+#define DRILL_RIG_SIM_RVIZ_MESSAGE_VALUES_H
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "drill_rig_sim/BitTruth.h"
+#include "drill_rig_sim/DownholeDynamics.h"
+#include "drill_rig_sim/MwdInclination.h"
+#include "drill_rig_sim/MwdSurvey.h"
+#include "drill_rig_sim/MwdToolface.h"
+#include "drill_rig_sim/RigLimits.h"
+#include "drill_rig_sim/RigState.h"
+#include "model/flags.h"
+#include "model/limits.h"
+#include "model/link_state.h"
+#include "model/quantities.h"
+
+namespace drill_rig_sim::console
+{
+/// What the simulator's diagnostics say.
+struct Diagnosis
+{
+  RunState run_state = RunState::unknown;
+  double real_time_factor = missing, speed = 1.0;
+  std::string time, physics, commands;  // its three summaries; empty: all is well
+};
+
+/// The latest of each topic; null before the first.
+struct News
+{
+  RigStateConstPtr state, truth;
+  BitTruthConstPtr bit;
+  RigLimitsConstPtr limits;
+  MwdSurveyConstPtr survey;
+  MwdInclinationConstPtr inclination;
+  DownholeDynamicsConstPtr dynamics;
+  std::deque<MwdToolfaceConstPtr> toolfaces;  // oldest first
+  Diagnosis diagnosis;
+};
+
+/// The readings; `bit_diameter` [m], 0: not known.
+Values readings_of(const News& news, double bit_diameter);
+/// The truth, as far as it is subscribed to.
+Values truth_of(const News& news, double bit_diameter);
+RigAbilities abilities_of(const RigLimits& limits);
+Flags flags_of(const RigState& state);
+RunState run_state_of(const RigState& state);
+/// Why the simulation may be wrong, and what else it says of itself: lines, none where all is well.
+std::vector<std::string> remarks_of(const Diagnosis& diagnosis);
+
+}  // namespace drill_rig_sim::console
+
+#endif

@@ -1,0 +1,277 @@
+#include "rig_link.h"
+
+#include <ros/master.h>
+#include <ros/names.h>
+
+#include <algorithm>
+
+namespace drill_rig_sim::console
+{
+namespace
+{
+constexpr std::size_t most_toolfaces = 12;   // that are remembered
+constexpr auto between_looks = std::chrono::seconds(2);  // at master and rigs that are not there
+const std::string state_topic = "rig_state";
+
+double seconds_since(std::chrono::steady_clock::time_point then)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
+
+std::string value_of(const diagnostic_msgs::DiagnosticStatus& status, const std::string& key)
+{
+  for (const auto& pair : status.values)
+    if (pair.key == key) return pair.value;
+  return "";
+}
+
+double number_of(const std::string& text, double otherwise)
+{
+  bool is_number = false;
+  const double number = QString::fromStdString(text).toDouble(&is_number);
+  return is_number ? number : otherwise;
+}
+
+bool ends_with(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+}  // namespace
+
+RigLink::RigLink(QObject* parent) : QObject(parent), state_heard_(Clock::now()), diagnostics_heard_(state_heard_), looked_(state_heard_)
+{
+  connect(&caller_, &ServiceCaller::answered, this, &RigLink::said);
+  move_to("");
+}
+
+RigLink::~RigLink()
+{
+  stop();
+  queue_.disable();
+}
+
+void RigLink::move_to(const std::string& name)
+{
+  stop();
+  winch_.shutdown();
+  top_drive_.shutdown();
+  pump_.shutdown();
+  steering_.shutdown();
+  node_ = std::make_unique<ros::NodeHandle>(name);
+  node_->setCallbackQueue(&queue_);
+  news_ = News();
+}
+
+void RigLink::set_namespace(const QString& name)
+{
+  std::string why;
+  const std::string text = name.trimmed().toStdString();
+  if (!text.empty() && !ros::names::validate(text, why))
+  {
+    Q_EMIT said("namespace", false, QString::fromStdString(why));
+    return;
+  }
+  const bool was_shown = shown_;
+  wanted_ = QString::fromStdString(text);
+  move_to(text);
+  if (was_shown) start();
+  Q_EMIT changed();
+}
+
+QString RigLink::used_namespace() const { return QString::fromStdString(node_->getNamespace()); }
+
+QStringList RigLink::known_namespaces()
+{
+  QStringList names;
+  ros::master::V_TopicInfo topics;
+  if (!ros::master::getTopics(topics)) return names;
+  for (const auto& topic : topics)
+    if (topic.datatype == "drill_rig_sim/RigState" && ends_with(topic.name, "/" + state_topic) && !ends_with(topic.name, "/truth/" + state_topic))
+      names << QString::fromStdString(topic.name.size() == state_topic.size() + 1 ? "/" : ros::names::parentNamespace(topic.name));
+  names.sort();
+  return names;
+}
+
+template <class Message>
+void RigLink::hear(const std::string& topic, boost::shared_ptr<Message const>& slot)
+{
+  const boost::function<void(const boost::shared_ptr<Message const>&)> take = [&slot](const boost::shared_ptr<Message const>& m) { slot = m; };
+  subscribers_.push_back(node_->subscribe<Message>(topic, 1, take));
+}
+
+void RigLink::start()
+{
+  shown_ = true;
+  state_heard_ = diagnostics_heard_ = looked_ = Clock::now();
+  master_ = ros::ok() && ros::master::check();
+  if (master_) subscribe();
+}
+
+void RigLink::stop()
+{
+  shown_ = false;
+  subscribers_.clear();
+  of_truth_.clear();
+  states_.shutdown();
+  queue_.clear();
+}
+
+void RigLink::subscribe()
+{
+  states_ = node_->subscribe(state_topic, 1, &RigLink::take_state, this, ros::TransportHints().tcpNoDelay());
+  hear("rig_limits", news_.limits);
+  hear("downhole/mwd", news_.survey);
+  hear("downhole/inclination", news_.inclination);
+  hear("downhole/dynamics", news_.dynamics);
+  subscribers_.push_back(node_->subscribe("downhole/toolface", 10, &RigLink::take_toolface, this));
+  subscribers_.push_back(node_->subscribe("/diagnostics", 10, &RigLink::take_diagnostics, this));
+  if (truth_) subscribe_truth();
+  if (!winch_) advertise();
+}
+
+void RigLink::subscribe_truth()
+{
+  const boost::function<void(const RigStateConstPtr&)> state = [this](const RigStateConstPtr& m) { news_.truth = m; };
+  const boost::function<void(const BitTruthConstPtr&)> bit = [this](const BitTruthConstPtr& m) { news_.bit = m; };
+  of_truth_.push_back(node_->subscribe<RigState>("truth/rig_state", 1, state));
+  of_truth_.push_back(node_->subscribe<BitTruth>("truth/bit", 1, bit));
+}
+
+void RigLink::advertise()
+{
+  winch_ = node_->advertise<WinchCommand>("winch/command", 1);
+  top_drive_ = node_->advertise<TopDriveCommand>("top_drive/command", 1);
+  pump_ = node_->advertise<MudPumpCommand>("mud_pump/command", 1);
+  steering_ = node_->advertise<SteeringCommand>("steering/command", 1);
+}
+
+void RigLink::set_truth(bool on)
+{
+  if (truth_ == on) return;
+  truth_ = on;
+  of_truth_.clear();
+  news_.truth.reset();
+  news_.bit.reset();
+  if (on && shown_ && master_) subscribe_truth();
+}
+
+void RigLink::take_state(const RigStateConstPtr& m)
+{
+  if (news_.state && m->header.stamp < news_.state->header.stamp)  // a node that began anew
+  {
+    news_.survey.reset();
+    news_.inclination.reset();
+    news_.dynamics.reset();
+    news_.toolfaces.clear();
+  }
+  news_.state = m;
+  state_heard_ = Clock::now();
+}
+
+void RigLink::take_toolface(const MwdToolfaceConstPtr& m)
+{
+  news_.toolfaces.push_back(m);
+  if (news_.toolfaces.size() > most_toolfaces) news_.toolfaces.pop_front();
+}
+
+void RigLink::take_diagnostics(const diagnostic_msgs::DiagnosticArrayConstPtr& m)
+{
+  for (const auto& status : m->status)
+  {
+    // its node's name without the first slash; the node lies in the rig's namespace itself
+    if (QString::fromStdString(ros::names::parentNamespace("/" + status.hardware_id)) != used_namespace()) continue;
+    const std::string text = status.level == diagnostic_msgs::DiagnosticStatus::OK ? "" : status.message;
+    Diagnosis& d = news_.diagnosis;
+    if (ends_with(status.name, ": time"))
+    {
+      d.time = text;
+      d.run_state = run_state_of(value_of(status, "state"));
+      d.real_time_factor = number_of(value_of(status, "real_time_factor"), missing);
+      d.speed = number_of(value_of(status, "speed"), 1.0);
+      diagnostics_heard_ = Clock::now();
+    }
+    else if (ends_with(status.name, ": physics"))
+      d.physics = text;
+    else if (ends_with(status.name, ": commands"))
+      d.commands = text;
+  }
+}
+
+void RigLink::poll()
+{
+  if (!shown_ || !ros::ok()) return;
+  queue_.callAvailable();
+  if (Clock::now() - looked_ < between_looks) return;
+  looked_ = Clock::now();
+  look_around();
+}
+
+void RigLink::look_around()
+{
+  if (!master_)
+  {
+    start();
+    return;
+  }
+  if (state() != LinkState::absent) return;
+  master_ = ros::master::check();
+  if (!master_ || !wanted_.isEmpty()) return;
+  const QStringList names = known_namespaces();
+  if (names.size() != 1 || names.front() == used_namespace()) return;
+  move_to(names.front().toStdString());
+  start();
+  Q_EMIT changed();
+}
+
+double RigLink::age() const { return seconds_since(state_heard_); }
+
+RunState RigLink::run_state() const
+{
+  // rig_state is the quicker of the two; who began to listen during a pause has only the other
+  return news_.state ? run_state_of(*news_.state) : news_.diagnosis.run_state;
+}
+
+LinkState RigLink::state() const
+{
+  Heard heard;
+  heard.shown = shown_;
+  heard.master = master_ && ros::ok();
+  heard.publisher = states_ && states_.getNumPublishers() > 0;
+  heard.state_age = age();
+  heard.diagnostics_age = seconds_since(diagnostics_heard_);
+  heard.speed = news_.diagnosis.speed;
+  heard.run_state = run_state();
+  return link_state(heard);
+}
+
+template <class Message>
+bool RigLink::send(ros::Publisher& publisher, const QString& what, const Message& message)
+{
+  const LinkState now = state();
+  if (!publisher || (now != LinkState::hidden && !hears(now)))
+  {
+    Q_EMIT said(what, false, "not sent: no simulator at " + used_namespace());
+    return false;
+  }
+  if (publisher.getNumSubscribers() == 0)
+  {
+    Q_EMIT said(what, false, "not sent: nobody listens to " + QString::fromStdString(publisher.getTopic()));
+    return false;
+  }
+  publisher.publish(message);
+  return true;
+}
+
+bool RigLink::command(const WinchCommand& command) { return send(winch_, "winch", command); }
+bool RigLink::command(const TopDriveCommand& command) { return send(top_drive_, "top drive", command); }
+bool RigLink::command(const MudPumpCommand& command) { return send(pump_, "mud pump", command); }
+bool RigLink::command(const SteeringCommand& command) { return send(steering_, "steering", command); }
+
+bool RigLink::can_call(const QString& name)
+{
+  if (hears(state())) return true;
+  Q_EMIT said(name, false, "not sent: no simulator at " + used_namespace());
+  return false;
+}
+
+}  // namespace drill_rig_sim::console

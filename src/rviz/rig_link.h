@@ -1,0 +1,106 @@
+#ifndef DRILL_RIG_SIM_RVIZ_RIG_LINK_H
+#define DRILL_RIG_SIM_RVIZ_RIG_LINK_H
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "drill_rig_sim/MudPumpCommand.h"
+#include "drill_rig_sim/SteeringCommand.h"
+#include "drill_rig_sim/TopDriveCommand.h"
+#include "drill_rig_sim/WinchCommand.h"
+#include "message_values.h"
+#include "service_caller.h"
+
+namespace drill_rig_sim::console
+{
+/// The console's side of the ROS interface: topics of one rig, its commands and services. Messages are taken by `poll` alone, in the thread that calls it.
+class RigLink : public QObject
+{
+  Q_OBJECT
+public:
+  explicit RigLink(QObject* parent = nullptr);
+  ~RigLink() override;
+
+  /// Namespace of the rig; empty: rviz's own, or, where there is none, the only rig that the master knows. What ROS takes for no name is refused.
+  void set_namespace(const QString& name);
+  const QString& wanted_namespace() const { return wanted_; }
+  /// The one that is listened to, from the root: "/rig".
+  QString used_namespace() const;
+  /// All that the master knows.
+  static QStringList known_namespaces();
+  /// Whether truth/rig_state and truth/bit are subscribed to.
+  void set_truth(bool on);
+  bool truth() const { return truth_; }
+  /// Subscribes; advertises the commands, which then stay.
+  void start();
+  /// Unsubscribes from everything.
+  void stop();
+  /// Takes what has come; looks for the master or a rig that is not there.
+  void poll();
+
+  const News& news() const { return news_; }
+  LinkState state() const;
+  /// Since rig_state last came [s of wall time].
+  double age() const;
+
+  /// Commands: false, and `said`, where nobody hears them.
+  bool command(const WinchCommand& command);
+  bool command(const TopDriveCommand& command);
+  bool command(const MudPumpCommand& command);
+  bool command(const SteeringCommand& command);
+  /// Calls a service of the rig by its relative name; the answer comes as `said`.
+  template <class Service>
+  void call(const QString& name, const Service& service, double patience = 10.0)
+  {
+    if (!can_call(name)) return;
+    caller_.call(node_->resolveName(name.toStdString()), name, service, patience);
+  }
+  int pending_calls() const { return caller_.pending(); }
+
+Q_SIGNALS:
+  /// Answer of a service, or why a command was not sent.
+  void said(const QString& what, bool success, const QString& text);
+  /// Another rig from now on, or none.
+  void changed();
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  template <class Message>
+  void hear(const std::string& topic, boost::shared_ptr<Message const>& slot);
+  template <class Message>
+  bool send(ros::Publisher& publisher, const QString& what, const Message& message);
+  bool can_call(const QString& name);
+  void subscribe();
+  void subscribe_truth();
+  void advertise();
+  void take_state(const RigStateConstPtr& m);
+  void take_toolface(const MwdToolfaceConstPtr& m);
+  void take_diagnostics(const diagnostic_msgs::DiagnosticArrayConstPtr& m);
+  void look_around();
+  void move_to(const std::string& name);
+  RunState run_state() const;
+
+  QString wanted_;
+  bool truth_ = false, shown_ = false, master_ = false;
+  ros::CallbackQueue queue_;
+  std::unique_ptr<ros::NodeHandle> node_;
+  std::vector<ros::Subscriber> subscribers_, of_truth_;
+  ros::Subscriber states_;
+  ros::Publisher winch_, top_drive_, pump_, steering_;
+  News news_;
+  Clock::time_point state_heard_, diagnostics_heard_, looked_;
+  ServiceCaller caller_;
+};
+
+}  // namespace drill_rig_sim::console
+
+#endif

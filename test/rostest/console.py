@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""The rviz panel DrillersConsole under a virtual X server: the program test_console, whose tests lie in test/rviz, and rviz itself with the panel, ended in
+either order. Pictures to be looked at stay in the build folder as console_*.png and rviz_console_*.png."""
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+
+import roslib.packages
+from rig_test import PACKAGE_DIR, run, time, unittest
+
+# where ROS_HOME is build/ros_home; elsewhere it is the user's own choice
+FOLDER = os.path.dirname(os.environ.get("ROS_HOME", os.path.expanduser("~/.ros/x")))
+LONGEST = 1200.0  # wall seconds for test_console on a loaded machine
+SETTLED = 25.0    # wall seconds until rviz has drawn and the panel heard
+
+# inside xvfb-run: rviz with the panel, two pictures, and its end by a signal
+SCRIPT = """
+rviz -d "$1" >"$2/rviz_console.log" 2>&1 &
+rviz=$!
+trap 'kill -INT $rviz' TERM
+sleep "$4"
+import -window root "$2/rviz_console_$3.png"
+[ -z "$5" ] || sh -c "$5"
+sleep 3
+kill -INT $rviz
+wait $rviz
+"""
+
+
+def find(name):
+    found = roslib.packages.find_node("drill_rig_sim", name)
+    return found[0] if found else None
+
+
+class Console(unittest.TestCase):
+    def setUp(self):
+        for program in ("rviz", "xvfb-run", "import"):
+            if shutil.which(program) is None:
+                self.skipTest(program + " is not installed")
+        self.environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1", RIG_SIMULATOR=find("rig_simulator"))
+        for name in ("DISPLAY", "ROS_NAMESPACE"):
+            self.environment.pop(name, None)
+
+    def rig(self, *settings):
+        """A rig in the namespace rig, as the config of rviz wants it."""
+        node = subprocess.Popen([find("rig_simulator"), "__ns:=rig"] + ["_" + s for s in settings], env=self.environment)
+        self.addCleanup(node.wait)
+        self.addCleanup(node.kill)
+        return node
+
+    def rviz(self, width, height, meanwhile=""):
+        """Exit status of an rviz with config/rviz/rig.rviz on a screen of this size; `meanwhile` runs after the picture."""
+        config = self.config(width, height)
+        done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 %dx%dx24" % (width, height), "sh", "-c", SCRIPT, "sh", config, FOLDER,
+                               "%dx%d" % (width, height), str(SETTLED), meanwhile], env=self.environment, timeout=300, check=False)
+        return done.returncode
+
+    @staticmethod
+    def config(width, height):
+        """The package's config with a window that fills the screen."""
+        with open(os.path.join(PACKAGE_DIR, "config", "rviz", "rig.rviz"), encoding="utf-8") as f:
+            text, geometry = f.read().split("Window Geometry:")
+        lines = ["  Width: %d" % width if line.startswith("  Width:") else "  Height: %d" % height if line.startswith("  Height:") else line
+                 for line in geometry.split("\n")]
+        file = os.path.join(FOLDER, "rviz_console.rviz")
+        with open(file, "w", encoding="utf-8") as f:
+            f.write(text + "Window Geometry:" + "\n".join(lines))
+        return file
+
+    def test_the_panel_by_itself(self):
+        program = find("test_console")
+        self.assertIsNotNone(program, "test_console is not built")
+        done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1920x1080x24", program], env=self.environment, timeout=LONGEST, check=False)
+        self.assertEqual(0, done.returncode)
+
+    def test_it_loads_from_an_install_space(self):
+        with tempfile.TemporaryDirectory() as place:
+            subprocess.run(["cmake", "--install", FOLDER, "--prefix", place], check=True, stdout=subprocess.DEVNULL)
+            environment = dict(self.environment, CMAKE_PREFIX_PATH=place, ROS_PACKAGE_PATH=os.path.join(place, "share"),
+                               LD_LIBRARY_PATH=os.path.join(place, "lib"))
+            done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x800x24", find("test_console"), "--gtest_filter=Life.SaysWhoIs*"],
+                                  env=environment, timeout=300, check=False)
+        self.assertEqual(0, done.returncode)
+
+    def test_rviz_ends_before_the_node(self):
+        node = self.rig("scene:=bohai.yaml", "play_program:=true")
+        self.assertEqual(0, self.rviz(1280, 800))
+        self.assertIsNone(node.poll())
+
+    def test_the_node_ends_before_rviz(self):
+        node = self.rig("scene:=bohai.yaml", "play_program:=true")
+        self.assertEqual(0, self.rviz(1920, 1080, "kill -%d %d" % (signal.SIGKILL, node.pid)))
+        deadline = time.monotonic() + 10.0
+        while node.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.1)
+        self.assertIsNotNone(node.poll())
+
+
+if __name__ == "__main__":
+    run(Console)
