@@ -1,0 +1,169 @@
+#include "drill_rig_sim/rviz/ruler_scene.h"
+
+#include <OgreCamera.h>
+#include <OgreSceneManager.h>
+#include <OgreSceneNode.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "drill_rig_sim/rviz/well_scene.h"
+
+namespace drill_rig_sim
+{
+using Eigen::Vector3d;
+
+namespace
+{
+constexpr Color ink{0.92f, 0.92f, 0.92f}, tick_color{0.80f, 0.80f, 0.80f}, part_color{1.00f, 0.90f, 0.55f}, well_color{0.75f, 0.85f, 0.95f},
+    plan_color{1.00f, 0.60f, 0.50f};
+constexpr double letter_height = 17.0, tick_distance = 60.0, name_distance = 20.0;  // [pixels]
+constexpr int most_ticks = 60;
+
+std::string text_of(const char* format, double value)
+{
+  char text[80];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+/// Measured depths at which it is asked whether the hole is seen: all along, and closely near its end.
+std::vector<double> samples(double depth)
+{
+  std::vector<double> result;
+  for (int i = 0; i <= 200; ++i) result.push_back(depth * i / 200.0);
+  for (double back = 0.0; back < std::min(200.0, depth); back += 2.0) result.push_back(depth - back);
+  return result;
+}
+}  // namespace
+
+RulerScene::RulerScene(Ogre::SceneManager* manager, Ogre::SceneNode* parent)
+    : manager_(manager), root_(parent->createChildSceneNode()), ticks_(MeshStyle{true, false, false, false, 1.0f}), label_set_(std::make_unique<LabelSet>(manager, root_))
+{
+  root_->attachObject(&ticks_);
+}
+
+RulerScene::~RulerScene()
+{
+  label_set_.reset();  // its nodes hang on this one
+  root_->detachAllObjects();
+  manager_->destroySceneNode(root_);
+}
+
+bool RulerScene::Sight::sees(Ogre::SceneNode& root, const Vector3d& place) const
+{
+  return camera->isVisible(root.convertLocalToWorldPosition(to_ogre(place)));
+}
+
+double RulerScene::Sight::pixel(Ogre::SceneNode& root, const Vector3d& place) const
+{
+  return pixel_size(*camera, root.convertLocalToWorldPosition(to_ogre(place)));
+}
+
+Vector3d RulerScene::Sight::beside(const AxisPoint& p) const
+{
+  const Vector3d across = p.tangent.cross(p.position - eye);
+  if (across.norm() < 1e-6) return right;
+  return (across.dot(right) < 0.0 ? -1.0 : 1.0) * across.normalized();
+}
+
+RulerScene::Sight RulerScene::sight_of(const Ogre::Camera& camera) const
+{
+  return {&camera, to_eigen(root_->convertWorldToLocalPosition(camera.getDerivedPosition())),
+          to_eigen(root_->convertWorldToLocalOrientation(camera.getDerivedOrientation()) * Ogre::Vector3::UNIT_X)};
+}
+
+void RulerScene::draw(const DrillstringModel& model, const DrillstringOptions& options, const PlanDistance& plan, const Ogre::Camera& camera)
+{
+  mesh_.clear();
+  labels_.clear();
+  const Sight sight = sight_of(camera);
+  if (options.ruler) add_ruler(model, options, sight);
+  if (options.parts) add_parts(model, options, sight);
+  if (options.ruler) add_well(model, options, plan, sight);
+  ticks_.set(mesh_);
+  label_set_->set(labels_);
+  label_set_->scale_to(camera, letter_height);
+}
+
+void RulerScene::clear()
+{
+  ticks_.show(false);
+  label_set_->set({});
+}
+
+void RulerScene::add_ruler(const DrillstringModel& model, const DrillstringOptions& options, const Sight& sight)
+{
+  double first = INFINITY, last = -INFINITY, pixel = INFINITY;
+  for (const double md : samples(model.axis->depth()))
+  {
+    const Vector3d place = model.axis->at(md).position;
+    if (!sight.sees(*root_, place)) continue;
+    first = std::min(first, md);
+    last = std::max(last, md);
+    pixel = std::min(pixel, sight.pixel(*root_, place));
+  }
+  if (first > last) return;
+  double step = std::max(round_up(tick_distance * pixel), 1.0);
+  if (step == 2.5) step = 5.0;
+  while ((last - first) / step > most_ticks) step *= 2.0;
+  const double reach = 4.0 * step;  // beyond the samples that were seen
+  for (double md = std::max(0.0, std::floor((first - reach) / step) * step); md <= std::min(last + reach, model.axis->depth()); md += step)
+  {
+    const AxisPoint p = model.axis->at(md);
+    const Vector3d beside = sight.beside(p);
+    const double wall = options.exaggeration * model.rig->hole_radius(md), length = 10.0 * sight.pixel(*root_, p.position);
+    mesh_.add_line(p.position + wall * beside, p.position + (wall + length) * beside, tick_color);
+    labels_.push_back({text_of("%.0f m", md), to_ogre(p.position + (wall + 1.5 * length) * beside), ink});
+  }
+}
+
+void RulerScene::add_parts(const DrillstringModel& model, const DrillstringOptions& options, const Sight& sight)
+{
+  const std::vector<double> bounds = part_bounds(model.rig->parts, model.string->from_bit.back());
+  double least = -INFINITY;  // where the next name finds room
+  for (std::size_t i = 0; i + 1 < model.rig->parts.size(); ++i)
+  {
+    // a short part at its middle, of a long one near its lower end
+    const double middle = std::min(0.5 * (bounds[i] + bounds[i + 1]), bounds[i] + 6.0);
+    const Between at = between(model.string->from_bit, middle);
+    const DrawnNode& node = model.nodes[at.node];
+    const Vector3d place = node.position + at.share * (model.nodes[at.node + 1].position - node.position);
+    const double pixel = sight.pixel(*root_, place);
+    if (middle < least || pixel > 0.5 || !sight.sees(*root_, place)) continue;
+    least = middle + name_distance * pixel;
+    const AxisPoint p = model.axis->at(model.bit_md() - middle);
+    const Vector3d beside = -sight.beside(p);
+    const double wall = options.exaggeration * model.rig->hole_radius(p.md);
+    const std::string& name = model.rig->parts[i].name;
+    const double width = 0.55 * letter_height * static_cast<double>(name.size()) * pixel;  // texts begin where they stand
+    mesh_.add_line(place, place + (wall + 10.0 * pixel) * beside, tick_color);
+    labels_.push_back({name, to_ogre(place + (wall + 14.0 * pixel) * beside - (beside.dot(sight.right) < 0.0 ? width : 0.0) * sight.right), part_color});
+  }
+}
+
+void RulerScene::add_well(const DrillstringModel& model, const DrillstringOptions& options, const PlanDistance& plan, const Sight& sight)
+{
+  const double shoe = WellScene::shoe(model, options);
+  if (shoe > 0.0 && shoe < model.axis->depth())
+  {
+    const AxisPoint p = model.axis->at(shoe);
+    const double pixel = sight.pixel(*root_, p.position);
+    const Vector3d beside = sight.beside(p), place = p.position + options.exaggeration * model.rig->hole_radius(shoe) * beside;
+    mesh_.add_line(place, place + 80.0 * pixel * beside, tick_color);
+    labels_.push_back({text_of("casing shoe %.0f m", shoe), to_ogre(place + 85.0 * pixel * beside), well_color});
+  }
+  const Vector3d along = closure_direction(*model.axis);
+  for (std::size_t i = 0; options.layers && i + 1 < model.rig->layer_base.size(); ++i)
+  {
+    const double base = model.rig->layer_base[i];
+    const Vector3d place = (model.axis->points().back().position.dot(along) + 30.0) * along - base * Vector3d::UnitZ();
+    if (base < 100.0 - model.axis->points().back().position.z())
+      labels_.push_back({"layer " + std::to_string(i + 2) + text_of(" below %.0f m TVD", base), to_ogre(place), well_color});
+  }
+  if (options.plan && plan.there && plan.distance > 0.05)
+    labels_.push_back({text_of("%.2f m off plan", plan.distance), to_ogre(0.5 * (plan.nearest + model.axis->points().back().position)), plan_color});
+}
+
+}  // namespace drill_rig_sim
