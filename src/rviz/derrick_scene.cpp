@@ -20,7 +20,7 @@ DerrickScene::DerrickScene(Ogre::SceneManager* manager, Ogre::SceneNode* parent)
       block_node_(root_->createChildSceneNode()),
       derrick_(MeshStyle{}),
       block_(MeshStyle{}),
-      lines_(MeshStyle{true, false, false, false, 1.0f})
+      lines_(MeshStyle{true})
 {
   root_->attachObject(&derrick_);
   root_->attachObject(&lines_);
@@ -38,14 +38,21 @@ DerrickScene::~DerrickScene()
 void DerrickScene::draw(const RigData& rig)
 {
   rig_ = rig;
-  derrick_.set(derrick_mesh(rig.crown_height));
+  MeshData derrick = derrick_mesh(rig.crown_height);
+  shade(derrick);
+  derrick_.set(derrick);
   height_ = -1e9;
 }
 
 void DerrickScene::move_block(double height)
 {
   if (std::abs(height - height_) < least_move) return;
-  if (height_ == -1e9) block_.set(block_mesh());
+  if (height_ == -1e9)
+  {
+    MeshData block = block_mesh();
+    shade(block);
+    block_.set(block);
+  }
   height_ = height;
   block_node_->setPosition(0.0f, 0.0f, static_cast<float>(height));
   MeshData lines;

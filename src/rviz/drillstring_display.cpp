@@ -44,6 +44,7 @@ DrillstringDisplay::~DrillstringDisplay()
 void DrillstringDisplay::onInitialize()
 {
   options_ = properties_->options();
+  resolve_exaggeration();
   string_scene_ = std::make_unique<StringScene>(scene_manager_, scene_node_);
   well_scene_ = std::make_unique<WellScene>(scene_manager_, scene_node_);
   ruler_scene_ = std::make_unique<RulerScene>(scene_manager_, scene_node_);
@@ -77,10 +78,15 @@ void DrillstringDisplay::changeTopic()
 
 void DrillstringDisplay::changeOptions()
 {
-  const DrillstringOptions before = options_;
+  const std::size_t coloring = options_.coloring;
   options_ = properties_->options();
   if (!string_scene_) return;
-  if (options_.coloring != before.coloring) string_scene_->new_coloring();
+  resolve_exaggeration();
+  if (options_.coloring != coloring)
+  {
+    string_scene_->new_coloring();
+    if (model_.complete()) string_scene_->take(model_, options_);
+  }
   string_due_ = well_due_ = true;
   if (!options_.derrick) derrick_scene_->clear();
   if (!options_.legend) legend_->hide();
@@ -154,6 +160,7 @@ void DrillstringDisplay::hear_description(const RigDescription::ConstPtr& m)
   string_scene_->new_rig(model_);
   well_scene_->forget_trail();
   derrick_scene_->clear();
+  resolve_exaggeration();
   well_due_ = true;
 }
 
@@ -161,6 +168,7 @@ void DrillstringDisplay::hear_path(const nav_msgs::Path::ConstPtr& m)
 {
   const std::string problem = problem_of(*m);
   if (!problem.empty()) return setStatusStd(StatusProperty::Error, "Well", "refused: " + problem);
+  const OwnWork work(cost_);
   model_.axis = to_hole_axis(*m);
   setStatusStd(StatusProperty::Ok, "Well", std::to_string(m->poses.size()) + " places");
   well_due_ = string_due_ = true;
@@ -168,6 +176,7 @@ void DrillstringDisplay::hear_path(const nav_msgs::Path::ConstPtr& m)
 
 void DrillstringDisplay::hear(const DrillstringState::ConstPtr& m)
 {
+  const OwnWork work(cost_);
   StringData string = to_string_data(*m);
   const std::string problem = problem_of(string);
   if (!problem.empty()) return setStatusStd(StatusProperty::Error, "String", "refused: " + problem);
@@ -198,6 +207,8 @@ bool DrillstringDisplay::place_floor()
 void DrillstringDisplay::update(float /*wall_dt*/, float /*ros_dt*/)
 {
   const ros::WallTime now = ros::WallTime::now();
+  const OwnWork work(cost_);
+  cost_.count_frame();
   const bool placed = place_floor();
   if (placed) draw();
   if (placed != floor_placed_ && !placed) clear();
@@ -214,7 +225,7 @@ void DrillstringDisplay::update(float /*wall_dt*/, float /*ros_dt*/)
   if (placed && model_.complete() && view && now - ruled_ > ruler_period)
   {
     ruled_ = now;
-    ruler_scene_->draw(model_, options_, well_scene_->plan_distance(), *view->getCamera());
+    ruler_scene_->draw(model_, options_, well_scene_->plan_distance(), probed_, *view->getCamera());
   }
   if (camera_due_ && placed && model_.complete()) apply_camera();
 }

@@ -44,8 +44,8 @@ void DrillstringProperties::add_looks(rviz::Property* parent, QObject* receiver)
   coloring_ = new rviz::EnumProperty("Coloured by", colorings()[by_default.coloring].name, "What colours the string.", parent, options_changed, receiver);
   for (std::size_t i = 0; i < colorings().size(); ++i) coloring_->addOption(colorings()[i].name, static_cast<int>(i));
   full_scale_ = number("Full scale", by_default.full_scale, 0.0, 1e9, "Of the colours, in the legend's unit; 0: automatic.", parent, receiver);
-  exaggeration_ = number("Lateral exaggeration", by_default.exaggeration, 1.0, 1000.0, "All that lies across the hole is drawn so many times as large.",
-                         parent, receiver);
+  exaggeration_ = number("Lateral exaggeration", by_default.exaggeration, 0.0, 1000.0,
+                         "All that lies across the hole is drawn so many times as large; 0: as suits the camera chosen last.", parent, receiver);
   true_diameter_ = new rviz::BoolProperty("True diameter", by_default.true_diameter, "The string's own diameter is not exaggerated.", parent,
                                           options_changed, receiver);
   sides_ = new rviz::IntProperty("Sides", by_default.sides, "Faces of the string's tube: fewer are drawn faster.", parent, options_changed, receiver);

@@ -1,5 +1,7 @@
 // What the display tells: statuses, legend, the numbers of a place; and where it puts the camera.
+#include <OgreRay.h>
 #include <OgreSceneNode.h>
+#include <ros/console.h>
 #include <rviz/display_context.h>
 #include <rviz/properties/property.h>
 #include <rviz/properties/tf_frame_property.h>
@@ -47,6 +49,12 @@ void DrillstringDisplay::tell_status()
     setStatus(StatusProperty::Warn, "String", QString("last message %1 s ago: the rig is paused, or gone").arg(age, 0, 'f', 0));
   else if (model_.string)
     setStatus(StatusProperty::Ok, "String", QString("%1 nodes").arg(model_.string->size()));
+  if (!cost_.due()) return;
+  const OwnShare share = cost_.share();
+  if (share.frames == 0.0) return;
+  setStatus(StatusProperty::Ok, "Own work", QString("%1 % of a processor core").arg(100.0 * share.processor, 0, 'f', 1));
+  ROS_DEBUG("Drillstring: own work %.2f %% of a processor core, %.1f frames a second, %zu nodes", 100.0 * share.processor, share.frames,
+            model_.string ? model_.string->size() : 0);
 }
 
 void DrillstringDisplay::show_legend()
@@ -71,10 +79,28 @@ void DrillstringDisplay::show_legend()
   legend_->show(paint_legend(legend));
 }
 
-void DrillstringDisplay::probe(const std::optional<Between>& place)
+bool DrillstringDisplay::probe(const Ogre::Ray& ray, double slope)
 {
-  probed_ = place;
+  probed_.reset();
+  if (model_.complete())
+  {
+    const Ogre::Vector3 origin = scene_node_->convertWorldToLocalPosition(ray.getOrigin());
+    const Ogre::Vector3 direction = scene_node_->convertWorldToLocalOrientation(Ogre::Quaternion::IDENTITY) * ray.getDirection();
+    const double radius = model_.rig->parts.back().radius * (options_.true_diameter ? 1.0 : options_.exaggeration);
+    const auto picked = pick(model_.nodes, radius, slope, {to_eigen(origin), to_eigen(direction).normalized()});
+    if (picked) probed_ = picked->place;
+  }
   show_probe();
+  return probed_.has_value();
+}
+
+void DrillstringDisplay::resolve_exaggeration()
+{
+  if (options_.exaggeration > 0.0) return;
+  const HoleAxis none;
+  const HoleAxis& axis = model_.axis ? *model_.axis : none;
+  const double radius = model_.rig ? model_.rig->hole_radius(axis.depth()) : 0.1;
+  options_.exaggeration = exaggeration_for(properties_->preset().value_or(Preset::bit), axis, radius);
 }
 
 void DrillstringDisplay::show_probe()
@@ -116,6 +142,7 @@ void DrillstringDisplay::apply_camera()
   const std::string frame = model_.prefix() + (model_.rig->parts.front().kind == PartKind::bit ? model_.rig->parts.front().name : "bit");
   target->setStdString(follow ? frame : model_.floor);
   if (!preset) return;
+  changeOptions();  // the exaggeration may go by the camera
   const Subject subject{model_.bit_face(), model_.bit_md(), options_.exaggeration * model_.rig->hole_radius(model_.bit_md()), model_.rig->crown_height};
   const OrbitView orbit = view_of(*preset, *model_.axis, subject);
   // rviz' orbit goes by the fixed frame's axes, about the target frame's origin

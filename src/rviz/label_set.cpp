@@ -32,6 +32,7 @@ void LabelSet::set(const std::vector<Label>& labels)
       shown_.push_back({manager_->createSceneNode(), std::make_unique<rviz::MovableText>(label.text, "Liberation Sans", 1.0f), label.text});
       shown_.back().text->setTextAlignment(rviz::MovableText::H_LEFT, rviz::MovableText::V_CENTER);
       shown_.back().text->showOnTop(true);
+      shown_.back().text->setSpaceWidth(0.3f);
       shown_.back().node->attachObject(shown_.back().text.get());
     }
     Shown& shown = shown_[i];

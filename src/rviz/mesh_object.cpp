@@ -20,8 +20,7 @@ Ogre::MaterialPtr make_material(const MeshStyle& style)
                                                                                  Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME);
   material->setReceiveShadows(false);
   Ogre::Pass* pass = material->getTechnique(0)->getPass(0);
-  pass->setLightingEnabled(style.lit && !style.lines);
-  pass->setVertexColourTracking(Ogre::TVC_AMBIENT | Ogre::TVC_DIFFUSE);
+  pass->setLightingEnabled(false);  // the colours are shaded already
   pass->setLineWidth(style.line_width);
   if (style.both_sides || style.lines) pass->setCullingMode(Ogre::CULL_NONE);
   if (style.see_through)

@@ -51,8 +51,9 @@ void StringScene::remove_turning()
   turning_.clear();
 }
 
-void StringScene::add_turning(const std::string& part, double from_bit, const MeshData& mesh)
+void StringScene::add_turning(const std::string& part, double from_bit, MeshData mesh)
 {
+  shade(mesh);
   MeshStyle style;
   style.both_sides = true;
   turning_.push_back({part, from_bit, std::make_unique<MeshObject>(style), root_->createChildSceneNode()});
@@ -100,6 +101,7 @@ void StringScene::draw(const DrillstringModel& model, const DrillstringOptions& 
     const Drawing drawing{options.exaggeration, options.true_diameter ? 1.0 : options.exaggeration, options.sides};
     shape_.draw(model.nodes, values_of(options.coloring, *model.string), color, drawing, mesh_);
   }
+  shade(mesh_);
   tube_.set(mesh_);
   draw_forces(model, options);
   place_turning(model, options);
@@ -128,6 +130,7 @@ void StringScene::draw_forces(const DrillstringModel& model, const DrillstringOp
     const Vector3d wall = node.axis.position + options.exaggeration * model.rig->hole_radius(s.md[i]) * out;
     add_arrow(mesh_, wall + force_scale_ * s.contact_force[i] * out, wall, 0.06 * hole, force_color);
   }
+  shade(mesh_);
   forces_.set(mesh_);
 }
 

@@ -26,11 +26,10 @@ MeshStyle lines(float width)
   return style;
 }
 
-MeshStyle seen_through(bool lit)
+MeshStyle seen_through()
 {
   MeshStyle style;
   style.see_through = style.both_sides = true;
-  style.lit = lit;
   return style;
 }
 }  // namespace
@@ -39,8 +38,8 @@ WellScene::WellScene(Ogre::SceneManager* manager, Ogre::SceneNode* parent)
     : manager_(manager),
       root_(parent->createChildSceneNode()),
       wall_(MeshStyle{}),
-      whole_wall_(seen_through(true)),
-      bands_(seen_through(false)),
+      whole_wall_(seen_through()),
+      bands_(seen_through()),
       band_lines_(lines(1.0f)),
       paths_(lines(2.0f)),
       stations_(MeshStyle{}),
@@ -84,6 +83,7 @@ void WellScene::draw_wall(const DrillstringModel& model, const DrillstringOption
   MeshData& mesh = options.wall == WallStyle::whole ? other_mesh_ : mesh_;
   if (options.wall != WallStyle::none)
     add_wall(mesh, *model.axis, *model.rig, shoe(model, options), options.exaggeration, std::max(1.0, model.axis->depth() / most_rings));
+  shade(mesh);
   for (Vertex& v : other_mesh_.vertices) v.color[3] = static_cast<std::uint8_t>(255.0f * whole_opacity);
   wall_.set(mesh_);
   whole_wall_.set(other_mesh_);
@@ -119,6 +119,7 @@ void WellScene::draw_stations(const DrillstringModel& model, const DrillstringOp
     bottom.center = p.position + half * p.tangent;
     add_tube(mesh_, {top, bottom}, 24, true);
   }
+  shade(mesh_);
   stations_.set(mesh_);
 }
 

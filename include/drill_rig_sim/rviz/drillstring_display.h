@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_RVIZ_DRILLSTRING_DISPLAY_H
 #define DRILL_RIG_SIM_RVIZ_DRILLSTRING_DISPLAY_H
 
+#include <OgreRay.h>
 #include <nav_msgs/Path.h>
 #include <ros/subscriber.h>
 #include <ros/time.h>
@@ -13,6 +14,8 @@
 #include "drill_rig_sim/RigDescription.h"
 #include "drill_rig_sim/rviz/drillstring_model.h"
 #include "drill_rig_sim/rviz/drillstring_options.h"
+#include "drill_rig_sim/rviz/own_work.h"
+#include "drill_rig_sim/rviz/picture/pick.h"
 
 namespace rviz
 {
@@ -42,11 +45,9 @@ public:
   void setTopic(const QString& topic, const QString& datatype) override;
   void update(float wall_dt, float ros_dt) override;
   void reset() override;
-  /// What is drawn: for the tool that picks.
-  const DrillstringModel& model() const noexcept { return model_; }
-  const DrillstringOptions& options() const noexcept { return options_; }
-  /// Shows the numbers of a place on the string, the nodes it lies between: until another is picked, or none.
-  void probe(const std::optional<Between>& place);
+  /// Shows the numbers of the place on the string that a ray of the fixed frame meets, or is at most `slope` times its distance from: until another is
+  /// picked. Where there is none, shows none and returns false.
+  bool probe(const Ogre::Ray& ray, double slope);
 
 protected:
   void onInitialize() override;
@@ -72,6 +73,7 @@ private:
   void show_legend();
   void show_probe();
   void apply_camera();
+  void resolve_exaggeration();
   void clear();
 
   std::unique_ptr<DrillstringProperties> properties_;
@@ -84,6 +86,7 @@ private:
   std::unique_ptr<DerrickScene> derrick_scene_;
   std::unique_ptr<OverlayPanel> legend_, probe_panel_;
   std::optional<Between> probed_;
+  OwnCost cost_;
   ros::WallTime heard_, told_, ruled_;  // when a string came, statuses were set and the ruler drawn last
   bool string_due_ = false, well_due_ = false, camera_due_ = false, floor_placed_ = false;
 };

@@ -17,7 +17,7 @@ struct DrillstringOptions
 {
   std::size_t coloring = 3;   ///< index in colorings()
   double full_scale = 0.0;    ///< in the colouring's unit; 0: automatic
-  double exaggeration = 10.0;  ///< of what lies across the hole
+  double exaggeration = 0.0;  ///< of what lies across the hole; 0: as suits the camera
   bool true_diameter = false;  ///< of the string
   int sides = 10;
   double force_scale = 0.0;  ///< of contact forces [m/kN]; 0: automatic

@@ -12,7 +12,6 @@ namespace drill_rig_sim
 struct MeshStyle
 {
   bool lines = false;        ///< pairs of points instead of triangles
-  bool lit = true;           ///< shaded by the light; lines are not
   bool see_through = false;  ///< by the colours' opacity; hides nothing behind it
   bool both_sides = false;   ///< of triangles; else only the one from which they run counterclockwise
   float line_width = 1.0f;   ///< [pixels]

@@ -56,7 +56,7 @@ private:
     Ogre::SceneNode* node;
   };
   void remove_turning();
-  void add_turning(const std::string& part, double from_bit, const MeshData& mesh);
+  void add_turning(const std::string& part, double from_bit, MeshData mesh);
   void draw_forces(const DrillstringModel& model, const DrillstringOptions& options);
   void place_turning(const DrillstringModel& model, const DrillstringOptions& options);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drill_rig_sim/rviz/picture/color_scale.h"
 #include "drill_rig_sim/rviz/picture/well_picture.h"
 
 namespace drill_rig_sim
@@ -56,6 +57,14 @@ OrbitView whole_well(Preset preset, const HoleAxis& axis, double crown_height)
 }
 }  // namespace
 
+double exaggeration_for(Preset preset, const HoleAxis& axis, double hole_radius) noexcept
+{
+  constexpr double by_bit = 10.0, share = 1.0 / 50.0;
+  if (preset == Preset::derrick) return 1.0;
+  if (preset != Preset::plan && preset != Preset::section) return by_bit;
+  return std::max(by_bit, round_up(0.7 * share * axis.depth() / (2.0 * std::max(hole_radius, 0.01))));
+}
+
 OrbitView view_of(Preset preset, const HoleAxis& axis, const Subject& subject) noexcept
 {
   const AxisPoint bit = axis.at(subject.bit_md);
@@ -68,8 +77,11 @@ OrbitView view_of(Preset preset, const HoleAxis& axis, const Subject& subject) n
     }
     case Preset::along_hole:
     {
-      // not so far up that a bend of the hole hides the bit
-      OrbitView view = looking_from(subject.bit, -bit.tangent, 8.0 * subject.hole_radius);
+      // from the high side, beside the string, and not so far up that a bend of the hole hides the bit
+      const double back = 14.0 * subject.hole_radius;
+      const AxisPoint up = axis.at(subject.bit_md - back);
+      const Vector3d towards_eye = up.position + 0.8 * subject.hole_radius * high_side_of(up.tangent) - subject.bit;
+      OrbitView view = looking_from(subject.bit, towards_eye, towards_eye.norm());
       view.pitch = std::min(view.pitch, half_pi - 0.001);
       return view;
     }

@@ -53,7 +53,7 @@ Color ColorScale::at(double value) const noexcept
 std::vector<double> ColorScale::ticks(int most) const
 {
   double step = round_up((high_ - low_) / std::max(most - 1, 1));
-  if (std::floor(high_ / step) - std::ceil(low_ / step) < 1.0) step *= 0.5;
+  while (std::floor(high_ / step) - std::ceil(low_ / step) < 1.0) step *= 0.5;
   std::vector<double> result;
   for (double k = std::ceil(low_ / step - 1e-9); k * step <= high_ * (1.0 + 1e-9); k += 1.0) result.push_back(k * step);
   return result;

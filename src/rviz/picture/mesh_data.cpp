@@ -58,6 +58,16 @@ void MeshData::add_line(const Vector3d& a, const Vector3d& b, const Color& color
   indices.insert(indices.end(), {first, add(b, Vector3d::UnitZ(), color)});
 }
 
+void shade(MeshData& mesh)
+{
+  constexpr float light[3] = {0.36f, -0.48f, 0.80f};  // unit
+  for (Vertex& v : mesh.vertices)
+  {
+    const float share = 0.76f + 0.24f * (light[0] * v.normal[0] + light[1] * v.normal[1] + light[2] * v.normal[2]);
+    for (int i = 0; i < 3; ++i) v.color[i] = static_cast<std::uint8_t>(share * static_cast<float>(v.color[i]));
+  }
+}
+
 void add_tube(MeshData& mesh, const std::vector<Ring>& rings, int sides, bool inside)
 {
   const std::vector<Eigen::Vector2d> round = circle(std::max(sides, 3));

@@ -31,6 +31,10 @@ struct Subject
   double crown_height = 46.0;                     ///< [m]
 };
 
+/// What makes the hole well seen from there: true size at the derrick, ten times by the bit, and where the whole well is seen a round number
+/// that makes it about a fiftieth of the well's extent, at least ten. `hole_radius`: true [m].
+double exaggeration_for(Preset preset, const HoleAxis& axis, double hole_radius) noexcept;
+
 OrbitView view_of(Preset preset, const HoleAxis& axis, const Subject& subject) noexcept;
 
 }  // namespace drill_rig_sim

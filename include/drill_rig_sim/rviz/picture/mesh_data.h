@@ -30,6 +30,10 @@ struct MeshData
   void add_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Color& color);
 };
 
+/// Darkens each colour by how far its face turns away from a light that stands high in the south-east, to a half at most: seen from
+/// anywhere nothing is black, as it would be under rviz' one light.
+void shade(MeshData& mesh);
+
 /// A circle about a place: one of a tube's rings.
 struct Ring
 {
