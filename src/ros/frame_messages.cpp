@@ -159,6 +159,9 @@ void fill_drillstring_state(const FrameOutput& s, const std::string& floor, Dril
   m.contact_force = from.contact_force;
   m.contact_side = from.contact_side;
   m.spin_speed = from.spin_speed;
+  m.bending_stress = from.bending_stress;
+  m.buckling_factor = from.buckling;
+  m.guided = from.guided;
 }
 
 nav_msgs::Path to_path(const FrameOutput& s, const std::string& floor)

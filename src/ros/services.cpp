@@ -9,6 +9,7 @@
 
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
+#include "drill_rig_sim/ros/rig_description.h"
 #include "drill_rig_sim/ros/survey_request.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_hash.h"
@@ -72,7 +73,8 @@ Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene sc
       off_bottom_(off_bottom(scene_)),
       running_(scene_),
       loop_(loop),
-      publishing_(publishing)
+      publishing_(publishing),
+      description_(node.advertise<RigDescription>("rig_description", 1, true))
 {
   using std_srvs::SetBool;
   using std_srvs::Trigger;
@@ -90,6 +92,7 @@ Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene sc
   serve<SetBool>(node, "set_slips", [this](const auto& q, auto&, Lock&) { return set_slips(q.data); });
   serve<MakeConnection>(node, "make_connection", [this](const auto& q, auto&, Lock&) { return make_connection(q); });
   serve<StepSimulation>(node, "step", [this](const auto& q, auto& r, Lock& lock) { return step(q, r, lock); });
+  describe(scene_, loop_.time().stamp());  // the node is built before its loop starts
 }
 
 template <class Service, class Action>
@@ -126,7 +129,22 @@ void Services::rebuild(const Scene& scene)
 {
   check_rate(parameters_.rate, scene);
   auto simulator = std::make_unique<Simulator>(scene, parameters_.seed);
-  loop_.between_frames([&](SimulationLoop& loop) { simulator = loop.replace(std::move(simulator)); });
+  std::int64_t stamp = 0;
+  loop_.between_frames(
+      [&](SimulationLoop& loop)
+      {
+        simulator = loop.replace(std::move(simulator));
+        stamp = loop.time().stamp();
+      });
+  describe(scene, stamp);
+}
+
+void Services::describe(const Scene& scene, std::int64_t stamp) const
+{
+  std_msgs::Header header;
+  header.frame_id = parameters_.floor();
+  header.stamp = to_time(stamp);
+  description_.publish(to_rig_description(scene, header));
 }
 
 std::string Services::reset_well(const ResetWell::Request& request)

@@ -115,6 +115,29 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigA
   throw std::runtime_error(message.str());
 }
 
+/// Stress of an element's outer fibre by a bending moment of its ends: M D / (2 I), with I of the tube that its diameters say [Pa].
+double bending_stress(const Model& model, std::size_t e, double moment) noexcept
+{
+  const MeshElement& element = model.mesh().elements[e];
+  const PartSpec& part = model.scene().string[static_cast<std::size_t>(element.part)];
+  const double inertia = element.section.bending / part.young_modulus;
+  return inertia > 0.0 ? 0.5 * moment * part.outer_diameter / inertia : 0.0;
+}
+
+/// Compression over what the element's pipe bears straight; 0 in tension.
+double buckling_share(const Model& model, const State& s, double tension, std::size_t e) noexcept
+{
+  return tension < 0.0 ? -tension / buckling_load(model, s, e) : 0.0;
+}
+
+/// The larger of the elements that meet at node i.
+template <class Of>
+double larger_at(std::size_t elements, std::size_t i, Of of)
+{
+  if (i == 0) return of(0);
+  return i == elements ? of(i - 1) : std::max(of(i - 1), of(i));
+}
+
 /// A node's share of what the elements beside it have at their middles.
 template <class T>
 T half_of_spans(const std::vector<T>& spans, std::size_t i, T sum)
@@ -131,10 +154,11 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
   const std::size_t n = s.nodes.size();
   const MudPressures pressures = mud_pressures(model.mud(), s.hydraulics, s.flow);
   for (auto* values : {&out.md, &out.from_bit, &out.tension, &out.true_axial_force, &out.torque, &out.bending_moment,
-                       &out.contact_force, &out.contact_side, &out.spin_speed, &out.radius})
+                       &out.contact_force, &out.contact_side, &out.spin_speed, &out.radius, &out.bending_stress, &out.buckling})
     values->resize(n);
   out.position.resize(n);
   out.contact_vector.resize(n);
+  out.guided.resize(n);
   for (std::size_t i = 0; i < n; ++i)
   {
     const NodeState& node = s.nodes[i];
@@ -156,6 +180,9 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
         out.contact_force[i] > 0.0 ? angle_about(closest.tangent, high_side(closest.tangent), node.position - closest.centre) : 0.0;
     out.spin_speed[i] = node.rate.spin;
     out.radius[i] = 0.5 * element.outer_diameter;
+    out.bending_stress[i] = larger_at(mesh.elements.size(), i, [&](std::size_t k) { return bending_stress(model, k, forces.bending_moment[i]); });
+    out.buckling[i] = larger_at(mesh.elements.size(), i, [&](std::size_t k) { return buckling_share(model, s, forces.tension[k], k); });
+    out.guided[i] = node.guided ? 1 : 0;
   }
 }
 

@@ -83,6 +83,9 @@ inline FrameOutput numbered_output()
   s.profile.contact_side = {671.0, 672.0, 673.0};
   s.profile.spin_speed = {681.0, 682.0, 683.0};
   s.profile.radius = {0.1, 0.06, 0.07};
+  s.profile.bending_stress = {691.0, 692.0, 693.0};
+  s.profile.buckling = {0.701, 0.702, 0.703};
+  s.profile.guided = {0, 0, 1};
   const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
   s.axis = {{601.0, {1.0, 2.0, -100.0}, down, 0.11, 0.2}, {602.0, {4.0, 5.0, -90.0}, down, 0.12, 0.2}, {603.0, {7.0, 8.0, -80.0}, down, 0.13, 0.2}};
   return s;

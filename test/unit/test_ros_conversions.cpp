@@ -307,6 +307,9 @@ TEST(DrillstringStateMessage, eachArrayComesFromItsOwn)
   EXPECT_EQ((std::vector<double>{0.0, 2000.0, 0.0}), m.contact_force);
   EXPECT_EQ((std::vector<double>{671.0, 672.0, 673.0}), m.contact_side);
   EXPECT_EQ((std::vector<double>{681.0, 682.0, 683.0}), m.spin_speed);
+  EXPECT_EQ((std::vector<double>{691.0, 692.0, 693.0}), m.bending_stress);
+  EXPECT_EQ((std::vector<double>{0.701, 0.702, 0.703}), m.buckling_factor);
+  EXPECT_EQ((std::vector<std::uint8_t>{0, 0, 1}), m.guided);
   ASSERT_EQ(3u, m.position.size());
   EXPECT_EQ(4.5, m.position[1].x);
   EXPECT_EQ(5.0, m.position[1].y);

@@ -1,6 +1,7 @@
 // What is shown along the string, by hand: forces of given elements, sides of given places, bending of a given arc, poses of parts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
@@ -131,6 +132,30 @@ TEST(Profile, trueAxialForceLacksTheMudsPressure)
   EXPECT_GT(in_air, 1);
   // Archimedes: the bottom of a free string is pushed by the pressure there
   EXPECT_LT(p.true_axial_force[0], 1000.0 - 0.9 * 1150.0 * standard_gravity * 94.0 * collar_area);
+}
+
+// Bending stress M D / (2 I) of the weaker of the elements that meet, and compression over what the pipe bears straight of the worse.
+TEST(Profile, stressAndBucklingAreThoseOfTheWorseElement)
+{
+  RigAtRest rig = build_at_rest(slanted_string());
+  RigForces forces = numbered_forces(*rig.model);
+  const int n = rig.model->nodes();
+  for (int e = 0; e + 1 < n; ++e) forces.tension[e] *= e == 5 ? 1.0 : -1.0;  // one element is not compressed
+  rig.state.nodes[3].guided = true;
+  StringProfile p;
+  fill_profile(*rig.model, rig.state, forces, p);
+  const auto resistance = [](double outer, double inner) { return pi / 32.0 * (std::pow(outer, 4) - std::pow(inner, 4)) / outer; };
+  const auto share = [&](int e) { return e == 5 ? 0.0 : 1000.0 * (e + 1) / buckling_load(*rig.model, rig.state, static_cast<std::size_t>(e)); };
+  for (int i = 1; i + 1 < n; ++i)
+  {
+    const bool collar = p.from_bit[i] < 0.3 + 18.8 - 1e-6;
+    const double expected = 7.0 * i / (collar ? resistance(0.165, 0.0714) : resistance(pipe_outer, pipe_inner));
+    EXPECT_NEAR(expected, p.bending_stress[i], 1e-6 * expected) << i;
+    EXPECT_DOUBLE_EQ(std::max(share(i - 1), share(i)), p.buckling[i]) << i;
+    EXPECT_EQ(i == 3 ? 1 : 0, p.guided[i]) << i;
+  }
+  EXPECT_DOUBLE_EQ(share(0), p.buckling[0]);
+  EXPECT_DOUBLE_EQ(share(n - 2), p.buckling[n - 1]);
 }
 
 // Nodes put on given sides of the hole: clockwise from the high side looking down; 0 without contact.

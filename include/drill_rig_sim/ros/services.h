@@ -57,6 +57,8 @@ private:
   std::string step(const StepSimulation::Request& request, StepSimulation::Response& answer, Lock& lock);
 
   void rebuild(const Scene& scene);
+  /// Publishes what the rig of `scene` is made of. `stamp`: [ns]
+  void describe(const Scene& scene, std::int64_t stamp) const;
   /// Where `next` is another rig than the running one; what the answer says of it.
   std::string forget_states_of_another(const Scene& next);
   void require_pausable() const;
@@ -74,6 +76,7 @@ private:
   SavedStates saved_;  // of the running scene
   bool step_under_way_ = false;
   std::mutex one_at_a_time_;
+  ros::Publisher description_;
   std::vector<ros::ServiceServer> servers_;
 };
 

@@ -1,0 +1,50 @@
+#ifndef DRILL_RIG_SIM_RVIZ_OVERLAY_PANEL_H
+#define DRILL_RIG_SIM_RVIZ_OVERLAY_PANEL_H
+
+#include <OgreMaterial.h>
+#include <OgreTexture.h>
+
+#include <QImage>
+#include <string>
+
+namespace Ogre
+{
+class Overlay;
+class PanelOverlayElement;
+}  // namespace Ogre
+
+namespace drill_rig_sim
+{
+/// A picture that stands in a corner of the view, in front of everything, pixel by pixel.
+class OverlayPanel
+{
+public:
+  enum class Corner
+  {
+    top_right,
+    bottom_left
+  };
+
+  explicit OverlayPanel(Corner corner);
+  ~OverlayPanel();
+  OverlayPanel(const OverlayPanel&) = delete;
+  OverlayPanel& operator=(const OverlayPanel&) = delete;
+
+  /// Shows the image, or nothing where it is empty.
+  void show(const QImage& image);
+  void hide();
+
+private:
+  void make_texture(int width, int height);
+
+  Corner corner_;
+  std::string name_;
+  Ogre::Overlay* overlay_;
+  Ogre::PanelOverlayElement* panel_;
+  Ogre::MaterialPtr material_;
+  Ogre::TexturePtr texture_;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

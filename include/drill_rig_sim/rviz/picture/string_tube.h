@@ -1,0 +1,77 @@
+#ifndef DRILL_RIG_SIM_RVIZ_PICTURE_STRING_TUBE_H
+#define DRILL_RIG_SIM_RVIZ_PICTURE_STRING_TUBE_H
+
+#include <functional>
+#include <vector>
+
+#include "drill_rig_sim/rviz/picture/hole_axis.h"
+#include "drill_rig_sim/rviz/picture/mesh_data.h"
+#include "drill_rig_sim/rviz/picture/string_data.h"
+
+namespace drill_rig_sim
+{
+/// The string's outside at a distance from the bit's face [m].
+struct OutlinePoint
+{
+  double from_bit = 0.0;
+  double radius = 0.0;
+};
+
+/// The string's radius along it, from the bit's top to `total_length`: bodies, tool joints (two thirds of a metre at each joint's lower end), a
+/// motor's sleeve. Blades are none of it.
+std::vector<OutlinePoint> outline_of(const RigData& rig, double total_length);
+
+/// How the string is drawn.
+struct Drawing
+{
+  double exaggeration = 1.0;  ///< of all that lies across the hole
+  double thickness = 1.0;     ///< of the string's own diameter
+  int sides = 10;
+};
+
+/// A node as it is drawn.
+struct DrawnNode
+{
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  AxisPoint axis;  ///< the hole's axis nearest to it
+};
+
+/// Places of the string's rings among its nodes; they change with its parts alone, not with every message.
+class StringTube
+{
+public:
+  /// Takes the string's make; nothing is done where it is the one of before.
+  void shape(const RigData& rig, const std::vector<double>& from_bit);
+  void forget() { from_bit_.clear(); }
+
+  /// Where the nodes are drawn.
+  static std::vector<DrawnNode> place(const StringData& data, const HoleAxis& axis, double exaggeration);
+  /// Puts the tube into `mesh`. `values`: what colours each node; `color`: of a value.
+  void draw(const std::vector<DrawnNode>& nodes, const std::vector<double>& values, const std::function<Color(double)>& color, const Drawing& drawing,
+            MeshData& mesh);
+  std::size_t rings() const noexcept { return places_.size(); }
+
+private:
+  struct Place
+  {
+    std::size_t node;  // the lower of the two
+    double share;      // towards the upper
+    double radius;
+  };
+  std::vector<double> from_bit_;
+  std::vector<Place> places_;
+  std::vector<Ring> rings_;
+};
+
+/// Where, between nodes, a distance from the bit's face lies, as the lower node and the share of the way to the upper one; beyond the ends the share is
+/// below 0 or above 1. `from_bit`: at least two, ascending.
+struct Between
+{
+  std::size_t node = 0;
+  double share = 0.0;
+};
+Between between(const std::vector<double>& from_bit, double s) noexcept;
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,157 @@
+// What the display tells: statuses, legend, the numbers of a place; and where it puts the camera.
+#include <OgreRay.h>
+#include <OgreSceneNode.h>
+#include <ros/console.h>
+#include <rviz/display_context.h>
+#include <rviz/properties/property.h>
+#include <rviz/properties/tf_frame_property.h>
+#include <rviz/properties/vector_property.h>
+#include <rviz/view_controller.h>
+#include <rviz/view_manager.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/rviz/drillstring_display.h"
+#include "drill_rig_sim/rviz/drillstring_properties.h"
+#include "drill_rig_sim/rviz/legend.h"
+#include "drill_rig_sim/rviz/overlay_panel.h"
+#include "drill_rig_sim/rviz/picture/coloring.h"
+#include "drill_rig_sim/rviz/string_scene.h"
+#include "drill_rig_sim/rviz/well_scene.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+using rviz::StatusProperty;
+
+constexpr double old_age = 2.0;  // of the last message, from which on the status warns [s]
+
+QString number(double value, int digits, const char* unit)
+{
+  return QString::number(value, 'f', digits) + " " + unit;
+}
+
+double blend(const std::vector<double>& values, const Between& at)
+{
+  return values[at.node] + at.share * (values[at.node + 1] - values[at.node]);
+}
+}  // namespace
+
+void DrillstringDisplay::tell_status()
+{
+  if (!isEnabled()) return;
+  if (!model_.rig) setStatus(StatusProperty::Warn, "Rig", "no rig_description yet");
+  if (!model_.axis) setStatus(StatusProperty::Warn, "Well", "no trajectory yet");
+  if (heard_.isZero()) return;
+  const double age = (ros::WallTime::now() - heard_).toSec();
+  if (age > old_age)
+    setStatus(StatusProperty::Warn, "String", QString("last message %1 s ago: the rig is paused, or gone").arg(age, 0, 'f', 0));
+  else if (model_.string)
+    setStatus(StatusProperty::Ok, "String", QString("%1 nodes").arg(model_.string->size()));
+  if (!cost_.due()) return;
+  const OwnShare share = cost_.share();
+  if (share.frames == 0.0) return;
+  setStatus(StatusProperty::Ok, "Own work", QString("%1 % of a processor core").arg(100.0 * share.processor, 0, 'f', 1));
+  ROS_DEBUG("Drillstring: own work %.2f %% of a processor core, %.1f frames a second, %zu nodes", 100.0 * share.processor, share.frames,
+            model_.string ? model_.string->size() : 0);
+}
+
+void DrillstringDisplay::show_legend()
+{
+  if (!model_.complete()) return legend_->hide();
+  const Coloring& coloring = colorings()[options_.coloring];
+  Legend legend;
+  legend.title = QString(coloring.name) + (*coloring.unit ? QString(" [%1]").arg(coloring.unit) : QString());
+  legend.scale = string_scene_->scale(options_);
+  if (coloring.levels) legend.classes = {{"free in all directions", level_color(0.0)}, {"guided by the hole", level_color(1.0)}};
+  legend.rows = {{"bit", number(model_.bit_md(), 2, "m")}, {"hole", number(model_.axis->depth(), 2, "m")}};
+  const PlanDistance& plan = well_scene_->plan_distance();
+  if (plan.there) legend.rows.emplace_back("off the plan", number(plan.distance, 2, "m"));
+  legend.rows.emplace_back("across the hole", "x " + QString::number(options_.exaggeration, 'g', 4));
+  if (options_.forces)
+  {
+    legend.rows.emplace_back("largest force", number(1e-3 * string_scene_->largest_force(), 1, "kN"));
+    legend.rows.emplace_back("its scale", QString::number(1e3 * string_scene_->force_scale(), 'g', 3) + " m/kN");
+  }
+  const double age = heard_.isZero() ? 0.0 : (ros::WallTime::now() - heard_).toSec();
+  if (age > old_age) legend.rows.emplace_back("no message for", number(age, 0, "s"));
+  legend_->show(paint_legend(legend));
+}
+
+bool DrillstringDisplay::probe(const Ogre::Ray& ray, double slope)
+{
+  probed_.reset();
+  if (model_.complete())
+  {
+    const Ogre::Vector3 origin = scene_node_->convertWorldToLocalPosition(ray.getOrigin());
+    const Ogre::Vector3 direction = scene_node_->convertWorldToLocalOrientation(Ogre::Quaternion::IDENTITY) * ray.getDirection();
+    const double radius = model_.rig->parts.back().radius * (options_.true_diameter ? 1.0 : options_.exaggeration);
+    const auto picked = pick(model_.nodes, radius, slope, {to_eigen(origin), to_eigen(direction).normalized()});
+    if (picked) probed_ = picked->place;
+  }
+  show_probe();
+  return probed_.has_value();
+}
+
+void DrillstringDisplay::resolve_exaggeration()
+{
+  if (options_.exaggeration > 0.0) return;
+  const HoleAxis none;
+  const HoleAxis& axis = model_.axis ? *model_.axis : none;
+  const double radius = model_.rig ? model_.rig->hole_radius(axis.depth()) : 0.1;
+  options_.exaggeration = exaggeration_for(properties_->preset().value_or(Preset::bit), axis, radius);
+}
+
+void DrillstringDisplay::show_probe()
+{
+  if (!probe_panel_) return;
+  if (!probed_ || !model_.complete() || probed_->node + 1 >= model_.string->size()) return probe_panel_->hide();
+  const StringData& s = *model_.string;
+  const double from_bit = blend(s.from_bit, *probed_);
+  const std::vector<double> bounds = part_bounds(model_.rig->parts, s.from_bit.back());
+  std::size_t part = 0;
+  while (part + 1 < model_.rig->parts.size() && from_bit > bounds[part + 1]) ++part;
+  const double side = 57.29577951308232 * s.contact_side[probed_->node];
+  probe_panel_->show(paint_table(QString::fromStdString(model_.rig->parts[part].name),
+                                 {{"measured depth", number(blend(s.md, *probed_), 2, "m")},
+                                  {"from the bit", number(from_bit, 2, "m")},
+                                  {"tension", number(1e-3 * blend(s.tension, *probed_), 1, "kN")},
+                                  {"torque", number(1e-3 * blend(s.torque, *probed_), 2, "kN m")},
+                                  {"bending moment", number(1e-3 * blend(s.bending_moment, *probed_), 2, "kN m")},
+                                  {"bending stress", number(1e-6 * blend(s.bending_stress, *probed_), 1, "MPa")},
+                                  {"contact force", number(1e-3 * blend(s.contact_force, *probed_), 2, "kN")},
+                                  {"its side", s.contact_force[probed_->node] > 0.0 ? number(side, 0, "deg") : QString("-")},
+                                  {"spin", number(blend(s.spin_speed, *probed_) / 0.10471975511965977, 1, "rpm")},
+                                  {"buckling", number(blend(s.buckling, *probed_), 2, "")},
+                                  {"modelled", s.guided[probed_->node] ? "guided" : "free"}}));
+}
+
+void DrillstringDisplay::apply_camera()
+{
+  camera_due_ = false;
+  const std::optional<Preset> preset = properties_->preset();
+  const bool follow = properties_->follow();
+  rviz::ViewManager* views = context_->getViewManager();
+  if (!preset && !follow && !views->getCurrent()) return;
+  if (preset && views->getCurrent()->getClassId() != "rviz/Orbit") views->setCurrentViewControllerType("rviz/Orbit");
+  rviz::ViewController* view = views->getCurrent();
+  auto* target = dynamic_cast<rviz::TfFrameProperty*>(view->subProp("Target Frame"));
+  auto* focal = dynamic_cast<rviz::VectorProperty*>(view->subProp("Focal Point"));
+  if (!target || !focal) return;  // a view that has no place to look at
+  const std::string frame = model_.prefix() + (model_.rig->parts.front().kind == PartKind::bit ? model_.rig->parts.front().name : "bit");
+  target->setStdString(follow ? frame : model_.floor);
+  if (!preset) return;
+  changeOptions();  // the exaggeration may go by the camera
+  const Subject subject{model_.bit_face(), model_.bit_md(), options_.exaggeration * model_.rig->hole_radius(model_.bit_md()), model_.rig->crown_height};
+  const OrbitView orbit = view_of(*preset, *model_.axis, subject);
+  // rviz' orbit goes by the fixed frame's axes, about the target frame's origin
+  const Ogre::Quaternion turned = scene_node_->getOrientation();
+  const Ogre::Vector3 east = turned * Ogre::Vector3::UNIT_X;
+  focal->setVector(turned * to_ogre(follow ? Eigen::Vector3d(orbit.focus - subject.bit) : orbit.focus));
+  view->subProp("Distance")->setValue(static_cast<float>(orbit.distance));
+  view->subProp("Yaw")->setValue(static_cast<float>(orbit.yaw) + std::atan2(east.y, east.x));
+  view->subProp("Pitch")->setValue(static_cast<float>(orbit.pitch));
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,98 @@
+#include "drill_rig_sim/rviz/picture/color_scale.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr int patience = 50;  // messages until a scale that is too wide gets narrower
+
+// lime, yellow, orange, red: none of them the green or red of an axis
+constexpr std::array<Color, 4> warm{{{0.50f, 0.90f, 0.15f}, {0.98f, 0.90f, 0.10f}, {1.00f, 0.50f, 0.05f}, {0.92f, 0.10f, 0.12f}}};
+constexpr std::array<Color, 2> cold{{{0.62f, 0.80f, 0.98f}, {0.12f, 0.25f, 1.00f}}};
+
+Color mix(const Color& a, const Color& b, float share)
+{
+  return {a.r + share * (b.r - a.r), a.g + share * (b.g - a.g), a.b + share * (b.b - a.b), a.a + share * (b.a - a.a)};
+}
+
+template <std::size_t n>
+Color along(const std::array<Color, n>& colors, double share)
+{
+  const double place = std::clamp(share, 0.0, 1.0) * (n - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(place), n - 2);
+  return mix(colors[i], colors[i + 1], static_cast<float>(place - static_cast<double>(i)));
+}
+
+/// The size below which `share` of the sizes lie. `sizes`: may be empty.
+double quantile(std::vector<double> sizes, double share)
+{
+  if (sizes.empty()) return 0.0;
+  const auto place = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(place), sizes.end());
+  return sizes[place];
+}
+}  // namespace
+
+ColorScale::ColorScale(double low, double high)
+    : low_(std::isfinite(low) ? std::min(low, 0.0) : 0.0), high_(std::isfinite(high) && high > 0.0 ? high : 1.0)
+{
+}
+
+Color ColorScale::at(double value) const noexcept
+{
+  if (!std::isfinite(value)) return {0.5f, 0.5f, 0.5f};
+  if (value >= 0.0) return along(warm, value / high_);
+  return low_ < 0.0 ? along(cold, value / low_) : cold.front();
+}
+
+std::vector<double> ColorScale::ticks(int most) const
+{
+  double step = round_up((high_ - low_) / std::max(most - 1, 1));
+  while (std::floor(high_ / step) - std::ceil(low_ / step) < 1.0) step *= 0.5;
+  std::vector<double> result;
+  for (double k = std::ceil(low_ / step - 1e-9); k * step <= high_ * (1.0 + 1e-9); k += 1.0) result.push_back(k * step);
+  return result;
+}
+
+double round_up(double value) noexcept
+{
+  if (!(value > 0.0) || !std::isfinite(value)) return 1.0;
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double factor : {1.0, 2.0, 2.5, 5.0})
+    if (value <= factor * power * (1.0 + 1e-9)) return factor * power;
+  return 10.0 * power;
+}
+
+void SteadyRange::take(const std::vector<double>& values, double share)
+{
+  std::vector<double> above, below;
+  for (const double value : values)
+    if (std::isfinite(value)) (value < 0.0 ? below : above).push_back(std::abs(value));
+  const double high = quantile(above, share), low = quantile(below, share);
+  const bool wide = (high_ > 0.0 && high < 0.5 * high_) || (low_ < 0.0 && low < -0.5 * low_);
+  small_for_ = wide ? small_for_ + 1 : 0;
+  if (small_for_ > patience)
+  {
+    high_ = low_ = 0.0;
+    small_for_ = 0;
+  }
+  if (high > high_) high_ = round_up(high);
+  if (low > -low_) low_ = -round_up(low);
+}
+
+std::string written(double value, double step)
+{
+  const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(std::max(step, 1e-12)) - 1e-9)), 0, 9);
+  const double unit = std::pow(10.0, -digits);
+  const bool whole = std::abs(step / unit - std::round(step / unit)) < 1e-6;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", whole ? digits : digits + 1, value == 0.0 ? 0.0 : value);
+  return text;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,66 @@
+#include "drill_rig_sim/rviz/probe_tool.h"
+
+#include <OgreCamera.h>
+#include <OgreViewport.h>
+#include <rviz/display_context.h>
+#include <rviz/display_group.h>
+#include <rviz/render_panel.h>
+#include <rviz/view_controller.h>
+#include <rviz/viewport_mouse_event.h>
+
+#include <cmath>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "drill_rig_sim/rviz/drillstring_display.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double pixels_beside = 8.0;  // that still hit
+
+/// Asks every Drillstring that is shown, in groups too; whether one was hit.
+bool probe(rviz::DisplayGroup& group, const Ogre::Ray& ray, double slope)
+{
+  bool hit = false;
+  for (int i = 0; i < group.numDisplays(); ++i)
+  {
+    rviz::Display* display = group.getDisplayAt(i);
+    if (!display->isEnabled()) continue;
+    if (auto* string = dynamic_cast<DrillstringDisplay*>(display)) hit |= string->probe(ray, slope);
+    if (auto* inner = dynamic_cast<rviz::DisplayGroup*>(display)) hit |= probe(*inner, ray, slope);
+  }
+  return hit;
+}
+}  // namespace
+
+ProbeTool::ProbeTool()
+{
+  shortcut_key_ = 'p';
+}
+
+void ProbeTool::activate()
+{
+  setStatus("Click on the drillstring: its numbers there are shown. A click beside it ends that.");
+}
+
+int ProbeTool::processMouseEvent(rviz::ViewportMouseEvent& event)
+{
+  if (!event.leftDown())
+  {
+    if (event.panel->getViewController()) event.panel->getViewController()->handleMouseEvent(event);
+    return 0;
+  }
+  const Ogre::Camera* camera = event.viewport->getCamera();
+  const int width = event.viewport->getActualWidth(), height = event.viewport->getActualHeight();
+  const Ogre::Ray ray = camera->getCameraToViewportRay((static_cast<float>(event.x) + 0.5f) / static_cast<float>(width),
+                                                       (static_cast<float>(event.y) + 0.5f) / static_cast<float>(height));
+  const double slope = pixels_beside * 2.0 * std::tan(0.5 * camera->getFOVy().valueRadians()) / height;
+  const bool hit = probe(*context_->getRootDisplayGroup(), ray, slope);
+  setStatus(hit ? "Numbers of this place: bottom left." : "No drillstring there.");
+  return Render;
+}
+
+}  // namespace drill_rig_sim
+
+PLUGINLIB_EXPORT_CLASS(drill_rig_sim::ProbeTool, rviz::Tool)

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""The display Drillstring with config/rviz/rig.rviz against the running node, under a virtual X server: what is to be seen at two window sizes, a node
+that is killed and comes back, subscriptions of what is shown alone, an end without a crash. Screenshots stay in the build folder as display_*.png;
+with UPDATE_README=1 that of 1280x800 also becomes the front page's picture."""
+import os
+import shutil
+import signal
+import xmlrpc.client
+
+import rosgraph
+from rig_test import PACKAGE_DIR, Rig, rospy, run, time, unittest, wait_until
+from rviz_window import FOLDER, Window
+
+README_PICTURE = os.path.join(PACKAGE_DIR, "test", "accuracy", "pictures", "rviz.png")
+CONFIG = os.path.join(PACKAGE_DIR, "config", "rviz", "rig.rviz")
+VIEW = (370, 66, 1010, 760)  # of a window of 1280x800, where the string is drawn: the legend is to its right
+LEGEND = (1030, 76, 1250, 456)
+
+
+def is_string(r, g, b):
+    """Lime through yellow to red, saturated, shaded."""
+    return max(r, g) > 70 and b < 0.35 * max(r, g) and (r > 2.5 * g or r > 0.3 * g)
+
+
+def is_bit(r, g, b):
+    """Blue with half as much green, shaded."""
+    return b > 70 and b > 1.5 * g and g > 2 * r and g > 30
+
+
+def is_wall(r, g, b):
+    """Tan, more of it than the dark band of rock behind."""
+    return 85 < r < 170 and r > 1.2 * g and g > 1.2 * b and b > 0.35 * r
+
+
+def is_force(r, g, b):
+    return r > 60 and b > 0.8 * r and r > 2.5 * g
+
+
+def is_writing(r, g, b):
+    return min(r, g, b) > 190 and max(r, g, b) - min(r, g, b) < 25
+
+
+def measured(picture):
+    return {"string": picture.count(is_string), "bit": picture.count(is_bit), "wall": picture.count(is_wall), "force": picture.count(is_force),
+            "writing": picture.count(is_writing)}
+
+
+def all_seen(seen):
+    return seen["string"] > 3000 and seen["bit"] > 100 and seen["wall"] > 3000 and seen["force"] > 50 and seen["writing"] > 100
+
+
+def who_hears(topic):
+    """Names of the nodes that subscribe to it."""
+    return dict(rosgraph.Master(rospy.get_name()).getSystemState()[1]).get(topic, [])
+
+
+def rviz_hears(topic):
+    return any(name.startswith("/rviz") for name in who_hears(topic))
+
+
+class DrillstringDisplay(unittest.TestCase):
+    def setUp(self):
+        self.rig = Rig()
+        self.rig.must(self.rig.reset_well("bohai.yaml", 0.0))
+
+    def test_all_is_seen_at_1280x800(self):
+        window = Window(self, "display_1280", "rig.rviz", 1280, 800, VIEW)
+        window.wait_until(measured, all_seen)
+        window.view = LEGEND
+        legend = window.wait_until(measured, lambda seen: seen["writing"] > 300)
+        self.assertGreater(legend["string"], 2000)  # its bar
+        if os.environ.get("UPDATE_README") == "1":
+            shutil.copy(os.path.join(FOLDER, "display_1280.png"), README_PICTURE)
+        self.assertNotIn(window.close(), (134, 139), "rviz crashed at its end")
+
+    def test_all_is_seen_at_1920x1080(self):
+        window = Window(self, "display_1920", "rig.rviz", 1280, 800, VIEW)
+        window.end()
+        with open(CONFIG) as f:
+            config = f.read().replace("Width: 1280", "Width: 1920").replace("Height: 800", "Height: 1080")
+        file = os.path.join(FOLDER, "display_1920.rviz")
+        with open(file, "w") as f:
+            f.write(config)
+        window = Window(self, "display_1920", file, 1920, 1080, (370, 66, 1640, 1030))
+        window.wait_until(measured, all_seen)
+
+    def test_node_that_comes_back_is_shown_again(self):
+        window = Window(self, "display_back", "rig.rviz", 1280, 800, VIEW)
+        window.wait_until(measured, all_seen)
+        node = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode("/rig/rig_simulator"))
+        os.kill(node.getPid(rospy.get_name())[2], signal.SIGKILL)
+        time.sleep(5)
+        self.assertTrue(window.runs())
+        rig = Rig()  # roslaunch has started another
+        wait_until(lambda: self.answers(rig), "the node is back")
+        # another rig, and another picture: it is upright, so that nothing of the string is left or right of the middle
+        window.wait_until(lambda picture: picture.places(is_string),
+                          lambda places: len(places) > 1000 and max(x for x, _ in places) - min(x for x, _ in places) < 320)
+
+    @staticmethod
+    def answers(rig):
+        try:
+            return rig.reset_well("quick.yaml", 0.0).success
+        except rospy.ServiceException:
+            return False
+
+    def test_hears_nothing_that_is_not_shown(self):
+        with open(CONFIG) as f:
+            config = f.read().replace("Enabled: true\n      Value: true\n      Topic", "Enabled: false\n      Value: false\n      Topic")
+        file = os.path.join(FOLDER, "display_off.rviz")
+        with open(file, "w") as f:
+            f.write(config)
+        window = Window(self, "display_off", file, 1280, 800, VIEW)
+        wait_until(lambda: rviz_hears("/tf"), "rviz runs")
+        time.sleep(3)
+        for topic in ("drillstring_state", "rig_description", "trajectory", "markers"):
+            self.assertFalse(rviz_hears("/rig/" + topic), topic)
+        window.end()
+
+    def test_hears_what_is_shown(self):
+        window = Window(self, "display_on", "rig.rviz", 1280, 800, VIEW)
+        for topic in ("drillstring_state", "rig_description", "trajectory"):
+            wait_until(lambda: rviz_hears("/rig/" + topic), topic)  # noqa: B023
+        window.end()
+
+
+if __name__ == "__main__":
+    run(DrillstringDisplay)

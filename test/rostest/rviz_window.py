@@ -1,0 +1,100 @@
+"""rviz in a virtual X server: what the tests of displays share."""
+import os
+import shutil
+import signal
+import subprocess
+
+from rig_test import PACKAGE_DIR, PATIENCE, time, wait_until
+
+# where ROS_HOME is build/ros_home; elsewhere it is the user's own choice
+FOLDER = os.path.dirname(os.environ.get("ROS_HOME", os.path.expanduser("~/.ros/x")))
+
+# inside xvfb-run: rviz, and a picture every other second; last its exit status
+SCRIPT = """
+rviz -d "$1" >"$2.log" 2>&1 &
+rviz=$!
+echo $rviz >"$2.pid"
+trap 'kill $rviz' TERM
+while kill -0 $rviz 2>/dev/null; do
+  sleep 2
+  import -window root "$2_new.png" && convert "$2_new.png" -depth 8 "ppm:$2_new.ppm" && mv "$2_new.png" "$2.png" && mv "$2_new.ppm" "$2.ppm"
+done
+wait $rviz
+echo $? >"$2.status"
+"""
+
+
+class Picture:
+    """The pixels of a part of the screen, row by row from its left upper corner."""
+
+    def __init__(self, file, view):
+        with open(file, "rb") as f:
+            kind, size, depth = f.readline(), f.readline(), f.readline()
+            assert kind.strip() == b"P6" and depth.strip() == b"255"
+            self.width, self.height = map(int, size.split())
+            data = f.read()
+        left, top, right, bottom = view
+        self.row_length = right - left
+        rows = (data[3 * (y * self.width + left):3 * (y * self.width + right)] for y in range(top, bottom))
+        self.pixels = [pixel for row in rows for pixel in zip(row[0::3], row[1::3], row[2::3])]
+
+    def count(self, wanted):
+        return sum(1 for p in self.pixels if wanted(*p))
+
+    def places(self, wanted):
+        """(x, y) of the pixels that are wanted."""
+        return [(i % self.row_length, i // self.row_length) for i, p in enumerate(self.pixels) if wanted(*p)]
+
+
+class Window:
+    """rviz with a configuration, whose pictures stay in the build folder as `name`.png. `case` is skipped where a program is missing, and closes
+    it in the end."""
+
+    def __init__(self, case, name, config, width, height, view):
+        for program in ("rviz", "xvfb-run", "import", "convert"):
+            if shutil.which(program) is None:
+                case.skipTest(program + " is not installed")
+        self.case, self.size, self.view = case, (width, height), view
+        self.files = os.path.join(FOLDER, name)
+        for end in (".ppm", ".png", ".pid", ".status"):
+            if os.path.exists(self.files + end):
+                os.unlink(self.files + end)
+        environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1")
+        for variable in ("DISPLAY", "ROS_NAMESPACE"):
+            environment.pop(variable, None)
+        file = config if os.path.isabs(config) else os.path.join(PACKAGE_DIR, "config", "rviz", config)
+        self.server = subprocess.Popen(["xvfb-run", "-a", "-s", "-screen 0 %dx%dx24" % (width, height), "sh", "-c", SCRIPT, "sh", file, self.files],
+                                       env=environment)
+        case.addCleanup(self.end)
+
+    def end(self):
+        if self.server.poll() is None:
+            subprocess.run(["pkill", "-TERM", "-P", str(self.server.pid)], check=False)
+            self.server.wait(PATIENCE)
+
+    def runs(self):
+        return self.server.poll() is None and not os.path.exists(self.files + ".status")
+
+    def close(self):
+        """Closes rviz as the desktop does at its end; its exit status, 128 and more: killed by a signal."""
+        with open(self.files + ".pid") as f:
+            os.kill(int(f.read()), signal.SIGTERM)
+        wait_until(lambda: os.path.exists(self.files + ".status"), "rviz ends")
+        with open(self.files + ".status") as f:
+            return int(f.read())
+
+    def wait_until(self, measure, enough, patience=2 * PATIENCE):
+        """Waits for a picture newer than now of which `enough(measure(picture))` holds, and returns what was measured."""
+        file, begun, seen = self.files + ".ppm", time.time(), {}
+        deadline = time.monotonic() + patience
+        while time.monotonic() < deadline:
+            time.sleep(1)
+            self.case.assertTrue(self.runs(), "rviz has ended: see " + self.files + ".log")
+            if not os.path.exists(file) or os.path.getmtime(file) < begun:
+                continue
+            picture = Picture(file, self.view)
+            self.case.assertEqual(self.size, (picture.width, picture.height))
+            seen = measure(picture)
+            if enough(seen):
+                return seen
+        return self.case.fail("seen in the last picture: %s" % seen)

@@ -1,0 +1,127 @@
+// Colours of the display against what its legend says: ends, order, ticks; a scale that does not flicker.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "drill_rig_sim/rviz/picture/color_scale.h"
+#include "drill_rig_sim/rviz/picture/coloring.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+bool same(const Color& a, const Color& b)
+{
+  return a.r == b.r && a.g == b.g && a.b == b.b;
+}
+}  // namespace
+
+TEST(ColorScale, beyondItsEndsIsTheEndsColor)
+{
+  const ColorScale scale(-10.0, 40.0);
+  EXPECT_TRUE(same(scale.at(40.0), scale.at(1e9)));
+  EXPECT_TRUE(same(scale.at(-10.0), scale.at(-1e9)));
+  EXPECT_FALSE(same(scale.at(40.0), scale.at(20.0)));
+}
+
+TEST(ColorScale, warmIsAboveZeroAndColdBelow)
+{
+  const ColorScale scale(-10.0, 40.0);
+  for (const double value : {0.0, 1.0, 20.0, 40.0}) EXPECT_LT(scale.at(value).b, 0.2f) << value;
+  for (const double value : {-0.1, -5.0, -10.0}) EXPECT_GT(scale.at(value).b, 0.9f) << value;
+}
+
+TEST(ColorScale, noNumberIsGrey)
+{
+  const Color c = ColorScale(0.0, 1.0).at(std::nan(""));
+  EXPECT_TRUE(c.r == c.g && c.g == c.b);
+}
+
+TEST(ColorScale, senselessEndsMakeAScaleAllTheSame)
+{
+  for (const double high : {0.0, -3.0, std::nan(""), std::numeric_limits<double>::infinity()}) EXPECT_EQ(1.0, ColorScale(0.0, high).high());
+  EXPECT_EQ(0.0, ColorScale(5.0, 10.0).low());
+}
+
+TEST(ColorScale, ticksAreRoundAndReachFromEndToEnd)
+{
+  EXPECT_EQ((std::vector<double>{0.0, 10.0, 20.0, 30.0, 40.0, 50.0}), ColorScale(0.0, 50.0).ticks(6));
+  EXPECT_EQ((std::vector<double>{-50.0, 0.0, 50.0, 100.0, 150.0, 200.0}), ColorScale(-50.0, 200.0).ticks(6));
+  for (const double high : {0.3, 1.0, 7.0, 25.0, 123.0, 4e6})
+    for (const int most : {2, 4, 6, 10})
+    {
+      const std::vector<double> ticks = ColorScale(-0.4 * high, high).ticks(most);
+      EXPECT_GE(ticks.size(), 2u) << high << " " << most;
+      EXPECT_LE(ticks.size(), static_cast<std::size_t>(most + 1)) << high << " " << most;
+      EXPECT_GE(ticks.front(), -0.4 * high * 1.0001);
+      EXPECT_LE(ticks.back(), high * 1.0001);
+    }
+}
+
+TEST(RoundUp, isTheNextOfOneTwoTwoAndAHalfFive)
+{
+  EXPECT_DOUBLE_EQ(1.0, round_up(1.0));
+  EXPECT_DOUBLE_EQ(2.0, round_up(1.01));
+  EXPECT_DOUBLE_EQ(25.0, round_up(20.1));
+  EXPECT_DOUBLE_EQ(0.05, round_up(0.03));
+  EXPECT_DOUBLE_EQ(1000.0, round_up(501.0));
+  EXPECT_DOUBLE_EQ(1.0, round_up(0.0));
+  EXPECT_DOUBLE_EQ(1.0, round_up(std::nan("")));
+}
+
+TEST(SteadyRange, growsAtOnceAndShrinksLate)
+{
+  SteadyRange range;
+  range.take({0.0, 3.0, -1.5}, 1.0);
+  EXPECT_DOUBLE_EQ(5.0, range.scale().high());
+  EXPECT_DOUBLE_EQ(-2.0, range.scale().low());
+  range.take({80.0, -1.5}, 1.0);
+  EXPECT_DOUBLE_EQ(100.0, range.scale().high());
+  for (int i = 0; i < 50; ++i) range.take({3.0, -1.5}, 1.0);
+  EXPECT_DOUBLE_EQ(100.0, range.scale().high());
+  range.take({3.0, -1.5}, 1.0);
+  EXPECT_DOUBLE_EQ(5.0, range.scale().high());
+}
+
+TEST(SteadyRange, cutsOffTheFewThatAreFarLarger)
+{
+  SteadyRange range;
+  std::vector<double> values(100, 1.0);
+  values[0] = 1000.0;
+  range.take(values, 0.95);
+  EXPECT_DOUBLE_EQ(1.0, range.scale().high());
+}
+
+TEST(Written, hasTheDigitsThatTellTicksApart)
+{
+  EXPECT_EQ("0", written(-0.0, 10.0));
+  EXPECT_EQ("250", written(250.0, 50.0));
+  EXPECT_EQ("0.4", written(0.4, 0.2));
+  EXPECT_EQ("2.5", written(2.5, 2.5));
+  EXPECT_EQ("0.05", written(0.05, 0.05));
+}
+
+TEST(Coloring, eachIsItsOwnQuantityInItsUnit)
+{
+  StringData d;
+  d.position.resize(1);
+  d.tension = {2e3};
+  d.torque = {3e3};
+  d.bending_stress = {4e6};
+  d.contact_force = {5e3};
+  d.spin_speed = {2.0 * M_PI};
+  d.buckling = {0.7};
+  d.guided = {1};
+  const std::vector<double> expected{2.0, 3.0, 4.0, 5.0, 60.0, 0.7, 1.0};
+  ASSERT_EQ(expected.size(), colorings().size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(expected[i], values_of(i, d).front(), 1e-12) << colorings()[i].name;
+}
+
+}  // namespace drill_rig_sim
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
