@@ -82,7 +82,7 @@ py::dict static_loads(const std::string& scene_file, const std::string& motion)
 }
 
 /// What the rig refuses is drill_rig_sim.lockstep.Refused in Python, with the same line.
-void translate(std::exception_ptr error)
+void translate(std::exception_ptr error)  // NOLINT(performance-unnecessary-value-param): pybind11's signature
 {
   try
   {
@@ -187,7 +187,7 @@ PYBIND11_MODULE(_sim, module)
   bind_setpoints(module);
   bind_frames(module);
   bind_telemetry(module);
-  py::class_<SavedRig>(module, "Saved");
+  py::class_<SavedRig>(module, "Saved");  // NOLINT(bugprone-unused-raii): it registers the class
   py::class_<Recorder>(module, "Recorder").def(py::init<>()).def("record", &Recorder::record).def("arrays", &Recorder::arrays);
   using no_gil = py::call_guard<py::gil_scoped_release>;
   py::class_<InProcessRig>(module, "Rig")
