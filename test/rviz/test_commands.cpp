@@ -24,7 +24,11 @@ protected:
   {
     shared_rig();
   }
-  void SetUp() override { ASSERT_TRUE(console_.is_in_state("RUNNING")); }
+  void SetUp() override
+  {
+    ASSERT_TRUE(console_.is_in_state("RUNNING"));
+    ASSERT_TRUE(console_.is_heard());
+  }
 
   Console console_;
 };
@@ -36,6 +40,8 @@ protected:
   {
     Commands::SetUp();
     ASSERT_TRUE(wait_until([&] { return commands_.connected(); }));
+    commands_.all();
+    commands_.clear();
     console_.open_page_of("winch raise");
     console_.type("winch speed", "0.05");
   }

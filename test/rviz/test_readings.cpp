@@ -22,6 +22,7 @@ double number(const QString& text) { return text.section(' ', 0, 0).toDouble(); 
 // Rotates, pumps, tares, and begins to lower the bit.
 void drill(Console& console)
 {
+  ASSERT_TRUE(console.is_heard());
   console.choose("top drive mode", "speed");
   console.type("top drive speed", "90");
   console.click("top drive apply");
