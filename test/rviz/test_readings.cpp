@@ -2,6 +2,7 @@
 #include <QFileDialog>
 #include <QListWidget>
 #include <QMenu>
+#include <QTableWidget>
 #include <QToolButton>
 #include <cmath>
 #include <fstream>
@@ -151,6 +152,34 @@ TEST_F(Readings, WarningsAreAList)
   EXPECT_TRUE(console.get<QLabel>("gravest warning")->text().contains("pump tripped"));
   ASSERT_TRUE(console.asks("fault end", "inject_fault: "));
   EXPECT_TRUE(wait_until([&] { return !has("pump tripped"); }));
+}
+
+TEST_F(Readings, AlarmsOfOnesOwn)
+{
+  Console console;
+  ASSERT_TRUE(console.is_in_state("RUNNING"));
+  ASSERT_TRUE(wait_until([&] { return console.shows("gauge hook_load").contains("kN"); }));
+  EXPECT_FALSE(console.shows("gauge hook_load").contains("alarm"));
+  auto* table = console.get<QTableWidget>("settings alarms");
+  const double load = number(console.shows("gauge hook_load"));
+  table->item(0, 2)->setText(QString::number(0.9 * load));
+  EXPECT_TRUE(wait_until([&] { return console.shows("gauge hook_load").contains("alarm"); }));
+  table->item(0, 2)->setText(QString::number(1.05 * load));
+  EXPECT_TRUE(wait_until([&] { return console.shows("gauge hook_load").contains("caution"); }));
+  table->item(0, 2)->setText("much");
+  EXPECT_EQ(QString::number(1.05 * load, 'f', 1).toStdString(), table->item(0, 2)->text().toStdString()) << "what is no number changes nothing";
+  table->item(0, 2)->setText("");
+  EXPECT_TRUE(wait_until([&] { return !console.shows("gauge hook_load").contains("caution"); }));
+  EXPECT_EQ("450.0", table->item(0, 1)->text().toStdString()) << "the rig's, from rig_limits";
+}
+
+TEST_F(Readings, FindsTheRigsThereAre)
+{
+  Console console("nobody_home");
+  console.click("settings find rigs");
+  auto* box = console.get<QComboBox>("settings namespace");
+  EXPECT_GE(box->findText("/" + QString(shared_name)), 0);
+  box->hidePopup();
 }
 
 class Chart : public Readings
