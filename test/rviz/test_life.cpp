@@ -235,6 +235,11 @@ TEST(Life, AServiceThatHangsDoesNotHangTheWindow)
       },
       40.0));
   EXPECT_LT(longest, 2.0) << "seconds that the window stood";
+  console.click("time pause");
+  wait_until([&] { return publish() && false; }, 0.5);
+  between.restart();
+  console.close();
+  EXPECT_LT(1e-3 * between.elapsed(), 5.0) << "closing does not wait for an answer either";
   over = true;
 }
 
