@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -197,17 +198,25 @@ void ChartPage::interrupt()
   by_depth_.interrupt();
 }
 
+double ChartPage::shown_from()
+{
+  const ChartWindow& w = window();
+  if (w.paused() || history().empty()) return w.from();
+  const double least = axis_ == Axis::time ? shortest_time : shallowest;
+  return std::max(w.from(), std::min(history().place(history()[0]), w.to() - least));
+}
+
 void ChartPage::refresh()
 {
   if (!isVisible()) return;
   for (ChartTrack* track : tracks_)
   {
     track->show_cursor(history(), cursor_);
-    track->show_line(history(), window().from(), window().to());
+    track->show_line(history(), shown_from(), window().to());
   }
   const QString span = axis_ == Axis::time ? QStringLiteral("%1 min").arg(window().span() / 60.0, 0, 'g', 3)
                                            : shown_text(window().span(), Dimension::length, system_);
-  tell(hint_, QStringLiteral("%1 shown, %2 samples%3").arg(span).arg(history().size()).arg(window().paused() ? ", chart paused" : ""));
+  tell(hint_, QStringLiteral("%1, %2 samples%3").arg(span).arg(history().size()).arg(window().paused() ? ", chart paused" : ""));
 }
 
 void ChartPage::zoom(double factor, double around)

@@ -62,6 +62,8 @@ private:
   void lay_out();
   void zoom(double factor, double around);
   void set_paused(bool on);
+  // Where the tracks begin: at the first sample as long as the window is wider than what there is.
+  double shown_from();
   void ask_for_file(const QString& kind);
   void save(const QString& file, const QString& kind);
   ChartWindow& window() { return axis_ == Axis::time ? by_time_window_ : by_depth_window_; }

@@ -48,7 +48,13 @@ bool get_number(const rviz::Config& config, const QString& key, double& number)
 }  // namespace
 
 DrillersConsole::DrillersConsole(QWidget* parent)
-    : rviz::Panel(parent), link_(new RigLink(this)), timer_(new QTimer(this)), header_(new HeaderBar(this)), body_(new QHBoxLayout), tabs_(new QTabWidget(this)), answer_(make_label("", this))
+    : rviz::Panel(parent),
+      link_(new RigLink(this)),
+      timer_(new QTimer(this)),
+      header_(new HeaderBar(this)),
+      body_(new QHBoxLayout),
+      tabs_(new QTabWidget(this)),
+      answer_(make_label("", this))
 {
   setAccessibleName("driller's console");
   setPalette(console_palette());
@@ -113,11 +119,15 @@ void DrillersConsole::make_pages()
   settings_ = new SettingsPage(tabs_);
   winch_ = new WinchControls(*link_, tabs_);
   // who holds the winch watches the string
-  QWidget* strip = gauges_->make_strip("watch", {Quantity::hook_load, Quantity::surface_wob, Quantity::torque, Quantity::rop, Quantity::stand_pipe_pressure, Quantity::block_height}, tabs_);
+  const std::vector<Quantity> watched{Quantity::hook_load,           Quantity::surface_wob, Quantity::torque, Quantity::rop,
+                                      Quantity::stand_pipe_pressure, Quantity::block_height};
+  const std::vector<Controls*> of_the_string{winch_, new TopDriveControls(*link_, tabs_), new MudControls(*link_, tabs_), new SteeringControls(*link_, tabs_)};
+  const std::vector<Controls*> of_the_rig{new TimeControls(*link_, tabs_), new PipeControls(*link_, tabs_), new WellControls(*link_, tabs_),
+                                          new FaultControls(*link_, tabs_)};
   add_page(gauges_, "Gauges");
   add_page(chart_, "Chart");
-  add_page(make_control_page("page drill", strip, {winch_, new TopDriveControls(*link_, tabs_), new MudControls(*link_, tabs_), new SteeringControls(*link_, tabs_)}), "Drill");
-  add_page(make_control_page("page rig", nullptr, {new TimeControls(*link_, tabs_), new PipeControls(*link_, tabs_), new WellControls(*link_, tabs_), new FaultControls(*link_, tabs_)}), "Rig");
+  add_page(make_control_page("page drill", gauges_->make_strip("watch", watched, tabs_), of_the_string), "Drill");
+  add_page(make_control_page("page rig", nullptr, of_the_rig), "Rig");
   add_page(events_, "Events");
   add_page(settings_, "Settings");
 }
@@ -226,7 +236,7 @@ void DrillersConsole::show_state()
   {
     const bool bad = now == LinkState::absent || now == LinkState::no_master || now == LinkState::failed;
     if (state_ != LinkState::hidden && now != LinkState::hidden)
-      events_->log(QStringLiteral("simulator: %1").arg(QString(name_of(now)).toLower()), bad ? Level::alarm : now == LinkState::late ? Level::caution : Level::normal);
+      events_->log("simulator: " + QString(name_of(now)).toLower(), bad ? Level::alarm : now == LinkState::late ? Level::caution : Level::normal);
     if (!hears(now)) winch_->let_go();
     if (now == LinkState::absent || now == LinkState::late) chart_->interrupt();
     state_ = now;
@@ -250,7 +260,8 @@ void DrillersConsole::show_news()
     if (group->isVisible()) group->show_news(news);
   const double time = news.state ? news.state->header.stamp.toSec() : 0.0;
   if (news.state && !stale) chart_->record(time, news.state->hole_depth, readings);
-  events_->show_state(time, news.state && !stale ? news.state.get() : nullptr, hears(state_) ? remarks_of(news.diagnosis) : std::vector<std::string>());
+  const std::vector<std::string> remarks = hears(state_) ? remarks_of(news.diagnosis) : std::vector<std::string>();
+  events_->show_state(time, news.state && !stale ? news.state.get() : nullptr, remarks);
   tabs_->setTabText(tabs_->indexOf(events_), events_->warnings() > 0 ? QStringLiteral("Events (%1)").arg(events_->warnings()) : QString("Events"));
   header_->show_warning(events_->gravest(), events_->gravest_level());
 }

@@ -50,7 +50,8 @@ void EventPage::log(const QString& text, Level level)
 std::vector<EventPage::Line> EventPage::lines_of(const RigState* state, const std::vector<std::string>& remarks) const
 {
   std::vector<Line> lines;
-  for (const std::string& remark : remarks) lines.push_back({QString::fromStdString(remark), Level::caution});
+  const bool failed = state != nullptr && state->run_state == RigState::FAILED;
+  for (const std::string& remark : remarks) lines.push_back({QString::fromStdString(remark), failed ? Level::alarm : Level::caution});
   if (state == nullptr) return lines;
   for (std::size_t n = 0; n < failing_gauges().size(); ++n)
     if ((state->lost_gauges >> n & 1u) != 0)

@@ -59,7 +59,8 @@ void PipeControls::show_news(const News& news)
 {
   if (!news.state) return tell(in_force_, "-");
   const RigState& s = *news.state;
-  tell(in_force_, QStringLiteral("%1, %2 stands, %3").arg(s.in_slips != 0 ? "in slips" : "on the hook").arg(s.stand_count).arg(s.tared != 0 ? "tared" : "not tared"));
+  const QString where = s.in_slips != 0 ? "in slips" : "on the hook", zero = s.tared != 0 ? "tared" : "not tared";
+  tell(in_force_, QStringLiteral("%1, %2 stands, %3").arg(where).arg(s.stand_count).arg(zero));
 }
 
 }  // namespace drill_rig_sim::console

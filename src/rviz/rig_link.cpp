@@ -53,10 +53,12 @@ RigLink::~RigLink()
 void RigLink::move_to(const std::string& name)
 {
   stop();
-  winch_.shutdown();
-  top_drive_.shutdown();
-  pump_.shutdown();
-  steering_.shutdown();
+  for (Outlet* outlet : {&winch_, &top_drive_, &pump_, &steering_})
+  {
+    outlet->publisher.shutdown();
+    outlet->hearers.clear();
+  }
+  rig_node_.clear();
   node_ = std::make_unique<ros::NodeHandle>(name);
   node_->setCallbackQueue(&queue_);
   news_ = News();
@@ -113,7 +115,6 @@ void RigLink::stop()
   subscribers_.clear();
   of_truth_.clear();
   states_.shutdown();
-  queue_.clear();
 }
 
 void RigLink::subscribe()
@@ -126,7 +127,11 @@ void RigLink::subscribe()
   subscribers_.push_back(node_->subscribe("downhole/toolface", 10, &RigLink::take_toolface, this));
   subscribers_.push_back(node_->subscribe("/diagnostics", 10, &RigLink::take_diagnostics, this));
   if (truth_) subscribe_truth();
-  if (!winch_) advertise();
+  if (winch_.publisher) return;
+  advertise<WinchCommand>(winch_, "winch/command");
+  advertise<TopDriveCommand>(top_drive_, "top_drive/command");
+  advertise<MudPumpCommand>(pump_, "mud_pump/command");
+  advertise<SteeringCommand>(steering_, "steering/command");
 }
 
 void RigLink::subscribe_truth()
@@ -137,12 +142,12 @@ void RigLink::subscribe_truth()
   of_truth_.push_back(node_->subscribe<BitTruth>("truth/bit", 1, bit));
 }
 
-void RigLink::advertise()
+template <class Message>
+void RigLink::advertise(Outlet& outlet, const std::string& topic)
 {
-  winch_ = node_->advertise<WinchCommand>("winch/command", 1);
-  top_drive_ = node_->advertise<TopDriveCommand>("top_drive/command", 1);
-  pump_ = node_->advertise<MudPumpCommand>("mud_pump/command", 1);
-  steering_ = node_->advertise<SteeringCommand>("steering/command", 1);
+  const ros::SubscriberStatusCallback comes = [&outlet](const ros::SingleSubscriberPublisher& p) { outlet.hearers.insert(p.getSubscriberName()); };
+  const ros::SubscriberStatusCallback goes = [&outlet](const ros::SingleSubscriberPublisher& p) { outlet.hearers.erase(p.getSubscriberName()); };
+  outlet.publisher = node_->advertise<Message>(topic, 1, comes, goes);
 }
 
 void RigLink::set_truth(bool on)
@@ -155,8 +160,10 @@ void RigLink::set_truth(bool on)
   if (on && shown_ && master_) subscribe_truth();
 }
 
-void RigLink::take_state(const RigStateConstPtr& m)
+void RigLink::take_state(const ros::MessageEvent<RigState const>& event)
 {
+  const RigStateConstPtr m = event.getMessage();
+  rig_node_ = event.getPublisherName();
   if (news_.state && m->header.stamp < news_.state->header.stamp)  // a node that began anew
   {
     news_.survey.reset();
@@ -180,6 +187,7 @@ void RigLink::take_diagnostics(const diagnostic_msgs::DiagnosticArrayConstPtr& m
   {
     // its node's name without the first slash; the node lies in the rig's namespace itself
     if (QString::fromStdString(ros::names::parentNamespace("/" + status.hardware_id)) != used_namespace()) continue;
+    rig_node_ = "/" + status.hardware_id;
     const std::string text = status.level == diagnostic_msgs::DiagnosticStatus::OK ? "" : status.message;
     Diagnosis& d = news_.diagnosis;
     if (ends_with(status.name, ": time"))
@@ -227,8 +235,9 @@ double RigLink::age() const { return seconds_since(state_heard_); }
 
 RunState RigLink::run_state() const
 {
-  // rig_state is the quicker of the two; who began to listen during a pause has only the other
-  return news_.state ? run_state_of(*news_.state) : news_.diagnosis.run_state;
+  // rig_state is the quicker of the two; who did not listen when a pause began has only the other
+  const bool diagnosed = news_.diagnosis.run_state != RunState::unknown && diagnostics_heard_ > state_heard_;
+  return news_.state && !diagnosed ? run_state_of(*news_.state) : news_.diagnosis.run_state;
 }
 
 LinkState RigLink::state() const
@@ -244,21 +253,26 @@ LinkState RigLink::state() const
   return link_state(heard);
 }
 
+bool RigLink::is_heard(const Outlet& outlet) const
+{
+  return rig_node_.empty() ? !outlet.hearers.empty() : outlet.hearers.count(rig_node_) > 0;
+}
+
 template <class Message>
-bool RigLink::send(ros::Publisher& publisher, const QString& what, const Message& message)
+bool RigLink::send(Outlet& outlet, const QString& what, const Message& message)
 {
   const LinkState now = state();
-  if (!publisher || (now != LinkState::hidden && !hears(now)))
+  if (!outlet.publisher || (now != LinkState::hidden && !hears(now)))
   {
     Q_EMIT said(what, false, "not sent: no simulator at " + used_namespace());
     return false;
   }
-  if (publisher.getNumSubscribers() == 0)
+  if (!is_heard(outlet))
   {
-    Q_EMIT said(what, false, "not sent: nobody listens to " + QString::fromStdString(publisher.getTopic()));
+    Q_EMIT said(what, false, "not sent: the simulator does not listen to it yet");
     return false;
   }
-  publisher.publish(message);
+  outlet.publisher.publish(message);
   return true;
 }
 

@@ -10,6 +10,8 @@
 #include <QStringList>
 #include <chrono>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "drill_rig_sim/MudPumpCommand.h"
@@ -76,13 +78,21 @@ private:
 
   template <class Message>
   void hear(const std::string& topic, boost::shared_ptr<Message const>& slot);
+  // A command's topic and the nodes that are connected to it.
+  struct Outlet
+  {
+    ros::Publisher publisher;
+    std::set<std::string> hearers;
+  };
   template <class Message>
-  bool send(ros::Publisher& publisher, const QString& what, const Message& message);
+  void advertise(Outlet& outlet, const std::string& topic);
+  template <class Message>
+  bool send(Outlet& outlet, const QString& what, const Message& message);
+  bool is_heard(const Outlet& outlet) const;
   bool can_call(const QString& name);
   void subscribe();
   void subscribe_truth();
-  void advertise();
-  void take_state(const RigStateConstPtr& m);
+  void take_state(const ros::MessageEvent<RigState const>& event);
   void take_toolface(const MwdToolfaceConstPtr& m);
   void take_diagnostics(const diagnostic_msgs::DiagnosticArrayConstPtr& m);
   void look_around();
@@ -95,7 +105,8 @@ private:
   std::unique_ptr<ros::NodeHandle> node_;
   std::vector<ros::Subscriber> subscribers_, of_truth_;
   ros::Subscriber states_;
-  ros::Publisher winch_, top_drive_, pump_, steering_;
+  Outlet winch_, top_drive_, pump_, steering_;
+  std::string rig_node_;  // that simulates; empty: not known yet
   News news_;
   Clock::time_point state_heard_, diagnostics_heard_, looked_;
   ServiceCaller caller_;

@@ -17,7 +17,11 @@
 namespace drill_rig_sim::console
 {
 SettingsPage::SettingsPage(QWidget* parent)
-    : QWidget(parent), rig_box_(new QComboBox(this)), units_(new QComboBox(this)), truth_(make_check("Truth as a second line of each gauge", "settings truth", this)), table_(new QTableWidget(this))
+    : QWidget(parent),
+      rig_box_(new QComboBox(this)),
+      units_(new QComboBox(this)),
+      truth_(make_check("Truth as a second line of each gauge", "settings truth", this)),
+      table_(new QTableWidget(this))
 {
   setAccessibleName("page settings");
   rig_box_->setEditable(true);

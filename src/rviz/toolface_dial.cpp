@@ -111,7 +111,8 @@ void ToolfaceDial::paintEvent(QPaintEvent*)
   large.setPixelSize(toolfaces_.empty() ? 12 : std::clamp(static_cast<int>(radius / 3.0), 12, 26));
   painter.setFont(large);
   painter.setPen(QColor(stale_ || toolfaces_.empty() ? look::off : look::text));
-  const QString text = toolfaces_.empty() ? QString("none yet") : QString::fromStdString(number_text(toolfaces_.back(), Dimension::angle, UnitSystem::si)) + QChar(0xb0);
+  QString text = "none yet";
+  if (!toolfaces_.empty()) text = QString::fromStdString(number_text(toolfaces_.back(), Dimension::angle, UnitSystem::si)) + QChar(0xb0);
   const QRectF box(centre.x() - radius, centre.y() - 0.25 * radius, 2 * radius, 0.5 * radius);
   painter.drawText(box, Qt::AlignCenter, text);
 }

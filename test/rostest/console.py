@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 
 import roslib.packages
-from rig_test import PACKAGE_DIR, run, time, unittest
+from rig_test import PACKAGE_DIR, PATIENCE, rospy, run, time, unittest
 
 # where ROS_HOME is build/ros_home; elsewhere it is the user's own choice
 FOLDER = os.path.dirname(os.environ.get("ROS_HOME", os.path.expanduser("~/.ros/x")))
@@ -96,6 +96,12 @@ class Console(unittest.TestCase):
         while node.poll() is None and time.monotonic() < deadline:
             time.sleep(0.1)
         self.assertIsNotNone(node.poll())
+        # the killed one's name is still with the master, where the next test would find two rigs: one that ends cleanly takes it away
+        heir = self.rig("scene:=quick.yaml")
+        rospy.wait_for_service("/rig/pause", PATIENCE)
+        time.sleep(2.0)
+        heir.send_signal(signal.SIGINT)
+        heir.wait(PATIENCE)
 
 
 if __name__ == "__main__":

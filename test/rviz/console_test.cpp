@@ -157,6 +157,22 @@ void Console::forget_answer() { get<QLabel>("answer")->setText(""); }
   return answers(beginning);
 }
 
+::testing::AssertionResult Console::is_heard()
+{
+  for (const char* const button : {"winch release brake", "top drive stop", "mud pump stop", "steering apply"})
+  {
+    const auto is_sent = [&]
+    {
+      forget_answer();
+      click(button);
+      return get<QLabel>("answer")->text().isEmpty();
+    };
+    if (!wait_until(is_sent)) return ::testing::AssertionFailure() << get<QLabel>("answer")->text().toStdString();
+  }
+  wait_for(0.3);  // until what was sent has come everywhere
+  return ::testing::AssertionSuccess();
+}
+
 rviz::Config Console::config() const
 {
   rviz::Config config;

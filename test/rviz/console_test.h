@@ -77,6 +77,8 @@ public:
   /// The answer shown begins so, within a minute.
   ::testing::AssertionResult answers(const QString& beginning);
   ::testing::AssertionResult is_in_state(const QString& state);
+  /// The simulator is connected to all topics of commands: it was not a moment ago, after the panel was opened.
+  ::testing::AssertionResult is_heard();
   /// Clicks a button that calls a service, and waits for the answer.
   ::testing::AssertionResult asks(const QString& button, const QString& beginning);
   /// The panel's config, as rviz would keep it.

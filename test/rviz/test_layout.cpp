@@ -20,11 +20,12 @@ bool words_fit(const QWidget* widget)
 {
   if (const auto* label = qobject_cast<const QLabel*>(widget))
   {
-    if (label->wordWrap()) return label->fontMetrics().boundingRect(QRect(0, 0, label->contentsRect().width() - 2 * label->margin(), 10000), Qt::TextWordWrap, label->text()).height() <=
-                                  label->contentsRect().height();
+    const QRect room = label->contentsRect().adjusted(label->margin(), 0, -label->margin(), 0);
+    if (label->wordWrap()) return label->fontMetrics().boundingRect(QRect(0, 0, room.width(), 10000), Qt::TextWordWrap, label->text()).height() <= room.height();
     return label->fontMetrics().horizontalAdvance(label->text()) <= label->contentsRect().width() + 1;
   }
-  if (qobject_cast<const QAbstractButton*>(widget) != nullptr || qobject_cast<const QComboBox*>(widget) != nullptr || qobject_cast<const QAbstractSpinBox*>(widget) != nullptr)
+  if (qobject_cast<const QAbstractButton*>(widget) != nullptr || qobject_cast<const QComboBox*>(widget) != nullptr ||
+      qobject_cast<const QAbstractSpinBox*>(widget) != nullptr)
     return widget->minimumSizeHint().width() <= widget->width() + 1 && widget->minimumSizeHint().height() <= widget->height() + 1;
   return true;
 }
@@ -52,12 +53,15 @@ void expect_in_order(const QWidget* parent)
       if (widget->isVisible() && !widget->isWindow()) children << widget;
   for (QWidget* child : children)
   {
-    const bool is_scrolled = qobject_cast<const QAbstractScrollArea*>(parent) != nullptr || qobject_cast<const QAbstractScrollArea*>(parent->parentWidget()) != nullptr;
+    const bool is_scrolled =
+        qobject_cast<const QAbstractScrollArea*>(parent) != nullptr || qobject_cast<const QAbstractScrollArea*>(parent->parentWidget()) != nullptr;
     EXPECT_TRUE(is_scrolled || parent->rect().contains(child->geometry())) << name_of(child) << " is not within " << name_of(parent);
     EXPECT_TRUE(words_fit(child) || may_be_cut(child)) << name_of(child) << " has no room for its words";
     for (QWidget* other : children)
       EXPECT_FALSE(other != child && is_ours(parent) && other->geometry().intersects(child->geometry())) << name_of(child) << " overlaps " << name_of(other);
-    if (qobject_cast<const QAbstractSpinBox*>(child) == nullptr && qobject_cast<const QComboBox*>(child) == nullptr && !child->inherits("QwtPlot")) expect_in_order(child);
+    const bool is_of_others =
+        qobject_cast<const QAbstractSpinBox*>(child) != nullptr || qobject_cast<const QComboBox*>(child) != nullptr || child->inherits("QwtPlot");
+    if (!is_of_others) expect_in_order(child);
   }
   if (const auto* area = qobject_cast<const QScrollArea*>(parent)) 
   {

@@ -1,5 +1,6 @@
 // The driller's console beside a simulator that comes, goes, hangs or was never there; what it keeps, and what it costs.
 #include <ros/callback_queue.h>
+#include <ros/package.h>
 #include <std_srvs/Trigger.h>
 #include <sys/resource.h>
 
@@ -65,13 +66,14 @@ TEST(Life, TheNodeIsKilledAndComesBack)
   EXPECT_TRUE(console.is_in_state("RUNNING"));
   console.open_page(0);
   EXPECT_TRUE(wait_until([&] { return !console.shows("gauge hook_load").contains("stale"); }));
+  ASSERT_TRUE(console.is_heard());
   console.click("mud pump apply");
   EXPECT_TRUE(wait_until([&] { return console.shows("gauge azimuth").contains("deg"); })) << "telemetry comes again too";
   rig->end(SIGINT);
   EXPECT_TRUE(console.is_in_state("ABSENT"));
   rig = std::make_unique<RigProcess>("mortal");
   ASSERT_TRUE(console.is_in_state("RUNNING"));
-  console.click("mud pump stop");
+  ASSERT_TRUE(console.is_heard());
   EXPECT_TRUE(wait_until([&] { return console.shows("mud pump in force").startsWith("0 L/min"); }));
 }
 
@@ -101,6 +103,32 @@ TEST(Life, APauseIsSeenByWhoComesLater)
   EXPECT_TRUE(console.is_in_state("PAUSED")) << "by the diagnostics: nothing else is sent";
   ASSERT_TRUE(console.asks("time resume", "resume: "));
   EXPECT_TRUE(console.is_in_state("RUNNING"));
+}
+
+TEST(Life, APauseThatBeganWhileItWasHiddenIsSeen)
+{
+  shared_rig();
+  Console console;
+  ASSERT_TRUE(console.is_in_state("RUNNING"));
+  console.panel()->hide();
+  std_srvs::Trigger service;
+  ASSERT_TRUE(ros::service::call("/" + std::string(shared_name) + "/pause", service) && service.response.success);
+  wait_for(1.5);
+  console.panel()->show();
+  EXPECT_TRUE(console.is_in_state("PAUSED"));
+  wait_for(3.0);
+  EXPECT_TRUE(console.is_in_state("PAUSED"));
+  ASSERT_TRUE(console.asks("time resume", "resume: "));
+  EXPECT_TRUE(console.is_in_state("RUNNING"));
+}
+
+TEST(Life, AFailureIsTold)
+{
+  const QString scene = QString::fromStdString(ros::package::getPath("drill_rig_sim")) + "/test/scenes/unsolvable.yaml";
+  const RigProcess rig("failing", {"_scene:=" + scene, "_rate:=20", "_play_program:=true"});
+  Console console("failing");
+  ASSERT_TRUE(console.is_in_state("FAILED"));
+  EXPECT_TRUE(wait_until([&] { return console.shows("gravest warning").contains("time stands at the last good state"); }));
 }
 
 TEST(Life, InLockstepItWaitsAndSteps)
@@ -207,6 +235,11 @@ TEST(Life, AServiceThatHangsDoesNotHangTheWindow)
       },
       40.0));
   EXPECT_LT(longest, 2.0) << "seconds that the window stood";
+  console.click("time pause");
+  wait_until([&] { return publish() && false; }, 0.5);
+  between.restart();
+  console.close();
+  EXPECT_LT(1e-3 * between.elapsed(), 5.0) << "closing does not wait for an answer either";
   over = true;
 }
 

@@ -2,6 +2,7 @@
 #include <QFileDialog>
 #include <QListWidget>
 #include <QMenu>
+#include <QTableWidget>
 #include <QToolButton>
 #include <cmath>
 #include <fstream>
@@ -14,14 +15,16 @@ using drill_rig_sim::RigState;
 
 namespace
 {
-const char* const all_gauges[] = {"hook_load", "surface_wob", "torque",       "top_drive_speed", "rop",     "stand_pipe_pressure", "differential_pressure", "flow",
-                                  "bit_depth", "hole_depth",  "block_height", "inclination",     "azimuth", "toolface",            "stick_slip",            "specific_energy"};
+const char* const all_gauges[] = {
+    "hook_load", "surface_wob", "torque",       "top_drive_speed", "rop",     "stand_pipe_pressure", "differential_pressure", "flow",
+    "bit_depth", "hole_depth",  "block_height", "inclination",     "azimuth", "toolface",            "stick_slip",            "specific_energy"};
 
 double number(const QString& text) { return text.section(' ', 0, 0).toDouble(); }
 
 // Rotates, pumps, tares, and begins to lower the bit.
 void drill(Console& console)
 {
+  ASSERT_TRUE(console.is_heard());
   console.choose("top drive mode", "speed");
   console.type("top drive speed", "90");
   console.click("top drive apply");
@@ -60,19 +63,30 @@ protected:
 TEST_F(Readings, EveryGaugeIsFilledWhileTheRigDrills)
 {
   const RigProcess rig("drilled");  // that nobody has had before
-  Console console("drilled");
+  Console console("drilled", 900, 970);
   ASSERT_TRUE(console.is_in_state("RUNNING"));
   console.type("settings bit diameter", "215.9");
   drill(console);
   Listener<RigState> states("rig_state", "drilled");
-  ASSERT_TRUE(wait_until([&] { return !states.all().empty() && states.all().back()->rop > 1e-4 && states.all().back()->surface_wob > 1e3; }));
-  wait_for(3.0);
-  console.window().grab().save(out_folder() + "/console_drill.png");
-  console.open_page(0);  // lets the winch go; the rate of penetration is that of the last ten seconds
+  ASSERT_TRUE(wait_until([&] { return !states.all().empty() && states.all().back()->rop > 1e-3 && states.all().back()->surface_wob > 1e3; }));
   EXPECT_TRUE(wait_until([&] { return unfilled(console).isEmpty(); })) << unfilled(console).join("; ").toStdString();
-  console.window().grab().save(out_folder() + "/console_gauges.png");
-  ASSERT_TRUE(wait_until([&] { return std::abs(number(console.shows("gauge hole_depth")) - states.all().back()->hole_depth) < 0.006; }, 5.0));
+  console.window().grab().save(out_folder() + "/console_1920x1080_drilling.png");
+  ASSERT_TRUE(wait_until([&] { return std::abs(number(console.shows("gauge hole_depth")) - states.all().back()->hole_depth) < 0.02; }, 5.0));
   EXPECT_NEAR(states.all().back()->block_height, number(console.shows("gauge block_height")), 0.05);
+
+  for (int n = 0; n < 2; ++n)  // the first is as narrow as gauges and pages side by side can be
+  {
+    console.window().resize(420, 690);
+    wait_for(0.5);
+  }
+  EXPECT_TRUE(console.get("winch lower")->isVisible()) << "what was open stays open";
+  console.window().grab().save(out_folder() + "/console_1280x800_drilling_drill.png");
+  console.open_page_of("chart axis");
+  wait_for(0.5);
+  console.window().grab().save(out_folder() + "/console_1280x800_drilling_chart.png");
+  console.open_page(0);  // lets the winch go; the rate of penetration is that of the last ten seconds
+  EXPECT_TRUE(wait_until([&] { return unfilled(console).isEmpty(); }, 5.0)) << unfilled(console).join("; ").toStdString();
+  console.window().grab().save(out_folder() + "/console_1280x800_drilling_gauges.png");
 }
 
 TEST_F(Readings, UnitsAreSwitchedEverywhere)
@@ -140,6 +154,34 @@ TEST_F(Readings, WarningsAreAList)
   EXPECT_TRUE(wait_until([&] { return !has("pump tripped"); }));
 }
 
+TEST_F(Readings, AlarmsOfOnesOwn)
+{
+  Console console;
+  ASSERT_TRUE(console.is_in_state("RUNNING"));
+  ASSERT_TRUE(wait_until([&] { return console.shows("gauge hook_load").contains("kN"); }));
+  EXPECT_FALSE(console.shows("gauge hook_load").contains("alarm"));
+  auto* table = console.get<QTableWidget>("settings alarms");
+  const double load = number(console.shows("gauge hook_load"));
+  table->item(0, 2)->setText(QString::number(0.9 * load));
+  EXPECT_TRUE(wait_until([&] { return console.shows("gauge hook_load").contains("alarm"); }));
+  table->item(0, 2)->setText(QString::number(1.05 * load));
+  EXPECT_TRUE(wait_until([&] { return console.shows("gauge hook_load").contains("caution"); }));
+  table->item(0, 2)->setText("much");
+  EXPECT_EQ(QString::number(1.05 * load, 'f', 1).toStdString(), table->item(0, 2)->text().toStdString()) << "what is no number changes nothing";
+  table->item(0, 2)->setText("");
+  EXPECT_TRUE(wait_until([&] { return !console.shows("gauge hook_load").contains("caution"); }));
+  EXPECT_EQ("450.0", table->item(0, 1)->text().toStdString()) << "the rig's, from rig_limits";
+}
+
+TEST_F(Readings, FindsTheRigsThereAre)
+{
+  Console console("nobody_home");
+  console.click("settings find rigs");
+  auto* box = console.get<QComboBox>("settings namespace");
+  EXPECT_GE(box->findText("/" + QString(shared_name)), 0);
+  box->hidePopup();
+}
+
 class Chart : public Readings
 {
 protected:
@@ -195,10 +237,11 @@ TEST_F(Chart, PauseZoomCursor)
   for (QWidget* w : track->findChildren<QWidget*>())
     if (w->inherits("QwtPlotCanvas")) canvas = w;
   ASSERT_NE(nullptr, canvas);
-  QWheelEvent wheel(canvas->rect().center(), canvas->mapToGlobal(canvas->rect().center()), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  const QPoint middle = canvas->rect().center();
+  QWheelEvent wheel(middle, canvas->mapToGlobal(middle), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
   QApplication::sendEvent(canvas, &wheel);
   EXPECT_NEAR(0.4 * before, span(), 1e-3);
-  QMouseEvent move(QEvent::MouseMove, canvas->rect().center(), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+  QMouseEvent move(QEvent::MouseMove, middle, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
   QApplication::sendEvent(canvas, &move);
   EXPECT_TRUE(console.shows("chart value hook_load").contains(" at ")) << console.shows("chart value hook_load").toStdString();
   console.get<QToolButton>("chart pause")->click();

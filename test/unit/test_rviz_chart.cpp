@@ -150,3 +150,9 @@ TEST(ConsoleChartWindow, ZoomKeepsThePlaceUnderTheCursor)
   w.zoom(1e9, 70.0);
   EXPECT_DOUBLE_EQ(120.0, w.span());
 }
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -69,3 +69,9 @@ TEST(ConsoleLinkState, WordsOfTheDiagnostics)
   EXPECT_EQ(RunState::failed, run_state_of("failed"));
   EXPECT_EQ(RunState::unknown, run_state_of("asleep"));
 }
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
