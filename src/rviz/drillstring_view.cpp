@@ -72,7 +72,7 @@ void DrillstringDisplay::show_legend()
   if (options_.forces)
   {
     legend.rows.emplace_back("largest force", number(1e-3 * string_scene_->largest_force(), 1, "kN"));
-    legend.rows.emplace_back("its scale", QString::number(1e3 * string_scene_->force_scale(), 'g', 3) + " m/kN");
+    if (string_scene_->largest_force() > 1.0) legend.rows.emplace_back("its scale", QString::number(1e3 * string_scene_->force_scale(), 'g', 3) + " m/kN");
   }
   const double age = heard_.isZero() ? 0.0 : (ros::WallTime::now() - heard_).toSec();
   if (age > old_age) legend.rows.emplace_back("no message for", number(age, 0, "s"));

@@ -68,17 +68,31 @@ class Window:
         case.addCleanup(self.end)
 
     def end(self):
+        """Closes it, however far it has got."""
+        deadline = time.monotonic() + PATIENCE
+        while self.server.poll() is None and time.monotonic() < deadline:
+            if os.path.exists(self.files + ".pid") and not os.path.exists(self.files + ".status"):
+                self.kill()
+            time.sleep(0.5)
         if self.server.poll() is None:
             subprocess.run(["pkill", "-TERM", "-P", str(self.server.pid)], check=False)
             self.server.wait(PATIENCE)
+
+    def kill(self):
+        """Ends rviz as a desktop does."""
+        with open(self.files + ".pid") as f:
+            number = f.read().strip()
+        try:
+            os.kill(int(number), signal.SIGTERM)
+        except (ProcessLookupError, ValueError):  # it has ended, or the file is not written yet
+            pass
 
     def runs(self):
         return self.server.poll() is None and not os.path.exists(self.files + ".status")
 
     def close(self):
-        """Closes rviz as the desktop does at its end; its exit status, 128 and more: killed by a signal."""
-        with open(self.files + ".pid") as f:
-            os.kill(int(f.read()), signal.SIGTERM)
+        """Ends rviz; its exit status, 128 and more: killed by a signal."""
+        self.kill()
         wait_until(lambda: os.path.exists(self.files + ".status"), "rviz ends")
         with open(self.files + ".status") as f:
             return int(f.read())
