@@ -28,15 +28,15 @@ double round_down(double value)
 }  // namespace
 
 StringScene::StringScene(Ogre::SceneManager* manager, Ogre::SceneNode* parent)
-    : manager_(manager), root_(parent->createChildSceneNode()), tube_(MeshStyle{}), forces_(MeshStyle{})
+    : manager_(manager), root_(parent->createChildSceneNode()), tube_(root_, MeshStyle{}), forces_(MeshStyle{})
 {
-  root_->attachObject(&tube_);
   root_->attachObject(&forces_);
 }
 
 StringScene::~StringScene()
 {
   remove_turning();
+  tube_.clear();
   root_->detachAllObjects();
   manager_->destroySceneNode(root_);
 }
@@ -91,18 +91,16 @@ ColorScale StringScene::scale(const DrillstringOptions& options) const
 
 void StringScene::draw(const DrillstringModel& model, const DrillstringOptions& options)
 {
-  mesh_.clear();
   if (options.string)
   {
     shape_.shape(*model.rig, model.string->from_bit);
     const ColorScale scale = this->scale(options);
     const bool levels = colorings()[options.coloring].levels;
     const auto color = [&](double value) { return levels ? level_color(value) : scale.at(value); };
-    const Drawing drawing{options.exaggeration, options.true_diameter ? 1.0 : options.exaggeration, options.sides};
-    shape_.draw(model.nodes, values_of(options.coloring, *model.string), color, drawing, mesh_);
+    const double thickness = options.true_diameter ? 1.0 : options.exaggeration;
+    tube_.set(shape_.rings(model.nodes, values_of(options.coloring, *model.string), color, thickness), options.sides);
   }
-  shade(mesh_);
-  tube_.set(mesh_);
+  tube_.show(options.string);
   draw_forces(model, options);
   place_turning(model, options);
 }

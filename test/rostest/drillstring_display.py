@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The display Drillstring with config/rviz/rig.rviz against the running node, under a virtual X server: what is to be seen at two window sizes, a node
-that is killed and comes back, subscriptions of what is shown alone, an end without a crash. Screenshots stay in the build folder as display_*.png;
+that is killed and comes back, subscriptions of what is shown alone, an end without a crash. Screenshots stay in the build folder as display_*_seen.png;
 with UPDATE_README=1 that of 1280x800 also becomes the front page's picture."""
 import os
 import shutil
@@ -67,7 +67,7 @@ class DrillstringDisplay(unittest.TestCase):
         legend = window.wait_until(measured, lambda seen: seen["writing"] > 300)
         self.assertGreater(legend["string"], 2000)  # its bar
         if os.environ.get("UPDATE_README") == "1":
-            shutil.copy(os.path.join(FOLDER, "display_1280.png"), README_PICTURE)
+            shutil.copy(os.path.join(FOLDER, "display_1280_seen.png"), README_PICTURE)
         self.assertNotIn(window.close(), (134, 139), "rviz crashed at its end")
 
     def test_all_is_seen_at_1920x1080(self):

@@ -17,6 +17,7 @@ echo $rviz >"$2.pid"
 trap 'kill $rviz' TERM
 while kill -0 $rviz 2>/dev/null; do
   sleep 2
+  kill -0 $rviz 2>/dev/null || break
   import -window root "$2_new.png" && convert "$2_new.png" -depth 8 "ppm:$2_new.ppm" && mv "$2_new.png" "$2.png" && mv "$2_new.ppm" "$2.ppm"
 done
 wait $rviz
@@ -47,7 +48,7 @@ class Picture:
 
 
 class Window:
-    """rviz with a configuration, whose pictures stay in the build folder as `name`.png. `case` is skipped where a program is missing, and closes
+    """rviz with a configuration, whose pictures stay in the build folder as `name`.png, the one that was right as `name`_seen.png. `case` is skipped where a program is missing, and closes
     it in the end."""
 
     def __init__(self, case, name, config, width, height, view):
@@ -110,5 +111,6 @@ class Window:
             self.case.assertEqual(self.size, (picture.width, picture.height))
             seen = measure(picture)
             if enough(seen):
+                shutil.copy(self.files + ".png", self.files + "_seen.png")
                 return seen
         return self.case.fail("seen in the last picture: %s" % seen)

@@ -86,8 +86,8 @@ std::vector<DrawnNode> StringTube::place(const StringData& data, const HoleAxis&
   return nodes;
 }
 
-void StringTube::draw(const std::vector<DrawnNode>& nodes, const std::vector<double>& values, const std::function<Color(double)>& color,
-                      const Drawing& drawing, MeshData& mesh)
+const std::vector<Ring>& StringTube::rings(const std::vector<DrawnNode>& nodes, const std::vector<double>& values,
+                                           const std::function<Color(double)>& color, double thickness)
 {
   rings_.clear();
   for (const Place& place : places_)
@@ -99,11 +99,11 @@ void StringTube::draw(const std::vector<DrawnNode>& nodes, const std::vector<dou
     // up the string as the rings go: side x other points along them
     ring.side = (w * a.axis.side + u * b.axis.side).normalized();
     ring.other = ring.side.cross((w * a.axis.tangent + u * b.axis.tangent).normalized());
-    ring.radius = drawing.thickness * place.radius;
+    ring.radius = thickness * place.radius;
     ring.color = color(w * values[place.node] + u * values[place.node + 1]);
     rings_.push_back(ring);
   }
-  add_tube(mesh, rings_, drawing.sides);
+  return rings_;
 }
 
 }  // namespace drill_rig_sim

@@ -21,14 +21,6 @@ struct OutlinePoint
 /// motor's sleeve. Blades are none of it.
 std::vector<OutlinePoint> outline_of(const RigData& rig, double total_length);
 
-/// How the string is drawn.
-struct Drawing
-{
-  double exaggeration = 1.0;  ///< of all that lies across the hole
-  double thickness = 1.0;     ///< of the string's own diameter
-  int sides = 10;
-};
-
 /// A node as it is drawn.
 struct DrawnNode
 {
@@ -46,10 +38,9 @@ public:
 
   /// Where the nodes are drawn.
   static std::vector<DrawnNode> place(const StringData& data, const HoleAxis& axis, double exaggeration);
-  /// Puts the tube into `mesh`. `values`: what colours each node; `color`: of a value.
-  void draw(const std::vector<DrawnNode>& nodes, const std::vector<double>& values, const std::function<Color(double)>& color, const Drawing& drawing,
-            MeshData& mesh);
-  std::size_t rings() const noexcept { return places_.size(); }
+  /// The tube's rings, bit first. `values`: what colours each node; `color`: of a value; `thickness`: of the string's own diameter.
+  const std::vector<Ring>& rings(const std::vector<DrawnNode>& nodes, const std::vector<double>& values, const std::function<Color(double)>& color,
+                                 double thickness);
 
 private:
   struct Place
