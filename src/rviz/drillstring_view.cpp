@@ -9,10 +9,12 @@
 #include <rviz/view_controller.h>
 #include <rviz/view_manager.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "drill_rig_sim/rviz/drillstring_display.h"
 #include "drill_rig_sim/rviz/drillstring_properties.h"
+#include "drill_rig_sim/rviz/label_set.h"
 #include "drill_rig_sim/rviz/legend.h"
 #include "drill_rig_sim/rviz/overlay_panel.h"
 #include "drill_rig_sim/rviz/picture/coloring.h"
@@ -25,6 +27,7 @@ namespace
 {
 using rviz::StatusProperty;
 
+constexpr double coarse_pixel = 0.3;  // from this size of a pixel on little detail is drawn [m]
 constexpr double old_age = 2.0;  // of the last message, from which on the status warns [s]
 
 QString number(double value, int digits, const char* unit)
@@ -125,6 +128,18 @@ void DrillstringDisplay::show_probe()
                                   {"spin", number(blend(s.spin_speed, *probed_) / 0.10471975511965977, 1, "rpm")},
                                   {"buckling", number(blend(s.buckling, *probed_), 2, "")},
                                   {"modelled", s.guided[probed_->node] ? "guided" : "free"}}));
+}
+
+void DrillstringDisplay::choose_detail(const Ogre::Camera& camera)
+{
+  double pixel = INFINITY;  // the smallest along the string
+  for (std::size_t i = 0; i < model_.nodes.size(); i += 1 + model_.nodes.size() / 200)
+    pixel = std::min(pixel, pixel_size(camera, scene_node_->convertLocalToWorldPosition(to_ogre(model_.nodes[i].position))));
+  // not to and fro where the eye stands between the two
+  const bool coarse = pixel > (options_.coarse ? 0.8 : 1.2) * coarse_pixel;
+  if (coarse == options_.coarse) return;
+  options_.coarse = coarse;
+  string_due_ = well_due_ = true;
 }
 
 void DrillstringDisplay::apply_camera()

@@ -152,6 +152,7 @@ TEST(Outline, hasAToolJointAtEachJointsEnd)
   int wide = 0;
   for (const OutlinePoint& p : outline) wide += p.radius == 0.08;
   EXPECT_EQ(8, wide);  // joints end at 12.4, 22.4, 32.4 and 42.4 m
+  for (const OutlinePoint& p : outline_of(three_parts(), 45.0, false)) EXPECT_NE(0.08, p.radius);
   EXPECT_NEAR(0.4, outline.front().from_bit, 1e-12);
   EXPECT_NEAR(45.0, outline.back().from_bit, 1e-12);
 }

@@ -18,8 +18,8 @@ struct OutlinePoint
 };
 
 /// The string's radius along it, from the bit's top to `total_length`: bodies, tool joints (two thirds of a metre at each joint's lower end), a
-/// motor's sleeve. Blades are none of it.
-std::vector<OutlinePoint> outline_of(const RigData& rig, double total_length);
+/// motor's sleeve. Blades are none of it. `joints`: with tool joints.
+std::vector<OutlinePoint> outline_of(const RigData& rig, double total_length, bool joints = true);
 
 /// A node as it is drawn.
 struct DrawnNode
@@ -32,8 +32,8 @@ struct DrawnNode
 class StringTube
 {
 public:
-  /// Takes the string's make; nothing is done where it is the one of before.
-  void shape(const RigData& rig, const std::vector<double>& from_bit);
+  /// Takes the string's make; nothing is done where it is the one of before. `joints`: with tool joints.
+  void shape(const RigData& rig, const std::vector<double>& from_bit, bool joints = true);
   void forget() { from_bit_.clear(); }
 
   /// Where the nodes are drawn.
@@ -50,6 +50,7 @@ private:
     double radius;
   };
   std::vector<double> from_bit_;
+  bool joints_ = true;
   std::vector<Place> places_;
   std::vector<Ring> rings_;
 };
