@@ -1,14 +1,18 @@
 #!/usr/bin/env python3
 """The display Drillstring with config/rviz/rig.rviz against the running node, under a virtual X server: what is to be seen at two window sizes, a node
-that is killed and comes back, subscriptions of what is shown alone, an end without a crash. Screenshots stay in the build folder as display_*_seen.png;
-with UPDATE_README=1 that of 1280x800 also becomes the front page's picture."""
+that is killed and comes back, messages that cannot be drawn, subscriptions of what is shown alone, an end without a crash. Screenshots stay in the
+build folder as display_*_seen.png; with UPDATE_README=1 that of 1280x800 also becomes the front page's picture."""
+import copy
 import os
 import shutil
 import signal
 import xmlrpc.client
 
 import rosgraph
-from rig_test import PACKAGE_DIR, Rig, rospy, run, time, unittest, wait_until
+from drill_rig_sim.msg import DrillstringState, RigDescription
+from geometry_msgs.msg import PoseStamped
+from nav_msgs.msg import Path
+from rig_test import PACKAGE_DIR, PATIENCE, Rig, rospy, run, time, unittest, wait_until
 from rviz_window import FOLDER, Window
 
 README_PICTURE = os.path.join(PACKAGE_DIR, "test", "accuracy", "pictures", "rviz.png")
@@ -98,6 +102,26 @@ class DrillstringDisplay(unittest.TestCase):
             return rig.reset_well("quick.yaml", 0.0).success
         except rospy.ServiceException:
             return False
+
+    def test_bad_messages_are_refused(self):
+        window = Window(self, "display_bad", "rig.rviz", 1280, 800, VIEW)
+        window.wait_until(measured, all_seen)
+        good = rospy.wait_for_message("/rig/drillstring_state", DrillstringState, PATIENCE)
+        short, infinite = copy.deepcopy(good), copy.deepcopy(good)
+        short.torque = short.torque[1:]
+        infinite.position[3].x = float("inf")
+        rig = RigDescription()
+        rig.header.frame_id, rig.part_name, rig.station_md = "rig_floor", ["half a part"], [1.0]
+        path = Path(poses=[PoseStamped()])  # with a quaternion of zeros
+        for topic, kind, messages in (("drillstring_state", DrillstringState, [short, infinite, DrillstringState()]),
+                                      ("rig_description", RigDescription, [rig, RigDescription()]), ("trajectory", Path, [path, Path()])):
+            publisher = rospy.Publisher("/rig/" + topic, kind, queue_size=10)
+            wait_until(lambda: publisher.get_num_connections() > 0, "rviz hears another publisher")  # noqa: B023
+            for message in 5 * messages:
+                publisher.publish(message)
+                time.sleep(0.1)
+            publisher.unregister()
+        window.wait_until(measured, all_seen)
 
     def opened(self, name, config):
         """A window, and what tells whether its rviz hears a topic: those of windows before are still known to the master."""
