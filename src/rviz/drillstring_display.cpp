@@ -79,7 +79,9 @@ void DrillstringDisplay::changeTopic()
 void DrillstringDisplay::changeOptions()
 {
   const std::size_t coloring = options_.coloring;
+  const bool coarse = options_.coarse;
   options_ = properties_->options();
+  options_.coarse = coarse;
   if (!string_scene_) return;
   resolve_exaggeration();
   if (options_.coloring != coloring)
@@ -225,6 +227,7 @@ void DrillstringDisplay::update(float /*wall_dt*/, float /*ros_dt*/)
   if (placed && model_.complete() && view && now - ruled_ > ruler_period)
   {
     ruled_ = now;
+    choose_detail(*view->getCamera());
     ruler_scene_->draw(model_, options_, well_scene_->plan_distance(), probed_, *view->getCamera());
   }
   if (camera_due_ && placed && model_.complete()) apply_camera();

@@ -9,10 +9,12 @@
 #include <rviz/view_controller.h>
 #include <rviz/view_manager.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "drill_rig_sim/rviz/drillstring_display.h"
 #include "drill_rig_sim/rviz/drillstring_properties.h"
+#include "drill_rig_sim/rviz/label_set.h"
 #include "drill_rig_sim/rviz/legend.h"
 #include "drill_rig_sim/rviz/overlay_panel.h"
 #include "drill_rig_sim/rviz/picture/coloring.h"
@@ -25,6 +27,7 @@ namespace
 {
 using rviz::StatusProperty;
 
+constexpr double coarse_pixel = 0.3;  // from this size of a pixel on little detail is drawn [m]
 constexpr double old_age = 2.0;  // of the last message, from which on the status warns [s]
 
 QString number(double value, int digits, const char* unit)
@@ -72,7 +75,7 @@ void DrillstringDisplay::show_legend()
   if (options_.forces)
   {
     legend.rows.emplace_back("largest force", number(1e-3 * string_scene_->largest_force(), 1, "kN"));
-    legend.rows.emplace_back("its scale", QString::number(1e3 * string_scene_->force_scale(), 'g', 3) + " m/kN");
+    if (string_scene_->largest_force() > 1.0) legend.rows.emplace_back("its scale", QString::number(1e3 * string_scene_->force_scale(), 'g', 3) + " m/kN");
   }
   const double age = heard_.isZero() ? 0.0 : (ros::WallTime::now() - heard_).toSec();
   if (age > old_age) legend.rows.emplace_back("no message for", number(age, 0, "s"));
@@ -125,6 +128,18 @@ void DrillstringDisplay::show_probe()
                                   {"spin", number(blend(s.spin_speed, *probed_) / 0.10471975511965977, 1, "rpm")},
                                   {"buckling", number(blend(s.buckling, *probed_), 2, "")},
                                   {"modelled", s.guided[probed_->node] ? "guided" : "free"}}));
+}
+
+void DrillstringDisplay::choose_detail(const Ogre::Camera& camera)
+{
+  double pixel = INFINITY;  // the smallest along the string
+  for (std::size_t i = 0; i < model_.nodes.size(); i += 1 + model_.nodes.size() / 200)
+    pixel = std::min(pixel, pixel_size(camera, scene_node_->convertLocalToWorldPosition(to_ogre(model_.nodes[i].position))));
+  // not to and fro where the eye stands between the two
+  const bool coarse = pixel > (options_.coarse ? 0.8 : 1.2) * coarse_pixel;
+  if (coarse == options_.coarse) return;
+  options_.coarse = coarse;
+  string_due_ = well_due_ = true;
 }
 
 void DrillstringDisplay::apply_camera()

@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 namespace
 {
 constexpr Color force_color{0.95f, 0.25f, 0.95f};
+constexpr int coarse_sides = 5;
 constexpr double least_force = 1.0;  // that has an arrow [N]
 constexpr double longest_bit = 3.0;  // how much longer than it is a bit is drawn, so that it looks like one [-]
 
@@ -28,15 +29,15 @@ double round_down(double value)
 }  // namespace
 
 StringScene::StringScene(Ogre::SceneManager* manager, Ogre::SceneNode* parent)
-    : manager_(manager), root_(parent->createChildSceneNode()), tube_(MeshStyle{}), forces_(MeshStyle{})
+    : manager_(manager), root_(parent->createChildSceneNode()), tube_(root_, MeshStyle{}), forces_(MeshStyle{})
 {
-  root_->attachObject(&tube_);
   root_->attachObject(&forces_);
 }
 
 StringScene::~StringScene()
 {
   remove_turning();
+  tube_.clear();
   root_->detachAllObjects();
   manager_->destroySceneNode(root_);
 }
@@ -91,18 +92,16 @@ ColorScale StringScene::scale(const DrillstringOptions& options) const
 
 void StringScene::draw(const DrillstringModel& model, const DrillstringOptions& options)
 {
-  mesh_.clear();
   if (options.string)
   {
-    shape_.shape(*model.rig, model.string->from_bit);
+    shape_.shape(*model.rig, model.string->from_bit, !options.coarse);
     const ColorScale scale = this->scale(options);
     const bool levels = colorings()[options.coloring].levels;
     const auto color = [&](double value) { return levels ? level_color(value) : scale.at(value); };
-    const Drawing drawing{options.exaggeration, options.true_diameter ? 1.0 : options.exaggeration, options.sides};
-    shape_.draw(model.nodes, values_of(options.coloring, *model.string), color, drawing, mesh_);
+    const double thickness = options.true_diameter ? 1.0 : options.exaggeration;
+    tube_.set(shape_.rings(model.nodes, values_of(options.coloring, *model.string), color, thickness), options.coarse ? std::min(options.sides, coarse_sides) : options.sides);
   }
-  shade(mesh_);
-  tube_.set(mesh_);
+  tube_.show(options.string);
   draw_forces(model, options);
   place_turning(model, options);
 }
@@ -128,7 +127,8 @@ void StringScene::draw_forces(const DrillstringModel& model, const DrillstringOp
     const Vector3d off = node.position - node.axis.position;
     const Vector3d out = off.norm() > 1e-9 ? Vector3d(off.normalized()) : node.axis.side;
     const Vector3d wall = node.axis.position + options.exaggeration * model.rig->hole_radius(s.md[i]) * out;
-    add_arrow(mesh_, wall + force_scale_ * s.contact_force[i] * out, wall, 0.06 * hole, force_color);
+    add_arrow(mesh_, wall + force_scale_ * s.contact_force[i] * out, wall, 0.06 * hole, force_color,
+              options.coarse ? 3 : 6);
   }
   shade(mesh_);
   forces_.set(mesh_);

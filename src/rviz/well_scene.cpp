@@ -14,6 +14,7 @@ namespace
 constexpr Color planned{0.45f, 0.75f, 1.00f}, drilled{1.00f, 0.85f, 0.30f}, off_plan{1.00f, 0.45f, 0.35f}, station{0.95f, 0.95f, 0.95f},
     trail{0.30f, 1.00f, 0.95f};
 constexpr double most_rings = 1500.0;   // of the wall
+constexpr int wall_sides = 24, coarse_sides = 10;
 constexpr double trail_spacing = 0.01;  // of the bit's places that are kept [m]
 constexpr std::size_t trail_length = 1000;
 constexpr float whole_opacity = 0.35f;
@@ -37,19 +38,21 @@ MeshStyle seen_through()
 WellScene::WellScene(Ogre::SceneManager* manager, Ogre::SceneNode* parent)
     : manager_(manager),
       root_(parent->createChildSceneNode()),
-      wall_(MeshStyle{}),
-      whole_wall_(seen_through()),
+      wall_(root_, MeshStyle{}),
+      whole_wall_(root_, seen_through()),
       bands_(seen_through()),
       band_lines_(lines(1.0f)),
       paths_(lines(2.0f)),
       stations_(MeshStyle{}),
       trail_line_(lines(2.0f))
 {
-  for (MeshObject* object : {&wall_, &whole_wall_, &bands_, &band_lines_, &paths_, &stations_, &trail_line_}) root_->attachObject(object);
+  for (MeshObject* object : {&bands_, &band_lines_, &paths_, &stations_, &trail_line_}) root_->attachObject(object);
 }
 
 WellScene::~WellScene()
 {
+  wall_.clear();
+  whole_wall_.clear();
   root_->detachAllObjects();
   manager_->destroySceneNode(root_);
 }
@@ -73,20 +76,22 @@ void WellScene::draw(const DrillstringModel& model, const DrillstringOptions& op
 
 void WellScene::clear()
 {
-  for (MeshObject* object : {&wall_, &whole_wall_, &bands_, &band_lines_, &paths_, &stations_, &trail_line_}) object->show(false);
+  wall_.show(false);
+  whole_wall_.show(false);
+  for (MeshObject* object : {&bands_, &band_lines_, &paths_, &stations_, &trail_line_}) object->show(false);
 }
 
 void WellScene::draw_wall(const DrillstringModel& model, const DrillstringOptions& options)
 {
-  mesh_.clear();
-  other_mesh_.clear();
-  MeshData& mesh = options.wall == WallStyle::whole ? other_mesh_ : mesh_;
+  std::vector<Ring> rings;
   if (options.wall != WallStyle::none)
-    add_wall(mesh, *model.axis, *model.rig, shoe(model, options), options.exaggeration, std::max(1.0, model.axis->depth() / most_rings));
-  shade(mesh);
-  for (Vertex& v : other_mesh_.vertices) v.color[3] = static_cast<std::uint8_t>(255.0f * whole_opacity);
-  wall_.set(mesh_);
-  whole_wall_.set(other_mesh_);
+    rings = wall_rings(*model.axis, *model.rig, shoe(model, options), options.exaggeration, std::max(1.0, model.axis->depth() / most_rings));
+  const bool whole = options.wall == WallStyle::whole;
+  if (whole)
+    for (Ring& ring : rings) ring.color.a = whole_opacity;
+  const int sides = options.coarse ? coarse_sides : wall_sides;
+  wall_.set(whole ? std::vector<Ring>() : rings, sides, true, true);
+  whole_wall_.set(whole ? rings : std::vector<Ring>(), sides, true, true);
 }
 
 void WellScene::draw_paths(const DrillstringModel& model, const DrillstringOptions& options)
@@ -106,6 +111,7 @@ void WellScene::draw_paths(const DrillstringModel& model, const DrillstringOptio
 void WellScene::draw_stations(const DrillstringModel& model, const DrillstringOptions& options)
 {
   mesh_.clear();
+  const int sides = options.coarse ? coarse_sides : wall_sides;
   for (std::size_t i = 0; options.stations && i < model.rig->stations.size(); ++i)
   {
     // a collar about the hole; one that is still to be drilled about the plan
@@ -117,7 +123,7 @@ void WellScene::draw_stations(const DrillstringModel& model, const DrillstringOp
     Ring top{p.position - half * p.tangent, p.side, p.other(), radius, station};
     Ring bottom = top;
     bottom.center = p.position + half * p.tangent;
-    add_tube(mesh_, {top, bottom}, 24, true);
+    add_tube(mesh_, {top, bottom}, sides, true);
   }
   shade(mesh_);
   stations_.set(mesh_);

@@ -1,19 +1,24 @@
 #!/usr/bin/env python3
 """The display Drillstring with config/rviz/rig.rviz against the running node, under a virtual X server: what is to be seen at two window sizes, a node
-that is killed and comes back, subscriptions of what is shown alone, an end without a crash. Screenshots stay in the build folder as display_*.png;
-with UPDATE_README=1 that of 1280x800 also becomes the front page's picture."""
+that is killed and comes back, messages that cannot be drawn, subscriptions of what is shown alone, an end without a crash. Screenshots stay in the
+build folder as display_*_seen.png; with UPDATE_README=1 that of 1280x800 also becomes the front page's picture."""
+import copy
 import os
 import shutil
 import signal
 import xmlrpc.client
 
 import rosgraph
-from rig_test import PACKAGE_DIR, Rig, rospy, run, time, unittest, wait_until
+from drill_rig_sim.msg import DrillstringState, RigDescription
+from geometry_msgs.msg import PoseStamped
+from nav_msgs.msg import Path
+from rig_test import PACKAGE_DIR, PATIENCE, Rig, rospy, run, time, unittest, wait_until
 from rviz_window import FOLDER, Window
 
 README_PICTURE = os.path.join(PACKAGE_DIR, "test", "accuracy", "pictures", "rviz.png")
 CONFIG = os.path.join(PACKAGE_DIR, "config", "rviz", "rig.rviz")
 VIEW = (370, 66, 1010, 760)  # of a window of 1280x800, where the string is drawn: the legend is to its right
+TOPICS = ["/rig/drillstring_state", "/rig/rig_description", "/rig/trajectory"]
 LEGEND = (1030, 76, 1250, 456)
 
 
@@ -54,10 +59,6 @@ def who_hears(topic):
     return dict(rosgraph.Master(rospy.get_name()).getSystemState()[1]).get(topic, [])
 
 
-def rviz_hears(topic):
-    return any(name.startswith("/rviz") for name in who_hears(topic))
-
-
 class DrillstringDisplay(unittest.TestCase):
     def setUp(self):
         self.rig = Rig()
@@ -70,12 +71,10 @@ class DrillstringDisplay(unittest.TestCase):
         legend = window.wait_until(measured, lambda seen: seen["writing"] > 300)
         self.assertGreater(legend["string"], 2000)  # its bar
         if os.environ.get("UPDATE_README") == "1":
-            shutil.copy(os.path.join(FOLDER, "display_1280.png"), README_PICTURE)
+            shutil.copy(os.path.join(FOLDER, "display_1280_seen.png"), README_PICTURE)
         self.assertNotIn(window.close(), (134, 139), "rviz crashed at its end")
 
     def test_all_is_seen_at_1920x1080(self):
-        window = Window(self, "display_1920", "rig.rviz", 1280, 800, VIEW)
-        window.end()
         with open(CONFIG) as f:
             config = f.read().replace("Width: 1280", "Width: 1920").replace("Height: 800", "Height: 1080")
         file = os.path.join(FOLDER, "display_1920.rviz")
@@ -104,23 +103,50 @@ class DrillstringDisplay(unittest.TestCase):
         except rospy.ServiceException:
             return False
 
+    def test_bad_messages_are_refused(self):
+        window = Window(self, "display_bad", "rig.rviz", 1280, 800, VIEW)
+        window.wait_until(measured, all_seen)
+        good = rospy.wait_for_message("/rig/drillstring_state", DrillstringState, PATIENCE)
+        short, infinite = copy.deepcopy(good), copy.deepcopy(good)
+        short.torque = short.torque[1:]
+        infinite.position[3].x = float("inf")
+        rig = RigDescription()
+        rig.header.frame_id, rig.part_name, rig.station_md = "rig_floor", ["half a part"], [1.0]
+        path = Path(poses=[PoseStamped()])  # with a quaternion of zeros
+        for topic, kind, messages in (("drillstring_state", DrillstringState, [short, infinite, DrillstringState()]),
+                                      ("rig_description", RigDescription, [rig, RigDescription()]), ("trajectory", Path, [path, Path()])):
+            publisher = rospy.Publisher("/rig/" + topic, kind, queue_size=10)
+            wait_until(lambda: publisher.get_num_connections() > 0, "rviz hears another publisher")  # noqa: B023
+            for message in 5 * messages:
+                publisher.publish(message)
+                time.sleep(0.1)
+            publisher.unregister()
+        window.wait_until(measured, all_seen)
+
+    def opened(self, name, config):
+        """A window, and what tells whether its rviz hears a topic: those of windows before are still known to the master."""
+        before = {topic: who_hears(topic) for topic in TOPICS + ["/tf"]}
+        window = Window(self, name, config, 1280, 800, VIEW)
+        return window, lambda topic: any(node.startswith("/rviz") and node not in before[topic] for node in who_hears(topic))
+
     def test_hears_nothing_that_is_not_shown(self):
         with open(CONFIG) as f:
-            config = f.read().replace("Enabled: true\n      Value: true\n      Topic", "Enabled: false\n      Value: false\n      Topic")
+            config = f.read()
+        shown = "Enabled: true\n      Value: true\n      Topic"
+        self.assertIn(shown, config)
         file = os.path.join(FOLDER, "display_off.rviz")
         with open(file, "w") as f:
-            f.write(config)
-        window = Window(self, "display_off", file, 1280, 800, VIEW)
-        wait_until(lambda: rviz_hears("/tf"), "rviz runs")
+            f.write(config.replace(shown, shown.replace("true", "false")))
+        window, hears = self.opened("display_off", file)
+        wait_until(lambda: hears("/tf"), "rviz runs")
         time.sleep(3)
-        for topic in ("drillstring_state", "rig_description", "trajectory", "markers"):
-            self.assertFalse(rviz_hears("/rig/" + topic), topic)
+        for topic in TOPICS:
+            self.assertFalse(hears(topic), topic)
         window.end()
 
     def test_hears_what_is_shown(self):
-        window = Window(self, "display_on", "rig.rviz", 1280, 800, VIEW)
-        for topic in ("drillstring_state", "rig_description", "trajectory"):
-            wait_until(lambda: rviz_hears("/rig/" + topic), topic)  # noqa: B023
+        window, hears = self.opened("display_on", "rig.rviz")
+        wait_until(lambda: all(hears(topic) for topic in TOPICS), "rviz hears " + ", ".join(TOPICS))
         window.end()
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What rviz shows of the markers with config/rviz/markers.rviz, opened by hand: string, wellbore and bit are to be seen. Under a virtual X server.
-The screenshot stays in the build folder as rviz_markers.png."""
+The screenshot stays in the build folder as rviz_markers_seen.png."""
 from rig_test import Rig, run, unittest
 from rviz_window import Window
 

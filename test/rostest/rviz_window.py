@@ -17,6 +17,7 @@ echo $rviz >"$2.pid"
 trap 'kill $rviz' TERM
 while kill -0 $rviz 2>/dev/null; do
   sleep 2
+  kill -0 $rviz 2>/dev/null || break
   import -window root "$2_new.png" && convert "$2_new.png" -depth 8 "ppm:$2_new.ppm" && mv "$2_new.png" "$2.png" && mv "$2_new.ppm" "$2.ppm"
 done
 wait $rviz
@@ -47,7 +48,7 @@ class Picture:
 
 
 class Window:
-    """rviz with a configuration, whose pictures stay in the build folder as `name`.png. `case` is skipped where a program is missing, and closes
+    """rviz with a configuration, whose pictures stay in the build folder as `name`.png, the one that was right as `name`_seen.png. `case` is skipped where a program is missing, and closes
     it in the end."""
 
     def __init__(self, case, name, config, width, height, view):
@@ -68,17 +69,31 @@ class Window:
         case.addCleanup(self.end)
 
     def end(self):
+        """Closes it, however far it has got."""
+        deadline = time.monotonic() + PATIENCE
+        while self.server.poll() is None and time.monotonic() < deadline:
+            if os.path.exists(self.files + ".pid") and not os.path.exists(self.files + ".status"):
+                self.kill()
+            time.sleep(0.5)
         if self.server.poll() is None:
             subprocess.run(["pkill", "-TERM", "-P", str(self.server.pid)], check=False)
             self.server.wait(PATIENCE)
+
+    def kill(self):
+        """Ends rviz as a desktop does."""
+        with open(self.files + ".pid") as f:
+            number = f.read().strip()
+        try:
+            os.kill(int(number), signal.SIGTERM)
+        except (ProcessLookupError, ValueError):  # it has ended, or the file is not written yet
+            pass
 
     def runs(self):
         return self.server.poll() is None and not os.path.exists(self.files + ".status")
 
     def close(self):
-        """Closes rviz as the desktop does at its end; its exit status, 128 and more: killed by a signal."""
-        with open(self.files + ".pid") as f:
-            os.kill(int(f.read()), signal.SIGTERM)
+        """Ends rviz; its exit status, 128 and more: killed by a signal."""
+        self.kill()
         wait_until(lambda: os.path.exists(self.files + ".status"), "rviz ends")
         with open(self.files + ".status") as f:
             return int(f.read())
@@ -96,5 +111,6 @@ class Window:
             self.case.assertEqual(self.size, (picture.width, picture.height))
             seen = measure(picture)
             if enough(seen):
+                shutil.copy(self.files + ".png", self.files + "_seen.png")
                 return seen
         return self.case.fail("seen in the last picture: %s" % seen)

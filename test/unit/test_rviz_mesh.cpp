@@ -152,6 +152,7 @@ TEST(Outline, hasAToolJointAtEachJointsEnd)
   int wide = 0;
   for (const OutlinePoint& p : outline) wide += p.radius == 0.08;
   EXPECT_EQ(8, wide);  // joints end at 12.4, 22.4, 32.4 and 42.4 m
+  for (const OutlinePoint& p : outline_of(three_parts(), 45.0, false)) EXPECT_NE(0.08, p.radius);
   EXPECT_NEAR(0.4, outline.front().from_bit, 1e-12);
   EXPECT_NEAR(45.0, outline.back().from_bit, 1e-12);
 }
@@ -164,9 +165,8 @@ TEST(StringTube, goesThroughItsNodesExaggerated)
   StringTube tube;
   tube.shape(three_parts(), data.from_bit);
   MeshData mesh;
-  tube.draw(nodes, data.tension, [](double) { return Color{}; }, {10.0, 10.0, 8}, mesh);
+  add_tube(mesh, tube.rings(nodes, data.tension, [](double) { return Color{}; }, 10.0), 8);
   EXPECT_TRUE(faces_its_normals(mesh));
-  EXPECT_EQ(8 * tube.rings(), mesh.vertices.size());
   double widest = 0.0;
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) widest = std::max(widest, std::hypot(place(mesh, i).x() - 0.1, place(mesh, i).y()));
   EXPECT_NEAR(1.0, widest, 1e-6);  // the stabiliser's body, ten times
@@ -175,7 +175,7 @@ TEST(StringTube, goesThroughItsNodesExaggerated)
 TEST(Wall, isSeenFromWithinAndHasItsSections)
 {
   MeshData mesh;
-  add_wall(mesh, straight_down(120.0), three_parts(), 50.0, 1.0, 1.0);
+  add_tube(mesh, wall_rings(straight_down(120.0), three_parts(), 50.0, 1.0, 1.0), 24, true);
   EXPECT_TRUE(faces_its_normals(mesh));
   for (std::size_t i = 0; i < mesh.indices.size(); ++i)
   {

@@ -74,6 +74,7 @@ private:
   void show_probe();
   void apply_camera();
   void resolve_exaggeration();
+  void choose_detail(const Ogre::Camera& camera);
   void clear();
 
   std::unique_ptr<DrillstringProperties> properties_;

@@ -20,6 +20,7 @@ struct DrillstringOptions
   double exaggeration = 0.0;  ///< of what lies across the hole; 0: as suits the camera
   bool true_diameter = false;  ///< of the string
   int sides = 10;
+  bool coarse = false;  ///< no property: the eye is so far away that tool joints are less than a pixel or two, and few faces are enough
   double force_scale = 0.0;  ///< of contact forces [m/kN]; 0: automatic
   double cased_to = -1.0;    ///< measured depth [m]; below 0: of the last section but one
   WallStyle wall = WallStyle::cut_open;

@@ -11,7 +11,7 @@
 
 #include "drill_rig_sim/rviz/drillstring_model.h"
 #include "drill_rig_sim/rviz/drillstring_options.h"
-#include "drill_rig_sim/rviz/mesh_object.h"
+#include "drill_rig_sim/rviz/tube_object.h"
 #include "drill_rig_sim/rviz/picture/color_scale.h"
 
 namespace Ogre
@@ -62,7 +62,8 @@ private:
 
   Ogre::SceneManager* manager_;
   Ogre::SceneNode* root_;
-  MeshObject tube_, forces_;
+  TubeObject tube_;
+  MeshObject forces_;
   StringTube shape_;
   SteadyRange range_;
   std::vector<Turning> turning_;

@@ -5,7 +5,7 @@
 
 #include "drill_rig_sim/rviz/drillstring_model.h"
 #include "drill_rig_sim/rviz/drillstring_options.h"
-#include "drill_rig_sim/rviz/mesh_object.h"
+#include "drill_rig_sim/rviz/tube_object.h"
 
 namespace Ogre
 {
@@ -42,7 +42,8 @@ private:
 
   Ogre::SceneManager* manager_;
   Ogre::SceneNode* root_;
-  MeshObject wall_, whole_wall_, bands_, band_lines_, paths_, stations_, trail_line_;
+  TubeObject wall_, whole_wall_;
+  MeshObject bands_, band_lines_, paths_, stations_, trail_line_;
   std::vector<Eigen::Vector3d> trail_;  // where the bit's centre was, true
   PlanDistance plan_distance_;
   MeshData mesh_, other_mesh_;  // keep their memory

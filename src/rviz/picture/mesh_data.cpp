@@ -105,13 +105,12 @@ void add_disc(MeshData& mesh, const Ring& ring, int sides, bool back)
   }
 }
 
-void add_arrow(MeshData& mesh, const Vector3d& tail, const Vector3d& tip, double radius, const Color& color)
+void add_arrow(MeshData& mesh, const Vector3d& tail, const Vector3d& tip, double radius, const Color& color, int sides)
 {
   const double length = (tip - tail).norm();
   if (!(length > 0.0)) return;
   const Vector3d direction = (tip - tail) / length;
   const Vector3d neck = tip - std::min(0.5 * length, 8.0 * radius) * direction;
-  constexpr int sides = 6;
   const Ring foot = across_line(tail, direction, radius, color);
   Ring top = foot, wide = foot, point = foot;
   top.center = wide.center = neck;

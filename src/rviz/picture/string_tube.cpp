@@ -17,11 +17,11 @@ void add_step(std::vector<OutlinePoint>& outline, double from, double to, double
   outline.insert(outline.end(), {{from - taper, radius}, {from, wide}, {to, wide}, {to + taper, radius}});
 }
 
-void add_part(const PartData& part, double bottom, double top, double bit_to_sleeve, std::vector<OutlinePoint>& outline)
+void add_part(const PartData& part, double bottom, double top, double bit_to_sleeve, bool joints, std::vector<OutlinePoint>& outline)
 {
   outline.push_back({bottom, part.radius});
   if (part.kind == PartKind::mud_motor && bit_to_sleeve > 0.0) add_step(outline, bit_to_sleeve - half_sleeve, bit_to_sleeve + half_sleeve, part.radius, part.widest);
-  if (part.kind == PartKind::pipe && part.widest > part.radius && part.joint_length > 2.0)
+  if (joints && part.kind == PartKind::pipe && part.widest > part.radius && part.joint_length > 2.0)
     for (double end = bottom + part.joint_length; end < top - box - taper; end += part.joint_length)
       add_step(outline, end - pin, end + box, part.radius, part.widest);
   outline.push_back({top, part.radius});
@@ -44,24 +44,26 @@ Between between(const std::vector<double>& from_bit, double s) noexcept
   return {node, (s - from_bit[node]) / (from_bit[node + 1] - from_bit[node])};
 }
 
-std::vector<OutlinePoint> outline_of(const RigData& rig, double total_length)
+std::vector<OutlinePoint> outline_of(const RigData& rig, double total_length, bool joints)
 {
   const std::vector<double> bounds = part_bounds(rig.parts, total_length);
   std::vector<OutlinePoint> outline;
   for (std::size_t i = 0; i < rig.parts.size(); ++i)
-    if (rig.parts[i].kind != PartKind::bit && bounds[i + 1] > bounds[i]) add_part(rig.parts[i], bounds[i], bounds[i + 1], rig.bit_to_sleeve, outline);
+    if (rig.parts[i].kind != PartKind::bit && bounds[i + 1] > bounds[i])
+      add_part(rig.parts[i], bounds[i], bounds[i + 1], rig.bit_to_sleeve, joints, outline);
   if (outline.empty() && !rig.parts.empty()) outline = {{0.0, rig.parts.front().radius}, {total_length, rig.parts.front().radius}};
   const auto lower = [](const OutlinePoint& a, const OutlinePoint& b) { return a.from_bit < b.from_bit; };
   std::stable_sort(outline.begin(), outline.end(), lower);
   return outline;
 }
 
-void StringTube::shape(const RigData& rig, const std::vector<double>& from_bit)
+void StringTube::shape(const RigData& rig, const std::vector<double>& from_bit, bool joints)
 {
-  if (from_bit == from_bit_) return;
+  if (from_bit == from_bit_ && joints == joints_) return;
   from_bit_ = from_bit;
+  joints_ = joints;
   places_.clear();
-  const std::vector<OutlinePoint> outline = outline_of(rig, from_bit.back());
+  const std::vector<OutlinePoint> outline = outline_of(rig, from_bit.back(), joints);
   std::size_t next = 0;
   const auto add = [&](double s, double radius)
   {
@@ -86,8 +88,8 @@ std::vector<DrawnNode> StringTube::place(const StringData& data, const HoleAxis&
   return nodes;
 }
 
-void StringTube::draw(const std::vector<DrawnNode>& nodes, const std::vector<double>& values, const std::function<Color(double)>& color,
-                      const Drawing& drawing, MeshData& mesh)
+const std::vector<Ring>& StringTube::rings(const std::vector<DrawnNode>& nodes, const std::vector<double>& values,
+                                           const std::function<Color(double)>& color, double thickness)
 {
   rings_.clear();
   for (const Place& place : places_)
@@ -99,11 +101,11 @@ void StringTube::draw(const std::vector<DrawnNode>& nodes, const std::vector<dou
     // up the string as the rings go: side x other points along them
     ring.side = (w * a.axis.side + u * b.axis.side).normalized();
     ring.other = ring.side.cross((w * a.axis.tangent + u * b.axis.tangent).normalized());
-    ring.radius = drawing.thickness * place.radius;
+    ring.radius = thickness * place.radius;
     ring.color = color(w * values[place.node] + u * values[place.node + 1]);
     rings_.push_back(ring);
   }
-  add_tube(mesh, rings_, drawing.sides);
+  return rings_;
 }
 
 }  // namespace drill_rig_sim

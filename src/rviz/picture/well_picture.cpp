@@ -10,7 +10,6 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr int wall_sides = 24;
 constexpr Color casing{0.50f, 0.56f, 0.62f}, line{0.80f, 0.76f, 0.68f};
 constexpr std::array<Color, 6> rock{{{0.58f, 0.42f, 0.27f}, {0.46f, 0.45f, 0.42f}, {0.62f, 0.53f, 0.26f}, {0.52f, 0.31f, 0.25f}, {0.42f, 0.45f, 0.30f},
                                      {0.36f, 0.42f, 0.49f}}};
@@ -52,7 +51,7 @@ Color layer_color(std::size_t layer) noexcept
   return rock[layer % rock.size()];
 }
 
-void add_wall(MeshData& mesh, const HoleAxis& axis, const RigData& rig, double shoe, double exaggeration, double spacing)
+std::vector<Ring> wall_rings(const HoleAxis& axis, const RigData& rig, double shoe, double exaggeration, double spacing)
 {
   std::vector<Ring> rings;
   for (const double md : ring_depths(axis, rig, shoe, spacing))
@@ -65,8 +64,7 @@ void add_wall(MeshData& mesh, const HoleAxis& axis, const RigData& rig, double s
     }
     rings.push_back(wall_ring(p, exaggeration * rig.hole_radius(md), color));
   }
-  add_tube(mesh, rings, wall_sides, true);
-  add_disc(mesh, rings.back(), wall_sides, true);
+  return rings;
 }
 
 Vector3d closure_direction(const HoleAxis& axis) noexcept

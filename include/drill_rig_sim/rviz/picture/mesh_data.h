@@ -49,8 +49,9 @@ void add_tube(MeshData& mesh, const std::vector<Ring>& rings, int sides, bool in
 /// A disc that closes a tube at `ring`, seen from where side x other points to, or with `back` from the other side.
 void add_disc(MeshData& mesh, const Ring& ring, int sides, bool back);
 
-/// An arrow from `tail` to `tip`, of shaft radius `radius`; its head is as wide as three of that and at most half of it long. Nothing where it has no length.
-void add_arrow(MeshData& mesh, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip, double radius, const Color& color);
+/// An arrow from `tail` to `tip`, of shaft radius `radius` and `sides` faces about it; its head is as wide as three of that and at most half of it
+/// long. Nothing where it has no length.
+void add_arrow(MeshData& mesh, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip, double radius, const Color& color, int sides = 6);
 
 /// A box with its edges along the axes.
 void add_box(MeshData& mesh, const Eigen::Vector3d& least, const Eigen::Vector3d& most, const Color& color);

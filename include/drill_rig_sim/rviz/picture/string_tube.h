@@ -18,16 +18,8 @@ struct OutlinePoint
 };
 
 /// The string's radius along it, from the bit's top to `total_length`: bodies, tool joints (two thirds of a metre at each joint's lower end), a
-/// motor's sleeve. Blades are none of it.
-std::vector<OutlinePoint> outline_of(const RigData& rig, double total_length);
-
-/// How the string is drawn.
-struct Drawing
-{
-  double exaggeration = 1.0;  ///< of all that lies across the hole
-  double thickness = 1.0;     ///< of the string's own diameter
-  int sides = 10;
-};
+/// motor's sleeve. Blades are none of it. `joints`: with tool joints.
+std::vector<OutlinePoint> outline_of(const RigData& rig, double total_length, bool joints = true);
 
 /// A node as it is drawn.
 struct DrawnNode
@@ -40,16 +32,15 @@ struct DrawnNode
 class StringTube
 {
 public:
-  /// Takes the string's make; nothing is done where it is the one of before.
-  void shape(const RigData& rig, const std::vector<double>& from_bit);
+  /// Takes the string's make; nothing is done where it is the one of before. `joints`: with tool joints.
+  void shape(const RigData& rig, const std::vector<double>& from_bit, bool joints = true);
   void forget() { from_bit_.clear(); }
 
   /// Where the nodes are drawn.
   static std::vector<DrawnNode> place(const StringData& data, const HoleAxis& axis, double exaggeration);
-  /// Puts the tube into `mesh`. `values`: what colours each node; `color`: of a value.
-  void draw(const std::vector<DrawnNode>& nodes, const std::vector<double>& values, const std::function<Color(double)>& color, const Drawing& drawing,
-            MeshData& mesh);
-  std::size_t rings() const noexcept { return places_.size(); }
+  /// The tube's rings, bit first. `values`: what colours each node; `color`: of a value; `thickness`: of the string's own diameter.
+  const std::vector<Ring>& rings(const std::vector<DrawnNode>& nodes, const std::vector<double>& values, const std::function<Color(double)>& color,
+                                 double thickness);
 
 private:
   struct Place
@@ -59,6 +50,7 @@ private:
     double radius;
   };
   std::vector<double> from_bit_;
+  bool joints_ = true;
   std::vector<Place> places_;
   std::vector<Ring> rings_;
 };

@@ -12,9 +12,10 @@ namespace drill_rig_sim
 /// What a layer of rock is coloured by; the colours come again after the sixth.
 Color layer_color(std::size_t layer) noexcept;
 
-/// The hole's wall seen from within, so that what lies between it and the eye is open; casing above `shoe` [m], below it the rock's layers. Rings are
-/// `spacing` [m] apart at most and at steps of the hole's radius; across the hole all is `exaggeration` times as large.
-void add_wall(MeshData& mesh, const HoleAxis& axis, const RigData& rig, double shoe, double exaggeration, double spacing);
+/// Rings of the hole's wall, top down, for a tube seen from within, so that what lies between it and the eye is open: in the colour of casing above
+/// `shoe` [m], below it of the rock's layers. They are `spacing` [m] apart at most, and at steps of the hole's radius; across the hole all is
+/// `exaggeration` times as large.
+std::vector<Ring> wall_rings(const HoleAxis& axis, const RigData& rig, double shoe, double exaggeration, double spacing);
 
 /// Layers of rock as bands of a vertical plane through the table and the hole's bottom, which reaches `margin` [m] beyond the well on all sides but
 /// above; with lines where they meet.
