@@ -108,7 +108,6 @@ ChartTrack::ChartTrack(Quantity quantity, int number, QWidget* parent)
   QPalette p = palette();
   p.setColor(QPalette::WindowText, color_);
   title_->setPalette(p);
-  title_->setWordWrap(true);
   paint_plot(plot_);
   curve_->setPen(color_, 1.2);
   curve_->setPaintAttribute(QwtPlotCurve::FilterPoints, true);
@@ -143,6 +142,9 @@ void ChartTrack::set_axis(Axis axis, bool labelled)
   plot_->setAxisMaxMajor(QwtPlot::xBottom, downwards ? 3 : 5);
   plot_->setAxisMaxMajor(QwtPlot::yLeft, downwards ? 12 : 4);
   for (const int side : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) plot_->axisScaleDraw(side)->setTickLength(QwtScaleDiv::MinorTick, 0);
+  title_->setFixedHeight((downwards ? 3 : 1) * title_->fontMetrics().lineSpacing() + 2);
+  title_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  title_->setMinimumWidth(10);  // a track does not widen with its number
   cursor_->setLineStyle(downwards ? QwtPlotMarker::HLine : QwtPlotMarker::VLine);
   plot_->setMinimumSize(downwards ? 50 : 120, downwards ? 120 : 50);
 }
@@ -187,9 +189,11 @@ void ChartTrack::show_cursor(const History& history, double place)
   const QuantityRow& row = row_of(quantity_);
   double value = missing;
   if (!history.empty()) value = history[std::isfinite(place) ? history.nearest(place) : history.size() - 1].value[index_of(quantity_)];
-  QString text = QStringLiteral("%1  %2").arg(row.label, shown_text(value, row.dimension, system_));
-  if (std::isfinite(place) && axis_ == Axis::time) text += QStringLiteral("  at %1").arg(TimeDraw().label(place).text());
-  if (std::isfinite(place) && axis_ == Axis::depth) text += QStringLiteral("  at %1").arg(shown_text(place, Dimension::length, system_));
+  // against depth a track is narrow: name, value and place one below the other
+  const QString apart = axis_ == Axis::depth ? "\n" : "  ";
+  QString text = row.label + apart + shown_text(value, row.dimension, system_);
+  const QString where = axis_ == Axis::time ? TimeDraw().label(place).text() : shown_text(place, Dimension::length, system_);
+  if (std::isfinite(place)) text += apart + "at " + where;
   tell(title_, text);
   cursor_->setVisible(std::isfinite(place));
   if (!std::isfinite(place)) return;

@@ -68,7 +68,8 @@ TEST_F(Readings, EveryGaugeIsFilledWhileTheRigDrills)
   console.type("settings bit diameter", "215.9");
   drill(console);
   Listener<RigState> states("rig_state", "drilled");
-  ASSERT_TRUE(wait_until([&] { return !states.all().empty() && states.all().back()->rop > 1e-3 && states.all().back()->surface_wob > 1e3; }));
+  ASSERT_TRUE(wait_until([&] { return !states.all().empty() && states.all().back()->rop > 3e-3 && states.all().back()->surface_wob > 1e3; }));
+  EXPECT_TRUE(wait_until([&] { return states.all().back()->hole_depth > 200.4; }));  // some samples against depth
   EXPECT_TRUE(wait_until([&] { return unfilled(console).isEmpty(); })) << unfilled(console).join("; ").toStdString();
   console.window().grab().save(out_folder() + "/console_1920x1080_drilling.png");
   ASSERT_TRUE(wait_until([&] { return std::abs(number(console.shows("gauge hole_depth")) - states.all().back()->hole_depth) < 0.02; }, 5.0));
@@ -84,6 +85,9 @@ TEST_F(Readings, EveryGaugeIsFilledWhileTheRigDrills)
   console.open_page_of("chart axis");
   wait_for(0.5);
   console.window().grab().save(out_folder() + "/console_1280x800_drilling_chart.png");
+  console.choose("chart axis", "depth");
+  wait_for(0.5);
+  console.window().grab().save(out_folder() + "/console_1280x800_drilling_depth.png");
   console.open_page(0);  // lets the winch go; the rate of penetration is that of the last ten seconds
   EXPECT_TRUE(wait_until([&] { return unfilled(console).isEmpty(); }, 5.0)) << unfilled(console).join("; ").toStdString();
   console.window().grab().save(out_folder() + "/console_1280x800_drilling_gauges.png");
