@@ -18,7 +18,7 @@ SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 BLOCK = re.compile(r'(<!-- begin: (.+?) -->\n)(.*?)(<!-- end -->)', re.DOTALL)
 FENCES = {'.py': '```python\n%s```\n', '.md': '%s'}
 TREES = ('config', 'include', 'launch', 'msg', 'src', 'srv', 'test')  # paths in the texts that start so are files of the package
-STRANGERS = ('.', 'rosbag', 'rosdep', 'rostopic')  # quoted commands of others that nothing here can check
+STRANGERS = ('.', 'dask-scheduler', 'dask-worker', 'export', 'rosbag', 'rosdep', 'rostopic')  # quoted commands of others that nothing here can check
 LONGEST_FRONT_PAGE = 150  # lines of the first README that a reader takes in
 drill_program = None
 
@@ -93,6 +93,8 @@ def complaint(command):
         return None if known else 'no such service'
     if name == 'python3':
         return None if os.path.isfile(os.path.join(SOURCE, words[1])) else 'no such file'
+    if name == 'rosrun':
+        return None if os.access(os.path.join(SOURCE, 'src/tools', words[2]), os.X_OK) else 'no such program'
     if name in STRANGERS:
         return None
     if name != 'drill' and not os.access(os.path.join(SOURCE, name), os.X_OK):

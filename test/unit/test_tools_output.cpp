@@ -105,7 +105,10 @@ Row truth_row()
           {"over_stress", 0},
           {"over_torque", 0},
           {"buckled", 0},
-          {"accuracy_warning", 0}};
+          {"accuracy_warning", 0},
+          {"stand_pipe_pressure", 109},
+          {"differential_pressure", 110},
+          {"flow", 111}};
 }
 }  // namespace
 
