@@ -16,7 +16,7 @@ import test_drill  # noqa: E402 (leaves nothing behind)
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SCENE = os.path.join(SOURCE, 'test/scenes/drilling_noisy.yaml')
 PROGRAM = 'program=[{at: 0, flow: 0.02, top_drive_speed_rpm: 40, block_velocity: -0.004}]'
-NOT_MEASURED = {'drillstring_state', 'markers', 'trajectory'}  # and what begins with a slash
+NOT_MEASURED = {'drillstring_state', 'markers', 'rig_description', 'trajectory'}  # and what begins with a slash
 # of the time series: field of a message
 TRUTH = {name: name for name in ('hook_load', 'torque', 'block_height', 'top_drive_speed', 'bit_depth', 'hole_depth', 'rop', 'in_slips', 'motor_stalled',
                                  'winch_limited', 'top_drive_limited', 'stop_reached', 'slack_line', 'relief_valve_open', 'over_stress', 'over_torque',
