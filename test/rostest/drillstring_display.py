@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The display Drillstring with config/rviz/rig.rviz against the running node, under a virtual X server: what is to be seen at two window sizes, a node
-that is killed and comes back, messages that cannot be drawn, subscriptions of what is shown alone, an end without a crash. Screenshots stay in the
+that is killed and comes back, messages that cannot be drawn, subscriptions of what is shown alone. Screenshots stay in the
 build folder as display_*_seen.png; with UPDATE_README=1 that of 1280x800 also becomes the front page's picture."""
 import copy
 import os
@@ -72,7 +72,7 @@ class DrillstringDisplay(unittest.TestCase):
         self.assertGreater(legend["string"], 2000)  # its bar
         if os.environ.get("UPDATE_README") == "1":
             shutil.copy(os.path.join(FOLDER, "display_1280_seen.png"), README_PICTURE)
-        self.assertNotIn(window.close(), (134, 139), "rviz crashed at its end")
+        self.assertNotIn(window.close(), (134, 139), "rviz crashed before SIGTERM ended it")
 
     def test_all_is_seen_at_1920x1080(self):
         with open(CONFIG) as f:
