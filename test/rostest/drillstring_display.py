@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The display Drillstring with config/rviz/rig.rviz against the running node, under a virtual X server: what is to be seen at two window sizes, a node
+"""The display Drillstring with config/rviz/drillstring.rviz against the running node, under a virtual X server: what is to be seen at two window sizes, a node
 that is killed and comes back, messages that cannot be drawn, subscriptions of what is shown alone. Screenshots stay in the
 build folder as display_*_seen.png; with UPDATE_README=1 that of 1280x800 also becomes the front page's picture."""
 import copy
@@ -16,7 +16,7 @@ from rig_test import PACKAGE_DIR, PATIENCE, Rig, rospy, run, time, unittest, wai
 from rviz_window import FOLDER, Window
 
 README_PICTURE = os.path.join(PACKAGE_DIR, "test", "accuracy", "pictures", "rviz.png")
-CONFIG = os.path.join(PACKAGE_DIR, "config", "rviz", "rig.rviz")
+CONFIG = os.path.join(PACKAGE_DIR, "config", "rviz", "drillstring.rviz")
 VIEW = (370, 66, 1010, 760)  # of a window of 1280x800, where the string is drawn: the legend is to its right
 TOPICS = ["/rig/drillstring_state", "/rig/rig_description", "/rig/trajectory"]
 LEGEND = (1030, 76, 1250, 456)
@@ -65,7 +65,7 @@ class DrillstringDisplay(unittest.TestCase):
         self.rig.must(self.rig.reset_well("bohai.yaml", 0.0))
 
     def test_all_is_seen_at_1280x800(self):
-        window = Window(self, "display_1280", "rig.rviz", 1280, 800, VIEW)
+        window = Window(self, "display_1280", "drillstring.rviz", 1280, 800, VIEW)
         window.wait_until(measured, all_seen)
         window.view = LEGEND
         legend = window.wait_until(measured, lambda seen: seen["writing"] > 300)
@@ -84,7 +84,7 @@ class DrillstringDisplay(unittest.TestCase):
         window.wait_until(measured, all_seen)
 
     def test_node_that_comes_back_is_shown_again(self):
-        window = Window(self, "display_back", "rig.rviz", 1280, 800, VIEW)
+        window = Window(self, "display_back", "drillstring.rviz", 1280, 800, VIEW)
         window.wait_until(measured, all_seen)
         node = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode("/rig/rig_simulator"))
         os.kill(node.getPid(rospy.get_name())[2], signal.SIGKILL)
@@ -104,7 +104,7 @@ class DrillstringDisplay(unittest.TestCase):
             return False
 
     def test_bad_messages_are_refused(self):
-        window = Window(self, "display_bad", "rig.rviz", 1280, 800, VIEW)
+        window = Window(self, "display_bad", "drillstring.rviz", 1280, 800, VIEW)
         window.wait_until(measured, all_seen)
         good = rospy.wait_for_message("/rig/drillstring_state", DrillstringState, PATIENCE)
         short, infinite = copy.deepcopy(good), copy.deepcopy(good)
@@ -145,7 +145,7 @@ class DrillstringDisplay(unittest.TestCase):
         window.end()
 
     def test_hears_what_is_shown(self):
-        window, hears = self.opened("display_on", "rig.rviz")
+        window, hears = self.opened("display_on", "drillstring.rviz")
         wait_until(lambda: all(hears(topic) for topic in TOPICS), "rviz hears " + ", ".join(TOPICS))
         window.end()
 
