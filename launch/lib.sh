@@ -9,7 +9,7 @@ packages_run="python3-numpy python3-matplotlib python3-rospy python3-roslaunch p
   python3-std-srvs python3-tf2-msgs python3-visualization-msgs python3-yaml"
 packages_rviz="rviz librviz-dev libqwt-qt5-dev"
 packages_test="catkin-lint python3-rosbag python3-rostest xvfb xauth imagemagick python3-yaml valgrind"
-packages_campaign="python3-distributed python3-scipy python3-lxml"
+packages_campaign="python3-distributed python3-scipy python3-lxml openssl procps"
 packages_tidy="clang-tidy"
 packages_fuzz="clang libclang-rt-dev"
 packages_neon="g++-aarch64-linux-gnu qemu-user"
