@@ -7,8 +7,10 @@
 #include <rviz/frame_manager.h>
 #include <rviz/view_controller.h>
 #include <rviz/view_manager.h>
+#include <rviz/visualization_manager.h>
 #include <tf2_ros/buffer.h>
 
+#include <QGuiApplication>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "drill_rig_sim/rviz/derrick_scene.h"
@@ -43,6 +45,9 @@ DrillstringDisplay::~DrillstringDisplay()
 
 void DrillstringDisplay::onInitialize()
 {
+  // rviz may draw once more after its window is closed, the likelier the longer a frame takes; Mesa's software renderer then clears beyond a picture of no size
+  if (auto* manager = dynamic_cast<rviz::VisualizationManager*>(context_))
+    connect(qApp, &QGuiApplication::lastWindowClosed, manager, [manager] { manager->stopUpdate(); });
   options_ = properties_->options();
   resolve_exaggeration();
   string_scene_ = std::make_unique<StringScene>(scene_manager_, scene_node_);
