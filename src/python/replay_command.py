@@ -58,7 +58,7 @@ def main(words):
     options = parser.parse_args(words)
     try:
         record = read_record(options.record, options.columns)
-        replay = play(Simulator(options.scene if os.path.dirname(options.scene) or not os.path.exists(options.scene) else os.path.abspath(options.scene)), record)
+        replay = play(Simulator(os.path.abspath(options.scene) if os.path.exists(options.scene) else options.scene), record)
         if options.json:
             with open(options.json, "w", encoding="utf-8") as out:
                 json.dump(replay.table(), out, indent=2, allow_nan=False)

@@ -11,7 +11,7 @@ namespace drill_rig_sim::console
 {
 namespace
 {
-constexpr int title_height = 16, mast_width = 34, block_height = 12;
+constexpr int mast_width = 34, block_height = 12;
 }
 
 BlockBar::BlockBar(QWidget* parent) : QWidget(parent), place_{missing, missing, missing, missing, 0, false, false, true}
@@ -112,13 +112,7 @@ void BlockBar::paint_lines(QPainter& painter, const QRect& area)
 void BlockBar::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), QColor(look::tile));
-  QFont small = font();
-  small.setPixelSize(12);
-  painter.setFont(small);
-  painter.setPen(QColor(look::faint));
-  painter.drawText(QRect(6, 2, width() - 12, title_height), Qt::AlignLeft | Qt::AlignVCenter, "Block");
+  paint_tile(painter, *this, "Block");
   const QRect below(8, title_height + 6, width() - 16, height() - title_height - 14);
   paint_mast(painter, QRect(below.left() + 2, below.top(), mast_width, below.height()));
   paint_lines(painter, below.adjusted(mast_width + 14, 0, 0, 0));

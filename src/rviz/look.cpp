@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 
 #include "model/quantities.h"
@@ -103,6 +104,17 @@ void tell(QLabel* label, const QString& text)
   if (label->text() == text) return;
   label->setText(text);
   label->setAccessibleDescription(text);
+}
+
+void paint_tile(QPainter& painter, const QWidget& widget, const QString& title)
+{
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(widget.rect(), QColor(look::tile));
+  QFont small = widget.font();
+  small.setPixelSize(12);
+  painter.setFont(small);
+  painter.setPen(QColor(look::faint));
+  painter.drawText(QRect(6, 2, widget.width() - 12, title_height), Qt::AlignLeft | Qt::AlignVCenter, title);
 }
 
 }  // namespace drill_rig_sim::console

@@ -10,6 +10,7 @@
 
 class QCheckBox;
 class QLabel;
+class QPainter;
 class QPushButton;
 class QWidget;
 
@@ -40,6 +41,11 @@ QLabel* make_reading(const QString& name, QWidget* parent);
 QCheckBox* make_check(const QString& text, const QString& name, QWidget* parent);
 /// Says what a reading label shows, on screen and to a screen reader.
 void tell(QLabel* label, const QString& text);
+
+/// Of a widget that paints itself: how high the title is that paint_tile() writes [pixels].
+constexpr int title_height = 16;
+/// The ground of such a widget, and its title in small faint letters at the top, which the painter keeps.
+void paint_tile(QPainter& painter, const QWidget& widget, const QString& title);
 
 }  // namespace drill_rig_sim::console
 

@@ -11,7 +11,6 @@ namespace drill_rig_sim::console
 {
 namespace
 {
-constexpr int title_height = 16;
 
 QPointF on_circle(const QPointF& centre, double radius, double toolface)
 {
@@ -89,13 +88,7 @@ void ToolfaceDial::paint_history(QPainter& painter, const QPointF& centre, doubl
 void ToolfaceDial::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), QColor(look::tile));
-  QFont small = font();
-  small.setPixelSize(12);
-  painter.setFont(small);
-  painter.setPen(QColor(look::faint));
-  painter.drawText(QRect(6, 2, width() - 12, title_height), Qt::AlignLeft | Qt::AlignVCenter, magnetic_ ? "Toolface from north" : "Toolface");
+  paint_tile(painter, *this, magnetic_ ? "Toolface from north" : "Toolface");
   const QRectF area(0, title_height, width(), height() - title_height);
   const double radius = std::max(10.0, std::min(0.5 * area.width() - 34, 0.5 * area.height() - 18));
   const QPointF centre = area.center();

@@ -20,9 +20,9 @@ struct CalibrateOptions
 void calibrate(const CalibrateOptions& options)
 {
   std::vector<std::string> words;
-  if (!options.json.empty()) words.push_back("--json=" + options.json);  // it may begin with a dash
-  if (!options.scheduler.empty()) words.push_back("--scheduler=" + options.scheduler);
-  if (options.workers) words.push_back("--workers=" + std::to_string(static_cast<int>(*options.workers)));
+  add_word(words, "--json", options.json);
+  add_word(words, "--scheduler", options.scheduler);
+  if (options.workers) add_word(words, "--workers", std::to_string(static_cast<int>(*options.workers)));
   words.insert(words.end(), {"--", options.fit});
   become_python("calibrate_command", words);
 }

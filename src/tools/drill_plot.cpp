@@ -18,14 +18,10 @@ struct PlotOptions
 void plot(const PlotOptions& options)
 {
   std::vector<std::string> words;
-  const auto add = [&](const char* name, const std::string& value)
-  {
-    if (!value.empty()) words.push_back(std::string(name) + "=" + value);  // it may begin with a dash
-  };
-  add("--out", options.out);
-  add("--plan", options.plan);
-  add("--string", options.string);
-  add("--namespace", options.name_space);
+  add_word(words, "--out", options.out);
+  add_word(words, "--plan", options.plan);
+  add_word(words, "--string", options.string);
+  add_word(words, "--namespace", options.name_space);
   words.insert(words.end(), {"--", options.run});
   become_python("plot_command", words);
 }

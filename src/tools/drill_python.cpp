@@ -45,4 +45,9 @@ void become_python(const std::string& module, const std::vector<std::string>& wo
   throw UsageError(std::string(DRILL_RIG_SIM_PYTHON) + " cannot be started: " + std::strerror(errno));
 }
 
+void add_word(std::vector<std::string>& words, const char* name, const std::string& value)
+{
+  if (!value.empty()) words.push_back(std::string(name) + "=" + value);
+}
+
 }  // namespace drill_rig_sim

@@ -18,14 +18,10 @@ struct ReplayOptions
 void replay(const ReplayOptions& options)
 {
   std::vector<std::string> words;
-  const auto add = [&](const char* name, const std::string& value)
-  {
-    if (!value.empty()) words.push_back(std::string(name) + "=" + value);  // it may begin with a dash
-  };
-  add("--columns", options.columns);
-  add("--json", options.json);
-  add("--csv", options.csv);
-  add("--plots", options.plots);
+  add_word(words, "--columns", options.columns);
+  add_word(words, "--json", options.json);
+  add_word(words, "--csv", options.csv);
+  add_word(words, "--plots", options.plots);
   words.insert(words.end(), {"--", options.record, options.scene});
   become_python("replay_command", words);
 }

@@ -25,22 +25,18 @@ std::string written(double value)
   return text;
 }
 
-/// The command line of Python's side. Values stand behind `=`: one may begin with a dash.
+/// The command line of Python's side.
 std::vector<std::string> words_of(const ScoreOptions& o)
 {
   std::vector<std::string> words;
-  const auto add_text = [&](const char* name, const std::string& value)
-  {
-    if (!value.empty()) words.push_back(std::string(name) + "=" + value);
-  };
   const auto add_number = [&](const char* name, const std::optional<double>& value)
   {
-    if (value) words.push_back(std::string(name) + "=" + written(*value));
+    if (value) add_word(words, name, written(*value));
   };
-  add_text("--plan", o.plan);
-  add_text("--namespace", o.name_space);
-  add_text("--json", o.json);
-  add_text("--plots", o.plots);
+  add_word(words, "--plan", o.plan);
+  add_word(words, "--namespace", o.name_space);
+  add_word(words, "--json", o.json);
+  add_word(words, "--plots", o.plots);
   add_number("--bit-diameter", o.bit_diameter);
   add_number("--wob", o.wob);
   add_number("--wob-band", o.wob_band);

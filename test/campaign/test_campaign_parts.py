@@ -24,6 +24,7 @@ from drill_rig_sim.campaign.plan import PlanError, read_plan
 from drill_rig_sim.campaign.results import Results, ResultsError
 from drill_rig_sim.campaign.runner import Runner
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
+from drill_rig_sim.sim import build
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SOURCE = os.path.dirname(os.path.dirname(HERE))
@@ -193,7 +194,7 @@ class Runs(Folder):
         runner = Runner(plan.blueprint)
         self.addCleanup(runner.end)
         rig = played.simulator(plan.blueprint, plan.rows[0])
-        return runner, plan.rows[0], [played.identity(), rig.kernel]
+        return runner, plan.rows[0], [build(), rig.kernel]
 
     def test_outputs_of_a_good_run(self):
         runner, row, identity = self.runner("chat")

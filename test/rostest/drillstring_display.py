@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """The display Drillstring with config/rviz/drillstring.rviz against the running node, under a virtual X server: what is to be seen at two window sizes, a node
 that is killed and comes back, messages that cannot be drawn, subscriptions of what is shown alone. Screenshots stay in the
-build folder as display_*_seen.png; with UPDATE_README=1 that of 1280x800 also becomes the front page's picture."""
+build folder as display_*_seen.png."""
 import copy
 import os
-import shutil
 import signal
 import xmlrpc.client
 
@@ -15,7 +14,6 @@ from nav_msgs.msg import Path
 from rig_test import PACKAGE_DIR, PATIENCE, Rig, rospy, run, time, unittest, wait_until
 from rviz_window import FOLDER, Window
 
-README_PICTURE = os.path.join(PACKAGE_DIR, "test", "accuracy", "pictures", "rviz.png")
 CONFIG = os.path.join(PACKAGE_DIR, "config", "rviz", "drillstring.rviz")
 VIEW = (370, 66, 1010, 760)  # of a window of 1280x800, where the string is drawn: the legend is to its right
 TOPICS = ["/rig/drillstring_state", "/rig/rig_description", "/rig/trajectory"]
@@ -70,8 +68,6 @@ class DrillstringDisplay(unittest.TestCase):
         window.view = LEGEND
         legend = window.wait_until(measured, lambda seen: seen["writing"] > 300)
         self.assertGreater(legend["string"], 2000)  # its bar
-        if os.environ.get("UPDATE_README") == "1":
-            shutil.copy(os.path.join(FOLDER, "display_1280_seen.png"), README_PICTURE)
         self.assertNotIn(window.close(), (134, 139), "rviz crashed before SIGTERM ended it")
 
     def test_all_is_seen_at_1920x1080(self):

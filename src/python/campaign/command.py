@@ -10,6 +10,7 @@ from drill_rig_sim.campaign.results import Results, ResultsError
 from drill_rig_sim.campaign.runner import GOOD as RUN_GOOD, one_line
 from drill_rig_sim.campaign.scene_text import SceneTextError
 from drill_rig_sim.lockstep import Refused
+from drill_rig_sim.sim import build
 
 GOOD, SOME_BAD, BAD_INPUT, BROKEN = 0, 1, 2, 3
 TRIED = 10       # of the first runs, whether one can be built
@@ -96,7 +97,7 @@ def first_rig(plan):
         try:
             rig = played.simulator(plan.blueprint, row)
             check_outputs(plan.blueprint, rig)
-            return [played.identity(), rig.kernel]
+            return [build(), rig.kernel]
         except (Refused, SceneTextError) as error:
             refusal = one_line(error, plan.blueprint)
     raise PlanError("%s: %s" % ("the only run" if len(plan.rows) == 1 else "each of the first %d runs is refused, the last" % len(plan.rows[:TRIED]), refusal))

@@ -41,7 +41,7 @@ def one(row, identity):
 
 
 def connect(scheduler=None, slurm=0, workers=0):
-    """A client and what is to be closed after it, itself first. Without arguments: as many processes on this machine as it has cores for us."""
+    """A client and what is to be closed after it. Without arguments: as many processes on this machine as it has cores for us."""
     dask.config.set({"distributed.worker.daemon": False, "distributed.comm.timeouts.connect": "20s", "distributed.admin.log-format": "%(levelname)s %(message)s"})
     if scheduler is not None:
         return distributed.Client(address_checked(scheduler), security=security(), timeout="20s"), []

@@ -4,7 +4,7 @@ import os
 from drill_rig_sim.campaign.blueprint import CONTROLLER, SEED, Blueprint, Source, in_scene
 from drill_rig_sim.campaign.designs import KINDS, DesignError, Factor, rows_of
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
-from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError
+from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, survey_file
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.sim import found
 
@@ -94,7 +94,8 @@ def blueprint_of(entries, base, factors, keys, name):
                (("duration", "duration", None, 0.0), ("rate", "rate", 1.0, None), ("every", "every", None, 0.0), ("from", "begin", 0.0, None)) if key in entries}
     bounds = entries["bounds"].mapping(("cpu", "wall", "memory")) if "bounds" in entries else {}
     judge = judge_of(entries.get("judge"), base)
-    return Blueprint(entries["name"].text() if "name" in entries else name, scene, survey_of(entries["scene"], scene, scene_file), keys, controller, parameters,
+    survey = survey_file(scene, scene_file)
+    return Blueprint(entries["name"].text() if "name" in entries else name, scene, None if survey is None else read(entries["scene"], survey), keys, controller, parameters,
                      seed=entries["seed"].whole() if "seed" in entries else 0, outputs=outputs_of(entries["outputs"], base), judge=judge,
                      **numbers, **{key: bound.number(beyond=0.0) for key, bound in bounds.items()})
 
@@ -174,13 +175,6 @@ def file_of(entry, base, folder):
         return found(entry.text(), folder)
     except Refused as error:
         return entry.fail(str(error))
-
-
-def survey_of(entry, scene, scene_file):
-    """The text of the survey's file that the scene names, or None."""
-    import yaml
-    well = (yaml.safe_load(scene) or {}).get("well") or {}
-    return read(entry, os.path.join(os.path.dirname(scene_file), str(well["survey"]))) if "survey" in well else None
 
 
 def read(entry, file):

@@ -6,7 +6,7 @@ from drill_rig_sim.control import drive
 from drill_rig_sim.lockstep import series
 from drill_rig_sim.score import score
 from drill_rig_sim.score_runs import run_of_record, run_of_states
-from drill_rig_sim.sim import Simulator, build
+from drill_rig_sim.sim import Simulator
 
 STATISTICS = {
     "mean": lambda values, weights: numpy.average(values, weights=weights),
@@ -70,11 +70,6 @@ def number(value):
     """As JSON has them; what is no finite number is None."""
     value = None if value is None else float(value)
     return value if value is not None and math.isfinite(value) else None
-
-
-def identity():
-    """Of the library."""
-    return build()
 
 
 def play(blueprint, row, rig=None):

@@ -33,15 +33,16 @@ def run(blueprint, row, identity, begin):
     from drill_rig_sim.campaign import played  # pylint: disable=import-outside-toplevel
     from drill_rig_sim.campaign.scene_text import SceneTextError  # pylint: disable=import-outside-toplevel
     from drill_rig_sim.lockstep import Failed, Refused  # pylint: disable=import-outside-toplevel
+    from drill_rig_sim.sim import build  # pylint: disable=import-outside-toplevel
     began = time.process_time()
     resource.setrlimit(resource.RLIMIT_DATA, (int(begin + blueprint.memory), resource.RLIM_INFINITY))
     signal.setitimer(signal.ITIMER_PROF, blueprint.cpu)
     try:
         status, reason, outputs = GOOD, "", {}
         rig = played.simulator(blueprint, row)
-        if [played.identity(), rig.kernel] != identity:
+        if [build(), rig.kernel] != identity:
             raise Refused("build and kernel here are %s %s, the campaign's are %s %s: the same build on all machines, and numerics.kernel in the scene" %
-                          (played.identity()[:8], rig.kernel, identity[0][:8], identity[1]))
+                          (build()[:8], rig.kernel, identity[0][:8], identity[1]))
         outputs = played.outputs_of(blueprint, played.play(blueprint, row, rig))
     except (Refused, SceneTextError) as refusal:
         status, reason = FAILED if isinstance(refusal, Failed) else REFUSED, one_line(refusal, blueprint)

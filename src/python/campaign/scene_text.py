@@ -1,5 +1,6 @@
 """A scene's file with places in it for values: any of its keys, those that it leaves out too."""
 import json
+import os
 import re
 
 import yaml
@@ -86,6 +87,12 @@ class SceneText:
             return inside + (", " if self.text[begin:].lstrip()[:1] != "}" else "")
         column = begin - (self.text.rfind("\n", 0, begin) + 1)
         return "".join("%s: %s\n%s" % (name, flow(what, values), " " * column) for name, what in tree.items())
+
+
+def survey_file(scene, scene_file):
+    """The path of the survey that a scene's text names, which counts from the scene's file; None where it has none."""
+    well = (yaml.safe_load(scene) or {}).get("well") or {}
+    return os.path.join(os.path.dirname(scene_file), str(well["survey"])) if "survey" in well else None
 
 
 def steps_of(key):

@@ -1,10 +1,8 @@
 """What is fitted to: a record in time, played to a scene, or a table of weights by depth and motion. Each predicts numbers for values of the scene's keys."""
-import os
-
 import numpy
 from drill_rig_sim.campaign.blueprint import Blueprint
 from drill_rig_sim.campaign.played import simulator
-from drill_rig_sim.campaign.scene_text import SceneText
+from drill_rig_sim.campaign.scene_text import SceneText, survey_file
 from drill_rig_sim.field.replay import COMPARED, check, play
 from drill_rig_sim.lockstep import Refused
 
@@ -99,15 +97,14 @@ class Evaluator:
 
 def scene_and_survey(file):
     """Texts of a scene's file and of the survey's that it names."""
-    import yaml
     try:
         with open(file, encoding="utf-8") as text:
             scene = text.read()
         SceneText(scene, [])
-        well = (yaml.safe_load(scene) or {}).get("well") or {}
-        if "survey" not in well:
+        survey = survey_file(scene, file)
+        if survey is None:
             return scene, None
-        with open(os.path.join(os.path.dirname(file), str(well["survey"])), encoding="utf-8") as text:
+        with open(survey, encoding="utf-8") as text:
             return scene, text.read()
     except (OSError, UnicodeDecodeError) as error:
         raise ModelError("%s: %s" % (getattr(error, "filename", None) or file, getattr(error, "strerror", None) or error))

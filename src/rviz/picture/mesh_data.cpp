@@ -68,6 +68,16 @@ void shade(MeshData& mesh)
   }
 }
 
+void add_quad(MeshData& mesh, const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d, const Vector3d& normal, const Color& color)
+{
+  const std::uint32_t first = mesh.add(a, normal, color);
+  mesh.add(b, normal, color);
+  mesh.add(c, normal, color);
+  mesh.add(d, normal, color);
+  mesh.add_triangle(first, first + 1, first + 2);
+  mesh.add_triangle(first, first + 2, first + 3);
+}
+
 void add_tube(MeshData& mesh, const std::vector<Ring>& rings, int sides, bool inside)
 {
   const std::vector<Eigen::Vector2d> round = circle(std::max(sides, 3));

@@ -17,17 +17,12 @@ Vector3d on_circle(double x, double radius, double angle)
   return {x, radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// Two triangles between four places, seen from the side from which they run counterclockwise.
+/// A quad with the normal that the four places have.
 void add_face(MeshData& mesh, const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d, const Color& color)
 {
   const Vector3d across = (c - a).cross(d - b);
   const Vector3d normal = across.norm() > 0.0 ? Vector3d(across.normalized()) : Vector3d(Vector3d::UnitX());
-  const std::uint32_t first = mesh.add(a, normal, color);
-  mesh.add(b, normal, color);
-  mesh.add(c, normal, color);
-  mesh.add(d, normal, color);
-  mesh.add_triangle(first, first + 1, first + 2);
-  mesh.add_triangle(first, first + 2, first + 3);
+  add_quad(mesh, a, b, c, d, normal, color);
 }
 
 void add_revolution(MeshData& mesh, const std::vector<ProfilePoint>& profile, double share, const Color& color)

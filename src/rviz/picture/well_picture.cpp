@@ -34,16 +34,6 @@ Ring wall_ring(const AxisPoint& p, double radius, const Color& color)
 {
   return {p.position, p.side, p.other(), radius, color};
 }
-
-void add_quad(MeshData& mesh, const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d, const Vector3d& normal, const Color& color)
-{
-  const std::uint32_t first = mesh.add(a, normal, color);
-  mesh.add(b, normal, color);
-  mesh.add(c, normal, color);
-  mesh.add(d, normal, color);
-  mesh.add_triangle(first, first + 1, first + 2);
-  mesh.add_triangle(first, first + 2, first + 3);
-}
 }  // namespace
 
 Color layer_color(std::size_t layer) noexcept

@@ -53,6 +53,10 @@ void add_disc(MeshData& mesh, const Ring& ring, int sides, bool back);
 /// long. Nothing where it has no length.
 void add_arrow(MeshData& mesh, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip, double radius, const Color& color, int sides = 6);
 
+/// Two triangles between four places, seen from the side from which they run counterclockwise.
+void add_quad(MeshData& mesh, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d, const Eigen::Vector3d& normal,
+              const Color& color);
+
 /// A box with its edges along the axes.
 void add_box(MeshData& mesh, const Eigen::Vector3d& least, const Eigen::Vector3d& most, const Color& color);
 
