@@ -34,6 +34,12 @@ def find(name):
     return found[0] if found else None
 
 
+def what_failed(output):
+    """Of what a program of gtest printed: its failed tests whole, and its last lines, which tell of a crash."""
+    tests = output.split("[ RUN      ]")
+    return "\n".join([t for t in tests[1:] if "[  FAILED  ]" in t] + tests[-1].splitlines()[-20:])
+
+
 class Console(unittest.TestCase):
     def setUp(self):
         for program in ("rviz", "xvfb-run", "import"):
@@ -72,8 +78,9 @@ class Console(unittest.TestCase):
     def test_the_panel_by_itself(self):
         program = find("test_console")
         self.assertIsNotNone(program, "test_console is not built")
-        done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1920x1080x24", program], env=self.environment, timeout=LONGEST, check=False)
-        self.assertEqual(0, done.returncode)
+        done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1920x1080x24", program], env=self.environment, timeout=LONGEST, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(0, done.returncode, what_failed(done.stdout))
 
     def test_it_loads_from_an_install_space(self):
         with tempfile.TemporaryDirectory() as place:
