@@ -1,11 +1,16 @@
 #include "drill_rig_sim/rig/drive_tuning.h"
 
+#include <algorithm>
+
+#include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/string/wave_impedance.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
+constexpr double fastest_tuned = 2.0 * pi;  // rad/s
+
 /// Whether an oscillation is slower than `w` [rad/s]: whether a pivot of K - w^2 M is negative.
 bool has_slower(const Mesh& mesh, double w)
 {
@@ -49,7 +54,7 @@ double slowest_torsion(const Mesh& mesh)
 
 TopDriveSpec tuned(TopDriveSpec drive, const Mesh& mesh)
 {
-  const double zeta = torsional_impedance(mesh), w = slowest_torsion(mesh);
+  const double zeta = torsional_impedance(mesh), w = std::min(slowest_torsion(mesh), fastest_tuned);
   tune(drive.inertia, 2.0 * zeta, w * w, 0.0, drive.soft_torque);
   tune(drive.inertia, zeta, 0.0, 0.125 * w, drive.z_torque);
   return drive;

@@ -66,7 +66,24 @@ void check_fault(const ProgramStep& step, std::size_t i, ProblemList& problems)
   if (const char* wrong = what_is_wrong_with_magnitude(fault)) problem("fault_magnitude", wrong + std::string("magnitude: ").size());
 }
 
+/// Of a tool that points the bit, above the bit's face; 0: there is none [m].
+double pivot_of(const std::vector<PartSpec>& parts)
+{
+  for (const PartSpec& part : parts)
+    if (part.steerable && part.steerable->tilt > 0.0) return part.steerable->bit_to_pivot;
+  return 0.0;
+}
 }  // namespace
+
+std::string what_it_cuts(const Scene& scene, double free_length)
+{
+  if (!(free_length > 0.0)) return {};
+  const double bit = scene.string.empty() ? 0.0 : scene.string.front().length;
+  if (free_length < bit) return metres(free_length) + " ends within the bit, allowed: 0 or from " + metres(bit) + " on";
+  const double pivot = pivot_of(scene.string);
+  if (free_length < pivot) return metres(free_length) + " ends below the pivot of a tool that points the bit, allowed: 0 or from " + metres(pivot) + " on";
+  return {};
+}
 
 ProblemList program_problems(const Scene& scene)
 {
@@ -101,6 +118,8 @@ ProblemList program_problems(const Scene& scene)
       problems.emplace_back(item_key("program", i, "free_length"), "a rigid string, and this integrator, have but one level; allowed with the others");
     else if (step.free_length > free)
       problems.emplace_back(item_key("program", i, "free_length"), metres(step.free_length) + " would set guided pipe free, allowed: up to " + metres(free));
+    else if (const std::string cut = what_it_cuts(scene, step.free_length); !cut.empty())
+      problems.emplace_back(item_key("program", i, "free_length"), cut);
     if (!std::isnan(step.free_length)) free = step.free_length;
     limit(i, "block_velocity", step.block_velocity, scene.rig.hoisting.max_speed, "m/s", 1.0);
     limit(i, "top_drive_speed_rpm", step.top_drive_speed, scene.rig.top_drive.max_speed, "rpm", rpm);

@@ -10,6 +10,10 @@ namespace drill_rig_sim
 /// without what they need.
 ProblemList program_problems(const Scene& scene);
 
+/// Why a string cannot be free just so far above the bit's face [m]: it would be cut within the bit, or within a shaft that leans. Empty where it can; 0, not a
+/// number: nothing is cut.
+std::string what_it_cuts(const Scene& scene, double free_length);
+
 }  // namespace drill_rig_sim
 
 #endif

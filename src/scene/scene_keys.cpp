@@ -260,9 +260,9 @@ std::vector<Key<DriveImpedance>> impedance_rows(const char* damping, const char*
 }
 }  // namespace
 
-const Table<DriveImpedance> soft_torque_keys = {"rig.top_drive.soft_torque", "SOFT_TORQUE makes the drive an impedance P + s (1 - c) inertia + I/s in front of the string.", impedance_rows("twice the pipe's impedance", "what cancels the inertia left at the string's slowest torsion")};
+const Table<DriveImpedance> soft_torque_keys = {"rig.top_drive.soft_torque", "SOFT_TORQUE makes the drive an impedance P + s (1 - c) inertia + I/s in front of the string.", impedance_rows("twice the pipe's impedance", "what cancels the inertia left at the string's slowest torsion, at 1 Hz where that is faster")};
 
-const Table<DriveImpedance> z_torque_keys = {"rig.top_drive.z_torque", "Z_TORQUE does too, with little of its inertia left: over a band of frequencies.", impedance_rows("the pipe's impedance", "P w / 8, w the string's slowest torsion")};
+const Table<DriveImpedance> z_torque_keys = {"rig.top_drive.z_torque", "Z_TORQUE does too, with little of its inertia left: over a band of frequencies.", impedance_rows("the pipe's impedance", "P w / 8, w the string's slowest torsion, at most that of 1 Hz")};
 
 const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe.", {
   {"max_flow",              "m3/s",   &MudPumpSpec::max_flow,              above(0.0, 1.0),      "of the pump"},

@@ -241,14 +241,6 @@ void check_telemetry(const char* key, double period, double latency, ProblemList
                                  plain(most_on_the_way * period) + " s");
 }
 
-/// Of a tool that points the bit, above the bit's face; 0: there is none [m].
-double pivot_of(const std::vector<PartSpec>& parts)
-{
-  for (const PartSpec& part : parts)
-    if (part.steerable && part.steerable->tilt > 0.0) return part.steerable->bit_to_pivot;
-  return 0.0;
-}
-
 void append(ProblemList& all, const ProblemList& more)
 {
   all.insert(all.end(), more.begin(), more.end());
@@ -267,13 +259,8 @@ ProblemList unavailable(const Scene& scene)
 {
   ProblemList problems;
   const NumericsSpec& numerics = scene.numerics;
-  const double bit = scene.string.empty() ? 0.0 : scene.string.front().length;
-  if (numerics.level == Level::hybrid && numerics.free_length > 0.0 && numerics.free_length < bit)
-    problems.emplace_back("numerics.free_length", metres(numerics.free_length) + " ends within the bit, allowed: 0 or from " + metres(bit) + " on");
-  const double pivot = pivot_of(scene.string);
-  if (numerics.level == Level::hybrid && numerics.free_length > 0.0 && numerics.free_length < pivot)
-    problems.emplace_back("numerics.free_length",
-                          metres(numerics.free_length) + " ends below the pivot of a tool that points the bit, allowed: 0 or from " + metres(pivot) + " on");
+  const std::string cut = numerics.level == Level::hybrid ? what_it_cuts(scene, numerics.free_length) : std::string();
+  if (!cut.empty()) problems.emplace_back("numerics.free_length", cut);
   const bool guided = all_guided(numerics.level) || numerics.level == Level::hybrid;
   if (guided && has_no_levels(numerics.integrator)) problems.emplace_back("numerics.integrator", "this method is available for level beam3d alone");
   if (numerics.has_variable_steps() && !varies_steps(numerics.integrator))

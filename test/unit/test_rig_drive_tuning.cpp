@@ -14,15 +14,15 @@ namespace
 {
 constexpr double length = 3000.0;  // [m]
 
-Mesh mesh_of(std::vector<PartSpec> parts)
+Mesh mesh_of(std::vector<PartSpec> parts, double depth = length)
 {
-  return build_mesh(parts, ContactSpec(), MudSpec(), uniform_elements(9.5), length);
+  return build_mesh(parts, ContactSpec(), MudSpec(), uniform_elements(9.5), depth);
 }
 
 /// Pipe without tool joints under a bit that weighs next to nothing.
-Mesh plain_mesh()
+Mesh plain_mesh(double depth = length)
 {
-  return mesh_of({bit_part(0.2, 0.01), pipe_part(0, 9.5, plain_pipe_mass, 0.0)});
+  return mesh_of({bit_part(0.2, 0.01), pipe_part(0, 9.5, plain_pipe_mass, 0.0)}, depth);
 }
 
 double polar_moment()
@@ -86,6 +86,15 @@ TEST(DriveTuning, whatTheSceneGivesStays)
   EXPECT_EQ(some.z_torque.stiffness, 55.0);
   EXPECT_EQ(some.z_torque.inertia_compensation, 0.9);
   EXPECT_DOUBLE_EQ(some.z_torque.damping, zeta);
+}
+
+TEST(DriveTuning, aShortStringIsTunedForAsIfItHadOneHertz)
+{
+  const Mesh mesh = plain_mesh(200.0);
+  ASSERT_GT(slowest_torsion(mesh), 2.0 * 2.0 * pi);
+  const TopDriveSpec drive, both = tuned(drive, mesh);
+  EXPECT_DOUBLE_EQ(both.soft_torque.stiffness, (1.0 - drive.soft_torque.inertia_compensation) * drive.inertia * 4.0 * pi * pi);
+  EXPECT_DOUBLE_EQ(both.z_torque.stiffness, torsional_impedance(mesh) * 0.25 * pi);
 }
 
 int main(int argc, char** argv)

@@ -138,6 +138,11 @@ TEST(Pointing, needsFreeNodes)
   const ProblemList problems = scene_problems(scene);
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ("numerics.free_length: 0.9 m ends below the pivot of a tool that points the bit, allowed: 0 or from 1 m on", problems[0].key + ": " + problems[0].text);
+  std::swap(scene.numerics.free_length, scene.program.emplace_back().free_length);
+  scene.numerics.free_length = 20.0;
+  const ProblemList of_program = scene_problems(scene);
+  ASSERT_EQ(of_program.size(), 1u);
+  EXPECT_EQ("program[0].free_length: " + problems[0].text, of_program[0].key + ": " + of_program[0].text);
 }
 
 // Above the assembly the string may be guided; guided altogether it does not lean, and says that it does not represent the hole's direction.

@@ -18,6 +18,8 @@ double slowest_torsion(const Mesh& mesh);
 /// The drive with what its impedances leave at 0 tuned to the string:
 /// SOFT_TORQUE: P = 2 zeta, I = J' w^2, J' the inertia left of the rotor, w the slowest torsion: what mass and integral do cancels there;
 /// Z_TORQUE:    P = zeta, I = zeta w / 8: absorbs from there up, until J' weighs.
+/// Both as if the slowest torsion were 1 Hz at most: a short string that oscillates faster is not what they are for, and I would be stiff enough to make
+/// the rotor ring on its own.
 TopDriveSpec tuned(TopDriveSpec drive, const Mesh& mesh);
 
 }  // namespace drill_rig_sim
