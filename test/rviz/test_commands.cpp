@@ -283,7 +283,7 @@ TEST_F(Commands, EveryFaultIsAnswered)
     ASSERT_TRUE(console_.asks("fault begin", "inject_fault: ")) << kinds->itemText(n).toStdString();
     ASSERT_TRUE(console_.asks("fault end", "inject_fault: ")) << kinds->itemText(n).toStdString();
   }
-  EXPECT_GE(console_.get<QListWidget>("event log")->count(), 32);
+  EXPECT_TRUE(wait_until([&] { return console_.get<QListWidget>("event log")->count() >= 32; }));
 }
 
 TEST_F(Commands, AMagnitudeHasTheUnitOfItsGauge)

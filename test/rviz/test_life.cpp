@@ -59,7 +59,7 @@ TEST(Life, TheNodeIsKilledAndComesBack)
   ASSERT_TRUE(console.is_in_state("RUNNING"));
   rig->end(SIGKILL);
   EXPECT_TRUE(console.is_in_state("LATE"));
-  EXPECT_TRUE(console.shows("gauge hook_load").contains("stale"));
+  EXPECT_TRUE(wait_until([&] { return console.shows("gauge hook_load").contains("stale"); }));
   EXPECT_TRUE(console.is_in_state("ABSENT"));
   EXPECT_TRUE(console.asks("mud pump apply", "mud pump: not sent"));
   rig = std::make_unique<RigProcess>("mortal");
