@@ -273,7 +273,7 @@ std::string Services::restore_state(const RestoreState::Request& request)
         loop.go_back(*saved.state, *saved.player, saved.playing, saved.commands);
         kernel = loop.rig().simulator->statistics().kernel;
       });
-  const std::string restored = "restored " + (request.file.empty() ? request.name : request.file);
+  std::string restored = "restored " + (request.file.empty() ? request.name : request.file);
   if (kernel == saved.kernel) return restored;
   return restored + ", made by kernel " + name_of(saved.kernel) + ": what follows by " + name_of(kernel) + " differs from then in rounding";
 }

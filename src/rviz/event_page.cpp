@@ -50,6 +50,7 @@ void EventPage::log(const QString& text, Level level)
 std::vector<EventPage::Line> EventPage::lines_of(const RigState* state, const std::vector<std::string>& remarks) const
 {
   std::vector<Line> lines;
+  lines.reserve(remarks.size());
   const bool failed = state != nullptr && state->run_state == RigState::FAILED;
   for (const std::string& remark : remarks) lines.push_back({QString::fromStdString(remark), failed ? Level::alarm : Level::caution});
   if (state == nullptr) return lines;

@@ -29,11 +29,14 @@ void LabelSet::set(const std::vector<Label>& labels)
     const Label& label = labels[i];
     if (i == shown_.size())
     {
-      shown_.push_back({manager_->createSceneNode(), std::make_unique<rviz::MovableText>(label.text, "Liberation Sans", 1.0f), label.text});
-      shown_.back().text->setTextAlignment(rviz::MovableText::H_LEFT, rviz::MovableText::V_CENTER);
-      shown_.back().text->showOnTop(true);
-      shown_.back().text->setSpaceWidth(0.3f);
-      shown_.back().node->attachObject(shown_.back().text.get());
+      Shown& added = shown_.emplace_back();
+      added.node = manager_->createSceneNode();
+      added.text = std::make_unique<rviz::MovableText>(label.text, "Liberation Sans", 1.0f);
+      added.caption = label.text;
+      added.text->setTextAlignment(rviz::MovableText::H_LEFT, rviz::MovableText::V_CENTER);
+      added.text->showOnTop(true);
+      added.text->setSpaceWidth(0.3f);
+      added.node->attachObject(added.text.get());
     }
     Shown& shown = shown_[i];
     if (shown.caption != label.text) shown.text->setCaption(label.text);

@@ -33,7 +33,7 @@ std::vector<double> samples(double depth)
 {
   std::vector<double> result;
   for (int i = 0; i <= 200; ++i) result.push_back(depth * i / 200.0);
-  for (double back = 0.0; back < std::min(200.0, depth); back += 2.0) result.push_back(depth - back);
+  for (int back = 0; back < std::min(200.0, depth); back += 2) result.push_back(depth - back);
   return result;
 }
 }  // namespace
@@ -128,8 +128,11 @@ void RulerScene::add_ruler(const DrillstringModel& model, const DrillstringOptio
   if (step == 2.5) step = 5.0;
   while ((last - first) / step > most_ticks) step *= 2.0;
   const double reach = 4.0 * step;  // beyond the samples that were seen
-  for (double md = std::max(0.0, std::floor((first - reach) / step) * step); md <= std::min(last + reach, model.axis->depth()); md += step)
+  const int from = std::max(0, static_cast<int>(std::floor((first - reach) / step)));
+  const int to = static_cast<int>(std::floor(std::min(last + reach, model.axis->depth()) / step));
+  for (int k = from; k <= to; ++k)
   {
+    const double md = k * step;
     const AxisPoint p = model.axis->at(md);
     const Vector3d beside = sight.beside(p);
     const double wall = options.exaggeration * model.rig->hole_radius(md), length = 10.0 * sight.pixel(*root_, p.position);

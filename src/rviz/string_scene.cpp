@@ -57,10 +57,14 @@ void StringScene::add_turning(const std::string& part, double from_bit, MeshData
   shade(mesh);
   MeshStyle style;
   style.both_sides = true;
-  turning_.push_back({part, from_bit, std::make_unique<MeshObject>(style), root_->createChildSceneNode()});
-  turning_.back().mesh->set(mesh);
-  turning_.back().node->attachObject(turning_.back().mesh.get());
-  turning_.back().mesh->show(false);  // until it is known where
+  Turning& added = turning_.emplace_back();
+  added.part = part;
+  added.from_bit = from_bit;
+  added.mesh = std::make_unique<MeshObject>(style);
+  added.node = root_->createChildSceneNode();
+  added.mesh->set(mesh);
+  added.node->attachObject(added.mesh.get());
+  added.mesh->show(false);  // until it is known where
 }
 
 void StringScene::new_rig(const DrillstringModel& model)

@@ -21,6 +21,7 @@ std::uint8_t byte(float share)
 std::vector<Eigen::Vector2d> circle(int sides)
 {
   std::vector<Eigen::Vector2d> points;
+  points.reserve(static_cast<std::size_t>(sides));
   for (int k = 0; k < sides; ++k) points.emplace_back(std::cos(two_pi * k / sides), std::sin(two_pi * k / sides));
   return points;
 }

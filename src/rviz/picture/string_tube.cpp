@@ -1,6 +1,7 @@
 #include "drill_rig_sim/rviz/picture/string_tube.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drill_rig_sim
 {
@@ -22,8 +23,14 @@ void add_part(const PartData& part, double bottom, double top, double bit_to_sle
   outline.push_back({bottom, part.radius});
   if (part.kind == PartKind::mud_motor && bit_to_sleeve > 0.0) add_step(outline, bit_to_sleeve - half_sleeve, bit_to_sleeve + half_sleeve, part.radius, part.widest);
   if (joints && part.kind == PartKind::pipe && part.widest > part.radius && part.joint_length > 2.0)
-    for (double end = bottom + part.joint_length; end < top - box - taper; end += part.joint_length)
+  {
+    const int ends = std::max(0, static_cast<int>(std::ceil((top - box - taper - bottom) / part.joint_length)) - 1);
+    for (int k = 1; k <= ends; ++k)
+    {
+      const double end = bottom + k * part.joint_length;
       add_step(outline, end - pin, end + box, part.radius, part.widest);
+    }
+  }
   outline.push_back({top, part.radius});
 }
 

@@ -28,6 +28,7 @@ void add_face(MeshData& mesh, const Vector3d& a, const Vector3d& b, const Vector
 void add_revolution(MeshData& mesh, const std::vector<ProfilePoint>& profile, double share, const Color& color)
 {
   std::vector<Ring> rings;
+  rings.reserve(profile.size());
   for (const ProfilePoint& p : profile) rings.push_back({p.x * Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ(), share * p.radius, color});
   add_tube(mesh, rings, 24);
   add_disc(mesh, rings.front(), 24, true);
