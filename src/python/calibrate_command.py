@@ -3,6 +3,7 @@ the fit never saw says. The runner has checked the command line."""
 import argparse
 import json
 import sys
+import time
 
 import numpy
 from drill_rig_sim.lockstep import Refused
@@ -27,8 +28,27 @@ def table(plan, found, left):
     for signal, numbers in left.items():
         factor, unit = UNITS[signal]
         lines.append("%-28s %14s %14s" % ("%s [%s]" % (signal, unit), *("-" if number is None else "%.4g" % (factor * number) for number in numbers)))
+    lines += ["%s: these data do not tell it" % p.name for p, width in zip(plan.parameters, found.half_widths) if not width < told_by(p)]
     lost = int((~numpy.isfinite(found.predicted)).sum())
     return lines + (["%d numbers could not be predicted: no equilibrium, or a scene out of range" % lost] if lost else []) + ["", "%d points of the parameters were tried" % found.runs]
+
+
+def told_by(parameter):
+    """Half the width of its bounds: what is no surer than that, the data have not told."""
+    return 0.5 * (parameter.high - parameter.low)
+
+
+class Progress:
+    """A line each ten seconds, once a point is done: those of a long record take minutes."""
+
+    def __init__(self):
+        self.began = self.told = time.monotonic()
+
+    def __call__(self, points):
+        now = time.monotonic()
+        if now - self.told > 10.0:
+            self.told = now
+            print("drill calibrate: %d points tried, %.0f s" % (points, now - self.began), file=sys.stderr, flush=True)
 
 
 def as_json(plan, found, left):
@@ -52,9 +72,12 @@ def main(words):
         return FAILED
     try:
         plan = read_fit(options.fit)
+        print("".join("drill calibrate: %s\n" % line for line in plan.model.remarks), end="", file=sys.stderr)
         evaluator = Evaluator(plan.model, options.workers, options.scheduler)
         try:
-            found = fit(Problem(plan.parameters, evaluator, plan.model.observed, plan.model.signals, plan.fitted))
+            found = fit(Problem(plan.parameters, evaluator, plan.model.observed, plan.model.signals, plan.fitted, Progress()))
+        except FitError as error:
+            raise FitError("%s: %s" % (error, evaluator.why([p.start for p in plan.parameters if p.signal is None])))
         finally:
             evaluator.close()
         left = residuals(plan, found)

@@ -15,7 +15,7 @@ SHOWN = {"hook_load": ("hook load", 1e-3, "kN"), "torque": ("torque", 1e-3, "kN 
 
 
 def table(replay):
-    lines = ["%-12s %12s %12s %12s %12s" % ("", "mean off", "rms off", "largest off", "range")]
+    lines = ["%-12s %12s %12s %12s %12s  off: recorded less simulated" % ("", "mean off", "rms off", "largest off", "range")]
     for signal, numbers in replay.table().items():
         name, factor, unit = SHOWN[signal]
         lines.append("%-12s %s %s" % (name, " ".join("%12.3f" % (factor * numbers[key]) for key in ("mean", "rms", "largest", "range")), unit))
@@ -68,6 +68,7 @@ def main(words):
         if options.plots:
             draw(replay, options.plots)
         print("\n".join(table(replay)))
+        print("".join("drill replay: %s\n" % line for line in replay.remarks), end="", file=sys.stderr)
         return GOOD
     except (RecordError, Refused) as error:
         print("drill replay: %s" % error, file=sys.stderr)

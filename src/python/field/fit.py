@@ -36,8 +36,9 @@ class Problem:
     """`observed`: numbers, nan where there is none; `signals`: the name of each; `fitted`: which of them count. `model(list of parameter lists)`: a list of
     predictions without offsets."""
 
-    def __init__(self, parameters, model, observed, signals, fitted):
-        self.parameters, self.model, self.observed = parameters, model, numpy.asarray(observed, dtype=float)
+    def __init__(self, parameters, model, observed, signals, fitted, tell=lambda points: None):
+        """`tell`: is given how many points have been tried, whenever there are more."""
+        self.parameters, self.model, self.observed, self.tell = parameters, model, numpy.asarray(observed, dtype=float), tell
         self.signals, self.rows = numpy.asarray(signals), numpy.asarray(fitted) & numpy.isfinite(self.observed)
         self.inner = [k for k, parameter in enumerate(parameters) if parameter.signal is None]
         self.offsets = numpy.array([self.signals == parameter.signal for parameter in parameters], dtype=float).reshape(len(parameters), -1).T
@@ -51,6 +52,8 @@ class Problem:
         new = list(dict.fromkeys(key for key in keys if key not in self.known))
         self.known.update(zip(new, map(numpy.asarray, self.model([list(key) for key in new]) if new else [])))
         self.runs += len(new)
+        if new:
+            self.tell(self.runs)
         return [self.known[key] for key in keys]
 
     def predict(self, x):
@@ -84,7 +87,7 @@ def fit(problem, level=0.95):
     parameters, names = problem.parameters, sorted(set(problem.signals[problem.rows]))
     x = numpy.array([parameter.start for parameter in parameters], dtype=float)
     if not numpy.isfinite(problem.predict(x)[problem.rows]).any():
-        raise FitError("at the parameters' start nothing can be predicted: a scene out of range, or no equilibrium")
+        raise FitError("at the parameters' start nothing can be predicted")
     problem.scatter = {name: max(float(numpy.nanstd(problem.observed[problem.rows & (problem.signals == name)])), 1e-9) for name in names}
     for _ in range(ROUNDS):
         found = least_squares(problem.residuals, x, problem.jacobian, bounds=([p.low for p in parameters], [p.high for p in parameters]),

@@ -3,7 +3,7 @@ import os
 
 import numpy
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
-from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError
+from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
 from drill_rig_sim.field.fit import Parameter
 from drill_rig_sim.field.models import MOTIONS, ModelError, RecordModel, TableModel, scene_and_survey
 from drill_rig_sim.field.record import RecordError, number, read_record
@@ -29,6 +29,7 @@ def read_fit(file):
     base = os.path.dirname(os.path.abspath(file))
     scene, survey = scene_and_survey(os.path.join(base, entries["scene"].text()))
     parameters = [parameter_of(item, scene) for item in entries["parameters"].sequence()]
+    check_places(scene, parameters, entries["parameters"])
     if "table" in entries:
         model = TableModel(scene, survey, parameters, *read_table(entries["table"], base))
     else:
@@ -40,7 +41,18 @@ def read_fit(file):
             item.fail("%s: is not fitted" % parameter.signal)
     held = entries["held_out"].number(0.0, most=0.9) if "held_out" in entries else 0.3
     begin = entries["from"].number(0.0) / model.length if "from" in entries else 0.0
-    return FitPlan(model, parameters, (model.place >= begin) & (model.place < 1.0 - held), model.place >= 1.0 - held)
+    fitted = (model.place >= begin) & (model.place < 1.0 - held)
+    if not (fitted & numpy.isfinite(model.observed)).any():
+        raise PlanError("%s: from and held_out leave no number to fit to" % file)
+    return FitPlan(model, parameters, fitted, model.place >= 1.0 - held)
+
+
+def check_places(scene, parameters, entry):
+    """That no two parameters are of one key."""
+    try:
+        SceneText(scene, [key for parameter in parameters for key in parameter.keys])
+    except SceneTextError as error:
+        entry.fail(str(error))
 
 
 def parameter_of(item, scene):
@@ -48,8 +60,9 @@ def parameter_of(item, scene):
     if sum(key in parts for key in ("key", "keys", "signal")) != 1:
         item.fail("needs one of key, keys and signal (an offset of it)")
     places = [parts["key"].text()] if "key" in parts else [one.text() for one in parts["keys"].sequence()] if "keys" in parts else []
+    times = "times" in parts and parts["times"].yes()
     try:
-        SceneText(scene, places)
+        SceneText(scene, places).with_values({place: Times(1.0) if times else 1.0 for place in places})
     except SceneTextError as error:
         item.fail(str(error))
     low = parts["from"].number() if "from" in parts else -numpy.inf
@@ -58,7 +71,7 @@ def parameter_of(item, scene):
     if not low <= start <= high:
         parts["start"].fail("is %g, outside %g to %g" % (start, low, high))
     signal = parts["signal"].choice(COMPARED) if "signal" in parts else None
-    return Parameter(parts["name"].text(), start, low, high, places, "times" in parts and parts["times"].yes(), signal)
+    return Parameter(parts["name"].text(), start, low, high, places, times, signal)
 
 
 def read_table(entry, base):

@@ -2,6 +2,7 @@
 import numpy
 from drill_rig_sim.campaign.blueprint import Blueprint
 from drill_rig_sim.campaign.played import simulator
+from drill_rig_sim.campaign.runner import one_line
 from drill_rig_sim.campaign.scene_text import SceneText, survey_file
 from drill_rig_sim.field.replay import COMPARED, check, play
 from drill_rig_sim.lockstep import Refused
@@ -18,7 +19,7 @@ class RecordModel:
 
     def __init__(self, scene, survey, parameters, record, signals=()):
         check(record)
-        self.record = record
+        self.record, self.remarks = record, record.remarks
         self.names = [name for name in COMPARED if name in record and (not signals or name in signals)]
         self.blueprint = Blueprint(record.name, scene, survey, [(p.name, p.keys, p.times) for p in parameters if p.signal is None])
         self.observed = numpy.concatenate([record.signals[name] for name in self.names])
@@ -35,14 +36,19 @@ class RecordModel:
         return answers[:points]
 
 
+def played(task):
+    """A point's prediction; Refused where the scene cannot be played so."""
+    blueprint, record, names, point = task
+    replay = play(simulator(blueprint, point), record)
+    return numpy.concatenate([replay.simulated[name] for name in names])
+
+
 def play_record(task):
     """On a worker: a point's prediction; not a number where the scene cannot be played so."""
-    blueprint, record, names, point = task
     try:
-        replay = play(simulator(blueprint, point), record)
+        return played(task)
     except Refused:
-        return numpy.full(len(names) * len(record.time), numpy.nan)
-    return numpy.concatenate([replay.simulated[name] for name in names])
+        return numpy.full(len(task[2]) * len(task[1].time), numpy.nan)
 
 
 class TableModel:
@@ -51,7 +57,7 @@ class TableModel:
     def __init__(self, scene, survey, parameters, depths, weights):
         keys = [(p.name, p.keys, p.times) for p in parameters if p.signal is None]
         self.blueprint = Blueprint("table", scene, survey, keys + [("bit", ["start.bit_depth"], False)])
-        self.depths, self.motions = depths, list(weights)
+        self.depths, self.motions, self.remarks = depths, list(weights), []
         self.observed = numpy.concatenate([weights[motion] for motion in self.motions])
         self.signals = numpy.repeat("hook_load", len(self.observed))
         self.length = 1.0
@@ -65,12 +71,17 @@ class TableModel:
         return numpy.reshape(answers, (points, -1))
 
 
-def hang_string(task):
-    """On a worker: the hook load of a depth and motion; not a number where there is no equilibrium."""
+def hung(task):
+    """The hook load of a depth and motion; Refused where there is no equilibrium."""
     from drill_rig_sim.sim import static
     blueprint, row, motion = task
+    return static(blueprint.written(row), motion)["hook_load"]
+
+
+def hang_string(task):
+    """On a worker: the hook load of a depth and motion; not a number where there is no equilibrium."""
     try:
-        return static(blueprint.written(row), motion)["hook_load"]
+        return hung(task)
     except Refused:
         return numpy.nan
 
@@ -89,6 +100,14 @@ class Evaluator:
         tasks = self.model.tasks(points)
         answers = [self.function(task) for task in tasks] if self.client is None else self.client.gather(self.client.map(self.function, tasks, pure=False, batch_size=1000))
         return self.model.join(answers, len(points))
+
+    def why(self, point):
+        """Why a point's first task cannot be played."""
+        try:
+            (played if isinstance(self.model, RecordModel) else hung)(self.model.tasks([point])[0])
+        except Refused as error:
+            return one_line(error, self.model.blueprint)
+        return "no equilibrium"
 
     def close(self):
         for thing in [self.client] * (self.client is not None) + self.open:

@@ -13,6 +13,8 @@ MNEMONICS = {"TIME": "time", "BLOCKCOMP": "block_height", "SURF_RPM": "top_drive
 OWN = {"time": "time", "block_height": "reading_block_height", "top_drive_speed": "top_drive_speed", "flow": "reading_flow", "hook_load": "reading_hook_load",
        "torque": "reading_torque", "stand_pipe_pressure": "reading_stand_pipe_pressure", "bit_depth": "reading_bit_depth", "hole_depth": "reading_hole_depth"}
 MOST_BYTES = 2**30
+NULLS = (-999.25, -999.0, -9999.0)  # what stands for no number in logs
+LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a gap is told
 
 
 class RecordError(Exception):
@@ -20,18 +22,25 @@ class RecordError(Exception):
 
 
 class Record:
-    """Signals by name (units.QUANTITIES), each an array [SI] as long as `time`, which begins at 0 and increases; rows without a number are nan."""
+    """Signals by name (units.QUANTITIES), each an array [SI] as long as `time`, which begins at 0 and increases; rows without a number are nan. `remarks`: what
+    its reader should know, a line each."""
 
     def __init__(self, signals, name):
         self.name = name
         if "time" not in signals:
             raise RecordError("%s: has no time" % name)
-        time = signals["time"] - signals["time"][0] if len(signals["time"]) else signals["time"]
-        good = numpy.isfinite(time)
+        good = numpy.isfinite(signals["time"])
+        if good.sum() < 2:
+            raise RecordError("%s: needed: two rows or more with a time" % name)
+        time = signals["time"][good] - signals["time"][good][0]
+        back = numpy.flatnonzero(numpy.diff(time) <= 0.0)
+        if len(back):
+            row = numpy.flatnonzero(good)[back[0] + 1] + 1
+            raise RecordError("%s: row %d of the data: its time does not come after the row's before it (%.9g s, %.9g s before); needed: time that increases, "
+                              "dates where it goes over midnight" % (name, row, time[back[0] + 1], time[back[0]]))
         self.signals = {key: values[good] for key, values in signals.items()}
-        self.signals["time"] = self.time = time[good]
-        if len(self.time) < 2 or not (numpy.diff(self.time) > 0.0).all():
-            raise RecordError("%s: needed: two rows or more whose time increases" % name)
+        self.signals["time"] = self.time = time
+        self.remarks = remarks_of(self, int((~good).sum()))
 
     def __contains__(self, signal):
         return signal in self.signals
@@ -43,6 +52,21 @@ class Record:
         if not good.any():
             raise RecordError("%s: %s has no numbers" % (self.name, signal))
         return numpy.interp(time, self.time[good], values[good])
+
+
+def remarks_of(record, timeless):
+    """Lines: rows without numbers, gaps, and what is not there and therefore rests."""
+    lines = ["%d rows have no time and are left out" % timeless] if timeless else []
+    for signal, values in record.signals.items():
+        lost = int((~numpy.isfinite(values)).sum())
+        if lost:
+            lines.append("%s: %d of %d rows hold no number" % (signal, lost, len(values)))
+    steps = numpy.diff(record.time)
+    longest = int(steps.argmax())
+    if steps[longest] > max(LONG_GAP * numpy.median(steps), SHORTEST_GAP):
+        lines.append("a gap of %.4g s from %.6g s on" % (steps[longest], record.time[longest]))
+    lines += ["has no %s: %s" % (signal, so) for signal, so in (("flow", "the pump stands"), ("top_drive_speed", "the string is not turned")) if signal not in record]
+    return ["%s: %s" % (record.name, line) for line in lines]
 
 
 def read_record(file, columns=None):
@@ -92,10 +116,12 @@ def numbers(cells, factor):
 
 
 def number(cell):
+    """nan for what is none, by its text or as logs write it (NULLS)."""
     try:
-        return float(cell)
+        value = float(cell)
     except ValueError:
         return numpy.nan
+    return numpy.nan if value in NULLS else value
 
 
 def seconds_of(text):
@@ -122,13 +148,13 @@ def read_witsml(file):
         raise RecordError("%s: holds no log of WITSML 1.4.1.1 with data" % file)
     names, units = ([part.strip() for part in (data.find("{*}%s" % part).text or "").split(",")] for part in ("mnemonicList", "unitList"))
     rows = [(row.text or "").split(",") for row in data.findall("{*}data")]
-    index = root.findtext(".//{*}indexCurve")
+    index, null = root.findtext(".//{*}indexCurve"), root.findtext(".//{*}nullValue")
     signals = {}
     for place, (name, unit) in enumerate(zip(names, units)):
         signal = "time" if name == index else MNEMONICS.get(name)
         if signal is None or signal in signals:
             continue
-        cells = [row[place] if place < len(row) else "" for row in rows]
+        cells = ["" if place >= len(row) or row[place] == null else row[place] for row in rows]
         if signal == "time":
             factor = None if root.findtext(".//{*}indexType") == "date time" else TIME.get(unit, 1.0)
         elif unit in QUANTITIES[signal]:
