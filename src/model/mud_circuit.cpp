@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "drill_rig_sim/math/units.h"
 
@@ -137,6 +138,16 @@ MudCircuit mud_circuit(const Scene& scene, const Mesh& mesh)
   out.displaced_area = displaced_area(stretches, out);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) add_forces(scene, mesh.elements[e], stretches[e], out.annulus_here[e], out);
   return out;
+}
+
+std::string doubt_of_pressures(const MudCircuit& mud)
+{
+  const double lost = mud.circuit.bore.loss + mud.circuit.annulus.loss;
+  if (lost <= 0.0 || mud.tubular_loss < lost) return {};
+  char text[200];
+  std::snprintf(text, sizeof text, "bore and annulus alone would lose %.2f MPa: pressure_coefficient leaves nothing for the bit; more than %.3g does",
+                mud.tubular_loss / 1e6, mud.tubular_loss / std::pow(mud.circuit.nominal_flow, 2));
+  return text;
 }
 
 double running_speed(const MudCircuit& mud, const std::vector<NodeState>& nodes) noexcept

@@ -3,7 +3,9 @@
 #include <memory>
 #include <sstream>
 
+#include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/requests.h"
 
 namespace drill_rig_sim
@@ -62,6 +64,8 @@ void RigNode::say_what_runs()
   if (!simulator.choice().empty()) why << " (auto: " << simulator.choice() << ")";
   ROS_INFO_STREAM("scene " << scene_.name << ", level " << rig.level << why.str() << ", " << rig.nodes << " nodes, " << steps.str() << ", rate "
                            << parameters_.rate << " Hz, namespace " << node_.getNamespace());
+  const std::string doubt = doubt_of_pressures(mud_circuit(scene_, build_mesh(scene_, scene_.start.bit_depth + scene_.start.block_height)));
+  if (!doubt.empty()) ROS_WARN_STREAM("pressures: " << doubt);
   if (parameters_.publish_clock && !parameters_.use_sim_time)
     ROS_WARN("stamps are simulated time from 0 on, and /use_sim_time is not set: other nodes go by wall time");
 }

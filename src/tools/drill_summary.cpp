@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/mud_circuit.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/operations.h"
 
 namespace drill_rig_sim
@@ -214,6 +216,15 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const RunRec
   if (*simulator.failure()) json["failure"] = simulator.failure();
   return json;
 }
+
+/// Where the pump has run.
+void print_doubt_of_pressures(const Simulator& simulator)
+{
+  if (simulator.truth().pump_strokes == 0) return;
+  const Scene& scene = simulator.scene();
+  const std::string doubt = doubt_of_pressures(mud_circuit(scene, build_mesh(scene, scene.start.bit_depth + scene.start.block_height)));
+  if (!doubt.empty()) std::printf("pressures: %s\n", doubt.c_str());
+}
 }  // namespace
 
 std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, bool readings)
@@ -232,6 +243,7 @@ void print_summary(const Simulator& simulator, const Elapsed& elapsed, const Run
   for (const Doubts::Entry& doubt : record.doubts.entries())
     std::printf("accuracy warning, %.1f to %.1f s: %s\n", doubt.since, doubt.until, text_of(doubt.report, simulator.statistics().step).c_str());
   for (const Limits::Entry& entry : record.limits.entries()) print(entry);
+  print_doubt_of_pressures(simulator);
   print_operations(simulator.scene().operations, record.operations_began);
   const Averages mean = record.drilling.last_quarter();
   if (mean.samples() == 0)

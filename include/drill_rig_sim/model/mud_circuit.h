@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_MODEL_MUD_CIRCUIT_H
 #define DRILL_RIG_SIM_MODEL_MUD_CIRCUIT_H
 
+#include <string>
 #include <vector>
 
 #include "drill_rig_sim/model/state.h"
@@ -65,6 +66,10 @@ double clinging_constant(double diameter_ratio) noexcept;
 double bore_gradient(double density, double flow, double diameter) noexcept;
 
 MudCircuit mud_circuit(const Scene& scene, const Mesh& mesh);
+
+/// Why stand-pipe and annular pressures are not to be believed, in a line: pressure_coefficient is less than bore and annulus alone lose by the rules above.
+/// Empty where it leaves something for the bit.
+std::string doubt_of_pressures(const MudCircuit& mud);
 
 /// Mean speed of the string along its annulus, + into the hole [m/s]; 0 without one.
 double running_speed(const MudCircuit& mud, const std::vector<NodeState>& nodes) noexcept;
