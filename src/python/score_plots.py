@@ -8,6 +8,8 @@ from drill_rig_sim.score import WINDOW, bottom_points, new_hole, on_bottom, slid
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (after the choice of Agg)
 
+matplotlib.rcParams["axes.formatter.useoffset"] = False  # depths as they are, not what they are beyond 3000 m
+
 LINE = {"linewidth": 0.8, "color": "#1f5fa8"}
 SET_POINT = {"color": "#2ca02c", "alpha": 0.25}
 

@@ -68,10 +68,8 @@ void print_mud(const Scene& scene, const Mesh& mesh)
   std::printf("mud         %g kg/m3, %.1f m3 in the string, %.1f m3 in the annulus; of %.2f MPa lost at %g m3/s %.2f in the bore, %.2f in the annulus\n",
               scene.mud.density, bore.capacity * scene.mud.bulk_modulus, annulus.capacity * scene.mud.bulk_modulus, (bore.loss + annulus.loss) / 1e6,
               mud.circuit.nominal_flow, mud.bore_friction * bore.loss / 1e6, annulus.loss / 1e6);
-  const double lost = bore.loss + annulus.loss;
-  if (lost > 0.0 && mud.tubular_loss >= lost)
-    std::printf("            bore and annulus alone would lose %.2f MPa: pressure_coefficient leaves nothing for the bit; more than %.3g does\n",
-                mud.tubular_loss / 1e6, mud.tubular_loss / std::pow(mud.circuit.nominal_flow, 2));
+  const std::string doubt = doubt_of_pressures(mud);
+  if (!doubt.empty()) std::printf("            %s\n", doubt.c_str());
 }
 
 /// What the drive's modes are tuned to, and by it.
@@ -194,7 +192,9 @@ void check(const CheckOptions& options)
   const bool has_tool = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& p) { return p.type == PartType::mwd; });
   if (!has_tool) std::printf("survey tool no part is of type mwd: survey and toolface are measured at the bit's face\n");
   print_shortcomings(simulator.scene());
-  std::printf("program     %zu lines to %g s\n", scene.program.size(), program_end(scene.program));
+  std::printf("program     %zu lines to %g s", scene.program.size(), program_end(scene.program));
+  if (!scene.operations.empty()) std::printf(", %zu operations", scene.operations.size());
+  std::printf("\n");
 }
 }  // namespace
 

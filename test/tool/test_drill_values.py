@@ -58,6 +58,9 @@ class Check(test_drill.Drill):
         told = re.search('leaves nothing for the bit; more than ([0-9.e+]+) does', coefficient(1e4))
         self.assertIn('leaves nothing', coefficient(0.99 * float(told.group(1))))
         self.assertNotIn('leaves nothing', coefficient(1.01 * float(told.group(1))))
+        short = ('run', QUICK, '--duration', '3', '--set', 'rig.mud_pump.pressure_coefficient=1e4', '--set')
+        self.assertIn('pressures: bore and annulus alone', self.succeed(*short, 'program=[{at: 0, flow: 0.03}]'))
+        self.assertNotIn('pressures:', self.succeed(*short, 'program=[]'))
 
     def test_every_kind_of_part_has_its_word(self):
         string = ('[{name: a, type: bit, length: 0.3, mass: 40, diameter: 0.2159}, '
@@ -86,6 +89,7 @@ class Check(test_drill.Drill):
         self.assertIn('no part is of type mwd', text)
         self.assertIn('3 lines to 35 s\n', text)
         self.assertIn('at its bottom 51.00 deg inclination, 297.00 deg azimuth\n', self.succeed('check', BOHAI))
+        self.assertIn('0 lines to 0 s, 1 operations\n', self.succeed('check', QUICK, '--set', 'program=[]', '--set', 'operations=[{do: wait, time: 1}]'))
         self.assertIn('0 lines to 0 s\n', self.succeed('check', QUICK, '--set', 'program=[]'))
 
 
