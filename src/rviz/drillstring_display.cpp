@@ -28,6 +28,7 @@ namespace
 using rviz::StatusProperty;
 
 const ros::WallDuration ruler_period(0.1), status_period(0.5);
+constexpr double another_well = 20.0;  // the hole's bottom has moved by more from one message to the next [m]
 
 /// A topic beside another one, in its namespace.
 std::string beside(const std::string& topic, const std::string& name)
@@ -176,7 +177,10 @@ void DrillstringDisplay::hear_path(const nav_msgs::Path::ConstPtr& m)
   const std::string problem = problem_of(*m);
   if (!problem.empty()) return setStatusStd(StatusProperty::Error, "Well", "refused: " + problem);
   const OwnWork work(cost_);
-  model_.axis = to_hole_axis(*m);
+  HoleAxis axis = to_hole_axis(*m);
+  if (model_.axis && properties_->follow() && (axis.points().back().position - model_.axis->points().back().position).norm() > another_well)
+    camera_due_ = true;
+  model_.axis = std::move(axis);
   setStatusStd(StatusProperty::Ok, "Well", std::to_string(m->poses.size()) + " places");
   well_due_ = string_due_ = true;
 }

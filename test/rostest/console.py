@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The rviz panel DrillersConsole under a virtual X server: the program test_console, whose tests lie in test/rviz, and rviz itself with the panel, ended in
+"""The rviz panel DrillersConsole under a virtual X server: the program test_console, whose tests lie in test/rviz, and rviz itself with panel and display, ended in
 either order. Pictures to be looked at stay in the build folder as console_*.png and rviz_console_*.png."""
 import os
 import shutil
@@ -12,6 +12,7 @@ from rig_test import PACKAGE_DIR, PATIENCE, rospy, run, time, unittest
 
 # where ROS_HOME is build/ros_home; elsewhere it is the user's own choice
 FOLDER = os.path.dirname(os.environ.get("ROS_HOME", os.path.expanduser("~/.ros/x")))
+README_PICTURE = os.path.join(PACKAGE_DIR, "test", "rviz", "pictures", "console.png")
 LONGEST = 1200.0  # wall seconds for test_console on a loaded machine
 SETTLED = 25.0    # wall seconds until rviz has drawn and the panel heard
 
@@ -42,7 +43,7 @@ def what_failed(output):
 
 class Console(unittest.TestCase):
     def setUp(self):
-        for program in ("rviz", "xvfb-run", "import"):
+        for program in ("rviz", "xvfb-run", "import", "convert"):
             if shutil.which(program) is None:
                 self.skipTest(program + " is not installed")
         self.environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1", RIG_SIMULATOR=find("rig_simulator"))
@@ -81,6 +82,9 @@ class Console(unittest.TestCase):
         done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1920x1080x24", program], env=self.environment, timeout=LONGEST, check=False,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.assertEqual(0, done.returncode, what_failed(done.stdout))
+        if os.environ.get("UPDATE_README") == "1":
+            pages = [os.path.join(FOLDER, "console_1280x800_drilling_%s.png" % page) for page in ("gauges", "chart", "drill")]
+            subprocess.run(["convert"] + pages + ["+append", README_PICTURE], check=True)
 
     def test_it_loads_from_an_install_space(self):
         with tempfile.TemporaryDirectory() as place:

@@ -18,7 +18,7 @@ class DrillstringCost(unittest.TestCase):
             f.write("log4j.logger.ros=INFO\nlog4j.logger.ros.drill_rig_sim=DEBUG\n")
         os.environ["ROSCONSOLE_CONFIG_FILE"] = config
         os.environ["ROSCONSOLE_STDOUT_LINE_BUFFERED"] = "1"
-        window = Window(self, "display_long", "drillstring.rviz", 1280, 800, (370, 66, 1260, 760))
+        window = Window(self, "display_long", "rig.rviz", 1280, 800, (20, 66, 826, 766))
         found = window.wait_until(lambda _: self.figures(window), lambda seen: len(seen) >= WARM_UP + 3)[WARM_UP:]
         print("own work [% of a core], frames a second:", found)
         self.assertLess(sorted(work for work, _ in found)[len(found) // 2], 25.0)

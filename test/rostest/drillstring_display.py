@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The display Drillstring with config/rviz/drillstring.rviz against the running node, under a virtual X server: what is to be seen at two window sizes, a node
+"""The display Drillstring with config/rviz/rig.rviz against the running node, under a virtual X server: what is to be seen at two window sizes, a node
 that is killed and comes back, messages that cannot be drawn, subscriptions of what is shown alone. Screenshots stay in the
 build folder as display_*_seen.png."""
 import copy
@@ -13,43 +13,13 @@ from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Path
 from rig_test import PACKAGE_DIR, PATIENCE, Rig, rospy, run, time, unittest, wait_until
 from rviz_window import FOLDER, Window
+from string_picture import all_seen, is_string, measured
 
-CONFIG = os.path.join(PACKAGE_DIR, "config", "rviz", "drillstring.rviz")
-VIEW = (370, 66, 1010, 760)  # of a window of 1280x800, where the string is drawn: the legend is to its right
+CONFIG = os.path.join(PACKAGE_DIR, "config", "rviz", "rig.rviz")
+VIEW = (20, 66, 590, 766)  # of a window of 1280x800, where the string is drawn: the legend is to its right, then the console
+MIDDLE = 402  # of the picture, in that view
 TOPICS = ["/rig/drillstring_state", "/rig/rig_description", "/rig/trajectory"]
-LEGEND = (1030, 76, 1250, 456)
-
-
-def is_string(r, g, b):
-    """Lime through yellow to red, saturated, shaded."""
-    return max(r, g) > 70 and b < 0.35 * max(r, g) and (r > 2.5 * g or r > 0.3 * g)
-
-
-def is_bit(r, g, b):
-    """Blue with half as much green, shaded."""
-    return b > 70 and b > 1.5 * g and g > 2 * r and g > 30
-
-
-def is_wall(r, g, b):
-    """Tan, more of it than the dark band of rock behind."""
-    return 85 < r < 170 and r > 1.2 * g and g > 1.2 * b and b > 0.35 * r
-
-
-def is_force(r, g, b):
-    return r > 60 and b > 0.8 * r and r > 2.5 * g
-
-
-def is_writing(r, g, b):
-    return min(r, g, b) > 190 and max(r, g, b) - min(r, g, b) < 25
-
-
-def measured(picture):
-    return {"string": picture.count(is_string), "bit": picture.count(is_bit), "wall": picture.count(is_wall), "force": picture.count(is_force),
-            "writing": picture.count(is_writing)}
-
-
-def all_seen(seen):
-    return seen["string"] > 3000 and seen["bit"] > 100 and seen["wall"] > 3000 and seen["force"] > 50 and seen["writing"] > 100
+LEGEND = (594, 76, 814, 456)
 
 
 def who_hears(topic):
@@ -63,7 +33,7 @@ class DrillstringDisplay(unittest.TestCase):
         self.rig.must(self.rig.reset_well("bohai.yaml", 0.0))
 
     def test_all_is_seen_at_1280x800(self):
-        window = Window(self, "display_1280", "drillstring.rviz", 1280, 800, VIEW)
+        window = Window(self, "display_1280", "rig.rviz", 1280, 800, VIEW)
         window.wait_until(measured, all_seen)
         window.view = LEGEND
         legend = window.wait_until(measured, lambda seen: seen["writing"] > 300)
@@ -76,11 +46,11 @@ class DrillstringDisplay(unittest.TestCase):
         file = os.path.join(FOLDER, "display_1920.rviz")
         with open(file, "w") as f:
             f.write(config)
-        window = Window(self, "display_1920", file, 1920, 1080, (370, 66, 1640, 1030))
+        window = Window(self, "display_1920", file, 1920, 1080, (20, 66, 1230, 1040))
         window.wait_until(measured, all_seen)
 
     def test_node_that_comes_back_is_shown_again(self):
-        window = Window(self, "display_back", "drillstring.rviz", 1280, 800, VIEW)
+        window = Window(self, "display_back", "rig.rviz", 1280, 800, VIEW)
         window.wait_until(measured, all_seen)
         node = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode("/rig/rig_simulator"))
         os.kill(node.getPid(rospy.get_name())[2], signal.SIGKILL)
@@ -88,9 +58,9 @@ class DrillstringDisplay(unittest.TestCase):
         self.assertTrue(window.runs())
         rig = Rig()  # roslaunch has started another
         wait_until(lambda: self.answers(rig), "the node is back")
-        # another rig, and another picture: it is upright, so that nothing of the string is left or right of the middle
-        window.wait_until(lambda picture: picture.places(is_string),
-                          lambda places: len(places) > 1000 and max(x for x, _ in places) - min(x for x, _ in places) < 320)
+        # another rig, and another picture: the string is upright, and the camera has gone to its bit, so that all of it is in the middle
+        window.wait_until(lambda picture: [x - MIDDLE for x, _ in picture.places(is_string)],
+                          lambda places: len(places) > 1000 and min(places) > -100 and max(places) < 100)
 
     @staticmethod
     def answers(rig):
@@ -100,7 +70,7 @@ class DrillstringDisplay(unittest.TestCase):
             return False
 
     def test_bad_messages_are_refused(self):
-        window = Window(self, "display_bad", "drillstring.rviz", 1280, 800, VIEW)
+        window = Window(self, "display_bad", "rig.rviz", 1280, 800, VIEW)
         window.wait_until(measured, all_seen)
         good = rospy.wait_for_message("/rig/drillstring_state", DrillstringState, PATIENCE)
         short, infinite = copy.deepcopy(good), copy.deepcopy(good)
@@ -141,7 +111,7 @@ class DrillstringDisplay(unittest.TestCase):
         window.end()
 
     def test_hears_what_is_shown(self):
-        window, hears = self.opened("display_on", "drillstring.rviz")
+        window, hears = self.opened("display_on", "rig.rviz")
         wait_until(lambda: all(hears(topic) for topic in TOPICS), "rviz hears " + ", ".join(TOPICS))
         window.end()
 

@@ -92,9 +92,11 @@ class Parameters(unittest.TestCase):
         launch = os.path.join(PACKAGE_DIR, "launch", "rig.launch")
         done = subprocess.run(["roslaunch", "--args", "/rig_b/rviz", launch, "ns:=rig_b", "rviz:=true"], stdout=subprocess.PIPE,
                               text=True, timeout=PATIENCE, check=True)
-        with open(os.path.join(PACKAGE_DIR, "config", "rviz", "rig.rviz")) as file:
-            topics = re.findall(r"^ +(?:Marker )?Topic: (/\S+)$", file.read(), re.MULTILINE)
-        self.assertEqual(2, len(topics))
+        topics = ["/rig/rig_description"]  # which the display hears beside the string
+        for name in ("rig", "markers"):
+            with open(os.path.join(PACKAGE_DIR, "config", "rviz", name + ".rviz")) as file:
+                topics += re.findall(r"^ +(?:Marker )?Topic: (/\S+)$", file.read(), re.MULTILINE)
+        self.assertEqual({"/rig/" + name for name in ("drillstring_state", "rig_description", "markers", "trajectory")}, set(topics))
         for topic in topics:
             self.assertIn(" %s:=%s " % (topic, topic.replace("/rig/", "")), done.stdout)
 

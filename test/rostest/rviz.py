@@ -1,24 +1,34 @@
 #!/usr/bin/env python3
-"""What rviz shows with config/rviz/rig.rviz, opened by hand: string, wellbore and bit are to be seen. Under a virtual X server.
-The screenshot stays in the build folder as rviz_seen.png; with UPDATE_README=1 it also becomes the front page's picture."""
+"""What rviz shows with the configs of config/rviz, opened by hand while a rig drills: rig.rviz the string in its well beside the driller's console,
+markers.rviz the markers. Under a virtual X server. The screenshots stay in the build folder as rviz_*seen.png; with UPDATE_README=1 that of rig.rviz also
+becomes the front page's picture."""
 import os
 import shutil
 
-from rig_test import PACKAGE_DIR, Rig, run, unittest
+from drill_rig_sim.msg import RigState
+from rig_test import PACKAGE_DIR, PATIENCE, Rig, rospy, run, time, unittest, wait_until
 from rviz_window import FOLDER, Window
+from string_picture import all_seen, is_writing, measured
 
-WIDTH, HEIGHT = 1280, 900
-VIEW = (20, 66, 826, 866)  # of the window, where rviz draws: left, top, right, bottom
-BACKGROUND = (30, 32, 38)  # as in rig.rviz
+WIDTH, HEIGHT = 1280, 800
+VIEW = (20, 66, 590, 766)       # of the window, where rviz draws the string: left, top, right, bottom; the legend is to its right
+CONSOLE = (852, 66, 1280, 770)
+MARKERS = (370, 66, 1260, 760)  # beside the list of displays
+BACKGROUND = (30, 32, 38)       # as in markers.rviz
+TARED = 120.0   # the bit of bohai.yaml goes to bottom from 60 to 250 [simulated s]
+DRILLS = 400.0  # it has done so for two minutes
+SURVEY = 40.0   # the MWD's period and latency, and more
+SETTLED = 8.0   # until the console no longer says that it was faster [wall s]
+SPEED = 20.0    # where nothing is looked at [simulated s per s]
 README_PICTURE = os.path.join(PACKAGE_DIR, "test", "accuracy", "pictures", "rviz.png")
 
 
-def is_string(r, g, b):
+def is_marked_string(r, g, b):
     """Lime through yellow to orange, saturated, seen through the hole's wall; an axis is pure red or green."""
     return max(r, g) > 85 and b < 0.35 * max(r, g) and r > 0.3 * g and g > 0.2 * r
 
 
-def is_bit(r, g, b):
+def is_marked_bit(r, g, b):
     """Blue with half as much green, shaded."""
     return b > 90 and b > 1.5 * g and g > 2 * r and g > 30
 
@@ -32,18 +42,48 @@ def differs_from_background(r, g, b):
     return max(abs(r - BACKGROUND[0]), abs(g - BACKGROUND[1]), abs(b - BACKGROUND[2])) > 8
 
 
+def is_bar(r, g, b):
+    """A gauge's bar, of a value within its limits."""
+    return max(abs(r - 0x4c), abs(g - 0xaf), abs(b - 0x7a)) < 4
+
+
 class Rviz(unittest.TestCase):
     def setUp(self):
-        Rig()
-        self.window = Window(self, "rviz", "rig.rviz", WIDTH, HEIGHT, VIEW)
+        rig = Rig()
+        rig.must(rig.set_speed(SPEED))
+        self.wait_for_time(rig, TARED)
+        if self.truth(rig).tared == 0:
+            rig.must(rig.tare())
+        self.wait_for_time(rig, DRILLS)
+        rig.must(rig.set_speed(1.0))
 
-    def test_string_wellbore_and_bit_are_to_be_seen(self):
-        self.window.wait_until(
-            lambda picture: {"string": picture.count(is_string), "bit": picture.count(is_bit), "wellbore": picture.count(is_wellbore),
-                             "drawn": picture.count(differs_from_background) / len(picture.pixels)},
-            lambda seen: seen["string"] > 300 and seen["bit"] > 20 and seen["wellbore"] > 1000 and seen["drawn"] > 0.02)
+    @staticmethod
+    def truth(rig):
+        return rospy.wait_for_message(rig.topic("truth/rig_state"), RigState, PATIENCE)
+
+    def wait_for_time(self, rig, simulated):
+        wait_until(lambda: self.truth(rig).header.stamp.to_sec() >= simulated, "the rig is at %g s" % simulated, 4 * PATIENCE)
+
+    def test_string_and_console_are_to_be_seen(self):
+        rig = Rig()
+        window = Window(self, "rviz", "rig.rviz", WIDTH, HEIGHT, VIEW)
+        window.wait_until(measured, all_seen)
+        rig.must(rig.set_speed(SPEED))  # until a survey has come up
+        self.wait_for_time(rig, self.truth(rig).header.stamp.to_sec() + SURVEY)
+        rig.must(rig.set_speed(1.0))
+        time.sleep(SETTLED)
+        window.view = CONSOLE
+        window.wait_until(lambda picture: {"writing": picture.count(is_writing), "bars": picture.count(is_bar)},
+                          lambda seen: seen["writing"] > 3000 and seen["bars"] > 3000)
         if os.environ.get("UPDATE_README") == "1":
             shutil.copy(os.path.join(FOLDER, "rviz_seen.png"), README_PICTURE)
+
+    def test_markers_are_to_be_seen(self):
+        window = Window(self, "rviz_markers", "markers.rviz", WIDTH, HEIGHT, MARKERS)
+        window.wait_until(
+            lambda picture: {"string": picture.count(is_marked_string), "bit": picture.count(is_marked_bit), "wellbore": picture.count(is_wellbore),
+                             "drawn": picture.count(differs_from_background) / len(picture.pixels)},
+            lambda seen: seen["string"] > 300 and seen["bit"] > 20 and seen["wellbore"] > 1000 and seen["drawn"] > 0.02)
 
 
 if __name__ == "__main__":
