@@ -44,7 +44,7 @@ def write(pictures, folder, run, scores):
         parts.append('<h2 id="%s">%s</h2>\n<img alt="%s" src="data:image/png;base64,%s">' % (name, title, title, data))
     page = os.path.join(folder, "index.html")
     with open(page, "w", encoding="utf-8") as out:
-        out.write(PAGE % {"name": html.escape(run.name), "links": "".join('<a href="#%s">%s</a>' % (name, title) for name, title, _ in pictures),
+        out.write(PAGE % {"name": html.escape(run.title), "links": "".join('<a href="#%s">%s</a>' % (name, title) for name, title, _ in pictures),
                           "scores": html.escape("\n".join(table(scores))), "pictures": "\n".join(parts)})
     return page
 

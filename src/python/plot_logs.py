@@ -26,7 +26,7 @@ DEPTH_TRACKS = (
 
 def time_log(run):
     """Over the whole run."""
-    figure = tracks(run["time"], "time [s]", TIME_TRACKS, run.columns, "time log: " + run.name)
+    figure = tracks(run["time"], "time [s]", TIME_TRACKS, run.columns, "time log: " + run.title)
     flags(figure.axes[0], run)
     return figure
 
@@ -45,7 +45,7 @@ def depth_log(run):
     means["rop"] = numpy.bincount(number, new_hole(run, bottom), len(total))[good] / total[good]
     if "azimuth" in means:
         means["azimuth"] = numpy.where(means["inclination"] > LEAST_INCLINATION, means["azimuth"], numpy.nan)
-    return tracks((first + numpy.flatnonzero(good) + 0.5) * BIN, "measured depth [m]", DEPTH_TRACKS, means, "depth log: " + run.name)
+    return tracks((first + numpy.flatnonzero(good) + 0.5) * BIN, "measured depth [m]", DEPTH_TRACKS, means, "depth log: " + run.title)
 
 
 def tracks(down, label, layout, columns, title):

@@ -41,7 +41,7 @@ def path(run, plan=None):
     label(above, "from above", "east [m]", "north [m]")
     label(section, "section, towards %.0f deg" % (math.degrees(math.atan2(along[0], along[1])) % 360.0), "along it [m]", "true vertical depth [m]")
     section.invert_yaxis()
-    figure.suptitle("well: " + run.name, fontsize=10)
+    figure.suptitle("well: " + run.title, fontsize=10)
     figure.tight_layout()
     return figure
 

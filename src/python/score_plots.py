@@ -28,7 +28,7 @@ def draw(run, scores, plan, bit_diameter, file):
         panel.set_xlim(run["time"][0], run["time"][-1])
     for panel in axes.flat:
         panel.grid(alpha=0.3)
-    figure.suptitle("%s, by its %s" % (run.name, run.source), fontsize=10)
+    figure.suptitle("%s, by its %s" % (run.title, run.source), fontsize=10)
     figure.tight_layout()
     try:
         figure.savefig(file, dpi=110)

@@ -1,5 +1,6 @@
 """Runs to be judged: time series of `drill run --csv`, and bags, as columns by the names that `drill run --csv` has. Needs ROS for bags alone."""
 import csv
+import os
 
 import numpy
 from drill_rig_sim.lockstep import series
@@ -20,7 +21,8 @@ class RunError(Exception):
 
 class Run:
     """Columns of equal length by name, in SI units and radians. `source`: truth or readings. What a row says holds for the time since the row
-    before: `dt` [s], 0 of the first. `surveys`: rows of measured depth, inclination and azimuth, where the hole itself was not seen."""
+    before: `dt` [s], 0 of the first. `title`: over pictures, the file's name without its folder. `surveys`: rows of measured depth, inclination
+    and azimuth, where the hole itself was not seen."""
 
     def __init__(self, columns, source="truth", name="", surveys=()):
         missing = [column for column in NEEDED if column not in columns]
@@ -28,6 +30,7 @@ class Run:
             raise RunError("%s: has no %s, needed: the time series of drill run --csv or a bag" % (name, ", ".join(missing)))
         self.columns = {column: numpy.asarray(values, dtype=float) for column, values in columns.items()}
         self.source, self.name, self.surveys = source, name, numpy.array(surveys, dtype=float).reshape(-1, 3)
+        self.title = os.path.basename(name)
         time = self.columns["time"]
         if len(time) < 2 or not (numpy.diff(time) > 0.0).all():
             raise RunError("%s: needed: two rows or more whose time increases" % name)

@@ -122,6 +122,17 @@ class Command(unittest.TestCase):
                 self.assertGreater(os.path.getsize(os.path.join(self.folder, "run_plots", "%s.%s" % (name, kind))), 5000)
         self.assertIn("rate of penetration", text)
 
+    def test_titles_are_the_file_s_name_alone(self):
+        with open(self.plot(self.csv)[1]) as page:
+            text = page.read()
+        self.assertTrue("<h1>run.csv</h1>" in text and "<title>run.csv</title>" in text)
+        self.assertTrue("<pre>%s, by its truth" % self.csv in text)  # which of all such names it is
+        for name, title in (("time_log", "time log: run.csv"), ("depth_log", "depth log: run.csv"), ("well", "well: run.csv")):
+            with open(os.path.join(self.folder, "run_plots", name + ".svg")) as picture:
+                drawn = picture.read()
+            self.assertTrue("<!-- %s -->" % title in drawn, title)
+            self.assertFalse(self.folder in drawn)
+
     def test_names_are_not_markup(self):
         odd = os.path.join(self.folder, "<b>&.csv")
         os.rename(self.csv, odd)
