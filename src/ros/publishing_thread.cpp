@@ -13,7 +13,7 @@ PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& para
       on_change_(std::move(on_change)),
       tells_time_(parameters.publish_clock && parameters.use_sim_time),
       priority_(std::max(0, parameters.realtime.fifo_priority - 1)),
-      state_(node, parameters, subscriptions),
+      state_(node, parameters, subscriptions, ask_for_picture),
       frames_(node, parameters, subscriptions, ask_for_picture),
       markers_(node, parameters, subscriptions, std::move(ask_for_picture)),
       trajectory_(node, parameters)

@@ -203,7 +203,10 @@ void SimulationLoop::note_due(FrameOutput& s, const Occasion& occasion) noexcept
   s.restored = occasion.restored;
   s.state_again = !s.new_stamp && announced_ && (occasion.said_again || run_state() != run_state_said_);
   if (s.state_due || s.state_again) run_state_said_ = run_state();
-  s.profile_due = s.new_stamp && profile_cadence_.due(simulated) && subscriptions_.profile;
+  // where time runs on, whoever has just subscribed waits for the next of its stamps
+  const bool profile_moves = s.new_stamp && (profile_cadence_.due(simulated) || occasion.restored);
+  s.profile_due = (profile_moves || (!s.new_stamp && announced_ && subscriptions_.profile_missing)) && subscriptions_.profile;
+  if (s.profile_due) subscriptions_.profile_missing = false;
   const bool tf_moves = s.new_stamp && (tf_cadence_.due(shown) || occasion.rebuilt);
   s.tf_due = (tf_moves || subscriptions_.tf_missing.exchange(false)) && subscriptions_.tf;
   s.markers_due = (marker_cadence_.due(shown) || occasion.whole_picture) && subscriptions_.markers;
@@ -280,6 +283,7 @@ RunState SimulationLoop::run_state() const noexcept
 
 void SimulationLoop::set_paused(bool paused) noexcept
 {
+  if (paused && !paused_) subscriptions_.profile_missing = true;  // the last one may be older than what stands now
   paused_ = paused;
   time_.restart(steady_now());
   hand_over({});  // for the diagnostics and rig_state's run_state

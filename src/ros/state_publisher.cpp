@@ -1,5 +1,7 @@
 #include "drill_rig_sim/ros/state_publisher.h"
 
+#include <utility>
+
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
 
@@ -15,9 +17,8 @@ std_msgs::Float64 number(double value)
 }
 }  // namespace
 
-StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions)
+StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture)
     : floor_(parameters.floor()),
-      subscriptions_(subscriptions),
       hook_load_(node, "hook_load", parameters.queue()),
       torque_(node, "torque", parameters.queue()),
       rig_state_(node, "rig_state", parameters.queue()),
@@ -32,9 +33,7 @@ StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& paramete
       toolface_(node.advertise<MwdToolface>("downhole/toolface", parameters.queue())),
       inclination_(node.advertise<MwdInclination>("downhole/inclination", parameters.queue())),
       dynamics_(node.advertise<DownholeDynamics>("downhole/dynamics", parameters.queue())),
-      drillstring_(node.advertise<DrillstringState>(
-          "drillstring_state", parameters.queue(), [this](const ros::SingleSubscriberPublisher&) { subscriptions_.profile = true; },
-          [this](const ros::SingleSubscriberPublisher&) { subscriptions_.profile = drillstring_.getNumSubscribers() > 0; }))
+      drillstring_(node, "drillstring_state", parameters.queue(), subscriptions.profile, subscriptions.profile_missing, std::move(ask_for_picture))
 {
 }
 
@@ -60,7 +59,7 @@ void StatePublisher::publish(const FrameOutput& s)
     publish_bit(s);
   }
   if (s.new_stamp) news_.tell(s.frame, floor_, [this](const char*, const auto& message) { send(message); });
-  if (s.profile_due) publish_profile(s);
+  if (s.profile_due) drillstring_.publish([&](DrillstringState& m) { fill_drillstring_state(s, floor_, m); });
 }
 
 void StatePublisher::publish_rig(const FrameOutput& s)
@@ -76,12 +75,6 @@ void StatePublisher::publish_bit(const FrameOutput& s)
   bit_twist_.post([&] { return to_bit_twist(s.frame, floor_); });
   bit_wrench_.post([&] { return to_bit_wrench(s.frame, floor_); });
   true_bit_.post([&] { return to_bit_truth(s.frame, floor_); });
-}
-
-void StatePublisher::publish_profile(const FrameOutput& s)
-{
-  fill_drillstring_state(s, floor_, profile_);
-  drillstring_.publish(profile_);
 }
 
 }  // namespace drill_rig_sim

@@ -2,6 +2,7 @@
 // rig's clock.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "drill_rig_sim/ros/frame_messages.h"
@@ -261,6 +262,50 @@ TEST(LoopTime, framesOfTheStringAreMadeForWhoeverAsksForThem)
   EXPECT_TRUE(picture.tf_due && !picture.new_stamp && !picture.parts.empty());
   rig.loop.refresh();
   EXPECT_FALSE(rig.output(22).tf_due) << "no stamp is sent twice";
+}
+
+TEST(LoopTime, theStringToo)
+{
+  RunningLoop rig(lockstep());
+  rig.start();
+  rig.loop.subscriptions().profile = rig.loop.subscriptions().profile_missing = true;
+  rig.loop.refresh();
+  const FrameOutput picture = rig.output(1);
+  EXPECT_TRUE(picture.profile_due && !picture.new_stamp && !picture.profile.md.empty());
+  rig.loop.refresh();
+  EXPECT_FALSE(rig.output(2).profile_due) << "no stamp is sent twice";
+  rig.loop.subscriptions().profile_missing = true;
+  const std::vector<FrameOutput> frames = rig.step(20);
+  EXPECT_EQ(2, std::count_if(frames.begin(), frames.end(), [](const FrameOutput& s) { return s.profile_due; })) << "while time runs on at its rate alone";
+  EXPECT_FALSE(rig.loop.subscriptions().profile_missing);
+}
+
+TEST(LoopTime, aPauseShowsTheStringAsItStands)
+{
+  RunningLoop rig(in_real_time());
+  rig.loop.subscriptions().profile = true;
+  rig.start();
+  EXPECT_TRUE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).profile_due);
+  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).profile_due) << "no stamp is sent twice";
+  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(false); }).profile_due);
+  rig.loop.subscriptions().profile = false;
+  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).profile_due) << "nobody hears it";
+}
+
+TEST(LoopTime, aStateThatWasSavedShowsItsString)
+{
+  RunningLoop rig(in_real_time());
+  rig.loop.subscriptions().profile = true;
+  rig.start();
+  rig.between([](SimulationLoop& loop) { loop.set_paused(true); });
+  const FrameOutput restored = rig.between(
+      [](SimulationLoop& loop)
+      {
+        const auto state = loop.rig().simulator->save();
+        const ScenePlayer player = loop.rig().player;
+        loop.go_back(*state, player, false, {});
+      });
+  EXPECT_TRUE(restored.new_stamp && restored.restored && restored.profile_due);
 }
 
 // What is due by simulated time must not wait for stamps that the master's first life has had.

@@ -6,17 +6,16 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include <functional>
-#include <mutex>
 #include <string>
 
 #include "drill_rig_sim/realtime/frame_output.h"
 #include "drill_rig_sim/ros/parameters.h"
 #include "drill_rig_sim/ros/simulation_loop.h"
+#include "drill_rig_sim/ros/standing_topic.h"
 
 namespace drill_rig_sim
 {
-/// Publishes /tf (every frame a child of the rig floor) and, once, /tf_static (`world` to the rig floor). While time stands
-/// nothing is repeated; a new subscriber gets the last frames, it alone.
+/// Publishes /tf (every frame a child of the rig floor) and, once, /tf_static (`world` to the rig floor).
 class FramePublisher
 {
 public:
@@ -25,15 +24,8 @@ public:
   void publish(const FrameOutput& s);
 
 private:
-  void greet(const ros::SingleSubscriberPublisher& subscriber);
-
   std::string prefix_;
-  Subscriptions& subscriptions_;
-  std::function<void()> ask_for_picture_;
-  std::mutex mutex_;  // guards frames_: the greeting comes from another thread
-  tf2_msgs::TFMessage frames_;
-  ros::WallTime sent_;
-  ros::Publisher tf_;  // not tf2_ros' broadcaster, which cannot greet a new subscriber alone
+  StandingTopic<tf2_msgs::TFMessage> tf_;  // not tf2_ros' broadcaster, which cannot greet a new subscriber alone
   tf2_ros::StaticTransformBroadcaster tf_static_;
 };
 

@@ -22,6 +22,7 @@ namespace drill_rig_sim
 struct Subscriptions
 {
   std::atomic<bool> profile{false};
+  std::atomic<bool> profile_missing{false};  ///< whoever subscribed to drillstring_state first has got none yet
   std::atomic<bool> markers{false};
   std::atomic<bool> tf{false};
   std::atomic<bool> tf_missing{false};  ///< whoever subscribed to tf first has got none yet

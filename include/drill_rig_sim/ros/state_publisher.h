@@ -8,6 +8,7 @@
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/Float64.h>
 
+#include <functional>
 #include <string>
 
 #include "drill_rig_sim/BitTruth.h"
@@ -16,6 +17,7 @@
 #include "drill_rig_sim/realtime/frame_output.h"
 #include "drill_rig_sim/ros/frame_topic.h"
 #include "drill_rig_sim/ros/simulation_loop.h"
+#include "drill_rig_sim/ros/standing_topic.h"
 #include "drill_rig_sim/ros/telemetry_news.h"
 
 namespace drill_rig_sim
@@ -24,7 +26,8 @@ namespace drill_rig_sim
 class StatePublisher
 {
 public:
-  StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions);
+  /// `ask_for_picture` is called when somebody subscribes to the string's profile after nobody did, for none was made before.
+  StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture);
   /// What comes with every frame is posted: send_posted() sends it.
   void publish(const FrameOutput& s);
 
@@ -35,12 +38,9 @@ private:
   void send(const MwdToolface& m) { toolface_.publish(m); }
   void send(const MwdInclination& m) { inclination_.publish(m); }
   void send(const DownholeDynamics& m) { dynamics_.publish(m); }
-  void publish_profile(const FrameOutput& s);
 
   std::string floor_;  // frame_id
-  Subscriptions& subscriptions_;
   TelemetryNews news_;
-  DrillstringState profile_;
   FrameTopic<std_msgs::Float64> hook_load_, torque_;
   FrameTopic<RigState> rig_state_, true_rig_state_;
   FrameTopic<sensor_msgs::JointState> joint_states_;
@@ -48,7 +48,8 @@ private:
   FrameTopic<geometry_msgs::TwistStamped> bit_twist_;
   FrameTopic<geometry_msgs::WrenchStamped> bit_wrench_;
   FrameTopic<BitTruth> true_bit_;
-  ros::Publisher rig_limits_, mwd_, toolface_, inclination_, dynamics_, drillstring_;
+  ros::Publisher rig_limits_, mwd_, toolface_, inclination_, dynamics_;
+  StandingTopic<DrillstringState> drillstring_;
 };
 
 }  // namespace drill_rig_sim
