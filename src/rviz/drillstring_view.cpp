@@ -35,6 +35,25 @@ QString number(double value, int digits, const char* unit)
   return QString::number(value, 'f', digits) + " " + unit;
 }
 
+using Rows = std::vector<std::pair<QString, QString>>;
+
+/// What a legend's colours mean, in a line.
+QString in_words(const Legend& legend)
+{
+  if (legend.classes.empty()) return QString("%1, %2 to %3").arg(legend.title).arg(legend.scale.low(), 0, 'g', 4).arg(legend.scale.high(), 0, 'g', 4);
+  QStringList names;
+  for (const auto& [name, color] : legend.classes) names << name;
+  return legend.title + ": " + names.join(", ");
+}
+
+/// A table in a line.
+QString in_words(const QString& title, const Rows& rows)
+{
+  QStringList words;
+  for (const auto& [what, value] : rows) words << what + " " + value;
+  return title + ": " + words.join(", ");
+}
+
 double blend(const std::vector<double>& values, const Between& at)
 {
   return values[at.node] + at.share * (values[at.node + 1] - values[at.node]);
@@ -79,6 +98,7 @@ void DrillstringDisplay::show_legend()
   }
   const double age = heard_.isZero() ? 0.0 : (ros::WallTime::now() - heard_).toSec();
   if (age > old_age) legend.rows.emplace_back("no message for", number(age, 0, "s"));
+  setStatus(StatusProperty::Ok, "Colours", in_words(legend));
   legend_->show(paint_legend(legend));
 }
 
@@ -109,25 +129,31 @@ void DrillstringDisplay::resolve_exaggeration()
 void DrillstringDisplay::show_probe()
 {
   if (!probe_panel_) return;
-  if (!probed_ || !model_.complete() || probed_->node + 1 >= model_.string->size()) return probe_panel_->hide();
+  if (!probed_ || !model_.complete() || probed_->node + 1 >= model_.string->size())
+  {
+    deleteStatus("Probe");
+    return probe_panel_->hide();
+  }
   const StringData& s = *model_.string;
   const double from_bit = blend(s.from_bit, *probed_);
   const std::vector<double> bounds = part_bounds(model_.rig->parts, s.from_bit.back());
   std::size_t part = 0;
   while (part + 1 < model_.rig->parts.size() && from_bit > bounds[part + 1]) ++part;
   const double side = 57.29577951308232 * s.contact_side[probed_->node];
-  probe_panel_->show(paint_table(QString::fromStdString(model_.rig->parts[part].name),
-                                 {{"measured depth", number(blend(s.md, *probed_), 2, "m")},
-                                  {"from the bit", number(from_bit, 2, "m")},
-                                  {"tension", number(1e-3 * blend(s.tension, *probed_), 1, "kN")},
-                                  {"torque", number(1e-3 * blend(s.torque, *probed_), 2, "kN m")},
-                                  {"bending moment", number(1e-3 * blend(s.bending_moment, *probed_), 2, "kN m")},
-                                  {"bending stress", number(1e-6 * blend(s.bending_stress, *probed_), 1, "MPa")},
-                                  {"contact force", number(1e-3 * blend(s.contact_force, *probed_), 2, "kN")},
-                                  {"its side", s.contact_force[probed_->node] > 0.0 ? number(side, 0, "deg") : QString("-")},
-                                  {"spin", number(blend(s.spin_speed, *probed_) / 0.10471975511965977, 1, "rpm")},
-                                  {"buckling", number(blend(s.buckling, *probed_), 2, "")},
-                                  {"modelled", s.guided[probed_->node] ? "guided" : "free"}}));
+  const QString name = QString::fromStdString(model_.rig->parts[part].name);
+  const Rows rows = {{"measured depth", number(blend(s.md, *probed_), 2, "m")},
+                     {"from the bit", number(from_bit, 2, "m")},
+                     {"tension", number(1e-3 * blend(s.tension, *probed_), 1, "kN")},
+                     {"torque", number(1e-3 * blend(s.torque, *probed_), 2, "kN m")},
+                     {"bending moment", number(1e-3 * blend(s.bending_moment, *probed_), 2, "kN m")},
+                     {"bending stress", number(1e-6 * blend(s.bending_stress, *probed_), 1, "MPa")},
+                     {"contact force", number(1e-3 * blend(s.contact_force, *probed_), 2, "kN")},
+                     {"its side", s.contact_force[probed_->node] > 0.0 ? number(side, 0, "deg") : QString("-")},
+                     {"spin", number(blend(s.spin_speed, *probed_) / 0.10471975511965977, 1, "rpm")},
+                     {"buckling", QString::number(blend(s.buckling, *probed_), 'f', 2)},
+                     {"modelled", s.guided[probed_->node] ? "guided" : "free"}};
+  setStatus(StatusProperty::Ok, "Probe", in_words(name, rows));
+  probe_panel_->show(paint_table(name, rows));
 }
 
 void DrillstringDisplay::choose_detail(const Ogre::Camera& camera)

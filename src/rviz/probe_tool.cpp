@@ -19,6 +19,16 @@ namespace
 {
 constexpr double pixels_beside = 8.0;  // that still hit
 
+/// Through a place of the picture, 0 to 1 from its left upper corner. Ogre's own goes by the inverse of a projection in single precision: a kilometre down it
+/// passes many pixels from that place.
+Ogre::Ray ray_through(const Ogre::Camera& camera, double x, double y)
+{
+  if (camera.getProjectionType() != Ogre::PT_PERSPECTIVE) return camera.getCameraToViewportRay(static_cast<float>(x), static_cast<float>(y));
+  const double high = std::tan(0.5 * camera.getFOVy().valueRadians());
+  const Ogre::Vector3 ahead(static_cast<float>((2.0 * x - 1.0) * high * camera.getAspectRatio()), static_cast<float>((1.0 - 2.0 * y) * high), -1.0f);
+  return {camera.getDerivedPosition(), camera.getDerivedOrientation() * ahead.normalisedCopy()};
+}
+
 /// Asks every Drillstring that is shown, in groups too; whether one was hit.
 bool probe(rviz::DisplayGroup& group, const Ogre::Ray& ray, double slope)
 {
@@ -53,8 +63,7 @@ int ProbeTool::processMouseEvent(rviz::ViewportMouseEvent& event)
   }
   const Ogre::Camera* camera = event.viewport->getCamera();
   const int width = event.viewport->getActualWidth(), height = event.viewport->getActualHeight();
-  const Ogre::Ray ray = camera->getCameraToViewportRay((static_cast<float>(event.x) + 0.5f) / static_cast<float>(width),
-                                                       (static_cast<float>(event.y) + 0.5f) / static_cast<float>(height));
+  const Ogre::Ray ray = ray_through(*camera, (event.x + 0.5) / width, (event.y + 0.5) / height);
   const double slope = pixels_beside * 2.0 * std::tan(0.5 * camera->getFOVy().valueRadians()) / height;
   const bool hit = probe(*context_->getRootDisplayGroup(), ray, slope);
   setStatus(hit ? "Numbers of this place: bottom left." : "No drillstring there.");

@@ -2,16 +2,13 @@
 """The rviz panel DrillersConsole under a virtual X server: the program test_console, whose tests lie in test/rviz, and rviz itself with panel and display, ended in
 either order. Pictures to be looked at stay in the build folder as console_*.png and rviz_console_*.png."""
 import os
-import shutil
 import signal
 import subprocess
 import tempfile
 
-import roslib.packages
+from qt_program import FOLDER, environment_of, find, must_pass
 from rig_test import PACKAGE_DIR, PATIENCE, rospy, run, time, unittest
 
-# where ROS_HOME is build/ros_home; elsewhere it is the user's own choice
-FOLDER = os.path.dirname(os.environ.get("ROS_HOME", os.path.expanduser("~/.ros/x")))
 README_PICTURE = os.path.join(PACKAGE_DIR, "test", "rviz", "pictures", "console.png")
 LONGEST = 1200.0  # wall seconds for test_console on a loaded machine
 SETTLED = 25.0    # wall seconds until rviz has drawn and the panel heard
@@ -30,25 +27,9 @@ wait $rviz
 """
 
 
-def find(name):
-    found = roslib.packages.find_node("drill_rig_sim", name)
-    return found[0] if found else None
-
-
-def what_failed(output):
-    """Of what a program of gtest printed: its failed tests whole, and its last lines, which tell of a crash."""
-    tests = output.split("[ RUN      ]")
-    return "\n".join([t for t in tests[1:] if "[  FAILED  ]" in t] + tests[-1].splitlines()[-20:])
-
-
 class Console(unittest.TestCase):
     def setUp(self):
-        for program in ("rviz", "xvfb-run", "import", "convert"):
-            if shutil.which(program) is None:
-                self.skipTest(program + " is not installed")
-        self.environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1", RIG_SIMULATOR=find("rig_simulator"))
-        for name in ("DISPLAY", "ROS_NAMESPACE"):
-            self.environment.pop(name, None)
+        self.environment = environment_of(self, "rviz", "import", "convert")
 
     def rig(self, *settings):
         """A rig in the namespace rig, as the config of rviz wants it."""
@@ -77,11 +58,7 @@ class Console(unittest.TestCase):
         return file
 
     def test_the_panel_by_itself(self):
-        program = find("test_console")
-        self.assertIsNotNone(program, "test_console is not built")
-        done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1920x1080x24", program], env=self.environment, timeout=LONGEST, check=False,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        self.assertEqual(0, done.returncode, what_failed(done.stdout))
+        must_pass(self, "test_console", self.environment, LONGEST)
         if os.environ.get("UPDATE_README") == "1":
             pages = [os.path.join(FOLDER, "console_1280x800_drilling_%s.png" % page) for page in ("gauges", "chart", "drill")]
             subprocess.run(["convert"] + pages + ["+append", README_PICTURE], check=True)
