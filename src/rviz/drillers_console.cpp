@@ -18,6 +18,7 @@
 #include "mud_controls.h"
 #include "pipe_controls.h"
 #include "rig_link.h"
+#include "snapshot_controls.h"
 #include "steering_controls.h"
 #include "time_controls.h"
 #include "top_drive_controls.h"
@@ -123,7 +124,7 @@ void DrillersConsole::make_pages()
                                       Quantity::stand_pipe_pressure, Quantity::block_height};
   const std::vector<Controls*> of_the_string{winch_, new TopDriveControls(*link_, tabs_), new MudControls(*link_, tabs_), new SteeringControls(*link_, tabs_)};
   const std::vector<Controls*> of_the_rig{new TimeControls(*link_, tabs_), new PipeControls(*link_, tabs_), new WellControls(*link_, tabs_),
-                                          new FaultControls(*link_, tabs_)};
+                                          new FaultControls(*link_, tabs_), new SnapshotControls(*link_, tabs_)};
   add_page(gauges_, "Gauges");
   add_page(chart_, "Chart");
   add_page(make_control_page("page drill", gauges_->make_strip("watch", watched, tabs_), of_the_string), "Drill");

@@ -56,7 +56,7 @@ WellControls::WellControls(RigLink& link, QWidget* parent)
   grid().setColumnStretch(2, 1);
   answer_->setWordWrap(true);
   answer_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  answer_->setFixedHeight(3 * answer_->fontMetrics().lineSpacing());
+  answer_->setFixedHeight(2 * answer_->fontMetrics().lineSpacing());
   answer_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   connect(browse, &QPushButton::clicked, this, &WellControls::ask_for_scene);
   connect(reset_button, &QPushButton::clicked, this, &WellControls::reset);

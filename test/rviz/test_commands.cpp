@@ -1,4 +1,6 @@
 // Every control of the driller's console: its command arrives, its service answers, what is in force is shown, and a refusal too.
+#include <ros/package.h>
+
 #include <QCheckBox>
 #include <QFileDialog>
 #include <QListWidget>
@@ -7,12 +9,14 @@
 
 #include "console_test.h"
 #include "drill_rig_sim/MudPumpCommand.h"
+#include "drill_rig_sim/RigState.h"
 #include "drill_rig_sim/SteeringCommand.h"
 #include "drill_rig_sim/TopDriveCommand.h"
 #include "drill_rig_sim/WinchCommand.h"
 
 using namespace console_test;
 using drill_rig_sim::MudPumpCommand;
+using drill_rig_sim::RigState;
 using drill_rig_sim::SteeringCommand;
 using drill_rig_sim::TopDriveCommand;
 using drill_rig_sim::WinchCommand;
@@ -239,6 +243,72 @@ TEST_F(Commands, SlipsAndConnection)
   { return console_.asks("slips set", "set_slips: ") && wait_until([&] { return console_.shows("pipe state").contains("in slips"); }, 1.0); };
   EXPECT_TRUE(wait_until(is_in_slips)) << console_.get<QLabel>("answer")->text().toStdString();
   ASSERT_TRUE(console_.asks("slips pull", "set_slips: "));
+}
+
+// Slips, slack off, a stand, pick up, slips: what a driller does.
+TEST(Connection, AStandByHand)
+{
+  const QString scene = QString::fromStdString(ros::package::getPath("drill_rig_sim")) + "/test/scenes/console_connection.yaml";
+  const RigProcess rig("connected", {"_scene:=" + scene});
+  Console console("connected");
+  Listener<RigState> states("rig_state", "connected");
+  ASSERT_TRUE(console.is_in_state("RUNNING"));
+  ASSERT_TRUE(wait_until([&] { return !states.all().empty(); }));
+  const auto last = [&]() -> const RigState& { return *states.all().back(); };
+  const auto hold = [&](const QString& button, const std::function<bool()>& enough)
+  {
+    console.open_page_of(button);
+    QTest::mousePress(console.get(button), Qt::LeftButton);
+    const bool came = wait_until(enough);
+    QTest::mouseRelease(console.get(button), Qt::LeftButton);
+    console.click("winch set brake");
+    return came && wait_until([&] { return std::abs(last().block_velocity) < 1e-6; });
+  };
+  const auto shows_pipe = [&](const QString& text) { return wait_until([&] { return console.shows("pipe state").startsWith(text); }); };
+  const unsigned stands = last().stand_count;
+  const double hanging = last().hook_load;
+  ASSERT_TRUE(console.asks("slips set", "set_slips: the slips are set"));
+  EXPECT_TRUE(shows_pipe(QStringLiteral("in slips, %1 stands").arg(stands)));
+  console.type("winch speed", "0.01");
+  constexpr double block_and_pipe = 9.80665 * (17500.0 + 10.0 * 31.9), gravity = 9.80665;  // of the scene; a joint at most lies above the slips
+  ASSERT_GT(hanging, block_and_pipe + 50e3);
+  ASSERT_TRUE(hold("winch lower", [&] { return last().hook_load < block_and_pipe + 4e3; })) << last().hook_load;
+  ASSERT_TRUE(console.asks("connection add", "make_connection: a stand's joints more are being made")) << console.get<QLabel>("answer")->text().toStdString();
+  EXPECT_TRUE(wait_until([&] { return last().current_operation == "connecting"; }));
+  ASSERT_TRUE(shows_pipe(QStringLiteral("in slips, %1 stands").arg(stands + 1)));
+  ASSERT_TRUE(wait_until([&] { return last().current_operation.empty(); }));
+  const double stand = 28.5 * 31.9 * gravity;
+  ASSERT_TRUE(hold("winch raise", [&] { return last().hook_load > hanging + stand - 2e3; })) << last().hook_load;
+  ASSERT_TRUE(console.asks("slips pull", "set_slips: the slips are pulled")) << console.get<QLabel>("answer")->text().toStdString();
+  EXPECT_TRUE(shows_pipe(QStringLiteral("on the hook, %1 stands").arg(stands + 1)));
+  wait_for(2.0);
+  EXPECT_NEAR(hanging + stand, last().hook_load, 8e3) << "the block's rail carries some of it";
+}
+
+TEST_F(Commands, Snapshots)
+{
+  Listener<RigState> states("rig_state");
+  const auto depth = [&] { return states.all().back()->block_height; };
+  ASSERT_TRUE(wait_until([&] { return !states.all().empty(); }));
+  console_.get<QComboBox>("snapshot name")->setEditText(" before ");
+  ASSERT_TRUE(console_.asks("snapshot save", "save_state: saved as before"));
+  const double then = depth();
+  console_.type("winch speed", "0.1");
+  console_.open_page_of("winch raise");
+  QTest::mousePress(console_.get("winch raise"), Qt::LeftButton);
+  EXPECT_TRUE(wait_until([&] { return depth() > then + 0.2; }));
+  QTest::mouseRelease(console_.get("winch raise"), Qt::LeftButton);
+  ASSERT_TRUE(console_.asks("snapshot restore", "restore_state: restored before"));
+  EXPECT_TRUE(wait_until([&] { return std::abs(depth() - then) < 0.05; })) << depth() << " instead of " << then;
+  EXPECT_EQ(0, console_.get<QComboBox>("snapshot name")->findText("before")) << "to be chosen again";
+  const QString file = out_folder() + "/console_snapshot";
+  console_.get<QComboBox>("snapshot name")->setEditText(file);
+  ASSERT_TRUE(console_.asks("snapshot save", "save_state: written to " + file));
+  ASSERT_TRUE(console_.asks("snapshot restore", "restore_state: restored " + file));
+  console_.get<QComboBox>("snapshot name")->setEditText("before");
+  ASSERT_TRUE(console_.asks("snapshot delete", "delete_state: deleted before"));
+  ASSERT_TRUE(console_.asks("snapshot restore", "restore_state: ")) << "refused, which is told";
+  EXPECT_TRUE(console_.get<QLabel>("answer")->text().contains("before")) << console_.get<QLabel>("answer")->text().toStdString();
 }
 
 TEST_F(Commands, ResetAndSurvey)
