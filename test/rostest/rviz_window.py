@@ -25,6 +25,11 @@ echo $? >"$2.status"
 """
 
 
+def plugins_are_built():
+    places = os.environ.get("CMAKE_PREFIX_PATH", "").split(":")
+    return any(os.path.exists(os.path.join(place, "lib", "libdrill_rig_sim_rviz.so")) for place in places)
+
+
 class Picture:
     """The pixels of a part of the screen, row by row from its left upper corner."""
 
@@ -55,6 +60,8 @@ class Window:
         for program in ("rviz", "xvfb-run", "import", "convert"):
             if shutil.which(program) is None:
                 case.skipTest(program + " is not installed")
+        if config != "markers.rviz" and not plugins_are_built():
+            case.skipTest("the plug-ins for rviz are not built")
         self.case, self.size, self.view = case, (width, height), view
         self.files = os.path.join(FOLDER, name)
         for end in (".ppm", ".png", ".pid", ".status"):
