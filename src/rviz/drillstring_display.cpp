@@ -2,6 +2,7 @@
 
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
+#include <OgreViewport.h>
 #include <ros/names.h>
 #include <rviz/display_context.h>
 #include <rviz/frame_manager.h>
@@ -237,7 +238,10 @@ void DrillstringDisplay::update(float /*wall_dt*/, float /*ros_dt*/)
   {
     ruled_ = now;
     choose_detail(*view->getCamera());
-    ruler_scene_->draw(model_, options_, well_scene_->plan_distance(), probed_, *view->getCamera());
+    const Ogre::Viewport& port = *view->getCamera()->getViewport();
+    const double width = port.getActualWidth(), height = port.getActualHeight();
+    ruler_scene_->draw(model_, options_, well_scene_->plan_distance(), probed_, *view->getCamera(),
+                       {legend_->area(width, height), probe_panel_->area(width, height)});
   }
   if (camera_due_ && placed && model_.complete()) apply_camera();
 }

@@ -81,4 +81,14 @@ void OverlayPanel::hide()
   overlay_->hide();
 }
 
+Ogre::FloatRect OverlayPanel::area(double view_width, double view_height) const
+{
+  if (!overlay_->isVisible()) return {};
+  const bool right = corner_ == Corner::top_right;
+  const double width = panel_->getWidth(), height = panel_->getHeight();
+  const double left = right ? 0.5 * view_width - distance_from_edge - width : distance_from_edge - 0.5 * view_width;
+  const double bottom = right ? 0.5 * view_height - distance_from_edge - height : distance_from_edge - 0.5 * view_height;
+  return {static_cast<float>(left), static_cast<float>(bottom + height), static_cast<float>(left + width), static_cast<float>(bottom)};
+}
+
 }  // namespace drill_rig_sim

@@ -82,8 +82,9 @@ RulerScene::Sight RulerScene::sight_of(const Ogre::Camera& camera) const
 }
 
 void RulerScene::draw(const DrillstringModel& model, const DrillstringOptions& options, const PlanDistance& plan,
-                      const std::optional<Between>& probed, const Ogre::Camera& camera)
+                      const std::optional<Between>& probed, const Ogre::Camera& camera, const std::vector<Ogre::FloatRect>& covered)
 {
+  covered_ = covered;
   mesh_.clear();
   labels_.clear();
   written_.clear();
@@ -100,8 +101,11 @@ void RulerScene::draw(const DrillstringModel& model, const DrillstringOptions& o
 void RulerScene::add_label(const std::string& text, const Vector3d& place, const Color& color, const Sight& sight)
 {
   const Ogre::Vector2 here = sight.screen(*root_, place);
+  constexpr double long_label = 3.2 * letter_height;  // to the right from its place, which is half way up
+  for (const Ogre::FloatRect& c : covered_)
+    if (here.x + long_label > c.left && here.x < c.right && here.y - 0.5 * letter_height < c.top && here.y + 0.5 * letter_height > c.bottom) return;
   for (const Ogre::Vector2& there : written_)
-    if (std::abs(here.x - there.x) < 3.2 * letter_height && std::abs(here.y - there.y) < letter_height) return;
+    if (std::abs(here.x - there.x) < long_label && std::abs(here.y - there.y) < letter_height) return;
   written_.push_back(here);
   labels_.push_back({text, to_ogre(place), color});
 }

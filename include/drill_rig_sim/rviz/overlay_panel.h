@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_RVIZ_OVERLAY_PANEL_H
 #define DRILL_RIG_SIM_RVIZ_OVERLAY_PANEL_H
 
+#include <OgreCommon.h>
 #include <OgreMaterial.h>
 #include <OgreTexture.h>
 
@@ -33,6 +34,8 @@ public:
   /// Shows the image, or nothing where it is empty.
   void show(const QImage& image);
   void hide();
+  /// What it covers of a view of this size: from the view's middle, x right, y up [pixels]; nothing while it is hidden.
+  Ogre::FloatRect area(double view_width, double view_height) const;
 
 private:
   void make_texture(int width, int height);

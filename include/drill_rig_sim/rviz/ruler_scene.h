@@ -22,9 +22,10 @@ public:
   RulerScene(Ogre::SceneManager* manager, Ogre::SceneNode* parent);
   ~RulerScene();
 
-  /// Draws a complete model for a camera. `plan`: of the hole's bottom; `probed`: a place on the string that is pointed at.
+  /// Draws a complete model for a camera. `plan`: of the hole's bottom; `probed`: a place on the string that is pointed at; `covered`: where nothing is
+  /// written, from the picture's middle, x right, y up [pixels].
   void draw(const DrillstringModel& model, const DrillstringOptions& options, const PlanDistance& plan, const std::optional<Between>& probed,
-            const Ogre::Camera& camera);
+            const Ogre::Camera& camera, const std::vector<Ogre::FloatRect>& covered);
   void clear();
 
 private:
@@ -41,7 +42,7 @@ private:
     Eigen::Vector3d beside(const AxisPoint& p) const;
   };
   Sight sight_of(const Ogre::Camera& camera) const;
-  /// Adds a label unless it would stand on another one.
+  /// Adds a label unless it would stand on another one, or on what is covered.
   void add_label(const std::string& text, const Eigen::Vector3d& place, const Color& color, const Sight& sight);
   void add_ruler(const DrillstringModel& model, const DrillstringOptions& options, const Sight& sight);
   void add_probed(const DrillstringModel& model, const DrillstringOptions& options, const Between& probed, const Sight& sight);
@@ -54,6 +55,7 @@ private:
   std::unique_ptr<LabelSet> label_set_;
   MeshData mesh_;
   std::vector<Label> labels_;
+  std::vector<Ogre::FloatRect> covered_;
   std::vector<Ogre::Vector2> written_;  // where labels begin on the screen [pixels]
 };
 
