@@ -152,7 +152,6 @@ void DrillstringDisplay::reset()
   model_.nodes.clear();
   heard_ = ros::WallTime();
   string_due_ = well_due_ = model_.axis && model_.rig;
-  camera_due_ = false;
   if (isEnabled()) return;
   model_ = DrillstringModel();  // what is latched comes again
 }

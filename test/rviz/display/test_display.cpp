@@ -268,6 +268,17 @@ TEST_F(Display, EveryColouringHasItsUnitScaleAndColour)
   }
 }
 
+// As when rviz is begun with a config and another fixed frame, -f.
+TEST_F(Display, ACameraThatWaitsIsNotForgottenForAnotherFixedFrame)
+{
+  display_->subProp("Camera")->setValue("bit");
+  manager_->setFixedFrame("world");
+  auto* focus = dynamic_cast<rviz::VectorProperty*>(manager_->getViewManager()->getCurrent()->subProp("Focal Point"));
+  EXPECT_TRUE(wait_until([&] { return std::abs(focus->getVector().z + depth) < 10.0f; })) << focus->getVector().z;
+  display_->subProp("Camera")->setValue("as it is");
+  manager_->setFixedFrame("rig_floor");
+}
+
 int main(int argc, char** argv)
 {
   ::testing::InitGoogleTest(&argc, argv);
