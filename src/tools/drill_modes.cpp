@@ -112,6 +112,7 @@ Json json_of(const Scene& scene, const RigAtRest& rig, int clamp, const std::vec
 std::vector<FamilyModes> find_all(const RigAtRest& rig, const std::vector<NamedFamily>& asked, int clamp, int count)
 {
   std::vector<FamilyModes> found;
+  found.reserve(asked.size());
   for (const NamedFamily& f : asked) found.push_back({f.name, find_modes(rig, f.family, clamp, count)});
   return found;
 }

@@ -39,6 +39,7 @@ void become_python(const std::string& module, const std::vector<std::string>& wo
   std::vector<std::string> line = {"python3", "-m", "drill_rig_sim." + module};
   line.insert(line.end(), words.begin(), words.end());
   std::vector<char*> arguments;
+  arguments.reserve(line.size() + 1);
   for (std::string& word : line) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execvp(DRILL_RIG_SIM_PYTHON, arguments.data());
