@@ -18,7 +18,8 @@ from drill_rig_sim.campaign import engine
 from drill_rig_sim.campaign.results import Results
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-QUICK = os.path.join(os.path.dirname(os.path.dirname(HERE)), "config/scenes/quick.yaml")
+SOURCE = os.path.dirname(os.path.dirname(HERE))
+QUICK = os.path.join(SOURCE, "config/scenes/quick.yaml")
 PATIENCE = 240.0  # [s]
 RUNS = 12
 PLAN = """scene: %s
@@ -96,6 +97,21 @@ class Campaigns(unittest.TestCase):
         finally:
             results.close()
 
+    # --- as it is started
+
+    def test_the_script_and_its_installed_relay_run_a_campaign(self):
+        """Workers' processes read the program again that started them: that is no second campaign."""
+        relays = [os.path.join(prefix, "lib/drill_rig_sim/drill_campaign") for prefix in os.environ.get("CMAKE_PREFIX_PATH", "").split(":")]
+        programs = [os.path.join(SOURCE, "src/tools/drill_campaign"), *filter(os.path.isfile, relays)]
+        text = PLAN.replace("[\"\", error]", "[\"\"]").replace("[0.2, -1.0, 0.3]", "[0.2]").replace("runs: %d" % RUNS, "runs: 2")
+        for program in programs:
+            with self.subTest(program):
+                file = self.place("%d.sqlite" % programs.index(program))
+                done = subprocess.run([sys.executable, program, self.plan(text=text), "--workers", "2", "--results", file], capture_output=True, text=True, cwd=self.folder,
+                                      timeout=PATIENCE, check=False)
+                self.assertEqual((0, "%s: 2 runs, 2 to do\n2 of 2 runs are there: 2 good\n" % file), (done.returncode, done.stdout), done.stderr)
+                self.assertNotIn("Traceback", done.stderr)
+
     # --- the same results
 
     def test_results_are_the_same_by_one_two_and_four_workers(self):
@@ -146,6 +162,20 @@ class Campaigns(unittest.TestCase):
         _, told = client.communicate(timeout=PATIENCE)
         self.assertEqual(3, client.returncode)
         self.assertIn("the same command goes on", told)
+
+    def test_ctrl_c_ends_it_without_a_traceback_and_what_was_left_behind_is_no_news(self):
+        """A terminal sends it to workers and runners too."""
+        client = self.start(self.plan(0.3), "--workers", "2", start_new_session=True)
+        self.wait(lambda: self.rows_in("plan.sqlite") > 0, "a row")
+        os.killpg(client.pid, signal.SIGKILL)
+        client.communicate()
+        client = self.start(self.plan(0.3), "--workers", "2", start_new_session=True)
+        there = self.rows_in("plan.sqlite")
+        self.wait(lambda: self.rows_in("plan.sqlite") > there, "a row more")
+        os.killpg(client.pid, signal.SIGINT)
+        _, told = client.communicate(timeout=PATIENCE)
+        self.assertEqual(3, client.returncode, told)
+        self.assertEqual([], [line for line in told.splitlines() if not re.match(r"\d+ of \d+ done, |drill_campaign: stopped: ", line)])
 
     def cluster(self):
         """Scheduler and two workers, as anybody starts them; address and processes."""

@@ -1,7 +1,10 @@
 """Dask distributed does the work: on this machine's cores, on a running cluster, or on workers that Slurm starts."""
+import contextlib
 import ipaddress
+import multiprocessing.resource_tracker
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import urllib.parse
@@ -42,14 +45,27 @@ def one(row, identity):
 
 def connect(scheduler=None, slurm=0, workers=0):
     """A client and what is to be closed after it. Without arguments: as many processes on this machine as it has cores for us."""
-    dask.config.set({"distributed.worker.daemon": False, "distributed.comm.timeouts.connect": "20s", "distributed.admin.log-format": "%(levelname)s %(message)s"})
+    dask.config.set({"distributed.worker.daemon": False, "distributed.comm.timeouts.connect": "20s", "distributed.admin.log-format": "%(levelname)s %(message)s",
+                     "distributed.nanny.pre-spawn-environ.DASK_LOGGING__DISTRIBUTED": "critical"})  # what older workers left behind is no news
     if scheduler is not None:
         return distributed.Client(address_checked(scheduler), security=security(), timeout="20s"), []
     if slurm:
         return on_slurm(slurm)
-    cluster = distributed.LocalCluster(n_workers=workers or len(os.sched_getaffinity(0)), threads_per_worker=1, processes=True, host="127.0.0.1",
-                                       dashboard_address=PAGE, worker_dashboard_address=PAGE, memory_limit=None, silence_logs=50)
+    with deaf_to_ctrl_c():
+        cluster = distributed.LocalCluster(n_workers=workers or len(os.sched_getaffinity(0)), threads_per_worker=1, processes=True, host="127.0.0.1",
+                                           dashboard_address=PAGE, worker_dashboard_address=PAGE, memory_limit=None, silence_logs=50)
     return distributed.Client(cluster), [cluster]
+
+
+@contextlib.contextmanager
+def deaf_to_ctrl_c():
+    """Threads that begin meanwhile, and all processes that they start, never see Ctrl-C, which is for the campaign; here it waits."""
+    multiprocessing.resource_tracker.ensure_running()  # it lets Ctrl-C through again where it begins
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def address_checked(address):
