@@ -35,7 +35,7 @@ outputs: {turned: "%s/laws.py:turned", torque: largest.truth.torque}
 SBATCH = """#!/bin/sh
 sed -n 's/^exec srun //p' >"$0.command"
 cat "$0.command" | sed 's/^/exec /' >"$0.script"
-for k in 1 2; do sh "$0.script" >/dev/null 2>&1 & done
+for k in 1 2; do sh "$0.script" >/dev/null 2>&1 & echo $! >>"$0.pids"; done
 echo 4711
 """
 
@@ -249,7 +249,7 @@ class Campaigns(unittest.TestCase):
                        check=True, capture_output=True)
         with open(certificate, "a", encoding="ascii") as out, open(self.place("c"), encoding="ascii") as more:
             out.write(more.read())
-        for name, text in (("sbatch", SBATCH), ("scancel", "#!/bin/sh\necho $1 >$0.job\npkill -f 'dask_worker tls' || true\n")):
+        for name, text in (("sbatch", SBATCH), ("scancel", "#!/bin/sh\necho $1 >$0.job\nkill $(cat ${0%scancel}sbatch.pids) || true\n")):
             with open(self.place(name), "w", encoding="utf-8") as out:
                 out.write(text)
             os.chmod(self.place(name), 0o755)
