@@ -1,21 +1,22 @@
 #!/usr/bin/env python3
-"""A node that runs a control law of drill_rig_sim against the rig of its namespace: ~law and its arguments ~settings.
+"""A node that runs a control law of drill_rig_sim against the rig of its namespace: ~law (of LAWS, FILE.py:CLASS or PACKAGE.MODULE:CLASS) and its
+arguments ~settings.
 
 ~plan: a survey's file, for a law that steers by one. ~orders: rows of time [s], set point and value. ~lockstep true: it steps the rig as fast as that
 goes, says how the law did (drill score) and, given ~csv, writes the truth as drill run --csv does. False: it follows rig_state and
 publishes commands, as with a real rig.
 """
-import csv
 import sys
 
 import rospy
 from drill_rig_sim import control, topics
 from drill_rig_sim.autodriller import Autodriller
+from drill_rig_sim.campaign.blueprint import source_at
 from drill_rig_sim.rig import Rig
 from drill_rig_sim.rss_steering import RssSteering
 from drill_rig_sim.score import score
 from drill_rig_sim.score_command import table
-from drill_rig_sim.score_runs import run_of_states
+from drill_rig_sim.score_runs import run_of_states, write_series
 from drill_rig_sim.slide_steering import SlideSteering
 from drill_rig_sim.stands import Stands
 from drill_rig_sim.stick_slip import StickSlip
@@ -26,11 +27,11 @@ LAWS = {"autodriller": Autodriller, "slide_steering": SlideSteering, "rss_steeri
 
 def in_lockstep(law, timeout):
     rig = Rig(rospy.get_namespace().rstrip("/"))
-    telemetry = topics.Telemetry() if law.listens else control.Deaf
+    telemetry = topics.Telemetry() if getattr(law, "listens", True) else control.Deaf
     states = control.drive(rig, law, timeout, telemetry)
     run = run_of_states(states, rospy.get_param("~law"))
     if rospy.has_param("~csv"):
-        write(run, rospy.get_param("~csv"))
+        write_series(run, rospy.get_param("~csv"))
     plan = read_survey(rospy.get_param("~plan")) if rospy.has_param("~plan") else None
     print("\n".join(table(score(run, plan, **rospy.get_param("~score", {})))), flush=True)
 
@@ -39,15 +40,9 @@ def law_of_parameters():
     settings = dict(rospy.get_param("~settings", {}))
     if rospy.has_param("~plan"):
         settings["plan"] = read_survey(rospy.get_param("~plan"))
-    law = LAWS[rospy.get_param("~law")](**settings)
+    name = rospy.get_param("~law")
+    law = (LAWS[name] if name in LAWS else source_at(name).load())(**settings)
     return control.Ordered(law, rospy.get_param("~orders", []))
-
-
-def write(run, file):
-    with open(file, "w", newline="", encoding="utf-8") as text:
-        rows = csv.writer(text)
-        rows.writerow(run.columns)
-        rows.writerows(zip(*(column.tolist() for column in run.columns.values())))
 
 
 def main():

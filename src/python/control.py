@@ -1,6 +1,6 @@
 """Runs a control law against a rig. A law is a plain class without ROS:
 
-    commands = law.step(readings)    # every law.period of simulated time [s]; until law.done
+    commands = law.step(readings)    # every law.period of simulated time [s]; until law.done. `commands`: a drill_rig_sim.law.Commands
 
 `readings` has the fields of RigState, `t` [s], `toolface` and `survey`: the last of each that came up, with the time `t` of their measurement, or None, and
 `refused`: why the slips or the connection asked for last were not (else ""). What a rig cannot sense is not in it.
@@ -75,12 +75,18 @@ def pipe_work(commands, slips, connection):
     return ""
 
 
+def frames_of(period, rate):
+    """How many frames a law's period lasts."""
+    frames = round(period * rate)
+    if frames < 1 or abs(frames - period * rate) > 1e-6 * frames:
+        raise ValueError("the law's period of %g s is no whole number of frames of %g s" % (period, 1.0 / rate))
+    return frames
+
+
 def drive(rig, law, timeout, telemetry=Deaf, judge=None):
     """Lockstep: steps the rig under the law until that is done, or for `timeout` simulated seconds; the states after each of its periods.
     `telemetry`: of drill_rig_sim.topics beside a node; a simulator in this process is its own. `judge`: called with each state, to look at the law meanwhile or to break the rig."""
-    states, every, refused = [], round(law.period * rig.rate), ""
-    if every < 1 or abs(every - law.period * rig.rate) > 1e-6 * every:
-        raise ValueError("the law's period of %g s is no whole number of frames of %g s" % (law.period, 1.0 / rig.rate))
+    states, every, refused = [], frames_of(law.period, rig.rate), ""
     for _ in range(int(timeout * rig.rate / every)):
         if law.done:
             break

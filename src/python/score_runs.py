@@ -141,6 +141,14 @@ def last_toolface(time, toolfaces):
     return numpy.array([m.toolface for m in toolfaces])[numpy.maximum(last, 0)]
 
 
+def write_series(run, file):
+    """A file that read_series() reads, to the last bit."""
+    with open(file, "w", newline="", encoding="utf-8") as text:
+        rows = csv.writer(text)
+        rows.writerow(run.columns)
+        rows.writerows(zip(*(column.tolist() for column in run.columns.values())))
+
+
 def run_of_states(states, name="states"):
     """Of a list of states (drill_rig_sim.lockstep), by their truth."""
     return run_by(series(states, "t"), lambda path: series(states, "truth." + path), lambda path: series(states, "bit." + path), name)
@@ -155,4 +163,4 @@ def run_by(time, truth, bit, name):
     """By what gives a field of every RigState or BitTruth, named by its path."""
     columns = {column: truth(path) for column, path in STATE.items()}
     columns.update({column: bit(path) for column, path in BIT.items()})
-    return Run({**columns, "time": time}, "truth", name)
+    return Run({"time": time, **columns}, "truth", name)

@@ -57,6 +57,14 @@ class Law:
         print("this is no answer")
 
 
+def broken(played):
+    return 1.0 / len(played.t[:0])
+
+
+def wordy(_):
+    return "well"
+
+
 def turned(played):
     """Of the string's top [rad]."""
     return float((played.truth("top_drive_speed") * 0.1).sum())

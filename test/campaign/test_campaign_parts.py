@@ -20,7 +20,8 @@ import numpy
 import yaml
 from drill_rig_sim.campaign import command, played, sensitivity
 from drill_rig_sim.campaign.designs import DesignError, Factor, rows_of
-from drill_rig_sim.campaign.plan import PlanError, read_plan
+from drill_rig_sim.campaign.plan import read_plan
+from drill_rig_sim.campaign.plan_text import PlanError
 from drill_rig_sim.campaign.results import Results, ResultsError
 from drill_rig_sim.campaign.runner import Runner
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
@@ -150,7 +151,7 @@ class Plans(Folder):
                 ("sections[*].friction", "sections[9].friction", 7, "the list has no [9]"), ("sections[*].friction\"", "sections[*].friction\", log: true, values: [1]", 7, "stands beside values"),
                 ("kind: grid", "kind: random", 8, "allowed: grid, list, latin_hypercube, sobol, saltelli"), ("grid, steps: 3", "sobol", 8, "sobol needs runs"),
                 ("steps: 3", "steps: 3, runs: 4", 8, "grid has steps"), ("steps: 3", "steps: 3.5", 8, "a whole number"),
-                ("laws.py:turned", "laws.py:no_such", 9, "KeyError"), ("laws.py:Law", "other.py:Law", 4, "No such file"), ("duration: 0.3", "duration: 0.3\nduration: 0.4", 4, "twice"),
+                ("laws.py:turned", "laws.py:no_such", 9, "laws.py has no no_such"), ("laws.py:Law", "other.py:Law", 4, "No such file"), ("duration: 0.3", "duration: 0.3\nduration: 0.4", 4, "twice"),
                 ("sample:", "report: {map: [rpm, friction, rop]}\nsample:", 8, "is rop, allowed: turned, torque")):
             self.assertIn(old, PLAN)
             with self.assertRaises(PlanError, msg=new) as told:
@@ -158,6 +159,51 @@ class Plans(Folder):
             self.assertTrue(str(told.exception).startswith("%s:%d: " % (self.place("plan.yaml"), line)), told.exception)
             self.assertIn(said, str(told.exception))
             self.assertNotIn("\n", str(told.exception))
+    def test_keys_times_and_parameters_are_refused_with_their_line(self):
+        friction = "\"well.sections[*].friction\""
+        for old, new, line, said in (
+                ("controller.rpm", friction, 7, "sections[*].friction: the same place"), (friction, "controller.rpm", 7, "controller.rpm and controller.rpm: the same place"),
+                ("key: controller.rpm", "keys: [numerics.tolerance, numerics.tolerance]", 6, "the same place"), (friction, "seed, times: true", 7, "a seed needs values"),
+                ("key: controller.rpm", "keys: [numerics.new, numerics.new.more]", 6, "numerics.new and numerics.new.more: the same place"),
+                ("controller.rpm, values: [30.0, 60.0]", "seed, values: [1, 1.5]", 6, "factors[0].values[1]: is 1.5, needed: a whole number"), (friction, "seed", 7, "whole numbers"),
+                ("duration: 0.3", "duration: 0.3\nfrom: 0.3", 4, "from: is 0.3, needed: a number below the duration, 0.3"), ("duration: 0.3", "duration: 0.305", 3, "no whole number of frames"),
+                ("duration: 0.3", "duration: 0.3\nevery: 0.015", 4, "0.015 s, is no whole number of frames of 0.01 s"), ("duration: 0.3", "duration: 0.3\nseed: 1.5", 4, "a whole number"),
+                ("laws.py:Law", "laws.py:Nobody", 4, "laws.py has no Nobody"), ("laws.py:Law", "laws.py:time", 4, "is no class"),
+                ("controller.rpm", "controller.rmp", 6, "laws.py:Law has no parameter rmp, allowed: rpm, fault, pause"), ("{rpm: 60.0}", "{rmp: 60.0}", 4, "has no parameter rmp"),
+                ("key: controller.rpm", "key: controller.pause, times: true", 6, "gives no number for it"), ("controller.rpm", "controller.rpm.deep", 6, "the parameter rpm has no keys")):
+            self.refused_at(line, said, PLAN.replace(old, new, 1))
+
+    def refused_at(self, line, said, text):
+        self.assertNotEqual(PLAN, text)
+        with self.assertRaises(PlanError, msg=said) as told:
+            read_plan(self.plan(text))
+        self.assertTrue(str(told.exception).startswith("%s:%d: " % (self.place("plan.yaml"), line)), told.exception)
+        self.assertIn(said, str(told.exception))
+
+    def test_what_is_no_law_is_refused_before_anything_runs(self):
+        laws = {"NoPeriod": ("done = False", "has no period; a law needs period [s], done and step(readings)"), "NoDone": ("period = 0.1", "has no done"),
+                "NoStep": ("period, done, step = 0.1, False, 3", "has no step(readings)"), "Odd": ("period, done = 0.015, False", "no whole number of frames of 0.01 s"),
+                "Worded": ("period, done = 'long', False", "its period is 'long', needed: a number"), "Broken": ("period, done, more = 0.1, False, 1", "law.py, line"),
+                "Greedy": ("period, done = 0.1, False", "needs the parameter weight")}
+        with open(self.place("law.py"), "w", encoding="utf-8") as out:
+            for name, (body, _) in laws.items():
+                out.write("class %s:\n    %s\n    def __init__(self, rpm%s):\n        %s\n" % (name, body, ", weight" if name == "Greedy" else "", "1 / 0" if name == "Broken" else "pass"))
+                out.write("" if name == "NoStep" else "    def step(self, readings):\n        pass\n")
+        for name, (_, said) in laws.items():
+            for words in (["--check"], []):
+                status, out, told = drill_campaign(self.plan(PLAN.replace("%s/laws.py:Law" % HERE, "law.py:" + name)), "--results", self.place("r.sqlite"), *words)
+                self.assertEqual((2, ""), (status, out), name)
+                self.assertTrue(told.startswith("drill_campaign: %s:4: controller.class: " % self.place("plan.yaml")), told)
+                self.assertIn(said, told)
+                self.assertEqual(1, told.count("\n"))
+
+    def test_a_key_that_no_scene_has_is_refused_with_both_lines(self):
+        for key, said in (("mud.densty", r"plan.yaml:7: factors\[1\].key: .*scene.yaml:13: mud.densty: unknown key"), ("numerics.tolerence", "plan.yaml:7: .*tolerence")):
+            status, _, told = drill_campaign(self.plan(PLAN.replace("well.sections[*].friction", key)), "--check")
+            self.assertEqual(2, status)
+            self.assertRegex(told, said)
+
+    def test_what_is_no_plan_at_all(self):
         for text in ("", "[1, 2", "a: b: c", "- 1\n"):
             self.assertRaises(PlanError, read_plan, self.plan(text))
         self.assertRaises(PlanError, read_plan, "/nowhere.yaml")
@@ -215,6 +261,17 @@ class Runs(Folder):
                 self.assertEqual((wanted, {}), (status, outputs), reason)
                 self.assertRegex(reason, said)
 
+    def test_an_output_that_cannot_be_told_has_its_own_status(self):
+        for asked, more, said in (("laws.py:broken", "", r"^turned: laws.py, line \d+: ZeroDivisionError: "), ("laws.py:wordy", "", "^turned: gives 'well', needed: a number"),
+                                  ("laws.py:turned", "from: 0.25\n", "ended by 0.3 s, before two rows that count, from 0.25 s on")):
+            plan = read_plan(self.plan(PLAN.replace("laws.py:turned", asked) + more))
+            rig = played.simulator(plan.blueprint, plan.rows[0])
+            runner = Runner(plan.blueprint)
+            self.addCleanup(runner.end)
+            status, reason, outputs, _ = runner.run(plan.rows[0], [build(), rig.kernel])
+            self.assertEqual(("judge", {}), (status, outputs), reason)
+            self.assertRegex(reason, said)
+
     def test_another_build_or_kernel_is_refused(self):
         runner, row, identity = self.runner()
         status, reason, _, _ = runner.run(row, ["other", identity[1]])
@@ -259,6 +316,25 @@ class File(Folder):
         results.forget_bad(["k1", "k2"])
         self.assertEqual({"k1"}, results.done())
 
+    def test_the_end_tells_the_first_reason_of_each_kind(self):
+        results = Results(self.place("r.sqlite"))
+        self.addCleanup(results.close)
+        results.describe(**self.about(["k1", "k2", "k3", "k4"]))
+        results.add([self.ROW, *(("k%d" % k, [2.0], status, "why %d" % k, {}, 9.0, "w") for k, status in ((2, "judge"), (3, "cpu"), (4, "cpu")))])
+        out = io.StringIO()
+        with redirect_stdout(out):
+            self.assertEqual(1, command.told(results, 4))
+        self.assertEqual("4 of 4 runs are there: 2 cpu, 1 good, 1 judge\ncpu, first run 2: why 3\njudge, first run 1: why 2\n", out.getvalue())
+
+    def test_what_is_left_is_told_once_a_run_is_done(self):
+        out = io.StringIO()
+        progress = command.Progress(2, out)
+        progress.tell()
+        self.assertIn(", ? to go", out.getvalue())
+        progress.count("good")
+        progress.tell()
+        self.assertRegex(out.getvalue(), r"1 of 2 done, 0 of them bad, .*, 0:00:0\d to go")
+
     def test_one_writes_and_others_read(self):
         results = Results(self.place("r.sqlite"))
         self.addCleanup(results.close)
@@ -282,7 +358,7 @@ class File(Folder):
             self.assertIn(name, str(told.exception))
         self.assertEqual(2, drill_campaign("report", self.place("nowhere.sqlite"))[0])
 
-    def test_the_page_holds_all_and_a_run_comes_back_as_a_scene(self):
+    def test_the_page_holds_all(self):
         status, _, told = drill_campaign(self.plan(), "--results", self.place("r.sqlite"), "--workers", "1")
         self.assertEqual(0, status, told)
         status, page, _ = drill_campaign("report", self.place("r.sqlite"))
@@ -292,10 +368,8 @@ class File(Folder):
         self.assertEqual(3, text.count("data:image/png;base64,"))
         self.assertEqual([], re.findall(r"(?:src|href)=\"(?!data:)", text))
         self.assertIn("drill_campaign scene r.sqlite --run 5", text)
-        self.assertEqual(0, drill_campaign("scene", self.place("r.sqlite"), "--run", "2", "--out", self.place("s.yaml"))[0])
-        with open(self.place("s.yaml"), encoding="utf-8") as scene:
-            self.assertIn("friction: 0.4", scene.read())
-        self.assertEqual(2, drill_campaign("scene", self.place("r.sqlite"), "--run", "99")[0])
+        for command_line in ("roslaunch $PWD/run_3.launch rviz:=true", "drill_campaign play r.sqlite --run 3 --csv run_3.csv"):
+            self.assertIn(command_line, text)
 
 
 if __name__ == "__main__":

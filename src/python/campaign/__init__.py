@@ -1,1 +1,1 @@
-"""Campaigns: many runs of a scene over factors, by Dask's workers, into one SQLite file. `drill_campaign` is the command; README.md of src/python/campaign says more."""
+"""Campaigns: many runs of a scene over factors, by Dask's workers, into one SQLite file. `drill_campaign` is the command; config/campaigns/README.md says more."""

@@ -6,11 +6,17 @@ import json
 import os
 import shutil
 import tempfile
+import traceback
 
 from drill_rig_sim.campaign.scene_text import SceneText, Times
 
 SEED = "seed"               # a factor's key that is none of the scene
 CONTROLLER = "controller."  # before the controller's parameters
+PARTS = ("name", "scene", "survey", "factors", "controller", "parameters", "duration", "rate", "every", "begin", "seed", "outputs", "judge", "cpu", "wall", "memory")
+
+
+class SourceError(Exception):
+    """Why there is no such class or function, in one line."""
 
 
 class Source:
@@ -20,14 +26,33 @@ class Source:
         self.where, self.text = where, text
         self.module, _, self.name = where.rpartition(":")
 
+    def parts(self):
+        """By the names of its arguments."""
+        return {"where": self.where, "text": self.text}
+
     def load(self):
-        """The object."""
-        if self.text is None:
-            import importlib
-            return getattr(importlib.import_module(self.module), self.name)
-        scope = {"__name__": "drill_campaign_" + hashlib.sha256(self.text.encode()).hexdigest()[:12]}
-        exec(compile(self.text, self.module, "exec"), scope)  # pylint: disable=exec-used
+        """The object; a SourceError where there is none."""
+        try:
+            if self.text is None:
+                import importlib
+                scope = vars(importlib.import_module(self.module))
+            else:
+                scope = {"__name__": "drill_campaign_" + hashlib.sha256(self.text.encode()).hexdigest()[:12]}
+                exec(compile(self.text, self.module, "exec"), scope)  # pylint: disable=exec-used
+        except Exception as error:  # pylint: disable=broad-except
+            raise SourceError(told(error, self.module)) from error
+        if self.name not in scope:
+            raise SourceError("%s has no %s" % (self.module, self.name))
         return scope[self.name]
+
+
+def source_at(where, folder=""):
+    """Of FILE.py:NAME, from this folder, or PACKAGE.MODULE:NAME. OSError and UnicodeDecodeError where the file cannot be read."""
+    file = where.rpartition(":")[0]
+    if not file.endswith(".py"):
+        return Source(where)
+    with open(os.path.join(folder, file), encoding="utf-8") as text:
+        return Source(where, text.read())
 
 
 class Blueprint:
@@ -44,6 +69,16 @@ class Blueprint:
         self.cpu, self.wall, self.memory = cpu, wall, memory
         self.template = SceneText(scene, [key for _, keys, _ in factors for key in keys if in_scene(key)] + (["well.survey"] if survey is not None else []))
         self.folder = None
+
+    def parts(self):
+        """All of it as JSON has it; of_parts() makes it again."""
+        outputs = {name: what.parts() if isinstance(what, Source) else what for name, what in self.outputs.items()}
+        return {**{name: getattr(self, name) for name in PARTS}, "controller": self.controller and self.controller.parts(), "outputs": outputs}
+
+    @staticmethod
+    def of_parts(parts):
+        outputs = {name: Source(**what) if isinstance(what, dict) else what for name, what in parts["outputs"].items()}
+        return Blueprint(**{**parts, "controller": parts["controller"] and Source(**parts["controller"]), "outputs": outputs})
 
     def values_by_key(self, row):
         """Of a row of factors' values."""
@@ -96,6 +131,15 @@ class Blueprint:
 
     def __getstate__(self):
         return {**self.__dict__, "folder": None}
+
+
+def told(error, file=""):
+    """An error of the user's code in one line: where in his file, else where at all."""
+    frames = traceback.extract_tb(error.__traceback__)
+    at = ([frame for frame in frames if frame.filename == file] or frames)[-1]
+    if isinstance(error, SyntaxError):
+        return "%s, line %s: %s: %s" % (os.path.basename(error.filename or ""), error.lineno, type(error).__name__, error.msg)
+    return "%s, line %d: %s: %s" % (os.path.basename(at.filename), at.lineno, type(error).__name__, " ".join(str(error).split()))
 
 
 def in_scene(key):

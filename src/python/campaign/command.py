@@ -1,19 +1,17 @@
-"""drill_campaign PLAN.yaml: does its runs that are not done yet, into one SQLite file. drill_campaign report, export, scene FILE: looks at them."""
+"""drill_campaign PLAN.yaml: does its runs that are not done yet, into one SQLite file. drill_campaign report, export, scene, play FILE: looks at them."""
 import argparse
 import os
 import sys
 import time
 
-from drill_rig_sim.campaign import played
-from drill_rig_sim.campaign.plan import PlanError, read_plan
+from drill_rig_sim.campaign import again
+from drill_rig_sim.campaign.plan import read_plan
+from drill_rig_sim.campaign.plan_checks import first_rig
+from drill_rig_sim.campaign.plan_text import PlanError
 from drill_rig_sim.campaign.results import Results, ResultsError
-from drill_rig_sim.campaign.runner import GOOD as RUN_GOOD, one_line
-from drill_rig_sim.campaign.scene_text import SceneTextError
-from drill_rig_sim.lockstep import Refused
-from drill_rig_sim.sim import build
+from drill_rig_sim.campaign.runner import GOOD as RUN_GOOD
 
 GOOD, SOME_BAD, BAD_INPUT, BROKEN = 0, 1, 2, 3
-TRIED = 10       # of the first runs, whether one can be built
 KEEP_EVERY = 0.5  # longest that results wait before they are in the file [s]
 
 
@@ -24,24 +22,29 @@ class Said(Exception):
 def parser():
     top = argparse.ArgumentParser(prog="drill_campaign", description=__doc__, epilog="Exit status: 0 all runs ended well, 1 some did not (their rows say why), "
                                   "2 bad input, 3 the workers were lost or a signal came: what was done stays, the same command goes on.")
-    top.add_argument("plan", help="the plan's file; or report, export, scene with the results' file")
+    top.add_argument("plan", help="the plan's file; or report, export, scene, play with the results' file")
     top.add_argument("--results", metavar="FILE", help="default: the plan's name with .sqlite, in this folder")
     top.add_argument("--workers", type=int, default=0, metavar="N", help="processes on this machine; default: one a core")
     top.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster, tcp://HOST:PORT")
     top.add_argument("--slurm", type=int, default=0, metavar="N", help="so many workers by sbatch")
     top.add_argument("--again", action="store_true", help="do runs anew that did not end well")
-    top.add_argument("--check", action="store_true", help="read the plan, build the first run's rig, say what there is to do, and end")
+    top.add_argument("--check", action="store_true", help="read the plan, build the first run's rig and controller, say what there is to do, and end")
     return top
 
 
 def looks():
     """The parsers of the commands that look at results."""
     found = {}
-    for name, text in (("report", "one page of a campaign's results"), ("export", "its rows as CSV"), ("scene", "the scene file of one of its runs")):
+    for name, text in (("report", "one page of a campaign's results"), ("export", "its rows as CSV"), 
+                       ("scene", "the files that show one of its runs: scene, survey, and with a controller that and a launch file"),
+                       ("play", "one of its runs once more in this process, without bounds: the same to the last bit; exit status 1 where it ends otherwise")):
         found[name] = argparse.ArgumentParser(prog="drill_campaign " + name, description=text)
         found[name].add_argument("results", help="the campaign's SQLite file")
-        found[name].add_argument("--out", metavar="FILE", help="default: beside it")
-    found["scene"].add_argument("--run", type=int, required=True, metavar="K", help="number of the run, from 0 on")
+    for name, default in (("report", "beside it"), ("export", "beside it"), ("scene", "run_K.yaml")):
+        found[name].add_argument("--out", metavar="FILE", help="default: " + default)
+    for name in ("scene", "play"):
+        found[name].add_argument("--run", type=int, required=True, metavar="K", help="number of the run, from 0 on")
+    found["play"].add_argument("--csv", metavar="FILE", help="the time series, as drill run --csv has it")
     return found
 
 
@@ -61,7 +64,8 @@ class Progress:
     def tell(self, last=False):
         self.told = time.monotonic()
         rate = self.done / max(self.told - self.began, 1e-9)
-        line = "%d of %d done, %d of them bad, %.3g a second, %s to go" % (self.done, self.left, self.bad, rate, clock((self.left - self.done) / max(rate, 1e-9)))
+        to_go = clock((self.left - self.done) / rate) if self.done else "?"
+        line = "%d of %d done, %d of them bad, %.3g a second, %s to go" % (self.done, self.left, self.bad, rate, to_go)
         ends = "\n" if last or not self.out.isatty() else "\x1b[K\r"
         print(line, end=ends, file=self.out, flush=True)
 
@@ -80,7 +84,7 @@ def campaign(options):
         return GOOD
     results = Results(file)
     results.describe(keys, name=plan.blueprint.name, plan=plan.text, factors=plan.names, outputs=list(plan.blueprint.outputs), sample=plan.sample,
-                     report=plan.report, identity=identity, scenes=[plan.blueprint.scene, plan.blueprint.survey], keys=plan.blueprint.factors)
+                     report=plan.report, identity=identity, blueprint=plan.blueprint.parts())
     if options.again:
         results.forget_bad(keys)
     there = results.done()
@@ -89,28 +93,6 @@ def campaign(options):
     if todo:
         do(plan.blueprint, todo, identity, results, options)
     return told(results, len(keys))
-
-
-def first_rig(plan):
-    """Build and kernel, by the rig of one of the first runs; that one can be built and that outputs are there is seen too."""
-    for row in plan.rows[:TRIED]:
-        try:
-            rig = played.simulator(plan.blueprint, row)
-            check_outputs(plan.blueprint, rig)
-            return [build(), rig.kernel]
-        except (Refused, SceneTextError) as error:
-            refusal = one_line(error, plan.blueprint)
-    raise PlanError("%s: %s" % ("the only run" if len(plan.rows) == 1 else "each of the first %d runs is refused, the last" % len(plan.rows[:TRIED]), refusal))
-
-
-def check_outputs(blueprint, rig):
-    """That each output by a path is one."""
-    from drill_rig_sim.campaign.outputs import check
-    for name, what in blueprint.outputs.items():
-        if isinstance(what, str):
-            problem = check(what, rig)
-            if problem:
-                raise PlanError("outputs: %s: %s" % (name, problem))
 
 
 def do(blueprint, todo, identity, results, options):
@@ -144,10 +126,13 @@ def do(blueprint, todo, identity, results, options):
 
 
 def told(results, number):
-    counts = {}
+    counts, first = {}, {}
     for row in results.rows():
         counts[row["status"]] = counts.get(row["status"], 0) + 1
+        first.setdefault(row["status"], row)
     print("%d of %d runs are there: %s" % (sum(counts.values()), number, ", ".join("%d %s" % (n, status) for status, n in sorted(counts.items()))))
+    for status in sorted(set(first) - {RUN_GOOD}):
+        print("%s, first run %d: %s" % (status, first[status]["number"], first[status]["reason"]))
     return GOOD if counts.get(RUN_GOOD, 0) == number else SOME_BAD
 
 
@@ -158,10 +143,16 @@ def look(name, words):
     if name == "export":
         file = options.out or base + ".csv"
         results.write_csv(file)
-    else:
+        print(file)
+    elif name == "report":
         from drill_rig_sim.campaign import report
-        file = report.write_page(results, options.out or base + ".html") if name == "report" else report.write_scene(results, options.run, options.out)
-    print(file)
+        print(report.write_page(results, options.out or base + ".html"))
+    elif name == "scene":
+        print("\n".join(again.write_files(results, options.run, options.out or "run_%d.yaml" % options.run)))
+    else:
+        same, lines = again.play(results, options.run, options.csv)
+        print("\n".join(lines))
+        return GOOD if same else SOME_BAD
     return GOOD
 
 
@@ -171,7 +162,7 @@ def main(words=None):
         if words[:1] and words[0] in looks():
             return look(words[0], words[1:])
         return campaign(parser().parse_args(words))
-    except (PlanError, ResultsError) as error:
+    except (PlanError, ResultsError, OSError) as error:
         print("drill_campaign: %s" % error, file=sys.stderr)
         return BAD_INPUT
     except ImportError as error:

@@ -1,10 +1,11 @@
 """Reads a campaign's plan: a Plan, or a PlanError that names file, line and key."""
 import os
 
-from drill_rig_sim.campaign.blueprint import CONTROLLER, SEED, Blueprint, Source, in_scene
+from drill_rig_sim.campaign import plan_checks
+from drill_rig_sim.campaign.blueprint import SEED, Blueprint, SourceError, source_at
 from drill_rig_sim.campaign.designs import KINDS, DesignError, Factor, rows_of
-from drill_rig_sim.campaign.plan_text import PlanError, plan_of
-from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, survey_file
+from drill_rig_sim.campaign.plan_text import plan_of
+from drill_rig_sim.campaign.scene_text import SceneTextError, survey_file
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.sim import found
 
@@ -16,18 +17,22 @@ MOST_RUNS = 10**6
 
 
 class Plan:
-    """`blueprint` of a run; `rows` of values, one a run, of the factors `names`; `sample`: kind, runs, steps, seed; `report`: what the page shows."""
+    """`blueprint` of a run; `rows` of values, one a run, of the factors `names`; `sample`: kind, runs, steps, seed; `report`: what the page shows. `places`:
+    the entries where factors' keys stand, by key, and the controller's class; `outputs`: the entries of the outputs, by name."""
 
-    def __init__(self, blueprint, names, rows, sample, report, text):
-        self.blueprint, self.names, self.rows, self.sample, self.report, self.text = blueprint, names, rows, sample, report, text
+    def __init__(self, blueprint, names, rows, sample, report, file, places, outputs):
+        self.blueprint, self.names, self.rows, self.sample, self.report = blueprint, names, rows, sample, report
+        self.file, self.places, self.outputs = file, places, outputs
+        with open(file, encoding="utf-8") as text:
+            self.text = text.read()
 
 
 def read_plan(file):
     top = plan_of(file)
     entries = top.mapping(KEYS, needed=("scene", "factors", "sample", "outputs"))
     base = os.path.dirname(os.path.abspath(file))
-    factors, keys = factors_of(entries["factors"])
-    blueprint = blueprint_of(entries, base, factors, keys, os.path.splitext(os.path.basename(file))[0])
+    factors, keys, places = factors_of(entries["factors"])
+    blueprint = blueprint_of(entries, base, keys, places, os.path.splitext(os.path.basename(file))[0])
     sample = sample_of(entries["sample"], factors)
     try:
         rows = rows_of(factors, **sample)
@@ -36,13 +41,13 @@ def read_plan(file):
     if len(rows) > MOST_RUNS:
         entries["sample"].fail("these are %d runs, allowed: up to %d" % (len(rows), MOST_RUNS))
     report = report_of(entries.get("report"), [factor.name for factor in factors], list(blueprint.outputs))
-    with open(file, encoding="utf-8") as text:
-        return Plan(blueprint, [factor.name for factor in factors], rows, sample, report, text.read())
+    places = {**dict(places), **({plan_checks.CLASS: entries["controller"].mapping()["class"]} if "controller" in entries else {})}
+    return Plan(blueprint, [factor.name for factor in factors], rows, sample, report, file, places, entries["outputs"].mapping())
 
 
 def factors_of(entry):
-    """Factors, and their keys as the blueprint has them."""
-    factors, keys = [], []
+    """Factors, their keys as the blueprint has them, and each key with its entry."""
+    factors, keys, places = [], [], []
     for item in entry.sequence():
         parts = item.mapping(FACTOR_KEYS, needed=("name",))
         if ("key" in parts) == ("keys" in parts):
@@ -50,10 +55,13 @@ def factors_of(entry):
         name = parts["name"].text()
         if name in [factor.name for factor in factors]:
             parts["name"].fail("%s: there is one of this name" % name)
-        places = [parts["key"].text()] if "key" in parts else [one.text() for one in parts["keys"].sequence()]
+        named = [(one.text(), one) for one in ([parts["key"]] if "key" in parts else parts["keys"].sequence())]
+        if SEED in dict(named):
+            plan_checks.check_seed(item, parts)
         factors.append(range_of(item, name, parts))
-        keys.append((name, places, "times" in parts and parts["times"].yes()))
-    return factors, keys
+        keys.append((name, [key for key, _ in named], "times" in parts and parts["times"].yes()))
+        places += named
+    return factors, keys, places
 
 
 def range_of(item, name, parts):
@@ -83,43 +91,40 @@ def sample_of(entry, factors):
             "seed": parts["seed"].whole() if "seed" in parts else 0}
 
 
-def blueprint_of(entries, base, factors, keys, name):
+def blueprint_of(entries, base, keys, places, name):
     scene_file = file_of(entries["scene"], base, "config/scenes")
     scene = read(entries["scene"], scene_file)
-    controller, parameters = controller_of(entries.get("controller"), base)
-    for (_, places, _), item in zip(keys, entries["factors"].sequence()):
-        for place in places:
-            check_key(item, place, scene, controller is not None)
+    survey = survey_of(entries["scene"], scene, scene_file)
+    plan_checks.check_keys(places, scene, survey is not None, "controller" in entries)
+    controller, parameters = controller_of(entries.get("controller"), base, places, {key for _, named, times in keys if times for key in named})
     numbers = {name: entries[key].number(least, beyond) for key, name, least, beyond in
                (("duration", "duration", None, 0.0), ("rate", "rate", 1.0, None), ("every", "every", None, 0.0), ("from", "begin", 0.0, None)) if key in entries}
     bounds = entries["bounds"].mapping(("cpu", "wall", "memory")) if "bounds" in entries else {}
     judge = judge_of(entries.get("judge"), base)
-    survey = survey_file(scene, scene_file)
-    return Blueprint(entries["name"].text() if "name" in entries else name, scene, None if survey is None else read(entries["scene"], survey), keys, controller, parameters,
-                     seed=entries["seed"].whole() if "seed" in entries else 0, outputs=outputs_of(entries["outputs"], base), judge=judge,
-                     **numbers, **{key: bound.number(beyond=0.0) for key, bound in bounds.items()})
+    blueprint = Blueprint(entries["name"].text() if "name" in entries else name, scene, survey, keys, controller, parameters,
+                          seed=entries["seed"].whole() if "seed" in entries else 0, outputs=outputs_of(entries["outputs"], base), judge=judge,
+                          **numbers, **{key: bound.number(beyond=0.0) for key, bound in bounds.items()})
+    plan_checks.check_times(entries, blueprint)
+    return blueprint
 
 
-def check_key(item, place, scene, has_controller):
-    if place == SEED:
-        return
-    if place.startswith(CONTROLLER):
-        if not has_controller:
-            item.fail("%s: the plan has no controller" % place)
-        return
-    if not in_scene(place):
-        return
+def survey_of(entry, scene, scene_file):
+    """The text of the survey that a scene names, None where it names none."""
     try:
-        SceneText(scene, [place])
+        file = survey_file(scene, scene_file)
     except SceneTextError as error:
-        item.fail(str(error))
+        return entry.fail(str(error))
+    return None if file is None else read(entry, file)
 
 
-def controller_of(entry, base):
+def controller_of(entry, base, places, multiplied):
     if entry is None:
         return None, {}
     parts = entry.mapping(("class", "parameters"), needed=("class",))
-    return source_of(parts["class"], base), parts["parameters"].plain() if "parameters" in parts else {}
+    source = source_of(parts["class"], base)
+    given = parts["parameters"].mapping() if "parameters" in parts else {}
+    plan_checks.check_parameters(parts["class"], source.load(), given, places, multiplied)
+    return source, {name: value.plain() for name, value in given.items()}
 
 
 def source_of(entry, base):
@@ -128,12 +133,14 @@ def source_of(entry, base):
     module, colon, name = where.rpartition(":")
     if not colon or not name.isidentifier():
         entry.fail("is %s, needed: FILE.py:NAME or PACKAGE.MODULE:NAME" % where)
-    source = Source(where, read(entry, os.path.join(base, module)) if module.endswith(".py") else None)
     try:
+        source = source_at(where, base)
         source.load()
-    except Exception as error:  # pylint: disable=broad-except
-        entry.fail("%s: %s: %s" % (where, type(error).__name__, " ".join(str(error).split())))
-    return source
+        return source
+    except (OSError, UnicodeDecodeError) as error:
+        return entry.fail("%s: %s" % (os.path.join(base, module), getattr(error, "strerror", None) or error))
+    except SourceError as error:
+        return entry.fail("%s: %s" % (where, error))
 
 
 def outputs_of(entry, base):

@@ -2,6 +2,7 @@
 import math
 
 import numpy
+from drill_rig_sim.campaign.blueprint import told
 from drill_rig_sim.control import drive
 from drill_rig_sim.lockstep import series
 from drill_rig_sim.score import score
@@ -16,19 +17,23 @@ STATISTICS = {
 SIDES = ("readings", "truth", "bit")
 
 
+class Unjudged(Exception):
+    """A run went to its end, but an output cannot be told of it: which, and why."""
+
+
 class Played:
     """A run that is over. `t` [s]; readings(name), truth(name), bit(name): a number each, by the fields of RigState and BitTruth; `run`: as drill score takes it;
-    `scores`: drill score's; `done`: whether the controller says so (None without one)."""
+    `whole`: that from its beginning on, with what does not count; `scores`: drill score's; `done`: whether the controller says so (None without one)."""
 
     def __init__(self, blueprint, record, states, done):
         self.done, self._record, self._states = done, record, states
         t = record.t if states is None else series(states, "t")
-        run = run_of_record(record) if states is None else run_of_states(states)
         self.counted = t > blueprint.begin
         if not self.counted.sum() > 1:
-            raise ValueError("the run ended by %g s, before what counts from %g s on" % (t[-1], blueprint.begin))
+            raise Unjudged("the run ended by %g s, before two rows that count, from %g s on" % (t[-1] if len(t) else 0.0, blueprint.begin))
+        self.whole = run_of_record(record, blueprint.name) if states is None else run_of_states(states, blueprint.name)
         self.t = t[self.counted]
-        self.run = type(run)({name: values[self.counted] for name, values in run.columns.items()}, run.source, blueprint.name)
+        self.run = type(self.whole)({name: values[self.counted] for name, values in self.whole.columns.items()}, self.whole.source, blueprint.name)
         self._judge = blueprint.judge_files()
         self._scores = None
 
@@ -68,7 +73,10 @@ class Played:
 
 def number(value):
     """As JSON has them; what is no finite number is None."""
-    value = None if value is None else float(value)
+    try:
+        value = None if value is None else float(value)
+    except (TypeError, ValueError):
+        raise Unjudged("gives %.60r, needed: a number or None" % (value,)) from None
     return value if value is not None and math.isfinite(value) else None
 
 
@@ -89,4 +97,15 @@ def simulator(blueprint, row):
 
 def outputs_of(blueprint, played):
     """Numbers by the outputs' names."""
-    return {name: played.output(what if isinstance(what, str) else what.load()) for name, what in blueprint.outputs.items()}
+    return {name: output_of(name, what, played) for name, what in blueprint.outputs.items()}
+
+
+def output_of(name, what, played):
+    try:
+        return played.output(what if isinstance(what, str) else what.load())
+    except Unjudged as problem:
+        raise Unjudged("%s: %s" % (name, problem)) from None
+    except MemoryError:
+        raise
+    except Exception as error:  # pylint: disable=broad-except
+        raise Unjudged("%s: %s" % (name, told(error, "" if isinstance(what, str) else what.module))) from error

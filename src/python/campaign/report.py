@@ -1,11 +1,11 @@
-"""A campaign's page: what came of it, map, sensitivity, histograms, the worst runs; and the scene of one of its runs."""
+"""A campaign's page: what came of it, map, sensitivity, histograms, the worst runs."""
 import base64
 import html
 import io
 import os
 
 import numpy
-from drill_rig_sim.campaign import report_pictures
+from drill_rig_sim.campaign import again, report_pictures
 from drill_rig_sim.campaign.blueprint import Blueprint
 from drill_rig_sim.campaign.results import ResultsError
 from drill_rig_sim.campaign.runner import GOOD
@@ -22,6 +22,7 @@ class Rows:
         self.about = results.about()
         if "factors" not in self.about:
             raise ResultsError("%s: holds no campaign" % results.file)
+        self.blueprint = Blueprint.of_parts(self.about["blueprint"])
         self.rows = list(results.rows())
         self.good = [row for row in self.rows if row["status"] == GOOD]
         self.factors, self.outputs = self.about["factors"], self.about["outputs"]
@@ -81,17 +82,18 @@ def worst(rows, file):
     """The runs, and what shows each of them in rviz."""
     shown = worst_rows(rows)
     name = rows.about["report"]["worst"]
-    lines = [[row["number"], "%.5g" % row["outputs"][name], *(shortly(value) for value in row["values"]), "drill_campaign scene %s --run %d" % (file, row["number"])]
+    lines = [[row["number"], "%.5g" % row["outputs"][name], *(shortly(value) for value in row["values"]), again.scene_command(file, row["number"])]
              for row in shown]
     text = table(["run", name, *rows.factors, "its scene"], lines)
     if shown:
-        text += "<p>A look at one:</p><pre>%s</pre>" % html.escape(replay_commands(file, shown[0]["number"]))
+        text += "<p>%s</p><pre>%s</pre>" % (again_as(rows.blueprint), html.escape("\n".join(again.commands(rows.blueprint, shown[0], file))))
     return text
 
 
-def replay_commands(file, number):
-    return ("drill_campaign scene %s --run %d --out run_%d.yaml\nroslaunch drill_rig_sim rig.launch scene:=$PWD/run_%d.yaml play_program:=true rviz:=true" %
-            (file, number, number, number))
+def again_as(blueprint):
+    """What the commands do."""
+    played = "with its controller" if blueprint.controller is not None else "by the scene's program"
+    return "A look at one, %s and its seed; and the same run once more, to the last bit, as a time series:" % played
 
 
 def shortly(value):
@@ -112,20 +114,3 @@ def png_of(figure):
     figure.savefig(out, format="png", dpi=90)
     report_pictures.plt.close(figure)
     return base64.b64encode(out.getvalue()).decode("ascii")
-
-
-def write_scene(results, number, file=None):
-    """The scene's file of a run; beside it its survey where it has one. Returns the file."""
-    rows = Rows(results)
-    wanted = [row for row in rows.rows if row["number"] == number]
-    if not wanted:
-        raise ResultsError("%s: has no run %d" % (results.file, number))
-    file = file or "run_%d.yaml" % number
-    scene, survey = rows.about["scenes"]
-    blueprint = Blueprint(rows.about["name"], scene, survey, [tuple(factor) for factor in rows.about["keys"]])
-    with open(file, "w", encoding="utf-8") as out:
-        out.write(blueprint.scene_of(wanted[0]["values"], os.path.basename(file) + ".survey.csv"))
-    if survey is not None:
-        with open(file + ".survey.csv", "w", encoding="utf-8") as out:
-            out.write(survey)
-    return file

@@ -5,7 +5,7 @@ import json
 import sqlite3
 import time
 
-SCHEMA = 1
+SCHEMA = 2
 TABLES = """
 create table campaign (name text primary key, value text) without rowid;
 create table planned (number integer primary key, key text);

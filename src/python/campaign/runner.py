@@ -9,13 +9,15 @@ import subprocess
 import sys
 import threading
 import time
-import traceback
 
-GOOD, REFUSED, FAILED, CONTROLLER, CPU, WALL, MEMORY, DIED = "good", "refused", "failed", "controller", "cpu", "wall", "memory", "died"  # of a run
+from drill_rig_sim.campaign.blueprint import told
+
+GOOD, REFUSED, FAILED, CONTROLLER, JUDGE, CPU, WALL, MEMORY, DIED = (
+    "good", "refused", "failed", "controller", "judge", "cpu", "wall", "memory", "died")  # of a run
 
 
-class OverTime(Exception):
-    """A run has had its share of the processor."""
+class OverTime(BaseException):
+    """A run has had its share of the processor. No error that a controller would catch."""
 
 
 def over_time(*_):
@@ -30,43 +32,49 @@ def memory():
 
 def run(blueprint, row, identity, begin):
     """Status, reason, outputs, and CPU time [s] of a row of values. `begin`: the memory before the first [bytes]."""
-    from drill_rig_sim.campaign import played  # pylint: disable=import-outside-toplevel
-    from drill_rig_sim.campaign.scene_text import SceneTextError  # pylint: disable=import-outside-toplevel
-    from drill_rig_sim.lockstep import Failed, Refused  # pylint: disable=import-outside-toplevel
-    from drill_rig_sim.sim import build  # pylint: disable=import-outside-toplevel
     began = time.process_time()
     resource.setrlimit(resource.RLIMIT_DATA, (int(begin + blueprint.memory), resource.RLIM_INFINITY))
     signal.setitimer(signal.ITIMER_PROF, blueprint.cpu)
+    outputs = {}
     try:
-        status, reason, outputs = GOOD, "", {}
-        rig = played.simulator(blueprint, row)
-        if [build(), rig.kernel] != identity:
-            raise Refused("build and kernel here are %s %s, the campaign's are %s %s: the same build on all machines, and numerics.kernel in the scene" %
-                          (build()[:8], rig.kernel, identity[0][:8], identity[1]))
-        outputs = played.outputs_of(blueprint, played.play(blueprint, row, rig))
-    except (Refused, SceneTextError) as refusal:
-        status, reason = FAILED if isinstance(refusal, Failed) else REFUSED, one_line(refusal, blueprint)
+        status, reason, outputs, _ = outcome(blueprint, row, identity)
     except OverTime:
         status, reason = CPU, "took more than %g s of processor time" % blueprint.cpu
     except MemoryError:
         status, reason = MEMORY, "needed more than %g MB of memory" % (blueprint.memory / 1e6)
-    except Exception as error:  # pylint: disable=broad-except
-        status, reason = CONTROLLER, told(error)
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         resource.setrlimit(resource.RLIMIT_DATA, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
     return status, reason, outputs, time.process_time() - began
 
 
+def outcome(blueprint, row, identity=None):
+    """Of a run without bounds: status, reason, outputs, and it as a Played where it went to its end. Without an identity any build will do."""
+    from drill_rig_sim.campaign import played  # pylint: disable=import-outside-toplevel
+    from drill_rig_sim.campaign.scene_text import SceneTextError  # pylint: disable=import-outside-toplevel
+    from drill_rig_sim.lockstep import Failed, Refused  # pylint: disable=import-outside-toplevel
+    from drill_rig_sim.sim import build  # pylint: disable=import-outside-toplevel
+    over = None
+    try:
+        rig = played.simulator(blueprint, row)
+        if identity is not None and [build(), rig.kernel] != identity:
+            raise Refused("build and kernel here are %s %s, the campaign's are %s %s: the same build on all machines, and numerics.kernel in the scene" %
+                          (build()[:8], rig.kernel, identity[0][:8], identity[1]))
+        over = played.play(blueprint, row, rig)
+        return GOOD, "", played.outputs_of(blueprint, over), over
+    except (Refused, SceneTextError) as refusal:
+        return FAILED if isinstance(refusal, Failed) else REFUSED, one_line(refusal, blueprint), {}, over
+    except played.Unjudged as problem:
+        return JUDGE, str(problem), {}, over
+    except MemoryError:
+        raise
+    except Exception as error:  # pylint: disable=broad-except
+        return CONTROLLER, told(error, "" if blueprint.controller is None else blueprint.controller.module), {}, over
+
+
 def one_line(refusal, blueprint):
     """The same wherever the run was."""
     return "; ".join(str(refusal).replace("%s/" % blueprint.folder, "").splitlines())
-
-
-def told(error):
-    """An error of the user's code in one line, with where."""
-    last = traceback.extract_tb(error.__traceback__)[-1]
-    return "%s, line %d: %s: %s" % (os.path.basename(last.filename), last.lineno, type(error).__name__, " ".join(str(error).split()))
 
 
 def end_with(parent):

@@ -36,7 +36,7 @@ class SceneText:
         self.places.sort(key=lambda place: place[0])
         for before, after in zip(self.places, self.places[1:]):
             if before[1] > after[0] or before[:2] == after[:2]:
-                raise SceneTextError("%s and %s: the same place" % (before[2], after[2]))
+                raise SceneTextError("%s and %s: the same place" % (leaves(before[2])[0], leaves(after[2])[0]))
 
     def find(self, node, steps, key):
         """Notes where the path leads from a node: a value to be replaced, or keys to be put in."""
@@ -61,17 +61,36 @@ class SceneText:
         tree = self.missing.setdefault(node.start_mark.index, (node, {}))[1]
         for name in steps[:-1]:
             tree = tree.setdefault(name, {})
+            if isinstance(tree, str):
+                raise SceneTextError("%s and %s: the same place" % (tree, key))
+        if steps[-1] in tree:
+            raise SceneTextError("%s and %s: the same place" % (leaves(tree[steps[-1]])[0], key))
         tree[steps[-1]] = key
 
     def with_values(self, values):
         """The text with a value for each key: number, text, boolean, list or mapping, or Times. Keys that a block of lines does not have come as lines
         of their own before its first."""
-        parts, at = [], 0
+        return "".join(part for part, _ in self.parts(values))
+
+    def keys_on(self, line, values):
+        """The keys whose values stand on a line of with_values(), from 1 on."""
+        found, at = [], 1
+        for part, keys in self.parts(values):
+            found += keys if at == line else []
+            at += part.count("\n")
+        return found
+
+    def parts(self, values):
+        """with_values() piece by piece, each with the keys whose values it holds."""
+        at = 0
         for begin, end, what in self.places:
-            parts.append(self.text[at:begin])
-            parts.append(self.replaced(begin, end, values[what], what) if isinstance(what, str) else self.put_in(begin, what, values))
+            yield self.text[at:begin], []
+            if isinstance(what, str):
+                yield self.replaced(begin, end, values[what], what), [what]
+            else:
+                yield from self.put_in(begin, what, values)
             at = end
-        return "".join(parts) + self.text[at:]
+        yield self.text[at:], []
 
     def replaced(self, begin, end, value, key):
         if not isinstance(value, Times):
@@ -84,14 +103,17 @@ class SceneText:
     def put_in(self, begin, tree, values):
         if self.text[begin - 1] == "{":
             inside = ", ".join("%s: %s" % (name, flow(what, values)) for name, what in tree.items())
-            return inside + (", " if self.text[begin:].lstrip()[:1] != "}" else "")
+            return [(inside + (", " if self.text[begin:].lstrip()[:1] != "}" else ""), leaves(tree))]
         column = begin - (self.text.rfind("\n", 0, begin) + 1)
-        return "".join("%s: %s\n%s" % (name, flow(what, values), " " * column) for name, what in tree.items())
+        return [("%s: %s\n%s" % (name, flow(what, values), " " * column), leaves(what)) for name, what in tree.items()]
 
 
 def survey_file(scene, scene_file):
     """The path of the survey that a scene's text names, which counts from the scene's file; None where it has none."""
-    well = (yaml.safe_load(scene) or {}).get("well") or {}
+    try:
+        well = (yaml.safe_load(scene) or {}).get("well") or {}
+    except (yaml.YAMLError, AttributeError) as error:
+        raise SceneTextError("%s: is no scene: %s" % (scene_file, " ".join(str(error).split())))
     return os.path.join(os.path.dirname(scene_file), str(well["survey"])) if "survey" in well else None
 
 
@@ -120,6 +142,11 @@ def items(node, index, key):
     if not found:
         raise SceneTextError("%s: the list has no [%s]" % (key, index))
     return found
+
+
+def leaves(what):
+    """The keys of a tree of them."""
+    return [what] if isinstance(what, str) else [key for inner in what.values() for key in leaves(inner)]
 
 
 def flow(what, values):
