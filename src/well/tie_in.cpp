@@ -75,7 +75,7 @@ bool is_smooth(const Hole& hole)
 Hole find_hole(const Vector3d& end, const Vector3d& direction, double length)
 {
   const double tolerance = std::max(tie_in_share * length, tie_in_rounding);
-  const Hole arcs = hole_of(end, direction, bisect(length, [&](double x) { return 2.0 * x < hole_of(end, direction, x).middle; }));
+  Hole arcs = hole_of(end, direction, bisect(length, [&](double x) { return 2.0 * x < hole_of(end, direction, x).middle; }));
   if (is_smooth(arcs) && std::abs(arcs.length() - length) <= tolerance) return arcs;
   return hole_of(end, direction, bisect(length, [&](double x) { return hole_of(end, direction, x).length() < length; }));
 }
