@@ -9,7 +9,7 @@ namespace drill_rig_sim
 FramePublisher::FramePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions,
                                std::function<void()> ask_for_picture)
     : prefix_(parameters.frame_prefix),
-      tf_(node, "/tf", 100, subscriptions.tf, subscriptions.tf_missing, std::move(ask_for_picture))
+      tf_(node, "/tf", 100, {subscriptions.tf, subscriptions.tf_missing, subscriptions.time_stands}, std::move(ask_for_picture))
 {
   tf_static_.sendTransform(to_rig_pose(parameters.rig_pose, parameters.floor()));
 }

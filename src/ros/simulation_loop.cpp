@@ -94,6 +94,7 @@ void SimulationLoop::wait_or_work() noexcept
   const bool may_run = !halted_ && run_state() == RunState::running;
   if (may_run && time_.adopt_clock()) restart_cadences();
   const std::int64_t due = may_run ? time_.next_frame_at() : Timekeeper::not_yet;
+  subscriptions_.time_stands = due == Timekeeper::not_yet;
   if (due == Timekeeper::not_yet)
   {
     if (subscriptions_.refresh.exchange(false)) hand_over({false, true});
@@ -206,7 +207,11 @@ void SimulationLoop::note_due(FrameOutput& s, const Occasion& occasion) noexcept
   // where time runs on, whoever has just subscribed waits for the next of its stamps
   const bool profile_moves = s.new_stamp && (profile_cadence_.due(simulated) || occasion.restored);
   s.profile_due = (profile_moves || (!s.new_stamp && announced_ && subscriptions_.profile_missing)) && subscriptions_.profile;
-  if (s.profile_due) subscriptions_.profile_missing = false;
+  if (s.profile_due)
+  {
+    subscriptions_.profile_missing = false;
+    profile_stamp_ = simulated;
+  }
   const bool tf_moves = s.new_stamp && (tf_cadence_.due(shown) || occasion.rebuilt);
   s.tf_due = (tf_moves || subscriptions_.tf_missing.exchange(false)) && subscriptions_.tf;
   s.markers_due = (marker_cadence_.due(shown) || occasion.whole_picture) && subscriptions_.markers;
@@ -283,7 +288,7 @@ RunState SimulationLoop::run_state() const noexcept
 
 void SimulationLoop::set_paused(bool paused) noexcept
 {
-  if (paused && !paused_) subscriptions_.profile_missing = true;  // the last one may be older than what stands now
+  if (paused && !paused_ && profile_stamp_ != time_.stamp()) subscriptions_.profile_missing = true;  // the last one is older than what stands now
   paused_ = paused;
   time_.restart(steady_now());
   hand_over({});  // for the diagnostics and rig_state's run_state

@@ -33,7 +33,8 @@ StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& paramete
       toolface_(node.advertise<MwdToolface>("downhole/toolface", parameters.queue())),
       inclination_(node.advertise<MwdInclination>("downhole/inclination", parameters.queue())),
       dynamics_(node.advertise<DownholeDynamics>("downhole/dynamics", parameters.queue())),
-      drillstring_(node, "drillstring_state", parameters.queue(), subscriptions.profile, subscriptions.profile_missing, std::move(ask_for_picture))
+      drillstring_(node, "drillstring_state", parameters.queue(), {subscriptions.profile, subscriptions.profile_missing, subscriptions.time_stands},
+                    std::move(ask_for_picture))
 {
 }
 

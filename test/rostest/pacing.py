@@ -1,13 +1,23 @@
 #!/usr/bin/env python3
 """Time in the hands of its services: pause, resume, set_speed; what a newcomer sees while it stands."""
 import math
+import subprocess
+import sys
 
 from drill_rig_sim.msg import DrillstringState, RigDescription, RigState
 from nav_msgs.msg import Path
-from rig_test import Rig, rospy, run, time, unittest
+from rig_test import PATIENCE, Rig, rospy, run, time, unittest
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
+
+# another node, for subscribers of one node share a connection: says the stamp of what it hears first
+NEWCOMER = """
+import rospy
+from drill_rig_sim.msg import DrillstringState
+rospy.init_node("newcomer", anonymous=True, disable_rostime=True)
+print(rospy.wait_for_message("/rig/drillstring_state", DrillstringState, %g).header.stamp.to_nsec())
+""" % PATIENCE
 
 
 class Pacing(unittest.TestCase):
@@ -87,7 +97,7 @@ class Pacing(unittest.TestCase):
         self.assertEqual(1, len(markers.messages))
         self.assertEqual(1, len(frames.messages))
 
-    def test_a_newcomer_sees_the_string_while_paused(self):
+    def test_a_newcomer_sees_the_string_while_paused_and_it_alone(self):
         self.assertTrue(self.rig.pause().success)
         self.clock.quiet()
         strings = self.rig.collect("drillstring_state", DrillstringState)
@@ -97,6 +107,8 @@ class Pacing(unittest.TestCase):
         self.assertEqual(self.rig.list_states().stamps[0], present.header.stamp)
         for name, kind in (("rig_description", RigDescription), ("trajectory", Path)):
             self.assertEqual(1, len(self.rig.collect(name, kind).wait(1)), name)
+        second = subprocess.run([sys.executable, "-c", NEWCOMER], stdout=subprocess.PIPE, text=True, timeout=2 * PATIENCE, check=True)
+        self.assertEqual(present.header.stamp.to_nsec(), int(second.stdout))
         time.sleep(1.0)
         self.assertEqual([present.header.stamp], [m.header.stamp for m in strings.messages])
         self.rig.must(self.rig.restore_state("standing", ""))

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
+#include <thread>
 
 #include "drill_rig_sim/ros/frame_messages.h"
 #include "drill_rig_sim/scene/read_scene.h"
@@ -282,14 +284,34 @@ TEST(LoopTime, theStringToo)
 
 TEST(LoopTime, aPauseShowsTheStringAsItStands)
 {
-  RunningLoop rig(in_real_time());
+  RunningLoop rig(lockstep());
   rig.loop.subscriptions().profile = true;
-  rig.start();
-  EXPECT_TRUE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).profile_due);
-  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).profile_due) << "no stamp is sent twice";
-  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(false); }).profile_due);
+  EXPECT_TRUE(rig.start().profile_due);
+  const auto pause = [&rig](bool paused) { return rig.between([&](SimulationLoop& loop) { loop.set_paused(paused); }).profile_due; };
+  EXPECT_FALSE(pause(true)) << "no stamp is sent twice";
+  EXPECT_FALSE(pause(false));
+  EXPECT_FALSE(rig.step(1).at(0).profile_due) << "ten profiles a second";
+  EXPECT_TRUE(pause(true));
+  EXPECT_FALSE(pause(true)) << "no stamp is sent twice";
+  EXPECT_FALSE(pause(false));
   rig.loop.subscriptions().profile = false;
-  EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).profile_due) << "nobody hears it";
+  rig.step(1);
+  EXPECT_FALSE(pause(true)) << "nobody hears it";
+}
+
+TEST(LoopTime, itSaysWhetherTimeStands)
+{
+  RunningLoop rig(in_real_time());
+  rig.start();
+  const auto after = [&rig](bool paused)
+  {
+    rig.between([&](SimulationLoop& loop) { loop.set_paused(paused); });
+    for (int i = 0; i < 200 && rig.loop.subscriptions().time_stands != paused; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    return rig.loop.subscriptions().time_stands == paused;
+  };
+  EXPECT_TRUE(after(true));
+  EXPECT_TRUE(after(false));
+  EXPECT_TRUE(after(true));
 }
 
 TEST(LoopTime, aStateThatWasSavedShowsItsString)

@@ -18,15 +18,16 @@
 
 namespace drill_rig_sim
 {
-/// Which displays somebody looks at; written by the publishers, read by the simulation thread.
+/// Which displays somebody looks at; written by the publishers, read by the simulation thread, but for `time_stands`.
 struct Subscriptions
 {
   std::atomic<bool> profile{false};
-  std::atomic<bool> profile_missing{false};  ///< whoever subscribed to drillstring_state first has got none yet
+  std::atomic<bool> profile_missing{false};  ///< somebody who subscribed to drillstring_state has got none yet
   std::atomic<bool> markers{false};
   std::atomic<bool> tf{false};
-  std::atomic<bool> tf_missing{false};  ///< whoever subscribed to tf first has got none yet
+  std::atomic<bool> tf_missing{false};  ///< somebody who subscribed to tf has got none yet
   std::atomic<bool> refresh{false};  ///< somebody new wants a picture of the present state
+  std::atomic<bool> time_stands{true};  ///< written by the simulation thread: no frame comes until somebody asks for one
 };
 
 /// What the simulation thread works on. Others touch it in SimulationLoop::between_frames() only.
@@ -178,6 +179,7 @@ private:
   std::atomic<bool> halted_{false}, quit_{false}, asked_{false};
   std::mutex callers_;
   Semaphore wake_, entered_, left_, step_done_;
+  std::int64_t profile_stamp_ = -1;  ///< of the last drillstring_state [ns]
   std::uint32_t frames_to_go_ = 0;
   bool stepping_ = false;
   StepResult step_;

@@ -11,21 +11,27 @@
 
 namespace drill_rig_sim
 {
+/// Who hears a StandingTopic, shared with the simulation thread.
+struct Audience
+{
+  std::atomic<bool>& heard;              ///< whether anybody subscribes
+  std::atomic<bool>& missing;            ///< somebody new waits: the simulation thread owes a message
+  const std::atomic<bool>& time_stands;  ///< no frame comes until somebody asks for one
+};
+
 /// A topic that shows a state, made while somebody hears it. While time stands nothing is repeated: whoever subscribes then gets the last message, it
 /// alone, or, where nobody heard the topic before, has one made.
 template <class Message>
 class StandingTopic
 {
 public:
-  /// `heard`: whether anybody subscribes; `missing`: whoever did first has got none yet, and `ask` is called then. Both are for the simulation thread.
-  StandingTopic(ros::NodeHandle& node, const std::string& name, std::uint32_t queue, std::atomic<bool>& heard, std::atomic<bool>& missing,
-                std::function<void()> ask)
-      : heard_(heard),
-        missing_(missing),
+  /// `ask` is called when a message is owed while time may stand.
+  StandingTopic(ros::NodeHandle& node, const std::string& name, std::uint32_t queue, const Audience& audience, std::function<void()> ask)
+      : audience_(audience),
         ask_(std::move(ask)),
         publisher_(node.advertise<Message>(
             name, queue, [this](const ros::SingleSubscriberPublisher& s) { greet(s); },
-            [this](const ros::SingleSubscriberPublisher&) { heard_ = publisher_.getNumSubscribers() > 0; }))
+            [this](const ros::SingleSubscriberPublisher&) { audience_.heard = publisher_.getNumSubscribers() > 0; }))
   {
   }
 
@@ -36,28 +42,28 @@ public:
     const std::lock_guard<std::mutex> lock(mutex_);
     fill(last_);
     publisher_.publish(last_);
-    sent_ = ros::WallTime::now();
+    any_ = true;
   }
 
 private:
   void greet(const ros::SingleSubscriberPublisher& subscriber)
   {
-    const ros::WallDuration standing_still(0.5);  // longer than between two messages at any rate in use
-    if (!heard_.exchange(true))
+    const bool alone = !audience_.heard.exchange(true);
+    if (!alone && audience_.time_stands && !audience_.missing)
     {
-      missing_ = true;
-      ask_();
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (any_) subscriber.publish(last_);
       return;
     }
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!missing_ && !sent_.isZero() && ros::WallTime::now() - sent_ > standing_still) subscriber.publish(last_);
+    audience_.missing = true;
+    if (alone || audience_.time_stands) ask_();  // time may have come to stand since it was asked
   }
 
-  std::atomic<bool>&heard_, &missing_;
+  Audience audience_;
   std::function<void()> ask_;
-  std::mutex mutex_;  // guards last_ and sent_: the greeting comes from another thread
+  std::mutex mutex_;  // guards last_ and any_: the greeting comes from another thread
   Message last_;
-  ros::WallTime sent_;
+  bool any_ = false;
   ros::Publisher publisher_;
 };
 
