@@ -12,13 +12,15 @@ import tempfile
 import time
 import unittest
 from contextlib import redirect_stderr, redirect_stdout
+from types import SimpleNamespace
+from unittest import mock
 
 if not all(map(importlib.util.find_spec, ("distributed", "scipy"))):
     print("skipped: Dask is not installed (python3-distributed, python3-scipy: ./test/run --campaigns)")
     sys.exit(77)
 import numpy
 import yaml
-from drill_rig_sim.campaign import command, played, sensitivity
+from drill_rig_sim.campaign import command, engine, played, sensitivity
 from drill_rig_sim.campaign.designs import DesignError, Factor, rows_of
 from drill_rig_sim.campaign.plan import read_plan
 from drill_rig_sim.campaign.plan_text import PlanError
@@ -55,6 +57,14 @@ class Folder(unittest.TestCase):
         with open(self.place("plan.yaml"), "w", encoding="utf-8") as out:
             out.write(text)
         return self.place("plan.yaml")
+
+
+class Pages(unittest.TestCase):
+    def test_dasks_own_page_is_told_where_it_can_be_shown(self):
+        client = SimpleNamespace(dashboard_link="http://127.0.0.1:8787/status")
+        for there, page in ((None, None), (True, client.dashboard_link)):
+            with mock.patch("importlib.util.find_spec", lambda name, there=there: {"bokeh": there}[name]):
+                self.assertEqual(page, engine.page(client))
 
 
 class Scenes(unittest.TestCase):

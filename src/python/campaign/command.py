@@ -115,6 +115,8 @@ def do(blueprint, todo, identity, results, options):
     try:
         client, open_things = engine.connect(options.scheduler, options.slurm, options.workers)
         open_things.insert(0, client)
+        if engine.page(client):
+            print("Dask's page: %s" % engine.page(client), flush=True)
         engine.work(client, blueprint, todo, identity, take)
     except (engine.EngineError, OSError) as error:
         raise Said("%s; %d runs are done, the same command goes on" % (error, progress.done))

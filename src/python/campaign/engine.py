@@ -1,12 +1,15 @@
 """Dask distributed does the work: on this machine's cores, on a running cluster, or on workers that Slurm starts."""
 import contextlib
+import importlib.util
 import ipaddress
+import itertools
 import multiprocessing.resource_tracker
 import os
 import shutil
 import signal
 import subprocess
 import sys
+import time
 import urllib.parse
 
 import dask
@@ -15,7 +18,8 @@ from drill_rig_sim.campaign.runner import DIED, Runner
 
 PLUGIN = "drill_campaign"
 PAGE = "127.0.0.1:0"  # Dask's own page, for this machine alone; it needs bokeh
-AHEAD = 3  # runs that wait beside each that is done: a worker is never idle, and the scheduler's memory stays small
+AHEAD = 3  # tasks that wait beside each that is done: a worker is never idle, and the scheduler's memory stays small
+AT_ONCE, MOST_AT_ONCE = 0.2, 20  # so long runs last that go in one task [s], and how many they are at most
 
 
 class EngineError(Exception):
@@ -37,10 +41,11 @@ class RunnerPlugin(distributed.WorkerPlugin):
             self.runner.end()
 
 
-def one(row, identity):
-    """On a worker: a run, as runner.run() answers, and which worker it was."""
-    worker = distributed.get_worker()
-    return (*worker.plugins[PLUGIN].runner.run(row, identity), worker.address)
+def several(rows, identity):
+    """On a worker: how long they took [s], and of each run as runner.run() answers, and which worker it was."""
+    worker, began = distributed.get_worker(), time.monotonic()
+    answers = [(*worker.plugins[PLUGIN].runner.run(row, identity), worker.address) for row in rows]
+    return time.monotonic() - began, answers
 
 
 def connect(scheduler=None, slurm=0, workers=0):
@@ -55,6 +60,11 @@ def connect(scheduler=None, slurm=0, workers=0):
         cluster = distributed.LocalCluster(n_workers=workers or len(os.sched_getaffinity(0)), threads_per_worker=1, processes=True, host="127.0.0.1",
                                            dashboard_address=PAGE, worker_dashboard_address=PAGE, memory_limit=None, silence_logs=50)
     return distributed.Client(cluster), [cluster]
+
+
+def page(client):
+    """The address of Dask's own page where it can be shown, else None. It needs bokeh, which Debian does not have."""
+    return client.dashboard_link if importlib.util.find_spec("bokeh") else None
 
 
 @contextlib.contextmanager
@@ -140,24 +150,30 @@ def work(client, blueprint, tasks, identity, take):
 
 
 def send_all(client, tasks, identity, ahead, taken):
-    finished, rows = distributed.as_completed(), {}
+    """Short runs go several at a time, for handing one over costs some milliseconds."""
+    finished, sent, done, seconds = distributed.as_completed(), {}, 0, 0.0
 
     def send():
-        for key, row in tasks:
-            rows[key] = row
-            finished.add(client.submit(one, row, identity, key=key, pure=False))
-            return
+        size = int(min(MOST_AT_ONCE, max(1.0, AT_ONCE * done / seconds))) if done else 1
+        runs = list(itertools.islice(tasks, size))
+        if runs:
+            sent[runs[0][0]] = runs
+            finished.add(client.submit(several, [row for _, row in runs], identity, key=runs[0][0], pure=False))
 
     for _ in range(ahead):
         send()
     for future in finished:
-        taken(future.key, rows.pop(future.key), answer_of(future))
+        runs, answer = sent.pop(future.key), answer_of(future)
+        took, answers = answer or (0.0, [None] * len(runs))
+        done, seconds = done + (answer is not None) * len(runs), seconds + took
+        for (key, row), one in zip(runs, answers):
+            taken(key, row, one)
         future.release()
         send()
 
 
 def answer_of(future):
-    """None of a run whose workers died, one after the other."""
+    """None of runs whose workers died, one after the other."""
     try:
         return future.result()
     except distributed.scheduler.KilledWorker:
