@@ -69,7 +69,7 @@ def pipe_work(commands, slips, connection):
         if commands.slips is not None:
             slips(commands.slips)
         if commands.connection:
-            connection()
+            connection(**(commands.connection if isinstance(commands.connection, dict) else {}))
     except Refused as refusal:
         return str(refusal)
     return ""

@@ -12,7 +12,8 @@ class Commands:
         self.block_velocity, self.brake = block_velocity, brake
         self.top_drive = top_drive  # fields of TopDriveCommand, mode by its name: {"mode": "SPEED", "speed": 9.4}
         self.flow, self.steering = flow, steering  # steering: toolface, ratio
-        self.slips, self.connection = slips, connection  # set or pull them; add a stand
+        self.slips = slips  # set or pull them
+        self.connection = connection  # add a stand; or what is to be done, as fields of MakeConnection: {"joints": 2, "remove": True}
 
 
 class Lag:
@@ -87,3 +88,81 @@ class Plan:
         """Inclination and azimuth there [rad]; beyond its ends those of the end."""
         east, north, up = self._survey.at(depth)[1]
         return math.atan2(math.hypot(east, north), -up), math.atan2(east, north)
+
+
+class PipeWork:
+    """Sets the slips, adds pipe or takes it away, and picks up, by the rig's services; a part of a law that makes no way of its own meanwhile.
+
+    Whether the slips bear the string a noisy gauge with the sheaves' friction in it tells badly; the answer of the rig to slips and connection tells it, as the
+    look of its crew would. So both are asked for again and again while the block goes down, or up, little by little."""
+    still = 3.0                # so long all stands before the slips are asked for [s]
+    slow, creep = 0.02, 0.002  # of the block while weight goes to the slips and comes back; while the slips are tried [m/s]
+    rests = 30e3               # of the block on the pipe below it, more than a dead line is off [N]
+
+    def __init__(self, period, now, string_load, connection=True):
+        """`period`: of the law that has it [s]; `string_load`: what the hook carries of the string off bottom [N]; `connection`: as in Commands."""
+        self.period, self.since, self.string_load, self.connection = period, now, string_load, connection
+        self.task, self.asked, self.made = "quiet", "", False
+
+    @property
+    def done(self):
+        return self.task == "done"
+
+    def step(self, readings, flow=0.0):
+        """Commands of this step: of the block, slips and connection. `flow`: that the law has still asked of the pump [m3/s], until which is 0 nothing is tried."""
+        commands = Commands(brake=True)
+        getattr(self, self.task)(readings, commands, flow)
+        return commands
+
+    def go(self, task, now):
+        self.task, self.since, self.asked = task, now, ""
+
+    @staticmethod
+    def move(commands, velocity):
+        commands.brake, commands.block_velocity = False, velocity
+
+    def tried(self, readings, what):
+        """Whether a thing was asked for with the step before, and not refused."""
+        asked, self.asked = self.asked, ""
+        return asked == what and not readings.refused
+
+    def beat(self, readings, cycle):
+        """How many steps of a cycle [s] have gone by, and how many it has."""
+        steps = round(cycle / self.period)
+        return round((readings.t - self.since) / self.period) % steps, steps
+
+    # --- tasks
+
+    def quiet(self, readings, commands, flow):
+        """Pump and drive stop, then the slips are set."""
+        if self.tried(readings, "slips"):
+            self.go("slack", readings.t)
+        elif flow > 0.0 or abs(readings.top_drive_speed) > 0.01:
+            self.since = readings.t
+        elif readings.t > self.since + self.still:
+            commands.slips, self.asked, self.since = True, "slips", readings.t
+
+    def slack(self, readings, commands, _):
+        """The block goes down until the rig takes the connection: a second's way, a second's rest, a try."""
+        if self.tried(readings, "connection"):
+            self.made = True
+            return self.go("connect", readings.t)
+        step, steps = self.beat(readings, 4.0)
+        if step < steps // 4 and readings.hook_load_string < -self.rests:  # it rests on the pipe: what is refused is refused for another reason
+            self.move(commands, self.creep)
+        elif step < steps // 4:
+            self.move(commands, -self.creep if readings.hook_load_string < 0.1 * self.string_load else -self.slow)
+        elif step == steps - 1:
+            commands.connection, self.asked = self.connection, "connection"
+
+    def connect(self, readings, commands, _):
+        if readings.t > self.since + 1.0 and readings.current_operation != "connecting":
+            self.go("pick_up", readings.t)
+
+    def pick_up(self, readings, commands, _):
+        if self.tried(readings, "slips"):
+            return self.go("done", readings.t)
+        self.move(commands, self.slow)
+        step, steps = self.beat(readings, 1.0)
+        if step == steps - 1:
+            commands.slips, self.asked = False, "slips"

@@ -56,6 +56,11 @@ class Simulator(Lockstep):
         """Of the batch kernels. The same scene gives the same bits by the same build() and kernel alone."""
         return self._rig.kernel()
 
+    @property
+    def joint_length(self):
+        """Of a joint of the pipe that connection() adds and takes away [m]."""
+        return self._rig.joint_length()
+
     # --- what downhole tools sent up, for drill_rig_sim.control.drive(rig, law, timeout, telemetry=rig)
 
     @property

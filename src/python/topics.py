@@ -61,7 +61,7 @@ def follow(law):
         commands = law.step(Readings(now, state, telemetry, refused[0]))
         for name, message in messages_of(commands).items():
             publishers[name].publish(message)
-        refused[0] = pipe_work(commands, lambda are_set: answered(slips(are_set)), lambda: answered(connection()))
+        refused[0] = pipe_work(commands, lambda are_set: answered(slips(are_set)), lambda **fields: answered(connection(**fields)))
 
     subscriber = rospy.Subscriber("rig_state", RigState, take, queue_size=1, tcp_nodelay=True)
     while not (law.done or rospy.is_shutdown()):

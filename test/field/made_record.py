@@ -11,7 +11,8 @@ SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 QUICK = os.path.join(SOURCE, "config/scenes/quick.yaml")
 TARE, TORQUE, ROCK = 2000.0, 0.3, 1.0  # [N]; of the bit's friction; of the scene's drillability
 NOISE = (300.0, 30.0, 2e4)  # of hook load [N], torque [N m], pressure [Pa]
-NAMES = ("time", "reading_block_height", "top_drive_speed", "reading_flow", "reading_hook_load", "reading_torque", "reading_stand_pipe_pressure")
+NAMES = ("time", "reading_block_height", "top_drive_speed", "reading_flow", "reading_hook_load", "reading_torque", "reading_stand_pipe_pressure",
+         "reading_bit_depth")
 FIT = {"scene": "scene.yaml", "record": "record.csv", "from": 6.0, "held_out": 0.2, "parameters": [
     {"name": "tare", "signal": "hook_load", "start": 0.0},
     {"name": "bit's friction", "key": "string[bit].torque.kinetic", "start": 0.2, "from": 0.05, "to": 0.4},
@@ -40,7 +41,7 @@ def rows_of(scene, seconds=90.0):
     """Without noise: an array, a row each 0.2 s, in the columns NAMES."""
     rig, rows = Simulator(scene), []
     for s in itertools.chain([rig.state], rig.frames(seconds, every=20)):
-        rows.append([s.t, s.block_height, s.top_drive_speed, s.flow, s.hook_load, s.torque, s.stand_pipe_pressure])
+        rows.append([s.t, s.block_height, s.top_drive_speed, s.flow, s.hook_load, s.torque, s.stand_pipe_pressure, s.bit_depth])
         ramp = 0.5 - 0.5 * math.cos(math.pi * min(s.t / 20.0, 1.0))
         rig.pump(0.02 * ramp)
         rig.winch(-0.01 * ramp)
@@ -50,7 +51,7 @@ def rows_of(scene, seconds=90.0):
 
 def write_record(folder, rows, seed):
     noisy = rows.copy()
-    noisy[:, 4:] += numpy.random.default_rng(seed).normal(size=(len(rows), 3)) * NOISE
+    noisy[:, 4:7] += numpy.random.default_rng(seed).normal(size=(len(rows), 3)) * NOISE
     noisy[:, 4] += TARE
     with open(os.path.join(folder, "record.csv"), "w", encoding="utf-8") as out:
         out.write(",".join(NAMES) + "\n")

@@ -65,7 +65,8 @@ def remarks_of(record, timeless):
     longest = int(steps.argmax())
     if steps[longest] > max(LONG_GAP * numpy.median(steps), SHORTEST_GAP):
         lines.append("a gap of %.4g s from %.6g s on" % (steps[longest], record.time[longest]))
-    lines += ["has no %s: %s" % (signal, so) for signal, so in (("flow", "the pump stands"), ("top_drive_speed", "the string is not turned")) if signal not in record]
+    lines += ["has no %s: %s" % (signal, so) for signal, so in (("flow", "the pump stands"), ("top_drive_speed", "the string is not turned"),
+                                                  ("bit_depth", "a block that runs without the string is taken for one with it")) if signal not in record]
     return ["%s: %s" % (record.name, line) for line in lines]
 
 

@@ -1,0 +1,71 @@
+"""Where in a record pipe was added or taken away: the bit stands while the block goes its own way."""
+import numpy
+from drill_rig_sim.field.record import RecordError
+
+AWAY = 0.5    # so much that bit and block together are off where they were: pipe was added or taken away, or the block was moved without the string [m]
+STILL = 0.05  # by which the bit moves in the slips, or its gauge [m]
+
+
+class Standstill:
+    """Rows `begin` to `end`, both within: the bit stands, and the block goes its own way between rows `left` and `back`. `length`: of the pipe that was added,
+    < 0: taken away, about 0: none [m]."""
+
+    def __init__(self, begin, end, left, back, length):
+        self.begin, self.end, self.left, self.back, self.length = begin, end, left, back, length
+
+    def connection(self, joint):
+        """What was done, as fields of MakeConnection for joints of a length [m]; None: nothing. ValueError where that is no whole number of them."""
+        if abs(self.length) < AWAY:
+            return None
+        joints = round(abs(self.length) / joint)
+        if joints < 1 or abs(abs(self.length) - joints * joint) > 0.1 * abs(self.length):
+            raise ValueError("%.2f m of pipe were %s; needed: whole joints of the scene's last part (joint_length %g m)" %
+                             (abs(self.length), "added" if self.length > 0.0 else "taken away", joint))
+        return {"joints": joints, "remove": self.length < 0.0}
+
+
+def standstills(record):
+    """All of a record, in their order; none where it has not both bit_depth and block_height. RecordError where the bit jumps."""
+    if "bit_depth" not in record or "block_height" not in record:
+        return []
+    bit, block = (record.at(signal, record.time) for signal in ("bit_depth", "block_height"))
+    both, found, k, level = bit + block, [], 0, bit[0] + block[0]
+    while k < len(both):
+        if abs(both[k] - level) < AWAY:
+            k += 1
+            continue
+        here = abs(bit - bit[k]) < STILL
+        begin, end = k - run(here[:k][::-1]), k + run(here[k:]) - 1
+        if begin == k and abs(bit[k] - bit[k - 1]) > AWAY:
+            raise RecordError("%s: at %.1f s the bit jumps by %.2f m; needed: bit_depth that stands while pipe is added or taken away" %
+                              (record.name, record.time[k], bit[k] - bit[k - 1]))
+        begin = min(begin, k - 1)
+        inside = numpy.arange(begin, end + 1)
+        left = inside[numpy.abs(both[inside] - level) < AWAY][-1]
+        back = inside[numpy.abs(both[inside] - both[end]) >= AWAY][-1] + 1
+        found.append(Standstill(begin, end, left, max(left, back), both[end] - level))
+        k, level = end + 1, both[end]
+    return found
+
+
+def run(flags):
+    """How many are true from the first on."""
+    false = numpy.flatnonzero(~flags)
+    return int(false[0]) if len(false) else len(flags)
+
+
+def compared(record, signal):
+    """What was recorded of a signal, not a number where the bit stands while the block goes its own way: the simulated crew takes another time for that."""
+    values = record.signals[signal].copy()
+    for still in standstills(record):
+        values[still.begin:still.end + 1] = numpy.nan
+    return values
+
+
+def height_without_pipe(record):
+    """The height by the rows that a block would have which had never been moved without the string [m]."""
+    height, stands = record.at("block_height", record.time), standstills(record)
+    change = numpy.diff(height)
+    for still in stands:
+        change[still.begin:still.end] = -numpy.diff(record.at("bit_depth", record.time)[still.begin:still.end + 1])
+    return numpy.concatenate((height[:1], height[0] + numpy.cumsum(change)))
