@@ -6,6 +6,7 @@
 `refused`: why the slips or the connection asked for last were not (else ""). What a rig cannot sense is not in it.
 The same law runs in lockstep, with a node or without (`drive`), and by topics (drill_rig_sim.topics.follow).
 """
+from drill_rig_sim.law import Commands
 from drill_rig_sim.lockstep import UNSENSED, Refused
 
 
@@ -46,6 +47,14 @@ class Ordered:
             _, name, value = self._orders.pop(0)
             self._law.set_points[name] = value
         return self._law.step(readings)
+
+
+def asked(law, readings):
+    """The Commands of a law's step; TypeError where it gave none."""
+    commands = law.step(readings)
+    if not isinstance(commands, Commands):
+        raise TypeError("%s.step() gave %s; needed: a drill_rig_sim.law.Commands" % (type(law).__name__, "nothing" if commands is None else type(commands).__name__))
+    return commands
 
 
 def hand_over(rig, commands):
@@ -91,7 +100,7 @@ def drive(rig, law, timeout, telemetry=Deaf, judge=None):
         if law.done:
             break
         telemetry.listen(rig.state.t, law.period)
-        refused = hand_over(rig, law.step(Readings(rig.state.t, rig.state.readings, telemetry, refused)))
+        refused = hand_over(rig, asked(law, Readings(rig.state.t, rig.state.readings, telemetry, refused)))
         states.append(rig.step(frames=every))
         if judge is not None:
             judge(states[-1])

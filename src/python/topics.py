@@ -3,7 +3,7 @@ import time
 import types
 
 import rospy
-from drill_rig_sim.control import Readings, pipe_work
+from drill_rig_sim.control import Readings, asked, pipe_work
 from drill_rig_sim.lockstep import MODES
 from drill_rig_sim.msg import MudPumpCommand, MwdSurvey, MwdToolface, RigState, SteeringCommand, TopDriveCommand, WinchCommand
 from drill_rig_sim.rig import COMMANDS, answered
@@ -58,7 +58,7 @@ def follow(law):
         if law.done or (last[0] is not None and now < last[0] + law.period - 1e-6):
             return
         last[0] = now
-        commands = law.step(Readings(now, state, telemetry, refused[0]))
+        commands = asked(law, Readings(now, state, telemetry, refused[0]))
         for name, message in messages_of(commands).items():
             publishers[name].publish(message)
         refused[0] = pipe_work(commands, lambda are_set: answered(slips(are_set)), lambda **fields: answered(connection(**fields)))

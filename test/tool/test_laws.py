@@ -5,7 +5,7 @@ import types
 import unittest
 
 from drill_rig_sim.autodriller import HOOK_LOAD, Autodriller
-from drill_rig_sim.control import Ordered, pipe_work
+from drill_rig_sim.control import Ordered, asked, pipe_work
 from drill_rig_sim.law import Commands, Lag, Loop, Plan, turn_between
 from drill_rig_sim.rig import Refused
 from drill_rig_sim.rss_steering import downlink
@@ -29,6 +29,11 @@ def weight_after(time, drillability, set_point=60e3, limit=1.0):
 
 
 class Parts(unittest.TestCase):
+    def test_a_step_that_gives_no_commands_is_told(self):
+        for given, said in ((None, "nothing"), (0.1, "float")):
+            law = types.SimpleNamespace(step=lambda _, given=given: given)
+            self.assertRaisesRegex(TypeError, r"SimpleNamespace.step\(\) gave %s; needed: a drill_rig_sim.law.Commands" % said, asked, law, None)
+
     def test_lag(self):
         lag = Lag(2.0)
         self.assertEqual(5.0, lag.follow(5.0, DT))
