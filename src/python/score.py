@@ -202,9 +202,9 @@ def stations(run, drilled):
     no hole. None where that is less than LEAST."""
     if "inclination" in run and "azimuth" in run:
         rows = numpy.flatnonzero(drilled > 0.0)
-        if not len(rows) or drilled.sum() < LEAST:
-            return None
         depth = run["hole_depth"][rows]
+        if not len(rows) or depth[-1] - depth[0] <= LEAST:  # between two stations
+            return None
         wanted = numpy.append(numpy.arange(depth[0], depth[-1] - LEAST, STATIONS), depth[-1])
         picked = rows[numpy.minimum(numpy.searchsorted(depth, wanted), len(rows) - 1)]
         return run["hole_depth"][picked], direction(run["inclination"][picked], run["azimuth"][picked])

@@ -42,7 +42,7 @@ private:
 FrameStatus play_frame(Simulator& simulator, ScenePlayer* player, double duration) noexcept
 {
   if (player) player->apply(simulator);
-  simulator.attend();
+  simulator.attend(duration);
   return simulator.frame(duration);
 }
 

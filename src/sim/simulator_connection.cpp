@@ -273,13 +273,13 @@ void Simulator::call_crew(bool on) noexcept
   impl_->state.crew.called = on;
 }
 
-void Simulator::attend() noexcept
+void Simulator::attend(double duration) noexcept
 {
   if (*impl_->failure) return;
   const ConnectionState& c = impl_->state.connection;
   if (c.under_way && c.elapsed >= connection_duration(impl_->scene.rig.hoisting, c.travel) - time_rounding) impl_->end_connection();
-  if (impl_->broken_out_by_hand()) impl_->state.commands.by_crew.winch = impl_->to_slack();
-  impl_->crew_works();
+  if (impl_->broken_out_by_hand()) impl_->state.commands.by_crew.winch = impl_->to_slack(duration);
+  impl_->crew_works(duration);
 }
 
 }  // namespace drill_rig_sim

@@ -4,6 +4,7 @@
 
 #include "drill_rig_sim/model/forces/slips.h"
 #include "drill_rig_sim/rig/drive_reference.h"
+#include "drill_rig_sim/rig/hoisting.h"
 #include "simulator_impl.h"
 
 namespace drill_rig_sim
@@ -15,6 +16,7 @@ constexpr double lowering_speed = 0.1;    // [m/s]
 constexpr double slacking_speed = 0.01;   // [m/s]
 constexpr double slowest = 5e-4;          // of it when the slips bear hardly anything [m/s]
 constexpr double by_load = 5e-7;          // of the block's speed by what the hook carries too much [m/s/N]
+constexpr double share_in_a_frame = 0.5;  // of what the hook carries too much that is taken off in one frame at most: by twice that the block would swing
 constexpr double rests = 2e3;             // what the pipe above the slips may carry to count as slack [N]
 constexpr double rest_time = 5.0, quiet_block = 2e-3;  // the string rings in its lines before it is laid into the slips [s], [m/s]
 constexpr double patience = 60.0;         // with what may not come about [s]
@@ -81,15 +83,18 @@ void Simulator::Impl::crew_begins() noexcept
   state.commands.crew_drives = true;
 }
 
-/// What brings the pipe above the slips to hang on the hook, no more and no less.
-WinchSetpoint Simulator::Impl::to_slack() const noexcept
+/// What brings the pipe above the slips to hang on the hook, no more and no less; for a frame [s].
+WinchSetpoint Simulator::Impl::to_slack(double frame) const noexcept
 {
   const double load = rest_load();
-  return std::abs(load) > rests ? run(std::clamp(-by_load * load, -slacking_speed, slacking_speed), scene.rig.hoisting) : WinchSetpoint{0.0, false};
+  if (std::abs(load) <= rests) return {0.0, false};
+  const double stiffness = line_pull(scene.rig.hoisting, shown().nodes.back().position.z(), shown().hoist.line_length).stiffness;
+  const double gain = std::min(by_load, share_in_a_frame / std::max(stiffness * frame, share_in_a_frame));
+  return run(std::clamp(-gain * load, -slacking_speed, slacking_speed), scene.rig.hoisting);
 }
 
-/// The task under way: its set point of the winch; true once it is done.
-bool Simulator::Impl::crew_has_done(WinchSetpoint& winch) noexcept
+/// The task under way: its set point of the winch for a frame [s]; true once it is done.
+bool Simulator::Impl::crew_has_done(double frame, WinchSetpoint& winch) noexcept
 {
   const HoistingSpec& spec = scene.rig.hoisting;
   const State& now = shown();
@@ -112,7 +117,7 @@ bool Simulator::Impl::crew_has_done(WinchSetpoint& winch) noexcept
     }
     case CrewTask::slacking:
     {
-      winch = to_slack();
+      winch = to_slack(frame);
       const char* refused = winch.block_velocity == 0.0 && stands(now) ? make_connection(0, !crew.adds) : "";
       if (refused && *refused && crew.waited > patience) failure = refused;  // what does not come about by waiting
       return !refused;
@@ -135,14 +140,14 @@ bool Simulator::Impl::crew_has_done(WinchSetpoint& winch) noexcept
   }
 }
 
-void Simulator::Impl::crew_works() noexcept
+void Simulator::Impl::crew_works(double frame) noexcept
 {
   CrewState& crew = state.crew;
   if (crew.doing == CrewTask::none) crew_begins();
   if (crew.doing == CrewTask::none) return;
   Setpoints& by_crew = state.commands.by_crew;
   const double height = shown().nodes.back().position.z();
-  if (crew_has_done(by_crew.winch)) crew_goes_on(height);
+  if (crew_has_done(frame, by_crew.winch)) crew_goes_on(height);
   const bool at_rest = crew.doing >= CrewTask::quieting && crew.doing < CrewTask::restarting;
   by_crew.top_drive = at_rest ? TopDriveSetpoint() : state.commands.asked.top_drive;
   by_crew.pump = at_rest ? PumpSetpoint() : state.commands.asked.pump;

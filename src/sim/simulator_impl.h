@@ -87,12 +87,12 @@ struct Simulator::Impl
   void find_stand();
   double rest_load() const noexcept;
   bool tare() noexcept;
-  WinchSetpoint to_slack() const noexcept;
+  WinchSetpoint to_slack(double frame) const noexcept;
   void crew_begins() noexcept;
-  void crew_works() noexcept;
+  void crew_works(double frame) noexcept;
   void crew_does(CrewTask task) noexcept;
   void crew_goes_on(double height) noexcept;
-  bool crew_has_done(WinchSetpoint& winch) noexcept;
+  bool crew_has_done(double frame, WinchSetpoint& winch) noexcept;
   SubView sub_view() const noexcept;
 };
 

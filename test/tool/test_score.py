@@ -164,6 +164,11 @@ class Scores(unittest.TestCase):
         plan = Survey([0.0, 1000.0, 1100.0], numpy.radians([0.0, 0.0, 100.0 * 2.0 / 30.0]), [0.0, 0.0, 0.0])
         self.near(1.0, self.score(made, plan=plan)["path"]["tortuosity_deg_30m"], 1e-6)
 
+    def test_a_hole_of_about_a_metre_has_two_stations_or_no_dogleg(self):
+        found = [self.score(turned(columns(seconds=seconds, every=1.0), 0.1))["path"]["dogleg_mean_deg_30m"] for seconds in (110.0, 111.0, 112.0, 113.0, 120.0)]
+        self.assertEqual([None, None, None], found[:3])
+        self.near(0.0, found[-1], 1e-6)
+
     def test_distance_from_a_parallel_plan(self):
         made = columns(seconds=1000.0)
         made["bit_east"] = 3.0 + 0.0 * made["time"]

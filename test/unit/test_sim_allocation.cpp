@@ -144,7 +144,7 @@ TEST(Frame, allocatesNothingInConnections)
   long failed = 0;
   for (int k = 0; k < 20000 && rig.truth().stand_count == stands; ++k)
   {
-    rig.attend();
+    rig.attend(0.01);
     counting = true;
     failed += rig.frame(0.01) != FrameStatus::running;
     counting = false;

@@ -142,7 +142,8 @@ public:
   void call_crew(bool on) noexcept;
   /// What the rig's crew does between two frames: makes up the string of a connection that is over, and connections of its own (crew.h). Only
   /// here a simulator rebuilds its string, and then allocates: a millisecond for 3 km of guided pipe, five for free nodes. play_frame() calls it before every frame; without it no connection ends.
-  void attend() noexcept;
+  /// `duration`: of the frame that follows [s].
+  void attend(double duration) noexcept;
 
   /// A copy of everything that the next frame depends on.
   std::shared_ptr<const SimulatorState> save() const;
