@@ -65,6 +65,19 @@ struct Log
 };
 }  // namespace
 
+// The block goes by what the hook carries too much, seen once a frame.
+TEST(Crew, addsAStandWhateverTheFramesLength)
+{
+  for (const double frame : {0.05, 1.0, 2.0})
+  {
+    Simulator rig(soft_rock(Level::axial_torsional));
+    const int stands = rig.truth().stand_count;
+    drill(rig, 0.05);
+    play_until(rig, frame, 2e4, [&](const Truth& m) { return m.stand_count == stands + 1 && m.crew == CrewTask::none; });
+    EXPECT_EQ(rig.truth().stand_count, stands + 1) << frame;
+  }
+}
+
 // Ten stands: the hole is ten stands deeper, the string ten stands longer, what was asked of drive and pump is in force again, and the depths that
 // the driller reads are the true ones but for the string's stretch, of which a tenth of a millimetre a stand is new.
 TEST(Crew, drillsTenStands)
