@@ -148,6 +148,12 @@ class Connections(Folder):
         self.assertLess(table["hook_load"]["rms"], 1500.0)
         self.assertLess(abs(table["torque"]["mean"]), 0.02 * table["torque"]["range"])  # the string rings when it is turned anew, not at the same instants
 
+    def test_a_record_that_ends_in_the_slips(self):
+        block = numpy.concatenate((numpy.linspace(20.0, 18.0, 20), numpy.linspace(18.0, 30.3, 12)))
+        law = Follow(self.record(numpy.concatenate((numpy.linspace(279.0, 281.0, 20), numpy.full(12, 281.0))), block), 9.5)
+        self.assertEqual([], law.connections)
+        self.assertAlmostEqual(-2.0, law.course[-1], delta=1e-6)
+
     def test_a_connection_that_the_rig_cannot_make(self):
         block, bit = numpy.concatenate((numpy.full(10, 2.0), numpy.full(10, 40.0))), numpy.full(20, 299.7)
         with self.assertRaisesRegex(RecordError, "at 9.0 s the scene's rig does not make the record's connection: connection: the block has no room"):

@@ -26,6 +26,8 @@ def connections_of(record, joint, period):
         try:
             doing = still.connection(joint)
         except ValueError as error:
+            if still.end == len(record.time) - 1:
+                continue  # the record ends while the block is on its way
             raise RecordError("%s: at %.1f s %s" % (record.name, record.time[still.left], error))
         if doing is not None:
             found.append(Connection(leave, back, doing))
@@ -55,7 +57,7 @@ class Follow:
 
     def step(self, readings):
         self.begin = readings.block_height if self.begin is None else self.begin
-        if self.connections and self.k == self.connections[0].leave:
+        if self.connections and self.k >= self.connections[0].leave:
             waits = self.connect(readings, self.connections[0])
             if waits is not None:
                 self.clock.append(numpy.nan)
