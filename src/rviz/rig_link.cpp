@@ -32,6 +32,8 @@ double number_of(const std::string& text, double otherwise)
   return is_number ? number : otherwise;
 }
 
+constexpr char list_states[] = "list_states";
+
 bool ends_with(const std::string& text, const std::string& end)
 {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -40,7 +42,14 @@ bool ends_with(const std::string& text, const std::string& end)
 
 RigLink::RigLink(QObject* parent) : QObject(parent), state_heard_(Clock::now()), diagnostics_heard_(state_heard_), looked_(state_heard_)
 {
-  connect(&caller_, &ServiceCaller::answered, this, &RigLink::said);
+  connect(&caller_, &ServiceCaller::answered, this,
+          [this](const QString& what, bool success, const QString& text)
+          {
+            if (what != list_states)
+              Q_EMIT said(what, success, text);
+            else if (success)
+              Q_EMIT states(text.split('\n', Qt::SkipEmptyParts));
+          });
   move_to("");
 }
 
@@ -280,6 +289,11 @@ bool RigLink::command(const WinchCommand& command) { return send(winch_, "winch"
 bool RigLink::command(const TopDriveCommand& command) { return send(top_drive_, "top drive", command); }
 bool RigLink::command(const MudPumpCommand& command) { return send(pump_, "mud pump", command); }
 bool RigLink::command(const SteeringCommand& command) { return send(steering_, "steering", command); }
+
+void RigLink::ask_states()
+{
+  if (hears(state())) call(list_states, ListStates(), 2.0);
+}
 
 bool RigLink::can_call(const QString& name)
 {

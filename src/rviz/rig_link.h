@@ -65,11 +65,14 @@ public:
     if (!can_call(name)) return;
     caller_.call(node_->resolveName(name.toStdString()), name, service, patience);
   }
+  /// Asks for the names of the snapshots that the rig keeps, which come as `states`; where no rig is heard nothing comes.
+  void ask_states();
   int pending_calls() const { return caller_.pending(); }
 
 Q_SIGNALS:
   /// Answer of a service, or why a command was not sent.
   void said(const QString& what, bool success, const QString& text);
+  void states(const QStringList& names);
   /// Another rig from now on, or none.
   void changed();
 

@@ -5,6 +5,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -13,10 +14,25 @@
 #include <string>
 #include <thread>
 
+#include "drill_rig_sim/ListStates.h"
+
 class QTimer;
 
 namespace drill_rig_sim::console
 {
+/// What the answer of a service says: its message; of list_states the names, a line each.
+template <class Response>
+QString text_of(const Response& response)
+{
+  return QString::fromStdString(response.message);
+}
+inline QString text_of(const ListStatesResponse& response)
+{
+  QStringList names;
+  for (const std::string& name : response.names) names << QString::fromStdString(name);
+  return names.join('\n');
+}
+
 /// Calls services in a thread of its own, one after the other: a window must not wait for an answer.
 class ServiceCaller : public QObject
 {
@@ -41,7 +57,7 @@ public:
            const bool came = client.call(service);
            release();
            if (!came) return {false, "no answer: the connection broke"};
-           return {service.response.success != 0, QString::fromStdString(service.response.message)};
+           return {service.response.success != 0, text_of(service.response)};
          }});
   }
   /// How many calls have no answer yet.

@@ -1,6 +1,7 @@
 #include "snapshot_controls.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QGridLayout>
 #include <QPushButton>
 
@@ -38,6 +39,8 @@ SnapshotControls::SnapshotControls(RigLink& link, QWidget* parent) : Controls("S
   grid().addWidget(restore_button, 0, 2);
   grid().addWidget(delete_button, 0, 3);
   grid().setColumnStretch(0, 1);
+  name_->installEventFilter(this);
+  connect(&link, &RigLink::states, this, &SnapshotControls::take_states);
   connect(save_button, &QPushButton::clicked, this, &SnapshotControls::save);
   connect(restore_button, &QPushButton::clicked, this, &SnapshotControls::restore);
   connect(delete_button, &QPushButton::clicked, this, &SnapshotControls::forget);
@@ -45,13 +48,28 @@ SnapshotControls::SnapshotControls(RigLink& link, QWidget* parent) : Controls("S
 
 std::string SnapshotControls::name() const { return name_->currentText().trimmed().toStdString(); }
 
+bool SnapshotControls::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn) link().ask_states();
+  return Controls::eventFilter(watched, event);
+}
+
+void SnapshotControls::take_states(const QStringList& names)
+{
+  const QString text = name_->currentText();
+  name_->clear();
+  name_->addItems(names + files_);
+  name_->setEditText(text);
+}
+
 void SnapshotControls::save()
 {
   const QString text = QString::fromStdString(name());
-  if (name_->findText(text) < 0) name_->addItem(text);  // to be chosen again
+  if (text.contains('/') && !files_.contains(text)) files_ << text;
   SaveState service;
   put(name(), service.request);
   link().call("save_state", service);
+  link().ask_states();
 }
 
 void SnapshotControls::restore()
@@ -66,6 +84,7 @@ void SnapshotControls::forget()
   DeleteState service;
   service.request.name = name();
   link().call("delete_state", service);
+  link().ask_states();
 }
 
 }  // namespace drill_rig_sim::console

@@ -10,6 +10,7 @@
 #include "console_test.h"
 #include "drill_rig_sim/MudPumpCommand.h"
 #include "drill_rig_sim/RigState.h"
+#include "drill_rig_sim/SaveState.h"
 #include "drill_rig_sim/SteeringCommand.h"
 #include "drill_rig_sim/TopDriveCommand.h"
 #include "drill_rig_sim/WinchCommand.h"
@@ -17,6 +18,7 @@
 using namespace console_test;
 using drill_rig_sim::MudPumpCommand;
 using drill_rig_sim::RigState;
+using drill_rig_sim::SaveState;
 using drill_rig_sim::SteeringCommand;
 using drill_rig_sim::TopDriveCommand;
 using drill_rig_sim::WinchCommand;
@@ -300,13 +302,23 @@ TEST_F(Commands, Snapshots)
   QTest::mouseRelease(console_.get("winch raise"), Qt::LeftButton);
   ASSERT_TRUE(console_.asks("snapshot restore", "restore_state: restored before"));
   EXPECT_TRUE(wait_until([&] { return std::abs(depth() - then) < 0.05; })) << depth() << " instead of " << then;
-  EXPECT_EQ(0, console_.get<QComboBox>("snapshot name")->findText("before")) << "to be chosen again";
+  const auto listed = [&](const QString& name) { return console_.get<QComboBox>("snapshot name")->findText(name) >= 0; };
+  EXPECT_TRUE(wait_until([&] { return listed("before"); })) << "to be chosen again";
   const QString file = out_folder() + "/console_snapshot";
   console_.get<QComboBox>("snapshot name")->setEditText(file);
   ASSERT_TRUE(console_.asks("snapshot save", "save_state: written to " + file));
   ASSERT_TRUE(console_.asks("snapshot restore", "restore_state: restored " + file));
+  EXPECT_TRUE(wait_until([&] { return listed(file); }));
+  SaveState elsewhere;
+  elsewhere.request.name = "elsewhere";
+  ASSERT_TRUE(ros::service::call("/" + std::string(shared_name) + "/save_state", elsewhere));
+  QEvent enter(QEvent::Enter);
+  QCoreApplication::sendEvent(console_.get("snapshot name"), &enter);
+  EXPECT_TRUE(wait_until([&] { return listed("elsewhere"); })) << "somebody else's";
+  EXPECT_EQ(file, console_.get<QComboBox>("snapshot name")->currentText());
   console_.get<QComboBox>("snapshot name")->setEditText("before");
   ASSERT_TRUE(console_.asks("snapshot delete", "delete_state: deleted before"));
+  EXPECT_TRUE(wait_until([&] { return !listed("before"); }));
   ASSERT_TRUE(console_.asks("snapshot restore", "restore_state: ")) << "refused, which is told";
   EXPECT_TRUE(console_.get<QLabel>("answer")->text().contains("before")) << console_.get<QLabel>("answer")->text().toStdString();
 }

@@ -83,6 +83,9 @@ def influence(rows):
             panel.legend(fontsize=7)
         else:
             panel.barh(places, [0.0 if value is None else value for value in values], 0.5, color="#1f5fa8")
+            for place, value in zip(places, values):
+                if value is None:
+                    panel.text(0.03, place, "words, or constant", fontsize=7, color="#777777", va="center")
             panel.set_xlim(-1.0, 1.0)
             panel.set_xlabel("rank correlation", fontsize=8)
         panel.axvline(0.0, color="#555555", linewidth=0.6)
