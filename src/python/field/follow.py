@@ -18,10 +18,10 @@ class Connection:
         return "%d joints %s" % (self.doing["joints"], "taken away" if self.doing["remove"] else "added")
 
 
-def connections_of(record, joint, period):
-    """All of a record, for joints of a length [m] and a law's period [s]; RecordError where these do not fit."""
+def connections_of(record, stands, joint, period):
+    """All of a record with these standstills, for joints of a length [m] and a law's period [s]; RecordError where these do not fit."""
     found = []
-    for still in standstills(record):
+    for still in stands:
         leave, back = (int(round(record.time[row] / period)) for row in (still.left, still.back))
         try:
             doing = still.connection(joint)
@@ -47,10 +47,11 @@ class Follow:
         """`joint`: length of the scene's joints of pipe [m]. RecordError where the record's connections do not go with these."""
         self.name = record.name
         self.times = self.period * numpy.arange(int(record.time[-1] / self.period) + 2)
-        self.course = course_of(record, self.times)
+        self.stands = standstills(record)
+        self.course = course_of(record, self.stands, self.times)
         self.speed = record.at("top_drive_speed", self.times) if "top_drive_speed" in record else None
         self.flow = numpy.maximum(record.at("flow", self.times), 0.0) if "flow" in record else None
-        self.connections = connections_of(record, joint, self.period)
+        self.connections = connections_of(record, self.stands, joint, self.period)
         self.clock = [0.0]  # the record's, at the rig's start and after each step; not a number while it waits [s]
         self.k, self.begin, self.done, self.farthest = 0, None, False, 0.0
         self.work, self.depth, self.began, self.off, self.refused = None, 0.0, 0.0, 0.0, ""
@@ -96,10 +97,10 @@ class Follow:
         return Commands(float(numpy.clip(self.off / self.catch_up, -self.to_place, self.to_place)))
 
 
-def course_of(record, times):
+def course_of(record, stands, times):
     """The block's height less that at the start [m]."""
     if "block_height" in record:
-        height = without_play(height_without_pipe(record))
+        height = without_play(height_without_pipe(record, stands))
         return smooth(times, record.time, height - height[0])
     speed = record.at("block_velocity", record.time)
     way = numpy.concatenate(([0.0], numpy.cumsum(0.5 * (speed[1:] + speed[:-1]) * numpy.diff(record.time))))

@@ -4,7 +4,7 @@ from drill_rig_sim.campaign.blueprint import Blueprint
 from drill_rig_sim.campaign.played import simulator
 from drill_rig_sim.campaign.runner import one_line
 from drill_rig_sim.campaign.scene_text import SceneText, survey_file
-from drill_rig_sim.field.pipe import compared
+from drill_rig_sim.field.pipe import compared, standstills
 from drill_rig_sim.field.replay import COMPARED, check, play
 from drill_rig_sim.lockstep import Refused
 
@@ -23,7 +23,7 @@ class RecordModel:
         self.record, self.remarks = record, record.remarks
         self.names = [name for name in COMPARED if name in record and (not signals or name in signals)]
         self.blueprint = Blueprint(record.name, scene, survey, [(p.name, p.keys, p.times) for p in parameters if p.signal is None])
-        self.observed = numpy.concatenate([compared(record, name) for name in self.names])
+        self.observed = numpy.concatenate(list(compared(record, self.names, standstills(record)).values()))
         self.signals = numpy.repeat(self.names, len(record.time))
         self.length = record.time[-1]  # [s]
         self.place = numpy.tile(record.time / self.length, len(self.names))

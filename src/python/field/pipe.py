@@ -54,17 +54,17 @@ def run(flags):
     return int(false[0]) if len(false) else len(flags)
 
 
-def compared(record, signal):
-    """What was recorded of a signal, not a number where the bit stands while the block goes its own way: the simulated crew takes another time for that."""
-    values = record.signals[signal].copy()
-    for still in standstills(record):
-        values[still.begin:still.end + 1] = numpy.nan
-    return values
+def compared(record, signals, stands):
+    """What was recorded of signals, by name; not a number where the bit stands while the block goes its own way: the simulated crew takes another time for that."""
+    left_out = numpy.zeros(len(record.time), bool)
+    for still in stands:
+        left_out[still.begin:still.end + 1] = True
+    return {name: numpy.where(left_out, numpy.nan, record.signals[name]) for name in signals}
 
 
-def height_without_pipe(record):
+def height_without_pipe(record, stands):
     """The height by the rows that a block would have which had never been moved without the string [m]."""
-    height, stands = record.at("block_height", record.time), standstills(record)
+    height = record.at("block_height", record.time)
     change = numpy.diff(height)
     for still in stands:
         change[still.begin:still.end] = -numpy.diff(record.at("bit_depth", record.time)[still.begin:still.end + 1])

@@ -2,7 +2,7 @@
 import numpy
 from drill_rig_sim.control import drive
 from drill_rig_sim.field.follow import PATIENCE, Follow
-from drill_rig_sim.field.pipe import compared, standstills
+from drill_rig_sim.field.pipe import compared
 from drill_rig_sim.field.record import RecordError
 from drill_rig_sim.lockstep import series
 
@@ -39,7 +39,6 @@ def check(record):
         raise RecordError("%s: needs block_height or block_velocity" % record.name)
     if not any(signal in record for signal in COMPARED):
         raise RecordError("%s: holds nothing to compare: %s" % (record.name, ", ".join(COMPARED)))
-    standstills(record)
 
 
 def check_start(record, rig):
@@ -66,4 +65,4 @@ def play(rig, record):
     if law.farthest > BEHIND:
         remarks.append("%s: the scene's block was up to %.2f m off the record's: it could not follow" % (record.name, law.farthest))
     return Replay(record.name, record.time, {name: numpy.interp(record.time, times, series(states, name)[there]) for name in signals},
-                  {name: compared(record, name) for name in signals}, remarks)
+                  compared(record, signals, law.stands), remarks)
