@@ -123,7 +123,7 @@ class RigModule(unittest.TestCase):
         self.assertRaisesRegex(Refused, "magnitude", self.rig.fault, "BRAKE_SLIP", magnitude=-1.0)
         self.assertRaises(AttributeError, self.rig.fault, "EARTHQUAKE")
         self.assertEqual(before.t, self.rig.step(frames=0).t)
-        self.assertEqual(before.t + FRAME, self.rig.step().t)
+        self.assertAlmostEqual(before.t + FRAME, self.rig.step().t, places=9)
         with self.assertRaises(rospy.ROSException):
             Rig("no_such_rig", patience=0.5)
 

@@ -19,6 +19,7 @@ from drill_rig_sim.campaign.runner import DIED, Runner
 PLUGIN = "drill_campaign"
 PAGE = "127.0.0.1:0"  # Dask's own page, for this machine alone; it needs bokeh
 AHEAD = 3  # tasks that wait beside each that is done: a worker is never idle, and the scheduler's memory stays small
+LOGGED = 1000  # entries of Dask's logs, which nobody reads here and which grow by kilobytes a run
 AT_ONCE, MOST_AT_ONCE = 0.2, 20  # so long runs last that go in one task [s], and how many they are at most
 
 
@@ -51,6 +52,7 @@ def several(rows, identity):
 def connect(scheduler=None, slurm=0, workers=0):
     """A client and what is to be closed after it. Without arguments: as many processes on this machine as it has cores for us."""
     dask.config.set({"distributed.worker.daemon": False, "distributed.comm.timeouts.connect": "20s", "distributed.admin.log-format": "%(levelname)s %(message)s",
+                     "distributed.scheduler.transition-log-length": LOGGED, "distributed.scheduler.events-log-length": LOGGED,
                      "distributed.nanny.pre-spawn-environ.DASK_LOGGING__DISTRIBUTED": "critical"})  # what older workers left behind is no news
     if scheduler is not None:
         return distributed.Client(address_checked(scheduler), security=security(), timeout="20s"), []
