@@ -22,7 +22,7 @@ double EnergyAccounts::numerical() const noexcept
 
 double EnergyAccounts::input_magnitudes() const noexcept
 {
-  return std::abs(winch) + std::abs(drive) + std::abs(pump) + std::abs(gravity) + std::abs(steering) + std::abs(handled);
+  return std::abs(winch) + std::abs(drive) + std::abs(pump) + std::abs(heave) + std::abs(gravity) + std::abs(steering) + std::abs(handled);
 }
 
 double EnergyAccounts::loss_magnitudes() const noexcept

@@ -48,6 +48,8 @@ void interpolate(const State& start, const State& end, double share, State& out)
   out.hoist.line_length = between(start.hoist.line_length, end.hoist.line_length);
   out.hoist.winch_speed = between(start.hoist.winch_speed, end.hoist.winch_speed);
   out.hoist.sheave_slip = between(start.hoist.sheave_slip, end.hoist.sheave_slip);
+  out.hoist.floor.height = between(start.hoist.floor.height, end.hoist.floor.height);
+  out.hoist.floor.speed = between(start.hoist.floor.speed, end.hoist.floor.speed);
   out.bit.motor_speed = between(start.bit.motor_speed, end.bit.motor_speed);
   out.bit.motor_torque = between(start.bit.motor_torque, end.bit.motor_torque);
   out.bit.turned = between(start.bit.turned, end.bit.turned);

@@ -193,7 +193,7 @@ void fill_transforms(const FrameOutput& s, const std::string& prefix, std::vecto
   transforms.resize(2 + s.parts.size());
   for (geometry_msgs::TransformStamped& t : transforms) t.header = header_of(s.frame, prefix + "rig_floor");
   const Truth& m = s.frame.truth;
-  const Eigen::Vector3d block = m.block_height * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d block = (m.block_height + m.floor_height) * Eigen::Vector3d::UnitZ();
   transforms[0].child_frame_id = prefix + "traveling_block";
   set_pose(transforms[0], block, Eigen::Quaterniond::Identity());
   // clockwise looking downhole is negative about z

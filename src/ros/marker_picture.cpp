@@ -166,7 +166,7 @@ Marker MarkerPicture::force_marker(const FrameOutput& s) const
 Marker MarkerPicture::block_marker(const FrameOutput& s) const
 {
   Marker m = marker(s, "traveling_block", Marker::CUBE);
-  m.pose.position.z = s.frame.truth.block_height + 2.0;
+  m.pose.position.z = s.frame.truth.block_height + s.frame.truth.floor_height + 2.0;
   m.scale.x = m.scale.y = m.scale.z = 4.0;
   m.color = block_color;
   return m;

@@ -296,6 +296,7 @@ private:
     read_one(entries, path, "hoisting", hoisting_keys, rig.hoisting);
     read_top_drive(entries, path, rig.top_drive);
     read_one(entries, path, "mud_pump", mud_pump_keys, rig.mud_pump);
+    read_one(entries, path, "heave", heave_keys, rig.heave);
   }
 
   void read_top_drive(const Entries& entries, const std::string& path, TopDriveSpec& drive)

@@ -25,6 +25,7 @@ public:
     add_keys(soft_torque_keys, scene.rig.top_drive.soft_torque);
     add_keys(z_torque_keys, scene.rig.top_drive.z_torque);
     add_keys(mud_pump_keys, scene.rig.mud_pump);
+    add_keys(heave_keys, scene.rig.heave);
     add_keys(contact_keys, scene.contact);
     add_keys(trajectory_keys, scene.trajectory);
     add_keys(start_keys, scene.start);

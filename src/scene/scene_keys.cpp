@@ -211,6 +211,7 @@ const Table<RigSpec> rig_keys = {"rig", "The rig above the rotary table.", {
   {"hoisting",              "",       Nested{},                            none,                 "drill line, block and winch"},
   {"top_drive",             "",       Nested{},                            none,                 "rotary drive and torque meter"},
   {"mud_pump",              "",       Nested{},                            none,                 "pump and stand pipe"},
+  {"heave",                 "",       Nested{},                            none,                 "of a floating rig"},
 }};
 
 const Table<HoistingSpec> hoisting_keys = {"rig.hoisting", "Drill line, travelling block and winch.", {
@@ -272,6 +273,11 @@ const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe."
   {"trip_pressure",         "Pa",     &MudPumpSpec::trip_pressure,         between(0.0, 2e8),    "where `stand_pipe_pressure` of `rig_state` reaches it the pump stops until a flow of 0 is commanded; 0: never"},
   {"pressure_coefficient",  "Pa s2/m6", &MudPumpSpec::pressure_coefficient, between(0.0, 1e12),  "losses of string, bit and annulus at max_flow / max_flow^2"},
   {"loss_exponent",         "-",      &MudPumpSpec::loss_exponent,         between(1.0, 2.0),    "m: at other flows losses go with Q^m; 2 rough turbulence, 1.86 smooth, a record of the field 1.56"},
+}};
+
+const Table<HeaveSpec> heave_keys = {"rig.heave", "A floating rig goes up and down on regular waves, from rest within the first period: floor, winch, rail and slips together. Block heights are above the floor; what a compensator leaves of the waves is what to give.", {
+  {"amplitude",             "m",      &HeaveSpec::amplitude,               between(0.0, 10.0),   "about the mean place of the rotary table, where depths begin; 0: the rig stands on the ground"},
+  {"period",                "s",      &HeaveSpec::period,                  between(2.0, 60.0),   "of the waves"},
 }};
 
 const Table<ContactSpec> contact_keys = {"contact", "Contact of string and wall, F = k d^e (1 + c d'), and the shape of the friction law; `friction` of the hole sections is kinetic.", {

@@ -44,6 +44,7 @@ extern const Table<TopDriveSpec> top_drive_keys;
 extern const Table<DriveImpedance> soft_torque_keys;
 extern const Table<DriveImpedance> z_torque_keys;
 extern const Table<MudPumpSpec> mud_pump_keys;
+extern const Table<HeaveSpec> heave_keys;
 extern const Table<ContactSpec> contact_keys;
 extern const Table<TrajectorySpec> trajectory_keys;
 extern const Table<StartSpec> start_keys;

@@ -189,6 +189,14 @@ void check_hoisting(const HoistingSpec& h, ProblemList& problems)
   }
 }
 
+void check_heave(const HeaveSpec& heave, ProblemList& problems)
+{
+  constexpr double most = 3.0;  // of a rig in any sea [m/s2]
+  if (heave_acceleration(heave) <= most) return;
+  problems.emplace_back("rig.heave.amplitude", metres(heave.amplitude) + " in " + plain(heave.period) + " s is " + plain(heave_acceleration(heave)) +
+                                                   " m/s2 of acceleration, allowed: up to 3 m/s2");
+}
+
 void check_connections(const Scene& scene, ProblemList& problems)
 {
   const std::string lacking = scene.connections == Connections::automatic ? what_the_crew_lacks(scene) : "";
@@ -265,6 +273,8 @@ ProblemList unavailable(const Scene& scene)
   if (guided && has_no_levels(numerics.integrator)) problems.emplace_back("numerics.integrator", "this method is available for level beam3d alone");
   if (numerics.has_variable_steps() && !varies_steps(numerics.integrator))
     problems.emplace_back("numerics.integrator", "steps of variable length (step 0) are available for bdf2 and auto alone");
+  if (scene.rig.heave.amplitude > 0.0 && numerics.integrator == IntegratorKind::ida)
+    problems.emplace_back("rig.heave", "not available with the reference (ida)");
   if (!has_kernel(numerics.kernel))
     problems.emplace_back("numerics.kernel", std::string(name_of(numerics.kernel)) + " is not among what this machine and build have, allowed: " + kernels_here());
   return problems;
@@ -287,6 +297,7 @@ ProblemList scene_problems(const Scene& scene)
   check_reaming(scene, problems);
   check_diameters(scene, problems);
   check_hoisting(scene.rig.hoisting, problems);
+  check_heave(scene.rig.heave, problems);
   check_connections(scene, problems);
   check_start(scene, problems);
   append(problems, program_problems(scene));

@@ -85,6 +85,7 @@ std::string scene_reference()
   write(out, soft_torque_keys, {}, TopDriveSpec{}.soft_torque);
   write(out, z_torque_keys, {}, TopDriveSpec{}.z_torque);
   write(out, mud_pump_keys);
+  write(out, heave_keys);
   write(out, contact_keys);
   write(out, trajectory_keys);
   write(out, start_keys);

@@ -132,6 +132,7 @@ State made_up(const Model& model, const State& before, int held, double travel, 
     const double length = stretched(model, static_cast<int>(i) - 1, tension);
     NodeState node;
     node.spin_angle = below.spin_angle;
+    node.rate.velocity.z() = state.hoist.floor.speed;
     node.orientation = pointed(below.orientation, i + 1 < nodes ? Vector3d(-up) : Vector3d(-Vector3d::UnitZ()));
     node.position = i + 1 < nodes ? Vector3d(state.nodes[i - 1].position + length * up) : shaft;
     node.segment = 0;
@@ -143,7 +144,7 @@ State made_up(const Model& model, const State& before, int held, double travel, 
   }
   const HoistingSpec& hoisting = model.scene().rig.hoisting;
   const double hook_load = tension + standard_gravity * hoisting.block_mass;
-  state.hoist.line_length = line_length_for(hoisting, state.nodes.back().position.z(), hook_load);
+  state.hoist.line_length = line_length_for(hoisting, block_height(state), hook_load);
   state.hoist.sheave_slip = sheave_slip(before.hoist.sheave_slip, travel);
   state.hoist.winch_speed = state.hoist.rail_deflection = 0.0;
   state.hoist.limited = state.hoist.at_stop = false;

@@ -37,7 +37,6 @@ void Simulator::Impl::measure_rig() noexcept
 {
   Truth& m = state.truth;
   const State& s = shown();
-  const NodeState& top = s.nodes.back();
   const HoistingSpec& hoisting = scene.rig.hoisting;
   m.time = s.time;
   measure_block();
@@ -54,8 +53,8 @@ void Simulator::Impl::measure_rig() noexcept
   m.setpoints = in_force();
   m.brake_set = m.setpoints.winch.brake;
   m.winch_limited = s.hoist.limited;
-  m.slack_line = line_pull(hoisting, top.position.z(), s.hoist.line_length).slack;
-  m.stop_reached = s.hoist.at_stop || stop_force(hoisting, top.position.z(), top.rate.velocity.z()).energy > 0.0;
+  m.slack_line = line_pull(hoisting, block_height(s), s.hoist.line_length).slack;
+  m.stop_reached = s.hoist.at_stop || stop_force(hoisting, block_height(s), block_velocity(s)).energy > 0.0;
   m.top_drive_brake_set = s.drive.braked;
   m.top_drive_limited = s.drive.limited;
   m.motor_stalled = s.bit.stalled;

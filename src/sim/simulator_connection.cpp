@@ -37,7 +37,7 @@ int joint_at_table(const Model& model, const State& state) noexcept
   {
     const MeshNode& node = model.mesh().nodes[static_cast<std::size_t>(i)];
     if (!node.joint_end || !model.scene().string[static_cast<std::size_t>(node.part)].pipe) continue;
-    const double z = std::abs(state.nodes[static_cast<std::size_t>(i)].position.z());
+    const double z = std::abs(state.nodes[static_cast<std::size_t>(i)].position.z() - state.hoist.floor.height);
     if (nearest >= 0 && z >= away) continue;
     nearest = i;
     away = z;
@@ -88,12 +88,12 @@ const char* Simulator::Impl::set_slips(int joint) noexcept
   if (scene.numerics.integrator == IntegratorKind::ida) return "slips: the reference (ida) has none, allowed: the other integrators";
   if (now.slips.node >= 0) return "slips: they are set already";
   if (joint < 0) return "slips: there is no joint of pipe below the shaft";
-  if (std::abs(now.hoist.winch_speed) > standing_winch || std::abs(now.nodes.back().rate.velocity.z()) > standing_block)
+  if (std::abs(now.hoist.winch_speed) > standing_winch || std::abs(block_velocity(now)) > standing_block)
     return "slips: the block moves, allowed: at rest";
   if (std::abs(now.drive.speed) > standing_rotor || turns(state.commands.in_force().top_drive)) return "slips: the top drive turns, allowed: at rest";
   settle();
   const NodeState& node = mechanics().nodes[static_cast<std::size_t>(joint)];
-  mechanics().slips = {joint, node.position, node.spin_angle};
+  mechanics().slips = {joint, node.position - mechanics().hoist.floor.height * Eigen::Vector3d::UnitZ(), node.spin_angle};
   return nullptr;
 }
 
@@ -125,7 +125,7 @@ const char* Simulator::Impl::make_connection(int joints, bool remove) noexcept
   if (rest_load() > most_rest_load) return "connection: the hook carries more than block and pipe above the slips, allowed: up to 10 kN more, slack off first";
   if (shown_forces().hook_load < most_rest_load) return "connection: the block rests on the pipe, allowed: on its lines, pick up first";
   if (remove && count >= joints_below_stump(model->mesh(), scene)) return "connection: so many joints are not in the string";
-  const double length = (remove ? -1.0 : 1.0) * count * pipe.joint_length, height = now.nodes.back().position.z();
+  const double length = (remove ? -1.0 : 1.0) * count * pipe.joint_length, height = block_height(now);
   if (height + length > hoisting.highest_block_height) return "connection: the block has no room for that above, allowed: up to highest_block_height";
   if (height + length < hoisting.lowest_block_height) return "connection: the block has no room for that below, allowed: down to lowest_block_height";
   try
@@ -216,11 +216,11 @@ void Simulator::Impl::measure_block() noexcept
   Truth& m = state.truth;
   const State& s = shown();
   const HoistingSpec& hoisting = scene.rig.hoisting;
-  const NodeState& top = s.nodes.back();
   m.hook_load = shown_forces().hook_load;
   m.torque = shown_forces().meter_torque;
-  m.block_height = top.position.z();
-  m.block_velocity = top.rate.velocity.z();
+  m.floor_height = s.hoist.floor.height;
+  m.block_height = block_height(s);
+  m.block_velocity = block_velocity(s);
   double slip = s.hoist.sheave_slip;
   if (const ConnectionState& c = state.connection; c.under_way)
   {

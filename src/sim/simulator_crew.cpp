@@ -58,7 +58,7 @@ void Simulator::Impl::crew_begins() noexcept
   const State& now = shown();
   if (winch.brake || winch.block_velocity == 0.0 || now.slips.node >= 0 || state.connection.under_way) return;
   const HoistingSpec& spec = scene.rig.hoisting;
-  const double height = now.nodes.back().position.z(), speed = now.hoist.winch_speed;
+  const double height = block_height(now), speed = now.hoist.winch_speed;
   const double stop = 0.5 * speed * speed / spec.max_acceleration + 0.02;
   const double stand = spec.stand_joints * scene.string.back().joint_length;
   const bool adds = winch.block_velocity < 0.0;
@@ -71,7 +71,7 @@ void Simulator::Impl::crew_begins() noexcept
   else
   {
     if (below_stand < 0) return;
-    const double joint = now.nodes[static_cast<std::size_t>(below_stand)].position.z();
+    const double joint = now.nodes[static_cast<std::size_t>(below_stand)].position.z() - now.hoist.floor.height;
     if (joint < stick_up - stop && height < spec.highest_block_height - stop) return;
   }
   const bool called = state.crew.called;
@@ -88,7 +88,7 @@ WinchSetpoint Simulator::Impl::to_slack(double frame) const noexcept
 {
   const double load = rest_load();
   if (std::abs(load) <= rests) return {0.0, false};
-  const double stiffness = line_pull(scene.rig.hoisting, shown().nodes.back().position.z(), shown().hoist.line_length).stiffness;
+  const double stiffness = line_pull(scene.rig.hoisting, block_height(shown()), shown().hoist.line_length).stiffness;
   const double gain = std::min(by_load, share_in_a_frame / std::max(stiffness * frame, share_in_a_frame));
   return run(std::clamp(-gain * load, -slacking_speed, slacking_speed), scene.rig.hoisting);
 }
@@ -99,7 +99,7 @@ bool Simulator::Impl::crew_has_done(double frame, WinchSetpoint& winch) noexcept
   const HoistingSpec& spec = scene.rig.hoisting;
   const State& now = shown();
   const Setpoints& asked = state.commands.asked;
-  const double height = now.nodes.back().position.z();
+  const double height = block_height(now);
   CrewState& crew = state.crew;
   winch = {0.0, false};
   switch (crew.doing)
@@ -112,7 +112,7 @@ bool Simulator::Impl::crew_has_done(double frame, WinchSetpoint& winch) noexcept
     case CrewTask::quieting:
     {
       const int joint = crew.adds ? uppermost_joint(model->mesh()) : below_stand;
-      const bool quiet = std::abs(now.nodes.back().rate.velocity.z()) < quiet_block || crew.waited > patience;
+      const bool quiet = std::abs(block_velocity(now)) < quiet_block || crew.waited > patience;
       return crew.waited > rest_time && quiet && std::abs(now.drive.speed) <= standing_rotor && now.hydraulics.pump_flow <= 0.0 && !set_slips(joint);
     }
     case CrewTask::slacking:
@@ -146,7 +146,7 @@ void Simulator::Impl::crew_works(double frame) noexcept
   if (crew.doing == CrewTask::none) crew_begins();
   if (crew.doing == CrewTask::none) return;
   Setpoints& by_crew = state.commands.by_crew;
-  const double height = shown().nodes.back().position.z();
+  const double height = block_height(shown());
   if (crew_has_done(frame, by_crew.winch)) crew_goes_on(height);
   const bool at_rest = crew.doing >= CrewTask::quieting && crew.doing < CrewTask::restarting;
   by_crew.top_drive = at_rest ? TopDriveSetpoint() : state.commands.asked.top_drive;

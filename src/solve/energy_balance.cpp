@@ -61,7 +61,7 @@ void EnergyBalance::begin_step(const State& state, const Setpoints& setpoints) n
   if (!opened_) begin_accounts();
   opened_ = true;
   part_.shaft_turn.setZero();
-  part_.time = part_.line_paid_out = part_.rotor_increment = part_.rock_advance = 0.0;
+  part_.time = part_.line_paid_out = part_.floor_moved = part_.rotor_increment = part_.rock_advance = 0.0;
   std::fill(part_.increment.begin(), part_.increment.end(), 0.0);
 }
 
@@ -131,6 +131,7 @@ void EnergyBalance::count_from_last_part() noexcept
   };
   since(after_.step, part_.time);
   since(after_.line_paid_out, part_.line_paid_out);
+  since(after_.floor_moved, part_.floor_moved);
   since(after_.rotor_increment, part_.rotor_increment);
   since(after_.rock_advance, part_.rock_advance);
   since(after_.shaft.turn, part_.shaft_turn);
@@ -195,11 +196,12 @@ void EnergyBalance::book_inputs() noexcept
   accounts_.winch -= h * mean(before_.line_price, after_.line_price) * mean(before_.pay_out, after_.pay_out);
   accounts_.drive += h * mean(before_.drive_torque, after_.drive_torque) * mean(before_.rotor_speed, after_.rotor_speed);
   const std::size_t lift = after_.rate.size() - 4;  // of the block, z of the last node
-  const double block_speed = mean(before_.rate[lift], after_.rate[lift]), winch_speed = mean(before_.winch_speed, after_.winch_speed);
-  const double damper = h * mean(before_.line_damping, after_.line_damping);
+  const double floor_speed = mean(before_.floor_speed, after_.floor_speed);
+  const double block_speed = mean(before_.rate[lift], after_.rate[lift]) - floor_speed, winch_speed = mean(before_.winch_speed, after_.winch_speed);
+  const double damper = h * mean(before_.line_damping, after_.line_damping), resistance = h * mean(before_.block_resistance, after_.block_resistance);
+  accounts_.heave += (h * mean(before_.hook_force + before_.slips_force, after_.hook_force + after_.slips_force) + damper + resistance) * floor_speed;
   accounts_.winch += damper * winch_speed;
-  accounts_.block -= h * mean(before_.block_resistance, after_.block_resistance) * block_speed + damper * (block_speed - winch_speed) +
-                     after_.stored.block - start_.block;
+  accounts_.block -= resistance * block_speed + damper * (block_speed - winch_speed) + after_.stored.block - start_.block;
   accounts_.gearbox -= h * mean(before_.gear_friction, after_.gear_friction) * mean(before_.rotor_speed, after_.rotor_speed) +
                        after_.stored.gear - start_.gear;
   accounts_.gravity += start_.weight - after_.stored.weight;
@@ -245,9 +247,10 @@ void EnergyBalance::book_numerical() noexcept
   accounts_.of_contact += work_along(NodeForce::wall) - (end.wall - start.wall) +
                           0.5 * (before_.bottom + after_.bottom).dot(bit_increment) -
                           mean(before_.bottom_elastic, after_.bottom_elastic) * after_.rock_advance - (end.bottom - start.bottom);
-  accounts_.of_contact += work_along(NodeForce::stuck_point) - (end.stuck_point - start.stuck_point);
+  accounts_.of_contact += work_along(NodeForce::stuck_point) + mean(before_.slips_force, after_.slips_force) * after_.floor_moved -
+                          (end.stuck_point - start.stuck_point);
 
-  const double lift = after_.increment[after_.increment.size() - 4];  // of the block, z of the last node
+  const double lift = after_.increment[after_.increment.size() - 4] - after_.floor_moved;  // of the block, z of the last node
   accounts_.of_line += -mean(before_.hook_force, after_.hook_force) * lift -
                        mean(before_.line_price, after_.line_price) * after_.line_paid_out -
                        (end.line - start.line);

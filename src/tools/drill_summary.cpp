@@ -90,6 +90,7 @@ Json json_of(const EnergyAccounts& e)
   return {{"winch", e.winch},
           {"drive", e.drive},
           {"pump", e.pump},
+          {"heave", e.heave},
           {"gravity", e.gravity},
           {"steering", e.steering},
           {"handled", e.handled},

@@ -33,6 +33,7 @@ rig:
   top_drive: {inertia: 2600.0, proportional_gain: 20001.0, integral_gain: 5001.0, max_torque: 50001.0, max_speed_rpm: 221.0, max_power: 750001.0, meter_stiffness: 1.1e6, gearbox_friction: 1001.0, brake_torque: 50001.0, max_acceleration_rpm: 71.0,
     soft_torque: {damping: 801.0, stiffness: 3951.0, inertia_compensation: 0.11}, z_torque: {damping: 401.0, stiffness: 61.0, inertia_compensation: 0.91}}
   mud_pump: {max_flow: 0.061, flow_ramp: 0.011, stroke_volume: 0.0161, relief_pressure: 3.51e7, trip_pressure: 3.41e7, pressure_coefficient: 4.1e9, loss_exponent: 1.83}
+  heave: {amplitude: 1.1, period: 11.0}
 contact: {stiffness: 5.3e7, assembly_stiffness: 2.1e10, exponent: 1.53, damping: 0.33, stribeck_speed: 0.051, static_ratio: 1.21, stribeck_curve: exponential, growth_at_rest: 0.03, growth_time: 1.7, growth_limit: 0.43, tangential_stiffness: 5.4e6, tangential_damping: 0.26}
 trajectory: {stage_two_length: 0.11}
 start: {bit_depth: 801.0, block_height: 35.0, weight_on_bit: 1001.0, torque_on_bit: 101.0, toolface_deg: 11.0}

@@ -168,6 +168,8 @@ std::vector<Expected> of_rig()
       {"rig.mud_pump", "loss_exponent", [](const Scene& s) { return s.rig.mud_pump.loss_exponent; }, 1.83},
       {"rig.mud_pump", "relief_pressure", [](const Scene& s) { return s.rig.mud_pump.relief_pressure; }, 3.51e7},
       {"rig.mud_pump", "pressure_coefficient", [](const Scene& s) { return s.rig.mud_pump.pressure_coefficient; }, 4.1e9},
+      {"rig.heave", "amplitude", [](const Scene& s) { return s.rig.heave.amplitude; }, 1.1},
+      {"rig.heave", "period", [](const Scene& s) { return s.rig.heave.period; }, 11.0},
   };
 }
 

@@ -166,6 +166,7 @@ TEST(Summary, energyIsToldAccountByAccountWhereItIsBalanced)
   expect_numbers({{"winch", e.winch},
                   {"drive", e.drive},
                   {"pump", e.pump},
+                  {"heave", e.heave},
                   {"gravity", e.gravity},
                   {"steering", e.steering},
                   {"handled", e.handled},

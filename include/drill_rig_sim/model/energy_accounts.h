@@ -7,7 +7,7 @@ namespace drill_rig_sim
 {
 /// Work and energy since a balance was opened [J]. Positive: inputs feed the system, everything else takes from it.
 ///
-///   winch + drive + pump + gravity + steering + handled = stored + dissipated + broken rock + numerical + correction + residual
+///   winch + drive + pump + heave + gravity + steering + handled = stored + dissipated + broken rock + numerical + correction + residual
 ///
 /// How a step of length h from n to n + 1 is booked; f: a force, v: the method's rates, u: its increments, bar: mean of n and n + 1.
 ///  - Inputs, dissipation and broken rock are integrated in time, h f_bar v_bar. They know rates and the clock, not the increments.
@@ -27,6 +27,7 @@ struct EnergyAccounts
   double drive = 0.0;    ///< top drive's motor torque times rotor speed
   double pump = 0.0;     ///< flow times the pressure that the mud motor's torque needs, gauge friction included, 2 pi T/V; and what its pressure does to the elastic energy as it
                          ///< stretches the string, -N dL where it is under an effective tension N
+  double heave = 0.0;    ///< forces of lines, rail, stops and slips times the speed of the floor under them
   double gravity = 0.0;  ///< weight in mud, less what lifts the string up the annulus
   double steering = 0.0; ///< of a rotary steerable tool: its pads, or the actuator at its pivot
   double handled = 0.0;  ///< brought in or taken out with the pipe of a connection, between two steps
@@ -67,7 +68,7 @@ struct EnergyAccounts
   double largest_kinetic = 0.0;  ///< highest kinetic energy so far
   double time = 0.0;             ///< booked [s]
 
-  double input() const noexcept { return winch + drive + pump + gravity + steering + handled; }
+  double input() const noexcept { return winch + drive + pump + heave + gravity + steering + handled; }
   double stored() const noexcept;
   /// What the model leaves out counts here.
   double dissipated() const noexcept;

@@ -8,6 +8,7 @@
 
 #include "drill_rig_sim/contact/cut_ground.h"
 #include "drill_rig_sim/model/fault_state.h"
+#include "drill_rig_sim/rig/heave.h"
 #include "drill_rig_sim/rig/hydraulics.h"
 #include "drill_rig_sim/rig/top_drive.h"
 #include "drill_rig_sim/well/wellbore.h"
@@ -162,6 +163,7 @@ struct HoistState
   bool limited = false;
   bool at_stop = false;      ///< the winch stands at the block's lowest or highest place
   double rail_deflection = 0.0;  ///< of what the rail's friction holds the block by [m]
+  FloorMotion floor;             ///< of the rotary table (rig/heave.h)
 
   template <class V>
   void visit(V& v)
@@ -172,6 +174,8 @@ struct HoistState
     v("limited", limited);
     v("at_stop", at_stop);
     v("rail_deflection", rail_deflection);
+    v("floor_height", floor.height);
+    v("floor_speed", floor.speed);
   }
 };
 
@@ -245,7 +249,7 @@ struct State
   BitState bit;
   CutGround ground;  ///< under the bit; of the regenerative law alone, its fixed place the bottom at the start
   HeldNode stuck_point;
-  HeldNode slips;  ///< of the rotary table, under a joint's end
+  HeldNode slips;  ///< of the rotary table, under a joint's end; its place as if the table were where it is in the mean
   PadsState pads;
   Eigen::Vector3d lean = Eigen::Vector3d::Zero();  ///< of a shaft that points the bit (pointing.h), across its collar, world axes [rad]
   FaultState faults;
@@ -274,6 +278,10 @@ struct State
     v("flow", flow);
   }
 };
+
+/// Of the block above the rotary table, which heaves [m], and its velocity there [m/s], + up.
+inline double block_height(const State& state) noexcept { return state.nodes.back().position.z() - state.hoist.floor.height; }
+inline double block_velocity(const State& state) noexcept { return state.nodes.back().rate.velocity.z() - state.hoist.floor.speed; }
 
 }  // namespace drill_rig_sim
 

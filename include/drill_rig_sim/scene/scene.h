@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drill_rig_sim/contact/contact_spec.h"
+#include "drill_rig_sim/rig/heave.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/rig/mud_pump.h"
 #include "drill_rig_sim/rig/top_drive.h"
@@ -29,6 +30,7 @@ struct RigSpec
   HoistingSpec hoisting;
   TopDriveSpec top_drive;
   MudPumpSpec mud_pump;
+  HeaveSpec heave;
 };
 
 struct StartSpec

@@ -229,6 +229,7 @@ struct Truth : RigSignals
   double bit_inclination = 0.0;   ///< of the hole at its bottom [rad]
   double bit_azimuth = 0.0;       ///< [rad], 0 .. 2 pi
   double bend_toolface = 0.0;     ///< of the bend itself [rad]
+  double floor_height = 0.0;      ///< of the rotary table above its mean place, where `rig_floor` stays: heave [m]
 
   template <class V>
   void visit(V& v)
@@ -247,6 +248,7 @@ struct Truth : RigSignals
     v("bit_inclination", bit_inclination);
     v("bit_azimuth", bit_azimuth);
     v("bend_toolface", bend_toolface);
+    v("floor_height", floor_height);
   }
 };
 

@@ -56,7 +56,7 @@ private:
   // what the step has come to at the last call of end_step()
   struct Part
   {
-    double time = 0.0, line_paid_out = 0.0, rotor_increment = 0.0, rock_advance = 0.0;
+    double time = 0.0, line_paid_out = 0.0, floor_moved = 0.0, rotor_increment = 0.0, rock_advance = 0.0;
     Eigen::Vector3d shaft_turn = Eigen::Vector3d::Zero();
     std::vector<double> increment;
   };

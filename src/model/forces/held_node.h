@@ -13,6 +13,7 @@ struct Grip
   double stiffness;  ///< [N/m]
   double torsion;    ///< [N m/rad]
   bool lets_up;      ///< it bears downwards and lets the node go upwards
+  bool on_floor;     ///< it heaves with the rig
 };
 
 /// How far a node is from where it is held: what of its displacement is resisted, and its turn about the string's axis.
@@ -26,6 +27,7 @@ inline HeldOffset offset_of(const StageContext& at, const HeldNode& held, const 
 {
   const NodeMotion& node = at.work.nodes[held.node];
   Eigen::Vector3d place = node.position - held.position;
+  if (grip.on_floor) place.z() -= at.stage.hoist.floor.height;
   if (grip.lets_up) place.z() = std::min(0.0, place.z());
   return {place, at.start.nodes[held.node].spin_angle + node.spin - held.spin_angle};
 }

@@ -14,30 +14,36 @@ double block_weight(const StageContext& at) noexcept
   return standard_gravity * at.model.scene().rig.hoisting.block_mass;
 }
 
-double block_height(const StageContext& at) noexcept
+/// Above the rotary table.
+double height_of_block(const StageContext& at) noexcept
 {
-  return at.work.nodes.back().position.z();
+  return at.work.nodes.back().position.z() - at.stage.hoist.floor.height;
+}
+
+double velocity_of_block(const StageContext& at) noexcept
+{
+  return at.work.nodes.back().rate[2] - at.stage.hoist.floor.speed;
 }
 
 LinePull pull_of(const StageContext& at) noexcept
 {
-  return line_pull(at.model.scene().rig.hoisting, block_height(at), at.stage.hoist.line_length);
+  return line_pull(at.model.scene().rig.hoisting, height_of_block(at), at.stage.hoist.line_length);
 }
 
 LineDamper damper_at(const StageContext& at, const LinePull& pull) noexcept
 {
-  return line_damper(at.model.scene().rig.hoisting, pull, at.work.nodes.back().rate[2], at.stage.hoist.winch_speed);
+  return line_damper(at.model.scene().rig.hoisting, pull, velocity_of_block(at), at.stage.hoist.winch_speed);
 }
 
 BristleForce rail_at(const StageContext& at) noexcept
 {
-  const NodeMotion& block = at.work.nodes.back();
-  return rail_bristle(at.model.scene().rig.hoisting, at.start.hoist.rail_deflection).at(block.increment[2], block.rate[2], at.stage.time);
+  const double moved = at.work.nodes.back().increment[2] - (at.stage.hoist.floor.height - at.start.hoist.floor.height);
+  return rail_bristle(at.model.scene().rig.hoisting, at.start.hoist.rail_deflection).at(moved, velocity_of_block(at), at.stage.time);
 }
 
 StopForce stop_at(const StageContext& at) noexcept
 {
-  return stop_force(at.model.scene().rig.hoisting, block_height(at), at.work.nodes.back().rate[2]);
+  return stop_force(at.model.scene().rig.hoisting, height_of_block(at), velocity_of_block(at));
 }
 
 void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
@@ -61,7 +67,7 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
 {
   const double line = at.stage.hoist.line_length, tension = pull_of(at).tension;
   energy.line += 0.5 * tension * tension * line / at.model.scene().rig.hoisting.line_ea;
-  energy.weight += block_weight(at) * block_height(at);
+  energy.weight += block_weight(at) * at.work.nodes.back().position.z();
   const double held = rail_at(at).next;
   energy.block += 0.5 * rail_stiffness * held * held + stop_at(at).energy;
 }
@@ -77,7 +83,9 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
   sample.block_resistance = at.work.result.forces.block_resistance;
   sample.line_price = pull.tension * (1.0 + 0.5 * pull.tension / spec.line_ea);
   sample.line_paid_out = end.line_length - at.start.hoist.line_length;
-  sample.pay_out = -2.0 * spec.sheaves * end.winch_speed * end.line_length / strung_length(spec, block_height(at));
+  sample.pay_out = -2.0 * spec.sheaves * end.winch_speed * end.line_length / strung_length(spec, height_of_block(at));
+  sample.floor_speed = end.floor.speed;
+  sample.floor_moved = end.floor.height - at.start.hoist.floor.height;
 }
 }  // namespace
 
@@ -101,33 +109,38 @@ namespace
 /// With a brake that slips.
 HoistState slip(const HoistingSpec& spec, const State& state, double time) noexcept
 {
-  const NodeState& block = state.nodes.back();
-  const double before = state.hoist.line_length, height = block.position.z();
+  const double before = state.hoist.line_length, height = block_height(state);
   HoistState out = state.hoist;
-  out.line_length = slipping_line(spec, before, height, block.rate.velocity.z(), state.faults.brake_holds, time);
+  out.line_length = slipping_line(spec, before, height, block_velocity(state), state.faults.brake_holds, time);
   const double paid_out = (out.line_length - before) / (2.0 * spec.sheaves);
   out.winch_speed = -paid_out / time * strung_length(spec, height) / before;
   out.sheave_slip = sheave_slip(state.hoist.sheave_slip, -paid_out);
   out.limited = out.at_stop = false;
   return out;
 }
-}  // namespace
 
-HoistState advance_hoist(const Model& model, const State& state, const Setpoints& setpoints, double time) noexcept
+HoistState wind(const HoistingSpec& spec, const State& state, const WinchSetpoint& command, double time) noexcept
 {
-  const HoistingSpec& spec = model.scene().rig.hoisting;
-  if (setpoints.winch.brake && state.faults.brake_holds > 0.0) return slip(spec, state, time);
-  const double height = state.nodes.back().position.z();
+  const double height = block_height(state);
   const double hook_load = line_pull(spec, height, state.hoist.line_length).hook_force;
-  const bool stays = stays_at_stop(spec, state.hoist, setpoints.winch, height);
-  const WinchStep winch = advance_winch(spec, stays ? WinchSetpoint{0.0, false} : setpoints.winch, state.hoist.line_length,
-                                        state.hoist.winch_speed, height, hook_load, time);
+  const bool stays = stays_at_stop(spec, state.hoist, command, height);
+  const WinchStep winch = advance_winch(spec, stays ? WinchSetpoint{0.0, false} : command, state.hoist.line_length, state.hoist.winch_speed, height, hook_load, time);
   HoistState out = state.hoist;
   out.line_length = winch.line_length;
   out.winch_speed = winch.speed;
   out.sheave_slip = sheave_slip(state.hoist.sheave_slip, (state.hoist.line_length - winch.line_length) / (2.0 * spec.sheaves));
   out.limited = stays || winch.limits.any();
   out.at_stop = stays || (winch.limits.height && std::abs(winch.speed) < standing_winch);
+  return out;
+}
+}  // namespace
+
+HoistState advance_hoist(const Model& model, const State& state, const Setpoints& setpoints, double time) noexcept
+{
+  const RigSpec& rig = model.scene().rig;
+  const bool slips = setpoints.winch.brake && state.faults.brake_holds > 0.0;
+  HoistState out = slips ? slip(rig.hoisting, state, time) : wind(rig.hoisting, state, setpoints.winch, time);
+  out.floor = floor_motion(rig.heave, state.time + time);
   return out;
 }
 

@@ -8,7 +8,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr Grip grip{slips_stiffness, slips_torsion, true};
+constexpr Grip grip{slips_stiffness, slips_torsion, true, true};
 
 void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
@@ -23,6 +23,7 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
 void sample(const StageContext& at, EnergySample& sample) noexcept
 {
   sample_held(at, at.start.slips, grip, sample);
+  sample.slips_force = at.start.slips.node < 0 ? 0.0 : -force_of(at, at.start.slips, grip)[2];
 }
 }  // namespace
 
@@ -31,7 +32,8 @@ const Force slips = {"slips", Cost::rig, add, store, sample};
 double slips_load(const State& state) noexcept
 {
   if (state.slips.node < 0) return 0.0;
-  return slips_stiffness * std::max(0.0, state.slips.position.z() - state.nodes[static_cast<std::size_t>(state.slips.node)].position.z());
+  const double pipe = state.nodes[static_cast<std::size_t>(state.slips.node)].position.z();
+  return slips_stiffness * std::max(0.0, state.slips.position.z() + state.hoist.floor.height - pipe);
 }
 
 }  // namespace drill_rig_sim

@@ -6,7 +6,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr Grip grip{stuck_point_stiffness, stuck_point_torsion, false};
+constexpr Grip grip{stuck_point_stiffness, stuck_point_torsion, false, false};
 
 void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {

@@ -8,7 +8,7 @@ namespace drill_rig_sim
 /// Drill line, rail, stops and weight of the travelling block on the top node (rig/hoisting.h).
 extern const Force hoisting;
 
-/// Line and winch `time` [s] after a state, the winch's set point held.
+/// Line and winch `time` [s] after a state, the winch's set point held, and the floor on which they stand.
 HoistState advance_hoist(const Model& model, const State& state, const Setpoints& setpoints, double time) noexcept;
 
 }  // namespace drill_rig_sim
