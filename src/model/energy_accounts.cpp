@@ -22,7 +22,8 @@ double EnergyAccounts::numerical() const noexcept
 
 double EnergyAccounts::input_magnitudes() const noexcept
 {
-  return std::abs(winch) + std::abs(drive) + std::abs(pump) + std::abs(heave) + std::abs(gravity) + std::abs(steering) + std::abs(handled);
+  // the floor takes up and down what gravity gives and takes
+  return std::abs(winch) + std::abs(drive) + std::abs(pump) + std::abs(heave + gravity) + std::abs(steering) + std::abs(handled);
 }
 
 double EnergyAccounts::loss_magnitudes() const noexcept

@@ -49,6 +49,7 @@ void interpolate(const State& start, const State& end, double share, State& out)
   out.hoist.winch_speed = between(start.hoist.winch_speed, end.hoist.winch_speed);
   out.hoist.sheave_slip = between(start.hoist.sheave_slip, end.hoist.sheave_slip);
   out.hoist.floor.height = between(start.hoist.floor.height, end.hoist.floor.height);
+  out.hoist.at_sea = between(start.hoist.at_sea, end.hoist.at_sea);
   out.hoist.floor.speed = between(start.hoist.floor.speed, end.hoist.floor.speed);
   out.bit.motor_speed = between(start.bit.motor_speed, end.bit.motor_speed);
   out.bit.motor_torque = between(start.bit.motor_torque, end.bit.motor_torque);

@@ -11,8 +11,8 @@ FloorMotion floor_motion(const HeaveSpec& spec, double time) noexcept
 {
   if (spec.amplitude == 0.0) return {};
   const double rate = 2.0 * pi / spec.period, wave = std::sin(rate * time);
-  const double share = std::min(time / spec.period, 1.0);
-  const double risen = share * share * (3.0 - 2.0 * share), rising = 6.0 * share * (1.0 - share) / spec.period;
+  const double rises = rising_periods * spec.period, share = std::min(time / rises, 1.0);
+  const double risen = share * share * (3.0 - 2.0 * share), rising = 6.0 * share * (1.0 - share) / rises;
   return {spec.amplitude * risen * wave, spec.amplitude * (risen * rate * std::cos(rate * time) + rising * wave)};
 }
 

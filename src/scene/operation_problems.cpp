@@ -95,7 +95,7 @@ std::string what_the_crew_lacks(const Scene& scene)
   if (scene.string.empty()) return "";
   if (scene.numerics.integrator == IntegratorKind::ida) return "not available with the reference (ida)";
   const HoistingSpec& h = scene.rig.hoisting;
-  const double travel = h.highest_block_height - h.lowest_block_height, needed = room_for_stand(h.stand_joints * scene.string.back().joint_length);
+  const double travel = h.highest_block_height - h.lowest_block_height, needed = room_for_stand(h.stand_joints * scene.string.back().joint_length + lift_over_waves(scene.rig.heave));
   return travel < needed ? "the block travels " + metres(travel) + ", needed for a stand: " + metres(needed) : "";
 }
 

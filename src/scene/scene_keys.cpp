@@ -275,8 +275,8 @@ const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe."
   {"loss_exponent",         "-",      &MudPumpSpec::loss_exponent,         between(1.0, 2.0),    "m: at other flows losses go with Q^m; 2 rough turbulence, 1.86 smooth, a record of the field 1.56"},
 }};
 
-const Table<HeaveSpec> heave_keys = {"rig.heave", "A floating rig goes up and down on regular waves, from rest within the first period: floor, winch, rail and slips together. Block heights are above the floor; what a compensator leaves of the waves is what to give.", {
-  {"amplitude",             "m",      &HeaveSpec::amplitude,               between(0.0, 10.0),   "about the mean place of the rotary table, where depths begin; 0: the rig stands on the ground"},
+const Table<HeaveSpec> heave_keys = {"rig.heave", "A floating rig goes up and down on regular waves, from rest within five periods: floor, winch, rail and slips together, without a compensator. Heights of the block are above the floor; a block that stands at its lowest or highest place swings against its stop (`stop_reached`). `tare` and operations go by the mean of the hook load over a period; topics carry it as it is, and `instruments.surface.hook_load.filter_time` calms it. Surge and swab are of friction alone: the mud's inertia, as much again in a deep well, is left out. Of a rig with a compensator the amplitude is what that leaves; pipe in the slips, which then heaves by all, heaves by that too here.", {
+  {"amplitude",             "m",      &HeaveSpec::amplitude,               between(0.0, 10.0),   "about the mean place of the rotary table, where depths begin, at most 3 m/s2 of acceleration; 0: the rig stands on the ground"},
   {"period",                "s",      &HeaveSpec::period,                  between(2.0, 60.0),   "of the waves"},
 }};
 

@@ -32,7 +32,7 @@ void RateMeter::shift_time(double shift) noexcept
 }
 
 Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_t seed)
-  : place_(scene.instruments.hook_load.place), block_weight_(standard_gravity * scene.rig.hoisting.block_mass)
+  : place_(scene.instruments.hook_load.place), block_weight_(standard_gravity * scene.rig.hoisting.block_mass), hook_load_mean_(scene.rig.heave.wave_period())
 {
   const InstrumentsSpec& spec = scene.instruments;
   std::uint64_t index = 0;
@@ -53,6 +53,7 @@ void Instruments::read(const Truth& truth, const SensorView& view, Readings& rea
   if (view.in_slips) tally_ = readings.bit_depth;
   static_cast<RigSignals&>(readings) = truth;
   read_gauges(truth, readings);
+  hook_load_mean_.take(readings.hook_load, readings.time);
   work_out_weights(readings);
   if (view.in_slips) tally_ += readings.block_height;
   work_out_depths(readings);
@@ -84,7 +85,9 @@ void Instruments::work_out_weights(Readings& readings) const noexcept
 {
   readings.tared = tared_;
   readings.hook_load_string = readings.hook_load - block_weight_;
-  readings.surface_wob = tared_ && !readings.in_slips ? tare_hook_load_ - readings.hook_load : 0.0;
+  const bool has_weight = tared_ && !readings.in_slips;
+  readings.surface_wob = has_weight ? tare_hook_load_ - readings.hook_load : 0.0;
+  readings.mean_surface_wob = has_weight ? tare_hook_load_ - hook_load_mean_.mean() : 0.0;
   readings.differential_pressure = tared_ ? readings.stand_pipe_pressure - tare_pressure_ : 0.0;
 }
 
@@ -98,7 +101,7 @@ void Instruments::work_out_depths(Readings& readings) noexcept
 void Instruments::tare(Readings& readings) noexcept
 {
   tared_ = true;
-  tare_hook_load_ = readings.hook_load;
+  tare_hook_load_ = hook_load_mean_.mean();
   tare_pressure_ = readings.stand_pipe_pressure;
   work_out_weights(readings);
 }
@@ -109,6 +112,7 @@ void Instruments::shift_time(double shift) noexcept
   mwd_.shift_time(shift);
   dynamics_.shift_time(shift);
   rop_.shift_time(shift);
+  hook_load_mean_.shift_time(shift);
 }
 
 }  // namespace drill_rig_sim

@@ -49,7 +49,10 @@ void Simulator::Impl::measure_rig() noexcept
   m.stand_pipe_pressure = s.hydraulics.stand_pipe_pressure;
   m.differential_pressure = motor_pressure() - state.tare_pressure;
   m.tared = state.tared;
-  m.surface_wob = state.tared && !m.in_slips ? state.tare_hook_load - m.hook_load : 0.0;
+  state.hook_load_mean.take(m.hook_load, m.time);
+  const bool has_weight = state.tared && !m.in_slips;
+  m.surface_wob = has_weight ? state.tare_hook_load - m.hook_load : 0.0;
+  m.mean_surface_wob = has_weight ? state.tare_hook_load - state.hook_load_mean.mean() : 0.0;
   m.setpoints = in_force();
   m.brake_set = m.setpoints.winch.brake;
   m.winch_limited = s.hoist.limited;

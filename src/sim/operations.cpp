@@ -68,14 +68,14 @@ double WeightFeed::velocity(double weight, double wanted, double stiffness, doub
   const double held = 1.0 / (stiffness * learn_time);  // without a derivative: the lag of dW/dt is W less its own
   if (!begun) *this = {weight * held, weight, true};
   const double rop = std::max(0.0, rate - weight * held), drillability = rop / std::max(mean_weight, 0.25 * wanted);
-  const double down = std::clamp(drillability * wanted + (wanted - weight) / (stiffness * feed_time), -most, most);
+  const double down = std::clamp(drillability * wanted + (wanted - weight) / (stiffness * feed_time), 0.0, most);
   const double share = std::min(1.0, duration / learn_time);
   rate += share * (down - (rate - weight * held));
   mean_weight += share * (weight - mean_weight);
   return -down;
 }
 
-OperationsPlayer::OperationsPlayer(const Scene& scene) : operations_(scene.operations), acceleration_(scene.rig.hoisting.max_acceleration), began_(operations_.size() + 1, Operation::unset)
+OperationsPlayer::OperationsPlayer(const Scene& scene) : operations_(scene.operations), acceleration_(scene.rig.hoisting.max_acceleration), tag_settles_(tag_settles + scene.rig.heave.wave_period()), began_(operations_.size() + 1, Operation::unset)
 {
   if (!operations_.empty()) stiffness_ = stiffness_of(scene);
 }
@@ -203,7 +203,7 @@ void OperationsPlayer::follow_weight(Simulator& simulator) noexcept
 {
   const Operation& o = operations_[next_];
   const Readings& now = simulator.readings();
-  const double velocity = feed_.velocity(now.surface_wob, o.weight, stiffness_, o.speed, now.time - followed_at_);
+  const double velocity = feed_.velocity(now.mean_surface_wob, o.weight, stiffness_, o.speed, now.time - followed_at_);
   followed_at_ = now.time;
   simulator.command(WinchSetpoint{velocity, false});
 }
@@ -225,7 +225,7 @@ void OperationsPlayer::follow_strokes(Simulator& simulator) noexcept
 
 void OperationsPlayer::follow_tag(Simulator& simulator) noexcept
 {
-  if (settled_ || simulator.readings().time < began_[next_] + tag_settles - time_rounding) return;
+  if (settled_ || simulator.readings().time < began_[next_] + tag_settles_ - time_rounding) return;
   simulator.tare();
   settled_ = true;
 }
@@ -302,7 +302,7 @@ double OperationsPlayer::progress(const Simulator& simulator) const noexcept
   if (is_set(o.overpull)) nearest = std::max(nearest, share(now.hook_load, began_load_, began_load_ + o.overpull));
   const bool on_its_way = o.kind == OperationKind::tag && !settled_ && now.bit_depth < now.hole_depth;
   const bool by_weight = o.kind == OperationKind::slack_off || (o.kind == OperationKind::tag && !on_its_way);
-  if (by_weight && is_set(o.weight)) nearest = std::max(nearest, share(now.surface_wob, 0.0, o.weight));
+  if (by_weight && is_set(o.weight)) nearest = std::max(nearest, share(now.mean_surface_wob, 0.0, o.weight));
   return nearest;
 }
 

@@ -64,6 +64,7 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   state.forces.meter_torque = rig.statics.top_torque;
   find_stand();
+  state.hook_load_mean = PeriodMean(scene.rig.heave.wave_period());
   measure();
   state.instruments = Instruments(scene, state.truth, seed);
   state.instruments.read(state.truth, sensor_view(), state.readings);
@@ -247,7 +248,7 @@ bool Simulator::Impl::tare() noexcept
 {
   if (state.truth.on_bottom || state.truth.in_slips) return false;
   state.tared = true;
-  state.tare_hook_load = shown_forces().hook_load;
+  state.tare_hook_load = state.hook_load_mean.mean();
   state.tare_pressure += state.truth.differential_pressure;
   measure_rig();
   state.instruments.tare(state.readings);
@@ -304,6 +305,7 @@ void Simulator::Impl::shift_time(double now) noexcept
   const double shift = now - this->now();
   mechanics().time += shift;
   state.truth.time = state.readings.time = now;
+  state.hook_load_mean.shift_time(shift);
   state.commands.shift_time(shift);
   state.downlink.shift_time(shift);
   state.instruments.shift_time(shift);

@@ -88,7 +88,8 @@ const char* Simulator::Impl::set_slips(int joint) noexcept
   if (scene.numerics.integrator == IntegratorKind::ida) return "slips: the reference (ida) has none, allowed: the other integrators";
   if (now.slips.node >= 0) return "slips: they are set already";
   if (joint < 0) return "slips: there is no joint of pipe below the shaft";
-  if (std::abs(now.hoist.winch_speed) > standing_winch || std::abs(block_velocity(now)) > standing_block)
+  const bool bounces = scene.rig.heave.amplitude == 0.0 && std::abs(block_velocity(now)) > standing_block;  // in waves it always does
+  if (std::abs(now.hoist.winch_speed) > standing_winch || bounces)
     return "slips: the block moves, allowed: at rest";
   if (std::abs(now.drive.speed) > standing_rotor || turns(state.commands.in_force().top_drive)) return "slips: the top drive turns, allowed: at rest";
   settle();

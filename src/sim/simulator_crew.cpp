@@ -66,7 +66,7 @@ void Simulator::Impl::crew_begins() noexcept
   {
     if (joints_below_stump(model->mesh(), scene) < 1) return;
     const double stump = state.string.length - model->mesh().nodes[static_cast<std::size_t>(uppermost_joint(model->mesh()))].from_bit;
-    if (height > height_to_add(spec, stump, stand) + stop) return;
+    if (height > height_to_add(spec, stump, stand + lift_over_waves(scene.rig.heave)) + stop) return;
   }
   else
   {
@@ -101,13 +101,14 @@ bool Simulator::Impl::crew_has_done(double frame, WinchSetpoint& winch) noexcept
   const Setpoints& asked = state.commands.asked;
   const double height = block_height(now);
   CrewState& crew = state.crew;
+  const double lift = stick_up + lift_over_waves(scene.rig.heave);
   winch = {0.0, false};
   switch (crew.doing)
   {
     case CrewTask::stopping:
       return stands(now);
     case CrewTask::lifting:
-      if (height < crew.stopped_at + stick_up && crew.waited < patience) winch = run(lifting_speed, spec);
+      if (height < crew.stopped_at + lift && crew.waited < patience) winch = run(lifting_speed, spec);
       return winch.block_velocity == 0.0 && stands(now);
     case CrewTask::quieting:
     {
@@ -151,7 +152,7 @@ void Simulator::Impl::crew_works(double frame) noexcept
   const bool at_rest = crew.doing >= CrewTask::quieting && crew.doing < CrewTask::restarting;
   by_crew.top_drive = at_rest ? TopDriveSetpoint() : state.commands.asked.top_drive;
   by_crew.pump = at_rest ? PumpSetpoint() : state.commands.asked.pump;
-  if (crew.doing == CrewTask::lowering && state.tared && !crew.zeroed && height <= crew.stopped_at + tares_at)
+  if (crew.doing == CrewTask::lowering && state.tared && !crew.zeroed && height <= crew.stopped_at + tares_at + lift_over_waves(scene.rig.heave))
   {
     crew.zeroed = true;
     tare();

@@ -26,6 +26,8 @@ const std::vector<double>& force_of(const EnergySample& sample, NodeForce kind) 
 EnergyBalance::EnergyBalance(std::shared_ptr<const Model> model)
   : model_(std::move(model)), stage_(*model_), work_(*model_), no_increment_(6 * model_->nodes(), 0.0), pressure_(model_->mesh().elements.size(), 0.0)
 {
+  loads_before_.resize(pressure_.size());
+  loads_ = loads_before_;
   // so that samples need no memory later
   for (EnergySample* sample : {&before_, &after_})
   {
@@ -58,7 +60,12 @@ void EnergyBalance::begin_step(const State& state, const Setpoints& setpoints) n
   else
     open(state);
   find_reshaped(state);
-  if (!opened_) begin_accounts();
+  find_loads(state, stage_);
+  if (!opened_)
+  {
+    loads_before_ = loads_;
+    begin_accounts();
+  }
   opened_ = true;
   part_.shaft_turn.setZero();
   part_.time = part_.line_paid_out = part_.floor_moved = part_.rotor_increment = part_.rock_advance = 0.0;
@@ -92,6 +99,15 @@ void EnergyBalance::find_reshaped(const State& state) noexcept
   reshaped_ = accounts_.last.beams - stored_energy(*model_, state, stage_, no_increment_.data(), work_).beams;
 }
 
+void EnergyBalance::find_loads(const State& state, const Stage& stage) noexcept
+{
+  for (std::size_t e = 0; e < loads_.size(); ++e)
+  {
+    const double weight = model_->element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z());
+    loads_[e] = {weight, stage.load[e] + weight * Eigen::Vector3d::UnitZ()};
+  }
+}
+
 /// Forces and accelerations where nothing has been booked yet: the accelerations are those that the forces make.
 void EnergyBalance::open(const State& state) noexcept
 {
@@ -117,6 +133,7 @@ void EnergyBalance::end_step(const State& start, const Stage& stage, const doubl
   accounts_.largest_kinetic = std::max(accounts_.largest_kinetic, after_.stored.kinetic_all());
   accounts_.time += after_.step;
   start_ = after_.stored;
+  loads_before_ = loads_;
   std::swap(before_, after_);
 }
 
@@ -190,6 +207,22 @@ double EnergyBalance::work_at_pivot(Eigen::Vector3d ShaftSample::*moment) const 
   return 0.5 * (before_.shaft.*moment + after_.shaft.*moment).dot(after_.shaft.turn);
 }
 
+/// The method holds weight and lift for a step, at its end they change: their mean counts, as that of all other forces does.
+void EnergyBalance::book_loads() noexcept
+{
+  double lifted = 0.0, lifted_now = 0.0, lighter = 0.0;
+  for (std::size_t e = 0; e < loads_.size(); ++e)
+  {
+    const Eigen::Map<const Eigen::Vector3d> lower(&after_.increment[6 * e]), upper(&after_.increment[6 * e + 6]);
+    const Eigen::Vector3d moved = 0.5 * (lower + upper);
+    lifted += 0.5 * (loads_before_[e].lift + loads_[e].lift).dot(moved);
+    lifted_now += loads_[e].lift.dot(moved);
+    lighter += 0.5 * (loads_[e].weight - loads_before_[e].weight) * moved.z();
+  }
+  accounts_.pump += lifted;
+  accounts_.gravity += start_.weight - after_.stored.weight - lifted_now + lighter;
+}
+
 void EnergyBalance::book_inputs() noexcept
 {
   const double h = after_.step;
@@ -204,7 +237,7 @@ void EnergyBalance::book_inputs() noexcept
   accounts_.block -= resistance * block_speed + damper * (block_speed - winch_speed) + after_.stored.block - start_.block;
   accounts_.gearbox -= h * mean(before_.gear_friction, after_.gear_friction) * mean(before_.rotor_speed, after_.rotor_speed) +
                        after_.stored.gear - start_.gear;
-  accounts_.gravity += start_.weight - after_.stored.weight;
+  book_loads();
   accounts_.steering += work_at_pivot(&ShaftSample::moment) - work_of_step(NodeForce::pads);
   const double torque = mean(before_.bit_torque + before_.gauge_torque, after_.bit_torque + after_.gauge_torque);
   const double pump = h * std::max(0.0, torque) * after_.motor_flow_speed;

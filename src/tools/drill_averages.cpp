@@ -15,6 +15,7 @@ double Averages::count() const noexcept
 void Averages::add(const Truth& m) noexcept
 {
   if (samples_ == 0) first_time_ = m.time;
+  last_time_ = m.time;
   ++samples_;
   sum_.hook_load += m.hook_load;
   sum_.torque += m.torque;
@@ -31,6 +32,7 @@ void Averages::add(const Averages& other) noexcept
 {
   if (other.samples_ == 0) return;
   first_time_ = samples_ == 0 ? other.first_time_ : std::min(first_time_, other.first_time_);
+  last_time_ = samples_ == 0 ? other.last_time_ : std::max(last_time_, other.last_time_);
   samples_ += other.samples_;
   sum_.hook_load += other.sum_.hook_load;
   sum_.torque += other.sum_.torque;

@@ -18,6 +18,7 @@ public:
 
   std::size_t samples() const noexcept { return samples_; }
   double first_time() const noexcept { return first_time_; }
+  double last_time() const noexcept { return last_time_; }
 
   /// Means; NaN without samples. Units as in Truth. The hole's inclination and azimuth are those of the mean direction.
   double hook_load() const noexcept { return sum_.hook_load / count(); }
@@ -39,7 +40,7 @@ private:
   double count() const noexcept;
 
   std::size_t samples_ = 0;
-  double first_time_ = 0.0;
+  double first_time_ = 0.0, last_time_ = 0.0;
   Sums sum_;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction_ = Eigen::Vector3d::Zero();

@@ -82,6 +82,12 @@ void print_tuned_drive(const Scene& scene, const Mesh& mesh)
               torsional_impedance(mesh), slowest_torsion(mesh) / (2.0 * pi), soft.damping, soft.stiffness, z.damping, z.stiffness);
 }
 
+void print_heave(const HeaveSpec& heave)
+{
+  if (heave.amplitude == 0.0) return;
+  std::printf("heave       %.3g m about the mean in %.3g s, up to %.2f m/s2\n", heave.amplitude, heave.period, heave_acceleration(heave));
+}
+
 void print_sharpest_bend(const Survey& survey)
 {
   int sharpest = 0;
@@ -185,6 +191,7 @@ void check(const CheckOptions& options)
   const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
   print_mud(scene, mesh);
   print_tuned_drive(scene, mesh);
+  print_heave(scene.rig.heave);
   std::printf(s.step > 0.0 ? "model       level %s, integrator %s, step %g s, %d nodes, %d coordinates, kernel %s\n"
                            : "model       level %s, integrator %s, variable steps by a tolerance of %g, %d nodes, %d coordinates, kernel %s\n",
               s.level, s.integrator, s.step > 0.0 ? s.step : scene.numerics.tolerance, s.nodes, s.coordinates, name_of(s.kernel));

@@ -96,7 +96,7 @@ void write_csv_header(std::FILE* file, bool with_readings)
   std::fputs(
       "time,hook_load,torque,block_height,top_drive_speed,wob,bit_torque,bit_speed,bit_depth,hole_depth,rop,inclination,azimuth,"
       "toolface,bit_east,bit_north,bit_up,bit_inclination,in_slips,motor_stalled,winch_limited,top_drive_limited,stop_reached,slack_line,"
-      "relief_valve_open,over_stress,over_torque,buckled,accuracy_warning,stand_pipe_pressure,differential_pressure,flow",
+      "relief_valve_open,over_stress,over_torque,buckled,accuracy_warning,stand_pipe_pressure,differential_pressure,flow,floor_height",
       file);
   if (with_readings)
     std::fputs(
@@ -114,7 +114,7 @@ void write_csv_row(std::FILE* file, const Truth& m, const Readings* readings)
   std::fprintf(file, "%.11g,%.11g,%.11g,%.9g", m.bit_position.x(), m.bit_position.y(), m.bit_position.z(),
                inclination_of(m.bit_orientation * Eigen::Vector3d::UnitX()));
   write_flags(file, m);
-  std::fprintf(file, ",%.9g,%.9g,%.9g", m.stand_pipe_pressure, m.differential_pressure, m.flow);
+  std::fprintf(file, ",%.9g,%.9g,%.9g,%.9g", m.stand_pipe_pressure, m.differential_pressure, m.flow, m.floor_height);
   if (readings) write_readings(file, *readings);
   std::fputs("\n", file);
 }

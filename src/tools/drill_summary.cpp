@@ -253,7 +253,7 @@ void print_summary(const Simulator& simulator, const Elapsed& elapsed, const Run
     return;
   }
   std::printf(
-      "drilling, mean of the last quarter: hook load %.1f kN, torque %.2f kN m, WOB %.1f kN, ROP %.2f m/h, bit %.0f rpm\n",
+      "drilling, mean of its last quarter, %.0f to %.0f s: hook load %.1f kN, torque %.2f kN m, WOB %.1f kN, ROP %.2f m/h, bit %.0f rpm\n", mean.first_time(), mean.last_time(),
       mean.hook_load() / 1e3, mean.torque() / 1e3, mean.wob() / 1e3, 3600.0 * mean.rop(), mean.bit_speed() / rpm);
 }
 

@@ -2,13 +2,12 @@
 """A wrong parameter stops the node at start with one line that names it, its value and what is allowed."""
 import os
 import re
-import shutil
 import subprocess
 import tempfile
 from xml.etree import ElementTree
 
 import roslib.packages
-from rig_test import PACKAGE_DIR, PATIENCE, run, unittest
+from rig_test import PACKAGE_DIR, PATIENCE, needs, run, unittest
 
 
 def start(*settings):
@@ -90,8 +89,7 @@ class Parameters(unittest.TestCase):
         self.assertEqual(len(root.findall("arg")), len(documented))
 
     def test_rviz_shows_the_rig_of_its_own_namespace(self):
-        if not shutil.which("rviz"):
-            self.skipTest("rviz is not installed")
+        needs(self, "rviz")
         launch = os.path.join(PACKAGE_DIR, "launch", "rig.launch")
         done = subprocess.run(["roslaunch", "--args", "/rig_b/rviz", launch, "ns:=rig_b", "rviz:=true"], stdout=subprocess.PIPE,
                               text=True, timeout=PATIENCE, check=True)

@@ -1,9 +1,9 @@
 """Programs of gtest that open windows, under a virtual X server of their own."""
 import os
-import shutil
 import subprocess
 
 import roslib.packages
+from rig_test import needs
 
 # where ROS_HOME is build/ros_home; elsewhere it is the user's own choice
 FOLDER = os.path.dirname(os.environ.get("ROS_HOME", os.path.expanduser("~/.ros/x")))
@@ -16,9 +16,7 @@ def find(name):
 
 def environment_of(case, *programs):
     """For windows drawn in software. Skips the case where a program is missing."""
-    for program in ("xvfb-run",) + programs:
-        if shutil.which(program) is None:
-            case.skipTest(program + " is not installed")
+    needs(case, "xvfb-run", *programs)
     environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1", RIG_SIMULATOR=find("rig_simulator"))
     for name in ("DISPLAY", "ROS_NAMESPACE"):
         environment.pop(name, None)

@@ -1,5 +1,6 @@
 """What the tests of the node share: a client of one rig, and how a test file runs."""
 import os
+import shutil
 import sys
 import threading
 import time
@@ -20,6 +21,13 @@ PATIENCE = 60.0  # wall seconds that anything may take on a loaded machine
 SERVICES = {"reset_well": ResetWell, "load_survey": LoadSurvey, "pause": Trigger, "resume": Trigger, "tare": Trigger,
             "step": StepSimulation, "set_speed": SetSpeed, "save_state": SaveState, "restore_state": RestoreState,
             "list_states": ListStates, "delete_state": DeleteState, "set_slips": SetBool, "make_connection": MakeConnection, "inject_fault": InjectFault}
+
+
+def needs(case, *programs):
+    """Skips the case where one of the programs is missing."""
+    for program in programs:
+        if shutil.which(program) is None:
+            case.skipTest(program + " is not installed")
 
 
 def wait_until(condition, what, patience=PATIENCE):

@@ -4,7 +4,7 @@ import shutil
 import signal
 import subprocess
 
-from rig_test import PACKAGE_DIR, PATIENCE, time, wait_until
+from rig_test import PACKAGE_DIR, PATIENCE, needs, time, wait_until
 
 # where ROS_HOME is build/ros_home; elsewhere it is the user's own choice
 FOLDER = os.path.dirname(os.environ.get("ROS_HOME", os.path.expanduser("~/.ros/x")))
@@ -57,9 +57,7 @@ class Window:
     it in the end."""
 
     def __init__(self, case, name, config, width, height, view):
-        for program in ("rviz", "xvfb-run", "import", "convert"):
-            if shutil.which(program) is None:
-                case.skipTest(program + " is not installed")
+        needs(case, "rviz", "xvfb-run", "import", "convert")
         if config != "markers.rviz" and not plugins_are_built():
             case.skipTest("the plug-ins for rviz are not built")
         self.case, self.size, self.view = case, (width, height), view

@@ -111,7 +111,7 @@ TEST(WeightFeed, keepsItsLimit)
 {
   WeightFeed feed;
   for (int k = 0; k < 1000; ++k) EXPECT_EQ(feed.velocity(0.0, 1e6, 1e5, 0.05, 0.1), -0.05);
-  EXPECT_EQ(feed.velocity(3e6, 1e6, 1e5, 0.05, 0.1), 0.05);
+  EXPECT_EQ(feed.velocity(3e6, 1e6, 1e5, 0.05, 0.1), 0.0) << "it never lifts";
 }
 
 TEST(Operations, followEachOther)
@@ -166,6 +166,33 @@ TEST(Operations, tagDrillAndPickUp)
   EXPECT_TRUE(rig.setpoints().winch.brake);
   play(rig, 1.0);
   EXPECT_NEAR(rig.readings().block_height, block + 3.0, 0.01);
+}
+
+// By the dead line, whose sheaves take a tenth of the load when they turn back: rock that gets hard for a while leaves too much weight on the bit, which is drilled off.
+TEST(Operations, drillDoesNotRunAwayFromHardRockByTheDeadLine)
+{
+  Scene scene = scene_with({rotate(60.0 * rpm, 5.0), operation(OperationKind::tag), drill(50.0)});
+  scene.instruments.hook_load.place = HookLoadPlace::dead_line;
+  Simulator rig(scene);
+  ScenePlayer player(rig.scene());
+  play_up_to(3, rig, player);
+  const auto play_frames = [&](double seconds)
+  {
+    double weight = 0.0;
+    for (int k = 0; k < std::lround(seconds / frame); ++k)
+    {
+      EXPECT_EQ(play_frame(rig, &player, frame), FrameStatus::running) << rig.failure();
+      EXPECT_LE(rig.setpoints().winch.block_velocity, 0.0);
+      weight += rig.truth().wob * frame / seconds;
+    }
+    return weight;
+  };
+  play_frames(20.0);
+  ASSERT_EQ(rig.inject({FaultKind::formation_change, 0.0, 0.02, Gauge::hook_load}), nullptr);
+  play_frames(4.0);
+  rig.clear(FaultKind::formation_change, Gauge::hook_load);
+  play_frames(30.0);
+  EXPECT_GT(play_frames(20.0), 5e3);
 }
 
 TEST(Operations, reamGoesUpAndDownAgain)

@@ -72,6 +72,7 @@ Truth numbered_truth()
   m.bit_inclination = 261.0;
   m.bit_azimuth = 262.0;
   m.bend_toolface = 263.0;
+  m.floor_height = 264.0;
   return m;
 }
 
@@ -108,7 +109,8 @@ Row truth_row()
           {"accuracy_warning", 0},
           {"stand_pipe_pressure", 109},
           {"differential_pressure", 110},
-          {"flow", 111}};
+          {"flow", 111},
+          {"floor_height", 264}};
 }
 }  // namespace
 

@@ -164,6 +164,7 @@ struct HoistState
   bool at_stop = false;      ///< the winch stands at the block's lowest or highest place
   double rail_deflection = 0.0;  ///< of what the rail's friction holds the block by [m]
   FloorMotion floor;             ///< of the rotary table (rig/heave.h)
+  double at_sea = 0.0;           ///< since the waves began, whatever the clock says [s]
 
   template <class V>
   void visit(V& v)
@@ -176,6 +177,7 @@ struct HoistState
     v("rail_deflection", rail_deflection);
     v("floor_height", floor.height);
     v("floor_speed", floor.speed);
+    v("at_sea", at_sea);
   }
 };
 

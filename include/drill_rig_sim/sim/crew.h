@@ -8,7 +8,7 @@ namespace drill_rig_sim
 /// The crew that makes connections by itself: with `connections: auto`, or while it is called (Simulator::call_crew()).
 ///
 /// Going down, it begins where the block is at its lowest, or where the uppermost joint's end comes to the rotary table if that is higher: it stops the block,
-/// lifts the bit by stick_up off bottom, brings drive and pump to rest, sets the slips, slacks off, adds a stand, picks up, pulls the slips, takes drive and
+/// lifts the bit by stick_up off bottom (and by lift_over_waves() where the rig heaves), brings drive and pump to rest, sets the slips, slacks off, adds a stand, picks up, pulls the slips, takes drive and
 /// pump back to what is asked of them, and lowers to a little above where the bit was; there it tares, if the rig was tared, on the way down. Going up, it
 /// begins where a stand is above the slips' joint at stick_up, or the block at its highest; it stops, and takes the stand away without lifting and lowering.
 /// Meanwhile its own set points are in force; the last that were asked act again afterwards. A connection that is refused for a minute fails the

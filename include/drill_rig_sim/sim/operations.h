@@ -28,7 +28,8 @@ std::size_t operations_over(const std::vector<double>& began) noexcept;
 /// The feed of drill and slide, by the surface weight W [N] that is wanted to be W*. String and lines of stiffness K [N/m] stand on rock:
 /// dW/dt = K (v - ROP), v the block's speed down. With v = c W* + (W* - W)/(K T), weight closes on W* with the time T on rock that does not give way, and faster
 /// on one that gives way in proportion to weight, c W, once c is learnt: the mean of v - (dW/dt)/K over that of W, both by a first-order lag. There is no lasting
-/// error on any rock, for what is learnt in a steady state is its ROP.
+/// error on any rock, for what is learnt in a steady state is its ROP. Weight that is too high is drilled off, never lifted off: sheaves that turn back take as much
+/// from the dead line's reading as the bit bears, so that a weight read by it would rise with the block, and the block with the weight.
 struct WeightFeed
 {
   static constexpr double feed_time = 8.0;   ///< T, longer than waves take up and down a string of 5 km [s]
@@ -37,7 +38,7 @@ struct WeightFeed
   double mean_weight = 0.0;  ///< [N]
   bool begun = false;
 
-  /// Block velocity, + up [m/s], within +-`most` [m/s], for the next `duration` [s].
+  /// Block velocity, + up [m/s], from -`most` [m/s] to 0, for the next `duration` [s].
   double velocity(double weight, double wanted, double stiffness, double most, double duration) noexcept;
 
   template <class V>
@@ -54,7 +55,7 @@ struct WeightFeed
 /// - pick_up and slack_off move the block, ream up and down again to where it began `times`; all are stopped or turned back so far ahead of their end as
 ///   the winch needs, and end with the brake set.
 /// - tag lowers until the bit takes `weight`; it zeroes the weight (tare) at its beginning and again when the string has come to move steadily, after
-///   tag_settles, and counts weight from then on, or at the hole's depth. slack_off with a `weight` zeroes it at its beginning.
+///   tag_settles (and a period of the waves, where the rig heaves), and counts weight from then on, or at the hole's depth. slack_off with a `weight` zeroes it at its beginning.
 /// - drill keeps `weight` by the block (WeightFeed), and ends with the brake set. Without a zero of the weight it takes one first; where it cannot, on
 ///   bottom, it fails the simulator's next frame.
 /// - slide does the same with the drive holding an angle (or rocking about it), which it turns by what the toolface lacks whenever a toolface has
@@ -119,6 +120,7 @@ private:
 
   std::vector<Operation> operations_;
   double acceleration_;     // of the winch [m/s2]
+  double tag_settles_;      // tag_settles, and a period of the waves over which weight is a mean [s]
   double stiffness_ = 0.0;  // of string and lines in series [N/m]
   std::size_t next_ = 0;
   std::vector<double> began_;

@@ -14,6 +14,7 @@
 #include "drill_rig_sim/sim/instruments.h"
 #include "drill_rig_sim/sim/interlocks.h"
 #include "drill_rig_sim/sim/level_watch.h"
+#include "drill_rig_sim/sim/period_mean.h"
 #include "drill_rig_sim/sim/signals.h"
 #include "drill_rig_sim/sim/stride.h"
 
@@ -31,9 +32,10 @@ struct SimulatorState
   CommandState commands;
   DownlinkReceiver downlink;
   InterlockState interlocks;
+  bool tared = false;
   ConnectionState connection;
   CrewState crew;
-  bool tared = false;
+  PeriodMean hook_load_mean;  ///< of the true one
   double tare_hook_load = 0.0;  ///< true one [N]
   double tare_pressure = 0.0;   ///< true one over the motor [Pa]
   AccuracyMemory accuracy;
@@ -55,6 +57,7 @@ struct SimulatorState
     v("interlocks", interlocks);
     v("connection", connection);
     v("crew", crew);
+    v("hook_load_mean", hook_load_mean);
     v("tared", tared);
     v("tare_hook_load", tare_hook_load);
     v("tare_pressure", tare_pressure);

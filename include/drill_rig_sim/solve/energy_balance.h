@@ -34,8 +34,10 @@ private:
   void open(const State& state) noexcept;
   void begin_accounts() noexcept;
   void find_reshaped(const State& state) noexcept;
+  void find_loads(const State& state, const Stage& stage) noexcept;
   void count_from_last_part() noexcept;
   void book_jump() noexcept;
+  void book_loads() noexcept;
   void book_inputs() noexcept;
   void book_dissipation() noexcept;
   void book_numerical() noexcept;
@@ -61,6 +63,13 @@ private:
     std::vector<double> increment;
   };
   Part part_;
+  // what acts on an element and is constant in a step: weight in mud [N], and what the annulus's pressure lifts it by, world axes [N]
+  struct ElementLoad
+  {
+    double weight = 0.0;
+    Eigen::Vector3d lift = Eigen::Vector3d::Zero();
+  };
+  std::vector<ElementLoad> loads_before_, loads_;
   std::vector<double> no_increment_;
   std::vector<double> pressure_;  // of the elements: stretch that the pump's pressure made of them in the last step [-]
   double reshaped_ = 0.0;         // lost by the beams since then for other reasons [J]

@@ -106,12 +106,13 @@ bool stays_at_stop(const HoistingSpec& spec, const HoistState& hoist, const Winc
 
 namespace
 {
-/// With a brake that slips.
-HoistState slip(const HoistingSpec& spec, const State& state, double time) noexcept
+/// With a brake that slips, while the floor comes to `floor`.
+HoistState slip(const HoistingSpec& spec, const State& state, const FloorMotion& floor, double time) noexcept
 {
   const double before = state.hoist.line_length, height = block_height(state);
   HoistState out = state.hoist;
-  out.line_length = slipping_line(spec, before, height, block_velocity(state), state.faults.brake_holds, time);
+  const double velocity = state.nodes.back().rate.velocity.z() - (floor.height - state.hoist.floor.height) / time;
+  out.line_length = slipping_line(spec, before, height, velocity, state.faults.brake_holds, time);
   const double paid_out = (out.line_length - before) / (2.0 * spec.sheaves);
   out.winch_speed = -paid_out / time * strung_length(spec, height) / before;
   out.sheave_slip = sheave_slip(state.hoist.sheave_slip, -paid_out);
@@ -139,8 +140,11 @@ HoistState advance_hoist(const Model& model, const State& state, const Setpoints
 {
   const RigSpec& rig = model.scene().rig;
   const bool slips = setpoints.winch.brake && state.faults.brake_holds > 0.0;
-  HoistState out = slips ? slip(rig.hoisting, state, time) : wind(rig.hoisting, state, setpoints.winch, time);
-  out.floor = floor_motion(rig.heave, state.time + time);
+  const double at_sea = state.hoist.at_sea + time;
+  const FloorMotion floor = floor_motion(rig.heave, at_sea);
+  HoistState out = slips ? slip(rig.hoisting, state, floor, time) : wind(rig.hoisting, state, setpoints.winch, time);
+  out.at_sea = at_sea;
+  out.floor = floor;
   return out;
 }
 
