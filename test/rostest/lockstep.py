@@ -83,6 +83,7 @@ class Lockstep(unittest.TestCase):
 
     def test_telemetry_carries_the_time_of_measurement(self):
         surveys, toolfaces = self.rig.collect("downhole/mwd", MwdSurvey), self.rig.collect("downhole/toolface", MwdToolface)
+        surveys.quiet()
         start = self.rig.advance(1, mud_pump=flow(0.02)).header.stamp
         latency = 2.0  # the scene's [s]
         now = self.rig.advance(round(100 * (latency - 0.05))).header.stamp

@@ -218,6 +218,7 @@ class StringValues(unittest.TestCase):
         surveys, toolfaces = self.rig.collect("downhole/mwd", MwdSurvey), self.rig.collect("downhole/toolface", MwdToolface)
         for topic in (surveys, toolfaces):
             self.addCleanup(topic.subscriber.unregister)
+            topic.quiet()
         self.start = self.rig.advance(1, mud_pump=flow(0.02)).header.stamp
         self.rig.advance(round(100 * seconds))
         return surveys, toolfaces
