@@ -50,9 +50,7 @@ void Simulator::Impl::measure_rig() noexcept
   m.differential_pressure = motor_pressure() - state.tare_pressure;
   m.tared = state.tared;
   state.hook_load_mean.take(m.hook_load, m.time);
-  const bool has_weight = state.tared && !m.in_slips;
-  m.surface_wob = has_weight ? state.tare_hook_load - m.hook_load : 0.0;
-  m.mean_surface_wob = has_weight ? state.tare_hook_load - state.hook_load_mean.mean() : 0.0;
+  m.surface_wob = state.tared && !m.in_slips ? state.tare_hook_load - m.hook_load : 0.0;
   m.setpoints = in_force();
   m.brake_set = m.setpoints.winch.brake;
   m.winch_limited = s.hoist.limited;

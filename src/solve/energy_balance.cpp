@@ -60,7 +60,7 @@ void EnergyBalance::begin_step(const State& state, const Setpoints& setpoints) n
   else
     open(state);
   find_reshaped(state);
-  find_loads(state, stage_);
+  find_loads(state);
   if (!opened_)
   {
     loads_before_ = loads_;
@@ -99,12 +99,12 @@ void EnergyBalance::find_reshaped(const State& state) noexcept
   reshaped_ = accounts_.last.beams - stored_energy(*model_, state, stage_, no_increment_.data(), work_).beams;
 }
 
-void EnergyBalance::find_loads(const State& state, const Stage& stage) noexcept
+void EnergyBalance::find_loads(const State& state) noexcept
 {
   for (std::size_t e = 0; e < loads_.size(); ++e)
   {
     const double weight = model_->element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z());
-    loads_[e] = {weight, stage.load[e] + weight * Eigen::Vector3d::UnitZ()};
+    loads_[e] = {weight, stage_.load[e] + weight * Eigen::Vector3d::UnitZ()};
   }
 }
 

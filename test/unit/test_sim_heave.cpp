@@ -8,6 +8,7 @@
 #include "drill_rig_sim/rig/hoisting.h"
 #include "in_slips.h"
 #include "playing.h"
+#include "swing.h"
 
 using namespace drill_rig_sim;
 
@@ -15,18 +16,6 @@ namespace
 {
 constexpr HeaveSpec waves{1.5, 10.0};
 constexpr double begun = (rising_periods + 1.0) * 10.0;  // when they are all there, and what rang has rung out [s]
-
-/// Half of what a signal goes through.
-struct Swing
-{
-  double least = 1e300, most = -1e300;
-  void operator()(double x)
-  {
-    least = std::min(least, x);
-    most = std::max(most, x);
-  }
-  double half() const { return 0.5 * (most - least); }
-};
 
 /// What of a signal swings with the waves once they are there, + with the floor: over whole periods.
 class WithTheWaves

@@ -6,6 +6,7 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "playing.h"
+#include "swing.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
@@ -17,18 +18,6 @@ Scene hanging_scene()
 {
   return vertical_scene(400.0, 398.0);
 }
-
-/// Half the range over what is played.
-struct Swing
-{
-  double least = 1e300, most = -1e300;
-  void operator()(double x)
-  {
-    least = std::min(least, x);
-    most = std::max(most, x);
-  }
-  double half() const { return 0.5 * (most - least); }
-};
 }  // namespace
 
 // Lowered at 0.3 m/s and stopped: the rail takes 4 R of the lines' force a cycle of some 0.2 s, so 2 s later the load stands still; and the

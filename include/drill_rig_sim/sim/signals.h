@@ -137,7 +137,6 @@ struct RigSignals
   double hole_depth = 0.0;             ///< [m MD]
   double bit_depth = 0.0;              ///< of the bit's face [m MD]
   double surface_wob = 0.0;            ///< tare - hook_load; 0 until tared, and in the slips [N]
-  double mean_surface_wob = 0.0;       ///< over a period of the waves where the rig heaves, else surface_wob [N]
   double rop = 0.0;                    ///< rate of hole_depth over the last frame [m/s]
   bool tared = false;
   bool on_bottom = false;
@@ -185,7 +184,6 @@ struct RigSignals
     v("hole_depth", hole_depth);
     v("bit_depth", bit_depth);
     v("surface_wob", surface_wob);
-    v("mean_surface_wob", mean_surface_wob);
     v("rop", rop);
     v("tared", tared);
     v("on_bottom", on_bottom);
@@ -264,6 +262,7 @@ struct Truth : RigSignals
 /// - on_bottom, motor_stalled, over_stress, over_torque, buckled: false, no rig can sense them. The other flags are the rig's own and true.
 struct Readings : RigSignals
 {
+  double mean_surface_wob = 0.0;  ///< over a period of the waves where the rig heaves, else surface_wob: for operations [N]
   MwdReading mwd;
   ToolfaceReading toolface;
   InclinationReading inclination;
@@ -273,6 +272,7 @@ struct Readings : RigSignals
   void visit(V& v)
   {
     RigSignals::visit(v);
+    v("mean_surface_wob", mean_surface_wob);
     v("mwd", mwd);
     v("toolface", toolface);
     v("inclination", inclination);

@@ -34,7 +34,7 @@ private:
   void open(const State& state) noexcept;
   void begin_accounts() noexcept;
   void find_reshaped(const State& state) noexcept;
-  void find_loads(const State& state, const Stage& stage) noexcept;
+  void find_loads(const State& state) noexcept;
   void count_from_last_part() noexcept;
   void book_jump() noexcept;
   void book_loads() noexcept;
