@@ -134,6 +134,8 @@ RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const st
   m.hook_load_string = from.hook_load_string;
   m.block_height = from.block_height;
   m.block_velocity = from.block_velocity;
+  m.floor_height = from.floor_height;
+  m.floor_velocity = from.floor_velocity;
   m.top_drive_angle = from.top_drive_angle;
   m.top_drive_speed = from.top_drive_speed;
   m.torque = from.torque;

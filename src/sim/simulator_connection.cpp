@@ -220,6 +220,7 @@ void Simulator::Impl::measure_block() noexcept
   m.hook_load = shown_forces().hook_load;
   m.torque = shown_forces().meter_torque;
   m.floor_height = s.hoist.floor.height;
+  m.floor_velocity = s.hoist.floor.speed;
   m.block_height = block_height(s);
   m.block_velocity = block_velocity(s);
   double slip = s.hoist.sheave_slip;

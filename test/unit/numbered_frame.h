@@ -30,6 +30,8 @@ inline void number_signals(RigSignals& s, double base)
   s.ecd = base + 16;
   s.stroke_rate = base + 17;
   s.pump_strokes = static_cast<unsigned>(base) + 18;
+  s.floor_height = base + 19;
+  s.floor_velocity = base + 20;
 }
 
 inline void number_bit(Truth& t)

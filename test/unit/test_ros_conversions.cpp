@@ -30,6 +30,8 @@ void expect_numbers(const RigState& m, double base)
   EXPECT_EQ(base + 16, m.ecd);
   EXPECT_EQ(base + 17, m.stroke_rate);
   EXPECT_EQ(base + 18, m.pump_strokes);
+  EXPECT_EQ(base + 19, m.floor_height);
+  EXPECT_EQ(base + 20, m.floor_velocity);
   EXPECT_EQ(base + 12, m.hole_depth);
   EXPECT_EQ(base + 13, m.bit_depth);
   EXPECT_EQ(base + 14, m.surface_wob);

@@ -109,6 +109,35 @@ TEST(Heave, aTareTakesTheMeanOverAPeriod)
   }
 }
 
+// A controller that lowers the block as fast as the floor comes up, by the readings: the string stands still, but for some millimetres by which it rings.
+TEST(Heave, aWinchThatFollowsTheReadingsCompensates)
+{
+  Scene scene = floating(1000.0, Level::axial_torsional);
+  scene.rig.heave = {0.5, 10.0};
+  Simulator rig(scene);
+  play(rig, begun + 2.5);  // the floor is at its highest and stands: so the winch begins without a jolt
+  Swing without, with;
+  double height = rig.readings().floor_height;
+  play(rig, 10.0,
+       [&](const Truth& m)
+       {
+         without(m.bit_depth);
+         const Readings& r = rig.readings();
+         ASSERT_NEAR(r.floor_height - height, frame * r.floor_velocity, 1e-4 * 0.5);
+         height = r.floor_height;
+       });
+  const auto follow = [&] { rig.command(WinchSetpoint{-rig.readings().floor_velocity, false}); };
+  play(rig, 10.0, [&](const Truth&) { follow(); });
+  play(rig, 20.0,
+       [&](const Truth& m)
+       {
+         with(m.bit_depth);
+         follow();
+       });
+  EXPECT_GT(without.half(), scene.rig.heave.amplitude);
+  EXPECT_LT(with.half(), 0.02 * scene.rig.heave.amplitude);
+}
+
 TEST(Heave, theClockAloneMovesNoFloor)
 {
   Simulator rig(floating(300.0, Level::axial_torsional));

@@ -126,6 +126,8 @@ struct RigSignals
   double hook_load_string = 0.0;       ///< hook_load without block and top drive [N]
   double block_height = 0.0;           ///< top-drive shaft above the rotary table [m]
   double block_velocity = 0.0;         ///< + up [m/s]
+  double floor_height = 0.0;           ///< of the rotary table above its mean place, where `rig_floor` stays: heave [m]
+  double floor_velocity = 0.0;         ///< its rate, + up [m/s]
   double top_drive_angle = 0.0;        ///< [rad], unbounded
   double top_drive_speed = 0.0;        ///< [rad/s]
   double torque = 0.0;                 ///< of the torque meter's spring, + drives the string clockwise [N m]
@@ -173,6 +175,8 @@ struct RigSignals
     v("hook_load_string", hook_load_string);
     v("block_height", block_height);
     v("block_velocity", block_velocity);
+    v("floor_height", floor_height);
+    v("floor_velocity", floor_velocity);
     v("top_drive_angle", top_drive_angle);
     v("top_drive_speed", top_drive_speed);
     v("torque", torque);
@@ -229,7 +233,6 @@ struct Truth : RigSignals
   double bit_inclination = 0.0;   ///< of the hole at its bottom [rad]
   double bit_azimuth = 0.0;       ///< [rad], 0 .. 2 pi
   double bend_toolface = 0.0;     ///< of the bend itself [rad]
-  double floor_height = 0.0;      ///< of the rotary table above its mean place, where `rig_floor` stays: heave [m]
 
   template <class V>
   void visit(V& v)
@@ -248,14 +251,14 @@ struct Truth : RigSignals
     v("bit_inclination", bit_inclination);
     v("bit_azimuth", bit_azimuth);
     v("bend_toolface", bend_toolface);
-    v("floor_height", floor_height);
   }
 };
 
 /// What the driller sees.
 /// - hook_load, dead_line_hook_load, torque, stand_pipe_pressure, flow, block_height: gauges, each with its errors (sensor.h); hook_load is the
 ///   gauge where the scene puts it. lost_gauges: those in a drop-out, which show their last reading.
-/// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact. stroke_rate, pump_strokes: the pump's strokes are counted. ecd: as if a tool by the bit told it at once.
+/// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact. floor_height, floor_velocity: by a motion reference
+///   unit, exact. stroke_rate, pump_strokes: the pump's strokes are counted. ecd: as if a tool by the bit told it at once.
 /// - worked out, as a rig does: bit_depth = tally - block_height (the tally is right at the start), hole_depth its largest so far, rop the
 ///   rate of that over the last 10 s, hook_load_string = hook_load - weight of block and top drive, surface_wob = tare - hook_load,
 ///   differential_pressure = stand_pipe_pressure - tare, 0 until tared. While the slips bear the string bit_depth is held.
