@@ -89,7 +89,7 @@ class Connection(unittest.TestCase):
         self.assertIn("connecting", operations)
         self.assertGreater(state.hole_depth, 205.0 + STAND)
         self.rig.advance(500)
-        depths = sorted({m.md for m in surveys.wait(2)})
+        depths = sorted({m.md for m in surveys.wait_until(lambda m: m and m[-1].md > state.hole_depth - STAND)})
         self.assertAlmostEqual(STAND, depths[-1] - depths[-2], delta=0.5)
 
     def test_the_crew_repeats_itself_to_the_last_bit(self):
