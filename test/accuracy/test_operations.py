@@ -129,16 +129,24 @@ class Automatic(unittest.TestCase):
         self.assertEqual([verdict.kind for verdict in told], ['right', 'silent', 'silent'])
 
     def test_the_first_setting_that_is_right_is_the_cheapest_by_hand(self):
-        def judged_at(numerics, tolerance):
-            out = matrix.Verdict(FakeCell(), 'right' if numerics <= tolerance else 'silent')
-            out.cost = 1.0 / numerics
-            return out
-        self.assertEqual(automatic.cheapest([0.04, 0.02, 0.01], [0.05, 0.01], judged_at), {0.05: 25.0, 0.01: 100.0})
-        self.assertEqual(automatic.cheapest([0.04, 0.02], [0.05, 0.01], judged_at), {0.05: 25.0})
+        asked = []
+
+        def judged_at(numerics, tolerances):
+            asked.append((numerics, tolerances))
+            told = [matrix.Verdict(FakeCell(), 'right' if numerics <= tolerance else 'silent') for tolerance in tolerances]
+            for out in told:
+                out.cost = 1.0 / numerics
+            return told
+        self.assertEqual(automatic.cheapest([0.04, 0.02, 0.01], {0.05: 200.0, 0.01: 200.0}, judged_at), {0.05: (25.0, '0.04'), 0.01: (100.0, '0.01')})
+        self.assertEqual(asked, [(0.04, [0.05, 0.01]), (0.02, [0.01]), (0.01, [0.01])], 'one run for all tolerances')
+        self.assertEqual(automatic.cheapest([0.04, 0.02], {0.05: 200.0, 0.01: 200.0}, judged_at), {0.05: (25.0, '0.04'), 0.01: (200.0, 'auto')})
+        asked.clear()
+        self.assertEqual(automatic.cheapest([0.04, 0.02, 0.015, 0.012, 0.01, 0.001], {0.001: 40.0}, judged_at), {0.001: (40.0, 'auto')})
+        self.assertEqual(len(asked), 4, 'no further than three that are dearer')
 
     def test_settings_by_hand_begin_with_what_costs_least(self):
         settings = automatic.by_hand()
-        self.assertEqual((settings[0].level, settings[0].length, settings[0].step), ('axial_torsional', 9.51, 0.04))
+        self.assertEqual((settings[0].level, settings[0].length, settings[0].step), ('hybrid', 9.51, 0.05))
         self.assertEqual((settings[-1].level, settings[-1].length, settings[-1].step), ('beam3d', 2.4, 0.0025))
 
     def test_a_row_is_of_verdicts_and_cost(self):
@@ -147,7 +155,8 @@ class Automatic(unittest.TestCase):
             told.append(matrix.Verdict(cells.Cell('J 2 km', '5 in', 'rock'), kind))
             told[-1].cost = cost
         name = told[0].cell.name
-        row = automatic.Row(0.01, told, {name: 4.0}, {(name, 0.01): 2.0})
+        row = automatic.Row(0.01, told, {name: 4.0})
+        row.compare({(name, 0.01): 2.0})
         self.assertEqual(row.line(), '| 1 % | 3 | 2 | 1 | 0 | 67 % | 1.00 | 2.00 | 4.00 |')
 
     def test_cells_count_whose_reference_knows_its_error_to_a_third(self):

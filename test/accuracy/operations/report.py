@@ -60,19 +60,20 @@ def own_error(cell):
     return matrix.worst_of(reference.own)[0] if reference.made_of == matrix.fingerprint(cell) else float('inf')
 
 
-def judge_one(drill, cell, folder, numerics, energy=False, tolerance=matrix.BOUND):
+def judge_run(drill, cell, folder, numerics, tolerances, energy=False):
+    """Verdicts on one run."""
     if not os.path.exists(path_of(cell)):
-        return matrix.Verdict(cell, 'undecided', 'no reference')
+        return [matrix.Verdict(cell, 'undecided', 'no reference') for _ in tolerances]
     reference = matrix.Reference.load(path_of(cell))
     if reference.made_of != matrix.fingerprint(cell):
-        return matrix.Verdict(cell, 'undecided', 'the reference is of another scene')
+        return [matrix.Verdict(cell, 'undecided', 'the reference is of another scene') for _ in tolerances]
     mine = matrix.run(drill, cell, numerics, folder, energy and cell.what.duration <= matrix.BALANCED)
-    return matrix.judge(cell, mine, reference, tolerance)
+    return [matrix.judge(cell, mine, reference, tolerance) for tolerance in tolerances]
 
 
 def judge_all(drill, todo, folder, jobs, numerics, energy=False, tolerance=matrix.BOUND):
     def one(cell):
-        verdict = judge_one(drill, cell, folder, numerics, energy, tolerance)
+        verdict, = judge_run(drill, cell, folder, numerics, [tolerance], energy)
         return verdict, line_of(verdict)
     verdicts = in_parallel(jobs, one, todo)
     return [verdicts[cell.name] for cell in todo]
@@ -203,7 +204,7 @@ def play_automatic(args, todo, folder):
     short = [cell for cell in todo if cell.what.duration <= matrix.BALANCED]
     return automatic.play(
         short, own_error, lambda todo, numerics, tolerance: judge_all(args.drill, todo, folder, args.jobs, numerics, tolerance=tolerance),
-        lambda cell, numerics, tolerance: judge_one(args.drill, cell, folder, numerics, tolerance=tolerance),
+        lambda cell, numerics, tolerances: judge_run(args.drill, cell, folder, numerics, tolerances),
         lambda function, todo: in_parallel(args.jobs, function, todo), args.search)
 
 
