@@ -199,7 +199,7 @@ TEST(Markers, withoutAnyForceTheLinesAreTakenAway)
 TEST(Markers, blockStandsOnItsShaft)
 {
   const Marker m = drawn(numbered_output(), "traveling_block");
-  expect_point(0.0, 0.0, 106.0, m.pose.position);  // 104 m high, and half its own 4 m
+  expect_point(0.0, 0.0, 225.0, m.pose.position);  // 104 m above a floor that is 119 m high, and half its own 4 m
   for (const double size : {m.scale.x, m.scale.y, m.scale.z}) EXPECT_EQ(4.0, size);
 }
 

@@ -30,6 +30,7 @@ TEST(Transforms, blockTopDriveAndPartsHangOnTheRigFloor)
 {
   FrameOutput s = numbered_output();
   s.frame.truth.block_height = 25.0;
+  s.frame.truth.floor_height = 0.5;  // heaves: what stands on it in the still frame rig_floor
   s.frame.truth.top_drive_angle = 90.0 * degree;
   s.parts = {{"bit", {1.0, 2.0, 3.0}, Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0)}, {"pipe_5", {4.0, 5.0, 6.0}, Eigen::Quaterniond(1.0, 0.0, 0.0, 0.0)}};
   std::vector<geometry_msgs::TransformStamped> all(7);  // more than there are now
@@ -42,7 +43,7 @@ TEST(Transforms, blockTopDriveAndPartsHangOnTheRigFloor)
   {
     EXPECT_EQ(0.0, all[i].transform.translation.x);
     EXPECT_EQ(0.0, all[i].transform.translation.y);
-    EXPECT_EQ(25.0, all[i].transform.translation.z);
+    EXPECT_EQ(25.5, all[i].transform.translation.z);
   }
   expect_turns(all[0].transform.rotation, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitX());
   expect_turns(all[1].transform.rotation, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitY());  // clockwise seen from above
