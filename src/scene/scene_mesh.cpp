@@ -91,6 +91,7 @@ double first_pushed(const Scene& scene) noexcept
 /// Longest element where pipe lies on its wall or moves sideways [m]: how far apart contacts are is an error that no step mends.
 double lower_element(double tolerance) noexcept
 {
+  if (tolerance >= wide_tolerance) return joint;
   if (tolerance >= middle_tolerance) return half_joint;
   return tolerance >= narrow_tolerance ? third_joint : quarter_joint;
 }

@@ -8,8 +8,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double wide_tolerance = 0.05;
-constexpr double quarter_joint = 2.4, eighth_joint = 1.2;     // [m]
+constexpr double two_joints = 20.0, quarter_joint = 2.4, eighth_joint = 1.2;  // [m]
 
 std::string percent(double tolerance)
 {
@@ -40,6 +39,9 @@ Choice choose(const Scene& scene)
   Choice choice = choose_level(scene);
   const double tolerance = scene.numerics.tolerance;
   choice.pushed_element_length = scene.numerics.pushed_element_length;
+  choice.guided_element_length = scene.numerics.guided_element_length;
+  const bool by_hand = choice.guided_element_length > 0.0 || scene.numerics.element_length > 0.0;
+  if (tolerance >= wide_tolerance && !by_hand) choice.guided_element_length = two_joints;
   if (choice.level != Level::beam3d || tolerance >= middle_tolerance || choice.pushed_element_length > 0.0) return choice;
   choice.pushed_element_length = tolerance < narrow_tolerance ? eighth_joint : quarter_joint;
   if (pushed_length(scene) > 0.0) choice.reason += "; elements are short where friction pushes it";
@@ -55,6 +57,7 @@ Scene with_choice(const Scene& scene)
   const Choice choice = choose(scene);
   numerics.level = choice.level;
   numerics.pushed_element_length = choice.pushed_element_length;
+  numerics.guided_element_length = choice.guided_element_length;
   return chosen;
 }
 

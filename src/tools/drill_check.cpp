@@ -163,8 +163,8 @@ void print_shortcomings(const Scene& scene)
 void print_choice(const Simulator& simulator)
 {
   const NumericsSpec& chosen = simulator.scene().numerics;
-  std::printf("choice      %s: numerics {level: %s, step: %g, pushed_element_length: %g}\n", simulator.choice().c_str(), simulator.statistics().level,
-              chosen.step, chosen.pushed_element_length);
+  std::printf("choice      %s: numerics {level: %s, step: %g, pushed_element_length: %g, guided_element_length: %g}\n", simulator.choice().c_str(), simulator.statistics().level,
+              chosen.step, chosen.pushed_element_length, chosen.guided_element_length);
 }
 
 struct CheckOptions

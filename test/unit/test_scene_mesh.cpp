@@ -49,7 +49,7 @@ TEST(ElementLengths, shorterForASmallTolerance)
 {
   Scene scene = slanted_scene(199.9, 0.2);
   scene.numerics.element_length = 0.0;
-  const std::pair<double, double> cases[] = {{0.05, 4.75}, {0.02, 4.75}, {0.019, 3.17}, {0.005, 3.17}, {0.002, 2.38}};
+  const std::pair<double, double> cases[] = {{0.05, 9.5}, {0.02, 4.75}, {0.019, 3.17}, {0.005, 3.17}, {0.002, 2.38}};
   for (const auto& [tolerance, length] : cases)
   {
     scene.numerics.tolerance = tolerance;

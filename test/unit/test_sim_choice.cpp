@@ -72,6 +72,20 @@ TEST(Choice, shorterElementsTheNarrowerTheTolerance)
   EXPECT_EQ(choose(given).pushed_element_length, 3.0);
 }
 
+TEST(Choice, joinsGuidedJointsWithinAWideTolerance)
+{
+  Scene scene = hanging(0.05);
+  scene.numerics.element_length = 0.0;
+  EXPECT_EQ(with_choice(scene).numerics.guided_element_length, 20.0);
+  scene.numerics.tolerance = 0.04;
+  EXPECT_EQ(choose(scene).guided_element_length, 0.0);
+  scene.numerics.tolerance = 0.05;
+  scene.numerics.element_length = 4.0;
+  EXPECT_EQ(choose(scene).guided_element_length, 0.0) << "given by hand, as it is here:";
+  scene.numerics.guided_element_length = 9.5;
+  EXPECT_EQ(choose(scene).guided_element_length, 9.5);
+}
+
 TEST(Choice, isMadeInTheScenesKeysWithStepsOfVariableLength)
 {
   const Scene chosen = with_choice(hanging(0.01));

@@ -7,9 +7,9 @@
 namespace drill_rig_sim
 {
 /// Tolerances (numerics.tolerance) below which a mesh or a level does no more.
-constexpr double middle_tolerance = 0.02, narrow_tolerance = 0.005;
+constexpr double wide_tolerance = 0.05, middle_tolerance = 0.02, narrow_tolerance = 0.005;
 
-/// Longest elements of a scene's string: `numerics.element_length` where it is given; else half a joint (4.75 m; for a tolerance below 2 % a third,
+/// Longest elements of a scene's string: `numerics.element_length` where it is given; else half a joint (4.75 m; for a tolerance of 5 % or more a joint, below 2 % a third,
 /// 3.17 m, below 0.5 % a quarter, 2.38 m) from the bit up to 45 m (a stand and a half, for the string goes down) above the place where the survey first inclines by more than 3 deg, or where
 /// friction below would push the pipe that slides down, if that is higher, and a
 /// joint (9.5 m) above that, and throughout for level axial_torsional; within 45 m of the bit, where an assembly bends between what it leans on, a quarter (2.38 m),

@@ -13,6 +13,7 @@ struct Choice
   Level level = Level::beam3d;
   double pushed_element_length = 0.0;  ///< [m]
   std::string reason;                  ///< one line
+  double guided_element_length = 0.0;  ///< [m]
 };
 
 /// The cheapest level and mesh that keep the scene's needs within its tolerance, by rules that the operations matrix has taught (98 cells of a
@@ -21,8 +22,9 @@ struct Choice
 ///   hole bends, stiff and stabilised assemblies bear on it harder than their weight does: torque would be 6 to 11 % low.
 /// - From 5 % on, or in a hole that hangs the string without a mud motor, or from 2 % on without torque and bit speed among
 ///   the needs: hybrid. Where pipe begins to turn on the low side of a hole, guided pipe is 1 to 3 % off in these two.
+/// - From 5 % on two joints of guided pipe that nothing pushes are one element.
 /// - Else beam3d; below 2 %, with quarter joints where friction pushes the pipe, and below 0.5 % eighths.
-/// What is given by hand of step, element_length, pushed_element_length and free_length stays.
+/// What is given by hand of step, element_length, pushed_element_length, guided_element_length and free_length stays.
 /// A method that knows free nodes alone has beam3d.
 Choice choose(const Scene& scene);
 
