@@ -17,21 +17,20 @@ SCENES = (Scene('bent motor turned and lowered, 0.7 km', 'config/scenes/bohai.ya
           Scene('horizontal 5 km, picked up', 'test/operations/scenes/horizontal_5_km.yaml', 3.0))
 # (what, source file, function): all that is called from it counts; a sum where there are several
 PARTS = (('frame', (('sim/simulator.cpp', 'Simulator::frame('),)),
-         ('beams: forces and tangents', (('model/forces/beams.cpp', 'add('),)),
-         ('inertia, sideways mass of the mud in it', (('model/forces/inertia.cpp', 'add('),)),
-         ('places in the hole, of nodes', (('model/evaluate.cpp', 'find_closest('),)),
-         ('places in the hole, between nodes', (('model/evaluate.cpp', 'find_span('),)),
-         ('wall and friction, at nodes', (('model/forces/wall.cpp', 'add<'),)),
+         ('motion of the nodes', (('model/kernels/motion_kernel.cpp', 'move('),)),
+         ('beams, inertia, drag of the mud', (('model/forces/free_string.cpp', 'add('),)),
+         ('places in the hole', (('model/places.cpp', 'find_in_hole('),)),
+         ('of these between nodes', (('model/places.cpp', 'find_span('),)),
+         ('wall and friction, at nodes', (('model/forces/wall.cpp', 'add_sticking('),)),
          ('wall and friction, between nodes', (('model/forces/span_wall.cpp', 'add<'),)),
-         ('drag of the mud', (('model/forces/mud_drag.cpp', 'add('),)),
          ('squeeze films', (('model/forces/squeeze_film.cpp', 'add('),)),
          ('bit and rock', (('model/forces/bit.cpp', 'add('), ('model/extend_hole.cpp', 'extend_hole('))),
          ('rig: lines, block, mast, top drive', (('model/forces/hoisting.cpp', 'add('), ('model/forces/guide_rail.cpp', 'add('),
                                                  ('model/forces/top_drive.cpp', 'add('))),
-         ('pressures of the mud', (('model/stage.cpp', 'take_pressures('),)),
          ('linear system', (('math/block_tridiagonal.cpp', 'BlockTridiagonal::solve('), ('math/block_tridiagonal.cpp', 'BlockTridiagonal::solve_again('))),
-         ('accuracy watch', (('sim/accuracy_watch.cpp', 'doubt_of_string('), ('solve/halving_integrator.cpp', 'open_books('),
-                             ('solve/halving_integrator.cpp', 'close_books('))))
+         ('start of a step', (('model/stage.cpp', 'begin_step('),)),
+         ('energy balance', (('solve/halving_integrator.cpp', 'open_books('), ('solve/halving_integrator.cpp', 'close_books('))),
+         ('warnings', (('sim/accuracy_watch.cpp', 'doubt_of_string('), ('sim/string_watch.cpp', 'StringWatch::look('))))
 
 
 def run(drill, scene, duration, folder):
@@ -48,19 +47,19 @@ def run(drill, scene, duration, folder):
 
 
 def table_of(annotated):
-    """Rows of callgrind_annotate as {(file below src, signature): instructions}; a file may stand there by two paths."""
+    """Rows of callgrind_annotate as {(file below src, signature): instructions}; a file may stand there by two paths, a template with its result and without."""
     rows = {}
     for line in annotated.splitlines():
         match = re.match(r'\s*([\d,]+) \([\d. ]+%\)\s+(?:\S*?/)?src/([^:]+):(.*?)( \[[^\]]*\])?$', line)
         if match:
-            key = (match.group(2), match.group(3))
+            key = (match.group(2), re.sub('^void ', '', match.group(3)))
             rows[key] = max(rows.get(key, 0), int(match.group(1).replace(',', '')))
     return rows
 
 
 def count(rows, pieces):
     return sum(n for (file, signature), n in rows.items() for end, function in pieces
-               if file == end and ('::' + function) in signature)
+               if file == end and ('::' + function) in signature and '{lambda' not in signature)
 
 
 def measure(tree, folder):
