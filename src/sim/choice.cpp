@@ -19,18 +19,18 @@ std::string percent(double tolerance)
 
 Choice choose_level(const Scene& scene)
 {
-  if (has_no_levels(scene.numerics.integrator)) return {Level::beam3d, 0.0, "the integrator has no other level"};
+  if (has_no_levels(scene.numerics.integrator)) return {Level::beam3d, "the integrator has no other level"};
   constexpr unsigned bending = need_direction | need_contact | need_buckling, turning = need_torque | need_bit_speed;
   const double tolerance = scene.numerics.tolerance;
   const bool in_the_middle = hangs_in_the_middle(scene);
   if (tolerance >= wide_tolerance && !(scene.needs & bending) && in_the_middle)
-    return {Level::axial_torsional, 0.0, "within " + percent(tolerance) + " nothing is needed of bending"};
-  if (tolerance >= wide_tolerance) return {Level::hybrid, 0.0, "within " + percent(tolerance) + " bending is needed near the bit alone"};
+    return {Level::axial_torsional, "within " + percent(tolerance) + " nothing is needed of bending"};
+  if (tolerance >= wide_tolerance) return {Level::hybrid, "within " + percent(tolerance) + " bending is needed near the bit alone"};
   if (in_the_middle)
-    return {Level::hybrid, 0.0, "the string hangs: above the bottom-hole assembly it does not bend"};
+    return {Level::hybrid, "the string hangs: above the bottom-hole assembly it does not bend"};
   if (tolerance >= middle_tolerance && !(scene.needs & (bending | turning)))
-    return {Level::hybrid, 0.0, "within " + percent(tolerance) + " neither bending nor torque and bit speed are needed"};
-  return {Level::beam3d, 0.0, "torque, bit speed or bending are needed within " + percent(tolerance) + " where pipe lies on its wall"};
+    return {Level::hybrid, "within " + percent(tolerance) + " neither bending nor torque and bit speed are needed"};
+  return {Level::beam3d, "torque, bit speed or bending are needed within " + percent(tolerance) + " where pipe lies on its wall"};
 }
 }  // namespace
 

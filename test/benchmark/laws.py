@@ -47,12 +47,12 @@ def run(drill, scene, duration, folder):
 
 
 def table_of(annotated):
-    """Rows of callgrind_annotate as {(file below src, signature): instructions}; a file may stand there by two paths, a template with its result and without."""
+    """Rows of callgrind_annotate as {(file below src, signature): instructions}; a file may stand there by two paths."""
     rows = {}
     for line in annotated.splitlines():
         match = re.match(r'\s*([\d,]+) \([\d. ]+%\)\s+(?:\S*?/)?src/([^:]+):(.*?)( \[[^\]]*\])?$', line)
         if match:
-            key = (match.group(2), re.sub('^void ', '', match.group(3)))
+            key = (match.group(2), match.group(3))
             rows[key] = max(rows.get(key, 0), int(match.group(1).replace(',', '')))
     return rows
 
