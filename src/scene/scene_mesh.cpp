@@ -17,6 +17,7 @@ constexpr double lying = 3.0 * degree;    // a hole that inclines more carries t
 constexpr double straight = 1.5 * degree / 30.0;  // a hole that bends more [rad/m]
 constexpr double margin = 45.0;           // [m]
 constexpr double two_stands = 57.0;       // [m]
+constexpr double thick_walled = 0.7;      // heavy-weight pipe's bore is 0.55 to 0.66 of its outer diameter, drill pipe's 0.74 and more
 
 /// Measured depth at which the survey's inclination first passes `lying` [m], between stations by proportion; where it
 /// never does, beyond the survey by the margin: no bit is there.
@@ -53,6 +54,19 @@ double inclination_at(const std::vector<SurveyStation>& survey, double md) noexc
   if (next == survey.begin() || next == survey.end()) return survey.empty() ? 0.0 : (next == survey.end() ? survey.back() : *next).inclination;
   const SurveyStation& above = *(next - 1);
   return above.inclination + (next->inclination - above.inclination) * (md - above.md) / (next->md - above.md);
+}
+
+bool is_drill_pipe(const PartSpec& part) noexcept
+{
+  return part.type == PartType::pipe && part.inner_diameter > thick_walled * part.outer_diameter;
+}
+
+/// Of what is below the first drill pipe, or below the last part, from the bit's face [m].
+double assembly_length(const std::vector<PartSpec>& string) noexcept
+{
+  double length = 0.0;
+  for (std::size_t p = 0; p + 1 < string.size() && !is_drill_pipe(string[p]); ++p) length += string[p].joints * string[p].joint_length;
+  return length;
 }
 
 /// In air, of the part at `from_bit` [m] above the bit's face [kg/m].
@@ -103,9 +117,7 @@ double free_length(const Scene& scene) noexcept
   if (all_guided(numerics.level)) return -1.0;
   if (numerics.level != Level::hybrid) return std::numeric_limits<double>::infinity();
   if (numerics.free_length > 0.0) return numerics.free_length;
-  double length = two_stands;
-  for (std::size_t p = 0; p + 1 < scene.string.size(); ++p) length += scene.string[p].joints * scene.string[p].joint_length;
-  return length;
+  return assembly_length(scene.string) + two_stands;
 }
 
 bool hangs(const WellSpec& well, double depth) noexcept
@@ -144,9 +156,10 @@ ElementLengths element_lengths(const Scene& scene) noexcept
     lengths.pushed = numerics.pushed_element_length;
     lengths.pushed_change = pushed_length(scene);
   }
-  if (numerics.guided_element_length > 0.0)
+  const bool joints_do = numerics.level == Level::hybrid && numerics.element_length == 0.0;
+  if (joints_do || numerics.guided_element_length > 0.0)
   {
-    lengths.guided = numerics.guided_element_length;
+    lengths.guided = numerics.guided_element_length > 0.0 ? numerics.guided_element_length : joint;
     lengths.guided_change = std::max(free_length(scene), pushed_length(scene));
   }
   return lengths;

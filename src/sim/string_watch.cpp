@@ -12,6 +12,8 @@ using Eigen::Vector3d;
 
 namespace
 {
+constexpr double hanging = 1.94;  // [-]
+
 void take(double share, double from_bit, LoadShare& most) noexcept
 {
   if (share > most.share) most = {share, from_bit};
@@ -22,7 +24,7 @@ double vertical_buckling_load(const Model& model, std::size_t e) noexcept
 {
   const BeamSection& section = model.mesh().elements[e].section;
   const double weight = model.element_weight(static_cast<int>(e), -section.length, 0.0) / section.length;
-  return weight > 0.0 ? 1.94 * std::cbrt(section.bending * weight * weight) : 0.0;
+  return weight > 0.0 ? hanging * std::cbrt(section.bending * weight * weight) : 0.0;
 }
 }  // namespace
 
@@ -47,11 +49,13 @@ double buckling_load(const Model& model, const State& state, std::size_t e) noex
   const double stiffness = element.section.bending;
   const double weight = model.element_weight(static_cast<int>(e), lower.position.z(), upper.position.z()) / element.section.length;
   if (weight <= 0.0) return std::numeric_limits<double>::infinity();  // within the bit's own length
-  const double vertical = 1.94 * std::cbrt(stiffness * weight * weight);
   const double clearance = state.well.radius_near(lower.position, lower.segment) - 0.5 * element.outer_diameter;
+  if (clearance <= 0.0) return std::numeric_limits<double>::infinity();
   const Vector3d along = upper.position - lower.position;
   const double inclined = along.head<2>().norm() / along.norm();  // sin I
-  return clearance > 0.0 ? std::max(vertical, 2.0 * std::sqrt(stiffness * weight * inclined / clearance)) : std::numeric_limits<double>::infinity();
+  const double lying = 2.0 * std::sqrt(stiffness * weight * inclined / clearance);
+  const double hanging_cubed = hanging * hanging * hanging * stiffness * weight * weight;
+  return lying * lying * lying > hanging_cubed ? lying : std::cbrt(hanging_cubed);  // a cube's root is dear
 }
 
 StringLoads StringWatch::look(const Model& model, const State& state, const RigForces& forces) const noexcept

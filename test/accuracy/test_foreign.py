@@ -36,10 +36,10 @@ class Judging(unittest.TestCase):
         with open(name + '.json', 'w') as file:
             json.dump({'accuracy_warnings': [] if warned is None else [{'since': warned, 'until': 30.0, 'text': 'x'}]}, file)
 
-    def verdict(self, ours, coarse, warned=None):
+    def verdict(self, ours, coarse, warned=None, tolerance=0.02):
         for kind, torque in (('default', ours), ('fine', 0.0 * self.TIME), ('coarse', coarse)):
             self.put(kind, torque, warned)
-        return trial.Verdict(self.scene, self.folder.name)
+        return trial.Verdict(self.scene, self.folder.name, tolerance)
 
     def after(self, start, size):
         return numpy.where(self.TIME >= start, size, 0.0)
@@ -58,6 +58,12 @@ class Judging(unittest.TestCase):
         self.assertEqual((silent.kind, silent.wrong_from), ('silent', 12.0))
         self.assertEqual(self.verdict(ours, coarse, warned=14.9).kind, 'warned')
         self.assertEqual(self.verdict(ours, coarse, warned=15.1).kind, 'silent')
+
+    def test_by_another_tolerance(self):
+        ours, coarse = self.after(12.0, 21.0), self.after(0.0, 1.0)
+        self.assertEqual(self.verdict(ours, coarse, tolerance=0.05).kind, 'right')
+        self.assertEqual(self.verdict(ours, self.after(12.0, 21.0), tolerance=0.01).kind, 'undecided')
+        self.assertEqual(self.verdict(ours, coarse, tolerance=0.01).kind, 'silent')
 
     def test_undecided_where_the_references_differ(self):
         self.assertEqual(self.verdict(self.after(12.0, 21.0), self.after(12.0, 21.0)).kind, 'undecided')

@@ -146,6 +146,42 @@ TEST(ElementLengths, guidedPipeMayHaveElementsOfTwoJoints)
   EXPECT_EQ(free.elements.size(), build_mesh(scene, 410.0).elements.size());
 }
 
+// The lower half flat without friction: guided pipe, pushed by nothing, has joints there, and the two stands by the assembly halves.
+TEST(ElementLengths, jointsWherePipeIsGuidedAndNothingPushesIt)
+{
+  Scene scene = vertical(1150.0, 1150.0);
+  scene.well.survey = {{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}, {150.0, 90.0 * degree, 0.0}, {1150.0, 90.0 * degree, 0.0}};
+  for (HoleSection& section : scene.well.sections) section.friction = 0.0;
+  EXPECT_EQ(element_lengths(scene).at(500.0), 4.75);
+  scene.numerics.level = Level::hybrid;
+  EXPECT_EQ(element_lengths(scene).at(500.0), 9.5);
+  EXPECT_EQ(element_lengths(scene).at(free_length(scene) - 1.0), 4.75);
+  for (HoleSection& section : scene.well.sections) section.friction = 0.3;
+  EXPECT_EQ(element_lengths(scene).at(500.0), 4.75) << "where friction pushes it a window may open";
+}
+
+// Below the first drill pipe, as a driller counts: heavy-weight pipe on the collars belongs to it, heavy-weight pipe further up does not, whatever lies above.
+TEST(FreeLength, endsTwoStandsAboveTheAssembly)
+{
+  Scene scene = vertical(1150.0, 1150.0);
+  scene.numerics.level = Level::hybrid;
+  const double simple = free_length(scene);
+  const PartSpec pipe = scene.string.back();
+  PartSpec heavy = pipe, slim = pipe;
+  heavy.joints = slim.joints = 10;
+  heavy.inner_diameter = 0.6 * heavy.outer_diameter;
+  slim.inner_diameter = 0.75 * slim.outer_diameter;
+  const auto below_the_top = [&](const std::vector<PartSpec>& parts)
+  {
+    Scene tapered = scene;
+    tapered.string.insert(tapered.string.end() - 1, parts.begin(), parts.end());
+    return free_length(tapered);
+  };
+  EXPECT_NEAR(below_the_top({heavy}), simple + 10.0 * heavy.joint_length, 1e-9);
+  EXPECT_NEAR(below_the_top({slim}), simple, 1e-9);
+  EXPECT_NEAR(below_the_top({heavy, slim, heavy}), simple + 10.0 * heavy.joint_length, 1e-9);
+}
+
 TEST(Hangs, whereTheHoleInclinesByThreeDegreesAtMost)
 {
   WellSpec well = vertical(400.0, 390.0).well;

@@ -99,6 +99,28 @@ TEST(Strides, betweenTheEndsOfAStepAreItsEnds)
   EXPECT_NEAR(out.hydraulics.stand_pipe_pressure, 0.5e6, 1e-6);
 }
 
+// By the same turn in every part of a step, as the sines of the arc have it.
+TEST(Strides, onTheWayNodesTurnEvenly)
+{
+  const RigAtRest rig = build_at_rest(variable());
+  for (const double angle : {1e-9, 1e-3, 0.5, 1.1, 1.4, 3.0})  // [rad]
+    for (const double sign : {1.0, -1.0})                      // a turn has two quaternions
+    {
+      State end = rig.state, out = rig.state;
+      for (NodeState& node : end.nodes)
+      {
+        node.orientation = node.orientation * Eigen::AngleAxisd(angle, Eigen::Vector3d(2.0, -1.0, 0.5).normalized());
+        node.orientation.coeffs() *= sign;
+      }
+      for (const double share : {0.0, 0.1, 0.5, 0.93, 1.0})
+      {
+        interpolate(rig.state, end, share, out);
+        EXPECT_NEAR(out.nodes[3].orientation.norm(), 1.0, 1e-12);
+        EXPECT_NEAR(Eigen::AngleAxisd(rig.state.nodes[3].orientation.conjugate() * out.nodes[3].orientation).angle(), share * angle, 1e-11) << angle;
+      }
+    }
+}
+
 // Against steps of a millisecond: start, stop and a change of direction in one run, commands in the middle of strides.
 TEST(Strides, commandsActAtTheirOwnFrame)
 {
