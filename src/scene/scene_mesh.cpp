@@ -17,6 +17,7 @@ constexpr double lying = 3.0 * degree;    // a hole that inclines more carries t
 constexpr double straight = 1.5 * degree / 30.0;  // a hole that bends more [rad/m]
 constexpr double margin = 45.0;           // [m]
 constexpr double two_stands = 57.0;       // [m]
+constexpr int six_joints = 6;             // of them
 constexpr double thick_walled = 0.7;      // heavy-weight pipe's bore is 0.55 to 0.66 of its outer diameter, drill pipe's 0.74 and more
 
 /// Measured depth at which the survey's inclination first passes `lying` [m], between stations by proportion; where it
@@ -56,9 +57,10 @@ double inclination_at(const std::vector<SurveyStation>& survey, double md) noexc
   return above.inclination + (next->inclination - above.inclination) * (md - above.md) / (next->md - above.md);
 }
 
+/// Not of a stand or two between collars.
 bool is_drill_pipe(const PartSpec& part) noexcept
 {
-  return part.type == PartType::pipe && part.inner_diameter > thick_walled * part.outer_diameter;
+  return part.type == PartType::pipe && part.inner_diameter > thick_walled * part.outer_diameter && part.joints > six_joints;
 }
 
 /// Of what is below the first drill pipe, or below the last part, from the bit's face [m].

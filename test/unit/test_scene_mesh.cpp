@@ -179,6 +179,9 @@ TEST(FreeLength, endsTwoStandsAboveTheAssembly)
   };
   EXPECT_NEAR(below_the_top({heavy}), simple + 10.0 * heavy.joint_length, 1e-9);
   EXPECT_NEAR(below_the_top({slim}), simple, 1e-9);
+  PartSpec two_stands = slim;
+  two_stands.joints = 6;
+  EXPECT_NEAR(below_the_top({two_stands, heavy}), simple + 16.0 * heavy.joint_length, 1e-9) << "between stiffer parts it belongs to them";
   EXPECT_NEAR(below_the_top({heavy, slim, heavy}), simple + 10.0 * heavy.joint_length, 1e-9);
 }
 

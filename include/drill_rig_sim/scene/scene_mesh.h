@@ -21,7 +21,7 @@ ElementLengths element_lengths(const Scene& scene) noexcept;
 
 /// How far above the bit's face the string's nodes are free, those above are guided [m]: infinity for level beam3d, less than 0 for
 /// axial_torsional and rigid. For hybrid `numerics.free_length` where it is given, else the bottom-hole assembly and two stands: what is below the
-/// first drill pipe, of which walls are thinner than heavy-weight pipe's (a bore over 0.7 of its outer diameter), or below the last part.
+/// first drill pipe of more than two stands, of which walls are thinner than heavy-weight pipe's (a bore over 0.7 of its outer diameter), or below the last part.
 double free_length(const Scene& scene) noexcept;
 
 /// The hole down to `depth` [m] nowhere inclines by more than 3 deg, nor bends by more than 1.5 deg/30 m.
