@@ -25,7 +25,7 @@ AccuracyReport doubt_of_hole(const State& state) noexcept;
 /// Where the scene needs an output that its level does not represent.
 AccuracyReport doubt_of_level(const Scene& scene, const State& state) noexcept;
 
-/// Watches what makes a run inaccurate without failing it. Every tenth frame is looked at, and the energy of its first step booked.
+/// Watches what makes a run inaccurate without failing it. Every tenth frame is looked at, and the energy of its first step booked; of steps longer than frames every fourth at most.
 ///
 /// - Compression: two cubic elements carry the half wave into which pipe in a hole buckles, pi sqrt(2 E I/P), so an element of length L
 ///   carries (pi^2/2) E I/L^2. Above it a mesh buckles in its own way.
