@@ -71,6 +71,18 @@ double assembly_length(const std::vector<PartSpec>& string) noexcept
   return length;
 }
 
+/// From the bit's face up to the highest pipe that is heavier than what is below it, which it is there to push; 0: none is [m].
+double pushed_by_heavier(const std::vector<PartSpec>& string) noexcept
+{
+  double lower_end = 0.0, highest = 0.0;
+  for (std::size_t p = 1; p < string.size(); ++p)
+  {
+    lower_end += string[p - 1].joints * string[p - 1].joint_length;
+    if (string[p].type == PartType::pipe && string[p].linear_mass > string[p - 1].linear_mass) highest = lower_end;
+  }
+  return highest;
+}
+
 /// In air, of the part at `from_bit` [m] above the bit's face [kg/m].
 double linear_mass_at(const std::vector<PartSpec>& string, double from_bit) noexcept
 {
@@ -163,6 +175,7 @@ ElementLengths element_lengths(const Scene& scene) noexcept
   {
     lengths.guided = numerics.guided_element_length > 0.0 ? numerics.guided_element_length : joint;
     lengths.guided_change = std::max(free_length(scene), pushed_length(scene));
+    if (lengths.guided > joint) lengths.guided_change = std::max(lengths.guided_change, pushed_by_heavier(scene.string));
   }
   return lengths;
 }

@@ -160,6 +160,24 @@ TEST(ElementLengths, jointsWherePipeIsGuidedAndNothingPushesIt)
   EXPECT_EQ(element_lengths(scene).at(500.0), 4.75) << "where friction pushes it a window may open";
 }
 
+// Pipe below heavier pipe is there to be pushed, and buckles: two joints an element carry a quarter of what one does.
+TEST(ElementLengths, twoJointsAboveThePipeThatHeavierPipePushes)
+{
+  Scene scene = vertical(1150.0, 1150.0);
+  scene.numerics.level = Level::hybrid;
+  scene.numerics.guided_element_length = 20.0;
+  const PartSpec pipe = scene.string.back();
+  PartSpec slim = pipe;
+  slim.joints = 20;
+  slim.linear_mass = 0.5 * pipe.linear_mass;
+  const double assembly = free_length(scene) - 57.0;
+  EXPECT_EQ(element_lengths(scene).at(free_length(scene) + 1.0), 20.0);
+  scene.string.insert(scene.string.end() - 1, slim);
+  const double slim_ends = assembly + 20.0 * slim.joint_length;
+  EXPECT_EQ(element_lengths(scene).at(slim_ends - 1.0), 9.5);
+  EXPECT_EQ(element_lengths(scene).at(slim_ends + 1.0), 20.0);
+}
+
 // Below the first drill pipe, as a driller counts: heavy-weight pipe on the collars belongs to it, heavy-weight pipe further up does not, whatever lies above.
 TEST(FreeLength, endsTwoStandsAboveTheAssembly)
 {

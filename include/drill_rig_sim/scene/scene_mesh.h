@@ -16,7 +16,8 @@ constexpr double wide_tolerance = 0.05, middle_tolerance = 0.02, narrow_toleranc
 /// or as above where the string hangs in the middle of its hole. Where pipe lies on the wall its elements have to carry the bending between two contacts, or it gives way
 /// below its buckling load and whirls falsely; so it does where it is pushed; where it hangs, joints do as well. Chosen by the operations matrix (test/accuracy/run
 /// --operations, --variants and --auto). Where friction pushes the pipe and `numerics.pushed_element_length` is given, elements are that short; guided pipe that it
-/// does not push has elements of `numerics.guided_element_length`, if that is given, of two joints at most.
+/// does not push has elements of `numerics.guided_element_length`, if that is given, of two joints at most, and of one below heavier pipe, which is there to push it;
+/// else, in level hybrid, of a joint.
 ElementLengths element_lengths(const Scene& scene) noexcept;
 
 /// How far above the bit's face the string's nodes are free, those above are guided [m]: infinity for level beam3d, less than 0 for
