@@ -109,7 +109,8 @@ def run(args, folder):
         return 3, []
     verdicts = [Verdict(scene, folder, args.tolerance) for scene in scenes]
     counts = ', '.join('%d %s' % (sum(v.kind == kind for v in verdicts), kind) for kind in ('right', 'warned', 'silent', 'undecided'))
-    lines = ['| scene | verdict | worst 3 s [% of scale] | of | off by %g %% from [s] | warned from [s] |' % (100.0 * args.tolerance), '| --- | --- | --- | --- | --- | --- |']
+    lines = ['| scene | verdict | worst 3 s [%% of scale] | of | off by %g %% from [s] | warned from [s] |' % (100.0 * args.tolerance)]
+    lines += ['| --- | --- | --- | --- | --- | --- |']
     lines += [verdict.row() for verdict in verdicts] + ['', '%d scenes: %s.' % (len(verdicts), counts)]
     print('\n'.join(lines))
     table = 'foreign.md' if args.tolerance == 0.02 else 'foreign_%g.md' % args.tolerance
