@@ -57,7 +57,7 @@ double inclination_at(const std::vector<SurveyStation>& survey, double md) noexc
   return above.inclination + (next->inclination - above.inclination) * (md - above.md) / (next->md - above.md);
 }
 
-/// Not of a stand or two between collars.
+/// Pipe of thin walls, more of it than the stand or two that may stand between collars.
 bool is_drill_pipe(const PartSpec& part) noexcept
 {
   return part.type == PartType::pipe && part.inner_diameter > thick_walled * part.outer_diameter && part.joints > six_joints;
