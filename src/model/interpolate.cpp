@@ -52,7 +52,7 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& a, double share, const Eigen
 {
   const double dot = a.dot(b), less = std::abs(dot) - 1.0;
   if (less < -0.15) return a.slerp(share, b);
-  const double of_b = dot < 0.0 ? -share_of_sine(share, less) : share_of_sine(share, less);
+  const double of_b = std::copysign(share_of_sine(share, less), dot);
   return Eigen::Quaterniond(share_of_sine(1.0 - share, less) * a.coeffs() + of_b * b.coeffs());
 }
 

@@ -170,10 +170,10 @@ ElementLengths element_lengths(const Scene& scene) noexcept
     lengths.pushed = numerics.pushed_element_length;
     lengths.pushed_change = pushed_length(scene);
   }
-  const bool joints_do = numerics.level == Level::hybrid && numerics.element_length == 0.0;
-  if (joints_do || numerics.guided_element_length > 0.0)
+  lengths.guided = numerics.guided_element_length;
+  if (lengths.guided == 0.0 && numerics.level == Level::hybrid && numerics.element_length == 0.0) lengths.guided = joint;
+  if (lengths.guided > 0.0)
   {
-    lengths.guided = numerics.guided_element_length > 0.0 ? numerics.guided_element_length : joint;
     lengths.guided_change = std::max(free_length(scene), pushed_length(scene));
     if (lengths.guided > joint) lengths.guided_change = std::max(lengths.guided_change, pushed_by_heavier(scene.string));
   }
