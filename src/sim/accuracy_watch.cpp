@@ -14,7 +14,7 @@ namespace drill_rig_sim
 namespace
 {
 constexpr std::uint64_t every = 10;          // frames
-constexpr std::uint64_t rarely = 4;          // steps of several frames: one that is booked costs twice as much
+constexpr std::uint64_t passed_over = 3;     // steps of several frames between two that are booked: such a one costs twice as much
 constexpr double memory_time = 10.0;         // [s]
 constexpr double short_memory = 3.0;         // [s]
 constexpr double most_confined = 0.8;        // of the load at which pipe buckles
@@ -151,13 +151,14 @@ void AccuracyWatch::begin_frame(Integrator& integrator, const Setpoints& setpoin
   steps_ = integrator.counters().steps;
   attempts_ = attempts_of(integrator.counters(), model_->scene().numerics);
   if (memory.frames % every == 0) memory.due = true;
-  if (steps) ++memory.unbooked;
-  booked_ = memory.due && memory.unbooked >= rarely && steps && !integrator.reference();
+  booked_ = memory.due && steps && memory.spared == 0 && !integrator.reference();
+  if (steps && memory.spared > 0) --memory.spared;
   if (booked_)
   {
     balance_.restart();
     stands_for_ = commanded ? memory.commanded : every - std::min(every, memory.commanded);
-    memory.commanded = memory.unbooked = 0;
+    memory.commanded = 0;
+    memory.spared = passed_over;
     memory.due = false;
   }
   integrator.sample_balance(booked_ ? &balance_ : nullptr);

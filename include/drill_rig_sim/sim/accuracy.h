@@ -60,7 +60,7 @@ struct AccuracyMemory
   Setpoints setpoints;        ///< of the last frame
   std::uint64_t commanded = 0;  ///< frames that took up new set points since the last sample of energy
   bool due = false;           ///< such a sample is
-  std::uint64_t unbooked = 3;  ///< frames since that sample that began with a step
+  std::uint64_t spared = 0;   ///< frames that begin with a step and are passed over before the next one
   double dissipated = 0.0;    ///< numerical, mean over the last seconds by magnitudes [W]
   double throughput = 0.0;    ///< of the inputs, or of the losses where they are more, in the same way [W]
   double refused = 0.0;       ///< attempts a step that were repeated in parts, in the same way
@@ -87,7 +87,7 @@ struct AccuracyMemory
     v("setpoints", setpoints);
     v("commanded", commanded);
     v("due", due);
-    v("unbooked", unbooked);
+    v("spared", spared);
     v("dissipated", dissipated);
     v("throughput", throughput);
     v("refused", refused);
