@@ -35,14 +35,19 @@ double first_inclined(const WellSpec& well) noexcept
   return well.survey.empty() ? 0.0 : well.survey.back().md + margin;
 }
 
+/// Between the directions of two stations [rad].
+double angle_between(const SurveyStation& above, const SurveyStation& below) noexcept
+{
+  const double chord = (tangent_from(below.inclination, below.azimuth) - tangent_from(above.inclination, above.azimuth)).norm();
+  return 2.0 * std::asin(std::min(1.0, 0.5 * chord));
+}
+
 /// Whether the survey bends above `depth` [m] by more than the string does without leaning on its hole.
 bool bends(const std::vector<SurveyStation>& survey, double depth) noexcept
 {
   for (std::size_t i = 1; i < survey.size() && survey[i - 1].md < depth; ++i)
   {
-    const SurveyStation &above = survey[i - 1], &below = survey[i];
-    const double turned = (tangent_from(below.inclination, below.azimuth) - tangent_from(above.inclination, above.azimuth)).norm();
-    if (turned > straight * (below.md - above.md)) return true;
+    if (angle_between(survey[i - 1], survey[i]) > straight * (survey[i].md - survey[i - 1].md)) return true;
   }
   return false;
 }
@@ -137,6 +142,13 @@ double free_length(const Scene& scene) noexcept
 bool hangs(const WellSpec& well, double depth) noexcept
 {
   return first_inclined(well) >= depth && !bends(well.survey, depth);
+}
+
+double turned_above(const WellSpec& well, double depth) noexcept
+{
+  double turned = 0.0;
+  for (std::size_t i = 1; i < well.survey.size() && well.survey[i - 1].md < depth; ++i) turned += angle_between(well.survey[i - 1], well.survey[i]);
+  return turned;
 }
 
 bool hangs_in_the_middle(const Scene& scene) noexcept

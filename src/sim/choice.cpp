@@ -9,6 +9,7 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double two_joints = 20.0, quarter_joint = 2.4, eighth_joint = 1.2;  // [m]
+constexpr double many_turns = 3.0;  // [rad]
 
 std::string percent(double tolerance)
 {
@@ -22,6 +23,8 @@ Choice choose_level(const Scene& scene)
   if (has_no_levels(scene.numerics.integrator)) return {Level::beam3d, "the integrator has no other level"};
   constexpr unsigned bending = need_direction | need_contact | need_buckling, turning = need_torque | need_bit_speed;
   const double tolerance = scene.numerics.tolerance;
+  if (turned_above(scene.well, scene.start.bit_depth) > many_turns)
+    return {Level::beam3d, "the hole turns by more than 3 rad in all: that multiplies what is wrong of friction"};
   const bool in_the_middle = hangs_in_the_middle(scene);
   if (tolerance >= wide_tolerance && !(scene.needs & bending) && in_the_middle)
     return {Level::axial_torsional, "within " + percent(tolerance) + " nothing is needed of bending"};

@@ -55,6 +55,18 @@ TEST(Choice, bendingNearTheBitAloneInAHoleThatHangsTheString)
   EXPECT_EQ(choose(spiral).level, Level::beam3d);
 }
 
+TEST(Choice, bendingEverywhereWhereTheHoleTurnsAgainAndAgain)
+{
+  Scene spiral = hanging(0.05);
+  spiral.well.survey = {{0.0, 0.0, 0.0}};
+  for (int turn = 1; turn <= 12; ++turn) spiral.well.survey.push_back({30.0 * turn, 3.5 * degree, 0.5 * pi * turn});
+  EXPECT_EQ(choose(spiral).level, Level::hybrid) << "0.06 and eleven times 0.086 rad";
+  for (SurveyStation& station : spiral.well.survey) station.inclination *= 4.0;
+  EXPECT_EQ(choose(spiral).level, Level::beam3d) << "0.24 and eleven times 0.34 rad";
+  spiral.start.bit_depth = 200.0;
+  EXPECT_EQ(choose(spiral).level, Level::hybrid) << "five of them are below the bit";
+}
+
 TEST(Choice, bendingNearTheBitAloneWhereTorqueIsNotNeeded)
 {
   EXPECT_EQ(choose(lying(0.02, along)).level, Level::hybrid);

@@ -28,6 +28,9 @@ double free_length(const Scene& scene) noexcept;
 /// The hole down to `depth` [m] nowhere inclines by more than 3 deg, nor bends by more than 1.5 deg/30 m.
 bool hangs(const WellSpec& well, double depth) noexcept;
 
+/// By how much the survey turns between its stations above `depth` [m], all turns counted up [rad].
+double turned_above(const WellSpec& well, double depth) noexcept;
+
 /// The string hangs in the middle of its hole: hangs(), and no mud motor bends it.
 bool hangs_in_the_middle(const Scene& scene) noexcept;
 

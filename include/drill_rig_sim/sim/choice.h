@@ -18,6 +18,7 @@ struct Choice
 
 /// The cheapest level and mesh that keep the scene's needs within its tolerance, by rules that the operations matrix has taught (98 cells of a
 /// minute, errors over the outputs' ranges; test/accuracy/README.md, levels):
+/// - beam3d in a hole that turns by more than 3 rad in all: turns multiply friction (exp(mu theta), the capstan), and with it guided pipe's errors.
 /// - From 5 % on, without needs of bending (direction, contact, buckling), in a hole that hangs the string (hangs()) without a mud motor: axial_torsional. Where the
 ///   hole bends, stiff and stabilised assemblies bear on it harder than their weight does: torque would be 6 to 11 % low.
 /// - From 5 % on, or in a hole that hangs the string without a mud motor, or from 2 % on without torque and bit speed among
