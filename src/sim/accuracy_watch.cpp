@@ -252,7 +252,7 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
     const double share = -forces.tension[e] * s.length * s.length / (0.5 * pi * pi * s.bending);
     const double twist = std::abs(forces.torque[e]) / s.torsion;
     const bool guided = state.nodes[e].guided && state.nodes[e + 1].guided;
-    const double buckles = guided && forces.tension[e] < 0.0 ? -forces.tension[e] / buckling_load(model, state, e) : 0.0;
+    const double buckles = guided ? buckling_share(model, state, e, forces.tension[e]) : 0.0;
     if (buckles > most_confined) take(AccuracyDoubt::confined, buckles, mesh.middle(e), s.length);
     if (share > 1.0 && !guided) take(AccuracyDoubt::compression, share, mesh.middle(e), s.length);
     if (twist > most_twist) take(AccuracyDoubt::twist, twist, mesh.middle(e), s.length);

@@ -14,11 +14,6 @@ constexpr double opens = 0.6;    // of the buckling load
 constexpr double closes = 0.4;
 constexpr double reach = 30.0;   // [m]
 constexpr double patience = 10.0;  // [s]
-
-double share_of(const Model& model, const RigForces& forces, const State& state, std::size_t e) noexcept
-{
-  return forces.tension[e] < 0.0 ? -forces.tension[e] / buckling_load(model, state, e) : 0.0;
-}
 }  // namespace
 
 Level level_of(const Model& model, double free_length) noexcept
@@ -49,7 +44,7 @@ bool LevelWatch::open(const Model& model, const RigForces& forces, const State& 
   for (std::size_t e = 0; e + 1 < nodes.size(); ++e)
   {
     if (!state.nodes[e].guided && !state.nodes[e + 1].guided) continue;
-    if (share_of(model, forces, state, e) < opens) continue;
+    if (buckling_share(model, state, e, forces.tension[e]) < opens) continue;
     any = true;
     const double middle = model.mesh().middle(e);
     for (std::size_t i = e + 1; i-- > 0 && nodes[i].from_bit > middle - reach;) wanted_[i] = 0;
@@ -66,7 +61,7 @@ bool LevelWatch::calm(const Model& model, const RigForces& forces, const State& 
   for (std::size_t e = 0; e + 1 < guided_.size(); ++e)
   {
     const bool in_window = (guided_[e] && !state.nodes[e].guided) || (guided_[e + 1] && !state.nodes[e + 1].guided);
-    if (in_window && share_of(model, forces, state, e) > closes) return false;
+    if (in_window && buckling_share(model, state, e, forces.tension[e]) > closes) return false;
   }
   return true;
 }

@@ -124,12 +124,6 @@ double bending_stress(const Model& model, std::size_t e, double moment) noexcept
   return inertia > 0.0 ? 0.5 * moment * part.outer_diameter / inertia : 0.0;
 }
 
-/// Compression over what the element's pipe bears straight; 0 in tension.
-double buckling_share(const Model& model, const State& s, double tension, std::size_t e) noexcept
-{
-  return tension < 0.0 ? -tension / buckling_load(model, s, e) : 0.0;
-}
-
 /// The larger of the elements that meet at node i.
 template <class Of>
 double larger_at(std::size_t elements, std::size_t i, Of of)
@@ -181,7 +175,7 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
     out.spin_speed[i] = node.rate.spin;
     out.radius[i] = 0.5 * element.outer_diameter;
     out.bending_stress[i] = larger_at(mesh.elements.size(), i, [&](std::size_t k) { return bending_stress(model, k, forces.bending_moment[i]); });
-    out.buckling[i] = larger_at(mesh.elements.size(), i, [&](std::size_t k) { return buckling_share(model, s, forces.tension[k], k); });
+    out.buckling[i] = larger_at(mesh.elements.size(), i, [&](std::size_t k) { return buckling_share(model, s, k, forces.tension[k]); });
     out.guided[i] = node.guided ? 1 : 0;
   }
 }

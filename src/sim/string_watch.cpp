@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "drill_rig_sim/math/units.h"
 
@@ -41,21 +40,24 @@ StringWatch::StringWatch(const Model& model)
   }
 }
 
-double buckling_load(const Model& model, const State& state, std::size_t e) noexcept
+double buckling_share(const Model& model, const State& state, std::size_t e, double tension) noexcept
 {
   const MeshElement& element = model.mesh().elements[e];
   const NodeState &lower = state.nodes[e], &upper = state.nodes[e + 1];
-  if (upper.position.z() > 0.0) return std::numeric_limits<double>::infinity();
+  if (tension >= 0.0 || upper.position.z() > 0.0) return 0.0;
   const double stiffness = element.section.bending;
   const double weight = model.element_weight(static_cast<int>(e), lower.position.z(), upper.position.z()) / element.section.length;
-  if (weight <= 0.0) return std::numeric_limits<double>::infinity();  // within the bit's own length
+  if (weight <= 0.0) return 0.0;  // within the bit's own length
   const double clearance = state.well.radius_near(lower.position, lower.segment) - 0.5 * element.outer_diameter;
-  if (clearance <= 0.0) return std::numeric_limits<double>::infinity();
-  const Vector3d along = upper.position - lower.position;
-  const double inclined = along.head<2>().norm() / along.norm();  // sin I
-  const double lying = 2.0 * std::sqrt(stiffness * weight * inclined / clearance);
+  if (clearance <= 0.0) return 0.0;
+  const Vector3d way = upper.position - lower.position;
+  const double length = way.norm();
+  const Vector3d up = way / length;
+  const Vector3d bend = (state.well.tangent_near(lower.position, lower.segment) - state.well.tangent_near(upper.position, upper.segment)) / length;
+  const Vector3d pressed = weight * (up * up.z() - Vector3d::UnitZ()) + tension * bend;  // against the wall [N/m]
+  const double lying = 2.0 * std::sqrt(stiffness * pressed.norm() / clearance);
   const double hanging_cubed = hanging * hanging * hanging * stiffness * weight * weight;
-  return lying * lying * lying > hanging_cubed ? lying : std::cbrt(hanging_cubed);  // a cube's root is dear
+  return -tension / (lying * lying * lying > hanging_cubed ? lying : std::cbrt(hanging_cubed));  // a cube's root is dear
 }
 
 StringLoads StringWatch::look(const Model& model, const State& state, const RigForces& forces) const noexcept
@@ -68,7 +70,7 @@ StringLoads StringWatch::look(const Model& model, const State& state, const RigF
     const double axial = std::abs(tension) / s.area + std::max(forces.bending_moment[e], forces.bending_moment[e + 1]) / s.bending;
     take(std::sqrt(axial * axial + 3.0 * std::pow(torque / s.torsion, 2)) / s.yield, s.from_bit, out.stress);
     if (s.make_up > 0.0) take(torque / s.make_up, s.from_bit, out.torque);
-    if (tension < 0.0 && -tension > out.buckling.share * s.least_buckling) take(-tension / buckling_load(model, state, e), s.from_bit, out.buckling);
+    if (tension < 0.0 && -tension > out.buckling.share * s.least_buckling) take(buckling_share(model, state, e, tension), s.from_bit, out.buckling);
   }
   return out;
 }

@@ -193,4 +193,12 @@ double Wellbore::radius_near(const Eigen::Vector3d& point, int segment_hint) con
   return g.radius + std::clamp(first_guess(g, point), 0.0, 1.0) * g.radius_change;
 }
 
+Eigen::Vector3d Wellbore::tangent_near(const Eigen::Vector3d& point, int segment_hint) const noexcept
+{
+  if (segment_hint < 0) return locate(point, segment_hint).tangent;
+  const HoleSegment& g = segment(std::min(segment_hint, new_interval_index()));
+  const double s = std::clamp(first_guess(g, point), 0.0, 1.0);
+  return (g.c1 + s * (2.0 * g.c2 + 3.0 * s * g.c3)).normalized();
+}
+
 }  // namespace drill_rig_sim

@@ -145,7 +145,7 @@ TEST(Profile, stressAndBucklingAreThoseOfTheWorseElement)
   StringProfile p;
   fill_profile(*rig.model, rig.state, forces, p);
   const auto resistance = [](double outer, double inner) { return pi / 32.0 * (std::pow(outer, 4) - std::pow(inner, 4)) / outer; };
-  const auto share = [&](int e) { return e == 5 ? 0.0 : 1000.0 * (e + 1) / buckling_load(*rig.model, rig.state, static_cast<std::size_t>(e)); };
+  const auto share = [&](int e) { return e == 5 ? 0.0 : buckling_share(*rig.model, rig.state, static_cast<std::size_t>(e), -1000.0 * (e + 1)); };
   for (int i = 1; i + 1 < n; ++i)
   {
     const bool collar = p.from_bit[i] < 0.3 + 18.8 - 1e-6;

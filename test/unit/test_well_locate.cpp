@@ -108,6 +108,8 @@ TEST_P(LocateIn, RadiusNearAPointIsTheHoles)
     const ClosestPoint closest = hole.locate(point, -1);
     ASSERT_NEAR(hole.radius_near(point, closest.segment), closest.radius, 1e-3 * closest.radius) << i;
     ASSERT_EQ(hole.radius_near(point, -1), closest.radius) << i;
+    ASSERT_LT((hole.tangent_near(point, closest.segment) - closest.tangent).norm(), 1e-3) << i;
+    ASSERT_EQ(hole.tangent_near(point, -1), closest.tangent) << i;
   }
 }
 

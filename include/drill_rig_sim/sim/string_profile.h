@@ -24,7 +24,7 @@ struct StringProfile
   std::vector<double> spin_speed;      ///< [rad/s]
   std::vector<double> radius;          ///< outer radius drawn at the node [m]
   std::vector<double> bending_stress;  ///< of the outer fibre, by the bending moment alone; of the elements that meet there the larger [Pa]
-  std::vector<double> buckling;        ///< compression over buckling_load() (string_watch.h), of the elements that meet there the larger [-]
+  std::vector<double> buckling;        ///< buckling_share() (string_watch.h), of the elements that meet there the larger [-]
   std::vector<unsigned char> guided;   ///< 1: along the hole and about it alone
 };
 

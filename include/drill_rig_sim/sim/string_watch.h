@@ -24,10 +24,11 @@ struct StringLoads
   LoadShare buckling;  ///< compression over the load at which the pipe buckles in its hole
 };
 
-/// At which an element's pipe buckles into a sine [N]: 2 sqrt(E I w sin I / r) in an inclined hole, r the clearance of the pipe's body (Dawson and
-/// Paslay, J. Petroleum Technology 36 (1984), 1734-1738), at least 1.94 (E I w^2)^(1/3), that of a vertical one (Lubinski 1950). Infinite
-/// above the rotary table.
-double buckling_load(const Model& model, const State& state, std::size_t e) noexcept;
+/// Compression over that at which an element's pipe buckles into a sine [-]; 0 in tension and above the rotary table. It buckles at
+/// 2 sqrt(E I N / r), N what presses it to its wall per length, r the clearance of its body (Dawson and Paslay, J. Petroleum Technology 36 (1984), 1734-1738),
+/// with N = |w_n + T k|, the weight across the hole and the tension on its bend, k towards the bend's centre: a build presses compressed pipe down, a drop lifts it (He and
+/// Kyllingstad, SPE Drilling and Completion 10 (1995), 10-15), but at no less than 1.94 (E I w^2)^(1/3), as in a vertical hole (Lubinski 1950).
+double buckling_share(const Model& model, const State& state, std::size_t e, double tension) noexcept;
 
 /// Compares what the string carries with what it bears. Limits are told, not simulated: pipe beyond them goes on as if it were not.
 class StringWatch
@@ -37,7 +38,7 @@ public:
 
   /// - Stress: sqrt((|T|/A + M/W)^2 + 3 (Q/W_t)^2), T the element's tension, M the larger bending moment of its ends, Q its torque, of a
   ///   tube with the part's diameters (any book on strength of materials). Without pressure.
-  /// - Buckling: compression over buckling_load().
+  /// - Buckling: buckling_share().
   StringLoads look(const Model& model, const State& state, const RigForces& forces) const noexcept;
 
 private:
@@ -47,7 +48,7 @@ private:
     double yield;                   // [Pa]
     double make_up;                 // [N m]; 0: not known
     double from_bit;                // [m]
-    double least_buckling;          // buckling_load() is not below [N]
+    double least_buckling;          // it does not buckle below [N]
   };
   std::vector<Strength> strength_;  // of the elements
 };

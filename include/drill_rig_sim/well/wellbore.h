@@ -80,6 +80,8 @@ public:
   /// Radius of the hole at about `point` [m], which lies in or beside `segment`: read off that segment's chord, without a search; < 0
   /// searches.
   double radius_near(const Eigen::Vector3d& point, int segment) const noexcept;
+  /// Tangent of the hole there, in the same way: unit, downhole.
+  Eigen::Vector3d tangent_near(const Eigen::Vector3d& point, int segment) const noexcept;
 
   /// Stage I, and Stage II when due. `bottom_displacement`: how far the bit moved the bottom in this step, world axes [m];
   /// `bit_axis`: the raw node's tangent, unit, downhole. False and nothing changed if a number is not finite or the displacement is longer than longest_extension. About a hundred flops, whatever the drilled length.
