@@ -144,9 +144,11 @@ std::string doubt_of_pressures(const MudCircuit& mud)
 {
   const double lost = mud.circuit.bore.loss + mud.circuit.annulus.loss;
   if (lost <= 0.0 || mud.tubular_loss < lost) return {};
-  char text[200];
-  std::snprintf(text, sizeof text, "bore and annulus alone would lose %.2f MPa: pressure_coefficient leaves nothing for the bit; more than %.3g does",
-                mud.tubular_loss / 1e6, mud.tubular_loss / std::pow(mud.circuit.nominal_flow, 2));
+  char text[240];
+  const double flow = mud.circuit.nominal_flow;
+  std::snprintf(text, sizeof text,
+                "bore and annulus alone would lose %.2f MPa at the pump's largest flow, %.3g m3/s: pressure_coefficient leaves nothing for the bit, one above %.3g would",
+                mud.tubular_loss / 1e6, flow, mud.tubular_loss / (flow * flow));
   return text;
 }
 

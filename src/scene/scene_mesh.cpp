@@ -182,6 +182,8 @@ ElementLengths element_lengths(const Scene& scene) noexcept
     lengths.pushed = numerics.pushed_element_length;
     lengths.pushed_change = pushed_length(scene);
   }
+  lengths.stand = scene.rig.hoisting.stand_joints;
+  lengths.start_length = scene.start.bit_depth + scene.start.block_height;
   lengths.guided = numerics.guided_element_length;
   if (lengths.guided == 0.0 && numerics.level == Level::hybrid && numerics.element_length == 0.0) lengths.guided = joint;
   if (lengths.guided > 0.0)

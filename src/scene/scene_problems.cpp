@@ -138,7 +138,7 @@ void check_diameters(const Scene& scene, ProblemList& problems)
     {
       problems.emplace_back(
           item_key("string", i, width.key),
-          metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section, " + metres(narrowest) +
+          metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section above " + metres(deepest) + ", where it may come, " + metres(narrowest) +
               (part.type == PartType::bit ? "; a narrower hole that the bit reams: well.pilot_depth" : ""));
     }
     else if (i > 0 && into_drilled && scene.string[0].bit && width.diameter > scene.string[0].bit->diameter)

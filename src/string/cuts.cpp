@@ -52,9 +52,9 @@ std::vector<Place> places_in(const PartSpec& part, double lower, double upper)
 }
 
 /// Joint j, which begins at `lower` [m], and the next one are one element.
-bool merges(const std::vector<double>& lengths, std::size_t j, double lower, const ElementLengths& longest)
+bool merges(const std::vector<double>& lengths, std::size_t j, double lower, const ElementLengths& longest, const Pairs& pairs)
 {
-  if (j + 1 == lengths.size() || lower < longest.guided_change) return false;
+  if (j + 1 == lengths.size() || lower < longest.guided_change || !pairs.has(static_cast<int>(j))) return false;
   return lengths[j] + lengths[j + 1] <= longest.guided + 1e-9;
 }
 }  // namespace
@@ -84,7 +84,7 @@ std::vector<double> joint_lengths(const PartSpec& part, double rest)
 }
 
 void cut_part(const PartSpec& part, int index, double lower, const std::vector<double>& lengths, const ElementLengths& longest,
-              std::vector<Cut>& cuts)
+              const Pairs& pairs, std::vector<Cut>& cuts)
 {
   const double upper = lower + lengths.front();
   const std::vector<Place> places = places_in(part, lower, upper);
@@ -94,7 +94,7 @@ void cut_part(const PartSpec& part, int index, double lower, const std::vector<d
     for (std::size_t j = 0; j < lengths.size(); ++j)
     {
       double end = lower + lengths[j];
-      if (merges(lengths, j, lower, longest)) end += lengths[++j];
+      if (merges(lengths, j, lower, longest, pairs)) end += lengths[++j];
       cut_joint(part, index, static_cast<int>(j), lower, end, longest.at(lower), cuts);
       lower = end;
     }

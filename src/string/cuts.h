@@ -30,9 +30,19 @@ double joint_end_diameter(const PartSpec& part);
 /// less than shortest_joint.
 std::vector<double> joint_lengths(const PartSpec& part, double rest);
 
+/// The joints of a part of which two may be one element.
+struct Pairs
+{
+  int below = 0;  ///< this joint, counted from the part's lower end; from there down
+  int stand = 1;  ///< joints in a stand, which no element leaves
+
+  /// Joint j and the next one.
+  bool has(int j) const noexcept { return j + 1 < below && (below - j - 1) % stand % 2 == 1; }
+};
+
 /// Appends the cuts of one part, whose joints begin at `lower` from the bit's face [m], into elements of `longest` at most.
 void cut_part(const PartSpec& part, int index, double lower, const std::vector<double>& lengths, const ElementLengths& longest,
-              std::vector<Cut>& cuts);
+              const Pairs& pairs, std::vector<Cut>& cuts);
 
 }  // namespace drill_rig_sim
 

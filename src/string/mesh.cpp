@@ -64,6 +64,13 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
   throw std::runtime_error(message.str());
 }
 
+/// In the last part, what is above its uppermost joint as it was first built is broken out or added joint by joint.
+Pairs pairs_in(const PartSpec& part, bool last, double lower, std::size_t joints, const ElementLengths& longest)
+{
+  if (!last) return {static_cast<int>(joints), 2};
+  return {static_cast<int>(joint_lengths(part, longest.start_length - lower).size()) - 1, longest.stand};
+}
+
 /// Where the elements of all parts end, and where the parts begin and end.
 std::vector<Cut> cut_string(const std::vector<PartSpec>& parts, const ElementLengths& longest, Mesh& mesh)
 {
@@ -82,7 +89,7 @@ std::vector<Cut> cut_string(const std::vector<PartSpec>& parts, const ElementLen
     const std::vector<double> lengths = joint_lengths(part, mesh.total_length - top);
     if (lengths.empty()) refuse_rest(part, mesh.total_length - top);
     mesh.part_bottom.push_back(top);
-    cut_part(part, static_cast<int>(p), top, lengths, longest, cuts);
+    cut_part(part, static_cast<int>(p), top, lengths, longest, pairs_in(part, p + 1 == parts.size(), top, lengths.size(), longest), cuts);
     for (double length : lengths) top += length;
     mesh.part_top.push_back(top);
     if (part.mwd) mesh.sensor_from_bit = mesh.part_bottom.back() + part.mwd->sensor_offset;

@@ -146,7 +146,7 @@ std::vector<Cut> cuts_of(const std::vector<PartSpec>& parts, double length, cons
     count += joints * std::ceil(part.joint_length / std::min(longest.lower, longest.upper)) + 1.0;
     if (count > most_mesh_nodes) continue;
     const std::vector<double> lengths = joint_lengths(part, length - lower);
-    cut_part(part, static_cast<int>(i), lower, lengths, longest, cuts);
+    cut_part(part, static_cast<int>(i), lower, lengths, longest, Pairs(), cuts);
     for (double joint : lengths) lower += joint;
   }
   return cuts;

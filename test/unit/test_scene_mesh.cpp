@@ -3,6 +3,7 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
+#include "drill_rig_sim/sim/connection.h"
 #include "test_scenes.h"
 
 using namespace drill_rig_sim;
@@ -131,7 +132,7 @@ TEST(ElementLengths, guidedPipeMayHaveElementsOfTwoJoints)
   const Mesh joints = build_mesh(scene, 410.0);
   scene.numerics.guided_element_length = 19.1;
   const Mesh merged = build_mesh(scene, 410.0);
-  EXPECT_LE(merged.elements.size(), joints.elements.size() / 2 + 2);
+  EXPECT_LE(merged.elements.size(), 2 * joints.elements.size() / 3 + 2) << "two of a stand's three joints";
   double mass = 0.0, merged_mass = 0.0;
   for (const MeshElement& e : joints.elements) mass += e.linear_mass * e.section.length;
   for (const MeshElement& e : merged.elements) merged_mass += e.linear_mass * e.section.length;
@@ -144,6 +145,29 @@ TEST(ElementLengths, guidedPipeMayHaveElementsOfTwoJoints)
   const Mesh free = build_mesh(scene, 410.0);
   scene.numerics.guided_element_length = 0.0;
   EXPECT_EQ(free.elements.size(), build_mesh(scene, 410.0).elements.size());
+}
+
+// Joint by joint and stand by stand, the string is broken out where it is with elements of joints, and is the same below.
+TEST(ElementLengths, twoJointsWithinAStandAlone)
+{
+  Scene scene = vertical(400.0, 390.0);
+  scene.start.block_height = 18.0;
+  scene.numerics.level = Level::axial_torsional;
+  for (const int stand : {1, 2, 3, 4})
+  {
+    scene.rig.hoisting.stand_joints = stand;
+    for (const int added : {-4 * stand, -stand, 0, 1, 2, stand, 3 * stand})
+    {
+      const double length = 408.0 + 9.5 * added;
+      scene.numerics.guided_element_length = 0.0;
+      const Mesh joints = build_mesh(scene, length);
+      scene.numerics.guided_element_length = 20.0;
+      const Mesh merged = build_mesh(scene, length), longer = build_mesh(scene, length + 9.5 * stand);
+      const int held = uppermost_joint(merged);
+      EXPECT_EQ(merged.nodes[held].from_bit, joints.nodes[uppermost_joint(joints)].from_bit) << stand << ' ' << added;
+      for (int i = 0; i <= held; ++i) ASSERT_EQ(longer.nodes[i].from_bit, merged.nodes[i].from_bit) << stand << ' ' << added;
+    }
+  }
 }
 
 // The lower half flat without friction: guided pipe, pushed by nothing, has joints there, and the two stands by the assembly halves.

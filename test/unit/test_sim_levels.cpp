@@ -305,7 +305,7 @@ TEST(Levels, agreeOnTorqueAndDragWithMergedJoints)
   EXPECT_NEAR(mean(run.hook_load), mean(reference.hook_load), 0.01 * mean(reference.hook_load));
   EXPECT_NEAR(mean(run.torque), mean(reference.torque), 0.01 * mean(reference.torque));
   const Simulator joints(at_level(deviated(), Level::axial_torsional)), merged(scene);
-  EXPECT_LT(merged.statistics().nodes, 0.55 * joints.statistics().nodes);
+  EXPECT_LT(merged.statistics().nodes, 0.7 * joints.statistics().nodes) << "two of a stand's three joints are one element";
 }
 
 // A string that turns and goes down; it is guided in two steps beside one whose level stays.

@@ -24,7 +24,7 @@ struct Choice
 /// - From 5 % on, or in a hole that hangs the string without a mud motor, or from 2 % on without torque and bit speed among
 ///   the needs: hybrid. Where pipe begins to turn on the low side of a hole, guided pipe is 1 to 3 % off in these two.
 /// - Else beam3d; below 2 %, with quarter joints where friction pushes the pipe, and below 0.5 % eighths.
-/// From 5 % on two joints of guided pipe that nothing pushes, neither friction nor heavier pipe above it, are one element.
+/// From 5 % on two joints of a stand of guided pipe that nothing pushes, neither friction nor heavier pipe above it, are one element.
 /// What is given by hand of step, element_length, pushed_element_length, guided_element_length and free_length stays.
 /// A method that knows free nodes alone has beam3d.
 Choice choose(const Scene& scene);

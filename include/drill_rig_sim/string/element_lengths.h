@@ -5,7 +5,7 @@ namespace drill_rig_sim
 {
 /// How long a string's elements are at most: joints that begin below `change` are cut to `lower`, those above it to `upper`, those below
 /// `pushed_change` to `pushed` and below `by_bit_change` to `by_bit`, if that is shorter, and those above `guided_change` to `guided`, if that is longer: two joints that are no longer than it
-/// together are one element.
+/// together are one element, of the last part within a stand alone, for it is at the ends of stands that the string is broken out.
 struct ElementLengths
 {
   double lower = 9.5;   ///< [m]
@@ -17,6 +17,8 @@ struct ElementLengths
   double by_bit_change = 0.0;  ///< distance from the bit's face [m]
   double guided = 0.0;  ///< [m]
   double guided_change = 0.0;  ///< distance from the bit's face [m]
+  int stand = 1;               ///< joints of the last part in a stand
+  double start_length = 0.0;   ///< of the string as it is first built, bit's face to top-drive shaft: stands are counted down from its uppermost joint [m]
 
   /// Of a joint whose lower end is `from_bit` above the bit's face [m].
   double at(double from_bit) const noexcept
@@ -31,7 +33,7 @@ struct ElementLengths
 /// `length` everywhere [m].
 constexpr ElementLengths uniform_elements(double length) noexcept
 {
-  return {length, length, 0.0, length, 0.0, length, 0.0, 0.0, 0.0};
+  return {length, length, 0.0, length, 0.0, length, 0.0, 0.0, 0.0, 1, 0.0};
 }
 
 }  // namespace drill_rig_sim
