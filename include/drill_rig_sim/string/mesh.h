@@ -50,7 +50,7 @@ struct MeshElement
 
 /// The drillstring as nodes and elements, bit first. Node 0 is the centre of the bit's ball, half a diameter above the bit's face; the
 /// bit is a rigid body on it. A bit with a gauge length has node 1 at the upper end of its pads, so that they take moments between two circles;
-/// between these it bends like the part above it. The last node is the top-drive shaft. Every joint's end, part's end, stabiliser's blade, bend, pads and pivot is a node.
+/// between these it bends like the part above it. The last node is the top-drive shaft. Every joint's end but one between two joints that are one element, every part's end, stabiliser's blade, bend, pads and pivot is a node.
 struct Mesh
 {
   std::vector<MeshNode> nodes;
