@@ -151,10 +151,11 @@ TEST(Heave, theClockAloneMovesNoFloor)
   EXPECT_EQ(first, again);
 }
 
-// Steps chosen by their error, up to 50 ms, with frames between.
+// Steps chosen by their error, up to 50 ms, with frames between; mud takes the start's waves within seconds, or steps stay short for them.
 TEST(Heave, longStepsFollowTheFloor)
 {
   Scene scene = floating(1000.0, Level::axial_torsional);
+  scene.mud.axial_damping = 50.0;
   Simulator fine(scene);
   scene.numerics.step = 0.0;
   Simulator varied(scene);
