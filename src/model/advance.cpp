@@ -80,7 +80,7 @@ void advance_discrete(const Model& model, const Stage& stage, Workspace& work, S
   advance_static(work, state);
   // the guide rail holds the shaft upright: round-off of many turns must not tilt it
   Quaterniond& shaft = state.nodes.back().orientation;
-  shaft = (Quaterniond::FromTwoVectors(x_axis(shaft), -Vector3d::UnitZ()) * shaft).normalized();
+  shaft = pointed_along(shaft, -Vector3d::UnitZ());
   state.pads = work.result.pads;
   if (model.mesh().pivot_node >= 0) state.lean = shaft_end(model, stage, work).lean;
   state.hoist = stage.hoist;

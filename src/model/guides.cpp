@@ -130,7 +130,7 @@ Eigen::Quaterniond turned_to(const Vector3d& tangent, const Eigen::Quaterniond& 
 {
   constexpr double small = 1e-3;  // [rad]
   const Vector3d normal = x_axis(q), turn = normal.cross(tangent);
-  if (turn.squaredNorm() > small * small || normal.dot(tangent) < 0.0) return (Eigen::Quaterniond::FromTwoVectors(normal, tangent) * q).normalized();
+  if (turn.squaredNorm() > small * small || normal.dot(tangent) < 0.0) return pointed_along(q, tangent);
   const Vector3d half = 0.5 * turn;
   return (Eigen::Quaterniond(1.0, half.x(), half.y(), half.z()) * q).normalized();
 }

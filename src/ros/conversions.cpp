@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "drill_rig_sim/math/rotation.h"
+
 namespace drill_rig_sim
 {
 ros::Time to_time(std::int64_t stamp)
@@ -40,7 +42,7 @@ geometry_msgs::Quaternion to_quaternion(const Eigen::Quaterniond& q)
 
 geometry_msgs::Quaternion pointing(const Eigen::Vector3d& direction)
 {
-  return to_quaternion(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), direction));
+  return to_quaternion(shortest_turn(Eigen::Vector3d::UnitX(), direction));
 }
 
 WinchSetpoint to_setpoint(const WinchCommand& m)

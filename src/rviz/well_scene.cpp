@@ -14,7 +14,7 @@ namespace
 constexpr Color planned{0.45f, 0.75f, 1.00f}, drilled{1.00f, 0.85f, 0.30f}, off_plan{1.00f, 0.45f, 0.35f}, station{0.95f, 0.95f, 0.95f},
     trail{0.30f, 1.00f, 0.95f};
 constexpr double most_rings = 1500.0;   // of the wall
-constexpr int wall_sides = 24, coarse_sides = 10;
+constexpr int wall_sides = 24, coarse_wall_sides = 10;
 constexpr double trail_spacing = 0.01;  // of the bit's places that are kept [m]
 constexpr std::size_t trail_length = 1000;
 constexpr float whole_opacity = 0.35f;
@@ -89,7 +89,7 @@ void WellScene::draw_wall(const DrillstringModel& model, const DrillstringOption
   const bool whole = options.wall == WallStyle::whole;
   if (whole)
     for (Ring& ring : rings) ring.color.a = whole_opacity;
-  const int sides = options.coarse ? coarse_sides : wall_sides;
+  const int sides = options.coarse ? coarse_wall_sides : wall_sides;
   wall_.set(whole ? std::vector<Ring>() : rings, sides, true, true);
   whole_wall_.set(whole ? rings : std::vector<Ring>(), sides, true, true);
 }
@@ -111,7 +111,7 @@ void WellScene::draw_paths(const DrillstringModel& model, const DrillstringOptio
 void WellScene::draw_stations(const DrillstringModel& model, const DrillstringOptions& options)
 {
   mesh_.clear();
-  const int sides = options.coarse ? coarse_sides : wall_sides;
+  const int sides = options.coarse ? coarse_wall_sides : wall_sides;
   for (std::size_t i = 0; options.stations && i < model.rig->stations.size(); ++i)
   {
     // a collar about the hole; one that is still to be drilled about the plan

@@ -7,8 +7,6 @@ const std::vector<const char*> hook_load_place_words = {"block", "dead_line"};
 
 namespace
 {
-constexpr Range none{};
-
 // clang-format off
 /// What every gauge has; of Spec, because a gauge may have more.
 template <class Spec>

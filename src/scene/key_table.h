@@ -20,6 +20,9 @@ struct Range
   bool high_open = false;  ///< `high` itself is not allowed
 };
 
+/// Of a key that is not a number.
+constexpr Range none{};
+
 constexpr Range between(double low, double high)
 {
   return {low, high, false, false};
@@ -82,6 +85,8 @@ using Field = std::variant<double Spec::*, int Spec::*, std::string Spec::*, Cho
 
 /// Bits of the kinds (of string part, of bit law) that a row belongs to.
 constexpr unsigned every_kind = ~0u;
+/// As Key::required: each kind that may have the key must have it.
+constexpr unsigned must = every_kind;
 constexpr unsigned no_kind = 0u;
 
 /// One row.

@@ -16,8 +16,6 @@ constexpr unsigned flow = kind(OperationKind::flow), rotate = kind(OperationKind
                    connection = kind(OperationKind::connection), trip = kind(OperationKind::trip);
 constexpr unsigned ramps = flow | rotate, rocks = slide | oscillate, drills = drill | slide, moves = pick_up | slack_off, crew = connection | trip;
 constexpr unsigned lasts = every_kind & ~(tag | ream | steer | crew);
-constexpr unsigned must = every_kind;
-constexpr Range none{};
 const std::vector<const char*> top_drive_mode_words = {"speed", "torque", "angle", "soft_torque", "z_torque", "oscillate"};
 const std::vector<const char*> fault_words(fault_names, fault_names + fault_count), gauge_words(gauge_names, gauge_names + gauge_count);
 }  // namespace

@@ -55,9 +55,7 @@ constexpr unsigned tube = every_kind & ~bit;
 constexpr unsigned jointed = pipe | kind(PartType::collar);
 constexpr unsigned stribeck = kind(BitTorqueModel::stribeck), regenerative = kind(BitTorqueModel::regenerative),
                    drag = kind(BitTorqueModel::detournay) | regenerative;
-constexpr unsigned must = every_kind;
 constexpr Range turn = between(-360.0, 360.0);
-constexpr Range none{};
 
 }  // namespace
 

@@ -43,11 +43,6 @@ double stretched(const Model& model, int i, double tension) noexcept
   return section.length * (1.0 + tension / section.axial);
 }
 
-Quaterniond pointed(const Quaterniond& q, const Vector3d& tangent) noexcept
-{
-  return (Quaterniond::FromTwoVectors(x_axis(q), tangent) * q).normalized();
-}
-
 /// Puts a guided node onto its hole, `length` [m] above the one below it if that is guided too.
 void settle_above(State& state, std::size_t i, const Vector3d& up, double length) noexcept
 {
@@ -133,7 +128,7 @@ State made_up(const Model& model, const State& before, int held, double travel, 
     NodeState node;
     node.spin_angle = below.spin_angle;
     node.rate.velocity.z() = state.hoist.floor.speed;
-    node.orientation = pointed(below.orientation, i + 1 < nodes ? Vector3d(-up) : Vector3d(-Vector3d::UnitZ()));
+    node.orientation = pointed_along(below.orientation, i + 1 < nodes ? Vector3d(-up) : Vector3d(-Vector3d::UnitZ()));
     node.position = i + 1 < nodes ? Vector3d(state.nodes[i - 1].position + length * up) : shaft;
     node.segment = 0;
     node.guided = model.mesh().nodes[i].from_bit > free_length;

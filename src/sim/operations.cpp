@@ -15,11 +15,6 @@ namespace
 {
 constexpr double arrived = 0.01;  // from where a trip ends [m]
 
-bool is_set(double value) noexcept
-{
-  return !std::isnan(value);
-}
-
 /// 1 once `value` has come from `from` to `to`.
 double share(double value, double from, double to) noexcept
 {

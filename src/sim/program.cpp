@@ -13,11 +13,6 @@ namespace drill_rig_sim
 {
 namespace
 {
-bool is_set(double value) noexcept
-{
-  return !std::isnan(value);
-}
-
 bool commands_top_drive(const ProgramStep& step) noexcept
 {
   return step.top_drive_mode >= 0 || is_set(step.top_drive_speed) || is_set(step.top_drive_torque) || is_set(step.top_drive_angle) ||

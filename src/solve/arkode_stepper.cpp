@@ -30,7 +30,6 @@ struct FreeTable
   void operator()(ARKodeButcherTable table) const { ARKodeButcherTable_Free(table); }
 };
 
-constexpr int last_acceleration = 1;  // what is remembered beside the last rate
 
 using Vector = Eigen::Map<Eigen::VectorXd>;
 using ConstVector = Eigen::Map<const Eigen::VectorXd>;

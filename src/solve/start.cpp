@@ -30,12 +30,6 @@ constexpr double kToolfaceTolerance = 1e-6;  // [rad]
 constexpr double kMostWork = 2e7;            // of one start [nodes times iterations]; some 50 s
 constexpr int kStretchRounds = 4;
 
-/// The smallest turn of `q` that points its x axis along `tangent`.
-Quaterniond carried_along(const Quaterniond& q, const Vector3d& tangent)
-{
-  return (Quaterniond::FromTwoVectors(x_axis(q), tangent) * q).normalized();
-}
-
 /// Nodes along the hole, resting on its low side where it is inclined; sections without twist, y axes at the toolface. `stretch`: how far each
 /// node is from its unstretched place, away from the bit [m]; nodes farther than `free_length` above the bit's face are guided [m].
 void place_string(const Mesh& mesh, const Wellbore& well, double depth, double toolface, const std::vector<double>& stretch, double free_length,
@@ -54,7 +48,7 @@ void place_string(const Mesh& mesh, const Wellbore& well, double depth, double t
   {
     const double md = depth - mesh.nodes[i].from_bit - stretch[i];
     const WellNode p = well.at(md);
-    q = carried_along(q, p.tangent);
+    q = pointed_along(q, p.tangent);
     state.nodes[i].orientation = q;
     state.nodes[i].position = p.position;
     state.nodes[i].guided = mesh.nodes[i].from_bit > free_length;
@@ -70,7 +64,7 @@ void hang_on_block(const Scene& scene, State& state)
 {
   NodeState& top = state.nodes.back();
   top.position = Vector3d(0.0, 0.0, scene.start.block_height);
-  top.orientation = carried_along(top.orientation, -Vector3d::UnitZ());
+  top.orientation = pointed_along(top.orientation, -Vector3d::UnitZ());
 }
 
 double angle_error(double angle, double wanted)

@@ -22,7 +22,7 @@ constexpr double kFirstShare = 0.25;         // of the friction, where the whole
 constexpr double kLeastShare = 0.01;
 constexpr double kTolerance = 1e-3;          // residual: round-off of a kilometre of steel is 1e-4 [N, N m]
 
-double largest(const std::vector<double>& values)
+double largest_magnitude(const std::vector<double>& values)
 {
   double most = 0.0;
   for (double value : values) most = std::max(most, std::abs(value));
@@ -57,7 +57,7 @@ int continuation(const Model& model, State& state, const SlidingMotion& sliding,
     begin_static(model, state, sliding, c, stage);
     evaluate_static(model, state, stage, origin.data(), work, move.data(), &tangent);
     if (!solve_increment(stage, tangent, move.data())) return k + 1;
-    const double size = largest(move);
+    const double size = largest_magnitude(move);
     const double length = sliding.spin_speed != 0.0 ? largest_of_turning(move, stage.normal) : size;
     const double scale = length > kLongMove ? kLongMove / length : 1.0;
     for (double& m : move) m *= -scale;

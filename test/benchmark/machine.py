@@ -31,7 +31,7 @@ def describe(program):
     build = os.path.abspath(os.path.join(os.path.dirname(program), '..', '..', '..'))
     compiler = cache_value(build, 'CMAKE_CXX_COMPILER') or 'c++'
     version = subprocess.run([compiler, '--version'], stdout=subprocess.PIPE, universal_newlines=True).stdout.splitlines()
-    kind = cache_value(build, 'CMAKE_BUILD_TYPE') or 'RelWithDebInfo'
+    kind = cache_value(build, 'CMAKE_BUILD_TYPE') or 'Release'
     flags = ' '.join([cache_value(build, 'CMAKE_CXX_FLAGS'), cache_value(build, 'CMAKE_CXX_FLAGS_' + kind.upper())]).strip()
     return {'cpu': cpu_model(), 'cores': os.cpu_count(), 'compiler': version[0] if version else compiler, 'build_type': kind, 'flags': flags,
             'system': platform.platform(), 'load': list(os.getloadavg()), 'date': datetime.datetime.utcnow().strftime('%Y-%m-%d %H:%M UTC')}

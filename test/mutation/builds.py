@@ -135,7 +135,8 @@ class Copy:
         self.synchronise()
         launcher = ['-DCMAKE_CXX_COMPILER_LAUNCHER=ccache'] if shutil.which('ccache', path=self.environment['PATH']) else []
         log = os.path.join(self.folder, 'make.log')
-        if self.run(['cmake', '-S', self.tree, '-B', self.build, '-DCATKIN_ENABLE_TESTING=ON', *launcher], log=log) != 0:
+        if self.run(['cmake', '-S', self.tree, '-B', self.build, '-DCATKIN_ENABLE_TESTING=ON',
+                     '-DDRILL_RIG_SIM_UNITY=OFF', *launcher], log=log) != 0:
             raise Broken('cmake failed; all it said is in ' + log)
         self._learn_targets()
         used = {t for test in self._learn_tests() for program in test.programs for t in self._closure(program)}
@@ -205,9 +206,12 @@ class Copy:
     def _test(self, name, command, timed):
         """None for one that mutants are not tried with: a suite of its own, or one that measures time."""
         unit = re.search(r'_gtest_(\w+)$', name)
-        if unit and unit.group(1) in self.targets:
-            program = self.targets[unit.group(1)][1]
-            return Test(unit.group(1), 'unit', [program, '--gtest_fail_fast', '--gtest_brief=1'], [program], unit.group(1))
+        if unit:
+            program, file = shlex.split(command[-1])[:2]  # of a room, and which of its sources
+            target = os.path.basename(program)
+            if target not in self.targets:
+                return None
+            return Test(unit.group(1), 'unit', [program, file, '--gtest_fail_fast', '--gtest_brief=1'], [program], target)
         if timed:
             return None
         rostest = re.search(r'_rostest_(.+)$', name)

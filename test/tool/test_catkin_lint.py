@@ -12,7 +12,7 @@ ALLOWED = {
     r"notice: list of source files should be sorted": "a loop's variable is one of the names",
     r"warning: target 'realtime_listener' is not installed": "a part of test/realtime/run",
     r"notice: package path name '.*' differs from package name": "a checkout may be called anything",
-    r"notice: global variable 'DRILL_RIG_SIM_SANITIZE' should contain project name": "it does, in capitals as CMake's own variables",
+    r"notice: global variable 'DRILL_RIG_SIM_(SANITIZE|UNITY)' should contain project name": "it does, in capitals as CMake's own variables",
 }
 
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "beam_chain.h"
+#include "symmetric_modes.h"
 
 /// Beams with known answers, as chains of any kind of element.
 namespace drill_rig_sim
@@ -93,8 +94,7 @@ inline int unstable_modes(BeamChain chain)
   // scaling leaves the signs alone, and the axial stiffness no longer drowns the bending
   const Eigen::VectorXd scale = tangent.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
   tangent = scale.asDiagonal() * (0.5 * (tangent + tangent.transpose())).eval() * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(tangent, Eigen::EigenvaluesOnly);
-  return static_cast<int>((solver.eigenvalues().array() < 0.0).count());
+  return static_cast<int>((modes_of(tangent).values.array() < 0.0).count());
 }
 
 /// The load between `low` and `high` above which the chain has more than `modes` unstable ones, to 1e-6. `loaded` makes the chain in

@@ -9,6 +9,7 @@
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/reference/ida_integrator.h"
 #include "drill_rig_sim/solve/start.h"
+#include "symmetric_modes.h"
 #include "test_scenes.h"
 
 /// 300 m of pipe that hang free and without damping, stretched by a millimetre and twisted by a hundredth, most at the bit, and
@@ -53,11 +54,10 @@ struct PluckedString
                                      double t)
   {
     const Eigen::VectorXd root = mass.cwiseSqrt();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(root.cwiseInverse().asDiagonal() * stiffness *
-                                                               root.cwiseInverse().asDiagonal());
-    Eigen::VectorXd amplitude = modes.eigenvectors().transpose() * root.cwiseProduct(x0);
-    for (int k = 0; k < amplitude.size(); ++k) amplitude[k] *= std::cos(std::sqrt(std::max(0.0, modes.eigenvalues()[k])) * t);
-    return root.cwiseInverse().cwiseProduct(modes.eigenvectors() * amplitude);
+    const SymmetricModes modes = modes_of(root.cwiseInverse().asDiagonal() * stiffness * root.cwiseInverse().asDiagonal());
+    Eigen::VectorXd amplitude = modes.vectors.transpose() * root.cwiseProduct(x0);
+    for (int k = 0; k < amplitude.size(); ++k) amplitude[k] *= std::cos(std::sqrt(std::max(0.0, modes.values[k])) * t);
+    return root.cwiseInverse().cwiseProduct(modes.vectors * amplitude);
   }
 
   static void tie(Eigen::MatrixXd& stiffness, int a, int b, double spring)

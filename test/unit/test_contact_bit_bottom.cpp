@@ -6,7 +6,7 @@
 
 #include "drill_rig_sim/contact/bit_bottom.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_contact_bit_bottom
 {
 namespace
 {
@@ -134,10 +134,4 @@ TEST(BitBottom, ElasticBounceRestoresTheSpeed)
 }
 
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_contact_bit_bottom

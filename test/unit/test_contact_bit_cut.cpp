@@ -8,6 +8,8 @@
 #include "drill_rig_sim/contact/cut_ground.h"
 #include "drill_rig_sim/math/units.h"
 
+namespace test_contact_bit_cut
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -186,9 +188,4 @@ TEST(CutGround, manyTurnsAndLongSteps)
   cut(ground, kBlades, end + 3.0 * kSector, 1e-3 * (end + 3.0 * kSector - far));
   EXPECT_NEAR(ground_ahead(ground, kBlades, ground.front + 0.5 * kCell).value, 1e-3 * (ground.front + 0.5 * kCell - kSector - far), 1e-10);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_contact_bit_cut

@@ -8,6 +8,8 @@
 #include "drill_rig_sim/contact/bit_face.h"
 #include "drill_rig_sim/math/units.h"
 
+namespace test_contact_bit_face
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -71,9 +73,4 @@ TEST(BitFace, tangents)
   EXPECT_LT(((at(Vector3d::Zero(), 0.0, h) - at(Vector3d::Zero(), 0.0, -h)) / (2.0 * h) - f.by_speed).norm(), 1e-6 * f.by_speed.norm());
   EXPECT_LT((at(Vector3d::Zero(), 1.0, 0.0) - f.value - f.by_resistance).norm(), 1e-9);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_contact_bit_face

@@ -6,7 +6,7 @@
 
 #include "drill_rig_sim/contact/bit_torque.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_contact_bit_torque
 {
 namespace
 {
@@ -180,10 +180,4 @@ TEST(BitTorque, BristleBreaksLooseAtAHundredthOfARadian)
 }
 
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_contact_bit_torque

@@ -6,6 +6,8 @@
 #include "drill_rig_sim/contact/filter_cake.h"
 #include "drill_rig_sim/math/units.h"
 
+namespace test_contact_filter_cake
+{
 using namespace drill_rig_sim;
 
 // Where the gap between the circles is as wide as the cake: (R - r)(1 - cos a) = h.
@@ -33,9 +35,4 @@ TEST(FilterCake, holdsMoreTheLongerThePipeRests)
   EXPECT_NEAR(sealed_share(cake_bleeding_time), 1.0 - std::exp(-1.0), 1e-12);
   EXPECT_NEAR(sealed_share(1e5), 1.0, 1e-12);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_contact_filter_cake

@@ -7,7 +7,7 @@
 #include "contact_fixtures.h"
 #include "drill_rig_sim/contact/friction_law.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_contact_friction
 {
 TEST(StribeckFriction, FallsFromStaticToKinetic)
 {
@@ -309,10 +309,4 @@ TEST(WallFriction, BristleNeverLeavesTheLimitOrThePlane)
   }
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_contact_friction

@@ -7,7 +7,7 @@
 #include "drill_rig_sim/contact/wall_contact.h"
 #include "well_fixtures.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_contact_in_well
 {
 namespace
 {
@@ -108,10 +108,4 @@ TEST(WallContactInWell, FrictionlessSlideKeepsItsEnergy)
 }
 
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_contact_in_well

@@ -3,7 +3,7 @@
 
 #include "contact_fixtures.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_contact_normal
 {
 TEST(WallContact, ClearOfTheWallIsZero)
 {
@@ -117,10 +117,4 @@ TEST(WallContact, DampedImpactFollowsHuntAndCrossley)
   EXPECT_NEAR(-m.velocity.x() / speed, 1.0 - 2.0 / 3.0 * law.law.damping * speed, 3e-4);
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_contact_normal

@@ -3,7 +3,7 @@
 
 #include "contact_fixtures.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_contact_sliding
 {
 TEST(WallContact, RotationFreesTheAxialSlide)
 {
@@ -137,10 +137,4 @@ TEST(SlidingWallContact, HasALeverApartFromTheRadius)
   EXPECT_LT((tangent - numeric).norm(), 1e-6 * numeric.norm());
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_contact_sliding

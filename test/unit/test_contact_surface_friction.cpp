@@ -6,6 +6,8 @@
 #include "contact_fixtures.h"
 #include "drill_rig_sim/contact/surface_friction.h"
 
+namespace test_contact_surface_friction
+{
 using namespace drill_rig_sim;
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
@@ -82,9 +84,4 @@ TEST(SurfaceFriction, slopesAreItsDerivatives)
       EXPECT_LT((slopes.by_normal_force - by_normal).norm(), 1e-8) << velocity.transpose();
     }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_contact_surface_friction

@@ -8,6 +8,8 @@
 
 #include "drill_rig_sim/math/block_tridiagonal.h"
 
+namespace test_math_block_tridiagonal
+{
 using namespace drill_rig_sim;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -207,9 +209,4 @@ TEST_P(BlockTridiagonalBy, refusesSingularAndNonFiniteMatrices)
   a.set_zero();
   EXPECT_FALSE(a.solve(b.data()));
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_math_block_tridiagonal

@@ -5,7 +5,7 @@
 
 #include "drill_rig_sim/math/kernel.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_math_kernel
 {
 namespace
 {
@@ -20,7 +20,10 @@ TEST(Kernel, automaticIsTheWidestThatIsThere)
   const Kernel best = resolved(Kernel::automatic);
   EXPECT_TRUE(has_kernel(best));
   for (const Kernel kernel : all_kernels)
-    if (has_kernel(kernel)) EXPECT_LE(kernel, best) << name_of(kernel);
+    if (has_kernel(kernel))
+    {
+      EXPECT_LE(kernel, best) << name_of(kernel);
+    }
   EXPECT_EQ(resolved(Kernel::scalar), Kernel::scalar) << "what is asked for is taken";
 }
 
@@ -37,10 +40,4 @@ TEST(Kernel, namesDiffer)
   EXPECT_EQ(kernels_here().rfind("auto, scalar", 0) == 0 || kernels_here() == "auto or scalar", true) << kernels_here();
 }
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_math_kernel

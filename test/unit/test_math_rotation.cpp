@@ -7,6 +7,8 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 
+namespace test_math_rotation
+{
 using namespace drill_rig_sim;
 using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
@@ -94,9 +96,4 @@ TEST(Rotation, twistForgetsCommonSpin)
   // a thousand products of quaternions, each good to a round-off
   EXPECT_NEAR(twist_between(a.normalized(), b.normalized()), twist, 1e-12);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_math_rotation

@@ -6,6 +6,8 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/tilt_spin.h"
 
+namespace test_math_tilt_spin
+{
 using namespace drill_rig_sim;
 using Eigen::Matrix3d;
 using Eigen::Quaterniond;
@@ -86,9 +88,4 @@ TEST(TiltSpin, SeriesMeetsTheClosedForm)
   EXPECT_LT((chart.rate_by_velocity(below) - chart.rate_by_velocity(above)).norm(), 1e-13);
   EXPECT_LT((chart.rate_by_coordinates(below, w) - chart.rate_by_coordinates(above, w)).norm(), 1e-12);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_math_tilt_spin

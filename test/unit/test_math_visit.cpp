@@ -7,6 +7,8 @@
 #include "drill_rig_sim/math/hash.h"
 #include "drill_rig_sim/math/visit.h"
 
+namespace test_math_visit
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -156,9 +158,4 @@ TEST(Hash, isFnv1a)
   EXPECT_EQ(0x85944171f73967e8ull, hash_bytes("foobar", 6));
   EXPECT_EQ(hash_bytes("foobar", 6), hash_bytes("bar", 3, hash_bytes("foo", 3)));
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_math_visit

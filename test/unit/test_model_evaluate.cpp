@@ -11,6 +11,8 @@
 #include "drill_rig_sim/solve/stepper.h"
 #include "lone_bit.h"
 
+namespace test_model_evaluate
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -164,9 +166,4 @@ TEST(Evaluate, eachNodesWallHasTheLawOfItsMesh)
   const double force = 7e8 * std::pow(1e-3, 1.5);  // [N]
   EXPECT_NEAR(work.result.forces.contact[0], force, 1e-3 * force);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_evaluate

@@ -7,6 +7,8 @@
 #include "lone_bit.h"
 #include "one_step.h"
 
+namespace test_model_gauge
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -101,9 +103,4 @@ TEST(Gauge, turnsAloneTheStringStands)
   const double friction = above.friction(0.5 * pipe_outer * 16.0);
   EXPECT_NEAR(above.after(16.0, 0.0, 40.0, work).wall[1].y(), friction, 1e-3 * friction) << "at its own speed";
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_gauge

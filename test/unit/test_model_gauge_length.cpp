@@ -8,6 +8,8 @@
 #include "lone_bit.h"
 #include "one_step.h"
 
+namespace test_model_gauge_length
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -120,9 +122,4 @@ TEST(GaugeLength, holdsTheBitOfABentMotorAlongItsHole)
   ASSERT_GT(pads.outcome.forces.contact[1], 1e3);
   EXPECT_NEAR(pads.bit_tilt, (clearance + pressed) / length, 0.1 * pads.bit_tilt);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_gauge_length

@@ -5,6 +5,8 @@
 
 #include "tangent_check.h"
 
+namespace test_model_guided
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -108,9 +110,4 @@ TEST(ModelGuided, tangentOfStatics)
       EXPECT_LT(worst_column(problem, VectorXd::Zero(6 * rig.model->nodes()), tangent_difference, 1), 1e-5) << "places 400 m away are rounded to 6e-14 m";
     }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_guided

@@ -9,6 +9,8 @@
 #include "drill_rig_sim/solve/stepper.h"
 #include "lone_bit.h"
 
+namespace test_model_inertia
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -187,9 +189,4 @@ TEST(KineticEnergy, isThatOfMassAndInertiaByHand)
   EXPECT_NEAR(energy.turning, rotation, 1e-6 * rotation);
   EXPECT_NEAR(energy.rotor, 0.5 * 2500.0 * 25.0, 1e-6 * energy.rotor);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_inertia

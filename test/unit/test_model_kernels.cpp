@@ -7,6 +7,8 @@
 #include "steerable_scenes.h"
 #include "tangent_check.h"
 
+namespace test_model_kernels
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -315,9 +317,4 @@ TEST(ModelKernels, whatWasFoundBeforeChangesNothing)
     EXPECT_EQ(to_bytes(whole.rest.state), to_bytes(parts.rest.state)) << name_of(kernel);
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_kernels

@@ -8,6 +8,8 @@
 #include "drill_rig_sim/solve/stepper.h"
 #include "test_scenes.h"
 
+namespace test_model_mast
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -63,9 +65,4 @@ TEST(Mast, overfedPipeStaysInside)
   EXPECT_GT(most, 0.5);
   EXPECT_LT(most, mast_radius);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_mast

@@ -9,6 +9,8 @@
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "test_scenes.h"
 
+namespace test_model_mud_circuit
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -133,9 +135,4 @@ TEST(MudCircuit, aSceneWithoutLossesHasNone)
   EXPECT_EQ(mud.circuit.annulus.loss, 0.0);
   EXPECT_EQ(mud.displaced_area, 0.0);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_mud_circuit

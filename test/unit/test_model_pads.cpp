@@ -5,6 +5,8 @@
 #include "steerable_scenes.h"
 #include "tangent_check.h"
 
+namespace test_model_pads
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -132,9 +134,4 @@ TEST(Pads, forgetWhatTheyHeldOnceTheyPushNoMore)
   EXPECT_TRUE(rig.rest.state.pads.bristle.isZero());
   EXPECT_EQ(rig.rest.state.pads.rest, 0.0);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_pads

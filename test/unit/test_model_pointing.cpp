@@ -6,6 +6,8 @@
 #include "steerable_scenes.h"
 #include "tangent_check.h"
 
+namespace test_model_pointing
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -145,9 +147,4 @@ TEST(Pointing, tangentIsExactTurningAndLeaning)
   EXPECT_GT(rig.contacts(), 4);
   expect_exact(rig);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_pointing

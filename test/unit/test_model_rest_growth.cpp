@@ -9,6 +9,8 @@
 #include "lone_bit.h"
 #include "one_step.h"
 
+namespace test_model_rest_growth
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -173,9 +175,4 @@ TEST(RestGrowth, isTheSameInTheReference)
   std::printf("reference against steps of 0.5 ms: %.2f %% of the string's hook load at worst\n", 100.0 * worst / scale);
   EXPECT_LT(worst, 0.02 * scale);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_rest_growth

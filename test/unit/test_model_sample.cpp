@@ -15,6 +15,8 @@
 #include "drill_rig_sim/solve/start.h"
 #include "test_scenes.h"
 
+namespace test_model_sample
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -240,9 +242,4 @@ TEST(Sample, bendingMomentsAreAcrossTheBentSection)
   }
   EXPECT_EQ(bends, 1);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_sample

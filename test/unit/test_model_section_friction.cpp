@@ -6,6 +6,8 @@
 #include "lone_bit.h"
 #include "one_step.h"
 
+namespace test_model_section_friction
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -89,9 +91,4 @@ TEST(SectionFriction, leavesTheLawAloneWhereNoSectionHasItsOwn)
   SectionFriction(ContactSpec(), {section(0.2, HoleSection::unset, HoleSection::unset)}).apply(0.0, law);
   EXPECT_EQ(law.static_ratio, 3.0);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_section_friction

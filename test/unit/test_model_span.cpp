@@ -13,6 +13,8 @@
 #include "drill_rig_sim/solve/start.h"
 #include "test_scenes.h"
 
+namespace test_model_span
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -124,9 +126,4 @@ TEST(Span, clearOfTheWallOrAboveTheTableThereIsNothing)
   for (const SpanMotion& span : work.spans) EXPECT_FALSE(span.touches);
   EXPECT_EQ(0.0, *std::max_element(work.result.forces.span_contact.begin(), work.result.forces.span_contact.end()));
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_span

@@ -13,6 +13,8 @@
 #include "drill_rig_sim/string/rotation_vector_beam.h"
 #include "lone_bit.h"
 
+namespace test_model_stored_energy
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -188,9 +190,4 @@ TEST(Accounts, addUpEveryTermOnce)
   e.largest_kinetic = 2.0 * input;
   EXPECT_EQ(2.0 * input, e.throughput());
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_stored_energy

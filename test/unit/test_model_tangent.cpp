@@ -5,6 +5,8 @@
 
 #include "tangent_check.h"
 
+namespace test_model_tangent
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -299,9 +301,4 @@ TEST(ModelTangent, errorGrowsNoFasterThanTheTiltOfTheStep)
   Problem problem = next_step(rig);
   EXPECT_LT(worst_column(problem, u, tangent_difference), 5.2 * tilt);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_tangent

@@ -10,6 +10,8 @@
 #include "drill_rig_sim/solve/stepper.h"
 #include "test_scenes.h"
 
+namespace test_model_threads
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -72,9 +74,4 @@ TEST(Model, threadsStepOneAtOnce)
   EXPECT_EQ(results[0], alone);
   EXPECT_EQ(results[1], alone);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_model_threads

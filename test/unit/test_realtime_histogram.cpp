@@ -3,7 +3,7 @@
 
 #include "drill_rig_sim/realtime/time_histogram.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_realtime_histogram
 {
 namespace
 {
@@ -80,10 +80,4 @@ TEST(TimeHistogram, oneInTenThousandShowsFrom99Point99On)
   EXPECT_DOUBLE_EQ(0.007, times.percentile(0.9999));
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_realtime_histogram

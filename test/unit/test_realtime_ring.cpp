@@ -8,7 +8,7 @@
 
 #include "drill_rig_sim/realtime/frame_ring.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_realtime_ring
 {
 namespace
 {
@@ -169,10 +169,4 @@ TEST(FrameRing, underTwoThreadsEveryFrameComesOnceAndInOrder)
   EXPECT_EQ(last, expected - 1);
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_realtime_ring

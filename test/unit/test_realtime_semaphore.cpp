@@ -9,7 +9,7 @@
 
 #include "drill_rig_sim/realtime/semaphore.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_realtime_semaphore
 {
 TEST(Semaphore, countsItsPosts)
 {
@@ -102,10 +102,4 @@ TEST(Semaphore, signalsDoNotWake)
   sigaction(SIGUSR1, &before, nullptr);
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_realtime_semaphore

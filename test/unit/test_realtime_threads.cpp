@@ -8,6 +8,8 @@
 
 #include "drill_rig_sim/realtime/threads.h"
 
+namespace test_realtime_threads
+{
 using namespace drill_rig_sim;
 
 TEST(Threads, haveNames)
@@ -90,9 +92,4 @@ TEST(Threads, leaveACoreWithThoseTheyStart)
       })
       .join();
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_realtime_threads

@@ -5,7 +5,7 @@
 #include "drill_rig_sim/realtime/cadence.h"
 #include "drill_rig_sim/realtime/timekeeper.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_realtime_timekeeper
 {
 namespace
 {
@@ -241,10 +241,4 @@ TEST(Cadence, restartedItIsDueAtOnce)
   EXPECT_FALSE(ten.due(start + 2 * ms));
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_realtime_timekeeper

@@ -7,7 +7,7 @@
 
 #include "drill_rig_sim/realtime/triple_buffer.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_realtime_triple_buffer
 {
 TEST(TripleBuffer, isEmptyUntilSomethingIsWritten)
 {
@@ -74,10 +74,4 @@ TEST(TripleBuffer, underTwoThreadsValuesAreWholeAndOnlyGrow)
   EXPECT_EQ(nullptr, buffer.read()) << "the last value is read once";
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_realtime_triple_buffer

@@ -11,6 +11,8 @@
 #include "drill_rig_sim/solve/start.h"
 #include "plucked_rig.h"
 
+namespace test_reference_rig
+{
 using namespace drill_rig_sim;
 using Eigen::Map;
 using Eigen::Vector3d;
@@ -331,9 +333,4 @@ TEST(ReferenceIntegrator, saysThatOneStepIsTooMuchWork)
   EXPECT_EQ(starts_in(ida, rig.state, Setpoints(), 1), 1u) << "from the state again";
   EXPECT_EQ(std::string(ida.failure()).find("more steps of its own"), std::string::npos);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_reference_rig

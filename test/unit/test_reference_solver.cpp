@@ -7,6 +7,8 @@
 
 #include "drill_rig_sim/reference/ida_solver.h"
 
+namespace test_reference_solver
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -322,9 +324,4 @@ TEST(SparseJacobian, addsUpEntriesInCompressedColumns)
   EXPECT_EQ(j.rows(), (std::vector<std::int64_t>{1, 2, 1, 2}));
   EXPECT_EQ(j.values(), (std::vector<double>{1.0, 0.0, 0.0, 1.0}));
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_reference_solver

@@ -7,7 +7,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/hoisting.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_rig_block
 {
 // 3 % of 17.5 t: 0.03 * 9.80665 * 17500 = 5148.49 N, held over 1.03 mm; c = sqrt(5e6 * 17500) = 295804 N s/m, c/k = 59.2 ms.
 TEST(Rail, FrictionByHand)
@@ -86,7 +86,10 @@ TEST(Rail, EndsABounceLinearly)
     z = rail.next;
     if (before > 0.0 && v <= 0.0 && peak > 5e-3)
     {
-      if (cycles++ > 0) EXPECT_NEAR(last - x, 4.0 * most / line, 0.35 * 4.0 * most / line) << cycles;
+      if (cycles++ > 0)
+      {
+        EXPECT_NEAR(last - x, 4.0 * most / line, 0.35 * 4.0 * most / line) << cycles;
+      }
       peak = last = x;
     }
   }
@@ -168,10 +171,4 @@ TEST(DeadLine, FrictionTurnsOverTwoCentimetres)
     last = now;
   }
 }
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_rig_block

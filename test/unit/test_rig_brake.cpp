@@ -1,7 +1,7 @@
 // Friction of the top drive's gearbox and brake: by hand, solved and given outright alike, coasting, holding.
 #include "top_drive_fixtures.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_rig_brake
 {
 // c_g = sqrt(1e7 * 2500) = 158114 N m s/rad, c_g/k_g = 15.8 ms.
 TEST(Brake, FrictionByHand)
@@ -97,10 +97,4 @@ TEST(Brake, TheBrakeHoldsAWoundStringWithoutCreep)
   EXPECT_FALSE(brake_is_on(spec, speed_command(0.0), running(0.011)));
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_rig_brake

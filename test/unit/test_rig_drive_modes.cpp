@@ -6,7 +6,7 @@
 #include "drill_rig_sim/rig/drive_reference.h"
 #include "top_drive_fixtures.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_rig_drive_modes
 {
 namespace
 {
@@ -318,10 +318,4 @@ TEST(DriveModes, ModesTakeOverAmidWaves)
 }
 
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_rig_drive_modes

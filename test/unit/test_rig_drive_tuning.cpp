@@ -1,13 +1,16 @@
 // What SOFT_TORQUE and Z_TORQUE are tuned to: the pipe's impedance and the string's slowest torsion, against closed forms.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/drive_tuning.h"
+#include "symmetric_modes.h"
 #include "test_scenes.h"
 
+namespace test_rig_drive_tuning
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -61,9 +64,8 @@ TEST(DriveTuning, slowestTorsionIsTheLeastEigenvalues)
     stiffness(i + 1, i + 1) += above;
     stiffness(i, i + 1) = stiffness(i + 1, i) = -above;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(root.cwiseInverse().asDiagonal() * stiffness * root.cwiseInverse().asDiagonal(),
-                                                             Eigen::EigenvaluesOnly);
-  const double slowest = std::sqrt(modes.eigenvalues()[0]);
+  const SymmetricModes modes = modes_of(root.cwiseInverse().asDiagonal() * stiffness * root.cwiseInverse().asDiagonal());
+  const double slowest = std::sqrt(modes.values[0]);
   EXPECT_NEAR(slowest_torsion(mesh), slowest, 2e-6 * slowest);
 }
 
@@ -96,9 +98,4 @@ TEST(DriveTuning, aShortStringIsTunedForAsIfItHadOneHertz)
   EXPECT_DOUBLE_EQ(both.soft_torque.stiffness, (1.0 - drive.soft_torque.inertia_compensation) * drive.inertia * 4.0 * pi * pi);
   EXPECT_DOUBLE_EQ(both.z_torque.stiffness, torsional_impedance(mesh) * 0.25 * pi);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_rig_drive_tuning

@@ -6,7 +6,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/heave.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_rig_heave
 {
 // 1.5 m in 8 s: after five waves and a quarter 1.5 m; after five and a half, down at 1.5 2 pi/8 = 1.1781 m/s; 0.92528 m/s2.
 TEST(Heave, wavesByHand)
@@ -46,10 +46,4 @@ TEST(Heave, noneOnTheGround)
   EXPECT_EQ(floor_motion(HeaveSpec(), 12.3).height, 0.0);
   EXPECT_EQ(floor_motion(HeaveSpec(), 12.3).speed, 0.0);
 }
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_rig_heave

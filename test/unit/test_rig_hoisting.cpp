@@ -5,7 +5,7 @@
 
 #include "drill_rig_sim/rig/hoisting.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_rig_hoisting
 {
 namespace
 {
@@ -244,10 +244,4 @@ TEST(Winch, EachLimitByHand)
   none_but(lowering.limits, false, false, false, true);
 }
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_rig_hoisting

@@ -8,6 +8,8 @@
 #include "drill_rig_sim/rig/hydraulics.h"
 #include "drill_rig_sim/rig/mud_motor.h"
 
+namespace test_rig_hydraulics
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -317,9 +319,4 @@ TEST(MudWays, anOrificeIsTorricellis)
   EXPECT_EQ(orifice_flow(1e-4, -1.0, 1200.0), 0.0);
   EXPECT_EQ(orifice_flow(1e-4, 10e6, 0.0), 0.0) << "air has no density here";
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_rig_hydraulics

@@ -8,7 +8,7 @@
 #include "drill_rig_sim/rig/mud_pump.h"
 #include "drill_rig_sim/string/mud.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_rig_mud
 {
 namespace
 {
@@ -127,10 +127,4 @@ TEST(MudMotor, LagsByItsTimeConstantAndSettlesExactly)
 }
 
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_rig_mud

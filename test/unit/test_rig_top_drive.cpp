@@ -3,7 +3,7 @@
 
 #include "top_drive_fixtures.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_rig_top_drive
 {
 namespace
 {
@@ -305,10 +305,4 @@ TEST(TopDrive, ChangeToSpeedModeIsBumpless)
 }
 
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_rig_top_drive

@@ -3,7 +3,7 @@
 
 #include "drill_rig_sim/ros/clock_watch.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_ros_clock
 {
 namespace
 {
@@ -63,10 +63,4 @@ TEST(HeardClock, whoPublishesItsOwnMissesNothingButSeesAnother)
   EXPECT_EQ("", clock.trouble(at(113.1), true));
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_ros_clock

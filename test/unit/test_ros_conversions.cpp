@@ -10,7 +10,7 @@
 #include "frame_header.h"
 #include "numbered_frame.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_ros_conversions
 {
 namespace
 {
@@ -332,10 +332,4 @@ TEST(PathMessage, followsTheWell)
   expect_turns(path.poses[1].pose.orientation, Eigen::Vector3d::UnitX(), {0.6, 0.0, -0.8});
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_ros_conversions

@@ -7,7 +7,7 @@
 #include "drill_rig_sim/ros/diagnostics_report.h"
 #include "numbered_frame.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_ros_diagnostics
 {
 namespace
 {
@@ -265,10 +265,4 @@ TEST_F(Report, histogramsNameEachBinWhichBeginsAtItsBound)
             values(array).at("latenesses"));
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_ros_diagnostics

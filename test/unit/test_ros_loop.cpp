@@ -6,7 +6,7 @@
 
 #include "running_loop.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_ros_loop
 {
 namespace
 {
@@ -333,10 +333,4 @@ TEST(Loop, silenceCountsFromTheFirstCommandAndNotInAProgram)
 
 // Nobody lets a frame begin for 0.4 s: a tenth of a second is caught up, the rest is dropped and counted.
 // The scene's latency lies between measurement and surface, to the frame; the stamp is the measurement's.
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_ros_loop

@@ -84,11 +84,4 @@ TEST(Loop, itsThreadAllocatesNothing)
   EXPECT_GT(seen.unpublished_frames, 0u);
   EXPECT_EQ(0, allocations);
 }
-
 }  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

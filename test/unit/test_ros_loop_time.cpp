@@ -12,7 +12,7 @@
 #include "in_source.h"
 #include "running_loop.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_ros_loop_time
 {
 namespace
 {
@@ -351,10 +351,4 @@ TEST(LoopTime, aFollowerGoesOnWithAMasterThatBeganAgain)
   EXPECT_TRUE(second.state_due && !second.profile_due) << "ten profiles a second";
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_ros_loop_time

@@ -7,7 +7,7 @@
 #include "drill_rig_sim/ros/marker_picture.h"
 #include "numbered_frame.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_ros_markers
 {
 namespace
 {
@@ -239,10 +239,4 @@ TEST(Markers, stationsLieOnTheAxis)
   for (const double size : {m.scale.x, m.scale.y, m.scale.z}) EXPECT_DOUBLE_EQ(1.2, size);
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_ros_markers

@@ -13,7 +13,7 @@
 #include "in_source.h"
 #include "test_scenes.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_ros_requests
 {
 namespace
 {
@@ -225,10 +225,4 @@ TEST(Parameters, aFramesPeriodIsTheRates)
   EXPECT_EQ(10'000'000'000, p.frame_period());
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_ros_requests

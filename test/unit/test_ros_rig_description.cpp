@@ -6,7 +6,7 @@
 #include "drill_rig_sim/ros/rig_description.h"
 #include "test_scenes.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_ros_rig_description
 {
 namespace
 {
@@ -59,10 +59,4 @@ TEST(RigDescriptionMessage, plansByTheSurveyAPointEveryTenMetres)
   EXPECT_EQ(scene.formation.size(), m.layer_base.size());
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_ros_rig_description

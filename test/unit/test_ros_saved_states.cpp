@@ -7,7 +7,7 @@
 #include "drill_rig_sim/sim/simulator.h"
 #include "test_scenes.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_ros_saved_states
 {
 namespace
 {
@@ -152,10 +152,4 @@ TEST(SavedStates, memoryIsThatOfTheNumbers)
   EXPECT_GT(memory_of(*small_state()), small_state()->mechanics.nodes.size() * one);
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_ros_saved_states

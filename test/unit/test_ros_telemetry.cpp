@@ -6,7 +6,7 @@
 #include "frame_header.h"
 #include "numbered_frame.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_ros_telemetry
 {
 TEST(Telemetry, isStampedWhenItWasMeasured)
 {
@@ -41,10 +41,4 @@ TEST(Telemetry, isStampedWhenItWasMeasured)
   EXPECT_EQ(541.0, dynamics.lateral_acceleration);
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_ros_telemetry

@@ -9,7 +9,7 @@
 #include "frame_header.h"
 #include "numbered_frame.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_ros_transforms
 {
 TEST(Transforms, theRigFloorStandsInTheWorld)
 {
@@ -55,10 +55,4 @@ TEST(Transforms, blockTopDriveAndPartsHangOnTheRigFloor)
   EXPECT_EQ(1.0, all[3].transform.rotation.w);
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_ros_transforms

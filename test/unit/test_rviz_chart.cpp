@@ -7,6 +7,8 @@
 #include "rviz/model/chart_window.h"
 #include "rviz/model/history.h"
 
+namespace test_rviz_chart
+{
 using namespace drill_rig_sim::console;
 
 namespace
@@ -150,9 +152,4 @@ TEST(ConsoleChartWindow, ZoomKeepsThePlaceUnderTheCursor)
   w.zoom(1e9, 70.0);
   EXPECT_DOUBLE_EQ(120.0, w.span());
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_rviz_chart

@@ -7,7 +7,7 @@
 #include "drill_rig_sim/rviz/picture/color_scale.h"
 #include "drill_rig_sim/rviz/picture/coloring.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_rviz_color_scale
 {
 namespace
 {
@@ -118,10 +118,4 @@ TEST(Coloring, eachIsItsOwnQuantityInItsUnit)
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(expected[i], values_of(i, d).front(), 1e-12) << colorings()[i].name;
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_rviz_color_scale

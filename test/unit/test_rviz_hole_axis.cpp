@@ -5,7 +5,7 @@
 
 #include "drill_rig_sim/rviz/picture/hole_axis.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_rviz_hole_axis
 {
 namespace
 {
@@ -103,10 +103,4 @@ TEST(HighSide, isUpAcrossTheHoleAndNorthWhereItIsVertical)
   EXPECT_NEAR(0.0, (high_side_of(-Vector3d::UnitZ()) - Vector3d::UnitY()).norm(), 1e-12);
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_rviz_hole_axis

@@ -6,6 +6,8 @@
 #include "rviz/model/flags.h"
 #include "rviz/model/limits.h"
 
+namespace test_rviz_limits
+{
 using namespace drill_rig_sim::console;
 
 namespace
@@ -113,9 +115,4 @@ TEST(ConsoleFlags, TablesAreInOrder)
   for (std::size_t n = 0; n < flag_count; ++n) EXPECT_EQ(n, static_cast<std::size_t>(flag_rows()[n].flag));
   for (std::size_t n = 0; n < fault_count; ++n) EXPECT_EQ(n, fault_rows()[n].code);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_rviz_limits

@@ -3,6 +3,8 @@
 
 #include "rviz/model/link_state.h"
 
+namespace test_rviz_link_state
+{
 using namespace drill_rig_sim::console;
 
 namespace
@@ -69,9 +71,4 @@ TEST(ConsoleLinkState, WordsOfTheDiagnostics)
   EXPECT_EQ(RunState::failed, run_state_of("failed"));
   EXPECT_EQ(RunState::unknown, run_state_of("asleep"));
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_rviz_link_state

@@ -8,7 +8,7 @@
 #include "drill_rig_sim/rviz/picture/tools_picture.h"
 #include "drill_rig_sim/rviz/picture/well_picture.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_rviz_mesh
 {
 namespace
 {
@@ -228,10 +228,4 @@ TEST(Problem, namesWhatCannotBeDrawn)
   EXPECT_EQ("there are no parts", problem_of(RigData()));
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_rviz_mesh

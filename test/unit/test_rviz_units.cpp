@@ -6,6 +6,8 @@
 #include "rviz/model/quantities.h"
 #include "rviz/model/units.h"
 
+namespace test_rviz_units
+{
 using namespace drill_rig_sim::console;
 
 namespace
@@ -80,9 +82,4 @@ TEST(ConsoleQuantities, SpecificEnergyByHand)
   EXPECT_TRUE(std::isnan(specific_energy(100e3, 5e3, 12.0, 0.0, 0.2159))) << "nothing is drilled";
   EXPECT_TRUE(std::isnan(specific_energy(100e3, 5e3, 12.0, 0.01, 0.0))) << "no bit's diameter";
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_rviz_units

@@ -6,7 +6,7 @@
 #include "drill_rig_sim/rviz/picture/camera_preset.h"
 #include "drill_rig_sim/rviz/picture/pick.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_rviz_view
 {
 namespace
 {
@@ -110,10 +110,4 @@ TEST(Pick, aFewPixelsBesideStillHit)
   EXPECT_TRUE(pick(rods(), 0.5, 0.02, {{10.0, 0.6, -15.0}, {-1.0, 0.0, 0.0}}));
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_rviz_view

@@ -12,7 +12,7 @@
 #include "drill_rig_sim/scene/read_scene.h"
 #include "in_source.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_scene_bad
 {
 namespace
 {
@@ -195,10 +195,4 @@ TEST(SceneBad, DeepNestingIsRefused)
 }
 
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_scene_bad

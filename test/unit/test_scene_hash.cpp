@@ -11,7 +11,7 @@
 #include "drill_rig_sim/scene/scene_hash.h"
 #include "scene_of_all_keys.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_scene_hash
 {
 namespace
 {
@@ -107,10 +107,4 @@ TEST(SceneHash, theKernelIsNotInIt)
   EXPECT_EQ(hash_of(text), hash_of(std::string(text).replace(text.find(word), word.size(), "kernel: auto")));
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_scene_hash

@@ -15,6 +15,8 @@
 #include "expected_keys.h"
 #include "scene_of_all_keys.h"
 
+namespace test_scene_keys
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -342,9 +344,4 @@ TEST(SceneKeys, whatALineOfTheProgramLeavesOutIsUnset)
   EXPECT_TRUE(std::isnan(scene.program.at(1).free));
   EXPECT_EQ(0.0, scene.program.at(1).ramp);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_scene_keys

@@ -6,6 +6,8 @@
 #include "drill_rig_sim/sim/connection.h"
 #include "test_scenes.h"
 
+namespace test_scene_mesh
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -234,9 +236,4 @@ TEST(Hangs, whereTheHoleInclinesByThreeDegreesAtMost)
   EXPECT_TRUE(hangs(well, 200.0));
   EXPECT_FALSE(hangs(well, 400.0));
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_scene_mesh

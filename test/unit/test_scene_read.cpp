@@ -14,7 +14,7 @@
 #include "in_source.h"
 #include "temporary_folder.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_scene_read
 {
 namespace
 {
@@ -302,10 +302,4 @@ TEST(SceneReference, ListsKeysWithUnitsAndDefaults)
 }
 
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_scene_read

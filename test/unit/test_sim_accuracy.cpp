@@ -12,6 +12,8 @@
 #include "test_scenes.h"
 #include "watched_rig.h"
 
+namespace test_sim_accuracy
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -317,9 +319,4 @@ TEST(Accuracy, saysWhereWhatAndWhatHelps)
   EXPECT_EQ(text_of({AccuracyDoubt::dissipation, 0.08, 0.0, 0.0}, 0.01),
             "the method takes 8 % of the energy that goes through; numerics.step: below 0.01 s, or shorter elements");
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_accuracy

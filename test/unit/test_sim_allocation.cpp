@@ -153,9 +153,3 @@ TEST(Frame, allocatesNothingInConnections)
   EXPECT_EQ(allocations, 0);
   EXPECT_EQ(rig.truth().stand_count, stands + 1);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -6,6 +6,8 @@
 #include "drill_rig_sim/sim/simulator.h"
 #include "test_scenes.h"
 
+namespace test_sim_choice
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -137,9 +139,4 @@ TEST(Choice, isToldByTheSimulator)
   const Simulator by_hand(vertical_scene(400.0, 390.0));
   EXPECT_TRUE(by_hand.choice().empty());
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_choice

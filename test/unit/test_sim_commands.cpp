@@ -6,6 +6,8 @@
 
 #include "drill_rig_sim/sim/commands.h"
 
+namespace test_sim_commands
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -131,9 +133,4 @@ TEST(TopDriveCommand, everyModeIsTaken)
     EXPECT_EQ(state.asked.top_drive.mode, mode);
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_commands

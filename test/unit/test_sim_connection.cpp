@@ -7,6 +7,8 @@
 #include "in_slips.h"
 #include "sim_numbers.h"
 
+namespace test_sim_connection
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -309,9 +311,4 @@ TEST(Connection, runsTheBlockWithinItsLimits)
     EXPECT_NEAR(before, 28.5, 1e-9);
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_connection

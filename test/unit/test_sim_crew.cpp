@@ -9,6 +9,8 @@
 #include "in_slips.h"
 #include "sim_numbers.h"
 
+namespace test_sim_crew
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -331,9 +333,4 @@ TEST(Crew, isInSnapshots)
     rig.restore(*saved);
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_crew

@@ -7,6 +7,8 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/downlink.h"
 
+namespace test_sim_downlink
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -102,9 +104,4 @@ TEST(Downlink, isHeardAfterAnotherOne)
   }
   EXPECT_EQ(count, 2);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_downlink

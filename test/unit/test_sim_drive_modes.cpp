@@ -8,6 +8,8 @@
 #include "sim_numbers.h"
 #include "test_scenes.h"
 
+namespace test_sim_drive_modes
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -184,9 +186,4 @@ TEST(Snapshot, inEveryModeOfTheTopDriveIsBitIdentical)
     }
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_drive_modes

@@ -9,6 +9,8 @@
 #include "playing.h"
 #include "test_scenes.h"
 
+namespace test_sim_dynamics_tool
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -134,9 +136,4 @@ TEST(DynamicsTool, seesWhatTheBitCarries)
   EXPECT_LT(r.least_speed, r.speed);
   EXPECT_GT(r.largest_speed, r.speed);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_dynamics_tool

@@ -11,6 +11,8 @@
 #include "sim_numbers.h"
 #include "test_scenes.h"
 
+namespace test_sim_failure
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 using Outcome = CommandResult::Outcome;
@@ -356,9 +358,4 @@ TEST(StickPipe, gripsTheNearestNodeOrRefuses)
   rig.free_pipe();
   EXPECT_EQ(rig.save()->mechanics.stuck_point.node, -1);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_failure

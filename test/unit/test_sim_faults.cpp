@@ -10,6 +10,8 @@
 #include "faulty_pair.h"
 #include "sim_numbers.h"
 
+namespace test_sim_faults
+{
 using namespace drill_rig_sim;
 
 TEST(Fault, whatMakesNoSenseIsRefused)
@@ -176,9 +178,4 @@ TEST(Fault, livesInASnapshot)
       play(rig, 1.0);
     }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_faults

@@ -7,6 +7,8 @@
 #include "drill_rig_sim/sim/simulator.h"
 #include "test_scenes.h"
 
+namespace test_sim_friction
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -123,9 +125,4 @@ TEST(Friction, pipeSlidesByCoulombsLaw)
     EXPECT_GT(along_hole(m) - place, 0.3);
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_friction

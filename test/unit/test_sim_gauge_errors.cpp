@@ -10,6 +10,8 @@
 #include "sim_numbers.h"
 #include "test_scenes.h"
 
+namespace test_sim_gauge_errors
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -329,9 +331,4 @@ TEST(Readings, repeatBitByBitBySeedAndFromASnapshot)
   readings_of(stranger, 150);
   EXPECT_NE(ahead, readings_of(stranger, 300));
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_gauge_errors

@@ -9,6 +9,8 @@
 #include "shifted_sensor.h"
 #include "test_scenes.h"
 
+namespace test_sim_gauges
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -190,9 +192,4 @@ TEST(Instruments, ropIsThatOfTheBlock)
     EXPECT_NEAR(readings.hole_depth, 100.0 + 0.005 * k, 1e-12) << k;
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_gauges

@@ -9,6 +9,8 @@
 #include "playing.h"
 #include "test_scenes.h"
 
+namespace test_sim_hanging
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -112,9 +114,4 @@ TEST(HangingString, loadRingsWithinTheToleranceForAMinute)
     EXPECT_LT(std::sqrt(square), tolerance * (*high - *low)) << tolerance;
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_hanging

@@ -10,6 +10,8 @@
 #include "playing.h"
 #include "swing.h"
 
+namespace test_sim_heave
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -296,9 +298,4 @@ TEST(Heave, onBottomTheStringIsPulled)
   EXPECT_NEAR(hook.amplitude(), expected - w * w * scene.rig.heave.amplitude * moved, 0.01 * expected);
   EXPECT_NEAR(weight.amplitude(), -expected, 0.01 * expected);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_heave

@@ -9,6 +9,8 @@
 #include "swing.h"
 #include "test_scenes.h"
 
+namespace test_sim_hoisting
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -131,9 +133,4 @@ TEST(Hoisting, theWinchStandsAtItsStopAndSaysSo)
     EXPECT_FALSE(rig.truth().stop_reached) << "the other way is free";
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_hoisting

@@ -11,6 +11,8 @@
 #include "drill_rig_sim/sim/simulator_state.h"
 #include "faulty_pair.h"
 
+namespace test_sim_hole_faults
+{
 using namespace drill_rig_sim;
 
 TEST(Fault, aPackOffDragsBothWays)
@@ -229,9 +231,4 @@ TEST(Fault, aHoleInThePipeTakesPressureAway)
   rigs.play_both(60.0);
   EXPECT_NEAR(rigs.faulty.truth().stand_pipe_pressure, sound.stand_pipe_pressure, 1e-3 * sound.stand_pipe_pressure);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_hole_faults

@@ -7,6 +7,8 @@
 #include "drill_rig_sim/sim/instruments.h"
 #include "drill_rig_sim/well/directions.h"
 
+namespace test_sim_instruments
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -228,9 +230,4 @@ TEST(Mwd, toolfaceIsFromTheHighSideOrFromNorth)
   EXPECT_TRUE(flat.magnetic);
   EXPECT_NEAR(flat.toolface, 0.25, 1e-12);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_instruments

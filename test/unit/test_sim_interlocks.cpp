@@ -7,6 +7,8 @@
 #include "playing.h"
 #include "test_scenes.h"
 
+namespace test_sim_interlocks
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -167,9 +169,4 @@ TEST(Restrained, leavesWhatIsNotTripped)
   EXPECT_TRUE(out.top_drive.brake) << "the brake is its own";
   EXPECT_TRUE(out.winch == asked.winch && out.pump.flow == asked.pump.flow);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_interlocks

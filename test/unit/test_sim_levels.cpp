@@ -13,6 +13,8 @@
 #include "drill_rig_sim/solve/stepper.h"
 #include "test_scenes.h"
 
+namespace test_sim_levels
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -376,9 +378,4 @@ TEST(Levels, thatLeaveOutWhatTheSceneNeedsWarn)
   scene.numerics.level = Level::hybrid;
   EXPECT_EQ(told(scene), "");
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_levels

@@ -8,6 +8,8 @@
 #include "drill_rig_sim/solve/stepper.h"
 #include "test_scenes.h"
 
+namespace test_sim_many_turns
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -77,9 +79,4 @@ TEST(ManyTurns, leaveNoTwistBehindAtRest)
   EXPECT_GT(rig.state.nodes[0].spin_angle / (2.0 * pi), 0.99e4);
   for (double rate : twist_rates(rig)) EXPECT_NEAR(rate, 0.0, 1e-9);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_many_turns

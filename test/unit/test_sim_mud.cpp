@@ -9,6 +9,8 @@
 #include "playing.h"
 #include "test_scenes.h"
 
+namespace test_sim_mud
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -257,9 +259,4 @@ TEST(MudPumped, referenceAgrees)
   EXPECT_NEAR(string_length(rig.truth()), string_length(reference.truth()), 5e-4);
   EXPECT_NEAR(rig.truth().stand_pipe_pressure, reference.truth().stand_pipe_pressure, 100.0) << "but for what the string displaces as it stretches";
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_mud

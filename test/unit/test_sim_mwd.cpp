@@ -11,6 +11,8 @@
 #include "drill_rig_sim/well/directions.h"
 #include "test_scenes.h"
 
+namespace test_sim_mwd
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -209,9 +211,4 @@ TEST(Toolface, ofARigIsSilentWhileItTurns)
   EXPECT_LE(rig.readings().toolface.sequence, standing + 2) << "until it turns";
   EXPECT_GE(rig.readings().inclination.sequence, inclinations + 4);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_mwd

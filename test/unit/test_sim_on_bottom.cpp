@@ -10,6 +10,8 @@
 #include "drill_ahead.h"
 #include "test_scenes.h"
 
+namespace test_sim_on_bottom
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -250,9 +252,4 @@ TEST(OnBottom, aBitThatStopsAndGoesDrillsByItsTurns)
     EXPECT_NEAR(drilled_with / turned, 1.0, 0.03) << lag;
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_on_bottom

@@ -9,6 +9,8 @@
 #include "playing.h"
 #include "test_scenes.h"
 
+namespace test_sim_operations
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -312,9 +314,4 @@ TEST(Operations, aRunEndsWhereOneGetsNowhere)
   EXPECT_EQ(run(rig, player, goal, frame), RunEnd::standstill);
   EXPECT_LT(rig.truth().time, 300.0);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_operations

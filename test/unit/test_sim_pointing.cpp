@@ -10,6 +10,8 @@
 #include "sim_numbers.h"
 #include "steerable_scenes.h"
 
+namespace test_sim_pointing
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -164,9 +166,4 @@ TEST(Pointing, leansAtEveryLevelThatHasFreeNodes)
   EXPECT_NEAR(pressed(Level::hybrid), free, 0.05 * free);
   EXPECT_LT(pressed(Level::axial_torsional), 0.05 * free);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_pointing

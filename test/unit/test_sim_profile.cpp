@@ -12,6 +12,8 @@
 #include "drill_rig_sim/solve/start.h"
 #include "test_scenes.h"
 
+namespace test_sim_profile
+{
 using namespace drill_rig_sim;
 using Eigen::Matrix3d;
 using Eigen::Quaterniond;
@@ -234,7 +236,7 @@ TEST(StringForces, ofAnArcAreThoseOfItsCurvature)
     const double angle = (mesh.nodes.back().from_bit - mesh.nodes[i].from_bit) / radius;
     NodeState& node = rig.state.nodes[i];
     node.position = radius * Vector3d(1.0 - std::cos(angle), 0.0, -std::sin(angle));
-    const Quaterniond plumb = Quaterniond::FromTwoVectors(Vector3d::UnitX(), -Vector3d::UnitZ());
+    const Quaterniond plumb = shortest_turn(Vector3d::UnitX(), -Vector3d::UnitZ());
     const Vector3d tangent(std::sin(angle), 0.0, -std::cos(angle));
     node.orientation = Quaterniond(Eigen::AngleAxisd(-twist * i, tangent)) * Quaterniond(Eigen::AngleAxisd(-angle, Vector3d::UnitY())) * plumb;
   }
@@ -285,9 +287,4 @@ TEST(PartPoses, areAtTheLowerEndsOfTheParts)
   EXPECT_EQ(poses[4].name, "pipe_1");
   EXPECT_NEAR(poses[4].position.z() - poses[3].position.z(), 9.5, 1e-3);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_profile

@@ -11,7 +11,7 @@
 #include "drill_rig_sim/sim/simulator_state.h"
 #include "in_source.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_sim_program
 {
 namespace
 {
@@ -325,10 +325,4 @@ TEST(ProgramPlayer, RewindPlaysFromTheFirstLine)
 }
 
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_sim_program

@@ -13,6 +13,8 @@
 #include "drill_rig_sim/well/directions.h"
 #include "test_scenes.h"
 
+namespace test_sim_readings
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -337,9 +339,4 @@ TEST(Truth, ropIsTheRateOfTheHolesDepth)
   EXPECT_NEAR(drilled, rig.truth().hole_depth - 100.0, 1e-9);
   EXPECT_GT(drilled, 0.01);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_readings

@@ -8,8 +8,11 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/well/pilot_hole.h"
+#include "playing.h"
 #include "test_scenes.h"
 
+namespace test_sim_reaming
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -27,11 +30,6 @@ Scene reaming_scene(double pilot_depth, double inclination = 0.0)
   scene.well.pilot_diameter = half_bit;
   scene.start.weight_on_bit = 1e3;
   return scene;
-}
-
-void play(Simulator& rig, double seconds)
-{
-  for (long k = 0; k < std::lround(seconds / 0.01); ++k) ASSERT_EQ(rig.frame(0.01), FrameStatus::running);
 }
 
 /// Mean weight and torque on bit over two seconds, about two of its turns.
@@ -130,9 +128,4 @@ TEST(Reaming, followsThePilot)
   EXPECT_GT(axis.head<2>().norm(), 6e-3);
   EXPECT_LT((bottom - axis).head<2>().norm(), 0.3e-3);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_reaming

@@ -8,6 +8,8 @@
 #include "drill_ahead.h"
 #include "test_scenes.h"
 
+namespace test_sim_regenerative
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -134,9 +136,4 @@ TEST(Regenerative, theReferenceDrillsTheSame)
   EXPECT_NEAR(ida.bit_speed / fixed.bit_speed, 1.0, 0.01);
   EXPECT_NEAR(ida.hole_depth, fixed.hole_depth, 1e-4);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_regenerative

@@ -4,6 +4,8 @@
 #include "drill_rig_sim/math/units.h"
 #include "faulty_pair.h"
 
+namespace test_sim_rig_faults
+{
 using namespace drill_rig_sim;
 
 TEST(Fault, aBrakeThatSlipsLetsTheBlockSink)
@@ -115,9 +117,4 @@ TEST(Fault, aStalledMotorStands)
   rigs.play_both(20.0);
   EXPECT_NEAR(rigs.faulty.truth().bit_speed, turns, 0.1 * turns);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_rig_faults

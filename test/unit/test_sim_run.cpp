@@ -10,7 +10,7 @@
 #include "drill_rig_sim/sim/run.h"
 #include "in_source.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_sim_run
 {
 namespace
 {
@@ -130,10 +130,4 @@ TEST(Run, WhatTheCallbackThrowsEndsIt)
 }
 
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_sim_run

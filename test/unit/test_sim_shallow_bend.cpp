@@ -10,6 +10,8 @@
 #include "drill_rig_sim/well/tie_in.h"
 #include "test_scenes.h"
 
+namespace test_sim_shallow_bend
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -107,9 +109,4 @@ TEST(ShallowBend, collarsRunThroughTheTable)
     EXPECT_LT(aside, 0.5);
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_shallow_bend

@@ -7,6 +7,8 @@
 #include "in_slips.h"
 #include "sim_numbers.h"
 
+namespace test_sim_slips
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -140,9 +142,4 @@ TEST(Slips, areSetWithinAStride)
   play_on(rig, 3.0);
   EXPECT_TRUE(bit_identical(numbers_of(rig.truth()), then));
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_slips

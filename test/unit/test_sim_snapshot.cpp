@@ -5,6 +5,8 @@
 #include "sim_numbers.h"
 #include "test_scenes.h"
 
+namespace test_sim_snapshot
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -228,9 +230,4 @@ TEST(Snapshot, keepTimeMovesTheClockAlone)
   EXPECT_NEAR(rig.readings().mwd.time, readings.back().mwd.time + 5.0, 1e-9);
   EXPECT_NEAR(rig.readings().toolface.time, readings.back().toolface.time + 5.0, 1e-9);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_snapshot

@@ -13,6 +13,8 @@
 #include "temporary_folder.h"
 #include "test_scenes.h"
 
+namespace test_sim_state
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -238,9 +240,4 @@ TEST(SnapshotFile, anythingElseIsRefused)
   EXPECT_THROW(write_snapshot(file, 5, whole), std::runtime_error) << "a pipe that nobody writes to: refused, and not waited for";
   EXPECT_THROW(write_snapshot("/nowhere/at/all", 5, whole), std::runtime_error);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_state

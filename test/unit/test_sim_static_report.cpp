@@ -10,6 +10,8 @@
 #include "drill_rig_sim/well/directions.h"
 #include "test_scenes.h"
 
+namespace test_sim_static_report
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -76,9 +78,4 @@ TEST(StaticReport, holdsTheWeightOnBitInEachMotion)
     EXPECT_EQ(report.hook_load_string, report.outcome.top_force);
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_static_report

@@ -11,6 +11,8 @@
 #include "playing.h"
 #include "steerable_scenes.h"
 
+namespace test_sim_steering
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -172,9 +174,4 @@ TEST(Steering, obeysADownlink)
   EXPECT_NEAR(rig.setpoints().steering.toolface, command.toolface, 1e-12);
   EXPECT_NEAR(rig.setpoints().steering.ratio, 0.8, 1e-12);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_steering

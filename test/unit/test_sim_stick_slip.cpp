@@ -9,8 +9,11 @@
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "in_source.h"
+#include "symmetric_modes.h"
 #include "test_scenes.h"
 
+namespace test_sim_stick_slip
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -141,8 +144,7 @@ std::vector<Complex> exponents(const std::vector<double>& signal, int count, dou
   Eigen::MatrixXd hankel(rows, columns);
   for (int i = 0; i < rows; ++i)
     for (int k = 0; k < columns; ++k) hankel(i, k) = signal[i + k];
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(hankel, Eigen::ComputeThinU);
-  const Eigen::MatrixXd basis = svd.matrixU().leftCols(count);
+  const Eigen::MatrixXd basis = modes_of(hankel * hankel.transpose()).vectors.rightCols(count);  // the left singular vectors
   const Eigen::MatrixXd shift = basis.topRows(rows - 1).colPivHouseholderQr().solve(basis.bottomRows(rows - 1));
   const Eigen::VectorXcd factors = shift.eigenvalues();
   std::vector<Complex> out;
@@ -185,9 +187,4 @@ TEST(ZTorque, dampsTwoModes)
     }
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_stick_slip

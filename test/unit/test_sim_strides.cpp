@@ -11,6 +11,8 @@
 #include "sim_numbers.h"
 #include "test_scenes.h"
 
+namespace test_sim_strides
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -258,9 +260,4 @@ TEST(Strides, aBlowIsSteppedFinely)
   }
   EXPECT_LT(shortest, 2e-3);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_strides

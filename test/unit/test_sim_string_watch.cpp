@@ -9,6 +9,8 @@
 #include "drill_rig_sim/solve/start.h"
 #include "test_scenes.h"
 
+namespace test_sim_string_watch
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -149,9 +151,4 @@ TEST(StringWatch, theTruthTellsAndTheReadingsDoNot)
   EXPECT_FALSE(weak.readings().over_stress);
   EXPECT_NEAR(hook_load, 100e6 * 0.25 * pi * (0.127 * 0.127 - 0.1086 * 0.1086), 60e3) << "by the pipe's area, where it is pulled most";
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_string_watch

@@ -9,6 +9,8 @@
 #include "drill_rig_sim/sim/simulator_state.h"
 #include "test_scenes.h"
 
+namespace test_sim_truth
+{
 using namespace drill_rig_sim;
 using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
@@ -279,9 +281,4 @@ TEST(Truth, driveAndMotorTellTheirLimits)
   }
   EXPECT_GT(turned, -0.05) << "and drags the rotor round backwards, at most as fast as it turns itself down there";
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_truth

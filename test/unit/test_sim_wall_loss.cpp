@@ -5,6 +5,8 @@
 #include "drill_rig_sim/sim/wall_loss.h"
 #include "test_scenes.h"
 
+namespace test_sim_wall_loss
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -43,9 +45,4 @@ TEST(WallLoss, isNoneWhereTheStringFits)
   EXPECT_FALSE(wall_loss(build_at_rest(drilling_scene())));
   EXPECT_FALSE(wall_loss(build_at_rest(slanted_scene(150.0, 0.3)))) << "pipe on the low side carries its weight, whatever the wall";
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_wall_loss

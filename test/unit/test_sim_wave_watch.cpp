@@ -5,6 +5,8 @@
 
 #include "watched_rig.h"
 
+namespace test_sim_wave_watch
+{
 using namespace drill_rig_sim;
 
 // Waves of 100 N m and f = 2.5 Hz at steps of 10 ms: BDF2 is late by 2 pi f (2 pi f h)^2/3 = 0.129 and damps by (2 pi f h)^4/(4 h) = 0.0152
@@ -73,9 +75,4 @@ TEST(Accuracy, theLowerEndHesitates)
             "the string's lower end came loose to 0.8 rad/s and stuck again: when it goes hangs on the smallest waves, and so does the time of all that"
             " follows; means and extremes hold, how far, numerics.step: 0.005 s shows");
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_sim_wave_watch

@@ -9,6 +9,8 @@
 #include "drill_rig_sim/solve/stepper.h"
 #include "lone_bit.h"
 
+namespace test_solve_amplification
+{
 using namespace drill_rig_sim;
 using Complex = std::complex<double>;
 
@@ -128,9 +130,4 @@ TEST(Amplification, centralDifferencesDoNotDamp)
       EXPECT_NEAR(o.x(k + 1) - (2.0 - turn * turn) * o.x(k) + o.x(k - 1), 0.0, 1e-6 * amplitude) << "w h " << turn << ", step " << k;
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_amplification

@@ -15,6 +15,8 @@
 #include "plucked_rig.h"
 #include "test_scenes.h"
 
+namespace test_solve_arkode
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -171,9 +173,4 @@ TEST(Arkode, stepsThatCannotBeSolvedLeaveAFiniteState)
   state = start.state;
   EXPECT_TRUE(stepper.advance(state, 0.005, Setpoints())) << "and the next one from a good state is solved";
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_arkode

@@ -9,6 +9,8 @@
 #include "drill_rig_sim/reference/ida_solver.h"
 #include "index_three.h"
 
+namespace test_solve_constrained_bodies
+{
 using namespace drill_rig_sim;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
@@ -176,7 +178,7 @@ TEST(ConstrainedBodies, SpinningTopKeepsItsEnergyAndMoment)
   // a heavy symmetric top on its tip: energy, moment about the vertical and spin are its integrals
   std::vector<BodyMotion> motions(1);
   const Vector3d axis = Vector3d(std::sin(0.5), 0.0, std::cos(0.5));
-  motions[0].orientation = Quaterniond::FromTwoVectors(Vector3d::UnitX(), axis);
+  motions[0].orientation = shortest_turn(Vector3d::UnitX(), axis);
   motions[0].position = 0.1 * axis;
   motions[0].angular_velocity = 60.0 * axis;
   const std::vector<Joint> joints = {ball_joint(-1, BodyMotion(), 0, motions[0], Vector3d::Zero())};
@@ -226,9 +228,4 @@ TEST(IndexThree, FailsAtSmallStepsWhereTheStabilisedFormulationDoesNot)
       EXPECT_TRUE(!index_3.reached || index_3.multiplier_error > 0.1) << step;
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_constrained_bodies

@@ -12,6 +12,8 @@
 #include "lone_bit.h"
 #include "plucked_rig.h"
 
+namespace test_solve_convergence
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -265,9 +267,4 @@ TEST(Convergence, unevenStepsKeepTheSecondOrder)
   const Eigen::VectorXd fine = uneven(0.0005), middle = uneven(0.001), coarse = uneven(0.002);
   EXPECT_NEAR(std::log2((coarse - middle).norm() / (middle - fine).norm()), 2.0, 0.2);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_convergence

@@ -17,6 +17,8 @@
 #include "in_source.h"
 #include "test_scenes.h"
 
+namespace test_solve_energy
+{
 using namespace drill_rig_sim;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
@@ -255,9 +257,4 @@ TEST(Energy, bookLeavesTheRunAsItIs)
   EXPECT_GT(with.energy().time, 4.99);
   EXPECT_EQ(without.energy().time, 0.0);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_energy

@@ -8,6 +8,8 @@
 #include "drill_rig_sim/solve/stepper.h"
 #include "lone_bit.h"
 
+namespace test_solve_energy_losses
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -217,9 +219,4 @@ TEST(Losses, gaugeFrictionTakesTheMotorsWork)
   EXPECT_NEAR(e.pump, work, 1e-3 * work);
   EXPECT_NEAR(e.motor_slip, 0.0, 1e-6 * work);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_energy_losses

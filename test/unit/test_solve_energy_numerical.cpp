@@ -10,6 +10,8 @@
 #include "drill_rig_sim/solve/stepper.h"
 #include "plucked_rig.h"
 
+namespace test_solve_energy_numerical
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -122,9 +124,4 @@ TEST(Numerical, whatABristleLosesBetweenStepsIsTheRocksAndNotRebasings)
   EXPECT_NEAR(second.rock_torque - first.rock_torque, lost, 1e-6 * lost);
   EXPECT_NEAR(second.of_rebasing - first.of_rebasing, 0.0, 1e-6 * lost);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_energy_numerical

@@ -8,6 +8,8 @@
 #include "drill_rig_sim/solve/start.h"
 #include "test_scenes.h"
 
+namespace test_solve_halving
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -110,9 +112,4 @@ TEST(Halving, endsWhereItsIterationsAreSpent)
   EXPECT_FALSE(integrator.advance_by(32.0));
   EXPECT_EQ((std::vector<double>{32, 16}), steps_of(integrator));
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_halving

@@ -9,6 +9,8 @@
 #include "drill_rig_sim/solve/newton.h"
 #include "lone_bit.h"
 
+namespace test_solve_newton
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -205,9 +207,4 @@ TEST(Newton, improvesByOneWholeIncrement)
   EXPECT_NEAR(problem.depth(), 0.002, 1e-9);
   EXPECT_EQ(problem.work().tangents, 2u);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_newton

@@ -17,6 +17,8 @@
 #include "drill_rig_sim/solve/stepper.h"
 #include "test_scenes.h"
 
+namespace test_solve_onset
+{
 using namespace drill_rig_sim;
 using Complex = std::complex<double>;
 
@@ -281,9 +283,4 @@ TEST(Onset, torsionalInWeightAndSpeed)
             { return growth(swings(string, {speed, stiffness, share * onset.value}, Swing::speed), onset.frequency); });
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_onset

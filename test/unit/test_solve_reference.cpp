@@ -10,6 +10,8 @@
 #include "drill_rig_sim/solve/stepper.h"
 #include "plucked_string.h"
 
+namespace test_solve_reference
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
@@ -257,9 +259,4 @@ TEST(Reference, JacobianOfTheRigByFiniteDifferences)
     expect_exact_jacobian(mode);
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_reference

@@ -8,7 +8,7 @@
 #include "in_source.h"
 #include "test_scenes.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_solve_start
 {
 namespace
 {
@@ -170,10 +170,4 @@ TEST(Start, onWallsOfTheGreatestStiffness)
   EXPECT_LE(iterations_of(read_scene(in_source("test/stability/scenes/inclined.yaml"), {"contact.stiffness=1e13"})), 450);
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_solve_start

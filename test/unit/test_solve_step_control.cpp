@@ -10,6 +10,8 @@
 #include "plucked_rig.h"
 #include "test_scenes.h"
 
+namespace test_solve_step_control
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -192,9 +194,4 @@ TEST(StepControl, aBentMotorThatTurnsShortensTheLongestStep)
   const double w = 3.0 * 120.0 * rpm, h = control.longest(state);
   EXPECT_NEAR(0.25 * std::pow(w * h, 4) / h, 5.0 * scene.numerics.tolerance, 1e-9);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_step_control

@@ -10,6 +10,8 @@
 #include "drill_rig_sim/solve/start.h"
 #include "test_scenes.h"
 
+namespace test_solve_stuck_point
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -192,9 +194,4 @@ TEST(StuckPoint, holdsThePipeAsItIs)
   EXPECT_LT(std::abs(hold.turn), 1e-3);
   EXPECT_LT(std::abs(hold.lift), 1e-3);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_stuck_point

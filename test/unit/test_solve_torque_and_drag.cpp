@@ -9,6 +9,8 @@
 #include "drill_rig_sim/solve/start.h"
 #include "soft_string.h"
 
+namespace test_solve_torque_and_drag
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -194,9 +196,4 @@ TEST(TorqueAndDrag, movingStringAgreesWithTheSoftString)
       EXPECT_NEAR(run.torque, soft.torque, 0.01 * soft.torque) << named(c, sliding);
     }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_torque_and_drag

@@ -9,6 +9,8 @@
 #include "drill_rig_sim/solve/wave_life.h"
 #include "test_scenes.h"
 
+namespace test_solve_wave_life
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -104,9 +106,4 @@ TEST(WaveLife, pipeAtRestOnItsWallDampsAll)
   EXPECT_LT(now.along, 0.2);
   EXPECT_LT(now.about, 0.2);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_wave_life

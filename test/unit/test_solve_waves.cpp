@@ -9,6 +9,8 @@
 #include "drill_rig_sim/solve/stepper.h"
 #include "test_scenes.h"
 
+namespace test_solve_waves
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -120,9 +122,4 @@ TEST(Waves, torsionalSlowedByToolJoints)
 {
   expect_speed(tool_jointed_mass, Kind::torsional, std::sqrt(206e9 / 2.6 * pipe_area / tool_jointed_mass));
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_solve_waves

@@ -5,6 +5,8 @@
 
 #include "beam_problems.h"
 
+namespace test_string_beam_chain
+{
 using namespace drill_rig_sim;
 using Eigen::Vector3d;
 
@@ -167,9 +169,4 @@ TEST(BeamChain, bendInSpaceReachesTheConvergedTip)
   EXPECT_LT((bend_45_tip(bend_45(64), 450.0) - Vector3d(18.5081, 52.2383, 48.5035)).norm(), 1e-4 * 53.0);
   EXPECT_LT((bend_45_tip(bend_45(64), 600.0) - Vector3d(15.6847, 47.1501, 53.4755)).norm(), 1e-4 * 60.0);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_string_beam_chain

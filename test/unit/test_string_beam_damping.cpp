@@ -6,6 +6,8 @@
 
 #include "beam_kinds.h"
 
+namespace test_string_beam_damping
+{
 using namespace drill_rig_sim;
 using Eigen::Matrix3d;
 using Eigen::Quaterniond;
@@ -78,9 +80,4 @@ TEST(BeamKinds, dampingTakesThePowerOfStretchTwistAndBending)
     }
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_string_beam_damping

@@ -11,6 +11,8 @@
 #include "in_source.h"
 #include "drill_rig_sim/scene/read_scene.h"
 
+namespace test_string_beam_kinds
+{
 using namespace drill_rig_sim;
 using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
@@ -320,9 +322,4 @@ TEST(BeamKinds, costOfAnElement)
       std::printf("%s, %s: %.0f ns\n", kind.name, with_tangent ? "residual and tangent" : "residual", 1e9 * best);
     }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_string_beam_kinds

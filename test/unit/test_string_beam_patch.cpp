@@ -7,6 +7,8 @@
 #include "beam_kinds.h"
 #include "beam_problems.h"
 
+namespace test_string_beam_patch
+{
 using namespace drill_rig_sim;
 using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
@@ -99,9 +101,4 @@ TEST(BeamPatch, pureBendingIsExactForConstantCurvature)
 }
 
 // Dead lateral tip load 5 E I/L^2 on a cantilever: all are of second order in the element's length.
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_string_beam_patch

@@ -5,6 +5,8 @@
 
 #include "beam_ends.h"
 
+namespace test_string_beam_tangent
+{
 using namespace drill_rig_sim;
 using Eigen::Matrix3d;
 using Eigen::Quaterniond;
@@ -244,9 +246,4 @@ TEST(BeamElement, forcesAndMomentsBalance)
     EXPECT_LT(rest.norm(), 1e-9 * (f.force.norm() * 9.5 + f.moment_upper.norm()));
   }
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_string_beam_tangent

@@ -7,6 +7,8 @@
 #include "drill_rig_sim/string/string_checks.h"
 #include "test_scenes.h"
 
+namespace test_string_mesh
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -328,9 +330,4 @@ TEST(Mesh, leavesNoStub)
   const Mesh longer = build_mesh(scene, 29.2 + 95.0 + 0.7);
   EXPECT_NEAR(longer.elements.back().section.length, 0.7, 1e-9);
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_string_mesh

@@ -8,6 +8,8 @@
 #include "drill_rig_sim/string/string_checks.h"
 #include "steerable_scenes.h"
 
+namespace test_string_problems
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -197,9 +199,4 @@ TEST(StringRules, InertiaAndLeverFitThePart)
   part.friction_radius = 0.2;
   EXPECT_EQ("string[1].friction_radius: 0.2 m lies outside the part, allowed: up to half its widest diameter, " + metres(radius), said_of({bit, part}));
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_string_problems

@@ -7,7 +7,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "numbered_frame.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_tools_averages
 {
 namespace
 {
@@ -130,10 +130,4 @@ TEST(DrillingRecord, lastQuarterIsOfWholeSeconds)
   EXPECT_EQ(10u, four.last_quarter().samples()) << "of four seconds one";
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_tools_averages

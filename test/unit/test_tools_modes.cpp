@@ -8,6 +8,8 @@
 #include "drill_eigenmodes.h"
 #include "test_scenes.h"
 
+namespace test_tools_modes
+{
 using namespace drill_rig_sim;
 
 namespace
@@ -208,9 +210,4 @@ TEST(Modes, weightOnBitLowersTheLateralOnes)
   EXPECT_LT(pressed.frequency(ModeFamily::lateral, 0), free);
   EXPECT_GT(pressed.frequency(ModeFamily::axial, 0), Hung(hanging(20.0, 500.0)).frequency(ModeFamily::axial, 0)) << "and the rock holds the bit";
 }
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace test_tools_modes

@@ -9,12 +9,13 @@
 #include "drill_ahead.h"
 #include "drill_command.h"
 #include "drill_output.h"
+#include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/wellbore.h"
 #include "numbered_frame.h"
 #include "test_scenes.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_tools_output
 {
 namespace
 {
@@ -68,7 +69,7 @@ Truth numbered_truth()
   Truth m;
   number_signals(m, 100.0);
   number_bit(m);
-  m.bit_orientation = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), tangent_from(0.75, 2.0));
+  m.bit_orientation = shortest_turn(Eigen::Vector3d::UnitX(), tangent_from(0.75, 2.0));
   m.bit_inclination = 261.0;
   m.bit_azimuth = 262.0;
   m.bend_toolface = 263.0;
@@ -258,10 +259,4 @@ TEST(Output, whatCannotBeWrittenIsRefusedByOptionAndName)
   }
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_tools_output

@@ -11,7 +11,7 @@
 #include "drill_summary.h"
 #include "test_scenes.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_tools_summary
 {
 namespace
 {
@@ -308,10 +308,4 @@ TEST(Summary, withoutDrillingTellsWhatHangsAndTurns)
   EXPECT_GT(std::abs(torque), 0.0);
 }
 
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_tools_summary

@@ -9,7 +9,7 @@
 #include "drill_rig_sim/well/well_checks.h"
 #include "well_fixtures.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_well_checks
 {
 namespace
 {
@@ -117,10 +117,4 @@ TEST(TrajectoryChecks, EitherALengthOrANumberOfSteps)
   }
 }
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_well_checks

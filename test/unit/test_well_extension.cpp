@@ -298,9 +298,3 @@ TEST(WellExtension, BottomTurnsIntoTheDirectionOfDrilling)
 }
 }  // namespace
 }  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -7,7 +7,7 @@
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/formation.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_well_formation
 {
 namespace
 {
@@ -228,10 +228,4 @@ TEST(Formation, LayersAreFoundByDepthAndRefusedOutOfOrder)
   EXPECT_THROW(Formation({}), std::invalid_argument);
 }
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_well_formation

@@ -6,7 +6,7 @@
 #include "drill_rig_sim/math/visit.h"
 #include "drill_rig_sim/well/history.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_well_history
 {
 namespace
 {
@@ -93,10 +93,4 @@ TEST(History, BytesHoldTheEntriesStillHeld)
   }
 }
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_well_history

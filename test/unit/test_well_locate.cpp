@@ -5,7 +5,7 @@
 
 #include "well_fixtures.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_well_locate
 {
 namespace
 {
@@ -212,10 +212,4 @@ TEST(WellLocate, RadiusAndFrictionAreOnesOfTheHole)
   }
 }
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_well_locate

@@ -9,7 +9,7 @@
 #include "drill_rig_sim/well/survey.h"
 #include "well_fixtures.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_well_nodes
 {
 namespace
 {
@@ -142,10 +142,4 @@ TEST(HoleSegments, DistanceToABoxIsThatToItsNearestPoint)
   EXPECT_EQ(1.0 + 4.0 + 9.0, box.squared_distance({3.0, -1.0, 7.0}));
 }
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_well_nodes

@@ -7,7 +7,7 @@
 
 #include "drilled_hole.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_well_stage_two
 {
 namespace
 {
@@ -149,10 +149,4 @@ TEST(StageTwo, CountedStepsLeaveTheLengthAside)
   }
 }
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_well_stage_two

@@ -11,7 +11,7 @@
 #include "drill_rig_sim/well/well_checks.h"
 #include "well_fixtures.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_well_survey
 {
 namespace
 {
@@ -308,10 +308,4 @@ TEST(HoleNodes, RefusesSectionsThatDoNotFit)
   EXPECT_THROW(Wellbore(bohai_well(), {0.0, 0}, 0.15), std::invalid_argument);
 }
 }  // namespace
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_well_survey

@@ -13,7 +13,7 @@
 #include "drill_rig_sim/well/well_checks.h"
 #include "in_source.h"
 
-namespace drill_rig_sim
+namespace drill_rig_sim::test_well_tie_in
 {
 namespace
 {
@@ -170,10 +170,4 @@ TEST(TieIn, ASurveyBelowTheTableWithoutItIsRefused)
   EXPECT_EQ(Vector3d(2.0, 3.0, -9.0), survey.station(0).position);
   EXPECT_EQ(Vector3d(2.0, 3.0, -19.0), survey.station(1).position);
 }
-}  // namespace drill_rig_sim
-
-int main(int argc, char** argv)
-{
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace drill_rig_sim::test_well_tie_in

@@ -5,13 +5,12 @@
 
 #include "drill_rig_sim/sim/accuracy_watch.h"
 #include "drill_rig_sim/solve/start.h"
+#include "playing.h"
 #include "test_scenes.h"
 
 /// A rig that stands as its test says, and the watch over its accuracy.
 namespace drill_rig_sim
 {
-constexpr double frame = 0.01;  // [s]
-
 /// Counts steps as it is told, and solves none.
 class Counting : public Integrator
 {
@@ -28,7 +27,7 @@ public:
 };
 
 /// A string in mud that damps its waves, along and about it, to 1/e in 2 s.
-Scene dying_in_two_seconds()
+inline Scene dying_in_two_seconds()
 {
   Scene scene = vertical_scene(400.0, 290.0);
   scene.mud.axial_damping = 100.0;

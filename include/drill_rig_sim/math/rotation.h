@@ -44,6 +44,12 @@ inline Eigen::Vector3d y_axis(const Eigen::Quaterniond& q)
                          2.0 * (q.y() * q.z() + q.w() * q.x()));
 }
 
+/// The smallest rotation that takes the direction of `from` to that of `to`; neither may be zero. Not in the header, because it
+/// instantiates a singular value decomposition: four seconds of each source that includes it.
+Eigen::Quaterniond shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) noexcept;
+/// `q` after the smallest rotation that points its x axis along `axis`.
+Eigen::Quaterniond pointed_along(const Eigen::Quaterniond& q, const Eigen::Vector3d& axis) noexcept;
+
 /// Twist about x that takes section `from` to section `to` when the tilt between their normals is undone by the shortest
 /// rotation (swing-twist decomposition); in (-pi, pi], exact for any number of turns that both have made together.
 inline double twist_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to)

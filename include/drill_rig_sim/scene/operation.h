@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_SCENE_OPERATION_H
 #define DRILL_RIG_SIM_SCENE_OPERATION_H
 
+#include <cmath>
 #include <limits>
 
 /// What a scene's operations program is made of: what a driller does, one thing after the other, each until its end.
@@ -45,6 +46,11 @@ struct Operation
   double overpull = unset;       ///< end of pick_up: hook load above that at its beginning [N]
 };
 
+/// Whether a number of an operation or of a program's line was given: unset is NaN.
+inline bool is_set(double value) noexcept
+{
+  return !std::isnan(value);
+}
 /// The word of the scene file.
 const char* word_of(OperationKind kind) noexcept;
 /// Whether the rig's crew (sim/crew.h) makes connections for it, whatever `connections` of the scene says.

@@ -109,7 +109,7 @@ void add_element(const StageContext& at, int e, double* residual, BlockTridiagon
   scatter(t, e, *tangent);
 }
 
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_beams(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   if (tangent) clear_unwritten_blocks(at, *tangent);
   for (int e = 0; e < at.model.elements(); ++e)
@@ -125,7 +125,7 @@ double weight_potential(const StageContext& at, int e, const BeamPose& pose) noe
   return -at.stage.load[e].dot(mean);
 }
 
-void store(const StageContext& at, StoredEnergy& energy) noexcept
+void store_beams(const StageContext& at, StoredEnergy& energy) noexcept
 {
   if (moved_in_batches(at)) return store_free_string(at, energy);
   for (int e = 0; e < at.model.elements(); ++e)
@@ -141,7 +141,7 @@ void add_to_ends(EnergySample& sample, NodeForce kind, int e, const BeamForces& 
   upper.tail<3>() += sign * f.moment_upper;
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_beams(const StageContext& at, EnergySample& sample) noexcept
 {
   if (moved_in_batches(at)) return sample_free_string(at, sample);
   for (int e = 0; e < at.model.elements(); ++e)
@@ -156,7 +156,7 @@ Vector3d turn_of_shaft(const StageContext& at, const ShaftEnd& end, const NodeMo
 }
 }  // namespace
 
-const Force beams = {"beams", Cost::elements, add, store, sample};
+const Force beams = {"beams", Cost::elements, add_beams, store_beams, sample_beams};
 
 void clear_unwritten_blocks(const StageContext& at, BlockTridiagonal& tangent) noexcept
 {

@@ -246,7 +246,7 @@ void add_resting(const StageContext& at, double* residual, BlockTridiagonal* tan
   put_on_bit(at, rock_load(result.bottom, torque, 0.0), residual, tangent);
 }
 
-void store(const StageContext& at, StoredEnergy& energy) noexcept
+void store_bit(const StageContext& at, StoredEnergy& energy) noexcept
 {
   const StageResult& result = at.work.result;
   if (!at.model.regenerative()) energy.bottom += elastic_energy(at.model.bit().bottom, result.bottom.penetration);
@@ -254,7 +254,7 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
   energy.weight += bit_weight(at) * at.work.nodes[0].position.z();
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_bit(const StageContext& at, EnergySample& sample) noexcept
 {
   const StageResult& result = at.work.result;
   const Vector3d down = at.start.well.bottom_normal();
@@ -276,7 +276,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force bit_on_bottom = {"bit", Cost::bit, add_drilling, store, sample};
+const Force bit_on_bottom = {"bit", Cost::bit, add_drilling, store_bit, sample_bit};
 const Force resting_bit = {"resting bit", Cost::bit, add_resting, nullptr, nullptr};
 
 double bit_weight(const StageContext& at) noexcept

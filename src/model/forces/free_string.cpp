@@ -35,7 +35,7 @@ StringTask task_of(const StageContext& at, double* residual) noexcept
   return {0, 0, &columns.nodes, &columns.elements, at.stage.structural_damping, at.stage.dv_du, at.stage.da_du, residual, nullptr, nullptr, nullptr};
 }
 
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_free_string(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   if (tangent) clear_unwritten_blocks(at, *tangent);
   StringTask task = task_of(at, residual);
@@ -49,7 +49,7 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
 }
 }  // namespace
 
-const Force free_string = {"free string", Cost::elements, add, nullptr, nullptr};
+const Force free_string = {"free string", Cost::elements, add_free_string, nullptr, nullptr};
 
 void find_free_forces(const StageContext& at) noexcept
 {

@@ -278,7 +278,7 @@ void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* t
 }
 
 template <FrictionAtNode friction_at>
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_guided_string(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   if (!at.stage.any_guided) return;
   find_tensions(at);
@@ -289,7 +289,7 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
 /// Inner nodes by the batch kernel, then the others: they are beside what it writes too much.
 void add_sticking(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
-  if (!at.stage.guided_kernel) return add<sticking_friction>(at, residual, tangent);
+  if (!at.stage.guided_kernel) return add_guided_string<sticking_friction>(at, residual, tangent);
   if (!at.stage.any_guided) return;
   find_tensions(at);
   GuidedRows to{residual, nullptr, nullptr, nullptr};
@@ -302,7 +302,7 @@ void add_sticking(const StageContext& at, double* residual, BlockTridiagonal* ta
                });
 }
 
-void store(const StageContext& at, StoredEnergy& energy) noexcept
+void store_guided_string(const StageContext& at, StoredEnergy& energy) noexcept
 {
   if (!at.stage.any_guided) return;
   for (int e = 0; e < at.model.elements(); ++e)
@@ -331,7 +331,7 @@ void add_to(EnergySample& sample, NodeForce kind, int i, const Guide& guide, dou
   at.tail<3>() += about * guide.tangent;
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_guided_string(const StageContext& at, EnergySample& sample) noexcept
 {
   if (!at.stage.any_guided) return;
   for (int e = 0; e < at.model.elements(); ++e)
@@ -392,8 +392,8 @@ void add_beams_at_guides(const StageContext& at, double* residual, BlockTridiago
 }
 }  // namespace
 
-const Force guided_string = {"guided string", Cost::guided, add_sticking, store, sample};
-const Force sliding_guided_string = {"sliding guided string", Cost::guided, add<sliding_friction>, nullptr, nullptr};
+const Force guided_string = {"guided string", Cost::guided, add_sticking, store_guided_string, sample_guided_string};
+const Force sliding_guided_string = {"sliding guided string", Cost::guided, add_guided_string<sliding_friction>, nullptr, nullptr};
 const Force guided_gauge = {"guided gauge", Cost::guided, add_gauge, nullptr, nullptr};
 const Force beams_at_guides = {"beams at guided nodes", Cost::guided, add_beams_at_guides, nullptr, nullptr};
 

@@ -46,7 +46,7 @@ StopForce stop_at(const StageContext& at) noexcept
   return stop_force(at.model.scene().rig.hoisting, height_of_block(at), velocity_of_block(at));
 }
 
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_hoisting(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   const int top = at.model.top();
   const LinePull pull = pull_of(at);
@@ -63,7 +63,7 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   tangent->diagonal(top)(2, 2) += by_place + at.stage.dv_du * by_rate;
 }
 
-void store(const StageContext& at, StoredEnergy& energy) noexcept
+void store_hoisting(const StageContext& at, StoredEnergy& energy) noexcept
 {
   const double line = at.stage.hoist.line_length, tension = pull_of(at).tension;
   energy.line += 0.5 * tension * tension * line / at.model.scene().rig.hoisting.line_ea;
@@ -72,7 +72,7 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
   energy.block += 0.5 * rail_stiffness * held * held + stop_at(at).energy;
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_hoisting(const StageContext& at, EnergySample& sample) noexcept
 {
   const HoistingSpec& spec = at.model.scene().rig.hoisting;
   const HoistState& end = at.stage.hoist;
@@ -89,7 +89,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force hoisting = {"hoisting", Cost::rig, add, store, sample};
+const Force hoisting = {"hoisting", Cost::rig, add_hoisting, store_hoisting, sample_hoisting};
 
 namespace
 {

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 namespace
 {
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_inertia(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   const double dv_du = at.stage.dv_du, da_du = at.stage.da_du;
   for (int i = 0; i < at.model.nodes(); ++i)
@@ -34,7 +34,7 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   }
 }
 
-void store(const StageContext& at, StoredEnergy& energy) noexcept
+void store_inertia(const StageContext& at, StoredEnergy& energy) noexcept
 {
   for (int i = 0; i < at.model.nodes(); ++i)
   {
@@ -46,7 +46,7 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
   }
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_inertia(const StageContext& at, EnergySample& sample) noexcept
 {
   for (int i = 0; i < at.model.nodes(); ++i)
   {
@@ -59,7 +59,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force inertia = {"inertia", Cost::inertia, add, store, sample};
+const Force inertia = {"inertia", Cost::inertia, add_inertia, store_inertia, sample_inertia};
 
 RigidBody node_body(const Model& model, const Stage& stage, int i) noexcept
 {

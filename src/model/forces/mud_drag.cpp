@@ -41,7 +41,7 @@ Vector6d force_of(const Drag& drag, const NodeMotion& node, const Vector3d& n) n
   return out;
 }
 
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_mud_drag(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   const double dv_du = at.stage.dv_du;
   for (int i = 0; i < at.model.nodes(); ++i)
@@ -66,13 +66,13 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   }
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_mud_drag(const StageContext& at, EnergySample& sample) noexcept
 {
   for (int i = 0; i < at.model.nodes(); ++i)
     if (!at.stage.guides[i].guided) at_node(sample, NodeForce::mud, i) += force_of(drag_of(at, i), at.work.nodes[i], at.stage.normal[i]);
 }
 }  // namespace
 
-const Force mud_drag = {"mud drag", Cost::inertia, add, nullptr, sample};
+const Force mud_drag = {"mud drag", Cost::inertia, add_mud_drag, nullptr, sample_mud_drag};
 
 }  // namespace drill_rig_sim

@@ -41,7 +41,7 @@ SurfaceFriction friction_of(const StageContext& at, const Rows& by_node, Surface
   return surface_friction(pads.normal_force, pads.friction, motion, at.start.pads.bristle, pads.law, slopes);
 }
 
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_pads(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   PadsState& next = at.work.result.pads;
   next = PadsState();
@@ -57,12 +57,12 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   if (tangent) tangent->diagonal(node_of(at)) -= by_node.transpose() * slopes.by_displacement * by_node;
 }
 
-void store(const StageContext& at, StoredEnergy& energy) noexcept
+void store_pads(const StageContext& at, StoredEnergy& energy) noexcept
 {
   if (pushes(at)) energy.bristles += 0.5 * at.stage.pads.law.tangential_stiffness * at.work.result.pads.bristle.squaredNorm();
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_pads(const StageContext& at, EnergySample& sample) noexcept
 {
   if (!pushes(at)) return;
   const Rows by_node = motions(at);
@@ -71,7 +71,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force pads = {"pads", Cost::rig, add, store, sample};
+const Force pads = {"pads", Cost::rig, add_pads, store_pads, sample_pads};
 
 void find_pads(const Model& model, const State& state, const Setpoints& setpoints, Stage& stage) noexcept
 {

@@ -67,7 +67,7 @@ void remember(const StageContext& at, std::size_t k, const SurfaceFriction& f) n
   next.rest = stands ? state_of(at.start, k).rest + at.stage.time : 0.0;
 }
 
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_place_drag(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   each_drag(at, [&](std::size_t k)
   {
@@ -88,12 +88,12 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   });
 }
 
-void store(const StageContext& at, StoredEnergy& energy) noexcept
+void store_place_drag(const StageContext& at, StoredEnergy& energy) noexcept
 {
   each_drag(at, [&](std::size_t k) { energy.bristles += 0.5 * place_drag_stiffness * at.work.result.drags[k].bristle.squaredNorm(); });
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_place_drag(const StageContext& at, EnergySample& sample) noexcept
 {
   each_drag(at, [&](std::size_t k)
   {
@@ -131,7 +131,7 @@ PlaceDrag drag_at(const Model& model, const State& state, double bit_depth, std:
 }
 }  // namespace
 
-const Force place_drag = {"place drag", Cost::contact, add, store, sample};
+const Force place_drag = {"place drag", Cost::contact, add_place_drag, store_place_drag, sample_place_drag};
 
 double depth_of_bit(const Model& model, const State& state) noexcept
 {

@@ -8,26 +8,26 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr Grip grip{slips_stiffness, slips_torsion, true, true};
+constexpr Grip slips_grip{slips_stiffness, slips_torsion, true, true};
 
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_slips(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
-  add_held(at, at.start.slips, grip, residual, tangent);
+  add_held(at, at.start.slips, slips_grip, residual, tangent);
 }
 
-void store(const StageContext& at, StoredEnergy& energy) noexcept
+void store_slips(const StageContext& at, StoredEnergy& energy) noexcept
 {
-  store_held(at, at.start.slips, grip, energy);
+  store_held(at, at.start.slips, slips_grip, energy);
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_slips(const StageContext& at, EnergySample& sample) noexcept
 {
-  sample_held(at, at.start.slips, grip, sample);
-  sample.slips_force = at.start.slips.node < 0 ? 0.0 : -force_of(at, at.start.slips, grip)[2];
+  sample_held(at, at.start.slips, slips_grip, sample);
+  sample.slips_force = at.start.slips.node < 0 ? 0.0 : -force_of(at, at.start.slips, slips_grip)[2];
 }
 }  // namespace
 
-const Force slips = {"slips", Cost::rig, add, store, sample};
+const Force slips = {"slips", Cost::rig, add_slips, store_slips, sample_slips};
 
 double slips_load(const State& state) noexcept
 {

@@ -10,7 +10,7 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 namespace
 {
-double radius_of(const StageContext& at, int e) noexcept
+double span_radius(const StageContext& at, int e) noexcept
 {
   return 0.5 * at.model.mesh().elements[e].outer_diameter;
 }
@@ -23,7 +23,7 @@ Vector6d share(const Vector3d& arm, const Vector3d& force, const Vector3d& momen
   return out;
 }
 
-WallForce sticking_force(const StageContext& at, int e, Matrix6d* block) noexcept
+WallForce span_sticking_force(const StageContext& at, int e, Matrix6d* block) noexcept
 {
   const SpanMotion& span = at.work.spans[e];
   const NodeMotion &lower = at.work.nodes[e], &upper = at.work.nodes[e + 1];
@@ -32,21 +32,21 @@ WallForce sticking_force(const StageContext& at, int e, Matrix6d* block) noexcep
                              rate.tail<3>(), at.stage.dv_du,             at.stage.time};
   const Vector3d& bristle = at.start.spans[e].bristle;
   const WallLaw law = at.model.span_contact(e, span.closest, at.start.spans[e].rest);
-  return block ? wall_contact(span.closest, radius_of(at, e), motion, bristle, law, *block)
-               : wall_contact(span.closest, radius_of(at, e), motion, bristle, law);
+  return block ? wall_contact(span.closest, span_radius(at, e), motion, bristle, law, *block)
+               : wall_contact(span.closest, span_radius(at, e), motion, bristle, law);
 }
 
-WallForce sliding_force(const StageContext& at, int e, Matrix6d* block) noexcept
+WallForce span_sliding_force(const StageContext& at, int e, Matrix6d* block) noexcept
 {
   const SpanMotion& span = at.work.spans[e];
   Matrix6d unused;
-  return sliding_wall_contact(span.closest, radius_of(at, e), span.position, at.stage.sliding, at.model.span_contact(e), block ? *block : unused);
+  return sliding_wall_contact(span.closest, span_radius(at, e), span.position, at.stage.sliding, at.model.span_contact(e), block ? *block : unused);
 }
 
 using ForceAtSpan = WallForce (*)(const StageContext&, int, Matrix6d*) noexcept;
 
 template <ForceAtSpan force_at>
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_span_wall(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   StageResult& result = at.work.result;
   Matrix6d block;
@@ -68,21 +68,21 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   });
 }
 
-void store(const StageContext& at, StoredEnergy& energy) noexcept
+void store_span_wall(const StageContext& at, StoredEnergy& energy) noexcept
 {
   each_outside(at.stage.guided_elements, at.model.elements(), [&](int e)
   {
     const SpanMotion& span = at.work.spans[e];
     const WallLaw& contact = at.model.span_contact(e);
     energy.bristles += 0.5 * contact.tangential_stiffness * at.work.result.span_bristle[e].squaredNorm();
-    if (span.touches) energy.wall += elastic_energy(contact.law, -wall_gap(span.closest, span.position, radius_of(at, e)));
+    if (span.touches) energy.wall += elastic_energy(contact.law, -wall_gap(span.closest, span.position, span_radius(at, e)));
   });
 }
 
-void sample_at(const StageContext& at, int e, EnergySample& sample) noexcept
+void sample_span(const StageContext& at, int e, EnergySample& sample) noexcept
 {
   const SpanMotion& span = at.work.spans[e];
-  const WallParts parts = parts_of(sticking_force(at, e, nullptr), span.closest, at.model.span_contact(e).law);
+  const WallParts parts = parts_of(span_sticking_force(at, e, nullptr), span.closest, at.model.span_contact(e).law);
   const auto book = [&](NodeForce kind, const Vector3d& force, const Vector3d& moment)
   {
     at_node(sample, kind, e) += share(span.lower_arm, force, moment);
@@ -94,18 +94,18 @@ void sample_at(const StageContext& at, int e, EnergySample& sample) noexcept
   book(NodeForce::friction, parts.friction, parts.friction_moment);
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_span_wall(const StageContext& at, EnergySample& sample) noexcept
 {
   each_outside(at.stage.guided_elements, at.model.elements(),
                [&](int e)
                {
-                 if (at.work.spans[e].touches) sample_at(at, e, sample);
+                 if (at.work.spans[e].touches) sample_span(at, e, sample);
                });
 }
 }  // namespace
 
-const Force span_wall = {"wall between the nodes", Cost::contact, add<sticking_force>, store, sample};
-const Force sliding_span_wall = {"sliding wall between the nodes", Cost::contact, add<sliding_force>, nullptr, nullptr};
+const Force span_wall = {"wall between the nodes", Cost::contact, add_span_wall<span_sticking_force>, store_span_wall, sample_span_wall};
+const Force sliding_span_wall = {"sliding wall between the nodes", Cost::contact, add_span_wall<span_sliding_force>, nullptr, nullptr};
 
 Vector6d middle(const SpanMotion& span, const Vector6d& lower, const Vector6d& upper) noexcept
 {

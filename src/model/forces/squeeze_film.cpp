@@ -29,18 +29,18 @@ void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* t
   if (tangent) tangent->diagonal(i).topLeftCorner<3, 3>() += (at.stage.dv_du * damping) * across;
 }
 
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_squeeze_film(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   each_outside(at.stage.guided_nodes, at.model.top(), [&](int i) { add_at(at, i, residual, tangent); });
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_squeeze_film(const StageContext& at, EnergySample& sample) noexcept
 {
-  add(at, sample.force[static_cast<std::size_t>(NodeForce::squeeze_film)].data(), nullptr);
+  add_squeeze_film(at, sample.force[static_cast<std::size_t>(NodeForce::squeeze_film)].data(), nullptr);
 }
 }  // namespace
 
-const Force squeeze_film = {"squeeze film", Cost::contact, add, nullptr, sample};
+const Force squeeze_film = {"squeeze film", Cost::contact, add_squeeze_film, nullptr, sample_squeeze_film};
 
 void add_film_at_bit(const StageContext& at, double* residual) noexcept
 {

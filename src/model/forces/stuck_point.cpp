@@ -6,24 +6,24 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr Grip grip{stuck_point_stiffness, stuck_point_torsion, false, false};
+constexpr Grip stuck_grip{stuck_point_stiffness, stuck_point_torsion, false, false};
 
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_stuck_point(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
-  add_held(at, at.start.stuck_point, grip, residual, tangent);
+  add_held(at, at.start.stuck_point, stuck_grip, residual, tangent);
 }
 
-void store(const StageContext& at, StoredEnergy& energy) noexcept
+void store_stuck_point(const StageContext& at, StoredEnergy& energy) noexcept
 {
-  store_held(at, at.start.stuck_point, grip, energy);
+  store_held(at, at.start.stuck_point, stuck_grip, energy);
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_stuck_point(const StageContext& at, EnergySample& sample) noexcept
 {
-  sample_held(at, at.start.stuck_point, grip, sample);
+  sample_held(at, at.start.stuck_point, stuck_grip, sample);
 }
 }  // namespace
 
-const Force stuck_point = {"stuck point", Cost::rig, add, store, sample};
+const Force stuck_point = {"stuck point", Cost::rig, add_stuck_point, store_stuck_point, sample_stuck_point};
 
 }  // namespace drill_rig_sim

@@ -13,7 +13,7 @@ RotorResult rotor_at(const Model& model, const State& start, const Stage& at, do
   return solve_rotor(model.scene().rig.top_drive, at.setpoints.top_drive, start.drive, stage, top_spin);
 }
 
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_top_drive(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   const int top = at.model.top();
   const RotorResult rotor = rotor_at(at.model, at.start, at.stage, at.work.nodes[top].spin);
@@ -29,7 +29,7 @@ void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) no
   result.drive_acceleration = rotor.acceleration;
 }
 
-void store(const StageContext& at, StoredEnergy& energy) noexcept
+void store_top_drive(const StageContext& at, StoredEnergy& energy) noexcept
 {
   const TopDriveSpec& spec = at.model.scene().rig.top_drive;
   const DriveState& drive = at.work.result.drive;
@@ -38,7 +38,7 @@ void store(const StageContext& at, StoredEnergy& energy) noexcept
   energy.gear += 0.5 * gear_stiffness * drive.gear_twist * drive.gear_twist;
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_top_drive(const StageContext& at, EnergySample& sample) noexcept
 {
   const StageResult& result = at.work.result;
   sample.drive_torque = result.forces.drive_torque;
@@ -49,7 +49,7 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force top_drive = {"top drive", Cost::rig, add, store, sample};
+const Force top_drive = {"top drive", Cost::rig, add_top_drive, store_top_drive, sample_top_drive};
 
 double drive_increment(const Model& model, const State& start, const Stage& stage, const double* u) noexcept
 {

@@ -75,7 +75,7 @@ void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* t
 }
 
 template <ForceAtNode force_at>
-void add(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_wall(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
 {
   at.work.result.forces.bit_moment.setZero();
   each_outside(at.stage.guided_nodes, at.model.top(), [&](int i) { add_at<force_at>(at, i, residual, tangent); });
@@ -132,10 +132,10 @@ void add_sticking(const StageContext& at, double* residual, BlockTridiagonal* ta
   if (at.work.wall)
     add_batches(at, residual, tangent);
   else
-    add<sticking_force>(at, residual, tangent);
+    add_wall<sticking_force>(at, residual, tangent);
 }
 
-void store(const StageContext& at, StoredEnergy& energy) noexcept
+void store_wall(const StageContext& at, StoredEnergy& energy) noexcept
 {
   each_outside(at.stage.guided_nodes, at.model.top(), [&](int i)
   {
@@ -160,7 +160,7 @@ void sample_at(const StageContext& at, int i, EnergySample& sample) noexcept
   if (i < at.model.mesh().gauge_nodes) sample.gauge_torque -= f.moment.dot(node.axis);
 }
 
-void sample(const StageContext& at, EnergySample& sample) noexcept
+void sample_wall(const StageContext& at, EnergySample& sample) noexcept
 {
   sample.gauge_torque = 0.0;
   each_outside(at.stage.guided_nodes, at.model.top(),
@@ -171,8 +171,8 @@ void sample(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force wall = {"wall", Cost::contact, add_sticking, store, sample};
-const Force sliding_wall = {"sliding wall", Cost::contact, add<sliding_force>, nullptr, nullptr};
+const Force wall = {"wall", Cost::contact, add_sticking, store_wall, sample_wall};
+const Force sliding_wall = {"sliding wall", Cost::contact, add_wall<sliding_force>, nullptr, nullptr};
 
 void add_wall_at_bit(const StageContext& at, double* residual) noexcept
 {

@@ -3,13 +3,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "drill_rig_sim/math/units.h"
+
 namespace drill_rig_sim::console
 {
-namespace
-{
-constexpr double pi = 3.14159265358979323846;
-}
-
 const std::array<QuantityRow, quantity_count>& quantities()
 {
   static const std::array<QuantityRow, quantity_count> rows = {{

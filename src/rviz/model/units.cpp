@@ -2,11 +2,12 @@
 
 #include <cstddef>
 
+#include "drill_rig_sim/math/units.h"
+
 namespace drill_rig_sim::console
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 constexpr double lbf = 4.4482216152605;     // [N]
 constexpr double foot = 0.3048;             // [m]
 constexpr double inch = 0.0254;             // [m]

@@ -78,7 +78,7 @@ void prepare(const State& state, double step, const HistoryKernel* history, Stag
   stage.drive = {step, by.c, by.c * by.c, drive_rate, by.c * drive_rate + by.p * state.memory.past[last_rate].rotor - by.q * state.drive.speed};
 }
 
-bool step(StepContext& context) noexcept
+bool step_bdf2(StepContext& context) noexcept
 {
   prepare(context.state, context.step, context.work.history, context.stage);
   return context.solve();
@@ -101,7 +101,7 @@ double share_of_distance(double r) noexcept
 }
 }  // namespace
 
-const Method bdf2 = {IntegratorKind::bdf2, "bdf2", "BDF2, second order, L-stable, one solve a step, halved where the motion changes fast (default)", step,
+const Method bdf2 = {IntegratorKind::bdf2, "bdf2", "BDF2, second order, L-stable, one solve a step, halved where the motion changes fast (default)", step_bdf2,
                      remember_increment, 0, true, nullptr, share_of_distance};
 
 void prepare_bdf2(const State& state, double step, Stage& stage) noexcept

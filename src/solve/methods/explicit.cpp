@@ -10,9 +10,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr int last_acceleration = 1;
-
-bool step(StepContext& context) noexcept
+bool step_explicit(StepContext& context) noexcept
 {
   const State& state = context.state;
   const double h = context.step;
@@ -40,14 +38,9 @@ bool step(StepContext& context) noexcept
   }
   return std::isfinite(sum);
 }
-
-void remember_acceleration(const StepContext& context, MethodMemory& memory) noexcept
-{
-  remember(context.work, &NodeMotion::acceleration, context.work.result.drive_acceleration, memory.past[last_acceleration]);
-}
 }  // namespace
 
-const Method explicit_differences = {IntegratorKind::central_differences, "explicit", "central differences, second order, short steps only", step, remember_acceleration, 1,
+const Method explicit_differences = {IntegratorKind::central_differences, "explicit", "central differences, second order, short steps only", step_explicit, remember_acceleration, 1,
                                      false, nullptr, nullptr};
 
 }  // namespace drill_rig_sim

@@ -10,7 +10,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr int last_acceleration = 1, averaged_acceleration = 2;  // the second is a
+constexpr int averaged_acceleration = 2;  // a
 
 constexpr double kRadius = 0.5;  // contact and tool joints ring at 1e3 rad/s: they must die out
 constexpr double kAm = (2.0 * kRadius - 1.0) / (kRadius + 1.0);
@@ -46,7 +46,7 @@ NodeRate averaged(const NodeMotion& node, const NodeRate& before, const NodeRate
   return out;
 }
 
-bool step(StepContext& context) noexcept
+bool step_generalised_alpha(StepContext& context) noexcept
 {
   const State& state = context.state;
   const double h = context.step;
@@ -79,7 +79,7 @@ void remember_accelerations(const StepContext& context, MethodMemory& memory) no
 }
 }  // namespace
 
-const Method generalised_alpha = {IntegratorKind::generalised_alpha, "generalised_alpha", "generalised alpha, second order, spectral radius 1/2 at infinity", step,
+const Method generalised_alpha = {IntegratorKind::generalised_alpha, "generalised_alpha", "generalised alpha, second order, spectral radius 1/2 at infinity", step_generalised_alpha,
                                   remember_accelerations, 2, false, nullptr, nullptr};
 
 }  // namespace drill_rig_sim

@@ -5,14 +5,14 @@ namespace drill_rig_sim
 {
 namespace
 {
-bool step(StepContext& context) noexcept
+bool step_implicit_euler(StepContext& context) noexcept
 {
   prepare_implicit_euler(context.state, context.step, context.stage);
   return context.solve();
 }
 }  // namespace
 
-const Method implicit_euler = {IntegratorKind::implicit_euler, "implicit_euler", "implicit Euler, first order, L-stable", step, nullptr, 0, false, nullptr, nullptr};
+const Method implicit_euler = {IntegratorKind::implicit_euler, "implicit_euler", "implicit Euler, first order, L-stable", step_implicit_euler, nullptr, 0, false, nullptr, nullptr};
 
 void prepare_implicit_euler(const State& state, double step, Stage& stage) noexcept
 {

@@ -8,7 +8,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-bool step(StepContext& context) noexcept
+bool step_linearly_implicit_euler(StepContext& context) noexcept
 {
   prepare_implicit_euler(context.state, context.step, context.stage);
   std::fill(context.u, context.u + 6 * context.model.nodes(), 0.0);
@@ -20,6 +20,6 @@ bool step(StepContext& context) noexcept
 }
 }  // namespace
 
-const Method linearly_implicit_euler = {IntegratorKind::linearly_implicit_euler, "linearly_implicit_euler", "linearly implicit Euler, first order, one solve without iteration", step, nullptr, 0, false, nullptr, nullptr};
+const Method linearly_implicit_euler = {IntegratorKind::linearly_implicit_euler, "linearly_implicit_euler", "linearly implicit Euler, first order, one solve without iteration", step_linearly_implicit_euler, nullptr, 0, false, nullptr, nullptr};
 
 }  // namespace drill_rig_sim

@@ -100,4 +100,9 @@ void remember(const Workspace& work, Vector6d NodeMotion::*vector, double rotor,
   for (std::size_t i = 0; i < work.nodes.size(); ++i) past.nodes[i] = split(work.nodes[i], work.nodes[i].*vector);
 }
 
+void remember_acceleration(const StepContext& context, MethodMemory& memory) noexcept
+{
+  remember(context.work, &NodeMotion::acceleration, context.work.result.drive_acceleration, memory.past[last_acceleration]);
+}
+
 }  // namespace drill_rig_sim

@@ -14,7 +14,6 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr int last_acceleration = 1;
 
 const double kFirst = 2.0 - std::sqrt(2.0);          // g
 const double kWeight = 1.0 / (kFirst * (2.0 - kFirst));  // w
@@ -54,7 +53,7 @@ void prepare_second(const State& state, double c, const double* u, double drive_
   stage.drive.acceleration_0 = c * (stage.drive.rate_0 - kWeight * speed_1 + (kWeight - 1.0) * speed);
 }
 
-bool step(StepContext& context) noexcept
+bool step_trbdf2(StepContext& context) noexcept
 {
   const double c = coefficient(context.step);
   const State& state = context.state;
@@ -86,14 +85,9 @@ double embedded_error(const StepContext& context) noexcept
   }
   return context.step * most;
 }
-
-void remember_acceleration(const StepContext& context, MethodMemory& memory) noexcept
-{
-  remember(context.work, &NodeMotion::acceleration, context.work.result.drive_acceleration, memory.past[last_acceleration]);
-}
 }  // namespace
 
-const Method trbdf2 = {IntegratorKind::trbdf2, "trbdf2", "TR-BDF2, second order, L-stable, two solves a step, halved where the motion changes fast", step, remember_acceleration, 1, true,
+const Method trbdf2 = {IntegratorKind::trbdf2, "trbdf2", "TR-BDF2, second order, L-stable, two solves a step, halved where the motion changes fast", step_trbdf2, remember_acceleration, 1, true,
                        embedded_error, nullptr};
 
 }  // namespace drill_rig_sim

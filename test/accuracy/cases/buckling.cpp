@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/well/directions.h"
 #include "groups.h"
 #include "piece_in_hole.h"
@@ -181,7 +182,7 @@ void wind(PieceInHole& piece, double q)
     const double angle = q * (mesh[static_cast<std::size_t>(i)].from_bit - mesh.back().from_bit);
     node.position = closest.centre + kClearance * (std::sin(angle) * right - std::cos(angle) * up);
     const Eigen::Vector3d along = closest.tangent - kClearance * q * (std::cos(angle) * right + std::sin(angle) * up);
-    node.orientation = Eigen::Quaterniond::FromTwoVectors(closest.tangent, along) * node.orientation;
+    node.orientation = shortest_turn(closest.tangent, along) * node.orientation;
   }
 }
 

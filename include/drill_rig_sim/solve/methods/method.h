@@ -54,6 +54,8 @@ struct Method
 
 /// The quantity that every method remembers first: the rates one step before.
 constexpr int last_rate = 0;
+/// What some remember second: the accelerations at the end of the last step.
+constexpr int last_acceleration = 1;
 
 /// The stage at the start of the step itself: u = 0 has the state's rates, accelerations are zero, the rotor is held.
 void prepare_start(const State& state, Stage& stage) noexcept;
@@ -63,6 +65,8 @@ void predict(const State& state, double time, double* u, const HistoryKernel* hi
 void remember_last_rate(const Workspace& work, State& state) noexcept;
 /// Puts a quantity of the stage's nodes (`vector`: increment, rate or acceleration) into memory, in the axes of the coming normals.
 void remember(const Workspace& work, Vector6d NodeMotion::*vector, double rotor, PastQuantity& past) noexcept;
+/// Keeps the accelerations of the stage as the last ones.
+void remember_acceleration(const StepContext& context, MethodMemory& memory) noexcept;
 
 /// BDF2 with variable step: second order, L-stable, one solve a step.
 extern const Method bdf2;
