@@ -20,6 +20,12 @@ constexpr int kUnknowns = 12;  // a body's
 constexpr int kPlace = 0, kTurn = 3, kVelocity = 6, kSpin = 9;
 // multipliers follow from the other unknowns: they must not decide when Newton's method has converged
 constexpr double kMultiplierTolerance = 1e12;
+
+/// Of a free body, by columns of forces and moments. One function, because Eigen's solver is compiled anew for each type of right-hand side.
+Eigen::Matrix<double, 6, Eigen::Dynamic> accelerations_under(const Eigen::Matrix<double, 6, 6>& inertia, const Eigen::Matrix<double, 6, Eigen::Dynamic>& forces)
+{
+  return inertia.llt().solve(forces);
+}
 }  // namespace
 
 ConstrainedBodies::ConstrainedBodies(std::vector<RigidBody> bodies, const std::vector<BodyMotion>& start,
@@ -277,8 +283,8 @@ MatrixXd ConstrainedBodies::mobility(MatrixXd& rows, MatrixXd& answer)
   answer.resize(6 * body_count(), constraint_count_);
   for (int i = 0; i < body_count(); ++i)
   {
-    const auto mass = inertia_by_acceleration(bodies_[static_cast<std::size_t>(i)], motion(i)).llt();
-    answer.middleRows<6>(6 * i) = mass.solve(rows.middleCols<6>(6 * i).transpose());
+    answer.middleRows<6>(6 * i) =
+        accelerations_under(inertia_by_acceleration(bodies_[static_cast<std::size_t>(i)], motion(i)), rows.middleCols<6>(6 * i).transpose());
   }
   return rows * answer;
 }
@@ -296,7 +302,7 @@ bool ConstrainedBodies::project_positions(std::vector<double>& y)
     // positions of kilometres are known to 1e-12 m
     if (constraint_count_ == 0 || violation.cwiseAbs().maxCoeff() < 1e-12) return true;
     const MatrixXd m = mobility(rows, answer);
-    const VectorXd move = answer * m.ldlt().solve(violation);
+    const VectorXd pull = m.ldlt().solve(violation), move = answer * pull;
     for (int i = 0; i < body_count(); ++i)
     {
       Map<Vector3d>(y.data() + kUnknowns * i + kPlace) -= move.segment<3>(6 * i);
@@ -319,7 +325,11 @@ bool ConstrainedBodies::make_consistent(double t, std::vector<double>& y, std::v
   const Eigen::LDLT<MatrixXd> mobility_factors = mobility(rows, answer).ldlt();
   VectorXd v(6 * body_count());
   for (int i = 0; i < body_count(); ++i) v.segment<6>(6 * i) = Map<const Vector6>(y.data() + kUnknowns * i + kVelocity);
-  if (constraint_count_ > 0) v -= answer * mobility_factors.solve(rows * v);
+  if (constraint_count_ > 0)
+  {
+    const VectorXd too_fast = rows * v, pull = mobility_factors.solve(too_fast);
+    v -= answer * pull;
+  }
   for (int i = 0; i < body_count(); ++i) Map<Vector6>(y.data() + kUnknowns * i + kVelocity) = v.segment<6>(6 * i);
 
   // accelerations and multipliers: M a + R + G^T lambda = 0, G a = -v^T (dG/dq) v
@@ -327,9 +337,8 @@ bool ConstrainedBodies::make_consistent(double t, std::vector<double>& y, std::v
   residual(t, y.data(), rate.data(), f.data());
   VectorXd a(6 * body_count());
   for (int i = 0; i < body_count(); ++i)
-    a.segment<6>(6 * i) = -inertia_by_acceleration(bodies_[static_cast<std::size_t>(i)], motion(i))
-                               .llt()
-                               .solve(Map<const Vector6>(f.data() + kUnknowns * i + kVelocity));
+    a.segment<6>(6 * i) = -accelerations_under(inertia_by_acceleration(bodies_[static_cast<std::size_t>(i)], motion(i)),
+                                               Map<const Vector6>(f.data() + kUnknowns * i + kVelocity));
   if (constraint_count_ > 0)
   {
     VectorXd off = rows * a;

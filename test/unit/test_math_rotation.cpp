@@ -96,4 +96,27 @@ TEST(Rotation, twistForgetsCommonSpin)
   // a thousand products of quaternions, each good to a round-off
   EXPECT_NEAR(twist_between(a.normalized(), b.normalized()), twist, 1e-12);
 }
+
+TEST(Rotation, theShortestTurnIsEigens)
+{
+  std::mt19937 random(6);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Vector3d from = random_vector(random), to = random_vector(random);
+    EXPECT_EQ(shortest_turn(from, to).coeffs(), Quaterniond::FromTwoVectors(from, to).coeffs());
+    EXPECT_LT((x_axis(pointed_along(rotation_from_vector(from), to)) - to.normalized()).norm(), 1e-15);
+  }
+}
+
+// Any axis across will do, and next to a half turn the formula for all others loses it.
+TEST(Rotation, theShortestTurnMayBeAHalfOne)
+{
+  for (double off : {0.0, 1e-9, 1e-6, 1e-5})
+  {
+    const Vector3d from(3.0, 0.0, 0.0), to(-2.0, 2.0 * off, 0.0);
+    const Quaterniond turn = shortest_turn(from, to);
+    EXPECT_NEAR(turn.norm(), 1.0, 1e-15);
+    EXPECT_LT((turn * from.normalized() - to.normalized()).norm(), 1.5e-6) << off;
+  }
+}
 }  // namespace test_math_rotation

@@ -44,11 +44,30 @@ inline Eigen::Vector3d y_axis(const Eigen::Quaterniond& q)
                          2.0 * (q.y() * q.z() + q.w() * q.x()));
 }
 
-/// The smallest rotation that takes the direction of `from` to that of `to`; neither may be zero. Not in the header, because it
-/// instantiates a singular value decomposition: four seconds of each source that includes it.
-Eigen::Quaterniond shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) noexcept;
+/// The smallest rotation that takes the direction of `from` to that of `to`, neither of them zero: with c the cosine of the angle between the
+/// unit vectors a and b, (w, v) = (s/2, a x b / s), s = sqrt(2 (1 + c)); a half turn is about any axis across. As Eigen's FromTwoVectors, but
+/// for the singular value decomposition by which that finds the half turn's axis: it takes four seconds to compile.
+inline Eigen::Quaterniond shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) noexcept
+{
+  const Eigen::Vector3d a = from.normalized(), b = to.normalized();
+  const double c = b.dot(a);
+  Eigen::Quaterniond turn;
+  if (c < -1.0 + 1e-12)
+  {
+    turn.w() = 0.0;
+    turn.vec() = a.unitOrthogonal();
+    return turn;
+  }
+  const double s = std::sqrt((1.0 + c) * 2.0);
+  turn.w() = s * 0.5;
+  turn.vec() = a.cross(b) * (1.0 / s);
+  return turn;
+}
 /// `q` after the smallest rotation that points its x axis along `axis`.
-Eigen::Quaterniond pointed_along(const Eigen::Quaterniond& q, const Eigen::Vector3d& axis) noexcept;
+inline Eigen::Quaterniond pointed_along(const Eigen::Quaterniond& q, const Eigen::Vector3d& axis) noexcept
+{
+  return (shortest_turn(x_axis(q), axis) * q).normalized();
+}
 
 /// Twist about x that takes section `from` to section `to` when the tilt between their normals is undone by the shortest
 /// rotation (swing-twist decomposition); in (-pi, pi], exact for any number of turns that both have made together.

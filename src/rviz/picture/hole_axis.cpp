@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drill_rig_sim/math/rotation.h"
+
 namespace drill_rig_sim
 {
 using Eigen::Vector3d;
@@ -53,7 +55,7 @@ HoleAxis::HoleAxis(const std::vector<Vector3d>& points, const std::vector<Vector
       const Vector3d chord = p.position - last.position;
       if (chord.norm() < least_distance) continue;
       p.md = last.md + arc_length(chord, last.tangent, p.tangent);
-      p.side = across(Eigen::Quaterniond::FromTwoVectors(last.tangent, p.tangent) * last.side, p.tangent);
+      p.side = across(shortest_turn(last.tangent, p.tangent) * last.side, p.tangent);
     }
     points_.push_back(p);
   }

@@ -1,0 +1,31 @@
+#include "drill_rig_sim/ros/node_main.h"
+
+#include <ros/ros.h>
+
+#include <iostream>
+
+#include "drill_rig_sim/ros/own_time.h"
+#include "drill_rig_sim/ros/rig_node.h"
+#include "drill_rig_sim/ros/signals.h"
+
+namespace drill_rig_sim
+{
+int node_main(int argc, char** argv)
+{
+  ros::init(argc, argv, "rig_simulator", ros::init_options::NoSigintHandler);
+  end_on_signals();
+  start_roscpp();
+  try
+  {
+    RigNode node;
+    node.wait_for_shutdown();
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "rig_simulator: " << error.what() << std::endl;
+    return 2;
+  }
+  return 0;
+}
+
+}  // namespace drill_rig_sim
