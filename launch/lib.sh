@@ -1,4 +1,4 @@
-# Shared by launch/demo and test/run: the apt packages, the environment and the build. Sourced, not run.
+# Shared by launch/demo and test/run: the apt packages and the environment; the build is build.sh. Sourced, not run.
 
 # The only list of what the package needs on Debian 12.
 packages_build="g++ make cmake catkin ros-std-msgs ros-geometry-msgs libdiagnostic-msgs-dev libdiagnostic-updater-dev libgeometry-msgs-dev
@@ -15,6 +15,7 @@ packages_fuzz="clang libclang-rt-dev"
 packages_neon="g++-aarch64-linux-gnu qemu-user"
 
 package_dir=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+. "$package_dir/launch/build.sh"
 
 say() { printf '%s: %s\n' "${0##*/}" "$*"; }
 complain() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }
@@ -32,10 +33,20 @@ set_environment()
 
 missing_packages()
 {
-  local package
+  local package installed
+  installed=$(dpkg-query -W -f '${db:Status-Status} ${Package} \n' "$@" 2>/dev/null | sed -n 's/^installed//p')
   for package in "$@"; do
-    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || printf '%s ' "$package"
+    [[ $installed = *" $package "* ]] || printf '%s ' "$package"
   done
+}
+
+# How much apt is about to do: say_size APT "PACKAGES".
+say_size()
+{
+  local plan
+  plan=$($1 install --assume-no --no-install-recommends $2 | sed -n -E 's/.* ([0-9]+) newly installed.*/\1 packages with all that they need/p
+    s/^Need to get ([^/]*).* of archives.*/\1 to download/p; s/^After this operation, (.*) of additional.*/\1 on disk/p')
+  [ -z "$plan" ] || say "apt: ${plan//$'\n'/, }"
 }
 
 # Installs what is missing of the packages named; status 1 where apt fails, exit 2 where nobody may install.
@@ -50,27 +61,17 @@ install_packages()
   [ -n "$missing" ] || return 0
   apt="apt-get -o DPkg::Lock::Timeout=600"
   if [ "$(id -u)" = 0 ]; then
-    apt="env DEBIAN_FRONTEND=noninteractive $apt"
+    apt="env LC_ALL=C DEBIAN_FRONTEND=noninteractive $apt"
   elif command -v sudo >/dev/null; then
-    apt="sudo env DEBIAN_FRONTEND=noninteractive $apt"
+    apt="sudo env LC_ALL=C DEBIAN_FRONTEND=noninteractive $apt"
   else
     complain "packages are missing, and there is neither root nor sudo. As root, run:"
     complain "  apt-get update && apt-get install -y --no-install-recommends $missing"
     exit 2
   fi
   say "installing $(wc -w <<<"$missing") packages: $missing"
-  { $apt update -qq && $apt install -y -qq --no-install-recommends $missing; } >"$build_dir/apt.log" 2>&1 ||
+  { $apt update -qq && say_size "$apt" "$missing" >&3 && $apt install -y -qq --no-install-recommends $missing; } 3>&1 >"$build_dir/apt.log" 2>&1 ||
     { tail -n 5 "$build_dir/apt.log" >&2; complain "apt failed; all it said is in $build_dir/apt.log"; return 1; }
-}
-
-# Configures and builds: build DIR "TARGETS" [cmake options]. All output goes to DIR/build.log, its end to the screen on failure.
-build()
-{
-  local dir=$1 targets=$2
-  shift 2
-  say "building in $dir ($(nproc) jobs)"
-  { cmake -S "$package_dir" -B "$dir" "$@" && make -C "$dir" -j"$(nproc)" $targets; } >"$dir/build.log" 2>&1 ||
-    { grep -E -A 5 'error|Error' "$dir/build.log" | head -n 40 >&2; complain "the build failed; all it said is in $dir/build.log"; return 1; }
 }
 
 # The first port from 11311 on where nobody listens.
