@@ -16,7 +16,8 @@ config_state()
 
 source_state()
 {
-  (cd "$package_dir" && find . /usr/local/include \( -path './build*' -o -name .git -o -name __pycache__ \) -prune -o ! -type d -printf '%p %s %T@\n' | cksum)
+  (cd "$package_dir" && find . /usr/local/include \( -path './build*' -o -name .git -o -name __pycache__ \) -prune -o \
+    ! -type d -printf '%p %s %T@\n' 2>/dev/null | cksum)
 }
 
 product_state() { find "$1/devel" -name __pycache__ -prune -o ! -type d -printf '%p %s %T@\n' | LC_ALL=C sort; }
@@ -50,8 +51,9 @@ clear_line() { ! on_terminal || printf '\r\033[K'; }
 
 files_begun() { grep -c 'Building CXX object' "$1/build.log"; }
 
-# What make has still to compile; asked of make, for it alone knows what is out of date.
-files_left() { make -n -C "$1" $2 2>/dev/null | grep -o 'Building CXX object [^"]*' | sort -u | wc -l; }
+# What make has still to compile; asked of make, for it alone knows what is out of date. The rule stands for the libraries and
+# generated sources that are not there yet: without them make ends before it comes to what needs them.
+files_left() { make -n -k --eval='.DEFAULT: ;' -C "$1" $2 2>/dev/null | grep -o 'Building CXX object [^"]*' | sort -u | wc -l; }
 
 # What the build does: ... BEGUN TOTAL SECONDS, of files and since the first of them.
 progress_text()
@@ -61,12 +63,13 @@ progress_text()
     if grep -q 'Generating' "$log"; then echo "generating messages"
     elif grep -q '^make' "$log"; then echo "checking what changed"
     else echo "configuring"; fi
-  elif [ "$begun" -gt "$total" ]; then  # a header changed, and make learns file by file what includes it
+  elif [ "$begun" -gt $((total + $(nproc))) ]; then  # a header changed, and make learns target by target what includes it
     echo "compiling: file $begun"
   else
     ended=$((begun - $(nproc)))
+    total=$((begun > total ? begun : total))  # what was compiled while make counted may be missing
     printf 'compiling: file %s of %s' "$begun" "$total"
-    [ "$ended" -lt 4 ] || printf ', about %s left' "$(in_words $(((seconds * (total - ended) / ended + 9) / 10 * 10)))"
+    [ "$ended" -lt 4 ] || printf ', about %s left' "$(in_words $(((seconds * (total - ended) / ended / 10 + 1) * 10)))"
     echo
   fi
 }
@@ -104,6 +107,7 @@ stop_making()
 run_build()
 {
   local dir=$1 targets=$2 status
+  : >"$dir/build.log"  # what the last build said is not counted
   set -m  # a process group of its own: a signal to this script ends all of the build
   { trap 'exit 143' TERM; configure_and_make "$@"; } </dev/null >"$dir/build.log" 2>&1 &  # the trap: it outlives make, which cleans up
   making=$!
