@@ -55,7 +55,7 @@ files_begun() { grep -c 'Building CXX object' "$1/build.log"; }
 # generated sources that are not there yet: without them make ends before it comes to what needs them.
 files_left() { make -n -k --eval='.DEFAULT: ;' -C "$1" $2 2>/dev/null | grep -o 'Building CXX object [^"]*' | sort -u | wc -l; }
 
-# What the build does: ... BEGUN TOTAL SECONDS, of files and since the first of them.
+# What the build does: progress_text LOG BEGUN TOTAL SECONDS, of files and from the first to the last begun.
 progress_text()
 {
   local log=$1 begun=$2 total=$3 seconds=$4 ended
@@ -77,7 +77,7 @@ progress_text()
 # Shows what the build in DIR does until process PID ends: one line that is rewritten; not on a terminal, a line every PROGRESS_EVERY s.
 show_progress()
 {
-  local pid=$1 dir=$2 targets=$3 begun total="" since=$SECONDS next=$((SECONDS + ${PROGRESS_EVERY:=15})) text
+  local pid=$1 dir=$2 targets=$3 begun before=0 total="" since=$SECONDS last=$SECONDS next=$((SECONDS + ${PROGRESS_EVERY:=15})) text
   while kill -0 "$pid" 2>/dev/null; do
     begun=$(files_begun "$dir")
     if [ "$begun" -gt 0 ] && [ -z "$total" ]; then
@@ -85,7 +85,9 @@ show_progress()
       total=$(files_left "$dir" "$targets")
       total=$((total + (begun > $(nproc) ? begun - $(nproc) : 0)))
     fi
-    text=$(progress_text "$dir/build.log" "$begun" "${total:-0}" $((SECONDS - since)))
+    [ "$begun" = "$before" ] || last=$SECONDS  # the pace is that of whole files
+    before=$begun
+    text=$(progress_text "$dir/build.log" "$begun" "${total:-0}" $((last - since)))
     if on_terminal; then printf '\r%s\033[K' "${0##*/}: $text"
     elif [ "$SECONDS" -ge "$next" ]; then
       say "$text"
