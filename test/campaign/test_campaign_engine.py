@@ -22,6 +22,7 @@ SOURCE = os.path.dirname(os.path.dirname(HERE))
 QUICK = os.path.join(SOURCE, "config/scenes/quick.yaml")
 PATIENCE = 240.0  # [s]
 RUNS = 12
+PAUSE = 0.1  # of the law between its commands, so that a run takes half a second and can be interrupted [s]
 PLAN = """scene: %s
 duration: 0.5
 controller: {class: "%s/laws.py:Law", parameters: {pause: %%g}}
@@ -142,21 +143,21 @@ class Campaigns(unittest.TestCase):
     # --- who is killed
 
     def test_a_client_that_is_killed_loses_nothing(self):
-        client = self.start(self.plan(0.3), "--workers", "2")
+        client = self.start(self.plan(PAUSE), "--workers", "2")
         self.wait(lambda: self.rows_in("plan.sqlite") > 2, "a few rows")
         client.kill()
         client.communicate()
         there = self.rows_in("plan.sqlite")
         self.assertLess(there, RUNS)
-        status, out, told = self.run_to_its_end(self.plan(0.3), "--workers", "2")
+        status, out, told = self.run_to_its_end(self.plan(PAUSE), "--workers", "2")
         self.assertEqual(1, status, told)
         to_do = int(re.search(r"runs, (\d+) to do", out).group(1))
         self.assertEqual((RUNS, RUNS), (there + to_do, self.rows_in("plan.sqlite")))
-        self.run_to_its_end(self.plan(0.3), "--workers", "1", "--results", self.place("other.sqlite"))
+        self.run_to_its_end(self.plan(), "--workers", "1", "--results", self.place("other.sqlite"))
         self.assertEqual(self.csv("other.csv"), self.csv("plan.csv"))
 
     def test_a_signal_ends_it_and_the_same_command_goes_on(self):
-        client = self.start(self.plan(0.3), "--workers", "1")
+        client = self.start(self.plan(PAUSE), "--workers", "1")
         self.wait(lambda: self.rows_in("plan.sqlite") > 0, "a row")
         client.send_signal(signal.SIGINT)
         _, told = client.communicate(timeout=PATIENCE)
@@ -165,11 +166,11 @@ class Campaigns(unittest.TestCase):
 
     def test_ctrl_c_ends_it_without_a_traceback_and_what_was_left_behind_is_no_news(self):
         """A terminal sends it to workers and runners too."""
-        client = self.start(self.plan(0.3), "--workers", "2", start_new_session=True)
+        client = self.start(self.plan(PAUSE), "--workers", "2", start_new_session=True)
         self.wait(lambda: self.rows_in("plan.sqlite") > 0, "a row")
         os.killpg(client.pid, signal.SIGKILL)
         client.communicate()
-        client = self.start(self.plan(0.3), "--workers", "2", start_new_session=True)
+        client = self.start(self.plan(PAUSE), "--workers", "2", start_new_session=True)
         there = self.rows_in("plan.sqlite")
         self.wait(lambda: self.rows_in("plan.sqlite") > there, "a row more")
         os.killpg(client.pid, signal.SIGINT)
@@ -194,7 +195,7 @@ class Campaigns(unittest.TestCase):
 
     def test_a_worker_that_is_killed_loses_nothing(self):
         address, cluster = self.cluster()
-        client = self.start(self.plan(0.3), "--scheduler", address)
+        client = self.start(self.plan(PAUSE), "--scheduler", address)
         self.wait(lambda: self.rows_in("plan.sqlite") > 1, "a few rows")
         pids = subprocess.run(["pgrep", "-P", str(cluster[1].pid)], capture_output=True, text=True, check=False).stdout.split()
         for pid in [cluster[1].pid, *map(int, pids)]:
@@ -204,18 +205,18 @@ class Campaigns(unittest.TestCase):
                 pass
         _, told = client.communicate(timeout=PATIENCE)
         self.assertEqual((1, RUNS), (client.returncode, self.rows_in("plan.sqlite")), told)
-        self.run_to_its_end(self.plan(0.3), "--workers", "2", "--results", self.place("other.sqlite"))
+        self.run_to_its_end(self.plan(), "--workers", "2", "--results", self.place("other.sqlite"))
         self.assertEqual(self.csv("other.csv"), self.csv("plan.csv"))
 
     def test_a_scheduler_that_is_killed_loses_nothing(self):
         address, cluster = self.cluster()
-        client = self.start(self.plan(0.3), "--scheduler", address)
+        client = self.start(self.plan(PAUSE), "--scheduler", address)
         self.wait(lambda: self.rows_in("plan.sqlite") > 1, "a few rows")
         cluster[0].kill()
         _, told = client.communicate(timeout=PATIENCE)
         self.assertEqual(3, client.returncode, told)
         there = self.rows_in("plan.sqlite")
-        status, out, told = self.run_to_its_end(self.plan(0.3), "--workers", "2")
+        status, out, told = self.run_to_its_end(self.plan(PAUSE), "--workers", "2")
         self.assertEqual(1, status, told)
         self.assertIn("%d to do" % (RUNS - there), out)
         self.assertEqual(RUNS, self.rows_in("plan.sqlite"))
@@ -235,7 +236,7 @@ class Campaigns(unittest.TestCase):
             self.assertIn(said, told)
 
     def test_all_listens_on_localhost_alone(self):
-        client = self.start(self.plan(0.3), "--workers", "1")
+        client = self.start(self.plan(PAUSE), "--workers", "1")
         self.wait(lambda: self.rows_in("plan.sqlite") > 0, "a row")
         with open("/proc/%d/net/tcp" % client.pid, encoding="ascii") as table:
             listening = {line.split()[9]: line.split()[1] for line in table if line.split()[3] == "0A"}
