@@ -6,25 +6,31 @@ import signal
 import subprocess
 import tempfile
 
+import rosgraph
 from qt_program import FOLDER, environment_of, find, must_pass
-from rig_test import PACKAGE_DIR, PATIENCE, rospy, run, time, unittest
+from rig_test import PACKAGE_DIR, PATIENCE, rospy, run, time, unittest, wait_until
 
 README_PICTURE = os.path.join(PACKAGE_DIR, "test", "rviz", "pictures", "console.png")
 LONGEST = 1200.0  # wall seconds for test_console on a loaded machine
-SETTLED = 25.0    # wall seconds until rviz has drawn and the panel heard
+SETTLED = 6.0     # wall seconds from when rviz listens until it has drawn
+TOPICS = ("/rig/rig_state", "/rig/drillstring_state")  # of panel and display
 
 # inside xvfb-run: rviz with the panel, two pictures, and its end by a signal
 SCRIPT = """
 rviz -d "$1" >"$2/rviz_console.log" 2>&1 &
 rviz=$!
 trap 'kill -INT $rviz' TERM
-sleep "$4"
+while kill -0 $rviz && ! [ -e "$4" ]; do sleep 0.2; done
 import -window root "$2/rviz_console_$3.png"
 [ -z "$5" ] || sh -c "$5"
 sleep 3
 kill -INT $rviz
 wait $rviz
 """
+
+
+def subscribers(topic):
+    return dict(rosgraph.Master(rospy.get_name()).getSystemState()[1]).get(topic, [])
 
 
 class Console(unittest.TestCase):
@@ -40,10 +46,19 @@ class Console(unittest.TestCase):
 
     def rviz(self, width, height, meanwhile=""):
         """Exit status of an rviz with config/rviz/rig.rviz on a screen of this size; `meanwhile` runs after the picture."""
-        config = self.config(width, height)
-        done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 %dx%dx24" % (width, height), "sh", "-c", SCRIPT, "sh", config, FOLDER,
-                               "%dx%d" % (width, height), str(SETTLED), meanwhile], env=self.environment, timeout=300, check=False)
-        return done.returncode
+        config, drawn = self.config(width, height), os.path.join(FOLDER, "rviz_console_drawn")
+        if os.path.exists(drawn):
+            os.unlink(drawn)
+        before = {name for topic in TOPICS for name in subscribers(topic)}
+        window = subprocess.Popen(["xvfb-run", "-a", "-s", "-screen 0 %dx%dx24" % (width, height), "sh", "-c", SCRIPT, "sh", config, FOLDER,
+                                   "%dx%d" % (width, height), drawn, meanwhile], env=self.environment)
+        self.addCleanup(window.wait)
+        self.addCleanup(window.terminate)
+        wait_until(lambda: all(set(subscribers(topic)) - before for topic in TOPICS), "rviz listens")
+        time.sleep(SETTLED)
+        with open(drawn, "w", encoding="utf-8"):
+            pass
+        return window.wait(300)
 
     @staticmethod
     def config(width, height):

@@ -147,8 +147,9 @@ class Faults(unittest.TestCase):
         self.rig.advance(1000, mud_pump=flow(0.02))
         self.rig.advance(1500, mud_pump=flow(0.0), top_drive=turn(5.0))  # the flow runs out in some seconds
         self.rig.advance(1000, mud_pump=flow(0.02))
-        survey = surveys.wait(2)[-1]
-        age = (self.rig.advance(0).header.stamp - survey.header.stamp).to_sec()
+        now = self.rig.advance(0).header.stamp
+        survey = surveys.wait_until(lambda m: m and m[-1].header.stamp > begin + rospy.Duration(10))[-1]
+        age = (now - survey.header.stamp).to_sec()
         self.assertGreater(age, 10.0, "taken before the flow came back")
         self.assertLess(age, 25.0, "and after it had stopped")
         self.assertGreater(len(inclinations.wait(3)), 2)

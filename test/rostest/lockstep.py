@@ -9,8 +9,8 @@ from rig_test import PATIENCE, Rig, flow, numbers, rospy, run, time, turn, unitt
 from rosgraph_msgs.msg import Clock
 
 CHUNK = 100
-CHUNKS = 100  # 10^4 frames
-MIDDLE = 50
+CHUNKS = 60  # 6000 frames, in each half of which the path is corrected at least once
+MIDDLE = 30
 
 
 class Lockstep(unittest.TestCase):

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <pluginlib/class_loader.hpp>
 
+#include "drill_rig_sim/SetSpeed.h"
+
 namespace console_test
 {
 namespace
@@ -52,6 +54,13 @@ RigProcess& shared_rig()
 {
   if (!the_rig || !the_rig->runs()) the_rig = std::make_unique<RigProcess>(shared_name);
   return *the_rig;
+}
+
+void set_speed(const std::string& rig, double factor)
+{
+  drill_rig_sim::SetSpeed call;
+  call.request.speed = factor;
+  if (!ros::service::call("/" + rig + "/set_speed", call) || !call.response.success) throw std::runtime_error("set_speed: " + call.response.message);
 }
 
 bool wait_until(const std::function<bool()>& condition, double seconds)

@@ -38,6 +38,9 @@ private:
 RigProcess& shared_rig();
 constexpr const char* shared_name = "console_rig";
 
+/// Simulated seconds per second of the wall, for what takes long.
+void set_speed(const std::string& rig, double factor);
+
 /// Handles events of Qt until the condition is true.
 bool wait_until(const std::function<bool()>& condition, double seconds = patience);
 /// Handles events of Qt for so long.

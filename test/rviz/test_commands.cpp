@@ -256,6 +256,7 @@ TEST(Connection, AStandByHand)
   Listener<RigState> states("rig_state", "connected");
   ASSERT_TRUE(console.is_in_state("RUNNING"));
   ASSERT_TRUE(wait_until([&] { return !states.all().empty(); }));
+  set_speed("connected", 3.0);
   const auto last = [&]() -> const RigState& { return *states.all().back(); };
   const auto hold = [&](const QString& button, const std::function<bool()>& enough)
   {
@@ -292,7 +293,7 @@ TEST(Connection, AStandByHand)
   };
   ASSERT_TRUE(wait_until(is_pulled)) << console.get<QLabel>("answer")->text().toStdString();
   EXPECT_TRUE(shows_pipe(QStringLiteral("on the hook, %1 stands").arg(stands + 1)));
-  wait_for(2.0);
+  wait_for(1.0);
   EXPECT_NEAR(hanging + stand, last().hook_load, 8e3) << "the block's rail carries some of it";
 }
 

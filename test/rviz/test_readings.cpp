@@ -67,9 +67,11 @@ TEST_F(Readings, EveryGaugeIsFilledWhileTheRigDrills)
   ASSERT_TRUE(console.is_in_state("RUNNING"));
   console.type("settings bit diameter", "215.9");
   drill(console);
+  set_speed("drilled", 3.0);
   Listener<RigState> states("rig_state", "drilled");
   ASSERT_TRUE(wait_until([&] { return !states.all().empty() && states.all().back()->rop > 3e-3 && states.all().back()->surface_wob > 1e3; }));
   EXPECT_TRUE(wait_until([&] { return states.all().back()->hole_depth > 200.4; }));  // some samples against depth
+  set_speed("drilled", 1.0);
   EXPECT_TRUE(wait_until([&] { return unfilled(console).isEmpty(); })) << unfilled(console).join("; ").toStdString();
   console.window().grab().save(out_folder() + "/console_1920x1080_drilling.png");
   ASSERT_TRUE(wait_until([&] { return std::abs(number(console.shows("gauge hole_depth")) - states.all().back()->hole_depth) < 0.02; }, 5.0));
