@@ -21,7 +21,7 @@ const Corner kAxes[] = {
 constexpr int kCorners = 1 << 5;
 const double kStep = default_step;
 
-void run_corner(int corner, Rows& rows)
+void run_corner(int corner, bool fast, Rows& rows)
 {
   std::vector<std::string> settings;
   std::string signs;
@@ -31,7 +31,7 @@ void run_corner(int corner, Rows& rows)
     settings.push_back(text("%s=%g", kAxes[k].key, high ? kAxes[k].high : kAxes[k].low));
     signs += text("%s%s %g", k ? "; " : "", kAxes[k].name, high ? kAxes[k].high : kAxes[k].low);
   }
-  const TumbleReference reference = tumble_reference(settings);
+  const TumbleReference reference = tumble_reference(settings, fast);
   const Tumble run =
       passed(reference.worst().verdict) ? tumble(settings, default_choice(), kStep, reference, 80e6) : reference.worst();
   Row row = row_of("corners", signs, default_choice(), "s");
@@ -51,7 +51,7 @@ void add_corner_jobs(bool fast, std::vector<Job>& jobs)
     if (__builtin_popcount(static_cast<unsigned>(corner)) % 2 != 0) continue;
     const bool short_elements = (corner & 8) == 0;
     if (fast && short_elements) continue;
-    jobs.push_back({text("corners/%d", corner), [corner](Rows& rows) { run_corner(corner, rows); }});
+    jobs.push_back({text("corners/%d", corner), [corner, fast](Rows& rows) { run_corner(corner, fast, rows); }});
   }
 }
 

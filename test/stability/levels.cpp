@@ -55,12 +55,12 @@ std::vector<std::string> with(std::vector<std::string> settings, const std::vect
 void run_level(const Axis& axis, double value, bool fast, Rows& rows)
 {
   const std::string setting = text("%s=%g", axis.key, value);
-  const TumbleReference thrown = tumble_reference({setting});
+  const TumbleReference thrown = tumble_reference({setting}, fast);
   for (const Kind& kind : kinds())
   {
     if (fast && !kind.fast) continue;
     const std::vector<std::string> scene = with({setting}, kind.level), settings = with(scene, kind.steps);
-    const TumbleReference reference = kind.level.empty() ? thrown : tumble_reference(scene, lowered_and_turned);
+    const TumbleReference reference = kind.level.empty() ? thrown : tumble_reference(scene, fast, lowered_and_turned);
     const bool known = passed(reference.worst().verdict);
     const Tumble run = known ? tumble(settings, default_choice(), as_the_scene_says, reference, 240e6) : reference.worst();
     Row row = row_of("levels", kind.name, default_choice(), "");

@@ -115,7 +115,7 @@ Row failed_reference(const char* group, const Axis& axis, double value, const Tu
 
 void run_point(const Axis& axis, double value, bool fast, Rows& rows)
 {
-  const TumbleReference reference = tumble_reference(settings_for(axis, value));
+  const TumbleReference reference = tumble_reference(settings_for(axis, value), fast);
   if (!passed(reference.worst().verdict)) return rows.add(failed_reference("map", axis, value, reference.worst()));
   std::vector<Choice> choices = methods(fast);
   if (!fast && axis.with_elements)
@@ -125,10 +125,10 @@ void run_point(const Axis& axis, double value, bool fast, Rows& rows)
 }
 
 /// The default's shortest steps, over a time that they can afford.
-void run_short_steps(const Axis& axis, double value, Rows& rows)
+void run_short_steps(const Axis& axis, double value, bool fast, Rows& rows)
 {
   const std::vector<std::string> settings = settings_for(axis, value);
-  const TumbleReference reference = tumble_reference(settings, first_bounces);
+  const TumbleReference reference = tumble_reference(settings, fast, first_bounces);
   if (!passed(reference.worst().verdict)) return rows.add(failed_reference("short steps", axis, value, reference.worst()));
   Row row = row_of("short steps", axis.name, default_choice(), "s");
   row.value = text("%g", value);
@@ -156,7 +156,7 @@ void add_map_jobs(bool fast, std::vector<Job>& jobs)
       const bool dear = axis.key == std::string("numerics.element_length") && value < 2.0;
       if (is_promised(axis, value) && !(fast && dear))
         jobs.push_back(
-            {text("short_steps/%s/%g", axis.name, value), [&axis, value](Rows& rows) { run_short_steps(axis, value, rows); }});
+            {text("short_steps/%s/%g", axis.name, value), [&axis, value, fast](Rows& rows) { run_short_steps(axis, value, fast, rows); }});
     }
 }
 
