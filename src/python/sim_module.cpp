@@ -13,6 +13,7 @@
 
 #include "../sim/build_identity.h"
 #include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/scene/survey_csv.h"
 #include "drill_rig_sim/sim/profile.h"
 #include "in_process_rig.h"
 #include "python_fields.h"
@@ -170,6 +171,22 @@ void bind_telemetry(py::module_& module)
   survey.def_readonly("t", &MwdReading::time);
 }
 
+/// Of a survey's file, by the rules of scenes: measured depths [m], inclinations and azimuths [rad], and where the first station lies,
+/// (east, north, up) from the rotary table [m]. Throws SceneError.
+py::tuple read_survey(const std::string& file)
+{
+  const SurveyTable table = read_survey_csv(file);
+  std::vector<double> md, inclination, azimuth;
+  for (const SurveyStation& station : table.stations)
+  {
+    md.push_back(station.md);
+    inclination.push_back(station.inclination);
+    azimuth.push_back(station.azimuth);
+  }
+  const TieIn start = table.tie_in.value_or(TieIn());
+  return py::make_tuple(md, inclination, azimuth, py::make_tuple(start.east, start.north, -start.tvd));
+}
+
 void load_survey(InProcessRig& rig, const std::string& file, const std::vector<double>& md, const std::vector<double>& inclination,
                  const std::vector<double>& azimuth, const std::array<double, 3>& tie_in, double hole_depth, double bit_depth)
 {
@@ -184,6 +201,7 @@ PYBIND11_MODULE(_sim, module)
   py::register_exception_translator(translate);
   module.def("build", build);
   module.def("static_loads", static_loads);
+  module.def("read_survey", read_survey);
   bind_setpoints(module);
   bind_frames(module);
   bind_telemetry(module);

@@ -1,13 +1,11 @@
 """Surveys by minimum curvature: between two stations the hole is an arc of a circle. Positions are (east, north, up) [m] from the rotary
 table, angles in radians, inclination from vertical down, azimuth clockwise from north. Needs no ROS.
 """
-import csv
 import math
+import os
 
 import numpy
 
-NEEDED = ("md_m", "inclination_deg", "azimuth_deg")
-TIE_IN = ("east_m", "north_m", "tvd_m")
 POINT_SPACING = 0.5  # along a survey, of the chords that stand for its arcs [m]; 0.2 mm off an arc of 10 deg/30 m
 
 
@@ -72,23 +70,15 @@ def chord(tangent, next_tangent, dogleg, length):
 
 
 def read_survey(file):
-    """A CSV as the scenes' are: md_m, inclination_deg, azimuth_deg, and perhaps north_m, east_m, tvd_m of the first station. A first station
-    below 0 without these is refused."""
+    """A survey's file, read by the same code and rules as a scene's survey (scene/survey_csv.h). Raises SurveyError with the first problem,
+    as `file:LINE: column: problem`."""
     try:
-        with open(file, newline="", encoding="utf-8-sig") as text:
-            rows = list(csv.DictReader(line for line in text if line.strip() and not line.startswith("#")))
-    except (OSError, UnicodeDecodeError) as error:
-        raise SurveyError("%s: %s" % (file, getattr(error, "strerror", None) or "is no text"))
-    rows = [{(name or "").strip(): cell for name, cell in row.items() if isinstance(cell, str)} for row in rows]
+        from drill_rig_sim import _sim  # pylint: disable=import-outside-toplevel
+        from drill_rig_sim.lockstep import Refused  # pylint: disable=import-outside-toplevel
+    except ImportError as error:
+        raise SurveyError("surveys are read by the Python module sim, which is not built (it needs pybind11-dev): %s" % error)
     try:
-        md, inclination, azimuth = ([float(row[name]) for row in rows] for name in NEEDED)
-        start = [float(rows[0][name]) for name in TIE_IN] if rows and all(name in rows[0] for name in TIE_IN) else None
-    except (KeyError, ValueError) as error:
-        raise SurveyError("%s: %s, needed: numbers in the columns %s" % (file, error, ", ".join(NEEDED)))
-    if start is None and md and md[0] > 0.0:
-        raise SurveyError("%s: begins at %g m, needed: a first station at 0, or its north_m, east_m and tvd_m" % (file, md[0]))
-    east, north, tvd = start or (0.0, 0.0, 0.0)
-    try:
-        return Survey(md, numpy.radians(inclination), numpy.radians(azimuth), (east, north, -tvd))
-    except SurveyError as error:
-        raise SurveyError("%s: %s" % (file, error))
+        md, inclination, azimuth, start = _sim.read_survey(os.fspath(file))
+    except Refused as refusal:
+        raise SurveyError(str(refusal).splitlines()[0])
+    return Survey(md, inclination, azimuth, start)

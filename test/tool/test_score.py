@@ -212,9 +212,12 @@ class Surveys(unittest.TestCase):
     def test_files(self):
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "plan.csv")
-            for text, complaint in (("md_m,inclination_deg\n0,1\n", "azimuth_deg"), ("md_m,inclination_deg,azimuth_deg\n0,x,0\n9,0,0\n", "'x'"),
-                                    ("md_m,inclination_deg,azimuth_deg\n5,0,0\n9,0,0\n", "begins at 5 m"),
-                                    ("md_m,inclination_deg,azimuth_deg\n0,0,0\n0,0,0\n", "increases"), ("", "increases")):
+            for text, complaint in (("md_m,inclination_deg\n0,1\n", ":1: azimuth_deg: "), ("md_m,inclination_deg,azimuth_deg\n0,x,0\n9,0,0\n", ":2: inclination_deg: "),
+                                    ("md_m,inclination_deg,azimuth_deg\n5,0,0\n9,0,0\n", ":2: .*north_m"),
+                                    ("md_m,inclination_deg,azimuth_deg\n0,0,0\n0,0,0\n", ":3: station 2: md"), ("", "is empty"),
+                                    ("md_m,inclination_deg,azimuth_deg\n0,0,0\n9,nan,0\n", ":3: inclination_deg"),
+                                    ("md_m,inclination_deg,azimuth_deg\n0,0,0,0,297,0\n9,0,0,0,297,0\n", ":2: has 6 cells"),
+                                    ("md_m,inclination_deg,azimuth_deg,azimuth_deg\n0,0,1,2\n9,0,1,2\n", ":1: azimuth_deg: ")):
                 with open(file, "w") as out:
                     out.write(text)
                 with self.assertRaisesRegex(SurveyError, complaint):
