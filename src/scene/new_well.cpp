@@ -38,7 +38,7 @@ std::vector<SurveyStation> whole_survey(const NewWell& well)
     table.stations = stations_of(well);
   else
     table = read_survey_csv(well.file, table.tie_in);
-  const std::vector<SurveyProblem> problems = survey_problems(table.stations, table.tie_in.has_value());
+  const std::vector<SurveyProblem> problems = survey_problems(table.stations, table.tie_in);
   if (!problems.empty()) refuse("station ", problems.front().station, ": ", problems.front().text);
   if (!well.tie_in && table.stations.front().md == 0.0) return table.stations;
   const std::string problem = tie_survey_in(*table.tie_in, table.stations);

@@ -173,7 +173,7 @@ private:
                     well.survey.push_back({value[0], value[1] * degree, value[2] * degree});
                   });
     if (!good || !node.IsSequence()) return;
-    for (const SurveyProblem& problem : survey_problems(well.survey, tie_in_.has_value()))
+    for (const SurveyProblem& problem : survey_problems(well.survey, tie_in_))
       problems_.add(item_key(path, problem.station), problem.text);
   }
 

@@ -146,7 +146,7 @@ SurveyTable read_survey_csv(const std::string& file, const std::optional<TieIn>&
     problems.add_at(0, "", std::string("is empty, needed: ") + needed);
   if (!header.empty() && problems.empty())
   {
-    for (const SurveyProblem& p : survey_problems(stations, table.tie_in.has_value()))
+    for (const SurveyProblem& p : survey_problems(stations, table.tie_in))
     {
       problems.add_at(p.station < lines.size() ? lines[p.station] : 1, "station " + std::to_string(p.station + 1), p.text);
     }

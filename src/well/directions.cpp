@@ -27,6 +27,19 @@ ToolfaceReference reference(const Eigen::Vector3d& tangent, bool magnetic) noexc
 }
 }  // namespace
 
+double sinc(double x) noexcept
+{
+  const double x2 = x * x;  // the series' next term is below round-off at the switch
+  return x2 < 1e-4 ? 1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0)) : std::sin(x) / x;
+}
+
+Eigen::Vector3d chord_of_arc(const Eigen::Vector3d& t1, const Eigen::Vector3d& t2, double length) noexcept
+{
+  const Eigen::Vector3d sum = t2 + t1;
+  const double dogleg = 2.0 * std::atan2((t2 - t1).norm(), sum.norm());
+  return length * sinc(0.5 * dogleg) * sum.normalized();
+}
+
 Eigen::Vector3d tangent_from(double inclination, double azimuth) noexcept
 {
   const double horizontal = std::sin(inclination);

@@ -11,16 +11,9 @@ namespace drill_rig_sim
 {
 namespace
 {
-// sin(x)/x; the series' next term is below round-off at the switch.
-double sinc(double x) noexcept
+void check(const std::vector<SurveyStation>& stations, const std::optional<TieIn>& tie_in)
 {
-  const double x2 = x * x;
-  return x2 < 1e-4 ? 1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0)) : std::sin(x) / x;
-}
-
-void check(const std::vector<SurveyStation>& stations, bool tied_in)
-{
-  const std::vector<SurveyProblem> problems = survey_problems(stations, tied_in);
+  const std::vector<SurveyProblem> problems = survey_problems(stations, tie_in);
   if (!problems.empty())
     throw std::invalid_argument("survey station " + std::to_string(problems.front().station + 1) + ": " + problems.front().text);
 }
@@ -28,7 +21,7 @@ void check(const std::vector<SurveyStation>& stations, bool tied_in)
 
 Survey::Survey(const std::vector<SurveyStation>& stations, const std::optional<TieIn>& tie_in)
 {
-  check(stations, tie_in.has_value());
+  check(stations, tie_in);
   points_.push_back({stations[0].md, tie_in ? tie_in->position() : Eigen::Vector3d::Zero(), tangent_from(stations[0].inclination, stations[0].azimuth)});
   for (std::size_t i = 1; i < stations.size(); ++i)
   {
@@ -41,8 +34,7 @@ Survey::Survey(const std::vector<SurveyStation>& stations, const std::optional<T
     arc.dogleg = 2.0 * std::atan2(arc.turn.norm(), arc.bisector.norm());
     arc.bisector.normalize();
     arc.inverse_sinc = 1.0 / sinc(0.5 * arc.dogleg);
-    // r(1) of the class's formula
-    points_.push_back({stations[i].md, from.position + arc.length * sinc(0.5 * arc.dogleg) * arc.bisector, tangent});
+    points_.push_back({stations[i].md, from.position + chord_of_arc(from.tangent, tangent, arc.length), tangent});
     arcs_.push_back(arc);
   }
 }

@@ -40,9 +40,24 @@ std::string problem_between(const SurveyStation& before, const SurveyStation& s)
   if (angle_between(before, s) > sharpest_turn) return "the direction turns round from the station before it, allowed: up to 179.9 deg";
   return "";
 }
+
+// The first station above the rotary table, of sound ones; none if all are below it.
+std::vector<SurveyProblem> above_the_table(const std::vector<SurveyStation>& stations, double height)
+{
+  Eigen::Vector3d before;
+  for (std::size_t i = 0; i < stations.size(); ++i)
+  {
+    const Eigen::Vector3d tangent = tangent_from(stations[i].inclination, stations[i].azimuth);
+    if (i > 0) height += chord_of_arc(before, tangent, stations[i].md - stations[i - 1].md).z();
+    if (height > tie_in_rounding)
+      return {{i, "lies " + metres(1e-2 * std::round(1e2 * height)) + " above the rotary table, allowed: below it; is an inclination or a depth wrong?"}};
+    before = tangent;
+  }
+  return {};
+}
 }  // namespace
 
-std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& stations, bool tied_in)
+std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& stations, const std::optional<TieIn>& tie_in)
 {
   std::vector<SurveyProblem> problems;
   if (stations.size() < 2) problems.push_back({0, plain(static_cast<double>(stations.size())) + " station, needed: at least two"});
@@ -57,13 +72,13 @@ std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& sta
     const SurveyStation& s = stations[i];
     const std::string alone = problem_of(s);
     std::string problem = alone;
-    if (alone.empty() && i == 0 && s.md != 0.0 && !tied_in)
+    if (alone.empty() && i == 0 && s.md != 0.0 && !tie_in)
       problem = "the first md is " + plain(s.md) + " m, needed: 0, the rotary table, or its place: tie_in, in a CSV file north_m, east_m, tvd_m";
     if (alone.empty() && before_is_good) problem = problem_between(stations[i - 1], s);
     if (!problem.empty()) problems.push_back({i, problem});
     before_is_good = alone.empty();
   }
-  return problems;
+  return problems.empty() ? above_the_table(stations, tie_in ? -tie_in->tvd : 0.0) : problems;
 }
 
 ProblemList well_problems(const WellSpec& well)

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "drill_rig_sim/well/directions.h"
+#include "drill_rig_sim/well/survey.h"
 #include "drill_rig_sim/well/well_checks.h"
 #include "well_fixtures.h"
 
@@ -50,6 +52,19 @@ TEST(SurveyChecks, EachRuleSaysWhereAndWhat)
   EXPECT_EQ(Texts({"1: the direction turns round from the station before it, allowed: up to 179.9 deg"}),
             said_of_second({10.0, 180.0 * degree, 0.0}));
   EXPECT_EQ(Texts({"0: the first md is 1 m, needed: 0, the rotary table, or its place: tie_in, in a CSV file north_m, east_m, tvd_m"}), said_of({{1.0, 0.0, 0.0}, {10.0, 0.0, 0.0}}));
+}
+
+// Built up past the horizontal until it comes out of the ground; at 90 deg from the table it only leaves it.
+TEST(SurveyChecks, AHoleLiesBelowTheTable)
+{
+  const std::vector<SurveyStation> rising = {{0.0, 0.0, 0.0}, {1000.0, 95.0 * degree, 0.7}, {2000.0, 120.0 * degree, 0.7}, {3000.0, 175.0 * degree, 0.7}};
+  const Texts said = said_of(rising);
+  ASSERT_EQ(1u, said.size());
+  const Survey to_the_top({rising.begin(), rising.begin() + 3});
+  const double height = to_the_top.station(2).position.z() + chord_of_arc(to_the_top.station(2).tangent, tangent_from(175.0 * degree, 0.7), 1000.0).z();
+  EXPECT_EQ("3: lies " + metres(0.01 * std::round(100.0 * height)) + " above the rotary table, allowed: below it; is an inclination or a depth wrong?", said[0]);
+  EXPECT_EQ(Texts(), said_of({rising.begin(), rising.begin() + 3}));
+  EXPECT_EQ(Texts(), said_of({{0.0, 90.0 * degree, 0.0}, {10.0, 90.0 * degree, 0.0}}));
 }
 
 // At its limit each value is good; a file's degrees may have been rounded on the way.

@@ -27,6 +27,13 @@ Eigen::Vector3d north_side(const Eigen::Vector3d& tangent) noexcept;
 /// `reference` is perpendicular to t; 0 where `vector` is along t.
 double angle_about(const Eigen::Vector3d& tangent, const Eigen::Vector3d& reference, const Eigen::Vector3d& vector) noexcept;
 
+/// sin(x)/x, by its series near 0.
+double sinc(double x) noexcept;
+
+/// From one end of a circular arc of this length to the other [m], by the unit tangents t1, t2 at its ends (minimum curvature):
+/// D sinc(alpha/2) (t1 + t2)/|t1 + t2|, alpha the angle between them, less than pi.
+Eigen::Vector3d chord_of_arc(const Eigen::Vector3d& t1, const Eigen::Vector3d& t2, double length) noexcept;
+
 /// What a toolface is measured from.
 struct ToolfaceReference
 {
