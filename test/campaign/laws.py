@@ -8,15 +8,16 @@ from drill_rig_sim.law import Commands
 
 
 class Law:
-    """Turns the string. `fault`: what else it does after a tenth of a second."""
+    """Turns the string, slowly while there is a file `slow`. `fault`: what else it does after a tenth of a second."""
     period, listens = 0.1, False
 
-    def __init__(self, rpm=60.0, fault="", pause=0.0):
-        self.rpm, self.fault, self.pause, self.steps, self.done = rpm, fault, pause, 0, False
+    def __init__(self, rpm=60.0, fault="", slow=""):
+        self.rpm, self.fault, self.slow, self.steps, self.done = rpm, fault, slow, 0, False
 
     def step(self, readings):
         self.steps += 1
-        time.sleep(self.pause)
+        if self.slow and os.path.exists(self.slow):
+            time.sleep(0.3)
         if self.steps > 1 and self.fault:
             getattr(self, self.fault)()
         return Commands(top_drive={"mode": "SPEED", "speed": self.rpm * 0.10472})

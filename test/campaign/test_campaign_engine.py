@@ -3,6 +3,7 @@
 import importlib.util
 import os
 import re
+import shutil
 import signal
 import socket
 import subprocess
@@ -25,7 +26,7 @@ RUNS = 12
 PAUSE = 0.1  # of the law between its commands, so that a run takes half a second and can be interrupted [s]
 PLAN = """scene: %s
 duration: 0.5
-controller: {class: "%s/laws.py:Law", parameters: {pause: %%g}}
+controller: {class: "%s/laws.py:Law", parameters: {slow: "%%s"}}
 factors:
   - {name: rpm, key: controller.rpm, from: 30.0, to: 90.0}
   - {name: fault, key: controller.fault, values: ["", error]}
@@ -42,6 +43,13 @@ echo 4711
 
 
 class Campaigns(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.slow = os.path.join(folder.name, "slow")  # runs are slow while it is there; all tests name the same file, for it is part of the plan
+        cls.results = os.path.join(folder.name, "undisturbed.sqlite")
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -58,10 +66,20 @@ class Campaigns(unittest.TestCase):
     def place(self, name):
         return os.path.join(self.folder, name)
 
-    def plan(self, pause=0.0, text=PLAN, name="plan"):
+    def plan(self, text=PLAN, name="plan"):
         with open(self.place(name + ".yaml"), "w", encoding="utf-8") as out:
-            out.write(text % pause)
+            out.write(text % self.slow)
         return self.place(name + ".yaml")
+
+    def slow_plan(self):
+        """Its runs take seconds until go_on()."""
+        with open(self.slow, "w", encoding="utf-8"):
+            self.addCleanup(self.go_on)
+        return self.plan()
+
+    def go_on(self):
+        if os.path.exists(self.slow):
+            os.remove(self.slow)
 
     def start(self, *words, **more):
         process = subprocess.Popen([sys.executable, "-m", "drill_rig_sim.campaign.command", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
@@ -82,6 +100,16 @@ class Campaigns(unittest.TestCase):
         results.close()
         with open(self.place(name), encoding="utf-8") as text:
             return text.read()
+
+    def undisturbed(self):
+        """The plan's results as CSV, by one worker that is left alone. They are computed once for all tests; undisturbed.sqlite is a copy."""
+        if not os.path.exists(self.results):
+            status, out, told = self.run_to_its_end(self.plan(), "--workers", "1", "--results", self.place("undisturbed.sqlite"))
+            self.assertEqual(1, status, told)
+            self.assertIn("%d of %d runs are there" % (RUNS, RUNS), out)
+            shutil.copy(self.place("undisturbed.sqlite"), self.results)
+        shutil.copy(self.results, self.place("undisturbed.sqlite"))
+        return self.csv("undisturbed.csv")
 
     def wait(self, until, what):
         deadline = time.monotonic() + PATIENCE
@@ -108,7 +136,7 @@ class Campaigns(unittest.TestCase):
         for program in programs:
             with self.subTest(program):
                 file = self.place("%d.sqlite" % programs.index(program))
-                done = subprocess.run([sys.executable, program, self.plan(text=text), "--workers", "2", "--results", file], capture_output=True, text=True, cwd=self.folder,
+                done = subprocess.run([sys.executable, program, self.plan(text=text), "--workers", "1", "--results", file], capture_output=True, text=True, cwd=self.folder,
                                       timeout=PATIENCE, check=False)
                 self.assertEqual((0, "%s: 2 runs, 2 to do\n2 of 2 runs are there: 2 good\n" % file), (done.returncode, done.stdout), done.stderr)
                 self.assertNotIn("Traceback", done.stderr)
@@ -116,20 +144,17 @@ class Campaigns(unittest.TestCase):
     # --- the same results
 
     def test_results_are_the_same_by_one_two_and_four_workers(self):
-        found = []
-        for workers in (1, 2, 4):
+        for workers in (2, 4):
             status, out, told = self.run_to_its_end(self.plan(), "--workers", str(workers), "--results", self.place("%d.sqlite" % workers))
             self.assertEqual(1, status, told)
             self.assertIn("%d of %d runs are there" % (RUNS, RUNS), out)
-            found.append(self.csv("%d.csv" % workers))
-        self.assertEqual(found[0], found[1])
-        self.assertEqual(found[0], found[2])
+            self.assertEqual(self.undisturbed(), self.csv("%d.csv" % workers))
         for said in (",good,", ",controller,", ",refused,"):
-            self.assertIn(said, found[0])
+            self.assertIn(said, self.undisturbed())
 
     def test_what_is_done_is_not_done_again(self):
-        self.run_to_its_end(self.plan(), "--workers", "2")
-        before = self.csv("plan.csv")
+        before = self.undisturbed()
+        shutil.copy(self.place("undisturbed.sqlite"), self.place("plan.sqlite"))
         status, out, told = self.run_to_its_end(self.plan(), "--workers", "2")
         self.assertEqual(1, status, told)
         self.assertIn("%d runs, 0 to do" % RUNS, out)
@@ -143,22 +168,23 @@ class Campaigns(unittest.TestCase):
     # --- who is killed
 
     def test_a_client_that_is_killed_loses_nothing(self):
-        client = self.start(self.plan(PAUSE), "--workers", "2")
+        client = self.start(self.slow_plan(), "--workers", "2")
         self.wait(lambda: self.rows_in("plan.sqlite") > 2, "a few rows")
         client.kill()
+        self.go_on()
         client.communicate()
         there = self.rows_in("plan.sqlite")
         self.assertLess(there, RUNS)
-        status, out, told = self.run_to_its_end(self.plan(PAUSE), "--workers", "2")
+        status, out, told = self.run_to_its_end(self.plan(), "--workers", "2")
         self.assertEqual(1, status, told)
         to_do = int(re.search(r"runs, (\d+) to do", out).group(1))
         self.assertEqual((RUNS, RUNS), (there + to_do, self.rows_in("plan.sqlite")))
-        self.run_to_its_end(self.plan(), "--workers", "1", "--results", self.place("other.sqlite"))
-        self.assertEqual(self.csv("other.csv"), self.csv("plan.csv"))
+        self.assertEqual(self.undisturbed(), self.csv("plan.csv"))
 
-    def test_a_signal_ends_it_and_the_same_command_goes_on(self):
-        client = self.start(self.plan(PAUSE), "--workers", "1")
+    def test_all_listens_on_localhost_alone_and_a_signal_ends_it_and_the_same_command_goes_on(self):
+        client = self.start(self.slow_plan(), "--workers", "1")
         self.wait(lambda: self.rows_in("plan.sqlite") > 0, "a row")
+        self.assertEqual({"0100007F"}, listening_addresses(client.pid))
         client.send_signal(signal.SIGINT)
         _, told = client.communicate(timeout=PATIENCE)
         self.assertEqual(3, client.returncode)
@@ -166,11 +192,11 @@ class Campaigns(unittest.TestCase):
 
     def test_ctrl_c_ends_it_without_a_traceback_and_what_was_left_behind_is_no_news(self):
         """A terminal sends it to workers and runners too."""
-        client = self.start(self.plan(PAUSE), "--workers", "2", start_new_session=True)
+        client = self.start(self.slow_plan(), "--workers", "2", start_new_session=True)
         self.wait(lambda: self.rows_in("plan.sqlite") > 0, "a row")
         os.killpg(client.pid, signal.SIGKILL)
         client.communicate()
-        client = self.start(self.plan(PAUSE), "--workers", "2", start_new_session=True)
+        client = self.start(self.slow_plan(), "--workers", "2", start_new_session=True)
         there = self.rows_in("plan.sqlite")
         self.wait(lambda: self.rows_in("plan.sqlite") > there, "a row more")
         os.killpg(client.pid, signal.SIGINT)
@@ -195,7 +221,7 @@ class Campaigns(unittest.TestCase):
 
     def test_a_worker_that_is_killed_loses_nothing(self):
         address, cluster = self.cluster()
-        client = self.start(self.plan(PAUSE), "--scheduler", address)
+        client = self.start(self.slow_plan(), "--scheduler", address)
         self.wait(lambda: self.rows_in("plan.sqlite") > 1, "a few rows")
         pids = subprocess.run(["pgrep", "-P", str(cluster[1].pid)], capture_output=True, text=True, check=False).stdout.split()
         for pid in [cluster[1].pid, *map(int, pids)]:
@@ -203,27 +229,29 @@ class Campaigns(unittest.TestCase):
                 os.kill(pid, signal.SIGKILL)
             except ProcessLookupError:
                 pass
+        self.go_on()
         _, told = client.communicate(timeout=PATIENCE)
         self.assertEqual((1, RUNS), (client.returncode, self.rows_in("plan.sqlite")), told)
-        self.run_to_its_end(self.plan(), "--workers", "2", "--results", self.place("other.sqlite"))
-        self.assertEqual(self.csv("other.csv"), self.csv("plan.csv"))
+        self.assertEqual(self.undisturbed(), self.csv("plan.csv"))
 
     def test_a_scheduler_that_is_killed_loses_nothing(self):
         address, cluster = self.cluster()
-        client = self.start(self.plan(PAUSE), "--scheduler", address)
+        client = self.start(self.slow_plan(), "--scheduler", address)
         self.wait(lambda: self.rows_in("plan.sqlite") > 1, "a few rows")
         cluster[0].kill()
+        self.go_on()
         _, told = client.communicate(timeout=PATIENCE)
         self.assertEqual(3, client.returncode, told)
         there = self.rows_in("plan.sqlite")
-        status, out, told = self.run_to_its_end(self.plan(PAUSE), "--workers", "2")
+        status, out, told = self.run_to_its_end(self.plan(), "--workers", "2")
         self.assertEqual(1, status, told)
         self.assertIn("%d to do" % (RUNS - there), out)
         self.assertEqual(RUNS, self.rows_in("plan.sqlite"))
 
     def test_a_run_that_kills_its_workers_is_a_row(self):
         text = PLAN.replace("values: [\"\", error]", "values: [\"\", kill_worker]").replace("values: [0.2, -1.0, 0.3]", "values: [0.2]").replace("runs: 12", "runs: 2")
-        status, out, told = self.run_to_its_end(self.plan(text=text), "--workers", "1")
+        # two deaths instead of Dask's four blame a run
+        status, out, told = self.run_to_its_end(self.plan(text=text), "--workers", "1", env=dict(os.environ, DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES="1"))
         self.assertEqual(1, status, told)
         self.assertIn("1 died, 1 good", out)
 
@@ -234,15 +262,6 @@ class Campaigns(unittest.TestCase):
             status, _, told = self.run_to_its_end(self.plan(), "--scheduler", address)
             self.assertEqual(3, status)
             self.assertIn(said, told)
-
-    def test_all_listens_on_localhost_alone(self):
-        client = self.start(self.plan(PAUSE), "--workers", "1")
-        self.wait(lambda: self.rows_in("plan.sqlite") > 0, "a row")
-        with open("/proc/%d/net/tcp" % client.pid, encoding="ascii") as table:
-            listening = {line.split()[9]: line.split()[1] for line in table if line.split()[3] == "0A"}
-        ours = {os.readlink(link)[8:-1] for pid in [client.pid, *children(client.pid)] for link in links(pid) if os.readlink(link).startswith("socket:")}
-        addresses = {address.split(":")[0] for inode, address in listening.items() if inode in ours}
-        self.assertEqual({"0100007F"}, addresses)
 
     def test_slurm_starts_and_ends_the_workers(self):
         certificate = self.place("certificate.pem")
@@ -272,6 +291,14 @@ class Campaigns(unittest.TestCase):
         self.assertTrue(script.startswith("#!/bin/sh\n#SBATCH "))
         self.assertIn("--ntasks=12", script)
         self.assertIn("dask_worker tls://node1:8786", script)
+
+
+def listening_addresses(top):
+    """Where a process and all below it listen, in the kernel's hexadecimal."""
+    with open("/proc/%d/net/tcp" % top, encoding="ascii") as table:
+        listening = {line.split()[9]: line.split()[1] for line in table if line.split()[3] == "0A"}
+    ours = {os.readlink(link)[8:-1] for pid in [top, *children(top)] for link in links(pid) if os.readlink(link).startswith("socket:")}
+    return {address.split(":")[0] for inode, address in listening.items() if inode in ours}
 
 
 def children(pid):

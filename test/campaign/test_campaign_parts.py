@@ -179,8 +179,8 @@ class Plans(Folder):
                 ("duration: 0.3", "duration: 0.3\nfrom: 0.3", 4, "from: is 0.3, needed: a number below the duration, 0.3"), ("duration: 0.3", "duration: 0.305", 3, "no whole number of frames"),
                 ("duration: 0.3", "duration: 0.3\nevery: 0.015", 4, "0.015 s, is no whole number of frames of 0.01 s"), ("duration: 0.3", "duration: 0.3\nseed: 1.5", 4, "a whole number"),
                 ("laws.py:Law", "laws.py:Nobody", 4, "laws.py has no Nobody"), ("laws.py:Law", "laws.py:time", 4, "is no class"),
-                ("controller.rpm", "controller.rmp", 6, "laws.py:Law has no parameter rmp, allowed: rpm, fault, pause"), ("{rpm: 60.0}", "{rmp: 60.0}", 4, "has no parameter rmp"),
-                ("key: controller.rpm", "key: controller.pause, times: true", 6, "gives no number for it"), ("controller.rpm", "controller.rpm.deep", 6, "the parameter rpm has no keys")):
+                ("controller.rpm", "controller.rmp", 6, "laws.py:Law has no parameter rmp, allowed: rpm, fault, slow"), ("{rpm: 60.0}", "{rmp: 60.0}", 4, "has no parameter rmp"),
+                ("key: controller.rpm", "key: controller.slow, times: true", 6, "gives no number for it"), ("controller.rpm", "controller.rpm.deep", 6, "the parameter rpm has no keys")):
             self.refused_at(line, said, PLAN.replace(old, new, 1))
 
     def refused_at(self, line, said, text):
