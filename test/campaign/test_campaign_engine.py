@@ -23,7 +23,6 @@ SOURCE = os.path.dirname(os.path.dirname(HERE))
 QUICK = os.path.join(SOURCE, "config/scenes/quick.yaml")
 PATIENCE = 240.0  # [s]
 RUNS = 12
-PAUSE = 0.1  # of the law between its commands, so that a run takes half a second and can be interrupted [s]
 PLAN = """scene: %s
 duration: 0.5
 controller: {class: "%s/laws.py:Law", parameters: {slow: "%%s"}}
