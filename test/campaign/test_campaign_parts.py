@@ -263,7 +263,7 @@ class Runs(Folder):
 
     def test_runs_that_fail_have_their_reason_and_the_next_one_runs(self):
         for fault, bounds, wanted, said in (("error", "cpu: 9.0", "controller", r"laws.py, line \d+: KeyError: 'no such gauge'"), ("spin", "cpu: 0.7", "cpu", "0.7 s"),
-                                            ("sleep", "wall: 3.0", "wall", "3 s"), ("hoard", "memory: 2.0e+8", "memory", "200 MB"), ("crash", "cpu: 9.0", "died", "signal 11"),
+                                            ("sleep", "wall: 1.5", "wall", "1.5 s"), ("hoard", "memory: 2.0e+8", "memory", "200 MB"), ("crash", "cpu: 9.0", "died", "signal 11"),
                                             ("kill", "cpu: 9.0", "died", "signal 9")):
             runner, row, identity = self.runner(fault, bounds)
             for _ in range(2):

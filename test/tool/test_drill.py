@@ -18,6 +18,7 @@ import skips  # noqa: E402 (leaves nothing behind)
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 QUICK = os.path.join(SOURCE, 'config/scenes/quick.yaml')
 BOHAI = os.path.join(SOURCE, 'config/scenes/bohai.yaml')
+NEAR_BOTTOM = ('--set', 'start.bit_depth=99.95')  # of quick.yaml: tags after 10 s instead of 35
 COLUMNS = ('time,hook_load,torque,block_height,top_drive_speed,wob,bit_torque,bit_speed,bit_depth,hole_depth,rop,inclination,azimuth,'
            'toolface,bit_east,bit_north,bit_up,bit_inclination,in_slips,motor_stalled,winch_limited,top_drive_limited,stop_reached,slack_line,'
            'relief_valve_open,over_stress,over_torque,buckled,accuracy_warning,stand_pipe_pressure,differential_pressure,flow,floor_height').split(',')
@@ -253,7 +254,7 @@ class Run(Drill):
             self.assertGreater(len(text.readlines()), 100)
 
     def test_until_depth_stops_there(self):
-        self.succeed('run', QUICK, '--until-depth', '100.1', '--json', self.file('q.json'))
+        self.succeed('run', QUICK, *NEAR_BOTTOM, '--until-depth', '100.1', '--json', self.file('q.json'))
         with open(self.file('q.json')) as text:
             depth = json.load(text)['final']['hole_depth']
         self.assertGreaterEqual(depth, 100.1)
@@ -301,7 +302,7 @@ class Run(Drill):
 
     def test_two_runs_are_identical(self):
         for name in ('a.csv', 'b.csv'):
-            self.succeed('run', QUICK, '--duration', '45', '--every', '0.5', '--csv', self.file(name))
+            self.succeed('run', QUICK, *NEAR_BOTTOM, '--duration', '20', '--every', '0.5', '--csv', self.file(name))
         with open(self.file('a.csv')) as a, open(self.file('b.csv')) as b:
             self.assertEqual(a.read(), b.read())
 

@@ -110,7 +110,7 @@ class Command(unittest.TestCase):
             status = plot_command.main(list(words))
         return status, out.getvalue().strip(), said.getvalue().strip()
 
-    def test_pictures_and_a_page_that_holds_them(self):
+    def test_pictures_and_a_page_that_holds_them_with_the_file_s_name_alone_as_titles(self):
         status, page, said = self.plot(self.csv)
         self.assertEqual((0, "", os.path.join(self.folder, "run_plots", "index.html")), (status, said, page))
         with open(page) as file:
@@ -121,10 +121,6 @@ class Command(unittest.TestCase):
             for kind in ("png", "svg"):
                 self.assertGreater(os.path.getsize(os.path.join(self.folder, "run_plots", "%s.%s" % (name, kind))), 5000)
         self.assertIn("rate of penetration", text)
-
-    def test_titles_are_the_file_s_name_alone(self):
-        with open(self.plot(self.csv)[1]) as page:
-            text = page.read()
         self.assertTrue("<h1>run.csv</h1>" in text and "<title>run.csv</title>" in text)
         self.assertTrue("<pre>%s, by its truth" % self.csv in text)  # which of all such names it is
         for name, title in (("time_log", "time log: run.csv"), ("depth_log", "depth log: run.csv"), ("well", "well: run.csv")):
