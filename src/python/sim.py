@@ -27,7 +27,8 @@ def build():
 
 
 def static(scene, motion="none"):
-    """Loads of the string as it hangs at a scene's start, by name, as drill static prints them [N], [N m]. motion: none (without friction), up, down or rotate."""
+    """Loads of the string as it hangs at a scene's start, by name, as drill static prints them [N], [N m]; `hook_load_gauge` as the scene's gauge
+    shows it while the block moves. motion: none (without friction), up, down or rotate."""
     return _sim.static_loads(found(scene, "config/scenes"), motion)
 
 

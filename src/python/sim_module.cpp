@@ -75,6 +75,7 @@ py::dict static_loads(const std::string& scene_file, const std::string& motion)
   }
   py::dict loads;
   loads["hook_load"] = report.hook_load;
+  loads["hook_load_gauge"] = report.hook_load_gauge;
   loads["hook_load_string"] = report.hook_load_string;
   loads["torque"] = report.torque;
   loads["wob"] = report.outcome.forces.wob;

@@ -5,11 +5,12 @@ import math
 import os
 
 import numpy
+from drill_rig_sim.refusal import Refusal
 
 POINT_SPACING = 0.5  # along a survey, of the chords that stand for its arcs [m]; 0.2 mm off an arc of 10 deg/30 m
 
 
-class SurveyError(Exception):
+class SurveyError(Refusal):
     """What is wrong with a survey, in one line."""
 
 

@@ -131,4 +131,12 @@ double dead_line_hook_load(double hook_load, double slip, int sheaves, double sh
   return lines * hook_load / sum;
 }
 
+SteadyHookLoad steady_hook_load(const HoistingSpec& spec, double weight, int direction) noexcept
+{
+  SteadyHookLoad load;
+  load.at_block = weight + direction * spec.rail_friction * spec.block_mass * standard_gravity;
+  load.at_dead_line = dead_line_hook_load(load.at_block, direction, spec.sheaves, spec.sheave_efficiency);
+  return load;
+}
+
 }  // namespace drill_rig_sim

@@ -193,6 +193,8 @@ StaticReport static_report(const Scene& scene, const SlidingMotion& sliding)
   fill_profile(*rig.model, rig.state, report.outcome.forces, report.profile);
   report.hook_load_string = report.outcome.top_force;
   report.hook_load = report.hook_load_string + standard_gravity * scene.rig.hoisting.block_mass;
+  report.gauges = steady_hook_load(scene.rig.hoisting, report.hook_load, (sliding.axial_speed < 0.0) - (sliding.axial_speed > 0.0));
+  report.hook_load_gauge = scene.instruments.hook_load.place == HookLoadPlace::block ? report.gauges.at_block : report.gauges.at_dead_line;
   report.torque = report.outcome.top_torque;
   report.bit_side_force = report.outcome.forces.contact.front();
   report.bit_side_direction = report.profile.contact_side.front();

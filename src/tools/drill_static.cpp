@@ -55,6 +55,8 @@ void print_static(const StaticOptions& options)
   }
   std::printf("hook load        %12.1f N\n", report.hook_load);
   std::printf("of the string    %12.1f N\n", report.hook_load_string);
+  std::printf("gauge at block   %12.1f N, with the friction of the block's rail\n", report.gauges.at_block);
+  std::printf("at the dead line %12.1f N, with that of the sheaves\n", report.gauges.at_dead_line);
   std::printf("torque           %12.1f N m\n", report.torque);
   std::printf("weight on bit    %12.1f N\n", report.outcome.forces.wob);
   std::printf("bit side force   %12.1f N, at %.1f deg clockwise from the high side\n", report.bit_side_force,

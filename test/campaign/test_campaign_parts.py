@@ -20,7 +20,7 @@ if not all(map(importlib.util.find_spec, ("distributed", "scipy"))):
     sys.exit(77)
 import numpy
 import yaml
-from drill_rig_sim.campaign import command, engine, played, sensitivity
+from drill_rig_sim.campaign import command, engine, played, report_pictures, sensitivity
 from drill_rig_sim.campaign.designs import DesignError, Factor, rows_of
 from drill_rig_sim.campaign.plan import read_plan
 from drill_rig_sim.campaign.plan_text import PlanError
@@ -132,6 +132,15 @@ class Designs(unittest.TestCase):
         self.assertIsNone(sensitivity.indices([1.0] * 50, 3))
         self.assertIsNone(sensitivity.indices([None] * 50, 3))
         self.assertEqual([1.0, None, None], sensitivity.rank_correlations([[1, 2, 3], ["a", "b", "c"], [2, 2, 2]], [1.0, 4.0, 9.0]))
+
+    def test_correlations_say_what_the_map_shows(self):
+        """A factor that acts one way in one mode and the other way in another: pooled it would seem to do nothing."""
+        columns = {"mode": ["a"] * 4 + ["b"] * 4, "x": [1, 2, 3, 4] * 2}
+        rows = SimpleNamespace(about={"report": {"each": "mode"}}, factors=["mode", "x"], good=[None] * 8, factor=columns.get,
+                                     output=lambda name: numpy.array([1.0, 2.0, 3.0, 4.0, 4.0, 3.0, 2.0, 1.0]))
+        self.assertEqual({"mode a": [None, 1.0], "mode b": [None, -1.0]}, report_pictures.correlations_of(rows, "y"))
+        rows.about["report"]["each"] = None
+        self.assertEqual([0.0], [round(value, 9) for value in report_pictures.correlations_of(rows, "y")[""][1:]])
 
 
 class Plans(Folder):

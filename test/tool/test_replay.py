@@ -22,12 +22,6 @@ from drill_rig_sim.sim import Simulator
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 QUICK = os.path.join(SOURCE, "config/scenes/quick.yaml")
 STANDS = os.path.join(SOURCE, "config/scenes/stands.yaml")
-WITSML = """<?xml version="1.0"?>
-<logs xmlns="http://www.witsml.org/schemas/1series" version="1.4.1.1"><log>
-<nameWell>w</nameWell><nameWellbore>b</nameWellbore><name>n</name><indexType>date time</indexType><indexCurve>Time</indexCurve>
-<logData><mnemonicList>Time,HKLD,BLOCKCOMP,GAS,SURF_RPM</mnemonicList><unitList>s,klbf,ft,%%,rpm</unitList>
-<data>2024-05-01T10:00:00.000Z,200,30,0.1,60</data><data>2024-05-01T10:00:05Z,,29,0.1,60</data><data>2024-05-01T12:00:10+02:00,201.5,28,,60</data>
-</logData></log></logs>"""
 
 
 class Folder(unittest.TestCase):
@@ -41,51 +35,6 @@ class Folder(unittest.TestCase):
         with open(path, "w", encoding="utf-8") as out:
             out.write(text)
         return path
-
-
-class Records(Folder):
-    def test_columns_by_a_map(self):
-        columns = self.file("map.yaml", "time: {column: T, unit: min}\nhook_load: {column: Hook Load, unit: klbf}\nblock_height: {column: B, unit: ft}\nflow: {column: Q, unit: gpm}\n")
-        record = read_record(self.file("r.csv", "T, Hook Load,B,Q,x\n1,100,30,500,a\n2,-,29,500,b\n\n3,101,28,500,c\n"), columns)
-        self.assertEqual([0.0, 60.0, 120.0], list(record.time))
-        self.assertAlmostEqual(444822.16152605, record.at("hook_load", 0.0), places=4)
-        self.assertAlmostEqual(0.5 * (100 + 101) * 4448.2216152605, record.at("hook_load", 60.0), places=3)
-        self.assertTrue(math.isnan(record.signals["hook_load"][1]))
-        self.assertAlmostEqual(30 * 0.3048, record.at("block_height", 0.0))
-        self.assertAlmostEqual(500 * 3.785411784e-3 / 60, record.at("flow", 10.0))
-
-    def test_a_log_of_witsml(self):
-        record = read_record(self.file("r.xml", WITSML))
-        self.assertEqual([0.0, 5.0, 10.0], list(record.time))
-        self.assertAlmostEqual(201.5 * 4448.2216152605, record.at("hook_load", 10.0))
-        self.assertAlmostEqual(29 * 0.3048, record.at("block_height", 5.0))
-        self.assertAlmostEqual(2 * math.pi, record.at("top_drive_speed", 0.0))
-
-    def test_what_its_reader_should_know(self):
-        columns = self.file("map.yaml", "time: {column: T, unit: s}\nhook_load: {column: H, unit: klbf}\nblock_height: {column: B, unit: m}\n")
-        rows = ["%d,%s,10" % (k if k < 20 else k + 60, {3: "-999.25", 4: "off", 5: ""}.get(k, "100")) for k in range(40)]
-        record = read_record(self.file("r.csv", "T,H,B\n" + "\n".join(rows) + "\n,100,10\n"), columns)
-        self.assertEqual(3, numpy.isnan(record.signals["hook_load"]).sum())
-        self.assertEqual(["1 rows have no time and are left out", "hook_load: 3 of 40 rows hold no number", "a gap of 61 s from 19 s on", "has no flow: the pump stands",
-                          "has no top_drive_speed: the string is not turned", "has no bit_depth: a block that runs without the string is taken for one with it"],
-                         [line.split(": ", 1)[1] for line in record.remarks])
-        self.assertTrue(math.isnan(read_record(self.file("n.xml", WITSML.replace("<indexType>", "<nullValue>-1</nullValue><indexType>").replace(",,29", ",-1,29"))).signals["hook_load"][1]))
-
-    def test_what_is_no_record(self):
-        for text, columns, said in (("a,b\n1,2\n", None, "needed: a map"), ("T\n1\n2\n", "time: {column: X, unit: s}\n", "has no column X"),
-                                    ("T\n1\n2\n", "time: {column: T, unit: fortnight}\n", "fortnight, allowed: s, min"), ("T\n1\n2\n", "tim: {column: T, unit: s}\n", "unknown key"),
-                                    ("T\n1\n\n3\n2\n", "time: {column: T, unit: s}\n", "row 3 of the data: its time"), ("T\n1\n", "time: {column: T, unit: s}\n", "two rows"),
-                                    ("", None, "needed: a map")):
-            with self.assertRaises(RecordError, msg=text) as told:
-                read_record(self.file("r.csv", text), self.file("m.yaml", columns) if columns else None)
-            self.assertIn(said, str(told.exception))
-            self.assertNotIn("\n", str(told.exception))
-        for text, said in ((WITSML.replace("klbf", "stone"), "the unit stone is not known"), ("<logs>", "r.xml"), ("<logs/>", "holds no log")):
-            with self.assertRaisesRegex(RecordError, said):
-                read_record(self.file("r.xml", text))
-        entity = '<!DOCTYPE x [<!ENTITY e SYSTEM "file:///etc/passwd">]>'
-        self.assertEqual(["time"], list(read_record(self.file("r.xml", WITSML.replace("<logs", entity + "<logs", 1).replace("Time,HKLD", "Time,&e;"))).signals))
-        self.assertRaisesRegex(RecordError, "No such file", read_record, "/nowhere.csv")
 
 
 DEPTHS = """time: {column: t, unit: s}

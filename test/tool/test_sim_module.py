@@ -18,7 +18,7 @@ from drill_rig_sim.control import drive
 from drill_rig_sim.lockstep import MODES, RPM, UNSENSED
 from drill_rig_sim.score import score
 from drill_rig_sim.score_runs import run_of_record, run_of_states
-from drill_rig_sim.sim import Failed, Refused, Simulator, TimedOut, series
+from drill_rig_sim.sim import Failed, Refused, Simulator, TimedOut, series, static
 
 PACKAGE_DIR = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 QUICK = os.path.join(PACKAGE_DIR, "config/scenes/quick.yaml")
@@ -55,6 +55,22 @@ class InThisProcess(unittest.TestCase):
         self.assertIs(True, state.truth.on_bottom)
         with self.assertRaisesRegex(AttributeError, "truth.on_bottom"):
             state.on_bottom  # pylint: disable=pointless-statement
+
+    def test_static_loads_are_what_the_gauge_shows_while_the_block_moves(self):
+        """Off bottom, without rotation, at a speed that makes no waves; by gauges at both places."""
+        with open(QUICK, encoding="utf-8") as text:
+            scene = text.read()
+        for place in ("block", "dead_line"):
+            with tempfile.TemporaryDirectory() as folder:
+                file = os.path.join(folder, "q.yaml")
+                with open(file, "w", encoding="utf-8") as out:
+                    out.write(scene.replace("hook_load: {place: block}", "hook_load: {place: %s}" % place))
+                for motion, speed in (("up", 0.05), ("down", -0.01)):
+                    rig = Simulator(file)
+                    rig.winch(speed)
+                    rig.step(20.0)
+                    shown = numpy.mean([state.hook_load for state in rig.frames(5.0)])
+                    self.assertAlmostEqual(1.0, shown / static(file, motion)["hook_load_gauge"], delta=2e-3, msg="%s %s" % (place, motion))
 
     def test_set_points_act_from_the_next_frame_on(self):
         self.rig.winch(-0.02)

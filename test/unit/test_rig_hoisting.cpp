@@ -103,6 +103,24 @@ TEST(Winch, BrakeRampsToRestAndHolds)
   EXPECT_EQ(advance_winch(spec, {1.0, true}, line, speed, 20.0, 0.0, 0.01).line_length, line);
 }
 
+TEST(SteadyHookLoad, RailAndSheavesByHand)
+{
+  HoistingSpec spec;
+  spec.block_mass = 18000.0;
+  const double weight = 221450.0;
+  const double rail = 0.03 * 18000.0 * 9.80665;
+  for (const int direction : {-1, 0, 1})
+  {
+    const SteadyHookLoad load = steady_hook_load(spec, weight, direction);
+    EXPECT_NEAR(load.at_block, weight + direction * rail, 1e-6);
+    double lines = 0.0;  // tensions as shares of the dead line's: each sheave passed towards the fast line adds its friction
+    for (int i = 0; i < 2 * spec.sheaves; ++i) lines += std::pow(spec.sheave_efficiency, -direction * i);
+    EXPECT_NEAR(load.at_dead_line, 2 * spec.sheaves * load.at_block / lines, 1e-6);
+  }
+  EXPECT_LT(steady_hook_load(spec, weight, 1).at_dead_line, weight);
+  EXPECT_GT(steady_hook_load(spec, weight, -1).at_dead_line, weight);
+}
+
 TEST(Winch, StopsAtTheHeightLimitsWithinTheRamp)
 {
   const HoistingSpec spec;

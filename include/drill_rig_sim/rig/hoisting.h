@@ -148,6 +148,17 @@ double sheave_slip(double slip, double travel) noexcept;
 /// @param sheave_efficiency e in (0, 1]
 double dead_line_hook_load(double hook_load, double slip, int sheaves, double sheave_efficiency) noexcept;
 
+/// What the gauges show while the block moves steadily.
+struct SteadyHookLoad
+{
+  double at_block = 0.0;      ///< on the lines, with the friction of the block on its rail [N]
+  double at_dead_line = 0.0;  ///< by dead_line_hook_load() [N]
+};
+
+/// @param weight     that hangs on the lines at rest: string, block and top drive [N]
+/// @param direction  of the block, 1 up, -1 down, 0: it stands, with no friction of rail and sheaves
+SteadyHookLoad steady_hook_load(const HoistingSpec& spec, double weight, int direction) noexcept;
+
 }  // namespace drill_rig_sim
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_SIM_PROFILE_H
 #define DRILL_RIG_SIM_SIM_PROFILE_H
 
+#include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/sim/accuracy.h"
 #include "drill_rig_sim/sim/string_profile.h"
 #include "drill_rig_sim/sim/string_watch.h"
@@ -20,6 +21,8 @@ struct StaticReport
   StringProfile profile;
   double hook_load = 0.0;         ///< block and top drive included [N]
   double hook_load_string = 0.0;  ///< [N]
+  SteadyHookLoad gauges;          ///< what they show while the block moves as the string does
+  double hook_load_gauge = 0.0;   ///< of them the one that the scene has, without its errors [N]
   double torque = 0.0;            ///< at the top [N m]
   double bit_side_force = 0.0;    ///< wall on bit, normal [N]
   double bit_side_direction = 0.0;  ///< where the bit pushes the wall, clockwise from the high side looking downhole [rad]

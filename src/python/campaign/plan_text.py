@@ -1,8 +1,9 @@
 """A campaign's file as YAML whose every key is known: errors name file, line and key, and say what is allowed."""
 import yaml
+from drill_rig_sim.refusal import Refusal
 
 
-class PlanError(Exception):
+class PlanError(Refusal):
     """What is wrong with a plan, in one line."""
 
 
@@ -34,8 +35,11 @@ class Entry:
                 self.fail("needs %s" % name)
         return found
 
+    def is_sequence(self):
+        return isinstance(self.node, yaml.SequenceNode)
+
     def sequence(self):
-        if not isinstance(self.node, yaml.SequenceNode) or not self.node.value:
+        if not self.is_sequence() or not self.node.value:
             self.fail("needed: a list of one or more")
         return [Entry(self.file, item, "%s[%d]" % (self.key, index)) for index, item in enumerate(self.node.value)]
 
@@ -70,7 +74,10 @@ class Entry:
             return {name: entry.plain() for name, entry in self.mapping().items()}
         if isinstance(self.node, yaml.SequenceNode):
             return [Entry(self.file, item, self.key).plain() for item in self.node.value]
-        value = yaml.SafeLoader("").construct_object(self.node)
+        try:
+            value = yaml.SafeLoader("").construct_object(self.node)
+        except (ValueError, yaml.YAMLError):
+            self.fail("%s cannot be read as a value" % self.node.value)
         if isinstance(value, str) and self.node.style is None:
             try:
                 return float(value)
@@ -86,6 +93,8 @@ def plan_of(file):
             root = yaml.compose(text, Loader=yaml.SafeLoader)
     except OSError as error:
         raise PlanError("%s: %s" % (file, error.strerror))
+    except RecursionError:
+        raise PlanError("%s: is nested too deeply" % file)
     except (yaml.YAMLError, UnicodeDecodeError) as error:
         raise PlanError("%s: %s" % (file, " ".join(str(error).split())))
     if root is None:

@@ -59,40 +59,64 @@ def draw_map(panel, x, y, z, limits):
 
 
 def influence(rows):
-    """Sobol's indices of a saltelli design, else rank correlations; a group of bars an output."""
+    """Sobol's indices of a saltelli design, else rank correlations; a panel an output."""
     saltelli = rows.about["sample"]["kind"] == "saltelli"
-    found = {}
-    for output in rows.outputs:
-        if saltelli:
-            whole = rows.output(output, [row if row["status"] == "good" else {"outputs": {}} for row in rows.rows])
-            complete = len(rows.rows) == rows.about["sample"]["runs"] * (len(rows.factors) + 2)
-            found[output] = sensitivity.indices(whole, len(rows.factors)) if complete else None
-        else:
-            found[output] = sensitivity.rank_correlations([rows.factor(name) for name in rows.factors], rows.output(output))
-    found = {output: values for output, values in found.items() if values and any(value is not None for value in values)}
+    found = {output: (indices_of if saltelli else correlations_of)(rows, output) for output in rows.outputs}
+    found = {output: values for output, values in found.items() if values}
     if not found:
         return None
-    figure, panels = plt.subplots(1, len(found), figsize=(max(4.0, 3.4 * len(found)), 0.5 * len(rows.factors) + 1.6), sharey=True, squeeze=False)
-    places = numpy.arange(len(rows.factors))
+    bars = 1 if saltelli else max(len(values) for values in found.values())
+    figure, panels = plt.subplots(1, len(found), figsize=(max(4.0, 3.4 * len(found)), (0.35 + 0.15 * bars) * len(rows.factors) + 1.6), sharey=True, squeeze=False)
     for panel, (output, values) in zip(panels[0], found.items()):
-        if saltelli:
-            first, first_width, total, total_width = numpy.array(values).T
-            panel.barh(places - 0.18, first, 0.34, xerr=first_width, label="first order", color="#1f5fa8")
-            panel.barh(places + 0.18, total, 0.34, xerr=total_width, label="total", color="#e08e0b")
-            panel.set_xlim(-0.1, 1.1)
-            panel.legend(fontsize=7)
-        else:
-            panel.barh(places, [0.0 if value is None else value for value in values], 0.5, color="#1f5fa8")
+        (draw_indices if saltelli else draw_correlations)(panel, values)
+        panel.axvline(0.0, color="#555555", linewidth=0.6)
+        panel.set_title(output, fontsize=9)
+        panel.set_yticks(range(len(rows.factors)), rows.factors)
+    figure.tight_layout()
+    return figure
+
+
+def indices_of(rows, output):
+    """None where the design is not complete."""
+    whole = rows.output(output, [row if row["status"] == "good" else {"outputs": {}} for row in rows.rows])
+    complete = len(rows.rows) == rows.about["sample"]["runs"] * (len(rows.factors) + 2)
+    return sensitivity.indices(whole, len(rows.factors)) if complete else None
+
+
+def correlations_of(rows, output):
+    """Rank correlations by the groups that the map shows apart: pooled, a factor that acts one way in one group and the other way in another would seem to do
+    nothing, or the contrary of what the map shows. None where there are none."""
+    each = rows.about["report"]["each"]
+    groups = [str(value) for value in rows.factor(each)] if each else [""] * len(rows.good)
+    columns, values, found = [rows.factor(name) for name in rows.factors], rows.output(output), {}
+    for name in sorted(set(groups), key=groups.index)[:MOST_MAPS]:
+        inside = [k for k, group in enumerate(groups) if group == name]
+        found["%s %s" % (each, name) if each else ""] = sensitivity.rank_correlations([[column[k] for k in inside] for column in columns], values[inside])
+    return found if any(value is not None for group in found.values() for value in group) else None
+
+
+def draw_indices(panel, values):
+    places = numpy.arange(len(values))
+    first, first_width, total, total_width = numpy.array(values).T
+    panel.barh(places - 0.18, first, 0.34, xerr=first_width, label="first order", color="#1f5fa8")
+    panel.barh(places + 0.18, total, 0.34, xerr=total_width, label="total", color="#e08e0b")
+    panel.set_xlim(-0.1, 1.1)
+    panel.legend(fontsize=7)
+
+
+def draw_correlations(panel, groups):
+    height = 0.7 / len(groups)
+    for k, (name, values) in enumerate(groups.items()):
+        places = numpy.arange(len(values)) + (k - 0.5 * (len(groups) - 1)) * height
+        panel.barh(places, [0.0 if value is None else value for value in values], height, label=name)
+        if len(groups) == 1:
             for place, value in zip(places, values):
                 if value is None:
                     panel.text(0.03, place, "words, or constant", fontsize=7, color="#777777", va="center")
-            panel.set_xlim(-1.0, 1.0)
-            panel.set_xlabel("rank correlation", fontsize=8)
-        panel.axvline(0.0, color="#555555", linewidth=0.6)
-        panel.set_title(output, fontsize=9)
-        panel.set_yticks(places, rows.factors)
-    figure.tight_layout()
-    return figure
+    if len(groups) > 1:
+        panel.legend(fontsize=7)
+    panel.set_xlim(-1.0, 1.0)
+    panel.set_xlabel("rank correlation", fontsize=8)
 
 
 def histograms(rows):

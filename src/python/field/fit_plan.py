@@ -4,11 +4,14 @@ import os
 import numpy
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
+from drill_rig_sim.field.columns import Column
 from drill_rig_sim.field.fit import Parameter
 from drill_rig_sim.field.models import MOTIONS, ModelError, RecordModel, TableModel, scene_and_survey
-from drill_rig_sim.field.record import RecordError, number, read_record
+from drill_rig_sim.field.record import RecordError, read_record
 from drill_rig_sim.field.replay import COMPARED
-from drill_rig_sim.field.units import FORCE, LENGTH
+from drill_rig_sim.field.signal_reader import values_of
+from drill_rig_sim.field.table import read_delimited
+from drill_rig_sim.field.text import read_text
 
 KEYS = ("scene", "record", "columns", "table", "parameters", "signals", "from", "held_out")
 PARAMETER_KEYS = ("name", "key", "keys", "times", "signal", "start", "from", "to")
@@ -35,7 +38,7 @@ def read_fit(file):
     else:
         columns = os.path.join(base, entries["columns"].text()) if "columns" in entries else None
         signals = [item.choice(COMPARED) for item in entries["signals"].sequence()] if "signals" in entries else ()
-        model = RecordModel(scene, survey, parameters, read_record(os.path.join(base, entries["record"].text()), columns), signals)
+        model = RecordModel(scene, survey, parameters, read_record(files_of(entries["record"], base), columns), signals)
     for parameter, item in zip(parameters, entries["parameters"].sequence()):
         if parameter.signal and parameter.signal not in model.signals:
             item.fail("%s: is not fitted" % parameter.signal)
@@ -45,6 +48,11 @@ def read_fit(file):
     if not (fitted & numpy.isfinite(model.observed)).any():
         raise PlanError("%s: from and held_out leave no number to fit to" % file)
     return FitPlan(model, parameters, fitted, model.place >= 1.0 - held)
+
+
+def files_of(entry, base):
+    """Of `record`: a file, or a list of files of the same well."""
+    return [os.path.join(base, item.text()) for item in (entry.sequence() if entry.is_sequence() else [entry])]
 
 
 def check_places(scene, parameters, entry):
@@ -76,29 +84,22 @@ def parameter_of(item, scene):
 
 def read_table(entry, base):
     """Depths and weights: `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`."""
-    import csv
     parts = entry.mapping(("file", "depth", *MOTIONS), needed=("file", "depth"))
     file = os.path.join(base, parts["file"].text())
-    try:
-        with open(file, newline="", encoding="utf-8-sig") as text:
-            rows = list(csv.DictReader(text))
-    except (OSError, UnicodeDecodeError) as error:
-        parts["file"].fail("%s: %s" % (file, getattr(error, "strerror", None) or error))
-    found = {}
+    text, remark = read_text(file)
+    table = read_delimited(file, text)
+    remarks, found = ["%s: %s" % (file, line) for line in [remark, *table.remarks] if line], {}
     for name in ("depth", *MOTIONS):
         if name in parts:
             said = parts[name].mapping(("column", "unit"), needed=("column", "unit"))
-            units = LENGTH if name == "depth" else FORCE
-            column, factor = said["column"].text(), units[said["unit"].choice(tuple(units))]
-            if not rows or column not in rows[0]:
-                said["column"].fail("%s: is no column of %s" % (column, file))
-            found[name] = factor * numpy.array([number(row[column]) for row in rows])
+            column = Column([said["column"].text()], said["unit"].text())
+            found[name] = values_of(table, "bit_depth" if name == "depth" else "hook_load", column, (), True, remarks)
     depths = found.pop("depth")
     if not found:
         entry.fail("needs one or more of %s" % ", ".join(MOTIONS))
     if not numpy.isfinite(depths).all():
-        parts["depth"].fail("a row has no depth")
-    return depths, found
+        raise RecordError("%s: the depth is not a number" % table.place(int(numpy.flatnonzero(~numpy.isfinite(depths))[0])))
+    return depths, found, remarks
 
 
 __all__ = ["FitPlan", "ModelError", "PlanError", "RecordError", "read_fit"]

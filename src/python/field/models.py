@@ -53,12 +53,12 @@ def play_record(task):
 
 
 class TableModel:
-    """Rows: depth [m] and weights by MOTIONS [N]. One rig's scene whose hole is the whole of the survey; the bit hangs at each depth."""
+    """Rows: depth [m] and weights by MOTIONS [N], as the scene's gauge shows them: with the friction of rail and sheaves. One rig's scene whose hole is the whole of the survey; the bit hangs at each depth."""
 
-    def __init__(self, scene, survey, parameters, depths, weights):
+    def __init__(self, scene, survey, parameters, depths, weights, remarks=()):
         keys = [(p.name, p.keys, p.times) for p in parameters if p.signal is None]
         self.blueprint = Blueprint("table", scene, survey, keys + [("bit", ["start.bit_depth"], False)])
-        self.depths, self.motions, self.remarks = depths, list(weights), []
+        self.depths, self.motions, self.remarks = depths, list(weights), list(remarks)
         self.observed = numpy.concatenate([weights[motion] for motion in self.motions])
         self.signals = numpy.repeat("hook_load", len(self.observed))
         self.length = 1.0
@@ -73,10 +73,10 @@ class TableModel:
 
 
 def hung(task):
-    """The hook load of a depth and motion; Refused where there is no equilibrium."""
+    """What the scene's gauge of the hook load shows at a depth in a motion; Refused where there is no equilibrium."""
     from drill_rig_sim.sim import static
     blueprint, row, motion = task
-    return static(blueprint.written(row), motion)["hook_load"]
+    return static(blueprint.written(row), motion)["hook_load_gauge"]
 
 
 def hang_string(task):

@@ -1,0 +1,62 @@
+"""A map: which column of a record holds which signal, in which unit."""
+from drill_rig_sim.campaign.plan_text import PlanError, plan_of
+from drill_rig_sim.field.signals import SIGNALS
+from drill_rig_sim.field.table import RecordError
+from drill_rig_sim.field.units import DATE, UnitError, factor_of
+
+DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t", ",": ",", ";": ";", "\t": "\t"}
+
+
+class Column:
+    """Of a signal: `names` of its columns (two: date and time of the day), `unit` (None: the file says it) and `form` of dates (None: ISO 8601)."""
+
+    def __init__(self, names, unit=None, form=None):
+        self.names, self.unit, self.form = names, unit, form
+
+
+class ColumnMap:
+    """`columns` by signal; `nulls`: values that stand for no number; `delimiter` and `decimal` sign, None: recognised."""
+
+    def __init__(self, columns, nulls=(), delimiter=None, decimal=None):
+        self.columns, self.nulls, self.delimiter, self.decimal = columns, tuple(nulls), delimiter, decimal
+
+
+def read_map(file):
+    """A ColumnMap of a file with lines as `hook_load: {column: HL, unit: klbf}`. RecordError with the first problem."""
+    try:
+        entries = plan_of(file).mapping((*SIGNALS, "null", "delimiter", "decimal"))
+        columns = {signal: column_of(signal, entries[signal]) for signal in SIGNALS if signal in entries}
+        nulls = numbers_of(entries["null"]) if "null" in entries else ()
+        delimiter = DELIMITERS[entries["delimiter"].choice(tuple(DELIMITERS))] if "delimiter" in entries else None
+        decimal = {"point": ".", "comma": ",", ".": ".", ",": ","}[entries["decimal"].choice(("point", "comma", ".", ","))] if "decimal" in entries else None
+        return ColumnMap(columns, nulls, delimiter, decimal)
+    except PlanError as error:
+        raise RecordError(str(error))
+
+
+def numbers_of(entry):
+    return [item.number() for item in entry.sequence()] if entry.is_sequence() else [entry.number()]
+
+
+def column_of(signal, entry):
+    parts = entry.mapping(("column", "unit", "format") if signal == "time" else ("column", "unit"), needed=("column",))
+    two = signal == "time" and parts["column"].is_sequence()
+    names = [item.text() for item in parts["column"].sequence()] if two else [parts["column"].text()]
+    if len(names) > 2:
+        parts["column"].fail("must be one column, or two: date and time of the day")
+    unit = parts["unit"].text() if "unit" in parts else None
+    form = parts["format"].text() if "format" in parts else None
+    if unit is not None:
+        check_unit(signal, unit, parts["unit"])
+    if form or len(names) == 2:
+        if unit is not None and factor_of("time", unit) is not None:
+            parts["unit"].fail("must be date where there is a format or two columns (got %s)" % unit)
+        unit = DATE
+    return Column(names, unit, form)
+
+
+def check_unit(signal, unit, entry):
+    try:
+        factor_of(SIGNALS[signal][0], unit)
+    except UnitError as error:
+        entry.fail(str(error))

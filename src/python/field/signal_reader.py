@@ -1,0 +1,202 @@
+"""The cells of a Table as signals in SI: which column holds which signal, in which unit, which cells are no measurements."""
+import numpy
+from drill_rig_sim.field.columns import Column
+from drill_rig_sim.field.dates import FORMS, seconds_of, written
+from drill_rig_sim.field.signals import OWN, SIGNALS, known, si_unit
+from drill_rig_sim.field.table import RecordError, bare, is_number
+from drill_rig_sim.field.units import DATE, UnitError, factor_of
+
+NULLS = (-999.0, -999.25, -9999.0, -9999.25, -99999.0, -99999.25, -999999.0, -999999.25)  # as logs write "no number"
+DATE_AND_TIME = ("YYYY/MM/DD", "HH:MM:SS")  # columns of Pason's files
+MOST_ODD = 0.5  # share of the numbers out of a signal's range from which on the unit is taken to be wrong
+
+
+class Part:
+    """Of one table: `signals` in SI by name, `time` among them; `dated`: it is in seconds since 1970, else since any instant. `rows`: the table's row of each.
+    `remarks`: a line each."""
+
+    def __init__(self, table, signals, dated, rows, remarks):
+        self.table, self.signals, self.dated, self.rows, self.remarks = table, signals, dated, rows, remarks
+
+    def place(self, k):
+        return self.table.place(self.rows[k])
+
+
+def part_of(table, columns=None):
+    """A Part of a table; `columns`: a ColumnMap, None where the names of the file tell what its columns hold."""
+    remarks = list(table.remarks)
+    wanted, nulls = (columns.columns, columns.nulls) if columns else (known_columns(table, remarks), ())
+    if "time" not in wanted:
+        raise RecordError("%s: no column is known as the time; columns: %s; needed: a map of them, --columns" % (table.file, table.header()))
+    signals = {}
+    time, dated = times_of(table, wanted["time"], columns is not None)
+    for signal, column in wanted.items():
+        if signal == "time":
+            continue
+        values = values_of(table, signal, column, nulls, columns is not None, remarks)
+        if values is not None:
+            signals[signal] = values
+    timed = numpy.isfinite(time)
+    if not timed.all():
+        remarks.append("%d rows have no time and are left out (first: %s)" % ((~timed).sum(), table.place(int(numpy.flatnonzero(~timed)[0]))))
+    rows = numpy.flatnonzero(timed)
+    signals = {"time": time[rows], **{signal: values[rows] for signal, values in signals.items()}}
+    return Part(table, signals, dated, rows, remarks)
+
+
+# --- which columns
+
+def places_of(names, columns=None):
+    """Places of the columns that part_of() will look at."""
+    if columns:
+        wanted = {name.strip().lower() for column in columns.columns.values() for name in column.names}
+        return [place for place, name in enumerate(names) if name.lower() in wanted]
+    own = [place for place, name in enumerate(names) if name in OWN.values() or name.upper() in DATE_AND_TIME]
+    return own + [place for places in known([bare(name) for name in names]).values() for place in places]
+
+
+def known_columns(table, remarks):
+    """Column by signal, of those that have a name of the trade. Where a signal has several the first of signals.NAMES is taken, which is reported."""
+    if all(OWN[signal] in table.names for signal in ("time", "hook_load")):
+        return {signal: Column([name], si_unit(signal)) for signal, name in OWN.items() if name in table.names}
+    names = [bare(name) for name in table.names]
+    found = {}
+    for signal, places in known(names).items():
+        with_unit = [place for place in places if signal == "time" or table.units[place]]
+        if with_unit:
+            found[signal] = Column([table.names[with_unit[0]]])
+        if len(places) > 1:
+            remarks.append("%s is taken from %s; passed over: %s" % (signal, table.names[(with_unit or places)[0]],
+                                                                    ", ".join(table.names[place] for place in places if place != (with_unit or places)[0])))
+        elif not with_unit:
+            remarks.append("%s: %s is left out: it has no unit; needed: a map, --columns" % (signal, table.names[places[0]]))
+    if table.index is not None:
+        found["time"] = Column([table.names[table.index]])
+    elif all(half in map(str.upper, table.names) for half in DATE_AND_TIME):
+        found["time"] = Column(DATE_AND_TIME, DATE)
+    return found
+
+
+# --- time
+
+def times_of(table, column, mapped):
+    """(seconds by row, nan where there is none; whether they are dates)."""
+    places = [table.column(name) for name in column.names]
+    cells = [" ".join(row[place].strip() for place in places) for row in table.rows]
+    if is_date(table, places, column, cells):
+        return dates_of(table, cells, column), True
+    unit = unit_of(table, places[0], column, "time")
+    if unit is None and mapped:
+        raise RecordError("%s: %s: the file has no unit for the time; needed: unit: in the map" % (table.file, column.names[0]))
+    if unit is None:
+        raise RecordError("%s: %s: the time has no unit and is no date (first: %s); needed: a map, --columns, with its unit" %
+                          (table.file, column.names[0], cells[0] if cells else "no rows"))
+    factor = factor_for(table, "time", column.names[0], unit)
+    return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit) * factor, False
+
+
+def is_date(table, places, column, cells):
+    if column.unit is not None:
+        return factor_for(table, "time", column.names[0], column.unit) is None
+    if len(places) == 2:
+        return True
+    if table.index == places[0] and table.index_is_date is not None:
+        return table.index_is_date
+    first = next((cell for cell in cells if cell), "")
+    return seconds_of(first) is not None
+
+
+def dates_of(table, cells, column):
+    found, zones = numpy.full(len(cells), numpy.nan), [None, None]
+    for k, cell in enumerate(cells):
+        if not cell.strip():
+            continue
+        date = seconds_of(cell, column.form)
+        if date is None:
+            raise RecordError("%s: %s: %s is no date and time of the day%s; allowed: %s" %
+                              (table.place(k), " and ".join(column.names), cell, " by the format %s" % column.form if column.form else "", FORMS))
+        found[k], zoned = date
+        if zones[zoned] is None:
+            zones[zoned] = k
+        if None not in zones:
+            raise RecordError("%s: %s: %s %s a time zone, others of this column %s; needed: all or none" %
+                              (table.place(k), column.names[0], cell, "has" if zoned else "has not", "have not" if zoned else "have"))
+    return found
+
+
+# --- values
+
+def values_of(table, signal, column, nulls, mapped, remarks):
+    """Of a signal by row [SI], nan where there is no measurement. None where its curve is left out, which is reported; RecordError where the map asks for it."""
+    name = column.names[0]
+    try:
+        place = table.column(name)
+        unit = unit_of(table, place, column, signal)
+        if unit is None:
+            raise RecordError("%s: %s: %s has no unit in the file; needed: unit: in the map" % (table.file, signal, name))
+        factor = factor_for(table, signal, name, unit)
+    except RecordError as error:
+        if mapped:
+            raise
+        remarks.append("%s is left out: %s" % (signal, str(error)[len(table.file) + 2:]))
+        return None
+    raw = numbers_or_refuse(table, name, [row[place] for row in table.rows], (*NULLS, *table.nulls[place], *nulls), "a number")
+    return in_range(table, signal, name, unit, raw, factor, remarks)
+
+
+def unit_of(table, place, column, signal):
+    """The unit of a column's cells; RecordError where the map and the file disagree."""
+    said = table.units[place]
+    if column.unit is None or said is None:
+        return column.unit or said
+    quantity = SIGNALS[signal][0]
+    try:
+        same = factor_of(quantity, column.unit) == factor_of(quantity, said)
+    except UnitError:
+        same = True  # the file's is not known: the map's stands
+    if not same:
+        raise RecordError("%s: %s: the map says %s, the file %s; needed: the same, or no unit in the map" % (table.file, column.names[0], column.unit, said))
+    return column.unit
+
+
+def factor_for(table, signal, name, unit):
+    try:
+        return factor_of(SIGNALS[signal][0], unit)
+    except UnitError as error:
+        raise RecordError("%s: %s: %s" % (table.file, name, error))
+
+
+def numbers_or_refuse(table, name, cells, nulls, needed):
+    """nan where there is no number or a null; RecordError where no cell of the column that holds something is a number."""
+    nulls = numpy.unique(numpy.array(nulls, dtype=float))
+    found = numpy.array([float(cell) if is_number(cell) else numpy.nan for cell in cells], dtype=float)
+    filled = [k for k, cell in enumerate(cells) if cell.strip()]
+    if filled and not any(is_number(cells[k]) for k in filled):
+        raise RecordError("%s: %s: %s is not %s, and no other cell of this column is one; the header was taken for: %s" %
+                          (table.place(filled[0]), name, cells[filled[0]].strip(), needed, table.header()))
+    found[~numpy.isfinite(found)] = numpy.nan
+    for null in nulls:
+        found[numpy.abs(found - null) <= 1e-9 * abs(null)] = numpy.nan
+    return found
+
+
+def in_range(table, signal, name, unit, raw, factor, remarks):
+    """In SI, without what no gauge can have measured, which is reported with its row; RecordError where that is most of it."""
+    _, least, most = SIGNALS[signal]
+    values = factor * raw
+    with numpy.errstate(invalid="ignore"):
+        odd = numpy.flatnonzero((values < least) | (values > most))
+    if not len(odd):
+        return values
+    allowed = "%.6g to %.6g %s" % (least / factor, most / factor, unit)
+    first = "%s: %s %.6g %s" % (table.place(odd[0]), name, raw[odd[0]], unit)
+    numbers = int(numpy.isfinite(values).sum())
+    if len(odd) > MOST_ODD * numbers:
+        raise RecordError("%s: %s: %d of %d values are no %s that a rig can have (allowed: %s; first: %s); is the unit right?" %
+                          (table.file, name, len(odd), numbers, signal, allowed, first))
+    remarks.append("%s: %d of %d values cannot be and are no measurements (allowed: %s; first: %s)" % (signal, len(odd), numbers, allowed, first))
+    values[odd] = numpy.nan
+    return values
+
+
+__all__ = ["NULLS", "Part", "in_range", "numbers_or_refuse", "part_of", "written"]

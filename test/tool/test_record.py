@@ -1,0 +1,431 @@
+#!/usr/bin/python3
+"""Records of rigs are read as they are published: delimited tables, WITSML, LAS; and what is wrong in them is refused or reported by file, row and column.
+The kinds are those of test/cases, each with variants."""
+import datetime
+import io
+import math
+import os
+import tempfile
+import unittest
+import zipfile
+
+import numpy
+from drill_rig_sim.field.dates import seconds_of, written
+from drill_rig_sim.field.record import RecordError, read_record
+from drill_rig_sim.field.units import TABLES, UnitError, factor_of
+
+CASES = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "cases")
+KLBF, FEET = 4448.2216152605, 0.3048
+ROWS = ((0, 200.0, 30.0), (5, 201.0, 29.5), (10, 202.5, 29.0), (15, 203.0, 28.0))  # seconds, hook load [klbf], block [ft]
+STAMPS = ["2024-05-01T10:00:%02dZ" % row[0] for row in ROWS]
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def file(self, name, text, encoding="utf-8"):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding=encoding, newline="") as out:
+            out.write(text)
+        return path
+
+    def read(self, text, columns=None, name="r.csv", encoding="utf-8"):
+        return read_record(self.file(name, text, encoding), self.file("map.yaml", columns) if columns else None)
+
+    def right(self, record, remarks=()):
+        """ROWS, as they were written."""
+        self.assertEqual([row[0] for row in ROWS], list(record.time))
+        numpy.testing.assert_allclose(record.signals["hook_load"], [KLBF * row[1] for row in ROWS], rtol=1e-6)
+        numpy.testing.assert_allclose(record.signals["block_height"], [FEET * row[2] for row in ROWS], rtol=1e-6)
+        for line in remarks:
+            self.assertIn(line, "\n".join(record.remarks))
+
+    def refused(self, said, *args, **options):
+        """In one line that holds these texts."""
+        with self.assertRaises(RecordError, msg=said) as caught:
+            self.read(*args, **options)
+        for text in [said] if isinstance(said, str) else said:
+            self.assertIn(text, str(caught.exception))
+        self.assertNotIn("\n", str(caught.exception))
+        self.assertLess(len(str(caught.exception)), 900)
+
+
+MAP = "time: {column: T, unit: s}\nhook_load: {column: H, unit: klbf}\nblock_height: {column: B, unit: ft}\n"
+
+
+def table(delimiter=",", header=("T", "H", "B"), number="%g", times=None, end="\n"):
+    rows = [delimiter.join(header)] + [delimiter.join([times[k] if times else number % t, number % h, number % b]) for k, (t, h, b) in enumerate(ROWS)]
+    return end.join(rows) + end
+
+
+class Tables(Folder):
+    def test_columns_by_a_map(self):
+        columns = "time: {column: T, unit: min}\nhook_load: {column: Hook Load, unit: klbf}\nblock_height: {column: B, unit: ft}\nflow: {column: Q, unit: gpm}\n"
+        record = self.read("T, Hook Load,B,Q,x\n1,100,30,500,a\n2,-,29,500,b\n\n3,101,28,500,c\n", columns)
+        self.assertEqual([0.0, 60.0, 120.0], list(record.time))
+        self.assertAlmostEqual(444822.16152605, record.at("hook_load", 0.0), places=4)
+        self.assertAlmostEqual(0.5 * (100 + 101) * KLBF, record.at("hook_load", 60.0), places=3)
+        self.assertTrue(math.isnan(record.signals["hook_load"][1]))
+        self.assertAlmostEqual(30 * FEET, record.at("block_height", 0.0))
+        self.assertAlmostEqual(500 * 3.785411784e-3 / 60, record.at("flow", 10.0))
+
+    def test_delimiters_decimal_commas_and_ends_of_lines(self):
+        for text in (table(), table(";"), table("\t"), table(end="\r\n"), table(end="\r"), table().replace("\n", ",\n"), "# by hand\n\n" + table(), table().replace("T,H,B", '"T","H","B"')):
+            self.right(self.read(text, MAP))
+        comma = table(";", number="%.2f").replace(".", ",")
+        self.right(self.read(comma, MAP), ["its numbers have decimal commas"])
+        self.right(self.read(comma, MAP + "decimal: comma\ndelimiter: semicolon\n"))
+        self.assertNotIn("decimal", "".join(self.read(comma, MAP + "decimal: comma\n").remarks))
+
+    def test_columns_by_the_names_of_the_trade(self):
+        self.right(self.read(table(header=("Time (s)", "Hook Load (klbs)", "Block Height (feet)"))))
+        self.right(self.read(table(header=("TIME [sec]", "HKLA [KLB]", "BPOS [FT]"))))
+        self.right(self.read(table(header=("time", "HKLD", "BLOCKCOMP")).replace("BLOCKCOMP\n", "BLOCKCOMP\ns,klbf,ft\n")), ["line 2 was taken for the units"])
+        self.right(self.read(table(header=("DateTime", "Hookload (klbf)", "block_position (ft)"), times=STAMPS)))
+        date = table(header=("YYYY/MM/DD,HH:MM:SS", "Hook Load (klbs)", "Block Height (feet)"), times=["2024/05/01,10:00:%02d" % row[0] for row in ROWS])
+        self.right(self.read(date))
+        two = self.read(table(header=("Time (s)", "HKLA (klbf)", "HKLD (klbf)")))
+        self.assertAlmostEqual(30.0 * KLBF, two.at("hook_load", 0.0))
+        self.assertIn("hook_load is taken from HKLD (klbf); passed over: HKLA (klbf)", "\n".join(two.remarks))
+
+    def test_a_column_without_a_unit_is_left_out_or_refused(self):
+        record = self.read(table(header=("Time (s)", "HKLD (klbf)", "BPOS")))
+        self.assertNotIn("block_height", record)
+        self.assertIn("block_height: BPOS is left out: it has no unit", "\n".join(record.remarks))
+        self.refused("the time has no unit", table(header=("time", "HKLD (klbf)", "BPOS (ft)")))
+        self.refused(["no column is known as the time", "columns: a, b, c"], table(header=("a", "b", "c")))
+
+    def test_ragged_rows(self):
+        """Kind 09: refused by line, with what the header was taken for."""
+        good = table()
+        for bad, said in ((good.replace("5,201,29.5", "5,201"), "r.csv:3: has 2 cells, the header 3 (T, H, B)"),
+                          (good.replace("5,201,29.5", "5,201,29,5"), "r.csv:3: has 4 cells"), (good.replace("15,203,28", "15"), "r.csv:5: has 1 cells"),
+                          (good.replace("0,200,30", "0,200,30,ok"), "r.csv:2: has 4 cells"), (good.replace("T,H,B", "T,H,B,Note"), "r.csv:2: has 3 cells"),
+                          (table(number="%.1f").replace(".", ","), "r.csv:2: has 6 cells")):
+            self.refused(said, bad, MAP)
+        with self.assertRaisesRegex(RecordError, "ragged.csv:2: has 10 cells"):
+            read_record(os.path.join(CASES, "09_ragged_rows/ragged.csv"), os.path.join(CASES, "09_ragged_rows/map.yaml"))
+
+    def test_what_is_no_record(self):
+        for text, columns, said in (("a,b\n1,2\n", None, "needed: a map"), ("T\n1\n2\n", "time: {column: X, unit: s}\n", "there is no column X; columns: T"),
+                                    ("T\n1\n2\n", "time: {column: T, unit: fortnight}\n", "unit fortnight is not known for a time; allowed: s, ms"),
+                                    ("T\n1\n2\n", "tim: {column: T, unit: s}\n", "unknown key"), ("T\n1\n\n3\n2\n", "time: {column: T, unit: s}\n", "r.csv:5: the time goes back to 2 s"),
+                                    ("T\n1\n", "time: {column: T, unit: s}\n", "two rows"), ("", None, "is empty"), ("\n\n", None, "is empty"),
+                                    ("T,T\n1,2\n2,3\n", "time: {column: T, unit: s}\n", "there are 2 columns T"),
+                                    ("T\n1\n2\n", "time: {column: T, unit: s}\nhook_load: {column: T}\n", "hook_load: T has no unit"),
+                                    ("T,H\na,1\nb,2\n", MAP.replace("block_height", "bit_depth").replace("column: B", "column: H"), "r.csv:2: T: a is not a number of s"),
+                                    ("T\n1\n2\n", "time: {column: T, unit: s, format: '%H'}\n", "must be date where there is a format")):
+            self.refused(said, text, columns)
+        self.assertRaisesRegex(RecordError, "No such file", read_record, "/nowhere.csv")
+        self.assertRaisesRegex(RecordError, "is no file", read_record, self.folder)
+
+    def test_what_its_reader_should_know(self):
+        columns = "time: {column: T, unit: s}\nhook_load: {column: H, unit: klbf}\nblock_height: {column: B, unit: m}\n"
+        rows = ["%d,%s,10" % (k if k < 20 else k + 60, {3: "-999.25", 4: "off", 5: ""}.get(k, "100")) for k in range(40)]
+        record = self.read("T,H,B\n" + "\n".join(rows) + "\n,100,10\n", columns)
+        self.assertEqual(3, numpy.isnan(record.signals["hook_load"]).sum())
+        self.assertEqual(["1 rows have no time and are left out (first: %s:42)" % os.path.join(self.folder, "r.csv"), "hook_load: 3 of 40 rows hold no measurement",
+                          "a gap of 61 s from 19 s on", "has no flow: the pump is taken as off", "has no top_drive_speed: the string is taken as not turned",
+                          "has no bit_depth: the string is taken to move with the block at all times"], [line.split(": ", 1)[1] for line in record.remarks])
+
+
+class Values(Folder):
+    """Kind 04: nulls and values that cannot be."""
+
+    def test_nulls_compare_as_numbers(self):
+        for null in ("-999.25", "-999.2500", "-9999.25", "-999", "-9999", "-99999.25", "-9.9925e2", " -999.25 "):
+            record = self.read(table().replace("201,29.5", null + ",29.5"), MAP)
+            self.assertTrue(math.isnan(record.signals["hook_load"][1]), null)
+        for null, cell in (("0", "0.00"), ("[-1, 777]", "777.0"), ("-1", "-1.0"), ("999.25", "999.25"), ("[0, 1e30]", "1E30")):
+            record = self.read(table().replace("201,29.5", cell + ",29.5"), MAP + "null: %s\n" % null)
+            self.assertTrue(math.isnan(record.signals["hook_load"][1]), null)
+
+    def test_values_that_no_gauge_has(self):
+        for cell in ("-8888", "1e9", "44684", "-100000", "1e300"):
+            record = self.read(table().replace("201,29.5", cell + ",29.5"), MAP)
+            self.assertTrue(math.isnan(record.signals["hook_load"][1]), cell)
+            self.assertIn("hook_load: 1 of 4 values cannot be and are no measurements (allowed: -112.404 to 4496.18 klbf; first: %s:3: H %g klbf)" %
+                          (os.path.join(self.folder, "r.csv"), float(cell)), "\n".join(record.remarks))
+        for cell in ("nan", "inf", "-Infinity", "NaN", "#N/A", "1,5e"):
+            if "," not in cell:
+                self.assertTrue(math.isnan(self.read(table().replace("201,29.5", cell + ",29.5"), MAP).signals["hook_load"][1]), cell)
+
+    def test_a_unit_that_is_wrong(self):
+        """Most values out of range: refused, for the unit must be wrong."""
+        self.refused(["hook_load", "4 of 4 values", "is the unit right?"], table(), MAP.replace("klbf", "MN"))
+        with self.assertRaisesRegex(RecordError, "60 of 61 values are no top_drive_speed .* c/s"):
+            read_record(os.path.join(CASES, "23_units_and_tables/01_rpm_c_per_s.xml"))
+
+    def test_one_row_in_a_published_file(self):
+        record = read_record(os.path.join(CASES, "04_nulls_taken_for_numbers/null_9999_25.csv"), os.path.join(CASES, "04_nulls_taken_for_numbers/map.yaml"))
+        self.assertEqual([59], list(numpy.flatnonzero(numpy.isnan(record.signals["hook_load"]))))
+        record = read_record(os.path.join(CASES, "04_nulls_taken_for_numbers/hk_null_curve.xml"))
+        self.assertEqual([60], list(numpy.flatnonzero(numpy.isnan(record.signals["hook_load"]))))
+        self.assertLess(numpy.nanmax(record.signals["hook_load"]), 230e3)
+
+
+class Units(Folder):
+    """Kind 06."""
+
+    def test_every_spelling_has_its_size(self):
+        for quantity, value, words in (
+                ("force", 4448.2216152605, "klbf klb klbs KLBS Klb kip kips 1000lbf"), ("force", 4.4482216152605, "lbf lb LBS pounds"),
+                ("force", 9806.65, "kkgf tonne tonnes t Mgf 1000_kgf metric_ton"), ("force", 1e4, "kdaN"), ("force", 10.0, "daN DAN"), ("force", 1e3, "kN KN kn"),
+                ("force", 8896.443230521, "tonfUS TONFUS short_ton"), ("force", 9964.01641818352, "tonfUK long_ton"),
+                ("torque", 1355.8179483314004, "kft.lbf kft_lb kft-lb kft-lbs klbf.ft kft*lbf KFT.LBF ft-klbf 1000_ft_lbf kft·lbf"),
+                ("torque", 1.3558179483314004, "ft.lbf ft-lb ft_lbs lbf-ft lb-ft ftlb"), ("torque", 1e3, "kN.m kNm KN-M kN*m kN_m"), ("torque", 10.0, "daN.m"),
+                ("pressure", 6894.757293168362, "psi PSI psig lbf/in2"), ("pressure", 1e5, "bar BAR"), ("pressure", 1e3, "kPa KPA"), ("pressure", 98066.5, "kgf/cm2 kg/cm2"),
+                ("turning", 2 * math.pi / 60, "rpm RPM rev/min c/min r/min 1/min"), ("turning", 2 * math.pi, "c/s rev/s Hz"),
+                ("flow", 3.785411784e-3 / 60, "gpm GPM gal/min galUS/min gal_per_min USGPM"), ("flow", 1e-3 / 60, "L/min l/min lpm LPM"),
+                ("flow", 0.158987294928 / 60, "bbl/min bpm"), ("length", 0.3048, "ft feet FT Feet"), ("length", 1.0, "m M metres"),
+                ("speed", 0.3048 / 3600, "ft/h ft/hr ft_per_hr fph"), ("speed", 1 / 3600, "m/h m/hr"), ("time", 60.0, "min MIN minutes"), ("time", 1.0, "s sec S")):
+            for word in words.split():
+                self.assertAlmostEqual(1.0, factor_of(quantity, word) / value, places=12, msg="%s %s" % (quantity, word))
+
+    def test_ambiguous_and_unknown_units_are_refused_with_the_choices(self):
+        for quantity, word, said in (("force", "tonf", "tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf"), ("force", "ton", "tonfUS"), ("force", "TONS", "tonfUS"),
+                                     ("force", "mn", "MN or mN"), ("pressure", "mpa", "MPa or mPa"), ("force", "Mlbf", "klbf"), ("force", "psi", "not known for a force"),
+                                     ("torque", "A", "not known for a torque; allowed: N.m"), ("flow", "spm", "not known for a flow rate"), ("length", "", "(none)")):
+            with self.assertRaises(UnitError, msg=word) as caught:
+                factor_of(quantity, word)
+            self.assertIn(said, str(caught.exception))
+
+    def test_no_spelling_means_two_sizes(self):
+        for quantity, units in TABLES.items():
+            for symbol, factor in units.items():
+                self.assertEqual(factor, factor_of(quantity, symbol), symbol)
+
+    def test_files_of_the_kind(self):
+        self.assertAlmostEqual(22581.6 * 9.80665, read_record(os.path.join(CASES, "06_units/volve_kkgf.xml")).at("hook_load", 0.0), delta=30.0)
+        self.assertAlmostEqual(2214.501, read_record(os.path.join(CASES, "06_units/unit_HKLD_daN.xml")).at("hook_load", 0.0))
+        with self.assertRaisesRegex(RecordError, r"map_tonf.yaml:5: hook_load.unit: unit tonf is ambiguous"):
+            read_record(os.path.join(CASES, "06_units/ustons.csv"), os.path.join(CASES, "06_units/map_tonf.yaml"))
+        self.refused("the map says kN, the file klbf", table(header=("T", "H (klbf)", "B")), MAP.replace("column: H, unit: klbf", "column: H (klbf), unit: kN"))
+
+
+class Dates(Folder):
+    """Kind 07."""
+
+    def dated(self, times, entry, header="T"):
+        return self.read(table(times=times, header=(header, "H", "B")), MAP.replace("{column: T, unit: s}", entry))
+
+    def test_as_rigs_write_them(self):
+        for form in ("%m/%d/%Y %I:%M:%S %p", "%d.%m.%Y %H:%M:%S", "%d-%b-%Y %H:%M:%S", "%Y%m%d%H%M%S", "%y%m%d %H%M%S", "%b %d %Y %H:%M:%S.%f", "%H:%M:%S"):
+            self.right(self.dated([datetime.datetime(2017, 7, 31, 22, 59, row[0]).strftime(form) for row in ROWS], '{column: T, format: "%s"}' % form))
+        for form in ("%Y-%m-%dT%H:%M:%SZ", "%Y/%m/%d %H:%M:%S", "%Y-%m-%d %H:%M:%S.000", "%Y-%m-%dT%H:%M:%S+02:00"):
+            self.right(self.dated([datetime.datetime(2017, 7, 31, 22, 59, row[0]).strftime(form) for row in ROWS], "{column: T, unit: date}"))
+
+    def test_over_midnight_and_in_two_columns(self):
+        two = [(datetime.datetime(2017, 7, 31, 23, 59, 50) + datetime.timedelta(seconds=row[0])) for row in ROWS]
+        self.right(self.dated([when.strftime("%Y/%m/%d,%H:%M:%S") for when in two], "{column: [D, C], unit: date}", "D,C"))
+        self.right(self.dated([when.strftime("%m/%d/%Y,%I:%M:%S %p") for when in two], '{column: [D, C], format: "%m/%d/%Y %I:%M:%S %p"}', "D,C"))
+        with self.assertRaisesRegex(RecordError, "r.csv:4: the time goes back .*dates where it goes over midnight"):
+            self.dated([when.strftime("%H:%M:%S") for when in two], '{column: T, format: "%H:%M:%S"}')
+
+    def test_what_is_no_date_is_shown(self):
+        for times, said in ((["07/31/2017 11:59:%02d PM" % row[0] for row in ROWS], "r.csv:2: T: 07/31/2017 11:59:00 PM is no date and time"),
+                            (["23:59:%02d" % row[0] for row in ROWS], "r.csv:2: T: 23:59:00 is no date and time"), (["2020-11-%02dZ" % (1 + row[0]) for row in ROWS], "2020-11-01Z"),
+                            (["2017-02-30T00:00:%02d" % row[0] for row in ROWS], "2017-02-30T00:00:00"), (STAMPS[:2] + ["2024-05-01T10:00:10"] + STAMPS[3:], "has not a time zone"),
+                            (["5" for _ in ROWS], "r.csv:2: T: 5 is no date")):
+            with self.assertRaises(RecordError) as caught:
+                self.dated(times, "{column: T, unit: date}")
+            self.assertIn(said, str(caught.exception))
+        for case in ("us.csv map.yaml", "pason.csv mapP.yaml"):
+            with self.assertRaisesRegex(RecordError, ":2: .*format.*two columns"):
+                read_record(*(os.path.join(CASES, "07_dates", name) for name in case.split()))
+        with self.assertRaisesRegex(RecordError, "25_date_only.csv:2: Time: 2020-11-02Z is no date"):
+            read_record(os.path.join(CASES, "23_units_and_tables/25_date_only.csv"), os.path.join(CASES, "23_units_and_tables/map.yaml"))
+        self.assertEqual(121, len(read_record(os.path.join(CASES, "07_dates/pason.csv")).time))
+
+    def test_a_time_that_no_record_has(self):
+        with self.assertRaisesRegex(RecordError, "data row 61: its time comes .* days after the row's before it"):
+            read_record(os.path.join(CASES, "23_units_and_tables/17c_far_time.xml"))
+        self.refused("days after", table().replace("15,203", "1e15,203"), MAP)
+
+    def test_seconds_and_back(self):
+        self.assertEqual((1714557605.25, True), seconds_of("2024-05-01T10:00:05.25Z"))
+        self.assertEqual((1714557605.0, True), seconds_of("2024-05-01 12:00:05+0200"))
+        self.assertEqual("2024-05-01T10:00:05Z", written(1714557605.0))
+        for text in ("", "2024", "2024-05-01", "10:00:05", "2024-13-01T00:00:00", "nan", "9" * 400):
+            self.assertIsNone(seconds_of(text))
+
+    def test_a_time_that_comes_twice(self):
+        twice = table().replace("10,202.5,29", "5,201,29.5\n10,202.5,29")
+        self.right(self.read(twice, MAP))
+        self.assertNotIn("time of the row before", "\n".join(self.read(twice, MAP).remarks))
+        self.right(self.read(twice.replace("5,201,29.5\n10", "5,207,29.5\n10"), MAP), ["1 rows have the time of the row before; of values that differ the first stands (first: "])
+        self.right(self.read(table().replace("5,201,29.5", "5,,29.5\n5,201,"), MAP))
+
+
+class Encodings(Folder):
+    """Kind 18."""
+
+    def test_one_decoder(self):
+        text = table().replace("T,H,B", "T,H,B,°").replace("\n", ",x\n").replace("°,x", "°")
+        for encoding in ("utf-8", "utf-8-sig", "utf-16", "latin-1", "cp1252"):
+            self.right(self.read(text, MAP, encoding=encoding))
+        self.assertIn("latin-1", "\n".join(self.read(text, MAP, encoding="latin-1").remarks))
+        with open(os.path.join(self.folder, "z.csv"), "wb") as out:
+            out.write(b"T,H\n\0\0\0\n")
+        with self.assertRaises(RecordError):
+            read_record(os.path.join(self.folder, "z.csv"))
+
+
+def witsml(rows=None, names="TIME,HKLD,BLOCKCOMP,GAS", units="s,klbf,ft,%", log="", data="", index="date time", index_curve="TIME", version="1.4.1.1", well="w"):
+    rows = rows or ["%s,%g,%g,0.1" % (stamp, row[1], row[2]) for stamp, row in zip(STAMPS, ROWS)]
+    lists = "<mnemonicList>%s</mnemonicList><unitList>%s</unitList>" % (names, units) if version == "1.4.1.1" else ""
+    return ('<?xml version="1.0"?>\n<logs xmlns="http://www.witsml.org/schemas/%s" version="%s"><log uidWell="%s" uidWellbore="b">\n'
+            "<nameWell>w</nameWell><nameWellbore>b</nameWellbore><name>n</name><indexType>%s</indexType><indexCurve>%s</indexCurve>%s\n<logData>%s%s</logData>%s</log></logs>\n" %
+            ("1series" if version == "1.4.1.1" else "131", version, well, index, index_curve, log, lists, "".join("\n<data>%s</data>" % row for row in rows), data))
+
+
+class Witsml(Folder):
+    """Kinds 02, 03, 05, 08 and the null values of 04."""
+
+    def xml(self, **options):
+        columns = options.pop("columns", None)
+        return self.read(witsml(**options), columns, name="r.xml")
+
+    def test_a_log(self):
+        self.right(self.xml())
+        self.right(self.read(witsml(), name="log.txt"))
+        record = self.xml(rows=["2024-05-01T10:00:00.000Z,200,30,0.1", "2024-05-01T10:00:05Z,,29.5,0.1", "2024-05-01T12:00:10+02:00,201.5,29,"])
+        self.assertEqual([0.0, 5.0, 10.0], list(record.time))
+        self.assertTrue(math.isnan(record.signals["hook_load"][1]))
+        self.assertAlmostEqual(1714557600.0, record.begin)
+
+    def test_what_the_file_says_of_its_index(self):
+        self.refused("its index is measured depth, and none of its curves is a time (DEPT", witsml(index="measured depth", index_curve="DEPT", names="DEPT,HKLD,BLOCKCOMP,GAS"), name="r.xml")
+        self.refused("its index is vertical depth", witsml(index="vertical depth", index_curve="X", names="X,HKLD,BLOCKCOMP,GAS"), name="r.xml")
+        self.right(self.xml(index="measured depth", index_curve="DEPT", names="DEPT,HKLD,BLOCKCOMP,TIME", units="m,klbf,ft,s",
+                            rows=["%d,%g,%g,%s" % (100 + t, h, b, stamp) for stamp, (t, h, b) in zip(STAMPS, ROWS)]))
+        for unit, factor in (("s", 1), ("min", 60), ("ms", 0.001), ("h", 3600), ("d", 86400)):
+            self.right(self.xml(index="elapsed time", units=unit + ",klbf,ft,%", rows=["%.17g,%g,%g,0" % (t / factor, h, b) for t, h, b in ROWS]))
+        self.right(self.xml(log="<direction>decreasing</direction>", rows=["%s,%g,%g,0.1" % (stamp, h, b) for stamp, (_, h, b) in reversed(list(zip(STAMPS, ROWS)))]))
+        self.refused("the time goes back", witsml(rows=["%s,%g,%g,0.1" % (stamp, h, b) for stamp, (_, h, b) in reversed(list(zip(STAMPS, ROWS)))]), name="r.xml")
+        with self.assertRaisesRegex(RecordError, "depth_log.xml: its index is measured depth"):
+            read_record(os.path.join(CASES, "02_depth_log_taken_for_time/depth_log.xml"))
+
+    def test_nulls_and_delimiters(self):
+        cell = ["%s,%s,%g,0.1" % (stamp, "%s" if k == 1 else "%g" % row[1], row[2]) for k, (stamp, row) in enumerate(zip(STAMPS, ROWS))]
+        for null, said in (("-1", "<nullValue>-1</nullValue>"), ("-1.000", "<nullValue>-1</nullValue>"), ("777", "<logCurveInfo><mnemonic>HKLD</mnemonic><unit>klbf</unit><nullValue>777</nullValue></logCurveInfo>"),
+                           ("777", "<nullValue>0</nullValue><logCurveInfo><mnemonic>HKLD</mnemonic><nullValue>777.0</nullValue></logCurveInfo>"), ("NULL", "<nullValue>NULL</nullValue>")):
+            record = self.xml(log=said, rows=[row % null if "%s" in row else row for row in cell])
+            self.assertTrue(math.isnan(record.signals["hook_load"][1]), said)
+        for sign in (";", "|", "\t", "~", "::"):
+            self.right(self.xml(log="<dataDelimiter>%s</dataDelimiter>" % sign, rows=[sign.join((stamp, "%g" % h, "%g" % b, "1,5")) for stamp, (_, h, b) in zip(STAMPS, ROWS)]))
+        self.refused(["r.xml:5: data row 1 has 1 values, there are 4 curves"], witsml(log="<dataDelimiter>;</dataDelimiter>"), name="r.xml")
+
+    def test_several_parts_are_joined_by_the_index(self):
+        rows = ["%s,%g,%g,0.1" % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
+        more = "<logData><mnemonicList>TIME,HKLD,BLOCKCOMP,GAS</mnemonicList><unitList>s,klbf,ft,%%</unitList>%s</logData>"
+        data = lambda these: "".join("<data>%s</data>" % row for row in these)
+        self.right(self.xml(rows=rows[:2], data=more % data(rows[2:])))
+        self.right(self.xml(rows=rows[2:], data=more % data(rows[:2])))
+        self.right(self.xml(rows=rows[:3], data=more % data(rows[2:])))  # the row between stands in both
+        kilonewton = more.replace("klbf", "kN") % data("%s,%.9g,%g,0.1" % (stamp, h * KLBF / 1e3, b) for stamp, (_, h, b) in list(zip(STAMPS, ROWS))[2:])
+        self.right(self.xml(rows=rows[:2], data=kilonewton))
+        other = "<logData><mnemonicList>TIME,SPP</mnemonicList><unitList>s,bar</unitList>%s</logData>" % data("%s,100" % stamp for stamp in STAMPS)
+        record = self.xml(data=other)
+        self.right(record)
+        self.assertAlmostEqual(1e7, record.at("stand_pipe_pressure", 7.0))
+        self.assertEqual(121, len(read_record(os.path.join(CASES, "03_later_logdata_dropped/two_logdata.xml")).time))
+
+    def test_several_logs_and_files(self):
+        one = witsml(names="TIME,HKLD", units="s,klbf", rows=["%s,%g" % (stamp, row[1]) for stamp, row in zip(STAMPS, ROWS)])
+        two = witsml(names="TIME,BLOCKCOMP", units="s,ft", rows=["%s,%g" % (stamp, row[2]) for stamp, row in zip(STAMPS, ROWS)])
+        log = lambda text: text[text.index("<log "):text.index("</logs>")]
+        self.right(self.read(one.replace("</logs>", log(two) + "</logs>"), name="r.xml"))
+        self.right(read_record([self.file("a.xml", one), self.file("b.xml", two)]))
+        csv = self.file("c.csv", "DateTime,BPOS (ft)\n" + "".join("%s,%g\n" % (stamp, row[2]) for stamp, row in zip(STAMPS, ROWS)))
+        self.right(read_record([self.file("a.xml", one), csv]))
+        self.refused("holds logs of 2 wellbores (v/b, w/b)", one.replace("</logs>", log(two.replace('uidWell="w"', 'uidWell="v"')) + "</logs>"), name="r.xml")
+        depth = log(witsml(index="measured depth", index_curve="DEPT", names="DEPT,ROP", units="m,m/h", rows=["1,2", "2,3"]))
+        self.right(self.read(witsml().replace("</logs>", depth + "</logs>"), name="r.xml"), ["log 2 is passed over: its index is measured depth"])
+        with self.assertRaisesRegex(RecordError, "some of its tables have dates, others seconds"):
+            read_record([self.file("a.xml", one), self.file("d.csv", "Time (s),BPOS (ft)\n0,1\n5,2\n")])
+
+    def test_version_1311(self):
+        curves = "".join("<logCurveInfo><mnemonic>%s</mnemonic><unit>%s</unit><columnIndex>%d</columnIndex></logCurveInfo>" % curve
+                         for curve in (("BLOCKCOMP", "ft", 3), ("TIME", "s", 1), ("GAS", "%", 4), ("HKLD", "klbf", 2)))
+        self.right(self.xml(version="1.3.1.1", log=curves))
+        plain = "".join("<logCurveInfo><mnemonic>%s</mnemonic><unit>%s</unit></logCurveInfo>" % curve for curve in (("TIME", "s"), ("HKLD", "klbf"), ("BLOCKCOMP", "ft"), ("GAS", "%")))
+        self.right(self.xml(version="1.3.1.1", log=plain))
+        self.refused("a log names no curves", witsml(version="1.3.1.1"), name="r.xml")
+        for name in ("v1311", "decreasing"):
+            record = read_record(os.path.join(CASES, "08_witsml_shapes/%s.xml" % name))
+            self.assertEqual((121, 120.0), (len(record.time), record.time[-1]))
+            self.assertAlmostEqual(221450.1, record.at("hook_load", 0.0))
+
+    def test_a_map_of_its_mnemonics(self):
+        columns = "time: {column: TIME, unit: date}\nhook_load: {column: ZZ1}\nblock_height: {column: ZZ2, unit: ft}\n"
+        self.right(self.xml(names="TIME,ZZ1,ZZ2,GAS", columns=columns))
+        self.refused("there is no column ZZ2; columns: TIME, HKLD, BLOCKCOMP, GAS", witsml(), columns, name="r.xml")
+        record = read_record(os.path.join(CASES, "05_columns_ignored_for_xml/wits_names.xml"), os.path.join(CASES, "05_columns_ignored_for_xml/map_wits.yaml"))
+        self.assertAlmostEqual(221450.1, record.at("hook_load", 0.0))
+        self.assertAlmostEqual(99.7, record.at("bit_depth", 0.0))
+
+    def test_a_curve_of_an_unknown_unit_is_left_out_and_reported(self):
+        record = self.xml(units="s,stone,ft,%")
+        self.assertNotIn("hook_load", record)
+        self.assertIn("hook_load is left out: HKLD: unit stone is not known for a force", "\n".join(record.remarks))
+
+    def test_what_is_no_log(self):
+        for text, said in (("<logs>", "is no XML"), ("<logs/>", "holds no log"), (witsml(names="TIME,HKLD"), "mnemonicList has 2 names, unitList 4 units"),
+                           (witsml().replace("<logs", '<!DOCTYPE x [<!ENTITY e SYSTEM "file:///etc/passwd">]><logs', 1), "document type definition")):
+            self.refused(said, text, name="r.xml")
+        bomb = '<!DOCTYPE x [<!ENTITY a "%s">%s]>' % ("A" * 100, "".join('<!ENTITY %s "%s">' % (chr(98 + k), ("&%s;" % chr(97 + k)) * 100) for k in range(8)))
+        self.refused("r.xml", witsml().replace("<logs", bomb + "<logs", 1).replace("TIME,HKLD", "TIME,&i;", 1), name="r.xml")
+
+
+def las(curves="TIME.S : time\nHKLD.KLBF : hook load\nBPOS.FT : block\n", rows=None, wrap="NO", null="-999.25", version="2.0"):
+    rows = rows or ["%g  %g  %g" % row for row in ROWS]
+    return ("~VERSION INFORMATION\n VERS.  %s : CWLS\n WRAP.  %s : one line\n~WELL\n STRT.S 0 : start\n NULL.  %s : null\n# a comment\n~CURVE\n%s~PARAMETER\n~ASCII LOG DATA\n%s\n" %
+            (version, wrap, null, curves, "\n".join(rows)))
+
+
+class Las(Folder):
+    def log(self, columns=None, **options):
+        return self.read(las(**options), columns, name="r.las")
+
+    def test_a_log_by_time(self):
+        self.right(self.log())
+        self.right(self.read(las(), name="r.txt"))
+        self.right(self.log(version="1.2"))
+        self.right(self.log(wrap="YES", rows=[line for t, h, b in ROWS for line in ("%g" % t, "%g" % h, "%g" % b)]))
+        self.right(self.log(curves="ETIM .MIN 00 : elapsed\nHKLD .KLB : hook load\nBPOS .FT : block\n", rows=["%.17g %g %g" % (t / 60, h, b) for t, h, b in ROWS]))
+        self.right(self.log(curves="DATETIME. : date\nHKLD.klbf : x\nBPOS.ft : x\n", rows=["%s %g %g" % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]))
+
+    def test_by_depth(self):
+        curves = "DEPT.M : depth\nHKLD.KLBF : hook load\nBPOS.FT : block\n"
+        self.refused("its index is DEPT [M], and none of its curves is a time (DEPT, HKLD, BPOS)", las(curves=curves), name="r.las")
+        self.right(self.log(curves=curves.replace("BPOS.FT : block\n", "BPOS.FT : block\nTIME.S : time\n"), rows=["%g %g %g %g" % (100 + t, h, b, t) for t, h, b in ROWS]))
+
+    def test_nulls_maps_and_what_is_refused(self):
+        self.assertTrue(math.isnan(self.log(null="-1.00", rows=["0 200 30", "5 -1 29", "10 1 1"]).signals["hook_load"][1]))
+        self.right(self.log("time: {column: TIME, unit: s}\nhook_load: {column: HL}\nblock_height: {column: BPOS}\n", curves="TIME.S : t\nHL.KLBF : h\nBPOS.FT : b\n"))
+        for text, said in ((las(version="3.0"), "is LAS 3.0; allowed: 1.2 and 2.0"), (las().replace("~ASCII LOG DATA", "~OTHER"), "has no section ~A"),
+                           (las(rows=["0 200 30", "5 201"]), "r.las:15: has 2 values, there are 3 curves"), (las(wrap="YES", rows=["0 200", "30", "5"]), "the last row has 1 values"),
+                           ("x\n" + las(), "r.las:1: stands before the first section")):
+            self.refused(said, text, name="r.las")
+
+
+class OtherFiles(Folder):
+    def test_what_is_no_text(self):
+        packed = io.BytesIO()
+        with zipfile.ZipFile(packed, "w") as archive:
+            archive.writestr("a", "b")
+        for data in (packed.getvalue(), bytes(range(256)), b"\xff\xfe\x00", b"\0" * 100):
+            path = os.path.join(self.folder, "x.csv")
+            with open(path, "wb") as out:
+                out.write(data)
+            with self.assertRaises(RecordError) as caught:
+                read_record(path)
+            self.assertNotIn("\n", str(caught.exception))
+
+
+if __name__ == "__main__":
+    unittest.main()
