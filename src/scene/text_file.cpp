@@ -5,6 +5,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <utility>
+
+#include "problems.h"
+#include "text_decoder.h"
 
 namespace drill_rig_sim
 {
@@ -30,9 +34,8 @@ std::string refusal(const struct stat& status, const char* needed)
   if (static_cast<std::size_t>(status.st_size) > longest_text) return std::string("is larger than 16 MiB, needed: ") + needed;
   return "";
 }
-}  // namespace
-
-std::string read_text_file(const std::string& file, const char* needed, std::string& text)
+// the whole of a file; what is wrong with it, empty if nothing is
+std::string read_bytes(const std::string& file, const char* needed, std::string& text)
 {
   std::string unreadable = std::string("cannot be read, needed: ") + needed;
   struct stat status = {};
@@ -56,6 +59,18 @@ std::string read_text_file(const std::string& file, const char* needed, std::str
     // it may grow while it is read, and files of /proc have no size
     if (text.size() > longest_text) return std::string("is larger than 16 MiB, needed: ") + needed;
   }
+}
+}  // namespace
+
+TextFile read_text_file(const std::string& file, const char* needed)
+{
+  Problems problems(file);
+  std::string bytes;
+  const std::string wrong = read_bytes(file, needed, bytes);
+  if (!wrong.empty()) problems.fail(0, "", wrong);
+  DecodedText decoded = decode_text(std::move(bytes));
+  if (!decoded.wrong.empty()) problems.fail(decoded.wrong_line, "", decoded.wrong);
+  return {std::move(decoded.text), decoded.is_latin ? one_line(file) + ": is not UTF-8; read as latin-1" : ""};
 }
 
 }  // namespace drill_rig_sim

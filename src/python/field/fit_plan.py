@@ -9,6 +9,7 @@ from drill_rig_sim.field.models import MOTIONS, ModelError, RecordModel, TableMo
 from drill_rig_sim.field.record import RecordError, number, read_record
 from drill_rig_sim.field.replay import COMPARED
 from drill_rig_sim.field.units import FORCE, LENGTH
+from drill_rig_sim.text_file import TextError, read_text
 
 KEYS = ("scene", "record", "columns", "table", "parameters", "signals", "from", "held_out")
 PARAMETER_KEYS = ("name", "key", "keys", "times", "signal", "start", "from", "to")
@@ -77,13 +78,13 @@ def parameter_of(item, scene):
 def read_table(entry, base):
     """Depths and weights: `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`."""
     import csv
+    import io
     parts = entry.mapping(("file", "depth", *MOTIONS), needed=("file", "depth"))
     file = os.path.join(base, parts["file"].text())
     try:
-        with open(file, newline="", encoding="utf-8-sig") as text:
-            rows = list(csv.DictReader(text))
-    except (OSError, UnicodeDecodeError) as error:
-        parts["file"].fail("%s: %s" % (file, getattr(error, "strerror", None) or error))
+        rows = list(csv.DictReader(io.StringIO(read_text(file), newline="")))
+    except TextError as error:
+        parts["file"].fail(str(error))
     found = {}
     for name in ("depth", *MOTIONS):
         if name in parts:
