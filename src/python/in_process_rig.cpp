@@ -126,6 +126,12 @@ Frame InProcessRig::last_frame() const
   return {signals_of(simulator_->readings(), operation), signals_of(simulator_->truth(), operation), bit_of(simulator_->truth())};
 }
 
+std::vector<std::string> InProcessRig::remarks() const
+{
+  const Turn turn(*this);
+  return scene_.remarks;
+}
+
 std::string InProcessRig::kernel() const
 {
   const Turn turn(*this);

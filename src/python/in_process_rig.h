@@ -145,6 +145,8 @@ public:
 
   /// Of the batch kernels: the same scene gives the same bits by the same build and kernel alone.
   std::string kernel() const;
+  /// Of how the files of scene and survey were read, one line each.
+  std::vector<std::string> remarks() const;
   /// Of a joint of the pipe that is added and taken away [m].
   double joint_length() const noexcept { return scene_.string.back().joint_length; }
   /// Back to the start of a scene's file, or of the present scene where `file` is empty; the bit at `bit_depth` [m MD], 0: where the scene has it.

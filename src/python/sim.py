@@ -16,6 +16,7 @@ import typing
 import numpy
 from drill_rig_sim import _sim
 from drill_rig_sim.lockstep import RPM, UNSENSED, Failed, Lockstep, Refused, State, TimedOut, series  # pylint: disable=unused-import
+from drill_rig_sim.text_file import report
 
 COMMANDS = {"winch": _sim.Winch, "top_drive": _sim.TopDrive, "mud_pump": _sim.MudPump, "steering": _sim.Steering}
 MOST_FRAMES = 100000  # of one call into the simulator
@@ -50,6 +51,7 @@ class Simulator(Lockstep):
         self.rate = rate
         self._saved = {}
         self._telemetry = {"toolface": None, "survey": None}
+        report(self._rig.remarks())
         self._begin()
 
     @property
@@ -100,12 +102,14 @@ class Simulator(Lockstep):
     def reset(self, scene="", bit_depth=0.0):
         """Back to the start of a scene file, by default of the present one; the state there. Set points are forgotten."""
         self._rig.reset(found(scene, "config/scenes") if scene else "", bit_depth)
+        report(self._rig.remarks())
         return self._begin()
 
     def load_survey(self, file="", md=(), inclination=(), azimuth=(), tie_in_north=0.0, tie_in_east=0.0, tie_in_tvd=0.0, hole_depth=0.0, bit_depth=0.0):
         """A new well, from a file or by the fields of LoadSurvey; the state at its start. Set points are forgotten."""
         path = found(file, "config/surveys") if file else ""
         self._rig.load_survey(path, list(md), list(inclination), list(azimuth), (tie_in_north, tie_in_east, tie_in_tvd), hole_depth, bit_depth)
+        report(self._rig.remarks())
         return self._begin()
 
     def tare(self):

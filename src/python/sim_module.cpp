@@ -11,9 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "../scene/text_file.h"
 #include "../sim/build_identity.h"
 #include "drill_rig_sim/scene/read_scene.h"
-#include "drill_rig_sim/scene/survey_csv.h"
+#include "drill_rig_sim/scene/survey_file.h"
 #include "drill_rig_sim/sim/profile.h"
 #include "in_process_rig.h"
 #include "python_fields.h"
@@ -173,10 +174,10 @@ void bind_telemetry(py::module_& module)
 }
 
 /// Of a survey's file, by the rules of scenes: measured depths [m], inclinations and azimuths [rad], and where the first station lies,
-/// (east, north, up) from the rotary table [m]. Throws SceneError.
+/// (east, north, up) from the rotary table [m], and remarks to be reported. Throws SceneError.
 py::tuple read_survey(const std::string& file)
 {
-  const SurveyTable table = read_survey_csv(file);
+  const SurveyTable table = read_survey_file(file);
   std::vector<double> md, inclination, azimuth;
   for (const SurveyStation& station : table.stations)
   {
@@ -185,7 +186,14 @@ py::tuple read_survey(const std::string& file)
     azimuth.push_back(station.azimuth);
   }
   const TieIn start = table.tie_in.value_or(TieIn());
-  return py::make_tuple(md, inclination, azimuth, py::make_tuple(start.east, start.north, -start.tvd));
+  return py::make_tuple(md, inclination, azimuth, py::make_tuple(start.east, start.north, -start.tvd), table.remarks);
+}
+
+/// A text file's content, of at most `longest` bytes, and a remark to be reported, else an empty one, as all text files are read here. Throws SceneError.
+py::tuple read_text(const std::string& file, std::size_t longest)
+{
+  const TextFile read = read_text_file(file, "a text file", longest);
+  return py::make_tuple(read.text, read.remark);
 }
 
 void load_survey(InProcessRig& rig, const std::string& file, const std::vector<double>& md, const std::vector<double>& inclination,
@@ -203,6 +211,7 @@ PYBIND11_MODULE(_sim, module)
   module.def("build", build);
   module.def("static_loads", static_loads);
   module.def("read_survey", read_survey);
+  module.def("read_text", read_text, py::arg("file"), py::arg("longest") = longest_text);
   bind_setpoints(module);
   bind_frames(module);
   bind_telemetry(module);
@@ -215,6 +224,7 @@ PYBIND11_MODULE(_sim, module)
       .def("advance", [](InProcessRig& rig, std::size_t frames) { rig.advance(frames, look_at_signals); }, no_gil())
       .def("frame", &InProcessRig::frame)
       .def("kernel", &InProcessRig::kernel)
+      .def("remarks", &InProcessRig::remarks)
       .def("joint_length", &InProcessRig::joint_length)
       .def("toolface", &InProcessRig::toolface)
       .def("survey", &InProcessRig::survey)

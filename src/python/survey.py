@@ -6,6 +6,7 @@ import os
 
 import numpy
 from drill_rig_sim.refusal import Refusal
+from drill_rig_sim.text_file import report
 
 POINT_SPACING = 0.5  # along a survey, of the chords that stand for its arcs [m]; 0.2 mm off an arc of 10 deg/30 m
 
@@ -71,7 +72,7 @@ def chord(tangent, next_tangent, dogleg, length):
 
 
 def read_survey(file):
-    """A survey's file, read by the same code and rules as a scene's survey (scene/survey_csv.h). Raises SurveyError with the first problem,
+    """A survey's file, read by the same code and rules as a scene's survey (scene/survey_file.h). Raises SurveyError with the first problem,
     as `file:LINE: column: problem`."""
     try:
         from drill_rig_sim import _sim  # pylint: disable=import-outside-toplevel
@@ -79,7 +80,8 @@ def read_survey(file):
     except ImportError as error:
         raise SurveyError("surveys are read by the Python module sim, which is not built (it needs pybind11-dev): %s" % error)
     try:
-        md, inclination, azimuth, start = _sim.read_survey(os.fspath(file))
+        md, inclination, azimuth, start, remarks = _sim.read_survey(os.fspath(file))
     except Refused as refusal:
         raise SurveyError(str(refusal).splitlines()[0])
+    report(remarks)
     return Survey(md, inclination, azimuth, start)

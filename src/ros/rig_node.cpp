@@ -64,6 +64,7 @@ void RigNode::say_what_runs()
   if (!simulator.choice().empty()) why << " (auto: " << simulator.choice() << ")";
   ROS_INFO_STREAM("scene " << scene_.name << ", level " << rig.level << why.str() << ", " << rig.nodes << " nodes, " << steps.str() << ", rate "
                            << parameters_.rate << " Hz, namespace " << node_.getNamespace());
+  for (const std::string& remark : scene_.remarks) ROS_WARN_STREAM(remark);
   const std::string doubt = doubt_of_pressures(mud_circuit(scene_, build_mesh(scene_, scene_.start.bit_depth + scene_.start.block_height)));
   if (!doubt.empty()) ROS_WARN_STREAM("pressures: " << doubt);
   if (parameters_.publish_clock && !parameters_.use_sim_time)

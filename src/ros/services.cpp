@@ -32,6 +32,14 @@ std::string written(double number)
   return out.str();
 }
 
+// what is to be said of how a scene's files were read, behind an answer
+std::string remarks_of(const Scene& scene)
+{
+  std::string text;
+  for (const std::string& remark : scene.remarks) text += "; " + remark;
+  return text;
+}
+
 std::string one_line(std::string text)
 {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -157,7 +165,7 @@ std::string Services::reset_well(const ResetWell::Request& request)
   scene_ = scene;
   running_ = next;
   if (!request.scene.empty()) off_bottom_ = off_bottom(scene_);
-  return "at the start of " + scene.name + ", bit at " + std::to_string(next.start.bit_depth) + " m" + forgotten;
+  return "at the start of " + scene.name + ", bit at " + std::to_string(next.start.bit_depth) + " m" + forgotten + remarks_of(next);
 }
 
 std::string Services::load_survey(const LoadSurvey::Request& request)
@@ -168,7 +176,7 @@ std::string Services::load_survey(const LoadSurvey::Request& request)
   const std::string forgotten = forget_states_of_another(next);
   scene_ = running_ = next;
   return "a well of " + std::to_string(next.well.survey.size()) + " stations, hole depth " +
-         std::to_string(next.well.hole_depth) + " m, bit at " + std::to_string(next.start.bit_depth) + " m" + forgotten;
+         std::to_string(next.well.hole_depth) + " m, bit at " + std::to_string(next.start.bit_depth) + " m" + forgotten + remarks_of(next);
 }
 
 std::string Services::forget_states_of_another(const Scene& next)

@@ -5,7 +5,8 @@
 #include <stdexcept>
 
 #include "drill_rig_sim/scene/scene_problems.h"
-#include "drill_rig_sim/scene/survey_csv.h"
+#include "drill_rig_sim/scene/survey_file.h"
+#include "drill_rig_sim/well/projection.h"
 
 namespace drill_rig_sim
 {
@@ -29,15 +30,16 @@ std::vector<SurveyStation> stations_of(const NewWell& well)
   return stations;
 }
 
-/// The stations from the rotary table down.
-std::vector<SurveyStation> whole_survey(const NewWell& well)
+/// The stations from the rotary table down; `remarks` of their file.
+std::vector<SurveyStation> whole_survey(const NewWell& well, std::vector<std::string>& remarks)
 {
   SurveyTable table;
   table.tie_in = well.tie_in;
   if (well.file.empty())
     table.stations = stations_of(well);
   else
-    table = read_survey_csv(well.file, table.tie_in);
+    table = read_survey_file(well.file, table.tie_in);
+  remarks = table.remarks;
   const std::vector<SurveyProblem> problems = survey_problems(table.stations, table.tie_in);
   if (!problems.empty()) refuse("station ", problems.front().station, ": ", problems.front().text);
   if (!well.tie_in && table.stations.front().md == 0.0) return table.stations;
@@ -65,12 +67,16 @@ Scene with_well(const Scene& scene, double off_bottom, const NewWell& well)
 {
   if (well.file.empty() == well.md.empty()) refuse("allowed is either a file or stations");
   Scene next = scene;
-  next.well.survey = whole_survey(well);
+  next.well.survey = whole_survey(well, next.remarks);
 
   const double last = next.well.survey.back().md;
-  if (!(well.hole_depth >= 0.0 && well.hole_depth <= last))
-    refuse("hole_depth is ", well.hole_depth, "; allowed is 0 (the last station) to ", last, " m");
+  const bool projected = next.well.project != Projection::none;
+  if (!(well.hole_depth >= 0.0 && well.hole_depth <= last + (projected ? longest_projection : 0.0)))
+    refuse("hole_depth is ", well.hole_depth, "; allowed is 0 (the last station) to ", last, " m",
+           projected ? ", and " + metres(longest_projection) + " further by the scene's well.project" : "");
   next.well.hole_depth = well.hole_depth > 0.0 ? well.hole_depth : last;
+  const std::string done = project_survey(next.well);
+  if (!done.empty()) next.remarks.push_back(done);
 
   if (!(well.bit_depth >= 0.0 && well.bit_depth <= next.well.hole_depth))
     refuse("bit_depth is ", well.bit_depth, "; allowed is 0 (", off_bottom, " m off bottom) to ", next.well.hole_depth, " m");

@@ -26,19 +26,18 @@ std::string printable(const std::string& text)
   return out;
 }
 
-// a file's name is the user's own and may hold any letters
+std::string cut(const std::string& text, std::size_t longest)
+{
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+}  // namespace
+
 std::string one_line(const std::string& file)
 {
   std::string out;
   for (const char c : file) out += (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) ? '?' : c;
   return out;
 }
-
-std::string cut(const std::string& text, std::size_t longest)
-{
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
-}
-}  // namespace
 
 SceneError::SceneError(std::vector<std::string> problems) : std::runtime_error(joined(problems)), problems_(std::move(problems))
 {

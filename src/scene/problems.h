@@ -42,6 +42,9 @@ private:
   std::vector<std::string> problems_;
 };
 
+/// A file's name, which may hold any letters, for a one-line message.
+std::string one_line(const std::string& file);
+
 /// A key or name from the file, short enough for a one-line message.
 std::string shortened(const std::string& text);
 

@@ -6,11 +6,13 @@
 #include <optional>
 
 #include "drill_rig_sim/scene/scene_problems.h"
-#include "drill_rig_sim/scene/survey_csv.h"
+#include "drill_rig_sim/scene/survey_file.h"
+#include "drill_rig_sim/well/projection.h"
 #include "drill_rig_sim/well/tie_in.h"
 #include "problems.h"
 #include "scene_keys.h"
 #include "settings.h"
+#include "survey_entry.h"
 #include "text_file.h"
 #include "yaml_document.h"
 #include "yaml_reader.h"
@@ -38,7 +40,7 @@ public:
     apply_settings(root, settings, problems_);
     problems_.raise();
     const Entries top = read_block(root, "", scene_keys, every_kind, scene, problems_);
-    in(top, "", "well", [&](const YAML::Node& n, const std::string& p) { read_well(n, p, scene.well); });
+    in(top, "", "well", [&](const YAML::Node& n, const std::string& p) { read_well(n, p, scene); });
     read_list(top, "", "formation", layer_keys, scene.formation);
     read_one(top, "", "mud", mud_keys, scene.mud);
     read_string(top, scene.string);
@@ -56,6 +58,7 @@ public:
     // checks between keys make sense only once every key alone is right
     problems_.raise();
     tie_in_survey(scene.well);
+    project(scene);
     check(scene);
     problems_.raise();
     return scene;
@@ -116,8 +119,9 @@ private:
        });
   }
 
-  void read_well(const YAML::Node& node, const std::string& path, WellSpec& well)
+  void read_well(const YAML::Node& node, const std::string& path, Scene& scene)
   {
+    WellSpec& well = scene.well;
     const Entries entries = read_block(node, path, well_keys, every_kind, well, problems_);
     read_list(entries, path, "sections", section_keys, well.sections);
     if (entries.count("survey") + entries.count("stations") != 1)
@@ -131,21 +135,23 @@ private:
          tie_in_.emplace();
          read_block(n, p, tie_in_keys, every_kind, *tie_in_, problems_);
        });
-    in(entries, path, "survey", [&](const YAML::Node& n, const std::string& p) { read_survey_file(n, p, well); });
+    in(entries, path, "survey", [&](const YAML::Node& n, const std::string& p) { read_survey(n, p, scene); });
     in(entries, path, "stations", [&](const YAML::Node& n, const std::string& p) { read_stations(n, p, well); });
   }
 
-  void read_survey_file(const YAML::Node& node, const std::string& path, WellSpec& well)
+  void read_survey(const YAML::Node& node, const std::string& path, Scene& scene)
   {
-    std::string file;
-    if (!read_text(node, path, file, problems_)) return;
+    SurveyEntry entry;
+    if (!read_survey_entry(node, path, entry, problems_)) return;
+    std::string& file = entry.file;
     const std::size_t folder_end = name_.find_last_of('/');
     if (file[0] != '/' && folder_end != std::string::npos) file = name_.substr(0, folder_end + 1) + file;
     try
     {
-      const SurveyTable table = read_survey_csv(file, tie_in_);
-      well.survey = table.stations;
-      if (well.survey.front().md > 0.0) tie_in_ = table.tie_in;
+      const SurveyTable table = read_survey_file(file, entry.format, tie_in_);
+      scene.well.survey = table.stations;
+      scene.remarks = table.remarks;
+      if (table.stations.front().md > 0.0) tie_in_ = table.tie_in;
     }
     catch (const SceneError& e)
     {
@@ -182,6 +188,17 @@ private:
   {
     const std::string problem = tie_in_ ? tie_survey_in(*tie_in_, well.survey) : "";
     if (!problem.empty()) problems_.add(problems_.has("well.tie_in") ? "well.tie_in" : "well.survey", problem);
+    problems_.raise();
+  }
+
+  // goes on from the last station to the hole's bottom
+  void project(Scene& scene)
+  {
+    const std::string done = project_survey(scene.well);
+    if (done.empty()) return;
+    scene.remarks.push_back(one_line(name_) + ": " + done);
+    const std::vector<SurveyProblem> found = survey_problems(scene.well.survey);
+    if (!found.empty()) problems_.add("well.project", done + "; " + found.front().text);
     problems_.raise();
   }
 
@@ -341,10 +358,10 @@ Scene parse_scene(const std::string& yaml_text, const std::string& name_for_mess
 
 Scene read_scene(const std::string& file, const std::vector<std::string>& settings)
 {
-  std::string text;
-  const std::string wrong = read_text_file(file, "a scene file", text);
-  if (!wrong.empty()) Problems(file).fail(0, "", wrong);
-  return parse_scene(text, file, settings);
+  const TextFile text = read_text_file(file, "a scene file");
+  Scene scene = parse_scene(text.text, file, settings);
+  if (!text.remark.empty()) scene.remarks.insert(scene.remarks.begin(), text.remark);
+  return scene;
 }
 
 }  // namespace drill_rig_sim

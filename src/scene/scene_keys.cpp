@@ -15,6 +15,7 @@ const std::vector<const char*> element_words = {"auto", "corotational", "geometr
 
 namespace
 {
+const std::vector<const char*> projection_words = {"none", "straight", "curvature"};
 const std::vector<const char*> connections_words = {"off", "auto"};
 // fields that a type of part alone has; the reader makes them when it has read the type
 template <double BitSpec::*field>
@@ -82,13 +83,35 @@ const Table<Scene> scene_keys = {"", "The scene file's top level.", {
 }};
 
 const Table<WellSpec> well_keys = {"well", "The hole before drilling starts. Give `survey` or `stations`.", {
-  {"survey",                "",       Nested{},                            none,                 "CSV file with columns md_m, inclination_deg, azimuth_deg and, of the first station, north_m, east_m, tvd_m where that lies below depth 0; counts from the scene file's folder"},
+  {"survey",                "",       Nested{},                            none,                 "the survey's file, or a block `well.survey`: a table (CSV) with measured depth, inclination, azimuth and, of a first station below depth 0, north, east, true vertical depth, by their usual names with units (`MD (ft)`, `md_m`), or a WITSML trajectory; counts from the scene file's folder"},
   {"stations",              "m, deg", Nested{},                            none,                 "list of [measured depth, inclination, azimuth], the first at depth 0 or tied in"},
   {"tie_in",                "",       Nested{},                            none,                 "where the first station lies, if that is below depth 0: a smooth hole leads there; instead of the CSV file's columns"},
-  {"hole_depth",            "m",      &WellSpec::hole_depth,               between(0.1, 20000.0), "measured depth of the hole's bottom", no_kind, every_kind, "the last station"},
+  {"hole_depth",            "m",      &WellSpec::hole_depth,               between(0.1, 20000.0), "measured depth of the hole's bottom; beyond the last station with `project`", no_kind, every_kind, "the last station"},
+  {"project",               "",       Choice<WellSpec>{projection_words, [](WellSpec& w, int i) { w.project = static_cast<Projection>(i); }, [](const WellSpec& w) { return static_cast<int>(w.project); }}, none, "how the hole goes on from the last station to a hole_depth up to 30.5 m beyond it: in the last station's direction, or on the last interval's arc"},
   {"sections",              "",       Nested{},                            none,                 "list of hole sections, top down; the last reaches hole_depth", must},
   {"pilot_depth",           "m",      &WellSpec::pilot_depth,              between(0.0, 20000.0), "measured depth down to which a narrower hole is there already, which the bit reams from hole_depth on; 0: none"},
   {"pilot_diameter",        "m",      &WellSpec::pilot_diameter,           between(0.0, 1.0),    "of that hole, at most 0.95 of the bit's"},
+}};
+
+const Table<SurveyFormat> survey_keys = {"well.survey", "A survey's file and how it is to be read, where its header does not tell. `drill survey --columns MAP.yaml` takes the same keys, but `file`.", {
+  {"file",                  "",       Nested{},                            none,                 "the survey's file", survey_of_scene, survey_of_scene},
+  {"columns",               "",       Nested{},                            none,                 "names and units of the columns"},
+  {"delimiter",             "",       &SurveyFormat::delimiter,            none,                 "between cells: `\",\"`, `\";\"`, tab or space; decimal commas are read where it is not a comma", no_kind, every_kind, "by the header"},
+  {"pass_over",             "",       Flag<SurveyFormat>{&SurveyFormat::pass_over}, none,        "passes over stations without a value (empty or -999.25) and those that equal the one before; a vertical station needs no azimuth then", no_kind, every_kind, "false"},
+}};
+
+const Table<SurveyFormat> survey_columns_keys = {"well.survey.columns", "Which columns of a survey's table are what, where the usual names do not tell. Only what is unclear needs to stand there.", {
+  {"md",                    "",       Nested{},                            none,                 "measured depth"},
+  {"inclination",           "",       Nested{},                            none,                 "from vertical down"},
+  {"azimuth",               "",       Nested{},                            none,                 "clockwise from north"},
+  {"north",                 "",       Nested{},                            none,                 "of the rotary table; used where the first station lies below it, as east and tvd"},
+  {"east",                  "",       Nested{},                            none,                 "of the rotary table"},
+  {"tvd",                   "",       Nested{},                            none,                 "true vertical depth"},
+}};
+
+const Table<SurveyColumn> survey_column_keys = {"well.survey.columns.*", "A column.", {
+  {"column",                "",       &SurveyColumn::column,               none,                 "its name in the header", no_kind, every_kind, "by the usual names"},
+  {"unit",                  "",       &SurveyColumn::unit,                 none,                 "of a length m, ft or ftUS (US survey foot), of an angle deg, rad or gon", no_kind, every_kind, "as the header says"},
 }};
 
 const Table<TieIn> tie_in_keys = {"well.tie_in", "Where a survey's first station below the rotary table lies. The hole above it leaves the table vertically and is made of straight pieces and arcs of at most 15 deg/30 m.", {

@@ -2,6 +2,7 @@
 #define DRILL_RIG_SIM_SRC_SCENE_SCENE_KEYS_H
 
 #include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/scene/survey_format.h"
 #include "drill_rig_sim/well/tie_in.h"
 #include "key_table.h"
 
@@ -30,6 +31,11 @@ extern const std::vector<const char*> operation_words;
 
 extern const Table<Scene> scene_keys;
 extern const Table<WellSpec> well_keys;
+/// The kinds of survey_keys: a scene names its survey's file, the command line has it by itself.
+constexpr unsigned survey_of_scene = 1u, survey_of_command = 2u;
+extern const Table<SurveyFormat> survey_keys;
+extern const Table<SurveyFormat> survey_columns_keys;
+extern const Table<SurveyColumn> survey_column_keys;
 extern const Table<TieIn> tie_in_keys;
 extern const Table<HoleSection> section_keys;
 extern const Table<FormationLayer> layer_keys;

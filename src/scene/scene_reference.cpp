@@ -64,6 +64,9 @@ std::string scene_reference()
   std::ostringstream out;
   write(out, scene_keys);
   write(out, well_keys);
+  write(out, survey_keys);
+  write(out, survey_columns_keys);
+  write(out, survey_column_keys);
   write(out, tie_in_keys);
   write(out, section_keys);
   write(out, layer_keys);

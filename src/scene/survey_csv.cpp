@@ -1,158 +1,295 @@
-#include "drill_rig_sim/scene/survey_csv.h"
+#include "survey_csv.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <locale>
-#include <sstream>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/scene/read_scene.h"
-#include "problems.h"
-#include "text_file.h"
+#include "drill_rig_sim/well/well_checks.h"
+#include "survey_header.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
+using Cells = std::vector<std::string>;
+
 constexpr std::size_t most_columns = 256;  // what stands beyond is not looked at
-constexpr const char* needed = "a CSV file with the columns md_m, inclination_deg, azimuth_deg";
-constexpr std::array<const char*, 3> columns = {"md_m", "inclination_deg", "azimuth_deg"};
-constexpr std::array<const char*, 3> tie_in_columns = {"north_m", "east_m", "tvd_m"};
+constexpr int most_lines_above_header = 50;
+constexpr const char* blanks = " \t\r";
+
+struct Delimiter
+{
+  char character;
+  const char* name;
+};
+constexpr std::array<Delimiter, 4> delimiters = {{{',', ","}, {';', ";"}, {'\t', "tab"}, {' ', "space"}}};
 
 std::string trimmed(const std::string& text)
 {
-  const char* blanks = " \t\r\"";
   const std::size_t first = text.find_first_not_of(blanks);
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-std::vector<std::string> cells_of(const std::string& line)
+// a cell's text: what stands in quotes holds blanks and delimiters too
+Cells cells_of(const std::string& line, char delimiter)
 {
-  std::vector<std::string> cells(1);
+  Cells cells(1);
+  bool quoted = false;
   for (const char c : line)
   {
-    if (c == ',' && cells.size() == most_columns) break;
-    if (c == ',')
-      cells.emplace_back();
-    else
+    if (c == '"')
+      quoted = !quoted;
+    else if (c != delimiter || quoted)
       cells.back() += c;
+    else if (cells.size() == most_columns)
+      break;
+    else
+      cells.emplace_back();
   }
   for (std::string& cell : cells) cell = trimmed(cell);
   return cells;
 }
 
-bool is_number(const std::string& text, double& value)
+// words parted by blanks; a unit in brackets belongs to the word before it
+Cells words_of(const std::string& line)
 {
-  std::istringstream in(text);
-  in.imbue(std::locale::classic());
-  return static_cast<bool>(in >> value) && in.peek() == std::istringstream::traits_type::eof();
-}
-
-// where the three columns stand; false (and problems noted) if one is missing
-bool find_columns(const std::vector<std::string>& header, int line, std::array<std::size_t, 3>& place, Problems& problems)
-{
-  std::string missing;
-  bool good = true;
-  for (std::size_t i = 0; i < columns.size(); ++i)
+  Cells words;
+  for (const std::string& word : cells_of(line, ' '))
   {
-    const auto found = std::find(header.begin(), header.end(), columns[i]);
-    place[i] = static_cast<std::size_t>(found - header.begin());
-    if (found == header.end()) missing += (missing.empty() ? "" : ", ") + std::string(columns[i]);
-    if (std::count(header.begin(), header.end(), columns[i]) < 2) continue;
-    good = false;
-    problems.add_at(line, columns[i], "stands more than once in the header, allowed: once");
+    if (word.empty()) continue;
+    const bool unit = !words.empty() && (word[0] == '(' || word[0] == '[');
+    if (unit)
+      words.back() += " " + word;
+    else
+      words.push_back(word);
   }
-  if (!missing.empty())
-    problems.add_at(line, missing, "no such column in the header, needed: md_m, inclination_deg, azimuth_deg");
-  return good && missing.empty();
+  return words;
 }
 
-// A row longer than its header is one whose numbers have decimal commas; commas alone at its end do no harm.
-bool has_more_cells(const std::vector<std::string>& cells, std::size_t header)
+Cells split(const std::string& line, char delimiter)
+{
+  return delimiter == ' ' ? words_of(trimmed(line)) : cells_of(line, delimiter);
+}
+
+struct Line
+{
+  int number;
+  std::string text;
+};
+
+// Lines that are neither empty nor comments; they end in LF, CR LF or CR.
+std::vector<Line> lines_of(const std::string& text)
+{
+  const char end = text.find('\n') == std::string::npos ? '\r' : '\n';
+  std::vector<Line> lines;
+  std::size_t begin = 0;
+  for (int number = 1; begin < text.size() && lines.size() <= most_stations + most_lines_above_header; ++number)
+  {
+    const std::size_t last = std::min(text.find(end, begin), text.size());
+    const std::string line = text.substr(begin, last - begin);
+    if (line.find_first_not_of(" \t\r\",;") != std::string::npos && trimmed(line)[0] != '#') lines.push_back({number, line});
+    begin = last + 1;
+  }
+  return lines;
+}
+
+struct Table
+{
+  std::size_t first_row = 0;  // of the lines
+  int line = 0;               // of the header
+  Delimiter delimiter{',', ","};
+  SurveyHeader header;
+};
+
+// The header in the first lines: the first that names all columns, else the one that names most of them.
+Table find_header(const std::vector<Line>& lines, const SurveyFormat& format)
+{
+  Table best;
+  for (std::size_t i = 0; i < lines.size() && i < most_lines_above_header; ++i)
+  {
+    for (const Delimiter& delimiter : delimiters)
+    {
+      if (!format.delimiter.empty() && format.delimiter != delimiter.name) continue;
+      SurveyHeader header = find_columns(split(lines[i].text, delimiter.character), format);
+      const bool first = best.line == 0;
+      if (!first && header.found <= best.header.found) continue;
+      best = {i + 1, lines[i].number, delimiter, std::move(header)};
+      if (best.header.found == needed_quantities) return best;
+    }
+  }
+  return best;
+}
+
+std::string cells_listed(const std::vector<HeaderCell>& cells)
+{
+  std::string text;
+  for (const HeaderCell& cell : cells)
+  {
+    if (text.size() > 200) return text + ", ...";
+    if (!cell.text.empty()) text += (text.empty() ? "" : ", ") + shortened(cell.text);
+  }
+  return text;
+}
+
+// what is wrong with a header; a line that names no column at all may be of any file and is not shown
+void add_header_problem(const Table& table, Problems& problems)
+{
+  const SurveyHeader& header = table.header;
+  if (header.wrong != "no such column in the header") return problems.add_at(table.line, header.wrong_where, header.wrong);
+  const std::string found = header.found == 0 ? "" : "; it has " + cells_listed(header.cells) + " (delimiter " + table.delimiter.name + ")";
+  problems.add_at(table.line, header.wrong_where, header.wrong + found + "; needed: md_m, inclination_deg, azimuth_deg or the usual names of these, with their units, or a map `columns` (" +
+                                                      how_to_map + ")");
+}
+
+// Angles without a unit are degrees where they are too large for radians.
+void settle_angles(SurveyHeader& header, const SurveyRows& survey, Problems& problems, int line)
+{
+  double largest = 0.0;
+  bool any_named = false;
+  for (const std::size_t i : {survey_inclination, survey_azimuth})
+  {
+    any_named = any_named || header.unit[i];
+    for (const SurveyRow& row : survey.rows)
+    {
+      double value = 0.0;
+      if (read_cell(row.cells[i], survey.decimal_commas, value) == CellKind::number) largest = std::max(largest, std::abs(value));
+    }
+  }
+  for (const std::size_t i : {survey_inclination, survey_azimuth})
+  {
+    const SurveyUnit* other = header.unit[i == survey_azimuth ? survey_inclination : survey_azimuth];
+    if (header.unit[i]) continue;
+    if (!any_named && largest > 0.0 && largest <= 2.0 * pi + 1e-3)
+      problems.add_at(line, header.cells[*header.place[i]].text, unit_problem(header, i));
+    header.unit[i] = any_named ? other : angle_unit("deg");
+  }
+}
+
+// 1,000 is a thousand to some and one to others
+bool may_be_thousands(const std::string& cell)
+{
+  const std::size_t comma = cell.find(',');
+  const std::size_t first = cell.find_first_of("123456789");
+  return comma != std::string::npos && comma >= 1 && comma <= 3 && first < comma && cell.size() == comma + 4 && cell.find('.') == std::string::npos;
+}
+
+// A file has decimal points or decimal commas: beside these, 1.000 may be a thousand.
+void check_points(const SurveyRows& survey, Problems& problems)
+{
+  const auto find = [&](char sign) -> std::pair<int, std::string>
+  {
+    for (const SurveyRow& row : survey.rows)
+      for (std::size_t i = 0; i < needed_quantities; ++i)
+        if (row.cells[i].find(sign) != std::string::npos) return {row.line, row.cells[i]};
+    return {0, ""};
+  };
+  const auto [comma_line, comma] = find(',');
+  const auto [point_line, point] = find('.');
+  if (comma_line == 0 || point_line == 0) return;
+  problems.add_at(std::max(comma_line, point_line), "",
+                  "decimal commas and decimal points stand in one file (got " + shown_cell(comma) + " and " + shown_cell(point) + "), allowed: one of them");
+}
+
+// Depths must not all look like thousands where nothing else shows that a comma is a decimal one.
+void check_commas(const SurveyRows& survey, Problems& problems)
+{
+  const SurveyRow* doubtful = nullptr;
+  for (const SurveyRow& row : survey.rows)
+  {
+    for (const std::size_t i : {survey_inclination, survey_azimuth})
+      if (row.cells[i].find(',') != std::string::npos) return;
+    const std::string& depth = row.cells[survey_md];
+    if (depth.find(',') != std::string::npos && !may_be_thousands(depth)) return;
+    if (may_be_thousands(depth) && !doubtful) doubtful = &row;
+  }
+  if (doubtful)
+    problems.add_at(doubtful->line, survey.names[survey_md],
+                    "the comma may be a decimal one or part thousands (got " + shown_cell(doubtful->cells[survey_md]) + "), needed: a decimal point, and no sign between thousands");
+}
+
+// A row of more cells than its header has decimal commas; delimiters alone at its end do no harm.
+bool has_more_cells(const Cells& cells, std::size_t header)
 {
   return cells.size() > header && std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(header), cells.end(),
                                               [](const std::string& cell) { return !cell.empty(); });
 }
 
-// one station out of a line's cells; a cell that is missing or no number is a problem
-void read_station(const std::vector<std::string>& cells, std::size_t header, const std::array<std::size_t, 3>& place, int line,
-                  SurveyStation& station, Problems& problems)
+bool take_row(const Line& line, const Table& table, SurveyRows& survey, Problems& problems)
 {
-  std::array<double, 3> value{};
-  if (has_more_cells(cells, header))
-    problems.add_at(line, "", "has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(header) +
-                                  ", allowed: as many, with decimal points");
-  for (std::size_t i = 0; i < columns.size(); ++i)
+  const Cells cells = split(line.text, table.delimiter.character);
+  const std::size_t columns = table.header.cells.size();
+  if (has_more_cells(cells, columns) || (table.delimiter.character == ' ' && cells.size() != columns))
   {
-    const std::string cell = place[i] < cells.size() ? cells[place[i]] : "";
-    if (!is_number(cell, value[i])) problems.add_at(line, columns[i], "is not a finite number");
+    const char* hint = table.delimiter.character == ',' ? ", with decimal points" : "";
+    problems.add_at(line.number, "", "has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(columns) + ", allowed: as many" + hint);
+    return false;
   }
-  station = {value[0], value[1] * degree, value[2] * degree};
+  SurveyRow row;
+  row.line = line.number;
+  for (std::size_t i = 0; i < survey_quantities; ++i)
+  {
+    const auto place = table.header.place[i];
+    if (place && *place < cells.size()) row.cells[i] = cells[*place];
+  }
+  survey.rows.push_back(std::move(row));
+  return true;
 }
 
-// where the first station lies, out of its line's cells; nothing without the columns. A cell that is no number is a problem where the tie-in
-// is needed.
-std::optional<TieIn> tie_in_of(const std::vector<std::string>& header, const std::vector<std::string>& cells, bool needed, int line, Problems& problems)
+// what the reader has to report of a header
+void add_remarks(const Table& table, SurveyRows& survey)
 {
-  std::array<double, 3> value{};
-  bool good = true;
-  for (std::size_t i = 0; i < tie_in_columns.size(); ++i)
-  {
-    const auto place = static_cast<std::size_t>(std::find(header.begin(), header.end(), tie_in_columns[i]) - header.begin());
-    if (place == header.size()) return std::nullopt;
-    if (place < cells.size() && is_number(cells[place], value[i])) continue;
-    good = false;
-    if (needed) problems.add_at(line, tie_in_columns[i], "is not a finite number");
-  }
-  if (!good) return std::nullopt;
-  return TieIn{value[0], value[1], value[2]};
+  const SurveyHeader& header = table.header;
+  const HeaderCell& depth = header.cells[*header.place[survey_md]];
+  const HeaderCell& azimuth = header.cells[*header.place[survey_azimuth]];
+  if (depth.weak) survey.remarks.push_back("\"" + shortened(depth.text) + "\" is read as measured depth");
+  if (azimuth.north == "grid" || azimuth.north == "magnetic") survey.remarks.push_back(north_remark(azimuth.north));
+  std::string angles;
+  for (const std::size_t i : {survey_inclination, survey_azimuth})
+    if (!header.unit[i]) angles += (angles.empty() ? "" : " and ") + std::string("\"") + shortened(header.cells[*header.place[i]].text) + "\"";
+  if (!angles.empty()) survey.remarks.push_back(angles + " have no unit and are read as degrees");
+}
+
+void take_rows(const std::vector<Line>& lines, Table& table, SurveyRows& survey, Problems& problems)
+{
+  if (table.first_row < lines.size() && take_units(split(lines[table.first_row].text, table.delimiter.character), table.header)) ++table.first_row;
+  for (std::size_t i = table.first_row; i < lines.size() && survey.rows.size() <= most_stations; ++i)
+    if (!take_row(lines[i], table, survey, problems)) return;
 }
 }  // namespace
 
-SurveyTable read_survey_csv(const std::string& file, const std::optional<TieIn>& tie_in)
+SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, Problems& problems)
 {
-  Problems problems(file);
-  std::string whole;
-  const std::string wrong = read_text_file(file, needed, whole);
-  if (!wrong.empty()) problems.fail(0, "", wrong);
-  const std::string byte_order_mark = "\xef\xbb\xbf";
-  if (whole.compare(0, byte_order_mark.size(), byte_order_mark) == 0) whole.erase(0, byte_order_mark.size());
-  std::istringstream in(whole);
-  SurveyTable table;
-  table.tie_in = tie_in;
-  std::vector<SurveyStation>& stations = table.stations;
-  std::vector<int> lines;
-  std::array<std::size_t, 3> place{};
-  std::vector<std::string> header;  // empty before it is read
-  std::string text;
-  for (int line = 1; stations.size() <= most_stations && std::getline(in, text); ++line)
+  SurveyRows survey;
+  const std::vector<Line> lines = lines_of(text);
+  if (lines.empty())
   {
-    if (trimmed(text).empty() || trimmed(text)[0] == '#') continue;
-    const std::vector<std::string> cells = cells_of(text);
-    if (header.empty())
-    {
-      header = cells;
-      if (!find_columns(cells, line, place, problems)) break;
-      continue;
-    }
-    SurveyStation station;
-    read_station(cells, header.size(), place, line, station, problems);
-    if (stations.empty() && !tie_in) table.tie_in = tie_in_of(header, cells, station.md != 0.0, line, problems);
-    stations.push_back(station);
-    lines.push_back(line);
+    problems.add_at(0, "", "is empty, needed: a survey with the columns md_m, inclination_deg, azimuth_deg");
+    return survey;
   }
-  if (header.empty() && problems.empty())
-    problems.add_at(0, "", std::string("is empty, needed: ") + needed);
-  if (!header.empty() && problems.empty())
+  Table table = find_header(lines, format);
+  SurveyHeader& header = table.header;
+  if (!header.wrong.empty())
   {
-    for (const SurveyProblem& p : survey_problems(stations, table.tie_in))
-    {
-      problems.add_at(p.station < lines.size() ? lines[p.station] : 1, "station " + std::to_string(p.station + 1), p.text);
-    }
+    add_header_problem(table, problems);
+    return survey;
   }
-  problems.raise();
-  return table;
+  for (std::size_t i = 0; i < survey_quantities; ++i)
+    if (header.place[i]) survey.names[i] = header.cells[*header.place[i]].text;
+  survey.decimal_commas = table.delimiter.character != ',';
+  take_rows(lines, table, survey, problems);
+  const std::string no_unit = unit_problem(header, survey_md);
+  if (!no_unit.empty()) problems.add_at(table.line, survey.names[survey_md], no_unit);
+  if (!problems.empty()) return survey;
+  if (survey.decimal_commas) check_points(survey, problems);
+  if (survey.decimal_commas && problems.empty()) check_commas(survey, problems);
+  add_remarks(table, survey);
+  settle_angles(header, survey, problems, table.line);
+  for (SurveyRow& row : survey.rows) row.units = header.unit;
+  survey.taken = "the header was read as " + description(header) + ", delimiter " + table.delimiter.name;
+  return survey;
 }
 
 }  // namespace drill_rig_sim

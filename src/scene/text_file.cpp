@@ -5,6 +5,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <utility>
+
+#include "problems.h"
+#include "text_decoder.h"
 
 namespace drill_rig_sim
 {
@@ -23,26 +27,30 @@ struct Descriptor
   }
 };
 
+std::string too_large(const char* needed, std::size_t longest)
+{
+  return "is larger than " + std::to_string(longest >> 20) + " MiB, needed: " + needed;
+}
+
 // why a file of this kind and size is not read; empty if it is
-std::string refusal(const struct stat& status, const char* needed)
+std::string refusal(const struct stat& status, const char* needed, std::size_t longest)
 {
   if (!S_ISREG(status.st_mode)) return std::string("is no regular file, needed: ") + needed;
-  if (static_cast<std::size_t>(status.st_size) > longest_text) return std::string("is larger than 16 MiB, needed: ") + needed;
-  return "";
+  return static_cast<std::size_t>(status.st_size) > longest ? too_large(needed, longest) : "";
 }
-}  // namespace
 
-std::string read_text_file(const std::string& file, const char* needed, std::string& text)
+// the whole of a file; what is wrong with it, empty if nothing is
+std::string read_bytes(const std::string& file, const char* needed, std::size_t longest, std::string& text)
 {
   std::string unreadable = std::string("cannot be read, needed: ") + needed;
   struct stat status = {};
   // looked at before it is opened, for opening alone may act on a device, and once more after, for names can change their file
   if (::stat(file.c_str(), &status) != 0) return unreadable;
-  std::string wrong = refusal(status, needed);
+  std::string wrong = refusal(status, needed, longest);
   if (!wrong.empty()) return wrong;
   const Descriptor in(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (in.number < 0 || ::fstat(in.number, &status) != 0) return unreadable;
-  wrong = refusal(status, needed);
+  wrong = refusal(status, needed, longest);
   if (!wrong.empty()) return wrong;
   text.clear();
   char block[65536];
@@ -54,8 +62,20 @@ std::string read_text_file(const std::string& file, const char* needed, std::str
     if (got < 0) return unreadable;
     text.append(block, static_cast<std::size_t>(got));
     // it may grow while it is read, and files of /proc have no size
-    if (text.size() > longest_text) return std::string("is larger than 16 MiB, needed: ") + needed;
+    if (text.size() > longest) return too_large(needed, longest);
   }
+}
+}  // namespace
+
+TextFile read_text_file(const std::string& file, const char* needed, std::size_t longest)
+{
+  Problems problems(file);
+  std::string bytes;
+  const std::string wrong = read_bytes(file, needed, longest, bytes);
+  if (!wrong.empty()) problems.fail(0, "", wrong);
+  DecodedText decoded = decode_text(std::move(bytes));
+  if (!decoded.wrong.empty()) problems.fail(decoded.wrong_line, "", decoded.wrong);
+  return {std::move(decoded.text), decoded.is_latin ? one_line(file) + ": is not UTF-8; read as latin-1" : ""};
 }
 
 }  // namespace drill_rig_sim

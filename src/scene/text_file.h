@@ -6,13 +6,20 @@
 
 namespace drill_rig_sim
 {
-/// Largest scene or survey [bytes]; a larger file is neither.
+/// Largest scene, survey or plan [bytes]; a larger file is none of them.
 constexpr std::size_t longest_text = 16u << 20;
 
-/// Reads the whole of a regular file of at most longest_text bytes. Anything else (a folder, a pipe, a device, a larger file) is
-/// refused before it is opened or read, so that nothing blocks. On success `text` holds the file and an empty string is returned,
-/// otherwise one line that says what is wrong; `needed` names in it what the file should have been ("a scene file").
-std::string read_text_file(const std::string& file, const char* needed, std::string& text);
+/// A text file's content.
+struct TextFile
+{
+  std::string text;    ///< UTF-8 without a byte order mark
+  std::string remark;  ///< to be reported, in one line with the file's name: it was read as latin-1; else empty
+};
+
+/// Reads the whole of a regular file of at most `longest` bytes, in any of decode_text()'s encodings (text_decoder.h). Anything else (a folder,
+/// a pipe, a device, a larger file) is refused before it is opened or read, so that nothing blocks. Throws SceneError with one line that says
+/// what is wrong; `needed` names in it what the file should have been ("a scene file").
+TextFile read_text_file(const std::string& file, const char* needed, std::size_t longest = longest_text);
 
 }  // namespace drill_rig_sim
 

@@ -9,7 +9,6 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/rig/drive_tuning.h"
-#include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/accuracy_watch.h"
 #include "drill_rig_sim/sim/program.h"
@@ -175,7 +174,7 @@ struct CheckOptions
 
 void check(const CheckOptions& options)
 {
-  const Scene scene = read_scene(options.scene, options.settings);
+  const Scene scene = open_scene(options.scene, options.settings);
   const Simulator simulator = build_simulator(scene, 0);
   const Truth& m = simulator.truth();
   const SimulatorStatistics& s = simulator.statistics();

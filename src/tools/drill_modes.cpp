@@ -11,7 +11,6 @@
 #include "drill_options.h"
 #include "drill_output.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/scene/read_scene.h"
 
 namespace drill_rig_sim
 {
@@ -120,7 +119,7 @@ std::vector<FamilyModes> find_all(const RigAtRest& rig, const std::vector<NamedF
 void print_all(const ModesOptions& options)
 {
   const std::vector<NamedFamily> asked = wanted(options.family);
-  Scene scene = read_scene(options.scene, options.settings);
+  Scene scene = open_scene(options.scene, options.settings);
   scene.numerics.level = Level::beam3d;  // modes are of the beams
   if (is_same_file(options.json, options.scene)) throw UsageError("--json: " + options.json + " is the scene, needed: a file of its own");
   File json = open_output("--json", options.json);

@@ -14,7 +14,6 @@
 #include "drill_failure.h"
 #include "drill_output.h"
 #include "drill_progress.h"
-#include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/run.h"
 #include "drill_run_options.h"
 #include "drill_scene.h"
@@ -111,7 +110,7 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, Series& series, RunRecord
 
 void run_scene(const RunOptions& options)
 {
-  const Scene scene = read_scene(options.scene, settings_of(options));
+  const Scene scene = open_scene(options.scene, settings_of(options));
   const RunGoal goal = goal_of(options, scene);
   require_files_apart(options);
   const double frame = frame_of_whole_steps(frame_length, scene.numerics.step);

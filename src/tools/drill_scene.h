@@ -2,13 +2,31 @@
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_SCENE_H
 
 #include <cstdint>
+#include <cstdio>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "drill_command.h"
+#include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 namespace drill_rig_sim
 {
+/// Lines about how a file was read, on stderr.
+inline void print_remarks(const std::vector<std::string>& remarks)
+{
+  for (const std::string& remark : remarks) std::fprintf(stderr, "%s\n", remark.c_str());
+}
+
+/// read_scene(), with its remarks on stderr.
+inline Scene open_scene(const std::string& file, const std::vector<std::string>& settings)
+{
+  Scene scene = read_scene(file, settings);
+  print_remarks(scene.remarks);
+  return scene;
+}
+
 /// A simulator for the scene; a scene that is well written but cannot be built becomes a UsageError that names its file.
 inline Simulator build_simulator(const Scene& scene, std::uint64_t seed)
 {

@@ -7,8 +7,8 @@
 #include "drill_options.h"
 #include "drill_output.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/profile.h"
+#include "drill_scene.h"
 
 namespace drill_rig_sim
 {
@@ -41,7 +41,7 @@ SlidingMotion motion_of(const StaticOptions& options)
 void print_static(const StaticOptions& options)
 {
   const SlidingMotion motion = motion_of(options);
-  const Scene scene = read_scene(options.scene, options.settings);
+  const Scene scene = open_scene(options.scene, options.settings);
   if (is_same_file(options.csv, options.scene)) throw UsageError("--csv: " + options.csv + " is the scene, needed: a file of its own");
   File csv = open_output("--csv", options.csv);
   StaticReport report;

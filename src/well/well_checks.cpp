@@ -5,6 +5,7 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/directions.h"
+#include "drill_rig_sim/well/projection.h"
 
 namespace drill_rig_sim
 {
@@ -18,11 +19,17 @@ double angle_between(const SurveyStation& a, const SurveyStation& b)
   return 2.0 * std::atan2((to - from).norm(), (to + from).norm());
 }
 
+std::string length_in(const LengthUnit& unit, double value)
+{
+  return plain(value / unit.factor) + " " + unit.name;
+}
+
 // of a station alone; empty if it is sound
-std::string problem_of(const SurveyStation& s)
+std::string problem_of(const SurveyStation& s, const LengthUnit& unit)
 {
   if (!std::isfinite(s.md) || !std::isfinite(s.inclination) || !std::isfinite(s.azimuth)) return "a value is not a finite number";
-  if (s.md < 0.0 || s.md > deepest_well) return "md " + plain(s.md) + " m is out of range, allowed: 0 to " + metres(deepest_well);
+  if (s.md < 0.0 || s.md > deepest_well) 
+    return "md " + length_in(unit, s.md) + " is out of range, allowed: 0 to " + length_in(unit, deepest_well);
   if (s.inclination < 0.0 || s.inclination > pi)
     return "inclination " + plain(s.inclination / degree) + " deg is out of range, allowed: 0 to 180 deg";
   if (std::abs(s.azimuth) > 2.0 * pi + 1e-9)
@@ -31,18 +38,18 @@ std::string problem_of(const SurveyStation& s)
 }
 
 // of a sound station after a sound one; empty if they go together
-std::string problem_between(const SurveyStation& before, const SurveyStation& s)
+std::string problem_between(const SurveyStation& before, const SurveyStation& s, const LengthUnit& unit)
 {
-  if (s.md <= before.md) return "md " + plain(s.md) + " m does not exceed the " + plain(before.md) + " m before it";
+  if (s.md <= before.md) return "md " + length_in(unit, s.md) + " does not exceed the " + length_in(unit, before.md) + " before it";
   if (s.md - before.md < least_station_spacing * (1.0 - 1e-6))
-    return "md " + plain(s.md) + " m is too near to the " + plain(before.md) + " m before it, allowed: " + metres(least_station_spacing) +
+    return "md " + length_in(unit, s.md) + " is too near to the " + length_in(unit, before.md) + " before it, allowed: " + length_in(unit, least_station_spacing) +
            " or more between stations";
   if (angle_between(before, s) > sharpest_turn) return "the direction turns round from the station before it, allowed: up to 179.9 deg";
   return "";
 }
 
 // The first station above the rotary table, of sound ones; none if all are below it.
-std::vector<SurveyProblem> above_the_table(const std::vector<SurveyStation>& stations, double height)
+std::vector<SurveyProblem> above_the_table(const std::vector<SurveyStation>& stations, double height, const LengthUnit& unit)
 {
   Eigen::Vector3d before;
   for (std::size_t i = 0; i < stations.size(); ++i)
@@ -50,14 +57,21 @@ std::vector<SurveyProblem> above_the_table(const std::vector<SurveyStation>& sta
     const Eigen::Vector3d tangent = tangent_from(stations[i].inclination, stations[i].azimuth);
     if (i > 0) height += chord_of_arc(before, tangent, stations[i].md - stations[i - 1].md).z();
     if (height > tie_in_rounding)
-      return {{i, "lies " + metres(1e-2 * std::round(1e2 * height)) + " above the rotary table, allowed: below it; is an inclination or a depth wrong?"}};
+      return {{i, "lies " + plain(1e-2 * std::round(1e2 * height / unit.factor)) + " " + unit.name + " above the rotary table, allowed: below it; is an inclination or a depth wrong?"}};
     before = tangent;
   }
   return {};
 }
+
+std::string deeper_than_survey(double hole_depth, double last, Projection project)
+{
+  const std::string text = metres(hole_depth) + " is deeper than the survey, allowed: up to its last station, " + metres(last);
+  if (hole_depth > last + longest_projection) return text + (project == Projection::none ? "" : ", and with well.project " + metres(longest_projection) + " further");
+  return text + "; well.project: straight or curvature goes on from there, up to " + metres(longest_projection);
+}
 }  // namespace
 
-std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& stations, const std::optional<TieIn>& tie_in)
+std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& stations, const std::optional<TieIn>& tie_in, const LengthUnit& unit)
 {
   std::vector<SurveyProblem> problems;
   if (stations.size() < 2) problems.push_back({0, plain(static_cast<double>(stations.size())) + " station, needed: at least two"});
@@ -70,15 +84,15 @@ std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& sta
   for (std::size_t i = 0; i < stations.size(); ++i)
   {
     const SurveyStation& s = stations[i];
-    const std::string alone = problem_of(s);
+    const std::string alone = problem_of(s, unit);
     std::string problem = alone;
     if (alone.empty() && i == 0 && s.md != 0.0 && !tie_in)
-      problem = "the first md is " + plain(s.md) + " m, needed: 0, the rotary table, or its place: tie_in, in a CSV file north_m, east_m, tvd_m";
-    if (alone.empty() && before_is_good) problem = problem_between(stations[i - 1], s);
+      problem = "the first md is " + length_in(unit, s.md) + ", needed: 0, the rotary table, or its place: tie_in, in a CSV file north_m, east_m, tvd_m";
+    if (alone.empty() && before_is_good) problem = problem_between(stations[i - 1], s, unit);
     if (!problem.empty()) problems.push_back({i, problem});
     before_is_good = alone.empty();
   }
-  return problems.empty() ? above_the_table(stations, tie_in ? -tie_in->tvd : 0.0) : problems;
+  return problems.empty() ? above_the_table(stations, tie_in ? -tie_in->tvd : 0.0, unit) : problems;
 }
 
 ProblemList well_problems(const WellSpec& well)
@@ -86,9 +100,7 @@ ProblemList well_problems(const WellSpec& well)
   ProblemList problems;
   const double last = well.survey.empty() ? 0.0 : well.survey.back().md;
   if (!(well.hole_depth > 0.0)) problems.emplace_back("well.hole_depth", metres(well.hole_depth) + " is no depth, allowed: above 0");
-  if (well.hole_depth > last)
-    problems.emplace_back("well.hole_depth",
-                          metres(well.hole_depth) + " is deeper than the survey, allowed: up to its last station, " + metres(last));
+  if (well.hole_depth > last) problems.emplace_back("well.hole_depth", deeper_than_survey(well.hole_depth, last, well.project));
   if (well.sections.empty()) problems.emplace_back("well.sections", "the list is empty, needed: at least one section");
   double above = 0.0;
   for (std::size_t i = 0; i < well.sections.size(); ++i)

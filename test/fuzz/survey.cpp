@@ -15,7 +15,7 @@
 
 #include "counters.h"
 #include "drill_rig_sim/scene/read_scene.h"
-#include "drill_rig_sim/scene/survey_csv.h"
+#include "drill_rig_sim/scene/survey_file.h"
 #include "drill_rig_sim/well/well_checks.h"
 #include "drill_rig_sim/well/wellbore.h"
 #include "random.h"
@@ -50,7 +50,7 @@ std::optional<SurveyTable> read(const std::string& file)
 {
   try
   {
-    return read_survey_csv(file);
+    return read_survey_file(file);
   }
   catch (const SceneError& error)
   {

@@ -119,8 +119,8 @@ class Tables(Folder):
                                     ("T,H\na,1\nb,2\n", MAP.replace("block_height", "bit_depth").replace("column: B", "column: H"), "r.csv:2: T: a is not a number of s"),
                                     ("T\n1\n2\n", "time: {column: T, unit: s, format: '%H'}\n", "must be date where there is a format")):
             self.refused(said, text, columns)
-        self.assertRaisesRegex(RecordError, "No such file", read_record, "/nowhere.csv")
-        self.assertRaisesRegex(RecordError, "is no file", read_record, self.folder)
+        self.assertRaisesRegex(RecordError, "/nowhere.csv: cannot be read", read_record, "/nowhere.csv")
+        self.assertRaisesRegex(RecordError, "is no regular file", read_record, self.folder)
 
     def test_what_its_reader_should_know(self):
         columns = "time: {column: T, unit: s}\nhook_load: {column: H, unit: klbf}\nblock_height: {column: B, unit: m}\n"

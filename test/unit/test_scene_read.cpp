@@ -9,7 +9,7 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
-#include "drill_rig_sim/scene/survey_csv.h"
+#include "drill_rig_sim/scene/survey_file.h"
 #include "drill_rig_sim/sim/integrator_table.h"
 #include "in_source.h"
 #include "temporary_folder.h"
@@ -63,7 +63,7 @@ TEST(SceneRead, BohaiHoldsWhatItsFileSays)
 
 TEST(SceneRead, BohaiSurveyBuildsThreeDegreesPerThirtyMetres)
 {
-  const auto survey = read_survey_csv(in_source("config/surveys/bohai.csv")).stations;
+  const auto survey = read_survey_file(in_source("config/surveys/bohai.csv")).stations;
   EXPECT_DOUBLE_EQ(survey.front().md, 0.0);
   EXPECT_DOUBLE_EQ(survey.back().md, 730.0);
   for (const SurveyStation& s : survey)
@@ -194,7 +194,7 @@ TEST(SurveyCsv, ColumnsMayStandInAnyOrderBesideOthers)
   const TemporaryFolder folder;
   const std::string file = folder.file("order.csv");
   std::ofstream(file) << "# comment\r\nazimuth_deg,tvd_m,md_m,inclination_deg\r\n90,0,0,0\r\n\r\n91, 99 , 100 ,1\r\n";
-  const auto survey = read_survey_csv(file).stations;
+  const auto survey = read_survey_file(file).stations;
   ASSERT_EQ(survey.size(), 2u);
   EXPECT_DOUBLE_EQ(survey[1].md, 100.0);
   EXPECT_DOUBLE_EQ(survey[1].azimuth, 91.0 * degree);
@@ -205,12 +205,12 @@ TEST(SurveyCsv, TheFirstStationsPlaceIsTheTieIn)
   const TemporaryFolder folder;
   const std::string file = folder.file("tied.csv");
   std::ofstream(file) << "md_m,tvd_m,inclination_deg,azimuth_deg,east_m,north_m\n100,99,1,90,2,-3\n200,x,1,90,,\n";
-  const SurveyTable table = read_survey_csv(file);
+  const SurveyTable table = read_survey_file(file);
   ASSERT_TRUE(table.tie_in.has_value());
   EXPECT_EQ(-3.0, table.tie_in->north);
   EXPECT_EQ(2.0, table.tie_in->east);
   EXPECT_EQ(99.0, table.tie_in->tvd);
-  EXPECT_EQ(98.0, read_survey_csv(file, TieIn{0.0, 0.0, 98.0}).tie_in->tvd) << "what is given goes before";
+  EXPECT_EQ(98.0, read_survey_file(file, TieIn{0.0, 0.0, 98.0}).tie_in->tvd) << "what is given goes before";
 }
 
 // Columns of places that are not needed may hold anything, as before there was a use for them.
@@ -219,7 +219,7 @@ TEST(SurveyCsv, ASurveyFromTheTableNeedsNoTieIn)
   const TemporaryFolder folder;
   const std::string file = folder.file("from_0.csv");
   std::ofstream(file) << "md_m,inclination_deg,azimuth_deg,tvd_m,north_m,east_m\n0,0,0,n/a,,\n200,1,90,200,0,1\n";
-  EXPECT_FALSE(read_survey_csv(file).tie_in.has_value());
+  EXPECT_FALSE(read_survey_file(file).tie_in.has_value());
 }
 
 TEST(SceneRead, AWellIsTiedIn)
@@ -237,7 +237,7 @@ std::string refusal_of_file(const std::string& file)
 {
   try
   {
-    read_survey_csv(file);
+    read_survey_file(file);
   }
   catch (const SceneError& error)
   {

@@ -82,6 +82,7 @@ struct Scene
 {
   std::string name;
   std::string file;  ///< where it was read from; empty if built in code
+  std::vector<std::string> remarks;  ///< of how its files were read, one line each, to be reported; part of no hash
   WellSpec well;
   std::vector<FormationLayer> formation;
   MudSpec mud;

@@ -26,11 +26,19 @@ struct SurveyProblem
   std::string text;         ///< one line: what is wrong, what is allowed
 };
 
+/// In which messages give lengths.
+struct LengthUnit
+{
+  const char* name = "m";
+  double factor = 1.0;  ///< to m
+};
+
 /// Checks a survey as the well needs it: 2 .. most_stations stations, finite values, md from 0 (from anywhere with a tie-in: it is known
 /// where the first station lies) rising by least_station_spacing or more and at most deepest_well, inclination 0 .. pi, azimuth
 /// -2 pi .. 2 pi, less than 179.9 deg between the directions of neighbours (minimum curvature knows no arc between opposite ones), no
 /// station above the rotary table. Empty when all is well.
-std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& stations, const std::optional<TieIn>& tie_in = std::nullopt);
+std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& stations, const std::optional<TieIn>& tie_in = std::nullopt,
+                                           const LengthUnit& unit = {});
 
 /// Checks depth and sections of a well whose survey is sound: hole_depth below 0 and not below the last station, sections in order, each
 /// least_section_length long or longer with a diameter and friction that can be, the last one down to the hole's depth.

@@ -35,10 +35,19 @@ inline std::size_t section_at(const std::vector<HoleSection>& sections, double m
   return static_cast<std::size_t>(std::find_if(sections.begin(), sections.end() - 1, below) - sections.begin());
 }
 
+/// How a hole that is deeper than its survey goes on from the last station to its bottom.
+enum class Projection
+{
+  none,       ///< it may not be deeper
+  straight,   ///< in the last station's direction
+  curvature,  ///< on the arc of the last interval
+};
+
 struct WellSpec
 {
   /// From `survey` (a CSV file) or `stations`; strictly increasing md, the first at md 0: tie_survey_in() has put those above a tie-in.
   std::vector<SurveyStation> survey;
+  Projection project = Projection::none;  ///< project_survey() (projection.h) has put the station at the bottom
   double hole_depth = 0.0;            ///< measured depth of the hole's bottom [m]; at most the last station's md
   std::vector<HoleSection> sections;  ///< top down; the last reaches at least hole_depth
   double pilot_depth = 0.0;           ///< measured depth to which a narrower hole goes on below hole_depth; 0: none [m]

@@ -8,6 +8,7 @@ from drill_rig_sim.campaign.plan_text import plan_of
 from drill_rig_sim.campaign.scene_text import SceneTextError, survey_file
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.sim import found
+from drill_rig_sim.text_file import TextError, read_text
 
 KEYS = ("name", "scene", "duration", "rate", "every", "from", "seed", "controller", "factors", "sample", "judge", "outputs", "bounds", "report")
 FACTOR_KEYS = ("name", "key", "keys", "values", "from", "to", "log", "times")
@@ -23,8 +24,7 @@ class Plan:
     def __init__(self, blueprint, names, rows, sample, report, file, places, outputs):
         self.blueprint, self.names, self.rows, self.sample, self.report = blueprint, names, rows, sample, report
         self.file, self.places, self.outputs = file, places, outputs
-        with open(file, encoding="utf-8") as text:
-            self.text = text.read()
+        self.text = read_text(file)
 
 
 def read_plan(file):
@@ -186,7 +186,6 @@ def file_of(entry, base, folder):
 
 def read(entry, file):
     try:
-        with open(file, encoding="utf-8") as text:
-            return text.read()
-    except (OSError, UnicodeDecodeError) as error:
-        return entry.fail("%s: %s" % (file, getattr(error, "strerror", None) or error))
+        return read_text(file)
+    except TextError as error:
+        return entry.fail(str(error))

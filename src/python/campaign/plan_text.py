@@ -1,6 +1,7 @@
 """A campaign's file as YAML whose every key is known: errors name file, line and key, and say what is allowed."""
 import yaml
 from drill_rig_sim.refusal import Refusal
+from drill_rig_sim.text_file import TextError, read_text
 
 
 class PlanError(Refusal):
@@ -89,13 +90,12 @@ class Entry:
 def plan_of(file):
     """The whole of a plan's file as an Entry."""
     try:
-        with open(file, encoding="utf-8") as text:
-            root = yaml.compose(text, Loader=yaml.SafeLoader)
-    except OSError as error:
-        raise PlanError("%s: %s" % (file, error.strerror))
+        root = yaml.compose(read_text(file), Loader=yaml.SafeLoader)
+    except TextError as error:
+        raise PlanError(str(error))
     except RecursionError:
         raise PlanError("%s: is nested too deeply" % file)
-    except (yaml.YAMLError, UnicodeDecodeError) as error:
+    except yaml.YAMLError as error:
         raise PlanError("%s: %s" % (file, " ".join(str(error).split())))
     if root is None:
         raise PlanError("%s: is empty" % file)

@@ -7,11 +7,9 @@ from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
 from drill_rig_sim.field.columns import Column
 from drill_rig_sim.field.fit import Parameter
 from drill_rig_sim.field.models import MOTIONS, ModelError, RecordModel, TableModel, scene_and_survey
-from drill_rig_sim.field.record import RecordError, read_record
+from drill_rig_sim.field.record import RecordError, read_record, read_table
 from drill_rig_sim.field.replay import COMPARED
 from drill_rig_sim.field.signal_reader import values_of
-from drill_rig_sim.field.table import read_delimited
-from drill_rig_sim.field.text import read_text
 
 KEYS = ("scene", "record", "columns", "table", "parameters", "signals", "from", "held_out")
 PARAMETER_KEYS = ("name", "key", "keys", "times", "signal", "start", "from", "to")
@@ -34,7 +32,7 @@ def read_fit(file):
     parameters = [parameter_of(item, scene) for item in entries["parameters"].sequence()]
     check_places(scene, parameters, entries["parameters"])
     if "table" in entries:
-        model = TableModel(scene, survey, parameters, *read_table(entries["table"], base))
+        model = TableModel(scene, survey, parameters, *weights_of(entries["table"], base))
     else:
         columns = os.path.join(base, entries["columns"].text()) if "columns" in entries else None
         signals = [item.choice(COMPARED) for item in entries["signals"].sequence()] if "signals" in entries else ()
@@ -82,13 +80,12 @@ def parameter_of(item, scene):
     return Parameter(parts["name"].text(), start, low, high, places, times, signal)
 
 
-def read_table(entry, base):
+def weights_of(entry, base):
     """Depths and weights: `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`."""
     parts = entry.mapping(("file", "depth", *MOTIONS), needed=("file", "depth"))
     file = os.path.join(base, parts["file"].text())
-    text, remark = read_text(file)
-    table = read_delimited(file, text)
-    remarks, found = ["%s: %s" % (file, line) for line in [remark, *table.remarks] if line], {}
+    table = read_table(file)
+    remarks, found = ["%s: %s" % (file, line) for line in table.remarks], {}
     for name in ("depth", *MOTIONS):
         if name in parts:
             said = parts[name].mapping(("column", "unit"), needed=("column", "unit"))

@@ -3,10 +3,11 @@ import numpy
 from drill_rig_sim.campaign.blueprint import Blueprint
 from drill_rig_sim.campaign.played import simulator
 from drill_rig_sim.campaign.runner import one_line
-from drill_rig_sim.campaign.scene_text import SceneText, survey_file
+from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, survey_file
 from drill_rig_sim.field.pipe import compared, standstills
 from drill_rig_sim.field.replay import COMPARED, check, play
 from drill_rig_sim.lockstep import Refused
+from drill_rig_sim.text_file import TextError, read_text
 
 MOTIONS = {"pick_up": "up", "slack_off": "down", "rotating": "rotate"}  # columns of a table, and what drill static calls it
 
@@ -118,13 +119,9 @@ class Evaluator:
 def scene_and_survey(file):
     """Texts of a scene's file and of the survey's that it names."""
     try:
-        with open(file, encoding="utf-8") as text:
-            scene = text.read()
+        scene = read_text(file)
         SceneText(scene, [])
         survey = survey_file(scene, file)
-        if survey is None:
-            return scene, None
-        with open(survey, encoding="utf-8") as text:
-            return scene, text.read()
-    except (OSError, UnicodeDecodeError) as error:
-        raise ModelError("%s: %s" % (getattr(error, "filename", None) or file, getattr(error, "strerror", None) or error))
+        return scene, None if survey is None else read_text(survey)
+    except (TextError, SceneTextError) as error:
+        raise ModelError(str(error))

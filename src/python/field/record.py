@@ -7,8 +7,8 @@ from drill_rig_sim.field.dates import written
 from drill_rig_sim.field.las import read_las
 from drill_rig_sim.field.signal_reader import part_of, places_of
 from drill_rig_sim.field.table import RecordError, read_delimited
-from drill_rig_sim.field.text import read_text
 from drill_rig_sim.field.witsml import read_witsml
+from drill_rig_sim.text_file import TextError, decoded
 
 MOST_BYTES = 2**30
 MOST_DAYS = 400.0  # that a record may last
@@ -127,21 +127,50 @@ def read_record(files, columns=None):
 
 def tables_of(file, mapping):
     """The Tables of a file."""
+    if begins_with(file, b"<"):
+        return read_witsml(file, bytes_of(file))
+    text, remarks = text_of(file)
+    if text.lstrip()[:1] == "~" or file.lower().endswith(".las"):
+        table = read_las(file, text)
+    else:
+        table = read_delimited(file, text, mapping and mapping.delimiter, mapping and mapping.decimal, lambda names: places_of(names, mapping))
+    table.remarks += remarks
+    return [table]
+
+
+def begins_with(file, sign):
+    """Whether the first byte of a regular file that is neither blank nor part of a byte order mark is this one."""
+    if not os.path.isfile(file):
+        return False  # the reader of texts says why
     try:
-        if not os.path.isfile(file):
-            raise RecordError("%s: %s; needed: a regular file" % (file, "is no file" if os.path.exists(file) else "No such file or directory"))
+        with open(file, "rb") as opened:
+            return opened.read(4096).lstrip(b"\xef\xbb\xbf\xff\xfe \t\r\n\0")[:1] == sign
+    except OSError as error:
+        raise RecordError("%s: %s" % (file, error.strerror))
+
+
+def bytes_of(file):
+    try:
         if os.path.getsize(file) > MOST_BYTES:
             raise RecordError("%s: is larger than 1 GiB" % file)
         with open(file, "rb") as opened:
-            data = opened.read()
+            return opened.read()
     except OSError as error:
-        raise RecordError("%s: %s" % (file, error.strerror or error))
-    if file.endswith(".xml") or data.lstrip(b"\xef\xbb\xbf\xff\xfe \t\r\n\0")[:1] == b"<":
-        return read_witsml(file, data)
-    text, remark = read_text(file)
-    if text.lstrip()[:1] == "~" or file.lower().endswith(".las"):
-        tables = [read_las(file, text)]
-    else:
-        tables = [read_delimited(file, text, mapping and mapping.delimiter, mapping and mapping.decimal, lambda names: places_of(names, mapping))]
-    tables[0].remarks += [remark] if remark else []
-    return tables
+        raise RecordError("%s: %s" % (file, error.strerror))
+
+
+def text_of(file):
+    """A file's text, and lines on its encoding."""
+    try:
+        text, remark = decoded(file, MOST_BYTES)
+    except TextError as error:
+        raise RecordError(str(error))
+    return text, [remark] if remark else []
+
+
+def read_table(file):
+    """The Table of a delimited file, with all its columns."""
+    text, remarks = text_of(file)
+    table = read_delimited(file, text)
+    table.remarks += remarks
+    return table

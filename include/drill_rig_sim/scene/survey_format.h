@@ -1,0 +1,29 @@
+#ifndef DRILL_RIG_SIM_SCENE_SURVEY_FORMAT_H
+#define DRILL_RIG_SIM_SCENE_SURVEY_FORMAT_H
+
+#include <string>
+
+namespace drill_rig_sim
+{
+/// A column of a survey's table.
+struct SurveyColumn
+{
+  std::string column;  ///< its name in the header; empty: by the usual spellings
+  std::string unit;    ///< m, ft or ftUS, or deg, rad or gon; empty: as the header says
+};
+
+/// How a survey's file is to be read, where its header does not tell.
+struct SurveyFormat
+{
+  SurveyColumn md, inclination, azimuth;
+  SurveyColumn north, east, tvd;  ///< of the first station, from the rotary table
+  std::string delimiter;          ///< , or ; or tab or space; empty: by the header
+  double pass_over = 0.0;         ///< 1: stations without a value and those that equal the one before are passed over, and reported
+};
+
+/// Reads a format from a YAML file, keys as those of a scene's well.survey. Throws SceneError.
+SurveyFormat read_survey_format(const std::string& file);
+
+}  // namespace drill_rig_sim
+
+#endif

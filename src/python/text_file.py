@@ -1,0 +1,40 @@
+"""Text files as the simulator reads them: UTF-8, UTF-16 with a byte order mark, else latin-1, which is reported. Needs no ROS."""
+import logging
+import os
+
+from drill_rig_sim.refusal import Refusal
+
+LONGEST = 2**24  # bytes of a scene, a survey or a plan
+_reported = set()
+
+
+class TextError(Refusal):
+    """Why a text file cannot be read, in one line with its name."""
+
+
+def report(remarks):
+    """Logs what readers remark of a file, each once in a process: on stderr, where no log is set up."""
+    for remark in remarks:
+        if remark not in _reported:
+            _reported.add(remark)
+            logging.getLogger("drill_rig_sim").warning("%s", remark)
+
+
+def decoded(file, longest=LONGEST):
+    """The text of a file of at most `longest` bytes, and what is to be reported of its encoding: one line, or "". TextError where it is none."""
+    try:
+        from drill_rig_sim import _sim  # pylint: disable=import-outside-toplevel
+        from drill_rig_sim.lockstep import Refused  # pylint: disable=import-outside-toplevel
+    except ImportError as error:
+        raise TextError("%s: text is read by the Python module sim, which is not built (it needs pybind11-dev): %s" % (file, error))
+    try:
+        return _sim.read_text(os.fspath(file), longest)
+    except Refused as refusal:
+        raise TextError(str(refusal).splitlines()[0])
+
+
+def read_text(file):
+    """The text of a file; its encoding is reported. TextError where it is none."""
+    text, remark = decoded(file)
+    report([remark] if remark else [])
+    return text

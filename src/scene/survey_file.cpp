@@ -1,0 +1,38 @@
+#include "drill_rig_sim/scene/survey_file.h"
+
+#include "problems.h"
+#include "survey_csv.h"
+#include "survey_stations.h"
+#include "survey_witsml.h"
+#include "text_file.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+bool is_xml(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && text[first] == '<';
+}
+}  // namespace
+
+SurveyTable read_survey_file(const std::string& file, const SurveyFormat& format, const std::optional<TieIn>& tie_in)
+{
+  Problems problems(file);
+  const TextFile whole = read_text_file(file, "a survey: a table with the columns md_m, inclination_deg, azimuth_deg, or a WITSML trajectory");
+  const SurveyRows rows = is_xml(whole.text) ? read_survey_witsml(whole.text, format, problems) : read_survey_csv(whole.text, format, problems);
+  problems.raise();
+  SurveyTable table = stations_of(rows, format.pass_over != 0.0, tie_in, problems);
+  problems.raise();
+  for (std::string& remark : table.remarks) remark = one_line(file) + ": " + remark;
+  if (!whole.remark.empty()) table.remarks.insert(table.remarks.begin(), whole.remark);
+  return table;
+}
+
+SurveyTable read_survey_file(const std::string& file, const std::optional<TieIn>& tie_in)
+{
+  return read_survey_file(file, {}, tie_in);
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,319 @@
+#include "survey_header.h"
+
+#include <algorithm>
+#include <map>
+
+namespace drill_rig_sim
+{
+namespace
+{
+using Words = std::vector<std::string>;
+
+constexpr std::array<const char*, survey_quantities> own_names = {"md_m", "inclination_deg", "azimuth_deg", "north_m", "east_m", "tvd_m"};
+constexpr std::array<const char*, survey_quantities> full_names = {"measured depth", "inclination", "azimuth", "north", "east", "true vertical depth"};
+
+// usual spellings in small letters without blanks and signs
+const std::map<std::string, std::size_t>& spellings()
+{
+  static const std::map<std::string, std::size_t> table = []
+  {
+    std::map<std::string, std::size_t> all;
+    const auto add = [&](std::size_t quantity, std::initializer_list<const char*> names)
+    {
+      for (const char* name : names) all[name] = quantity;
+    };
+    add(survey_md, {"md", "mdepth", "measureddepth", "measdepth", "measdep", "mddepth", "depthmd", "measureddepthmd", "mdmeasureddepth", "ahd", "ahdepth",
+                    "alongholedepth", "surveydepth", "surveymd", "svydepth", "stationdepth", "stationmd", "depth", "dept"});
+    add(survey_inclination, {"inc", "incl", "incln", "inclin", "inclination", "incangle", "inclangle", "inclinationangle", "holeinclination", "holeangle", "drift",
+                             "driftangle"});
+    add(survey_azimuth, {"azi", "az", "azm", "azim", "azimuth", "azimut", "azimuthangle", "aziangle", "holeazimuth", "holedirection", "direction"});
+    add(survey_north, {"north", "ns", "northsouth", "northing", "localnorth", "localnorthing", "northoffset", "nsoffset", "dispns"});
+    add(survey_east, {"east", "ew", "eastwest", "easting", "localeast", "localeasting", "eastoffset", "ewoffset", "dispew"});
+    add(survey_tvd, {"tvd", "tvdepth", "truevertical", "trueverticaldepth", "tvdtrueverticaldepth", "verticaldepth", "vertdepth", "vertdep"});
+    return all;
+  }();
+  return table;
+}
+
+// words that say from which north an azimuth counts
+const std::map<std::string, std::string>& norths()
+{
+  static const std::map<std::string, std::string> table = {{"true", "true"}, {"tn", "true"}, {"grid", "grid"}, {"gn", "grid"},
+                                                           {"mag", "magnetic"}, {"magnetic", "magnetic"}, {"mn", "magnetic"}};
+  return table;
+}
+
+bool is_letter(char c)
+{
+  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+}
+
+// in small letters; signs part them
+Words words_of(const std::string& text)
+{
+  Words words(1);
+  for (const char c : lowered(text))
+  {
+    if (is_letter(c))
+      words.back() += c;
+    else if (!words.back().empty())
+      words.emplace_back();
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+std::string joined(const Words& words, std::size_t count)
+{
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) text += words[i];
+  return text;
+}
+
+const SurveyUnit* unit_for(std::size_t quantity, const std::string& spelling)
+{
+  return is_angle(quantity) ? angle_unit(spelling) : length_unit(spelling);
+}
+
+// takes (...) and [...] out of a text
+std::string without_brackets(const std::string& text, Words& inside)
+{
+  std::string outside;
+  bool in = false;
+  for (const char c : text)
+  {
+    if (!in && (c == '(' || c == '[' || c == '{'))
+    {
+      in = true;
+      inside.emplace_back();
+      outside += ' ';
+    }
+    else if (in && (c == ')' || c == ']' || c == '}'))
+      in = false;
+    else
+      (in ? inside.back() : outside) += c;
+  }
+  return outside;
+}
+
+// the degree sign is a word of its own
+std::string with_degree_apart(std::string text)
+{
+  for (const char* sign : {"\xc2\xb0", "\xc2\xba"})
+  {
+    const std::size_t at = text.find(sign);
+    if (at != std::string::npos) text = text.substr(0, at) + " " + sign + " " + text.substr(at + 2);
+  }
+  return text;
+}
+
+bool match_name(const std::string& name, HeaderCell& cell)
+{
+  const auto found = spellings().find(name);
+  if (found == spellings().end()) return false;
+  cell.quantity = found->second;
+  cell.weak = name == "depth" || name == "dept";
+  return true;
+}
+
+// by the words of a name, at their end perhaps a unit; false if they are no name
+bool match(const Words& words, HeaderCell& cell)
+{
+  cell.unit = nullptr;
+  if (match_name(joined(words, words.size()), cell)) return true;
+  // "md_ft", "Depth m RKB": one or two words of a unit
+  for (std::size_t last = 1; last <= 2 && last < words.size(); ++last)
+  {
+    if (!match_name(joined(words, words.size() - last), cell)) continue;
+    std::string spelling;
+    for (std::size_t i = words.size() - last; i < words.size(); ++i) spelling += words[i];
+    cell.unit = unit_for(*cell.quantity, spelling);
+    if (cell.unit) return true;
+  }
+  cell.quantity.reset();
+  return false;
+}
+
+// takes the word for a north out
+Words without_north(const Words& words, std::string& north)
+{
+  Words rest;
+  for (const std::string& word : words)
+  {
+    const auto found = norths().find(word);
+    if (found != norths().end())
+      north = found->second;
+    else if (word != "north")
+      rest.push_back(word);
+  }
+  return rest;
+}
+
+// takes the names of the rotary table out, from which depths count anyway
+Words without_datum(const Words& words)
+{
+  const std::array<const char*, 8> data = {"rkb", "kb", "brt", "rt", "brkb", "bkb", "rte", "df"};
+  Words rest;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(rest),
+               [&](const std::string& word) { return std::find(data.begin(), data.end(), word) == data.end(); });
+  return rest;
+}
+
+void match_any(const Words& words, HeaderCell& cell)
+{
+  if (match(words, cell) || (match(without_datum(words), cell) && !is_angle(*cell.quantity))) return;
+  std::string north;
+  const bool is_azimuth = match(without_north(words, north), cell) && cell.quantity == survey_azimuth;
+  if (is_azimuth) cell.north = north;
+  if (!is_azimuth) cell.quantity.reset();
+}
+
+std::string quoted(const std::string& text)
+{
+  return "\"" + shortened(text) + "\"";
+}
+
+// the place of a map's column; what is wrong with it
+std::string find_named(const std::string& column, const std::vector<HeaderCell>& cells, std::optional<std::size_t>& place)
+{
+  for (const bool any_case : {false, true})
+  {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (cells[i].text == column || (any_case && lowered(cells[i].text) == lowered(column))) found.push_back(i);
+    if (found.size() > 1) return "stands more than once in the header, allowed: once";
+    if (found.empty()) continue;
+    place = found.front();
+    return "";
+  }
+  return "no such column in the header";
+}
+
+// the place of a quantity by the usual spellings; own names go before others, and any before "Depth"
+std::string find_usual(std::size_t quantity, const std::vector<HeaderCell>& cells, std::optional<std::size_t>& place)
+{
+  std::array<std::vector<std::size_t>, 3> ranks;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (cells[i].quantity == quantity) ranks[cells[i].own ? 0 : cells[i].weak ? 2 : 1].push_back(i);
+  const auto found = std::find_if(ranks.begin(), ranks.end(), [](const auto& rank) { return !rank.empty(); });
+  if (found == ranks.end()) return "";
+  place = found->front();
+  if (found->size() == 1) return "";
+  if (found == ranks.begin()) return "stands more than once in the header, allowed: once";
+  std::string names;
+  for (const std::size_t i : *found) names += (names.empty() ? "" : ", ") + quoted(cells[i].text);
+  return "may be " + names + "; needed: one column, or `columns: {" + quantity_keys[quantity] + ": {column: NAME}}` (" + how_to_map + ")";
+}
+
+const SurveyColumn& column_of(const SurveyFormat& format, std::size_t quantity)
+{
+  const std::array<const SurveyColumn*, survey_quantities> all = {&format.md, &format.inclination, &format.azimuth, &format.north, &format.east, &format.tvd};
+  return *all[quantity];
+}
+
+// a tie-in's column that is not clear is none: few surveys need it
+void find_column(std::size_t quantity, const SurveyColumn& asked, SurveyHeader& header)
+{
+  std::optional<std::size_t>& place = header.place[quantity];
+  std::string wrong = asked.column.empty() ? find_usual(quantity, header.cells, place) : find_named(asked.column, header.cells, place);
+  if (place && quantity < needed_quantities) ++header.found;
+  if (!wrong.empty() && quantity >= needed_quantities && asked.column.empty()) return place.reset();
+  if (!wrong.empty() && header.wrong.empty())
+  {
+    header.wrong = wrong;
+    header.wrong_where = !asked.column.empty() ? asked.column : place && header.cells[*place].own ? own_names[quantity] : full_names[quantity];
+  }
+  if (!place) return;
+  const HeaderCell& cell = header.cells[*place];
+  const SurveyUnit* said = cell.quantity && is_angle(*cell.quantity) == is_angle(quantity) ? cell.unit : nullptr;
+  header.unit[quantity] = asked.unit.empty() ? said : unit_for(quantity, asked.unit);
+  if (!asked.unit.empty() && said && said != header.unit[quantity] && header.wrong.empty())
+  {
+    header.wrong = "the header says " + std::string(said->name) + " and the map " + shortened(asked.unit) + ", needed: the same unit";
+    header.wrong_where = cell.text;
+  }
+}
+
+std::string missing_columns(const SurveyHeader& header)
+{
+  std::string missing;
+  for (std::size_t i = 0; i < needed_quantities; ++i)
+    if (!header.place[i]) missing += (missing.empty() ? "" : ", ") + std::string(own_names[i]);
+  return missing;
+}
+}  // namespace
+
+HeaderCell header_cell(const std::string& text)
+{
+  HeaderCell cell;
+  cell.text = text;
+  Words brackets;
+  Words words = words_of(with_degree_apart(without_brackets(text, brackets)));
+  std::string in_brackets;
+  for (const std::string& bracket : brackets)
+  {
+    if (length_unit(bracket) || angle_unit(bracket))
+      in_brackets = bracket;
+    else
+      for (const std::string& word : words_of(with_degree_apart(bracket))) words.push_back(word);
+  }
+  match_any(words, cell);
+  if (!cell.quantity) return cell;
+  if (!in_brackets.empty()) cell.unit = unit_for(*cell.quantity, in_brackets);
+  cell.own = text == own_names[*cell.quantity];
+  return cell;
+}
+
+SurveyHeader find_columns(const std::vector<std::string>& cells, const SurveyFormat& format)
+{
+  SurveyHeader header;
+  for (const std::string& cell : cells) header.cells.push_back(header_cell(cell));
+  for (std::size_t i = 0; i < survey_quantities; ++i) find_column(i, column_of(format, i), header);
+  const std::string missing = missing_columns(header);
+  if (!missing.empty() && header.wrong.empty())
+  {
+    header.wrong_where = missing;
+    header.wrong = "no such column in the header";
+  }
+  return header;
+}
+
+bool take_units(const std::vector<std::string>& cells, SurveyHeader& header)
+{
+  std::array<const SurveyUnit*, survey_quantities> units = header.unit;
+  for (std::size_t i = 0; i < survey_quantities; ++i)
+  {
+    if (!header.place[i] || *header.place[i] >= cells.size()) continue;
+    Words brackets;
+    const std::string bare = without_brackets(cells[*header.place[i]], brackets);
+    const SurveyUnit* unit = unit_for(i, brackets.size() == 1 ? brackets.front() : bare);
+    if (i < needed_quantities && !unit) return false;
+    if (unit && units[i] && unit != units[i]) return false;
+    if (unit) units[i] = unit;
+  }
+  header.unit = units;
+  return true;
+}
+
+std::string unit_problem(const SurveyHeader& header, std::size_t quantity)
+{
+  if (!header.place[quantity] || header.unit[quantity]) return "";
+  const std::string key = quantity_keys[quantity];
+  const std::string allowed = is_angle(quantity) ? angle_unit_names : length_unit_names;
+  return "the header says no unit, needed: " + quoted(header.cells[*header.place[quantity]].text + (is_angle(quantity) ? " (deg)" : " (m)")) + " in the header, or `columns: {" +
+         key + ": {unit: " + (is_angle(quantity) ? "deg" : "m") + "}}` with " + allowed + " (" + how_to_map + ")";
+}
+
+std::string description(const SurveyHeader& header)
+{
+  std::string text;
+  for (std::size_t i = 0; i < needed_quantities; ++i)
+  {
+    if (!header.place[i]) continue;
+    text += (text.empty() ? "" : ", ") + std::string(quantity_keys[i]) + " " + quoted(header.cells[*header.place[i]].text);
+    if (header.unit[i]) text += std::string(" [") + header.unit[i]->name + "]";
+  }
+  return text;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,54 @@
+#include "survey_rows.h"
+
+#include <algorithm>
+#include <locale>
+#include <sstream>
+
+namespace drill_rig_sim
+{
+namespace
+{
+// what stands for no value in records and surveys; none of them is a depth or an angle
+constexpr std::array<double, 7> nulls = {-999.0, -999.25, -9999.0, -9999.25, -99999.0, -99999.25, -999999.0};
+
+bool is_empty_text(const std::string& cell)
+{
+  const std::string text = lowered(cell);
+  return text.empty() || text == "-" || text == "--" || text == "null" || text == "n/a" || text == "na";
+}
+
+// 12,5 as 12.5; a comma beside a point, or two of them, stays and is wrong
+std::string with_point(std::string cell)
+{
+  const std::size_t comma = cell.find(',');
+  if (comma != std::string::npos && cell.find('.') == std::string::npos) cell[comma] = '.';
+  return cell;
+}
+}  // namespace
+
+CellKind read_cell(const std::string& cell, bool decimal_commas, double& value)
+{
+  if (is_empty_text(cell)) return CellKind::missing;
+  std::istringstream in(decimal_commas ? with_point(cell) : cell);
+  in.imbue(std::locale::classic());
+  if (!(in >> value) || in.peek() != std::istringstream::traits_type::eof()) return CellKind::wrong;
+  return std::find(nulls.begin(), nulls.end(), value) != nulls.end() ? CellKind::missing : CellKind::number;
+}
+
+std::string north_remark(const std::string& north)
+{
+  return "azimuths are from " + north + " north and are taken as they stand: north of the well is " + north + " north";
+}
+
+std::string shown_cell(const std::string& cell)
+{
+  constexpr std::size_t longest = 24;
+  const std::string lower = lowered(cell);
+  const bool like_number = lower.find_first_of("0123456789") != std::string::npos && lower.find_first_not_of("0123456789+-.,'e ") == std::string::npos;
+  for (const char* word : {"nan", "inf", "infinity", "null", "n/a", "na", "-", "--"})
+    if (lower == word || lower == std::string("-") + word || lower == std::string("+") + word) return "\"" + cell + "\"";
+  if (cell.empty()) return "nothing";
+  return like_number && cell.size() <= longest ? "\"" + cell + "\"" : "text";
+}
+
+}  // namespace drill_rig_sim

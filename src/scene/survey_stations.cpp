@@ -1,0 +1,149 @@
+#include "survey_stations.h"
+
+#include <cmath>
+
+#include "drill_rig_sim/well/directions.h"
+#include "drill_rig_sim/well/well_checks.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr std::size_t most_lines_listed = 10;
+constexpr double same_depth = 1e-6, same_direction = 1e-6;  // what rounding of equal stations may leave [m], [rad]
+
+using Values = std::array<double, needed_quantities>;
+
+// equal but for rounding; azimuths of vertical stations may be any
+bool are_equal(const SurveyStation& a, const SurveyStation& b)
+{
+  const double apart = (tangent_from(a.inclination, a.azimuth) - tangent_from(b.inclination, b.azimuth)).norm();
+  return std::abs(a.md - b.md) <= same_depth && apart <= same_direction;
+}
+
+std::string lines_listed(const std::vector<int>& lines)
+{
+  std::string text = lines.size() == 1 ? "line " : "lines ";
+  for (std::size_t i = 0; i < lines.size() && i < most_lines_listed; ++i) text += (i == 0 ? "" : ", ") + std::to_string(lines[i]);
+  return lines.size() > most_lines_listed ? text + " and " + std::to_string(lines.size() - most_lines_listed) + " more" : text;
+}
+
+/// Makes stations of rows and remembers what it left out.
+class StationReader
+{
+public:
+  StationReader(const SurveyRows& survey, bool pass_over, Problems& problems) : survey_(survey), pass_over_(pass_over), problems_(problems) {}
+
+  // up to the first row that is wrong: what follows it is likely wrong for the same reason
+  void read()
+  {
+    for (const SurveyRow& row : survey_.rows)
+    {
+      Values values{};
+      bool complete = true;
+      for (std::size_t i = 0; i < needed_quantities; ++i)
+        if (!read_value(row, i, values, complete)) return;
+      if (!complete)
+        without_value_.push_back(row.line);
+      else
+        add({values[survey_md], values[survey_inclination], values[survey_azimuth]}, row.line);
+    }
+  }
+
+  std::vector<SurveyStation> stations;
+  std::vector<int> lines;  // of the stations
+
+  void add_remarks(std::vector<std::string>& remarks) const
+  {
+    if (!without_azimuth_.empty()) remarks.push_back("vertical stations without an azimuth were given 0 deg: " + lines_listed(without_azimuth_));
+    if (!without_value_.empty()) remarks.push_back("stations without a value were passed over: " + lines_listed(without_value_));
+    if (!equal_.empty()) remarks.push_back("stations equal to the one before were passed over: " + lines_listed(equal_));
+  }
+
+private:
+  // false: a problem was noted
+  bool read_value(const SurveyRow& row, std::size_t i, Values& values, bool& complete)
+  {
+    double value = 0.0;
+    const CellKind kind = read_cell(row.cells[i], survey_.decimal_commas, value);
+    values[i] = value * row.units[i]->factor;
+    if (kind == CellKind::number) return true;
+    const bool vertical = i == survey_azimuth && complete && values[survey_inclination] == 0.0;
+    if (kind == CellKind::wrong || !pass_over_)
+    {
+      problems_.add_at(row.line, survey_.names[i], problem_of(row.cells[i], kind));
+      return false;
+    }
+    values[i] = 0.0;
+    if (vertical)
+      without_azimuth_.push_back(row.line);
+    else
+      complete = false;
+    return true;
+  }
+
+  std::string problem_of(const std::string& cell, CellKind kind) const
+  {
+    const std::string got = " (got " + shown_cell(cell) + ")";
+    return (kind == CellKind::wrong ? "must be a finite number" + got : "has no value" + got + "; " + how_to_pass_over) + "; " + survey_.taken;
+  }
+
+  void add(const SurveyStation& station, int line)
+  {
+    if (pass_over_ && !stations.empty() && are_equal(stations.back(), station)) return equal_.push_back(line);
+    stations.push_back(station);
+    lines.push_back(line);
+  }
+
+  const SurveyRows& survey_;
+  bool pass_over_;
+  Problems& problems_;
+  std::vector<int> without_azimuth_, without_value_, equal_;
+};
+
+// where the row of the first station lies; nothing without the columns. A cell that is no number is a problem where the tie-in is needed.
+std::optional<TieIn> tie_in_of(const SurveyRows& survey, const SurveyRow& row, bool needed, Problems& problems)
+{
+  std::array<double, 3> place{};
+  for (std::size_t i = survey_north; i < survey_quantities; ++i)
+  {
+    if (survey.names[i].empty()) return std::nullopt;
+    const bool good = read_cell(row.cells[i], survey.decimal_commas, place[i - survey_north]) == CellKind::number;
+    if (needed && !good) problems.add_at(row.line, survey.names[i], "must be a finite number (got " + shown_cell(row.cells[i]) + ")");
+    if (needed && good && !row.units[i])
+      problems.add_at(row.line, survey.names[i], std::string("the header says no unit of the tie-in, needed: ") + length_unit_names + " (" + how_to_map + ")");
+    if (!good || !row.units[i]) return std::nullopt;
+    place[i - survey_north] *= row.units[i]->factor;
+  }
+  return TieIn{place[0], place[1], place[2]};
+}
+
+const SurveyRow& row_on(const SurveyRows& survey, int line)
+{
+  std::size_t i = 0;
+  while (survey.rows[i].line != line) ++i;
+  return survey.rows[i];
+}
+}  // namespace
+
+SurveyTable stations_of(const SurveyRows& survey, bool pass_over, const std::optional<TieIn>& tie_in, Problems& problems)
+{
+  StationReader reader(survey, pass_over, problems);
+  reader.read();
+  SurveyTable table{reader.stations, tie_in, survey.remarks};
+  reader.add_remarks(table.remarks);
+  if (!problems.empty()) return table;
+  if (!tie_in && !table.stations.empty())
+    table.tie_in = tie_in_of(survey, row_on(survey, reader.lines.front()), table.stations.front().md != 0.0, problems);
+  if (!problems.empty()) return table;
+  const SurveyUnit& unit = survey.rows.empty() ? *length_unit("m") : *survey.rows.front().units[survey_md];
+  for (const SurveyProblem& p : survey_problems(table.stations, table.tie_in, {unit.name, unit.factor}))
+  {
+    const bool equal = p.station > 0 && p.station < table.stations.size() && are_equal(table.stations[p.station - 1], table.stations[p.station]);
+    problems.add_at(p.station < reader.lines.size() ? reader.lines[p.station] : 1, "station " + std::to_string(p.station + 1),
+                    p.text + (equal ? std::string("; ") + how_to_pass_over : ""));
+  }
+  return table;
+}
+
+}  // namespace drill_rig_sim

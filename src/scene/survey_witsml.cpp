@@ -1,0 +1,157 @@
+#include "survey_witsml.h"
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "drill_rig_sim/well/well_checks.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+using tinyxml2::XMLElement;
+
+// Elements and attributes of a document: some 200 MB once they are loaded. A station has up to a hundred.
+constexpr std::ptrdiff_t most_parts = 2000000;
+constexpr std::array<const char*, survey_quantities> elements = {"md", "incl", "azi", "dispNs", "dispEw", "tvd"};
+
+// an element's name without its namespace's prefix
+std::string name_of(const XMLElement& element)
+{
+  const std::string name = element.Name();
+  return name.substr(name.find(':') + 1);  // npos + 1 is 0
+}
+
+std::string text_of(const XMLElement* element)
+{
+  const char* text = element ? element->GetText() : nullptr;
+  if (!text) return "";
+  const std::string whole = text;
+  const std::size_t first = whole.find_first_not_of(" \t\r\n");
+  return first == std::string::npos ? "" : whole.substr(first, whole.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::vector<const XMLElement*> children_of(const XMLElement& parent, const std::string& name)
+{
+  std::vector<const XMLElement*> found;
+  for (const XMLElement* child = parent.FirstChildElement(); child; child = child->NextSiblingElement())
+    if (name_of(*child) == name) found.push_back(child);
+  return found;
+}
+
+const XMLElement* child_of(const XMLElement& parent, const std::string& name)
+{
+  const std::vector<const XMLElement*> found = children_of(parent, name);
+  return found.empty() ? nullptr : found.front();
+}
+
+// The one trajectory of a document; nullptr and a problem where there is none, or one of several would have to be chosen.
+const XMLElement* trajectory_of(const XMLElement& root, Problems& problems)
+{
+  if (name_of(root) == "trajectory") return &root;
+  const std::vector<const XMLElement*> found = children_of(root, "trajectory");
+  if (found.size() == 1) return found.front();
+  if (found.empty())
+  {
+    problems.add_at(root.GetLineNum(), "", "the document has no trajectory, needed: a trajectory of WITSML 1.3.1.1 or 1.4.1.1, or a table");
+    return nullptr;
+  }
+  std::string names;
+  for (const XMLElement* trajectory : found) names += (names.empty() ? "" : ", ") + shortened(text_of(child_of(*trajectory, "name")));
+  problems.add_at(found[1]->GetLineNum(), "trajectory", "the document has " + std::to_string(found.size()) + " trajectories (" + names + "), allowed: one");
+  return nullptr;
+}
+
+// a station's cells; a value without a unit that is known is a problem
+SurveyRow row_of(const XMLElement& station, Problems& problems)
+{
+  SurveyRow row;
+  row.line = station.GetLineNum();
+  for (std::size_t i = 0; i < survey_quantities; ++i)
+  {
+    const XMLElement* element = child_of(station, elements[i]);
+    row.cells[i] = text_of(element);
+    row.units[i] = is_angle(i) ? angle_unit("deg") : length_unit("m");  // of what is missing
+    if (!element || row.cells[i].empty()) continue;
+    const char* uom = element->Attribute("uom");
+    row.units[i] = is_angle(i) ? angle_unit(uom ? uom : "") : length_unit(uom ? uom : "");
+    if (row.units[i] || !problems.empty()) continue;
+    problems.add_at(element->GetLineNum(), elements[i],
+                    (uom ? "unit \"" + shortened(uom) + "\" is not known" : std::string("has no unit (uom)")) + ", allowed: " + (is_angle(i) ? "dega, rad or gon" : "m, ft or ftUS"));
+  }
+  return row;
+}
+
+// in order of their depth, whatever it is of the document
+void sort_by_depth(SurveyRows& survey)
+{
+  std::vector<std::pair<double, SurveyRow>> rows;
+  for (SurveyRow& row : survey.rows)
+  {
+    double md = 0.0;
+    if (read_cell(row.cells[survey_md], false, md) != CellKind::number) md = 0.0;
+    rows.emplace_back(md * row.units[survey_md]->factor, std::move(row));
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < rows.size(); ++i) survey.rows[i] = std::move(rows[i].second);
+}
+
+void read_stations(const XMLElement& trajectory, SurveyRows& survey, Problems& problems)
+{
+  int rejected = 0;
+  for (const XMLElement* station : children_of(trajectory, "trajectoryStation"))
+  {
+    if (text_of(child_of(*station, "statusTrajStation")) == "rejected")
+      ++rejected;
+    else if (survey.rows.size() <= most_stations)
+      survey.rows.push_back(row_of(*station, problems));
+    if (!problems.empty()) return;
+  }
+  if (rejected > 0) survey.remarks.push_back("stations whose status is `rejected` were left out: " + std::to_string(rejected));
+  if (survey.rows.empty()) problems.add_at(trajectory.GetLineNum(), "trajectory", "has no stations, needed: two or more");
+}
+
+// a tie-in is one of all its columns: names of those that the first station lacks are none
+void name_columns(SurveyRows& survey)
+{
+  for (std::size_t i = 0; i < survey_quantities; ++i)
+    if (i < needed_quantities || !survey.rows.front().cells[i].empty()) survey.names[i] = elements[i];
+}
+
+bool is_within_bounds(const std::string& text, Problems& problems)
+{
+  const auto parts = std::count_if(text.begin(), text.end(), [](char c) { return c == '<' || c == '='; });
+  if (parts <= most_parts) return true;
+  problems.add_at(0, "", "has more than " + std::to_string(most_parts) + " elements and attributes, needed: a trajectory");
+  return false;
+}
+}  // namespace
+
+SurveyRows read_survey_witsml(const std::string& text, const SurveyFormat& format, Problems& problems)
+{
+  SurveyRows survey;
+  for (const SurveyColumn* column : {&format.md, &format.inclination, &format.azimuth, &format.north, &format.east, &format.tvd})
+    if (problems.empty() && !(column->column.empty() && column->unit.empty())) problems.add_at(0, "columns", "has no effect on a WITSML trajectory, which names its own; allowed: leave it out");
+  if (problems.empty() && !format.delimiter.empty()) problems.add_at(0, "delimiter", "has no effect on a WITSML trajectory; allowed: leave it out");
+  if (!problems.empty() || !is_within_bounds(text, problems)) return survey;
+  tinyxml2::XMLDocument document;  // knows the five entities of XML only: a document cannot define others
+  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS || !document.RootElement())
+  {
+    problems.add_at(document.ErrorLineNum(), "", "is no XML document, needed: a WITSML trajectory or a table");
+    return survey;
+  }
+  const XMLElement* trajectory = trajectory_of(*document.RootElement(), problems);
+  if (!trajectory) return survey;
+  const std::string reference = text_of(child_of(*trajectory, "aziRef"));
+  if (reference == "grid north" || reference == "magnetic north") survey.remarks.push_back(north_remark(reference.substr(0, reference.find(' '))));
+  survey.taken = "read as a WITSML trajectory";
+  read_stations(*trajectory, survey, problems);
+  if (!problems.empty()) return survey;
+  sort_by_depth(survey);
+  name_columns(survey);
+  return survey;
+}
+
+}  // namespace drill_rig_sim

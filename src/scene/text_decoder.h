@@ -1,0 +1,23 @@
+#ifndef DRILL_RIG_SIM_SRC_SCENE_TEXT_DECODER_H
+#define DRILL_RIG_SIM_SRC_SCENE_TEXT_DECODER_H
+
+#include <string>
+
+namespace drill_rig_sim
+{
+/// What a file's bytes say.
+struct DecodedText
+{
+  std::string text;       ///< UTF-8 without a byte order mark
+  bool is_latin = false;  ///< the bytes are no UTF-8 and were taken for latin-1 (windows-1252)
+  std::string wrong;      ///< why they are no text, in one line; else empty
+  int wrong_line = 0;     ///< where, from 1; 0: of the whole
+};
+
+/// Text out of UTF-8 with or without a byte order mark, UTF-16 with one, or else latin-1 (windows-1252), in which any bytes are a text. NUL bytes
+/// are in no text: UTF-16 without its mark, UTF-32 and binary files are known by them.
+DecodedText decode_text(std::string bytes);
+
+}  // namespace drill_rig_sim
+
+#endif
