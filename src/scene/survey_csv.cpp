@@ -162,7 +162,7 @@ void settle_angles(SurveyHeader& header, const SurveyRows& survey, Problems& pro
   {
     const SurveyUnit* other = header.unit[i == survey_azimuth ? survey_inclination : survey_azimuth];
     if (header.unit[i]) continue;
-    if (!any_named && largest > 0.0 && largest <= 2.0 * pi + 1e-3)
+    if (problems.empty() && !any_named && largest > 0.0 && largest <= 2.0 * pi + 1e-3)
       problems.add_at(line, header.cells[*header.place[i]].text, unit_problem(header, i));
     header.unit[i] = any_named ? other : angle_unit("deg");
   }
