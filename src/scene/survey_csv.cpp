@@ -266,7 +266,7 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   const std::vector<Line> lines = lines_of(text);
   if (lines.empty())
   {
-    problems.add_at(0, "", "is empty, needed: a survey with the columns md_m, inclination_deg, azimuth_deg");
+    problems.add_at(0, "", std::string("is empty, needed: ") + needed_survey);
     return survey;
   }
   Table table = find_header(lines, format);
