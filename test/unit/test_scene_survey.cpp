@@ -89,6 +89,8 @@ TEST(SceneSurvey, UnitsBelowTheHeaderAndLinesAboveIt)
   const SurveyTable table = read("Well: A-7\nRig: North Star\n\nMD,Inc,Azi,DLS\n(ft),(deg),(deg),(deg/100ft)\n0,0,0,0\n1000,3,40,0.3\n,,,\n");
   ASSERT_EQ(2u, table.stations.size());
   expect_station(table.stations[1], 1000.0 * foot, 3.0, 40.0);
+  expect_station(read("Company: X\n\n   MD    Inc    Azi    TVD\n (usft)  (\xc2\xb0)    (\xc2\xb0)  (usft)\n  0.0   0.0   0.0   0.0\n 3937.0  2.5  45.0  3936.5\n").stations[1], 1200.0,
+                 2.5, 45.0);
 }
 
 TEST(SceneSurvey, DepthsWithoutAUnitAreRefused)
@@ -124,6 +126,9 @@ TEST(SceneSurvey, WhatMayBeTwoThingsIsRefused)
   EXPECT_TRUE(holds(refusal("MD (ft);Inc (deg);Azi (deg)\n0;0;0\n1,000;2;40\n2,000;3;41\n"), ":3: MD (ft): the comma may be"));
   EXPECT_TRUE(holds(refusal("MD (m);Inc (deg);Azi (deg)\n0;0;0\n1.000;2,5;40\n"), "decimal commas and decimal points"));
   EXPECT_EQ("accepted", refusal("MD (m);Inc (deg);Azi (deg)\n0;0;0\n1,000;2,100;40,000\n")) << "no angle is two thousand";
+  expect_station(read("MD (m),Inc (deg),Azi (deg)\n0,0,0\n\"1,000.50\",2,40\n").stations[1], 1000.5, 2.0, 40.0);
+  for (const char* cell : {"1,00.5", "1,0000.5", ",000.5", "1,000.5,0"})
+    EXPECT_TRUE(holds(refusal("MD (m),Inc (deg),Azi (deg)\n0,0,0\n\"" + std::string(cell) + "\",2,40\n"), "must be a finite number")) << cell;
   EXPECT_TRUE(holds(refusal("MD (ft),Inc (deg),Azi (deg)\n0,0,0\n\"1,000\",2,40\n"), ":3: MD (ft): must be a finite number (got \"1,000\")"));
 }
 
