@@ -53,6 +53,11 @@ Cells cells_of(const std::string& line, char delimiter)
   return cells;
 }
 
+bool is_bracket(char c)
+{
+  return c == '(' || c == '[';
+}
+
 // words parted by blanks; a unit in brackets belongs to the word before it
 Cells words_of(const std::string& line)
 {
@@ -60,8 +65,8 @@ Cells words_of(const std::string& line)
   for (const std::string& word : cells_of(line, ' '))
   {
     if (word.empty()) continue;
-    const bool unit = !words.empty() && (word[0] == '(' || word[0] == '[');
-    if (unit)
+    const bool of_word = !words.empty() && is_bracket(word[0]) && !is_bracket(words.back()[0]);
+    if (of_word)
       words.back() += " " + word;
     else
       words.push_back(word);
@@ -162,7 +167,7 @@ void settle_angles(SurveyHeader& header, const SurveyRows& survey, Problems& pro
   {
     const SurveyUnit* other = header.unit[i == survey_azimuth ? survey_inclination : survey_azimuth];
     if (header.unit[i]) continue;
-    if (!any_named && largest > 0.0 && largest <= 2.0 * pi + 1e-3)
+    if (problems.empty() && !any_named && largest > 0.0 && largest <= 2.0 * pi + 1e-3)
       problems.add_at(line, header.cells[*header.place[i]].text, unit_problem(header, i));
     header.unit[i] = any_named ? other : angle_unit("deg");
   }
@@ -252,9 +257,8 @@ void add_remarks(const Table& table, SurveyRows& survey)
   if (!angles.empty()) survey.remarks.push_back(angles + " have no unit and are read as degrees");
 }
 
-void take_rows(const std::vector<Line>& lines, Table& table, SurveyRows& survey, Problems& problems)
+void take_rows(const std::vector<Line>& lines, const Table& table, SurveyRows& survey, Problems& problems)
 {
-  if (table.first_row < lines.size() && take_units(split(lines[table.first_row].text, table.delimiter.character), table.header)) ++table.first_row;
   for (std::size_t i = table.first_row; i < lines.size() && survey.rows.size() <= most_stations; ++i)
     if (!take_row(lines[i], table, survey, problems)) return;
 }
@@ -266,7 +270,7 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   const std::vector<Line> lines = lines_of(text);
   if (lines.empty())
   {
-    problems.add_at(0, "", "is empty, needed: a survey with the columns md_m, inclination_deg, azimuth_deg");
+    problems.add_at(0, "", std::string("is empty, needed: ") + needed_survey);
     return survey;
   }
   Table table = find_header(lines, format);
@@ -279,9 +283,10 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   for (std::size_t i = 0; i < survey_quantities; ++i)
     if (header.place[i]) survey.names[i] = header.cells[*header.place[i]].text;
   survey.decimal_commas = table.delimiter.character != ',';
-  take_rows(lines, table, survey, problems);
+  if (table.first_row < lines.size() && take_units(split(lines[table.first_row].text, table.delimiter.character), header)) ++table.first_row;
   const std::string no_unit = unit_problem(header, survey_md);
   if (!no_unit.empty()) problems.add_at(table.line, survey.names[survey_md], no_unit);
+  if (problems.empty()) take_rows(lines, table, survey, problems);
   if (!problems.empty()) return survey;
   if (survey.decimal_commas) check_points(survey, problems);
   if (survey.decimal_commas && problems.empty()) check_commas(survey, problems);

@@ -24,9 +24,9 @@ const std::map<std::string, std::size_t>& spellings()
     };
     add(survey_md, {"md", "mdepth", "measureddepth", "measdepth", "measdep", "mddepth", "depthmd", "measureddepthmd", "mdmeasureddepth", "ahd", "ahdepth",
                     "alongholedepth", "surveydepth", "surveymd", "svydepth", "stationdepth", "stationmd", "depth", "dept"});
-    add(survey_inclination, {"inc", "incl", "incln", "inclin", "inclination", "incangle", "inclangle", "inclinationangle", "holeinclination", "holeangle", "drift",
+    add(survey_inclination, {"inc", "incl", "incln", "inclin", "inclination", "incangle", "inclangle", "inclinationangle", "holeinclination", "holeinc", "holeincl", "holeangle", "drift",
                              "driftangle"});
-    add(survey_azimuth, {"azi", "az", "azm", "azim", "azimuth", "azimut", "azimuthangle", "aziangle", "holeazimuth", "holedirection", "direction"});
+    add(survey_azimuth, {"azi", "az", "azm", "azim", "azimuth", "azimut", "azimuthangle", "aziangle", "holeazimuth", "holeazi", "holedirection", "direction"});
     add(survey_north, {"north", "ns", "northsouth", "northing", "localnorth", "localnorthing", "northoffset", "nsoffset", "dispns"});
     add(survey_east, {"east", "ew", "eastwest", "easting", "localeast", "localeasting", "eastoffset", "ewoffset", "dispew"});
     add(survey_tvd, {"tvd", "tvdepth", "truevertical", "trueverticaldepth", "tvdtrueverticaldepth", "verticaldepth", "vertdepth", "vertdep"});
