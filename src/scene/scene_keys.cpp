@@ -323,7 +323,7 @@ const Table<TrajectorySpec> trajectory_keys = {"trajectory", "Second stage of th
   {"stage_two_steps",       "",       &TrajectorySpec::stage_two_steps,    between(1, 1000000),  "physics steps between corrections", no_kind, every_kind, "by length"},
 }};
 
-const Table<StartSpec> start_keys = {"start", "At rest, in static equilibrium, winch braked.", {
+const Table<StartSpec> start_keys = {"start", "At rest, in static equilibrium without friction, winch braked. The toolface is measured from the high side, from north where the hole at the bend inclines by less than 5 deg.", {
   {"bit_depth",             "m",      &StartSpec::bit_depth,               between(0.01, 20000.0), "measured depth of the bit's face", no_kind, every_kind, "hole_depth"},
   {"block_height",          "m",      &StartSpec::block_height,            between(0.0, 200.0),  "top-drive shaft above the rotary table"},
   {"weight_on_bit",         "N",      &StartSpec::weight_on_bit,           between(0.0, 1e6),    "on bottom only: the winch is set so that the bit carries it"},
