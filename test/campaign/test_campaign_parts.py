@@ -24,7 +24,7 @@ from drill_rig_sim.campaign import command, engine, played, sensitivity
 from drill_rig_sim.campaign.designs import DesignError, Factor, rows_of
 from drill_rig_sim.campaign.plan import read_plan
 from drill_rig_sim.campaign.plan_text import PlanError
-from drill_rig_sim.campaign.results import Results, ResultsError
+from drill_rig_sim.campaign.results import Locked, Results, ResultsError
 from drill_rig_sim.campaign.runner import Runner
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
 from drill_rig_sim.sim import build
@@ -264,6 +264,7 @@ class Runs(Folder):
     def test_runs_that_fail_have_their_reason_and_the_next_one_runs(self):
         for fault, bounds, wanted, said in (("error", "cpu: 9.0", "controller", r"laws.py, line \d+: KeyError: 'no such gauge'"), ("spin", "cpu: 0.7", "cpu", "0.7 s"),
                                             ("sleep", "wall: 1.5", "wall", "1.5 s"), ("hoard", "memory: 2.0e+8", "memory", "200 MB"), ("crash", "cpu: 9.0", "died", "signal 11"),
+                                            ("leave", "cpu: 9.0", "controller", r"laws.py, line \d+: SystemExit: no more of this"), ("vanish", "cpu: 9.0", "died", "status 5"),
                                             ("kill", "cpu: 9.0", "died", "signal 9")):
             runner, row, identity = self.runner(fault, bounds)
             for _ in range(2):
@@ -353,6 +354,55 @@ class File(Folder):
             Results(self.place("r.sqlite"))
         results.add([self.ROW])
         self.assertEqual(1, len(list(Results(self.place("r.sqlite"), write=False).rows())))
+
+    def test_a_full_disk_is_told_in_one_line(self):
+        results = Results(self.place("r.sqlite"))
+        self.addCleanup(results.close)
+        results.describe(**self.about(["k1"]))
+        pages = results.data.execute("pragma page_count").fetchone()[0]
+        results.data.execute("pragma max_page_count = %d" % pages)
+        kept = command.Kept(results, command.Progress(2, io.StringIO()))
+        kept.take("k1", [1.0], ("good", "", {"x": 2.0}, 0.1, "w"))
+        kept.keep()
+        kept.take("k2", [1.0], ("controller", 20000 * "why ", {}, 0.1, "w"))
+        with self.assertRaisesRegex(ResultsError, "^%s: database or disk is full$" % re.escape(results.file)):
+            kept.keep()
+        self.assertEqual((1, {"k1"}), (kept.number, results.done()))
+
+    def test_results_wait_while_another_program_holds_the_file(self):
+        results = Results(self.place("r.sqlite"))
+        self.addCleanup(results.close)
+        results.describe(**self.about(["k1", "k2"]))
+        other = sqlite3.connect(self.place("r.sqlite"))
+        self.addCleanup(other.close)
+        other.execute("begin immediate")
+        told = io.StringIO()
+        kept = command.Kept(results, command.Progress(2, io.StringIO()))
+        with mock.patch.object(command, "KEEP_EVERY", 0.0), mock.patch.object(command, "SHORT_PATIENCE", 0.1), redirect_stderr(told):
+            for key in ("k1", "k2"):
+                kept.take(key, [1.0], ("good", "", {"x": 2.0}, 0.1, "w"))
+        self.assertEqual("drill_campaign: %s: another program reads or writes it and holds it locked: results wait\n" % results.file, told.getvalue())
+        with self.assertRaises(Locked):
+            kept.keep(patience=0.1)
+        other.rollback()
+        kept.keep()
+        self.assertEqual((2, {"k1", "k2"}), (kept.number, results.done()))
+
+    def test_a_locked_file_is_told_in_one_line(self):
+        Results(self.place("r.sqlite")).close()
+        other = sqlite3.connect(self.place("r.sqlite"))
+        self.addCleanup(other.close)
+        other.execute("begin exclusive")
+        with mock.patch("drill_rig_sim.campaign.results.PATIENCE", 0.1):
+            for words in ((self.plan(), "--results", self.place("r.sqlite")), ("export", self.place("r.sqlite"))):
+                status, _, told = drill_campaign(*words)
+                self.assertEqual(2, status)
+                self.assertRegex(told, "^drill_campaign: %s: .*locked.*\n$" % re.escape(self.place("r.sqlite")))
+
+    def test_a_scheduler_beyond_tls_needs_certificates(self):
+        status, _, told = drill_campaign(self.plan(), "--results", self.place("r.sqlite"), "--scheduler", "tls://127.0.0.1:8786")
+        self.assertEqual(3, status)
+        self.assertRegex(told, r"^drill_campaign: tls://127.0.0.1:8786: there are no certificates, needed: .*; 0 runs are done, the same command goes on\n")
 
     def test_what_is_no_results_file(self):
         with open(self.place("text"), "w", encoding="utf-8") as out:
