@@ -41,7 +41,7 @@ def depth_log(run):
     weights = numpy.where(bottom, run.dt, 0.0)
     total = numpy.bincount(number, weights)
     good = total > 0.0
-    means = {name: numpy.bincount(number, weights * values, len(total))[good] / total[good] for name, values in run.columns.items()}
+    means = {name: numpy.bincount(number, numpy.where(bottom, weights * values, 0.0), len(total))[good] / total[good] for name, values in run.columns.items()}
     means["rop"] = numpy.bincount(number, new_hole(run, bottom), len(total))[good] / total[good]
     if "azimuth" in means:
         means["azimuth"] = numpy.where(means["inclination"] > LEAST_INCLINATION, means["azimuth"], numpy.nan)

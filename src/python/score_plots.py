@@ -105,7 +105,7 @@ def energy(panel, run, bit_diameter):
     drilled = new_hole(run, bottom)
     torque, speed = (run["bit_torque"], run["bit_speed"]) if "bit_torque" in run else (run["torque"], run["top_drive_speed"])
     middle, metres = per_window(run, drilled)
-    _, work = per_window(run, run["wob"] * drilled + numpy.where(bottom, torque * speed * run.dt, 0.0))
+    _, work = per_window(run, numpy.where(drilled > 0.0, run["wob"] * drilled, 0.0) + numpy.where(bottom, torque * speed * run.dt, 0.0))
     good = metres > 1e-3
     panel.plot(middle[good], 1e-6 * work[good] / (0.25 * math.pi * bit_diameter**2 * metres[good]), ".-", **LINE)
 

@@ -14,6 +14,8 @@ SEED = "seed"               # a factor's key that is none of the scene
 CONTROLLER = "controller."  # before the controller's parameters
 PARTS = ("name", "scene", "survey", "factors", "controller", "parameters", "duration", "rate", "every", "begin", "seed", "outputs", "judge", "cpu", "wall", "memory")
 
+USER_ERRORS = (Exception, SystemExit)  # of a user's code: sys.exit() in it ends its run, not the campaign
+
 
 class SourceError(Exception):
     """Why there is no such class or function, in one line."""
@@ -39,7 +41,7 @@ class Source:
             else:
                 scope = {"__name__": "drill_campaign_" + hashlib.sha256(self.text.encode()).hexdigest()[:12]}
                 exec(compile(self.text, self.module, "exec"), scope)  # pylint: disable=exec-used
-        except Exception as error:  # pylint: disable=broad-except
+        except USER_ERRORS as error:
             raise SourceError(told(error, self.module)) from error
         if self.name not in scope:
             raise SourceError("%s has no %s" % (self.module, self.name))

@@ -4,7 +4,7 @@ import inspect
 import re
 
 from drill_rig_sim.campaign import played
-from drill_rig_sim.campaign.blueprint import CONTROLLER, in_scene, told
+from drill_rig_sim.campaign.blueprint import CONTROLLER, USER_ERRORS, in_scene, told
 from drill_rig_sim.campaign.outputs import check
 from drill_rig_sim.campaign.plan_text import PlanError
 from drill_rig_sim.campaign.runner import one_line
@@ -144,7 +144,7 @@ def check_law(plan, row):
     try:
         law = blueprint.controller.load()(**blueprint.parameters_of(row))
         missing = [name for name in NEEDED if not hasattr(law, name)]
-    except Exception as error:  # pylint: disable=broad-except
+    except USER_ERRORS as error:
         raise LawError(told(error, blueprint.controller.module)) from error
     where = plan.places[CLASS]
     if missing or not callable(law.step):
