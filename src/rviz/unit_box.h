@@ -3,7 +3,7 @@
 
 #include <QDoubleSpinBox>
 
-#include "model/units.h"
+#include "drill_rig_sim/math/shown_units.h"
 
 namespace drill_rig_sim::console
 {

@@ -52,6 +52,12 @@ void Problems::add_at(int line, const std::string& path, const std::string& text
   problems_.push_back(where + ": " + key + cut(printable(text), longest_text_of_problem));
 }
 
+void Problems::add_in_input_unit(const std::string& path, const std::string& text)
+{
+  const auto given = units_.find(path);
+  add(path, given == units_.end() ? text : in_input_unit(text, given->second.key_unit, given->second.unit));
+}
+
 void Problems::fail(int line, const std::string& path, const std::string& text)
 {
   add_at(line, path, text);

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "units.h"
+#include "drill_rig_sim/math/shown_units.h"
 
 namespace drill_rig_sim::console
 {

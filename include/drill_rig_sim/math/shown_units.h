@@ -1,7 +1,9 @@
-#ifndef DRILL_RIG_SIM_RVIZ_MODEL_UNITS_H
-#define DRILL_RIG_SIM_RVIZ_MODEL_UNITS_H
+#ifndef DRILL_RIG_SIM_MATH_SHOWN_UNITS_H
+#define DRILL_RIG_SIM_MATH_SHOWN_UNITS_H
 
-namespace drill_rig_sim::console
+/// THE place that says in which unit, and with how many decimals, a number is shown: by the runner's commands and by rviz's console.
+/// drill_rig_sim/units.py says the same for Python. Messages and files stay in SI.
+namespace drill_rig_sim
 {
 enum class UnitSystem
 {
@@ -27,6 +29,11 @@ enum class Dimension
   density,
   strokes,         // of a pump, per time
   force_per_length,
+  mass,
+  volume,
+  dogleg,          // change of direction per length
+  torsional_damping,
+  torsional_stiffness,
   share,
   number,
   count
@@ -36,11 +43,11 @@ enum class Dimension
 struct Unit
 {
   const char* name;  // "" for a mere number
-  double per_si;     // shown units in one SI unit (N, N m, rad/s, m/s, Pa, m3/s, m, m2, rad, kg/m3, 1/s, N/m)
+  double per_si;     // shown units in one SI unit (N, N m, rad/s, m/s, Pa, m3/s, m, m2, rad, kg/m3, 1/s, N/m, kg, m3, rad/m, N m s/rad, N m/rad)
   int decimals;      // that are shown
 };
 
-/// The unit of a dimension. Factors: NIST SP 811, appendix B (lbf, ft, in, psi, US gallon).
+/// The unit of a dimension. Factors: math/unit_table.h.
 const Unit& unit_of(Dimension dimension, UnitSystem system);
 /// Name of the SI unit itself, as in the messages: "N", "rad/s"; "1" for a number.
 const char* si_name(Dimension dimension);
@@ -49,6 +56,6 @@ double to_shown(double si, Dimension dimension, UnitSystem system);
 /// From what is shown to SI.
 double to_si(double shown, Dimension dimension, UnitSystem system);
 
-}  // namespace drill_rig_sim::console
+}  // namespace drill_rig_sim
 
 #endif
