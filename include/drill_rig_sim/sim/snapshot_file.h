@@ -23,7 +23,7 @@ struct Snapshot
 {
   Kernel kernel;  ///< that it was made by
   std::vector<unsigned char> bytes;
-  SceneStart start;  ///< of its rig
+  SceneStart start = {};  ///< of its rig
 };
 
 /// Writes the file whole or not at all (a neighbour file first, then renamed).
