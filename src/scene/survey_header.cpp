@@ -49,7 +49,7 @@ bool is_letter(char c)
 }
 
 // in small letters; signs part them
-Words words_of(const std::string& text)
+Words name_words(const std::string& text)
 {
   Words words(1);
   for (const char c : lowered(text))
@@ -248,14 +248,14 @@ HeaderCell header_cell(const std::string& text)
   HeaderCell cell;
   cell.text = text;
   Words brackets;
-  Words words = words_of(with_degree_apart(without_brackets(text, brackets)));
+  Words words = name_words(with_degree_apart(without_brackets(text, brackets)));
   std::string in_brackets;
   for (const std::string& bracket : brackets)
   {
     if (length_unit(bracket) || angle_unit(bracket))
       in_brackets = bracket;
     else
-      for (const std::string& word : words_of(with_degree_apart(bracket))) words.push_back(word);
+      for (const std::string& word : name_words(with_degree_apart(bracket))) words.push_back(word);
   }
   match_any(words, cell);
   if (!cell.quantity) return cell;
