@@ -4,7 +4,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "drill_rig_sim/math/shown_units.h"
+#include "model/units.h"
 
 namespace drill_rig_sim::console
 {

@@ -6,7 +6,7 @@
 #include <QString>
 
 #include "model/limits.h"
-#include "drill_rig_sim/math/shown_units.h"
+#include "model/units.h"
 
 class QCheckBox;
 class QLabel;

@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "model/limits.h"
-#include "drill_rig_sim/math/shown_units.h"
+#include "model/units.h"
 
 class QCheckBox;
 class QComboBox;

@@ -3,7 +3,7 @@
 
 #include <QDoubleSpinBox>
 
-#include "drill_rig_sim/math/shown_units.h"
+#include "model/units.h"
 
 namespace drill_rig_sim::console
 {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "rviz/model/quantities.h"
-#include "drill_rig_sim/math/shown_units.h"
+#include "rviz/model/units.h"
 
 namespace test_rviz_units
 {

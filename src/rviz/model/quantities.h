@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "drill_rig_sim/math/shown_units.h"
+#include "units.h"
 
 namespace drill_rig_sim::console
 {
