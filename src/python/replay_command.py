@@ -10,27 +10,28 @@ from drill_rig_sim.field.replay import play
 from drill_rig_sim.lockstep import Failed, Refused
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
 from drill_rig_sim.sim import Simulator
+from drill_rig_sim.units import QUANTITIES, SI, SYSTEMS, Units
 
-SHOWN = {"hook_load": ("hook load", 1e-3, "kN"), "torque": ("torque", 1e-3, "kN m"), "stand_pipe_pressure": ("stand pipe", 1e-5, "bar")}
+NAMES = {"hook_load": "hook load", "torque": "torque", "stand_pipe_pressure": "stand pipe"}
 
 
-def table(replay):
+def table(replay, units=SI):
     lines = ["%-12s %12s %12s %12s %12s  off: recorded less simulated" % ("", "mean off", "rms off", "largest off", "range")]
     for signal, numbers in replay.table().items():
-        name, factor, unit = SHOWN[signal]
-        lines.append("%-12s %s %s" % (name, " ".join("%12.3f" % (factor * numbers[key]) for key in ("mean", "rms", "largest", "range")), unit))
+        unit = units[QUANTITIES[signal]]
+        lines.append("%-12s %s %s" % (NAMES[signal], " ".join("%12.3f" % (unit.per_si * numbers[key]) for key in ("mean", "rms", "largest", "range")), unit.name))
     return lines
 
 
-def draw(replay, file):
+def draw(replay, file, units=SI):
     from drill_rig_sim.score_plots import plt  # needs matplotlib
     figure, axes = plt.subplots(2 * len(replay.recorded), sharex=True, figsize=(9.0, 3.6 * len(replay.recorded)), squeeze=False, constrained_layout=True)
     for place, signal in enumerate(replay.recorded):
-        name, factor, unit = SHOWN[signal]
+        unit, factor, _ = units[QUANTITIES[signal]]
         both, off = axes[2 * place, 0], axes[2 * place + 1, 0]
         both.plot(replay.time, factor * replay.recorded[signal], color="#555555", linewidth=0.9, label="recorded")
         both.plot(replay.time, factor * replay.simulated[signal], color="#1f5fa8", linewidth=0.9, label="simulated")
-        both.set_ylabel("%s [%s]" % (name, unit))
+        both.set_ylabel("%s [%s]" % (NAMES[signal], unit))
         both.legend(fontsize=8)
         off.plot(replay.time, factor * replay.residual(signal), color="#c0392b", linewidth=0.8)
         off.axhline(0.0, color="#bbbbbb", linewidth=0.6)
@@ -55,7 +56,9 @@ def main(words):
     parser.add_argument("scene")
     for name in ("--columns", "--json", "--csv", "--plots"):
         parser.add_argument(name)
+    parser.add_argument("--units", choices=SYSTEMS, default="si")
     options = parser.parse_args(words)
+    units = Units(options.units)
     try:
         record = read_record(options.record, options.columns)
         replay = play(Simulator(os.path.abspath(options.scene) if os.path.exists(options.scene) else options.scene), record)
@@ -66,8 +69,8 @@ def main(words):
         if options.csv:
             write(replay, options.csv)
         if options.plots:
-            draw(replay, options.plots)
-        print("\n".join(table(replay)))
+            draw(replay, options.plots, units)
+        print("\n".join(table(replay, units)))
         print("".join("drill replay: %s\n" % line for line in replay.remarks), end="", file=sys.stderr)
         return GOOD
     except (RecordError, Refused) as error:

@@ -10,6 +10,7 @@ from drill_rig_sim.campaign.plan_checks import first_rig
 from drill_rig_sim.campaign.plan_text import PlanError
 from drill_rig_sim.campaign.results import Results, ResultsError
 from drill_rig_sim.campaign.runner import GOOD as RUN_GOOD
+from drill_rig_sim.units import SYSTEMS
 
 GOOD, SOME_BAD, BAD_INPUT, BROKEN = 0, 1, 2, 3
 KEEP_EVERY = 0.5  # longest that results wait before they are in the file [s]
@@ -42,6 +43,7 @@ def looks():
         found[name].add_argument("results", help="the campaign's SQLite file")
     for name, default in (("report", "beside it"), ("export", "beside it"), ("scene", "run_K.yaml")):
         found[name].add_argument("--out", metavar="FILE", help="default: " + default)
+    found["report"].add_argument("--units", choices=SYSTEMS, default="si", help="of outputs whose quantity is known; the results' file and export stay in SI")
     for name in ("scene", "play"):
         found[name].add_argument("--run", type=int, required=True, metavar="K", help="number of the run, from 0 on")
     found["play"].add_argument("--csv", metavar="FILE", help="the time series, as drill run --csv has it")
@@ -148,7 +150,7 @@ def look(name, words):
         print(file)
     elif name == "report":
         from drill_rig_sim.campaign import report
-        print(report.write_page(results, options.out or base + ".html"))
+        print(report.write_page(results, options.out or base + ".html", options.units))
     elif name == "scene":
         print("\n".join(again.write_files(results, options.run, options.out or "run_%d.yaml" % options.run)))
     else:

@@ -4,6 +4,7 @@ import os
 import re
 
 import yaml
+from drill_rig_sim.campaign.measures import split, with_unit
 
 STEP = re.compile(r"([A-Za-z_][A-Za-z_0-9]*)((?:\[[^\]]+\])*)$")
 
@@ -95,8 +96,9 @@ class SceneText:
     def replaced(self, begin, end, value, key):
         if not isinstance(value, Times):
             return written(value)
+        number, unit = split(self.text[begin:end].strip("'\""))
         try:
-            return written(float(value) * float(self.text[begin:end]))
+            return written(with_unit(float(value) * (float(self.text[begin:end]) if number is None else number), unit))
         except ValueError:
             raise SceneTextError("%s: %s is no number, which could be multiplied" % (key, self.text[begin:end]))
 
