@@ -84,11 +84,11 @@ std::string refusal(const KeyUnits& units, const std::string& written, const std
   return "unknown unit" + allowed;
 }
 
-// a number of a message, which has six figures: what was given is shown as it was
-std::string shown_in(const InputUnit& unit, double in_key_unit)
+// a number of a message, which has six figures; the first one, if it is what was given, is shown as it was
+std::string shown_in(const InputUnit& unit, double in_key_unit, bool is_first)
 {
   const auto number = static_cast<double>(in_key_unit / unit.factor);
-  return plain(std::abs(number - unit.number) <= 1e-5 * std::abs(unit.number) ? unit.number : number);
+  return plain(is_first && std::abs(number - unit.number) <= 1e-5 * std::abs(unit.number) ? unit.number : number);
 }
 
 bool may_begin_a_unit(const std::string& text)
@@ -135,6 +135,7 @@ std::string in_input_unit(const std::string& message, const std::string& key_uni
   static const std::regex number("-?[0-9][0-9.]*(e[-+]?[0-9]+)?");
   const std::regex numbers_of_unit("(-?[0-9][0-9.]*(e[-+]?[0-9]+)?( to (below )?))?-?[0-9][0-9.]*(e[-+]?[0-9]+)? " + key_unit + "(?![A-Za-z0-9/^])");
   std::string out;
+  bool is_first = true;
   auto at = message.begin();
   for (std::sregex_iterator found(message.begin(), message.end(), numbers_of_unit), none; found != none; ++found)
   {
@@ -144,7 +145,8 @@ std::string in_input_unit(const std::string& message, const std::string& key_uni
     {
       WrittenNumber given;
       split_number(each->str(), given);
-      out += each->prefix().str() + shown_in(unit, given.value);
+      out += each->prefix().str() + shown_in(unit, given.value, is_first);
+      is_first = false;
     }
     out += " " + unit.name;
     at = message.begin() + found->position() + found->length();

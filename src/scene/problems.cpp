@@ -54,8 +54,9 @@ void Problems::add_at(int line, const std::string& path, const std::string& text
 
 void Problems::add_in_input_unit(const std::string& path, const std::string& text)
 {
-  const auto given = units_.find(path);
-  add(path, given == units_.end() ? text : in_input_unit(text, given->second.key_unit, given->second.unit));
+  std::string shown = text;
+  for (const GivenUnit& given : units_[path]) shown = in_input_unit(shown, given.key_unit, given.unit);
+  add(path, shown);
 }
 
 void Problems::fail(int line, const std::string& path, const std::string& text)

@@ -21,8 +21,8 @@ public:
   /// Key `path`, with all that is below it, was set from outside the file; messages name that instead of a line.
   void note_setting(const std::string& path) { lines_[path] = from_outside; }
   bool has(const std::string& path) const { return lines_.count(path) != 0; }
-  /// The number of key `path`, whose own unit is `key_unit`, was given in another one.
-  void note_unit(const std::string& path, const std::string& key_unit, const InputUnit& unit) { units_[path] = {key_unit, unit}; }
+  /// A number of key `path`, whose own unit is `key_unit`, was given in another one. A station has three numbers.
+  void note_unit(const std::string& path, const std::string& key_unit, const InputUnit& unit) { units_[path].push_back({key_unit, unit}); }
 
   /// A problem with the key `path`, on its own line or, if it was left out, on that of the block around it.
   void add(const std::string& path, const std::string& text) { add_at(line_of(path), path, text); }
@@ -51,7 +51,7 @@ private:
 
   std::string file_;
   std::map<std::string, int> lines_;
-  std::map<std::string, GivenUnit> units_;
+  std::map<std::string, std::vector<GivenUnit>> units_;
   std::vector<std::string> problems_;
 };
 
