@@ -59,7 +59,7 @@ bool is_bracket(char c)
 }
 
 // words parted by blanks; a unit in brackets belongs to the word before it
-Cells words_of(const std::string& line)
+Cells words_between_blanks(const std::string& line)
 {
   Cells words;
   for (const std::string& word : cells_of(line, ' '))
@@ -76,7 +76,7 @@ Cells words_of(const std::string& line)
 
 Cells split(const std::string& line, char delimiter)
 {
-  return delimiter == ' ' ? words_of(trimmed(line)) : cells_of(line, delimiter);
+  return delimiter == ' ' ? words_between_blanks(trimmed(line)) : cells_of(line, delimiter);
 }
 
 struct Line
@@ -101,7 +101,7 @@ std::vector<Line> lines_of(const std::string& text)
   return lines;
 }
 
-struct DelimitedText
+struct CsvTable
 {
   std::size_t first_row = 0;  // of the lines
   int line = 0;               // of the header
@@ -110,9 +110,9 @@ struct DelimitedText
 };
 
 // The header in the first lines: the first that names all columns, else the one that names most of them.
-DelimitedText find_header(const std::vector<Line>& lines, const SurveyFormat& format)
+CsvTable find_header(const std::vector<Line>& lines, const SurveyFormat& format)
 {
-  DelimitedText best;
+  CsvTable best;
   for (std::size_t i = 0; i < lines.size() && i < most_lines_above_header; ++i)
   {
     for (const Delimiter& delimiter : delimiters)
@@ -140,7 +140,7 @@ std::string cells_listed(const std::vector<HeaderCell>& cells)
 }
 
 // what is wrong with a header; a line that names no column at all may be of any file and is not shown
-void add_header_problem(const DelimitedText& table, Problems& problems)
+void add_header_problem(const CsvTable& table, Problems& problems)
 {
   const SurveyHeader& header = table.header;
   if (header.wrong != "no such column in the header") return problems.add_at(table.line, header.wrong_where, header.wrong);
@@ -222,7 +222,7 @@ bool has_more_cells(const Cells& cells, std::size_t header)
                                               [](const std::string& cell) { return !cell.empty(); });
 }
 
-bool take_row(const Line& line, const DelimitedText& table, SurveyRows& survey, Problems& problems)
+bool take_row(const Line& line, const CsvTable& table, SurveyRows& survey, Problems& problems)
 {
   const Cells cells = split(line.text, table.delimiter.character);
   const std::size_t columns = table.header.cells.size();
@@ -244,7 +244,7 @@ bool take_row(const Line& line, const DelimitedText& table, SurveyRows& survey, 
 }
 
 // what the reader has to report of a header
-void add_remarks(const DelimitedText& table, SurveyRows& survey)
+void add_remarks(const CsvTable& table, SurveyRows& survey)
 {
   const SurveyHeader& header = table.header;
   const HeaderCell& depth = header.cells[*header.place[survey_md]];
@@ -257,7 +257,7 @@ void add_remarks(const DelimitedText& table, SurveyRows& survey)
   if (!angles.empty()) survey.remarks.push_back(angles + " have no unit and are read as degrees");
 }
 
-void take_rows(const std::vector<Line>& lines, const DelimitedText& table, SurveyRows& survey, Problems& problems)
+void take_rows(const std::vector<Line>& lines, const CsvTable& table, SurveyRows& survey, Problems& problems)
 {
   for (std::size_t i = table.first_row; i < lines.size() && survey.rows.size() <= most_stations; ++i)
     if (!take_row(lines[i], table, survey, problems)) return;
@@ -273,7 +273,7 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
     problems.add_at(0, "", std::string("is empty, needed: ") + needed_survey);
     return survey;
   }
-  DelimitedText table = find_header(lines, format);
+  CsvTable table = find_header(lines, format);
   SurveyHeader& header = table.header;
   if (!header.wrong.empty())
   {
