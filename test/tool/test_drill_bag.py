@@ -43,7 +43,7 @@ class Bag(test_drill.Drill):
             for topic, message, stamp in bag.read_messages():
                 messages.setdefault(topic.replace('/rig/', '', 1), []).append((stamp, message))
         with open(self.file('r.csv')) as text:
-            return messages, [{name: float(cell) for name, cell in row.items()} for row in csv.DictReader(text)][1:]
+            return messages, [{name: float(cell or 0.0) for name, cell in row.items()} for row in csv.DictReader(text)][1:]  # empty: not zeroed, 0 in a message
 
     def compare(self, rows, messages, table):
         self.assertEqual(len(rows), len(messages))
