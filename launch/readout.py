@@ -2,6 +2,7 @@
 """The demo's driller's readout: goes fast to just before the bit tags bottom, then shows the rig in real time, line by line."""
 import argparse
 import atexit
+import math
 import os
 import signal
 import sys
@@ -39,7 +40,7 @@ class Rig:
             if self.since is None:
                 self.since = (state.header.stamp.to_sec(), time.monotonic(), state.hole_depth)
             if state.on_bottom and state.rop > 0:
-                self.drilling.append((state.hook_load, state.torque, state.surface_wob, state.rop))
+                self.drilling.append((state.hook_load, state.torque, zeroed_weight(state), state.rop))
         self.heard.set()
 
     def mark(self):
@@ -56,9 +57,19 @@ class Rig:
             return self.state.header.stamp.to_sec() - stamp, max(time.monotonic() - wall, 1e-9), depth
 
 
+def zeroed_weight(state):
+    """Surface WOB [N]; nan until it has been zeroed."""
+    return state.surface_wob if state.tared else math.nan
+
+
+def weight_text(weight, width=0):
+    """In kN; a dash for nan."""
+    return ("-" if math.isnan(weight) else "%.1f" % (weight / 1e3)).rjust(width)
+
+
 def line(state, factor):
-    return ("t %8.2f s  rtf %5.2f  hook %6.1f kN  torque %6.2f kN m  WOB %6.1f kN  ROP %6.2f m/h  bit %8.3f m  %s" %
-            (state.header.stamp.to_sec(), factor, state.hook_load / 1e3, state.torque / 1e3, state.surface_wob / 1e3,
+    return ("t %8.2f s  rtf %5.2f  hook %6.1f kN  torque %6.2f kN m  WOB %s kN  ROP %6.2f m/h  bit %8.3f m  %s" %
+            (state.header.stamp.to_sec(), factor, state.hook_load / 1e3, state.torque / 1e3, weight_text(zeroed_weight(state), 6),
              state.rop * 3600, state.bit_depth, "on bottom" if state.on_bottom else "off bottom"))
 
 
@@ -140,11 +151,11 @@ def summary(rig):
     if rig.drilling:
         last = rig.drilling[len(rig.drilling) // 2:]
         means = [sum(column) / len(last) for column in zip(*last)]
-        print("drilling, mean of the second half: hook load %.1f kN, torque %.2f kN m, WOB %.1f kN, ROP %.2f m/h" %
-              (means[0] / 1e3, means[1] / 1e3, means[2] / 1e3, means[3] * 3600))
+        print("drilling, mean of the second half: hook load %.1f kN, torque %.2f kN m, WOB %s kN, ROP %.2f m/h" %
+              (means[0] / 1e3, means[1] / 1e3, weight_text(means[2]), means[3] * 3600))
     else:
-        print("the bit did not drill: hook load %.1f kN, torque %.2f kN m, WOB %.1f kN, ROP %.2f m/h" %
-              (state.hook_load / 1e3, state.torque / 1e3, state.surface_wob / 1e3, state.rop * 3600))
+        print("the bit did not drill: hook load %.1f kN, torque %.2f kN m, WOB %s kN, ROP %.2f m/h" %
+              (state.hook_load / 1e3, state.torque / 1e3, weight_text(zeroed_weight(state)), state.rop * 3600))
 
 
 def main():

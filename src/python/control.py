@@ -6,8 +6,13 @@
 `refused`: why the slips or the connection asked for last were not (else ""). What a rig cannot sense is not in it.
 The same law runs in lockstep, with a node or without (`drive`), and by topics (drill_rig_sim.topics.follow).
 """
+import copy
+
 from drill_rig_sim.law import Commands
 from drill_rig_sim.lockstep import UNSENSED, Refused
+
+
+SHALLOWER = 1e-3  # of the hole, from which on it is another one [m]
 
 
 class Readings:
@@ -21,6 +26,28 @@ class Readings:
         if name in UNSENSED:
             raise AttributeError("%s: no rig can sense it" % name)
         return getattr(self._state, name)
+
+
+class NewRuns:
+    """Lets a law begin again where the rig does: time goes back, or the hole becomes shallower (the node was started again, the well reset, a snapshot
+    restored). The law must be a plain object that can be copied; `problem`: why this one cannot, or ""."""
+
+    def __init__(self, law):
+        self._law, self._time, self._depth, self.problem = law, None, None, ""
+        try:
+            self._fresh = copy.deepcopy(vars(law))
+        except Exception as error:  # pylint: disable=broad-except
+            self._fresh, self.problem = None, "%s: %s" % (type(error).__name__, error)
+
+    def begins(self, now, hole_depth):
+        """Whether a new run begins with the state of this time and depth; the law is then as it was at first."""
+        is_new = self._time is not None and (now < self._time or hole_depth < self._depth - SHALLOWER)
+        self._time, self._depth = now, hole_depth
+        if is_new and self._fresh is not None:
+            vars(self._law).update(copy.deepcopy(self._fresh))  # at no time without an attribute: another thread may ask whether it is done
+            for name in set(vars(self._law)) - set(self._fresh):
+                delattr(self._law, name)
+        return is_new
 
 
 class Deaf:
@@ -39,6 +66,8 @@ class Ordered:
         self._law, self._orders, self._begin = law, sorted(orders), None
 
     def __getattr__(self, name):
+        if name == "_law":  # of a copy that is not filled yet
+            raise AttributeError(name)
         return getattr(self._law, name)
 
     def step(self, readings):
@@ -94,11 +123,13 @@ def frames_of(period, rate):
 
 def driven(rig, law, timeout, telemetry=Deaf):
     """Lockstep: steps the rig under the law until that is done, or for `timeout` simulated seconds; yields the state after each of its periods.
-    `telemetry`: of drill_rig_sim.topics beside a node; a simulator in this process is its own."""
-    every, refused = frames_of(law.period, rig.rate), ""
+    `telemetry`: of drill_rig_sim.topics beside a node; a simulator in this process is its own. Where the rig begins a new run meanwhile (NewRuns), so does the law."""
+    every, refused, runs = frames_of(law.period, rig.rate), "", NewRuns(law)
     for _ in range(int(timeout * rig.rate / every)):
         if law.done:
             break
+        if runs.begins(rig.state.t, rig.state.readings.hole_depth):
+            refused = ""
         telemetry.listen(rig.state.t, law.period)
         refused = hand_over(rig, asked(law, Readings(rig.state.t, rig.state.readings, telemetry, refused)))
         yield rig.step(frames=every)

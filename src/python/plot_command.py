@@ -11,6 +11,7 @@ from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD, table
 from drill_rig_sim.score_plots import plt
 from drill_rig_sim.score_runs import RunError
 from drill_rig_sim.survey import SurveyError
+from drill_rig_sim.units import SI, SYSTEMS, Units
 
 PAGE = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>%(name)s</title>
@@ -22,16 +23,16 @@ overflow-x:auto}nav a{margin-right:1em}</style></head>
 """
 
 
-def pictures_of(run, plan, string):
+def pictures_of(run, plan, string, units=SI):
     """Names, titles and figures; what the run does not hold is not there."""
-    drawn = [("time_log", "Time log", plot_logs.time_log(run)), ("depth_log", "Depth log", plot_logs.depth_log(run)),
-             ("well", "Well", plot_well.path(run, plan)), ("toolface", "Toolface", plot_well.toolface_dial(run))]
+    drawn = [("time_log", "Time log", plot_logs.time_log(run, units)), ("depth_log", "Depth log", plot_logs.depth_log(run, units)),
+             ("well", "Well", plot_well.path(run, plan, units)), ("toolface", "Toolface", plot_well.toolface_dial(run))]
     if string is not None:
-        drawn.append(("string", "String", plot_well.string_log(plot_well.read_string(string), os.path.basename(string))))
+        drawn.append(("string", "String", plot_well.string_log(plot_well.read_string(string), os.path.basename(string), units)))
     return [picture for picture in drawn if picture[2] is not None]
 
 
-def write(pictures, folder, run, scores):
+def write(pictures, folder, run, scores, units=SI):
     """PNG, SVG and the page; returns the page's path."""
     os.makedirs(folder, exist_ok=True)
     parts = []
@@ -45,7 +46,7 @@ def write(pictures, folder, run, scores):
     page = os.path.join(folder, "index.html")
     with open(page, "w", encoding="utf-8") as out:
         out.write(PAGE % {"name": html.escape(run.title), "links": "".join('<a href="#%s">%s</a>' % (name, title) for name, title, _ in pictures),
-                          "scores": html.escape("\n".join(table(scores))), "pictures": "\n".join(parts)})
+                          "scores": html.escape("\n".join(table(scores, units))), "pictures": "\n".join(parts)})
     return page
 
 
@@ -54,12 +55,14 @@ def main(words):
     parser.add_argument("run")
     for name in ("--out", "--plan", "--namespace", "--string"):
         parser.add_argument(name)
+    parser.add_argument("--units", choices=SYSTEMS, default="si")
     options = parser.parse_args(words)
+    units = Units(options.units)
     folder = options.out or os.path.splitext(options.run)[0] + "_plots"
     try:
         run = read_run(options.run, options.namespace)
         plan = read_survey(options.plan) if options.plan else None
-        page = write(pictures_of(run, plan, options.string), folder, run, score(run, plan))
+        page = write(pictures_of(run, plan, options.string, units), folder, run, score(run, plan), units)
     except (RunError, SurveyError, plot_well.StringError) as error:
         print("drill plot: %s" % error, file=sys.stderr)
         return BAD_INPUT

@@ -1,37 +1,38 @@
 """Logs of a run in the trade's layout: tracks side by side, time or depth downwards, each curve with its scale on top of its track."""
-import math
-
 import numpy
 from drill_rig_sim.score import new_hole, on_bottom
 from drill_rig_sim.score_plots import plt
+from drill_rig_sim.units import SI
 
-RPM, DEGREE, BAR = 30.0 / math.pi, 180.0 / math.pi, 1e-5
 LEAST_INCLINATION = 0.005  # below it a hole has no azimuth [rad]
 BIN = 0.1  # of new hole, of which a depth log shows the mean [m]
 
-# tracks of scales: columns, factor to the unit, name with unit, what it spans at least, colour; columns after the first are drawn on the same in grey
+# tracks of scales: columns, their quantity, name, what it spans at least in SI units, colour; columns after the first are drawn on the same in grey
+HOOK_LOAD = ("hook_load", "force", "hook load", 5e3, "#1f5fa8")
+DRILLING = (("rop", "penetration", "ROP", 1.0 / 3600.0, "#c0392b"), ("wob", "force", "WOB", 2e3, "#1f5fa8"))
+TURNING = (("top_drive_speed", "rotation", "top drive", 0.5, "#555555"), ("bit_speed", "rotation", "bit", 0.5, "#e08e0b"), ("torque", "torque", "torque", 200.0, "#1f5fa8"))
+FLOW = ("flow", "flow", "flow", 3.3e-4, "#2ca02c")
 TIME_TRACKS = (
-    (("block_height", 1.0, "block [m]", 1, "#555555"), ("hook_load", 1e-3, "hook load [kN]", 5, "#1f5fa8")),
-    (("rop", 3600.0, "ROP [m/h]", 1, "#c0392b"), ("wob", 1e-3, "WOB [kN]", 2, "#1f5fa8")),
-    (("top_drive_speed", RPM, "top drive [rpm]", 5, "#555555"), ("bit_speed", RPM, "bit [rpm]", 5, "#e08e0b"), ("torque", 1e-3, "torque [kN m]", 0.2, "#1f5fa8")),
-    (("stand_pipe_pressure", BAR, "stand pipe [bar]", 2, "#1f5fa8"), ("differential_pressure", BAR, "differential [bar]", 2, "#c0392b"),
-     ("flow", 6e4, "flow [L/min]", 20, "#2ca02c")),
-    (("bit_depth hole_depth", 1.0, "bit, hole (grey) [m]", 1, "#1f5fa8"),))
+    (("block_height", "length", "block", 1.0, "#555555"), HOOK_LOAD),
+    DRILLING,
+    TURNING,
+    (("stand_pipe_pressure", "pressure", "stand pipe", 2e5, "#1f5fa8"), ("differential_pressure", "pressure", "differential", 2e5, "#c0392b"), FLOW),
+    (("bit_depth hole_depth", "length", "bit, hole (grey)", 1.0, "#1f5fa8"),))
 DEPTH_TRACKS = (
-    (("rop", 3600.0, "ROP [m/h]", 1, "#c0392b"), ("wob", 1e-3, "WOB [kN]", 2, "#1f5fa8")),
-    (("top_drive_speed", RPM, "top drive [rpm]", 5, "#555555"), ("bit_speed", RPM, "bit [rpm]", 5, "#e08e0b"), ("torque", 1e-3, "torque [kN m]", 0.2, "#1f5fa8")),
-    (("hook_load", 1e-3, "hook load [kN]", 5, "#1f5fa8"), ("stand_pipe_pressure", BAR, "stand pipe [bar]", 2, "#c0392b"), ("flow", 6e4, "flow [L/min]", 20, "#2ca02c")),
-    (("inclination", DEGREE, "inclination [deg]", 0.5, "#1f5fa8"), ("azimuth", DEGREE, "azimuth [deg]", 5, "#c0392b")))
+    DRILLING,
+    TURNING,
+    (HOOK_LOAD, ("stand_pipe_pressure", "pressure", "stand pipe", 2e5, "#c0392b"), FLOW),
+    (("inclination", "angle", "inclination", 0.01, "#1f5fa8"), ("azimuth", "angle", "azimuth", 0.1, "#c0392b")))
 
 
-def time_log(run):
+def time_log(run, units=SI):
     """Over the whole run."""
-    figure = tracks(run["time"], "time [s]", TIME_TRACKS, run.columns, "time log: " + run.title)
+    figure = tracks(run["time"], "time [s]", TIME_TRACKS, run.columns, "time log: " + run.title, units)
     flags(figure.axes[0], run)
     return figure
 
 
-def depth_log(run):
+def depth_log(run, units=SI):
     """Over the new hole: means of what was on bottom, by BIN of depth, weighted by time. None where nothing was drilled."""
     bottom = on_bottom(run)
     if new_hole(run, bottom).sum() < 2.0 * BIN:
@@ -41,14 +42,15 @@ def depth_log(run):
     weights = numpy.where(bottom, run.dt, 0.0)
     total = numpy.bincount(number, weights)
     good = total > 0.0
-    means = {name: numpy.bincount(number, weights * values, len(total))[good] / total[good] for name, values in run.columns.items()}
+    means = {name: numpy.bincount(number, numpy.where(bottom, weights * values, 0.0), len(total))[good] / total[good] for name, values in run.columns.items()}
     means["rop"] = numpy.bincount(number, new_hole(run, bottom), len(total))[good] / total[good]
     if "azimuth" in means:
         means["azimuth"] = numpy.where(means["inclination"] > LEAST_INCLINATION, means["azimuth"], numpy.nan)
-    return tracks((first + numpy.flatnonzero(good) + 0.5) * BIN, "measured depth [m]", DEPTH_TRACKS, means, "depth log: " + run.title)
+    depth = (first + numpy.flatnonzero(good) + 0.5) * BIN
+    return tracks(units["length"].per_si * depth, units.label("measured depth", "length"), DEPTH_TRACKS, means, "depth log: " + run.title, units)
 
 
-def tracks(down, label, layout, columns, title):
+def tracks(down, label, layout, columns, title, units):
     """One axes a track; a track none of whose scales is there is left out."""
     layout = [[scale for scale in track if scale[0].split()[0] in columns] for track in layout]
     layout = [track for track in layout if track]
@@ -57,7 +59,7 @@ def tracks(down, label, layout, columns, title):
         panel.set_xticks([])
         panel.grid(alpha=0.3)
         for place, scale in enumerate(track):
-            draw_scale(panel, place, down, [scale[1] * columns[column] for column in scale[0].split()], scale)
+            draw_scale(panel, place, down, [columns[column] for column in scale[0].split()], scale, units)
     axes[0, 0].set_ylabel(label)
     axes[0, 0].set_ylim(down[-1], down[0])
     figure.suptitle(title, fontsize=10)
@@ -65,18 +67,19 @@ def tracks(down, label, layout, columns, title):
     return figure
 
 
-def draw_scale(panel, place, down, curves, drawn):
+def draw_scale(panel, place, down, curves, drawn, units):
     """Above those before it."""
-    _, _, name, least, colour = drawn
-    scale = panel.twiny()
+    _, quantity, name, least, colour = drawn
+    factor, scale = units[quantity].per_si, panel.twiny()
+    curves = [factor * curve for curve in curves]
     for curve, shade in zip(curves, (colour, "#999999")):
         scale.plot(curve, down, color=shade, linewidth=0.8)
-    scale.set_xlim(*limits(numpy.concatenate(curves), least))
+    scale.set_xlim(*limits(numpy.concatenate(curves), factor * least))
     scale.spines["top"].set_position(("outward", 34.0 * place))
     scale.spines["top"].set_color(colour)
     scale.tick_params(axis="x", colors=colour, labelsize=7)
     scale.xaxis.set_major_locator(plt.MaxNLocator(3))
-    scale.set_xlabel(name, color=colour, fontsize=8, labelpad=2)
+    scale.set_xlabel(units.label(name, quantity), color=colour, fontsize=8, labelpad=2)
 
 
 def limits(values, least):

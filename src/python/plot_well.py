@@ -6,30 +6,35 @@ import numpy
 from drill_rig_sim.plot_logs import limits
 from drill_rig_sim.score import bottom_points, new_hole, on_bottom, sliding_rows
 from drill_rig_sim.score_plots import LINE, plt
+from drill_rig_sim.units import SI
 
 PLAN = {"linestyle": "--", "color": "#2ca02c", "linewidth": 1.0, "label": "plan"}
 AROUND = 20.0  # of a plan, that is shown beyond the drilled part [m]
 
-# of a string: columns and their factors to the unit, name with unit, what its scale spans at least
+# of a string: columns, quantity, name, what its scale spans at least in SI units
 STRING_TRACKS = (
-    ((("tension", 1e-3, "effective", "#1f5fa8"), ("true_axial_force", 1e-3, "true", "#888888")), "tension [kN]", 10.0),
-    ((("torque", 1e-3, "", "#1f5fa8"),), "torque [kN m]", 0.2),
-    ((("bending_moment", 1e-3, "", "#1f5fa8"),), "bending [kN m]", 1.0),
-    ((("contact_force", 1e-3, "", "#c0392b"),), "contact [kN]", 1.0))
+    ((("tension", "effective", "#1f5fa8"), ("true_axial_force", "true", "#888888")), "force", "tension", 10e3),
+    ((("torque", "", "#1f5fa8"),), "torque", "torque", 200.0),
+    ((("bending_moment", "", "#1f5fa8"),), "torque", "bending", 1e3),
+    ((("contact_force", "", "#c0392b"),), "force", "contact", 1e3))
 
 
 class StringError(Exception):
     """What is wrong with a string's file, in one line."""
 
 
-def path(run, plan=None):
+def path(run, plan=None, units=SI):
     """From above and in section along the way from the beginning of the new hole to its end. None where the run has no new hole."""
     points = bottom_points(run, new_hole(run, on_bottom(run)))
     if points is None:
         return None
     way = points[-1, :2] - points[0, :2]
     along = way / numpy.hypot(*way) if numpy.hypot(*way) > 1e-6 else numpy.array([0.0, 1.0])
+    length = units["length"].per_si
     planned = plan_near(plan, points)
+    if planned is not None:
+        planned = length * planned
+    points = length * points
     figure, (above, section) = plt.subplots(1, 2, figsize=(11.0, 5.5))
     if planned is not None:
         above.plot(planned[:, 0], planned[:, 1], **PLAN)
@@ -37,9 +42,10 @@ def path(run, plan=None):
     above.plot(points[:, 0], points[:, 1], label="drilled", **LINE)
     above.plot(*points[-1, :2], "o", color="#c0392b", markersize=4)
     section.plot((points[:, :2] - points[0, :2]) @ along, -points[:, 2], label="drilled", **LINE)
-    around(above, points[:, 0], points[:, 1])
-    label(above, "from above", "east [m]", "north [m]")
-    label(section, "section, towards %.0f deg" % (math.degrees(math.atan2(along[0], along[1])) % 360.0), "along it [m]", "true vertical depth [m]")
+    around(above, points[:, 0], points[:, 1], 0.5 * length)
+    label(above, "from above", units.label("east", "length"), units.label("north", "length"))
+    label(section, "section, towards %.0f deg" % (math.degrees(math.atan2(along[0], along[1])) % 360.0), units.label("along it", "length"),
+          units.label("true vertical depth", "length"))
     section.invert_yaxis()
     figure.suptitle("well: " + run.title, fontsize=10)
     figure.tight_layout()
@@ -56,9 +62,9 @@ def plan_near(plan, points):
     return line[near] if near.any() else None
 
 
-def around(panel, x, y):
-    """At least a metre each way: a vertical hole has no shape from above."""
-    half = max(0.55 * max(numpy.ptp(x), numpy.ptp(y)), 0.5)
+def around(panel, x, y, least):
+    """At least so far each way: a vertical hole has no shape from above."""
+    half = max(0.55 * max(numpy.ptp(x), numpy.ptp(y)), least)
     panel.set_xlim(0.5 * (x.min() + x.max()) - half, 0.5 * (x.min() + x.max()) + half)
     panel.set_ylim(0.5 * (y.min() + y.max()) - half, 0.5 * (y.min() + y.max()) + half)
 
@@ -95,7 +101,7 @@ def read_string(file):
         with open(file, newline="", encoding="utf-8") as text:
             rows = list(csv.DictReader(text))
         columns = {name: numpy.array([float(row[name]) for row in rows]) for name in
-                   ("md", *(curve[0] for track, _, _ in STRING_TRACKS for curve in track))}
+                   ("md", *(curve[0] for track, _, _, _ in STRING_TRACKS for curve in track))}
     except OSError as error:
         raise StringError("%s: %s" % (file, error.strerror))
     except (KeyError, TypeError, ValueError):
@@ -106,19 +112,21 @@ def read_string(file):
     return {name: values[last] for name, values in columns.items()}
 
 
-def string_log(columns, name):
+def string_log(columns, name, units=SI):
     figure, axes = plt.subplots(1, len(STRING_TRACKS), sharey=True, figsize=(2.4 * len(STRING_TRACKS), 8.0))
-    for panel, (track, title, least) in zip(axes, STRING_TRACKS):
-        for column, factor, said, colour in track:
-            panel.plot(factor * columns[column], columns["md"], color=colour, linewidth=0.9, label=said)
+    md = units["length"].per_si * columns["md"]
+    for panel, (track, quantity, title, least) in zip(axes, STRING_TRACKS):
+        factor = units[quantity].per_si
+        for column, said, colour in track:
+            panel.plot(factor * columns[column], md, color=colour, linewidth=0.9, label=said)
         if len(track) > 1:
             panel.legend(loc="best", fontsize=8)
         panel.axvline(0.0, color="#bbbbbb", linewidth=0.6)
-        panel.set_xlim(*limits(numpy.concatenate([factor * columns[column] for column, factor, _, _ in track]), least))
-        panel.set_xlabel(title)
+        panel.set_xlim(*limits(numpy.concatenate([factor * columns[column] for column, _, _ in track]), factor * least))
+        panel.set_xlabel(units.label(title, quantity))
         panel.grid(alpha=0.3)
-    axes[0].set_ylabel("measured depth [m]")
-    axes[0].set_ylim(columns["md"].max(), columns["md"].min())
+    axes[0].set_ylabel(units.label("measured depth", "length"))
+    axes[0].set_ylim(md.max(), md.min())
     figure.suptitle("string: " + name, fontsize=10)
     figure.tight_layout()
     return figure

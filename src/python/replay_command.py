@@ -15,29 +15,30 @@ from drill_rig_sim.field.window import between, moment, stretches
 from drill_rig_sim.lockstep import Failed, Refused
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
 from drill_rig_sim.sim import found
+from drill_rig_sim.units import QUANTITIES, SI, SYSTEMS, Units
 
-SHOWN = {"hook_load": ("hook load", 1e-3, "kN"), "torque": ("torque", 1e-3, "kN m"), "stand_pipe_pressure": ("stand pipe", 1e-5, "bar")}
+NAMES = {"hook_load": "hook load", "torque": "torque", "stand_pipe_pressure": "stand pipe"}
 
 
-def table(replay):
+def table(replay, units=SI):
     lines = ["%-12s %12s %12s %12s %12s  off: recorded less simulated" % ("", "mean off", "rms off", "largest off", "range")]
     for signal, numbers in replay.table().items():
-        name, factor, unit = SHOWN[signal]
-        lines.append("%-12s %s %s" % (name, " ".join("%12.3f" % (factor * numbers[key]) for key in ("mean", "rms", "largest", "range")), unit))
-    unresolved = replay.table().get("hook_load")
-    return lines + (["hook load left unknown by the record's sampling: %.3g kN rms, %.3g kN at most" %
-                     (1e-3 * unresolved["unresolved_rms"], 1e-3 * unresolved["unresolved_largest"])] if unresolved else [])
+        unit = units[QUANTITIES[signal]]
+        lines.append("%-12s %s %s" % (NAMES[signal], " ".join("%12.3f" % (unit.per_si * numbers[key]) for key in ("mean", "rms", "largest", "range")), unit.name))
+    load, unit = replay.table().get("hook_load"), units[QUANTITIES["hook_load"]]
+    return lines + (["hook load left unknown by the record's sampling: %.3g %s rms, %.3g %s at most" %
+                     (unit.per_si * load["unresolved_rms"], unit.name, unit.per_si * load["unresolved_largest"], unit.name)] if load else [])
 
 
-def draw(replay, file):
+def draw(replay, file, units=SI):
     from drill_rig_sim.score_plots import plt  # needs matplotlib
     figure, axes = plt.subplots(2 * len(replay.recorded), sharex=True, figsize=(9.0, 3.6 * len(replay.recorded)), squeeze=False, constrained_layout=True)
     for place, signal in enumerate(replay.recorded):
-        name, factor, unit = SHOWN[signal]
+        unit, factor, _ = units[QUANTITIES[signal]]
         both, off = axes[2 * place, 0], axes[2 * place + 1, 0]
         both.plot(replay.time, factor * replay.recorded[signal], color="#555555", linewidth=0.9, label="recorded")
         both.plot(replay.time, factor * replay.simulated[signal], color="#1f5fa8", linewidth=0.9, label="simulated")
-        both.set_ylabel("%s [%s]" % (name, unit))
+        both.set_ylabel("%s [%s]" % (NAMES[signal], unit))
         both.legend(fontsize=8)
         off.plot(replay.time, factor * replay.residual(signal), color="#c0392b", linewidth=0.8)
         off.axhline(0.0, color="#bbbbbb", linewidth=0.6)
@@ -90,7 +91,9 @@ def main(words):
     parser.add_argument("--to", dest="to_time", default="")
     parser.add_argument("--leave-out", action="append", default=[])
     parser.add_argument("--start", choices=FROM, default="")
+    parser.add_argument("--units", choices=SYSTEMS, default="si")
     options = parser.parse_args(words)
+    units = Units(options.units)
     try:
         replay = replay_of(options)
         if options.json:
@@ -100,8 +103,8 @@ def main(words):
         if options.csv:
             write(replay, options.csv)
         if options.plots:
-            draw(replay, options.plots)
-        print("\n".join(table(replay)))
+            draw(replay, options.plots, units)
+        print("\n".join(table(replay, units)))
         print("".join("drill replay: %s\n" % line for line in replay.remarks), end="", file=sys.stderr)
         return GOOD
     except (RecordError, ModelError, Refused) as error:

@@ -27,7 +27,7 @@ def score(run, plan=None, bit_diameter=None, wob=None, wob_band=None, toolface=N
     Returns a dictionary of dictionaries; what cannot be told is None, and `left_out` says why."""
     run = run if isinstance(run, Run) else read_run(run, namespace)
     plan = read_survey(plan) if isinstance(plan, str) else plan
-    left_out = []
+    left_out = [run.earlier] if run.earlier else []
     bottom = on_bottom(run)
     drilled = new_hole(run, bottom)
     return {
@@ -87,7 +87,13 @@ def weight(run, bottom, wanted, band, left_out):
     if not run.dt[bottom].sum() > 0.0:
         left_out.append("wob: the bit was never on bottom")
         return None
-    values, weights = run["wob"][bottom], run.dt[bottom]
+    known = bottom & numpy.isfinite(run["wob"])
+    values, weights = run["wob"][known], run.dt[known]
+    if not weights.sum() > 0.0:
+        left_out.append("wob: surface WOB was never zeroed")
+        return None
+    if weights.sum() < run.dt[bottom].sum():
+        left_out.append("wob: %.1f s on bottom before surface WOB was zeroed" % (run.dt[bottom].sum() - weights.sum()))
     mean, deviation = mean_and_deviation(values, weights)
     scores = {"mean": mean, "deviation": deviation, "least": float(values.min()), "largest": float(values.max())}
     if wanted is not None:
@@ -190,10 +196,13 @@ def specific_energy(run, bottom, drilled, bit_diameter, left_out):
     if not metres > 0.0:
         left_out.append("energy: nothing was drilled")
         return None
+    if numpy.isnan(run["wob"][drilled > 0.0]).any():
+        left_out.append("energy: surface WOB was not zeroed in all of the drilling")
+        return None
     at_bit = "bit_torque" in run and "bit_speed" in run
     torque, speed = (run["bit_torque"], run["bit_speed"]) if at_bit else (run["torque"], run["top_drive_speed"])
     area = 0.25 * math.pi * bit_diameter**2
-    push, turn = float((run["wob"] * drilled).sum()), float((torque * speed * run.dt)[bottom].sum())
+    push, turn = float((run["wob"] * drilled)[drilled > 0.0].sum()), float((torque * speed * run.dt)[bottom].sum())
     return {"at": "bit" if at_bit else "surface", "mse_mpa": 1e-6 * (push + turn) / (area * metres), "thrust_share": push / (push + turn)}
 
 

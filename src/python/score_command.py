@@ -8,48 +8,50 @@ import sys
 from drill_rig_sim.score import read_run, read_survey, score
 from drill_rig_sim.score_runs import RunError
 from drill_rig_sim.survey import SurveyError
+from drill_rig_sim.units import DEGREE, SI, SYSTEMS, Units
 
 GOOD, BAD_INPUT, FAILED = 0, 2, 3
 
-# section, score, what the table calls it, unit, factor, decimals
+PER_HOUR = 1.0 / 3600.0
+# section, score, what the table calls it, quantity, factor to SI, decimals in SI
 TABLE = (
-    ("drilling", "duration_s", "run", "s", 1.0, 1),
-    ("drilling", "on_bottom_s", "on bottom", "s", 1.0, 1),
-    ("drilling", "drilled_m", "drilled", "m", 1.0, 3),
-    ("drilling", "rop_on_bottom_m_h", "rate of penetration on bottom", "m/h", 1.0, 2),
-    ("drilling", "rop_m_h", "rate of penetration of the run", "m/h", 1.0, 2),
-    ("wob", "mean", "weight on bit, mean", "kN", 1e-3, 2),
-    ("wob", "deviation", "weight on bit, deviation", "kN", 1e-3, 2),
-    ("wob", "largest", "weight on bit, largest", "kN", 1e-3, 2),
-    ("wob", "share_in_band", "weight on bit within its band", "%", 100.0, 1),
-    ("toolface", "sliding_s", "sliding", "s", 1.0, 1),
-    ("toolface", "mean_deg", "toolface, mean", "deg", 1.0, 1),
-    ("toolface", "deviation_deg", "toolface, deviation", "deg", 1.0, 1),
-    ("toolface", "share_in_band", "toolface within its band", "%", 100.0, 1),
-    ("stick_slip", "mean", "stick-slip index, mean", "", 1.0, 2),
-    ("stick_slip", "largest", "stick-slip index, largest", "", 1.0, 2),
-    ("stick_slip", "share_at_1", "windows in full stick-slip", "%", 100.0, 1),
-    ("energy", "mse_mpa", "mechanical specific energy", "MPa", 1.0, 1),
-    ("connections", "number", "connections", "", 1.0, 0),
-    ("connections", "in_slips_s", "in slips, mean", "s", 1.0, 1),
-    ("connections", "weight_to_weight_s", "weight to weight, mean", "s", 1.0, 1),
-    ("stalls", "number", "stalls of the motor", "", 1.0, 0),
-    ("stalls", "s", "stalled", "s", 1.0, 1),
-    ("path", "dogleg_mean_deg_30m", "dogleg, mean", "deg/30 m", 1.0, 2),
-    ("path", "dogleg_largest_deg_30m", "dogleg, largest", "deg/30 m", 1.0, 2),
-    ("path", "tortuosity_deg_30m", "tortuosity beyond the plan's", "deg/30 m", 1.0, 2),
-    ("path", "distance_mean_m", "distance to plan, mean", "m", 1.0, 2),
-    ("path", "distance_largest_m", "distance to plan, largest", "m", 1.0, 2),
-    ("path", "distance_end_m", "distance to plan, at the end", "m", 1.0, 2))
+    ("drilling", "duration_s", "run", "time", 1.0, 1),
+    ("drilling", "on_bottom_s", "on bottom", "time", 1.0, 1),
+    ("drilling", "drilled_m", "drilled", "length", 1.0, 3),
+    ("drilling", "rop_on_bottom_m_h", "rate of penetration on bottom", "penetration", PER_HOUR, 2),
+    ("drilling", "rop_m_h", "rate of penetration of the run", "penetration", PER_HOUR, 2),
+    ("wob", "mean", "weight on bit, mean", "force", 1.0, 2),
+    ("wob", "deviation", "weight on bit, deviation", "force", 1.0, 2),
+    ("wob", "largest", "weight on bit, largest", "force", 1.0, 2),
+    ("wob", "share_in_band", "weight on bit within its band", "share", 1.0, 1),
+    ("toolface", "sliding_s", "sliding", "time", 1.0, 1),
+    ("toolface", "mean_deg", "toolface, mean", "angle", DEGREE, 1),
+    ("toolface", "deviation_deg", "toolface, deviation", "angle", DEGREE, 1),
+    ("toolface", "share_in_band", "toolface within its band", "share", 1.0, 1),
+    ("stick_slip", "mean", "stick-slip index, mean", "number", 1.0, 2),
+    ("stick_slip", "largest", "stick-slip index, largest", "number", 1.0, 2),
+    ("stick_slip", "share_at_1", "windows in full stick-slip", "share", 1.0, 1),
+    ("energy", "mse_mpa", "mechanical specific energy", "specific_energy", 1e6, 1),
+    ("connections", "number", "connections", "count", 1.0, 0),
+    ("connections", "in_slips_s", "in slips, mean", "time", 1.0, 1),
+    ("connections", "weight_to_weight_s", "weight to weight, mean", "time", 1.0, 1),
+    ("stalls", "number", "stalls of the motor", "count", 1.0, 0),
+    ("stalls", "s", "stalled", "time", 1.0, 1),
+    ("path", "dogleg_mean_deg_30m", "dogleg, mean", "dogleg", DEGREE / 30.0, 2),
+    ("path", "dogleg_largest_deg_30m", "dogleg, largest", "dogleg", DEGREE / 30.0, 2),
+    ("path", "tortuosity_deg_30m", "tortuosity beyond the plan's", "dogleg", DEGREE / 30.0, 2),
+    ("path", "distance_mean_m", "distance to plan, mean", "length", 1.0, 2),
+    ("path", "distance_largest_m", "distance to plan, largest", "length", 1.0, 2),
+    ("path", "distance_end_m", "distance to plan, at the end", "length", 1.0, 2))
 
 
-def table(scores):
+def table(scores, units=SI):
     """Lines of what was told, and of what was left out and why."""
     lines = ["%s, by its %s" % (scores["run"], scores["source"])]
-    for section, name, meaning, unit, factor, decimals in TABLE:
-        value = (scores[section] or {}).get(name)
+    for section, name, meaning, quantity, factor, decimals in TABLE:
+        value, unit = (scores[section] or {}).get(name), units[quantity]
         if value is not None:
-            lines.append("%-32s %12.*f %s" % (meaning, decimals, factor * value, unit))
+            lines.append("%-32s %12.*f %s" % (meaning, decimals if units.system == "si" else unit.digits, factor * value * unit.per_si, unit.name))
     lines += ["%-32s %12d times, %.1f s" % (flag, found["number"], found["s"]) for flag, found in scores["limits"].items() if found["number"]]
     return [line.rstrip() for line in lines] + ["left out: " + reason for reason in scores["left_out"]]
 
@@ -61,6 +63,7 @@ def parse(words):
         parser.add_argument(name)
     for name in ("--bit-diameter", "--wob", "--wob-band", "--toolface", "--toolface-band"):
         parser.add_argument(name, type=float)
+    parser.add_argument("--units", choices=SYSTEMS, default="si")
     return parser.parse_args(words)
 
 
@@ -79,6 +82,7 @@ def radians(angle):
 
 def judge(args):
     require_files_apart(args)
+    units = Units(args.units)
     run = read_run(args.run, args.namespace)
     plan = read_survey(args.plan) if args.plan else None
     scores = score(run, plan, args.bit_diameter, args.wob, args.wob_band, radians(args.toolface), radians(args.toolface_band))
@@ -88,8 +92,8 @@ def judge(args):
             out.write("\n")
     if args.plots:
         from drill_rig_sim import score_plots  # needs matplotlib
-        score_plots.draw(run, scores, plan, args.bit_diameter, args.plots)
-    print("\n".join(table(scores)))
+        score_plots.draw(run, scores, plan, args.bit_diameter, args.plots, units)
+    print("\n".join(table(scores, units)))
 
 
 def main(words):

@@ -4,6 +4,7 @@ import math
 import matplotlib
 import numpy
 from drill_rig_sim.score import WINDOW, bottom_points, new_hole, on_bottom, sliding_rows, stick_slip_windows
+from drill_rig_sim.units import SI
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (after the choice of Agg)
@@ -14,15 +15,15 @@ LINE = {"linewidth": 0.8, "color": "#1f5fa8"}
 SET_POINT = {"color": "#2ca02c", "alpha": 0.25}
 
 
-def draw(run, scores, plan, bit_diameter, file):
+def draw(run, scores, plan, bit_diameter, file, units=SI):
     """Writes the page to a file, of the kind that its name says (png, svg, pdf)."""
     figure, axes = plt.subplots(3, 2, figsize=(11.0, 9.5))
-    depth(axes[0, 0], run)
-    weight(axes[0, 1], run, scores)
+    depth(axes[0, 0], run, units)
+    weight(axes[0, 1], run, scores, units)
     bit_speed(axes[1, 0], run)
     toolface(axes[1, 1], run, scores)
-    energy(axes[2, 0], run, bit_diameter)
-    section(axes[2, 1], run, plan)
+    energy(axes[2, 0], run, bit_diameter, units)
+    section(axes[2, 1], run, plan, units)
     for panel in axes.flat[:5]:
         panel.set_xlabel("time [s]")
         panel.set_xlim(run["time"][0], run["time"][-1])
@@ -50,24 +51,25 @@ def per_window(run, amounts):
     return begin + WINDOW * (numpy.arange(whole) + 0.5), numpy.bincount(number, weights=amounts, minlength=whole)[:whole]
 
 
-def depth(panel, run):
-    panel.plot(run["time"], run["hole_depth"], color="#555555", linewidth=1.2, label="hole")
-    panel.plot(run["time"], run["bit_depth"], label="bit", **LINE)
+def depth(panel, run, units):
+    panel.plot(run["time"], units["length"].per_si * run["hole_depth"], color="#555555", linewidth=1.2, label="hole")
+    panel.plot(run["time"], units["length"].per_si * run["bit_depth"], label="bit", **LINE)
     panel.invert_yaxis()
-    panel.set_ylabel("measured depth [m]")
+    panel.set_ylabel(units.label("measured depth", "length"))
     panel.legend(loc="upper right", fontsize=8)
     rates = panel.twinx()
     middle, metres = per_window(run, new_hole(run, on_bottom(run)))
-    rates.step(middle, 3600.0 * metres / WINDOW, where="mid", color="#c0392b", linewidth=0.8)
-    rates.set_ylabel("rate of penetration, 10 s [m/h]", color="#c0392b")
+    rates.step(middle, units["penetration"].per_si * metres / WINDOW, where="mid", color="#c0392b", linewidth=0.8)
+    rates.set_ylabel(units.label("rate of penetration, 10 s", "penetration"), color="#c0392b")
 
 
-def weight(panel, run, scores):
-    panel.plot(run["time"], 1e-3 * run["wob"], **LINE)
+def weight(panel, run, scores, units):
+    force = units["force"].per_si
+    panel.plot(run["time"], force * run["wob"], **LINE)
     found = scores["wob"] or {}
     if "set_point" in found:
-        panel.axhspan(1e-3 * (found["set_point"] - found["band"]), 1e-3 * (found["set_point"] + found["band"]), **SET_POINT)
-    panel.set_ylabel("weight on bit [kN]")
+        panel.axhspan(force * (found["set_point"] - found["band"]), force * (found["set_point"] + found["band"]), **SET_POINT)
+    panel.set_ylabel(units.label("weight on bit", "force"))
 
 
 def bit_speed(panel, run):
@@ -96,8 +98,8 @@ def toolface(panel, run, scores):
     panel.set_ylim(-180.0, 180.0)
 
 
-def energy(panel, run, bit_diameter):
-    panel.set_ylabel("specific energy, 10 s [MPa]")
+def energy(panel, run, bit_diameter, units):
+    panel.set_ylabel(units.label("specific energy, 10 s", "specific_energy"))
     if bit_diameter is None:
         nothing(panel, "the bit's diameter")
         return
@@ -105,15 +107,16 @@ def energy(panel, run, bit_diameter):
     drilled = new_hole(run, bottom)
     torque, speed = (run["bit_torque"], run["bit_speed"]) if "bit_torque" in run else (run["torque"], run["top_drive_speed"])
     middle, metres = per_window(run, drilled)
-    _, work = per_window(run, run["wob"] * drilled + numpy.where(bottom, torque * speed * run.dt, 0.0))
+    _, work = per_window(run, numpy.where(drilled > 0.0, run["wob"] * drilled, 0.0) + numpy.where(bottom, torque * speed * run.dt, 0.0))
     good = metres > 1e-3
-    panel.plot(middle[good], 1e-6 * work[good] / (0.25 * math.pi * bit_diameter**2 * metres[good]), ".-", **LINE)
+    panel.plot(middle[good], units["specific_energy"].per_si * work[good] / (0.25 * math.pi * bit_diameter**2 * metres[good]), ".-", **LINE)
 
 
-def section(panel, run, plan):
+def section(panel, run, plan, units):
     """Vertical section through the ends of the new hole: true vertical depth over the way along it."""
-    panel.set_xlabel("along the new hole, horizontally [m]")
-    panel.set_ylabel("true vertical depth [m]")
+    length = units["length"].per_si
+    panel.set_xlabel(units.label("along the new hole, horizontally", "length"))
+    panel.set_ylabel(units.label("true vertical depth", "length"))
     points = bottom_points(run, new_hole(run, on_bottom(run)))
     if points is None:
         nothing(panel, "new hole")
@@ -124,7 +127,7 @@ def section(panel, run, plan):
         md = numpy.linspace(plan.md[0], plan.md[-1], 500)
         line = numpy.array([plan.at(depth)[0] for depth in md])
         near = (line[:, 2] <= points[:, 2].max() + 20.0) & (line[:, 2] >= points[:, 2].min() - 20.0)
-        panel.plot((line[near, :2] - begin[:2]) @ along, -line[near, 2], "--", color="#2ca02c", label="plan")
+        panel.plot(length * (line[near, :2] - begin[:2]) @ along, -length * line[near, 2], "--", color="#2ca02c", label="plan")
         panel.legend(loc="upper right", fontsize=8)
-    panel.plot((points[:, :2] - begin[:2]) @ along, -points[:, 2], ".-", markersize=3, **LINE)
+    panel.plot(length * (points[:, :2] - begin[:2]) @ along, -length * points[:, 2], ".-", markersize=3, **LINE)
     panel.invert_yaxis()

@@ -7,10 +7,13 @@ from drill_rig_sim.lockstep import series
 
 FLAGS = ("winch_limited", "top_drive_limited", "stop_reached", "slack_line", "relief_valve_open", "over_stress", "over_torque", "buckled",
          "accuracy_warning")
+ZEROED = ("wob", "differential_pressure")  # nan of readings that have not been zeroed yet
+NEW_RUN = 1.0  # time that goes back by so much begins a new run [s]
 NEEDED = ("time", "hole_depth", "bit_depth", "wob", "torque", "top_drive_speed")
 STATE = {"hole_depth": "hole_depth", "bit_depth": "bit_depth", "torque": "torque", "top_drive_speed": "top_drive_speed",
          "in_slips": "in_slips", "motor_stalled": "motor_stalled", "wob": "surface_wob", **{flag: flag for flag in FLAGS},
          **{name: name for name in ("hook_load", "block_height", "rop", "stand_pipe_pressure", "differential_pressure", "flow")}}
+TOPICS = ("truth/rig_state", "truth/bit", "rig_state", "downhole/mwd", "downhole/toolface")
 BIT = {"wob": "wob", "bit_torque": "torque", "bit_speed": "speed", "inclination": "inclination", "azimuth": "azimuth", "toolface": "toolface",
        "bit_east": "position.x", "bit_north": "position.y", "bit_up": "position.z"}
 
@@ -22,19 +25,21 @@ class RunError(Exception):
 class Run:
     """Columns of equal length by name, in SI units and radians. `source`: truth or readings. What a row says holds for the time since the row
     before: `dt` [s], 0 of the first. `title`: over pictures, the file's name without its folder. `surveys`: rows of measured depth, inclination
-    and azimuth, where the hole itself was not seen."""
+    and azimuth, where the hole itself was not seen. `may_be_nan`: columns that are not known in every row, beside those of `reading_...`. `earlier`: what
+    is said of runs before it in the same file, or ""."""
 
-    def __init__(self, columns, source="truth", name="", surveys=()):
+    def __init__(self, columns, source="truth", name="", surveys=(), may_be_nan=(), earlier=""):
         missing = [column for column in NEEDED if column not in columns]
         if missing:
             raise RunError("%s: has no %s, needed: the time series of drill run --csv or a bag" % (name, ", ".join(missing)))
         self.columns = {column: numpy.asarray(values, dtype=float) for column, values in columns.items()}
         self.source, self.name, self.surveys = source, name, numpy.array(surveys, dtype=float).reshape(-1, 3)
-        self.title = os.path.basename(name)
+        self.title, self.earlier = os.path.basename(name), earlier
         time = self.columns["time"]
         if len(time) < 2 or not (numpy.diff(time) > 0.0).all():
             raise RunError("%s: needed: two rows or more whose time increases" % name)
-        bad = [column for column, values in self.columns.items() if not numpy.isfinite(values).all()]
+        bad = [column for column, values in self.columns.items()
+               if (numpy.isinf(values) if column in may_be_nan or is_reading(column) else ~numpy.isfinite(values)).any()]
         if bad:
             raise RunError("%s: %s is not finite everywhere" % (name, ", ".join(bad)))
         self.dt = numpy.diff(time, prepend=time[0])
@@ -46,6 +51,11 @@ class Run:
         return self.columns[column]
 
 
+def is_reading(column):
+    """Of a time series with --readings: an empty cell has not been measured, or not been zeroed."""
+    return column.startswith("reading_")
+
+
 def read_run(file, namespace=None):
     """A bag where the file's name ends with .bag, else a time series."""
     return read_bag(file, namespace) if file.endswith(".bag") else read_series(file)
@@ -54,16 +64,33 @@ def read_run(file, namespace=None):
 def read_series(file):
     try:
         with open(file, newline="", encoding="utf-8") as text:
-            rows = csv.reader(text)
-            names = next(rows, [])
-            table = [[float(cell) for cell in row] for row in rows]
+            names, *rows = list(csv.reader(text)) or [[]]
+        if any(len(row) != len(names) for row in rows):
+            raise RunError("%s: has rows of another length than its header" % file)
+        table = [[number(cell, name) for cell, name in zip(row, names)] for row in rows]
     except OSError as error:
         raise RunError("%s: %s" % (file, error.strerror))
     except (ValueError, csv.Error):
         raise RunError("%s: holds what is no number, needed: the time series of drill run --csv" % file)
-    if any(len(row) != len(names) for row in table):
-        raise RunError("%s: has rows of another length than its header" % file)
-    return Run(dict(zip(names, zip(*table))), "truth", file)
+    columns = {name: numpy.array(values) for name, values in zip(names, zip(*table))}
+    begin, earlier = last_run(columns.get("time", ()))
+    return Run({name: values[begin:] for name, values in columns.items()}, "truth", file, earlier=earlier)
+
+
+def number(cell, column):
+    """Of a row's cell; nan where it is empty and may be. A ValueError where it holds no number."""
+    return float(cell) if cell or not is_reading(column) else numpy.nan
+
+
+def last_run(time):
+    """Where the last run of a series begins, and what is said of those before it, or "". Time that goes back by NEW_RUN or more begins a new run: the
+    rig's node was started again. By less it is an error of the series, which Run refuses."""
+    back = numpy.flatnonzero(numpy.diff(time) <= -NEW_RUN)
+    if not len(back):
+        return 0, ""
+    begin = back[-1] + 1
+    return begin, "%d earlier run%s of the file, to %.6g s: time goes back to %.6g s there, what follows is judged" % (
+        len(back), "s" if len(back) > 1 else "", time[begin - 1], time[begin])
 
 
 def read_bag(file, namespace=None):
@@ -75,19 +102,36 @@ def read_bag(file, namespace=None):
     try:
         with rosbag.Bag(file) as bag:
             prefix = namespace_of(bag, file, namespace)
-            messages = {name: [m for _, m, _ in bag.read_messages(topics=[prefix + name])]
-                        for name in ("truth/rig_state", "truth/bit", "rig_state", "downhole/mwd", "downhole/toolface")}
+            messages, earlier = messages_of(bag, prefix)
     except (OSError, rosbag.ROSBagException) as error:
         raise RunError("%s: %s" % (file, str(error).splitlines()[0]))
     if messages["truth/rig_state"]:
-        return Run(columns_of_truth(once(messages["truth/rig_state"]), once(messages["truth/bit"])), "truth", file)
+        columns = columns_of_truth(once(messages["truth/rig_state"]), once(messages["truth/bit"]))
+        return Run(columns, "truth", file, may_be_nan=() if messages["truth/bit"] else ("wob",), earlier=earlier)
     states = once(messages["rig_state"])
-    columns = columns_of(states, STATE)
+    columns = columns_of_states(states)
+    columns["differential_pressure"] = numpy.where(numpy.isnan(columns["wob"]), numpy.nan, columns["differential_pressure"])
     if messages["downhole/toolface"]:
         columns["toolface"] = last_toolface(columns["time"], messages["downhole/toolface"])
     for unsensed in ("motor_stalled", "over_stress", "over_torque", "buckled"):
         del columns[unsensed]
-    return Run(columns, "readings", file, [(m.md, m.inclination, m.azimuth) for m in messages["downhole/mwd"]])
+    return Run(columns, "readings", file, [(m.md, m.inclination, m.azimuth) for m in messages["downhole/mwd"]], ZEROED, earlier)
+
+
+def messages_of(bag, prefix):
+    """Of the last run in a bag, by the topics without their prefix, and what is said of earlier ones, or ""."""
+    places = {name: in_order(bag, prefix + name) for name in TOPICS}
+    states = places["truth/rig_state"] or places["rig_state"]
+    begin, earlier = last_run(stamps([m for _, m in states]))
+    return {name: [m for place, m in found if not begin or place >= states[begin][0]] for name, found in places.items()}, earlier
+
+
+def in_order(bag, topic):
+    """Places in the file and messages as they were recorded: a bag stamped with simulated time, which goes back where a node is started again, is read by
+    its stamps otherwise, one run among the other."""
+    connections = list(bag._get_connections([topic]))  # pylint: disable=protected-access
+    entries = bag._get_entries(connections) if connections else ()  # pylint: disable=protected-access
+    return [(place, bag._read_message(place).message) for place in sorted(entry.position for entry in entries)]  # pylint: disable=protected-access
 
 
 def namespace_of(bag, file, wanted):
@@ -124,12 +168,19 @@ def columns_of(messages, table):
     return columns
 
 
+def columns_of_states(states):
+    """Of RigState; surface WOB is nan until it has been zeroed."""
+    columns = columns_of(states, STATE)
+    columns["wob"] = numpy.where([m.tared for m in states], columns["wob"], numpy.nan)
+    return columns
+
+
 def columns_of_truth(states, bits):
     """The rig's, and the bit's where every state has one."""
     by_stamp = {m.header.stamp.to_nsec(): m for m in bits}
     if bits:
         states = [m for m in states if m.header.stamp.to_nsec() in by_stamp]
-    columns = columns_of(states, STATE)
+    columns = columns_of_states(states)
     if bits:
         columns.update(columns_of([by_stamp[m.header.stamp.to_nsec()] for m in states], BIT))
     return columns

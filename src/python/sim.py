@@ -27,6 +27,11 @@ def build():
     return _sim.build()
 
 
+def units():
+    """Units that the numbers of a scene may have, by quantity: how many SI units one of each is. units()["pressure"]["psi"]: 6894.757..."""
+    return _sim.units()
+
+
 def static(scene, motion="none"):
     """Loads of the string as it hangs at a scene's start, by name, as drill static prints them [N], [N m]; `hook_load_gauge` as the scene's gauge
     shows it while the block moves. motion: none (without friction), up, down or rotate."""

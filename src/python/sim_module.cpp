@@ -13,6 +13,8 @@
 
 #include "../scene/text_file.h"
 #include "../sim/build_identity.h"
+#include "drill_rig_sim/math/shown_units.h"
+#include "drill_rig_sim/math/unit_table.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/survey_file.h"
 #include "drill_rig_sim/sim/profile.h"
@@ -61,6 +63,32 @@ std::string build()
   std::string text;
   for (const unsigned char byte : build_identity()) text += {digits[byte / 16], digits[byte % 16]};
   return text;
+}
+
+/// The units that a scene's numbers may have, by quantity: SI units in one of each.
+py::dict units()
+{
+  py::dict families;
+  for (const UnitFamily& family : unit_families())
+  {
+    py::dict names;
+    for (const UnitName& unit : family.units) names[unit.name] = static_cast<double>(unit.si);
+    const std::string quantity = family.quantity;
+    families[py::str(quantity.substr(quantity.find(' ') + 1))] = names;
+  }
+  return families;
+}
+
+/// The units that the runner's commands show numbers in with --units oilfield: shown numbers in one SI unit.
+py::dict oilfield_units()
+{
+  py::dict names;
+  for (int k = 0; k < static_cast<int>(Dimension::count); ++k)
+  {
+    const Unit& unit = unit_of(static_cast<Dimension>(k), UnitSystem::oilfield);
+    names[unit.name] = unit.per_si;
+  }
+  return names;
 }
 
 /// Loads of a scene's string as it hangs at its start, in SI units: static_report() of a motion as `drill static` names it.
@@ -210,6 +238,8 @@ PYBIND11_MODULE(_sim, module)
   py::register_exception_translator(translate);
   module.def("build", build);
   module.def("static_loads", static_loads);
+  module.def("units", units);
+  module.def("oilfield_units", oilfield_units);
   module.def("read_survey", read_survey);
   module.def("read_text", read_text, py::arg("file"), py::arg("longest") = longest_text);
   bind_setpoints(module);

@@ -3,8 +3,8 @@ import time
 import types
 
 import rospy
-from drill_rig_sim.control import Readings, asked, pipe_work
-from drill_rig_sim.lockstep import MODES
+from drill_rig_sim.control import NewRuns, Readings, asked, pipe_work
+from drill_rig_sim.lockstep import MODES, Refused
 from drill_rig_sim.msg import MudPumpCommand, MwdSurvey, MwdToolface, RigState, SteeringCommand, TopDriveCommand, WinchCommand
 from drill_rig_sim.rig import COMMANDS, answered
 from drill_rig_sim.srv import MakeConnection
@@ -20,6 +20,13 @@ class Telemetry:
         self.toolface = self.survey = None
         self._subscribers = [rospy.Subscriber(prefix + "downhole/toolface", MwdToolface, lambda m: setattr(self, "toolface", arrived(m)), tcp_nodelay=True),
                              rospy.Subscriber(prefix + "downhole/mwd", MwdSurvey, lambda m: setattr(self, "survey", arrived(m)), tcp_nodelay=True)]
+
+    def begin_again(self, now):
+        """Forgets what is of a run before the one that begins at `now` [s]."""
+        for name in ("toolface", "survey"):
+            last = getattr(self, name)
+            if last is not None and last.t > now:
+                setattr(self, name, None)
 
     @staticmethod
     def listen(now, period):
@@ -47,23 +54,45 @@ def messages_of(commands):
     return messages
 
 
-def follow(law):
-    """By topics, in the node's namespace: a step with the first state of each period; returns once the law is done."""
-    telemetry, last, refused = Telemetry(), [None], [""]
-    slips, connection = rospy.ServiceProxy("set_slips", SetBool), rospy.ServiceProxy("make_connection", MakeConnection)
-    publishers = {name: rospy.Publisher(name + "/command", kind, queue_size=1) for name, kind in COMMANDS.items()}
+class Follower:
+    """A law that is asked with the first state of each of its periods, and whose commands are published."""
 
-    def take(state):
+    def __init__(self, law):
+        self.law, self.runs, self.telemetry, self.last, self.refused = law, NewRuns(law), Telemetry(), None, ""
+        self.slips, self.connection = rospy.ServiceProxy("set_slips", SetBool), rospy.ServiceProxy("make_connection", MakeConnection)
+        self.publishers = {name: rospy.Publisher(name + "/command", kind, queue_size=1) for name, kind in COMMANDS.items()}
+
+    def take(self, state):
         now = state.header.stamp.to_sec()
-        if law.done or (last[0] is not None and now < last[0] + law.period - 1e-6):
+        if self.runs.begins(now, state.hole_depth):
+            self.begin_again(now)
+        if self.law.done or (self.last is not None and now < self.last + self.law.period - 1e-6):
             return
-        last[0] = now
-        commands = asked(law, Readings(now, state, telemetry, refused[0]))
+        self.last = now
+        commands = asked(self.law, Readings(now, state, self.telemetry, self.refused))
         for name, message in messages_of(commands).items():
-            publishers[name].publish(message)
-        refused[0] = pipe_work(commands, lambda are_set: answered(slips(are_set)), lambda **fields: answered(connection(**fields)))
+            self.publishers[name].publish(message)
+        self.refused = pipe_work(commands, lambda are_set: served(self.slips, are_set), lambda **fields: served(self.connection, **fields))
 
-    subscriber = rospy.Subscriber("rig_state", RigState, take, queue_size=1, tcp_nodelay=True)
+    def begin_again(self, now):
+        rospy.logwarn("the rig begins a new run at %.2f s: %s" % (now, "the law goes on, it cannot be copied (%s)" % self.runs.problem
+                                                                  if self.runs.problem else "the law begins again"))
+        self.last, self.refused = None, ""
+        self.telemetry.begin_again(now)
+
+
+def served(service, *words, **fields):
+    """Asks a service; Refused where it is not there, as while the node is started again, or refuses."""
+    try:
+        return answered(service(*words, **fields))
+    except rospy.ServiceException as error:
+        raise Refused(str(error)) from error
+
+
+def follow(law):
+    """By topics, in the node's namespace: a step with the first state of each period; returns once the law is done. Where the rig begins a new run, so
+    does the law (drill_rig_sim.control.NewRuns)."""
+    subscriber = rospy.Subscriber("rig_state", RigState, Follower(law).take, queue_size=1, tcp_nodelay=True)
     while not (law.done or rospy.is_shutdown()):
         time.sleep(0.05)
     subscriber.unregister()

@@ -6,6 +6,7 @@ import selectors
 import socket
 import threading
 import time
+from datetime import datetime, timezone
 
 MOST_CLIENTS = 16        # at a time; more are turned away
 MOST_WAITING = 1 << 16   # for a client that does not read [B]; what is beyond is dropped, records whole
@@ -13,6 +14,20 @@ READ_AT_ONCE = 4096      # of what clients send, which nobody looks at [B]
 READ_PAUSE = 0.02        # after that [s]
 
 KILO_DECANEWTON = 1e4    # the specification's metric unit of force [N]
+START_DATE = "2000-01-01T00:00:00Z"  # of simulated time 0, as drill run --witsml has it
+WALL_TIME = 1e9          # a stamp from here on is wall time since 1970, the date itself [s]
+
+
+def start_date_of(text):
+    """Seconds since 1970 of a date as 2024-05-17 or 2024-05-17T06:30:00Z, by UTC, of the years 1970 to 2199. A ValueError for any other text."""
+    for form in ("%Y-%m-%d", "%Y-%m-%dT%H:%M:%SZ"):
+        try:
+            date = datetime.strptime(text, form)
+        except ValueError:
+            continue
+        if 1970 <= date.year < 2200 and date.strftime(form) == text:
+            return date.replace(tzinfo=timezone.utc).timestamp()
+    raise ValueError("no date by UTC of 1970 to 2199, as 2024-05-17 or 2024-05-17T06:30:00Z: %r" % text)
 
 
 def whole(value):
@@ -38,29 +53,29 @@ GENERAL = (
     (30, "flow", 60000.0, decimal))                        # L/min
 
 
-def record(number, stamp, items):
-    """A record with its date and time, YYMMDD and HHMMSS of the stamp [s], and items [(item, text)]."""
-    moment = time.gmtime(stamp)
+def record(number, stamp, items, start=start_date_of(START_DATE)):
+    """A record with its date and time, YYMMDD and HHMMSS of the stamp [s], and items [(item, text)]. `start`: the date of simulated time 0, since 1970 [s]."""
+    moment = time.gmtime(stamp if stamp >= WALL_TIME else start + stamp)
     lines = [(5, time.strftime("%y%m%d", moment)), (6, time.strftime("%H%M%S", moment))] + list(items)
     return ("&&\r\n" + "".join("%02d%02d%s\r\n" % (number, item, text) for item, text in lines) + "!!\r\n").encode("ascii")
 
 
-def general_record(state):
+def general_record(state, start=start_date_of(START_DATE)):
     """Record 01 of a RigState."""
     return record(1, state.header.stamp.to_sec(), [(item, write(getattr(state, field) * factor)) for item, field, factor, write in GENERAL
-                                                   if field != "surface_wob" or state.tared])
+                                                   if field != "surface_wob" or state.tared], start)
 
 
-def survey_record(survey):
+def survey_record(survey, start=start_date_of(START_DATE)):
     """Record 07 of a MwdSurvey: measured depth [m], inclination and corrected azimuth [deg], for north is true north here."""
     return record(7, survey.header.stamp.to_sec(), [(8, decimal(survey.md)), (13, decimal(math.degrees(survey.inclination))),
-                                                    (15, decimal(math.degrees(survey.azimuth)))])
+                                                    (15, decimal(math.degrees(survey.azimuth)))], start)
 
 
-def toolface_record(toolface):
+def toolface_record(toolface, start=start_date_of(START_DATE)):
     """Record 07 of a MwdToolface: gravity (17) or magnetic (16) toolface, 0 to 360 [deg]."""
     item = 17 if toolface.reference == toolface.GRAVITY else 16
-    return record(7, toolface.header.stamp.to_sec(), [(item, decimal(math.degrees(toolface.toolface) % 360.0))])
+    return record(7, toolface.header.stamp.to_sec(), [(item, decimal(math.degrees(toolface.toolface) % 360.0))], start)
 
 
 class Client:

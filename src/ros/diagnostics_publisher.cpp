@@ -7,9 +7,10 @@
 namespace drill_rig_sim
 {
 DiagnosticsPublisher::DiagnosticsPublisher(ros::NodeHandle& node, std::function<FrameRecord()> last, const Refusals& refusals,
-                                           std::function<std::string()> clock_trouble)
+                                           const CommandSenders& senders, std::function<std::string()> clock_trouble)
     : last_(std::move(last)),
       refusals_(refusals),
+      senders_(senders),
       clock_trouble_(std::move(clock_trouble)),
       report_(ros::this_node::getName().substr(1)),
       diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10)),
@@ -20,7 +21,7 @@ DiagnosticsPublisher::DiagnosticsPublisher(ros::NodeHandle& node, std::function<
 void DiagnosticsPublisher::publish()
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  diagnostics_.publish(report_.on(last_(), refusals_, clock_trouble_(), steady_now()));
+  diagnostics_.publish(report_.on(last_(), refusals_, clock_trouble_(), steady_now(), senders_.trouble(ros::SteadyTime::now())));
 }
 
 }  // namespace drill_rig_sim

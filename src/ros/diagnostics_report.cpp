@@ -78,11 +78,12 @@ std::optional<double> RealTimeFactor::update(double ticked, RunState state, std:
   return factor_;
 }
 
-diagnostic_msgs::DiagnosticArray DiagnosticsReport::on(const FrameRecord& frame, const Refusals& refusals, const std::string& clock_trouble, std::int64_t now)
+diagnostic_msgs::DiagnosticArray DiagnosticsReport::on(const FrameRecord& frame, const Refusals& refusals, const std::string& clock_trouble, std::int64_t now,
+                                                       const std::string& sender_trouble)
 {
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = to_time(frame.stamp);
-  array.status = {time_status(frame, clock_trouble, now), physics_status(frame), command_status(frame, refusals)};
+  array.status = {time_status(frame, clock_trouble, now), physics_status(frame), command_status(frame, refusals, sender_trouble)};
   return array;
 }
 
@@ -155,7 +156,7 @@ DiagnosticsReport::Status DiagnosticsReport::physics_status(const FrameRecord& f
   return s;
 }
 
-DiagnosticsReport::Status DiagnosticsReport::command_status(const FrameRecord& frame, const Refusals& refusals)
+DiagnosticsReport::Status DiagnosticsReport::command_status(const FrameRecord& frame, const Refusals& refusals, const std::string& sender_trouble)
 {
   Status s = status("commands", "obeyed");
   const std::uint64_t refused = refusals.number(), clamped = frame.physics.commands_clamped;
@@ -165,6 +166,7 @@ DiagnosticsReport::Status DiagnosticsReport::command_status(const FrameRecord& f
   if (refused > refused_before_) s.mergeSummary(DiagnosticStatus::WARN, std::string("refused: ") + refusals.last());
   if (clamped > clamped_before_ || frame.truth.command_clamped)
     s.mergeSummary(DiagnosticStatus::WARN, std::string("beyond a limit: ") + frame.last_clamp);
+  if (!sender_trouble.empty()) s.mergeSummary(DiagnosticStatus::WARN, sender_trouble);
   refused_before_ = refused;
   clamped_before_ = clamped;
   s.add("clamped", clamped);

@@ -5,8 +5,17 @@ namespace drill_rig_sim
 template <class Command>
 ros::Subscriber Mailbox::subscribe(ros::NodeHandle& node, const std::string& topic)
 {
-  return node.subscribe<Command>(
-      topic, 1, [this](const boost::shared_ptr<const Command>& m) { receive(*m); }, {}, ros::TransportHints().tcpNoDelay());
+  using Event = ros::MessageEvent<const Command>;
+  const std::string name = node.resolveName(topic);
+  ros::SubscribeOptions options;
+  options.template initByFullCallbackType<const Event&>(topic, 1,
+                                                        [this, name](const Event& event)
+                                                        {
+                                                          senders_.note(name, event.getPublisherName(), ros::SteadyTime::now());
+                                                          receive(*event.getConstMessage());
+                                                        });
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  return node.subscribe(options);
 }
 
 Mailbox::Mailbox(ros::NodeHandle& node)

@@ -37,7 +37,7 @@ RigNode::RigNode()
       publishing_(
           node_, parameters_, ring_, loop_.subscriptions(), [this] { loop_.refresh(); }, [this] { diagnostics_.publish(); }),
       diagnostics_(
-          node_, [this] { return publishing_.last(); }, mailbox_.refusals(), [this] { return clock_.trouble(); }),
+          node_, [this] { return publishing_.last(); }, mailbox_.refusals(), mailbox_.senders(), [this] { return clock_.trouble(); }),
       services_(service_node_, parameters_, scene_, loop_, publishing_),
       spinner_(1),
       service_spinner_(2, &service_queue_)

@@ -58,17 +58,17 @@ struct FileContent
 
 void write_saved(const std::string& file, const Saved& saved)
 {
-  write_snapshot(file, saved.state->scene, {saved.kernel, to_bytes(FileContent{*saved.state, *saved.player, saved.playing, saved.commands})});
+  write_snapshot(file, saved.state->scene, {saved.kernel, to_bytes(FileContent{*saved.state, *saved.player, saved.playing, saved.commands}), saved.start});
 }
 
 Saved read_saved(const std::string& file, const Saved& present)
 {
   FileContent content{*present.state, *present.player, present.playing, present.commands};
-  const Snapshot snapshot = read_snapshot(file, present.state->scene);
+  const Snapshot snapshot = read_snapshot(file, present.state->scene, present.start);
   if (!from_bytes(snapshot.bytes, content)) throw std::runtime_error(file + ": is damaged");
   for (std::int64_t* stamp : {&content.commands.last, &content.commands.accepted[0], &content.commands.accepted[1], &content.commands.accepted[2], &content.commands.accepted[3]})
     if (*stamp != 0) *stamp = present.stamp;
-  return {std::make_shared<SimulatorState>(std::move(content.state)), content.player, content.playing, content.commands, snapshot.kernel, present.stamp, 0};
+  return {std::make_shared<SimulatorState>(std::move(content.state)), content.player, content.playing, content.commands, snapshot.kernel, present.stamp, 0, present.start};
 }
 
 void SavedStates::keep(const std::string& name, Saved saved)

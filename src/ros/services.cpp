@@ -264,8 +264,9 @@ Saved Services::present_state(bool to_go_on_from)
       {
         const RunningRig& rig = loop.rig();
         if (to_go_on_from && rig.failed) throw Refusal("the last frame failed: there is no good state to go on from");
-        saved = {rig.simulator->save(), rig.player, rig.playing, rig.commands, rig.simulator->statistics().kernel, loop.time().stamp(), 0};
+        saved = {rig.simulator->save(), rig.player, rig.playing, rig.commands, rig.simulator->statistics().kernel, loop.time().stamp(), 0, {}};
       });
+  saved.start = scene_start(running_);
   return saved;
 }
 

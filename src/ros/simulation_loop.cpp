@@ -149,6 +149,7 @@ CommandResult SimulationLoop::accept(const Setpoint& c, std::size_t kind) noexce
     rig_.playing = false;  // whoever sends a command has the rig
     set_timeout();
   }
+  watch_stream(c);
   return result;
 }
 
@@ -156,6 +157,19 @@ template CommandResult SimulationLoop::accept(const WinchSetpoint&, std::size_t)
 template CommandResult SimulationLoop::accept(const TopDriveSetpoint&, std::size_t) noexcept;
 template CommandResult SimulationLoop::accept(const PumpSetpoint&, std::size_t) noexcept;
 template CommandResult SimulationLoop::accept(const SteeringSetpoint&, std::size_t) noexcept;
+
+// A single command stands until the next one, and so does the last one of a stream where it stops what it moved: a driller's hand goes elsewhere.
+void SimulationLoop::watch_stream(const WinchSetpoint& c) noexcept
+{
+  const bool is_stream = rig_.winch_stream.take(rig_.simulator->truth().time, parameters_.command_timeout);
+  if (!is_stream || !moves(c)) rig_.simulator->winch_command_stands();
+}
+
+void SimulationLoop::watch_stream(const TopDriveSetpoint& c) noexcept
+{
+  const bool is_stream = rig_.drive_stream.take(rig_.simulator->truth().time, parameters_.command_timeout);
+  if (!is_stream || !turns(c)) rig_.simulator->drive_command_stands();
+}
 
 // A program speaks once per line: its silence is no lost stream.
 void SimulationLoop::set_timeout() noexcept

@@ -82,7 +82,7 @@ void WellControls::reset()
 
 void WellControls::ask_for_survey()
 {
-  QFileDialog* dialog = ask_for_file(this, "Survey", "survey file dialog", "Surveys (*.csv);;All files (*)");
+  QFileDialog* dialog = ask_for_file(this, "Survey", "survey file dialog", "Surveys (*.csv *.txt *.xml);;All files (*)");
   connect(dialog, &QFileDialog::fileSelected, this, &WellControls::load_survey);
   dialog->open();
 }

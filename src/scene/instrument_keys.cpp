@@ -5,6 +5,20 @@ namespace drill_rig_sim
 {
 const std::vector<const char*> hook_load_place_words = {"block", "dead_line"};
 
+const char* unit_of(Gauge gauge) noexcept
+{
+  switch (gauge)
+  {
+    case Gauge::hook_load:
+    case Gauge::dead_line_hook_load: return "N";
+    case Gauge::torque: return "N m";
+    case Gauge::stand_pipe_pressure: return "Pa";
+    case Gauge::flow: return "m3/s";
+    case Gauge::block_height: return "m";
+  }
+  return "";
+}
+
 namespace
 {
 // clang-format off

@@ -52,6 +52,13 @@ void Problems::add_at(int line, const std::string& path, const std::string& text
   problems_.push_back(where + ": " + key + cut(printable(text), longest_text_of_problem));
 }
 
+void Problems::add_in_input_unit(const std::string& path, const std::string& text)
+{
+  std::string shown = text;
+  for (const GivenUnit& given : units_[path]) shown = in_input_unit(shown, given.key_unit, given.unit);
+  add(path, shown);
+}
+
 void Problems::fail(int line, const std::string& path, const std::string& text)
 {
   add_at(line, path, text);

@@ -7,6 +7,22 @@ namespace drill_rig_sim
 const std::vector<const char*> operation_words = {"flow", "rotate", "pick_up", "slack_off", "tag", "drill", "slide", "oscillate", "ream", "wait", "steer",
                                                   "connection", "trip"};
 
+std::string unit_of(FaultKind fault, Gauge gauge)
+{
+  switch (fault)
+  {
+    case FaultKind::sensor_bias:
+    case FaultKind::sensor_noise: return unit_of(gauge);
+    case FaultKind::sensor_drift: return unit_of(gauge) + std::string("/s");
+    case FaultKind::brake_slip:
+    case FaultKind::pack_off: return "N";
+    case FaultKind::washed_out_hole: return "m";
+    case FaultKind::washed_out_pipe: return "m2";
+    case FaultKind::differential_sticking: return "N/m";
+    default: return "";
+  }
+}
+
 namespace
 {
 constexpr unsigned flow = kind(OperationKind::flow), rotate = kind(OperationKind::rotate), pick_up = kind(OperationKind::pick_up),
@@ -46,7 +62,7 @@ const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at 
   {"fault",                 "",       Choice<ProgramStep>{fault_words, [](ProgramStep& s, int word) { s.fault = word; }, [](const ProgramStep& s) { return s.fault; }},
                                                                            none,                 "begins, as by the service inject_fault", no_kind, every_kind, "none"},
   {"fault_depth",           "m",      &ProgramStep::fault_depth,           between(0.0, 20000.0), "measured depth of its place, where it has one; pipe must be there by then"},
-  {"fault_magnitude",       "",       &ProgramStep::fault_magnitude,       between(-1e9, 1e9),   "in its own unit (InjectFault.srv), where it has one"},
+  {"fault_magnitude",       "signal",       &ProgramStep::fault_magnitude,       between(-1e9, 1e9),   "in the unit of the fault (InjectFault.srv), where it has one"},
   {"fault_target",          "",       Choice<ProgramStep>{gauge_words, [](ProgramStep& s, int word) { s.fault_gauge = word; }, [](const ProgramStep& s) { return s.fault_gauge; }},
                                                                            none,                 "gauge of a sensor's fault that begins or ends", no_kind, every_kind, "none"},
   {"clear_fault",           "",       Choice<ProgramStep>{fault_words, [](ProgramStep& s, int word) { s.clear_fault = word; }, [](const ProgramStep& s) { return s.clear_fault; }},

@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -52,7 +53,7 @@ public:
     read_one(top, "", "start", start_keys, scene.start);
     read_one(top, "", "numerics", numerics_keys, scene.numerics);
     in(top, "", "instruments", [&](const YAML::Node& n, const std::string& p) { read_instruments(n, p, scene.instruments); });
-    read_list(top, "", "program", program_keys, scene.program);
+    read_program(top, scene.program);
     read_operations(top, scene.operations);
 
     // checks between keys make sense only once every key alone is right
@@ -67,7 +68,7 @@ public:
 private:
   void check(const Scene& scene)
   {
-    for (const Problem& problem : scene_problems(scene)) problems_.add(problem.key, problem.text);
+    for (const Problem& problem : scene_problems(scene)) problems_.add_in_input_unit(problem.key, problem.text);
     if (problems_.has("trajectory.stage_two_length") && problems_.has("trajectory.stage_two_steps"))
       problems_.add("trajectory.stage_two_steps", "is given beside stage_two_length, allowed: one of them");
   }
@@ -81,10 +82,10 @@ private:
   }
 
   template <class Spec>
-  void read_one(const Entries& entries, const std::string& block, const char* key, const Table<Spec>& table, Spec& spec)
+  void read_one(const Entries& entries, const std::string& block, const char* key, const Table<Spec>& table, Spec& spec, const char* signal_unit = "")
   {
     in(entries, block, key,
-       [&](const YAML::Node& n, const std::string& p) { read_block(n, p, table, every_kind, spec, problems_); });
+       [&](const YAML::Node& n, const std::string& p) { read_block(n, p, table, every_kind, spec, problems_, signal_unit); });
   }
 
   // calls read(node, path) for each item of a list and notes its line
@@ -180,7 +181,7 @@ private:
                   });
     if (!good || !node.IsSequence()) return;
     for (const SurveyProblem& problem : survey_problems(well.survey, tie_in_))
-      problems_.add(item_key(path, problem.station), problem.text);
+      problems_.add_in_input_unit(item_key(path, problem.station), problem.text);
   }
 
   // puts the hole above a first station that is tied in
@@ -256,6 +257,33 @@ private:
     if (part.stiffness.axial > 0.0 && entries.count("poisson_ratio"))
       problems_.add(join(path, "poisson_ratio"), "is given beside the stiffnesses, which say it, allowed: one of the two");
     finish_length(entries, path, part);
+  }
+
+  void read_program(const Entries& top, std::vector<ProgramStep>& program)
+  {
+    in(top, "", "program",
+       [&](const YAML::Node& n, const std::string& p)
+       {
+         for_each_item(n, p,
+                       [&](const YAML::Node& line, const std::string& path)
+                       {
+                         program.emplace_back();
+                         read_block(line, path, program_keys, every_kind, program.back(), problems_, unit_of_fault(line));
+                       });
+       });
+  }
+
+  // of the magnitude of a program line's fault
+  static std::string unit_of_fault(const YAML::Node& line)
+  {
+    const auto place_of = [&](const char* key, const char* const* names, int count)
+    {
+      const std::string word = line.IsMap() && line[key].IsDefined() && line[key].IsScalar() ? line[key].Scalar() : "";
+      return static_cast<int>(std::find(names, names + count, word) - names);
+    };
+    const int fault = place_of("fault", fault_names, fault_count), gauge = place_of("fault_target", gauge_names, gauge_count);
+    if (fault == fault_count) return "";
+    return unit_of(static_cast<FaultKind>(fault), gauge == gauge_count ? Gauge::hook_load : static_cast<Gauge>(gauge));
   }
 
   void read_operations(const Entries& top, std::vector<Operation>& operations)
@@ -337,11 +365,11 @@ private:
        [&](const YAML::Node& n, const std::string& p)
        {
          const Entries gauges = read_block(n, p, surface_keys, every_kind, instruments, problems_);
-         read_one(gauges, p, "hook_load", hook_load_keys, instruments.hook_load);
-         read_one(gauges, p, "torque", sensor_keys, instruments.torque);
-         read_one(gauges, p, "stand_pipe_pressure", sensor_keys, instruments.stand_pipe_pressure);
-         read_one(gauges, p, "flow", sensor_keys, instruments.flow);
-         read_one(gauges, p, "block_height", sensor_keys, instruments.block_height);
+         read_one(gauges, p, "hook_load", hook_load_keys, instruments.hook_load, unit_of(Gauge::hook_load));
+         read_one(gauges, p, "torque", sensor_keys, instruments.torque, unit_of(Gauge::torque));
+         read_one(gauges, p, "stand_pipe_pressure", sensor_keys, instruments.stand_pipe_pressure, unit_of(Gauge::stand_pipe_pressure));
+         read_one(gauges, p, "flow", sensor_keys, instruments.flow, unit_of(Gauge::flow));
+         read_one(gauges, p, "block_height", sensor_keys, instruments.block_height, unit_of(Gauge::block_height));
        });
   }
 

@@ -108,4 +108,11 @@ std::uint64_t scene_hash(const Scene& scene)
   return hasher.value();
 }
 
+SceneStart scene_start(Scene scene)
+{
+  const double bit_depth = scene.start.bit_depth;
+  scene.start.bit_depth = 0.0;
+  return {scene_hash(scene), bit_depth};
+}
+
 }  // namespace drill_rig_sim

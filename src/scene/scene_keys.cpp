@@ -83,11 +83,11 @@ const Table<Scene> scene_keys = {"", "The scene file's top level.", {
 }};
 
 const Table<WellSpec> well_keys = {"well", "The hole before drilling starts. Give `survey` or `stations`.", {
-  {"survey",                "",       Nested{},                            none,                 "the survey's file, or a block `well.survey`: a table (CSV) with measured depth, inclination, azimuth and, of a first station below depth 0, north, east, true vertical depth, by their usual names with units (`MD (ft)`, `md_m`), or a WITSML trajectory; counts from the scene file's folder"},
+  {"survey",                "",       Nested{},                            none,                 "the survey's file, a table (CSV) or a WITSML trajectory, or a block `well.survey`; counts from the scene file's folder"},
   {"stations",              "m, deg", Nested{},                            none,                 "list of [measured depth, inclination, azimuth], the first at depth 0 or tied in"},
   {"tie_in",                "",       Nested{},                            none,                 "where the first station lies, if that is below depth 0: a smooth hole leads there; instead of the CSV file's columns"},
   {"hole_depth",            "m",      &WellSpec::hole_depth,               between(0.1, 20000.0), "measured depth of the hole's bottom; beyond the last station with `project`", no_kind, every_kind, "the last station"},
-  {"project",               "",       Choice<WellSpec>{projection_words, [](WellSpec& w, int i) { w.project = static_cast<Projection>(i); }, [](const WellSpec& w) { return static_cast<int>(w.project); }}, none, "how the hole goes on from the last station to a hole_depth up to 30.5 m beyond it: in the last station's direction, or on the last interval's arc"},
+  {"project",               "",       Choice<WellSpec>{projection_words, [](WellSpec& w, int i) { w.project = static_cast<Projection>(i); }, [](const WellSpec& w) { return static_cast<int>(w.project); }}, none, "how the hole goes on to a hole_depth up to 30.5 m beyond the last station: in its direction, or on the last interval's arc"},
   {"sections",              "",       Nested{},                            none,                 "list of hole sections, top down; the last reaches hole_depth", must},
   {"pilot_depth",           "m",      &WellSpec::pilot_depth,              between(0.0, 20000.0), "measured depth down to which a narrower hole is there already, which the bit reams from hole_depth on; 0: none"},
   {"pilot_diameter",        "m",      &WellSpec::pilot_diameter,           between(0.0, 1.0),    "of that hole, at most 0.95 of the bit's"},
@@ -323,7 +323,7 @@ const Table<TrajectorySpec> trajectory_keys = {"trajectory", "Second stage of th
   {"stage_two_steps",       "",       &TrajectorySpec::stage_two_steps,    between(1, 1000000),  "physics steps between corrections", no_kind, every_kind, "by length"},
 }};
 
-const Table<StartSpec> start_keys = {"start", "At rest, in static equilibrium, winch braked.", {
+const Table<StartSpec> start_keys = {"start", "At rest, in static equilibrium without friction, winch braked. The toolface is measured from the high side, from north where the hole at the bend inclines by less than 5 deg.", {
   {"bit_depth",             "m",      &StartSpec::bit_depth,               between(0.01, 20000.0), "measured depth of the bit's face", no_kind, every_kind, "hole_depth"},
   {"block_height",          "m",      &StartSpec::block_height,            between(0.0, 200.0),  "top-drive shaft above the rotary table"},
   {"weight_on_bit",         "N",      &StartSpec::weight_on_bit,           between(0.0, 1e6),    "on bottom only: the winch is set so that the bit carries it"},

@@ -29,6 +29,11 @@ extern const std::vector<const char*> stribeck_curve_words;
 extern const std::vector<const char*> hook_load_place_words;
 extern const std::vector<const char*> operation_words;
 
+/// The unit of a gauge's signal.
+const char* unit_of(Gauge gauge) noexcept;
+/// The unit of a fault's magnitude, of the gauge where it is a sensor's; "": it is a factor, or there is none.
+std::string unit_of(FaultKind fault, Gauge gauge);
+
 extern const Table<Scene> scene_keys;
 extern const Table<WellSpec> well_keys;
 /// The kinds of survey_keys: a scene names its survey's file, the command line has it by itself.

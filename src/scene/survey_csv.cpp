@@ -53,15 +53,20 @@ Cells cells_of(const std::string& line, char delimiter)
   return cells;
 }
 
+bool is_bracket(char c)
+{
+  return c == '(' || c == '[';
+}
+
 // words parted by blanks; a unit in brackets belongs to the word before it
-Cells words_of(const std::string& line)
+Cells words_between_blanks(const std::string& line)
 {
   Cells words;
   for (const std::string& word : cells_of(line, ' '))
   {
     if (word.empty()) continue;
-    const bool unit = !words.empty() && (word[0] == '(' || word[0] == '[');
-    if (unit)
+    const bool of_word = !words.empty() && is_bracket(word[0]) && !is_bracket(words.back()[0]);
+    if (of_word)
       words.back() += " " + word;
     else
       words.push_back(word);
@@ -71,7 +76,7 @@ Cells words_of(const std::string& line)
 
 Cells split(const std::string& line, char delimiter)
 {
-  return delimiter == ' ' ? words_of(trimmed(line)) : cells_of(line, delimiter);
+  return delimiter == ' ' ? words_between_blanks(trimmed(line)) : cells_of(line, delimiter);
 }
 
 struct Line
@@ -96,7 +101,7 @@ std::vector<Line> lines_of(const std::string& text)
   return lines;
 }
 
-struct Table
+struct CsvTable
 {
   std::size_t first_row = 0;  // of the lines
   int line = 0;               // of the header
@@ -105,9 +110,9 @@ struct Table
 };
 
 // The header in the first lines: the first that names all columns, else the one that names most of them.
-Table find_header(const std::vector<Line>& lines, const SurveyFormat& format)
+CsvTable find_header(const std::vector<Line>& lines, const SurveyFormat& format)
 {
-  Table best;
+  CsvTable best;
   for (std::size_t i = 0; i < lines.size() && i < most_lines_above_header; ++i)
   {
     for (const Delimiter& delimiter : delimiters)
@@ -135,7 +140,7 @@ std::string cells_listed(const std::vector<HeaderCell>& cells)
 }
 
 // what is wrong with a header; a line that names no column at all may be of any file and is not shown
-void add_header_problem(const Table& table, Problems& problems)
+void add_header_problem(const CsvTable& table, Problems& problems)
 {
   const SurveyHeader& header = table.header;
   if (header.wrong != "no such column in the header") return problems.add_at(table.line, header.wrong_where, header.wrong);
@@ -162,7 +167,7 @@ void settle_angles(SurveyHeader& header, const SurveyRows& survey, Problems& pro
   {
     const SurveyUnit* other = header.unit[i == survey_azimuth ? survey_inclination : survey_azimuth];
     if (header.unit[i]) continue;
-    if (!any_named && largest > 0.0 && largest <= 2.0 * pi + 1e-3)
+    if (problems.empty() && !any_named && largest > 0.0 && largest <= 2.0 * pi + 1e-3)
       problems.add_at(line, header.cells[*header.place[i]].text, unit_problem(header, i));
     header.unit[i] = any_named ? other : angle_unit("deg");
   }
@@ -217,7 +222,7 @@ bool has_more_cells(const Cells& cells, std::size_t header)
                                               [](const std::string& cell) { return !cell.empty(); });
 }
 
-bool take_row(const Line& line, const Table& table, SurveyRows& survey, Problems& problems)
+bool take_row(const Line& line, const CsvTable& table, SurveyRows& survey, Problems& problems)
 {
   const Cells cells = split(line.text, table.delimiter.character);
   const std::size_t columns = table.header.cells.size();
@@ -239,7 +244,7 @@ bool take_row(const Line& line, const Table& table, SurveyRows& survey, Problems
 }
 
 // what the reader has to report of a header
-void add_remarks(const Table& table, SurveyRows& survey)
+void add_remarks(const CsvTable& table, SurveyRows& survey)
 {
   const SurveyHeader& header = table.header;
   const HeaderCell& depth = header.cells[*header.place[survey_md]];
@@ -252,9 +257,8 @@ void add_remarks(const Table& table, SurveyRows& survey)
   if (!angles.empty()) survey.remarks.push_back(angles + " have no unit and are read as degrees");
 }
 
-void take_rows(const std::vector<Line>& lines, Table& table, SurveyRows& survey, Problems& problems)
+void take_rows(const std::vector<Line>& lines, const CsvTable& table, SurveyRows& survey, Problems& problems)
 {
-  if (table.first_row < lines.size() && take_units(split(lines[table.first_row].text, table.delimiter.character), table.header)) ++table.first_row;
   for (std::size_t i = table.first_row; i < lines.size() && survey.rows.size() <= most_stations; ++i)
     if (!take_row(lines[i], table, survey, problems)) return;
 }
@@ -266,10 +270,10 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   const std::vector<Line> lines = lines_of(text);
   if (lines.empty())
   {
-    problems.add_at(0, "", "is empty, needed: a survey with the columns md_m, inclination_deg, azimuth_deg");
+    problems.add_at(0, "", std::string("is empty, needed: ") + needed_survey);
     return survey;
   }
-  Table table = find_header(lines, format);
+  CsvTable table = find_header(lines, format);
   SurveyHeader& header = table.header;
   if (!header.wrong.empty())
   {
@@ -279,9 +283,10 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   for (std::size_t i = 0; i < survey_quantities; ++i)
     if (header.place[i]) survey.names[i] = header.cells[*header.place[i]].text;
   survey.decimal_commas = table.delimiter.character != ',';
-  take_rows(lines, table, survey, problems);
+  if (table.first_row < lines.size() && take_units(split(lines[table.first_row].text, table.delimiter.character), header)) ++table.first_row;
   const std::string no_unit = unit_problem(header, survey_md);
   if (!no_unit.empty()) problems.add_at(table.line, survey.names[survey_md], no_unit);
+  if (problems.empty()) take_rows(lines, table, survey, problems);
   if (!problems.empty()) return survey;
   if (survey.decimal_commas) check_points(survey, problems);
   if (survey.decimal_commas && problems.empty()) check_commas(survey, problems);

@@ -20,7 +20,7 @@ bool is_xml(const std::string& text)
 SurveyTable read_survey_file(const std::string& file, const SurveyFormat& format, const std::optional<TieIn>& tie_in)
 {
   Problems problems(file);
-  const TextFile whole = read_text_file(file, "a survey: a table with the columns md_m, inclination_deg, azimuth_deg, or a WITSML trajectory");
+  const TextFile whole = read_text_file(file, needed_survey);
   const SurveyRows rows = is_xml(whole.text) ? read_survey_witsml(whole.text, format, problems) : read_survey_csv(whole.text, format, problems);
   problems.raise();
   SurveyTable table = stations_of(rows, format.pass_over != 0.0, tie_in, problems);

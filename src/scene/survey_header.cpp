@@ -24,9 +24,9 @@ const std::map<std::string, std::size_t>& spellings()
     };
     add(survey_md, {"md", "mdepth", "measureddepth", "measdepth", "measdep", "mddepth", "depthmd", "measureddepthmd", "mdmeasureddepth", "ahd", "ahdepth",
                     "alongholedepth", "surveydepth", "surveymd", "svydepth", "stationdepth", "stationmd", "depth", "dept"});
-    add(survey_inclination, {"inc", "incl", "incln", "inclin", "inclination", "incangle", "inclangle", "inclinationangle", "holeinclination", "holeangle", "drift",
+    add(survey_inclination, {"inc", "incl", "incln", "inclin", "inclination", "incangle", "inclangle", "inclinationangle", "holeinclination", "holeinc", "holeincl", "holeangle", "drift",
                              "driftangle"});
-    add(survey_azimuth, {"azi", "az", "azm", "azim", "azimuth", "azimut", "azimuthangle", "aziangle", "holeazimuth", "holedirection", "direction"});
+    add(survey_azimuth, {"azi", "az", "azm", "azim", "azimuth", "azimut", "azimuthangle", "aziangle", "holeazimuth", "holeazi", "holedirection", "direction"});
     add(survey_north, {"north", "ns", "northsouth", "northing", "localnorth", "localnorthing", "northoffset", "nsoffset", "dispns"});
     add(survey_east, {"east", "ew", "eastwest", "easting", "localeast", "localeasting", "eastoffset", "ewoffset", "dispew"});
     add(survey_tvd, {"tvd", "tvdepth", "truevertical", "trueverticaldepth", "tvdtrueverticaldepth", "verticaldepth", "vertdepth", "vertdep"});
@@ -49,7 +49,7 @@ bool is_letter(char c)
 }
 
 // in small letters; signs part them
-Words words_of(const std::string& text)
+Words name_words(const std::string& text)
 {
   Words words(1);
   for (const char c : lowered(text))
@@ -248,14 +248,14 @@ HeaderCell header_cell(const std::string& text)
   HeaderCell cell;
   cell.text = text;
   Words brackets;
-  Words words = words_of(with_degree_apart(without_brackets(text, brackets)));
+  Words words = name_words(with_degree_apart(without_brackets(text, brackets)));
   std::string in_brackets;
   for (const std::string& bracket : brackets)
   {
     if (length_unit(bracket) || angle_unit(bracket))
       in_brackets = bracket;
     else
-      for (const std::string& word : words_of(with_degree_apart(bracket))) words.push_back(word);
+      for (const std::string& word : name_words(with_degree_apart(bracket))) words.push_back(word);
   }
   match_any(words, cell);
   if (!cell.quantity) return cell;

@@ -81,6 +81,23 @@ bool inside(double value, const Range& r)
 {
   return (r.low_open ? value > r.low : value >= r.low) && (r.high_open ? value < r.high : value <= r.high);
 }
+
+// a number with its unit may be quoted: it is a text to YAML anyway
+bool is_number(const YAML::Node& node, WrittenNumber& number)
+{
+  return node.IsScalar() && split_number(node.Scalar(), number) && (plain_scalar(node) || !number.unit.empty());
+}
+
+// of a key in `unit`, in the unit of the input
+std::string range_text(const Range& allowed, const std::string& unit, const InputUnit& input)
+{
+  if (!input.name.empty())
+  {
+    const auto in_input = [&](double bound) { return static_cast<double>(bound / input.factor); };
+    return to_text(Range{in_input(allowed.low), in_input(allowed.high), allowed.low_open, allowed.high_open}) + " " + input.name;
+  }
+  return to_text(allowed) + (unit.empty() || unit == "-" ? "" : " " + unit);
+}
 }  // namespace
 
 int line_of(const YAML::Node& node)
@@ -117,29 +134,43 @@ std::string join(const std::string& path, const std::string& key)
   return path.empty() ? key : path + "." + key;
 }
 
-bool read_number(const YAML::Node& node, const std::string& path, const Range& allowed, const char* unit, double& value,
+std::string unit_with(const char* unit, const std::string& meant)
+{
+  const std::string text = unit, placeholder = "signal";
+  return text.compare(0, placeholder.size(), placeholder) == 0 ? meant + text.substr(placeholder.size()) : text;
+}
+
+bool read_number(const YAML::Node& node, const std::string& path, const Range& allowed, const std::string& unit, double& value,
                  Problems& problems)
 {
-  const std::string suffix = " " + to_text(allowed) + (unit[0] && unit[0] != '-' ? std::string(" ") + unit : "");
-  double read = 0.0;
-  if (!plain_scalar(node) || !parse_decimal(node.Scalar(), read))
+  WrittenNumber given;
+  InputUnit input;
+  if (!is_number(node, given))
   {
     const bool weird = plain_scalar(node) && is_infinite_or_nan(node.Scalar());
-    problems.add(
-        path, (weird ? "is not a finite number" : describe(node) + " is not a number") + ", allowed:" + suffix);
+    problems.add(path, (weird ? "is not a finite number" : describe(node) + " is not a number") + ", allowed: " + range_text(allowed, unit, input));
     return false;
   }
+  const std::string wrong_unit = find_input_unit(given, unit, input);
+  if (!wrong_unit.empty())
+  {
+    problems.add(path, wrong_unit);
+    return false;
+  }
+  const double read = given.unit.empty() ? given.value : static_cast<double>(given.exact * input.factor);
+  const std::string shown = plain(given.value) + (input.name.empty() ? "" : " " + input.name);
   if (!inside(read, allowed))
   {
-    problems.add(path, plain(read) + " is out of range, allowed:" + suffix);
+    problems.add(path, shown + " is out of range, allowed: " + range_text(allowed, unit, input));
     return false;
   }
   if (too_near_zero(read))
   {
-    problems.add(path, plain(read) + " is too near 0 to calculate with, allowed:" + suffix + ", in size at least " + plain(smallest) +
+    problems.add(path, shown + " is too near 0 to calculate with, allowed: " + range_text(allowed, unit, input) + ", in size at least " + plain(smallest) +
                            (inside(0.0, allowed) ? " or 0" : ""));
     return false;
   }
+  if (!input.name.empty()) problems.note_unit(path, unit, input);
   value = read;
   return true;
 }

@@ -20,8 +20,9 @@ int line_of(const YAML::Node& node);
 /// What a node is, for messages: "text", "a list", "a block", "nothing". What it holds is not told: the file may be a wrong one.
 std::string describe(const YAML::Node& node);
 
-/// One value out of a scalar; the value stays (false, and a problem noted) if it is no such value or out of range.
-bool read_number(const YAML::Node& node, const std::string& path, const Range& allowed, const char* unit, double& value,
+/// One value out of a scalar; the value stays (false, and a problem noted) if it is no such value or out of range. A number may carry a unit of
+/// the same quantity as `unit`, in which `allowed` and `value` are.
+bool read_number(const YAML::Node& node, const std::string& path, const Range& allowed, const std::string& unit, double& value,
                  Problems& problems);
 void read_whole(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems);
 bool read_word(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, int& word,
@@ -39,14 +40,17 @@ std::map<std::string, YAML::Node> read_entries(const YAML::Node& node, const std
 /// "a.b" from "a" and "b".
 std::string join(const std::string& path, const std::string& key);
 
-/// Reads one row's value into `spec`; Nested rows are left to the caller.
+/// A row's unit: where the table names a placeholder (`signal`), it stands for `meant`.
+std::string unit_with(const char* unit, const std::string& meant);
+
+/// Reads one row's value into `spec`; Nested rows are left to the caller. `meant`: as for unit_with().
 template <class Spec>
-void read_value(const YAML::Node& node, const std::string& path, const Key<Spec>& key, Spec& spec, Problems& problems)
+void read_value(const YAML::Node& node, const std::string& path, const Key<Spec>& key, Spec& spec, Problems& problems, const std::string& meant)
 {
   const auto number = [&](double& target)
   {
     double value = 0.0;
-    if (read_number(node, path, key.allowed, key.unit, value, problems)) target = value * unit_of(key.name);
+    if (read_number(node, path, key.allowed, unit_with(key.unit, meant), value, problems)) target = value * unit_of(key.name);
   };
   if (const auto* field = std::get_if<double Spec::*>(&key.field)) number(spec.*(*field));
   if (const auto* field = std::get_if<Inside<Spec>>(&key.field)) number(field->ref(spec));
@@ -66,10 +70,10 @@ void read_value(const YAML::Node& node, const std::string& path, const Key<Spec>
 }
 
 /// Reads a whole block into `spec` by its table and gives back the entries, so that the caller can go on with the Nested ones.
-/// `kind` is the bit of the part type or law at hand: rows of other kinds are refused.
+/// `kind` is the bit of the part type or law at hand: rows of other kinds are refused. `meant`: the unit that a placeholder stands for.
 template <class Spec>
 std::map<std::string, YAML::Node> read_block(const YAML::Node& node, const std::string& path, const Table<Spec>& table,
-                                             unsigned kind, Spec& spec, Problems& problems)
+                                             unsigned kind, Spec& spec, Problems& problems, const std::string& meant = "")
 {
   std::vector<const char*> known;
   for (const Key<Spec>& key : table.keys)
@@ -84,7 +88,7 @@ std::map<std::string, YAML::Node> read_block(const YAML::Node& node, const std::
     const auto entry = entries.find(key.name);
     if (entry != entries.end())
     {
-      read_value(entry->second, join(path, key.name), key, spec, problems);
+      read_value(entry->second, join(path, key.name), key, spec, problems, meant);
     }
     else if (key.required & kind)
     {

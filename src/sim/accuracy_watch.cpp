@@ -52,12 +52,13 @@ double along(const NodeState& node) noexcept
   return node.rate.velocity.dot(x_axis(node.orientation));
 }
 
-/// Of the walls' force, the share where friction sticks or creeps [-].
+/// Of the force on walls that have friction, the share where it sticks or creeps [-].
 double share_that_sticks(const Mesh& mesh, const State& state, const RigForces& forces) noexcept
 {
   double all = 0.0, sticks = 0.0;
-  const auto add = [&all, &sticks](double force, double rest, const NodeState& node, double radius)
+  const auto add = [&](double force, double rest, const NodeState& node, double radius)
   {
+    if (force <= 0.0 || state.well.locate(node.position, node.segment).friction <= 0.0) return;
     all += force;
     if (rest > 0.0 || std::hypot(along(node), node.rate.spin * radius) < least_slip) sticks += force;
   };

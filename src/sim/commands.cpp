@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "drill_rig_sim/rig/drive_reference.h"
+
 namespace drill_rig_sim
 {
 namespace
@@ -31,6 +33,17 @@ CommandResult taken(bool clamped, const char* reason, double now, CommandState& 
 }
 }  // namespace
 
+bool moves(const WinchSetpoint& c) noexcept
+{
+  return !c.brake && c.block_velocity != 0.0;
+}
+
+bool turns(const TopDriveSetpoint& c) noexcept
+{
+  if (c.brake) return false;
+  return c.mode == TopDriveMode::torque ? c.torque != 0.0 : turns_to_angle(c.mode) || c.speed != 0.0;
+}
+
 const char* what_is_wrong(const WinchSetpoint& c) noexcept
 {
   return std::isfinite(c.block_velocity) ? nullptr : "block_velocity: must be finite";
@@ -38,6 +51,7 @@ const char* what_is_wrong(const WinchSetpoint& c) noexcept
 
 const char* what_is_wrong(const TopDriveSetpoint& c) noexcept
 {
+  static_assert(most_drive_angle == 1e8, "the texts say so");
   if (c.mode < TopDriveMode::speed || c.mode > TopDriveMode::oscillate) return "mode: allowed are 0 (SPEED) to 5 (OSCILLATE)";
   if (!std::isfinite(c.speed) || !std::isfinite(c.torque) || !std::isfinite(c.angle) || !std::isfinite(c.torque_limit))
     return "speed, torque, angle and torque_limit: must be finite";
@@ -45,6 +59,10 @@ const char* what_is_wrong(const TopDriveSetpoint& c) noexcept
   if (c.amplitude_right < 0.0 || c.amplitude_left < 0.0) return "amplitude_right and amplitude_left: must not be negative";
   if (c.mode == TopDriveMode::oscillate && c.amplitude_right + c.amplitude_left == 0.0)
     return "amplitude_right and amplitude_left: one of them must be above 0 in OSCILLATE";
+  if (turns_to_angle(c.mode) && std::abs(c.angle) > most_drive_angle)
+    return "angle: must be between -1e8 and 1e8 rad in ANGLE and OSCILLATE: beyond, a double does not resolve it to 1e-8 rad";
+  if (c.mode == TopDriveMode::oscillate && std::max(c.amplitude_right, c.amplitude_left) > most_drive_angle)
+    return "amplitude_right and amplitude_left: must be at most 1e8 rad";
   if (c.torque_limit < 0.0) return "torque_limit: must not be negative; 0 means the rig's";
   return nullptr;
 }

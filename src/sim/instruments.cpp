@@ -32,7 +32,7 @@ void RateMeter::shift_time(double shift) noexcept
 }
 
 Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_t seed)
-  : place_(scene.instruments.hook_load.place), block_weight_(standard_gravity * scene.rig.hoisting.block_mass), hook_load_mean_(scene.rig.heave.wave_period())
+  : place_(scene.instruments.hook_load.place), block_weight_(standard_gravity * scene.rig.hoisting.block_mass), hook_load_mean_(scene.rig.heave.wave_period()), zero_mean_(scene.rig.heave.wave_period())
 {
   const InstrumentsSpec& spec = scene.instruments;
   std::uint64_t index = 0;
@@ -54,6 +54,7 @@ void Instruments::read(const Truth& truth, const SensorView& view, Readings& rea
   static_cast<RigSignals&>(readings) = truth;
   read_gauges(truth, readings);
   hook_load_mean_.take(readings.hook_load, readings.time);
+  zero_mean_.take(readings.hook_load, readings);
   work_out_weights(readings);
   if (view.in_slips) tally_ += readings.block_height;
   work_out_depths(readings);
@@ -101,7 +102,7 @@ void Instruments::work_out_depths(Readings& readings) noexcept
 void Instruments::tare(Readings& readings) noexcept
 {
   tared_ = true;
-  tare_hook_load_ = hook_load_mean_.mean();
+  tare_hook_load_ = zero_mean_.mean();
   tare_pressure_ = readings.stand_pipe_pressure;
   work_out_weights(readings);
 }
@@ -113,6 +114,7 @@ void Instruments::shift_time(double shift) noexcept
   dynamics_.shift_time(shift);
   rop_.shift_time(shift);
   hook_load_mean_.shift_time(shift);
+  zero_mean_.shift_time(shift);
 }
 
 }  // namespace drill_rig_sim

@@ -49,9 +49,9 @@ void Simulator::Impl::measure_rig() noexcept
   m.stand_pipe_pressure = s.hydraulics.stand_pipe_pressure;
   m.differential_pressure = motor_pressure() - state.tare_pressure;
   m.tared = state.tared;
-  state.hook_load_mean.take(m.hook_load, m.time);
   m.surface_wob = state.tared && !m.in_slips ? state.tare_hook_load - m.hook_load : 0.0;
   m.setpoints = in_force();
+  state.zero_mean.take(m.hook_load, m);
   m.brake_set = m.setpoints.winch.brake;
   m.winch_limited = s.hoist.limited;
   m.slack_line = line_pull(hoisting, block_height(s), s.hoist.line_length).slack;

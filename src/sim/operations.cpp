@@ -8,6 +8,7 @@
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/sim/zero_mean.h"
 
 namespace drill_rig_sim
 {
@@ -25,17 +26,9 @@ double share(double value, double from, double to) noexcept
 /// Axial, of all pipe between bit and shaft and of the lines at the start's block height, one after the other [N/m].
 double stiffness_of(const Scene& scene)
 {
-  const HoistingSpec& hoisting = scene.rig.hoisting;
-  const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
   const double height = scene.start.block_height;
-  double weight = hoisting.block_mass, give = 0.0;
-  for (const MeshElement& element : mesh.elements)
-  {
-    weight += element.linear_mass * element.section.length;
-    give += element.section.length / element.section.axial;
-  }
-  const LinePull lines = line_pull(hoisting, height, line_length_for(hoisting, height, weight * standard_gravity));
-  return 1.0 / (give + 1.0 / lines.stiffness);
+  const HungString hung(build_mesh(scene, scene.start.bit_depth + height), scene.rig.hoisting, height);
+  return 1.0 / (1.0 / hung.stiffness + 1.0 / hung.lines);
 }
 
 /// Whether an operation raises the block, that began with the bit at a depth [m MD].

@@ -64,9 +64,10 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   state.forces.meter_torque = rig.statics.top_torque;
   find_stand();
-  state.hook_load_mean = PeriodMean(scene.rig.heave.wave_period());
+  state.zero_mean = ZeroMean(scene.rig.heave.wave_period());
   measure();
   state.instruments = Instruments(scene, state.truth, seed);
+  note_ring();
   state.instruments.read(state.truth, sensor_view(), state.readings);
 }
 
@@ -136,6 +137,16 @@ const Setpoints& Simulator::asked() const noexcept
 void Simulator::set_command_timeout(double seconds) noexcept
 {
   impl_->command_timeout = seconds;
+}
+
+void Simulator::winch_command_stands() noexcept
+{
+  impl_->state.commands.last_winch = CommandState().last_winch;
+}
+
+void Simulator::drive_command_stands() noexcept
+{
+  impl_->state.commands.last_drive = CommandState().last_drive;
 }
 
 FrameStatus Simulator::frame(double duration) noexcept
@@ -244,11 +255,20 @@ const Scene& Simulator::scene() const noexcept
   return impl_->scene;
 }
 
+/// How the string as it is built rings: of zeros of the weight.
+void Simulator::Impl::note_ring()
+{
+  const HoistingSpec& hoisting = scene.rig.hoisting;
+  const double period = HungString(model->mesh(), hoisting, scene.start.block_height).ring_period(hoisting.block_mass);
+  state.zero_mean.rings_with(period);
+  state.instruments.rings_with(period);
+}
+
 bool Simulator::Impl::tare() noexcept
 {
   if (state.truth.on_bottom || state.truth.in_slips) return false;
   state.tared = true;
-  state.tare_hook_load = state.hook_load_mean.mean();
+  state.tare_hook_load = state.zero_mean.mean();
   state.tare_pressure += state.truth.differential_pressure;
   measure_rig();
   state.instruments.tare(state.readings);
@@ -305,7 +325,7 @@ void Simulator::Impl::shift_time(double now) noexcept
   const double shift = now - this->now();
   mechanics().time += shift;
   state.truth.time = state.readings.time = now;
-  state.hook_load_mean.shift_time(shift);
+  state.zero_mean.shift_time(shift);
   state.commands.shift_time(shift);
   state.downlink.shift_time(shift);
   state.instruments.shift_time(shift);

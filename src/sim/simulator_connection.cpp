@@ -17,17 +17,6 @@ namespace
 constexpr double standing_block = 0.01;  // bouncing in its lines by less it counts as at rest [m/s]
 constexpr double same_place = 1e-6;      // of two nodes along the string [m]
 
-bool moves(const WinchSetpoint& c) noexcept
-{
-  return !c.brake && c.block_velocity != 0.0;
-}
-
-bool turns(const TopDriveSetpoint& c) noexcept
-{
-  if (c.brake) return false;
-  return c.mode == TopDriveMode::torque ? c.torque != 0.0 : c.mode == TopDriveMode::angle || c.mode == TopDriveMode::oscillate || c.speed != 0.0;
-}
-
 /// The joint's end of pipe that is nearest to the rotary table; -1: there is none.
 int joint_at_table(const Model& model, const State& state) noexcept
 {
@@ -193,6 +182,7 @@ void Simulator::Impl::take_string(std::shared_ptr<const Model> longer)
   end_forces = forces_between = state.forces;
   statistics.nodes = model->nodes();
   find_stand();
+  note_ring();
   if (!balance) return;
   const std::unique_ptr<EnergyBalance> before = std::move(balance);
   balance = std::make_unique<EnergyBalance>(model);

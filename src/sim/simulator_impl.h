@@ -85,6 +85,7 @@ struct Simulator::Impl
   std::shared_ptr<const Model> model_of(const StringBuilt& string) const;
   double free_length_of(const Model& longer) const noexcept;
   void find_stand();
+  void note_ring();
   double rest_load() const noexcept;
   bool tare() noexcept;
   WinchSetpoint to_slack(double frame) const noexcept;

@@ -25,8 +25,9 @@ struct Head
   std::uint64_t size = 0;
   std::uint64_t checksum = 0;
   std::uint32_t kernel = 0;
+  SceneStart start;
 
-  static constexpr std::size_t length = sizeof mark + 4 + 8 + 20 + 8 + 8 + 4;
+  static constexpr std::size_t length = sizeof mark + 4 + 8 + 20 + 8 + 8 + 4 + 8 + 8;
 
   std::vector<unsigned char> bytes() const
   {
@@ -42,6 +43,8 @@ struct Head
     append(&size, sizeof size);
     append(&checksum, sizeof checksum);
     append(&kernel, sizeof kernel);
+    append(&start.scene, sizeof start.scene);
+    append(&start.bit_depth, sizeof start.bit_depth);
     return out;
   }
 };
@@ -49,6 +52,19 @@ struct Head
 [[noreturn]] void refuse(const std::string& file, const std::string& why)
 {
   throw std::runtime_error(file + ": " + why);
+}
+
+/// Of a snapshot for another hash of the scene; `all`: the whole file.
+[[noreturn]] void refuse_scene(const std::string& file, const std::vector<unsigned char>& all, const SceneStart& here)
+{
+  SceneStart there;
+  std::memcpy(&there.scene, all.data() + 60, sizeof there.scene);
+  std::memcpy(&there.bit_depth, all.data() + 68, sizeof there.bit_depth);
+  if (there.scene != here.scene || there.bit_depth == here.bit_depth) refuse(file, "is a snapshot of another scene; allowed is that of this rig");
+  char text[160];
+  std::snprintf(text, sizeof text, "is a snapshot of this scene with start.bit_depth %.10g m; allowed is that of this rig, %.10g m: reset_well with that bit_depth first",
+                there.bit_depth, here.bit_depth);
+  refuse(file, text);
 }
 
 std::vector<unsigned char> whole_file(const std::string& file)
@@ -88,6 +104,7 @@ void write_snapshot(const std::string& file, std::uint64_t scene, const Snapshot
   head.size = bytes.size();
   head.checksum = hash_bytes(bytes.data(), bytes.size());
   head.kernel = static_cast<std::uint32_t>(snapshot.kernel);
+  head.start = snapshot.start;
   const std::vector<unsigned char> start = head.bytes();
   const std::string beside = file + ".part";
   {
@@ -106,11 +123,11 @@ void write_snapshot(const std::string& file, std::uint64_t scene, const Snapshot
   refuse(file, "cannot be written");
 }
 
-Snapshot read_snapshot(const std::string& file, std::uint64_t scene)
+Snapshot read_snapshot(const std::string& file, std::uint64_t scene, const SceneStart& start)
 {
   const std::vector<unsigned char> all = whole_file(file);
   if (all.size() < Head::length || std::memcmp(all.data(), mark, sizeof mark) != 0) refuse(file, "is no snapshot");
-  Snapshot snapshot{Kernel::scalar, std::vector<unsigned char>(all.begin() + Head::length, all.end())};
+  Snapshot snapshot{Kernel::scalar, std::vector<unsigned char>(all.begin() + Head::length, all.end()), start};
   const std::vector<unsigned char>& bytes = snapshot.bytes;
   Head head;
   head.scene = scene;
@@ -119,7 +136,7 @@ Snapshot read_snapshot(const std::string& file, std::uint64_t scene)
   const std::vector<unsigned char> expected = head.bytes();
   const auto differs = [&](std::size_t from, std::size_t count) { return std::memcmp(all.data() + from, expected.data() + from, count) != 0; };
   if (differs(8, 4)) refuse(file, "is a snapshot of another format; allowed is format " + std::to_string(snapshot_format));
-  if (differs(12, 8)) refuse(file, "is a snapshot of another scene; allowed is that of this rig");
+  if (differs(12, 8)) refuse_scene(file, all, start);
   if (differs(20, 20)) refuse(file, "is a snapshot of another build of this program; allowed is that of this one");
   if (differs(40, 16)) refuse(file, "is damaged: its checksum does not fit");
   std::memcpy(&head.kernel, all.data() + 56, sizeof head.kernel);

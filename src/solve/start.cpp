@@ -23,33 +23,63 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr int kMaxRounds = 12;
+constexpr int kMaxRounds = 20;
+constexpr int kFreeRounds = 6;               // after which the bend is held
 constexpr double kDepthTolerance = 1e-6;     // [m]
+constexpr double kMissedDepth = 1e-3;        // [m]
 constexpr double kWeightTolerance = 1e-4;    // of the weight on bit, relative
+constexpr double kMissedWeight = 0.01;       // in the same way
 constexpr double kToolfaceTolerance = 1e-6;  // [rad]
+constexpr double kMissedToolface = 1e-3;     // [rad]
+constexpr double kHoldTolerance = 1e-2;      // of the torque that holds the bend: its friction takes ten thousand times as much [N m]
 constexpr double kMostWork = 2e7;            // of one start [nodes times iterations]; some 50 s
 constexpr int kStretchRounds = 4;
 
-/// Nodes along the hole, resting on its low side where it is inclined; sections without twist, y axes at the toolface. `stretch`: how far each
-/// node is from its unstretched place, away from the bit [m]; nodes farther than `free_length` above the bit's face are guided [m].
-void place_string(const Mesh& mesh, const Wellbore& well, double depth, double toolface, const std::vector<double>& stretch, double free_length,
+/// A string to begin with.
+struct Guess
+{
+  double length = 0.0;    ///< unstretched [m]
+  double toolface = 0.0;  ///< of the bend [rad]
+  double twist = 0.0;     ///< of the top beyond the bend, clockwise [rad]
+  bool held = false;      ///< the bend, at its toolface
+};
+
+/// The node whose toolface is the string's: of the bend; without one the lowest.
+std::size_t toolface_node(const Mesh& mesh) noexcept
+{
+  return static_cast<std::size_t>(std::max(0, mesh.bend_node));
+}
+
+/// From the bend up to each node, per torque [rad/(N m)]; 0 below.
+std::vector<double> torsional_compliances(const Mesh& mesh)
+{
+  std::vector<double> compliance(mesh.nodes.size(), 0.0);
+  for (std::size_t e = toolface_node(mesh); e < mesh.elements.size(); ++e)
+    compliance[e + 1] = compliance[e] + 1.0 / mesh.elements[e].section.torsion;
+  return compliance;
+}
+
+/// Nodes along the hole, resting on its low side where it is inclined; sections twisted as the guess says, y axes at the toolface. `stretch`: how
+/// far each node is from its unstretched place, away from the bit [m]; nodes farther than `free_length` above the bit's face are guided [m].
+void place_string(const Mesh& mesh, const Wellbore& well, double depth, const Guess& guess, const std::vector<double>& stretch, double free_length,
                   State& state)
 {
   state.nodes.assign(mesh.nodes.size(), NodeState());
   state.spans.assign(mesh.elements.size(), SpanState());
   const WellNode bottom = well.at(depth - mesh.nodes[0].from_bit);
-  const Vector3d up = toolface_reference(bottom.tangent).direction;
+  const Vector3d up = toolface_side(bottom.tangent, well.at(depth - mesh.nodes[toolface_node(mesh)].from_bit).tangent);
   Matrix3d axes;
   axes.col(0) = bottom.tangent;
-  axes.col(1) = up * std::cos(toolface) + bottom.tangent.cross(up) * std::sin(toolface);
+  axes.col(1) = up * std::cos(guess.toolface) + bottom.tangent.cross(up) * std::sin(guess.toolface);
   axes.col(2) = axes.col(0).cross(axes.col(1));
   Quaterniond q(axes);
+  const std::vector<double> compliance = torsional_compliances(mesh);
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
   {
     const double md = depth - mesh.nodes[i].from_bit - stretch[i];
     const WellNode p = well.at(md);
     q = pointed_along(q, p.tangent);
-    state.nodes[i].orientation = q;
+    state.nodes[i].orientation = rotation_from_vector(guess.twist * compliance[i] / compliance.back() * p.tangent) * q;
     state.nodes[i].position = p.position;
     state.nodes[i].guided = mesh.nodes[i].from_bit > free_length;
     if (md <= 0.0) continue;
@@ -111,15 +141,16 @@ void check_weight_on_bit(const Scene& scene, const Mesh& mesh, const Wellbore& w
 }
 
 /// Puts the string of `rig` into the hole and lets it come to rest. `work`: of the start so far [nodes times iterations], bounded.
-void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, double toolface, double& work, RigAtRest& rig)
+void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, const Guess& guess, double& work, RigAtRest& rig)
 {
   const Mesh& mesh = rig.model->mesh();
   // stretched as it will be: the way to the equilibrium goes in increments of 2 cm
-  place_string(mesh, well, depth, toolface, estimated_stretch(mesh, scene, well, depth), free_length(scene), rig.state);
+  place_string(mesh, well, depth, guess, estimated_stretch(mesh, scene, well, depth), free_length(scene), rig.state);
   hang_on_block(scene, rig.state);
   settle_guided(rig.state);
   const double most = (kMostWork - work) / rig.model->nodes();
-  rig.statics = solve_static(*rig.model, rig.state, no_sliding, static_cast<int>(most));
+  const ToolfaceHold hold{mesh.bend_node, guess.toolface, well.at(depth - mesh.nodes[toolface_node(mesh)].from_bit).tangent};
+  rig.statics = guess.held ? solve_held(*rig.model, rig.state, hold, static_cast<int>(most)) : solve_static(*rig.model, rig.state, no_sliding, static_cast<int>(most));
   work += 1.0 * rig.statics.iterations * rig.model->nodes();
   if (rig.statics.converged) return;
   std::ostringstream message;
@@ -184,6 +215,75 @@ void hold_drive(const TopDriveSpec& spec, double torque, DriveState& drive)
   if (drive.braked) drive.gear_twist = -torque / gear_stiffness;
   if (spec.integral_gain > 0.0) drive.integral = torque / spec.integral_gain;
 }
+/// A string that stretches is so much shorter, and stretches less for it [m].
+double first_length(const Scene& scene, const Wellbore& well, double depth)
+{
+  const double way = depth + scene.start.block_height;
+  double length = way;
+  for (int round = 0; round < kStretchRounds; ++round)
+  {
+    const Mesh mesh = build_mesh(scene, length);
+    length = way - estimated_stretch(mesh, scene, well, depth).back() + scene.start.weight_on_bit * string_compliance(mesh);
+  }
+  return length;
+}
+
+/// What an equilibrium lacks of the scene's start.
+struct StartErrors
+{
+  double length = 0.0;          ///< of string that is too much [m]
+  double toolface = 0.0;        ///< [rad]
+  double twist = 0.0;           ///< by which the top is turned too far clockwise where the bend is held [rad]
+  double holding_torque = 0.0;  ///< [N m]
+  double depth = 0.0;           ///< over what is small [-]
+  double much_depth = 0.0;      ///< over what is bearable [-]
+
+  bool small() const noexcept { return depth < 1.0 && std::abs(toolface) < kToolfaceTolerance && is_free(); }
+  bool bearable() const noexcept { return much_depth < 1.0 && std::abs(toolface) < kMissedToolface && is_free(); }
+  bool is_free() const noexcept { return std::abs(holding_torque) < kHoldTolerance; }
+};
+
+StartErrors errors_of(const Scene& scene, const Wellbore& well, double depth, const RigAtRest& rig)
+{
+  const StartSpec& start = scene.start;
+  const Mesh& mesh = rig.model->mesh();
+  const bool on_bottom = start.weight_on_bit > 0.0;
+  const double weight = rig.statics.forces.wob, weight_error = weight - start.weight_on_bit;
+  StartErrors errors;
+  // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance and the rock's
+  errors.length = weight_error * (string_compliance(mesh) + rock_compliance(*rig.model, well));
+  if (!on_bottom || weight <= 0.0) errors.length += bit_depth(*rig.model, rig.state) - depth;
+  errors.depth = on_bottom ? std::abs(weight_error) / (kWeightTolerance * start.weight_on_bit) : std::abs(errors.length) / kDepthTolerance;
+  errors.much_depth = on_bottom ? std::abs(weight_error) / (kMissedWeight * start.weight_on_bit) : std::abs(errors.length) / kMissedDepth;
+  if (mesh.bend_node < 0) return errors;
+  errors.toolface = angle_error(bend_toolface(*rig.model, rig.state), start.toolface);
+  errors.holding_torque = rig.statics.holding_torque;
+  errors.twist = -errors.holding_torque * torsional_compliances(mesh).back();
+  return errors;
+}
+
+/// The next guess of the top's angle. A long string, soft in torsion, rests in some toolfaces only: where turning it does not bring the bend to the
+/// scene's, the bend is held there until the string's own torque does so.
+void turn(double toolface, int round, const StartErrors& errors, Guess& guess) noexcept
+{
+  if (guess.held)
+  {
+    guess.twist -= errors.twist;
+    return;
+  }
+  guess.toolface -= errors.toolface;
+  guess.held = round + 1 >= kFreeRounds && std::abs(errors.toolface) >= kMissedToolface;
+  if (guess.held) guess.toolface = toolface;
+}
+
+[[noreturn]] void refuse(const StartErrors& errors, bool on_bottom)
+{
+  std::ostringstream message;
+  message << "the equilibrium misses the wanted " << (on_bottom ? "weight_on_bit" : "bit_depth") << " by " << errors.length << " m of string, the toolface by "
+          << errors.toolface / degree << " deg";
+  if (!errors.is_free()) message << ", with " << errors.holding_torque << " N m that hold the bend";
+  fail(message.str());
+}
 }  // namespace
 
 double string_compliance(const Mesh& mesh)
@@ -204,9 +304,9 @@ double bend_toolface(const Model& model, const State& state)
 {
   const int bend = model.mesh().bend_node;
   if (bend < 0) return 0.0;
-  const Quaterniond& q = state.nodes[bend].orientation;
-  const Vector3d axis = x_axis(q);
-  return angle_about(axis, toolface_reference(axis).direction, y_axis(q));
+  const NodeState& node = state.nodes[static_cast<std::size_t>(bend)];
+  const Vector3d axis = x_axis(node.orientation);
+  return angle_about(axis, toolface_side(axis, state.well.tangent_near(node.position, node.segment)), y_axis(node.orientation));
 }
 
 RigAtRest build_at_rest(const Scene& scene)
@@ -216,43 +316,22 @@ RigAtRest build_at_rest(const Scene& scene)
   Wellbore well(scene.well, scene.trajectory, bit_radius, scene.formation);
   const bool on_bottom = start.weight_on_bit > 0.0;
   const double depth = on_bottom ? scene.well.hole_depth : start.bit_depth;
-  double length = depth + start.block_height;
-  // a string that stretches is so much shorter, and stretches less for it
-  for (int round = 0; round < kStretchRounds; ++round)
-  {
-    const Mesh mesh = build_mesh(scene, length);
-    length = depth + start.block_height - estimated_stretch(mesh, scene, well, depth).back() + start.weight_on_bit * string_compliance(mesh);
-  }
-
-  if (on_bottom) check_weight_on_bit(scene, build_mesh(scene, length), well, depth);
+  Guess guess{first_length(scene, well, depth), start.toolface, 0.0, false};
+  if (on_bottom) check_weight_on_bit(scene, build_mesh(scene, guess.length), well, depth);
   RigAtRest rig{nullptr, State(well), {}};
-  double toolface = start.toolface;
-  double depth_error = 0.0, toolface_error = 0.0;
-  bool met = false;
+  StartErrors errors;
   LengthSearch wanted_length;
   double work = 0.0;
   for (int round = 0; round < kMaxRounds; ++round)
   {
-    rig.model = std::make_shared<Model>(scene, build_mesh(scene, length));
-    find_equilibrium(scene, well, depth, toolface, work, rig);
-    toolface_error = rig.model->mesh().bend_node >= 0 ? angle_error(bend_toolface(*rig.model, rig.state), start.toolface) : 0.0;
-    const double weight_error = rig.statics.forces.wob - start.weight_on_bit;
-    // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance and the rock's
-    depth_error = weight_error * (string_compliance(rig.model->mesh()) + rock_compliance(*rig.model, well));
-    if (!on_bottom || rig.statics.forces.wob <= 0.0) depth_error += bit_depth(*rig.model, rig.state) - depth;
-    const bool deep_enough = on_bottom ? std::abs(weight_error) < kWeightTolerance * start.weight_on_bit : std::abs(depth_error) < kDepthTolerance;
-    met = std::abs(toolface_error) < 1e-3 && (on_bottom ? std::abs(weight_error) < 0.01 * start.weight_on_bit : std::abs(depth_error) < 1e-3);
-    if (deep_enough && std::abs(toolface_error) < kToolfaceTolerance) break;
-    length = wanted_length.next(length, depth_error);
-    toolface -= toolface_error;
+    rig.model = std::make_shared<Model>(scene, build_mesh(scene, guess.length));
+    find_equilibrium(scene, well, depth, guess, work, rig);
+    errors = errors_of(scene, well, depth, rig);
+    if (errors.small()) break;
+    guess.length = wanted_length.next(guess.length, errors.length);
+    turn(start.toolface, round, errors, guess);
   }
-  if (!met)
-  {
-    std::ostringstream message;
-    message << "the equilibrium misses the wanted " << (on_bottom ? "weight_on_bit" : "bit_depth") << " by " << depth_error
-            << " m of string, the toolface by " << toolface_error / degree << " deg";
-    fail(message.str());
-  }
+  if (!errors.bearable()) refuse(errors, on_bottom);
 
   rig.state.memory.past.assign(MethodMemory::room, {std::vector<NodeRate>(rig.state.nodes.size()), 0.0});
   const double hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;

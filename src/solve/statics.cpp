@@ -3,13 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "drill_rig_sim/math/block_tridiagonal.h"
+#include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/evaluate.h"
+#include "drill_rig_sim/model/forces/force.h"
 #include "drill_rig_sim/solve/kinsol_equilibrium.h"
+#include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim
 {
+using Eigen::Vector3d;
+
 namespace
 {
 constexpr double kFirstCoefficient = 100.0;  // c at the start: inertia of 10 ms steps [1/s]
@@ -17,7 +24,11 @@ constexpr double kLastCoefficient = 0.01;    // below this inertia is gone besid
 constexpr double kLongMove = 0.02;           // a longer increment is cut, and c stays [m, rad]
 constexpr double kLongSpin = 1.0;            // the same of spin where the string turns: friction twists it by many radians [rad]
 constexpr int kMaxContinuation = 400;
+constexpr int kMostRounds = 3;               // of continuation and Newton's method
 constexpr int kMaxNewton = 100;
+constexpr double kMoreInertia = 3.0;          // c grows by that where the next increment would go uphill
+constexpr double kMoreShare = 0.02, kMostShare = 0.9;  // and falls more slowly from then on: else it snaps to and fro for ever
+constexpr double kHoldStiffness = 1e7;       // about the bend's axis [N m/rad]
 constexpr double kFirstShare = 0.25;         // of the friction, where the whole of it is too much at once
 constexpr double kLeastShare = 0.01;
 constexpr double kTolerance = 1e-3;          // residual: round-off of a kilometre of steel is 1e-4 [N, N m]
@@ -30,42 +41,85 @@ double largest_magnitude(const std::vector<double>& values)
 }
 
 /// The same of the increments of a string that turns: of place and tilt, and of spin in the measure of a long move.
-double largest_of_turning(const std::vector<double>& move, const std::vector<Eigen::Vector3d>& normals)
+double largest_of_turning(const std::vector<double>& move, const std::vector<Vector3d>& normals)
 {
   double most = 0.0;
   for (std::size_t i = 0; i < normals.size(); ++i)
   {
-    const Eigen::Map<const Eigen::Vector3d> place(&move[6 * i]), rotation(&move[6 * i + 3]);
+    const Eigen::Map<const Vector3d> place(&move[6 * i]), rotation(&move[6 * i + 3]);
     const double spin = rotation.dot(normals[i]);
-    const Eigen::Vector3d tilt = rotation - spin * normals[i];
+    const Vector3d tilt = rotation - spin * normals[i];
     most = std::max({most, place.lpNorm<Eigen::Infinity>(), tilt.lpNorm<Eigen::Infinity>(), std::abs(spin) * kLongMove / kLongSpin});
   }
   return most;
 }
 
-/// Steps of pseudo-time, each one Newton iteration from rest; returns the iterations used.
-int continuation(const Model& model, State& state, const SlidingMotion& sliding, int most, Stage& stage, Workspace& work)
+/// The forces at rest, and beside them the torque that holds a bend.
+class StaticForces
+{
+public:
+  StaticForces(const Model& model, const State& state, const ToolfaceHold& hold) : stage(model), work(model), model_(model), state_(state), hold_(hold) {}
+
+  void begin(const SlidingMotion& sliding, double coefficient) noexcept { begin_static(model_, state_, sliding, coefficient, stage); }
+
+  void evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept
+  {
+    evaluate_static(model_, state_, stage, u, work, residual, tangent);
+    if (hold_.node < 0) return;
+    const Vector3d axis = x_axis(work.nodes[static_cast<std::size_t>(hold_.node)].orientation);
+    at_node(residual, hold_.node).tail<3>() -= torque() * axis;
+    if (tangent) tangent->diagonal(hold_.node).bottomRightCorner<3, 3>() += kHoldStiffness * axis * axis.transpose();
+  }
+
+  /// With which the bend is held, + clockwise [N m].
+  double torque() const noexcept
+  {
+    if (hold_.node < 0) return 0.0;
+    const Eigen::Quaterniond& q = work.nodes[static_cast<std::size_t>(hold_.node)].orientation;
+    const double toolface = angle_about(x_axis(q), toolface_side(x_axis(q), hold_.hole), y_axis(q));
+    return -kHoldStiffness * std::remainder(toolface - hold_.toolface, 2.0 * pi);
+  }
+
+  Stage stage;
+  Workspace work;
+
+private:
+  const Model& model_;
+  const State& state_;
+  const ToolfaceHold hold_;
+};
+
+/// Steps of pseudo-time, each one Newton iteration from rest; returns the iterations used. An increment that the forces do not drive leads to an
+/// equilibrium that is none to rest in, as where compressed pipe snaps from one side of its hole to the other: more inertia turns it round.
+int continuation(const Model& model, State& state, const SlidingMotion& sliding, int most, StaticForces& forces)
 {
   const int n = model.nodes();
   BlockTridiagonal tangent;
   tangent.resize(n, model.kernel());
   const std::vector<double> origin(6 * n, 0.0);
   std::vector<double> move(6 * n), residual(6 * n);
-  double c = kFirstCoefficient;
+  double c = kFirstCoefficient, share = 0.5;  // of c that is left after an increment
   for (int k = 0; k < most; ++k)
   {
-    begin_static(model, state, sliding, c, stage);
-    evaluate_static(model, state, stage, origin.data(), work, move.data(), &tangent);
-    if (!solve_increment(stage, tangent, move.data())) return k + 1;
+    forces.begin(sliding, c);
+    forces.evaluate(origin.data(), residual.data(), &tangent);
+    move = residual;
+    if (!solve_increment(forces.stage, tangent, move.data())) return k + 1;
+    if (std::inner_product(move.begin(), move.end(), residual.begin(), 0.0) < 0.0 && c < kFirstCoefficient)
+    {
+      c = std::min(kMoreInertia * c, kFirstCoefficient);
+      share = std::min(kMostShare, share + kMoreShare);
+      continue;
+    }
     const double size = largest_magnitude(move);
-    const double length = sliding.spin_speed != 0.0 ? largest_of_turning(move, stage.normal) : size;
+    const double length = sliding.spin_speed != 0.0 ? largest_of_turning(move, forces.stage.normal) : size;
     const double scale = length > kLongMove ? kLongMove / length : 1.0;
     for (double& m : move) m *= -scale;
-    evaluate_static(model, state, stage, move.data(), work, residual.data(), nullptr);
-    commit(stage, work, state);
-    advance_static(work, state);
+    forces.evaluate(move.data(), residual.data(), nullptr);
+    commit(forces.stage, forces.work, state);
+    advance_static(forces.work, state);
     if (size < 1e-7 && c <= kLastCoefficient) return k + 1;
-    if (scale == 1.0) c = std::max(0.5 * c, 0.5 * kLastCoefficient);
+    if (scale == 1.0) c = std::max(share * c, 0.5 * kLastCoefficient);
     else c = std::min(1.5 * c, kFirstCoefficient);
   }
   return most;
@@ -107,49 +161,65 @@ void clear_motion(State& state)
   state.memory.last_step = 0.0;
 }
 
-/// From the guess `state` to the equilibrium with the friction that `sliding` says, in one go.
-StaticOutcome attempt(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations)
+/// Newton's method from `state`, which is moved to what it finds.
+KinsolOutcome finish(const Model& model, State& state, const SlidingMotion& sliding, int most, StaticForces& forces)
 {
-  Stage stage(model);
-  Workspace work(model);
-  StaticOutcome out;
-  out.iterations = continuation(model, state, sliding, std::min(kMaxContinuation, most_iterations), stage, work);
-
   BlockTridiagonal tangent;
   tangent.resize(model.nodes(), model.kernel());
-  std::vector<double> scratch(6 * model.nodes());
+  std::vector<double> scratch(6 * model.nodes()), u(scratch.size(), 0.0);
   NonlinearProblem problem;
-  problem.residual = [&](const double* u, double* residual) { evaluate_static(model, state, stage, u, work, residual, nullptr); };
-  problem.solve_tangent = [&](const double* u, double* b)
+  problem.residual = [&](const double* at, double* residual) { forces.evaluate(at, residual, nullptr); };
+  problem.solve_tangent = [&](const double* at, double* b)
   {
-    evaluate_static(model, state, stage, u, work, scratch.data(), &tangent);
-    return solve_increment(stage, tangent, b);
+    forces.evaluate(at, scratch.data(), &tangent);
+    return solve_increment(forces.stage, tangent, b);
   };
-  begin_static(model, state, sliding, 0.0, stage);
-  std::vector<double> u(6 * model.nodes(), 0.0);
-  const KinsolOutcome finished = kinsol_solve(problem, kTolerance, std::min(kMaxNewton, most_iterations - out.iterations), u);
-  evaluate_static(model, state, stage, u.data(), work, scratch.data(), nullptr);
-  find_string_forces(model, state, stage, work);
-  commit(stage, work, state);
-  advance_static(work, state);
-  clear_motion(state);
+  forces.begin(sliding, 0.0);
+  KinsolOutcome out = kinsol_solve(problem, kTolerance, most, u);
+  forces.evaluate(u.data(), scratch.data(), nullptr);
+  find_string_forces(model, state, forces.stage, forces.work);
+  commit(forces.stage, forces.work, state);
+  advance_static(forces.work, state);
+  out.converged = out.converged || out.residual <= round_off(model.mesh(), state);
+  return out;
+}
 
-  out.converged = finished.converged || finished.residual <= round_off(model.mesh(), state);
-  out.iterations += finished.iterations;
-  out.residual = finished.residual;
-  out.top_force = work.result.held_force;
-  out.top_torque = work.result.held_torque;
-  out.forces = work.result.forces;
+/// From the guess `state` to the equilibrium with the friction that `sliding` says, in one go.
+StaticOutcome attempt(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations, const ToolfaceHold& hold)
+{
+  StaticForces forces(model, state, hold);
+  StaticOutcome out;
+  for (int round = 0; round < kMostRounds && !out.converged && (round == 0 || out.iterations < most_iterations); ++round)
+  {
+    out.iterations += continuation(model, state, sliding, std::min(kMaxContinuation, most_iterations - out.iterations), forces);
+    const KinsolOutcome finished = finish(model, state, sliding, std::min(kMaxNewton, most_iterations - out.iterations), forces);
+    out.converged = finished.converged;
+    out.iterations += finished.iterations;
+    out.residual = finished.residual;
+    if (!std::isfinite(finished.residual)) break;
+  }
+  const StageResult& result = forces.work.result;
+  out.holding_torque = forces.torque();
+  out.top_force = result.held_force;
+  out.top_torque = result.held_torque;
+  out.forces = result.forces;
   out.share = sliding.share;
+  clear_motion(state);
   return out;
 }
 }  // namespace
 
+StaticOutcome solve_held(const Model& model, State& state, const ToolfaceHold& hold, int most_iterations)
+{
+  return attempt(model, state, no_sliding, most_iterations, hold);
+}
+
 StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations)
 {
-  if (sliding.still()) return attempt(model, state, sliding, most_iterations);
+  const ToolfaceHold free;
+  if (sliding.still()) return attempt(model, state, sliding, most_iterations, free);
   State last = state;
-  StaticOutcome found = attempt(model, state, sliding, most_iterations);
+  StaticOutcome found = attempt(model, state, sliding, most_iterations, free);
   if (found.converged) return found;
   // the friction of a long string moves its nodes by metres: by and by
   SlidingMotion part = sliding;
@@ -158,7 +228,7 @@ StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion
   {
     part.share = std::min(1.0, found.share + step);
     State next = last;
-    StaticOutcome outcome = attempt(model, next, part, most_iterations - found.iterations);
+    StaticOutcome outcome = attempt(model, next, part, most_iterations - found.iterations, free);
     outcome.iterations += found.iterations;
     if (outcome.converged)
     {

@@ -16,6 +16,7 @@
 #include "drill_rig_sim/sim/wall_loss.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_scene.h"
+#include "drill_units.h"
 
 namespace drill_rig_sim
 {
@@ -43,10 +44,17 @@ const char* word(PartType type)
   return "";
 }
 
-void print_string(const Scene& scene)
+// how numbers are written in SI
+constexpr Printed::InSI depth{"%g", "m"}, tenth_kilonewton{"%.1f", "kN", 1e-3}, tenth_kilonewton_metre{"%.1f", "kN m", 1e-3};
+
+void print_string(const Scene& scene, const Printed& printed)
 {
+  constexpr Printed::InSI length{"%.2f", "m"}, kilograms{"%.0f", "kg"};
+  const auto metres = [&](double si) { return printed.number(si, Dimension::length, length); };
+  const auto mass_of = [&](double si) { return printed.number(si, Dimension::mass, kilograms); };
+  const std::string from = std::string("from bit ") + printed.unit(Dimension::length, length), to = std::string("to ") + printed.unit(Dimension::length, length);
   const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
-  std::printf("\n%-16s %-10s %10s %10s %12s\n", "part", "type", "from bit m", "to m", "mass kg");
+  std::printf("\n%-16s %-10s %10s %10s %12s\n", "part", "type", from.c_str(), to.c_str(), (std::string("mass ") + printed.unit(Dimension::mass, kilograms)).c_str());
   double total = 0.0;
   for (std::size_t i = 0; i < scene.string.size(); ++i)
   {
@@ -54,51 +62,60 @@ void print_string(const Scene& scene)
     const double length = mesh.part_top[i] - mesh.part_bottom[i];
     const double mass = part.bit ? part.bit->mass : part.linear_mass * length;
     total += mass;
-    std::printf("%-16s %-10s %10.2f %10.2f %12.0f\n", part.name.c_str(), word(part.type), mesh.part_bottom[i], mesh.part_top[i],
-                mass);
+    std::printf("%-16s %-10s %*s %10s %12s\n", part.name.c_str(), word(part.type), static_cast<int>(from.size()), metres(mesh.part_bottom[i]).c_str(),
+                metres(mesh.part_top[i]).c_str(), mass_of(mass).c_str());
   }
-  std::printf("%-16s %-10s %10s %10.2f %12.0f\n\n", "string", "", "", mesh.total_length, total);
+  std::printf("%-16s %-10s %*s %10s %12s\n\n", "string", "", static_cast<int>(from.size()), "", metres(mesh.total_length).c_str(), mass_of(total).c_str());
 }
 
-void print_mud(const Scene& scene, const Mesh& mesh)
+void print_mud(const Scene& scene, const Mesh& mesh, const Printed& printed)
 {
+  constexpr Printed::InSI cubic_metres{"%.1f", "m3"}, megapascal{"%.2f", "MPa", 1e-6};
   const MudCircuit mud = mud_circuit(scene, mesh);
   const HydraulicVolume &bore = mud.circuit.bore, &annulus = mud.circuit.annulus;
-  std::printf("mud         %g kg/m3, %.1f m3 in the string, %.1f m3 in the annulus; of %.2f MPa lost at %g m3/s %.2f in the bore, %.2f in the annulus\n",
-              scene.mud.density, bore.capacity * scene.mud.bulk_modulus, annulus.capacity * scene.mud.bulk_modulus, (bore.loss + annulus.loss) / 1e6,
-              mud.circuit.nominal_flow, mud.bore_friction * bore.loss / 1e6, annulus.loss / 1e6);
+  const auto volume = [&](const HydraulicVolume& of) { return printed(of.capacity * scene.mud.bulk_modulus, Dimension::volume, cubic_metres); };
+  const auto loss = [&](double si) { return printed.number(si, Dimension::pressure, megapascal); };
+  std::printf("mud         %s, %s in the string, %s in the annulus; of %s %s lost at %s %s in the bore, %s in the annulus\n",
+              printed(scene.mud.density, Dimension::density, {"%g", "kg/m3"}).c_str(), volume(bore).c_str(), volume(annulus).c_str(), loss(bore.loss + annulus.loss).c_str(),
+              printed.unit(Dimension::pressure, megapascal), printed(mud.circuit.nominal_flow, Dimension::flow, {"%g", "m3/s"}).c_str(),
+              loss(mud.bore_friction * bore.loss).c_str(), loss(annulus.loss).c_str());
   const std::string doubt = doubt_of_pressures(mud);
   if (!doubt.empty()) std::printf("            %s\n", doubt.c_str());
 }
 
 /// What the drive's modes are tuned to, and by it.
-void print_tuned_drive(const Scene& scene, const Mesh& mesh)
+void print_tuned_drive(const Scene& scene, const Mesh& mesh, const Printed& printed)
 {
+  const auto stiffness = [&](double si) { return printed(si, Dimension::torsional_stiffness, {"%.3g", "N m/rad"}); };
+  const auto damping = [&](double si) { return printed(si, Dimension::torsional_damping, {"%.3g", "N m s/rad"}); };
   const TopDriveSpec drive = tuned(scene.rig.top_drive, mesh);
   const DriveImpedance &soft = drive.soft_torque, &z = drive.z_torque;
-  std::printf("top drive   pipe of %.0f N m s/rad, slowest torsion %.3f Hz: SOFT_TORQUE P %.3g N m s/rad, I %.3g N m/rad; Z_TORQUE P %.3g N m s/rad, "
-              "I %.3g N m/rad\n",
-              torsional_impedance(mesh), slowest_torsion(mesh) / (2.0 * pi), soft.damping, soft.stiffness, z.damping, z.stiffness);
+  std::printf("top drive   pipe of %s, slowest torsion %.3f Hz: SOFT_TORQUE P %s, I %s; Z_TORQUE P %s, I %s\n",
+              printed(torsional_impedance(mesh), Dimension::torsional_damping, {"%.0f", "N m s/rad"}).c_str(), slowest_torsion(mesh) / (2.0 * pi), damping(soft.damping).c_str(),
+              stiffness(soft.stiffness).c_str(), damping(z.damping).c_str(), stiffness(z.stiffness).c_str());
 }
 
-void print_heave(const HeaveSpec& heave)
+void print_heave(const HeaveSpec& heave, const Printed& printed)
 {
   if (heave.amplitude == 0.0) return;
-  std::printf("heave       %.3g m about the mean in %.3g s, up to %.2f m/s2\n", heave.amplitude, heave.period, heave_acceleration(heave));
+  std::printf("heave       %s about the mean in %.3g s, up to %.2f m/s2\n", printed(heave.amplitude, Dimension::length, {"%.3g", "m"}).c_str(), heave.period,
+              heave_acceleration(heave));
 }
 
-void print_sharpest_bend(const Survey& survey)
+void print_sharpest_bend(const Survey& survey, const Printed& printed)
 {
   int sharpest = 0;
   for (int i = 1; i + 1 < survey.size(); ++i)
     if (survey.dogleg_severity(i) > survey.dogleg_severity(sharpest)) sharpest = i;
-  const double severity = survey.dogleg_severity(sharpest) / degree;
+  constexpr double per_metre = 1.0 / 30.0;
+  const double severity = survey.dogleg_severity(sharpest);  // [rad/30 m]
   if (severity > 0.0)
-    std::printf("dogleg      at most %.3g deg/30 m, from %g to %g m\n", severity, survey.station(sharpest).md, survey.station(sharpest + 1).md);
+    std::printf("dogleg      at most %s, from %s to %s\n", printed(severity * per_metre, Dimension::dogleg, {"%.3g", "deg/30 m", 30.0 / degree}).c_str(),
+                printed.number(survey.station(sharpest).md, Dimension::length, depth).c_str(), printed(survey.station(sharpest + 1).md, Dimension::length, depth).c_str());
 }
 
 /// What the rock makes of the friction of hole yet to be drilled, from the hole's bottom down.
-void print_new_hole(const Scene& scene, double bottom_tvd)
+void print_new_hole(const Scene& scene, double bottom_tvd, const Printed& printed)
 {
   const std::vector<FormationLayer>& rock = scene.formation;
   const bool has_friction = std::any_of(rock.begin(), rock.end(), [](const FormationLayer& layer) { return !std::isnan(layer.friction); });
@@ -112,13 +129,13 @@ void print_new_hole(const Scene& scene, double bottom_tvd)
       std::printf(" its section's");
     else
       std::printf(" %g", rock[i].friction);
-    if (!last) std::printf(" to %g m TVD,", rock[i].to_tvd);
+    if (!last) std::printf(" to %s TVD,", printed(rock[i].to_tvd, Dimension::length, depth).c_str());
   }
   std::printf("\n");
 }
 
 /// Pads that a bent motor wedges into a hole as narrow as the bit: it turns no more, and steps may fail.
-void print_wedged_gauge(const Scene& scene, const RigAtRest& rig)
+void print_wedged_gauge(const Scene& scene, const RigAtRest& rig, const Printed& printed)
 {
   constexpr double much = 0.25;  // of the motor's stall torque
   const MotorSpec* motor = rig.model->motor();
@@ -132,27 +149,30 @@ void print_wedged_gauge(const Scene& scene, const RigAtRest& rig)
     friction += kinetic * mesh.nodes[i].contact_radius * rig.statics.forces.contact[i];
   }
   if (friction < much * motor->stall_torque) return;
-  std::printf("gauge       its pads are wedged in the hole: %.1f kN on the wall, whose friction takes %.1f kN m of the %.1f that stall the motor; "
-              "gauge_clearance: wider\n",
-              force / 1e3, friction / 1e3, motor->stall_torque / 1e3);
+  std::printf("gauge       its pads are wedged in the hole: %s on the wall, whose friction takes %s of the %s that stall the motor; gauge_clearance: wider\n",
+              printed(force, Dimension::force, tenth_kilonewton).c_str(), printed(friction, Dimension::torque, tenth_kilonewton_metre).c_str(),
+              printed.number(motor->stall_torque, Dimension::torque, tenth_kilonewton_metre).c_str());
 }
 
 /// What the run leaves out or gets too small, and would not be seen by its numbers.
-void print_shortcomings(const Scene& scene)
+void print_shortcomings(const Scene& scene, const Printed& printed)
 {
   if (scene.string.front().bit->torque.model == BitTorqueModel::regenerative)
     std::printf("bit         regenerative: weight and torque are those of the cut; the face does not rub across the bottom\n");
   const RigAtRest rig = build_at_rest(scene);
   for (const AccuracyReport& doubt : {doubt_of_string(*rig.model, rig.state, rig.statics.forces), doubt_of_hole(rig.state), doubt_of_level(scene, rig.state)})
     if (doubt.doubt != AccuracyDoubt::none) std::printf("accuracy    %s\n", text_of(doubt, scene.numerics.step).c_str());
-  if (scene.string.front().bit->gauge_length > 0.0) print_wedged_gauge(scene, rig);
+  if (scene.string.front().bit->gauge_length > 0.0) print_wedged_gauge(scene, rig, printed);
   const std::optional<WallLoss> loss = wall_loss(rig);
   if (!loss) return;
   const char* part = scene.string[static_cast<std::size_t>(loss->part)].name.c_str();
-  std::printf("wall        %s lies %.2g mm deep in it %.3g m above the bit; ", part, 1e3 * loss->depth, loss->from_bit);
+  std::printf("wall        %s lies %s deep in it %s above the bit; ", part, printed(loss->depth, Dimension::diameter, {"%.2g", "mm", 1e3}).c_str(),
+              printed(loss->from_bit, Dimension::length, {"%.3g", "m"}).c_str());
+  const auto instead_of = [&](double right, double now)
+  { return printed(right, Dimension::force, tenth_kilonewton) + ", not " + printed.number(now, Dimension::force, tenth_kilonewton); };
   if (loss->known)
-    std::printf("on a wall as stiff as under gauge and blades (%g N/m^e) the bit's side force would be %.1f kN, not %.1f, all contact forces %.1f kN, not %.1f",
-                scene.contact.assembly_stiffness, loss->stiff_side_force / 1e3, loss->side_force / 1e3, loss->stiff_contact / 1e3, loss->contact / 1e3);
+    std::printf("on a wall as stiff as under gauge and blades (%g N/m^e) the bit's side force would be %s, all contact forces %s", scene.contact.assembly_stiffness,
+                instead_of(loss->stiff_side_force, loss->side_force).c_str(), instead_of(loss->stiff_contact, loss->contact).c_str());
   else
     std::printf("what its side forces lose by that is not known, a stiffer wall has no equilibrium");
   std::printf("; contact of %s: stiffer\n", part);
@@ -170,34 +190,42 @@ struct CheckOptions
 {
   std::string scene;
   std::vector<std::string> settings;
+  std::string units = "si";
 };
+
+void print_well(const Scene& scene, const Simulator& simulator, const Printed& printed)
+{
+  const Truth& m = simulator.truth();
+  std::printf("well        %zu stations to %s, hole %s deep, at its bottom %.2f deg inclination, %.2f deg azimuth\n", scene.well.survey.size(),
+              printed(scene.well.survey.back().md, Dimension::length, depth).c_str(), printed(scene.well.hole_depth, Dimension::length, depth).c_str(),
+              m.bit_inclination / degree, m.bit_azimuth / degree);
+  print_sharpest_bend(Survey(scene.well.survey), printed);
+  print_new_hole(scene, -simulator.wellbore().bottom_position().z(), printed);
+  print_string(scene, printed);
+  std::printf("start       bit at %s, block at %s, hook load %s, of it the string %s\n", printed(m.bit_depth, Dimension::length, {"%.3f", "m"}).c_str(),
+              printed(m.block_height, Dimension::length, {"%.2f", "m"}).c_str(), printed(m.hook_load, Dimension::force, tenth_kilonewton).c_str(),
+              printed(m.hook_load_string, Dimension::force, tenth_kilonewton).c_str());
+}
 
 void check(const CheckOptions& options)
 {
   const Scene scene = open_scene(options.scene, options.settings);
   const Simulator simulator = build_simulator(scene, 0);
-  const Truth& m = simulator.truth();
+  const Printed printed(options.units);
   const SimulatorStatistics& s = simulator.statistics();
   std::printf("%s: %s is good\n", options.scene.c_str(), scene.name.c_str());
-  std::printf("well        %zu stations to %g m, hole %g m deep, at its bottom %.2f deg inclination, %.2f deg azimuth\n",
-              scene.well.survey.size(), scene.well.survey.back().md, scene.well.hole_depth, m.bit_inclination / degree,
-              m.bit_azimuth / degree);
-  print_sharpest_bend(Survey(scene.well.survey));
-  print_new_hole(scene, -simulator.wellbore().bottom_position().z());
-  print_string(scene);
-  std::printf("start       bit at %.3f m, block at %.2f m, hook load %.1f kN, of it the string %.1f kN\n", m.bit_depth,
-              m.block_height, m.hook_load / 1e3, m.hook_load_string / 1e3);
+  print_well(scene, simulator, printed);
   const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
-  print_mud(scene, mesh);
-  print_tuned_drive(scene, mesh);
-  print_heave(scene.rig.heave);
+  print_mud(scene, mesh, printed);
+  print_tuned_drive(scene, mesh, printed);
+  print_heave(scene.rig.heave, printed);
   std::printf(s.step > 0.0 ? "model       level %s, integrator %s, step %g s, %d nodes, %d coordinates, kernel %s\n"
                            : "model       level %s, integrator %s, variable steps by a tolerance of %g, %d nodes, %d coordinates, kernel %s\n",
               s.level, s.integrator, s.step > 0.0 ? s.step : scene.numerics.tolerance, s.nodes, s.coordinates, name_of(s.kernel));
   if (!simulator.choice().empty()) print_choice(simulator);
   const bool has_tool = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& p) { return p.type == PartType::mwd; });
   if (!has_tool) std::printf("survey tool no part is of type mwd: survey and toolface are measured at the bit's face\n");
-  print_shortcomings(simulator.scene());
+  print_shortcomings(simulator.scene(), printed);
   std::printf("program     %zu lines to %g s", scene.program.size(), program_end(scene.program));
   if (!scene.operations.empty()) std::printf(", %zu operations", scene.operations.size());
   std::printf("\n");
@@ -210,6 +238,7 @@ Command add_check_command(CLI::App& drill)
   const auto options = std::make_shared<CheckOptions>();
   add_file(*words, "SCENE", options->scene, "the scene's file");
   add_settings(*words, options->settings);
+  add_units(*words, options->units);
   return {words, [options] { check(*options); }};
 }
 

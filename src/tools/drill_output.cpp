@@ -1,6 +1,7 @@
 #include "drill_output.h"
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -40,8 +41,10 @@ void write_flags(std::FILE* file, const RigSignals& m)
 
 void write_readings(std::FILE* file, const Readings& r)
 {
-  std::fprintf(file, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.10g,%.10g,%.9g,%.9g,%.9g", r.hook_load, r.torque, r.stand_pipe_pressure, r.flow,
-               r.block_height, r.bit_depth, r.hole_depth, r.rop, r.surface_wob, r.differential_pressure);
+  std::fprintf(file, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.10g,%.10g,%.9g", r.hook_load, r.torque, r.stand_pipe_pressure, r.flow, r.block_height, r.bit_depth,
+               r.hole_depth, r.rop);
+  write_cell(file, 9, r.zeroed(r.surface_wob));
+  write_cell(file, 9, r.zeroed(r.differential_pressure));
 }
 }  // namespace
 
@@ -68,6 +71,12 @@ void close_output(File file, const std::string& name)
   const bool written = std::ferror(file.get()) == 0;
   if (std::fclose(file.release()) != 0 || !written)
     throw ComputationError(name + " could not be written whole; is the disk full?");
+}
+
+void write_cell(std::FILE* file, int digits, double value)
+{
+  std::fputs(",", file);
+  if (std::isfinite(value)) std::fprintf(file, "%.*g", digits, value);
 }
 
 void write_profile(std::FILE* file, const StringProfile& p)

@@ -24,6 +24,9 @@ File open_output(const char* option, const std::string& name);
 /// Closes it, if there is one. Throws ComputationError with one line if not all of it reached the disk.
 void close_output(File file, const std::string& name);
 
+/// A comma and a number; the comma only where the number is not finite: nothing was measured, or it has no zero yet.
+void write_cell(std::FILE* file, int digits, double value);
+
 /// Forces along the string: the columns of `drill static --csv`, angles in degrees where a column says so.
 void write_profile(std::FILE* file, const StringProfile& p);
 /// The same at several times: the columns of write_profile() with the simulated time [s] before them.
@@ -33,7 +36,7 @@ void write_profile_series_rows(std::FILE* file, double time, const StringProfile
 /// The run's CSV: SI units, radians. By hand, as all tables here: their cells are numbers, so that nothing needs quoting, and each
 /// column has its own number of digits.
 void write_csv_header(std::FILE* file, bool with_readings);
-/// `readings`: null where the header has none.
+/// `readings`: null where the header has none. Surface WOB and differential pressure are empty until they have been zeroed.
 void write_csv_row(std::FILE* file, const Truth& m, const Readings* readings);
 
 /// The corrected well, its nodes and then its bottom: md,east,north,up,inclination,azimuth,radius.

@@ -5,6 +5,7 @@
 #include "drill_command.h"
 #include "drill_options.h"
 #include "drill_python.h"
+#include "drill_units.h"
 
 namespace drill_rig_sim
 {
@@ -12,7 +13,7 @@ namespace
 {
 struct PlotOptions
 {
-  std::string run, out, plan, string, name_space;
+  std::string run, out, plan, string, name_space, units = "si";
 };
 
 void plot(const PlotOptions& options)
@@ -22,6 +23,7 @@ void plot(const PlotOptions& options)
   add_word(words, "--plan", options.plan);
   add_word(words, "--string", options.string);
   add_word(words, "--namespace", options.name_space);
+  add_word(words, "--units", options.units);
   words.insert(words.end(), {"--", options.run});
   become_python("plot_command", words);
 }
@@ -36,6 +38,7 @@ Command add_plot_command(CLI::App& drill)
   add_text(*words, "--plan", options->plan, "FILE", "planned survey, beside the drilled well");
   add_text(*words, "--string", options->string, "FILE", "of drill run --profile or drill static --csv: the forces along the string");
   add_text(*words, "--namespace", options->name_space, "NS", "which rig of a bag with several");
+  add_units(*words, options->units);
   return {words, [options] { plot(*options); }};
 }
 

@@ -5,6 +5,7 @@
 #include "drill_command.h"
 #include "drill_options.h"
 #include "drill_python.h"
+#include "drill_units.h"
 
 namespace drill_rig_sim
 {
@@ -12,7 +13,7 @@ namespace
 {
 struct ReplayOptions
 {
-  std::string record, scene, columns, from, to, start, json, csv, plots;
+  std::string record, scene, columns, from, to, start, json, csv, plots, units = "si";
   std::vector<std::string> left_out;
 };
 
@@ -27,6 +28,7 @@ void replay(const ReplayOptions& options)
   add_word(words, "--json", options.json);
   add_word(words, "--csv", options.csv);
   add_word(words, "--plots", options.plots);
+  add_word(words, "--units", options.units);
   words.insert(words.end(), {"--", options.record, options.scene});
   become_python("replay_command", words);
 }
@@ -47,6 +49,7 @@ Command add_replay_command(CLI::App& drill)
   add_text(*words, "--json", options->json, "FILE", "writes the residuals");
   add_text(*words, "--csv", options->csv, "FILE", "writes what was recorded and simulated");
   add_text(*words, "--plots", options->plots, "FILE", "draws both (.png, .svg, .pdf)");
+  add_units(*words, options->units);
   return {words, [options] { replay(*options); }};
 }
 

@@ -56,7 +56,7 @@ struct Series
   Series(const RunOptions& o, const std::string& well)
     : rows(o.csv, o.every.value_or(0.1), o.readings),
       bag(o.bag, o.every.value_or(0.1)),
-      log(o.witsml, well, o.every.value_or(1.0)),
+      log(o.witsml, well, o.every.value_or(1.0), start_date_of(o.start_date).value_or(default_start_date)),
       profiles(o.profile, o.profile_every.value_or(1.0)),
       choices(o.explain)
   {

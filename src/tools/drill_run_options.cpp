@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "drill_command.h"
+#include "drill_date.h"
 #include "drill_options.h"
 #include "drill_output.h"
 
@@ -33,6 +34,12 @@ std::string problem_of_seed(const std::string& seed)
   return "'" + seed + "' is not allowed, needed: a whole number from 0 to 9e15";
 }
 
+std::string problem_of_date(const std::string& date)
+{
+  if (start_date_of(date)) return "";
+  return "'" + date + "' is not allowed, needed: a date by UTC of 1970 to 2199, as 2024-05-17 or 2024-05-17T06:30:00Z";
+}
+
 void add_scene_options(CLI::App& command, RunOptions& options)
 {
   add_text(command, "--level", options.level, "L", "level of the model instead of the scene's")->check(problem_of_level);
@@ -48,6 +55,7 @@ void add_output_options(CLI::App& command, RunOptions& options)
   add_text(command, "--csv", options.csv, "FILE", "writes time series");
   add_text(command, "--bag", options.bag, "FILE", "writes the topics that the node publishes of measurements");
   add_text(command, "--witsml", options.witsml, "FILE", "writes what the instruments show as a log of WITSML 1.4.1.1, by default a row a second");
+  add_text(command, "--start-date", options.start_date, "DATE", "of simulated time 0 in --witsml, UTC; default 2000-01-01T00:00:00Z")->check(problem_of_date);
   add_number(command, "--every", options.every, 1e-4, 1e6, "S", "between rows of the time series, or the bag's measurements; whole frames, default 0.1");
   add_text(command, "--profile", options.profile, "FILE", "writes forces along the string in the course of the run");
   add_number(command, "--profile-every", options.profile_every, 1e-4, 1e6, "S", "between these, whole frames, default 1");

@@ -27,6 +27,7 @@ struct RunOptions
   std::optional<double> every;                          ///< between rows of the time series, and measurements of the bag [s]
   std::optional<double> profile_every;                  ///< between profiles along the string [s]
   std::uint64_t seed = 0;
+  std::string start_date;  ///< of simulated time 0; empty: default_start_date
   std::string csv, bag, witsml, profile, json, explain, path, raw_path;
   bool readings = false;  ///< series and summary hold the instruments' readings beside the truth
   bool energy = false;

@@ -7,6 +7,7 @@
 #include "drill_command.h"
 #include "drill_options.h"
 #include "drill_python.h"
+#include "drill_units.h"
 
 namespace drill_rig_sim
 {
@@ -14,7 +15,7 @@ namespace
 {
 struct ScoreOptions
 {
-  std::string run, plan, name_space, json, plots;
+  std::string run, plan, name_space, json, plots, units = "si";
   std::optional<double> bit_diameter, wob, wob_band, toolface, toolface_band;
 };
 
@@ -42,6 +43,7 @@ std::vector<std::string> words_of(const ScoreOptions& o)
   add_number("--wob-band", o.wob_band);
   add_number("--toolface", o.toolface);
   add_number("--toolface-band", o.toolface_band);
+  add_word(words, "--units", o.units);
   words.insert(words.end(), {"--", o.run});
   return words;
 }
@@ -69,6 +71,7 @@ Command add_score_command(CLI::App& drill)
   add_text(*words, "--namespace", options->name_space, "NS", "which rig of a bag with several");
   add_text(*words, "--json", options->json, "FILE", "writes the scores");
   add_text(*words, "--plots", options->plots, "FILE", "draws a page (.png, .svg, .pdf)");
+  add_units(*words, options->units);
   return {words, [options] { judge(*options); }};
 }
 

@@ -9,6 +9,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/profile.h"
 #include "drill_scene.h"
+#include "drill_units.h"
 
 namespace drill_rig_sim
 {
@@ -20,8 +21,28 @@ struct StaticOptions
   std::vector<std::string> settings;
   std::string motion = "none";
   std::optional<double> speed, rpm;
-  std::string csv;
+  std::string csv, units = "si";
 };
+
+void print_report(const StaticReport& report, const Printed& printed)
+{
+  const Printed::InSI newton{"%.1f", "N"}, newton_metre{"%.1f", "N m"}, metre{"%.0f", "m"};
+  const auto force = [&](const char* name, double si, const char* end)
+  { std::printf("%-16s %12s %s%s", name, printed.number(si, Dimension::force, newton).c_str(), printed.unit(Dimension::force, newton), end); };
+  force("hook load", report.hook_load, "\n");
+  force("of the string", report.hook_load_string, "\n");
+  force("gauge at block", report.gauges.at_block, ", with the friction of the block's rail\n");
+  force("at the dead line", report.gauges.at_dead_line, ", with that of the sheaves\n");
+  std::printf("torque           %12s %s\n", printed.number(report.torque, Dimension::torque, newton_metre).c_str(), printed.unit(Dimension::torque, newton_metre));
+  force("weight on bit", report.outcome.forces.wob, "\n");
+  force("bit side force", report.bit_side_force, ", ");
+  std::printf("at %.1f deg clockwise from the high side\n", report.bit_side_direction / degree);
+  std::printf("bit tilt         %12.3f deg to the hole\n", report.bit_tilt / degree);
+  const auto share = [&](const char* name, const char* what, const auto& load)
+  { std::printf("%-16s %12.2f of what %s, %s above the bit\n", name, load.share, what, printed(load.from_bit, Dimension::length, metre).c_str()); };
+  share("yield", "the pipe bears", report.loads.stress);
+  share("buckling", "it bears straight", report.loads.buckling);
+}
 
 SlidingMotion motion_of(const StaticOptions& options)
 {
@@ -53,17 +74,7 @@ void print_static(const StaticOptions& options)
   {
     throw ComputationError(scene.file + ": " + e.what());
   }
-  std::printf("hook load        %12.1f N\n", report.hook_load);
-  std::printf("of the string    %12.1f N\n", report.hook_load_string);
-  std::printf("gauge at block   %12.1f N, with the friction of the block's rail\n", report.gauges.at_block);
-  std::printf("at the dead line %12.1f N, with that of the sheaves\n", report.gauges.at_dead_line);
-  std::printf("torque           %12.1f N m\n", report.torque);
-  std::printf("weight on bit    %12.1f N\n", report.outcome.forces.wob);
-  std::printf("bit side force   %12.1f N, at %.1f deg clockwise from the high side\n", report.bit_side_force,
-              report.bit_side_direction / degree);
-  std::printf("bit tilt         %12.3f deg to the hole\n", report.bit_tilt / degree);
-  std::printf("yield            %12.2f of what the pipe bears, %.0f m above the bit\n", report.loads.stress.share, report.loads.stress.from_bit);
-  std::printf("buckling         %12.2f of what it bears straight, %.0f m above the bit\n", report.loads.buckling.share, report.loads.buckling.from_bit);
+  print_report(report, Printed(options.units));
   const std::string doubt = text_of(report.accuracy, scene.numerics.step);
   if (!doubt.empty()) std::printf("accuracy warning: %s\n", doubt.c_str());
   if (csv)
@@ -82,7 +93,8 @@ Command add_static_command(CLI::App& drill)
   add_text(*words, "--motion", options->motion, "M", "none (frictionless, the default), up, down or rotate");
   add_number(*words, "--speed", options->speed, -20.0, 20.0, "M/S", "moves along the hole instead, + up, and turns at --rpm [m/s]");
   add_number(*words, "--rpm", options->rpm, -1000.0, 1000.0, "N", "turns instead, + clockwise, and moves at --speed; their ratio counts [rpm]");
-  add_text(*words, "--csv", options->csv, "FILE", "writes forces along the string");
+  add_text(*words, "--csv", options->csv, "FILE", "writes forces along the string, in SI units");
+  add_units(*words, options->units);
   add_settings(*words, options->settings);
   return {words, [options] { print_static(*options); }};
 }

@@ -34,19 +34,20 @@ Json json_of(const Averages& a)
 
 Json json_of(const Readings& r)
 {
+  // JSON writes null for NaN
   const auto once_heard = [](std::uint64_t sequence, double value) { return sequence > 0 ? Json(value) : Json(); };
   return {{"hook_load", r.hook_load},
           {"dead_line_hook_load", r.dead_line_hook_load},
           {"hook_load_string", r.hook_load_string},
           {"torque", r.torque},
           {"stand_pipe_pressure", r.stand_pipe_pressure},
-          {"differential_pressure", r.differential_pressure},
+          {"differential_pressure", r.zeroed(r.differential_pressure)},
           {"flow", r.flow},
           {"block_height", r.block_height},
           {"bit_depth", r.bit_depth},
           {"hole_depth", r.hole_depth},
           {"rop", r.rop},
-          {"surface_wob", r.surface_wob},
+          {"surface_wob", r.zeroed(r.surface_wob)},
           {"mwd_md", once_heard(r.mwd.sequence, r.mwd.md)},
           {"mwd_inclination_deg", once_heard(r.mwd.sequence, r.mwd.inclination / degree)},
           {"mwd_azimuth_deg", once_heard(r.mwd.sequence, r.mwd.azimuth / degree)},

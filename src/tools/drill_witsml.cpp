@@ -1,8 +1,6 @@
 #include "drill_witsml.h"
 
-#include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <utility>
 
 #include "drill_command.h"
@@ -12,8 +10,6 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr std::time_t epoch = 946684800;  // 2000-01-01T00:00:00Z since 1970 [s]
-
 struct Curve
 {
   const char* mnemonic;
@@ -27,26 +23,13 @@ constexpr Curve curves[] = {
     {"DMEA", "m", "Hole depth, measured", [](const Readings& r) { return r.hole_depth; }},
     {"BLOCKCOMP", "m", "Block position", [](const Readings& r) { return r.block_height; }},
     {"HKLD", "kN", "Hook load", [](const Readings& r) { return 1e-3 * r.hook_load; }},
-    {"WOB", "kN", "Weight on bit, surface", [](const Readings& r) { return 1e-3 * r.surface_wob; }},
+    {"WOB", "kN", "Weight on bit, surface", [](const Readings& r) { return 1e-3 * r.zeroed(r.surface_wob); }},
     {"TORQUE", "kN.m", "Torque, surface", [](const Readings& r) { return 1e-3 * r.torque; }},
     {"SURF_RPM", "rpm", "Rotary speed, surface", [](const Readings& r) { return r.top_drive_speed / rpm; }},
     {"ROP", "m/h", "Rate of penetration", [](const Readings& r) { return 3600.0 * r.rop; }},
     {"FLOWIN", "L/min", "Flow into the string", [](const Readings& r) { return 6e4 * r.flow; }},
     {"SPP", "kPa", "Stand-pipe pressure", [](const Readings& r) { return 1e-3 * r.stand_pipe_pressure; }},
-    {"DIFP", "kPa", "Differential pressure", [](const Readings& r) { return 1e-3 * r.differential_pressure; }}};
-
-/// 2000-01-01T00:00:00.000Z at 0 s; always as many characters.
-std::string date_of(double time)
-{
-  const long long milliseconds = std::llround(1e3 * time);
-  const std::time_t seconds = epoch + static_cast<std::time_t>(milliseconds / 1000);
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char day[32], whole[40];
-  std::strftime(day, sizeof day, "%Y-%m-%dT%H:%M:%S", &parts);
-  std::snprintf(whole, sizeof whole, "%s.%03dZ", day, static_cast<int>(milliseconds % 1000));
-  return whole;
-}
+    {"DIFP", "kPa", "Differential pressure", [](const Readings& r) { return 1e-3 * r.zeroed(r.differential_pressure); }}};
 
 void write_curve(std::FILE* file, const char* mnemonic, const char* unit, const char* description, const char* kind)
 {
@@ -67,8 +50,8 @@ void write_lists(std::FILE* file)
 }
 }  // namespace
 
-WitsmlSeries::WitsmlSeries(const std::string& name, const std::string& well, double every)
-    : name_(name), file_(open_output("--witsml", name)), beat_(every)
+WitsmlSeries::WitsmlSeries(const std::string& name, const std::string& well, double every, std::time_t start)
+    : name_(name), file_(open_output("--witsml", name)), beat_(every), start_(start)
 {
   if (file_) write_head(well);
 }
@@ -84,10 +67,10 @@ void WitsmlSeries::write_head(const std::string& well)
       "    <name>Drilling by time</name>\n    <description>By drill_rig_sim: simulated, as its gauges show it; time 0 is "
       "%s</description>\n"
       "    <indexType>date time</indexType>\n    <startDateTimeIndex>%s</startDateTimeIndex>\n    <endDateTimeIndex>",
-      well.c_str(), well.c_str(), date_of(0.0).c_str(), date_of(0.0).c_str());
+      well.c_str(), well.c_str(), date_at(start_, 0.0).c_str(), date_at(start_, 0.0).c_str());
   end_place_ = std::ftell(file);
   std::fprintf(file, "%s</endDateTimeIndex>\n    <direction>increasing</direction>\n    <indexCurve>TIME</indexCurve>\n",
-               date_of(0.0).c_str());
+               date_at(start_, 0.0).c_str());
   write_curve(file, "TIME", "s", "Time", "date time");
   for (const Curve& curve : curves) write_curve(file, curve.mnemonic, curve.unit, curve.description, "double");
   std::fputs("    <logData>\n", file);
@@ -99,8 +82,8 @@ void WitsmlSeries::add(const Simulator& simulator, double frame)
   const double time = simulator.truth().time;
   if (!file_ || !beat_.due(time, frame)) return;
   last_ = time;
-  std::fprintf(file_.get(), "      <data>%s", date_of(time).c_str());
-  for (const Curve& curve : curves) std::fprintf(file_.get(), ",%.7g", curve.value(simulator.readings()));
+  std::fprintf(file_.get(), "      <data>%s", date_at(start_, time).c_str());
+  for (const Curve& curve : curves) write_cell(file_.get(), 7, curve.value(simulator.readings()));
   std::fputs("</data>\n", file_.get());
 }
 
@@ -109,7 +92,7 @@ void WitsmlSeries::close()
   if (!file_) return;
   std::fputs("    </logData>\n  </log>\n</logs>\n", file_.get());
   if (end_place_ >= 0 && std::fseek(file_.get(), end_place_, SEEK_SET) == 0)
-    std::fputs(date_of(last_).c_str(), file_.get());  // not of a pipe
+    std::fputs(date_at(start_, last_).c_str(), file_.get());  // not of a pipe
   close_output(std::move(file_), name_);
 }
 

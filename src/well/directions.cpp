@@ -87,4 +87,9 @@ ToolfaceReference toolface_reference(const Eigen::Vector3d& tangent, bool was_ma
   return reference(tangent, inclination_of(tangent) < (was_magnetic ? 6.0 : 4.0) * degree);
 }
 
+Eigen::Vector3d toolface_side(const Eigen::Vector3d& axis, const Eigen::Vector3d& hole) noexcept
+{
+  return toolface_reference(hole).magnetic ? north_side(axis) : high_side(axis);
+}
+
 }  // namespace drill_rig_sim

@@ -2,6 +2,7 @@
 import ctypes
 import os
 import signal
+import sys
 import time
 
 from drill_rig_sim.law import Commands
@@ -44,6 +45,14 @@ class Law:
     @staticmethod
     def crash():
         ctypes.string_at(0)
+
+    @staticmethod
+    def leave():
+        sys.exit("no more of this")
+
+    @staticmethod
+    def vanish():
+        os._exit(5)  # pylint: disable=protected-access
 
     @staticmethod
     def kill():

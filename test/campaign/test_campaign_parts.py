@@ -1,11 +1,10 @@
 #!/usr/bin/python3
-"""Campaigns, the parts: scenes with other values, designs, indices, plans, runs that fail, the results' file, the page."""
+"""Campaigns, the parts: scenes with other values, designs, indices, plans, runs that fail. Their results: test_campaign_results.py."""
 import importlib.util
 import io
 import math
 import os
 import re
-import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -24,7 +23,6 @@ from drill_rig_sim.campaign import command, engine, played, report_pictures, sen
 from drill_rig_sim.campaign.designs import DesignError, Factor, rows_of
 from drill_rig_sim.campaign.plan import read_plan
 from drill_rig_sim.campaign.plan_text import PlanError
-from drill_rig_sim.campaign.results import Results, ResultsError
 from drill_rig_sim.campaign.runner import Runner
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
 from drill_rig_sim.sim import build
@@ -273,6 +271,7 @@ class Runs(Folder):
     def test_runs_that_fail_have_their_reason_and_the_next_one_runs(self):
         for fault, bounds, wanted, said in (("error", "cpu: 9.0", "controller", r"laws.py, line \d+: KeyError: 'no such gauge'"), ("spin", "cpu: 0.7", "cpu", "0.7 s"),
                                             ("sleep", "wall: 1.5", "wall", "1.5 s"), ("hoard", "memory: 2.0e+8", "memory", "200 MB"), ("crash", "cpu: 9.0", "died", "signal 11"),
+                                            ("leave", "cpu: 9.0", "controller", r"laws.py, line \d+: SystemExit: no more of this"), ("vanish", "cpu: 9.0", "died", "status 5"),
                                             ("kill", "cpu: 9.0", "died", "signal 9")):
             runner, row, identity = self.runner(fault, bounds)
             for _ in range(2):
@@ -290,6 +289,20 @@ class Runs(Folder):
             status, reason, outputs, _ = runner.run(plan.rows[0], [build(), rig.kernel])
             self.assertEqual(("judge", {}), (status, outputs), reason)
             self.assertRegex(reason, said)
+
+    def test_a_reading_that_was_not_zeroed_is_no_output(self):
+        asked = "{weight: mean.readings.surface_wob, pressure: largest.readings.differential_pressure, last: last.readings.surface_wob, load: mean.readings.hook_load}"
+        zeroed = "operations: [{do: tag, speed: 0.1, weight: 1000}]\n"
+        with open(QUICK, encoding="utf-8") as text:
+            scene = text.read()
+        for by_law, operations in ((True, ""), (False, ""), (False, zeroed)):
+            with open(self.place("scene.yaml"), "w", encoding="utf-8") as out:
+                out.write(scene[:scene.index("program:")] + operations if operations else scene)
+            text = PLAN.replace(QUICK, self.place("scene.yaml")) if by_law else re.sub(r"controller: .*\n|.*controller\.rpm.*\n", "", PLAN.replace(QUICK, self.place("scene.yaml")))
+            plan = read_plan(self.plan(re.sub(r"outputs: .*", "outputs: " + asked, text)))
+            outputs = played.outputs_of(plan.blueprint, played.play(plan.blueprint, plan.rows[0]))
+            known = bool(operations)
+            self.assertEqual([known] * 3 + [True], [outputs[name] is not None for name in ("weight", "pressure", "last", "load")])
 
     def test_another_build_or_kernel_is_refused(self):
         runner, row, identity = self.runner()
@@ -313,82 +326,6 @@ class Runs(Folder):
         while alive(pid):
             self.assertLess(time.monotonic(), deadline, "it lives on")
             time.sleep(0.1)
-
-
-class File(Folder):
-    ROW = ("k1", [1.0], "good", "", {"x": 2.0}, 0.1, "w")
-
-    def about(self, planned):
-        return {"planned": planned, "name": "n", "factors": ["f"], "outputs": ["x"]}
-
-    def test_rows_come_back_in_the_plans_order_once_each(self):
-        results = Results(self.place("r.sqlite"))
-        self.addCleanup(results.close)
-        results.describe(**self.about(["k2", "k1", "k3"]))
-        results.add([self.ROW, ("k2", [2.0], "cpu", "long", {}, 9.0, "w")])
-        results.add([("k1", [1.0], "good", "", {"x": 5.0}, 0.1, "w")])
-        self.assertEqual([("k2", {}), ("k1", {"x": 2.0})], [(row["key"], row["outputs"]) for row in results.rows()])
-        self.assertEqual({"k1", "k2"}, results.done())
-        results.write_csv(self.place("r.csv"))
-        with open(self.place("r.csv"), encoding="utf-8") as text:
-            self.assertEqual("number,f,status,reason,x\n0,2.0,cpu,long,\n1,1.0,good,,2.0\n", text.read().replace("\r", ""))
-        results.forget_bad(["k1", "k2"])
-        self.assertEqual({"k1"}, results.done())
-
-    def test_the_end_tells_the_first_reason_of_each_kind(self):
-        results = Results(self.place("r.sqlite"))
-        self.addCleanup(results.close)
-        results.describe(**self.about(["k1", "k2", "k3", "k4"]))
-        results.add([self.ROW, *(("k%d" % k, [2.0], status, "why %d" % k, {}, 9.0, "w") for k, status in ((2, "judge"), (3, "cpu"), (4, "cpu")))])
-        out = io.StringIO()
-        with redirect_stdout(out):
-            self.assertEqual(1, command.told(results, 4))
-        self.assertEqual("4 of 4 runs are there: 2 cpu, 1 good, 1 judge\ncpu, first run 2: why 3\njudge, first run 1: why 2\n", out.getvalue())
-
-    def test_what_is_left_is_told_once_a_run_is_done(self):
-        out = io.StringIO()
-        progress = command.Progress(2, out)
-        progress.tell()
-        self.assertIn(", ? to go", out.getvalue())
-        progress.count("good")
-        progress.tell()
-        self.assertRegex(out.getvalue(), r"1 of 2 done, 0 of them bad, .*, 0:00:0\d to go")
-
-    def test_one_writes_and_others_read(self):
-        results = Results(self.place("r.sqlite"))
-        self.addCleanup(results.close)
-        results.describe(**self.about(["k1"]))
-        with self.assertRaisesRegex(ResultsError, "another campaign writes it"):
-            Results(self.place("r.sqlite"))
-        results.add([self.ROW])
-        self.assertEqual(1, len(list(Results(self.place("r.sqlite"), write=False).rows())))
-
-    def test_what_is_no_results_file(self):
-        with open(self.place("text"), "w", encoding="utf-8") as out:
-            out.write("no database\n" * 100)
-        other = sqlite3.connect(self.place("other"))
-        other.execute("create table t (x)")
-        other.execute("pragma user_version = 7")
-        other.commit()
-        other.close()
-        for name in ("text", "other", "no/such/folder"):
-            with self.assertRaises(ResultsError) as told:
-                Results(self.place(name))
-            self.assertIn(name, str(told.exception))
-        self.assertEqual(2, drill_campaign("report", self.place("nowhere.sqlite"))[0])
-
-    def test_the_page_holds_all(self):
-        status, _, told = drill_campaign(self.plan(), "--results", self.place("r.sqlite"), "--workers", "1")
-        self.assertEqual(0, status, told)
-        status, page, _ = drill_campaign("report", self.place("r.sqlite"))
-        self.assertEqual((0, self.place("r.html")), (status, page.strip()))
-        with open(page.strip(), encoding="utf-8") as text:
-            text = text.read()
-        self.assertEqual(3, text.count("data:image/png;base64,"))
-        self.assertEqual([], re.findall(r"(?:src|href)=\"(?!data:)", text))
-        self.assertIn("drill_campaign scene r.sqlite --run 5", text)
-        for command_line in ("roslaunch $PWD/run_3.launch rviz:=true", "drill_campaign play r.sqlite --run 3 --csv run_3.csv"):
-            self.assertIn(command_line, text)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "drill_rig_sim/math/unit_table.h"
 #include "drill_rig_sim/sim/integrator_table.h"
 #include "text_changes.h"
 
@@ -20,6 +21,7 @@ KeyRow row_of(const Key<Spec>& key, int table)
   row.table = table;
   row.key = key.name;
   row.allowed = key.allowed;
+  row.unit = plain_unit(key.unit);
   if (std::get_if<int Spec::*>(&key.field)) row.kind = ValueKind::whole;
   if (std::get_if<std::string Spec::*>(&key.field)) row.kind = ValueKind::text;
   if (std::get_if<Nested>(&key.field)) row.kind = ValueKind::block;
@@ -106,6 +108,16 @@ double draw_number(const Range& range, Random& random)
       return inside(range, random);
   }
 }
+/// A number with its unit: of its quantity, now and then of another.
+std::string draw_number_with_unit(const KeyRow& row, Random& random)
+{
+  const double number = draw_number(row.allowed, random);
+  const UnitFamily* family = random.one_in(10) ? &unit_families()[random.below(unit_families().size())] : family_of(row.unit);
+  if (!family) return spelled(number);
+  const UnitName& unit = family->units[random.below(family->units.size())];
+  const UnitName* own = find_unit(*family, row.unit);
+  return spelled(static_cast<double>(number * (own ? own->si : 1.0L) / unit.si)) + (random.one_in(4) ? "" : " ") + unit.name;
+}
 }  // namespace
 
 const std::vector<KeyRow>& key_rows()
@@ -119,11 +131,12 @@ const std::vector<KeyRow>& key_rows()
 
 std::string draw_value(const KeyRow& row, Random& random)
 {
-  static const std::vector<std::string> nonsense = {"", "~", "[]", "{}", "x", "'1'", "1e999", "0x10", "-", "[1, 2]", "{a: 1}"};
+  static const std::vector<std::string> nonsense = {"", "~", "[]", "{}", "x", "'1'", "1e999", "0x10", "5 in", "1 tonf", "\"9 ppg\"", "3 m m", "-", "[1, 2]", "{a: 1}"};
   if (random.one_in(30)) return nonsense[random.below(nonsense.size())];
   switch (row.kind)
   {
     case ValueKind::number:
+      if (random.one_in(5)) return draw_number_with_unit(row, random);
       return spelled(draw_number(row.allowed, random));
     case ValueKind::whole:
       if (!row.words.empty() && random.one_in(3)) return row.words[0];

@@ -27,6 +27,7 @@ struct KeyRow
   std::string key;
   ValueKind kind = ValueKind::number;
   Range allowed;
+  std::string unit;
   std::vector<std::string> words;
 };
 

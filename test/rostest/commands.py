@@ -75,7 +75,7 @@ class Commands(unittest.TestCase):
     def test_nonsense_in_a_step_is_refused_whole_and_no_frame_computed(self):
         self.rig.advance(5, winch=winch(0.1), top_drive=turn(2.0))
         for bad in ({"winch": [winch(math.nan)]}, {"top_drive": [turn(math.inf)]}, {"mud_pump": [flow(math.nan)]},
-                    {"top_drive": [TopDriveCommand(mode=7)]}, {"top_drive": [TopDriveCommand(mode=TopDriveCommand.OSCILLATE)]},
+                    {"top_drive": [TopDriveCommand(mode=7)]}, {"top_drive": [TopDriveCommand(mode=TopDriveCommand.ANGLE, angle=1e12)]}, {"top_drive": [TopDriveCommand(mode=TopDriveCommand.OSCILLATE)]},
                     {"top_drive": [TopDriveCommand(mode=TopDriveCommand.OSCILLATE, amplitude_right=1.0, amplitude_left=-1.0)]}, {"winch": [winch(0.3)], "top_drive": [turn(math.nan)]},
                     {"winch": [winch(0.1), winch(0.2)]}, {"steering": [SteeringCommand(toolface=0.0, ratio=1.0)]}):
             answer, expected, after = self.rig.next_frame_after(lambda: self.rig.step(StepSimulationRequest(frames=5, **bad)))

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """reset_well goes back to the start exactly, the clock apart, and a refusal changes nothing."""
 import math
+import os
+import tempfile
 
 from drill_rig_sim.msg import DrillstringState
 from rig_test import Rig, flow, numbers, run, turn, unittest, winch
@@ -32,6 +34,19 @@ class Reset(unittest.TestCase):
             self.assertTrue(after.brake_set)
             self.assertEqual(0, after.last_command.to_nsec())
             self.assertEqual(numbers(first), numbers(strings.at(self.rig.advance(10).header.stamp)))
+
+    def test_a_snapshot_of_another_bit_depth_is_refused_by_the_depths(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "snapshot")
+            self.rig.must(self.rig.save_state("", file))
+            self.rig.must(self.rig.reset_well("", 80.0))
+            answer = self.rig.restore_state("", file)
+            self.assertFalse(answer.success)
+            self.assertIn("is a snapshot of this scene with start.bit_depth 99.7 m; allowed is that of this rig, 80 m", answer.message)
+            self.rig.must(self.rig.reset_well("", 99.7))
+            self.rig.must(self.rig.restore_state("", file))
+            self.rig.must(self.rig.load_survey("", [0.0, 90.0], [0.0, 0.0], [0.0, 0.0], 0.0, 0.0, 0.0, 0.0, 0.0))
+            self.assertIn("another scene", self.rig.restore_state("", file).message)
 
     def test_another_bit_depth(self):
         start = self.rig.advance(0)

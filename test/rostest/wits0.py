@@ -88,7 +88,7 @@ class Wits0(unittest.TestCase):
         numbers = [state.bit_depth, state.hole_depth, state.block_height, state.rop * 3600.0, state.hook_load * kdn]
         numbers += [state.surface_wob * kdn] if state.tared else []
         numbers += [state.torque / 1e3]
-        return (["700101", clock] + ["%.3f" % number for number in numbers] + ["%d" % round(state.top_drive_speed * 60.0 / (2.0 * math.pi))] +
+        return (["000101", clock] + ["%.3f" % number for number in numbers] + ["%d" % round(state.top_drive_speed * 60.0 / (2.0 * math.pi))] +
                 ["%.3f" % (state.stand_pipe_pressure / 1e3), "%d" % round(60.0 * state.stroke_rate), "%.3f" % (state.flow * 60000.0)])
 
     def test_surveys_and_toolfaces(self):

@@ -108,7 +108,7 @@ class BadInputs(unittest.TestCase):
     def test_large_files(self):
         with tempfile.NamedTemporaryFile() as large:
             large.truncate(16 << 20)
-            self.assertNotIn('larger', self.refused(large.name, 'md_m', command='survey'))
+            self.assertNotIn('larger', self.refused(large.name, ':1: holds a NUL byte', command='survey'))
             large.truncate((16 << 20) + 1)
             self.refused(large.name, 'is larger than 16 MiB')
             self.refused(large.name, 'is larger than 16 MiB', command='survey')
@@ -117,8 +117,16 @@ class BadInputs(unittest.TestCase):
         with tempfile.NamedTemporaryFile('w', suffix='.csv') as secret:
             secret.write('md_m,inclination_deg,azimuth_deg\nsecret,0,0\n')
             secret.flush()
-            self.assertNotIn('secret', self.refused(secret.name, ':2: md_m: is not a finite number', command='survey'))
+            self.assertNotIn('secret', self.refused(secret.name, ':2: md_m: must be a finite number (got text)', command='survey'))
             self.assertNotIn('secret', self.refused(secret.name, ':1: text is given, allowed: a block'))
+
+    def test_trajectories_that_would_fill_the_memory(self):
+        for text, problem in (('<a>' * 5000000, 'more than 2000000 elements'), ('<a>' * 1900000, 'is no XML document'), ('<a/>' * 1900000, 'has no trajectory'),
+                              ('<t>' + '<a b="" c=""/>' * 600000 + '</t>', 'has no trajectory'), ('<!DOCTYPE t [<!ENTITY a "%s">]><t>&a;</t>' % ('x' * 9), 'has no trajectory')):
+            with tempfile.NamedTemporaryFile('w', suffix='.xml') as document:
+                document.write(text)
+                document.flush()
+                self.refused(document.name, problem, command='survey')
 
     # lengths that no string has
     def test_stab_tiny(self):

@@ -272,7 +272,7 @@ class Run(Drill):
         self.succeed('run', QUICK, '--duration', '0.1', '--readings', '--json', self.file('q.json'))
         with open(self.file('q.json')) as text:
             readings = json.load(text)['final_readings']
-        for name in ('mwd_md', 'mwd_inclination_deg', 'mwd_azimuth_deg', 'toolface_deg'):
+        for name in ('mwd_md', 'mwd_inclination_deg', 'mwd_azimuth_deg', 'toolface_deg', 'surface_wob', 'differential_pressure'):
             self.assertIsNone(readings[name], name)
         self.assertIsNotNone(readings['hook_load'])
 

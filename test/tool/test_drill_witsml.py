@@ -21,6 +21,10 @@ CURVES = {'BITDEP': ('m', 'reading_bit_depth', 1.0), 'DMEA': ('m', 'reading_hole
           'SPP': ('kPa', 'reading_stand_pipe_pressure', 1e-3), 'DIFP': ('kPa', 'reading_differential_pressure', 1e-3)}
 
 
+ZEROED = ('reading_surface_wob', 'reading_differential_pressure')  # empty until they have been zeroed, which a program does not do
+TAGS = ('operations=[{do: flow, flow: 0.02}, {do: rotate, speed_rpm: 90}, {do: tag, speed: 0.02, weight: 2000}, {do: drill, weight: 5000, speed: 0.02, distance: 1}]')
+
+
 class Witsml(test_drill.Drill):
     def log(self, *words):
         self.succeed('run', test_drill.QUICK, '--duration', '60', '--readings', '--csv', self.file('r.csv'), '--witsml', self.file('r.xml'), '--every', '0.5', *words)
@@ -40,10 +44,36 @@ class Witsml(test_drill.Drill):
         for row, cells in zip(rows, data):
             self.assertAlmostEqual(float(row['time']), (when(cells[0]) - when('2000-01-01T00:00:00.000Z')).total_seconds(), places=3)
             for (_, column, factor), cell in zip(CURVES.values(), cells[1:]):
-                if column:
+                if column and column in ZEROED:
+                    self.assertEqual(('', ''), (row[column], cell))
+                elif column:
                     self.assertAlmostEqual(1.0, (float(cell) + 1.0) / (factor * float(row[column]) + 1.0), places=5)
         self.assertAlmostEqual(90.0, float(data[-1][names.index('SURF_RPM')]), delta=3.0)
         self.assertEqual([data[0][0], data[-1][0]], [log.find(SPACE + name).text for name in ('startDateTimeIndex', 'endDateTimeIndex')])
+
+    def test_time_0_has_the_date_that_is_asked_for(self):
+        for date, first, last in (('2024-02-29', '2024-02-29T00:00:00.000Z', '2024-02-29T00:01:00.000Z'),
+                                  ('1999-12-31T23:59:30Z', '1999-12-31T23:59:30.000Z', '2000-01-01T00:00:30.000Z')):
+            log = self.log('--start-date', date)[0]
+            data = [row.text.split(',')[0] for row in log.iter(SPACE + 'data')]
+            self.assertEqual((first, last), (data[0], data[-1]))
+            self.assertEqual([first, last], [log.find(SPACE + name).text for name in ('startDateTimeIndex', 'endDateTimeIndex')])
+        for bad in ('2023-02-29', '1969-12-31', '2200-01-01', '2024-05-17T06:30:00+02:00', '2024-05-17 06:30:00Z', '17.05.2024', '2024-05-17T24:00:00Z', '1e9'):
+            self.assertIn("--start-date: '%s' is not allowed, needed: a date by UTC of 1970 to 2199, as 2024-05-17" % bad,
+                          self.refuse('run', test_drill.QUICK, '--witsml', self.file('r.xml'), '--start-date', bad))
+
+    def test_weight_and_pressure_are_empty_until_they_have_been_zeroed(self):
+        log = self.log('--set', 'program=[]', '--set', TAGS)[0]
+        names = log.find('%slogData/%smnemonicList' % (SPACE, SPACE)).text.split(',')
+        with open(self.file('r.csv'), encoding='utf-8') as text:
+            rows = list(csv.DictReader(text))
+        data = [dict(zip(names, row.text.split(','))) for row in log.iter(SPACE + 'data')]
+        for column, mnemonic in zip(ZEROED, ('WOB', 'DIFP')):
+            empty = [row[column] == '' for row in rows]
+            self.assertEqual(empty, [cells[mnemonic] == '' for cells in data])
+            self.assertEqual((True, False), (empty[0], empty[-1]))
+            self.assertEqual(1, sum(one != other for one, other in zip(empty, empty[1:])))
+        self.assertAlmostEqual(5.0, float(data[-1]['WOB']), delta=1.0)
 
     def test_it_is_valid_by_the_standards_schema(self):
         try:

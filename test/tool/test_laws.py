@@ -1,14 +1,23 @@
 #!/usr/bin/python3
 """Control laws and their parts without a rig: what they are made of against closed forms. With a rig: test/rostest/autodriller_loops.test and others."""
 import math
+import os
+import tempfile
+import threading
 import types
 import unittest
+from unittest import mock
 
+import rospy
+from drill_rig_sim import topics
 from drill_rig_sim.autodriller import HOOK_LOAD, Autodriller
-from drill_rig_sim.control import Ordered, asked, pipe_work
+from drill_rig_sim.control import NewRuns, Ordered, asked, drive, pipe_work
 from drill_rig_sim.law import Commands, Lag, Loop, Plan, turn_between
+from drill_rig_sim.msg import BitTruth, MwdToolface, RigState
+from drill_rig_sim.recorder import Recorder
 from drill_rig_sim.rig import Refused
 from drill_rig_sim.rss_steering import downlink
+from drill_rig_sim.score_runs import read_run
 from drill_rig_sim.slide_steering import SlideSteering
 from drill_rig_sim.stick_slip import StickSlip
 from drill_rig_sim.survey import Survey
@@ -133,6 +142,179 @@ class Laws(unittest.TestCase):
                 law.step(types.SimpleNamespace(t=0.1 * i, torque=torque))
             self.assertAlmostEqual(amplitude, law.swing, delta=0.02)
             self.assertEqual([what for _, what in tried], [what for _, what in law.tried])
+
+
+class Counter:
+    """Counts its steps; its own list and that of a part are one."""
+    period = 0.1
+
+    def __init__(self):
+        self.steps, self.done, self.seen = 0, False, []
+        self.part = types.SimpleNamespace(seen=self.seen)
+
+    def step(self, readings):
+        self.steps += 1
+        self.part.seen.append((readings.t, readings.refused, readings.toolface))
+        return Commands(block_velocity=-0.01 * self.steps, slips=True)
+
+
+class StateAt:
+    """A state of a rig in lockstep."""
+
+    def __init__(self, t, hole_depth=100.0):
+        self.t, self.readings = t, types.SimpleNamespace(hole_depth=hole_depth)
+
+
+class Runs(unittest.TestCase):
+    def test_time_or_depth_that_goes_back_begins_a_run(self):
+        for states, begins in (((0.0, 100.0), (1.0, 100.0), (1.0, 100.5)), ""), (((5.0, 100.0), (0.1, 100.0), (0.2, 100.1)), "1"), \
+                (((5.0, 100.0), (5.1, 99.99), (5.2, 99.99)), "1"), (((5.0, 100.0), (5.1, 99.9995), (5.2, 99.999)), ""), \
+                (((5.0, 100.0), (3.0, 100.0), (1.0, 100.0)), "12"):
+            law = Counter()
+            runs = NewRuns(law)
+            law.steps, law.seen[:] = 7, [1, 2]
+            for i, (now, depth) in enumerate(states):
+                law.steps = 7
+                self.assertEqual(str(i) in begins, runs.begins(now, depth), (states, i))
+                self.assertEqual(0 if str(i) in begins else 7, law.steps)
+            self.assertIs(law.seen, law.part.seen)
+            self.assertEqual([] if begins else [1, 2], law.seen)
+
+    def test_an_ordered_law_begins_again_with_its_orders(self):
+        inner = Counter()
+        inner.set_points = {"weight": 1.0}
+        law = Ordered(inner, [[0.0, "weight", 5.0]])
+        runs = NewRuns(law)
+        law.step(types.SimpleNamespace(t=3.0, refused="", toolface=None))
+        self.assertEqual((5.0, 1), (law.set_points["weight"], law.steps))
+        runs.begins(3.0, 1.0)
+        self.assertTrue(runs.begins(0.0, 1.0))
+        self.assertEqual((1.0, 0), (law.set_points["weight"], law.steps))
+        law.step(types.SimpleNamespace(t=0.0, refused="", toolface=None))
+        self.assertEqual(5.0, law.set_points["weight"])
+
+    def test_a_law_that_cannot_be_copied_goes_on(self):
+        law = Counter()
+        law.lock = threading.Lock()
+        runs = NewRuns(law)
+        law.steps = 7
+        runs.begins(3.0, 1.0)
+        self.assertTrue(runs.begins(0.0, 1.0))
+        self.assertEqual(7, law.steps)
+        self.assertIn("cannot pickle", runs.problem)
+
+    def test_in_lockstep_a_law_begins_again_with_the_rig(self):
+        class Rig:
+            rate, state, asked = 100.0, StateAt(0.0), []
+
+            def step(self, frames):
+                self.state = StateAt(0.0 if len(self.asked) == 5 else self.state.t + frames / self.rate)
+                return self.state
+
+            def winch(self, velocity):
+                self.asked.append(velocity)
+
+            @staticmethod
+            def slips(are_set):
+                raise Refused("no slips")
+            connection = slips
+
+        law, rig = Counter(), Rig()
+        drive(rig, law, 0.8)
+        self.assertEqual([-0.01, -0.02, -0.03, -0.04, -0.05, -0.01, -0.02, -0.03], [round(velocity, 9) for velocity in rig.asked])
+        self.assertEqual(["", "no slips", "no slips"], [refused for _, refused, _ in law.seen])
+
+
+class ByTopics(unittest.TestCase):
+    """A law that follows a node, against stand-ins of what rospy gives."""
+
+    def setUp(self):
+        self.published, self.subscribers = [], {}
+        outer = self
+
+        class Publisher:
+            def __init__(self, topic, *_, **__):
+                self.topic = topic
+
+            def publish(self, message):
+                outer.published.append((self.topic, message))
+
+        def subscriber(topic, kind, callback, *_, **__):
+            outer.subscribers[topic] = callback
+            return mock.Mock()
+
+        def gone(*_, **__):
+            raise rospy.ServiceException("service [/rig/set_slips] unavailable")
+
+        for name, stand_in in (("Publisher", Publisher), ("Subscriber", subscriber), ("ServiceProxy", lambda *_: gone), ("logwarn", self.warned)):
+            patch = mock.patch.object(rospy, name, stand_in)
+            patch.start()
+            self.addCleanup(patch.stop)
+        self.warnings = []
+
+    def warned(self, text):
+        self.warnings.append(text)
+
+    @staticmethod
+    def state(t, hole_depth=100.0):
+        state = RigState(hole_depth=hole_depth)
+        state.header.stamp = rospy.Time.from_sec(t)
+        return state
+
+    def toolface(self, t):
+        message = MwdToolface(toolface=1.0)
+        message.header.stamp = rospy.Time.from_sec(t)
+        self.subscribers["downhole/toolface"](message)
+
+    def velocities(self):
+        return [round(message.block_velocity, 9) for topic, message in self.published if topic == "winch/command"]
+
+    def test_a_node_that_is_started_again_begins_a_new_run(self):
+        law = Counter()
+        follower = topics.Follower(law)
+        self.toolface(499.0)
+        for t in (500.0, 500.05, 500.1, 500.2):
+            follower.take(self.state(t))
+        self.assertEqual([-0.01, -0.02, -0.03], self.velocities())
+        self.assertEqual("service [/rig/set_slips] unavailable", law.seen[-1][1])
+        self.assertEqual(499.0, law.seen[-1][2].t)
+        del self.published[:]
+        for t in (0.01, 0.05, 0.11, 0.21):
+            follower.take(self.state(t))
+        self.assertEqual([-0.01, -0.02, -0.03], self.velocities())
+        self.assertEqual((0.01, "", None), law.seen[0])
+        self.assertEqual(["the rig begins a new run at 0.01 s: the law begins again"], self.warnings)
+        self.toolface(0.2)
+        follower.take(self.state(0.31))
+        self.assertEqual(0.2, law.seen[-1][2].t)
+
+    def test_a_well_that_is_reset_begins_a_new_run(self):
+        law = Counter()
+        follower = topics.Follower(law)
+        for t, depth in ((5.0, 100.0), (5.1, 102.0), (5.11, 100.0), (5.12, 100.0), (5.21, 100.0)):
+            follower.take(self.state(t, depth))
+        self.assertEqual([-0.01, -0.02, -0.01, -0.02], self.velocities())
+
+    def test_the_recorder_goes_on_with_the_new_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            recorder = Recorder(os.path.join(folder, "run.csv"), period=0.1)
+
+            def bit(t):
+                message = BitTruth(wob=t)
+                message.header.stamp = rospy.Time.from_sec(t)
+                recorder.take(message, "bit")
+
+            for t in (9.9, 9.95, 10.0, 0.0, 0.05, 0.1, 0.2):
+                recorder.take(self.state(t), "state")
+                if t != 10.0:  # lost with the node
+                    bit(t)
+            recorder.close()
+            self.assertEqual({}, recorder.waiting)
+            with open(os.path.join(folder, "run.csv"), encoding="utf-8") as text:
+                self.assertEqual(["time", "9.9", "0", "0.1", "0.2"], [line.split(",")[0] for line in text])
+            run = read_run(os.path.join(folder, "run.csv"))
+            self.assertEqual([0.0, 0.1, 0.2], list(run["time"]))
+            self.assertIn("time goes back to 0 s", run.earlier)
 
 
 if __name__ == "__main__":

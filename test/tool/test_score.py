@@ -3,6 +3,7 @@
 import contextlib
 import csv
 import io
+import itertools
 import json
 import math
 import os
@@ -251,17 +252,33 @@ class Files(unittest.TestCase):
         for name, values in columns().items():
             numpy.testing.assert_array_equal(values, run[name])
 
-    def bag(self, topics):
-        """Of the messages that a node with the made-up run would have published, a second apart."""
+    def test_of_a_series_that_begins_again_the_last_run_is_judged(self):
+        run = read_run(self.changed(lambda rows: rows[:1] + rows[201:502] + rows[301:402] + rows[1:]))
+        for name, values in columns().items():
+            numpy.testing.assert_array_equal(values, run[name])
+        self.assertIn("2 earlier runs of the file, to 40 s: time goes back to 0 s there, what follows is judged", score(run)["left_out"])
+        self.assertEqual("", read_run(self.series()).earlier)
+        self.assertRaisesRegex(RunError, "whose time increases", read_run, self.changed(lambda rows: rows[:300] + rows[295:]))
+
+    def test_of_a_bag_over_a_restart_the_last_run_is_judged(self):
+        for topics in (("rig_state", "truth/rig_state", "truth/bit"), ("rig_state", "downhole/mwd", "downhole/toolface")):
+            file = self.bag({"/rig/": topics}, runs=(60, 101))
+            scores, alone = score(file, bit_diameter=0.2), score(self.bag({"/rig/": topics}), bit_diameter=0.2)
+            self.assertEqual("1 earlier run of the file, to 60 s: time goes back to 1 s there, what follows is judged", scores["left_out"].pop(0))
+            self.assertEqual(alone, scores)
+
+    def bag(self, topics, zeroed_at=0.0, runs=(101,)):
+        """Messages of a node with the made-up run, a second apart. `zeroed_at`: when surface WOB was zeroed [s]. `runs`: so many messages of each of several."""
         import rosbag
         import rospy
         from drill_rig_sim.msg import BitTruth, MwdSurvey, MwdToolface, RigState
         made = columns(every=1.0)
         file = self.file("run.bag")
         with rosbag.Bag(file, "w") as bag:
-            for i, time in enumerate(made["time"]):
+            for i, time in itertools.chain(*(enumerate(made["time"][:count]) for count in runs)):
                 row = {name: float(values[i]) for name, values in made.items()}
-                state = RigState(surface_wob=row["wob"])
+                tared = bool(time - made["time"][0] >= zeroed_at)
+                state = RigState(surface_wob=row["wob"] if tared else 0.0, tared=tared)
                 for name in ("hole_depth", "bit_depth", "torque", "top_drive_speed"):
                     setattr(state, name, row[name])
                 bit = BitTruth(wob=row["wob"], torque=row["bit_torque"], speed=row["bit_speed"], toolface=row["toolface"])
@@ -290,6 +307,34 @@ class Files(unittest.TestCase):
         self.assertAlmostEqual(3.0, scores["path"]["dogleg_mean_deg_30m"], places=6)
         self.assertIsNone(scores["stalls"])
         self.assertNotIn("buckled", scores["limits"])
+
+    def test_weight_before_its_zero_is_no_weight(self):
+        topics = {"/rig/": ("rig_state",)}
+        late = score(self.bag(topics, 60.0), bit_diameter=0.2)
+        self.assertAlmostEqual(10e3, late["wob"]["mean"], places=6)
+        self.assertAlmostEqual(0.0, late["wob"]["deviation"], places=6)
+        self.assertIn("wob: 49.0 s on bottom before surface WOB was zeroed", late["left_out"])
+        self.assertIn("energy: surface WOB was not zeroed in all of the drilling", late["left_out"])
+        never = score(self.bag(topics, 1e9), bit_diameter=0.2)
+        self.assertEqual((None, None), (never["wob"], never["energy"]))
+        self.assertIn("wob: surface WOB was never zeroed", never["left_out"])
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.assertEqual(0, score_command.main([self.file("run.bag"), "--json=" + self.file("s.json"), "--plots=" + self.file("s.png"), "--bit-diameter=0.2"]))
+
+    def changed(self, change):
+        """The time series with other rows: change(rows), the first its names."""
+        with open(self.series()) as text:
+            rows = list(csv.reader(text))
+        with open(self.file("changed.csv"), "w", newline="") as out:
+            csv.writer(out).writerows(change(rows))
+        return self.file("changed.csv")
+
+    def test_empty_cells_of_readings(self):
+        for column in ("reading_surface_wob", "reading_rop"):
+            run = read_run(self.changed(lambda rows, name=column: [row + [name if i == 0 else "" if i < 5 else "2.5"] for i, row in enumerate(rows)]))
+            self.assertEqual((4, 2.5), (int(numpy.isnan(run[column]).sum()), run[column][-1]))
+            self.assertEqual(score(read_run(self.series()))["wob"], score(run)["wob"])
+        self.assertRaisesRegex(RunError, "holds what is no number", read_run, self.changed(lambda rows: [rows[0], rows[1][:-1] + [""], *rows[2:]]))
 
     def test_of_several_rigs_one_is_asked_for(self):
         file = self.bag({"/a/": ("rig_state",), "/b/": ("rig_state", "truth/rig_state")})

@@ -21,15 +21,29 @@ class Records(unittest.TestCase):
     def test_the_general_record(self):
         state = stamped(RigState(bit_depth=729.0, hole_depth=730.0, block_height=34.1234, rop=0.01, hook_load=325e3, surface_wob=75e3, tared=True,
                                  torque=6290.0, top_drive_speed=2.0 * math.pi, stand_pipe_pressure=14.4e6, flow=0.045, stroke_rate=1.75))
-        self.assertEqual("&&\r\n0105700102\r\n0106010203\r\n0108729.000\r\n0110730.000\r\n011234.123\r\n011336.000\r\n011432.500\r\n01167.500\r\n"
+        self.assertEqual("&&\r\n0105000102\r\n0106010203\r\n0108729.000\r\n0110730.000\r\n011234.123\r\n011336.000\r\n011432.500\r\n01167.500\r\n"
                          "01186.290\r\n012060\r\n012114400.000\r\n0123105\r\n01302700.000\r\n!!\r\n", wits0.general_record(state).decode())
+
+    def test_the_date_of_time_0_can_be_set(self):
+        state = stamped(RigState())
+        for text, there in (("2024-02-28", "240229"), ("1999-12-31T23:00:00Z", "000102"), (wits0.START_DATE, "000102")):
+            shown = wits0.general_record(state, wits0.start_date_of(text)).decode()
+            self.assertIn("\n0105%s\r" % there, shown)
+        for bad in ("2023-02-29", "1969-12-31", "2200-01-01", "2024-05-17T06:30:00+02:00", "2024-5-17", "", "17.05.2024"):
+            with self.assertRaisesRegex(ValueError, "no date by UTC of 1970 to 2199"):
+                wits0.start_date_of(bad)
+
+    def test_stamps_of_wall_time_are_dates(self):
+        state = stamped(RigState())
+        state.header.stamp = rospy.Time(1714521600)
+        self.assertIn("\n0105240501\r\n0106000000\r", wits0.general_record(state).decode())
 
     def test_no_weight_before_it_is_tared(self):
         self.assertNotIn("\n0116", wits0.general_record(stamped(RigState())).decode())
 
     def test_the_survey_record(self):
         survey = stamped(MwdSurvey(md=712.25, inclination=math.radians(51.0), azimuth=math.radians(297.0)))
-        self.assertEqual("&&\r\n0705700102\r\n0706010203\r\n0708712.250\r\n071351.000\r\n0715297.000\r\n!!\r\n", wits0.survey_record(survey).decode())
+        self.assertEqual("&&\r\n0705000102\r\n0706010203\r\n0708712.250\r\n071351.000\r\n0715297.000\r\n!!\r\n", wits0.survey_record(survey).decode())
 
     def test_toolfaces_by_their_reference(self):
         toolface = stamped(MwdToolface(toolface=math.radians(-90.0)))

@@ -222,6 +222,32 @@ TEST_F(Report, aStreamThatStoppedIsAWarning)
   EXPECT_EQ("the winch's or the drive's commands stopped: brake set, drive coasts until they come again", part(array, "commands").message);
 }
 
+TEST_F(Report, twoSendersAreAWarning)
+{
+  const auto array = report_.on(frame_, refusals_, "", now_, "2 nodes publish /rig/winch/command: /a, /b");
+  EXPECT_EQ((std::vector<int>{ok, ok, warn}), levels(array));
+  EXPECT_EQ("2 nodes publish /rig/winch/command: /a, /b", part(array, "commands").message);
+  EXPECT_EQ(all_well, levels(next()));
+}
+
+TEST(CommandSenders, areTwoWhileBothAreHeard)
+{
+  CommandSenders senders;
+  const ros::SteadyTime begin(1000.0);
+  const auto after = [&](double seconds) { return begin + ros::WallDuration(seconds); };
+  senders.note("winch/command", "/a", after(0.0));
+  senders.note("winch/command", "/a", after(1.0));
+  senders.note("top_drive/command", "/b", after(1.0));
+  EXPECT_EQ("", senders.trouble(after(1.0))) << "each has a topic of its own";
+  senders.note("winch/command", "/c", after(2.0));
+  EXPECT_EQ("2 nodes publish winch/command: /a, /c", senders.trouble(after(2.0)));
+  senders.note("top_drive/command", "/a", after(3.0));
+  senders.note("top_drive/command", "/c", after(3.0));
+  EXPECT_EQ("3 nodes publish top_drive/command: /a, /b, /c; 2 nodes publish winch/command: /a, /c", senders.trouble(after(3.0)));
+  EXPECT_EQ("2 nodes publish top_drive/command: /a, /c", senders.trouble(after(7.5))) << "what is older than 5 s is forgotten";
+  EXPECT_EQ("", senders.trouble(after(9.0)));
+}
+
 TEST_F(Report, realTimeFactorIsSimulatedOverWallSeconds)
 {
   frame_.loop.ticked_seconds = 10.0;

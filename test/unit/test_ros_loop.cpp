@@ -315,7 +315,7 @@ TEST(Loop, aProgramIsNotPlayedUnasked)
   EXPECT_EQ(0.0, rig.step(20).back().frame.truth.setpoints.pump.flow);
 }
 
-TEST(Loop, silenceCountsFromTheFirstCommandAndNotInAProgram)
+TEST(Loop, silenceOfAStreamIsNoticedAndThatOfAProgramIsNot)
 {
   Parameters p = lockstep();
   p.play_program = true;
@@ -326,9 +326,53 @@ TEST(Loop, silenceCountsFromTheFirstCommandAndNotInAProgram)
   RunningLoop rig(p, scene);
   rig.start();
   EXPECT_FALSE(rig.step(30).back().frame.truth.commands_timed_out) << "a program speaks once per line";
+  for (int i = 1; i < CommandStream::shortest; ++i)
+  {
+    rig.mailbox.receive(winch(0.1));
+    rig.step(2);
+  }
   rig.mailbox.receive(winch(0.1));
   const std::vector<FrameOutput> frames = rig.step(10);
   for (int i = 0; i < 10; ++i) EXPECT_EQ(i >= 5, frames[i].frame.truth.commands_timed_out) << i << ": silent for " << 0.01 * i << " s as it begins";
+}
+
+// A driller's click, a `rostopic pub -1`: each stands until the next one, however few there are.
+TEST(Loop, aSingleCommandStands)
+{
+  Parameters p = lockstep();
+  p.command_timeout = 0.045;
+  RunningLoop rig(p, with_program());
+  rig.start();
+  for (int i = 1; i < CommandStream::shortest; ++i)
+  {
+    rig.mailbox.receive(winch(0.1));
+    EXPECT_FALSE(rig.step(2).back().frame.truth.commands_timed_out) << i;
+  }
+  EXPECT_FALSE(rig.step(50).back().frame.truth.commands_timed_out);
+  for (int i = 0; i < 3 * CommandStream::shortest; ++i)
+  {
+    rig.mailbox.receive(winch(0.1));
+    EXPECT_FALSE(rig.step(3).back().frame.truth.commands_timed_out) << i << ": each later than half the timeout";
+  }
+  const FrameOutput last = rig.step(50).back();
+  EXPECT_FALSE(last.frame.truth.commands_timed_out || last.frame.truth.brake_set);
+  EXPECT_EQ(0.1, last.frame.truth.setpoints.winch.block_velocity);
+}
+
+// The console's button that is let go: ten commands a second, then a speed of 0.
+TEST(Loop, aStreamThatStopsWhatItMovedIsAtItsEnd)
+{
+  Parameters p = lockstep();
+  p.command_timeout = 0.045;
+  RunningLoop rig(p, with_program());
+  rig.start();
+  for (int i = 0; i < 10; ++i)
+  {
+    rig.mailbox.receive(winch(0.1));
+    rig.step(1);
+  }
+  rig.mailbox.receive(winch(0.0));
+  EXPECT_FALSE(rig.step(50).back().frame.truth.commands_timed_out);
 }
 
 // Nobody lets a frame begin for 0.4 s: a tenth of a second is caught up, the rest is dropped and counted.

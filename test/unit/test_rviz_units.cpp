@@ -23,7 +23,7 @@ void expect_oilfield(double shown, double si, Dimension dimension, const std::st
 TEST(ConsoleUnits, OilfieldAsInTables)
 {
   expect_oilfield(224.809, 1e6, Dimension::force, "klbf");
-  expect_oilfield(7.37562, 1e4, Dimension::torque, "kft-lbf");
+  expect_oilfield(7.37562, 1e4, Dimension::torque, "kft.lbf");
   expect_oilfield(90.0, 3.0 * M_PI, Dimension::rotation, "rpm");
   expect_oilfield(118.110, 36.0 / 3600.0, Dimension::penetration, "ft/h");
   expect_oilfield(1450.377, 1e7, Dimension::pressure, "psi");

@@ -276,7 +276,7 @@ TEST(SurveyCsv, MayBeginWithAByteOrderMark)
 
 TEST(SurveyCsv, FilesThatHoldNothingOrNeverEnd)
 {
-  const std::string needed = "needed: a CSV file with the columns md_m, inclination_deg, azimuth_deg";
+  const std::string needed = "needed: a survey: a table with the columns md_m, inclination_deg, azimuth_deg, or a WITSML trajectory";
   for (const char* text : {"", "\n", "# md_m,inclination_deg,azimuth_deg\n"}) EXPECT_EQ(": is empty, " + needed, survey_refusal(text));
   // a regular file without a size that goes on for 256 GB
   EXPECT_EQ(": is larger than 16 MiB, " + needed, refusal_of_file("/proc/self/pagemap"));

@@ -123,20 +123,31 @@ double jerks_of(Watched& w, double force, double seconds, double spin = 0.1)
 // A jerk lets go and takes hold, half of it each: over the last 10 s T seconds apart at most 0.05/(1 - exp(-T/10)) a second.
 TEST(Accuracy, theStringSticksAndSlips)
 {
-  Watched quick(vertical_scene(400.0, 290.0));
+  Watched quick(vertical_scene(400.0, 290.0, 0.2));
   EXPECT_NEAR(jerks_of(quick, 50e3, 3.0), 0.05 / (1.0 - std::exp(-0.3)), 0.01);
   EXPECT_EQ(quick.memory.report.doubt, AccuracyDoubt::jerks);
   EXPECT_EQ(text_of({AccuracyDoubt::jerks, 0.5, 0.0, 0.0}, 0.01),
             "the string sticks and slips on its walls 0.5 times a second: long means hold, peaks, means of seconds and what a stop leaves are one case of many;"
             " how far apart these are, numerics.step: 0.005 s and shorter elements show");
-  Watched slow(vertical_scene(400.0, 290.0));
+  Watched slow(vertical_scene(400.0, 290.0, 0.2));
   EXPECT_NEAR(jerks_of(slow, 50e3, 12.0), 0.05 / (1.0 - std::exp(-1.2)), 0.01);
   EXPECT_EQ(slow.memory.report.doubt, AccuracyDoubt::none);
-  Watched light(vertical_scene(400.0, 290.0));
+  Watched light(vertical_scene(400.0, 290.0, 0.2));
   jerks_of(light, 2e3, 3.0);
   EXPECT_EQ(light.memory.report.doubt, AccuracyDoubt::none) << "a string that hangs free touches here and there";
-  Watched creeping(vertical_scene(400.0, 290.0));
+  Watched creeping(vertical_scene(400.0, 290.0, 0.2));
   EXPECT_LT(jerks_of(creeping, 50e3, 3.0, 0.02), 0.06) << "at 1.3 mm/s, after the first hold";
+  // nothing sticks to a wall without friction; the cased half of a hole has some here
+  Watched smooth(vertical_scene(400.0, 290.0, 0.0));
+  EXPECT_LT(jerks_of(smooth, 50e3, 3.0), 0.06) << "the first look";
+  EXPECT_EQ(smooth.memory.report.doubt, AccuracyDoubt::none);
+  for (const double cased : {50.0, 150.0, 250.0})
+  {
+    Scene scene = vertical_scene(400.0, 290.0, 0.0);
+    scene.well.sections = {{cased, 0.2159, 0.2}, {400.0, 0.2159, 0.0}};
+    Watched half(scene);
+    EXPECT_NEAR(jerks_of(half, 50e3, 3.0), 0.05 / (1.0 - std::exp(-0.3)), 0.01) << "of the force that rubs all";
+  }
 }
 
 // 5 in pipe turning at 10 rad/s rolls at 10 R: tool joints of 0.084 m, bodies of 0.0635 m between them.

@@ -105,6 +105,10 @@ TEST(TopDriveCommand, nonsenseIsRefusedWhole)
       {"mode", with([](auto& c) { c.mode = static_cast<TopDriveMode>(6); })},
       {"mode", with([](auto& c) { c.mode = static_cast<TopDriveMode>(255); })},
       {"angle", with([](auto& c) { c.angle = nan; })},
+      {"angle", with([](auto& c) { c.angle = 1e12; })},
+      {"angle", with([](auto& c) { c.angle = -1.01e8; })},
+      {"angle", with([](auto& c) { c.mode = TopDriveMode::angle, c.angle = 1e12; })},
+      {"amplitude_left", with([](auto& c) { c.amplitude_left = 1e12; })},
       {"amplitude_right", with([](auto& c) { c.amplitude_right = nan; })},
       {"amplitude_left", with([](auto& c) { c.amplitude_left = nan; })},
       {"amplitude_right", with([](auto& c) { c.amplitude_right = -1.0; })},
@@ -118,6 +122,23 @@ TEST(TopDriveCommand, nonsenseIsRefusedWhole)
     EXPECT_NE(std::string(result.reason).find(field), std::string::npos) << result.reason;
     EXPECT_EQ(std::string(result.reason).find('\n'), std::string::npos);
     EXPECT_TRUE(state.asked.top_drive == good) << field;
+  }
+}
+
+TEST(TopDriveCommand, anAngleIsTakenAsFarAsADoubleResolvesIt)
+{
+  const RigSpec rig;
+  for (const double angle : {1e8, -1e8, 1.6e6})
+  {
+    CommandState state;
+    TopDriveSetpoint c;
+    c.mode = TopDriveMode::angle;
+    c.angle = angle;
+    EXPECT_EQ(take(rig, now, c, state).outcome, CommandResult::Outcome::accepted) << angle;
+    EXPECT_NE(state.asked.top_drive.angle + 2e-8, state.asked.top_drive.angle) << angle;
+    c.angle = 2.0 * angle;
+    c.mode = TopDriveMode::speed;
+    EXPECT_EQ(take(rig, now, c, state).outcome, CommandResult::Outcome::accepted) << "no angle is held";
   }
 }
 

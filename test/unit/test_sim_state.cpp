@@ -189,6 +189,41 @@ TEST(SnapshotFile, goesOnBitByBit)
   EXPECT_EQ(to_bytes(*other.save()), end);
 }
 
+TEST(SnapshotFile, anotherStartIsNamed)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder.file("snapshot");
+  write_snapshot(file, 5, {Kernel::scalar, {1, 2, 3}, {77, 812.5}});
+  const auto refused = [&file](std::uint64_t scene, const SceneStart& start) -> std::string
+  {
+    try
+    {
+      read_snapshot(file, scene, start);
+    }
+    catch (const std::runtime_error& error)
+    {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ("", refused(5, {77, 812.5}));
+  EXPECT_NE(std::string::npos, refused(6, {77, 600.0}).find("start.bit_depth 812.5 m; allowed is that of this rig, 600 m: reset_well with that bit_depth first"));
+  EXPECT_NE(std::string::npos, refused(6, {78, 600.0}).find("another scene"));
+  EXPECT_NE(std::string::npos, refused(6, {}).find("another scene"));
+}
+
+TEST(SnapshotFile, aBitDepthIsNoPartOfTheRestOfAScene)
+{
+  Scene scene = drilling_rig().scene();
+  const SceneStart here = scene_start(scene);
+  EXPECT_EQ(scene.start.bit_depth, here.bit_depth);
+  scene.start.bit_depth -= 5.0;
+  EXPECT_EQ(here.scene, scene_start(scene).scene);
+  EXPECT_NE(here.bit_depth, scene_start(scene).bit_depth);
+  scene.mud.density += 1.0;
+  EXPECT_NE(here.scene, scene_start(scene).scene);
+}
+
 TEST(SnapshotFile, anythingElseIsRefused)
 {
   const TemporaryFolder folder;
@@ -213,10 +248,10 @@ TEST(SnapshotFile, anythingElseIsRefused)
   EXPECT_NE(refused(6).find("another scene"), std::string::npos);
 
   const std::string good = bytes_of(file);
-  ASSERT_EQ(good.size(), 60u + value.size());
+  ASSERT_EQ(good.size(), 76u + value.size());
   const std::pair<std::size_t, const char*> damage[] = {
       {0, "no snapshot"}, {8, "another format"}, {12, "another scene"}, {20, "another build"}, {39, "another build"},
-      {40, "damaged"},    {48, "damaged"},       {57, "damaged"},       {60, "damaged"},       {good.size() - 1, "damaged"}};
+      {40, "damaged"},    {48, "damaged"},       {57, "damaged"},       {76, "damaged"},       {good.size() - 1, "damaged"}};
   for (const auto& [place, words] : damage)
   {
     std::string bad = good;

@@ -1,7 +1,11 @@
 // How soon a start is found: its first guess and its continuation are worth counting, a result that is right all the same hides them.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/solve/start.h"
@@ -168,6 +172,87 @@ TEST(Start, anEquilibriumTakesNoMoreIterationsThanAllowed)
 TEST(Start, onWallsOfTheGreatestStiffness)
 {
   EXPECT_LE(iterations_of(read_scene(in_source("test/stability/scenes/inclined.yaml"), {"contact.stiffness=1e13"})), 450);
+}
+
+namespace
+{
+/// The start is the string's own equilibrium, at the scene's toolface and without anything that holds it.
+void expect_start(const Scene& scene)
+{
+  const RigAtRest rig = build_at_rest(scene);
+  EXPECT_LT(rig.statics.residual, 1e-6 * rig.statics.top_force);
+  EXPECT_LT(std::abs(rig.statics.holding_torque), 1e-2);
+  EXPECT_NEAR(std::remainder(bend_toolface(*rig.model, rig.state) - scene.start.toolface, 2.0 * pi), 0.0, 1e-4) << scene.start.toolface / degree;
+  Stage stage(*rig.model);
+  Workspace work(*rig.model);
+  std::vector<double> residual(6 * rig.state.nodes.size()), there(residual.size(), 0.0);
+  begin_static(*rig.model, rig.state, no_sliding, 0.0, stage);
+  evaluate_static(*rig.model, rig.state, stage, there.data(), work, residual.data(), nullptr);
+  for (const double force : residual) EXPECT_LT(std::abs(force), 1e-6 * rig.statics.top_force) << "out of balance where it was found";
+}
+
+/// Light pipe of aluminium, soft in torsion.
+PartSpec light_pipe()
+{
+  PartSpec pipe = pipe_part(0, 9.3, 17.5, 0.172);
+  pipe.outer_diameter = 0.147;
+  pipe.inner_diameter = 0.121;
+  pipe.young_modulus = 71e9;
+  pipe.poisson_ratio = 0.33;
+  pipe.density = 2800.0;
+  return pipe;
+}
+
+/// A bent motor in an S-shaped hole that ends with this inclination.
+Scene s_shaped_scene(double last, double bend)
+{
+  Scene scene = scene_in({{0.0, 0.0, 3.7}, {160.0, 0.0, 3.7}, {360.0, 27.0 * degree, 3.7}, {530.0, 27.0 * degree, 3.7}, {710.0, last, 3.7}, {1370.0, last, 3.7}},
+                         1370.0, 1369.6, 0.2);
+  scene.string = {bit_part(0.2159), motor_part(bend), collar_part(2, 9.4), light_pipe()};
+  return scene;
+}
+}  // namespace
+
+// A bent tool's axis swings about the 5 deg at which the toolface's reference changes: it is the hole's that decides.
+TEST(Start, everyToolfaceWhereItsReferenceChanges)
+{
+  for (const double last : {4.0, 4.9, 5.1, 6.0})
+    for (const double toolface : {0.0, 90.0, 180.0, -135.0})
+    {
+      Scene scene = s_shaped_scene(last * degree, 1.27 * degree);
+      scene.start.toolface = toolface * degree;
+      expect_start(scene);
+    }
+}
+
+// A large bend below a long string turns away from most toolfaces, and a turned top makes it jump past them.
+TEST(Start, everyToolfaceOfALargeBendBelowASoftString)
+{
+  for (const double toolface : {0.0, 45.0, 90.0, 135.0, 180.0, -45.0, -90.0, -135.0})
+  {
+    Scene scene = s_shaped_scene(12.0 * degree, 2.2 * degree);
+    scene.start.toolface = toolface * degree;
+    expect_start(scene);
+  }
+}
+
+// Light pipe that pushes a packed assembly along buckles, and snaps from one side of its hole to the other on the way to its equilibrium.
+TEST(Start, compressedPipeThatSnaps)
+{
+  for (const double weight : {20e3, 30e3, 37e3, 45e3})
+    for (const int joints : {3, 6, 10})
+    {
+      Scene scene = scene_in(build_and_hold(195.0, 90.0 * degree / 289.0, 90.0 * degree, 5.3, 750.0), 750.0, 750.0, 0.2);
+      PartSpec heavy = pipe_part(joints, 9.5, 62.0, 0.159);
+      heavy.outer_diameter = 0.1143;
+      heavy.inner_diameter = 0.0699;
+      scene.string = {bit_part(0.2159), collar_part(3, 9.4), heavy, light_pipe()};
+      scene.mud.density = 1640.0;
+      scene.start.weight_on_bit = weight;
+      const RigAtRest rig = build_at_rest(scene);
+      EXPECT_LT(rig.statics.residual, 1e-6 * weight);
+      EXPECT_NEAR(rig.statics.forces.wob, weight, 0.01 * weight);
+    }
 }
 
 }  // namespace drill_rig_sim::test_solve_start

@@ -29,13 +29,18 @@ std::vector<std::string> cells_of(const std::string& line)
   return cells;
 }
 
-/// What was written, by the head's names.
-std::vector<Row> rows_of(std::FILE* file)
+std::string text_of(std::FILE* file)
 {
   std::string text;
   std::rewind(file);
   for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
-  std::istringstream lines(text);
+  return text;
+}
+
+/// What was written, by the head's names.
+std::vector<Row> rows_of(std::FILE* file)
+{
+  std::istringstream lines(text_of(file));
   std::string line;
   std::getline(lines, line);
   const std::vector<std::string> head = cells_of(line);
@@ -151,6 +156,7 @@ TEST(Csv, readingsStandBesideTheTruth)
 {
   Readings r;
   number_signals(r, 300.0);
+  r.tared = true;
   const File file(std::tmpfile());
   write_csv_header(file.get(), true);
   write_csv_row(file.get(), numbered_truth(), &r);
@@ -168,6 +174,22 @@ TEST(Csv, readingsStandBesideTheTruth)
                    {"reading_surface_wob", 314},
                    {"reading_differential_pressure", 310}});
   expect_row(expected, rows[0]);
+}
+
+TEST(Csv, aReadingWithoutZeroIsAnEmptyCell)
+{
+  Readings r;
+  number_signals(r, 300.0);
+  const File file(std::tmpfile());
+  write_csv_row(file.get(), numbered_truth(), &r);
+  const std::string row = text_of(file.get());
+  EXPECT_EQ(",315,,\n", row.substr(row.size() - 7));
+  r.tared = true;
+  r.surface_wob = 0.0;
+  const File zeroed(std::tmpfile());
+  write_csv_row(zeroed.get(), numbered_truth(), &r);
+  const std::string row_zeroed = text_of(zeroed.get());
+  EXPECT_EQ(",315,0,310\n", row_zeroed.substr(row_zeroed.size() - 11));
 }
 
 TEST(Profile, eachColumnHasItsArray)

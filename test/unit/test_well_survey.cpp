@@ -272,7 +272,7 @@ TEST(HoleNodes, EachRuleForAHoleSaysWhereAndWhat)
     return problems.size() == 1 ? problems[0].key + ": " + problems[0].text : std::to_string(problems.size()) + " problems";
   };
   EXPECT_EQ("0 problems", problem_with([](WellSpec&) {}));
-  EXPECT_EQ("well.hole_depth: 731 m is deeper than the survey, allowed: up to its last station, 730 m",
+  EXPECT_EQ("well.hole_depth: 731 m is deeper than the survey, allowed: up to its last station, 730 m; well.project: straight or curvature goes on from there, up to 30.5 m",
             problem_with([](WellSpec& w) { w.hole_depth = 731.0; }));
   EXPECT_EQ("well.hole_depth: 0 m is no depth, allowed: above 0", problem_with([](WellSpec& w) { w.hole_depth = 0.0; }));
   EXPECT_EQ("well.sections: the list is empty, needed: at least one section", problem_with([](WellSpec& w) { w.sections.clear(); }));

@@ -22,13 +22,14 @@ class DiagnosticsPublisher
 {
 public:
   /// `last` gives the last frame published, `clock_trouble` what is wrong with /clock, empty where nothing is.
-  DiagnosticsPublisher(ros::NodeHandle& node, std::function<FrameRecord()> last, const Refusals& refusals,
+  DiagnosticsPublisher(ros::NodeHandle& node, std::function<FrameRecord()> last, const Refusals& refusals, const CommandSenders& senders,
                        std::function<std::string()> clock_trouble);
   void publish();
 
 private:
   std::function<FrameRecord()> last_;
   const Refusals& refusals_;
+  const CommandSenders& senders_;
   std::function<std::string()> clock_trouble_;
   std::mutex mutex_;  // guards report_: a change of state reports from another thread
   DiagnosticsReport report_;

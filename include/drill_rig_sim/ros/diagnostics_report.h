@@ -35,14 +35,15 @@ class DiagnosticsReport
 public:
   /// `name`: of the node, without the leading slash.
   explicit DiagnosticsReport(std::string name) : name_(std::move(name)) {}
-  /// `clock_trouble`: what is wrong with /clock, empty where nothing is; `now`: of the steady clock [ns].
-  diagnostic_msgs::DiagnosticArray on(const FrameRecord& frame, const Refusals& refusals, const std::string& clock_trouble, std::int64_t now);
+  /// `clock_trouble`: what is wrong with /clock, `sender_trouble`: with who sends commands, empty where nothing is; `now`: of the steady clock [ns].
+  diagnostic_msgs::DiagnosticArray on(const FrameRecord& frame, const Refusals& refusals, const std::string& clock_trouble, std::int64_t now,
+                                      const std::string& sender_trouble = "");
 
 private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
   Status time_status(const FrameRecord& frame, const std::string& clock_trouble, std::int64_t now);
   Status physics_status(const FrameRecord& frame) const;
-  Status command_status(const FrameRecord& frame, const Refusals& refusals);
+  Status command_status(const FrameRecord& frame, const Refusals& refusals, const std::string& sender_trouble);
   Status status(const std::string& part, const std::string& summary) const;
 
   std::string name_;

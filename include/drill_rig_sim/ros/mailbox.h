@@ -12,6 +12,7 @@
 #include "drill_rig_sim/TopDriveCommand.h"
 #include "drill_rig_sim/WinchCommand.h"
 #include "drill_rig_sim/realtime/triple_buffer.h"
+#include "drill_rig_sim/ros/command_senders.h"
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/sim/commands.h"
 
@@ -60,6 +61,7 @@ public:
   void clear() noexcept;
 
   Refusals& refusals() noexcept { return refusals_; }
+  const CommandSenders& senders() const noexcept { return senders_; }
 
 private:
   template <class Setpoint>
@@ -78,6 +80,7 @@ private:
   TripleBuffer<PumpSetpoint> pump_;
   TripleBuffer<SteeringSetpoint> steering_;
   Refusals refusals_;
+  CommandSenders senders_;
   ros::Subscriber subscribers_[4];
 };
 

@@ -11,6 +11,7 @@
 #include "drill_rig_sim/ListStates.h"
 #include "drill_rig_sim/math/kernel.h"
 #include "drill_rig_sim/realtime/frame_output.h"
+#include "drill_rig_sim/scene/scene_hash.h"
 #include "drill_rig_sim/sim/player.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 
@@ -26,6 +27,7 @@ struct Saved
   Kernel kernel = Kernel::scalar;  ///< that the rig ran by
   std::int64_t stamp = 0;  ///< when it was taken [ns]
   std::size_t bytes = 0;   ///< memory_of(), once it is kept
+  SceneStart start = {};   ///< of the rig
 };
 
 /// Writes a snapshot with its player's place into a file (sim/snapshot_file.h). Throws std::runtime_error with one line.

@@ -13,6 +13,7 @@
 #include "drill_rig_sim/realtime/timekeeper.h"
 #include "drill_rig_sim/ros/mailbox.h"
 #include "drill_rig_sim/ros/parameters.h"
+#include "drill_rig_sim/sim/command_stream.h"
 #include "drill_rig_sim/sim/player.h"
 #include "drill_rig_sim/sim/simulator.h"
 
@@ -40,6 +41,7 @@ struct RunningRig
   bool playing;  ///< the scene's program and operations give the commands
   bool failed = false;
   CommandStamps commands;
+  CommandStream winch_stream, drive_stream;
   const char* last_clamp = "";
 };
 
@@ -154,6 +156,10 @@ private:
   template <class Setpoint>
   CommandResult accept(const Setpoint& c, std::size_t kind) noexcept;
   void set_timeout() noexcept;
+  void watch_stream(const WinchSetpoint& c) noexcept;
+  void watch_stream(const TopDriveSetpoint& c) noexcept;
+  void watch_stream(const PumpSetpoint&) noexcept {}
+  void watch_stream(const SteeringSetpoint&) noexcept {}
   void end_step(StepResult::End end) noexcept;
   void hand_over(Occasion occasion) noexcept;
   void note_due(FrameOutput& s, const Occasion& occasion) noexcept;

@@ -15,7 +15,7 @@ namespace drill_rig_sim
 /// A well asked for in place of the scene's: a file or stations.
 struct NewWell
 {
-  std::string file;  ///< of a survey (survey_csv.h); empty: the stations
+  std::string file;  ///< of a survey (survey_file.h); empty: the stations
   std::vector<double> md;           ///< of the stations [m]
   std::vector<double> inclination;  ///< [rad]
   std::vector<double> azimuth;      ///< [rad]

@@ -11,6 +11,14 @@ namespace drill_rig_sim
 /// matter. It walks the one table of keys.
 std::uint64_t scene_hash(const Scene& scene);
 
+/// Where a rig begins: its bit depth, which reset_well sets, and the hash of all else in its scene.
+struct SceneStart
+{
+  std::uint64_t scene = 0;
+  double bit_depth = 0.0;  ///< [m]
+};
+SceneStart scene_start(Scene scene);
+
 }  // namespace drill_rig_sim
 
 #endif

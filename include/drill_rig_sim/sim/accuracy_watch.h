@@ -51,7 +51,7 @@ AccuracyReport doubt_of_level(const Scene& scene, const State& state) noexcept;
 ///   the smallest waves then, and so does the time of all that follows: stick-slip of 2.5 km at 60 rpm runs apart there by 8 % of the torque, at 10 and at 5 ms.
 /// - Whirl: turning pipe (0.1 m/s at its surface, in the mean) moved sideways at more than a tenth of what rolling on its walls would make,
 ///   over the last 3 s, for 8 s on end. Pulled or pushed along a hole it may roll up the wall and round it; elements that bend too little do that more readily.
-/// - Jerks: of the force between string and walls (5 kN at least), the share that sticks, or slides slower than 2 mm/s, came and went every twelve seconds or more often, over the
+/// - Jerks: of the force between string and walls that have friction (5 kN at least), the share that sticks, or slides slower than 2 mm/s, came and went every twelve seconds or more often, over the
 ///   last 10 s; a start or a stop alone is half of that. Pipe that slides below its friction's Stribeck speed does that by itself;
 ///   where in its slip it is, and so the peaks and what a stop leaves, hangs on the numerics.
 /// - Slant, level: doubt_of_hole(), doubt_of_level(), where nothing else is doubted.

@@ -57,6 +57,13 @@ struct CommandState
   }
 };
 
+/// Of the top drive's shaft, that may be commanded: a double resolves it to 1.5e-8 rad. At 200 rpm it takes two months of turning [rad].
+constexpr double most_drive_angle = 1e8;
+
+/// Whether a set point has its actuator move, in ANGLE and OSCILLATE always.
+bool moves(const WinchSetpoint& command) noexcept;
+bool turns(const TopDriveSetpoint& command) noexcept;
+
 /// Why a command would be refused, one line, static storage; null: it would not.
 const char* what_is_wrong(const WinchSetpoint& command) noexcept;
 const char* what_is_wrong(const TopDriveSetpoint& command) noexcept;
@@ -64,8 +71,8 @@ const char* what_is_wrong(const PumpSetpoint& command) noexcept;
 const char* what_is_wrong(const SteeringSetpoint& command) noexcept;
 
 /// Takes a command at simulated time `now` [s]. A finite value beyond the rig's limit is clamped, as a real drive saturates; a value that
-/// is not finite, an unknown mode, a negative torque limit or amplitude, and OSCILLATE without amplitudes are refused whole: the last good one
-/// stays.
+/// is not finite, an unknown mode, a negative torque limit or amplitude, an angle or amplitude beyond most_drive_angle, and OSCILLATE without amplitudes are refused whole: the last
+/// good one stays.
 CommandResult take(const RigSpec& rig, double now, const WinchSetpoint& command, CommandState& state) noexcept;
 CommandResult take(const RigSpec& rig, double now, const TopDriveSetpoint& command, CommandState& state) noexcept;
 CommandResult take(const RigSpec& rig, double now, const PumpSetpoint& command, CommandState& state) noexcept;

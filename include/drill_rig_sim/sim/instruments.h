@@ -11,6 +11,7 @@
 #include "drill_rig_sim/sim/period_mean.h"
 #include "drill_rig_sim/sim/sensor.h"
 #include "drill_rig_sim/sim/signals.h"
+#include "drill_rig_sim/sim/zero_mean.h"
 
 namespace drill_rig_sim
 {
@@ -61,7 +62,9 @@ public:
   Instruments(const Scene& scene, const Truth& at_start, std::uint64_t seed);
   /// Readings of a frame that ends as `truth` says, the MWD seeing `view`.
   void read(const Truth& truth, const SensorView& view, Readings& readings) noexcept;
-  /// Zeroes surface WOB and differential pressure at what the gauges show; where the rig heaves, at the hook load's mean over a period of the waves.
+  /// The string rings in the lines with this period [s] (ZeroMean).
+  void rings_with(double period) noexcept { zero_mean_.rings_with(period); }
+  /// Zeroes surface WOB at the hook load's mean (ZeroMean), differential pressure at what the gauge shows.
   void tare(Readings& readings) noexcept;
   /// What is wrong with the gauge that a reading comes from: hook_load's is the dead line's where the scene reads it there.
   SensorFault& fault_of(Gauge gauge) noexcept { return source_of(gauge).fault; }
@@ -79,6 +82,7 @@ public:
     v("hole_depth", hole_depth_);
     v("rop", rop_);
     v("hook_load_mean", hook_load_mean_);
+    v("zero_mean", zero_mean_);
     v("tared", tared_);
     v("tare_hook_load", tare_hook_load_);
     v("tare_pressure", tare_pressure_);
@@ -102,7 +106,8 @@ private:
   double tally_ = 0.0;  // of the pipe from the bit's face to the top-drive shaft [m]
   double hole_depth_ = 0.0;  // the bit's deepest so far [m]
   RateMeter rop_;
-  PeriodMean hook_load_mean_;
+  PeriodMean hook_load_mean_;  // over a period of the waves: for mean_surface_wob
+  ZeroMean zero_mean_;
   bool tared_ = false;
   double tare_hook_load_ = 0.0;  // [N]
   double tare_pressure_ = 0.0;   // [Pa]

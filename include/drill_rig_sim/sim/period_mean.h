@@ -17,6 +17,10 @@ public:
   void take(double value, double time) noexcept;
   /// Over the last period, or over all there was if that is less.
   double mean() const noexcept;
+  /// Another period [s]. What it remembers stays.
+  void set_period(double period) noexcept { period_ = period; }
+  /// Forgets what came before: the mean begins with the next value.
+  void restart() noexcept { held_ = 0; }
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept;
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <limits>
 
 #include "drill_rig_sim/sim/commands.h"
 
@@ -165,6 +166,9 @@ struct RigSignals
   int stand_count = 0;              ///< whole stands of the last part's pipe in the string
   CrewTask crew = CrewTask::none;
   Setpoints setpoints;
+
+  /// surface_wob or differential_pressure for a file or a display: NaN, an empty cell there, until they have been zeroed.
+  double zeroed(double value) const noexcept { return tared ? value : std::numeric_limits<double>::quiet_NaN(); }
 
   template <class V>
   void visit(V& v)

@@ -86,6 +86,9 @@ public:
   const Setpoints& asked() const noexcept;
   /// Winch and drive streams silent for longer than this set the brake and coast the drive [s]; 0 = off.
   void set_command_timeout(double seconds) noexcept;
+  /// The winch's or the drive's last command stands until its next one: no stream is expected, whose silence would be noticed.
+  void winch_command_stands() noexcept;
+  void drive_command_stands() noexcept;
 
   /// Advances by `duration` [s], a multiple of the scene's step, in as many physics steps; where that is 0, in steps as its tolerance allows. Nothing
   /// happens in a duration that is not above 0.

@@ -14,9 +14,9 @@
 #include "drill_rig_sim/sim/instruments.h"
 #include "drill_rig_sim/sim/interlocks.h"
 #include "drill_rig_sim/sim/level_watch.h"
-#include "drill_rig_sim/sim/period_mean.h"
 #include "drill_rig_sim/sim/signals.h"
 #include "drill_rig_sim/sim/stride.h"
+#include "drill_rig_sim/sim/zero_mean.h"
 
 namespace drill_rig_sim
 {
@@ -35,7 +35,7 @@ struct SimulatorState
   bool tared = false;
   ConnectionState connection;
   CrewState crew;
-  PeriodMean hook_load_mean;  ///< of the true one
+  ZeroMean zero_mean;           ///< of the true hook load
   double tare_hook_load = 0.0;  ///< true one [N]
   double tare_pressure = 0.0;   ///< true one over the motor [Pa]
   AccuracyMemory accuracy;
@@ -57,7 +57,7 @@ struct SimulatorState
     v("interlocks", interlocks);
     v("connection", connection);
     v("crew", crew);
-    v("hook_load_mean", hook_load_mean);
+    v("zero_mean", zero_mean);
     v("tared", tared);
     v("tare_hook_load", tare_hook_load);
     v("tare_pressure", tare_pressure);

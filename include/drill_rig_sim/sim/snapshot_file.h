@@ -6,31 +6,33 @@
 #include <vector>
 
 #include "drill_rig_sim/math/kernel.h"
+#include "drill_rig_sim/scene/scene_hash.h"
 
 namespace drill_rig_sim
 {
 /// Snapshots as files: a head of fixed length, then the bytes of a value (math/visit.h).
 ///
 ///   8 B "DRIGSNAP", 4 B version of the format, 8 B hash of the scene, 20 B identity of the build, 8 B number of bytes, 8 B their checksum,
-///   4 B the kernel that the rig ran by
+///   4 B the kernel that the rig ran by, 8 B hash of the scene without its start's bit depth, 8 B that [m]
 ///
 /// The bytes are those of this machine and build: the same binary restores them bit for bit, and any other is refused, as is a file for
-/// another scene, of another format, cut, or with a bit changed. A rig of another kernel takes them too; what follows differs in rounding.
-constexpr std::uint32_t snapshot_format = 2;
+/// another scene or its rig at another start, of another format, cut, or with a bit changed. A rig of another kernel takes them too; what follows differs in rounding.
+constexpr std::uint32_t snapshot_format = 3;
 
 struct Snapshot
 {
   Kernel kernel;  ///< that it was made by
   std::vector<unsigned char> bytes;
+  SceneStart start = {};  ///< of its rig
 };
 
 /// Writes the file whole or not at all (a neighbour file first, then renamed).
 /// Throws std::runtime_error with one line (which file, why) if it cannot be written.
 void write_snapshot(const std::string& file, std::uint64_t scene, const Snapshot& snapshot);
 
-/// What is in a file for the scene of this hash. Throws std::runtime_error with one line (which file, what is wrong with it) for anything
+/// What is in a file for the scene of this hash, whose rig starts there. Throws std::runtime_error with one line (which file, what is wrong with it) for anything
 /// but a regular file of at most 16 MiB that write_snapshot() of this build has written for it.
-Snapshot read_snapshot(const std::string& file, std::uint64_t scene);
+Snapshot read_snapshot(const std::string& file, std::uint64_t scene, const SceneStart& start = {});
 
 }  // namespace drill_rig_sim
 

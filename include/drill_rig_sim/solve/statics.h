@@ -14,7 +14,16 @@ struct StaticOutcome
   double residual = 0.0;    ///< largest force or moment left at a node [N, N m]
   double top_force = 0.0;   ///< vertical force that holds the top node, + up: hook load of the string [N]
   double top_torque = 0.0;  ///< torque that holds the top node, + drives the string clockwise [N m]
+  double holding_torque = 0.0;  ///< that holds the bend of solve_held(), + clockwise; else 0 [N m]
   RigForces forces;         ///< in the equilibrium; hook load and meter torque are the caller's
+};
+
+/// A bend that is held at its toolface from outside.
+struct ToolfaceHold
+{
+  int node = -1;          ///< of the bend; -1: nothing is held
+  double toolface = 0.0;  ///< [rad]
+  Eigen::Vector3d hole = -Eigen::Vector3d::UnitZ();  ///< the hole's tangent there, for the toolface's reference (toolface_side())
 };
 
 /// Static equilibrium of the string in its hole, the top node held where it is: `state` in, a guess; out, at rest in equilibrium
@@ -24,8 +33,13 @@ struct StaticOutcome
 /// Pseudo-transient continuation (inertia M c^2 with c falling to 0, Kelley and Keyes 1998) walks into the basin of the solution:
 /// a long string out of contact has almost no lateral stiffness, and a full Newton step would throw it through the wall. KINSOL's
 /// Newton method with line search then finishes it, to 1 mN or to what the rounding of the nodes' places leaves of stiff elements.
+/// Where an increment would go uphill, against the forces, more inertia turns it: compressed pipe that snaps across its hole has no stiffness there.
 /// `most_iterations` bounds the work of all together. Allocates; not for use in a frame.
 StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations = 5000);
+
+/// The same without friction, and with the bend held by a stiff spring about its axis: for toolfaces in which a long string, soft in torsion, does not
+/// rest by itself. The equilibrium is the string's own where `holding_torque` is 0: the caller turns the top until it is.
+StaticOutcome solve_held(const Model& model, State& state, const ToolfaceHold& hold, int most_iterations);
 
 }  // namespace drill_rig_sim
 

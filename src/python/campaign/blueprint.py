@@ -8,11 +8,13 @@ import shutil
 import tempfile
 import traceback
 
-from drill_rig_sim.campaign.scene_text import SceneText, Times
+from drill_rig_sim.campaign.scene_text import SceneText, Times, survey_of_well
 
 SEED = "seed"               # a factor's key that is none of the scene
 CONTROLLER = "controller."  # before the controller's parameters
 PARTS = ("name", "scene", "survey", "factors", "controller", "parameters", "duration", "rate", "every", "begin", "seed", "outputs", "judge", "cpu", "wall", "memory")
+
+USER_ERRORS = (Exception, SystemExit)  # of a user's code: sys.exit() in it ends its run, not the campaign
 
 
 class SourceError(Exception):
@@ -39,7 +41,7 @@ class Source:
             else:
                 scope = {"__name__": "drill_campaign_" + hashlib.sha256(self.text.encode()).hexdigest()[:12]}
                 exec(compile(self.text, self.module, "exec"), scope)  # pylint: disable=exec-used
-        except Exception as error:  # pylint: disable=broad-except
+        except USER_ERRORS as error:
             raise SourceError(told(error, self.module)) from error
         if self.name not in scope:
             raise SourceError("%s has no %s" % (self.module, self.name))
@@ -67,7 +69,8 @@ class Blueprint:
         self.outputs = outputs or {}                                # name: path or Source
         self.judge = judge or {}                                    # of drill score
         self.cpu, self.wall, self.memory = cpu, wall, memory
-        self.template = SceneText(scene, [key for _, keys, _ in factors for key in keys if in_scene(key)] + (["well.survey"] if survey is not None else []))
+        self.survey_key = survey_of_well(scene, name)[0]
+        self.template = SceneText(scene, [key for _, keys, _ in factors for key in keys if in_scene(key)] + ([self.survey_key] if survey is not None else []))
         self.folder = None
 
     def parts(self):
@@ -86,7 +89,11 @@ class Blueprint:
 
     def scene_of(self, row, survey="survey.csv"):
         """The scene's text for a row, with this for its survey's file."""
-        return self.template.with_values({**self.values_by_key(row), "well.survey": survey})
+        return self.template.with_values(self.values_with_survey(row, survey))
+
+    def values_with_survey(self, row, survey="survey.csv"):
+        """Of a row by key, with this for the survey's file."""
+        return {**self.values_by_key(row), self.survey_key: survey}
 
     def seed_of(self, row):
         return int(self.values_by_key(row).get(SEED, self.seed))

@@ -1,5 +1,6 @@
 """drill_campaign PLAN.yaml: does its runs that are not done yet, into one SQLite file. drill_campaign report, export, scene, play FILE: looks at them."""
 import argparse
+import contextlib
 import os
 import sys
 import time
@@ -8,11 +9,13 @@ from drill_rig_sim.campaign import again
 from drill_rig_sim.campaign.plan import read_plan
 from drill_rig_sim.campaign.plan_checks import first_rig
 from drill_rig_sim.campaign.plan_text import PlanError
-from drill_rig_sim.campaign.results import Results, ResultsError
+from drill_rig_sim.campaign.results import Locked, Results, ResultsError
 from drill_rig_sim.campaign.runner import GOOD as RUN_GOOD
+from drill_rig_sim.units import SYSTEMS
 
 GOOD, SOME_BAD, BAD_INPUT, BROKEN = 0, 1, 2, 3
-KEEP_EVERY = 0.5  # longest that results wait before they are in the file [s]
+KEEP_EVERY = 0.5  # longest that results wait before they are in the file, unless another program holds it [s]
+SHORT_PATIENCE = 1.0  # so long is waited for that one, which holds up the campaign [s]
 
 
 class Said(Exception):
@@ -42,6 +45,7 @@ def looks():
         found[name].add_argument("results", help="the campaign's SQLite file")
     for name, default in (("report", "beside it"), ("export", "beside it"), ("scene", "run_K.yaml")):
         found[name].add_argument("--out", metavar="FILE", help="default: " + default)
+    found["report"].add_argument("--units", choices=SYSTEMS, default="si", help="of outputs whose quantity is known; the results' file and export stay in SI")
     for name in ("scene", "play"):
         found[name].add_argument("--run", type=int, required=True, metavar="K", help="number of the run, from 0 on")
     found["play"].add_argument("--csv", metavar="FILE", help="the time series, as drill run --csv has it")
@@ -95,36 +99,50 @@ def campaign(options):
     return told(results, len(keys))
 
 
+class Kept:
+    """Answers on their way into the file, every KEEP_EVERY; while another program holds that, they wait."""
+
+    def __init__(self, results, progress):
+        self.results, self.progress, self.rows, self.number, self.since, self.said = results, progress, [], 0, time.monotonic(), False
+
+    def take(self, key, row, answer):
+        status, reason, outputs, cpu, worker = answer
+        self.rows.append((key, row, status, reason, outputs, cpu, worker))
+        self.progress.count(status)
+        if time.monotonic() - self.since > KEEP_EVERY:
+            self.keep_if_free()
+
+    def keep_if_free(self):
+        try:
+            self.keep(patience=SHORT_PATIENCE)
+        except Locked as error:
+            self.since = time.monotonic()
+            if not self.said:
+                print("drill_campaign: %s: results wait" % error, file=sys.stderr)
+            self.said = True
+
+    def keep(self, **patience):
+        self.results.add(self.rows, **patience)
+        self.number += len(self.rows)
+        self.rows, self.since = [], time.monotonic()
+
+
 def do(blueprint, todo, identity, results, options):
     from drill_rig_sim.campaign import engine  # needs Dask
-    rows, progress, kept = [], Progress(len(todo)), [time.monotonic()]
-
-    def take(key, row, answer):
-        status, reason, outputs, cpu, worker = answer
-        rows.append((key, row, status, reason, outputs, cpu, worker))
-        progress.count(status)
-        if time.monotonic() - kept[0] > KEEP_EVERY:
-            keep()
-
-    def keep():
-        results.add(rows)
-        rows.clear()
-        kept[0] = time.monotonic()
-
-    open_things = []
+    progress = Progress(len(todo))
+    kept = Kept(results, progress)
     try:
-        client, open_things = engine.connect(options.scheduler, options.slurm, options.workers)
-        open_things.insert(0, client)
-        if engine.page(client):
-            print("Dask's page: %s" % engine.page(client), flush=True)
-        engine.work(client, blueprint, todo, identity, take)
-    except (engine.EngineError, OSError) as error:
-        raise Said("%s; %d runs are done, the same command goes on" % (error, progress.done))
-    finally:
-        keep()
-        progress.tell(last=True)
-        for thing in open_things:
-            thing.close()
+        with contextlib.ExitStack() as at_end:
+            client, open_things = engine.connect(options.scheduler, options.slurm, options.workers)
+            for thing in [*reversed(open_things), client]:
+                at_end.callback(thing.close)
+            at_end.callback(progress.tell, last=True)
+            at_end.callback(kept.keep)  # before all else
+            if engine.page(client):
+                print("Dask's page: %s" % engine.page(client), flush=True)
+            engine.work(client, blueprint, todo, identity, kept.take)
+    except (engine.EngineError, OSError, ResultsError) as error:
+        raise Said("%s; %d runs are done, the same command goes on" % (error, kept.number)) from error
 
 
 def told(results, number):
@@ -148,7 +166,7 @@ def look(name, words):
         print(file)
     elif name == "report":
         from drill_rig_sim.campaign import report
-        print(report.write_page(results, options.out or base + ".html"))
+        print(report.write_page(results, options.out or base + ".html", options.units))
     elif name == "scene":
         print("\n".join(again.write_files(results, options.run, options.out or "run_%d.yaml" % options.run)))
     else:

@@ -3,6 +3,7 @@ import itertools
 import math
 
 import numpy
+from drill_rig_sim.campaign.measures import with_unit
 from scipy.stats import qmc
 
 KINDS = {"grid": "every value with every other", "list": "the first values together, then the second ones", "latin_hypercube": "scipy.stats.qmc.LatinHypercube",
@@ -14,18 +15,19 @@ class DesignError(Exception):
 
 
 class Factor:
-    """What changes from run to run: `values` one after the other, or a range from `low` to `high`, in equal steps of it or (`log`) of its logarithm."""
+    """What changes from run to run: `values` one after the other, or a range from `low` to `high`, in equal steps of it or (`log`) of its logarithm. Values of
+    a range with a `unit` are texts such as 9.5 ppg."""
 
-    def __init__(self, name, values=None, low=None, high=None, log=False):
-        self.name, self.values, self.low, self.high, self.log = name, values, low, high, log
+    def __init__(self, name, values=None, low=None, high=None, log=False, unit=""):
+        self.name, self.values, self.low, self.high, self.log, self.unit = name, values, low, high, log, unit
 
     def at(self, share):
         """The value so far along, share in 0..1."""
         if self.values is not None:
             return self.values[min(int(share * len(self.values)), len(self.values) - 1)]
         if self.log:
-            return float(math.exp(math.log(self.low) + share * (math.log(self.high) - math.log(self.low))))
-        return float(self.low + share * (self.high - self.low))
+            return with_unit(float(math.exp(math.log(self.low) + share * (math.log(self.high) - math.log(self.low)))), self.unit)
+        return with_unit(float(self.low + share * (self.high - self.low)), self.unit)
 
     def shared_out(self, number):
         """So many values, ends included; all of them where they are listed."""

@@ -55,7 +55,7 @@ def connect(scheduler=None, slurm=0, workers=0):
                      "distributed.scheduler.transition-log-length": LOGGED, "distributed.scheduler.events-log-length": LOGGED,
                      "distributed.nanny.pre-spawn-environ.DASK_LOGGING__DISTRIBUTED": "critical"})  # what older workers left behind is no news
     if scheduler is not None:
-        return distributed.Client(address_checked(scheduler), security=security(), timeout="20s"), []
+        return client_of(address_checked(scheduler)), []
     if slurm:
         return on_slurm(slurm)
     with deaf_to_ctrl_c():
@@ -87,7 +87,17 @@ def address_checked(address):
         raise EngineError("%s: is no address, needed: tcp://HOST:PORT of this machine, or tls://HOST:PORT" % address)
     if parts.scheme == "tcp" and not is_here(parts.hostname):
         raise EngineError("%s: is another machine: needed: tls://HOST:PORT, with certificates by Dask's configuration (distributed.comm.tls)" % address)
+    if parts.scheme == "tls" and security() is None:
+        raise EngineError("%s: there are no certificates, needed: Dask's configuration of them (distributed.comm.tls.ca-file, client.cert, client.key)" % address)
     return address
+
+
+def client_of(address):
+    """Of a running scheduler."""
+    try:
+        return distributed.Client(address, security=security(), timeout="20s")
+    except (TypeError, ValueError) as error:  # a configuration that is no whole one
+        raise EngineError("%s: %s" % (address, " ".join(str(error).split()))) from error
 
 
 def is_here(host):

@@ -4,8 +4,10 @@ import math
 import numpy
 from drill_rig_sim.campaign.played import SIDES, STATISTICS
 from drill_rig_sim.score import score
+from drill_rig_sim.score_command import TABLE
 from drill_rig_sim.score_runs import BIT, STATE, Run
 from drill_rig_sim.survey import Survey
+from drill_rig_sim.units import QUANTITIES
 
 
 def check(path, rig):
@@ -20,6 +22,17 @@ def check(path, rig):
     paths = score_paths()
     return "" if path in paths else "%s: is neither STATISTIC.SIDE.NAME (STATISTIC one of %s; SIDE one of %s) nor of drill score: %s" % (
         path, ", ".join(STATISTICS), ", ".join(SIDES), ", ".join(paths))
+
+
+def shown_as(what):
+    """Quantity and factor to SI of an output's number; None where its quantity is not known (a function's, a count's)."""
+    first, _, rest = what.partition(".") if isinstance(what, str) else ("", "", "")
+    if first in STATISTICS:
+        quantity = QUANTITIES.get(rest.split(".")[-1])
+        return (quantity, 1.0) if quantity else None
+    if first == "wob" and rest in ("least", "set_point", "band"):
+        return ("force", 1.0)
+    return next(((quantity, factor) for section, name, _, quantity, factor, _ in TABLE if (section, name) == (first, rest)), None)
 
 
 def score_paths():

@@ -4,6 +4,7 @@ import os
 from drill_rig_sim.campaign import plan_checks
 from drill_rig_sim.campaign.blueprint import SEED, Blueprint, SourceError, source_at
 from drill_rig_sim.campaign.designs import KINDS, DesignError, Factor, rows_of
+from drill_rig_sim.campaign.measures import split
 from drill_rig_sim.campaign.plan_text import plan_of
 from drill_rig_sim.campaign.scene_text import SceneTextError, survey_file
 from drill_rig_sim.lockstep import Refused
@@ -59,7 +60,10 @@ def factors_of(entry):
         if SEED in dict(named):
             plan_checks.check_seed(item, parts)
         factors.append(range_of(item, name, parts))
-        keys.append((name, [key for key, _ in named], "times" in parts and parts["times"].yes()))
+        times = "times" in parts and parts["times"].yes()
+        if times and (factors[-1].unit or any(split(value)[1] for value in factors[-1].values or ())):
+            parts["times"].fail("multiplies what stands there, needed: numbers without units")
+        keys.append((name, [key for key, _ in named], times))
         places += named
     return factors, keys, places
 
@@ -74,8 +78,8 @@ def range_of(item, name, parts):
         if needed not in parts:
             item.fail("needs values, or from and to")
     log = "log" in parts and parts["log"].yes()
-    low = parts["from"].number(beyond=0.0 if log else None)
-    return Factor(name, low=low, high=parts["to"].number(beyond=low), log=log)
+    low, unit = parts["from"].measure(beyond=0.0 if log else None)
+    return Factor(name, low=low, high=parts["to"].measure(beyond=low, unit=unit)[0], log=log, unit=unit)
 
 
 def sample_of(entry, factors):

@@ -4,11 +4,11 @@ import inspect
 import re
 
 from drill_rig_sim.campaign import played
-from drill_rig_sim.campaign.blueprint import CONTROLLER, in_scene, told
+from drill_rig_sim.campaign.blueprint import CONTROLLER, USER_ERRORS, in_scene, told
 from drill_rig_sim.campaign.outputs import check
 from drill_rig_sim.campaign.plan_text import PlanError
 from drill_rig_sim.campaign.runner import one_line
-from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError
+from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, survey_of_well
 from drill_rig_sim.control import frames_of
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.sim import build
@@ -30,7 +30,7 @@ def check_seed(item, parts):
 
 def check_keys(places, scene, has_survey, has_controller):
     """Each factor's key is one, and no two lead to the same place. `places`: keys with their entries."""
-    of_scene, others = ["well.survey"] if has_survey else [], []
+    of_scene, others = [survey_of_well(scene, "the scene")[0]] if has_survey else [], []
     for key, entry in places:
         if in_scene(key):
             of_scene.append(key)
@@ -123,7 +123,7 @@ def entry_of(plan, row, refusal):
     keys = [key for key in plan.places if refusal.startswith(key + ": ")]
     line = re.match(r"scene\.yaml:(\d+): ", refusal)
     if line:
-        keys = plan.blueprint.template.keys_on(int(line.group(1)), {**plan.blueprint.values_by_key(row), "well.survey": "survey.csv"})
+        keys = plan.blueprint.template.keys_on(int(line.group(1)), plan.blueprint.values_with_survey(row))
         keys = [key for key in keys if re.search(r"\b%s\b" % re.escape(key.split(".")[-1]), refusal)] or keys
     return plan.places.get(keys[0]) if keys else None
 
@@ -144,7 +144,7 @@ def check_law(plan, row):
     try:
         law = blueprint.controller.load()(**blueprint.parameters_of(row))
         missing = [name for name in NEEDED if not hasattr(law, name)]
-    except Exception as error:  # pylint: disable=broad-except
+    except USER_ERRORS as error:
         raise LawError(told(error, blueprint.controller.module)) from error
     where = plan.places[CLASS]
     if missing or not callable(law.step):

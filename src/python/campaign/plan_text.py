@@ -1,5 +1,6 @@
 """A campaign's file as YAML whose every key is known: errors name file, line and key, and say what is allowed."""
 import yaml
+from drill_rig_sim.campaign import measures
 from drill_rig_sim.refusal import Refusal
 from drill_rig_sim.text_file import TextError, read_text
 
@@ -48,6 +49,17 @@ class Entry:
         if not isinstance(self.node, yaml.ScalarNode) or not self.node.value:
             self.fail("needed: a text")
         return self.node.value
+
+    def measure(self, beyond=None, unit=None):
+        """A number and its unit, "" without one. `unit`: the only one allowed."""
+        value, given = measures.split(self.node.value)
+        if unit is not None and given != unit:
+            self.fail("is %s, needed: a number %s" % (self.node.value, "in %s" % unit if unit else "without a unit"))
+        if value is None:
+            return self.number(beyond=beyond), ""
+        if beyond is not None and not value > beyond:
+            self.fail("is %s, needed: a number above %g %s" % (self.node.value, beyond, given))
+        return value, given
 
     def number(self, least=None, beyond=None, most=None):
         """At least `least`, above `beyond`, at most `most`."""

@@ -2,7 +2,7 @@
 import math
 
 import numpy
-from drill_rig_sim.campaign.blueprint import told
+from drill_rig_sim.campaign.blueprint import USER_ERRORS, told
 from drill_rig_sim.control import drive
 from drill_rig_sim.lockstep import series
 from drill_rig_sim.score import score
@@ -14,6 +14,7 @@ STATISTICS = {
     "deviation": lambda values, weights: math.sqrt(numpy.average((values - numpy.average(values, weights=weights))**2, weights=weights)),
     "least": lambda values, weights: values.min(), "largest": lambda values, weights: values.max(),
     "first": lambda values, weights: values[0], "last": lambda values, weights: values[-1]}
+ZEROED = ("surface_wob", "differential_pressure")  # nan of readings that have not been zeroed yet
 SIDES = ("readings", "truth", "bit")
 
 
@@ -22,7 +23,8 @@ class Unjudged(Exception):
 
 
 class Played:
-    """A run that is over. `t` [s]; readings(name), truth(name), bit(name): a number each, by the fields of RigState and BitTruth; `run`: as drill score takes it;
+    """A run that is over. `t` [s]; readings(name), truth(name), bit(name): a number each, by the fields of RigState and BitTruth, nan where a reading
+    has not been zeroed (ZEROED); `run`: as drill score takes it;
     `whole`: that from its beginning on, with what does not count; `scores`: drill score's; `done`: whether the controller says so (None without one)."""
 
     def __init__(self, blueprint, record, states, done):
@@ -53,6 +55,10 @@ class Played:
         return self._side("bit", name)
 
     def _side(self, side, name):
+        values = self._numbers(side, name)
+        return numpy.where(self._numbers("readings", "tared"), values, numpy.nan) if side == "readings" and name in ZEROED else values
+
+    def _numbers(self, side, name):
         if self._states is not None:
             return series(self._states, side + "." + name)[self.counted].astype(float)
         return getattr(self._record, side)[name][self.counted].astype(float)
@@ -64,7 +70,9 @@ class Played:
         first, _, rest = asked.partition(".")
         if first in STATISTICS:
             side, _, name = rest.partition(".")
-            return number(STATISTICS[first](self._side(side, name), numpy.gradient(self.t)))
+            values = self._side(side, name)
+            known = ~numpy.isnan(values)
+            return number(STATISTICS[first](values[known], numpy.gradient(self.t)[known])) if known.any() else None
         value = self.scores
         for name in asked.split("."):
             value = None if value is None else value[name]
@@ -107,5 +115,5 @@ def output_of(name, what, played):
         raise Unjudged("%s: %s" % (name, problem)) from None
     except MemoryError:
         raise
-    except Exception as error:  # pylint: disable=broad-except
+    except USER_ERRORS as error:
         raise Unjudged("%s: %s" % (name, told(error, "" if isinstance(what, str) else what.module))) from error

@@ -7,8 +7,11 @@ import os
 import numpy
 from drill_rig_sim.campaign import again, report_pictures
 from drill_rig_sim.campaign.blueprint import Blueprint
+from drill_rig_sim.campaign.measures import column
+from drill_rig_sim.campaign.outputs import shown_as
 from drill_rig_sim.campaign.results import ResultsError
 from drill_rig_sim.campaign.runner import GOOD
+from drill_rig_sim.units import Units
 
 WORST = 10
 STYLE = """body{font-family:sans-serif;margin:1.5em;color:#222;max-width:72em}img{max-width:100%;border:1px solid #ddd}table{border-collapse:collapse;margin:0.5em 0 1.5em}
@@ -16,10 +19,10 @@ td,th{border:1px solid #ccc;padding:0.2em 0.6em;text-align:right}td:last-child,t
 
 
 class Rows:
-    """The plan's runs that are there."""
+    """The plan's runs that are there; outputs in SI as the results' file has them, or in oilfield units where their quantity is known."""
 
-    def __init__(self, results):
-        self.about = results.about()
+    def __init__(self, results, system="si"):
+        self.about, self.units = results.about(), Units(system)
         if "factors" not in self.about:
             raise ResultsError("%s: holds no campaign" % results.file)
         self.blueprint = Blueprint.of_parts(self.about["blueprint"])
@@ -29,15 +32,30 @@ class Rows:
 
     def output(self, name, rows=None):
         """Numbers; not a number where a run has none."""
-        return numpy.array([numpy.nan if row["outputs"].get(name) is None else row["outputs"][name] for row in (self.good if rows is None else rows)], dtype=float)
+        numbers = [numpy.nan if row["outputs"].get(name) is None else row["outputs"][name] for row in (self.good if rows is None else rows)]
+        return self.shown(name)[0] * numpy.array(numbers, dtype=float)
+
+    def shown(self, name):
+        """Of an output: the factor from the results' file to what is shown, and the label."""
+        known = None if self.units.system == "si" else shown_as(self.blueprint.outputs[name])
+        return (known[1] * self.units[known[0]].per_si, self.units.label(name, known[0])) if known else (1.0, name)
 
     def factor(self, name):
-        return [row["values"][self.factors.index(name)] for row in self.good]
+        """Its values, as numbers where they are all in one unit."""
+        return self.column(name)[0]
+
+    def label(self, name):
+        """Of a factor's axis."""
+        unit = self.column(name)[1]
+        return "%s [%s]" % (name, unit) if unit else name
+
+    def column(self, name):
+        return column([row["values"][self.factors.index(name)] for row in self.good])
 
 
-def write_page(results, file):
-    """Returns the file."""
-    rows = Rows(results)
+def write_page(results, file, system="si"):
+    """Returns the file. `system`: of the units that outputs are shown in."""
+    rows = Rows(results, system)
     parts = ["<h1>%s</h1>" % html.escape(rows.about["name"]), "<p>%s</p>" % html.escape(summary(rows)), statistics(rows)]
     for title, figure in report_pictures.figures_of(rows):
         parts += ["<h2>%s</h2>" % html.escape(title), '<img alt="%s" src="data:image/png;base64,%s">' % (html.escape(title), png_of(figure))]
@@ -67,7 +85,7 @@ def statistics(rows):
         values = rows.output(name)
         values = values[numpy.isfinite(values)]
         if len(values):
-            lines.append([len(values), *("%.4g" % q for q in (values.mean(), values.std(), *numpy.percentile(values, (0, 5, 50, 95, 100)))), name])
+            lines.append([len(values), *("%.4g" % q for q in (values.mean(), values.std(), *numpy.percentile(values, (0, 5, 50, 95, 100)))), rows.shown(name)[1]])
     return table(["runs", "mean", "deviation", "least", "5 %", "median", "95 %", "largest", "output"], lines)
 
 
@@ -82,9 +100,10 @@ def worst(rows, file):
     """The runs, and what shows each of them in rviz."""
     shown = worst_rows(rows)
     name = rows.about["report"]["worst"]
-    lines = [[row["number"], "%.5g" % row["outputs"][name], *(shortly(value) for value in row["values"]), again.scene_command(file, row["number"])]
+    factor, label = rows.shown(name)
+    lines = [[row["number"], "%.5g" % (factor * row["outputs"][name]), *(shortly(value) for value in row["values"]), again.scene_command(file, row["number"])]
              for row in shown]
-    text = table(["run", name, *rows.factors, "its scene"], lines)
+    text = table(["run", label, *rows.factors, "its scene"], lines)
     if shown:
         text += "<p>%s</p><pre>%s</pre>" % (again_as(rows.blueprint), html.escape("\n".join(again.commands(rows.blueprint, shown[0], file))))
     return text

@@ -43,10 +43,10 @@ def factor_map(rows):
         for words, axis in ((x_names, panel.xaxis), (y_names, panel.yaxis)):
             if words:
                 axis.set_ticks(range(len(words)), words)
-        panel.set_xlabel(first)
-        panel.set_title("%s %s" % (each, name) if each else "", fontsize=9)
-    panels[0, 0].set_ylabel(second)
-    figure.colorbar(drawn, ax=list(panels[0]), label=output)
+        panel.set_xlabel(rows.label(first))
+        panel.set_title("%s %s" % (rows.label(each), name) if each else "", fontsize=9)
+    panels[0, 0].set_ylabel(rows.label(second))
+    figure.colorbar(drawn, ax=list(panels[0]), label=rows.shown(output)[1])
     return figure
 
 
@@ -131,7 +131,7 @@ def histograms(rows):
         panel.set_visible(False)
     for panel, (name, values) in zip(panels.flat, shown):
         panel.hist(values, bins=min(40, max(5, int(len(values)**0.5))), color="#1f5fa8")
-        panel.set_xlabel(name, fontsize=8)
+        panel.set_xlabel(rows.shown(name)[1], fontsize=8)
         panel.set_ylabel("runs", fontsize=8)
     figure.tight_layout()
     return figure

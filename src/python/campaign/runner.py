@@ -10,10 +10,13 @@ import sys
 import threading
 import time
 
-from drill_rig_sim.campaign.blueprint import told
+from drill_rig_sim.campaign.blueprint import USER_ERRORS, told
 
 GOOD, REFUSED, FAILED, CONTROLLER, JUDGE, CPU, WALL, MEMORY, DIED = (
     "good", "refused", "failed", "controller", "judge", "cpu", "wall", "memory", "died")  # of a run
+
+
+ENDS = 5.0  # so long a process that has closed its answers may take to be gone [s]
 
 
 class OverTime(BaseException):
@@ -68,7 +71,7 @@ def outcome(blueprint, row, identity=None):
         return JUDGE, str(problem), {}, over
     except MemoryError:
         raise
-    except Exception as error:  # pylint: disable=broad-except
+    except USER_ERRORS as error:
         return CONTROLLER, told(error, "" if blueprint.controller is None else blueprint.controller.module), {}, over
 
 
@@ -120,6 +123,8 @@ class Runner:
             self.end()
             return WALL, "had not ended after %g s" % self.blueprint.wall, {}, time.monotonic() - began
         except (EOFError, BrokenPipeError, pickle.UnpicklingError):
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self.process.wait(ENDS)  # by itself: its own status, not that of kill()
             status = self.end()
             return DIED, "its process died%s" % (" of signal %d" % -status if status < 0 else ": status %d" % status), {}, time.monotonic() - began
 

@@ -4,6 +4,7 @@ import os
 import re
 
 import yaml
+from drill_rig_sim.campaign.measures import split, with_unit
 
 STEP = re.compile(r"([A-Za-z_][A-Za-z_0-9]*)((?:\[[^\]]+\])*)$")
 
@@ -95,8 +96,9 @@ class SceneText:
     def replaced(self, begin, end, value, key):
         if not isinstance(value, Times):
             return written(value)
+        number, unit = split(self.text[begin:end].strip("'\""))
         try:
-            return written(float(value) * float(self.text[begin:end]))
+            return written(with_unit(float(value) * (float(self.text[begin:end]) if number is None else number), unit))
         except ValueError:
             raise SceneTextError("%s: %s is no number, which could be multiplied" % (key, self.text[begin:end]))
 
@@ -108,13 +110,21 @@ class SceneText:
         return [("%s: %s\n%s" % (name, flow(what, values), " " * column), leaves(what)) for name, what in tree.items()]
 
 
-def survey_file(scene, scene_file):
-    """The path of the survey that a scene's text names, which counts from the scene's file; None where it has none."""
+def survey_of_well(scene, scene_file):
+    """What stands under well.survey in a scene's text: the key of the file's name and that name; None where there is none."""
     try:
-        well = (yaml.safe_load(scene) or {}).get("well") or {}
+        survey = ((yaml.safe_load(scene) or {}).get("well") or {}).get("survey")
+        if isinstance(survey, dict):
+            return "well.survey.file", survey.get("file")
     except (yaml.YAMLError, AttributeError) as error:
         raise SceneTextError("%s: is no scene: %s" % (scene_file, " ".join(str(error).split())))
-    return os.path.join(os.path.dirname(scene_file), str(well["survey"])) if "survey" in well else None
+    return "well.survey", survey
+
+
+def survey_file(scene, scene_file):
+    """The path of the survey that a scene's text names, which counts from the scene's file; None where it has none."""
+    name = survey_of_well(scene, scene_file)[1]
+    return None if name is None else os.path.join(os.path.dirname(scene_file), str(name))
 
 
 def steps_of(key):

@@ -1,54 +1,18 @@
 #ifndef DRILL_RIG_SIM_RVIZ_MODEL_UNITS_H
 #define DRILL_RIG_SIM_RVIZ_MODEL_UNITS_H
 
+#include "drill_rig_sim/math/shown_units.h"
+
+/// The units of the console are those of the runner's commands.
 namespace drill_rig_sim::console
 {
-enum class UnitSystem
-{
-  si,
-  oilfield
-};
-
-/// What a number measures.
-enum class Dimension
-{
-  force,
-  torque,
-  rotation,     // speed of rotation
-  penetration,  // rate of penetration
-  pressure,
-  specific_energy,
-  flow,
-  length,
-  diameter,
-  area,
-  speed,
-  angle,
-  density,
-  strokes,         // of a pump, per time
-  force_per_length,
-  share,
-  number,
-  count
-};
-
-/// How a dimension is shown: shown = SI value * per_si.
-struct Unit
-{
-  const char* name;  // "" for a mere number
-  double per_si;     // shown units in one SI unit (N, N m, rad/s, m/s, Pa, m3/s, m, m2, rad, kg/m3, 1/s, N/m)
-  int decimals;      // that are shown
-};
-
-/// The unit of a dimension. Factors: NIST SP 811, appendix B (lbf, ft, in, psi, US gallon).
-const Unit& unit_of(Dimension dimension, UnitSystem system);
-/// Name of the SI unit itself, as in the messages: "N", "rad/s"; "1" for a number.
-const char* si_name(Dimension dimension);
-/// From SI to what is shown.
-double to_shown(double si, Dimension dimension, UnitSystem system);
-/// From what is shown to SI.
-double to_si(double shown, Dimension dimension, UnitSystem system);
-
+using drill_rig_sim::Dimension;
+using drill_rig_sim::si_name;
+using drill_rig_sim::to_shown;
+using drill_rig_sim::to_si;
+using drill_rig_sim::Unit;
+using drill_rig_sim::unit_of;
+using drill_rig_sim::UnitSystem;
 }  // namespace drill_rig_sim::console
 
 #endif

@@ -1,15 +1,18 @@
 // Surveys of real wells and standard well paths against the positions listed beside them.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <map>
 #include <sstream>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/survey_file.h"
 #include "drill_rig_sim/well/survey.h"
 #include "groups.h"
 #include "in_source.h"
 #include "report.h"
+#include "temporary_folder.h"
 
 namespace drill_rig_sim
 {
@@ -51,12 +54,37 @@ double worst_difference(const ListedWell& well)
     worst = std::max(worst, (survey.station(i).position - (well.positions[static_cast<std::size_t>(i)] - well.positions[0])).norm());
   return worst;
 }
+
+/// A number as much of Europe writes it.
+std::string with_comma(double value)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%.9f", value);
+  std::string number = text;
+  number[number.find('.')] = ',';
+  return number;
+}
+
+/// The same stations, written in feet between semicolons with decimal commas and read as a survey's file.
+ListedWell in_feet(const ListedWell& well)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder.file("feet.csv");
+  std::ofstream out(file);
+  out << "Station;Measured Depth (ft);Incl. (deg);Azimuth Grid (deg)\n";
+  int number = 0;
+  for (const SurveyStation& s : well.stations)
+    out << ++number << ';' << with_comma(s.md / 0.3048) << ';' << with_comma(s.inclination / degree) << ';' << with_comma(s.azimuth / degree) << '\n';
+  out.close();
+  return {read_survey_file(file).stations, well.positions};
+}
 }  // namespace
 
 void survey_cases(Report& report)
 {
   const std::pair<const char*, bool> files[] = {
       {"iscwsa/wells.csv", true}, {"ullrigg/u1.csv", false}, {"ullrigg/u3.csv", false}, {"ullrigg/u4.csv", false}, {"ullrigg/u5.csv", false}};
+  double feet_and_metres = 0.0;
   for (const auto& file : files)
   {
     const auto wells = read_wells(file.first, file.second);
@@ -75,8 +103,10 @@ void survey_cases(Report& report)
           if (s.md > 499.0 && s.md < 901.0 && s.md != 750.0) s.azimuth = 2.0 * pi - s.azimuth;
       }
       report.add({"survey " + std::string(file.second ? "iscwsa " : "") + name + ": worst station [m]", worst_difference(well), 0.0, 0.05, source, true});
+      feet_and_metres = std::max(feet_and_metres, std::abs(worst_difference(in_feet(well)) - worst_difference(well)));
     }
   }
+  report.add({"surveys in feet between semicolons: change of the worst station [m]", feet_and_metres, 0.0, 1e-6, "the same positions", true});
 }
 
 }  // namespace drill_rig_sim

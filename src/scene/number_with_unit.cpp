@@ -1,0 +1,157 @@
+#include "number_with_unit.h"
+
+#include <cctype>
+#include <cmath>
+#include <locale>
+#include <regex>
+#include <sstream>
+
+#include "drill_rig_sim/math/unit_table.h"
+#include "drill_rig_sim/well/problem.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+/// The units of a key: a family, each of its units followed by `suffix`.
+struct KeyUnits
+{
+  const UnitFamily* family = nullptr;  // none: its own unit is the only one
+  std::string suffix;
+};
+
+bool ends_with(const std::string& text, const std::string& end)
+{
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// a gauge's drift is in units of its signal per second, or per square root of a second
+KeyUnits units_of(const std::string& key_unit)
+{
+  if (const UnitFamily* family = family_of(key_unit)) return {family, ""};
+  for (const std::string suffix : {"/s^0.5", "/s"})
+  {
+    if (!ends_with(key_unit, suffix)) continue;
+    if (const UnitFamily* family = family_of(key_unit.substr(0, key_unit.size() - suffix.size()))) return {family, suffix};
+  }
+  return {};
+}
+
+const UnitName* find_in(const KeyUnits& units, const std::string& written)
+{
+  if (!units.family) return nullptr;
+  if (units.suffix.empty()) return find_unit(*units.family, written);
+  return ends_with(written, units.suffix) ? find_unit(*units.family, written.substr(0, written.size() - units.suffix.size())) : nullptr;
+}
+
+std::string allowed_units(const KeyUnits& units, const std::string& key_unit)
+{
+  if (key_unit.empty() || key_unit == "-") return "a number without a unit";
+  if (!units.family) return "a number without a unit, which is in " + key_unit;
+  std::string text;
+  for (const UnitName& unit : units.family->units)
+    if (unit.listed) text += (text.empty() ? "" : ", ") + std::string(unit.name) + units.suffix;
+  return text;
+}
+
+std::string lower(const std::string& text)
+{
+  std::string out;
+  for (const char c : text) out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+// for the allowed units of a spelling that means several things; empty if the key takes none of them
+std::string allowed_meanings(const KeyUnits& units, const std::string& written)
+{
+  std::string text;
+  for (const char* meaning : meanings_of(written))
+    if (find_in(units, meaning + units.suffix)) text += (text.empty() ? "" : " or ") + std::string(meaning) + units.suffix;
+  return text;
+}
+
+// What is wrong with a unit that the key does not take. Of the file's own text it shows only units of the table.
+std::string refusal(const KeyUnits& units, const std::string& written, const std::string& key_unit)
+{
+  const std::string meanings = allowed_meanings(units, written);
+  if (!meanings.empty()) return written + " is ambiguous; allowed: " + meanings;
+  const std::string allowed = "; allowed: " + allowed_units(units, key_unit);
+  if (!meanings_of(written).empty()) return written + " is " + family_of(meanings_of(written).front())->quantity + allowed;
+  if (const UnitFamily* other = family_of(written)) return written + " is " + other->quantity + allowed;
+  if (units.family)
+    for (const UnitName& unit : units.family->units)
+      if (lower(unit.name + units.suffix) == lower(written)) return "unknown unit, did you mean " + (unit.name + units.suffix) + "?" + allowed;
+  return "unknown unit" + allowed;
+}
+
+// a number of a message, which has six figures; the first one, if it is what was given, is shown as it was
+std::string shown_in(const InputUnit& unit, double in_key_unit, bool is_first)
+{
+  const auto number = static_cast<double>(in_key_unit / unit.factor);
+  return plain(is_first && std::abs(number - unit.number) <= 1e-5 * std::abs(unit.number) ? unit.number : number);
+}
+
+bool may_begin_a_unit(const std::string& text)
+{
+  return std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '%' || static_cast<unsigned char>(text[0]) >= 0x80 || text.compare(0, 2, "1/") == 0;
+}
+}  // namespace
+
+bool split_number(const std::string& text, WrittenNumber& number)
+{
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  if (!(in >> number.value)) return false;
+  number.unit.clear();
+  if (in.peek() == std::istringstream::traits_type::eof()) return true;
+  const auto end = static_cast<std::size_t>(in.tellg());
+  const std::size_t first = text.find_first_not_of(' ', end);
+  if (first == std::string::npos || !may_begin_a_unit(text.substr(first))) return false;
+  std::istringstream digits(text.substr(0, end));
+  digits.imbue(std::locale::classic());
+  if (!(digits >> number.exact)) return false;
+  number.unit = plain_unit(text.substr(first, text.find_last_not_of(' ') - first + 1));
+  return true;
+}
+
+std::string find_input_unit(const WrittenNumber& number, const std::string& key_unit, InputUnit& unit)
+{
+  const std::string& written = number.unit;
+  unit = {};
+  unit.number = number.value;
+  if (written.empty()) return "";
+  const std::string own = plain_unit(key_unit);
+  const KeyUnits units = units_of(own);
+  const UnitName* found = find_in(units, written);
+  if (!found && written != own) return refusal(units, written, key_unit);
+  unit.name = written;
+  if (found && written != own) unit.factor = found->si / find_in(units, own)->si;
+  return "";
+}
+
+std::string in_input_unit(const std::string& message, const std::string& key_unit, const InputUnit& unit)
+{
+  if (unit.name.empty() || unit.name == plain_unit(key_unit)) return message;
+  static const std::regex number("-?[0-9][0-9.]*(e[-+]?[0-9]+)?");
+  const std::regex numbers_of_unit("(-?[0-9][0-9.]*(e[-+]?[0-9]+)?( to (below )?))?-?[0-9][0-9.]*(e[-+]?[0-9]+)? " + key_unit + "(?![A-Za-z0-9/^])");
+  std::string out;
+  bool is_first = true;
+  auto at = message.begin();
+  for (std::sregex_iterator found(message.begin(), message.end(), numbers_of_unit), none; found != none; ++found)
+  {
+    out.append(at, message.begin() + found->position());
+    std::string part = found->str().substr(0, found->str().size() - key_unit.size());
+    for (std::sregex_iterator each(part.begin(), part.end(), number); each != none; ++each)
+    {
+      WrittenNumber given;
+      split_number(each->str(), given);
+      out += each->prefix().str() + shown_in(unit, given.value, is_first);
+      is_first = false;
+    }
+    out += " " + unit.name;
+    at = message.begin() + found->position() + found->length();
+  }
+  return out.append(at, message.end());
+}
+
+}  // namespace drill_rig_sim

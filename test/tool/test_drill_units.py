@@ -1,0 +1,58 @@
+#!/usr/bin/python3
+"""The runner's units: settings that carry one, and `--units` of the commands that print.
+
+Usage: test_drill_units.py PATH_TO_DRILL
+"""
+import os
+import re
+import sys
+import unittest
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import test_drill  # noqa: E402 (leaves nothing behind)
+
+QUICK, OILFIELD = test_drill.QUICK, os.path.join(test_drill.SOURCE, 'config/scenes/oilfield.yaml')
+
+
+class Units(test_drill.Drill):
+    def test_settings_carry_units(self):
+        self.assertEqual(self.succeed('check', QUICK, '--set', 'mud.density=1198.2642731689663'), self.succeed('check', QUICK, '--set', 'mud.density=10 ppg'))
+        self.assertEqual('setting: mud.density: psi is a pressure; allowed: kg/m3, g/cm3, ppg, lbm/ft3\n', self.refuse('check', QUICK, '--set', 'mud.density=10 psi'))
+
+    def test_check(self):
+        in_si, shown = self.succeed('check', OILFIELD), self.succeed('check', OILFIELD, '--units', 'oilfield')
+        self.assertEqual(in_si, self.succeed('check', OILFIELD, '--units=si'))
+        for line in ('4 stations to 1500.00 ft, hole 1500.00 ft deep', 'dogleg      at most 2.00 deg/100 ft, from 500.00 to 1100.00 ft', 'part             type       from bit ft      to ft     mass lbm',
+                     'bit at 1498.00 ft, block at 80.00 ft, hook load ', ' klbf, of it the string ', 'mud         9.50 ppg, ', ' bbl in the annulus; of ', ' psi lost at 800 gpm ', ' ft.lbf.s/rad, I '):
+            self.assertIn(line, shown)
+        kilonewton, klbf = (float(re.search(r'hook load ([\d.]+) k', text).group(1)) for text in (in_si, shown))
+        self.assertAlmostEqual(kilonewton, 4.4482216 * klbf, delta=0.3)
+        for text in (in_si, shown):
+            total = re.search(r'\nstring +([\d.]+) +(\d+)\n', text)
+            self.assertAlmostEqual(1578.0, float(total.group(1)) / (0.3048 if text is in_si else 1.0), delta=0.05)
+        self.assertIn("'imperial' is not known, allowed: si or oilfield", self.refuse('check', OILFIELD, '--units', 'imperial'))
+
+    def test_static(self):
+        in_si, shown = self.succeed('static', OILFIELD), self.succeed('static', OILFIELD, '--units', 'oilfield')
+        for name, unit, shown_unit, factor in (('hook load', 'N', 'klbf', 4448.2216), ('of the string', 'N', 'klbf', 4448.2216), ('bit side force', 'N', 'klbf', 4448.2216)):
+            found = [re.search(r'^%s +([-\d.]+) (\S+?),?(?: |$)' % name, text, re.MULTILINE) for text in (in_si, shown)]
+            self.assertEqual([unit, shown_unit], [one.group(2) for one in found])
+            self.assertAlmostEqual(float(found[0].group(1)), factor * float(found[1].group(1)), delta=0.06 * factor, msg=name)
+        self.assertIn(' kft.lbf\n', shown)
+        self.assertEqual(self.succeed('static', OILFIELD, '--units', 'si'), in_si)
+
+    def test_commands_of_python_take_them(self):
+        series = self.file('run.csv')
+        self.succeed('run', QUICK, '--duration', '20', '--csv', series, '--set', 'start.bit_depth=327.9 ft')
+        self.assertRegex(self.succeed('score', series, '--units', 'oilfield'), r'weight on bit, mean +[\d.]+ klbf')
+        self.assertRegex(self.succeed('score', series), r'weight on bit, mean +[\d.]+ kN')
+        for command in ('score', 'plot', 'replay'):
+            words = [command, series] + ([QUICK] if command == 'replay' else [])
+            self.assertIn("'furlong' is not known, allowed: si or oilfield", self.refuse(*words, '--units', 'furlong'))
+            self.assertIn('stay in SI', self.succeed(command, '--help'))
+
+
+if __name__ == '__main__':
+    test_drill.drill_program = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

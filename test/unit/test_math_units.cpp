@@ -1,0 +1,126 @@
+// The table of units against figures of NIST SP 811, appendix B, and the spellings of a unit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "drill_rig_sim/math/unit_table.h"
+
+namespace drill_rig_sim::test_math_units
+{
+namespace
+{
+struct Figure
+{
+  const char* quantity;
+  const char* unit;
+  double si;
+};
+
+// Seven figures as SP 811 gives them, or by hand from those; what is exact stands in full.
+const std::vector<Figure> figures = {
+    {"a length", "mm", 0.001}, {"a length", "cm", 0.01}, {"a length", "km", 1000.0}, {"a length", "ft", 0.3048}, {"a length", "in", 0.0254},
+    {"a mass", "g", 0.001}, {"a mass", "t", 1000.0}, {"a mass", "lbm", 0.45359237}, {"a mass", "klbm", 453.59237}, {"a mass", "tonUS", 907.18474},
+    {"a mass", "tonUK", 1016.0469088}, {"a mass", "lb", 0.45359237}, {"a mass", "klb", 453.59237},
+    {"a time", "ms", 0.001}, {"a time", "min", 60.0}, {"a time", "h", 3600.0}, {"a time", "hr", 3600.0}, {"a time", "d", 86400.0},
+    {"an angle", "deg", 0.01745329252}, {"an angle", "rev", 6.283185307},
+    {"a force", "daN", 10.0}, {"a force", "kN", 1e3}, {"a force", "MN", 1e6}, {"a force", "kdaN", 1e4}, {"a force", "kgf", 9.80665}, {"a force", "kkgf", 9806.65},
+    {"a force", "tf", 9806.65}, {"a force", "lbf", 4.4482216152605}, {"a force", "klbf", 4448.2216152605}, {"a force", "kip", 4448.2216152605},
+    {"a force", "tonfUS", 8896.443230521}, {"a force", "tonfUK", 9964.01641818352},
+    {"a torque", "daN.m", 10.0}, {"a torque", "kN.m", 1e3}, {"a torque", "kgf.m", 9.80665}, {"a torque", "lbf.in", 0.1129848290}, {"a torque", "ft.lbf", 1.355817948},
+    {"a torque", "kft.lbf", 1355.817948}, {"a torque", "lbf.ft", 1.355817948}, {"a torque", "klbf.ft", 1355.817948}, {"a torque", "ft.lb", 1.355817948},
+    {"a torque", "kft.lb", 1355.817948},
+    {"a pressure", "kPa", 1e3}, {"a pressure", "MPa", 1e6}, {"a pressure", "GPa", 1e9}, {"a pressure", "bar", 1e5}, {"a pressure", "atm", 101325.0},
+    {"a pressure", "kgf/cm2", 98066.5}, {"a pressure", "psi", 6894.757293}, {"a pressure", "ksi", 6894757.293}, {"a pressure", "kpsi", 6894757.293},
+    {"a pressure", "lbf/100ft2", 0.4788025898}, {"a pressure", "lb/100ft2", 0.4788025898},
+    {"an energy per volume", "MJ/m3", 1e6}, {"an energy per volume", "Pa", 1.0}, {"an energy per volume", "MPa", 1e6}, {"an energy per volume", "psi", 6894.757293},
+    {"an energy per volume", "ksi", 6894757.293},
+    {"a density", "g/cm3", 1000.0}, {"a density", "kg/L", 1000.0}, {"a density", "ppg", 119.8264273}, {"a density", "lbm/galUS", 119.8264273},
+    {"a density", "lbm/ft3", 16.01846337}, {"a density", "lb/ft3", 16.01846337},
+    {"a viscosity", "mPa.s", 0.001}, {"a viscosity", "cP", 0.001},
+    {"a speed", "m/min", 0.01666666667}, {"a speed", "m/h", 2.777777778e-4}, {"a speed", "m/hr", 2.777777778e-4}, {"a speed", "ft/s", 0.3048}, {"a speed", "ft/min", 0.00508},
+    {"a speed", "ft/h", 8.466666667e-5}, {"a speed", "ft/hr", 8.466666667e-5},
+    {"an angular speed", "rpm", 0.1047197551}, {"an angular speed", "rev/min", 0.1047197551}, {"an angular speed", "deg/s", 0.01745329252}, {"an angular speed", "rev/s", 6.283185307},
+    {"an acceleration", "ft/s2", 0.3048},
+    {"an angular acceleration", "rpm/s", 0.1047197551}, {"an angular acceleration", "deg/s2", 0.01745329252},
+    {"a flow", "m3/min", 0.01666666667}, {"a flow", "m3/h", 2.777777778e-4}, {"a flow", "L/s", 0.001}, {"a flow", "L/min", 1.666666667e-5}, {"a flow", "gpm", 6.30901964e-5},
+    {"a flow", "galUS/min", 6.30901964e-5}, {"a flow", "galUK/min", 7.576816667e-5}, {"a flow", "bbl/min", 2.649788249e-3},
+    {"a change of flow", "L/s2", 0.001}, {"a change of flow", "L/min/s", 1.666666667e-5}, {"a change of flow", "gpm/s", 6.30901964e-5},
+    {"a volume", "L", 0.001}, {"a volume", "galUS", 3.785411784e-3}, {"a volume", "galUK", 4.54609e-3}, {"a volume", "bbl", 0.1589872949}, {"a volume", "ft3", 0.02831684659},
+    {"a volume", "in3", 1.6387064e-5},
+    {"a volume per turn", "L/rev", 0.001}, {"a volume per turn", "galUS/rev", 3.785411784e-3}, {"a volume per turn", "galUK/rev", 4.54609e-3},
+    {"an area", "cm2", 1e-4}, {"an area", "mm2", 1e-6}, {"an area", "in2", 6.4516e-4},
+    {"a frequency", "Hz", 1.0}, {"a frequency", "1/min", 0.01666666667},
+    {"a power", "kW", 1e3}, {"a power", "MW", 1e6}, {"a power", "hp", 745.6998716},
+    {"a mass per length", "lbm/ft", 1.488163944}, {"a mass per length", "lb/ft", 1.488163944}, {"a mass per length", "ppf", 1.488163944},
+    {"a force per length", "kN/m", 1e3}, {"a force per length", "MN/m", 1e6}, {"a force per length", "lbf/ft", 14.59390294}, {"a force per length", "klbf/ft", 14593.90294},
+    {"a force per length", "lbf/in", 175.1268352},
+    {"a bending stiffness", "kN.m2", 1e3}, {"a bending stiffness", "lbf.ft2", 0.4132533107}, {"a bending stiffness", "lbf.in2", 2.869814656e-3},
+    {"a moment of inertia", "lbm.ft2", 0.04214011009}, {"a moment of inertia per length", "lbm.ft2/ft", 0.1382549544},
+    {"a torsional stiffness", "kN.m/rad", 1e3}, {"a torsional stiffness", "ft.lbf/rad", 1.355817948}, {"a torsional stiffness", "ft.lbf/deg", 77.68264619},
+    {"a torsional damping", "N.m/rpm", 9.549296586}, {"a torsional damping", "ft.lbf.s/rad", 1.355817948}, {"a torsional damping", "ft.lbf/rpm", 12.94710771},
+    {"a torsional damping per length", "ft.lbf.s/rad/ft", 4.448221615},
+    {"a damping", "kN.s/m", 1e3}, {"a damping", "lbf.s/ft", 14.59390294},
+    {"a damping per length", "N.s/m2", 1.0}, {"a damping per length", "lbf.s/ft2", 47.88025898},
+    {"a time per length", "s/ft", 3.280839895}, {"a pressure per flow squared", "psi/gpm2", 1.732188792e12},
+};
+}  // namespace
+
+TEST(Units, EachIsWhatItsDefinitionSays)
+{
+  std::set<std::string> tested;
+  for (const Figure& figure : figures)
+  {
+    const std::string name = std::string(figure.quantity) + ": " + figure.unit;
+    const UnitName* found = nullptr;
+    for (const UnitFamily& family : unit_families())
+      if (std::string(family.quantity) == figure.quantity) found = find_unit(family, figure.unit);
+    ASSERT_NE(found, nullptr) << name;
+    EXPECT_NEAR(1.0, static_cast<double>(found->si) / figure.si, 5e-10) << name;
+    tested.insert(name);
+  }
+  for (const UnitFamily& family : unit_families())
+  {
+    EXPECT_EQ(1.0L, family.units.front().si) << family.quantity;
+    for (std::size_t i = 1; i < family.units.size(); ++i)
+      EXPECT_EQ(1u, tested.count(std::string(family.quantity) + ": " + family.units[i].name)) << family.units[i].name << " is not tested";
+  }
+}
+
+TEST(Units, AreSpelledInSeveralWays)
+{
+  for (const char* spelling : {"ft.lbf", "ft lbf", "ft-lbf", "ft*lbf", "ft\u00b7lbf"}) EXPECT_EQ("ft.lbf", plain_unit(spelling));
+  for (const char* spelling : {"m3/s", "m^3/s", "m\u00b3/s"}) EXPECT_EQ("m3/s", plain_unit(spelling));
+  EXPECT_EQ("N.s/m/m", plain_unit("N s/m per m"));
+  EXPECT_EQ("deg", plain_unit("\u00b0"));
+  EXPECT_EQ("N/m^e", plain_unit("N/m^e"));
+  EXPECT_EQ("psi/s^0.5", plain_unit("psi/s^0.5"));
+}
+
+TEST(Units, ASpellingOfSeveralMeaningsIsNoUnit)
+{
+  for (const char* spelling : {"tonf", "ton", "gal", "gal/min", "gal/rev", "mPa", "sg"})
+  {
+    EXPECT_EQ(nullptr, family_of(spelling)) << spelling;
+    ASSERT_FALSE(meanings_of(spelling).empty()) << spelling;
+    for (const char* meaning : meanings_of(spelling)) EXPECT_NE(nullptr, family_of(meaning)) << meaning;
+  }
+  EXPECT_TRUE(meanings_of("psi").empty());
+  EXPECT_NE(nullptr, family_of("bbl")) << "42 US gallons";
+}
+
+TEST(Units, ASpellingIsOneUnitOfAQuantity)
+{
+  for (const UnitFamily& family : unit_families())
+  {
+    std::set<std::string> spellings;
+    for (const UnitName& unit : family.units)
+    {
+      EXPECT_TRUE(spellings.insert(unit.name).second) << family.quantity << ": " << unit.name;
+      EXPECT_EQ(unit.name, plain_unit(unit.name)) << "would never be found";
+    }
+  }
+}
+}  // namespace drill_rig_sim::test_math_units

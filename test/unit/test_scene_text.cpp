@@ -1,0 +1,100 @@
+// Text files: any encoding that the trade writes comes back as the same UTF-8, what is no text is refused in one line.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "../../src/scene/text_decoder.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/scene/survey_file.h"
+#include "temporary_folder.h"
+
+namespace drill_rig_sim::test_scene_text
+{
+namespace
+{
+const std::string sharp = "# \xc3\xb8 \xe2\x82\xac \xf0\x9f\x9b\xa2\n";  // o with stroke, euro, oil drum
+
+std::string utf16(const std::u16string& text, bool big_end_first)
+{
+  std::string bytes = big_end_first ? "\xfe\xff" : "\xff\xfe";
+  for (const char16_t unit : text)
+  {
+    const char high = static_cast<char>(unit >> 8), low = static_cast<char>(unit & 0xff);
+    bytes += big_end_first ? std::string{high, low} : std::string{low, high};
+  }
+  return bytes;
+}
+
+TEST(SceneText, Utf8WithAndWithoutItsMark)
+{
+  for (const std::string mark : {"", "\xef\xbb\xbf"})
+  {
+    const DecodedText decoded = decode_text(mark + sharp);
+    EXPECT_EQ(sharp, decoded.text);
+    EXPECT_FALSE(decoded.is_latin);
+    EXPECT_EQ("", decoded.wrong);
+  }
+  EXPECT_EQ("", decode_text("").text);
+}
+
+TEST(SceneText, Utf16OfBothOrders)
+{
+  for (const bool big : {false, true}) EXPECT_EQ(sharp, decode_text(utf16(u"# \u00f8 \u20ac \U0001f6e2\n", big)).text);
+  EXPECT_NE("", decode_text(utf16(u"ab", false) + "x").wrong) << "half a character";
+  EXPECT_NE("", decode_text(utf16(std::u16string(1, 0xd800), false)).wrong) << "half a pair";
+}
+
+TEST(SceneText, OtherBytesAreLatin)
+{
+  const DecodedText decoded = decode_text("51\xb0 \xf8 \x80\x81\n");
+  EXPECT_TRUE(decoded.is_latin);
+  EXPECT_EQ("51\xc2\xb0 \xc3\xb8 \xe2\x82\xac\xef\xbf\xbd\n", decoded.text);
+  // overlong, a surrogate, beyond 10FFFF, cut off: none of them is UTF-8
+  for (const char* bytes : {"\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"}) EXPECT_TRUE(decode_text(bytes).is_latin) << bytes;
+}
+
+TEST(SceneText, NulIsInNoText)
+{
+  const DecodedText decoded = decode_text(std::string("a\nb\0c", 5));
+  EXPECT_NE(std::string::npos, decoded.wrong.find("NUL"));
+  EXPECT_EQ(2, decoded.wrong_line);
+  EXPECT_NE("", decode_text(utf16(u"md", false).substr(2)).wrong) << "UTF-16 without its mark";
+  EXPECT_NE("", decode_text(std::string("\xff\xfe\0\0m\0\0\0", 8)).wrong) << "UTF-32";
+}
+
+TEST(SceneText, ASurveySaysTheSameInEachEncoding)
+{
+  const TemporaryFolder folder;
+  const std::string table = "md_m,Inc (\xc2\xb0),azimuth_deg\n0,0,0\n100,2,40\n", file = folder.file("survey.csv");
+  const std::string latin = "md_m,Inc (\xb0),azimuth_deg\n0,0,0\n100,2,40\n";
+  for (const std::string& bytes : {table, "\xef\xbb\xbf" + table, utf16(u"md_m,Inc (\u00b0),azimuth_deg\n0,0,0\n100,2,40\n", false), latin})
+  {
+    std::ofstream(file) << bytes;
+    const SurveyTable survey = read_survey_file(file);
+    ASSERT_EQ(2u, survey.stations.size());
+    EXPECT_EQ(40.0 * degree, survey.stations[1].azimuth);
+    const bool is_latin = bytes == latin;
+    EXPECT_EQ(is_latin ? std::vector<std::string>{file + ": is not UTF-8; read as latin-1"} : std::vector<std::string>{}, survey.remarks);
+  }
+}
+
+TEST(SceneText, ASceneWithANulIsRefusedWithItsLine)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder.file("nul.yaml");
+  std::ofstream(file) << "name: x\n" << '\0';
+  try
+  {
+    read_scene(file);
+    ADD_FAILURE() << "was accepted";
+  }
+  catch (const SceneError& error)
+  {
+    EXPECT_EQ(0u, std::string(error.what()).rfind(file + ":2: holds a NUL byte", 0)) << error.what();
+    EXPECT_EQ(1u, error.problems().size());
+  }
+}
+}  // namespace
+}  // namespace drill_rig_sim::test_scene_text

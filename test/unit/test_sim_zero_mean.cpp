@@ -1,0 +1,172 @@
+// The zero of the weight on bit: a mean over whole periods of the string's ringing in its lines, and only of what hangs there as it does now.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
+#include "drill_rig_sim/sim/simulator.h"
+#include "drill_rig_sim/sim/zero_mean.h"
+#include "test_scenes.h"
+
+namespace test_sim_zero_mean
+{
+using namespace drill_rig_sim;
+
+namespace
+{
+constexpr double frame = 0.01;  // [s]
+
+HungString hung_in(const Scene& scene)
+{
+  const double height = scene.start.block_height;
+  return {build_mesh(scene, scene.start.bit_depth + height), scene.rig.hoisting, height};
+}
+
+/// A hook load of 500 kN that swings by 10 kN, at a time, with the block lowered.
+struct Ring
+{
+  double period, mean = 5e5, half = 1e4;
+  double at(double time) const { return mean + half * std::sin(2.0 * pi * time / period); }
+};
+
+RigSignals lowered(double time)
+{
+  RigSignals now;
+  now.time = time;
+  now.setpoints.winch = {-0.05, false};
+  return now;
+}
+
+/// Frames from `begin` to `end` [s].
+void take(ZeroMean& zero, const Ring& ring, double begin, double end, RigSignals now = lowered(0.0))
+{
+  for (double time = begin; time < end - 0.5 * frame; time += frame)
+  {
+    now.time = time;
+    zero.take(ring.at(time), now);
+  }
+}
+
+/// The zero that a tare at this moment gives to the readings [N].
+double zero_of(Simulator& rig)
+{
+  EXPECT_TRUE(rig.tare());
+  EXPECT_NEAR(rig.readings().hook_load + rig.readings().surface_wob, rig.truth().hook_load + rig.truth().surface_wob, 1e-6) << "the gauge is ideal";
+  return rig.readings().hook_load + rig.readings().surface_wob;
+}
+}  // namespace
+
+// A rod that hangs on stiff lines: four times the way of a wave; a stiff one that bounces with its block on soft lines.
+TEST(HungString, ringsAsItsLimitsDo)
+{
+  HungString hung = hung_in(vertical_scene(1000.0, 900.0));
+  const double block = 17500.0;
+  EXPECT_GT(hung.mass, 2e4);
+  const HungString as_it_is = hung;
+  hung.lines = 1e15;
+  EXPECT_NEAR(4.0 * std::sqrt(hung.mass / hung.stiffness), hung.ring_period(block), 1e-3 * hung.ring_period(block));
+  hung = as_it_is;
+  hung.stiffness = 1e15;
+  EXPECT_NEAR(2.0 * pi * std::sqrt((hung.mass + block) / hung.lines), hung.ring_period(block), 1e-3 * hung.ring_period(block));
+  EXPECT_GT(as_it_is.ring_period(block), hung.ring_period(block)) << "both give way";
+}
+
+TEST(ZeroMean, takesWholePeriodsOfTheRing)
+{
+  for (const double period : {0.25, 1.7, 4.5})
+  {
+    const Ring ring{period};
+    ZeroMean zero(0.0);
+    zero.rings_with(period);
+    double time = 12.0;
+    take(zero, ring, 0.0, time);
+    for (int phase = 0; phase < 8; ++phase, time += period / 8.0)
+    {
+      EXPECT_NEAR(ring.mean, zero.mean(), 0.02 * ring.half) << period << " s, " << phase;
+      take(zero, ring, time, time + period / 8.0);
+    }
+  }
+}
+
+// An estimate of the period that is off by a tenth still takes most of the ring away.
+TEST(ZeroMean, bearsAnErrorOfThePeriod)
+{
+  const Ring ring{1.7};
+  ZeroMean zero(0.0);
+  zero.rings_with(1.1 * ring.period);
+  double time = 12.0;
+  take(zero, ring, 0.0, time);
+  for (int phase = 0; phase < 8; ++phase, time += ring.period / 8.0)
+  {
+    EXPECT_NEAR(ring.mean, zero.mean(), 0.15 * ring.half) << phase;
+    take(zero, ring, time, time + ring.period / 8.0);
+  }
+}
+
+// Sheaves and walls rub the other way, or no more: what was before is no part of the zero.
+TEST(ZeroMean, beginsAnewWhereFrictionChanges)
+{
+  RigSignals up = lowered(0.0), stopped = lowered(0.0), braked = lowered(0.0), turning = lowered(0.0);
+  up.setpoints.winch.block_velocity = 0.05;
+  stopped.setpoints.winch.block_velocity = 0.0;
+  braked.setpoints.winch.brake = true;
+  turning.top_drive_speed = 60.0 * rpm;
+  const Ring before{1.0, 6e5, 0.0}, after{1.0, 5e5, 0.0};
+  for (const RigSignals& next : {up, stopped, braked, turning})
+  {
+    ZeroMean zero(0.0);
+    zero.rings_with(1.0);
+    take(zero, before, 0.0, 10.0);
+    EXPECT_DOUBLE_EQ(before.mean, zero.mean());
+    take(zero, after, 10.0, 10.1, next);
+    EXPECT_DOUBLE_EQ(after.mean, zero.mean());
+  }
+  ZeroMean faster(0.0);
+  faster.rings_with(1.0);
+  take(faster, before, 0.0, 10.0);
+  RigSignals now = lowered(0.0);
+  now.setpoints.winch.block_velocity = -0.02;
+  take(faster, after, 10.0, 10.5, now);
+  EXPECT_GT(faster.mean(), 5.5e5) << "another speed is no other friction";
+}
+
+TEST(ZeroMean, ofAFloatingRigGoesOverAPeriodOfTheWaves)
+{
+  const Ring waves{10.0};
+  ZeroMean zero(10.0);
+  zero.rings_with(1.0);
+  take(zero, waves, 0.0, 23.0);
+  RigSignals stopped = lowered(0.0);
+  stopped.setpoints.winch.block_velocity = 0.0;
+  take(zero, waves, 23.0, 27.3, stopped);
+  EXPECT_NEAR(waves.mean, zero.mean(), 0.02 * waves.half);
+}
+
+// The block stops and the string rings: whenever the driller zeroes, it is the same zero.
+TEST(Tare, hitsTheMeanOfARingingHookLoad)
+{
+  Scene scene = vertical_scene(1000.0, 900.0);
+  scene.instruments.hook_load.place = HookLoadPlace::block;
+  Simulator rig(scene);
+  rig.command(WinchSetpoint{-0.3, false});
+  for (int k = 0; k < 300; ++k) ASSERT_EQ(FrameStatus::running, rig.frame(frame));
+  rig.command(WinchSetpoint{0.0, true});
+  for (int k = 0; k < 400; ++k) ASSERT_EQ(FrameStatus::running, rig.frame(frame));
+  double least = 1e9, largest = 0.0, least_zero = 1e9, largest_zero = 0.0;
+  for (int k = 0; k < 300; ++k)
+  {
+    ASSERT_EQ(FrameStatus::running, rig.frame(frame));
+    least = std::min(least, rig.truth().hook_load);
+    largest = std::max(largest, rig.truth().hook_load);
+    if (k % 20 != 0) continue;
+    const double zero = zero_of(rig);
+    least_zero = std::min(least_zero, zero);
+    largest_zero = std::max(largest_zero, zero);
+  }
+  EXPECT_GT(largest - least, 1e3) << "it rings";
+  EXPECT_LT(largest_zero - least_zero, 0.2 * (largest - least));
+}
+
+}  // namespace test_sim_zero_mean
