@@ -121,11 +121,10 @@ def frames_of(period, rate):
     return frames
 
 
-def drive(rig, law, timeout, telemetry=Deaf, judge=None):
-    """Lockstep: steps the rig under the law until that is done, or for `timeout` simulated seconds; the states after each of its periods.
-    `telemetry`: of drill_rig_sim.topics beside a node; a simulator in this process is its own. `judge`: called with each state, to look at the law meanwhile or to break the rig.
-    Where the rig begins a new run meanwhile (NewRuns), so does the law."""
-    states, every, refused, runs = [], frames_of(law.period, rig.rate), "", NewRuns(law)
+def driven(rig, law, timeout, telemetry=Deaf):
+    """Lockstep: steps the rig under the law until that is done, or for `timeout` simulated seconds; yields the state after each of its periods.
+    `telemetry`: of drill_rig_sim.topics beside a node; a simulator in this process is its own. Where the rig begins a new run meanwhile (NewRuns), so does the law."""
+    every, refused, runs = frames_of(law.period, rig.rate), "", NewRuns(law)
     for _ in range(int(timeout * rig.rate / every)):
         if law.done:
             break
@@ -133,7 +132,14 @@ def drive(rig, law, timeout, telemetry=Deaf, judge=None):
             refused = ""
         telemetry.listen(rig.state.t, law.period)
         refused = hand_over(rig, asked(law, Readings(rig.state.t, rig.state.readings, telemetry, refused)))
-        states.append(rig.step(frames=every))
+        yield rig.step(frames=every)
+
+
+def drive(rig, law, timeout, telemetry=Deaf, judge=None):
+    """The states of driven() in a list. `judge`: called with each state, to look at the law meanwhile or to break the rig."""
+    states = []
+    for state in driven(rig, law, timeout, telemetry):
+        states.append(state)
         if judge is not None:
-            judge(states[-1])
+            judge(state)
     return states

@@ -149,6 +149,19 @@ public:
   std::vector<std::string> remarks() const;
   /// Of a joint of the pipe that is added and taken away [m].
   double joint_length() const noexcept { return scene_.string.back().joint_length; }
+  /// Why the last frame's numbers may be wrong, one line (sim/accuracy.h); empty without a reason.
+  std::string accuracy_warning() const;
+  /// Whether the scene's crew makes connections of its own.
+  bool crew_connects() const noexcept { return scene_.connections == Connections::automatic; }
+  /// Where the block would hang on lines without load [m]: what the drum has done, without what the load stretches.
+  double drum_height() const;
+  /// The same by rows of what gauges like the scene's showed: heights of the block without noise [m] and hook loads [N]. The sheaves' friction
+  /// is taken out of a dead line's reading by the way of the block. Throws std::runtime_error unless both are as long.
+  std::vector<double> drum_heights(const std::vector<double>& heights, const std::vector<double>& hook_loads) const;
+  /// Force over speed of a wave along the pipe at the string's top [N s/m].
+  double wave_impedance() const noexcept;
+  /// Of the travelling block, hook and top drive [kg].
+  double block_mass() const noexcept { return scene_.rig.hoisting.block_mass; }
   /// Back to the start of a scene's file, or of the present scene where `file` is empty; the bit at `bit_depth` [m MD], 0: where the scene has it.
   void reset(const std::string& file, double bit_depth);
   void load_survey(const NewWell& well);

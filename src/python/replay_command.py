@@ -2,14 +2,19 @@
 command line."""
 import argparse
 import json
+import math
 import os
 import sys
 
+from drill_rig_sim.field.models import ModelError, scene_and_survey
+from drill_rig_sim.field.pipe import clock, first_hung
 from drill_rig_sim.field.record import RecordError, read_record
-from drill_rig_sim.field.replay import play
+from drill_rig_sim.field.replay import check, play
+from drill_rig_sim.field.start import FROM, simulator_of, start_keys
+from drill_rig_sim.field.window import between, moment, stretches
 from drill_rig_sim.lockstep import Failed, Refused
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
-from drill_rig_sim.sim import Simulator
+from drill_rig_sim.sim import found
 from drill_rig_sim.units import QUANTITIES, SI, SYSTEMS, Units
 
 NAMES = {"hook_load": "hook load", "torque": "torque", "stand_pipe_pressure": "stand pipe"}
@@ -20,7 +25,9 @@ def table(replay, units=SI):
     for signal, numbers in replay.table().items():
         unit = units[QUANTITIES[signal]]
         lines.append("%-12s %s %s" % (NAMES[signal], " ".join("%12.3f" % (unit.per_si * numbers[key]) for key in ("mean", "rms", "largest", "range")), unit.name))
-    return lines
+    load, unit = replay.table().get("hook_load"), units[QUANTITIES["hook_load"]]
+    return lines + (["hook load left unknown by the record's sampling: %.3g %s rms, %.3g %s at most" %
+                     (unit.per_si * load["unresolved_rms"], unit.name, unit.per_si * load["unresolved_largest"], unit.name)] if load else [])
 
 
 def draw(replay, file, units=SI):
@@ -50,18 +57,45 @@ def write(replay, file):
             out.write(",".join(["%.9g" % time] + ["" if cell != cell else "%.9g" % cell for cell in cells]) + "\n")
 
 
+def part_of(record, options):
+    """The record from --from to --to, without what comes before the string hangs on the hook; and lines on it."""
+    begin = moment(options.from_time, record, "--from") if options.from_time else -math.inf
+    end = moment(options.to_time, record, "--to") if options.to_time else math.inf
+    part = between(record, begin, end)
+    first = first_hung(part)
+    if not first:
+        return part, []
+    return between(part, part.time[first], math.inf), ["%s: begins with the string in the slips: replayed from %.1f s on" % (part.name, clock(part, first))]
+
+
+def replay_of(options):
+    record = read_record(options.record, options.columns)
+    check(record)
+    left_out = stretches(options.leave_out, record)
+    record, remarks = part_of(record, options)
+    file = found(os.path.abspath(options.scene) if os.path.exists(options.scene) else options.scene, "config/scenes")
+    scene, survey = scene_and_survey(file)
+    values, lines = start_keys(scene, record, options.start)
+    replay = play(simulator_of(file, scene, survey, values), record, left_out)
+    replay.remarks += remarks + lines
+    return replay
+
+
 def main(words):
     parser = argparse.ArgumentParser(prog="drill replay", description=__doc__)
     parser.add_argument("record")
     parser.add_argument("scene")
     for name in ("--columns", "--json", "--csv", "--plots"):
         parser.add_argument(name)
+    parser.add_argument("--from", dest="from_time", default="")
+    parser.add_argument("--to", dest="to_time", default="")
+    parser.add_argument("--leave-out", action="append", default=[])
+    parser.add_argument("--start", choices=FROM, default="")
     parser.add_argument("--units", choices=SYSTEMS, default="si")
     options = parser.parse_args(words)
     units = Units(options.units)
     try:
-        record = read_record(options.record, options.columns)
-        replay = play(Simulator(os.path.abspath(options.scene) if os.path.exists(options.scene) else options.scene), record)
+        replay = replay_of(options)
         if options.json:
             with open(options.json, "w", encoding="utf-8") as out:
                 json.dump(replay.table(), out, indent=2, allow_nan=False)
@@ -73,7 +107,7 @@ def main(words):
         print("\n".join(table(replay, units)))
         print("".join("drill replay: %s\n" % line for line in replay.remarks), end="", file=sys.stderr)
         return GOOD
-    except (RecordError, Refused) as error:
+    except (RecordError, ModelError, Refused) as error:
         print("drill replay: %s" % error, file=sys.stderr)
         return FAILED if isinstance(error, Failed) else BAD_INPUT
     except OSError as error:

@@ -69,6 +69,35 @@ class Simulator(Lockstep):
         """Of a joint of the pipe that connection() adds and takes away [m]."""
         return self._rig.joint_length()
 
+    @property
+    def crew_connects(self):
+        """Whether the scene's crew makes connections of its own (connections: auto)."""
+        return self._rig.crew_connects()
+
+    @property
+    def drum_height(self):
+        """Where the block would hang on lines without load [m]: what the drum has done, without what the load stretches."""
+        return self._rig.drum_height()
+
+    def drum_heights(self, heights, hook_loads):
+        """The same of other times, by heights of the block without noise [m] and by what a gauge like the scene's showed of the hook load [N]; arrays."""
+        return numpy.array(self._rig.drum_heights(list(map(float, heights)), list(map(float, hook_loads))))
+
+    @property
+    def wave_impedance(self):
+        """Force over speed of a wave along the pipe at the string's top [N s/m]."""
+        return self._rig.wave_impedance()
+
+    @property
+    def block_mass(self):
+        """Of travelling block, hook and top drive [kg]."""
+        return self._rig.block_mass()
+
+    @property
+    def accuracy_warning(self):
+        """Why the last frame's numbers may be wrong, in one line; "" without a reason."""
+        return self._rig.accuracy_warning()
+
     # --- what downhole tools sent up, for drill_rig_sim.control.drive(rig, law, timeout, telemetry=rig)
 
     @property

@@ -13,13 +13,18 @@ namespace
 {
 struct ReplayOptions
 {
-  std::string record, scene, columns, json, csv, plots, units = "si";
+  std::string record, scene, columns, from, to, start, json, csv, plots, units = "si";
+  std::vector<std::string> left_out;
 };
 
 void replay(const ReplayOptions& options)
 {
   std::vector<std::string> words;
   add_word(words, "--columns", options.columns);
+  add_word(words, "--from", options.from);
+  add_word(words, "--to", options.to);
+  for (const std::string& stretch : options.left_out) add_word(words, "--leave-out", stretch);
+  add_word(words, "--start", options.start);
   add_word(words, "--json", options.json);
   add_word(words, "--csv", options.csv);
   add_word(words, "--plots", options.plots);
@@ -36,6 +41,11 @@ Command add_replay_command(CLI::App& drill)
   add_file(*words, "RECORD", options->record, "CSV (of drill run --csv --readings, or with --columns), or a log of WITSML 1.4.1.1 (.xml)");
   add_file(*words, "SCENE", options->scene, "the scene's file; its start is where the record begins");
   add_text(*words, "--columns", options->columns, "FILE", "which column is what, and its unit: `hook_load: {column: HL, unit: klbf}` a line");
+  add_text(*words, "--from", options->from, "TIME", "in the record where the replay begins: s, or an ISO date");
+  add_text(*words, "--to", options->to, "TIME", "where it ends");
+  words->add_option("--leave-out", options->left_out, "a stretch A:B of the record that is not compared (dates: A..B); may be given again")->type_name("A:B")->allow_extra_args(false);
+  add_text(*words, "--start", options->start, "scene|record", "where bit and block begin; default: as the scene says, or the record where the scene has no start.bit_depth")
+      ->check(CLI::IsMember({"scene", "record"}));
   add_text(*words, "--json", options->json, "FILE", "writes the residuals");
   add_text(*words, "--csv", options->csv, "FILE", "writes what was recorded and simulated");
   add_text(*words, "--plots", options->plots, "FILE", "draws both (.png, .svg, .pdf)");

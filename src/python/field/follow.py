@@ -1,11 +1,12 @@
 """A record's block, rotary speed and flow as a law for a simulated rig."""
 import numpy
-from drill_rig_sim.field.pipe import height_without_pipe, standstills
+from drill_rig_sim.field.course import Course, half_band
+from drill_rig_sim.field.pipe import compared, height_without_pipe, standstills
 from drill_rig_sim.field.record import RecordError
 from drill_rig_sim.law import Commands, PipeWork
 
-PLAY = 2e-3        # by which a gauge of the block's height may go back and forth while the block does not [m]
 PATIENCE = 1800.0  # longest that a connection may take [s]
+RINGING = 10.0     # how long the string rings after a change of speed [s]
 
 
 class Connection:
@@ -35,55 +36,68 @@ def connections_of(record, stands, joint, period):
 
 
 class Follow:
-    """A law (drill_rig_sim.control): moves the block, turns the string and pumps as the record says, from where the rig stands at its first step. The block
-    never goes against the record, not to make up for what it is off either: friction of its rail and of the string would act the other way. Where pipe was added
-    or taken away the record waits until the rig has done so too, and the bit is where it then belongs."""
-    period, listens = 0.02, False  # [s]: jerks of longer steps would ring in the string
-    catch_up = 1.0  # in which the block makes up for what it is off [s]
-    to_place = 0.1  # fastest way of the bit to where it belongs after a connection [m/s]
-    placed = 2e-3   # so near is there [m]
+    """A law (drill_rig_sim.control) for a simulator in this process: its drum goes as the record's did, from where the rig stands at the law's first step. The
+    block itself would be followed against the ringing of the string on its lines, which makes that worse. The drum never goes against the record, not to make
+    up for what it is off either: friction of rail, sheaves and string would act the other way. Where pipe was added or taken away the record waits until the
+    rig has done so too, and the bit is where it then belongs."""
+    period, listens = 0.05, False  # [s]: jerks of longer steps would ring in the string
+    catch_up = 0.2     # in which the drum makes up for what it is off [s]
+    worth = 5e-4       # change of the block's speed that is worth a command [m/s]: at each a step of the simulation ends
+    to_place = 0.1     # fastest way of the bit to where it belongs after a connection [m/s]
+    to_place_in = 1.0  # it slows down in [s]
+    placed = 2e-3      # so near is there [m]
 
-    def __init__(self, record, joint):
-        """`joint`: length of the scene's joints of pipe [m]. RecordError where the record's connections do not go with these."""
-        self.name = record.name
+    def __init__(self, record, rig):
+        """RecordError where the record's connections do not go with the rig's joints of pipe."""
+        self.name, self.rig = record.name, rig
         self.times = self.period * numpy.arange(int(record.time[-1] / self.period) + 2)
         self.stands = standstills(record)
-        self.course = course_of(record, self.stands, self.times)
+        heights = heights_of(record, self.stands, rig)
+        self.way = numpy.interp(self.times, record.time, heights)
+        self.drum = drum_course(record, self.stands, heights, rig)
+        self.course = self.drum(self.times)
         self.speed = record.at("top_drive_speed", self.times) if "top_drive_speed" in record else None
         self.flow = numpy.maximum(record.at("flow", self.times), 0.0) if "flow" in record else None
-        self.connections = connections_of(record, self.stands, joint, self.period)
+        self.connections = connections_of(record, self.stands, rig.joint_length, self.period)
         self.clock = [0.0]  # the record's, at the rig's start and after each step; not a number while it waits [s]
-        self.k, self.begin, self.done, self.farthest = 0, None, False, 0.0
+        self.k, self.begin, self.done, self.farthest, self.last = 0, None, False, 0.0, 0.0
         self.work, self.depth, self.began, self.off, self.refused = None, 0.0, 0.0, 0.0, ""
 
     def step(self, readings):
-        self.begin = readings.block_height if self.begin is None else self.begin
+        self.begin = self.rig.drum_height - self.course[0] if self.begin is None else self.begin
         if self.connections and self.k >= self.connections[0].leave:
             waits = self.connect(readings, self.connections[0])
             if waits is not None:
                 self.clock.append(numpy.nan)
                 return waits
             self.k, self.work = self.connections.pop(0).back, None
-            self.begin = readings.block_height - self.course[self.k]
-        return self.as_recorded(readings)
+            self.begin, self.last = self.rig.drum_height - self.course[self.k], numpy.nan
+        return self.as_recorded()
 
-    def as_recorded(self, readings):
+    def as_recorded(self):
         k, self.k = self.k, self.k + 1
         self.done = self.k >= len(self.times) - 1
         self.clock.append(self.times[self.k])
-        off = self.begin + self.course[k] - readings.block_height
+        off = self.begin + self.course[k] - self.rig.drum_height
         self.farthest = max(self.farthest, abs(off))
-        speed = (self.course[k + 1] - self.course[k]) / self.period
-        made_up = speed + off / self.catch_up if speed else 0.0
         drive_at = None if self.speed is None else {"mode": "SPEED", "speed": float(self.speed[k])}
-        return Commands(float(made_up if made_up * speed > 0.0 else 0.0), top_drive=drive_at,
+        return Commands(self.new_speed((self.course[k + 1] - self.course[k]) / self.period, off), top_drive=drive_at,
                         flow=None if self.flow is None else float(self.flow[k]))
+
+    def new_speed(self, recorded, off):
+        """The block's speed where that is worth a command, else None; `off`: of the drum, by which the record is further up [m]."""
+        made_up = recorded + off / self.catch_up
+        wanted = float(made_up if made_up * recorded > 0.0 else 0.0)
+        if abs(wanted - self.last) < self.worth and (wanted == 0.0) == (self.last == 0.0):
+            return None
+        self.last = wanted
+        return wanted
 
     def connect(self, readings, connection):
         """Commands while the rig adds pipe or takes it away and brings the bit to where it then is in the record; None once that is done."""
         if self.work is None:
             self.work, self.began, self.off = PipeWork(self.period, readings.t, readings.hook_load_string, connection.doing), readings.t, 0.0
-            self.depth = readings.bit_depth + self.course[connection.leave] - self.course[connection.back]
+            self.depth = readings.bit_depth + self.way[connection.leave] - self.way[connection.back]
         self.refused = readings.refused or self.refused
         if readings.t > self.began + PATIENCE:
             raise RecordError("%s: at %.1f s the scene's rig does not make the record's connection: %s" % (self.name, self.times[self.k], self.refused))
@@ -94,40 +108,42 @@ class Follow:
         before, self.off = self.off, readings.bit_depth - self.depth
         if abs(self.off) < self.placed or self.off * before < 0.0:  # there, or beyond
             return None
-        return Commands(float(numpy.clip(self.off / self.catch_up, -self.to_place, self.to_place)))
+        return Commands(float(numpy.clip(self.off / self.to_place_in, -self.to_place, self.to_place)))
+
+    def unresolved(self, record):
+        """Of the hook load, what the sampling of the record leaves unknown, root mean square and largest [N]. Where the speed changes, half of the change is unknown
+        for a while: it goes into the string as a wave, and accelerates the block. When the drum starts and turns back is unknown by half a row, and with it half of what the recorded
+        load changed in that row."""
+        drum, gaps = self.drum, numpy.diff(self.drum.corners)
+        nearest = numpy.minimum(numpy.concatenate((gaps[:1], gaps)), numpy.concatenate((gaps, gaps[-1:])))
+        waves = 0.5 * numpy.abs(drum.after - drum.before) * (self.rig.wave_impedance + self.rig.block_mass / nearest)
+        squares, most = (waves**2 * numpy.minimum(nearest, RINGING)).sum() / self.times[-1], waves.max()
+        if "hook_load" in record:
+            changes = 0.5 * numpy.abs(numpy.diff(compared(record, ["hook_load"], self.stands)["hook_load"]))
+            turns = (drum.before * drum.after <= 0.0) & (numpy.abs(drum.after - drum.before) > self.worth)
+            unknown = changes[numpy.isin(record.time[:-1], drum.corners[turns]) & numpy.isfinite(changes)]
+            squares, most = squares + (unknown**2).sum() / len(record.time), max(most, *unknown, 0.0)
+        return float(numpy.sqrt(squares)), float(most)
 
 
-def course_of(record, stands, times):
-    """The block's height less that at the start [m]."""
+def heights_of(record, stands, rig):
+    """Of a block that had never been moved without the string, by the rows [m]."""
     if "block_height" in record:
-        height = without_play(height_without_pipe(record, stands))
-        return smooth(times, record.time, height - height[0])
+        return height_without_pipe(record, stands)
     speed = record.at("block_velocity", record.time)
     way = numpy.concatenate(([0.0], numpy.cumsum(0.5 * (speed[1:] + speed[:-1]) * numpy.diff(record.time))))
-    return numpy.interp(times, record.time, way)
+    return rig.state.truth.block_height + way
 
 
-def without_play(height):
-    """The heights without what goes back less than PLAY: the farthest so far stays, until it has gone back by more."""
-    moved = height[numpy.abs(height - height[0]) > PLAY]
-    found, farthest, up = numpy.empty(len(height)), height[0], len(moved) > 0 and moved[0] > height[0]
-    for k, value in enumerate(height):
-        if (value - farthest if up else farthest - value) < -PLAY:
-            up, farthest = not up, value
-        farthest = max(farthest, value) if up else min(farthest, value)
-        found[k] = farthest
-    return found
-
-
-def smooth(at, times, values):
-    """Cubics between the rows without overshoot (slopes at the rows by the harmonic mean of those on both sides, 0 where these differ in sign: Fritsch and
-    Butland): a block has no jumps of speed, and one that stops does not come back. Beyond the end it stays."""
-    sides = numpy.diff(values) / numpy.diff(times)
-    before, after = numpy.concatenate((sides[:1], sides)), numpy.concatenate((sides, sides[-1:]))
-    same = before * after > 0.0
-    slopes = numpy.where(same, 2.0 * before * after / numpy.where(same, before + after, 1.0), 0.0)
-    k = numpy.clip(numpy.searchsorted(times, at, side="right") - 1, 0, len(times) - 2)
-    width = times[k + 1] - times[k]
-    u = numpy.clip((at - times[k]) / width, 0.0, 1.0)
-    return ((1.0 + 2.0 * u) * (1.0 - u)**2 * values[k] + u**2 * (3.0 - 2.0 * u) * values[k + 1] +
-            u * (1.0 - u)**2 * width * slopes[k] - u**2 * (1.0 - u) * width * slopes[k + 1])
+def drum_course(record, stands, heights, rig):
+    """Of heights by the rows with what the recorded hook load stretched the lines."""
+    gauge = record.at("block_height", record.time) if "block_height" in record else heights
+    hung = numpy.ones(len(record.time), bool)
+    for still in stands:
+        hung[still.begin:still.end + 1] = False
+    if "hook_load" not in record or not hung.any():
+        return Course(record.time, heights, half_band(gauge, heights))
+    loads = numpy.interp(record.time, record.time[hung], numpy.maximum(record.at("hook_load", record.time[hung]), 0.0))
+    block = Course(record.time, gauge, half_band(gauge, gauge)).heights
+    heights = heights + rig.drum_heights(block, loads) - block
+    return Course(record.time, heights, half_band(gauge, heights))

@@ -4,6 +4,8 @@ from drill_rig_sim.field.record import RecordError
 
 AWAY = 0.5    # so much that bit and block together are off where they were: pipe was added or taken away, or the block was moved without the string [m]
 STILL = 0.05  # by which the bit moves in the slips, or its gauge [m]
+FASTEST = 1.0  # mean speed of a block that goes away and comes back between two rows [m/s]
+HANGS = 0.5   # share of the usual hook load below which the string is taken to hang in the slips
 
 
 class Standstill:
@@ -24,8 +26,20 @@ class Standstill:
         return {"joints": joints, "remove": self.length < 0.0}
 
 
+class Slip:
+    """Of the depth tracking, at a row: the bit depth changed by `length` [m], the block did not."""
+
+    def __init__(self, row, length):
+        self.row, self.length = row, length
+
+
 def standstills(record):
     """All of a record, in their order; none where it has not both bit_depth and block_height. RecordError where the bit jumps."""
+    return [found for found in pipe_events(record) if isinstance(found, Standstill)]
+
+
+def pipe_events(record):
+    """Standstills and Slips of a record, in their order."""
     if "bit_depth" not in record or "block_height" not in record:
         return []
     bit, block = (record.at(signal, record.time) for signal in ("bit_depth", "block_height"))
@@ -36,9 +50,13 @@ def standstills(record):
             continue
         here = abs(bit - bit[k]) < STILL
         begin, end = k - run(here[:k][::-1]), k + run(here[k:]) - 1
+        if begin == k and slipped(record, bit, block, k):
+            found.append(Slip(k, both[k] - level))
+            k, level = k + 1, both[k]
+            continue
         if begin == k and abs(bit[k] - bit[k - 1]) > AWAY:
             raise RecordError("%s: at %.1f s the bit jumps by %.2f m; needed: bit_depth that stands while pipe is added or taken away" %
-                              (record.name, record.time[k], bit[k] - bit[k - 1]))
+                              (record.name, clock(record, k), bit[k] - bit[k - 1]))
         begin = min(begin, k - 1)
         inside = numpy.arange(begin, end + 1)
         left = inside[numpy.abs(both[inside] - level) < AWAY][-1]
@@ -46,6 +64,32 @@ def standstills(record):
         found.append(Standstill(begin, end, left, max(left, back), both[end] - level))
         k, level = end + 1, both[end]
     return found
+
+
+def slipped(record, bit, block, k):
+    """Whether the bit depth changes at a row as neither the block does nor pipe that is added in so short a time."""
+    moved, jumped = abs(block[k] - block[k - 1]), abs(bit[k] - bit[k - 1])
+    if jumped < AWAY:
+        return True  # little by little
+    return moved < STILL and 2.0 * jumped > FASTEST * (record.time[k] - record.time[k - 1])
+
+
+def clock(record, row):
+    """The time of a row in the file [s], of which the record may be a part."""
+    return record.signals["time"][row]
+
+
+def first_hung(record):
+    """The first row from which on the string moves with the block, where the record begins with the string in the slips; else 0."""
+    events = pipe_events(record)
+    first = events[0] if events and isinstance(events[0], Standstill) else None
+    if first is not None and first.left == 0 and first.end < len(record.time) - 1:
+        return first.end
+    if "bit_depth" not in record or "hook_load" not in record:
+        return 0
+    loads, bit = (record.at(signal, record.time) for signal in ("hook_load", "bit_depth"))
+    slack = run(loads < HANGS * numpy.median(loads))
+    return slack if 0 < slack < len(loads) - 1 and numpy.ptp(bit[:slack + 1]) < STILL else 0
 
 
 def run(flags):

@@ -1,21 +1,24 @@
 """A record's block, rotary speed and flow, fed to a simulator; hook load, torque and pressure against what was recorded."""
+import re
+
 import numpy
-from drill_rig_sim.control import drive
+from drill_rig_sim.control import driven
 from drill_rig_sim.field.follow import PATIENCE, Follow
-from drill_rig_sim.field.pipe import compared
+from drill_rig_sim.field.pipe import Slip, clock, compared, pipe_events
 from drill_rig_sim.field.record import RecordError
-from drill_rig_sim.lockstep import series
+from drill_rig_sim.field.window import inside
 
 COMPARED = ("hook_load", "torque", "stand_pipe_pressure")
 APART = 1.0    # of the bit at the beginning, record and scene [m]
-BEHIND = 0.05  # of the block against the record's, from which on it is told [m]
+BEHIND = 0.05  # of the drum against the record's, from which on it is reported [m]
 
 
 class Replay:
-    """`time` [s] of the record's rows; `simulated` and `recorded`: arrays by signal, as the gauges show it. `remarks`: what its reader should know, a line each."""
+    """`time` in the record's file [s] of its rows; `simulated` and `recorded`: arrays by signal, as the gauges show it. `remarks`: what its reader should know, a line each.
+    `unresolved`: root mean square and largest of the hook load that the sampling leaves unknown [N]."""
 
-    def __init__(self, name, time, simulated, recorded, remarks):
-        self.name, self.time, self.simulated, self.recorded, self.remarks = name, time, simulated, recorded, remarks
+    def __init__(self, name, time, simulated, recorded, remarks, unresolved):
+        self.name, self.time, self.simulated, self.recorded, self.remarks, self.unresolved = name, time, simulated, recorded, remarks, unresolved
 
     def residual(self, signal):
         """Recorded less simulated; nan where nothing was recorded."""
@@ -30,7 +33,26 @@ class Replay:
                 off = self.residual(signal)[rows]
                 found[signal] = {"mean": float(off.mean()), "rms": float(numpy.sqrt((off**2).mean())), "largest": float(numpy.abs(off).max()),
                                  "range": float(numpy.ptp(self.recorded[signal][rows]))}
+        if "hook_load" in found:
+            found["hook_load"]["unresolved_rms"], found["hook_load"]["unresolved_largest"] = self.unresolved
         return found
+
+
+class Warnings:
+    """Accuracy warnings of a simulated run: of each kind the text that came first, when and until when."""
+
+    def __init__(self):
+        self.kinds = {}
+
+    def look(self, rig, time):
+        """`time` in the record's file [s]."""
+        if rig.state.truth.accuracy_warning:
+            text = rig.accuracy_warning
+            kind = self.kinds.setdefault(re.sub(r"[-0-9.e]+", "", text), [text, time, time])
+            kind[2] = time
+
+    def lines(self):
+        return ["accuracy warning, %.1f to %.1f s: %s" % (begin, end, text) for text, begin, end in self.kinds.values()]
 
 
 def check(record):
@@ -45,24 +67,38 @@ def check_start(record, rig):
     """RecordError where the record's bit is not where the scene's is: a unit that is wrong, or a start that was not set. What else differs, as lines."""
     depth, height = rig.state.truth.bit_depth, rig.state.truth.block_height
     if "bit_depth" in record and abs(record.at("bit_depth", 0.0) - depth) > APART:
-        raise RecordError("%s: begins with the bit at %.2f m, the scene at %.2f m: needed: within %g m, by start.bit_depth or the column's unit" %
+        raise RecordError("%s: begins with the bit at %.2f m, the scene at %.2f m; needed: within %g m, by --start record, start.bit_depth or the column's unit" %
                           (record.name, record.at("bit_depth", 0.0), depth, APART))
     if "block_height" in record and abs(record.at("block_height", 0.0) - height) > APART:
-        return ["%s: begins with the block at %.2f m, the scene at %.2f m: its way is followed from there" % (record.name, record.at("block_height", 0.0), height)]
+        return ["begins with the block at %.2f m, the scene at %.2f m: it is followed from there" % (record.at("block_height", 0.0), height)]
     return []
 
 
-def play(rig, record):
-    """Plays a record on a rig in lockstep (drill_rig_sim.sim) that stands where the record begins; a Replay."""
+def events_of(record, law):
+    """Lines on what happens to the pipe in a record."""
+    slips = [event for event in pipe_events(record) if isinstance(event, Slip)]
+    return ["connection at %.1f s: %s" % (law.times[one.leave] + clock(record, 0), one) for one in law.connections] + [
+        "at %.1f s the bit depth changes by %.2f m while the block does not: taken as a slip of the depth tracking" % (clock(record, one.row), one.length) for one in slips]
+
+
+def play(rig, record, left_out=()):
+    """Plays a record on a rig in lockstep (drill_rig_sim.sim) that stands where the record begins; a Replay. `left_out`: (begin, end) in the record's file [s], which are
+    not compared."""
     check(record)
-    remarks = record.remarks + check_start(record, rig)
-    law = Follow(record, rig.joint_length)
-    remarks += ["%s: connection at %.1f s: %s" % (record.name, law.times[one.leave], one) for one in law.connections]
-    states = [rig.state, *drive(rig, law, law.times[-1] + PATIENCE * len(law.connections))]
-    there = numpy.isfinite(law.clock)
-    times = numpy.asarray(law.clock)[there]
+    remarks = check_start(record, rig)
+    law = Follow(record, rig)
+    remarks += events_of(record, law)
     signals = [name for name in COMPARED if name in record]
+    shown, warnings = [[getattr(rig.state, name) for name in signals]], Warnings()
+    for state in driven(rig, law, law.times[-1] + PATIENCE * len(law.connections)):
+        shown.append([getattr(state, name) for name in signals])
+        warnings.look(rig, clock(record, 0) + law.times[law.k])
+    there, shown = numpy.isfinite(law.clock), numpy.array(shown)
+    times = numpy.asarray(law.clock)[there]
     if law.farthest > BEHIND:
-        remarks.append("%s: the scene's block was up to %.2f m off the record's: it could not follow" % (record.name, law.farthest))
-    return Replay(record.name, record.time, {name: numpy.interp(record.time, times, series(states, name)[there]) for name in signals},
-                  compared(record, signals, law.stands), remarks)
+        remarks.append("the scene's drawworks were up to %.2f m off the record's: they could not follow" % law.farthest)
+    recorded = compared(record, signals, law.stands)
+    passed = inside(record.signals["time"], left_out)
+    return Replay(record.name, record.signals["time"], {name: numpy.interp(record.time, times, shown[there, k]) for k, name in enumerate(signals)},
+                  {name: numpy.where(passed, numpy.nan, values) for name, values in recorded.items()},
+                  record.remarks + ["%s: %s" % (record.name, line) for line in remarks + warnings.lines()], law.unresolved(record))

@@ -1,0 +1,129 @@
+"""The height of a recorded block as a course in time: the noise of its gauge does not move it back and forth, and its speed has no jumps."""
+import numpy
+
+BAND = 3.0           # of the gauge's noise in standard deviations, half the band in which the course lies
+WIDEST = 0.06        # half the band at most [m]: what moves more is the block
+FINEST = 5e-4        # of resolutions that matter [m]
+STANDS = 0.2         # of the speed before and behind: slower, the block stands where its gauge allows it
+LOWER_HALF = 0.3246  # mean size of the smaller half of normal numbers, in their standard deviations
+ROUNDED = 8.0        # a corner is rounded on each side over so many half bands by its change of speed [s]: by two half bands at most
+
+
+class Course:
+    """Of rows [s], [m], true to half a `band` [m]. Straight between corners (a taut string), these rounded; cubics between the rows. Beyond the ends it stays."""
+
+    def __init__(self, times, heights, band):
+        corners, at_corners = taut(times, heights - band, heights + band)
+        self.corners = times[corners]
+        at_corners = with_stops(self.corners, at_corners, band)
+        slopes = numpy.diff(at_corners) / numpy.diff(self.corners)
+        self.before, self.after = numpy.concatenate((slopes[:1], slopes)), numpy.concatenate((slopes, slopes[-1:]))  # speeds at the corners [m/s]
+        self.times, self.heights = times, rounded(times, self.corners, at_corners, self.after - self.before, band)
+
+    def __call__(self, at):
+        return smooth(at, self.times, self.heights)
+
+
+def half_band(gauge, heights):
+    """Half the width [m] of the band around `heights`, which were made of a gauge's, in which the true course lies: by the gauge's resolution or its noise."""
+    step = resolution(gauge)
+    noise = min(scatter(heights[::every]) for every in (1, 2, 3))  # what a resolution does to a constant speed may look like noise in every row
+    return float(min(0.51 * step if noise < step else BAND * noise, WIDEST))
+
+
+def resolution(values):
+    """The step of which all changes of a gauge are multiples; 0 where there is none above FINEST [as the values]."""
+    steps = numpy.unique(numpy.abs(numpy.diff(values)))
+    steps = steps[steps > FINEST]
+    least = float(steps[0]) if len(steps) else 0.0
+    while least > FINEST:  # Euclid's algorithm
+        left = numpy.abs(steps - least * numpy.round(steps / least))
+        left = left[left > 0.2 * FINEST]
+        if not len(left):
+            return least
+        least = float(left.min())
+    return 0.0
+
+
+def scatter(values):
+    """Standard deviation of noise, by the smaller half of the third differences: the larger ones are where the block starts and stops [as the values]."""
+    third = numpy.sort(numpy.abs(numpy.diff(values, 3)))
+    return float(third[:(len(third) + 1) // 2].mean()) / LOWER_HALF / numpy.sqrt(20.0) if len(third) > 7 else 0.0
+
+
+def taut(times, low, high):
+    """The shortest line between two bounds, which turns back least often: the rows of its corners and its heights there."""
+    corners, heights = [0], [0.5 * (low[0] + high[0])]
+    k, least, most, at_least, at_most = 1, -numpy.inf, numpy.inf, 0, 0
+    while k < len(times):
+        way = times[k] - times[corners[-1]]
+        above, below = (high[k] - heights[-1]) / way, (low[k] - heights[-1]) / way
+        if below > most or above < least:
+            corner, height = (at_most, high[at_most]) if below > most else (at_least, low[at_least])
+            corners.append(corner)
+            heights.append(height)
+            k, least, most = corner + 1, -numpy.inf, numpy.inf
+            continue
+        if above <= most:
+            most, at_most = above, k
+        if below >= least:
+            least, at_least = below, k
+        k += 1
+    end = len(times) - 1
+    if corners[-1] < end:
+        way = times[end] - times[corners[-1]]
+        slope = numpy.clip((0.5 * (low[end] + high[end]) - heights[-1]) / way, least, most)
+        corners.append(end)
+        heights.append(heights[-1] + slope * way)
+    return numpy.array(corners), numpy.array(heights)
+
+
+def with_stops(times, heights, band):
+    """The heights of a taut line's corners, where a block that creeps through the band between faster moves is held still. Friction would act to one side
+    of a block that creeps, and its gauge tells no creeping."""
+    heights, k = heights.copy(), 0
+    speed = numpy.abs(numpy.diff(heights) / numpy.diff(times))
+    slow = (numpy.abs(numpy.diff(heights)) <= 2.0 * band) & (band > 0.0)
+    while k < len(slow):
+        end = k
+        while end < len(slow) and slow[end] and abs(heights[end + 1] - heights[k]) <= 2.0 * band and (end == k or speed[end] < STANDS * speed.max()):
+            end += 1
+        around = [speed[j] for j in (k - 1, end) if 0 <= j < len(slow)]
+        if end > k and around and abs(heights[end] - heights[k]) < STANDS * min(around) * (times[end] - times[k]):
+            heights[k:end + 1] = 0.5 * (heights[k] + heights[end])
+        k = max(end, k + 1)
+    return heights
+
+
+def rounded(at, times, heights, bends, band):
+    """Heights on straight lines between corners, each of which is a parabola near it."""
+    sides = 0.5 * numpy.diff(times)
+    room = numpy.minimum(numpy.concatenate((sides[:1], sides)), numpy.concatenate((sides, sides[-1:])))
+    reach = numpy.minimum(ROUNDED * band / numpy.maximum(numpy.abs(bends), 1e-12), room)
+    near = numpy.searchsorted(0.5 * (times[1:] + times[:-1]), at)
+    beyond = numpy.maximum(reach[near] - numpy.abs(at - times[near]), 0.0)
+    return numpy.interp(at, times, heights) + bends[near] * beyond**2 / (4.0 * numpy.maximum(reach[near], 1e-12))
+
+
+def smooth(at, times, values):
+    """Cubics between the rows without overshoot: a block that stops does not come back. Beyond the end it stays."""
+    slopes = slopes_of(times, values)
+    k = numpy.clip(numpy.searchsorted(times, at, side="right") - 1, 0, len(times) - 2)
+    width = times[k + 1] - times[k]
+    u = numpy.clip((at - times[k]) / width, 0.0, 1.0)
+    return ((1.0 + 2.0 * u) * (1.0 - u)**2 * values[k] + u**2 * (3.0 - 2.0 * u) * values[k + 1] +
+            u * (1.0 - u)**2 * width * slopes[k] - u**2 * (1.0 - u) * width * slopes[k + 1])
+
+
+def slopes_of(times, values):
+    """At the rows, of the parabola through a row and two neighbours that bends least: before it, around it or behind it, for drawworks change their acceleration
+    abruptly (ENO). Where the speed has not one sign on both sides 0, and at most three times the smaller one (Fritsch and Carlson)."""
+    sides = numpy.diff(values) / numpy.diff(times)
+    before, after = numpy.concatenate((sides[:1], sides)), numpy.concatenate((sides, sides[-1:]))
+    left, right = numpy.diff(times, prepend=times[0] - 1.0), numpy.diff(times, append=times[-1] + 1.0)
+    bend = (after - before) / (left + right)  # half the second derivative around each row
+    bends = numpy.array([bend, numpy.concatenate((bend[:1], bend[:-1])), numpy.concatenate((bend[1:], bend[-1:]))])
+    found = numpy.array([before + bend * left, before + bends[1] * left, after - bends[2] * right])
+    slopes = numpy.take_along_axis(found, numpy.argmin(numpy.abs(bends), axis=0)[None], axis=0)[0]
+    most = 3.0 * numpy.minimum(numpy.abs(before), numpy.abs(after))
+    return numpy.where(before * after > 0.0, numpy.sign(before) * numpy.clip(numpy.sign(before) * slopes, 0.0, most), 0.0)

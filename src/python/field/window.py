@@ -1,0 +1,56 @@
+"""A part of a record, and stretches of it that are not compared."""
+import copy
+import math
+
+import numpy
+from drill_rig_sim.field.dates import seconds_of
+from drill_rig_sim.field.record import RecordError
+
+
+def moment(text, record, option):
+    """Seconds in the record, of a number or an ISO date. RecordError naming the option."""
+    try:
+        seconds = float(text)
+        if math.isfinite(seconds):
+            return seconds
+    except ValueError:
+        pass
+    found = seconds_of(text)
+    if found is None:
+        raise RecordError("%s: '%s' is neither seconds in the record nor an ISO date such as 2017-07-31T23:59:00Z" % (option, text))
+    if record.begin is None:
+        raise RecordError("%s: %s has no dates; needed: seconds in the record" % (option, record.name))
+    return found[0] - record.begin
+
+
+def between(record, begin, end):
+    """The rows of a record between two times in it [s]; their signal `time` stays the record's. RecordError where less than two are left."""
+    rows = (record.time >= begin) & (record.time <= end)
+    if rows.sum() < 2:
+        raise RecordError("%s: has %d rows from %g to %g s; needed: two or more, it goes from %g to %g s" %
+                          (record.name, rows.sum(), begin, end, record.time[0], record.time[-1]))
+    part = copy.copy(record)
+    part.signals = {name: values[rows] for name, values in record.signals.items()}
+    part.time = part.signals["time"] - part.signals["time"][0]
+    part.begin = None if record.begin is None else record.begin + float(part.signals["time"][0] - record.signals["time"][0])
+    return part
+
+
+def stretches(texts, record):
+    """(begin, end) in the record [s] of each A:B; a date has colons of its own, so that A..B is taken too."""
+    found = []
+    for text in texts:
+        begin, _, end = text.partition("..") if ".." in text else text.partition(":")
+        begin, end = (moment(part.strip(), record, "--leave-out") for part in (begin, end))
+        if not begin < end:
+            raise RecordError("--leave-out: '%s' must be A:B with A before B (dates: A..B)" % text)
+        found.append((begin, end))
+    return found
+
+
+def inside(times, spans):
+    """Which of the times lie in one of the spans."""
+    found = numpy.zeros(len(times), bool)
+    for begin, end in spans:
+        found |= (times >= begin) & (times <= end)
+    return found
