@@ -97,7 +97,7 @@ def run(drill, cell, numerics, folder, energy=False):
         told = json.load(file)
     with open(series) as file:
         names = file.readline().strip().split(',')
-        columns = dict(zip(names, numpy.loadtxt(file, delimiter=',', ndmin=2).T))
+        columns = dict(zip(names, numpy.atleast_2d(numpy.genfromtxt(file, delimiter=',')).T))
     return Run({name: columns[name] for name in KEPT}, told)
 
 
