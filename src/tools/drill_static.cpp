@@ -38,6 +38,22 @@ SlidingMotion motion_of(const StaticOptions& options)
   throw UsageError("--motion: '" + motion + "' is not known, allowed: none, up, down or rotate");
 }
 
+void print_buckled(const BuckledPipe& buckled)
+{
+  if (buckled.length == 0.0) return;
+  std::printf("buckled          %12.0f m of pipe, between %.0f and %.0f m above the bit", buckled.length, buckled.from_bit, buckled.to);
+  if (buckled.helical > 0.0) std::printf(", %.0f m of it into a helix", buckled.helical);
+  std::printf("\n");
+}
+
+void print_pushed(const StaticReport& report)
+{
+  if (report.hook_load_string >= 0.0) return;
+  std::printf("pushed in        the string must be pushed with %.1f kN at the top, its own weight does not carry it down; ", -report.hook_load_string / 1e3);
+  const double block = report.hook_load - report.hook_load_string;
+  std::printf(report.hook_load < 0.0 ? "block and top drive weigh %.1f kN only\n" : "the weight of block and top drive (%.1f kN) does\n", block / 1e3);
+}
+
 void print_static(const StaticOptions& options)
 {
   const SlidingMotion motion = motion_of(options);
@@ -62,6 +78,9 @@ void print_static(const StaticOptions& options)
   std::printf("bit tilt         %12.3f deg to the hole\n", report.bit_tilt / degree);
   std::printf("yield            %12.2f of what the pipe bears, %.0f m above the bit\n", report.loads.stress.share, report.loads.stress.from_bit);
   std::printf("buckling         %12.2f of what it bears straight, %.0f m above the bit\n", report.loads.buckling.share, report.loads.buckling.from_bit);
+  print_buckled(report.buckled);
+  print_pushed(report);
+  if (report.refined_length > 0.0) std::printf("mesh             elements of %.3g m where pipe is compressed, shorter than the scene's\n", report.refined_length);
   const std::string doubt = text_of(report.accuracy, scene.numerics.step);
   if (!doubt.empty()) std::printf("accuracy warning: %s\n", doubt.c_str());
   if (csv)
