@@ -15,6 +15,7 @@ constexpr double joint = 9.5;             // [m]
 constexpr double half_joint = 4.75, third_joint = 3.17, quarter_joint = 2.38;  // [m]
 constexpr double lying = 3.0 * degree;    // a hole that inclines more carries the pipe in it [rad]
 constexpr double straight = 1.5 * degree / 30.0;  // a hole that bends more [rad/m]
+constexpr double least_torque_range = 5e3;  // of a rig that drills [N m]
 constexpr double margin = 45.0;           // [m]
 constexpr double two_stands = 57.0;       // [m]
 constexpr int six_joints = 6;             // of them
@@ -88,16 +89,27 @@ double pushed_by_heavier(const std::vector<PartSpec>& string) noexcept
   return highest;
 }
 
-/// In air, of the part at `from_bit` [m] above the bit's face [kg/m].
-double linear_mass_at(const std::vector<PartSpec>& string, double from_bit) noexcept
+/// The part at `from_bit` [m] above the bit's face.
+const PartSpec& part_at(const std::vector<PartSpec>& string, double from_bit) noexcept
 {
   double top = 0.0;
   for (const PartSpec& part : string)
   {
     top += part.joints > 0 ? part.joints * part.joint_length : std::numeric_limits<double>::infinity();
-    if (from_bit < top) return part.linear_mass;
+    if (from_bit < top) return part;
   }
-  return string.empty() ? 0.0 : string.back().linear_mass;
+  return string.back();
+}
+
+double friction_at(const WellSpec& well, double md) noexcept
+{
+  return well.sections.empty() ? 0.0 : well.sections[section_at(well.sections, md)].friction;
+}
+
+/// Of the pipe's widest part, where it rubs [m].
+double rubbing_radius(const PartSpec& part) noexcept
+{
+  return 0.5 * std::max(part.outer_diameter, part.pipe ? part.pipe->tool_joint_diameter : 0.0);
 }
 
 /// Least measured depth [m] where pipe that slides down with nothing on the bit is pushed from above instead of hanging; where none is, beyond the
@@ -111,11 +123,10 @@ double first_pushed(const Scene& scene) noexcept
   {
     const double md = scene.start.bit_depth - k * piece;
     const double middle = std::max(0.0, md - 0.5 * piece);
-    const double weight = linear_mass_at(scene.string, scene.start.bit_depth - middle) * piece;  // in units of g [kg]
+    const double weight = part_at(scene.string, scene.start.bit_depth - middle).linear_mass * piece;  // in units of g [kg]
     const double inclination = inclination_at(scene.well.survey, middle);
     const double turned = inclination_at(scene.well.survey, std::max(0.0, md - piece)) - inclination_at(scene.well.survey, md);
-    const double friction = scene.well.sections.empty() ? 0.0 : scene.well.sections[section_at(scene.well.sections, middle)].friction;
-    tension += weight * std::cos(inclination) - friction * std::abs(tension * turned + weight * std::sin(inclination));
+    tension += weight * std::cos(inclination) - friction_at(scene.well, middle) * std::abs(tension * turned + weight * std::sin(inclination));
     if (tension < 0.0) pushed = middle;
   }
   return pushed;
@@ -144,6 +155,26 @@ bool hangs(const WellSpec& well, double depth) noexcept
   return first_inclined(well) >= depth && !bends(well.survey, depth);
 }
 
+double torque_of_bends(const Scene& scene, double depth) noexcept
+{
+  constexpr double piece = 10.0;  // [m]
+  const std::vector<SurveyStation>& survey = scene.well.survey;
+  if (survey.size() < 2) return 0.0;
+  double torque = 0.0, tension = 0.0;
+  std::size_t below = survey.size() - 1;  // the station below the piece
+  for (double md = depth; md > 0.0; md -= piece)
+  {
+    const double middle = std::max(0.0, md - 0.5 * piece);
+    const PartSpec& part = part_at(scene.string, depth - middle);
+    tension += standard_gravity * part.linear_mass * (1.0 - scene.mud.density / part.density) * piece;
+    while (below > 1 && survey[below - 1].md > middle) --below;
+    if (middle > survey[below].md) continue;
+    const double bend = angle_between(survey[below - 1], survey[below]) / (survey[below].md - survey[below - 1].md);
+    torque += friction_at(scene.well, middle) * rubbing_radius(part) * tension * bend * piece;
+  }
+  return torque;
+}
+
 double turned_above(const WellSpec& well, double depth) noexcept
 {
   double turned = 0.0;
@@ -154,7 +185,8 @@ double turned_above(const WellSpec& well, double depth) noexcept
 bool hangs_in_the_middle(const Scene& scene) noexcept
 {
   const bool motor = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& part) { return part.motor.has_value(); });
-  return !motor && hangs(scene.well, std::max(scene.well.hole_depth, scene.start.bit_depth));
+  const double depth = std::max(scene.well.hole_depth, scene.start.bit_depth);
+  return !motor && hangs(scene.well, depth) && torque_of_bends(scene, depth) <= scene.numerics.tolerance * least_torque_range;
 }
 
 double pushed_length(const Scene& scene) noexcept

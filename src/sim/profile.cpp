@@ -8,6 +8,7 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/guides.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/accuracy_watch.h"
 #include "drill_rig_sim/solve/length_search.h"
 #include "drill_rig_sim/solve/start.h"
@@ -110,6 +111,8 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigA
   if (buckling.share > 1.0)
     message << "; with that the pipe " << buckling.from_bit << " m above the bit is compressed by " << buckling.share
             << " times what it bears straight: it buckles";
+  if (report.outcome.share > 0.0 && report.outcome.top_force < 0.0)
+    message << "; even with that the string must be pushed in with " << -report.outcome.top_force / 1e3 << " kN";
   const std::string doubt = text_of(report.accuracy, 0.0);
   if (!doubt.empty()) message << "; " << doubt;
   throw std::runtime_error(message.str());
@@ -180,14 +183,18 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
   }
 }
 
-StaticReport static_report(const Scene& scene, const SlidingMotion& sliding)
+namespace
+{
+/// Loads and doubts only, where there is no equilibrium.
+StaticReport report_on(const Scene& scene, const SlidingMotion& sliding)
 {
   RigAtRest rig = build_at_rest(scene);
   StaticReport report;
   report.outcome = sliding.still() ? rig.statics : hold_weight(scene, sliding, rig);
   report.loads = StringWatch(*rig.model).look(*rig.model, rig.state, report.outcome.forces);
+  report.buckled = buckled_pipe(*rig.model, rig.state, report.outcome.forces);
   report.accuracy = doubt_of_string(*rig.model, rig.state, report.outcome.forces);
-  if (!report.outcome.converged) refuse(report);
+  if (!report.outcome.converged) return report;
   if (report.accuracy.doubt == AccuracyDoubt::none) report.accuracy = doubt_of_hole(rig.state);
   if (report.accuracy.doubt == AccuracyDoubt::none) report.accuracy = doubt_of_level(scene, rig.state);
   fill_profile(*rig.model, rig.state, report.outcome.forces, report.profile);
@@ -203,6 +210,44 @@ StaticReport static_report(const Scene& scene, const SlidingMotion& sliding)
   const Eigen::Vector3d axis = x_axis(bit.orientation);
   report.bit_tilt = std::atan2(axis.cross(closest.tangent).norm(), axis.dot(closest.tangent));
   return report;
+}
+
+/// More must push the string in than block and top drive weigh, though not all of the friction acts: what is found with all of it does not matter.
+bool outweighs_block(const Scene& scene, const StaticOutcome& outcome) noexcept
+{
+  return !outcome.converged && outcome.share > 0.0 && outcome.top_force + standard_gravity * scene.rig.hoisting.block_mass < 0.0;
+}
+
+/// Halves the elements where friction pushes pipe, or all of them where none does. False: they are as short as they may be.
+bool refine(NumericsSpec& numerics, bool pushed)
+{
+  constexpr double half_joint = 4.75, least = 1.18;  // [m]
+  double& length = pushed ? numerics.pushed_element_length : numerics.element_length;
+  const double before = length > 0.0 ? length : pushed && numerics.element_length > 0.0 ? std::min(numerics.element_length, half_joint) : half_joint;
+  if (0.5 * before < least) return false;
+  length = 0.5 * before;
+  return true;
+}
+}  // namespace
+
+StaticReport static_report(const Scene& scene, const SlidingMotion& sliding)
+{
+  Scene meshed = scene;
+  const bool pushed = pushed_length(scene) > 0.0;
+  double refined = 0.0;
+  while (true)
+  {
+    StaticReport report = report_on(meshed, sliding);
+    report.refined_length = refined;
+    const bool fits = report.outcome.converged && report.accuracy.doubt != AccuracyDoubt::compression;
+    if (!fits && !outweighs_block(scene, report.outcome) && refine(meshed.numerics, pushed))
+    {
+      refined = pushed ? meshed.numerics.pushed_element_length : meshed.numerics.element_length;
+      continue;
+    }
+    if (!report.outcome.converged) refuse(report);
+    return report;
+  }
 }
 
 }  // namespace drill_rig_sim

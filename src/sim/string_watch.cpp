@@ -60,6 +60,22 @@ double buckling_share(const Model& model, const State& state, std::size_t e, dou
   return -tension / (lying * lying * lying > hanging_cubed ? lying : std::cbrt(hanging_cubed));  // a cube's root is dear
 }
 
+BuckledPipe buckled_pipe(const Model& model, const State& state, const RigForces& forces) noexcept
+{
+  const Mesh& mesh = model.mesh();
+  BuckledPipe out;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+  {
+    const double share = buckling_share(model, state, e, forces.tension[e]), length = mesh.elements[e].section.length;
+    if (share <= 1.0) continue;
+    if (out.length == 0.0) out.from_bit = mesh.nodes[e].from_bit;
+    out.to = mesh.nodes[e + 1].from_bit;
+    out.length += length;
+    if (share > helical_share) out.helical += length;
+  }
+  return out;
+}
+
 StringLoads StringWatch::look(const Model& model, const State& state, const RigForces& forces) const noexcept
 {
   StringLoads out;

@@ -191,7 +191,8 @@ StaticOutcome attempt(const Model& model, State& state, const SlidingMotion& sli
   StaticOutcome out;
   for (int round = 0; round < kMostRounds && !out.converged && (round == 0 || out.iterations < most_iterations); ++round)
   {
-    out.iterations += continuation(model, state, sliding, std::min(kMaxContinuation, most_iterations - out.iterations), forces);
+    // a helix slides round its hole until it rests, millimetre by millimetre
+    out.iterations += continuation(model, state, sliding, std::min(kMaxContinuation << (2 * round), most_iterations - out.iterations), forces);
     const KinsolOutcome finished = finish(model, state, sliding, std::min(kMaxNewton, most_iterations - out.iterations), forces);
     out.converged = finished.converged;
     out.iterations += finished.iterations;
@@ -219,7 +220,7 @@ StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion
   const ToolfaceHold free;
   if (sliding.still()) return attempt(model, state, sliding, most_iterations, free);
   State last = state;
-  StaticOutcome found = attempt(model, state, sliding, most_iterations, free);
+  StaticOutcome found = attempt(model, state, sliding, (most_iterations + 1) / 2, free);
   if (found.converged) return found;
   // the friction of a long string moves its nodes by metres: by and by
   SlidingMotion part = sliding;

@@ -24,6 +24,25 @@ struct StaticOptions
   std::string csv, units = "si";
 };
 
+void print_buckled(const BuckledPipe& buckled, const Printed& printed)
+{
+  if (buckled.length == 0.0) return;
+  const auto metres = [&](double length) { return printed(length, Dimension::length, {"%.0f", "m"}); };
+  std::printf("buckled          %s of pipe, between %s and %s above the bit", metres(buckled.length).c_str(), metres(buckled.from_bit).c_str(),
+              metres(buckled.to).c_str());
+  if (buckled.helical > 0.0) std::printf(", %s of it into a helix", metres(buckled.helical).c_str());
+  std::printf("\n");
+}
+
+void print_pushed(const StaticReport& report, const Printed& printed)
+{
+  if (report.hook_load_string >= 0.0) return;
+  const auto force = [&](double load) { return printed(load, Dimension::force, {"%.1f", "kN", 1e-3}); };
+  std::printf("pushed in        the string must be pushed with %s at the top, its own weight does not carry it down; ", force(-report.hook_load_string).c_str());
+  const std::string block = force(report.hook_load - report.hook_load_string);
+  std::printf(report.hook_load < 0.0 ? "block and top drive weigh only %s\n" : "the weight of block and top drive (%s) does\n", block.c_str());
+}
+
 void print_report(const StaticReport& report, const Printed& printed)
 {
   const Printed::InSI newton{"%.1f", "N"}, newton_metre{"%.1f", "N m"}, metre{"%.0f", "m"};
@@ -42,6 +61,11 @@ void print_report(const StaticReport& report, const Printed& printed)
   { std::printf("%-16s %12.2f of what %s, %s above the bit\n", name, load.share, what, printed(load.from_bit, Dimension::length, metre).c_str()); };
   share("yield", "the pipe bears", report.loads.stress);
   share("buckling", "it bears straight", report.loads.buckling);
+  print_buckled(report.buckled, printed);
+  print_pushed(report, printed);
+  if (report.refined_length > 0.0)
+    std::printf("mesh             elements of %s where pipe is compressed, shorter than the scene's\n",
+                printed(report.refined_length, Dimension::length, {"%.3g", "m"}).c_str());
 }
 
 SlidingMotion motion_of(const StaticOptions& options)

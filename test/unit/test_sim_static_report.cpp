@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
@@ -77,5 +78,36 @@ TEST(StaticReport, holdsTheWeightOnBitInEachMotion)
     EXPECT_EQ(report.torque, report.outcome.top_torque);
     EXPECT_EQ(report.hook_load_string, report.outcome.top_force);
   }
+}
+
+namespace
+{
+/// Pipe and three collars in a hole that is vertical to `kick_off`, built at 9 deg/30 m and horizontal from there on.
+StaticReport slacked_off(double kick_off, double depth, double friction)
+{
+  Scene scene = scene_in({{0.0, 0.0, 0.0}, {kick_off, 0.0, 0.0}, {kick_off + 300.0, 90.0 * degree, 0.0}, {3500.0, 90.0 * degree, 0.0}}, depth + 10.0, depth, friction);
+  scene.string.insert(scene.string.begin() + 1, collar_part(3, 9.4));
+  scene.mud.density = 1200.0;
+  return static_report(scene, sliding_down);
+}
+}  // namespace
+
+// The soft string's hook loads; what a helix presses against the wall comes on top where pipe is buckled.
+TEST(StaticReport, slackOffOfBuckledPipe)
+{
+  for (const auto& [friction, soft_string, buckled] : {std::tuple{0.05, 149.0e3, 0.0}, {0.08, 122.0e3, 24.0}, {0.10, 102.7e3, 95.0}, {0.12, 82.2e3, 176.0}})
+  {
+    const StaticReport report = slacked_off(500.0, 3390.0, friction);
+    EXPECT_NEAR(report.hook_load_string, soft_string, 0.012 * soft_string) << friction;
+    EXPECT_NEAR(report.buckled.length, buckled, 15.0) << friction;
+    EXPECT_LE(report.buckled.helical, report.buckled.length) << friction;
+    EXPECT_NEAR(report.buckled.from_bit, buckled > 0.0 ? 2890.0 : 0.0, 10.0) << friction << ": from the end of the build up";
+  }
+}
+
+TEST(StaticReport, aStringThatMustBePushedIn)
+{
+  EXPECT_GT(slacked_off(300.0, 1800.0, 0.20).hook_load_string, 30e3);
+  EXPECT_LT(slacked_off(300.0, 1800.0, 0.30).hook_load_string, -30e3);
 }
 }  // namespace test_sim_static_report

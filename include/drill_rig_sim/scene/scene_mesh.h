@@ -31,7 +31,12 @@ bool hangs(const WellSpec& well, double depth) noexcept;
 /// By how much the survey turns between its stations above `depth` [m], all turns counted up [rad].
 double turned_above(const WellSpec& well, double depth) noexcept;
 
-/// The string hangs in the middle of its hole: hangs(), and no mud motor bends it.
+/// Friction torque of a string that turns with its bit at `depth` and is pulled against every bend of its hole [N m]: the sum of mu r T |dtheta|, T the
+/// weight below in mud (the soft string's side force of a bend: Johancsik, Friesen, Dawson, J. Petroleum Technology 36 (1984), SPE 11380). Free pipe
+/// cuts the corners within its clearance and rubs less: guided pipe is wrong by up to this.
+double torque_of_bends(const Scene& scene, double depth) noexcept;
+
+/// The string hangs in the middle of its hole: hangs(), no mud motor bends it, and torque_of_bends() is within the tolerance of 5 kN m.
 bool hangs_in_the_middle(const Scene& scene) noexcept;
 
 /// How far above the bit's face friction pushes pipe that slides down with nothing on the bit (by the soft string), and 45 m more; 0: nowhere [m].

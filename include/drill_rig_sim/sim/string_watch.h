@@ -30,6 +30,20 @@ struct StringLoads
 /// Kyllingstad, SPE Drilling and Completion 10 (1995), 10-15), but at no less than 1.94 (E I w^2)^(1/3), as in a vertical hole (Lubinski 1950).
 double buckling_share(const Model& model, const State& state, std::size_t e, double tension) noexcept;
 
+/// Pipe that is buckled in its hole.
+struct BuckledPipe
+{
+  double length = 0.0;   ///< of the elements whose buckling_share() is above 1 [m]
+  double helical = 0.0;  ///< of those that buckle into a helix, above `helical_share` [m]
+  double from_bit = 0.0, to = 0.0;  ///< between these distances above the bit's face [m]
+};
+
+/// A helix forms at 2 sqrt(2) sqrt(E I N / r), by the energy of a helix that the pipe is turned into (Chen, Lin, Cheatham, J. Energy Resources Technology 112
+/// (1990), 247-253).
+constexpr double helical_share = 1.41421356;
+
+BuckledPipe buckled_pipe(const Model& model, const State& state, const RigForces& forces) noexcept;
+
 /// Compares what the string carries with what it bears. Limits are told, not simulated: pipe beyond them goes on as if it were not.
 class StringWatch
 {

@@ -35,7 +35,7 @@ struct ToolfaceHold
 /// Newton method with line search then finishes it, to 1 mN or to what the rounding of the nodes' places leaves of stiff elements.
 /// Where an increment would go uphill, against the forces, more inertia turns it: compressed pipe that snaps across its hole has no stiffness there.
 /// `most_iterations` bounds the work of all together. Allocates; not for use in a frame.
-StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations = 5000);
+StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations = 8000);
 
 /// The same without friction, and with the bend held by a stiff spring about its axis: for toolfaces in which a long string, soft in torsion, does not
 /// rest by itself. The equilibrium is the string's own where `holding_torque` is 0: the caller turns the top until it is.
