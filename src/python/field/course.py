@@ -3,6 +3,7 @@ import numpy
 
 BAND = 3.0           # of the gauge's noise in standard deviations, half the band in which the course lies
 WIDEST = 0.06        # half the band at most [m]: what moves more is the block
+STEADY = 0.1         # of a change of speed, what a speed that counts as constant may change from row to row
 FINEST = 5e-4        # of resolutions that matter [m]
 STANDS = 0.2         # of the speed before and behind: slower, the block stands where its gauge allows it
 LOWER_HALF = 0.3246  # mean size of the smaller half of normal numbers, in their standard deviations
@@ -17,11 +18,12 @@ class Course:
         self.corners = times[corners]
         at_corners = with_stops(self.corners, at_corners, band)
         slopes = numpy.diff(at_corners) / numpy.diff(self.corners)
-        self.before, self.after = numpy.concatenate((slopes[:1], slopes)), numpy.concatenate((slopes, slopes[-1:]))  # speeds at the corners [m/s]
-        self.times, self.heights = times, rounded(times, self.corners, at_corners, self.after - self.before, band)
+        self.before, self.after = numpy.concatenate(([0.0], slopes)), numpy.concatenate((slopes, slopes[-1:]))  # speeds at the corners, from rest [m/s]
+        self.heights = rounded(times, self.corners, at_corners, band)  # at the rows [m]
+        self.knots = with_ramps(times, self.heights)
 
     def __call__(self, at):
-        return smooth(at, self.times, self.heights)
+        return smooth(at, *self.knots)
 
 
 def half_band(gauge, heights):
@@ -95,14 +97,35 @@ def with_stops(times, heights, band):
     return heights
 
 
-def rounded(at, times, heights, bends, band):
+def rounded(at, times, heights, band):
     """Heights on straight lines between corners, each of which is a parabola near it."""
+    slopes = numpy.diff(heights) / numpy.diff(times)
+    bends = numpy.diff(numpy.concatenate((slopes[:1], slopes, slopes[-1:])))
     sides = 0.5 * numpy.diff(times)
     room = numpy.minimum(numpy.concatenate((sides[:1], sides)), numpy.concatenate((sides, sides[-1:])))
     reach = numpy.minimum(ROUNDED * band / numpy.maximum(numpy.abs(bends), 1e-12), room)
     near = numpy.searchsorted(0.5 * (times[1:] + times[:-1]), at)
     beyond = numpy.maximum(reach[near] - numpy.abs(at - times[near]), 0.0)
     return numpy.interp(at, times, heights) + bends[near] * beyond**2 / (4.0 * numpy.maximum(reach[near], 1e-12))
+
+
+def with_ramps(times, heights):
+    """Times and heights of rows, and of one place more between two rows where one steady speed ends and another begins: there a ramp of the speed begins or
+    ends that is as long as both leave room for."""
+    speed, width = numpy.diff(heights) / numpy.diff(times), numpy.diff(times)
+    if len(speed) < 5:
+        return times, heights
+    k = numpy.arange(2, len(speed) - 2)
+    before, after = speed[k - 1], speed[k + 1]
+    change = numpy.where(before == after, 1.0, before - after)
+    share = (speed[k] - after) / change  # of the way between the rows at the first speed, if that changed at once
+    steady = numpy.maximum(numpy.abs(before - speed[k - 2]), numpy.abs(after - speed[k + 2])) < STEADY * numpy.abs(change)
+    found = k[steady & (before != after) & (share > 0.01) & (share < 0.99) & (numpy.abs(share - 0.5) > 0.05)]
+    share = (speed[found] - speed[found + 1]) / (speed[found - 1] - speed[found + 1])
+    early = share < 0.5
+    places = times[found] + numpy.where(early, 2.0 * share, 2.0 * share - 1.0) * width[found]
+    there = numpy.where(early, heights[found + 1] - speed[found + 1] * (times[found + 1] - places), heights[found] + speed[found - 1] * (places - times[found]))
+    return numpy.insert(times, found + 1, places), numpy.insert(heights, found + 1, there)
 
 
 def smooth(at, times, values):

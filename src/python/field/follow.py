@@ -117,12 +117,12 @@ class Follow:
         drum, gaps = self.drum, numpy.diff(self.drum.corners)
         nearest = numpy.minimum(numpy.concatenate((gaps[:1], gaps)), numpy.concatenate((gaps, gaps[-1:])))
         waves = 0.5 * numpy.abs(drum.after - drum.before) * (self.rig.wave_impedance + self.rig.block_mass / nearest)
-        squares, most = (waves**2 * numpy.minimum(nearest, RINGING)).sum() / self.times[-1], waves.max()
+        squares, most = (waves**2 * numpy.minimum(nearest, RINGING)).sum() / record.time[-1], waves.max()
         if "hook_load" in record:
             changes = 0.5 * numpy.abs(numpy.diff(compared(record, ["hook_load"], self.stands)["hook_load"]))
             turns = (drum.before * drum.after <= 0.0) & (numpy.abs(drum.after - drum.before) > self.worth)
             unknown = changes[numpy.isin(record.time[:-1], drum.corners[turns]) & numpy.isfinite(changes)]
-            squares, most = squares + (unknown**2).sum() / len(record.time), max(most, *unknown, 0.0)
+            squares, most = squares + (unknown**2).sum() / 3.0 / len(record.time), max(most, *unknown, 0.0)  # uniformly distributed
         return float(numpy.sqrt(squares)), float(most)
 
 
