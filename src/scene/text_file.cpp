@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <utility>
 
 #include "problems.h"
@@ -42,14 +43,14 @@ std::string refusal(const struct stat& status, const char* needed, std::size_t l
 // the whole of a file; what is wrong with it, empty if nothing is
 std::string read_bytes(const std::string& file, const char* needed, std::size_t longest, std::string& text)
 {
-  std::string unreadable = std::string("cannot be read, needed: ") + needed;
+  const auto unreadable = [&] { return std::string("cannot be read (") + std::strerror(errno) + "), needed: " + needed; };
   struct stat status = {};
   // looked at before it is opened, for opening alone may act on a device, and once more after, for names can change their file
-  if (::stat(file.c_str(), &status) != 0) return unreadable;
+  if (::stat(file.c_str(), &status) != 0) return unreadable();
   std::string wrong = refusal(status, needed, longest);
   if (!wrong.empty()) return wrong;
   const Descriptor in(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
-  if (in.number < 0 || ::fstat(in.number, &status) != 0) return unreadable;
+  if (in.number < 0 || ::fstat(in.number, &status) != 0) return unreadable();
   wrong = refusal(status, needed, longest);
   if (!wrong.empty()) return wrong;
   text.clear();
@@ -59,7 +60,7 @@ std::string read_bytes(const std::string& file, const char* needed, std::size_t 
     const ssize_t got = ::read(in.number, block, sizeof block);
     if (got == 0) return "";
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return unreadable;
+    if (got < 0) return unreadable();
     text.append(block, static_cast<std::size_t>(got));
     // it may grow while it is read, and files of /proc have no size
     if (text.size() > longest) return too_large(needed, longest);

@@ -63,10 +63,10 @@ class BadInputs(unittest.TestCase):
         """A copy of an input with one text replaced."""
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        with open(os.path.join(INPUTS, name)) as text:
+        with open(os.path.join(INPUTS, name), encoding='latin-1') as text:
             scene = text.read()
         self.assertIn(old, scene)
-        with open(os.path.join(folder.name, name), 'w') as out:
+        with open(os.path.join(folder.name, name), 'w', encoding='latin-1') as out:
             out.write(scene.replace(old, new))
         return os.path.join(folder.name, name)
 
@@ -78,10 +78,12 @@ class BadInputs(unittest.TestCase):
         self.refused('yaml_hang_json_comma.yaml', ':1: YAML: a second YAML document')
 
     def test_yaml_hang_fuzz1(self):
-        self.refused('yaml_hang_fuzz1.yaml', 'YAML: ')
+        self.refused('yaml_hang_fuzz1.yaml', ':1: holds a NUL byte')
+        self.refused(self.scene('yaml_hang_fuzz1.yaml', '\0', ' '), ':1: YAML: a second YAML document')
 
     def test_yaml_hang_fuzz2(self):
-        self.refused('yaml_hang_fuzz2.yaml', 'YAML: ')
+        self.refused('yaml_hang_fuzz2.yaml', ':1: holds a NUL byte')
+        self.refused(self.scene('yaml_hang_fuzz2.yaml', '\0', ' '), ':1: YAML: a second YAML document')
 
     def test_values_of_yaml_are_counted(self):
         file = self.scene('stab_5cm.yaml', 'name: quick', 'name: [%s]' % ('0,' * 300000))
