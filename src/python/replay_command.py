@@ -69,7 +69,7 @@ def part_of(record, options):
 
 
 def replay_of(options):
-    record = read_record(options.record, options.columns)
+    record = read_record([options.record, *options.more], options.columns)
     check(record)
     left_out = stretches(options.leave_out, record)
     record, remarks = part_of(record, options)
@@ -87,6 +87,7 @@ def main(words):
     parser.add_argument("scene")
     for name in ("--columns", "--json", "--csv", "--plots"):
         parser.add_argument(name)
+    parser.add_argument("--with", dest="more", action="append", default=[])
     parser.add_argument("--from", dest="from_time", default="")
     parser.add_argument("--to", dest="to_time", default="")
     parser.add_argument("--leave-out", action="append", default=[])

@@ -14,12 +14,13 @@ namespace
 struct ReplayOptions
 {
   std::string record, scene, columns, from, to, start, json, csv, plots, units = "si";
-  std::vector<std::string> left_out;
+  std::vector<std::string> more, left_out;
 };
 
 void replay(const ReplayOptions& options)
 {
   std::vector<std::string> words;
+  for (const std::string& file : options.more) add_word(words, "--with", file);
   add_word(words, "--columns", options.columns);
   add_word(words, "--from", options.from);
   add_word(words, "--to", options.to);
@@ -38,8 +39,9 @@ Command add_replay_command(CLI::App& drill)
 {
   CLI::App* words = drill.add_subcommand("replay", "plays a rig's record to a scene: how far are hook load, torque and pressure off");
   const auto options = std::make_shared<ReplayOptions>();
-  add_file(*words, "RECORD", options->record, "CSV (of drill run --csv --readings, or with --columns), or a log of WITSML 1.4.1.1 (.xml)");
+  add_file(*words, "RECORD", options->record, "a log of WITSML or LAS, or a table (of drill run --csv --readings, with columns of known names, or with --columns)");
   add_file(*words, "SCENE", options->scene, "the scene's file; its start is where the record begins");
+  words->add_option("--with", options->more, "a further file of the same well, joined by time; may be given again")->type_name("FILE")->allow_extra_args(false);
   add_text(*words, "--columns", options->columns, "FILE", "which column is what, and its unit: `hook_load: {column: HL, unit: klbf}` a line");
   add_text(*words, "--from", options->from, "TIME", "in the record where the replay begins: s, or an ISO date");
   add_text(*words, "--to", options->to, "TIME", "where it ends");

@@ -75,6 +75,15 @@ class Records(Case):
         self.assertEqual(whole, self.replayed('03_later_logdata_dropped', 'two_logdata.xml', 'q.yaml')[0])
         self.assertEqual(whole, self.replayed('08_witsml_shapes', 'v1311.xml', 'q.yaml')[0])
 
+    def test_03_several_files_are_joined_by_time(self):
+        with open(os.path.join(CASES, '07_dates/pason.csv'), encoding='utf-8') as text:
+            rows = [line.rstrip('\n').split(',') for line in text]
+        for name, columns in (('one.csv', (0, 1, 3, 4)), ('two.csv', (0, 1, 5, 6, 7, 8, 9))):
+            with open(self.file(name), 'w', encoding='utf-8') as out:
+                out.writelines(','.join(row[k] for k in columns) + '\n' for row in rows)
+        whole, _ = self.replayed('07_dates', 'pason.csv', 'q.yaml')
+        self.assertEqual(whole, self.replayed('07_dates', self.file('one.csv'), 'q.yaml', '--with', self.file('two.csv'))[0])
+
     def test_04_nulls_are_no_numbers(self):
         for words in (('hk_null_curve.xml', 'q.yaml'), ('null_9999_25.csv', 'q.yaml', '--columns', 'map.yaml')):
             table, said = self.replayed('04_nulls_taken_for_numbers', *words)
