@@ -99,9 +99,15 @@ class Window:
     def close(self):
         """Ends rviz; its exit status, 128 and more: killed by a signal."""
         self.kill()
-        wait_until(lambda: os.path.exists(self.files + ".status"), "rviz ends")
+        wait_until(lambda: self.status() != "", "rviz ends")
+        return int(self.status())
+
+    def status(self):
+        """What its starter has written of its end; "" before: the file is there a moment before its content."""
+        if not os.path.exists(self.files + ".status"):
+            return ""
         with open(self.files + ".status") as f:
-            return int(f.read())
+            return f.read().strip()
 
     def wait_until(self, measure, enough, patience=2 * PATIENCE):
         """Waits for a picture newer than now of which `enough(measure(picture))` holds, and returns what was measured."""

@@ -108,7 +108,7 @@ class Shown(unittest.TestCase):
         class Made:  # pylint: disable=too-few-public-methods
             @staticmethod
             def table():
-                return {"hook_load": dict.fromkeys(("mean", "rms", "largest", "range"), 1e3 * POUND)}
+                return {"hook_load": dict.fromkeys(("mean", "rms", "largest", "range", "unresolved_rms", "unresolved_largest"), 1e3 * POUND)}
         self.assertRegex(replay_command.table(Made, OILFIELD)[1], r"hook load +1\.000 +1\.000 +1\.000 +1\.000 klbf")
         self.assertRegex(replay_command.table(Made, SI)[1], r"hook load +4\.448 +4\.448 +4\.448 +4\.448 kN")
 

@@ -1,0 +1,151 @@
+#!/usr/bin/python3
+"""Records of rigs as logs of WITSML and LAS: what such a file says of itself is obeyed or refused. See test_record.py."""
+import math
+import os
+import unittest
+
+from drill_rig_sim.field.record import RecordError, read_record
+from record_folder import CASES, KLBF, ROWS, STAMPS, Folder
+
+
+def witsml(rows=None, names="TIME,HKLD,BLOCKCOMP,GAS", units="s,klbf,ft,%", log="", data="", index="date time", index_curve="TIME", version="1.4.1.1", well="w"):
+    rows = rows or ["%s,%g,%g,0.1" % (stamp, row[1], row[2]) for stamp, row in zip(STAMPS, ROWS)]
+    lists = "<mnemonicList>%s</mnemonicList><unitList>%s</unitList>" % (names, units) if version == "1.4.1.1" else ""
+    return ('<?xml version="1.0"?>\n<logs xmlns="http://www.witsml.org/schemas/%s" version="%s"><log uidWell="%s" uidWellbore="b">\n'
+            "<nameWell>w</nameWell><nameWellbore>b</nameWellbore><name>n</name><indexType>%s</indexType><indexCurve>%s</indexCurve>%s\n<logData>%s%s</logData>%s</log></logs>\n" %
+            ("1series" if version == "1.4.1.1" else "131", version, well, index, index_curve, log, lists, "".join("\n<data>%s</data>" % row for row in rows), data))
+
+
+class Witsml(Folder):
+    """Kinds 02, 03, 05, 08 and the null values of 04."""
+
+    def xml(self, **options):
+        columns = options.pop("columns", None)
+        return self.read(witsml(**options), columns, name="r.xml")
+
+    def test_a_log(self):
+        self.right(self.xml())
+        self.right(self.read(witsml(), name="log.txt"))
+        record = self.xml(rows=["2024-05-01T10:00:00.000Z,200,30,0.1", "2024-05-01T10:00:05Z,,29.5,0.1", "2024-05-01T12:00:10+02:00,201.5,29,"])
+        self.assertEqual([0.0, 5.0, 10.0], list(record.time))
+        self.assertTrue(math.isnan(record.signals["hook_load"][1]))
+        self.assertAlmostEqual(1714557600.0, record.begin)
+
+    def test_what_the_file_says_of_its_index(self):
+        self.refused("its index is measured depth, and none of its curves is a time (DEPT", witsml(index="measured depth", index_curve="DEPT", names="DEPT,HKLD,BLOCKCOMP,GAS"), name="r.xml")
+        self.refused("its index is vertical depth", witsml(index="vertical depth", index_curve="X", names="X,HKLD,BLOCKCOMP,GAS"), name="r.xml")
+        self.right(self.xml(index="measured depth", index_curve="DEPT", names="DEPT,HKLD,BLOCKCOMP,TIME", units="m,klbf,ft,s",
+                            rows=["%d,%g,%g,%s" % (100 + t, h, b, stamp) for stamp, (t, h, b) in zip(STAMPS, ROWS)]))
+        for unit, factor in (("s", 1), ("min", 60), ("ms", 0.001), ("h", 3600), ("d", 86400)):
+            self.right(self.xml(index="elapsed time", units=unit + ",klbf,ft,%", rows=["%.17g,%g,%g,0" % (t / factor, h, b) for t, h, b in ROWS]))
+        self.right(self.xml(log="<direction>decreasing</direction>", rows=["%s,%g,%g,0.1" % (stamp, h, b) for stamp, (_, h, b) in reversed(list(zip(STAMPS, ROWS)))]))
+        self.refused("the time goes back", witsml(rows=["%s,%g,%g,0.1" % (stamp, h, b) for stamp, (_, h, b) in reversed(list(zip(STAMPS, ROWS)))]), name="r.xml")
+        with self.assertRaisesRegex(RecordError, "depth_log.xml: its index is measured depth"):
+            read_record(os.path.join(CASES, "02_depth_log_taken_for_time/depth_log.xml"))
+
+    def test_nulls_and_delimiters(self):
+        cell = ["%s,%s,%g,0.1" % (stamp, "%s" if k == 1 else "%g" % row[1], row[2]) for k, (stamp, row) in enumerate(zip(STAMPS, ROWS))]
+        for null, said in (("-1", "<nullValue>-1</nullValue>"), ("-1.000", "<nullValue>-1</nullValue>"), ("777", "<logCurveInfo><mnemonic>HKLD</mnemonic><unit>klbf</unit><nullValue>777</nullValue></logCurveInfo>"),
+                           ("777", "<nullValue>0</nullValue><logCurveInfo><mnemonic>HKLD</mnemonic><nullValue>777.0</nullValue></logCurveInfo>"), ("NULL", "<nullValue>NULL</nullValue>")):
+            record = self.xml(log=said, rows=[row % null if "%s" in row else row for row in cell])
+            self.assertTrue(math.isnan(record.signals["hook_load"][1]), said)
+        for sign in (";", "|", "\t", "~", "::"):
+            self.right(self.xml(log="<dataDelimiter>%s</dataDelimiter>" % sign, rows=[sign.join((stamp, "%g" % h, "%g" % b, "1,5")) for stamp, (_, h, b) in zip(STAMPS, ROWS)]))
+        self.refused(["r.xml:5: data row 1 has 1 values, there are 4 curves"], witsml(log="<dataDelimiter>;</dataDelimiter>"), name="r.xml")
+
+    def test_several_parts_are_joined_by_the_index(self):
+        rows = ["%s,%g,%g,0.1" % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
+        more = "<logData><mnemonicList>TIME,HKLD,BLOCKCOMP,GAS</mnemonicList><unitList>s,klbf,ft,%%</unitList>%s</logData>"
+        data = lambda these: "".join("<data>%s</data>" % row for row in these)
+        self.right(self.xml(rows=rows[:2], data=more % data(rows[2:])))
+        self.right(self.xml(rows=rows[2:], data=more % data(rows[:2])))
+        self.right(self.xml(rows=rows[:3], data=more % data(rows[2:])))  # the row between stands in both
+        kilonewton = more.replace("klbf", "kN") % data("%s,%.9g,%g,0.1" % (stamp, h * KLBF / 1e3, b) for stamp, (_, h, b) in list(zip(STAMPS, ROWS))[2:])
+        self.right(self.xml(rows=rows[:2], data=kilonewton))
+        other = "<logData><mnemonicList>TIME,SPP</mnemonicList><unitList>s,bar</unitList>%s</logData>" % data("%s,100" % stamp for stamp in STAMPS)
+        record = self.xml(data=other)
+        self.right(record)
+        self.assertAlmostEqual(1e7, record.at("stand_pipe_pressure", 7.0))
+        self.assertEqual(121, len(read_record(os.path.join(CASES, "03_later_logdata_dropped/two_logdata.xml")).time))
+
+    def test_several_logs_and_files(self):
+        one = witsml(names="TIME,HKLD", units="s,klbf", rows=["%s,%g" % (stamp, row[1]) for stamp, row in zip(STAMPS, ROWS)])
+        two = witsml(names="TIME,BLOCKCOMP", units="s,ft", rows=["%s,%g" % (stamp, row[2]) for stamp, row in zip(STAMPS, ROWS)])
+        log = lambda text: text[text.index("<log "):text.index("</logs>")]
+        self.right(self.read(one.replace("</logs>", log(two) + "</logs>"), name="r.xml"))
+        self.right(read_record([self.file("a.xml", one), self.file("b.xml", two)]))
+        csv = self.file("c.csv", "DateTime,BPOS (ft)\n" + "".join("%s,%g\n" % (stamp, row[2]) for stamp, row in zip(STAMPS, ROWS)))
+        self.right(read_record([self.file("a.xml", one), csv]))
+        self.refused("holds logs of 2 wellbores (v/b, w/b)", one.replace("</logs>", log(two.replace('uidWell="w"', 'uidWell="v"')) + "</logs>"), name="r.xml")
+        depth = log(witsml(index="measured depth", index_curve="DEPT", names="DEPT,ROP", units="m,m/h", rows=["1,2", "2,3"]))
+        self.right(self.read(witsml().replace("</logs>", depth + "</logs>"), name="r.xml"), ["log 2 is passed over: its index is measured depth"])
+        with self.assertRaisesRegex(RecordError, "some of its tables have dates, others seconds"):
+            read_record([self.file("a.xml", one), self.file("d.csv", "Time (s),BPOS (ft)\n0,1\n5,2\n")])
+
+    def test_version_1311(self):
+        curves = "".join("<logCurveInfo><mnemonic>%s</mnemonic><unit>%s</unit><columnIndex>%d</columnIndex></logCurveInfo>" % curve
+                         for curve in (("BLOCKCOMP", "ft", 3), ("TIME", "s", 1), ("GAS", "%", 4), ("HKLD", "klbf", 2)))
+        self.right(self.xml(version="1.3.1.1", log=curves))
+        plain = "".join("<logCurveInfo><mnemonic>%s</mnemonic><unit>%s</unit></logCurveInfo>" % curve for curve in (("TIME", "s"), ("HKLD", "klbf"), ("BLOCKCOMP", "ft"), ("GAS", "%")))
+        self.right(self.xml(version="1.3.1.1", log=plain))
+        self.refused("a log names no curves", witsml(version="1.3.1.1"), name="r.xml")
+        for name in ("v1311", "decreasing"):
+            record = read_record(os.path.join(CASES, "08_witsml_shapes/%s.xml" % name))
+            self.assertEqual((121, 120.0), (len(record.time), record.time[-1]))
+            self.assertAlmostEqual(221450.1, record.at("hook_load", 0.0))
+
+    def test_a_map_of_its_mnemonics(self):
+        columns = "time: {column: TIME, unit: date}\nhook_load: {column: ZZ1}\nblock_height: {column: ZZ2, unit: ft}\n"
+        self.right(self.xml(names="TIME,ZZ1,ZZ2,GAS", columns=columns))
+        self.refused("there is no column ZZ2; columns: TIME, HKLD, BLOCKCOMP, GAS", witsml(), columns, name="r.xml")
+        record = read_record(os.path.join(CASES, "05_columns_ignored_for_xml/wits_names.xml"), os.path.join(CASES, "05_columns_ignored_for_xml/map_wits.yaml"))
+        self.assertAlmostEqual(221450.1, record.at("hook_load", 0.0))
+        self.assertAlmostEqual(99.7, record.at("bit_depth", 0.0))
+
+    def test_a_curve_of_an_unknown_unit_is_left_out_and_reported(self):
+        record = self.xml(units="s,stone,ft,%")
+        self.assertNotIn("hook_load", record)
+        self.assertIn("hook_load is left out: HKLD: unit stone is not known for a force", "\n".join(record.remarks))
+
+    def test_what_is_no_log(self):
+        for text, said in (("<logs>", "is no XML"), ("<logs/>", "holds no log"), (witsml(names="TIME,HKLD"), "mnemonicList has 2 names, unitList 4 units"),
+                           (witsml().replace("<logs", '<!DOCTYPE x [<!ENTITY e SYSTEM "file:///etc/passwd">]><logs', 1), "document type definition")):
+            self.refused(said, text, name="r.xml")
+        bomb = '<!DOCTYPE x [<!ENTITY a "%s">%s]>' % ("A" * 100, "".join('<!ENTITY %s "%s">' % (chr(98 + k), ("&%s;" % chr(97 + k)) * 100) for k in range(8)))
+        self.refused("r.xml", witsml().replace("<logs", bomb + "<logs", 1).replace("TIME,HKLD", "TIME,&i;", 1), name="r.xml")
+
+
+def las(curves="TIME.S : time\nHKLD.KLBF : hook load\nBPOS.FT : block\n", rows=None, wrap="NO", null="-999.25", version="2.0"):
+    rows = rows or ["%g  %g  %g" % row for row in ROWS]
+    return ("~VERSION INFORMATION\n VERS.  %s : CWLS\n WRAP.  %s : one line\n~WELL\n STRT.S 0 : start\n NULL.  %s : null\n# a comment\n~CURVE\n%s~PARAMETER\n~ASCII LOG DATA\n%s\n" %
+            (version, wrap, null, curves, "\n".join(rows)))
+
+
+class Las(Folder):
+    def log(self, columns=None, **options):
+        return self.read(las(**options), columns, name="r.las")
+
+    def test_a_log_by_time(self):
+        self.right(self.log())
+        self.right(self.read(las(), name="r.txt"))
+        self.right(self.log(version="1.2"))
+        self.right(self.log(wrap="YES", rows=[line for t, h, b in ROWS for line in ("%g" % t, "%g" % h, "%g" % b)]))
+        self.right(self.log(curves="ETIM .MIN 00 : elapsed\nHKLD .KLB : hook load\nBPOS .FT : block\n", rows=["%.17g %g %g" % (t / 60, h, b) for t, h, b in ROWS]))
+        self.right(self.log(curves="DATETIME. : date\nHKLD.klbf : x\nBPOS.ft : x\n", rows=["%s %g %g" % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]))
+
+    def test_by_depth(self):
+        curves = "DEPT.M : depth\nHKLD.KLBF : hook load\nBPOS.FT : block\n"
+        self.refused("its index is DEPT [M], and none of its curves is a time (DEPT, HKLD, BPOS)", las(curves=curves), name="r.las")
+        self.right(self.log(curves=curves.replace("BPOS.FT : block\n", "BPOS.FT : block\nTIME.S : time\n"), rows=["%g %g %g %g" % (100 + t, h, b, t) for t, h, b in ROWS]))
+
+    def test_nulls_maps_and_what_is_refused(self):
+        self.assertTrue(math.isnan(self.log(null="-1.00", rows=["0 200 30", "5 -1 29", "10 1 1"]).signals["hook_load"][1]))
+        self.right(self.log("time: {column: TIME, unit: s}\nhook_load: {column: HL}\nblock_height: {column: BPOS}\n", curves="TIME.S : t\nHL.KLBF : h\nBPOS.FT : b\n"))
+        for text, said in ((las(version="3.0"), "is LAS 3.0; allowed: 1.2 and 2.0"), (las().replace("~ASCII LOG DATA", "~OTHER"), "has no section ~A"),
+                           (las(rows=["0 200 30", "5 201"]), "r.las:15: has 2 values, there are 3 curves"), (las(wrap="YES", rows=["0 200", "30", "5"]), "the last row has 1 values"),
+                           ("x\n" + las(), "r.las:1: stands before the first section")):
+            self.refused(said, text, name="r.las")
+
+
+if __name__ == "__main__":
+    unittest.main()
