@@ -9,6 +9,7 @@ name: all_keys
 well:
   stations: [[0.0, 1.0, 2.0], [400.0, 3.0, 4.0], [900.0, 5.0, 6.0]]
   hole_depth: 801.0
+  project: curvature
   pilot_depth: 851.0
   pilot_diameter: 0.21
   sections:

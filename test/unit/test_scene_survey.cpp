@@ -262,11 +262,15 @@ TEST(SceneSurvey, AMapFile)
 {
   const TemporaryFolder folder;
   const std::string file = folder.file("map.yaml");
-  std::ofstream(file) << "columns: {md: {column: MD, unit: ft}, azimuth: {unit: deg}}\ndelimiter: \"\\t\"\npass_over: true\n";
+  std::ofstream(file) << "columns: {md: {column: MD, unit: ft}, inclination: {column: I}, azimuth: {unit: deg}, north: {column: N}, east: {column: E}, tvd: {unit: m}}\ndelimiter: \"\\t\"\npass_over: true\n";
   const SurveyFormat format = read_survey_format(file);
   EXPECT_EQ("MD", format.md.column);
   EXPECT_EQ("ft", format.md.unit);
+  EXPECT_EQ("I", format.inclination.column);
   EXPECT_EQ("deg", format.azimuth.unit);
+  EXPECT_EQ("N", format.north.column);
+  EXPECT_EQ("E", format.east.column);
+  EXPECT_EQ("m", format.tvd.unit);
   EXPECT_EQ("tab", format.delimiter);
   EXPECT_EQ(1.0, format.pass_over);
   for (const auto& [text, problem] : {std::pair<const char*, const char*>{"file: x.csv", ":1: file: unknown key"}, {"columns: {md: {unit: yd}}", ":1: columns.md.unit: is not known, allowed: m, ft or ftUS"},
