@@ -11,6 +11,7 @@
 #include "drill_rig_sim/rig/drive_tuning.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/accuracy_watch.h"
+#include "drill_rig_sim/sim/assembly_fit.h"
 #include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/wall_loss.h"
@@ -162,6 +163,7 @@ void print_shortcomings(const Scene& scene, const Printed& printed)
   const RigAtRest rig = build_at_rest(scene);
   for (const AccuracyReport& doubt : {doubt_of_string(*rig.model, rig.state, rig.statics.forces), doubt_of_hole(rig.state), doubt_of_level(scene, rig.state)})
     if (doubt.doubt != AccuracyDoubt::none) std::printf("accuracy    %s\n", text_of(doubt, scene.numerics.step).c_str());
+  if (const std::optional<TightAssembly> tight = tight_assembly(rig)) std::printf("assembly    %s\n", text_of(*tight).c_str());
   if (scene.string.front().bit->gauge_length > 0.0) print_wedged_gauge(scene, rig, printed);
   const std::optional<WallLoss> loss = wall_loss(rig);
   if (!loss) return;
@@ -184,6 +186,25 @@ void print_choice(const Simulator& simulator)
   const NumericsSpec& chosen = simulator.scene().numerics;
   std::printf("choice      %s: numerics {level: %s, step: %g, pushed_element_length: %g, guided_element_length: %g}\n", simulator.choice().c_str(), simulator.statistics().level,
               chosen.step, chosen.pushed_element_length, chosen.guided_element_length);
+}
+
+/// Which key decides how long the elements are.
+void print_mesh(const Scene& scene)
+{
+  const NumericsSpec& numerics = scene.numerics;
+  const ElementLengths lengths = element_lengths(scene);
+  if (numerics.element_length > 0.0)
+    std::printf("mesh        elements of %g m by numerics.element_length, whatever the tolerance", numerics.element_length);
+  else if (lengths.change > 0.0)
+    std::printf("mesh        elements of %g m up to %.0f m above the bit by numerics.tolerance (%g), of %g m above that", lengths.lower, lengths.change,
+                numerics.tolerance, lengths.upper);
+  else
+    std::printf("mesh        elements of %g m", lengths.upper);
+  if (lengths.by_bit < lengths.at(lengths.by_bit_change))
+    std::printf("; of %g m within %g m of the bit%s", lengths.by_bit, lengths.by_bit_change, lengths.by_bit == lengths.lower ? " by numerics.tolerance" : "");
+  if (lengths.pushed_change > 0.0) std::printf("; of at most %g m up to %.0f m, where friction pushes pipe", lengths.pushed, lengths.pushed_change);
+  if (lengths.guided > 0.0) std::printf("; guided pipe of %g m from %.0f m on", lengths.guided, lengths.guided_change);
+  std::printf("\n");
 }
 
 struct CheckOptions
@@ -223,6 +244,7 @@ void check(const CheckOptions& options)
                            : "model       level %s, integrator %s, variable steps by a tolerance of %g, %d nodes, %d coordinates, kernel %s\n",
               s.level, s.integrator, s.step > 0.0 ? s.step : scene.numerics.tolerance, s.nodes, s.coordinates, name_of(s.kernel));
   if (!simulator.choice().empty()) print_choice(simulator);
+  print_mesh(simulator.scene());
   const bool has_tool = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& p) { return p.type == PartType::mwd; });
   if (!has_tool) std::printf("survey tool no part is of type mwd: survey and toolface are measured at the bit's face\n");
   print_shortcomings(simulator.scene(), printed);

@@ -1,0 +1,35 @@
+#include "drill_rig_sim/sim/assembly_fit.h"
+
+#include <cstdio>
+
+#include "drill_rig_sim/math/units.h"
+
+namespace drill_rig_sim
+{
+std::optional<TightAssembly> tight_assembly(const RigAtRest& rig)
+{
+  const MotorSpec* motor = rig.model->motor();
+  if (!motor || motor->bend == 0.0) return std::nullopt;
+  const Mesh& mesh = rig.model->mesh();
+  const Scene& scene = rig.model->scene();
+  TightAssembly out;
+  out.side_force = rig.statics.forces.contact.front();
+  out.weight = standard_gravity * mesh.bit_mass * (1.0 - scene.mud.density / scene.string.front().density);
+  for (const MeshElement& element : mesh.elements)
+    if (scene.string[static_cast<std::size_t>(element.part)].motor)
+      out.weight += standard_gravity * (element.linear_mass - scene.mud.density * element.displaced) * element.section.length;
+  if (out.side_force <= most_of_weight * out.weight) return std::nullopt;
+  return out;
+}
+
+std::string text_of(const TightAssembly& assembly)
+{
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "the bent motor does not fit into its hole: bent straight, it presses the bit aside with %.1f kN, %.1f times the weight of bit and motor; the hole"
+                " may turn faster than a bit lets it; bend_deg or sleeve_diameter: smaller",
+                assembly.side_force / 1e3, assembly.side_force / assembly.weight);
+  return text;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,43 @@
+// A bent motor that its hole bends straight is reported, one that leans in it is not.
+#include <gtest/gtest.h>
+
+#include "drill_rig_sim/sim/assembly_fit.h"
+#include "test_scenes.h"
+
+namespace test_sim_assembly_fit
+{
+using namespace drill_rig_sim;
+
+namespace
+{
+/// A motor of 6 3/4 in in a hole of 8 1/2 in at 60 deg; `sleeve`: over its blades, 0: none [m].
+Scene bent_motor(double bend, double sleeve, double bit_to_sleeve = 0.9)
+{
+  Scene scene = scene_in({{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}, {700.0, 60.0 * degree, 0.0}, {1000.0, 60.0 * degree, 0.0}}, 1000.0, 990.0, 0.2);
+  scene.string = {bit_part(0.2159), motor_part(bend), collar_part(3, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
+  scene.string[1].motor->sleeve_diameter = sleeve;
+  scene.string[1].motor->bit_to_sleeve = bit_to_sleeve;
+  return scene;
+}
+}  // namespace
+
+TEST(AssemblyFit, aTightSleeveBelowALargeBend)
+{
+  const auto tight = tight_assembly(build_at_rest(bent_motor(1.5 * degree, 0.20955)));
+  ASSERT_TRUE(tight);
+  EXPECT_GT(tight->side_force, 40e3);
+  EXPECT_NEAR(tight->weight, standard_gravity * (40.0 + 8.3 * 136.0) * (1.0 - 1200.0 / 7850.0), 0.05 * tight->weight);
+  EXPECT_NE(text_of(*tight).find("does not fit into its hole"), std::string::npos);
+  EXPECT_TRUE(tight_assembly(build_at_rest(bent_motor(1.83 * degree, 0.2096, 0.7))));
+}
+
+TEST(AssemblyFit, aMotorThatLeansInItsHole)
+{
+  for (const double bend : {0.0, 0.5, 1.0, 1.5})
+  {
+    const auto tight = tight_assembly(build_at_rest(bent_motor(bend * degree, 0.0)));
+    EXPECT_FALSE(tight) << bend << " deg, " << (tight ? tight->side_force : 0.0) << " N";
+  }
+  EXPECT_FALSE(tight_assembly(build_at_rest(bent_motor(0.5 * degree, 0.2064)))) << "a sleeve of 8 1/8 in below half a degree";
+}
+}  // namespace test_sim_assembly_fit
