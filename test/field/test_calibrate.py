@@ -80,20 +80,30 @@ class Records(unittest.TestCase):
         cls.folder = folder.name
         cls.rows = made_record.rows_of(made_record.write_scene(cls.folder))
 
-    def test_parameters_of_a_noisy_record_come_back(self):
-        made_record.write_record(self.folder, self.rows, 0)
+    def test_parameters_of_noisy_records_come_back(self):
+        """Of three records; a truth lies beyond its confidence once in twenty, so two of twelve may."""
+        beyond = []
+        for seed in range(3):
+            found = self.fitted(seed)
+            for parameter, truth in zip(found["parameters"], made_record.TRUTH):
+                off = abs(parameter["value"] - truth) / parameter["half_width_95"]
+                self.assertLess(off, 2.0, parameter)
+                self.assertLess(parameter["half_width_95"], 0.1 * truth, parameter)
+                beyond += [parameter] if off > 1.0 else []
+            for signal, noise in zip(("hook_load", "torque", "stand_pipe_pressure"), made_record.NOISE):
+                for part in ("fitted", "held_out"):
+                    self.assertLess(abs(found["rms"][signal][part] / noise - 1.0), 0.25, signal)
+        self.assertLessEqual(len(beyond), 2, beyond)
+
+    def fitted(self, seed):
+        """What drill calibrate writes of a record with this noise."""
+        made_record.write_record(self.folder, self.rows, seed)
         file = os.path.join(self.folder, "out.json")
         status, out, told = calibrate(made_record.write_fit(self.folder), "--json", file)
         self.assertEqual((0, []), (status, [line for line in told.splitlines() if "points tried" not in line]))
-        with open(file, encoding="utf-8") as text:
-            found = json.load(text)
-        for parameter, truth in zip(found["parameters"], made_record.TRUTH):
-            self.assertLess(abs(parameter["value"] - truth), parameter["half_width_95"], parameter)
-            self.assertLess(parameter["half_width_95"], 0.1 * truth, parameter)
-        for signal, noise in zip(("hook_load", "torque", "stand_pipe_pressure"), made_record.NOISE):
-            for part in ("fitted", "held_out"):
-                self.assertLess(abs(found["rms"][signal][part] / noise - 1.0), 0.25, signal)
         self.assertIn("held out", out)
+        with open(file, encoding="utf-8") as text:
+            return json.load(text)
 
     def test_what_the_data_do_not_tell_is_said(self):
         made_record.write_record(self.folder, self.rows[:150], 0)
