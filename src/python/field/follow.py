@@ -6,6 +6,7 @@ from drill_rig_sim.field.record import RecordError
 from drill_rig_sim.law import Commands, PipeWork
 
 PATIENCE = 1800.0  # longest that a connection may take [s]
+TURNS = 5e-4       # change of the block's speed that counts as a start or a turn [m/s]
 RINGING = 10.0     # how long the string rings after a change of speed [s]
 
 
@@ -42,7 +43,7 @@ class Follow:
     rig has done so too, and the bit is where it then belongs."""
     period, listens = 0.05, False  # [s]: jerks of longer steps would ring in the string
     catch_up = 0.2     # in which the drum makes up for what it is off [s]
-    worth = 5e-4       # change of the block's speed that is worth a command [m/s]: at each a step of the simulation ends
+    worth = 3e-3       # change of the block's speed that is worth a command [of the speed]: at each a step of the simulation ends
     to_place = 0.1     # fastest way of the bit to where it belongs after a connection [m/s]
     to_place_in = 1.0  # it slows down in [s]
     placed = 2e-3      # so near is there [m]
@@ -56,8 +57,9 @@ class Follow:
         self.way = numpy.interp(self.times, record.time, heights)
         self.drum = drum_course(record, self.stands, heights, rig)
         self.course = self.drum(self.times)
-        self.speed = record.at("top_drive_speed", self.times) if "top_drive_speed" in record else None
-        self.flow = numpy.maximum(record.at("flow", self.times), 0.0) if "flow" in record else None
+        middle = self.times + 0.5 * self.period
+        self.speed = record.at("top_drive_speed", middle) if "top_drive_speed" in record else None
+        self.flow = numpy.maximum(record.at("flow", middle), 0.0) if "flow" in record else None
         self.connections = connections_of(record, self.stands, rig.joint_length, self.period)
         self.clock = [0.0]  # the record's, at the rig's start and after each step; not a number while it waits [s]
         self.k, self.begin, self.done, self.farthest, self.last = 0, None, False, 0.0, 0.0
@@ -88,7 +90,7 @@ class Follow:
         """The block's speed where that is worth a command, else None; `off`: of the drum, by which the record is further up [m]."""
         made_up = recorded + off / self.catch_up
         wanted = float(made_up if made_up * recorded > 0.0 else 0.0)
-        if abs(wanted - self.last) < self.worth and (wanted == 0.0) == (self.last == 0.0):
+        if abs(wanted - self.last) < self.worth * abs(recorded) and (wanted == 0.0) == (self.last == 0.0):
             return None
         self.last = wanted
         return wanted
@@ -120,7 +122,7 @@ class Follow:
         squares, most = (waves**2 * numpy.minimum(nearest, RINGING)).sum() / record.time[-1], waves.max()
         if "hook_load" in record:
             changes = 0.5 * numpy.abs(numpy.diff(compared(record, ["hook_load"], self.stands)["hook_load"]))
-            turns = (drum.before * drum.after <= 0.0) & (numpy.abs(drum.after - drum.before) > self.worth)
+            turns = (drum.before * drum.after <= 0.0) & (numpy.abs(drum.after - drum.before) > TURNS)
             unknown = changes[numpy.isin(record.time[:-1], drum.corners[turns]) & numpy.isfinite(changes)]
             squares, most = squares + (unknown**2).sum() / 3.0 / len(record.time), max(most, *unknown, 0.0)  # uniformly distributed
         return float(numpy.sqrt(squares)), float(most)
