@@ -2,6 +2,7 @@
 the fit never saw says. The runner has checked the command line."""
 import argparse
 import json
+import math
 import sys
 import time
 
@@ -23,12 +24,14 @@ def residuals(plan, found):
 
 def table(plan, found, left):
     lines = ["%-28s %14s %14s" % ("parameter", "value", "95 % within")]
-    lines += ["%-28s %14.6g %14s" % (p.name, value, "+- %.3g" % width) for p, value, width in zip(plan.parameters, found.values, found.half_widths)]
+    lines += ["%-28s %14.6g %14s" % (p.name, value, "+- %.3g" % width if numpy.isfinite(width) else "unknown") for p, value, width in zip(plan.parameters, found.values, found.half_widths)]
     lines += ["", "%-28s %14s %14s" % ("off, root mean square", "fitted", "held out")]
     for signal, numbers in left.items():
         factor, unit = UNITS[signal]
         lines.append("%-28s %14s %14s" % ("%s [%s]" % (signal, unit), *("-" if number is None else "%.4g" % (factor * number) for number in numbers)))
-    lines += ["%s: these data do not tell it" % p.name for p, width in zip(plan.parameters, found.half_widths) if not width < told_by(p)]
+    idle = found.without_effect
+    lines += ["%s: has no effect on these data where it starts: left there" % name for name in idle]
+    lines += ["%s: these data do not tell it" % p.name for p, width in zip(plan.parameters, found.half_widths) if not width < told_by(p) and p.name not in idle]
     lost = int((~numpy.isfinite(found.predicted)).sum())
     return lines + (["%d numbers could not be predicted: no equilibrium, or a scene out of range" % lost] if lost else []) + ["", "%d points of the parameters were tried" % found.runs]
 
@@ -39,28 +42,55 @@ def told_by(parameter):
 
 
 class Progress:
-    """A line each ten seconds, once a point is done: those of a long record take minutes."""
+    """A line each ten seconds: a long record takes minutes."""
 
     def __init__(self):
         self.began = self.told = time.monotonic()
+        self.expected = 0
+
+    def expect(self, _, points):
+        self.expected = points
 
     def __call__(self, points):
         now = time.monotonic()
-        if now - self.told > 10.0:
-            self.told = now
-            print("drill calibrate: %d points tried, %.0f s" % (points, now - self.began), file=sys.stderr, flush=True)
+        if now - self.told > 10.0 and points > 0.0:
+            self.told, left = now, (now - self.began) * max(self.expected - points, 0.0) / points
+            print("drill calibrate: %.3g points tried of about %d, %.0f s, about %.0f s left" % (points, max(self.expected, points), now - self.began, left), file=sys.stderr, flush=True)
 
 
 def as_json(plan, found, left):
-    return {"parameters": [{"name": p.name, "value": float(value), "half_width_95": float(width)} for p, value, width in zip(plan.parameters, found.values, found.half_widths)],
-            "covariance": found.covariance.tolist(), "rms": {signal: {"fitted": numbers[0], "held_out": numbers[1]} for signal, numbers in left.items()}}
+    """As JSON has it: what is no finite number is null."""
+    return finite({
+        "parameters": [{"name": p.name, "value": value, "half_width_95": width, "without_effect": p.name in found.without_effect}
+                       for p, value, width in zip(plan.parameters, found.values, found.half_widths)],
+        "covariance": found.covariance.tolist(), "rms": {signal: {"fitted": numbers[0], "held_out": numbers[1]} for signal, numbers in left.items()},
+        "points": found.runs, "residuals": residuals_by_group(plan, found)})
+
+
+def residuals_by_group(plan, found):
+    """Of each signal, or each motion of a table: recorded less predicted [SI], over time in the record [s] or depth [m]; and which rows were fitted."""
+    groups, (axis, places) = plan.model.groups, plan.model.axis
+    off = plan.model.observed - found.predicted
+    return {str(group): {axis: places[groups == group].tolist(), "recorded": plan.model.observed[groups == group].tolist(), "residual": off[groups == group].tolist(),
+                         "fitted": plan.fitted[groups == group].tolist()} for group in dict.fromkeys(groups)}
+
+
+def finite(value):
+    """Numbers that are not finite become None."""
+    if isinstance(value, dict):
+        return {key: finite(inner) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [finite(inner) for inner in value]
+    if isinstance(value, float):  # numpy's are too
+        return float(value) if math.isfinite(value) else None
+    return value
 
 
 def main(words):
     parser = argparse.ArgumentParser(prog="drill calibrate", description=__doc__)
     parser.add_argument("fit")
     parser.add_argument("--json")
-    parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--workers", type=int)
     parser.add_argument("--scheduler")
     options = parser.parse_args(words)
     try:
@@ -73,9 +103,10 @@ def main(words):
     try:
         plan = read_fit(options.fit)
         print("".join("drill calibrate: %s\n" % line for line in plan.model.remarks), end="", file=sys.stderr)
-        evaluator = Evaluator(plan.model, options.workers, options.scheduler)
+        progress = Progress()
+        evaluator = Evaluator(plan.model, options.workers, options.scheduler, progress)
         try:
-            found = fit(Problem(plan.parameters, evaluator, plan.model.observed, plan.model.signals, plan.fitted, Progress()))
+            found = fit(Problem(plan.parameters, evaluator, plan.model.observed, plan.model.signals, plan.fitted, progress.expect))
         except FitError as error:
             raise FitError("%s: %s" % (error, evaluator.why([p.start for p in plan.parameters if p.signal is None])))
         finally:
@@ -83,7 +114,7 @@ def main(words):
         left = residuals(plan, found)
         if options.json:
             with open(options.json, "w", encoding="utf-8") as out:
-                json.dump(as_json(plan, found, left), out, indent=2)
+                json.dump(as_json(plan, found, left), out, indent=1, allow_nan=False)
                 out.write("\n")
         print("\n".join(table(plan, found, left)))
         return GOOD

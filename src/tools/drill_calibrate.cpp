@@ -34,7 +34,7 @@ Command add_calibrate_command(CLI::App& drill)
   const auto options = std::make_shared<CalibrateOptions>();
   add_file(*words, "FIT", options->fit, "what is fitted to what (.yaml)");
   add_text(*words, "--json", options->json, "FILE", "writes parameters, confidence and residuals");
-  add_number(*words, "--workers", options->workers, 1.0, 1024.0, "N", "processes of this machine, by Dask where there are several; default 1");
+  add_number(*words, "--workers", options->workers, 1.0, 1024.0, "N", "processes of this machine; default: one for each core where a point takes long");
   add_text(*words, "--scheduler", options->scheduler, "ADDRESS", "of a running Dask cluster");
   return {words, [options] { calibrate(*options); }};
 }

@@ -4,6 +4,7 @@
 import importlib.util
 import io
 import json
+import math
 import os
 import sys
 import tempfile
@@ -72,6 +73,35 @@ class Least(unittest.TestCase):
         self.assertLess(abs(fit(problem).values - self.TRUTH).max(), 1e-5)
 
 
+    def test_a_parameter_without_effect_is_not_moved(self):
+        asked = []
+
+        def model(points):
+            asked.extend(points)
+            return self.model([point[:2] for point in points])
+        problem = self.problem(numpy.zeros(400), model)
+        idle = Problem(problem.parameters[:2] + [Parameter("idle", 3.0, 0.0, 9.0, ["z"])] + problem.parameters[2:], model, problem.observed, problem.signals, numpy.ones(400, bool))
+        found = fit(idle)
+        self.assertEqual(["idle"], found.without_effect)
+        self.assertLess(abs(found.values[[0, 1, 3]] - self.TRUTH).max(), 1e-6)
+        self.assertEqual(1, len([point for point in asked if point[2] != 3.0]))
+
+    def test_progress_counts_down(self):
+        told, expected = io.StringIO(), []
+        progress = calibrate_command.Progress()
+        progress.expect(0, 40)
+        progress.told = progress.began = progress.began - 30.0
+        with redirect_stderr(told):
+            progress(10.0)
+            progress(11.0)
+        self.assertIn("10 points tried of about 40, 30 s, about 90 s left", told.getvalue())
+        self.assertEqual(1, told.getvalue().count("\n"))
+        problem = self.problem(numpy.zeros(400))
+        problem.tell = lambda points, in_all: expected.append((points, in_all))
+        fit(problem)
+        self.assertTrue(all(points <= in_all for points, in_all in expected) and expected[0][1] >= 10, expected)
+
+
 class Records(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -108,10 +138,33 @@ class Records(unittest.TestCase):
     def test_what_the_data_do_not_tell_is_said(self):
         made_record.write_record(self.folder, self.rows[:150], 0)
         hidden = {"name": "deep rock", "key": "rig.hoisting.trip_hook_load", "start": 3.0e6, "from": 2.0e6, "to": 4.0e6}
-        status, out, _ = calibrate(made_record.write_fit(self.folder, parameters=[made_record.FIT["parameters"][0], hidden]))
+        file = os.path.join(self.folder, "idle.json")
+        status, out, _ = calibrate(made_record.write_fit(self.folder, parameters=[made_record.FIT["parameters"][0], hidden]), "--json", file)
         self.assertEqual(0, status)
-        self.assertIn("deep rock: these data do not tell it", out)
+        self.assertIn("deep rock: has no effect on these data where it starts: left there", out)
+        self.assertIn("2 points of the parameters were tried", out)
         self.assertNotIn("tare: these", out)
+        found = self.strict(file)
+        self.assertEqual([None, True], [found["parameters"][1][key] for key in ("half_width_95", "without_effect")])
+        part = found["residuals"]["hook_load"]
+        self.assertEqual({"time", "recorded", "residual", "fitted"}, set(part))
+        self.assertEqual({len(part["time"])}, {len(values) for values in part.values()})
+        rms = math.sqrt(numpy.mean((numpy.array(part["residual"])[part["fitted"]])**2))
+        self.assertAlmostEqual(found["rms"]["hook_load"]["fitted"], rms, delta=1e-6 * rms)
+
+    def strict(self, file):
+        """A file of JSON, without NaN and Infinity, which JSON does not have."""
+        def refuse(word):
+            raise AssertionError(word)
+        with open(file, encoding="utf-8") as text:
+            return json.load(text, parse_constant=refuse)
+
+    def test_processes_find_the_same(self):
+        made_record.write_record(self.folder, self.rows[:150], 0)
+        names = [os.path.join(self.folder, "%d.json" % workers) for workers in (1, 2)]
+        for workers, name in zip((1, 2), names):
+            self.assertEqual(0, calibrate(made_record.write_fit(self.folder, parameters=made_record.FIT["parameters"][:2]), "--workers", str(workers), "--json", name)[0])
+        self.assertEqual(*[self.strict(name)["parameters"] for name in names])
 
     def test_what_is_refused(self):
         made_record.write_record(self.folder, self.rows[:50], 0)

@@ -5,7 +5,9 @@ from scipy.stats import t as student
 
 SHARE_OF_SCALE = 0.01  # of a parameter's scale, the step of finite differences
 NOWHERE = 30.0         # what a number counts that could not be predicted, in its scatter: no way leads there
-ROUNDS = 3             # of the scatter's estimate
+ROUNDS = 3             # of the scatter's estimate, at most
+SETTLED = 0.05         # change of the scatter from round to round that needs no other [-]
+ITERATIONS = 3         # of a round, as a rule
 
 
 class FitError(Exception):
@@ -26,25 +28,28 @@ class Parameter:
 
 
 class Fit:
-    """`values`, `half_widths` of their confidence and `covariance`; `predicted` beside the data; `scatter` by signal (root mean square of what was fitted)."""
+    """`values`, `half_widths` of their confidence and `covariance`; `predicted` beside the data; `scatter` by signal (root mean square of what was fitted);
+    `without_effect`: parameters that change nothing at the start and stay there."""
 
-    def __init__(self, values, half_widths, covariance, predicted, scatter, runs):
+    def __init__(self, values, half_widths, covariance, predicted, scatter, runs, without_effect):
         self.values, self.half_widths, self.covariance, self.predicted, self.scatter, self.runs = values, half_widths, covariance, predicted, scatter, runs
+        self.without_effect = without_effect
 
 
 class Problem:
     """`observed`: numbers, nan where there is none; `signals`: the name of each; `fitted`: which of them count. `model(list of parameter lists)`: a list of
     predictions without offsets."""
 
-    def __init__(self, parameters, model, observed, signals, fitted, tell=lambda points: None):
-        """`tell`: is given how many points have been tried, whenever there are more."""
+    def __init__(self, parameters, model, observed, signals, fitted, tell=lambda points, expected: None):
+        """`tell`: is given how many points have been tried and about how many it takes in all, whenever there are more."""
         self.parameters, self.model, self.observed, self.tell = parameters, model, numpy.asarray(observed, dtype=float), tell
         self.signals, self.rows = numpy.asarray(signals), numpy.asarray(fitted) & numpy.isfinite(self.observed)
         self.inner = [k for k, parameter in enumerate(parameters) if parameter.signal is None]
         self.offsets = numpy.array([self.signals == parameter.signal for parameter in parameters], dtype=float).reshape(len(parameters), -1).T
         self.steps = numpy.array([SHARE_OF_SCALE * parameter.scale for parameter in parameters])
-        self.known, self.runs = {}, 0
+        self.known, self.runs, self.expected = {}, 0, 0
         self.scatter = {}
+        self.moved = list(self.inner)  # those that change something
 
     def ask(self, points):
         """Predictions without offsets at points of all parameters; what is known is not run again."""
@@ -53,7 +58,7 @@ class Problem:
         self.known.update(zip(new, map(numpy.asarray, self.model([list(key) for key in new]) if new else [])))
         self.runs += len(new)
         if new:
-            self.tell(self.runs)
+            self.tell(self.runs, max(self.expected, self.runs))
         return [self.known[key] for key in keys]
 
     def predict(self, x):
@@ -62,12 +67,21 @@ class Problem:
     def slopes(self, x):
         """Forward differences, backward at an upper bound; of an offset 1."""
         steps = numpy.array([step if value + step <= parameter.high else -step for value, step, parameter in zip(x, self.steps, self.parameters)])
-        moved = [numpy.where(numpy.arange(len(x)) == k, x + steps, x) for k in self.inner]
+        moved = [numpy.where(numpy.arange(len(x)) == k, x + steps, x) for k in self.moved]
         base, *others = self.ask([x, *moved])
         matrix = self.offsets.copy()
-        for k, other in zip(self.inner, others):
+        for k, other in zip(self.moved, others):
             matrix[:, k] = (other - base) / steps[k]
         return matrix
+
+    def leave_out_idle(self, x):
+        """Parameters that change no number that is fitted are not moved any more."""
+        matrix = self.slopes(x)[self.rows]
+        self.moved = [k for k in self.moved if numpy.nan_to_num(matrix[:, k], nan=1.0).any()]
+
+    def plan_points(self, rounds):
+        """How many points it takes in all, about, where so many rounds are left."""
+        self.expected = self.runs + rounds * ITERATIONS * (1 + len(self.moved))
 
     def weights(self):
         return 1.0 / numpy.array([self.scatter[name] for name in self.signals[self.rows]])
@@ -86,17 +100,20 @@ def fit(problem, level=0.95):
     independent ones as their autocorrelation leaves, which widens the confidence."""
     parameters, names = problem.parameters, sorted(set(problem.signals[problem.rows]))
     x = numpy.array([parameter.start for parameter in parameters], dtype=float)
+    problem.plan_points(ROUNDS)
     if not numpy.isfinite(problem.predict(x)[problem.rows]).any():
         raise FitError("at the parameters' start nothing can be predicted")
+    problem.leave_out_idle(x)
     problem.scatter = {name: max(float(numpy.nanstd(problem.observed[problem.rows & (problem.signals == name)])), 1e-9) for name in names}
-    for _ in range(ROUNDS):
-        found = least_squares(problem.residuals, x, problem.jacobian, bounds=([p.low for p in parameters], [p.high for p in parameters]),
-                              x_scale="jac", xtol=1e-6, ftol=1e-8)
-        x = found.x
+    for left in range(ROUNDS, 0, -1):
+        problem.plan_points(left)
+        x, before = minimum(problem, x), dict(problem.scatter)
         off = problem.predict(x) - problem.observed
         for name in names:
-            left = off[problem.rows & (problem.signals == name)]
-            problem.scatter[name] = max(float(numpy.sqrt(numpy.nanmean(left**2))), 1e-9)
+            left_over = off[problem.rows & (problem.signals == name)]
+            problem.scatter[name] = max(float(numpy.sqrt(numpy.nanmean(left_over**2))), 1e-9)
+        if all(abs(problem.scatter[name] / before[name] - 1.0) < SETTLED for name in names):
+            break
     matrix = problem.slopes(x)
     information = numpy.zeros((len(x), len(x)))
     independent = 0.0
@@ -108,7 +125,21 @@ def fit(problem, level=0.95):
     freedom = max(independent - len(x), 1.0)
     covariance = inverse(information) * independent / freedom
     widths = student.ppf(0.5 + 0.5 * level, freedom) * numpy.sqrt(numpy.diag(covariance))
-    return Fit(x, widths, covariance, problem.predict(x), dict(problem.scatter), problem.runs)
+    return Fit(x, widths, covariance, problem.predict(x), dict(problem.scatter), problem.runs,
+               [parameters[k].name for k in problem.inner if k not in problem.moved])
+
+
+def minimum(problem, begin):
+    """The parameters of least squares from these on; those without effect stay."""
+    free = numpy.array([k not in problem.inner or k in problem.moved for k in range(len(begin))])
+
+    def whole(part):
+        x = begin.copy()
+        x[free] = part
+        return x
+    bounds = [[getattr(p, side) for p, is_free in zip(problem.parameters, free) if is_free] for side in ("low", "high")]
+    return whole(least_squares(lambda part: problem.residuals(whole(part)), begin[free], lambda part: problem.jacobian(whole(part))[:, free], bounds=bounds,
+                               x_scale="jac", xtol=1e-6, ftol=1e-8).x if free.any() else begin[free])
 
 
 def inverse(information):

@@ -1,15 +1,23 @@
 """What is fitted to: a record in time, played to a scene, or a table of weights by depth and motion. Each predicts numbers for values of the scene's keys."""
+import multiprocessing
+import os
+import time
+from concurrent.futures import ProcessPoolExecutor
+
 import numpy
 from drill_rig_sim.campaign.blueprint import Blueprint
 from drill_rig_sim.campaign.played import simulator
 from drill_rig_sim.campaign.runner import one_line
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, survey_file
-from drill_rig_sim.field.pipe import compared, standstills
+from drill_rig_sim.field.pipe import clock, compared, first_hung, standstills
 from drill_rig_sim.field.replay import COMPARED, check, play
+from drill_rig_sim.field.start import start_keys
+from drill_rig_sim.field.window import between
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.text_file import TextError, read_text
 
 MOTIONS = {"pick_up": "up", "slack_off": "down", "rotating": "rotate"}  # columns of a table, and what drill static calls it
+LONG = 2.0  # of a point, from which on processes of their own are worth their start [s]
 
 
 class ModelError(Exception):
@@ -17,20 +25,27 @@ class ModelError(Exception):
 
 
 class RecordModel:
-    """`observed`: signal after signal, by the record's rows. `place`: where in the record each is, 0..1."""
+    """`observed`: signal after signal, by the record's rows. `place`: where in the record each is, 0..1. `groups`: the signal of each; `axis`: name and values of what they
+    are plotted over. The scene is started where the record begins, by the rules of drill replay."""
 
     def __init__(self, scene, survey, parameters, record, signals=()):
         check(record)
-        self.record, self.remarks = record, record.remarks
+        first = first_hung(record)
+        self.record = between(record, record.time[first], numpy.inf) if first else record
+        keys, lines = start_keys(scene, self.record)
+        self.remarks = record.remarks + lines + (["%s: begins with the string in the slips: fitted from %.1f s on" % (record.name, clock(record, first))] if first else [])
         self.names = [name for name in COMPARED if name in record and (not signals or name in signals)]
-        self.blueprint = Blueprint(record.name, scene, survey, [(p.name, p.keys, p.times) for p in parameters if p.signal is None])
-        self.observed = numpy.concatenate(list(compared(record, self.names, standstills(record)).values()))
-        self.signals = numpy.repeat(self.names, len(record.time))
-        self.length = record.time[-1]  # [s]
-        self.place = numpy.tile(record.time / self.length, len(self.names))
+        self.begin = [value for key, value in keys.items() if not any(key in p.keys for p in parameters)]
+        self.blueprint = Blueprint(record.name, scene, survey, [(p.name, p.keys, p.times) for p in parameters if p.signal is None] +
+                                   [(key, [key], False) for key in keys if not any(key in p.keys for p in parameters)])
+        self.observed = numpy.concatenate(list(compared(self.record, self.names, standstills(self.record)).values()))
+        self.signals = self.groups = numpy.repeat(self.names, len(self.record.time))
+        self.axis = "time", numpy.tile(self.record.signals["time"], len(self.names))
+        self.length = self.record.time[-1]  # [s]
+        self.place = numpy.tile(self.record.time / self.length, len(self.names))
 
     def tasks(self, points):
-        return [(self.blueprint, self.record, self.names, point) for point in points]
+        return [(self.blueprint, self.record, self.names, [*point, *self.begin]) for point in points]
 
     @staticmethod
     def join(answers, points):
@@ -61,7 +76,8 @@ class TableModel:
         self.blueprint = Blueprint("table", scene, survey, keys + [("bit", ["start.bit_depth"], False)])
         self.depths, self.motions, self.remarks = depths, list(weights), list(remarks)
         self.observed = numpy.concatenate([weights[motion] for motion in self.motions])
-        self.signals = numpy.repeat("hook_load", len(self.observed))
+        self.signals, self.groups = numpy.repeat("hook_load", len(self.observed)), numpy.repeat(self.motions, len(depths))
+        self.axis = "depth", numpy.tile(depths, len(self.motions))
         self.length = 1.0
         order = (numpy.argsort(numpy.argsort(depths)) + 0.5) / len(depths)
         self.place = numpy.tile(order, len(self.motions))
@@ -89,19 +105,36 @@ def hang_string(task):
 
 
 class Evaluator:
-    """Runs a model's tasks here, or on the workers of drill_campaign's engine."""
+    """Runs a model's tasks here, on processes of this machine, or on the workers of a Dask cluster. `workers`: of processes; None: one for each core where a point takes long."""
 
-    def __init__(self, model, workers=1, scheduler=None):
-        self.model, self.function = model, play_record if isinstance(model, RecordModel) else hang_string
-        self.client, self.open = None, []
-        if workers != 1 or scheduler:
+    def __init__(self, model, workers=None, scheduler=None, tell=lambda points: None):
+        """`tell`: is given how many points are done, whenever there are more."""
+        self.model, self.function, self.tell = model, play_record if isinstance(model, RecordModel) else hang_string, tell
+        self.workers, self.pool, self.client, self.open, self.done = workers, None, None, [], 0.0
+        if scheduler:
             from drill_rig_sim.campaign import engine  # needs Dask
-            self.client, self.open = engine.connect(scheduler, 0, workers)
+            self.client, self.open = engine.connect(scheduler, 0, 0)
 
     def __call__(self, points):
-        tasks = self.model.tasks(points)
-        answers = [self.function(task) for task in tasks] if self.client is None else self.client.gather(self.client.map(self.function, tasks, pure=False, batch_size=1000))
+        tasks, began = self.model.tasks(points), time.monotonic()
+        answers = []
+        for answer in self.answers(tasks):
+            answers.append(answer)
+            self.done += len(points) / len(tasks)
+            self.tell(self.done)
+        if self.workers is None:
+            self.workers = cores() if (time.monotonic() - began) / len(points) > LONG else 1
         return self.model.join(answers, len(points))
+
+    def answers(self, tasks):
+        """In the order of the tasks."""
+        if self.client is not None:
+            return iter(self.client.gather(self.client.map(self.function, tasks, pure=False, batch_size=1000)))
+        if (self.workers or 1) < 2 or len(tasks) < 2:
+            return map(self.function, tasks)
+        if self.pool is None:
+            self.pool = ProcessPoolExecutor(self.workers, multiprocessing.get_context("spawn"))
+        return self.pool.map(self.function, tasks)
 
     def why(self, point):
         """Why a point's first task cannot be played."""
@@ -112,8 +145,15 @@ class Evaluator:
         return "no equilibrium"
 
     def close(self):
+        if self.pool is not None:
+            self.pool.shutdown(cancel_futures=True)
         for thing in [self.client] * (self.client is not None) + self.open:
             thing.close()
+
+
+def cores():
+    """That this process may use."""
+    return len(os.sched_getaffinity(0))
 
 
 def scene_and_survey(file):
