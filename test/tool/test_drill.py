@@ -54,14 +54,6 @@ class Drill(unittest.TestCase):
 
 
 class Usage(Drill):
-    def test_check_names_the_key_that_decides_the_mesh(self):
-        def mesh(*words):
-            return [line for line in self.succeed('check', BOHAI, *words).splitlines() if line.startswith('mesh ')][0]
-        self.assertRegex(mesh(), r'elements of 4.75 m up to \d+ m above the bit by numerics.tolerance \(0.02\), of 9.5 m above that')
-        self.assertIn('of 3.17 m up to', mesh('--set', 'numerics.tolerance=0.01'))
-        self.assertIn('of 4 m by numerics.element_length, whatever the tolerance', mesh('--set', 'numerics.element_length=4'))
-        self.assertIn('of 4 m by numerics.element_length', mesh('--set', 'numerics.element_length=4', '--set', 'numerics.tolerance=0.01'))
-
     def test_help_lists_every_command_and_option(self):
         text = self.succeed('--help')
         for command in ('run', 'check', 'static', 'modes', 'survey', 'score', 'reference'):

@@ -24,6 +24,14 @@ class Check(test_drill.Drill):
         self.assertIn(['drill_pipe', 'pipe', '19.10', '119.70', '%.0f' % (31.9 * 100.6)], rows)
         self.assertIn(['string', '119.70', '%.0f' % (40.0 + 136.0 * 18.8 + 31.9 * 100.6)], rows)
 
+    def test_check_names_the_key_that_decides_the_mesh(self):
+        def mesh(*words):
+            return [line for line in self.succeed('check', BOHAI, *words).splitlines() if line.startswith('mesh ')][0]
+        self.assertRegex(mesh(), r'elements of 4.75 m up to \d+ m above the bit by numerics.tolerance \(0.02\), of 9.5 m above that')
+        self.assertIn('of 3.17 m up to', mesh('--set', 'numerics.tolerance=0.01'))
+        self.assertIn('of 4 m by numerics.element_length, whatever the tolerance', mesh('--set', 'numerics.element_length=4'))
+        self.assertIn('of 4 m by numerics.element_length', mesh('--set', 'numerics.element_length=4', '--set', 'numerics.tolerance=0.01'))
+
     def test_friction_of_new_hole_is_told_from_the_bottom_down(self):
         self.assertNotIn('new hole', self.succeed('check', QUICK))
         rock = ', '.join('{to_tvd: %d, drillability: 1e-8%s}' % layer for layer in ((50, ', friction: 0.2'), (120, ', friction: 0.25'), (300, ''), (999, ', friction: 0.35')))

@@ -87,7 +87,7 @@ class Follow:
 
     def new_speed(self, recorded, off):
         """The block's speed; `off`: of the drum, by which the record is further up [m]. Commanded at every step, changed or not: each ends a step of the simulation,
-        and where these ends hung on the speeds, a fit's simulations would differ by more than their parameters do."""
+        and where these ends depended on the speeds, a fit's simulations would differ by more than their parameters do."""
         made_up = recorded + off / self.catch_up
         return float(made_up if made_up * recorded > 0.0 else 0.0)
 

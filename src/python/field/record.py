@@ -116,7 +116,7 @@ def remarks_of(record):
 
 
 def read_record(files, columns=None):
-    """A Record of one file or a list of files of one well. A file's content tells what it is: WITSML begins with <, LAS with ~, all else is a delimited table.
+    """A Record of one file or a list of files of one well. The content decides the format: WITSML begins with <, LAS with ~, all else is a delimited table.
     `columns`: the file of a map (columns.py), for all of them; without it the columns are known by the names of the trade or those of drill run --csv --readings.
     RecordError with one line."""
     files = [files] if isinstance(files, (str, os.PathLike)) else list(files)

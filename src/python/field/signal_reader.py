@@ -23,7 +23,7 @@ class Part:
 
 
 def part_of(table, columns=None):
-    """A Part of a table; `columns`: a ColumnMap, None where the names of the file tell what its columns hold."""
+    """A Part of a table; `columns`: a ColumnMap, None where the columns are known by their names."""
     remarks = list(table.remarks)
     wanted, nulls = (columns.columns, columns.nulls) if columns else (known_columns(table, remarks), ())
     if "time" not in wanted:
