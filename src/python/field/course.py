@@ -16,7 +16,6 @@ class Course:
     def __init__(self, times, heights, band):
         corners, at_corners = taut(times, heights - band, heights + band)
         self.corners = times[corners]
-        at_corners = through_the_middle(times, heights, corners, at_corners, band) if band > 0.0 else at_corners
         at_corners = with_stops(self.corners, at_corners, band)
         slopes = numpy.diff(at_corners) / numpy.diff(self.corners)
         self.before, self.after = numpy.concatenate(([0.0], slopes)), numpy.concatenate((slopes, slopes[-1:]))  # speeds at the corners, from rest [m/s]
@@ -79,43 +78,6 @@ def taut(times, low, high):
         corners.append(end)
         heights.append(heights[-1] + slope * way)
     return numpy.array(corners), numpy.array(heights)
-
-
-def through_the_middle(times, rows, corners, heights, band):
-    """The heights of a taut line's corners by least squares of its rows: by itself it leans on the band's sides. It turns where it did."""
-    place = numpy.clip(numpy.searchsorted(corners, numpy.arange(len(times)), side="right") - 1, 0, len(corners) - 2)
-    share = (times - times[corners[place]]) / (times[corners[place + 1]] - times[corners[place]])
-    diagonal = numpy.bincount(place, (1.0 - share)**2, len(corners)) + numpy.bincount(place + 1, share**2, len(corners))
-    beside = numpy.bincount(place, share * (1.0 - share), len(corners))[:-1]
-    right = numpy.bincount(place, (1.0 - share) * rows, len(corners)) + numpy.bincount(place + 1, share * rows, len(corners))
-    for k in range(1, len(corners)):  # a matrix of three diagonals
-        factor = beside[k - 1] / diagonal[k - 1]
-        diagonal[k] -= factor * beside[k - 1]
-        right[k] -= factor * right[k - 1]
-    found = right / diagonal
-    for k in range(len(corners) - 2, -1, -1):
-        found[k] = (right[k] - beside[k] * found[k + 1]) / diagonal[k]
-    found = numpy.clip(found, rows[corners] - band, rows[corners] + band)
-    ways = numpy.sign(numpy.diff(heights))
-    ends = [0, *(numpy.flatnonzero(ways[1:] != ways[:-1]) + 1), len(ways)]
-    for begin, end in zip(ends, ends[1:]):  # between two turns
-        found[begin:end + 1] = one_way(found[begin:end + 1], ways[begin])
-    return found
-
-
-def one_way(values, way):
-    """The values without those that go against a way: 1 up, -1 down, 0 neither."""
-    highest, lowest = numpy.maximum.accumulate(way * values), numpy.minimum.accumulate(way * values[::-1])[::-1]
-    return way * 0.5 * (highest + lowest) if way else numpy.full(len(values), values.mean())
-
-
-def without_noise(times, values):
-    """A gauge's readings by least squares on straight lines, whose corners are those of a taut string in a band of its noise."""
-    band = BAND * scatter(values)
-    if band <= 0.0:
-        return values
-    corners, at_corners = taut(times, values - band, values + band)
-    return numpy.interp(times, times[corners], through_the_middle(times, values, corners, at_corners, band))
 
 
 def with_stops(times, heights, band):

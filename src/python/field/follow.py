@@ -1,6 +1,6 @@
 """A record's block, rotary speed and flow as a law for a simulated rig."""
 import numpy
-from drill_rig_sim.field.course import Course, half_band, without_noise
+from drill_rig_sim.field.course import Course, half_band
 from drill_rig_sim.field.pipe import compared, height_without_pipe, standstills
 from drill_rig_sim.field.record import RecordError
 from drill_rig_sim.law import Commands, PipeWork
@@ -134,16 +134,14 @@ def heights_of(record, stands, rig):
 
 
 def drum_course(record, stands, heights, rig):
-    """Of heights by the rows with what the recorded hook load stretched the lines. Its noise is taken out: it would move the block, and so be in the simulated
-    hook load too."""
+    """Of heights by the rows with what the recorded hook load stretched the lines."""
     gauge = record.at("block_height", record.time) if "block_height" in record else heights
     hung = numpy.ones(len(record.time), bool)
     for still in stands:
         hung[still.begin:still.end + 1] = False
     if "hook_load" not in record or not hung.any():
         return Course(record.time, heights, half_band(gauge, heights))
-    loads = without_noise(record.time[hung], numpy.maximum(record.at("hook_load", record.time[hung]), 0.0))
-    loads = numpy.interp(record.time, record.time[hung], loads)
+    loads = numpy.interp(record.time, record.time[hung], numpy.maximum(record.at("hook_load", record.time[hung]), 0.0))
     block = Course(record.time, gauge, half_band(gauge, gauge)).heights
     heights = heights + rig.drum_heights(block, loads) - block
     return Course(record.time, heights, half_band(gauge, heights))
