@@ -1,7 +1,7 @@
 """The cells of a Table as signals in SI: which column holds which signal, in which unit, which cells are no measurements."""
 import numpy
 from drill_rig_sim.field.columns import Column
-from drill_rig_sim.field.dates import FORMS, seconds_of, written
+from drill_rig_sim.field.dates import FORMS, seconds_of
 from drill_rig_sim.field.signals import OWN, SIGNALS, known, si_unit
 from drill_rig_sim.field.table import RecordError, bare, is_number
 from drill_rig_sim.field.units import DATE, UnitError, factor_of
@@ -197,6 +197,3 @@ def in_range(table, signal, name, unit, raw, factor, remarks):
     remarks.append("%s: %d of %d values cannot be and are no measurements (allowed: %s; first: %s)" % (signal, len(odd), numbers, allowed, first))
     values[odd] = numpy.nan
     return values
-
-
-__all__ = ["NULLS", "Part", "in_range", "numbers_or_refuse", "part_of", "written"]
