@@ -110,6 +110,9 @@ class Build(unittest.TestCase):
         self.assertNotIn('\r', said)
         self.assertGreaterEqual(len(lines), 3, said)
         self.assertLess(len(lines), 3 + time.monotonic() - started, said)
+        while re.match('run: (configuring|checking what changed)$', lines[1]):  # on a busy machine the first file is late
+            del lines[1]
+        self.assertGreater(len(lines), 2, said)
         for line in lines[1:-1]:
             self.assertRegex(line, '^run: compiling: file [0-9]+ of 12(, about [0-9]+ s left)?$')
         self.assertRegex(lines[-1], '^run: built in [0-9]+ s, files compiled: 12$')
