@@ -47,9 +47,8 @@ void find_guide(const Model& model, const State& state, const Stage& stage, std:
   guide.clearance = node.md > 0.0 ? std::max(0.0, hole.radius - mesh.bearing_radius) : 0.0;
   guide.law = model.contact(static_cast<int>(i), hole.section, node.rest);
   guide.held = guide.law.tangential_stiffness * node.bristle.y();
-  const MudSpec& mud = model.scene().mud;
-  guide.mud_along = stage.immersed[i] * mesh.length * mud.axial_damping;
-  guide.mud_about = stage.immersed[i] * mesh.length * mud.torsional_damping;
+  guide.mud_along = stage.immersed[i] * mesh.mud_along;
+  guide.mud_about = stage.immersed[i] * mesh.mud_about;
 }
 
 void find_span(const Model& model, const State& state, const Stage& stage, std::size_t e, Guide& lower, Guide& upper, GuidedSpan& span) noexcept
@@ -195,8 +194,8 @@ void prepare_guides(const Model& model, Stage& stage)
     guide.law = model.contact(static_cast<int>(i));
     NumberColumns& columns = stage.guided_columns;
     columns[guide_column::bearing_radius][i + 1] = mesh.bearing_radius;
-    columns[guide_column::mud_along][i + 1] = mesh.length * model.scene().mud.axial_damping;
-    columns[guide_column::mud_about][i + 1] = mesh.length * model.scene().mud.torsional_damping;
+    columns[guide_column::mud_along][i + 1] = mesh.mud_along;
+    columns[guide_column::mud_about][i + 1] = mesh.mud_about;
   }
   for (std::size_t e = 0; e < stage.guided_spans.size(); ++e)
   {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/string/mud_damping.h"
 #include "drill_rig_sim/well/directions.h"
 
 namespace drill_rig_sim
@@ -223,12 +224,16 @@ ElementLengths element_lengths(const Scene& scene) noexcept
     lengths.guided_change = std::max(free_length(scene), pushed_length(scene));
     if (lengths.guided > joint) lengths.guided_change = std::max(lengths.guided_change, pushed_by_heavier(scene.string));
   }
+  for (double* length : {&lengths.lower, &lengths.upper, &lengths.pushed, &lengths.by_bit, &lengths.guided}) *length /= numerics.refinement;
   return lengths;
 }
 
 Mesh build_mesh(const Scene& scene, double total_length)
 {
   Mesh mesh = build_mesh(scene.string, scene.contact, scene.mud, element_lengths(scene), total_length);
+  const auto hole_diameter = [&scene](double from_bit)
+  { return scene.well.sections[section_at(scene.well.sections, scene.start.bit_depth - from_bit)].diameter; };
+  set_mud_damping(scene.mud, hole_diameter, mesh);
   if (scene.numerics.level != Level::rigid) return mesh;
   for (MeshElement& element : mesh.elements)
   {

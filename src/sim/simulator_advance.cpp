@@ -15,7 +15,7 @@ bool Simulator::Impl::advance_frame(double duration, const Setpoints& setpoints)
   if (variable) return advance_in_strides(duration, setpoints);
   levels.look(*model, state.forces, duration, mechanics(), state.levels);
   accuracy.begin_frame(*integrator, setpoints, true, state.accuracy);
-  const int steps = std::max(1, static_cast<int>(std::lround(duration / scene.numerics.step)));
+  const int steps = std::max(1, static_cast<int>(std::lround(duration * scene.numerics.refinement / scene.numerics.step)));
   return take_steps(duration / steps, steps, setpoints);
 }
 

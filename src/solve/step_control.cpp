@@ -10,6 +10,7 @@ namespace drill_rig_sim
 {
 namespace
 {
+constexpr double steps_by_tolerance = 4.0 / 3.0;  // what is allowed, step^2, goes with the tolerance to the power of 3/2
 constexpr double largest_share = 0.05;     // of the tolerance
 constexpr double largest_place_error = 1e-2;  // over the tolerance [m]
 constexpr double least_force = 1e3, least_torque = 100.0, least_speed = 0.1;  // what instruments resolve [N, N m, rad/s]
@@ -44,7 +45,7 @@ double allowed_over(unsigned needs, unsigned those) noexcept
 }  // namespace
 
 StepControl::StepControl(const Model& model)
-  : tolerance_(model.scene().numerics.tolerance), resolved_(std::max(1.0, seen / tolerance_)), life_(model)
+  : tolerance_(model.scene().numerics.tolerance / std::pow(model.scene().numerics.refinement, steps_by_tolerance)), resolved_(std::max(1.0, seen / tolerance_)), life_(model)
 {
   if (model.motor() && model.motor()->bend != 0.0) shaking_ = 3.0;
   if (model.motor()) flow_that_settles_ = settled_flow * model.mud().circuit.nominal_flow;

@@ -23,7 +23,7 @@ WaveLife::WaveLife(const Model& model)
 {
   const Mesh& mesh = model.mesh();
   const Scene& scene = model.scene();
-  double mass = 0.0, spin_inertia = 0.0;
+  double mass = 0.0, spin_inertia = 0.0, mud_along = 0.0, mud_about = 0.0;
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
   {
     const MeshNode& node = mesh.nodes[i];
@@ -34,9 +34,10 @@ WaveLife::WaveLife(const Model& model)
     nodes_.push_back({node.mass, node.spin_inertia, scene.well.sections[section].friction * weight, lever});
     mass += node.mass;
     spin_inertia += node.spin_inertia;
+    mud_along += node.mud_along;
+    mud_about += node.mud_about;
   }
-  const double length = mesh.total_length;
-  in_mud_ = {life_of_waves(mass, scene.mud.axial_damping * length), life_of_waves(spin_inertia, scene.mud.torsional_damping * length)};
+  in_mud_ = {life_of_waves(mass, mud_along), life_of_waves(spin_inertia, mud_about)};
 }
 
 WaveLives WaveLife::now(const State& state) const noexcept

@@ -18,7 +18,7 @@ well:
 formation:
   - {to_tvd: 501.0, drillability: 1.1e-8, weight_exponent: 1.2, speed_exponent: 0.7, threshold: 1301.0, dip_deg: 14.0, strike_deg: 15.0, anisotropy: 0.16, friction: 0.23}
   - {to_tvd: 5001.0, drillability: 1.7e-8}
-mud: {density: 1181.0, axial_damping: 0.19, lateral_damping: 21.0, drag_coefficient: 1.4, torsional_damping: 2.2e-4, added_mass: 1.23, bulk_modulus: 1.51e9, gel_strength: 4.7}
+mud: {density: 1181.0, viscosity: 0.031, axial_damping: 0.19, lateral_damping: 21.0, drag_coefficient: 1.4, torsional_damping: 2.2e-4, added_mass: 1.23, bulk_modulus: 1.51e9, gel_strength: 4.7}
 string:
   - {name: b1, type: bit, length: 0.36, mass: 91.0, diameter: 0.3112, side_cutting: 0.12, speed_lag: 0.31, gauge_length: 0.15, gauge_clearance: 4.3e-4, squeeze_film_damping: 41000.0,
      torque: {model: stribeck, static: 0.61, kinetic: 0.41, speed_rpm: 31.0}, bottom: {stiffness: 1.1e9, exponent: 1.51, damping: 1.01}}
@@ -38,7 +38,7 @@ rig:
 contact: {stiffness: 5.3e7, assembly_stiffness: 2.1e10, exponent: 1.53, damping: 0.33, stribeck_speed: 0.051, static_ratio: 1.21, stribeck_curve: exponential, growth_at_rest: 0.03, growth_time: 1.7, growth_limit: 0.43, tangential_stiffness: 5.4e6, tangential_damping: 0.26}
 trajectory: {stage_two_length: 0.11}
 start: {bit_depth: 801.0, block_height: 35.0, weight_on_bit: 1001.0, torque_on_bit: 101.0, toolface_deg: 11.0}
-numerics: {level: beam3d, free_length: 57.5, integrator: trbdf2, element: corotational, kernel: scalar, step: 0.004, element_length: 9.7, pushed_element_length: 4.6, guided_element_length: 19.1, tolerance: 0.012, reference_tolerance: 1.1e-6,
+numerics: {level: beam3d, free_length: 57.5, integrator: trbdf2, element: corotational, kernel: scalar, step: 0.004, element_length: 9.7, pushed_element_length: 4.6, guided_element_length: 19.1, tolerance: 0.012, refinement: 1.7, reference_tolerance: 1.1e-6,
            reference_order: 3, reference_index: 3, newton_tolerance: 1.2e-6, structural_damping: 1.3e-4}
 instruments:
   mwd: {period: 32.0, latency: 8.1, inclination_resolution_deg: 0.13, noise_deg: 0.06, scribe_offset_deg: 17.0, quiet_time: 7.1, inclination_period: 21.3}

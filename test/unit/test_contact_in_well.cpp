@@ -29,6 +29,7 @@ Vector6d wrench_at(const Wellbore& well, const Vector3d& start, const Vector3d& 
   m.velocity_coefficient = rate;
   const ClosestPoint closest = well.locate(m.position, -1);
   WallLaw law = wall_law(ContactSpec(), ContactLaw(), 1.0, 0.0);
+  law.stribeck_speed = 0.05;
   law.tangential_damping = 1e3;  // of a section that moves at some 0.05 m/s: it may stick
   const WallForce f =
       tangent ? wall_contact(closest, radius, m, bristle, law, *tangent) : wall_contact(closest, radius, m, bristle, law);

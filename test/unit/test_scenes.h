@@ -99,7 +99,11 @@ inline Scene scene_in(std::vector<SurveyStation> survey, double hole_depth, doub
   rock.drillability = 1.3e-7;
   scene.formation = {rock};
   scene.string = {bit_part(0.2159), pipe_part(0, 9.5, tool_jointed_mass)};
+  scene.mud.axial_damping = 0.0;  // tests' figures are of these, whatever the viscosity
+  scene.mud.lateral_damping = 20.0;
+  scene.mud.torsional_damping = 5e-4;
   scene.contact.static_ratio = 1.0;
+  scene.contact.stribeck_speed = 0.05;
   scene.start.bit_depth = bit_depth;
   scene.start.block_height = 20.0;
   scene.numerics.level = Level::beam3d;

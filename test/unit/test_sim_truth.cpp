@@ -32,7 +32,7 @@ Scene slanted_motor(double toolface, double step = 0.01)
   return scene;
 }
 
-void play(Simulator& rig, double seconds)
+void play_for(Simulator& rig, double seconds)
 {
   const double length = rig.scene().numerics.step;
   for (int k = 0; k < std::lround(seconds / length); ++k) ASSERT_EQ(rig.frame(length), FrameStatus::running) << rig.failure();
@@ -69,7 +69,7 @@ TEST(Truth, ofTheBitIsThatOfItsFace)
   drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
   for (int k = 0; k < 40; ++k)
   {
-    play(rig, 0.1);
+    play_for(rig, 0.1);
     const State state = rig.save()->mechanics;
     const NodeState& bit = state.nodes.front();
     const Vector3d axis = axes_of(bit).col(0);
@@ -98,11 +98,11 @@ TEST(Truth, ratesOfTheBitAreTheRatesOfItsPose)
   scene.mud.bulk_modulus = 1e11;
   Simulator rig(scene);
   drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
-  play(rig, 1.0);
+  play_for(rig, 1.0);
   for (int k = 0; k < 40; ++k)
   {
     const Truth before = rig.truth();
-    play(rig, 0.0005);
+    play_for(rig, 0.0005);
     const Truth& t = rig.truth();
     const Vector3d velocity = (t.bit_position - before.bit_position) / 0.0005, mean = 0.5 * (t.bit_velocity + before.bit_velocity);
     ASSERT_LT((velocity - mean).norm(), 0.01 * mean.norm() + 1e-5) << k;
@@ -143,10 +143,10 @@ TEST(Truth, bendTurnsWithTheString)
   TopDriveSetpoint drive;
   drive.speed = 0.25 * pi;
   rig.command(drive);
-  play(rig, 2.0);
+  play_for(rig, 2.0);
   drive.speed = 0.0;
   rig.command(drive);
-  play(rig, 10.0);
+  play_for(rig, 10.0);
   const double turned = rig.truth().top_drive_angle;
   EXPECT_NEAR(turned, 0.5 * pi, 0.1);
   EXPECT_NEAR(rig.truth().bend_toolface, 0.3 + turned, 0.1);
@@ -160,16 +160,16 @@ TEST(Truth, pressuresAreThoseOfFlowAndTorque)
   scene.rig.mud_pump.flow_ramp = 1e3;
   scene.mud.bulk_modulus = 1e11;
   Simulator rig(scene);
-  play(rig, 0.1);
+  play_for(rig, 0.1);
   EXPECT_EQ(rig.truth().stand_pipe_pressure, 0.0);
   drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
-  play(rig, 0.1);
+  play_for(rig, 0.1);
   const auto over = [&rig] { return 2.0 * pi * rig.save()->forces.motor_torque / displacement; };
   EXPECT_EQ(rig.truth().bit_torque, 0.0) << "off bottom";
   EXPECT_NEAR(rig.truth().stand_pipe_pressure, 3e9 * 0.03 * 0.03 + over(), 0.1 * over() + 1e4);
   EXPECT_NEAR(rig.truth().differential_pressure, over(), 1e-6);
   EXPECT_EQ(rig.truth().flow, 0.03);
-  play(rig, 8.0);
+  play_for(rig, 8.0);
   ASSERT_GT(rig.truth().bit_torque, 100.0);
   const double over_motor = over();
   EXPECT_GE(over_motor, 2.0 * pi * rig.truth().bit_torque / displacement);
@@ -188,17 +188,17 @@ TEST(Truth, tareTakesTheLoadInTheMean)
   const double first = rig.truth().hook_load + rig.truth().surface_wob;
   EXPECT_EQ(rig.truth().surface_wob, 0.0) << "nothing moves yet";
   rig.command(WinchSetpoint{0.2, false});
-  play(rig, 0.3);
+  play_for(rig, 0.3);
   ASSERT_GT(std::abs(rig.truth().hook_load - first), 100.0);
   EXPECT_NEAR(rig.truth().surface_wob, first - rig.truth().hook_load, 1e-6);
   ASSERT_TRUE(rig.tare());
   const double second = rig.truth().hook_load + rig.truth().surface_wob;
   EXPECT_GT(std::abs(second - first), 100.0);
-  play(rig, 0.1);
+  play_for(rig, 0.1);
   EXPECT_NEAR(rig.truth().surface_wob, second - rig.truth().hook_load, 1e-6);
   drill_ahead(rig, 60.0 * rpm, 0.03, 0.1);
-  while (!rig.truth().on_bottom) play(rig, frame);
-  play(rig, 1.0);
+  while (!rig.truth().on_bottom) play_for(rig, frame);
+  play_for(rig, 1.0);
   EXPECT_FALSE(rig.tare());
   EXPECT_NEAR(rig.truth().surface_wob, second - rig.truth().hook_load, 1e-6) << "the old zero stays";
 }
@@ -212,15 +212,15 @@ TEST(Truth, winchIsLimitedByEachOfItsLimits)
   scene.rig.hoisting.highest_block_height = 21.0;
   {
     Simulator rig(scene);
-    play(rig, 0.5);
+    play_for(rig, 0.5);
     EXPECT_FALSE(rig.truth().winch_limited);
     rig.command(WinchSetpoint{0.1, false});
-    play(rig, 0.24);
+    play_for(rig, 0.24);
     EXPECT_TRUE(rig.truth().winch_limited) << "ramps for 0.1/0.4 s";
-    play(rig, 0.03);
+    play_for(rig, 0.03);
     EXPECT_FALSE(rig.truth().winch_limited);
     rig.command(WinchSetpoint{0.0, true});
-    play(rig, 0.1);
+    play_for(rig, 0.1);
     EXPECT_TRUE(rig.truth().winch_limited) << "and down again";
     EXPECT_TRUE(rig.truth().brake_set);
   }
@@ -228,10 +228,10 @@ TEST(Truth, winchIsLimitedByEachOfItsLimits)
   {
     Simulator rig(scene);
     rig.command(WinchSetpoint{way, false});
-    play(rig, 0.3);
+    play_for(rig, 0.3);
     // a metre: v^2/(2 a) = 0.0125 m in 0.25 s to run up, 0.975 m in 9.75 s, and the brake begins at the last 0.0125 m
     EXPECT_NEAR(first_time(rig, &RigSignals::winch_limited, 12.0), 10.0, 0.1) << way;
-    play(rig, 5.0);
+    play_for(rig, 5.0);
     EXPECT_TRUE(rig.truth().winch_limited);
     EXPECT_NEAR(rig.truth().block_height, way > 0.0 ? 21.0 : 19.0, 0.02) << "but for swings on the line";
   }
@@ -239,11 +239,11 @@ TEST(Truth, winchIsLimitedByEachOfItsLimits)
   Simulator rig(scene);
   ASSERT_TRUE(rig.stick_pipe(40.0));
   rig.command(WinchSetpoint{0.05, false});
-  play(rig, 0.3);
+  play_for(rig, 0.3);
   const double time = first_time(rig, &RigSignals::winch_limited, 5.0);
   EXPECT_LT(time, 5.0);
   EXPECT_NEAR(rig.truth().hook_load, 300e3, 20e3);
-  play(rig, 2.0);
+  play_for(rig, 2.0);
   EXPECT_LT(rig.truth().hook_load, 330e3) << "raises no more";
 }
 
@@ -255,10 +255,10 @@ TEST(Truth, driveAndMotorTellTheirLimits)
   drive.speed = 5.0;
   drive.torque_limit = 3e3;  // for 2500 kg m2, 1 kN m of it for the gearbox: 0.8 rad/s2 at most
   rig.command(drive);
-  play(rig, 1.0);
+  play_for(rig, 1.0);
   EXPECT_TRUE(rig.truth().top_drive_limited);
   EXPECT_NEAR(rig.truth().top_drive_speed, 0.8, 0.08);
-  play(rig, 30.0);
+  play_for(rig, 30.0);
   EXPECT_FALSE(rig.truth().top_drive_limited);
 
   Scene scene = motor_drilling_scene(0.01);
@@ -267,17 +267,17 @@ TEST(Truth, driveAndMotorTellTheirLimits)
   scene.mud.bulk_modulus = 1e11;
   Simulator weak(scene);
   drill_ahead(weak, 20.0 * rpm, 0.02, 0.012);
-  play(weak, 0.5);
+  play_for(weak, 0.5);
   EXPECT_FALSE(weak.truth().motor_stalled);
   EXPECT_LT(first_time(weak, &RigSignals::motor_stalled, 10.0), 10.0);
   EXPECT_GE(weak.save()->forces.motor_torque, 200.0);
-  play(weak, 0.5);
+  play_for(weak, 0.5);
   EXPECT_NEAR(weak.truth().bit_speed, weak.save()->mechanics.nodes[0].rate.spin + weak.save()->mechanics.bit.motor_speed, 1e-9);
   EXPECT_LT(weak.save()->mechanics.bit.motor_speed, 0.2 * 2.0 * pi * 0.02 / displacement) << "the string alone turns the bit";
   double turned = 0.0;  // by the bit, in a second [rad]
   for (int k = 0; k < 100; ++k)
   {
-    play(weak, 0.01);
+    play_for(weak, 0.01);
     turned += 0.01 * weak.truth().bit_speed;
   }
   EXPECT_GT(turned, -0.05) << "and drags the rotor round backwards, at most as fast as it turns itself down there";

@@ -16,8 +16,10 @@ struct ContactSpec
   /// Least k of the wall under bit gauge, stabiliser blades and motor sleeve, unless the part has a law of its own: their levers are short,
   /// and what they embed themselves is missing from the bit's side force [N/m^e]
   double assembly_stiffness = 2e10;
-  double stribeck_speed = 0.05;       ///< slip speed over which friction falls from static to kinetic [m/s]
-  double static_ratio = 1.2;          ///< static / kinetic friction [-], >= 1
+  /// Slip speed over which friction falls from static to kinetic: an assumption, within the 0.001 to 0.1 m/s of lubricated metal (Armstrong-Helouvry,
+  /// Dupont, Canudas de Wit, Automatica 30 (1994) 1083-1138), at which ordinary pick-up and slack-off (0.1 m/s) do not stick and slip [m/s]
+  double stribeck_speed = 0.02;
+  double static_ratio = 1.2;          ///< static / kinetic friction: an assumption [-], >= 1
   StribeckCurve stribeck_curve = StribeckCurve::gaussian;
   RestGrowth growth;
   double tangential_stiffness = 5e6;  ///< of the bristle that carries sticking friction [N/m]

@@ -1,16 +1,21 @@
 #ifndef DRILL_RIG_SIM_STRING_MUD_H
 #define DRILL_RIG_SIM_STRING_MUD_H
 
+#include <limits>
+
 namespace drill_rig_sim
 {
 /// The drilling fluid around and inside the string.
 struct MudSpec
 {
-  double density = 1150.0;          ///< [kg/m3]
-  double axial_damping = 0.0;       ///< [N s/m per m]
-  double lateral_damping = 20.0;    ///< linear part [N s/m per m]
-  double drag_coefficient = 1.0;    ///< C_d of the quadratic part, on the outer diameter [-]
-  double torsional_damping = 5e-4;  ///< [N m s/rad per m]
+  static constexpr double by_viscosity = std::numeric_limits<double>::quiet_NaN();
+
+  double density = 1150.0;                  ///< [kg/m3]
+  double viscosity = 0.02;                  ///< dynamic one; 0.02 Pa s (20 cP) is an assumption: plastic viscosities of muds are 5 to 60 mPa s [Pa s]
+  double axial_damping = by_viscosity;      ///< instead of what the viscosity makes (mud_damping.h) [N s/m per m]
+  double lateral_damping = by_viscosity;    ///< linear part, likewise [N s/m per m]
+  double drag_coefficient = 1.0;            ///< C_d of the quadratic part, on the outer diameter [-]
+  double torsional_damping = by_viscosity;  ///< likewise [N m s/rad per m]
   double bulk_modulus = 1.4e9;      ///< as a well shows it, with what pipe and hole give way [Pa]
   double gel_strength = 0.0;        ///< after ten minutes' rest [Pa]
   double added_mass = 1.0;          ///< factor on the mass of the mud that moves sideways with the string [-]

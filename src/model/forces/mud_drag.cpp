@@ -18,11 +18,10 @@ struct Drag
 
 Drag drag_of(const StageContext& at, int i) noexcept
 {
-  const MudSpec& mud = at.model.scene().mud;
-  const double length = at.stage.immersed[i] * at.model.mesh().nodes[i].length;
-  const double across = length * mud.lateral_damping;
-  return {across, length * mud.axial_damping - across, length * mud.torsional_damping,
-          length * lateral_drag(mud, at.model.mesh().nodes[i].diameter)};
+  const MeshNode& node = at.model.mesh().nodes[i];
+  const double wet = at.stage.immersed[i];
+  return {wet * node.mud_across, wet * (node.mud_along - node.mud_across), wet * node.mud_about,
+          wet * node.length * lateral_drag(at.model.scene().mud, node.diameter)};
 }
 
 Vector3d across_string(const NodeMotion& node, const Vector3d& n) noexcept

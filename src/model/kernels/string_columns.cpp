@@ -18,13 +18,12 @@ void take_node(const Model& model, int i, NumberColumns& to) noexcept
 {
   const MeshNode& node = model.mesh().nodes[static_cast<std::size_t>(i)];
   const MudSpec& mud = model.scene().mud;
-  const double across = node.length * mud.lateral_damping;
   to[node_column::mass][i] = node.mass + (i == model.top() ? model.scene().rig.hoisting.block_mass : 0.0);
   to[node_column::spin_inertia][i] = node.spin_inertia;
   to[node_column::tilt_inertia][i] = node.tilt_inertia;
-  to[node_column::mud_across][i] = across;
-  to[node_column::mud_along][i] = node.length * mud.axial_damping - across;
-  to[node_column::mud_torsional][i] = node.length * mud.torsional_damping;
+  to[node_column::mud_across][i] = node.mud_across;
+  to[node_column::mud_along][i] = node.mud_along - node.mud_across;
+  to[node_column::mud_torsional][i] = node.mud_about;
   to[node_column::mud_quadratic][i] = node.length * lateral_drag(mud, node.diameter);
   to[node_column::contact_radius][i] = node.contact_radius;
 }

@@ -58,7 +58,8 @@ STRINGS = {
 }
 # Drag of a mud of 20 mPa s on pipe that vibrates at 4 Hz: the shear layer sqrt(2 nu/w) is 1.2 mm thick, so pi (D_o + D_i) sqrt(rho mu w/2) = 12.8 N s/m
 # per m along the pipe, and times the radius squared, 0.05 N m s/rad per m, about it; 0.02 in steady turning.
-MUD = {'density': 1200.0, 'axial_damping': 12.0, 'torsional_damping': 0.02}
+MUD = {'density': 1200.0, 'axial_damping': 12.0, 'lateral_damping': 20.0, 'torsional_damping': 0.02}
+CONTACT = {'stribeck_speed': 0.05}
 DRILLABILITY = 1.0e-8  # 1.8 to 11 m/h at 20 to 60 kN and 14 rad/s
 
 
@@ -143,7 +144,7 @@ class Cell:
             layers = [dict(rock, to_tvd=10000.0)]
         return {'name': 'cell', 'well': {'stations': well.stations, 'hole_depth': well.depth, 'sections': [
             {'to': self.cased(), 'diameter': 0.2224, 'friction': 0.2}, {'to': well.depth, 'diameter': diameter, 'friction': 0.28}]},
-            'formation': layers, 'mud': MUD, 'string': string,
+            'formation': layers, 'mud': MUD, 'contact': CONTACT, 'string': string,
             'rig': {'hoisting': {'max_hook_load': 4.0e6}}, 'start': start, 'program': [self.placed(line) for line in what.program]}
 
     def placed(self, line):

@@ -5,8 +5,7 @@
 
 namespace drill_rig_sim
 {
-/// Drag of the mud on the nodes below the rotary table. Linear in the rates: `mud.lateral_damping` across the string,
-/// `mud.axial_damping` along it [N s/m per m], `mud.torsional_damping` against spin [N m s/rad per m], times the node's length.
+/// Drag of the mud on the nodes below the rotary table. Linear in the rates, by the mud's viscosity or its `..._damping` keys (mud_damping.h).
 /// Across the string also 1/2 rho C_d D L |v| v (Morison's drag), C_d `mud.drag_coefficient`, D the outer diameter.
 extern const Force mud_drag;
 
