@@ -160,38 +160,51 @@ FrameStatus Simulator::frame(double duration) noexcept
   impl_->steer();
   watch_interlocks(impl_->scene.rig, impl_->state.readings, impl_->state.commands.in_force(), impl_->state.interlocks);
   const Setpoints setpoints = impl_->in_force();
-  const double hole_depth = impl_->state.truth.hole_depth;
-  if (!impl_->advance_frame(duration, setpoints))
-  {
-    impl_->failure = impl_->integrator->failure();
-    return FrameStatus::failed;
-  }
-  const int guided = guided_nodes(impl_->shown());
-  impl_->statistics.level = name_of(level_of(*impl_->model, impl_->state.levels.free_length));
-  impl_->statistics.coordinates = coordinates_of(impl_->shown(), guided);
-  impl_->statistics.guided_nodes = guided;
-  impl_->statistics.guided_node_frames += static_cast<std::uint64_t>(guided);
-  impl_->state.truth.rop = (impl_->hole_depth() - hole_depth) / duration;
-  ++impl_->statistics.frames;
-  const StepperCounters& counters = impl_->integrator->counters();
-  impl_->statistics.steps = counters.steps;
-  impl_->statistics.newton_iterations = counters.newton_iterations;
-  impl_->statistics.convergence_failures = counters.convergence_failures;
-  impl_->statistics.error_test_failures = counters.error_test_failures;
-  impl_->statistics.work = impl_->integrator->work();
-  if (const ReferenceReport* report = impl_->integrator->reference())
-  {
-    impl_->statistics.is_reference = true;
-    impl_->statistics.reference = *report;
-  }
-  impl_->statistics.last_step = impl_->shown().memory.last_step;
-  impl_->statistics.last_error_estimate = impl_->integrator->error_estimate();
-  impl_->accuracy.end_frame(*impl_->integrator, impl_->shown(), impl_->shown_forces(), duration, impl_->state.accuracy);
-  impl_->measure();
+  if (!impl_->compute_frame(duration, setpoints)) return FrameStatus::failed;
   impl_->state.instruments.read(impl_->state.truth, impl_->sensor_view(), impl_->state.readings);
   impl_->integrator->profiler().lap(Cost::other);
   impl_->statistics.costs = impl_->integrator->profiler();
+  impl_->lead([&](Impl& companion) { companion.follow(*impl_, duration, setpoints); });
   return FrameStatus::running;
+}
+
+/// The physics of a frame under `setpoints`, and what there is to be measured after it. False: `failure` says why.
+bool Simulator::Impl::compute_frame(double duration, const Setpoints& setpoints) noexcept
+{
+  const double before = state.truth.hole_depth;
+  if (!advance_frame(duration, setpoints))
+  {
+    failure = integrator->failure();
+    return false;
+  }
+  state.truth.rop = (hole_depth() - before) / duration;
+  count_frame();
+  accuracy.end_frame(*integrator, shown(), shown_forces(), duration, state.accuracy);
+  measure();
+  return true;
+}
+
+void Simulator::Impl::count_frame() noexcept
+{
+  const int guided = guided_nodes(shown());
+  statistics.level = name_of(level_of(*model, state.levels.free_length));
+  statistics.coordinates = coordinates_of(shown(), guided);
+  statistics.guided_nodes = guided;
+  statistics.guided_node_frames += static_cast<std::uint64_t>(guided);
+  ++statistics.frames;
+  const StepperCounters& counters = integrator->counters();
+  statistics.steps = counters.steps;
+  statistics.newton_iterations = counters.newton_iterations;
+  statistics.convergence_failures = counters.convergence_failures;
+  statistics.error_test_failures = counters.error_test_failures;
+  statistics.work = integrator->work();
+  if (const ReferenceReport* report = integrator->reference())
+  {
+    statistics.is_reference = true;
+    statistics.reference = *report;
+  }
+  statistics.last_step = shown().memory.last_step;
+  statistics.last_error_estimate = integrator->error_estimate();
 }
 
 void Simulator::fail(const char* reason) noexcept
@@ -267,12 +280,18 @@ void Simulator::Impl::note_ring()
 bool Simulator::Impl::tare() noexcept
 {
   if (state.truth.on_bottom || state.truth.in_slips) return false;
+  take_zero();
+  state.instruments.tare(state.readings);
+  lead([](Impl& companion) { companion.take_zero(); });
+  return true;
+}
+
+void Simulator::Impl::take_zero() noexcept
+{
   state.tared = true;
   state.tare_hook_load = state.zero_mean.mean();
   state.tare_pressure += state.truth.differential_pressure;
   measure_rig();
-  state.instruments.tare(state.readings);
-  return true;
 }
 
 bool Simulator::tare() noexcept
@@ -293,29 +312,39 @@ bool Simulator::set_free_length(double from_bit) noexcept
 
 std::shared_ptr<const SimulatorState> Simulator::save() const
 {
-  return std::make_shared<SimulatorState>(impl_->state);
+  const auto saved = std::make_shared<SimulatorState>(impl_->state);
+  for (const std::unique_ptr<Impl>& companion : impl_->companions) saved->companions.states.push_back(companion->state);
+  return saved;
 }
 
 bool Simulator::restore(const SimulatorState& state, bool keep_time)
 {
-  if (state.scene != impl_->state.scene) return false;
-  const double now = impl_->now();
-  const bool another_string = state.string.length != impl_->state.string.length || state.string.bit_depth != impl_->state.string.bit_depth;
-  const std::shared_ptr<const Model> model = another_string ? impl_->model_of(state.string) : impl_->model;
-  if (model->mesh().nodes.size() != state.mechanics.nodes.size()) return false;
-  impl_->state = state;
-  if (another_string) impl_->take_string(model);
-  impl_->integrator->restart();
-  if (keep_time) impl_->shift_time(now);
-  if (impl_->variable && state.stride.length > 0.0)
+  if (state.scene != impl_->state.scene || !impl_->restore(state, keep_time)) return false;
+  impl_->restore_companions(state.companions, keep_time);
+  return true;
+}
+
+/// False, and nothing changed: its string is not what it says.
+bool Simulator::Impl::restore(const SimulatorState& saved, bool keep_time)
+{
+  const double before = now();
+  const bool another_string = saved.string.length != state.string.length || saved.string.bit_depth != state.string.bit_depth;
+  const std::shared_ptr<const Model> restored = another_string ? model_of(saved.string) : model;
+  if (restored->mesh().nodes.size() != saved.mechanics.nodes.size()) return false;
+  state = saved;
+  state.companions.states.clear();
+  if (another_string) take_string(restored);
+  integrator->restart();
+  if (keep_time) shift_time(before);
+  if (variable && saved.stride.length > 0.0)
   {
-    if (impl_->solve_stride())
-      impl_->show_stride();
+    if (solve_stride())
+      show_stride();
     else
-      impl_->settle();
+      settle();
   }
-  if (impl_->balance) impl_->balance->restart();
-  impl_->failure = "";
+  if (balance) balance->restart();
+  failure = "";
   return true;
 }
 

@@ -34,6 +34,18 @@ int joint_at_table(const Model& model, const State& state) noexcept
   return nearest;
 }
 
+/// The joint's end nearest to an unstretched distance from the bit's face [m]: of another mesh of the same string, in which each end of a stand is a node.
+int nearest_joint(const Mesh& mesh, double from_bit) noexcept
+{
+  int nearest = 1;
+  for (int i = 1; i + 1 < static_cast<int>(mesh.nodes.size()); ++i)
+  {
+    const auto away = [&](int k) { return std::abs(mesh.nodes[static_cast<std::size_t>(k)].from_bit - from_bit); };
+    if (mesh.nodes[static_cast<std::size_t>(i)].joint_end && away(i) < away(nearest)) nearest = i;
+  }
+  return nearest;
+}
+
 /// Whether two strings are the same from the bit up to node `i`.
 bool same_below(const Mesh& a, const Mesh& b, int i) noexcept
 {
@@ -65,9 +77,15 @@ const char* Simulator::Impl::pull_slips() noexcept
   if (now.slips.node < 0) return "slips: they are not set";
   if (state.connection.under_way) return "slips: the string is broken out, the connection must be made first";
   if (slips_load(now) > most_slips_load) return "slips: they bear the string, allowed: up to 5 kN, pick up first";
+  release_slips();
+  lead([](Impl& companion) { companion.release_slips(); });
+  return nullptr;
+}
+
+void Simulator::Impl::release_slips() noexcept
+{
   settle();
   mechanics().slips = HeldNode();
-  return nullptr;
 }
 
 /// Under a joint's end.
@@ -81,10 +99,17 @@ const char* Simulator::Impl::set_slips(int joint) noexcept
   if (std::abs(now.hoist.winch_speed) > standing_winch || bounces)
     return "slips: the block moves, allowed: at rest";
   if (std::abs(now.drive.speed) > standing_rotor || turns(state.commands.in_force().top_drive)) return "slips: the top drive turns, allowed: at rest";
+  grip(joint);
+  const double from_bit = model->mesh().nodes[static_cast<std::size_t>(joint)].from_bit;
+  lead([from_bit](Impl& companion) { companion.grip(nearest_joint(companion.model->mesh(), from_bit)); });
+  return nullptr;
+}
+
+void Simulator::Impl::grip(int joint) noexcept
+{
   settle();
   const NodeState& node = mechanics().nodes[static_cast<std::size_t>(joint)];
   mechanics().slips = {joint, node.position - mechanics().hoist.floor.height * Eigen::Vector3d::UnitZ(), node.spin_angle};
-  return nullptr;
 }
 
 /// Of the pipe above the slips on what they hold [N].
@@ -118,6 +143,13 @@ const char* Simulator::Impl::make_connection(int joints, bool remove) noexcept
   const double length = (remove ? -1.0 : 1.0) * count * pipe.joint_length, height = block_height(now);
   if (height + length > hoisting.highest_block_height) return "connection: the block has no room for that above, allowed: up to highest_block_height";
   if (height + length < hoisting.lowest_block_height) return "connection: the block has no room for that below, allowed: down to lowest_block_height";
+  const char* refused = try_connection(length);
+  if (!refused) lead([length](Impl& companion) { if (const char* why = companion.try_connection(length)) companion.failure = why; });
+  return refused;
+}
+
+const char* Simulator::Impl::try_connection(double length) noexcept
+{
   try
   {
     return begin_connection(length);
@@ -156,6 +188,7 @@ const char* Simulator::Impl::begin_connection(double length)
 
 void Simulator::Impl::end_connection()
 {
+  lead([](Impl& companion) { companion.end_connection(); });
   settle();
   const int held = mechanics().slips.node;
   state.string = {state.string.length + state.connection.length, state.truth.bit_depth};

@@ -23,8 +23,8 @@ const char* Simulator::inject(const Fault& fault) noexcept
     begin(fault, impl_->state.instruments.fault_of(fault.gauge));
     return nullptr;
   }
-  impl_->settle();
-  begin(*impl_->model, truth.bit_depth, fault, impl_->mechanics());
+  impl_->begin_fault(fault);
+  impl_->lead([&fault](Impl& companion) { companion.begin_fault(fault); });
   return nullptr;
 }
 
@@ -32,8 +32,21 @@ void Simulator::clear(FaultKind kind, Gauge gauge) noexcept
 {
   if (is_of_gauge(kind)) return end(kind, impl_->state.instruments.fault_of(gauge));
   if (kind == FaultKind::stuck_pipe && impl_->mechanics().stuck_point.node < 0) return;
-  impl_->settle();
-  end(kind, impl_->mechanics());
+  impl_->end_fault(kind);
+  impl_->lead([kind](Impl& companion) { companion.end_fault(kind); });
+}
+
+/// Of the rig, not of a gauge.
+void Simulator::Impl::begin_fault(const Fault& fault) noexcept
+{
+  settle();
+  begin(*model, state.truth.bit_depth, fault, mechanics());
+}
+
+void Simulator::Impl::end_fault(FaultKind kind) noexcept
+{
+  settle();
+  end(kind, mechanics());
 }
 
 }  // namespace drill_rig_sim

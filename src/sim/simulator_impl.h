@@ -44,6 +44,7 @@ struct Simulator::Impl
   int below_stand = -1;  // node at which the crew would take a stand away; -1: none
   double command_timeout = 0.0;
   const char* failure = "";
+  std::vector<std::unique_ptr<Impl>> companions;  // other models of the same rig, led by this one
 
   Impl(const Scene& s, std::uint64_t seed) : Impl(s, seed, build_at_rest(s)) {}
   Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig);
@@ -53,6 +54,8 @@ struct Simulator::Impl
   const RigForces& shown_forces() const noexcept { return state.stride.length > 0.0 ? forces_between : state.forces; }
   double now() const noexcept { return state.mechanics.time + state.stride.played; }
   double hole_depth() const noexcept;
+  bool compute_frame(double duration, const Setpoints& setpoints) noexcept;
+  void count_frame() noexcept;
   bool advance_frame(double duration, const Setpoints& setpoints) noexcept;
   bool take_steps(double step, int steps, const Setpoints& setpoints) noexcept;
   bool advance_in_strides(double duration, const Setpoints& setpoints) noexcept;
@@ -77,8 +80,11 @@ struct Simulator::Impl
   bool broken_out_by_hand() const noexcept { return state.connection.under_way && state.crew.doing == CrewTask::none; }
   void tell_string_built() noexcept;
   const char* set_slips(int joint) noexcept;
+  void grip(int joint) noexcept;
+  void release_slips() noexcept;
   const char* pull_slips() noexcept;
   const char* make_connection(int joints, bool remove) noexcept;
+  const char* try_connection(double length) noexcept;
   const char* begin_connection(double length);
   void end_connection();
   void take_string(std::shared_ptr<const Model> longer);
@@ -87,7 +93,12 @@ struct Simulator::Impl
   void find_stand();
   void note_ring();
   double rest_load() const noexcept;
+  void begin_fault(const Fault& fault) noexcept;
+  void end_fault(FaultKind kind) noexcept;
   bool tare() noexcept;
+  void take_zero() noexcept;
+  bool restore(const SimulatorState& saved, bool keep_time);
+  void restore_companions(const CompanionStates& saved, bool keep_time);
   WinchSetpoint to_slack(double frame) const noexcept;
   void crew_begins() noexcept;
   void crew_works(double frame) noexcept;
@@ -95,7 +106,18 @@ struct Simulator::Impl
   void crew_goes_on(double height) noexcept;
   bool crew_has_done(double frame, WinchSetpoint& winch) noexcept;
   SubView sub_view() const noexcept;
+  void follow(const Impl& leader, double duration, const Setpoints& setpoints) noexcept;
+  template <class Does>
+  void lead(const Does& does) noexcept;
 };
+
+/// Does something to all companions that still go along.
+template <class Does>
+void Simulator::Impl::lead(const Does& does) noexcept
+{
+  for (const std::unique_ptr<Impl>& companion : companions)
+    if (!*companion->failure) does(*companion);
+}
 
 }  // namespace drill_rig_sim
 

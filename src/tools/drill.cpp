@@ -9,7 +9,7 @@
 
 namespace
 {
-constexpr int good = 0, bad_input = 2, computation_failed = 3;
+constexpr int good = 0, wrong = 1, bad_input = 2, computation_failed = 3;
 
 int run(const drill_rig_sim::Command& command)
 {
@@ -23,6 +23,10 @@ int run(const drill_rig_sim::Command& command)
   {
     std::fprintf(stderr, "%s\n", e.what());
     return bad_input;
+  }
+  catch (const drill_rig_sim::ToleranceExceeded&)
+  {
+    return wrong;
   }
   catch (const drill_rig_sim::UsageError& e)
   {
@@ -54,8 +58,8 @@ int play(int argc, char** argv)
                                              drill_rig_sim::add_static_command(drill), drill_rig_sim::add_modes_command(drill),
                                              drill_rig_sim::add_survey_command(drill), drill_rig_sim::add_score_command(drill), drill_rig_sim::add_plot_command(drill),
                                              drill_rig_sim::add_replay_command(drill), drill_rig_sim::add_calibrate_command(drill),
-                                             drill_rig_sim::add_reference_command(drill)};
-  drill.footer("drill COMMAND --help lists a command's options. Exit status: 0 success, 2 bad input, 3 the computation failed.");
+                                             drill_rig_sim::add_verify_command(drill), drill_rig_sim::add_reference_command(drill)};
+  drill.footer("drill COMMAND --help lists a command's options. Exit status: 0 success, 1 not as asked (score, verify), 2 bad input, 3 the computation failed.");
   try
   {
     drill.parse(argc, argv);

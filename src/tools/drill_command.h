@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_COMMAND_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_COMMAND_H
 
+#include <exception>
 #include <functional>
 #include <stdexcept>
 
@@ -26,6 +27,11 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// A run passed its tolerance without a warning, as was printed; the runner exits with status 1.
+class ToleranceExceeded : public std::exception
+{
+};
+
 /// A subcommand of the parser, and what it does once the command line is read. Throws SceneError, UsageError or ComputationError.
 struct Command
 {
@@ -43,6 +49,7 @@ Command add_score_command(CLI::App& drill);
 Command add_plot_command(CLI::App& drill);
 Command add_replay_command(CLI::App& drill);
 Command add_calibrate_command(CLI::App& drill);
+Command add_verify_command(CLI::App& drill);
 Command add_reference_command(CLI::App& drill);
 
 }  // namespace drill_rig_sim

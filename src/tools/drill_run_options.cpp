@@ -68,12 +68,17 @@ void add_output_options(CLI::App& command, RunOptions& options)
 }
 }  // namespace
 
-void add_options(CLI::App& command, RunOptions& options)
+void add_goal_options(CLI::App& command, RunOptions& options)
 {
   add_file(command, "SCENE", options.scene, "the scene's file");
   add_number(command, "--duration", options.duration, 1e-3, longest_run, "S",
              "simulated seconds; default: until depth, until the operations are over, or 60 s after the program's end");
   add_number(command, "--until-depth", options.until_depth, 0.0, deepest, "MD", "stop when the hole is this deep [m], or nothing has been gained for 600 s after the program, or in an operation");
+}
+
+void add_options(CLI::App& command, RunOptions& options)
+{
+  add_goal_options(command, options);
   add_scene_options(command, options);
   add_output_options(command, options);
 }

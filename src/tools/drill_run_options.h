@@ -33,7 +33,10 @@ struct RunOptions
   bool energy = false;
 };
 
-/// Adds them to the command. They are read when the command line is.
+/// Adds the scene and where its run ends to the command. They are read when the command line is.
+void add_goal_options(CLI::App& command, RunOptions& options);
+
+/// Adds all of them.
 void add_options(CLI::App& command, RunOptions& options);
 
 /// Settings of the scene as read_scene() takes them: those of --set, then the options that are keys under another name.

@@ -148,6 +148,17 @@ public:
   /// `duration`: of the frame that follows [s].
   void attend(double duration) noexcept;
 
+  /// Another model of the same rig that goes through what this one goes through, frame by frame: its set points, faults, slips, connections and zeros. Only its
+  /// numerics differ: how far the two come apart measures what the numerics make of the rig. Built as the scene starts, so before the first frame. All
+  /// that a frame hands out comes from this simulator, and is what it would be without a companion. Throws as the constructor does, and where frames were computed.
+  void add_companion(const NumericsSpec& numerics);
+  int companions() const noexcept;
+  /// What companion `i` shows after the last frame.
+  const Truth& companion_truth(int i) const noexcept;
+  const SimulatorStatistics& companion_statistics(int i) const noexcept;
+  /// Why companion `i` no longer goes along, one line; empty while it does.
+  const char* companion_failure(int i) const noexcept;
+
   /// A copy of everything that the next frame depends on.
   std::shared_ptr<const SimulatorState> save() const;
   /// Back to a saved state of this same scene; false, and nothing changed, for one of another scene, or whose string is not what it says. After it the next frames are bit-identical to those that followed save().

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "drill_rig_sim/model/rig_forces.h"
 #include "drill_rig_sim/model/state.h"
@@ -20,6 +21,17 @@
 
 namespace drill_rig_sim
 {
+struct SimulatorState;
+
+/// Of a simulator's companions, in a snapshot alone. A file holds as many as its simulator has.
+struct CompanionStates
+{
+  std::vector<SimulatorState> states;
+
+  template <class V>
+  void visit(V& v);
+};
+
 /// Everything that the next frame of a Simulator depends on. A copy is a snapshot; visit() is the one list of its fields (math/visit.h).
 struct SimulatorState
 {
@@ -44,6 +56,7 @@ struct SimulatorState
   Truth truth;
   Instruments instruments;
   Readings readings;
+  CompanionStates companions;
 
   template <class V>
   void visit(V& v)
@@ -67,8 +80,15 @@ struct SimulatorState
     v("truth", truth);
     v("instruments", instruments);
     v("readings", readings);
+    v("companions", companions);
   }
 };
+
+template <class V>
+void CompanionStates::visit(V& v)
+{
+  for (SimulatorState& state : states) v("state", state);
+}
 
 }  // namespace drill_rig_sim
 

@@ -1,0 +1,48 @@
+#ifndef DRILL_RIG_SIM_ACCURACY_OUTPUTS_H
+#define DRILL_RIG_SIM_ACCURACY_OUTPUTS_H
+
+#include <array>
+#include <cstddef>
+
+#include "drill_rig_sim/scene/needs.h"
+
+namespace drill_rig_sim
+{
+/// What two models of the same rig are compared by.
+enum class Output : std::size_t
+{
+  hook_load,
+  torque,    ///< at the surface
+  wob,
+  rop,       ///< mean of the last second: where rock changes it jumps, and when it does to the frame is nothing
+  bit_speed,
+  pressure   ///< stand pipe
+};
+
+constexpr std::size_t output_count = 6;
+/// A value of each, in SI.
+using Outputs = std::array<double, output_count>;
+
+struct OutputTraits
+{
+  const char* name;  ///< as the column of `drill run --csv`
+  Need need;         ///< the word of the scene's key `needs` that asks for it
+  double resolved;   ///< what an instrument tells apart: no less counts as a change of the output
+};
+
+/// Of each output, in their order: kN, 0.1 kN m, kN, 36 mm/h, rpm, bar by what rigs show.
+constexpr std::array<OutputTraits, output_count> output_traits = {{{"hook_load", need_hook_load, 1e3},
+                                                                   {"torque", need_torque, 100.0},
+                                                                   {"wob", need_wob, 1e3},
+                                                                   {"rop", need_rop, 1e-5},
+                                                                   {"bit_speed", need_bit_speed, 0.1},
+                                                                   {"stand_pipe_pressure", need_pressure, 1e5}}};
+
+constexpr const OutputTraits& traits_of(Output output) noexcept
+{
+  return output_traits[static_cast<std::size_t>(output)];
+}
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,71 @@
+#ifndef DRILL_RIG_SIM_ACCURACY_VERIFICATION_H
+#define DRILL_RIG_SIM_ACCURACY_VERIFICATION_H
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "drill_rig_sim/accuracy/output_difference.h"
+
+namespace drill_rig_sim
+{
+/// A run beside two finer ones of the same rig: how wrong it is, output by output.
+///
+/// The finest one counts as right but for its own error, a third of what the finer two differ by: halved elements and steps divide errors by four
+/// where they fall with the square of these, and that was seldom found to be worse (test/accuracy/README.md).
+class Verification
+{
+public:
+  /// What was found of an output over the windows of the run, each of difference_window.
+  struct Finding
+  {
+    double scale = 0.0;      ///< range of the finest run, a tenth of its level or what an instrument tells apart, whichever is most
+    double worst = 0.0;      ///< largest root mean square of a window's difference to the finest run, over `scale` [-]
+    double worst_until = 0.0;  ///< end of that window [s]
+    double own = 0.0;        ///< of the finest run's own errors, in the same way, the largest [-]
+    double wrong_from = std::numeric_limits<double>::quiet_NaN();    ///< begin of the first window beyond the tolerance [s]; NaN: none
+    bool known = true;       ///< the finest run's own error is below a third of the tolerance there, or of the difference
+    double mean = 0.0, finest_mean = 0.0;  ///< of the whole run
+  };
+
+  enum class Verdict
+  {
+    right,    ///< no window of an output that is needed is beyond the tolerance
+    warned,   ///< some are, and a warning had begun by the end of the first of them
+    silent,   ///< some are, and none had
+    unknown   ///< the finest run does not know itself well enough to tell
+  };
+
+  /// @param tolerance  relative
+  /// @param needs      outputs that count for the verdict, a sum of Need
+  Verification(double tolerance, unsigned needs);
+
+  /// A frame that ends at `time` [s]. `warned`: the run itself says that it may be wrong.
+  void add(const Outputs& run, const Outputs& finer, const Outputs& finest, bool warned, double time, double duration);
+  Finding finding(Output output) const;
+  Verdict verdict() const;
+  /// When the first warning began [s]; NaN: none did.
+  double warned_from() const noexcept { return warned_from_; }
+  bool needed(Output output) const noexcept { return (needs_ & traits_of(output).need) != 0u; }
+
+private:
+  struct Row
+  {
+    OutputDifference to_finest, between_finer;
+    std::vector<double> off, own;  // of each window, in the output's unit
+    double sum = 0.0, finest_sum = 0.0;
+  };
+
+  void end_window(double time);
+
+  double tolerance_;
+  unsigned needs_;
+  double time_ = 0.0, since_window_ = 0.0;  // [s]
+  double warned_from_ = std::numeric_limits<double>::quiet_NaN();
+  std::array<Row, output_count> rows_;
+  std::vector<double> ends_;  // of the windows [s]
+};
+
+}  // namespace drill_rig_sim
+
+#endif

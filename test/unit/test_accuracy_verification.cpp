@@ -1,0 +1,91 @@
+// How runs of one rig are compared, by series whose differences are known.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drill_rig_sim/accuracy/verification.h"
+
+namespace test_accuracy_verification
+{
+using namespace drill_rig_sim;
+
+constexpr double frame = 0.01;  // [s]
+
+/// Hook loads of a run, a finer one and the finest over a minute; the finest swings by 50 kN about 500 kN.
+template <class Run, class Finer>
+Verification verified(const Run& off, const Finer& finer_off, double warned_from = 1e9)
+{
+  Verification verification(0.02, need_hook_load);
+  for (int k = 1; k <= 6000; ++k)
+  {
+    const double t = k * frame, finest = 500e3 + 50e3 * std::sin(t);
+    verification.add({finest + off(t)}, {finest + finer_off(t)}, {finest}, t >= warned_from, t, frame);
+  }
+  return verification;
+}
+const auto nothing = [](double) { return 0.0; };
+const auto from_21_s = [](double t) { return t > 21.0 ? 5e3 : 0.0; };
+
+TEST(OutputDifference, isTheRootMeanSquareOfThreeSecondsOverTheRange)
+{
+  OutputDifference difference(Output::hook_load);
+  for (int k = 1; k <= 3000; ++k) difference.add(1e5 + 300.0 * std::sin(40.0 * k * frame) + k * 10.0, 1e5 + k * 10.0, frame);
+  EXPECT_NEAR(difference.absolute(), 300.0 / std::sqrt(2.0), 2.0);
+  EXPECT_NEAR(difference.scale(), 29990.0, 1.0);
+  for (int k = 1; k <= 310; ++k) difference.add(1e5, 1e5, frame);
+  EXPECT_EQ(difference.absolute(), 0.0) << "forgets what is older than its window";
+}
+
+TEST(OutputDifference, ofAnOutputThatStandsIsOverATenthOfItsLevelOrWhatCanBeRead)
+{
+  OutputDifference level(Output::hook_load), nothing_there(Output::hook_load);
+  for (int k = 0; k < 100; ++k) level.add(101e3, 100e3, frame), nothing_there.add(100.0, 0.0, frame);
+  EXPECT_NEAR(level.relative(), 0.1, 1e-9);
+  EXPECT_NEAR(nothing_there.relative(), 0.1, 1e-9) << "of 1 kN";
+}
+
+TEST(OutputDifference, aRateOfPenetrationThatJumpsAFrameLaterIsHardlyAnother)
+{
+  OutputDifference difference(Output::rop);
+  for (int k = 0; k < 500; ++k) difference.add(k > 250 ? 1e-2 : 0.0, k > 251 ? 1e-2 : 0.0, frame);
+  EXPECT_LT(difference.relative(), 0.01);
+}
+
+TEST(Verification, aRunLikeTheFinestIsRight)
+{
+  const Verification verification = verified(nothing, nothing);
+  EXPECT_EQ(verification.verdict(), Verification::Verdict::right);
+  const Verification::Finding found = verification.finding(Output::hook_load);
+  EXPECT_EQ(found.worst, 0.0);
+  EXPECT_TRUE(std::isnan(found.wrong_from));
+  EXPECT_NEAR(found.scale, 1e5, 10.0);
+}
+
+TEST(Verification, tellsFromWhenARunIsWrongAndWhetherItWarned)
+{
+  const Verification silent = verified(from_21_s, nothing);
+  EXPECT_EQ(silent.verdict(), Verification::Verdict::silent);
+  const Verification::Finding found = silent.finding(Output::hook_load);
+  EXPECT_NEAR(found.wrong_from, 21.0, 0.02);
+  EXPECT_NEAR(found.worst, 0.05, 1e-3);
+  EXPECT_NEAR(found.mean - found.finest_mean, 5e3 * 39.0 / 60.0, 10.0);
+  EXPECT_EQ(verified(from_21_s, nothing, 23.5).verdict(), Verification::Verdict::warned);
+  EXPECT_EQ(verified(from_21_s, nothing, 30.0).verdict(), Verification::Verdict::silent) << "too late";
+}
+
+TEST(Verification, finerRunsThatDisagreeTellNothing)
+{
+  EXPECT_EQ(verified(from_21_s, [](double) { return 9e3; }).verdict(), Verification::Verdict::unknown);
+  EXPECT_EQ(verified(nothing, [](double) { return 9e3; }).verdict(), Verification::Verdict::unknown);
+  EXPECT_EQ(verified(from_21_s, [](double) { return 9e3; }, 0.0).verdict(), Verification::Verdict::warned);
+  EXPECT_EQ(verified(nothing, [](double) { return 1e3; }).verdict(), Verification::Verdict::right);
+}
+
+TEST(Verification, outputsThatNobodyNeedsDoNotCount)
+{
+  Verification verification(0.02, need_torque);
+  for (int k = 1; k <= 600; ++k) verification.add({1e6 + 1e4 * k}, {0.0}, {1e4 * k}, false, k * frame, frame);
+  EXPECT_EQ(verification.verdict(), Verification::Verdict::right);
+  EXPECT_GT(verification.finding(Output::hook_load).worst, 0.02);
+}
+}  // namespace test_accuracy_verification
