@@ -17,7 +17,8 @@ Verification::Verification(double tolerance, unsigned needs) : tolerance_(tolera
   for (std::size_t i = 0; i < output_count; ++i) rows_[i].to_finest = rows_[i].between_finer = OutputDifference(static_cast<Output>(i));
 }
 
-void Verification::add(const Outputs& run, const Outputs& finer, const Outputs& finest, bool warned, double time, double duration)
+void Verification::add(const Outputs& run, const Outputs& finer, const Outputs& finest, bool warned, const Outputs& measured, double time,
+                       double duration)
 {
   for (std::size_t i = 0; i < output_count; ++i)
   {
@@ -30,15 +31,17 @@ void Verification::add(const Outputs& run, const Outputs& finer, const Outputs& 
   if (warned && std::isnan(warned_from_)) warned_from_ = time;
   time_ += duration;
   since_window_ += duration;
-  if (since_window_ > difference_window - rounding) end_window(time);
+  if (since_window_ > difference_window - rounding) end_window(measured, time);
 }
 
-void Verification::end_window(double time)
+void Verification::end_window(const Outputs& measured, double time)
 {
   since_window_ = 0.0;
   ends_.push_back(time);
-  for (Row& row : rows_)
+  for (std::size_t i = 0; i < output_count; ++i)
   {
+    Row& row = rows_[i];
+    row.measured.push_back(measured[i]);
     row.off.push_back(row.to_finest.absolute());
     row.own.push_back(own_of_difference * row.between_finer.absolute());
   }
@@ -51,9 +54,11 @@ Verification::Finding Verification::finding(Output output) const
   found.scale = row.to_finest.scale();
   found.mean = time_ > 0.0 ? row.sum / time_ : 0.0;
   found.finest_mean = time_ > 0.0 ? row.finest_sum / time_ : 0.0;
+  found.measured = row.measured;
   for (std::size_t k = 0; k < ends_.size(); ++k)
   {
-    const double off = row.off[k] / found.scale, own = row.own[k] / found.scale;
+    found.off.push_back(row.off[k] / found.scale);
+    const double off = found.off.back(), own = row.own[k] / found.scale;
     found.own = std::max(found.own, own);
     if (off > found.worst)
     {

@@ -277,6 +277,8 @@ ProblemList unavailable(const Scene& scene)
     problems.emplace_back("rig.heave", "not available with the reference (ida)");
   if (scene.rig.heave.amplitude > 0.0 && numerics.level == Level::rigid)
     problems.emplace_back("rig.heave", "not available at level rigid, whose string neither stretches nor swings");
+  if (numerics.companion != CompanionKind::none && numerics.integrator == IntegratorKind::ida)
+    problems.emplace_back("numerics.companion", "not available with the reference (ida)");
   if (!has_kernel(numerics.kernel))
     problems.emplace_back("numerics.kernel", std::string(name_of(numerics.kernel)) + " is not among what this machine and build have, allowed: " + kernels_here());
   return problems;

@@ -175,7 +175,7 @@ void AccuracyWatch::end_first_step(Integrator& integrator, double step, Accuracy
   average(accounts.numerical_magnitudes() / step, stands_for, memory.dissipated);
 }
 
-void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, const RigForces& forces, double duration,
+void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, const RigForces& forces, double duration, bool measured,
                               AccuracyMemory& memory) noexcept
 {
   const double steps = static_cast<double>(integrator.counters().steps - steps_);
@@ -196,9 +196,9 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   note_whirl(model_->mesh(), state, looked, memory);
   const double wound = came_loose(*model_, state, looked, memory);
   AccuracyReport found = doubt_of_string(*model_, state, forces);
-  const auto doubt = [&found](AccuracyDoubt kind, double measure, bool raised)
+  const auto doubt = [&found, measured](AccuracyDoubt kind, double measure, bool raised)
   {
-    if (found.doubt == AccuracyDoubt::none && raised) found = {kind, measure, 0.0, 0.0};
+    if (found.doubt == AccuracyDoubt::none && raised && !measured) found = {kind, measure, 0.0, 0.0};
   };
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
   const double blades = blades_passed(*model_, forces, step);

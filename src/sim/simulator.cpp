@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "drill_rig_sim/accuracy/finer.h"
 #include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
@@ -74,6 +75,8 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
 Simulator::Simulator(const Scene& scene, std::uint64_t seed) : impl_(std::make_unique<Impl>(with_choice(available(scene)), seed))
 {
   if (scene.numerics.level == Level::automatic) impl_->choice = choose(scene).reason;
+  impl_->state.measured = MeasuredError(impl_->scene.numerics.tolerance);
+  if (scene.numerics.companion == CompanionKind::finer) add_companion(finer(impl_->scene, finer_companion));
 }
 Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;
@@ -160,11 +163,12 @@ FrameStatus Simulator::frame(double duration) noexcept
   impl_->steer();
   watch_interlocks(impl_->scene.rig, impl_->state.readings, impl_->state.commands.in_force(), impl_->state.interlocks);
   const Setpoints setpoints = impl_->in_force();
+  impl_->lead([&](Impl& companion) { companion.follow(*impl_, duration, setpoints); });
   if (!impl_->compute_frame(duration, setpoints)) return FrameStatus::failed;
+  impl_->judge(duration);
   impl_->state.instruments.read(impl_->state.truth, impl_->sensor_view(), impl_->state.readings);
   impl_->integrator->profiler().lap(Cost::other);
   impl_->statistics.costs = impl_->integrator->profiler();
-  impl_->lead([&](Impl& companion) { companion.follow(*impl_, duration, setpoints); });
   return FrameStatus::running;
 }
 
@@ -179,7 +183,7 @@ bool Simulator::Impl::compute_frame(double duration, const Setpoints& setpoints)
   }
   state.truth.rop = (hole_depth() - before) / duration;
   count_frame();
-  accuracy.end_frame(*integrator, shown(), shown_forces(), duration, state.accuracy);
+  accuracy.end_frame(*integrator, shown(), shown_forces(), duration, measures(), state.accuracy);
   measure();
   return true;
 }

@@ -1,17 +1,20 @@
 // Other models of the same rig that go through what it goes through.
+#include <limits>
 #include <stdexcept>
 
 #include "simulator_impl.h"
 
 namespace drill_rig_sim
 {
-void Simulator::add_companion(const NumericsSpec& numerics)
+int Simulator::add_companion(const NumericsSpec& numerics)
 {
   if (impl_->statistics.frames > 0) throw std::runtime_error("companion: frames were computed, allowed: before the first");
   Scene scene = impl_->scene;
   scene.numerics = numerics;
+  scene.numerics.companion = CompanionKind::none;
   scene = with_choice(available(scene));
   impl_->companions.push_back(std::make_unique<Impl>(scene, 0));
+  return companions() - 1;
 }
 
 int Simulator::companions() const noexcept
@@ -32,6 +35,23 @@ const SimulatorStatistics& Simulator::companion_statistics(int i) const noexcept
 const char* Simulator::companion_failure(int i) const noexcept
 {
   return impl_->companions[static_cast<std::size_t>(i)]->failure;
+}
+
+double Simulator::measured_error(Output output) const noexcept
+{
+  return impl_->measures() ? impl_->state.measured.error(output) : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// What the companion says of the frame just computed.
+void Simulator::Impl::judge(double duration) noexcept
+{
+  if (!measures()) return;
+  state.measured.add(outputs_of(state.truth), outputs_of(companions.front()->state.truth), duration);
+  const MeasuredError::OfOutput largest = state.measured.largest(scene.needs);
+  if (largest.error > scene.numerics.tolerance && state.accuracy.report.doubt <= AccuracyDoubt::measured)
+    state.accuracy.report = {AccuracyDoubt::measured, largest.error, 0.0, 0.0, largest.output};
+  statistics.accuracy = state.accuracy.report;
+  state.truth.accuracy_warning = statistics.accuracy.doubt != AccuracyDoubt::none;
 }
 
 /// A frame under the leader's set points, whose crew, watchdog and interlocks have made them.

@@ -44,7 +44,7 @@ struct Simulator::Impl
   int below_stand = -1;  // node at which the crew would take a stand away; -1: none
   double command_timeout = 0.0;
   const char* failure = "";
-  std::vector<std::unique_ptr<Impl>> companions;  // other models of the same rig, led by this one
+  std::vector<std::unique_ptr<Impl>> companions;  // other models of the same rig, led by this one; the first measures its error if numerics.companion asks for it
 
   Impl(const Scene& s, std::uint64_t seed) : Impl(s, seed, build_at_rest(s)) {}
   Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig);
@@ -106,6 +106,9 @@ struct Simulator::Impl
   void crew_goes_on(double height) noexcept;
   bool crew_has_done(double frame, WinchSetpoint& winch) noexcept;
   SubView sub_view() const noexcept;
+  /// The error is measured beside a companion that still goes along.
+  bool measures() const noexcept { return scene.numerics.companion != CompanionKind::none && !companions.empty() && !*companions.front()->failure; }
+  void judge(double duration) noexcept;
   void follow(const Impl& leader, double duration, const Setpoints& setpoints) noexcept;
   template <class Does>
   void lead(const Does& does) noexcept;

@@ -100,7 +100,7 @@ void write_profile_series_rows(std::FILE* file, double time, const StringProfile
   }
 }
 
-void write_csv_header(std::FILE* file, bool with_readings)
+void write_csv_header(std::FILE* file, bool with_readings, bool with_errors)
 {
   std::fputs(
       "time,hook_load,torque,block_height,top_drive_speed,wob,bit_torque,bit_speed,bit_depth,hole_depth,rop,inclination,azimuth,"
@@ -112,10 +112,11 @@ void write_csv_header(std::FILE* file, bool with_readings)
         ",reading_hook_load,reading_torque,reading_stand_pipe_pressure,reading_flow,reading_block_height,reading_bit_depth,"
         "reading_hole_depth,reading_rop,reading_surface_wob,reading_differential_pressure",
         file);
+  for (std::size_t i = 0; with_errors && i < output_count; ++i) std::fprintf(file, ",error_%s", output_traits[i].name);
   std::fputs("\n", file);
 }
 
-void write_csv_row(std::FILE* file, const Truth& m, const Readings* readings)
+void write_csv_row(std::FILE* file, const Truth& m, const Readings* readings, const Simulator* measured)
 {
   std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.10g,%.10g,%.9g,%.9g,%.9g,%.9g,", m.time, m.hook_load, m.torque,
                m.block_height, m.top_drive_speed, m.wob, m.bit_torque, m.bit_speed, m.bit_depth, m.hole_depth, m.rop,
@@ -125,6 +126,7 @@ void write_csv_row(std::FILE* file, const Truth& m, const Readings* readings)
   write_flags(file, m);
   std::fprintf(file, ",%.9g,%.9g,%.9g,%.9g", m.stand_pipe_pressure, m.differential_pressure, m.flow, m.floor_height);
   if (readings) write_readings(file, *readings);
+  for (std::size_t i = 0; measured && i < output_count; ++i) write_cell(file, 4, measured->measured_error(static_cast<Output>(i)));
   std::fputs("\n", file);
 }
 

@@ -35,9 +35,11 @@ void write_profile_series_rows(std::FILE* file, double time, const StringProfile
 
 /// The run's CSV: SI units, radians. By hand, as all tables here: their cells are numbers, so that nothing needs quoting, and each
 /// column has its own number of digits.
-void write_csv_header(std::FILE* file, bool with_readings);
-/// `readings`: null where the header has none. Surface WOB and differential pressure are empty until they have been zeroed.
-void write_csv_row(std::FILE* file, const Truth& m, const Readings* readings);
+/// `with_errors`: and the errors measured beside a companion (numerics.companion), error_hook_load and so on, as shares.
+void write_csv_header(std::FILE* file, bool with_readings, bool with_errors = false);
+/// `readings`, `measured` (whose errors): null where the header has none. Surface WOB and differential pressure are empty until they have been zeroed,
+/// errors once the companion no longer goes along.
+void write_csv_row(std::FILE* file, const Truth& m, const Readings* readings, const Simulator* measured = nullptr);
 
 /// The corrected well, its nodes and then its bottom: md,east,north,up,inclination,azimuth,radius.
 void write_path(std::FILE* file, const Simulator& simulator);

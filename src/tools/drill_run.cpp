@@ -53,10 +53,10 @@ double done(const Truth& m, double start_depth, const RunGoal& goal, const Opera
 /// What is written in the course of a run. All files are opened ahead, so that a long run does not end on a misspelt folder.
 struct Series
 {
-  Series(const RunOptions& o, const std::string& well)
-    : rows(o.csv, o.every.value_or(0.1), o.readings),
+  Series(const RunOptions& o, const Scene& scene)
+    : rows(o.csv, o.every.value_or(0.1), o.readings, scene.numerics.companion != CompanionKind::none),
       bag(o.bag, o.every.value_or(0.1)),
-      log(o.witsml, well, o.every.value_or(1.0), start_date_of(o.start_date).value_or(default_start_date)),
+      log(o.witsml, scene.name, o.every.value_or(1.0), start_date_of(o.start_date).value_or(default_start_date)),
       profiles(o.profile, o.profile_every.value_or(1.0)),
       choices(o.explain)
   {
@@ -100,6 +100,7 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, Series& series, RunRecord
                          {
                            record.drilling.add(m);
                            record.doubts.add(m.time, simulator.statistics().accuracy);
+                           record.errors.add(simulator);
                            record.limits.add(m, simulator.statistics().loads, simulator.scene().rig.hoisting.max_hook_load);
                            series.add(simulator, frame);
                            progress.show(done(m, start_depth, goal, player.operations().status()), m.time, m.hole_depth);
@@ -117,7 +118,7 @@ void run_scene(const RunOptions& options)
   require_whole_frames("--every", options.every, frame);
   require_whole_frames("--profile-every", options.profile_every, frame);
 
-  Series series(options, scene.name);
+  Series series(options, scene);
   File json = open_output("--json", options.json), path = open_output("--path", options.path);
   File raw_path = open_output("--raw-path", options.raw_path);
 

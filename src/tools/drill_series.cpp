@@ -13,16 +13,17 @@ bool Beat::due(double time, double frame) noexcept
   return true;
 }
 
-TimeSeries::TimeSeries(const std::string& name, double every, bool with_readings)
-  : name_(name), file_(open_output("--csv", name)), beat_(every), with_readings_(with_readings)
+TimeSeries::TimeSeries(const std::string& name, double every, bool with_readings, bool with_errors)
+  : name_(name), file_(open_output("--csv", name)), beat_(every), with_readings_(with_readings), with_errors_(with_errors)
 {
-  if (file_) write_csv_header(file_.get(), with_readings_);
+  if (file_) write_csv_header(file_.get(), with_readings_, with_errors_);
 }
 
 void TimeSeries::add(const Simulator& simulator, double frame)
 {
   const Truth& m = simulator.truth();
-  if (file_ && beat_.due(m.time, frame)) write_csv_row(file_.get(), m, with_readings_ ? &simulator.readings() : nullptr);
+  if (!file_ || !beat_.due(m.time, frame)) return;
+  write_csv_row(file_.get(), m, with_readings_ ? &simulator.readings() : nullptr, with_errors_ ? &simulator : nullptr);
 }
 
 void TimeSeries::close()

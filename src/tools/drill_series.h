@@ -44,7 +44,7 @@ class TimeSeries
 public:
   /// Opens the file `name`, unless that is empty, and writes the header. Throws UsageError with one line if it cannot be written.
   /// `every`: between two rows [s].
-  TimeSeries(const std::string& name, double every, bool with_readings);
+  TimeSeries(const std::string& name, double every, bool with_readings, bool with_errors);
   /// Writes a row if one is due; call at the start and after each frame of `frame` [s].
   void add(const Simulator& simulator, double frame);
   /// Throws ComputationError with one line if not all of it reached the disk.
@@ -54,7 +54,7 @@ private:
   std::string name_;
   File file_;
   Beat beat_;
-  bool with_readings_;
+  bool with_readings_, with_errors_;
 };
 
 /// The forces along the string in the course of a run, a row per node every so often. One without a file writes nothing.

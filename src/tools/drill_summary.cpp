@@ -134,6 +134,17 @@ Json json_of(const Doubts& doubts, double step)
   return list;
 }
 
+Json json_of(const LargestErrors& errors)
+{
+  Json out;
+  for (std::size_t i = 0; i < output_count; ++i)
+  {
+    const LargestErrors::Entry& entry = errors.of(static_cast<Output>(i));
+    out[output_traits[i].name] = {{"largest", entry.error}, {"until", entry.until}};
+  }
+  return out;
+}
+
 Json json_of(const Limits& limits)
 {
   Json list = Json::array();
@@ -208,6 +219,7 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const RunRec
   if (!simulator.choice().empty()) json["choice"] = simulator.choice();
   add_work(s, json);
   json["accuracy_warnings"] = json_of(record.doubts, s.step);
+  if (record.errors.measured()) json["measured_error"] = json_of(record.errors);
   json["limits_passed"] = json_of(record.limits);
   if (!simulator.scene().operations.empty()) json["operations"] = json_of(simulator.scene().operations, record.operations_began);
   if (s.is_reference) json["reference"] = json_of(s.reference);
@@ -220,6 +232,20 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const RunRec
   json["mean_last_quarter"] = json_of(record.drilling.last_quarter());
   if (*simulator.failure()) json["failure"] = simulator.failure();
   return json;
+}
+
+void print_errors(const Simulator& simulator, const LargestErrors& errors)
+{
+  if (!errors.measured()) return;
+  std::printf("measured error, largest of 3 s:");
+  const char* between = " ";
+  for (std::size_t i = 0; i < output_count; ++i)
+  {
+    if (!(simulator.scene().needs & output_traits[i].need)) continue;
+    std::printf("%s%s %.2g %%", between, output_traits[i].name, 100.0 * errors.of(static_cast<Output>(i)).error);
+    between = ", ";
+  }
+  std::printf("\n");
 }
 
 /// Where the pump has run.
@@ -254,6 +280,7 @@ void print_summary(const Simulator& simulator, const Elapsed& elapsed, const Run
   const Truth& m = simulator.truth();
   std::printf("%s: %.1f s simulated in %.2f s (%.1f times real time), hole %.3f m\n", simulator.scene().name.c_str(), m.time,
               elapsed.cpu, m.time / elapsed.cpu, m.hole_depth);
+  print_errors(simulator, record.errors);
   for (const Doubts::Entry& doubt : record.doubts.entries())
     std::printf("accuracy warning, %.1f to %.1f s: %s\n", doubt.since, doubt.until, text_of(doubt.report, simulator.statistics().step).c_str());
   for (const Limits::Entry& entry : record.limits.entries()) print(entry);

@@ -6,6 +6,7 @@
 
 #include "drill_averages.h"
 #include "drill_doubts.h"
+#include "drill_errors.h"
 #include "drill_limits.h"
 #include "drill_rig_sim/sim/simulator.h"
 
@@ -24,6 +25,7 @@ struct RunRecord
   DrillingRecord drilling;
   Doubts doubts;
   Limits limits;
+  LargestErrors errors;
   std::vector<double> operations_began;  ///< OperationsPlayer::began()
 };
 

@@ -31,9 +31,11 @@ struct VerifyOptions
   std::string units = "si";
 };
 
-Outputs outputs_of(const Truth& m) noexcept
+Outputs errors_of(const Simulator& simulator) noexcept
 {
-  return {m.hook_load, m.torque, m.wob, m.rop, m.bit_speed, m.stand_pipe_pressure};
+  Outputs errors;
+  for (std::size_t i = 0; i < output_count; ++i) errors[i] = simulator.measured_error(static_cast<Output>(i));
+  return errors;
 }
 
 const char* word_of(Verification::Verdict verdict)
@@ -107,8 +109,10 @@ nlohmann::ordered_json json_of(const Simulator& simulator, const Verification& v
   {
     const Output output = static_cast<Output>(i);
     const Verification::Finding f = verification.finding(output);
-    out["outputs"][traits_of(output).name] = {{"needed", verification.needed(output)}, {"mean", f.mean}, {"finest_mean", f.finest_mean}, {"scale", f.scale}, {"worst", f.worst},
-                                              {"worst_until", f.worst_until}, {"known_to", f.own}, {"known", f.known}, {"wrong_from", number(f.wrong_from)}};
+    nlohmann::ordered_json& told = out["outputs"][traits_of(output).name];
+    told = {{"needed", verification.needed(output)}, {"mean", f.mean}, {"finest_mean", f.finest_mean}, {"scale", f.scale}, {"worst", f.worst},
+                                              {"worst_until", f.worst_until}, {"known_to", f.own}, {"known", f.known}, {"wrong_from", number(f.wrong_from)}, {"off", f.off}};
+    for (const double measured : f.measured) told["measured"].push_back(number(measured));
   }
   return out;
 }
@@ -118,12 +122,13 @@ void require_companions(const Simulator& simulator)
 {
   for (int i = 0; i < simulator.companions(); ++i)
     if (const char* why = simulator.companion_failure(i); *why)
-      throw ComputationError("the " + std::string(i == 0 ? "finer" : "finest") + " run fails: " + why);
+      throw ComputationError("a finer run fails: " + std::string(why));
 }
 
 /// Plays the scene with two finer models beside it.
-RunEnd play(Simulator& simulator, const RunGoal& goal, Verification& verification)
+RunEnd play(Simulator& simulator, const RunGoal& goal, double times, Verification& verification)
 {
+  const int finer_one = simulator.add_companion(finer(simulator.scene(), times)), finest = simulator.add_companion(finer(simulator.scene(), times * times));
   ScenePlayer player(simulator.scene());
   Progress progress;
   const double frame = frame_of_whole_steps(frame_length, simulator.scene().numerics.step);
@@ -131,7 +136,7 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, Verification& verificatio
              [&](const Truth& m)
              {
                require_companions(simulator);
-               verification.add(outputs_of(m), outputs_of(simulator.companion_truth(0)), outputs_of(simulator.companion_truth(1)), m.accuracy_warning, m.time, frame);
+               verification.add(outputs_of(m), outputs_of(simulator.companion_truth(finer_one)), outputs_of(simulator.companion_truth(finest)), m.accuracy_warning, errors_of(simulator), m.time, frame);
                progress.show(m.time / goal.duration, m.time, m.hole_depth);
              });
 }
@@ -143,11 +148,9 @@ void verify(const VerifyOptions& options)
   const double times = options.times.value_or(2.0);
   File json = open_output("--json", options.run.json);
   Simulator simulator = build_simulator(scene, options.run.seed);
-  const NumericsSpec numerics[] = {finer(simulator.scene(), times), finer(simulator.scene(), times * times)};
-  for (const NumericsSpec& of_one : numerics) simulator.add_companion(of_one);
   const double tolerance = simulator.scene().numerics.tolerance;
   Verification verification(tolerance, simulator.scene().needs);
-  const RunEnd end = play(simulator, goal, verification);
+  const RunEnd end = play(simulator, goal, times, verification);
   if (end == RunEnd::failure) throw ComputationError(scene.file + ": after " + std::to_string(simulator.truth().time) + " s: " + simulator.failure());
   if (json) std::fputs((json_of(simulator, verification, times).dump(2) + "\n").c_str(), json.get());
   close_output(std::move(json), options.run.json);

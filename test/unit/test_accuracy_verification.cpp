@@ -19,7 +19,7 @@ Verification verified(const Run& off, const Finer& finer_off, double warned_from
   for (int k = 1; k <= 6000; ++k)
   {
     const double t = k * frame, finest = 500e3 + 50e3 * std::sin(t);
-    verification.add({finest + off(t)}, {finest + finer_off(t)}, {finest}, t >= warned_from, t, frame);
+    verification.add({finest + off(t)}, {finest + finer_off(t)}, {finest}, t >= warned_from, {0.25 * off(t)}, t, frame);
   }
   return verification;
 }
@@ -68,6 +68,9 @@ TEST(Verification, tellsFromWhenARunIsWrongAndWhetherItWarned)
   const Verification::Finding found = silent.finding(Output::hook_load);
   EXPECT_NEAR(found.wrong_from, 21.0, 0.02);
   EXPECT_NEAR(found.worst, 0.05, 1e-3);
+  ASSERT_EQ(found.off.size(), 20u);
+  EXPECT_NEAR(found.off[10], 0.05, 1e-3);
+  EXPECT_EQ(found.measured[10], 1250.0);
   EXPECT_NEAR(found.mean - found.finest_mean, 5e3 * 39.0 / 60.0, 10.0);
   EXPECT_EQ(verified(from_21_s, nothing, 23.5).verdict(), Verification::Verdict::warned);
   EXPECT_EQ(verified(from_21_s, nothing, 30.0).verdict(), Verification::Verdict::silent) << "too late";
@@ -84,7 +87,7 @@ TEST(Verification, finerRunsThatDisagreeTellNothing)
 TEST(Verification, outputsThatNobodyNeedsDoNotCount)
 {
   Verification verification(0.02, need_torque);
-  for (int k = 1; k <= 600; ++k) verification.add({1e6 + 1e4 * k}, {0.0}, {1e4 * k}, false, k * frame, frame);
+  for (int k = 1; k <= 600; ++k) verification.add({1e6 + 1e4 * k}, {0.0}, {1e4 * k}, false, {}, k * frame, frame);
   EXPECT_EQ(verification.verdict(), Verification::Verdict::right);
   EXPECT_GT(verification.finding(Output::hook_load).worst, 0.02);
 }

@@ -215,6 +215,7 @@ std::vector<Expected> of_numerics()
       {"numerics", "guided_element_length", [](const Scene& s) { return s.numerics.guided_element_length; }, 19.1},
       {"numerics", "free_length", [](const Scene& s) { return s.numerics.free_length; }, 57.5},
       {"numerics", "tolerance", [](const Scene& s) { return s.numerics.tolerance; }, 0.012},
+      {"numerics", "companion", [](const Scene& s) { return static_cast<double>(s.numerics.companion); }, 1.0},
       {"numerics", "refinement", [](const Scene& s) { return s.numerics.refinement; }, 1.7},
       {"numerics", "reference_tolerance", [](const Scene& s) { return s.numerics.reference_tolerance; }, 1.1e-6},
       {"numerics", "reference_order", [](const Scene& s) { return s.numerics.reference_order; }, 3.0},

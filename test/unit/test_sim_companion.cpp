@@ -1,6 +1,7 @@
 // A companion goes through what its leader goes through, and changes nothing of it.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "drill_rig_sim/accuracy/finer.h"
@@ -95,6 +96,33 @@ TEST(Companion, comesBackWithItsLeader)
   expect_same(rig.truth(), leader, "leader");
   expect_same(rig.companion_truth(0), companion, "companion");
   EXPECT_NE(companion.hook_load, leader.hook_load);
+}
+
+TEST(Companion, measuresTheErrorThatWarnsOnAsTheRigItselfRuns)
+{
+  Scene scene = drilling_scene(0.3);
+  scene.numerics.step = 0.02;
+  scene.numerics.tolerance = 1e-4;
+  Simulator alone(scene);
+  scene.numerics.companion = CompanionKind::finer;
+  Simulator rig(scene);
+  turn_and_feed(rig, 0.1);
+  turn_and_feed(alone, 0.1);
+  EXPECT_TRUE(std::isnan(alone.measured_error(Output::torque)));
+  play_on(rig, 5.0);
+  play_on(alone, 5.0);
+  EXPECT_EQ(rig.companions(), 1);
+  EXPECT_EQ(rig.truth().hook_load, alone.truth().hook_load);
+  EXPECT_GT(rig.measured_error(Output::torque), 1e-4);
+  EXPECT_LT(rig.measured_error(Output::torque), 0.5);
+  EXPECT_TRUE(rig.truth().accuracy_warning);
+  EXPECT_EQ(rig.statistics().accuracy.doubt, AccuracyDoubt::measured);
+  EXPECT_TRUE(rig.readings().accuracy_warning);
+  const auto saved = rig.save();
+  const double error = rig.measured_error(Output::torque);
+  play_on(rig, 1.0);
+  ASSERT_TRUE(rig.restore(*saved));
+  EXPECT_EQ(rig.measured_error(Output::torque), error);
 }
 
 TEST(Companion, isBuiltBeforeTheFirstFrame)

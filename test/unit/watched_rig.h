@@ -53,7 +53,7 @@ struct Watched
     {
       watch.begin_frame(integrator, Setpoints(), true, memory);
       integrator.count(steps, unsolved_a_step, too_wrong_a_step);
-      watch.end_frame(integrator, rig.state, forces, frame, memory);
+      watch.end_frame(integrator, rig.state, forces, frame, false, memory);
     }
   }
   AccuracyReport after(double seconds)

@@ -26,6 +26,7 @@ public:
     double wrong_from = std::numeric_limits<double>::quiet_NaN();    ///< begin of the first window beyond the tolerance [s]; NaN: none
     bool known = true;       ///< the finest run's own error is below a third of the tolerance there, or of the difference
     double mean = 0.0, finest_mean = 0.0;  ///< of the whole run
+    std::vector<double> off, measured;     ///< of each window: its difference to the finest run over `scale`, and the error measured at its end [-]
   };
 
   enum class Verdict
@@ -40,8 +41,8 @@ public:
   /// @param needs      outputs that count for the verdict, a sum of Need
   Verification(double tolerance, unsigned needs);
 
-  /// A frame that ends at `time` [s]. `warned`: the run itself says that it may be wrong.
-  void add(const Outputs& run, const Outputs& finer, const Outputs& finest, bool warned, double time, double duration);
+  /// A frame that ends at `time` [s]. `warned`: the run itself says that it may be wrong. `measured`: its errors by its own companion; NaN without one.
+  void add(const Outputs& run, const Outputs& finer, const Outputs& finest, bool warned, const Outputs& measured, double time, double duration);
   Finding finding(Output output) const;
   Verdict verdict() const;
   /// When the first warning began [s]; NaN: none did.
@@ -53,10 +54,11 @@ private:
   {
     OutputDifference to_finest, between_finer;
     std::vector<double> off, own;  // of each window, in the output's unit
+    std::vector<double> measured;  // at its end [-]
     double sum = 0.0, finest_sum = 0.0;
   };
 
-  void end_window(double time);
+  void end_window(const Outputs& measured, double time);
 
   double tolerance_;
   unsigned needs_;

@@ -52,6 +52,13 @@ constexpr bool has_no_levels(IntegratorKind kind) noexcept
   return kind == IntegratorKind::arkode_dirk || kind == IntegratorKind::ida || kind == IntegratorKind::central_differences;
 }
 
+/// Another model of the rig beside the one that is shown, by which its error is measured.
+enum class CompanionKind
+{
+  none,
+  finer
+};
+
 struct NumericsSpec
 {
   Level level = Level::automatic;   ///< as chosen by with_choice() (sim/choice.h)
@@ -65,6 +72,7 @@ struct NumericsSpec
   double free_length = 0.0;         ///< level hybrid: nodes up to here above the bit's face are free [m]; 0: free_length() (scene_mesh.h)
   double tolerance = 0.02;          ///< relative, of the scene's outputs; of variable steps, level auto and the mesh by the hole
   double refinement = 1.0;          ///< elements and steps are so many times shorter than they would be: for seeing how results converge [-]
+  CompanionKind companion = CompanionKind::none;
   double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]
   int reference_order = 2;          ///< integrator ida: highest order; 2 is the last that damps every oscillation (A-stable)
   int reference_index = 2;          ///< integrator ida: 2 with both levels of constraints, 3 to show how it fails

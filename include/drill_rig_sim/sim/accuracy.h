@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "drill_rig_sim/accuracy/outputs.h"
 #include "drill_rig_sim/rig/setpoints.h"
 #include "drill_rig_sim/sim/wave_watch.h"
 
@@ -13,6 +14,7 @@ namespace drill_rig_sim
 enum class AccuracyDoubt
 {
   none,
+  measured,       ///< an output is further from that of a finer model than the tolerance allows
   confined,       ///< guided pipe is compressed so far that it would leave the middle of its hole
   compression,    ///< an element carries more than it can bend under
   twist,          ///< an element is twisted by more than its beam is made for
@@ -39,12 +41,14 @@ struct AccuracyReport
   double measure = 0.0;         ///< confined: of the load at which it buckles; compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]; whirl: of pure rolling, waves: of the signal's range [-]; hesitation: speed that was reached [rad/s]; slant [rad]; level: sum of the needs
   double from_bit = 0.0;        ///< where on the string [m]; confined, compression, twist, embedding
   double element_length = 0.0;  ///< of the element there [m]; compression, twist
+  Output output = Output::hook_load;  ///< measured: the one whose error `measure` is [-]
 
   template <class V>
   void visit(V& v)
   {
     v("doubt", doubt);
     v("measure", measure);
+    v("output", output);
     v("from_bit", from_bit);
     v("element_length", element_length);
   }

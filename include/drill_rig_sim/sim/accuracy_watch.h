@@ -65,8 +65,9 @@ public:
   void begin_frame(Integrator& integrator, const Setpoints& setpoints, bool steps, AccuracyMemory& memory) noexcept;
   /// After the frame's first step of `step` [s].
   void end_first_step(Integrator& integrator, double step, AccuracyMemory& memory) noexcept;
-  /// After a frame of `duration` [s]; `forces`: at its end.
-  void end_frame(const Integrator& integrator, const State& state, const RigForces& forces, double duration, AccuracyMemory& memory) noexcept;
+  /// After a frame of `duration` [s]; `forces`: at its end. `measured`: the error of the numerics is measured beside a finer model: signs of it do not count,
+  /// and only what the model itself does not stand for is looked for.
+  void end_frame(const Integrator& integrator, const State& state, const RigForces& forces, double duration, bool measured, AccuracyMemory& memory) noexcept;
 
 private:
   std::shared_ptr<const Model> model_;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "drill_rig_sim/accuracy/outputs.h"
 #include "drill_rig_sim/sim/commands.h"
 
 /// What a frame tells of the rig, twice: as it is (Truth) and as its instruments show it (Readings).
@@ -257,6 +258,12 @@ struct Truth : RigSignals
     v("bend_toolface", bend_toolface);
   }
 };
+
+/// By which two models of the same rig are compared.
+inline Outputs outputs_of(const Truth& m) noexcept
+{
+  return {m.hook_load, m.torque, m.wob, m.rop, m.bit_speed, m.stand_pipe_pressure};
+}
 
 /// What the driller sees.
 /// - hook_load, dead_line_hook_load, torque, stand_pipe_pressure, flow, block_height: gauges, each with its errors (sensor.h); hook_load is the

@@ -151,11 +151,14 @@ public:
   /// Another model of the same rig that goes through what this one goes through, frame by frame: its set points, faults, slips, connections and zeros. Only its
   /// numerics differ: how far the two come apart measures what the numerics make of the rig. Built as the scene starts, so before the first frame. All
   /// that a frame hands out comes from this simulator, and is what it would be without a companion. Throws as the constructor does, and where frames were computed.
-  void add_companion(const NumericsSpec& numerics);
+  /// Its number, for the functions below.
+  int add_companion(const NumericsSpec& numerics);
   int companions() const noexcept;
   /// What companion `i` shows after the last frame.
   const Truth& companion_truth(int i) const noexcept;
   const SimulatorStatistics& companion_statistics(int i) const noexcept;
+  /// Of an output over its last 3 s, as accuracy/measured_error.h has it [-]; NaN unless numerics.companion is `finer` and that model still goes along.
+  double measured_error(Output output) const noexcept;
   /// Why companion `i` no longer goes along, one line; empty while it does.
   const char* companion_failure(int i) const noexcept;
 

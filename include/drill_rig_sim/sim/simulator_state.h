@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "drill_rig_sim/accuracy/measured_error.h"
 #include "drill_rig_sim/model/rig_forces.h"
 #include "drill_rig_sim/model/state.h"
 #include "drill_rig_sim/sim/accuracy.h"
@@ -52,6 +53,7 @@ struct SimulatorState
   double tare_pressure = 0.0;   ///< true one over the motor [Pa]
   AccuracyMemory accuracy;
   LevelMemory levels;
+  MeasuredError measured;  ///< where numerics.companion asks for it
   Stride stride;
   Truth truth;
   Instruments instruments;
@@ -76,6 +78,7 @@ struct SimulatorState
     v("tare_pressure", tare_pressure);
     v("accuracy", accuracy);
     v("levels", levels);
+    v("measured", measured);
     v("stride", stride);
     v("truth", truth);
     v("instruments", instruments);
