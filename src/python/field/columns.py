@@ -1,10 +1,12 @@
 """A map: which column of a record holds which signal, in which unit."""
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.field.signals import SIGNALS
-from drill_rig_sim.field.table import RecordError
+from drill_rig_sim.field.table import BLANK, Layout, RecordError
 from drill_rig_sim.field.units import DATE, UnitError, factor_of
 
-DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t", ",": ",", ";": ";", "\t": "\t"}
+DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "blank": BLANK, ",": ",", ";": ";", "\t": "\t", "|": "|"}
+DECIMALS = {"point": ".", "comma": ",", ".": ".", ",": ","}
+LAYOUT_KEYS = ("null", "delimiter", "decimal")
 
 
 class Column:
@@ -15,23 +17,28 @@ class Column:
 
 
 class ColumnMap:
-    """`columns` by signal; `nulls`: values that stand for no number; `delimiter` and `decimal` sign, None: recognised."""
+    """`columns` by signal; `nulls`: values that stand for no number; `layout` of a delimited file."""
 
-    def __init__(self, columns, nulls=(), delimiter=None, decimal=None):
-        self.columns, self.nulls, self.delimiter, self.decimal = columns, tuple(nulls), delimiter, decimal
+    def __init__(self, columns, nulls=(), layout=Layout()):
+        self.columns, self.nulls, self.layout = columns, tuple(nulls), layout
 
 
 def read_map(file):
     """A ColumnMap of a file with lines as `hook_load: {column: HL, unit: klbf}`. RecordError with the first problem."""
     try:
-        entries = plan_of(file).mapping((*SIGNALS, "null", "delimiter", "decimal"))
+        entries = plan_of(file).mapping((*SIGNALS, *LAYOUT_KEYS))
         columns = {signal: column_of(signal, entries[signal]) for signal in SIGNALS if signal in entries}
-        nulls = numbers_of(entries["null"]) if "null" in entries else ()
-        delimiter = DELIMITERS[entries["delimiter"].choice(tuple(DELIMITERS))] if "delimiter" in entries else None
-        decimal = {"point": ".", "comma": ",", ".": ".", ",": ","}[entries["decimal"].choice(("point", "comma", ".", ","))] if "decimal" in entries else None
-        return ColumnMap(columns, nulls, delimiter, decimal)
+        return ColumnMap(columns, *nulls_and_layout(entries))
     except PlanError as error:
         raise RecordError(str(error))
+
+
+def nulls_and_layout(entries):
+    """Of LAYOUT_KEYS among these entries."""
+    nulls = numbers_of(entries["null"]) if "null" in entries else ()
+    delimiter = DELIMITERS[entries["delimiter"].choice(tuple(DELIMITERS))] if "delimiter" in entries else None
+    decimal = DECIMALS[entries["decimal"].choice(tuple(DECIMALS))] if "decimal" in entries else None
+    return nulls, Layout(delimiter, decimal)
 
 
 def numbers_of(entry):

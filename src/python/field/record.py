@@ -4,13 +4,12 @@ import os
 import numpy
 from drill_rig_sim.field.columns import read_map
 from drill_rig_sim.field.dates import written
+from drill_rig_sim.field.files import begins_with, bytes_of, text_of
 from drill_rig_sim.field.las import read_las
-from drill_rig_sim.field.signal_reader import part_of, places_of
-from drill_rig_sim.field.table import RecordError, read_delimited
+from drill_rig_sim.field.signal_reader import is_header, part_of, places_of
+from drill_rig_sim.field.table import Layout, RecordError, read_delimited
 from drill_rig_sim.field.witsml import read_witsml
-from drill_rig_sim.text_file import TextError, decoded
 
-MOST_BYTES = 2**30
 MOST_DAYS = 400.0  # that a record may last
 LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a gap is reported
 
@@ -133,44 +132,14 @@ def tables_of(file, mapping):
     if text.lstrip()[:1] == "~" or file.lower().endswith(".las"):
         table = read_las(file, text)
     else:
-        table = read_delimited(file, text, mapping and mapping.delimiter, mapping and mapping.decimal, lambda names: places_of(names, mapping))
+        table = read_delimited(file, text, mapping.layout if mapping else Layout(), lambda names: is_header(names, mapping), lambda names: places_of(names, mapping))
     table.remarks += remarks
     return [table]
 
 
-def begins_with(file, sign):
-    """Whether the first byte of a regular file that is neither blank nor part of a byte order mark is this one."""
-    if not os.path.isfile(file):
-        return False  # the reader of texts says why
-    try:
-        with open(file, "rb") as opened:
-            return opened.read(4096).lstrip(b"\xef\xbb\xbf\xff\xfe \t\r\n\0")[:1] == sign
-    except OSError as error:
-        raise RecordError("%s: %s" % (file, error.strerror))
-
-
-def bytes_of(file):
-    try:
-        if os.path.getsize(file) > MOST_BYTES:
-            raise RecordError("%s: is larger than 1 GiB" % file)
-        with open(file, "rb") as opened:
-            return opened.read()
-    except OSError as error:
-        raise RecordError("%s: %s" % (file, error.strerror))
-
-
-def text_of(file):
-    """A file's text, and lines on its encoding."""
-    try:
-        text, remark = decoded(file, MOST_BYTES)
-    except TextError as error:
-        raise RecordError(str(error))
-    return text, [remark] if remark else []
-
-
-def read_table(file):
-    """The Table of a delimited file, with all its columns."""
+def read_table(file, layout=Layout(), columns=()):
+    """The Table of a delimited file, with all its columns. `columns`: names that its header must have, for files with a title before it."""
     text, remarks = text_of(file)
-    table = read_delimited(file, text)
+    table = read_delimited(file, text, layout, lambda names: set(columns) <= set(names))
     table.remarks += remarks
     return table

@@ -1,0 +1,140 @@
+#!/usr/bin/python3
+"""Records as data systems, mud loggers and spreadsheets export them: each of these small files is read with the right numbers, or refused in one line. See test_record.py."""
+import datetime
+import unittest
+
+from drill_rig_sim.field.cells import is_blank, is_foreign_number, with_point
+from drill_rig_sim.field.dates import seconds_of
+from drill_rig_sim.field.table import parts_of
+from record_folder import KLBF, MAP, ROWS, STAMPS, Folder
+
+NAMES = ("Time (s)", "Hook Load (klbs)", "Block Height (ft)")
+BEGIN = datetime.datetime(2024, 5, 21, 9, 59, 50)
+POUNDS = ("Time (s)", "Hook Load (lbs)", "Block Height (ft)")
+DATED = ("DateTime", "HKLD (klbf)", "BPOS (ft)")
+
+
+def dates(form):
+    return [(BEGIN + datetime.timedelta(seconds=row[0])).strftime(form) for row in ROWS]
+
+
+def table(sign=",", header=NAMES, times=None, number="%g", load=1.0):
+    rows = [[times[k] if times else number % t, number % (load * h), number % b] for k, (t, h, b) in enumerate(ROWS)]
+    return "".join(sign.join(row) + "\n" for row in [header, *rows])
+
+
+def cell(text):
+    """The table with this text for the hook load of its second row."""
+    return table().replace("5,201,", "5,%s," % text)
+
+
+READ = {
+    "title": "Well: A-1\nRig: 7, land\n\n" + table(),
+    "title of a spreadsheet": "Well,A-1,\nExported,2024-05-01,\n" + table(),
+    "mark of Excel": "sep=;\n" + table(";"),
+    "mark of Excel, quoted": '"sep=;"\r\n' + table(";").replace("\n", "\r\n"),
+    "bars": table("|"),
+    "bars at both ends": "\n".join(line + "|" for line in table("|").splitlines()),
+    "blanks": table("  ", ("TIME", "HKLD", "BPOS")).replace("BPOS\n", "BPOS\nsec  klbf  ft\n"),
+    "one blank": table(" ", ("TIME", "HKLD", "BPOS")).replace("BPOS\n", "BPOS\ns klbf ft\n"),
+    "aligned, names with blanks": table("    ", NAMES),
+    "unit in other brackets": table(header=("Time <s>", "HKLD {klbf}", "BPOS [ft]")),
+    "unit after a comma": table(header=('"Time, s"', '"Hook Load, klbf"', '"Block Height, ft"')),
+    "unit after a slash": table(header=("Time / s", "Hook load / klbf", "Block height / ft")),
+    "unit after a line": table(header=("time_s", "hook_load_klbf", "block_height_ft")),
+    "two brackets": table(header=("Time (RTC) [s]", "Hook load (avg) [klbf]", "Block height (compensated) [ft]")),
+    "unit before a remark": table(header=("Time (s) (local)", "Hook load (klbf) (avg)", "Block height (ft)")),
+    "header over two lines of a cell": table(header=('"Time\n(s)"', '"Hook Load\n(klbs)"', '"Block Height\n(ft)"')),
+    "digits in groups by blanks": table(";", POUNDS, load=1e3).replace("000;", " 000;").replace("2500;", "2 500;"),
+    "decimal commas": table(";", number="%.3f").replace(".", ","),
+    "decimal commas, tabs": table("\t", number="%.1f").replace(".", ","),
+    "decimal commas and points in groups": ";".join(POUNDS) + "".join("\n%d;%s,0;%s" % (t, "%.3f" % h, ("%.1f" % b).replace(".", ",")) for t, h, b in ROWS),
+    "date, day first": table(header=DATED, times=dates("%d.%m.%Y %H:%M:%S")),
+    "month by name": table(header=DATED, times=dates("%d-%b-%Y %H:%M:%S")),
+    "month by name, 12 hours": table(header=DATED, times=dates("%d %B %Y %I:%M:%S %p")),
+    "year first, 12 hours": table(header=DATED, times=dates("%Y-%m-%d %I:%M:%S %p")),
+    "GMT": table(header=DATED, times=dates("%Y-%m-%d %H:%M:%S GMT")),
+    "zone in the header": table(header=("Time (UTC)", *DATED[1:]), times=dates("%Y-%m-%dT%H:%M:%S")),
+    "date and time": table(header=("Date,Time", *DATED[1:]), times=dates("%Y-%m-%d,%H:%M:%S")),
+    "date and time with units": table(header=("Date (dd.mm.yyyy),Time (hh:mm:ss)", *DATED[1:]), times=dates("%d.%m.%Y,%H:%M:%S")),
+    "date and time, 12 hours": table(header=("DATE,TIME", *DATED[1:]), times=dates("%Y/%m/%d,%I:%M:%S %p")),
+}
+REFUSED = {
+    "digits in groups": (cell('"201,000"'), "r.csv:3: Hook Load (klbs): 201,000 is no number with a decimal point as others are"),
+    "decimal comma in one cell": (cell('"201,5"'), "r.csv:3: Hook Load (klbs): 201,5 is no number"),
+    "commas that may be groups": (table("\t", POUNDS, load=1e3).replace("000\t", ",000\t").replace("202500", "202,500").replace("29.5", "29"),
+                                  "r.csv:2: 200,000 may be a whole number or one with a decimal comma"),
+    "day or month first": (table(header=DATED, times=[text.replace("21", "01") for text in dates("%d/%m/%Y %H:%M:%S")]), 'format: "%d/%m/%Y %H:%M:%S" or "%m/%d/%Y %H:%M:%S"'),
+    "month first": (table(header=DATED, times=dates("%m/%d/%Y %I:%M:%S %p")), 'r.csv:2: DateTime: 05/21/2024 09:59:50 AM is no date and time of the day; allowed: ISO 8601'),
+    "month first, the format": (table(header=DATED, times=dates("%m/%d/%Y %I:%M:%S %p")), 'format: "%m/%d/%Y %I:%M:%S %p"}'),
+    "time of the day alone": (table(header=DATED, times=dates("%H:%M:%S")), 'format: "%H:%M:%S"}'),
+    "time of the day, unit": (table(header=("Time (hh:mm:ss)", *DATED[1:]), times=dates("%H:%M:%S")), "r.csv:2: Time (hh:mm:ss): 09:59:50 is no date"),
+    "days of a spreadsheet": (table(header=DATED, times=["%.8f" % (45413.5 + row[0] / 86400) for row in ROWS]), "the time has no unit and is no date (first: 45413.5"),
+    "13 PM": (table(header=DATED, times=["2024-05-01 13:00:%02d PM" % row[0] for row in ROWS]), "13:00:00 PM is no date"),
+    "footer": (table() + "End of file\n", "r.csv:6: has 1 cells, the header 3"),
+}
+
+
+class Tables(Folder):
+    def test_what_is_read(self):
+        for what, text in READ.items():
+            with self.subTest(what):
+                self.right(self.read(text))
+
+    def test_what_is_refused(self):
+        for what, (text, said) in REFUSED.items():
+            with self.subTest(what):
+                self.refused(said, text)
+
+    def test_the_same_with_a_map(self):
+        for what, text in (("title", "Hookloads of T 7\nT: s\n" + table(header=("T", "H", "B"))), ("bars", table("|", ("T", "H", "B"))), ("blanks", table("  ", ("T", "H", "B")))):
+            with self.subTest(what):
+                self.right(self.read(text, MAP))
+        grouped = table("\t", ("T", "H", "B"), load=1e3).replace("200000", "200,000").replace("202500", "202,500")
+        self.right(self.read(grouped, MAP.replace("klbf", "lbf") + "decimal: point\n"))
+        self.right(self.read(table(" ", ("T", "H", "B")), MAP + "delimiter: blank\n"))
+        self.right(self.read(table("|", ("T", "H", "B")), MAP + "delimiter: bar\n"))
+        self.refused("r.csv:3: 29.5 has a decimal point; needed: decimal commas", table(";", ("T", "H", "B")), MAP + "decimal: comma\n")
+        days = table(header=("T", "H", "B"), times=["%.10f" % (45413.5 + row[0] / 86400) for row in ROWS])
+        self.assertEqual([0, 5, 10, 15], [round(time, 3) for time in self.read(days, MAP.replace("unit: s", "unit: d")).time])
+
+    def test_what_stands_for_no_number(self):
+        for null in ("N/A", "NULL", "null", "#N/A", "n.a.", "---", "*****", "-", "?", "", "-999.25", "-9999.0", "#DIV/0!"):
+            record = self.read(cell(null))
+            self.assertEqual([1], [k for k, load in enumerate(record.signals["hook_load"]) if load != load], null)
+            self.assertNotIn("hold a text", "\n".join(record.remarks), null)
+        self.assertIn("1 cells of Hook Load (klbs) hold a text, no number (first: ", "\n".join(self.read(cell("stand 12")).remarks))
+        kept = self.read(cell("999.25"))
+        self.assertAlmostEqual(999.25 * KLBF, kept.signals["hook_load"][1], delta=1.0)
+        self.assertIn("hook_load: 1 values are 999.25, as other files write for no number, and are kept", "\n".join(kept.remarks))
+        for row in ("-999.25", "NULL", "", "N/A"):
+            record = self.read(table(header=DATED, times=[STAMPS[0], row, *STAMPS[2:]]))
+            self.assertEqual([0.0, 10.0, 15.0], list(record.time), row)
+
+
+class Cells(unittest.TestCase):
+    def test_numbers_of_any_country(self):
+        for text, decimal, number in (("1 234.5", None, "1234.5"), ("1'234", None, "1234"), ("12\u202f345", None, "12345"), ("1,234.5", ".", "1234.5"), ("-1,234,567", ".", "-1234567"),
+                                      ("1.234,5", ",", "1234.5"), ("0,5", ",", "0.5"), ("-,5", ",", "-.5"), ("1.234", ",", "1234"), ("1,234", None, "1,234"), ("12 34", None, "12 34"),
+                                      ("10:00", ",", "10:00"), ("a,5", ",", "a,5"), ("1_000", None, "1_000")):
+            self.assertEqual(number, with_point(text, decimal), (text, decimal))
+        for text in ("1,5", "1.234,5", "1,234.5", "1 234,5"):
+            self.assertTrue(is_foreign_number(text), text)
+        for text in ("off", "10:00:05", "201 klbf", ""):
+            self.assertFalse(is_foreign_number(text), text)
+        self.assertTrue(is_blank(" - ") and not is_blank("0") and not is_blank("-1"))
+
+    def test_names_and_units(self):
+        for name, parts in (("Hook Load (klbs)", ("Hook Load", "klbs")), ("RPM", ("RPM", None)), ("FLOW_IN", ("FLOW_IN", None)), ("HKLD_AVG (kN)", ("HKLD_AVG", "kN")), ("Torque (kft_lb)", ("Torque", "kft_lb")),
+                            ("HKLD ()", ("HKLD", None)), ("Flow (gal(US)/min)", ("Flow", "gal(US)/min")), ("bit_depth_m", ("bit_depth", "m")), ("md_m", ("md_m", None)), ("(s)", ("(s)", None))):
+            self.assertEqual(parts, parts_of(name), name)
+
+    def test_a_format_without_signs_needs_all_its_digits(self):
+        self.assertIsNone(seconds_of("1005", "%H%M%S"))
+        self.assertIsNone(seconds_of("240501 1005", "%y%m%d %H%M%S"))
+        self.assertEqual(605.0, seconds_of("19700101 001005", "%Y%m%d %H%M%S")[0])
+        self.assertEqual(605.0, seconds_of("1/1/1970 0:10:05", "%m/%d/%Y %H:%M:%S")[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
