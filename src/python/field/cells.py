@@ -3,6 +3,7 @@ import re
 
 NO_NUMBER = frozenset("nan null none nil na n/a n.a. #n/a #na #null! #value! #div/0! #num! #ref! inf +inf -inf infinity +infinity -infinity".split())
 BLANKS = " '\u00a0\u2009\u202f"  # between groups of digits
+SIGNS_OF_GROUPS = re.compile("[%s]" % BLANKS)
 SIGNS_ONLY = re.compile(r"[-*.#?_/ ]*$")  # `---`, `****`: a gauge without a value
 SPACED = re.compile(r"[+-]?\d{1,3}([%s]\d{3})+([.,]\d*)?$" % BLANKS)  # 1 234.5, 1'234,5: digits in groups
 GROUPED = {".": re.compile(r"[+-]?\d{1,3}(,\d{3})+(\.\d*)?$"), ",": re.compile(r"[+-]?\d{1,3}(\.\d{3})+(,\d*)?$")}  # by the decimal sign
@@ -30,9 +31,11 @@ def is_foreign_number(cell):
 
 def with_point(cell, decimal=None):
     """A number as Python reads it, any other text as it is. `decimal`: the sign of the table's numbers, None: not known, commas stay as they are."""
+    if decimal is None and not SIGNS_OF_GROUPS.search(cell):
+        return cell
     text = cell.strip()
     if SPACED.match(text):
-        text = re.sub("[%s]" % BLANKS, "", text)
+        text = SIGNS_OF_GROUPS.sub("", text)
     if decimal and GROUPED[decimal].match(text):
         text = text.replace("." if decimal == "," else ",", "")
     if decimal == "," and COMMA.match(text):

@@ -3,7 +3,8 @@ import csv
 import re
 import typing
 
-from drill_rig_sim.field.cells import GROUPED, are_groups, first_decimal_comma, has_point, is_number, with_point
+import numpy
+from drill_rig_sim.field.cells import GROUPED, are_groups, first_decimal_comma, has_point, is_blank, is_number, with_point
 from drill_rig_sim.field.signals import RANKS, SIGNALS, word
 from drill_rig_sim.field.units import TABLES, UnitError, factor_of
 from drill_rig_sim.refusal import Refusal
@@ -38,6 +39,18 @@ class Table:
         if len(places) == 1:
             return places[0]
         raise RecordError("%s: %s %s; columns: %s" % (self.file, "there is no column" if not places else "there are %d columns" % len(places), name, self.header()))
+
+    def numbers(self, name, may_be_empty=False):
+        """Of a column without nulls and texts, as the simulator writes it: an array, nan where a cell is empty and may be. RecordError with the first cell that is
+        no finite number."""
+        place = self.column(name)
+        cells = [row[place] for row in self.rows]
+        found = numpy.array([float(cell) if is_number(cell) else numpy.nan for cell in cells], dtype=float)
+        odd = numpy.flatnonzero(~numpy.isfinite(found))
+        wrong = next((k for k in odd if not (may_be_empty and is_blank(cells[k]))), None)
+        if wrong is not None:
+            raise RecordError("%s: %s: %s is no finite number" % (self.place(wrong), name, cells[wrong].strip() or "an empty cell"))
+        return found
 
     def header(self):
         return shown(self.names)
