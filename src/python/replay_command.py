@@ -1,7 +1,6 @@
 """What `drill replay` starts: plays a record to a scene and says how far the simulated hook load, torque and pressure are off. The runner has checked the
 command line."""
 import argparse
-import json
 import math
 import os
 import sys
@@ -12,6 +11,7 @@ from drill_rig_sim.field.record import RecordError, read_record
 from drill_rig_sim.field.replay import check, play
 from drill_rig_sim.field.start import FROM, simulator_of, start_keys
 from drill_rig_sim.field.window import between, moment, stretches
+from drill_rig_sim.json_file import write_json
 from drill_rig_sim.lockstep import Failed, Refused
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
 from drill_rig_sim.sim import found
@@ -98,9 +98,7 @@ def main(words):
     try:
         replay = replay_of(options)
         if options.json:
-            with open(options.json, "w", encoding="utf-8") as out:
-                json.dump(replay.table(), out, indent=2, allow_nan=False)
-                out.write("\n")
+            write_json(replay.table(), options.json)
         if options.csv:
             write(replay, options.csv)
         if options.plots:
