@@ -106,7 +106,7 @@ class Tables(Folder):
         self.assertIn("1 cells of Hook Load (klbs) hold a text, no number (first: ", "\n".join(self.read(cell("stand 12")).remarks))
         kept = self.read(cell("999.25"))
         self.assertAlmostEqual(999.25 * KLBF, kept.signals["hook_load"][1], delta=1.0)
-        self.assertIn("hook_load: 1 values are 999.25, as other files write for no number, and are kept", "\n".join(kept.remarks))
+        self.assertIn("Hook Load (klbs): 1 values are 999.25, as other files write for no number, and are kept", "\n".join(kept.remarks))
         for row in ("-999.25", "NULL", "", "N/A"):
             record = self.read(table(header=DATED, times=[STAMPS[0], row, *STAMPS[2:]]))
             self.assertEqual([0.0, 10.0, 15.0], list(record.time), row)

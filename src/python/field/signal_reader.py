@@ -176,7 +176,7 @@ def values_of(table, signal, column, nulls, mapped, remarks):
         remarks.append("%s is left out: %s" % (signal, str(error)[len(table.file) + 2:]))
         return None
     raw = numbers_or_refuse(table, name, [row[place] for row in table.rows], (*NULLS, *table.nulls[place], *nulls), "a number", remarks)
-    report_likely_nulls(table, signal, name, raw, remarks)
+    report_likely_nulls(table, name, raw, remarks)
     return in_range(table, signal, name, unit, raw, factor, remarks)
 
 
@@ -226,12 +226,12 @@ def close(number, null):
     return abs(number - null) <= 1e-9 * abs(null)
 
 
-def report_likely_nulls(table, signal, name, raw, remarks):
+def report_likely_nulls(table, name, raw, remarks):
     """Of values that look like a null value without its sign: they stay."""
     odd = numpy.flatnonzero(numpy.isin(raw, LIKE_NULLS))
     if len(odd):
-        remarks.append("%s: %d values are %g, as other files write for no number, and are kept (first: %s: %s); null: in a map leaves them out" %
-                       (signal, len(odd), raw[odd[0]], table.place(odd[0]), name))
+        remarks.append("%s: %d values are %g, as other files write for no number, and are kept (first: %s); null: in a map leaves them out" %
+                       (name, len(odd), raw[odd[0]], table.place(odd[0])))
 
 
 def in_range(table, signal, name, unit, raw, factor, remarks):
