@@ -111,6 +111,28 @@ class Tables(Folder):
             record = self.read(table(header=DATED, times=[STAMPS[0], row, *STAMPS[2:]]))
             self.assertEqual([0.0, 10.0, 15.0], list(record.time), row)
 
+    def test_channels_that_hold_nothing(self):
+        """As of sensors that were recorded but not connected: as if they were not there, and reported."""
+        for cell in ("", "-999.25", "N/A"):
+            text = "".join(line + sign + "\n" for line, sign in zip(table().splitlines(), [",Flow In (gpm)"] + 4 * ["," + cell]))
+            record = self.read(text)
+            self.right(record, ["flow is left out: it holds no number", "has no flow: the pump is taken as off"])
+            self.assertNotIn("flow", record)
+
+    def test_long_stretches_without_a_measurement_of_what_is_played(self):
+        for first, last in ((20, 40), (0, 30), (170, 200)):
+            rows = ["%d,%s,%s" % (k, "" if 50 < k < 90 else "200", "" if first < k < last else "30") for k in range(200)]
+            said = "\n".join(self.read("\n".join([",".join(NAMES), *rows])).remarks)
+            self.assertIn("block_height: %d of 200 rows hold no measurement; none for %d s from %d s on: filled by a straight line" % (
+                last - first - 1, min(last, 199) - first, first), said)
+            self.assertIn("hook_load: 39 of 200 rows hold no measurement\n", said)  # it is compared where it is there
+
+    def test_items_of_wits(self):
+        self.right(self.read(table(header=("Time", "0114", "0112")).replace("0112\n", "0112\ns,klbf,ft\n")))
+        self.right(self.read(table(header=("0106", "0114", "0112"), times=dates("%H:%M:%S")), MAP.replace("{column: T, unit: s}", '{column: "0106", format: "%H:%M:%S"}').replace(
+            "column: H", 'column: "0114"').replace("column: B", 'column: "0112"')))
+        self.refused("is a stream of WITS level 0", "&&\n01141000.0\n!!\n")
+
 
 class Cells(unittest.TestCase):
     def test_numbers_of_any_country(self):

@@ -7,8 +7,7 @@ from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
 from drill_rig_sim.field.columns import LAYOUT_KEYS, Column, check_unit, nulls_and_layout
 from drill_rig_sim.field.fit import Parameter
 from drill_rig_sim.field.models import MOTIONS, ModelError, RecordModel, TableModel, scene_and_survey
-from drill_rig_sim.field.record import RecordError, prefixed, read_record, read_table
-from drill_rig_sim.field.replay import COMPARED
+from drill_rig_sim.field.record import COMPARED, RecordError, prefixed, read_record, read_table
 from drill_rig_sim.field.signal_reader import values_of
 
 KEYS = ("scene", "record", "columns", "table", "parameters", "signals", "from", "held_out")

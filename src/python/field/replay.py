@@ -5,10 +5,9 @@ import numpy
 from drill_rig_sim.control import driven
 from drill_rig_sim.field.follow import PATIENCE, Follow
 from drill_rig_sim.field.pipe import Slip, clock, compared, pipe_events
-from drill_rig_sim.field.record import RecordError
+from drill_rig_sim.field.record import COMPARED, RecordError
 from drill_rig_sim.field.window import inside
 
-COMPARED = ("hook_load", "torque", "stand_pipe_pressure")
 APART = 1.0    # of the bit at the beginning, record and scene [m]
 BEHIND = 0.05  # of the drum against the record's, from which on it is reported [m]
 
