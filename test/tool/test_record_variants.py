@@ -6,7 +6,7 @@ import unittest
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, with_point
 from drill_rig_sim.field.dates import seconds_of
 from drill_rig_sim.field.table import parts_of
-from record_folder import KLBF, MAP, ROWS, STAMPS, Folder
+from record_folder import FEET, KLBF, MAP, ROWS, STAMPS, Folder
 
 NAMES = ("Time (s)", "Hook Load (klbs)", "Block Height (ft)")
 BEGIN = datetime.datetime(2024, 5, 21, 9, 59, 50)
@@ -126,6 +126,13 @@ class Tables(Folder):
             self.assertIn("block_height: %d of 200 rows hold no measurement; none for %d s from %d s on: filled by a straight line" % (
                 last - first - 1, min(last, 199) - first, first), said)
             self.assertIn("hook_load: 39 of 200 rows hold no measurement\n", said)  # it is compared where it is there
+
+    def test_time_series_of_the_runner(self):
+        own = "time,hook_load,bit_torque,bit_up,reading_hook_load,reading_block_height\n" + "".join("%g,1,0,0,%.9g,%.9g\n" % (t, KLBF * h, FEET * b) for t, h, b in ROWS)
+        for what, text in (("as it is", own), ("title", "Run 7\n" + own), ("spreadsheet", own.replace(",", ";").replace(".", ","))):
+            with self.subTest(what):
+                self.right(self.read(text))
+        self.refused("needed: drill run --csv --readings", own.replace("reading_", "r_"))
 
     def test_items_of_wits(self):
         self.right(self.read(table(header=("Time", "0114", "0112")).replace("0112\n", "0112\ns,klbf,ft\n")))

@@ -10,6 +10,7 @@ from drill_rig_sim.field.units import DATE, UnitError, factor_of
 NULLS = (-999.0, -999.25, -9999.0, -9999.25, -99999.0, -99999.25, -999999.0, -999999.25)  # as logs write "no number"
 # columns of their own, of dates and of times of the day
 DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "hora")
+TRUTH = {"time", "hook_load", "bit_torque", "bit_up"}  # names that drill run --csv writes and no rig
 LIKE_NULLS = (999.25, 9999.25, 99999.25)  # a sign was lost
 MOST_GUESSED = 2000  # dates by which formats are tried
 MOST_ODD = 0.5  # share of the numbers out of a signal's range from which on the unit is taken to be wrong
@@ -54,6 +55,8 @@ def is_header(names, columns=None):
     """Whether these are the names of a record's columns: those of the map, else the time and a signal."""
     if columns:
         return wanted_names(columns) <= {name.lower() for name in names}
+    if {OWN["time"], OWN["hook_load"]} <= set(names):
+        return True
     found = known([bare(name) for name in names])
     timed = "time" in found or all(halves(names))
     return len(found) > ("time" in found) and timed
@@ -80,6 +83,8 @@ def known_columns(table, remarks):
     """Column by signal, of those that have a name of the trade. Where a signal has several the first of signals.NAMES is taken, which is reported."""
     if all(OWN[signal] in table.names for signal in ("time", "hook_load")):
         return {signal: Column([name], si_unit(signal)) for signal, name in OWN.items() if name in table.names}
+    if TRUTH <= set(table.names):
+        raise RecordError("%s: is a time series of drill run without what the gauges show; needed: drill run --csv --readings, or a map, --columns" % table.file)
     names = [bare(name) for name in table.names]
     found = {}
     for signal, places in known(names).items():
