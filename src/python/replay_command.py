@@ -70,9 +70,9 @@ def part_of(record, options):
 
 def replay_of(options):
     record = read_record([options.record, *options.more], options.columns)
-    check(record)
     left_out = stretches(options.leave_out, record)
     record, remarks = part_of(record, options)
+    check(record)
     file = found(os.path.abspath(options.scene) if os.path.exists(options.scene) else options.scene, "config/scenes")
     scene, survey = scene_and_survey(file)
     values, lines = start_keys(scene, record, options.start)

@@ -75,6 +75,22 @@ class Witsml(Folder):
         self.refused("TIME: the time has no unit", witsml(index="elapsed time", units=",klbf,ft,%", rows=seconds), name="r.xml")
         self.right(self.xml(log="<direction>Decreasing</direction>", rows=["%s,%g,%g,0" % (stamp, h, b) for stamp, (_, h, b) in reversed(list(zip(STAMPS, ROWS)))]))
 
+    def test_a_curve_of_time_that_the_map_names(self):
+        options = {"index": "measured depth", "index_curve": "DEPT", "names": "DEPT,HKLD,BLOCKCOMP,CLK", "units": "m,klbf,ft,"}
+        rows = ["%d,%g,%g,%s" % (100 + t, h, b, stamp) for stamp, (t, h, b) in zip(STAMPS, ROWS)]
+        columns = "time: {column: CLK, unit: date}\nhook_load: {column: HKLD}\nblock_height: {column: BLOCKCOMP}\n"
+        self.right(self.xml(rows=rows, columns=columns, **options))
+        self.refused("DEPT: the map says s, the file m", witsml(rows=rows, **options), columns.replace("CLK, unit: date", "DEPT, unit: s"), name="r.xml")
+        self.right(self.read(las(curves="DEPT.M : d\nHKLD.KLBF : h\nBLOCKCOMP.FT : b\nCLK.S : t\n", rows=["%g %g %g %g" % (100 + t, h, b, t) for t, h, b in ROWS]),
+                             columns.replace(", unit: date", ""), name="r.las"))
+        minutes = las(curves="TIME.M : t\nHKLD.KLBF : h\nBPOS.FT : b\n", rows=["%.17g %g %g" % (t / 60, h, b) for t, h, b in ROWS])
+        self.right(self.read(minutes, "time: {column: TIME, unit: min}\nhook_load: {column: HKLD}\nblock_height: {column: BPOS}\n", name="r.las"))
+
+    def test_later_data_without_names_have_those_of_the_first(self):
+        infos = "".join("<logCurveInfo><mnemonic>%s</mnemonic><unit>%s</unit></logCurveInfo>" % curve for curve in (("BLOCKCOMP", "ft"), ("HKLD", "klbf"), ("TIME", "s"), ("GAS", "%")))
+        rows = ["%s,%g,%g,0.1" % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
+        self.right(self.xml(log=infos, rows=rows[:2], data="<logData>%s</logData>" % "".join("<data>%s</data>" % row for row in rows[2:])))
+
     def test_encodings(self):
         """Also where the declaration is wrong, as of a text that a program wrote in another encoding than its own."""
         text = witsml(log="<description>\u00b0</description>")

@@ -57,6 +57,11 @@ READ = {
     "zone in the header": table(header=("Time (UTC)", *DATED[1:]), times=dates("%Y-%m-%dT%H:%M:%S")),
     "date and time": table(header=("Date,Time", *DATED[1:]), times=dates("%Y-%m-%d,%H:%M:%S")),
     "date and time with units": table(header=("Date (dd.mm.yyyy),Time (hh:mm:ss)", *DATED[1:]), times=dates("%d.%m.%Y,%H:%M:%S")),
+    "whole dates called date": table(header=("Date", *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S")),
+    "time of the day beside whole dates": table(header=("Time,DateTime", *DATED[1:]), times=dates("%H:%M:%S,%Y-%m-%d %H:%M:%S")),
+    "time of the day beside seconds": table(header=("Time,Elapsed Time (s)", *DATED[1:]), times=["10:00:%02d,%d" % (row[0], row[0]) for row in ROWS]),
+    "seconds beside a date": table(header=("Date,Time (s)", *DATED[1:]), times=["2024-05-21 10:00:00,%d" % row[0] for row in ROWS]),
+    "two columns, the first empty": table(header=("Time (s),HKLD (klbf)", "HKLA (klbf)", "BPOS (ft)"), times=["%d," % row[0] for row in ROWS]),
     "date and time, 12 hours": table(header=("DATE,TIME", *DATED[1:]), times=dates("%Y/%m/%d,%I:%M:%S %p")),
 }
 REFUSED = {

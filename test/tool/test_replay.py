@@ -17,7 +17,7 @@ from drill_rig_sim.field.course import Course, half_band, resolution
 from drill_rig_sim.field.follow import Follow
 from drill_rig_sim.field.pipe import Slip, first_hung, pipe_events, standstills
 from drill_rig_sim.field.record import RecordError, read_record
-from drill_rig_sim.field.replay import check_start, play
+from drill_rig_sim.field.replay import check, check_start, play
 from drill_rig_sim.field.window import between, moment, stretches
 from drill_rig_sim.sim import Simulator
 
@@ -311,6 +311,10 @@ class Replays(Folder):
             check_start(read_record(self.file("r.csv", "t,b,h,d\n0,10,1,30\n1,9,1,31\n"), columns), Simulator(QUICK))
         with self.assertRaisesRegex(RecordError, "at 2.0 s the bit jumps by -27"):
             standstills(read_record(self.file("r.csv", "t,b,h,d\n0,10,1,100\n1,9,1,101\n2,12,1,74\n3,11,1,75\n"), columns))
+        long = read_record(self.file("r.csv", "t,b,h,d\n0,10,1,30\n1,9,1,31\n172801,9,1,31\n172802,8,1,32\n"), columns)
+        with self.assertRaisesRegex(RecordError, "has a gap of 2 days from 1.0 s on"):
+            check(long)
+        check(between(long, 172801.0, math.inf))
         columns = self.file("n.yaml", "time: {column: t, unit: s}\nhook_load: {column: h, unit: N}\n")
         status, out, told = self.drill_replay(os.path.join(self.folder, "r.csv"), QUICK, "--columns", columns)
         self.assertEqual((2, ""), (status, out))

@@ -13,8 +13,8 @@ WORD = re.compile(r'"[^"]*"|\S+')
 REPEATED = "PO"  # sections that files have several times: none of them is read
 
 
-def read_las(file, text):
-    """A Table of a log by time; RecordError where it is by depth and has no curve of time."""
+def read_las(file, text, times=()):
+    """A Table of a log by time; RecordError where it is by depth and has no curve of time. `times`: names of such a curve, besides those of the trade."""
     sections = sections_of(file, text)
     version = values_in(sections.get("V", []))
     if "A" not in sections or "C" not in sections:
@@ -25,7 +25,7 @@ def read_las(file, text):
     names, units = [name for name, _ in curves], [unit.strip(" []()") or None for _, unit in curves]
     well = values_in(sections.get("W", []))
     null = well.get("NULL", ("", ""))[1].strip()
-    index = index_of(file, names, units)
+    index = index_of(file, names, units, times)
     if index == 0:
         units[0] = units[0] or well.get("STRT", ("", ""))[0] or None
     rows, places = rows_of(file, sections["A"], names, version)
@@ -96,10 +96,11 @@ def with_whole_dates(cells):
     return whole
 
 
-def index_of(file, names, units):
-    """The first curve where it is a time, else the first that is called so."""
-    places = [place for place, name in enumerate(names) if word(name) in RANKS["time"]]
-    if names and units[0] and is_unit(units[0], "time"):
+def index_of(file, names, units, times):
+    """The curve in `times`, else the first curve where it is a time, else the first that is called so."""
+    asked = [place for place, name in enumerate(names) if name.lower() in times]
+    places = asked + [place for place, name in enumerate(names) if word(name) in RANKS["time"]]
+    if not asked and names and units[0] and is_unit(units[0], "time"):
         return 0
     if not places:
         raise RecordError("%s: its index is %s [%s], and none of its curves is a time (%s); needed: a log by time" %

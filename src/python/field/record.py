@@ -2,11 +2,12 @@
 import os
 
 import numpy
+from drill_rig_sim.field.column_finder import is_header, places_of
 from drill_rig_sim.field.columns import read_map
 from drill_rig_sim.field.dates import written
 from drill_rig_sim.field.files import begins_with, bytes_of, text_of
 from drill_rig_sim.field.las import read_las
-from drill_rig_sim.field.signal_reader import is_header, part_of, places_of
+from drill_rig_sim.field.signal_reader import part_of
 from drill_rig_sim.field.table import Layout, RecordError, read_delimited
 from drill_rig_sim.field.witsml import read_witsml
 
@@ -155,13 +156,14 @@ def read_record(files, columns=None):
 
 def tables_of(file, mapping):
     """The Tables of a file."""
+    times = [name.lower() for name in mapping.columns["time"].names] if mapping and "time" in mapping.columns else []
     if begins_with(file, b"<"):
-        return read_witsml(file, bytes_of(file))
+        return read_witsml(file, bytes_of(file), times)
     text, remarks = text_of(file)
     if text.lstrip()[:2] == "&&":
         raise RecordError("%s: is a stream of WITS level 0, whose items have no names and units; needed: a table, WITSML or LAS" % file)
     if text.lstrip()[:1] == "~" or file.lower().endswith(".las"):
-        table = read_las(file, text)
+        table = read_las(file, text, times)
     else:
         table = read_delimited(file, text, mapping.layout if mapping else Layout(), lambda names: is_header(names, mapping), lambda names: places_of(names, mapping))
     table.remarks += remarks

@@ -1,16 +1,13 @@
 """The cells of a Table as signals in SI: which column holds which signal, in which unit, which cells are no measurements."""
 import numpy
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
-from drill_rig_sim.field.columns import Column
-from drill_rig_sim.field.dates import forms_for, is_time_of_day, seconds_of
-from drill_rig_sim.field.signals import OWN, SIGNALS, known, si_unit, word
-from drill_rig_sim.field.table import RecordError, bare, is_unit
-from drill_rig_sim.field.units import DATE, UnitError, factor_of
+from drill_rig_sim.field.column_finder import known_columns
+from drill_rig_sim.field.dates import forms_for, seconds_of
+from drill_rig_sim.field.signals import SIGNALS
+from drill_rig_sim.field.table import RecordError, is_unit
+from drill_rig_sim.field.units import UnitError, factor_of
 
 NULLS = (-999.0, -999.25, -9999.0, -9999.25, -99999.0, -99999.25, -999999.0, -999999.25)  # as logs write "no number"
-# columns of their own, of dates and of times of the day
-DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "hora")
-TRUTH = {"time", "hook_load", "bit_torque", "bit_up"}  # names that drill run --csv writes and no rig
 LIKE_NULLS = (999.25, 9999.25, 99999.25)  # a sign was lost
 MOST_GUESSED = 2000  # dates by which formats are tried
 MOST_ODD = 0.5  # share of the numbers out of a signal's range from which on the unit is taken to be wrong
@@ -47,61 +44,6 @@ def part_of(table, columns=None):
     rows = numpy.flatnonzero(timed)
     signals = {"time": time[rows], **{signal: values[rows] for signal, values in signals.items()}}
     return Part(table, signals, dated, rows, remarks)
-
-
-# --- which columns
-
-def is_header(names, columns=None):
-    """Whether these are the names of a record's columns: those of the map, else the time and a signal."""
-    if columns:
-        return wanted_names(columns) <= {name.lower() for name in names}
-    if {OWN["time"], OWN["hook_load"]} <= set(names):
-        return True
-    found = known([bare(name) for name in names])
-    timed = "time" in found or all(halves(names))
-    return len(found) > ("time" in found) and timed
-
-
-def wanted_names(columns):
-    return {name.strip().lower() for column in columns.columns.values() for name in column.names}
-
-
-def places_of(names, columns=None):
-    """Places of the columns that part_of() will look at."""
-    if columns:
-        return [place for place, name in enumerate(names) if name.lower() in wanted_names(columns)]
-    own = [place for place, name in enumerate(names) if name in OWN.values()]
-    return own + [place for half in halves(names) for place in half] + [place for places in known([bare(name) for name in names]).values() for place in places]
-
-
-def halves(names):
-    """Places of the columns that may hold dates, and of those that may hold times of the day."""
-    return [[place for place, name in enumerate(names) if word(bare(name)) in half] for half in (DATES, TIMES_OF_DAY)]
-
-
-def known_columns(table, remarks):
-    """Column by signal, of those that have a name of the trade. Where a signal has several the first of signals.NAMES is taken, which is reported."""
-    if all(OWN[signal] in table.names for signal in ("time", "hook_load")):
-        return {signal: Column([name], si_unit(signal)) for signal, name in OWN.items() if name in table.names}
-    if TRUTH <= set(table.names):
-        raise RecordError("%s: is a time series of drill run without what the gauges show; needed: drill run --csv --readings, or a map, --columns" % table.file)
-    names = [bare(name) for name in table.names]
-    found = {}
-    for signal, places in known(names).items():
-        with_unit = [place for place in places if signal == "time" or table.units[place]]
-        if with_unit:
-            found[signal] = Column([table.names[with_unit[0]]])
-        if len(places) > 1:
-            remarks.append("%s is taken from %s; passed over: %s" % (signal, table.names[(with_unit or places)[0]],
-                                                                    ", ".join(table.names[place] for place in places if place != (with_unit or places)[0])))
-        elif not with_unit:
-            remarks.append("%s: %s is left out: it has no unit; needed: a map, --columns" % (signal, table.names[places[0]]))
-    dates, times = halves(table.names)
-    if dates and times and is_time_of_day(next((row[times[0]] for row in table.rows if not is_blank(row[times[0]])), "")):
-        found["time"] = Column([table.names[dates[0]], table.names[times[0]]], DATE)
-    elif table.index is not None:
-        found["time"] = Column([table.names[table.index]])
-    return found
 
 
 # --- time
@@ -193,8 +135,8 @@ def unit_of(table, place, column, signal):
     quantity = SIGNALS[signal][0]
     try:
         same = factor_of(quantity, column.unit) == factor_of(quantity, said)
-    except UnitError:
-        same = True  # the file's is not known: the map's stands
+    except UnitError:  # the map's stands where the file's is not known, as M is for minutes
+        same = not is_unit(said) or (signal == "time" and column.unit == "min")
     if not same:
         raise RecordError("%s: %s: the map says %s, the file %s; needed: the same, or no unit in the map" % (table.file, column.names[0], column.unit, said))
     return column.unit

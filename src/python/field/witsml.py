@@ -16,9 +16,9 @@ class NotInTime(Exception):
     """Why a log cannot be put on a time axis."""
 
 
-def read_witsml(file, data):
+def read_witsml(file, data, times=()):
     """Tables of the document `data` (bytes) that have an index or a curve of time; the others are reported in the first's remarks. RecordError where none has, and
-    where the logs are of several wells."""
+    where the logs are of several wells. `times`: names of a curve of time, besides those of the trade."""
     root, remarks = parsed(file, data)
     logs = [log for log in root.iter("{*}log") if log.find("{*}logData") is not None]
     if not logs:
@@ -29,7 +29,7 @@ def read_witsml(file, data):
     tables, passed = [], []
     for number, log in enumerate(logs, 1):
         try:
-            tables += [table_of(file, log, block) for block in log.findall("{*}logData") if block.find("{*}data") is not None]
+            tables += [table_of(file, log, block, times) for block in log.findall("{*}logData") if block.find("{*}data") is not None]
         except NotInTime as reason:
             passed.append((number, reason))
     if not tables:
@@ -63,13 +63,13 @@ def parsed(file, data):
     return root, remarks
 
 
-def table_of(file, log, block):
+def table_of(file, log, block, times):
     """A Table of one logData."""
     infos, delimiter = curves_of(log), delimiter_of(log)
     rows, places = rows_of(block, delimiter)
-    names, units, remarks = columns_of(file, block, infos, delimiter, max(map(len, rows)))
+    names, units, remarks = columns_of(file, with_list(log, block), infos, delimiter, max(map(len, rows)))
     rows = [fitted(file, row, place, names) for row, place in zip(rows, places)]
-    index, dated, in_order = index_of(log, names, infos)
+    index, dated, in_order = index_of(log, names, infos, times)
     if dated is False:
         units[index] = units[index] or (log.find("{*}startIndex").get("uom") if log.find("{*}startIndex") is not None else None)
     if in_order and (log.findtext("{*}direction") or "increasing").strip().lower() == "decreasing":
@@ -84,23 +84,24 @@ def delimiter_of(log):
     return said.strip() or said
 
 
-def index_of(log, names, infos):
+def index_of(log, names, infos, times):
     """(place of the column of time, whether it holds dates or None, whether the log's direction is that of the time)."""
     kind, said = (log.findtext("{*}indexType") or "").strip().lower(), (log.findtext("{*}indexCurve") or "").strip().lower()
     named = [place for place, name in enumerate(names) if name.lower() == said]
     if not kind or kind in TIME_INDEX:
-        return next(iter(named + time_curves(names, infos)), 0), TIME_INDEX.get(kind), True
-    places = time_curves(names, infos)
+        return next(iter(named + time_curves(names, infos, times)), 0), TIME_INDEX.get(kind), True
+    places = time_curves(names, infos, times)
     if not places:
         raise NotInTime("its index is %s, and none of its curves is a time (%s); needed: a log by time" % (kind, shown(names)))
     typed = infos.get(names[places[0]], {}).get("type")
     return places[0], None if typed is None else typed == "date time", False
 
 
-def time_curves(names, infos):
-    """Places: of those whose type says so, then of those with a name of the trade."""
+def time_curves(names, infos, times):
+    """Places: of those in `times`, then of those whose type says so, then of those with a name of the trade."""
+    asked = [place for place, name in enumerate(names) if name.lower() in times]
     dates = [place for place, name in enumerate(names) if infos.get(name, {}).get("type") == "date time"]
-    return dates + [place for place, name in enumerate(names) if word(name) in RANKS["time"]]
+    return asked + dates + [place for place, name in enumerate(names) if word(name) in RANKS["time"]]
 
 
 def blank_where_null(cell, nulls):
@@ -130,6 +131,11 @@ def columns_of(file, block, infos, delimiter, most):
     if all((info["column"] or "").strip().isdecimal() for info in infos.values()):
         names = by_place(file, {name: int(info["column"]) for name, info in infos.items()}, most)
     return names, [infos.get(name, {}).get("unit") for name in names], []
+
+
+def with_list(log, block):
+    """The logData, or where it names no columns the first of the log that does: the order of the logCurveInfo may be another."""
+    return next((one for one in (block, *log.findall("{*}logData")) if one.find("{*}mnemonicList") is not None), block)
 
 
 def listed(file, block, infos, delimiter):
