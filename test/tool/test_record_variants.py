@@ -75,6 +75,7 @@ REFUSED = {
     "time of the day alone": (table(header=DATED, times=dates("%H:%M:%S")), 'format: "%H:%M:%S"}'),
     "time of the day, unit": (table(header=("Time (hh:mm:ss)", *DATED[1:]), times=dates("%H:%M:%S")), "r.csv:2: Time (hh:mm:ss): 09:59:50 is no date"),
     "days of a spreadsheet": (table(header=DATED, times=["%.8f" % (45413.5 + row[0] / 86400) for row in ROWS]), "the time has no unit and is no date (first: 45413.5"),
+    "two units": (table().replace("(ft)\n", "(ft)\ns,kN,ft\n"), "r.csv:2: the unit of Hook Load (klbs) is kN here"),
     "13 PM": (table(header=DATED, times=["2024-05-01 13:00:%02d PM" % row[0] for row in ROWS]), "13:00:00 PM is no date"),
     "footer": (table() + "End of file\n", "r.csv:6: has 1 cells, the header 3"),
 }

@@ -67,7 +67,7 @@ def times_of(table, column, mapped, remarks):
 
 
 def is_null(cell):
-    return is_blank(cell) or (is_number(cell) and any(close(float(cell), null) for null in NULLS))
+    return is_blank(cell) or (is_number(cell) and float(cell) in NULLS)
 
 
 def is_date(table, places, column, cells):

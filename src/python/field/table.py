@@ -6,7 +6,7 @@ import typing
 import numpy
 from drill_rig_sim.field.cells import GROUPED, are_groups, first_decimal_comma, has_point, is_blank, is_number, with_point
 from drill_rig_sim.field.signals import RANKS, SIGNALS, word
-from drill_rig_sim.field.units import TABLES, UnitError, factor_of
+from drill_rig_sim.field.units import TABLES, UnitError, factor_of, same_unit
 from drill_rig_sim.refusal import Refusal
 
 MOST_TITLE, MOST_LINES = 50, 10000  # lines before the names of the columns, and with comments
@@ -83,7 +83,7 @@ def read_delimited(file, text, layout=Layout(), is_header=lambda names: False, n
     for line, cells in rows:
         cells = fitted(cells, file, line, names)
         if before and is_line_of_units(cells):
-            units = [cell.strip(" []()<>{}") or unit for cell, unit in zip(cells, units)]
+            units = [unit_of_both(file, line, *both) for both in zip(names, cells, units)]
             remarks.append("line %d was taken for the units of the columns" % line)
         else:
             table.append([cell if place in keep else "" for place, cell in enumerate(cells)])
@@ -91,6 +91,14 @@ def read_delimited(file, text, layout=Layout(), is_header=lambda names: False, n
         before = False
     decimal = layout.decimal or likely_decimal(file, table, places, delimiter, remarks)
     return Table(file, names, units, numbers_with_points(file, table, places, decimal), places, remarks=remarks)
+
+
+def unit_of_both(file, line, name, cell, unit):
+    """Of the line of units and of the column's name; RecordError where they differ."""
+    said = cell.strip(" []()<>{}")
+    if said and unit and not same_unit(said, unit):
+        raise RecordError("%s:%d: the unit of %s is %s here; needed: the same, or one of them" % (file, line, name, said))
+    return said or unit
 
 
 def without_mark_of_excel(lines, delimiter):
@@ -146,7 +154,7 @@ def numbers_with_points(file, table, places, decimal):
         odd = next((cell for cell in row if has_point(cell) and not GROUPED[","].match(cell.strip())), None)
         if odd is not None:
             raise RecordError("%s:%s: %s has a decimal point; needed: decimal commas in all numbers, as the map says" % (file, place, odd.strip()))
-    return [[with_point(cell, decimal) for cell in row] for row in table]
+    return [[cell and with_point(cell, decimal) for cell in row] for row in table]
 
 
 def lines_of(text):
