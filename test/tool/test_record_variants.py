@@ -150,10 +150,10 @@ class Tables(Folder):
 class Cells(unittest.TestCase):
     def test_numbers_of_any_country(self):
         for text, decimal, number in (("1 234.5", None, "1234.5"), ("1'234", None, "1234"), ("12\u202f345", None, "12345"), ("1,234.5", ".", "1234.5"), ("-1,234,567", ".", "-1234567"),
-                                      ("1.234,5", ",", "1234.5"), ("0,5", ",", "0.5"), ("-,5", ",", "-.5"), ("1.234", ",", "1234"), ("1,234", None, "1,234"), ("12 34", None, "12 34"),
+                                      ("1.234,5", ",", "1234.5"), ("0,5", ",", "0.5"), ("-,5", ",", "-.5"), ("-3,64e-10", ",", "-3.64e-10"), ("1,5E+03", None, "1,5E+03"), ("1.234", ",", "1234"), ("1,234", None, "1,234"), ("12 34", None, "12 34"),
                                       ("10:00", ",", "10:00"), ("a,5", ",", "a,5"), ("1_000", None, "1_000")):
             self.assertEqual(number, with_point(text, decimal), (text, decimal))
-        for text in ("1,5", "1.234,5", "1,234.5", "1 234,5"):
+        for text in ("1,5", "1,5e-3", "1.234,5", "1,234.5", "1 234,5"):
             self.assertTrue(is_foreign_number(text), text)
         for text in ("off", "10:00:05", "201 klbf", ""):
             self.assertFalse(is_foreign_number(text), text)

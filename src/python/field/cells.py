@@ -7,8 +7,8 @@ SIGNS_OF_GROUPS = re.compile("[%s]" % BLANKS)
 SIGNS_ONLY = re.compile(r"[-*.#?_/ ]*$")  # `---`, `****`: a gauge without a value
 SPACED = re.compile(r"[+-]?\d{1,3}([%s]\d{3})+([.,]\d*)?$" % BLANKS)  # 1 234.5, 1'234,5: digits in groups
 GROUPED = {".": re.compile(r"[+-]?\d{1,3}(,\d{3})+(\.\d*)?$"), ",": re.compile(r"[+-]?\d{1,3}(\.\d{3})+(,\d*)?$")}  # by the decimal sign
-COMMA = re.compile(r"[+-]?\d*,\d+$")
-FOREIGN = re.compile(r"[+-]?\d[\d.,%s]*$" % BLANKS)
+COMMA = re.compile(r"[+-]?\d*,\d+([eE][+-]?\d+)?$")
+FOREIGN = re.compile(r"[+-]?\d[\d.,%s]*([eE][+-]?\d+)?$" % BLANKS)
 
 
 def is_number(text):
