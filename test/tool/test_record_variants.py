@@ -117,6 +117,14 @@ class Tables(Folder):
             record = self.read(table(header=DATED, times=[STAMPS[0], row, *STAMPS[2:]]))
             self.assertEqual([0.0, 10.0, 15.0], list(record.time), row)
 
+    def test_null_values_of_one_column(self):
+        text = "T,H,B,R\n" + "".join("%g,%g,%g,%d\n" % (t, 0 if t == 5 else h, b, 0 if t < 10 else 90) for t, h, b in ROWS)
+        columns = MAP.replace("unit: klbf", "unit: klbf, null: 0") + "top_drive_speed: {column: R, unit: rpm}\n"
+        record = self.read(text, columns)
+        self.assertEqual([False, True, False, False], [load != load for load in record.signals["hook_load"]])
+        self.assertEqual([0.0, 0.0], list(record.signals["top_drive_speed"][:2]))
+        self.refused("map.yaml:2: hook_load.null: needed: a number", text, columns.replace("null: 0", "null: none"))
+
     def test_channels_that_hold_nothing(self):
         """As of sensors that were recorded but not connected: as if they were not there, and reported."""
         for cell in ("", "-999.25", "N/A"):

@@ -10,10 +10,11 @@ LAYOUT_KEYS = ("null", "delimiter", "decimal")
 
 
 class Column:
-    """Of a signal: `names` of its columns (two: date and time of the day), `unit` (None: the file says it) and `form` of dates (None: ISO 8601)."""
+    """Of a signal: `names` of its columns (two: date and time of the day), `unit` (None: the file says it), `form` of dates (None: ISO 8601) and `nulls`: values
+    that stand for no number in this column."""
 
-    def __init__(self, names, unit=None, form=None):
-        self.names, self.unit, self.form = names, unit, form
+    def __init__(self, names, unit=None, form=None, nulls=()):
+        self.names, self.unit, self.form, self.nulls = names, unit, form, tuple(nulls)
 
 
 class ColumnMap:
@@ -35,18 +36,20 @@ def read_map(file):
 
 def nulls_and_layout(entries):
     """Of LAYOUT_KEYS among these entries."""
-    nulls = numbers_of(entries["null"]) if "null" in entries else ()
     delimiter = DELIMITERS[entries["delimiter"].choice(tuple(DELIMITERS))] if "delimiter" in entries else None
     decimal = DECIMALS[entries["decimal"].choice(tuple(DECIMALS))] if "decimal" in entries else None
-    return nulls, Layout(delimiter, decimal)
+    return nulls_of(entries), Layout(delimiter, decimal)
 
 
-def numbers_of(entry):
-    return [item.number() for item in entry.sequence()] if entry.is_sequence() else [entry.number()]
+def nulls_of(entries):
+    """A number, or a list of them."""
+    if "null" not in entries:
+        return ()
+    return [item.number() for item in (entries["null"].sequence() if entries["null"].is_sequence() else [entries["null"]])]
 
 
 def column_of(signal, entry):
-    parts = entry.mapping(("column", "unit", "format") if signal == "time" else ("column", "unit"), needed=("column",))
+    parts = entry.mapping(("column", "unit", "format") if signal == "time" else ("column", "unit", "null"), needed=("column",))
     two = signal == "time" and parts["column"].is_sequence()
     names = [item.text() for item in parts["column"].sequence()] if two else [parts["column"].text()]
     if len(names) > 2:
@@ -59,7 +62,7 @@ def column_of(signal, entry):
         if unit is not None and factor_of("time", unit) is not None:
             parts["unit"].fail("must be date where there is a format or two columns (got %s)" % unit)
         unit = DATE
-    return Column(names, unit, form)
+    return Column(names, unit, form, nulls_of(parts))
 
 
 def check_unit(signal, unit, entry):

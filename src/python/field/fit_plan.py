@@ -4,7 +4,7 @@ import os
 import numpy
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
-from drill_rig_sim.field.columns import LAYOUT_KEYS, Column, check_unit, nulls_and_layout
+from drill_rig_sim.field.columns import LAYOUT_KEYS, Column, check_unit, nulls_and_layout, nulls_of
 from drill_rig_sim.field.fit import Parameter
 from drill_rig_sim.field.models import MOTIONS, ModelError, RecordModel, TableModel, scene_and_survey
 from drill_rig_sim.field.record import COMPARED, RecordError, prefixed, read_record, read_table
@@ -115,11 +115,11 @@ def remarks_of(table, weights):
 
 
 def weight_column(entry, name):
-    parts = entry.mapping(("column", "unit"), needed=("column",))
+    parts = entry.mapping(("column", "unit", "null"), needed=("column",))
     unit = parts["unit"].text() if "unit" in parts else None
     if unit is not None:
         check_unit(quantity_of(name), unit, parts["unit"])
-    return Column([parts["column"].text()], unit)
+    return Column([parts["column"].text()], unit, nulls=nulls_of(parts))
 
 
 def quantity_of(name):

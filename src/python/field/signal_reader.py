@@ -122,7 +122,7 @@ def values_of(table, signal, column, nulls, mapped, remarks):
             raise
         remarks.append("%s is left out: %s" % (signal, str(error)[len(table.file) + 2:]))
         return None
-    raw = numbers_or_refuse(table, name, [row[place] for row in table.rows], (*NULLS, *table.nulls[place], *nulls), "a number", remarks)
+    raw = numbers_or_refuse(table, name, [row[place] for row in table.rows], (*NULLS, *table.nulls[place], *nulls, *column.nulls), "a number", remarks)
     report_likely_nulls(table, name, raw, remarks)
     return in_range(table, signal, name, unit, raw, factor, remarks)
 
