@@ -110,9 +110,12 @@ class Tables(Folder):
             self.assertEqual([1], [k for k, load in enumerate(record.signals["hook_load"]) if load != load], null)
             self.assertNotIn("hold a text", "\n".join(record.remarks), null)
         self.assertIn("1 cells of Hook Load (klbs) hold a text, no number (first: ", "\n".join(self.read(cell("stand 12")).remarks))
-        kept = self.read(cell("999.25"))
+        for null in ("999.25", "9999", "9999.0", "-32768", "65535"):  # in range of a gauge in pounds
+            record = self.read(table(header=POUNDS).replace("5,201,", "5,%s," % null))
+            self.assertEqual([1], [k for k, load in enumerate(record.signals["hook_load"]) if load != load], null)
+            self.assertIn("Hook Load (lbs): 1 values such as %g are far from all others and are taken for null values (first: " % float(null), "\n".join(record.remarks))
+        kept = self.read(table(load=5.0).replace("5,1005,", "5,999.25,"))
         self.assertAlmostEqual(999.25 * KLBF, kept.signals["hook_load"][1], delta=1.0)
-        self.assertIn("Hook Load (klbs): 1 values are 999.25, as other files write for no number, and are kept", "\n".join(kept.remarks))
         for row in ("-999.25", "NULL", "", "N/A"):
             record = self.read(table(header=DATED, times=[STAMPS[0], row, *STAMPS[2:]]))
             self.assertEqual([0.0, 10.0, 15.0], list(record.time), row)

@@ -8,7 +8,8 @@ from drill_rig_sim.field.table import RecordError, is_unit
 from drill_rig_sim.field.units import UnitError, factor_of
 
 NULLS = (-999.0, -999.25, -9999.0, -9999.25, -99999.0, -99999.25, -999999.0, -999999.25)  # as logs write "no number"
-LIKE_NULLS = (999.25, 9999.25, 99999.25)  # a sign was lost
+LIKE_NULLS = (999.25, 9999.0, 9999.25, 99999.0, 99999.25, 999999.0, 32767.0, 32768.0, 65535.0)  # a sign was lost, or a counter is full
+ALONE = 2.0  # times as large as all other values of its column, from which on such a number is a null
 MOST_GUESSED = 2000  # dates by which formats are tried
 MOST_ODD = 0.5  # share of the numbers out of a signal's range from which on the unit is taken to be wrong
 
@@ -123,7 +124,7 @@ def values_of(table, signal, column, nulls, mapped, remarks):
         remarks.append("%s is left out: %s" % (signal, str(error)[len(table.file) + 2:]))
         return None
     raw = numbers_or_refuse(table, name, [row[place] for row in table.rows], (*NULLS, *table.nulls[place], *nulls, *column.nulls), "a number", remarks)
-    report_likely_nulls(table, name, raw, remarks)
+    leave_out_likely_nulls(table, name, raw, remarks)
     return in_range(table, signal, name, unit, raw, factor, remarks)
 
 
@@ -173,12 +174,16 @@ def close(number, null):
     return abs(number - null) <= 1e-9 * abs(null)
 
 
-def report_likely_nulls(table, name, raw, remarks):
-    """Of values that look like a null value without its sign: they stay."""
-    odd = numpy.flatnonzero(numpy.isin(raw, LIKE_NULLS))
+def leave_out_likely_nulls(table, name, raw, remarks):
+    """Of numbers that files write for no number those which stand far above all others of their column; reported."""
+    odd = numpy.isin(numpy.abs(raw), LIKE_NULLS)
+    others = numpy.abs(raw[numpy.isfinite(raw) & ~odd])
+    if not len(others):
+        return
+    odd = numpy.flatnonzero(odd & (numpy.abs(numpy.nan_to_num(raw)) >= ALONE * others.max()))
     if len(odd):
-        remarks.append("%s: %d values are %g, as other files write for no number, and are kept (first: %s); null: in a map leaves them out" %
-                       (name, len(odd), raw[odd[0]], table.place(odd[0])))
+        remarks.append("%s: %d values such as %g are far from all others and are taken for null values (first: %s)" % (name, len(odd), raw[odd[0]], table.place(odd[0])))
+        raw[odd] = numpy.nan
 
 
 def in_range(table, signal, name, unit, raw, factor, remarks):
