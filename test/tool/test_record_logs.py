@@ -189,7 +189,8 @@ class Las(Folder):
         two = "DATE. : d\nTIME.HH:MM:SS : t\nHKLD.klbf : x\nBPOS.ft : x\n"
         rows = [(stamp[:10], stamp[11:19], h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
         for what, text in (("commas", las(rows=["%g,%g,%g" % row for row in ROWS])), ("DLM", las(version="2.0 : v\n DLM. COMMA", rows=["%g, %g, %g" % row for row in ROWS])),
-                           ("tabs", las(version="2.0 : v\n DLM. TAB", rows=["%g\t%g\t%g" % row for row in ROWS])), ("no colons", las(curves="TIME.S\nHKLD.KLBF\nBPOS.FT\n")),
+                           ("tabs", las(version="2.0 : v\n DLM. TAB", rows=["%g\t%g\t%g" % row for row in ROWS])), ("no blanks", las(curves="TIME.S:\nHKLD.KLBF:load\nBPOS.FT:\n")), ("an end of DOS", las() + "\x1a"), ("more colons", las(version="2.0 : LAS: 2", null="-999 : no: value")),
+                           ("no colons", las(curves="TIME.S\nHKLD.KLBF\nBPOS.FT\n")),
                            ("colons", las(curves="TIME.S : Time: of day\nHKLD.KLBF 45 66 : Hook: load (avg: 5 s)\nBPOS.FT : 10:20\n")),
                            ("a unit with a blank", las(curves="TIME.S : t\nHKLD.1000 lbf : h\nBPOS.FT : b\n")), ("brackets", las(curves="TIME.[s] : t\nHKLD.(klbf) : h\nBPOS.[ft] : b\n")),
                            ("the unit of STRT", las(curves="TIME. : t\nHKLD.KLBF : h\nBPOS.FT : b\n")), ("other sections", las().replace("~PARAMETER", "~OTHER\n a: 3.5 b\n~PARAMETER\n~Other\nx")),

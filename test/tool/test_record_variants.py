@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Records as data systems, mud loggers and spreadsheets export them: each of these small files is read with the right numbers, or refused in one line. See test_record.py."""
 import datetime
+import time
 import unittest
 
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, with_point
@@ -174,6 +175,15 @@ class Cells(unittest.TestCase):
         for name, parts in (("Hook Load (klbs)", ("Hook Load", "klbs")), ("RPM", ("RPM", None)), ("FLOW_IN", ("FLOW_IN", None)), ("HKLD_AVG (kN)", ("HKLD_AVG", "kN")), ("Torque (kft_lb)", ("Torque", "kft_lb")),
                             ("HKLD ()", ("HKLD", None)), ("Flow (gal(US)/min)", ("Flow", "gal(US)/min")), ("bit_depth_m", ("bit_depth", "m")), ("md_m", ("md_m", None)), ("(s)", ("(s)", None))):
             self.assertEqual(parts, parts_of(name), name)
+
+    def test_long_texts_take_no_time(self):
+        begun = time.process_time()
+        for text in ("2024-05-01 10:00" + " " * 50000 + "x", "1" * 50000, "1 " * 25000, "a(" * 25000 + ")", "a_" * 25000, " " * 50000):
+            self.assertIsNone(seconds_of(text))
+            with_point(text, ",")
+            is_foreign_number(text)
+            parts_of(text)
+        self.assertLess(time.process_time() - begun, 5.0)
 
     def test_a_format_without_signs_needs_all_its_digits(self):
         self.assertIsNone(seconds_of("1005", "%H%M%S"))

@@ -19,13 +19,17 @@ GUESSED = [date + " " + clock for date, clock in itertools.product(
     ("%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p", "%H:%M", "%I:%M %p"))]
 GUESSED += ["%Y%m%d %H%M%S", "%y%m%d %H%M%S", "%Y%m%d%H%M%S", "%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p"]
 MOST_GUESSES = 3
+LONGEST = 80  # signs of a date
 
 
 def seconds_of(text, form=None):
     """(seconds, has a zone) of a date and time of the day, None where it is none. Without a zone it is taken as UTC. `form`: as of strptime; without it
     ISO 8601 and other forms whose order of day and month is sure."""
+    text = text.strip()
+    if len(text) > LONGEST:
+        return None
     try:
-        when = by_form(text.strip(), form) if form else unmistakable(text.strip())
+        when = by_form(text, form) if form else unmistakable(text)
         return None if when is None else ((when if when.tzinfo else when.replace(tzinfo=timezone.utc)).timestamp(), when.tzinfo is not None)
     except (ValueError, OverflowError):
         return None
@@ -59,7 +63,7 @@ def zone_of(text):
 
 
 def is_time_of_day(text):
-    return OF_DAY.match(text.strip()) is not None
+    return len(text) <= LONGEST and OF_DAY.match(text.strip()) is not None
 
 
 def forms_for(cells):

@@ -6,8 +6,7 @@ from drill_rig_sim.field.dates import is_time_of_day
 from drill_rig_sim.field.signals import RANKS, word
 from drill_rig_sim.field.table import RecordError, Table, is_unit, lines_of, shown
 
-# NAME.UNIT  VALUE : DESCRIPTION; of units `1000 lbf` alone has a blank
-LINE = re.compile(r"\s*([^.:]*?)\s*\.((?:\d+ (?=[A-Za-z]))?\S*)\s*(.*?)\s*(?::([^:]*))?$")
+LINE = re.compile(r"([^.:]*)\.((?:\d+ (?=[A-Za-z]))?\S*)(.*)$")  # NAME.UNIT  VALUE; of units `1000 lbf` alone has a blank
 DELIMITERS = {"COMMA": ",", "TAB": "\t"}  # by DLM of ~V; blanks else
 WORD = re.compile(r'"[^"]*"|\S+')
 REPEATED = "PO"  # sections that files have several times: none of them is read
@@ -19,12 +18,12 @@ def read_las(file, text, times=()):
     version = values_in(sections.get("V", []))
     if "A" not in sections or "C" not in sections:
         raise RecordError("%s: has no section %s; needed: LAS 2.0 with ~V, ~W, ~C and ~A" % (file, "~A" if "A" not in sections else "~C"))
-    if version.get("VERS", ("", "2.0"))[1].strip() not in ("1.2", "1.20", "2.0", "2.00", "2"):
-        raise RecordError("%s: is LAS %s; allowed: 1.2 and 2.0" % (file, version["VERS"][1].strip()))
-    curves = [match.groups()[:2] for match in (LINE.match(line) for _, line in sections["C"]) if match]
+    if version.get("VERS", ("", "2.0"))[1] not in ("1.2", "1.20", "2.0", "2.00", "2"):
+        raise RecordError("%s: is LAS %s; allowed: 1.2 and 2.0" % (file, version["VERS"][1]))
+    curves = [parts[:2] for parts in parts_of(sections["C"])]
     names, units = [name for name, _ in curves], [unit.strip(" []()") or None for _, unit in curves]
     well = values_in(sections.get("W", []))
-    null = well.get("NULL", ("", ""))[1].strip()
+    null = well.get("NULL", ("", ""))[1]
     index = index_of(file, names, units, times)
     if index == 0:
         units[0] = units[0] or well.get("STRT", ("", ""))[0] or None
@@ -48,15 +47,21 @@ def sections_of(file, text):
     return found
 
 
+def parts_of(lines):
+    """Name, unit and value of each line that has them, without the description behind the last colon, which some programs leave out."""
+    matches = (LINE.match(line.rpartition(":")[0] or line) for _, line in lines)
+    return [[part.strip() for part in match.groups()] for match in matches if match]
+
+
 def values_in(lines):
-    """Unit and value by name."""
-    return {match.group(1).upper(): (match.group(2), match.group(3)) for match in (LINE.match(line) for _, line in lines) if match}
+    """Unit and first word of the value by name."""
+    return {name.upper(): (unit, (value.split() or [""])[0]) for name, unit, value in parts_of(lines)}
 
 
 def rows_of(file, lines, names, version):
     """Of wrapped data a row goes on over lines until it has as many values as there are curves."""
-    wrapped = version.get("WRAP", ("", "NO"))[1].strip().upper() == "YES"
-    delimiter = DELIMITERS.get(version.get("DLM", ("", ""))[1].strip().upper())
+    wrapped = version.get("WRAP", ("", "NO"))[1].upper() == "YES"
+    delimiter = DELIMITERS.get(version.get("DLM", ("", ""))[1].upper())
     rows, places, cells, begun = [], [], [], None
     for number, line in lines:
         begun, cells = begun or number, cells + cells_of(line, delimiter, len(names))

@@ -158,8 +158,8 @@ def numbers_with_points(file, table, places, decimal):
 
 
 def lines_of(text):
-    """As an editor counts them, with the line ends of any system."""
-    return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    """As an editor counts them, with the line ends of any system and without its mark of the end of a file (DOS)."""
+    return text.rstrip("\x1a\r\n").replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
 def rows_of(file, lines, first, delimiter):
