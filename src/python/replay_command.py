@@ -7,7 +7,7 @@ import sys
 
 from drill_rig_sim.field.models import ModelError, scene_and_survey
 from drill_rig_sim.field.pipe import clock, first_hung
-from drill_rig_sim.field.record import RecordError, read_record
+from drill_rig_sim.field.record import COMPARED, RecordError, read_record
 from drill_rig_sim.field.replay import check, play
 from drill_rig_sim.field.start import FROM, simulator_of, start_keys
 from drill_rig_sim.field.window import between, moment, stretches
@@ -31,7 +31,7 @@ def table(replay, units=SI):
 
 
 def draw(replay, file, units=SI):
-    from drill_rig_sim.score_plots import plt  # needs matplotlib
+    from drill_rig_sim.score_plots import plt, save  # needs matplotlib
     figure, axes = plt.subplots(2 * len(replay.recorded), sharex=True, figsize=(9.0, 3.6 * len(replay.recorded)), squeeze=False, constrained_layout=True)
     for place, signal in enumerate(replay.recorded):
         unit, factor, _ = units[QUANTITIES[signal]]
@@ -45,8 +45,7 @@ def draw(replay, file, units=SI):
         off.set_ylabel("off [%s]" % unit)
     axes[-1, 0].set_xlabel("time [s]")
     axes[0, 0].set_title(os.path.basename(replay.name), fontsize=10)
-    figure.savefig(file, dpi=100)
-    plt.close(figure)
+    save(figure, file)
 
 
 def write(replay, file):
@@ -77,6 +76,8 @@ def replay_of(options):
     scene, survey = scene_and_survey(file)
     values, lines = start_keys(scene, record, options.start)
     replay = play(simulator_of(file, scene, survey, values), record, left_out)
+    if not replay.table():
+        raise RecordError("%s: no row is left to compare; needed: less in --leave-out, or %s where the string hangs" % (record.name, ", ".join(COMPARED)))
     replay.remarks += remarks + lines
     return replay
 

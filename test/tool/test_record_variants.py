@@ -102,6 +102,7 @@ class Tables(Folder):
         self.right(self.read(table(" ", ("T", "H", "B")), MAP + "delimiter: blank\n"))
         self.right(self.read(table("|", ("T", "H", "B")), MAP + "delimiter: bar\n"))
         self.refused("r.csv:3: 29.5 has a decimal point; needed: decimal commas", table(";", ("T", "H", "B")), MAP + "decimal: comma\n")
+        self.refused("map.yaml:2: hook_load: column H is that of block_height", table(header=("T", "H", "B")), MAP.replace("column: B", "column: h"))
         days = table(header=("T", "H", "B"), times=["%.10f" % (45413.5 + row[0] / 86400) for row in ROWS])
         self.assertEqual([0, 5, 10, 15], [round(time, 3) for time in self.read(days, MAP.replace("unit: s", "unit: d")).time])
 

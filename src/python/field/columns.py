@@ -29,9 +29,20 @@ def read_map(file):
     try:
         entries = plan_of(file).mapping((*SIGNALS, *LAYOUT_KEYS))
         columns = {signal: column_of(signal, entries[signal]) for signal in SIGNALS if signal in entries}
+        check_apart(columns, entries)
         return ColumnMap(columns, *nulls_and_layout(entries))
     except PlanError as error:
         raise RecordError(str(error))
+
+
+def check_apart(columns, entries):
+    """That no two signals are of one column."""
+    owners = {}
+    for signal, column in columns.items():
+        for name in column.names:
+            owner = owners.setdefault(name.strip().lower(), signal)
+            if owner != signal:
+                entries[signal].fail("column %s is that of %s; needed: a column for each" % (name, owner))
 
 
 def nulls_and_layout(entries):

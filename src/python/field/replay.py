@@ -4,7 +4,7 @@ import re
 import numpy
 from drill_rig_sim.control import driven
 from drill_rig_sim.field.follow import PATIENCE, Follow
-from drill_rig_sim.field.pipe import Slip, clock, compared, pipe_events
+from drill_rig_sim.field.pipe import Slip, check_directions, clock, compared, pipe_events
 from drill_rig_sim.field.record import COMPARED, RecordError
 from drill_rig_sim.field.window import inside
 
@@ -59,6 +59,7 @@ def check(record):
     """RecordError where a record cannot be played."""
     if "block_height" not in record and "block_velocity" not in record:
         raise RecordError("%s: needs block_height or block_velocity" % record.name)
+    check_directions(record)
     gap = int(numpy.diff(record.time).argmax())
     if record.time[gap + 1] - record.time[gap] > LONGEST_GAP:
         raise RecordError("%s: has a gap of %.6g days from %.1f s on; allowed: a day; needed: a part before or after it (drill replay --from, --to)" %
