@@ -37,6 +37,8 @@ READ = {
     "bars": table("|"),
     "bars at both ends": "\n".join(line + "|" for line in table("|").splitlines()),
     "blanks": table("  ", ("TIME", "HKLD", "BPOS")).replace("BPOS\n", "BPOS\nsec  klbf  ft\n"),
+    "blanks, values as wide as the column": "TIME  HKLD  BPOS\ns     klbf  ft\n" + "".join("%-6d%-6.2f %g\n" % row for row in ROWS),
+    "blanks, dates with one": "DateTime             HKLD    BPOS\ndate                 klbf    ft\n" + "".join("%s  %g  %g\n" % (when, h, b) for when, (_, h, b) in zip(dates("%Y-%m-%d %H:%M:%S"), ROWS)),
     "one blank": table(" ", ("TIME", "HKLD", "BPOS")).replace("BPOS\n", "BPOS\ns klbf ft\n"),
     "aligned, names with blanks": table("    ", NAMES),
     "unit in other brackets": table(header=("Time <s>", "HKLD {klbf}", "BPOS [ft]")),

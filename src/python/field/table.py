@@ -175,12 +175,22 @@ def rows_of(file, lines, first, delimiter):
 def split(lines, delimiter):
     """Number of its first line, from 1, and cells of each row."""
     if delimiter in (BLANK, WIDE):
-        yield from ((number, re.split(delimiter, line.strip())) for number, line in enumerate(lines, 1))
+        yield from enumerate(split_by_blanks(lines, delimiter), 1)
         return
     reader, line = csv.reader(lines, delimiter=delimiter, skipinitialspace=True), 1
     for cells in reader:
         begun, line = line, reader.line_num + 1
         yield begun, cells
+
+
+def split_by_blanks(lines, delimiter):
+    """Cells of each line, by wide blanks where single ones do not come to as many as in the first line, and the other way round: values may be as wide as a column."""
+    count, other = None, BLANK if delimiter == WIDE else WIDE
+    for line in lines:
+        cells = re.split(delimiter, line.strip())
+        count = count or len(cells)
+        others = re.split(other, line.strip()) if len(cells) != count else cells
+        yield others if len(others) == count else cells
 
 
 def likely_delimiter(header):
