@@ -118,6 +118,8 @@ class Tables(Folder):
             record = self.read(table(header=POUNDS).replace("5,201,", "5,%s," % null))
             self.assertEqual([1], [k for k, load in enumerate(record.signals["hook_load"]) if load != load], null)
             self.assertIn("Hook Load (lbs): 1 values such as %g are far from all others and are taken for null values (first: " % float(null), "\n".join(record.remarks))
+        low = self.read(table(header=POUNDS, load=1e3).replace("5,201000,", "5,9999,"))
+        self.assertEqual([1], [k for k, load in enumerate(low.signals["hook_load"]) if load != load])
         kept = self.read(table(load=5.0).replace("5,1005,", "5,999.25,"))
         self.assertAlmostEqual(999.25 * KLBF, kept.signals["hook_load"][1], delta=1.0)
         for row in ("-999.25", "NULL", "", "N/A"):

@@ -9,7 +9,7 @@ from drill_rig_sim.field.units import UnitError, factor_of
 
 NULLS = (-999.0, -999.25, -9999.0, -9999.25, -99999.0, -99999.25, -999999.0, -999999.25)  # as logs write "no number"
 LIKE_NULLS = (999.25, 9999.0, 9999.25, 99999.0, 99999.25, 999999.0, 32767.0, 32768.0, 65535.0)  # a sign was lost, or a counter is full
-ALONE = 2.0  # times as large as all other values of its column, from which on such a number is a null
+ALONE = 2.0  # times as large as all other values of its column, or as small, from which on such a number is a null
 MOST_GUESSED = 2000  # dates by which formats are tried
 MOST_ODD = 0.5  # share of the numbers out of a signal's range from which on the unit is taken to be wrong
 
@@ -175,12 +175,14 @@ def close(number, null):
 
 
 def leave_out_likely_nulls(table, name, raw, remarks):
-    """Of numbers that files write for no number those which stand far above all others of their column; reported."""
-    odd = numpy.isin(numpy.abs(raw), LIKE_NULLS)
-    others = numpy.abs(raw[numpy.isfinite(raw) & ~odd])
+    """Of numbers that files write for no number those which stand far from all others of their column; reported."""
+    sizes = numpy.abs(raw)
+    odd = numpy.isin(sizes, LIKE_NULLS)
+    others = sizes[numpy.isfinite(sizes) & ~odd]
     if not len(others):
         return
-    odd = numpy.flatnonzero(odd & (numpy.abs(numpy.nan_to_num(raw)) >= ALONE * others.max()))
+    with numpy.errstate(invalid="ignore"):
+        odd = numpy.flatnonzero(odd & ((sizes >= ALONE * others.max()) | (ALONE * sizes <= others.min())))
     if len(odd):
         remarks.append("%s: %d values such as %g are far from all others and are taken for null values (first: %s)" % (name, len(odd), raw[odd[0]], table.place(odd[0])))
         raw[odd] = numpy.nan
