@@ -1,12 +1,11 @@
 """What `drill calibrate` starts: fits parameters of a scene to a record or a table of weights, and says how sure they are and what a part of the data that
 the fit never saw says. The runner has checked the command line."""
 import argparse
-import json
-import math
 import sys
 import time
 
 import numpy
+from drill_rig_sim.json_file import write_json
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
 
@@ -59,12 +58,11 @@ class Progress:
 
 
 def as_json(plan, found, left):
-    """As JSON has it: what is no finite number is null."""
-    return finite({
+    return {
         "parameters": [{"name": p.name, "value": value, "half_width_95": width, "without_effect": p.name in found.without_effect}
                        for p, value, width in zip(plan.parameters, found.values, found.half_widths)],
         "covariance": found.covariance.tolist(), "rms": {signal: {"fitted": numbers[0], "held_out": numbers[1]} for signal, numbers in left.items()},
-        "points": found.runs, "residuals": residuals_by_group(plan, found)})
+        "points": found.runs, "residuals": residuals_by_group(plan, found)}
 
 
 def residuals_by_group(plan, found):
@@ -73,17 +71,6 @@ def residuals_by_group(plan, found):
     off = plan.model.observed - found.predicted
     return {str(group): {axis: places[groups == group].tolist(), "recorded": plan.model.observed[groups == group].tolist(), "residual": off[groups == group].tolist(),
                          "fitted": plan.fitted[groups == group].tolist()} for group in dict.fromkeys(groups)}
-
-
-def finite(value):
-    """Numbers that are not finite become None."""
-    if isinstance(value, dict):
-        return {key: finite(inner) for key, inner in value.items()}
-    if isinstance(value, list):
-        return [finite(inner) for inner in value]
-    if isinstance(value, float):  # numpy's are too
-        return float(value) if math.isfinite(value) else None
-    return value
 
 
 def main(words):
@@ -113,9 +100,7 @@ def main(words):
             evaluator.close()
         left = residuals(plan, found)
         if options.json:
-            with open(options.json, "w", encoding="utf-8") as out:
-                json.dump(as_json(plan, found, left), out, indent=1, allow_nan=False)
-                out.write("\n")
+            write_json(as_json(plan, found, left), options.json)
         print("\n".join(table(plan, found, left)))
         return GOOD
     except (PlanError, RecordError, ModelError, FitError, Refused) as error:

@@ -1,11 +1,14 @@
 """The well of a run from above, in section, and its toolfaces on a dial; the forces along a string as `drill static --csv` gives them."""
-import csv
 import math
 
 import numpy
+from drill_rig_sim.field.record import prefixed, read_table
+from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.plot_logs import limits
+from drill_rig_sim.refusal import Refusal
 from drill_rig_sim.score import bottom_points, new_hole, on_bottom, sliding_rows
 from drill_rig_sim.score_plots import LINE, plt
+from drill_rig_sim.text_file import report
 from drill_rig_sim.units import SI
 
 PLAN = {"linestyle": "--", "color": "#2ca02c", "linewidth": 1.0, "label": "plan"}
@@ -19,7 +22,7 @@ STRING_TRACKS = (
     ((("contact_force", "", "#c0392b"),), "force", "contact", 1e3))
 
 
-class StringError(Exception):
+class StringError(Refusal):
     """What is wrong with a string's file, in one line."""
 
 
@@ -98,18 +101,15 @@ def toolface_dial(run):
 def read_string(file):
     """Columns of a string by drill static --csv, or at the end of drill run --profile."""
     try:
-        with open(file, newline="", encoding="utf-8") as text:
-            rows = list(csv.DictReader(text))
-        columns = {name: numpy.array([float(row[name]) for row in rows]) for name in
-                   ("md", *(curve[0] for track, _, _, _ in STRING_TRACKS for curve in track))}
-    except OSError as error:
-        raise StringError("%s: %s" % (file, error.strerror))
-    except (KeyError, TypeError, ValueError):
-        raise StringError("%s: needed: a string as drill static --csv or drill run --profile writes it" % file)
-    if not rows:
+        table = read_table(file)
+        report(prefixed(file, table.remarks))
+        columns = {name: table.numbers(name) for name in ("md", *(curve[0] for track, _, _, _ in STRING_TRACKS for curve in track))}
+        time = table.numbers("time") if "time" in table.names else numpy.zeros(len(table.rows))
+    except RecordError as error:
+        raise StringError("%s (needed: a string as drill static --csv or drill run --profile writes it)" % error)
+    if not table.rows:
         raise StringError("%s: has no rows" % file)
-    last = [row.get("time") == rows[-1].get("time") for row in rows]
-    return {name: values[last] for name, values in columns.items()}
+    return {name: values[time == time[-1]] for name, values in columns.items()}
 
 
 def string_log(columns, name, units=SI):

@@ -1,17 +1,17 @@
 """What `drill replay` starts: plays a record to a scene and says how far the simulated hook load, torque and pressure are off. The runner has checked the
 command line."""
 import argparse
-import json
 import math
 import os
 import sys
 
 from drill_rig_sim.field.models import ModelError, scene_and_survey
 from drill_rig_sim.field.pipe import clock, first_hung
-from drill_rig_sim.field.record import RecordError, read_record
+from drill_rig_sim.field.record import COMPARED, RecordError, read_record
 from drill_rig_sim.field.replay import check, play
 from drill_rig_sim.field.start import FROM, simulator_of, start_keys
 from drill_rig_sim.field.window import between, moment, stretches
+from drill_rig_sim.json_file import write_json
 from drill_rig_sim.lockstep import Failed, Refused
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
 from drill_rig_sim.sim import found
@@ -31,7 +31,7 @@ def table(replay, units=SI):
 
 
 def draw(replay, file, units=SI):
-    from drill_rig_sim.score_plots import plt  # needs matplotlib
+    from drill_rig_sim.score_plots import plt, save  # needs matplotlib
     figure, axes = plt.subplots(2 * len(replay.recorded), sharex=True, figsize=(9.0, 3.6 * len(replay.recorded)), squeeze=False, constrained_layout=True)
     for place, signal in enumerate(replay.recorded):
         unit, factor, _ = units[QUANTITIES[signal]]
@@ -45,8 +45,7 @@ def draw(replay, file, units=SI):
         off.set_ylabel("off [%s]" % unit)
     axes[-1, 0].set_xlabel("time [s]")
     axes[0, 0].set_title(os.path.basename(replay.name), fontsize=10)
-    figure.savefig(file, dpi=100)
-    plt.close(figure)
+    save(figure, file)
 
 
 def write(replay, file):
@@ -70,13 +69,15 @@ def part_of(record, options):
 
 def replay_of(options):
     record = read_record([options.record, *options.more], options.columns)
-    check(record)
     left_out = stretches(options.leave_out, record)
     record, remarks = part_of(record, options)
+    check(record)
     file = found(os.path.abspath(options.scene) if os.path.exists(options.scene) else options.scene, "config/scenes")
     scene, survey = scene_and_survey(file)
     values, lines = start_keys(scene, record, options.start)
     replay = play(simulator_of(file, scene, survey, values), record, left_out)
+    if not replay.table():
+        raise RecordError("%s: no row is left to compare; needed: less in --leave-out, or %s where the string hangs" % (record.name, ", ".join(COMPARED)))
     replay.remarks += remarks + lines
     return replay
 
@@ -98,9 +99,7 @@ def main(words):
     try:
         replay = replay_of(options)
         if options.json:
-            with open(options.json, "w", encoding="utf-8") as out:
-                json.dump(replay.table(), out, indent=2, allow_nan=False)
-                out.write("\n")
+            write_json(replay.table(), options.json)
         if options.csv:
             write(replay, options.csv)
         if options.plots:

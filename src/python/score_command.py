@@ -1,10 +1,10 @@
 """What `drill score` starts: the scores as a table, as JSON, and as a page of plots. The runner has checked the command line."""
 import argparse
-import json
 import math
 import os
 import sys
 
+from drill_rig_sim.json_file import write_json
 from drill_rig_sim.score import read_run, read_survey, score
 from drill_rig_sim.score_runs import RunError
 from drill_rig_sim.survey import SurveyError
@@ -87,9 +87,7 @@ def judge(args):
     plan = read_survey(args.plan) if args.plan else None
     scores = score(run, plan, args.bit_diameter, args.wob, args.wob_band, radians(args.toolface), radians(args.toolface_band))
     if args.json:
-        with open(args.json, "w", encoding="utf-8") as out:
-            json.dump(scores, out, indent=2, allow_nan=False)
-            out.write("\n")
+        write_json(scores, args.json)
     if args.plots:
         from drill_rig_sim import score_plots  # needs matplotlib
         score_plots.draw(run, scores, plan, args.bit_diameter, args.plots, units)

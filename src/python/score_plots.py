@@ -31,9 +31,14 @@ def draw(run, scores, plan, bit_diameter, file, units=SI):
         panel.grid(alpha=0.3)
     figure.suptitle("%s, by its %s" % (run.title, run.source), fontsize=10)
     figure.tight_layout()
+    save(figure, file)
+
+
+def save(figure, file):
+    """As a picture of the kind that the file's name says; closed then. OSError for an ending that is no picture's."""
     try:
         figure.savefig(file, dpi=110)
-    except ValueError as error:  # an ending that is no picture's
+    except ValueError as error:
         raise OSError(22, str(error).splitlines()[0], file)
     finally:
         plt.close(figure)

@@ -3,7 +3,11 @@ import csv
 import os
 
 import numpy
+from drill_rig_sim.field.record import prefixed, read_table
+from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.lockstep import series
+from drill_rig_sim.refusal import Refusal
+from drill_rig_sim.text_file import report
 
 FLAGS = ("winch_limited", "top_drive_limited", "stop_reached", "slack_line", "relief_valve_open", "over_stress", "over_torque", "buckled",
          "accuracy_warning")
@@ -18,7 +22,7 @@ BIT = {"wob": "wob", "bit_torque": "torque", "bit_speed": "speed", "inclination"
        "bit_east": "position.x", "bit_north": "position.y", "bit_up": "position.z"}
 
 
-class RunError(Exception):
+class RunError(Refusal):
     """What is wrong with a run, in one line."""
 
 
@@ -63,23 +67,13 @@ def read_run(file, namespace=None):
 
 def read_series(file):
     try:
-        with open(file, newline="", encoding="utf-8") as text:
-            names, *rows = list(csv.reader(text)) or [[]]
-        if any(len(row) != len(names) for row in rows):
-            raise RunError("%s: has rows of another length than its header" % file)
-        table = [[number(cell, name) for cell, name in zip(row, names)] for row in rows]
-    except OSError as error:
-        raise RunError("%s: %s" % (file, error.strerror))
-    except (ValueError, csv.Error):
-        raise RunError("%s: holds what is no number, needed: the time series of drill run --csv" % file)
-    columns = {name: numpy.array(values) for name, values in zip(names, zip(*table))}
+        table = read_table(file)
+        report(prefixed(file, table.remarks))
+        columns = {name: table.numbers(name, is_reading(name)) for name in table.names}
+    except RecordError as error:
+        raise RunError(str(error))
     begin, earlier = last_run(columns.get("time", ()))
     return Run({name: values[begin:] for name, values in columns.items()}, "truth", file, earlier=earlier)
-
-
-def number(cell, column):
-    """Of a row's cell; nan where it is empty and may be. A ValueError where it holds no number."""
-    return float(cell) if cell or not is_reading(column) else numpy.nan
 
 
 def last_run(time):

@@ -74,8 +74,8 @@ class Tables(Folder):
                                     ("T\n1\n2\n", "tim: {column: T, unit: s}\n", "unknown key"), ("T\n1\n\n3\n2\n", "time: {column: T, unit: s}\n", "r.csv:5: the time goes back to 2 s"),
                                     ("T\n1\n", "time: {column: T, unit: s}\n", "two rows"), ("", None, "is empty"), ("\n\n", None, "is empty"),
                                     ("T,T\n1,2\n2,3\n", "time: {column: T, unit: s}\n", "there are 2 columns T"),
-                                    ("T\n1\n2\n", "time: {column: T, unit: s}\nhook_load: {column: T}\n", "hook_load: T has no unit"),
-                                    ("T,H\na,1\nb,2\n", MAP.replace("block_height", "bit_depth").replace("column: B", "column: H"), "r.csv:2: T: a is not a number of s"),
+                                    ("T,H\n1,1\n2,2\n", "time: {column: T, unit: s}\nhook_load: {column: H}\n", "hook_load: H has no unit"),
+                                    ("T,H\na,1\nb,2\n", MAP[:MAP.index("block_height")], "r.csv:2: T: a is not a number of s"),
                                     ("T\n1\n2\n", "time: {column: T, unit: s, format: '%H'}\n", "must be date where there is a format")):
             self.refused(said, text, columns)
         self.assertRaisesRegex(RecordError, "/nowhere.csv: cannot be read", read_record, "/nowhere.csv")
@@ -86,7 +86,8 @@ class Tables(Folder):
         rows = ["%d,%s,10" % (k if k < 20 else k + 60, {3: "-999.25", 4: "off", 5: ""}.get(k, "100")) for k in range(40)]
         record = self.read("T,H,B\n" + "\n".join(rows) + "\n,100,10\n", columns)
         self.assertEqual(3, numpy.isnan(record.signals["hook_load"]).sum())
-        self.assertEqual(["1 rows have no time and are left out (first: %s:42)" % os.path.join(self.folder, "r.csv"), "hook_load: 3 of 40 rows hold no measurement",
+        self.assertEqual(["1 cells of H hold a text, no number (first: %s:6: off)" % os.path.join(self.folder, "r.csv"),
+                          "1 rows have no time and are left out (first: %s:42)" % os.path.join(self.folder, "r.csv"), "hook_load: 3 of 40 rows hold no measurement",
                           "a gap of 61 s from 19 s on", "has no flow: the pump is taken as off", "has no top_drive_speed: the string is taken as not turned",
                           "has no bit_depth: the string is taken to move with the block at all times"], [line.split(": ", 1)[1] for line in record.remarks])
 
@@ -131,15 +132,15 @@ class Units(Folder):
 
     def test_every_spelling_has_its_size(self):
         for quantity, value, words in (
-                ("force", 4448.2216152605, "klbf klb klbs KLBS Klb kip kips 1000lbf"), ("force", 4.4482216152605, "lbf lb LBS pounds"),
-                ("force", 9806.65, "kkgf tonne tonnes t Mgf 1000_kgf metric_ton"), ("force", 1e4, "kdaN"), ("force", 10.0, "daN DAN"), ("force", 1e3, "kN KN kn"),
-                ("force", 8896.443230521, "tonfUS TONFUS short_ton"), ("force", 9964.01641818352, "tonfUK long_ton"),
-                ("torque", 1355.8179483314004, "kft.lbf kft_lb kft-lb kft-lbs klbf.ft kft*lbf KFT.LBF ft-klbf 1000_ft_lbf kft·lbf"),
-                ("torque", 1.3558179483314004, "ft.lbf ft-lb ft_lbs lbf-ft lb-ft ftlb"), ("torque", 1e3, "kN.m kNm KN-M kN*m kN_m"), ("torque", 10.0, "daN.m"),
-                ("pressure", 6894.757293168362, "psi PSI psig lbf/in2"), ("pressure", 1e5, "bar BAR"), ("pressure", 1e3, "kPa KPA"), ("pressure", 98066.5, "kgf/cm2 kg/cm2"),
-                ("turning", 2 * math.pi / 60, "rpm RPM rev/min c/min r/min 1/min"), ("turning", 2 * math.pi, "c/s rev/s Hz"),
-                ("flow", 3.785411784e-3 / 60, "gpm GPM gal/min galUS/min gal_per_min USGPM"), ("flow", 1e-3 / 60, "L/min l/min lpm LPM"),
-                ("flow", 0.158987294928 / 60, "bbl/min bpm"), ("length", 0.3048, "ft feet FT Feet"), ("length", 1.0, "m M metres"),
+                ("force", 4448.2216152605, "klbf klb klbs KLBS Klb kip kips 1000lbf k-lbs K-LB klb_f klbs. kpounds"), ("force", 4.4482216152605, "lbf lb LBS pounds"),
+                ("force", 9806.65, "kkgf tonne tonnes t te tonne.f Mgf 1000_kgf metric_ton"), ("force", 1e4, "kdaN"), ("force", 10.0, "daN DAN"), ("force", 1e3, "kN KN kn"),
+                ("force", 8896.443230521, "tonfUS TONFUS short_ton ston ton(US) UStonf"), ("force", 9964.01641818352, "tonfUK long_ton ton(UK)"),
+                ("torque", 1355.8179483314004, "kft.lbf kft_lb kft-lb kft-lbs klbf.ft kft*lbf KFT.LBF ft-klbf 1000_ft_lbf kft·lbf kip-ft ft-kips K-FT-LB"),
+                ("torque", 1.3558179483314004, "ft.lbf ft-lb ft_lbs lbf-ft lb-ft ftlb foot-pounds"), ("torque", 1e3, "kN.m kNm KN-M kN*m kN_m"), ("torque", 10.0, "daN.m"),
+                ("pressure", 6894.757293168362, "psi PSI psig psi(g) lbf/in2 lb/in²"), ("pressure", 1e5, "bar BAR barg bar(g)"), ("pressure", 1e3, "kPa KPA"), ("pressure", 98066.5, "kgf/cm2 kg/cm2 kgf/cm² KSC"),
+                ("turning", 2 * math.pi / 60, "rpm RPM rev/min c/min r/min 1/min /min r.p.m. rev_per_min"), ("turning", 2 * math.pi, "c/s rev/s Hz"),
+                ("flow", 3.785411784e-3 / 60, "gpm GPM gal/min galUS/min gal_per_min USGPM US_gpm gpm(US) US-gal/min"), ("flow", 4.54609e-3 / 60, "galUK/min igpm gal(UK)/min"), ("flow", 1 / 60, "m3/min m³/min M3/MIN kL/min"), ("flow", 1e-3 / 60, "dm3/min L/min l/min lpm LPM"),
+                ("flow", 0.158987294928 / 60, "bbl/min bpm stb/min"), ("length", 0.3048, "ft feet FT Feet '"), ("length", 1.0, "m M metres"),
                 ("speed", 0.3048 / 3600, "ft/h ft/hr ft_per_hr fph"), ("speed", 1 / 3600, "m/h m/hr"), ("time", 60.0, "min MIN minutes"), ("time", 1.0, "s sec S")):
             for word in words.split():
                 self.assertAlmostEqual(1.0, factor_of(quantity, word) / value, places=12, msg="%s %s" % (quantity, word))

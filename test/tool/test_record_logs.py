@@ -53,6 +53,52 @@ class Witsml(Folder):
             self.right(self.xml(log="<dataDelimiter>%s</dataDelimiter>" % sign, rows=[sign.join((stamp, "%g" % h, "%g" % b, "1,5")) for stamp, (_, h, b) in zip(STAMPS, ROWS)]))
         self.refused(["r.xml:5: data row 1 has 1 values, there are 4 curves"], witsml(log="<dataDelimiter>;</dataDelimiter>"), name="r.xml")
 
+    def test_texts_in_quotes_and_signs_about_the_delimiter(self):
+        self.right(self.xml(names="TIME,HKLD,ACT,BLOCKCOMP", units="s,klbf,,ft", rows=['%s,%g,"drill, ahead",%g' % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]))
+        bars = ["|".join((stamp, "%g" % h, "%g" % b, "1")) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
+        self.right(self.xml(log="<dataDelimiter> | </dataDelimiter>", rows=bars))
+        self.right(self.xml(log="<dataDelimiter>|</dataDelimiter>", names="TIME|HKLD|BLOCKCOMP|GAS", units="s|klbf|ft|%", rows=bars))
+        for cell in ("-999.25", "NULL", ""):
+            rows = ["%s,%g,%g,0" % (stamp if k != 1 else cell, h, b) for k, (stamp, (_, h, b)) in enumerate(zip(STAMPS, ROWS))]
+            self.assertEqual([0.0, 10.0, 15.0], list(self.xml(rows=rows).time), cell)
+
+    def test_index_and_units_that_the_file_says_twice(self):
+        rows = ["%g,%s,%g,0" % (h, stamp, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
+        for curve in ("Time", "", "RIGTIME"):
+            self.right(self.xml(index_curve=curve, names="HKLD,TIME,BLOCKCOMP,GAS", units="klbf,s,ft,%", rows=rows))
+        self.right(self.xml(index_curve="", names="HKLD,T1,BLOCKCOMP,GAS", units="klbf,s,ft,%", rows=rows, log="<logCurveInfo><mnemonic>T1</mnemonic><typeLogData>date time</typeLogData></logCurveInfo>"))
+        other = "<logCurveInfo><mnemonic>HKLD</mnemonic><unit>%s</unit></logCurveInfo>"
+        self.right(self.xml(log=other % "kN"), ["HKLD: its unit is klbf in unitList, kN in logCurveInfo: unitList's is taken"])
+        self.assertNotIn("logCurveInfo", "\n".join(self.xml(log=other % "1000 lbf").remarks))
+        seconds = ["%g,%g,%g,0" % row for row in ROWS]
+        self.right(self.xml(index="elapsed time", units=",klbf,ft,%", log='<startIndex uom="s">0</startIndex>', rows=seconds))
+        self.refused("TIME: the time has no unit", witsml(index="elapsed time", units=",klbf,ft,%", rows=seconds), name="r.xml")
+        self.right(self.xml(log="<direction>Decreasing</direction>", rows=["%s,%g,%g,0" % (stamp, h, b) for stamp, (_, h, b) in reversed(list(zip(STAMPS, ROWS)))]))
+
+    def test_a_curve_of_time_that_the_map_names(self):
+        options = {"index": "measured depth", "index_curve": "DEPT", "names": "DEPT,HKLD,BLOCKCOMP,CLK", "units": "m,klbf,ft,"}
+        rows = ["%d,%g,%g,%s" % (100 + t, h, b, stamp) for stamp, (t, h, b) in zip(STAMPS, ROWS)]
+        columns = "time: {column: CLK, unit: date}\nhook_load: {column: HKLD}\nblock_height: {column: BLOCKCOMP}\n"
+        self.right(self.xml(rows=rows, columns=columns, **options))
+        self.refused("DEPT: the map says s, the file m", witsml(rows=rows, **options), columns.replace("CLK, unit: date", "DEPT, unit: s"), name="r.xml")
+        self.right(self.read(las(curves="DEPT.M : d\nHKLD.KLBF : h\nBLOCKCOMP.FT : b\nCLK.S : t\n", rows=["%g %g %g %g" % (100 + t, h, b, t) for t, h, b in ROWS]),
+                             columns.replace(", unit: date", ""), name="r.las"))
+        minutes = las(curves="TIME.M : t\nHKLD.KLBF : h\nBPOS.FT : b\n", rows=["%.17g %g %g" % (t / 60, h, b) for t, h, b in ROWS])
+        self.right(self.read(minutes, "time: {column: TIME, unit: min}\nhook_load: {column: HKLD}\nblock_height: {column: BPOS}\n", name="r.las"))
+
+    def test_later_data_without_names_have_those_of_the_first(self):
+        infos = "".join("<logCurveInfo><mnemonic>%s</mnemonic><unit>%s</unit></logCurveInfo>" % curve for curve in (("BLOCKCOMP", "ft"), ("HKLD", "klbf"), ("TIME", "s"), ("GAS", "%")))
+        rows = ["%s,%g,%g,0.1" % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
+        self.right(self.xml(log=infos, rows=rows[:2], data="<logData>%s</logData>" % "".join("<data>%s</data>" % row for row in rows[2:])))
+
+    def test_encodings(self):
+        """Also where the declaration is wrong, as of a text that a program wrote in another encoding than its own."""
+        text = witsml(log="<description>\u00b0</description>")
+        for declared, encoding in (("", "utf-8"), (' encoding="UTF-16"', "utf-8"), (' encoding="UTF-16"', "utf-16"), (' encoding="ISO-8859-1"', "latin-1"), ("", "utf-8-sig"), ("", "utf-16")):
+            self.right(self.read(text.replace('"1.0"', '"1.0"' + declared, 1), name="r.xml", encoding=encoding))
+        self.right(self.read(text, name="r.xml", encoding="latin-1"), ["is not UTF-8; read as latin-1"])
+        self.right(self.read("\n " + text, name="r.xml"))
+
     def test_several_parts_are_joined_by_the_index(self):
         rows = ["%s,%g,%g,0.1" % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
         more = "<logData><mnemonicList>TIME,HKLD,BLOCKCOMP,GAS</mnemonicList><unitList>s,klbf,ft,%%</unitList>%s</logData>"
@@ -88,6 +134,11 @@ class Witsml(Folder):
         self.right(self.xml(version="1.3.1.1", log=curves))
         plain = "".join("<logCurveInfo><mnemonic>%s</mnemonic><unit>%s</unit></logCurveInfo>" % curve for curve in (("TIME", "s"), ("HKLD", "klbf"), ("BLOCKCOMP", "ft"), ("GAS", "%")))
         self.right(self.xml(version="1.3.1.1", log=plain))
+        with_a_gap = "".join("<logCurveInfo><mnemonic>%s</mnemonic><unit>%s</unit><columnIndex>%d</columnIndex></logCurveInfo>" % curve
+                             for curve in (("BLOCKCOMP", "ft", 4), ("TIME", "s", 1), ("HKLD", "klbf", 2)))
+        self.right(self.xml(version="1.3.1.1", log=with_a_gap, rows=["%s,%g,7,%g" % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]))
+        self.refused("HKLD and BLOCKCOMP have the same columnIndex 2", witsml(version="1.3.1.1", log=curves.replace(">3<", ">2<").replace('>4<', '>3<').replace("BLOCKCOMP", "X").replace(
+            "HKLD", "BLOCKCOMP").replace(">X<", ">HKLD<")), name="r.xml")
         self.refused("a log names no curves", witsml(version="1.3.1.1"), name="r.xml")
         for name in ("v1311", "decreasing"):
             record = read_record(os.path.join(CASES, "08_witsml_shapes/%s.xml" % name))
@@ -132,6 +183,25 @@ class Las(Folder):
         self.right(self.log(wrap="YES", rows=[line for t, h, b in ROWS for line in ("%g" % t, "%g" % h, "%g" % b)]))
         self.right(self.log(curves="ETIM .MIN 00 : elapsed\nHKLD .KLB : hook load\nBPOS .FT : block\n", rows=["%.17g %g %g" % (t / 60, h, b) for t, h, b in ROWS]))
         self.right(self.log(curves="DATETIME. : date\nHKLD.klbf : x\nBPOS.ft : x\n", rows=["%s %g %g" % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]))
+
+    def test_as_programs_write_it(self):
+        dated = "TIME. : t\nHKLD.klbf : x\nBPOS.ft : x\n"
+        two = "DATE. : d\nTIME.HH:MM:SS : t\nHKLD.klbf : x\nBPOS.ft : x\n"
+        rows = [(stamp[:10], stamp[11:19], h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
+        for what, text in (("commas", las(rows=["%g,%g,%g" % row for row in ROWS])), ("DLM", las(version="2.0 : v\n DLM. COMMA", rows=["%g, %g, %g" % row for row in ROWS])),
+                           ("tabs", las(version="2.0 : v\n DLM. TAB", rows=["%g\t%g\t%g" % row for row in ROWS])), ("no blanks", las(curves="TIME.S:\nHKLD.KLBF:load\nBPOS.FT:\n")), ("an end of DOS", las() + "\x1a"), ("more colons", las(version="2.0 : LAS: 2", null="-999 : no: value")),
+                           ("no colons", las(curves="TIME.S\nHKLD.KLBF\nBPOS.FT\n")),
+                           ("colons", las(curves="TIME.S : Time: of day\nHKLD.KLBF 45 66 : Hook: load (avg: 5 s)\nBPOS.FT : 10:20\n")),
+                           ("a unit with a blank", las(curves="TIME.S : t\nHKLD.1000 lbf : h\nBPOS.FT : b\n")), ("brackets", las(curves="TIME.[s] : t\nHKLD.(klbf) : h\nBPOS.[ft] : b\n")),
+                           ("the unit of STRT", las(curves="TIME. : t\nHKLD.KLBF : h\nBPOS.FT : b\n")), ("other sections", las().replace("~PARAMETER", "~OTHER\n a: 3.5 b\n~PARAMETER\n~Other\nx")),
+                           ("blanks before", las().replace("~", " ~")), ("small letters", las().replace("~C", "~c").replace("~A", "~a")), ("names after ~A", las().replace("~ASCII LOG DATA", "~A TIME HKLD BPOS")),
+                           ("a blank in the date", las(curves=dated, rows=["%s %s %g %g" % row for row in rows])), ("quotes", las(curves=dated, rows=['"%s %s" %g %g' % row for row in rows])),
+                           ("date and time", las(curves=two, rows=["%s %s %g %g" % row for row in rows]))):
+            with self.subTest(what):
+                self.right(self.read(text, name="r.las"))
+        self.refused('format: "%d/%m/%Y %H:%M:%S" or "%m/%d/%Y %H:%M:%S"', las(curves=two, rows=["01/05/2024 %s %g %g" % row[1:] for row in rows]), name="r.las")
+        self.refused("TIME: unit M is not known for a time", las(curves="TIME.M : t\nHKLD.KLBF : h\n", rows=["0 1", "5 1"]), name="r.las")
+        self.refused("there is a second section ~A", las() + "~A\n", name="r.las")
 
     def test_by_depth(self):
         curves = "DEPT.M : depth\nHKLD.KLBF : hook load\nBPOS.FT : block\n"

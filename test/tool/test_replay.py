@@ -15,9 +15,9 @@ import yaml
 from drill_rig_sim import replay_command
 from drill_rig_sim.field.course import Course, half_band, resolution
 from drill_rig_sim.field.follow import Follow
-from drill_rig_sim.field.pipe import Slip, first_hung, pipe_events, standstills
+from drill_rig_sim.field.pipe import Slip, check_directions, first_hung, pipe_events, standstills
 from drill_rig_sim.field.record import RecordError, read_record
-from drill_rig_sim.field.replay import check_start, play
+from drill_rig_sim.field.replay import check, check_start, play
 from drill_rig_sim.field.window import between, moment, stretches
 from drill_rig_sim.sim import Simulator
 
@@ -129,6 +129,20 @@ class Connections(Folder):
         drift = numpy.linspace(300.0, 310.0, 200)  # a depth that is corrected little by little
         self.assertEqual({Slip}, {type(event) for event in pipe_events(self.record(drift, 20.0 - 0.8 * (drift - 300.0)))})
         self.assertEqual([], standstills(self.record(drift, 20.0 - 0.8 * (drift - 300.0))))
+
+    def test_a_depth_that_drifts_while_the_bit_creeps(self):
+        for creep in (0.002, -0.002, 0.01):
+            bit = 300.0 + creep * numpy.arange(400)
+            events = pipe_events(self.record(bit, 20.0 + 0.011 * numpy.arange(400)))
+            self.assertEqual({Slip}, {type(event) for event in events})
+            self.assertAlmostEqual((creep + 0.011) * 400, sum(event.length for event in events), delta=0.6)
+
+    def test_a_bit_that_goes_up_and_down_with_the_block(self):
+        block = 20.0 - 0.1 * numpy.arange(40)
+        check_directions(self.record(300.0 - (block - 20.0), block))
+        for bit in (block, 300.0 + block, 300.0 + 0.9 * block):
+            with self.assertRaisesRegex(RecordError, "bit_depth rises and falls with block_height, by 3.90 m"):
+                check_directions(self.record(bit, block))
 
     def test_a_record_that_begins_in_the_slips(self):
         away = self.record(numpy.concatenate((numpy.full(20, 300.0), numpy.linspace(300.0, 302.0, 20))),
@@ -274,7 +288,8 @@ class Replays(Folder):
         data = numpy.genfromtxt(names[0], delimiter=",", names=True)
         self.assertEqual((40.0, 58.0), (data["time"][0], data["time"][-1]))
         self.assertEqual([50.0, 51.0, 52.0, 53.0, 54.0, 55.0], list(data["time"][numpy.isnan(data["recorded_hook_load"])]))
-        for words, said in ((("--from", "1e9"), "has 0 rows"), (("--from", "noon"), "--from: 'noon' is neither"), (("--to", "2024-05-01T10:00:00Z"), "has no dates"),
+        for words, said in ((("--from", "1e9"), "has 0 rows"), (("--leave-out", "0:1e9", "--start", "record"), "no row is left to compare"),
+                            (("--start", "record", "--plots", os.path.join(self.folder, "a.what")), "a.what: "), (("--from", "noon"), "--from: 'noon' is neither"), (("--to", "2024-05-01T10:00:00Z"), "has no dates"),
                             (("--leave-out", "9:3"), "A before B"), (("--leave-out", "9"), "--leave-out")):
             status, _, told = self.drill_replay(file, scene, *words)
             self.assertEqual((2, 1), (status, told.count("\n")), told)
@@ -311,6 +326,10 @@ class Replays(Folder):
             check_start(read_record(self.file("r.csv", "t,b,h,d\n0,10,1,30\n1,9,1,31\n"), columns), Simulator(QUICK))
         with self.assertRaisesRegex(RecordError, "at 2.0 s the bit jumps by -27"):
             standstills(read_record(self.file("r.csv", "t,b,h,d\n0,10,1,100\n1,9,1,101\n2,12,1,74\n3,11,1,75\n"), columns))
+        long = read_record(self.file("r.csv", "t,b,h,d\n0,10,1,30\n1,9,1,31\n172801,9,1,31\n172802,8,1,32\n"), columns)
+        with self.assertRaisesRegex(RecordError, "has a gap of 2 days from 1.0 s on"):
+            check(long)
+        check(between(long, 172801.0, math.inf))
         columns = self.file("n.yaml", "time: {column: t, unit: s}\nhook_load: {column: h, unit: N}\n")
         status, out, told = self.drill_replay(os.path.join(self.folder, "r.csv"), QUICK, "--columns", columns)
         self.assertEqual((2, ""), (status, out))

@@ -334,7 +334,7 @@ class Files(unittest.TestCase):
             run = read_run(self.changed(lambda rows, name=column: [row + [name if i == 0 else "" if i < 5 else "2.5"] for i, row in enumerate(rows)]))
             self.assertEqual((4, 2.5), (int(numpy.isnan(run[column]).sum()), run[column][-1]))
             self.assertEqual(score(read_run(self.series()))["wob"], score(run)["wob"])
-        self.assertRaisesRegex(RunError, "holds what is no number", read_run, self.changed(lambda rows: [rows[0], rows[1][:-1] + [""], *rows[2:]]))
+        self.assertRaisesRegex(RunError, "changed.csv:2: .*: an empty cell is no finite number", read_run, self.changed(lambda rows: [rows[0], rows[1][:-1] + [""], *rows[2:]]))
 
     def test_of_several_rigs_one_is_asked_for(self):
         file = self.bag({"/a/": ("rig_state",), "/b/": ("rig_state", "truth/rig_state")})
@@ -379,7 +379,7 @@ class Files(unittest.TestCase):
         self.assertIn("drilled", done.stdout)
         with open(self.file("s.json")) as text:
             self.assertAlmostEqual(-5.0, json.load(text)["toolface"]["set_point_deg"])
-        for words, complaint in ((["none.csv"], "none.csv: No such file"), ([self.series(), "--wob-band", "3"], "--wob-band: needs --wob")):
+        for words, complaint in ((["none.csv"], "none.csv: cannot be read .No such file"), ([self.series(), "--wob-band", "3"], "--wob-band: needs --wob")):
             done = subprocess.run([drill_program, "score", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=False)
             self.assertEqual((2, ""), (done.returncode, done.stdout))
             self.assertRegex(done.stderr, r"^drill score: .*%s.*\n$" % complaint)

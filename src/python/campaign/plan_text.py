@@ -16,7 +16,7 @@ class Entry:
         self.file, self.node, self.key = file, node, key
 
     def fail(self, text):
-        raise PlanError("%s:%d: %s: %s" % (self.file, self.node.start_mark.line + 1, self.key, text))
+        raise PlanError("%s:%d: %s%s" % (self.file, self.node.start_mark.line + 1, self.key + ": " if self.key else "", text))
 
     # --- what it may be
 

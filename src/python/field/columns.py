@@ -1,45 +1,66 @@
 """A map: which column of a record holds which signal, in which unit."""
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.field.signals import SIGNALS
-from drill_rig_sim.field.table import RecordError
+from drill_rig_sim.field.table import BLANK, Layout, RecordError
 from drill_rig_sim.field.units import DATE, UnitError, factor_of
 
-DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t", ",": ",", ";": ";", "\t": "\t"}
+DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "blank": BLANK, ",": ",", ";": ";", "\t": "\t", "|": "|"}
+DECIMALS = {"point": ".", "comma": ",", ".": ".", ",": ","}
+LAYOUT_KEYS = ("null", "delimiter", "decimal")
 
 
 class Column:
-    """Of a signal: `names` of its columns (two: date and time of the day), `unit` (None: the file says it) and `form` of dates (None: ISO 8601)."""
+    """Of a signal: `names` of its columns (two: date and time of the day), `unit` (None: the file says it), `form` of dates (None: ISO 8601) and `nulls`: values
+    that stand for no number in this column."""
 
-    def __init__(self, names, unit=None, form=None):
-        self.names, self.unit, self.form = names, unit, form
+    def __init__(self, names, unit=None, form=None, nulls=()):
+        self.names, self.unit, self.form, self.nulls = names, unit, form, tuple(nulls)
 
 
 class ColumnMap:
-    """`columns` by signal; `nulls`: values that stand for no number; `delimiter` and `decimal` sign, None: recognised."""
+    """`columns` by signal; `nulls`: values that stand for no number; `layout` of a delimited file."""
 
-    def __init__(self, columns, nulls=(), delimiter=None, decimal=None):
-        self.columns, self.nulls, self.delimiter, self.decimal = columns, tuple(nulls), delimiter, decimal
+    def __init__(self, columns, nulls=(), layout=Layout()):
+        self.columns, self.nulls, self.layout = columns, tuple(nulls), layout
 
 
 def read_map(file):
     """A ColumnMap of a file with lines as `hook_load: {column: HL, unit: klbf}`. RecordError with the first problem."""
     try:
-        entries = plan_of(file).mapping((*SIGNALS, "null", "delimiter", "decimal"))
+        entries = plan_of(file).mapping((*SIGNALS, *LAYOUT_KEYS))
         columns = {signal: column_of(signal, entries[signal]) for signal in SIGNALS if signal in entries}
-        nulls = numbers_of(entries["null"]) if "null" in entries else ()
-        delimiter = DELIMITERS[entries["delimiter"].choice(tuple(DELIMITERS))] if "delimiter" in entries else None
-        decimal = {"point": ".", "comma": ",", ".": ".", ",": ","}[entries["decimal"].choice(("point", "comma", ".", ","))] if "decimal" in entries else None
-        return ColumnMap(columns, nulls, delimiter, decimal)
+        check_apart(columns, entries)
+        return ColumnMap(columns, *nulls_and_layout(entries))
     except PlanError as error:
         raise RecordError(str(error))
 
 
-def numbers_of(entry):
-    return [item.number() for item in entry.sequence()] if entry.is_sequence() else [entry.number()]
+def check_apart(columns, entries):
+    """That no two signals are of one column."""
+    owners = {}
+    for signal, column in columns.items():
+        for name in column.names:
+            owner = owners.setdefault(name.strip().lower(), signal)
+            if owner != signal:
+                entries[signal].fail("column %s is that of %s; needed: a column for each" % (name, owner))
+
+
+def nulls_and_layout(entries):
+    """Of LAYOUT_KEYS among these entries."""
+    delimiter = DELIMITERS[entries["delimiter"].choice(tuple(DELIMITERS))] if "delimiter" in entries else None
+    decimal = DECIMALS[entries["decimal"].choice(tuple(DECIMALS))] if "decimal" in entries else None
+    return nulls_of(entries), Layout(delimiter, decimal)
+
+
+def nulls_of(entries):
+    """A number, or a list of them."""
+    if "null" not in entries:
+        return ()
+    return [item.number() for item in (entries["null"].sequence() if entries["null"].is_sequence() else [entries["null"]])]
 
 
 def column_of(signal, entry):
-    parts = entry.mapping(("column", "unit", "format") if signal == "time" else ("column", "unit"), needed=("column",))
+    parts = entry.mapping(("column", "unit", "format") if signal == "time" else ("column", "unit", "null"), needed=("column",))
     two = signal == "time" and parts["column"].is_sequence()
     names = [item.text() for item in parts["column"].sequence()] if two else [parts["column"].text()]
     if len(names) > 2:
@@ -52,7 +73,7 @@ def column_of(signal, entry):
         if unit is not None and factor_of("time", unit) is not None:
             parts["unit"].fail("must be date where there is a format or two columns (got %s)" % unit)
         unit = DATE
-    return Column(names, unit, form)
+    return Column(names, unit, form, nulls_of(parts))
 
 
 def check_unit(signal, unit, entry):

@@ -1,35 +1,77 @@
 """Dates with a time of the day as records write them, in seconds since 1970 UTC."""
+import itertools
 import re
 from datetime import datetime, timedelta, timezone
 
-ISO = re.compile(r"(\d{4})([-/])(\d\d?)\2(\d\d?)[T ]+(\d\d?):(\d\d)(?::(\d\d)(?:[.,](\d+))?)?\s*(Z|UTC|[+-]\d\d:?\d\d)?$", re.IGNORECASE)
-FORMS = 'ISO 8601 such as 2017-07-31T23:59:00Z, or a format: {column: ..., unit: date, format: "%m/%d/%Y %I:%M:%S %p"}, or date and time in two columns: {column: [DATE, TIME], unit: date}'
+CLOCK = r"(?P<hour>\d\d?):(?P<minute>\d\d)(?::(?P<second>\d\d)(?:[.,](?P<fraction>\d+))?)?"
+REST = r"[T ]+" + CLOCK + r"\s*(?P<half>[AP]M)?\s*(?P<zone>Z|UTC|GMT|[+-]\d\d:?\d\d)?$"
+# whose order of day and month needs no guess: year first, months by name, points (day first)
+UNMISTAKABLE = [re.compile(date + REST, re.IGNORECASE) for date in (
+    r"(?P<year>\d{4})(?P<sign>[-/.])(?P<month>\d\d?)(?P=sign)(?P<day>\d\d?)",
+    r"(?P<day>\d\d?)(?P<sign>[-/ ])(?P<month>jan|feb|mar|apr|may|jun|jul|aug|sep|oct|nov|dec)[a-z]*(?P=sign)(?P<year>\d{4})",
+    r"(?P<day>\d\d?)\.(?P<month>\d\d?)\.(?P<year>\d{4})")]
+MONTHS = "jan feb mar apr may jun jul aug sep oct nov dec".split()
+OF_DAY = re.compile(CLOCK + r"\s*([AP]M)?$", re.IGNORECASE)
+TOUCHING = re.compile(r"%[a-zA-Z]%[a-zA-Z]")
+GUESSED = [date + " " + clock for date, clock in itertools.product(
+    ("%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d/%m/%y", "%m/%d/%y", "%d.%m.%y", "%y.%m.%d", "%d-%b-%y", "%d%b%Y", "%b %d %Y",
+     "%Y%m%d"),
+    ("%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p", "%H:%M", "%I:%M %p"))]
+GUESSED += ["%Y%m%d %H%M%S", "%y%m%d %H%M%S", "%Y%m%d%H%M%S", "%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p"]
+MOST_GUESSES = 3
+LONGEST = 80  # signs of a date
 
 
 def seconds_of(text, form=None):
     """(seconds, has a zone) of a date and time of the day, None where it is none. Without a zone it is taken as UTC. `form`: as of strptime; without it
-    ISO 8601, year first, with - or / between its parts."""
+    ISO 8601 and other forms whose order of day and month is sure."""
+    text = text.strip()
+    if len(text) > LONGEST:
+        return None
     try:
-        when = datetime.strptime(text.strip(), form) if form else iso(text.strip())
+        when = by_form(text, form) if form else unmistakable(text)
         return None if when is None else ((when if when.tzinfo else when.replace(tzinfo=timezone.utc)).timestamp(), when.tzinfo is not None)
     except (ValueError, OverflowError):
         return None
 
 
-def iso(text):
-    parts = ISO.match(text)
-    if parts is None:
+def by_form(text, form):
+    when = datetime.strptime(text, form)
+    if TOUCHING.search(form) and len(when.strftime(form)) > len(text) and "%f" not in form:
+        return None  # 1005 by %H%M%S: strptime would take it for 10:00:05, it may be 00:10:05
+    return when
+
+
+def unmistakable(text):
+    found = next(filter(None, (form.match(text) for form in UNMISTAKABLE)), None)
+    if found is None:
         return None
-    year, _, month, day, hour, minute, second, fraction, zone = parts.groups()
-    when = datetime(int(year), int(month), int(day), int(hour), int(minute), int(second or 0), int(((fraction or "") + "000000")[:6]))
-    return when if zone is None else when.replace(tzinfo=zone_of(zone))
+    year, month, day, hour, minute, second = (found[name] or "0" for name in ("year", "month", "day", "hour", "minute", "second"))
+    month = int(month) if month.isdigit() else 1 + MONTHS.index(month[:3].lower())
+    if found["half"] and not 1 <= int(hour) <= 12:
+        return None
+    hour = int(hour) % 12 + 12 * (found["half"].upper() == "PM") if found["half"] else int(hour)
+    when = datetime(int(year), month, int(day), hour, int(minute), int(second), int(((found["fraction"] or "") + "000000")[:6]))
+    return when if found["zone"] is None else when.replace(tzinfo=zone_of(found["zone"]))
 
 
 def zone_of(text):
-    if text.upper() in ("Z", "UTC"):
+    if text.upper() in ("Z", "UTC", "GMT"):
         return timezone.utc
     minutes = 60 * int(text[1:3]) + int(text[-2:])
     return timezone(timedelta(minutes=-minutes if text[0] == "-" else minutes))
+
+
+def is_time_of_day(text):
+    return len(text) <= LONGEST and OF_DAY.match(text.strip()) is not None
+
+
+def forms_for(cells):
+    """What may be written of dates, for a message; the formats that read all of these cells are named."""
+    fitting = [form for form in GUESSED if all(seconds_of(cell, form) for cell in cells)] if cells else []
+    example = ' or '.join('"%s"' % form for form in fitting[:MOST_GUESSES]) or '"%m/%d/%Y %I:%M:%S %p"'
+    return ("ISO 8601 such as 2017-07-31T23:59:00Z, or a format in a map: {column: ..., unit: date, format: %s}, or date and time in two columns: "
+            "{column: [DATE, TIME], unit: date}" % example)
 
 
 def written(seconds):

@@ -4,11 +4,10 @@ import os
 import numpy
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
-from drill_rig_sim.field.columns import Column
+from drill_rig_sim.field.columns import LAYOUT_KEYS, Column, check_unit, nulls_and_layout, nulls_of
 from drill_rig_sim.field.fit import Parameter
 from drill_rig_sim.field.models import MOTIONS, ModelError, RecordModel, TableModel, scene_and_survey
-from drill_rig_sim.field.record import RecordError, read_record, read_table
-from drill_rig_sim.field.replay import COMPARED
+from drill_rig_sim.field.record import COMPARED, RecordError, prefixed, read_record, read_table
 from drill_rig_sim.field.signal_reader import values_of
 
 KEYS = ("scene", "record", "columns", "table", "parameters", "signals", "from", "held_out")
@@ -81,22 +80,51 @@ def parameter_of(item, scene):
 
 
 def weights_of(entry, base):
-    """Depths and weights: `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`."""
-    parts = entry.mapping(("file", "depth", *MOTIONS), needed=("file", "depth"))
-    file = os.path.join(base, parts["file"].text())
-    table = read_table(file)
-    remarks, found = ["%s: %s" % (file, line) for line in table.remarks], {}
-    for name in ("depth", *MOTIONS):
-        if name in parts:
-            said = parts[name].mapping(("column", "unit"), needed=("column", "unit"))
-            column = Column([said["column"].text()], said["unit"].text())
-            found[name] = values_of(table, "bit_depth" if name == "depth" else "hook_load", column, (), True, remarks)
-    depths = found.pop("depth")
-    if not found:
+    """Depths and weights: `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`; a unit may stand in the file instead."""
+    parts = entry.mapping(("file", "depth", *MOTIONS, *LAYOUT_KEYS), needed=("file", "depth"))
+    if not any(name in parts for name in MOTIONS):
         entry.fail("needs one or more of %s" % ", ".join(MOTIONS))
-    if not numpy.isfinite(depths).all():
-        raise RecordError("%s: the depth is not a number" % table.place(int(numpy.flatnonzero(~numpy.isfinite(depths))[0])))
-    return depths, found, remarks
+    columns = {name: weight_column(parts[name], name) for name in ("depth", *MOTIONS) if name in parts}
+    nulls, layout = nulls_and_layout(parts)
+    table = read_table(os.path.join(base, parts["file"].text()), layout, [column.names[0] for column in columns.values()])
+    remarks = list(table.remarks)
+    found = {name: values_of(table, quantity_of(name), column, nulls, True, remarks) for name, column in columns.items()}
+    depths = found.pop("depth")
+    if not len(depths):
+        raise RecordError("%s: has no rows" % table.file)
+    odd = numpy.flatnonzero(~numpy.isfinite(depths))
+    if len(odd):
+        cell = table.rows[odd[0]][table.column(columns["depth"].names[0])].strip()
+        raise RecordError("%s: %s: %s is no depth of a well" % (table.place(odd[0]), columns["depth"].names[0], cell or "an empty cell"))
+    return depths, found, prefixed(table.file, remarks + remarks_of(table, found))
+
+
+def remarks_of(table, weights):
+    """Lines on weights that are missing, and on a pick-up weight below a slack-off weight: friction makes it the larger one."""
+    lines = []
+    for name, values in weights.items():
+        lost = int((~numpy.isfinite(values)).sum())
+        if lost:
+            lines.append("%s: %d of %d rows hold no measurement" % (name, lost, len(values)))
+    if "pick_up" in weights and "slack_off" in weights:
+        swapped = numpy.flatnonzero(weights["pick_up"] < weights["slack_off"])
+        if len(swapped):
+            lines.append("%d of %d rows have a pick-up weight below the slack-off weight (first: %s): are the columns exchanged?" %
+                         (len(swapped), len(table.rows), table.place(swapped[0])))
+    return lines
+
+
+def weight_column(entry, name):
+    parts = entry.mapping(("column", "unit", "null"), needed=("column",))
+    unit = parts["unit"].text() if "unit" in parts else None
+    if unit is not None:
+        check_unit(quantity_of(name), unit, parts["unit"])
+    return Column([parts["column"].text()], unit, nulls=nulls_of(parts))
+
+
+def quantity_of(name):
+    """The signal of a record that a column of such a table is like."""
+    return "bit_depth" if name == "depth" else "hook_load"
 
 
 __all__ = ["FitPlan", "ModelError", "PlanError", "RecordError", "read_fit"]

@@ -1,39 +1,43 @@
 """Log ASCII Standard, LAS 1.2 and 2.0 (Canadian Well Logging Society), as a Table."""
 import re
 
+from drill_rig_sim.field.cells import is_number
+from drill_rig_sim.field.dates import is_time_of_day
 from drill_rig_sim.field.signals import RANKS, word
-from drill_rig_sim.field.table import RecordError, Table, is_number, lines_of, shown
-from drill_rig_sim.field.units import UnitError, factor_of
+from drill_rig_sim.field.table import RecordError, Table, is_unit, lines_of, shown
 
-LINE = re.compile(r"\s*([^.:]*?)\s*\.(\S*)\s*(.*?)\s*:([^:]*)$")  # NAME.UNIT  VALUE : DESCRIPTION
+LINE = re.compile(r"([^.:]*)\.((?:\d+ (?=[A-Za-z]))?\S*)(.*)$")  # NAME.UNIT  VALUE; of units `1000 lbf` alone has a blank
+DELIMITERS = {"COMMA": ",", "TAB": "\t"}  # by DLM of ~V; blanks else
+WORD = re.compile(r'"[^"]*"|\S+')
+REPEATED = "PO"  # sections that files have several times: none of them is read
 
 
-def read_las(file, text):
-    """A Table of a log by time; RecordError where it is by depth and has no curve of time."""
+def read_las(file, text, times=()):
+    """A Table of a log by time; RecordError where it is by depth and has no curve of time. `times`: names of such a curve, besides those of the trade."""
     sections = sections_of(file, text)
     version = values_in(sections.get("V", []))
     if "A" not in sections or "C" not in sections:
         raise RecordError("%s: has no section %s; needed: LAS 2.0 with ~V, ~W, ~C and ~A" % (file, "~A" if "A" not in sections else "~C"))
-    if version.get("VERS", ("", "2.0"))[1].strip() not in ("1.2", "1.20", "2.0", "2.00", "2"):
-        raise RecordError("%s: is LAS %s; allowed: 1.2 and 2.0" % (file, version["VERS"][1].strip()))
-    curves = [match.groups()[:2] for match in (LINE.match(line) for _, line in sections["C"]) if match]
-    names, units = [name for name, _ in curves], [unit.strip() or None for _, unit in curves]
-    null = values_in(sections.get("W", [])).get("NULL", ("", ""))[1].strip()
-    wrapped = version.get("WRAP", ("", "NO"))[1].strip().upper() == "YES"
-    rows, places = rows_of(file, sections["A"], names, wrapped)
-    index = index_of(file, names, units)
-    units[index] = units[index] if is_time(units[index]) else None
-    dated = any(not is_number(row[index]) for row in rows[:1])
-    return Table(file, names, units, rows, places, [(float(null),) if is_number(null) else ()] * len(names), index, dated)
+    if version.get("VERS", ("", "2.0"))[1] not in ("1.2", "1.20", "2.0", "2.00", "2"):
+        raise RecordError("%s: is LAS %s; allowed: 1.2 and 2.0" % (file, version["VERS"][1]))
+    curves = [parts[:2] for parts in parts_of(sections["C"])]
+    names, units = [name for name, _ in curves], [unit.strip(" []()") or None for _, unit in curves]
+    well = values_in(sections.get("W", []))
+    null = well.get("NULL", ("", ""))[1]
+    index = index_of(file, names, units, times)
+    if index == 0:
+        units[0] = units[0] or well.get("STRT", ("", ""))[0] or None
+    rows, places = rows_of(file, sections["A"], names, version)
+    return Table(file, names, units, rows, places, [(float(null),) if is_number(null) else ()] * len(names), index)
 
 
 def sections_of(file, text):
     """Lines with their numbers by the letter of their section; empty lines and comments are passed over."""
     found, lines = {}, None
     for number, line in enumerate(lines_of(text), 1):
-        if line.startswith("~"):
-            letter = line[1:2].upper()
-            if letter in found:
+        if line.lstrip().startswith("~"):
+            letter = line.lstrip()[1:2].upper()
+            if letter in found and letter not in REPEATED:
                 raise RecordError("%s:%d: there is a second section ~%s; needed: one" % (file, number, letter))
             lines = found.setdefault(letter, [])
         elif line.strip() and not line.lstrip().startswith("#"):
@@ -43,16 +47,24 @@ def sections_of(file, text):
     return found
 
 
+def parts_of(lines):
+    """Name, unit and value of each line that has them, without the description behind the last colon, which some programs leave out."""
+    matches = (LINE.match(line.rpartition(":")[0] or line) for _, line in lines)
+    return [[part.strip() for part in match.groups()] for match in matches if match]
+
+
 def values_in(lines):
-    """Unit and value by name."""
-    return {match.group(1).upper(): (match.group(2), match.group(3)) for match in (LINE.match(line) for _, line in lines) if match}
+    """Unit and first word of the value by name."""
+    return {name.upper(): (unit, (value.split() or [""])[0]) for name, unit, value in parts_of(lines)}
 
 
-def rows_of(file, lines, names, wrapped):
+def rows_of(file, lines, names, version):
     """Of wrapped data a row goes on over lines until it has as many values as there are curves."""
+    wrapped = version.get("WRAP", ("", "NO"))[1].upper() == "YES"
+    delimiter = DELIMITERS.get(version.get("DLM", ("", ""))[1].upper())
     rows, places, cells, begun = [], [], [], None
     for number, line in lines:
-        begun, cells = begun or number, cells + line.split()
+        begun, cells = begun or number, cells + cells_of(line, delimiter, len(names))
         if wrapped and len(cells) < len(names):
             continue
         if len(cells) != len(names):
@@ -65,20 +77,37 @@ def rows_of(file, lines, names, wrapped):
     return rows, places
 
 
-def is_time(unit):
-    try:
-        factor_of("time", unit or "")
-        return True
-    except UnitError:
-        return False
+def cells_of(line, delimiter, curves):
+    """Of a line. Files with commas often have no DLM, and dates a blank before the time of the day."""
+    if delimiter:
+        return [cell.strip(' "') for cell in line.split(delimiter)]
+    cells = [cell.strip('"') for cell in WORD.findall(line)]
+    if len(cells) == curves:
+        return cells
+    commas = [cell.strip(' "') for cell in line.split(",")]
+    if len(commas) == curves:
+        return commas
+    return with_whole_dates(cells) if len(cells) > curves else cells
 
 
-def index_of(file, names, units):
-    """The first curve where it is a time, else the first that is called so."""
-    places = [place for place, name in enumerate(names) if word(name) in RANKS["time"] or word(name) in ("etim", "etime", "elapsedtime")]
-    if names and is_time(units[0]):
+def with_whole_dates(cells):
+    """`2024-05-01`, `10:00:00` become one cell."""
+    whole = []
+    for cell in cells:
+        if whole and is_time_of_day(cell) and not is_number(whole[-1]):
+            whole[-1] += " " + cell
+        else:
+            whole.append(cell)
+    return whole
+
+
+def index_of(file, names, units, times):
+    """The curve in `times`, else the first curve where it is a time, else the first that is called so."""
+    asked = [place for place, name in enumerate(names) if name.lower() in times]
+    places = asked + [place for place, name in enumerate(names) if word(name) in RANKS["time"]]
+    if not asked and names and units[0] and is_unit(units[0], "time"):
         return 0
     if not places:
         raise RecordError("%s: its index is %s [%s], and none of its curves is a time (%s); needed: a log by time" %
-                          (file, names[0] if names else "(none)", units[0] if names else "", shown(names)))
+                          (file, names[0] if names else "(none)", units[0] or "" if names else "", shown(names)))
     return places[0]

@@ -10,7 +10,8 @@ from drill_rig_sim.campaign.played import simulator
 from drill_rig_sim.campaign.runner import one_line
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, survey_file
 from drill_rig_sim.field.pipe import clock, compared, first_hung, standstills
-from drill_rig_sim.field.replay import COMPARED, check, play
+from drill_rig_sim.field.record import COMPARED
+from drill_rig_sim.field.replay import check, play
 from drill_rig_sim.field.start import start_keys
 from drill_rig_sim.field.window import between
 from drill_rig_sim.lockstep import Refused
@@ -35,6 +36,8 @@ class RecordModel:
         keys, lines = start_keys(scene, self.record)
         self.remarks = record.remarks + lines + (["%s: begins with the string in the slips: fitted from %.1f s on" % (record.name, clock(record, first))] if first else [])
         self.names = [name for name in COMPARED if name in record and (not signals or name in signals)]
+        if not self.names:
+            raise ModelError("%s: holds no number of what is to be fitted: %s" % (record.name, ", ".join(signals)))
         self.begin = [value for key, value in keys.items() if not any(key in p.keys for p in parameters)]
         self.blueprint = Blueprint(record.name, scene, survey, [(p.name, p.keys, p.times) for p in parameters if p.signal is None] +
                                    [(key, [key], False) for key in keys if not any(key in p.keys for p in parameters)])

@@ -3,6 +3,7 @@ import numpy
 from drill_rig_sim.field.record import RecordError
 
 AWAY = 0.5    # so much that bit and block together are off where they were: pipe was added or taken away, or the block was moved without the string [m]
+DRIFTS = 2.0 * AWAY  # below that bit and block creep and drift apart: no pipe is so short [m]
 STILL = 0.05  # by which the bit moves in the slips, or its gauge [m]
 FASTEST = 1.0  # mean speed of a block that goes away and comes back between two rows [m/s]
 HANGS = 0.5   # share of the usual hook load below which the string is taken to hang in the slips
@@ -50,20 +51,32 @@ def pipe_events(record):
             continue
         here = abs(bit - bit[k]) < STILL
         begin, end = k - run(here[:k][::-1]), k + run(here[k:]) - 1
-        if begin == k and slipped(record, bit, block, k):
-            found.append(Slip(k, both[k] - level))
-            k, level = k + 1, both[k]
-            continue
-        if begin == k and abs(bit[k] - bit[k - 1]) > AWAY:
+        slip = begin == k and slipped(record, bit, block, k)
+        if begin == k and not slip and abs(bit[k] - bit[k - 1]) > AWAY:
             raise RecordError("%s: at %.1f s the bit jumps by %.2f m; needed: bit_depth that stands while pipe is added or taken away" %
                               (record.name, clock(record, k), bit[k] - bit[k - 1]))
         begin = min(begin, k - 1)
         inside = numpy.arange(begin, end + 1)
+        if slip or numpy.ptp(both[inside]) < DRIFTS:
+            found.append(Slip(k, both[k] - level))
+            k, level = k + 1, both[k]
+            continue
         left = inside[numpy.abs(both[inside] - level) < AWAY][-1]
         back = inside[numpy.abs(both[inside] - both[end]) >= AWAY][-1] + 1
         found.append(Standstill(begin, end, left, max(left, back), both[end] - level))
         k, level = end + 1, both[end]
     return found
+
+
+def check_directions(record):
+    """RecordError where the bit moves up and down with the block: of one the sign is wrong, or the columns are."""
+    if "bit_depth" not in record or "block_height" not in record:
+        return
+    bit, block = (numpy.diff(record.at(signal, record.time)) for signal in ("bit_depth", "block_height"))
+    with_block, against = (numpy.abs(block[numpy.abs(bit - sign * block) < 0.2 * numpy.abs(block)]).sum() for sign in (1.0, -1.0))
+    if with_block > max(AWAY, 2.0 * against):
+        raise RecordError("%s: bit_depth rises and falls with block_height, by %.2f m in all; needed: block_height upwards, bit_depth downwards" %
+                          (record.name, with_block))
 
 
 def slipped(record, bit, block, k):

@@ -2,16 +2,17 @@
 import os
 
 import numpy
+from drill_rig_sim.field.column_finder import is_header, places_of
 from drill_rig_sim.field.columns import read_map
 from drill_rig_sim.field.dates import written
+from drill_rig_sim.field.files import begins_with, bytes_of, text_of
 from drill_rig_sim.field.las import read_las
-from drill_rig_sim.field.signal_reader import part_of, places_of
-from drill_rig_sim.field.table import RecordError, read_delimited
+from drill_rig_sim.field.signal_reader import part_of
+from drill_rig_sim.field.table import Layout, RecordError, read_delimited
 from drill_rig_sim.field.witsml import read_witsml
-from drill_rig_sim.text_file import TextError, decoded
 
-MOST_BYTES = 2**30
 MOST_DAYS = 400.0  # that a record may last
+COMPARED = ("hook_load", "torque", "stand_pipe_pressure")  # with what is simulated; the others are played
 LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a gap is reported
 
 
@@ -28,6 +29,7 @@ class Record:
             check_order(part)
         self.remarks = [line for part in parts for line in prefixed(part.table.file, part.remarks)]
         self.signals, said = joined(parts)
+        said += leave_out_empty(self.signals)
         time = self.signals["time"]
         if len(time) < 2:
             raise RecordError("%s: needed: two rows or more with a time (has %d)" % (name, len(time)))
@@ -99,20 +101,47 @@ def check_length(record, parts):
                           (part.place(row), (time[gap + 1] - time[gap]) / 86400.0, MOST_DAYS))
 
 
+def leave_out_empty(signals):
+    """Takes away what holds no number at all, as channels that were recorded but not connected; lines on it."""
+    empty = [name for name, values in signals.items() if name != "time" and len(values) and not numpy.isfinite(values).any()]
+    for name in empty:
+        del signals[name]
+    return ["%s is left out: it holds no number" % name for name in empty]
+
+
 def remarks_of(record):
     """Lines: rows without numbers, gaps, and what is not there and is taken as constant."""
     lines = []
     for signal, values in record.signals.items():
-        lost = int((~numpy.isfinite(values)).sum())
-        if lost:
-            lines.append("%s: %d of %d rows hold no measurement" % (signal, lost, len(values)))
-    steps = numpy.diff(record.time)
-    longest = int(steps.argmax())
-    if steps[longest] > max(LONG_GAP * numpy.median(steps), SHORTEST_GAP):
-        lines.append("a gap of %.4g s from %.6g s on" % (steps[longest], record.time[longest]))
+        good = numpy.isfinite(values)
+        if not good.all():
+            filled = "" if signal in COMPARED else bridged(record.time, good)
+            lines.append("%s: %d of %d rows hold no measurement%s" % (signal, (~good).sum(), len(values), filled))
+    longest, begin = longest_step(record.time)
+    if longest > long_step(record.time):
+        lines.append("a gap of %.4g s from %.6g s on" % (longest, begin))
     return lines + ["has no %s: %s" % (signal, so) for signal, so in (
         ("flow", "the pump is taken as off"), ("top_drive_speed", "the string is taken as not turned"),
         ("bit_depth", "the string is taken to move with the block at all times")) if signal not in record]
+
+
+def bridged(time, good):
+    """What is added to a line on rows without a measurement where they are many on end and the signal is played."""
+    known = numpy.concatenate((time[:1], time[good], time[-1:]))
+    longest, begin = longest_step(known)
+    return "; none for %.4g s from %.6g s on: filled by a straight line, at an end by the nearest value" % (longest, begin) if longest > long_step(time) else ""
+
+
+def longest_step(time):
+    """Length and begin."""
+    steps = numpy.diff(time)
+    longest = int(steps.argmax())
+    return steps[longest], time[longest]
+
+
+def long_step(time):
+    """From which on a gap between rows is reported [s]."""
+    return max(LONG_GAP * numpy.median(numpy.diff(time)), SHORTEST_GAP)
 
 
 def read_record(files, columns=None):
@@ -127,50 +156,23 @@ def read_record(files, columns=None):
 
 def tables_of(file, mapping):
     """The Tables of a file."""
+    times = [name.lower() for name in mapping.columns["time"].names] if mapping and "time" in mapping.columns else []
     if begins_with(file, b"<"):
-        return read_witsml(file, bytes_of(file))
+        return read_witsml(file, bytes_of(file), times)
     text, remarks = text_of(file)
+    if text.lstrip()[:2] == "&&":
+        raise RecordError("%s: is a stream of WITS level 0, whose items have no names and units; needed: a table, WITSML or LAS" % file)
     if text.lstrip()[:1] == "~" or file.lower().endswith(".las"):
-        table = read_las(file, text)
+        table = read_las(file, text, times)
     else:
-        table = read_delimited(file, text, mapping and mapping.delimiter, mapping and mapping.decimal, lambda names: places_of(names, mapping))
+        table = read_delimited(file, text, mapping.layout if mapping else Layout(), lambda names: is_header(names, mapping), lambda names: places_of(names, mapping))
     table.remarks += remarks
     return [table]
 
 
-def begins_with(file, sign):
-    """Whether the first byte of a regular file that is neither blank nor part of a byte order mark is this one."""
-    if not os.path.isfile(file):
-        return False  # the reader of texts says why
-    try:
-        with open(file, "rb") as opened:
-            return opened.read(4096).lstrip(b"\xef\xbb\xbf\xff\xfe \t\r\n\0")[:1] == sign
-    except OSError as error:
-        raise RecordError("%s: %s" % (file, error.strerror))
-
-
-def bytes_of(file):
-    try:
-        if os.path.getsize(file) > MOST_BYTES:
-            raise RecordError("%s: is larger than 1 GiB" % file)
-        with open(file, "rb") as opened:
-            return opened.read()
-    except OSError as error:
-        raise RecordError("%s: %s" % (file, error.strerror))
-
-
-def text_of(file):
-    """A file's text, and lines on its encoding."""
-    try:
-        text, remark = decoded(file, MOST_BYTES)
-    except TextError as error:
-        raise RecordError(str(error))
-    return text, [remark] if remark else []
-
-
-def read_table(file):
-    """The Table of a delimited file, with all its columns."""
+def read_table(file, layout=Layout(), columns=()):
+    """The Table of a delimited file, with all its columns. `columns`: names that its header must have, for files with a title before it."""
     text, remarks = text_of(file)
-    table = read_delimited(file, text)
+    table = read_delimited(file, text, layout, lambda names: set(columns) <= set(names))
     table.remarks += remarks
     return table

@@ -4,11 +4,11 @@ import re
 import numpy
 from drill_rig_sim.control import driven
 from drill_rig_sim.field.follow import PATIENCE, Follow
-from drill_rig_sim.field.pipe import Slip, clock, compared, pipe_events
-from drill_rig_sim.field.record import RecordError
+from drill_rig_sim.field.pipe import Slip, check_directions, clock, compared, pipe_events
+from drill_rig_sim.field.record import COMPARED, RecordError
 from drill_rig_sim.field.window import inside
 
-COMPARED = ("hook_load", "torque", "stand_pipe_pressure")
+LONGEST_GAP = 86400.0  # that can be simulated in a sensible time [s]
 APART = 1.0    # of the bit at the beginning, record and scene [m]
 BEHIND = 0.05  # of the drum against the record's, from which on it is reported [m]
 
@@ -59,6 +59,11 @@ def check(record):
     """RecordError where a record cannot be played."""
     if "block_height" not in record and "block_velocity" not in record:
         raise RecordError("%s: needs block_height or block_velocity" % record.name)
+    check_directions(record)
+    gap = int(numpy.diff(record.time).argmax())
+    if record.time[gap + 1] - record.time[gap] > LONGEST_GAP:
+        raise RecordError("%s: has a gap of %.6g days from %.1f s on; allowed: a day; needed: a part before or after it (drill replay --from, --to)" %
+                          (record.name, (record.time[gap + 1] - record.time[gap]) / 86400.0, clock(record, gap)))
     if not any(signal in record for signal in COMPARED):
         raise RecordError("%s: holds nothing to compare: %s" % (record.name, ", ".join(COMPARED)))
 

@@ -1,13 +1,16 @@
 """The cells of a Table as signals in SI: which column holds which signal, in which unit, which cells are no measurements."""
 import numpy
-from drill_rig_sim.field.columns import Column
-from drill_rig_sim.field.dates import FORMS, seconds_of
-from drill_rig_sim.field.signals import OWN, SIGNALS, known, si_unit
-from drill_rig_sim.field.table import RecordError, bare, is_number
-from drill_rig_sim.field.units import DATE, UnitError, factor_of
+from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
+from drill_rig_sim.field.column_finder import known_columns
+from drill_rig_sim.field.dates import forms_for, seconds_of
+from drill_rig_sim.field.signals import SIGNALS
+from drill_rig_sim.field.table import RecordError, is_unit
+from drill_rig_sim.field.units import UnitError, factor_of
 
 NULLS = (-999.0, -999.25, -9999.0, -9999.25, -99999.0, -99999.25, -999999.0, -999999.25)  # as logs write "no number"
-DATE_AND_TIME = ("YYYY/MM/DD", "HH:MM:SS")  # columns of Pason's files
+LIKE_NULLS = (999.25, 9999.0, 9999.25, 99999.0, 99999.25, 999999.0, 32767.0, 32768.0, 65535.0)  # a sign was lost, or a counter is full
+ALONE = 2.0  # times as large as all other values of its column, or as small, from which on such a number is a null
+MOST_GUESSED = 2000  # dates by which formats are tried
 MOST_ODD = 0.5  # share of the numbers out of a signal's range from which on the unit is taken to be wrong
 
 
@@ -29,7 +32,7 @@ def part_of(table, columns=None):
     if "time" not in wanted:
         raise RecordError("%s: no column is known as the time; columns: %s; needed: a map of them, --columns" % (table.file, table.header()))
     signals = {}
-    time, dated = times_of(table, wanted["time"], columns is not None)
+    time, dated = times_of(table, wanted["time"], columns is not None, remarks)
     for signal, column in wanted.items():
         if signal == "time":
             continue
@@ -44,55 +47,28 @@ def part_of(table, columns=None):
     return Part(table, signals, dated, rows, remarks)
 
 
-# --- which columns
-
-def places_of(names, columns=None):
-    """Places of the columns that part_of() will look at."""
-    if columns:
-        wanted = {name.strip().lower() for column in columns.columns.values() for name in column.names}
-        return [place for place, name in enumerate(names) if name.lower() in wanted]
-    own = [place for place, name in enumerate(names) if name in OWN.values() or name.upper() in DATE_AND_TIME]
-    return own + [place for places in known([bare(name) for name in names]).values() for place in places]
-
-
-def known_columns(table, remarks):
-    """Column by signal, of those that have a name of the trade. Where a signal has several the first of signals.NAMES is taken, which is reported."""
-    if all(OWN[signal] in table.names for signal in ("time", "hook_load")):
-        return {signal: Column([name], si_unit(signal)) for signal, name in OWN.items() if name in table.names}
-    names = [bare(name) for name in table.names]
-    found = {}
-    for signal, places in known(names).items():
-        with_unit = [place for place in places if signal == "time" or table.units[place]]
-        if with_unit:
-            found[signal] = Column([table.names[with_unit[0]]])
-        if len(places) > 1:
-            remarks.append("%s is taken from %s; passed over: %s" % (signal, table.names[(with_unit or places)[0]],
-                                                                    ", ".join(table.names[place] for place in places if place != (with_unit or places)[0])))
-        elif not with_unit:
-            remarks.append("%s: %s is left out: it has no unit; needed: a map, --columns" % (signal, table.names[places[0]]))
-    if table.index is not None:
-        found["time"] = Column([table.names[table.index]])
-    elif all(half in map(str.upper, table.names) for half in DATE_AND_TIME):
-        found["time"] = Column(DATE_AND_TIME, DATE)
-    return found
-
-
 # --- time
 
-def times_of(table, column, mapped):
+def times_of(table, column, mapped, remarks):
     """(seconds by row, nan where there is none; whether they are dates)."""
     places = [table.column(name) for name in column.names]
-    cells = [" ".join(row[place].strip() for place in places) for row in table.rows]
+    cells = [" ".join("" if is_null(row[place]) else row[place].strip() for place in places).strip() for row in table.rows]
     if is_date(table, places, column, cells):
         return dates_of(table, cells, column), True
     unit = unit_of(table, places[0], column, "time")
-    if unit is None and mapped:
-        raise RecordError("%s: %s: the file has no unit for the time; needed: unit: in the map" % (table.file, column.names[0]))
+    first = next((k for k, cell in enumerate(cells) if cell), None)
+    if first is not None and not is_number(cells[first]) and not (unit and is_unit(unit, "time")):
+        raise no_date(table, first, column, cells)
     if unit is None:
-        raise RecordError("%s: %s: the time has no unit and is no date (first: %s); needed: a map, --columns, with its unit" %
-                          (table.file, column.names[0], cells[0] if cells else "no rows"))
+        needed = "unit: in the map" if mapped else "a map, --columns, with its unit"
+        raise RecordError("%s: %s: the time has no unit and is no date (first: %s); needed: %s" %
+                          (table.file, column.names[0], "no rows" if first is None else cells[first], needed))
     factor = factor_for(table, "time", column.names[0], unit)
-    return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit) * factor, False
+    return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit, remarks) * factor, False
+
+
+def is_null(cell):
+    return is_blank(cell) or (is_number(cell) and float(cell) in NULLS)
 
 
 def is_date(table, places, column, cells):
@@ -109,12 +85,11 @@ def is_date(table, places, column, cells):
 def dates_of(table, cells, column):
     found, zones = numpy.full(len(cells), numpy.nan), [None, None]
     for k, cell in enumerate(cells):
-        if not cell.strip():
+        if not cell:
             continue
         date = seconds_of(cell, column.form)
         if date is None:
-            raise RecordError("%s: %s: %s is no date and time of the day%s; allowed: %s" %
-                              (table.place(k), " and ".join(column.names), cell, " by the format %s" % column.form if column.form else "", FORMS))
+            raise no_date(table, k, column, cells)
         found[k], zoned = date
         if zones[zoned] is None:
             zones[zoned] = k
@@ -122,6 +97,14 @@ def dates_of(table, cells, column):
             raise RecordError("%s: %s: %s %s a time zone, others of this column %s; needed: all or none" %
                               (table.place(k), column.names[0], cell, "has" if zoned else "has not", "have not" if zoned else "have"))
     return found
+
+
+def no_date(table, k, column, cells):
+    """The error of a cell; formats that read others of the column as well are named."""
+    some = [cell for cell in cells if cell]
+    return RecordError("%s: %s: %s is no date and time of the day%s; allowed: %s" %
+                       (table.place(k), " and ".join(column.names), cells[k], " by the format %s" % column.form if column.form else "",
+                        forms_for(some[::1 + len(some) // MOST_GUESSED])))
 
 
 # --- values
@@ -140,7 +123,8 @@ def values_of(table, signal, column, nulls, mapped, remarks):
             raise
         remarks.append("%s is left out: %s" % (signal, str(error)[len(table.file) + 2:]))
         return None
-    raw = numbers_or_refuse(table, name, [row[place] for row in table.rows], (*NULLS, *table.nulls[place], *nulls), "a number")
+    raw = numbers_or_refuse(table, name, [row[place] for row in table.rows], (*NULLS, *table.nulls[place], *nulls, *column.nulls), "a number", remarks)
+    leave_out_likely_nulls(table, name, raw, remarks)
     return in_range(table, signal, name, unit, raw, factor, remarks)
 
 
@@ -152,8 +136,8 @@ def unit_of(table, place, column, signal):
     quantity = SIGNALS[signal][0]
     try:
         same = factor_of(quantity, column.unit) == factor_of(quantity, said)
-    except UnitError:
-        same = True  # the file's is not known: the map's stands
+    except UnitError:  # the map's stands where the file's is not known, as M is for minutes
+        same = not is_unit(said) or (signal == "time" and column.unit == "min")
     if not same:
         raise RecordError("%s: %s: the map says %s, the file %s; needed: the same, or no unit in the map" % (table.file, column.names[0], column.unit, said))
     return column.unit
@@ -166,18 +150,42 @@ def factor_for(table, signal, name, unit):
         raise RecordError("%s: %s: %s" % (table.file, name, error))
 
 
-def numbers_or_refuse(table, name, cells, nulls, needed):
-    """nan where there is no number or a null; RecordError where no cell of the column that holds something is a number."""
-    nulls = numpy.unique(numpy.array(nulls, dtype=float))
+def numbers_or_refuse(table, name, cells, nulls, needed, remarks):
+    """nan where there is no number or a null; texts are reported. RecordError where no cell of the column that holds something is a number, and where one has
+    decimal or grouping signs that the others have not."""
     found = numpy.array([float(cell) if is_number(cell) else numpy.nan for cell in cells], dtype=float)
-    filled = [k for k, cell in enumerate(cells) if cell.strip()]
-    if filled and not any(is_number(cells[k]) for k in filled):
+    texts = [k for k, cell in enumerate(cells) if not is_number(cell) and not is_blank(cell)]
+    if texts and not numpy.isfinite(found).any():
         raise RecordError("%s: %s: %s is not %s, and no other cell of this column is one; the header was taken for: %s" %
-                          (table.place(filled[0]), name, cells[filled[0]].strip(), needed, table.header()))
+                          (table.place(texts[0]), name, cells[texts[0]].strip(), needed, table.header()))
+    foreign = next((k for k in texts if is_foreign_number(cells[k])), None)
+    if foreign is not None:
+        raise RecordError("%s: %s: %s is no number with a decimal point as others are; needed: one decimal sign in all numbers (map: decimal: comma or point)" %
+                          (table.place(foreign), name, cells[foreign].strip()))
+    if texts:
+        remarks.append("%d cells of %s hold a text, no number (first: %s: %s)" % (len(texts), name, table.place(texts[0]), cells[texts[0]].strip()))
     found[~numpy.isfinite(found)] = numpy.nan
-    for null in nulls:
-        found[numpy.abs(found - null) <= 1e-9 * abs(null)] = numpy.nan
+    for null in set(nulls):
+        found[close(found, null)] = numpy.nan
     return found
+
+
+def close(number, null):
+    return abs(number - null) <= 1e-9 * abs(null)
+
+
+def leave_out_likely_nulls(table, name, raw, remarks):
+    """Of numbers that files write for no number those which stand far from all others of their column; reported."""
+    sizes = numpy.abs(raw)
+    odd = numpy.isin(sizes, LIKE_NULLS)
+    others = sizes[numpy.isfinite(sizes) & ~odd]
+    if not len(others):
+        return
+    with numpy.errstate(invalid="ignore"):
+        odd = numpy.flatnonzero(odd & ((sizes >= ALONE * others.max()) | (ALONE * sizes <= others.min())))
+    if len(odd):
+        remarks.append("%s: %d values such as %g are far from all others and are taken for null values (first: %s)" % (name, len(odd), raw[odd[0]], table.place(odd[0])))
+        raw[odd] = numpy.nan
 
 
 def in_range(table, signal, name, unit, raw, factor, remarks):

@@ -1,8 +1,19 @@
 """A table of texts with named columns: what a delimited file, a WITSML log and a LAS file have in common. Its cells become signals in signal_reader.py."""
 import csv
+import re
+import typing
 
-from drill_rig_sim.field.units import TABLES, UnitError, factor_of
+import numpy
+from drill_rig_sim.field.cells import GROUPED, are_groups, first_decimal_comma, has_point, is_blank, is_number, with_point
+from drill_rig_sim.field.signals import RANKS, SIGNALS, word
+from drill_rig_sim.field.units import TABLES, UnitError, factor_of, same_unit
 from drill_rig_sim.refusal import Refusal
+
+MOST_TITLE, MOST_LINES = 50, 10000  # lines before the names of the columns, and with comments
+BLANK, WIDE = r"\s+", r"\s{2,}"  # delimiters of columns that are aligned
+BRACKET = re.compile(r"(.*\S)\s*(?:\(([^()]*(?:\([^()]*\)[^()]*)*)\)|\[([^\[\]]*)\]|<([^<>]*)>|\{([^{}]*)\})$")
+AFTER_SIGN = re.compile(r"(.*\S)\s*[,/_]\s*(\S+)$")
+
 
 class RecordError(Refusal):
     """What is wrong with a record, in one line."""
@@ -29,6 +40,18 @@ class Table:
             return places[0]
         raise RecordError("%s: %s %s; columns: %s" % (self.file, "there is no column" if not places else "there are %d columns" % len(places), name, self.header()))
 
+    def numbers(self, name, may_be_empty=False):
+        """Of a column without nulls and texts, as the simulator writes it: an array, nan where a cell is empty and may be. RecordError with the first cell that is
+        no finite number."""
+        place = self.column(name)
+        cells = [row[place] for row in self.rows]
+        found = numpy.array([float(cell) if is_number(cell) else numpy.nan for cell in cells], dtype=float)
+        odd = numpy.flatnonzero(~numpy.isfinite(found))
+        wrong = next((k for k in odd if not (may_be_empty and is_blank(cells[k]))), None)
+        if wrong is not None:
+            raise RecordError("%s: %s: %s is no finite number" % (self.place(wrong), name, cells[wrong].strip() or "an empty cell"))
+        return found
+
     def header(self):
         return shown(self.names)
 
@@ -38,53 +61,144 @@ def shown(names, most=40):
     return ", ".join(name or "(no name)" for name in names[:most]) + (", and %d more" % (len(names) - most) if len(names) > most else "")
 
 
-def read_delimited(file, text, delimiter=None, decimal=None, needed=None):
-    """A Table of a file whose first line names its columns. Lines that are empty or begin with # are passed over; a second line of units is one. Every other row
-    must have as many cells as the header: a cell too many is a decimal comma or a comma within a text, a cell too few a row that was cut off.
-    `delimiter` and `decimal` sign: None where they are to be recognised. `needed(names)`: places of the columns whose cells are kept, None: all."""
-    lines = lines_of(text)
-    header = next((line for line in lines if line.strip() and not line.lstrip().startswith("#")), None)
-    if header is None:
-        raise RecordError("%s: is empty; needed: a line with the names of the columns, then rows" % file)
-    delimiter = delimiter or likely_delimiter(header)
-    rows = rows_of(file, lines, delimiter)
-    names = without_empty_end([cell.strip() for cell in next(rows)[1]])
-    units, remarks, table, places = [unit_in(name) for name in names], [], [], []
+class Layout(typing.NamedTuple):
+    """`delimiter` of the cells (WIDE, BLANK: blanks align the columns) and `decimal` sign of a delimited file; None where they are to be recognised."""
+    delimiter: typing.Optional[str] = None
+    decimal: typing.Optional[str] = None
+
+
+def read_delimited(file, text, layout=Layout(), is_header=lambda names: False, needed=None):
+    """A Table of a file with a line that names its columns. Lines that are empty or begin with # are passed over, and a title before the names. A line of units
+    may follow them. Every other row must have as many cells as the header: one too many is a decimal comma or a comma in a text, one too few a row cut off.
+    `is_header(names)`: whether these are the columns' names, for files with a title. `needed(names)`: places of the columns to be kept, None: all."""
+    lines, delimiter = without_mark_of_excel(lines_of(text), layout.delimiter)
+    first, remarks = header_of(file, lines, delimiter, is_header)
+    delimiter = delimiter or likely_delimiter(whole(lines, first))
+    rows = rows_of(file, lines, first, delimiter)
+    names = without_empty_end([cell.strip() for cell in next(rows, (0, []))[1]])
+    if not names:
+        raise no_header(file)
+    units, table, places, before = [unit_in(name) for name in names], [], [], True
     keep = set(range(len(names)) if needed is None else needed(names))
     for line, cells in rows:
         cells = fitted(cells, file, line, names)
-        if not table and not remarks and is_line_of_units(cells):
-            units = [cell.strip(" []()") or unit for cell, unit in zip(cells, units)]
+        if before and is_line_of_units(cells):
+            units = [unit_of_both(file, line, *both) for both in zip(names, cells, units)]
             remarks.append("line %d was taken for the units of the columns" % line)
-            continue
-        table.append([cell if place in keep else "" for place, cell in enumerate(cells)])
-        places.append(str(line))
-    if decimal == "," or (decimal is None and delimiter != "," and has_decimal_commas(table)):
-        table = [[cell.replace(",", ".") if is_decimal_comma(cell) else cell for cell in row] for row in table]
-        remarks += ["its numbers have decimal commas"] if decimal is None else []
-    return Table(file, names, units, table, places, remarks=remarks)
+        else:
+            table.append([cell if place in keep else "" for place, cell in enumerate(cells)])
+            places.append(str(line))
+        before = False
+    decimal = layout.decimal or likely_decimal(file, table, places, delimiter, remarks)
+    return Table(file, names, units, numbers_with_points(file, table, places, decimal), places, remarks=remarks)
+
+
+def unit_of_both(file, line, name, cell, unit):
+    """Of the line of units and of the column's name; RecordError where they differ."""
+    said = cell.strip(" []()<>{}")
+    if said and unit and not same_unit(said, unit):
+        raise RecordError("%s:%d: the unit of %s is %s here; needed: the same, or one of them" % (file, line, name, said))
+    return said or unit
+
+
+def without_mark_of_excel(lines, delimiter):
+    """The lines without a first one such as `sep=;`, and the delimiter that it names."""
+    mark = re.match(r"\s*\"?sep=(.)\"?\s*$", lines[0], re.IGNORECASE)
+    return (["", *lines[1:]], delimiter or mark.group(1)) if mark else (lines, delimiter)
+
+
+def header_of(file, lines, delimiter, is_header):
+    """Place of the line with the names of the columns, and remarks: the first that is_header() knows, else the first that is neither empty nor a comment."""
+    filled = [k for k, line in enumerate(lines[:MOST_LINES]) if line.strip() and not line.lstrip().startswith("#")][:MOST_TITLE]
+    if not filled:
+        raise no_header(file)
+    first = next((k for k in filled if is_header(names_in(whole(lines, k), delimiter))), filled[0])
+    return first, [] if first == filled[0] else ["line %d was taken for the names of the columns, what is before it for a title" % (first + 1)]
+
+
+def no_header(file):
+    return RecordError("%s: is empty; needed: a line with the names of the columns, then rows" % file)
+
+
+def whole(lines, first):
+    """The line, with those after it into which a cell in quotes goes on."""
+    for last in range(first + 1, min(first + MOST_TITLE, len(lines))):
+        line = "".join(lines[first:last])
+        if line.count('"') % 2 == 0:
+            return line
+    return lines[first]
+
+
+def names_in(line, delimiter):
+    try:
+        return [cell.strip() for _, cells in split([line], delimiter or likely_delimiter(line)) for cell in cells]
+    except csv.Error:
+        return []
+
+
+def likely_decimal(file, table, places, delimiter, remarks):
+    """The comma where some numbers have one and none has a point, else None. RecordError where the commas may as well group the digits of whole numbers."""
+    found = None if delimiter == "," else first_decimal_comma(table)
+    if found is None:
+        return None
+    if delimiter != ";" and are_groups(table):  # a semicolon is written where the comma is the decimal sign
+        raise RecordError("%s:%s: %s may be a whole number or one with a decimal comma; needed: decimal: comma or point in a map" %
+                          (file, places[found[0]], found[1]))
+    remarks.append("its numbers have decimal commas (first: line %s: %s)" % (places[found[0]], found[1]))
+    return ","
+
+
+def numbers_with_points(file, table, places, decimal):
+    """The cells, numbers as Python reads them. RecordError where a number with a point stands among those with commas."""
+    for place, row in zip(places, table if decimal == "," else ()):
+        odd = next((cell for cell in row if has_point(cell) and not GROUPED[","].match(cell.strip())), None)
+        if odd is not None:
+            raise RecordError("%s:%s: %s has a decimal point; needed: decimal commas in all numbers, as the map says" % (file, place, odd.strip()))
+    return [[cell and with_point(cell, decimal) for cell in row] for row in table]
 
 
 def lines_of(text):
-    """As an editor counts them, with the line ends of any system."""
-    return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    """As an editor counts them, with the line ends of any system and without its mark of the end of a file (DOS)."""
+    return text.rstrip("\x1a\r\n").replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
-def rows_of(file, lines, delimiter):
-    """Number of the first line and cells of each row that is neither empty nor a comment."""
-    reader, line = csv.reader(lines, delimiter=delimiter, skipinitialspace=True), 1
+def rows_of(file, lines, first, delimiter):
+    """Number of the first line and cells of each row from line `first` on that is neither empty nor a comment."""
     try:
-        for cells in reader:
-            begun, line = line, reader.line_num + 1
+        for line, cells in split(lines[first:], delimiter):
             if any(cell.strip() for cell in cells) and not cells[0].lstrip().startswith("#"):
-                yield begun, cells
+                yield first + line, cells
     except csv.Error as error:
-        raise RecordError("%s:%d: %s" % (file, reader.line_num, error))
+        raise RecordError("%s: %s" % (file, error))
+
+
+def split(lines, delimiter):
+    """Number of its first line, from 1, and cells of each row."""
+    if delimiter in (BLANK, WIDE):
+        yield from enumerate(split_by_blanks(lines, delimiter), 1)
+        return
+    reader, line = csv.reader(lines, delimiter=delimiter, skipinitialspace=True), 1
+    for cells in reader:
+        begun, line = line, reader.line_num + 1
+        yield begun, cells
+
+
+def split_by_blanks(lines, delimiter):
+    """Cells of each line, by wide blanks where single ones do not come to as many as in the first line, and the other way round: values may be as wide as a column."""
+    count, other = None, BLANK if delimiter == WIDE else WIDE
+    for line in lines:
+        cells = re.split(delimiter, line.strip())
+        count = count or len(cells)
+        others = re.split(other, line.strip()) if len(cells) != count else cells
+        yield others if len(others) == count else cells
 
 
 def likely_delimiter(header):
-    """Of comma, semicolon and tab the one that stands most often in the header."""
-    return max(",;\t", key=header.count)
+    """Of comma, semicolon, tab and | the one that stands most often in the header; where there is none, blanks."""
+    best = max(",;\t|", key=header.count)
+    if best in header:
+        return best
+    return WIDE if re.search(WIDE, header.strip()) else BLANK
 
 
 def without_empty_end(names):
@@ -104,20 +218,32 @@ def fitted(cells, file, line, names):
 
 
 def unit_in(name):
-    """Of a column called `Hook Load (klbs)` or `HKLD [kN]`: klbs, kN; else None."""
-    for left, right in ("()", "[]"):
-        if name.endswith(right) and left in name:
-            return name[name.rindex(left) + 1:-1].strip() or None
-    return None
+    """Of a column called `Hook Load (klbs)`, `HKLD [kN]`, `Hook Load, kN` or `HKLD_kN`: klbs, kN; else None."""
+    return parts_of(name)[1]
 
 
 def bare(name):
-    """A column's name without its unit."""
-    return name[:name.rindex("(" if name.endswith(")") else "[")].strip() if unit_in(name) else name
+    """A column's name without its unit and what else stands in brackets after it."""
+    return parts_of(name)[0]
 
 
-def is_unit(text):
-    for quantity in TABLES:
+def parts_of(name):
+    """Name and unit. Of several brackets the unit is the last that is one, else the last."""
+    inside, rest = [], name
+    while (match := BRACKET.match(rest)) is not None:
+        rest = match.group(1).strip()
+        inside.append(next(text for text in match.groups()[1:] if text is not None).strip())
+    if inside:
+        return rest, next((text for text in inside if is_unit(text)), inside[0]) or None
+    match = AFTER_SIGN.match(name)
+    if match and any(word(match.group(1)) in RANKS[signal] and is_unit(match.group(2), SIGNALS[signal][0]) for signal in RANKS):
+        return match.groups()
+    return name, None
+
+
+def is_unit(text, *quantities):
+    """Of one of these quantities, of any where there are none."""
+    for quantity in quantities or TABLES:
         try:
             factor_of(quantity, text)
             return True
@@ -127,29 +253,5 @@ def is_unit(text):
 
 
 def is_line_of_units(row):
-    words = [cell.strip(" []()") for cell in row if cell.strip()]
+    words = [cell.strip(" []()<>{}") for cell in row if cell.strip()]
     return len(words) > 0 and not any(is_number(word) for word in words) and 2 * sum(map(is_unit, words)) >= len(words)
-
-
-def is_number(text):
-    try:
-        float(text)
-        return True
-    except ValueError:
-        return False
-
-
-def is_decimal_comma(cell):
-    whole, comma, rest = cell.strip().partition(",")
-    return comma == "," and rest.isdigit() and (whole.lstrip("+-").isdigit() or whole in ("", "-"))
-
-
-def has_decimal_commas(rows):
-    """Where some numbers have a comma and none has a point."""
-    some = False
-    for row in rows:
-        for cell in row:
-            if "." in cell and is_number(cell):
-                return False
-            some = some or is_decimal_comma(cell)
-    return some

@@ -34,19 +34,19 @@ TIME = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "min": MINUTE, "h": HOUR, "d": DAY, DA
 
 # usual spellings of a symbol; case and the signs between the parts do not matter (see plain())
 SPELLINGS = {
-    "length": {"m": "metre metres meter meters mtr mrt", "ft": "feet foot f", "in": "inch inches"},
+    "length": {"m": "metre metres meter meters mtr mtrs mts mrt", "ft": "feet foot f '", "in": "inch inches"},
     "speed": {"ft/h": "ft/hr fph feet/hr feet/hour", "m/h": "m/hr mph mtr/hr", "ft/min": "fpm feet/min", "m/min": "mpm mtr/min", "ft/s": "fps ft/sec", "m/s": "m/sec"},
-    "force": {"klbf": "klb klbs klbsf klbm kip kips 1000.lbf 1000.lb 1000.lbs 1000lbf 1000lb 1000lbs", "lbf": "lb lbs lbsf pound pounds", "kN": "kilonewton kilonewtons",
-              "kdaN": "1000.dan", "1000 kgf": "t tonne tonnes metric.ton metric.tons tonf.metric tonfm 1000kgf kkgf 1000.kg 1000kg", "kgf": "kg",
-              "tonfUS": "short.ton short.tons us.ton us.tons", "tonfUK": "long.ton long.tons"},
-    "torque": {"kft.lbf": "kft.lb kft.lbs klbf.ft klb.ft klbs.ft kftlb kftlbs kftlbf 1000.ft.lb 1000.ft.lbs 1000.lbf.ft ft.klbf ft.klb ft.klbs k.ft.lb k.ft.lbf k.ft.lbs klbft",
-               "ft.lbf": "ft.lb ft.lbs lbf.ft lb.ft lbs.ft ftlb ftlbs ftlbf lbft", "N.m": "nm", "kN.m": "knm", "daN.m": "danm", "kdaN.m": "kdanm",
+    "force": {"klbf": "klb klbs klbsf klbm klb.f kip kips k.lb k.lbs k.lbf kpound kpounds kilopounds 1000.lbf 1000.lb 1000.lbs 1000lbf 1000lb 1000lbs", "lbf": "lb lbs lbsf lb.f pound pounds pounds.force poundforce", "kN": "kilonewton kilonewtons k.n",
+              "kdaN": "1000.dan", "1000 kgf": "t te tonnef tonne.f ton(metric) metricton metrictons tonne tonnes metric.ton metric.tons tonf.metric tonfm 1000kgf kkgf 1000.kg 1000kg", "kgf": "kg",
+              "tonfUS": "ustonf ton(us) tons(us) ston stons short.ton short.tons us.ton us.tons", "tonfUK": "uktonf ton(uk) tons(uk) long.ton long.tons"},
+    "torque": {"kft.lbf": "kft.lb kft.lbs klbf.ft klb.ft klbs.ft kftlb kftlbs kftlbf 1000.ft.lb 1000.ft.lbs 1000.lbf.ft ft.klbf ft.klb ft.klbs ft.kip ft.kips kip.ft kips.ft k.lb.ft k.lbs.ft k.lbf.ft k.ft.lb k.ft.lbf k.ft.lbs klbft",
+               "ft.lbf": "ft.lb ft.lbs lbf.ft lb.ft lbs.ft ftlb ftlbs ftlbf lbft foot.pound foot.pounds", "N.m": "nm", "kN.m": "knm", "daN.m": "danm", "kdaN.m": "kdanm",
                "in.lbf": "in.lb in.lbs lbf.in lb.in", "kgf.m": "kg.m kgm m.kgf"},
-    "pressure": {"psi": "psig lbf/in2 lb/in2 lbs/in2", "bar": "bars barg", "kpsi": "ksi", "kgf/cm2": "kg/cm2 ksc"},
-    "turning": {"rpm": "r/min 1/min revs/min", "rad/s": "rad/sec", "rev/s": "rps"},
-    "flow": {"gpm": "galus/minute usgpm gal(us)/min usgal/min", "L/min": "lpm ltr/min liter/min litre/min l/minute liters/min litres/min", "L/s": "lps l/sec ltr/s", "m3/min": "m3pm",
-             "m3/h": "m3/hr", "bbl/min": "bpm bbls/min", "bbl/h": "bbl/hr bph", "ft3/min": "cfm"},
-    "time": {"s": "sec secs second seconds", "min": "mins minute minutes", "h": "hr hrs hour hours", "d": "day days", DATE: "datetime iso.8601 date.time",
+    "pressure": {"psi": "psig psi(g) lbf/in2 lb/in2 lbs/in2", "bar": "bars barg bar(g)", "kpsi": "ksi", "kgf/cm2": "kg/cm2 kgcm2 ksc"},
+    "turning": {"rpm": "r/min 1/min revs/min /min min.1 rev.min.1 r.p.m rpms", "rad/s": "rad/sec", "rev/s": "rps"},
+    "flow": {"gpm": "galus/minute usgpm gal(us)/min usgal/min us.gal/min us.gpm gpm(us) usg/min", "galUK/min": "igpm gal(uk)/min ukgal/min uk.gal/min impgal/min", "L/min": "lpm ltr/min liter/min litre/min l/minute liters/min litres/min dm3/min lt/min", "L/s": "lps l/sec ltr/s", "m3/min": "m3pm kl/min 1000.l/min",
+             "m3/h": "m3/hr", "bbl/min": "bpm bbls/min stb/min", "bbl/h": "bbl/hr bph", "ft3/min": "cfm cu.ft/min"},
+    "time": {"s": "sec secs second seconds second(s)", "min": "mins minute minutes minute(s)", "h": "hr hrs hour hours hour(s)", "d": "day days", DATE: "datetime iso.8601 date.time",
              "ms": "msec millisecond milliseconds", "us": "usec"},
 }
 # the same letters for several units: refused, with what may be meant
@@ -102,6 +102,17 @@ def factor_of(quantity, text):
     if not symbols:
         raise UnitError("unit %s is not known for a %s; allowed: %s" % (exact or "(none)", NOUNS[quantity], ", ".join(table)))
     return table[next(iter(symbols))]
+
+
+def same_unit(one, other):
+    """Whether two texts may be the same unit; of units that are not known, yes."""
+    for quantity in TABLES:
+        try:
+            factors = factor_of(quantity, one), factor_of(quantity, other)
+        except UnitError:
+            continue
+        return None in factors or factors[0] == factors[1]
+    return True
 
 
 NOUNS = {"length": "length", "speed": "speed", "force": "force", "torque": "torque", "pressure": "pressure", "turning": "rotary speed", "flow": "flow rate", "time": "time"}

@@ -1,7 +1,14 @@
 """Logs of WITSML 1.3.1.1 and 1.4.1.1 as Tables, one for each logData."""
-from drill_rig_sim.field.signals import RANKS, word
-from drill_rig_sim.field.table import RecordError, Table, is_number, shown
+import csv
+import re
 
+from drill_rig_sim.field.cells import is_number
+from drill_rig_sim.field.files import text_of
+from drill_rig_sim.field.signals import RANKS, word
+from drill_rig_sim.field.table import RecordError, Table, shown
+from drill_rig_sim.field.units import same_unit
+
+DECLARATION = re.compile(r"<\?xml[^>]*\?>\s*")
 TIME_INDEX = {"date time": True, "elapsed time": False}  # whether its cells are dates
 
 
@@ -9,10 +16,11 @@ class NotInTime(Exception):
     """Why a log cannot be put on a time axis."""
 
 
-def read_witsml(file, data):
+def read_witsml(file, data, times=()):
     """Tables of the document `data` (bytes) that have an index or a curve of time; the others are reported in the first's remarks. RecordError where none has, and
-    where the logs are of several wells."""
-    logs = [log for log in parsed(file, data).iter("{*}log") if log.find("{*}logData") is not None]
+    where the logs are of several wells. `times`: names of a curve of time, besides those of the trade."""
+    root, remarks = parsed(file, data)
+    logs = [log for log in root.iter("{*}log") if log.find("{*}logData") is not None]
     if not logs:
         raise RecordError("%s: holds no log of WITSML 1.3.1.1 or 1.4.1.1 with data" % file)
     wells = sorted({wellbore_of(log) for log in logs})
@@ -21,12 +29,12 @@ def read_witsml(file, data):
     tables, passed = [], []
     for number, log in enumerate(logs, 1):
         try:
-            tables += [table_of(file, log, block) for block in log.findall("{*}logData") if block.find("{*}data") is not None]
+            tables += [table_of(file, log, block, times) for block in log.findall("{*}logData") if block.find("{*}data") is not None]
         except NotInTime as reason:
             passed.append((number, reason))
     if not tables:
         raise RecordError("%s: %s" % (file, passed[0][1] if passed else "its logs hold no rows"))
-    tables[0].remarks += ["log %d is passed over: %s" % one for one in passed]
+    tables[0].remarks += remarks + ["log %d is passed over: %s" % one for one in passed]
     return tables
 
 
@@ -35,40 +43,65 @@ def wellbore_of(log):
 
 
 def parsed(file, data):
+    """(root of the document, lines on its encoding). Bytes that are not in the encoding they declare are read as other text files are."""
     try:
         from lxml import etree
     except ImportError:
         raise RecordError("%s: WITSML needs Debian's python3-lxml" % file)
+    parser = etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False, huge_tree=False)
+    remarks = []
     try:
-        root = etree.fromstring(data, etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False, huge_tree=False))
+        root = etree.fromstring(data, parser)
     except (etree.XMLSyntaxError, ValueError) as error:
-        raise RecordError("%s: is no XML: %s" % (file, " ".join(str(error).split())))
+        try:
+            text, remarks = text_of(file)
+            root = etree.fromstring(DECLARATION.sub("", text.lstrip()).encode(), parser)
+        except (etree.XMLSyntaxError, ValueError, RecordError):
+            raise RecordError("%s: is no XML: %s" % (file, " ".join(str(error).split())))
     if root.getroottree().docinfo.doctype:
         raise RecordError("%s: has a document type definition; WITSML has none" % file)
-    return root
+    return root, remarks
 
 
-def table_of(file, log, block):
+def table_of(file, log, block, times):
     """A Table of one logData."""
-    infos = curves_of(log)
-    names, units = columns_of(file, block, infos)
-    index, dated, in_order = index_of(log, names, infos)
-    rows, places = rows_of(file, block, names, log.findtext("{*}dataDelimiter") or ",")
-    if in_order and (log.findtext("{*}direction") or "increasing").strip() == "decreasing":
+    infos, delimiter = curves_of(log), delimiter_of(log)
+    rows, places = rows_of(block, delimiter)
+    names, units, remarks = columns_of(file, with_list(log, block), infos, delimiter, max(map(len, rows)))
+    rows = [fitted(file, row, place, names) for row, place in zip(rows, places)]
+    index, dated, in_order = index_of(log, names, infos, times)
+    if dated is False:
+        units[index] = units[index] or (log.find("{*}startIndex").get("uom") if log.find("{*}startIndex") is not None else None)
+    if in_order and (log.findtext("{*}direction") or "increasing").strip().lower() == "decreasing":
         rows, places = rows[::-1], places[::-1]
     nulls = [[null for null in (log.findtext("{*}nullValue"), infos.get(name, {}).get("null")) if null is not None] for name in names]
     rows = [[blank_where_null(cell, texts) for cell, texts in zip(row, nulls)] for row in rows]
-    return Table(file, names, units, rows, places, [[float(null) for null in texts if is_number(null)] for texts in nulls], index, dated)
+    return Table(file, names, units, rows, places, [[float(null) for null in texts if is_number(null)] for texts in nulls], index, dated, remarks)
 
 
-def index_of(log, names, infos):
+def delimiter_of(log):
+    said = log.findtext("{*}dataDelimiter") or ","
+    return said.strip() or said
+
+
+def index_of(log, names, infos, times):
     """(place of the column of time, whether it holds dates or None, whether the log's direction is that of the time)."""
-    kind, index = (log.findtext("{*}indexType") or "").strip().lower(), (log.findtext("{*}indexCurve") or "").strip()
+    kind, said = (log.findtext("{*}indexType") or "").strip().lower(), (log.findtext("{*}indexCurve") or "").strip().lower()
+    named = [place for place, name in enumerate(names) if name.lower() == said]
     if not kind or kind in TIME_INDEX:
-        return names.index(index) if index in names else 0, TIME_INDEX.get(kind), True
-    index = time_curve(names, infos, kind)
-    said = infos.get(names[index], {}).get("type")
-    return index, None if said is None else said == "date time", False
+        return next(iter(named + time_curves(names, infos, times)), 0), TIME_INDEX.get(kind), True
+    places = time_curves(names, infos, times)
+    if not places:
+        raise NotInTime("its index is %s, and none of its curves is a time (%s); needed: a log by time" % (kind, shown(names)))
+    typed = infos.get(names[places[0]], {}).get("type")
+    return places[0], None if typed is None else typed == "date time", False
+
+
+def time_curves(names, infos, times):
+    """Places: of those in `times`, then of those whose type says so, then of those with a name of the trade."""
+    asked = [place for place, name in enumerate(names) if name.lower() in times]
+    dates = [place for place, name in enumerate(names) if infos.get(name, {}).get("type") == "date time"]
+    return asked + dates + [place for place, name in enumerate(names) if word(name) in RANKS["time"]]
 
 
 def blank_where_null(cell, nulls):
@@ -87,44 +120,64 @@ def curves_of(log):
     return found
 
 
-def columns_of(file, block, infos):
-    """Names and units: of 1.4.1.1 in the logData, of 1.3.1.1 by each curve's columnIndex."""
+def columns_of(file, block, infos, delimiter, most):
+    """Names, units and remarks: of 1.4.1.1 in the logData, of 1.3.1.1 by each curve's columnIndex. `most`: values of a row."""
     said = block.findtext("{*}mnemonicList")
     if said is not None:
-        names = [name.strip() for name in said.split(",")]
-        units = [infos.get(name, {}).get("unit") for name in names]
-        if block.find("{*}unitList") is not None:
-            units = [unit.strip() or None for unit in (block.findtext("{*}unitList") or "").split(",")]
-        if len(units) != len(names):
-            raise RecordError("%s: mnemonicList has %d names, unitList %d units; needed: as many" % (file, len(names), len(units)))
-        return names, units
+        return listed(file, block, infos, "," if "," in said else delimiter)
     if not infos:
         raise RecordError("%s: a log names no curves: it has neither mnemonicList nor logCurveInfo" % file)
     names = list(infos)
     if all((info["column"] or "").strip().isdecimal() for info in infos.values()):
-        names.sort(key=lambda name: int(infos[name]["column"]))
-    return names, [infos[name]["unit"] for name in names]
+        names = by_place(file, {name: int(info["column"]) for name, info in infos.items()}, most)
+    return names, [infos.get(name, {}).get("unit") for name in names], []
 
 
-def time_curve(names, infos, index_type):
-    """The place of a depth log's curve of time. NotInTime where it has none."""
-    dates = [name for name in names if infos.get(name, {}).get("type") == "date time"]
-    named = [name for name in names if word(name) in RANKS["time"]]
-    if not dates and not named:
-        raise NotInTime("its index is %s, and none of its curves is a time (%s); needed: a log by time" % (index_type, shown(names)))
-    return names.index((dates or named)[0])
+def with_list(log, block):
+    """The logData, or where it names no columns the first of the log that does: the order of the logCurveInfo may be another."""
+    return next((one for one in (block, *log.findall("{*}logData")) if one.find("{*}mnemonicList") is not None), block)
 
 
-def rows_of(file, block, names, delimiter):
-    """Cells of each row, and where it stands."""
+def listed(file, block, infos, delimiter):
+    names = [name.strip() for name in block.findtext("{*}mnemonicList").split(delimiter)]
+    known = [infos.get(name, {}).get("unit") for name in names]
+    if block.find("{*}unitList") is None:
+        return names, known, []
+    units = [unit.strip() or None for unit in (block.findtext("{*}unitList") or "").split(delimiter)]
+    if len(units) != len(names):
+        raise RecordError("%s: mnemonicList has %d names, unitList %d units; needed: as many" % (file, len(names), len(units)))
+    return names, units, ["%s: its unit is %s in unitList, %s in logCurveInfo: unitList's is taken" % (name, unit, other)
+                          for name, unit, other in zip(names, units, known) if unit and other and not same_unit(unit, other)]
+
+
+def by_place(file, places, most):
+    """Names in the order of columnIndex; empty ones where a row holds columns that no curve names. RecordError where two have the same."""
+    names = sorted(places, key=places.get)
+    for one, other in zip(names, names[1:]):
+        if places[one] == places[other]:
+            raise RecordError("%s: %s and %s have the same columnIndex %d; needed: a column for each curve" % (file, one, other, places[one]))
+    first = min(min(places.values()), 1)
+    if most <= len(names):
+        return names
+    by_column = {place: name for name, place in places.items()}
+    return [by_column.get(place, "") for place in range(first, 1 + max(places.values()))]
+
+
+def rows_of(block, delimiter):
+    """Cells of each row, and where it stands. Texts that hold the delimiter are in quotes."""
     rows, places = [], []
     for number, data in enumerate(block.findall("{*}data"), 1):
-        row = (data.text or "").split(delimiter)
-        if len(row) > len(names) and not any(cell.strip() for cell in row[len(names):]):
-            row = row[:len(names)]
-        if len(row) != len(names):
-            raise RecordError("%s:%d: data row %d has %d values, there are %d curves (%s); needed: as many" %
-                              (file, data.sourceline, number, len(row), len(names), shown(names, 8)))
-        rows.append(row)
+        text = data.text or ""
+        quoted = '"' in text and len(delimiter) == 1
+        rows.append(next(csv.reader([" ".join(text.split("\n"))], delimiter=delimiter, skipinitialspace=True)) if quoted else text.split(delimiter))
         places.append("%d: data row %d" % (data.sourceline, number))
     return rows, places
+
+
+def fitted(file, row, place, names):
+    """The row, as long as the names; RecordError where it is not."""
+    if len(row) > len(names) and not any(cell.strip() for cell in row[len(names):]):
+        row = row[:len(names)]
+    if len(row) != len(names):
+        raise RecordError("%s:%s has %d values, there are %d curves (%s); needed: as many" % (file, place, len(row), len(names), shown(names, 8)))
+    return row

@@ -1,0 +1,76 @@
+"""Which columns of a table hold which signals, where no map says so."""
+from drill_rig_sim.field.cells import is_blank, is_number
+from drill_rig_sim.field.columns import Column
+from drill_rig_sim.field.dates import is_time_of_day, seconds_of
+from drill_rig_sim.field.signals import OWN, known, si_unit, word
+from drill_rig_sim.field.table import RecordError, bare, is_unit
+from drill_rig_sim.field.units import DATE
+
+# columns of their own, of dates and of times of the day
+DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "hora")
+TRUTH = {"time", "hook_load", "bit_torque", "bit_up"}  # names that drill run --csv writes and no rig
+
+
+def is_header(names, columns=None):
+    """Whether these are the names of a record's columns: those of the map, else the time and a signal."""
+    if columns:
+        return wanted_names(columns) <= {name.lower() for name in names}
+    if {OWN["time"], OWN["hook_load"]} <= set(names):
+        return True
+    found = known([bare(name) for name in names])
+    return len(found) > ("time" in found) and ("time" in found or bool(halves(names)[0]))
+
+
+def wanted_names(columns):
+    return {name.strip().lower() for column in columns.columns.values() for name in column.names}
+
+
+def places_of(names, columns=None):
+    """Places of the columns that part_of() will look at."""
+    if columns:
+        return [place for place, name in enumerate(names) if name.lower() in wanted_names(columns)]
+    own = [place for place, name in enumerate(names) if name in OWN.values()]
+    return own + [place for half in halves(names) for place in half] + [place for places in known([bare(name) for name in names]).values() for place in places]
+
+
+def halves(names):
+    """Places of the columns that may hold dates, and of those that may hold times of the day."""
+    return [[place for place, name in enumerate(names) if word(bare(name)) in half] for half in (DATES, TIMES_OF_DAY)]
+
+
+def known_columns(table, remarks):
+    """Column by signal, of those that have a name of the trade. Where a signal has several, one with numbers in a unit and the first of signals.NAMES is taken,
+    which is reported."""
+    if all(OWN[signal] in table.names for signal in ("time", "hook_load")):
+        return {signal: Column([name], si_unit(signal)) for signal, name in OWN.items() if name in table.names}
+    if TRUTH <= set(table.names):
+        raise RecordError("%s: is a time series of drill run without what the gauges show; needed: drill run --csv --readings, or a map, --columns" % table.file)
+    by_signal = known([bare(name) for name in table.names])
+    found = {"time": time_column(table, by_signal.pop("time", []))}
+    for signal, places in by_signal.items():
+        with_unit = [place for place in places if table.units[place]]
+        filled = [place for place in with_unit if any(is_number(row[place]) for row in table.rows)]
+        if with_unit:
+            found[signal] = Column([table.names[(filled or with_unit)[0]]])
+            passed = [table.names[place] for place in places if place != (filled or with_unit)[0]]
+            remarks += ["%s is taken from %s; passed over: %s" % (signal, found[signal].names[0], ", ".join(passed))] if passed else []
+        else:
+            remarks.append("%s: %s is left out: it has no unit; needed: a map, --columns" % (signal, table.names[places[0]]))
+    return {signal: column for signal, column in found.items() if column is not None}
+
+
+def time_column(table, places):
+    """Of the columns at these places: one with whole dates, else a date and a time of the day, else one in a unit, else whole dates by another name, else the first."""
+    dates, times = halves(table.names)
+    places = [table.index] if table.index is not None else places
+    whole = [place for place in places if seconds_of(first_cell(table, place))]
+    if not whole and dates and times and is_time_of_day(first_cell(table, times[0])):
+        return Column([table.names[dates[0]], table.names[times[0]]], DATE)
+    in_unit = [place for place in places if table.units[place] and is_unit(table.units[place], "time") and is_number(first_cell(table, place))]
+    other = [place for place in dates if seconds_of(first_cell(table, place))]
+    return next((Column([table.names[place]]) for place in whole + in_unit + other + places), None)
+
+
+def first_cell(table, place):
+    """The first of a column that holds something, or ""."""
+    return next((row[place] for row in table.rows if not is_blank(row[place])), "")

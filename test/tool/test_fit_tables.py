@@ -1,0 +1,68 @@
+#!/usr/bin/python3
+"""Tables of weights for drill calibrate, as people keep them: read with the right numbers, or refused in one line by file, row and column."""
+import importlib.util
+import sys
+import unittest
+
+import numpy
+from record_folder import FEET, KLBF, Folder
+
+if importlib.util.find_spec("scipy") is None:
+    print("skipped: python3-scipy is not installed")
+    sys.exit(77)
+from drill_rig_sim.campaign.plan_text import PlanError, plan_of
+from drill_rig_sim.field.fit_plan import RecordError, weights_of
+
+ROWS = ((600.0, 87.5, 83.0), (900.0, 104.25, 94.5), (1200.0, 122.0, 104.0))
+PLAIN = "MD,PU,SO\n" + "".join("%g,%g,%g\n" % row for row in ROWS)
+FIT = "{file: t.csv, depth: {column: MD, unit: m}, pick_up: {column: PU, unit: klbf}, slack_off: {column: SO, unit: klbf}}"
+NO_UNITS = FIT.replace(", unit: m", "").replace(", unit: klbf", "")
+
+
+class Weights(Folder):
+    def weights(self, text, fit=FIT, encoding="utf-8"):
+        self.file("t.csv", text, encoding)
+        return weights_of(plan_of(self.file("f.yaml", fit)), self.folder)
+
+    def test_what_is_read(self):
+        comma = PLAIN.replace(",", ";").replace(".", ",")
+        quoted = "\n".join(",".join('"%s"' % cell.replace(".", ",") for cell in line.split(",")) for line in PLAIN.splitlines())
+        for what, text, fit, encoding in (
+                ("plain", PLAIN, FIT, "utf-8"), ("units after the names", PLAIN.replace("SO\n", "SO\nm,klbf,klbf\n"), NO_UNITS, "utf-8"), ("decimal commas", comma, FIT, "utf-8"),
+                ("units in the names", PLAIN.replace("MD,PU,SO", "MD (m),PU (klbf),SO (klbf)"), NO_UNITS.replace("MD", "MD (m)").replace("PU", "PU (klbf)").replace("SO", "SO (klbf)"), "utf-8"),
+                ("commas in quotes", quoted, FIT[:-1] + ", decimal: comma}", "utf-8"), ("title", "Weights of A-1\n\n" + PLAIN, FIT, "utf-8"), ("blanks", PLAIN.replace(",", "   "), FIT, "utf-8"),
+                ("UTF-16", PLAIN, FIT, "utf-16"), ("mark", PLAIN, FIT, "utf-8-sig"), ("latin-1", "# °\n" + PLAIN, FIT, "latin-1"), ("small letters", PLAIN, FIT.replace("MD", "md"), "utf-8")):
+            with self.subTest(what):
+                depths, found, _ = self.weights(text, fit, encoding)
+                numpy.testing.assert_allclose(depths, [row[0] for row in ROWS])
+                numpy.testing.assert_allclose(found["pick_up"], [KLBF * row[1] for row in ROWS])
+                numpy.testing.assert_allclose(found["slack_off"], [KLBF * row[2] for row in ROWS])
+        self.assertAlmostEqual(600.0 * FEET, self.weights(PLAIN, FIT.replace("unit: m", "unit: ft"))[0][0])
+        self.assertEqual(1, len(self.weights("".join(PLAIN.splitlines(True)[:2]))[0]))
+        self.assertEqual(4, len(self.weights(PLAIN + "600,87.5,83\n")[0]))
+
+    def test_what_is_reported(self):
+        for cell, fit in (("", FIT), ("-999.25", FIT), ("N/A", FIT), ("0", FIT[:-1] + ", null: 0}")):
+            _, found, remarks = self.weights(PLAIN.replace("104.25", cell), fit)
+            self.assertTrue(numpy.isnan(found["pick_up"][1]))
+            self.assertIn("t.csv: pick_up: 1 of 3 rows hold no measurement", "\n".join(remarks))
+        self.assertIn("1 cells of PU hold a text, no number (first: ", "\n".join(self.weights(PLAIN.replace("104.25", "stuck"))[2]))
+        self.assertIn("3 of 3 rows have a pick-up weight below the slack-off weight", "\n".join(self.weights(PLAIN.replace("PU,SO", "SO,PU"))[2]))
+        self.assertEqual([], self.weights(PLAIN)[2])
+
+    def test_what_is_refused(self):
+        for text, fit, said in (
+                (PLAIN.replace("SO", "S0"), FIT, "t.csv: there is no column SO; columns: MD, PU, S0"), (PLAIN.replace("SO", "PU"), FIT, "there are 2 columns PU"), ("MD,PU,SO\n", FIT, "t.csv: has no rows"),
+                (PLAIN, NO_UNITS, "MD has no unit in the file"), (PLAIN.replace("SO\n", "SO\nft,klbf,klbf\n"), FIT, "the map says m, the file ft"),
+                (PLAIN, FIT.replace("klbf}, s", "stone}, s"), "f.yaml:1: pick_up.unit: unit stone is not known for a force"), (PLAIN, FIT.replace("klbf}, s", "ton}, s"), "f.yaml:1: pick_up.unit: unit ton is ambiguous"),
+                (PLAIN.replace("900", "nan"), FIT, "t.csv:3: MD: nan is no depth of a well"), (PLAIN.replace("900", ""), FIT, "t.csv:3: MD: an empty cell is no depth"),
+                (PLAIN.replace("900", "-900"), FIT, "t.csv:3: MD: -900 is no depth"), (PLAIN.replace("104.25", '"104,25"'), FIT, "t.csv:3: PU: 104,25 is no number with a decimal point"),
+                (PLAIN.replace("104.25,", ""), FIT, "t.csv:3: has 2 cells, the header 3"), (PLAIN, "{file: t.csv, depth: {column: MD, unit: m}}", "needs one or more of pick_up")):
+            with self.assertRaises((PlanError, RecordError), msg=said) as caught:
+                self.weights(text, fit)
+            self.assertIn(said, str(caught.exception))
+            self.assertNotIn("\n", str(caught.exception))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,201 @@
+#!/usr/bin/python3
+"""Records as data systems, mud loggers and spreadsheets export them: each of these small files is read with the right numbers, or refused in one line. See test_record.py."""
+import datetime
+import time
+import unittest
+
+from drill_rig_sim.field.cells import is_blank, is_foreign_number, with_point
+from drill_rig_sim.field.dates import seconds_of
+from drill_rig_sim.field.table import parts_of
+from record_folder import FEET, KLBF, MAP, ROWS, STAMPS, Folder
+
+NAMES = ("Time (s)", "Hook Load (klbs)", "Block Height (ft)")
+BEGIN = datetime.datetime(2024, 5, 21, 9, 59, 50)
+POUNDS = ("Time (s)", "Hook Load (lbs)", "Block Height (ft)")
+DATED = ("DateTime", "HKLD (klbf)", "BPOS (ft)")
+
+
+def dates(form):
+    return [(BEGIN + datetime.timedelta(seconds=row[0])).strftime(form) for row in ROWS]
+
+
+def table(sign=",", header=NAMES, times=None, number="%g", load=1.0):
+    rows = [[times[k] if times else number % t, number % (load * h), number % b] for k, (t, h, b) in enumerate(ROWS)]
+    return "".join(sign.join(row) + "\n" for row in [header, *rows])
+
+
+def cell(text):
+    """The table with this text for the hook load of its second row."""
+    return table().replace("5,201,", "5,%s," % text)
+
+
+READ = {
+    "title": "Well: A-1\nRig: 7, land\n\n" + table(),
+    "title of a spreadsheet": "Well,A-1,\nExported,2024-05-01,\n" + table(),
+    "mark of Excel": "sep=;\n" + table(";"),
+    "mark of Excel, quoted": '"sep=;"\r\n' + table(";").replace("\n", "\r\n"),
+    "bars": table("|"),
+    "bars at both ends": "\n".join(line + "|" for line in table("|").splitlines()),
+    "blanks": table("  ", ("TIME", "HKLD", "BPOS")).replace("BPOS\n", "BPOS\nsec  klbf  ft\n"),
+    "blanks, values as wide as the column": "TIME  HKLD  BPOS\ns     klbf  ft\n" + "".join("%-6d%-6.2f %g\n" % row for row in ROWS),
+    "blanks, dates with one": "DateTime             HKLD    BPOS\ndate                 klbf    ft\n" + "".join("%s  %g  %g\n" % (when, h, b) for when, (_, h, b) in zip(dates("%Y-%m-%d %H:%M:%S"), ROWS)),
+    "one blank": table(" ", ("TIME", "HKLD", "BPOS")).replace("BPOS\n", "BPOS\ns klbf ft\n"),
+    "aligned, names with blanks": table("    ", NAMES),
+    "unit in other brackets": table(header=("Time <s>", "HKLD {klbf}", "BPOS [ft]")),
+    "unit after a comma": table(header=('"Time, s"', '"Hook Load, klbf"', '"Block Height, ft"')),
+    "unit after a slash": table(header=("Time / s", "Hook load / klbf", "Block height / ft")),
+    "unit after a line": table(header=("time_s", "hook_load_klbf", "block_height_ft")),
+    "two brackets": table(header=("Time (RTC) [s]", "Hook load (avg) [klbf]", "Block height (compensated) [ft]")),
+    "unit before a remark": table(header=("Time (s) (local)", "Hook load (klbf) (avg)", "Block height (ft)")),
+    "header over two lines of a cell": table(header=('"Time\n(s)"', '"Hook Load\n(klbs)"', '"Block Height\n(ft)"')),
+    "digits in groups by blanks": table(";", POUNDS, load=1e3).replace("000;", " 000;").replace("2500;", "2 500;"),
+    "decimal commas": table(";", number="%.3f").replace(".", ","),
+    "decimal commas, tabs": table("\t", number="%.1f").replace(".", ","),
+    "decimal commas and points in groups": ";".join(POUNDS) + "".join("\n%d;%s,0;%s" % (t, "%.3f" % h, ("%.1f" % b).replace(".", ",")) for t, h, b in ROWS),
+    "date, day first": table(header=DATED, times=dates("%d.%m.%Y %H:%M:%S")),
+    "month by name": table(header=DATED, times=dates("%d-%b-%Y %H:%M:%S")),
+    "month by name, 12 hours": table(header=DATED, times=dates("%d %B %Y %I:%M:%S %p")),
+    "year first, 12 hours": table(header=DATED, times=dates("%Y-%m-%d %I:%M:%S %p")),
+    "GMT": table(header=DATED, times=dates("%Y-%m-%d %H:%M:%S GMT")),
+    "zone in the header": table(header=("Time (UTC)", *DATED[1:]), times=dates("%Y-%m-%dT%H:%M:%S")),
+    "date and time": table(header=("Date,Time", *DATED[1:]), times=dates("%Y-%m-%d,%H:%M:%S")),
+    "date and time with units": table(header=("Date (dd.mm.yyyy),Time (hh:mm:ss)", *DATED[1:]), times=dates("%d.%m.%Y,%H:%M:%S")),
+    "whole dates called date": table(header=("Date", *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S")),
+    "time of the day beside whole dates": table(header=("Time,DateTime", *DATED[1:]), times=dates("%H:%M:%S,%Y-%m-%d %H:%M:%S")),
+    "time of the day beside seconds": table(header=("Time,Elapsed Time (s)", *DATED[1:]), times=["10:00:%02d,%d" % (row[0], row[0]) for row in ROWS]),
+    "seconds beside a date": table(header=("Date,Time (s)", *DATED[1:]), times=["2024-05-21 10:00:00,%d" % row[0] for row in ROWS]),
+    "two columns, the first empty": table(header=("Time (s),HKLD (klbf)", "HKLA (klbf)", "BPOS (ft)"), times=["%d," % row[0] for row in ROWS]),
+    "date and time, 12 hours": table(header=("DATE,TIME", *DATED[1:]), times=dates("%Y/%m/%d,%I:%M:%S %p")),
+}
+REFUSED = {
+    "digits in groups": (cell('"201,000"'), "r.csv:3: Hook Load (klbs): 201,000 is no number with a decimal point as others are"),
+    "decimal comma in one cell": (cell('"201,5"'), "r.csv:3: Hook Load (klbs): 201,5 is no number"),
+    "commas that may be groups": (table("\t", POUNDS, load=1e3).replace("000\t", ",000\t").replace("202500", "202,500").replace("29.5", "29"),
+                                  "r.csv:2: 200,000 may be a whole number or one with a decimal comma"),
+    "day or month first": (table(header=DATED, times=[text.replace("21", "01") for text in dates("%d/%m/%Y %H:%M:%S")]), 'format: "%d/%m/%Y %H:%M:%S" or "%m/%d/%Y %H:%M:%S"'),
+    "month first": (table(header=DATED, times=dates("%m/%d/%Y %I:%M:%S %p")), 'r.csv:2: DateTime: 05/21/2024 09:59:50 AM is no date and time of the day; allowed: ISO 8601'),
+    "month first, the format": (table(header=DATED, times=dates("%m/%d/%Y %I:%M:%S %p")), 'format: "%m/%d/%Y %I:%M:%S %p"}'),
+    "time of the day alone": (table(header=DATED, times=dates("%H:%M:%S")), 'format: "%H:%M:%S"}'),
+    "time of the day, unit": (table(header=("Time (hh:mm:ss)", *DATED[1:]), times=dates("%H:%M:%S")), "r.csv:2: Time (hh:mm:ss): 09:59:50 is no date"),
+    "days of a spreadsheet": (table(header=DATED, times=["%.8f" % (45413.5 + row[0] / 86400) for row in ROWS]), "the time has no unit and is no date (first: 45413.5"),
+    "two units": (table().replace("(ft)\n", "(ft)\ns,kN,ft\n"), "r.csv:2: the unit of Hook Load (klbs) is kN here"),
+    "13 PM": (table(header=DATED, times=["2024-05-01 13:00:%02d PM" % row[0] for row in ROWS]), "13:00:00 PM is no date"),
+    "footer": (table() + "End of file\n", "r.csv:6: has 1 cells, the header 3"),
+}
+
+
+class Tables(Folder):
+    def test_what_is_read(self):
+        for what, text in READ.items():
+            with self.subTest(what):
+                self.right(self.read(text))
+
+    def test_what_is_refused(self):
+        for what, (text, said) in REFUSED.items():
+            with self.subTest(what):
+                self.refused(said, text)
+
+    def test_the_same_with_a_map(self):
+        for what, text in (("title", "Hookloads of T 7\nT: s\n" + table(header=("T", "H", "B"))), ("bars", table("|", ("T", "H", "B"))), ("blanks", table("  ", ("T", "H", "B")))):
+            with self.subTest(what):
+                self.right(self.read(text, MAP))
+        grouped = table("\t", ("T", "H", "B"), load=1e3).replace("200000", "200,000").replace("202500", "202,500")
+        self.right(self.read(grouped, MAP.replace("klbf", "lbf") + "decimal: point\n"))
+        self.right(self.read(table(" ", ("T", "H", "B")), MAP + "delimiter: blank\n"))
+        self.right(self.read(table("|", ("T", "H", "B")), MAP + "delimiter: bar\n"))
+        self.refused("r.csv:3: 29.5 has a decimal point; needed: decimal commas", table(";", ("T", "H", "B")), MAP + "decimal: comma\n")
+        self.refused("map.yaml:2: hook_load: column H is that of block_height", table(header=("T", "H", "B")), MAP.replace("column: B", "column: h"))
+        days = table(header=("T", "H", "B"), times=["%.10f" % (45413.5 + row[0] / 86400) for row in ROWS])
+        self.assertEqual([0, 5, 10, 15], [round(time, 3) for time in self.read(days, MAP.replace("unit: s", "unit: d")).time])
+
+    def test_what_stands_for_no_number(self):
+        for null in ("N/A", "NULL", "null", "#N/A", "n.a.", "---", "*****", "-", "?", "", "-999.25", "-9999.0", "#DIV/0!"):
+            record = self.read(cell(null))
+            self.assertEqual([1], [k for k, load in enumerate(record.signals["hook_load"]) if load != load], null)
+            self.assertNotIn("hold a text", "\n".join(record.remarks), null)
+        self.assertIn("1 cells of Hook Load (klbs) hold a text, no number (first: ", "\n".join(self.read(cell("stand 12")).remarks))
+        for null in ("999.25", "9999", "9999.0", "-32768", "65535"):  # in range of a gauge in pounds
+            record = self.read(table(header=POUNDS).replace("5,201,", "5,%s," % null))
+            self.assertEqual([1], [k for k, load in enumerate(record.signals["hook_load"]) if load != load], null)
+            self.assertIn("Hook Load (lbs): 1 values such as %g are far from all others and are taken for null values (first: " % float(null), "\n".join(record.remarks))
+        low = self.read(table(header=POUNDS, load=1e3).replace("5,201000,", "5,9999,"))
+        self.assertEqual([1], [k for k, load in enumerate(low.signals["hook_load"]) if load != load])
+        kept = self.read(table(load=5.0).replace("5,1005,", "5,999.25,"))
+        self.assertAlmostEqual(999.25 * KLBF, kept.signals["hook_load"][1], delta=1.0)
+        for row in ("-999.25", "NULL", "", "N/A"):
+            record = self.read(table(header=DATED, times=[STAMPS[0], row, *STAMPS[2:]]))
+            self.assertEqual([0.0, 10.0, 15.0], list(record.time), row)
+
+    def test_null_values_of_one_column(self):
+        text = "T,H,B,R\n" + "".join("%g,%g,%g,%d\n" % (t, 0 if t == 5 else h, b, 0 if t < 10 else 90) for t, h, b in ROWS)
+        columns = MAP.replace("unit: klbf", "unit: klbf, null: 0") + "top_drive_speed: {column: R, unit: rpm}\n"
+        record = self.read(text, columns)
+        self.assertEqual([False, True, False, False], [load != load for load in record.signals["hook_load"]])
+        self.assertEqual([0.0, 0.0], list(record.signals["top_drive_speed"][:2]))
+        self.refused("map.yaml:2: hook_load.null: needed: a number", text, columns.replace("null: 0", "null: none"))
+
+    def test_channels_that_hold_nothing(self):
+        """As of sensors that were recorded but not connected: as if they were not there, and reported."""
+        for cell in ("", "-999.25", "N/A"):
+            text = "".join(line + sign + "\n" for line, sign in zip(table().splitlines(), [",Flow In (gpm)"] + 4 * ["," + cell]))
+            record = self.read(text)
+            self.right(record, ["flow is left out: it holds no number", "has no flow: the pump is taken as off"])
+            self.assertNotIn("flow", record)
+
+    def test_long_stretches_without_a_measurement_of_what_is_played(self):
+        for first, last in ((20, 40), (0, 30), (170, 200)):
+            rows = ["%d,%s,%s" % (k, "" if 50 < k < 90 else "200", "" if first < k < last else "30") for k in range(200)]
+            said = "\n".join(self.read("\n".join([",".join(NAMES), *rows])).remarks)
+            self.assertIn("block_height: %d of 200 rows hold no measurement; none for %d s from %d s on: filled by a straight line" % (
+                last - first - 1, min(last, 199) - first, first), said)
+            self.assertIn("hook_load: 39 of 200 rows hold no measurement\n", said)  # it is compared where it is there
+
+    def test_time_series_of_the_runner(self):
+        own = "time,hook_load,bit_torque,bit_up,reading_hook_load,reading_block_height\n" + "".join("%g,1,0,0,%.9g,%.9g\n" % (t, KLBF * h, FEET * b) for t, h, b in ROWS)
+        for what, text in (("as it is", own), ("title", "Run 7\n" + own), ("spreadsheet", own.replace(",", ";").replace(".", ","))):
+            with self.subTest(what):
+                self.right(self.read(text))
+        self.refused("needed: drill run --csv --readings", own.replace("reading_", "r_"))
+
+    def test_items_of_wits(self):
+        self.right(self.read(table(header=("Time", "0114", "0112")).replace("0112\n", "0112\ns,klbf,ft\n")))
+        self.right(self.read(table(header=("0106", "0114", "0112"), times=dates("%H:%M:%S")), MAP.replace("{column: T, unit: s}", '{column: "0106", format: "%H:%M:%S"}').replace(
+            "column: H", 'column: "0114"').replace("column: B", 'column: "0112"')))
+        self.refused("is a stream of WITS level 0", "&&\n01141000.0\n!!\n")
+
+
+class Cells(unittest.TestCase):
+    def test_numbers_of_any_country(self):
+        for text, decimal, number in (("1 234.5", None, "1234.5"), ("1'234", None, "1234"), ("12\u202f345", None, "12345"), ("1,234.5", ".", "1234.5"), ("-1,234,567", ".", "-1234567"),
+                                      ("1.234,5", ",", "1234.5"), ("0,5", ",", "0.5"), ("-,5", ",", "-.5"), ("-3,64e-10", ",", "-3.64e-10"), ("1,5E+03", None, "1,5E+03"), ("1.234", ",", "1234"), ("1,234", None, "1,234"), ("12 34", None, "12 34"),
+                                      ("10:00", ",", "10:00"), ("a,5", ",", "a,5"), ("1_000", None, "1_000")):
+            self.assertEqual(number, with_point(text, decimal), (text, decimal))
+        for text in ("1,5", "1,5e-3", "1.234,5", "1,234.5", "1 234,5"):
+            self.assertTrue(is_foreign_number(text), text)
+        for text in ("off", "10:00:05", "201 klbf", ""):
+            self.assertFalse(is_foreign_number(text), text)
+        self.assertTrue(is_blank(" - ") and not is_blank("0") and not is_blank("-1"))
+
+    def test_names_and_units(self):
+        for name, parts in (("Hook Load (klbs)", ("Hook Load", "klbs")), ("RPM", ("RPM", None)), ("FLOW_IN", ("FLOW_IN", None)), ("HKLD_AVG (kN)", ("HKLD_AVG", "kN")), ("Torque (kft_lb)", ("Torque", "kft_lb")),
+                            ("HKLD ()", ("HKLD", None)), ("Flow (gal(US)/min)", ("Flow", "gal(US)/min")), ("bit_depth_m", ("bit_depth", "m")), ("md_m", ("md_m", None)), ("(s)", ("(s)", None))):
+            self.assertEqual(parts, parts_of(name), name)
+
+    def test_long_texts_take_no_time(self):
+        begun = time.process_time()
+        for text in ("2024-05-01 10:00" + " " * 50000 + "x", "1" * 50000, "1 " * 25000, "a(" * 25000 + ")", "a_" * 25000, " " * 50000):
+            self.assertIsNone(seconds_of(text))
+            with_point(text, ",")
+            is_foreign_number(text)
+            parts_of(text)
+        self.assertLess(time.process_time() - begun, 5.0)
+
+    def test_a_format_without_signs_needs_all_its_digits(self):
+        self.assertIsNone(seconds_of("1005", "%H%M%S"))
+        self.assertIsNone(seconds_of("240501 1005", "%y%m%d %H%M%S"))
+        self.assertEqual(605.0, seconds_of("19700101 001005", "%Y%m%d %H%M%S")[0])
+        self.assertEqual(605.0, seconds_of("1/1/1970 0:10:05", "%m/%d/%Y %H:%M:%S")[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
