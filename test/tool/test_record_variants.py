@@ -64,6 +64,7 @@ READ = {
     "time of the day beside whole dates": table(header=("Time,DateTime", *DATED[1:]), times=dates("%H:%M:%S,%Y-%m-%d %H:%M:%S")),
     "time of the day beside seconds": table(header=("Time,Elapsed Time (s)", *DATED[1:]), times=["10:00:%02d,%d" % (row[0], row[0]) for row in ROWS]),
     "seconds beside a date": table(header=("Date,Time (s)", *DATED[1:]), times=["2024-05-21 10:00:00,%d" % row[0] for row in ROWS]),
+    "seconds beside dates in doubt": table(header=("Date,Time,Elapsed Time (s)", *DATED[1:]), times=["01/05/2024,10:00:%02d,%d" % (row[0], row[0]) for row in ROWS]),
     "two columns, the first empty": table(header=("Time (s),HKLD (klbf)", "HKLA (klbf)", "BPOS (ft)"), times=["%d," % row[0] for row in ROWS]),
     "date and time, 12 hours": table(header=("DATE,TIME", *DATED[1:]), times=dates("%Y/%m/%d,%I:%M:%S %p")),
 }

@@ -60,13 +60,15 @@ def known_columns(table, remarks):
 
 
 def time_column(table, places):
-    """Of the columns at these places: one with whole dates, else a date and a time of the day, else one in a unit, else whole dates by another name, else the first."""
+    """Of the columns at these places: one with whole dates, else a date and a time of the day, else one in a unit, else whole dates by another name, else the
+    first. A date that cannot be read comes after a column in a unit."""
     dates, times = halves(table.names)
     places = [table.index] if table.index is not None else places
     whole = [place for place in places if seconds_of(first_cell(table, place))]
-    if not whole and dates and times and is_time_of_day(first_cell(table, times[0])):
-        return Column([table.names[dates[0]], table.names[times[0]]], DATE)
     in_unit = [place for place in places if table.units[place] and is_unit(table.units[place], "time") and is_number(first_cell(table, place))]
+    if not whole and dates and times and is_time_of_day(first_cell(table, times[0])):
+        if not in_unit or seconds_of("%s %s" % (first_cell(table, dates[0]), first_cell(table, times[0]))):
+            return Column([table.names[dates[0]], table.names[times[0]]], DATE)
     other = [place for place in dates if seconds_of(first_cell(table, place))]
     return next((Column([table.names[place]]) for place in whole + in_unit + other + places), None)
 
