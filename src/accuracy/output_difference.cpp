@@ -22,8 +22,9 @@ void OutputDifference::add(double value, double other, double duration) noexcept
   }
   const double off = value - other;
   squares_.add(off * off, duration);
-  least_ = std::min(least_, other);
-  most_ = std::max(most_, other);
+  const bool first = time_ == 0.0;
+  least_ = first ? other : std::min(least_, other);
+  most_ = first ? other : std::max(most_, other);
   sum_ += std::abs(other) * duration;
   time_ += duration;
 }

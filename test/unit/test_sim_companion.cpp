@@ -1,6 +1,7 @@
 // A companion goes through what its leader goes through, and changes nothing of it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -101,28 +102,32 @@ TEST(Companion, comesBackWithItsLeader)
 TEST(Companion, measuresTheErrorThatWarnsOnAsTheRigItselfRuns)
 {
   Scene scene = drilling_scene(0.3);
-  scene.numerics.step = 0.02;
-  scene.numerics.tolerance = 1e-4;
+  scene.numerics.tolerance = 5e-3;
   Simulator alone(scene);
   scene.numerics.companion = CompanionKind::finer;
   Simulator rig(scene);
   turn_and_feed(rig, 0.1);
   turn_and_feed(alone, 0.1);
-  EXPECT_TRUE(std::isnan(alone.measured_error(Output::torque)));
-  play_on(rig, 5.0);
-  play_on(alone, 5.0);
+  double largest = 0.0;
+  bool warned = false;
+  play_on(rig, 4.0, [&](const Simulator& now)
+          {
+            largest = std::max(largest, now.measured_error(Output::wob));
+            const bool told = now.statistics().accuracy.doubt == AccuracyDoubt::measured;
+            EXPECT_TRUE(!told || (now.truth().accuracy_warning && now.readings().accuracy_warning));
+            warned = warned || told;
+          });
+  play_on(alone, 4.0);
   EXPECT_EQ(rig.companions(), 1);
   EXPECT_EQ(rig.truth().hook_load, alone.truth().hook_load);
-  EXPECT_GT(rig.measured_error(Output::torque), 1e-4);
-  EXPECT_LT(rig.measured_error(Output::torque), 0.5);
-  EXPECT_TRUE(rig.truth().accuracy_warning);
-  EXPECT_EQ(rig.statistics().accuracy.doubt, AccuracyDoubt::measured);
-  EXPECT_TRUE(rig.readings().accuracy_warning);
+  EXPECT_GT(largest, scene.numerics.tolerance) << "a bit that comes down at 0.1 m/s";
+  EXPECT_TRUE(warned);
+  EXPECT_TRUE(std::isnan(alone.measured_error(Output::wob)));
   const auto saved = rig.save();
-  const double error = rig.measured_error(Output::torque);
+  const double error = rig.measured_error(Output::wob);
   play_on(rig, 1.0);
   ASSERT_TRUE(rig.restore(*saved));
-  EXPECT_EQ(rig.measured_error(Output::torque), error);
+  EXPECT_EQ(rig.measured_error(Output::wob), error);
 }
 
 TEST(Companion, isBuiltBeforeTheFirstFrame)

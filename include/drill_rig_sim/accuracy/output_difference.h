@@ -1,8 +1,6 @@
 #ifndef DRILL_RIG_SIM_ACCURACY_OUTPUT_DIFFERENCE_H
 #define DRILL_RIG_SIM_ACCURACY_OUTPUT_DIFFERENCE_H
 
-#include <limits>
-
 #include "drill_rig_sim/accuracy/outputs.h"
 #include "drill_rig_sim/accuracy/sliding_mean.h"
 
@@ -43,7 +41,7 @@ private:
   Output output_;
   SlidingMean<30> squares_;
   SlidingMean<10> smooth_, smooth_other_;  // of a rate of penetration
-  double least_ = std::numeric_limits<double>::infinity(), most_ = -std::numeric_limits<double>::infinity();
+  double least_ = 0.0, most_ = 0.0;
   double sum_ = 0.0, time_ = 0.0;  // of magnitudes, of the second model [unit s, s]
 };
 
