@@ -66,7 +66,7 @@ std::vector<SurveyProblem> above_the_table(const std::vector<SurveyStation>& sta
 // stations from the bottom up: all of them are wrong for one reason
 bool stand_upside_down(const std::vector<SurveyStation>& stations)
 {
-  return stations.size() > 1 && std::adjacent_find(stations.begin(), stations.end(), [](const SurveyStation& a, const SurveyStation& b) { return !(a.md > b.md); }) == stations.end();
+  return stations.size() > 2 && std::adjacent_find(stations.begin(), stations.end(), [](const SurveyStation& a, const SurveyStation& b) { return !(a.md > b.md); }) == stations.end();
 }
 
 std::string deeper_than_survey(double hole_depth, double last, Projection project)
