@@ -2,9 +2,9 @@
 """A node that runs a control law of drill_rig_sim against the rig of its namespace: ~law (of LAWS, FILE.py:CLASS or PACKAGE.MODULE:CLASS) and its
 arguments ~settings.
 
-~plan: a survey's file, for a law that steers by one. ~orders: rows of time [s], set point and value. ~lockstep true: it steps the rig as fast as that
-goes, says how the law did (drill score) and, given ~csv, writes the truth as drill run --csv does. False: it follows rig_state and
-publishes commands, as with a real rig.
+~plan: a survey's file, for a law that steers by one; ~plan_columns: a map of its columns, as `drill survey --columns`; ~plan_pass_over true, as its
+--pass-over. ~orders: rows of time [s], set point and value. ~lockstep true: it steps the rig as fast as that goes, says how the law did (drill score)
+and, given ~csv, writes the truth as drill run --csv does. False: it follows rig_state and publishes commands, as with a real rig.
 """
 import sys
 
@@ -25,6 +25,13 @@ from drill_rig_sim.survey import read_survey
 LAWS = {"autodriller": Autodriller, "slide_steering": SlideSteering, "rss_steering": RssSteering, "stands": Stands, "stick_slip": StickSlip}
 
 
+def planned():
+    """The survey of ~plan; None without."""
+    if not rospy.has_param("~plan"):
+        return None
+    return read_survey(rospy.get_param("~plan"), rospy.get_param("~plan_columns", ""), rospy.get_param("~plan_pass_over", False))
+
+
 def in_lockstep(law, timeout):
     rig = Rig(rospy.get_namespace().rstrip("/"))
     telemetry = topics.Telemetry() if getattr(law, "listens", True) else control.Deaf
@@ -32,14 +39,13 @@ def in_lockstep(law, timeout):
     run = run_of_states(states, rospy.get_param("~law"))
     if rospy.has_param("~csv"):
         write_series(run, rospy.get_param("~csv"))
-    plan = read_survey(rospy.get_param("~plan")) if rospy.has_param("~plan") else None
-    print("\n".join(table(score(run, plan, **rospy.get_param("~score", {})))), flush=True)
+    print("\n".join(table(score(run, planned(), **rospy.get_param("~score", {})))), flush=True)
 
 
 def law_of_parameters():
     settings = dict(rospy.get_param("~settings", {}))
     if rospy.has_param("~plan"):
-        settings["plan"] = read_survey(rospy.get_param("~plan"))
+        settings["plan"] = planned()
     name = rospy.get_param("~law")
     law = (LAWS[name] if name in LAWS else source_at(name).load())(**settings)
     return control.Ordered(law, rospy.get_param("~orders", []))

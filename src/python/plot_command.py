@@ -53,15 +53,16 @@ def write(pictures, folder, run, scores, units=SI):
 def main(words):
     parser = argparse.ArgumentParser(prog="drill plot", description=__doc__)
     parser.add_argument("run")
-    for name in ("--out", "--plan", "--namespace", "--string"):
+    for name in ("--out", "--plan", "--columns", "--namespace", "--string"):
         parser.add_argument(name)
+    parser.add_argument("--pass-over", action="store_true")
     parser.add_argument("--units", choices=SYSTEMS, default="si")
     options = parser.parse_args(words)
     units = Units(options.units)
     folder = options.out or os.path.splitext(options.run)[0] + "_plots"
     try:
         run = read_run(options.run, options.namespace)
-        plan = read_survey(options.plan) if options.plan else None
+        plan = read_survey(options.plan, options.columns or "", options.pass_over) if options.plan else None
         page = write(pictures_of(run, plan, options.string, units), folder, run, score(run, plan), units)
     except (RunError, SurveyError, plot_well.StringError) as error:
         print("drill plot: %s" % error, file=sys.stderr)

@@ -59,18 +59,19 @@ def table(scores, units=SI):
 def parse(words):
     parser = argparse.ArgumentParser(prog="drill score", description=__doc__)
     parser.add_argument("run")
-    for name in ("--plan", "--namespace", "--json", "--plots"):
+    for name in ("--plan", "--columns", "--namespace", "--json", "--plots"):
         parser.add_argument(name)
     for name in ("--bit-diameter", "--wob", "--wob-band", "--toolface", "--toolface-band"):
         parser.add_argument(name, type=float)
+    parser.add_argument("--pass-over", action="store_true")
     parser.add_argument("--units", choices=SYSTEMS, default="si")
     return parser.parse_args(words)
 
 
 def require_files_apart(args):
     """No output is an input or the other output."""
-    files = [("the run", args.run), ("the plan", args.plan), ("--json", args.json), ("--plots", args.plots)]
-    for i, (option, file) in enumerate(files[2:], 2):
+    files = [("the run", args.run), ("the plan", args.plan), ("--columns", args.columns), ("--json", args.json), ("--plots", args.plots)]
+    for i, (option, file) in enumerate(files[3:], 3):
         for what, other in files[:i]:
             if file and other and os.path.realpath(file) == os.path.realpath(other) != "/dev/null":
                 raise RunError("%s: %s is the file of %s, needed: a file of its own" % (option, file, what))
@@ -84,7 +85,7 @@ def judge(args):
     require_files_apart(args)
     units = Units(args.units)
     run = read_run(args.run, args.namespace)
-    plan = read_survey(args.plan) if args.plan else None
+    plan = read_survey(args.plan, args.columns or "", args.pass_over) if args.plan else None
     scores = score(run, plan, args.bit_diameter, args.wob, args.wob_band, radians(args.toolface), radians(args.toolface_band))
     if args.json:
         write_json(scores, args.json)

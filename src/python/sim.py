@@ -139,10 +139,12 @@ class Simulator(Lockstep):
         report(self._rig.remarks())
         return self._begin()
 
-    def load_survey(self, file="", md=(), inclination=(), azimuth=(), tie_in_north=0.0, tie_in_east=0.0, tie_in_tvd=0.0, hole_depth=0.0, bit_depth=0.0):
+    def load_survey(self, file="", md=(), inclination=(), azimuth=(), tie_in_north=0.0, tie_in_east=0.0, tie_in_tvd=0.0, hole_depth=0.0, bit_depth=0.0,
+                    columns="", pass_over=False):
         """A new well, from a file or by the fields of LoadSurvey; the state at its start. Set points are forgotten."""
-        path = found(file, "config/surveys") if file else ""
-        self._rig.load_survey(path, list(md), list(inclination), list(azimuth), (tie_in_north, tie_in_east, tie_in_tvd), hole_depth, bit_depth)
+        path, columns = (found(name, "config/surveys") if name else "" for name in (file, columns))
+        self._rig.load_survey(path, list(md), list(inclination), list(azimuth), (tie_in_north, tie_in_east, tie_in_tvd), hole_depth, bit_depth, columns,
+                              pass_over)
         report(self._rig.remarks())
         return self._begin()
 

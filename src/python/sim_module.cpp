@@ -201,11 +201,11 @@ void bind_telemetry(py::module_& module)
   survey.def_readonly("t", &MwdReading::time);
 }
 
-/// Of a survey's file, by the rules of scenes: measured depths [m], inclinations and azimuths [rad], and where the first station lies,
+/// Of a survey's file, as survey_format() says, by the rules of scenes: measured depths [m], inclinations and azimuths [rad], and where the first station lies,
 /// (east, north, up) from the rotary table [m], and remarks to be reported. Throws SceneError.
-py::tuple read_survey(const std::string& file)
+py::tuple read_survey(const std::string& file, const std::string& columns, bool pass_over)
 {
-  const SurveyTable table = read_survey_file(file);
+  const SurveyTable table = read_survey_file(file, survey_format(columns, pass_over));
   std::vector<double> md, inclination, azimuth;
   for (const SurveyStation& station : table.stations)
   {
@@ -225,9 +225,10 @@ py::tuple read_text(const std::string& file, std::size_t longest)
 }
 
 void load_survey(InProcessRig& rig, const std::string& file, const std::vector<double>& md, const std::vector<double>& inclination,
-                 const std::vector<double>& azimuth, const std::array<double, 3>& tie_in, double hole_depth, double bit_depth)
+                 const std::vector<double>& azimuth, const std::array<double, 3>& tie_in, double hole_depth, double bit_depth, const std::string& columns,
+                 bool pass_over)
 {
-  NewWell well{file, md, inclination, azimuth, std::nullopt, hole_depth, bit_depth};
+  NewWell well{file, md, inclination, azimuth, std::nullopt, hole_depth, bit_depth, survey_format(columns, pass_over)};
   if (tie_in != std::array<double, 3>{}) well.tie_in = TieIn{tie_in[0], tie_in[1], tie_in[2]};
   rig.load_survey(well);
 }

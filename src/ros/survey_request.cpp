@@ -18,7 +18,15 @@ std::optional<TieIn> tie_in_of(const LoadSurvey::Request& request)
 NewWell to_new_well(const LoadSurvey::Request& request)
 {
   const std::string file = request.file.empty() ? "" : find_file("file", request.file, "config/surveys");
-  return {file, request.md, request.inclination, request.azimuth, tie_in_of(request), request.hole_depth, request.bit_depth};
+  const std::string columns = request.columns.empty() ? "" : find_file("columns", request.columns, "config/surveys");
+  return {file,
+          request.md,
+          request.inclination,
+          request.azimuth,
+          tie_in_of(request),
+          request.hole_depth,
+          request.bit_depth,
+          survey_format(columns, request.pass_over != 0)};
 }
 
 }  // namespace drill_rig_sim

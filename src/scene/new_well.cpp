@@ -38,7 +38,7 @@ std::vector<SurveyStation> whole_survey(const NewWell& well, std::vector<std::st
   if (well.file.empty())
     table.stations = stations_of(well);
   else
-    table = read_survey_file(well.file, table.tie_in);
+    table = read_survey_file(well.file, well.format, table.tie_in);
   remarks = table.remarks;
   const std::vector<SurveyProblem> problems = survey_problems(table.stations, table.tie_in);
   if (!problems.empty()) refuse("station ", problems.front().station, ": ", problems.front().text);

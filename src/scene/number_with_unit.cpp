@@ -93,7 +93,17 @@ std::string shown_in(const InputUnit& unit, double in_key_unit, bool is_first)
 
 bool may_begin_a_unit(const std::string& text)
 {
-  return std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '%' || static_cast<unsigned char>(text[0]) >= 0x80 || text.compare(0, 2, "1/") == 0;
+  return std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '%' || text[0] == '"' || text[0] == '\'' || static_cast<unsigned char>(text[0]) >= 0x80 || text.compare(0, 2, "1/") == 0;
+}
+// takes the fraction of 8-1/2 in or 8 1/2 in from where a whole number ends; 0 where there is none
+long double take_fraction(const std::string& text, std::size_t& end)
+{
+  static const std::regex fraction("[ -]([0-9]{1,2})/([1-9][0-9]?) *[a-z\"'].*");
+  std::smatch part;
+  const std::string rest = text.substr(end);
+  if (text.find_first_not_of("0123456789") != end || !std::regex_match(rest, part, fraction)) return 0.0L;
+  end += static_cast<std::size_t>(part.position(2) + part.length(2));
+  return std::stold(part[1]) / std::stold(part[2]);
 }
 }  // namespace
 
@@ -104,12 +114,15 @@ bool split_number(const std::string& text, WrittenNumber& number)
   if (!(in >> number.value)) return false;
   number.unit.clear();
   if (in.peek() == std::istringstream::traits_type::eof()) return true;
-  const auto end = static_cast<std::size_t>(in.tellg());
-  const std::size_t first = text.find_first_not_of(' ', end);
-  if (first == std::string::npos || !may_begin_a_unit(text.substr(first))) return false;
+  auto end = static_cast<std::size_t>(in.tellg());
   std::istringstream digits(text.substr(0, end));
   digits.imbue(std::locale::classic());
   if (!(digits >> number.exact)) return false;
+  const long double fraction = take_fraction(text, end);
+  number.value += static_cast<double>(fraction);
+  number.exact += fraction;
+  const std::size_t first = text.find_first_not_of(' ', end);
+  if (first == std::string::npos || !may_begin_a_unit(text.substr(first))) return false;
   number.unit = plain_unit(text.substr(first, text.find_last_not_of(' ') - first + 1));
   return true;
 }

@@ -94,7 +94,7 @@ const Table<WellSpec> well_keys = {"well", "The hole before drilling starts. Giv
   {"pilot_diameter",        "m",      &WellSpec::pilot_diameter,           between(0.0, 1.0),    "of that hole, at most 0.95 of the bit's"},
 }};
 
-const Table<SurveyFormat> survey_keys = {"well.survey", "A survey's file and how it is to be read, where its header does not tell. `drill survey --columns MAP.yaml` takes the same keys, but `file`.", {
+const Table<SurveyFormat> survey_keys = {"well.survey", "A survey's file and how it is to be read, where its header does not tell. `--columns MAP.yaml` of `drill survey`, `score` and `plot` takes the same keys, but `file`.", {
   {"file",                  "",       Nested{},                            none,                 "the survey's file", survey_of_scene, survey_of_scene},
   {"columns",               "",       Nested{},                            none,                 "names and units of the columns"},
   {"delimiter",             "",       &SurveyFormat::delimiter,            none,                 "between cells: `\",\"`, `\";\"`, tab or space; decimal commas are read where it is not a comma", no_kind, every_kind, "by the header"},

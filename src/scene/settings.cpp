@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "yaml_document.h"
+
 namespace drill_rig_sim
 {
 namespace
@@ -68,6 +70,11 @@ void apply_settings(const YAML::Node& root, const std::vector<std::string>& sett
     if (equals == std::string::npos)
     {
       problems.add(path, "has no value, needed: KEY=VALUE");
+      continue;
+    }
+    if (hides_a_unit(setting))
+    {
+      problems.add(path, hidden_unit);
       continue;
     }
     YAML::Node node = root;

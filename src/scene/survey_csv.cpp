@@ -33,14 +33,17 @@ std::string trimmed(const std::string& text)
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// a cell's text: what stands in quotes holds blanks and delimiters too
+// A cell's text: what stands in quotes holds blanks and delimiters too, and two of them are one. A quote within a cell is the sign of seconds.
 Cells cells_of(const std::string& line, char delimiter)
 {
   Cells cells(1);
   bool quoted = false;
-  for (const char c : line)
+  for (std::size_t i = 0; i < line.size(); ++i)
   {
-    if (c == '"')
+    const char c = line[i];
+    if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+      cells.back() += line[i++];
+    else if (c == '"' && (quoted || trimmed(cells.back()).empty()))
       quoted = !quoted;
     else if (c != delimiter || quoted)
       cells.back() += c;
@@ -85,6 +88,11 @@ struct Line
   std::string text;
 };
 
+bool is_comment(const std::string& text)
+{
+  return text[0] == '#' || text[0] == '!' || text[0] == '%' || text.compare(0, 2, "//") == 0;
+}
+
 // Lines that are neither empty nor comments; they end in LF, CR LF or CR.
 std::vector<Line> lines_of(const std::string& text)
 {
@@ -95,7 +103,7 @@ std::vector<Line> lines_of(const std::string& text)
   {
     const std::size_t last = std::min(text.find(end, begin), text.size());
     const std::string line = text.substr(begin, last - begin);
-    if (line.find_first_not_of(" \t\r\",;") != std::string::npos && trimmed(line)[0] != '#') lines.push_back({number, line});
+    if (line.find_first_not_of(" \t\r\",;") != std::string::npos && !is_comment(trimmed(line))) lines.push_back({number, line});
     begin = last + 1;
   }
   return lines;

@@ -66,4 +66,11 @@ SurveyFormat read_survey_format(const std::string& file)
   return format;
 }
 
+SurveyFormat survey_format(const std::string& columns, bool pass_over)
+{
+  SurveyFormat format = columns.empty() ? SurveyFormat() : read_survey_format(columns);
+  if (pass_over) format.pass_over = 1.0;
+  return format;
+}
+
 }  // namespace drill_rig_sim

@@ -26,7 +26,7 @@ const std::map<std::string, std::size_t>& spellings()
                     "alongholedepth", "surveydepth", "surveymd", "svydepth", "stationdepth", "stationmd", "depth", "dept"});
     add(survey_inclination, {"inc", "incl", "incln", "inclin", "inclination", "incangle", "inclangle", "inclinationangle", "holeinclination", "holeinc", "holeincl", "holeangle", "drift",
                              "driftangle"});
-    add(survey_azimuth, {"azi", "az", "azm", "azim", "azimuth", "azimut", "azimuthangle", "aziangle", "holeazimuth", "holeazi", "holedirection", "direction"});
+    add(survey_azimuth, {"azi", "az", "azm", "azim", "azimuth", "azimut", "azimuthangle", "aziazimuth", "azimuthazi", "correctedazimuth", "azimuthcorrected", "driftazimuth", "driftdirection", "aziangle", "holeazimuth", "holeazi", "holedirection", "direction"});
     add(survey_north, {"north", "ns", "northsouth", "northing", "localnorth", "localnorthing", "northoffset", "nsoffset", "dispns"});
     add(survey_east, {"east", "ew", "eastwest", "easting", "localeast", "localeasting", "eastoffset", "ewoffset", "dispew"});
     add(survey_tvd, {"tvd", "tvdepth", "truevertical", "trueverticaldepth", "tvdtrueverticaldepth", "verticaldepth", "vertdepth", "vertdep"});
@@ -199,7 +199,8 @@ std::string find_usual(std::size_t quantity, const std::vector<HeaderCell>& cell
   if (found == ranks.end()) return "";
   place = found->front();
   if (found->size() == 1) return "";
-  if (found == ranks.begin()) return "stands more than once in the header, allowed: once";
+  const auto named_as_first = [&](std::size_t i) { return cells[i].text == cells[found->front()].text; };
+  if (std::all_of(found->begin(), found->end(), named_as_first)) return "stands more than once in the header, allowed: once";
   std::string names;
   for (const std::size_t i : *found) names += (names.empty() ? "" : ", ") + quoted(cells[i].text);
   return "may be " + names + "; needed: one column, or `columns: {" + quantity_keys[quantity] + ": {column: NAME}}` (" + how_to_map + ")";
@@ -234,6 +235,15 @@ void find_column(std::size_t quantity, const SurveyColumn& asked, SurveyHeader& 
   }
 }
 
+// a column that would be the missing quantity but for its unit
+void find_unknown_unit(std::size_t quantity, SurveyHeader& header)
+{
+  const auto found = std::find_if(header.cells.begin(), header.cells.end(), [&](const HeaderCell& cell) { return cell.quantity_without_brackets == quantity; });
+  if (found == header.cells.end()) return;
+  header.wrong_where = found->text;
+  header.wrong = std::string("the brackets hold no unit that is known, allowed: ") + (is_angle(quantity) ? angle_unit_names : length_unit_names) + ", or a map `columns` (" + how_to_map + ")";
+}
+
 std::string missing_columns(const SurveyHeader& header)
 {
   std::string missing;
@@ -249,6 +259,7 @@ HeaderCell header_cell(const std::string& text)
   cell.text = text;
   Words brackets;
   Words words = name_words(with_degree_apart(without_brackets(text, brackets)));
+  const Words outside = words;
   std::string in_brackets;
   for (const std::string& bracket : brackets)
   {
@@ -258,7 +269,13 @@ HeaderCell header_cell(const std::string& text)
       for (const std::string& word : name_words(with_degree_apart(bracket))) words.push_back(word);
   }
   match_any(words, cell);
-  if (!cell.quantity) return cell;
+  if (!cell.quantity)
+  {
+    HeaderCell bare;
+    match_any(outside, bare);
+    if (!brackets.empty()) cell.quantity_without_brackets = bare.quantity;
+    return cell;
+  }
   if (!in_brackets.empty()) cell.unit = unit_for(*cell.quantity, in_brackets);
   cell.own = text == own_names[*cell.quantity];
   return cell;
@@ -274,6 +291,8 @@ SurveyHeader find_columns(const std::vector<std::string>& cells, const SurveyFor
   {
     header.wrong_where = missing;
     header.wrong = "no such column in the header";
+    for (std::size_t i = needed_quantities; i-- > 0;)
+      if (!header.place[i]) find_unknown_unit(i, header);
   }
   return header;
 }

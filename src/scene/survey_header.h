@@ -22,6 +22,7 @@ struct HeaderCell
   bool weak = false;                    ///< "Depth": measured depth only where no other column is
   const SurveyUnit* unit = nullptr;     ///< nullptr: it names none
   std::string north;                    ///< "true", "grid" or "magnetic" of an azimuth that says so
+  std::optional<std::size_t> quantity_without_brackets;  ///< where what stands in brackets is no unit: MD (km)
 };
 
 /// Reads a cell by the usual spellings: MD (ft), Incl [deg], azimuth_deg, "Azi Grid", N/S, ...

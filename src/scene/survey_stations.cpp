@@ -4,6 +4,7 @@
 
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/well_checks.h"
+#include "survey_angles.h"
 
 namespace drill_rig_sim
 {
@@ -65,7 +66,9 @@ private:
   bool read_value(const SurveyRow& row, std::size_t i, Values& values, bool& complete)
   {
     double value = 0.0;
-    const CellKind kind = read_cell(row.cells[i], survey_.decimal_commas, value);
+    CellKind kind = read_cell(row.cells[i], survey_.decimal_commas, value);
+    const bool in_degrees = is_angle(i) && row.units[i] == angle_unit("deg");
+    if (kind == CellKind::wrong && in_degrees && read_degrees(row.cells[i], survey_.decimal_commas, i == survey_azimuth, value)) kind = CellKind::number;
     values[i] = value * row.units[i]->factor;
     if (kind == CellKind::number) return true;
     const bool vertical = i == survey_azimuth && complete && values[survey_inclination] == 0.0;

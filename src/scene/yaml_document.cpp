@@ -59,6 +59,14 @@ private:
   bool only_null_ = true, aliases_ = false;
 };
 
+void refuse_hidden_units(const std::string& text, Problems& problems)
+{
+  std::istringstream in(text);
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number)
+    if (hides_a_unit(line)) problems.fail(number, "YAML", hidden_unit);
+}
+
 // a parser's message ends, after a colon, with what it found in the file
 std::string without_content(const std::string& message)
 {
@@ -66,6 +74,14 @@ std::string without_content(const std::string& message)
 }
 
 }  // namespace
+
+bool hides_a_unit(const std::string& line)
+{
+  const std::size_t sign = line.find(" #");  // a comment begins there; what follows is part of it
+  if (sign == std::string::npos || line.compare(sign, 3, " #/") != 0) return false;
+  const std::size_t last = line.find_last_not_of(' ', sign);
+  return last != std::string::npos && line[last] >= '0' && line[last] <= '9';
+}
 
 Document load_document(const std::string& text, Problems& problems)
 {
@@ -79,6 +95,7 @@ Document load_document(const std::string& text, Problems& problems)
     {
     }
     if (counter.documents() == 0 || counter.empty()) problems.fail(1, "YAML", "the file is empty, needed: a scene");
+    refuse_hidden_units(text, problems);
     return {YAML::Load(text), counter.has_aliases()};
   }
   catch (const Refusal& refusal)

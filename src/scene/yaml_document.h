@@ -18,6 +18,10 @@ struct Document
 /// Parses `text` as exactly one YAML document of bounded size. Throws SceneError, with `problems`' file and the line, if it is not.
 Document load_document(const std::string& text, Problems& problems);
 
+/// Whether YAML takes the unit of a number for a comment, as in `19.5 #/ft`: it would be read as a number without a unit.
+bool hides_a_unit(const std::string& line);
+constexpr const char* hidden_unit = "#/ is a comment to YAML, not a unit; allowed: lb/";
+
 }  // namespace drill_rig_sim
 
 #endif

@@ -68,6 +68,20 @@ void put_top(double height, State& state) noexcept
   if (top.guided) settle_in_hole(state, state.nodes.size() - 1);
 }
 
+/// Full slip from the frictionless start. Pipe that is pushed into a helix at once may rest with fewer turns than one that is slacked off: where there is a helix, the
+/// friction is raised by and by, if it then rests at all.
+StaticOutcome slide(const SlidingMotion& sliding, RigAtRest& rig)
+{
+  const State start = rig.state;
+  const StaticOutcome at_once = solve_static(*rig.model, rig.state, sliding);
+  if (!at_once.converged || at_once.gradual || buckled_pipe(*rig.model, rig.state, at_once.forces).helical == 0.0) return at_once;
+  State grown = start;
+  const StaticOutcome gradual = solve_static(*rig.model, grown, sliding, most_static_iterations, gradual_share);
+  if (!gradual.converged) return at_once;
+  rig.state = grown;
+  return gradual;
+}
+
 /// Slips the string on until the bit carries the scene's weight again, or none as in the scene, which friction has changed: by secants, for friction holds part of
 /// what is slipped on, and by halves where so much at once finds no equilibrium.
 StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigAtRest& rig)
@@ -75,7 +89,7 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigA
   constexpr int most_rounds = 20, most_tried = 500;
   constexpr double least_slip = 1e-3;  // [m]
   const double wanted = scene.start.weight_on_bit, tolerance = std::max(1e-4 * wanted, 1.0);  // [N]
-  StaticOutcome outcome = solve_static(*rig.model, rig.state, sliding);
+  StaticOutcome outcome = slide(sliding, rig);
   if (!outcome.converged) return outcome;
   LengthSearch slipped_on;  // of the top, down from the table: what is slipped on comes to the bit as weight
   for (int round = 0; round < most_rounds; ++round)

@@ -29,8 +29,8 @@ constexpr int kMaxNewton = 100;
 constexpr double kMoreInertia = 3.0;          // c grows by that where the next increment would go uphill
 constexpr double kMoreShare = 0.02, kMostShare = 0.9;  // and falls more slowly from then on: else it snaps to and fro for ever
 constexpr double kHoldStiffness = 1e7;       // about the bend's axis [N m/rad]
-constexpr double kFirstShare = 0.25;         // of the friction, where the whole of it is too much at once
-constexpr double kLeastShare = 0.01;
+constexpr double kLeastShare = 0.03;
+constexpr int kMostTried = kMaxContinuation + kMaxNewton;  // of one share of the friction: a helix that goes on turning settles in less of it
 constexpr double kTolerance = 1e-3;          // residual: round-off of a kilometre of steel is 1e-4 [N, N m]
 
 double largest_magnitude(const std::vector<double>& values)
@@ -215,33 +215,35 @@ StaticOutcome solve_held(const Model& model, State& state, const ToolfaceHold& h
   return attempt(model, state, no_sliding, most_iterations, hold);
 }
 
-StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations)
+StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations, double first_share)
 {
   const ToolfaceHold free;
   if (sliding.still()) return attempt(model, state, sliding, most_iterations, free);
-  State last = state;
-  StaticOutcome found = attempt(model, state, sliding, (most_iterations + 1) / 2, free);
-  if (found.converged) return found;
-  // the friction of a long string moves its nodes by metres: by and by
   SlidingMotion part = sliding;
+  StaticOutcome found;
   found.share = 0.0;
-  for (double step = kFirstShare; found.share < 1.0 && step >= kLeastShare && found.iterations < most_iterations;)
+  double step = first_share;
+  while (found.share < 1.0 && step >= kLeastShare && found.iterations < most_iterations)
   {
     part.share = std::min(1.0, found.share + step);
-    State next = last;
-    StaticOutcome outcome = attempt(model, next, part, most_iterations - found.iterations, free);
+    State next = state;
+    StaticOutcome outcome = attempt(model, next, part, std::min(kMostTried, most_iterations - found.iterations), free);
     outcome.iterations += found.iterations;
     if (outcome.converged)
     {
-      last = next;
+      state = next;
       found = outcome;
       continue;
     }
-    found.iterations = outcome.iterations;
-    step *= 0.5;
+    outcome.share = 0.0;
+    if (found.share > 0.0)
+      found.iterations = outcome.iterations;
+    else
+      found = outcome;
+    step = std::min(0.5 * step, gradual_share);
   }
-  state = last;
   found.converged = found.share == 1.0;
+  found.gradual = step < 1.0;
   return found;
 }
 

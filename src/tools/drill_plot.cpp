@@ -5,6 +5,7 @@
 #include "drill_command.h"
 #include "drill_options.h"
 #include "drill_python.h"
+#include "drill_survey_file.h"
 #include "drill_units.h"
 
 namespace drill_rig_sim
@@ -13,6 +14,7 @@ namespace
 {
 struct PlotOptions
 {
+  SurveyFileOptions plan_file;
   std::string run, out, plan, string, name_space, units = "si";
 };
 
@@ -20,7 +22,7 @@ void plot(const PlotOptions& options)
 {
   std::vector<std::string> words;
   add_word(words, "--out", options.out);
-  add_word(words, "--plan", options.plan);
+  add_plan_words(words, options.plan, options.plan_file);
   add_word(words, "--string", options.string);
   add_word(words, "--namespace", options.name_space);
   add_word(words, "--units", options.units);
@@ -36,6 +38,7 @@ Command add_plot_command(CLI::App& drill)
   add_file(*words, "RUN", options->run, "of drill run --csv, or a bag (.bag) with truth/rig_state and truth/bit, or with rig_state alone");
   add_text(*words, "--out", options->out, "DIR", "folder for PNG, SVG and index.html; default: beside the run");
   add_text(*words, "--plan", options->plan, "FILE", "planned survey, beside the drilled well");
+  add_survey_file_options(*words, options->plan_file, "the plan's");
   add_text(*words, "--string", options->string, "FILE", "of drill run --profile or drill static --csv: the forces along the string");
   add_text(*words, "--namespace", options->name_space, "NS", "which rig of a bag with several");
   add_units(*words, options->units);

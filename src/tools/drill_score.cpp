@@ -7,6 +7,7 @@
 #include "drill_command.h"
 #include "drill_options.h"
 #include "drill_python.h"
+#include "drill_survey_file.h"
 #include "drill_units.h"
 
 namespace drill_rig_sim
@@ -15,6 +16,7 @@ namespace
 {
 struct ScoreOptions
 {
+  SurveyFileOptions plan_file;
   std::string run, plan, name_space, json, plots, units = "si";
   std::optional<double> bit_diameter, wob, wob_band, toolface, toolface_band;
 };
@@ -34,7 +36,7 @@ std::vector<std::string> words_of(const ScoreOptions& o)
   {
     if (value) add_word(words, name, written(*value));
   };
-  add_word(words, "--plan", o.plan);
+  add_plan_words(words, o.plan, o.plan_file);
   add_word(words, "--namespace", o.name_space);
   add_word(words, "--json", o.json);
   add_word(words, "--plots", o.plots);
@@ -63,6 +65,7 @@ Command add_score_command(CLI::App& drill)
   add_file(*words, "RUN", options->run,
            "of drill run --csv, or a bag (.bag) with truth/rig_state and truth/bit, or with rig_state alone");
   add_text(*words, "--plan", options->plan, "FILE", "planned survey, for distance and tortuosity");
+  add_survey_file_options(*words, options->plan_file, "the plan's");
   add_number(*words, "--bit-diameter", options->bit_diameter, 0.01, 2.0, "M", "for the mechanical specific energy");
   add_number(*words, "--wob", options->wob, 0.0, 1e7, "N", "set point of the weight on bit");
   add_number(*words, "--wob-band", options->wob_band, 0.0, 1e7, "N", "so far from it counts as held; default: a tenth of it");

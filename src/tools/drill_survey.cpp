@@ -8,6 +8,7 @@
 #include "drill_rig_sim/scene/survey_file.h"
 #include "drill_rig_sim/well/survey.h"
 #include "drill_scene.h"
+#include "drill_survey_file.h"
 
 namespace drill_rig_sim
 {
@@ -15,21 +16,13 @@ namespace
 {
 struct SurveyOptions
 {
-  std::string file, columns;
-  bool pass_over = false;
+  std::string file;
+  SurveyFileOptions reading;
 };
-
-SurveyFormat format_of(const SurveyOptions& options)
-{
-  SurveyFormat format;
-  if (!options.columns.empty()) format = read_survey_format(options.columns);
-  if (options.pass_over) format.pass_over = 1.0;
-  return format;
-}
 
 void print_survey(const SurveyOptions& options)
 {
-  const SurveyTable table = read_survey_file(options.file, format_of(options));
+  const SurveyTable table = read_survey_file(options.file, survey_format(options.reading.columns, options.reading.pass_over));
   print_remarks(table.remarks);
   const Survey survey(table.stations, table.tie_in);
   std::printf("%10s %8s %8s %11s %11s %11s %9s\n", "MD m", "incl deg", "azi deg", "north m", "east m", "TVD m", "deg/30 m");
@@ -49,8 +42,7 @@ Command add_survey_command(CLI::App& drill)
   CLI::App* words = drill.add_subcommand("survey", "prints a survey's minimum-curvature table");
   const auto options = std::make_shared<SurveyOptions>();
   add_file(*words, "FILE", options->file, "the survey's table (.csv), or a WITSML trajectory (.xml)");
-  add_text(*words, "--columns", options->columns, "MAP.yaml", "a map of its columns, units and delimiter (.yaml): the keys of a scene's well.survey");
-  words->add_flag("--pass-over", options->pass_over, "pass over stations without a value and those that equal the one before");
+  add_survey_file_options(*words, options->reading, "its");
   return {words, [options] { print_survey(*options); }};
 }
 

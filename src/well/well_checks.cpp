@@ -63,6 +63,12 @@ std::vector<SurveyProblem> above_the_table(const std::vector<SurveyStation>& sta
   return {};
 }
 
+// stations from the bottom up: all of them are wrong for one reason
+bool stand_upside_down(const std::vector<SurveyStation>& stations)
+{
+  return stations.size() > 2 && std::adjacent_find(stations.begin(), stations.end(), [](const SurveyStation& a, const SurveyStation& b) { return !(a.md > b.md); }) == stations.end();
+}
+
 std::string deeper_than_survey(double hole_depth, double last, Projection project)
 {
   const std::string text = metres(hole_depth) + " is deeper than the survey, allowed: up to its last station, " + metres(last);
@@ -80,6 +86,8 @@ std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& sta
     problems.push_back({most_stations, "more than " + std::to_string(most_stations) + " stations, allowed: up to so many"});
     return problems;
   }
+  if (stand_upside_down(stations))
+    return {{1, "md " + length_in(unit, stations[1].md) + " does not exceed the " + length_in(unit, stations[0].md) + " before it: the stations stand from the bottom up, needed: from the top down"}};
   bool before_is_good = false;
   for (std::size_t i = 0; i < stations.size(); ++i)
   {

@@ -102,6 +102,21 @@ class Survey(unittest.TestCase):
         self.addCleanup(os.unlink, file.name)
         self.refused(LoadSurveyRequest(file=file.name), os.path.basename(file.name) + ":3", "inclination_deg")
 
+    def test_a_map_of_the_files_columns(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file, columns = os.path.join(folder, "plan.csv"), os.path.join(folder, "map.yaml")
+            with open(file, "w", encoding="utf-8") as out:
+                out.write("Tiefe;Neigung;Azi\n0;0;0\n1000;0;0\n1000;0;0\n")
+            with open(columns, "w", encoding="utf-8") as out:
+                out.write("columns: {md: {column: Tiefe, unit: ft}, inclination: {column: Neigung, unit: deg}, azimuth: {unit: deg}}\n")
+            self.refused(LoadSurveyRequest(file=file), "plan.csv:1", "Tiefe")
+            self.refused(LoadSurveyRequest(file=file, columns=columns), "plan.csv:4", "does not exceed")
+            self.refused(LoadSurveyRequest(file=file, columns=columns + "x"), "map.yamlx")
+            answer = self.rig.load_survey(LoadSurveyRequest(file=file, columns=columns, pass_over=True))
+        self.assertTrue(answer.success, answer.message)
+        self.assertIn("passed over: line 4", answer.message)
+        self.assertAlmostEqual(304.8, self.rig.advance(1).hole_depth, places=6)
+
     def test_no_file_no_stations_both_and_lists_of_different_length(self):
         self.refused(LoadSurveyRequest(file="/no/such/file.csv"), "/no/such/file.csv")
         self.refused(LoadSurveyRequest())

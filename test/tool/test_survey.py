@@ -12,6 +12,7 @@ from drill_rig_sim.campaign.blueprint import Blueprint
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.campaign.scene_text import survey_file
 from drill_rig_sim.field.models import ModelError, scene_and_survey
+from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.sim import Simulator
 from drill_rig_sim.survey import SurveyError, read_survey
 from drill_rig_sim.text_file import TextError, read_text
@@ -132,6 +133,48 @@ class OfTheTrade(Files):
         self.assertIn("well.survey.nulls: unknown key", self.refused("check", self.scene("{file: ft.csv, nulls: true}")))
 
 
+PLAN = "Tiefe;Neigung;Azi\n0;0;297\n656,168;0;297\n656,168;0;297\n2624,672;51;297\n"  # that of TABLE in feet
+MAP = "columns: {md: {column: Tiefe, unit: ft}, inclination: {column: Neigung, unit: deg}, azimuth: {unit: deg}}\n"
+
+
+class Plans(Files):
+    def setUp(self):
+        super().setUp()
+        self.plan, self.map = self.file("plan.csv", PLAN), self.file("map.yaml", MAP)
+
+    def test_python_takes_the_map(self):
+        logging.disable(logging.WARNING)
+        self.addCleanup(logging.disable, logging.NOTSET)
+        expected = read_survey(self.file("plain.csv", TABLE)).positions
+        numpy.testing.assert_allclose(expected, read_survey(self.plan, self.map, True).positions, atol=1e-9)
+        for words, problem in (((self.plan,), "plan.csv:1: "), ((self.plan, self.map), "plan.csv:4: .*--pass-over"), ((self.plan, self.plan), "plan.csv:1: text is given, allowed: a block"),
+                               ((self.plan, self.file("none.yaml", "columns: {md: {unit: yd}}\n")), "none.yaml:1: columns.md.unit: is not known")):
+            with self.assertRaisesRegex(SurveyError, problem):
+                read_survey(*words)
+
+    def test_score_and_plot_take_the_map(self):
+        run = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "cases/01_plan_read_by_other_rules/run.csv")
+        far = drill("score", run, "--plan", self.file("plain.csv", TABLE))
+        words = ("--plan", self.plan, "--columns", self.map)
+        done = drill("score", run, *words, "--pass-over")
+        self.assertEqual((0, far.stdout), (done.returncode, done.stdout), done.stderr)
+        self.assertIn("equal to the one before were passed over: line 4", done.stderr)
+        self.assertIn("plan.csv:4: station 3: md 656.168 ft does not exceed", self.refused("score", run, *words))
+        self.assertIn("plan.csv:4: station 3", self.refused("plot", run, *words, "--out", self.folder))
+        for command in ("score", "plot"):
+            self.assertIn("--columns: needs --plan", self.refused(command, run, "--columns", self.map))
+            self.assertIn("--pass-over: needs --plan", self.refused(command, run, "--pass-over"))
+
+    def test_a_new_well_takes_the_map(self):
+        self.file("survey.csv", TABLE)
+        logging.disable(logging.WARNING)
+        self.addCleanup(logging.disable, logging.NOTSET)
+        rig = Simulator(self.scene("survey.csv"))
+        self.assertAlmostEqual(800.0, rig.load_survey(self.plan, columns=self.map, pass_over=True).truth.hole_depth, delta=1e-3)
+        with self.assertRaisesRegex(Refused, "plan.csv:1: "):
+            rig.load_survey(self.plan)
+
+
 class ToTheBit(Files):
     def test_projected_on_request(self):
         self.file("survey.csv", TABLE)
@@ -144,6 +187,8 @@ class ToTheBit(Files):
             self.assertIn("projected 10 m from its last station, 800 m", done.stderr)
             self.assertIn("at its bottom %.2f deg inclination" % inclination, done.stdout)
         self.assertIn("30.5 m", self.refused("check", self.scene("survey.csv", 831.0, "  project: straight\n")))
+        for depth in (805.0, 830.0, 860.0):
+            self.assertRegex(self.refused("check", self.scene("survey.csv", depth)), r"scene.yaml:4: well.hole_depth: %g m is deeper than the survey" % depth)
 
     def test_another_well_is_projected_too(self):
         self.file("survey.csv", TABLE)

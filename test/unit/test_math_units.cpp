@@ -65,6 +65,14 @@ const std::vector<Figure> figures = {
     {"a damping", "kN.s/m", 1e3}, {"a damping", "lbf.s/ft", 14.59390294},
     {"a damping per length", "N.s/m2", 1.0}, {"a damping per length", "lbf.s/ft2", 47.88025898},
     {"a time per length", "s/ft", 3.280839895}, {"a pressure per flow squared", "psi/gpm2", 1.732188792e12},
+    // further spellings
+    {"a length", "feet", 0.3048}, {"a length", "foot", 0.3048}, {"a length", "'", 0.3048}, {"a length", "inch", 0.0254}, {"a length", "inches", 0.0254}, {"a length", "\"", 0.0254},
+    {"a mass", "lbs", 0.45359237}, {"a mass per length", "lbs/ft", 1.488163944}, {"a force", "kips", 4448.2216152605},
+    {"a time", "sec", 1.0}, {"a time", "seconds", 1.0}, {"a time", "minutes", 60.0}, {"a time", "hour", 3600.0}, {"a time", "hours", 3600.0}, {"a time", "days", 86400.0},
+    {"an angle", "degree", 0.01745329252}, {"an angle", "degrees", 0.01745329252},
+    {"a torque", "ft.lbs", 1.355817948}, {"a torque", "lb.ft", 1.355817948}, {"a torque", "klb.ft", 1355.817948}, {"a torque", "Nm", 1.0}, {"a torque", "daNm", 10.0},
+    {"a torque", "kNm", 1e3}, {"a density", "kg/l", 1000.0}, {"a density", "g/cc", 1000.0}, {"a density", "pcf", 16.01846337},
+    {"a flow", "l/s", 0.001}, {"a flow", "l/min", 1.666666667e-5}, {"a flow", "lpm", 1.666666667e-5}, {"a flow", "bpm", 2.649788249e-3}, {"a volume", "l", 0.001},
 };
 }  // namespace
 
@@ -101,7 +109,7 @@ TEST(Units, AreSpelledInSeveralWays)
 
 TEST(Units, ASpellingOfSeveralMeaningsIsNoUnit)
 {
-  for (const char* spelling : {"tonf", "ton", "gal", "gal/min", "gal/rev", "mPa", "sg"})
+  for (const char* spelling : {"tonf", "ton", "gal", "gal/min", "gal/rev", "mPa", "sg", "SG", "lb/gal", "lbm/gal"})
   {
     EXPECT_EQ(nullptr, family_of(spelling)) << spelling;
     ASSERT_FALSE(meanings_of(spelling).empty()) << spelling;

@@ -93,6 +93,29 @@ TEST(SceneUnits, SettingsMayCarryThem)
   same("operations=[{do: drill, weight: 4 kN, distance: 1 m}]", "operations=[{do: drill, weight: 4000, distance: 1}]");
 }
 
+TEST(SceneUnits, AsDrillersWriteThem)
+{
+  const auto same = [](const std::string& with_unit, const std::string& si)
+  { EXPECT_EQ(scene_hash(read_scene(quick, {si})), scene_hash(read_scene(quick, {with_unit}))) << with_unit; };
+  for (const char* diameter : {"7-7/8 in", "7 7/8 in", "7 7/8in", "7-7/8\"", "7.875\"", "7.875 inches", "0.65625 feet"}) same(std::string("string[0].diameter=") + diameter, "string[0].diameter=0.200025");
+  same("rig.top_drive.max_torque=40 kNm", "rig.top_drive.max_torque=40000");
+  same("rig.top_drive.max_torque=30 klb-ft", "rig.top_drive.max_torque=40674.538449942012");
+  same("mud.density=1.1 g/cc", "mud.density=1100");
+  same("instruments.mwd.period=30 sec", "instruments.mwd.period=30");
+  EXPECT_EQ("setting: mud.density: lb/gal is ambiguous; allowed: ppg", refusal({"mud.density=9 lb/gal"}));
+  EXPECT_NE(std::string::npos, refusal({"string[0].diameter=7-7/8"}).find("is not a number")) << "of no unit";
+  EXPECT_NE(std::string::npos, refusal({"string[0].diameter=7.5 7/8 in"}).find("is not a number"));
+}
+
+// YAML reads `19.5 #/ft` as 19.5, in kg/m.
+TEST(SceneUnits, AUnitThatIsACommentIsRefused)
+{
+  EXPECT_EQ("setting: string[1].linear_mass: #/ is a comment to YAML, not a unit; allowed: lb/", refusal({"string[1].linear_mass=19.5 #/ft"}));
+  const std::string file = std::string(::testing::TempDir()) + "test_scene_units_comment.yaml";
+  std::ofstream(file) << "name: x  # 19.5 #/ft is no comment here\nmud:\n  density: 9 #/gal\n";
+  EXPECT_NE(std::string::npos, refusal({}, file).find(":3: YAML: #/ is a comment to YAML, not a unit; allowed: lb/"));
+}
+
 TEST(SceneUnits, KeysInDegreesAndRpmTakeOtherUnits)
 {
   const Scene scene = read_scene(quick, {"instruments.mwd.noise_deg=0.01 rad", "rig.top_drive.max_speed_rpm=12.5 rad/s", "program=[{at: 0, top_drive_speed_rpm: 1.5 rev/s}]",

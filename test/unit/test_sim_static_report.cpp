@@ -82,27 +82,47 @@ TEST(StaticReport, holdsTheWeightOnBitInEachMotion)
 
 namespace
 {
-/// Pipe and three collars in a hole that is vertical to `kick_off`, built at 9 deg/30 m and horizontal from there on.
+/// Pipe whose tool joints are no thicker than its body, as the soft string's, and three collars in a hole that is vertical to `kick_off`, built at 9 deg/30 m and horizontal from there on.
 StaticReport slacked_off(double kick_off, double depth, double friction)
 {
   Scene scene = scene_in({{0.0, 0.0, 0.0}, {kick_off, 0.0, 0.0}, {kick_off + 300.0, 90.0 * degree, 0.0}, {3500.0, 90.0 * degree, 0.0}}, depth + 10.0, depth, friction);
+  scene.string.back().pipe->tool_joint_diameter = pipe_outer;
   scene.string.insert(scene.string.begin() + 1, collar_part(3, 9.4));
   scene.mud.density = 1200.0;
   return static_report(scene, sliding_down);
 }
 }  // namespace
 
-// The soft string's hook loads; what a helix presses against the wall comes on top where pipe is buckled.
+// The soft string's hook loads, in pieces of 0.5 m, with what a helix presses against the wall, r F^2/(4 E I), where pipe is buckled. At 0.22 the whole of the
+// vertical hole is, and the friction is raised by and by: in one go the search for a helix ends in another one, or never.
 TEST(StaticReport, slackOffOfBuckledPipe)
 {
-  for (const auto& [friction, soft_string, buckled] : {std::tuple{0.05, 149.0e3, 0.0}, {0.08, 122.0e3, 24.0}, {0.10, 102.7e3, 95.0}, {0.12, 82.2e3, 176.0}})
+  for (const auto& [friction, soft_string, buckled] : {std::tuple{0.05, 149.0e3, 0.0}, {0.08, 122.0e3, 24.0}, {0.10, 102.7e3, 95.0}, {0.12, 82.2e3, 176.0}, {0.15, 48.94e3, 305.0},
+                                                      {0.22, -54.42e3, 499.0}})
   {
     const StaticReport report = slacked_off(500.0, 3390.0, friction);
-    EXPECT_NEAR(report.hook_load_string, soft_string, 0.012 * soft_string) << friction;
+    EXPECT_NEAR(report.hook_load_string, soft_string, 0.012 * std::abs(soft_string)) << friction;
     EXPECT_NEAR(report.buckled.length, buckled, 15.0) << friction;
     EXPECT_LE(report.buckled.helical, report.buckled.length) << friction;
     EXPECT_NEAR(report.buckled.from_bit, buckled > 0.0 ? 2890.0 : 0.0, 10.0) << friction << ": from the end of the build up";
   }
+}
+
+// Other pipe in another hole, by the same soft string: 71.34 kN with 463 m of helix.
+TEST(StaticReport, slackOffInAHoleOf85Deg)
+{
+  Scene scene = scene_in({{0.0, 0.0, 0.0}, {700.0, 0.0, 0.0}, {1100.0, 85.0 * degree, 30.0 * degree}, {4200.0, 85.0 * degree, 30.0 * degree}}, 4000.0, 3990.0, 0.25);
+  PartSpec heavy = pipe_part(12, 9.5, 73.0, pipe_outer);
+  heavy.name = "hwdp";
+  heavy.inner_diameter = 0.0762;
+  scene.string.insert(scene.string.begin() + 1, {collar_part(2, 9.4), heavy});
+  scene.string.back().outer_diameter = scene.string.back().pipe->tool_joint_diameter = 0.1397;
+  scene.string.back().inner_diameter = 0.1186;
+  scene.string.back().linear_mass = 38.0;
+  scene.mud.density = 1200.0;
+  const StaticReport report = static_report(scene, sliding_down);
+  EXPECT_NEAR(report.hook_load_string, 71.34e3, 0.02 * 71.34e3);
+  EXPECT_NEAR(report.buckled.length, 463.0, 15.0);
 }
 
 TEST(StaticReport, aStringThatMustBePushedIn)

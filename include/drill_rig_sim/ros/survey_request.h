@@ -6,7 +6,7 @@
 
 namespace drill_rig_sim
 {
-/// The well that a request asks for. Throws std::runtime_error with one line where its file is not found.
+/// The well that a request asks for. Throws std::runtime_error with one line where a file is not found or its map of columns is wrong.
 NewWell to_new_well(const LoadSurvey::Request& request);
 
 }  // namespace drill_rig_sim

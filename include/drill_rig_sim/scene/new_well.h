@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/scene/survey_format.h"
 #include "drill_rig_sim/well/tie_in.h"
 
 /// Another well or another start for a scene. Each function throws std::runtime_error with one line that names the file, the station or the value,
@@ -22,6 +23,7 @@ struct NewWell
   std::optional<TieIn> tie_in;      ///< where the first station lies; nothing: at the rotary table, or as the file says
   double hole_depth = 0.0;          ///< of the hole's bottom [m MD]; 0: the last station
   double bit_depth = 0.0;           ///< at the start [m MD]; 0: as far off bottom as before
+  SurveyFormat format{};            ///< of the file
 };
 
 /// From the bit to the bottom at the start [m].

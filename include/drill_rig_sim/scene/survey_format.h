@@ -24,6 +24,9 @@ struct SurveyFormat
 /// Reads a format from a YAML file, keys as those of a scene's well.survey. Throws SceneError.
 SurveyFormat read_survey_format(const std::string& file);
 
+/// The format that a command line or a service asks for: `columns` is such a file, empty: as the header says. Throws SceneError.
+SurveyFormat survey_format(const std::string& columns, bool pass_over);
+
 }  // namespace drill_rig_sim
 
 #endif
