@@ -2,11 +2,26 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/evaluate.h"
+#include "drill_rig_sim/string/lower_body.h"
 #include "drill_rig_sim/well/formation.h"
 
 namespace drill_rig_sim
 {
 using Eigen::Vector3d;
+
+namespace
+{
+/// A guided bit has no directions of its own.
+bool is_guided(const State& state) noexcept
+{
+  return state.nodes.front().guided;
+}
+
+Vector3d let_by_body(const Model& model, const State& state, const Vector3d& way) noexcept
+{
+  return is_guided(state) ? way : limited_way(state.well, turn_limit(model.mesh()), way);
+}
+}  // namespace
 
 FormationLayer rock_under_bit(const Model& model, const State& state) noexcept
 {
@@ -23,7 +38,15 @@ Vector3d rock_velocity(const Model& model, const State& state, const RigForces& 
   const FormationLayer rock = rock_under_bit(model, state);
   if (model.pilot().is_ahead(well.hole_depth()))
     return on_axis_rop(rock, drilling_speed, forces.wob) * model.pilot().direction(well.bottom_position(), well.hole_depth());
-  return rock_breaking_velocity(rock, forces.rock_force, drilling_speed, bit_axis, model.bit().side_cutting);
+  return let_by_body(model, state, rock_breaking_velocity(rock, forces.rock_force, drilling_speed, bit_axis, model.bit().side_cutting));
+}
+
+double refused_turn(const Model& model, const State& state, const RigForces& forces) noexcept
+{
+  if (forces.wob <= 0.0 || is_guided(state) || model.pilot().is_ahead(state.well.hole_depth())) return 0.0;
+  const Vector3d way = rock_breaking_velocity(rock_under_bit(model, state), forces.rock_force, forces.bit_speed, x_axis(state.nodes[0].orientation),
+                                              model.bit().side_cutting);
+  return refused_turn(state.well, turn_limit(model.mesh()), way);
 }
 
 namespace
@@ -46,8 +69,8 @@ void extend_by_cut(const Model& model, const Stage& stage, const StageResult& re
   const FormationLayer rock = rock_under_bit(model, state);
   const double lowered = cut(state.ground, bit.torque.blades, result.cut.angle, result.cut.height);
   state.ground.flats = result.cut.flats;
-  const Vector3d way =
-      way_of_bit(stage, state.well, lowered * rock_breaking_direction(rock, result.forces.rock_force, bit_axis, bit.side_cutting, down));
+  const Vector3d by_rock = lowered * rock_breaking_direction(rock, result.forces.rock_force, bit_axis, bit.side_cutting, down);
+  const Vector3d way = way_of_bit(stage, state.well, let_by_body(model, state, by_rock));
   state.bit.rock_velocity = way / stage.time;
   state.well.extend(way, bit_axis);
 }

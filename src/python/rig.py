@@ -20,8 +20,12 @@ from std_srvs.srv import SetBool, Trigger
 COMMANDS = {"winch": WinchCommand, "top_drive": TopDriveCommand, "mud_pump": MudPumpCommand, "steering": SteeringCommand}
 
 
+class Lost(Exception):
+    """The node does not answer any more: it has ended, or the connection to it has. What the last call did is not known."""
+
+
 class Rig(Lockstep):
-    """The rig of a namespace, in lockstep. `patience`: wall seconds to wait for it."""
+    """The rig of a namespace, in lockstep. `patience`: wall seconds to wait for it. A call during which its node ends, or after that, raises Lost."""
 
     def __init__(self, namespace="rig", patience=60.0):
         self._prefix = rospy.resolve_name(namespace)
@@ -82,7 +86,7 @@ class Rig(Lockstep):
         return self.state
 
     def _asked(self, request):
-        answer = answered(self._step.call(request))
+        answer = self._served("step", lambda: self._step.call(request))
         return State(answer.state.header.stamp.to_sec(), answer.state, answer.truth, answer.bit)
 
     def _rebuilt(self, service, kind, **fields):
@@ -91,7 +95,15 @@ class Rig(Lockstep):
         return self._look()
 
     def _call(self, service, kind, **fields):
-        answered(rospy.ServiceProxy(self._prefix + "/" + service, kind)(**fields))
+        self._served(service, lambda: rospy.ServiceProxy(self._prefix + "/" + service, kind)(**fields))
+
+    def _served(self, service, ask):
+        """The answer that `ask` gets from a service."""
+        try:
+            return answered(ask())
+        except (rospy.ServiceException, rospy.exceptions.TransportException, OSError) as error:
+            after = " after t = %g s" % self.state.t if hasattr(self, "state") else ""
+            raise Lost("%s/%s: the node does not answer%s (%s); start it again and make a new Rig" % (self._prefix, service, after, error)) from None
 
 
 def answered(answer):

@@ -67,6 +67,7 @@ void RigNode::say_what_runs()
   for (const std::string& remark : scene_.remarks) ROS_WARN_STREAM(remark);
   const std::string doubt = doubt_of_pressures(mud_circuit(scene_, build_mesh(scene_, scene_.start.bit_depth + scene_.start.block_height)));
   if (!doubt.empty()) ROS_WARN_STREAM("pressures: " << doubt);
+  if (rig.tight) ROS_WARN_STREAM("assembly: " << text_of(*rig.tight));
   if (parameters_.publish_clock && !parameters_.use_sim_time)
     ROS_WARN("stamps are simulated time from 0 on, and /use_sim_time is not set: other nodes go by wall time");
 }

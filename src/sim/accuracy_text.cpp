@@ -104,6 +104,9 @@ std::string text_of(const AccuracyReport& r, double step)
     case AccuracyDoubt::level:
       return "guided pipe has no bending, rigid pipe no waves: this level does not represent " + words_of(static_cast<unsigned>(r.measure)) +
              "; numerics.level: hybrid or beam3d, or needs without it";
+    case AccuracyDoubt::turn:
+      return text("the bit is pressed aside so far that the hole would have to turn by %.0f deg/30 m; the body that follows the bit lets it turn by %.0f:"
+                  " direction and rate of penetration are uncertain; bend_deg, sleeve_diameter or side_cutting: smaller", 30.0 * r.measure / degree, 30.0 * r.allowed / degree);
     case AccuracyDoubt::slant:
       return text("the hole leaves the table by %.0f deg from the vertical, and the rig stands upright: hook load and torque are those of a string pulled over"
                   " a corner; well.survey: vertical at the table", r.measure / degree);

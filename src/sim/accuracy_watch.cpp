@@ -7,7 +7,9 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/running_mean.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/extend_hole.h"
 #include "drill_rig_sim/sim/string_watch.h"
+#include "drill_rig_sim/string/lower_body.h"
 
 namespace drill_rig_sim
 {
@@ -198,8 +200,9 @@ void AccuracyWatch::end_frame(const Integrator& integrator, const State& state, 
   AccuracyReport found = doubt_of_string(*model_, state, forces);
   const auto doubt = [&found, measured](AccuracyDoubt kind, double measure, bool raised)
   {
-    if (found.doubt == AccuracyDoubt::none && raised && !measured) found = {kind, measure, 0.0, 0.0};
+    if (found.doubt == AccuracyDoubt::none && raised && !measured) found = {kind, measure, 0.0, 0.0, 0.0};
   };
+  if (found.doubt == AccuracyDoubt::none) found = doubt_of_turn(*model_, state, forces);
   const double share = memory.dissipated / std::max(memory.throughput, least_throughput);
   const double blades = blades_passed(*model_, forces, step);
   const double damping = damping_of_shaking(*model_, memory.turning, step);
@@ -229,13 +232,19 @@ AccuracyReport doubt_of_level(const Scene& scene, const State& state) noexcept
   constexpr unsigned of_waves = need_torque | need_bit_speed;
   const unsigned no_bending = state.nodes.front().guided ? of_free_nodes : 0u, no_waves = scene.numerics.level == Level::rigid ? of_waves : 0u;
   const unsigned left_out = scene.needs & (no_bending | no_waves);
-  return left_out ? AccuracyReport{AccuracyDoubt::level, static_cast<double>(left_out), 0.0, 0.0} : AccuracyReport();
+  return left_out ? AccuracyReport{AccuracyDoubt::level, static_cast<double>(left_out), 0.0, 0.0, 0.0} : AccuracyReport();
 }
 
 AccuracyReport doubt_of_hole(const State& state) noexcept
 {
   const double slant = std::acos(std::clamp(-state.well.node(0).tangent.z(), -1.0, 1.0));
-  return slant > most_slant ? AccuracyReport{AccuracyDoubt::slant, slant, 0.0, 0.0} : AccuracyReport();
+  return slant > most_slant ? AccuracyReport{AccuracyDoubt::slant, slant, 0.0, 0.0, 0.0} : AccuracyReport();
+}
+
+AccuracyReport doubt_of_turn(const Model& model, const State& state, const RigForces& forces) noexcept
+{
+  const double turn = refused_turn(model, state, forces);
+  return turn > 0.0 ? AccuracyReport{AccuracyDoubt::turn, turn, 0.0, 0.0, turn_limit(model.mesh()).curvature} : AccuracyReport();
 }
 
 AccuracyReport doubt_of_string(const Model& model, const State& state, const RigForces& forces) noexcept
@@ -245,7 +254,7 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
   const auto take = [&report](AccuracyDoubt doubt, double measure, double from_bit, double length)
   {
     const bool before = report.doubt == AccuracyDoubt::none || doubt < report.doubt;
-    if (before || (doubt == report.doubt && measure > report.measure)) report = {doubt, measure, from_bit, length};
+    if (before || (doubt == report.doubt && measure > report.measure)) report = {doubt, measure, from_bit, length, 0.0};
   };
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
   {

@@ -3,17 +3,19 @@
 #include <cstdio>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/string/lower_body.h"
 
 namespace drill_rig_sim
 {
-std::optional<TightAssembly> tight_assembly(const RigAtRest& rig)
+std::optional<TightAssembly> tight_assembly(const Model& model, const RigForces& at_rest) noexcept
 {
-  const MotorSpec* motor = rig.model->motor();
+  const MotorSpec* motor = model.motor();
   if (!motor || motor->bend == 0.0) return std::nullopt;
-  const Mesh& mesh = rig.model->mesh();
-  const Scene& scene = rig.model->scene();
+  const Mesh& mesh = model.mesh();
+  const Scene& scene = model.scene();
   TightAssembly out;
-  out.side_force = rig.statics.forces.contact.front();
+  out.side_force = at_rest.contact.front();
+  out.turn = turn_limit(mesh).curvature;
   out.weight = standard_gravity * mesh.bit_mass * (1.0 - scene.mud.density / scene.string.front().density);
   for (const MeshElement& element : mesh.elements)
     if (scene.string[static_cast<std::size_t>(element.part)].motor)
@@ -24,11 +26,11 @@ std::optional<TightAssembly> tight_assembly(const RigAtRest& rig)
 
 std::string text_of(const TightAssembly& assembly)
 {
-  char text[256];
+  char text[320];
   std::snprintf(text, sizeof text,
-                "the bent motor does not fit into its hole: bent straight, it presses the bit aside with %.1f kN, %.1f times the weight of bit and motor; the hole"
-                " may turn faster than a bit lets it; bend_deg or sleeve_diameter: smaller",
-                assembly.side_force / 1e3, assembly.side_force / assembly.weight);
+                "the bent motor does not fit into its hole: bent straight, it presses the bit aside with %.1f kN, %.1f times the weight of bit and motor; slides may"
+                " hang by that force's friction, and the hole turns by up to %.0f deg/30 m; bend_deg or sleeve_diameter: smaller",
+                assembly.side_force / 1e3, assembly.side_force / assembly.weight, 30.0 * assembly.turn / degree);
   return text;
 }
 

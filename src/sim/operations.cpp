@@ -213,9 +213,9 @@ void OperationsPlayer::follow_strokes(Simulator& simulator) noexcept
 
 void OperationsPlayer::follow_tag(Simulator& simulator) noexcept
 {
-  if (settled_ || simulator.readings().time < began_[next_] + tag_settles_ - time_rounding) return;
-  simulator.tare();
-  settled_ = true;
+  if (settled_) return;
+  simulator.tare();  // refused on bottom: a bit that comes there early keeps the last zero of the moving string
+  settled_ = simulator.readings().time >= began_[next_] + tag_settles_ - time_rounding;
 }
 
 /// How far the bit still goes: to a trip's depth; without one as far as the hole [m].

@@ -62,6 +62,7 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
   statistics.integrator = find_integrator(scene.numerics.integrator).name;
   statistics.kernel = model->kernel();
   statistics.step = scene.numerics.step;
+  statistics.tight = tight_assembly(*model, state.forces);
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   state.forces.meter_torque = rig.statics.top_torque;
   find_stand();

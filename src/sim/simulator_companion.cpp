@@ -49,7 +49,7 @@ void Simulator::Impl::judge(double duration) noexcept
   state.measured.add(outputs_of(state.truth), outputs_of(companions.front()->state.truth), duration);
   const MeasuredError::OfOutput largest = state.measured.largest(scene.needs);
   if (largest.error > scene.numerics.tolerance && state.accuracy.report.doubt <= AccuracyDoubt::measured)
-    state.accuracy.report = {AccuracyDoubt::measured, largest.error, 0.0, 0.0, largest.output};
+    state.accuracy.report = {AccuracyDoubt::measured, largest.error, 0.0, 0.0, 0.0, largest.output};
   statistics.accuracy = state.accuracy.report;
   state.truth.accuracy_warning = statistics.accuracy.doubt != AccuracyDoubt::none;
 }

@@ -54,7 +54,9 @@ void ZeroMean::take(double hook_load, const RigSignals& now) noexcept
 {
   const int direction = direction_of(now.setpoints.winch);
   const bool turns = std::abs(now.top_drive_speed) > standing_rotor;
-  if (!heaves_ && (direction != direction_ || turns != turns_)) mean_.restart();
+  if (direction != direction_) began_at_ = now.block_height;
+  const bool builds_up = direction != 0 && std::abs(now.block_height - began_at_) < 2.0 * sheave_presliding;
+  if (!heaves_ && (direction != direction_ || turns != turns_ || builds_up)) mean_.restart();
   direction_ = direction;
   turns_ = turns;
   mean_.take(hook_load, now.time);

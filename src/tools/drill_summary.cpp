@@ -10,7 +10,6 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
-#include "drill_rig_sim/sim/assembly_fit.h"
 #include "drill_rig_sim/sim/operations.h"
 
 namespace drill_rig_sim
@@ -257,14 +256,6 @@ void print_doubt_of_pressures(const Simulator& simulator)
   if (!doubt.empty()) std::printf("pressures: %s\n", doubt.c_str());
 }
 
-/// Where a motor is bent, for which the start is found again.
-void print_tight_assembly(const Simulator& simulator)
-{
-  const std::vector<PartSpec>& string = simulator.scene().string;
-  const bool bent = std::any_of(string.begin(), string.end(), [](const PartSpec& part) { return part.motor && part.motor->bend != 0.0; });
-  if (!bent) return;
-  if (const std::optional<TightAssembly> tight = tight_assembly(build_at_rest(simulator.scene()))) std::printf("assembly warning: %s\n", text_of(*tight).c_str());
-}
 }  // namespace
 
 std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, bool readings)
@@ -285,7 +276,7 @@ void print_summary(const Simulator& simulator, const Elapsed& elapsed, const Run
     std::printf("accuracy warning, %.1f to %.1f s: %s\n", doubt.since, doubt.until, text_of(doubt.report, simulator.statistics().step).c_str());
   for (const Limits::Entry& entry : record.limits.entries()) print(entry);
   print_doubt_of_pressures(simulator);
-  print_tight_assembly(simulator);
+  if (simulator.statistics().tight) std::printf("assembly warning: %s\n", text_of(*simulator.statistics().tight).c_str());
   print_operations(simulator.scene().operations, record.operations_began);
   const Averages mean = record.drilling.last_quarter();
   if (mean.samples() == 0)

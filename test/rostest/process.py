@@ -10,6 +10,7 @@ import threading
 import roslib.packages
 import rosgraph
 from diagnostic_msgs.msg import DiagnosticArray
+from drill_rig_sim import rig as lockstep
 from drill_rig_sim.msg import MwdSurvey, MwdToolface, RigLimits
 from drill_rig_sim.srv import StepSimulationRequest
 from rig_test import PATIENCE, Collector, Rig, flow, numbers, rospy, run, time, turn, unittest, wait_until, winch
@@ -85,6 +86,25 @@ class Process(unittest.TestCase):
             self.ends_cleanly(node, how)
             stepping.join(PATIENCE)
             self.assertFalse(stepping.is_alive())
+
+    def test_a_client_in_mid_step_gets_one_clear_error_when_it_is_killed(self):
+        node = self.start("killed", "clock:=lockstep")
+        client, errors = lockstep.Rig("killed"), []
+
+        def step():
+            try:
+                client.step(frames=100000)
+            except lockstep.Lost as error:
+                errors.append(str(error))
+        stepping = threading.Thread(target=step)
+        stepping.start()
+        wait_until(self.clock_moves, "step under way")
+        node.kill()
+        stepping.join(PATIENCE)
+        self.assertEqual(1, len(errors), "the step ended without an error of its own")
+        self.assertRegex(errors[0], "^/killed/step: the node does not answer after t = [0-9.]+ s ")
+        with self.assertRaises(lockstep.Lost):
+            client.tare()
 
     def test_signals_end_it_while_it_waits_for_a_clock(self):
         for number, how in enumerate((signal.SIGINT, signal.SIGTERM)):

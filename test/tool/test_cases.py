@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 """Inputs from outside that went wrong once (test/cases), by kind, each with the command of its README and the value that is right.
 Variants of each kind stand in the tests of its reader. Usage: test_cases.py PATH_TO_DRILL"""
+import csv
 import importlib.util
 import json
+import math
 import os
 import re
 import subprocess
@@ -176,6 +178,15 @@ class Statics(Case):
     def test_13_no_stick_slip_where_nothing_rubs(self):
         done = self.good('13_stick_slip_told_without_friction', 'run', 'react.yaml', '--duration', '70')
         self.assertNotIn('stick', done.stdout + done.stderr)
+
+    def test_13_the_reactive_twist_is_that_of_the_torque_on_bit(self):
+        """At 70 s the bit is 0.2 m above bottom. Drilling, 236 N m twist 1.4 km of pipe with G J of 0.94 MN m2 by 20.6 deg, about which nothing damps the swing."""
+        rows = self.file('react.csv')
+        self.good('13_stick_slip_told_without_friction', 'run', 'react.yaml', '--duration', '500', '--csv', rows, '--every', '0.5')
+        with open(rows, encoding='utf-8') as table:
+            late = [row for row in csv.DictReader(table) if float(row['time']) > 150.0]
+        toolface = [math.degrees(float(row['toolface'])) for row in late]
+        self.assertAlmostEqual(-20.61, sum(toolface) / len(toolface), delta=0.7)
 
     def test_24_starts_are_found(self):
         for scene in ('refused_51.yaml', 'refused_69.yaml'):

@@ -89,6 +89,19 @@ class AgainstAStandIn(unittest.TestCase):
                 call()
         self.assertEqual(1.0, self.rig.state.t)
 
+    def test_a_node_that_ends_is_one_clear_error(self):
+        ends = (rospy.ServiceException("transport error completing service call"), rospy.exceptions.TransportTerminated("unable to receive"),
+                BrokenPipeError("Broken pipe"))
+        self.rig.step(0.1)
+        for end in ends:
+            self.node.step = mock.Mock(side_effect=end)
+            with mock.patch.object(self.rig, "_step", mock.Mock(call=self.node.step)):
+                with self.assertRaisesRegex(rig.Lost, r"^/well/step: the node does not answer after t = 1\.1 s \(.*\); start it again and make a new Rig$") as raised:
+                    self.rig.step()
+            self.assertIsNone(raised.exception.__cause__)
+        with mock.patch("rospy.ServiceProxy", side_effect=ends[0]), self.assertRaisesRegex(rig.Lost, "^/well/tare: "):
+            self.rig.tare()
+
     def test_faults_go_by_their_names(self):
         self.rig.fault("STUCK_PIPE", depth=3.0)
         self.rig.clear_fault("SENSOR_BIAS", target="hook_load")

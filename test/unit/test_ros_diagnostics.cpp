@@ -132,6 +132,14 @@ TEST_F(Report, saysWhyTheNumbersMayBeWrong)
   EXPECT_EQ((std::vector<int>{ok, warn, ok}), levels(array));
 }
 
+TEST_F(Report, aMotorThatDoesNotFitIsTold)
+{
+  frame_.physics.tight = TightAssembly{58e3, 8e3, 0.03};
+  const auto array = next();
+  EXPECT_EQ(text_of(*frame_.physics.tight), part(array, "physics").message);
+  EXPECT_EQ((std::vector<int>{ok, warn, ok}), levels(array));
+}
+
 TEST_F(Report, anOpenReliefValveIsTold)
 {
   frame_.truth.relief_valve_open = true;

@@ -170,6 +170,32 @@ TEST(Operations, tagDrillAndPickUp)
   EXPECT_NEAR(rig.readings().block_height, block + 3.0, 0.01);
 }
 
+// By the dead line the string weighs more while it is lowered. A bit that comes to bottom before the string moves steadily has that zero too, in place of
+// the one at rest.
+TEST(Operations, tagZeroesTheMovingStringHoweverNearTheBottomIs)
+{
+  for (const double above : {0.06, 0.15, 0.5})
+  {
+    Operation tag = operation(OperationKind::tag);
+    tag.weight = 10e3;
+    Scene scene = scene_with({tag}, above);
+    scene.instruments.hook_load.place = HookLoadPlace::dead_line;
+    Simulator rig(scene);
+    ScenePlayer player(rig.scene());
+    const double at_rest = rig.readings().hook_load;
+    double free_load = 0.0;
+    for (int k = 0; k < 10000 && !player.finished(); ++k)
+    {
+      ASSERT_EQ(play_frame(rig, &player, frame), FrameStatus::running) << rig.failure();
+      if (!rig.truth().on_bottom) free_load = rig.readings().hook_load;
+    }
+    ASSERT_TRUE(player.finished()) << above;
+    const double zero = rig.readings().surface_wob + rig.readings().hook_load;
+    EXPECT_GT(free_load - at_rest, 10e3) << above << " m: what the sheaves add";
+    EXPECT_NEAR(free_load, zero, 2.5e3) << above;
+  }
+}
+
 // By the dead line, whose sheaves take a tenth of the load when they turn back: rock that gets hard for a while leaves too much weight on the bit, which is drilled off.
 TEST(Operations, drillDoesNotRunAwayFromHardRockByTheDeadLine)
 {

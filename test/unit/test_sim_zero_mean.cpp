@@ -45,6 +45,7 @@ void take(ZeroMean& zero, const Ring& ring, double begin, double end, RigSignals
   for (double time = begin; time < end - 0.5 * frame; time += frame)
   {
     now.time = time;
+    now.block_height = now.setpoints.winch.block_velocity * time;
     zero.take(ring.at(time), now);
   }
 }
@@ -130,6 +131,17 @@ TEST(ZeroMean, beginsAnewWhereFrictionChanges)
   now.setpoints.winch.block_velocity = -0.02;
   take(faster, after, 10.0, 10.5, now);
   EXPECT_GT(faster.mean(), 5.5e5) << "another speed is no other friction";
+}
+
+// The sheaves' friction turns round over the first 2 cm: 0.4 s at 0.05 m/s. The mean begins after them.
+TEST(ZeroMean, leavesOutTheWayOverWhichFrictionTurnsRound)
+{
+  const Ring before{1.0, 6e5, 0.0}, after{1.0, 5e5, 0.0};
+  ZeroMean zero(0.0);
+  zero.rings_with(1.0);
+  take(zero, before, 0.0, 0.4);
+  take(zero, after, 0.41, 0.8);
+  EXPECT_NEAR(after.mean, zero.mean(), 0.03 * (before.mean - after.mean));
 }
 
 TEST(ZeroMean, ofAFloatingRigGoesOverAPeriodOfTheWaves)

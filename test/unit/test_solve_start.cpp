@@ -45,6 +45,30 @@ void expect_refusal(const Scene& scene, const std::string& word)
 }
 }  // namespace
 
+// A bend may be held on an edge of its hole, from which only the friction of the walls keeps it: neither at rest nor lowered does it jump.
+TEST(Start, ofASlideStaysInItsToolface)
+{
+  struct Slide
+  {
+    double inclination, bend, toolface, friction;  // [deg, deg, deg, -]
+  };
+  for (const Slide& s : {Slide{0.0, 1.3, 115.0, 0.12}, {3.0, 1.6, -140.0, 0.2}, {12.0, 2.0, -60.0, 0.1}, {45.0, 1.0, 180.0, 0.3}, {90.0, 1.7, 135.0, 0.25}, {90.0, 1.1, 0.0, 0.1}})
+  {
+    const double inclination = s.inclination * degree;
+    Scene scene = scene_in({{0.0, 0.0, 1.0}, {100.0, 0.0, 1.0}, {400.0, inclination, 1.0}, {500.0, inclination, 1.0}}, 500.0, 499.0, s.friction);
+    scene.string = {bit_part(0.2159), motor_part(s.bend * degree), mwd_part(), pipe_part(0, 9.5, tool_jointed_mass)};
+    scene.start.toolface = s.toolface * degree;
+    Simulator rig(scene);
+    const auto off = [&] { return std::abs(std::remainder(rig.truth().bend_toolface - scene.start.toolface, 2.0 * pi)) / degree; };
+    for (int k = 0; k < 2000; ++k)
+    {
+      if (k == 1000) rig.command(WinchSetpoint{-0.02, false});
+      ASSERT_EQ(FrameStatus::running, rig.frame(0.01)) << rig.failure();
+      ASSERT_LT(off(), 0.2) << s.inclination << " deg, " << s.toolface << " deg, at " << 0.01 * k << " s";
+    }
+  }
+}
+
 TEST(Start, aLongVerticalString)
 {
   EXPECT_LE(iterations_of(vertical_scene(4000.0, 3990.0)), 395);

@@ -56,8 +56,8 @@ inline Vector6d in_step_axes(const NodeRate& rate, const Eigen::Vector3d& normal
 /// Tension, torque and bending moment along the string at the stage last evaluated or updated, into work.result.forces.
 void find_string_forces(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept;
 
-/// Velocity of the hole's bottom under the bit at the stage's forces (three-dimensional rock-breaking velocity) [m/s]; of the regenerative
-/// law none: there the bottom moves by what is cut, between steps.
+/// Velocity of the hole's bottom under the bit at the stage's forces: the three-dimensional rock-breaking velocity, as far as the body that follows the bit
+/// lets the hole turn (well/turn_limit.h) [m/s]; of the regenerative law none: there the bottom moves by what is cut, between steps.
 /// `state`: of the hole and its rock; `drilling_speed`: BitDrive's [rad/s]; `bit_axis`: unit, downhole.
 Eigen::Vector3d rock_velocity(const Model& model, const State& state, const RigForces& forces, double drilling_speed,
                               const Eigen::Vector3d& bit_axis) noexcept;

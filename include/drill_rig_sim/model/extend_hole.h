@@ -10,6 +10,10 @@ namespace drill_rig_sim
 /// step, or by what the stage knows of it, or (regenerative law) by the mean height of what the blades have cut in the step.
 void extend_hole(const Model& model, const Stage& stage, const StageResult& result, State& state) noexcept;
 
+/// How fast the hole would turn by the rock law alone where the body that follows the bit does not let it (well/turn_limit.h) [rad/m]; 0 elsewhere.
+/// `forces`: at the state.
+double refused_turn(const Model& model, const State& state, const RigForces& forces) noexcept;
+
 }  // namespace drill_rig_sim
 
 #endif

@@ -31,16 +31,18 @@ enum class AccuracyDoubt
   whirl,          ///< turning pipe rolls along its walls
   jerks,          ///< the string sticks and slips on its walls again and again
   slant,          ///< the hole leaves the table inclined, and the rig stands upright
-  level           ///< the level does not represent an output that the scene needs
+  level,          ///< the level does not represent an output that the scene needs
+  turn            ///< the bit drills aside, and the body that follows it does not let the hole turn so fast
 };
 
 /// A doubt, how large and where.
 struct AccuracyReport
 {
   AccuracyDoubt doubt = AccuracyDoubt::none;
-  double measure = 0.0;         ///< confined: of the load at which it buckles; compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]; whirl: of pure rolling, waves: of the signal's range [-]; hesitation: speed that was reached [rad/s]; slant [rad]; level: sum of the needs
+  double measure = 0.0;         ///< confined: of the load at which it buckles; compression: over what the element can carry; twist [rad]; embedding [m]; shares of steps or energy; cut: blades passed a step; shaking: damping by the method, blows, jerks [1/s]; loose [turns]; whirl: of pure rolling, waves: of the signal's range [-]; hesitation: speed that was reached [rad/s]; slant [rad]; level: sum of the needs; turn: of the hole by the rock law [rad/m]
   double from_bit = 0.0;        ///< where on the string [m]; confined, compression, twist, embedding
   double element_length = 0.0;  ///< of the element there [m]; compression, twist
+  double allowed = 0.0;         ///< turn: what the body lets [rad/m]
   Output output = Output::hook_load;  ///< measured: the one whose error `measure` is [-]
 
   template <class V>
@@ -51,6 +53,7 @@ struct AccuracyReport
     v("output", output);
     v("from_bit", from_bit);
     v("element_length", element_length);
+    v("allowed", allowed);
   }
 };
 

@@ -18,6 +18,9 @@ namespace drill_rig_sim
 /// that there is (below).
 AccuracyReport doubt_of_string(const Model& model, const State& state, const RigForces& forces) noexcept;
 
+/// Turn where the bit is pressed aside so far that the body that follows it holds back the turn of the hole (well/turn_limit.h).
+AccuracyReport doubt_of_turn(const Model& model, const State& state, const RigForces& forces) noexcept;
+
 /// Slant where the hole leaves the rotary table by more than 10 deg from the vertical: the rig stands upright, and pulls the string over a
 /// corner there. Without friction the hook load is 1 % low at 12 deg, 6 % at 20 deg.
 AccuracyReport doubt_of_hole(const State& state) noexcept;
@@ -54,6 +57,7 @@ AccuracyReport doubt_of_level(const Scene& scene, const State& state) noexcept;
 /// - Jerks: of the force between string and walls that have friction (5 kN at least), the share that sticks, or slides slower than 2 mm/s, came and went every twelve seconds or more often, over the
 ///   last 10 s; a start or a stop alone is half of that. Pipe that slides below its friction's Stribeck speed does that by itself;
 ///   where in its slip it is, and so the peaks and what a stop leaves, hangs on the numerics.
+/// - Turn: doubt_of_turn().
 /// - Slant, level: doubt_of_hole(), doubt_of_level(), where nothing else is doubted.
 class AccuracyWatch
 {

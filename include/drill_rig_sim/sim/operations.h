@@ -54,8 +54,9 @@ struct WeightFeed
 /// - flow and rotate ramp their set point; it stays in force.
 /// - pick_up and slack_off move the block, ream up and down again to where it began `times`; all are stopped or turned back so far ahead of their end as
 ///   the winch needs, and end with the brake set.
-/// - tag lowers until the bit takes `weight`; it zeroes the weight (tare) at its beginning and again when the string has come to move steadily, after
-///   tag_settles (and a period of the waves, where the rig heaves), and counts weight from then on, or at the hole's depth. slack_off with a `weight` zeroes it at its beginning.
+/// - tag lowers until the bit takes `weight`; it zeroes the weight (tare) all the while until the string has come to move steadily, after tag_settles (and a
+///   period of the waves, where the rig heaves), or the bit is on bottom, and counts weight from then on. By the dead line it has to begin 5 cm above the bottom:
+///   over the first 2 cm the sheaves' friction turns round. slack_off with a `weight` zeroes it at its beginning.
 /// - drill keeps `weight` by the block (WeightFeed), and ends with the brake set. Without a zero of the weight it takes one first; where it cannot, on
 ///   bottom, it fails the simulator's next frame.
 /// - slide does the same with the drive holding an angle (or rocking about it), which it turns by what the toolface lacks whenever a toolface has

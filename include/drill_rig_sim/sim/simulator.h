@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "drill_rig_sim/scene/fault_spec.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/accuracy.h"
+#include "drill_rig_sim/sim/assembly_fit.h"
 #include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/signals.h"
 #include "drill_rig_sim/sim/string_watch.h"
@@ -50,6 +52,7 @@ struct SimulatorStatistics
   double step = 0.0;                    ///< numerics.step, 0: variable [s]
   double last_step = 0.0;               ///< the one that the last frame lies in, or its last [s]
   double last_error_estimate = 0.0;     ///< local, of the last step's positions [m]
+  std::optional<TightAssembly> tight;   ///< by the start's forces
   StringLoads loads;                    ///< of the last frame
   AccuracyReport accuracy;              ///< what stands after the last frame
   Profiler costs;                       ///< where the frames' time went

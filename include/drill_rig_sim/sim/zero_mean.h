@@ -23,7 +23,8 @@ struct HungString
 
 /// The hook load of which a zero of the weight is taken: its mean over whole periods in which the string rings in the lines, at least shortest_mean; of a
 /// floating rig over a period of the waves. On a rig that does not heave the mean begins anew where the block starts, stops or turns back, and where the
-/// string starts or stops turning: friction acts another way then.
+/// string starts or stops turning: friction acts another way then. A block that starts has to move by twice sheave_presliding first, over which the friction of
+/// its sheaves turns round.
 class ZeroMean
 {
 public:
@@ -48,6 +49,7 @@ public:
     v("mean", mean_);
     v("direction", direction_);
     v("turns", turns_);
+    v("began_at", began_at_);
   }
 
 private:
@@ -55,6 +57,7 @@ private:
   PeriodMean mean_;
   int direction_ = 0;  // of the block: + up
   bool turns_ = false;
+  double began_at_ = 0.0;  // height of the block where it took its direction [m]
 };
 
 }  // namespace drill_rig_sim
