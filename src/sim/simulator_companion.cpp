@@ -45,11 +45,13 @@ double Simulator::measured_error(Output output) const noexcept
 /// What the companion says of the frame just computed.
 void Simulator::Impl::judge(double duration) noexcept
 {
-  if (!measures()) return;
+  statistics.error_is_measured = measures();
+  if (!statistics.error_is_measured) return;
   state.measured.add(outputs_of(state.truth), outputs_of(companions.front()->state.truth), duration);
   const MeasuredError::OfOutput largest = state.measured.largest(scene.needs);
   if (largest.error > scene.numerics.tolerance && state.accuracy.report.doubt <= AccuracyDoubt::measured)
     state.accuracy.report = {AccuracyDoubt::measured, largest.error, 0.0, 0.0, 0.0, largest.output};
+  for (std::size_t i = 0; i < output_count; ++i) statistics.errors[i] = state.measured.error(static_cast<Output>(i));
   statistics.accuracy = state.accuracy.report;
   state.truth.accuracy_warning = statistics.accuracy.doubt != AccuracyDoubt::none;
 }

@@ -132,6 +132,14 @@ TEST_F(Report, saysWhyTheNumbersMayBeWrong)
   EXPECT_EQ((std::vector<int>{ok, warn, ok}), levels(array));
 }
 
+TEST_F(Report, errorsAreToldWhereTheyAreMeasured)
+{
+  EXPECT_EQ(values(next()).count("error_torque"), 0u);
+  frame_.physics.error_is_measured = true;
+  frame_.physics.errors[1] = 0.0125;
+  EXPECT_DOUBLE_EQ(number(next(), "error_torque"), 0.0125);
+}
+
 TEST_F(Report, aMotorThatDoesNotFitIsTold)
 {
   frame_.physics.tight = TightAssembly{58e3, 8e3, 0.03};

@@ -55,6 +55,8 @@ struct SimulatorStatistics
   std::optional<TightAssembly> tight;   ///< by the start's forces
   StringLoads loads;                    ///< of the last frame
   AccuracyReport accuracy;              ///< what stands after the last frame
+  bool error_is_measured = false;       ///< numerics.companion goes along, and these are the errors by output (Simulator::measured_error()) [-]:
+  Outputs errors{};
   Profiler costs;                       ///< where the frames' time went
   bool is_reference = false;            ///< the integrator is ida, and this is its report:
   ReferenceReport reference;
