@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include "drill_command.h"
 #include "drill_options.h"
@@ -189,22 +190,25 @@ void print_choice(const Simulator& simulator)
 }
 
 /// Which key decides how long the elements are.
-void print_mesh(const Scene& scene)
+void print_mesh(const Scene& scene, const Printed& printed)
 {
   const NumericsSpec& numerics = scene.numerics;
   const ElementLengths lengths = element_lengths(scene);
+  const auto length = [&](double si) { return printed(si, Dimension::length, {"%g", "m"}); };
+  const auto place = [&](double si) { return printed(si, Dimension::length, {"%.0f", "m"}); };
+  std::ostringstream text;
   if (numerics.element_length > 0.0)
-    std::printf("mesh        elements of %g m by numerics.element_length, whatever the tolerance", numerics.element_length);
+    text << "elements of " << length(numerics.element_length) << " by numerics.element_length, whatever the tolerance";
   else if (lengths.change > 0.0)
-    std::printf("mesh        elements of %g m up to %.0f m above the bit by numerics.tolerance (%g), of %g m above that", lengths.lower, lengths.change,
-                numerics.tolerance, lengths.upper);
+    text << "elements of " << length(lengths.lower) << " up to " << place(lengths.change) << " above the bit by numerics.tolerance (" << numerics.tolerance << "), of "
+         << length(lengths.upper) << " above that";
   else
-    std::printf("mesh        elements of %g m", lengths.upper);
+    text << "elements of " << length(lengths.upper);
   if (lengths.by_bit < lengths.at(lengths.by_bit_change))
-    std::printf("; of %g m within %g m of the bit%s", lengths.by_bit, lengths.by_bit_change, lengths.by_bit == lengths.lower ? " by numerics.tolerance" : "");
-  if (lengths.pushed_change > 0.0) std::printf("; of at most %g m up to %.0f m, where friction pushes pipe", lengths.pushed, lengths.pushed_change);
-  if (lengths.guided > 0.0) std::printf("; guided pipe of %g m from %.0f m on", lengths.guided, lengths.guided_change);
-  std::printf("\n");
+    text << "; of " << length(lengths.by_bit) << " within " << length(lengths.by_bit_change) << " of the bit" << (lengths.by_bit == lengths.lower ? " by numerics.tolerance" : "");
+  if (lengths.pushed_change > 0.0) text << "; of at most " << length(lengths.pushed) << " up to " << place(lengths.pushed_change) << ", where friction pushes pipe";
+  if (lengths.guided > 0.0) text << "; guided pipe of " << length(lengths.guided) << " from " << place(lengths.guided_change) << " on";
+  std::printf("mesh        %s\n", text.str().c_str());
 }
 
 struct CheckOptions
@@ -244,7 +248,7 @@ void check(const CheckOptions& options)
                            : "model       level %s, integrator %s, variable steps by a tolerance of %g, %d nodes, %d coordinates, kernel %s\n",
               s.level, s.integrator, s.step > 0.0 ? s.step : scene.numerics.tolerance, s.nodes, s.coordinates, name_of(s.kernel));
   if (!simulator.choice().empty()) print_choice(simulator);
-  print_mesh(simulator.scene());
+  print_mesh(simulator.scene(), printed);
   const bool has_tool = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& p) { return p.type == PartType::mwd; });
   if (!has_tool) std::printf("survey tool no part is of type mwd: survey and toolface are measured at the bit's face\n");
   print_shortcomings(simulator.scene(), printed);

@@ -24,7 +24,8 @@ class Units(test_drill.Drill):
         in_si, shown = self.succeed('check', OILFIELD), self.succeed('check', OILFIELD, '--units', 'oilfield')
         self.assertEqual(in_si, self.succeed('check', OILFIELD, '--units=si'))
         for line in ('4 stations to 1500.00 ft, hole 1500.00 ft deep', 'dogleg      at most 2.00 deg/100 ft, from 500.00 to 1100.00 ft', 'part             type       from bit ft      to ft     mass lbm',
-                     'bit at 1498.00 ft, block at 80.00 ft, hook load ', ' klbf, of it the string ', 'mud         9.50 ppg, ', ' bbl in the annulus; of ', ' psi lost at 800 gpm ', ' ft.lbf.s/rad, I '):
+                     'bit at 1498.00 ft, block at 80.00 ft, hook load ', ' klbf, of it the string ', 'mud         9.50 ppg, ', ' bbl in the annulus; of ', ' psi lost at 800 gpm ', ' ft.lbf.s/rad, I ',
+                     'mesh        elements of 15.58 ft up to ', ' ft above the bit by numerics.tolerance (0.02), of 31.17 ft above that'):
             self.assertIn(line, shown)
         kilonewton, klbf = (float(re.search(r'hook load ([\d.]+) k', text).group(1)) for text in (in_si, shown))
         self.assertAlmostEqual(kilonewton, 4.4482216 * klbf, delta=0.3)
@@ -32,6 +33,19 @@ class Units(test_drill.Drill):
             total = re.search(r'\nstring +([\d.]+) +(\d+)\n', text)
             self.assertAlmostEqual(1578.0, float(total.group(1)) / (0.3048 if text is in_si else 1.0), delta=0.05)
         self.assertIn("'imperial' is not known, allowed: si or oilfield", self.refuse('check', OILFIELD, '--units', 'imperial'))
+
+    def test_survey(self):
+        file = self.file('survey.csv')
+        with open(file, 'w', encoding='utf-8') as out:
+            out.write('MD (ft),Inc (deg),Azi (deg)\n0,0,0\n1000,0,0\n1100,2.5,90\n')
+        shown = self.succeed('survey', file, '--units', 'oilfield').splitlines()
+        self.assertIn('MD ft', shown[0])
+        self.assertIn('deg/100 ft', shown[0])
+        # an arc of 2.5 deg over 100 ft: 100 (1 - cos a)/a to the east, 100 sin(a)/a down
+        self.assertEqual(['1100.00', '2.50', '90.00', '0.00', '2.18', '1099.97', '2.50'], shown[-1].split())
+        in_si = self.succeed('survey', file).splitlines()
+        self.assertEqual(['335.28', '2.50', '90.00', '0.000', '0.665', '335.270', '2.461'], in_si[-1].split())
+        self.assertEqual('0.000', in_si[1].split()[5])
 
     def test_static(self):
         in_si, shown = self.succeed('static', OILFIELD), self.succeed('static', OILFIELD, '--units', 'oilfield')

@@ -98,7 +98,7 @@ TEST(SceneSurvey, DepthsWithoutAUnitAreRefused)
   const std::string euro = "MD;Inc;Azi\n0,0;0,0;0,0\n500,0;2,1;45,3\n";
   const std::string problem = refusal(euro);
   EXPECT_EQ(0u, problem.rfind(":1: MD: the header says no unit", 0)) << problem;
-  EXPECT_TRUE(holds(problem, "columns: {md: {unit: m}}") && holds(problem, "drill survey --columns")) << problem;
+  EXPECT_TRUE(holds(problem, "columns: {md: {unit: m}}") && holds(problem, "or --columns MAP.yaml")) << problem;
   SurveyFormat format;
   format.md.unit = "ft";
   const SurveyTable table = read(euro, format);
