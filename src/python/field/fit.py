@@ -1,13 +1,13 @@
 """Least squares of a model's parameters with confidence, by scipy; the model is asked for many points at once, so that its runs may go side by side."""
 import numpy
-from scipy.optimize import least_squares
-from scipy.stats import t as student
 
 SHARE_OF_SCALE = 0.01  # of a parameter's scale, the step of finite differences
 NOWHERE = 30.0         # what a number counts that could not be predicted, in its scatter: no way leads there
 ROUNDS = 3             # of the scatter's estimate, at most
 SETTLED = 0.05         # change of the scatter from round to round that needs no other [-]
 ITERATIONS = 3         # of a round, as a rule
+REPLICAS = 12          # of the model's inputs with noise added
+FEWEST = 4             # of them that tell a variance
 
 
 class FitError(Exception):
@@ -28,20 +28,26 @@ class Parameter:
 
 
 class Fit:
-    """`values`, `half_widths` of their confidence and `covariance`; `predicted` beside the data; `scatter` by signal (root mean square of what was fitted);
-    `without_effect`: parameters that change nothing at the start and stay there."""
+    """`values` and `covariance`, `student` times the deviation is half the width of the confidence; `predicted` beside the data; `scatter` by signal (root mean square
+    of what was fitted); `without_effect`: parameters that change nothing at the start and stay there."""
 
-    def __init__(self, values, half_widths, covariance, predicted, scatter, runs, without_effect):
-        self.values, self.half_widths, self.covariance, self.predicted, self.scatter, self.runs = values, half_widths, covariance, predicted, scatter, runs
+    def __init__(self, values, covariance, student, predicted, scatter, runs, without_effect):
+        self.values, self.covariance, self.student, self.predicted, self.scatter, self.runs = values, covariance, student, predicted, scatter, runs
         self.without_effect = without_effect
+
+    @property
+    def half_widths(self):
+        return self.student * numpy.sqrt(numpy.diag(self.covariance))
 
 
 class Problem:
     """`observed`: numbers, nan where there is none; `signals`: the name of each; `fitted`: which of them count. `model(list of parameter lists)`: a list of
-    predictions without offsets."""
+    predictions without offsets. `replicas(parameter list, count)`: as many predictions from inputs to which noise as large as their own was added; None where the inputs
+    are exact."""
 
-    def __init__(self, parameters, model, observed, signals, fitted, tell=lambda points, expected: None):
+    def __init__(self, parameters, model, observed, signals, fitted, tell=lambda points, expected: None, replicas=None):
         """`tell`: is given how many points have been tried and about how many it takes in all, whenever there are more."""
+        self.replicas = replicas
         self.parameters, self.model, self.observed, self.tell = parameters, model, numpy.asarray(observed, dtype=float), tell
         self.signals, self.rows = numpy.asarray(signals), numpy.asarray(fitted) & numpy.isfinite(self.observed)
         self.inner = [k for k, parameter in enumerate(parameters) if parameter.signal is None]
@@ -60,6 +66,10 @@ class Problem:
         if new:
             self.tell(self.runs, max(self.expected, self.runs))
         return [self.known[key] for key in keys]
+
+    def starts(self):
+        """Of the parameters that the model is asked with."""
+        return [self.parameters[k].start for k in self.inner]
 
     def predict(self, x):
         return self.ask([x])[0] + self.offsets @ x
@@ -81,7 +91,7 @@ class Problem:
 
     def plan_points(self, rounds):
         """How many points it takes in all, about, where so many rounds are left."""
-        self.expected = self.runs + rounds * ITERATIONS * (1 + len(self.moved))
+        self.expected = self.runs + rounds * ITERATIONS * (1 + len(self.moved)) + (REPLICAS if self.replicas else 0)
 
     def weights(self):
         return 1.0 / numpy.array([self.scatter[name] for name in self.signals[self.rows]])
@@ -98,6 +108,7 @@ class Problem:
 def fit(problem, level=0.95):
     """A Fit, or a FitError. The scatter of each signal is found in rounds, from what is left; residuals that hang together (a model's error, not noise) count for as many
     independent ones as their autocorrelation leaves, which widens the confidence."""
+    from scipy.stats import t as student_t  # what an earlier fit found is applied without SciPy
     parameters, names = problem.parameters, sorted(set(problem.signals[problem.rows]))
     x = numpy.array([parameter.start for parameter in parameters], dtype=float)
     problem.plan_points(ROUNDS)
@@ -123,14 +134,31 @@ def fit(problem, level=0.95):
         independent += rows.sum() / apart
         information += matrix[rows].T @ matrix[rows] / (problem.scatter[name]**2 * apart)
     freedom = max(independent - len(x), 1.0)
-    covariance = inverse(information) * independent / freedom
-    widths = student.ppf(0.5 + 0.5 * level, freedom) * numpy.sqrt(numpy.diag(covariance))
-    return Fit(x, widths, covariance, problem.predict(x), dict(problem.scatter), problem.runs,
+    covariance = inverse(information) * independent / freedom + spread_by_inputs(problem, x, matrix)
+    return Fit(x, covariance, float(student_t.ppf(0.5 + 0.5 * level, freedom)), problem.predict(x), dict(problem.scatter), problem.runs,
                [parameters[k].name for k in problem.inner if k not in problem.moved])
+
+
+def spread_by_inputs(problem, x, matrix):
+    """Covariance of the parameters by noise of what the model is fed with, a gauge's for one: it moves the predictions, and what is fitted to them follows. Of replicas
+    whose inputs have as much noise again; so few count for t's variance, n/(n - 2)."""
+    if problem.replicas is None:
+        return numpy.zeros((len(x), len(x)))
+    point = [x[k] for k in problem.inner]
+    base = problem.ask([x])[0]
+    changes = numpy.array([answer - base for answer in problem.replicas(point, REPLICAS)])[:, problem.rows]
+    changes = changes[numpy.isfinite(changes).any(axis=1)]
+    if len(changes) < FEWEST:
+        return numpy.full((len(x), len(x)), numpy.inf)
+    weighted = matrix[problem.rows] * problem.weights()[:, None]
+    sizes = numpy.maximum(numpy.sqrt(numpy.nansum(weighted**2, axis=0)), 1e-300)
+    moved = numpy.linalg.lstsq(numpy.nan_to_num(weighted / sizes), numpy.nan_to_num(changes * problem.weights()).T, rcond=None)[0] / sizes[:, None]
+    return moved @ moved.T / (len(changes) - 2)
 
 
 def minimum(problem, begin):
     """The parameters of least squares from these on; those without effect stay."""
+    from scipy.optimize import least_squares
     free = numpy.array([k not in problem.inner or k in problem.moved for k in range(len(begin))])
 
     def whole(part):
