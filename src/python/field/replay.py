@@ -7,9 +7,12 @@ from drill_rig_sim.field.follow import PATIENCE, Follow
 from drill_rig_sim.field.pipe import Slip, clock, compared, pipe_events
 from drill_rig_sim.field.record import RecordError
 from drill_rig_sim.field.window import inside
+from drill_rig_sim.law import RPM
 
 COMPARED = ("hook_load", "torque", "stand_pipe_pressure")
 APART = 1.0    # of the bit at the beginning, record and scene [m]
+RUN_UP = 30.0  # before the record, in which pump and top drive come to where it begins [s]
+RUNS = 0.1, 1e-3  # rotary speed [rad/s] and flow [m3/s] from which on they run
 BEHIND = 0.05  # of the drum against the record's, from which on it is reported [m]
 
 
@@ -81,13 +84,25 @@ def events_of(record, law):
         "at %.1f s the bit depth changes by %.2f m while the block does not: taken as a slip of the depth tracking" % (clock(record, one.row), one.length) for one in slips]
 
 
+def run_up(rig, record):
+    """Brings pump and top drive to where the record begins, while the block stands; lines on it."""
+    speed, flow = (float(record.at(signal, 0.0)) if signal in record else 0.0 for signal in ("top_drive_speed", "flow"))
+    if abs(speed) < RUNS[0] and flow < RUNS[1]:
+        return []
+    rig.brake()
+    rig.top_drive(mode="SPEED", speed=speed)
+    rig.pump(max(flow, 0.0))
+    rig.step(seconds=RUN_UP)
+    return ["begins with the top drive at %.1f rpm and the pump at %.3g m3/s: both ran for %g s before it, with the block at rest" % (speed / RPM, flow, RUN_UP)]
+
+
 def play(rig, record, left_out=()):
     """Plays a record on a rig in lockstep (drill_rig_sim.sim) that stands where the record begins; a Replay. `left_out`: (begin, end) in the record's file [s], which are
     not compared."""
     check(record)
     remarks = check_start(record, rig)
     law = Follow(record, rig)
-    remarks += events_of(record, law)
+    remarks += events_of(record, law) + run_up(rig, record)
     signals = [name for name in COMPARED if name in record]
     shown, warnings = [[getattr(rig.state, name) for name in signals]], Warnings()
     for state in driven(rig, law, law.times[-1] + PATIENCE * len(law.connections)):
