@@ -76,7 +76,7 @@ def residuals_by_group(plan, found):
     groups, (axis, places) = plan.model.groups, plan.model.axis
     off = plan.model.observed - found.predicted
     return {str(group): {axis: places[groups == group].tolist(), "recorded": plan.model.observed[groups == group].tolist(), "residual": off[groups == group].tolist(),
-                         "fitted": plan.fitted[groups == group].tolist()} for group in dict.fromkeys(groups)}
+                         "fitted": (plan.fitted & numpy.isfinite(off))[groups == group].tolist()} for group in dict.fromkeys(groups)}
 
 
 def finite(value):

@@ -92,6 +92,7 @@ class Problem:
     def plan_points(self, rounds):
         """How many points it takes in all, about, where so many rounds are left."""
         self.expected = self.runs + rounds * ITERATIONS * (1 + len(self.moved)) + (REPLICAS if self.replicas else 0)
+        self.tell(self.runs, self.expected)
 
     def weights(self):
         return 1.0 / numpy.array([self.scatter[name] for name in self.signals[self.rows]])
