@@ -49,26 +49,26 @@ def text(moves, units):
     return lines
 
 
-def remarks_on(record, moves):
-    """What its reader should know, a line each."""
-    lines = list(record.remarks)
+def remarks_on(record, moves, odd):
+    """What its reader should know, a line each. `odd`: on moves that are left out."""
+    lines = record.remarks + odd
     if "hole_depth" not in record:
         lines.append("%s: has no hole_depth: only where the bit is %g m above its deepest place so far it is taken as off bottom" % (record.name, OFF_BOTTOM))
     pumped = [move for move in moves if move.pumped]
     if pumped:
         lines.append("%s: the pump ran in %d of %d moves; drill calibrate fits weights without flow: compare with --no-flow" % (record.name, len(pumped), len(moves)))
-    if not any(move.motion.startswith("slips") for move in moves):
+    if not any(move.empty for move in moves):
         lines.append("%s: nowhere does the block move alone, with the string in the slips: the weight of the empty block is not found" % record.name)
     return lines
 
 
 def found_in(options):
-    """(record, its moves) by the command line."""
+    """(record, its moves, lines on what is no move) by the command line."""
     record = read_record([options.record, *options.more], options.columns)
     left_out = stretches(options.leave_out, record)
     record = between(record, *limits(record, options.from_time, options.to_time))
-    moves = moves_of(record, inside(record.signals["time"], left_out))
-    return record, [move for move in moves if not (options.no_flow and move.pumped)]
+    moves, odd = moves_of(record, inside(record.signals["time"], left_out))
+    return record, [move for move in moves if not (options.no_flow and move.pumped)], odd
 
 
 def main(words):
@@ -84,14 +84,14 @@ def main(words):
     parser.add_argument("--units", choices=SYSTEMS, default="si")
     options = parser.parse_args(words)
     try:
-        record, moves = found_in(options)
+        record, moves, odd = found_in(options)
         if not moves:
             raise RecordError("%s: holds no steady pick-up, slack-off or rotating off bottom" % record.name)
         for write, file in ((write_table, options.csv), (write_json, options.json)):
             if file:
                 write(moves, file)
         print("\n".join(text(moves, Units(options.units))))
-        print("".join("drill weights: %s\n" % line for line in remarks_on(record, moves)), end="", file=sys.stderr)
+        print("".join("drill weights: %s\n" % line for line in remarks_on(record, moves, odd)), end="", file=sys.stderr)
         return GOOD
     except RecordError as error:
         print("drill weights: %s" % error, file=sys.stderr)

@@ -75,20 +75,22 @@ class Made(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
 
-    def moves(self, parts, hole=1100.0, names="time,reading_block_height,top_drive_speed,reading_flow,reading_hook_load,reading_bit_depth,reading_hole_depth"):
-        """Of parts (seconds, block's speed, rotation, flow, hook load); the bit is at 1000 m and moves with the block. (motions, loads, what was reported)."""
+    def written(self, parts, hole=1100.0, held=(), names="time,reading_block_height,top_drive_speed,reading_flow,reading_hook_load,reading_bit_depth,reading_hole_depth"):
+        """A record of parts (seconds, block's speed, rotation, flow, hook load) and a file for the moves. The bit is at 1000 m and moves with the block, but in the parts
+        that are `held`."""
         rows, height, depth, time = [], 5.0, 1000.0, 0.0
-        for seconds, speed, turning, flow, load in parts:
+        for number, (seconds, speed, turning, flow, load) in enumerate(parts):
             for _ in range(seconds):
                 rows.append([time, height, turning, flow, load, depth, hole])
-                time, height, depth = time + 1.0, height + speed, depth - speed
+                time, height, depth = time + 1.0, height + speed, depth - (0.0 if number in held else speed)
         file, table = os.path.join(self.folder, "r.csv"), os.path.join(self.folder, "t.json")
         with open(file, "w", encoding="utf-8") as out:
             out.write("\n".join([names, *(",".join("%.9g" % cell for cell in row[:len(names.split(","))]) for row in rows)]) + "\n")
         return file, table
 
     def found(self, parts, *words, **more):
-        file, table = self.moves(parts, **more)
+        """(motions and loads, what was reported)."""
+        file, table = self.written(parts, **more)
         status, _, told = called(weights_command.main, file, "--json", table, *words)
         if status:
             return status, told
@@ -119,6 +121,33 @@ class Made(unittest.TestCase):
         self.assertEqual(["pick_up"], [move[0] for move in self.found(parts, "--no-flow")[0]])
         self.assertEqual(["slack_off"], [move[0] for move in self.found(parts, "--from", "85")[0]])
         self.assertEqual(["slack_off"], [move[0] for move in self.found(parts, "--leave-out", "0:80")[0]])
+
+    def test_the_empty_block(self):
+        """At a speed that is not even; in a record that holds the depth and in one that does not; of a bit's depth that stands while the string moves."""
+        alone = [(8, speed, 0.0, 0.0, 2e5) for speed in (0.6, 1.0, 0.7)]
+        parts = [self.STOP, self.UP, self.STOP, self.DOWN, (20, 0.0, 0.0, 0.0, 7e5), *alone, self.STOP]
+        moves, told = self.found(parts, held=(5, 6, 7))
+        self.assertEqual(("slips_up", 200000), moves[-1])
+        self.assertEqual("", told)
+        moves, told = self.found([*parts, self.UP], held=())
+        self.assertEqual(["pick_up", "slack_off", "pick_up"], [move[0] for move in moves])
+        self.assertIn("nowhere does the block move alone", told)
+        moves, told = self.found([self.STOP, self.UP, self.STOP, (30, -0.2, 0.0, 0.0, 9e5), self.STOP], held=(3,))
+        self.assertEqual([("pick_up", 900000)], moves)
+        self.assertIn("1 moves are left out, with the load of the string: the block moves, but the bit's depth stands (first: at 1", told)
+        moves, told = self.found([self.STOP, self.UP, self.STOP, self.DOWN, self.STOP, self.UP, self.STOP, (60, -0.2, 0.0, 0.0, 2e5)])
+        self.assertEqual(["pick_up", "slack_off", "pick_up"], [move[0] for move in moves])
+        self.assertIn("1 moves are left out, with less than half of the usual load", told)
+
+    def test_a_spike_of_the_hole_s_depth(self):
+        drilled = [self.STOP, self.TURN, self.STOP]
+        file, table = self.written(drilled, hole=1000.0)
+        with open(file, encoding="utf-8") as text:
+            lines = text.read().splitlines()
+        lines[3] = lines[3].replace(",1000,1000", ",1000,9000")
+        with open(file, "w", encoding="utf-8") as out:
+            out.write("\n".join(lines) + "\n")
+        self.assertEqual(2, called(weights_command.main, file, "--json", table)[0])
 
     def test_what_a_record_must_hold(self):
         names = "time,reading_block_height,top_drive_speed,reading_flow,reading_hook_load"

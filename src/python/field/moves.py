@@ -1,18 +1,21 @@
 """Steady moves of a string off bottom in a record: pick-up, slack-off and rotating weights, and the empty block while the string is in the slips."""
 import numpy
 from drill_rig_sim.field.course import Course, half_band
-from drill_rig_sim.field.pipe import clock, standstills
+from drill_rig_sim.field.pipe import HANGS, clock, standstills
 from drill_rig_sim.field.record import RecordError
 
 MOVING = 0.02        # slowest block that counts as moving [m/s]
 TURNING = 2.0        # slowest rotation that frees a string of friction along the hole [rad/s]
-STILL = 0.1          # fastest rotation of a string that counts as not turned [rad/s]
+STILL = 0.5          # fastest rotation of a string that counts as not turned [rad/s]
 EVEN = 0.15          # share by which the speed of a steady move may differ
 OFF_BOTTOM = 2.0     # least height of the bit above bottom [m]
+SPIKE = 5            # rows in a row of which the middle one counts as the depth of the hole
+EMPTY = 0.95         # of the least load of a string, what the empty block may weigh
 SETTLES = 10.0       # time from the start of a move in which waves decay [s]
 STRETCH = 0.5, 1e-3  # way from a move's start until all of the string moves with the block: so much [m], and this share of the bit's depth
 TWIST = 2.0, 3e-3    # turns from the start of rotation until all of the string turns: so many, and as many for each metre of depth
 EMPTY_SETTLES = 2.0  # the same of the empty block [s]
+CALM = 0.1           # share by which the load of the empty block may differ
 SHORTEST = 5.0       # of a move that is averaged [s]
 LEAST_ROWS = 4
 FLOWS = 1e-3          # flow from which on the pump counts as running [m3/s]
@@ -32,9 +35,14 @@ class Move:
 
 
     @property
+    def empty(self):
+        """Whether the block moved alone."""
+        return self.motion.startswith("slips")
+
+    @property
     def pumped(self):
         """Whether the flow of the pump is in the string's load."""
-        return self.flow is not None and self.flow > FLOWS and not self.motion.startswith("slips")
+        return self.flow is not None and self.flow > FLOWS and not self.empty
 
 
 def mean_of(record, signal, rows):
@@ -50,7 +58,7 @@ def deviation(times, values):
 
 
 def moves_of(record, passed=None):
-    """All Moves of a record, in their order. `passed`: rows that are left out. RecordError where the record lacks what tells them."""
+    """All Moves of a record, in their order, and lines on those that cannot be. `passed`: rows that are left out. RecordError where the record lacks what tells them."""
     for signal in ("block_height", "bit_depth", "hook_load"):
         if signal not in record:
             raise RecordError("%s: has no %s; needed: block_height, bit_depth and hook_load" % (record.name, signal))
@@ -60,7 +68,21 @@ def moves_of(record, passed=None):
     good = numpy.isfinite(record.signals["hook_load"]) & ~(numpy.zeros(len(record.time), bool) if passed is None else passed)
     kinds = kinds_of(record, speeds, stands)
     kinds[~(good[1:] & good[:-1])] = ""
-    return [move for begin, end in runs(kinds, speeds) for move in [steady_part(record, kinds[begin], speeds, begin, end)] if move is not None]
+    return plausible(record, [move for begin, end in runs(kinds, speeds) for move in [steady_part(record, kinds[begin], speeds, begin, end)] if move is not None])
+
+
+def plausible(record, moves):
+    """Without loads that contradict what bit and block tell, and lines on these."""
+    hung = [move.load for move in moves if not move.empty]
+    if not hung:
+        return moves, []
+    usual, least = numpy.median(hung), min(load for load in hung if load >= HANGS * numpy.median(hung))
+    light = [move for move in moves if not move.empty and move.load < HANGS * usual]
+    heavy = [move for move in moves if move.empty and move.load > EMPTY * least]
+    lines = ["%s: %d moves are left out, %s (first: at %.1f s)" % (record.name, len(some), why, some[0].from_time) for some, why in (
+        (light, "with less than half of the usual load: the bit's depth moves, but the string may be in the slips"),
+        (heavy, "with the load of the string: the block moves, but the bit's depth stands")) if some]
+    return [move for move in moves if move not in light and move not in heavy], lines
 
 
 def kinds_of(record, speeds, stands):
@@ -86,9 +108,15 @@ def kinds_of(record, speeds, stands):
 def off_bottom(record):
     """Of each interval: whether the bit is off bottom at both ends."""
     bit = record.at("bit_depth", record.time)
-    hole = record.at("hole_depth", record.time) if "hole_depth" in record else bit
-    above = numpy.maximum.accumulate(numpy.maximum(hole, bit)) - bit > OFF_BOTTOM
+    hole = without_spikes(record.at("hole_depth", record.time)) if "hole_depth" in record else numpy.maximum.accumulate(without_spikes(bit))
+    above = hole - bit > OFF_BOTTOM
     return above[1:] & above[:-1]
+
+
+def without_spikes(values):
+    """Each value's median with its neighbours'."""
+    around = numpy.pad(values, SPIKE // 2, mode="edge")
+    return numpy.median(numpy.lib.stride_tricks.sliding_window_view(around, SPIKE), axis=1)
 
 
 def last_ways(speeds):
@@ -99,9 +127,9 @@ def last_ways(speeds):
 
 
 def runs(kinds, speeds):
-    """(first, last + 1) of the intervals of one motion in which the speed of a moving block does not change abruptly."""
+    """(first, last + 1) of the intervals of one motion in which the speed of a block that moves with the string does not change abruptly."""
     fastest = numpy.maximum(numpy.abs(speeds[1:]), numpy.abs(speeds[:-1]))
-    abrupt = (fastest > MOVING) & (numpy.abs(numpy.diff(speeds)) > EVEN * fastest)
+    abrupt = (fastest > MOVING) & (numpy.abs(numpy.diff(speeds)) > EVEN * fastest) & ~numpy.char.startswith(kinds[1:], "slips")
     bounds = [0, *(numpy.flatnonzero((kinds[1:] != kinds[:-1]) | abrupt) + 1), len(kinds)]
     return [(begin, end) for begin, end in zip(bounds, bounds[1:]) if kinds[begin]]
 
@@ -110,8 +138,11 @@ def steady_part(record, kind, speeds, begin, end):
     """A Move of the intervals begin to end - 1, without what comes before it is steady; None where too little is left."""
     rows = numpy.arange(begin, end + 1)
     rows = rows[settled(record, kind, speeds, rows)]
-    if not kind.startswith("rotating") and len(rows) > 1:
+    if kind in ("pick_up", "slack_off") and len(rows) > 1:  # what accelerates the empty block is little, and none in the mean
         rows = evenly_moved(rows, speeds)
+    if kind.startswith("slips") and len(rows):
+        load = record.signals["hook_load"][rows]
+        rows = rows[numpy.abs(load - numpy.median(load)) <= CALM * abs(numpy.median(load))]  # not where it takes up the string
     long_enough = len(rows) >= LEAST_ROWS and record.time[rows[-1]] - record.time[rows[0]] >= SHORTEST
     return Move(record, kind, rows, speeds) if long_enough else None
 
