@@ -39,8 +39,8 @@ def static(scene, motion="none"):
 
 
 def empty_block(scene, direction=0):
-    """What the scene's gauge of the hook load shows with the string in the slips, without the gauge's errors [N]. direction: of the block, 1 up, -1 down,
-    0: it stands, without the friction of rail and sheaves."""
+    """What the scene's gauge of the hook load shows with the string in the slips, without the gauge's errors and the friction of the block's rail [N].
+    direction: of the block, 1 up, -1 down, 0: it stands, without that of the sheaves too."""
     return _sim.empty_block(found(scene, "config/scenes"), direction)
 
 

@@ -101,10 +101,11 @@ double shown(const Scene& scene, double weight, int direction)
   return scene.instruments.hook_load.place == HookLoadPlace::block ? gauges.at_block : gauges.at_dead_line;
 }
 
-/// What shown() is of the block alone: the string is in the slips [N].
+/// What shown() is of the block alone, as in a simulated connection: the string is in the slips, and the block's rail does not rub [N].
 double empty_block(const std::string& scene_file, int direction)
 {
-  const Scene scene = read_scene(scene_file);
+  Scene scene = read_scene(scene_file);
+  scene.rig.hoisting.rail_friction = 0.0;
   return shown(scene, standard_gravity * scene.rig.hoisting.block_mass, direction);
 }
 

@@ -63,6 +63,17 @@ class Least(unittest.TestCase):
             series[k] += 0.8 * series[k - 1]
         self.assertAlmostEqual(9.0, hang_together(series), delta=1.5)  # (1 + 0.8)/(1 - 0.8)
 
+    def test_a_single_number_of_a_signal_is_no_certainty(self):
+        """It can be fitted exactly; its scatter is taken from the share that is left of the other signal."""
+        chance = numpy.random.default_rng(3)
+        problem = self.problem(chance.normal(size=400))
+        problem.rows = problem.rows & (numpy.arange(400) < 201 + 150) & ((numpy.arange(400) < 200) | (numpy.arange(400) == 350))
+        found = fit(problem)
+        size = abs(problem.observed[350])
+        share = found.scatter["u"] / numpy.sqrt(numpy.mean(problem.observed[:200]**2))
+        self.assertAlmostEqual(share * size, found.scatter["v"], delta=1e-9)
+        self.assertTrue((found.half_widths > 1e-3).all(), found.half_widths)
+
     def test_where_nothing_can_be_predicted(self):
         def holes(points):
             return [self.model([point])[0] if point[1] < 0.45 else numpy.full(400, numpy.nan) for point in points]

@@ -62,9 +62,25 @@ class Simulated(unittest.TestCase):
         status, out, told = called(calibrate_command.main, file, "--json", answer)
         self.assertEqual(0, status, told)
         with open(answer, encoding="utf-8") as text:
-            friction, block = (entry["value"] for entry in json.load(text)["parameters"])
+            (friction, sure), (block, _) = ((entry["value"], entry["half_width_95"]) for entry in json.load(text)["parameters"])
         self.assertAlmostEqual(made_weights.FRICTION, friction, delta=0.02, msg=out)
+        self.assertTrue(1e-3 < sure < 0.05, out)
         self.assertAlmostEqual(1.0, block / made_weights.BLOCK, delta=0.01, msg=out)
+        self.applied(answer)
+
+    def applied(self, result):
+        """What was found predicts the table, of which no motion is off by more than its band on the whole."""
+        data, answer = os.path.join(self.folder, "data.yaml"), os.path.join(self.folder, "applied.json")
+        with open(data, "w", encoding="utf-8") as out:
+            yaml.safe_dump({"scene": "scene.yaml", "table": {"file": "weights.csv"}}, out)
+        status, out, told = called(calibrate_command.main, data, "--apply", result, "--json", answer, "--plots", os.path.join(self.folder, "applied.svg"))
+        self.assertEqual(0, status, told)
+        self.assertIn("depth [m]", out)
+        with open(answer, encoding="utf-8") as text:
+            found = json.load(text)
+        self.assertEqual({"pick_up", "slack_off", "rotating_after_down", "slips_up"}, set(found["summary"]))
+        rows = sum(said["rows"] for said in found["summary"].values())
+        self.assertGreaterEqual(sum(said["within"] * said["rows"] for said in found["summary"].values()) / rows, 0.8, out)
 
 
 class Made(unittest.TestCase):

@@ -7,6 +7,7 @@ ROUNDS = 3             # of the scatter's estimate, at most
 SETTLED = 0.05         # change of the scatter from round to round that needs no other [-]
 ITERATIONS = 3         # of a round, as a rule
 REPLICAS = 12          # of the model's inputs with noise added
+FEW = 8                # numbers of a signal that tell their scatter
 FEWEST = 4             # of them that tell a variance
 
 
@@ -28,8 +29,8 @@ class Parameter:
 
 
 class Fit:
-    """`values` and `covariance`, `student` times the deviation is half the width of the confidence; `predicted` beside the data; `scatter` by signal (root mean square
-    of what was fitted); `without_effect`: parameters that change nothing at the start and stay there."""
+    """`values` and `covariance`, `student` times the deviation is half the width of the confidence; `predicted` beside the data; `scatter` by kind of number (root mean
+    square of what was fitted); `without_effect`: parameters that change nothing at the start and stay there."""
 
     def __init__(self, values, covariance, student, predicted, scatter, runs, without_effect):
         self.values, self.covariance, self.student, self.predicted, self.scatter, self.runs = values, covariance, student, predicted, scatter, runs
@@ -45,9 +46,10 @@ class Problem:
     predictions without offsets. `replicas(parameter list, count)`: as many predictions from inputs to which noise as large as their own was added; None where the inputs
     are exact."""
 
-    def __init__(self, parameters, model, observed, signals, fitted, tell=lambda points, expected: None, replicas=None):
-        """`tell`: is given how many points have been tried and about how many it takes in all, whenever there are more."""
-        self.replicas = replicas
+    def __init__(self, parameters, model, observed, signals, fitted, tell=lambda points, expected: None, replicas=None, kinds=None):
+        """`tell`: is given how many points have been tried and about how many it takes in all, whenever there are more. `kinds`: of each number, whose scatter is one;
+        None: the signals."""
+        self.replicas, self.kinds = replicas, numpy.asarray(signals if kinds is None else kinds)
         self.parameters, self.model, self.observed, self.tell = parameters, model, numpy.asarray(observed, dtype=float), tell
         self.signals, self.rows = numpy.asarray(signals), numpy.asarray(fitted) & numpy.isfinite(self.observed)
         self.inner = [k for k, parameter in enumerate(parameters) if parameter.signal is None]
@@ -95,7 +97,7 @@ class Problem:
         self.tell(self.runs, self.expected)
 
     def weights(self):
-        return 1.0 / numpy.array([self.scatter[name] for name in self.signals[self.rows]])
+        return 1.0 / numpy.array([self.scatter[name] for name in self.kinds[self.rows]])
 
     def residuals(self, x):
         off = (self.predict(x) - self.observed)[self.rows]
@@ -110,27 +112,25 @@ def fit(problem, level=0.95):
     """A Fit, or a FitError. The scatter of each signal is found in rounds, from what is left; residuals that hang together (a model's error, not noise) count for as many
     independent ones as their autocorrelation leaves, which widens the confidence."""
     from scipy.stats import t as student_t  # what an earlier fit found is applied without SciPy
-    parameters, names = problem.parameters, sorted(set(problem.signals[problem.rows]))
+    parameters, names = problem.parameters, sorted(set(problem.kinds[problem.rows]))
     x = numpy.array([parameter.start for parameter in parameters], dtype=float)
     problem.plan_points(ROUNDS)
     if not numpy.isfinite(problem.predict(x)[problem.rows]).any():
         raise FitError("at the parameters' start nothing can be predicted")
     problem.leave_out_idle(x)
-    problem.scatter = {name: max(float(numpy.nanstd(problem.observed[problem.rows & (problem.signals == name)])), 1e-9) for name in names}
+    problem.scatter = {name: max(float(numpy.nanstd(problem.observed[problem.rows & (problem.kinds == name)])), 1e-9) for name in names}
     for left in range(ROUNDS, 0, -1):
         problem.plan_points(left)
         x, before = minimum(problem, x), dict(problem.scatter)
         off = problem.predict(x) - problem.observed
-        for name in names:
-            left_over = off[problem.rows & (problem.signals == name)]
-            problem.scatter[name] = max(float(numpy.sqrt(numpy.nanmean(left_over**2))), 1e-9)
+        problem.scatter = scatters(problem, off)
         if all(abs(problem.scatter[name] / before[name] - 1.0) < SETTLED for name in names):
             break
     matrix = problem.slopes(x)
     information = numpy.zeros((len(x), len(x)))
     independent = 0.0
     for name in names:
-        rows = problem.rows & (problem.signals == name) & numpy.isfinite(off)
+        rows = problem.rows & (problem.kinds == name) & numpy.isfinite(off)
         apart = hang_together(off[rows])
         independent += rows.sum() / apart
         information += matrix[rows].T @ matrix[rows] / (problem.scatter[name]**2 * apart)
@@ -138,6 +138,19 @@ def fit(problem, level=0.95):
     covariance = inverse(information) * independent / freedom + spread_by_inputs(problem, x, matrix)
     return Fit(x, covariance, float(student_t.ppf(0.5 + 0.5 * level, freedom)), problem.predict(x), dict(problem.scatter), problem.runs,
                [parameters[k].name for k in problem.inner if k not in problem.moved])
+
+
+def scatters(problem, off):
+    """Of each kind the root mean square of what is left. A few numbers may be fitted exactly, which tells nothing of their scatter: they get the share of their size
+    that is left of the other kinds."""
+    left, sizes, counts = {}, {}, {}
+    for name in problem.scatter:
+        rows = problem.rows & (problem.kinds == name) & numpy.isfinite(off)
+        counts[name] = int(rows.sum())
+        left[name], sizes[name] = (float(numpy.sqrt(numpy.mean(values[rows]**2))) if counts[name] else 0.0 for values in (off, problem.observed))
+    enough = [name for name in left if counts[name] >= min(FEW, max(counts.values()))]
+    share = max(left[name] / max(sizes[name], 1e-9) for name in enough)
+    return {name: max(left[name] if name in enough else max(left[name], share * sizes[name]), 1e-9) for name in left}
 
 
 def spread_by_inputs(problem, x, matrix):

@@ -111,12 +111,13 @@ def parameter_of(item, scene):
 
 
 def weights_of(entry, base):
-    """Depths and weights: `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`; only the file where its columns have these names."""
+    """Depths and weights: `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`; only the file where its columns have these names; the torque, of which a
+    few numbers say little, only where it is named."""
     parts = entry.mapping(("file", "depth", *MOTIONS), needed=("file",))
     file = os.path.join(base, parts.pop("file").text())
     table = read_table(file)
     remarks, found = ["%s: %s" % (file, line) for line in table.remarks], {}
-    columns = {name: column_said(said) for name, said in parts.items()} or {bare(name): Column([name]) for name in table.names if bare(name) in ("depth", *MOTIONS)}
+    columns = {name: column_said(said) for name, said in parts.items()} or {bare(name): Column([name]) for name in table.names if bare(name) == "depth" or MOTIONS.get(bare(name), ("",))[0] == "hook_load"}
     for name, column in columns.items():
         found[name] = values_of(table, "bit_depth" if name == "depth" else MOTIONS[name][0], column, (), True, remarks)
     if "depth" not in found or len(found) < 2:

@@ -53,7 +53,7 @@ class RecordModel:
                                    [(key, [key], False) for key in keys if not any(key in p.keys for p in parameters)])
         passed = inside(self.record.signals["time"], period.left_out)
         self.observed = numpy.concatenate([numpy.where(passed, numpy.nan, values) for values in compared(self.record, self.names, standstills(self.record)).values()])
-        self.signals = self.groups = numpy.repeat(self.names, len(self.record.time))
+        self.signals = self.groups = self.kinds = numpy.repeat(self.names, len(self.record.time))
         self.axis = "time", numpy.tile(self.record.signals["time"], len(self.names))
         self.place = numpy.tile(self.record.time / self.record.time[-1], len(self.names))
 
@@ -107,6 +107,7 @@ class TableModel:
         self.weighed = numpy.flatnonzero(numpy.isfinite(self.observed))
         self.groups = numpy.repeat(self.motions, len(depths))
         self.signals = numpy.array([MOTIONS[motion][0] for motion in self.groups])
+        self.kinds = numpy.where(numpy.char.startswith(self.groups.astype(str), "slips"), "empty block", self.signals)  # it knows no friction of the string
         self.axis = "depth", numpy.tile(depths, len(self.motions))
         order = (numpy.argsort(numpy.argsort(depths)) + 0.5) / len(depths)
         self.place = numpy.tile(order, len(self.motions))

@@ -138,9 +138,11 @@ def steady_part(record, kind, speeds, begin, end):
     """A Move of the intervals begin to end - 1, without what comes before it is steady; None where too little is left."""
     rows = numpy.arange(begin, end + 1)
     rows = rows[settled(record, kind, speeds, rows)]
-    if kind in ("pick_up", "slack_off") and len(rows) > 1:  # what accelerates the empty block is little, and none in the mean
-        rows = evenly_moved(rows, speeds)
-    if kind.startswith("slips") and len(rows):
+    if kind.startswith("rotating") and len(rows) > 1:
+        rows = even(rows, numpy.abs(record.at("top_drive_speed", record.time[rows[1:]])))
+    elif not kind.startswith("slips") and len(rows) > 1:
+        rows = even(rows, speeds[rows[0]:rows[-1]])
+    elif len(rows):  # what accelerates the empty block is little, and none in the mean
         load = record.signals["hook_load"][rows]
         rows = rows[numpy.abs(load - numpy.median(load)) <= CALM * abs(numpy.median(load))]  # not where it takes up the string
     long_enough = len(rows) >= LEAST_ROWS and record.time[rows[-1]] - record.time[rows[0]] >= SHORTEST
@@ -159,11 +161,10 @@ def settled(record, kind, speeds, rows):
     return (lasted >= SETTLES) & (way >= STRETCH[0] + STRETCH[1] * depth)
 
 
-def evenly_moved(rows, speeds):
-    """The longest part of consecutive rows in which the block keeps their usual speed."""
-    between = speeds[rows[0]:rows[-1]]
-    usual = numpy.median(between)
-    bounds = numpy.flatnonzero(numpy.concatenate(([True], numpy.abs(between - usual) > EVEN * abs(usual), [True])))
+def even(rows, speeds):
+    """The longest part of consecutive rows in which the speeds from row to row are the usual one."""
+    usual = numpy.median(speeds)
+    bounds = numpy.flatnonzero(numpy.concatenate(([True], numpy.abs(speeds - usual) > EVEN * abs(usual), [True])))
     longest = int(numpy.diff(bounds).argmax())
     return rows[bounds[longest]:bounds[longest + 1]]
 

@@ -70,7 +70,7 @@ def check_start(record, rig):
     """RecordError where the record's bit is not where the scene's is: a unit that is wrong, or a start that was not set. What else differs, as lines."""
     depth, height = rig.state.truth.bit_depth, rig.state.truth.block_height
     if "bit_depth" in record and abs(record.at("bit_depth", 0.0) - depth) > APART:
-        raise RecordError("%s: begins with the bit at %.2f m, the scene at %.2f m; needed: within %g m, by --start record, start.bit_depth or the column's unit" %
+        raise RecordError("%s: begins with the bit at %.2f m, the scene at %.2f m; needed: within %g m, by --start record (start: record of a fit), start.bit_depth or the column's unit" %
                           (record.name, record.at("bit_depth", 0.0), depth, APART))
     if "block_height" in record and abs(record.at("block_height", 0.0) - height) > APART:
         return ["begins with the block at %.2f m, the scene at %.2f m: it is followed from there" % (record.at("block_height", 0.0), height)]
