@@ -4,6 +4,7 @@ import numpy
 SHARE_OF_SCALE = 0.01  # of a parameter's scale, the step of finite differences
 NOWHERE = 30.0         # what a number counts that could not be predicted, in its scatter: no way leads there
 ROUNDS = 3             # of the scatter's estimate, at most
+ENOUGH = 1e-3          # by which the sum of squares in scatters may still fall where a fit ends: 0.03 of a deviation
 SETTLED = 0.05         # change of the scatter from round to round that needs no other [-]
 ITERATIONS = 3         # of a round, as a rule
 REPLICAS = 12          # of the model's inputs with noise added
@@ -114,12 +115,13 @@ def fit(problem, level=0.95):
     from scipy.stats import t as student_t  # what an earlier fit found is applied without SciPy
     parameters, names = problem.parameters, sorted(set(problem.kinds[problem.rows]))
     x = numpy.array([parameter.start for parameter in parameters], dtype=float)
-    problem.plan_points(ROUNDS)
+    rounds = ROUNDS if len(names) > 1 else 1  # one scatter moves no minimum
+    problem.plan_points(rounds)
     if not numpy.isfinite(problem.predict(x)[problem.rows]).any():
         raise FitError("at the parameters' start nothing can be predicted")
     problem.leave_out_idle(x)
     problem.scatter = {name: max(float(numpy.nanstd(problem.observed[problem.rows & (problem.kinds == name)])), 1e-9) for name in names}
-    for left in range(ROUNDS, 0, -1):
+    for left in range(rounds, 0, -1):
         problem.plan_points(left)
         x, before = minimum(problem, x), dict(problem.scatter)
         off = problem.predict(x) - problem.observed
@@ -181,7 +183,7 @@ def minimum(problem, begin):
         return x
     bounds = [[getattr(p, side) for p, is_free in zip(problem.parameters, free) if is_free] for side in ("low", "high")]
     return whole(least_squares(lambda part: problem.residuals(whole(part)), begin[free], lambda part: problem.jacobian(whole(part))[:, free], bounds=bounds,
-                               x_scale="jac", xtol=1e-6, ftol=1e-8).x if free.any() else begin[free])
+                               x_scale="jac", xtol=1e-6, ftol=max(ENOUGH / problem.rows.sum(), 1e-8)).x if free.any() else begin[free])
 
 
 def inverse(information):
