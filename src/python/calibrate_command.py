@@ -1,15 +1,20 @@
 """What `drill calibrate` starts: fits parameters of a scene to a record or a table of weights, and says how sure they are and what a part of the data that
-the fit never saw says. The runner has checked the command line."""
+the fit never saw says; or predicts another record or table with what an earlier fit found. The runner has checked the command line."""
 import argparse
+import os
 import sys
 import time
 
 import numpy
+from drill_rig_sim.calibrate_prediction import UNITS, draw, lines, remarks
+from drill_rig_sim.field.fit import FitError, Problem, fit
+from drill_rig_sim.field.fit_plan import ModelError, PlanError, RecordError, read_fit
+from drill_rig_sim.field.fitted import Fitted, parameter_as_json, read_fitted
+from drill_rig_sim.field.models import Evaluator, RecordModel
+from drill_rig_sim.field.prediction import Prediction
 from drill_rig_sim.json_file import write_json
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
-
-UNITS = {"hook_load": (1e-3, "kN"), "torque": (1e-3, "kN m"), "stand_pipe_pressure": (1e-5, "bar")}
 
 
 def residuals(plan, found):
@@ -31,7 +36,7 @@ def table(plan, found, left):
     idle = found.without_effect
     lines += ["%s: has no effect on these data where it starts: left there" % name for name in idle]
     lines += ["%s: these data do not tell it" % p.name for p, width in zip(plan.parameters, found.half_widths) if not width < told_by(p) and p.name not in idle]
-    lost = int((~numpy.isfinite(found.predicted)).sum())
+    lost = int((~numpy.isfinite(found.predicted) & numpy.isfinite(plan.model.observed)).sum())
     return lines + (["%d numbers could not be predicted: no equilibrium, or a scene out of range" % lost] if lost else []) + ["", "%d points of the parameters were tried" % found.runs]
 
 
@@ -59,9 +64,9 @@ class Progress:
 
 def as_json(plan, found, left):
     return {
-        "parameters": [{"name": p.name, "value": value, "half_width_95": width, "without_effect": p.name in found.without_effect}
+        "parameters": [{**parameter_as_json(p, value), "half_width_95": width, "without_effect": p.name in found.without_effect}
                        for p, value, width in zip(plan.parameters, found.values, found.half_widths)],
-        "covariance": found.covariance.tolist(), "rms": {signal: {"fitted": numbers[0], "held_out": numbers[1]} for signal, numbers in left.items()},
+        "covariance": found.covariance.tolist(), "student": found.student, "rms": {signal: {"fitted": numbers[0], "held_out": numbers[1]} for signal, numbers in left.items()},
         "points": found.runs, "residuals": residuals_by_group(plan, found)}
 
 
@@ -70,39 +75,66 @@ def residuals_by_group(plan, found):
     groups, (axis, places) = plan.model.groups, plan.model.axis
     off = plan.model.observed - found.predicted
     return {str(group): {axis: places[groups == group].tolist(), "recorded": plan.model.observed[groups == group].tolist(), "residual": off[groups == group].tolist(),
-                         "fitted": plan.fitted[groups == group].tolist()} for group in dict.fromkeys(groups)}
+                         "fitted": (plan.fitted & numpy.isfinite(off))[groups == group].tolist()} for group in dict.fromkeys(groups)}
+
+
+def fit_and_tell(options, plan, problem, why):
+    """A fit to the plan's data; `why(values)`: why nothing can be predicted there."""
+    try:
+        found = fit(problem)
+    except FitError as error:
+        raise FitError("%s: %s" % (error, why(problem.starts())))
+    left = residuals(plan, found)
+    if options.json:
+        write_json(as_json(plan, found, left), options.json)
+    if options.plots:
+        scatter = {signal: numbers[0] for signal, numbers in left.items()}
+        draw(Prediction(plan.model, problem, Fitted(plan.parameters, found.covariance, found.student, scatter), found.values), options.plots, os.path.basename(options.fit))
+    print("\n".join(table(plan, found, left)))
+
+
+def apply_and_tell(options, plan, problem, fitted, why):
+    """What an earlier fit predicts of the plan's data."""
+    if not numpy.isfinite(problem.predict(fitted.values)).any():
+        raise FitError("nothing can be predicted: %s" % why(problem.starts()))
+    prediction = Prediction(plan.model, problem, fitted, fitted.values)
+    if options.json:
+        write_json(prediction.as_json(), options.json)
+    if options.plots:
+        draw(prediction, options.plots, "%s by %s" % (os.path.basename(options.fit), os.path.basename(options.apply)))
+    print("\n".join(lines(prediction)), end="")
+    print("".join("drill calibrate: %s\n" % line for line in remarks(prediction)), end="", file=sys.stderr)
+
+
+def calibrate(options):
+    fitted = read_fitted(options.apply) if options.apply else None
+    plan = read_fit(options.fit, fitted)
+    print("".join("drill calibrate: %s\n" % line for line in plan.model.remarks), end="", file=sys.stderr)
+    progress = Progress()
+    evaluator = Evaluator(plan.model, options.workers, options.scheduler, progress)
+    problem = Problem(plan.parameters, evaluator, plan.model.observed, plan.model.signals, plan.fitted, progress.expect,
+                      evaluator.replicas if isinstance(plan.model, RecordModel) else None, plan.model.kinds)
+    try:
+        if fitted:
+            apply_and_tell(options, plan, problem, fitted, evaluator.why)
+        else:
+            fit_and_tell(options, plan, problem, evaluator.why)
+    finally:
+        evaluator.close()
 
 
 def main(words):
     parser = argparse.ArgumentParser(prog="drill calibrate", description=__doc__)
     parser.add_argument("fit")
-    parser.add_argument("--json")
+    for name in ("--apply", "--json", "--plots", "--scheduler"):
+        parser.add_argument(name)
     parser.add_argument("--workers", type=int)
-    parser.add_argument("--scheduler")
-    options = parser.parse_args(words)
     try:
-        from drill_rig_sim.field.fit import FitError, Problem, fit  # needs SciPy
-        from drill_rig_sim.field.fit_plan import ModelError, PlanError, RecordError, read_fit
-        from drill_rig_sim.field.models import Evaluator
-    except ImportError as error:
-        print("drill calibrate: %s; it needs Debian's python3-scipy" % error, file=sys.stderr)
-        return FAILED
-    try:
-        plan = read_fit(options.fit)
-        print("".join("drill calibrate: %s\n" % line for line in plan.model.remarks), end="", file=sys.stderr)
-        progress = Progress()
-        evaluator = Evaluator(plan.model, options.workers, options.scheduler, progress)
-        try:
-            found = fit(Problem(plan.parameters, evaluator, plan.model.observed, plan.model.signals, plan.fitted, progress.expect))
-        except FitError as error:
-            raise FitError("%s: %s" % (error, evaluator.why([p.start for p in plan.parameters if p.signal is None])))
-        finally:
-            evaluator.close()
-        left = residuals(plan, found)
-        if options.json:
-            write_json(as_json(plan, found, left), options.json)
-        print("\n".join(table(plan, found, left)))
+        calibrate(parser.parse_args(words))
         return GOOD
+    except ImportError as error:
+        print("drill calibrate: %s; needed: Debian's python3-scipy for a fit, python3-matplotlib for --plots, python3-distributed for --scheduler" % error, file=sys.stderr)
+        return FAILED
     except (PlanError, RecordError, ModelError, FitError, Refused) as error:
         print("drill calibrate: %s" % error, file=sys.stderr)
         return BAD_INPUT

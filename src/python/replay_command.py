@@ -1,16 +1,14 @@
 """What `drill replay` starts: plays a record to a scene and says how far the simulated hook load, torque and pressure are off. The runner has checked the
 command line."""
 import argparse
-import math
 import os
 import sys
 
 from drill_rig_sim.field.models import ModelError, scene_and_survey
-from drill_rig_sim.field.pipe import clock, first_hung
 from drill_rig_sim.field.record import COMPARED, RecordError, read_record
 from drill_rig_sim.field.replay import check, play
-from drill_rig_sim.field.start import FROM, simulator_of, start_keys
-from drill_rig_sim.field.window import between, moment, stretches
+from drill_rig_sim.field.start import FROM, on_hook, simulator_of, start_keys
+from drill_rig_sim.field.window import limits, stretches
 from drill_rig_sim.json_file import write_json
 from drill_rig_sim.lockstep import Failed, Refused
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
@@ -56,21 +54,10 @@ def write(replay, file):
             out.write(",".join(["%.9g" % time] + ["" if cell != cell else "%.9g" % cell for cell in cells]) + "\n")
 
 
-def part_of(record, options):
-    """The record from --from to --to, without what comes before the string hangs on the hook; and lines on it."""
-    begin = moment(options.from_time, record, "--from") if options.from_time else -math.inf
-    end = moment(options.to_time, record, "--to") if options.to_time else math.inf
-    part = between(record, begin, end)
-    first = first_hung(part)
-    if not first:
-        return part, []
-    return between(part, part.time[first], math.inf), ["%s: begins with the string in the slips: replayed from %.1f s on" % (part.name, clock(part, first))]
-
-
 def replay_of(options):
     record = read_record([options.record, *options.more], options.columns)
     left_out = stretches(options.leave_out, record)
-    record, remarks = part_of(record, options)
+    record, remarks = on_hook(record, *limits(record, options.from_time, options.to_time))
     check(record)
     file = found(os.path.abspath(options.scene) if os.path.exists(options.scene) else options.scene, "config/scenes")
     scene, survey = scene_and_survey(file)

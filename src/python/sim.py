@@ -34,8 +34,14 @@ def units():
 
 def static(scene, motion="none"):
     """Loads of the string as it hangs at a scene's start, by name, as drill static prints them [N], [N m]; `hook_load_gauge` as the scene's gauge
-    shows it while the block moves. motion: none (without friction), up, down or rotate."""
+    shows it while the block moves; after a way up or down of a block that stands again `hook_load_gauge_after_up`, `hook_load_gauge_after_down`. motion: none (without friction), up, down or rotate."""
     return _sim.static_loads(found(scene, "config/scenes"), motion)
+
+
+def empty_block(scene, direction=0):
+    """What the scene's gauge of the hook load shows with the string in the slips, without the gauge's errors and the friction of the block's rail [N].
+    direction: of the block, 1 up, -1 down, 0: it stands, without that of the sheaves too."""
+    return _sim.empty_block(found(scene, "config/scenes"), direction)
 
 
 class Record(typing.NamedTuple):

@@ -15,6 +15,8 @@
 #include "../sim/build_identity.h"
 #include "drill_rig_sim/math/shown_units.h"
 #include "drill_rig_sim/math/unit_table.h"
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/survey_file.h"
 #include "drill_rig_sim/sim/profile.h"
@@ -91,6 +93,22 @@ py::dict oilfield_units()
   return names;
 }
 
+/// What the scene's gauge of the hook load shows of a weight on the lines, without its errors [N].
+/// @param direction  of the block's last motion, 1 up, -1 down, 0: none, without the friction of rail and sheaves
+double shown(const Scene& scene, double weight, int direction)
+{
+  const SteadyHookLoad gauges = steady_hook_load(scene.rig.hoisting, weight, direction);
+  return scene.instruments.hook_load.place == HookLoadPlace::block ? gauges.at_block : gauges.at_dead_line;
+}
+
+/// What shown() is of the block alone, as in a simulated connection: the string is in the slips, and the block's rail does not rub [N].
+double empty_block(const std::string& scene_file, int direction)
+{
+  Scene scene = read_scene(scene_file);
+  scene.rig.hoisting.rail_friction = 0.0;
+  return shown(scene, standard_gravity * scene.rig.hoisting.block_mass, direction);
+}
+
 /// Loads of a scene's string as it hangs at its start, in SI units: static_report() of a motion as `drill static` names it.
 py::dict static_loads(const std::string& scene_file, const std::string& motion)
 {
@@ -98,13 +116,17 @@ py::dict static_loads(const std::string& scene_file, const std::string& motion)
   const auto found = motions.find(motion);
   if (found == motions.end()) throw std::runtime_error("motion: '" + motion + "' is not known, allowed: none, up, down or rotate");
   StaticReport report;
+  Scene scene;
   {
     const py::gil_scoped_release others;
-    report = static_report(read_scene(scene_file), found->second);
+    scene = read_scene(scene_file);
+    report = static_report(scene, found->second);
   }
   py::dict loads;
   loads["hook_load"] = report.hook_load;
   loads["hook_load_gauge"] = report.hook_load_gauge;
+  loads["hook_load_gauge_after_up"] = shown(scene, report.hook_load, 1);
+  loads["hook_load_gauge_after_down"] = shown(scene, report.hook_load, -1);
   loads["hook_load_string"] = report.hook_load_string;
   loads["torque"] = report.torque;
   loads["wob"] = report.outcome.forces.wob;
@@ -239,6 +261,7 @@ PYBIND11_MODULE(_sim, module)
   py::register_exception_translator(translate);
   module.def("build", build);
   module.def("static_loads", static_loads);
+  module.def("empty_block", empty_block);
   module.def("units", units);
   module.def("oilfield_units", oilfield_units);
   module.def("read_survey", read_survey);

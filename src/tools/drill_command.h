@@ -48,6 +48,7 @@ Command add_survey_command(CLI::App& drill);
 Command add_score_command(CLI::App& drill);
 Command add_plot_command(CLI::App& drill);
 Command add_replay_command(CLI::App& drill);
+Command add_weights_command(CLI::App& drill);
 Command add_calibrate_command(CLI::App& drill);
 Command add_verify_command(CLI::App& drill);
 Command add_reference_command(CLI::App& drill);

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """drill calibrate, but for the runner in front of it: least squares with confidence, parameters of a record that the simulator made, what is refused.
-`test_calibrate.py --trials N`: how often the truth lies within the stated confidence in N records, by the model itself."""
+`test_calibrate.py --trials N [SEED]`: how often the truth lies within the stated confidence in N records, by the model itself."""
 import importlib.util
 import io
 import json
@@ -62,6 +62,17 @@ class Least(unittest.TestCase):
         for k in range(1, len(series)):
             series[k] += 0.8 * series[k - 1]
         self.assertAlmostEqual(9.0, hang_together(series), delta=1.5)  # (1 + 0.8)/(1 - 0.8)
+
+    def test_a_single_number_of_a_signal_is_no_certainty(self):
+        """It can be fitted exactly; its scatter is taken from the share that is left of the other signal."""
+        chance = numpy.random.default_rng(3)
+        problem = self.problem(chance.normal(size=400))
+        problem.rows = problem.rows & (numpy.arange(400) < 201 + 150) & ((numpy.arange(400) < 200) | (numpy.arange(400) == 350))
+        found = fit(problem)
+        size = abs(problem.observed[350])
+        share = found.scatter["u"] / numpy.sqrt(numpy.mean(problem.observed[:200]**2))
+        self.assertAlmostEqual(share * size, found.scatter["v"], delta=1e-9)
+        self.assertTrue((found.half_widths > 1e-3).all(), found.half_widths)
 
     def test_where_nothing_can_be_predicted(self):
         def holes(points):
@@ -175,32 +186,35 @@ class Records(unittest.TestCase):
                            ({"table": {"file": "x"}}, "record or table"), ({"held_out": 2}, "up to 0.9"), ({"signals": ["rop"]}, "allowed: hook_load"),
                            ({"parameters": [{"name": "a", "start": -1, "key": "mud.density"}]}, "nothing can be predicted: "),
                            ({"parameters": [{"name": "a", "start": 1, "key": "formation[0].drilability", "times": True}]}, "parameters[0]: formation[0].drilability: the scene does not"),
-                           ({"parameters": [{"name": "a", "start": 1, "key": "mud.density"}] * 2}, "the same place"), ({"from": 1000.0}, "leave no number to fit"),
+                           ({"parameters": [{"name": "a", "start": 1, "key": "mud.density"}] * 2}, "the same place"), ({"from": 1000.0}, "has 0 rows"), ({"leave_out": "0:1000"}, "leave no number to compare"),
                            ({"signals": ["torque"]}, "hook_load: is not fitted")):
             status, _, told = calibrate(made_record.write_fit(self.folder, **more))
             self.assertEqual((2, 1), (status, told.count("\n")), told)
             self.assertIn(said, told)
 
 
-def trials(count):
+def trials(count, first=0):
     """How often each parameter's truth lay within its confidence, and the mean of that over its value."""
-    from drill_rig_sim.field.fit_plan import read_fit
-    from drill_rig_sim.field.models import Evaluator
     with tempfile.TemporaryDirectory() as folder:
         rows = made_record.rows_of(made_record.write_scene(folder))
-        within, widths = numpy.zeros(len(made_record.TRUTH), int), []
-        for seed in range(count):
+        off, widths = [], []
+        for seed in range(first, first + count):
             made_record.write_record(folder, rows, seed)
-            plan = read_fit(made_record.write_fit(folder))
-            found = fit(Problem(plan.parameters, Evaluator(plan.model), plan.model.observed, plan.model.signals, plan.fitted))
-            within += abs(found.values - made_record.TRUTH) < found.half_widths
-            widths.append(found.half_widths)
-    for parameter, good, width, truth in zip(plan.parameters, within, numpy.mean(widths, axis=0), made_record.TRUTH):
-        print("%-16s within its confidence in %d of %d, +- %.2g %% of it" % (parameter.name, good, count, 100.0 * width / truth))
+            answer = os.path.join(folder, "out.json")
+            calibrate(made_record.write_fit(folder), "--json", answer)
+            with open(answer, encoding="utf-8") as text:
+                parameters = json.load(text)["parameters"]
+            off.append([parameter["value"] - truth for parameter, truth in zip(parameters, made_record.TRUTH)])
+            widths.append([parameter["half_width_95"] for parameter in parameters])
+    off, widths = numpy.array(off), numpy.array(widths)
+    within = (abs(off) < widths).sum(axis=0)
+    for parameter, good, width, error, truth in zip(parameters, within, widths.mean(axis=0), numpy.sqrt((off**2).mean(axis=0)), made_record.TRUTH):
+        print("%-16s within its confidence in %d of %d, +- %.2g %% of it; off by %.2g %% rms" % (parameter["name"], good, count, 100.0 * width / truth, 100.0 * error / truth))
+    print("%d of %d truths within their confidence" % (within.sum(), widths.size))
 
 
 if __name__ == "__main__":
     if "--trials" in sys.argv:
-        trials(int(sys.argv[sys.argv.index("--trials") + 1]))
+        trials(*map(int, sys.argv[sys.argv.index("--trials") + 1:]))
     else:
         unittest.main()

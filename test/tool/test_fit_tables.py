@@ -50,6 +50,23 @@ class Weights(Folder):
         self.assertIn("3 of 3 rows have a pick-up weight below the slack-off weight", "\n".join(self.weights(PLAIN.replace("PU,SO", "SO,PU"))[2]))
         self.assertEqual([], self.weights(PLAIN)[2])
 
+    def test_columns_that_are_known_by_their_names(self):
+        """Rows with several weights, of which a missing one is reported; and rows with one each, as drill weights writes them, of which none is missing. The torque must be named."""
+        names = PLAIN.replace("MD,PU,SO", "depth (m),pick_up (klbf),slack_off (klbf)")
+        depths, found, remarks = self.weights(names, "{file: t.csv}")
+        self.assertEqual(["pick_up", "slack_off"], list(found))
+        numpy.testing.assert_allclose(depths, [row[0] for row in ROWS])
+        numpy.testing.assert_allclose(found["pick_up"], [KLBF * row[1] for row in ROWS])
+        self.assertEqual([], remarks)
+        self.assertEqual(1, len(self.weights(names.replace("104.25", ""), "{file: t.csv}")[2]))
+        numpy.testing.assert_allclose(found["slack_off"], self.weights(names.replace(",", ";").replace(".", ","), "{file: t.csv, delimiter: semicolon, decimal: comma}")[1]["slack_off"])
+        moves = "motion,depth (m),pick_up (kN),rotating_after_up (kN),torque (kN.m)\nup,600,400,,\nturn,590,,370,8\n"
+        _, found, remarks = self.weights(moves, "{file: t.csv}")
+        self.assertEqual((["pick_up", "rotating_after_up"], []), (list(found), remarks))
+        numpy.testing.assert_array_equal(found["rotating_after_up"], [numpy.nan, 370e3])
+        with_torque = "{file: t.csv, depth: {column: depth (m)}, rotating_after_up: {column: rotating_after_up (kN)}, torque: {column: torque (kN.m), unit: kN.m}}"
+        numpy.testing.assert_array_equal(self.weights(moves, with_torque)[1]["torque"], [numpy.nan, 8e3])
+
     def test_what_is_refused(self):
         for text, fit, said in (
                 (PLAIN.replace("SO", "S0"), FIT, "t.csv: there is no column SO; columns: MD, PU, S0"), (PLAIN.replace("SO", "PU"), FIT, "there are 2 columns PU"), ("MD,PU,SO\n", FIT, "t.csv: has no rows"),
@@ -57,7 +74,8 @@ class Weights(Folder):
                 (PLAIN, FIT.replace("klbf}, s", "stone}, s"), "f.yaml:1: pick_up.unit: unit stone is not known for a force"), (PLAIN, FIT.replace("klbf}, s", "ton}, s"), "f.yaml:1: pick_up.unit: unit ton is ambiguous"),
                 (PLAIN.replace("900", "nan"), FIT, "t.csv:3: MD: nan is no depth of a well"), (PLAIN.replace("900", ""), FIT, "t.csv:3: MD: an empty cell is no depth"),
                 (PLAIN.replace("900", "-900"), FIT, "t.csv:3: MD: -900 is no depth"), (PLAIN.replace("104.25", '"104,25"'), FIT, "t.csv:3: PU: 104,25 is no number with a decimal point"),
-                (PLAIN.replace("104.25,", ""), FIT, "t.csv:3: has 2 cells, the header 3"), (PLAIN, "{file: t.csv, depth: {column: MD, unit: m}}", "needs one or more of pick_up")):
+                (PLAIN.replace("104.25,", ""), FIT, "t.csv:3: has 2 cells, the header 3"), (PLAIN, "{file: t.csv, depth: {column: MD, unit: m}}", "needs depth and one or more of pick_up"),
+                (PLAIN, "{file: t.csv}", "f.yaml:1: needs depth and one or more of pick_up")):
             with self.assertRaises((PlanError, RecordError), msg=said) as caught:
                 self.weights(text, fit)
             self.assertIn(said, str(caught.exception))

@@ -244,13 +244,8 @@ class Replays(Folder):
         replay = play(Simulator(QUICK), read_record(file))
         self.assertLess(abs(replay.residual("hook_load")[replay.time > 25.0]).max(), 2000.0)
 
-    HOIST = {"name": "hoist", "well": {"stations": [[0, 0, 0], [600, 0, 0], [1200, 30, 40], [3510, 30, 40]], "sections": [{"to": 3510, "diameter": 0.2168, "friction": 0.25}]},
-             "formation": [{"to_tvd": 5000, "drillability": 1.0e-9}], "mud": {"density": 1030}, "contact": {"static_ratio": 1.0}, "needs": ["hook_load"],
-             "string": [{"name": "bit", "type": "bit", "length": 0.3, "mass": 20, "diameter": 0.2},
-                        {"name": "tubing", "type": "pipe", "joints": 171, "joint_length": 12.0, "outer_diameter": 0.1778, "inner_diameter": 0.157, "linear_mass": 43.2},
-                        {"name": "dp", "type": "pipe", "joints": "fill", "joint_length": 13.3, "outer_diameter": 0.1397, "inner_diameter": 0.1214, "linear_mass": 36.8}],
-             "rig": {"hoisting": {"block_mass": 67000, "sheaves": 6, "max_speed": 3, "highest_block_height": 44, "crown_height": 60, "max_hook_load": 5.0e+6}},
-             "start": {"bit_depth": 2614, "block_height": 1.3}, "numerics": {"tolerance": 0.05}}
+    with open(os.path.join(SOURCE, "test/field/hoist.yaml"), encoding="utf-8") as text:
+        HOIST = yaml.safe_load(text)
     ROWS = "time,reading_block_height,reading_hook_load,reading_bit_depth"
 
     def hoisted(self, place, step, gauge=lambda height: height, seconds=60.0):
@@ -294,6 +289,16 @@ class Replays(Folder):
             status, _, told = self.drill_replay(file, scene, *words)
             self.assertEqual((2, 1), (status, told.count("\n")), told)
             self.assertIn(said, told)
+
+    def test_a_part_that_begins_while_the_string_turns(self):
+        """Pump and top drive are at the record's values from its first row on."""
+        picture = os.path.join(self.folder, "part.csv")
+        status, _, told = self.drill_replay(self.recorded(), QUICK, "--from", "24", "--to", "29", "--start", "record", "--csv", picture)
+        self.assertEqual(0, status, told)
+        self.assertRegex(told, "begins with the top drive at 60.. rpm and the pump at 0.02 m3/s: both ran for 30 s before it")
+        data = numpy.genfromtxt(picture, delimiter=",", names=True)
+        self.assertLess(abs(data["recorded_stand_pipe_pressure"] / data["simulated_stand_pipe_pressure"] - 1.0).max(), 0.01)
+        self.assertLess(abs(numpy.mean(data["recorded_torque"] - data["simulated_torque"])), 0.05 * numpy.mean(data["recorded_torque"]))
 
     def test_a_scene_with_a_crew_and_without_a_start(self):
         scene, file = self.hoisted("block", 1.0, seconds=20.0)

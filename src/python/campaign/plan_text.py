@@ -15,8 +15,12 @@ class Entry:
     def __init__(self, file, node, key):
         self.file, self.node, self.key = file, node, key
 
+    def place(self):
+        """Where a message says that it stands."""
+        return "%s:%d%s" % (self.file, self.node.start_mark.line + 1, ": " + self.key if self.key else "")
+
     def fail(self, text):
-        raise PlanError("%s:%d: %s%s" % (self.file, self.node.start_mark.line + 1, self.key + ": " if self.key else "", text))
+        raise PlanError("%s: %s" % (self.place(), text))
 
     # --- what it may be
 

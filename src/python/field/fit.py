@@ -1,13 +1,15 @@
 """Least squares of a model's parameters with confidence, by scipy; the model is asked for many points at once, so that its runs may go side by side."""
 import numpy
-from scipy.optimize import least_squares
-from scipy.stats import t as student
 
 SHARE_OF_SCALE = 0.01  # of a parameter's scale, the step of finite differences
 NOWHERE = 30.0         # what a number counts that could not be predicted, in its scatter: no way leads there
 ROUNDS = 3             # of the scatter's estimate, at most
+ENOUGH = 1e-3          # by which the sum of squares in scatters may still fall where a fit ends: 0.03 of a deviation
 SETTLED = 0.05         # change of the scatter from round to round that needs no other [-]
 ITERATIONS = 3         # of a round, as a rule
+REPLICAS = 12          # of the model's inputs with noise added
+FEW = 8                # numbers of a signal that tell their scatter
+FEWEST = 4             # of them that tell a variance
 
 
 class FitError(Exception):
@@ -28,20 +30,27 @@ class Parameter:
 
 
 class Fit:
-    """`values`, `half_widths` of their confidence and `covariance`; `predicted` beside the data; `scatter` by signal (root mean square of what was fitted);
-    `without_effect`: parameters that change nothing at the start and stay there."""
+    """`values` and `covariance`, `student` times the deviation is half the width of the confidence; `predicted` beside the data; `scatter` by kind of number (root mean
+    square of what was fitted); `without_effect`: parameters that change nothing at the start and stay there."""
 
-    def __init__(self, values, half_widths, covariance, predicted, scatter, runs, without_effect):
-        self.values, self.half_widths, self.covariance, self.predicted, self.scatter, self.runs = values, half_widths, covariance, predicted, scatter, runs
+    def __init__(self, values, covariance, student, predicted, scatter, runs, without_effect):
+        self.values, self.covariance, self.student, self.predicted, self.scatter, self.runs = values, covariance, student, predicted, scatter, runs
         self.without_effect = without_effect
+
+    @property
+    def half_widths(self):
+        return self.student * numpy.sqrt(numpy.diag(self.covariance))
 
 
 class Problem:
     """`observed`: numbers, nan where there is none; `signals`: the name of each; `fitted`: which of them count. `model(list of parameter lists)`: a list of
-    predictions without offsets."""
+    predictions without offsets. `replicas(parameter list, count)`: as many predictions from inputs to which noise as large as their own was added; None where the inputs
+    are exact."""
 
-    def __init__(self, parameters, model, observed, signals, fitted, tell=lambda points, expected: None):
-        """`tell`: is given how many points have been tried and about how many it takes in all, whenever there are more."""
+    def __init__(self, parameters, model, observed, signals, fitted, tell=lambda points, expected: None, replicas=None, kinds=None):
+        """`tell`: is given how many points have been tried and about how many it takes in all, whenever there are more. `kinds`: of each number, whose scatter is one;
+        None: the signals."""
+        self.replicas, self.kinds = replicas, numpy.asarray(signals if kinds is None else kinds)
         self.parameters, self.model, self.observed, self.tell = parameters, model, numpy.asarray(observed, dtype=float), tell
         self.signals, self.rows = numpy.asarray(signals), numpy.asarray(fitted) & numpy.isfinite(self.observed)
         self.inner = [k for k, parameter in enumerate(parameters) if parameter.signal is None]
@@ -60,6 +69,10 @@ class Problem:
         if new:
             self.tell(self.runs, max(self.expected, self.runs))
         return [self.known[key] for key in keys]
+
+    def starts(self):
+        """Of the parameters that the model is asked with."""
+        return [self.parameters[k].start for k in self.inner]
 
     def predict(self, x):
         return self.ask([x])[0] + self.offsets @ x
@@ -81,11 +94,11 @@ class Problem:
 
     def plan_points(self, rounds):
         """How many points it takes in all, about, where so many rounds are left."""
-        self.expected = self.runs + rounds * ITERATIONS * (1 + len(self.moved))
+        self.expected = self.runs + rounds * ITERATIONS * (1 + len(self.moved)) + (REPLICAS if self.replicas else 0)
         self.tell(self.runs, self.expected)
 
     def weights(self):
-        return 1.0 / numpy.array([self.scatter[name] for name in self.signals[self.rows]])
+        return 1.0 / numpy.array([self.scatter[name] for name in self.kinds[self.rows]])
 
     def residuals(self, x):
         off = (self.predict(x) - self.observed)[self.rows]
@@ -99,39 +112,69 @@ class Problem:
 def fit(problem, level=0.95):
     """A Fit, or a FitError. The scatter of each signal is found in rounds, from what is left; residuals that hang together (a model's error, not noise) count for as many
     independent ones as their autocorrelation leaves, which widens the confidence."""
-    parameters, names = problem.parameters, sorted(set(problem.signals[problem.rows]))
+    from scipy.stats import t as student_t  # what an earlier fit found is applied without SciPy
+    parameters, names = problem.parameters, sorted(set(problem.kinds[problem.rows]))
     x = numpy.array([parameter.start for parameter in parameters], dtype=float)
-    problem.plan_points(ROUNDS)
+    rounds = ROUNDS if len(names) > 1 else 1  # one scatter moves no minimum
+    problem.plan_points(rounds)
     if not numpy.isfinite(problem.predict(x)[problem.rows]).any():
         raise FitError("at the parameters' start nothing can be predicted")
     problem.leave_out_idle(x)
-    problem.scatter = {name: max(float(numpy.nanstd(problem.observed[problem.rows & (problem.signals == name)])), 1e-9) for name in names}
-    for left in range(ROUNDS, 0, -1):
+    problem.scatter = {name: max(float(numpy.nanstd(problem.observed[problem.rows & (problem.kinds == name)])), 1e-9) for name in names}
+    for left in range(rounds, 0, -1):
         problem.plan_points(left)
         x, before = minimum(problem, x), dict(problem.scatter)
         off = problem.predict(x) - problem.observed
-        for name in names:
-            left_over = off[problem.rows & (problem.signals == name)]
-            problem.scatter[name] = max(float(numpy.sqrt(numpy.nanmean(left_over**2))), 1e-9)
+        problem.scatter = scatters(problem, off)
         if all(abs(problem.scatter[name] / before[name] - 1.0) < SETTLED for name in names):
             break
     matrix = problem.slopes(x)
     information = numpy.zeros((len(x), len(x)))
     independent = 0.0
     for name in names:
-        rows = problem.rows & (problem.signals == name) & numpy.isfinite(off)
+        rows = problem.rows & (problem.kinds == name) & numpy.isfinite(off)
         apart = hang_together(off[rows])
         independent += rows.sum() / apart
         information += matrix[rows].T @ matrix[rows] / (problem.scatter[name]**2 * apart)
     freedom = max(independent - len(x), 1.0)
-    covariance = inverse(information) * independent / freedom
-    widths = student.ppf(0.5 + 0.5 * level, freedom) * numpy.sqrt(numpy.diag(covariance))
-    return Fit(x, widths, covariance, problem.predict(x), dict(problem.scatter), problem.runs,
+    covariance = inverse(information) * independent / freedom + spread_by_inputs(problem, x, matrix)
+    return Fit(x, covariance, float(student_t.ppf(0.5 + 0.5 * level, freedom)), problem.predict(x), dict(problem.scatter), problem.runs,
                [parameters[k].name for k in problem.inner if k not in problem.moved])
+
+
+def scatters(problem, off):
+    """Of each kind the root mean square of what is left. A few numbers may be fitted exactly, which tells nothing of their scatter: they get the share of their size
+    that is left of the other kinds."""
+    left, sizes, counts = {}, {}, {}
+    for name in problem.scatter:
+        rows = problem.rows & (problem.kinds == name) & numpy.isfinite(off)
+        counts[name] = int(rows.sum())
+        left[name], sizes[name] = (float(numpy.sqrt(numpy.mean(values[rows]**2))) if counts[name] else 0.0 for values in (off, problem.observed))
+    enough = [name for name in left if counts[name] >= min(FEW, max(counts.values()))]
+    share = max(left[name] / max(sizes[name], 1e-9) for name in enough)
+    return {name: max(left[name] if name in enough else max(left[name], share * sizes[name]), 1e-9) for name in left}
+
+
+def spread_by_inputs(problem, x, matrix):
+    """Covariance of the parameters by noise of what the model is fed with, a gauge's for one: it moves the predictions, and what is fitted to them follows. Of replicas
+    whose inputs have as much noise again; so few count for t's variance, n/(n - 2)."""
+    if problem.replicas is None:
+        return numpy.zeros((len(x), len(x)))
+    point = [x[k] for k in problem.inner]
+    base = problem.ask([x])[0]
+    changes = numpy.array([answer - base for answer in problem.replicas(point, REPLICAS)])[:, problem.rows]
+    changes = changes[numpy.isfinite(changes).any(axis=1)]
+    if len(changes) < FEWEST:
+        return numpy.full((len(x), len(x)), numpy.inf)
+    weighted = matrix[problem.rows] * problem.weights()[:, None]
+    sizes = numpy.maximum(numpy.sqrt(numpy.nansum(weighted**2, axis=0)), 1e-300)
+    moved = numpy.linalg.lstsq(numpy.nan_to_num(weighted / sizes), numpy.nan_to_num(changes * problem.weights()).T, rcond=None)[0] / sizes[:, None]
+    return moved @ moved.T / (len(changes) - 2)
 
 
 def minimum(problem, begin):
     """The parameters of least squares from these on; those without effect stay."""
+    from scipy.optimize import least_squares
     free = numpy.array([k not in problem.inner or k in problem.moved for k in range(len(begin))])
 
     def whole(part):
@@ -140,7 +183,7 @@ def minimum(problem, begin):
         return x
     bounds = [[getattr(p, side) for p, is_free in zip(problem.parameters, free) if is_free] for side in ("low", "high")]
     return whole(least_squares(lambda part: problem.residuals(whole(part)), begin[free], lambda part: problem.jacobian(whole(part))[:, free], bounds=bounds,
-                               x_scale="jac", xtol=1e-6, ftol=1e-8).x if free.any() else begin[free])
+                               x_scale="jac", xtol=1e-6, ftol=max(ENOUGH / problem.rows.sum(), 1e-8)).x if free.any() else begin[free])
 
 
 def inverse(information):

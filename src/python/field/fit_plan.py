@@ -6,58 +6,90 @@ from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
 from drill_rig_sim.field.columns import LAYOUT_KEYS, Column, check_unit, nulls_and_layout, nulls_of
 from drill_rig_sim.field.fit import Parameter
-from drill_rig_sim.field.models import MOTIONS, ModelError, RecordModel, TableModel, scene_and_survey
+from drill_rig_sim.field.models import MOTIONS, ModelError, Period, RecordModel, TableModel, scene_and_survey
 from drill_rig_sim.field.record import COMPARED, RecordError, prefixed, read_record, read_table
 from drill_rig_sim.field.signal_reader import values_of
+from drill_rig_sim.field.start import FROM
+from drill_rig_sim.field.table import bare
+from drill_rig_sim.field.window import limits, stretches
 
-KEYS = ("scene", "record", "columns", "table", "parameters", "signals", "from", "held_out")
+OF_RECORDS = ("columns", "signals", "from", "to", "leave_out", "start")
+KEYS = ("scene", "record", "table", "parameters", "held_out", *OF_RECORDS)
 PARAMETER_KEYS = ("name", "key", "keys", "times", "signal", "start", "from", "to")
 
 
 class FitPlan:
-    """`model`, `parameters`, and which of the model's numbers are `fitted` and which `held_out`; the beginning may be neither."""
+    """`model`, `parameters`, and which of the model's numbers are `fitted` and which `held_out`."""
 
     def __init__(self, model, parameters, fitted, held_out):
         self.model, self.parameters, self.fitted, self.held_out = model, parameters, fitted, held_out
 
 
-def read_fit(file):
-    """A FitPlan; PlanError, RecordError or ModelError with one line."""
-    entries = plan_of(file).mapping(KEYS, needed=("scene", "parameters"))
+def read_fit(file, fitted=None):
+    """A FitPlan; PlanError, RecordError or ModelError with one line. `fitted`: a Fitted, whose parameters and signals stand in the place of the file's own."""
+    entries = plan_of(file).mapping(KEYS, needed=("scene",) if fitted else ("scene", "parameters"))
     if ("record" in entries) == ("table" in entries):
         raise PlanError("%s: needed: record or table, not both" % file)
     base = os.path.dirname(os.path.abspath(file))
-    scene, survey = scene_and_survey(os.path.join(base, entries["scene"].text()))
-    parameters = [parameter_of(item, scene) for item in entries["parameters"].sequence()]
-    check_places(scene, parameters, entries["parameters"])
-    if "table" in entries:
-        model = TableModel(scene, survey, parameters, *weights_of(entries["table"], base))
+    scene_file = os.path.join(base, entries["scene"].text())
+    scene, survey = scene_and_survey(scene_file)
+    if fitted:
+        parameters = fitted.parameters
+        check_places(scene, parameters, "%s: parameters of the fit" % scene_file)
     else:
-        columns = os.path.join(base, entries["columns"].text()) if "columns" in entries else None
-        signals = [item.choice(COMPARED) for item in entries["signals"].sequence()] if "signals" in entries else ()
-        model = RecordModel(scene, survey, parameters, read_record(files_of(entries["record"], base), columns), signals)
-    for parameter, item in zip(parameters, entries["parameters"].sequence()):
+        parameters = [parameter_of(item, scene) for item in entries["parameters"].sequence()]
+        check_places(scene, parameters, entries["parameters"].place())
+    model = model_of(entries, base, scene, survey, parameters, tuple(fitted.scatter) if fitted else ())
+    if not fitted:
+        check_offsets(entries["parameters"], parameters, model)
+    held = 0.0 if fitted else entries["held_out"].number(0.0, most=0.9) if "held_out" in entries else 0.3
+    held_out = model.place >= 1.0 - held if held else numpy.zeros(len(model.place), bool)
+    if not (~held_out & numpy.isfinite(model.observed)).any():
+        raise PlanError("%s: from, to, leave_out and held_out leave no number to compare" % file)
+    return FitPlan(model, parameters, ~held_out, held_out)
+
+
+def model_of(entries, base, scene, survey, parameters, signals):
+    """A TableModel or a RecordModel. `signals`: that are compared, unless the file names them; (): all."""
+    if "table" in entries:
+        for key in OF_RECORDS:
+            if key in entries:
+                entries[key].fail("is of a record, and this is the fit of a table")
+        return TableModel(scene, survey, parameters, *weights_of(entries["table"], base))
+    if "signals" in entries:
+        signals = [item.choice(COMPARED) for item in entries["signals"].sequence()]
+    columns = os.path.join(base, entries["columns"].text()) if "columns" in entries else None
+    record = read_record([os.path.join(base, item.text()) for item in one_or_more(entries["record"])], columns)
+    return RecordModel(scene, survey, parameters, record, signals, period_of(entries, record))
+
+
+def period_of(entries, record):
+    """By from, to, leave_out and start, which are as the options of drill replay."""
+    texts, places = zip(*((entries[key].text(), entries[key].place()) if key in entries else ("", "") for key in ("from", "to")))
+    begin, end = limits(record, *texts, places)
+    left_out = [span for item in (one_or_more(entries["leave_out"]) if "leave_out" in entries else []) for span in stretches([item.text()], record, item.place())]
+    return Period(begin, end, left_out, entries["start"].choice(FROM) if "start" in entries else "")
+
+
+def one_or_more(entry):
+    """Of a value or a list of them."""
+    return entry.sequence() if entry.is_sequence() else [entry]
+
+
+def check_places(scene, parameters, place):
+    """That the scene has the parameters' keys, and no two of them one key."""
+    factors = {key: Times(1.0) if parameter.times else 1.0 for parameter in parameters for key in parameter.keys}
+    try:
+        SceneText(scene, [key for parameter in parameters for key in parameter.keys]).with_values(factors)
+    except SceneTextError as error:
+        raise PlanError("%s: %s" % (place, error))
+
+
+def check_offsets(entry, parameters, model):
+    """That an offset's signal is fitted."""
+    for parameter, item in zip(parameters, entry.sequence()):
         if parameter.signal and parameter.signal not in model.signals:
             item.fail("%s: is not fitted" % parameter.signal)
-    held = entries["held_out"].number(0.0, most=0.9) if "held_out" in entries else 0.3
-    begin = entries["from"].number(0.0) / model.length if "from" in entries else 0.0
-    fitted = (model.place >= begin) & (model.place < 1.0 - held)
-    if not (fitted & numpy.isfinite(model.observed)).any():
-        raise PlanError("%s: from and held_out leave no number to fit to" % file)
-    return FitPlan(model, parameters, fitted, model.place >= 1.0 - held)
-
-
-def files_of(entry, base):
-    """Of `record`: a file, or a list of files of the same well."""
-    return [os.path.join(base, item.text()) for item in (entry.sequence() if entry.is_sequence() else [entry])]
-
-
-def check_places(scene, parameters, entry):
-    """That no two parameters are of one key."""
-    try:
-        SceneText(scene, [key for parameter in parameters for key in parameter.keys])
-    except SceneTextError as error:
-        entry.fail(str(error))
 
 
 def parameter_of(item, scene):
@@ -66,27 +98,27 @@ def parameter_of(item, scene):
         item.fail("needs one of key, keys and signal (an offset of it)")
     places = [parts["key"].text()] if "key" in parts else [one.text() for one in parts["keys"].sequence()] if "keys" in parts else []
     times = "times" in parts and parts["times"].yes()
-    try:
-        SceneText(scene, places).with_values({place: Times(1.0) if times else 1.0 for place in places})
-    except SceneTextError as error:
-        item.fail(str(error))
     low = parts["from"].number() if "from" in parts else -numpy.inf
     high = parts["to"].number(beyond=low if numpy.isfinite(low) else None) if "to" in parts else numpy.inf
     start = parts["start"].number()
     if not low <= start <= high:
         parts["start"].fail("is %g, outside %g to %g" % (start, low, high))
     signal = parts["signal"].choice(COMPARED) if "signal" in parts else None
-    return Parameter(parts["name"].text(), start, low, high, places, times, signal)
+    parameter = Parameter(parts["name"].text(), start, low, high, places, times, signal)
+    check_places(scene, [parameter], item.place())
+    return parameter
 
 
 def weights_of(entry, base):
-    """Depths and weights: `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`; a unit may stand in the file instead."""
-    parts = entry.mapping(("file", "depth", *MOTIONS, *LAYOUT_KEYS), needed=("file", "depth"))
-    if not any(name in parts for name in MOTIONS):
-        entry.fail("needs one or more of %s" % ", ".join(MOTIONS))
+    """Depths and weights: `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`; a unit may stand in the file instead. Without columns those that have
+    these names; the torque, of which a few numbers say little, only where it is named."""
+    parts = entry.mapping(("file", "depth", *MOTIONS, *LAYOUT_KEYS), needed=("file",))
     columns = {name: weight_column(parts[name], name) for name in ("depth", *MOTIONS) if name in parts}
     nulls, layout = nulls_and_layout(parts)
     table = read_table(os.path.join(base, parts["file"].text()), layout, [column.names[0] for column in columns.values()])
+    columns = columns or {bare(name): Column([name]) for name in table.names if quantity_of(bare(name)) in ("bit_depth", "hook_load")}
+    if "depth" not in columns or len(columns) < 2:
+        entry.fail("needs depth and one or more of %s; columns of %s: %s" % (", ".join(MOTIONS), table.file, table.header()))
     remarks = list(table.remarks)
     found = {name: values_of(table, quantity_of(name), column, nulls, True, remarks) for name, column in columns.items()}
     depths = found.pop("depth")
@@ -100,11 +132,12 @@ def weights_of(entry, base):
 
 
 def remarks_of(table, weights):
-    """Lines on weights that are missing, and on a pick-up weight below a slack-off weight: friction makes it the larger one."""
+    """Lines on weights that are missing, unless each row is a move that has but one, and on a pick-up weight below a slack-off weight: friction makes it the larger one."""
     lines = []
+    loads = sum(numpy.isfinite(values).astype(int) for name, values in weights.items() if quantity_of(name) == "hook_load")
     for name, values in weights.items():
         lost = int((~numpy.isfinite(values)).sum())
-        if lost:
+        if lost and not (len(weights) > 1 and numpy.all(loads == 1)):
             lines.append("%s: %d of %d rows hold no measurement" % (name, lost, len(values)))
     if "pick_up" in weights and "slack_off" in weights:
         swapped = numpy.flatnonzero(weights["pick_up"] < weights["slack_off"])
@@ -123,8 +156,13 @@ def weight_column(entry, name):
 
 
 def quantity_of(name):
-    """The signal of a record that a column of such a table is like."""
-    return "bit_depth" if name == "depth" else "hook_load"
+    """The signal of a record that a column of such a table is like; None where it is none of them."""
+    return "bit_depth" if name == "depth" else MOTIONS[name][0] if name in MOTIONS else None
+
+
+def column_said(entry):
+    parts = entry.mapping(("column", "unit"), needed=("column", "unit"))
+    return Column([parts["column"].text()], parts["unit"].text())
 
 
 __all__ = ["FitPlan", "ModelError", "PlanError", "RecordError", "read_fit"]

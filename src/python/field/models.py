@@ -1,4 +1,6 @@
 """What is fitted to: a record in time, played to a scene, or a table of weights by depth and motion. Each predicts numbers for values of the scene's keys."""
+import copy
+import math
 import multiprocessing
 import os
 import time
@@ -9,15 +11,20 @@ from drill_rig_sim.campaign.blueprint import Blueprint
 from drill_rig_sim.campaign.played import simulator
 from drill_rig_sim.campaign.runner import one_line
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, survey_file
-from drill_rig_sim.field.pipe import clock, compared, first_hung, standstills
+from drill_rig_sim.field.course import scatter
+from drill_rig_sim.field.pipe import compared, standstills
 from drill_rig_sim.field.record import COMPARED
 from drill_rig_sim.field.replay import check, play
-from drill_rig_sim.field.start import start_keys
-from drill_rig_sim.field.window import between
+from drill_rig_sim.field.start import on_hook, start_keys
+from drill_rig_sim.field.window import inside
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.text_file import TextError, read_text
 
-MOTIONS = {"pick_up": "up", "slack_off": "down", "rotating": "rotate"}  # columns of a table, and what drill static calls it
+# columns of a table: the signal, what drill static calls the motion, and which of the static loads; of the empty block, while the string is in the slips, its way
+MOTIONS = {"pick_up": ("hook_load", "up", "hook_load_gauge"), "slack_off": ("hook_load", "down", "hook_load_gauge"), "rotating": ("hook_load", "rotate", "hook_load_gauge"),
+           "rotating_after_up": ("hook_load", "rotate", "hook_load_gauge_after_up"), "rotating_after_down": ("hook_load", "rotate", "hook_load_gauge_after_down"),
+           "torque": ("torque", "rotate", "torque"), "slips_up": ("hook_load", None, 1), "slips_down": ("hook_load", None, -1)}
+FED = ("block_height", "block_velocity", "hook_load", "top_drive_speed", "flow")  # signals of a record that are played to the rig
 LONG = 2.0  # of a point, from which on processes of their own are worth their start [s]
 
 
@@ -25,30 +32,50 @@ class ModelError(Exception):
     """Why nothing can be fitted, in one line."""
 
 
+class Period:
+    """Of a record, from `begin` to `end` [s], without what is `left_out`, (begin, end) [s]; `start_from`: as of start_keys()."""
+
+    def __init__(self, begin=-math.inf, end=math.inf, left_out=(), start_from=""):
+        self.begin, self.end, self.left_out, self.start_from = begin, end, left_out, start_from
+
+
 class RecordModel:
     """`observed`: signal after signal, by the record's rows. `place`: where in the record each is, 0..1. `groups`: the signal of each; `axis`: name and values of what they
     are plotted over. The scene is started where the record begins, by the rules of drill replay."""
 
-    def __init__(self, scene, survey, parameters, record, signals=()):
-        check(record)
-        first = first_hung(record)
-        self.record = between(record, record.time[first], numpy.inf) if first else record
-        keys, lines = start_keys(scene, self.record)
-        self.remarks = record.remarks + lines + (["%s: begins with the string in the slips: fitted from %.1f s on" % (record.name, clock(record, first))] if first else [])
+    def __init__(self, scene, survey, parameters, record, signals=(), period=Period()):
+        self.record, hung_lines = on_hook(record, period.begin, period.end)
+        check(self.record)
+        keys, lines = start_keys(scene, self.record, period.start_from)
+        self.remarks = record.remarks + lines + hung_lines
         self.names = [name for name in COMPARED if name in record and (not signals or name in signals)]
         if not self.names:
-            raise ModelError("%s: holds no number of what is to be fitted: %s" % (record.name, ", ".join(signals)))
+            raise ModelError("%s: holds no number of what is to be compared: %s" % (record.name, ", ".join(signals)))
         self.begin = [value for key, value in keys.items() if not any(key in p.keys for p in parameters)]
         self.blueprint = Blueprint(record.name, scene, survey, [(p.name, p.keys, p.times) for p in parameters if p.signal is None] +
                                    [(key, [key], False) for key in keys if not any(key in p.keys for p in parameters)])
-        self.observed = numpy.concatenate(list(compared(self.record, self.names, standstills(self.record)).values()))
-        self.signals = self.groups = numpy.repeat(self.names, len(self.record.time))
+        passed = inside(self.record.signals["time"], period.left_out)
+        self.observed = numpy.concatenate([numpy.where(passed, numpy.nan, values) for values in compared(self.record, self.names, standstills(self.record)).values()])
+        self.signals = self.groups = self.kinds = numpy.repeat(self.names, len(self.record.time))
         self.axis = "time", numpy.tile(self.record.signals["time"], len(self.names))
-        self.length = self.record.time[-1]  # [s]
-        self.place = numpy.tile(self.record.time / self.length, len(self.names))
+        self.place = numpy.tile(self.record.time / self.record.time[-1], len(self.names))
 
     def tasks(self, points):
         return [(self.blueprint, self.record, self.names, [*point, *self.begin]) for point in points]
+
+    def replicas(self, point, count):
+        """Tasks of a point whose record has noise added to what the rig is fed with, as much as it has already; the same each time."""
+        chance = numpy.random.default_rng(1)
+        return [(self.blueprint, self.noisier(chance), self.names, [*point, *self.begin]) for _ in range(count)]
+
+    def noisier(self, chance):
+        record = copy.copy(self.record)
+        record.signals = dict(record.signals)
+        for name in FED:
+            if name in record:
+                values = record.signals[name]
+                record.signals[name] = values + scatter(values[numpy.isfinite(values)]) * chance.normal(size=len(values))
+        return record
 
     @staticmethod
     def join(answers, points):
@@ -72,35 +99,43 @@ def play_record(task):
 
 
 class TableModel:
-    """Rows: depth [m] and weights by MOTIONS [N], as the scene's gauge shows them: with the friction of rail and sheaves. One rig's scene whose hole is the whole of the survey; the bit hangs at each depth."""
+    """Rows: depth [m] and weights by MOTIONS [N], [N m], nan where there is none, as the scene's gauge shows them: with the friction of rail and sheaves. One rig's
+    scene whose hole is the whole of the survey; the bit hangs at each depth."""
 
     def __init__(self, scene, survey, parameters, depths, weights, remarks=()):
         keys = [(p.name, p.keys, p.times) for p in parameters if p.signal is None]
         self.blueprint = Blueprint("table", scene, survey, keys + [("bit", ["start.bit_depth"], False)])
         self.depths, self.motions, self.remarks = depths, list(weights), list(remarks)
         self.observed = numpy.concatenate([weights[motion] for motion in self.motions])
-        self.signals, self.groups = numpy.repeat("hook_load", len(self.observed)), numpy.repeat(self.motions, len(depths))
+        self.weighed = numpy.flatnonzero(numpy.isfinite(self.observed))
+        self.groups = numpy.repeat(self.motions, len(depths))
+        self.signals = numpy.array([MOTIONS[motion][0] for motion in self.groups])
+        self.kinds = numpy.where(numpy.char.startswith(self.groups.astype(str), "slips"), "empty block", self.signals)  # it knows no friction of the string
         self.axis = "depth", numpy.tile(depths, len(self.motions))
-        self.length = 1.0
         order = (numpy.argsort(numpy.argsort(depths)) + 0.5) / len(depths)
         self.place = numpy.tile(order, len(self.motions))
 
     def tasks(self, points):
-        return [(self.blueprint, [*point, depth], MOTIONS[motion]) for point in points for motion in self.motions for depth in self.depths]
+        depths = self.axis[1]
+        return [(self.blueprint, [*point, depths[k]], self.groups[k]) for point in points for k in self.weighed]
 
     def join(self, answers, points):
-        return numpy.reshape(answers, (points, -1))
+        found = numpy.full((points, len(self.observed)), numpy.nan)
+        found[:, self.weighed] = numpy.reshape(answers, (points, -1))
+        return found
 
 
 def hung(task):
-    """What the scene's gauge of the hook load shows at a depth in a motion; Refused where there is no equilibrium."""
-    from drill_rig_sim.sim import static
-    blueprint, row, motion = task
-    return static(blueprint.written(row), motion)["hook_load_gauge"]
+    """What the scene's gauge of hook load or torque shows at a depth in a motion; Refused where there is no equilibrium."""
+    from drill_rig_sim.sim import empty_block, static
+    blueprint, row, column = task
+    _, motion, which = MOTIONS[column]
+    scene = blueprint.written(row)
+    return empty_block(scene, which) if motion is None else static(scene, motion)[which]
 
 
 def hang_string(task):
-    """On a worker: the hook load of a depth and motion; not a number where there is no equilibrium."""
+    """On a worker: the weight or torque of a depth and motion; not a number where there is no equilibrium."""
     try:
         return hung(task)
     except Refused:
@@ -119,15 +154,24 @@ class Evaluator:
             self.client, self.open = engine.connect(scheduler, 0, 0)
 
     def __call__(self, points):
-        tasks, began = self.model.tasks(points), time.monotonic()
-        answers = []
-        for answer in self.answers(tasks):
-            answers.append(answer)
-            self.done += len(points) / len(tasks)
-            self.tell(self.done)
+        began = time.monotonic()
+        answers = self.run(self.model.tasks(points), len(points))
         if self.workers is None:
             self.workers = cores() if (time.monotonic() - began) / len(points) > LONG else 1
         return self.model.join(answers, len(points))
+
+    def replicas(self, point, count):
+        """As of a Problem."""
+        return self.run(self.model.replicas(point, count), count)
+
+    def run(self, tasks, points):
+        """Answers to tasks that are so many points."""
+        answers = []
+        for answer in self.answers(tasks):
+            answers.append(answer)
+            self.done += points / len(tasks)
+            self.tell(self.done)
+        return answers
 
     def answers(self, tasks):
         """In the order of the tasks."""

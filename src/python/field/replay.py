@@ -7,9 +7,12 @@ from drill_rig_sim.field.follow import PATIENCE, Follow
 from drill_rig_sim.field.pipe import Slip, check_directions, clock, compared, pipe_events
 from drill_rig_sim.field.record import COMPARED, RecordError
 from drill_rig_sim.field.window import inside
+from drill_rig_sim.law import RPM
 
 LONGEST_GAP = 86400.0  # that can be simulated in a sensible time [s]
 APART = 1.0    # of the bit at the beginning, record and scene [m]
+RUN_UP = 30.0  # before the record, in which pump and top drive come to where it begins [s]
+RUNS = 0.1, 1e-3  # rotary speed [rad/s] and flow [m3/s] from which on they run
 BEHIND = 0.05  # of the drum against the record's, from which on it is reported [m]
 
 
@@ -62,7 +65,7 @@ def check(record):
     check_directions(record)
     gap = int(numpy.diff(record.time).argmax())
     if record.time[gap + 1] - record.time[gap] > LONGEST_GAP:
-        raise RecordError("%s: has a gap of %.6g days from %.1f s on; allowed: a day; needed: a part before or after it (drill replay --from, --to)" %
+        raise RecordError("%s: has a gap of %.6g days from %.1f s on; allowed: a day; needed: a part before or after it (drill replay --from, --to; from and to of a fit)" %
                           (record.name, (record.time[gap + 1] - record.time[gap]) / 86400.0, clock(record, gap)))
     if not any(signal in record for signal in COMPARED):
         raise RecordError("%s: holds nothing to compare: %s" % (record.name, ", ".join(COMPARED)))
@@ -72,7 +75,7 @@ def check_start(record, rig):
     """RecordError where the record's bit is not where the scene's is: a unit that is wrong, or a start that was not set. What else differs, as lines."""
     depth, height = rig.state.truth.bit_depth, rig.state.truth.block_height
     if "bit_depth" in record and abs(record.at("bit_depth", 0.0) - depth) > APART:
-        raise RecordError("%s: begins with the bit at %.2f m, the scene at %.2f m; needed: within %g m, by --start record, start.bit_depth or the column's unit" %
+        raise RecordError("%s: begins with the bit at %.2f m, the scene at %.2f m; needed: within %g m, by --start record (start: record of a fit), start.bit_depth or the column's unit" %
                           (record.name, record.at("bit_depth", 0.0), depth, APART))
     if "block_height" in record and abs(record.at("block_height", 0.0) - height) > APART:
         return ["begins with the block at %.2f m, the scene at %.2f m: it is followed from there" % (record.at("block_height", 0.0), height)]
@@ -86,13 +89,25 @@ def events_of(record, law):
         "at %.1f s the bit depth changes by %.2f m while the block does not: taken as a slip of the depth tracking" % (clock(record, one.row), one.length) for one in slips]
 
 
+def run_up(rig, record):
+    """Brings pump and top drive to where the record begins, while the block stands; lines on it."""
+    speed, flow = (float(record.at(signal, 0.0)) if signal in record else 0.0 for signal in ("top_drive_speed", "flow"))
+    if abs(speed) < RUNS[0] and flow < RUNS[1]:
+        return []
+    rig.brake()
+    rig.top_drive(mode="SPEED", speed=speed)
+    rig.pump(max(flow, 0.0))
+    rig.step(seconds=RUN_UP)
+    return ["begins with the top drive at %.1f rpm and the pump at %.3g m3/s: both ran for %g s before it, with the block at rest" % (speed / RPM, flow, RUN_UP)]
+
+
 def play(rig, record, left_out=()):
     """Plays a record on a rig in lockstep (drill_rig_sim.sim) that stands where the record begins; a Replay. `left_out`: (begin, end) in the record's file [s], which are
     not compared."""
     check(record)
     remarks = check_start(record, rig)
     law = Follow(record, rig)
-    remarks += events_of(record, law)
+    remarks += events_of(record, law) + run_up(rig, record)
     signals = [name for name in COMPARED if name in record]
     shown, warnings = [[getattr(rig.state, name) for name in signals]], Warnings()
     for state in driven(rig, law, law.times[-1] + PATIENCE * len(law.connections)):

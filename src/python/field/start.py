@@ -1,14 +1,27 @@
 """A scene as the start of a replay: begun where the record begins, without a crew that makes connections of its own."""
+import math
+
 import yaml
 
 from drill_rig_sim.campaign.blueprint import Blueprint
 from drill_rig_sim.campaign.runner import one_line
 from drill_rig_sim.campaign.scene_text import SceneTextError
+from drill_rig_sim.field.pipe import clock, first_hung
 from drill_rig_sim.field.record import RecordError
+from drill_rig_sim.field.window import between
 from drill_rig_sim.lockstep import Failed, Refused
 from drill_rig_sim.sim import Simulator
 
 FROM = ("scene", "record")  # where the start is taken from
+
+
+def on_hook(record, begin=-math.inf, end=math.inf):
+    """The part of a record between two times in it [s] that begins where the string hangs on the hook; and lines on it."""
+    part = between(record, begin, end)
+    first = first_hung(part)
+    if not first:
+        return part, []
+    return between(part, part.time[first], math.inf), ["%s: begins with the string in the slips: played from %.1f s on" % (part.name, clock(part, first))]
 
 
 def start_keys(scene, record, start_from=""):

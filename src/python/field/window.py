@@ -23,6 +23,11 @@ def moment(text, record, option):
     return found[0] - record.begin
 
 
+def limits(record, begin, end, options=("--from", "--to")):
+    """Two times in the record [s] of texts, none where a text is empty. RecordError naming the option."""
+    return (moment(begin, record, options[0]) if begin else -math.inf, moment(end, record, options[1]) if end else math.inf)
+
+
 def between(record, begin, end):
     """The rows of a record between two times in it [s]; their signal `time` stays the record's. RecordError where less than two are left."""
     rows = (record.time >= begin) & (record.time <= end)
@@ -36,14 +41,14 @@ def between(record, begin, end):
     return part
 
 
-def stretches(texts, record):
-    """(begin, end) in the record [s] of each A:B; a date has colons of its own, so that A..B is taken too."""
+def stretches(texts, record, option="--leave-out"):
+    """(begin, end) in the record [s] of each A:B; a date has colons of its own, so that A..B is taken too. RecordError naming the option."""
     found = []
     for text in texts:
         begin, _, end = text.partition("..") if ".." in text else text.partition(":")
-        begin, end = (moment(part.strip(), record, "--leave-out") for part in (begin, end))
+        begin, end = (moment(part.strip(), record, option) for part in (begin, end))
         if not begin < end:
-            raise RecordError("--leave-out: '%s' must be A:B with A before B (dates: A..B)" % text)
+            raise RecordError("%s: '%s' must be A:B with A before B (dates: A..B)" % (option, text))
         found.append((begin, end))
     return found
 

@@ -1,0 +1,54 @@
+"""How drill calibrate prints and draws what fitted parameters predict."""
+import numpy
+
+UNITS = {"hook_load": (1e-3, "kN"), "torque": (1e-3, "kN m"), "stand_pipe_pressure": (1e-5, "bar")}
+AXES = {"time": "time [s]", "depth": "depth [m]"}
+MOST_ROWS = 30  # of a group that are printed
+
+
+def lines(prediction):
+    """Of each group its rows, thinned where they are many, and what is off in all of them."""
+    found = []
+    for group, rows in prediction.parts().items():
+        factor, unit = UNITS[prediction.signals[rows[0]]]
+        shown = rows[numpy.unique(numpy.linspace(0, len(rows) - 1, MOST_ROWS).round().astype(int))] if len(rows) > MOST_ROWS else rows
+        found.append("%-14s %12s %12s %12s %12s" % (AXES[prediction.axis], "recorded", "predicted", "difference", "band"))
+        for k in shown:
+            numbers = [factor * value for value in (prediction.observed[k], prediction.predicted[k], prediction.off[k])]
+            found.append("%-14.8g %12.4g %12.4g %12.3g %12s%s" % (prediction.places[k], *numbers, band_text(factor * prediction.band[k]),
+                                                                  "" if abs(prediction.off[k]) <= prediction.band[k] else "  beyond"))
+        said = prediction.summary()[group]
+        found += ["%s [%s]: %.1f %% of %d rows within the band; off by %.4g in the mean, %.4g rms, %.4g at most%s" %
+                  (group, unit, 100.0 * said["within"], said["rows"], *(factor * said[key] for key in ("mean", "rms", "largest")),
+                   "" if len(shown) == len(rows) else "; %d rows are shown" % len(shown)), ""]
+    return found
+
+
+def band_text(width):
+    return "+- %.3g" % width if numpy.isfinite(width) else "unknown"
+
+
+def remarks(prediction):
+    """What its reader should know, a line each."""
+    lost = int((~numpy.isfinite(prediction.predicted) & numpy.isfinite(prediction.observed)).sum())
+    return (["the band is unknown where it depends on what the fit's data do not tell: %s" % ", ".join(prediction.untold)] if prediction.untold else []) + (
+        ["%d numbers could not be predicted: no equilibrium, or a scene out of range" % lost] if lost else [])
+
+
+def draw(prediction, file, title):
+    from drill_rig_sim.score_plots import plt, save  # needs matplotlib
+    parts = prediction.parts()
+    figure, axes = plt.subplots(len(parts), figsize=(9.0, 0.5 + 3.2 * len(parts)), squeeze=False, constrained_layout=True)
+    for axis, (group, rows) in zip(axes[:, 0], parts.items()):
+        factor, unit = UNITS[prediction.signals[rows[0]]]
+        rows = rows[numpy.argsort(prediction.places[rows], kind="stable")]
+        places, middle = prediction.places[rows], factor * prediction.predicted[rows]
+        width = factor * numpy.where(numpy.isfinite(prediction.band[rows]), prediction.band[rows], numpy.nan)
+        axis.fill_between(places, middle - width, middle + width, color="#1f5fa8", alpha=0.2, linewidth=0.0, label="95 % band")
+        axis.plot(places, middle, color="#1f5fa8", linewidth=0.9, label="predicted")
+        axis.plot(places, factor * prediction.observed[rows], color="#555555", linewidth=0.9, marker="." if len(rows) < 100 else "", label="recorded")
+        axis.set_ylabel("%s [%s]" % (group.replace("_", " "), unit))
+        axis.legend(fontsize=8)
+    axes[-1, 0].set_xlabel(AXES[prediction.axis])
+    axes[0, 0].set_title(title, fontsize=10)
+    save(figure, file)

@@ -1,0 +1,175 @@
+"""Steady moves of a string off bottom in a record: pick-up, slack-off and rotating weights, and the empty block while the string is in the slips."""
+import numpy
+from drill_rig_sim.field.course import Course, half_band
+from drill_rig_sim.field.pipe import HANGS, clock, standstills
+from drill_rig_sim.field.record import RecordError
+
+MOVING = 0.02        # slowest block that counts as moving [m/s]
+TURNING = 2.0        # slowest rotation that frees a string of friction along the hole [rad/s]
+STILL = 0.5          # fastest rotation of a string that counts as not turned [rad/s]
+EVEN = 0.15          # share by which the speed of a steady move may differ
+OFF_BOTTOM = 2.0     # least height of the bit above bottom [m]
+SPIKE = 5            # rows in a row of which the middle one counts as the depth of the hole
+EMPTY = 0.95         # of the least load of a string, what the empty block may weigh
+SETTLES = 10.0       # time from the start of a move in which waves decay [s]
+STRETCH = 0.5, 1e-3  # way from a move's start until all of the string moves with the block: so much [m], and this share of the bit's depth
+TWIST = 2.0, 3e-3    # turns from the start of rotation until all of the string turns: so many, and as many for each metre of depth
+EMPTY_SETTLES = 2.0  # the same of the empty block [s]
+CALM = 0.1           # share by which the load of the empty block may differ
+SHORTEST = 5.0       # of a move that is averaged [s]
+LEAST_ROWS = 4
+FLOWS = 1e-3          # flow from which on the pump counts as running [m3/s]
+
+
+class Move:
+    """`motion`: a column of the table that drill calibrate fits. Rows `begin` to `end` of the record, both within; mean `depth` [m], `load` [N], `torque` [N m] (None
+    without a gauge), `speed` of the block [m/s], `rotation` [rad/s] and `flow` [m3/s]; `deviation` of the load from its straight line [N]."""
+
+    def __init__(self, record, motion, rows, speeds):
+        self.motion, self.begin, self.end, self.count = motion, int(rows[0]), int(rows[-1]), len(rows)
+        self.from_time, self.to_time = clock(record, self.begin), clock(record, self.end)
+        load = record.signals["hook_load"][rows]
+        self.load, self.deviation = float(load.mean()), deviation(record.time[rows], load)
+        self.depth, self.rotation, self.flow, self.torque = (mean_of(record, signal, rows) for signal in ("bit_depth", "top_drive_speed", "flow", "torque"))
+        self.speed = float(speeds[rows[0]:rows[-1]].mean())
+
+
+    @property
+    def empty(self):
+        """Whether the block moved alone."""
+        return self.motion.startswith("slips")
+
+    @property
+    def pumped(self):
+        """Whether the flow of the pump is in the string's load."""
+        return self.flow is not None and self.flow > FLOWS and not self.empty
+
+
+def mean_of(record, signal, rows):
+    """None where there is none."""
+    values = record.signals[signal][rows] if signal in record else numpy.full(1, numpy.nan)
+    return float(numpy.nanmean(values)) if numpy.isfinite(values).any() else None
+
+
+def deviation(times, values):
+    """Standard deviation from the straight line of least squares."""
+    line = numpy.polyfit(times - times[0], values, 1)
+    return float(numpy.std(values - numpy.polyval(line, times - times[0]), ddof=2))
+
+
+def moves_of(record, passed=None):
+    """All Moves of a record, in their order, and lines on those that cannot be. `passed`: rows that are left out. RecordError where the record lacks what tells them."""
+    for signal in ("block_height", "bit_depth", "hook_load"):
+        if signal not in record:
+            raise RecordError("%s: has no %s; needed: block_height, bit_depth and hook_load" % (record.name, signal))
+    height = record.at("block_height", record.time)
+    speeds = numpy.diff(Course(record.time, height, half_band(height, height)).heights) / numpy.diff(record.time)
+    stands = standstills(record)
+    good = numpy.isfinite(record.signals["hook_load"]) & ~(numpy.zeros(len(record.time), bool) if passed is None else passed)
+    kinds = kinds_of(record, speeds, stands)
+    kinds[~(good[1:] & good[:-1])] = ""
+    return plausible(record, [move for begin, end in runs(kinds, speeds) for move in [steady_part(record, kinds[begin], speeds, begin, end)] if move is not None])
+
+
+def plausible(record, moves):
+    """Without loads that contradict what bit and block tell, and lines on these."""
+    hung = [move.load for move in moves if not move.empty]
+    if not hung:
+        return moves, []
+    usual, least = numpy.median(hung), min(load for load in hung if load >= HANGS * numpy.median(hung))
+    light = [move for move in moves if not move.empty and move.load < HANGS * usual]
+    heavy = [move for move in moves if move.empty and move.load > EMPTY * least]
+    lines = ["%s: %d moves are left out, %s (first: at %.1f s)" % (record.name, len(some), why, some[0].from_time) for some, why in (
+        (light, "with less than half of the usual load: the bit's depth moves, but the string may be in the slips"),
+        (heavy, "with the load of the string: the block moves, but the bit's depth stands")) if some]
+    return [move for move in moves if move not in light and move not in heavy], lines
+
+
+def kinds_of(record, speeds, stands):
+    """The motion of each interval between rows, "" where it is none that is weighed."""
+    turning = numpy.abs(record.at("top_drive_speed", record.time)) if "top_drive_speed" in record else numpy.zeros(len(record.time))
+    faster, slower = numpy.maximum(turning[1:], turning[:-1]), numpy.minimum(turning[1:], turning[:-1])
+    hung = off_bottom(record)
+    kinds = numpy.full(len(speeds), "", dtype="U20")
+    kinds[hung & (faster < STILL) & (speeds > MOVING)] = "pick_up"
+    kinds[hung & (faster < STILL) & (speeds < -MOVING)] = "slack_off"
+    turned = hung & (slower > TURNING) & (numpy.abs(speeds) < MOVING)
+    last = last_ways(speeds)
+    for way, name in ((1, "rotating_after_up"), (-1, "rotating_after_down")):
+        kinds[turned & (last == way)] = name
+    for still in stands:
+        kinds[still.begin:still.end] = ""
+        away = numpy.arange(still.left, still.back)
+        kinds[away[speeds[away] > MOVING]] = "slips_up"
+        kinds[away[speeds[away] < -MOVING]] = "slips_down"
+    return kinds
+
+
+def off_bottom(record):
+    """Of each interval: whether the bit is off bottom at both ends."""
+    bit = record.at("bit_depth", record.time)
+    hole = without_spikes(record.at("hole_depth", record.time)) if "hole_depth" in record else numpy.maximum.accumulate(without_spikes(bit))
+    above = hole - bit > OFF_BOTTOM
+    return above[1:] & above[:-1]
+
+
+def without_spikes(values):
+    """Each value's median with its neighbours'."""
+    around = numpy.pad(values, SPIKE // 2, mode="edge")
+    return numpy.median(numpy.lib.stride_tricks.sliding_window_view(around, SPIKE), axis=1)
+
+
+def last_ways(speeds):
+    """Of each interval the sign of the last way of the block [-]; 0 before the first: friction of rail and sheaves stays in the gauge as that left it."""
+    moved = numpy.where(numpy.abs(speeds) > MOVING, numpy.sign(speeds), 0.0)
+    places = numpy.maximum.accumulate(numpy.where(moved != 0.0, numpy.arange(len(speeds)), -1))
+    return numpy.where(places >= 0, moved[places], 0.0)
+
+
+def runs(kinds, speeds):
+    """(first, last + 1) of the intervals of one motion in which the speed of a block that moves with the string does not change abruptly."""
+    fastest = numpy.maximum(numpy.abs(speeds[1:]), numpy.abs(speeds[:-1]))
+    abrupt = (fastest > MOVING) & (numpy.abs(numpy.diff(speeds)) > EVEN * fastest) & ~numpy.char.startswith(kinds[1:], "slips")
+    bounds = [0, *(numpy.flatnonzero((kinds[1:] != kinds[:-1]) | abrupt) + 1), len(kinds)]
+    return [(begin, end) for begin, end in zip(bounds, bounds[1:]) if kinds[begin]]
+
+
+def steady_part(record, kind, speeds, begin, end):
+    """A Move of the intervals begin to end - 1, without what comes before it is steady; None where too little is left."""
+    rows = numpy.arange(begin, end + 1)
+    rows = rows[settled(record, kind, speeds, rows)]
+    if kind.startswith("rotating") and len(rows) > 1:
+        rows = even(rows, numpy.abs(record.at("top_drive_speed", record.time[rows[1:]])))
+    elif not kind.startswith("slips") and len(rows) > 1:
+        rows = even(rows, speeds[rows[0]:rows[-1]])
+    elif len(rows):  # what accelerates the empty block is little, and none in the mean
+        load = record.signals["hook_load"][rows]
+        rows = rows[numpy.abs(load - numpy.median(load)) <= CALM * abs(numpy.median(load))]  # not where it takes up the string
+    long_enough = len(rows) >= LEAST_ROWS and record.time[rows[-1]] - record.time[rows[0]] >= SHORTEST
+    return Move(record, kind, rows, speeds) if long_enough else None
+
+
+def settled(record, kind, speeds, rows):
+    """Which rows of a move are not its start any more."""
+    lasted = record.time[rows] - record.time[rows[0]]
+    if kind.startswith("slips"):
+        return lasted >= EMPTY_SETTLES
+    depth = record.at("bit_depth", record.time[rows[0]])
+    if kind.startswith("rotating"):
+        return (lasted >= SETTLES) & (turns_of(record, rows) >= TWIST[0] + TWIST[1] * depth)
+    way = numpy.abs(numpy.concatenate(([0.0], numpy.cumsum(speeds[rows[:-1]] * numpy.diff(record.time[rows])))))
+    return (lasted >= SETTLES) & (way >= STRETCH[0] + STRETCH[1] * depth)
+
+
+def even(rows, speeds):
+    """The longest part of consecutive rows in which the speeds from row to row are the usual one."""
+    usual = numpy.median(speeds)
+    bounds = numpy.flatnonzero(numpy.concatenate(([True], numpy.abs(speeds - usual) > EVEN * abs(usual), [True])))
+    longest = int(numpy.diff(bounds).argmax())
+    return rows[bounds[longest]:bounds[longest + 1]]
+
+
+def turns_of(record, rows):
+    """Of the top drive from the first row on."""
+    turning = numpy.abs(record.at("top_drive_speed", record.time[rows]))
+    return numpy.concatenate(([0.0], numpy.cumsum(0.5 * (turning[1:] + turning[:-1]) * numpy.diff(record.time[rows])))) / (2.0 * numpy.pi)

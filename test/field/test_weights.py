@@ -1,0 +1,179 @@
+#!/usr/bin/python3
+"""drill weights: which moves of a time log are steady, and that what drill calibrate finds of them is what the simulator made the log with."""
+import importlib.util
+import io
+import json
+import os
+import sys
+import tempfile
+import unittest
+from contextlib import redirect_stderr, redirect_stdout
+
+if not importlib.util.find_spec("scipy"):
+    print("skipped: SciPy is not installed (python3-scipy: ./test/run --campaigns)")
+    sys.exit(77)
+import made_weights
+import numpy
+import yaml
+from drill_rig_sim import calibrate_command, weights_command
+
+
+def called(main, *words):
+    out, told = io.StringIO(), io.StringIO()
+    with redirect_stdout(out), redirect_stderr(told):
+        status = main(list(words))
+    return status, out.getvalue(), told.getvalue()
+
+
+class Simulated(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = folder.name
+        cls.scene = made_weights.write_scene(cls.folder)
+        cls.record = made_weights.write_record(cls.folder, cls.scene)
+        cls.table = os.path.join(cls.folder, "weights.csv")
+        cls.moves_file = os.path.join(cls.folder, "moves.json")
+        cls.status, cls.out, cls.told = called(weights_command.main, cls.record, "--csv", cls.table, "--json", cls.moves_file)
+
+    def test_the_moves_are_found(self):
+        self.assertEqual((0, ""), (self.status, self.told), self.out)
+        with open(self.moves_file, encoding="utf-8") as text:
+            moves = json.load(text)
+        found = [move["motion"] for move in moves]
+        for motion, least in (("pick_up", 1), ("slack_off", 2), ("rotating_after_down", 1), ("slips_up", 1)):
+            self.assertGreaterEqual(found.count(motion), least, self.out)
+        self.assertNotIn("rotating_after_up", found)
+        for move in moves:
+            self.assertLess(move["deviation"], 12e3, move)  # 2 kN of noise, and what rings
+            self.assertGreaterEqual(move["count"], 4)
+        weights = {motion: numpy.mean([move["load"] for move in moves if move["motion"] == motion]) for motion in found}
+        self.assertLess(weights["slack_off"], weights["pick_up"])
+        self.assertLess(weights["slack_off"], weights["rotating_after_down"])  # both with the dead line's friction of the way down
+
+    def test_friction_and_block_come_back(self):
+        fit = {"scene": "scene.yaml", "table": {"file": "weights.csv"}, "held_out": 0.0, "parameters": [
+            {"name": "friction", "key": "well.sections[0].friction", "start": 0.35, "from": 0.0, "to": 0.8},
+            {"name": "block", "key": "rig.hoisting.block_mass", "start": 15000.0, "from": 5000.0, "to": 40000.0}]}
+        file, answer = os.path.join(self.folder, "fit.yaml"), os.path.join(self.folder, "fit.json")
+        with open(file, "w", encoding="utf-8") as out:
+            yaml.safe_dump(fit, out)
+        status, out, told = called(calibrate_command.main, file, "--json", answer)
+        self.assertEqual(0, status, told)
+        with open(answer, encoding="utf-8") as text:
+            (friction, sure), (block, _) = ((entry["value"], entry["half_width_95"]) for entry in json.load(text)["parameters"])
+        self.assertAlmostEqual(made_weights.FRICTION, friction, delta=0.02, msg=out)
+        self.assertTrue(1e-3 < sure < 0.05, out)
+        self.assertAlmostEqual(1.0, block / made_weights.BLOCK, delta=0.01, msg=out)
+        self.applied(answer)
+
+    def applied(self, result):
+        """What was found predicts the table, of which no motion is off by more than its band on the whole."""
+        data, answer = os.path.join(self.folder, "data.yaml"), os.path.join(self.folder, "applied.json")
+        with open(data, "w", encoding="utf-8") as out:
+            yaml.safe_dump({"scene": "scene.yaml", "table": {"file": "weights.csv"}}, out)
+        status, out, told = called(calibrate_command.main, data, "--apply", result, "--json", answer, "--plots", os.path.join(self.folder, "applied.svg"))
+        self.assertEqual(0, status, told)
+        self.assertIn("depth [m]", out)
+        with open(answer, encoding="utf-8") as text:
+            found = json.load(text)
+        self.assertEqual({"pick_up", "slack_off", "rotating_after_down", "slips_up"}, set(found["summary"]))
+        rows = sum(said["rows"] for said in found["summary"].values())
+        self.assertGreaterEqual(sum(said["within"] * said["rows"] for said in found["summary"].values()) / rows, 0.8, out)
+
+
+class Made(unittest.TestCase):
+    """Rows that are written by hand: 0.2 m/s, a row a second."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def written(self, parts, hole=1100.0, held=(), names="time,reading_block_height,top_drive_speed,reading_flow,reading_hook_load,reading_bit_depth,reading_hole_depth"):
+        """A record of parts (seconds, block's speed, rotation, flow, hook load) and a file for the moves. The bit is at 1000 m and moves with the block, but in the parts
+        that are `held`."""
+        rows, height, depth, time = [], 5.0, 1000.0, 0.0
+        for number, (seconds, speed, turning, flow, load) in enumerate(parts):
+            for _ in range(seconds):
+                rows.append([time, height, turning, flow, load, depth, hole])
+                time, height, depth = time + 1.0, height + speed, depth - (0.0 if number in held else speed)
+        file, table = os.path.join(self.folder, "r.csv"), os.path.join(self.folder, "t.json")
+        with open(file, "w", encoding="utf-8") as out:
+            out.write("\n".join([names, *(",".join("%.9g" % cell for cell in row[:len(names.split(","))]) for row in rows)]) + "\n")
+        return file, table
+
+    def found(self, parts, *words, **more):
+        """(motions and loads, what was reported)."""
+        file, table = self.written(parts, **more)
+        status, _, told = called(weights_command.main, file, "--json", table, *words)
+        if status:
+            return status, told
+        with open(table, encoding="utf-8") as text:
+            return [(move["motion"], round(move["load"])) for move in json.load(text)], told
+
+    UP, DOWN, STOP, TURN = (60, 0.2, 0.0, 0.0, 9e5), (60, -0.2, 0.0, 0.0, 7e5), (20, 0.0, 0.0, 0.0, 8e5), (60, 0.0, 6.0, 0.0, 8e5)
+
+    def test_each_motion(self):
+        self.assertEqual(([("pick_up", 900000), ("rotating_after_up", 800000), ("slack_off", 700000), ("rotating_after_down", 800000)]),
+                         self.found([self.STOP, self.UP, self.STOP, self.TURN, self.STOP, self.DOWN, self.STOP, self.TURN])[0])
+
+    def test_what_is_no_steady_move(self):
+        for parts in ([self.STOP], [self.STOP, (12, 0.2, 0.0, 0.0, 9e5), self.STOP],  # too short
+                      [self.STOP, (60, 0.2, 6.0, 0.0, 9e5), self.STOP],                # moved and turned
+                      [self.STOP, (60, -0.005, 6.0, 0.02, 8e5), self.STOP]):           # drills, see below
+            status, told = self.found(parts, hole=1000.0 if parts[1:2] and parts[1][1] == -0.005 else 1100.0)
+            self.assertEqual((2, 1), (status, told.count("\n")), told)
+            self.assertIn("holds no steady pick-up", told)
+        steps = [(8, 0.1 + 0.237 * (k % 2), 0.0, 0.0, 9e5) for k in range(10)]  # a speed that changes all the time
+        self.assertEqual(2, self.found(steps)[0])
+
+    def test_flow_and_parts(self):
+        parts = [self.STOP, self.UP, self.STOP, (60, -0.2, 0.0, 0.02, 7e5), self.STOP]
+        moves, told = self.found(parts)
+        self.assertEqual(2, len(moves))
+        self.assertIn("the pump ran in 1 of 2 moves", told)
+        self.assertEqual(["pick_up"], [move[0] for move in self.found(parts, "--no-flow")[0]])
+        self.assertEqual(["slack_off"], [move[0] for move in self.found(parts, "--from", "85")[0]])
+        self.assertEqual(["slack_off"], [move[0] for move in self.found(parts, "--leave-out", "0:80")[0]])
+
+    def test_the_empty_block(self):
+        """At a speed that is not even; in a record that holds the depth and in one that does not; of a bit's depth that stands while the string moves."""
+        alone = [(8, speed, 0.0, 0.0, 2e5) for speed in (0.6, 1.0, 0.7)]
+        parts = [self.STOP, self.UP, self.STOP, self.DOWN, (20, 0.0, 0.0, 0.0, 7e5), *alone, self.STOP]
+        moves, told = self.found(parts, held=(5, 6, 7))
+        self.assertEqual(("slips_up", 200000), moves[-1])
+        self.assertEqual("", told)
+        moves, told = self.found([*parts, self.UP], held=())
+        self.assertEqual(["pick_up", "slack_off", "pick_up"], [move[0] for move in moves])
+        self.assertIn("nowhere does the block move alone", told)
+        moves, told = self.found([self.STOP, self.UP, self.STOP, (30, -0.2, 0.0, 0.0, 9e5), self.STOP], held=(3,))
+        self.assertEqual([("pick_up", 900000)], moves)
+        self.assertIn("1 moves are left out, with the load of the string: the block moves, but the bit's depth stands (first: at 1", told)
+        moves, told = self.found([self.STOP, self.UP, self.STOP, self.DOWN, self.STOP, self.UP, self.STOP, (60, -0.2, 0.0, 0.0, 2e5)])
+        self.assertEqual(["pick_up", "slack_off", "pick_up"], [move[0] for move in moves])
+        self.assertIn("1 moves are left out, with less than half of the usual load", told)
+
+    def test_a_spike_of_the_hole_s_depth(self):
+        drilled = [self.STOP, self.TURN, self.STOP]
+        file, table = self.written(drilled, hole=1000.0)
+        with open(file, encoding="utf-8") as text:
+            lines = text.read().splitlines()
+        lines[3] = lines[3].replace(",1000,1000", ",1000,9000")
+        with open(file, "w", encoding="utf-8") as out:
+            out.write("\n".join(lines) + "\n")
+        self.assertEqual(2, called(weights_command.main, file, "--json", table)[0])
+
+    def test_what_a_record_must_hold(self):
+        names = "time,reading_block_height,top_drive_speed,reading_flow,reading_hook_load"
+        status, told = self.found([self.STOP, self.UP], names=names)
+        self.assertEqual(2, status)
+        self.assertIn("r.csv: has no bit_depth; needed: block_height, bit_depth and hook_load", told)
+        moves, told = self.found([self.STOP, self.UP, self.STOP, self.DOWN], names=names + ",reading_bit_depth")
+        self.assertEqual([("pick_up", 900000), ("slack_off", 700000)], moves)
+        self.assertIn("has no hole_depth", told)
+
+
+if __name__ == "__main__":
+    unittest.main()
