@@ -25,15 +25,17 @@ double opening(const TurnLimit& limit, const Vector3d& from, const Vector3d& bef
   return turned > play * limit.angle() ? std::min(turned, widest) : limit.angle();
 }
 
-/// The part of `way` that leads further out of such a cone, once the hole's end `now` has left it.
-Vector3d outward_part(const Vector3d& from, double half_angle, const Vector3d& now, const Vector3d& way) noexcept
+/// The part of `way` that leads further out of such a cone, once the hole's end `now` has left it: the newly drilled interval's direction is a mean with
+/// `before` and stays where the bottom goes on along that.
+Vector3d outward_part(const Vector3d& from, double half_angle, const Vector3d& before, const Vector3d& now, const Vector3d& way) noexcept
 {
   const double slope = std::tan(half_angle), ahead = from.dot(now);
   const Vector3d aside = now - ahead * from;
   const double offset = aside.norm();
   if (offset <= slope * ahead) return Vector3d::Zero();
   const Vector3d outward = aside / offset;
-  return std::max(0.0, outward.dot(way) - slope * std::max(0.0, from.dot(way))) * outward;
+  const double stays = std::min(slope, outward.dot(before) / std::max(from.dot(before), std::cos(widest)));
+  return std::max(0.0, outward.dot(way) - stays * std::max(0.0, from.dot(way))) * outward;
 }
 }  // namespace
 
@@ -42,7 +44,7 @@ Vector3d limited_way(const Wellbore& well, const TurnLimit& limit, const Vector3
   if (limit.angle() >= widest) return way;
   const Vector3d now = well.end_direction(), above = direction_above(well, limit.length), before = well.node(well.node_count() - 1).tangent;
   Vector3d allowed = way;
-  for (const Vector3d& from : {above, before}) allowed -= outward_part(from, opening(limit, from, before), now, allowed);
+  for (const Vector3d& from : {above, before}) allowed -= outward_part(from, opening(limit, from, before), before, now, allowed);
   return allowed;
 }
 
