@@ -23,10 +23,12 @@ class Path:
         self.stations = [[0.0, 0.0, azimuth]]
 
     def to(self, md, inclination, azimuth=None, rough=0.0):
-        """On to `md` at a constant rate, with stations every 30 m that a driller missed by `rough` [deg]."""
+        """On to `md`, not beyond the well's depth, at a constant rate, with stations every 30 m that a driller missed by `rough` [deg]."""
         md0, inclination0, azimuth0 = self.stations[-1]
         azimuth = azimuth0 if azimuth is None else azimuth
         md = min(md, self.depth)
+        if md - md0 < 1.0:  # it is there
+            return
         pieces = max(1, round((md - md0) / 30.0))
         for k in range(1, pieces + 1):
             share = k / pieces

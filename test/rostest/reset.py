@@ -45,7 +45,7 @@ class Reset(unittest.TestCase):
             self.assertIn("is a snapshot of this scene with start.bit_depth 99.7 m; allowed is that of this rig, 80 m", answer.message)
             self.rig.must(self.rig.reset_well("", 99.7))
             self.rig.must(self.rig.restore_state("", file))
-            self.rig.must(self.rig.load_survey("", [0.0, 90.0], [0.0, 0.0], [0.0, 0.0], 0.0, 0.0, 0.0, 0.0, 0.0))
+            self.rig.must(self.rig.load_survey(md=[0.0, 90.0], inclination=[0.0, 0.0], azimuth=[0.0, 0.0]))
             self.assertIn("another scene", self.rig.restore_state("", file).message)
 
     def test_another_bit_depth(self):
