@@ -31,7 +31,8 @@ void OutputDifference::add(double value, double other, double duration) noexcept
 
 double OutputDifference::absolute() const noexcept
 {
-  return std::sqrt(squares_.mean());
+  const double begun = std::min(1.0, time_ / difference_window);  // there was no difference before the start
+  return std::sqrt(begun * squares_.mean());
 }
 
 double OutputDifference::scale() const noexcept

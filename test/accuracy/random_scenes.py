@@ -28,6 +28,7 @@ class Path:
         azimuth = azimuth0 if azimuth is None else azimuth
         md = min(md, self.depth)
         if md - md0 < 1.0:  # it is there
+            self.stations[-1][0] = max(md, md0)
             return
         pieces = max(1, round((md - md0) / 30.0))
         for k in range(1, pieces + 1):

@@ -39,9 +39,16 @@ TEST(OutputDifference, isTheRootMeanSquareOfThreeSecondsOverTheRange)
 TEST(OutputDifference, ofAnOutputThatStandsIsOverATenthOfItsLevelOrWhatCanBeRead)
 {
   OutputDifference level(Output::hook_load), nothing_there(Output::hook_load);
-  for (int k = 0; k < 100; ++k) level.add(101e3, 100e3, frame), nothing_there.add(100.0, 0.0, frame);
+  for (int k = 0; k < 300; ++k) level.add(101e3, 100e3, frame), nothing_there.add(100.0, 0.0, frame);
   EXPECT_NEAR(level.relative(), 0.1, 1e-9);
   EXPECT_NEAR(nothing_there.relative(), 0.1, 1e-9) << "of 1 kN";
+}
+
+TEST(OutputDifference, aSecondAfterTheStartIsAThirdOfAWindow)
+{
+  OutputDifference difference(Output::hook_load);
+  for (int k = 0; k < 100; ++k) difference.add(101e3, 100e3, frame);
+  EXPECT_NEAR(difference.absolute(), 1e3 / std::sqrt(3.0), 1.0);
 }
 
 TEST(OutputDifference, aRateOfPenetrationThatJumpsAFrameLaterIsHardlyAnother)

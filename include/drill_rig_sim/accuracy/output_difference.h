@@ -17,7 +17,7 @@ public:
 
   /// Its values in the two over a frame of `duration` [s]; the second is the one whose range counts.
   void add(double value, double other, double duration) noexcept;
-  /// Root mean square of the difference over the last window, in the output's unit.
+  /// Root mean square of the difference over the last window, in the output's unit; before the start there was none.
   double absolute() const noexcept;
   /// What the output has ranged over so far, a tenth of its mean magnitude, or what an instrument tells apart, whichever is most; in its unit.
   double scale() const noexcept;
