@@ -20,13 +20,27 @@ def report(remarks):
             logging.getLogger("drill_rig_sim").warning("%s", remark)
 
 
+def plain_utf8(file, longest):
+    """The text of a file where the Python module sim is not built, as after ./launch/demo alone: the package's own files are UTF-8."""
+    try:
+        with open(file, "rb") as source:
+            text = source.read(longest + 1).decode("utf-8-sig")
+    except OSError as error:
+        raise TextError("%s: %s" % (file, error.strerror))
+    except UnicodeDecodeError:
+        raise TextError("%s: is not UTF-8; other encodings are read by the Python module sim, which is not built (it needs pybind11-dev)" % file)
+    if len(text) > longest or "\0" in text:
+        raise TextError("%s: is no text, or longer than %d bytes" % (file, longest))
+    return text
+
+
 def decoded(file, longest=LONGEST):
     """The text of a file of at most `longest` bytes, and what is to be reported of its encoding: one line, or "". TextError where it is none."""
     try:
         from drill_rig_sim import _sim  # pylint: disable=import-outside-toplevel
         from drill_rig_sim.lockstep import Refused  # pylint: disable=import-outside-toplevel
-    except ImportError as error:
-        raise TextError("%s: text is read by the Python module sim, which is not built (it needs pybind11-dev): %s" % (file, error))
+    except ImportError:
+        return plain_utf8(file, longest), ""
     try:
         return _sim.read_text(os.fspath(file), longest)
     except Refused as refusal:
