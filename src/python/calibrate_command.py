@@ -95,6 +95,9 @@ def fit_and_tell(options, plan, problem, why):
 
 def apply_and_tell(options, plan, problem, fitted, why):
     """What an earlier fit predicts of the plan's data."""
+    unknown = [str(signal) for signal in dict.fromkeys(plan.model.signals) if str(signal) not in fitted.scatter]
+    if unknown:
+        raise PlanError("%s: %s: had no such data, allowed: %s" % (options.apply, ", ".join(unknown), ", ".join(fitted.scatter)))
     if not numpy.isfinite(problem.predict(fitted.values)).any():
         raise FitError("nothing can be predicted: %s" % why(problem.starts()))
     prediction = Prediction(plan.model, problem, fitted, fitted.values)

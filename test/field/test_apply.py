@@ -93,6 +93,16 @@ class Applied(unittest.TestCase):
         self.assertIn("unknown", out)
         self.assertEqual("drill calibrate: the band is unknown where it depends on what the fit's data do not tell: pressure\n", told)
 
+    def test_a_signal_that_the_fit_did_not_have_is_refused(self):
+        with open(self.result, encoding="utf-8") as text:
+            tree = json.load(text)
+        del tree["rms"]["torque"]
+        with open(self.path("fewer.json"), "w", encoding="utf-8") as out:
+            json.dump(tree, out)
+        status, _, told = calibrate(self.data(signals=["hook_load", "torque"], to=30.0), "--apply", self.path("fewer.json"))
+        self.assertEqual((2, 1), (status, told.count("\n")), told)
+        self.assertIn("fewer.json: torque: had no such data, allowed: ", told)
+
     def test_what_is_refused(self):
         for name, text in (("text.json", "{"), ("list.json", "[1]"), ("old.json", '{"parameters": [{"name": "a", "value": 1}], "covariance": [[1]], "rms": {}}')):
             with open(self.path(name), "w", encoding="utf-8") as out:
