@@ -1,13 +1,11 @@
 #!/usr/bin/python3
 """drill calibrate --apply: what a fit found predicts the record of another well within its band; parts of a record; what is refused."""
 import importlib.util
-import io
 import json
 import os
 import sys
 import tempfile
 import unittest
-from contextlib import redirect_stderr, redirect_stdout
 
 if not importlib.util.find_spec("scipy"):
     print("skipped: SciPy is not installed (python3-scipy: ./test/run --campaigns)")
@@ -15,14 +13,14 @@ if not importlib.util.find_spec("scipy"):
 import made_record
 import numpy
 import yaml
+from called import called
 from drill_rig_sim import calibrate_command
 
 
 def calibrate(*words):
-    out, told = io.StringIO(), io.StringIO()
-    with redirect_stdout(out), redirect_stderr(told):
-        status = calibrate_command.main(list(words))
-    return status, out.getvalue(), "".join(line for line in told.getvalue().splitlines(True) if "points tried" not in line)
+    """Without its progress."""
+    status, out, told = called(calibrate_command.main, *words)
+    return status, out, "".join(line for line in told.splitlines(True) if "points tried" not in line)
 
 
 class Applied(unittest.TestCase):

@@ -9,13 +9,14 @@ import os
 import sys
 import tempfile
 import unittest
-from contextlib import redirect_stderr, redirect_stdout
+from contextlib import redirect_stderr
 
 if not importlib.util.find_spec("scipy"):
     print("skipped: SciPy is not installed (python3-scipy: ./test/run --campaigns)")
     sys.exit(77)
 import made_record
 import numpy
+from called import called
 from drill_rig_sim import calibrate_command
 from drill_rig_sim.field.fit import FitError, Parameter, Problem, fit, hang_together
 
@@ -23,10 +24,7 @@ INFINITE = float("inf")
 
 
 def calibrate(*words):
-    out, told = io.StringIO(), io.StringIO()
-    with redirect_stdout(out), redirect_stderr(told):
-        status = calibrate_command.main(list(words))
-    return status, out.getvalue(), told.getvalue()
+    return called(calibrate_command.main, *words)
 
 
 class Least(unittest.TestCase):

@@ -1,13 +1,11 @@
 #!/usr/bin/python3
 """drill weights: which moves of a time log are steady, and that what drill calibrate finds of them is what the simulator made the log with."""
 import importlib.util
-import io
 import json
 import os
 import sys
 import tempfile
 import unittest
-from contextlib import redirect_stderr, redirect_stdout
 
 if not importlib.util.find_spec("scipy"):
     print("skipped: SciPy is not installed (python3-scipy: ./test/run --campaigns)")
@@ -15,14 +13,8 @@ if not importlib.util.find_spec("scipy"):
 import made_weights
 import numpy
 import yaml
+from called import called
 from drill_rig_sim import calibrate_command, weights_command
-
-
-def called(main, *words):
-    out, told = io.StringIO(), io.StringIO()
-    with redirect_stdout(out), redirect_stderr(told):
-        status = main(list(words))
-    return status, out.getvalue(), told.getvalue()
 
 
 class Simulated(unittest.TestCase):

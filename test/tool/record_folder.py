@@ -1,10 +1,9 @@
 """What the tests of records share: a folder for files, rows that are right, and refusals of one line."""
 import os
-import tempfile
-import unittest
 
 import numpy
 from drill_rig_sim.field.record import RecordError, read_record
+from in_folder import InFolder
 
 CASES = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "cases")
 KLBF, FEET = 4448.2216152605, 0.3048
@@ -14,18 +13,7 @@ STAMPS = ["2024-05-01T10:00:%02dZ" % row[0] for row in ROWS]
 MAP = "time: {column: T, unit: s}\nhook_load: {column: H, unit: klbf}\nblock_height: {column: B, unit: ft}\n"
 
 
-class Folder(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
-    def file(self, name, text, encoding="utf-8"):
-        path = os.path.join(self.folder, name)
-        with open(path, "w", encoding=encoding, newline="") as out:
-            out.write(text)
-        return path
-
+class Folder(InFolder):
     def read(self, text, columns=None, name="r.csv", encoding="utf-8"):
         return read_record(self.file(name, text, encoding), self.file("map.yaml", columns) if columns else None)
 

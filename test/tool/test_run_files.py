@@ -5,11 +5,11 @@ import json
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 
 from drill_rig_sim import plot_well
 from drill_rig_sim.score_runs import NEEDED, RunError, read_run
+from in_folder import InFolder
 
 ROWS = [(0.1 * k, 100.0 + 0.001 * k, 100.0 + 0.001 * k, 10e3, 600.0, 9.5) for k in range(300)]
 STRING = "md,tension,true_axial_force,torque,bending_moment,contact_force\n0,5,5,1,0,2.5\n100,3,3,1,0,2.5\n"
@@ -20,18 +20,7 @@ def series(sign=",", decimal="."):
     return "".join(sign.join(cells) + "\n" for cells in [NEEDED] + [[("%.9g" % number).replace(".", decimal) for number in row] for row in ROWS])
 
 
-class RunFiles(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
-    def file(self, name, text, encoding="utf-8"):
-        path = os.path.join(self.folder, name)
-        with open(path, "w", encoding=encoding, newline="") as out:
-            out.write(text)
-        return path
-
+class RunFiles(InFolder):
     def test_what_is_read(self):
         for what, text, encoding in (("as it is", series(), "utf-8"), ("mark", series(), "utf-8-sig"), ("UTF-16", series(), "utf-16"), ("ends of lines", series().replace("\n", "\r\n"), "utf-8"),
                                      ("an empty line", series() + "\n", "utf-8"), ("a spreadsheet", series(";", ","), "utf-8"), ("tabs", series("\t"), "utf-8"), ("comment", "# °\n" + series(), "latin-1")):

@@ -4,7 +4,6 @@ import logging
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import numpy
@@ -16,6 +15,7 @@ from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.sim import Simulator
 from drill_rig_sim.survey import SurveyError, read_survey
 from drill_rig_sim.text_file import TextError, read_text
+from in_folder import InFolder
 
 TABLE = "md_m,inclination_deg,azimuth_deg\n0,0,297\n200,0,297\n800,51,297\n# 51°, Tromsø\n"
 SCENE = """name: well # Tromsø
@@ -38,18 +38,7 @@ def drill(*words):
     return subprocess.run([drill_program, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=300, check=False)
 
 
-class Files(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
-    def file(self, name, text, encoding="utf-8"):
-        path = os.path.join(self.folder, name)
-        with open(path, "wb") as out:
-            out.write(text.encode(encoding))
-        return path
-
+class Files(InFolder):
     def scene(self, survey, hole_depth=700.0, more="", encoding="utf-8"):
         return self.file("scene.yaml", SCENE % (survey, hole_depth, more), encoding)
 
