@@ -25,15 +25,18 @@ double MeasuredError::error(Output output) const noexcept
   return error_over_difference * difference.absolute() / std::max(difference.scale(), resolved_share_ * traits_of(output).resolved);
 }
 
-MeasuredError::OfOutput MeasuredError::largest(unsigned needs) const noexcept
+Outputs MeasuredError::errors() const noexcept
 {
-  OfOutput largest;
+  Outputs out;
+  for (std::size_t i = 0; i < output_count; ++i) out[i] = error(static_cast<Output>(i));
+  return out;
+}
+
+OutputError largest_of(const Outputs& errors, unsigned needs) noexcept
+{
+  OutputError largest;
   for (std::size_t i = 0; i < output_count; ++i)
-  {
-    const Output output = static_cast<Output>(i);
-    const double here = needs & traits_of(output).need ? error(output) : 0.0;
-    if (here > largest.error) largest = {output, here};
-  }
+    if ((needs & output_traits[i].need) && errors[i] > largest.error) largest = {static_cast<Output>(i), errors[i]};
   return largest;
 }
 

@@ -2,7 +2,6 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/evaluate.h"
-#include "drill_rig_sim/string/lower_body.h"
 #include "drill_rig_sim/well/formation.h"
 
 namespace drill_rig_sim
@@ -19,7 +18,7 @@ bool is_guided(const State& state) noexcept
 
 Vector3d let_by_body(const Model& model, const State& state, const Vector3d& way) noexcept
 {
-  return is_guided(state) ? way : limited_way(state.well, turn_limit(model.mesh()), way);
+  return is_guided(state) ? way : limited_way(state.well, model.turn_limit(), way);
 }
 }  // namespace
 
@@ -46,7 +45,7 @@ double refused_turn(const Model& model, const State& state, const RigForces& for
   if (forces.wob <= 0.0 || is_guided(state) || model.pilot().is_ahead(state.well.hole_depth())) return 0.0;
   const Vector3d way = rock_breaking_velocity(rock_under_bit(model, state), forces.rock_force, forces.bit_speed, x_axis(state.nodes[0].orientation),
                                               model.bit().side_cutting);
-  return refused_turn(state.well, turn_limit(model.mesh()), way);
+  return refused_turn(state.well, model.turn_limit(), way);
 }
 
 namespace

@@ -36,12 +36,6 @@ std::string any_shorter_step(double step)
   return step > 0.0 ? text("numerics.step: below %.3g s", step) : "numerics.tolerance: smaller";
 }
 
-const char* in_words(Output output)
-{
-  constexpr const char* words[output_count] = {"hook load", "torque", "weight on bit", "rate of penetration", "bit speed", "stand pipe pressure"};
-  return words[static_cast<std::size_t>(output)];
-}
-
 /// Of the needs that a level may leave out.
 std::string words_of(unsigned needs)
 {
@@ -60,7 +54,7 @@ std::string text_of(const AccuracyReport& r, double step)
   {
     case AccuracyDoubt::none: return "";
     case AccuracyDoubt::measured:
-      return text("%s is off by %.2g %% of its range, as a finer model beside this one shows; numerics.tolerance: smaller, or means of longer times", in_words(r.output), 100.0 * r.measure);
+      return text("%s is off by %.2g %% of its range, as a finer model beside this one shows; numerics.tolerance: smaller, or means of longer times", traits_of(r.output).words, 100.0 * r.measure);
     case AccuracyDoubt::confined:
       return text("%.4g m above the bit guided pipe is compressed by %.2f times what it bears straight: it would buckle; numerics.level: beam3d, or hybrid with numerics.free_length beyond it",
                   r.from_bit, r.measure);

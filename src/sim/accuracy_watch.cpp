@@ -9,7 +9,6 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/extend_hole.h"
 #include "drill_rig_sim/sim/string_watch.h"
-#include "drill_rig_sim/string/lower_body.h"
 
 namespace drill_rig_sim
 {
@@ -244,7 +243,7 @@ AccuracyReport doubt_of_hole(const State& state) noexcept
 AccuracyReport doubt_of_turn(const Model& model, const State& state, const RigForces& forces) noexcept
 {
   const double turn = refused_turn(model, state, forces);
-  return turn > 0.0 ? AccuracyReport{AccuracyDoubt::turn, turn, 0.0, 0.0, turn_limit(model.mesh()).curvature} : AccuracyReport();
+  return turn > 0.0 ? AccuracyReport{AccuracyDoubt::turn, turn, 0.0, 0.0, model.turn_limit().curvature} : AccuracyReport();
 }
 
 AccuracyReport doubt_of_string(const Model& model, const State& state, const RigForces& forces) noexcept

@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/string/lower_body.h"
 
 namespace drill_rig_sim
 {
@@ -15,7 +14,7 @@ std::optional<TightAssembly> tight_assembly(const Model& model, const RigForces&
   const Scene& scene = model.scene();
   TightAssembly out;
   out.side_force = at_rest.contact.front();
-  out.turn = turn_limit(mesh).curvature;
+  out.turn = model.turn_limit().curvature;
   out.weight = standard_gravity * mesh.bit_mass * (1.0 - scene.mud.density / scene.string.front().density);
   for (const MeshElement& element : mesh.elements)
     if (scene.string[static_cast<std::size_t>(element.part)].motor)

@@ -48,10 +48,10 @@ void Simulator::Impl::judge(double duration) noexcept
   statistics.error_is_measured = measures();
   if (!statistics.error_is_measured) return;
   state.measured.add(outputs_of(state.truth), outputs_of(companions.front()->state.truth), duration);
-  const MeasuredError::OfOutput largest = state.measured.largest(scene.needs);
-  if (largest.error > scene.numerics.tolerance && state.accuracy.report.doubt <= AccuracyDoubt::measured)
+  statistics.errors = state.measured.errors();
+  const OutputError largest = largest_of(statistics.errors, scene.needs);
+  if (largest.error > scene.numerics.tolerance && state.accuracy.report.doubt == AccuracyDoubt::none)  // doubts of the model come first
     state.accuracy.report = {AccuracyDoubt::measured, largest.error, 0.0, 0.0, 0.0, largest.output};
-  for (std::size_t i = 0; i < output_count; ++i) statistics.errors[i] = state.measured.error(static_cast<Output>(i));
   statistics.accuracy = state.accuracy.report;
   state.truth.accuracy_warning = statistics.accuracy.doubt != AccuracyDoubt::none;
 }

@@ -25,8 +25,6 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double frame_length = 0.01;  // simulated [s], as the node's default
-
 double cpu_time()
 {
   timespec t{};

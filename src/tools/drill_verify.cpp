@@ -22,8 +22,6 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double frame_length = 0.01;  // simulated [s], as drill run's
-
 struct VerifyOptions
 {
   RunOptions run;
@@ -100,19 +98,17 @@ void print_verdict(const Verification& verification, double tolerance)
   }
 }
 
+/// What is not finite is written as null.
 nlohmann::ordered_json json_of(const Simulator& simulator, const Verification& verification, double times)
 {
-  const auto number = [](double value) { return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(); };
   nlohmann::ordered_json out{{"scene", simulator.scene().name}, {"verdict", word_of(verification.verdict())}, {"tolerance", simulator.scene().numerics.tolerance},
-                             {"refined", {times, times * times}}, {"simulated_s", simulator.truth().time}, {"warned_from", number(verification.warned_from())}};
+                             {"refined", {times, times * times}}, {"simulated_s", simulator.truth().time}, {"warned_from", verification.warned_from()}};
   for (std::size_t i = 0; i < output_count; ++i)
   {
     const Output output = static_cast<Output>(i);
     const Verification::Finding f = verification.finding(output);
-    nlohmann::ordered_json& told = out["outputs"][traits_of(output).name];
-    told = {{"needed", verification.needed(output)}, {"mean", f.mean}, {"finest_mean", f.finest_mean}, {"scale", f.scale}, {"worst", f.worst},
-                                              {"worst_until", f.worst_until}, {"known_to", f.own}, {"known", f.known}, {"wrong_from", number(f.wrong_from)}, {"off", f.off}};
-    for (const double measured : f.measured) told["measured"].push_back(number(measured));
+    out["outputs"][traits_of(output).name] = {{"needed", verification.needed(output)}, {"mean", f.mean}, {"finest_mean", f.finest_mean}, {"scale", f.scale}, {"worst", f.worst},
+                                              {"worst_until", f.worst_until}, {"known_to", f.own}, {"known", f.known}, {"wrong_from", f.wrong_from}, {"off", f.off}, {"measured", f.measured}};
   }
   return out;
 }

@@ -61,7 +61,7 @@ class Trial:
         """Measured over true error, by windows of needed outputs."""
         out = []
         for found in self.found['outputs'].values() if self.found else ():
-            pairs = zip(found['off'], found.get('measured', [])) if found['needed'] else ()
+            pairs = zip(found['off'], found['measured']) if found['needed'] else ()
             out += [measured / off for off, measured in pairs if measured is not None and min(off, measured) > 0.2 * tolerance]
         return out
 

@@ -50,6 +50,16 @@ inline void play_on(Simulator& rig, double seconds)
   play_on(rig, seconds, [](const Simulator&) {});
 }
 
+/// At 10 rad/s with the pump on, the block fed at `feed` [m/s].
+inline void turn_and_feed(Simulator& rig, double feed)
+{
+  TopDriveSetpoint drive;
+  drive.speed = 10.0;
+  rig.command(drive);
+  rig.command(PumpSetpoint{0.02});
+  rig.command(WinchSetpoint{-feed, false});
+}
+
 /// What hangs above the slips [N], the block left out, and what the string's model is there.
 inline double weight_above_slips(const Simulator& rig)
 {

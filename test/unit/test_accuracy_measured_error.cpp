@@ -31,8 +31,8 @@ TEST(MeasuredError, theLargestIsOfWhatIsNeeded)
 {
   MeasuredError measured(0.02);
   for (int k = 0; k < 400; ++k) measured.add({1e6, 1e4, 4e4}, {0.9e6, 0.99e4, 3e4}, 0.01);
-  EXPECT_EQ(measured.largest(every_need).output, Output::wob);
-  EXPECT_EQ(measured.largest(need_hook_load | need_torque).output, Output::hook_load);
-  EXPECT_EQ(measured.largest(need_direction).error, 0.0);
+  EXPECT_EQ(largest_of(measured.errors(), every_need).output, Output::wob);
+  EXPECT_EQ(largest_of(measured.errors(), need_hook_load | need_torque).output, Output::hook_load);
+  EXPECT_EQ(largest_of(measured.errors(), need_direction).error, 0.0);
 }
 }  // namespace test_accuracy_measured_error

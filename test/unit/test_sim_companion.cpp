@@ -21,15 +21,6 @@ void expect_same(const Truth& a, const Truth& b, const char* what)
   EXPECT_EQ(numbers_of(a), numbers_of(b)) << what;
 }
 
-void turn_and_feed(Simulator& rig, double feed)
-{
-  TopDriveSetpoint drive;
-  drive.speed = 10.0;
-  rig.command(drive);
-  rig.command(PumpSetpoint{0.02});
-  rig.command(WinchSetpoint{-feed, false});
-}
-
 /// Turns, is zeroed, tags and drills; the hole packs off and is free again.
 void drill(Simulator& rig)
 {

@@ -36,15 +36,6 @@ Scene soft_rock(Level level)
   return scene;
 }
 
-void drill(Simulator& rig, double feed)
-{
-  TopDriveSetpoint drive;
-  drive.speed = 10.0;
-  rig.command(drive);
-  rig.command(PumpSetpoint{0.02});
-  rig.command(WinchSetpoint{-feed, false});
-}
-
 template <class Until>
 void play_until(Simulator& rig, double frame, double most, const Until& until)
 {
@@ -74,7 +65,7 @@ TEST(Crew, addsAStandWhateverTheFramesLength)
   {
     Simulator rig(soft_rock(Level::axial_torsional));
     const int stands = rig.truth().stand_count;
-    drill(rig, 0.05);
+    turn_and_feed(rig, 0.05);
     play_until(rig, frame, 2e4, [&](const Truth& m) { return m.stand_count == stands + 1 && m.crew == CrewTask::none; });
     EXPECT_EQ(rig.truth().stand_count, stands + 1) << frame;
   }
@@ -87,7 +78,7 @@ TEST(Crew, drillsTenStands)
   Simulator rig(soft_rock(Level::axial_torsional));
   const int stands = rig.truth().stand_count;
   const double length = rig.save()->string.length;
-  drill(rig, 0.05);
+  turn_and_feed(rig, 0.05);
   double most_jump = 0.0, before = rig.truth().hole_depth, error = 0.0, first = 0.0;
   play_until(rig, slips_frame, 2e4,
              [&](const Truth& m)
@@ -114,7 +105,7 @@ TEST(Crew, goesThroughItsOperations)
 {
   Simulator rig(soft_rock(Level::beam3d));
   rig.command(WinchSetpoint{-0.02, false});
-  drill(rig, 0.02);
+  turn_and_feed(rig, 0.02);
   play_on(rig, 1.0);
   ASSERT_TRUE(rig.tare());
   Log log;
@@ -149,7 +140,7 @@ TEST(Crew, goesThroughItsOperations)
 TEST(Crew, handsBackWhatIsAskedLast)
 {
   Simulator rig(soft_rock(Level::rigid));
-  drill(rig, 0.05);
+  turn_and_feed(rig, 0.05);
   play_until(rig, slips_frame, 1e3, [](const Truth& m) { return m.crew == CrewTask::connecting; });
   EXPECT_STREQ(rig.set_slips(false), "slips: the crew makes a connection");
   EXPECT_STREQ(rig.make_connection(1, false), "connection: the crew makes one");
@@ -320,7 +311,7 @@ TEST(Crew, operationsThatCannotBeAreTold)
 TEST(Crew, isInSnapshots)
 {
   Simulator rig(soft_rock(Level::hybrid));
-  drill(rig, 0.05);
+  turn_and_feed(rig, 0.05);
   for (const CrewTask in : {CrewTask::slacking, CrewTask::connecting, CrewTask::lowering})
   {
     play_until(rig, slips_frame, 1e3, [in](const Truth& m) { return m.crew == in; });

@@ -21,8 +21,6 @@ public:
   double absolute() const noexcept;
   /// What the output has ranged over so far, a tenth of its mean magnitude, or what an instrument tells apart, whichever is most; in its unit.
   double scale() const noexcept;
-  /// absolute() over scale() [-].
-  double relative() const noexcept { return absolute() / scale(); }
 
   template <class V>
   void visit(V& v)

@@ -26,17 +26,18 @@ using Outputs = std::array<double, output_count>;
 struct OutputTraits
 {
   const char* name;  ///< as the column of `drill run --csv`
+  const char* words;  ///< as a sentence has it
   Need need;         ///< the word of the scene's key `needs` that asks for it
   double resolved;   ///< what an instrument tells apart: no less counts as a change of the output
 };
 
 /// Of each output, in their order: kN, 0.1 kN m, kN, 36 mm/h, rpm, bar by what rigs show.
-constexpr std::array<OutputTraits, output_count> output_traits = {{{"hook_load", need_hook_load, 1e3},
-                                                                   {"torque", need_torque, 100.0},
-                                                                   {"wob", need_wob, 1e3},
-                                                                   {"rop", need_rop, 1e-5},
-                                                                   {"bit_speed", need_bit_speed, 0.1},
-                                                                   {"stand_pipe_pressure", need_pressure, 1e5}}};
+constexpr std::array<OutputTraits, output_count> output_traits = {{{"hook_load", "hook load", need_hook_load, 1e3},
+                                                                   {"torque", "torque", need_torque, 100.0},
+                                                                   {"wob", "weight on bit", need_wob, 1e3},
+                                                                   {"rop", "rate of penetration", need_rop, 1e-5},
+                                                                   {"bit_speed", "bit speed", need_bit_speed, 0.1},
+                                                                   {"stand_pipe_pressure", "stand pipe pressure", need_pressure, 1e5}}};
 
 constexpr const OutputTraits& traits_of(Output output) noexcept
 {

@@ -9,6 +9,7 @@
 #include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/string/beam_table.h"
+#include "drill_rig_sim/string/lower_body.h"
 #include "drill_rig_sim/string/mesh.h"
 #include "drill_rig_sim/well/formation.h"
 #include "drill_rig_sim/well/pilot_hole.h"
@@ -52,6 +53,8 @@ public:
   const SteerableSpec* steerable() const noexcept { return steerable_; }
   /// The mud's way through string and hole.
   const MudCircuit& mud() const noexcept { return mud_; }
+  /// How fast the body that follows the bit lets the hole turn.
+  const TurnLimit& turn_limit() const noexcept { return turn_limit_; }
   /// Wall contact at a node; friction as the scene has it everywhere.
   const WallLaw& contact(int i) const noexcept { return contact_[static_cast<std::size_t>(i)]; }
   /// And at an element's middle.
@@ -88,6 +91,7 @@ private:
   const SteerableSpec* steerable_ = nullptr;  // too
   double bit_bristle_ = 0.0;
   MudCircuit mud_;
+  TurnLimit turn_limit_;
 };
 
 }  // namespace drill_rig_sim
