@@ -1,28 +1,59 @@
 #include "drill_rig_sim/accuracy/measured_error.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drill_rig_sim
 {
 namespace
 {
-constexpr double seen = 0.1;  // share of what an instrument tells apart below which no error matters
+constexpr double seen = 0.5;  // of an instrument's resolution; what is smaller is within the rounding of its display
 }
 
-MeasuredError::MeasuredError(double tolerance) noexcept : resolved_share_(seen / tolerance)
+MeasuredError::MeasuredError(double tolerance, double error_over_difference) noexcept
+    : error_over_difference_(error_over_difference), resolved_share_(seen / tolerance)
 {
   for (std::size_t i = 0; i < output_count; ++i) differences_[i] = OutputDifference(static_cast<Output>(i));
 }
 
-void MeasuredError::add(const Outputs& run, const Outputs& finer, double duration) noexcept
+void MeasuredError::add_run(const Outputs& run, double duration) noexcept
 {
-  for (std::size_t i = 0; i < output_count; ++i) differences_[i].add(run[i], finer[i], duration);
+  frames_[run_++ % capacity] = {run, {}, duration};
+  waiting_ += duration;
+}
+
+void MeasuredError::add_companion(const Outputs& companion) noexcept
+{
+  if (companion_ < run_) frames_[companion_++ % capacity].companion = companion;
+}
+
+bool MeasuredError::compare() noexcept
+{
+  const Frame& frame = frames_[compared_++ % capacity];
+  waiting_ = compared_ == run_ ? 0.0 : waiting_ - frame.duration;
+  if (std::isnan(frame.companion.front())) return false;
+  for (std::size_t i = 0; i < output_count; ++i) differences_[i].add(frame.companion[i], frame.run[i], frame.duration);
+  return true;
+}
+
+double MeasuredError::absolute_error(Output output) const noexcept
+{
+  return error_over_difference_ * differences_[static_cast<std::size_t>(output)].absolute();
+}
+
+double MeasuredError::scale(Output output) const noexcept
+{
+  return std::max(differences_[static_cast<std::size_t>(output)].scale(), resolved_share_ * traits_of(output).resolved);
 }
 
 double MeasuredError::error(Output output) const noexcept
 {
-  const OutputDifference& difference = differences_[static_cast<std::size_t>(output)];
-  return error_over_difference * difference.absolute() / std::max(difference.scale(), resolved_share_ * traits_of(output).resolved);
+  return absolute_error(output) / scale(output);
+}
+
+double MeasuredError::mean_error(Output output) const noexcept
+{
+  return error_over_difference_ * differences_[static_cast<std::size_t>(output)].of_means() / scale(output);
 }
 
 Outputs MeasuredError::errors() const noexcept

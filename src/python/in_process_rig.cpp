@@ -149,7 +149,7 @@ std::string InProcessRig::kernel() const
 std::string InProcessRig::accuracy_warning() const
 {
   const Turn turn(*this);
-  return text_of(simulator_->statistics().accuracy, simulator_->statistics().step);
+  return text_of(simulator_->statistics().accuracy);
 }
 
 double InProcessRig::drum_height() const

@@ -124,8 +124,8 @@ class Server:
     def wake_up(self):
         try:
             self.wake.send(b"x")
-        except BlockingIOError:
-            pass  # it is awake
+        except OSError:
+            pass  # the thread is awake, or has ended and closed its sockets
 
     # --- the thread
 

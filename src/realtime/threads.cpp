@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -52,6 +53,12 @@ std::string try_realtime(const RealtimeSpec& spec)
   if (spec.lock_memory && mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
     return not_permitted("lock_memory", errno, "needed: `ulimit -l unlimited` (memlock in /etc/security/limits.conf) or CAP_IPC_LOCK; or false");
   return "";
+}
+
+int available_cores() noexcept
+{
+  cpu_set_t cores;
+  return sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::max(1, CPU_COUNT(&cores)) : 1;
 }
 
 void name_thread(const char* name) noexcept

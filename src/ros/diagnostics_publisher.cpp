@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "drill_rig_sim/realtime/semaphore.h"
+#include "drill_rig_sim/math/semaphore.h"
 
 namespace drill_rig_sim
 {

@@ -137,7 +137,7 @@ DiagnosticsReport::Status DiagnosticsReport::physics_status(const FrameRecord& f
   tell(frame.truth.over_torque, "connection beyond its make-up torque", "make_up", p.loads.torque);
   tell(frame.truth.buckled, "pipe beyond its buckling load", "buckling", p.loads.buckling);
   if (p.tight) s.mergeSummary(DiagnosticStatus::WARN, text_of(*p.tight));
-  if (frame.truth.accuracy_warning) s.mergeSummary(DiagnosticStatus::WARN, text_of(p.accuracy, p.step));
+  if (frame.truth.accuracy_warning) s.mergeSummary(DiagnosticStatus::WARN, text_of(p.accuracy));
   for (std::size_t i = 0; p.error_is_measured && i < output_count; ++i) s.add(std::string("error_") + output_traits[i].name, p.errors[i]);
   if (frame.truth.relief_valve_open) s.mergeSummary(DiagnosticStatus::WARN, "relief valve open: part of the flow goes back to the tanks");
   s.add("level", p.level);

@@ -239,7 +239,7 @@ std::string Services::set_speed(double speed)
     throw Refusal("speed is " + written(speed) + "; allowed is 0 = as fast as it goes, or a number >= " + written(slowest));
   if (!loop_.time().has_own_clock() && speed != 1.0)
     throw Refusal("stamps are wall time (~publish_clock is false); allowed is 1");
-  loop_.between_frames([=](SimulationLoop& loop) { loop.time().set_speed(speed, steady_now()); });
+  loop_.between_frames([=](SimulationLoop& loop) { loop.set_speed(speed); });
   return speed == 0.0 ? "as fast as it goes" : std::to_string(speed) + " simulated seconds per wall second";
 }
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "drill_rig_sim/realtime/semaphore.h"
+#include "drill_rig_sim/math/semaphore.h"
 
 namespace drill_rig_sim
 {

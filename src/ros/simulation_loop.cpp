@@ -34,6 +34,7 @@ SimulationLoop::SimulationLoop(const Parameters& parameters, std::unique_ptr<Sim
       well_cadence_(parameters.trajectory_rate)
 {
   set_timeout();
+  pace_companions();
   reserve_memory();
 }
 
@@ -314,6 +315,7 @@ std::unique_ptr<Simulator> SimulationLoop::replace(std::unique_ptr<Simulator> si
   rig_ = RunningRig(std::move(simulator), parameters_.play_program);
   mailbox_.clear();
   set_timeout();
+  pace_companions();
   reserve_memory();
   restart_cadences();
   publish_now(true);

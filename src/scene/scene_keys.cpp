@@ -10,7 +10,8 @@ const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybri
 const std::vector<const char*> integrator_words = {"auto",   "bdf2",              "implicit_euler", "linearly_implicit_euler",
                                                    "trbdf2", "generalised_alpha", "explicit",       "arkode_dirk",
                                                    "ida"};
-const std::vector<const char*> companion_words = {"none", "finer"};
+const std::vector<const char*> companion_words = {"auto", "none", "coarser", "finer"};
+const std::vector<const char*> judge_words = {"truth", "readings"};
 const std::vector<const char*> kernel_words = {"auto", "scalar", "sse4", "avx2", "avx512", "neon"};
 const std::vector<const char*> element_words = {"auto", "corotational", "geometrically_exact", "rotation_vector"};
 
@@ -355,7 +356,10 @@ const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are so
   {"refinement",            "-",      &NumericsSpec::refinement,           between(1.0, 64.0),   "elements and steps so many times shorter than they would be: what changes by it is the numerics', as `drill verify` shows"},
   {"companion",             "",       Choice<NumericsSpec>{companion_words, [](NumericsSpec& n, int word) { n.companion = static_cast<CompanionKind>(word); },
                                                [](const NumericsSpec& n) { return static_cast<int>(n.companion); }},
-                                                                           none,                 "finer: a model with elements and steps 1.5 times as short runs beside this one and gets the same commands; how far they are apart measures the error of each output, and `accuracy_warning` goes by it. It takes twice as much time again. none: signs of what may be wrong are watched instead"},
+                                                                           none,                 "another model of the rig, which gets the same commands; the difference measures the error of each output, and `accuracy_warning` depends on it. finer: elements and steps half as long, three times the computing time of the run. coarser: twice as long, half the time, but many false warnings. none: the error is not measured. auto: finer where level is auto, else none"},
+  {"judge",                 "",       Choice<NumericsSpec>{judge_words, [](NumericsSpec& n, int word) { n.judge = static_cast<Judge>(word); },
+                                               [](const NumericsSpec& n) { return static_cast<int>(n.judge); }},
+                                                                           none,                 "values whose error is measured. truth: as they are. readings: as the instruments show them, with their filter, delay, rate and resolution: what a controller cannot see is no error then"},
   {"reference_tolerance",   "-",      &NumericsSpec::reference_tolerance,  between(1e-10, 1e-2), "integrator ida: local error of velocities (m/s, rad/s, and relative); of places (m, rad) a hundredth of it"},
   {"reference_order",       "",       &NumericsSpec::reference_order,      between(1, 5),        "integrator ida: highest order of its BDF; above 2 waves that are hardly damped force shorter steps"},
   {"reference_index",       "",       &NumericsSpec::reference_index,      between(2, 3),        "integrator ida: index of the DAE, 2 stabilised; 3 only shows how it fails"},

@@ -277,8 +277,12 @@ ProblemList unavailable(const Scene& scene)
     problems.emplace_back("rig.heave", "not available with the reference (ida)");
   if (scene.rig.heave.amplitude > 0.0 && numerics.level == Level::rigid)
     problems.emplace_back("rig.heave", "not available at level rigid, whose string neither stretches nor swings");
-  if (numerics.companion != CompanionKind::none && numerics.integrator == IntegratorKind::ida)
+  const bool asked = numerics.companion == CompanionKind::finer || numerics.companion == CompanionKind::coarser;
+  if (asked && numerics.integrator == IntegratorKind::ida)
     problems.emplace_back("numerics.companion", "not available with the reference (ida)");
+  const bool fixed_step = numerics.step > 0.0 || (numerics.step == step_by_level && numerics.level != Level::automatic);
+  if (numerics.companion == CompanionKind::coarser && fixed_step)
+    problems.emplace_back("numerics.companion", "coarser needs variable steps (numerics.step: 0)");
   if (!has_kernel(numerics.kernel))
     problems.emplace_back("numerics.kernel", std::string(name_of(numerics.kernel)) + " is not among what this machine and build have, allowed: " + kernels_here());
   return problems;

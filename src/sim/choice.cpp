@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "drill_rig_sim/accuracy/refined.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 
 namespace drill_rig_sim
@@ -55,6 +56,7 @@ Scene with_choice(const Scene& scene)
 {
   Scene chosen = scene;
   NumericsSpec& numerics = chosen.numerics;
+  numerics.companion = chosen_companion(numerics);
   if (numerics.step == step_by_level) numerics.step = numerics.level == Level::automatic && varies_steps(numerics.integrator) ? 0.0 : default_step;
   if (numerics.level != Level::automatic) return chosen;
   const Choice choice = choose(scene);

@@ -127,7 +127,7 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigA
             << " times what it bears straight: it buckles";
   if (report.outcome.share > 0.0 && report.outcome.top_force < 0.0)
     message << "; even with that the string must be pushed in with " << -report.outcome.top_force / 1e3 << " kN";
-  const std::string doubt = text_of(report.accuracy, 0.0);
+  const std::string doubt = text_of(report.accuracy);
   if (!doubt.empty()) message << "; " << doubt;
   throw std::runtime_error(message.str());
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "drill_rig_sim/accuracy/finer.h"
+#include "drill_rig_sim/accuracy/refined.h"
 #include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
@@ -46,10 +46,10 @@ int coordinates_of(const State& state, int guided) noexcept
 }
 }  // namespace
 
-Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
-  : scene(s), model(std::move(rig.model)), state(std::move(rig.state), std::move(rig.statics.forces)),
+Simulator::Impl::Impl(const Scene& s, std::uint64_t seed_of_noise, RigAtRest&& rig)
+  : scene(s), seed(seed_of_noise), model(std::move(rig.model)), state(std::move(rig.state), std::move(rig.statics.forces)),
     integrator(make_integrator(scene.numerics.integrator, model, state.mechanics)),
-    watch(*model), accuracy(model), levels(*model), variable(scene.numerics.has_variable_steps()), stride_end(state.mechanics), between(state.mechanics),
+    watch(*model), levels(*model), variable(scene.numerics.has_variable_steps()), stride_end(state.mechanics), between(state.mechanics),
     end_forces(state.forces), forces_between(state.forces)
 {
   state.scene = scene_hash(scene);
@@ -76,8 +76,19 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
 Simulator::Simulator(const Scene& scene, std::uint64_t seed) : impl_(std::make_unique<Impl>(with_choice(available(scene)), seed))
 {
   if (scene.numerics.level == Level::automatic) impl_->choice = choose(scene).reason;
-  impl_->state.measured = MeasuredError(impl_->scene.numerics.tolerance);
-  if (scene.numerics.companion == CompanionKind::finer) add_companion(finer(impl_->scene, finer_companion));
+  const CompanionKind kind = impl_->scene.numerics.companion;
+  impl_->statistics.not_measured = why_not_measured(scene.numerics);
+  if (kind == CompanionKind::none) return;
+  impl_->state.measured = MeasuredError(impl_->scene.numerics.tolerance, traits_of(kind).error_over_difference);
+  try
+  {
+    add_companion(refined(with_free_nodes(impl_->scene.numerics), traits_of(kind).refinement));
+  }
+  catch (const std::runtime_error&)
+  {
+    if (scene.numerics.companion == kind) throw;  // asked for by the scene
+    impl_->statistics.not_measured = "the start of the finer model was not found";
+  }
 }
 Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;
@@ -164,10 +175,11 @@ FrameStatus Simulator::frame(double duration) noexcept
   impl_->steer();
   watch_interlocks(impl_->scene.rig, impl_->state.readings, impl_->state.commands.in_force(), impl_->state.interlocks);
   const Setpoints setpoints = impl_->in_force();
-  impl_->lead([&](Impl& companion) { companion.follow(*impl_, duration, setpoints); });
+  impl_->order_frame(duration, setpoints);
+  impl_->integrator->profiler().restart();  // what companions took in this thread is theirs
   if (!impl_->compute_frame(duration, setpoints)) return FrameStatus::failed;
-  impl_->judge(duration);
   impl_->state.instruments.read(impl_->state.truth, impl_->sensor_view(), impl_->state.readings);
+  impl_->judge(duration);
   impl_->integrator->profiler().lap(Cost::other);
   impl_->statistics.costs = impl_->integrator->profiler();
   return FrameStatus::running;
@@ -184,7 +196,7 @@ bool Simulator::Impl::compute_frame(double duration, const Setpoints& setpoints)
   }
   state.truth.rop = (hole_depth() - before) / duration;
   count_frame();
-  accuracy.end_frame(*integrator, shown(), shown_forces(), duration, measures(), state.accuracy);
+  watch_model(*model, shown(), shown_forces(), duration, state.accuracy);
   measure();
   return true;
 }
@@ -287,7 +299,11 @@ bool Simulator::Impl::tare() noexcept
   if (state.truth.on_bottom || state.truth.in_slips) return false;
   take_zero();
   state.instruments.tare(state.readings);
-  lead([](Impl& companion) { companion.take_zero(); });
+  lead([](Impl& companion)
+       {
+         companion.take_zero();
+         companion.state.instruments.tare(companion.state.readings);
+       });
   return true;
 }
 
@@ -317,6 +333,7 @@ bool Simulator::set_free_length(double from_bit) noexcept
 
 std::shared_ptr<const SimulatorState> Simulator::save() const
 {
+  impl_->collect_all();
   const auto saved = std::make_shared<SimulatorState>(impl_->state);
   for (const std::unique_ptr<Impl>& companion : impl_->companions) saved->companions.states.push_back(companion->state);
   return saved;
@@ -324,8 +341,9 @@ std::shared_ptr<const SimulatorState> Simulator::save() const
 
 bool Simulator::restore(const SimulatorState& state, bool keep_time)
 {
+  impl_->collect_all();
   if (state.scene != impl_->state.scene || !impl_->restore(state, keep_time)) return false;
-  impl_->restore_companions(state.companions, keep_time);
+  impl_->restore_companions(state, keep_time);
   return true;
 }
 

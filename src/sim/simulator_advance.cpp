@@ -14,19 +14,17 @@ bool Simulator::Impl::advance_frame(double duration, const Setpoints& setpoints)
 {
   if (variable) return advance_in_strides(duration, setpoints);
   levels.look(*model, state.forces, duration, mechanics(), state.levels);
-  accuracy.begin_frame(*integrator, setpoints, true, state.accuracy);
   const int steps = std::max(1, static_cast<int>(std::lround(duration * scene.numerics.refinement / scene.numerics.step)));
   return take_steps(duration / steps, steps, setpoints);
 }
 
-/// Whole, from the state on, with a look at the first for the accuracy.
+/// Whole, from the state on.
 bool Simulator::Impl::take_steps(double step, int steps, const Setpoints& setpoints) noexcept
 {
   for (int k = 0; k < steps; ++k)
   {
     if (!variable) advance_mud(*model, setpoints.pump.flow, step, mechanics());
     if (!integrator->advance(mechanics(), step, setpoints)) return false;
-    if (k == 0) accuracy.end_first_step(*integrator, step, state.accuracy);
   }
   state.forces = integrator->find_forces(mechanics());
   return true;
@@ -40,13 +38,10 @@ bool Simulator::Impl::advance_in_strides(double duration, const Setpoints& setpo
   if ((commanded || !fits) && !settle()) return false;
   stride.steady = commanded ? 0 : stride.steady + 1;
   stride.setpoints = setpoints;
-  const bool begins = stride.length == 0.0;
-  accuracy.begin_frame(*integrator, setpoints, begins, state.accuracy);
-  if (begins)
+  if (stride.length == 0.0)
   {
     levels.look(*model, state.forces, duration, mechanics(), state.levels);
     if (!begin_stride(duration)) return take_steps(duration, 1, setpoints);
-    accuracy.end_first_step(*integrator, stride.length, state.accuracy);
   }
   stride.played += duration;
   if (stride.played < stride.length - time_rounding)

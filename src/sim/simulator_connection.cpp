@@ -209,7 +209,6 @@ void Simulator::Impl::take_string(std::shared_ptr<const Model> longer)
   integrator = std::move(next);
   model = std::move(longer);
   watch = StringWatch(*model);
-  accuracy = AccuracyWatch(model);
   levels = LevelWatch(*model);
   stride_end = between = mechanics();
   end_forces = forces_between = state.forces;

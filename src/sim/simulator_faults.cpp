@@ -21,6 +21,7 @@ const char* Simulator::inject(const Fault& fault) noexcept
   if (is_of_gauge(fault.kind))
   {
     begin(fault, impl_->state.instruments.fault_of(fault.gauge));
+    impl_->lead([&fault](Impl& companion) { begin(fault, companion.state.instruments.fault_of(fault.gauge)); });
     return nullptr;
   }
   impl_->begin_fault(fault);
@@ -30,7 +31,12 @@ const char* Simulator::inject(const Fault& fault) noexcept
 
 void Simulator::clear(FaultKind kind, Gauge gauge) noexcept
 {
-  if (is_of_gauge(kind)) return end(kind, impl_->state.instruments.fault_of(gauge));
+  if (is_of_gauge(kind))
+  {
+    end(kind, impl_->state.instruments.fault_of(gauge));
+    impl_->lead([=](Impl& companion) { end(kind, companion.state.instruments.fault_of(gauge)); });
+    return;
+  }
   if (kind == FaultKind::stuck_pipe && impl_->mechanics().stuck_point.node < 0) return;
   impl_->end_fault(kind);
   impl_->lead([kind](Impl& companion) { companion.end_fault(kind); });

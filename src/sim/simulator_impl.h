@@ -10,6 +10,7 @@
 #include "drill_rig_sim/solve/energy_balance.h"
 #include "drill_rig_sim/solve/integrator.h"
 #include "drill_rig_sim/solve/start.h"
+#include "frame_queue.h"
 
 namespace drill_rig_sim
 {
@@ -27,6 +28,7 @@ const Scene& available(const Scene& scene);
 struct Simulator::Impl
 {
   Scene scene;
+  std::uint64_t seed;
   std::string choice;  // why level auto is what it is; empty for other levels
   std::shared_ptr<const Model> model;
   SimulatorState state;
@@ -34,7 +36,6 @@ struct Simulator::Impl
   std::unique_ptr<EnergyBalance> balance;
   std::unique_ptr<EnergyBalance> balance_before;  // as it was at the start of the stride under way
   StringWatch watch;
-  AccuracyWatch accuracy;
   LevelWatch levels;
   SimulatorStatistics statistics;
   const bool variable;  // steps, numerics.step 0
@@ -45,9 +46,11 @@ struct Simulator::Impl
   double command_timeout = 0.0;
   const char* failure = "";
   std::vector<std::unique_ptr<Impl>> companions;  // other models of the same rig, led by this one; the first measures its error if numerics.companion asks for it
+  CompanionPace pace = CompanionPace::in_turn;
+  std::unique_ptr<FrameQueue> queue;    // of frames for them; null without any. Its thread ends before they do
 
-  Impl(const Scene& s, std::uint64_t seed) : Impl(s, seed, build_at_rest(s)) {}
-  Impl(const Scene& s, std::uint64_t seed, RigAtRest&& rig);
+  Impl(const Scene& s, std::uint64_t seed_of_noise) : Impl(s, seed_of_noise, build_at_rest(s)) {}
+  Impl(const Scene& s, std::uint64_t seed_of_noise, RigAtRest&& rig);
   State& mechanics() { return state.mechanics; }
   /// What the last frame shows, in whose forces also.
   const State& shown() const noexcept { return state.stride.length > 0.0 ? between : state.mechanics; }
@@ -98,7 +101,8 @@ struct Simulator::Impl
   bool tare() noexcept;
   void take_zero() noexcept;
   bool restore(const SimulatorState& saved, bool keep_time);
-  void restore_companions(const CompanionStates& saved, bool keep_time);
+  void collect_all() noexcept;
+  void restore_companions(const SimulatorState& saved, bool keep_time);
   WinchSetpoint to_slack(double frame) const noexcept;
   void crew_begins() noexcept;
   void crew_works(double frame) noexcept;
@@ -107,17 +111,28 @@ struct Simulator::Impl
   bool crew_has_done(double frame, WinchSetpoint& winch) noexcept;
   SubView sub_view() const noexcept;
   /// The error is measured beside a companion that still goes along.
-  bool measures() const noexcept { return scene.numerics.companion != CompanionKind::none && !companions.empty() && !*companions.front()->failure; }
+  bool measures() const noexcept { return measured_by_companion() && !state.companion_ended; }
+  bool measured_by_companion() const noexcept { return scene.numerics.companion != CompanionKind::none && !companions.empty(); }
+  /// Their thread was too slow, and frames are no longer ordered.
+  bool companions_given_up() const noexcept { return state.companion_ended && pace == CompanionPace::own_thread_unwaited; }
+  void order_frame(double duration, const Setpoints& setpoints) noexcept;
+  void collect() noexcept;
   void judge(double duration) noexcept;
-  void follow(const Impl& leader, double duration, const Setpoints& setpoints) noexcept;
+  void compare_frames() noexcept;
+  void end_measurement(const char* reason) noexcept;
+  Outputs judged() const noexcept;
+  void companions_follow(FrameOrder& order) noexcept;
+  void follow(const FrameOrder& order) noexcept;
   template <class Does>
   void lead(const Does& does) noexcept;
 };
 
-/// Does something to all companions that still go along.
+/// Does something to all companions that still go along, after the frames that they have to compute.
 template <class Does>
 void Simulator::Impl::lead(const Does& does) noexcept
 {
+  if (companions.empty() || companions_given_up()) return;
+  queue->wait_for_all();
   for (const std::unique_ptr<Impl>& companion : companions)
     if (!*companion->failure) does(*companion);
 }

@@ -14,14 +14,12 @@ constexpr int kLeftToHalve = 60;  // of them those that must be left before a st
 
 void HalvingIntegrator::open_books(const State& state, const Setpoints& setpoints) noexcept
 {
-  for (EnergyBalance* balance : balances_)
-    if (balance) balance->begin_step(state, setpoints);
+  if (balance_) balance_->begin_step(state, setpoints);
 }
 
 void HalvingIntegrator::close_books(const State& state, const Stage& stage, const double* u) noexcept
 {
-  for (EnergyBalance* balance : balances_)
-    if (balance) balance->end_step(state, stage, u);
+  if (balance_) balance_->end_step(state, stage, u);
 }
 
 bool HalvingIntegrator::advance(State& state, double step, const Setpoints& setpoints) noexcept

@@ -163,7 +163,7 @@ void print_shortcomings(const Scene& scene, const Printed& printed)
     std::printf("bit         regenerative: weight and torque are those of the cut; the face does not rub across the bottom\n");
   const RigAtRest rig = build_at_rest(scene);
   for (const AccuracyReport& doubt : {doubt_of_string(*rig.model, rig.state, rig.statics.forces), doubt_of_hole(rig.state), doubt_of_level(scene, rig.state)})
-    if (doubt.doubt != AccuracyDoubt::none) std::printf("accuracy    %s\n", text_of(doubt, scene.numerics.step).c_str());
+    if (doubt.doubt != AccuracyDoubt::none) std::printf("accuracy    %s\n", text_of(doubt).c_str());
   if (const std::optional<TightAssembly> tight = tight_assembly(*rig.model, rig.statics.forces)) std::printf("assembly    %s\n", text_of(*tight).c_str());
   if (scene.string.front().bit->gauge_length > 0.0) print_wedged_gauge(scene, rig, printed);
   const std::optional<WallLoss> loss = wall_loss(rig);

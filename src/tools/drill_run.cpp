@@ -52,7 +52,7 @@ double done(const Truth& m, double start_depth, const RunGoal& goal, const Opera
 struct Series
 {
   Series(const RunOptions& o, const Scene& scene)
-    : rows(o.csv, o.every.value_or(0.1), o.readings, scene.numerics.companion != CompanionKind::none),
+    : rows(o.csv, o.every.value_or(0.1), o.readings, scene.numerics.companion == CompanionKind::finer || scene.numerics.companion == CompanionKind::coarser),
       bag(o.bag, o.every.value_or(0.1)),
       log(o.witsml, scene.name, o.every.value_or(1.0), start_date_of(o.start_date).value_or(default_start_date)),
       profiles(o.profile, o.profile_every.value_or(1.0)),

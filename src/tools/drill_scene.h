@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drill_command.h"
+#include "drill_rig_sim/realtime/threads.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/simulator.h"
 
@@ -27,12 +28,14 @@ inline Scene open_scene(const std::string& file, const std::vector<std::string>&
   return scene;
 }
 
-/// A simulator for the scene; a scene that is well written but cannot be built becomes a UsageError that names its file.
+/// A simulator for the scene, whose companion has a thread of its own where there is a core for it; a scene that is well written but cannot be built becomes a UsageError that names its file.
 inline Simulator build_simulator(const Scene& scene, std::uint64_t seed)
 {
   try
   {
-    return Simulator(scene, seed);
+    Simulator simulator(scene, seed);
+    if (available_cores() > 1) simulator.set_companion_pace(CompanionPace::own_thread);
+    return simulator;
   }
   catch (const std::exception& e)
   {

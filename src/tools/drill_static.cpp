@@ -99,7 +99,7 @@ void print_static(const StaticOptions& options)
     throw ComputationError(scene.file + ": " + e.what());
   }
   print_report(report, Printed(options.units));
-  const std::string doubt = text_of(report.accuracy, scene.numerics.step);
+  const std::string doubt = text_of(report.accuracy);
   if (!doubt.empty()) std::printf("accuracy warning: %s\n", doubt.c_str());
   if (csv)
   {

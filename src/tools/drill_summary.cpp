@@ -126,10 +126,10 @@ Json json_of(const EnergyAccounts& e)
           {"numerical_of_losses", e.numerical_of_losses()}};
 }
 
-Json json_of(const Doubts& doubts, double step)
+Json json_of(const Doubts& doubts)
 {
   Json list = Json::array();
-  for (const Doubts::Entry& doubt : doubts.entries()) list.push_back({{"since", doubt.since}, {"until", doubt.until}, {"text", text_of(doubt.report, step)}});
+  for (const Doubts::Entry& doubt : doubts.entries()) list.push_back({{"since", doubt.since}, {"until", doubt.until}, {"text", text_of(doubt.report)}});
   return list;
 }
 
@@ -217,8 +217,9 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const RunRec
                {"coordinates", s.coordinates}};
   if (!simulator.choice().empty()) json["choice"] = simulator.choice();
   add_work(s, json);
-  json["accuracy_warnings"] = json_of(record.doubts, s.step);
-  if (record.errors.measured()) json["measured_error"] = json_of(record.errors);
+  json["accuracy_warnings"] = json_of(record.doubts);
+  json["measured_error"] = record.errors.measured() ? json_of(record.errors) : Json();
+  if (*s.not_measured) json["not_measured"] = s.not_measured;
   json["limits_passed"] = json_of(record.limits);
   if (!simulator.scene().operations.empty()) json["operations"] = json_of(simulator.scene().operations, record.operations_began);
   if (s.is_reference) json["reference"] = json_of(s.reference);
@@ -235,6 +236,7 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const RunRec
 
 void print_errors(const Simulator& simulator, const LargestErrors& errors)
 {
+  if (const char* why = simulator.statistics().not_measured; *why) std::printf("error not measured: %s\n", why);
   if (!errors.measured()) return;
   std::printf("measured error, largest of 3 s:");
   const char* between = " ";
@@ -273,7 +275,7 @@ void print_summary(const Simulator& simulator, const Elapsed& elapsed, const Run
               elapsed.cpu, m.time / elapsed.cpu, m.hole_depth);
   print_errors(simulator, record.errors);
   for (const Doubts::Entry& doubt : record.doubts.entries())
-    std::printf("accuracy warning, %.1f to %.1f s: %s\n", doubt.since, doubt.until, text_of(doubt.report, simulator.statistics().step).c_str());
+    std::printf("accuracy warning, %.1f to %.1f s: %s\n", doubt.since, doubt.until, text_of(doubt.report).c_str());
   for (const Limits::Entry& entry : record.limits.entries()) print(entry);
   print_doubt_of_pressures(simulator);
   if (simulator.statistics().tight) std::printf("assembly warning: %s\n", text_of(*simulator.statistics().tight).c_str());

@@ -10,7 +10,7 @@
 #include "drill_options.h"
 #include "drill_output.h"
 #include "drill_progress.h"
-#include "drill_rig_sim/accuracy/finer.h"
+#include "drill_rig_sim/accuracy/refined.h"
 #include "drill_rig_sim/accuracy/verification.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/run.h"
@@ -124,7 +124,7 @@ void require_companions(const Simulator& simulator)
 /// Plays the scene with two finer models beside it.
 RunEnd play(Simulator& simulator, const RunGoal& goal, double times, Verification& verification)
 {
-  const int finer_one = simulator.add_companion(finer(simulator.scene(), times)), finest = simulator.add_companion(finer(simulator.scene(), times * times));
+  const int finer_one = simulator.add_companion(refined(with_free_nodes(simulator.scene().numerics), times)), finest = simulator.add_companion(refined(with_free_nodes(simulator.scene().numerics), times * times));
   ScenePlayer player(simulator.scene());
   Progress progress;
   const double frame = frame_of_whole_steps(frame_length, simulator.scene().numerics.step);

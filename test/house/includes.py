@@ -95,7 +95,7 @@ def fault(include, messages):
         return '%s/ includes %s: %s/ comes later in the order of the rooms' % (room, header, target)
     if target in OF_ROS and room not in OF_ROS and include.target != RUN_BAG:
         return '%s/ includes %s, and ROS with it: that is for %s alone' % (room, header, folders(OF_ROS))
-    if room == 'realtime' and include.file != FRAME_OUTPUT:
+    if room == 'realtime' and target != 'math' and include.file != FRAME_OUTPUT:
         return 'realtime/ includes %s: of drilling it knows %s alone' % (header, os.path.basename(FRAME_OUTPUT))
     return None
 

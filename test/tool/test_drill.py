@@ -283,7 +283,7 @@ class Run(Drill):
         summary = json.loads(written)
         keys = ['scene', 'simulated_s', 'wall_s', 'cpu_s', 'real_time_factor', 'level', 'integrator', 'kernel', 'step', 'nodes', 'guided_nodes', 'coordinates', 'choice', 'steps',
                 'newton_iterations', 'rejected_steps', 'convergence_failures', 'error_test_failures', 'residuals', 'tangents', 'solves',
-                'substitutions', 'accuracy_warnings', 'limits_passed', 'cost_share', 'final', 'mean_drilling', 'mean_last_quarter']
+                'substitutions', 'accuracy_warnings', 'measured_error', 'limits_passed', 'cost_share', 'final', 'mean_drilling', 'mean_last_quarter']
         self.assertEqual(list(summary), keys)
         self.assertEqual(summary['rejected_steps'], summary['convergence_failures'] + summary['error_test_failures'])
         self.assertTrue(written.startswith('{\n  "scene": "quick",\n') and written.endswith('}\n'))

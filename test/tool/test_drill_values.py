@@ -57,7 +57,7 @@ class Check(test_drill.Drill):
 
     def test_a_hole_that_leaves_the_upright_rig_inclined_is_told(self):
         self.assertNotIn('accuracy', self.succeed('check', QUICK))
-        self.assertIn('accuracy    the hole leaves the table by 12 deg from the vertical',
+        self.assertIn('accuracy    the hole is inclined by 12 deg at the rotary table',
                       self.succeed('check', QUICK, '--set', 'well.stations=[[0, 12, 0], [100, 12, 0]]'))
 
     def test_what_leaves_the_bit_some_pressure_is_told(self):

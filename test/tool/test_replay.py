@@ -320,9 +320,9 @@ class Replays(Folder):
 
     def test_accuracy_warnings_are_passed_on(self):
         scene, file = self.hoisted("block", 1.0, seconds=10.0)
-        coarse = self.file("coarse.yaml", yaml.safe_dump({**self.HOIST, "numerics": {"level": "rigid", "step": 0.01}}))
+        coarse = self.file("coarse.yaml", yaml.safe_dump({**self.HOIST, "needs": ["hook_load", "direction"], "numerics": {"level": "axial_torsional"}}))
         told = self.drill_replay(file, coarse)[2]
-        self.assertIn("accuracy warning, ", told)
+        self.assertRegex(told, "accuracy warning, .* does not represent direction")
         self.assertNotIn("accuracy warning", self.drill_replay(file, scene)[2])
 
     def test_what_cannot_be_played_is_told(self):

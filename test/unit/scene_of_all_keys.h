@@ -38,7 +38,7 @@ rig:
 contact: {stiffness: 5.3e7, assembly_stiffness: 2.1e10, exponent: 1.53, damping: 0.33, stribeck_speed: 0.051, static_ratio: 1.21, stribeck_curve: exponential, growth_at_rest: 0.03, growth_time: 1.7, growth_limit: 0.43, tangential_stiffness: 5.4e6, tangential_damping: 0.26}
 trajectory: {stage_two_length: 0.11}
 start: {bit_depth: 801.0, block_height: 35.0, weight_on_bit: 1001.0, torque_on_bit: 101.0, toolface_deg: 11.0}
-numerics: {level: beam3d, free_length: 57.5, integrator: trbdf2, element: corotational, kernel: scalar, step: 0.004, element_length: 9.7, pushed_element_length: 4.6, guided_element_length: 19.1, tolerance: 0.012, refinement: 1.7, companion: finer, reference_tolerance: 1.1e-6,
+numerics: {level: beam3d, free_length: 57.5, integrator: trbdf2, element: corotational, kernel: scalar, step: 0.004, element_length: 9.7, pushed_element_length: 4.6, guided_element_length: 19.1, tolerance: 0.012, refinement: 1.7, companion: finer, judge: readings, reference_tolerance: 1.1e-6,
            reference_order: 3, reference_index: 3, newton_tolerance: 1.2e-6, structural_damping: 1.3e-4}
 instruments:
   mwd: {period: 32.0, latency: 8.1, inclination_resolution_deg: 0.13, noise_deg: 0.06, scribe_offset_deg: 17.0, quiet_time: 7.1, inclination_period: 21.3}

@@ -4,35 +4,98 @@
 #include <cmath>
 
 #include "drill_rig_sim/accuracy/measured_error.h"
+#include "drill_rig_sim/math/units.h"
 
 namespace test_accuracy_measured_error
 {
 using namespace drill_rig_sim;
 
-TEST(MeasuredError, isTheDifferenceOverTheRangeTimesWhatFinerModelsLeave)
+namespace
+{
+/// A frame of 10 ms.
+void add(MeasuredError& measured, const Outputs& run, const Outputs& companion)
+{
+  measured.add_run(run, 0.01);
+  measured.add_companion(companion);
+  while (measured.due()) ASSERT_TRUE(measured.compare());
+}
+}  // namespace
+
+TEST(MeasuredError, isTheDifferenceOverTheRangeTimesItsFactor)
 {
   MeasuredError measured(0.02);
-  for (int k = 0; k < 2000; ++k) measured.add({1e6 + 1e3, 5e3 * (k % 2)}, {1e6 + 50.0 * k, 5e3 * (k % 2)}, 0.01);
-  MeasuredError far(0.02);
-  for (int k = 0; k < 2000; ++k) far.add({1e6, 1e4}, {1e6, 1e4 - 300.0}, 0.01);
-  EXPECT_NEAR(far.error(Output::torque), error_over_difference * 300.0 / 970.0, 1e-3) << "over a tenth of its level";
+  for (int k = 0; k < 2000; ++k) add(measured, {1e6 + 1e3, 5e3 * (k % 2)}, {1e6 + 50.0 * k, 5e3 * (k % 2)});
+  MeasuredError far(0.02, 1.2);
+  for (int k = 0; k < 2000; ++k) add(far, {1e6, 1e5}, {1e6, 1e5 - 300.0});
+  EXPECT_NEAR(far.error(Output::torque), 1.2 * 300.0 / 1e4, 1e-5) << "over a tenth of its level";
+  EXPECT_NEAR(far.absolute_error(Output::torque), 1.2 * 300.0, 1e-6);
   EXPECT_EQ(measured.error(Output::torque), 0.0);
+}
+
+// Two sines of the same deviation that are out of phase: averages agree.
+TEST(MeasuredError, ofAveragesIsSmallWhereAVibrationRunsOutOfPhase)
+{
+  MeasuredError measured;
+  for (int k = 0; k < 4000; ++k) add(measured, {1e6, 1e4 + 5e3 * std::sin(0.02 * pi * k)}, {1e6, 1e4 + 5e3 * std::sin(0.02 * pi * k + 1.0)});
+  EXPECT_NEAR(measured.error(Output::torque), 2.0 * std::sin(0.5) / std::sqrt(2.0) * 5e3 / 1e4, 0.01);
+  EXPECT_LT(measured.mean_error(Output::torque), 0.01);
 }
 
 TEST(MeasuredError, ofWhatNobodyCanReadIsWithinTheTolerance)
 {
-  // 90 N of weight between two models of a bit that barely touches: a load cell tells 1 kN apart, a tenth of it is seen
+  // 490 N of weight between two models of a bit that barely touches: a load cell resolves 1 kN
   MeasuredError measured(0.02);
-  for (int k = 0; k < 400; ++k) measured.add({0.0, 0.0, 90.0}, {}, 0.01);
-  EXPECT_LE(measured.error(Output::wob), error_over_difference * 0.02);
+  for (int k = 0; k < 400; ++k) add(measured, {0.0, 0.0, 490.0}, {});
+  EXPECT_LE(measured.error(Output::wob), 0.02);
 }
 
 TEST(MeasuredError, theLargestIsOfWhatIsNeeded)
 {
   MeasuredError measured(0.02);
-  for (int k = 0; k < 400; ++k) measured.add({1e6, 1e4, 4e4}, {0.9e6, 0.99e4, 3e4}, 0.01);
+  for (int k = 0; k < 400; ++k) add(measured, {1e6, 1e4, 4e5}, {0.9e6, 0.99e4, 3e5});
   EXPECT_EQ(largest_of(measured.errors(), every_need).output, Output::wob);
   EXPECT_EQ(largest_of(measured.errors(), need_hook_load | need_torque).output, Output::hook_load);
   EXPECT_EQ(largest_of(measured.errors(), need_direction).error, 0.0);
+}
+
+TEST(MeasuredError, comparesTheSameFramesAtTheSameTimeHoweverLateTheCompanionIs)
+{
+  MeasuredError prompt, late;
+  int waited = 0;
+  for (int k = 0; k < 400; ++k)
+  {
+    const Outputs run = {1e6 + 50.0 * k, 1e3 * std::sin(0.1 * k)}, companion = {1e6 + 49.0 * k, 1e3 * std::sin(0.11 * k)};
+    add(prompt, run, companion);
+    late.add_run(run, 0.01);
+    for (; late.due() && !late.ready(); ++waited) late.add_companion({1e6 + 49.0 * waited, 1e3 * std::sin(0.11 * waited)});
+    while (late.due()) ASSERT_TRUE(late.compare());
+    ASSERT_EQ(prompt.errors(), late.errors());
+  }
+  EXPECT_EQ(waited, 400 - 10) << "0.1 s behind";
+}
+
+TEST(MeasuredError, aCompanionThatFailedMeasuresNothing)
+{
+  MeasuredError measured;
+  Outputs failed{};
+  failed.fill(std::nan(""));
+  for (int k = 0; k < 11; ++k) measured.add_run({1e6}, 0.01);
+  ASSERT_TRUE(measured.due());
+  ASSERT_FALSE(measured.ready());
+  measured.add_companion(failed);
+  ASSERT_TRUE(measured.ready());
+  EXPECT_FALSE(measured.compare());
+}
+
+TEST(MeasuredError, takesNoMoreFramesThanItHasPlacesFor)
+{
+  MeasuredError measured;
+  for (std::uint64_t k = 0; k < MeasuredError::capacity; ++k)
+  {
+    ASSERT_FALSE(measured.due());
+    measured.add_run({1e6}, 1e-4);
+  }
+  EXPECT_TRUE(measured.is_full());
+  EXPECT_TRUE(measured.due());
 }
 }  // namespace test_accuracy_measured_error

@@ -125,10 +125,9 @@ TEST_F(Report, eachNumberIsItsOwn)
 TEST_F(Report, saysWhyTheNumbersMayBeWrong)
 {
   frame_.truth.accuracy_warning = true;
-  frame_.physics.step = 0.01;
-  frame_.physics.accuracy = {AccuracyDoubt::dissipation, 0.08, 0.0, 0.0};
+  frame_.physics.accuracy = {AccuracyDoubt::twist, 1.2, 80.0, 9.5};
   const auto array = next();
-  EXPECT_EQ(text_of(frame_.physics.accuracy, 0.01), part(array, "physics").message);
+  EXPECT_EQ(text_of(frame_.physics.accuracy), part(array, "physics").message);
   EXPECT_EQ((std::vector<int>{ok, warn, ok}), levels(array));
 }
 

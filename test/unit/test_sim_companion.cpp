@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
-#include "drill_rig_sim/accuracy/finer.h"
+#include "drill_rig_sim/accuracy/refined.h"
 #include "in_slips.h"
 #include "sim_numbers.h"
 
@@ -59,7 +61,7 @@ TEST(Companion, goesThroughConnections)
 {
   Simulator rig(slips_scene(Level::beam3d));
   rig.add_companion(rig.scene().numerics);
-  rig.add_companion(finer(rig.scene(), 2.0));
+  rig.add_companion(refined(rig.scene().numerics, 2.0));
   lay_into_slips(rig);
   connect(rig, 2, false);
   take_from_slips(rig);
@@ -76,7 +78,7 @@ TEST(Companion, comesBackWithItsLeader)
   Scene scene = drilling_scene(0.05);
   scene.numerics.step = 0.0;
   Simulator rig(scene);
-  rig.add_companion(finer(rig.scene(), 1.5));
+  rig.add_companion(refined(rig.scene().numerics, 1.5));
   turn_and_feed(rig, 0.02);
   play_on(rig, 4.0);
   const auto saved = rig.save();
@@ -121,6 +123,93 @@ TEST(Companion, measuresTheErrorThatWarnsOnAsTheRigItselfRuns)
   EXPECT_EQ(rig.measured_error(Output::wob), error);
 }
 
+TEST(Companion, isTheSameInAThreadOfItsOwn)
+{
+  for (const CompanionKind kind : {CompanionKind::coarser, CompanionKind::finer})
+  {
+    Scene scene = slips_scene(Level::beam3d);
+    scene.numerics.companion = kind;
+    scene.numerics.step = 0.0;
+    Simulator in_turn(scene), beside(scene);
+    beside.set_companion_pace(CompanionPace::own_thread);
+    std::vector<Outputs> errors[2];
+    std::shared_ptr<const SimulatorState> saved[2];
+    Simulator* const rigs[] = {&in_turn, &beside};
+    for (int i = 0; i < 2; ++i)
+    {
+      const auto note = [&](const Simulator& now) { errors[i].push_back(now.statistics().errors); };
+      lay_into_slips(*rigs[i]);
+      connect(*rigs[i], 2, false);
+      take_from_slips(*rigs[i]);
+      play_on(*rigs[i], 1.0, note);
+      saved[i] = rigs[i]->save();
+      play_on(*rigs[i], 1.003, note);
+    }
+    EXPECT_EQ(errors[0], errors[1]);
+    EXPECT_STREQ(in_turn.statistics().not_measured, "");
+    EXPECT_GT(errors[0].back()[0], 0.0);
+    expect_same(in_turn.truth(), beside.truth(), "run");
+    expect_same(in_turn.companion_truth(0), beside.companion_truth(0), "companion");
+    // one goes on from the other's snapshot
+    ASSERT_TRUE(in_turn.restore(*saved[1]));
+    play_on(in_turn, 1.003);
+    EXPECT_EQ(errors[1].back(), in_turn.statistics().errors);
+    expect_same(in_turn.companion_truth(0), beside.companion_truth(0), "companion after a restore");
+  }
+}
+
+// A gauge with a filter of 5 s does not show the waves that a coarser model blurs; noise is the same in both, and no error.
+TEST(Companion, readingsHideWhatTheInstrumentsFilter)
+{
+  double largest[2] = {};
+  for (const Judge judge : {Judge::truth, Judge::readings})
+  {
+    Scene scene = drilling_scene(0.3);
+    scene.numerics.companion = CompanionKind::finer;
+    scene.numerics.judge = judge;
+    scene.instruments.torque.filter_time = 5.0;
+    scene.instruments.torque.noise = 200.0;
+    Simulator rig(scene, 3);
+    turn_and_feed(rig, 0.05);
+    double& most = largest[static_cast<int>(judge)];
+    play_on(rig, 10.0, [&](const Simulator& now) { most = std::max(most, now.measured_absolute_error(Output::torque)); });
+  }
+  EXPECT_GT(largest[1], 0.0);
+  EXPECT_LT(largest[1], 0.5 * largest[0]);
+}
+
+TEST(Companion, isGivenUpInRealTimeWhereItIsTooSlow)
+{
+  Scene scene = drilling_scene(0.3);
+  scene.numerics.companion = CompanionKind::finer;
+  Simulator rig(scene), alone(scene);
+  rig.set_companion_pace(CompanionPace::own_thread_unwaited);
+  for (Simulator* s : {&rig, &alone})
+  {
+    turn_and_feed(*s, 0.02);
+    play_on(*s, 30.0);  // without waiting for the clock: the run is faster than its companion
+  }
+  EXPECT_EQ(rig.statistics().not_measured, std::string("the companion was too slow for real time: no processor core was free for it"));
+  EXPECT_FALSE(rig.statistics().error_is_measured);
+  EXPECT_TRUE(std::isnan(rig.measured_error(Output::wob)));
+  EXPECT_FALSE(rig.truth().accuracy_warning);
+  EXPECT_EQ(rig.truth().hook_load, alone.truth().hook_load);
+  EXPECT_TRUE(alone.statistics().error_is_measured);
+}
+
+TEST(Companion, isThereWhereTheProgramChoosesTheLevel)
+{
+  Scene scene = drilling_scene();
+  EXPECT_EQ(Simulator(scene).companions(), 0);
+  EXPECT_STREQ(Simulator(scene).statistics().not_measured, "numerics.level is set by hand and numerics.companion is not");
+  scene.numerics.level = Level::automatic;
+  EXPECT_EQ(Simulator(scene).companions(), 1);
+  EXPECT_STREQ(Simulator(scene).statistics().not_measured, "");
+  scene.numerics.companion = CompanionKind::none;
+  EXPECT_EQ(Simulator(scene).companions(), 0);
+  EXPECT_STREQ(Simulator(scene).statistics().not_measured, "numerics.companion is none");
+}
+
 TEST(Companion, isBuiltBeforeTheFirstFrame)
 {
   Simulator rig(drilling_scene());
@@ -132,7 +221,7 @@ TEST(Finer, hasElementsAndStepsThatAreSoManyTimesShorter)
 {
   Scene scene = drilling_scene();
   const Simulator usual(scene);
-  scene.numerics = finer(scene, 2.0);
+  scene.numerics = refined(scene.numerics, 2.0);
   const Simulator fine(scene);
   EXPECT_NEAR(fine.statistics().nodes, 2 * usual.statistics().nodes, 6);
 }

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "drill_rig_sim/realtime/semaphore.h"
+#include "drill_rig_sim/math/semaphore.h"
 #include "drill_rig_sim/realtime/frame_output.h"
 
 namespace drill_rig_sim

@@ -20,6 +20,9 @@ struct RealtimeSpec
 /// setting is not, why, and what would help.
 std::string try_realtime(const RealtimeSpec& spec);
 
+/// Processor cores that the process may run on, 1 or more.
+int available_cores() noexcept;
+
 /// Names the calling thread (up to 15 letters), as top -H and gdb show it.
 void name_thread(const char* name) noexcept;
 

@@ -9,7 +9,7 @@
 
 #include "drill_rig_sim/realtime/cadence.h"
 #include "drill_rig_sim/realtime/frame_ring.h"
-#include "drill_rig_sim/realtime/semaphore.h"
+#include "drill_rig_sim/math/semaphore.h"
 #include "drill_rig_sim/realtime/timekeeper.h"
 #include "drill_rig_sim/ros/mailbox.h"
 #include "drill_rig_sim/ros/parameters.h"
@@ -99,6 +99,12 @@ public:
   Timekeeper& time() noexcept { return time_; }
   bool paused() const noexcept { return paused_; }
   void set_paused(bool paused) noexcept;
+  /// Simulated seconds per wall second; 0: as fast as it goes.
+  void set_speed(double speed)
+  {
+    time_.set_speed(speed, steady_now());
+    pace_companions();
+  }
   /// Another simulator takes over, its commands zeroed; returns the old one, which the caller destroys.
   std::unique_ptr<Simulator> replace(std::unique_ptr<Simulator> simulator);
   /// Back to a saved state of this simulator, to where its player was and to its commands' stamps. The clock runs on.
@@ -153,6 +159,12 @@ private:
   void one_frame(std::int64_t now) noexcept;
   void publish_now(bool rebuilt) noexcept;
   void restart_cadences() noexcept;
+  /// In lockstep and as fast as it goes a frame may wait for them, in real time it must not.
+  void pace_companions()
+  {
+    const bool as_fast_as_it_goes = time_.in_lockstep() || (!time_.follows() && time_.speed() == 0.0);
+    rig_.simulator->set_companion_pace(as_fast_as_it_goes ? CompanionPace::own_thread : CompanionPace::own_thread_unwaited);
+  }
   template <class Setpoint>
   CommandResult accept(const Setpoint& c, std::size_t kind) noexcept;
   void set_timeout() noexcept;

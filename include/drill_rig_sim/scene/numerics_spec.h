@@ -55,8 +55,17 @@ constexpr bool has_no_levels(IntegratorKind kind) noexcept
 /// Another model of the rig beside the one that is shown, by which its error is measured.
 enum class CompanionKind
 {
+  automatic,  ///< chosen_companion() (accuracy/refined.h)
   none,
+  coarser,
   finer
+};
+
+/// Which values are compared with the companion's.
+enum class Judge
+{
+  truth,
+  readings  ///< of the instruments: their filter, delay, rate and resolution hide what a controller cannot see
 };
 
 struct NumericsSpec
@@ -72,7 +81,8 @@ struct NumericsSpec
   double free_length = 0.0;         ///< level hybrid: nodes up to here above the bit's face are free [m]; 0: free_length() (scene_mesh.h)
   double tolerance = 0.02;          ///< relative, of the scene's outputs; of variable steps, level auto and the mesh by the hole
   double refinement = 1.0;          ///< elements and steps are so many times shorter than they would be: for seeing how results converge [-]
-  CompanionKind companion = CompanionKind::none;
+  CompanionKind companion = CompanionKind::automatic;
+  Judge judge = Judge::truth;
   double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]
   int reference_order = 2;          ///< integrator ida: highest order; 2 is the last that damps every oscillation (A-stable)
   int reference_index = 2;          ///< integrator ida: 2 with both levels of constraints, 3 to show how it fails

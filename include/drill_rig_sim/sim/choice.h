@@ -29,7 +29,7 @@ struct Choice
 /// A method that knows free nodes alone has beam3d.
 Choice choose(const Scene& scene);
 
-/// The scene with that choice made in its keys, where its level is auto, and a step where it gives none.
+/// The scene with that choice made in its keys, where its level is auto, and with a step and a companion (chosen_companion()) where it gives none.
 Scene with_choice(const Scene& scene);
 
 }  // namespace drill_rig_sim

@@ -294,6 +294,12 @@ struct Readings : RigSignals
   }
 };
 
+/// The same as the instruments show them; bit speed, which none shows, as it is.
+inline Outputs outputs_of(const Readings& shown, const Truth& m) noexcept
+{
+  return {shown.hook_load, shown.torque, shown.surface_wob, shown.rop, m.bit_speed, shown.stand_pipe_pressure};
+}
+
 }  // namespace drill_rig_sim
 
 #endif

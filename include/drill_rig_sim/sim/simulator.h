@@ -31,6 +31,14 @@ enum class FrameStatus
   failed    ///< it could not be: time stands at the last good state until restore() or a rebuilt Simulator
 };
 
+/// Where companions compute their frames. A run and its measured error are the same to the bit by the first two.
+enum class CompanionPace
+{
+  in_turn,             ///< in the thread that computes the run's frames, before each
+  own_thread,          ///< in a thread of their own; the run waits where they are late
+  own_thread_unwaited  ///< in a thread of their own; where they are late for too long, the error is no longer measured: for real time
+};
+
 /// Counters since the start, for diagnostics and the runner's summary.
 struct SimulatorStatistics
 {
@@ -57,6 +65,7 @@ struct SimulatorStatistics
   AccuracyReport accuracy;              ///< what stands after the last frame
   bool error_is_measured = false;       ///< numerics.companion goes along, and these are the errors by output (Simulator::measured_error()) [-]:
   Outputs errors{};
+  const char* not_measured = "";        ///< why the error is not measured, one line; empty while it is
   Profiler costs;                       ///< where the frames' time went
   bool is_reference = false;            ///< the integrator is ida, and this is its report:
   ReferenceReport reference;
@@ -159,11 +168,15 @@ public:
   /// Its number, for the functions below.
   int add_companion(const NumericsSpec& numerics);
   int companions() const noexcept;
-  /// What companion `i` shows after the last frame.
+  /// In the thread that calls frame(), or one of their own. Throws std::system_error where the system has no thread left.
+  void set_companion_pace(CompanionPace pace);
+  /// What companion `i` shows after the last frame. This and the next two wait for it.
   const Truth& companion_truth(int i) const noexcept;
   const SimulatorStatistics& companion_statistics(int i) const noexcept;
-  /// Of an output over its last 3 s, as accuracy/measured_error.h has it [-]; NaN unless numerics.companion is `finer` and that model still goes along.
+  /// Error of an output over 3 s, as accuracy/measured_error.h has it [-]; NaN unless numerics.companion asks for a companion and that still runs.
   double measured_error(Output output) const noexcept;
+  /// The same in the output's unit.
+  double measured_absolute_error(Output output) const noexcept;
   /// Why companion `i` no longer goes along, one line; empty while it does.
   const char* companion_failure(int i) const noexcept;
 

@@ -54,6 +54,7 @@ struct SimulatorState
   AccuracyMemory accuracy;
   LevelMemory levels;
   MeasuredError measured;  ///< where numerics.companion asks for it
+  bool companion_ended = false;  ///< the error is no longer measured
   Stride stride;
   Truth truth;
   Instruments instruments;
@@ -79,6 +80,7 @@ struct SimulatorState
     v("accuracy", accuracy);
     v("levels", levels);
     v("measured", measured);
+    v("companion_ended", companion_ended);
     v("stride", stride);
     v("truth", truth);
     v("instruments", instruments);

@@ -1,8 +1,6 @@
 #ifndef DRILL_RIG_SIM_SOLVE_HALVING_INTEGRATOR_H
 #define DRILL_RIG_SIM_SOLVE_HALVING_INTEGRATOR_H
 
-#include <array>
-
 #include "drill_rig_sim/solve/integrator.h"
 
 namespace drill_rig_sim
@@ -22,8 +20,7 @@ class HalvingIntegrator : public Integrator
 public:
   using Integrator::Integrator;
   bool advance(State& state, double step, const Setpoints& setpoints) noexcept override;
-  void keep_balance(EnergyBalance* balance) noexcept final { balances_[0] = balance; }
-  void sample_balance(EnergyBalance* balance) noexcept final { balances_[1] = balance; }
+  void keep_balance(EnergyBalance* balance) noexcept final { balance_ = balance; }
 
 protected:
   /// In attempt() before begin_step(), and once it is solved before commit().
@@ -31,7 +28,7 @@ protected:
   void close_books(const State& state, const Stage& stage, const double* u) noexcept;
 
 private:
-  std::array<EnergyBalance*, 2> balances_ = {};
+  EnergyBalance* balance_ = nullptr;
   /// One step of `step` [s]. `budget`: Newton iterations left, reduced by those it took; `may_refine`: error_test_failed may be answered.
   virtual StepResult attempt(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept = 0;
 };

@@ -37,8 +37,6 @@ public:
   virtual void restart() noexcept {}
   /// Books the energy of all further steps in `balance`; null: no more.
   virtual void keep_balance(EnergyBalance* balance) noexcept = 0;
-  /// The same beside that one, for a sample of the steps; methods without steps of their own leave it out.
-  virtual void sample_balance(EnergyBalance*) noexcept {}
 
   /// Forces at the end of the last advance(); those along the string are worked out here.
   const RigForces& find_forces(const State& state) noexcept;

@@ -48,6 +48,7 @@ class RecordModel:
         check(self.record)
         keys, lines = start_keys(scene, self.record, period.start_from)
         self.remarks = record.remarks + lines + hung_lines
+        keys["numerics.companion"] = "none"  # a fit compares many runs with one record: their own errors are not measured
         self.names = [name for name in COMPARED if name in record and (not signals or name in signals)]
         if not self.names:
             raise ModelError("%s: holds no number of what is to be compared: %s" % (record.name, ", ".join(signals)))

@@ -1,5 +1,5 @@
-#ifndef DRILL_RIG_SIM_REALTIME_SEMAPHORE_H
-#define DRILL_RIG_SIM_REALTIME_SEMAPHORE_H
+#ifndef DRILL_RIG_SIM_MATH_SEMAPHORE_H
+#define DRILL_RIG_SIM_MATH_SEMAPHORE_H
 
 #include <semaphore.h>
 #include <time.h>

@@ -7,9 +7,9 @@
 #include <chrono>
 #include <thread>
 
-#include "drill_rig_sim/realtime/semaphore.h"
+#include "drill_rig_sim/math/semaphore.h"
 
-namespace drill_rig_sim::test_realtime_semaphore
+namespace drill_rig_sim::test_math_semaphore
 {
 TEST(Semaphore, countsItsPosts)
 {
@@ -102,4 +102,4 @@ TEST(Semaphore, signalsDoNotWake)
   sigaction(SIGUSR1, &before, nullptr);
 }
 
-}  // namespace drill_rig_sim::test_realtime_semaphore
+}  // namespace drill_rig_sim::test_math_semaphore
