@@ -7,7 +7,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double seen = 0.5;  // of an instrument's resolution; what is smaller is within the rounding of its display
+constexpr double seen = 0.1;  // share of an instrument's resolution below which no error matters
 }
 
 MeasuredError::MeasuredError(double tolerance, double error_over_difference) noexcept

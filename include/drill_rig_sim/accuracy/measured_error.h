@@ -31,7 +31,7 @@ constexpr CompanionTraits traits_of(CompanionKind kind) noexcept
 constexpr double measured_after = 0.1;
 
 /// Errors of a run's outputs, measured beside a companion: over the last 3 s (difference_window), relative to the output's range so far, a tenth of its
-/// level, or half the resolution of an instrument over the tolerance, whichever is largest: what is within the rounding of a display is no error.
+/// level, or a tenth of an instrument's resolution over the tolerance, whichever is largest: errors that no instrument shows do not count.
 ///
 /// The outputs of a frame are compared measured_after later, or when `capacity` frames wait: then the same frames are compared at the same time wherever the
 /// companion is computed. Bounded, allocates nothing.
@@ -95,7 +95,7 @@ private:
   const Frame& oldest() const noexcept { return frames_[compared_ % capacity]; }
 
   double error_over_difference_;
-  double resolved_share_;  // half an instrument's resolution over the tolerance, over that resolution
+  double resolved_share_;  // a tenth of an instrument's resolution over the tolerance, over that resolution
   std::array<OutputDifference, output_count> differences_;
   std::array<Frame, capacity> frames_;  // ring
   std::uint64_t run_ = 0, companion_ = 0, compared_ = 0;  // frames, since the start
