@@ -1,7 +1,6 @@
 #include "drill_rig_sim/ros/run_bag.h"
 
 #include <rosbag/bag.h>
-#include <std_msgs/Float64.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -15,13 +14,6 @@ namespace drill_rig_sim
 namespace
 {
 const std::string floor_name = "rig_floor";
-
-std_msgs::Float64 number(double value)
-{
-  std_msgs::Float64 m;
-  m.data = value;
-  return m;
-}
 }  // namespace
 
 struct RunBag::Writer
@@ -66,18 +58,10 @@ struct RunBag::Writer
     frame.stamp = std::llround(1e9 * frame.truth.time);
   }
 
-  void write_limits(const RigSpec& rig)
-  {
-    std_msgs::Header header;
-    header.stamp = to_time(frame.stamp);
-    header.frame_id = floor_name;
-    write("rig_limits", to_rig_limits(rig, header));
-  }
-
   void write_measurements()
   {
-    write("hook_load", number(frame.readings.hook_load));
-    write("torque", number(frame.readings.torque));
+    write("hook_load", to_number(frame.readings.hook_load));
+    write("torque", to_number(frame.readings.torque));
     write("rig_state", to_rig_state(frame.readings, frame, floor_name));
     write("truth/rig_state", to_rig_state(frame.truth, frame, floor_name));
     write("joint_states", to_joint_states(frame));
@@ -118,7 +102,7 @@ void RunBag::add(const Simulator& simulator, bool due)
   w.attempt(
       [&]
       {
-        if (!w.begun) w.write_limits(simulator.scene().rig);
+        if (!w.begun) w.write("rig_limits", to_rig_limits(simulator.scene().rig, to_header(w.frame.stamp, floor_name)));
         w.begun = true;
         if (due) w.write_measurements();
         w.write_telemetry();
