@@ -3,8 +3,11 @@
 #include <rosbag/bag.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
+#include "drill_rig_sim/realtime/cadence.h"
+#include "drill_rig_sim/ros/accuracy_message.h"
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
 #include "drill_rig_sim/ros/telemetry_news.h"
@@ -23,6 +26,7 @@ struct RunBag::Writer
   FrameRecord frame;
   bool begun = false;
   TelemetryNews news;
+  Cadence accuracy_cadence{accuracy_rate};
 
   template <class Message>
   void write(const char* topic, const Message& message)
@@ -71,6 +75,18 @@ struct RunBag::Writer
     write("truth/bit", to_bit_truth(frame, floor_name));
   }
 
+  void write_accuracy(const Simulator& simulator)
+  {
+    if (!accuracy_cadence.due(frame.stamp)) return;
+    frame.physics = simulator.statistics();
+    frame.accuracy = accuracy_of(simulator);
+    Accuracy message = to_accuracy(frame, floor_name);
+    // a bag is the same wherever it is made: what depends on the speed of the companion's thread is left out
+    message.companion = frame.physics.companion.level;
+    message.cost_share = std::numeric_limits<double>::quiet_NaN();
+    write("accuracy", message);
+  }
+
   void write_telemetry()
   {
     news.tell(frame, floor_name, [this](const char* topic, const auto& message) { write(topic, message); });
@@ -105,6 +121,7 @@ void RunBag::add(const Simulator& simulator, bool due)
         if (!w.begun) w.write("rig_limits", to_rig_limits(simulator.scene().rig, to_header(w.frame.stamp, floor_name)));
         w.begun = true;
         if (due) w.write_measurements();
+        w.write_accuracy(simulator);
         w.write_telemetry();
       });
 }

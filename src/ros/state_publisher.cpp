@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "drill_rig_sim/ros/accuracy_message.h"
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
 
@@ -18,6 +19,7 @@ StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& paramete
       bit_twist_(node, "bit/twist", parameters.queue()),
       bit_wrench_(node, "bit/wrench", parameters.queue()),
       true_bit_(node, "truth/bit", parameters.queue()),
+      accuracy_(node, "accuracy", parameters.queue()),
       rig_limits_(node.advertise<RigLimits>("rig_limits", parameters.queue(), true)),
       mwd_(node.advertise<MwdSurvey>("downhole/mwd", parameters.queue())),
       toolface_(node.advertise<MwdToolface>("downhole/toolface", parameters.queue())),
@@ -46,6 +48,7 @@ void StatePublisher::publish(const FrameOutput& s)
     publish_rig(s);
     publish_bit(s);
   }
+  if (s.accuracy_due) accuracy_.post([&] { return to_accuracy(s.frame, floor_); });
   if (s.new_stamp) news_.tell(s.frame, floor_, [this](const char*, const auto& message) { send(message); });
   if (s.profile_due) drillstring_.publish([&](DrillstringState& m) { fill_drillstring_state(s, floor_, m); });
 }
