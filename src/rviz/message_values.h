@@ -24,7 +24,7 @@ struct Diagnosis
 {
   RunState run_state = RunState::unknown;
   double real_time_factor = missing, speed = 1.0;
-  std::string time, physics, commands;  // its three summaries; empty: all is well
+  std::string time, physics, accuracy, commands;  // its summaries; empty: all is well
 };
 
 /// The latest of each topic; null before the first.

@@ -211,6 +211,8 @@ void RigLink::take_diagnostics(const diagnostic_msgs::DiagnosticArrayConstPtr& m
       d.physics = text;
     else if (ends_with(status.name, ": commands"))
       d.commands = text;
+    else if (ends_with(status.name, ": accuracy"))
+      d.accuracy = text;
   }
 }
 
