@@ -63,6 +63,7 @@ void add_times(diagnostic_updater::DiagnosticStatusWrapper& s, const std::string
 
 std::string in_percent(double share)
 {
+  if (share < 1e-4) return "below 0.01 %";
   char text[32];
   std::snprintf(text, sizeof text, share < 0.1 ? "%.2g %%" : "%.0f %%", 100.0 * share);
   return text;

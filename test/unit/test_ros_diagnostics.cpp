@@ -136,12 +136,12 @@ TEST_F(Report, saysWhyTheNumbersMayBeWrong)
 TEST_F(Report, saysHowLargeTheMeasuredErrorsAre)
 {
   frame_.physics.error_is_measured = true;
-  frame_.physics.errors = {0.00314, 0.0125, 0.5, 0.104, 0.3, 0.2};
+  frame_.physics.errors = {0.00314, 0.0125, 0.5, 0.104, 0.3, 5e-6};
   frame_.physics.companion = {"beam3d", 181, 1086, 3.0};
-  frame_.accuracy.needs = need_hook_load | need_torque | need_rop | need_direction;
+  frame_.accuracy.needs = need_hook_load | need_torque | need_rop | need_pressure | need_direction;
   frame_.accuracy.tolerance = 0.02;
   const auto array = next();
-  const std::string errors = "hook load 0.31 %, torque 1.2 %, rate of penetration 10 % (allowed 2 %)";
+  const std::string errors = "hook load 0.31 %, torque 1.2 %, rate of penetration 10 %, stand pipe pressure below 0.01 % (allowed 2 %)";
   EXPECT_EQ("measured errors, relative to the ranges: " + errors, part(array, "accuracy").message);
   EXPECT_EQ(all_well, levels(array)) << "whether that is too much is for the simulator to say";
   const auto said = values(array);
@@ -149,7 +149,7 @@ TEST_F(Report, saysHowLargeTheMeasuredErrorsAre)
   EXPECT_EQ("beam3d, 181 nodes, 1086 coordinates", said.at("companion"));
   EXPECT_EQ("", said.at("why_not_measured"));
   const std::map<std::string, double> numbers = {{"error_hook_load", 0.00314}, {"error_torque", 0.0125}, {"error_wob", 0.5}, {"error_rop", 0.104},
-      {"error_bit_speed", 0.3}, {"error_stand_pipe_pressure", 0.2}, {"error_window", 3.0}, {"tolerance", 0.02}, {"companion_cost_share", 1.0}};
+      {"error_bit_speed", 0.3}, {"error_stand_pipe_pressure", 5e-6}, {"error_window", 3.0}, {"tolerance", 0.02}, {"companion_cost_share", 1.0}};
   for (const auto& [key, value] : numbers) EXPECT_DOUBLE_EQ(value, number(array, key)) << key;
   frame_.accuracy.needs = need_direction;
   EXPECT_EQ("measured errors, relative to the ranges: no output in `needs` has one", part(next(), "accuracy").message);
