@@ -10,7 +10,7 @@ import threading
 import time
 
 import rospy
-from drill_rig_sim.msg import RigState
+from drill_rig_sim.msg import Accuracy, RigState
 from drill_rig_sim.recorder import Recorder
 from drill_rig_sim.srv import SetSpeed
 from std_srvs.srv import Trigger
@@ -28,11 +28,13 @@ class Rig:
     def __init__(self, namespace):
         self.lock = threading.Lock()
         self.state = None
+        self.errors = {}  # measured, of the simulation, by output [SI]
         self.heard = threading.Event()
         self.mark()
         self.set_speed = rospy.ServiceProxy(namespace + "/set_speed", SetSpeed)
         self.tare = rospy.ServiceProxy(namespace + "/tare", Trigger)
         rospy.Subscriber(namespace + "/truth/rig_state", RigState, self.take, queue_size=100)
+        rospy.Subscriber(namespace + "/accuracy", Accuracy, self.take_errors, queue_size=1)
 
     def take(self, state):
         with self.lock:
@@ -42,6 +44,9 @@ class Rig:
             if state.on_bottom and state.rop > 0:
                 self.drilling.append((state.hook_load, state.torque, zeroed_weight(state), state.rop))
         self.heard.set()
+
+    def take_errors(self, accuracy):
+        self.errors = dict(zip(accuracy.outputs, accuracy.absolute)) if accuracy.measured else {}
 
     def mark(self):
         with self.lock:
@@ -67,10 +72,15 @@ def weight_text(weight, width=0):
     return ("-" if math.isnan(weight) else "%.1f" % (weight / 1e3)).rjust(width)
 
 
-def line(state, factor):
-    return ("t %8.2f s  rtf %5.2f  hook %6.1f kN  torque %6.2f kN m  WOB %s kN  ROP %6.2f m/h  bit %8.3f m  %s" %
-            (state.header.stamp.to_sec(), factor, state.hook_load / 1e3, state.torque / 1e3, weight_text(zeroed_weight(state), 6),
-             state.rop * 3600, state.bit_depth, "on bottom" if state.on_bottom else "off bottom"))
+def line(state, factor, errors):
+    """`errors`: measured, by output [SI]; those that are not there are not shown."""
+    def error(output, unit, digits):
+        shown = errors.get(output, math.nan) / unit
+        return "" if math.isnan(shown) else " ±%.*f" % (digits, max(shown, 10.0**-digits))
+    return ("t %8.2f s  rtf %5.2f  hook %6.1f%s kN  torque %6.2f%s kN m  WOB %s%s kN  ROP %6.2f%s m/h  bit %8.3f m  %s" %
+            (state.header.stamp.to_sec(), factor, state.hook_load / 1e3, error("hook_load", 1e3, 1), state.torque / 1e3, error("torque", 1e3, 2),
+             weight_text(zeroed_weight(state), 6), error("wob", 1e3, 1) if state.tared else "", state.rop * 3600, error("rop", 1 / 3600, 2),
+             state.bit_depth, "on bottom" if state.on_bottom else "off bottom"))
 
 
 def show(text, last=False):
@@ -139,7 +149,7 @@ def watch(rig, pid, until, every):
             return True
         if now >= next_line:
             next_line = now + every
-            show(line(state, simulated / wall))
+            show(line(state, simulated / wall, rig.errors))
     return False
 
 
@@ -185,7 +195,7 @@ def main():
     if not watch(rig, options.watch, lambda state, simulated: 0 < options.duration <= simulated, every):
         return 1
     simulated, wall, _ = rig.elapsed()
-    show(line(rig.state, simulated / wall), last=True)
+    show(line(rig.state, simulated / wall, rig.errors), last=True)
     summary(rig)
     return 0
 

@@ -11,6 +11,21 @@ ros::Time to_time(std::int64_t stamp)
   return ros::Time().fromNSec(static_cast<std::uint64_t>(stamp));
 }
 
+std_msgs::Header to_header(std::int64_t stamp, const std::string& frame_id)
+{
+  std_msgs::Header header;
+  header.stamp = to_time(stamp);
+  header.frame_id = frame_id;
+  return header;
+}
+
+std_msgs::Float64 to_number(double value)
+{
+  std_msgs::Float64 m;
+  m.data = value;
+  return m;
+}
+
 geometry_msgs::Point to_point(const Eigen::Vector3d& v)
 {
   geometry_msgs::Point p;

@@ -1,8 +1,11 @@
 #include "drill_rig_sim/ros/diagnostics_report.h"
 
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
+#include "drill_rig_sim/accuracy/output_difference.h"
+#include "drill_rig_sim/ros/accuracy_message.h"
 #include "drill_rig_sim/ros/conversions.h"
 
 namespace drill_rig_sim
@@ -57,6 +60,25 @@ void add_times(diagnostic_updater::DiagnosticStatusWrapper& s, const std::string
   s.add(key + "_share_below_1_ms", times.share_below(millisecond));
   s.add(key + "_share_below_period", times.share_within());
 }
+
+std::string in_percent(double share)
+{
+  if (share < 1e-4) return "below 0.01 %";
+  char text[32];
+  std::snprintf(text, sizeof text, share < 0.1 ? "%.2g %%" : "%.0f %%", 100.0 * share);
+  return text;
+}
+
+// The measured errors of the outputs that the scene needs, and what is allowed; empty where none is measured.
+std::string needed_errors(const FrameRecord& frame)
+{
+  if (!frame.physics.error_is_measured) return "";
+  std::string text;
+  for (std::size_t i = 0; i < output_count; ++i)
+    if (frame.accuracy.needs & output_traits[i].need)
+      text += std::string(text.empty() ? "" : ", ") + output_traits[i].words + " " + in_percent(frame.physics.errors[i]);
+  return text.empty() ? "no output in `needs` has one" : text + " (allowed " + in_percent(frame.accuracy.tolerance) + ")";
+}
 }  // namespace
 
 std::optional<double> RealTimeFactor::update(double ticked, RunState state, std::int64_t now) noexcept
@@ -83,7 +105,7 @@ diagnostic_msgs::DiagnosticArray DiagnosticsReport::on(const FrameRecord& frame,
 {
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = to_time(frame.stamp);
-  array.status = {time_status(frame, clock_trouble, now), physics_status(frame), command_status(frame, refusals, sender_trouble)};
+  array.status = {time_status(frame, clock_trouble, now), physics_status(frame), accuracy_status(frame), command_status(frame, refusals, sender_trouble)};
   return array;
 }
 
@@ -137,8 +159,6 @@ DiagnosticsReport::Status DiagnosticsReport::physics_status(const FrameRecord& f
   tell(frame.truth.over_torque, "connection beyond its make-up torque", "make_up", p.loads.torque);
   tell(frame.truth.buckled, "pipe beyond its buckling load", "buckling", p.loads.buckling);
   if (p.tight) s.mergeSummary(DiagnosticStatus::WARN, text_of(*p.tight));
-  if (frame.truth.accuracy_warning) s.mergeSummary(DiagnosticStatus::WARN, text_of(p.accuracy));
-  for (std::size_t i = 0; p.error_is_measured && i < output_count; ++i) s.add(std::string("error_") + output_traits[i].name, p.errors[i]);
   if (frame.truth.relief_valve_open) s.mergeSummary(DiagnosticStatus::WARN, "relief valve open: part of the flow goes back to the tanks");
   s.add("level", p.level);
   s.add("integrator", p.integrator);
@@ -155,6 +175,22 @@ DiagnosticsReport::Status DiagnosticsReport::physics_status(const FrameRecord& f
   s.add("convergence_failures", p.convergence_failures);
   s.add("error_test_failures", p.error_test_failures);
   s.add("error_estimate", p.last_error_estimate);
+  return s;
+}
+
+DiagnosticsReport::Status DiagnosticsReport::accuracy_status(const FrameRecord& frame) const
+{
+  const SimulatorStatistics& p = frame.physics;
+  const std::string errors = needed_errors(frame), why = why_not_measured(p);
+  Status s = status("accuracy", why.empty() ? "measured errors, relative to the ranges: " + errors : "error not measured: " + why);
+  if (frame.truth.accuracy_warning) s.mergeSummary(DiagnosticStatus::WARN, text_of(p.accuracy));
+  s.add("measured_errors", errors);
+  for (std::size_t i = 0; p.error_is_measured && i < output_count; ++i) s.add(std::string("error_") + output_traits[i].name, p.errors[i]);
+  s.add("error_window", difference_window);
+  s.add("tolerance", frame.accuracy.tolerance);
+  s.add("companion", text_of(p.companion));
+  s.add("why_not_measured", why);
+  s.add("companion_cost_share", companion_cost_share(p));
   return s;
 }
 

@@ -9,19 +9,11 @@ namespace drill_rig_sim
 {
 namespace
 {
-std_msgs::Header header_of(const FrameRecord& frame, const std::string& floor)
-{
-  std_msgs::Header header;
-  header.stamp = to_time(frame.stamp);
-  header.frame_id = floor;
-  return header;
-}
-
 // A time of the simulator [s] in the stamps' time: so long before the frame; 0 where that is before the stamps began, as after a state of
 // another node was restored.
 std_msgs::Header measured_at(const FrameRecord& frame, double time, const std::string& floor)
 {
-  std_msgs::Header header = header_of(frame, floor);
+  std_msgs::Header header = to_header(frame.stamp, floor);
   const std::int64_t age = ros::Duration(frame.readings.time - time).toNSec();
   header.stamp = to_time(std::max<std::int64_t>(0, frame.stamp - age));
   return header;
@@ -55,7 +47,7 @@ sensor_msgs::JointState to_joint_states(const FrameRecord& frame)
 geometry_msgs::PoseStamped to_bit_pose(const FrameRecord& frame, const std::string& floor)
 {
   geometry_msgs::PoseStamped m;
-  m.header = header_of(frame, floor);
+  m.header = to_header(frame.stamp, floor);
   m.pose.position = to_point(frame.truth.bit_position);
   m.pose.orientation = to_quaternion(frame.truth.bit_orientation);
   return m;
@@ -64,7 +56,7 @@ geometry_msgs::PoseStamped to_bit_pose(const FrameRecord& frame, const std::stri
 geometry_msgs::TwistStamped to_bit_twist(const FrameRecord& frame, const std::string& floor)
 {
   geometry_msgs::TwistStamped m;
-  m.header = header_of(frame, floor);
+  m.header = to_header(frame.stamp, floor);
   m.twist.linear = to_vector(frame.truth.bit_velocity);
   m.twist.angular = to_vector(frame.truth.bit_angular_velocity);
   return m;
@@ -73,7 +65,7 @@ geometry_msgs::TwistStamped to_bit_twist(const FrameRecord& frame, const std::st
 geometry_msgs::WrenchStamped to_bit_wrench(const FrameRecord& frame, const std::string& floor)
 {
   geometry_msgs::WrenchStamped m;
-  m.header = header_of(frame, floor);
+  m.header = to_header(frame.stamp, floor);
   m.wrench.force = to_vector(frame.truth.bit_force);
   m.wrench.torque = to_vector(frame.truth.bit_moment);
   return m;
@@ -83,7 +75,7 @@ BitTruth to_bit_truth(const FrameRecord& frame, const std::string& floor)
 {
   const Truth& t = frame.truth;
   BitTruth m;
-  m.header = header_of(frame, floor);
+  m.header = to_header(frame.stamp, floor);
   m.position = to_point(t.bit_position);
   m.wob = t.wob;
   m.torque = t.bit_torque;
@@ -147,7 +139,7 @@ DownholeDynamics to_downhole_dynamics(const FrameRecord& frame, const std::strin
 void fill_drillstring_state(const FrameOutput& s, const std::string& floor, DrillstringState& m)
 {
   const StringProfile& from = s.profile;
-  m.header = header_of(s.frame, floor);
+  m.header = to_header(s.frame.stamp, floor);
   m.md = from.md;
   m.from_bit = from.from_bit;
   m.position.resize(from.position.size());
@@ -167,7 +159,7 @@ void fill_drillstring_state(const FrameOutput& s, const std::string& floor, Dril
 nav_msgs::Path to_path(const FrameOutput& s, const std::string& floor)
 {
   nav_msgs::Path path;
-  path.header = header_of(s.frame, floor);
+  path.header = to_header(s.frame.stamp, floor);
   path.poses.resize(s.well.size());
   for (std::size_t i = 0; i < s.well.size(); ++i)
   {
@@ -191,7 +183,7 @@ geometry_msgs::TransformStamped to_rig_pose(const std::array<double, 6>& pose, c
 void fill_transforms(const FrameOutput& s, const std::string& prefix, std::vector<geometry_msgs::TransformStamped>& transforms)
 {
   transforms.resize(2 + s.parts.size());
-  for (geometry_msgs::TransformStamped& t : transforms) t.header = header_of(s.frame, prefix + "rig_floor");
+  for (geometry_msgs::TransformStamped& t : transforms) t.header = to_header(s.frame.stamp, prefix + "rig_floor");
   const Truth& m = s.frame.truth;
   const Eigen::Vector3d block = (m.block_height + m.floor_height) * Eigen::Vector3d::UnitZ();
   transforms[0].child_frame_id = prefix + "traveling_block";

@@ -1,11 +1,13 @@
 #include "drill_rig_sim/ros/run_bag.h"
 
 #include <rosbag/bag.h>
-#include <std_msgs/Float64.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
+#include "drill_rig_sim/realtime/cadence.h"
+#include "drill_rig_sim/ros/accuracy_message.h"
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
 #include "drill_rig_sim/ros/telemetry_news.h"
@@ -15,13 +17,6 @@ namespace drill_rig_sim
 namespace
 {
 const std::string floor_name = "rig_floor";
-
-std_msgs::Float64 number(double value)
-{
-  std_msgs::Float64 m;
-  m.data = value;
-  return m;
-}
 }  // namespace
 
 struct RunBag::Writer
@@ -31,6 +26,7 @@ struct RunBag::Writer
   FrameRecord frame;
   bool begun = false;
   TelemetryNews news;
+  Cadence accuracy_cadence{accuracy_rate};
 
   template <class Message>
   void write(const char* topic, const Message& message)
@@ -66,18 +62,10 @@ struct RunBag::Writer
     frame.stamp = std::llround(1e9 * frame.truth.time);
   }
 
-  void write_limits(const RigSpec& rig)
-  {
-    std_msgs::Header header;
-    header.stamp = to_time(frame.stamp);
-    header.frame_id = floor_name;
-    write("rig_limits", to_rig_limits(rig, header));
-  }
-
   void write_measurements()
   {
-    write("hook_load", number(frame.readings.hook_load));
-    write("torque", number(frame.readings.torque));
+    write("hook_load", to_number(frame.readings.hook_load));
+    write("torque", to_number(frame.readings.torque));
     write("rig_state", to_rig_state(frame.readings, frame, floor_name));
     write("truth/rig_state", to_rig_state(frame.truth, frame, floor_name));
     write("joint_states", to_joint_states(frame));
@@ -85,6 +73,18 @@ struct RunBag::Writer
     write("bit/twist", to_bit_twist(frame, floor_name));
     write("bit/wrench", to_bit_wrench(frame, floor_name));
     write("truth/bit", to_bit_truth(frame, floor_name));
+  }
+
+  void write_accuracy(const Simulator& simulator)
+  {
+    if (!accuracy_cadence.due(frame.stamp)) return;
+    frame.physics = simulator.statistics();
+    frame.accuracy = accuracy_of(simulator);
+    Accuracy message = to_accuracy(frame, floor_name);
+    // a bag is the same wherever it is made: what depends on the speed of the companion's thread is left out
+    message.companion = frame.physics.companion.level;
+    message.cost_share = std::numeric_limits<double>::quiet_NaN();
+    write("accuracy", message);
   }
 
   void write_telemetry()
@@ -118,9 +118,10 @@ void RunBag::add(const Simulator& simulator, bool due)
   w.attempt(
       [&]
       {
-        if (!w.begun) w.write_limits(simulator.scene().rig);
+        if (!w.begun) w.write("rig_limits", to_rig_limits(simulator.scene().rig, to_header(w.frame.stamp, floor_name)));
         w.begun = true;
         if (due) w.write_measurements();
+        w.write_accuracy(simulator);
         w.write_telemetry();
       });
 }

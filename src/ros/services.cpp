@@ -149,10 +149,7 @@ void Services::rebuild(const Scene& scene)
 
 void Services::describe(const Scene& scene, std::int64_t stamp) const
 {
-  std_msgs::Header header;
-  header.frame_id = parameters_.floor();
-  header.stamp = to_time(stamp);
-  description_.publish(to_rig_description(scene, header));
+  description_.publish(to_rig_description(scene, to_header(stamp, parameters_.floor())));
 }
 
 std::string Services::reset_well(const ResetWell::Request& request)

@@ -28,6 +28,7 @@ SimulationLoop::SimulationLoop(const Parameters& parameters, std::unique_ptr<Sim
             static_cast<std::int64_t>(ros::WallTime::now().toNSec())),
       frame_duration_(1.0 / parameters.rate),
       state_cadence_(parameters.state_rate),
+      accuracy_cadence_(accuracy_rate),
       profile_cadence_(parameters.drillstring_rate),
       tf_cadence_(parameters.tf_rate),
       marker_cadence_(parameters.marker_rate),
@@ -219,6 +220,7 @@ void SimulationLoop::note_due(FrameOutput& s, const Occasion& occasion) noexcept
   s.restored = occasion.restored;
   s.state_again = !s.new_stamp && announced_ && (occasion.said_again || run_state() != run_state_said_);
   if (s.state_due || s.state_again) run_state_said_ = run_state();
+  s.accuracy_due = s.new_stamp && (accuracy_cadence_.due(simulated) || occasion.rebuilt || occasion.restored);
   // where time runs on, whoever has just subscribed waits for the next of its stamps
   const bool profile_moves = s.new_stamp && (profile_cadence_.due(simulated) || occasion.restored);
   s.profile_due = (profile_moves || (!s.new_stamp && announced_ && subscriptions_.profile_missing)) && subscriptions_.profile;
@@ -259,6 +261,7 @@ void SimulationLoop::fill_record(FrameRecord& record) const noexcept
   record.commands = rig_.commands;
   record.operation = rig_.playing ? rig_.player.operations().status() : OperationStatus();
   record.physics = rig_.simulator->statistics();
+  record.accuracy = accuracy_of(*rig_.simulator);
   record.loop = statistics_;
   record.loop.overruns = time_.overruns();
   record.loop.dropped_seconds = time_.dropped_seconds();
@@ -324,7 +327,7 @@ std::unique_ptr<Simulator> SimulationLoop::replace(std::unique_ptr<Simulator> si
 
 void SimulationLoop::restart_cadences() noexcept
 {
-  for (Cadence* cadence : {&state_cadence_, &profile_cadence_, &tf_cadence_, &marker_cadence_, &well_cadence_})
+  for (Cadence* cadence : {&state_cadence_, &accuracy_cadence_, &profile_cadence_, &tf_cadence_, &marker_cadence_, &well_cadence_})
     cadence->restart();
 }
 

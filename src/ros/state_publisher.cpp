@@ -2,21 +2,12 @@
 
 #include <utility>
 
+#include "drill_rig_sim/ros/accuracy_message.h"
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
 
 namespace drill_rig_sim
 {
-namespace
-{
-std_msgs::Float64 number(double value)
-{
-  std_msgs::Float64 m;
-  m.data = value;
-  return m;
-}
-}  // namespace
-
 StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture)
     : floor_(parameters.floor()),
       hook_load_(node, "hook_load", parameters.queue()),
@@ -28,6 +19,7 @@ StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& paramete
       bit_twist_(node, "bit/twist", parameters.queue()),
       bit_wrench_(node, "bit/wrench", parameters.queue()),
       true_bit_(node, "truth/bit", parameters.queue()),
+      accuracy_(node, "accuracy", parameters.queue()),
       rig_limits_(node.advertise<RigLimits>("rig_limits", parameters.queue(), true)),
       mwd_(node.advertise<MwdSurvey>("downhole/mwd", parameters.queue())),
       toolface_(node.advertise<MwdToolface>("downhole/toolface", parameters.queue())),
@@ -42,10 +34,7 @@ void StatePublisher::publish(const FrameOutput& s)
 {
   if (s.rebuilt)
   {
-    std_msgs::Header header;
-    header.stamp = to_time(s.frame.stamp);
-    header.frame_id = floor_;
-    rig_limits_.publish(to_rig_limits(s.frame.rig, header));
+    rig_limits_.publish(to_rig_limits(s.frame.rig, to_header(s.frame.stamp, floor_)));
     news_.forget();
   }
   if (s.restored) news_.skip(s.frame.readings);  // what had arrived before the state was saved does not arrive now
@@ -59,14 +48,15 @@ void StatePublisher::publish(const FrameOutput& s)
     publish_rig(s);
     publish_bit(s);
   }
+  if (s.accuracy_due) accuracy_.post([&] { return to_accuracy(s.frame, floor_); });
   if (s.new_stamp) news_.tell(s.frame, floor_, [this](const char*, const auto& message) { send(message); });
   if (s.profile_due) drillstring_.publish([&](DrillstringState& m) { fill_drillstring_state(s, floor_, m); });
 }
 
 void StatePublisher::publish_rig(const FrameOutput& s)
 {
-  hook_load_.post([&] { return number(s.frame.readings.hook_load); });
-  torque_.post([&] { return number(s.frame.readings.torque); });
+  hook_load_.post([&] { return to_number(s.frame.readings.hook_load); });
+  torque_.post([&] { return to_number(s.frame.readings.torque); });
   joint_states_.post([&] { return to_joint_states(s.frame); });
 }
 

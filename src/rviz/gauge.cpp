@@ -39,6 +39,7 @@ void Gauge::set_units(UnitSystem system)
   system_ = system;
   text_.clear();
   set_truth(truth_);
+  set_error(error_);
   show_value(value_, why_, lost_, stale_, limits_);
 }
 
@@ -85,12 +86,21 @@ void Gauge::show_value(double value, const char* why, bool lost, bool stale, con
   const QString text = state_text();
   const int bar = is_filled() ? static_cast<int>(std::lround(place(value, rect()))) : -1;
   const char* const words[] = {"", " caution", " alarm"};
-  const QString description = text + words[static_cast<int>(level_)] + (stale_ ? " stale" : "");
+  const QString description = text + (shows_error() ? " " + error_text_ : QString()) + words[static_cast<int>(level_)] + (stale_ ? " stale" : "");
   if (description != accessibleDescription()) setAccessibleDescription(description);
   differs = differs || text != text_ || bar != bar_;
   text_ = text;
   bar_ = bar;
   if (differs) update();
+}
+
+void Gauge::set_error(double error)
+{
+  error_ = error;
+  const QString text = QString::fromStdString(error_text(error, row_.dimension, system_));
+  if (text == error_text_) return;
+  error_text_ = text;
+  update();
 }
 
 void Gauge::set_truth(double value)
@@ -118,7 +128,12 @@ void Gauge::paint_texts(QPainter& painter, const QRect& area)
   painter.setPen(QColor(look::faint));
   const int label_width = painter.fontMetrics().horizontalAdvance(row_.label);
   painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, row_.label);
-  const QRect room = line.adjusted(label_width + 6, 0, 0, 0);
+  QRect room = line.adjusted(label_width + 6, 0, 0, 0);
+  if (shows_error())
+  {
+    painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, error_text_);
+    room.adjust(0, 0, -painter.fontMetrics().horizontalAdvance(error_text_) - 4, 0);
+  }
 
   QFont large = font();
   large.setBold(is_filled());

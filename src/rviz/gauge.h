@@ -8,7 +8,8 @@
 
 namespace drill_rig_sim::console
 {
-/// One value: its number large, a bar with zones of caution and alarm below it, and the truth as a faint line if asked for.
+/// One value: its number large with its measured error small behind it, a bar with zones of caution and alarm below it, and the truth as a faint
+/// line if asked for.
 /// Its accessible name is "KIND KEY", its accessible description what it shows.
 class Gauge : public QWidget
 {
@@ -23,6 +24,8 @@ public:
   void show_truth(bool on);
   /// A reading; NaN shows `why` instead. `lost`: its gauge repeats itself. `stale`: nothing has come for a while.
   void show_value(double value, const char* why, bool lost, bool stale, const Limits& limits);
+  /// Measured error of the simulation [SI]; NaN: not measured.
+  void set_error(double error);
   /// The truth; NaN: nobody tells it.
   void set_truth(double value);
   Level level() const { return level_; }
@@ -39,19 +42,20 @@ protected:
 
 private:
   QString state_text() const;
+  bool shows_error() const { return is_filled() && !error_text_.isEmpty(); }
   void paint_texts(QPainter& painter, const QRect& area);
   void paint_bar(QPainter& painter, const QRect& area);
   double place(double value, const QRect& area) const;
 
   const QuantityRow& row_;
   UnitSystem system_ = UnitSystem::si;
-  double value_ = missing, truth_ = missing, least_ = missing, most_ = missing;
+  double value_ = missing, error_ = missing, truth_ = missing, least_ = missing, most_ = missing;
   const char* why_ = "no reading";
   bool lost_ = false, stale_ = true, shows_truth_ = false;
   Limits limits_;
   Scale scale_;
   Level level_ = Level::normal;
-  QString text_, truth_text_;
+  QString text_, error_text_, truth_text_;
   int bar_ = -1;  // pixel where it ends
 };
 

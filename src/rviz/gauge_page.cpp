@@ -84,6 +84,7 @@ void GaugePage::show_news(const News& news, const Values& readings, const Values
   {
     const std::size_t n = index_of(gauge->quantity());
     gauge->set_truth(truth.value[n]);
+    gauge->set_error(readings.error[n]);
     gauge->show_value(readings.value[n], readings.why[n], readings.lost[n], stale, limits_of(gauge->quantity(), rig, own));
   }
   show_block(news, rig, stale);

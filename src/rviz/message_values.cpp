@@ -1,5 +1,6 @@
 #include "message_values.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace drill_rig_sim::console
@@ -24,6 +25,15 @@ constexpr std::pair<Quantity, Field> fields[] = {
     {Quantity::top_drive_angle, &RigState::top_drive_angle},
     {Quantity::stroke_rate, &RigState::stroke_rate},
     {Quantity::ecd, &RigState::ecd},
+};
+
+// names in `accuracy`, and the gauges that show these outputs; none shows the bit's speed
+constexpr std::pair<const char*, Quantity> outputs[] = {
+    {"hook_load", Quantity::hook_load},
+    {"torque", Quantity::torque},
+    {"wob", Quantity::surface_wob},
+    {"rop", Quantity::rop},
+    {"stand_pipe_pressure", Quantity::stand_pipe_pressure},
 };
 
 // in the order of Flag
@@ -56,6 +66,14 @@ void take_fields(Values& values, const RigState& state)
     values.set(Quantity::differential_pressure, state.differential_pressure);
   else
     values.lack(Quantity::differential_pressure, "not tared");
+}
+
+void take_errors(Values& values, const Accuracy& accuracy)
+{
+  const std::size_t number = std::min(accuracy.outputs.size(), accuracy.absolute.size());
+  for (std::size_t n = 0; n < number; ++n)
+    for (const auto& [name, quantity] : outputs)
+      if (accuracy.outputs[n] == name) values.error[index_of(quantity)] = accuracy.absolute[n];
 }
 
 void take_telemetry(Values& values, const News& news)
@@ -96,6 +114,7 @@ Values readings_of(const News& news, double bit_diameter)
   if (!news.state) return values;
   const RigState& s = *news.state;
   take_fields(values, s);
+  if (news.accuracy) take_errors(values, *news.accuracy);
   if (s.tared)
   {
     values.set(Quantity::surface_wob, s.surface_wob);
@@ -170,7 +189,7 @@ RunState run_state_of(const RigState& state)
 std::vector<std::string> remarks_of(const Diagnosis& diagnosis)
 {
   std::vector<std::string> lines;
-  for (const std::string* text : {&diagnosis.physics, &diagnosis.commands, &diagnosis.time})
+  for (const std::string* text : {&diagnosis.physics, &diagnosis.accuracy, &diagnosis.commands, &diagnosis.time})
     if (!text->empty()) lines.push_back(*text);
   return lines;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drill_rig_sim/Accuracy.h"
 #include "drill_rig_sim/BitTruth.h"
 #include "drill_rig_sim/DownholeDynamics.h"
 #include "drill_rig_sim/MwdInclination.h"
@@ -24,7 +25,7 @@ struct Diagnosis
 {
   RunState run_state = RunState::unknown;
   double real_time_factor = missing, speed = 1.0;
-  std::string time, physics, commands;  // its three summaries; empty: all is well
+  std::string time, physics, accuracy, commands;  // its summaries; empty: all is well
 };
 
 /// The latest of each topic; null before the first.
@@ -33,6 +34,7 @@ struct News
   RigStateConstPtr state, truth;
   BitTruthConstPtr bit;
   RigLimitsConstPtr limits;
+  AccuracyConstPtr accuracy;
   MwdSurveyConstPtr survey;
   MwdInclinationConstPtr inclination;
   DownholeDynamicsConstPtr dynamics;
@@ -40,7 +42,7 @@ struct News
   Diagnosis diagnosis;
 };
 
-/// The readings; `bit_diameter` [m], 0: not known.
+/// The readings, and the errors of the simulation where they are measured; `bit_diameter` [m], 0: not known.
 Values readings_of(const News& news, double bit_diameter);
 /// The truth, as far as it is subscribed to.
 Values truth_of(const News& news, double bit_diameter);

@@ -130,6 +130,7 @@ void RigLink::subscribe()
 {
   states_ = node_->subscribe(state_topic, 1, &RigLink::take_state, this, ros::TransportHints().tcpNoDelay());
   hear("rig_limits", news_.limits);
+  hear("accuracy", news_.accuracy);
   hear("downhole/mwd", news_.survey);
   hear("downhole/inclination", news_.inclination);
   hear("downhole/dynamics", news_.dynamics);
@@ -178,6 +179,7 @@ void RigLink::take_state(const ros::MessageEvent<RigState const>& event)
     news_.survey.reset();
     news_.inclination.reset();
     news_.dynamics.reset();
+    news_.accuracy.reset();
     news_.toolfaces.clear();
   }
   news_.state = m;
@@ -209,6 +211,8 @@ void RigLink::take_diagnostics(const diagnostic_msgs::DiagnosticArrayConstPtr& m
     }
     else if (ends_with(status.name, ": physics"))
       d.physics = text;
+    else if (ends_with(status.name, ": accuracy"))
+      d.accuracy = text;
     else if (ends_with(status.name, ": commands"))
       d.commands = text;
   }

@@ -12,7 +12,7 @@ PATIENCE = 60.0  # wall seconds that anything may take on a loaded machine
 # offset of the stamp in the message [bytes], of those that come with every frame
 STAMPED = {'rig_state': 4, 'truth/rig_state': 4, 'joint_states': 4, 'bit/pose': 4, 'bit/twist': 4, 'bit/wrench': 4,
            'truth/bit': 4, '/clock': 0}
-OTHERS = ('hook_load', 'torque', 'rig_limits', 'downhole/mwd', 'downhole/toolface', 'drillstring_state', 'markers', 'trajectory',
+OTHERS = ('hook_load', 'torque', 'accuracy', 'rig_limits', 'downhole/mwd', 'downhole/toolface', 'drillstring_state', 'markers', 'trajectory',
           '/tf', '/tf_static', '/diagnostics')
 
 

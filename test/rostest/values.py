@@ -3,7 +3,7 @@
 import math
 
 from by_hand import GRAVITY, Well, add, angle_between, distance, dot, length, quaternion, rotated, scene, turn_between, xyz
-from drill_rig_sim.msg import RigLimits, RigState
+from drill_rig_sim.msg import Accuracy, RigLimits, RigState
 from geometry_msgs.msg import PoseStamped, TwistStamped, WrenchStamped
 from rig_test import Rig, flow, rospy, run, turn, unittest, winch
 from sensor_msgs.msg import JointState
@@ -137,6 +137,27 @@ class Values(unittest.TestCase):
                 self.assertTrue(state.tared)
                 self.assertAlmostEqual(zero - state.hook_load, state.surface_wob, places=6)
         self.assertLess(min(s.surface_wob for s in record.truth), -100.0, "the load of lifting")
+
+    def test_accuracy_is_measured_once_a_second(self):
+        accuracy = self.rig.collect("accuracy", Accuracy)
+        self.addCleanup(accuracy.subscriber.unregister)
+        begin = self.rig.advance(0).header.stamp
+        self.rig.advance(500, winch=winch(0.05), top_drive=turn(2.0))
+        messages = accuracy.after(begin, 5)
+        self.assertEqual([begin + rospy.Duration(n) for n in range(1, 6)], [m.header.stamp for m in messages])
+        m = messages[-1]
+        self.assertEqual("rig_floor", m.header.frame_id)
+        self.assertEqual(["hook_load", "torque", "wob", "rop", "bit_speed", "stand_pipe_pressure"], m.outputs)
+        self.assertEqual([True] * 6, [bool(needed) for needed in m.needed])
+        self.assertTrue(m.measured, m.why_not_measured)
+        self.assertEqual(("", 3.0, 0.02), (m.why_not_measured, m.window, m.tolerance))
+        self.assertTrue(m.companion.startswith("beam3d, "), m.companion)
+        for errors in (m.error, m.absolute):
+            self.assertEqual(6, len(errors))
+            self.assertTrue(all(0.0 <= error < math.inf for error in errors), errors)
+        self.assertGreater(m.absolute[0], 0.0)
+        self.assertGreater(m.absolute[0], m.error[0], "in N")
+        self.assertTrue(0.0 < m.cost_share < 1.0, m.cost_share)
 
     def test_rig_limits_are_the_scenes(self):
         limits = self.rig.collect("rig_limits", RigLimits).wait(1)[-1]

@@ -126,6 +126,32 @@ TEST(Messages, TheLaterInclinationCounts)
   EXPECT_EQ(2.0, readings_of(news, 0.0)[Quantity::azimuth]);
 }
 
+TEST(Messages, ErrorsOfTheOutputsThatHaveAGauge)
+{
+  News news = with(tared());
+  EXPECT_TRUE(std::isnan(readings_of(news, 0.0).error[index_of(Quantity::hook_load)]));
+  Accuracy accuracy;
+  accuracy.outputs = {"hook_load", "torque", "wob", "rop", "bit_speed", "stand_pipe_pressure"};
+  accuracy.absolute = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0};
+  news.accuracy = boost::make_shared<Accuracy>(accuracy);
+  std::array<double, quantity_count> expected = Values().error;
+  expected[index_of(Quantity::hook_load)] = 1.0;
+  expected[index_of(Quantity::torque)] = 2.0;
+  expected[index_of(Quantity::surface_wob)] = 3.0;
+  expected[index_of(Quantity::rop)] = 4.0;
+  expected[index_of(Quantity::stand_pipe_pressure)] = 6.0;
+  const Values v = readings_of(news, 0.0);
+  for (std::size_t n = 0; n < quantity_count; ++n)
+  {
+    const char* key = row_of(static_cast<Quantity>(n)).key;
+    if (std::isnan(expected[n]))
+      EXPECT_TRUE(std::isnan(v.error[n])) << key;
+    else
+      EXPECT_EQ(expected[n], v.error[n]) << key;
+  }
+  EXPECT_EQ(300e3, v[Quantity::hook_load]) << "the number stays what it was";
+}
+
 TEST(Messages, TheTruthIsTheBits)
 {
   News news;

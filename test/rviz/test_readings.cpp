@@ -8,9 +8,11 @@
 #include <fstream>
 
 #include "console_test.h"
+#include "drill_rig_sim/Accuracy.h"
 #include "drill_rig_sim/RigState.h"
 
 using namespace console_test;
+using drill_rig_sim::Accuracy;
 using drill_rig_sim::RigState;
 
 namespace
@@ -113,6 +115,29 @@ TEST_F(Readings, UnitsAreSwitchedEverywhere)
   console.open_page(0);
   EXPECT_TRUE(wait_until([&] { return console.shows("gauge hook_load").contains("kN"); }));
   EXPECT_EQ("0.010 m/s", console.get<QAbstractSpinBox>("winch speed")->text().toStdString()) << "there and back nothing is rounded";
+}
+
+TEST_F(Readings, MeasuredErrorsStandBehindTheNumbers)
+{
+  Console console;
+  ASSERT_TRUE(console.is_in_state("RUNNING"));
+  ros::Publisher publisher = ros::NodeHandle("/" + std::string(shared_name)).advertise<Accuracy>("accuracy", 1);  // the rig has no companion
+  Accuracy accuracy;
+  accuracy.outputs = {"hook_load", "wob", "bit_speed"};
+  accuracy.absolute = {1234.0, 500.0, 1.0};
+  const auto shows = [&](const QString& end)
+  {
+    publisher.publish(accuracy);
+    return console.shows("gauge hook_load").endsWith(end);
+  };
+  EXPECT_TRUE(wait_until([&] { return shows(QString::fromUtf8("kN ±1.2")); })) << console.shows("gauge hook_load").toStdString();
+  EXPECT_FALSE(console.shows("gauge torque").contains(QString::fromUtf8("±")));
+  console.window().grab().save(out_folder() + "/console_error.png");
+  console.choose("settings units", "oilfield");
+  console.open_page(0);
+  EXPECT_TRUE(wait_until([&] { return shows(QString::fromUtf8("klbf ±0.3")); })) << console.shows("gauge hook_load").toStdString();
+  accuracy.absolute[0] = std::nan("");
+  EXPECT_TRUE(wait_until([&] { return shows("klbf"); })) << console.shows("gauge hook_load").toStdString();
 }
 
 TEST_F(Readings, TruthIsSubscribedToOnDemandAlone)

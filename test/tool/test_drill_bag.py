@@ -2,6 +2,7 @@
 """`drill run --bag`: topics, types and stamps are the node's, the numbers those of the time series. Usage: test_drill_bag.py PATH_TO_DRILL, from
 an environment that finds drill_rig_sim."""
 import csv
+import math
 import os
 import subprocess
 import sys
@@ -84,6 +85,25 @@ class Bag(test_drill.Drill):
             self.assertGreaterEqual(len(messages[topic]), least, topic)
             for stamp, message in messages[topic]:
                 self.assertAlmostEqual(latency, (stamp - message.header.stamp).to_sec(), delta=0.011)
+
+    def test_the_accuracy_once_a_second(self):
+        messages, _ = self.run_scene('--set', 'numerics.companion=finer')
+        self.assertEqual([10000000 + 1000000000 * n for n in range(20)], [m.header.stamp.to_nsec() for _, m in messages['accuracy']])
+        last = messages['accuracy'][-1][1]
+        self.assertTrue(last.measured, last.why_not_measured)
+        self.assertEqual(['hook_load', 'torque', 'wob', 'rop', 'bit_speed', 'stand_pipe_pressure'], last.outputs)
+        for numbers in (last.error, last.absolute):
+            self.assertTrue(all(number >= 0.0 for number in numbers), numbers)
+            self.assertGreater(max(numbers), 0.0)
+        self.assertEqual('beam3d', last.companion)
+        self.assertTrue(math.isnan(last.cost_share), 'it differs from machine to machine')
+
+    def test_without_a_companion_no_error_is_measured(self):
+        messages, _ = self.run_scene('--set', 'numerics.companion=none')
+        for _, message in messages['accuracy']:
+            self.assertFalse(message.measured)
+            self.assertEqual('numerics.companion is none', message.why_not_measured)
+            self.assertTrue(all(map(math.isnan, message.error + message.absolute)))
 
     def test_a_full_disk_is_told(self):
         done = subprocess.run([test_drill.drill_program, 'run', test_drill.QUICK, '--duration', '1', '--bag', '/dev/full'], stdout=subprocess.PIPE,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/ros/accuracy_message.h"
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
 #include "frame_header.h"
@@ -316,6 +317,42 @@ TEST(DrillstringStateMessage, eachArrayComesFromItsOwn)
   EXPECT_EQ(4.5, m.position[1].x);
   EXPECT_EQ(5.0, m.position[1].y);
   EXPECT_EQ(-80.0, m.position[2].z);
+}
+
+TEST(AccuracyMessage, eachFieldComesFromItsOwn)
+{
+  FrameRecord frame = numbered_record();
+  frame.physics.error_is_measured = true;
+  frame.physics.errors = {0.11, 0.12, 0.13, 0.14, 0.15, 0.16};
+  frame.physics.companion = {"beam3d", 21, 126, 2.0};
+  frame.accuracy = {{31.0, 32.0, 33.0, 34.0, 35.0, 36.0}, need_torque | need_rop, 0.05};
+  const Accuracy m = to_accuracy(frame, floor_name);
+  expect_header(m.header, 12, 345678901);
+  EXPECT_EQ((std::vector<std::string>{"hook_load", "torque", "wob", "rop", "bit_speed", "stand_pipe_pressure"}), m.outputs);
+  EXPECT_EQ((std::vector<std::uint8_t>{0, 1, 0, 1, 0, 0}), m.needed);
+  EXPECT_EQ((std::vector<double>{0.11, 0.12, 0.13, 0.14, 0.15, 0.16}), m.error);
+  EXPECT_EQ((std::vector<double>{31.0, 32.0, 33.0, 34.0, 35.0, 36.0}), m.absolute);
+  EXPECT_EQ(3.0, m.window);
+  EXPECT_EQ(0.05, m.tolerance);
+  EXPECT_TRUE(m.measured);
+  EXPECT_EQ("beam3d, 21 nodes, 126 coordinates", m.companion);
+  EXPECT_EQ("", m.why_not_measured);
+  EXPECT_EQ(1.0, m.cost_share) << "all of 2 s";
+}
+
+TEST(AccuracyMessage, whatIsNotMeasuredIsNoNumber)
+{
+  FrameRecord frame = numbered_record();
+  frame.physics.not_measured = "too slow";
+  const Accuracy m = to_accuracy(frame, floor_name);
+  EXPECT_FALSE(m.measured);
+  EXPECT_EQ("too slow", m.why_not_measured);
+  EXPECT_EQ(output_count, m.error.size());
+  for (const double error : m.error) EXPECT_TRUE(std::isnan(error));
+  EXPECT_EQ(output_count, m.absolute.size());
+  for (const double error : m.absolute) EXPECT_TRUE(std::isnan(error));
+  EXPECT_EQ("", m.companion);
+  EXPECT_EQ(0.0, m.cost_share);
 }
 
 TEST(PathMessage, followsTheWell)

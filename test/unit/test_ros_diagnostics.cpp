@@ -44,14 +44,14 @@ double number(const diagnostic_msgs::DiagnosticArray& array, const std::string& 
   return std::stod(values(array).at(key));
 }
 
-/// The levels of time, physics, commands.
+/// The levels of time, physics, accuracy, commands.
 std::vector<int> levels(const diagnostic_msgs::DiagnosticArray& array)
 {
-  return {part(array, "time").level, part(array, "physics").level, part(array, "commands").level};
+  return {part(array, "time").level, part(array, "physics").level, part(array, "accuracy").level, part(array, "commands").level};
 }
 
 constexpr int ok = DiagnosticStatus::OK, warn = DiagnosticStatus::WARN, error = DiagnosticStatus::ERROR;
-const std::vector<int> all_well = {ok, ok, ok};
+const std::vector<int> all_well = {ok, ok, ok, ok};
 
 class Report : public testing::Test
 {
@@ -73,7 +73,7 @@ TEST_F(Report, allIsWell)
 {
   const auto array = next();
   EXPECT_EQ(ros::Time(12, 345678901), array.header.stamp);
-  ASSERT_EQ(3u, array.status.size());
+  ASSERT_EQ(4u, array.status.size());
   EXPECT_EQ(all_well, levels(array));
   EXPECT_EQ("running", part(array, "time").message);
   EXPECT_EQ("solved", part(array, "physics").message);
@@ -96,6 +96,7 @@ TEST_F(Report, eachNumberIsItsOwn)
   p.last_error_estimate = 1.8e-5;
   p.commands_clamped = 19;
   p.loads = {{0.31, 32.0}, {0.33, 34.0}, {0.35, 36.0}};
+  frame_.accuracy.tolerance = 0.02;
   for (int i = 0; i < 21; ++i) refusals_.count(i < 20 ? "an older one" : "a refusal");
   frame_.loop.ticked_seconds = 123.5;
   frame_.loop.speed = 2.5;
@@ -114,10 +115,11 @@ TEST_F(Report, eachNumberIsItsOwn)
       {"lateness_p99.9_ms", 0.5}, {"lateness_p99.99_ms", 0.5}, {"lateness_share_below_1_ms", 1.0}, {"lateness_share_below_period", 0.0}, {"step", 0.005}, {"last_step", 0.0025}, {"nodes", 11}, {"coordinates", 12}, {"frames", 13}, {"steps", 20},
       {"newton_iterations", 50}, {"newton_iterations_per_step", 2.5}, {"convergence_failures", 16}, {"error_test_failures", 17},
       {"error_estimate", 1.8e-5}, {"clamped", 19}, {"refused", 21}, {"yield_share", 0.31}, {"yield_from_bit", 32.0}, {"make_up_share", 0.33},
-      {"make_up_from_bit", 34.0}, {"buckling_share", 0.35}, {"buckling_from_bit", 36.0}};
+      {"make_up_from_bit", 34.0}, {"buckling_share", 0.35}, {"buckling_from_bit", 36.0}, {"error_window", 3.0}, {"tolerance", 0.02}, {"companion_cost_share", 0.0}};
   for (const auto& [key, value] : expected) EXPECT_DOUBLE_EQ(value, number(array, key)) << key;
   const std::map<std::string, std::string> words = {{"state", "running"}, {"level", "beam3d"}, {"integrator", "auto_one"}, {"kernel", "sse4"},
-      {"last_refusal", "a refusal"}, {"last_clamp", "a clamp"}};
+      {"last_refusal", "a refusal"}, {"last_clamp", "a clamp"}, {"measured_errors", ""}, {"companion", ""},
+      {"why_not_measured", "no frame has been compared yet"}};
   for (const auto& [key, value] : words) EXPECT_EQ(value, values(array).at(key)) << key;
   EXPECT_EQ(expected.size() + words.size() + 2, values(array).size()) << "and two histograms; a real-time factor needs half a second";
 }
@@ -127,16 +129,46 @@ TEST_F(Report, saysWhyTheNumbersMayBeWrong)
   frame_.truth.accuracy_warning = true;
   frame_.physics.accuracy = {AccuracyDoubt::twist, 1.2, 80.0, 9.5};
   const auto array = next();
-  EXPECT_EQ(text_of(frame_.physics.accuracy), part(array, "physics").message);
-  EXPECT_EQ((std::vector<int>{ok, warn, ok}), levels(array));
+  EXPECT_EQ(text_of(frame_.physics.accuracy), part(array, "accuracy").message);
+  EXPECT_EQ((std::vector<int>{ok, ok, warn, ok}), levels(array));
 }
 
-TEST_F(Report, errorsAreToldWhereTheyAreMeasured)
+TEST_F(Report, saysHowLargeTheMeasuredErrorsAre)
 {
-  EXPECT_EQ(values(next()).count("error_torque"), 0u);
   frame_.physics.error_is_measured = true;
-  frame_.physics.errors[1] = 0.0125;
-  EXPECT_DOUBLE_EQ(number(next(), "error_torque"), 0.0125);
+  frame_.physics.errors = {0.00314, 0.0125, 0.5, 0.104, 0.3, 5e-6};
+  frame_.physics.companion = {"beam3d", 181, 1086, 3.0};
+  frame_.accuracy.needs = need_hook_load | need_torque | need_rop | need_pressure | need_direction;
+  frame_.accuracy.tolerance = 0.02;
+  const auto array = next();
+  const std::string errors = "hook load 0.31 %, torque 1.2 %, rate of penetration 10 %, stand pipe pressure below 0.01 % (allowed 2 %)";
+  EXPECT_EQ("measured errors, relative to the ranges: " + errors, part(array, "accuracy").message);
+  EXPECT_EQ(all_well, levels(array)) << "whether that is too much is for the simulator to say";
+  const auto said = values(array);
+  EXPECT_EQ(errors, said.at("measured_errors"));
+  EXPECT_EQ("beam3d, 181 nodes, 1086 coordinates", said.at("companion"));
+  EXPECT_EQ("", said.at("why_not_measured"));
+  const std::map<std::string, double> numbers = {{"error_hook_load", 0.00314}, {"error_torque", 0.0125}, {"error_wob", 0.5}, {"error_rop", 0.104},
+      {"error_bit_speed", 0.3}, {"error_stand_pipe_pressure", 5e-6}, {"error_window", 3.0}, {"tolerance", 0.02}, {"companion_cost_share", 1.0}};
+  for (const auto& [key, value] : numbers) EXPECT_DOUBLE_EQ(value, number(array, key)) << key;
+  frame_.accuracy.needs = need_direction;
+  EXPECT_EQ("measured errors, relative to the ranges: no output in `needs` has one", part(next(), "accuracy").message);
+}
+
+TEST_F(Report, saysWhyNoErrorIsMeasured)
+{
+  frame_.physics.companion = {"beam3d", 181, 0, 0.0};
+  auto array = next();
+  EXPECT_EQ("error not measured: no frame has been compared yet", part(array, "accuracy").message);
+  EXPECT_EQ("beam3d, 181 nodes", values(array).at("companion"));
+  EXPECT_EQ(0u, values(array).count("error_torque"));
+  EXPECT_EQ("", values(array).at("measured_errors"));
+  EXPECT_EQ(0.0, number(array, "companion_cost_share"));
+  frame_.physics.not_measured = "it is not in the snapshot";
+  array = next();
+  EXPECT_EQ("error not measured: it is not in the snapshot", part(array, "accuracy").message);
+  EXPECT_EQ("it is not in the snapshot", values(array).at("why_not_measured"));
+  EXPECT_EQ(all_well, levels(array));
 }
 
 TEST_F(Report, aMotorThatDoesNotFitIsTold)
@@ -144,7 +176,7 @@ TEST_F(Report, aMotorThatDoesNotFitIsTold)
   frame_.physics.tight = TightAssembly{58e3, 8e3, 0.03};
   const auto array = next();
   EXPECT_EQ(text_of(*frame_.physics.tight), part(array, "physics").message);
-  EXPECT_EQ((std::vector<int>{ok, warn, ok}), levels(array));
+  EXPECT_EQ((std::vector<int>{ok, warn, ok, ok}), levels(array));
 }
 
 TEST_F(Report, anOpenReliefValveIsTold)
@@ -175,7 +207,7 @@ TEST_F(Report, aFailedFrameIsAnErrorAndSaysWhy)
   frame_.run_state = RunState::failed;
   std::snprintf(frame_.failure.data(), frame_.failure.size(), "no solution at 3 s");
   const auto array = next();
-  EXPECT_EQ((std::vector<int>{ok, error, ok}), levels(array));
+  EXPECT_EQ((std::vector<int>{ok, error, ok, ok}), levels(array));
   EXPECT_EQ("time stands at the last good state: no solution at 3 s", part(array, "physics").message);
   EXPECT_EQ("failed", part(array, "time").message);
 }
@@ -184,7 +216,7 @@ TEST_F(Report, backlogDroppedSinceTheLastReportIsAWarning)
 {
   frame_.loop.dropped_seconds = 0.25;
   const auto array = next();
-  EXPECT_EQ((std::vector<int>{warn, ok, ok}), levels(array));
+  EXPECT_EQ((std::vector<int>{warn, ok, ok, ok}), levels(array));
   EXPECT_EQ("running, slower than asked", part(array, "time").message);
   EXPECT_EQ(all_well, levels(next())) << "nothing since";
   frame_.loop.dropped_seconds = 0.26;
@@ -194,7 +226,7 @@ TEST_F(Report, backlogDroppedSinceTheLastReportIsAWarning)
 TEST_F(Report, troubleWithTheClockIsAWarning)
 {
   const auto array = next("two nodes publish /clock");
-  EXPECT_EQ((std::vector<int>{warn, ok, ok}), levels(array));
+  EXPECT_EQ((std::vector<int>{warn, ok, ok, ok}), levels(array));
   EXPECT_EQ("two nodes publish /clock", part(array, "time").message);
   EXPECT_EQ(all_well, levels(next()));
 }
@@ -203,7 +235,7 @@ TEST_F(Report, aCommandRefusedSinceTheLastReportIsAWarning)
 {
   refusals_.count("flow is not finite");
   const auto array = next();
-  EXPECT_EQ((std::vector<int>{ok, ok, warn}), levels(array));
+  EXPECT_EQ((std::vector<int>{ok, ok, ok, warn}), levels(array));
   EXPECT_EQ("refused: flow is not finite", part(array, "commands").message);
   EXPECT_EQ(all_well, levels(next()));
 }
@@ -215,7 +247,7 @@ TEST_F(Report, aCommandClampedNowOrSinceTheLastReportIsAWarning)
   for (int i = 0; i < 2; ++i)
   {
     const auto array = next();
-    EXPECT_EQ((std::vector<int>{ok, ok, warn}), levels(array));
+    EXPECT_EQ((std::vector<int>{ok, ok, ok, warn}), levels(array));
     EXPECT_EQ("beyond a limit: speed", part(array, "commands").message);
   }
   frame_.truth.command_clamped = false;
@@ -233,14 +265,14 @@ TEST_F(Report, aStreamThatStoppedIsAWarning)
 {
   frame_.truth.commands_timed_out = true;
   const auto array = next();
-  EXPECT_EQ((std::vector<int>{ok, ok, warn}), levels(array));
+  EXPECT_EQ((std::vector<int>{ok, ok, ok, warn}), levels(array));
   EXPECT_EQ("the winch's or the drive's commands stopped: brake set, drive coasts until they come again", part(array, "commands").message);
 }
 
 TEST_F(Report, twoSendersAreAWarning)
 {
   const auto array = report_.on(frame_, refusals_, "", now_, "2 nodes publish /rig/winch/command: /a, /b");
-  EXPECT_EQ((std::vector<int>{ok, ok, warn}), levels(array));
+  EXPECT_EQ((std::vector<int>{ok, ok, ok, warn}), levels(array));
   EXPECT_EQ("2 nodes publish /rig/winch/command: /a, /b", part(array, "commands").message);
   EXPECT_EQ(all_well, levels(next()));
 }

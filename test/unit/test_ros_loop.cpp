@@ -124,6 +124,26 @@ TEST(Loop, eachOutputComesAtItsRate)
   EXPECT_EQ((Stamps{}), due(frames, &FrameOutput::state_again));
 }
 
+TEST(Loop, theAccuracyComesOnceASecond)
+{
+  Scene scene = vertical_scene(30.0, 29.0);
+  scene.numerics.companion = CompanionKind::finer;
+  scene.numerics.tolerance = 0.03;
+  scene.needs = need_torque;
+  RunningLoop rig(lockstep(), scene);
+  const FrameOutput start = rig.start();  // at 1
+  EXPECT_TRUE(start.accuracy_due);
+  EXPECT_EQ(0.03, start.frame.accuracy.tolerance);
+  EXPECT_EQ(static_cast<unsigned>(need_torque), start.frame.accuracy.needs);
+  rig.mailbox.receive(winch(0.1));
+  const std::vector<FrameOutput> frames = rig.step(250);
+  EXPECT_EQ((Stamps{101, 201}), due(frames, &FrameOutput::accuracy_due));
+  const FrameRecord& last = frames.back().frame;
+  EXPECT_TRUE(last.physics.error_is_measured);
+  EXPECT_GT(last.accuracy.absolute_errors[0], 0.0) << "of the hook load, while the block is raised";
+  EXPECT_GT(last.physics.companion.seconds, 0.0);
+}
+
 TEST(Loop, heavyOutputsComeWhereSomebodyLooks)
 {
   RunningLoop rig(lockstep());

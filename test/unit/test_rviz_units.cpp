@@ -64,6 +64,15 @@ TEST(ConsoleUnits, Texts)
   EXPECT_EQ("-", number_text(std::numeric_limits<double>::infinity(), Dimension::force, UnitSystem::si));
 }
 
+TEST(ConsoleUnits, ErrorsBehindANumber)
+{
+  EXPECT_EQ("±2.3", error_text(2345.0, Dimension::force, UnitSystem::si));
+  EXPECT_EQ("±0.5", error_text(2345.0, Dimension::force, UnitSystem::oilfield));
+  EXPECT_EQ("±0.1", error_text(20.0, Dimension::force, UnitSystem::si)) << "no error is 0 that is not shown";
+  EXPECT_EQ("±1", error_text(0.0, Dimension::pressure, UnitSystem::oilfield));
+  EXPECT_EQ("", error_text(missing, Dimension::force, UnitSystem::si));
+}
+
 TEST(ConsoleQuantities, TheTableIsInOrder)
 {
   for (std::size_t n = 0; n < quantity_count; ++n)

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <numeric>
 
 namespace drill_rig_sim
 {
@@ -42,6 +43,12 @@ public:
   double seconds(Cost cost) const noexcept
   {
     return std::chrono::duration<double>(spent_[static_cast<std::size_t>(cost)]).count();
+  }
+
+  /// All time booked so far [s].
+  double seconds() const noexcept
+  {
+    return std::chrono::duration<double>(std::accumulate(spent_.begin(), spent_.end(), Clock::duration::zero())).count();
   }
 
 private:

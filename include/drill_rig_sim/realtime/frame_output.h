@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "drill_rig_sim/accuracy/outputs.h"
 #include "drill_rig_sim/realtime/time_histogram.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/operations.h"
@@ -51,6 +52,26 @@ struct CommandStamps
   }
 };
 
+constexpr double accuracy_rate = 1.0;  ///< of the topic accuracy, per simulated second
+
+/// What is published of the accuracy beside the simulator's statistics.
+struct AccuracyRecord
+{
+  Outputs absolute_errors{};  ///< in the outputs' units; NaN where they are not measured
+  unsigned needs = 0;         ///< outputs that the scene asks for, a sum of Need
+  double tolerance = 0.0;     ///< numerics.tolerance [-]
+};
+
+/// Of a simulator after its last frame. Neither allocates nor waits for a companion.
+inline AccuracyRecord accuracy_of(const Simulator& simulator) noexcept
+{
+  AccuracyRecord accuracy;
+  for (std::size_t i = 0; i < output_count; ++i) accuracy.absolute_errors[i] = simulator.measured_absolute_error(static_cast<Output>(i));
+  accuracy.needs = simulator.scene().needs;
+  accuracy.tolerance = simulator.scene().numerics.tolerance;
+  return accuracy;
+}
+
 /// What a frame tells, without arrays.
 struct FrameRecord
 {
@@ -62,6 +83,7 @@ struct FrameRecord
   CommandStamps commands;
   OperationStatus operation;  ///< number 0 also while commands from outside have the rig
   SimulatorStatistics physics;
+  AccuracyRecord accuracy;
   LoopStatistics loop;
   const char* last_clamp = "";      ///< which limit the last clamped command met; static storage
   std::array<char, 256> failure{};  ///< why the last frame failed; empty otherwise
@@ -86,6 +108,7 @@ struct FrameOutput : FrameArrays
   bool restored = false;  ///< the first one of a state that was saved
   bool state_due = false;
   bool state_again = false;  ///< without a new stamp: rig_state says it once more
+  bool accuracy_due = false;
   bool profile_due = false;  ///< drillstring_state
   bool tf_due = false;
   bool markers_due = false;

@@ -29,7 +29,7 @@ private:
   std::int64_t since_ = 0;
 };
 
-/// What /diagnostics says of a frame: time, physics, commands. Remembers what the report before said, for what has happened since.
+/// What /diagnostics says of a frame: time, physics, accuracy, commands. Remembers what the report before said, for what has happened since.
 class DiagnosticsReport
 {
 public:
@@ -43,6 +43,7 @@ private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
   Status time_status(const FrameRecord& frame, const std::string& clock_trouble, std::int64_t now);
   Status physics_status(const FrameRecord& frame) const;
+  Status accuracy_status(const FrameRecord& frame) const;
   Status command_status(const FrameRecord& frame, const Refusals& refusals, const std::string& sender_trouble);
   Status status(const std::string& part, const std::string& summary) const;
 

@@ -19,7 +19,7 @@ public:
   /// Ends it, without a word if that fails.
   ~RunBag();
 
-  /// Call after each frame: telemetry that has arrived, and with `due` the measurements.
+  /// Call after each frame: telemetry that has arrived, once a second the accuracy, and with `due` the measurements.
   void add(const Simulator& simulator, bool due);
   /// Writes the index, without which a bag cannot be read.
   void close();

@@ -192,7 +192,7 @@ private:
   bool paused_ = false;
   double well_handed_over_ = -1.0;  // hole depth then [m]
   bool tube_pending_ = false;       // the well has changed since markers showed it last
-  Cadence state_cadence_, profile_cadence_, tf_cadence_, marker_cadence_, well_cadence_;
+  Cadence state_cadence_, accuracy_cadence_, profile_cadence_, tf_cadence_, marker_cadence_, well_cadence_;
 
   std::atomic<bool> halted_{false}, quit_{false}, asked_{false};
   std::mutex callers_;

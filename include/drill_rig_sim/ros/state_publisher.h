@@ -11,6 +11,7 @@
 #include <functional>
 #include <string>
 
+#include "drill_rig_sim/Accuracy.h"
 #include "drill_rig_sim/BitTruth.h"
 #include "drill_rig_sim/DrillstringState.h"
 #include "drill_rig_sim/RigState.h"
@@ -22,7 +23,7 @@
 
 namespace drill_rig_sim
 {
-/// Publishes the readings (rig_state and its kin, downhole telemetry), the truth (truth/rig_state, the bit, the string's profile), the limits.
+/// Publishes the readings (rig_state and its kin, downhole telemetry), the truth (truth/rig_state, the bit, the string's profile), the accuracy, the limits.
 class StatePublisher
 {
 public:
@@ -48,6 +49,7 @@ private:
   FrameTopic<geometry_msgs::TwistStamped> bit_twist_;
   FrameTopic<geometry_msgs::WrenchStamped> bit_wrench_;
   FrameTopic<BitTruth> true_bit_;
+  FrameTopic<Accuracy> accuracy_;
   ros::Publisher rig_limits_, mwd_, toolface_, inclination_, dynamics_;
   StandingTopic<DrillstringState> drillstring_;
 };

@@ -1,5 +1,6 @@
 #include "quantities.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -61,6 +62,14 @@ std::string number_text(double si, Dimension dimension, UnitSystem system)
   char text[64];
   std::snprintf(text, sizeof text, std::abs(shown) < 1e9 ? "%.*f" : "%.*e", unit.decimals, shown);
   return text;
+}
+
+std::string error_text(double si, Dimension dimension, UnitSystem system)
+{
+  if (!std::isfinite(si)) return "";
+  const Unit& unit = unit_of(dimension, system);
+  const double last_digit = std::pow(10.0, -unit.decimals) / unit.per_si;
+  return "±" + number_text(std::max(si, last_digit), dimension, system);
 }
 
 }  // namespace drill_rig_sim::console

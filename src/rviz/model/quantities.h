@@ -67,6 +67,7 @@ struct Values
   {
     value.fill(missing);
     why.fill("no reading");
+    error.fill(missing);
   }
   double operator[](Quantity quantity) const { return value[index_of(quantity)]; }
   void set(Quantity quantity, double to) { value[index_of(quantity)] = to; }
@@ -78,6 +79,7 @@ struct Values
 
   std::array<double, quantity_count> value;
   std::array<const char*, quantity_count> why;
+  std::array<double, quantity_count> error;  // of the simulation, as its companion measures it [SI]; NaN: not measured
   std::bitset<quantity_count> lost;  // in a drop-out: repeats its last reading
 };
 
@@ -87,6 +89,8 @@ double specific_energy(double weight, double torque, double speed, double rop, d
 
 /// A number as it is shown, without its unit; "-" where there is none.
 std::string number_text(double si, Dimension dimension, UnitSystem system);
+/// An error as it stands behind the number, "±0.3": at least one of the last digit shown; empty where there is none.
+std::string error_text(double si, Dimension dimension, UnitSystem system);
 
 }  // namespace drill_rig_sim::console
 
