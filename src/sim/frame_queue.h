@@ -13,6 +13,7 @@
 #include "drill_rig_sim/sim/crew.h"
 #include "drill_rig_sim/sim/downlink.h"
 #include "drill_rig_sim/sim/interlocks.h"
+#include "drill_rig_sim/sim/simulator.h"
 
 namespace drill_rig_sim
 {
@@ -26,7 +27,9 @@ struct FrameOrder
   InterlockState interlocks;
   CrewState crew;
   double connection_elapsed = 0.0;  // [s]
-  Outputs outputs{};        // result: of the first companion; NaN where it failed
+  // results, of the first companion:
+  Outputs outputs{};  // NaN where it failed
+  CompanionStatistics companion;
 };
 
 /// Frames for the companions, computed in their order: at once in the calling thread, or by a thread of the queue.

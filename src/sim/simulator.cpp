@@ -83,6 +83,7 @@ Simulator::Simulator(const Scene& scene, std::uint64_t seed) : impl_(std::make_u
   try
   {
     add_companion(refined(with_free_nodes(impl_->scene.numerics), traits_of(kind).refinement));
+    impl_->statistics.companion = impl_->companions.front()->as_companion();
   }
   catch (const std::runtime_error&)
   {
@@ -179,9 +180,9 @@ FrameStatus Simulator::frame(double duration) noexcept
   impl_->integrator->profiler().restart();  // what companions took in this thread is theirs
   if (!impl_->compute_frame(duration, setpoints)) return FrameStatus::failed;
   impl_->state.instruments.read(impl_->state.truth, impl_->sensor_view(), impl_->state.readings);
-  impl_->judge(duration);
   impl_->integrator->profiler().lap(Cost::other);
-  impl_->statistics.costs = impl_->integrator->profiler();
+  impl_->statistics.costs = impl_->integrator->profiler();  // before what waits for companions
+  impl_->judge(duration);
   return FrameStatus::running;
 }
 

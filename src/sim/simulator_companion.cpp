@@ -97,6 +97,7 @@ void Simulator::Impl::companions_follow(FrameOrder& order) noexcept
   for (const std::unique_ptr<Impl>& companion : companions) companion->follow(order);
   const Impl& first = *companions.front();
   order.outputs = first.judged();
+  order.companion = first.as_companion();
   if (*first.failure) order.outputs.fill(std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -122,7 +123,11 @@ void Simulator::Impl::collect() noexcept
   if (!queue) return;
   while (const FrameOrder* order = queue->result())
   {
-    if (measures()) state.measured.add_companion(order->outputs);
+    if (measures())
+    {
+      state.measured.add_companion(order->outputs);
+      statistics.companion = order->companion;
+    }
     queue->take();
   }
 }

@@ -122,6 +122,8 @@ struct Simulator::Impl
   void end_measurement(const char* reason) noexcept;
   Outputs judged() const noexcept;
   void companions_follow(FrameOrder& order) noexcept;
+  /// Of a companion, for the run's statistics.
+  CompanionStatistics as_companion() const noexcept { return {statistics.level, statistics.nodes, statistics.coordinates, statistics.costs.seconds()}; }
   void follow(const FrameOrder& order) noexcept;
   template <class Does>
   void lead(const Does& does) noexcept;

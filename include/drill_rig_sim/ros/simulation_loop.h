@@ -159,11 +159,11 @@ private:
   void one_frame(std::int64_t now) noexcept;
   void publish_now(bool rebuilt) noexcept;
   void restart_cadences() noexcept;
-  /// In lockstep and as fast as it goes a frame may wait for them, in real time it must not.
+  /// In lockstep, as fast as it goes and faster than real time a frame may wait for them, in real time it must not.
   void pace_companions()
   {
-    const bool as_fast_as_it_goes = time_.in_lockstep() || (!time_.follows() && time_.speed() == 0.0);
-    rig_.simulator->set_companion_pace(as_fast_as_it_goes ? CompanionPace::own_thread : CompanionPace::own_thread_unwaited);
+    const bool keeps_time = !time_.in_lockstep() && (time_.follows() || (time_.speed() > 0.0 && time_.speed() <= 1.0));
+    rig_.simulator->set_companion_pace(keeps_time ? CompanionPace::own_thread_unwaited : CompanionPace::own_thread);
   }
   template <class Setpoint>
   CommandResult accept(const Setpoint& c, std::size_t kind) noexcept;

@@ -39,6 +39,15 @@ enum class CompanionPace
   own_thread_unwaited  ///< in a thread of their own; where they are late for too long, the error is no longer measured: for real time
 };
 
+/// The companion that measures the error (numerics.companion), as of its last frame that the run has taken.
+struct CompanionStatistics
+{
+  const char* level = "";  ///< empty: there is none
+  int nodes = 0;
+  int coordinates = 0;     ///< of its last frame
+  double seconds = 0.0;    ///< computing time since the start [s]
+};
+
 /// Counters since the start, for diagnostics and the runner's summary.
 struct SimulatorStatistics
 {
@@ -66,6 +75,7 @@ struct SimulatorStatistics
   bool error_is_measured = false;       ///< numerics.companion goes along, and these are the errors by output (Simulator::measured_error()) [-]:
   Outputs errors{};
   const char* not_measured = "";        ///< why the error is not measured, one line; empty while it is
+  CompanionStatistics companion;
   Profiler costs;                       ///< where the frames' time went
   bool is_reference = false;            ///< the integrator is ida, and this is its report:
   ReferenceReport reference;
