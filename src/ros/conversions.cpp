@@ -11,6 +11,13 @@ ros::Time to_time(std::int64_t stamp)
   return ros::Time().fromNSec(static_cast<std::uint64_t>(stamp));
 }
 
+std_msgs::Float64 to_number(double value)
+{
+  std_msgs::Float64 m;
+  m.data = value;
+  return m;
+}
+
 geometry_msgs::Point to_point(const Eigen::Vector3d& v)
 {
   geometry_msgs::Point p;

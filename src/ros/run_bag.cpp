@@ -1,7 +1,7 @@
 #include "drill_rig_sim/ros/run_bag.h"
 
 #include <rosbag/bag.h>
-#include <std_msgs/Float64.h>
+#include <std_msgs/String.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -9,24 +9,19 @@
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
 #include "drill_rig_sim/ros/telemetry_news.h"
+#include "drill_rig_sim/scene/write_scene.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
 const std::string floor_name = "rig_floor";
-
-std_msgs::Float64 number(double value)
-{
-  std_msgs::Float64 m;
-  m.data = value;
-  return m;
-}
 }  // namespace
 
 struct RunBag::Writer
 {
   std::string file;
+  std_msgs::String scene;
   std::unique_ptr<rosbag::Bag> bag = std::make_unique<rosbag::Bag>();
   FrameRecord frame;
   bool begun = false;
@@ -66,8 +61,10 @@ struct RunBag::Writer
     frame.stamp = std::llround(1e9 * frame.truth.time);
   }
 
-  void write_limits(const RigSpec& rig)
+  /// What does not change in a run.
+  void write_start(const RigSpec& rig)
   {
+    write("scene", scene);
     std_msgs::Header header;
     header.stamp = to_time(frame.stamp);
     header.frame_id = floor_name;
@@ -76,8 +73,8 @@ struct RunBag::Writer
 
   void write_measurements()
   {
-    write("hook_load", number(frame.readings.hook_load));
-    write("torque", number(frame.readings.torque));
+    write("hook_load", to_number(frame.readings.hook_load));
+    write("torque", to_number(frame.readings.torque));
     write("rig_state", to_rig_state(frame.readings, frame, floor_name));
     write("truth/rig_state", to_rig_state(frame.truth, frame, floor_name));
     write("joint_states", to_joint_states(frame));
@@ -93,9 +90,10 @@ struct RunBag::Writer
   }
 };
 
-RunBag::RunBag(const std::string& file) : writer_(std::make_unique<Writer>())
+RunBag::RunBag(const std::string& file, const Scene& scene) : writer_(std::make_unique<Writer>())
 {
   writer_->file = file;
+  writer_->scene.data = write_scene(scene);
   writer_->attempt([&] { writer_->bag->open(file, rosbag::bagmode::Write); });
 }
 
@@ -118,7 +116,7 @@ void RunBag::add(const Simulator& simulator, bool due)
   w.attempt(
       [&]
       {
-        if (!w.begun) w.write_limits(simulator.scene().rig);
+        if (!w.begun) w.write_start(simulator.scene().rig);
         w.begun = true;
         if (due) w.write_measurements();
         w.write_telemetry();

@@ -7,16 +7,6 @@
 
 namespace drill_rig_sim
 {
-namespace
-{
-std_msgs::Float64 number(double value)
-{
-  std_msgs::Float64 m;
-  m.data = value;
-  return m;
-}
-}  // namespace
-
 StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture)
     : floor_(parameters.floor()),
       hook_load_(node, "hook_load", parameters.queue()),
@@ -65,8 +55,8 @@ void StatePublisher::publish(const FrameOutput& s)
 
 void StatePublisher::publish_rig(const FrameOutput& s)
 {
-  hook_load_.post([&] { return number(s.frame.readings.hook_load); });
-  torque_.post([&] { return number(s.frame.readings.torque); });
+  hook_load_.post([&] { return to_number(s.frame.readings.hook_load); });
+  torque_.post([&] { return to_number(s.frame.readings.torque); });
   joint_states_.post([&] { return to_joint_states(s.frame); });
 }
 

@@ -6,6 +6,7 @@
 #include <geometry_msgs/Quaternion.h>
 #include <geometry_msgs/Vector3.h>
 #include <ros/time.h>
+#include <std_msgs/Float64.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -25,6 +26,7 @@
 namespace drill_rig_sim
 {
 ros::Time to_time(std::int64_t stamp);
+std_msgs::Float64 to_number(double value);
 geometry_msgs::Point to_point(const Eigen::Vector3d& v);
 geometry_msgs::Vector3 to_vector(const Eigen::Vector3d& v);
 /// Normalised.
