@@ -79,6 +79,7 @@ InProcessRig::InProcessRig(const std::string& scene_file, double rate, std::uint
 void InProcessRig::build(const Scene& scene)
 {
   check_rate(rate_, scene);
+  finer_.reset();
   simulator_.emplace(scene, seed_);
   player_ = ScenePlayer(simulator_->scene());
   playing_ = play_;
@@ -117,6 +118,7 @@ void InProcessRig::play(std::size_t frames, const std::function<void()>& may_go_
   {
     failed_ = play_frame(*simulator_, playing_ ? &player_ : nullptr, 1.0 / rate_) == FrameStatus::failed;
     if (failed_) throw FrameFailed(std::string("a frame failed: ") + simulator_->failure() + " (" + std::to_string(k) + " of " + std::to_string(frames) + " frames)");
+    if (finer_) finer_->add(*simulator_, 1.0 / rate_);
     after_frame(k);
     if (k % frames_between_looks == 0) may_go_on();
   }
@@ -213,6 +215,13 @@ void InProcessRig::record(std::size_t frames, std::size_t every, const std::func
        });
 }
 
+void InProcessRig::verify(double times)
+{
+  const Turn turn(*this);
+  if (finer_) throw std::runtime_error("finer models go along already");
+  finer_.emplace(*simulator_, times);
+}
+
 std::optional<ToolfaceReading> InProcessRig::toolface() const
 {
   const Turn turn(*this);
@@ -280,6 +289,7 @@ SavedRig InProcessRig::save() const
 void InProcessRig::restore(const SavedRig& saved)
 {
   const Turn turn(*this);
+  if (finer_) throw std::runtime_error("a run that is verified only goes forward");
   if (!simulator_->restore(*saved.state)) throw std::runtime_error("the snapshot is of another rig");
   player_ = saved.player;
   playing_ = saved.playing;

@@ -13,6 +13,7 @@
 
 #include "drill_rig_sim/scene/new_well.h"
 #include "drill_rig_sim/scene/scene.h"
+#include "drill_rig_sim/sim/finer_pair.h"
 #include "drill_rig_sim/sim/player.h"
 #include "drill_rig_sim/sim/simulator.h"
 
@@ -139,6 +140,16 @@ public:
   Frame frame() const;
   /// The same; adds the state after every `every`-th of them, and after the last, to `out`.
   void record(std::size_t frames, std::size_t every, const std::function<void()>& may_go_on, Recording& out);
+  /// Two finer models go along from now on (sim/finer_pair.h), before the first frame; until another scene, well or start. Meanwhile nothing is restored.
+  void verify(double times);
+  /// What they have found so far, in a dictionary of Python's or wherever `show` puts it.
+  template <class Show>
+  void verified(const Show& show) const
+  {
+    const Turn turn(*this);
+    if (!finer_) throw std::runtime_error("nothing is verified: call verify() before the first frame");
+    show(*simulator_, *finer_);
+  }
   /// The last that has come up from downhole, if any.
   std::optional<ToolfaceReading> toolface() const;
   std::optional<MwdReading> survey() const;
@@ -196,6 +207,7 @@ private:
   bool play_, playing_ = false, failed_ = false;
   mutable std::atomic<bool> busy_{false};
   std::optional<Simulator> simulator_;
+  std::optional<FinerPair> finer_;
   ScenePlayer player_;
 };
 

@@ -104,6 +104,18 @@ class Simulator(Lockstep):
         """Why the last frame's numbers may be wrong, in one line; "" without a reason."""
         return self._rig.accuracy_warning()
 
+    # --- beside finer models
+
+    def verify(self, times=2.0):
+        """Before the first frame: two finer models go along from now on, with elements and steps `times` and `times` squared as short. A frame then costs some ten times
+        as much; what it shows stays the same. Until another scene, well or start; nothing is restored meanwhile."""
+        self._rig.verify(times)
+
+    def verified(self):
+        """How far the run is off by these so far, a dictionary as `drill verify --json` writes it: `verdict` (right, warned, unknown, or silent: wrong without a warning)
+        and `outputs`, by the names of drill run's columns; errors as shares of an output's range."""
+        return self._rig.verified()
+
     # --- what downhole tools sent up, for drill_rig_sim.control.drive(rig, law, timeout, telemetry=rig)
 
     @property

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <optional>
@@ -246,6 +247,41 @@ py::tuple read_text(const std::string& file, std::size_t longest)
   return py::make_tuple(read.text, read.remark);
 }
 
+/// None for what is not a finite number.
+py::object shown(double value) { return std::isfinite(value) ? py::object(py::float_(value)) : py::none(); }
+py::object shown(bool value) { return py::bool_(value); }
+py::object shown(const char* text) { return py::str(text); }
+py::object shown(const std::vector<double>& values)
+{
+  py::list list;
+  for (const double value : values) list.append(shown(value));
+  return std::move(list);
+}
+
+/// What the finer models beside a rig have found, by the names of `drill verify --json`.
+py::dict verified(const InProcessRig& rig)
+{
+  py::dict out, outputs;
+  rig.verified(
+      [&](const Simulator& simulator, const FinerPair& pair)
+      {
+        const Verification& findings = pair.findings();
+        out["verdict"] = word_of(findings.verdict());
+        out["tolerance"] = simulator.scene().numerics.tolerance;
+        out["refined"] = py::make_tuple(pair.times(), pair.times() * pair.times());
+        out["simulated_s"] = simulator.truth().time;
+        out["warned_from"] = shown(findings.warned_from());
+        for (std::size_t i = 0; i < output_count; ++i)
+        {
+          py::dict one;
+          visit(findings, static_cast<Output>(i), [&](const char* name, const auto& value) { one[name] = shown(value); });
+          outputs[output_traits[i].name] = one;
+        }
+      });
+  out["outputs"] = outputs;
+  return out;
+}
+
 void load_survey(InProcessRig& rig, const std::string& file, const std::vector<double>& md, const std::vector<double>& inclination,
                  const std::vector<double>& azimuth, const std::array<double, 3>& tie_in, double hole_depth, double bit_depth, const std::string& columns,
                  bool pass_over)
@@ -277,6 +313,8 @@ PYBIND11_MODULE(_sim, module)
       .def("command", &InProcessRig::command)
       .def("advance", [](InProcessRig& rig, std::size_t frames) { rig.advance(frames, look_at_signals); }, no_gil())
       .def("frame", &InProcessRig::frame)
+      .def("verify", &InProcessRig::verify)
+      .def("verified", &verified)
       .def("kernel", &InProcessRig::kernel)
       .def("remarks", &InProcessRig::remarks)
       .def("joint_length", &InProcessRig::joint_length)

@@ -1,6 +1,7 @@
 #include "drill_rig_sim/ros/run_bag.h"
 
 #include <rosbag/bag.h>
+#include <std_msgs/String.h>
 
 #include <cmath>
 #include <limits>
@@ -11,6 +12,7 @@
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
 #include "drill_rig_sim/ros/telemetry_news.h"
+#include "drill_rig_sim/scene/write_scene.h"
 
 namespace drill_rig_sim
 {
@@ -22,6 +24,7 @@ const std::string floor_name = "rig_floor";
 struct RunBag::Writer
 {
   std::string file;
+  std_msgs::String scene;
   std::unique_ptr<rosbag::Bag> bag = std::make_unique<rosbag::Bag>();
   FrameRecord frame;
   bool begun = false;
@@ -62,6 +65,13 @@ struct RunBag::Writer
     frame.stamp = std::llround(1e9 * frame.truth.time);
   }
 
+  /// What does not change in a run.
+  void write_start(const RigSpec& rig)
+  {
+    write("scene", scene);
+    write("rig_limits", to_rig_limits(rig, to_header(frame.stamp, floor_name)));
+  }
+
   void write_measurements()
   {
     write("hook_load", to_number(frame.readings.hook_load));
@@ -93,9 +103,10 @@ struct RunBag::Writer
   }
 };
 
-RunBag::RunBag(const std::string& file) : writer_(std::make_unique<Writer>())
+RunBag::RunBag(const std::string& file, const Scene& scene) : writer_(std::make_unique<Writer>())
 {
   writer_->file = file;
+  writer_->scene.data = write_scene(scene);
   writer_->attempt([&] { writer_->bag->open(file, rosbag::bagmode::Write); });
 }
 
@@ -118,7 +129,7 @@ void RunBag::add(const Simulator& simulator, bool due)
   w.attempt(
       [&]
       {
-        if (!w.begun) w.write("rig_limits", to_rig_limits(simulator.scene().rig, to_header(w.frame.stamp, floor_name)));
+        if (!w.begun) w.write_start(simulator.scene().rig);
         w.begun = true;
         if (due) w.write_measurements();
         w.write_accuracy(simulator);

@@ -13,6 +13,7 @@
 #include "drill_rig_sim/ros/survey_request.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_hash.h"
+#include "drill_rig_sim/scene/write_scene.h"
 #include "drill_rig_sim/sim/requests.h"
 #include "fault_request.h"
 
@@ -82,7 +83,8 @@ Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene sc
       running_(scene_),
       loop_(loop),
       publishing_(publishing),
-      description_(node.advertise<RigDescription>("rig_description", 1, true))
+      description_(node.advertise<RigDescription>("rig_description", 1, true)),
+      scene_text_(node.advertise<std_msgs::String>("scene", 1, true))
 {
   using std_srvs::SetBool;
   using std_srvs::Trigger;
@@ -150,6 +152,15 @@ void Services::rebuild(const Scene& scene)
 void Services::describe(const Scene& scene, std::int64_t stamp) const
 {
   description_.publish(to_rig_description(scene, to_header(stamp, parameters_.floor())));
+  Scene played = scene;
+  if (!parameters_.play_program)
+  {
+    played.program.clear();
+    played.operations.clear();
+  }
+  std_msgs::String text;
+  text.data = write_scene(played);
+  scene_text_.publish(text);
 }
 
 std::string Services::reset_well(const ResetWell::Request& request)

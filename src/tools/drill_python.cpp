@@ -1,8 +1,10 @@
 #include "drill_python.h"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -44,6 +46,30 @@ void become_python(const std::string& module, const std::vector<std::string>& wo
   arguments.push_back(nullptr);
   execvp(DRILL_RIG_SIM_PYTHON, arguments.data());
   throw UsageError(std::string(DRILL_RIG_SIM_PYTHON) + " cannot be started: " + std::strerror(errno));
+}
+
+int run_python(const std::string& module, const std::vector<std::string>& words)
+{
+  std::fflush(nullptr);  // what was printed comes first, and once
+  const pid_t child = fork();
+  if (child < 0) throw UsageError(std::string(DRILL_RIG_SIM_PYTHON) + " cannot be started: " + std::strerror(errno));
+  if (child == 0)
+  {
+    try
+    {
+      become_python(module, words);
+    }
+    catch (const std::exception& error)
+    {
+      std::fprintf(stderr, "drill: %s\n", error.what());
+    }
+    std::fflush(stderr);
+    _exit(2);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return 3;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 3;
 }
 
 void add_word(std::vector<std::string>& words, const char* name, const std::string& value)

@@ -9,6 +9,9 @@ namespace drill_rig_sim
 /// Becomes Python, which runs a module of drill_rig_sim with these words and whose exit status is the runner's. Throws UsageError where package or Python is missing.
 [[noreturn]] void become_python(const std::string& module, const std::vector<std::string>& words);
 
+/// The same, in a process of its own: waits for its end. Its exit status.
+int run_python(const std::string& module, const std::vector<std::string>& words);
+
 /// Adds an option that was given, as --name=value, for a value may begin with a dash. An empty one was not.
 void add_word(std::vector<std::string>& words, const char* name, const std::string& value);
 

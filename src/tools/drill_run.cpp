@@ -53,7 +53,7 @@ struct Series
 {
   Series(const RunOptions& o, const Scene& scene)
     : rows(o.csv, o.every.value_or(0.1), o.readings, scene.numerics.companion == CompanionKind::finer || scene.numerics.companion == CompanionKind::coarser),
-      bag(o.bag, o.every.value_or(0.1)),
+      bag(o.bag, o.every.value_or(0.1), scene),
       log(o.witsml, scene.name, o.every.value_or(1.0), start_date_of(o.start_date).value_or(default_start_date)),
       profiles(o.profile, o.profile_every.value_or(1.0)),
       choices(o.explain)

@@ -47,7 +47,7 @@ void add_scene_options(CLI::App& command, RunOptions& options)
   add_text(command, "--step", options.step, "H", "physics step instead of the scene's [s]");
   add_text(command, "--element-length", options.element_length, "M", "longest element instead of the scene's [m]");
   add_settings(command, options.settings);
-  command.add_option("--seed", options.seed, "of the sensors' noise")->type_name("N")->take_last()->check(problem_of_seed);
+  add_seed(command, options);
 }
 
 void add_output_options(CLI::App& command, RunOptions& options)
@@ -68,9 +68,14 @@ void add_output_options(CLI::App& command, RunOptions& options)
 }
 }  // namespace
 
-void add_goal_options(CLI::App& command, RunOptions& options)
+void add_seed(CLI::App& command, RunOptions& options)
 {
-  add_file(command, "SCENE", options.scene, "the scene's file");
+  command.add_option("--seed", options.seed, "of the sensors' noise")->type_name("N")->take_last()->check(problem_of_seed);
+}
+
+void add_goal_options(CLI::App& command, RunOptions& options, const std::string& scene)
+{
+  add_file(command, "SCENE", options.scene, scene);
   add_number(command, "--duration", options.duration, 1e-3, longest_run, "S",
              "simulated seconds; default: until depth, until the operations are over, or 60 s after the program's end");
   add_number(command, "--until-depth", options.until_depth, 0.0, deepest, "MD", "stop when the hole is this deep [m], or nothing has been gained for 600 s after the program, or in an operation");

@@ -36,8 +36,11 @@ struct RunOptions
   bool energy = false;
 };
 
-/// Adds the scene and where its run ends to the command. They are read when the command line is.
-void add_goal_options(CLI::App& command, RunOptions& options);
+/// Adds the scene and where its run ends to the command. They are read when the command line is. `scene`: what is said of the file.
+void add_goal_options(CLI::App& command, RunOptions& options, const std::string& scene = "the scene's file");
+
+/// Adds the seed of the sensors' noise.
+void add_seed(CLI::App& command, RunOptions& options);
 
 /// Adds all of them.
 void add_options(CLI::App& command, RunOptions& options);

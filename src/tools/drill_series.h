@@ -26,8 +26,8 @@ private:
 class BagSeries
 {
 public:
-  /// Opens the file `name`, unless that is empty. Throws UsageError with one line if it cannot be written. `every`: between measurements [s].
-  BagSeries(const std::string& name, double every);
+  /// Opens the file `name`, unless that is empty. Throws UsageError with one line if it cannot be written. `every`: between measurements [s]; `scene`: the run's.
+  BagSeries(const std::string& name, double every, const Scene& scene);
   /// As TimeSeries. Throws std::runtime_error with one line if it cannot be written.
   void add(const Simulator& simulator, double frame);
   /// Throws std::runtime_error with one line if not all of it reached the disk.

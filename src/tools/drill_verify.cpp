@@ -1,22 +1,24 @@
 #include <CLI/App.hpp>
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "drill_command.h"
-#include "drill_failure.h"
+#include "drill_findings.h"
 #include "drill_options.h"
 #include "drill_output.h"
 #include "drill_progress.h"
-#include "drill_rig_sim/accuracy/refined.h"
-#include "drill_rig_sim/accuracy/verification.h"
-#include "drill_rig_sim/math/units.h"
+#include "drill_recorded.h"
+#include "drill_rig_sim/sim/finer_pair.h"
 #include "drill_rig_sim/sim/run.h"
 #include "drill_run_options.h"
 #include "drill_scene.h"
 #include "drill_units.h"
+#include "drill_verified_scores.h"
 
 namespace drill_rig_sim
 {
@@ -26,144 +28,133 @@ struct VerifyOptions
 {
   RunOptions run;
   std::optional<double> times;
+  std::string scene, name_space;  // of a bag
+  bool score = false;
+  ScoreOptions judged_by;
   std::string units = "si";
 };
 
-Outputs errors_of(const Simulator& simulator) noexcept
+/// What goes along with a run, frame by frame.
+struct Beside
 {
-  Outputs errors;
-  for (std::size_t i = 0; i < output_count; ++i) errors[i] = simulator.measured_error(static_cast<Output>(i));
-  return errors;
-}
-
-const char* word_of(Verification::Verdict verdict)
-{
-  constexpr const char* words[] = {"right", "warned", "silent", "unknown"};
-  return words[static_cast<std::size_t>(verdict)];
-}
-
-struct Shown
-{
-  Dimension dimension;
-  Printed::InSI si;
-};
-const Shown shown[output_count] = {{Dimension::force, {"%.1f", "kN", 1e-3}},     {Dimension::torque, {"%.2f", "kN m", 1e-3}},
-                                   {Dimension::force, {"%.1f", "kN", 1e-3}},     {Dimension::penetration, {"%.2f", "m/h", 3600.0}},
-                                   {Dimension::rotation, {"%.1f", "rpm", 1.0 / rpm}}, {Dimension::pressure, {"%.2f", "MPa", 1e-6}}};
-
-void print_findings(const Verification& verification, const Printed& printed)
-{
-  std::printf("%-20s %14s %14s %12s %9s %10s\n", "output", "mean", "of the finest", "worst 3 s", "at", "known to");
-  for (std::size_t i = 0; i < output_count; ++i)
+  Beside(Simulator& simulator, const VerifyOptions& options) : pair(simulator, options.times.value_or(usual_refinement))
   {
-    const Output output = static_cast<Output>(i);
-    const Verification::Finding found = verification.finding(output);
-    const auto value = [&](double si) { return printed(si, shown[i].dimension, shown[i].si); };
-    std::printf("%-20s %14s %14s %10.2f %% %7.0f s %8.2f %%%s\n", traits_of(output).name, value(found.mean).c_str(), value(found.finest_mean).c_str(),
-                100.0 * found.worst, found.worst_until, 100.0 * found.own, verification.needed(output) ? "" : "  (not in needs)");
+    if (options.score) scores.emplace();
   }
-}
 
-/// The first output that is needed and wrong, or not known.
-std::size_t first_bad(const Verification& verification)
-{
-  for (std::size_t i = 0; i < output_count; ++i)
+  void add(const Simulator& simulator, double frame, double duration)
   {
-    const Verification::Finding found = verification.finding(static_cast<Output>(i));
-    if (verification.needed(static_cast<Output>(i)) && (!std::isnan(found.wrong_from) || !found.known)) return i;
+    pair.add(simulator, frame);
+    if (scores) scores->add(simulator, pair, frame);
+    progress.show(simulator.truth().time / duration, simulator.truth().time, simulator.truth().hole_depth);
   }
-  return 0;
-}
 
-void print_verdict(const Verification& verification, double tolerance)
-{
-  const std::size_t i = first_bad(verification);
-  const Verification::Finding found = verification.finding(static_cast<Output>(i));
-  switch (verification.verdict())
-  {
-    case Verification::Verdict::right:
-      std::printf("right: over any 3 s no output that is needed is off by more than %g %% of its range\n", 100.0 * tolerance);
-      break;
-    case Verification::Verdict::warned:
-      std::printf("wrong, and warned of: %s is off by more than %g %% from %.0f s on, a warning came at %.0f s\n", output_traits[i].name, 100.0 * tolerance,
-                  found.wrong_from, verification.warned_from());
-      break;
-    case Verification::Verdict::silent:
-      std::printf("wrong without a warning: %s is off by more than %g %% from %.0f s on\n", output_traits[i].name, 100.0 * tolerance, found.wrong_from);
-      break;
-    case Verification::Verdict::unknown:
-      std::printf("not known: the finer runs differ too much in %s to tell %g %%; one moment of it is one case of many there, means over minutes may hold\n",
-                  output_traits[i].name, 100.0 * tolerance);
-      break;
-  }
-}
-
-/// What is not finite is written as null.
-nlohmann::ordered_json json_of(const Simulator& simulator, const Verification& verification, double times)
-{
-  nlohmann::ordered_json out{{"scene", simulator.scene().name}, {"verdict", word_of(verification.verdict())}, {"tolerance", simulator.scene().numerics.tolerance},
-                             {"refined", {times, times * times}}, {"simulated_s", simulator.truth().time}, {"warned_from", verification.warned_from()}};
-  for (std::size_t i = 0; i < output_count; ++i)
-  {
-    const Output output = static_cast<Output>(i);
-    const Verification::Finding f = verification.finding(output);
-    out["outputs"][traits_of(output).name] = {{"needed", verification.needed(output)}, {"mean", f.mean}, {"finest_mean", f.finest_mean}, {"scale", f.scale}, {"worst", f.worst},
-                                              {"worst_until", f.worst_until}, {"known_to", f.own}, {"known", f.known}, {"wrong_from", f.wrong_from}, {"off", f.off}, {"measured", f.measured}};
-  }
-  return out;
-}
-
-/// Throws ComputationError where a finer run has ended.
-void require_companions(const Simulator& simulator)
-{
-  for (int i = 0; i < simulator.companions(); ++i)
-    if (const char* why = simulator.companion_failure(i); *why)
-      throw ComputationError("a finer run fails: " + std::string(why));
-}
-
-/// Plays the scene with two finer models beside it.
-RunEnd play(Simulator& simulator, const RunGoal& goal, double times, Verification& verification)
-{
-  const int finer_one = simulator.add_companion(refined(with_free_nodes(simulator.scene().numerics), times)), finest = simulator.add_companion(refined(with_free_nodes(simulator.scene().numerics), times * times));
-  ScenePlayer player(simulator.scene());
+  FinerPair pair;
+  std::optional<VerifiedScores> scores;
   Progress progress;
+};
+
+/// Of a scene by its program, or of a bag; nothing else is asked of either.
+struct Played
+{
+  Scene scene;
+  std::optional<RecordedRun> recorded;
+};
+
+RecordedRun open_bag(const VerifyOptions& options)
+{
+  try
+  {
+    return read_recorded_run(options.run.scene, options.name_space);
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw UsageError(error.what());
+  }
+}
+
+/// The scene that a bag was recorded of: --scene, or what the bag holds.
+Scene scene_of(const RecordedRun& recorded, const VerifyOptions& options)
+{
+  if (!options.scene.empty()) return open_scene(options.scene, settings_of(options.run));
+  if (recorded.scene.empty()) throw UsageError(options.run.scene + ": holds no scene (topic scene), needed: --scene FILE");
+  Scene scene = parse_scene(recorded.scene, "scene of " + options.run.scene, settings_of(options.run));
+  print_remarks(scene.remarks);
+  return scene;
+}
+
+Played open_played(const VerifyOptions& options)
+{
+  if (!is_bag(options.run.scene))
+  {
+    if (!options.scene.empty() || !options.name_space.empty()) throw UsageError("--scene, --namespace: are of a bag (.bag)");
+    return {open_scene(options.run.scene, settings_of(options.run)), std::nullopt};
+  }
+  if (options.run.until_depth) throw UsageError("--until-depth: is not for a bag, allowed: --duration");
+  RecordedRun recorded = open_bag(options);
+  Scene scene = scene_of(recorded, options);
+  return {std::move(scene), std::move(recorded)};
+}
+
+RunEnd play_scene(Simulator& simulator, const RunGoal& goal, Beside& beside)
+{
+  ScenePlayer player(simulator.scene());
   const double frame = frame_of_whole_steps(frame_length, simulator.scene().numerics.step);
-  return run(simulator, player, goal, frame_length,
-             [&](const Truth& m)
-             {
-               require_companions(simulator);
-               verification.add(outputs_of(m), outputs_of(simulator.companion_truth(finer_one)), outputs_of(simulator.companion_truth(finest)), m.accuracy_warning, errors_of(simulator), m.time, frame);
-               progress.show(m.time / goal.duration, m.time, m.hole_depth);
-             });
+  return run(simulator, player, goal, frame_length, [&](const Truth&) { beside.add(simulator, frame, goal.duration); });
+}
+
+RunEnd play_bag(Simulator& simulator, const VerifyOptions& options, const RecordedRun& recorded, Beside& beside)
+{
+  RecordedPlayer player(options.run.scene, recorded, simulator.scene());
+  const double duration = std::min(options.run.duration.value_or(player.duration()), player.duration());
+  return player.play(simulator, duration, [&](const Truth&) { beside.add(simulator, player.frame(), duration); });
+}
+
+/// Without --score none of its options has a meaning.
+void require_score(const VerifyOptions& options)
+{
+  if (!words_of(options.judged_by).empty() && !options.score) throw UsageError("--plan, --bit-diameter, --wob, --toolface: need --score");
+}
+
+void print(const Simulator& simulator, const VerifyOptions& options, const FinerPair& pair)
+{
+  std::printf("%s: %.1f s beside free nodes with elements and steps %g and %g times as short\n", simulator.scene().name.c_str(), simulator.truth().time, pair.times(),
+              pair.times() * pair.times());
+  print_findings(pair.findings(), Printed(options.units));
+  print_verdict(pair.findings(), simulator.scene().numerics.tolerance);
 }
 
 void verify(const VerifyOptions& options)
 {
-  const Scene scene = open_scene(options.run.scene, settings_of(options.run));
-  const RunGoal goal = goal_of(options.run, scene);
-  const double times = options.times.value_or(2.0);
+  require_score(options);
+  const Played played = open_played(options);
+  const RunGoal goal = goal_of(options.run, played.scene);
   File json = open_output("--json", options.run.json);
-  Simulator simulator = build_simulator(scene, options.run.seed);
-  const double tolerance = simulator.scene().numerics.tolerance;
-  Verification verification(tolerance, simulator.scene().needs);
-  const RunEnd end = play(simulator, goal, times, verification);
-  if (end == RunEnd::failure) throw ComputationError(scene.file + ": after " + std::to_string(simulator.truth().time) + " s: " + simulator.failure());
-  if (json) std::fputs((json_of(simulator, verification, times).dump(2) + "\n").c_str(), json.get());
+  Simulator simulator = build_simulator(played.scene, options.run.seed);
+  Beside beside(simulator, options);
+  const RunEnd end = played.recorded ? play_bag(simulator, options, *played.recorded, beside) : play_scene(simulator, goal, beside);
+  if (end == RunEnd::failure) throw ComputationError(options.run.scene + ": after " + std::to_string(simulator.truth().time) + " s: " + simulator.failure());
+  print(simulator, options, beside.pair);
+  nlohmann::ordered_json found = json_of(simulator, beside.pair);
+  if (beside.scores) found["scores"] = nlohmann::ordered_json::parse(beside.scores->compare(options.judged_by, options.units));
+  if (json) std::fputs((found.dump(2) + "\n").c_str(), json.get());
   close_output(std::move(json), options.run.json);
-  std::printf("%s: %.1f s beside free nodes with elements and steps %g and %g times as short\n", scene.name.c_str(), simulator.truth().time, times, times * times);
-  print_findings(verification, Printed(options.units));
-  print_verdict(verification, tolerance);
-  if (verification.verdict() == Verification::Verdict::silent) throw ToleranceExceeded();
+  if (beside.pair.findings().verdict() == Verification::Verdict::silent) throw ToleranceExceeded();
 }
 }  // namespace
 
 Command add_verify_command(CLI::App& drill)
 {
-  CLI::App* words = drill.add_subcommand("verify", "plays a scene beside two finer models of it and says how wrong it is; exit status 1: wrong without a warning");
+  CLI::App* words = drill.add_subcommand("verify", "plays a scene, or a bag's run, beside two finer models of it and says how wrong it is; exit status 1: wrong without a warning");
   const auto options = std::make_shared<VerifyOptions>();
-  add_goal_options(*words, options->run);
+  add_goal_options(*words, options->run, "the scene's file; or a bag (.bag) of drill run, or recorded of a node from its start on");
   add_settings(*words, options->run.settings);
-  add_number(*words, "--times", options->times, 1.2, 8.0, "N", "how much shorter elements and steps of the finer model are, of the finest its square; default 2");
+  add_seed(*words, options->run);
+  add_number(*words, "--times", options->times, least_refinement, most_refinement, "N", "how much shorter elements and steps of the finer model are, of the finest its square; default 2");
+  add_text(*words, "--scene", options->scene, "FILE", "that a bag was recorded of, where it does not hold it");
+  add_text(*words, "--namespace", options->name_space, "NS", "which rig of a bag with several");
+  words->add_flag("--score", options->score, "compares the scores that drill score gives the three, by its options:")->disable_flag_override();
+  add_score_options(*words, options->judged_by);
   add_text(*words, "--json", options->run.json, "FILE", "writes the findings");
   add_units(*words, options->units);
   return {words, [options] { verify(*options); }};

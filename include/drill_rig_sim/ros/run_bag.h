@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "drill_rig_sim/sim/simulator.h"
 
@@ -14,8 +15,8 @@ namespace drill_rig_sim
 class RunBag
 {
 public:
-  /// Begins the file. Throws std::runtime_error with one line if it cannot, as every function here.
-  explicit RunBag(const std::string& file);
+  /// Begins the file. Throws std::runtime_error with one line if it cannot, as every function here. `scene`: the run's, by which it can be played again.
+  RunBag(const std::string& file, const Scene& scene);
   /// Ends it, without a word if that fails.
   ~RunBag();
 
@@ -28,6 +29,26 @@ private:
   struct Writer;
   std::unique_ptr<Writer> writer_;
 };
+
+/// What a bag holds of a run that can be played again, of RunBag or recorded of a node.
+struct RecordedRun
+{
+  /// After a frame.
+  struct Row
+  {
+    double time = 0.0;        ///< since the start of the rig [s]
+    Setpoints setpoints;      ///< in force in that frame
+    bool commanded = false;   ///< a command was accepted by then: from the first one on the scene's program is not played
+    double hook_load = 0.0;   ///< as it is [N]
+    double torque = 0.0;      ///< [N m]
+  };
+  std::string scene;  ///< a scene file; empty: the bag holds none
+  std::vector<Row> rows;
+};
+
+/// Of a bag, the rig in the namespace `rig`, or the only one where that is empty, from its last start on. Throws std::runtime_error with one line: file, what is wrong, what is
+/// needed.
+RecordedRun read_recorded_run(const std::string& file, const std::string& rig);
 
 }  // namespace drill_rig_sim
 

@@ -3,6 +3,7 @@
 
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <std_msgs/String.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -57,7 +58,7 @@ private:
   std::string step(const StepSimulation::Request& request, StepSimulation::Response& answer, Lock& lock);
 
   void rebuild(const Scene& scene);
-  /// Publishes what the rig of `scene` is made of. `stamp`: [ns]
+  /// Publishes what the rig of `scene` is made of, and the scene itself, its program only where that is played. `stamp`: of the rig's start [ns]
   void describe(const Scene& scene, std::int64_t stamp) const;
   /// Where `next` is another rig than the running one; what the answer says of it.
   std::string forget_states_of_another(const Scene& next);
@@ -76,7 +77,7 @@ private:
   SavedStates saved_;  // of the running scene
   bool step_under_way_ = false;
   std::mutex one_at_a_time_;
-  ros::Publisher description_;
+  ros::Publisher description_, scene_text_;
   std::vector<ros::ServiceServer> servers_;
 };
 

@@ -5,11 +5,11 @@ import os
 import sys
 import time
 
-from drill_rig_sim.campaign import again
+from drill_rig_sim.campaign import again, audits
 from drill_rig_sim.campaign.plan import read_plan
 from drill_rig_sim.campaign.plan_checks import first_rig
 from drill_rig_sim.campaign.plan_text import PlanError
-from drill_rig_sim.campaign.results import Locked, Results, ResultsError
+from drill_rig_sim.campaign.results import AUDITS, RUNS, Locked, Results, ResultsError
 from drill_rig_sim.campaign.runner import GOOD as RUN_GOOD
 from drill_rig_sim.units import SYSTEMS
 
@@ -55,13 +55,13 @@ def looks():
 class Progress:
     """A line on a terminal, each half second; in a pipe one each ten."""
 
-    def __init__(self, left, out=sys.stderr):
-        self.left, self.done, self.bad, self.out = left, 0, 0, out
+    def __init__(self, left, out=sys.stderr, good=(RUN_GOOD,)):
+        self.left, self.done, self.bad, self.out, self.good = left, 0, 0, out, good
         self.began, self.told = time.monotonic(), 0.0
 
     def count(self, status):
         self.done += 1
-        self.bad += status != RUN_GOOD
+        self.bad += status not in self.good
         if time.monotonic() - self.told > (0.5 if self.out.isatty() else 10.0):
             self.tell()
 
@@ -88,7 +88,7 @@ def campaign(options):
         return GOOD
     results = Results(file)
     results.describe(keys, name=plan.blueprint.name, plan=plan.text, factors=plan.names, outputs=list(plan.blueprint.outputs), sample=plan.sample,
-                     report=plan.report, identity=identity, blueprint=plan.blueprint.parts())
+                     report=plan.report, audit=plan.audit, identity=identity, blueprint=plan.blueprint.parts())
     if options.again:
         results.forget_bad(keys)
     there = results.done()
@@ -96,14 +96,26 @@ def campaign(options):
     print("%s: %d runs, %d to do" % (file, len(keys), len(todo)), flush=True)
     if todo:
         do(plan.blueprint, todo, identity, results, options)
+    audit(plan.blueprint, identity, results, options)
     return told(results, len(keys))
 
 
-class Kept:
-    """Answers on their way into the file, every KEEP_EVERY; while another program holds that, they wait."""
+def audit(blueprint, identity, results, options):
+    """Verifies the runs that are chosen for it and are not verified yet."""
+    rows, there = list(results.rows()), results.done(AUDITS)
+    numbers = audits.chosen(rows, results.about())
+    todo = [(row["key"], row["values"]) for row in rows if row["number"] in numbers and row["key"] not in there]
+    if todo:
+        print("%s: %d runs are audited, beside two finer models each, %d to do" % (results.file, len(numbers), len(todo)), flush=True)
+        do(blueprint, todo, identity, results, options, AUDITS)
 
-    def __init__(self, results, progress):
-        self.results, self.progress, self.rows, self.number, self.since, self.said = results, progress, [], 0, time.monotonic(), False
+
+class Kept:
+    """Answers on their way into a table of the file, every KEEP_EVERY; while another program holds that, they wait."""
+
+    def __init__(self, results, progress, table=RUNS):
+        self.results, self.progress, self.table = results, progress, table
+        self.rows, self.number, self.since, self.said = [], 0, time.monotonic(), False
 
     def take(self, key, row, answer):
         status, reason, outputs, cpu, worker = answer
@@ -122,15 +134,16 @@ class Kept:
             self.said = True
 
     def keep(self, **patience):
-        self.results.add(self.rows, **patience)
+        self.results.add(self.rows, table=self.table, **patience)
         self.number += len(self.rows)
         self.rows, self.since = [], time.monotonic()
 
 
-def do(blueprint, todo, identity, results, options):
+def do(blueprint, todo, identity, results, options, table=RUNS):
+    """Does the runs `todo`, or their audits, into a table of the results."""
     from drill_rig_sim.campaign import engine  # needs Dask
-    progress = Progress(len(todo))
-    kept = Kept(results, progress)
+    progress = Progress(len(todo), good=(RUN_GOOD, "right", "warned"))
+    kept = Kept(results, progress, table)
     try:
         with contextlib.ExitStack() as at_end:
             client, open_things = engine.connect(options.scheduler, options.slurm, options.workers)
@@ -140,9 +153,9 @@ def do(blueprint, todo, identity, results, options):
             at_end.callback(kept.keep)  # before all else
             if engine.page(client):
                 print("Dask's page: %s" % engine.page(client), flush=True)
-            engine.work(client, blueprint, todo, identity, kept.take)
+            engine.work(client, blueprint, todo, identity, kept.take, verified=table == AUDITS)
     except (engine.EngineError, OSError, ResultsError) as error:
-        raise Said("%s; %d runs are done, the same command goes on" % (error, kept.number)) from error
+        raise Said("%s; %d %s are done, the same command goes on" % (error, kept.number, table)) from error
 
 
 def told(results, number):
@@ -153,6 +166,9 @@ def told(results, number):
     print("%d of %d runs are there: %s" % (sum(counts.values()), number, ", ".join("%d %s" % (n, status) for status, n in sorted(counts.items()))))
     for status in sorted(set(first) - {RUN_GOOD}):
         print("%s, first run %d: %s" % (status, first[status]["number"], first[status]["reason"]))
+    verdicts = [row["status"] for row in results.audits()]
+    if verdicts:
+        print("%d runs were audited: %s" % (len(verdicts), audits.summary(verdicts)))
     return GOOD if counts.get(RUN_GOOD, 0) == number else SOME_BAD
 
 

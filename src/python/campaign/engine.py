@@ -42,10 +42,10 @@ class RunnerPlugin(distributed.WorkerPlugin):
             self.runner.end()
 
 
-def several(rows, identity):
-    """On a worker: how long they took [s], and of each run as runner.run() answers, and which worker it was."""
+def several(rows, identity, verified):
+    """On a worker: how long they took [s], and of each run, or its audit, as runner.run() answers, and which worker it was."""
     worker, began = distributed.get_worker(), time.monotonic()
-    answers = [(*worker.plugins[PLUGIN].runner.run(row, identity), worker.address) for row in rows]
+    answers = [(*worker.plugins[PLUGIN].runner.run(row, identity, verified), worker.address) for row in rows]
     return time.monotonic() - began, answers
 
 
@@ -144,8 +144,8 @@ class SlurmJob:
         subprocess.run(["scancel", self.job], check=False, capture_output=True)
 
 
-def work(client, blueprint, tasks, identity, take):
-    """Does tasks (key, row), a few more than there are workers at a time; take(key, row, answer) with each answer, in the order of their ends."""
+def work(client, blueprint, tasks, identity, take, verified=False):
+    """Does tasks (key, row), a few more than there are workers at a time; take(key, row, answer) with each answer, in the order of their ends. `verified`: audits of them."""
     client.register_worker_plugin(RunnerPlugin(blueprint), PLUGIN)
     suspects = []
 
@@ -155,22 +155,24 @@ def work(client, blueprint, tasks, identity, take):
         else:
             take(key, row, answer)
 
-    send_all(client, iter(tasks), identity, (1 + AHEAD) * max(1, len(client.scheduler_info()["workers"])), taken)
+    asked = identity, verified
+    send_all(client, iter(tasks), asked, (1 + AHEAD) * max(1, len(client.scheduler_info()["workers"])), taken)
     # workers died, of one of the runs that they had: one after the other tells which
     for key, row in list(suspects):
-        send_all(client, iter([(key, row)]), identity, 1, lambda key, row, answer: take(key, row, answer or (DIED, "its workers died, one after the other", {}, 0.0, "")))
+        send_all(client, iter([(key, row)]), asked, 1, lambda key, row, answer: take(key, row, answer or (DIED, "its workers died, one after the other", {}, 0.0, "")))
 
 
-def send_all(client, tasks, identity, ahead, taken):
-    """Short runs go several at a time, for handing one over costs some milliseconds."""
+def send_all(client, tasks, asked, ahead, taken):
+    """Short runs go several at a time, for handing one over costs some milliseconds. `asked`: of several() beside the rows."""
     finished, sent, done, seconds = distributed.as_completed(), {}, 0, 0.0
 
     def send():
         size = int(min(MOST_AT_ONCE, max(1.0, AT_ONCE * done / seconds))) if done else 1
         runs = list(itertools.islice(tasks, size))
         if runs:
-            sent[runs[0][0]] = runs
-            finished.add(client.submit(several, [row for _, row in runs], identity, key=runs[0][0], pure=False))
+            name = runs[0][0] + "-audit" * asked[1]
+            sent[name] = runs
+            finished.add(client.submit(several, [row for _, row in runs], *asked, key=name, pure=False))
 
     for _ in range(ahead):
         send()

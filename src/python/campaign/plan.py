@@ -11,7 +11,7 @@ from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.sim import found
 from drill_rig_sim.text_file import TextError, read_text
 
-KEYS = ("name", "scene", "duration", "rate", "every", "from", "seed", "controller", "factors", "sample", "judge", "outputs", "bounds", "report")
+KEYS = ("name", "scene", "duration", "rate", "every", "from", "seed", "controller", "factors", "sample", "judge", "outputs", "bounds", "audit", "report")
 FACTOR_KEYS = ("name", "key", "keys", "values", "from", "to", "log", "times")
 NUMBERED = ("latin_hypercube", "sobol", "saltelli")
 JUDGE = ("plan", "bit_diameter", "wob", "wob_band", "toolface", "toolface_band")  # as drill score's function has them
@@ -19,11 +19,12 @@ MOST_RUNS = 10**6
 
 
 class Plan:
-    """`blueprint` of a run; `rows` of values, one a run, of the factors `names`; `sample`: kind, runs, steps, seed; `report`: what the page shows. `places`:
-    the entries where factors' keys stand, by key, and the controller's class; `outputs`: the entries of the outputs, by name."""
+    """`blueprint` of a run; `rows` of values, one a run, of the factors `names`; `sample`: kind, runs, steps, seed; `report`: what the page shows; `audit`: which
+    share of the runs is verified, None where the plan does not say. `places`: the entries where factors' keys stand, by key, and the controller's class; `outputs`:
+    the entries of the outputs, by name."""
 
-    def __init__(self, blueprint, names, rows, sample, report, file, places, outputs):
-        self.blueprint, self.names, self.rows, self.sample, self.report = blueprint, names, rows, sample, report
+    def __init__(self, blueprint, names, rows, sample, report, audit, file, places, outputs):
+        self.blueprint, self.names, self.rows, self.sample, self.report, self.audit = blueprint, names, rows, sample, report, audit
         self.file, self.places, self.outputs = file, places, outputs
         self.text = read_text(file)
 
@@ -43,7 +44,8 @@ def read_plan(file):
         entries["sample"].fail("these are %d runs, allowed: up to %d" % (len(rows), MOST_RUNS))
     report = report_of(entries.get("report"), [factor.name for factor in factors], list(blueprint.outputs))
     places = {**dict(places), **({plan_checks.CLASS: entries["controller"].mapping()["class"]} if "controller" in entries else {})}
-    return Plan(blueprint, [factor.name for factor in factors], rows, sample, report, file, places, entries["outputs"].mapping())
+    audit = entries["audit"].number(0.0, most=1.0) if "audit" in entries else None
+    return Plan(blueprint, [factor.name for factor in factors], rows, sample, report, audit, file, places, entries["outputs"].mapping())
 
 
 def factors_of(entry):

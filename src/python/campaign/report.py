@@ -1,11 +1,11 @@
-"""A campaign's page: what came of it, map, sensitivity, histograms, the worst runs."""
+"""A campaign's page: what came of it, how wrong it is, map, sensitivity, histograms, the worst runs."""
 import base64
 import html
 import io
 import os
 
 import numpy
-from drill_rig_sim.campaign import again, report_pictures
+from drill_rig_sim.campaign import again, report_audits, report_pictures
 from drill_rig_sim.campaign.blueprint import Blueprint
 from drill_rig_sim.campaign.measures import column
 from drill_rig_sim.campaign.outputs import shown_as
@@ -19,14 +19,14 @@ td,th{border:1px solid #ccc;padding:0.2em 0.6em;text-align:right}td:last-child,t
 
 
 class Rows:
-    """The plan's runs that are there; outputs in SI as the results' file has them, or in oilfield units where their quantity is known."""
+    """The plan's runs and audits that are there; outputs in SI as the results' file has them, or in oilfield units where their quantity is known."""
 
     def __init__(self, results, system="si"):
         self.about, self.units = results.about(), Units(system)
         if "factors" not in self.about:
             raise ResultsError("%s: holds no campaign" % results.file)
         self.blueprint = Blueprint.of_parts(self.about["blueprint"])
-        self.rows = list(results.rows())
+        self.rows, self.audits = list(results.rows()), list(results.audits())
         self.good = [row for row in self.rows if row["status"] == GOOD]
         self.factors, self.outputs = self.about["factors"], self.about["outputs"]
 
@@ -56,9 +56,9 @@ class Rows:
 def write_page(results, file, system="si"):
     """Returns the file. `system`: of the units that outputs are shown in."""
     rows = Rows(results, system)
-    parts = ["<h1>%s</h1>" % html.escape(rows.about["name"]), "<p>%s</p>" % html.escape(summary(rows)), statistics(rows)]
+    parts = ["<h1>%s</h1>" % html.escape(rows.about["name"]), "<p>%s</p>" % html.escape(summary(rows)), statistics(rows), *accuracy(rows)]
     for title, figure in report_pictures.figures_of(rows):
-        parts += ["<h2>%s</h2>" % html.escape(title), '<img alt="%s" src="data:image/png;base64,%s">' % (html.escape(title), png_of(figure))]
+        parts += ["<h2>%s</h2>" % html.escape(title), picture(title, figure)]
     parts += ["<h2>The worst by %s</h2>" % html.escape(rows.about["report"]["worst"]), worst(rows, os.path.basename(results.file)),
               bad(rows), "<h2>Plan</h2><pre>%s</pre>" % html.escape(rows.about["plan"])]
     with open(file, "w", encoding="utf-8") as out:
@@ -74,8 +74,21 @@ def summary(rows):
         ", ".join("%s %s" % (name, value) for name, value in rows.about["sample"].items() if value))
 
 
+def accuracy(rows):
+    """What the audits found, in parts of the page."""
+    parts = ["<h2>How wrong the runs are</h2>", "<p>%s</p>" % report_audits.intro(rows)]
+    if rows.audits:
+        figure = report_audits.histograms(rows)
+        parts += [table(*report_audits.table_by_output(rows)), *([picture("Errors of audited runs", figure)] if figure else []), table(*report_audits.table_of_runs(rows))]
+    return parts
+
+
+def picture(title, figure):
+    return '<img alt="%s" src="data:image/png;base64,%s">' % (html.escape(title), png_of(figure))
+
+
 def table(head, lines):
-    cells = lambda kind, line: "<tr>%s</tr>" % "".join("<%s>%s</%s>" % (kind, html.escape(str(cell)), kind) for cell in line)  # noqa: E731
+    cells = lambda kind, line: "<tr>%s</tr>" % "".join("<%s>%s</%s>" % (kind, html.escape(str(shortly(cell))), kind) for cell in line)  # noqa: E731
     return "<table>%s%s</table>" % (cells("th", head), "".join(cells("td", line) for line in lines))
 
 
@@ -101,7 +114,7 @@ def worst(rows, file):
     shown = worst_rows(rows)
     name = rows.about["report"]["worst"]
     factor, label = rows.shown(name)
-    lines = [[row["number"], "%.5g" % (factor * row["outputs"][name]), *(shortly(value) for value in row["values"]), again.scene_command(file, row["number"])]
+    lines = [[row["number"], "%.5g" % (factor * row["outputs"][name]), *row["values"], again.scene_command(file, row["number"])]
              for row in shown]
     text = table(["run", label, *rows.factors, "its scene"], lines)
     if shown:
@@ -123,7 +136,7 @@ def bad(rows):
     failed = [row for row in rows.rows if row["status"] != GOOD]
     if not failed:
         return ""
-    lines = [[row["number"], row["status"], *(shortly(value) for value in row["values"]), row["reason"]] for row in failed[:50]]
+    lines = [[row["number"], row["status"], *row["values"], row["reason"]] for row in failed[:50]]
     more = "<p>and %d more</p>" % (len(failed) - 50) if len(failed) > 50 else ""
     return "<h2>What did not end well</h2>" + table(["run", "status", *rows.factors, "why"], lines) + more
 

@@ -13,6 +13,8 @@ create table campaign (name text primary key, value text) without rowid;
 create table planned (number integer primary key, key text);
 create table runs (key text primary key, "values" text, status text, reason text, outputs text, cpu real, worker text, at real) without rowid;
 """
+RUNS, AUDITS = "runs", "audits"  # tables of the same columns: an audit's status is its verdict, its outputs are what was found
+AUDITS_TABLE = 'create table if not exists audits (key text primary key, "values" text, status text, reason text, outputs text, cpu real, worker text, at real) without rowid'
 
 
 class ResultsError(Exception):
@@ -40,6 +42,8 @@ class Results:
             raise ResultsError("%s: is no results' file of a campaign%s" % (file, " of version %d" % SCHEMA if version else ""))
         if write:
             self.take_lock()
+            with self.asked(), self.data:
+                self.data.execute(AUDITS_TABLE)  # files of 0.2 have none
 
     def take_lock(self):
         """Two campaigns that write one file would do runs twice."""
@@ -71,28 +75,35 @@ class Results:
         with self.asked():
             return {name: json.loads(value) for name, value in self.data.execute("select name, value from campaign")}
 
-    def done(self):
-        """Keys of the runs that are there."""
+    def done(self, table=RUNS):
+        """Keys of the runs that are there, or of those that were audited."""
         with self.asked():
-            return {key for key, in self.data.execute("select key from runs")}
+            return {key for key, in self.data.execute("select key from %s" % table)}
 
     def forget_bad(self, keys):
-        """Of these runs those that did not end well: to do them again."""
+        """Of these runs and audits those that did not end well: to do them again."""
         with self.asked(), self.data:
             self.data.executemany("delete from runs where key = ? and status <> 'good'", [(key,) for key in keys])
+            self.data.executemany("delete from audits where key = ? and reason <> ''", [(key,) for key in keys])
 
-    def add(self, rows, patience=None):
+    def add(self, rows, patience=None, table=RUNS):
         """Of (key, values, status, reason, outputs, cpu, worker), all or none; a key that is there stays as it is. Locked after `patience` [s]."""
         with self.asked(patience), self.data:
-            self.data.executemany("insert or ignore into runs values (?, ?, ?, ?, ?, ?, ?, ?)",
+            self.data.executemany("insert or ignore into %s values (?, ?, ?, ?, ?, ?, ?, ?)" % table,
                                   [(key, json.dumps(values), status, reason, json.dumps(outputs, allow_nan=False), cpu, worker, time.time())
                                    for key, values, status, reason, outputs, cpu, worker in rows])
 
-    def rows(self):
+    def audits(self):
+        """As rows(), of the plan's runs that were audited."""
+        with self.asked():
+            there = self.data.execute("select count(*) from sqlite_master where name = ?", (AUDITS,)).fetchone()[0]
+        return self.rows(AUDITS) if there else iter(())
+
+    def rows(self, table=RUNS):
         """Dictionaries of the plan's runs that are there, in its order."""
         names = ("number", "key", "values", "status", "reason", "outputs", "cpu")
         with self.asked():
-            for row in self.data.execute('select number, key, "values", status, reason, outputs, cpu from planned join runs using (key) order by number'):
+            for row in self.data.execute('select number, key, "values", status, reason, outputs, cpu from planned join %s using (key) order by number' % table):
                 found = dict(zip(names, row))
                 yield {**found, "values": json.loads(found["values"]), "outputs": json.loads(found["outputs"])}
 

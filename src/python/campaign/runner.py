@@ -17,6 +17,7 @@ GOOD, REFUSED, FAILED, CONTROLLER, JUDGE, CPU, WALL, MEMORY, DIED = (
 
 
 ENDS = 5.0  # so long a process that has closed its answers may take to be gone [s]
+AUDIT_COST = 50.0  # so many times the CPU and wall time of a run its audit may take
 
 
 class OverTime(BaseException):
@@ -33,16 +34,16 @@ def memory():
         return next(1024 * int(line.split()[1]) for line in status if line.startswith("VmData"))
 
 
-def run(blueprint, row, identity, begin):
-    """Status, reason, outputs, and CPU time [s] of a row of values. `begin`: the memory before the first [bytes]."""
-    began = time.process_time()
+def run(blueprint, row, identity, begin, verified=False):
+    """Status, reason, outputs, and CPU time [s] of a row of values, or of its audit. `begin`: the memory before the first [bytes]."""
+    began, cpu = time.process_time(), bound(blueprint.cpu, verified)
     resource.setrlimit(resource.RLIMIT_DATA, (int(begin + blueprint.memory), resource.RLIM_INFINITY))
-    signal.setitimer(signal.ITIMER_PROF, blueprint.cpu)
+    signal.setitimer(signal.ITIMER_PROF, cpu)
     outputs = {}
     try:
-        status, reason, outputs, _ = outcome(blueprint, row, identity)
+        status, reason, outputs, _ = outcome(blueprint, row, identity, verified)
     except OverTime:
-        status, reason = CPU, "took more than %g s of processor time" % blueprint.cpu
+        status, reason = CPU, "took more than %g s of processor time" % cpu
     except MemoryError:
         status, reason = MEMORY, "needed more than %g MB of memory" % (blueprint.memory / 1e6)
     finally:
@@ -51,8 +52,14 @@ def run(blueprint, row, identity, begin):
     return status, reason, outputs, time.process_time() - began
 
 
-def outcome(blueprint, row, identity=None):
-    """Of a run without bounds: status, reason, outputs, and it as a Played where it went to its end. Without an identity any build will do."""
+def bound(seconds, verified):
+    """Of the time that a run may take, or its audit [s]."""
+    return AUDIT_COST * seconds if verified else seconds
+
+
+def outcome(blueprint, row, identity=None, verified=False):
+    """Of a run without bounds: status, reason, outputs, and it as a Played where it went to its end. Without an identity any build will do. `verified`: two finer
+    models go along; the status is then their verdict and the outputs what they found (sim.Simulator.verified())."""
     from drill_rig_sim.campaign import played  # pylint: disable=import-outside-toplevel
     from drill_rig_sim.campaign.scene_text import SceneTextError  # pylint: disable=import-outside-toplevel
     from drill_rig_sim.lockstep import Failed, Refused  # pylint: disable=import-outside-toplevel
@@ -63,7 +70,12 @@ def outcome(blueprint, row, identity=None):
         if identity is not None and [build(), rig.kernel] != identity:
             raise Refused("build and kernel here are %s %s, the campaign's are %s %s: the same build on all machines, and numerics.kernel in the scene" %
                           (build()[:8], rig.kernel, identity[0][:8], identity[1]))
+        if verified:
+            rig.verify()
         over = played.play(blueprint, row, rig)
+        if verified:
+            found = rig.verified()
+            return found["verdict"], "", found, over
         return GOOD, "", played.outputs_of(blueprint, over), over
     except (Refused, SceneTextError) as refusal:
         return FAILED if isinstance(refusal, Failed) else REFUSED, one_line(refusal, blueprint), {}, over
@@ -88,7 +100,7 @@ def end_with(parent):
 
 
 def serve():
-    """The runner's process: a blueprint, then rows and identities, by standard input; answers by standard output. Ends with its input."""
+    """The runner's process: a blueprint, then rows, identities and whether they are verified, by standard input; answers by standard output. Ends with its input."""
     from drill_rig_sim.campaign import played  # noqa: F401  pylint: disable=unused-import,import-outside-toplevel
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the campaign
     signal.signal(signal.SIGPROF, over_time)
@@ -98,7 +110,8 @@ def serve():
     try:
         blueprint, begin = pickle.load(asked), memory()
         while True:
-            pickle.dump(run(blueprint, *pickle.load(asked), begin), answers)
+            row, identity, verified = pickle.load(asked)
+            pickle.dump(run(blueprint, row, identity, begin, verified), answers)
             answers.flush()
     except EOFError:
         pass
@@ -110,18 +123,18 @@ class Runner:
     def __init__(self, blueprint):
         self.blueprint, self.process = blueprint, None
 
-    def run(self, row, identity):
+    def run(self, row, identity, verified=False):
         """As run()."""
-        began = time.monotonic()
+        began, wall = time.monotonic(), bound(self.blueprint.wall, verified)
         try:
             if self.process is None:
                 self.process = subprocess.Popen([sys.executable, "-m", "drill_rig_sim.campaign.runner"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
                 self.send(self.blueprint)
-            self.send((row, identity))
-            if select.select([self.process.stdout], [], [], self.blueprint.wall)[0]:
+            self.send((row, identity, verified))
+            if select.select([self.process.stdout], [], [], wall)[0]:
                 return pickle.load(self.process.stdout)
             self.end()
-            return WALL, "had not ended after %g s" % self.blueprint.wall, {}, time.monotonic() - began
+            return WALL, "had not ended after %g s" % wall, {}, time.monotonic() - began
         except (EOFError, BrokenPipeError, pickle.UnpicklingError):
             with contextlib.suppress(subprocess.TimeoutExpired):
                 self.process.wait(ENDS)  # by itself: its own status, not that of kill()

@@ -1,0 +1,61 @@
+#include "drill_rig_sim/sim/finer_pair.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "drill_rig_sim/accuracy/refined.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+static_assert(least_refinement == 1.2 && most_refinement == 8.0, "the text says so");
+
+double checked(double times)
+{
+  if (!(times >= least_refinement && times <= most_refinement)) throw std::runtime_error("times must be between 1.2 and 8 (got " + std::to_string(times) + ")");
+  return times;
+}
+
+Outputs errors_of(const Simulator& simulator) noexcept
+{
+  Outputs errors;
+  for (std::size_t i = 0; i < output_count; ++i) errors[i] = simulator.measured_error(static_cast<Output>(i));
+  return errors;
+}
+}  // namespace
+
+FinerPair::FinerPair(Simulator& simulator, double times)
+  : times_(checked(times)),
+    finer_(simulator.add_companion(refined(with_free_nodes(simulator.scene().numerics), times))),
+    finest_(simulator.add_companion(refined(with_free_nodes(simulator.scene().numerics), times * times))),
+    findings_(simulator.scene().numerics.tolerance, simulator.scene().needs)
+{
+}
+
+void FinerPair::add(const Simulator& simulator, double duration)
+{
+  for (const int i : {finer_, finest_})
+    if (const char* why = simulator.companion_failure(i); *why) throw std::runtime_error("a finer model failed: " + std::string(why));
+  const Truth& m = simulator.truth();
+  findings_.add(outputs_of(m), outputs_of(simulator.companion_truth(finer_)), outputs_of(simulator.companion_truth(finest_)), m.accuracy_warning, errors_of(simulator), m.time,
+                duration);
+}
+
+const char* word_of(Verification::Verdict verdict) noexcept
+{
+  constexpr const char* words[] = {"right", "warned", "silent", "unknown"};
+  return words[static_cast<std::size_t>(verdict)];
+}
+
+Verification::Verdict verdict_on(const Verification& findings, Output output)
+{
+  const Verification::Finding found = findings.finding(output);
+  const bool wrong = !std::isnan(found.wrong_from);
+  if (wrong && findings.warned_from() <= found.wrong_from + difference_window) return Verification::Verdict::warned;
+  if (!found.known) return Verification::Verdict::unknown;
+  return wrong ? Verification::Verdict::silent : Verification::Verdict::right;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,76 @@
+#include "drill_verified_scores.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "drill_command.h"
+#include "drill_python.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double every = 0.1;  // between rows, as of `drill run --csv` [s]
+const char* const series_names[] = {"run", "finer", "finest"};
+
+std::string new_folder()
+{
+  std::string name = (std::filesystem::temp_directory_path() / "drill_verify_XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw UsageError("--score: " + name + " cannot be made: " + std::strerror(errno));
+  return name;
+}
+}  // namespace
+
+VerifiedScores::VerifiedScores() : folder_(new_folder()), beat_(every)
+{
+  for (std::size_t i = 0; i < files_.size(); ++i)
+  {
+    files_[i] = open_output("--score", file(i));
+    write_csv_header(files_[i].get(), false);
+  }
+}
+
+VerifiedScores::~VerifiedScores()
+{
+  std::error_code unknown;  // what cannot be removed stays
+  std::filesystem::remove_all(folder_, unknown);
+}
+
+std::string VerifiedScores::file(std::size_t series) const
+{
+  return folder_ + "/" + series_names[series] + ".csv";
+}
+
+void VerifiedScores::add(const Simulator& simulator, const FinerPair& pair, double frame)
+{
+  if (!beat_.due(simulator.truth().time, frame)) return;
+  write_csv_row(files_[0].get(), simulator.truth(), nullptr);
+  write_csv_row(files_[1].get(), simulator.companion_truth(pair.finer()), nullptr);
+  write_csv_row(files_[2].get(), simulator.companion_truth(pair.finest()), nullptr);
+}
+
+std::string VerifiedScores::compare(const ScoreOptions& options, const std::string& units)
+{
+  const std::string json = folder_ + "/scores.json";
+  std::vector<std::string> words = words_of(options);
+  add_word(words, "--json", json);
+  add_word(words, "--units", units);
+  words.push_back("--");
+  for (std::size_t i = 0; i < files_.size(); ++i)
+  {
+    close_output(std::move(files_[i]), file(i));
+    words.push_back(file(i));
+  }
+  if (run_python("verified_scores_command", words) != 0) throw ComputationError("the scores are not known");
+  std::ifstream written(json);
+  return {std::istreambuf_iterator<char>(written), {}};
+}
+
+}  // namespace drill_rig_sim
