@@ -73,21 +73,21 @@ Verification::Finding Verification::finding(Output output) const
   return found;
 }
 
+Verification::Verdict Verification::verdict(Output output) const
+{
+  const Finding found = finding(output);
+  const bool wrong = !std::isnan(found.wrong_from);
+  if (wrong && warned_from_ <= found.wrong_from + difference_window) return Verdict::warned;
+  if (!found.known) return Verdict::unknown;
+  return wrong ? Verdict::silent : Verdict::right;
+}
+
 Verification::Verdict Verification::verdict() const
 {
-  Verdict verdict = Verdict::right;
+  Verdict worst = Verdict::right;  // in the order of the kinds
   for (std::size_t i = 0; i < output_count; ++i)
-  {
-    const Output output = static_cast<Output>(i);
-    if (!needed(output)) continue;
-    const Finding found = finding(output);
-    const bool wrong = !std::isnan(found.wrong_from);
-    const bool warned = wrong && warned_from_ <= found.wrong_from + difference_window;
-    if (!found.known && !warned) return Verdict::unknown;
-    if (wrong && !warned) verdict = Verdict::silent;
-    if (warned && verdict == Verdict::right) verdict = Verdict::warned;
-  }
-  return verdict;
+    if (needed(static_cast<Output>(i))) worst = std::max(worst, verdict(static_cast<Output>(i)));
+  return worst;
 }
 
 }  // namespace drill_rig_sim

@@ -59,13 +59,20 @@ def table(scores, units=SI):
 def parse(words):
     parser = argparse.ArgumentParser(prog="drill score", description=__doc__)
     parser.add_argument("run")
-    for name in ("--plan", "--columns", "--namespace", "--json", "--plots"):
+    for name in ("--namespace", "--plots"):
+        parser.add_argument(name)
+    add_judging(parser)
+    return parser.parse_args(words)
+
+
+def add_judging(parser):
+    """What runs are judged by, the scores' file and their units."""
+    for name in ("--plan", "--columns", "--json"):
         parser.add_argument(name)
     for name in ("--bit-diameter", "--wob", "--wob-band", "--toolface", "--toolface-band"):
         parser.add_argument(name, type=float)
     parser.add_argument("--pass-over", action="store_true")
     parser.add_argument("--units", choices=SYSTEMS, default="si")
-    return parser.parse_args(words)
 
 
 def require_files_apart(args):
@@ -81,12 +88,22 @@ def radians(angle):
     return None if angle is None else math.radians(angle)
 
 
+def plan_of(args):
+    """Of the options of add_judging()."""
+    return read_survey(args.plan, args.columns or "", args.pass_over) if args.plan else None
+
+
+def scores_of(run, plan, args):
+    """By the options of add_judging()."""
+    return score(run, plan, args.bit_diameter, args.wob, args.wob_band, radians(args.toolface), radians(args.toolface_band))
+
+
 def judge(args):
     require_files_apart(args)
     units = Units(args.units)
     run = read_run(args.run, args.namespace)
-    plan = read_survey(args.plan, args.columns or "", args.pass_over) if args.plan else None
-    scores = score(run, plan, args.bit_diameter, args.wob, args.wob_band, radians(args.toolface), radians(args.toolface_band))
+    plan = plan_of(args)
+    scores = scores_of(run, plan, args)
     if args.json:
         write_json(scores, args.json)
     if args.plots:

@@ -5,20 +5,15 @@ import sys
 
 from drill_rig_sim.json_file import write_json
 from drill_rig_sim.refusal import Refusal
-from drill_rig_sim.score import read_run, read_survey, score
-from drill_rig_sim.score_command import BAD_INPUT, GOOD, TABLE, radians
-from drill_rig_sim.units import SI, SYSTEMS, Units
+from drill_rig_sim.score import read_run
+from drill_rig_sim.score_command import BAD_INPUT, GOOD, TABLE, add_judging, plan_of, scores_of
+from drill_rig_sim.units import SI, Units
 
 
 def parse(words):
     parser = argparse.ArgumentParser(prog="drill verify --score", description=__doc__)
     parser.add_argument("runs", nargs=3)
-    for name in ("--plan", "--columns", "--json"):
-        parser.add_argument(name)
-    for name in ("--bit-diameter", "--wob", "--wob-band", "--toolface", "--toolface-band"):
-        parser.add_argument(name, type=float)
-    parser.add_argument("--pass-over", action="store_true")
-    parser.add_argument("--units", choices=SYSTEMS, default="si")
+    add_judging(parser)
     return parser.parse_args(words)
 
 
@@ -56,8 +51,8 @@ def differences(scores):
 
 
 def compare(args):
-    plan = read_survey(args.plan, args.columns or "", args.pass_over) if args.plan else None
-    scores = [score(read_run(run), plan, args.bit_diameter, args.wob, args.wob_band, radians(args.toolface), radians(args.toolface_band)) for run in args.runs]
+    plan = plan_of(args)
+    scores = [scores_of(read_run(run), plan, args) for run in args.runs]
     if args.json:
         write_json({**dict(zip(("run", "finer", "finest"), scores)), "off": differences(scores)}, args.json)
     print("\n".join(table(scores, Units(args.units))))

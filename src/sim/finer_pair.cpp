@@ -1,6 +1,5 @@
 #include "drill_rig_sim/sim/finer_pair.h"
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -47,15 +46,6 @@ const char* word_of(Verification::Verdict verdict) noexcept
 {
   constexpr const char* words[] = {"right", "warned", "silent", "unknown"};
   return words[static_cast<std::size_t>(verdict)];
-}
-
-Verification::Verdict verdict_on(const Verification& findings, Output output)
-{
-  const Verification::Finding found = findings.finding(output);
-  const bool wrong = !std::isnan(found.wrong_from);
-  if (wrong && findings.warned_from() <= found.wrong_from + difference_window) return Verification::Verdict::warned;
-  if (!found.known) return Verification::Verdict::unknown;
-  return wrong ? Verification::Verdict::silent : Verification::Verdict::right;
 }
 
 }  // namespace drill_rig_sim

@@ -20,13 +20,11 @@ public:
   /// After each frame. Nothing is kept where nothing is measured.
   void add(const Simulator& simulator)
   {
+    const SimulatorStatistics& now = simulator.statistics();
+    if (!now.error_is_measured) return;
+    measured_ = true;
     for (std::size_t i = 0; i < output_count; ++i)
-    {
-      const double error = simulator.measured_error(static_cast<Output>(i));
-      if (error != error) return;
-      measured_ = true;
-      if (error > entries_[i].error) entries_[i] = {error, simulator.truth().time};
-    }
+      if (now.errors[i] > entries_[i].error) entries_[i] = {now.errors[i], simulator.truth().time};
   }
 
   bool measured() const noexcept { return measured_; }

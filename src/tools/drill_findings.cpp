@@ -23,7 +23,7 @@ std::size_t first_such(const Verification& verification)
   for (std::size_t i = 0; i < output_count; ++i)
   {
     const Output output = static_cast<Output>(i);
-    if (verification.needed(output) && verdict_on(verification, output) == verification.verdict()) return i;
+    if (verification.needed(output) && verification.verdict(output) == verification.verdict()) return i;
   }
   return 0;
 }

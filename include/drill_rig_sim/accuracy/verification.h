@@ -29,6 +29,7 @@ public:
     std::vector<double> off, measured;     ///< of each window: its difference to the finest run over `scale`, and the error measured at its end [-]
   };
 
+  /// From the best to the worst.
   enum class Verdict
   {
     right,    ///< no window of an output that is needed is beyond the tolerance
@@ -44,6 +45,9 @@ public:
   /// A frame that ends at `time` [s]. `warned`: the run itself says that it may be wrong. `measured`: its errors by its own companion; NaN without one.
   void add(const Outputs& run, const Outputs& finer, const Outputs& finest, bool warned, const Outputs& measured, double time, double duration);
   Finding finding(Output output) const;
+  /// On one output, whether it is needed or not.
+  Verdict verdict(Output output) const;
+  /// The worst of the outputs that are needed.
   Verdict verdict() const;
   /// When the first warning began [s]; NaN: none did.
   double warned_from() const noexcept { return warned_from_; }

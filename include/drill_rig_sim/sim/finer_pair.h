@@ -33,16 +33,13 @@ private:
 /// right, warned, silent or unknown, as JSON and Python have it.
 const char* word_of(Verification::Verdict verdict) noexcept;
 
-/// The verdict on one output, whether it is needed or not.
-Verification::Verdict verdict_on(const Verification& findings, Output output);
-
 /// Names and values of what was found of an output, as JSON and Python have them: v(name, value).
 template <class V>
 void visit(const Verification& findings, Output output, V&& v)
 {
   const Verification::Finding found = findings.finding(output);
   v("needed", findings.needed(output));
-  v("verdict", word_of(verdict_on(findings, output)));
+  v("verdict", word_of(findings.verdict(output)));
   v("mean", found.mean);
   v("finest_mean", found.finest_mean);
   v("scale", found.scale);
