@@ -52,7 +52,7 @@ double done(const Truth& m, double start_depth, const RunGoal& goal, const Opera
 struct Series
 {
   Series(const RunOptions& o, const Scene& scene)
-    : rows(o.csv, o.every.value_or(0.1), o.readings, scene.numerics.companion != CompanionKind::none),
+    : rows(o.csv, o.every.value_or(0.1), o.readings, o.errors),
       bag(o.bag, o.every.value_or(0.1)),
       log(o.witsml, scene.name, o.every.value_or(1.0), start_date_of(o.start_date).value_or(default_start_date)),
       profiles(o.profile, o.profile_every.value_or(1.0)),
@@ -111,6 +111,7 @@ void run_scene(const RunOptions& options)
 {
   const Scene scene = open_scene(options.scene, settings_of(options));
   const RunGoal goal = goal_of(options, scene);
+  require_companion(options, scene);
   require_files_apart(options);
   const double frame = frame_of_whole_steps(frame_length, scene.numerics.step);
   require_whole_frames("--every", options.every, frame);

@@ -22,7 +22,7 @@ private:
   double next_ = 0.0;  // [s]
 };
 
-/// The bag of a run: its measurements every so often, telemetry when it arrives. One without a file writes nothing.
+/// The bag of a run: its measurements and its companion's truth every so often, telemetry when it arrives. One without a file writes nothing.
 class BagSeries
 {
 public:
@@ -43,7 +43,7 @@ class TimeSeries
 {
 public:
   /// Opens the file `name`, unless that is empty, and writes the header. Throws UsageError with one line if it cannot be written.
-  /// `every`: between two rows [s].
+  /// `every`: between two rows [s]. `with_readings`, `with_errors`: as write_csv_header().
   TimeSeries(const std::string& name, double every, bool with_readings, bool with_errors);
   /// Writes a row if one is due; call at the start and after each frame of `frame` [s].
   void add(const Simulator& simulator, double frame);
