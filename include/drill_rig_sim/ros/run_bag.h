@@ -10,7 +10,8 @@ namespace drill_rig_sim
 {
 /// A run as a bag: the measurements that the node publishes, in the namespace `rig`, by the same topics and types. No master is
 /// needed, and this header has no ROS in it: the offline runner includes it. Stamps are the simulated time; what is at 0 is not
-/// written, for a stamp of 0 is none. Set points have the stamps of a program's, none.
+/// written, for a stamp of 0 is none. Set points have the stamps of a program's, none. While a companion (numerics.companion) goes along, its
+/// truth is there too: companion/truth/rig_state, companion/truth/bit.
 class RunBag
 {
 public:
