@@ -111,17 +111,17 @@ void run_scene(const RunOptions& options)
 {
   const Scene scene = open_scene(options.scene, settings_of(options));
   const RunGoal goal = goal_of(options, scene);
-  require_companion(options, scene);
   require_files_apart(options);
   const double frame = frame_of_whole_steps(frame_length, scene.numerics.step);
   require_whole_frames("--every", options.every, frame);
   require_whole_frames("--profile-every", options.profile_every, frame);
 
+  Simulator simulator = build_simulator(scene, options.seed);
+  require_companion(options, simulator);
   Series series(options, scene);
   File json = open_output("--json", options.json), path = open_output("--path", options.path);
   File raw_path = open_output("--raw-path", options.raw_path);
 
-  Simulator simulator = build_simulator(scene, options.seed);
   if (options.energy) simulator.balance_energy();
   RunRecord record;
   const auto wall_start = std::chrono::steady_clock::now();

@@ -98,12 +98,12 @@ std::vector<std::string> settings_of(const RunOptions& options)
   return settings;
 }
 
-void require_companion(const RunOptions& options, const Scene& scene)
+void require_companion(const RunOptions& options, const Simulator& simulator)
 {
   if (!options.errors) return;
   if (options.csv.empty()) throw UsageError("--errors: needs --csv");
-  if (scene.numerics.companion == CompanionKind::none)
-    throw UsageError("--errors: numerics.companion of the scene is none, needed: a companion, as by --set numerics.companion=finer");
+  if (simulator.companions() == 0)
+    throw UsageError("--errors: the run has no companion, needed: one, as by --set numerics.companion=finer");
 }
 
 void require_files_apart(const RunOptions& options)

@@ -46,8 +46,8 @@ void add_options(CLI::App& command, RunOptions& options);
 /// Settings of the scene as read_scene() takes them: those of --set, then the options that are keys under another name.
 std::vector<std::string> settings_of(const RunOptions& options);
 
-/// Throws UsageError with one line if --errors has no file to go into, or the scene no companion.
-void require_companion(const RunOptions& options, const Scene& scene);
+/// Throws UsageError with one line if --errors has no file to go into, or the run no companion.
+void require_companion(const RunOptions& options, const Simulator& simulator);
 
 /// Throws UsageError with one line if two of the files to be written are one.
 void require_files_apart(const RunOptions& options);

@@ -47,7 +47,7 @@ class Errors(test_drill.Drill):
     def test_what_is_refused(self):
         csv_file = ('--csv', self.file('no.csv'))
         self.assertEqual('drill run: --errors: needs --csv\n', self.refuse('run', SCENE, '--errors', *BESIDE))
-        self.assertEqual('drill run: --errors: numerics.companion of the scene is none, needed: a companion, as by --set numerics.companion=finer\n',
+        self.assertEqual('drill run: --errors: the run has no companion, needed: one, as by --set numerics.companion=finer\n',
                          self.refuse('run', SCENE, '--errors', *csv_file, *ALONE))
         self.assertFalse(os.path.exists(self.file('no.csv')))
 
