@@ -1,7 +1,8 @@
 """Logs of a run in the trade's layout: tracks side by side, time or depth downwards, each curve with its scale on top of its track."""
 import numpy
+from drill_rig_sim.companion import differences
 from drill_rig_sim.score import new_hole, on_bottom
-from drill_rig_sim.score_plots import plt
+from drill_rig_sim.score_plots import BAND, plt
 from drill_rig_sim.units import SI
 
 LEAST_INCLINATION = 0.005  # below it a hole has no azimuth [rad]
@@ -27,7 +28,7 @@ DEPTH_TRACKS = (
 
 def time_log(run, units=SI):
     """Over the whole run."""
-    figure = tracks(run["time"], "time [s]", TIME_TRACKS, run.columns, "time log: " + run.title, units)
+    figure = tracks(run["time"], "time [s]", TIME_TRACKS, run.columns, "time log: " + run.title, units, differences(run))
     flags(figure.axes[0], run)
     return figure
 
@@ -42,16 +43,22 @@ def depth_log(run, units=SI):
     weights = numpy.where(bottom, run.dt, 0.0)
     total = numpy.bincount(number, weights)
     good = total > 0.0
-    means = {name: numpy.bincount(number, numpy.where(bottom, weights * values, 0.0), len(total))[good] / total[good] for name, values in run.columns.items()}
+
+    def averaged(columns):
+        sums = {name: numpy.bincount(number, numpy.where(bottom, weights * values, 0.0), len(total)) for name, values in columns.items()}
+        return {name: values[good] / total[good] for name, values in sums.items()}
+
+    means = averaged(run.columns)
     means["rop"] = numpy.bincount(number, new_hole(run, bottom), len(total))[good] / total[good]
     if "azimuth" in means:
         means["azimuth"] = numpy.where(means["inclination"] > LEAST_INCLINATION, means["azimuth"], numpy.nan)
     depth = (first + numpy.flatnonzero(good) + 0.5) * BIN
-    return tracks(units["length"].per_si * depth, units.label("measured depth", "length"), DEPTH_TRACKS, means, "depth log: " + run.title, units)
+    label, bands = units.label("measured depth", "length"), averaged(differences(run))
+    return tracks(units["length"].per_si * depth, label, DEPTH_TRACKS, means, "depth log: " + run.title, units, bands)
 
 
-def tracks(down, label, layout, columns, title, units):
-    """One axes a track; a track none of whose scales is there is left out."""
+def tracks(down, label, layout, columns, title, units, bands):
+    """One axes a track; a track none of whose scales is there is left out. `bands`: half the width of a band around a column's curve, by columns."""
     layout = [[scale for scale in track if scale[0].split()[0] in columns] for track in layout]
     layout = [track for track in layout if track]
     figure, axes = plt.subplots(1, len(layout), sharey=True, figsize=(2.3 * len(layout) + 0.6, 9.0), squeeze=False)
@@ -59,7 +66,7 @@ def tracks(down, label, layout, columns, title, units):
         panel.set_xticks([])
         panel.grid(alpha=0.3)
         for place, scale in enumerate(track):
-            draw_scale(panel, place, down, [columns[column] for column in scale[0].split()], scale, units)
+            draw_scale(panel, place, down, [columns[column] for column in scale[0].split()], scale, units, bands.get(scale[0]))
     axes[0, 0].set_ylabel(label)
     axes[0, 0].set_ylim(down[-1], down[0])
     figure.suptitle(title, fontsize=10)
@@ -67,13 +74,15 @@ def tracks(down, label, layout, columns, title, units):
     return figure
 
 
-def draw_scale(panel, place, down, curves, drawn, units):
-    """Above those before it."""
+def draw_scale(panel, place, down, curves, drawn, units, band):
+    """Above those before it. `band`: of the first curve, or None."""
     _, quantity, name, least, colour = drawn
     factor, scale = units[quantity].per_si, panel.twiny()
     curves = [factor * curve for curve in curves]
     for curve, shade in zip(curves, (colour, "#999999")):
         scale.plot(curve, down, color=shade, linewidth=0.8)
+    if band is not None:
+        scale.fill_betweenx(down, curves[0] - factor * band, curves[0] + factor * band, color=colour, **BAND)
     scale.set_xlim(*limits(numpy.concatenate(curves), factor * least))
     scale.spines["top"].set_position(("outward", 34.0 * place))
     scale.spines["top"].set_color(colour)

@@ -8,6 +8,7 @@ name says otherwise. Needs ROS for bags alone.
 import math
 
 import numpy
+from drill_rig_sim.companion import companion_run
 from drill_rig_sim.score_runs import FLAGS, Run, read_run
 from drill_rig_sim.survey import Survey, angle_between, direction, read_survey
 
@@ -24,17 +25,28 @@ PATH_SPACING = 0.5      # between the points of the hole that are held against t
 def score(run, plan=None, bit_diameter=None, wob=None, wob_band=None, toolface=None, toolface_band=None, namespace=None):
     """Judges a run: a file of drill run --csv, a bag, or a Run. `plan`: a survey's file, or a Survey. `bit_diameter` [m]: for the specific
     energy. `wob` +- `wob_band` [N] (a tenth of it) and `toolface` +- `toolface_band` [rad] (15 deg): set points, for the share of time near them.
-    Returns a dictionary of dictionaries; what cannot be told is None, and `left_out` says why."""
+    Returns a dictionary of dictionaries; what cannot be told is None, and `left_out` says why. `companion`: the same of the run's companion, None
+    without one: how far the two are apart says how much a score depends on the numerics."""
     run = run if isinstance(run, Run) else read_run(run, namespace)
     plan = read_survey(plan) if isinstance(plan, str) else plan
+    asked = (plan, bit_diameter, wob, 0.1 * wob if wob is not None and wob_band is None else wob_band, toolface,
+             math.radians(15.0) if toolface_band is None else toolface_band)
+    scores = scores_of(run, *asked)
+    companion = companion_run(run, scores["left_out"])
+    scores["companion"] = None if companion is None else scores_of(companion, *asked)
+    return scores
+
+
+def scores_of(run, plan, bit_diameter, wob, wob_band, toolface, toolface_band):
+    """As score(), of the run alone."""
     left_out = [run.earlier] if run.earlier else []
     bottom = on_bottom(run)
     drilled = new_hole(run, bottom)
     return {
         "run": run.name, "source": run.source,
         "drilling": drilling(run, bottom, drilled),
-        "wob": weight(run, bottom, wob, 0.1 * wob if wob is not None and wob_band is None else wob_band, left_out),
-        "toolface": tool_direction(run, bottom, toolface, math.radians(15.0) if toolface_band is None else toolface_band, left_out),
+        "wob": weight(run, bottom, wob, wob_band, left_out),
+        "toolface": tool_direction(run, bottom, toolface, toolface_band, left_out),
         "stick_slip": stick_slip(run, bottom, left_out),
         "connections": connections(run, bottom, left_out),
         "stalls": stalls(run, left_out),

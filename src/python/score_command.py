@@ -46,14 +46,34 @@ TABLE = (
 
 
 def table(scores, units=SI):
-    """Lines of what was told, and of what was left out and why."""
-    lines = ["%s, by its %s" % (scores["run"], scores["source"])]
+    """Lines of what was told, with the difference to the companion's where there is one, and of what was left out and why."""
+    lines = ["%s, by its %s%s" % (scores["run"], scores["source"], ", +- the difference to its companion" if scores["companion"] else "")]
     for section, name, meaning, quantity, factor, decimals in TABLE:
-        value, unit = (scores[section] or {}).get(name), units[quantity]
+        value, off, unit = score_in(scores, section, name), off_companion(scores, section, name, quantity), units[quantity]
         if value is not None:
-            lines.append("%-32s %12.*f %s" % (meaning, decimals if units.system == "si" else unit.digits, factor * value * unit.per_si, unit.name))
-    lines += ["%-32s %12d times, %.1f s" % (flag, found["number"], found["s"]) for flag, found in scores["limits"].items() if found["number"]]
+            digits, factor = decimals if units.system == "si" else unit.digits, factor * unit.per_si
+            beside = "" if off is None else " +- %.*f" % (digits, factor * off)
+            lines.append("%-32s %12.*f%s %s" % (meaning, digits, factor * value, beside, unit.name))
+    for flag, found in scores["limits"].items():
+        other = score_in(scores["companion"], "limits", flag) if flag != "accuracy_warning" else None  # the companion's is of its own numerics
+        beside = " (companion: %d times, %.1f s)" % (other["number"], other["s"]) if other else ""
+        if found["number"]:
+            lines.append("%-32s %12d times, %.1f s%s" % (flag, found["number"], found["s"], beside))
     return [line.rstrip() for line in lines] + ["left out: " + reason for reason in scores["left_out"]]
+
+
+def score_in(scores, section, name):
+    """None where it is not told."""
+    return ((scores or {}).get(section) or {}).get(name)
+
+
+def off_companion(scores, section, name, quantity):
+    """How far a score is from the companion's, in the score's unit; None where one of them is not told."""
+    value, other = score_in(scores, section, name), score_in(scores["companion"], section, name)
+    if value is None or other is None:
+        return None
+    off = abs(value - other)
+    return min(off, 360.0 - off) if quantity == "angle" else off
 
 
 def parse(words):

@@ -3,6 +3,7 @@ import math
 
 import matplotlib
 import numpy
+from drill_rig_sim.companion import difference
 from drill_rig_sim.score import WINDOW, bottom_points, new_hole, on_bottom, sliding_rows, stick_slip_windows
 from drill_rig_sim.units import SI
 
@@ -13,6 +14,7 @@ matplotlib.rcParams["axes.formatter.useoffset"] = False  # depths as they are, n
 
 LINE = {"linewidth": 0.8, "color": "#1f5fa8"}
 SET_POINT = {"color": "#2ca02c", "alpha": 0.25}
+BAND = {"alpha": 0.3, "linewidth": 0.0}  # of the difference to the companion
 
 
 def draw(run, scores, plan, bit_diameter, file, units=SI):
@@ -48,6 +50,13 @@ def nothing(panel, what):
     panel.text(0.5, 0.5, what + ": not in this run", ha="center", va="center", transform=panel.transAxes, color="#888888")
 
 
+def draw_band(panel, run, column, factor):
+    """+- the difference to the companion around the curve, where there is one."""
+    off = difference(run, column)
+    if off is not None:
+        panel.fill_between(run["time"], factor * (run[column] - off), factor * (run[column] + off), color=LINE["color"], **BAND)
+
+
 def per_window(run, amounts):
     """Times at the middle of each whole 10 s [s], and the sums of the amounts in them."""
     begin = run["time"][0]
@@ -71,6 +80,7 @@ def depth(panel, run, units):
 def weight(panel, run, scores, units):
     force = units["force"].per_si
     panel.plot(run["time"], force * run["wob"], **LINE)
+    draw_band(panel, run, "wob", force)
     found = scores["wob"] or {}
     if "set_point" in found:
         panel.axhspan(force * (found["set_point"] - found["band"]), force * (found["set_point"] + found["band"]), **SET_POINT)
@@ -82,6 +92,7 @@ def bit_speed(panel, run):
     panel.plot(run["time"], 30.0 / math.pi * run["top_drive_speed"], color="#555555", linewidth=0.8, label="top drive")
     if "bit_speed" in run:
         panel.plot(run["time"], 30.0 / math.pi * run["bit_speed"], label="bit", **LINE)
+        draw_band(panel, run, "bit_speed", 30.0 / math.pi)
         windows = stick_slip_windows(run, on_bottom(run))
         indices = panel.twinx()
         indices.plot([begin + 0.5 * WINDOW for begin, _ in windows], [index for _, index in windows], "o", markersize=3, color="#c0392b")

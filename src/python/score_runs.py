@@ -17,7 +17,9 @@ NEEDED = ("time", "hole_depth", "bit_depth", "wob", "torque", "top_drive_speed")
 STATE = {"hole_depth": "hole_depth", "bit_depth": "bit_depth", "torque": "torque", "top_drive_speed": "top_drive_speed",
          "in_slips": "in_slips", "motor_stalled": "motor_stalled", "wob": "surface_wob", **{flag: flag for flag in FLAGS},
          **{name: name for name in ("hook_load", "block_height", "rop", "stand_pipe_pressure", "differential_pressure", "flow")}}
-TOPICS = ("truth/rig_state", "truth/bit", "rig_state", "downhole/mwd", "downhole/toolface")
+COMPANION = "companion_"  # begins the names of the companion's columns
+COMPANION_TOPICS = ("companion/truth/rig_state", "companion/truth/bit")
+TOPICS = ("truth/rig_state", "truth/bit", "rig_state", "downhole/mwd", "downhole/toolface", *COMPANION_TOPICS)
 BIT = {"wob": "wob", "bit_torque": "torque", "bit_speed": "speed", "inclination": "inclination", "azimuth": "azimuth", "toolface": "toolface",
        "bit_east": "position.x", "bit_north": "position.y", "bit_up": "position.z"}
 
@@ -29,21 +31,23 @@ class RunError(Refusal):
 class Run:
     """Columns of equal length by name, in SI units and radians. `source`: truth or readings. What a row says holds for the time since the row
     before: `dt` [s], 0 of the first. `title`: over pictures, the file's name without its folder. `surveys`: rows of measured depth, inclination
-    and azimuth, where the hole itself was not seen. `may_be_nan`: columns that are not known in every row, beside those of `reading_...`. `earlier`: what
-    is said of runs before it in the same file, or ""."""
+    and azimuth, where the hole itself was not seen. `may_be_nan`: columns that are not known in every row, beside those of may_be_empty().
+    `earlier`: what is said of runs before it in the same file, or "". `companion`: columns of the model beside it (companion.py), nan once that has
+    ended; {} without one."""
 
-    def __init__(self, columns, source="truth", name="", surveys=(), may_be_nan=(), earlier=""):
+    def __init__(self, columns, source="truth", name="", surveys=(), may_be_nan=(), earlier="", companion=None):
         missing = [column for column in NEEDED if column not in columns]
         if missing:
             raise RunError("%s: has no %s, needed: the time series of drill run --csv or a bag" % (name, ", ".join(missing)))
         self.columns = {column: numpy.asarray(values, dtype=float) for column, values in columns.items()}
         self.source, self.name, self.surveys = source, name, numpy.array(surveys, dtype=float).reshape(-1, 3)
         self.title, self.earlier = os.path.basename(name), earlier
+        self.companion = {column: numpy.asarray(values, dtype=float) for column, values in (companion or {}).items()}
         time = self.columns["time"]
         if len(time) < 2 or not (numpy.diff(time) > 0.0).all():
             raise RunError("%s: needed: two rows or more whose time increases" % name)
         bad = [column for column, values in self.columns.items()
-               if (numpy.isinf(values) if column in may_be_nan or is_reading(column) else ~numpy.isfinite(values)).any()]
+               if (numpy.isinf(values) if column in may_be_nan or may_be_empty(column) else ~numpy.isfinite(values)).any()]
         if bad:
             raise RunError("%s: %s is not finite everywhere" % (name, ", ".join(bad)))
         self.dt = numpy.diff(time, prepend=time[0])
@@ -55,9 +59,9 @@ class Run:
         return self.columns[column]
 
 
-def is_reading(column):
-    """Of a time series with --readings: an empty cell has not been measured, or not been zeroed."""
-    return column.startswith("reading_")
+def may_be_empty(column):
+    """Of a time series with --readings: a cell that has not been measured, or not been zeroed. With --errors: one after the companion's end."""
+    return column.startswith(("reading_", "error_", COMPANION))
 
 
 def read_run(file, namespace=None):
@@ -69,11 +73,13 @@ def read_series(file):
     try:
         table = read_table(file)
         report(prefixed(file, table.remarks))
-        columns = {name: table.numbers(name, is_reading(name)) for name in table.names}
+        columns = {name: table.numbers(name, may_be_empty(name)) for name in table.names}
     except RecordError as error:
         raise RunError(str(error))
     begin, earlier = last_run(columns.get("time", ()))
-    return Run({name: values[begin:] for name, values in columns.items()}, "truth", file, earlier=earlier)
+    columns = {name: values[begin:] for name, values in columns.items()}
+    companion = {name[len(COMPANION):]: columns.pop(name) for name in tuple(columns) if name.startswith(COMPANION)}
+    return Run(columns, "truth", file, earlier=earlier, companion=companion)
 
 
 def last_run(time):
@@ -101,7 +107,8 @@ def read_bag(file, namespace=None):
         raise RunError("%s: %s" % (file, str(error).splitlines()[0]))
     if messages["truth/rig_state"]:
         columns = columns_of_truth(once(messages["truth/rig_state"]), once(messages["truth/bit"]))
-        return Run(columns, "truth", file, may_be_nan=() if messages["truth/bit"] else ("wob",), earlier=earlier)
+        companion = columns_of_companion(*(once(messages[topic]) for topic in COMPANION_TOPICS), columns["time"])
+        return Run(columns, "truth", file, may_be_nan=() if messages["truth/bit"] else ("wob",), earlier=earlier, companion=companion)
     states = once(messages["rig_state"])
     columns = columns_of_states(states)
     columns["differential_pressure"] = numpy.where(numpy.isnan(columns["wob"]), numpy.nan, columns["differential_pressure"])
@@ -132,6 +139,7 @@ def namespace_of(bag, file, wanted):
     """What stands before the topics of the rig to be judged."""
     found = sorted({topic[:-len(name)] for topic in bag.get_type_and_topic_info().topics for name in ("truth/rig_state", "rig_state")
                     if topic.endswith("/" + name) and not (name == "rig_state" and topic.endswith("/truth/rig_state"))})
+    found = [prefix for prefix in found if not any(prefix == other + "companion/" for other in found)]
     if wanted is not None:
         found = [prefix for prefix in found if prefix.strip("/") == wanted.strip("/")]
     if not found:
@@ -178,6 +186,16 @@ def columns_of_truth(states, bits):
     if bits:
         columns.update(columns_of([by_stamp[m.header.stamp.to_nsec()] for m in states], BIT))
     return columns
+
+
+def columns_of_companion(states, bits, time):
+    """The companion's in the rows of these times, nan where it is not there; {} without one."""
+    if not states or not bits:
+        return {}
+    columns = columns_of_truth(states, bits)
+    row = {stamp: k for k, stamp in enumerate(columns.pop("time"))}
+    rows = numpy.array([row.get(stamp, -1) for stamp in time])
+    return {name: numpy.append(values, numpy.nan)[rows] for name, values in columns.items()}
 
 
 def last_toolface(time, toolfaces):

@@ -19,6 +19,12 @@ namespace drill_rig_sim
 namespace
 {
 const std::string of_state = "truth/rig_state";
+const std::string of_companion = "/companion/";  // ends what stands before the topics of a rig's companion, which is no rig of its own
+
+bool ends_with(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), std::string::npos, end) == 0;
+}
 
 std::string without_slashes(const std::string& text)
 {
@@ -34,8 +40,9 @@ std::string prefix_of(const rosbag::Bag& bag, const std::string& asked)
   for (const rosbag::ConnectionInfo* connection : all.getConnections())
   {
     const std::string& topic = connection->topic;
-    if (topic.size() <= of_state.size() || topic.compare(topic.size() - of_state.size() - 1, std::string::npos, "/" + of_state) != 0) continue;
+    if (!ends_with(topic, "/" + of_state)) continue;
     const std::string prefix = topic.substr(0, topic.size() - of_state.size());
+    if (ends_with(prefix, of_companion)) continue;
     if (asked.empty() || without_slashes(prefix) == without_slashes(asked)) found.insert(prefix);
   }
   if (found.empty()) throw std::runtime_error("has no " + of_state + (asked.empty() ? "" : " in the namespace " + asked) + ", by which a run is played again");

@@ -13,6 +13,7 @@
 #include "drill_rig_sim/ros/frame_messages.h"
 #include "drill_rig_sim/ros/telemetry_news.h"
 #include "drill_rig_sim/scene/write_scene.h"
+#include "drill_rig_sim/sim/companion.h"
 
 namespace drill_rig_sim
 {
@@ -26,15 +27,16 @@ struct RunBag::Writer
   std::string file;
   std_msgs::String scene;
   std::unique_ptr<rosbag::Bag> bag = std::make_unique<rosbag::Bag>();
-  FrameRecord frame;
+  FrameRecord frame, companion;  // of the companion: stamp and truth
+  bool with_companion = false;
   bool begun = false;
   TelemetryNews news;
   Cadence accuracy_cadence{accuracy_rate};
 
   template <class Message>
-  void write(const char* topic, const Message& message)
+  void write(const std::string& topic, const Message& message)
   {
-    bag->write(std::string("/rig/") + topic, to_time(frame.stamp), message);
+    bag->write("/rig/" + topic, to_time(frame.stamp), message);
   }
 
   /// Runs `work`, which writes. A bag that could not is given up, never closed: its destructor would try again and end the
@@ -72,17 +74,30 @@ struct RunBag::Writer
     write("rig_limits", to_rig_limits(rig, to_header(frame.stamp, floor_name)));
   }
 
+  /// Topics behind `prefix`.
+  void write_truth(const std::string& prefix, const FrameRecord& from)
+  {
+    write(prefix + "truth/rig_state", to_rig_state(from.truth, from, floor_name));
+    write(prefix + "truth/bit", to_bit_truth(from, floor_name));
+  }
+
+  void write_companion(const Truth& truth)
+  {
+    companion.stamp = frame.stamp;
+    companion.truth = truth;
+    write_truth("companion/", companion);
+  }
+
   void write_measurements()
   {
     write("hook_load", to_number(frame.readings.hook_load));
     write("torque", to_number(frame.readings.torque));
     write("rig_state", to_rig_state(frame.readings, frame, floor_name));
-    write("truth/rig_state", to_rig_state(frame.truth, frame, floor_name));
+    write_truth("", frame);
     write("joint_states", to_joint_states(frame));
     write("bit/pose", to_bit_pose(frame, floor_name));
     write("bit/twist", to_bit_twist(frame, floor_name));
     write("bit/wrench", to_bit_wrench(frame, floor_name));
-    write("truth/bit", to_bit_truth(frame, floor_name));
   }
 
   void write_accuracy(const Simulator& simulator)
@@ -103,8 +118,9 @@ struct RunBag::Writer
   }
 };
 
-RunBag::RunBag(const std::string& file, const Scene& scene) : writer_(std::make_unique<Writer>())
+RunBag::RunBag(const std::string& file, const Scene& scene, bool with_companion) : writer_(std::make_unique<Writer>())
 {
+  writer_->with_companion = with_companion;
   writer_->file = file;
   writer_->scene.data = write_scene(scene);
   writer_->attempt([&] { writer_->bag->open(file, rosbag::bagmode::Write); });
@@ -133,6 +149,7 @@ void RunBag::add(const Simulator& simulator, bool due)
         w.begun = true;
         if (due) w.write_measurements();
         w.write_accuracy(simulator);
+        if (const Truth* companion = due && w.with_companion ? truth_of_companion(simulator) : nullptr) w.write_companion(*companion);
         w.write_telemetry();
       });
 }

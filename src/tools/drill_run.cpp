@@ -52,8 +52,8 @@ double done(const Truth& m, double start_depth, const RunGoal& goal, const Opera
 struct Series
 {
   Series(const RunOptions& o, const Scene& scene)
-    : rows(o.csv, o.every.value_or(0.1), o.readings, scene.numerics.companion == CompanionKind::finer || scene.numerics.companion == CompanionKind::coarser),
-      bag(o.bag, o.every.value_or(0.1), scene),
+    : rows(o.csv, o.every.value_or(0.1), o.readings, o.errors),
+      bag(o.bag, o.every.value_or(0.1), scene, o.errors),
       log(o.witsml, scene.name, o.every.value_or(1.0), start_date_of(o.start_date).value_or(default_start_date)),
       profiles(o.profile, o.profile_every.value_or(1.0)),
       choices(o.explain)
@@ -116,11 +116,12 @@ void run_scene(const RunOptions& options)
   require_whole_frames("--every", options.every, frame);
   require_whole_frames("--profile-every", options.profile_every, frame);
 
+  Simulator simulator = build_simulator(scene, options.seed);
+  require_companion(options, simulator);
   Series series(options, scene);
   File json = open_output("--json", options.json), path = open_output("--path", options.path);
   File raw_path = open_output("--raw-path", options.raw_path);
 
-  Simulator simulator = build_simulator(scene, options.seed);
   if (options.energy) simulator.balance_energy();
   RunRecord record;
   const auto wall_start = std::chrono::steady_clock::now();

@@ -61,6 +61,7 @@ void add_output_options(CLI::App& command, RunOptions& options)
   add_number(command, "--profile-every", options.profile_every, 1e-4, 1e6, "S", "between these, whole frames, default 1");
   add_text(command, "--json", options.json, "FILE", "writes a summary");
   command.add_flag("--readings", options.readings, "adds what the instruments show to time series and summary")->disable_flag_override();
+  command.add_flag("--errors", options.errors, "adds measured errors and the companion's truth to --csv, the latter to --bag")->disable_flag_override();
   command.add_flag("--energy", options.energy, "keeps an energy balance; the summary shows it [J]")->disable_flag_override();
   add_text(command, "--explain", options.explain, "FILE", "writes what was modelled and why, a row a change");
   add_text(command, "--path", options.path, "FILE", "writes the well's corrected path");
@@ -100,6 +101,14 @@ std::vector<std::string> settings_of(const RunOptions& options)
     if (!key.second.empty()) settings.push_back(std::string("numerics.") + key.first + "=" + key.second);
   }
   return settings;
+}
+
+void require_companion(const RunOptions& options, const Simulator& simulator)
+{
+  if (!options.errors) return;
+  if (options.csv.empty() && options.bag.empty()) throw UsageError("--errors: needs --csv or --bag");
+  if (simulator.companions() == 0)
+    throw UsageError("--errors: the run has no companion, needed: one, as by --set numerics.companion=finer");
 }
 
 void require_files_apart(const RunOptions& options)

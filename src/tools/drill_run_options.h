@@ -33,6 +33,7 @@ struct RunOptions
   std::string start_date;  ///< of simulated time 0; empty: default_start_date
   std::string csv, bag, witsml, profile, json, explain, path, raw_path;
   bool readings = false;  ///< series and summary hold the instruments' readings beside the truth
+  bool errors = false;    ///< time series and bag hold the companion's truth, the series measured errors too
   bool energy = false;
 };
 
@@ -47,6 +48,9 @@ void add_options(CLI::App& command, RunOptions& options);
 
 /// Settings of the scene as read_scene() takes them: those of --set, then the options that are keys under another name.
 std::vector<std::string> settings_of(const RunOptions& options);
+
+/// Throws UsageError with one line if --errors has no file to go into, or the run no companion.
+void require_companion(const RunOptions& options, const Simulator& simulator);
 
 /// Throws UsageError with one line if two of the files to be written are one.
 void require_files_apart(const RunOptions& options);

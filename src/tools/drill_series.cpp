@@ -31,11 +31,11 @@ void TimeSeries::close()
   close_output(std::move(file_), name_);
 }
 
-BagSeries::BagSeries(const std::string& name, double every, const Scene& scene) : beat_(every)
+BagSeries::BagSeries(const std::string& name, double every, const Scene& scene, bool with_companion) : beat_(every)
 {
   if (name.empty()) return;
   open_output("--bag", name).reset();  // says why not, if not
-  bag_.emplace(name, scene);
+  bag_.emplace(name, scene, with_companion);
 }
 
 void BagSeries::add(const Simulator& simulator, double frame)

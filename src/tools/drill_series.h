@@ -26,8 +26,9 @@ private:
 class BagSeries
 {
 public:
-  /// Opens the file `name`, unless that is empty. Throws UsageError with one line if it cannot be written. `every`: between measurements [s]; `scene`: the run's.
-  BagSeries(const std::string& name, double every, const Scene& scene);
+  /// Opens the file `name`, unless that is empty. Throws UsageError with one line if it cannot be written. `every`: between measurements [s]; `scene`: the run's;
+  /// `with_companion`: as RunBag.
+  BagSeries(const std::string& name, double every, const Scene& scene, bool with_companion);
   /// As TimeSeries. Throws std::runtime_error with one line if it cannot be written.
   void add(const Simulator& simulator, double frame);
   /// Throws std::runtime_error with one line if not all of it reached the disk.
@@ -43,7 +44,7 @@ class TimeSeries
 {
 public:
   /// Opens the file `name`, unless that is empty, and writes the header. Throws UsageError with one line if it cannot be written.
-  /// `every`: between two rows [s].
+  /// `every`: between two rows [s]. `with_readings`, `with_errors`: as write_csv_header().
   TimeSeries(const std::string& name, double every, bool with_readings, bool with_errors);
   /// Writes a row if one is due; call at the start and after each frame of `frame` [s].
   void add(const Simulator& simulator, double frame);

@@ -192,6 +192,47 @@ TEST(Csv, aReadingWithoutZeroIsAnEmptyCell)
   EXPECT_EQ(",315,0,310\n", row_zeroed.substr(row_zeroed.size() - 11));
 }
 
+TEST(Csv, errorsAndTheCompanionsTruthStandBesideTheTruth)
+{
+  Scene scene = drilling_scene();
+  scene.numerics.companion = CompanionKind::finer;
+  Simulator simulator(scene);
+  drill_ahead(simulator, 6.0, 0.0, 0.01);
+  for (int k = 0; k < 100; ++k) ASSERT_EQ(FrameStatus::running, simulator.frame(0.01));
+  const File file(std::tmpfile()), of_companion(std::tmpfile());
+  write_csv_header(file.get(), false, true);
+  write_csv_row(file.get(), numbered_truth(), nullptr, &simulator);
+  write_csv_header(of_companion.get(), false);
+  write_csv_row(of_companion.get(), simulator.companion_truth(0), nullptr);
+  Row expected = truth_row(), row = rows_of(file.get()).at(0);
+  for (const OutputTraits& output : output_traits)
+  {
+    const std::string name = std::string("error_") + output.name;
+    expected[name] = simulator.measured_error(static_cast<Output>(&output - output_traits.data()));
+    EXPECT_NEAR(expected[name], row.at(name), 1e-3 * expected[name]);  // four digits
+    row[name] = expected[name];
+  }
+  Row companion = rows_of(of_companion.get()).at(0);
+  EXPECT_NE(companion["hook_load"], simulator.truth().hook_load);
+  companion.erase("time");
+  for (const auto& [name, value] : companion) expected["companion_" + name] = value;
+  expect_row(expected, row);
+}
+
+TEST(Csv, aCompanionThatHasEndedIsEmptyCells)
+{
+  Simulator simulator(drilling_scene());
+  const auto alone = simulator.save();
+  simulator.add_companion(simulator.scene().numerics);
+  ASSERT_TRUE(simulator.restore(*alone));  // holds no companion
+  const File truth(std::tmpfile()), file(std::tmpfile());
+  write_csv_row(truth.get(), numbered_truth(), nullptr);
+  write_csv_row(file.get(), numbered_truth(), nullptr, &simulator);
+  std::string expected = text_of(truth.get());
+  expected.insert(expected.size() - 1, std::string(output_count + truth_row().size() - 1, ','));
+  EXPECT_EQ(expected, text_of(file.get()));
+}
+
 TEST(Profile, eachColumnHasItsArray)
 {
   StringProfile p;

@@ -15,8 +15,9 @@ namespace drill_rig_sim
 class RunBag
 {
 public:
-  /// Begins the file. Throws std::runtime_error with one line if it cannot, as every function here. `scene`: the run's, by which it can be played again.
-  RunBag(const std::string& file, const Scene& scene);
+  /// Begins the file. Throws std::runtime_error with one line if it cannot, as every function here. `scene`: the run's, by which it can be
+  /// played again. `with_companion`: the truth of the companion (numerics.companion) too, while it runs: companion/truth/rig_state, companion/truth/bit.
+  RunBag(const std::string& file, const Scene& scene, bool with_companion = false);
   /// Ends it, without a word if that fails.
   ~RunBag();
 
