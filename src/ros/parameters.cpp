@@ -42,6 +42,20 @@ public:
     value = static_cast<std::string>(raw);
   }
 
+  /// `KEY=VALUE`, with ; between two of them.
+  void settings(std::vector<std::string>& values)
+  {
+    std::string all;
+    text("settings", all);
+    std::istringstream parts(all);
+    for (std::string part; std::getline(parts, part, ';');)
+    {
+      const std::size_t first = part.find_first_not_of(" \t\n");
+      if (first == std::string::npos) continue;
+      values.push_back(part.substr(first, part.find_last_not_of(" \t\n") + 1 - first));
+    }
+  }
+
   void frame_prefix(std::string& value)
   {
     text("frame_prefix", value);
@@ -156,6 +170,7 @@ Parameters read_parameters(const ros::NodeHandle& node)
   double seed = 0.0;
   const std::string rate_range = "a number from 0.1 to 10000 [1/s]", display_range = "a number from 0.01 to 1000 [1/s]";
   read.text("scene", scene);
+  read.settings(p.settings);
   read.number("rate", p.rate, 0.1, 1e4, rate_range);
   p.state_rate = p.rate;
   read.number("state_rate", p.state_rate, 0.01, p.rate, "a number from 0.01 to ~rate [1/s]");

@@ -14,7 +14,7 @@ namespace
 {
 Scene checked_scene(const Parameters& parameters)
 {
-  Scene scene = read_scene(parameters.scene_file);
+  Scene scene = read_scene(parameters.scene_file, parameters.settings);
   check_rate(parameters.rate, scene);
   return scene;
 }

@@ -166,7 +166,7 @@ void Services::describe(const Scene& scene, std::int64_t stamp) const
 std::string Services::reset_well(const ResetWell::Request& request)
 {
   require_no_step();
-  const Scene scene = request.scene.empty() ? scene_ : read_scene(find_scene(request.scene));
+  const Scene scene = request.scene.empty() ? scene_ : read_scene(find_scene(request.scene), parameters_.settings);
   const Scene next = with_bit_depth(scene, request.bit_depth);
   rebuild(next);
   const std::string forgotten = forget_states_of_another(next);

@@ -112,6 +112,13 @@ class Parameters(unittest.TestCase):
         self.assertEqual(2, status)
         self.assertIn("nan.yaml:", said)
 
+    def test_settings_of_the_scene(self):
+        status, said = start("scene:=quick.yaml", "settings:=numerics.companion=none; well.hole_depth=-5")
+        self.assertEqual(2, status)
+        self.assertIn("setting: well.hole_depth: ", said)
+        self.assertNotIn("companion", said)
+        self.assertIn("setting: numerics.companion: has no value, needed: KEY=VALUE", start("scene:=quick.yaml", "settings:=numerics.companion")[1])
+
     def test_a_scene_is_a_regular_file(self):
         with tempfile.TemporaryDirectory() as folder:
             pipe = os.path.join(folder, "pipe.yaml")

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "drill_rig_sim/realtime/threads.h"
 #include "drill_rig_sim/realtime/timekeeper.h"
@@ -38,6 +39,7 @@ constexpr std::uint32_t most_frames_of_step = 100000;  ///< of one call of the s
 struct Parameters
 {
   std::string scene_file;          ///< absolute
+  std::vector<std::string> settings;  ///< of every scene that is read, as read_scene() takes them
   double rate = 100.0;             ///< frames per simulated second
   double state_rate = 100.0;       ///< per simulated second; as `rate` unless set
   double drillstring_rate = 10.0;  ///< per simulated second
