@@ -58,13 +58,14 @@ struct FileContent
 
 void write_saved(const std::string& file, const Saved& saved)
 {
-  write_snapshot(file, saved.state->scene, {saved.kernel, to_bytes(FileContent{*saved.state, *saved.player, saved.playing, saved.commands}), saved.start});
+  const FileContent content{*saved.state, *saved.player, saved.playing, saved.commands};
+  write_snapshot(file, saved.state->scene, {saved.kernel, to_bytes(content), fields_hash(content), saved.start});
 }
 
 Saved read_saved(const std::string& file, const Saved& present)
 {
   FileContent content{*present.state, *present.player, present.playing, present.commands};
-  const Snapshot snapshot = read_snapshot(file, present.state->scene, present.start);
+  const Snapshot snapshot = read_snapshot(file, present.state->scene, fields_hash(content), present.start);
   if (!from_bytes(snapshot.bytes, content)) throw std::runtime_error(file + ": is damaged");
   for (std::int64_t* stamp : {&content.commands.last, &content.commands.accepted[0], &content.commands.accepted[1], &content.commands.accepted[2], &content.commands.accepted[3]})
     if (*stamp != 0) *stamp = present.stamp;

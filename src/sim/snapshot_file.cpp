@@ -6,7 +6,6 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "build_identity.h"
 #include "drill_rig_sim/math/hash.h"
 
 namespace drill_rig_sim
@@ -21,13 +20,13 @@ struct Head
 {
   std::uint32_t format = snapshot_format;
   std::uint64_t scene = 0;
-  BuildIdentity build = build_identity();
+  std::uint64_t fields = 0;
   std::uint64_t size = 0;
   std::uint64_t checksum = 0;
   std::uint32_t kernel = 0;
   SceneStart start;
 
-  static constexpr std::size_t length = sizeof mark + 4 + 8 + 20 + 8 + 8 + 4 + 8 + 8;
+  static constexpr std::size_t length = sizeof mark + 4 + 8 + 8 + 8 + 8 + 4 + 8 + 8;
 
   std::vector<unsigned char> bytes() const
   {
@@ -39,7 +38,7 @@ struct Head
     };
     append(&format, sizeof format);
     append(&scene, sizeof scene);
-    append(build.data(), build.size());
+    append(&fields, sizeof fields);
     append(&size, sizeof size);
     append(&checksum, sizeof checksum);
     append(&kernel, sizeof kernel);
@@ -58,8 +57,8 @@ struct Head
 [[noreturn]] void refuse_scene(const std::string& file, const std::vector<unsigned char>& all, const SceneStart& here)
 {
   SceneStart there;
-  std::memcpy(&there.scene, all.data() + 60, sizeof there.scene);
-  std::memcpy(&there.bit_depth, all.data() + 68, sizeof there.bit_depth);
+  std::memcpy(&there.scene, all.data() + 48, sizeof there.scene);
+  std::memcpy(&there.bit_depth, all.data() + 56, sizeof there.bit_depth);
   if (there.scene != here.scene || there.bit_depth == here.bit_depth) refuse(file, "is a snapshot of another scene; allowed is that of this rig");
   char text[160];
   std::snprintf(text, sizeof text, "is a snapshot of this scene with start.bit_depth %.10g m; allowed is that of this rig, %.10g m: reset_well with that bit_depth first",
@@ -101,6 +100,7 @@ void write_snapshot(const std::string& file, std::uint64_t scene, const Snapshot
   const std::vector<unsigned char>& bytes = snapshot.bytes;
   Head head;
   head.scene = scene;
+  head.fields = snapshot.fields;
   head.size = bytes.size();
   head.checksum = hash_bytes(bytes.data(), bytes.size());
   head.kernel = static_cast<std::uint32_t>(snapshot.kernel);
@@ -123,23 +123,24 @@ void write_snapshot(const std::string& file, std::uint64_t scene, const Snapshot
   refuse(file, "cannot be written");
 }
 
-Snapshot read_snapshot(const std::string& file, std::uint64_t scene, const SceneStart& start)
+Snapshot read_snapshot(const std::string& file, std::uint64_t scene, std::uint64_t fields, const SceneStart& start)
 {
   const std::vector<unsigned char> all = whole_file(file);
   if (all.size() < Head::length || std::memcmp(all.data(), mark, sizeof mark) != 0) refuse(file, "is no snapshot");
-  Snapshot snapshot{Kernel::scalar, std::vector<unsigned char>(all.begin() + Head::length, all.end()), start};
+  Snapshot snapshot{Kernel::scalar, std::vector<unsigned char>(all.begin() + Head::length, all.end()), fields, start};
   const std::vector<unsigned char>& bytes = snapshot.bytes;
   Head head;
   head.scene = scene;
+  head.fields = fields;
   head.size = bytes.size();
   head.checksum = hash_bytes(bytes.data(), bytes.size());
   const std::vector<unsigned char> expected = head.bytes();
   const auto differs = [&](std::size_t from, std::size_t count) { return std::memcmp(all.data() + from, expected.data() + from, count) != 0; };
   if (differs(8, 4)) refuse(file, "is a snapshot of another format; allowed is format " + std::to_string(snapshot_format));
   if (differs(12, 8)) refuse_scene(file, all, start);
-  if (differs(20, 20)) refuse(file, "is a snapshot of another build of this program; allowed is that of this one");
-  if (differs(40, 16)) refuse(file, "is damaged: its checksum does not fit");
-  std::memcpy(&head.kernel, all.data() + 56, sizeof head.kernel);
+  if (differs(20, 8)) refuse(file, "is a snapshot of another version, whose state has other fields; allowed is one of this version");
+  if (differs(28, 16)) refuse(file, "is damaged: its checksum does not fit");
+  std::memcpy(&head.kernel, all.data() + 44, sizeof head.kernel);
   for (const Kernel kernel : all_kernels)
   {
     if (head.kernel != static_cast<std::uint32_t>(kernel)) continue;

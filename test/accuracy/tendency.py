@@ -27,7 +27,7 @@ def drilled(drill, scene, settings, place, reuse):
     os.makedirs(place, exist_ok=True)
     command = [drill, 'run', scene, '--until-depth', str(DEPTH), '--csv', os.path.join(place, 'series.csv'),
                '--json', summary, '--path', os.path.join(place, 'path.csv'),
-               '--raw-path', os.path.join(place, 'raw_path.csv')]
+               '--raw-path', os.path.join(place, 'raw_path.csv'), '--set', 'numerics.companion=none']
     for setting in settings:
         command += ['--set', setting]
     return Job(scene, place) if subprocess.call(command, stdout=subprocess.DEVNULL) == 0 else None

@@ -45,6 +45,7 @@ std::vector<double> load_that_rings(double tolerance)
   scene.string = {bit_part(0.2159), collar_part(10, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
   scene.start.block_height = 25.0;
   scene.numerics.level = Level::automatic;
+  scene.numerics.companion = CompanionKind::none;
   scene.numerics.step = step_by_level;
   scene.numerics.tolerance = tolerance;
   Simulator rig(scene);

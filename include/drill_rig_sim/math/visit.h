@@ -11,6 +11,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "drill_rig_sim/math/hash.h"
+
 /// Values that list their own fields.
 ///
 /// A struct has one member, `template <class V> void visit(V& v)`, that calls v(name, field) for every field; structs inside structs have
@@ -34,6 +36,12 @@ public:
     path_ += name;
     take(field);
     path_.resize(length);
+  }
+  /// Entries whose number another field says.
+  template <class T>
+  void list(const char* name, T* first, std::size_t count)
+  {
+    for (std::size_t i = 0; i < count; ++i) (*this)(name, first[i]);
   }
 
 private:
@@ -79,6 +87,76 @@ void visit_numbers(T& value, Leaf& leaf)
 {
   FieldWalk<Leaf> walk(leaf);
   value.visit(walk);
+}
+
+/// Names and types of the fields of a value, whatever their values are: what two versions of a program must have in common if one is to read the other's
+/// bytes. Of a vector's entries those of one made by default count; of enumerators the size.
+class FieldNames
+{
+public:
+  template <class T>
+  void operator()(const char* name, T& field)
+  {
+    const std::size_t length = path_.size();
+    path_ += '.';
+    path_ += name;
+    take(field);
+    path_.resize(length);
+  }
+  template <class T>
+  void list(const char* name, T* first, std::size_t count)
+  {
+    if constexpr (std::is_default_constructible_v<T>)
+    {
+      T entry{};
+      (*this)(name, entry);
+    }
+    else if (count > 0)
+      (*this)(name, *first);
+  }
+  std::uint64_t hash() const noexcept { return hash_bytes(text_.data(), text_.size()); }
+
+private:
+  void write(const std::string& type) { text_ += path_ + ' ' + type + '\n'; }
+  template <class T>
+  void take(T& field)
+  {
+    if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>)
+      write((std::is_enum_v<T> ? "enum" : std::is_floating_point_v<T> ? "float" : std::is_signed_v<T> ? "int" : "unsigned") + std::to_string(sizeof(T)));
+    else
+      field.visit(*this);
+  }
+  template <class T, int Rows, int Columns>
+  void take(Eigen::Matrix<T, Rows, Columns>& field)
+  {
+    write("matrix" + std::to_string(Rows) + 'x' + std::to_string(Columns));
+    take(field.data()[0]);
+  }
+  void take(Eigen::Quaterniond&) { write("quaternion"); }
+  template <class T, std::size_t N>
+  void take(std::array<T, N>& field)
+  {
+    write("array" + std::to_string(N));
+    take(field[0]);
+  }
+  template <class T>
+  void take(std::vector<T>&)
+  {
+    write("vector");
+    T entry{};
+    take(entry);
+  }
+
+  std::string path_, text_;
+};
+
+/// The same as a number.
+template <class T>
+std::uint64_t fields_hash(const T& value)
+{
+  FieldNames names;
+  const_cast<T&>(value).visit(names);  // one list of fields serves readers too; this one only looks
+  return names.hash();
 }
 
 /// A value as bytes: two values are equal, digit for digit (a NaN equals itself), exactly if their bytes are.

@@ -92,7 +92,7 @@ struct SimulatorState
 template <class V>
 void CompanionStates::visit(V& v)
 {
-  for (SimulatorState& state : states) v("state", state);
+  v.list("state", states.data(), states.size());
 }
 
 }  // namespace drill_rig_sim

@@ -75,7 +75,7 @@ public:
     // slots beyond these hold a future that was taken back
     const std::size_t held = std::min(count_, capacity_);
     if (slots_.size() < held) slots_.resize(held);  // v is a reader
-    for (std::size_t i = 0; i < held; ++i) v("slots", slots_[i]);
+    v.list("slots", slots_.data(), held);
   }
 
 private:
