@@ -51,9 +51,15 @@ double MeasuredError::error(Output output) const noexcept
   return absolute_error(output) / scale(output);
 }
 
-double MeasuredError::mean_error(Output output) const noexcept
+StatisticDifferences MeasuredError::statistics(Output output) const noexcept
 {
-  return error_over_difference_ * differences_[static_cast<std::size_t>(output)].of_means() / scale(output);
+  StatisticDifferences off = differences_[static_cast<std::size_t>(output)].statistics();
+  const double share = error_over_difference_ / scale(output);
+  off.mean *= share;
+  off.deviation *= share;
+  off.extremes *= share;
+  off.period *= error_over_difference_;
+  return off;
 }
 
 Outputs MeasuredError::errors() const noexcept

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drill_rig_sim
 {
@@ -9,7 +10,6 @@ namespace
 {
 constexpr double share_of_level = 0.1;
 static_assert(30 * SlidingMean<30>::piece == difference_window, "pieces of the window");
-static_assert(300 * SlidingMean<300>::piece == mean_window, "pieces of the window");
 }  // namespace
 
 void OutputDifference::add(double value, double other, double duration) noexcept
@@ -23,7 +23,8 @@ void OutputDifference::add(double value, double other, double duration) noexcept
   }
   const double off = value - other;
   squares_.add(off * off, duration);
-  signed_.add(off, duration);
+  statistics_.add(value, duration);
+  statistics_other_.add(other, duration);
   const bool first = time_ == 0.0;
   least_ = first ? other : std::min(least_, other);
   most_ = first ? other : std::max(most_, other);
@@ -37,9 +38,13 @@ double OutputDifference::absolute() const noexcept
   return std::sqrt(begun * squares_.mean());
 }
 
-double OutputDifference::of_means() const noexcept
+StatisticDifferences OutputDifference::statistics() const noexcept
 {
-  return std::abs(signed_.mean());
+  const WindowStatistics &one = statistics_, &other = statistics_other_;
+  const double period = one.period(), other_period = other.period();
+  return {std::abs(one.mean() - other.mean()), std::abs(one.deviation() - other.deviation()),
+          std::max(std::abs(one.least() - other.least()), std::abs(one.largest() - other.largest())),
+          period > 0.0 && other_period > 0.0 ? std::abs(period / other_period - 1.0) : std::numeric_limits<double>::quiet_NaN()};
 }
 
 double OutputDifference::scale() const noexcept

@@ -40,8 +40,14 @@ Accuracy to_accuracy(const FrameRecord& frame, const std::string& floor)
     m.needed.push_back((frame.accuracy.needs & output_traits[i].need) != 0u);
     m.error.push_back(p.error_is_measured ? p.errors[i] : unknown);
     m.absolute.push_back(p.error_is_measured ? frame.accuracy.absolute_errors[i] : unknown);
+    const StatisticDifferences& s = frame.accuracy.statistics[i];
+    m.mean_error.push_back(p.error_is_measured ? s.mean : unknown);
+    m.deviation_error.push_back(p.error_is_measured ? s.deviation : unknown);
+    m.extremes_error.push_back(p.error_is_measured ? s.extremes : unknown);
+    m.period_error.push_back(p.error_is_measured ? s.period : unknown);
   }
   m.window = difference_window;
+  m.statistics_window = statistics_window;
   m.tolerance = frame.accuracy.tolerance;
   m.measured = p.error_is_measured;
   m.companion = text_of(p.companion);

@@ -43,8 +43,10 @@ std::string text_of(const AccuracyReport& r)
   {
     case AccuracyDoubt::none: return "";
     case AccuracyDoubt::measured:
-      return text("%s: measured error %.2g %% of its range over 3 s, %.2g %% in the average over 30 s; numerics.tolerance is %.2g %%. Use averages, or numerics.refinement: 2",
-                  traits_of(r.output).words, 100.0 * r.measure, 100.0 * r.of_mean, 100.0 * r.allowed);
+      return text("%s: measured error %.2g %% of its range over 3 s; over 30 s %.2g %% in the average, %.2g %% in the deviation, %.2g %% in the extremes;"
+                  " numerics.tolerance is %.2g %%. Use what is within it, or numerics.refinement: 2",
+                  traits_of(r.output).words, 100.0 * r.measure, 100.0 * r.statistics.mean, 100.0 * r.statistics.deviation, 100.0 * r.statistics.extremes,
+                  100.0 * r.allowed);
     case AccuracyDoubt::confined:
       return text("guided pipe %.4g m above the bit carries %.2f times its critical buckling load; use numerics.level: beam3d, or hybrid with numerics.free_length beyond it",
                   r.from_bit, r.measure);

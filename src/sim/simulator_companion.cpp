@@ -65,6 +65,12 @@ double Simulator::measured_absolute_error(Output output) const noexcept
   return impl_->measures() ? impl_->state.measured.absolute_error(output) : std::numeric_limits<double>::quiet_NaN();
 }
 
+StatisticDifferences Simulator::measured_statistics(Output output) const noexcept
+{
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  return impl_->measures() ? impl_->state.measured.statistics(output) : StatisticDifferences{unknown, unknown, unknown, unknown};
+}
+
 /// Hands a frame to the companions.
 void Simulator::Impl::order_frame(double duration, const Setpoints& setpoints) noexcept
 {
@@ -143,7 +149,7 @@ void Simulator::Impl::judge(double duration) noexcept
   statistics.errors = state.measured.errors();
   const OutputError largest = largest_of(statistics.errors, scene.needs);
   if (largest.error > scene.numerics.tolerance && state.accuracy.report.doubt == AccuracyDoubt::none)  // doubts of the model come first
-    state.accuracy.report = {AccuracyDoubt::measured, largest.error, 0.0, 0.0, scene.numerics.tolerance, largest.output, state.measured.mean_error(largest.output)};
+    state.accuracy.report = {AccuracyDoubt::measured, largest.error, 0.0, 0.0, scene.numerics.tolerance, largest.output, state.measured.statistics(largest.output)};
   statistics.accuracy = state.accuracy.report;
   state.truth.accuracy_warning = state.readings.accuracy_warning = statistics.accuracy.doubt != AccuracyDoubt::none;
 }

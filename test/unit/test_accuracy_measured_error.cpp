@@ -38,7 +38,34 @@ TEST(MeasuredError, ofAveragesIsSmallWhereAVibrationRunsOutOfPhase)
   MeasuredError measured;
   for (int k = 0; k < 4000; ++k) add(measured, {1e6, 1e4 + 5e3 * std::sin(0.02 * pi * k)}, {1e6, 1e4 + 5e3 * std::sin(0.02 * pi * k + 1.0)});
   EXPECT_NEAR(measured.error(Output::torque), 2.0 * std::sin(0.5) / std::sqrt(2.0) * 5e3 / 1e4, 0.01);
-  EXPECT_LT(measured.mean_error(Output::torque), 0.01);
+  const StatisticDifferences of_torque = measured.statistics(Output::torque);
+  EXPECT_LT(of_torque.mean, 0.01);
+  EXPECT_LT(of_torque.deviation, 0.01);
+  EXPECT_LT(of_torque.extremes, 0.001);
+  EXPECT_LT(of_torque.period, 0.05);
+  EXPECT_TRUE(std::isnan(measured.statistics(Output::hook_load).period)) << "that does not swing";
+}
+
+TEST(MeasuredError, ofStatisticsTellsALargerAndSlowerVibration)
+{
+  MeasuredError measured;
+  for (int k = 0; k < 4000; ++k) add(measured, {1e6, 1e4 + 5e3 * std::sin(0.02 * pi * k)}, {1e6, 1e4 + 6e3 * std::sin(0.018 * pi * k)});
+  const StatisticDifferences off = measured.statistics(Output::torque);
+  EXPECT_NEAR(off.deviation, 1e3 / std::sqrt(2.0) / 1e4, 0.005);
+  EXPECT_NEAR(off.extremes, 1e3 / 1e4, 0.002);
+  EXPECT_NEAR(off.period, 0.1, 0.04);
+}
+
+TEST(WindowStatistics, areThoseOfTheLastHalfMinute)
+{
+  WindowStatistics window;
+  for (int k = 0; k < 1000; ++k) window.add(1e6, 0.01);  // forgotten below
+  for (int k = 0; k < 3100; ++k) window.add(3.0 + 2.0 * std::sin(0.04 * pi * k), 0.01);
+  EXPECT_NEAR(window.mean(), 3.0, 1e-3);
+  EXPECT_NEAR(window.deviation(), std::sqrt(2.0), 1e-3);
+  EXPECT_NEAR(window.least(), 1.0, 1e-6);
+  EXPECT_NEAR(window.largest(), 5.0, 1e-6);
+  EXPECT_NEAR(window.period(), 0.5, 0.02);
 }
 
 TEST(MeasuredError, ofWhatNobodyCanReadIsWithinTheTolerance)

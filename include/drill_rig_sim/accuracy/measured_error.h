@@ -60,8 +60,8 @@ public:
 
   /// [-]
   double error(Output output) const noexcept;
-  /// Of the average over 30 s (mean_window) [-]. It is reliable where a vibration in the two models runs out of phase.
-  double mean_error(Output output) const noexcept;
+  /// Of the statistics over 30 s (statistics_window), relative as error() [-]: reliable where a vibration in the two models runs out of phase.
+  StatisticDifferences statistics(Output output) const noexcept;
   /// In the output's unit.
   double absolute_error(Output output) const noexcept;
   Outputs errors() const noexcept;

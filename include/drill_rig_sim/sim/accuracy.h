@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "drill_rig_sim/accuracy/output_difference.h"
 #include "drill_rig_sim/accuracy/outputs.h"
 
 namespace drill_rig_sim
@@ -31,7 +32,7 @@ struct AccuracyReport
   double element_length = 0.0;  ///< of the element there [m]; compression, twist
   double allowed = 0.0;         ///< measured: numerics.tolerance [-]; turn: by the body [rad/m]
   Output output = Output::hook_load;  ///< measured: the one with the largest error
-  double of_mean = 0.0;         ///< measured: error of its average over 30 s [-]
+  StatisticDifferences statistics;  ///< measured: errors of its statistics over 30 s [-]
 
   template <class V>
   void visit(V& v)
@@ -42,7 +43,7 @@ struct AccuracyReport
     v("from_bit", from_bit);
     v("element_length", element_length);
     v("allowed", allowed);
-    v("of_mean", of_mean);
+    v("statistics", statistics);
   }
 };
 

@@ -187,6 +187,8 @@ public:
   double measured_error(Output output) const noexcept;
   /// The same in the output's unit.
   double measured_absolute_error(Output output) const noexcept;
+  /// And of its statistics over 30 s, relative as measured_error() [-].
+  StatisticDifferences measured_statistics(Output output) const noexcept;
   /// Why companion `i` no longer goes along, one line; empty while it does.
   const char* companion_failure(int i) const noexcept;
 

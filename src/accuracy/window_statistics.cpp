@@ -1,0 +1,81 @@
+#include "drill_rig_sim/accuracy/window_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double rounding = 1e-9;      // of sums of frames [s]
+constexpr double half_deviation = 0.5;  // of which noise about the mean makes no rise
+constexpr int fewest_rises = 3;
+}  // namespace
+
+void WindowStatistics::add(double value, double duration) noexcept
+{
+  Piece& now = pieces_[newest_];
+  now.least = now.duration > 0.0 ? std::min(now.least, value) : value;
+  now.largest = now.duration > 0.0 ? std::max(now.largest, value) : value;
+  now.duration += duration;
+  now.sum += value * duration;
+  now.squares += value * value * duration;
+  if (above_ ? value < level_ - band_ : value > level_ + band_)
+  {
+    above_ = !above_;
+    if (above_ && band_ > 0.0) ++now.rises;
+  }
+  if (now.duration < piece - rounding) return;
+  level_ = mean();
+  band_ = half_deviation * deviation();
+  newest_ = (newest_ + 1) % pieces_.size();
+  pieces_[newest_] = Piece();
+}
+
+WindowStatistics::Piece WindowStatistics::whole() const noexcept
+{
+  Piece all;
+  for (const Piece& p : pieces_)
+  {
+    if (p.duration == 0.0) continue;
+    all.least = all.duration > 0.0 ? std::min(all.least, p.least) : p.least;
+    all.largest = all.duration > 0.0 ? std::max(all.largest, p.largest) : p.largest;
+    all.duration += p.duration;
+    all.sum += p.sum;
+    all.squares += p.squares;
+    all.rises += p.rises;
+  }
+  return all;
+}
+
+double WindowStatistics::mean() const noexcept
+{
+  const Piece all = whole();
+  return all.duration > 0.0 ? all.sum / all.duration : 0.0;
+}
+
+double WindowStatistics::deviation() const noexcept
+{
+  const Piece all = whole();
+  if (all.duration == 0.0) return 0.0;
+  const double mean = all.sum / all.duration;
+  return std::sqrt(std::max(0.0, all.squares / all.duration - mean * mean));
+}
+
+double WindowStatistics::least() const noexcept
+{
+  return whole().least;
+}
+
+double WindowStatistics::largest() const noexcept
+{
+  return whole().largest;
+}
+
+double WindowStatistics::period() const noexcept
+{
+  const Piece all = whole();
+  return all.rises >= fewest_rises ? all.duration / all.rises : 0.0;
+}
+
+}  // namespace drill_rig_sim
