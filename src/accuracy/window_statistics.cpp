@@ -7,7 +7,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double rounding = 1e-9;      // of sums of frames [s]
+constexpr double frame_rounding = 1e-9;      // of sums of frames [s]
 constexpr double half_deviation = 0.5;  // of which noise about the mean makes no rise
 constexpr int fewest_rises = 3;
 }  // namespace
@@ -25,7 +25,7 @@ void WindowStatistics::add(double value, double duration) noexcept
     above_ = !above_;
     if (above_ && band_ > 0.0) ++now.rises;
   }
-  if (now.duration < piece - rounding) return;
+  if (now.duration < piece - frame_rounding) return;
   level_ = mean();
   band_ = half_deviation * deviation();
   newest_ = (newest_ + 1) % pieces_.size();
