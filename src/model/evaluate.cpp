@@ -45,10 +45,12 @@ void move_guided(const Stage& stage, std::size_t i, const double* u, Workspace& 
 
 void move_guided_nodes(const StageContext& at, const double* u) noexcept
 {
-  if (!at.stage.any_guided) return;
-  std::fill(at.work.moved_as_free.begin(), at.work.moved_as_free.end(), static_cast<unsigned char>(0));
-  std::fill(at.work.acted_on.begin(), at.work.acted_on.end(), static_cast<unsigned char>(0));
   const Stage& stage = at.stage;
+  for (std::vector<unsigned char>* of_free : {&at.work.motion_known, &at.work.rows_open})
+  {
+    std::fill(of_free->begin(), of_free->end(), static_cast<unsigned char>(1));
+    for (const Runs::Run& run : stage.guided_nodes) std::fill(of_free->begin() + run.first, of_free->begin() + run.last, static_cast<unsigned char>(0));
+  }
   for (const Runs::Run& run : stage.guided_nodes)
   {
     if (stage.guided_kernel)
@@ -134,8 +136,8 @@ Workspace::Workspace(const Model& model)
     spans(model.mesh().elements.size()),
     guided(nodes.size()),
     guided_forces(spans.size()),
-    moved_as_free(nodes.size(), 0),
-    acted_on(nodes.size(), 0),
+    motion_known(nodes.size(), 1),
+    rows_open(nodes.size(), 1),
     columns(model),
     motion(motion_kernel(kernel_of(model))),
     string(string_kernel(kernel_of(model))),
@@ -191,7 +193,7 @@ void evaluate_forces(const ForceList& forces, Force::Add Force::*use, const Stag
   find_in_hole(model, at.start, stage, work);
   put_faults_on_wall(model, at.start.faults, stage, work);
   work.profiler.lap(Cost::contact);
-  add_forces(forces, use, at, {stage, work, residual, tangent});
+  add_forces(forces, use, at, {work, residual, tangent});
 }
 
 void evaluate_static(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, double* residual,
@@ -216,7 +218,7 @@ void move_as_free(const StageContext& at, int k) noexcept
   node.position = before.position + node.increment.head<3>();
   node.orientation = rotation_from_vector(node.tilt) * rotation_from_vector(node.spin * node.axis) * before.orientation;
   node.normal = x_axis(node.orientation);
-  at.work.moved_as_free[i] = 1;
+  at.work.motion_known[i] = 1;
 }
 
 namespace
@@ -277,11 +279,11 @@ void evaluate_motion(const Model& model, const State& start, const Stage& stage,
   for (int e = 0; e < model.elements(); ++e) find_span(model, start, stage, e, work);
   work.profiler.lap(Cost::kinematics);
   const StageContext at{model, start, stage, work};
-  add_sum(Sum::string, at, {stage, work, string, string_tangent});
+  add_sum(Sum::string, at, {work, string, string_tangent});
   if (contact_tangent) contact_tangent->set_zero();
   place(motion.bit, work.nodes[0]);  // from here on node 0 stands for the bit
   for (int i = 0; i < model.nodes(); ++i) find_closest(model, start, i, work.nodes[i]);
-  add_sum(Sum::contact, at, {stage, work, contact, contact_tangent});
+  add_sum(Sum::contact, at, {work, contact, contact_tangent});
 }
 
 Vector6d evaluate_bit_motion(const Model& model, const State& start, const Stage& stage, const GivenNode& bit, Workspace& work) noexcept
@@ -290,7 +292,7 @@ Vector6d evaluate_bit_motion(const Model& model, const State& start, const Stage
   const StageContext at{model, start, stage, work};
   place(bit, work.nodes[0]);
   find_closest(model, start, 0, work.nodes[0]);
-  const ForceRows to(stage, work, out.data(), nullptr);
+  const ForceRows to(work, out.data(), nullptr);
   add_film_at_bit(at, to);
   add_wall_at_bit(at, to);
   bit_on_bottom.add(at, to);

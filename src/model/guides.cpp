@@ -259,7 +259,7 @@ void expand_motions(const Stage& stage, Workspace& work) noexcept
   if (!stage.any_guided) return;
   const auto expand_one = [&](std::size_t i)
   {
-    if (stage.guides[i].guided && !work.moved_as_free[i]) expand_motion(stage.guides[i], work.guided[i], work.nodes[i]);
+    if (stage.guides[i].guided && !work.motion_known[i]) expand_motion(stage.guides[i], work.guided[i], work.nodes[i]);
   };
   if (!stage.guided_kernel)
   {
@@ -269,7 +269,7 @@ void expand_motions(const Stage& stage, Workspace& work) noexcept
   for (const Runs::Run& run : stage.inner_nodes)
     for (int i = run.first, first = i; i < run.last; first = ++i)
     {
-      while (i < run.last && !work.moved_as_free[static_cast<std::size_t>(i)]) ++i;
+      while (i < run.last && !work.motion_known[static_cast<std::size_t>(i)]) ++i;
       if (i > first) stage.guided_kernel->expand_motions(stage, work, {first, i});
     }
   each_outside(stage.inner_nodes, static_cast<int>(stage.guides.size()), [&](int i) { expand_one(static_cast<std::size_t>(i)); });

@@ -21,7 +21,7 @@ struct StageContext
   /// How node i moves at the stage, whether it is free or guided. Of the hole around it only a free node knows (NodeMotion::closest, touches).
   const NodeMotion& node(int i) const noexcept
   {
-    if (stage.guides[static_cast<std::size_t>(i)].guided && !work.moved_as_free[static_cast<std::size_t>(i)]) move_as_free(*this, i);
+    if (!work.motion_known[static_cast<std::size_t>(i)]) move_as_free(*this, i);
     return work.nodes[static_cast<std::size_t>(i)];
   }
 };

@@ -38,7 +38,7 @@ bool gauge(const StageContext& at, int i) noexcept
 /// Other forces have acted on a guided node, in six coordinates.
 bool acted_on(const StageContext& at, int i) noexcept
 {
-  return at.work.acted_on[static_cast<std::size_t>(i)] != 0;
+  return at.work.rows_open[static_cast<std::size_t>(i)] != 0;
 }
 
 /// T: what a node's coordinates do to its six.

@@ -36,7 +36,7 @@ void add_squeeze_film(const StageContext& at, const ForceRows& to) noexcept
 
 void sample_squeeze_film(const StageContext& at, EnergySample& sample) noexcept
 {
-  add_squeeze_film(at, {at.stage, at.work, sample.force[static_cast<std::size_t>(NodeForce::squeeze_film)].data(), nullptr});
+  add_squeeze_film(at, {at.work, sample.force[static_cast<std::size_t>(NodeForce::squeeze_film)].data(), nullptr});
 }
 }  // namespace
 

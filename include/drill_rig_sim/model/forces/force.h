@@ -23,10 +23,7 @@ inline Eigen::Map<Vector6d> at_node(EnergySample& sample, NodeForce kind, int i)
 class ForceRows
 {
 public:
-  ForceRows(const Stage& stage, Workspace& work, double* residual, BlockTridiagonal* tangent) noexcept
-    : stage_(stage), work_(work), residual_(residual), tangent_(tangent)
-  {
-  }
+  ForceRows(Workspace& work, double* residual, BlockTridiagonal* tangent) noexcept : work_(work), residual_(residual), tangent_(tangent) {}
 
   /// What resists the motion of node i, to be added to: force and moment, world axes [N, N m].
   Eigen::Map<Vector6d> force(int i) const noexcept
@@ -44,9 +41,9 @@ public:
   /// The first force on a guided node finds zeros there; those who use the next two call this for it.
   void open(int i) const noexcept
   {
-    unsigned char& acted_on = work_.acted_on[static_cast<std::size_t>(i)];
-    if (acted_on || !stage_.guides[static_cast<std::size_t>(i)].guided) return;
-    acted_on = 1;
+    unsigned char& open = work_.rows_open[static_cast<std::size_t>(i)];
+    if (open) return;
+    open = 1;
     at_node(residual_, i).setZero();
     if (tangent_) tangent_->diagonal(i).setZero();
   }
@@ -55,7 +52,6 @@ public:
   BlockTridiagonal* tangent() const noexcept { return tangent_; }
 
 private:
-  const Stage& stage_;
   Workspace& work_;
   double* residual_;
   BlockTridiagonal* tangent_;
