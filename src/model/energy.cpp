@@ -10,7 +10,7 @@ namespace
 StoredEnergy stored_at(const StageContext& at) noexcept
 {
   StoredEnergy out;
-  for (const Force* force : dynamic_forces)
+  for (const Force* force : all_forces)
     if (force->store) force->store(at, out);
   return out;
 }
@@ -40,7 +40,7 @@ void sample_energy(const Model& model, const State& start, const Stage& stage, c
     at_node(out.rate.data(), i) = work.nodes[i].rate;
     at_node(out.increment.data(), i) = work.nodes[i].increment;
   }
-  for (const Force* force : dynamic_forces)
+  for (const Force* force : all_forces)
     if (force->sample) force->sample(at, out);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/forces/free_string.h"
 #include "drill_rig_sim/model/forces/lists.h"
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
 #include "drill_rig_sim/model/places.h"
@@ -14,15 +15,18 @@ using Eigen::Vector3d;
 
 namespace
 {
-/// Adds a list of forces, each timed; neighbours of one account share a look at the clock.
-template <std::size_t N>
-void add_forces(const std::array<const Force*, N>& forces, const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+/// Adds forces by `use` of each, timed; neighbours of one account share a look at the clock.
+void add_forces(const ForceList& forces, Force::Add Force::*use, const StageContext& at, const ForceRows& to) noexcept
 {
-  for (std::size_t k = 0; k < N; ++k)
+  const Force* last = nullptr;
+  for (const Force* force : forces)
   {
-    forces[k]->add(at, residual, tangent);
-    if (k + 1 == N || forces[k + 1]->cost != forces[k]->cost) at.work.profiler.lap(forces[k]->cost);
+    if (!(force->*use)) continue;
+    if (last && last->cost != force->cost) at.work.profiler.lap(last->cost);
+    (force->*use)(at, to);
+    last = force;
   }
+  if (last) at.work.profiler.lap(last->cost);
 }
 
 void move_guided(const Stage& stage, std::size_t i, const double* u, Workspace& work) noexcept
@@ -39,19 +43,14 @@ void move_guided(const Stage& stage, std::size_t i, const double* u, Workspace& 
   motion.about_acceleration = stage.da_du * motion.about + dot(acceleration + 3);
 }
 
-/// A guided node that other forces look at, as a free one.
-void move_joined(const NodeState& before, const Guide& guide, const GuidedMotion& motion, NodeMotion& node) noexcept
-{
-  expand_motion(guide, motion, node);
-  node.carried_spin = motion.about_rate;
-  node.position = before.position + node.increment.head<3>();
-  node.orientation = rotation_from_vector(node.tilt) * rotation_from_vector(node.spin * node.axis) * before.orientation;
-  node.normal = x_axis(node.orientation);
-}
-
 void move_guided_nodes(const StageContext& at, const double* u) noexcept
 {
   const Stage& stage = at.stage;
+  for (std::vector<unsigned char>* of_free : {&at.work.motion_known, &at.work.rows_open})
+  {
+    std::fill(of_free->begin(), of_free->end(), static_cast<unsigned char>(1));
+    for (const Runs::Run& run : stage.guided_nodes) std::fill(of_free->begin() + run.first, of_free->begin() + run.last, static_cast<unsigned char>(0));
+  }
   for (const Runs::Run& run : stage.guided_nodes)
   {
     if (stage.guided_kernel)
@@ -64,10 +63,9 @@ void move_guided_nodes(const StageContext& at, const double* u) noexcept
   each_outside(stage.inner_nodes, at.model.nodes(),
                [&](int k)
                {
-                 const std::size_t i = static_cast<std::size_t>(k);
-                 if (!stage.guides[i].guided || !stage.guides[i].joined) return;
-                 move_joined(at.start.nodes[i], stage.guides[i], at.work.guided[i], at.work.nodes[i]);
-                 if (at.work.columns.moved) at.work.columns.take(at.work.nodes[i], k);
+                 if (!stage.guides[static_cast<std::size_t>(k)].guided) return;
+                 const NodeMotion& node = at.node(k);
+                 if (at.work.columns.moved) at.work.columns.take(node, k);
                });
 }
 
@@ -126,33 +124,6 @@ void place(const GivenNode& given, NodeMotion& node) noexcept
   node.acceleration.setZero();
 }
 
-template <std::size_t N>
-void evaluate_list(const std::array<const Force*, N>& forces, const Model& model, const State& start, const Stage& stage, const double* u,
-                   Workspace& work, double* residual, BlockTridiagonal* tangent) noexcept
-{
-  work.profiler.lap(Cost::other);
-  ++work.work.residuals;
-  if (tangent) ++work.work.tangents;
-  // the guided string overwrites the rows of inner nodes
-  each_between(stage.inner_nodes, model.nodes(), [&](int first, int last) { std::fill(residual + 6 * first, residual + 6 * last, 0.0); });
-  if (tangent)
-  {
-    each_outside(stage.guided_nodes, model.nodes(), [&](int i) { tangent->set_small(i, false); });
-    for (const Runs::Run& run : stage.guided_nodes)
-      for (int i = run.first; i < run.last; ++i) tangent->set_small(i, true);
-  }
-  if (work.motion)
-    move_batches(start, stage, u, work);
-  else
-    move_free(start, stage, u, work);
-  move_guided_nodes({model, start, stage, work}, u);
-  work.profiler.lap(Cost::kinematics);
-  find_in_hole(model, start, stage, work);
-  put_faults_on_wall(model, start.faults, stage, work);
-  work.profiler.lap(Cost::contact);
-  add_forces(forces, {model, start, stage, work}, residual, tangent);
-}
-
 /// The other kinds of element are evaluated one by one.
 Kernel kernel_of(const Model& model) noexcept
 {
@@ -165,6 +136,8 @@ Workspace::Workspace(const Model& model)
     spans(model.mesh().elements.size()),
     guided(nodes.size()),
     guided_forces(spans.size()),
+    motion_known(nodes.size(), 1),
+    rows_open(nodes.size(), 1),
     columns(model),
     motion(motion_kernel(kernel_of(model))),
     string(string_kernel(kernel_of(model))),
@@ -191,21 +164,61 @@ Workspace::Workspace(const Model& model)
 void evaluate(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, double* residual,
               BlockTridiagonal* tangent) noexcept
 {
-  if (work.string)
-    evaluate_list(batched_forces, model, start, stage, u, work, residual, tangent);
+  evaluate_forces(all_forces, &Force::add, {model, start, stage, work}, u, residual, tangent);
+}
+
+void evaluate_forces(const ForceList& forces, Force::Add Force::*use, const StageContext& at, const double* u, double* residual,
+                     BlockTridiagonal* tangent) noexcept
+{
+  const Model& model = at.model;
+  const Stage& stage = at.stage;
+  Workspace& work = at.work;
+  work.profiler.lap(Cost::other);
+  ++work.work.residuals;
+  if (tangent) ++work.work.tangents;
+  // ForceRows and the guided string see to the rows of guided nodes
+  each_between(stage.guided_nodes, model.nodes(), [&](int first, int last) { std::fill(residual + 6 * first, residual + 6 * last, 0.0); });
+  if (tangent)
+  {
+    each_outside(stage.guided_nodes, model.nodes(), [&](int i) { tangent->set_small(i, false); });
+    for (const Runs::Run& run : stage.guided_nodes)
+      for (int i = run.first; i < run.last; ++i) tangent->set_small(i, true);
+  }
+  if (work.motion)
+    move_batches(at.start, stage, u, work);
   else
-    evaluate_list(dynamic_forces, model, start, stage, u, work, residual, tangent);
+    move_free(at.start, stage, u, work);
+  move_guided_nodes(at, u);
+  work.profiler.lap(Cost::kinematics);
+  find_in_hole(model, at.start, stage, work);
+  put_faults_on_wall(model, at.start.faults, stage, work);
+  work.profiler.lap(Cost::contact);
+  add_forces(forces, use, at, {work, residual, tangent});
 }
 
 void evaluate_static(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, double* residual,
                      BlockTridiagonal* tangent) noexcept
 {
-  evaluate_list(static_forces, model, start, stage, u, work, residual, tangent);
+  evaluate_forces(all_forces, &Force::add_static, {model, start, stage, work}, u, residual, tangent);
 }
 
 void update(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work) noexcept
 {
-  evaluate_list(forces_with_results, model, start, stage, u, work, work.unused.data(), nullptr);
+  evaluate_forces(all_forces, &Force::find_results, {model, start, stage, work}, u, work.unused.data(), nullptr);
+}
+
+void move_as_free(const StageContext& at, int k) noexcept
+{
+  const std::size_t i = static_cast<std::size_t>(k);
+  const GuidedMotion& motion = at.work.guided[i];
+  const NodeState& before = at.start.nodes[i];
+  NodeMotion& node = at.work.nodes[i];
+  expand_motion(at.stage.guides[i], motion, node);
+  node.carried_spin = motion.about_rate;
+  node.position = before.position + node.increment.head<3>();
+  node.orientation = rotation_from_vector(node.tilt) * rotation_from_vector(node.spin * node.axis) * before.orientation;
+  node.normal = x_axis(node.orientation);
+  at.work.motion_known[i] = 1;
 }
 
 namespace
@@ -239,6 +252,20 @@ void find_string_forces(const Model& model, const State& start, const Stage& sta
   }
 }
 
+namespace
+{
+/// Of the nodes where somebody else says that they are: one by one.
+void add_sum(Sum sum, const StageContext& at, const ForceRows& to) noexcept
+{
+  for (const Force* force : all_forces)
+  {
+    if (force->sum != sum) continue;
+    force->add(at, to);
+    at.work.profiler.lap(force->cost);
+  }
+}
+}  // namespace
+
 void evaluate_motion(const Model& model, const State& start, const Stage& stage, const GivenMotion& motion, Workspace& work,
                      double* string, double* contact, BlockTridiagonal* string_tangent, BlockTridiagonal* contact_tangent) noexcept
 {
@@ -252,11 +279,11 @@ void evaluate_motion(const Model& model, const State& start, const Stage& stage,
   for (int e = 0; e < model.elements(); ++e) find_span(model, start, stage, e, work);
   work.profiler.lap(Cost::kinematics);
   const StageContext at{model, start, stage, work};
-  add_forces(string_forces, at, string, string_tangent);
+  add_sum(Sum::string, at, {work, string, string_tangent});
   if (contact_tangent) contact_tangent->set_zero();
   place(motion.bit, work.nodes[0]);  // from here on node 0 stands for the bit
   for (int i = 0; i < model.nodes(); ++i) find_closest(model, start, i, work.nodes[i]);
-  add_forces(contact_forces, at, contact, contact_tangent);
+  add_sum(Sum::contact, at, {work, contact, contact_tangent});
 }
 
 Vector6d evaluate_bit_motion(const Model& model, const State& start, const Stage& stage, const GivenNode& bit, Workspace& work) noexcept
@@ -265,9 +292,10 @@ Vector6d evaluate_bit_motion(const Model& model, const State& start, const Stage
   const StageContext at{model, start, stage, work};
   place(bit, work.nodes[0]);
   find_closest(model, start, 0, work.nodes[0]);
-  add_film_at_bit(at, out.data());
-  add_wall_at_bit(at, out.data());
-  bit_on_bottom.add(at, out.data(), nullptr);
+  const ForceRows to(work, out.data(), nullptr);
+  add_film_at_bit(at, to);
+  add_wall_at_bit(at, to);
+  bit_on_bottom.add(at, to);
   return out;
 }
 

@@ -221,11 +221,9 @@ void find_guides(const Model& model, const State& state, Stage& stage) noexcept
     if (i + 1 < n) stage.guided_spans[i].guided = here && above;
     if (here)
     {
-      const bool held = node == state.stuck_point.node || node == state.slips.node || node == stage.drags[0].node || node == stage.drags[1].node;
-      guide.joined = !below || !above || held || node == model.mesh().pad_node;
       stage.guided_nodes.add(node);
       if (above) stage.guided_elements.add(node);
-      if (!guide.joined && node >= model.mesh().gauge_nodes) stage.inner_nodes.add(node);
+      if (below && above && node >= model.mesh().gauge_nodes) stage.inner_nodes.add(node);
     }
     below = here;
     here = above;
@@ -261,14 +259,19 @@ void expand_motions(const Stage& stage, Workspace& work) noexcept
   if (!stage.any_guided) return;
   const auto expand_one = [&](std::size_t i)
   {
-    if (stage.guides[i].guided && !stage.guides[i].joined) expand_motion(stage.guides[i], work.guided[i], work.nodes[i]);
+    if (stage.guides[i].guided && !work.motion_known[i]) expand_motion(stage.guides[i], work.guided[i], work.nodes[i]);
   };
   if (!stage.guided_kernel)
   {
     for (std::size_t i = 0; i < stage.guides.size(); ++i) expand_one(i);
     return;
   }
-  for (const Runs::Run& run : stage.inner_nodes) stage.guided_kernel->expand_motions(stage, work, run);
+  for (const Runs::Run& run : stage.inner_nodes)
+    for (int i = run.first, first = i; i < run.last; first = ++i)
+    {
+      while (i < run.last && !work.motion_known[static_cast<std::size_t>(i)]) ++i;
+      if (i > first) stage.guided_kernel->expand_motions(stage, work, {first, i});
+    }
   each_outside(stage.inner_nodes, static_cast<int>(stage.guides.size()), [&](int i) { expand_one(static_cast<std::size_t>(i)); });
 }
 

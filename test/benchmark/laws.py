@@ -18,19 +18,19 @@ SCENES = (Scene('bent motor turned and lowered, 0.7 km', 'config/scenes/bohai.ya
 # (what, source file, function): all that is called from it counts; a sum where there are several
 PARTS = (('frame', (('sim/simulator.cpp', 'Simulator::frame('),)),
          ('motion of the nodes', (('model/kernels/motion_kernel.cpp', 'move('),)),
-         ('beams, inertia, drag of the mud', (('model/forces/free_string.cpp', 'add('),)),
+         ('beams, inertia, drag of the mud', (('model/forces/free_string.cpp', 'add_free_string('),)),
          ('places in the hole', (('model/places.cpp', 'find_in_hole('),)),
          ('of these between nodes', (('model/places.cpp', 'find_span('),)),
          ('wall and friction, at nodes', (('model/forces/wall.cpp', 'add_sticking('),)),
-         ('wall and friction, between nodes', (('model/forces/span_wall.cpp', 'add<'),)),
-         ('squeeze films', (('model/forces/squeeze_film.cpp', 'add('),)),
-         ('bit and rock', (('model/forces/bit.cpp', 'add('), ('model/extend_hole.cpp', 'extend_hole('))),
-         ('rig: lines, block, mast, top drive', (('model/forces/hoisting.cpp', 'add('), ('model/forces/guide_rail.cpp', 'add('),
-                                                 ('model/forces/top_drive.cpp', 'add('))),
+         ('wall and friction, between nodes', (('model/forces/span_wall.cpp', 'add_span_wall<'),)),
+         ('squeeze films', (('model/forces/squeeze_film.cpp', 'add_squeeze_film('),)),
+         ('bit and rock', (('model/forces/bit.cpp', 'add_drilling('), ('model/extend_hole.cpp', 'extend_hole('))),
+         ('rig: lines, block, mast, top drive', (('model/forces/hoisting.cpp', 'add_hoisting('), ('model/forces/guide_rail.cpp', 'add_rail('),
+                                                 ('model/forces/top_drive.cpp', 'add_top_drive('))),
          ('linear system', (('math/block_tridiagonal.cpp', 'BlockTridiagonal::solve('), ('math/block_tridiagonal.cpp', 'BlockTridiagonal::solve_again('))),
          ('start of a step', (('model/stage.cpp', 'begin_step('),)),
          ('energy balance', (('solve/halving_integrator.cpp', 'open_books('), ('solve/halving_integrator.cpp', 'close_books('))),
-         ('warnings', (('sim/accuracy_watch.cpp', 'doubt_of_string('), ('sim/string_watch.cpp', 'StringWatch::look('))))
+         ('warnings', (('sim/accuracy_watch.cpp', 'watch_model('), ('sim/string_watch.cpp', 'StringWatch::look('))))
 
 
 def run(drill, scene, duration, folder):

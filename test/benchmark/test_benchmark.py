@@ -284,10 +284,10 @@ class Fingerprints(unittest.TestCase):
 class Laws(unittest.TestCase):
     ANNOTATED = """
 2,000 (100.0%)  /a/build/../src/sim/simulator.cpp:drill_rig_sim::Simulator::frame(double) [/a/lib.so]
-  700 (35.00%)  /a/build/../src/model/forces/free_string.cpp:drill_rig_sim::(anonymous namespace)::add(drill_rig_sim::StageContext const&) [/a/lib.so]
+  700 (35.00%)  /a/build/../src/model/forces/free_string.cpp:drill_rig_sim::add_free_string(drill_rig_sim::StageContext const&) [/a/lib.so]
   600 (30.00%)  /usr/include/emmintrin.h:drill_rig_sim::(anonymous namespace)::add(drill_rig_sim::StageContext const&) [/a/lib.so]
-  400 (20.00%)  /a/build/../src/model/forces/span_wall.cpp:void drill_rig_sim::(anonymous namespace)::add<&drill_rig_sim::sticking>(drill_rig_sim::StageContext const&) [/a/lib.so]
-  380 (19.00%)  /a/build/../src/model/forces/span_wall.cpp:drill_rig_sim::(anonymous namespace)::add<&drill_rig_sim::sticking>(drill_rig_sim::StageContext const&)::{lambda(int)#1}::operator()(int) const [/a/lib.so]
+  400 (20.00%)  /a/build/../src/model/forces/span_wall.cpp:void drill_rig_sim::(anonymous namespace)::add_span_wall<&drill_rig_sim::sticking>(drill_rig_sim::StageContext const&) [/a/lib.so]
+  380 (19.00%)  /a/build/../src/model/forces/span_wall.cpp:drill_rig_sim::(anonymous namespace)::add_span_wall<&drill_rig_sim::sticking>(drill_rig_sim::StageContext const&)::{lambda(int)#1}::operator()(int) const [/a/lib.so]
   300 (15.00%)  /a/build/../src/math/block_tridiagonal.cpp:drill_rig_sim::BlockTridiagonal::solve(double*)
    50 ( 2.50%)  src/math/block_tridiagonal.cpp:drill_rig_sim::BlockTridiagonal::solve_again(double*) const [/a/lib.so]
 """

@@ -50,7 +50,7 @@ struct Pressed
     prepare_start(rig.state, stage);
     update(*rig.model, rig.state, stage, residual.data(), work);
   }
-  void add() { span_wall.add({*rig.model, rig.state, stage, work}, residual.data(), nullptr); }
+  void add() { span_wall.add({*rig.model, rig.state, stage, work}, {work, residual.data(), nullptr}); }
   Vector6d on(int i) const { return Eigen::Map<const Vector6d>(residual.data() + 6 * i); }
 };
 

@@ -30,7 +30,6 @@ struct Workspace;
 struct Guide
 {
   bool guided = false;
-  bool joined = false;  ///< other forces than the guided string's act on it: end of the string, stuck point, next to a free node
   Eigen::Vector3d tangent = -Eigen::Vector3d::UnitZ();  ///< t of the hole, down it
   // of the hole at the neighbours above and below, where they are guided too: its direction, unit length, the part across the hole here [-]
   Eigen::Vector3d above = Eigen::Vector3d::Zero(), below = Eigen::Vector3d::Zero();

@@ -6,13 +6,24 @@
 
 namespace drill_rig_sim
 {
-/// A stage and where it is worked out: what a force sees (the motion is in work.nodes), and what Newton's method solves.
+struct StageContext;
+/// A guided node's motion as a free one's, into work.nodes.
+void move_as_free(const StageContext& at, int i) noexcept;
+
+/// A stage and where it is worked out: what a force sees, and what Newton's method solves.
 struct StageContext
 {
   const Model& model;
   const State& start;  ///< of the step
   const Stage& stage;
   Workspace& work;
+
+  /// How node i moves at the stage, whether it is free or guided. Of the hole around it only a free node knows (NodeMotion::closest, touches).
+  const NodeMotion& node(int i) const noexcept
+  {
+    if (!work.motion_known[static_cast<std::size_t>(i)]) move_as_free(*this, i);
+    return work.nodes[static_cast<std::size_t>(i)];
+  }
 };
 
 }  // namespace drill_rig_sim

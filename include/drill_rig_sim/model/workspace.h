@@ -100,10 +100,12 @@ struct Workspace
 {
   explicit Workspace(const Model& model);
 
-  std::vector<NodeMotion> nodes;
+  std::vector<NodeMotion> nodes;  ///< of guided nodes only where motion_known says so: forces read them by StageContext::node()
   std::vector<SpanMotion> spans;  ///< one per element
   std::vector<GuidedMotion> guided;        ///< one per node
   std::vector<GuidedForce> guided_forces;  ///< one per element
+  std::vector<unsigned char> motion_known;  ///< per node: `nodes` holds its motion at this stage; of free nodes always
+  std::vector<unsigned char> rows_open;     ///< per node: forces can be added to its rows (ForceRows); of free nodes always, of guided ones where one was
   StringColumns columns;   ///< the same for the batch kernels
   // batch kernels of the free string; all null: one by one, for any kind of element
   const MotionKernel* motion;

@@ -88,7 +88,7 @@ void scatter(const BeamTangent& t, int e, BlockTridiagonal& tangent) noexcept
 }
 
 /// Writes the diagonal block of its upper node.
-void add_element(const StageContext& at, int e, double* residual, BlockTridiagonal* tangent) noexcept
+void add_element(const StageContext& at, int e, const ForceRows& to) noexcept
 {
   const BeamKind& kind = at.model.beam();
   const BeamSection& section = at.model.mesh().elements[e].section;
@@ -97,23 +97,47 @@ void add_element(const StageContext& at, int e, double* residual, BlockTridiagon
   const BeamDamping damping = damping_of(at, e);
   BeamTangent t;
   BeamStrain strain;
-  const BeamForces f = tangent ? kind.forces_and_tangent(section, pose, damping, load, strain, t)
+  const BeamForces f = to.with_tangent() ? kind.forces_and_tangent(section, pose, damping, load, strain, t)
                                : kind.forces(section, pose, damping, load, strain);
-  auto lower = at_node(residual, e), upper = at_node(residual, e + 1);
+  auto lower = to.force(e), upper = to.force(e + 1);
   lower.head<3>() += f.force - 0.5 * load;
   lower.tail<3>() += f.moment_lower;
   upper.head<3>() -= f.force + 0.5 * load;
   upper.tail<3>() += f.moment_upper;
-  if (!tangent) return;
+  if (!to.with_tangent()) return;
   if (at.model.mesh().is_shaft(e)) take_collar(at, e, t);
-  scatter(t, e, *tangent);
+  scatter(t, e, *to.tangent());
 }
 
-void add_beams(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_elements(const StageContext& at, const ForceRows& to) noexcept
 {
-  if (tangent) clear_unwritten_blocks(at, *tangent);
+  open_string(at, to);
   for (int e = 0; e < at.model.elements(); ++e)
-    if (!guided_element(at, e)) add_element(at, e, residual, tangent);
+    if (!guided_element(at, e)) add_element(at, e, to);
+}
+
+void add_beams(const StageContext& at, const ForceRows& to) noexcept
+{
+  if (moved_in_batches(at))
+    add_free_string(at, to);
+  else
+    add_elements(at, to);
+}
+
+/// Beams between a guided node and a free one: what they push it to its wall with.
+void add_beams_at_guides(const StageContext& at, const ForceRows& to) noexcept
+{
+  const auto add_beam_at = [&](int e)
+  {
+    const Vector3d force = element_forces(at, e).force, half = 0.5 * at.stage.load[e];
+    to.force(e).head<3>() += force - half;
+    to.force(e + 1).head<3>() -= force + half;
+  };
+  for (const Runs::Run& run : at.stage.guided_nodes)
+  {
+    if (run.first > 0) add_beam_at(run.first - 1);
+    if (run.last < at.model.nodes()) add_beam_at(run.last - 1);
+  }
 }
 
 /// The dead load's potential, end moments included: the mean place of a cubic element is (x1 + x2)/2 + L/12 (n1 - n2). The two other
@@ -156,25 +180,24 @@ Vector3d turn_of_shaft(const StageContext& at, const ShaftEnd& end, const NodeMo
 }
 }  // namespace
 
-const Force beams = {"beams", Cost::elements, add_beams, store_beams, sample_beams};
+const Force beams = {"beams", Cost::elements, Sum::string, add_beams, add_elements, add_beams_at_guides, store_beams, sample_beams};
 
-void clear_unwritten_blocks(const StageContext& at, BlockTridiagonal& tangent) noexcept
+void open_string(const StageContext& at, const ForceRows& to) noexcept
 {
-  tangent.diagonal(0).setZero();
-  if (!at.stage.any_guided) return;
-  each_outside(at.stage.inner_nodes, at.model.nodes(),
-               [&](int i)
-               {
-                 if (i > 0 && guided_element(at, i - 1) && at.stage.guides[static_cast<std::size_t>(i)].joined) tangent.diagonal(i).setZero();
-               });
+  if (to.with_tangent()) to.slope(0).setZero();
+  for (const Runs::Run& run : at.stage.guided_nodes)
+  {
+    if (run.first > 0) to.open(run.first);
+    if (run.last < at.model.nodes()) to.open(run.last - 1);
+  }
 }
 
-void add_beam(const StageContext& at, int e, double* residual, BlockTridiagonal* tangent) noexcept
+void add_beam(const StageContext& at, int e, const ForceRows& to) noexcept
 {
-  if (!tangent) return add_element(at, e, residual, nullptr);
-  const Eigen::Matrix<double, 6, 6> there = tangent->diagonal(e + 1);
-  add_element(at, e, residual, tangent);
-  tangent->diagonal(e + 1) += there;
+  if (!to.with_tangent()) return add_element(at, e, to);
+  const Eigen::Matrix<double, 6, 6> there = to.slope(e + 1);
+  add_element(at, e, to);
+  to.slope(e + 1) += there;
 }
 
 void store_beam(const StageContext& at, int e, StoredEnergy& energy) noexcept

@@ -25,7 +25,7 @@ FormationLayer rock_of(const StageContext& at) noexcept
 /// Of the bit's face over the bottom's place at the start of the step [m].
 double approach_of(const StageContext& at) noexcept
 {
-  const Vector3d to_bottom = at.start.well.bottom_position() - at.work.nodes[0].position;
+  const Vector3d to_bottom = at.start.well.bottom_position() - at.node(0).position;
   return at.model.mesh().bit_radius - to_bottom.dot(at.start.well.bottom_normal());
 }
 
@@ -36,12 +36,12 @@ BottomForce drilled_bottom(const StageContext& at) noexcept
   const BitDrive& drive = at.stage.bit;
   const RockBreaking breaking{drilling_coefficient(rock, drive.drilling_speed), rock.weight_exponent, rock.threshold};
   const double approach = approach_of(at) - (drive.bottom_known ? drive.bottom_increment.dot(down) : 0.0);
-  return bit_bottom_force(at.model.bit().bottom, approach, at.work.nodes[0].rate.head<3>().dot(down), breaking, drive.rock_time);
+  return bit_bottom_force(at.model.bit().bottom, approach, at.node(0).rate.head<3>().dot(down), breaking, drive.rock_time);
 }
 
 double bit_speed(const StageContext& at) noexcept
 {
-  return at.work.nodes[0].rate.tail<3>().dot(at.work.nodes[0].axis) + at.stage.bit.motor_speed;
+  return at.node(0).rate.tail<3>().dot(at.node(0).axis) + at.stage.bit.motor_speed;
 }
 
 TorqueLimit limit_under(const StageContext& at, const BottomForce& bottom, double speed) noexcept
@@ -52,7 +52,7 @@ TorqueLimit limit_under(const StageContext& at, const BottomForce& bottom, doubl
 
 BitTorque torque_under(const StageContext& at, const TorqueLimit& limit, double speed) noexcept
 {
-  return bit_torque(limit, at.model.bit_bristle_stiffness(), at.start.bit.twist, at.work.nodes[0].spin + at.stage.bit.motor_turn, speed,
+  return bit_torque(limit, at.model.bit_bristle_stiffness(), at.start.bit.twist, at.node(0).spin + at.stage.bit.motor_turn, speed,
                     at.stage.dv_du);
 }
 
@@ -64,24 +64,23 @@ double resistance_per_torque(const StageContext& at) noexcept
 
 BitFaceFriction face_friction(const StageContext& at, const TorqueLimit& limit, double speed) noexcept
 {
-  return bit_face_friction(resistance_per_torque(at) * limit.value, at.model.mesh().bit_radius, at.work.nodes[0].rate.head<3>(), speed,
+  return bit_face_friction(resistance_per_torque(at) * limit.value, at.model.mesh().bit_radius, at.node(0).rate.head<3>(), speed,
                            at.start.well.bottom_normal());
 }
 
 /// Across the bottom, against the face's motion. `stiffness`: of the bottom's force by place, its damping included [N/m].
-void put_on_face(const StageContext& at, const TorqueLimit& limit, double speed, double stiffness, double* residual,
-                 BlockTridiagonal* tangent) noexcept
+void put_on_face(const StageContext& at, const TorqueLimit& limit, double speed, double stiffness, const ForceRows& to) noexcept
 {
   const BitFaceFriction face = face_friction(at, limit, speed);
-  at_node(residual, 0).head<3>() += face.value;
+  to.force(0).head<3>() += face.value;
   at.work.result.forces.bit_force -= face.value;
-  if (!tangent) return;
+  if (!to.with_tangent()) return;
   const double c = at.stage.dv_du, per_torque = resistance_per_torque(at);
   const Vector3d by_speed = face.by_speed + (per_torque * limit.speed_slope * std::copysign(1.0, speed)) * face.by_resistance;
-  auto d = tangent->diagonal(0);
+  auto d = to.slope(0);
   d.topLeftCorner<3, 3>() += c * face.by_velocity;
   d.topLeftCorner<3, 3>() += (per_torque * limit.force_slope * stiffness) * face.by_resistance * at.start.well.bottom_normal().transpose();
-  d.topRightCorner<3, 3>() += c * by_speed * at.work.nodes[0].axis.transpose();
+  d.topRightCorner<3, 3>() += c * by_speed * at.node(0).axis.transpose();
 }
 
 /// What the rock does to the bit along the bottom's normal and about the bit's axis, and its slopes by the increments in the two.
@@ -102,18 +101,18 @@ RockLoad rock_load(const BottomForce& bottom, const BitTorque& torque, double da
 }
 
 /// Force and moment on node 0, and where the bit pushes the rock.
-void put_on_bit(const StageContext& at, const RockLoad& rock, double* residual, BlockTridiagonal* tangent) noexcept
+void put_on_bit(const StageContext& at, const RockLoad& rock, const ForceRows& to) noexcept
 {
-  const NodeMotion& node = at.work.nodes[0];
+  const NodeMotion& node = at.node(0);
   const Vector3d down = at.start.well.bottom_normal();
   const Vector3d& n = node.axis;
-  auto r = at_node(residual, 0);
+  auto r = to.force(0);
   r.head<3>() += rock.force * down;
   r.tail<3>() += rock.torque * n;
   r[2] += bit_weight(at);
-  if (tangent && rock.force > 0.0)
+  if (to.with_tangent() && rock.force > 0.0)
   {
-    auto d = tangent->diagonal(0);
+    auto d = to.slope(0);
     d.topLeftCorner<3, 3>() += rock.force_by_place * down * down.transpose();
     if (rock.force_by_spin != 0.0) d.topRightCorner<3, 3>() += rock.force_by_spin * down * n.transpose();
     d.bottomLeftCorner<3, 3>() += rock.torque_by_place * n * down.transpose();
@@ -156,7 +155,7 @@ void advance_bit(const StageContext& at, const BitTorque& torque) noexcept
   end.stalled = mud_motor_stalled(at.start.flow, motor->stall_torque, locked ? motor->stall_torque : load);
 }
 
-void add_mean_drilling(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_mean_drilling(const StageContext& at, const ForceRows& to) noexcept
 {
   StageResult& result = at.work.result;
   result.bottom = drilled_bottom(at);
@@ -168,15 +167,15 @@ void add_mean_drilling(const StageContext& at, double* residual, BlockTridiagona
     limit = limit_under(at, result.bottom, speed);
     torque = torque_under(at, limit, speed);
   }
-  put_on_bit(at, rock_load(result.bottom, torque, damping), residual, tangent);
-  if (limit.value > 0.0) put_on_face(at, limit, speed, result.bottom.stiffness + damping, residual, tangent);
+  put_on_bit(at, rock_load(result.bottom, torque, damping), to);
+  if (limit.value > 0.0) put_on_face(at, limit, speed, result.bottom.stiffness + damping, to);
   advance_bit(at, torque);
 }
 
 /// The bit over its ground at the stage; its flats are to be found.
 BitCutPlace place_over_ground(const StageContext& at) noexcept
 {
-  const double turned = at.start.nodes[0].spin_angle + at.work.nodes[0].spin + at.start.bit.turned + at.stage.bit.motor_turn;
+  const double turned = at.start.nodes[0].spin_angle + at.node(0).spin + at.start.bit.turned + at.stage.bit.motor_turn;
   return {turned, at.start.ground.mean + approach_of(at), 0.0};
 }
 
@@ -188,14 +187,14 @@ void take_weight(const CutWeight& weight, BitCutPlace& place, BottomForce& botto
   bottom.value = weight.weight();
 }
 
-void add_cutting(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_cutting(const StageContext& at, const ForceRows& to) noexcept
 {
   StageResult& result = at.work.result;
   const BitSpec& bit = at.model.bit();
   const FormationLayer& rock = rock_of(at);
   result.cut = place_over_ground(at);
   const GroundHeight ground = ground_ahead(at.start.ground, bit.torque.blades, result.cut.angle);
-  const double sunk = at.work.nodes[0].increment.head<3>().dot(at.start.well.bottom_normal());
+  const double sunk = at.node(0).increment.head<3>().dot(at.start.well.bottom_normal());
   const CutWeight weight = cut_weight(bit_cut_law(bit.torque, rock), result.cut.height - ground.value, sunk, at.start.ground.flats);
   take_weight(weight, result.cut, result.bottom);
 
@@ -211,14 +210,14 @@ void add_cutting(const StageContext& at, double* residual, BlockTridiagonal* tan
              {weight.weight(), by_depth + weight.flats_by_height, -by_depth * ground.slope, torque.value,
               torque.force_slope * (limit_by_depth + flats_arm * weight.flats_by_height),
               torque.spin_slope - torque.force_slope * limit_by_depth * ground.slope},
-             residual, tangent);
+             to);
   advance_bit(at, torque);
 }
 
-void add_drilling(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_drilling(const StageContext& at, const ForceRows& to) noexcept
 {
   at.work.result.forces.bit_speed = bit_speed(at);
-  (at.model.regenerative() ? add_cutting : add_mean_drilling)(at, residual, tangent);
+  (at.model.regenerative() ? add_cutting : add_mean_drilling)(at, to);
 }
 
 /// The bit's weight at rest, on ground that is still even.
@@ -236,14 +235,14 @@ void find_resting_bottom(const StageContext& at) noexcept
   result.bottom.stiffness = weight.cutters_by_depth + weight.flats_by_depth;
 }
 
-void add_resting(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_resting(const StageContext& at, const ForceRows& to) noexcept
 {
   StageResult& result = at.work.result;
   find_resting_bottom(at);
   result.forces.bit_speed = 0.0;
   BitTorque torque;
   torque.value = result.bottom.value > 0.0 ? at.model.scene().start.torque_on_bit : 0.0;
-  put_on_bit(at, rock_load(result.bottom, torque, 0.0), residual, tangent);
+  put_on_bit(at, rock_load(result.bottom, torque, 0.0), to);
 }
 
 void store_bit(const StageContext& at, StoredEnergy& energy) noexcept
@@ -251,7 +250,7 @@ void store_bit(const StageContext& at, StoredEnergy& energy) noexcept
   const StageResult& result = at.work.result;
   if (!at.model.regenerative()) energy.bottom += elastic_energy(at.model.bit().bottom, result.bottom.penetration);
   energy.bit_bristle += 0.5 * at.model.bit_bristle_stiffness() * result.bit.twist * result.bit.twist;
-  energy.weight += bit_weight(at) * at.work.nodes[0].position.z();
+  energy.weight += bit_weight(at) * at.node(0).position.z();
 }
 
 void sample_bit(const StageContext& at, EnergySample& sample) noexcept
@@ -266,7 +265,7 @@ void sample_bit(const StageContext& at, EnergySample& sample) noexcept
   if (result.bottom.value > 0.0 && !regenerative)
     at_node(sample, NodeForce::friction, 0).head<3>() +=
         face_friction(at, limit_under(at, result.bottom, result.forces.bit_speed), result.forces.bit_speed).value;
-  sample.rock_speed = regenerative ? at.work.nodes[0].rate.head<3>().dot(down) : result.bottom.speed;
+  sample.rock_speed = regenerative ? at.node(0).rate.head<3>().dot(down) : result.bottom.speed;
   sample.rock_advance = at.stage.bit.bottom_known ? at.stage.bit.bottom_increment.dot(down) : result.bottom.advance;
   sample.bit_torque = result.forces.bit_torque;
   sample.bit_speed = result.forces.bit_speed;
@@ -276,8 +275,7 @@ void sample_bit(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force bit_on_bottom = {"bit", Cost::bit, add_drilling, store_bit, sample_bit};
-const Force resting_bit = {"resting bit", Cost::bit, add_resting, nullptr, nullptr};
+const Force bit_on_bottom = {"bit", Cost::bit, Sum::contact, add_drilling, add_resting, add_drilling, store_bit, sample_bit};
 
 double bit_weight(const StageContext& at) noexcept
 {

@@ -35,21 +35,20 @@ StringTask task_of(const StageContext& at, double* residual) noexcept
   return {0, 0, &columns.nodes, &columns.elements, at.stage.structural_damping, at.stage.dv_du, at.stage.da_du, residual, nullptr, nullptr, nullptr};
 }
 
-void add_free_string(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+}  // namespace
+
+void add_free_string(const StageContext& at, const ForceRows& to) noexcept
 {
-  if (tangent) clear_unwritten_blocks(at, *tangent);
-  StringTask task = task_of(at, residual);
-  if (tangent)
+  open_string(at, to);
+  StringTask task = task_of(at, to.residual());
+  if (BlockTridiagonal* tangent = to.tangent())
   {
     task.diagonal = tangent->diagonal(0).data();
     task.upper = tangent->upper(0).data();
     task.lower = tangent->lower(0).data();
   }
-  for_each_free_run(at, task, [&] { at.work.string->add(task); }, [&](int e) { add_beam(at, e, residual, tangent); });
+  for_each_free_run(at, task, [&] { at.work.string->add(task); }, [&](int e) { add_beam(at, e, to); });
 }
-}  // namespace
-
-const Force free_string = {"free string", Cost::elements, add_free_string, nullptr, nullptr};
 
 void find_free_forces(const StageContext& at) noexcept
 {

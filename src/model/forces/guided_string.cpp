@@ -35,6 +35,12 @@ bool gauge(const StageContext& at, int i) noexcept
   return i < at.model.mesh().gauge_nodes;
 }
 
+/// Other forces have acted on a guided node, in six coordinates.
+bool acted_on(const StageContext& at, int i) noexcept
+{
+  return at.work.rows_open[static_cast<std::size_t>(i)] != 0;
+}
+
 /// T: what a node's coordinates do to its six.
 Columns motions(const Guide& guide) noexcept
 {
@@ -247,17 +253,18 @@ void write_results(const StageContext& at, int i, const NodeFriction& friction) 
 }
 
 template <FrictionAtNode friction_at>
-void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* tangent) noexcept
+void add_at(const StageContext& at, int i, const ForceRows& to) noexcept
 {
   const Guide& guide = guide_of(at, i);
   GuidedMotion& motion = at.work.guided[i];
-  auto r = at_node(residual, i);
+  auto r = at_node(to.residual(), i);
   const Ends ends = ends_of(at, i);
   double along = ends.above.tension - ends.below.tension + guide.mass * motion.along_acceleration + guide.mud_along * motion.along_rate -
                  guide.tangent.dot(guide.weight);
   double about = ends.above.torque - ends.below.torque + guide.spin_inertia * motion.about_acceleration + guide.mud_about * motion.about_rate;
   motion.push = motion.lean = lean_of(at, i, ends);
-  if (guide.joined)
+  const bool others_act = acted_on(at, i);
+  if (others_act)
   {
     const Vector2d others = motions(guide).transpose() * r;
     along += others.x();
@@ -265,41 +272,56 @@ void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* t
     if (!gauge(at, i)) motion.push -= across(guide, r.head<3>());  // its friction loads the motor before all forces are there
   }
   const Load load = load_of(guide, motion.push);
-  const NodeFriction friction = friction_at(at, i, load, tangent);
+  const NodeFriction friction = friction_at(at, i, load, to.with_tangent());
   along -= friction.force.x();
   about -= guide.lever * friction.force.y();
   r.head<3>() = along * guide.tangent;
   r.tail<3>() = about * guide.tangent;
   write_results(at, i, friction);
-  if (!tangent) return;
+  if (!to.with_tangent()) return;
   const Vector2d by_load(-friction.by_load.x(), -guide.lever * friction.by_load.y());
-  write_small_rows(at, i, load, friction, by_load, *tangent);
-  if (guide.joined) reduce_rows(at, i, load, gauge(at, i) ? Vector2d(0.0, 0.0) : by_load, *tangent);
+  write_small_rows(at, i, load, friction, by_load, *to.tangent());
+  if (others_act) reduce_rows(at, i, load, gauge(at, i) ? Vector2d(0.0, 0.0) : by_load, *to.tangent());
 }
 
 template <FrictionAtNode friction_at>
-void add_guided_string(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_guided_string(const StageContext& at, const ForceRows& to) noexcept
 {
   if (!at.stage.any_guided) return;
   find_tensions(at);
   for (const Runs::Run& run : at.stage.guided_nodes)
-    for (int i = run.first; i < run.last; ++i) add_at<friction_at>(at, i, residual, tangent);
+    for (int i = run.first; i < run.last; ++i) add_at<friction_at>(at, i, to);
 }
 
-/// Inner nodes by the batch kernel, then the others: they are beside what it writes too much.
-void add_sticking(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+/// Calls batch(run) for runs of inner nodes that no other force has acted on, and node(i) for all other guided nodes behind them.
+template <class Batch, class Node>
+void each_inner_run(const StageContext& at, const Batch& batch, const Node& node)
 {
-  if (!at.stage.guided_kernel) return add_guided_string<sticking_friction>(at, residual, tangent);
-  if (!at.stage.any_guided) return;
-  find_tensions(at);
-  GuidedRows to{residual, nullptr, nullptr, nullptr};
-  if (tangent) to = {residual, tangent->small_diagonal(0).data(), tangent->small_upper(0).data(), tangent->small_lower(0).data()};
-  for (const Runs::Run& run : at.stage.inner_nodes) at.stage.guided_kernel->add(at, run, to);
+  for (const Runs::Run& run : at.stage.inner_nodes)
+    for (int i = run.first, first = i; i < run.last; first = ++i)
+    {
+      while (i < run.last && !acted_on(at, i)) ++i;
+      if (i > first) batch({first, i});
+    }
+  for (const Runs::Run& run : at.stage.inner_nodes)
+    for (int i = run.first; i < run.last; ++i)
+      if (acted_on(at, i)) node(i);
   each_outside(at.stage.inner_nodes, at.model.nodes(),
                [&](int i)
                {
-                 if (guide_of(at, i).guided) add_at<sticking_friction>(at, i, residual, tangent);
+                 if (guide_of(at, i).guided) node(i);
                });
+}
+
+/// Nodes that only the guided string acts on by the batch kernel, then the others: they are beside what it writes too much.
+void add_sticking(const StageContext& at, const ForceRows& to) noexcept
+{
+  if (!at.stage.guided_kernel) return add_guided_string<sticking_friction>(at, to);
+  if (!at.stage.any_guided) return;
+  find_tensions(at);
+  GuidedRows rows{to.residual(), nullptr, nullptr, nullptr};
+  if (BlockTridiagonal* tangent = to.tangent()) rows = {to.residual(), tangent->small_diagonal(0).data(), tangent->small_upper(0).data(), tangent->small_lower(0).data()};
+  each_inner_run(at, [&](Runs::Run run) { at.stage.guided_kernel->add(at, run, rows); }, [&](int i) { add_at<sticking_friction>(at, i, to); });
 }
 
 void store_guided_string(const StageContext& at, StoredEnergy& energy) noexcept
@@ -358,7 +380,7 @@ void sample_guided_string(const StageContext& at, EnergySample& sample) noexcept
   }
 }
 
-void add_gauge(const StageContext& at, double*, BlockTridiagonal*) noexcept
+void add_gauge(const StageContext& at, const ForceRows&) noexcept
 {
   if (!at.stage.any_guided || !guide_of(at, 0).guided) return;
   if (!at.stage.guided_elements.empty())
@@ -375,26 +397,9 @@ void add_gauge(const StageContext& at, double*, BlockTridiagonal*) noexcept
   }
 }
 
-void add_beams_at_guides(const StageContext& at, double* residual, BlockTridiagonal*) noexcept
-{
-  if (!at.stage.any_guided) return;
-  const auto add_beam = [&](int e)
-  {
-    const Vector3d force = element_forces(at, e).force, half = 0.5 * at.stage.load[e];
-    at_node(residual, e).head<3>() += force - half;
-    at_node(residual, e + 1).head<3>() -= force + half;
-  };
-  for (const Runs::Run& run : at.stage.guided_nodes)
-  {
-    if (run.first > 0) add_beam(run.first - 1);
-    if (run.last < at.model.nodes()) add_beam(run.last - 1);
-  }
-}
 }  // namespace
 
-const Force guided_string = {"guided string", Cost::guided, add_sticking, store_guided_string, sample_guided_string};
-const Force sliding_guided_string = {"sliding guided string", Cost::guided, add_guided_string<sliding_friction>, nullptr, nullptr};
-const Force guided_gauge = {"guided gauge", Cost::guided, add_gauge, nullptr, nullptr};
-const Force beams_at_guides = {"beams at guided nodes", Cost::guided, add_beams_at_guides, nullptr, nullptr};
+const Force guided_string = {"guided string", Cost::guided, Sum::none, add_sticking, add_guided_string<sliding_friction>, add_sticking, store_guided_string, sample_guided_string};
+const Force guided_gauge = {"guided gauge", Cost::guided, Sum::none, add_gauge, nullptr, add_gauge, nullptr, nullptr};
 
 }  // namespace drill_rig_sim

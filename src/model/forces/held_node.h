@@ -25,7 +25,7 @@ struct HeldOffset
 
 inline HeldOffset offset_of(const StageContext& at, const HeldNode& held, const Grip& grip) noexcept
 {
-  const NodeMotion& node = at.work.nodes[held.node];
+  const NodeMotion& node = at.node(held.node);
   Eigen::Vector3d place = node.position - held.position;
   if (grip.on_floor) place.z() -= at.stage.hoist.floor.height;
   if (grip.lets_up) place.z() = std::min(0.0, place.z());
@@ -37,19 +37,19 @@ inline Vector6d force_of(const StageContext& at, const HeldNode& held, const Gri
   const HeldOffset offset = offset_of(at, held, grip);
   Vector6d out;
   out.head<3>() = grip.stiffness * offset.place;
-  out.tail<3>() = grip.torsion * offset.turn * at.work.nodes[held.node].axis;
+  out.tail<3>() = grip.torsion * offset.turn * at.node(held.node).axis;
   return out;
 }
 
 /// Force::add, store and sample of a node that is held, or of none.
-inline void add_held(const StageContext& at, const HeldNode& held, const Grip& grip, double* residual, BlockTridiagonal* tangent) noexcept
+inline void add_held(const StageContext& at, const HeldNode& held, const Grip& grip, const ForceRows& to) noexcept
 {
   const int i = held.node;
   if (i < 0) return;
-  at_node(residual, i) += force_of(at, held, grip);
-  if (!tangent) return;
-  const Eigen::Vector3d& n = at.work.nodes[i].axis;
-  auto d = tangent->diagonal(i);
+  to.force(i) += force_of(at, held, grip);
+  if (!to.with_tangent()) return;
+  const Eigen::Vector3d& n = at.node(i).axis;
+  auto d = to.slope(i);
   d(0, 0) += grip.stiffness;
   d(1, 1) += grip.stiffness;
   if (!grip.lets_up || offset_of(at, held, grip).place.z() < 0.0) d(2, 2) += grip.stiffness;

@@ -17,12 +17,12 @@ double block_weight(const StageContext& at) noexcept
 /// Above the rotary table.
 double height_of_block(const StageContext& at) noexcept
 {
-  return at.work.nodes.back().position.z() - at.stage.hoist.floor.height;
+  return at.node(at.model.top()).position.z() - at.stage.hoist.floor.height;
 }
 
 double velocity_of_block(const StageContext& at) noexcept
 {
-  return at.work.nodes.back().rate[2] - at.stage.hoist.floor.speed;
+  return at.node(at.model.top()).rate[2] - at.stage.hoist.floor.speed;
 }
 
 LinePull pull_of(const StageContext& at) noexcept
@@ -37,7 +37,7 @@ LineDamper damper_at(const StageContext& at, const LinePull& pull) noexcept
 
 BristleForce rail_at(const StageContext& at) noexcept
 {
-  const double moved = at.work.nodes.back().increment[2] - (at.stage.hoist.floor.height - at.start.hoist.floor.height);
+  const double moved = at.node(at.model.top()).increment[2] - (at.stage.hoist.floor.height - at.start.hoist.floor.height);
   return rail_bristle(at.model.scene().rig.hoisting, at.start.hoist.rail_deflection).at(moved, velocity_of_block(at), at.stage.time);
 }
 
@@ -46,7 +46,7 @@ StopForce stop_at(const StageContext& at) noexcept
   return stop_force(at.model.scene().rig.hoisting, height_of_block(at), velocity_of_block(at));
 }
 
-void add_hoisting(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_hoisting(const StageContext& at, const ForceRows& to) noexcept
 {
   const int top = at.model.top();
   const LinePull pull = pull_of(at);
@@ -57,17 +57,17 @@ void add_hoisting(const StageContext& at, double* residual, BlockTridiagonal* ta
   result.forces.hook_load = pull.hook_force + damper.force;
   result.forces.block_resistance = rail.force + stop.force;
   result.rail_deflection = rail.next;
-  at_node(residual, top)[2] -= result.forces.hook_load + result.forces.block_resistance - block_weight(at);
-  if (!tangent) return;
+  to.force(top)[2] -= result.forces.hook_load + result.forces.block_resistance - block_weight(at);
+  if (!to.with_tangent()) return;
   const double by_place = pull.stiffness - rail.by_move + stop.stiffness, by_rate = damper.damping + stop.damping - rail.by_speed;
-  tangent->diagonal(top)(2, 2) += by_place + at.stage.dv_du * by_rate;
+  to.slope(top)(2, 2) += by_place + at.stage.dv_du * by_rate;
 }
 
 void store_hoisting(const StageContext& at, StoredEnergy& energy) noexcept
 {
   const double line = at.stage.hoist.line_length, tension = pull_of(at).tension;
   energy.line += 0.5 * tension * tension * line / at.model.scene().rig.hoisting.line_ea;
-  energy.weight += block_weight(at) * at.work.nodes.back().position.z();
+  energy.weight += block_weight(at) * at.node(at.model.top()).position.z();
   const double held = rail_at(at).next;
   energy.block += 0.5 * rail_stiffness * held * held + stop_at(at).energy;
 }
@@ -89,7 +89,7 @@ void sample_hoisting(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force hoisting = {"hoisting", Cost::rig, add_hoisting, store_hoisting, sample_hoisting};
+const Force hoisting = {"hoisting", Cost::rig, Sum::none, add_hoisting, nullptr, add_hoisting, store_hoisting, sample_hoisting};
 
 namespace
 {

@@ -1,6 +1,7 @@
 #include "drill_rig_sim/model/forces/inertia.h"
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/forces/free_string.h"
 #include "drill_rig_sim/model/forces/guide_rail.h"
 
 namespace drill_rig_sim
@@ -11,7 +12,7 @@ using Eigen::Vector3d;
 
 namespace
 {
-void add_inertia(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_inertia_of_nodes(const StageContext& at, const ForceRows& to) noexcept
 {
   const double dv_du = at.stage.dv_du, da_du = at.stage.da_du;
   for (int i = 0; i < at.model.nodes(); ++i)
@@ -21,10 +22,10 @@ void add_inertia(const StageContext& at, double* residual, BlockTridiagonal* tan
     const NodeMotion& node = at.work.nodes[i];
     const Vector3d& n = node.axis;
     const Vector3d w = node.rate.tail<3>();
-    at_node(residual, i) += inertia_force(body, n, w, node.acceleration, body.spin_inertia);
-    if (!tangent) continue;
+    to.force(i) += inertia_force(body, n, w, node.acceleration, body.spin_inertia);
+    if (!to.with_tangent()) continue;
 
-    auto d = tangent->diagonal(i);
+    auto d = to.slope(i);
     const Matrix3d nn = n * n.transpose();
     d.topLeftCorner<3, 3>() -= (da_du * body.added_mass) * nn;
     d.topLeftCorner<3, 3>().diagonal().array() += da_du * (body.mass + body.added_mass);
@@ -32,6 +33,11 @@ void add_inertia(const StageContext& at, double* residual, BlockTridiagonal* tan
                                    (dv_du * body.spin_inertia) * (w.cross(n) * n.transpose() - w.dot(n) * skew(n));
     d.bottomRightCorner<3, 3>().diagonal().array() += da_du * body.tilt_inertia;
   }
+}
+
+void add_inertia(const StageContext& at, const ForceRows& to) noexcept
+{
+  if (!moved_in_batches(at)) add_inertia_of_nodes(at, to);  // else the batch kernel of the beams has it
 }
 
 void store_inertia(const StageContext& at, StoredEnergy& energy) noexcept
@@ -59,7 +65,7 @@ void sample_inertia(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force inertia = {"inertia", Cost::inertia, add_inertia, store_inertia, sample_inertia};
+const Force inertia = {"inertia", Cost::inertia, Sum::none, add_inertia, add_inertia_of_nodes, nullptr, store_inertia, sample_inertia};
 
 RigidBody node_body(const Model& model, const Stage& stage, int i) noexcept
 {

@@ -1,5 +1,7 @@
 #include "drill_rig_sim/model/forces/mud_drag.h"
 
+#include "drill_rig_sim/model/forces/free_string.h"
+
 namespace drill_rig_sim
 {
 using Eigen::Matrix3d;
@@ -40,8 +42,9 @@ Vector6d force_of(const Drag& drag, const NodeMotion& node, const Vector3d& n) n
   return out;
 }
 
-void add_mud_drag(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_mud_drag(const StageContext& at, const ForceRows& to) noexcept
 {
+  if (moved_in_batches(at)) return;  // the batch kernel of the beams has it
   const double dv_du = at.stage.dv_du;
   for (int i = 0; i < at.model.nodes(); ++i)
   {
@@ -49,9 +52,9 @@ void add_mud_drag(const StageContext& at, double* residual, BlockTridiagonal* ta
     const NodeMotion& node = at.work.nodes[i];
     const Drag drag = drag_of(at, i);
     const Vector3d& n = at.stage.normal[i];
-    at_node(residual, i) += force_of(drag, node, n);
-    if (!tangent) continue;
-    auto d = tangent->diagonal(i);
+    to.force(i) += force_of(drag, node, n);
+    if (!to.with_tangent()) continue;
+    auto d = to.slope(i);
     const Matrix3d nn = n * n.transpose();
     d.topLeftCorner<3, 3>() += (dv_du * drag.along) * nn;
     d.topLeftCorner<3, 3>().diagonal().array() += dv_du * drag.across;
@@ -72,6 +75,6 @@ void sample_mud_drag(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force mud_drag = {"mud drag", Cost::inertia, add_mud_drag, nullptr, sample_mud_drag};
+const Force mud_drag = {"mud drag", Cost::inertia, Sum::string, add_mud_drag, nullptr, nullptr, nullptr, sample_mud_drag};
 
 }  // namespace drill_rig_sim

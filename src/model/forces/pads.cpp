@@ -35,26 +35,26 @@ Rows motions(const StageContext& at) noexcept
 
 SurfaceFriction friction_of(const StageContext& at, const Rows& by_node, SurfaceSlopes* slopes) noexcept
 {
-  const NodeMotion& node = at.work.nodes[static_cast<std::size_t>(node_of(at))];
+  const NodeMotion& node = at.node(node_of(at));
   const Pads& pads = at.stage.pads;
   const SurfaceMotion motion{by_node * node.increment, by_node * node.rate, at.stage.dv_du, at.stage.time};
   return surface_friction(pads.normal_force, pads.friction, motion, at.start.pads.bristle, pads.law, slopes);
 }
 
-void add_pads(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_pads(const StageContext& at, const ForceRows& to) noexcept
 {
   PadsState& next = at.work.result.pads;
   next = PadsState();
   if (!pushes(at)) return;
   const Rows by_node = motions(at);
   SurfaceSlopes slopes;
-  const SurfaceFriction f = friction_of(at, by_node, tangent ? &slopes : nullptr);
-  auto r = at_node(residual, node_of(at));
+  const SurfaceFriction f = friction_of(at, by_node, to.with_tangent() ? &slopes : nullptr);
+  auto r = to.force(node_of(at));
   r.head<3>() -= at.stage.pads.force;
   r -= by_node.transpose() * f.force;
   next.bristle = f.bristle;
   next.rest = f.slipping ? 0.0 : at.start.pads.rest + at.stage.time;
-  if (tangent) tangent->diagonal(node_of(at)) -= by_node.transpose() * slopes.by_displacement * by_node;
+  if (to.with_tangent()) to.slope(node_of(at)) -= by_node.transpose() * slopes.by_displacement * by_node;
 }
 
 void store_pads(const StageContext& at, StoredEnergy& energy) noexcept
@@ -71,7 +71,7 @@ void sample_pads(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force pads = {"pads", Cost::rig, add_pads, store_pads, sample_pads};
+const Force pads = {"pads", Cost::rig, Sum::contact, add_pads, nullptr, add_pads, store_pads, sample_pads};
 
 void find_pads(const Model& model, const State& state, const Setpoints& setpoints, Stage& stage) noexcept
 {

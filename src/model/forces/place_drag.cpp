@@ -24,7 +24,7 @@ const DragState& state_of(const State& state, std::size_t k) noexcept
 
 SurfaceMotion motion_of(const StageContext& at, const PlaceDrag& drag) noexcept
 {
-  const NodeMotion& node = at.work.nodes[static_cast<std::size_t>(drag.node)];
+  const NodeMotion& node = at.node(drag.node);
   SurfaceMotion out;
   out.displacement << node.increment.head<3>().dot(node.axis), drag.lever * node.spin;
   out.velocity << node.rate.head<3>().dot(node.axis), drag.lever * node.rate.tail<3>().dot(node.axis);
@@ -67,20 +67,20 @@ void remember(const StageContext& at, std::size_t k, const SurfaceFriction& f) n
   next.rest = stands ? state_of(at.start, k).rest + at.stage.time : 0.0;
 }
 
-void add_place_drag(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_place_drag(const StageContext& at, const ForceRows& to) noexcept
 {
   each_drag(at, [&](std::size_t k)
   {
     const PlaceDrag& drag = at.stage.drags[k];
-    const Vector3d& n = at.work.nodes[static_cast<std::size_t>(drag.node)].axis;
+    const Vector3d& n = at.node(drag.node).axis;
     SurfaceSlopes slopes;
-    const SurfaceFriction f = friction_of(at, k, tangent ? &slopes : nullptr);
-    at_node(residual, drag.node) += resistance(n, drag.lever, f.force);
+    const SurfaceFriction f = friction_of(at, k, to.with_tangent() ? &slopes : nullptr);
+    to.force(drag.node) += resistance(n, drag.lever, f.force);
     remember(at, k, f);
-    if (!tangent) return;
+    if (!to.with_tangent()) return;
     const Eigen::Matrix3d along = n * n.transpose();
     const Eigen::Matrix2d& d = slopes.by_displacement;
-    auto block = tangent->diagonal(drag.node);
+    auto block = to.slope(drag.node);
     block.topLeftCorner<3, 3>() -= d(0, 0) * along;
     block.topRightCorner<3, 3>() -= drag.lever * d(0, 1) * along;
     block.bottomLeftCorner<3, 3>() -= drag.lever * d(1, 0) * along;
@@ -98,7 +98,7 @@ void sample_place_drag(const StageContext& at, EnergySample& sample) noexcept
   each_drag(at, [&](std::size_t k)
   {
     const PlaceDrag& drag = at.stage.drags[k];
-    const Vector3d& n = at.work.nodes[static_cast<std::size_t>(drag.node)].axis;
+    const Vector3d& n = at.node(drag.node).axis;
     at_node(sample, NodeForce::friction, drag.node) += resistance(n, drag.lever, friction_of(at, k, nullptr).force);
   });
 }
@@ -131,7 +131,7 @@ PlaceDrag drag_at(const Model& model, const State& state, double bit_depth, std:
 }
 }  // namespace
 
-const Force place_drag = {"place drag", Cost::contact, add_place_drag, store_place_drag, sample_place_drag};
+const Force place_drag = {"place drag", Cost::contact, Sum::none, add_place_drag, nullptr, add_place_drag, store_place_drag, sample_place_drag};
 
 double depth_of_bit(const Model& model, const State& state) noexcept
 {

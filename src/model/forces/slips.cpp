@@ -10,9 +10,9 @@ namespace
 {
 constexpr Grip slips_grip{slips_stiffness, slips_torsion, true, true};
 
-void add_slips(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_slips(const StageContext& at, const ForceRows& to) noexcept
 {
-  add_held(at, at.start.slips, slips_grip, residual, tangent);
+  add_held(at, at.start.slips, slips_grip, to);
 }
 
 void store_slips(const StageContext& at, StoredEnergy& energy) noexcept
@@ -27,7 +27,7 @@ void sample_slips(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force slips = {"slips", Cost::rig, add_slips, store_slips, sample_slips};
+const Force slips = {"slips", Cost::rig, Sum::none, add_slips, nullptr, nullptr, store_slips, sample_slips};
 
 double slips_load(const State& state) noexcept
 {

@@ -46,7 +46,7 @@ WallForce span_sliding_force(const StageContext& at, int e, Matrix6d* block) noe
 using ForceAtSpan = WallForce (*)(const StageContext&, int, Matrix6d*) noexcept;
 
 template <ForceAtSpan force_at>
-void add_span_wall(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_span_wall(const StageContext& at, const ForceRows& to) noexcept
 {
   StageResult& result = at.work.result;
   Matrix6d block;
@@ -56,10 +56,10 @@ void add_span_wall(const StageContext& at, double* residual, BlockTridiagonal* t
     WallForce f;
     if (span.touches)
     {
-      f = force_at(at, e, tangent ? &block : nullptr);
-      at_node(residual, e) -= share(span.lower_arm, f.force, f.moment);
-      at_node(residual, e + 1) -= share(span.upper_arm, f.force, f.moment);
-      if (tangent) add_at_ends(span, e, -block, *tangent);
+      f = force_at(at, e, to.with_tangent() ? &block : nullptr);
+      to.force(e) -= share(span.lower_arm, f.force, f.moment);
+      to.force(e + 1) -= share(span.upper_arm, f.force, f.moment);
+      if (to.with_tangent()) add_at_ends(span, e, -block, *to.tangent());
     }
     result.span_bristle[e] = f.bristle;
     result.span_rest[e] = rest_after(f, at.start.spans[e].rest, at.stage.time);
@@ -104,8 +104,8 @@ void sample_span_wall(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force span_wall = {"wall between the nodes", Cost::contact, add_span_wall<span_sticking_force>, store_span_wall, sample_span_wall};
-const Force sliding_span_wall = {"sliding wall between the nodes", Cost::contact, add_span_wall<span_sliding_force>, nullptr, nullptr};
+const Force span_wall = {"wall between the nodes", Cost::contact, Sum::string, add_span_wall<span_sticking_force>, add_span_wall<span_sliding_force>,
+                         add_span_wall<span_sticking_force>, store_span_wall, sample_span_wall};
 
 Vector6d middle(const SpanMotion& span, const Vector6d& lower, const Vector6d& upper) noexcept
 {

@@ -8,9 +8,9 @@ namespace
 {
 constexpr Grip stuck_grip{stuck_point_stiffness, stuck_point_torsion, false, false};
 
-void add_stuck_point(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_stuck_point(const StageContext& at, const ForceRows& to) noexcept
 {
-  add_held(at, at.start.stuck_point, stuck_grip, residual, tangent);
+  add_held(at, at.start.stuck_point, stuck_grip, to);
 }
 
 void store_stuck_point(const StageContext& at, StoredEnergy& energy) noexcept
@@ -24,6 +24,6 @@ void sample_stuck_point(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force stuck_point = {"stuck point", Cost::rig, add_stuck_point, store_stuck_point, sample_stuck_point};
+const Force stuck_point = {"stuck point", Cost::rig, Sum::contact, add_stuck_point, add_stuck_point, nullptr, store_stuck_point, sample_stuck_point};
 
 }  // namespace drill_rig_sim

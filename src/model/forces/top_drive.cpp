@@ -13,12 +13,12 @@ RotorResult rotor_at(const Model& model, const State& start, const Stage& at, do
   return solve_rotor(model.scene().rig.top_drive, at.setpoints.top_drive, start.drive, stage, top_spin);
 }
 
-void add_top_drive(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_top_drive(const StageContext& at, const ForceRows& to) noexcept
 {
   const int top = at.model.top();
-  const RotorResult rotor = rotor_at(at.model, at.start, at.stage, at.work.nodes[top].spin);
-  at_node(residual, top)[5] += rotor.meter_torque;
-  if (tangent) tangent->diagonal(top)(5, 5) += rotor.stiffness;
+  const RotorResult rotor = rotor_at(at.model, at.start, at.stage, at.node(top).spin);
+  to.force(top)[5] += rotor.meter_torque;
+  if (to.with_tangent()) to.slope(top)(5, 5) += rotor.stiffness;
 
   StageResult& result = at.work.result;
   result.forces.meter_torque = rotor.meter_torque;
@@ -49,7 +49,7 @@ void sample_top_drive(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force top_drive = {"top drive", Cost::rig, add_top_drive, store_top_drive, sample_top_drive};
+const Force top_drive = {"top drive", Cost::rig, Sum::none, add_top_drive, nullptr, add_top_drive, store_top_drive, sample_top_drive};
 
 double drive_increment(const Model& model, const State& start, const Stage& stage, const double* u) noexcept
 {

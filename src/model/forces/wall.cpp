@@ -54,18 +54,18 @@ Vector3d moment_on_bit(const StageContext& at, int i, const WallForce& f) noexce
 using ForceAtNode = WallForce (*)(const StageContext&, int, Matrix6d*) noexcept;
 
 template <ForceAtNode force_at>
-void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* tangent) noexcept
+void add_at(const StageContext& at, int i, const ForceRows& to) noexcept
 {
   StageResult& result = at.work.result;
   WallForce f;
   if (at.work.nodes[i].touches)
   {
     Matrix6d block;
-    f = force_at(at, i, tangent ? &block : nullptr);
-    auto r = at_node(residual, i);
+    f = force_at(at, i, to.with_tangent() ? &block : nullptr);
+    auto r = to.force(i);
     r.head<3>() -= f.force;
     r.tail<3>() -= f.moment;
-    if (tangent) tangent->diagonal(i) -= block;
+    if (to.with_tangent()) to.slope(i) -= block;
   }
   result.bristle[i] = f.bristle;
   result.rest[i] = rest_after(f, at.start.nodes[i].rest, at.stage.time);
@@ -75,10 +75,10 @@ void add_at(const StageContext& at, int i, double* residual, BlockTridiagonal* t
 }
 
 template <ForceAtNode force_at>
-void add_wall(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_wall(const StageContext& at, const ForceRows& to) noexcept
 {
   at.work.result.forces.bit_moment.setZero();
-  each_outside(at.stage.guided_nodes, at.model.top(), [&](int i) { add_at<force_at>(at, i, residual, tangent); });
+  each_outside(at.stage.guided_nodes, at.model.top(), [&](int i) { add_at<force_at>(at, i, to); });
 }
 
 WallNumbers numbers_of(const WallLaw& law, double radius) noexcept
@@ -88,7 +88,7 @@ WallNumbers numbers_of(const WallLaw& law, double radius) noexcept
 }
 
 /// For the batch kernel: node i, the k-th that touches.
-void enter(const StageContext& at, int i, int k, double* residual, BlockTridiagonal* tangent) noexcept
+void enter(const StageContext& at, int i, int k, const ForceRows& to) noexcept
 {
   const NodeMotion& node = at.work.nodes[i];
   StageResult& result = at.work.result;
@@ -97,7 +97,7 @@ void enter(const StageContext& at, int i, int k, double* residual, BlockTridiago
   numbers = numbers_of(at.model.contact(i, node.closest, before), radius_of(at, i));
   result.rest[i] = before;
   at.work.columns.wall_places[k] = {node.orientation.coeffs().data(), &node.closest.md, at.start.nodes[i].bristle.data(), &numbers.stiffness,
-                                    residual + 6 * i, tangent ? tangent->diagonal(i).data() : nullptr, result.forces.wall[i].data(),
+                                    to.force(i).data(), to.with_tangent() ? to.slope(i).data() : nullptr, result.forces.wall[i].data(),
                                     result.bristle[i].data(), &result.forces.contact[i], &result.rest[i]};
 }
 
@@ -110,16 +110,16 @@ void leave_clear(StageResult& result, int i) noexcept
 }
 
 /// The gauge, which turns with the motor, and unusual laws one by one.
-void add_batches(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_batches(const StageContext& at, const ForceRows& to) noexcept
 {
   at.work.result.forces.bit_moment.setZero();
   int count = 0;
   each_outside(at.stage.guided_nodes, at.model.top(), [&](int i)
   {
     if (i < at.model.mesh().gauge_nodes || (at.work.nodes[i].touches && at.model.contact(i).law.exponent != 1.5))
-      add_at<sticking_force>(at, i, residual, tangent);
+      add_at<sticking_force>(at, i, to);
     else if (at.work.nodes[i].touches)
-      enter(at, i, count++, residual, tangent);
+      enter(at, i, count++, to);
     else
       leave_clear(at.work.result, i);
   });
@@ -127,12 +127,12 @@ void add_batches(const StageContext& at, double* residual, BlockTridiagonal* tan
   at.work.wall->add({at.work.columns.wall_places.data(), count, at.stage.dv_du, at.stage.time, exponential});
 }
 
-void add_sticking(const StageContext& at, double* residual, BlockTridiagonal* tangent) noexcept
+void add_sticking(const StageContext& at, const ForceRows& to) noexcept
 {
   if (at.work.wall)
-    add_batches(at, residual, tangent);
+    add_batches(at, to);
   else
-    add_wall<sticking_force>(at, residual, tangent);
+    add_wall<sticking_force>(at, to);
 }
 
 void store_wall(const StageContext& at, StoredEnergy& energy) noexcept
@@ -171,13 +171,12 @@ void sample_wall(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force wall = {"wall", Cost::contact, add_sticking, store_wall, sample_wall};
-const Force sliding_wall = {"sliding wall", Cost::contact, add_wall<sliding_force>, nullptr, nullptr};
+const Force wall = {"wall", Cost::contact, Sum::contact, add_sticking, add_wall<sliding_force>, add_sticking, store_wall, sample_wall};
 
-void add_wall_at_bit(const StageContext& at, double* residual) noexcept
+void add_wall_at_bit(const StageContext& at, const ForceRows& to) noexcept
 {
   at.work.result.forces.bit_moment.setZero();
-  add_at<sticking_force>(at, 0, residual, nullptr);
+  add_at<sticking_force>(at, 0, to);
 }
 
 }  // namespace drill_rig_sim

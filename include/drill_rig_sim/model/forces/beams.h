@@ -9,12 +9,12 @@ namespace drill_rig_sim
 /// ends by the element's own shape functions.
 extern const Force beams;
 
-/// Clears the diagonal blocks that no element writes before something is added to them.
-void clear_unwritten_blocks(const StageContext& at, BlockTridiagonal& tangent) noexcept;
+/// Makes ready what no element writes before something is added to it: the first diagonal block, and the guided nodes beside free elements.
+void open_string(const StageContext& at, const ForceRows& to) noexcept;
 
 /// Element `e` alone, where the batch kernels take those beside it: a shaft that points the bit (pointing.h). The diagonal blocks of its ends are there
 /// before, its own blocks beside them it writes.
-void add_beam(const StageContext& at, int e, double* residual, BlockTridiagonal* tangent) noexcept;
+void add_beam(const StageContext& at, int e, const ForceRows& to) noexcept;
 void store_beam(const StageContext& at, int e, StoredEnergy& energy) noexcept;
 void sample_beam(const StageContext& at, int e, EnergySample& sample) noexcept;
 /// Its tension, torque and bending moment into work.result.forces.

@@ -7,10 +7,8 @@ namespace drill_rig_sim
 {
 /// The bit on the bottom: its weight in mud, the bottom's push (contact/bit_bottom.h), the torque on bit (contact/bit_torque.h), the
 /// face's friction across the bottom (contact/bit_face.h), and the mud motor that bit and gauge load. After the wall in its list: the rock feels the gauge's force too.
+/// In statics at rest, with the start's torque.
 extern const Force bit_on_bottom;
-
-/// The same at rest: statics; the torque is the start's.
-extern const Force resting_bit;
 
 /// Of the bit as a body on node 0, in mud [N].
 double bit_weight(const StageContext& at) noexcept;

@@ -5,10 +5,9 @@
 
 namespace drill_rig_sim
 {
-/// The forces `beams`, `mud_drag` and `inertia` in one, several elements at a time: by the workspace's batch kernel, which must be there, at
-/// its columns. Energy and its samples are those of the three.
-extern const Force free_string;
-
+/// The forces `beams`, `mud_drag` and `inertia` of all free nodes in one, several elements at a time: by the workspace's batch kernel, at its columns; only
+/// moved_in_batches().
+void add_free_string(const StageContext& at, const ForceRows& to) noexcept;
 /// The part of find_string_forces() that is the free elements'.
 void find_free_forces(const StageContext& at) noexcept;
 /// The parts of `beams`.

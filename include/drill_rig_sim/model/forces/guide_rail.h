@@ -8,10 +8,9 @@ namespace drill_rig_sim
 /// What the guide rail holds of the top node: all but height and spin.
 constexpr int held_by_rail[] = {0, 1, 3, 4};
 
-/// The guide rail: rows and columns of what it holds become those of the identity. Last in its list.
+/// The guide rail: rows and columns of what it holds become those of the identity. In statics all six are held, and what holds height and spin goes into
+/// work.result. Last in the list.
 extern const Force guide_rail;
-/// Statics: all six are held; what holds height and spin is told. Last in its list.
-extern const Force held_top;
 
 }  // namespace drill_rig_sim
 

@@ -12,15 +12,11 @@ namespace drill_rig_sim
 ///   J. Petroleum Technology 36 (1984), SPE 11380, with vectors for inclination and azimuth alike); the bending of a pipe that follows its hole is left out;
 ///   the wall's normal force  N = sqrt(Q^2 - F_c^2), Q = |P|: friction around the pipe, F_c, carries its share as the pipe climbs. F_c is that of
 ///   the step's start, at most what slips; with steady rotation it is mu_t N, hence N = Q/sqrt(1 + mu_t^2).
-/// The pipe's friction has the lever of its joints' ends. Then the nodes' rows of the tangent and the residual, to which other forces may
-/// have added in six coordinates, are brought down to two: after all of them.
+/// The pipe's friction has the lever of its joints' ends. What other forces do to a node, force r and slope K in six coordinates, counts as T^t r and
+/// T^t K T (guides.h), and r across the hole is part of P: behind all of them in the list. In statics the string slides steadily (Stage::sliding).
 extern const Force guided_string;
-/// The same in steady sliding, for statics (begin_static()).
-extern const Force sliding_guided_string;
 /// Of a guided bit's gauge what loads the motor, for the bit: before it.
 extern const Force guided_gauge;
-/// Beams between a guided node and a free one, for those who do not evaluate all beams but want the load on the wall.
-extern const Force beams_at_guides;
 
 }  // namespace drill_rig_sim
 

@@ -5,7 +5,6 @@
 
 #include "drill_rig_sim/model/forces/beams.h"
 #include "drill_rig_sim/model/forces/bit.h"
-#include "drill_rig_sim/model/forces/free_string.h"
 #include "drill_rig_sim/model/forces/guide_rail.h"
 #include "drill_rig_sim/model/forces/guided_string.h"
 #include "drill_rig_sim/model/forces/hoisting.h"
@@ -20,25 +19,44 @@
 #include "drill_rig_sim/model/forces/top_drive.h"
 #include "drill_rig_sim/model/forces/wall.h"
 
-/// Which forces make which problem. A new force is a file and a place in these lists. Order matters where a comment says so, and to the
-/// last digit: sums are rounded in this order.
 namespace drill_rig_sim
 {
-/// Dynamics. Beams first: they write the tangent's blocks; the guided string behind all that acts on its nodes; the rail last: it overwrites rows.
-inline const std::array<const Force*, 16> dynamic_forces = {&beams,         &mud_drag,    &inertia, &squeeze_film, &wall,       &span_wall, &guided_gauge,  &bit_on_bottom,
-                                                            &stuck_point,   &slips,       &pads,    &place_drag,   &hoisting,   &top_drive, &guided_string, &guide_rail};
-/// The same by batch kernels.
-inline const std::array<const Force*, 14> batched_forces = {&free_string, &squeeze_film, &wall,       &span_wall, &guided_gauge, &bit_on_bottom,  &stuck_point,
-                                                            &slips,       &pads,         &place_drag, &hoisting,  &top_drive,    &guided_string, &guide_rail};
-/// Statics, inertia for continuation.
-inline const std::array<const Force*, 8> static_forces = {&beams,       &inertia,     &sliding_wall,          &sliding_span_wall,
-                                                          &resting_bit, &stuck_point, &sliding_guided_string, &held_top};
-/// What has results of its own at a solution, beside the residual.
-inline const std::array<const Force*, 10> forces_with_results = {&beams_at_guides, &wall,       &span_wall, &guided_gauge, &bit_on_bottom,
-                                                                 &pads,            &place_drag, &hoisting,  &top_drive,    &guided_string};
-/// For those who integrate bodies themselves: on the string, and at its contacts.
-inline const std::array<const Force*, 3> string_forces = {&beams, &mud_drag, &span_wall};
-inline const std::array<const Force*, 5> contact_forces = {&squeeze_film, &wall, &bit_on_bottom, &stuck_point, &pads};
+/// Some forces, in order.
+struct ForceList
+{
+  const Force* const* first;
+  const Force* const* last;
+
+  const Force* const* begin() const noexcept { return first; }
+  const Force* const* end() const noexcept { return last; }
+};
+
+/// All forces, at all levels, in dynamics and in statics. A new force is a file and a line here, between `beams` and `guided_string`.
+/// Order: beams first, they write the tangent's blocks; the bit behind the wall, whose force it reads; the guided string behind all that acts on its
+/// nodes; the rail last, it overwrites rows. Sums are rounded in this order, to the last digit.
+inline constexpr std::array<const Force*, 16> force_table = {
+    &beams,
+    &mud_drag,
+    &inertia,
+    &squeeze_film,
+    &wall,
+    &span_wall,
+    &guided_gauge,
+    &bit_on_bottom,
+    &stuck_point,
+    &slips,
+    &pads,
+    &place_drag,
+    &hoisting,
+    &top_drive,
+    &guided_string,
+    &guide_rail,
+};
+inline constexpr ForceList all_forces = {force_table.data(), force_table.data() + force_table.size()};
+
+/// evaluate() (&Force::add) or evaluate_static() (&Force::add_static) with these forces instead of all: tests and trials of a new one.
+void evaluate_forces(const ForceList& forces, Force::Add Force::*use, const StageContext& at, const double* u, double* residual,
+                     BlockTridiagonal* tangent) noexcept;
 
 }  // namespace drill_rig_sim
 

@@ -7,11 +7,8 @@ namespace drill_rig_sim
 {
 /// Wall of the hole on the pipe between the nodes: the law of the nodes (contact/wall_contact.h) at the middle of each element
 /// (SpanMotion), its force put on the ends by the same shape functions that say where the middle is. Without it a joint of pipe under
-/// compression bows through the wall.
+/// compression bows through the wall. In statics at full slip, as Stage::sliding says.
 extern const Force span_wall;
-
-/// The same at full slip, as Stage::sliding says: statics.
-extern const Force sliding_span_wall;
 
 /// The middle's six numbers from those of the ends: displacement and rotation, or their rates.
 Vector6d middle(const SpanMotion& span, const Vector6d& lower, const Vector6d& upper) noexcept;

@@ -10,7 +10,7 @@ namespace drill_rig_sim
 extern const Force squeeze_film;
 
 /// Node 0 alone.
-void add_film_at_bit(const StageContext& at, double* residual) noexcept;
+void add_film_at_bit(const StageContext& at, const ForceRows& to) noexcept;
 
 }  // namespace drill_rig_sim
 

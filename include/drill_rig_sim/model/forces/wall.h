@@ -6,14 +6,11 @@
 namespace drill_rig_sim
 {
 /// Wall of the hole, and of the mast above the rotary table, on the nodes, with sticking friction (contact/wall_contact.h); not on the last
-/// node, the top drive's shaft. The bit's gauge turns with the motor.
+/// node, the top drive's shaft. The bit's gauge turns with the motor. In statics at full slip, as Stage::sliding says.
 extern const Force wall;
 
-/// The same at full slip, as Stage::sliding says: statics.
-extern const Force sliding_wall;
-
-/// Node 0 alone.
-void add_wall_at_bit(const StageContext& at, double* residual) noexcept;
+/// Node 0 only.
+void add_wall_at_bit(const StageContext& at, const ForceRows& to) noexcept;
 
 }  // namespace drill_rig_sim
 
