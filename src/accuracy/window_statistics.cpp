@@ -20,10 +20,15 @@ void WindowStatistics::add(double value, double duration) noexcept
   now.duration += duration;
   now.sum += value * duration;
   now.squares += value * value * duration;
+  time_ += duration;
   if (above_ ? value < level_ - band_ : value > level_ + band_)
   {
     above_ = !above_;
-    if (above_ && band_ > 0.0) ++now.rises;
+    if (above_ && band_ > 0.0)
+    {
+      if (now.rises++ == 0) now.first_rise = time_;
+      now.last_rise = time_;
+    }
   }
   if (now.duration < piece - frame_rounding) return;
   level_ = mean();
@@ -43,6 +48,11 @@ WindowStatistics::Piece WindowStatistics::whole() const noexcept
     all.duration += p.duration;
     all.sum += p.sum;
     all.squares += p.squares;
+    if (p.rises > 0)
+    {
+      all.first_rise = all.rises > 0 ? std::min(all.first_rise, p.first_rise) : p.first_rise;
+      all.last_rise = std::max(all.last_rise, p.last_rise);
+    }
     all.rises += p.rises;
   }
   return all;
@@ -75,7 +85,7 @@ double WindowStatistics::largest() const noexcept
 double WindowStatistics::period() const noexcept
 {
   const Piece all = whole();
-  return all.rises >= fewest_rises ? all.duration / all.rises : 0.0;
+  return all.rises >= fewest_rises ? (all.last_rise - all.first_rise) / (all.rises - 1) : 0.0;
 }
 
 }  // namespace drill_rig_sim

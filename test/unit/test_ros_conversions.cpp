@@ -325,7 +325,10 @@ TEST(AccuracyMessage, eachFieldComesFromItsOwn)
   frame.physics.error_is_measured = true;
   frame.physics.errors = {0.11, 0.12, 0.13, 0.14, 0.15, 0.16};
   frame.physics.companion = {"beam3d", 21, 126, 2.0};
-  frame.accuracy = {{31.0, 32.0, 33.0, 34.0, 35.0, 36.0}, need_torque | need_rop, 0.05};
+  frame.accuracy.absolute_errors = {31.0, 32.0, 33.0, 34.0, 35.0, 36.0};
+  for (std::size_t i = 0; i < output_count; ++i) frame.accuracy.statistics[i] = {0.41 + 0.01 * i, 0.51 + 0.01 * i, 0.61 + 0.01 * i, 0.71 + 0.01 * i};
+  frame.accuracy.needs = need_torque | need_rop;
+  frame.accuracy.tolerance = 0.05;
   const Accuracy m = to_accuracy(frame, floor_name);
   expect_header(m.header, 12, 345678901);
   EXPECT_EQ((std::vector<std::string>{"hook_load", "torque", "wob", "rop", "bit_speed", "stand_pipe_pressure"}), m.outputs);
@@ -333,6 +336,14 @@ TEST(AccuracyMessage, eachFieldComesFromItsOwn)
   EXPECT_EQ((std::vector<double>{0.11, 0.12, 0.13, 0.14, 0.15, 0.16}), m.error);
   EXPECT_EQ((std::vector<double>{31.0, 32.0, 33.0, 34.0, 35.0, 36.0}), m.absolute);
   EXPECT_EQ(3.0, m.window);
+  for (std::size_t i = 0; i < output_count; ++i)
+  {
+    EXPECT_EQ(0.41 + 0.01 * i, m.mean_error.at(i));
+    EXPECT_EQ(0.51 + 0.01 * i, m.deviation_error.at(i));
+    EXPECT_EQ(0.61 + 0.01 * i, m.extremes_error.at(i));
+    EXPECT_EQ(0.71 + 0.01 * i, m.period_error.at(i));
+  }
+  EXPECT_EQ(30.0, m.statistics_window);
   EXPECT_EQ(0.05, m.tolerance);
   EXPECT_TRUE(m.measured);
   EXPECT_EQ("beam3d, 21 nodes, 126 coordinates", m.companion);

@@ -22,7 +22,8 @@ public:
   double deviation() const noexcept;  ///< standard deviation
   double least() const noexcept;
   double largest() const noexcept;
-  /// Mean time from one rise through the mean to the next, of rises and falls by half a deviation or more [s]; 0: fewer than three in the window.
+  /// Mean time from one rise through the mean to the next, of rises and falls by half a deviation or more [s]; 0: fewer than three in the window. The mean is
+  /// that of the window at the time: for half a minute after a large step nothing rises through it.
   double period() const noexcept;
 
   template <class V>
@@ -30,6 +31,7 @@ public:
   {
     v("pieces", pieces_);
     v("newest", newest_);
+    v("time", time_);
     v("level", level_);
     v("band", band_);
     v("above", above_);
@@ -41,6 +43,7 @@ private:
     double duration = 0.0, sum = 0.0, squares = 0.0;  // [s], [unit s], [unit2 s]
     double least = 0.0, largest = 0.0;
     int rises = 0;
+    double first_rise = 0.0, last_rise = 0.0;  // since the start [s]
 
     template <class V>
     void visit(V& v)
@@ -51,12 +54,15 @@ private:
       v("least", least);
       v("largest", largest);
       v("rises", rises);
+      v("first_rise", first_rise);
+      v("last_rise", last_rise);
     }
   };
   Piece whole() const noexcept;
 
   std::array<Piece, pieces + 1> pieces_;  // ring
   std::size_t newest_ = 0;
+  double time_ = 0.0;  // since the start [s]
   double level_ = 0.0, band_ = 0.0;  // mean, and how far from it a rise or fall must go, as of the last whole piece
   bool above_ = false;
 };

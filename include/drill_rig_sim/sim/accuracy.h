@@ -32,7 +32,7 @@ struct AccuracyReport
   double element_length = 0.0;  ///< of the element there [m]; compression, twist
   double allowed = 0.0;         ///< measured: numerics.tolerance [-]; turn: by the body [rad/m]
   Output output = Output::hook_load;  ///< measured: the one with the largest error
-  StatisticDifferences statistics;  ///< measured: errors of its statistics over 30 s [-]
+  StatisticDifferences statistics{};  ///< measured: errors of its statistics over 30 s [-]
 
   template <class V>
   void visit(V& v)

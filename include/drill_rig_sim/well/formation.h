@@ -38,7 +38,7 @@ struct FormationLayer
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();  ///< as its hole section has it
   double friction = unset;       ///< kinetic friction coefficient, pipe on the wall of hole that is drilled in it [-]
 
-  FaceRing ring;  ///< no input: ring_of() sets it, and drillability and threshold with it
+  FaceRing ring{};  ///< no input: ring_of() sets it, and drillability and threshold with it
 };
 
 /// The layer at true vertical depth `tvd` = -z [m]; above the first base the first, below the last base the last. `layers`: at least one.
