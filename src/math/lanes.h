@@ -23,78 +23,66 @@ HWY_INLINE V load(const double* from)
   return hn::LoadU(Tag(), from);
 }
 
-struct V3
-{
-  V x, y, z;
-};
+// what math/vector_text.h and the laws' texts want of a V
+#undef DRILL_LAW
+#define DRILL_LAW HWY_INLINE
 
-HWY_INLINE V3 operator+(const V3& a, const V3& b)
+HWY_INLINE V mul_add(V a, V b, V c)
 {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
+  return hn::MulAdd(a, b, c);
 }
 
-HWY_INLINE V3 operator-(const V3& a, const V3& b)
+HWY_INLINE V mul_sub(V a, V b, V c)
 {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
+  return hn::MulSub(a, b, c);
 }
 
-HWY_INLINE V3 operator*(V a, const V3& b)
+HWY_INLINE V neg_mul_add(V a, V b, V c)
 {
-  return {a * b.x, a * b.y, a * b.z};
+  return hn::NegMulAdd(a, b, c);
 }
 
-HWY_INLINE V3 operator-(const V3& a)
+HWY_INLINE V minus(V a)
 {
-  return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)};
+  return hn::Neg(a);
 }
 
-HWY_INLINE V dot(const V3& a, const V3& b)
+HWY_INLINE V sqrt_of(V a)
 {
-  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, a.z * b.z));
+  return hn::Sqrt(a);
 }
 
-HWY_INLINE V3 cross(const V3& a, const V3& b)
+HWY_INLINE V larger(V a, V b)
 {
-  return {hn::MulSub(a.y, b.z, a.z * b.y), hn::MulSub(a.z, b.x, a.x * b.z), hn::MulSub(a.x, b.y, a.y * b.x)};
+  return hn::Max(a, b);
 }
 
-/// a b + c
-HWY_INLINE V3 mul_add(V a, const V3& b, const V3& c)
+HWY_INLINE V select(Mask mask, V yes, V no)
 {
-  return {hn::MulAdd(a, b.x, c.x), hn::MulAdd(a, b.y, c.y), hn::MulAdd(a, b.z, c.z)};
+  return hn::IfThenElse(mask, yes, no);
 }
 
-/// c - a b
-HWY_INLINE V3 mul_sub_from(V a, const V3& b, const V3& c)
+HWY_INLINE V select_or_zero(Mask mask, V yes)
 {
-  return {hn::NegMulAdd(a, b.x, c.x), hn::NegMulAdd(a, b.y, c.y), hn::NegMulAdd(a, b.z, c.z)};
+  return hn::IfThenElseZero(mask, yes);
 }
 
-HWY_INLINE V3 choose(Mask mask, const V3& yes, const V3& no)
+HWY_INLINE Mask both(Mask a, Mask b)
 {
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+  return hn::And(a, b);
 }
 
-/// Orientation; w last, as Eigen keeps it.
-struct Quaternion
+HWY_INLINE Mask opposite(Mask a)
 {
-  V x, y, z, w;
-};
-
-HWY_INLINE Quaternion operator*(const Quaternion& a, const Quaternion& b)
-{
-  return {hn::MulAdd(a.w, b.x, hn::MulAdd(a.x, b.w, hn::MulSub(a.y, b.z, a.z * b.y))),
-          hn::MulAdd(a.w, b.y, hn::MulAdd(a.y, b.w, hn::MulSub(a.z, b.x, a.x * b.z))),
-          hn::MulAdd(a.w, b.z, hn::MulAdd(a.z, b.w, hn::MulSub(a.x, b.y, a.y * b.x))),
-          hn::NegMulAdd(a.x, b.x, hn::NegMulAdd(a.y, b.y, hn::MulSub(a.w, b.w, a.z * b.z)))};
+  return hn::Not(a);
 }
 
-HWY_INLINE V3 x_axis(const Quaternion& q)
+HWY_INLINE bool all_of(Mask mask)
 {
-  const V two = all(2.0);
-  return {hn::NegMulAdd(two, hn::MulAdd(q.y, q.y, q.z * q.z), all(1.0)), two * hn::MulAdd(q.x, q.y, q.w * q.z),
-          two * hn::MulSub(q.x, q.z, q.w * q.y)};
+  return hn::AllTrue(Tag(), mask);
 }
+
+#include "drill_rig_sim/math/vector_text.h"
 
 /// Rows of memory, a node's or an element's each.
 struct Rows

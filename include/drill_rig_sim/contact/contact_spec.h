@@ -47,14 +47,10 @@ inline WallLaw wall_law(const ContactSpec& spec, const ContactLaw& law, double m
           2.0 * spec.tangential_damping * std::sqrt(spec.tangential_stiffness * mass), spec.stribeck_curve, friction_radius};
 }
 
-/// Bristle of a contact that has slipped for `time` [s] under friction at its limit: it goes from `before` to what it is stretched to
-/// at that limit over c_b/k_b (wall_contact.h). In the plane of contact [m].
-template <class Vector>
-Vector slipping_bristle(const WallLaw& law, double time, const Vector& before, const Vector& stretched) noexcept
+/// Friction and bristle of a law with this kinetic coefficient, for the laws' texts.
+inline one_lane::Rubbing rubbing_of(const WallLaw& law, double kinetic) noexcept
 {
-  if (!(law.tangential_damping > 0.0)) return stretched;
-  const double follows = time / (time + law.tangential_damping / law.tangential_stiffness);
-  return before + follows * (stretched - before);
+  return {kinetic, law.static_ratio, law.stribeck_speed, law.tangential_stiffness, law.tangential_damping, law.stribeck_curve == StribeckCurve::exponential};
 }
 
 }  // namespace drill_rig_sim

@@ -1,7 +1,12 @@
 #ifndef DRILL_RIG_SIM_CONTACT_FRICTION_LAW_H
 #define DRILL_RIG_SIM_CONTACT_FRICTION_LAW_H
 
-#include <cmath>
+#include "drill_rig_sim/math/one_lane.h"
+
+namespace drill_rig_sim::one_lane
+{
+#include "drill_rig_sim/contact/friction_text.h"
+}  // namespace drill_rig_sim::one_lane
 
 namespace drill_rig_sim
 {
@@ -29,14 +34,8 @@ enum class StribeckCurve
 inline FrictionCoefficient stribeck_friction(double kinetic, double static_ratio, double stribeck_speed, double speed,
                                              StribeckCurve curve = StribeckCurve::gaussian) noexcept
 {
-  const double x = speed / stribeck_speed;
-  if (curve == StribeckCurve::exponential)
-  {
-    const double excess = kinetic * (static_ratio - 1.0) * std::exp(-x);
-    return {kinetic + excess, -excess / stribeck_speed};
-  }
-  const double excess = kinetic * (static_ratio - 1.0) * std::exp(-x * x);
-  return {kinetic + excess, -2.0 * x / stribeck_speed * excess};
+  const one_lane::Stribeck mu = one_lane::stribeck(kinetic, static_ratio, stribeck_speed, speed, curve == StribeckCurve::exponential);
+  return {mu.value, mu.slope};
 }
 
 }  // namespace drill_rig_sim

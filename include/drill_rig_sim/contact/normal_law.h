@@ -1,7 +1,12 @@
 #ifndef DRILL_RIG_SIM_CONTACT_NORMAL_LAW_H
 #define DRILL_RIG_SIM_CONTACT_NORMAL_LAW_H
 
-#include <cmath>
+#include "drill_rig_sim/math/one_lane.h"
+
+namespace drill_rig_sim::one_lane
+{
+#include "drill_rig_sim/contact/normal_text.h"
+}  // namespace drill_rig_sim::one_lane
 
 namespace drill_rig_sim
 {
@@ -32,20 +37,9 @@ struct NormalForce
 /// 440-445.
 inline NormalForce normal_force(const ContactLaw& law, double penetration, double rate) noexcept
 {
-  NormalForce out;
-  const double factor = 1.0 + law.damping * rate;
-  if (penetration <= 0.0 || factor <= 0.0)
-  {
-    return out;
-  }
-
-  // The usual exponent deserves better than pow().
-  const double power = law.exponent == 1.5 ? std::sqrt(penetration) : std::pow(penetration, law.exponent - 1.0);
-  const double slope = law.stiffness * power;  // elastic force / delta
-  out.value = slope * penetration * factor;
-  out.stiffness = law.exponent * slope * factor;
-  out.damping = slope * penetration * law.damping;
-  return out;
+  if (penetration <= 0.0) return {};
+  const one_lane::Pressed f = one_lane::pressed(law.stiffness, law.exponent, law.damping, penetration, rate);
+  return {f.value, f.stiffness, f.damping};
 }
 
 /// The elastic part of the force, k delta^e [N].

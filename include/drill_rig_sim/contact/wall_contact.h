@@ -61,6 +61,15 @@ struct WallForce
 
 /// Smooths the distance off centre near zero [m].
 constexpr double wall_contact_smoothing = 1e-7;
+}  // namespace drill_rig_sim
+
+namespace drill_rig_sim::one_lane
+{
+#include "drill_rig_sim/contact/wall_text.h"
+}  // namespace drill_rig_sim::one_lane
+
+namespace drill_rig_sim
+{
 
 /// Clearance left between section and wall, -delta [m]; <= 0 means contact. The cheap test before anything else.
 /// @param closest      hole at the section
@@ -68,8 +77,8 @@ constexpr double wall_contact_smoothing = 1e-7;
 /// @param radius    R_D [m]
 inline double wall_gap(const ClosestPoint& closest, const Eigen::Vector3d& position, double radius) noexcept
 {
-  const double rho2 = (position - closest.centre).squaredNorm() + wall_contact_smoothing * wall_contact_smoothing;
-  return closest.radius - radius - std::sqrt(rho2);
+  const one_lane::V3 d = one_lane::from(position) - one_lane::from(closest.centre);
+  return closest.radius - radius - std::sqrt(dot(d, d) + wall_contact_smoothing * wall_contact_smoothing);
 }
 
 /// Wall on string with sticking friction, as described at the top of this file.

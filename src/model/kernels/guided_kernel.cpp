@@ -20,6 +20,8 @@ namespace drill_rig_sim::HWY_NAMESPACE
 namespace
 {
 #include "math/lanes.h"
+#include "math/lane_powers.h"
+#include "drill_rig_sim/contact/friction_text.h"
 #include "model/kernels/guided_lanes.h"
 
 template <class Batch>
@@ -126,81 +128,25 @@ struct Friction
   V rest;
 };
 
-struct Surface
-{
-  V2 bristle, displacement, velocity, trial;
-  V stiffness, size;
-};
-
-HWY_INLINE Surface surface_of(const Numbers& n, const StageContext& at, const NumberColumns& columns, int i)
+HWY_INLINE Friction friction_of(const Numbers& n, const StageContext& at, const NumberColumns& columns, int i, const Load& on_wall)
 {
   using namespace guided_column;
-  Surface s;
-  s.bristle = {n.bristle_along, n.bristle_around};
-  s.displacement = {load(columns[along] + i), n.lever * load(columns[about] + i)};
-  s.velocity = {load(columns[along_rate] + i), n.lever * load(columns[about_rate] + i)};
-  s.trial = {hn::MulAdd(n.stiffness, s.bristle.x + s.displacement.x, n.damping * s.velocity.x),
-             hn::MulAdd(n.stiffness, s.bristle.y + s.displacement.y, n.damping * s.velocity.y)};
-  s.size = norm(s.trial);
-  s.stiffness = hn::MulAdd(all(at.stage.dv_du), n.damping, n.stiffness);
-  return s;
-}
-
-/// Of what slips, by the Stribeck curve; returns which that is.
-HWY_INLINE Mask slip(const Numbers& n, const StageContext& at, const Surface& s, V normal, Friction& f)
-{
-  const V one = all(1.0), zero = all(0.0);
-  const V speed = norm(s.velocity), by_stribeck = one / n.stribeck_speed, x = speed * by_stribeck;
   const bool exponential = at.model.scene().contact.stribeck_curve == StribeckCurve::exponential;
-  const V excess = n.friction * (n.static_ratio - one) * hn::Exp(Tag(), hn::Neg(exponential ? x : x * x));
-  const V slope_by_speed = exponential ? hn::IfThenElseZero(speed > zero, hn::Neg(excess * by_stribeck) / speed)
-                                       : all(-2.0) * by_stribeck * by_stribeck * excess;
-  const V mu = n.friction + excess, limit = mu * normal;
-  const Mask slips = s.size > limit;
-  const V inverse = one / s.size;
-  const V2 d{inverse * s.trial.x, inverse * s.trial.y};
-  f.force = choose(slips, {hn::Neg(limit * d.x), hn::Neg(limit * d.y)}, f.force);
-  const V time = all(at.stage.time), of_limit = limit / n.stiffness;
-  const V elastic = time * n.stiffness, follows = hn::IfThenElse(n.damping > zero, elastic / (elastic + n.damping), one);
-  f.bristle = choose(slips,
-                     {hn::MulAdd(follows, hn::MulSub(of_limit, d.x, s.bristle.x), s.bristle.x),
-                      hn::MulAdd(follows, hn::MulSub(of_limit, d.y, s.bristle.y), s.bristle.y)},
-                     f.bristle);
-  f.by_load = choose(slips, {hn::Neg(mu * d.x), hn::Neg(mu * d.y)}, f.by_load);
-  const V across = limit * inverse * s.stiffness;
-  const V by_speed = slope_by_speed * normal * all(at.stage.dv_du);
-  const V off = across * d.x * d.y;
-  f.first_row = choose(slips,
-                       {hn::NegMulAdd(by_speed * d.x, s.velocity.x, hn::Neg(across * hn::NegMulAdd(d.x, d.x, one))),
-                        hn::NegMulAdd(by_speed * d.x, s.velocity.y, off)},
-                       f.first_row);
-  f.second_row = choose(slips,
-                        {hn::NegMulAdd(by_speed * d.y, s.velocity.x, off),
-                         hn::NegMulAdd(by_speed * d.y, s.velocity.y, hn::Neg(across * hn::NegMulAdd(d.y, d.y, one)))},
-                        f.second_row);
-  return slips;
-}
-
-HWY_INLINE Friction friction_of(const Numbers& n, const StageContext& at, const Surface& s, const Load& load)
-{
-  const V zero = all(0.0);
+  const Rubbing law{n.friction, n.static_ratio, n.stribeck_speed, n.stiffness, n.damping, exponential};
+  const V2 before{n.bristle_along, n.bristle_around}, displacement{load(columns[along] + i), n.lever * load(columns[about] + i)};
+  const V2 velocity{load(columns[along_rate] + i), n.lever * load(columns[about_rate] + i)}, stretched = before + displacement;
+  const V zero = all(0.0), time = all(at.stage.time);
+  const Rubbed<V2> r = rubbed(law, on_wall.normal, mul_add(n.stiffness, stretched, n.damping * velocity), stretched, [&] { return velocity; },
+                              [&] { return before; }, time);
+  const RubbedSlopes by = slopes_of(law, on_wall.normal, r, velocity, all(at.stage.dv_du));
   const V2 none{zero, zero};
-  Friction f;
-  f.force = {hn::Neg(s.trial.x), hn::Neg(s.trial.y)};
-  f.bristle = {s.bristle.x + s.displacement.x, s.bristle.y + s.displacement.y};
-  f.first_row = {hn::Neg(s.stiffness), zero};
-  f.second_row = {zero, hn::Neg(s.stiffness)};
-  f.by_load = none;
-  Mask slips = zero > zero;
-  if (!hn::AllTrue(Tag(), s.size <= n.friction * load.normal)) slips = slip(n, at, s, load.normal, f);
-  const Mask there = hn::And(load.normal > zero, n.friction > zero);
-  f.force = choose(there, f.force, none);
-  f.bristle = choose(there, f.bristle, none);
-  f.first_row = choose(there, f.first_row, none);
-  f.second_row = choose(there, f.second_row, none);
-  f.by_load = choose(there, {load.normal_by_size * f.by_load.x, load.normal_by_size * f.by_load.y}, none);
-  f.rest = hn::IfThenElseZero(hn::And(there, hn::Not(slips)), n.rest + all(at.stage.time));
-  return f;
+  const Mask there = both(on_wall.normal > zero, n.friction > zero);
+  return {choose(there, r.force, none),
+          choose(there, r.bristle, none),
+          choose(there, by.first_row, none),
+          choose(there, by.second_row, none),
+          choose(there, on_wall.normal_by_size * by.by_normal_force, none),
+          select_or_zero(both(there, opposite(r.slipping)), n.rest + time)};
 }
 
 template <class Batch>
@@ -260,7 +206,7 @@ void add_batch(const StageContext& at, Batch b, const GuidedRows& to)
   const NumberColumns& columns = at.work.guided_columns;
   const Numbers n = load_numbers(at, b);
   const Load on_wall = load_of(n, load(columns[guided_column::tension] + b.i), load(columns[guided_column::tension] + b.i - 1));
-  const Friction f = friction_of(n, at, surface_of(n, at, columns, b.i), on_wall);
+  const Friction f = friction_of(n, at, columns, b.i, on_wall);
   write_residual(at, n, f, b, to.residual);
   write_results(at, n, on_wall, f, b);
   if (to.diagonal) write_tangent(at, n, on_wall, f, b, to);

@@ -86,19 +86,3 @@ HWY_INLINE void put_down(V v, double* to, Batch b)
   hn::Store(v, Tag(), numbers);
   for (int k = 0; k < b.count; ++k) to[b.i + k] = numbers[k];
 }
-
-/// Along and around.
-struct V2
-{
-  V x, y;
-};
-
-HWY_INLINE V2 choose(Mask mask, const V2& yes, const V2& no)
-{
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y)};
-}
-
-HWY_INLINE V norm(const V2& v)
-{
-  return hn::Sqrt(hn::MulAdd(v.x, v.x, v.y * v.y));
-}
