@@ -10,6 +10,7 @@ SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 sys.dont_write_bytecode = True
 sys.path[:0] = [os.path.join(SOURCE, 'test/house'), os.path.join(SOURCE, 'test/mutation')]
 import includes  # noqa: E402
+import laws  # noqa: E402
 import sizes  # noqa: E402
 
 PUBLIC = 'include/drill_rig_sim/'
@@ -177,6 +178,21 @@ class Lengths(unittest.TestCase):
         self.assertEqual(1, len(sizes.faults(texts, {'src/math/a.cpp:g': 'reason', 'src/math/a.cpp:f': 'reason'})))
         for key, reason in sizes.ALLOWED.items():
             self.assertTrue(reason, key)
+
+
+class Laws(unittest.TestCase):
+    ONCE = {PUBLIC + 'contact/a_text.h': 'excess = kinetic * (static_ratio - all(1.0))\n'}
+
+    def test_a_law_may_stand_once(self):
+        self.assertEqual([PUBLIC + 'contact/a_text.h:1'], laws.places(self.ONCE)['Stribeck curve'])
+        twice = {**self.ONCE, 'src/model/b.cpp': '\nx = kinetic * (static_ratio - 1.0);\n'}
+        said = [line for line in laws.faults(twice) if 'Stribeck' in line]
+        self.assertEqual(1, len(said))
+        self.assertIn('stands 2 times, allowed: 1', said[0])
+        self.assertIn('src/model/b.cpp:2', said[0])
+
+    def test_a_law_that_is_written_otherwise_is_told(self):
+        self.assertIn('Stribeck curve stands nowhere', laws.faults({})[0])
 
 
 class Command(unittest.TestCase):

@@ -8,6 +8,11 @@
 #include "drill_rig_sim/model/forces/bit.h"
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
 
+namespace drill_rig_sim::one_lane
+{
+#include "drill_rig_sim/model/forces/guided_text.h"
+}  // namespace drill_rig_sim::one_lane
+
 namespace drill_rig_sim
 {
 using Eigen::Matrix2d;
@@ -18,8 +23,6 @@ using Columns = Eigen::Matrix<double, 6, 2>;
 
 namespace
 {
-constexpr double kSmooth = 1.0;  // of the load on the wall, where it changes sides [N]
-
 const Guide& guide_of(const StageContext& at, int i) noexcept
 {
   return at.stage.guides[static_cast<std::size_t>(i)];
@@ -109,27 +112,11 @@ Vector3d lean_of(const StageContext& at, int i, const Ends& ends) noexcept
   return across(guide, push);
 }
 
-/// Where a node's wall stands: load, its size, normal force.
-struct Load
-{
-  Vector3d direction = Vector3d::Zero();  ///< P/|P|, less where it changes sides
-  double size = 0.0;                      ///< Q [N]
-  double normal = 0.0;                    ///< N [N]
-  double normal_by_size = 1.0;            ///< dN/dQ
-};
+using Load = one_lane::GuidedLoad;
 
-/// Q = sqrt(P^2 + q^2) - q: smooth where the load changes sides.
 Load load_of(const Guide& guide, const Vector3d& push) noexcept
 {
-  Load load;
-  const double smoothed = std::sqrt(push.squaredNorm() + kSmooth * kSmooth);
-  load.direction = push / smoothed;
-  load.size = smoothed - kSmooth;
-  const double least = load.size * load.size / (1.0 + guide.friction * guide.friction);
-  const double square = load.size * load.size - guide.held * guide.held;
-  load.normal = std::sqrt(std::max(square, least));
-  if (load.normal > 0.0) load.normal_by_size = square > least ? load.size / load.normal : load.normal / load.size;
-  return load;
+  return one_lane::guided_load(one_lane::from(push), guide.friction, guide.held);
 }
 
 /// Friction at a node, at the rim, with its slopes by the rim's displacement and by Q.
@@ -195,13 +182,14 @@ void write_small_rows(const StageContext& at, int i, const Load& load, const Nod
   const Guide& guide = guide_of(at, i);
   const double c = at.stage.dv_du, damped = 1.0 + c * at.stage.structural_damping, lever = guide.lever;
   const Matrix2d& f = friction.by_displacement;
+  const Vector3d direction = one_lane::to_eigen(load.direction);
   Matrix2d diagonal;
   diagonal << at.stage.da_du * guide.mass + c * guide.mud_along - f(0, 0), -lever * f(0, 1),  //
       -lever * f(1, 0), at.stage.da_du * guide.spin_inertia + c * guide.mud_about - lever * lever * f(1, 1);
   if (i < at.model.top() && span_of(at, i).guided)
   {
     const double axial = damped * span_of(at, i).axial, torsion = damped * span_of(at, i).torsion;
-    const Vector2d by_stretch = (load.direction.dot(guide.above) * axial) * by_load;
+    const Vector2d by_stretch = (direction.dot(guide.above) * axial) * by_load;
     diagonal(0, 0) += axial + by_stretch.x();
     diagonal(1, 0) += by_stretch.y();
     diagonal(1, 1) += torsion;
@@ -210,7 +198,7 @@ void write_small_rows(const StageContext& at, int i, const Load& load, const Nod
   if (i > 0 && span_of(at, i - 1).guided)
   {
     const double axial = damped * span_of(at, i - 1).axial, torsion = damped * span_of(at, i - 1).torsion;
-    const Vector2d by_stretch = (load.direction.dot(guide.below) * axial) * by_load;
+    const Vector2d by_stretch = (direction.dot(guide.below) * axial) * by_load;
     diagonal(0, 0) += axial - by_stretch.x();
     diagonal(1, 0) -= by_stretch.y();
     diagonal(1, 1) += torsion;
@@ -225,7 +213,7 @@ void reduce_rows(const StageContext& at, int i, const Load& load, const Vector2d
 {
   const Columns t = motions(guide_of(at, i));
   Rows rows = t.transpose();
-  rows.leftCols<3>() -= by_load * load.direction.transpose();
+  rows.leftCols<3>() -= by_load * one_lane::to_eigen(load.direction).transpose();
   tangent.small_diagonal(i) += rows * tangent.diagonal(i) * t;
   const auto reduce_off = [&](BlockTridiagonal::Block in_row, BlockTridiagonal::Block in_column)
   {

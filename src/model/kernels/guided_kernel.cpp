@@ -22,6 +22,7 @@ namespace
 #include "math/lanes.h"
 #include "math/lane_powers.h"
 #include "drill_rig_sim/contact/friction_text.h"
+#include "drill_rig_sim/model/forces/guided_text.h"
 #include "model/kernels/guided_lanes.h"
 
 template <class Batch>
@@ -98,27 +99,15 @@ HWY_INLINE Numbers load_numbers(const StageContext& at, Batch b)
 }
 
 /// Load on the wall and normal force.
-struct Load
+struct Load : GuidedLoad
 {
-  V3 push, direction;
-  V normal, normal_by_size;
+  V3 push;
 };
 
 HWY_INLINE Load load_of(const Numbers& n, V above, V below)
 {
-  Load load;
-  const V one = all(1.0), zero = all(0.0);
-  const V3 sum = mul_add(above, n.above, mul_add(below, n.below, n.weight));
-  load.push = mul_sub_from(dot(n.tangent, sum), n.tangent, sum);
-  const V smoothed = hn::Sqrt(hn::MulAdd(all(smooth), all(smooth), dot(load.push, load.push)));
-  const V size = smoothed - all(smooth);
-  load.direction = (one / smoothed) * load.push;
-  const V square = size * size, least = square / hn::MulAdd(n.friction, n.friction, one), left = hn::NegMulAdd(n.held, n.held, square);
-  load.normal = hn::Sqrt(hn::Max(left, least));
-  const Mask held = left > least;
-  const V ratio = hn::IfThenElse(held, size, load.normal) / hn::IfThenElse(held, load.normal, size);
-  load.normal_by_size = hn::IfThenElse(load.normal > zero, ratio, one);
-  return load;
+  const V3 sum = mul_add(above, n.above, mul_add(below, n.below, n.weight)), push = mul_sub_from(dot(n.tangent, sum), n.tangent, sum);
+  return {guided_load(push, n.friction, n.held), push};
 }
 
 /// At the rim, with its slopes by the rim's displacement, rows first, and by the load on the wall.

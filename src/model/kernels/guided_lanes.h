@@ -1,8 +1,6 @@
 // What the batch kernels of guided nodes have in common: batches, and rows of what they work on. Included inside the namespace of such a source, behind
 // math/lanes.h, once for each set of instructions; no include guard, therefore.
 
-constexpr double smooth = 1.0;  // of the load on the wall, where it changes sides [N]
-
 /// A batch: nodes or elements from `i` on, `count` of them.
 struct Rest
 {
