@@ -14,10 +14,10 @@ MONTHS = "jan feb mar apr may jun jul aug sep oct nov dec".split()
 OF_DAY = re.compile(CLOCK + r"\s*([AP]M)?$", re.IGNORECASE)
 TOUCHING = re.compile(r"%[a-zA-Z]%[a-zA-Z]")
 GUESSED = [date + " " + clock for date, clock in itertools.product(
-    ("%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d/%m/%y", "%m/%d/%y", "%d.%m.%y", "%y.%m.%d", "%d-%b-%y", "%d%b%Y", "%b %d %Y",
+    ("%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d/%m/%y", "%m/%d/%y", "%d.%m.%y", "%y.%m.%d", "%y/%m/%d", "%y-%m-%d", "%d-%b-%y", "%d%b%Y", "%b %d %Y",
      "%Y%m%d"),
     ("%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p", "%H:%M", "%I:%M %p"))]
-GUESSED += ["%Y%m%d %H%M%S", "%y%m%d %H%M%S", "%Y%m%d%H%M%S", "%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p"]
+GUESSED += ["%Y%m%dT%H%M%SZ", "%Y%m%dT%H%M%S", "%Y%m%d %H%M%S", "%y%m%d %H%M%S", "%Y%m%d%H%M%S", "%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p"]
 MOST_GUESSES = 3
 LONGEST = 80  # signs of a date
 
