@@ -49,7 +49,7 @@ std::vector<UnitFamily> first_families()
     {"tonfUK", long_ton * pound_force, "uktonf ton(uk) tons(uk) long.ton long.tons"},
     {"kdaN", 1e4L, "1000.dan 10.kn", rare}, {"Mgf", 1e3L * gravity, "", rare}, {"gf", 1e-3L * gravity, "", rare}, {"dyne", 1e-5L, "", rare}, {"kdyne", 1e-2L, "", rare},
     {"ozf", pound_force / 16.0L, "", rare}},
-    {{"ton tons tonf tonsf kton mt", "tonfUS (2000 lbf), tonfUK (2240 lbf) or tf (1000 kgf)"},
+    {{"ton tons tonf tonsf kton mt", "tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf (tf)"},
      {"mlbf mlb mlbs", "klbf (1000 lbf); M is a thousand in some files, a million in others"}}},
   {"a torque", {
     {"N.m", 1.0L, "nm"}, {"daN.m", 10.0L, "danm"}, {"kN.m", 1e3L, "knm"}, {"kgf.m", gravity, "kg.m kgm m.kgf"}, {"lbf.in", pound_force * inch, "lb.in in.lbf in.lb in.lbs"},

@@ -22,7 +22,7 @@ class Units(test_drill.Drill):
         self.assertEqual('setting: mud.density: psi is a pressure; allowed: kg/m3, g/cm3, ppg, lbm/ft3\n', self.refuse('check', QUICK, '--set', 'mud.density=10 psi'))
 
     def test_ambiguous_units_are_refused_with_the_choices(self):
-        for setting, allowed in (('start.weight_on_bit=1 tonf', 'tonfUS (2000 lbf), tonfUK (2240 lbf) or tf (1000 kgf)'), ('start.weight_on_bit=1 mN', 'MN or N'),
+        for setting, allowed in (('start.weight_on_bit=1 tonf', 'tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf (tf)'), ('start.weight_on_bit=1 mN', 'MN or N'),
                                  ('rig.mud_pump.relief_pressure=35 mPa', 'MPa or Pa'), ('rig.top_drive.max_torque=9 tonf-ft', 'tonfUS.ft'), ('formation[0].dip_deg=1 grad', 'gon or deg')):
             key, unit = setting.split('=')[0], setting.split(' ')[1].replace('-', '.')
             self.assertEqual('setting: %s: %s is ambiguous; allowed: %s\n' % (key, unit, allowed), self.refuse('check', QUICK, '--set', setting))

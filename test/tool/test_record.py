@@ -147,7 +147,7 @@ class Units(Folder):
                 self.assertAlmostEqual(1.0, factor_of(quantity, word) / value, places=12, msg="%s %s" % (quantity, word))
 
     def test_ambiguous_and_unknown_units_are_refused_with_the_choices(self):
-        for quantity, word, said in (("force", "tonf", "tonfUS (2000 lbf), tonfUK (2240 lbf) or tf (1000 kgf)"), ("force", "ton", "tonfUS"), ("force", "TONS", "tonfUS"),
+        for quantity, word, said in (("force", "tonf", "tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf (tf)"), ("force", "ton", "tonfUS"), ("force", "TONS", "tonfUS"),
                                      ("force", "mn", "MN or N"), ("pressure", "mPa", "MPa or Pa"), ("force", "Mlbf", "klbf"), ("force", "psi", "not known for a force"),
                                      ("torque", "A", "not known for a torque; allowed: N.m"), ("flow", "spm", "not known for a flow"), ("length", "", "(none)")):
             with self.assertRaises(UnitError, msg=word) as caught:

@@ -107,6 +107,10 @@ READ = {
     "thousands by typographic apostrophes, decimal commas": quoted("%.1f", "\u2019", ",", ";"),
     "thousands of whole numbers beside decimal points": quoted("%.0f", ",", ".", "\t"),
     "thousands of whole numbers in quotes": quoted("%.0f", ",", "."),
+    "order of the date in the header": table(header=("Date (DD/MM/YYYY),Time (HH:MM:SS)", *DATED[1:]), times=dates("%d/%m/%Y,%H:%M:%S")),
+    "order of the date in the header, month first": table(header=("Date [mm/dd/yy],Time", *DATED[1:]), times=dates("%m/%d/%y,%H:%M:%S")),
+    "order of the date below the names": headed("RIG_TIME,HKLD,BPOS", "MM/DD/YYYY HH:MM:SS,klbf,ft", times=dates("%m/%d/%Y %H:%M:%S")),
+    "order of the date in the header, ISO 8601 in the cells": table(header=("Date (DD/MM/YYYY),Time (HH:MM:SS)", *DATED[1:]), times=dates("%Y-%m-%d,%H:%M:%S")),
     "date and time, 12 hours": table(header=("DATE,TIME", *DATED[1:]), times=dates("%Y/%m/%d,%I:%M:%S %p")),
 }
 REFUSED = {
@@ -119,6 +123,7 @@ REFUSED = {
     "day or month first": (table(header=DATED, times=[text.replace("21", "01") for text in dates("%d/%m/%Y %H:%M:%S")]), 'format: "%d/%m/%Y %H:%M:%S" or "%m/%d/%Y %H:%M:%S"'),
     "month first": (table(header=DATED, times=dates("%m/%d/%Y %I:%M:%S %p")), 'r.csv:2: DateTime: 05/21/2024 09:59:50 AM is no date and time of the day; allowed: ISO 8601'),
     "month first, the format": (table(header=DATED, times=dates("%m/%d/%Y %I:%M:%S %p")), 'format: "%m/%d/%Y %I:%M:%S %p"}'),
+    "another order than the header says": (table(header=("Date (DD/MM/YYYY),Time (HH:MM:SS)", *DATED[1:]), times=dates("%m/%d/%Y,%H:%M:%S")), "05/21/2024 09:59:50 is no date"),
     "time of the day alone": (table(header=DATED, times=dates("%H:%M:%S")), 'format: "%H:%M:%S"}'),
     "two figures of a year, which may stand first": (table(header=DATED, times=dates("%y/%m/%d %H:%M:%S")), 'format: "%d/%m/%y %H:%M:%S" or "%y/%m/%d %H:%M:%S"}'),
     "ISO without signs": (table(header=DATED, times=dates("%Y%m%dT%H%M%SZ")), 'format: "%Y%m%dT%H%M%SZ"}'),
@@ -181,6 +186,12 @@ class Tables(Folder):
         for loads in ((200, 0, 0, 0, 0, 200), (0, 0, 200, 200, 0, 0), (200, 0, 100, 100, 0, 200), (2, 0, 2, 200, 200, 200)):  # in the slips, at an end, between others, small
             kept = self.read("Time (s),HKLD (klbf)\n" + "".join("%d,%g\n" % (k, load) for k, load in enumerate(loads)))
             self.assertEqual([KLBF * load for load in loads], list(kept.signals["hook_load"]), loads)
+
+    def test_two_units_in_one_name(self):
+        record = self.read(table(header=("Time (s)", "Hook Load (klbf) (kN)", "Block Height (ft) (feet)")))
+        self.assertNotIn("hook_load", record)
+        self.assertIn("hook_load is left out: Hook Load (klbf) (kN): unit klbf, kN is not known for a force", "\n".join(record.remarks))
+        self.assertAlmostEqual(FEET * 30.0, record.signals["block_height"][0])
 
     def test_null_values_of_one_column(self):
         text = "T,H,B,R\n" + "".join("%g,%g,%g,%d\n" % (t, 0 if t == 5 else h, b, 0 if t < 10 else 90) for t, h, b in ROWS)

@@ -63,7 +63,7 @@ class Tables(unittest.TestCase):
 
 class Doors(InFolder):
     """Every unit of the one table at each door of Python, by each spelling; test_scene_units.cpp does so with every number of a scene."""
-    AMBIGUOUS = (("force", "tonf", "tonfUS"), ("force", "TON", "tf (1000 kgf)"), ("force", "Mlbf", "klbf"), ("force", "mN", "MN or N"), ("pressure", "mPa", "MPa or Pa"),
+    AMBIGUOUS = (("force", "tonf", "tonfUS"), ("force", "TON", "1000 kgf (tf)"), ("force", "Mlbf", "klbf"), ("force", "mN", "MN or N"), ("pressure", "mPa", "MPa or Pa"),
                  ("torque", "tonf.ft", "tonfUS.ft"), ("angle", "grad", "gon or deg"))
 
     def map_of(self, signal, unit):

@@ -199,11 +199,11 @@ TEST(SceneUnits, ANumberThatHasNoUnitTakesNone)
 
 TEST(SceneUnits, AnAmbiguousUnitIsRefusedWithItsMeanings)
 {
-  EXPECT_EQ("setting: start.weight_on_bit: tonf is ambiguous; allowed: tonfUS (2000 lbf), tonfUK (2240 lbf) or tf (1000 kgf)", refusal({"start.weight_on_bit=1 tonf"}));
+  EXPECT_EQ("setting: start.weight_on_bit: tonf is ambiguous; allowed: tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf (tf)", refusal({"start.weight_on_bit=1 tonf"}));
   EXPECT_EQ("setting: rig.hoisting.block_mass: ton is ambiguous; allowed: t, tonUS or tonUK", refusal({"rig.hoisting.block_mass=20 ton"}));
   EXPECT_EQ("setting: rig.mud_pump.relief_pressure: mPa is ambiguous; allowed: MPa or Pa", refusal({"rig.mud_pump.relief_pressure=35 mPa"}));
   EXPECT_EQ("setting: rig.mud_pump.stroke_volume: gal is ambiguous; allowed: galUS or galUK", refusal({"rig.mud_pump.stroke_volume=4 gal"}));
-  EXPECT_EQ("setting: instruments.surface.hook_load.drift: tonf/s^0.5 is ambiguous; allowed: tonfUS (2000 lbf), tonfUK (2240 lbf) or tf (1000 kgf), each with /s^0.5",
+  EXPECT_EQ("setting: instruments.surface.hook_load.drift: tonf/s^0.5 is ambiguous; allowed: tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf (tf), each with /s^0.5",
             refusal({"instruments.surface.hook_load.drift=1 tonf/s^0.5"}));
   EXPECT_EQ("setting: mud.density: sg is ambiguous; allowed: g/cm3", refusal({"mud.density=1.2 sg"}));
   EXPECT_EQ("setting: mud.density: gal is a volume; allowed: kg/m3, g/cm3, ppg, lbm/ft3", refusal({"mud.density=9 gal"}));

@@ -22,6 +22,28 @@ MOST_GUESSES = 3
 LONGEST = 80  # signs of a date
 
 
+FIELDS = {"yyyy": "%Y", "yy": "%y", "dd": "%d", "mmm": "%b", "mon": "%b", "hh": "%H", "ss": "%S", "t": "T"}  # as headers write them; mm is a month or a minute
+
+
+def form_said(texts):
+    """The format, as of strptime, of dates whose header writes DD/MM/YYYY HH:MM:SS, in one text or in two; None where it writes none."""
+    form = " ".join(form_in(text) or "%H:%M:%S" * (k > 0) for k, text in enumerate(texts))
+    return form if all(field in form.lower() for field in ("%y", "%d", "%h")) else None
+
+
+def form_in(text):
+    """Of one text, "" where it is none."""
+    form = ""
+    for part in re.findall(r"[a-z]+|[^a-z]+", text.strip(" ()[]").lower()):
+        if part == "mm":
+            form += "%M" if "%H" in form else "%m"
+        elif part in FIELDS or not part.isalpha() and set(part) <= set("-/.: "):
+            form += FIELDS.get(part, part)
+        else:
+            return ""
+    return form
+
+
 def seconds_of(text, form=None):
     """(seconds, has a zone) of a date and time of the day, None where it is none. Without a zone it is taken as UTC. `form`: as of strptime; without it
     ISO 8601 and other forms whose order of day and month is sure."""

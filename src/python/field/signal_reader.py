@@ -2,7 +2,7 @@
 import numpy
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
 from drill_rig_sim.field.column_finder import known_columns
-from drill_rig_sim.field.dates import forms_for, seconds_of
+from drill_rig_sim.field.dates import form_said, forms_for, seconds_of
 from drill_rig_sim.field.signals import SIGNALS
 from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.field.units import UnitError, factor_of, is_unit
@@ -56,7 +56,7 @@ def times_of(table, column, mapped, remarks):
     places = [table.column(name) for name in column.names]
     cells = [" ".join("" if is_null(row[place]) else row[place].strip() for place in places).strip() for row in table.rows]
     if is_date(table, places, column, cells):
-        return dates_of(table, cells, column), True
+        return dates_of(table, cells, column, form_of_header(table, places)), True
     unit = unit_of(table, places[0], column, "time")
     first = next((k for k, cell in enumerate(cells) if cell), None)
     if first is not None and not is_number(cells[first]) and not (unit and is_unit(unit, "time")):
@@ -81,15 +81,21 @@ def is_date(table, places, column, cells):
     if table.index == places[0] and table.index_is_date is not None:
         return table.index_is_date
     first = next((cell for cell in cells if cell), "")
-    return seconds_of(first) is not None
+    return seconds_of(first) is not None or seconds_of(first, form_of_header(table, places)) is not None
 
 
-def dates_of(table, cells, column):
+def form_of_header(table, places):
+    """The format of dates that the names or the units of these columns write; None where they write none."""
+    return form_said([table.units[place] or table.names[place] for place in places])
+
+
+def dates_of(table, cells, column, said):
+    """`said`: the format that the header writes, for dates that need one and have none in the map."""
     found, zones = numpy.full(len(cells), numpy.nan), [None, None]
     for k, cell in enumerate(cells):
         if not cell:
             continue
-        date = seconds_of(cell, column.form)
+        date = seconds_of(cell, column.form) or (seconds_of(cell, said) if said and not column.form else None)
         if date is None:
             raise no_date(table, k, column, cells)
         found[k], zoned = date

@@ -183,13 +183,15 @@ def bare(name):
 
 
 def parts_of(name):
-    """Name and unit. Of several brackets the unit is the last that is one, else the last."""
+    """Name and unit. Of several brackets the unit is the last that is one, else the last; two units that differ are shown both, which is none."""
     inside, rest = [], name
     while (match := BRACKET.match(rest)) is not None:
         rest = match.group(1).strip()
         inside.append(next(text for text in match.groups()[1:] if text is not None).strip())
     if inside:
-        return rest, next((text for text in inside if is_unit(text)), inside[0]) or None
+        units = [text for text in inside if is_unit(text)]
+        differ = any(not same_unit(units[0], other) for other in units[1:])
+        return rest, ", ".join(reversed(units)) if differ else (units or inside)[0] or None
     match = AFTER_SIGN.match(name)
     if match and any(word(match.group(1)) in RANKS[signal] and is_unit(match.group(2), SIGNALS[signal][0]) for signal in RANKS):
         return match.groups()
