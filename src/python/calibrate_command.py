@@ -1,6 +1,7 @@
 """What `drill calibrate` starts: fits parameters of a scene to a record or a table of weights, and says how sure they are and what a part of the data that
 the fit never saw says; or predicts another record or table with what an earlier fit found. The runner has checked the command line."""
 import argparse
+import math
 import os
 import sys
 import time
@@ -88,7 +89,7 @@ def fit_and_tell(options, plan, problem, why):
     if options.json:
         write_json(as_json(plan, found, left), options.json)
     if options.plots:
-        scatter = {signal: numbers[0] for signal, numbers in left.items()}
+        scatter = {signal: math.inf if numbers[0] is None else numbers[0] for signal, numbers in left.items()}
         draw(Prediction(plan.model, problem, Fitted(plan.parameters, found.covariance, found.student, scatter), found.values), options.plots, os.path.basename(options.fit))
     print("\n".join(table(plan, found, left)))
 

@@ -18,8 +18,9 @@ def lines(prediction):
             found.append("%-14.8g %12.4g %12.4g %12.3g %12s%s" % (prediction.places[k], *numbers, band_text(factor * prediction.band[k]),
                                                                   "" if abs(prediction.off[k]) <= prediction.band[k] else "  beyond"))
         said = prediction.summary()[group]
-        found += ["%s [%s]: %.1f %% of %d rows within the band; off by %.4g in the mean, %.4g rms, %.4g at most%s" %
-                  (group, unit, 100.0 * said["within"], said["rows"], *(factor * said[key] for key in ("mean", "rms", "largest")),
+        within = "the band of %d rows is unknown" % said["rows"] if said["within"] is None else "%.1f %% of %d rows within the band" % (100.0 * said["within"], said["rows"])
+        found += ["%s [%s]: %s; off by %.4g in the mean, %.4g rms, %.4g at most%s" %
+                  (group, unit, within, *(factor * said[key] for key in ("mean", "rms", "largest")),
                    "" if len(shown) == len(rows) else "; %d rows are shown" % len(shown)), ""]
     return found
 

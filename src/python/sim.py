@@ -28,7 +28,7 @@ def build():
 
 
 def units():
-    """Units that the numbers of a scene may have, by quantity: how many SI units one of each is. units()["pressure"]["psi"]: 6894.757..."""
+    """Units that numbers of scenes, surveys and records may have, by quantity and spelling: how many SI units one of each is. units()["pressure"]["psi"]: 6894.757..."""
     return _sim.units()
 
 

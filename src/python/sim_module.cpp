@@ -8,6 +8,7 @@
 #include <cstring>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -68,18 +69,32 @@ std::string build()
   return text;
 }
 
-/// The units that a scene's numbers may have, by quantity: SI units in one of each.
+/// The units that numbers may have, by quantity and spelling: SI units in one of each.
 py::dict units()
 {
   py::dict families;
   for (const UnitFamily& family : unit_families())
   {
     py::dict names;
-    for (const UnitName& unit : family.units) names[unit.name] = static_cast<double>(unit.si);
+    for (const UnitName& unit : family.units)
+    {
+      std::istringstream spellings(unit.name + std::string(" ") + unit.spellings);
+      for (std::string spelling; spellings >> spelling;) names[py::str(spelling)] = unit.factor();
+    }
     const std::string quantity = family.quantity;
     families[py::str(quantity.substr(quantity.find(' ') + 1))] = names;
   }
   return families;
+}
+
+/// SI units in one of a text that is a unit of a quantity, and why it is none: a number and "", or None and the problem.
+py::tuple find_unit_of(const std::string& quantity, const std::string& text)
+{
+  const UnitFamily& family = units_of_quantity(quantity);
+  const FoundUnit found = find_unit(family, text);
+  if (found.unit) return py::make_tuple(found.unit->factor(), "");
+  if (!found.choices.empty()) return py::make_tuple(py::none(), text + " is ambiguous; allowed: " + found.choices);
+  return py::make_tuple(py::none(), (text.empty() ? "(none)" : text) + " is not known for " + family.quantity + "; allowed: " + listed_units(family));
 }
 
 /// The units that the runner's commands show numbers in with --units oilfield: shown numbers in one SI unit.
@@ -299,6 +314,7 @@ PYBIND11_MODULE(_sim, module)
   module.def("static_loads", static_loads);
   module.def("empty_block", empty_block);
   module.def("units", units);
+  module.def("find_unit", find_unit_of);
   module.def("oilfield_units", oilfield_units);
   module.def("read_survey", read_survey);
   module.def("read_text", read_text, py::arg("file"), py::arg("longest") = longest_text);

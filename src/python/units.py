@@ -3,11 +3,11 @@ and CSV files stay in SI."""
 import math
 import typing
 
-from drill_rig_sim.field.units import FOOT, GALLON, INCH, POUND, PSI
-
 SYSTEMS = ("si", "oilfield")
 DEGREE = math.pi / 180.0
-BARREL, POUND_MASS = 9702.0 * INCH**3, 0.45359237  # [m3], [kg]
+# exact by definition, as in math/unit_table.h: [m], [m], [N], [kg]
+FOOT, INCH, POUND, POUND_MASS = 0.3048, 0.0254, 4.4482216152605, 0.45359237
+PSI, GALLON, BARREL = POUND / INCH**2, 231.0 * INCH**3, 9702.0 * INCH**3  # [Pa], of the USA [m3], [m3]
 
 
 class Unit(typing.NamedTuple):

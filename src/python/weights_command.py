@@ -8,6 +8,7 @@ from drill_rig_sim.field.moves import OFF_BOTTOM, moves_of
 from drill_rig_sim.field.record import RecordError, read_record
 from drill_rig_sim.field.window import between, inside, limits, stretches
 from drill_rig_sim.json_file import write_json
+from drill_rig_sim.refusal import Refusal
 from drill_rig_sim.score_command import BAD_INPUT, GOOD
 from drill_rig_sim.units import SYSTEMS, Units
 
@@ -91,7 +92,7 @@ def main(words):
         print("\n".join(text(moves, Units(options.units))))
         print("".join("drill weights: %s\n" % line for line in remarks_on(record, moves, odd)), end="", file=sys.stderr)
         return GOOD
-    except RecordError as error:
+    except Refusal as error:
         print("drill weights: %s" % error, file=sys.stderr)
         return BAD_INPUT
     except OSError as error:

@@ -37,51 +37,25 @@ KeyUnits units_of(const std::string& key_unit)
   return {};
 }
 
-const UnitName* find_in(const KeyUnits& units, const std::string& written)
+FoundUnit find_in(const KeyUnits& units, const std::string& written)
 {
-  if (!units.family) return nullptr;
+  if (!units.family) return {};
   if (units.suffix.empty()) return find_unit(*units.family, written);
-  return ends_with(written, units.suffix) ? find_unit(*units.family, written.substr(0, written.size() - units.suffix.size())) : nullptr;
+  return ends_with(written, units.suffix) ? find_unit(*units.family, written.substr(0, written.size() - units.suffix.size())) : FoundUnit();
 }
 
 std::string allowed_units(const KeyUnits& units, const std::string& key_unit)
 {
   if (key_unit.empty() || key_unit == "-") return "a number without a unit";
-  if (!units.family) return "a number without a unit, which is in " + key_unit;
-  std::string text;
-  for (const UnitName& unit : units.family->units)
-    if (unit.listed) text += (text.empty() ? "" : ", ") + std::string(unit.name) + units.suffix;
-  return text;
-}
-
-std::string lower(const std::string& text)
-{
-  std::string out;
-  for (const char c : text) out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
-}
-
-// for the allowed units of a spelling that means several things; empty if the key takes none of them
-std::string allowed_meanings(const KeyUnits& units, const std::string& written)
-{
-  std::string text;
-  for (const char* meaning : meanings_of(written))
-    if (find_in(units, meaning + units.suffix)) text += (text.empty() ? "" : " or ") + std::string(meaning) + units.suffix;
-  return text;
+  return units.family ? listed_units(*units.family, units.suffix) : "a number without a unit, which is in " + key_unit;
 }
 
 // What is wrong with a unit that the key does not take. Of the file's own text it shows only units of the table.
 std::string refusal(const KeyUnits& units, const std::string& written, const std::string& key_unit)
 {
-  const std::string meanings = allowed_meanings(units, written);
-  if (!meanings.empty()) return written + " is ambiguous; allowed: " + meanings;
   const std::string allowed = "; allowed: " + allowed_units(units, key_unit);
-  if (!meanings_of(written).empty()) return written + " is " + family_of(meanings_of(written).front())->quantity + allowed;
-  if (const UnitFamily* other = family_of(written)) return written + " is " + other->quantity + allowed;
-  if (units.family)
-    for (const UnitName& unit : units.family->units)
-      if (lower(unit.name + units.suffix) == lower(written)) return "unknown unit, did you mean " + (unit.name + units.suffix) + "?" + allowed;
-  return "unknown unit" + allowed;
+  const UnitFamily* other = family_of(written);
+  return (other ? written + " is " + other->quantity : std::string("unknown unit")) + allowed;
 }
 
 // a number of a message, which has six figures; the first one, if it is what was given, is shown as it was
@@ -135,10 +109,11 @@ std::string find_input_unit(const WrittenNumber& number, const std::string& key_
   if (written.empty()) return "";
   const std::string own = plain_unit(key_unit);
   const KeyUnits units = units_of(own);
-  const UnitName* found = find_in(units, written);
-  if (!found && written != own) return refusal(units, written, key_unit);
+  const FoundUnit found = find_in(units, written);
+  if (!found.choices.empty()) return written + " is ambiguous; allowed: " + found.choices + (units.suffix.empty() ? "" : ", each with " + units.suffix);
+  if (!found.unit && written != own) return refusal(units, written, key_unit);
   unit.name = written;
-  if (found && written != own) unit.factor = found->si / find_in(units, own)->si;
+  if (found.unit && written != own) unit.factor = found.unit->si / find_in(units, own).unit->si;
   return "";
 }
 

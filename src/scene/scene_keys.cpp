@@ -113,7 +113,7 @@ const Table<SurveyFormat> survey_columns_keys = {"well.survey.columns", "Which c
 
 const Table<SurveyColumn> survey_column_keys = {"well.survey.columns.*", "A column.", {
   {"column",                "",       &SurveyColumn::column,               none,                 "its name in the header", no_kind, every_kind, "by the usual names"},
-  {"unit",                  "",       &SurveyColumn::unit,                 none,                 "of a length m, ft or ftUS (US survey foot), of an angle deg, rad or gon", no_kind, every_kind, "as the header says"},
+  {"unit",                  "",       &SurveyColumn::unit,                 none,                 "of a length such as m, ft or ftUS (US survey foot), of an angle such as deg, rad or gon", no_kind, every_kind, "as the header says"},
 }};
 
 const Table<TieIn> tie_in_keys = {"well.tie_in", "Where a survey's first station below the rotary table lies. The hole above it leaves the table vertically and is made of straight pieces and arcs of at most 15 deg/30 m.", {

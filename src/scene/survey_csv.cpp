@@ -18,6 +18,7 @@ using Cells = std::vector<std::string>;
 
 constexpr std::size_t most_columns = 256;  // what stands beyond is not looked at
 constexpr int most_lines_above_header = 50;
+constexpr std::size_t most_lines_of_header = 3;
 constexpr const char* blanks = " \t\r";
 
 struct Delimiter
@@ -117,7 +118,38 @@ struct CsvTable
   SurveyHeader header;
 };
 
-// The header in the first lines: the first that names all columns, else the one that names most of them.
+// the cells of lines one below the other, as one header
+Cells joined(const std::vector<Line>& lines, std::size_t first, std::size_t count, char delimiter)
+{
+  Cells names;
+  for (std::size_t i = first; i < first + count; ++i)
+  {
+    const Cells cells = split(lines[i].text, delimiter);
+    if (cells.size() > names.size()) names.resize(cells.size());
+    for (std::size_t k = 0; k < cells.size(); ++k) names[k] += (names[k].empty() || cells[k].empty() ? "" : " ") + cells[k];
+  }
+  return names;
+}
+
+// The header where its names go over two or three lines; one that names no column where there is none.
+CsvTable find_header_over_lines(const std::vector<Line>& lines, const SurveyFormat& format)
+{
+  for (std::size_t count = 2; count <= most_lines_of_header; ++count)
+  {
+    for (std::size_t i = 0; i + count <= lines.size() && i < most_lines_above_header; ++i)
+    {
+      for (const Delimiter& delimiter : delimiters)
+      {
+        if (delimiter.character == ' ' || (!format.delimiter.empty() && format.delimiter != delimiter.name)) continue;
+        SurveyHeader header = find_columns(joined(lines, i, count, delimiter.character), format);
+        if (header.found == needed_quantities) return {i + count, lines[i].number, delimiter, std::move(header)};
+      }
+    }
+  }
+  return {};
+}
+
+// The header in the first lines: the first that names all columns, else lines that do so together, else the one that names most of them.
 CsvTable find_header(const std::vector<Line>& lines, const SurveyFormat& format)
 {
   CsvTable best;
@@ -133,7 +165,8 @@ CsvTable find_header(const std::vector<Line>& lines, const SurveyFormat& format)
       if (best.header.found == needed_quantities) return best;
     }
   }
-  return best;
+  CsvTable over_lines = find_header_over_lines(lines, format);
+  return over_lines.line == 0 ? best : over_lines;
 }
 
 std::string cells_listed(const std::vector<HeaderCell>& cells)
@@ -173,7 +206,7 @@ void settle_angles(SurveyHeader& header, const SurveyRows& survey, Problems& pro
   }
   for (const std::size_t i : {survey_inclination, survey_azimuth})
   {
-    const SurveyUnit* other = header.unit[i == survey_azimuth ? survey_inclination : survey_azimuth];
+    const UnitName* other = header.unit[i == survey_azimuth ? survey_inclination : survey_azimuth];
     if (header.unit[i]) continue;
     if (problems.empty() && !any_named && largest > 0.0 && largest <= 2.0 * pi + 1e-3)
       problems.add_at(line, header.cells[*header.place[i]].text, unit_problem(header, i));

@@ -14,7 +14,7 @@ void read_column(const YAML::Node& node, const std::string& path, bool is_angle,
 {
   read_block(node, path, survey_column_keys, every_kind, column, problems);
   const bool known = column.unit.empty() || (is_angle ? angle_unit(column.unit) : length_unit(column.unit));
-  if (!known) problems.add(join(path, "unit"), "is not known, allowed: " + std::string(is_angle ? angle_unit_names : length_unit_names));
+  if (!known) problems.add(join(path, "unit"), "is not known, allowed: " + survey_unit_names(is_angle));
 }
 
 void read_columns(const YAML::Node& node, const std::string& path, SurveyFormat& format, Problems& problems)

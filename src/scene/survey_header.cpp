@@ -70,7 +70,7 @@ std::string joined(const Words& words, std::size_t count)
   return text;
 }
 
-const SurveyUnit* unit_for(std::size_t quantity, const std::string& spelling)
+const UnitName* unit_for(std::size_t quantity, const std::string& spelling)
 {
   return is_angle(quantity) ? angle_unit(spelling) : length_unit(spelling);
 }
@@ -226,7 +226,7 @@ void find_column(std::size_t quantity, const SurveyColumn& asked, SurveyHeader& 
   }
   if (!place) return;
   const HeaderCell& cell = header.cells[*place];
-  const SurveyUnit* said = cell.quantity && is_angle(*cell.quantity) == is_angle(quantity) ? cell.unit : nullptr;
+  const UnitName* said = cell.quantity && is_angle(*cell.quantity) == is_angle(quantity) ? cell.unit : nullptr;
   header.unit[quantity] = asked.unit.empty() ? said : unit_for(quantity, asked.unit);
   if (!asked.unit.empty() && said && said != header.unit[quantity] && header.wrong.empty())
   {
@@ -241,7 +241,7 @@ void find_unknown_unit(std::size_t quantity, SurveyHeader& header)
   const auto found = std::find_if(header.cells.begin(), header.cells.end(), [&](const HeaderCell& cell) { return cell.quantity_without_brackets == quantity; });
   if (found == header.cells.end()) return;
   header.wrong_where = found->text;
-  header.wrong = std::string("the brackets hold no unit that is known, allowed: ") + (is_angle(quantity) ? angle_unit_names : length_unit_names) + ", or a map `columns` (" + how_to_map + ")";
+  header.wrong = std::string("the brackets hold no unit that is known, allowed: ") + survey_unit_names(is_angle(quantity)) + ", or a map `columns` (" + how_to_map + ")";
 }
 
 std::string missing_columns(const SurveyHeader& header)
@@ -299,13 +299,13 @@ SurveyHeader find_columns(const std::vector<std::string>& cells, const SurveyFor
 
 bool take_units(const std::vector<std::string>& cells, SurveyHeader& header)
 {
-  std::array<const SurveyUnit*, survey_quantities> units = header.unit;
+  std::array<const UnitName*, survey_quantities> units = header.unit;
   for (std::size_t i = 0; i < survey_quantities; ++i)
   {
     if (!header.place[i] || *header.place[i] >= cells.size()) continue;
     Words brackets;
     const std::string bare = without_brackets(cells[*header.place[i]], brackets);
-    const SurveyUnit* unit = unit_for(i, brackets.size() == 1 ? brackets.front() : bare);
+    const UnitName* unit = unit_for(i, brackets.size() == 1 ? brackets.front() : bare);
     if (i < needed_quantities && !unit) return false;
     if (unit && units[i] && unit != units[i]) return false;
     if (unit) units[i] = unit;
@@ -318,7 +318,7 @@ std::string unit_problem(const SurveyHeader& header, std::size_t quantity)
 {
   if (!header.place[quantity] || header.unit[quantity]) return "";
   const std::string key = quantity_keys[quantity];
-  const std::string allowed = is_angle(quantity) ? angle_unit_names : length_unit_names;
+  const std::string allowed = survey_unit_names(is_angle(quantity));
   return "the header says no unit, needed: " + quoted(header.cells[*header.place[quantity]].text + (is_angle(quantity) ? " (deg)" : " (m)")) + " in the header, or `columns: {" +
          key + ": {unit: " + (is_angle(quantity) ? "deg" : "m") + "}}` with " + allowed + " (" + how_to_map + ")";
 }

@@ -20,9 +20,9 @@ struct HeaderCell
   std::optional<std::size_t> quantity;  ///< of SurveyQuantity
   bool own = false;                     ///< one of this package's own names (md_m)
   bool weak = false;                    ///< "Depth": measured depth only where no other column is
-  const SurveyUnit* unit = nullptr;     ///< nullptr: it names none
+  const UnitName* unit = nullptr;     ///< nullptr: it names none
   std::string north;                    ///< "true", "grid" or "magnetic" of an azimuth that says so
-  std::optional<std::size_t> quantity_without_brackets;  ///< where what stands in brackets is no unit: MD (km)
+  std::optional<std::size_t> quantity_without_brackets;  ///< where what stands in brackets is no unit: MD (fathoms)
 };
 
 /// Reads a cell by the usual spellings: MD (ft), Incl [deg], azimuth_deg, "Azi Grid", N/S, ...
@@ -32,7 +32,7 @@ HeaderCell header_cell(const std::string& text);
 struct SurveyHeader
 {
   std::array<std::optional<std::size_t>, survey_quantities> place;
-  std::array<const SurveyUnit*, survey_quantities> unit{};
+  std::array<const UnitName*, survey_quantities> unit{};
   std::vector<HeaderCell> cells;
   std::string wrong;        ///< why it is no header of a survey, in one line; else empty
   std::string wrong_where;  ///< the column of that

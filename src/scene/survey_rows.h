@@ -40,7 +40,7 @@ struct SurveyRow
 {
   int line = 0;
   std::array<std::string, survey_quantities> cells;
-  std::array<const SurveyUnit*, survey_quantities> units{};
+  std::array<const UnitName*, survey_quantities> units{};
 };
 
 /// A survey as its file has it, before its cells are numbers.

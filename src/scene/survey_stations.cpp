@@ -69,7 +69,7 @@ private:
     CellKind kind = read_cell(row.cells[i], survey_.decimal_commas, value);
     const bool in_degrees = is_angle(i) && row.units[i] == angle_unit("deg");
     if (kind == CellKind::wrong && in_degrees && read_degrees(row.cells[i], survey_.decimal_commas, i == survey_azimuth, value)) kind = CellKind::number;
-    values[i] = value * row.units[i]->factor;
+    values[i] = value * row.units[i]->factor();
     if (kind == CellKind::number) return true;
     const bool vertical = i == survey_azimuth && complete && values[survey_inclination] == 0.0;
     if (kind == CellKind::wrong || !pass_over_)
@@ -114,9 +114,9 @@ std::optional<TieIn> tie_in_of(const SurveyRows& survey, const SurveyRow& row, b
     const bool good = read_cell(row.cells[i], survey.decimal_commas, place[i - survey_north]) == CellKind::number;
     if (needed && !good) problems.add_at(row.line, survey.names[i], "must be a finite number (got " + shown_cell(row.cells[i]) + ")");
     if (needed && good && !row.units[i])
-      problems.add_at(row.line, survey.names[i], std::string("the header says no unit of the tie-in, needed: ") + length_unit_names + " (" + how_to_map + ")");
+      problems.add_at(row.line, survey.names[i], "the header says no unit of the tie-in, needed: " + survey_unit_names(false) + " (" + how_to_map + ")");
     if (!good || !row.units[i]) return std::nullopt;
-    place[i - survey_north] *= row.units[i]->factor;
+    place[i - survey_north] *= row.units[i]->factor();
   }
   return TieIn{place[0], place[1], place[2]};
 }
@@ -139,8 +139,8 @@ SurveyTable stations_of(const SurveyRows& survey, bool pass_over, const std::opt
   if (!tie_in && !table.stations.empty())
     table.tie_in = tie_in_of(survey, row_on(survey, reader.lines.front()), table.stations.front().md != 0.0, problems);
   if (!problems.empty()) return table;
-  const SurveyUnit& unit = survey.rows.empty() ? *length_unit("m") : *survey.rows.front().units[survey_md];
-  for (const SurveyProblem& p : survey_problems(table.stations, table.tie_in, {unit.name, unit.factor}))
+  const UnitName& unit = survey.rows.empty() ? *length_unit("m") : *survey.rows.front().units[survey_md];
+  for (const SurveyProblem& p : survey_problems(table.stations, table.tie_in, {unit.name, unit.factor()}))
   {
     const bool equal = p.station > 0 && p.station < table.stations.size() && are_equal(table.stations[p.station - 1], table.stations[p.station]);
     problems.add_at(p.station < reader.lines.size() ? reader.lines[p.station] : 1, "station " + std::to_string(p.station + 1),

@@ -3,21 +3,15 @@
 
 #include <string>
 
+#include "drill_rig_sim/math/unit_table.h"
+
 namespace drill_rig_sim
 {
-/// A unit of a survey's lengths or angles.
-struct SurveyUnit
-{
-  const char* name;
-  double factor;  ///< to m or rad
-};
-
-/// By a header's, a map's or WITSML's spelling ("feet", "mRKB", "dega"), in small or capital letters; nullptr if there is none.
-const SurveyUnit* length_unit(const std::string& spelling);
-const SurveyUnit* angle_unit(const std::string& spelling);
-/// Their names, for messages.
-constexpr const char* length_unit_names = "m, ft or ftUS";
-constexpr const char* angle_unit_names = "deg, rad or gon";
+/// A survey's unit of length or angle by a header's, a map's or WITSML's spelling ("feet", "mRKB", "dega"), of math/unit_table.h; nullptr if it is none.
+const UnitName* length_unit(const std::string& spelling);
+const UnitName* angle_unit(const std::string& spelling);
+/// Their symbols, for messages.
+std::string survey_unit_names(bool of_angle);
 
 /// In small letters (ASCII).
 std::string lowered(std::string text);

@@ -17,11 +17,11 @@ using tinyxml2::XMLElement;
 constexpr std::ptrdiff_t most_parts = 2000000;
 constexpr std::array<const char*, survey_quantities> elements = {"md", "incl", "azi", "dispNs", "dispEw", "tvd"};
 
-// an element's name without its namespace's prefix
+// an element's name without its namespace's prefix, in small letters: WITSML 2.0 begins each with a capital one
 std::string name_of(const XMLElement& element)
 {
   const std::string name = element.Name();
-  return name.substr(name.find(':') + 1);  // npos + 1 is 0
+  return lowered(name.substr(name.find(':') + 1));  // npos + 1 is 0
 }
 
 std::string text_of(const XMLElement* element)
@@ -37,7 +37,7 @@ std::vector<const XMLElement*> children_of(const XMLElement& parent, const std::
 {
   std::vector<const XMLElement*> found;
   for (const XMLElement* child = parent.FirstChildElement(); child; child = child->NextSiblingElement())
-    if (name_of(*child) == name) found.push_back(child);
+    if (name_of(*child) == lowered(name)) found.push_back(child);
   return found;
 }
 
@@ -55,7 +55,7 @@ const XMLElement* trajectory_of(const XMLElement& root, Problems& problems)
   if (found.size() == 1) return found.front();
   if (found.empty())
   {
-    problems.add_at(root.GetLineNum(), "", "the document has no trajectory, needed: a trajectory of WITSML 1.3.1.1 or 1.4.1.1, or a table");
+    problems.add_at(root.GetLineNum(), "", "the document has no trajectory, needed: a trajectory of WITSML 1.3.1.1, 1.4.1.1 or 2.0, or a table");
     return nullptr;
   }
   std::string names;
@@ -79,7 +79,7 @@ SurveyRow row_of(const XMLElement& station, Problems& problems)
     row.units[i] = is_angle(i) ? angle_unit(uom ? uom : "") : length_unit(uom ? uom : "");
     if (row.units[i] || !problems.empty()) continue;
     problems.add_at(element->GetLineNum(), elements[i],
-                    (uom ? "unit \"" + shortened(uom) + "\" is not known" : std::string("has no unit (uom)")) + ", allowed: " + (is_angle(i) ? "dega, rad or gon" : "m, ft or ftUS"));
+                    (uom ? "unit \"" + shortened(uom) + "\" is not known" : std::string("has no unit (uom)")) + ", allowed: " + survey_unit_names(is_angle(i)));
   }
   return row;
 }
@@ -92,7 +92,7 @@ void sort_by_depth(SurveyRows& survey)
   {
     double md = 0.0;
     if (read_cell(row.cells[survey_md], false, md) != CellKind::number) md = 0.0;
-    rows.emplace_back(md * row.units[survey_md]->factor, std::move(row));
+    rows.emplace_back(md * row.units[survey_md]->factor(), std::move(row));
   }
   std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 0; i < rows.size(); ++i) survey.rows[i] = std::move(rows[i].second);

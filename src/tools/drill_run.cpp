@@ -139,7 +139,7 @@ void run_scene(const RunOptions& options)
   close_output(std::move(path), options.path);
   close_output(std::move(raw_path), options.raw_path);
   if (end == RunEnd::failure) report_failure(simulator, summary, options.json);
-  print_summary(simulator, elapsed, record);
+  print_summary(simulator, elapsed, record, Printed(options.units));
   if (end == RunEnd::duration && std::isfinite(goal.depth))
     std::printf("the depth of --until-depth was not reached within --duration\n");
   if (end == RunEnd::standstill) report_standstill(simulator, goal, record.operations_began);

@@ -7,6 +7,7 @@
 #include "drill_date.h"
 #include "drill_options.h"
 #include "drill_output.h"
+#include "drill_units.h"
 
 namespace drill_rig_sim
 {
@@ -63,6 +64,7 @@ void add_output_options(CLI::App& command, RunOptions& options)
   command.add_flag("--readings", options.readings, "adds what the instruments show to time series and summary")->disable_flag_override();
   command.add_flag("--errors", options.errors, "adds measured errors and the companion's truth to --csv, the latter to --bag")->disable_flag_override();
   command.add_flag("--energy", options.energy, "keeps an energy balance; the summary shows it [J]")->disable_flag_override();
+  add_units(command, options.units);
   add_text(command, "--explain", options.explain, "FILE", "writes what was modelled and why, a row a change");
   add_text(command, "--path", options.path, "FILE", "writes the well's corrected path");
   add_text(command, "--raw-path", options.raw_path, "FILE", "writes the uncorrected path of the last metres");

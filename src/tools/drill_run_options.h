@@ -31,6 +31,7 @@ struct RunOptions
   std::optional<double> profile_every;                  ///< between profiles along the string [s]
   std::uint64_t seed = 0;
   std::string start_date;  ///< of simulated time 0; empty: default_start_date
+  std::string units = "si";  ///< of the summary that is printed
   std::string csv, bag, witsml, profile, json, explain, path, raw_path;
   bool readings = false;  ///< series and summary hold the instruments' readings beside the truth
   bool errors = false;    ///< time series and bag hold the companion's truth, the series measured errors too

@@ -179,10 +179,13 @@ void print_operations(const std::vector<Operation>& operations, const std::vecto
     std::printf("operations: number %zu of %zu, %s, was not over by the end\n", i + 1, operations.size(), word_of(operations[i].kind));
 }
 
-void print(const Limits::Entry& entry)
+const Printed::InSI kilonewton{"%.1f", "kN", 1e-3}, kilonewton_metre{"%.2f", "kN m", 1e-3};
+
+void print(const Limits::Entry& entry, const Printed& printed)
 {
   std::printf("limit passed, %.1f to %.1f s: %s", entry.since, entry.until, entry.what);
-  if (entry.load.share > 0.0) std::printf(", %.2f times that %.4g m above the bit", entry.load.share, entry.load.from_bit);
+  if (entry.load.share > 0.0)
+    std::printf(", %.2f times that %s above the bit", entry.load.share, printed(entry.load.from_bit, Dimension::length, {"%.4g", "m"}).c_str());
   std::printf(" (%s)\n", entry.flag);
 }
 
@@ -268,27 +271,29 @@ std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, con
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void print_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record)
+void print_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, const Printed& printed)
 {
   const Truth& m = simulator.truth();
-  std::printf("%s: %.1f s simulated in %.2f s (%.1f times real time), hole %.3f m\n", simulator.scene().name.c_str(), m.time,
-              elapsed.cpu, m.time / elapsed.cpu, m.hole_depth);
+  std::printf("%s: %.1f s simulated in %.2f s (%.1f times real time), hole %s\n", simulator.scene().name.c_str(), m.time,
+              elapsed.cpu, m.time / elapsed.cpu, printed(m.hole_depth, Dimension::length, {"%.3f", "m"}).c_str());
   print_errors(simulator, record.errors);
   for (const Doubts::Entry& doubt : record.doubts.entries())
     std::printf("accuracy warning, %.1f to %.1f s: %s\n", doubt.since, doubt.until, text_of(doubt.report).c_str());
-  for (const Limits::Entry& entry : record.limits.entries()) print(entry);
+  for (const Limits::Entry& entry : record.limits.entries()) print(entry, printed);
   print_doubt_of_pressures(simulator);
   if (simulator.statistics().tight) std::printf("assembly warning: %s\n", text_of(*simulator.statistics().tight).c_str());
   print_operations(simulator.scene().operations, record.operations_began);
   const Averages mean = record.drilling.last_quarter();
   if (mean.samples() == 0)
   {
-    std::printf("the bit was not on bottom; hook load %.1f kN, torque %.2f kN m\n", m.hook_load / 1e3, m.torque / 1e3);
+    std::printf("the bit was not on bottom; hook load %s, torque %s\n", printed(m.hook_load, Dimension::force, kilonewton).c_str(),
+                printed(m.torque, Dimension::torque, kilonewton_metre).c_str());
     return;
   }
-  std::printf(
-      "drilling, mean of its last quarter, %.0f to %.0f s: hook load %.1f kN, torque %.2f kN m, WOB %.1f kN, ROP %.2f m/h, bit %.0f rpm\n", mean.first_time(), mean.last_time(),
-      mean.hook_load() / 1e3, mean.torque() / 1e3, mean.wob() / 1e3, 3600.0 * mean.rop(), mean.bit_speed() / rpm);
+  std::printf("drilling, mean of its last quarter, %.0f to %.0f s: hook load %s, torque %s, WOB %s, ROP %s, bit %s\n", mean.first_time(), mean.last_time(),
+              printed(mean.hook_load(), Dimension::force, kilonewton).c_str(), printed(mean.torque(), Dimension::torque, kilonewton_metre).c_str(),
+              printed(mean.wob(), Dimension::force, kilonewton).c_str(), printed(mean.rop(), Dimension::penetration, {"%.2f", "m/h", 3600.0}).c_str(),
+              printed(mean.bit_speed(), Dimension::rotation, {"%.0f", "rpm", 1.0 / rpm}).c_str());
 }
 
 }  // namespace drill_rig_sim

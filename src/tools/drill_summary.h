@@ -9,6 +9,7 @@
 #include "drill_errors.h"
 #include "drill_limits.h"
 #include "drill_rig_sim/sim/simulator.h"
+#include "drill_units.h"
 
 namespace drill_rig_sim
 {
@@ -33,8 +34,8 @@ struct RunRecord
 /// `readings`: it also says what the instruments show at the end.
 std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, bool readings);
 
-/// The same in two lines on standard output, and a line for each doubt and each limit that was passed.
-void print_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record);
+/// The same in two lines on standard output, and a line for each doubt and each limit that was passed. Texts of warnings stay in SI.
+void print_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, const Printed& printed);
 
 }  // namespace drill_rig_sim
 

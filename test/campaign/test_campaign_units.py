@@ -37,11 +37,12 @@ class Units(parts.Folder):
             self.assertIn(refused, str(told.exception))
 
     def test_a_factor_multiplies_a_number_with_its_unit(self):
+        self.assertEqual({"a": '4.25 "'}, yaml.safe_load(SceneText('a: 8.5"\n', ["a"]).with_values({"a": Times(0.5)})))
         for there in ("10 ppg", '"10 ppg"', "10.0 ppg"):
             self.assertEqual({"a": "5.0 ppg"}, yaml.safe_load(SceneText("a: %s\n" % there, ["a"]).with_values({"a": Times(0.5)})))
 
     def test_what_is_a_number_with_a_unit(self):
-        for text, parts_of in (("9.5 ppg", (9.5, "ppg")), ("5in", (5.0, "in")), ("-1e3 N", (-1e3, "N")), ("2 1/s", (2.0, "1/s")), ("3e-9", (None, "")), ("9.5", (None, "")),
+        for text, parts_of in (("9.5 ppg", (9.5, "ppg")), ("5in", (5.0, "in")), ("-1e3 N", (-1e3, "N")), ("2 1/s", (2.0, "1/s")), ('8.5"', (8.5, '"')), ("12 '", (12.0, "'")), ("800 gal/min", (800.0, "gal/min")), ("3e-9", (None, "")), ("9.5", (None, "")),
                                ("3E5", (None, "")), ("ppg", (None, "")), ("stribeck", (None, "")), (9.5, (None, "")), (True, (None, ""))):
             self.assertEqual(parts_of, measures.split(text), text)
 

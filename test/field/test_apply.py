@@ -64,6 +64,24 @@ class Applied(unittest.TestCase):
             self.assertGreaterEqual(min(rows["time"]), 6.0)
         self.assertGreater(os.path.getsize(picture), 10000)
 
+    def test_a_signal_that_is_wholly_held_out_has_an_unknown_band(self):
+        rows = made_record.rows_of(self.path("scene.yaml"), 40.0)
+        rows[:-30, made_record.NAMES.index("reading_torque")] = numpy.nan
+        made_record.write_record(self.folder, rows, 13, "late.csv")
+        picture, answer = self.path("late.svg"), self.path("late.json")
+        fit = made_record.write_fit(self.folder, "late.yaml", record="late.csv", parameters=[made_record.FIT["parameters"][0]])
+        status, out, told = calibrate(fit, "--plots", picture, "--json", answer)
+        self.assertEqual(0, status, told)
+        self.assertRegex(out, r"torque \[kN m\] +- +[\d.]+\n")
+        self.assertGreater(os.path.getsize(picture), 10000)
+        status, out, told = calibrate(fit, "--apply", answer, "--json", self.path("late_applied.json"))
+        self.assertEqual(0, status, told)
+        self.assertIn("torque [kN m]: the band of 30 rows is unknown; off by", out)
+        self.assertIn("the band is unknown where it depends on what the fit's data do not tell: the scatter of torque", told)
+        with open(self.path("late_applied.json"), encoding="utf-8") as text:
+            said = json.load(text)["summary"]
+        self.assertEqual([None, True], [said["torque"]["within"], said["hook_load"]["within"] > 0.8])
+
     def test_a_wrong_parameter_leaves_the_band(self):
         with open(self.result, encoding="utf-8") as text:
             tree = json.load(text)

@@ -83,13 +83,13 @@ class Made(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
 
-    def written(self, parts, hole=1100.0, held=(), names="time,reading_block_height,top_drive_speed,reading_flow,reading_hook_load,reading_bit_depth,reading_hole_depth"):
-        """A record of parts (seconds, block's speed, rotation, flow, hook load) and a file for the moves. The bit is at 1000 m and moves with the block, but in the parts
-        that are `held`."""
-        rows, height, depth, time = [], 5.0, 1000.0, 0.0
+    def written(self, parts, hole=1100.0, held=(), signs=(1.0, 1.0), depth=1000.0, names="time,reading_block_height,top_drive_speed,reading_flow,reading_hook_load,reading_bit_depth,reading_hole_depth"):
+        """A record of parts (seconds, block's speed, rotation, flow, hook load) and a file for the moves. The bit is at `depth` [m] and moves with the block, but in the parts
+        that are `held`. `signs`: of the block's height and the bit's depth as they are written."""
+        rows, height, time = [], 5.0, 0.0
         for number, (seconds, speed, turning, flow, load) in enumerate(parts):
             for _ in range(seconds):
-                rows.append([time, height, turning, flow, load, depth, hole])
+                rows.append([time, signs[0] * height, turning, flow, load, signs[1] * depth, hole])
                 time, height, depth = time + 1.0, height + speed, depth - (0.0 if number in held else speed)
         file, table = os.path.join(self.folder, "r.csv"), os.path.join(self.folder, "t.json")
         with open(file, "w", encoding="utf-8") as out:
@@ -156,6 +156,14 @@ class Made(unittest.TestCase):
         with open(file, "w", encoding="utf-8") as out:
             out.write("\n".join(lines) + "\n")
         self.assertEqual(2, called(weights_command.main, file, "--json", table)[0])
+
+    def test_a_wrong_sign_is_refused(self):
+        parts = [self.STOP, self.UP, self.STOP, self.DOWN]
+        for signs, depth, said in (((-1.0, 1.0), 1000.0, "bit_depth rises and falls with block_height, by 2"), ((1.0, -1.0), 60.0, "bit_depth is negative, -5"),
+                                   ((-1.0, -1.0), 60.0, "bit_depth is negative, -5"), ((1.0, -1.0), 1000.0, "values are no bit_depth that a rig can have")):
+            status, told = self.found(parts, signs=signs, depth=depth)
+            self.assertEqual((2, 1), (status, told.count("\n")), told)
+            self.assertIn(said, told)
 
     def test_what_a_record_must_hold(self):
         names = "time,reading_block_height,top_drive_speed,reading_flow,reading_hook_load"

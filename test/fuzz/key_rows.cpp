@@ -115,7 +115,7 @@ std::string draw_number_with_unit(const KeyRow& row, Random& random)
   const UnitFamily* family = random.one_in(10) ? &unit_families()[random.below(unit_families().size())] : family_of(row.unit);
   if (!family) return spelled(number);
   const UnitName& unit = family->units[random.below(family->units.size())];
-  const UnitName* own = find_unit(*family, row.unit);
+  const UnitName* own = find_unit(*family, row.unit).unit;
   return spelled(static_cast<double>(number * (own ? own->si : 1.0L) / unit.si)) + (random.one_in(4) ? "" : " ") + unit.name;
 }
 }  // namespace

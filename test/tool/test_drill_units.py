@@ -3,6 +3,7 @@
 
 Usage: test_drill_units.py PATH_TO_DRILL
 """
+import json
 import os
 import re
 import sys
@@ -19,6 +20,12 @@ class Units(test_drill.Drill):
     def test_settings_carry_units(self):
         self.assertEqual(self.succeed('check', QUICK, '--set', 'mud.density=1198.2642731689663'), self.succeed('check', QUICK, '--set', 'mud.density=10 ppg'))
         self.assertEqual('setting: mud.density: psi is a pressure; allowed: kg/m3, g/cm3, ppg, lbm/ft3\n', self.refuse('check', QUICK, '--set', 'mud.density=10 psi'))
+
+    def test_ambiguous_units_are_refused_with_the_choices(self):
+        for setting, allowed in (('start.weight_on_bit=1 tonf', 'tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf (tf)'), ('start.weight_on_bit=1 mN', 'MN or N'),
+                                 ('rig.mud_pump.relief_pressure=35 mPa', 'MPa or Pa'), ('rig.top_drive.max_torque=9 tonf-ft', 'tonfUS.ft'), ('formation[0].dip_deg=1 grad', 'gon or deg')):
+            key, unit = setting.split('=')[0], setting.split(' ')[1].replace('-', '.')
+            self.assertEqual('setting: %s: %s is ambiguous; allowed: %s\n' % (key, unit, allowed), self.refuse('check', QUICK, '--set', setting))
 
     def test_check(self):
         in_si, shown = self.succeed('check', OILFIELD), self.succeed('check', OILFIELD, '--units', 'oilfield')
@@ -55,6 +62,21 @@ class Units(test_drill.Drill):
             self.assertAlmostEqual(float(found[0].group(1)), factor * float(found[1].group(1)), delta=0.06 * factor, msg=name)
         self.assertIn(' kft.lbf\n', shown)
         self.assertEqual(self.succeed('static', OILFIELD, '--units', 'si'), in_si)
+
+    def test_run(self):
+        words = ('run', QUICK, '--duration', '20', '--set', 'start.bit_depth=327.9 ft')
+        in_si, shown = self.succeed(*words, '--json', self.file('si.json')), self.succeed(*words, '--units', 'oilfield', '--json', self.file('oilfield.json'))
+        found = [re.search(r', hole ([\d.]+) (m|ft)\n', text) for text in (in_si, shown)]
+        self.assertEqual(['m', 'ft'], [one.group(2) for one in found])
+        self.assertAlmostEqual(float(found[0].group(1)), 0.3048 * float(found[1].group(1)), delta=0.002)
+        found = [re.search(r'hook load ([\d.]+) (kN|klbf), torque ([-\d.]+) (kN m|kft\.lbf)', text) for text in (in_si, shown)]
+        self.assertEqual([('kN', 'kN m'), ('klbf', 'kft.lbf')], [one.group(2, 4) for one in found])
+        self.assertAlmostEqual(float(found[0].group(1)), 4.4482216 * float(found[1].group(1)), delta=0.3)
+        finals = []
+        for name in ('si.json', 'oilfield.json'):
+            with open(self.file(name), encoding='utf-8') as text:
+                finals.append(json.load(text)['final'])
+        self.assertEqual(*finals)
 
     def test_commands_of_python_take_them(self):
         series = self.file('run.csv')

@@ -11,7 +11,8 @@ import zipfile
 import numpy
 from drill_rig_sim.field.dates import seconds_of, written
 from drill_rig_sim.field.record import RecordError, read_record
-from drill_rig_sim.field.units import TABLES, UnitError, factor_of
+from drill_rig_sim.field.units import QUANTITIES, UnitError, factor_of
+from drill_rig_sim.sim import units
 from record_folder import CASES, FEET, KLBF, MAP, ROWS, STAMPS, Folder
 
 
@@ -133,12 +134,12 @@ class Units(Folder):
     def test_every_spelling_has_its_size(self):
         for quantity, value, words in (
                 ("force", 4448.2216152605, "klbf klb klbs KLBS Klb kip kips 1000lbf k-lbs K-LB klb_f klbs. kpounds"), ("force", 4.4482216152605, "lbf lb LBS pounds"),
-                ("force", 9806.65, "kkgf tonne tonnes t te tonne.f Mgf 1000_kgf metric_ton"), ("force", 1e4, "kdaN"), ("force", 10.0, "daN DAN"), ("force", 1e3, "kN KN kn"),
+                ("force", 9806.65, "tf kkgf tonne tonnes t te tonne.f Mgf 1000_kgf metric_ton"), ("force", 1e4, "kdaN"), ("force", 10.0, "daN DAN"), ("force", 1e3, "kN KN kn"),
                 ("force", 8896.443230521, "tonfUS TONFUS short_ton ston ton(US) UStonf"), ("force", 9964.01641818352, "tonfUK long_ton ton(UK)"),
                 ("torque", 1355.8179483314004, "kft.lbf kft_lb kft-lb kft-lbs klbf.ft kft*lbf KFT.LBF ft-klbf 1000_ft_lbf kft·lbf kip-ft ft-kips K-FT-LB"),
                 ("torque", 1.3558179483314004, "ft.lbf ft-lb ft_lbs lbf-ft lb-ft ftlb foot-pounds"), ("torque", 1e3, "kN.m kNm KN-M kN*m kN_m"), ("torque", 10.0, "daN.m"),
                 ("pressure", 6894.757293168362, "psi PSI psig psi(g) lbf/in2 lb/in²"), ("pressure", 1e5, "bar BAR barg bar(g)"), ("pressure", 1e3, "kPa KPA"), ("pressure", 98066.5, "kgf/cm2 kg/cm2 kgf/cm² KSC"),
-                ("turning", 2 * math.pi / 60, "rpm RPM rev/min c/min r/min 1/min /min r.p.m. rev_per_min"), ("turning", 2 * math.pi, "c/s rev/s Hz"),
+                ("angular speed", 2 * math.pi / 60, "rpm RPM rev/min c/min r/min 1/min /min r.p.m. rev_per_min"), ("angular speed", 2 * math.pi, "c/s rev/s Hz"),
                 ("flow", 3.785411784e-3 / 60, "gpm GPM gal/min galUS/min gal_per_min USGPM US_gpm gpm(US) US-gal/min"), ("flow", 4.54609e-3 / 60, "galUK/min igpm gal(UK)/min"), ("flow", 1 / 60, "m3/min m³/min M3/MIN kL/min"), ("flow", 1e-3 / 60, "dm3/min L/min l/min lpm LPM"),
                 ("flow", 0.158987294928 / 60, "bbl/min bpm stb/min"), ("length", 0.3048, "ft feet FT Feet '"), ("length", 1.0, "m M metres"),
                 ("speed", 0.3048 / 3600, "ft/h ft/hr ft_per_hr fph"), ("speed", 1 / 3600, "m/h m/hr"), ("time", 60.0, "min MIN minutes"), ("time", 1.0, "s sec S")):
@@ -146,17 +147,17 @@ class Units(Folder):
                 self.assertAlmostEqual(1.0, factor_of(quantity, word) / value, places=12, msg="%s %s" % (quantity, word))
 
     def test_ambiguous_and_unknown_units_are_refused_with_the_choices(self):
-        for quantity, word, said in (("force", "tonf", "tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf"), ("force", "ton", "tonfUS"), ("force", "TONS", "tonfUS"),
-                                     ("force", "mn", "MN or mN"), ("pressure", "mpa", "MPa or mPa"), ("force", "Mlbf", "klbf"), ("force", "psi", "not known for a force"),
-                                     ("torque", "A", "not known for a torque; allowed: N.m"), ("flow", "spm", "not known for a flow rate"), ("length", "", "(none)")):
+        for quantity, word, said in (("force", "tonf", "tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf (tf)"), ("force", "ton", "tonfUS"), ("force", "TONS", "tonfUS"),
+                                     ("force", "mn", "MN or N"), ("pressure", "mPa", "MPa or Pa"), ("force", "Mlbf", "klbf"), ("force", "psi", "not known for a force"),
+                                     ("torque", "A", "not known for a torque; allowed: N.m"), ("flow", "spm", "not known for a flow"), ("length", "", "(none)")):
             with self.assertRaises(UnitError, msg=word) as caught:
                 factor_of(quantity, word)
             self.assertIn(said, str(caught.exception))
 
     def test_no_spelling_means_two_sizes(self):
-        for quantity, units in TABLES.items():
-            for symbol, factor in units.items():
-                self.assertEqual(factor, factor_of(quantity, symbol), symbol)
+        for quantity in QUANTITIES:
+            for spelling, factor in units()[quantity].items():
+                self.assertEqual(factor, factor_of(quantity, spelling), spelling)
 
     def test_files_of_the_kind(self):
         self.assertAlmostEqual(22581.6 * 9.80665, read_record(os.path.join(CASES, "06_units/volve_kkgf.xml")).at("hook_load", 0.0), delta=30.0)

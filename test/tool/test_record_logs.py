@@ -172,6 +172,79 @@ def las(curves="TIME.S : time\nHKLD.KLBF : hook load\nBPOS.FT : block\n", rows=N
             (version, wrap, null, curves, "\n".join(rows)))
 
 
+UUID = "uuid='5d8c5d0e-0000-0000-0000-000000000000' schemaVersion='2.0'"
+
+
+def channel(name, unit, inside="", kind="double"):
+    return "<Channel %s><Mnemonic>%s</Mnemonic><DataType>%s</DataType><Uom>%s</Uom>%s</Channel>" % (UUID, name, kind, unit, inside)
+
+
+def index(kind="date time", unit="s", direction="increasing", name="TIME"):
+    return "<Index><IndexType>%s</IndexType><Uom>%s</Uom><Direction>%s</Direction><Mnemonic>%s</Mnemonic></Index>" % (kind, unit, direction, name)
+
+
+def channel_set(rows, head=None, channels=None):
+    """Of rows of JSON."""
+    channels = channels or channel("HKLD", "klbf") + channel("BPOS", "ft")
+    return "<ChannelSet %s>%s%s\n<Data><Data>[%s]</Data></Data></ChannelSet>" % (UUID, head or index(), channels, ",\n".join(rows))
+
+
+def log_of(*sets, well="b"):
+    return ('<?xml version="1.0"?>\n<Log xmlns="http://www.energistics.org/energyml/data/witsmlv2" xmlns:eml="http://www.energistics.org/energyml/data/commonv2" %s>'
+            "<eml:Citation><eml:Title>n</eml:Title></eml:Citation>%s<Wellbore><eml:ContentType>x</eml:ContentType><eml:Title>%s</eml:Title></Wellbore></Log>\n" % (UUID, "".join(sets), well))
+
+
+class Channels(Folder):
+    """WITSML 2.0: channel sets with data as JSON."""
+    DATED = ['[["%s"],[%g,%g]]' % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
+
+    def of(self, *sets):
+        return self.read(log_of(*sets), name="r.xml")
+
+    def test_what_is_read(self):
+        self.right(self.of(channel_set(self.DATED)))
+        self.assertAlmostEqual(1714557600.0, self.of(channel_set(self.DATED)).begin)
+        self.right(self.of(channel_set(['["%s",%g,%g]' % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)])))
+        self.right(self.of(channel_set(['[["%s"],[[%g,[1]],%g]]' % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)])))
+        self.right(self.of(channel_set(["[[%.17g],[%g,%g]]" % (t / 60, h, b) for t, h, b in ROWS], index("elapsed time", "min"))))
+        self.right(self.of(channel_set(self.DATED[::-1], index(direction="decreasing"))))
+        self.right(self.of(channel_set(self.DATED[:2]), channel_set(self.DATED[2:])))
+        self.right(self.of(channel_set(['[[%d,"%s"],[%g,%g]]' % (100 + k, stamp, h, b) for k, (stamp, (_, h, b)) in enumerate(zip(STAMPS, ROWS))],
+                                       index("measured depth", "m", name="DEPTH") + index())))
+        self.right(self.of(channel_set(['[[%d],["%s",%g,%g]]' % (100 + k, stamp, h, b) for k, (stamp, (_, h, b)) in enumerate(zip(STAMPS, ROWS))],
+                                       index("measured depth", "m", name="DEPTH"), channel("DateTime", "", kind="date time") + channel("HKLD", "klbf") + channel("BPOS", "ft"))))
+
+    def test_channels_with_data_of_their_own(self):
+        def alone(name, unit, place):
+            data = ",".join('["%s",%g]' % (stamp, row[place]) for stamp, row in zip(STAMPS, ROWS))
+            return channel(name, unit, index() + "<Data><Data>[%s]</Data></Data>" % data)
+        self.right(self.of(alone("HKLD", "klbf", 1) + alone("BPOS", "ft", 2)))
+        self.right(self.of("<ChannelSet %s>%s%s</ChannelSet>" % (UUID, index(), alone("HKLD", "klbf", 1) + alone("BPOS", "ft", 2))))
+
+    def test_nulls_and_units_of_energistics(self):
+        record = self.of(channel_set([self.DATED[0], self.DATED[1].replace("201", "null"), self.DATED[2].replace("202.5", "-999.25"), self.DATED[3].replace("203", "NaN")]))
+        self.assertEqual([False, True, True, True], [math.isnan(load) for load in record.signals["hook_load"]])
+        for name, unit, signal, si in (("MFIA", "gal[US]/min", "flow", 3.785411784e-3 / 60), ("MFIA", "gal[UK]/min", "flow", 4.54609e-3 / 60), ("HKLD", "tonf[US]", "hook_load", 8896.443230521),
+                                       ("HKLD", "10 kN", "hook_load", 1e4), ("DBTM", "ft[US]", "bit_depth", 1200 / 3937), ("RPMA", "rev/min", "top_drive_speed", math.pi / 30),
+                                       ("TQA", "1000 lbf.ft", "torque", 1355.8179483314), ("SPPA", "kpsi", "stand_pipe_pressure", 6894757.293168362)):
+            record = self.of(channel_set(['[["%s"],[20,30]]' % stamp for stamp in STAMPS], channels=channel(name, unit) + channel("BPOS", "ft")))
+            self.assertAlmostEqual(1.0, record.signals[signal][0] / (20.0 * si), places=9, msg=unit)
+
+    def test_what_is_refused(self):
+        for said, sets in ((["its index is measured depth", "none of its channels is a time (DEPTH, HKLD, BPOS)"], channel_set(["[[1],[2,3]]"], index("measured depth", "m", name="DEPTH"))),
+                           (["data row 2 is not as needed", "1 indices and one of 2 values"], channel_set([self.DATED[0], '[["%s"],[1]]' % STAMPS[1]])),
+                           ("Data is no JSON", channel_set(["1,2"]).replace("[1,2]", "1,2")), ("is not as needed", channel_set(['{"a": 1}'])),
+                           ("its data are in another file, a.h5", channel_set([]).replace("<Data>[]</Data>", "<FileUri>a.h5</FileUri>")),
+                           ("it holds no log of WITSML 1.3.1.1, 1.4.1.1 or 2.0 with data", "<ChannelSet>%s</ChannelSet>" % index()),
+                           ("unit tonf is ambiguous", channel_set(self.DATED, channels=channel("HKLD", "tonf") + channel("BPOS", "tonf")))):
+            if "tonf" in said:
+                self.assertIn(said, "\n".join(self.of(sets).remarks))
+            else:
+                self.refused(said, log_of(sets), name="r.xml")
+        two = log_of(channel_set(self.DATED), well="b") + log_of(channel_set(self.DATED), well="c").partition("\n")[2]
+        self.refused("holds logs of 2 wellbores (b, c)", "<all>%s</all>" % two.partition("\n")[2], name="r.xml")
+
+
 class Las(Folder):
     def log(self, columns=None, **options):
         return self.read(las(**options), columns, name="r.las")

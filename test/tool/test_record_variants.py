@@ -29,6 +29,19 @@ def cell(text):
     return table().replace("5,201,", "5,%s," % text)
 
 
+def headed(*heads, sign=",", times=None, rows=None):
+    """Rows below these lines."""
+    rows = rows or [sign.join([times[k] if times else "%g" % t, "%g" % h, "%g" % b]) for k, (t, h, b) in enumerate(ROWS)]
+    return "".join(line + "\n" for line in [*heads, *rows])
+
+
+def quoted(number, group, decimal, sign=","):
+    """Loads in pounds with this sign between groups of digits, in quotes."""
+    signs = str.maketrans({",": group, ".": decimal})
+    loads = [("{:,%s}" % number[1:]).format(1e3 * row[1]).translate(signs) for row in ROWS]
+    return sign.join(POUNDS) + "".join('\n%d%s"%s"%s%s' % (t, sign, load, sign, ("%.1f" % b).replace(".", decimal)) for load, (t, _, b) in zip(loads, ROWS)) + "\n"
+
+
 READ = {
     "title": "Well: A-1\nRig: 7, land\n\n" + table(),
     "title of a spreadsheet": "Well,A-1,\nExported,2024-05-01,\n" + table(),
@@ -44,6 +57,7 @@ READ = {
     "unit in other brackets": table(header=("Time <s>", "HKLD {klbf}", "BPOS [ft]")),
     "unit after a comma": table(header=('"Time, s"', '"Hook Load, klbf"', '"Block Height, ft"')),
     "unit after a slash": table(header=("Time / s", "Hook load / klbf", "Block height / ft")),
+    "unit after a blank": table(header=("Time s", "Hook Load klbf", "Block Height - ft")),
     "unit after a line": table(header=("time_s", "hook_load_klbf", "block_height_ft")),
     "two brackets": table(header=("Time (RTC) [s]", "Hook load (avg) [klbf]", "Block height (compensated) [ft]")),
     "unit before a remark": table(header=("Time (s) (local)", "Hook load (klbf) (avg)", "Block height (ft)")),
@@ -66,9 +80,42 @@ READ = {
     "seconds beside a date": table(header=("Date,Time (s)", *DATED[1:]), times=["2024-05-21 10:00:00,%d" % row[0] for row in ROWS]),
     "seconds beside dates in doubt": table(header=("Date,Time,Elapsed Time (s)", *DATED[1:]), times=["01/05/2024,10:00:%02d,%d" % (row[0], row[0]) for row in ROWS]),
     "two columns, the first empty": table(header=("Time (s),HKLD (klbf)", "HKLA (klbf)", "BPOS (ft)"), times=["%d," % row[0] for row in ROWS]),
+    "names over two lines": headed("Time,Hook,Block", ",Load,Height", "s,klbf,ft"),
+    "names over two lines, below": headed(",Hook,Block", "Time,Load,Height", "(s),(klbf),(ft)"),
+    "names over two lines, tabs": headed("Elapsed;Hook;Block", "Time;Load;Height", "sec;klbs;feet", sign=";").replace(";", "\t"),
+    "names over two lines, units in brackets": headed("Time (s);Hook;Block", ";Load (klbf);Height (ft)", sign=";"),
+    "names over two lines, one with a date": headed("Date,Time,Hook,Block", ",,Load,Position", "YYYY-MM-DD,HH:MM:SS,klbf,ft", times=dates("%Y-%m-%d,%H:%M:%S")),
+    "names over two lines, date below": headed(",,Hook,Block", "Date,Time,Load,Height", ",,klbf,ft", times=dates("%d.%m.%Y,%H:%M:%S")),
+    "names over two lines, others beside them": headed("Time,Hole,Bit,Hook,Mud,Block,Gas", ",Depth,Depth,Load,Weight,Height,", "s,ft,ft,klbf,ppg,ft,%",
+                                                       rows=["%g,5000,4990,%g,9.5,%g,0" % row for row in ROWS]),
+    "names over three lines": headed("Time;Hook;Travelling", ";Load;Block", ";(avg);Position", "s;klbf;ft", sign=";"),
+    "names over two lines, a title before": "Well,A-1,\nRig,7,\n\n" + headed("Time,Hook,Block", ",Load,Height", "s,klbf,ft"),
+    "names over two lines, aligned": "Time      Hook     Block\n          Load     Height\ns         klbf     ft\n" + "".join("%-9g %-8g %g\n" % row for row in ROWS),
+    "names over two lines, aligned, one of one line": "         Hook     Block\nTIME     Load     Height\n(s)      (klbf)   (ft)\n" + "".join("%-8g %-8g %g\n" % row for row in ROWS),
+    "names, mnemonics, units": headed("Time,Hook Load,Block Height", "TIME,HKLD,BPOS", "s,klbf,ft"),
+    "names in two languages": headed("Time,Hook Load,Block Height", "Zeit,Hakenlast,Blockhoehe", "s,klbf,ft"),
+    "a rule below the units": headed("Time,Hook Load,Block Height", "s,klbf,ft", "----,----,----"),
+    "numbers of the columns": headed("Time,Hook Load,Block Height", "s,klbf,ft", "1,2,3"),
+    "groups of names": headed(",Rig,Rig", "Time (s),Hook Load (klbf),Block Height (ft)"),
+    "units of other quantities": headed("Time,Hook Load,Block Height,Gas,Temp,Weight", "s,klbf,ft,%,degF,ppg", rows=["%g,%g,%g,1,80,9.5" % row for row in ROWS]),
+    "thousands, tabs": table("\t", POUNDS, number="%.1f", load=1e3).replace("000.0", ",000.0").replace("500.0", ",500.0"),
+    "thousands in quotes": quoted("%.1f", ",", "."),
+    "thousands, decimal commas": quoted("%.1f", ".", ",", ";"),
+    "thousands by blanks, decimal commas": quoted("%.1f", " ", ",", ";"),
+    "thousands by narrow blanks": quoted("%.1f", "\u202f", ".", ";"),
+    "thousands by apostrophes": quoted("%.1f", "'", "."),
+    "thousands by typographic apostrophes, decimal commas": quoted("%.1f", "\u2019", ",", ";"),
+    "thousands of whole numbers beside decimal points": quoted("%.0f", ",", ".", "\t"),
+    "thousands of whole numbers in quotes": quoted("%.0f", ",", "."),
+    "order of the date in the header": table(header=("Date (DD/MM/YYYY),Time (HH:MM:SS)", *DATED[1:]), times=dates("%d/%m/%Y,%H:%M:%S")),
+    "order of the date in the header, month first": table(header=("Date [mm/dd/yy],Time", *DATED[1:]), times=dates("%m/%d/%y,%H:%M:%S")),
+    "order of the date below the names": headed("RIG_TIME,HKLD,BPOS", "MM/DD/YYYY HH:MM:SS,klbf,ft", times=dates("%m/%d/%Y %H:%M:%S")),
+    "order of the date in the header, ISO 8601 in the cells": table(header=("Date (DD/MM/YYYY),Time (HH:MM:SS)", *DATED[1:]), times=dates("%Y-%m-%d,%H:%M:%S")),
     "date and time, 12 hours": table(header=("DATE,TIME", *DATED[1:]), times=dates("%Y/%m/%d,%I:%M:%S %p")),
 }
 REFUSED = {
+    "two signs of decimals": (quoted("%.1f", ",", ".", "\t").replace('"201,000.0"', '"201.000,0"'), "r.csv:3: 201.000,0 has another decimal sign than 200,000.0 (line 2)"),
+    "a decimal comma among thousands": (quoted("%.1f", ",", ".", "\t").replace("29.5", "29,5"), "r.csv:3: Block Height (ft): 29,5 is no number with a decimal point"),
     "digits in groups": (cell('"201,000"'), "r.csv:3: Hook Load (klbs): 201,000 is no number with a decimal point as others are"),
     "decimal comma in one cell": (cell('"201,5"'), "r.csv:3: Hook Load (klbs): 201,5 is no number"),
     "commas that may be groups": (table("\t", POUNDS, load=1e3).replace("000\t", ",000\t").replace("202500", "202,500").replace("29.5", "29"),
@@ -76,7 +123,10 @@ REFUSED = {
     "day or month first": (table(header=DATED, times=[text.replace("21", "01") for text in dates("%d/%m/%Y %H:%M:%S")]), 'format: "%d/%m/%Y %H:%M:%S" or "%m/%d/%Y %H:%M:%S"'),
     "month first": (table(header=DATED, times=dates("%m/%d/%Y %I:%M:%S %p")), 'r.csv:2: DateTime: 05/21/2024 09:59:50 AM is no date and time of the day; allowed: ISO 8601'),
     "month first, the format": (table(header=DATED, times=dates("%m/%d/%Y %I:%M:%S %p")), 'format: "%m/%d/%Y %I:%M:%S %p"}'),
+    "another order than the header says": (table(header=("Date (DD/MM/YYYY),Time (HH:MM:SS)", *DATED[1:]), times=dates("%m/%d/%Y,%H:%M:%S")), "05/21/2024 09:59:50 is no date"),
     "time of the day alone": (table(header=DATED, times=dates("%H:%M:%S")), 'format: "%H:%M:%S"}'),
+    "two figures of a year, which may stand first": (table(header=DATED, times=dates("%y/%m/%d %H:%M:%S")), 'format: "%d/%m/%y %H:%M:%S" or "%y/%m/%d %H:%M:%S"}'),
+    "ISO without signs": (table(header=DATED, times=dates("%Y%m%dT%H%M%SZ")), 'format: "%Y%m%dT%H%M%SZ"}'),
     "time of the day, unit": (table(header=("Time (hh:mm:ss)", *DATED[1:]), times=dates("%H:%M:%S")), "r.csv:2: Time (hh:mm:ss): 09:59:50 is no date"),
     "days of a spreadsheet": (table(header=DATED, times=["%.8f" % (45413.5 + row[0] / 86400) for row in ROWS]), "the time has no unit and is no date (first: 45413.5"),
     "two units": (table().replace("(ft)\n", "(ft)\ns,kN,ft\n"), "r.csv:2: the unit of Hook Load (klbs) is kN here"),
@@ -126,6 +176,22 @@ class Tables(Folder):
         for row in ("-999.25", "NULL", "", "N/A"):
             record = self.read(table(header=DATED, times=[STAMPS[0], row, *STAMPS[2:]]))
             self.assertEqual([0.0, 10.0, 15.0], list(record.time), row)
+
+    def test_zeros_of_a_gauge_that_is_lost_for_a_moment(self):
+        lost = self.read(cell("0"))
+        self.assertEqual([1], [k for k, load in enumerate(lost.signals["hook_load"]) if load != load])
+        self.assertIn("Hook Load (klbs): 1 zeros between values that are alike are taken for null values (first: ", "\n".join(lost.remarks))
+        depths = self.read("Time (s),HKLD (klbf),Bit Depth (m)\n" + "".join("%d,200,%g\n" % (k, 0 if 3 <= k <= 5 else 1500 + 0.1 * k) for k in range(10)))
+        self.assertEqual([3, 4, 5], [k for k, depth in enumerate(depths.signals["bit_depth"]) if depth != depth])
+        for loads in ((200, 0, 0, 0, 0, 200), (0, 0, 200, 200, 0, 0), (200, 0, 100, 100, 0, 200), (2, 0, 2, 200, 200, 200)):  # in the slips, at an end, between others, small
+            kept = self.read("Time (s),HKLD (klbf)\n" + "".join("%d,%g\n" % (k, load) for k, load in enumerate(loads)))
+            self.assertEqual([KLBF * load for load in loads], list(kept.signals["hook_load"]), loads)
+
+    def test_two_units_in_one_name(self):
+        record = self.read(table(header=("Time (s)", "Hook Load (klbf) (kN)", "Block Height (ft) (feet)")))
+        self.assertNotIn("hook_load", record)
+        self.assertIn("hook_load is left out: Hook Load (klbf) (kN): unit klbf, kN is not known for a force", "\n".join(record.remarks))
+        self.assertAlmostEqual(FEET * 30.0, record.signals["block_height"][0])
 
     def test_null_values_of_one_column(self):
         text = "T,H,B,R\n" + "".join("%g,%g,%g,%d\n" % (t, 0 if t == 5 else h, b, 0 if t < 10 else 90) for t, h, b in ROWS)

@@ -9,11 +9,17 @@ import unittest
 import numpy
 from drill_rig_sim import _sim, plot_logs, plot_well, replay_command, score_command, score_plots
 from drill_rig_sim.field import units as of_records
+from drill_rig_sim.field.columns import read_map
+from drill_rig_sim.field.record import RecordError
+from drill_rig_sim.field.signals import SIGNALS
+from drill_rig_sim.field.table import unit_in
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.score import score
 from drill_rig_sim.score_runs import Run
 from drill_rig_sim.sim import Simulator, units
+from drill_rig_sim.survey import read_survey
 from drill_rig_sim.units import SHOWN, SI, Units
+from in_folder import InFolder
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 OILFIELD_SCENE = os.path.join(SOURCE, "config/scenes/oilfield.yaml")
@@ -44,19 +50,55 @@ class Tables(unittest.TestCase):
         self.assertEqual(0.0254, units()["length"]["in"])
         self.assertNotIn("tonf", units()["force"])
 
-    def test_records_and_scenes_agree_on_a_unit(self):
-        pairs = {"LENGTH": "length", "SPEED": "speed", "FORCE": "force", "TORQUE": "torque", "PRESSURE": "pressure", "TURNING": "angular speed", "FLOW": "flow", "TIME": "time"}
-        for table, quantity in pairs.items():
-            of_scenes = units()[quantity]
-            shared = [name for name, factor in getattr(of_records, table).items() if name in of_scenes and factor is not None]
-            self.assertGreater(len(shared), 1, table)
-            for name in shared:
-                self.assertAlmostEqual(1.0, getattr(of_records, table)[name] / of_scenes[name], places=14, msg=name)
-
     def test_python_and_the_runner_show_the_same_units(self):
         for quantity, (_, oilfield) in SHOWN.items():
             if quantity not in ("time", "number", "count"):
                 self.assertAlmostEqual(1.0, oilfield.per_si / _sim.oilfield_units()[oilfield.name], places=14, msg=quantity)
+
+    def test_what_python_shows_is_of_the_table(self):
+        for unit in (unit for both in SHOWN.values() for unit in both if unit.name not in ("", "%") and not unit.name.startswith("deg/")):
+            factors = [factor for factor, _ in (_sim.find_unit(quantity, unit.name) for quantity in units()) if factor]
+            self.assertTrue(any(abs(factor * unit.per_si - 1.0) < 1e-14 for factor in factors), unit.name)
+
+
+class Doors(InFolder):
+    """Every unit of the one table at each door of Python, by each spelling; test_scene_units.cpp does so with every number of a scene."""
+    AMBIGUOUS = (("force", "tonf", "tonfUS"), ("force", "TON", "1000 kgf (tf)"), ("force", "Mlbf", "klbf"), ("force", "mN", "MN or N"), ("pressure", "mPa", "MPa or Pa"),
+                 ("torque", "tonf.ft", "tonfUS.ft"), ("angle", "grad", "gon or deg"))
+
+    def map_of(self, signal, unit):
+        """The unit of a signal in the file of a map."""
+        return read_map(self.file("map.yaml", "%s: {column: X, unit: %r}\n" % (signal, unit))).columns[signal].unit
+
+    def test_records_and_maps(self):
+        for signal, (quantity, _, _) in SIGNALS.items():
+            for spelling, factor in units()[quantity].items():
+                self.assertEqual(factor, of_records.factor_of(quantity, spelling), spelling)
+                self.assertEqual(factor, of_records.factor_of(quantity, self.map_of(signal, spelling)), spelling)
+                name = "x [%s]" % spelling
+                self.assertEqual(factor, of_records.factor_of(quantity, unit_in(name)), name)
+
+    def test_surveys(self):
+        for spelling, factor in units()["length"].items():
+            for text, columns in (("MD (%s),Inc (deg),Azi (deg)\n0,0,0\n%.17g,0,0\n" % (spelling, 100.0 / factor), ""),
+                                  ("MD,Inc (deg),Azi (deg)\n0,0,0\n%.17g,0,0\n" % (100.0 / factor), "columns: {md: {unit: %r}}\n" % spelling)):
+                if '"' not in spelling or columns:
+                    self.assertAlmostEqual(100.0, self.survey(text, columns).md[-1], places=10, msg=spelling)
+        for spelling, factor in units()["angle"].items():
+            text = "MD (m),Inc (%s),Azi (%s)\n0,0,0\n100,%.17g,0\n" % (spelling, spelling, 0.5 / factor)
+            self.assertAlmostEqual(-math.cos(0.5), self.survey(text).tangents[-1][2], places=10, msg=spelling)
+
+    def survey(self, text, columns=""):
+        return read_survey(self.file("survey.csv", text), self.file("columns.yaml", columns) if columns else "")
+
+    def test_ambiguous_units_are_refused_with_the_choices(self):
+        for quantity, spelling, said in self.AMBIGUOUS:
+            self.assertNotIn(spelling, units()[quantity])
+            self.assertIn("ambiguous; allowed: ", _sim.find_unit(quantity, spelling)[1])
+            self.assertIn(said, _sim.find_unit(quantity, spelling)[1])
+            signal = next((signal for signal, (known, _, _) in SIGNALS.items() if known == quantity), None)
+            if signal:
+                self.assertRaisesRegex(RecordError, "map.yaml:1: .*is ambiguous; allowed: ", self.map_of, signal, spelling)
 
 
 class Shown(unittest.TestCase):

@@ -2,10 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "drill_rig_sim/math/shown_units.h"
 #include "drill_rig_sim/math/unit_table.h"
 
 namespace drill_rig_sim::test_math_units
@@ -65,6 +69,17 @@ const std::vector<Figure> figures = {
     {"a damping", "kN.s/m", 1e3}, {"a damping", "lbf.s/ft", 14.59390294},
     {"a damping per length", "N.s/m2", 1.0}, {"a damping per length", "lbf.s/ft2", 47.88025898},
     {"a time per length", "s/ft", 3.280839895}, {"a pressure per flow squared", "psi/gpm2", 1.732188792e12},
+    {"a length", "ftUS", 0.3048006096}, {"a length", "yd", 0.9144}, {"a time", "us", 1e-6}, {"an angle", "gon", 0.01570796327},
+    {"a force", "Mgf", 9806.65}, {"a force", "gf", 9.80665e-3}, {"a force", "dyne", 1e-5}, {"a force", "kdyne", 1e-2}, {"a force", "ozf", 0.2780138510},
+    {"a torque", "kdaN.m", 1e4}, {"a torque", "MN.m", 1e6}, {"a torque", "dN.m", 0.1}, {"a torque", "kkgf.m", 9806.65}, {"a torque", "tonfUS.ft", 2711.635897},
+    {"a pressure", "lbf/ft2", 47.88025898}, {"a pressure", "hPa", 100.0}, {"a pressure", "hbar", 1e7}, {"a pressure", "kgf/m2", 9.80665}, {"a pressure", "kgf/mm2", 9806650.0},
+    {"a speed", "cm/s", 0.01}, {"a speed", "mm/s", 0.001}, {"a speed", "km/h", 0.2777777778}, {"a speed", "m/d", 1.157407407e-5}, {"a speed", "ft/d", 3.527777778e-6},
+    {"a speed", "kft/h", 0.08466666667}, {"a speed", "in/s", 0.0254}, {"a speed", "in/min", 4.233333333e-4},
+    {"an angular speed", "rev/h", 1.745329252e-3}, {"an angular speed", "deg/min", 2.908882087e-4}, {"an angular speed", "deg/h", 4.848136811e-6},
+    {"a flow", "m3/d", 1.157407407e-5}, {"a flow", "L/h", 2.777777778e-7}, {"a flow", "cm3/s", 1e-6}, {"a flow", "cm3/min", 1.666666667e-8}, {"a flow", "galUS/s", 3.785411784e-3},
+    {"a flow", "galUS/h", 1.051503273e-6}, {"a flow", "galUS/d", 4.381263639e-8}, {"a flow", "galUK/h", 1.262802778e-6}, {"a flow", "bbl/h", 4.416313747e-5},
+    {"a flow", "bbl/d", 1.840130728e-6}, {"a flow", "kbbl/d", 1.840130728e-3}, {"a flow", "ft3/s", 0.02831684659}, {"a flow", "ft3/min", 4.719474432e-4},
+    {"a flow", "ft3/h", 7.865790720e-6},
     // further spellings
     {"a length", "feet", 0.3048}, {"a length", "foot", 0.3048}, {"a length", "'", 0.3048}, {"a length", "inch", 0.0254}, {"a length", "inches", 0.0254}, {"a length", "\"", 0.0254},
     {"a mass", "lbs", 0.45359237}, {"a mass per length", "lbs/ft", 1.488163944}, {"a force", "kips", 4448.2216152605},
@@ -74,6 +89,12 @@ const std::vector<Figure> figures = {
     {"a torque", "kNm", 1e3}, {"a density", "kg/l", 1000.0}, {"a density", "g/cc", 1000.0}, {"a density", "pcf", 16.01846337},
     {"a flow", "l/s", 0.001}, {"a flow", "l/min", 1.666666667e-5}, {"a flow", "lpm", 1.666666667e-5}, {"a flow", "bpm", 2.649788249e-3}, {"a volume", "l", 0.001},
 };
+
+std::vector<std::string> words_of(const char* text)
+{
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
 }  // namespace
 
 TEST(Units, EachIsWhatItsDefinitionSays)
@@ -84,7 +105,7 @@ TEST(Units, EachIsWhatItsDefinitionSays)
     const std::string name = std::string(figure.quantity) + ": " + figure.unit;
     const UnitName* found = nullptr;
     for (const UnitFamily& family : unit_families())
-      if (std::string(family.quantity) == figure.quantity) found = find_unit(family, figure.unit);
+      if (std::string(family.quantity) == figure.quantity) found = find_unit(family, figure.unit).unit;
     ASSERT_NE(found, nullptr) << name;
     EXPECT_NEAR(1.0, static_cast<double>(found->si) / figure.si, 5e-10) << name;
     tested.insert(name);
@@ -97,26 +118,58 @@ TEST(Units, EachIsWhatItsDefinitionSays)
   }
 }
 
+TEST(Units, WhatIsShownIsOfTheTable)
+{
+  for (int k = 0; k < static_cast<int>(Dimension::count); ++k)
+    for (const UnitSystem system : {UnitSystem::si, UnitSystem::oilfield})
+    {
+      const Unit& shown = unit_of(static_cast<Dimension>(k), system);
+      const std::string name = plain_unit(shown.name);
+      if (name.empty() || name == "%" || name.rfind("deg/", 0) == 0) continue;
+      ASSERT_NE(nullptr, family_of(name)) << name;
+      EXPECT_NEAR(1.0, shown.per_si * find_unit(*family_of(name), name).unit->factor(), 1e-14) << name;
+    }
+}
+
 TEST(Units, AreSpelledInSeveralWays)
 {
   for (const char* spelling : {"ft.lbf", "ft lbf", "ft-lbf", "ft*lbf", "ft\u00b7lbf"}) EXPECT_EQ("ft.lbf", plain_unit(spelling));
   for (const char* spelling : {"m3/s", "m^3/s", "m\u00b3/s"}) EXPECT_EQ("m3/s", plain_unit(spelling));
   EXPECT_EQ("N.s/m/m", plain_unit("N s/m per m"));
   EXPECT_EQ("deg", plain_unit("\u00b0"));
+  EXPECT_EQ("galUS/min", plain_unit("gal[US]/min"));
   EXPECT_EQ("N/m^e", plain_unit("N/m^e"));
   EXPECT_EQ("psi/s^0.5", plain_unit("psi/s^0.5"));
 }
 
+TEST(Units, CaseAndSignsBetweenThePartsDoNotCount)
+{
+  const UnitFamily& torque = units_of_quantity("torque");
+  for (const char* spelling : {"kft.lbf", "KFT_LBS", "kft-lb", "K-FT-LB", "klbf.ft", "1000 ft lbf", "kip-ft"})
+  {
+    ASSERT_NE(nullptr, find_unit(torque, spelling).unit) << spelling;
+    EXPECT_STREQ("kft.lbf", find_unit(torque, spelling).unit->name) << spelling;
+  }
+  EXPECT_STREQ("ft/h", find_unit(units_of_quantity("speed"), "ft_per_hr").unit->name);
+  EXPECT_STREQ("m3", find_unit(units_of_quantity("volume"), "M**3").unit->name);
+  EXPECT_STREQ("mPa.s", find_unit(units_of_quantity("viscosity"), "mPa.s").unit->name);
+  EXPECT_STREQ("MPa", find_unit(units_of_quantity("pressure"), "MPA").unit->name);
+}
+
 TEST(Units, ASpellingOfSeveralMeaningsIsNoUnit)
 {
-  for (const char* spelling : {"tonf", "ton", "gal", "gal/min", "gal/rev", "mPa", "sg", "SG", "lb/gal", "lbm/gal"})
+  const std::vector<std::pair<const char*, const char*>> refused = {{"force", "tonf"}, {"force", "TONS"}, {"force", "mN"}, {"force", "mn"}, {"force", "mgf"}, {"force", "Mlbf"}, {"mass", "ton"},
+    {"torque", "tonf.ft"}, {"torque", "mN.m"}, {"volume", "gal"}, {"volume per turn", "gal/rev"}, {"pressure", "mPa"}, {"pressure", "mpa"}, {"power", "mW"}, {"density", "sg"},
+    {"density", "SG"}, {"density", "lb/gal"}, {"density", "lbm/gal"}, {"angle", "grad"}};
+  for (const auto& [quantity, spelling] : refused)
   {
-    EXPECT_EQ(nullptr, family_of(spelling)) << spelling;
-    ASSERT_FALSE(meanings_of(spelling).empty()) << spelling;
-    for (const char* meaning : meanings_of(spelling)) EXPECT_NE(nullptr, family_of(meaning)) << meaning;
+    EXPECT_EQ(nullptr, find_unit(units_of_quantity(quantity), spelling).unit) << spelling;
+    EXPECT_NE("", find_unit(units_of_quantity(quantity), spelling).choices) << spelling;
   }
-  EXPECT_TRUE(meanings_of("psi").empty());
+  EXPECT_EQ("MPa or Pa", find_unit(units_of_quantity("pressure"), "mPa").choices);
+  EXPECT_TRUE(find_unit(units_of_quantity("pressure"), "psi").choices.empty());
   EXPECT_NE(nullptr, family_of("bbl")) << "42 US gallons";
+  EXPECT_STREQ("a frequency", family_of("Hz")->quantity) << "its symbol goes before the spelling of another quantity";
 }
 
 TEST(Units, ASpellingIsOneUnitOfAQuantity)
@@ -124,11 +177,20 @@ TEST(Units, ASpellingIsOneUnitOfAQuantity)
   for (const UnitFamily& family : unit_families())
   {
     std::set<std::string> spellings;
+    const auto add = [&](const std::string& spelling) { EXPECT_TRUE(spellings.insert(spelling).second) << family.quantity << ": " << spelling; };
     for (const UnitName& unit : family.units)
     {
-      EXPECT_TRUE(spellings.insert(unit.name).second) << family.quantity << ": " << unit.name;
       EXPECT_EQ(unit.name, plain_unit(unit.name)) << "would never be found";
+      EXPECT_EQ(&unit, find_unit(family, unit.name).unit) << unit.name;
+      add(folded_unit(unit.name));
+      for (const std::string& spelling : words_of(unit.spellings))
+      {
+        EXPECT_EQ(spelling, folded_unit(plain_unit(spelling))) << "would never be found";
+        add(spelling);
+      }
     }
+    for (const AmbiguousUnit& one : family.ambiguous)
+      for (const std::string& spelling : words_of(one.spellings)) add(spelling);
   }
 }
 }  // namespace drill_rig_sim::test_math_units

@@ -121,7 +121,7 @@ TEST(SceneSurvey, WhatMayBeTwoThingsIsRefused)
   SurveyFormat format;
   format.md.unit = "m";
   EXPECT_TRUE(holds(refusal("MD (ft),Inc (deg),Azi (deg)\n0,0,0\n9,0,0\n", format), "MD (ft): the header says ft and the map m"));
-  EXPECT_TRUE(holds(refusal("MD (m),Inc (grad),Azi (deg)\n0,0,0\n"), ":1: Inc (grad): the brackets hold no unit that is known, allowed: deg, rad or gon")) << "degrees in German, gons in English";
+  EXPECT_TRUE(holds(refusal("MD (m),Inc (grad),Azi (deg)\n0,0,0\n"), ":1: Inc (grad): the brackets hold no unit that is known, allowed: rad, deg, rev, gon")) << "degrees in German, gons in English";
   // thousands or decimals
   EXPECT_TRUE(holds(refusal("MD (ft);Inc (deg);Azi (deg)\n0;0;0\n1,000;2;40\n2,000;3;41\n"), ":3: MD (ft): the comma may be"));
   EXPECT_TRUE(holds(refusal("MD (m);Inc (deg);Azi (deg)\n0;0;0\n1.000;2,5;40\n"), "decimal commas and decimal points"));
@@ -207,7 +207,7 @@ TEST(SceneSurvey, ExportsOfTheTrade)
       {"bearing in radians", "MD (m),Inc (rad),Azi (rad)\n0,0,0\n500,0.1,N45E\n", 0, 0, 0, 0, ":3: Azi (rad): must be a finite number"},
       {"61 minutes", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\xc2\xb0""61'\n", 0, 0, 0, 0, ":3: Azi (deg): must be a finite number"},
       {"degrees by blanks", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45 30 00\n", 0, 0, 0, 0, ":3: Azi (deg): must be a finite number"},
-      {"another unit", "MD (km),Inc (deg),Azi (deg)\n0,0,0\n0.5,10,45\n", 0, 0, 0, 0, ":1: MD (km): the brackets hold no unit that is known, allowed: m, ft or ftUS, or a map"},
+      {"another unit", "MD (fathom),Inc (deg),Azi (deg)\n0,0,0\n0.5,10,45\n", 0, 0, 0, 0, ":1: MD (fathom): the brackets hold no unit that is known, allowed: m, mm, cm, km, ft, in, ftUS, or a map"},
       {"names in two lines", "Measured Vertical\nDepth Inc Azi Depth\n(ft) (deg) (deg) (ft)\n0 0 0 0\n", 0, 0, 0, 0, ":2: measured depth: stands more than once in the header"},
       {"from the bottom up", "MD (m),Inc (deg),Azi (deg)\n600,12,45\n500,10,45\n0,0,0\n", 0, 0, 0, 0, ":3: station 2: md 500 m does not exceed the 600 m before it: the stations stand from the bottom up"},
       {"out of order", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\n400,8,45\n600,12,45\n", 0, 0, 0, 0, ":4: station 3: md 400 m does not exceed the 500 m before it"},
@@ -281,6 +281,29 @@ TEST(SceneSurvey, WitsmlWithAPrefixAndATieIn)
   EXPECT_NEAR(0.02, table.stations[1].inclination, 1e-12);
 }
 
+TEST(SceneSurvey, WitsmlOfVersion2)
+{
+  const SurveyTable table = read("<Trajectory xmlns=\"http://www.energistics.org/energyml/data/witsmlv2\" schemaVersion=\"2.0\"><MDMn uom=\"m\">0</MDMn>"
+                                 "<TrajectoryStation><MD uom=\"ft[US]\">3937</MD><Incl uom=\"dega\">3</Incl><Azi uom=\"gon\">50</Azi></TrajectoryStation>"
+                                 "<TrajectoryStation><MD uom=\"m\">0</MD><Incl uom=\"dega\">0</Incl><Azi uom=\"dega\">0</Azi></TrajectoryStation></Trajectory>");
+  ASSERT_EQ(2u, table.stations.size());
+  expect_station(table.stations[1], 1200.0, 3.0, 45.0);
+}
+
+TEST(SceneSurvey, NamesOverSeveralLines)
+{
+  for (const char* text : {"Measured,Incl.,Azim.\nDepth,,\n(m),(deg),(deg)\n0,0,0\n600,4,50\n", "Well A-1\n,Hole,Hole\nMD,Inclination,Azimuth\nm,deg,deg\n0,0,0\n600,4,50\n",
+                           "No.;Measured;Inclination;Azimuth;TVD\n;Depth;Angle;True;\n;m;deg;deg;m\n1;0;0,0;0,0;0\n2;600;4,0;50,0;599\n",
+                           "Measured\tHole\tHole\nDepth\tInclination\tAzimuth\n(ft)\t(deg)\t(deg)\n0\t0\t0\n1968.503937\t4\t50\n"})
+  {
+    const SurveyTable table = read(text);
+    ASSERT_EQ(2u, table.stations.size()) << text;
+    EXPECT_NEAR(600.0, table.stations[1].md, 1e-6) << text;
+    EXPECT_NEAR(4.0 * degree, table.stations[1].inclination, 1e-12) << text;
+    EXPECT_NEAR(50.0 * degree, table.stations[1].azimuth, 1e-12) << text;
+  }
+}
+
 TEST(SceneSurvey, WitsmlThatIsRefused)
 {
   const std::string two = "<trajectorys><trajectory><name>plan</name></trajectory>\n<trajectory><name>as drilled</name></trajectory></trajectorys>";
@@ -288,7 +311,7 @@ TEST(SceneSurvey, WitsmlThatIsRefused)
   EXPECT_TRUE(holds(refusal("<logs><log/></logs>"), "has no trajectory"));
   EXPECT_TRUE(holds(refusal("<trajectorys><trajectory>"), "is no XML document"));
   EXPECT_TRUE(holds(refusal(trajectory("")), "has no stations"));
-  EXPECT_TRUE(holds(refusal(trajectory(station("0", "0", "0", "yd"))), ":3: md: unit \"yd\" is not known, allowed: m, ft or ftUS"));
+  EXPECT_TRUE(holds(refusal(trajectory(station("0", "0", "0", "fathom"))), ":3: md: unit \"fathom\" is not known, allowed: m, mm, cm, km, ft, in, ftUS"));
   EXPECT_TRUE(holds(refusal(trajectory("<trajectoryStation><md>0</md></trajectoryStation>")), "md: has no unit"));
   EXPECT_TRUE(holds(refusal(trajectory(station("0", "0", "0") + station("9", "x", "0"))), "incl: must be a finite number (got text)"));
   EXPECT_TRUE(holds(refusal(trajectory("<!-- =" + std::string(2100000, '<') + " -->")), "more than 2000000 elements"));
@@ -327,8 +350,8 @@ TEST(SceneSurvey, AMapFile)
   EXPECT_EQ("m", format.tvd.unit);
   EXPECT_EQ("tab", format.delimiter);
   EXPECT_EQ(1.0, format.pass_over);
-  for (const auto& [text, problem] : {std::pair<const char*, const char*>{"file: x.csv", ":1: file: unknown key"}, {"columns: {md: {unit: yd}}", ":1: columns.md.unit: is not known, allowed: m, ft or ftUS"},
-                                      {"delimiter: \"|\"", "delimiter: is not known, allowed: \",\", \";\", tab or space"}, {"columns: {inclination: {unit: ft}}", "allowed: deg, rad or gon"}})
+  for (const auto& [text, problem] : {std::pair<const char*, const char*>{"file: x.csv", ":1: file: unknown key"}, {"columns: {md: {unit: fathom}}", ":1: columns.md.unit: is not known, allowed: m, mm, cm, km, ft, in, ftUS"},
+                                      {"delimiter: \"|\"", "delimiter: is not known, allowed: \",\", \";\", tab or space"}, {"columns: {inclination: {unit: ft}}", "allowed: rad, deg, rev, gon"}})
   {
     std::ofstream(file) << text;
     try

@@ -71,6 +71,21 @@ Numbers numbers_of(const Averages& a)
           {"inclination_deg", a.inclination() / degree},
           {"azimuth_deg", a.azimuth() / degree}};
 }
+
+/// One moment on bottom.
+RunRecord drilled()
+{
+  RunRecord record;
+  Truth m;
+  m.on_bottom = true;
+  m.hook_load = 1234e2;
+  m.torque = 5670.0;
+  m.wob = 8900.0;
+  m.rop = 0.01;
+  m.bit_speed = 2.0 * pi;
+  record.drilling.add(m);
+  return record;
+}
 }  // namespace
 
 TEST(Summary, tellsWhatRanAndHowFast)
@@ -221,23 +236,29 @@ TEST(Summary, aReferenceReportsItsWork)
 
 TEST(Summary, inTwoLines)
 {
-  RunRecord record;
-  Truth m;
-  m.on_bottom = true;
-  m.hook_load = 1234e2;
-  m.torque = 5670.0;
-  m.wob = 8900.0;
-  m.rop = 0.01;
-  m.bit_speed = 2.0 * pi;
-  record.drilling.add(m);
+  const RunRecord record = drilled();
   const Simulator simulator(drilling_scene());
   testing::internal::CaptureStdout();
-  print_summary(simulator, Elapsed{9.0, 0.5}, record);
-  print_summary(simulator, Elapsed{9.0, 0.5}, RunRecord());
+  print_summary(simulator, Elapsed{9.0, 0.5}, record, Printed("si"));
+  print_summary(simulator, Elapsed{9.0, 0.5}, RunRecord(), Printed("si"));
   const std::string text = testing::internal::GetCapturedStdout();
   EXPECT_NE(std::string::npos, text.find(": 0.0 s simulated in 0.50 s (0.0 times real time), hole 100.000 m\n"));
   EXPECT_NE(std::string::npos, text.find("hook load 123.4 kN, torque 5.67 kN m, WOB 8.9 kN, ROP 36.00 m/h, bit 60 rpm\n"));
   EXPECT_NE(std::string::npos, text.find("the bit was not on bottom; hook load "));
+}
+
+TEST(Summary, inUnitsOfTheOilfield)
+{
+  const RunRecord record = drilled();
+  const Simulator simulator(drilling_scene());
+  testing::internal::CaptureStdout();
+  print_summary(simulator, Elapsed{9.0, 0.5}, record, Printed("oilfield"));
+  print_summary(simulator, Elapsed{9.0, 0.5}, RunRecord(), Printed("oilfield"));
+  const std::string text = testing::internal::GetCapturedStdout();
+  EXPECT_NE(std::string::npos, text.find(", hole 328.08 ft\n")) << text;
+  // 123.4 kN, 5.67 kN m, 8.9 kN, 36 m/h
+  EXPECT_NE(std::string::npos, text.find("hook load 27.7 klbf, torque 4.18 kft.lbf, WOB 2.0 klbf, ROP 118.1 ft/h, bit 60.0 rpm\n")) << text;
+  EXPECT_NE(std::string::npos, text.find(" kft.lbf\n", text.find("the bit was not on bottom; hook load "))) << text;
 }
 
 TEST(Summary, saysWhatMayBeWrong)
@@ -255,7 +276,7 @@ TEST(Summary, saysWhatMayBeWrong)
                                    {{"since", 4.5}, {"until", 4.5}, {"text", text_of(other)}}};
   EXPECT_EQ(expected, summary_of(simulator, record, false)["accuracy_warnings"]);
   testing::internal::CaptureStdout();
-  print_summary(simulator, Elapsed{9.0, 0.5}, record);
+  print_summary(simulator, Elapsed{9.0, 0.5}, record, Printed("si"));
   const std::string text = testing::internal::GetCapturedStdout();
   EXPECT_NE(std::string::npos, text.find("accuracy warning, 1.5 to 3.5 s: " + text_of(later) + "\n")) << text;
 }
@@ -285,7 +306,7 @@ TEST(Summary, saysWhichLimitsWerePassed)
                                    {{"flag", "max_hook_load"}, {"since", 3.0}, {"until", 4.0}}};
   EXPECT_EQ(expected, summary_of(simulator, record, false)["limits_passed"]);
   testing::internal::CaptureStdout();
-  print_summary(simulator, Elapsed{9.0, 0.5}, record);
+  print_summary(simulator, Elapsed{9.0, 0.5}, record, Printed("si"));
   const std::string text = testing::internal::GetCapturedStdout();
   EXPECT_NE(std::string::npos, text.find("limit passed, 2.0 to 2.0 s: the lines carry nothing (slack_line)\n")) << text;
   EXPECT_NE(std::string::npos, text.find("limit passed, 3.0 to 4.0 s: pipe beyond its yield strength, 1.50 times that 80 m above the bit (over_stress)\n"))
@@ -297,7 +318,7 @@ TEST(Summary, withoutDrillingTellsWhatHangsAndTurns)
   RunRecord record;
   const Simulator simulator = after_two_seconds(steered_scene(), record, false);
   testing::internal::CaptureStdout();
-  print_summary(simulator, Elapsed{9.0, 0.5}, RunRecord());
+  print_summary(simulator, Elapsed{9.0, 0.5}, RunRecord(), Printed("si"));
   const std::string text = testing::internal::GetCapturedStdout(), words = "hook load ";
   double load = 0.0, torque = 0.0;
   ASSERT_NE(std::string::npos, text.find(words));

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-/// THE table of units that input may be in: each by its quantity, with its factor to the SI unit.
+/// THE table of units that input may be in: each by its quantity, with its factor to the SI unit. Numbers of scenes and settings, surveys, maps,
+/// records, WITSML and LAS are read by it, in C++ and in Python.
 namespace drill_rig_sim
 {
 /// Exact by definition: pound and foot by the international agreement of 1959, standard gravity by the 3rd CGPM (1901), the US gallon as
@@ -24,12 +25,21 @@ constexpr long double barrel = 42.0L * gallon;            ///< of oil [m3]
 constexpr long double turn = 6.28318530717958647692528676655900577L;  ///< [rad]
 }  // namespace exact
 
-/// One spelling of a unit.
+/// A unit of a quantity.
 struct UnitName
 {
-  const char* name;     ///< as plain_unit() spells it
-  long double si;       ///< SI units in one of it
-  bool listed = true;   ///< messages name it; the others are further spellings
+  const char* name;             ///< its symbol as plain_unit() spells it, which messages show
+  long double si;               ///< SI units in one of it
+  const char* spellings = "";   ///< further ones as folded_unit() spells them, between blanks
+  bool listed = true;           ///< messages name it among what is allowed; the others are rare
+  double factor() const { return static_cast<double>(si); }
+};
+
+/// Spellings that may be several units of a quantity: they are refused.
+struct AmbiguousUnit
+{
+  const char* spellings;  ///< as folded_unit() spells them, between blanks
+  const char* allowed;    ///< what to write instead, for a message
 };
 
 /// The units of one quantity, the SI unit first.
@@ -37,23 +47,38 @@ struct UnitFamily
 {
   const char* quantity;  ///< with its article: "a pressure"
   std::vector<UnitName> units;
+  std::vector<AmbiguousUnit> ambiguous = {};
+};
+
+/// What a spelling is in a family: a unit, or what it may be of several, or neither.
+struct FoundUnit
+{
+  const UnitName* unit = nullptr;
+  std::string choices;  ///< what to write instead of an ambiguous spelling; else empty
+  bool any() const { return unit != nullptr || !choices.empty(); }
 };
 
 /// All families. A spelling may belong to several (psi: a pressure, an energy per volume); the first is what messages call it.
 const std::vector<UnitFamily>& unit_families();
 
+/// The family of a quantity by its name without the article, "pressure". Throws std::out_of_range where there is none.
+const UnitFamily& units_of_quantity(const std::string& quantity);
+
 /// A unit without what is only a habit of writing: "N m", "N-m", "N*m" and "N·m" are "N.m"; "m^3" and "m³" are "m3"; "N s/m per m" is
-/// "N.s/m/m"; "°" is "deg".
+/// "N.s/m/m"; "°" is "deg"; "gal[US]" of Energistics is "galUS".
 std::string plain_unit(const std::string& spelling);
 
-/// The unit of this plain spelling in a family; nullptr if it has none.
-const UnitName* find_unit(const UnitFamily& family, const std::string& plain);
+/// A plain_unit() in small letters, with single points between its parts: "KFT_LBS" is "kft.lbs".
+std::string folded_unit(const std::string& plain);
 
-/// The first family that has a unit of this plain spelling; nullptr if none has.
-const UnitFamily* family_of(const std::string& plain);
+/// A family's unit by its symbol or by another spelling, in small or capital letters. A small m that would stand for mega is ambiguous (mPa, mN).
+FoundUnit find_unit(const UnitFamily& family, const std::string& spelling);
 
-/// What a spelling may mean that is refused because it has several meanings (tonf, gal, mPa); empty for any other.
-const std::vector<const char*>& meanings_of(const std::string& plain);
+/// The first family that has a unit of this symbol, else the first that knows the spelling; nullptr if none does.
+const UnitFamily* family_of(const std::string& spelling);
+
+/// The symbols that messages name, "m, mm, cm": each followed by `suffix`.
+std::string listed_units(const UnitFamily& family, const std::string& suffix = "");
 
 }  // namespace drill_rig_sim
 

@@ -9,7 +9,7 @@ namespace drill_rig_sim
 struct SurveyColumn
 {
   std::string column;  ///< its name in the header; empty: by the usual spellings
-  std::string unit;    ///< m, ft or ftUS, or deg, rad or gon; empty: as the header says
+  std::string unit;    ///< of a length or an angle (math/unit_table.h); empty: as the header says
 };
 
 /// How a survey's file is to be read, where its header does not tell.

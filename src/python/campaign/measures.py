@@ -1,7 +1,7 @@
 """Numbers with their unit in a campaign's plan, as in `9.5 ppg`. Whether a key takes the unit is for the scene's reader to say, which gets them as they are."""
 import re
 
-MEASURE = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?) *(?![eE][-+]?\d)([A-Za-z%\u00b0].*|1/\S+)$")
+MEASURE = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?) *(?![eE][-+]?\d)([A-Za-z%\u00b0'\"].*|1/\S+)$")
 
 
 def split(text):

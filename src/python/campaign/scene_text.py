@@ -96,7 +96,7 @@ class SceneText:
     def replaced(self, begin, end, value, key):
         if not isinstance(value, Times):
             return written(value)
-        number, unit = split(self.text[begin:end].strip("'\""))
+        number, unit = split(yaml.safe_load(self.text[begin:end]))
         try:
             return written(with_unit(float(value) * (float(self.text[begin:end]) if number is None else number), unit))
         except ValueError:

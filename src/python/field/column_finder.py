@@ -2,35 +2,58 @@
 from drill_rig_sim.field.cells import is_blank, is_number
 from drill_rig_sim.field.columns import Column
 from drill_rig_sim.field.dates import is_time_of_day, seconds_of
+from drill_rig_sim.field.heading import Wanted
 from drill_rig_sim.field.signals import OWN, known, si_unit, word
-from drill_rig_sim.field.table import RecordError, bare, is_unit
-from drill_rig_sim.field.units import DATE
+from drill_rig_sim.field.table import RecordError, bare
+from drill_rig_sim.field.units import DATE, is_unit
 
 # columns of their own, of dates and of times of the day
 DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "hora")
 TRUTH = {"time", "hook_load", "bit_torque", "bit_up"}  # names that drill run --csv writes and no rig
 
 
-def is_header(names, columns=None):
-    """Whether these are the names of a record's columns: those of the map, else the time and a signal."""
-    if columns:
-        return wanted_names(columns) <= {name.lower() for name in names}
-    if {OWN["time"], OWN["hook_load"]} <= set(names):
-        return True
-    found = known([bare(name) for name in names])
-    return len(found) > ("time" in found) and ("time" in found or bool(halves(names)[0]))
+class OfTheTrade(Wanted):
+    """The names that the trade gives the time and the signals, or those of drill run --csv --readings."""
+
+    def count(self, names):
+        if {OWN["time"], OWN["hook_load"]} <= set(names):
+            return len(OWN)
+        found = known([bare(name) for name in names])
+        dated = bool(halves(names)[0])
+        return len(found) + dated if len(found) > ("time" in found) and ("time" in found or dated) else 0
+
+    def is_name(self, name):
+        return bool(known([bare(name)]) or any(halves([name])))
+
+    def places(self, names):
+        own = [place for place, name in enumerate(names) if name in OWN.values()]
+        return own + [place for half in halves(names) for place in half] + [place for places in known([bare(name) for name in names]).values() for place in places]
 
 
-def wanted_names(columns):
-    return {name.strip().lower() for column in columns.columns.values() for name in column.names}
+class ByMap(Wanted):
+    """The names of a ColumnMap."""
+
+    def __init__(self, columns):
+        self.names = {name.strip().lower() for column in columns.columns.values() for name in column.names}
+
+    def count(self, names):
+        return len(self.names) if self.names <= {name.lower() for name in names} else 0
+
+    def is_name(self, name):
+        return name.lower() in self.names
+
+    def places(self, names):
+        return [place for place, name in enumerate(names) if self.is_name(name)]
 
 
-def places_of(names, columns=None):
-    """Places of the columns that part_of() will look at."""
-    if columns:
-        return [place for place, name in enumerate(names) if name.lower() in wanted_names(columns)]
-    own = [place for place, name in enumerate(names) if name in OWN.values()]
-    return own + [place for half in halves(names) for place in half] + [place for places in known([bare(name) for name in names]).values() for place in places]
+class AllOf(Wanted):
+    """These names, and any others beside them."""
+
+    def __init__(self, names):
+        self.names = set(names)
+
+    def count(self, names):
+        return len(self.names) if self.names <= set(names) else 0
 
 
 def halves(names):

@@ -1,7 +1,8 @@
 """A map: which column of a record holds which signal, in which unit."""
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
+from drill_rig_sim.field.heading import BLANK
 from drill_rig_sim.field.signals import SIGNALS
-from drill_rig_sim.field.table import BLANK, Layout, RecordError
+from drill_rig_sim.field.table import Layout, RecordError
 from drill_rig_sim.field.units import DATE, UnitError, factor_of
 
 DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "blank": BLANK, ",": ",", ";": ";", "\t": "\t", "|": "|"}

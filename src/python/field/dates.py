@@ -14,12 +14,34 @@ MONTHS = "jan feb mar apr may jun jul aug sep oct nov dec".split()
 OF_DAY = re.compile(CLOCK + r"\s*([AP]M)?$", re.IGNORECASE)
 TOUCHING = re.compile(r"%[a-zA-Z]%[a-zA-Z]")
 GUESSED = [date + " " + clock for date, clock in itertools.product(
-    ("%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d/%m/%y", "%m/%d/%y", "%d.%m.%y", "%y.%m.%d", "%d-%b-%y", "%d%b%Y", "%b %d %Y",
+    ("%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d/%m/%y", "%m/%d/%y", "%d.%m.%y", "%y.%m.%d", "%y/%m/%d", "%y-%m-%d", "%d-%b-%y", "%d%b%Y", "%b %d %Y",
      "%Y%m%d"),
     ("%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p", "%H:%M", "%I:%M %p"))]
-GUESSED += ["%Y%m%d %H%M%S", "%y%m%d %H%M%S", "%Y%m%d%H%M%S", "%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p"]
+GUESSED += ["%Y%m%dT%H%M%SZ", "%Y%m%dT%H%M%S", "%Y%m%d %H%M%S", "%y%m%d %H%M%S", "%Y%m%d%H%M%S", "%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p"]
 MOST_GUESSES = 3
 LONGEST = 80  # signs of a date
+
+
+FIELDS = {"yyyy": "%Y", "yy": "%y", "dd": "%d", "mmm": "%b", "mon": "%b", "hh": "%H", "ss": "%S", "t": "T"}  # as headers write them; mm is a month or a minute
+
+
+def form_said(texts):
+    """The format, as of strptime, of dates whose header writes DD/MM/YYYY HH:MM:SS, in one text or in two; None where it writes none."""
+    form = " ".join(form_in(text) or "%H:%M:%S" * (k > 0) for k, text in enumerate(texts))
+    return form if all(field in form.lower() for field in ("%y", "%d", "%h")) else None
+
+
+def form_in(text):
+    """Of one text, "" where it is none."""
+    form = ""
+    for part in re.findall(r"[a-z]+|[^a-z]+", text.strip(" ()[]").lower()):
+        if part == "mm":
+            form += "%M" if "%H" in form else "%m"
+        elif part in FIELDS or not part.isalpha() and set(part) <= set("-/.: "):
+            form += FIELDS.get(part, part)
+        else:
+            return ""
+    return form
 
 
 def seconds_of(text, form=None):

@@ -9,7 +9,8 @@ from drill_rig_sim.text_file import TextError, read_text
 
 
 class Fitted:
-    """`parameters`, whose starts are the values found; `covariance` and `student` as of a Fit; `scatter` by signal [SI]."""
+    """`parameters`, whose starts are the values found; `covariance` and `student` as of a Fit; `scatter` by signal [SI],
+    infinite of one that was wholly held out."""
 
     def __init__(self, parameters, covariance, student, scatter):
         self.parameters, self.covariance, self.student, self.scatter = parameters, covariance, student, scatter
@@ -43,7 +44,7 @@ def fitted_of(tree):
     covariance = numpy.array([[number(cell, math.inf) for cell in row] for row in tree["covariance"]])
     if not parameters or covariance.shape != (len(parameters), len(parameters)):
         raise ValueError("covariance must have a row and a column for each of %d parameters" % len(parameters))
-    scatter = {str(signal): number(entry["fitted"]) for signal, entry in tree["rms"].items()}
+    scatter = {str(signal): number(entry["fitted"], math.inf) for signal, entry in tree["rms"].items()}
     return Fitted(parameters, covariance, number(tree["student"]), scatter)
 
 

@@ -4,7 +4,8 @@ import re
 from drill_rig_sim.field.cells import is_number
 from drill_rig_sim.field.dates import is_time_of_day
 from drill_rig_sim.field.signals import RANKS, word
-from drill_rig_sim.field.table import RecordError, Table, is_unit, lines_of, shown
+from drill_rig_sim.field.table import RecordError, Table, lines_of, shown
+from drill_rig_sim.field.units import is_unit
 
 LINE = re.compile(r"([^.:]*)\.((?:\d+ (?=[A-Za-z]))?\S*)(.*)$")  # NAME.UNIT  VALUE; of units `1000 lbf` alone has a blank
 DELIMITERS = {"COMMA": ",", "TAB": "\t"}  # by DLM of ~V; blanks else

@@ -1,7 +1,7 @@
 """Steady moves of a string off bottom in a record: pick-up, slack-off and rotating weights, and the empty block while the string is in the slips."""
 import numpy
 from drill_rig_sim.field.course import Course, half_band
-from drill_rig_sim.field.pipe import HANGS, clock, standstills
+from drill_rig_sim.field.pipe import HANGS, check_directions, clock, standstills
 from drill_rig_sim.field.record import RecordError
 
 MOVING = 0.02        # slowest block that counts as moving [m/s]
@@ -62,6 +62,7 @@ def moves_of(record, passed=None):
     for signal in ("block_height", "bit_depth", "hook_load"):
         if signal not in record:
             raise RecordError("%s: has no %s; needed: block_height, bit_depth and hook_load" % (record.name, signal))
+    check_directions(record)
     height = record.at("block_height", record.time)
     speeds = numpy.diff(Course(record.time, height, half_band(height, height)).heights) / numpy.diff(record.time)
     stands = standstills(record)

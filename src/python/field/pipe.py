@@ -69,8 +69,13 @@ def pipe_events(record):
 
 
 def check_directions(record):
-    """RecordError where the bit moves up and down with the block: of one the sign is wrong, or the columns are."""
-    if "bit_depth" not in record or "block_height" not in record:
+    """RecordError where the bit's depth is negative, or where the bit moves up and down with the block: of one the sign is wrong, or the columns are."""
+    if "bit_depth" not in record:
+        return
+    usual = float(numpy.nanmedian(record.signals["bit_depth"]))
+    if usual < 0.0:
+        raise RecordError("%s: bit_depth is negative, %.2f m in the median; needed: measured depth downwards from the rotary table" % (record.name, usual))
+    if "block_height" not in record:
         return
     bit, block = (numpy.diff(record.at(signal, record.time)) for signal in ("bit_depth", "block_height"))
     with_block, against = (numpy.abs(block[numpy.abs(bit - sign * block) < 0.2 * numpy.abs(block)]).sum() for sign in (1.0, -1.0))

@@ -4,7 +4,8 @@ import numpy
 
 class Prediction:
     """By the model's numbers: `predicted`, and half the width of the 95 % band: `confidence` by the parameters alone, `band` with the scatter of a single number. Not
-    a number where nothing was predicted, infinite where the band depends on parameters that the fit's data did not tell: `untold`, their names."""
+    a number where nothing was predicted, infinite where the band depends on what the fit's data did not tell: `untold`, names of parameters and of signals that were
+    wholly held out."""
 
     def __init__(self, model, problem, fitted, values):
         """`values` of the fit's parameters; those of `fitted` are not looked at."""
@@ -19,6 +20,7 @@ class Prediction:
         self.confidence = numpy.where(needs_untold, numpy.inf, fitted.student * numpy.sqrt(numpy.maximum(variance, 0.0)))
         self.band = numpy.hypot(self.confidence, fitted.student * scatter)
         self.untold = [p.name for p, known, column in zip(problem.parameters, told, matrix.T) if not known and numpy.nan_to_num(column, nan=1.0).any()]
+        self.untold += ["the scatter of %s" % signal for signal in dict.fromkeys(map(str, problem.signals)) if not numpy.isfinite(fitted.scatter[signal])]
 
     @property
     def off(self):
@@ -31,10 +33,15 @@ class Prediction:
         return {str(group): rows for group in dict.fromkeys(self.groups) for rows in [numpy.flatnonzero(compared & (self.groups == group))] if len(rows)}
 
     def summary(self):
-        """Of each group: how many rows, what is off, mean, root mean square and largest, and the share of rows within the band."""
+        """Of each group: how many rows, what is off, mean, root mean square and largest, and the share of rows within the band; None where that is
+        unknown."""
         return {group: {"rows": len(rows), "mean": float(self.off[rows].mean()), "rms": float(numpy.sqrt((self.off[rows]**2).mean())),
-                        "largest": float(numpy.abs(self.off[rows]).max()), "within": float((numpy.abs(self.off[rows]) <= self.band[rows]).mean())}
+                        "largest": float(numpy.abs(self.off[rows]).max()), "within": self.within(rows)}
                 for group, rows in self.parts().items()}
+
+    def within(self, rows):
+        known = rows[numpy.isfinite(self.band[rows])]
+        return float((numpy.abs(self.off[known]) <= self.band[known]).mean()) if len(known) else None
 
     def as_json(self):
         columns = {"recorded": self.observed, "predicted": self.predicted, "difference": self.off, "confidence_95": self.confidence, "band_95": self.band}

@@ -2,7 +2,7 @@
 import os
 
 import numpy
-from drill_rig_sim.field.column_finder import is_header, places_of
+from drill_rig_sim.field.column_finder import AllOf, ByMap, OfTheTrade
 from drill_rig_sim.field.columns import read_map
 from drill_rig_sim.field.dates import written
 from drill_rig_sim.field.files import begins_with, bytes_of, text_of
@@ -165,7 +165,7 @@ def tables_of(file, mapping):
     if text.lstrip()[:1] == "~" or file.lower().endswith(".las"):
         table = read_las(file, text, times)
     else:
-        table = read_delimited(file, text, mapping.layout if mapping else Layout(), lambda names: is_header(names, mapping), lambda names: places_of(names, mapping))
+        table = read_delimited(file, text, mapping.layout if mapping else Layout(), ByMap(mapping) if mapping else OfTheTrade())
     table.remarks += remarks
     return [table]
 
@@ -173,6 +173,6 @@ def tables_of(file, mapping):
 def read_table(file, layout=Layout(), columns=()):
     """The Table of a delimited file, with all its columns. `columns`: names that its header must have, for files with a title before it."""
     text, remarks = text_of(file)
-    table = read_delimited(file, text, layout, lambda names: set(columns) <= set(names))
+    table = read_delimited(file, text, layout, AllOf(columns))
     table.remarks += remarks
     return table

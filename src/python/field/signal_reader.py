@@ -2,14 +2,16 @@
 import numpy
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
 from drill_rig_sim.field.column_finder import known_columns
-from drill_rig_sim.field.dates import forms_for, seconds_of
+from drill_rig_sim.field.dates import form_said, forms_for, seconds_of
 from drill_rig_sim.field.signals import SIGNALS
-from drill_rig_sim.field.table import RecordError, is_unit
-from drill_rig_sim.field.units import UnitError, factor_of
+from drill_rig_sim.field.table import RecordError
+from drill_rig_sim.field.units import UnitError, factor_of, is_unit
 
 NULLS = (-999.0, -999.25, -9999.0, -9999.25, -99999.0, -99999.25, -999999.0, -999999.25)  # as logs write "no number"
 LIKE_NULLS = (999.25, 9999.0, 9999.25, 99999.0, 99999.25, 999999.0, 32767.0, 32768.0, 65535.0)  # a sign was lost, or a counter is full
 ALONE = 2.0  # times as large as all other values of its column, or as small, from which on such a number is a null
+NEVER_ZERO = ("hook_load", "bit_depth", "hole_depth", "block_height")  # for a moment
+ALIKE, FAR, MOST_ZEROS = 0.05, 0.2, 3  # of values about zeros: share by which they may differ, least share of the largest value; rows
 MOST_GUESSED = 2000  # dates by which formats are tried
 MOST_ODD = 0.5  # share of the numbers out of a signal's range from which on the unit is taken to be wrong
 
@@ -54,7 +56,7 @@ def times_of(table, column, mapped, remarks):
     places = [table.column(name) for name in column.names]
     cells = [" ".join("" if is_null(row[place]) else row[place].strip() for place in places).strip() for row in table.rows]
     if is_date(table, places, column, cells):
-        return dates_of(table, cells, column), True
+        return dates_of(table, cells, column, form_of_header(table, places)), True
     unit = unit_of(table, places[0], column, "time")
     first = next((k for k, cell in enumerate(cells) if cell), None)
     if first is not None and not is_number(cells[first]) and not (unit and is_unit(unit, "time")):
@@ -79,15 +81,21 @@ def is_date(table, places, column, cells):
     if table.index == places[0] and table.index_is_date is not None:
         return table.index_is_date
     first = next((cell for cell in cells if cell), "")
-    return seconds_of(first) is not None
+    return seconds_of(first) is not None or seconds_of(first, form_of_header(table, places)) is not None
 
 
-def dates_of(table, cells, column):
+def form_of_header(table, places):
+    """The format of dates that the names or the units of these columns write; None where they write none."""
+    return form_said([table.units[place] or table.names[place] for place in places])
+
+
+def dates_of(table, cells, column, said):
+    """`said`: the format that the header writes, for dates that need one and have none in the map."""
     found, zones = numpy.full(len(cells), numpy.nan), [None, None]
     for k, cell in enumerate(cells):
         if not cell:
             continue
-        date = seconds_of(cell, column.form)
+        date = seconds_of(cell, column.form) or (seconds_of(cell, said) if said and not column.form else None)
         if date is None:
             raise no_date(table, k, column, cells)
         found[k], zoned = date
@@ -125,6 +133,8 @@ def values_of(table, signal, column, nulls, mapped, remarks):
         return None
     raw = numbers_or_refuse(table, name, [row[place] for row in table.rows], (*NULLS, *table.nulls[place], *nulls, *column.nulls), "a number", remarks)
     leave_out_likely_nulls(table, name, raw, remarks)
+    if signal in NEVER_ZERO:
+        leave_out_drop_outs(table, name, raw, remarks)
     return in_range(table, signal, name, unit, raw, factor, remarks)
 
 
@@ -185,6 +195,22 @@ def leave_out_likely_nulls(table, name, raw, remarks):
         odd = numpy.flatnonzero(odd & ((sizes >= ALONE * others.max()) | (ALONE * sizes <= others.min())))
     if len(odd):
         remarks.append("%s: %d values such as %g are far from all others and are taken for null values (first: %s)" % (name, len(odd), raw[odd[0]], table.place(odd[0])))
+        raw[odd] = numpy.nan
+
+
+def leave_out_drop_outs(table, name, raw, remarks):
+    """Of a few zeros in a row between two values that are alike and far from zero: a gauge that was lost for a moment; reported."""
+    known = numpy.flatnonzero(numpy.isfinite(raw))
+    filled = known[raw[known] != 0.0]
+    if not len(filled):
+        return
+    before, after = filled[:-1], filled[1:]
+    zeros = numpy.searchsorted(known, after) - numpy.searchsorted(known, before) - 1
+    sizes, largest = numpy.abs(raw[filled]), numpy.abs(raw[filled]).max()
+    alike = (numpy.abs(raw[after] - raw[before]) <= ALIKE * sizes[:-1]) & (sizes[:-1] >= FAR * largest)
+    odd = [k for place in numpy.flatnonzero((zeros > 0) & (zeros <= MOST_ZEROS) & alike) for k in known[(known > before[place]) & (known < after[place])]]
+    if odd:
+        remarks.append("%s: %d zeros between values that are alike are taken for null values (first: %s)" % (name, len(odd), table.place(odd[0])))
         raw[odd] = numpy.nan
 
 

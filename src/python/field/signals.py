@@ -1,14 +1,12 @@
 """What a record may hold: each signal's quantity, its plausible range and the names that the trade gives it."""
 import re
 
-from drill_rig_sim.field.units import TABLES
-
 # of a signal: quantity, least and largest value that a rig's gauge can mean [SI]; what lies outside is no measurement
 SIGNALS = {
     "time": ("time", None, None),
     "block_height": ("length", -20.0, 100.0),
     "block_velocity": ("speed", -20.0, 20.0),
-    "top_drive_speed": ("turning", -50.0, 50.0),      # +-480 rpm
+    "top_drive_speed": ("angular speed", -50.0, 50.0),      # +-480 rpm
     "flow": ("flow", -0.02, 0.3),                      # up to 4750 gpm
     "hook_load": ("force", -5e5, 2e7),
     "torque": ("torque", -3e5, 3e5),
@@ -16,6 +14,7 @@ SIGNALS = {
     "bit_depth": ("length", -100.0, 20000.0),
     "hole_depth": ("length", -100.0, 20000.0),
 }
+SI_UNITS = {"time": "s", "length": "m", "speed": "m/s", "angular speed": "rad/s", "flow": "m3/s", "force": "N", "torque": "N.m", "pressure": "Pa"}
 # names of curves and columns, the first of a file's in this order is taken: WITSML and service companies, WITS by mnemonic, Pason, as words, WITS by item
 NAMES = {
     "time": "TIME DATETIME DATE_TIME TIMESTAMP RIGTIME DATE-TIME TIM TIME_STAMP RIG_TIME ETIM ETIME ELAPSED_TIME",
@@ -52,5 +51,4 @@ def known(names):
 
 
 def si_unit(signal):
-    """The symbol whose factor is 1."""
-    return next(symbol for symbol, factor in TABLES[SIGNALS[signal][0]].items() if factor == 1.0)
+    return SI_UNITS[SIGNALS[signal][0]]

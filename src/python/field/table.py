@@ -4,15 +4,14 @@ import re
 import typing
 
 import numpy
-from drill_rig_sim.field.cells import GROUPED, are_groups, first_decimal_comma, has_point, is_blank, is_number, with_point
+from drill_rig_sim.field.cells import GROUPED, are_groups, first_decimal_comma, first_of_both_signs, first_of_groups, has_point, is_blank, is_number, with_point
+from drill_rig_sim.field.heading import Wanted, are_places, heading_of, holds_data, is_line_of_units, split
 from drill_rig_sim.field.signals import RANKS, SIGNALS, word
-from drill_rig_sim.field.units import TABLES, UnitError, factor_of, same_unit
+from drill_rig_sim.field.units import is_unit, same_unit
 from drill_rig_sim.refusal import Refusal
 
-MOST_TITLE, MOST_LINES = 50, 10000  # lines before the names of the columns, and with comments
-BLANK, WIDE = r"\s+", r"\s{2,}"  # delimiters of columns that are aligned
 BRACKET = re.compile(r"(.*\S)\s*(?:\(([^()]*(?:\([^()]*\)[^()]*)*)\)|\[([^\[\]]*)\]|<([^<>]*)>|\{([^{}]*)\})$")
-AFTER_SIGN = re.compile(r"(.*\S)\s*[,/_]\s*(\S+)$")
+AFTER_SIGN = re.compile(r"(.*\S)(?:\s*[,/_]\s*|\s+(?:-\s+)?)(\S+)$")
 
 
 class RecordError(Refusal):
@@ -67,29 +66,30 @@ class Layout(typing.NamedTuple):
     decimal: typing.Optional[str] = None
 
 
-def read_delimited(file, text, layout=Layout(), is_header=lambda names: False, needed=None):
-    """A Table of a file with a line that names its columns. Lines that are empty or begin with # are passed over, and a title before the names. A line of units
-    may follow them. Every other row must have as many cells as the header: one too many is a decimal comma or a comma in a text, one too few a row cut off.
-    `is_header(names)`: whether these are the columns' names, for files with a title. `needed(names)`: places of the columns to be kept, None: all."""
+def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
+    """A Table of a file with one line or more that name its columns (`wanted`: by which names). Lines that are empty or begin with # are passed over, and a title
+    before the names. A line of units may follow them. Every other row must have as many cells as the header: one too many is a decimal comma or a comma in a text,
+    one too few a row cut off."""
     lines, delimiter = without_mark_of_excel(lines_of(text), layout.delimiter)
-    first, remarks = header_of(file, lines, delimiter, is_header)
-    delimiter = delimiter or likely_delimiter(whole(lines, first))
-    rows = rows_of(file, lines, first, delimiter)
-    names = without_empty_end([cell.strip() for cell in next(rows, (0, []))[1]])
+    heading = heading_of(lines, delimiter, wanted)
+    names = without_empty_end(heading.names) if heading else []
     if not names:
-        raise no_header(file)
-    units, table, places, before = [unit_in(name) for name in names], [], [], True
-    keep = set(range(len(names)) if needed is None else needed(names))
+        raise RecordError("%s: is empty; needed: a line with the names of the columns, then rows" % file)
+    rows = rows_of(file, lines, heading, len(heading.names))
+    units, remarks, table, places = [unit_in(name) for name in names], heading.remarks, [], []
+    keep = set(wanted.places(names))
     for line, cells in rows:
+        if heading.known and not table and (are_places(cells) or not holds_data(cells) and not is_line_of_units(cells)):
+            remarks.append("line %d is passed over: it holds neither units nor measurements" % line)
+            continue
         cells = fitted(cells, file, line, names)
-        if before and is_line_of_units(cells):
+        if not table and is_line_of_units(cells):
             units = [unit_of_both(file, line, *both) for both in zip(names, cells, units)]
             remarks.append("line %d was taken for the units of the columns" % line)
         else:
             table.append([cell if place in keep else "" for place, cell in enumerate(cells)])
             places.append(str(line))
-        before = False
-    decimal = layout.decimal or likely_decimal(file, table, places, delimiter, remarks)
+    decimal = layout.decimal or likely_decimal(file, table, places, heading.delimiter, remarks)
     return Table(file, names, units, numbers_with_points(file, table, places, decimal), places, remarks=remarks)
 
 
@@ -107,41 +107,21 @@ def without_mark_of_excel(lines, delimiter):
     return (["", *lines[1:]], delimiter or mark.group(1)) if mark else (lines, delimiter)
 
 
-def header_of(file, lines, delimiter, is_header):
-    """Place of the line with the names of the columns, and remarks: the first that is_header() knows, else the first that is neither empty nor a comment."""
-    filled = [k for k, line in enumerate(lines[:MOST_LINES]) if line.strip() and not line.lstrip().startswith("#")][:MOST_TITLE]
-    if not filled:
-        raise no_header(file)
-    first = next((k for k in filled if is_header(names_in(whole(lines, k), delimiter))), filled[0])
-    return first, [] if first == filled[0] else ["line %d was taken for the names of the columns, what is before it for a title" % (first + 1)]
-
-
-def no_header(file):
-    return RecordError("%s: is empty; needed: a line with the names of the columns, then rows" % file)
-
-
-def whole(lines, first):
-    """The line, with those after it into which a cell in quotes goes on."""
-    for last in range(first + 1, min(first + MOST_TITLE, len(lines))):
-        line = "".join(lines[first:last])
-        if line.count('"') % 2 == 0:
-            return line
-    return lines[first]
-
-
-def names_in(line, delimiter):
-    try:
-        return [cell.strip() for _, cells in split([line], delimiter or likely_delimiter(line)) for cell in cells]
-    except csv.Error:
-        return []
-
-
 def likely_decimal(file, table, places, delimiter, remarks):
-    """The comma where some numbers have one and none has a point, else None. RecordError where the commas may as well group the digits of whole numbers."""
-    found = None if delimiter == "," else first_decimal_comma(table)
+    """The decimal sign where the other one stands between groups of digits, the comma where some numbers have one and none has a point, else None. RecordError where
+    the commas may as well group the digits of whole numbers."""
+    point, comma = first_of_both_signs(table, "."), None if delimiter == "," else first_of_both_signs(table, ",")
+    if point and comma:
+        raise RecordError("%s:%s: %s has another decimal sign than %s (line %s); needed: one decimal sign in all numbers" %
+                          (file, places[comma[0]], comma[1], point[1], places[point[0]]))
+    point = point or (None if comma else first_of_groups(table))
+    if point:
+        remarks.append("its numbers have commas between groups of digits (first: line %s: %s)" % (places[point[0]], point[1]))
+        return "."
+    found = comma or (None if delimiter == "," else first_decimal_comma(table))
     if found is None:
         return None
-    if delimiter != ";" and are_groups(table):  # a semicolon is written where the comma is the decimal sign
+    if not comma and delimiter != ";" and are_groups(table):  # a semicolon is written where the comma is the decimal sign
         raise RecordError("%s:%s: %s may be a whole number or one with a decimal comma; needed: decimal: comma or point in a map" %
                           (file, places[found[0]], found[1]))
     remarks.append("its numbers have decimal commas (first: line %s: %s)" % (places[found[0]], found[1]))
@@ -162,43 +142,18 @@ def lines_of(text):
     return text.rstrip("\x1a\r\n").replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
-def rows_of(file, lines, first, delimiter):
-    """Number of the first line and cells of each row from line `first` on that is neither empty nor a comment."""
+def rows_of(file, lines, heading, count):
+    """Number of the first line and cells of each row below the heading that is neither empty nor a comment. `count`: of the columns."""
+    header = heading.first == heading.last  # is read with the rows: its cells may go over lines
+    first = heading.first if header else heading.last + 1
     try:
-        for line, cells in split(lines[first:], delimiter):
+        for line, cells in split(lines[first:], heading.delimiter, count):
             if any(cell.strip() for cell in cells) and not cells[0].lstrip().startswith("#"):
-                yield first + line, cells
+                if not header:
+                    yield first + line, cells
+                header = False
     except csv.Error as error:
         raise RecordError("%s: %s" % (file, error))
-
-
-def split(lines, delimiter):
-    """Number of its first line, from 1, and cells of each row."""
-    if delimiter in (BLANK, WIDE):
-        yield from enumerate(split_by_blanks(lines, delimiter), 1)
-        return
-    reader, line = csv.reader(lines, delimiter=delimiter, skipinitialspace=True), 1
-    for cells in reader:
-        begun, line = line, reader.line_num + 1
-        yield begun, cells
-
-
-def split_by_blanks(lines, delimiter):
-    """Cells of each line, by wide blanks where single ones do not come to as many as in the first line, and the other way round: values may be as wide as a column."""
-    count, other = None, BLANK if delimiter == WIDE else WIDE
-    for line in lines:
-        cells = re.split(delimiter, line.strip())
-        count = count or len(cells)
-        others = re.split(other, line.strip()) if len(cells) != count else cells
-        yield others if len(others) == count else cells
-
-
-def likely_delimiter(header):
-    """Of comma, semicolon, tab and | the one that stands most often in the header; where there is none, blanks."""
-    best = max(",;\t|", key=header.count)
-    if best in header:
-        return best
-    return WIDE if re.search(WIDE, header.strip()) else BLANK
 
 
 def without_empty_end(names):
@@ -218,7 +173,7 @@ def fitted(cells, file, line, names):
 
 
 def unit_in(name):
-    """Of a column called `Hook Load (klbs)`, `HKLD [kN]`, `Hook Load, kN` or `HKLD_kN`: klbs, kN; else None."""
+    """Of a column called `Hook Load (klbs)`, `HKLD [kN]`, `Hook Load, kN`, `Hook Load kN` or `HKLD_kN`: klbs, kN; else None."""
     return parts_of(name)[1]
 
 
@@ -228,30 +183,16 @@ def bare(name):
 
 
 def parts_of(name):
-    """Name and unit. Of several brackets the unit is the last that is one, else the last."""
+    """Name and unit. Of several brackets the unit is the last that is one, else the last; two units that differ are shown both, which is none."""
     inside, rest = [], name
     while (match := BRACKET.match(rest)) is not None:
         rest = match.group(1).strip()
         inside.append(next(text for text in match.groups()[1:] if text is not None).strip())
     if inside:
-        return rest, next((text for text in inside if is_unit(text)), inside[0]) or None
+        units = [text for text in inside if is_unit(text)]
+        differ = any(not same_unit(units[0], other) for other in units[1:])
+        return rest, ", ".join(reversed(units)) if differ else (units or inside)[0] or None
     match = AFTER_SIGN.match(name)
     if match and any(word(match.group(1)) in RANKS[signal] and is_unit(match.group(2), SIGNALS[signal][0]) for signal in RANKS):
         return match.groups()
     return name, None
-
-
-def is_unit(text, *quantities):
-    """Of one of these quantities, of any where there are none."""
-    for quantity in quantities or TABLES:
-        try:
-            factor_of(quantity, text)
-            return True
-        except UnitError:
-            pass
-    return False
-
-
-def is_line_of_units(row):
-    words = [cell.strip(" []()<>{}") for cell in row if cell.strip()]
-    return len(words) > 0 and not any(is_number(word) for word in words) and 2 * sum(map(is_unit, words)) >= len(words)

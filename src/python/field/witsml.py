@@ -1,8 +1,9 @@
-"""Logs of WITSML 1.3.1.1 and 1.4.1.1 as Tables, one for each logData."""
+"""Logs of WITSML as Tables: of 1.3.1.1 and 1.4.1.1 one for each logData; of 2.0 see channel_sets.py."""
 import csv
 import re
 
 from drill_rig_sim.field.cells import is_number
+from drill_rig_sim.field.channel_sets import NotInTime, sets_of, table_of_set, wells_of
 from drill_rig_sim.field.files import text_of
 from drill_rig_sim.field.signals import RANKS, word
 from drill_rig_sim.field.table import RecordError, Table, shown
@@ -12,30 +13,35 @@ DECLARATION = re.compile(r"<\?xml[^>]*\?>\s*")
 TIME_INDEX = {"date time": True, "elapsed time": False}  # whether its cells are dates
 
 
-class NotInTime(Exception):
-    """Why a log cannot be put on a time axis."""
-
-
 def read_witsml(file, data, times=()):
     """Tables of the document `data` (bytes) that have an index or a curve of time; the others are reported in the first's remarks. RecordError where none has, and
     where the logs are of several wells. `times`: names of a curve of time, besides those of the trade."""
     root, remarks = parsed(file, data)
     logs = [log for log in root.iter("{*}log") if log.find("{*}logData") is not None]
-    if not logs:
-        raise RecordError("%s: holds no log of WITSML 1.3.1.1 or 1.4.1.1 with data" % file)
-    wells = sorted({wellbore_of(log) for log in logs})
+    sets = [] if logs else sets_of(root)
+    if not logs and not sets:
+        raise RecordError("%s: its root is %s, and it holds no log of WITSML 1.3.1.1, 1.4.1.1 or 2.0 with data" % (file, name_of(root)))
+    wells = sorted({wellbore_of(log) for log in logs}) or wells_of(root)
     if len(wells) > 1:
         raise RecordError("%s: holds logs of %d wellbores (%s); needed: one" % (file, len(wells), ", ".join(wells)))
     tables, passed = [], []
-    for number, log in enumerate(logs, 1):
+    for number, log in enumerate(logs or sets, 1):
         try:
-            tables += [table_of(file, log, block, times) for block in log.findall("{*}logData") if block.find("{*}data") is not None]
+            tables += tables_of_log(file, log, times) if logs else [table_of_set(file, *log, times)]
         except NotInTime as reason:
             passed.append((number, reason))
     if not tables:
         raise RecordError("%s: %s" % (file, passed[0][1] if passed else "its logs hold no rows"))
     tables[0].remarks += remarks + ["log %d is passed over: %s" % one for one in passed]
     return tables
+
+
+def name_of(element):
+    return element.tag.rpartition("}")[2]
+
+
+def tables_of_log(file, log, times):
+    return [table_of(file, log, block, times) for block in log.findall("{*}logData") if block.find("{*}data") is not None]
 
 
 def wellbore_of(log):

@@ -1,0 +1,155 @@
+"""The lines above the rows of a delimited table: a title, the names of the columns in one line or in up to three, and what stands between them and the rows."""
+import csv
+import re
+import typing
+
+from drill_rig_sim.field.cells import is_number
+from drill_rig_sim.field.units import is_unit
+
+MOST_TITLE, MOST_LINES = 50, 10000  # lines before the names of the columns, and with comments
+MOST_NAMES = 3                      # lines over which the names of the columns go
+BLANK, WIDE = r"\s+", r"\s{2,}"     # delimiters of columns that are aligned
+CELL = re.compile(r"\S+(?: \S+)*")  # of aligned columns
+DATA = re.compile(r"[+-]?\d[\d.,:/+'eETZ -]*$|.*\d:\d\d")  # a number, a date or a time of the day
+NO_QUANTITY = "% - none unitless dimensionless degc degf ppm api gapi v ohm.m ohmm v/v count counts".split()  # of other columns in a line of units
+
+
+class Wanted:
+    """What the names of a table's columns are known by; here any are good."""
+
+    def count(self, names):  # pylint: disable=unused-argument
+        """How many of these names of columns are known, 0 where they are no header."""
+        return 0
+
+    def is_name(self, name):  # pylint: disable=unused-argument
+        return False
+
+    def places(self, names):
+        """Of the columns to be kept."""
+        return range(len(names))
+
+
+class Heading(typing.NamedTuple):
+    """`first` and `last` line of the names, `delimiter`, `names` and `remarks`. `known`: whether they are those that are wanted."""
+    first: int
+    last: int
+    delimiter: str
+    names: list
+    known: bool
+    remarks: list
+
+
+def heading_of(lines, delimiter, wanted):
+    """The Heading of these lines, None where all are empty: the lines whose names `wanted` knows best, else the first that is neither empty nor a comment."""
+    filled = [k for k, line in enumerate(lines[:MOST_LINES]) if line.strip(" \t,;|\"") and not line.lstrip().startswith("#")][:MOST_TITLE]
+    if not filled:
+        return None
+    spans = [(filled[k], filled[k + count - 1]) for count in range(1, MOST_NAMES + 1) for k in range(len(filled) - count + 1)]
+    names = [names_over(lines, span, delimiter, wanted) for span in spans]
+    known = [wanted.count(one) for one in names]
+    best = known.index(max(known))  # the first: of fewer lines, then higher up
+    first, last = spans[best]
+    which = "line %d was" % (first + 1) if first == last else "lines %d to %d were" % (first + 1, last + 1)
+    title = ", what is before for a title" if first != filled[0] else ""
+    remarks = ["%s taken for the names of the columns%s" % (which, title)] if title or first != last else []
+    return Heading(first, last, delimiter_over(lines, (first, last), delimiter), names[best], known[best] > 0, remarks)
+
+
+def names_over(lines, span, delimiter, wanted):
+    """Names of columns that stand in the lines of a span, one or more."""
+    first, last = span
+    if first == last:
+        return names_in(whole(lines, first), delimiter)
+    return joined_names([line for line in lines[first:last + 1] if line.strip(" \t,;|\"") and not line.lstrip().startswith("#")], delimiter_over(lines, span, delimiter), wanted)
+
+
+def delimiter_over(lines, span, delimiter):
+    """The one that is asked for, else the likely one of the lines of a span."""
+    first, last = span
+    if delimiter or first == last:
+        return delimiter or likely_delimiter(whole(lines, first))
+    return likely_delimiter(max(lines[first:last + 1], key=lambda line: len(names_in(line, None))))
+
+
+def joined_names(lines, delimiter, wanted):
+    """Names that stand in several lines, a part in each; [] where a line holds data. Of a column's names one line's is taken where that alone is known."""
+    rows = aligned(lines) if delimiter == WIDE else [names_in(line, delimiter) for line in lines]
+    if any(holds_data(row) or is_line_of_units(row) for row in rows) or any(line.count('"') % 2 for line in lines):
+        return []
+    width = max(map(len, rows))
+    columns = [[row[place] for row in rows if place < len(row) and row[place]] for place in range(width)]
+    return [next((name for name in (" ".join(parts), *parts) if wanted.is_name(name)), " ".join(parts)) for parts in columns]
+
+
+def aligned(lines):
+    """Cells of lines whose columns are aligned by blanks; a line with fewer cells than the longest has empty ones where none stands below or above."""
+    found = [[(match.start(), match.end(), match.group()) for match in CELL.finditer(line)] for line in lines]
+    columns = max(found, key=len)
+    rows = []
+    for cells in found:
+        row = [""] * len(columns)
+        for begin, end, text in cells:
+            place = min(range(len(columns)), key=lambda k: abs(columns[k][0] + columns[k][1] - begin - end))
+            row[place] = ("%s %s" % (row[place], text)).strip()
+        rows.append(row)
+    return rows
+
+
+def holds_data(row):
+    """Whether one of the cells is a number, a date or a time of the day."""
+    return any(DATA.match(cell.strip()) for cell in row)
+
+
+def are_places(row):
+    """Whether a row numbers the columns, from 0 or 1."""
+    return len(row) > 2 and [cell.strip() for cell in row] in ([str(k + first) for k in range(len(row))] for first in (0, 1))
+
+
+def is_line_of_units(row):
+    words = [cell.strip(" []()<>{}") for cell in row if cell.strip()]
+    return bool(words) and not any(is_number(word) for word in words) and 2 * sum(is_unit(word) or word.lower() in NO_QUANTITY for word in words) >= len(words) and \
+        any(map(is_unit, words))
+
+
+def whole(lines, first):
+    """The line, with those after it into which a cell in quotes goes on."""
+    for last in range(first + 1, min(first + MOST_TITLE, len(lines))):
+        line = "".join(lines[first:last])
+        if line.count('"') % 2 == 0:
+            return line
+    return lines[first]
+
+
+def names_in(line, delimiter):
+    try:
+        return [cell.strip() for _, cells in split([line], delimiter or likely_delimiter(line)) for cell in cells]
+    except csv.Error:
+        return []
+
+
+def split(lines, delimiter, count=None):
+    """Number of its first line, from 1, and cells of each row. `count`: of the columns."""
+    if delimiter in (BLANK, WIDE):
+        yield from enumerate(split_by_blanks(lines, delimiter, count), 1)
+        return
+    reader, line = csv.reader(lines, delimiter=delimiter, skipinitialspace=True), 1
+    for cells in reader:
+        begun, line = line, reader.line_num + 1
+        yield begun, cells
+
+
+def split_by_blanks(lines, delimiter, count):
+    """Cells of each line, by wide blanks where single ones do not come to as many as there are columns, and the other way round: values may be as wide as a column."""
+    other = BLANK if delimiter == WIDE else WIDE
+    for line in lines:
+        cells = re.split(delimiter, line.strip())
+        others = re.split(other, line.strip()) if count and len(cells) != count else cells
+        yield others if len(others) == count else cells
+
+
+def likely_delimiter(header):
+    """Of comma, semicolon, tab and | the one that stands most often in the header; where there is none, blanks."""
+    best = max(",;\t|", key=header.count)
+    if best in header:
+        return best
+    return WIDE if re.search(WIDE, header.strip()) else BLANK
