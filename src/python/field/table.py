@@ -12,7 +12,8 @@ from drill_rig_sim.refusal import Refusal
 MOST_TITLE, MOST_LINES = 50, 10000  # lines before the names of the columns, and with comments
 BLANK, WIDE = r"\s+", r"\s{2,}"  # delimiters of columns that are aligned
 BRACKET = re.compile(r"(.*\S)\s*(?:\(([^()]*(?:\([^()]*\)[^()]*)*)\)|\[([^\[\]]*)\]|<([^<>]*)>|\{([^{}]*)\})$")
-AFTER_SIGN = re.compile(r"(.*\S)\s*[,/_]\s*(\S+)$")
+SEPARATOR, MOST_PARTS = re.compile(r"\s*[,/_]\s*|\s+"), 4  # before a unit without brackets, and so many of its own: `gal_per_min`
+QUOTED = re.compile(r"'(.+)'$")  # a name; a cell in such quotes is a text for csv
 
 
 class RecordError(Refusal):
@@ -75,7 +76,7 @@ def read_delimited(file, text, layout=Layout(), is_header=lambda names: False, n
     first, remarks = header_of(file, lines, delimiter, is_header)
     delimiter = delimiter or likely_delimiter(whole(lines, first))
     rows = rows_of(file, lines, first, delimiter)
-    names = without_empty_end([cell.strip() for cell in next(rows, (0, []))[1]])
+    names = without_empty_end(list(map(name_in, next(rows, (0, []))[1])))
     if not names:
         raise no_header(file)
     units, table, places, before = [unit_in(name) for name in names], [], [], True
@@ -131,9 +132,16 @@ def whole(lines, first):
 
 def names_in(line, delimiter):
     try:
-        return [cell.strip() for _, cells in split([line], delimiter or likely_delimiter(line)) for cell in cells]
+        return [name_in(cell) for _, cells in split([line], delimiter or likely_delimiter(line)) for cell in cells]
     except csv.Error:
         return []
+
+
+def name_in(cell):
+    """Of a column, without blanks and single quotes around it."""
+    name = cell.strip()
+    quoted = QUOTED.match(name)
+    return quoted.group(1).strip() if quoted else name
 
 
 def likely_decimal(file, table, places, delimiter, remarks):
@@ -218,7 +226,7 @@ def fitted(cells, file, line, names):
 
 
 def unit_in(name):
-    """Of a column called `Hook Load (klbs)`, `HKLD [kN]`, `Hook Load, kN` or `HKLD_kN`: klbs, kN; else None."""
+    """Of a column called `Hook Load (klbs)`, `HKLD [kN]`, `Hook Load, kN`, `Hook Load kN` or `HKLD_kN`: klbs, kN; else None."""
     return parts_of(name)[1]
 
 
@@ -229,16 +237,23 @@ def bare(name):
 
 def parts_of(name):
     """Name and unit. Of several brackets the unit is the last that is one, else the last."""
-    inside, rest = [], name
-    while (match := BRACKET.match(rest)) is not None:
-        rest = match.group(1).strip()
-        inside.append(next(text for text in match.groups()[1:] if text is not None).strip())
+    rest, inside = apart(name)
     if inside:
         return rest, next((text for text in inside if is_unit(text)), inside[0]) or None
-    match = AFTER_SIGN.match(name)
-    if match and any(word(match.group(1)) in RANKS[signal] and is_unit(match.group(2), SIGNALS[signal][0]) for signal in RANKS):
-        return match.groups()
+    for sign in list(SEPARATOR.finditer(name))[:-1 - MOST_PARTS:-1]:
+        rest, unit = apart(name[:sign.start()])[0], name[sign.end():]
+        if any(word(rest) in RANKS[signal] and is_unit(unit, SIGNALS[signal][0]) for signal in RANKS):
+            return rest, unit
     return name, None
+
+
+def apart(name):
+    """A name without the brackets at its end, and what stands in these, the last first."""
+    inside = []
+    while (match := BRACKET.match(name)) is not None:
+        name = match.group(1).strip()
+        inside.append(next(text for text in match.groups()[1:] if text is not None).strip())
+    return name, inside
 
 
 def is_unit(text, *quantities):
