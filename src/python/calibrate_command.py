@@ -17,6 +17,8 @@ from drill_rig_sim.json_file import write_json
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
 
+SI_UNITS = {"hook_load": "N", "torque": "N m", "stand_pipe_pressure": "Pa"}
+
 
 def residuals(plan, found):
     """Root mean square of what is off, by signal: of the fitted part, and of what was held out (None where that is nothing)."""
@@ -29,16 +31,27 @@ def residuals(plan, found):
 
 def table(plan, found, left):
     lines = ["%-28s %14s %14s" % ("parameter", "value", "95 % within")]
-    lines += ["%-28s %14.6g %14s" % (p.name, value, "+- %.3g" % width if numpy.isfinite(width) else "unknown") for p, value, width in zip(plan.parameters, found.values, found.half_widths)]
-    lines += ["", "%-28s %14s %14s" % ("off, root mean square", "fitted", "held out")]
+    lines += ["%-28s %14.6g %14s" % (named(p), value, "+- " + three_digits(width) if numpy.isfinite(width) else "unknown")
+              for p, value, width in zip(plan.parameters, found.values, found.half_widths)]
+    lines += ["", "%-28s %14s %14s %14s" % ("off, root mean square", "fitted", "held out", "noise")]
     for signal, numbers in left.items():
         factor, unit = UNITS[signal]
-        lines.append("%-28s %14s %14s" % ("%s [%s]" % (signal, unit), *("-" if number is None else "%.4g" % (factor * number) for number in numbers)))
+        lines.append("%-28s %14s %14s %14s" % ("%s [%s]" % (signal, unit), *("-" if number is None else "%.4g" % (factor * number) for number in (*numbers, plan.model.noise.get(signal)))))
     idle = found.without_effect
     lines += ["%s: has no effect on these data where it starts: left there" % name for name in idle]
     lines += ["%s: these data do not tell it" % p.name for p, width in zip(plan.parameters, found.half_widths) if not width < told_by(p) and p.name not in idle]
     lost = int((~numpy.isfinite(found.predicted) & numpy.isfinite(plan.model.observed)).sum())
     return lines + (["%d numbers could not be predicted: no equilibrium, or a scene out of range" % lost] if lost else []) + ["", "%d points of the parameters were tried" % found.runs]
+
+
+def named(parameter):
+    """With the unit of an offset; a key of the scene has the scene's."""
+    return "%s [%s]" % (parameter.name, SI_UNITS[parameter.signal]) if parameter.signal else parameter.name
+
+
+def three_digits(size):
+    """Without an exponent, unless it needs one."""
+    return "%.7g" % float("%.3g" % size)
 
 
 def told_by(parameter):
@@ -60,7 +73,7 @@ class Progress:
         now = time.monotonic()
         if now - self.told > 10.0 and points > 0.0:
             self.told, left = now, (now - self.began) * max(self.expected - points, 0.0) / points
-            print("drill calibrate: %.3g points tried of about %d, %.0f s, about %.0f s left" % (points, max(self.expected, points), now - self.began, left), file=sys.stderr, flush=True)
+            print("drill calibrate: %.3g of about %d points tried, %.0f s, about %.0f s left" % (points, max(self.expected, points), now - self.began, left), file=sys.stderr, flush=True)
 
 
 def as_json(plan, found, left):
@@ -99,6 +112,7 @@ def apply_and_tell(options, plan, problem, fitted, why):
     unknown = [str(signal) for signal in dict.fromkeys(plan.model.signals) if str(signal) not in fitted.scatter]
     if unknown:
         raise PlanError("%s: %s: had no such data, allowed: %s" % (options.apply, ", ".join(unknown), ", ".join(fitted.scatter)))
+    problem.expect(1 + len(problem.moved))
     if not numpy.isfinite(problem.predict(fitted.values)).any():
         raise FitError("nothing can be predicted: %s" % why(problem.starts()))
     prediction = Prediction(plan.model, problem, fitted, fitted.values)

@@ -3,7 +3,7 @@ import numpy
 
 UNITS = {"hook_load": (1e-3, "kN"), "torque": (1e-3, "kN m"), "stand_pipe_pressure": (1e-5, "bar")}
 AXES = {"time": "time [s]", "depth": "depth [m]"}
-MOST_ROWS = 30  # of a group that are printed
+MOST_ROWS, MOST_DECIMALS = 30, 4  # of a group that are printed; of a number in kN, kN m or bar
 
 
 def lines(prediction):
@@ -12,21 +12,28 @@ def lines(prediction):
     for group, rows in prediction.parts().items():
         factor, unit = UNITS[prediction.signals[rows[0]]]
         shown = rows[numpy.unique(numpy.linspace(0, len(rows) - 1, MOST_ROWS).round().astype(int))] if len(rows) > MOST_ROWS else rows
+        said = prediction.summary()[group]
+        places = decimals(factor * min([said["rms"], *prediction.band[rows][numpy.isfinite(prediction.band[rows])]]))
         found.append("%-14s %12s %12s %12s %12s" % (AXES[prediction.axis], "recorded", "predicted", "difference", "band"))
         for k in shown:
-            numbers = [factor * value for value in (prediction.observed[k], prediction.predicted[k], prediction.off[k])]
-            found.append("%-14.8g %12.4g %12.4g %12.3g %12s%s" % (prediction.places[k], *numbers, band_text(factor * prediction.band[k]),
-                                                                  "" if abs(prediction.off[k]) <= prediction.band[k] else "  beyond"))
-        said = prediction.summary()[group]
+            numbers = [fixed(factor * value, places) for value in (prediction.observed[k], prediction.predicted[k], prediction.off[k])]
+            band = "+- " + fixed(factor * prediction.band[k], places) if numpy.isfinite(prediction.band[k]) else "unknown"
+            found.append("%-14.8g %12s %12s %12s %12s%s" % (prediction.places[k], *numbers, band, "" if abs(prediction.off[k]) <= prediction.band[k] else "  beyond"))
         within = "the band of %d rows is unknown" % said["rows"] if said["within"] is None else "%.1f %% of %d rows within the band" % (100.0 * said["within"], said["rows"])
-        found += ["%s [%s]: %s; off by %.4g in the mean, %.4g rms, %.4g at most%s" %
-                  (group, unit, within, *(factor * said[key] for key in ("mean", "rms", "largest")),
+        found += ["%s [%s]: %s; off by %s in the mean, %s rms, %s at most%s" %
+                  (group, unit, within, *(fixed(factor * said[key], places) for key in ("mean", "rms", "largest")),
                    "" if len(shown) == len(rows) else "; %d rows are shown" % len(shown)), ""]
     return found
 
 
-def band_text(width):
-    return "+- %.3g" % width if numpy.isfinite(width) else "unknown"
+def decimals(size):
+    """So many places after the point show three digits of a size, but at most MOST_DECIMALS."""
+    return int(numpy.clip(2 - numpy.floor(numpy.log10(size)), 0, MOST_DECIMALS)) if size > 0.0 else MOST_DECIMALS
+
+
+def fixed(value, places):
+    """A number without an exponent, and a zero without a sign."""
+    return "%.*f" % (places, round(value, places) + 0.0)
 
 
 def remarks(prediction):

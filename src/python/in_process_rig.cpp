@@ -154,6 +154,22 @@ std::string InProcessRig::accuracy_warning() const
   return text_of(simulator_->statistics().accuracy);
 }
 
+std::map<std::string, double> InProcessRig::measured_errors() const
+{
+  const Turn turn(*this);
+  const SimulatorStatistics& now = simulator_->statistics();
+  std::map<std::string, double> found;
+  if (!now.error_is_measured) return found;
+  for (std::size_t i = 0; i < output_count; ++i) found[output_traits[i].name] = now.errors[i];
+  return found;
+}
+
+std::string InProcessRig::not_measured() const
+{
+  const Turn turn(*this);
+  return simulator_->statistics().not_measured;
+}
+
 double InProcessRig::drum_height() const
 {
   const Turn turn(*this);

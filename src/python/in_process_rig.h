@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -162,6 +163,11 @@ public:
   double joint_length() const noexcept { return scene_.string.back().joint_length; }
   /// Why the last frame's numbers may be wrong, one line (sim/accuracy.h); empty without a reason.
   std::string accuracy_warning() const;
+  /// By output the error over the last 3 s that the companion measures, as a share of the output's range [-] (accuracy/measured_error.h);
+  /// empty while nothing is measured.
+  std::map<std::string, double> measured_errors() const;
+  /// Why the error is not measured, one line; empty while it is, and before the first frame that is compared.
+  std::string not_measured() const;
   /// Whether the scene's crew makes connections of its own.
   bool crew_connects() const noexcept { return scene_.connections == Connections::automatic; }
   /// Where the block would hang on lines without load [m]: what the drum has done, without what the load stretches.

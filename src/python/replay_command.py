@@ -24,8 +24,16 @@ def table(replay, units=SI):
         unit = units[QUANTITIES[signal]]
         lines.append("%-12s %s %s" % (NAMES[signal], " ".join("%12.3f" % (unit.per_si * numbers[key]) for key in ("mean", "rms", "largest", "range")), unit.name))
     load, unit = replay.table().get("hook_load"), units[QUANTITIES["hook_load"]]
-    return lines + (["hook load left unknown by the record's sampling: %.3g %s rms, %.3g %s at most" %
+    return lines + error_lines(replay) + (["hook load left unknown by the record's sampling: %.3g %s rms, %.3g %s at most" %
                      (unit.per_si * load["unresolved_rms"], unit.name, unit.per_si * load["unresolved_largest"], unit.name)] if load else [])
+
+
+def error_lines(replay):
+    """What of it may be the simulation's own error, as drill run shows it."""
+    if replay.errors.why_not:
+        return ["error of the simulation not measured: %s" % replay.errors.why_not]
+    measured = ["%s %.2g %%" % (NAMES[signal], 100.0 * replay.errors.largest[signal]) for signal in replay.recorded if signal in replay.errors.largest]
+    return ["measured error of the simulation, largest of 3 s: %s of the range" % ", ".join(measured)] if measured else []
 
 
 def draw(replay, file, units=SI):

@@ -104,6 +104,17 @@ class Simulator(Lockstep):
         """Why the last frame's numbers may be wrong, in one line; "" without a reason."""
         return self._rig.accuracy_warning()
 
+    @property
+    def measured_errors(self):
+        """By output, named as drill run's columns, the error over the last 3 s that the companion measures (numerics.companion), as a share of the output's range;
+        empty while nothing is measured."""
+        return self._rig.measured_errors()
+
+    @property
+    def not_measured(self):
+        """Why the error is not measured, in one line; "" while it is."""
+        return self._rig.not_measured()
+
     # --- beside finer models
 
     def verify(self, times=2.0):

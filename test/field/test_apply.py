@@ -53,6 +53,7 @@ class Applied(unittest.TestCase):
         self.assertEqual((0, ""), (status, told))
         self.assertIn("of 270 rows within the band", out)
         self.assertIn("30 rows are shown", out)
+        self.assertNotRegex(out, r"\de[-+]\d|-0\.?0* ")  # a torque of 1e-32 kN m is 0.000
         with open(answer, encoding="utf-8") as text:
             found = json.load(text)
         self.assertEqual({"hook_load", "torque", "stand_pipe_pressure"}, set(found["summary"]))

@@ -6,6 +6,7 @@ import io
 import json
 import math
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -43,6 +44,14 @@ class Least(unittest.TestCase):
     def test_without_noise_it_is_exact(self):
         found = fit(self.problem(numpy.zeros(400)))
         self.assertLess(abs(found.values - self.TRUTH).max(), 1e-6)
+
+    def test_slopes_are_not_taken_again_where_they_are_no_better(self):
+        chance = numpy.random.default_rng(4)
+        problem = self.problem(chance.normal(size=400))
+        found = fit(problem)
+        self.assertLessEqual(problem.runs, 16)  # 19 with slopes at each point
+        beyond = problem.slopes(found.values + (1.5 * problem.steps[0], 0.0, 0.0))
+        self.assertFalse(numpy.array_equal(beyond, problem.slopes(found.values)))
 
     def test_the_truth_lies_within_the_stated_confidence(self):
         chance, within, scatter = numpy.random.default_rng(1), numpy.zeros(3), []
@@ -103,7 +112,7 @@ class Least(unittest.TestCase):
         with redirect_stderr(told):
             progress(10.0)
             progress(11.0)
-        self.assertIn("10 points tried of about 40, 30 s, about 90 s left", told.getvalue())
+        self.assertIn("10 of about 40 points tried, 30 s, about 90 s left", told.getvalue())
         self.assertEqual(1, told.getvalue().count("\n"))
         problem = self.problem(numpy.zeros(400))
         problem.tell = lambda points, in_all: expected.append((points, in_all))
@@ -141,6 +150,9 @@ class Records(unittest.TestCase):
         status, out, told = calibrate(made_record.write_fit(self.folder), "--json", file)
         self.assertEqual((0, []), (status, [line for line in told.splitlines() if "points tried" not in line]))
         self.assertIn("held out", out)
+        self.assertRegex(out, r"tare \[N\] +\S+ +\+- \d+(\.\d)?\n")
+        noise = float(re.search(r"hook_load \[kN\] +\S+ +\S+ +(\S+)\n", out).group(1))
+        self.assertAlmostEqual(1.0, noise / (1e-3 * made_record.NOISE[0]), delta=0.2)  # what is left of a model that is right is no more
         with open(file, encoding="utf-8") as text:
             return json.load(text)
 

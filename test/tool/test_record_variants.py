@@ -59,6 +59,9 @@ READ = {
     "unit after a slash": table(header=("Time / s", "Hook load / klbf", "Block height / ft")),
     "unit after a blank": table(header=("Time s", "Hook Load klbf", "Block Height - ft")),
     "unit after a line": table(header=("time_s", "hook_load_klbf", "block_height_ft")),
+    "unit after a blank": table(header=("Time s", "Average Hookload klbf", "Block Position (compensated) ft")),
+    "unit of several parts": table(header=("time_s", "hook_load_1000_lbf", "block_height_ft,flow_in_gal_per_min"), times=None).replace("\n", ",0\n").replace("min,0", "min"),
+    "names in single quotes": table(header=("'Time (s)'", "'Hookload (klbs) '", "' Block Position (ft) '")),
     "two brackets": table(header=("Time (RTC) [s]", "Hook load (avg) [klbf]", "Block height (compensated) [ft]")),
     "unit before a remark": table(header=("Time (s) (local)", "Hook load (klbf) (avg)", "Block height (ft)")),
     "header over two lines of a cell": table(header=('"Time\n(s)"', '"Hook Load\n(klbs)"', '"Block Height\n(ft)"')),
@@ -201,6 +204,28 @@ class Tables(Folder):
         self.assertEqual([0.0, 0.0], list(record.signals["top_drive_speed"][:2]))
         self.refused("map.yaml:2: hook_load.null: needed: a number", text, columns.replace("null: 0", "null: none"))
 
+    def test_rows_of_another_device(self):
+        """As of a gas detector whose rows stand among the rig's, with times of its own: they are left out, and their time may go back."""
+        lines = table(header=(*NAMES, "C1 (ppm)")).splitlines()
+        text = "\n".join([lines[0], "7,,,3", lines[1] + ",", "6,NAN,NAN,4", *(line + "," for line in lines[2:])]) + "\n"
+        record = self.read(text)
+        self.right(record, ["r.csv: 2 rows hold none of the signals and are left out (first: ", "r.csv:2)"])
+        self.refused("the time goes back to 0 s (the row before: 7 s)", text.replace("7,,,3", "7,200,,3"))
+
+    def test_which_of_several_columns(self):
+        """Depths of the bit are measured along the hole, and averages come before extremes."""
+        more = ("Hookload (max) (klbf)", "Depth Bit (vert) (m)", "Depth Bit (meas) (m)")
+        text = "".join("%s,%s\n" % (before, line) for before, line in zip((",".join(more), *4 * ["900,400,500"]), table(header=("Time (s)", "Hookload (avg) (klbf)", NAMES[2])).splitlines()))
+        record = self.read(text)
+        self.right(record, ["hook_load is taken from Hookload (avg) (klbf); passed over: Hookload (max) (klbf)"])
+        self.assertEqual([500.0] * 4, list(record.signals["bit_depth"]))
+        self.assertNotIn("bit_depth", self.read(text.replace("meas", "TVD")))
+
+    def test_names_that_are_not_known(self):
+        text = "".join(line + more + "\n" for line, more in zip(table().splitlines(), [",Pump 1 (spm)"] + 4 * [",60"]))
+        self.assertIn("no column is known as top_drive_speed, flow, torque, stand_pipe_pressure, bit_depth; a map, --columns, may name it: Pump 1 (spm)", "\n".join(self.read(text).remarks))
+        self.assertNotIn("may name it", "\n".join(self.read(table()).remarks))
+
     def test_channels_that_hold_nothing(self):
         """As of sensors that were recorded but not connected: as if they were not there, and reported."""
         for cell in ("", "-999.25", "N/A"):
@@ -245,7 +270,8 @@ class Cells(unittest.TestCase):
 
     def test_names_and_units(self):
         for name, parts in (("Hook Load (klbs)", ("Hook Load", "klbs")), ("RPM", ("RPM", None)), ("FLOW_IN", ("FLOW_IN", None)), ("HKLD_AVG (kN)", ("HKLD_AVG", "kN")), ("Torque (kft_lb)", ("Torque", "kft_lb")),
-                            ("HKLD ()", ("HKLD", None)), ("Flow (gal(US)/min)", ("Flow", "gal(US)/min")), ("bit_depth_m", ("bit_depth", "m")), ("md_m", ("md_m", None)), ("(s)", ("(s)", None))):
+                            ("HKLD ()", ("HKLD", None)), ("Flow (gal(US)/min)", ("Flow", "gal(US)/min")), ("bit_depth_m", ("bit_depth", "m")), ("Mud Flow In L/min", ("Mud Flow In", "L/min")),
+                            ("flow_in_gal_per_min", ("flow_in", "gal_per_min")), ("Bit Depth (MD) m", ("Bit Depth", "m")), ("Weight on Bit kkgf", ("Weight on Bit kkgf", None)), ("Torque 2", ("Torque 2", None)), ("md_m", ("md_m", None)), ("(s)", ("(s)", None))):
             self.assertEqual(parts, parts_of(name), name)
 
     def test_long_texts_take_no_time(self):

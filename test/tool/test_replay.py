@@ -5,6 +5,7 @@ import itertools
 import json
 import math
 import os
+import re
 import tempfile
 import unittest
 from contextlib import redirect_stderr, redirect_stdout
@@ -321,9 +322,19 @@ class Replays(Folder):
     def test_accuracy_warnings_are_passed_on(self):
         scene, file = self.hoisted("block", 1.0, seconds=10.0)
         coarse = self.file("coarse.yaml", yaml.safe_dump({**self.HOIST, "needs": ["hook_load", "direction"], "numerics": {"level": "axial_torsional"}}))
-        told = self.drill_replay(file, coarse)[2]
+        _, out, told = self.drill_replay(file, coarse)
         self.assertRegex(told, "accuracy warning, .* does not represent direction")
+        self.assertIn("error of the simulation not measured: numerics.level is set by hand and numerics.companion is not\n", out)
         self.assertNotIn("accuracy warning", self.drill_replay(file, scene)[2])
+
+    def test_the_error_that_the_companion_measures_is_shown(self):
+        scene, file = self.hoisted("block", 1.0, seconds=10.0)
+        names = os.path.join(self.folder, "errors.json")
+        _, out, _ = self.drill_replay(file, scene, "--json", names)
+        shown = re.search(r"measured error of the simulation, largest of 3 s: hook load (\S+) % of the range\n", out)
+        self.assertTrue(shown and 0.0 < float(shown.group(1)) < 5.0, out)
+        with open(names, encoding="utf-8") as text:
+            self.assertAlmostEqual(0.01 * float(shown.group(1)), json.load(text)["hook_load"]["measured_error"], delta=0.002)
 
     def test_what_cannot_be_played_is_told(self):
         columns = self.file("m.yaml", "time: {column: t, unit: s}\nblock_height: {column: b, unit: m}\nhook_load: {column: h, unit: N}\nbit_depth: {column: d, unit: m}\n")

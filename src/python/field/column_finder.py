@@ -1,14 +1,19 @@
 """Which columns of a table hold which signals, where no map says so."""
+import re
+
 from drill_rig_sim.field.cells import is_blank, is_number
 from drill_rig_sim.field.columns import Column
 from drill_rig_sim.field.dates import is_time_of_day, seconds_of
 from drill_rig_sim.field.heading import Wanted
-from drill_rig_sim.field.signals import OWN, known, si_unit, word
-from drill_rig_sim.field.table import RecordError, bare
+from drill_rig_sim.field.signals import NAMES, OWN, known, si_unit, word
+from drill_rig_sim.field.table import RecordError, bare, shown
 from drill_rig_sim.field.units import DATE, is_unit
 
 # columns of their own, of dates and of times of the day
 DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "hora")
+DEPTHS, VERTICAL = ("bit_depth", "hole_depth"), {"tvd", "tvdss", "vert", "vertical"}  # `Hole Depth (TVD)`, `Depth Bit (vert)`
+EXTREMES = {"max", "min", "maximum", "minimum"}  # `Hookload (max)`
+MOST_SHOWN = 12  # names of columns in a line
 TRUTH = {"time", "hook_load", "bit_torque", "bit_up"}  # names that drill run --csv writes and no rig
 
 
@@ -18,16 +23,16 @@ class OfTheTrade(Wanted):
     def count(self, names):
         if {OWN["time"], OWN["hook_load"]} <= set(names):
             return len(OWN)
-        found = known([bare(name) for name in names])
+        found = named(names)
         dated = bool(halves(names)[0])
         return len(found) + dated if len(found) > ("time" in found) and ("time" in found or dated) else 0
 
     def is_name(self, name):
-        return bool(known([bare(name)]) or any(halves([name])))
+        return bool(named([name]) or any(halves([name])))
 
     def places(self, names):
         own = [place for place, name in enumerate(names) if name in OWN.values()]
-        return own + [place for half in halves(names) for place in half] + [place for places in known([bare(name) for name in names]).values() for place in places]
+        return own + [place for half in halves(names) for place in half] + [place for places in named(names).values() for place in places]
 
 
 class ByMap(Wanted):
@@ -56,6 +61,13 @@ class AllOf(Wanted):
         return len(self.names) if self.names <= set(names) else 0
 
 
+def named(names):
+    """Signal -> places of the columns with one of its names, the best first. A vertical depth is none of a string; extremes of a row's interval come last."""
+    words = [set(re.findall("[a-z]+", name.lower())) for name in names]
+    found = {signal: [place for place in places if not (signal in DEPTHS and words[place] & VERTICAL)] for signal, places in known([bare(name) for name in names]).items()}
+    return {signal: sorted(places, key=lambda place: bool(words[place] & EXTREMES)) for signal, places in found.items() if places}
+
+
 def halves(names):
     """Places of the columns that may hold dates, and of those that may hold times of the day."""
     return [[place for place, name in enumerate(names) if word(bare(name)) in half] for half in (DATES, TIMES_OF_DAY)]
@@ -68,9 +80,9 @@ def known_columns(table, remarks):
         return {signal: Column([name], si_unit(signal)) for signal, name in OWN.items() if name in table.names}
     if TRUTH <= set(table.names):
         raise RecordError("%s: is a time series of drill run without what the gauges show; needed: drill run --csv --readings, or a map, --columns" % table.file)
-    by_signal = known([bare(name) for name in table.names])
-    found = {"time": time_column(table, by_signal.pop("time", []))}
-    for signal, places in by_signal.items():
+    by_signal = named(table.names)
+    found = {"time": time_column(table, by_signal.get("time", []))}
+    for signal, places in ((signal, places) for signal, places in by_signal.items() if signal != "time"):
         with_unit = [place for place in places if table.units[place]]
         filled = [place for place in with_unit if any(is_number(row[place]) for row in table.rows)]
         if with_unit:
@@ -79,7 +91,16 @@ def known_columns(table, remarks):
             remarks += ["%s is taken from %s; passed over: %s" % (signal, found[signal].names[0], ", ".join(passed))] if passed else []
         else:
             remarks.append("%s: %s is left out: it has no unit; needed: a map, --columns" % (signal, table.names[places[0]]))
+    remarks += unknown_names(table, by_signal)
     return {signal: column for signal, column in found.items() if column is not None}
+
+
+def unknown_names(table, by_signal):
+    """A line on columns by names that are not known, where a signal has no column."""
+    missing = [signal for signal in NAMES if signal not in by_signal and signal not in ("time", "hole_depth")]
+    known_places = {place for places in (*by_signal.values(), *halves(table.names)) for place in places}
+    unknown = [name for place, name in enumerate(table.names) if name and place not in known_places]
+    return ["no column is known as %s; a map, --columns, may name it: %s" % (", ".join(missing), shown(unknown, MOST_SHOWN))] if missing and unknown else []
 
 
 def time_column(table, places):

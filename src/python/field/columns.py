@@ -1,6 +1,6 @@
 """A map: which column of a record holds which signal, in which unit."""
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
-from drill_rig_sim.field.heading import BLANK
+from drill_rig_sim.field.heading import BLANK, name_in
 from drill_rig_sim.field.signals import SIGNALS
 from drill_rig_sim.field.table import Layout, RecordError
 from drill_rig_sim.field.units import DATE, UnitError, factor_of
@@ -15,7 +15,7 @@ class Column:
     that stand for no number in this column."""
 
     def __init__(self, names, unit=None, form=None, nulls=()):
-        self.names, self.unit, self.form, self.nulls = names, unit, form, tuple(nulls)
+        self.names, self.unit, self.form, self.nulls = list(map(name_in, names)), unit, form, tuple(nulls)
 
 
 class ColumnMap:

@@ -6,7 +6,7 @@ NOWHERE = 30.0         # what a number counts that could not be predicted, in it
 ROUNDS = 3             # of the scatter's estimate, at most
 ENOUGH = 1e-3          # by which the sum of squares in scatters may still fall where a fit ends: 0.03 of a deviation
 SETTLED = 0.05         # change of the scatter from round to round that needs no other [-]
-ITERATIONS = 3         # of a round, as a rule
+ITERATIONS, LATER = 3, 4  # of the first round, as a rule, and points of a later one
 REPLICAS = 12          # of the model's inputs with noise added
 FEW = 8                # numbers of a signal that tell their scatter
 FEWEST = 4             # of them that tell a variance
@@ -56,7 +56,7 @@ class Problem:
         self.inner = [k for k, parameter in enumerate(parameters) if parameter.signal is None]
         self.offsets = numpy.array([self.signals == parameter.signal for parameter in parameters], dtype=float).reshape(len(parameters), -1).T
         self.steps = numpy.array([SHARE_OF_SCALE * parameter.scale for parameter in parameters])
-        self.known, self.runs, self.expected = {}, 0, 0
+        self.known, self.runs, self.expected, self.last_slopes = {}, 0, 0, None
         self.scatter = {}
         self.moved = list(self.inner)  # those that change something
 
@@ -78,13 +78,16 @@ class Problem:
         return self.ask([x])[0] + self.offsets @ x
 
     def slopes(self, x):
-        """Forward differences, backward at an upper bound; of an offset 1."""
+        """Forward differences, backward at an upper bound; of an offset 1. Within a step of where they were taken last they are no better elsewhere."""
+        if self.last_slopes is not None and (numpy.abs(x - self.last_slopes[0]) <= self.steps)[self.inner].all():
+            return self.last_slopes[1]
         steps = numpy.array([step if value + step <= parameter.high else -step for value, step, parameter in zip(x, self.steps, self.parameters)])
         moved = [numpy.where(numpy.arange(len(x)) == k, x + steps, x) for k in self.moved]
         base, *others = self.ask([x, *moved])
         matrix = self.offsets.copy()
         for k, other in zip(self.moved, others):
             matrix[:, k] = (other - base) / steps[k]
+        self.last_slopes = x.copy(), matrix
         return matrix
 
     def leave_out_idle(self, x):
@@ -92,10 +95,14 @@ class Problem:
         matrix = self.slopes(x)[self.rows]
         self.moved = [k for k in self.moved if numpy.nan_to_num(matrix[:, k], nan=1.0).any()]
 
-    def plan_points(self, rounds):
-        """How many points it takes in all, about, where so many rounds are left."""
-        self.expected = self.runs + rounds * ITERATIONS * (1 + len(self.moved)) + (REPLICAS if self.replicas else 0)
-        self.tell(self.runs, self.expected)
+    def plan_points(self, later, is_first=False):
+        """How many points it takes in all, about, where so many later rounds are left, after the first one where that `is_first`."""
+        self.expect(self.runs + later * LATER + is_first * ITERATIONS * (1 + len(self.moved)) + (REPLICAS if self.replicas else 0))
+
+    def expect(self, points):
+        """How many it takes in all, about."""
+        self.expected = points
+        self.tell(self.runs, points)
 
     def weights(self):
         return 1.0 / numpy.array([self.scatter[name] for name in self.kinds[self.rows]])
@@ -116,13 +123,13 @@ def fit(problem, level=0.95):
     parameters, names = problem.parameters, sorted(set(problem.kinds[problem.rows]))
     x = numpy.array([parameter.start for parameter in parameters], dtype=float)
     rounds = ROUNDS if len(names) > 1 else 1  # one scatter moves no minimum
-    problem.plan_points(rounds)
+    problem.plan_points(rounds - 1, True)
     if not numpy.isfinite(problem.predict(x)[problem.rows]).any():
         raise FitError("at the parameters' start nothing can be predicted")
     problem.leave_out_idle(x)
     problem.scatter = {name: max(float(numpy.nanstd(problem.observed[problem.rows & (problem.kinds == name)])), 1e-9) for name in names}
     for left in range(rounds, 0, -1):
-        problem.plan_points(left)
+        problem.plan_points(min(left, rounds - 1), left == rounds)
         x, before = minimum(problem, x), dict(problem.scatter)
         off = problem.predict(x) - problem.observed
         problem.scatter = scatters(problem, off)

@@ -11,6 +11,7 @@ MOST_NAMES = 3                      # lines over which the names of the columns 
 BLANK, WIDE = r"\s+", r"\s{2,}"     # delimiters of columns that are aligned
 CELL = re.compile(r"\S+(?: \S+)*")  # of aligned columns
 DATA = re.compile(r"[+-]?\d[\d.,:/+'eETZ -]*$|.*\d:\d\d")  # a number, a date or a time of the day
+QUOTED = re.compile(r"'(.+)'$")  # a name; a cell in such quotes is a text for csv
 NO_QUANTITY = "% - none unitless dimensionless degc degf ppm api gapi v ohm.m ohmm v/v count counts".split()  # of other columns in a line of units
 
 
@@ -122,9 +123,16 @@ def whole(lines, first):
 
 def names_in(line, delimiter):
     try:
-        return [cell.strip() for _, cells in split([line], delimiter or likely_delimiter(line)) for cell in cells]
+        return [name_in(cell) for _, cells in split([line], delimiter or likely_delimiter(line)) for cell in cells]
     except csv.Error:
         return []
+
+
+def name_in(cell):
+    """Of a column, without blanks and single quotes around it."""
+    name = cell.strip()
+    quoted = QUOTED.match(name)
+    return quoted.group(1).strip() if quoted else name
 
 
 def split(lines, delimiter, count=None):

@@ -41,7 +41,7 @@ class Period:
 
 class RecordModel:
     """`observed`: signal after signal, by the record's rows. `place`: where in the record each is, 0..1. `groups`: the signal of each; `axis`: name and values of what they
-    are plotted over. The scene is started where the record begins, by the rules of drill replay."""
+    are plotted over. `noise`: by signal the standard deviation of the record's noise. The scene is started where the record begins, by the rules of drill replay."""
 
     def __init__(self, scene, survey, parameters, record, signals=(), period=Period()):
         self.record, hung_lines = on_hook(record, period.begin, period.end)
@@ -57,6 +57,7 @@ class RecordModel:
                                    [(key, [key], False) for key in keys if not any(key in p.keys for p in parameters)])
         passed = inside(self.record.signals["time"], period.left_out)
         self.observed = numpy.concatenate([numpy.where(passed, numpy.nan, values) for values in compared(self.record, self.names, standstills(self.record)).values()])
+        self.noise = {name: scatter(values[numpy.isfinite(values)]) for name, values in self.record.signals.items() if name in self.names}
         self.signals = self.groups = self.kinds = numpy.repeat(self.names, len(self.record.time))
         self.axis = "time", numpy.tile(self.record.signals["time"], len(self.names))
         self.place = numpy.tile(self.record.time / self.record.time[-1], len(self.names))
@@ -106,7 +107,7 @@ class TableModel:
     def __init__(self, scene, survey, parameters, depths, weights, remarks=()):
         keys = [(p.name, p.keys, p.times) for p in parameters if p.signal is None]
         self.blueprint = Blueprint("table", scene, survey, keys + [("bit", ["start.bit_depth"], False)])
-        self.depths, self.motions, self.remarks = depths, list(weights), list(remarks)
+        self.depths, self.motions, self.remarks, self.noise = depths, list(weights), list(remarks), {}
         self.observed = numpy.concatenate([weights[motion] for motion in self.motions])
         self.weighed = numpy.flatnonzero(numpy.isfinite(self.observed))
         self.groups = numpy.repeat(self.motions, len(depths))

@@ -18,10 +18,11 @@ BEHIND = 0.05  # of the drum against the record's, from which on it is reported 
 
 class Replay:
     """`time` in the record's file [s] of its rows; `simulated` and `recorded`: arrays by signal, as the gauges show it. `remarks`: what its reader should know, a line each.
-    `unresolved`: root mean square and largest of the hook load that the sampling leaves unknown [N]."""
+    `unresolved`: root mean square and largest of the hook load that the sampling leaves unknown [N]. `errors`: MeasuredErrors of the simulated run."""
 
-    def __init__(self, name, time, simulated, recorded, remarks, unresolved):
+    def __init__(self, name, time, simulated, recorded, remarks, unresolved, errors):
         self.name, self.time, self.simulated, self.recorded, self.remarks, self.unresolved = name, time, simulated, recorded, remarks, unresolved
+        self.errors = errors
 
     def residual(self, signal):
         """Recorded less simulated; nan where nothing was recorded."""
@@ -35,7 +36,7 @@ class Replay:
             if rows.any():
                 off = self.residual(signal)[rows]
                 found[signal] = {"mean": float(off.mean()), "rms": float(numpy.sqrt((off**2).mean())), "largest": float(numpy.abs(off).max()),
-                                 "range": float(numpy.ptp(self.recorded[signal][rows]))}
+                                 "range": float(numpy.ptp(self.recorded[signal][rows])), "measured_error": self.errors.largest.get(signal)}
         if "hook_load" in found:
             found["hook_load"]["unresolved_rms"], found["hook_load"]["unresolved_largest"] = self.unresolved
         return found
@@ -56,6 +57,18 @@ class Warnings:
 
     def lines(self):
         return ["accuracy warning, %.1f to %.1f s: %s" % (begin, end, text) for text, begin, end in self.kinds.values()]
+
+
+class MeasuredErrors:
+    """Of a simulated run beside its companion: `largest` by signal, over any 3 s, as a share of the simulated range; empty where nothing is measured. `why_not`: one line."""
+
+    def __init__(self):
+        self.largest, self.why_not = {}, ""
+
+    def look(self, rig):
+        self.why_not = rig.not_measured
+        for signal, error in rig.measured_errors.items():
+            self.largest[signal] = max(error, self.largest.get(signal, 0.0))
 
 
 def check(record):
@@ -109,10 +122,11 @@ def play(rig, record, left_out=()):
     law = Follow(record, rig)
     remarks += events_of(record, law) + run_up(rig, record)
     signals = [name for name in COMPARED if name in record]
-    shown, warnings = [[getattr(rig.state, name) for name in signals]], Warnings()
+    shown, warnings, errors = [[getattr(rig.state, name) for name in signals]], Warnings(), MeasuredErrors()
     for state in driven(rig, law, law.times[-1] + PATIENCE * len(law.connections)):
         shown.append([getattr(state, name) for name in signals])
         warnings.look(rig, clock(record, 0) + law.times[law.k])
+        errors.look(rig)
     there, shown = numpy.isfinite(law.clock), numpy.array(shown)
     times = numpy.asarray(law.clock)[there]
     if law.farthest > BEHIND:
@@ -121,4 +135,4 @@ def play(rig, record, left_out=()):
     passed = inside(record.signals["time"], left_out)
     return Replay(record.name, record.signals["time"], {name: numpy.interp(record.time, times, shown[there, k]) for k, name in enumerate(signals)},
                   {name: numpy.where(passed, numpy.nan, values) for name, values in recorded.items()},
-                  record.remarks + ["%s: %s" % (record.name, line) for line in remarks + warnings.lines()], law.unresolved(record))
+                  record.remarks + ["%s: %s" % (record.name, line) for line in remarks + warnings.lines()], law.unresolved(record), errors)

@@ -44,9 +44,18 @@ def part_of(table, columns=None):
     timed = numpy.isfinite(time)
     if not timed.all():
         remarks.append("%d rows have no time and are left out (first: %s)" % ((~timed).sum(), table.place(int(numpy.flatnonzero(~timed)[0]))))
-    rows = numpy.flatnonzero(timed)
+    rows = numpy.flatnonzero(timed & ~of_others(table, signals, remarks))
     signals = {"time": time[rows], **{signal: values[rows] for signal, values in signals.items()}}
     return Part(table, signals, dated, rows, remarks)
+
+
+def of_others(table, signals, remarks):
+    """Whether each row holds no number of these signals where another row does: rows of another device, a gas detector, with times of its own."""
+    empty = ~numpy.any([numpy.isfinite(values) for values in signals.values()], axis=0) if signals else numpy.zeros(len(table.rows), bool)
+    if not empty.any() or empty.all():
+        return numpy.zeros(len(table.rows), bool)
+    remarks.append("%d rows hold none of the signals and are left out (first: %s)" % (empty.sum(), table.place(int(numpy.flatnonzero(empty)[0]))))
+    return empty
 
 
 # --- time

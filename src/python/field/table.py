@@ -11,7 +11,7 @@ from drill_rig_sim.field.units import is_unit, same_unit
 from drill_rig_sim.refusal import Refusal
 
 BRACKET = re.compile(r"(.*\S)\s*(?:\(([^()]*(?:\([^()]*\)[^()]*)*)\)|\[([^\[\]]*)\]|<([^<>]*)>|\{([^{}]*)\})$")
-AFTER_SIGN = re.compile(r"(.*\S)(?:\s*[,/_]\s*|\s+(?:-\s+)?)(\S+)$")
+SEPARATOR, MOST_PARTS = re.compile(r"\s*[,/_]\s*|\s+(?:-\s+)?"), 4  # before a unit without brackets, and so many of its own: `gal_per_min`
 
 
 class RecordError(Refusal):
@@ -184,15 +184,22 @@ def bare(name):
 
 def parts_of(name):
     """Name and unit. Of several brackets the unit is the last that is one, else the last; two units that differ are shown both, which is none."""
-    inside, rest = [], name
-    while (match := BRACKET.match(rest)) is not None:
-        rest = match.group(1).strip()
-        inside.append(next(text for text in match.groups()[1:] if text is not None).strip())
+    rest, inside = apart(name)
     if inside:
         units = [text for text in inside if is_unit(text)]
         differ = any(not same_unit(units[0], other) for other in units[1:])
         return rest, ", ".join(reversed(units)) if differ else (units or inside)[0] or None
-    match = AFTER_SIGN.match(name)
-    if match and any(word(match.group(1)) in RANKS[signal] and is_unit(match.group(2), SIGNALS[signal][0]) for signal in RANKS):
-        return match.groups()
+    for sign in list(SEPARATOR.finditer(name))[:-1 - MOST_PARTS:-1]:
+        rest, unit = apart(name[:sign.start()])[0], name[sign.end():]
+        if any(word(rest) in RANKS[signal] and is_unit(unit, SIGNALS[signal][0]) for signal in RANKS):
+            return rest, unit
     return name, None
+
+
+def apart(name):
+    """A name without the brackets at its end, and what stands in these, the last first."""
+    inside = []
+    while (match := BRACKET.match(name)) is not None:
+        name = match.group(1).strip()
+        inside.append(next(text for text in match.groups()[1:] if text is not None).strip())
+    return name, inside
