@@ -1,5 +1,6 @@
 // What follows an accepted step; of the mud, what goes before one.
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/bore_fill.h"
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/extend_hole.h"
 #include "drill_rig_sim/model/forces/place_drag.h"
@@ -119,7 +120,7 @@ void advance_mud(const Model& model, double commanded, double step, State& state
   const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->displacement_per_rev, motor_load(model, state)) : 0.0;
   const MudCircuit& mud = model.mud();
   const double displaced = mud.displaced_area * running_speed(mud, state.nodes);
-  const MudWays ways{plug_pressure(model, state), leak_flow(model, state)};
+  const MudWays ways{plug_pressure(model, state), leak_flow(model, state), fill_bore(model, state)};
   advance_hydraulics(model.scene().rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, state.flow, state.hydraulics, ways);
 }
 

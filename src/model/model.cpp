@@ -21,6 +21,12 @@ std::vector<FormationLayer> rings_of(const Scene& scene)
 }
 }  // namespace
 
+double immersed_share(double z_lower, double z_upper) noexcept
+{
+  const double height = std::max(z_upper - z_lower, 1e-9);
+  return z_upper <= 0.0 ? 1.0 : std::clamp(-z_lower / height, 0.0, 1.0);
+}
+
 Model::Model(const Scene& scene, Mesh mesh)
   : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), kernel_(resolved(scene.numerics.kernel)), formation_(scene.formation), ring_(rings_of(scene)), pilot_(scene.well), friction_(scene.contact, scene.well.sections)
 {
@@ -38,12 +44,13 @@ Model::Model(const Scene& scene, Mesh mesh)
   bit_bristle_ = drill_rig_sim::bit_bristle_stiffness(bit().torque, bit().diameter);
 }
 
-double Model::element_weight(int e, double z_lower, double z_upper) const noexcept
+double Model::element_weight(int e, double z_lower, double z_upper, double bore_top) const noexcept
 {
   const MeshElement& element = mesh_.elements[static_cast<std::size_t>(e)];
-  const double height = std::max(z_upper - z_lower, 1e-9);
-  const double immersed = z_upper <= 0.0 ? 1.0 : std::clamp(-z_lower / height, 0.0, 1.0);
-  return standard_gravity * (element.linear_mass - scene_.mud.density * element.displaced * immersed) * element.section.length;
+  const double immersed = immersed_share(z_lower, z_upper);
+  const double full = std::clamp((bore_top - mesh_.nodes[static_cast<std::size_t>(e)].from_bit) / element.section.length, 0.0, 1.0);
+  const double displaced = element.displaced * immersed + element.holds * std::max(0.0, immersed - full);
+  return standard_gravity * (element.linear_mass - scene_.mud.density * displaced) * element.section.length;
 }
 
 }  // namespace drill_rig_sim

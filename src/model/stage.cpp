@@ -17,9 +17,10 @@ using Eigen::Vector3d;
 namespace
 {
 /// Of the mud that moves sideways with a node [kg].
-double mud_mass(const MeshNode& node, const NodeState& at, const Wellbore& well) noexcept
+double mud_mass(const MeshNode& node, const NodeState& at, const Wellbore& well, double bore_top) noexcept
 {
-  return node.mud_inside + confinement(node.diameter, 2.0 * well.radius_near(at.position, at.segment)) * node.mud_outside;
+  const double inside = node.from_bit < bore_top ? node.mud_inside : 0.0;
+  return inside + confinement(node.diameter, 2.0 * well.radius_near(at.position, at.segment)) * node.mud_outside;
 }
 
 Vector3d up_along(const State& state, std::size_t e) noexcept
@@ -51,14 +52,15 @@ void take_pressures(const Model& model, const State& state, Stage& stage) noexce
 /// What the state says of the step that starts from it.
 void take_start(const Model& model, const State& state, Stage& stage) noexcept
 {
+  const double bore_top = state.hydraulics.bore_top;
   for (std::size_t i = 0; i < stage.normal.size(); ++i)
   {
     stage.normal[i] = x_axis(state.nodes[i].orientation);
     stage.immersed[i] = state.nodes[i].position.z() < 0.0 ? 1.0 : 0.0;
-    stage.added_mass[i] = stage.immersed[i] > 0.0 && !state.nodes[i].guided ? mud_mass(model.mesh().nodes[i], state.nodes[i], state.well) : 0.0;
+    stage.added_mass[i] = stage.immersed[i] > 0.0 && !state.nodes[i].guided ? mud_mass(model.mesh().nodes[i], state.nodes[i], state.well, bore_top) : 0.0;
   }
   for (std::size_t e = 0; e < stage.load.size(); ++e)
-    stage.load[e].z() = -model.element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z());
+    stage.load[e].z() = -model.element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z(), bore_top);
   find_drags(model, state, stage);
   take_pressures(model, state, stage);
   find_guides(model, state, stage);

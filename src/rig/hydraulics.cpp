@@ -93,8 +93,11 @@ void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit
   state.strokes += state.pump_flow * step / spec.stroke_volume;
   const double n = circuit.nominal_flow, m = circuit.exponent;
   const HydraulicResistance inner{std::max(state.annulus_pressure, 0.0), circuit.bore.loss, state.bore_gel * circuit.bore.gel, motor_pressure, n, m};
-  const double leak = std::min(ways.leak, state.pump_flow + std::max(0.0, state.stand_pipe_pressure) * circuit.bore.capacity / step);
-  Outflow bore = outflow(circuit.bore.capacity, state.stand_pipe_pressure, state.pump_flow - leak, step, inner, flow);
+  const double fill = std::min(state.pump_flow, ways.air / step);
+  state.filled += fill * step;
+  const double leak = std::min(ways.leak, state.pump_flow - fill + std::max(0.0, state.stand_pipe_pressure) * circuit.bore.capacity / step);
+  Outflow bore;
+  if (fill * step >= ways.air) bore = outflow(circuit.bore.capacity, state.stand_pipe_pressure, state.pump_flow - fill - leak, step, inner, flow);
   state.relief_open = bore.pressure > spec.relief_pressure;
   if (state.relief_open) bore = {std::min(bore.flow, outflow_at(spec.relief_pressure, inner, bore.flow)), spec.relief_pressure};
 

@@ -43,7 +43,7 @@ public:
     const Entries top = read_block(root, "", scene_keys, every_kind, scene, problems_);
     in(top, "", "well", [&](const YAML::Node& n, const std::string& p) { read_well(n, p, scene); });
     read_list(top, "", "formation", layer_keys, scene.formation);
-    read_one(top, "", "mud", mud_keys, scene.mud);
+    in(top, "", "mud", [&](const YAML::Node& n, const std::string& p) { read_mud(n, p, scene.mud); });
     read_string(top, scene.string);
     in(top, "", "rig", [&](const YAML::Node& n, const std::string& p) { read_rig(n, p, scene.rig); });
     read_one(top, "", "contact", contact_keys, scene.contact);
@@ -201,6 +201,36 @@ private:
     const std::vector<SurveyProblem> found = survey_problems(scene.well.survey);
     if (!found.empty()) problems_.add("well.project", done + "; " + found.front().text);
     problems_.raise();
+  }
+
+  void read_mud(const YAML::Node& node, const std::string& path, MudSpec& mud)
+  {
+    const Entries entries = read_block(node, path, mud_keys, every_kind, mud, problems_);
+    in(entries, path, "fill", [&](const YAML::Node& n, const std::string& p) { read_fill(n, p, mud.fill); });
+  }
+
+  // one level, or rows of bit depth and level
+  void read_fill(const YAML::Node& node, const std::string& path, std::vector<FillLevel>& fill)
+  {
+    const Range allowed = between(0.0, deepest_well);
+    if (!node.IsSequence())
+    {
+      FillLevel row;
+      if (read_number(node, path, allowed, "m", row.level, problems_) && row.level > 0.0) fill.push_back(row);
+      return;
+    }
+    if (node.size() == 0) problems_.add(path, "an empty list is given, allowed: a level in m, or rows [bit depth m, level m]");
+    for_each_item(node, path,
+                  [&](const YAML::Node& item, const std::string& p)
+                  {
+                    FillLevel row;
+                    if (!item.IsSequence() || item.size() != 2) return problems_.add(p, describe(item) + " is given, allowed: [bit depth m, level m]");
+                    const bool depth_read = read_number(item[0], p, allowed, "m", row.bit_depth, problems_);
+                    if (!read_number(item[1], p, allowed, "m", row.level, problems_) || !depth_read) return;
+                    if (!fill.empty() && row.bit_depth <= fill.back().bit_depth)
+                      problems_.add_in_input_unit(p, "bit depth " + metres(row.bit_depth) + " is not below the row before it, needed: more than " + metres(fill.back().bit_depth));
+                    fill.push_back(row);
+                  });
   }
 
   void read_string(const Entries& top, std::vector<PartSpec>& parts)

@@ -19,6 +19,8 @@ public:
     add_well(scene.well);
     for (const FormationLayer& layer : scene.formation) add_keys(layer_keys, layer);
     add_keys(mud_keys, scene.mud);
+    for (const FillLevel& row : scene.mud.fill)
+      for (const double value : {row.bit_depth, row.level}) add_number(value);
     for (const PartSpec& part : scene.string) add_part(part);
     add_keys(hoisting_keys, scene.rig.hoisting);
     add_keys(top_drive_keys, scene.rig.top_drive);

@@ -152,6 +152,7 @@ const Table<MudSpec> mud_keys = {"mud", "The drilling fluid around and inside th
   {"bulk_modulus",          "Pa",     &MudSpec::bulk_modulus,              between(1e7, 1e11),   "of the mud in pipe and hole, which give way with it: pressure follows the pump by volume / bulk_modulus"},
   {"gel_strength",          "Pa",     &MudSpec::gel_strength,              between(0.0, 100.0),  "after ten minutes' rest, to be broken before mud flows; 1 lb/100 ft2 is 0.479 Pa, muds have 2 to 15 Pa"},
   {"added_mass",            "-",      &MudSpec::added_mass,                between(0.0, 5.0),    "factor on the mass of the mud that moves sideways with the string: in its bore, and around it as the hole confines it"},
+  {"fill",                  "m",      Nested{},                            none,                 "level of the mud in a string that is run in on its float: so far it is empty, along it from the rotary table down. One number, or by the depth of the bit `[[bit_depth, level], ...]`, linear between and constant beyond; a level at the bit or deeper: the string is empty. The pump fills it before mud comes to the bit", no_kind, every_kind, "0, full"},
 }};
 
 const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the first is the bit. Masses are in air.", {

@@ -175,6 +175,13 @@ std::string rig_of(const RigSpec& rig)
                               block_of("heave", heave_keys, rig.heave)}));
 }
 
+std::string mud_of(const MudSpec& mud)
+{
+  std::vector<std::string> rows;
+  for (const FillLevel& row : mud.fill) rows.push_back("[" + joined({written(row.bit_depth), written(row.level)}) + "]");
+  return block("mud", joined({entries_of(mud_keys, mud), rows.empty() ? "" : entry("fill", "[" + joined(rows) + "]")}));
+}
+
 std::string instruments_of(const InstrumentsSpec& instruments)
 {
   const InstrumentsSpec usual;
@@ -204,7 +211,7 @@ std::string write_scene(const Scene& scene)
   }
   out += well_of(scene.well);
   out += list_of("formation", scene.formation, [](const FormationLayer& layer) { return "{" + entries_of(layer_keys, layer) + "}"; });
-  out += lines_of(block_of("mud", mud_keys, scene.mud));
+  out += lines_of(mud_of(scene.mud));
   out += list_of("string", scene.string, part_of);
   out += lines_of(rig_of(scene.rig));
   out += lines_of(block_of("contact", contact_keys, scene.contact));

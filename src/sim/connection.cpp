@@ -27,12 +27,12 @@ double running_time(const HoistingSpec& spec, double travel) noexcept
   return std::max({0.5 * spec.connection_time, 2.0 * way / spec.max_speed, std::sqrt(2.0 * pi * way / spec.max_acceleration)});
 }
 
-/// Weight of the pipe on node i, which is at height `z` with its neighbours at their unstretched distances [N].
+/// Weight of the pipe on node i above the slips, which is at height `z` with its neighbours at their unstretched distances [N].
 double weight_on(const Model& model, int i, double z) noexcept
 {
   const std::vector<MeshNode>& nodes = model.mesh().nodes;
   const auto height = [&](int k) { return z + nodes[static_cast<std::size_t>(k)].from_bit - nodes[static_cast<std::size_t>(i)].from_bit; };
-  const auto half = [&](int e) { return 0.5 * model.element_weight(e, height(e), height(e + 1)); };
+  const auto half = [&](int e) { return 0.5 * model.element_weight(e, height(e), height(e + 1), full_bore); };
   return half(i - 1) + (i < model.top() ? half(i) : 0.0);
 }
 

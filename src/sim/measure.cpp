@@ -134,7 +134,7 @@ SubView Simulator::Impl::sub_view() const noexcept
   view.weight_below = standard_gravity * (mesh.bit_mass - scene.mud.density * mesh.bit_displaced) * along(0);
   for (std::size_t e = 0; e <= here; ++e)
     view.weight_below += (e < here ? 1.0 : 0.5) * along(e) *
-                         model->element_weight(static_cast<int>(e), s.nodes[e].position.z(), s.nodes[e + 1].position.z());
+                         model->element_weight(static_cast<int>(e), s.nodes[e].position.z(), s.nodes[e + 1].position.z(), s.hydraulics.bore_top);
   view.tension = shown_forces().tension[here];
   view.torque = shown_forces().torque[here];
   view.bending_moment = shown_forces().bending_moment[here + 1];

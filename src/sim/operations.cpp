@@ -15,6 +15,7 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double arrived = 0.01;  // from where a trip ends [m]
+constexpr double tags_from = 0.05;  // above bottom, a rig without waves: on the way the friction of sheaves and rail turns round [m]
 
 /// 1 once `value` has come from `from` to `to`.
 double share(double value, double from, double to) noexcept
@@ -127,8 +128,9 @@ void OperationsPlayer::begin(Simulator& simulator) noexcept
   if (o.kind == OperationKind::trip && o.to_depth > now.hole_depth + arrived) simulator.fail("operations: trip goes below the bottom of the hole");
   if (o.kind == OperationKind::slack_off || o.kind == OperationKind::tag)
   {
-    if (is_set(o.weight)) simulator.tare();  // on bottom it keeps the zero it had
-    simulator.command(WinchSetpoint{-o.speed, false});
+    const bool zeroed = is_set(o.weight) && simulator.tare();  // on bottom it keeps the zero it had
+    if (o.kind == OperationKind::tag) begin_tag(simulator, zeroed);
+    simulator.command(WinchSetpoint{lifts_ ? o.speed : -o.speed, false});
   }
   const bool by_weight = o.kind == OperationKind::drill || o.kind == OperationKind::slide;
   if (by_weight && !now.tared && !simulator.tare()) simulator.fail("operations: the weight on bit has no zero, needed: tag before drill or slide");
@@ -140,6 +142,15 @@ void OperationsPlayer::begin(Simulator& simulator) noexcept
     toolface_seen_ = 0;
     follow_toolface(simulator);
   }
+}
+
+/// A bit that hangs less than tags_from above bottom is lifted first.
+void OperationsPlayer::begin_tag(Simulator& simulator, bool zeroed) noexcept
+{
+  const Readings& now = simulator.readings();
+  lifts_ = zeroed && simulator.scene().rig.heave.amplitude == 0.0 && now.hole_depth - now.bit_depth < tags_from;
+  lift_to_ = now.block_height + tags_from - (now.hole_depth - now.bit_depth);
+  if (!zeroed && !now.tared) simulator.fail("operations: tag: the weight on bit has no zero, and none can be taken on bottom or in the slips, needed: pick_up first");
 }
 
 void OperationsPlayer::follow(Simulator& simulator) noexcept
@@ -213,9 +224,17 @@ void OperationsPlayer::follow_strokes(Simulator& simulator) noexcept
 
 void OperationsPlayer::follow_tag(Simulator& simulator) noexcept
 {
+  const Readings& now = simulator.readings();
+  if (lifts_)
+  {
+    if (now.block_height + rise(now) < lift_to_ && !now.stop_reached) return;
+    lifts_ = false;
+    followed_at_ = now.time;
+    simulator.command(WinchSetpoint{-operations_[next_].speed, false});
+  }
   if (settled_) return;
   simulator.tare();  // refused on bottom: a bit that comes there early keeps the last zero of the moving string
-  settled_ = simulator.readings().time >= began_[next_] + tag_settles_ - time_rounding;
+  settled_ = now.time >= followed_at_ + tag_settles_ - time_rounding;
 }
 
 /// How far the bit still goes: to a trip's depth; without one as far as the hole [m].
@@ -288,7 +307,7 @@ double OperationsPlayer::progress(const Simulator& simulator) const noexcept
   double nearest = progress_in_place(simulator);
   if (is_set(o.time)) nearest = std::max(nearest, o.time > 0.0 ? share(now.time + time_rounding, began_[next_], began_[next_] + o.time) : 1.0);
   if (is_set(o.overpull)) nearest = std::max(nearest, share(now.hook_load, began_load_, began_load_ + o.overpull));
-  const bool on_its_way = o.kind == OperationKind::tag && !settled_ && now.bit_depth < now.hole_depth;
+  const bool on_its_way = o.kind == OperationKind::tag && (lifts_ || (!settled_ && now.bit_depth < now.hole_depth));
   const bool by_weight = o.kind == OperationKind::slack_off || (o.kind == OperationKind::tag && !on_its_way);
   if (by_weight && is_set(o.weight)) nearest = std::max(nearest, share(now.mean_surface_wob, 0.0, o.weight));
   return nearest;

@@ -7,6 +7,7 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/bore_fill.h"
 #include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/accuracy_watch.h"
@@ -18,10 +19,10 @@ namespace drill_rig_sim
 {
 namespace
 {
-/// Effective tension to true axial force: the mud's pressures outside and in the bore, hydrostatic and of the pump, at an element [Pa].
-double true_axial_force(double effective, const MeshElement& e, double hydrostatic, double bore, double annulus) noexcept
+/// Effective tension to true axial force: the mud's pressures in the bore and outside, hydrostatic and of the pump, at an element [Pa].
+double true_axial_force(double effective, const MeshElement& e, double bore, double annulus) noexcept
 {
-  return effective + (hydrostatic + bore) * e.bore_area - (hydrostatic + annulus) * e.outer_area;
+  return effective + bore * e.bore_area - annulus * e.outer_area;
 }
 
 /// An element's quantity at node i: the mean of the elements that meet there.
@@ -37,7 +38,7 @@ double half_rise(const Model& model, const State& s, std::size_t e) noexcept
 {
   const double lower = s.nodes[e].position.z(), upper = s.nodes[e + 1].position.z();
   const double cosine = (upper - lower) / model.mesh().elements[e].section.length;
-  return 0.5 * model.element_weight(static_cast<int>(e), lower, upper) * cosine;
+  return 0.5 * model.element_weight(static_cast<int>(e), lower, upper, s.hydraulics.bore_top) * cosine;
 }
 
 /// Effective tension at node i: of the elements that meet there the mean, each brought from its middle to its end.
@@ -164,6 +165,7 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
   const Mesh& mesh = model.mesh();
   const std::size_t n = s.nodes.size();
   const MudPressures pressures = mud_pressures(model.mud(), s.hydraulics, s.flow);
+  const double per_metre = model.scene().mud.density * standard_gravity, surface = mud_surface(model, s);
   for (auto* values : {&out.md, &out.from_bit, &out.tension, &out.true_axial_force, &out.torque, &out.bending_moment,
                        &out.contact_force, &out.contact_side, &out.spin_speed, &out.radius, &out.bending_stress, &out.buckling})
     values->resize(n);
@@ -176,13 +178,14 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
     const ClosestPoint closest = s.well.locate(node.position, node.segment);
     const std::size_t e = std::min(i, mesh.elements.size() - 1);
     const MeshElement& element = mesh.elements[e];
-    const double hydrostatic = model.scene().mud.density * standard_gravity * std::max(-node.position.z(), 0.0);
+    const double under_table = per_metre * std::max(-node.position.z(), 0.0);
+    const double in_bore = mesh.nodes[i].from_bit < s.hydraulics.bore_top ? per_metre * std::max(surface - node.position.z(), 0.0) : 0.0;
     out.md[i] = closest.md;
     out.from_bit[i] = mesh.nodes[i].from_bit;
     out.position[i] = node.position;
     out.tension[i] = tension_at(model, s, forces.tension, i);
-    out.true_axial_force[i] = true_axial_force(out.tension[i], element, hydrostatic, pressures.in_bore(model.mud(), e),
-                                               pressures.in_annulus(model.mud(), e));
+    out.true_axial_force[i] = true_axial_force(out.tension[i], element, in_bore + pressures.in_bore(model.mud(), e),
+                                               under_table + pressures.in_annulus(model.mud(), e));
     out.torque[i] = at_node(forces.torque, i);
     out.bending_moment[i] = forces.bending_moment[i];
     out.contact_force[i] = forces.contact[i] + half_of_spans(forces.span_contact, i, 0.0);

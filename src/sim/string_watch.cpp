@@ -18,11 +18,12 @@ void take(double share, double from_bit, LoadShare& most) noexcept
   if (share > most.share) most = {share, from_bit};
 }
 
-/// Below the rotary table.
+/// Below the rotary table; of a string that may not be full as if it were empty, when it bears least.
 double vertical_buckling_load(const Model& model, std::size_t e) noexcept
 {
   const BeamSection& section = model.mesh().elements[e].section;
-  const double weight = model.element_weight(static_cast<int>(e), -section.length, 0.0) / section.length;
+  const double bore_top = model.scene().mud.fill.empty() ? full_bore : 0.0;
+  const double weight = model.element_weight(static_cast<int>(e), -section.length, 0.0, bore_top) / section.length;
   return weight > 0.0 ? hanging * std::cbrt(section.bending * weight * weight) : 0.0;
 }
 }  // namespace
@@ -46,8 +47,8 @@ double buckling_share(const Model& model, const State& state, std::size_t e, dou
   const NodeState &lower = state.nodes[e], &upper = state.nodes[e + 1];
   if (tension >= 0.0 || upper.position.z() > 0.0) return 0.0;
   const double stiffness = element.section.bending;
-  const double weight = model.element_weight(static_cast<int>(e), lower.position.z(), upper.position.z()) / element.section.length;
-  if (weight <= 0.0) return 0.0;  // within the bit's own length
+  const double weight = model.element_weight(static_cast<int>(e), lower.position.z(), upper.position.z(), state.hydraulics.bore_top) / element.section.length;
+  if (element.linear_mass <= 0.0) return 0.0;  // within the bit's own length
   const double clearance = state.well.radius_near(lower.position, lower.segment) - 0.5 * element.outer_diameter;
   if (clearance <= 0.0) return 0.0;
   const Vector3d way = upper.position - lower.position;

@@ -103,7 +103,7 @@ void EnergyBalance::find_loads(const State& state) noexcept
 {
   for (std::size_t e = 0; e < loads_.size(); ++e)
   {
-    const double weight = model_->element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z());
+    const double weight = model_->element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z(), state.hydraulics.bore_top);
     loads_[e] = {weight, stage_.load[e] + weight * Eigen::Vector3d::UnitZ()};
   }
 }

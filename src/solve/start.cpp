@@ -1,5 +1,6 @@
 #include "drill_rig_sim/solve/start.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/bore_fill.h"
 #include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
@@ -102,22 +104,24 @@ double angle_error(double angle, double wanted)
   return std::remainder(angle - wanted, 2.0 * pi);
 }
 
-/// What an element at measured depth `depth` pulls along its hole, in mud [N].
-double pull_along_hole(const MeshElement& e, const Scene& scene, const Wellbore& well, double depth)
+/// What an element whose upper end is at measured depth `depth` pulls along its hole, in mud, a string empty inside down to `level` [N].
+double pull_along_hole(const MeshElement& e, const Scene& scene, const Wellbore& well, double depth, double level)
 {
-  return standard_gravity * (e.linear_mass - scene.mud.density * e.displaced) * e.section.length * -well.at(depth).tangent.z();
+  const double empty = std::clamp((level - depth) / e.section.length, 0.0, 1.0);
+  return standard_gravity * (e.linear_mass - scene.mud.density * (e.displaced + empty * e.holds)) * e.section.length * -well.at(depth).tangent.z();
 }
 
 /// How far each node moves away from the bit as the string stretches under its own weight in mud, bit
 /// first [m]. A guess: no drag, no bending, no weight on bit.
 std::vector<double> estimated_stretch(const Mesh& mesh, const Scene& scene, const Wellbore& well, double depth)
 {
+  const double level = fill_level(scene.mud, depth);
   double load = 0.0;
   std::vector<double> stretch{0.0};
   for (const MeshElement& e : mesh.elements)
   {
     depth -= e.section.length;
-    const double weight = pull_along_hole(e, scene, well, depth);
+    const double weight = pull_along_hole(e, scene, well, depth, level);
     stretch.push_back(stretch.back() + (load + 0.5 * weight) * e.section.length / e.section.axial);
     load += weight;
   }
@@ -133,7 +137,8 @@ std::vector<double> estimated_stretch(const Mesh& mesh, const Scene& scene, cons
 void check_weight_on_bit(const Scene& scene, const Mesh& mesh, const Wellbore& well, double depth)
 {
   double most = standard_gravity * (scene.rig.hoisting.block_mass + mesh.bit_mass);
-  for (const MeshElement& e : mesh.elements) most += pull_along_hole(e, scene, well, depth -= e.section.length);
+  const double level = fill_level(scene.mud, depth);
+  for (const MeshElement& e : mesh.elements) most += pull_along_hole(e, scene, well, depth -= e.section.length, level);
   if (scene.start.weight_on_bit < most) return;
   std::ostringstream message;
   message << "weight_on_bit: " << scene.start.weight_on_bit << " N is more than string and block weigh, allowed: less than " << most << " N";
@@ -150,8 +155,14 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, co
   settle_guided(rig.state);
   const double most = (kMostWork - work) / rig.model->nodes();
   const ToolfaceHold hold{mesh.bend_node, guess.toolface, well.at(depth - mesh.nodes[toolface_node(mesh)].from_bit).tangent};
-  rig.statics = guess.held ? solve_held(*rig.model, rig.state, hold, static_cast<int>(most)) : solve_static(*rig.model, rig.state, no_sliding, static_cast<int>(most));
-  work += 1.0 * rig.statics.iterations * rig.model->nodes();
+  const auto rest = [&]
+  {
+    fill_bore(*rig.model, rig.state);
+    rig.statics = guess.held ? solve_held(*rig.model, rig.state, hold, static_cast<int>(most)) : solve_static(*rig.model, rig.state, no_sliding, static_cast<int>(most));
+    work += 1.0 * rig.statics.iterations * rig.model->nodes();
+  };
+  rest();
+  if (!scene.mud.fill.empty() && rig.statics.converged) rest();  // the mud stands where the string at rest has it
   if (rig.statics.converged) return;
   std::ostringstream message;
   if (work >= kMostWork)

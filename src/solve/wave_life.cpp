@@ -27,7 +27,7 @@ WaveLife::WaveLife(const Model& model)
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
   {
     const MeshNode& node = mesh.nodes[i];
-    const auto half_below = [&](std::size_t e) { return 0.5 * model.element_weight(static_cast<int>(e), -1.0, 0.0); };
+    const auto half_below = [&](std::size_t e) { return 0.5 * model.element_weight(static_cast<int>(e), -1.0, 0.0, full_bore); };
     const double weight = (i > 0 ? half_below(i - 1) : 0.0) + (i + 1 < mesh.nodes.size() ? half_below(i) : 0.0);
     const std::size_t section = section_at(scene.well.sections, scene.start.bit_depth - node.from_bit);
     const double lever = node.friction_radius > 0.0 ? node.friction_radius : node.contact_radius;

@@ -28,6 +28,7 @@ MeshElement make_element(const PartSpec& part, int index, double lower, double u
   e.displaced = e.linear_mass / part.density;
   e.outer_area = 0.25 * pi * part.outer_diameter * part.outer_diameter;
   e.bore_area = 0.25 * pi * part.inner_diameter * part.inner_diameter;
+  e.holds = e.bore_area * e.linear_mass / part.linear_mass;
   e.outer_diameter = part.outer_diameter;
   e.friction_radius = part.friction_radius;
   e.part = index;

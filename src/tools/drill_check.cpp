@@ -85,6 +85,21 @@ void print_mud(const Scene& scene, const Mesh& mesh, const Printed& printed)
   if (!doubt.empty()) std::printf("            %s\n", doubt.c_str());
 }
 
+/// Of a string that is not full.
+void print_fill(const Scene& scene, const Mesh& mesh, const Printed& printed)
+{
+  const double level = std::min(fill_level(scene.mud, scene.start.bit_depth), scene.start.bit_depth);
+  if (level <= 0.0) return;
+  double air = 0.0;  // [m3]
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+  {
+    const double lower = scene.start.bit_depth - mesh.nodes[e].from_bit, upper = scene.start.bit_depth - mesh.nodes[e + 1].from_bit;
+    air += mesh.elements[e].holds * std::max(0.0, std::min(lower, level) - std::max(upper, 0.0));
+  }
+  std::printf("fill        the string is empty down to %s (mud.fill), %s of air\n", printed(level, Dimension::length, depth).c_str(),
+              printed(air, Dimension::volume, {"%.2f", "m3"}).c_str());
+}
+
 /// What the drive's modes are tuned to, and by it.
 void print_tuned_drive(const Scene& scene, const Mesh& mesh, const Printed& printed)
 {
@@ -242,6 +257,7 @@ void check(const CheckOptions& options)
   print_well(scene, simulator, printed);
   const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
   print_mud(scene, mesh, printed);
+  print_fill(scene, mesh, printed);
   print_tuned_drive(scene, mesh, printed);
   print_heave(scene.rig.heave, printed);
   std::printf(s.step > 0.0 ? "model       level %s, integrator %s, step %g s, %d nodes, %d coordinates, kernel %s\n"

@@ -18,7 +18,7 @@ well:
 formation:
   - {to_tvd: 501.0, drillability: 1.1e-8, weight_exponent: 1.2, speed_exponent: 0.7, threshold: 1301.0, dip_deg: 14.0, strike_deg: 15.0, anisotropy: 0.16, friction: 0.23}
   - {to_tvd: 5001.0, drillability: 1.7e-8}
-mud: {density: 1181.0, viscosity: 0.031, axial_damping: 0.19, lateral_damping: 21.0, drag_coefficient: 1.4, torsional_damping: 2.2e-4, added_mass: 1.23, bulk_modulus: 1.51e9, gel_strength: 4.7}
+mud: {density: 1181.0, viscosity: 0.031, axial_damping: 0.19, lateral_damping: 21.0, drag_coefficient: 1.4, torsional_damping: 2.2e-4, added_mass: 1.23, bulk_modulus: 1.51e9, gel_strength: 4.7, fill: [[101.5, 11.5], [701.5, 203.5]]}
 string:
   - {name: b1, type: bit, length: 0.36, mass: 91.0, diameter: 0.3112, side_cutting: 0.12, speed_lag: 0.31, gauge_length: 0.15, gauge_clearance: 4.3e-4, squeeze_film_damping: 41000.0,
      torque: {model: stribeck, static: 0.61, kinetic: 0.41, speed_rpm: 31.0}, bottom: {stiffness: 1.1e9, exponent: 1.51, damping: 1.01}}

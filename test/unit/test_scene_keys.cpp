@@ -69,6 +69,7 @@ std::vector<Expected> of_well()
       {"mud", "bulk_modulus", [](const Scene& s) { return s.mud.bulk_modulus; }, 1.51e9},
       {"mud", "gel_strength", [](const Scene& s) { return s.mud.gel_strength; }, 4.7},
       {"mud", "added_mass", [](const Scene& s) { return s.mud.added_mass; }, 1.23},
+      {"mud", "fill", [](const Scene& s) { return s.mud.fill.at(1).level; }, 203.5},
   };
 }
 

@@ -171,10 +171,10 @@ TEST(Operations, tagDrillAndPickUp)
 }
 
 // By the dead line the string weighs more while it is lowered. A bit that comes to bottom before the string moves steadily has that zero too, in place of
-// the one at rest.
+// the one at rest; one that is nearer to bottom than the way over which the sheaves' friction turns round is lifted first.
 TEST(Operations, tagZeroesTheMovingStringHoweverNearTheBottomIs)
 {
-  for (const double above : {0.06, 0.15, 0.5})
+  for (const double above : {0.0, 0.005, 0.015, 0.03, 0.06, 0.15, 0.5})
   {
     Operation tag = operation(OperationKind::tag);
     tag.weight = 10e3;
@@ -194,6 +194,35 @@ TEST(Operations, tagZeroesTheMovingStringHoweverNearTheBottomIs)
     EXPECT_GT(free_load - at_rest, 10e3) << above << " m: what the sheaves add";
     EXPECT_NEAR(free_load, zero, 2.5e3) << above;
   }
+}
+
+TEST(Operations, tagLiftsTheBitThatHangsTooNearTheBottom)
+{
+  Scene scene = scene_with({operation(OperationKind::tag)}, 0.01);
+  Simulator rig(scene);
+  ScenePlayer player(rig.scene());
+  double highest = 0.0;
+  const double began = rig.readings().block_height;
+  for (int k = 0; k < 10000 && !player.finished(); ++k)
+  {
+    ASSERT_EQ(play_frame(rig, &player, frame), FrameStatus::running) << rig.failure();
+    highest = std::max(highest, rig.readings().block_height);
+  }
+  ASSERT_TRUE(player.finished());
+  EXPECT_NEAR(highest - began, 0.04, 0.004);
+  EXPECT_NEAR(rig.readings().surface_wob, rig.truth().wob, 2.5e3) << "rail friction turned back";
+}
+
+TEST(Operations, tagOnBottomNeedsAZero)
+{
+  Scene scene = scene_with({operation(OperationKind::tag)}, 0.0);
+  scene.start.weight_on_bit = 5e3;
+  Simulator rig(scene);
+  ScenePlayer player(rig.scene());
+  FrameStatus status = FrameStatus::running;
+  for (int k = 0; k < 10 && status == FrameStatus::running; ++k) status = play_frame(rig, &player, frame);
+  ASSERT_EQ(status, FrameStatus::failed);
+  EXPECT_NE(std::string(rig.failure()).find("tag: the weight on bit has no zero"), std::string::npos) << rig.failure();
 }
 
 // By the dead line, whose sheaves take a tenth of the load when they turn back: rock that gets hard for a while leaves too much weight on the bit, which is drilled off.

@@ -69,7 +69,7 @@ TEST(Profile, tensionIsTheWeightBelow)
     {
       EXPECT_NEAR(below, p.tension[i], 1.0) << i << " at " << element_length;
       const double lower = p.position[i].z();
-      if (i + 1 < p.tension.size()) below += rig.model->element_weight(static_cast<int>(i), lower, p.position[i + 1].z());
+      if (i + 1 < p.tension.size()) below += rig.model->element_weight(static_cast<int>(i), lower, p.position[i + 1].z(), full_bore);
     }
     EXPECT_NEAR(report.hook_load_string, p.tension.back(), 1.0);
   }
@@ -88,7 +88,7 @@ TEST(Profile, forcesAreMeansOfTheElementsThatMeet)
   const auto rise = [&](int e)  // half of an element's weight along it
   {
     const double lower = p.position[e].z(), upper = p.position[e + 1].z();
-    return 0.5 * rig.model->element_weight(e, lower, upper) * (upper - lower) / rig.model->mesh().elements[e].section.length;
+    return 0.5 * rig.model->element_weight(e, lower, upper, full_bore) * (upper - lower) / rig.model->mesh().elements[e].section.length;
   };
   EXPECT_GT(rise(0), 50.0);
   EXPECT_DOUBLE_EQ(p.tension.front(), 1000.0 - rise(0));

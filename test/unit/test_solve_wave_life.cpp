@@ -41,7 +41,7 @@ struct Sums
     {
       double weight = 0.0;
       for (const std::size_t e : {i - 1, i})
-        if (e < mesh.elements.size()) weight += 0.5 * rig.model->element_weight(static_cast<int>(e), -1.0, 0.0);
+        if (e < mesh.elements.size()) weight += 0.5 * rig.model->element_weight(static_cast<int>(e), -1.0, 0.0, full_bore);
       const double lever = mesh.nodes[i].friction_radius > 0.0 ? mesh.nodes[i].friction_radius : mesh.nodes[i].contact_radius;
       const double f = friction * weight * x_axis(rig.state.nodes[i].orientation).head<2>().norm();
       over_lever += f / lever;

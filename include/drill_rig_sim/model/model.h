@@ -67,8 +67,9 @@ public:
   bool contact_varies() const noexcept { return !friction_.uniform() || scene_.contact.growth.per_fold > 0.0; }
   /// Of the bristle that carries a stuck bit's torque [N m/rad].
   double bit_bristle_stiffness() const noexcept { return bit_bristle_; }
-  /// Weight of element `e` in mud, its ends at heights `z_lower`, `z_upper` [m]; no buoyancy above the rotary table [N].
-  double element_weight(int e, double z_lower, double z_upper) const noexcept;
+  /// Weight of element `e` in mud, its ends at heights `z_lower`, `z_upper` [m]; no buoyancy above the rotary table. Of a string that holds mud up to
+  /// `bore_top` above the bit's face (HydraulicState), with what it holds and less what its outside displaces: it may float [N].
+  double element_weight(int e, double z_lower, double z_upper, double bore_top) const noexcept;
 
 private:
   WallLaw there(WallLaw law, double section, double rest) const noexcept
@@ -93,6 +94,9 @@ private:
   MudCircuit mud_;
   TurnLimit turn_limit_;
 };
+
+/// What of an element is below the rotary table, its ends at heights [m]: its lower part, 0 to 1.
+double immersed_share(double z_lower, double z_upper) noexcept;
 
 }  // namespace drill_rig_sim
 

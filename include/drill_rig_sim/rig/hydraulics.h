@@ -23,6 +23,8 @@
 /// with gel_time towards that, and breaks in each volume as mud leaves it, over gel_break_volume, by the pump or the string; mud that
 /// would take longer than gel_time for that volume counts as standing.
 ///
+/// A string that is not full (mud.fill): what the pump delivers fills it first, and nothing reaches the bit, without a pressure, until it is full.
+///
 /// Relief valve, by the pump: the stand pipe does not exceed relief_pressure, and what is too much goes back to the tanks.
 ///
 /// Implicit Euler, volume by volume from the pump on, each a scalar equation with one root: stable at any step, though resistance vanishes
@@ -30,6 +32,7 @@
 namespace drill_rig_sim
 {
 constexpr double gel_time = 200.0;          ///< of growth at rest: 95 % after ten minutes [s]
+constexpr double full_bore = 1e6;           ///< longer than any string [m]
 constexpr double gel_break_volume = 0.005;  ///< that passes while it falls to 1/e: some five diameters of a bore of 0.1 m [m3]
 
 /// A volume and the resistance behind it.
@@ -58,6 +61,8 @@ struct HydraulicState
   double bore_gel = 1.0;             ///< share of its strength; at the start the mud has stood for long
   double annulus_gel = 1.0;          ///< the same
   bool relief_open = false;
+  double filled = 0.0;               ///< volume that the pump has put into a string that was not full, since the crew last filled it [m3]
+  double bore_top = full_bore;       ///< there is mud in the string up to here above the bit's face, unstretched (model/bore_fill.h) [m]
 
   template <class V>
   void visit(V& v)
@@ -70,6 +75,8 @@ struct HydraulicState
     v("bore_gel", bore_gel);
     v("annulus_gel", annulus_gel);
     v("relief_open", relief_open);
+    v("filled", filled);
+    v("bore_top", bore_top);
   }
 };
 
@@ -109,6 +116,7 @@ struct MudWays
 {
   double plug = 0.0;  ///< what packed cuttings hold back in the annulus while mud is pumped; what the string displaces seeps through [Pa]
   double leak = 0.0;  ///< through a hole in the string, past motor and bit into the annulus [m3/s]
+  double air = 0.0;   ///< volume in the string that the pump fills first [m3]
 };
 
 /// Flow through a hole of an area [m2] by a pressure [Pa]: 0.61 A sqrt(2 p/rho), Torricelli's with a sharp edge's contraction, pi/(pi + 2)

@@ -55,8 +55,8 @@ struct WeightFeed
 /// - pick_up and slack_off move the block, ream up and down again to where it began `times`; all are stopped or turned back so far ahead of their end as
 ///   the winch needs, and end with the brake set.
 /// - tag lowers until the bit takes `weight`; it zeroes the weight (tare) all the while until the string has come to move steadily, after tag_settles (and a
-///   period of the waves, where the rig heaves), or the bit is on bottom, and counts weight from then on. By the dead line it has to begin 5 cm above the bottom:
-///   over the first 2 cm the sheaves' friction turns round. slack_off with a `weight` zeroes it at its beginning.
+///   period of the waves, where the rig heaves), or the bit is on bottom, and counts weight from then on. Begun off bottom, but less than
+///   5 cm, it lifts the block first: over the first 2 cm of its way down the friction of sheaves and rail turns round. slack_off with a `weight` zeroes it at its beginning.
 /// - drill keeps `weight` by the block (WeightFeed), and ends with the brake set. Without a zero of the weight it takes one first; where it cannot, on
 ///   bottom, it fails the simulator's next frame.
 /// - slide does the same with the drive holding an angle (or rocking about it), which it turns by what the toolface lacks whenever a toolface has
@@ -98,6 +98,8 @@ public:
     v("legs", legs_);
     v("crew_came", crew_came_);
     v("settled", settled_);
+    v("lifts", lifts_);
+    v("lift_to", lift_to_);
     v("angle", angle_);
     v("turned_at", turned_at_);
     v("toolface_seen", toolface_seen_);
@@ -106,6 +108,7 @@ public:
 
 private:
   void begin(Simulator& simulator) noexcept;
+  void begin_tag(Simulator& simulator, bool zeroed) noexcept;
   void follow(Simulator& simulator) noexcept;
   void follow_ramp(Simulator& simulator) noexcept;
   void follow_weight(Simulator& simulator) noexcept;
@@ -132,6 +135,8 @@ private:
   int legs_ = 0;              // of ream, that are over
   bool crew_came_ = false;    // has been at work since it began
   bool settled_ = false;      // tag moves steadily
+  bool lifts_ = false;        // tag begins too near the bottom, and lifts the block first,
+  double lift_to_ = 0.0;      // to this height [m]
   double angle_ = 0.0;        // of the drive that slide has asked for [rad]
   double turned_at_ = 0.0;    // when it did [s]
   std::uint64_t toolface_seen_ = 0;

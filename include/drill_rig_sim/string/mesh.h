@@ -40,7 +40,8 @@ struct MeshElement
 {
   BeamSection section;
   double linear_mass = 0.0;  ///< in air, averaged over the element [kg/m]
-  double displaced = 0.0;    ///< volume of mud displaced per length [m3/m]
+  double displaced = 0.0;    ///< volume of mud displaced per length, the string full of it [m3/m]
+  double holds = 0.0;        ///< volume of mud inside per length, none in the bit's own [m3/m]
   double bend = 0.0;         ///< its upper end's normal is turned by this about the upper node's z axis, towards y [rad]
   Eigen::Quaterniond upper_end = Eigen::Quaterniond::Identity();  ///< that turn
   double outer_area = 0.0;   ///< [m2]
