@@ -12,6 +12,7 @@
 #include "drill_rig_sim/well/tie_in.h"
 #include "problems.h"
 #include "scene_keys.h"
+#include "read_fill.h"
 #include "settings.h"
 #include "survey_entry.h"
 #include "text_file.h"
@@ -206,31 +207,7 @@ private:
   void read_mud(const YAML::Node& node, const std::string& path, MudSpec& mud)
   {
     const Entries entries = read_block(node, path, mud_keys, every_kind, mud, problems_);
-    in(entries, path, "fill", [&](const YAML::Node& n, const std::string& p) { read_fill(n, p, mud.fill); });
-  }
-
-  // one level, or rows of bit depth and level
-  void read_fill(const YAML::Node& node, const std::string& path, std::vector<FillLevel>& fill)
-  {
-    const Range allowed = between(0.0, deepest_well);
-    if (!node.IsSequence())
-    {
-      FillLevel row;
-      if (read_number(node, path, allowed, "m", row.level, problems_) && row.level > 0.0) fill.push_back(row);
-      return;
-    }
-    if (node.size() == 0) problems_.add(path, "an empty list is given, allowed: a level in m, or rows [bit depth m, level m]");
-    for_each_item(node, path,
-                  [&](const YAML::Node& item, const std::string& p)
-                  {
-                    FillLevel row;
-                    if (!item.IsSequence() || item.size() != 2) return problems_.add(p, describe(item) + " is given, allowed: [bit depth m, level m]");
-                    const bool depth_read = read_number(item[0], p, allowed, "m", row.bit_depth, problems_);
-                    if (!read_number(item[1], p, allowed, "m", row.level, problems_) || !depth_read) return;
-                    if (!fill.empty() && row.bit_depth <= fill.back().bit_depth)
-                      problems_.add_in_input_unit(p, "bit depth " + metres(row.bit_depth) + " is not below the row before it, needed: more than " + metres(fill.back().bit_depth));
-                    fill.push_back(row);
-                  });
+    in(entries, path, "fill", [&](const YAML::Node& n, const std::string& p) { read_fill(n, p, mud.fill, problems_); });
   }
 
   void read_string(const Entries& top, std::vector<PartSpec>& parts)
