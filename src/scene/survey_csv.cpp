@@ -149,6 +149,17 @@ CsvTable find_header_over_lines(const std::vector<Line>& lines, const SurveyForm
   return {};
 }
 
+// A line that calls a column only Depth, with the line above it where that says which depth: Measured, True Vertical.
+CsvTable with_line_above(CsvTable table, const std::vector<Line>& lines, const SurveyFormat& format)
+{
+  const std::size_t place = *table.header.place[survey_md];
+  if (!table.header.cells[place].weak || table.first_row < 2 || table.delimiter.character == ' ' || !format.md.column.empty()) return table;
+  SurveyHeader both = find_columns(joined(lines, table.first_row - 2, 2, table.delimiter.character), format);
+  const HeaderCell& cell = both.cells[place];
+  if (cell.quantity && !cell.weak && both.place[survey_inclination] && both.place[survey_azimuth]) table.header = std::move(both);
+  return table;
+}
+
 // The header in the first lines: the first that names all columns, else lines that do so together, else the one that names most of them.
 CsvTable find_header(const std::vector<Line>& lines, const SurveyFormat& format)
 {
@@ -162,7 +173,7 @@ CsvTable find_header(const std::vector<Line>& lines, const SurveyFormat& format)
       const bool first = best.line == 0;
       if (!first && header.found <= best.header.found) continue;
       best = {i + 1, lines[i].number, delimiter, std::move(header)};
-      if (best.header.found == needed_quantities) return best;
+      if (best.header.found == needed_quantities) return best.header.place[survey_md] ? with_line_above(std::move(best), lines, format) : best;
     }
   }
   CsvTable over_lines = find_header_over_lines(lines, format);

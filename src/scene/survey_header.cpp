@@ -45,7 +45,7 @@ const std::map<std::string, std::string>& norths()
 
 bool is_letter(char c)
 {
-  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '%' || static_cast<unsigned char>(c) >= 0x80;
 }
 
 // in small letters; signs part them
@@ -277,6 +277,14 @@ HeaderCell header_cell(const std::string& text)
     return cell;
   }
   if (!in_brackets.empty()) cell.unit = unit_for(*cell.quantity, in_brackets);
+  for (const std::string& bracket : brackets)
+  {
+    const UnitName* other = unit_for(*cell.quantity, bracket);
+    if (!other || other == cell.unit) continue;
+    cell.quantity_without_brackets = cell.quantity;  // two units
+    cell.quantity.reset();
+    return cell;
+  }
   cell.own = text == own_names[*cell.quantity];
   return cell;
 }

@@ -54,6 +54,8 @@ RECORDS = {
     "LAS by seconds": LAS % ("TIME.S : t\nHKLD.KLB : h\nBPOS.F : b\nDBTM.M : d\n", rows("%(t)s %(h)s %(b)s %(d)s")),
     "LAS by hours": LAS % ("TIME.HOURS : t\nHKLD.1000 LBF : h\nBPOS.FEET : b\n", "".join("%.17g %s\n" % (t / 3600, line.split(" ", 1)[1]) for t, line in zip(SECONDS, rows("%(t)s %(h)s %(b)s").splitlines()))),
     "LAS with a date and a time": LAS % ("DATE. : d\nTIME. : t\nHKLD.KLBF : h\nBPOS.FT : b\n", rows("%(t)s %(h)s %(b)s", "%d-%b-%Y %H:%M:%S")),
+    "LAS with a date and a time without signs": LAS % ("DATE.YYYYMMDD : d\nTIME.HHMMSS : t\nHKLD.KLBF : h\nBPOS.FT : b\n", rows("%(t)s %(h)s %(b)s", "%Y%m%d %H%M%S")),
+    "two figures of the year, by the header": "Date (YYMMDD),Time (HHMMSS),Hook Load (klbf),Block Height (ft)\n" + rows("%(t)s,%(h)s,%(b)s", "%y%m%d,%H%M%S"),
     "LAS by depth with a time": LAS % ("DEPT.M : d\nETIM.MS : t\nHKLD.KLBF : h\nBPOS.FT : b\n", rows("%(d)s %(t)s000 %(h)s %(b)s")),
 }
 OTHERS = {"top_drive_speed": 2.0 * math.pi, "stand_pipe_pressure": 1e7, "torque": 5000.0, "flow": 2.0 / 60.0}
@@ -63,6 +65,7 @@ NOT_RECORDS = {
     "days of a spreadsheet": ("Time,Hook Load (klbf),Block Height (ft)\n" + rows("45433.4%(t)s,%(h)s,%(b)s"), "the time has no unit and is no date"),
     "the clock is set back": ("Time,Hook Load (klbf),Block Height (ft)\n" + rows("%(t)s,%(h)s,%(b)s", "%Y-%m-%d %H:%M:%S").replace("10:00:10", "09:00:10"), "the time goes back"),
     "pounds called klbf": (PLAIN + rows("%(t)s,%(h)s,%(b)s", load=1e3), "is the unit right?"),
+    "a time that lost its zero": ("Date (YYYYMMDD),Time (HHMMSS),Hook Load (klbf),Block Height (ft)\n" + rows("%(t)s,%(h)s,%(b)s", "%Y%m%d,%H%M%S").replace(",09", ",9"), "unit HHMMSS is not known for a time"),
     "by depth": (LAS.replace("STRT.S", "STRT.M") % ("DEPT.M : d\nROP.M/HR : r\nHKLD.KLBF : h\n", rows("%(t)s 10 %(h)s")), "none of its curves is a time"),
     "numbers of WITS": ("0105,0106,0108,0112,0114\n" + rows("%(t)s,%(d)s,%(b)s,%(h)s", "%y%m%d,%H%M%S"), "no column is known as the time"),
 }

@@ -304,6 +304,23 @@ TEST(SceneSurvey, NamesOverSeveralLines)
   }
 }
 
+TEST(SceneSurvey, TheLineAboveSaysWhichDepthItIs)
+{
+  const std::string rows = "m,deg,deg\n0,0,0\n600,4,50\n";
+  EXPECT_TRUE(read("Measured,,\nDepth,Inc,Azi\n" + rows).remarks.empty());
+  EXPECT_TRUE(holds(read("Depth,Inc,Azi\n" + rows).remarks.at(0), "\"Depth\" is read as measured depth"));
+  EXPECT_TRUE(holds(read("Rig 7,,\nDepth,Inc,Azi\n" + rows).remarks.at(0), "\"Depth\" is read as measured depth"));
+  EXPECT_TRUE(holds(refusal("True Vertical,,\nDepth,Inc,Azi\n" + rows), "md_m: no such column in the header; it has True Vertical Depth, Inc, Azi"));
+}
+
+TEST(SceneSurvey, WhatStandsInBracketsIsAUnit)
+{
+  EXPECT_TRUE(holds(refusal("MD (m) (ft),Inc (deg),Azi (deg)\n0,0,0\n9,0,0\n"), ":1: MD (m) (ft): the brackets hold no unit that is known"));
+  EXPECT_TRUE(holds(refusal("MD (m),Inc (deg) (rad),Azi (deg)\n0,0,0\n9,0,0\n"), ":1: Inc (deg) (rad): the brackets hold no unit that is known"));
+  EXPECT_TRUE(holds(refusal("MD (m),Inc (%),Azi (deg)\n0,0,0\n9,0,0\n"), ":1: Inc (%): the brackets hold no unit that is known"));
+  EXPECT_EQ("accepted", refusal("MD (m) (metres),Inc (deg),Azi (deg)\n0,0,0\n9,0,0\n"));
+}
+
 TEST(SceneSurvey, WitsmlThatIsRefused)
 {
   const std::string two = "<trajectorys><trajectory><name>plan</name></trajectory>\n<trajectory><name>as drilled</name></trajectory></trajectorys>";

@@ -34,7 +34,7 @@ def form_said(texts):
 def form_in(text):
     """Of one text, "" where it is none."""
     form = ""
-    for part in re.findall(r"[a-z]+|[^a-z]+", text.strip(" ()[]").lower()):
+    for part in re.findall(r"yyyy|yy|mmm|mon|mm|dd|hh|ss|t|[a-z]+|[^a-z]+", text.strip(" ()[]").lower()):
         if part == "mm":
             form += "%M" if "%H" in form else "%m"
         elif part in FIELDS or not part.isalpha() and set(part) <= set("-/.: "):

@@ -1,8 +1,8 @@
 """The cells of a Table as signals in SI: which column holds which signal, in which unit, which cells are no measurements."""
 import numpy
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
-from drill_rig_sim.field.column_finder import known_columns
-from drill_rig_sim.field.dates import form_said, forms_for, seconds_of
+from drill_rig_sim.field.column_finder import form_of_header, known_columns
+from drill_rig_sim.field.dates import forms_for, seconds_of
 from drill_rig_sim.field.signals import SIGNALS
 from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.field.units import UnitError, factor_of, is_unit
@@ -91,11 +91,6 @@ def is_date(table, places, column, cells):
         return table.index_is_date
     first = next((cell for cell in cells if cell), "")
     return seconds_of(first) is not None or seconds_of(first, form_of_header(table, places)) is not None
-
-
-def form_of_header(table, places):
-    """The format of dates that the names or the units of these columns write; None where they write none."""
-    return form_said([table.units[place] or table.names[place] for place in places])
 
 
 def dates_of(table, cells, column, said):
