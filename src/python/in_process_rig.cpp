@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "drill_rig_sim/math/kernel.h"
+#include "drill_rig_sim/rig/recorded_drum.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/requests.h"
 #include "drill_rig_sim/sim/run.h"
@@ -17,7 +18,6 @@ namespace
 {
 constexpr std::size_t most_frames = 100000;  // of one call, as of the service step
 constexpr std::size_t frames_between_looks = 100;
-constexpr double standing_drum = 1e-3;  // by less, drum heights that are worked out from gauges differ while it stands [m]
 
 template <class Setpoint>
 void require(const Simulator& simulator, const std::optional<Setpoint>& command)
@@ -55,12 +55,6 @@ FaultKind kind_named(std::string name)
   const auto* found = std::find(std::begin(fault_names), std::end(fault_names), name);
   if (found == std::end(fault_names)) throw std::runtime_error("fault is " + name + "; allowed are those of InjectFault");
   return static_cast<FaultKind>(found - fault_names);
-}
-
-/// Where the block would hang on the same lines without load [m].
-double unloaded_height(const HoistingSpec& spec, double block_height, double hook_load)
-{
-  return spec.crown_height - (line_length_for(spec, block_height, hook_load) - spec.fixed_length) / (2.0 * spec.sheaves);
 }
 }  // namespace
 
@@ -179,28 +173,7 @@ double InProcessRig::drum_height() const
 std::vector<double> InProcessRig::drum_heights(const std::vector<double>& heights, const std::vector<double>& hook_loads) const
 {
   if (hook_loads.size() != heights.size()) throw std::runtime_error("heights and hook loads are not equally many");
-  const HoistingSpec& spec = scene_.rig.hoisting;
-  const bool dead_line = scene_.instruments.hook_load.place == HookLoadPlace::dead_line;
-  const auto height = [&](std::size_t k, double slip)
-  { return unloaded_height(spec, heights[k], hook_loads[k] / (dead_line ? dead_line_hook_load(1.0, slip, spec.sheaves, spec.sheave_efficiency) : 1.0)); };
-  std::vector<double> out;
-  double slip = 0.0, stood = heights.empty() ? 0.0 : height(0, slip), from = heights.empty() ? 0.0 : heights[0];
-  for (std::size_t k = 0; k < heights.size(); ++k)
-  {
-    const double travel = height(k, slip) - stood;
-    if (std::abs(travel) > standing_drum)
-    {
-      slip = sheave_slip(slip, heights[k] - from);
-      stood = height(k, slip);
-      from = heights[k];
-    }
-    else
-    {
-      from = heights[k] - travel;  // a block whose load changes moves on its lines, drum and sheaves stand
-    }
-    out.push_back(height(k, slip));
-  }
-  return out;
+  return drill_rig_sim::drum_heights(scene_.rig.hoisting, scene_.instruments.hook_load.place == HookLoadPlace::dead_line, heights, hook_loads);
 }
 
 double InProcessRig::wave_impedance() const noexcept

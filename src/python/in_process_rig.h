@@ -173,7 +173,7 @@ public:
   /// Where the block would hang on lines without load [m]: what the drum has done, without what the load stretches.
   double drum_height() const;
   /// The same by rows of what gauges like the scene's showed: heights of the block without noise [m] and hook loads [N]. The sheaves' friction
-  /// is taken out of a dead line's reading by the way of the block. Throws std::runtime_error unless both are as long.
+  /// is taken out of a dead line's reading (rig/recorded_drum.h). Throws std::runtime_error unless both are as long.
   std::vector<double> drum_heights(const std::vector<double>& heights, const std::vector<double>& hook_loads) const;
   /// Force over speed of a wave along the pipe at the string's top [N s/m].
   double wave_impedance() const noexcept;

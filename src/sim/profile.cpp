@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -52,6 +53,17 @@ double tension_at(const Model& model, const State& s, const std::vector<double>&
   return 0.5 * (top_of(i - 1) + foot_of(i));
 }
 
+/// What may be spent on raising the friction, so that a string that does not rest is refused after some 10 s: a sixth by the scene's elements, the rest by shorter ones.
+constexpr double most_work = 6.3e6, first_work = 1e6;  // [nodes times iterations]
+
+StaticOutcome solve_within(double& work, const SlidingMotion& sliding, RigAtRest& rig, double first_share)
+{
+  const double most = std::clamp(work / rig.model->nodes(), 1.0, 1.0 * most_static_iterations);
+  const StaticOutcome outcome = solve_static(*rig.model, rig.state, sliding, static_cast<int>(most), first_share);
+  work -= 1.0 * outcome.iterations * rig.model->nodes();
+  return outcome;
+}
+
 /// What the bit carries beside the scene's weight, and how far it is from where it should be, as string too much [m].
 double weight_error(const Scene& scene, const RigAtRest& rig, double weight)
 {
@@ -71,26 +83,28 @@ void put_top(double height, State& state) noexcept
 
 /// Full slip from the frictionless start. Pipe that is pushed into a helix at once may rest with fewer turns than one that is slacked off: where there is a helix, the
 /// friction is raised by and by, if it then rests at all.
-StaticOutcome slide(const SlidingMotion& sliding, RigAtRest& rig)
+/// `first_share`: of the friction that is tried first.
+StaticOutcome slide(const SlidingMotion& sliding, double first_share, double& work, RigAtRest& rig)
 {
   const State start = rig.state;
-  const StaticOutcome at_once = solve_static(*rig.model, rig.state, sliding);
+  const StaticOutcome at_once = solve_within(work, sliding, rig, first_share);
   if (!at_once.converged || at_once.gradual || buckled_pipe(*rig.model, rig.state, at_once.forces).helical == 0.0) return at_once;
-  State grown = start;
-  const StaticOutcome gradual = solve_static(*rig.model, grown, sliding, most_static_iterations, gradual_share);
-  if (!gradual.converged) return at_once;
-  rig.state = grown;
-  return gradual;
+  const State found = rig.state;
+  rig.state = start;
+  const StaticOutcome gradual = solve_within(work, sliding, rig, gradual_share);
+  if (gradual.converged) return gradual;
+  rig.state = found;
+  return at_once;
 }
 
 /// Slips the string on until the bit carries the scene's weight again, or none as in the scene, which friction has changed: by secants, for friction holds part of
 /// what is slipped on, and by halves where so much at once finds no equilibrium.
-StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, RigAtRest& rig)
+StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, double first_share, double& work, RigAtRest& rig)
 {
   constexpr int most_rounds = 20, most_tried = 500;
   constexpr double least_slip = 1e-3;  // [m]
   const double wanted = scene.start.weight_on_bit, tolerance = std::max(1e-4 * wanted, 1.0);  // [N]
-  StaticOutcome outcome = slide(sliding, rig);
+  StaticOutcome outcome = slide(sliding, first_share, work, rig);
   if (!outcome.converged) return outcome;
   LengthSearch slipped_on;  // of the top, down from the table: what is slipped on comes to the bit as weight
   for (int round = 0; round < most_rounds; ++round)
@@ -203,11 +217,11 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
 namespace
 {
 /// Loads and doubts only, where there is no equilibrium.
-StaticReport report_on(const Scene& scene, const SlidingMotion& sliding)
+StaticReport report_on(const Scene& scene, const SlidingMotion& sliding, double first_share, double& work)
 {
   RigAtRest rig = build_at_rest(scene);
   StaticReport report;
-  report.outcome = sliding.still() ? rig.statics : hold_weight(scene, sliding, rig);
+  report.outcome = sliding.still() ? rig.statics : hold_weight(scene, sliding, first_share, work, rig);
   report.loads = StringWatch(*rig.model).look(*rig.model, rig.state, report.outcome.forces);
   report.buckled = buckled_pipe(*rig.model, rig.state, report.outcome.forces);
   report.accuracy = doubt_of_string(*rig.model, rig.state, report.outcome.forces);
@@ -249,22 +263,24 @@ bool refine(NumericsSpec& numerics, bool pushed)
 
 StaticReport static_report(const Scene& scene, const SlidingMotion& sliding)
 {
-  Scene meshed = scene;
+  Scene meshed = scene, finer = scene;
   const bool pushed = pushed_length(scene) > 0.0;
-  double refined = 0.0;
+  double refined = 0.0, first_share = 1.0, work = refine(finer.numerics, pushed) ? first_work : most_work;
+  std::optional<StaticReport> best;
   while (true)
   {
-    StaticReport report = report_on(meshed, sliding);
+    StaticReport report = report_on(meshed, sliding, first_share, work);
     report.refined_length = refined;
-    const bool fits = report.outcome.converged && report.accuracy.doubt != AccuracyDoubt::compression;
-    if (!fits && !outweighs_block(scene, report.outcome) && refine(meshed.numerics, pushed))
-    {
-      refined = pushed ? meshed.numerics.pushed_element_length : meshed.numerics.element_length;
-      continue;
-    }
-    if (!report.outcome.converged) refuse(report);
-    return report;
+    if (outweighs_block(scene, report.outcome)) refuse(report);
+    if (!best || report.outcome.converged || (!best->outcome.converged && report.outcome.share > best->outcome.share)) best = report;
+    if (report.outcome.converged && report.accuracy.doubt != AccuracyDoubt::compression) break;
+    if (refined == 0.0) work += most_work - first_work;
+    if (work <= 0.0 || !refine(meshed.numerics, pushed)) break;
+    refined = pushed ? meshed.numerics.pushed_element_length : meshed.numerics.element_length;
+    first_share = report.outcome.gradual ? gradual_share : 1.0;
   }
+  if (!best->outcome.converged) refuse(*best);
+  return *best;
 }
 
 }  // namespace drill_rig_sim

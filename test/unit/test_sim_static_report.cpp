@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 
 #include "drill_rig_sim/math/rotation.h"
@@ -105,6 +107,22 @@ TEST(StaticReport, slackOffOfBuckledPipe)
     EXPECT_NEAR(report.buckled.length, buckled, 15.0) << friction;
     EXPECT_LE(report.buckled.helical, report.buckled.length) << friction;
     EXPECT_NEAR(report.buckled.from_bit, buckled > 0.0 ? 2890.0 : 0.0, 10.0) << friction << ": from the end of the build up";
+  }
+}
+
+// Near lock-up the search for a helix that rests ends within its work, by the mesh that came farthest: with nearly all of the friction.
+TEST(StaticReport, refusesWhatDoesNotRestWithTheLargestShareFound)
+{
+  try
+  {
+    slacked_off(500.0, 3390.0, 0.24);
+    FAIL() << "the pipe locks up";
+  }
+  catch (const std::runtime_error& error)
+  {
+    const std::string text = error.what(), before = "with more than ";
+    ASSERT_NE(text.find(before), std::string::npos) << text;
+    EXPECT_GT(std::stod(text.substr(text.find(before) + before.size())), 80.0) << text;
   }
 }
 

@@ -5,6 +5,7 @@ BAND = 3.0           # of the gauge's noise in standard deviations, half the ban
 WIDEST = 0.06        # half the band at most [m]: what moves more is the block
 STEADY = 0.1         # of a change of speed, what a speed that counts as constant may change from row to row
 FINEST = 5e-4        # of resolutions that matter [m]
+SEEN = 0.01          # of the way between two rows, what of a ramp can be seen
 STANDS = 0.2         # of the speed before and behind: slower, the block stands where its gauge allows it
 LOWER_HALF = 0.3246  # mean size of the smaller half of normal numbers, in their standard deviations
 ROUNDED = 8.0        # a corner is rounded on each side over so many half bands by its change of speed [s]: by two half bands at most
@@ -110,27 +111,63 @@ def rounded(at, times, heights, band):
 
 
 def with_ramps(times, heights):
-    """Times and heights of rows, and of one place more between two rows where one steady speed ends and another begins: there a ramp of the speed begins or
-    ends that is as long as both leave room for."""
+    """Times and heights of rows, and of the places between them where one steady speed ends and another begins: where a ramp of the speed begins and ends that is seen
+    in two intervals between rows; in one, where a ramp begins or ends that is as long as it leaves room for. Beside them the speed where it is known, else nan."""
     speed, width = numpy.diff(heights) / numpy.diff(times), numpy.diff(times)
+    speeds = numpy.full(len(times), numpy.nan)
     if len(speed) < 5:
-        return times, heights
-    k = numpy.arange(2, len(speed) - 2)
+        return times, heights, speeds
+    long = long_ramps(speed, width)
+    found, places, there = short_ramps(times, heights, speed, width, [k for first, _, _ in long for k in (first, first + 1)])
+    known = numpy.full(len(found), numpy.nan)
+    for first, begins, ends in long:
+        before, after, middle = speed[first - 1], speed[first + 2], times[first + 1]
+        speeds[first + 1] = before + (after - before) * begins / (begins + ends)
+        found = numpy.append(found, (first, first + 1))
+        places = numpy.append(places, (middle - begins, middle + ends))
+        there = numpy.append(there, (heights[first] + before * (width[first] - begins), heights[first + 2] - after * (width[first + 1] - ends)))
+        known = numpy.append(known, (before, after))
+    order = numpy.argsort(found)
+    return tuple(numpy.insert(rows, found[order] + 1, new[order]) for rows, new in ((times, places), (heights, there), (speeds, known)))
+
+
+def long_ramps(speed, width):
+    """(k, begins, ends): of a ramp that begins in interval k, so long before its end, and ends in the next, so long after its beginning [s]. What the block went in
+    the two, beyond the speed before it and short of the speed after it, gives both: each is the triangle of a part of the ramp."""
+    found = []
+    for k in range(2, len(speed) - 3):
+        before, after = speed[k - 1], speed[k + 2]
+        change = after - before
+        if change == 0.0 or max(abs(before - speed[k - 2]), abs(after - speed[k + 3])) >= STEADY * abs(change):
+            continue
+        beyond, short = (speed[k] - before) / change * width[k], (after - speed[k + 1]) / change * width[k + 1]
+        if beyond < SEEN * width[k] or short < SEEN * width[k + 1]:
+            continue
+        lasts = 2.0 * (numpy.sqrt(beyond) + numpy.sqrt(short))**2
+        begins, ends = numpy.sqrt(2.0 * lasts * beyond), numpy.sqrt(2.0 * lasts * short)
+        if begins <= width[k] and ends <= width[k + 1]:
+            found.append((k, begins, ends))
+    return found
+
+
+def short_ramps(times, heights, speed, width, passed):
+    """Intervals in which a ramp begins or ends at a place between the rows, the places and the heights there. Those of `passed` are none."""
+    k = numpy.setdiff1d(numpy.arange(2, len(speed) - 2), passed)
     before, after = speed[k - 1], speed[k + 1]
     change = numpy.where(before == after, 1.0, before - after)
     share = (speed[k] - after) / change  # of the way between the rows at the first speed, if that changed at once
     steady = numpy.maximum(numpy.abs(before - speed[k - 2]), numpy.abs(after - speed[k + 2])) < STEADY * numpy.abs(change)
-    found = k[steady & (before != after) & (share > 0.01) & (share < 0.99) & (numpy.abs(share - 0.5) > 0.05)]
+    found = k[steady & (before != after) & (share > SEEN) & (share < 1.0 - SEEN) & (numpy.abs(share - 0.5) > 0.05)]
     share = (speed[found] - speed[found + 1]) / (speed[found - 1] - speed[found + 1])
     early = share < 0.5
     places = times[found] + numpy.where(early, 2.0 * share, 2.0 * share - 1.0) * width[found]
     there = numpy.where(early, heights[found + 1] - speed[found + 1] * (times[found + 1] - places), heights[found] + speed[found - 1] * (places - times[found]))
-    return numpy.insert(times, found + 1, places), numpy.insert(heights, found + 1, there)
+    return found, places, there
 
 
-def smooth(at, times, values):
-    """Cubics between the rows without overshoot: a block that stops does not come back. Beyond the end it stays."""
-    slopes = slopes_of(times, values)
+def smooth(at, times, values, known):
+    """Cubics between the rows without overshoot: a block that stops does not come back. Beyond the end it stays. `known`: slopes, nan where they are not."""
+    slopes = numpy.where(numpy.isnan(known), slopes_of(times, values), known)
     k = numpy.clip(numpy.searchsorted(times, at, side="right") - 1, 0, len(times) - 2)
     width = times[k + 1] - times[k]
     u = numpy.clip((at - times[k]) / width, 0.0, 1.0)

@@ -7,7 +7,10 @@ from drill_rig_sim.law import Commands, PipeWork
 
 PATIENCE = 1800.0  # longest that a connection may take [s]
 TURNS = 5e-4       # change of the block's speed that counts as a start or a turn [m/s]
-RINGING = 10.0     # how long the string rings after a change of speed [s]
+FINE = 1e-3        # half a band of a gauge by which the course need not be smoothed [m]
+STANDS_BEFORE = 3  # rows before the first one, in which the block stands
+RINGING = 10.0     # how long the string rings after a change of speed [s],
+LOUD = 2.5         # and as long as this by all of it, in the mean square [s]
 
 
 class Connection:
@@ -110,16 +113,16 @@ class Follow:
 
     def unresolved(self, record):
         """Of the hook load, what the sampling of the record leaves unknown, root mean square and largest [N]. Where the speed changes, half of the change is unknown
-        for a while: it goes into the string as a wave, and accelerates the block. When the drum starts and turns back is unknown by half a row, and with it half of what the recorded
+        for a while: it goes into the string as a wave, which rings there, and accelerates the block. When the drum starts and turns back is unknown by half a row, and with it half of what the recorded
         load changed in that row."""
         drum, gaps = self.drum, numpy.diff(self.drum.corners)
         nearest = numpy.minimum(numpy.concatenate((gaps[:1], gaps)), numpy.concatenate((gaps, gaps[-1:])))
         waves = 0.5 * numpy.abs(drum.after - drum.before) * (self.rig.wave_impedance + self.rig.block_mass / nearest)
-        squares, most = (waves**2 * numpy.minimum(nearest, RINGING)).sum() / record.time[-1], waves.max()
+        squares, most = (waves**2 * numpy.clip(nearest, LOUD, RINGING)).sum() / record.time[-1], waves.max()
         if "hook_load" in record:
             changes = 0.5 * numpy.abs(numpy.diff(compared(record, ["hook_load"], self.stands)["hook_load"]))
             turns = (drum.before * drum.after <= 0.0) & (numpy.abs(drum.after - drum.before) > TURNS)
-            unknown = changes[numpy.isin(record.time[:-1], drum.corners[turns]) & numpy.isfinite(changes)]
+            unknown = changes[numpy.isin(record.time[:-1], numpy.maximum(drum.corners[turns], record.time[0])) & numpy.isfinite(changes)]
             squares, most = squares + (unknown**2).sum() / 3.0 / len(record.time), max(most, *unknown, 0.0)  # uniformly distributed
         return float(numpy.sqrt(squares)), float(most)
 
@@ -140,8 +143,17 @@ def drum_course(record, stands, heights, rig):
     for still in stands:
         hung[still.begin:still.end + 1] = False
     if "hook_load" not in record or not hung.any():
-        return Course(record.time, heights, half_band(gauge, heights))
+        return from_rest(record.time, heights, half_band(gauge, heights))
     loads = numpy.interp(record.time, record.time[hung], numpy.maximum(record.at("hook_load", record.time[hung]), 0.0))
-    block = Course(record.time, gauge, half_band(gauge, gauge)).heights
+    band = half_band(gauge, gauge)
+    block = gauge if band < FINE else Course(record.time, gauge, band).heights
     heights = heights + rig.drum_heights(block, loads) - block
-    return Course(record.time, heights, half_band(gauge, heights))
+    return from_rest(record.time, heights, half_band(gauge, heights))
+
+
+def from_rest(times, heights, band):
+    """A course whose block stands before the first row, as the rig does that follows it, where the gauge is fine enough to show how it starts."""
+    if band >= FINE:
+        return Course(times, heights, band)
+    before = times[0] - (times[1] - times[0]) * numpy.arange(STANDS_BEFORE, 0, -1)
+    return Course(numpy.concatenate((before, times)), numpy.concatenate((numpy.full(STANDS_BEFORE, heights[0]), heights)), band)
