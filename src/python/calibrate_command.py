@@ -17,6 +17,7 @@ from drill_rig_sim.json_file import write_json
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
 
+BEYOND = 3.0  # of a record's noise, so much is more than noise
 SI_UNITS = {"hook_load": "N", "torque": "N m", "stand_pipe_pressure": "Pa"}
 
 
@@ -40,6 +41,7 @@ def table(plan, found, left):
     idle = found.without_effect
     lines += ["%s: has no effect on these data where it starts: left there" % name for name in idle]
     lines += ["%s: these data do not tell it" % p.name for p, width in zip(plan.parameters, found.half_widths) if not width < told_by(p) and p.name not in idle]
+    lines += unexplained(plan, left)
     lost = int((~numpy.isfinite(found.predicted) & numpy.isfinite(plan.model.observed)).sum())
     return lines + (["%d numbers could not be predicted: no equilibrium, or a scene out of range" % lost] if lost else []) + ["", "%d points of the parameters were tried" % found.runs]
 
@@ -52,6 +54,18 @@ def named(parameter):
 def three_digits(size):
     """Without an exponent, unless it needs one."""
     return "%.7g" % float("%.3g" % size)
+
+
+def unexplained(plan, left):
+    """Lines on signals of a record that are off by more than they vary, and not by their noise."""
+    lines = []
+    for signal, noise in plan.model.noise.items():
+        (factor, unit), off = UNITS[signal], left[signal][0]
+        varies = float(numpy.nanstd(plan.model.observed[(plan.model.signals == signal) & plan.fitted])) if off is not None else 0.0
+        if off is not None and off > max(varies, BEYOND * noise):
+            lines.append("%s: is off by more than it varies in the record (%.4g %s): the scene does not do what the record shows, the confidence does not hold" %
+                         (signal, factor * varies, unit))
+    return lines
 
 
 def told_by(parameter):

@@ -3,7 +3,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "drill_rig_sim/scene/scene_problems.h"
@@ -44,7 +43,10 @@ public:
     const Entries top = read_block(root, "", scene_keys, every_kind, scene, problems_);
     in(top, "", "well", [&](const YAML::Node& n, const std::string& p) { read_well(n, p, scene); });
     read_list(top, "", "formation", layer_keys, scene.formation);
-    in(top, "", "mud", [&](const YAML::Node& n, const std::string& p) { read_mud(n, p, scene.mud); });
+    in(top, "", "mud",
+       [&](const YAML::Node& n, const std::string& p)
+       { in(read_block(n, p, mud_keys, every_kind, scene.mud, problems_), p, "fill",
+            [&](const YAML::Node& levels, const std::string& place) { read_fill(levels, place, scene.mud.fill, problems_); }); });
     read_string(top, scene.string);
     in(top, "", "rig", [&](const YAML::Node& n, const std::string& p) { read_rig(n, p, scene.rig); });
     read_one(top, "", "contact", contact_keys, scene.contact);
@@ -202,12 +204,6 @@ private:
     const std::vector<SurveyProblem> found = survey_problems(scene.well.survey);
     if (!found.empty()) problems_.add("well.project", done + "; " + found.front().text);
     problems_.raise();
-  }
-
-  void read_mud(const YAML::Node& node, const std::string& path, MudSpec& mud)
-  {
-    const Entries entries = read_block(node, path, mud_keys, every_kind, mud, problems_);
-    in(entries, path, "fill", [&](const YAML::Node& n, const std::string& p) { read_fill(n, p, mud.fill, problems_); });
   }
 
   void read_string(const Entries& top, std::vector<PartSpec>& parts)

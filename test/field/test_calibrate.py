@@ -156,6 +156,15 @@ class Records(unittest.TestCase):
         with open(file, encoding="utf-8") as text:
             return json.load(text)
 
+    def test_a_record_that_goes_against_the_scene_is_reported(self):
+        rows = self.rows[:150].copy()
+        rows[:, 4] = 6.0 * rows[:, 4].mean() - 5.0 * rows[:, 4]
+        made_record.write_record(self.folder, rows, 0)
+        fit_file = made_record.write_fit(self.folder, signals=["hook_load"], parameters=[made_record.FIT["parameters"][0]])
+        self.assertRegex(calibrate(fit_file)[1], r"hook_load: is off by more than it varies in the record \(\S+ kN\): the scene does not do what the record shows")
+        made_record.write_record(self.folder, self.rows[:150], 0)
+        self.assertNotIn("varies in the record", calibrate(fit_file)[1])
+
     def test_what_the_data_do_not_tell_is_said(self):
         made_record.write_record(self.folder, self.rows[:150], 0)
         hidden = {"name": "deep rock", "key": "rig.hoisting.trip_hook_load", "start": 3.0e6, "from": 2.0e6, "to": 4.0e6}

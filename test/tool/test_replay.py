@@ -318,7 +318,7 @@ class Replays(Folder):
         picture = os.path.join(self.folder, "part.csv")
         status, _, told = self.drill_replay(self.recorded(), QUICK, "--from", "24", "--to", "29", "--start", "record", "--csv", picture)
         self.assertEqual(0, status, told)
-        self.assertRegex(told, "begins with the top drive at 60.. rpm and the pump at 0.02 m3/s: both ran for 30 s before it")
+        self.assertRegex(told, "begins with the top drive at 60.. rpm and the pump at 0.02 m3/s: played for 30 s before it")
         data = numpy.genfromtxt(picture, delimiter=",", names=True)
         self.assertLess(abs(data["recorded_stand_pipe_pressure"] / data["simulated_stand_pipe_pressure"] - 1.0).max(), 0.01)
         self.assertLess(abs(numpy.mean(data["recorded_torque"] - data["simulated_torque"])), 0.05 * numpy.mean(data["recorded_torque"]))

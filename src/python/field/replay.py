@@ -111,7 +111,8 @@ def run_up(rig, record):
     rig.top_drive(mode="SPEED", speed=speed)
     rig.pump(max(flow, 0.0))
     rig.step(seconds=RUN_UP)
-    return ["begins with the top drive at %.1f rpm and the pump at %.3g m3/s: both ran for %g s before it, with the block at rest" % (speed / RPM, flow, RUN_UP)]
+    running = ["the top drive at %.1f rpm" % (speed / RPM)] * (abs(speed) >= RUNS[0]) + ["the pump at %.3g m3/s" % flow] * (flow >= RUNS[1])
+    return ["begins with %s: played for %g s before it, with the block at rest" % (" and ".join(running), RUN_UP)]
 
 
 def play(rig, record, left_out=()):
