@@ -9,6 +9,7 @@ import unittest
 import numpy
 from drill_rig_sim import _sim, plot_logs, plot_well, replay_command, score_command, score_plots
 from drill_rig_sim.field import units as of_records
+from drill_rig_sim.field.replay import MeasuredErrors
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.score import score
 from drill_rig_sim.score_runs import Run
@@ -106,6 +107,8 @@ class Shown(unittest.TestCase):
 
     def test_replay(self):
         class Made:  # pylint: disable=too-few-public-methods
+            errors, recorded = MeasuredErrors(), {}
+
             @staticmethod
             def table():
                 return {"hook_load": dict.fromkeys(("mean", "rms", "largest", "range", "unresolved_rms", "unresolved_largest"), 1e3 * POUND)}
