@@ -11,6 +11,7 @@ from drill_rig_sim import _sim, plot_logs, plot_well, replay_command, score_comm
 from drill_rig_sim.field import units as of_records
 from drill_rig_sim.field.columns import read_map
 from drill_rig_sim.field.record import RecordError
+from drill_rig_sim.field.replay import MeasuredErrors
 from drill_rig_sim.field.signals import SIGNALS
 from drill_rig_sim.field.table import unit_in
 from drill_rig_sim.lockstep import Refused
@@ -148,6 +149,8 @@ class Shown(unittest.TestCase):
 
     def test_replay(self):
         class Made:  # pylint: disable=too-few-public-methods
+            errors, recorded = MeasuredErrors(), {}
+
             @staticmethod
             def table():
                 return {"hook_load": dict.fromkeys(("mean", "rms", "largest", "range", "unresolved_rms", "unresolved_largest"), 1e3 * POUND)}

@@ -6,6 +6,7 @@ WIDEST = 0.06        # half the band at most [m]: what moves more is the block
 STEADY = 0.1         # of a change of speed, what a speed that counts as constant may change from row to row
 FINEST = 5e-4        # of resolutions that matter [m]
 SEEN = 0.01          # of the way between two rows, what of a ramp can be seen
+TURNS = 5e-4         # speed of a block that moves [m/s]
 STANDS = 0.2         # of the speed before and behind: slower, the block stands where its gauge allows it
 LOWER_HALF = 0.3246  # mean size of the smaller half of normal numbers, in their standard deviations
 ROUNDED = 8.0        # a corner is rounded on each side over so many half bands by its change of speed [s]: by two half bands at most
@@ -20,6 +21,8 @@ class Course:
         at_corners = with_stops(self.corners, at_corners, band)
         slopes = numpy.diff(at_corners) / numpy.diff(self.corners)
         self.before, self.after = numpy.concatenate(([0.0], slopes)), numpy.concatenate((slopes, slopes[-1:]))  # speeds at the corners, from rest [m/s]
+        slow, fast = numpy.sort(numpy.abs([self.before, self.after]), axis=0)
+        self.turns = self.corners[((self.before * self.after < 0.0) | (slow < STANDS * fast)) & (fast > TURNS)]  # where the block starts, stops or turns back
         self.heights = rounded(times, self.corners, at_corners, band)  # at the rows [m]
         self.knots = with_ramps(times, self.heights)
 

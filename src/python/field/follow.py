@@ -6,7 +6,6 @@ from drill_rig_sim.field.record import RecordError
 from drill_rig_sim.law import Commands, PipeWork
 
 PATIENCE = 1800.0  # longest that a connection may take [s]
-TURNS = 5e-4       # change of the block's speed that counts as a start or a turn [m/s]
 FINE = 1e-3        # half a band of a gauge by which the course need not be smoothed [m]
 STANDS_BEFORE = 3  # rows before the first one, in which the block stands
 RINGING = 10.0     # how long the string rings after a change of speed [s],
@@ -111,20 +110,41 @@ class Follow:
             return None
         return Commands(float(numpy.clip(self.off / self.to_place_in, -self.to_place, self.to_place)))
 
-    def unresolved(self, record):
+    def unresolved(self, record, times, loads):
         """Of the hook load, what the sampling of the record leaves unknown, root mean square and largest [N]. Where the speed changes, half of the change is unknown
-        for a while: it goes into the string as a wave, which rings there, and accelerates the block. When the drum starts and turns back is unknown by half a row, and with it half of what the recorded
-        load changed in that row."""
+        for a while: it goes into the string as a wave, and accelerates the block. When the drum starts, stops and turns back is unknown by half a row, at most by one:
+        the load of a row may be any within that. `loads`: simulated, at `times` [s]."""
         drum, gaps = self.drum, numpy.diff(self.drum.corners)
         nearest = numpy.minimum(numpy.concatenate((gaps[:1], gaps)), numpy.concatenate((gaps, gaps[-1:])))
         waves = 0.5 * numpy.abs(drum.after - drum.before) * (self.rig.wave_impedance + self.rig.block_mass / nearest)
         squares, most = (waves**2 * numpy.clip(nearest, LOUD, RINGING)).sum() / record.time[-1], waves.max()
         if "hook_load" in record:
-            changes = 0.5 * numpy.abs(numpy.diff(compared(record, ["hook_load"], self.stands)["hook_load"]))
-            turns = (drum.before * drum.after <= 0.0) & (numpy.abs(drum.after - drum.before) > TURNS)
-            unknown = changes[numpy.isin(record.time[:-1], numpy.maximum(drum.corners[turns], record.time[0])) & numpy.isfinite(changes)]
-            squares, most = squares + (unknown**2).sum() / 3.0 / len(record.time), max(most, *unknown, 0.0)  # uniformly distributed
+            known = numpy.isfinite(compared(record, ["hook_load"], self.stands)["hook_load"])
+            near = [k for k in rows_near(record.time, drum.turns) if known[k]]
+            squares += sum(span(record.time, k, 0.5, times, loads)**2 for k in near) / 3.0 / len(record.time)  # uniformly distributed
+            most = max(most, *(span(record.time, k, 1.0, times, loads) for k in near), 0.0)
         return float(numpy.sqrt(squares)), float(most)
+
+
+def rows_near(times, corners):
+    """Rows at these corners, which are rows, and their neighbours."""
+    at = numpy.searchsorted(times, corners)
+    return numpy.unique(numpy.clip(numpy.concatenate((at - 1, at, at + 1)), 0, len(times) - 1))
+
+
+def rows_at_turns(record, stands):
+    """Rows next to where the block starts, stops or turns back: what their hook load is depends on when. None where the record has no block height, or few other rows."""
+    if "block_height" not in record:
+        return numpy.zeros(0, int)
+    heights = height_without_pipe(record, stands)
+    rows = rows_near(record.time, Course(record.time, heights, half_band(record.at("block_height", record.time), heights)).turns)
+    return rows if 2 * len(rows) < len(record.time) else rows[:0]
+
+
+def span(rows, k, share, times, loads):
+    """Largest less least of the loads within a share of a row around row k."""
+    begin, end = (rows[k] + share * (rows[numpy.clip(other, 0, len(rows) - 1)] - rows[k]) for other in (k - 1, k + 1))
+    return float(numpy.ptp(loads[(times >= begin) & (times <= end)]))
 
 
 def heights_of(record, stands, rig):

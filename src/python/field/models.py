@@ -12,6 +12,7 @@ from drill_rig_sim.campaign.played import simulator
 from drill_rig_sim.campaign.runner import one_line
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, survey_file
 from drill_rig_sim.field.course import scatter
+from drill_rig_sim.field.follow import rows_at_turns
 from drill_rig_sim.field.pipe import compared, standstills
 from drill_rig_sim.field.record import COMPARED
 from drill_rig_sim.field.replay import check, play
@@ -56,11 +57,22 @@ class RecordModel:
         self.blueprint = Blueprint(record.name, scene, survey, [(p.name, p.keys, p.times) for p in parameters if p.signal is None] +
                                    [(key, [key], False) for key in keys if not any(key in p.keys for p in parameters)])
         passed = inside(self.record.signals["time"], period.left_out)
-        self.observed = numpy.concatenate([numpy.where(passed, numpy.nan, values) for values in compared(self.record, self.names, standstills(self.record)).values()])
+        self.observed = numpy.concatenate(list(self.comparable(passed).values()))
         self.noise = {name: scatter(values[numpy.isfinite(values)]) for name, values in self.record.signals.items() if name in self.names}
         self.signals = self.groups = self.kinds = numpy.repeat(self.names, len(self.record.time))
         self.axis = "time", numpy.tile(self.record.signals["time"], len(self.names))
         self.place = numpy.tile(self.record.time / self.record.time[-1], len(self.names))
+
+    def comparable(self, passed):
+        """What was recorded, by signal: not a number in rows that are `passed`, where pipe is added or taken away, and of the hook load where the block starts, stops or
+        turns back, which is reported."""
+        stands = standstills(self.record)
+        found = {name: numpy.where(passed, numpy.nan, values) for name, values in compared(self.record, self.names, stands).items()}
+        if "hook_load" in found:
+            rows = [k for k in rows_at_turns(self.record, stands) if numpy.isfinite(found["hook_load"][k])]
+            found["hook_load"][rows] = numpy.nan
+            self.remarks += ["%s: hook_load of %d rows is left out, where the block starts, stops or turns back between rows" % (self.record.name, len(rows))] if rows else []
+        return found
 
     def tasks(self, points):
         return [(self.blueprint, self.record, self.names, [*point, *self.begin]) for point in points]

@@ -132,8 +132,9 @@ def play(rig, record, left_out=()):
     times = numpy.asarray(law.clock)[there]
     if law.farthest > BEHIND:
         remarks.append("the scene's drawworks were up to %.2f m off the record's: they could not follow" % law.farthest)
+    load = shown[there, signals.index("hook_load")] if "hook_load" in signals else None
     recorded = compared(record, signals, law.stands)
     passed = inside(record.signals["time"], left_out)
     return Replay(record.name, record.signals["time"], {name: numpy.interp(record.time, times, shown[there, k]) for k, name in enumerate(signals)},
                   {name: numpy.where(passed, numpy.nan, values) for name, values in recorded.items()},
-                  record.remarks + ["%s: %s" % (record.name, line) for line in remarks + warnings.lines()], law.unresolved(record), errors)
+                  record.remarks + ["%s: %s" % (record.name, line) for line in remarks + warnings.lines()], law.unresolved(record, times, load), errors)
