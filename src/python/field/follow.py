@@ -1,6 +1,6 @@
 """A record's block, rotary speed and flow as a law for a simulated rig."""
 import numpy
-from drill_rig_sim.field.course import Course, half_band
+from drill_rig_sim.field.course import TURNS, Course, half_band
 from drill_rig_sim.field.pipe import compared, height_without_pipe, standstills
 from drill_rig_sim.field.record import RecordError
 from drill_rig_sim.law import Commands, PipeWork
@@ -112,17 +112,19 @@ class Follow:
 
     def unresolved(self, record, times, loads):
         """Of the hook load, what the sampling of the record leaves unknown, root mean square and largest [N]. Where the speed changes, half of the change is unknown
-        for a while: it goes into the string as a wave, and accelerates the block. When the drum starts, stops and turns back is unknown by half a row, at most by one:
-        the load of a row may be any within that. `loads`: simulated, at `times` [s]."""
+        for a while: it goes into the string as a wave, and accelerates the block. When the drum starts, stops and turns back is unknown by half a row, and
+        with it half of what the recorded load changed in that row; at most by a whole row: the load may be any within that. `loads`: simulated, at `times` [s]."""
         drum, gaps = self.drum, numpy.diff(self.drum.corners)
         nearest = numpy.minimum(numpy.concatenate((gaps[:1], gaps)), numpy.concatenate((gaps, gaps[-1:])))
         waves = 0.5 * numpy.abs(drum.after - drum.before) * (self.rig.wave_impedance + self.rig.block_mass / nearest)
         squares, most = (waves**2 * numpy.clip(nearest, LOUD, RINGING)).sum() / record.time[-1], waves.max()
         if "hook_load" in record:
-            known = numpy.isfinite(compared(record, ["hook_load"], self.stands)["hook_load"])
-            near = [k for k in rows_near(record.time, drum.turns) if known[k]]
-            squares += sum(span(record.time, k, 0.5, times, loads)**2 for k in near) / 3.0 / len(record.time)  # uniformly distributed
-            most = max(most, *(span(record.time, k, 1.0, times, loads) for k in near), 0.0)
+            recorded = compared(record, ["hook_load"], self.stands)["hook_load"]
+            changes, known = 0.5 * numpy.abs(numpy.diff(recorded)), numpy.isfinite(recorded)
+            turns = (drum.before * drum.after <= 0.0) & (numpy.abs(drum.after - drum.before) > TURNS)
+            unknown = changes[numpy.isin(record.time[:-1], numpy.maximum(drum.corners[turns], record.time[0])) & numpy.isfinite(changes)]
+            squares += (unknown**2).sum() / 3.0 / len(record.time)  # uniformly distributed
+            most = max(most, *unknown, *(span(record.time, k, 1.0, times, loads) for k in rows_near(record.time, drum.turns) if known[k]), 0.0)
         return float(numpy.sqrt(squares)), float(most)
 
 
