@@ -53,8 +53,8 @@ double tension_at(const Model& model, const State& s, const std::vector<double>&
   return 0.5 * (top_of(i - 1) + foot_of(i));
 }
 
-/// What may be spent on raising the friction, so that a string that does not rest is refused after some 10 s: a sixth by the scene's elements, the rest by shorter ones.
-constexpr double most_work = 6.3e6, first_work = 1e6;  // [nodes times iterations]
+/// What may be spent on raising the friction, so that a string that does not rest is refused after some 15 s: a third by the scene's elements, the rest by shorter ones.
+constexpr double most_work = 10e6, first_work = 3e6;  // [nodes times iterations]
 
 StaticOutcome solve_within(double& work, const SlidingMotion& sliding, RigAtRest& rig, double first_share)
 {

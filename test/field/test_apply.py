@@ -73,7 +73,7 @@ class Applied(unittest.TestCase):
         fit = made_record.write_fit(self.folder, "late.yaml", record="late.csv", parameters=[made_record.FIT["parameters"][0]])
         status, out, told = calibrate(fit, "--plots", picture, "--json", answer)
         self.assertEqual(0, status, told)
-        self.assertRegex(out, r"torque \[kN m\] +- +[\d.]+\n")
+        self.assertRegex(out, r"torque \[kN m\] +- +[\d.]+ +[\d.]+\n")
         self.assertGreater(os.path.getsize(picture), 10000)
         status, out, told = calibrate(fit, "--apply", answer, "--json", self.path("late_applied.json"))
         self.assertEqual(0, status, told)
