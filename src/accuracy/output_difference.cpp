@@ -40,11 +40,10 @@ double OutputDifference::absolute() const noexcept
 
 StatisticDifferences OutputDifference::statistics() const noexcept
 {
-  const WindowStatistics &one = statistics_, &other = statistics_other_;
-  const double period = one.period(), other_period = other.period();
-  return {std::abs(one.mean() - other.mean()), std::abs(one.deviation() - other.deviation()),
-          std::max(std::abs(one.least() - other.least()), std::abs(one.largest() - other.largest())),
-          period > 0.0 && other_period > 0.0 ? std::abs(period / other_period - 1.0) : std::numeric_limits<double>::quiet_NaN()};
+  const WindowStatistics::Summary one = statistics_.summary(), other = statistics_other_.summary();
+  return {std::abs(one.mean - other.mean), std::abs(one.deviation - other.deviation),
+          std::max(std::abs(one.least - other.least), std::abs(one.largest - other.largest)),
+          one.period > 0.0 && other.period > 0.0 ? std::abs(one.period / other.period - 1.0) : std::numeric_limits<double>::quiet_NaN()};
 }
 
 double OutputDifference::scale() const noexcept

@@ -31,8 +31,9 @@ void WindowStatistics::add(double value, double duration) noexcept
     }
   }
   if (now.duration < piece - frame_rounding) return;
-  level_ = mean();
-  band_ = half_deviation * deviation();
+  const Summary window = summary();
+  level_ = window.mean;
+  band_ = half_deviation * window.deviation;
   newest_ = (newest_ + 1) % pieces_.size();
   pieces_[newest_] = Piece();
 }
@@ -58,34 +59,13 @@ WindowStatistics::Piece WindowStatistics::whole() const noexcept
   return all;
 }
 
-double WindowStatistics::mean() const noexcept
+WindowStatistics::Summary WindowStatistics::summary() const noexcept
 {
   const Piece all = whole();
-  return all.duration > 0.0 ? all.sum / all.duration : 0.0;
-}
-
-double WindowStatistics::deviation() const noexcept
-{
-  const Piece all = whole();
-  if (all.duration == 0.0) return 0.0;
+  if (all.duration == 0.0) return {};
   const double mean = all.sum / all.duration;
-  return std::sqrt(std::max(0.0, all.squares / all.duration - mean * mean));
-}
-
-double WindowStatistics::least() const noexcept
-{
-  return whole().least;
-}
-
-double WindowStatistics::largest() const noexcept
-{
-  return whole().largest;
-}
-
-double WindowStatistics::period() const noexcept
-{
-  const Piece all = whole();
-  return all.rises >= fewest_rises ? (all.last_rise - all.first_rise) / (all.rises - 1) : 0.0;
+  return {mean, std::sqrt(std::max(0.0, all.squares / all.duration - mean * mean)), all.least, all.largest,
+          all.rises >= fewest_rises ? (all.last_rise - all.first_rise) / (all.rises - 1) : 0.0};
 }
 
 }  // namespace drill_rig_sim

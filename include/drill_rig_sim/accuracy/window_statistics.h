@@ -17,14 +17,15 @@ public:
   /// The signal was `value` for `duration` [s].
   void add(double value, double duration) noexcept;
 
-  // in the signal's unit; 0 before the first value
-  double mean() const noexcept;
-  double deviation() const noexcept;  ///< standard deviation
-  double least() const noexcept;
-  double largest() const noexcept;
-  /// Mean time from one rise through the mean to the next, of rises and falls by half a deviation or more [s]; 0: fewer than three in the window. The mean is
-  /// that of the window at the time: for half a minute after a large step nothing rises through it.
-  double period() const noexcept;
+  /// All 0 before the first value.
+  struct Summary
+  {
+    double mean, deviation, least, largest;  ///< deviation: standard deviation; in the signal's unit
+    /// Mean time from one rise through the mean to the next, of rises and falls by half a deviation or more [s]; 0: fewer than three in the window. The mean
+    /// is that of the window at the time: for half a minute after a large step nothing rises through it.
+    double period;
+  };
+  Summary summary() const noexcept;
 
   template <class V>
   void visit(V& v)
