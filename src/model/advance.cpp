@@ -1,11 +1,12 @@
 // What follows an accepted step; of the mud, what goes before one.
+#include "drill_rig_sim/hydraulics/mud_motor.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/bore_fill.h"
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/extend_hole.h"
 #include "drill_rig_sim/model/forces/place_drag.h"
 #include "drill_rig_sim/model/pointing.h"
-#include "drill_rig_sim/rig/mud_motor.h"
+#include "drill_rig_sim/model/running_speed.h"
 
 namespace drill_rig_sim
 {

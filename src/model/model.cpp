@@ -6,6 +6,7 @@
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/drive_tuning.h"
+#include "drill_rig_sim/scene/scene_mesh.h"
 
 namespace drill_rig_sim
 {

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "drill_rig_sim/crew/player.h"
 #include "drill_rig_sim/scene/new_well.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/finer_pair.h"
-#include "drill_rig_sim/sim/player.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 /// A rig that the caller steps, without ROS; by the same steps as the node in lockstep. What is refused is std::runtime_error with one line, and nothing has changed.

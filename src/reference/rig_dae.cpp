@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drill_rig_sim/hydraulics/mud_motor.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/rig/mud_motor.h"
 
 namespace drill_rig_sim
 {

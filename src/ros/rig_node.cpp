@@ -3,7 +3,7 @@
 #include <memory>
 #include <sstream>
 
-#include "drill_rig_sim/model/mud_circuit.h"
+#include "drill_rig_sim/hydraulics/mud_circuit.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/requests.h"

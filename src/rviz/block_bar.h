@@ -4,7 +4,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "model/units.h"
+#include "console/units.h"
 
 namespace drill_rig_sim::console
 {

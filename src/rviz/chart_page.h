@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <vector>
 
-#include "model/chart_window.h"
-#include "model/history.h"
+#include "console/chart_window.h"
+#include "console/history.h"
 
 class QBoxLayout;
 class QComboBox;

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "model/history.h"
-#include "model/quantities.h"
+#include "console/history.h"
+#include "console/quantities.h"
 
 class QLabel;
 class QwtPlot;

@@ -1,11 +1,11 @@
-#include "drill_rig_sim/rviz/derrick_scene.h"
+#include "derrick_scene.h"
 
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
 
 #include <cmath>
 
-#include "drill_rig_sim/rviz/picture/derrick_picture.h"
+#include "picture/derrick_picture.h"
 
 namespace drill_rig_sim
 {

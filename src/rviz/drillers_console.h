@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "model/link_state.h"
+#include "console/link_state.h"
 #include "settings_page.h"
 
 class QLabel;

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/drillstring_display.h"
+#include "drillstring_display.h"
 
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
@@ -14,13 +14,13 @@
 #include <QGuiApplication>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "drill_rig_sim/rviz/derrick_scene.h"
-#include "drill_rig_sim/rviz/drillstring_messages.h"
-#include "drill_rig_sim/rviz/drillstring_properties.h"
-#include "drill_rig_sim/rviz/overlay_panel.h"
-#include "drill_rig_sim/rviz/ruler_scene.h"
-#include "drill_rig_sim/rviz/string_scene.h"
-#include "drill_rig_sim/rviz/well_scene.h"
+#include "derrick_scene.h"
+#include "drillstring_messages.h"
+#include "drillstring_properties.h"
+#include "overlay_panel.h"
+#include "ruler_scene.h"
+#include "string_scene.h"
+#include "well_scene.h"
 
 namespace drill_rig_sim
 {
@@ -153,7 +153,7 @@ void DrillstringDisplay::reset()
   heard_ = ros::WallTime();
   string_due_ = well_due_ = model_.axis && model_.rig;
   if (isEnabled()) return;
-  model_ = DrillstringModel();  // what is latched comes again
+  model_ = DrawnRig();  // what is latched comes again
 }
 
 void DrillstringDisplay::hear_description(const RigDescription::ConstPtr& m)

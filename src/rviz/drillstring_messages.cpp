@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/drillstring_messages.h"
+#include "drillstring_messages.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

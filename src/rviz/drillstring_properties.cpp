@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/drillstring_properties.h"
+#include "drillstring_properties.h"
 
 #include <ros/message_traits.h>
 #include <rviz/properties/bool_property.h>
@@ -8,7 +8,7 @@
 #include <rviz/properties/ros_topic_property.h>
 
 #include "drill_rig_sim/DrillstringState.h"
-#include "drill_rig_sim/rviz/picture/coloring.h"
+#include "picture/coloring.h"
 
 namespace drill_rig_sim
 {

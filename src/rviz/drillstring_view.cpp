@@ -12,14 +12,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drill_rig_sim/rviz/drillstring_display.h"
-#include "drill_rig_sim/rviz/drillstring_properties.h"
-#include "drill_rig_sim/rviz/label_set.h"
-#include "drill_rig_sim/rviz/legend.h"
-#include "drill_rig_sim/rviz/overlay_panel.h"
-#include "drill_rig_sim/rviz/picture/coloring.h"
-#include "drill_rig_sim/rviz/string_scene.h"
-#include "drill_rig_sim/rviz/well_scene.h"
+#include "drillstring_display.h"
+#include "drillstring_properties.h"
+#include "label_set.h"
+#include "legend.h"
+#include "overlay_panel.h"
+#include "picture/coloring.h"
+#include "string_scene.h"
+#include "well_scene.h"
 
 namespace drill_rig_sim
 {

@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
-#include "model/limits.h"
-#include "model/quantities.h"
+#include "console/limits.h"
+#include "console/quantities.h"
 
 namespace drill_rig_sim::console
 {

@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <vector>
 
+#include "console/limits.h"
 #include "message_values.h"
-#include "model/limits.h"
 
 class QGridLayout;
 

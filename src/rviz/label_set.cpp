@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/label_set.h"
+#include "label_set.h"
 
 #include <OgreCamera.h>
 #include <OgreSceneManager.h>

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/legend.h"
+#include "legend.h"
 
 #include <QFontMetrics>
 #include <QPainter>

@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <QPushButton>
 
-#include "model/quantities.h"
+#include "console/quantities.h"
 
 namespace drill_rig_sim::console
 {

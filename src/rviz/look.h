@@ -5,8 +5,8 @@
 #include <QPalette>
 #include <QString>
 
-#include "model/limits.h"
-#include "model/units.h"
+#include "console/limits.h"
+#include "console/units.h"
 
 class QCheckBox;
 class QLabel;

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/mesh_object.h"
+#include "mesh_object.h"
 
 #include <OgreCamera.h>
 #include <OgreHardwareBufferManager.h>

@@ -13,10 +13,10 @@
 #include "drill_rig_sim/MwdToolface.h"
 #include "drill_rig_sim/RigLimits.h"
 #include "drill_rig_sim/RigState.h"
-#include "model/flags.h"
-#include "model/limits.h"
-#include "model/link_state.h"
-#include "model/quantities.h"
+#include "console/flags.h"
+#include "console/limits.h"
+#include "console/link_state.h"
+#include "console/quantities.h"
 
 namespace drill_rig_sim::console
 {

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/overlay_panel.h"
+#include "overlay_panel.h"
 
 #include <OgreHardwarePixelBuffer.h>
 #include <OgreMaterialManager.h>

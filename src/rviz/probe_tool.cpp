@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/probe_tool.h"
+#include "probe_tool.h"
 
 #include <OgreCamera.h>
 #include <OgreViewport.h>
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "drill_rig_sim/rviz/drillstring_display.h"
+#include "drillstring_display.h"
 
 namespace drill_rig_sim
 {

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/ruler_scene.h"
+#include "ruler_scene.h"
 
 #include <OgreCamera.h>
 #include <OgreSceneManager.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "drill_rig_sim/rviz/well_scene.h"
+#include "well_scene.h"
 
 namespace drill_rig_sim
 {
@@ -81,7 +81,7 @@ RulerScene::Sight RulerScene::sight_of(const Ogre::Camera& camera) const
           to_eigen(root_->convertWorldToLocalOrientation(camera.getDerivedOrientation()) * Ogre::Vector3::UNIT_X)};
 }
 
-void RulerScene::draw(const DrillstringModel& model, const DrillstringOptions& options, const PlanDistance& plan,
+void RulerScene::draw(const DrawnRig& model, const DrillstringOptions& options, const PlanDistance& plan,
                       const std::optional<Between>& probed, const Ogre::Camera& camera, const std::vector<Ogre::FloatRect>& covered)
 {
   covered_ = covered;
@@ -116,7 +116,7 @@ void RulerScene::clear()
   label_set_->set({});
 }
 
-void RulerScene::add_ruler(const DrillstringModel& model, const DrillstringOptions& options, const Sight& sight)
+void RulerScene::add_ruler(const DrawnRig& model, const DrillstringOptions& options, const Sight& sight)
 {
   double first = INFINITY, last = -INFINITY, pixel = INFINITY;
   for (const double md : samples(model.axis->depth()))
@@ -145,7 +145,7 @@ void RulerScene::add_ruler(const DrillstringModel& model, const DrillstringOptio
   }
 }
 
-void RulerScene::add_probed(const DrillstringModel& model, const DrillstringOptions& options, const Between& probed, const Sight& sight)
+void RulerScene::add_probed(const DrawnRig& model, const DrillstringOptions& options, const Between& probed, const Sight& sight)
 {
   if (probed.node + 1 >= model.nodes.size()) return;
   const DrawnNode &a = model.nodes[probed.node], &b = model.nodes[probed.node + 1];
@@ -157,7 +157,7 @@ void RulerScene::add_probed(const DrillstringModel& model, const DrillstringOpti
   add_label(text_of("%.2f m", md), place + (wall + 64.0 * pixel) * beside - 4.0 * letter_height * pixel * sight.right, probe_color, sight);
 }
 
-void RulerScene::add_parts(const DrillstringModel& model, const DrillstringOptions& options, const Sight& sight)
+void RulerScene::add_parts(const DrawnRig& model, const DrillstringOptions& options, const Sight& sight)
 {
   const std::vector<double> bounds = part_bounds(model.rig->parts, model.string->from_bit.back());
   double least = -INFINITY;  // where the next name finds room
@@ -181,7 +181,7 @@ void RulerScene::add_parts(const DrillstringModel& model, const DrillstringOptio
   }
 }
 
-void RulerScene::add_well(const DrillstringModel& model, const DrillstringOptions& options, const PlanDistance& plan, const Sight& sight)
+void RulerScene::add_well(const DrawnRig& model, const DrillstringOptions& options, const PlanDistance& plan, const Sight& sight)
 {
   const double shoe = WellScene::shoe(model, options);
   if (shoe > 0.0 && shoe < model.axis->depth())

@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
-#include "model/limits.h"
-#include "model/units.h"
+#include "console/limits.h"
+#include "console/units.h"
 
 class QCheckBox;
 class QComboBox;

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/string_scene.h"
+#include "string_scene.h"
 
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drill_rig_sim/rviz/picture/coloring.h"
-#include "drill_rig_sim/rviz/picture/tools_picture.h"
+#include "picture/coloring.h"
+#include "picture/tools_picture.h"
 
 namespace drill_rig_sim
 {
@@ -67,7 +67,7 @@ void StringScene::add_turning(const std::string& part, double from_bit, MeshData
   added.mesh->show(false);  // until it is known where
 }
 
-void StringScene::new_rig(const DrillstringModel& model)
+void StringScene::new_rig(const DrawnRig& model)
 {
   remove_turning();
   shape_.forget();
@@ -82,7 +82,7 @@ void StringScene::new_rig(const DrillstringModel& model)
   }
 }
 
-void StringScene::take(const DrillstringModel& model, const DrillstringOptions& options)
+void StringScene::take(const DrawnRig& model, const DrillstringOptions& options)
 {
   range_.take(values_of(options.coloring, *model.string), colorings()[options.coloring].share);
 }
@@ -94,7 +94,7 @@ ColorScale StringScene::scale(const DrillstringOptions& options) const
   return fixed > 0.0 ? ColorScale(automatic.low() < 0.0 ? -fixed : 0.0, fixed) : automatic;
 }
 
-void StringScene::draw(const DrillstringModel& model, const DrillstringOptions& options)
+void StringScene::draw(const DrawnRig& model, const DrillstringOptions& options)
 {
   if (options.string)
   {
@@ -117,7 +117,7 @@ void StringScene::clear()
   for (Turning& t : turning_) t.mesh->show(false);
 }
 
-void StringScene::draw_forces(const DrillstringModel& model, const DrillstringOptions& options)
+void StringScene::draw_forces(const DrawnRig& model, const DrillstringOptions& options)
 {
   const StringData& s = *model.string;
   mesh_.clear();
@@ -138,7 +138,7 @@ void StringScene::draw_forces(const DrillstringModel& model, const DrillstringOp
   forces_.set(mesh_);
 }
 
-void StringScene::place_turning(const DrillstringModel& model, const DrillstringOptions& options)
+void StringScene::place_turning(const DrawnRig& model, const DrillstringOptions& options)
 {
   const float across = static_cast<float>(options.true_diameter ? 1.0 : options.exaggeration);
   for (Turning& t : turning_)

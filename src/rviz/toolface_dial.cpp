@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "console/quantities.h"
 #include "look.h"
-#include "model/quantities.h"
 
 namespace drill_rig_sim::console
 {

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/tube_object.h"
+#include "tube_object.h"
 
 #include <OgreSceneNode.h>
 

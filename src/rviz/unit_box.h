@@ -3,7 +3,7 @@
 
 #include <QDoubleSpinBox>
 
-#include "model/units.h"
+#include "console/units.h"
 
 namespace drill_rig_sim::console
 {

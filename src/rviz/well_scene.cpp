@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/well_scene.h"
+#include "well_scene.h"
 
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
@@ -57,12 +57,12 @@ WellScene::~WellScene()
   manager_->destroySceneNode(root_);
 }
 
-double WellScene::shoe(const DrillstringModel& model, const DrillstringOptions& options)
+double WellScene::shoe(const DrawnRig& model, const DrillstringOptions& options)
 {
   return options.cased_to < 0.0 ? model.rig->casing_shoe() : options.cased_to;
 }
 
-void WellScene::draw(const DrillstringModel& model, const DrillstringOptions& options)
+void WellScene::draw(const DrawnRig& model, const DrillstringOptions& options)
 {
   draw_wall(model, options);
   draw_paths(model, options);
@@ -81,7 +81,7 @@ void WellScene::clear()
   for (MeshObject* object : {&bands_, &band_lines_, &paths_, &stations_, &trail_line_}) object->show(false);
 }
 
-void WellScene::draw_wall(const DrillstringModel& model, const DrillstringOptions& options)
+void WellScene::draw_wall(const DrawnRig& model, const DrillstringOptions& options)
 {
   std::vector<Ring> rings;
   if (options.wall != WallStyle::none)
@@ -94,7 +94,7 @@ void WellScene::draw_wall(const DrillstringModel& model, const DrillstringOption
   whole_wall_.set(whole ? rings : std::vector<Ring>(), sides, true, true);
 }
 
-void WellScene::draw_paths(const DrillstringModel& model, const DrillstringOptions& options)
+void WellScene::draw_paths(const DrawnRig& model, const DrillstringOptions& options)
 {
   mesh_.clear();
   plan_distance_ = distance_to_plan(model.rig->plan, model.axis->points().back().position);
@@ -108,7 +108,7 @@ void WellScene::draw_paths(const DrillstringModel& model, const DrillstringOptio
   paths_.set(mesh_);
 }
 
-void WellScene::draw_stations(const DrillstringModel& model, const DrillstringOptions& options)
+void WellScene::draw_stations(const DrawnRig& model, const DrillstringOptions& options)
 {
   mesh_.clear();
   const int sides = options.coarse ? coarse_wall_sides : wall_sides;
@@ -129,7 +129,7 @@ void WellScene::draw_stations(const DrillstringModel& model, const DrillstringOp
   stations_.set(mesh_);
 }
 
-void WellScene::follow_bit(const DrillstringModel& model, const DrillstringOptions& options, bool whole)
+void WellScene::follow_bit(const DrawnRig& model, const DrillstringOptions& options, bool whole)
 {
   const Vector3d& bit = model.string->position.front();
   const bool moved = trail_.empty() || (trail_.back() - bit).norm() > trail_spacing;

@@ -10,7 +10,7 @@ namespace drill_rig_sim
 /// they need.
 ProblemList operation_problems(const Scene& scene);
 
-/// Why the rig's crew (sim/crew.h) cannot make connections in this scene, one line; empty: it can.
+/// Why the rig's crew (crew/crew.h) cannot make connections in this scene, one line; empty: it can.
 std::string what_the_crew_lacks(const Scene& scene);
 
 }  // namespace drill_rig_sim

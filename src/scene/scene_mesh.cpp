@@ -243,4 +243,9 @@ Mesh build_mesh(const Scene& scene, double total_length)
   return mesh;
 }
 
+MudCircuit mud_circuit(const Scene& scene, const Mesh& mesh)
+{
+  return mud_circuit({scene.rig.mud_pump, scene.mud, scene.well.sections, scene.string, scene.start.bit_depth}, mesh);
+}
+
 }  // namespace drill_rig_sim

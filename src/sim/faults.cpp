@@ -1,5 +1,7 @@
 #include "drill_rig_sim/sim/faults.h"
 
+#include "drill_rig_sim/crew/rig_controls.h"
+
 #include <cmath>
 
 #include "drill_rig_sim/model/forces/place_drag.h"

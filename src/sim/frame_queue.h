@@ -8,11 +8,11 @@
 #include <thread>
 
 #include "drill_rig_sim/accuracy/outputs.h"
+#include "drill_rig_sim/crew/commands.h"
+#include "drill_rig_sim/crew/crew.h"
+#include "drill_rig_sim/crew/interlocks.h"
+#include "drill_rig_sim/instruments/downlink.h"
 #include "drill_rig_sim/math/semaphore.h"
-#include "drill_rig_sim/sim/commands.h"
-#include "drill_rig_sim/sim/crew.h"
-#include "drill_rig_sim/sim/downlink.h"
-#include "drill_rig_sim/sim/interlocks.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 namespace drill_rig_sim

@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "drill_rig_sim/compared/arkode_stepper.h"
+#include "drill_rig_sim/compared/explicit_limit.h"
 #include "drill_rig_sim/reference/ida_integrator.h"
-#include "drill_rig_sim/solve/arkode_stepper.h"
-#include "drill_rig_sim/solve/methods/explicit_limit.h"
 #include "drill_rig_sim/solve/stepper.h"
 
 namespace drill_rig_sim

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drill_rig_sim/hydraulics/hydraulics.h"
+#include "drill_rig_sim/hydraulics/mud_motor.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/forces/slips.h"
 #include "drill_rig_sim/rig/hoisting.h"
-#include "drill_rig_sim/rig/hydraulics.h"
-#include "drill_rig_sim/rig/mud_motor.h"
 #include "drill_rig_sim/well/directions.h"
 #include "simulator_impl.h"
 

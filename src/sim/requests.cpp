@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "drill_rig_sim/crew/connection.h"
 #include "drill_rig_sim/sim/choice.h"
-#include "drill_rig_sim/sim/connection.h"
 #include "drill_rig_sim/sim/faults.h"
 
 namespace drill_rig_sim

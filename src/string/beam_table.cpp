@@ -1,7 +1,6 @@
 #include "drill_rig_sim/string/beam_table.h"
 
 #include "drill_rig_sim/string/geometrically_exact_beam.h"
-#include "drill_rig_sim/string/rotation_vector_beam.h"
 
 namespace drill_rig_sim
 {
@@ -11,8 +10,7 @@ const std::vector<BeamKind>& beam_table()
       {ElementKind::corotational, "corotational", "cubic in a frame along the chord", beam_forces, beam_forces, beam_energy, true},
       {ElementKind::geometrically_exact, "geometrically_exact", "rigid-section strains, relative rotation interpolated", geometrically_exact_forces, geometrically_exact_forces,
        geometrically_exact_energy, false},
-      {ElementKind::rotation_vector, "rotation_vector", "rigid-section strains, total rotation vectors interpolated; fails at a full turn", rotation_vector_forces,
-       rotation_vector_forces, rotation_vector_energy, false},
+      rotation_vector_beam,
   };
   return table;
 }

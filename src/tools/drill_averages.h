@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <deque>
 
-#include "drill_rig_sim/sim/signals.h"
+#include "drill_rig_sim/instruments/signals.h"
 
 namespace drill_rig_sim
 {

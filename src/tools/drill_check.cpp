@@ -5,18 +5,18 @@
 #include <optional>
 #include <sstream>
 
-#include "drill_command.h"
-#include "drill_options.h"
+#include "drill_rig_sim/crew/program.h"
+#include "drill_rig_sim/hydraulics/mud_circuit.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/rig/drive_tuning.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/accuracy_watch.h"
 #include "drill_rig_sim/sim/assembly_fit.h"
-#include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/wall_loss.h"
 #include "drill_rig_sim/solve/start.h"
+#include "drill_command.h"
+#include "drill_options.h"
 #include "drill_scene.h"
 #include "drill_units.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "drill_rig_sim/sim/signals.h"
+#include "drill_rig_sim/instruments/signals.h"
 #include "drill_rig_sim/sim/string_watch.h"
 
 namespace drill_rig_sim

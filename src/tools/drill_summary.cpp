@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "drill_rig_sim/crew/operations.h"
+#include "drill_rig_sim/hydraulics/mud_circuit.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
-#include "drill_rig_sim/sim/operations.h"
 
 namespace drill_rig_sim
 {

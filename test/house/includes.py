@@ -8,10 +8,10 @@ import re
 import tokens
 
 # from the ground up: a room includes rooms before it alone
-ORDER = ('math', 'well', 'contact', 'string', 'rig', 'hydraulics', 'scene', 'model', 'solve', 'reference', 'accuracy', 'sim', 'realtime',
+ORDER = ('math', 'well', 'contact', 'string', 'rig', 'hydraulics', 'scene', 'model', 'solve', 'reference', 'compared', 'accuracy', 'instruments', 'crew', 'sim', 'realtime',
          'ros', 'rviz', 'tools', 'python')
 OF_ROS = ('ros', 'rviz')
-OF_SUNDIALS = ('solve', 'reference')
+OF_SUNDIALS = ('solve', 'reference', 'compared')
 # the one file of realtime/ that knows the simulator: what a frame hands out
 FRAME_OUTPUT = 'include/drill_rig_sim/realtime/frame_output.h'
 # the one file of ros/ that has no ROS in it, so that rooms after it may include it

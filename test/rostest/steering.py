@@ -10,7 +10,7 @@ HIGH, LOW = 0.03, 0.021  # [m3/s]
 
 
 def downlink(toolface, ratio):
-    """The bits, 1: the flow is lowered; include/drill_rig_sim/sim/downlink.h."""
+    """The bits, 1: the flow is lowered; include/drill_rig_sim/instruments/downlink.h."""
     data = (round(toolface / math.radians(22.5)) % 16) << 4 | round(10.0 * ratio)
     return [1] + [data >> k & 1 for k in range(7, -1, -1)] + [bin(data).count("1") % 2, 0]
 

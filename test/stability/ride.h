@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/crew/program.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 #include "verdict.h"

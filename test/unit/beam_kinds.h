@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 
-#include "beam_ends.h"
+#include "drill_rig_sim/compared/rotation_vector_beam.h"
 #include "drill_rig_sim/string/beam_table.h"
-#include "drill_rig_sim/string/rotation_vector_beam.h"
+#include "beam_ends.h"
 
 /// The kinds of beam element by name, a pipe to try them on, and what both of the rigid-section elements interpolate.
 namespace drill_rig_sim

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drill_rig_sim/crew/connection.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/forces/slips.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
-#include "drill_rig_sim/sim/connection.h"
 #include "drill_rig_sim/sim/run.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 #include "test_scenes.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "drill_rig_sim/sim/sensor.h"
+#include "drill_rig_sim/instruments/sensor.h"
 
 namespace drill_rig_sim
 {

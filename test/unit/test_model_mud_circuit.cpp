@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/model/mud_circuit.h"
+#include "drill_rig_sim/model/running_speed.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "test_scenes.h"
 

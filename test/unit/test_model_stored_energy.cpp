@@ -5,12 +5,12 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "drill_rig_sim/compared/rotation_vector_beam.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/energy.h"
 #include "drill_rig_sim/model/energy_accounts.h"
 #include "drill_rig_sim/model/forces/stuck_point.h"
 #include "drill_rig_sim/solve/methods/method.h"
-#include "drill_rig_sim/string/rotation_vector_beam.h"
 #include "lone_bit.h"
 
 namespace test_model_stored_energy

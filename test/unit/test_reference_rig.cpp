@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "drill_rig_sim/hydraulics/mud_motor.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/reference/ida_integrator.h"
-#include "drill_rig_sim/rig/mud_motor.h"
 #include "drill_rig_sim/solve/start.h"
 #include "plucked_rig.h"
 

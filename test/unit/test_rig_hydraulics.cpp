@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drill_rig_sim/hydraulics/hydraulics.h"
+#include "drill_rig_sim/hydraulics/mud_motor.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/rig/hydraulics.h"
-#include "drill_rig_sim/rig/mud_motor.h"
 
 namespace test_rig_hydraulics
 {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/hydraulics/mud_motor.h"
+#include "drill_rig_sim/hydraulics/mud_pump.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/rig/mud_motor.h"
-#include "drill_rig_sim/rig/mud_pump.h"
 #include "drill_rig_sim/string/mud.h"
 
 namespace drill_rig_sim::test_rig_mud

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "rviz/model/chart_window.h"
-#include "rviz/model/history.h"
+#include "rviz/console/chart_window.h"
+#include "rviz/console/history.h"
 
 namespace test_rviz_chart
 {

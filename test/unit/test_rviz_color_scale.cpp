@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "drill_rig_sim/rviz/picture/color_scale.h"
-#include "drill_rig_sim/rviz/picture/coloring.h"
+#include "rviz/picture/color_scale.h"
+#include "rviz/picture/coloring.h"
 
 namespace drill_rig_sim::test_rviz_color_scale
 {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "drill_rig_sim/rviz/picture/hole_axis.h"
+#include "rviz/picture/hole_axis.h"
 
 namespace drill_rig_sim::test_rviz_hole_axis
 {

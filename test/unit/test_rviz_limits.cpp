@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "rviz/model/flags.h"
-#include "rviz/model/limits.h"
+#include "rviz/console/flags.h"
+#include "rviz/console/limits.h"
 
 namespace test_rviz_limits
 {

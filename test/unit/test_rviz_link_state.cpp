@@ -1,7 +1,7 @@
 // Whether the simulator is there, by what was heard of it and when.
 #include <gtest/gtest.h>
 
-#include "rviz/model/link_state.h"
+#include "rviz/console/link_state.h"
 
 namespace test_rviz_link_state
 {

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "drill_rig_sim/rviz/picture/derrick_picture.h"
-#include "drill_rig_sim/rviz/picture/string_tube.h"
-#include "drill_rig_sim/rviz/picture/tools_picture.h"
-#include "drill_rig_sim/rviz/picture/well_picture.h"
+#include "rviz/picture/derrick_picture.h"
+#include "rviz/picture/string_tube.h"
+#include "rviz/picture/tools_picture.h"
+#include "rviz/picture/well_picture.h"
 
 namespace drill_rig_sim::test_rviz_mesh
 {

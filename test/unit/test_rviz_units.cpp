@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "rviz/model/quantities.h"
-#include "rviz/model/units.h"
+#include "rviz/console/quantities.h"
+#include "rviz/console/units.h"
 
 namespace test_rviz_units
 {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "drill_rig_sim/rviz/picture/camera_preset.h"
-#include "drill_rig_sim/rviz/picture/pick.h"
+#include "rviz/picture/camera_preset.h"
+#include "rviz/picture/pick.h"
 
 namespace drill_rig_sim::test_rviz_view
 {

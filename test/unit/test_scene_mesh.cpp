@@ -1,9 +1,9 @@
 // How fine a scene's string is cut where the scene does not say it.
 #include <gtest/gtest.h>
 
+#include "drill_rig_sim/crew/connection.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
-#include "drill_rig_sim/sim/connection.h"
 #include "test_scenes.h"
 
 namespace test_scene_mesh

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "drill_rig_sim/sim/commands.h"
+#include "drill_rig_sim/crew/commands.h"
 
 namespace test_sim_commands
 {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "drill_rig_sim/instruments/downlink.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/sim/downlink.h"
 
 namespace test_sim_downlink
 {

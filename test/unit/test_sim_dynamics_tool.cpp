@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "drill_ahead.h"
+#include "drill_rig_sim/instruments/dynamics_tool.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/sim/dynamics_tool.h"
+#include "drill_ahead.h"
 #include "playing.h"
 #include "test_scenes.h"
 

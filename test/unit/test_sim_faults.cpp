@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "drill_ahead.h"
+#include "drill_rig_sim/crew/program.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/sim/program.h"
+#include "drill_ahead.h"
 #include "faulty_pair.h"
 #include "sim_numbers.h"
 

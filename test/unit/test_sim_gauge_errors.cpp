@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "drill_ahead.h"
+#include "drill_rig_sim/instruments/instruments.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/sim/instruments.h"
+#include "drill_ahead.h"
 #include "shifted_sensor.h"
 #include "sim_numbers.h"
 #include "test_scenes.h"

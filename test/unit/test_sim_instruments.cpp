@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/instruments/instruments.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/sim/instruments.h"
 #include "drill_rig_sim/well/directions.h"
 
 namespace test_sim_instruments

@@ -1,9 +1,9 @@
 // What a rig does of itself: limits that trip and stay, by what its gauges show, and what releases them.
 #include <gtest/gtest.h>
 
-#include "drill_ahead.h"
+#include "drill_rig_sim/crew/interlocks.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/sim/interlocks.h"
+#include "drill_ahead.h"
 #include "playing.h"
 #include "test_scenes.h"
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/hydraulics/mud_circuit.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 #include "playing.h"
 #include "test_scenes.h"

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "drill_ahead.h"
+#include "drill_rig_sim/instruments/mwd.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/sim/mwd.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/well/directions.h"
+#include "drill_ahead.h"
 #include "test_scenes.h"
 
 namespace test_sim_mwd

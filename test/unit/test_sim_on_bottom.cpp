@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "drill_rig_sim/model/mud_circuit.h"
+#include "drill_rig_sim/hydraulics/mud_circuit.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/well/wellbore.h"
 #include "drill_ahead.h"
@@ -106,7 +106,7 @@ TEST(OnBottom, hookLoadDropsByTheWeightOnBit)
   const double submerged = 0.45 * standard_gravity * 1150.0 * tool_jointed_mass / steel_density;
   // and the rail carries its share of a block that goes down
   const double rail = 0.03 * standard_gravity * 17500.0;
-  // and mud lifts the string on its way up the annulus (model/mud_circuit.h): collars, then pipe
+  // and mud lifts the string on its way up the annulus (hydraulics/mud_circuit.h): collars, then pipe
   const auto lift = [&m](double length, double diameter)
   { return length * annulus_gradient(1150.0, m.bit_flow, 0.2159, diameter) * 0.25 * pi * diameter * 0.2159; };
   const double lifted = lift(18.8, 0.165) + lift(100.0 - 19.1, pipe_outer);

@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include "drill_rig_sim/crew/program.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/math/visit.h"
 #include "drill_rig_sim/scene/read_scene.h"
-#include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 #include "in_source.h"

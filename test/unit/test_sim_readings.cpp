@@ -4,13 +4,13 @@
 #include <cmath>
 #include <functional>
 
-#include "drill_ahead.h"
+#include "drill_rig_sim/instruments/instruments.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/hoisting.h"
-#include "drill_rig_sim/sim/instruments.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 #include "drill_rig_sim/well/directions.h"
+#include "drill_ahead.h"
 #include "test_scenes.h"
 
 namespace test_sim_readings

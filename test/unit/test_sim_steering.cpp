@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drill_rig_sim/instruments/downlink.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/sim/downlink.h"
 #include "drill_rig_sim/sim/run.h"
 #include "drill_rig_sim/well/directions.h"
 #include "playing.h"

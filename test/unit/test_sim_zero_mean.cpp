@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drill_rig_sim/instruments/zero_mean.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/simulator.h"
-#include "drill_rig_sim/sim/zero_mean.h"
 #include "test_scenes.h"
 
 namespace test_sim_zero_mean

@@ -3,16 +3,16 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/compared/arkode_stepper.h"
+#include "drill_rig_sim/crew/player.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/scene/read_scene.h"
-#include "drill_rig_sim/sim/player.h"
 #include "drill_rig_sim/sim/simulator.h"
-#include "drill_rig_sim/solve/arkode_stepper.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "in_source.h"
-#include "sim_numbers.h"
 #include "plucked_rig.h"
+#include "sim_numbers.h"
 #include "test_scenes.h"
 
 namespace test_solve_arkode

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "drill_rig_sim/sim/integrator_table.h"
+#include "drill_rig_sim/compared/explicit_limit.h"
 #include "drill_rig_sim/math/rotation.h"
-#include "drill_rig_sim/solve/methods/explicit_limit.h"
+#include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/solve/methods/method.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_rig_sim/solve/stepper.h"

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "drill_rig_sim/sim/integrator_table.h"
+#include "drill_rig_sim/crew/player.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
-#include "drill_rig_sim/sim/player.h"
+#include "drill_rig_sim/sim/integrator_table.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/solve/energy_balance.h"
 #include "drill_rig_sim/solve/start.h"

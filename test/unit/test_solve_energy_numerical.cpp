@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/compared/arkode_stepper.h"
 #include "drill_rig_sim/model/stage.h"
 #include "drill_rig_sim/sim/simulator.h"
-#include "drill_rig_sim/solve/arkode_stepper.h"
 #include "drill_rig_sim/solve/energy_balance.h"
 #include "drill_rig_sim/solve/stepper.h"
 #include "plucked_rig.h"

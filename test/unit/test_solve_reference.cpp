@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "drill_rig_sim/sim/program.h"
+#include "drill_rig_sim/crew/program.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 #include "drill_rig_sim/solve/stepper.h"

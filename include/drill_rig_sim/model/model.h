@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "drill_rig_sim/contact/section_friction.h"
+#include "drill_rig_sim/hydraulics/mud_circuit.h"
 #include "drill_rig_sim/math/kernel.h"
-#include "drill_rig_sim/model/mud_circuit.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/string/beam_table.h"
 #include "drill_rig_sim/string/lower_body.h"

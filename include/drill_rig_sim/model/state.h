@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "drill_rig_sim/contact/cut_ground.h"
+#include "drill_rig_sim/hydraulics/hydraulics.h"
 #include "drill_rig_sim/model/fault_state.h"
 #include "drill_rig_sim/rig/heave.h"
-#include "drill_rig_sim/rig/hydraulics.h"
 #include "drill_rig_sim/rig/top_drive.h"
 #include "drill_rig_sim/well/wellbore.h"
 

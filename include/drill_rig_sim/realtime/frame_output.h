@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "drill_rig_sim/accuracy/outputs.h"
+#include "drill_rig_sim/crew/operations.h"
+#include "drill_rig_sim/instruments/signals.h"
 #include "drill_rig_sim/realtime/time_histogram.h"
 #include "drill_rig_sim/scene/scene.h"
-#include "drill_rig_sim/sim/operations.h"
-#include "drill_rig_sim/sim/signals.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/string_profile.h"
 #include "drill_rig_sim/well/wellbore.h"

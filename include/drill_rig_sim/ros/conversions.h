@@ -20,8 +20,8 @@
 #include "drill_rig_sim/SteeringCommand.h"
 #include "drill_rig_sim/TopDriveCommand.h"
 #include "drill_rig_sim/WinchCommand.h"
+#include "drill_rig_sim/crew/commands.h"
 #include "drill_rig_sim/realtime/frame_output.h"
-#include "drill_rig_sim/sim/commands.h"
 
 /// Between the simulator's values and the messages.
 namespace drill_rig_sim

@@ -11,10 +11,10 @@
 #include "drill_rig_sim/SteeringCommand.h"
 #include "drill_rig_sim/TopDriveCommand.h"
 #include "drill_rig_sim/WinchCommand.h"
+#include "drill_rig_sim/crew/commands.h"
 #include "drill_rig_sim/realtime/triple_buffer.h"
 #include "drill_rig_sim/ros/command_senders.h"
 #include "drill_rig_sim/ros/conversions.h"
-#include "drill_rig_sim/sim/commands.h"
 
 namespace drill_rig_sim
 {

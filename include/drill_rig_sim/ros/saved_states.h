@@ -9,10 +9,10 @@
 #include <string>
 
 #include "drill_rig_sim/ListStates.h"
+#include "drill_rig_sim/crew/player.h"
 #include "drill_rig_sim/math/kernel.h"
 #include "drill_rig_sim/realtime/frame_output.h"
 #include "drill_rig_sim/scene/scene_hash.h"
-#include "drill_rig_sim/sim/player.h"
 #include "drill_rig_sim/sim/simulator_state.h"
 
 namespace drill_rig_sim

@@ -7,14 +7,14 @@
 #include <thread>
 #include <utility>
 
+#include "drill_rig_sim/crew/command_stream.h"
+#include "drill_rig_sim/crew/player.h"
+#include "drill_rig_sim/math/semaphore.h"
 #include "drill_rig_sim/realtime/cadence.h"
 #include "drill_rig_sim/realtime/frame_ring.h"
-#include "drill_rig_sim/math/semaphore.h"
 #include "drill_rig_sim/realtime/timekeeper.h"
 #include "drill_rig_sim/ros/mailbox.h"
 #include "drill_rig_sim/ros/parameters.h"
-#include "drill_rig_sim/sim/command_stream.h"
-#include "drill_rig_sim/sim/player.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 namespace drill_rig_sim

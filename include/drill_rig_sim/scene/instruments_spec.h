@@ -18,7 +18,7 @@ enum class Gauge
 constexpr int gauge_count = 6;
 constexpr const char* gauge_names[gauge_count] = {"hook_load", "dead_line_hook_load", "torque", "stand_pipe_pressure", "flow", "block_height"};
 
-/// A gauge's errors (sim/sensor.h).
+/// A gauge's errors (instruments/sensor.h).
 struct SensorSpec
 {
   double noise = 0.0;        ///< standard deviation [unit of the signal]

@@ -53,7 +53,7 @@ inline bool is_set(double value) noexcept
 }
 /// The word of the scene file.
 const char* word_of(OperationKind kind) noexcept;
-/// Whether the rig's crew (sim/crew.h) makes connections for it, whatever `connections` of the scene says.
+/// Whether the rig's crew (crew/crew.h) makes connections for it, whatever `connections` of the scene says.
 constexpr bool needs_crew(OperationKind kind) noexcept
 {
   return kind == OperationKind::connection || kind == OperationKind::trip;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "drill_rig_sim/contact/contact_spec.h"
+#include "drill_rig_sim/hydraulics/mud_pump.h"
 #include "drill_rig_sim/rig/heave.h"
 #include "drill_rig_sim/rig/hoisting.h"
-#include "drill_rig_sim/rig/mud_pump.h"
 #include "drill_rig_sim/rig/top_drive.h"
 #include "drill_rig_sim/scene/fault_spec.h"
 #include "drill_rig_sim/scene/instruments_spec.h"

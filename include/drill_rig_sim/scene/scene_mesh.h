@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_SCENE_SCENE_MESH_H
 #define DRILL_RIG_SIM_SCENE_SCENE_MESH_H
 
+#include "drill_rig_sim/hydraulics/mud_circuit.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/string/mesh.h"
 
@@ -48,6 +49,9 @@ constexpr double rigid_stiffness = 100.0;
 
 /// The mesh of a scene's string over `total_length`, bit's face to top-drive shaft [m], stiffened for level rigid; string/mesh.h says what may be wrong.
 Mesh build_mesh(const Scene& scene, double total_length);
+
+/// The circuit of its mud.
+MudCircuit mud_circuit(const Scene& scene, const Mesh& mesh);
 
 }  // namespace drill_rig_sim
 

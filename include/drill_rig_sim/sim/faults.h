@@ -1,10 +1,10 @@
 #ifndef DRILL_RIG_SIM_SIM_FAULTS_H
 #define DRILL_RIG_SIM_SIM_FAULTS_H
 
+#include "drill_rig_sim/instruments/sensor.h"
 #include "drill_rig_sim/model/model.h"
 #include "drill_rig_sim/model/state.h"
 #include "drill_rig_sim/scene/fault_spec.h"
-#include "drill_rig_sim/sim/sensor.h"
 
 /// What goes wrong on a rig. A fault lives in the state, so that snapshots hold it; each kind is there once, and asked for again it is the
 /// one asked for last.
@@ -13,12 +13,12 @@
 /// - differential_sticking, pack_off: drags at a place (forces/place_drag.h); a pack-off holds mud back in the annulus too, pack_off_pressure().
 /// - friction_change, washed_out_hole: of the wall (model/wall_faults.h). The annulus's volume and losses stay as they were at the start.
 /// - formation_change: a factor on the drillability of all rock.
-/// - washed_out_pipe: mud leaks through a hole in the pipe, which moves with it (rig/hydraulics.h). The flow above it, larger than that
+/// - washed_out_pipe: mud leaks through a hole in the pipe, which moves with it (hydraulics/hydraulics.h). The flow above it, larger than that
 ///   through the bit, loses no more than that.
 /// - motor_stall: the mud motor's rotor stands still, over the lag of its speed; the mud goes on past it, at the pressure of its stall.
 /// - brake_slip: the winch's brake holds no more than a load (slipping_line() in rig/hoisting.h).
 /// - drive_trip: the top drive coasts, its brake apart. pump_trip: the pump's flow falls to 0, at its ramp.
-/// - sensor_freeze, sensor_bias, sensor_noise, sensor_dropout, sensor_drift: of a gauge (sim/sensor.h). The dead line's float, a load cell
+/// - sensor_freeze, sensor_bias, sensor_noise, sensor_dropout, sensor_drift: of a gauge (instruments/sensor.h). The dead line's float, a load cell
 ///   that loses its fluid, is a drift of dead_line_hook_load.
 namespace drill_rig_sim
 {
@@ -33,7 +33,6 @@ void free_pipe(State& state) noexcept;
 /// Why a fault would be refused: one line, static storage; null: it would not. `bit_depth`, `hole_depth` [m MD].
 const char* what_is_wrong(const Model& model, double bit_depth, double hole_depth, const Fault& fault) noexcept;
 /// What a refusal says of a place without pipe.
-extern const char* const no_pipe_there;
 
 /// A fault of the mechanics begins, one that nothing is wrong with.
 void begin(const Model& model, double bit_depth, const Fault& fault, State& state) noexcept;

@@ -1,8 +1,8 @@
 #ifndef DRILL_RIG_SIM_SIM_REQUESTS_H
 #define DRILL_RIG_SIM_SIM_REQUESTS_H
 
+#include "drill_rig_sim/crew/commands.h"
 #include "drill_rig_sim/scene/fault_spec.h"
-#include "drill_rig_sim/sim/commands.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 /// What somebody may ask of a simulator between two frames, refused with a reason: the node's services and the Python module speak by these.

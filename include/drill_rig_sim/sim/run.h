@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-#include "drill_rig_sim/sim/player.h"
+#include "drill_rig_sim/crew/player.h"
 #include "drill_rig_sim/sim/simulator.h"
 
 namespace drill_rig_sim

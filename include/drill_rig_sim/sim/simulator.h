@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
+#include "drill_rig_sim/crew/rig_controls.h"
+#include "drill_rig_sim/instruments/signals.h"
+#include "drill_rig_sim/model/energy_accounts.h"
 #include "drill_rig_sim/model/profiler.h"
+#include "drill_rig_sim/model/work.h"
 #include "drill_rig_sim/scene/fault_spec.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/accuracy.h"
 #include "drill_rig_sim/sim/assembly_fit.h"
-#include "drill_rig_sim/sim/commands.h"
-#include "drill_rig_sim/sim/signals.h"
-#include "drill_rig_sim/sim/string_watch.h"
 #include "drill_rig_sim/sim/string_profile.h"
+#include "drill_rig_sim/sim/string_watch.h"
 #include "drill_rig_sim/solve/reference_report.h"
-#include "drill_rig_sim/model/energy_accounts.h"
-#include "drill_rig_sim/model/work.h"
 
 namespace drill_rig_sim
 {
@@ -83,7 +83,7 @@ struct SimulatorStatistics
 
 /// A rig, a string and a well that commands drive through time. Knows no wall clock and no ROS.
 /// After construction nothing here allocates but save(), make_connection(), attend() and a restore() of a longer or shorter string, and frame() never throws.
-class Simulator
+class Simulator final : public RigControls
 {
 public:
   /// Builds the rig at rest in static equilibrium, winch braked, as `scene.start` says.
@@ -92,12 +92,10 @@ public:
   ~Simulator();
   Simulator(Simulator&&) noexcept;
   Simulator& operator=(Simulator&&) noexcept;
-
-  CommandResult command(const WinchSetpoint& c) noexcept;
-  CommandResult command(const TopDriveSetpoint& c) noexcept;
-  CommandResult command(const PumpSetpoint& c) noexcept;
-  /// Obeyed at once; by the pump's flow as downlink.h says.
-  CommandResult command(const SteeringSetpoint& c) noexcept;
+  CommandResult command(const WinchSetpoint& c) noexcept override;
+  CommandResult command(const TopDriveSetpoint& c) noexcept override;
+  CommandResult command(const PumpSetpoint& c) noexcept override;
+  CommandResult command(const SteeringSetpoint& c) noexcept override;
   /// Why a command would be refused at present, one line, static storage: slips and a broken-out string lock what would turn, run or pump, and a string
   /// without a rotary_steerable cannot be steered; null: it would not be.
   const char* locked(const WinchSetpoint& c) const noexcept;
@@ -106,8 +104,7 @@ public:
   const char* locked(const SteeringSetpoint& c) const noexcept;
   /// The set points asked for by the last commands, or the watchdog's, though no frame has been computed since; the truth holds what interlocks and faults leave of them.
   Setpoints setpoints() const noexcept;
-  /// The last commands themselves, whoever gives the set points meanwhile: a crew, or the watchdog of silent streams.
-  const Setpoints& asked() const noexcept;
+  const Setpoints& asked() const noexcept override;
   /// Winch and drive streams silent for longer than this set the brake and coast the drive [s]; 0 = off.
   void set_command_timeout(double seconds) noexcept;
   /// The winch's or the drive's last command stands until its next one: no stream is expected, whose silence would be noticed.
@@ -117,8 +114,7 @@ public:
   /// Advances by `duration` [s], a multiple of the scene's step, in as many physics steps; where that is 0, in steps as its tolerance allows. Nothing
   /// happens in a duration that is not above 0.
   FrameStatus frame(double duration) noexcept;
-  /// The next frame fails for this reason (one line, static storage) unless another has failed before.
-  void fail(const char* reason) noexcept;
+  void fail(const char* reason) noexcept override;
   /// Opens an energy balance for the frames to come, or closes it. Frames cost some three residuals a step more while it is open, and give
   /// the same results. restore() opens it anew.
   void balance_energy(bool on = true);
@@ -127,10 +123,8 @@ public:
   /// Why the last frame failed, one line; empty while running.
   const char* failure() const noexcept;
 
-  /// The rig as it is after the last frame: for judging a controller.
-  const Truth& truth() const noexcept;
-  /// What its instruments show then: for feeding one.
-  const Readings& readings() const noexcept;
+  const Truth& truth() const noexcept override;
+  const Readings& readings() const noexcept override;
   /// Fills the arrays in place; they allocate on first use only.
   void profile(StringProfile& out) const;
   /// Named bottom-hole parts and every `every`-th pipe joint.
@@ -140,33 +134,20 @@ public:
   /// The uncorrected path of the last metres drilled, oldest first (a bounded buffer).
   void raw_path(std::vector<Eigen::Vector3d>& out) const;
   const SimulatorStatistics& statistics() const noexcept;
-  /// The scene that runs, with what level auto has chosen (choice.h) in its keys.
-  const Scene& scene() const noexcept;
+  const Scene& scene() const noexcept override;
   /// Why level auto has chosen what it has, one line; empty for other levels.
   const std::string& choice() const noexcept;
 
-  /// Zero of surface WOB and differential pressure, where they are and where the gauges show them. False (unchanged) on bottom and in the slips.
-  bool tare() noexcept;
-  /// Grips the pipe within an element of measured depth `md` [m]; false, and nothing changed, unless 0 < md <= the bit's depth.
-  bool stick_pipe(double md) noexcept;
-  void free_pipe() noexcept;
-  /// A fault (sim/faults.h) begins. Null; or why not, one line, static storage, and nothing changed.
-  const char* inject(const Fault& fault) noexcept;
-  /// The one of this kind (and gauge) ends.
-  void clear(FaultKind kind, Gauge gauge) noexcept;
-  /// A coarser level from the next frame on: nodes up to `from_bit` above the bit's face [m] stay free, those above it are guided (0: axial_torsional; else
-  /// hybrid). What the string carries goes on as it was (model/levels.h). False, and nothing changed, where it would set guided pipe free, for that
-  /// shakes turning pipe for seconds (torque off by up to 40 %), for level rigid, for methods that know free nodes alone, and where `from_bit` is no length.
-  bool set_free_length(double from_bit) noexcept;
+  bool tare() noexcept override;
+  bool stick_pipe(double md) noexcept override;
+  void free_pipe() noexcept override;
+  const char* inject(const Fault& fault) noexcept override;
+  void clear(FaultKind kind, Gauge gauge) noexcept override;
+  bool set_free_length(double from_bit) noexcept override;
 
-  /// Sets the slips: they grip the joint's end nearest to the rotary table (model/forces/slips.h). Or pulls them. Null where it is done, else why not, one
-  /// line, static storage; nothing has changed then.
-  const char* set_slips(bool set) noexcept;
-  /// Begins to add `joints` of the last part's pipe (0: a stand) to the string in the slips, or to `remove` them (connection.h). It is over after
-  /// connection_time, or what the block's way takes if that is longer; attend() then makes up the string. Null, or why not.
-  const char* make_connection(int joints, bool remove) noexcept;
-  /// The rig's crew makes connections wherever the block's way ends, as with `connections: auto` (crew.h); or no more, but for what it is about.
-  void call_crew(bool on) noexcept;
+  const char* set_slips(bool set) noexcept override;
+  const char* make_connection(int joints, bool remove) noexcept override;
+  void call_crew(bool on) noexcept override;
   /// What the rig's crew does between two frames: makes up the string of a connection that is over, and connections of its own (crew.h). Only
   /// here a simulator rebuilds its string, and then allocates: a millisecond for 3 km of guided pipe, five for free nodes. play_frame() calls it before every frame; without it no connection ends.
   /// `duration`: of the frame that follows [s].

@@ -6,19 +6,19 @@
 #include <vector>
 
 #include "drill_rig_sim/accuracy/measured_error.h"
+#include "drill_rig_sim/crew/commands.h"
+#include "drill_rig_sim/crew/connection.h"
+#include "drill_rig_sim/crew/crew.h"
+#include "drill_rig_sim/crew/interlocks.h"
+#include "drill_rig_sim/instruments/downlink.h"
+#include "drill_rig_sim/instruments/instruments.h"
+#include "drill_rig_sim/instruments/signals.h"
+#include "drill_rig_sim/instruments/zero_mean.h"
 #include "drill_rig_sim/model/rig_forces.h"
 #include "drill_rig_sim/model/state.h"
 #include "drill_rig_sim/sim/accuracy.h"
-#include "drill_rig_sim/sim/commands.h"
-#include "drill_rig_sim/sim/downlink.h"
-#include "drill_rig_sim/sim/connection.h"
-#include "drill_rig_sim/sim/crew.h"
-#include "drill_rig_sim/sim/instruments.h"
-#include "drill_rig_sim/sim/interlocks.h"
 #include "drill_rig_sim/sim/level_watch.h"
-#include "drill_rig_sim/sim/signals.h"
 #include "drill_rig_sim/sim/stride.h"
-#include "drill_rig_sim/sim/zero_mean.h"
 
 namespace drill_rig_sim
 {

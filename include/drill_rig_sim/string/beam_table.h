@@ -31,6 +31,9 @@ struct BeamKind
   bool load_moments;  ///< a dead load has end moments, as in beam_element.h, not its halves on the ends alone
 };
 
+/// To compare with (compared/rotation_vector_beam.h).
+extern const BeamKind rotation_vector_beam;
+
 const std::vector<BeamKind>& beam_table();
 const BeamKind& find_beam(ElementKind kind) noexcept;
 

@@ -74,7 +74,7 @@ struct SteerableSpec
   double pad_force = 0.0;           ///< at full steering; 0: it points [N]
   double bit_to_pivot = 0.0;        ///< from the bit's face [m]
   double tilt = 0.0;                ///< of the shaft at full steering; 0: it pushes [rad]
-  double downlink_bit_time = 12.0;  ///< of a downlink by the pump's flow (sim/downlink.h) [s]
+  double downlink_bit_time = 12.0;  ///< of a downlink by the pump's flow (instruments/downlink.h) [s]
 
   /// Where it steers, from the bit's face [m].
   double place() const noexcept { return tilt > 0.0 ? bit_to_pivot : bit_to_pads; }

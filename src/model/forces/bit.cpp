@@ -7,9 +7,9 @@
 #include "drill_rig_sim/contact/bit_face.h"
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/contact/normal_law.h"
+#include "drill_rig_sim/hydraulics/mud_motor.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/evaluate.h"
-#include "drill_rig_sim/rig/mud_motor.h"
 
 namespace drill_rig_sim
 {

@@ -1,10 +1,10 @@
-#include "drill_rig_sim/rviz/picture/camera_preset.h"
+#include "camera_preset.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "drill_rig_sim/rviz/picture/color_scale.h"
-#include "drill_rig_sim/rviz/picture/well_picture.h"
+#include "color_scale.h"
+#include "well_picture.h"
 
 namespace drill_rig_sim
 {

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/picture/color_scale.h"
+#include "color_scale.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/picture/coloring.h"
+#include "coloring.h"
 
 namespace drill_rig_sim
 {

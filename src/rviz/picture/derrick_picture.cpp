@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/picture/derrick_picture.h"
+#include "derrick_picture.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/picture/hole_axis.h"
+#include "hole_axis.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/picture/mesh_data.h"
+#include "mesh_data.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/picture/pick.h"
+#include "pick.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/picture/string_data.h"
+#include "string_data.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/picture/string_tube.h"
+#include "string_tube.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/picture/tools_picture.h"
+#include "tools_picture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "drill_rig_sim/rviz/picture/well_picture.h"
+#include "well_picture.h"
 
 #include <algorithm>
 #include <array>

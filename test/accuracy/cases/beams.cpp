@@ -1,8 +1,8 @@
 // Beams with published or closed-form answers, by every kind of element: a bend in space, roll-up, columns, the vertical pipe.
 #include <cstdio>
 
+#include "drill_rig_sim/compared/rotation_vector_beam.h"
 #include "beam_problems.h"
-#include "drill_rig_sim/string/rotation_vector_beam.h"
 #include "groups.h"
 #include "report.h"
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "drill_rig_sim/crew/program.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
-#include "drill_rig_sim/sim/program.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "groups.h"
 #include "in_source.h"

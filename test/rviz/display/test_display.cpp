@@ -25,7 +25,7 @@
 
 #include "drill_rig_sim/DrillstringState.h"
 #include "drill_rig_sim/RigDescription.h"
-#include "drill_rig_sim/rviz/picture/coloring.h"
+#include "rviz/picture/coloring.h"
 
 using drill_rig_sim::Color;
 using drill_rig_sim::ColorScale;

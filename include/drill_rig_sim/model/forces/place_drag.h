@@ -33,7 +33,7 @@ void find_drags(const Model& model, const State& state, Stage& stage) noexcept;
 void advance_drags(const Stage& stage, const StageResult& result, FaultState& faults) noexcept;
 
 /// Pressure that a pack-off of a force [N] on pipe of a diameter in a hole of another [m] holds back [Pa]: a plug that shears at tau drags
-/// with F = tau pi D L, and holds p = 4 tau L/(D_h - D), as a gel does (rig/hydraulics.h).
+/// with F = tau pi D L, and holds p = 4 tau L/(D_h - D), as a gel does (hydraulics/hydraulics.h).
 double pack_off_pressure(double force, double hole_diameter, double diameter) noexcept;
 /// Of the state's pack-off; 0 where there is none, or no pipe in it.
 double plug_pressure(const Model& model, const State& state) noexcept;

@@ -1,0 +1,148 @@
+#ifndef DRILL_RIG_SIM_CREW_OPERATIONS_H
+#define DRILL_RIG_SIM_CREW_OPERATIONS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "drill_rig_sim/crew/program.h"
+#include "drill_rig_sim/scene/scene.h"
+
+namespace drill_rig_sim
+{
+class RigControls;
+struct Readings;
+
+/// What the driller is about.
+struct OperationStatus
+{
+  int number = 0;  ///< of the operation, counted from 1; 0: none, or all are over
+  int count = 0;   ///< of operations in all
+  OperationKind kind = OperationKind::wait;
+  double progress = 0.0;  ///< towards the end that is nearest, 0 to 1
+};
+
+/// Operations that are over, by when they began (OperationsPlayer::began()).
+std::size_t operations_over(const std::vector<double>& began) noexcept;
+
+/// The feed of drill and slide, by the surface weight W [N] that is wanted to be W*. String and lines of stiffness K [N/m] stand on rock:
+/// dW/dt = K (v - ROP), v the block's speed down. With v = c W* + (W* - W)/(K T), weight closes on W* with the time T on rock that does not give way, and faster
+/// on one that gives way in proportion to weight, c W, once c is learnt: the mean of v - (dW/dt)/K over that of W, both by a first-order lag. There is no lasting
+/// error on any rock, for what is learnt in a steady state is its ROP. Weight that is too high is drilled off, never lifted off: sheaves that turn back take as much
+/// from the dead line's reading as the bit bears, so that a weight read by it would rise with the block, and the block with the weight.
+struct WeightFeed
+{
+  static constexpr double feed_time = 8.0;   ///< T, longer than waves take up and down a string of 5 km [s]
+  static constexpr double learn_time = 4.0;  ///< of the lag [s]
+  double rate = 0.0;         ///< mean rate of penetration, plus W/(K learn_time) [m/s]
+  double mean_weight = 0.0;  ///< [N]
+  bool begun = false;
+
+  /// Block velocity, + up [m/s], from -`most` [m/s] to 0, for the next `duration` [s].
+  double velocity(double weight, double wanted, double stiffness, double most, double duration) noexcept;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("rate", rate);
+    v("mean_weight", mean_weight);
+    v("begun", begun);
+  }
+};
+
+/// Plays a scene's operations: gives the simulator the set points of the one under way before every frame, by the readings alone.
+/// - flow and rotate ramp their set point; it stays in force.
+/// - pick_up and slack_off move the block, ream up and down again to where it began `times`; all are stopped or turned back so far ahead of their end as
+///   the winch needs, and end with the brake set.
+/// - tag lowers until the bit takes `weight`; it zeroes the weight (tare) all the while until the string has come to move steadily, after tag_settles (and a
+///   period of the waves, where the rig heaves), or the bit is on bottom, and counts weight from then on. Begun off bottom, but less than
+///   5 cm, it lifts the block first: over the first 2 cm of its way down the friction of sheaves and rail turns round. slack_off with a `weight` zeroes it at its beginning.
+/// - drill keeps `weight` by the block (WeightFeed), and ends with the brake set. Without a zero of the weight it takes one first; where it cannot, on
+///   bottom, it fails the simulator's next frame.
+/// - slide does the same with the drive holding an angle (or rocking about it), which it turns by what the toolface lacks whenever a toolface has
+///   come that was measured toolface_settles after the last turn.
+/// - steer commands a rotary steerable tool.
+/// - connection runs the block to where the rig's crew (crew.h) adds a stand, or takes one away, and is over when that is done; trip moves the bit to a depth, where it
+///   stands at the end, the crew making connections on the way, whatever the scene's `connections` says. Both end with the brake set, and fail the
+///   simulator's next frame where the block's way ends without the crew, and where the bit would go through the hole's bottom.
+/// - oscillate rocks the string; without a `time` it goes on while others follow.
+class OperationsPlayer
+{
+public:
+  static constexpr double toolface_settles = 8.0;  ///< [s]
+  static constexpr double tag_settles = 10.0;      ///< [s]
+
+  /// Works out the stiffness of string and lines. Allocates; nothing else here does.
+  explicit OperationsPlayer(const Scene& scene);
+  /// Ends what is over, begins what is next, and follows. Call before each frame.
+  void apply(RigControls& rig) noexcept;
+  bool finished() const noexcept { return next_ == operations_.size(); }
+  void rewind() noexcept;
+  OperationStatus status() const noexcept;
+  /// When each operation began, in order, and after them when the last one was over [s]; NaN: not yet.
+  const std::vector<double>& began() const noexcept { return began_; }
+
+  /// Where it is; the operations are the scene's.
+  template <class V>
+  void visit(V& v)
+  {
+    v("next", next_);
+    v("began", began_);
+    v("began_bit", began_bit_);
+    v("began_hole", began_hole_);
+    v("began_block", began_block_);
+    v("began_load", began_load_);
+    v("ramp", ramp_);
+    v("feed", feed_);
+    v("followed_at", followed_at_);
+    v("legs", legs_);
+    v("crew_came", crew_came_);
+    v("settled", settled_);
+    v("lifts", lifts_);
+    v("lift_to", lift_to_);
+    v("angle", angle_);
+    v("turned_at", turned_at_);
+    v("toolface_seen", toolface_seen_);
+    v("progress", progress_);
+  }
+
+private:
+  void begin(RigControls& rig) noexcept;
+  void begin_tag(RigControls& rig, bool zeroed) noexcept;
+  void follow(RigControls& rig) noexcept;
+  void follow_ramp(RigControls& rig) noexcept;
+  void follow_weight(RigControls& rig) noexcept;
+  void follow_strokes(RigControls& rig) noexcept;
+  void follow_tag(RigControls& rig) noexcept;
+  void follow_trip(RigControls& rig) noexcept;
+  void follow_toolface(RigControls& rig) noexcept;
+  void end(RigControls& rig) const noexcept;
+  double progress(const RigControls& rig) const noexcept;
+  double rise(const Readings& now) const noexcept;
+  double way_to_go(const Readings& now) const noexcept;
+  double progress_in_place(const RigControls& rig) const noexcept;
+
+  std::vector<Operation> operations_;
+  double acceleration_;     // of the winch [m/s2]
+  double tag_settles_;      // tag_settles, and a period of the waves over which weight is a mean [s]
+  double stiffness_ = 0.0;  // of string and lines in series [N/m]
+  std::size_t next_ = 0;
+  std::vector<double> began_;
+  double began_bit_ = 0.0, began_hole_ = 0.0, began_block_ = 0.0, began_load_ = 0.0;  // of the one under way: bit depth, hole depth, block height, hook load
+  Ramp ramp_;
+  WeightFeed feed_;
+  double followed_at_ = 0.0;  // [s]
+  int legs_ = 0;              // of ream, that are over
+  bool crew_came_ = false;    // has been at work since it began
+  bool settled_ = false;      // tag moves steadily
+  bool lifts_ = false;        // tag begins too near the bottom, and lifts the block first,
+  double lift_to_ = 0.0;      // to this height [m]
+  double angle_ = 0.0;        // of the drive that slide has asked for [rad]
+  double turned_at_ = 0.0;    // when it did [s]
+  std::uint64_t toolface_seen_ = 0;
+  double progress_ = 0.0;
+};
+
+}  // namespace drill_rig_sim
+
+#endif

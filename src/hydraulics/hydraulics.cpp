@@ -1,0 +1,121 @@
+#include "drill_rig_sim/hydraulics/hydraulics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drill_rig_sim/hydraulics/mud_motor.h"
+#include "drill_rig_sim/math/units.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr int kMostIterations = 60;
+constexpr double kSmallest = 1e-13;  // of the nominal flow: a change that is none
+constexpr double kRest = 1.0;        // below it mud that nobody pumps stands [Pa]
+
+double power(double x, double exponent) noexcept
+{
+  return exponent == 2.0 ? x * x : std::pow(x, exponent);
+}
+
+/// Root > 0 of top - by_flow Q - r.pressure(Q), which falls with Q and is positive at 0. On either side of the motor's leakage it is
+/// concave, so Newton's iterates come down on the root from the first on that lies beyond it.
+double root(double top, double by_flow, const HydraulicResistance& r, double guess) noexcept
+{
+  const auto excess = [&](double q) { return top - by_flow * q - r.pressure(q); };
+  const bool leaks = r.motor > 0.0 && excess(mud_motor_leakage) < 0.0;  // the root lies below the leakage
+  const double least = leaks || r.motor <= 0.0 ? 0.0 : mud_motor_leakage, most = leaks ? mud_motor_leakage : HUGE_VAL;
+  double q = guess > least && guess < most ? guess : leaks ? 0.5 * mud_motor_leakage : std::max(least, r.nominal_flow);
+  for (int k = 0; k < kMostIterations; ++k)
+  {
+    const double slope = by_flow + r.slope(q);
+    if (slope <= 0.0) break;
+    const double next = std::clamp(q + excess(q) / slope, std::max(least, 0.1 * q), std::min(most, std::max(10.0 * q, r.nominal_flow)));
+    const double change = std::abs(next - q);
+    q = next;
+    if (change <= kSmallest * r.nominal_flow) break;
+  }
+  return q;
+}
+
+/// outflow() of a volume whose mud may as well go the other way.
+Outflow outflow_either_way(double capacity, double pressure, double inflow, double step, const HydraulicResistance& r, double guess) noexcept
+{
+  const double sign = (capacity > 0.0 ? pressure + step / capacity * inflow : inflow) < 0.0 ? -1.0 : 1.0;
+  const Outflow out = outflow(capacity, sign * pressure, sign * inflow, step, r, sign * guess);
+  return {sign * out.flow, sign * out.pressure};
+}
+
+/// Share of the gel's strength after a step in which mud moved past it at a rate [m3/s].
+double advance_gel(double gel, double flow, double step) noexcept
+{
+  const bool breaks = flow * gel_time > gel_break_volume;
+  return breaks ? gel * std::exp(-flow * step / gel_break_volume) : gel + (1.0 - gel) * -std::expm1(-step / gel_time);
+}
+}  // namespace
+
+double HydraulicResistance::pressure(double flow) const noexcept
+{
+  return back + gel + loss * power(flow / nominal_flow, exponent) + motor * std::min(1.0, flow / mud_motor_leakage);
+}
+
+double HydraulicResistance::slope(double flow) const noexcept
+{
+  return exponent * loss * power(flow / nominal_flow, exponent) / flow + (flow < mud_motor_leakage ? motor / mud_motor_leakage : 0.0);
+}
+
+Outflow outflow(double capacity, double pressure, double inflow, double step, const HydraulicResistance& r, double guess) noexcept
+{
+  if (capacity <= 0.0) return {inflow, inflow > 0.0 ? r.pressure(inflow) : 0.0};
+  const double by_flow = step / capacity, top = pressure + by_flow * inflow;
+  const double least = r.back + r.gel;
+  if (top <= least || (inflow <= 0.0 && top - least < kRest)) return {0.0, top};
+  const double flow = root(top, by_flow, r, guess);
+  return {flow, top - by_flow * flow};
+}
+
+double outflow_at(double pressure, const HydraulicResistance& r, double guess) noexcept
+{
+  return pressure <= r.back + r.gel ? 0.0 : root(pressure, 0.0, r, guess);
+}
+
+double orifice_flow(double area, double pressure, double density) noexcept
+{
+  constexpr double contraction = pi / (pi + 2.0);
+  return pressure > 0.0 && density > 0.0 ? contraction * area * std::sqrt(2.0 * pressure / density) : 0.0;
+}
+
+void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit, double commanded, double motor_pressure,
+                        double displaced, double step, double& flow, HydraulicState& state, const MudWays& ways) noexcept
+{
+  state.pump_flow = advance_pump(spec, state.pump_flow, commanded, step);
+  state.strokes += state.pump_flow * step / spec.stroke_volume;
+  const double n = circuit.nominal_flow, m = circuit.exponent;
+  const HydraulicResistance inner{std::max(state.annulus_pressure, 0.0), circuit.bore.loss, state.bore_gel * circuit.bore.gel, motor_pressure, n, m};
+  const double fill = std::min(state.pump_flow, ways.air / step);
+  state.filled += fill * step;
+  const double leak = std::min(ways.leak, state.pump_flow - fill + std::max(0.0, state.stand_pipe_pressure) * circuit.bore.capacity / step);
+  Outflow bore;
+  if (fill * step >= ways.air) bore = outflow(circuit.bore.capacity, state.stand_pipe_pressure, state.pump_flow - fill - leak, step, inner, flow);
+  state.relief_open = bore.pressure > spec.relief_pressure;
+  if (state.relief_open) bore = {std::min(bore.flow, outflow_at(spec.relief_pressure, inner, bore.flow)), spec.relief_pressure};
+
+  const double plug = bore.flow + leak > 0.0 ? ways.plug : 0.0;
+  const HydraulicResistance outer{0.0, circuit.annulus.loss, state.annulus_gel * circuit.annulus.gel + plug, 0.0, n, m};
+  const Outflow annulus =
+      outflow_either_way(circuit.annulus.capacity, state.annulus_pressure, bore.flow + leak + displaced, step, outer, state.return_flow);
+  flow = bore.flow;
+  state.stand_pipe_pressure = bore.pressure;
+  state.annulus_pressure = annulus.pressure;
+  state.return_flow = annulus.flow;
+  state.bore_gel = advance_gel(state.bore_gel, flow, step);
+  state.annulus_gel = advance_gel(state.annulus_gel, std::abs(annulus.flow), step);
+}
+
+double equivalent_circulating_density(double density, double annulus_pressure, double depth) noexcept
+{
+  return depth > 1.0 ? density + annulus_pressure / (standard_gravity * depth) : density;
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,70 @@
+#ifndef DRILL_RIG_SIM_SRC_RVIZ_CONSOLE_FLAGS_H
+#define DRILL_RIG_SIM_SRC_RVIZ_CONSOLE_FLAGS_H
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+
+#include "limits.h"
+
+namespace drill_rig_sim::console
+{
+/// The flags of rig_state that are told as a list.
+enum class Flag : std::size_t
+{
+  accuracy_warning,
+  over_pull,
+  slack_line,
+  over_stress,
+  over_torque,
+  buckled,
+  motor_stalled,
+  relief_valve_open,
+  pump_tripped,
+  drive_tripped,
+  commands_timed_out,
+  command_clamped,
+  stop_reached,
+  winch_limited,
+  top_drive_limited,
+  brake_set,
+  top_drive_brake_set,
+  in_slips,
+  on_bottom,
+  count
+};
+constexpr std::size_t flag_count = static_cast<std::size_t>(Flag::count);
+using Flags = std::bitset<flag_count>;
+
+struct FlagRow
+{
+  Flag flag;
+  const char* key;   // field of RigState
+  const char* text;  // what it means to a driller
+  Level level;       // normal: no warning, only what is the case
+};
+
+/// The one table of flags, in the order of Flag.
+const std::array<FlagRow, flag_count>& flag_rows();
+
+/// The faults that may be asked for, as inject_fault numbers and needs them.
+struct FaultRow
+{
+  unsigned char code;  // constant of InjectFault
+  const char* name;
+  bool has_depth;
+  const char* magnitude;  // what it is; nullptr: it has none
+  Dimension dimension;    // of the magnitude; count: of the gauge
+  double usual;           // magnitude to begin with [SI]
+  bool has_target;        // a gauge
+};
+constexpr std::size_t fault_count = 16;
+/// In the order of their codes.
+const std::array<FaultRow, fault_count>& fault_rows();
+
+/// The gauges that can fail: fields of RigState, in the order of the bits of lost_gauges.
+const std::array<Quantity, 6>& failing_gauges();
+
+}  // namespace drill_rig_sim::console
+
+#endif

@@ -1,0 +1,46 @@
+#ifndef DRILL_RIG_SIM_SRC_RVIZ_DRAWN_RIG_H
+#define DRILL_RIG_SIM_SRC_RVIZ_DRAWN_RIG_H
+
+#include <rviz/ogre_helpers/ogre_vector.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "picture/hole_axis.h"
+#include "picture/string_tube.h"
+#include "picture/well_picture.h"
+
+namespace drill_rig_sim
+{
+/// What is to be drawn, in the axes of the rig floor: what came last of each message, checked.
+struct DrawnRig
+{
+  std::string floor;  ///< name of its frame, prefix included
+  std::optional<RigData> rig;
+  std::optional<HoleAxis> axis;
+  std::optional<StringData> string;
+  std::vector<DrawnNode> nodes;  ///< of the string, where they are drawn
+
+  bool complete() const noexcept { return rig && axis && string && nodes.size() == string->size(); }
+  /// The middle of the bit's face as it is drawn. Where complete() alone.
+  Eigen::Vector3d bit_face() const;
+  /// Measured depth of the bit's face [m]. Where complete() alone.
+  double bit_md() const noexcept { return string->md.front() + string->from_bit.front(); }
+  /// What stands before frames' names.
+  std::string prefix() const;
+};
+
+inline Ogre::Vector3 to_ogre(const Eigen::Vector3d& v)
+{
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+inline Eigen::Vector3d to_eigen(const Ogre::Vector3& v)
+{
+  return {v.x, v.y, v.z};
+}
+
+}  // namespace drill_rig_sim
+
+#endif
