@@ -64,7 +64,18 @@ double WeightFeed::velocity(double weight, double wanted, double stiffness, doub
   return -down;
 }
 
-OperationsPlayer::OperationsPlayer(const Scene& scene) : operations_(scene.operations), acceleration_(scene.rig.hoisting.max_acceleration), tag_settles_(tag_settles + scene.rig.heave.wave_period()), began_(operations_.size() + 1, Operation::unset)
+void PressureTrend::follow(double pressure, double duration) noexcept
+{
+  fast_mean += duration / (fast + duration) * (pressure - fast_mean);
+  slow_mean += duration / (slow + duration) * (pressure - slow_mean);
+}
+
+bool PressureTrend::is_steady() const noexcept
+{
+  return std::abs(fast_mean - slow_mean) <= std::max(share * std::abs(slow_mean), resolution);
+}
+
+OperationsPlayer::OperationsPlayer(const Scene& scene) : operations_(scene.operations), acceleration_(scene.rig.hoisting.max_acceleration), tag_settles_(tag_settles + scene.rig.heave.wave_period()), began_(operations_.size() + 1, Operation::unset), watch_(scene)
 {
   if (!operations_.empty()) stiffness_ = stiffness_of(scene);
 }
@@ -72,6 +83,7 @@ OperationsPlayer::OperationsPlayer(const Scene& scene) : operations_(scene.opera
 void OperationsPlayer::rewind() noexcept
 {
   next_ = 0;
+  trouble_ = OperationTrouble::none;
   std::fill(began_.begin(), began_.end(), Operation::unset);
 }
 
@@ -83,21 +95,30 @@ OperationStatus OperationsPlayer::status() const noexcept
   status.number = static_cast<int>(next_) + 1;
   status.kind = operations_[next_].kind;
   status.progress = progress_;
+  status.trouble = trouble_;
   return status;
 }
 
 void OperationsPlayer::apply(RigControls& rig) noexcept
 {
+  if (trouble_ != OperationTrouble::none) return;  // what is to be done now is the driller's decision
   if (rig.truth().crew != CrewTask::none)
   {
     feed_ = WeightFeed();  // the crew has the rig
     crew_came_ = true;
+    watch_.begin(rig.truth().time);
     followed_at_ = rig.truth().time;
     return;
   }
   while (!finished())
   {
     if (!is_set(began_[next_])) begin(rig);
+    trouble_ = watch_.look(operations_[next_], rig.readings());
+    if (trouble_ != OperationTrouble::none)
+    {
+      rig.command(WinchSetpoint{0.0, true});
+      return;
+    }
     follow(rig);
     progress_ = progress(rig);
     if (progress_ < 1.0) return;
@@ -117,6 +138,9 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
   began_block_ = now.block_height;
   began_load_ = now.hook_load;
   feed_ = WeightFeed();
+  watch_.begin(now.time);
+  pressure_.begin(now.stand_pipe_pressure);
+  pressure_at_ = now.time;
   legs_ = 0;
   settled_ = crew_came_ = false;
   const TopDriveSetpoint drive = rig.asked().top_drive;
@@ -233,8 +257,11 @@ void OperationsPlayer::follow_tag(RigControls& rig) noexcept
     rig.command(WinchSetpoint{-operations_[next_].speed, false});
   }
   if (settled_) return;
+  pressure_.follow(now.stand_pipe_pressure, now.time - pressure_at_);
+  pressure_at_ = now.time;
   rig.tare();  // refused on bottom: a bit that comes there early keeps the last zero of the moving string
-  settled_ = now.time >= followed_at_ + tag_settles_ - time_rounding;
+  const double settles = followed_at_ + tag_settles_ - time_rounding;
+  settled_ = now.time >= settles && (pressure_.is_steady() || now.time >= settles + pressure_settles);
 }
 
 /// How far the bit still goes: to a trip's depth; without one as far as the hole [m].

@@ -118,7 +118,7 @@ double leak_flow(const Model& model, const State& state) noexcept
 void advance_mud(const Model& model, double commanded, double step, State& state) noexcept
 {
   const MotorSpec* motor = model.motor();
-  const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->displacement_per_rev, motor_load(model, state)) : 0.0;
+  const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->pressure_displacement(), motor_load(model, state)) : 0.0;
   const MudCircuit& mud = model.mud();
   const double displaced = mud.displaced_area * running_speed(mud, state.nodes);
   const MudWays ways{plug_pressure(model, state), leak_flow(model, state), fill_bore(model, state)};

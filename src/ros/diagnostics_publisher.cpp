@@ -21,7 +21,11 @@ DiagnosticsPublisher::DiagnosticsPublisher(ros::NodeHandle& node, std::function<
 void DiagnosticsPublisher::publish()
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  diagnostics_.publish(report_.on(last_(), refusals_, clock_trouble_(), steady_now(), senders_.trouble(ros::SteadyTime::now())));
+  const FrameRecord frame = last_();
+  const std::string trouble = trouble_of(frame.operation);
+  if (trouble != trouble_ && !trouble.empty()) ROS_ERROR_STREAM(trouble);
+  trouble_ = trouble;
+  diagnostics_.publish(report_.on(frame, refusals_, clock_trouble_(), steady_now(), senders_.trouble(ros::SteadyTime::now())));
 }
 
 }  // namespace drill_rig_sim

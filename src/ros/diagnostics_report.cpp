@@ -81,6 +81,15 @@ std::string needed_errors(const FrameRecord& frame)
 }
 }  // namespace
 
+std::string trouble_of(const OperationStatus& operation)
+{
+  if (operation.trouble == OperationTrouble::none) return "";
+  std::ostringstream text;
+  text << "operation " << operation.number << " of " << operation.count << ", " << word_of(operation.kind) << ", was given up, the block is braked: "
+       << text_of(operation.trouble);
+  return text.str();
+}
+
 std::optional<double> RealTimeFactor::update(double ticked, RunState state, std::int64_t now) noexcept
 {
   const bool stands = state == RunState::paused || state == RunState::failed;
@@ -205,6 +214,7 @@ DiagnosticsReport::Status DiagnosticsReport::command_status(const FrameRecord& f
   if (clamped > clamped_before_ || frame.truth.command_clamped)
     s.mergeSummary(DiagnosticStatus::WARN, std::string("beyond a limit: ") + frame.last_clamp);
   if (!sender_trouble.empty()) s.mergeSummary(DiagnosticStatus::WARN, sender_trouble);
+  if (frame.operation.trouble != OperationTrouble::none) s.mergeSummary(DiagnosticStatus::ERROR, trouble_of(frame.operation));
   refused_before_ = refused;
   clamped_before_ = clamped;
   s.add("clamped", clamped);

@@ -30,7 +30,7 @@ double Simulator::Impl::motor_pressure() const noexcept
 {
   const State& s = shown();
   const MotorSpec* motor = model->motor();
-  return motor ? mud_motor_pressure(s.flow, motor->displacement_per_rev, motor_load(*model, s)) : 0.0;
+  return motor ? mud_motor_pressure(s.flow, motor->pressure_displacement(), motor_load(*model, s)) : 0.0;
 }
 
 void Simulator::Impl::measure_rig() noexcept

@@ -63,6 +63,7 @@ RunEnd run(Simulator& simulator, ScenePlayer& player, const RunGoal& goal, doubl
   {
     if (m.time >= last_start) return RunEnd::duration;
     if (m.time - gains.gained_at() >= goal.patience) return RunEnd::standstill;
+    if (player.operations().status().trouble != OperationTrouble::none) return RunEnd::trouble;
     if (player.finished() && m.time - gains.played_at() >= goal.goes_on - 0.5 * frame) return RunEnd::played;
     if (play_frame(simulator, &player, frame) == FrameStatus::failed) return RunEnd::failure;
     gains.note(m, player);

@@ -66,4 +66,12 @@ void report_standstill(const Simulator& simulator, const RunGoal& goal, const st
   throw ComputationError(simulator.scene().file + text);
 }
 
+void report_trouble(const Simulator& simulator, const OperationStatus& operation)
+{
+  char text[200];
+  std::snprintf(text, sizeof text, ": operations[%d], %s, was given up at %.3f s, and the block braked: %s", operation.number - 1, word_of(operation.kind),
+                simulator.truth().time, text_of(operation.trouble));
+  throw ComputationError(simulator.scene().file + text);
+}
+
 }  // namespace drill_rig_sim

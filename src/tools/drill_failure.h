@@ -18,6 +18,9 @@ namespace drill_rig_sim
 /// how deep, since when). `operations_began`: OperationsPlayer::began().
 [[noreturn]] void report_standstill(const Simulator& simulator, const RunGoal& goal, const std::vector<double>& operations_began);
 
+/// The operation under way was given up: throws ComputationError with one line (which, when, why).
+[[noreturn]] void report_trouble(const Simulator& simulator, const OperationStatus& operation);
+
 }  // namespace drill_rig_sim
 
 #endif

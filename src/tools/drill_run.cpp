@@ -104,6 +104,7 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, Series& series, RunRecord
                            progress.show(done(m, start_depth, goal, player.operations().status()), m.time, m.hole_depth);
                          });
   record.operations_began = player.operations().began();
+  record.operation = player.operations().status();
   return end;
 }
 
@@ -142,6 +143,7 @@ void run_scene(const RunOptions& options)
   print_summary(simulator, elapsed, record, Printed(options.units));
   if (end == RunEnd::duration && std::isfinite(goal.depth))
     std::printf("the depth of --until-depth was not reached within --duration\n");
+  if (end == RunEnd::trouble) report_trouble(simulator, record.operation);
   if (end == RunEnd::standstill) report_standstill(simulator, goal, record.operations_began);
 }
 }  // namespace

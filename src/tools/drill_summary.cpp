@@ -158,23 +158,28 @@ Json json_of(const Limits& limits)
 }
 
 /// Those that have begun; the last one without an end is under way.
-Json json_of(const std::vector<Operation>& operations, const std::vector<double>& began)
+Json json_of(const std::vector<Operation>& operations, const RunRecord& record)
 {
+  const std::vector<double>& began = record.operations_began;
   Json list = Json::array();
   for (std::size_t i = 0; i < operations.size() && !std::isnan(began[i]); ++i)
   {
     list.push_back({{"do", word_of(operations[i].kind)}, {"began", began[i]}});
     if (!std::isnan(began[i + 1])) list.back()["ended"] = began[i + 1];
   }
+  if (record.operation.trouble != OperationTrouble::none) list.back()["given_up"] = text_of(record.operation.trouble);
   return list;
 }
 
-void print_operations(const std::vector<Operation>& operations, const std::vector<double>& began)
+void print_operations(const std::vector<Operation>& operations, const RunRecord& record)
 {
+  const std::vector<double>& began = record.operations_began;
   if (operations.empty()) return;
   const std::size_t i = operations_over(began);
   if (i == operations.size())
     std::printf("operations: all %zu over at %.1f s\n", i, began[i]);
+  else if (record.operation.trouble != OperationTrouble::none)
+    std::printf("operations: number %zu of %zu, %s, was given up: %s\n", i + 1, operations.size(), word_of(operations[i].kind), text_of(record.operation.trouble));
   else
     std::printf("operations: number %zu of %zu, %s, was not over by the end\n", i + 1, operations.size(), word_of(operations[i].kind));
 }
@@ -224,7 +229,7 @@ Json summary_of(const Simulator& simulator, const Elapsed& elapsed, const RunRec
   json["measured_error"] = record.errors.measured() ? json_of(record.errors) : Json();
   if (*s.not_measured) json["not_measured"] = s.not_measured;
   json["limits_passed"] = json_of(record.limits);
-  if (!simulator.scene().operations.empty()) json["operations"] = json_of(simulator.scene().operations, record.operations_began);
+  if (!simulator.scene().operations.empty()) json["operations"] = json_of(simulator.scene().operations, record);
   if (s.is_reference) json["reference"] = json_of(s.reference);
   json["cost_share"] = shares_of(s.costs);
   if (simulator.energy().time > 0.0) json["energy"] = json_of(simulator.energy());
@@ -282,7 +287,7 @@ void print_summary(const Simulator& simulator, const Elapsed& elapsed, const Run
   for (const Limits::Entry& entry : record.limits.entries()) print(entry, printed);
   print_doubt_of_pressures(simulator);
   if (simulator.statistics().tight) std::printf("assembly warning: %s\n", text_of(*simulator.statistics().tight).c_str());
-  print_operations(simulator.scene().operations, record.operations_began);
+  print_operations(simulator.scene().operations, record);
   const Averages mean = record.drilling.last_quarter();
   if (mean.samples() == 0)
   {

@@ -8,6 +8,7 @@
 #include "drill_doubts.h"
 #include "drill_errors.h"
 #include "drill_limits.h"
+#include "drill_rig_sim/crew/operations.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_units.h"
 
@@ -28,6 +29,7 @@ struct RunRecord
   Limits limits;
   LargestErrors errors;
   std::vector<double> operations_began;  ///< OperationsPlayer::began()
+  OperationStatus operation;             ///< the one that the run ended in
 };
 
 /// A run's summary as a JSON object, a newline at its end. Numbers read back to the same double; what is not finite is null.

@@ -22,7 +22,7 @@ mud: {density: 1181.0, viscosity: 0.031, axial_damping: 0.19, lateral_damping: 2
 string:
   - {name: b1, type: bit, length: 0.36, mass: 91.0, diameter: 0.3112, side_cutting: 0.12, speed_lag: 0.31, gauge_length: 0.15, gauge_clearance: 4.3e-4, squeeze_film_damping: 41000.0,
      torque: {model: stribeck, static: 0.61, kinetic: 0.41, speed_rpm: 31.0}, bottom: {stiffness: 1.1e9, exponent: 1.51, damping: 1.01}}
-  - {name: m1, type: mud_motor, length: 8.4, outer_diameter: 0.204, inner_diameter: 0.121, linear_mass: 191.0, bend_deg: 1.3, bit_to_bend: 2.1, sleeve_diameter: 0.3079, bit_to_sleeve: 1.05, displacement_per_rev: 0.025, stall_torque: 12100.0, curve_exponent: 3.9}
+  - {name: m1, type: mud_motor, length: 8.4, outer_diameter: 0.204, inner_diameter: 0.121, linear_mass: 191.0, bend_deg: 1.3, bit_to_bend: 2.1, sleeve_diameter: 0.3079, bit_to_sleeve: 1.05, displacement_per_rev: 0.025, stall_torque: 12100.0, curve_exponent: 3.9, efficiency: 0.85}
   - {name: c1, type: collar, joints: 2, joint_length: 9.1, outer_diameter: 0.203, inner_diameter: 0.072, linear_mass: 221.0, young_modulus: 2.01e11, poisson_ratio: 0.28, yield_strength: 9.31e8, make_up_torque: 4.1e4, density: 7801.0, friction_radius: 0.081,
      contact: {stiffness: 5.1e7, exponent: 1.52, damping: 0.32}}
   - {name: s1, type: stabilizer, length: 1.9, outer_diameter: 0.2031, inner_diameter: 0.073, linear_mass: 231.0, blade_diameter: 0.3081, squeeze_film_damping: 42000.0}

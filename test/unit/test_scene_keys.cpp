@@ -127,6 +127,7 @@ std::vector<Expected> of_string()
       {"string[]", "bit_to_sleeve", [](const Scene& s) { return s.string.at(1).motor->bit_to_sleeve; }, 1.05},
       {"string[]", "displacement_per_rev", [](const Scene& s) { return s.string.at(1).motor->displacement_per_rev; }, 0.025},
       {"string[]", "curve_exponent", [](const Scene& s) { return s.string.at(1).motor->curve_exponent; }, 3.9},
+      {"string[]", "efficiency", [](const Scene& s) { return s.string.at(1).motor->efficiency; }, 0.85},
       {"string[]", "stall_torque", [](const Scene& s) { return s.string.at(1).motor->stall_torque; }, 12100.0},
   };
 }

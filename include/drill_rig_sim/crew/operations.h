@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "drill_rig_sim/crew/operation_trouble.h"
 #include "drill_rig_sim/crew/program.h"
 #include "drill_rig_sim/scene/scene.h"
 
@@ -20,6 +21,7 @@ struct OperationStatus
   int count = 0;   ///< of operations in all
   OperationKind kind = OperationKind::wait;
   double progress = 0.0;  ///< towards the end that is nearest, 0 to 1
+  OperationTrouble trouble = OperationTrouble::none;  ///< why it was given up; the block is braked then, and no other operation begins
 };
 
 /// Operations that are over, by when they began (OperationsPlayer::began()).
@@ -50,12 +52,32 @@ struct WeightFeed
   }
 };
 
+/// Whether the stand-pipe pressure has come to rest: two first-order lags of it, one twice as slow as the other, agree.
+struct PressureTrend
+{
+  static constexpr double fast = 2.5, slow = 5.0;           ///< time constants [s]
+  static constexpr double share = 0.01, resolution = 2e4;   ///< they agree within the larger of this share and this pressure [-], [Pa]
+  double fast_mean = 0.0, slow_mean = 0.0;                  ///< [Pa]
+
+  void begin(double pressure) noexcept { fast_mean = slow_mean = pressure; }
+  void follow(double pressure, double duration) noexcept;
+  bool is_steady() const noexcept;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("fast_mean", fast_mean);
+    v("slow_mean", slow_mean);
+  }
+};
+
 /// Plays a scene's operations: gives the simulator the set points of the one under way before every frame, by the readings alone.
 /// - flow and rotate ramp their set point; it stays in force.
 /// - pick_up and slack_off move the block, ream up and down again to where it began `times`; all are stopped or turned back so far ahead of their end as
 ///   the winch needs, and end with the brake set.
 /// - tag lowers until the bit takes `weight`; it zeroes the weight (tare) all the while until the string has come to move steadily, after tag_settles (and a
-///   period of the waves, where the rig heaves), or the bit is on bottom, and counts weight from then on. Begun off bottom, but less than
+///   period of the waves, where the rig heaves) and when the stand-pipe pressure is steady (or after pressure_settles), or the bit is on bottom, and counts
+///   weight from then on. Begun off bottom, but less than
 ///   5 cm, it lifts the block first: over the first 2 cm of its way down the friction of sheaves and rail turns round. slack_off with a `weight` zeroes it at its beginning.
 /// - drill keeps `weight` by the block (WeightFeed), and ends with the brake set. Without a zero of the weight it takes one first; where it cannot, on
 ///   bottom, it fails the simulator's next frame.
@@ -66,11 +88,13 @@ struct WeightFeed
 ///   stands at the end, the crew making connections on the way, whatever the scene's `connections` says. Both end with the brake set, and fail the
 ///   simulator's next frame where the block's way ends without the crew, and where the bit would go through the hole's bottom.
 /// - oscillate rocks the string; without a `time` it goes on while others follow.
+/// Where drill or slide gets into trouble (operation_trouble.h) the brake is set and nothing else is played.
 class OperationsPlayer
 {
 public:
   static constexpr double toolface_settles = 8.0;  ///< [s]
   static constexpr double tag_settles = 10.0;      ///< [s]
+  static constexpr double pressure_settles = 60.0; ///< how much longer tag waits for a steady pressure, at most [s]
 
   /// Works out the stiffness of string and lines. Allocates; nothing else here does.
   explicit OperationsPlayer(const Scene& scene);
@@ -104,6 +128,10 @@ public:
     v("turned_at", turned_at_);
     v("toolface_seen", toolface_seen_);
     v("progress", progress_);
+    v("watch", watch_);
+    v("trouble", trouble_);
+    v("pressure", pressure_);
+    v("pressure_at", pressure_at_);
   }
 
 private:
@@ -130,6 +158,10 @@ private:
   std::vector<double> began_;
   double began_bit_ = 0.0, began_hole_ = 0.0, began_block_ = 0.0, began_load_ = 0.0;  // of the one under way: bit depth, hole depth, block height, hook load
   Ramp ramp_;
+  PressureTrend pressure_;
+  double pressure_at_ = 0.0;  // when that was followed last [s]
+  OperationTroubleWatch watch_;
+  OperationTrouble trouble_ = OperationTrouble::none;
   WeightFeed feed_;
   double followed_at_ = 0.0;  // [s]
   int legs_ = 0;              // of ream, that are over

@@ -9,8 +9,8 @@
 /// Positive-displacement mud motor: the bit's speed relative to the housing.
 ///
 /// Steady: w_ss = N_0 (1 - (T/T_stall)^b), N_0 = 2 pi Q/V, dp = 2 pi T/V: the pressure across the motor does the work of the torque, slip
-/// takes the rest of the flow's. Q flow, V displacement per revolution of the bit, T torque on rotor and bit; b 3 to 5 for power sections as
-/// their makers draw them. Beyond stall the curve goes on along its tangent: a rotor that the string drags round backwards carries little
+/// takes the rest of the flow's. A motor with friction inside has dp = 2 pi T/(e V), e its mechanical efficiency: callers give e V for V in dp.
+/// Q flow, V displacement per revolution of the bit, T torque on rotor and bit; b 3 to 5 for power sections as their makers draw them. Beyond stall the curve goes on along its tangent: a rotor that the string drags round backwards carries little
 /// more than T_stall. A flow below the leakage, whose pressure is not enough for the torque, does not turn it: it is locked, and has its speed from
 /// twice the leakage on. So T w is never more than dp Q.
 /// The speed follows with a time constant of 0.05 s (inertia of the rotor, compressibility of the mud in it); with that lag the speed is
@@ -63,7 +63,7 @@ inline double advance_mud_motor(double speed, const MudMotorSpeed& steady, doubl
   return speed + share * (steady.value - speed) / (1.0 - share * steady.slope * std::max(0.0, by_turn) * step);
 }
 
-/// Differential pressure dp = 2 pi T/V [Pa], in proportion below the leakage; zero for a torque that drives the bit on.
+/// Differential pressure dp = 2 pi T/V [Pa], V the displacement times the mechanical efficiency, in proportion below the leakage; zero for a torque that drives the bit on.
 inline double mud_motor_pressure(double flow, double displacement, double torque) noexcept
 {
   return std::clamp(flow / mud_motor_leakage, 0.0, 1.0) * 2.0 * pi * std::max(0.0, torque) / displacement;

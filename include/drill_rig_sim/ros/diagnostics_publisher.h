@@ -31,7 +31,8 @@ private:
   const Refusals& refusals_;
   const CommandSenders& senders_;
   std::function<std::string()> clock_trouble_;
-  std::mutex mutex_;  // guards report_: a change of state reports from another thread
+  std::mutex mutex_;  // guards what follows: a change of state reports from another thread
+  std::string trouble_;  // of the operations, logged once
   DiagnosticsReport report_;
   ros::Publisher diagnostics_;
   ros::WallTimer timer_;

@@ -29,6 +29,9 @@ private:
   std::int64_t since_ = 0;
 };
 
+/// Why an operation was given up, one line; empty where none was.
+std::string trouble_of(const OperationStatus& operation);
+
 /// What /diagnostics says of a frame: time, physics, accuracy, commands. Remembers what the report before said, for what has happened since.
 class DiagnosticsReport
 {

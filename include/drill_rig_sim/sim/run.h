@@ -25,6 +25,7 @@ enum class RunEnd
   duration,  ///< its time is over
   depth,     ///< the hole is as deep as the goal says
   standstill,  ///< the goal's patience is over
+  trouble,     ///< an operation was given up (OperationStatus::trouble)
   played,      ///< nothing has been left to play for as long as the goal goes on
   failure    ///< a frame failed; Simulator::failure() says why
 };

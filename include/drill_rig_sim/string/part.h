@@ -50,6 +50,10 @@ struct MotorSpec
   double displacement_per_rev = 0.0;  ///< [m3/rev]
   double stall_torque = 0.0;          ///< [N m]
   double curve_exponent = 4.0;        ///< of speed over torque: 1 a straight line, more: the speed holds until near stall [-]
+  double efficiency = 1.0;            ///< mechanical: of the torque that the pressure would give without friction in rotor and bearings, this comes out [-]
+
+  /// The displacement of the frictionless motor that has this one's torque at its pressure [m3/rev].
+  double pressure_displacement() const noexcept { return efficiency * displacement_per_rev; }
 };
 
 /// What a stabilizer has beside what every part has.

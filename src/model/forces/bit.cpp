@@ -271,7 +271,7 @@ void sample_bit(const StageContext& at, EnergySample& sample) noexcept
   sample.bit_speed = result.forces.bit_speed;
   sample.motor_speed = at.stage.bit.motor_speed;
   const MotorSpec* motor = at.model.motor();
-  sample.motor_flow_speed = motor ? mud_motor_flow_speed(at.start.flow, motor->displacement_per_rev) : 0.0;
+  sample.motor_flow_speed = motor ? mud_motor_flow_speed(at.start.flow, motor->pressure_displacement()) : 0.0;
 }
 }  // namespace
 

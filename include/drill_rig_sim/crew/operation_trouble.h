@@ -1,0 +1,51 @@
+#ifndef DRILL_RIG_SIM_CREW_OPERATION_TROUBLE_H
+#define DRILL_RIG_SIM_CREW_OPERATION_TROUBLE_H
+
+#include "drill_rig_sim/instruments/signals.h"
+#include "drill_rig_sim/scene/scene.h"
+
+namespace drill_rig_sim
+{
+/// Why drill or slide was given up.
+enum class OperationTrouble
+{
+  none,
+  motor_stalled,  ///< differential pressure stood at the motor's stall pressure for stall_lasts
+  over_weight     ///< surface weight on bit stood far above what was wanted for over_weight_lasts
+};
+
+/// One line; empty for none.
+const char* text_of(OperationTrouble trouble) noexcept;
+
+/// Looks at what a driller looks at while drilling: differential pressure and weight. Not more often than what stands for seconds.
+class OperationTroubleWatch
+{
+public:
+  static constexpr double stall_share = 0.97;       ///< of the stall pressure [-]
+  static constexpr double stall_lasts = 2.0;        ///< [s]
+  static constexpr double over_weight_lasts = 10.0; ///< [s]
+  /// Weight on bit far above `wanted` [N]: twice as much, and at least 30 kN more.
+  static double over_weight(double wanted) noexcept;
+
+  explicit OperationTroubleWatch(const Scene& scene);
+  /// An operation begins at this time [s].
+  void begin(double time) noexcept;
+  /// Of the operation under way, by the readings of the last frame. The differential pressure counts once it is zeroed (tare).
+  OperationTrouble look(const Operation& operation, const Readings& now) noexcept;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("running_at", running_at_);
+    v("within_at", within_at_);
+  }
+
+private:
+  double stall_pressure_ = 0.0;  // of the mud motor; 0: the string has none [Pa]
+  double running_at_ = 0.0;      // when the motor was last below it [s]
+  double within_at_ = 0.0;       // when the weight was last within its bound [s]
+};
+
+}  // namespace drill_rig_sim
+
+#endif

@@ -1,0 +1,49 @@
+#include "drill_rig_sim/crew/operation_trouble.h"
+
+#include <algorithm>
+
+#include "drill_rig_sim/hydraulics/mud_motor.h"
+
+namespace drill_rig_sim
+{
+const char* text_of(OperationTrouble trouble) noexcept
+{
+  switch (trouble)
+  {
+    case OperationTrouble::none:
+      break;
+    case OperationTrouble::motor_stalled:
+      return "the mud motor has stalled";
+    case OperationTrouble::over_weight:
+      return "the weight on bit is far above what was asked for";
+  }
+  return "";
+}
+
+double OperationTroubleWatch::over_weight(double wanted) noexcept
+{
+  return wanted + std::max(wanted, 30e3);
+}
+
+OperationTroubleWatch::OperationTroubleWatch(const Scene& scene)
+{
+  for (const PartSpec& part : scene.string)
+    if (part.motor) stall_pressure_ = mud_motor_pressure(mud_motor_leakage, part.motor->pressure_displacement(), part.motor->stall_torque);
+}
+
+void OperationTroubleWatch::begin(double time) noexcept
+{
+  running_at_ = within_at_ = time;
+}
+
+OperationTrouble OperationTroubleWatch::look(const Operation& operation, const Readings& now) noexcept
+{
+  const bool drills = operation.kind == OperationKind::drill || operation.kind == OperationKind::slide;
+  const bool stalls = drills && stall_pressure_ > 0.0 && now.tared && now.differential_pressure >= stall_share * stall_pressure_;
+  if (!stalls) running_at_ = now.time;
+  if (!drills || now.mean_surface_wob <= over_weight(operation.weight)) within_at_ = now.time;
+  if (now.time - running_at_ >= stall_lasts) return OperationTrouble::motor_stalled;
+  return now.time - within_at_ >= over_weight_lasts ? OperationTrouble::over_weight : OperationTrouble::none;
+}
+
+}  // namespace drill_rig_sim
