@@ -106,9 +106,9 @@ public:
   const char* locked(const SteeringSetpoint& c) const noexcept;
   /// The set points asked for by the last commands, or the watchdog's, though no frame has been computed since; the truth holds what interlocks and faults leave of them.
   Setpoints setpoints() const noexcept;
-  /// The last commands themselves, whoever gives the set points meanwhile: a crew, or the watchdog of silent streams.
+  /// The last commands themselves, even while a crew or the watchdog gives the set points.
   const Setpoints& asked() const noexcept;
-  /// Winch and drive streams silent for longer than this set the brake and coast the drive [s]; 0 = off.
+  /// Winch and drive streams that stop for longer than this set the brake and coast the drive [s]; 0 = off.
   void set_command_timeout(double seconds) noexcept;
   /// The winch's or the drive's last command stands until its next one: no stream is expected, whose silence would be noticed.
   void winch_command_stands() noexcept;
