@@ -13,6 +13,7 @@ packages_campaign="python3-distributed python3-scipy python3-lxml openssl procps
 packages_tidy="clang-tidy"
 packages_fuzz="clang libclang-rt-dev"
 packages_neon="g++-aarch64-linux-gnu qemu-user"
+packages_manual="python3-sphinx python3-myst-parser python3-breathe doxygen furo libjs-mathjax fonts-mathjax"
 
 package_dir=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 . "$package_dir/launch/build.sh"
@@ -49,7 +50,7 @@ say_size()
   [ -z "$plan" ] || say "apt: ${plan//$'\n'/, }"
 }
 
-# Installs what is missing of the packages named; status 1 where apt fails, exit 2 where nobody may install.
+# Installs what is missing of the packages named; status 1 where apt fails, exit 2 without root and sudo.
 install_packages()
 {
   local missing apt
@@ -74,7 +75,7 @@ install_packages()
     { tail -n 5 "$build_dir/apt.log" >&2; complain "apt failed; all it said is in $build_dir/apt.log"; return 1; }
 }
 
-# The first port from 11311 on where nobody listens.
+# The first port from 11311 on that is free.
 free_port()
 {
   local port=11311

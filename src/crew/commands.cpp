@@ -51,7 +51,7 @@ const char* what_is_wrong(const WinchSetpoint& c) noexcept
 
 const char* what_is_wrong(const TopDriveSetpoint& c) noexcept
 {
-  static_assert(most_drive_angle == 1e8, "the texts say so");
+  static_assert(most_drive_angle == 1e8, "the texts have this number");
   if (c.mode < TopDriveMode::speed || c.mode > TopDriveMode::oscillate) return "mode: allowed are 0 (SPEED) to 5 (OSCILLATE)";
   if (!std::isfinite(c.speed) || !std::isfinite(c.torque) || !std::isfinite(c.angle) || !std::isfinite(c.torque_limit))
     return "speed, torque, angle and torque_limit: must be finite";

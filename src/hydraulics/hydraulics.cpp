@@ -12,7 +12,7 @@ namespace
 {
 constexpr int kMostIterations = 60;
 constexpr double kSmallest = 1e-13;  // of the nominal flow: a change that is none
-constexpr double kRest = 1.0;        // below it mud that nobody pumps stands [Pa]
+constexpr double kRest = 1.0;        // below it mud stands that is not pumped [Pa]
 
 double power(double x, double exponent) noexcept
 {

@@ -90,7 +90,7 @@ struct Rows
   double* row[kLanes];
 };
 
-/// `count` of them, `stride` bytes apart; the others are `spare`, which takes what nobody wants.
+/// `count` of them, `stride` bytes apart; the others are `spare`, which takes what is not used.
 HWY_INLINE Rows rows(double* first, std::ptrdiff_t stride, int count, double* spare)
 {
   Rows out;

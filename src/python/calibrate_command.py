@@ -40,7 +40,7 @@ def table(plan, found, left):
         lines.append("%-28s %14s %14s %14s" % ("%s [%s]" % (signal, unit), *("-" if number is None else "%.4g" % (factor * number) for number in (*numbers, plan.model.noise.get(signal)))))
     idle = found.without_effect
     lines += ["%s: has no effect on these data where it starts: left there" % name for name in idle]
-    lines += ["%s: these data do not tell it" % p.name for p, width in zip(plan.parameters, found.half_widths) if not width < told_by(p) and p.name not in idle]
+    lines += ["%s: these data do not determine it" % p.name for p, width in zip(plan.parameters, found.half_widths) if not width < told_by(p) and p.name not in idle]
     lines += unexplained(plan, left)
     lost = int((~numpy.isfinite(found.predicted) & numpy.isfinite(plan.model.observed)).sum())
     return lines + (["%d numbers could not be predicted: no equilibrium, or a scene out of range" % lost] if lost else []) + ["", "%d points of the parameters were tried" % found.runs]

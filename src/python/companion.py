@@ -8,7 +8,7 @@ WINDOW = 3.0  # over which differences are averaged, as in the measured error [s
 
 
 def companion_run(run, left_out):
-    """The companion as a run of its own. None without one, and where it ended before the run: `left_out` says so."""
+    """The companion as a run of its own. None without one, and where it ended before the run: `left_out` has the reason."""
     if not run.companion:
         return None
     ended = ~numpy.isfinite(numpy.stack(list(run.companion.values()))).all(axis=0)

@@ -190,7 +190,7 @@ public:
   void restore(const SavedRig& saved);
 
 private:
-  /// Whoever uses the rig, for as long as it lives. Refused to others meanwhile.
+  /// The user of the rig, for as long as it lives. Refused to others meanwhile.
   class Turn
   {
   public:

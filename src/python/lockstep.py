@@ -1,4 +1,4 @@
-"""What a rig is to whoever steps it: the same for the node in lockstep (drill_rig_sim.rig) and for a simulator in this process (drill_rig_sim.sim). No ROS."""
+"""A rig that is stepped: the same for the node in lockstep (drill_rig_sim.rig) and for a simulator in this process (drill_rig_sim.sim). No ROS."""
 import math
 import operator
 

@@ -55,7 +55,7 @@ class Record(typing.NamedTuple):
 
 class Simulator(Lockstep):
     """The rig of a scene's file: a name in the package's config/scenes, package://PACKAGE/FILE, or a path. `rate`: frames a second. `play_program`: the scene's program
-    and operations give the set points until somebody else does. Time begins at 0 with every reset; snapshots bring back theirs. One thread at a time."""
+    and operations give the set points until a caller does. Time begins at 0 with every reset; snapshots bring back theirs. One thread at a time."""
 
     def __init__(self, scene, rate=100.0, seed=0, play_program=False):
         self._rig = _sim.Rig(found(scene, "config/scenes"), rate, seed, play_program)
@@ -263,7 +263,7 @@ def found(name, folder):
 def file_of(package, file):
     """A file of a package; "" where there is none."""
     try:
-        import rospkg  # of no use to whoever gives paths
+        import rospkg  # not needed for paths
     except ImportError:
         return ""
     try:

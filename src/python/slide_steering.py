@@ -36,7 +36,7 @@ class SlideSteering(Steering):
         if self.sliding and (self.driller.phase != "lifting" or self.stopped_at is not None):  # on the way up from rotating it still turns
             commands.top_drive = self.hold_toolface(readings)
             if readings.t > max(self.stopped_at, self.heard_at) + self.patience:
-                self.given_up = "no toolface for %g s: a slide would go nobody knows where" % self.patience
+                self.given_up = "no toolface for %g s: the direction of a slide is unknown" % self.patience
                 commands.brake, commands.block_velocity = True, None
         return commands
 

@@ -1,5 +1,5 @@
 """WITS level 0 (Wellsite Information Transfer Specification 1.1, 1991): records as ASCII lines RRIIvalue, record and item, between && and !!,
-and a server that sends them to whoever connects. Needs no ROS.
+and a server that sends them to its clients. Needs no ROS.
 """
 import math
 import selectors
@@ -10,7 +10,7 @@ from datetime import datetime, timezone
 
 MOST_CLIENTS = 16        # at a time; more are turned away
 MOST_WAITING = 1 << 16   # for a client that does not read [B]; what is beyond is dropped, records whole
-READ_AT_ONCE = 4096      # of what clients send, which nobody looks at [B]
+READ_AT_ONCE = 4096      # of what clients send, which is ignored [B]
 READ_PAUSE = 0.02        # after that [s]
 
 KILO_DECANEWTON = 1e4    # the specification's metric unit of force [N]
@@ -143,7 +143,7 @@ class Server:
                     if key.data is not None and events & selectors.EVENT_WRITE:
                         self.write_to(key.data)
                 if heard:
-                    time.sleep(READ_PAUSE)  # whoever shouts is heard that often
+                    time.sleep(READ_PAUSE)  # a client that sends much is read that often
         for thing in [client.connection for client in self.clients] + [self.listener, self.wake, self.woken]:
             thing.close()
 
@@ -170,13 +170,13 @@ class Server:
             connection.close()
             return
         connection.setblocking(False)
-        connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, MOST_WAITING)  # else the kernel keeps megabytes of what nobody reads
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, MOST_WAITING)  # else the kernel keeps megabytes that are not read
         with self.lock:
             self.clients.append(Client(connection, address))
         self.say("%s:%d has come" % address[:2])
 
     def listen_to(self, client):
-        """Reads what nobody looks at. False: the client is gone."""
+        """Reads and ignores. False: the client is gone."""
         try:
             if client.connection.recv(READ_AT_ONCE):
                 return True

@@ -24,7 +24,7 @@ bool another_publishes_clock()
 void HeardClock::hear(const std::string& publisher, const ros::SteadyTime& now)
 {
   const bool gone = follows_ && (heard_.isZero() || (now - heard_).toSec() > silent);
-  if (gone) publisher_ = publisher;  // the first, or whoever goes on after it
+  if (gone) publisher_ = publisher;  // the first, or the one that goes on after it
   if (publisher == publisher_)
   {
     heard_ = now;
@@ -40,8 +40,8 @@ std::string HeardClock::silence(const ros::SteadyTime& now, bool published) cons
 {
   const ros::SteadyTime since = heard_.isZero() ? started_ : heard_;
   if ((now - since).toSec() <= silent) return "";
-  if (heard_.isZero()) return "waiting for /clock, which nobody has published yet";
-  if (!published) return "nobody publishes /clock any more, " + publisher_ + " did";
+  if (heard_.isZero()) return "waiting for /clock, which has not been published yet";
+  if (!published) return "/clock is no longer published; its last publisher was " + publisher_;
   return "/clock has stopped: " + publisher_ + " is paused or dead";
 }
 

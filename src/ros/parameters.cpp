@@ -195,7 +195,7 @@ Parameters read_parameters(const ros::NodeHandle& node)
   ros::param::get("/use_sim_time", p.use_sim_time);
   if (!p.publish_clock && p.clock != ClockMode::realtime)
     throw ParameterError(
-        "parameter ~clock is not realtime; without ~publish_clock only realtime is allowed: the time is another's");
+        "parameter ~clock must be realtime where ~publish_clock is false: another node publishes /clock");
   try
   {
     p.scene_file = find_scene(scene);

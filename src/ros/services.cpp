@@ -198,7 +198,7 @@ std::string Services::forget_states_of_another(const Scene& next)
 void Services::require_pausable() const
 {
   if (loop_.time().follows()) throw Refusal("the time belongs to the rig that publishes /clock");
-  if (loop_.time().in_lockstep()) throw Refusal("in lockstep time moves by the service step alone");
+  if (loop_.time().in_lockstep()) throw Refusal("in lockstep time moves only by the service step");
 }
 
 std::string Services::pause()
@@ -207,7 +207,7 @@ std::string Services::pause()
   {
     bool ended = false;
     loop_.between_frames([&](SimulationLoop& loop) { ended = loop.end_step_early(); });
-    if (!ended) throw Refusal("no step is under way, and in lockstep time moves by the service step alone");
+    if (!ended) throw Refusal("no step is under way, and in lockstep time moves only by the service step");
     return "the step is ended";
   }
   require_pausable();
@@ -358,7 +358,7 @@ std::string Services::step(const StepSimulation::Request& request, StepSimulatio
     return last;
   };
   answer_last();  // what is refused changes nothing
-  if (!loop_.time().in_lockstep()) throw Refusal("allowed in lockstep alone (~clock)");
+  if (!loop_.time().in_lockstep()) throw Refusal("allowed only in lockstep (~clock)");
   require_no_step();
   if (request.frames > most_frames_of_step)
     throw Refusal("frames is " + std::to_string(request.frames) + "; allowed is 0 to " + std::to_string(most_frames_of_step));

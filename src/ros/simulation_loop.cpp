@@ -103,7 +103,7 @@ void SimulationLoop::wait_or_work() noexcept
     wake_.wait();
     return;
   }
-  if (due > steady_now() && wake_.wait_until(due)) return;  // somebody has come: see to it first
+  if (due > steady_now() && wake_.wait_until(due)) return;  // a request has come: it is first
   one_frame(steady_now());
 }
 
@@ -148,7 +148,7 @@ CommandResult SimulationLoop::accept(const Setpoint& c, std::size_t kind) noexce
   rig_.commands.last = rig_.commands.accepted[kind] = time_.stamp();
   if (rig_.playing)
   {
-    rig_.playing = false;  // whoever sends a command has the rig
+    rig_.playing = false;  // a command takes over the rig
     set_timeout();
   }
   watch_stream(c);
@@ -221,7 +221,7 @@ void SimulationLoop::note_due(FrameOutput& s, const Occasion& occasion) noexcept
   s.state_again = !s.new_stamp && announced_ && (occasion.said_again || run_state() != run_state_said_);
   if (s.state_due || s.state_again) run_state_said_ = run_state();
   s.accuracy_due = s.new_stamp && (accuracy_cadence_.due(simulated) || occasion.rebuilt || occasion.restored);
-  // where time runs on, whoever has just subscribed waits for the next of its stamps
+  // where time runs on, a new subscriber waits for the next of its stamps
   const bool profile_moves = s.new_stamp && (profile_cadence_.due(simulated) || occasion.restored);
   s.profile_due = (profile_moves || (!s.new_stamp && announced_ && subscriptions_.profile_missing)) && subscriptions_.profile;
   if (s.profile_due)
@@ -236,7 +236,7 @@ void SimulationLoop::note_due(FrameOutput& s, const Occasion& occasion) noexcept
   s.tube_due = s.markers_due && (tube_pending_ || s.well_due);
 }
 
-// Small readings are never left out; a well that has grown is due again at once, and so is a picture that somebody new has asked for.
+// Small readings are never left out; a well that has grown is due again at once, and so is a picture for a new subscriber.
 void SimulationLoop::leave_out_picture(FrameOutput& s, bool asked_for) noexcept
 {
   ++statistics_.pictures_left_out;

@@ -28,7 +28,7 @@ rviz::FloatProperty* number(const char* name, double value, double least, double
 DrillstringProperties::DrillstringProperties(rviz::Property* parent, QObject* receiver)
 {
   topic_ = new rviz::RosTopicProperty("Topic", "rig/drillstring_state", QString::fromStdString(ros::message_traits::datatype<DrillstringState>()),
-                                      "drillstring_state of a rig; its rig_description and trajectory are heard beside it.", parent,
+                                      "drillstring_state of a rig; its rig_description and trajectory are subscribed to as well.", parent,
                                       SLOT(changeTopic()), receiver);
   add_looks(parent, receiver);
   camera_ = new rviz::EnumProperty("Camera", "as it is", "Puts the camera there once, when it is chosen.", parent, SLOT(changeCamera()), receiver);
@@ -45,7 +45,7 @@ void DrillstringProperties::add_looks(rviz::Property* parent, QObject* receiver)
   for (std::size_t i = 0; i < colorings().size(); ++i) coloring_->addOption(colorings()[i].name, static_cast<int>(i));
   full_scale_ = number("Full scale", by_default.full_scale, 0.0, 1e9, "Of the colours, in the legend's unit; 0: automatic.", parent, receiver);
   exaggeration_ = number("Lateral exaggeration", by_default.exaggeration, 0.0, 1000.0,
-                         "All that lies across the hole is drawn so many times as large; 0: as suits the camera chosen last.", parent, receiver);
+                         "Distances across the hole are drawn larger by this factor; 0: as suits the camera chosen last.", parent, receiver);
   true_diameter_ = new rviz::BoolProperty("True diameter", by_default.true_diameter, "The string's own diameter is not exaggerated.", parent,
                                           options_changed, receiver);
   sides_ = new rviz::IntProperty("Sides", by_default.sides, "Faces of the string's tube: fewer are drawn faster.", parent, options_changed, receiver);

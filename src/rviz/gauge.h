@@ -26,7 +26,7 @@ public:
   void show_value(double value, const char* why, bool lost, bool stale, const Limits& limits);
   /// Measured error of the simulation [SI]; NaN: not measured.
   void set_error(double error);
-  /// The truth; NaN: nobody tells it.
+  /// The truth; NaN: unknown.
   void set_truth(double value);
   Level level() const { return level_; }
   bool is_filled() const;

@@ -94,7 +94,7 @@ void take_telemetry(Values& values, const News& news)
   if (news.dynamics)
     values.set(Quantity::stick_slip, news.dynamics->stick_slip);
   else
-    values.lack(Quantity::stick_slip, "no tool heard");
+    values.lack(Quantity::stick_slip, "no tool received");
 }
 
 void take_energy(Values& values, double weight, double torque, double speed, double rop, double diameter)

@@ -53,7 +53,7 @@ public:
   /// Since rig_state last came [s of wall time].
   double age() const;
 
-  /// Commands: false, and `said`, where nobody hears them.
+  /// Commands: false, and `said`, where they have no subscriber.
   bool command(const WinchCommand& command);
   bool command(const TopDriveCommand& command);
   bool command(const MudPumpCommand& command);

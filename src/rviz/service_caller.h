@@ -52,7 +52,7 @@ public:
          {
            // persistent: only such a call can be cut off
            ros::ServiceClient client = ros::NodeHandle().serviceClient<Service>(topic, true);
-           if (!client.isValid()) return {false, "nobody serves " + QString::fromStdString(topic)};
+           if (!client.isValid()) return {false, "no service " + QString::fromStdString(topic)};
            if (!hold(client)) return {false, "given up"};
            const bool came = client.call(service);
            release();

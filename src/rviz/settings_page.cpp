@@ -31,7 +31,7 @@ SettingsPage::SettingsPage(QWidget* parent)
   rig_box_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   units_->addItems({"SI", "oilfield"});
   units_->setAccessibleName("settings units");
-  truth_->setToolTip("What no instrument tells: for judging, not for drilling");
+  truth_->setToolTip("What no instrument shows: for judging, not for drilling");
   bit_ = new UnitBox("settings bit diameter", Dimension::diameter, 0.0, 2.0, 0.0, this);
   bit_->setSpecialValueText("not set");
   bit_->setToolTip("For the mechanical specific energy");

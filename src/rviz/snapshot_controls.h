@@ -9,7 +9,7 @@ class QComboBox;
 
 namespace drill_rig_sim::console
 {
-/// Snapshots by name in the node's memory, or in a file where the name holds a slash. The list holds what the node keeps, whoever took it, and the files named
+/// Snapshots by name in the node's memory, or in a file where the name holds a slash. The list holds what the node keeps and the files named
 /// here; it is asked for when the mouse or the keys come to it, and after each of the buttons.
 class SnapshotControls : public Controls
 {

@@ -30,7 +30,7 @@ TimeControls::TimeControls(RigLink& link, QWidget* parent)
   frames_->setRange(1, 100000);
   frames_->setValue(100);
   frames_->setSuffix(" frames");
-  frames_->setToolTip("In lockstep: so many frames at once");
+  frames_->setToolTip("In lockstep: number of frames at once");
   speed_->setAccessibleName("time speed");
   speed_->setRange(0.0, 1e4);
   speed_->setDecimals(2);

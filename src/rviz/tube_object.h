@@ -17,7 +17,7 @@ namespace drill_rig_sim
 class TubeObject
 {
 public:
-  /// Its pieces hang on `node`, which outlives them.
+  /// Its pieces are children of `node`, which outlives them.
   TubeObject(Ogre::SceneNode* node, const MeshStyle& style) : node_(node), style_(style) {}
   ~TubeObject() { clear(); }
   TubeObject(const TubeObject&) = delete;

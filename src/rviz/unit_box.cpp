@@ -44,7 +44,7 @@ void UnitBox::set_dimension(Dimension dimension)
 
 double UnitBox::si() const
 {
-  // what is shown is rounded: a value that nobody has changed is what it was
+  // what is shown is rounded: a value that was not changed is what it was
   return value() == kept_shown_ ? kept_ : to_si(value(), dimension_, system_);
 }
 

@@ -26,7 +26,7 @@ private:
   Dimension dimension_;
   UnitSystem system_ = UnitSystem::si;
   double least_, most_;
-  double kept_;          // what was set in SI, as long as nobody types another [SI]
+  double kept_;          // what was set in SI, until another is typed [SI]
   double kept_shown_ = 0.0;
 };
 

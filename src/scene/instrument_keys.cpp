@@ -34,7 +34,7 @@ std::vector<Key<Spec>> gauge_rows()
   {"resolution",            "signal", &Spec::resolution,                   between(0.0, 1e9),    "steps in which it shows; 0: none"},
   {"drift",                 "signal/s^0.5", &Spec::drift,                  between(0.0, 1e9),    "of the bias, a random walk from 0: its standard deviation after a second; after t seconds sqrt(t) times that"},
   {"rate",                  "1/s",    &Spec::rate,                         between(0.0, 1e4),    "samples per second, each shown until the next; 0: one each frame"},
-  {"dropout_interval",      "s",      &Spec::dropout_interval,             between(0.0, 1e7),    "mean time from the end of a drop-out to the next: it then shows its last reading, and `lost_gauges` of `rig_state` tells; 0: none"},
+  {"dropout_interval",      "s",      &Spec::dropout_interval,             between(0.0, 1e7),    "mean time from the end of a drop-out to the next: it then shows its last reading, and `lost_gauges` of `rig_state` reports it; 0: none"},
   {"dropout_duration",      "s",      &Spec::dropout_duration,             between(0.001, 1e7),  "mean time that a drop-out lasts"},
   };
 }
@@ -75,7 +75,7 @@ const Table<ToolfaceSpec> toolface_keys = {"instruments.toolface", "Toolface sen
 const Table<DynamicsSpec> dynamics_keys = {"instruments.dynamics", "A tool in the string that measures weight, torque, bending, speed and shocks, and sends means and extremes: topic `downhole/dynamics`.", {
   {"period",                "s",      &DynamicsSpec::period,               between(0.0, 600.0),  "of its readings; 0: there is none"},
   {"latency",               "s",      &DynamicsSpec::latency,              between(0.0, 600.0),  "from measurement to surface"},
-  {"from_bit",              "m",      &DynamicsSpec::from_bit,             between(0.0, 20000.0), "so far above the bit's face, below the rotary table", no_kind, every_kind, "the survey tool's sensor"},
+  {"from_bit",              "m",      &DynamicsSpec::from_bit,             between(0.0, 20000.0), "distance above the bit's face, below the rotary table", no_kind, every_kind, "the survey tool's sensor"},
 }};
 
 const Table<InstrumentsSpec> surface_keys = {"instruments.surface", "Gauges of the rig.", {

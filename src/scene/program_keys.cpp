@@ -37,7 +37,7 @@ const std::vector<const char*> fault_words(fault_names, fault_names + fault_coun
 }  // namespace
 
 // clang-format off
-const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at a simulated time; a key that is left out leaves its set point alone. A ramp begins at the set point in force (at 0 where the winch's brake holds the block, at what the drive does where it is braked or in the other mode) and is followed frame by frame; a later line that sets the same, the other mode or the brake ends it.", {
+const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at a simulated time; a key that is left out does not change its set point. A ramp begins at the set point in force (at 0 where the winch's brake holds the block, at what the drive does where it is braked or in the other mode) and is followed frame by frame; a later line that sets the same, the other mode or the brake ends it.", {
   {"at",                    "s",      &ProgramStep::at,                    between(0.0, 1e7),    "simulated time, ascending", must},
   {"ramp",                  "s",      &ProgramStep::ramp,                  between(0.0, 1e7),    "the line's block_velocity, top_drive_speed_rpm, top_drive_torque and flow are reached in a straight line over this time; 0: at once"},
   {"block_velocity",        "m/s",    &ProgramStep::block_velocity,        between(-20.0, 20.0), "+ up; releases the brake", no_kind, every_kind, "as before"},
@@ -58,7 +58,7 @@ const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at 
   {"stuck_at",              "m",      &ProgramStep::stuck_at,              above(0.0, 20000.0),  "measured depth where the hole grips the pipe, not below the bit by then", no_kind, every_kind, "as before"},
   {"free",                  "",       Flag<ProgramStep>{&ProgramStep::free}, none,               "true: it lets go", no_kind, every_kind, "as before"},
   {"slips",                 "",       Flag<ProgramStep>{&ProgramStep::slips}, none,              "sets the slips, block and drive at rest, or pulls them", no_kind, every_kind, "as before"},
-  {"connection",            "",       &ProgramStep::connection,            between(-12.0, 12.0), "so many joints are added to the string in the slips; negative: taken away", no_kind, every_kind, "none"},
+  {"connection",            "",       &ProgramStep::connection,            between(-12.0, 12.0), "number of joints added to the string in the slips; negative: taken away", no_kind, every_kind, "none"},
   {"fault",                 "",       Choice<ProgramStep>{fault_words, [](ProgramStep& s, int word) { s.fault = word; }, [](const ProgramStep& s) { return s.fault; }},
                                                                            none,                 "begins, as by the service inject_fault", no_kind, every_kind, "none"},
   {"fault_depth",           "m",      &ProgramStep::fault_depth,           between(0.0, 20000.0), "measured depth of its place, where it has one; pipe must be there by then"},
@@ -70,7 +70,7 @@ const Table<ProgramStep> program_keys = {"program[]", "Set points and faults at 
   {"free_length",           "m",      &ProgramStep::free_length,           between(0.0, 20000.0), "a coarser level: so far above the bit's face all motions are modelled from now on, above that those along the hole and about it; 0: axial_torsional; not longer than before", no_kind, every_kind, "as before"},
 }};
 
-const Table<Operation> operation_keys = {"operations[]", "What the driller does, one operation after the other, each until the first of its ends has come; beside `program`, whose lines act at their times. Weights, depths and toolface are those of the readings. Ends are to_depth, distance, time, weight (of slack_off and tag) and overpull.", {
+const Table<Operation> operation_keys = {"operations[]", "Tasks of the driller, one after the other, each until the first of its ends is reached; beside `program`, whose lines act at their times. Weights, depths and toolface are those of the readings. Ends are to_depth, distance, time, weight (of slack_off and tag) and overpull.", {
   {"do",                    "",       Choice<Operation>{operation_words, [](Operation& o, int word) { o.kind = static_cast<OperationKind>(word); },
                                                         [](const Operation& o) { return static_cast<int>(o.kind); }},
                                                                            none,                 "what; flow, rotate and steer go on while others follow", every_kind},

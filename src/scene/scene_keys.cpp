@@ -81,7 +81,7 @@ const Table<Scene> scene_keys = {"", "The scene file's top level.", {
                                                     [](const Scene& s) { return static_cast<int>(s.connections); }},
                                                                            none,                 "auto: the crew adds a stand where the block has come down, and takes one away where it has come up; off: slips and connections are commanded"},
   {"program",               "",       Nested{},                            none,                 "list of commands at simulated times, for the offline runner and demos"},
-  {"operations",            "",       Nested{},                            none,                 "list of what the driller does, one after the other, for the same"},
+  {"operations",            "",       Nested{},                            none,                 "list of tasks, each ends on a condition; `program` is a time schedule"},
 }};
 
 const Table<WellSpec> well_keys = {"well", "The hole before drilling starts. Give `survey` or `stations`.", {
@@ -95,14 +95,14 @@ const Table<WellSpec> well_keys = {"well", "The hole before drilling starts. Giv
   {"pilot_diameter",        "m",      &WellSpec::pilot_diameter,           between(0.0, 1.0),    "of that hole, at most 0.95 of the bit's"},
 }};
 
-const Table<SurveyFormat> survey_keys = {"well.survey", "A survey's file and how it is to be read, where its header does not tell. `--columns MAP.yaml` of `drill survey`, `score` and `plot` takes the same keys, but `file`.", {
+const Table<SurveyFormat> survey_keys = {"well.survey", "A survey's file and how it is to be read, where its header does not define it. `--columns MAP.yaml` of `drill survey`, `score` and `plot` takes the same keys, but `file`.", {
   {"file",                  "",       Nested{},                            none,                 "the survey's file", survey_of_scene, survey_of_scene},
   {"columns",               "",       Nested{},                            none,                 "names and units of the columns"},
   {"delimiter",             "",       &SurveyFormat::delimiter,            none,                 "between cells: `\",\"`, `\";\"`, tab or space; decimal commas are read where it is not a comma", no_kind, every_kind, "by the header"},
   {"pass_over",             "",       Flag<SurveyFormat>{&SurveyFormat::pass_over}, none,        "passes over stations without a value (empty or -999.25) and those that equal the one before; a vertical station needs no azimuth then", no_kind, every_kind, "false"},
 }};
 
-const Table<SurveyFormat> survey_columns_keys = {"well.survey.columns", "Which columns of a survey's table are what, where the usual names do not tell. Only what is unclear needs to stand there.", {
+const Table<SurveyFormat> survey_columns_keys = {"well.survey.columns", "Which columns of a survey's table are what, where the usual names are not enough. Only what is unclear needs to be given.", {
   {"md",                    "",       Nested{},                            none,                 "measured depth"},
   {"inclination",           "",       Nested{},                            none,                 "from vertical down"},
   {"azimuth",               "",       Nested{},                            none,                 "clockwise from north"},
@@ -172,8 +172,8 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"bending_stiffness",     "N m2",   Inside<PartSpec>{[](PartSpec& p) -> double& { return p.stiffness.bending; }}, between(1e-3, 1e12), "E I", no_kind, tube, "of the tube"},
   {"torsional_stiffness",   "N m2",   Inside<PartSpec>{[](PartSpec& p) -> double& { return p.stiffness.torsional; }}, between(1e-3, 1e12), "G J", no_kind, tube, "of the tube"},
   {"polar_inertia",         "kg m2/m", &PartSpec::polar_inertia,           above(0.0, 1e4),      "about the axis, in air", no_kind, tube, "of the tube with this linear_mass"},
-  {"yield_strength",        "Pa",     &PartSpec::yield_strength,           between(1e6, 1e10),   "over_stress is told above it; drill pipe of grade G-105"},
-  {"make_up_torque",        "N m",    &PartSpec::make_up_torque,           between(0.0, 1e7),    "of its connections; over_torque is told above it; 0: not known"},
+  {"yield_strength",        "Pa",     &PartSpec::yield_strength,           between(1e6, 1e10),   "over_stress is reported above it; drill pipe of grade G-105"},
+  {"make_up_torque",        "N m",    &PartSpec::make_up_torque,           between(0.0, 1e7),    "of its connections; over_torque is reported above it; 0: not known"},
   {"density",               "kg/m3",  &PartSpec::density,                  between(500.0, 20000.0), "of its material; displaced volume = mass / density"},
   {"friction_radius",       "m",      &PartSpec::friction_radius,            above(0.0, 0.5),      "lever of the wall's friction about its axis; smaller than where it touches for pipe in non-rotating protectors", no_kind, tube, "where it touches"},
   {"contact",               "",       Nested{},                            none,                 "its own law of wall contact instead of the scene's"},
@@ -248,7 +248,7 @@ const Table<HoistingSpec> hoisting_keys = {"rig.hoisting", "Drill line, travelli
   {"block_mass",            "kg",     &HoistingSpec::block_mass,           between(1.0, 3e5),    "travelling block and top drive"},
   {"sheave_efficiency",     "-",      &HoistingSpec::sheave_efficiency,    between(0.8, 1.0),    "of one sheave"},
   {"rail_friction",         "-",      &HoistingSpec::rail_friction,        between(0.0, 0.5),    "of the block on its guide rail, over its weight"},
-  {"line_damping",          "-",      &HoistingSpec::line_damping,         between(0.0, 1.0),    "of the block alone on its lines, over critical"},
+  {"line_damping",          "-",      &HoistingSpec::line_damping,         between(0.0, 1.0),    "of the block by itself on its lines, over critical"},
   {"max_speed",             "m/s",    &HoistingSpec::max_speed,            between(0.001, 20.0), "of the block"},
   {"max_acceleration",      "m/s2",   &HoistingSpec::max_acceleration,     between(0.001, 50.0), "of the block"},
   {"max_hook_load",         "N",      &HoistingSpec::max_hook_load,        between(1e3, 5e7),    "the winch does not pull more"},
@@ -256,7 +256,7 @@ const Table<HoistingSpec> hoisting_keys = {"rig.hoisting", "Drill line, travelli
   {"trip_hook_load",        "N",      &HoistingSpec::trip_hook_load,       between(0.0, 5e7),    "over-pull: where `hook_load` of `rig_state` reaches it while raising, the brake is set until a command that does not raise; 0: never"},
   {"lowest_block_height",   "m",      &HoistingSpec::lowest_block_height,  between(0.0, 200.0),  "top-drive shaft above the rotary table"},
   {"highest_block_height",  "m",      &HoistingSpec::highest_block_height, between(0.0, 200.0),  "below crown_height"},
-  {"connection_time",       "s",      &HoistingSpec::connection_time,      between(1.0, 3600.0), "that the string rests in the slips, broken out, while pipe is added or taken away; half of it the block runs, longer where its limits say so"},
+  {"connection_time",       "s",      &HoistingSpec::connection_time,      between(1.0, 3600.0), "that the string rests in the slips, broken out, while pipe is added or taken away; half of it the block runs, longer where its limits require it"},
   {"stand_joints",          "",       &HoistingSpec::stand_joints,         between(1, 4),        "joints of the last part in a stand"},
 }};
 
@@ -301,7 +301,7 @@ const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe."
   {"loss_exponent",         "-",      &MudPumpSpec::loss_exponent,         between(1.0, 2.0),    "m: at other flows losses go with Q^m; 2 rough turbulence, 1.86 smooth, a record of the field 1.56"},
 }};
 
-const Table<HeaveSpec> heave_keys = {"rig.heave", "A floating rig goes up and down on regular waves, from rest within five periods: floor, winch, rail and slips together, without a compensator; one that moves the winch has `floor_height` and `floor_velocity` of `rig_state` to go by. Heights of the block are above the floor; a block that stands at its lowest or highest place swings against its stop (`stop_reached`). `tare` and operations go by the mean of the hook load over a period; topics carry it as it is, and `instruments.surface.hook_load.filter_time` calms it. Surge and swab are of friction alone: the mud's inertia, as much again in a deep well, is left out. Of a rig with a compensator the amplitude is what that leaves; pipe in the slips, which then heaves by all, heaves by that too here.", {
+const Table<HeaveSpec> heave_keys = {"rig.heave", "A floating rig goes up and down on regular waves, from rest within five periods: floor, winch, rail and slips together, without a compensator; one that moves the winch has `floor_height` and `floor_velocity` of `rig_state` to go by. Heights of the block are above the floor; a block that stands at its lowest or highest place swings against its stop (`stop_reached`). `tare` and operations go by the mean of the hook load over a period; topics carry it as it is, and `instruments.surface.hook_load.filter_time` calms it. Surge and swab are of friction only: the mud's inertia, as much again in a deep well, is left out. Of a rig with a compensator the amplitude is what that leaves; pipe in the slips, which then heaves by all, heaves by that too here.", {
   {"amplitude",             "m",      &HeaveSpec::amplitude,               between(0.0, 10.0),   "about the mean place of the rotary table, where depths begin, at most 3 m/s2 of acceleration; 0: the rig stands on the ground"},
   {"period",                "s",      &HeaveSpec::period,                  between(2.0, 60.0),   "of the waves"},
 }};
@@ -355,7 +355,7 @@ const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are so
   {"pushed_element_length", "m",      &NumericsSpec::pushed_element_length, between(0.0, 50.0),  "longest element where friction pushes pipe that slides down, 0.1 or more, if that is shorter than element_length; 0: as elsewhere"},
   {"guided_element_length", "m",      &NumericsSpec::guided_element_length, between(0.0, 50.0),  "longest element of guided pipe that friction does not push, if that is longer than element_length: two joints that are no longer together are one element, of the last part within a stand; 0: as elsewhere"},
   {"tolerance",             "-",      &NumericsSpec::tolerance,            between(1e-6, 0.5),   "of variable steps, level auto and the mesh by the hole: error that they may leave in the needs, over what these range over"},
-  {"refinement",            "-",      &NumericsSpec::refinement,           between(1.0, 64.0),   "elements and steps so many times shorter than they would be: what changes by it is the numerics', as `drill verify` shows"},
+  {"refinement",            "-",      &NumericsSpec::refinement,           between(1.0, 64.0),   "factor by which elements and steps are shorter: what changes by it is numerical error, as `drill verify` shows"},
   {"companion",             "",       Choice<NumericsSpec>{companion_words, [](NumericsSpec& n, int word) { n.companion = static_cast<CompanionKind>(word); },
                                                [](const NumericsSpec& n) { return static_cast<int>(n.companion); }},
                                                                            none,                 "another model of the rig, which gets the same commands; the difference measures the error of each output, and `accuracy_warning` depends on it. finer: elements and steps half as long, three times the computing time of the run. coarser: twice as long, half the time, but many false warnings. none: the error is not measured. auto: finer where level is auto, else none"},

@@ -270,9 +270,9 @@ ProblemList unavailable(const Scene& scene)
   const std::string cut = numerics.level == Level::hybrid ? what_it_cuts(scene, numerics.free_length) : std::string();
   if (!cut.empty()) problems.emplace_back("numerics.free_length", cut);
   const bool guided = all_guided(numerics.level) || numerics.level == Level::hybrid;
-  if (guided && has_no_levels(numerics.integrator)) problems.emplace_back("numerics.integrator", "this method is available for level beam3d alone");
+  if (guided && has_no_levels(numerics.integrator)) problems.emplace_back("numerics.integrator", "this method is available only for level beam3d");
   if (numerics.has_variable_steps() && !varies_steps(numerics.integrator))
-    problems.emplace_back("numerics.integrator", "steps of variable length (step 0) are available for bdf2 and auto alone");
+    problems.emplace_back("numerics.integrator", "steps of variable length (step 0) are available only for bdf2 and auto");
   if (scene.rig.heave.amplitude > 0.0 && numerics.integrator == IntegratorKind::ida)
     problems.emplace_back("rig.heave", "not available with the reference (ida)");
   if (scene.rig.heave.amplitude > 0.0 && numerics.level == Level::rigid)

@@ -250,7 +250,7 @@ void read_count_or_fill(const YAML::Node& node, const std::string& path, const R
   double read = 0.0;
   if (!plain_scalar(node) || !parse_decimal(node.Scalar(), read))
   {
-    problems.add(path, describe(node) + " is no count, allowed: " + to_text(allowed) + ", or fill");
+    problems.add(path, "must be " + to_text(allowed) + ", or fill (got " + describe(node) + ")");
     return;
   }
   read_whole(node, path, allowed, value, problems);

@@ -29,7 +29,7 @@ Choice choose_level(const Scene& scene)
   const bool in_the_middle = hangs_in_the_middle(scene);
   if (tolerance >= wide_tolerance && !(scene.needs & bending) && in_the_middle)
     return {Level::axial_torsional, "within " + percent(tolerance) + " nothing is needed of bending"};
-  if (tolerance >= wide_tolerance) return {Level::hybrid, "within " + percent(tolerance) + " bending is needed near the bit alone"};
+  if (tolerance >= wide_tolerance) return {Level::hybrid, "within " + percent(tolerance) + " bending is needed only near the bit"};
   if (in_the_middle)
     return {Level::hybrid, "the string hangs: above the bottom-hole assembly it does not bend"};
   if (tolerance >= middle_tolerance && !(scene.needs & (bending | turning)))

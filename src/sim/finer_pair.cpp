@@ -9,7 +9,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-static_assert(least_refinement == 1.2 && most_refinement == 8.0, "the text says so");
+static_assert(least_refinement == 1.2 && most_refinement == 8.0, "the text has these numbers");
 
 double checked(double times)
 {

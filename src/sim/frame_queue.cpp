@@ -36,7 +36,7 @@ void FrameQueue::post() noexcept
 void FrameQueue::take() noexcept
 {
   ++taken_;
-  some_done_.try_wait();  // so that posts nobody waited for do not add up
+  some_done_.try_wait();  // so that posts without a waiter do not add up
 }
 
 void FrameQueue::wait_for(std::uint64_t frames) noexcept

@@ -139,7 +139,7 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, doub
   const LoadShare& buckling = report.loads.buckling;
   if (buckling.share > 1.0)
     message << "; with that the pipe " << buckling.from_bit << " m above the bit is compressed by " << buckling.share
-            << " times what it bears straight: it buckles";
+            << " times its critical buckling load: it buckles";
   if (report.outcome.share > 0.0 && report.outcome.top_force < 0.0)
     message << "; even with that the string must be pushed in with " << -report.outcome.top_force / 1e3 << " kN";
   const std::string doubt = text_of(report.accuracy);

@@ -139,7 +139,7 @@ const char* Simulator::Impl::make_connection(int joints, bool remove) noexcept
   if (std::abs(now.hoist.winch_speed) > standing_winch || moves(state.commands.in_force().winch)) return "connection: the block moves, allowed: at rest";
   if (rest_load() > most_rest_load) return "connection: the hook carries more than block and pipe above the slips, allowed: up to 10 kN more, slack off first";
   if (shown_forces().hook_load < most_rest_load) return "connection: the block rests on the pipe, allowed: on its lines, pick up first";
-  if (remove && count >= joints_below_stump(model->mesh(), scene)) return "connection: so many joints are not in the string";
+  if (remove && count >= joints_below_stump(model->mesh(), scene)) return "connection: the string does not have that many joints";
   const double length = (remove ? -1.0 : 1.0) * count * pipe.joint_length, height = block_height(now);
   if (height + length > hoisting.highest_block_height) return "connection: the block has no room for that above, allowed: up to highest_block_height";
   if (height + length < hoisting.lowest_block_height) return "connection: the block has no room for that below, allowed: down to lowest_block_height";

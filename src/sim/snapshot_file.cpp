@@ -78,7 +78,7 @@ std::vector<unsigned char> whole_file(const std::string& file)
   return bytes;
 }
 
-/// A slip of the name shall not cost anyone a file; an empty one is nobody's loss.
+/// A mistyped name must not overwrite a file; an empty one may be.
 void refuse_to_replace_another(const std::string& file)
 {
   std::error_code error;

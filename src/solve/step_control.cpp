@@ -19,7 +19,7 @@ constexpr double seen = 0.1;           // share of what an instrument resolves b
 constexpr double along_may = 3.0;      // what motions along the string are allowed over the rule
 constexpr double peak_along = 2.8, peak_about = 3.3;  // of a wave's front over its root mean square along the string
 constexpr double turning_speed = 5.0;  // a bit that has never been as fast does not turn [rad/s]
-constexpr double unneeded = 10.0;      // what motions are allowed whose outputs nobody needs
+constexpr double unneeded = 10.0;      // what motions are allowed whose outputs are not needed
 constexpr double most_damping = 5.0;  // over the tolerance, of a bent motor's waves [1/s]
 constexpr double steps_a_blade = 100.0;
 constexpr double smooth_tolerance = 0.063;  // where fronts and smooth waves are allowed the same

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <vector>
 
 #include "drill_rig_sim/crew/program.h"
 #include "drill_rig_sim/hydraulics/mud_circuit.h"
@@ -151,13 +153,13 @@ void print_new_hole(const Scene& scene, double bottom_tvd, const Printed& printe
   std::printf("\n");
 }
 
-/// Pads that a bent motor wedges into a hole as narrow as the bit: it turns no more, and steps may fail.
-void print_wedged_gauge(const Scene& scene, const RigAtRest& rig, const Printed& printed)
+/// Pads that a bent motor wedges into a hole as narrow as the bit: it turns no more, and steps may fail. False where they are not.
+bool print_wedged_gauge(const Scene& scene, const RigAtRest& rig, const Printed& printed)
 {
   constexpr double much = 0.25;  // of the motor's stall torque
   const MotorSpec* motor = rig.model->motor();
   const Mesh& mesh = rig.model->mesh();
-  if (!motor || mesh.gauge_nodes < 2) return;
+  if (!motor || mesh.gauge_nodes < 2) return false;
   const double kinetic = scene.well.sections[section_at(scene.well.sections, scene.start.bit_depth)].friction;
   double force = 0.0, friction = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.gauge_nodes); ++i)
@@ -165,24 +167,18 @@ void print_wedged_gauge(const Scene& scene, const RigAtRest& rig, const Printed&
     force += rig.statics.forces.contact[i];
     friction += kinetic * mesh.nodes[i].contact_radius * rig.statics.forces.contact[i];
   }
-  if (friction < much * motor->stall_torque) return;
-  std::printf("gauge       its pads are wedged in the hole: %s on the wall, whose friction takes %s of the %s that stall the motor; gauge_clearance: wider\n",
+  if (friction < much * motor->stall_torque) return false;
+  std::printf("gauge       its pads are wedged in the hole: %s on the wall, whose friction takes %s of the %s that stall the motor; use a larger gauge_clearance\n",
               printed(force, Dimension::force, tenth_kilonewton).c_str(), printed(friction, Dimension::torque, tenth_kilonewton_metre).c_str(),
               printed.number(motor->stall_torque, Dimension::torque, tenth_kilonewton_metre).c_str());
+  return true;
 }
 
-/// What the run leaves out or gets too small, and would not be seen by its numbers.
-void print_shortcomings(const Scene& scene, const Printed& printed)
+/// What a wall that is softer than rock takes from the side forces. False where that is little.
+bool print_wall_loss(const Scene& scene, const RigAtRest& rig, const Printed& printed)
 {
-  if (scene.string.front().bit->torque.model == BitTorqueModel::regenerative)
-    std::printf("bit         regenerative: weight and torque are those of the cut; the face does not rub across the bottom\n");
-  const RigAtRest rig = build_at_rest(scene);
-  for (const AccuracyReport& doubt : {doubt_of_string(*rig.model, rig.state, rig.statics.forces), doubt_of_hole(rig.state), doubt_of_level(scene, rig.state)})
-    if (doubt.doubt != AccuracyDoubt::none) std::printf("accuracy    %s\n", text_of(doubt).c_str());
-  if (const std::optional<TightAssembly> tight = tight_assembly(*rig.model, rig.statics.forces)) std::printf("assembly    %s\n", text_of(*tight).c_str());
-  if (scene.string.front().bit->gauge_length > 0.0) print_wedged_gauge(scene, rig, printed);
   const std::optional<WallLoss> loss = wall_loss(rig);
-  if (!loss) return;
+  if (!loss) return false;
   const char* part = scene.string[static_cast<std::size_t>(loss->part)].name.c_str();
   std::printf("wall        %s lies %s deep in it %s above the bit; ", part, printed(loss->depth, Dimension::diameter, {"%.2g", "mm", 1e3}).c_str(),
               printed(loss->from_bit, Dimension::length, {"%.3g", "m"}).c_str());
@@ -193,7 +189,35 @@ void print_shortcomings(const Scene& scene, const Printed& printed)
                 instead_of(loss->stiff_side_force, loss->side_force).c_str(), instead_of(loss->stiff_contact, loss->contact).c_str());
   else
     std::printf("what its side forces lose by that is not known, a stiffer wall has no equilibrium");
-  std::printf("; contact of %s: stiffer\n", part);
+  std::printf("; use a stiffer contact of %s\n", part);
+  return true;
+}
+
+/// What the run leaves out or gets too small, and would not be seen by its numbers; then the pages of the manual (src/manual) on it.
+void print_shortcomings(const Scene& scene, const Printed& printed)
+{
+  std::vector<const char*> pages;
+  if (scene.string.front().bit->torque.model == BitTorqueModel::regenerative)
+  {
+    std::printf("bit         regenerative: weight and torque are those of the cut; the face does not rub across the bottom\n");
+    pages.push_back("theory/bit.md");
+  }
+  const RigAtRest rig = build_at_rest(scene);
+  for (const AccuracyReport& doubt : {doubt_of_string(*rig.model, rig.state, rig.statics.forces), doubt_of_hole(rig.state), doubt_of_level(scene, rig.state)})
+  {
+    if (doubt.doubt == AccuracyDoubt::none) continue;
+    std::printf("accuracy    %s\n", text_of(doubt).c_str());
+    pages.push_back("how_to/accuracy_warning.md");
+  }
+  if (const std::optional<TightAssembly> tight = tight_assembly(*rig.model, rig.statics.forces))
+  {
+    std::printf("assembly    %s\n", text_of(*tight).c_str());
+    pages.push_back("theory/steering.md");
+  }
+  if (scene.string.front().bit->gauge_length > 0.0 && print_wedged_gauge(scene, rig, printed)) pages.push_back("theory/bit.md");
+  if (print_wall_loss(scene, rig, printed)) pages.push_back("theory/wall.md");
+  pages.erase(std::unique(pages.begin(), pages.end(), [](const char* a, const char* b) { return std::strcmp(a, b) == 0; }), pages.end());
+  for (const char* page : pages) std::printf("manual      src/manual/%s\n", page);
 }
 
 /// What level auto has chosen, as keys that could be given instead.
@@ -253,7 +277,7 @@ void check(const CheckOptions& options)
   const Simulator simulator = build_simulator(scene, 0);
   const Printed printed(options.units);
   const SimulatorStatistics& s = simulator.statistics();
-  std::printf("%s: %s is good\n", options.scene.c_str(), scene.name.c_str());
+  std::printf("%s: %s: OK\n", options.scene.c_str(), scene.name.c_str());
   print_well(scene, simulator, printed);
   const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
   print_mud(scene, mesh, printed);

@@ -59,7 +59,7 @@ void print_verdict(const Verification& verification, double tolerance)
       std::printf("wrong without a warning: %s is off by more than %g %% from %.0f s on\n", output_traits[i].name, 100.0 * tolerance, found.wrong_from);
       break;
     case Verification::Verdict::unknown:
-      std::printf("not known: the finer runs differ too much in %s to tell %g %%; one moment of it is one case of many there, means over minutes may hold\n",
+      std::printf("not known: the finer runs differ too much in %s for a verdict at %g %%; its instants are one sample of many, averages over minutes may be reliable\n",
                   output_traits[i].name, 100.0 * tolerance);
       break;
   }

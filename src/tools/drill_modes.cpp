@@ -148,9 +148,9 @@ Command add_modes_command(CLI::App& drill)
   const auto options = std::make_shared<ModesOptions>();
   add_file(*words, "SCENE", options->scene, "the scene's file");
   add_text(*words, "--family", options->family, "F",
-           "apart (axial, torsional and lateral motions each alone, the default), one of those three, or coupled (all together)");
+           "apart (axial, torsional and lateral motions each by itself, the default), one of those three, or coupled (all together)");
   add_number(*words, "--modes", options->count, 1, 100, "N", "how many of each family, the lowest; default: 6");
-  add_number(*words, "--assembly", options->assembly, 0.1, 20000, "M", "the lowest M metres alone, clamped at the node nearest there; default: the whole string");
+  add_number(*words, "--assembly", options->assembly, 0.1, 20000, "M", "only the lowest M metres, clamped at the node nearest there; default: the whole string");
   add_text(*words, "--json", options->json, "FILE", "writes frequencies and shapes");
   add_settings(*words, options->settings);
   return {words, [options] { print_all(*options); }};

@@ -35,7 +35,7 @@ Command add_plot_command(CLI::App& drill)
 {
   CLI::App* words = drill.add_subcommand("plot", "draws a run: logs by time and depth, well, toolfaces, and a page that holds them");
   const auto options = std::make_shared<PlotOptions>();
-  add_file(*words, "RUN", options->run, "of drill run --csv, or a bag (.bag) with truth/rig_state and truth/bit, or with rig_state alone");
+  add_file(*words, "RUN", options->run, "of drill run --csv, or a bag (.bag) with truth/rig_state and truth/bit, or with rig_state only");
   add_text(*words, "--out", options->out, "DIR", "folder for PNG, SVG and index.html; default: beside the run");
   add_text(*words, "--plan", options->plan, "FILE", "planned survey, beside the drilled well");
   add_survey_file_options(*words, options->plan_file, "the plan's");

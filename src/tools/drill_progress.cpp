@@ -14,7 +14,7 @@ Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1), begin_(Clock::now(
 
 Progress::~Progress()
 {
-  // leave a clean line to whoever writes next
+  // leave a clean line for the next writer
   if (drawn_) std::fputs("\r\033[K", stderr);
 }
 

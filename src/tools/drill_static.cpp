@@ -58,9 +58,9 @@ void print_report(const StaticReport& report, const Printed& printed)
   std::printf("at %.1f deg clockwise from the high side\n", report.bit_side_direction / degree);
   std::printf("bit tilt         %12.3f deg to the hole\n", report.bit_tilt / degree);
   const auto share = [&](const char* name, const char* what, const auto& load)
-  { std::printf("%-16s %12.2f of what %s, %s above the bit\n", name, load.share, what, printed(load.from_bit, Dimension::length, metre).c_str()); };
-  share("yield", "the pipe bears", report.loads.stress);
-  share("buckling", "it bears straight", report.loads.buckling);
+  { std::printf("%-16s %12.2f of %s, %s above the bit\n", name, load.share, what, printed(load.from_bit, Dimension::length, metre).c_str()); };
+  share("yield", "its yield strength", report.loads.stress);
+  share("buckling", "its critical buckling load", report.loads.buckling);
   print_buckled(report.buckled, printed);
   print_pushed(report, printed);
   if (report.refined_length > 0.0)

@@ -83,7 +83,7 @@ std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& sta
   if (stations.size() < 2) problems.push_back({0, plain(static_cast<double>(stations.size())) + " station, needed: at least two"});
   if (stations.size() > most_stations)
   {
-    problems.push_back({most_stations, "more than " + std::to_string(most_stations) + " stations, allowed: up to so many"});
+    problems.push_back({most_stations, "more than " + std::to_string(most_stations) + " stations, allowed: at most that many"});
     return problems;
   }
   if (stand_upside_down(stations))
@@ -107,7 +107,7 @@ ProblemList well_problems(const WellSpec& well)
 {
   ProblemList problems;
   const double last = well.survey.empty() ? 0.0 : well.survey.back().md;
-  if (!(well.hole_depth > 0.0)) problems.emplace_back("well.hole_depth", metres(well.hole_depth) + " is no depth, allowed: above 0");
+  if (!(well.hole_depth > 0.0)) problems.emplace_back("well.hole_depth", "must be above 0 (got " + metres(well.hole_depth) + ")");
   if (well.hole_depth > last) problems.emplace_back("well.hole_depth", deeper_than_survey(well.hole_depth, last, well.project));
   if (well.sections.empty()) problems.emplace_back("well.sections", "the list is empty, needed: at least one section");
   double above = 0.0;
@@ -115,13 +115,13 @@ ProblemList well_problems(const WellSpec& well)
   {
     const HoleSection& section = well.sections[i];
     if (!(section.diameter > 0.0))
-      problems.emplace_back(item_key("well.sections", i, "diameter"), metres(section.diameter) + " is no diameter, allowed: above 0");
+      problems.emplace_back(item_key("well.sections", i, "diameter"), "must be above 0 (got " + metres(section.diameter) + ")");
     if (!(section.friction >= 0.0))
-      problems.emplace_back(item_key("well.sections", i, "friction"), plain(section.friction) + " is no friction, allowed: 0 or more");
+      problems.emplace_back(item_key("well.sections", i, "friction"), "must be 0 or more (got " + plain(section.friction) + ")");
     if (section.static_ratio < 1.0)
-      problems.emplace_back(item_key("well.sections", i, "static_ratio"), plain(section.static_ratio) + " is no ratio, allowed: 1 or more");
+      problems.emplace_back(item_key("well.sections", i, "static_ratio"), "must be 1 or more (got " + plain(section.static_ratio) + ")");
     if (section.stribeck_speed <= 0.0)
-      problems.emplace_back(item_key("well.sections", i, "stribeck_speed"), plain(section.stribeck_speed) + " m/s is no speed, allowed: above 0");
+      problems.emplace_back(item_key("well.sections", i, "stribeck_speed"), "must be above 0 (got " + plain(section.stribeck_speed) + " m/s)");
     if (!(section.to > above))
       problems.emplace_back(item_key("well.sections", i, "to"),
                             metres(section.to) + " does not exceed the " + metres(above) + " where it begins");
@@ -135,8 +135,8 @@ ProblemList well_problems(const WellSpec& well)
                           "the last section ends at " + metres(well.sections.back().to) + ", needed: down to hole_depth, " +
                               metres(well.hole_depth));
   if (well.pilot_depth > 0.0 && !(well.pilot_depth > well.hole_depth && well.pilot_depth <= last))
-    problems.emplace_back("well.pilot_depth", metres(well.pilot_depth) + " is no depth of a hole ahead of the bit, allowed: 0, or from hole_depth, " +
-                                                  metres(well.hole_depth) + ", to the last station, " + metres(last));
+    problems.emplace_back("well.pilot_depth", "must be 0, or between hole_depth (" + metres(well.hole_depth) + ") and the last station (" + metres(last) + "), got " +
+                                                  metres(well.pilot_depth));
   if ((well.pilot_depth > 0.0) != (well.pilot_diameter > 0.0))
     problems.emplace_back(well.pilot_depth > 0.0 ? "well.pilot_depth" : "well.pilot_diameter",
                           "pilot_depth and pilot_diameter say together what the bit reams, allowed: both, or neither");

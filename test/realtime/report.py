@@ -65,7 +65,7 @@ def phases(runs):
             factor = (float(last['simulated_time']) - float(first['simulated_time'])) / max(1, len(between))
             rows.append([run['name'], phase, '%.3f' % factor, '%.2f' % (float(last['dropped_seconds']) - float(first['dropped_seconds'])),
                          'yes' if any(values['slow'] for values in between) else 'no'])
-    return table(['scheduling', 'phase', 'real-time factor', 'time dropped [s]', 'diagnostics say so'], rows)
+    return table(['scheduling', 'phase', 'real-time factor', 'time dropped [s]', 'diagnostics report it'], rows)
 
 
 def setting(args, runs):

@@ -144,7 +144,7 @@ class BadInputs(unittest.TestCase):
 
     def test_stab_5cm(self):
         for length in ('0.02', '0.05', '0.1', '0.2'):
-            self.assertIn('is good', self.good('check', self.scene('stab_5cm.yaml', 'length: 0.05,', 'length: %s,' % length)))
+            self.assertIn(': OK', self.good('check', self.scene('stab_5cm.yaml', 'length: 0.05,', 'length: %s,' % length)))
 
     def test_tiny_displacement(self):
         self.refused('tiny_displacement.yaml', 'string[1].displacement_per_rev: ', 'allowed: 0.0001 to 1 m3/rev')

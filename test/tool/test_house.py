@@ -12,6 +12,7 @@ sys.path[:0] = [os.path.join(SOURCE, 'test/house'), os.path.join(SOURCE, 'test/m
 import includes  # noqa: E402
 import laws  # noqa: E402
 import sizes  # noqa: E402
+import words  # noqa: E402
 
 PUBLIC = 'include/drill_rig_sim/'
 
@@ -112,6 +113,7 @@ class Arrows(unittest.TestCase):
     def test_what_is_in_no_room(self):
         self.one(tree(a=''), 'src/a.cpp:1: in no room')
         self.one(tree(cellar__a=''), 'src/cellar/a.cpp:1: in no room')
+        self.assertEqual([], includes.faults({**tree(), 'src/manual/pages.py': ''}))
         self.one(tree(math__a=include('math/gone.h')), 'src/math/a.cpp:1: there is no drill_rig_sim/math/gone.h')
 
     def test_the_table_counts(self):
@@ -193,6 +195,23 @@ class Laws(unittest.TestCase):
 
     def test_a_law_that_is_written_otherwise_is_told(self):
         self.assertIn('Stribeck curve stands nowhere', laws.faults({})[0])
+
+
+class Words(unittest.TestCase):
+    def test_what_is_looked_at(self):
+        text = 'nobody knows\n'
+        for file in ('README.md', 'msg/A.msg', 'launch/a.launch', PUBLIC + 'sim/a.h'):
+            self.assertEqual(['%s:1: "nobody": %s' % (file, words.NEVER[r'\b(whoever|somebody|nobody|anybody)\b'])], words.faults({file: text}))
+        self.assertEqual([], words.faults({'src/sim/a.cpp': '// nobody\n', 'src/python/a.py': 'nobody = "x"\n'}))
+        self.assertEqual(1, len(words.faults({'src/sim/a.cpp': 'refuse("nobody is there");\n'})))
+
+    def test_old_entries_of_the_changelog_stay(self):
+        text = 'Forthcoming\n-----------\n* new\n\n0.2.0 (2026-01-01)\n------\n* nobody\n'
+        self.assertEqual([], words.faults({'CHANGELOG.rst': text}))
+        self.assertEqual(1, len(words.faults({'CHANGELOG.rst': text.replace('new', 'nobody')})))
+
+    def test_words_that_depend_on_the_sentence_are_left_to_the_writer(self):
+        self.assertEqual([], words.faults({'README.md': 'the string hangs on its hook alone, and the gauge is silent; of course\n'}))
 
 
 class Command(unittest.TestCase):

@@ -17,7 +17,7 @@ TEST(HeardClock, aFollowerMissesAClockThatNeverCame)
 {
   const HeardClock clock("", at(0.0));
   EXPECT_EQ("", clock.trouble(at(3.0), false)) << "not yet";
-  EXPECT_EQ("waiting for /clock, which nobody has published yet", clock.trouble(at(3.1), false));
+  EXPECT_EQ("waiting for /clock, which has not been published yet", clock.trouble(at(3.1), false));
 }
 
 TEST(HeardClock, aFollowerMissesAClockThatStopped)
@@ -26,7 +26,7 @@ TEST(HeardClock, aFollowerMissesAClockThatStopped)
   clock.hear("/leader", at(5.0));
   EXPECT_EQ("", clock.trouble(at(8.0), true));
   EXPECT_EQ("/clock has stopped: /leader is paused or dead", clock.trouble(at(8.1), true));
-  EXPECT_EQ("nobody publishes /clock any more, /leader did", clock.trouble(at(8.1), false));
+  EXPECT_EQ("/clock is no longer published; its last publisher was /leader", clock.trouble(at(8.1), false));
   clock.hear("/leader", at(9.0));
   EXPECT_EQ("", clock.trouble(at(9.1), true));
 }

@@ -184,7 +184,7 @@ TEST(SceneRead, WrongSettingsAreRefusedByName)
   EXPECT_EQ(message("numerics.step").rfind("setting: numerics.step: has no value", 0), 0u);
   EXPECT_EQ(message("mud={densty: 1000}").rfind("setting: mud.densty: unknown key", 0), 0u) << message("mud={densty: 1000}");
   EXPECT_EQ(message("string=[{name: bit, type: bit, length: 0.3, mass: 40}]").rfind("setting: string[0].diameter: is missing", 0), 0u);
-  EXPECT_EQ(message("name.step=1").rfind("setting: name.step: leads through", 0), 0u);
+  EXPECT_EQ(message("name.step=1").rfind("setting: name.step: goes through", 0), 0u);
   for (const char* nonsense : {"=", "..=1", "a[=1", "a[]=1", "well[0]=1", "name=[", "[0]=1", "string[0]..x=1"})
     EXPECT_NE(message(nonsense), "accepted") << nonsense;
 }

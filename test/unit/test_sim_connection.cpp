@@ -190,7 +190,7 @@ TEST(Connection, isRefusedWithALine)
   bring_hook_to(rig, block_weight(rig) + weight_above_slips(rig));
   EXPECT_STREQ(rig.make_connection(4, false), "connection: the block has no room for that above, allowed: up to highest_block_height");
   EXPECT_STREQ(rig.make_connection(1, true), "connection: the block has no room for that below, allowed: down to lowest_block_height");
-  EXPECT_STREQ(rig.make_connection(50, true), "connection: so many joints are not in the string");
+  EXPECT_STREQ(rig.make_connection(50, true), "connection: the string does not have that many joints");
   rig.command(WinchSetpoint{-0.001, false});
   EXPECT_STREQ(rig.make_connection(0, false), "connection: the block moves, allowed: at rest");
   rig.command(WinchSetpoint{0.0, true});

@@ -92,7 +92,7 @@ TEST(SurveyChecks, MoreStationsThanAllowedAreOneProblem)
   for (std::size_t i = 0; i < most_stations; ++i) stations.push_back({0.01 * static_cast<double>(i), 0.0, 0.0});
   EXPECT_EQ(Texts(), said_of(stations));
   stations.push_back({1.0, 0.0, 0.0});
-  EXPECT_EQ(Texts({"50000: more than 50000 stations, allowed: up to so many"}), said_of(stations));
+  EXPECT_EQ(Texts({"50000: more than 50000 stations, allowed: at most that many"}), said_of(stations));
 }
 
 TEST(SectionChecks, ASectionHasRoomForItsChangeOfDiameter)

@@ -274,10 +274,10 @@ TEST(HoleNodes, EachRuleForAHoleSaysWhereAndWhat)
   EXPECT_EQ("0 problems", problem_with([](WellSpec&) {}));
   EXPECT_EQ("well.hole_depth: 731 m is deeper than the survey, allowed: up to its last station, 730 m; well.project: straight or curvature goes on from there, up to 30.5 m",
             problem_with([](WellSpec& w) { w.hole_depth = 731.0; }));
-  EXPECT_EQ("well.hole_depth: 0 m is no depth, allowed: above 0", problem_with([](WellSpec& w) { w.hole_depth = 0.0; }));
+  EXPECT_EQ("well.hole_depth: must be above 0 (got 0 m)", problem_with([](WellSpec& w) { w.hole_depth = 0.0; }));
   EXPECT_EQ("well.sections: the list is empty, needed: at least one section", problem_with([](WellSpec& w) { w.sections.clear(); }));
-  EXPECT_EQ("well.sections[1].diameter: 0 m is no diameter, allowed: above 0", problem_with([](WellSpec& w) { w.sections[1].diameter = 0.0; }));
-  EXPECT_EQ("well.sections[0].friction: -0.1 is no friction, allowed: 0 or more", problem_with([](WellSpec& w) { w.sections[0].friction = -0.1; }));
+  EXPECT_EQ("well.sections[1].diameter: must be above 0 (got 0 m)", problem_with([](WellSpec& w) { w.sections[1].diameter = 0.0; }));
+  EXPECT_EQ("well.sections[0].friction: must be 0 or more (got -0.1)", problem_with([](WellSpec& w) { w.sections[0].friction = -0.1; }));
   EXPECT_EQ("well.sections[0].static_ratio: 0.9 is no ratio, allowed: 1 or more", problem_with([](WellSpec& w) { w.sections[0].static_ratio = 0.9; }));
   EXPECT_EQ("well.sections[1].stribeck_speed: 0 m/s is no speed, allowed: above 0",
             problem_with([](WellSpec& w) { w.sections[1].stribeck_speed = 0.0; }));

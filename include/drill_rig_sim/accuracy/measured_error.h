@@ -12,7 +12,7 @@ namespace drill_rig_sim
 /// A companion's elements and steps, and what its difference to the run says.
 struct CompanionTraits
 {
-  double refinement;             ///< its elements and steps are so many times shorter than the run's
+  double refinement;             ///< factor by which its elements and steps are shorter than the run's
   double error_over_difference;  ///< the run's error over its difference to the companion
 };
 

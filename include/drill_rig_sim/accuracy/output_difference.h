@@ -41,7 +41,7 @@ public:
   /// Root mean square of the difference over the last window, in the output's unit; before the start there was none.
   double absolute() const noexcept;
   StatisticDifferences statistics() const noexcept;
-  /// What the output has ranged over so far, a tenth of its mean magnitude, or what an instrument tells apart, whichever is most; in its unit.
+  /// What the output has ranged over so far, a tenth of its mean magnitude, or the resolution of an instrument, whichever is most; in its unit.
   double scale() const noexcept;
 
   template <class V>

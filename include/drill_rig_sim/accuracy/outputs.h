@@ -28,7 +28,7 @@ struct OutputTraits
   const char* name;  ///< as the column of `drill run --csv`
   const char* words;  ///< as a sentence has it
   Need need;         ///< the word of the scene's key `needs` that asks for it
-  double resolved;   ///< what an instrument tells apart: no less counts as a change of the output
+  double resolved;   ///< resolution of an instrument: less does not count as a change of the output
 };
 
 /// Of each output, in their order: kN, 0.1 kN m, kN, 36 mm/h, rpm, bar by what rigs show.

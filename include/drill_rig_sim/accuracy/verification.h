@@ -19,7 +19,7 @@ public:
   /// What was found of an output over the windows of the run, each of difference_window.
   struct Finding
   {
-    double scale = 0.0;      ///< range of the finest run, a tenth of its level or what an instrument tells apart, whichever is most
+    double scale = 0.0;      ///< range of the finest run, a tenth of its level or the resolution of an instrument, whichever is most
     double worst = 0.0;      ///< largest root mean square of a window's difference to the finest run, over `scale` [-]
     double worst_until = 0.0;  ///< end of that window [s]
     double own = 0.0;        ///< of the finest run's own errors, in the same way, the largest [-]
@@ -35,7 +35,7 @@ public:
     right,    ///< no window of an output that is needed is beyond the tolerance
     warned,   ///< some are, and a warning had begun by the end of the first of them
     silent,   ///< some are, and none had
-    unknown   ///< the finest run does not know itself well enough to tell
+    unknown   ///< the own error of the finest run is too large for a verdict
   };
 
   /// @param tolerance  relative

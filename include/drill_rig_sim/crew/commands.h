@@ -37,7 +37,7 @@ struct CommandState
   Setpoints by_crew;
 
   bool timed_out() const noexcept { return winch_silent || drive_silent; }
-  /// What was asked, or the crew's; brake and coasting drive while a stream is silent.
+  /// What was asked, or the crew's; brake and coasting drive while a stream has stopped.
   Setpoints in_force() const noexcept;
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept;
@@ -78,7 +78,7 @@ CommandResult take(const RigSpec& rig, double now, const TopDriveSetpoint& comma
 CommandResult take(const RigSpec& rig, double now, const PumpSetpoint& command, CommandState& state) noexcept;
 CommandResult take(const RigSpec& rig, double now, const SteeringSetpoint& command, CommandState& state) noexcept;
 
-/// Notes which of the winch's and the drive's commands have been silent for longer than `timeout` [s]; 0: never. A stream is watched from
+/// Notes which of the winch's and the drive's commands have not come for longer than `timeout` [s]; 0: never. A stream is watched from
 /// its first command on: its first since the start, or since `timeout` was 0.
 void watch_commands(double timeout, double now, CommandState& state) noexcept;
 

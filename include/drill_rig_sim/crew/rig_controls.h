@@ -20,7 +20,7 @@ public:
   virtual CommandResult command(const PumpSetpoint& c) noexcept = 0;
   /// Obeyed at once; by the pump's flow as downlink.h says.
   virtual CommandResult command(const SteeringSetpoint& c) noexcept = 0;
-  /// The last commands themselves, whoever gives the set points meanwhile: a crew, or the watchdog of silent streams.
+  /// The last commands themselves, even while a crew or the watchdog gives the set points.
   virtual const Setpoints& asked() const noexcept = 0;
   /// The rig as it is after the last frame: for judging a controller.
   virtual const Truth& truth() const noexcept = 0;

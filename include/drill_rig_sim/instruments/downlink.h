@@ -7,12 +7,12 @@
 
 namespace drill_rig_sim
 {
-/// How a rotary steerable tool is told what to do from the surface: by the flow through it, which the driller lowers and raises.
+/// How a rotary steerable tool is commanded from the surface: by the flow through it, which the driller lowers and raises.
 ///
 /// A downlink is eleven bits of one length: a start bit 1, four bits of toolface in steps of 22.5 deg, four bits of ratio in tenths (0 to 10), the most
 /// significant first, a parity bit that makes the number of ones of the eight even, a stop bit 0. 1: the flow is lowered to less than `low` of what it
 /// was, but not stopped (0.3 of it); 0: as before. The tool looks at the middle of each bit from where the flow fell; a downlink that is broken, has a wrong
-/// parity or a ratio above 10 is lost, and what was in force stays. After a broken one the tool hears nothing for as long as one takes, so that its rest is
+/// parity or a ratio above 10 is lost, and what was in force stays. After a broken one the tool receives nothing for as long as one takes, so that its rest is
 /// no other one.
 class DownlinkReceiver
 {
@@ -22,7 +22,7 @@ public:
   static constexpr double toolface_step = 0.39269908169872414;  ///< 22.5 deg [rad]
   static constexpr double ratio_step = 0.1;
 
-  /// What the tool hears at `time` [s]: `flow` through it [m3/s]; `bit_time` [s]. The command once it is complete.
+  /// What the tool receives at `time` [s]: `flow` through it [m3/s]; `bit_time` [s]. The command once it is complete.
   std::optional<SteeringSetpoint> hear(double time, double flow, double bit_time) noexcept;
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept

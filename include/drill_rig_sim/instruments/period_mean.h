@@ -13,7 +13,7 @@ public:
   PeriodMean() = default;
   /// `period` [s]; 0: no waves, and the mean is the signal as it is.
   explicit PeriodMean(double period) : period_(period) {}
-  /// The signal is `value` at `time` [s], and was straight since the last call. May be told the same time again.
+  /// The signal is `value` at `time` [s], and was straight since the last call. The same time may be given again.
   void take(double value, double time) noexcept;
   /// Over the last period, or over all there was if that is less.
   double mean() const noexcept;

@@ -26,13 +26,13 @@ struct NoiseSource
   }
 };
 
-/// `value` to whole multiples of `resolution`; 0, or too small to be told beside the value: as it is.
+/// `value` to whole multiples of `resolution`; 0, or too small to change the value: as it is.
 double rounded(double value, double resolution) noexcept;
 
 /// What is wrong with a gauge beside its specification (sim/faults.h); all of it may be at once.
 struct SensorFault
 {
-  bool frozen = false;   ///< it shows its last reading, and nothing tells
+  bool frozen = false;   ///< it shows its last reading, without a sign
   bool dropped = false;  ///< as a drop-out that lasts
   double bias = 0.0;     ///< [unit of the signal]
   double noise = 0.0;    ///< standard deviation [unit of the signal]
@@ -60,7 +60,7 @@ struct SensorFault
 /// - Drop-outs: two states, good and lost, left at random at the rates a = 1/interval and b = 1/duration (Gilbert, Bell System Technical
 ///   Journal 39 (1960), 1253-1265, in continuous time). From a frame to the next, h later, a good one is lost with the probability
 ///   a/(a + b) (1 - e^(-(a + b) h)), a lost one good with b/(a + b) (...): of all time b/(a + b) is good. A gauge that is lost shows its last
-///   reading, as a rig's acquisition does that substitutes the last good value, and is_lost() tells, as the current of a loop does that
+///   reading, as a rig's acquisition does that substitutes the last good value, and is_lost() reports it, as the current of a loop does that
 ///   has left 4 to 20 mA (NAMUR NE 43).
 class Sensor
 {

@@ -9,7 +9,7 @@
 #include "drill_rig_sim/accuracy/outputs.h"
 #include "drill_rig_sim/rig/setpoints.h"
 
-/// What a frame tells of the rig, twice: as it is (Truth) and as its instruments show it (Readings).
+/// The values of the rig in a frame, twice: as it is (Truth) and as its instruments show it (Readings).
 namespace drill_rig_sim
 {
 /// A survey by the MWD, as it reaches the surface.
@@ -153,8 +153,8 @@ struct RigSignals
   bool relief_valve_open = false;   ///< by the pump: part of its flow goes back to the tanks
   bool over_stress = false;         ///< pipe is stressed beyond its yield strength (sim/string_watch.h)
   bool over_torque = false;         ///< beyond the make-up torque of its connections
-  bool buckled = false;             ///< compressed beyond what it bears straight in its hole
-  bool accuracy_warning = false;    ///< the simulation may be wrong, for a reason that its diagnostics tell (sim/accuracy.h)
+  bool buckled = false;             ///< compressed beyond its critical buckling load
+  bool accuracy_warning = false;    ///< the simulation may be wrong, the reason is in its diagnostics (sim/accuracy.h)
   bool top_drive_brake_set = false;
   bool top_drive_limited = false;   ///< torque, speed or power limit active
   bool command_clamped = false;     ///< the last command was
@@ -269,7 +269,7 @@ inline Outputs outputs_of(const Truth& m) noexcept
 /// - hook_load, dead_line_hook_load, torque, stand_pipe_pressure, flow, block_height: gauges, each with its errors (sensor.h); hook_load is the
 ///   gauge where the scene puts it. lost_gauges: those in a drop-out, which show their last reading.
 /// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact. floor_height, floor_velocity: by a motion reference
-///   unit, exact. stroke_rate, pump_strokes: the pump's strokes are counted. ecd: as if a tool by the bit told it at once.
+///   unit, exact. stroke_rate, pump_strokes: the pump's strokes are counted. ecd: as if a tool by the bit sent it at once.
 /// - worked out, as a rig does: bit_depth = tally - block_height (the tally is right at the start), hole_depth its largest so far, rop the
 ///   rate of that over the last 10 s, hook_load_string = hook_load - weight of block and top drive, surface_wob = tare - hook_load,
 ///   differential_pressure = stand_pipe_pressure - tare, 0 until tared. While the slips bear the string bit_depth is held.

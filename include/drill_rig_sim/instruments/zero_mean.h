@@ -35,7 +35,7 @@ public:
   explicit ZeroMean(double wave_period);
   /// The string rings with another period [s]: at the start, and where pipe was added or taken away.
   void rings_with(double period) noexcept;
-  /// The hook load [N] with the other signals of its instant. May be told the same instant again.
+  /// The hook load [N] with the other signals of its instant. The same instant may be given again.
   void take(double hook_load, const RigSignals& now) noexcept;
   /// [N]
   double mean() const noexcept { return mean_.mean(); }

@@ -7,7 +7,7 @@
 namespace drill_rig_sim
 {
 /// Several quantities of all nodes or elements, those of one kind side by side, as batch kernels want them. Behind the last there is room
-/// for the lanes of a batch that nobody asks for. NumberColumns begin in different sets of the cache.
+/// for the lanes of a batch that are not used. NumberColumns begin in different sets of the cache.
 class NumberColumns
 {
 public:

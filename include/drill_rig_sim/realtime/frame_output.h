@@ -77,7 +77,7 @@ inline AccuracyRecord accuracy_of(const Simulator& simulator) noexcept
   return accuracy;
 }
 
-/// What a frame tells, without arrays.
+/// The values of a frame, without arrays.
 struct FrameRecord
 {
   std::int64_t stamp = 0;  ///< [ns]
@@ -104,7 +104,7 @@ struct FrameArrays
   std::vector<WellNode> stations;  ///< the hole at the survey's stations
 };
 
-/// What the simulation thread hands to the publishers after a frame. The arrays are filled where their flag says so.
+/// What the simulation thread hands to the publishers after a frame. The arrays are filled where their flag is set.
 struct FrameOutput : FrameArrays
 {
   FrameRecord frame;
@@ -117,7 +117,7 @@ struct FrameOutput : FrameArrays
   bool profile_due = false;  ///< drillstring_state
   bool tf_due = false;
   bool markers_due = false;
-  bool well_due = false;  ///< the well has changed, or somebody new wants to see it
+  bool well_due = false;  ///< the well has changed, or there is a new subscriber
   bool tube_due = false;  ///< markers are due and have not shown the well as it is
   bool has_arrays = false;   ///< a ring has lent it a set
 

@@ -23,7 +23,7 @@ constexpr std::array<std::int64_t, 70> preferred_times() noexcept
 }
 
 /// How long something took, time and again: counts between preferred times, so that 1, 2, 5, 10 ms are
-/// exact bounds and a percentile is at most a quarter too long. A plain value: whoever counts neither locks nor allocates.
+/// exact bounds and a percentile is at most a quarter too long. A plain value: counting neither locks nor allocates.
 class TimeHistogram
 {
 public:

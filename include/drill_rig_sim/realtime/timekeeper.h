@@ -34,7 +34,7 @@ enum class TimeSource
 class Timekeeper
 {
 public:
-  static constexpr std::int64_t not_yet = INT64_MAX;           ///< no frame before somebody wakes the thread
+  static constexpr std::int64_t not_yet = INT64_MAX;           ///< no frame before the thread is woken
   static constexpr std::int64_t most_backlog = 100'000'000;    ///< [ns]
   static constexpr std::int64_t longest_jump = 10'000'000'000; ///< of another rig's clock that is followed frame by frame [ns]
   static constexpr std::int64_t most_ahead = 1'000'000'000;    ///< of another rig's clock, which is then waited for [ns]
@@ -61,7 +61,7 @@ public:
   std::int64_t wall_period() const noexcept { return is_realtime() ? static_cast<std::int64_t>(static_cast<double>(period_) / speed_) : period_; }
   /// The next frame is due now: after a pause, or at the start.
   void restart(std::int64_t now) noexcept { deadline_ = now; }
-  /// Where another rig's clock is more than longest_jump ahead (the first one heard, or one that runs faster than this rig can) or more than
+  /// Where another rig's clock is more than longest_jump ahead (the first one received, or one that runs faster than this rig can) or more than
   /// most_ahead behind (a rig that began again; resets of this one put it ahead by a frame each): goes there at once. What a rig that had
   /// followed leaves out counts as dropped. Returns whether the stamp went back.
   bool adopt_clock() noexcept;
@@ -91,7 +91,7 @@ private:
   std::int64_t deadline_ = 0;
   std::uint64_t overruns_ = 0;
   std::int64_t dropped_ = 0;
-  bool followed_ = false;  // a clock has been heard
+  bool followed_ = false;  // a clock has been received
   std::atomic<std::int64_t> heard_{0};
 };
 

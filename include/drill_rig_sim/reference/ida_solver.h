@@ -39,7 +39,7 @@ public:
 
   /// Integrates up to `t` exactly, the last steps before it of equal length; order and step go on from call to call. y, rate:
   /// solution at t. `after_step` may be empty.
-  /// False: it could not; statistics().flag tells why, y and rate are left alone.
+  /// False: it could not; statistics().flag is the reason, y and rate are unchanged.
   bool advance(double t, std::vector<double>& y, std::vector<double>& rate, const Watcher& after_step = {});
   /// The last advance() ended because max_steps were not enough.
   bool too_much_work() const;

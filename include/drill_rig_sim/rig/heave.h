@@ -20,7 +20,7 @@ struct FloorMotion
   double speed = 0.0;   ///< [m/s]
 };
 
-/// Over so many periods the waves come up: a string of a few kilometres rings for minutes, and in one period they would ring it as much as they swing it.
+/// Number of periods over which the waves come up: a string of a few kilometres rings for minutes, and in one period they would ring it as much as they swing it.
 constexpr double rising_periods = 5.0;
 
 /// A r(t/5T) sin(2 pi t/T) at `time` t >= 0 [s] after the rig stood at rest: regular waves, that come up in five periods by r(s) = s^2 (3 - 2 s), then 1, so that

@@ -25,7 +25,7 @@
 ///
 /// Friction: Coulomb's, carried by a damped bristle z as at the wall (contact/wall_contact.h), so that what it holds does not creep:
 ///   q = k_g (z + u) + c_g w,   f = -q while |q| <= f_max, else -f_max sign(q), and z goes to -f/k_g over c_g/k_g.
-/// f_max is the gearbox's, and the brake's with it while the brake is on: when the command says so, and by itself in SPEED at a set point of 0
+/// f_max is the gearbox's, and the brake's with it while the brake is on: by command, and by itself in SPEED at a set point of 0
 /// once the rotor stands, in ANGLE once it stands where it should; then it stays on as long as the set point does. The brake takes the motor off,
 /// tau = 0, and what the integral held over into its bristle; k_i i = f then: neither takes over with a bump.
 ///
@@ -132,7 +132,7 @@ struct DriveTorque
   DriveState state;       ///< if a step ends there
 };
 
-/// The same laws where somebody else integrates the rotor: the torques on it after it has turned by `turn` [rad] in `time` [s] since the
+/// The same laws where the rotor is integrated elsewhere: the torques on it after it has turned by `turn` [rad] in `time` [s] since the
 /// start of the step, runs at `speed` [rad/s] and is `twist` [rad] ahead of the string's top. The loop's integral is exact over the step:
 /// of the angle that w* would have turned, less `turn`.
 DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start, double time, double turn,

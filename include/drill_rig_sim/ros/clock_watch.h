@@ -14,7 +14,7 @@
 
 namespace drill_rig_sim
 {
-/// Whose /clock is heard, and what is wrong with it; tells time by what it is given.
+/// Which /clock is received, and what is wrong with it; knows only the times that it is given.
 class HeardClock
 {
 public:
@@ -24,20 +24,20 @@ public:
   HeardClock(std::string own, const ros::SteadyTime& now) : follows_(own.empty()), publisher_(std::move(own)), started_(now) {}
 
   void hear(const std::string& publisher, const ros::SteadyTime& now);
-  /// What is wrong with the clock now, one line; empty where nothing is. `published`: somebody is known to publish it.
+  /// What is wrong with the clock now, one line; empty where nothing is. `published`: a publisher of it is known.
   std::string trouble(const ros::SteadyTime& now, bool published) const;
 
 private:
   std::string silence(const ros::SteadyTime& now, bool published) const;
 
   bool follows_;
-  std::string publisher_;  // whose clock this is: the node itself, or the first that was heard
+  std::string publisher_;  // whose clock this is: the node itself, or the first that was received
   std::string second_;     // another that publishes it
   ros::SteadyTime started_, heard_, second_heard_;
 };
 
-/// Listens to /clock: passes it on to a rig that follows it, and knows what is wrong with it. Nobody has published it, it has gone
-/// silent, a second node publishes it too: each is warned of once when it begins, and told in diagnostics as long as it lasts.
+/// Listens to /clock: passes it on to a rig that follows it, and knows what is wrong with it. It has not been published, it has gone
+/// silent, a second node publishes it too: each is warned of once when it begins, and reported in diagnostics as long as it lasts.
 /// A rig that publishes the clock itself listens only where the master knows of another: its own would come back with every frame.
 class ClockWatch
 {

@@ -16,7 +16,7 @@ namespace drill_rig_sim
 ///
 /// diagnostic_updater's status words the parts; its Updater does not publish them. It counts its period in ros::Time, so that it
 /// sleeps while simulated time stands, which is when diagnostics are wanted most; driven from outside by force_update() it still
-/// stamps with ros::Time::now() and not with the stamp of the frame it tells of; and it reads a
+/// stamps with ros::Time::now() and not with the stamp of the frame it reports; and it reads a
 /// private parameter of its own beside the checked ones.
 class DiagnosticsPublisher
 {

@@ -19,7 +19,7 @@ namespace drill_rig_sim
 class FramePublisher
 {
 public:
-  /// `ask_for_picture` is called when somebody subscribes after nobody did, for nothing was made before.
+  /// `ask_for_picture` is called for the first subscriber, for nothing was made before.
   FramePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture);
   void publish(const FrameOutput& s);
 

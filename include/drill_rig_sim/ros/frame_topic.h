@@ -17,7 +17,7 @@ inline std::atomic<bool> something_posted{false};
 
 /// A topic that has a message in every frame. ros::Publisher wakes roscpp's sending thread for each message, which then looks through all topics:
 /// with ten topics at 1 kHz that costs more than the sending. Here a message waits until send_posted() wakes it for the whole frame, in the order
-/// in which the topics were advertised. Nothing is made for nobody.
+/// in which the topics were advertised. Without a subscriber nothing is made.
 template <class Message>
 class FrameTopic
 {
@@ -28,14 +28,14 @@ public:
   {
   }
 
-  /// Posts what `make()` returns, where somebody listens.
+  /// Posts what `make()` returns, where there is a subscriber.
   template <class Make>
   void post(Make make) const
   {
     if (!publication_) return;
     if (!publication_->hasSubscribers())
     {
-      publication_->incrementSequence();  // the header's seq counts the messages that nobody heard too, as ros::Publisher's does
+      publication_->incrementSequence();  // the header's seq counts the messages without a subscriber too, as ros::Publisher's does
       return;
     }
     ros::SerializedMessage message = ros::serialization::serializeMessage<Message>(make());
@@ -45,10 +45,10 @@ public:
 
 private:
   ros::Publisher publisher_;  // advertises as long as it lives
-  ros::PublicationPtr publication_;  // none where the node was told to end before it had begun
+  ros::PublicationPtr publication_;  // none where the node was ended before it had begun
 };
 
-/// Has roscpp send what was posted on all topics, if anything was: its thread is woken for nobody else.
+/// Has roscpp send what was posted on all topics, if anything was: its thread is woken for nothing else.
 inline void send_posted()
 {
   if (something_posted.exchange(false)) ros::PollManager::instance()->getPollSet().signal();

@@ -42,7 +42,7 @@ class Mailbox
 public:
   /// On the command topics of `node`.
   explicit Mailbox(ros::NodeHandle& node);
-  /// On no topic: for whoever calls receive() himself.
+  /// On no topic: for callers of receive().
   Mailbox() = default;
 
   /// From any one thread: a command has come.

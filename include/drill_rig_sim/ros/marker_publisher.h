@@ -16,7 +16,7 @@ namespace drill_rig_sim
 class MarkerPublisher
 {
 public:
-  /// `ask_for_picture` is called when somebody new subscribes.
+  /// `ask_for_picture` is called for each new subscriber.
   MarkerPublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture);
   void publish(const FrameOutput& s);
 

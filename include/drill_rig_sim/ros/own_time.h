@@ -3,7 +3,7 @@
 
 namespace drill_rig_sim
 {
-/// Starts roscpp, after ros::init() and before the first NodeHandle. A node that publishes /clock is then told the time by itself (ros::Time::setNow()),
+/// Starts roscpp, after ros::init() and before the first NodeHandle. A node that publishes /clock then sets its time itself (ros::Time::setNow()),
 /// not by the messages that it sends: roscpp would subscribe to them, and each would come back through three threads, a frame late.
 void start_roscpp();
 

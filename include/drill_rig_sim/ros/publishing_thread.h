@@ -19,7 +19,7 @@
 
 namespace drill_rig_sim
 {
-/// Takes the frames in order and publishes all topics of each with its one stamp; /clock last, so that whoever wakes by
+/// Takes the frames in order and publishes all topics of each with its one stamp; /clock last, so that a node that wakes by
 /// the clock finds the frame's topics sent.
 class PublishingThread
 {
@@ -35,7 +35,7 @@ public:
 
   /// The last frame published.
   FrameRecord last() const;
-  /// Waits until frames handed over before this call are published. For whoever keeps the writer from writing more.
+  /// Waits until frames handed over before this call are published. The caller keeps the writer from writing more.
   void wait_until_published(std::uint64_t handed_over);
 
 private:

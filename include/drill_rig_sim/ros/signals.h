@@ -3,7 +3,7 @@
 
 namespace drill_rig_sim
 {
-/// SIGINT and SIGTERM end the node: roscpp shuts down, which takes it off the master, and whoever waits for that goes on. Where the
+/// SIGINT and SIGTERM end the node: roscpp shuts down, which takes it off the master, and what waits for that goes on. Where the
 /// process has not ended by itself 6 s later, because a large rig is being built or one frame takes long, it ends with status 0 all
 /// the same: nothing is left to be written. Call once, after ros::init() with NoSigintHandler.
 void end_on_signals();

@@ -19,16 +19,16 @@
 
 namespace drill_rig_sim
 {
-/// Which displays somebody looks at; written by the publishers, read by the simulation thread, but for `time_stands`.
+/// Which displays have subscribers; written by the publishers, read by the simulation thread, but for `time_stands`.
 struct Subscriptions
 {
   std::atomic<bool> profile{false};
-  std::atomic<bool> profile_missing{false};  ///< somebody who subscribed to drillstring_state has got none yet
+  std::atomic<bool> profile_missing{false};  ///< a subscriber of drillstring_state has received none yet
   std::atomic<bool> markers{false};
   std::atomic<bool> tf{false};
-  std::atomic<bool> tf_missing{false};  ///< somebody who subscribed to tf has got none yet
-  std::atomic<bool> refresh{false};  ///< somebody new wants a picture of the present state
-  std::atomic<bool> time_stands{true};  ///< written by the simulation thread: no frame comes until somebody asks for one
+  std::atomic<bool> tf_missing{false};  ///< a subscriber of tf has received none yet
+  std::atomic<bool> refresh{false};  ///< a new subscriber waits for the present state
+  std::atomic<bool> time_stands{true};  ///< written by the simulation thread: no frame comes before it is asked for
 };
 
 /// What the simulation thread works on. Others touch it in SimulationLoop::between_frames() only.
@@ -60,7 +60,7 @@ struct StepResult
   std::uint64_t handed_over = 0;  ///< to the publishers since the node began, the step's last one included
 };
 
-/// The simulation thread: takes the commands, computes a frame when the timekeeper says so, hands over its output. It never
+/// The simulation thread: takes the commands, computes a frame when the timekeeper lets it, hands over its output. It never
 /// locks, logs or allocates (the outputs' arrays have got their memory before), but between two frames where a connection ends: for the string is rebuilt then. It waits in one place, on one semaphore.
 class SimulationLoop
 {
@@ -71,10 +71,10 @@ public:
   void start();
   /// Ends a step() under way; the thread goes on letting between-frames callbacks in.
   void halt() noexcept;
-  /// Ends the thread; nobody may visit any more.
+  /// Ends the thread; visit() must not be called any more.
   void join();
 
-  /// Runs `visit(loop)` while the simulation thread stands between two frames. Whoever visits is alone.
+  /// Runs `visit(loop)` while the simulation thread stands between two frames. One visit at a time.
   template <class Visit>
   void between_frames(Visit visit)
   {
@@ -124,7 +124,7 @@ public:
   bool end_step_early() noexcept;
 
   /// Lockstep, for between-frames callbacks: has `frames` frames computed. wait_for_step(), by the same caller outside of the callback, waits
-  /// until they are handed over, fewer where one fails or somebody ends the step. One caller at a time.
+  /// until they are handed over, fewer where one fails or the step is ended. One caller at a time.
   void begin_step(std::uint32_t frames) noexcept;
   StepResult wait_for_step() noexcept;
 

@@ -11,16 +11,16 @@
 
 namespace drill_rig_sim
 {
-/// Who hears a StandingTopic, shared with the simulation thread.
+/// Whether a StandingTopic has subscribers, shared with the simulation thread.
 struct Audience
 {
-  std::atomic<bool>& heard;              ///< whether anybody subscribes
-  std::atomic<bool>& missing;            ///< somebody new waits: the simulation thread owes a message
-  const std::atomic<bool>& time_stands;  ///< no frame comes until somebody asks for one
+  std::atomic<bool>& heard;              ///< whether there is a subscriber
+  std::atomic<bool>& missing;            ///< a new subscriber waits: the simulation thread owes a message
+  const std::atomic<bool>& time_stands;  ///< no frame comes before it is asked for
 };
 
-/// A topic that shows a state, made while somebody hears it. While time stands nothing is repeated: whoever subscribes then gets the last message, it
-/// alone, or, where nobody heard the topic before, has one made.
+/// A topic that shows a state, made while it has subscribers. While time stands nothing is repeated: a new subscriber then receives the last message,
+/// or, without one, has one made.
 template <class Message>
 class StandingTopic
 {

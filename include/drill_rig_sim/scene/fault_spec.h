@@ -33,7 +33,7 @@ constexpr const char* fault_names[fault_count] = {"stuck_pipe",     "sensor_free
                                                   "pump_trip",      "sensor_dropout",  "sensor_drift", "differential_sticking",
                                                   "pack_off",       "friction_change", "formation_change", "washed_out_pipe"};
 
-/// A fault as somebody asks for it.
+/// A fault as requested.
 struct Fault
 {
   FaultKind kind = FaultKind::stuck_pipe;

@@ -80,7 +80,7 @@ struct NumericsSpec
   double guided_element_length = 0.0;  ///< longest element of guided pipe that friction does not push, above 9.5 m two joints [m]; 0: as elsewhere
   double free_length = 0.0;         ///< level hybrid: nodes up to here above the bit's face are free [m]; 0: free_length() (scene_mesh.h)
   double tolerance = 0.02;          ///< relative, of the scene's outputs; of variable steps, level auto and the mesh by the hole
-  double refinement = 1.0;          ///< elements and steps are so many times shorter than they would be: for seeing how results converge [-]
+  double refinement = 1.0;          ///< factor by which elements and steps are shorter: for seeing how results converge [-]
   CompanionKind companion = CompanionKind::automatic;
   Judge judge = Judge::truth;
   double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]

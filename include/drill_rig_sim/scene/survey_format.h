@@ -12,7 +12,7 @@ struct SurveyColumn
   std::string unit;    ///< of a length or an angle (math/unit_table.h); empty: as the header says
 };
 
-/// How a survey's file is to be read, where its header does not tell.
+/// How a survey's file is to be read, where its header does not define it.
 struct SurveyFormat
 {
   SurveyColumn md, inclination, azimuth;

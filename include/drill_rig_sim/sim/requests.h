@@ -5,7 +5,7 @@
 #include "drill_rig_sim/scene/fault_spec.h"
 #include "drill_rig_sim/sim/simulator.h"
 
-/// What somebody may ask of a simulator between two frames, refused with a reason: the node's services and the Python module speak by these.
+/// Requests to a simulator between two frames, refused with a reason: services of the node and the Python module use them.
 /// Each throws std::runtime_error with one line (what, where, what is allowed), and then nothing has changed.
 namespace drill_rig_sim
 {

@@ -105,7 +105,7 @@ public:
   /// The set points asked for by the last commands, or the watchdog's, though no frame has been computed since; the truth holds what interlocks and faults leave of them.
   Setpoints setpoints() const noexcept;
   const Setpoints& asked() const noexcept override;
-  /// Winch and drive streams silent for longer than this set the brake and coast the drive [s]; 0 = off.
+  /// Winch and drive streams that stop for longer than this set the brake and coast the drive [s]; 0 = off.
   void set_command_timeout(double seconds) noexcept;
   /// The winch's or the drive's last command stands until its next one: no stream is expected, whose silence would be noticed.
   void winch_command_stands() noexcept;

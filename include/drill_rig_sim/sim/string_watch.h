@@ -44,7 +44,7 @@ constexpr double helical_share = 1.41421356;
 
 BuckledPipe buckled_pipe(const Model& model, const State& state, const RigForces& forces) noexcept;
 
-/// Compares what the string carries with what it bears. Limits are told, not simulated: pipe beyond them goes on as if it were not.
+/// Compares the loads of the string with its limits. Limits are reported, not simulated: pipe beyond them does not fail.
 class StringWatch
 {
 public:

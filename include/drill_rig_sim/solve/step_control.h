@@ -34,7 +34,7 @@ constexpr double may_be_longer = 0.2;
 /// the largest steps that keep the share of the operations matrix's cells within 5, 2, 1 and 0.2 % (test/accuracy/README.md).
 /// Where the scene needs nothing but torque and bit speed, motions along the string are allowed ten times as much; where nothing but hook load, weight
 /// and pressure, those about it.
-/// Besides, no node's place may be wrong by more than `largest_place_error` in a step, whatever it does to the outputs: blows, whirl.
+/// Besides, no node's place may be wrong by more than `largest_place_error` in a step, whatever it does to the outputs: impacts, whirl.
 class StepControl
 {
 public:
@@ -45,7 +45,7 @@ public:
   double stretch(const State& start, const Workspace& work, const double* error, double step) const noexcept;
   /// Longest step [s] after `state`: a bent motor that turns at W shakes the string with waves of up to 3 W, of which BDF2 takes (3 W h)^4/(4 h) a second,
   /// a bit that cuts blade by blade needs a hundred steps from blade to blade, and where the flow that turns a motor is not yet the pump's, the mud's
-  /// pressures, of whose error, which goes with the step, the nodes do not tell, want 2.5 ms at 1 %.
+  /// pressures, of whose error, which goes with the step, the nodes show nothing, want 2.5 ms at 1 %.
   double longest(const State& state) const noexcept;
   /// Takes the outputs at a step's end into account.
   static void note(const RigForces& forces, StepMemory& memory) noexcept;

@@ -21,7 +21,7 @@ const std::vector<const Method*>& method_table();
 const Method& find_method(IntegratorKind kind) noexcept;
 
 /// Real-time stepping with a method of the table, the hole extended after each step: steps of the given length, halved where they must be, or,
-/// with numerics.step 0, steps as the control chooses them (step_control.h), so many of one length as fill what is asked for.
+/// with numerics.step 0, steps as the control chooses them (step_control.h), as many of one length as fill what is asked for.
 /// Noexcept and allocation-free after construction.
 class Stepper : public HalvingIntegrator
 {

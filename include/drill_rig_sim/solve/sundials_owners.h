@@ -35,7 +35,7 @@ inline int free_without_content(SUNLinearSolver solver)
   return SUNLS_SUCCESS;
 }
 
-/// For a solver's error handler: its flag tells, standard error stays clean.
+/// For a solver's error handler: its flag is enough, standard error stays clean.
 inline void silent(int, const char*, const char*, char*, void*)
 {
 }

@@ -58,7 +58,7 @@ struct WellSpec
 struct TrajectorySpec
 {
   double stage_two_length = 0.1;  ///< drilled length between second-stage corrections [m]; used when stage_two_steps is 0
-  int stage_two_steps = 0;        ///< or every so many physics steps, as the paper counts
+  int stage_two_steps = 0;        ///< or number of physics steps between corrections, as the paper counts
 };
 
 }  // namespace drill_rig_sim

@@ -19,7 +19,7 @@ from drill_rig_sim.campaign.runner import DIED, Runner
 PLUGIN = "drill_campaign"
 PAGE = "127.0.0.1:0"  # Dask's own page, for this machine alone; it needs bokeh
 AHEAD = 3  # tasks that wait beside each that is done: a worker is never idle, and the scheduler's memory stays small
-LOGGED = 1000  # entries of Dask's logs, which nobody reads here and which grow by kilobytes a run
+LOGGED = 1000  # entries of Dask's logs, which are not read here and grow by kilobytes a run
 AT_ONCE, MOST_AT_ONCE = 0.2, 20  # so long runs last that go in one task [s], and how many they are at most
 
 

@@ -19,7 +19,7 @@ SIDES = ("readings", "truth", "bit")
 
 
 class Unjudged(Exception):
-    """A run went to its end, but an output cannot be told of it: which, and why."""
+    """A run went to its end, but an output cannot be determined: which, and why."""
 
 
 class Played:

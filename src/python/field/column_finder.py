@@ -1,4 +1,4 @@
-"""Which columns of a table hold which signals, where no map says so."""
+"""Which columns of a table hold which signals, where no map names them."""
 import re
 
 from drill_rig_sim.field.cells import is_blank, is_number

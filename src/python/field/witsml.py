@@ -104,7 +104,7 @@ def index_of(log, names, infos, times):
 
 
 def time_curves(names, infos, times):
-    """Places: of those in `times`, then of those whose type says so, then of those with a name of the trade."""
+    """Places: of those in `times`, then of those whose type is a time's, then of those with a name of the trade."""
     asked = [place for place, name in enumerate(names) if name.lower() in times]
     dates = [place for place, name in enumerate(names) if infos.get(name, {}).get("type") == "date time"]
     return asked + dates + [place for place, name in enumerate(names) if word(name) in RANKS["time"]]

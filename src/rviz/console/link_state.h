@@ -10,8 +10,8 @@ enum class LinkState
 {
   hidden,     // nothing is subscribed to
   no_master,  // of ROS
-  absent,     // nobody publishes rig_state, or has said anything for long
-  expected,   // somebody does, nothing has come yet
+  absent,     // rig_state is not published, or nothing came for long
+  expected,   // it is, nothing has come yet
   running,
   late,  // it should have said something
   paused,
@@ -44,7 +44,7 @@ constexpr double gone_after = 6.0;              // nothing at all: a connection 
 
 /// A simulator that is slowed down sends frames more rarely and is late later; one that is paused sends none: its diagnostics tell that it lives.
 LinkState link_state(const Heard& heard);
-/// Whether somebody would hear a command.
+/// Whether a command has a subscriber.
 bool hears(LinkState state);
 /// One word, capitals.
 const char* name_of(LinkState state);

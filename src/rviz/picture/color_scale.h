@@ -50,7 +50,7 @@ private:
   int small_for_ = 0;
 };
 
-/// A number as a legend writes it: as many digits as `step` needs to be told apart.
+/// A number as a legend writes it: as many digits as `step` needs.
 std::string written(double value, double step);
 
 }  // namespace drill_rig_sim

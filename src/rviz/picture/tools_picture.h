@@ -7,7 +7,7 @@
 #include "string_data.h"
 
 /// What turns before one's eyes: bit and blades, each in the frame of its part: x along the string towards the bit, origin at the part's lower end.
-/// Lengths are true; whoever draws them makes them larger across.
+/// Lengths are true; the display enlarges them across.
 namespace drill_rig_sim
 {
 /// Radius of a body of revolution at a place along x.
