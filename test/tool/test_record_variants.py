@@ -7,10 +7,12 @@ import unittest
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, with_point
 from drill_rig_sim.field.dates import seconds_of
 from drill_rig_sim.field.table import parts_of
+from drill_rig_sim.field.window import moment
 from record_folder import FEET, KLBF, MAP, ROWS, STAMPS, Folder
 
 NAMES = ("Time (s)", "Hook Load (klbs)", "Block Height (ft)")
 BEGIN = datetime.datetime(2024, 5, 21, 9, 59, 50)
+STARTED = BEGIN.replace(tzinfo=datetime.timezone.utc).timestamp()
 POUNDS = ("Time (s)", "Hook Load (lbs)", "Block Height (ft)")
 DATED = ("DateTime", "HKLD (klbf)", "BPOS (ft)")
 
@@ -143,6 +145,34 @@ class Tables(Folder):
         for what, text in READ.items():
             with self.subTest(what):
                 self.right(self.read(text))
+
+    def test_time_zones(self):
+        """Of the cells, or of the header where the cells have none: 09:59:50 by it."""
+        hour = 3600.0
+        for zone, offset in (("Z", 0.0), (" UTC", 0.0), (" GMT-06:00", -6.0 * hour), (" UTC+2", 2.0 * hour), ("+02", 2.0 * hour), ("-0330", -3.5 * hour), ("+5:30", 5.5 * hour)):
+            record = self.read(table(header=DATED, times=dates("%Y-%m-%dT%H:%M:%S" + zone)))
+            self.assertEqual(STARTED - offset, record.begin, zone)
+            self.assertEqual([], [line for line in record.remarks if "zone" in line or "taken by" in line])
+        for name, said, offset in (("DateTime (UTC+2)", "UTC+2", 2.0 * hour), ("TIME_UTC", "", 0.0), ("Time [+05:30]", "+05:30", 5.5 * hour), ("GMT-3 Time", "GMT-3", -3.0 * hour),
+                                   ("Date (UTC+2),Time", "UTC+2", 2.0 * hour), ("Date (DD/MM/YYYY) (UTC+2),Time", "UTC+2", 2.0 * hour)):
+            form = "%d/%m/%Y,%H:%M:%S" if "DD/MM" in name else "%Y-%m-%d,%H:%M:%S" if "," in name else "%Y-%m-%d %H:%M:%S"
+            record = self.read(table(header=(name, *DATED[1:]), times=dates(form)))
+            self.right(record, ["its dates are taken by %s, as the header says" % said] if said else [])
+            self.assertEqual(STARTED - offset, record.begin, name)
+            self.assertEqual(10.0, moment("2024-05-21T10:00:00", record, "--from"), "by the record's zone")
+            self.assertEqual(10.0 + offset, moment("2024-05-21T10:00:00Z", record, "--from"))
+        record = self.read(table(header=("Time (UTC+2)", *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S-03:00")))
+        self.assertEqual(STARTED + 3.0 * hour, record.begin, "the cells' goes before the header's")
+
+    def test_time_zones_that_have_only_a_name(self):
+        for name in ("CST", "local", "CEST"):
+            record = self.read(table(header=("Time (%s)" % name, *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S")))
+            self.right(record, ["the time zone %s is not known by its offset: the dates are taken as UTC; needed where that matters: UTC-06:00 in the header" % name])
+            self.assertEqual(STARTED, record.begin)
+        self.refused("r.csv:2: DateTime: 2024-05-21 09:59:50 CST is no date and time of the day; allowed: a time zone as UTC-06:00, for CST stands for several",
+                     table(header=DATED, times=dates("%Y-%m-%d %H:%M:%S CST")))
+        self.refused("map.yaml:1: time.format: must have %z for a time zone such as +02:00", table(header=("T", "H", "B"), times=dates("%d/%m/%Y %H:%M:%S UTC")),
+                     MAP.replace("unit: s", 'format: "%d/%m/%Y %H:%M:%S %Z"'))
 
     def test_what_is_refused(self):
         for what, (text, said) in REFUSED.items():

@@ -2,7 +2,7 @@
 import numpy
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
 from drill_rig_sim.field.column_finder import form_of_header, known_columns
-from drill_rig_sim.field.dates import forms_for, seconds_of
+from drill_rig_sim.field.dates import forms_for, seconds_of, zone_said
 from drill_rig_sim.field.signals import SIGNALS
 from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.field.units import UnitError, factor_of, is_unit
@@ -17,11 +17,11 @@ MOST_ODD = 0.5  # share of the numbers out of a signal's range from which on the
 
 
 class Part:
-    """Of one table: `signals` in SI by name, `time` among them; `dated`: it is in seconds since 1970, else since any instant. `rows`: the table's row of each.
-    `remarks`: a line each."""
+    """Of one table: `signals` in SI by name, `time` among them; `dated`: it is in seconds since 1970, else since any instant. `offset`: of the time zone that the
+    header says [s], 0 without one. `rows`: the table's row of each. `remarks`: a line each."""
 
-    def __init__(self, table, signals, dated, rows, remarks):
-        self.table, self.signals, self.dated, self.rows, self.remarks = table, signals, dated, rows, remarks
+    def __init__(self, table, signals, dated, offset, rows, remarks):
+        self.table, self.signals, self.dated, self.offset, self.rows, self.remarks = table, signals, dated, offset, rows, remarks
 
     def place(self, k):
         return self.table.place(self.rows[k])
@@ -34,7 +34,7 @@ def part_of(table, columns=None):
     if "time" not in wanted:
         raise RecordError("%s: no column is known as the time; columns: %s; needed: a map of them, --columns" % (table.file, table.header()))
     signals = {}
-    time, dated = times_of(table, wanted["time"], columns is not None, remarks)
+    time, dated, offset = times_of(table, wanted["time"], columns is not None, remarks)
     for signal, column in wanted.items():
         if signal == "time":
             continue
@@ -46,7 +46,7 @@ def part_of(table, columns=None):
         remarks.append("%d rows have no time and are left out (first: %s)" % ((~timed).sum(), table.place(int(numpy.flatnonzero(~timed)[0]))))
     rows = numpy.flatnonzero(timed & ~of_others(table, signals, remarks))
     signals = {"time": time[rows], **{signal: values[rows] for signal, values in signals.items()}}
-    return Part(table, signals, dated, rows, remarks)
+    return Part(table, signals, dated, offset, rows, remarks)
 
 
 def of_others(table, signals, remarks):
@@ -61,11 +61,13 @@ def of_others(table, signals, remarks):
 # --- time
 
 def times_of(table, column, mapped, remarks):
-    """(seconds by row, nan where there is none; whether they are dates)."""
+    """(seconds by row, nan where there is none; whether they are dates; the offset of the header's time zone [s])."""
     places = [table.column(name) for name in column.names]
     cells = [" ".join("" if is_null(row[place]) else row[place].strip() for place in places).strip() for row in table.rows]
     if is_date(table, places, column, cells):
-        return dates_of(table, cells, column, form_of_header(table, places)), True
+        time, zoned = dates_of(table, cells, column, form_of_header(table, places))
+        offset = 0.0 if zoned else offset_said(table, places, remarks)
+        return time - offset, True, offset
     unit = unit_of(table, places[0], column, "time")
     first = next((k for k, cell in enumerate(cells) if cell), None)
     if first is not None and not is_number(cells[first]) and not (unit and is_unit(unit, "time")):
@@ -75,7 +77,19 @@ def times_of(table, column, mapped, remarks):
         raise RecordError("%s: %s: the time has no unit and is no date (first: %s); needed: %s" %
                           (table.file, column.names[0], "no rows" if first is None else cells[first], needed))
     factor = factor_for(table, "time", column.names[0], unit)
-    return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit, remarks) * factor, False
+    return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit, remarks) * factor, False, 0.0
+
+
+def offset_said(table, places, remarks):
+    """Of the time zone in the header of dates that have none themselves [s]; reported."""
+    zone, text = zone_said([text for place in places for text in (table.names[place], table.units[place]) if text])
+    name = table.names[places[0]]
+    offset = zone.utcoffset(None).total_seconds() if zone else 0.0
+    if offset:
+        remarks.append("%s: its dates are taken by %s, as the header says" % (name, text))
+    elif text and not zone:
+        remarks.append("%s: the time zone %s is not known by its offset: the dates are taken as UTC; needed where that matters: UTC-06:00 in the header" % (name, text))
+    return offset
 
 
 def is_null(cell):
@@ -94,7 +108,7 @@ def is_date(table, places, column, cells):
 
 
 def dates_of(table, cells, column, said):
-    """`said`: the format that the header writes, for dates that need one and have none in the map."""
+    """(seconds by row, whether they have a time zone). `said`: the format that the header writes, for dates that need one and have none in the map."""
     found, zones = numpy.full(len(cells), numpy.nan), [None, None]
     for k, cell in enumerate(cells):
         if not cell:
@@ -108,7 +122,7 @@ def dates_of(table, cells, column, said):
         if None not in zones:
             raise RecordError("%s: %s: %s %s a time zone, others of this column %s; needed: all or none" %
                               (table.place(k), column.names[0], cell, "has" if zoned else "has not", "have not" if zoned else "have"))
-    return found
+    return found, zones[True] is not None
 
 
 def no_date(table, k, column, cells):
