@@ -18,6 +18,9 @@ UNMISTAKABLE = [re.compile(date + REST, re.IGNORECASE) for date in (
     r"(?P<year>\d{4})(?P<sign>[-/.])(?P<month>\d\d?)(?P=sign)(?P<day>\d\d?)",
     r"(?P<day>\d\d?)(?P<sign>[-/ ])(?P<month>jan|feb|mar|apr|may|jun|jul|aug|sep|oct|nov|dec)[a-z]*(?P=sign)(?P<year>\d{4})",
     r"(?P<day>\d\d?)\.(?P<month>\d\d?)\.(?P<year>\d{4})")]
+# of ISO 8601 without signs: 20240521T095950Z, 20240521 095950
+UNMISTAKABLE += [re.compile(r"(?P<year>(?:19|20)\d\d)(?P<month>\d\d)(?P<day>\d\d)[T ](?P<hour>\d\d)(?P<minute>\d\d)(?P<second>\d\d)(?:[.,](?P<fraction>\d+))?(?P<half>)"
+                            r"(?P<zone>" + ZONE + ")?$", re.IGNORECASE)]
 MONTHS = "jan feb mar apr may jun jul aug sep oct nov dec".split()
 OF_DAY = re.compile(CLOCK + r"\s*([AP]M)?$", re.IGNORECASE)
 TOUCHING = re.compile(r"%[a-zA-Z]%[a-zA-Z]")
@@ -95,6 +98,14 @@ def zone_of(text):
     if offset > MOST_OFFSET:
         raise ValueError("no time zone: " + text)
     return timezone(timedelta(minutes=-offset if sign == "-" else offset))
+
+
+def offset_of(text):
+    """Of a text that is a time zone, ahead of UTC [s]; None where it is none, or has only a name."""
+    try:
+        return zone_of(text).utcoffset(None).total_seconds() if re.fullmatch(ZONE, text, re.IGNORECASE) else None
+    except ValueError:
+        return None
 
 
 def zone_said(names):

@@ -32,7 +32,8 @@ class Record:
         said += leave_out_empty(self.signals)
         time = self.signals["time"]
         if len(time) < 2:
-            raise RecordError("%s: needed: two rows or more with a time (has %d)" % (name, len(time)))
+            rows = sum(len(part.signals["time"]) for part in parts)
+            raise RecordError("%s: needed: two rows or more with a time (has %d%s)" % (name, rows, ", all with the same" if rows > len(time) else ""))
         self.begin, self.offset = float(time[0]) if parts[0].dated else None, parts[0].offset
         check_length(self, parts)
         self.time = self.signals["time"] = time - time[0]

@@ -1,8 +1,8 @@
 """The cells of a Table as signals in SI: which column holds which signal, in which unit, which cells are no measurements."""
 import numpy
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
-from drill_rig_sim.field.column_finder import form_of_header, known_columns
-from drill_rig_sim.field.dates import forms_for, seconds_of, zone_said
+from drill_rig_sim.field.column_finder import form_of_header, known_columns, zones_in
+from drill_rig_sim.field.dates import forms_for, offset_of, seconds_of, zone_said
 from drill_rig_sim.field.signals import SIGNALS
 from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.field.units import UnitError, factor_of, is_unit
@@ -31,6 +31,8 @@ def part_of(table, columns=None):
     """A Part of a table; `columns`: a ColumnMap, None where the columns are known by their names."""
     remarks = list(table.remarks)
     wanted, nulls = (columns.columns, columns.nulls) if columns else (known_columns(table, remarks), ())
+    if columns and "time" not in wanted:
+        raise RecordError("%s: the map names no time; needed: time: {column: ..., unit: ...}" % table.file)
     if "time" not in wanted:
         raise RecordError("%s: no column is known as the time; columns: %s; needed: a map of them, --columns" % (table.file, table.header()))
     signals = {}
@@ -66,8 +68,8 @@ def times_of(table, column, mapped, remarks):
     cells = [" ".join("" if is_null(row[place]) else row[place].strip() for place in places).strip() for row in table.rows]
     if is_date(table, places, column, cells):
         time, zoned = dates_of(table, cells, column, form_of_header(table, places))
-        offset = 0.0 if zoned else offset_said(table, places, remarks)
-        return time - offset, True, offset
+        offsets = numpy.zeros(len(time)) if zoned else offsets_by_row(table, places, remarks)
+        return time - offsets, True, float(offsets[0]) if len(offsets) else 0.0
     unit = unit_of(table, places[0], column, "time")
     first = next((k for k, cell in enumerate(cells) if cell), None)
     if first is not None and not is_number(cells[first]) and not (unit and is_unit(unit, "time")):
@@ -80,15 +82,34 @@ def times_of(table, column, mapped, remarks):
     return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit, remarks) * factor, False, 0.0
 
 
+NO_OFFSET = "%s: the time zone %s is not known by its offset: the dates are taken as UTC; needed where that matters: UTC-06:00"
+
+
+def offsets_by_row(table, places, remarks):
+    """Of the time zones of dates that have none themselves [s]: of a column of zones, else of the header; reported where they are not UTC."""
+    column = next(iter(zones_in(table.names)), None)
+    if column is None:
+        return numpy.full(len(table.rows), offset_said(table, places, remarks))
+    cells = [row[column].strip() for row in table.rows]
+    found = [0.0 if not cell else offset_of(cell) for cell in cells]
+    odd = next((cell for cell, offset in zip(cells, found) if offset is None), None)
+    if odd is not None:
+        remarks.append(NO_OFFSET % (table.names[column], odd))
+        return numpy.zeros(len(cells))
+    if any(found):
+        remarks.append("%s: the dates are taken by the time zones of %s" % (table.names[places[0]], table.names[column]))
+    return numpy.array(found, dtype=float)
+
+
 def offset_said(table, places, remarks):
-    """Of the time zone in the header of dates that have none themselves [s]; reported."""
+    """Of the time zone in the header [s]; reported."""
     zone, text = zone_said([text for place in places for text in (table.names[place], table.units[place]) if text])
     name = table.names[places[0]]
     offset = zone.utcoffset(None).total_seconds() if zone else 0.0
     if offset:
         remarks.append("%s: its dates are taken by %s, as the header says" % (name, text))
     elif text and not zone:
-        remarks.append("%s: the time zone %s is not known by its offset: the dates are taken as UTC; needed where that matters: UTC-06:00 in the header" % (name, text))
+        remarks.append(NO_OFFSET % (name, text))
     return offset
 
 

@@ -149,7 +149,7 @@ def rows_of(file, lines, heading, count):
     first = heading.first if header else heading.last + 1
     try:
         for line, cells in split(lines[first:], heading.delimiter, count):
-            if any(cell.strip() for cell in cells) and not cells[0].lstrip().startswith("#"):
+            if any(cell.strip() for cell in cells) and (cells[0].strip() == "#" or not cells[0].lstrip().startswith("#")):
                 if not header:
                     yield first + line, cells
                 header = False
