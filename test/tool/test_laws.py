@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Control laws and their parts without a rig: what they are made of against closed forms. With a rig: test/rostest/autodriller_loops.test and others."""
+"""Control laws and their parts without a rig: what they are made of against closed forms. With a rig: test/laws."""
 import math
 import os
 import tempfile

@@ -249,6 +249,11 @@ class Las(Folder):
     def log(self, columns=None, **options):
         return self.read(las(**options), columns, name="r.las")
 
+    def test_a_time_goes_before_a_date_without_one(self):
+        """DATE in days is the same in all rows."""
+        rows = "".join("210524 %d %g %g\n" % row for row in ROWS)
+        self.right(self.read("~V\nVERS. 2.0:\nWRAP. NO:\n~W\nNULL. -999.25:\n~C\nDATE.D:\nTIME.S:\nHKLD.klbf:\nBPOS.ft:\n~A\n" + rows, name="r.las"))
+
     def test_a_log_by_time(self):
         self.right(self.log())
         self.right(self.read(las(), name="r.txt"))

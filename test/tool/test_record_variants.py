@@ -7,10 +7,12 @@ import unittest
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, with_point
 from drill_rig_sim.field.dates import seconds_of
 from drill_rig_sim.field.table import parts_of
+from drill_rig_sim.field.window import moment
 from record_folder import FEET, KLBF, MAP, ROWS, STAMPS, Folder
 
 NAMES = ("Time (s)", "Hook Load (klbs)", "Block Height (ft)")
 BEGIN = datetime.datetime(2024, 5, 21, 9, 59, 50)
+STARTED = BEGIN.replace(tzinfo=datetime.timezone.utc).timestamp()
 POUNDS = ("Time (s)", "Hook Load (lbs)", "Block Height (ft)")
 DATED = ("DateTime", "HKLD (klbf)", "BPOS (ft)")
 
@@ -114,6 +116,9 @@ READ = {
     "order of the date in the header, month first": table(header=("Date [mm/dd/yy],Time", *DATED[1:]), times=dates("%m/%d/%y,%H:%M:%S")),
     "order of the date below the names": headed("RIG_TIME,HKLD,BPOS", "MM/DD/YYYY HH:MM:SS,klbf,ft", times=dates("%m/%d/%Y %H:%M:%S")),
     "order of the date in the header, ISO 8601 in the cells": table(header=("Date (DD/MM/YYYY),Time (HH:MM:SS)", *DATED[1:]), times=dates("%Y-%m-%d,%H:%M:%S")),
+    "ISO without signs": table(header=DATED, times=dates("%Y%m%dT%H%M%SZ")),
+    "date and time without signs": table(header=("DATE,TIME", *DATED[1:]), times=dates("%Y%m%d,%H%M%S")),
+    "a column that numbers the rows": "".join("%s,%s" % (first, line) for first, line in zip(("#", 1, 2, 3, 4), table().splitlines(True))),
     "date and time, 12 hours": table(header=("DATE,TIME", *DATED[1:]), times=dates("%Y/%m/%d,%I:%M:%S %p")),
 }
 REFUSED = {
@@ -129,7 +134,6 @@ REFUSED = {
     "another order than the header says": (table(header=("Date (DD/MM/YYYY),Time (HH:MM:SS)", *DATED[1:]), times=dates("%m/%d/%Y,%H:%M:%S")), "05/21/2024 09:59:50 is no date"),
     "time of the day alone": (table(header=DATED, times=dates("%H:%M:%S")), 'format: "%H:%M:%S"}'),
     "two figures of a year, which may stand first": (table(header=DATED, times=dates("%y/%m/%d %H:%M:%S")), 'format: "%d/%m/%y %H:%M:%S" or "%y/%m/%d %H:%M:%S"}'),
-    "ISO without signs": (table(header=DATED, times=dates("%Y%m%dT%H%M%SZ")), 'format: "%Y%m%dT%H%M%SZ"}'),
     "time of the day, unit": (table(header=("Time (hh:mm:ss)", *DATED[1:]), times=dates("%H:%M:%S")), "r.csv:2: Time (hh:mm:ss): 09:59:50 is no date"),
     "days of a spreadsheet": (table(header=DATED, times=["%.8f" % (45413.5 + row[0] / 86400) for row in ROWS]), "the time has no unit and is no date (first: 45413.5"),
     "two units": (table().replace("(ft)\n", "(ft)\ns,kN,ft\n"), "r.csv:2: the unit of Hook Load (klbs) is kN here"),
@@ -143,6 +147,43 @@ class Tables(Folder):
         for what, text in READ.items():
             with self.subTest(what):
                 self.right(self.read(text))
+
+    def test_time_zones(self):
+        """Of the cells, or of the header where the cells have none: 09:59:50 by it."""
+        hour = 3600.0
+        for zone, offset in (("Z", 0.0), (" UTC", 0.0), (" GMT-06:00", -6.0 * hour), (" UTC+2", 2.0 * hour), ("+02", 2.0 * hour), ("-0330", -3.5 * hour), ("+5:30", 5.5 * hour)):
+            record = self.read(table(header=DATED, times=dates("%Y-%m-%dT%H:%M:%S" + zone)))
+            self.assertEqual(STARTED - offset, record.begin, zone)
+            self.assertEqual([], [line for line in record.remarks if "zone" in line or "taken by" in line])
+        for name, said, offset in (("DateTime (UTC+2)", "UTC+2", 2.0 * hour), ("TIME_UTC", "", 0.0), ("Time [+05:30]", "+05:30", 5.5 * hour), ("GMT-3 Time", "GMT-3", -3.0 * hour),
+                                   ("Date (UTC+2),Time", "UTC+2", 2.0 * hour), ("Date (DD/MM/YYYY) (UTC+2),Time", "UTC+2", 2.0 * hour)):
+            form = "%d/%m/%Y,%H:%M:%S" if "DD/MM" in name else "%Y-%m-%d,%H:%M:%S" if "," in name else "%Y-%m-%d %H:%M:%S"
+            record = self.read(table(header=(name, *DATED[1:]), times=dates(form)))
+            self.right(record, ["its dates are taken by %s, as the header says" % said] if said else [])
+            self.assertEqual(STARTED - offset, record.begin, name)
+            self.assertEqual(10.0, moment("2024-05-21T10:00:00", record, "--from"), "by the record's zone")
+            self.assertEqual(10.0 + offset, moment("2024-05-21T10:00:00Z", record, "--from"))
+        record = self.read(table(header=("Time (UTC+2)", *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S-03:00")))
+        self.assertEqual(STARTED + 3.0 * hour, record.begin, "the cells' goes before the header's")
+
+    def test_time_zones_in_a_column(self):
+        """Of one that changes within the record: summer time ends."""
+        times = ["2024-10-27 02:59:50,+02:00", "2024-10-27 02:59:55,+02:00", "2024-10-27 02:00:00,+01:00", "2024-10-27 02:00:05,+01:00"]
+        record = self.read(table(header=("DateTime,Time Zone", *DATED[1:]), times=times))
+        self.right(record, ["DateTime: the dates are taken by the time zones of Time Zone"])
+        self.assertEqual(datetime.datetime(2024, 10, 27, 0, 59, 50, tzinfo=datetime.timezone.utc).timestamp(), record.begin)
+        record = self.read(table(header=("DateTime,TZ", *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S,CST")))
+        self.right(record, ["TZ: the time zone CST is not known by its offset: the dates are taken as UTC"])
+
+    def test_time_zones_that_have_only_a_name(self):
+        for name in ("CST", "local", "CEST"):
+            record = self.read(table(header=("Time (%s)" % name, *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S")))
+            self.right(record, ["the time zone %s is not known by its offset: the dates are taken as UTC; needed where that matters: UTC-06:00" % name])
+            self.assertEqual(STARTED, record.begin)
+        self.refused("r.csv:2: DateTime: 2024-05-21 09:59:50 CST is no date and time of the day; allowed: a time zone as UTC-06:00, for CST stands for several",
+                     table(header=DATED, times=dates("%Y-%m-%d %H:%M:%S CST")))
+        self.refused("map.yaml:1: time.format: must have %z for a time zone such as +02:00", table(header=("T", "H", "B"), times=dates("%d/%m/%Y %H:%M:%S UTC")),
+                     MAP.replace("unit: s", 'format: "%d/%m/%Y %H:%M:%S %Z"'))
 
     def test_what_is_refused(self):
         for what, (text, said) in REFUSED.items():
@@ -161,6 +202,15 @@ class Tables(Folder):
         self.refused("map.yaml:2: hook_load: column H is that of block_height", table(header=("T", "H", "B")), MAP.replace("column: B", "column: h"))
         days = table(header=("T", "H", "B"), times=["%.10f" % (45413.5 + row[0] / 86400) for row in ROWS])
         self.assertEqual([0, 5, 10, 15], [round(time, 3) for time in self.read(days, MAP.replace("unit: s", "unit: d")).time])
+
+    def test_maps_that_are_refused(self):
+        text = table(header=("T", "H", "B"))
+        for columns, said in ((MAP.replace("time: ", "time:\t"), "map.yaml:1: is no YAML: found character tab, which YAML allows in texts only"),
+                              (MAP.replace("klbf}", "klbf"), "map.yaml:3: is no YAML: expected ',' or '}', but got ':'"), (MAP.split("\n", 1)[1], "r.csv: the map names no time; needed: time: {column: ...,"),
+                              ("", "map.yaml: is empty"), ("- T\n", "map.yaml:1: needed: keys and values"), (MAP.replace("hook_load", "hookload"), "map.yaml:2: hookload: unknown key, allowed: time, "),
+                              (MAP + "hook_load: {column: B, unit: kN}\n", "map.yaml:4: hook_load: stands there twice"), (MAP.replace("klbf", "psi"), "map.yaml:2: hook_load.unit: unit psi is not known for a force"),
+                              (MAP.replace("unit: s", "unit: m"), "map.yaml:1: time.unit: unit m is not known for a time"), (MAP.replace("column: H", "column: HL"), "there is no column HL; columns: T, H, B")):
+            self.refused(said, text, columns or "# nothing\n")
 
     def test_what_stands_for_no_number(self):
         for null in ("N/A", "NULL", "null", "#N/A", "n.a.", "---", "*****", "-", "?", "", "-999.25", "-9999.0", "#DIV/0!"):
@@ -211,6 +261,15 @@ class Tables(Folder):
         record = self.read(text)
         self.right(record, ["r.csv: 2 rows hold none of the signals and are left out (first: ", "r.csv:2)"])
         self.refused("the time goes back to 0 s (the row before: 7 s)", text.replace("7,,,3", "7,200,,3"))
+
+    def test_rows_of_one_time_are_no_record(self):
+        self.refused("needed: two rows or more with a time (has 4, all with the same)", table(times=["7"] * 4))
+
+    def test_a_name_that_stands_twice(self):
+        record = self.read(table(header=("Time (s)", "Hook Load (klbf),Hook Load (klbf)", NAMES[2])).replace("0,200,", "0,200,9,"). replace(",201,", ",201,9,").replace(",202.5,", ",202.5,9,").replace(",203,", ",203,9,"))
+        self.assertNotIn("hook_load", record)
+        self.assertIn("hook_load is left out: there are 2 columns Hook Load (klbf); columns: ", "\n".join(record.remarks))
+        self.assertNotIn("passed over", "\n".join(record.remarks))
 
     def test_which_of_several_columns(self):
         """Depths of the bit are measured along the hole, and averages come before extremes."""

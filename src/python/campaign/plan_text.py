@@ -103,6 +103,13 @@ class Entry:
         return value
 
 
+def no_yaml(file, error):
+    """The line on an error of YAML, with its place."""
+    mark, problem = getattr(error, "problem_mark", None), getattr(error, "problem", None)
+    said = " ".join(str(problem or error).split()).replace("'\\t' that cannot start any token", "tab, which YAML allows in texts only")
+    return "%s%s: is no YAML: %s" % (file, ":%d" % (mark.line + 1) if mark else "", said)
+
+
 def plan_of(file):
     """The whole of a plan's file as an Entry."""
     try:
@@ -112,7 +119,7 @@ def plan_of(file):
     except RecursionError:
         raise PlanError("%s: is nested too deeply" % file)
     except yaml.YAMLError as error:
-        raise PlanError("%s: %s" % (file, " ".join(str(error).split())))
+        raise PlanError(no_yaml(file, error))
     if root is None:
         raise PlanError("%s: is empty" % file)
     return Entry(file, root, "")

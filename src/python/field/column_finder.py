@@ -9,6 +9,7 @@ from drill_rig_sim.field.signals import NAMES, OWN, known, si_unit, word
 from drill_rig_sim.field.table import RecordError, bare, shown
 from drill_rig_sim.field.units import DATE, is_unit
 
+ZONES = ("tz", "timezone", "utcoffset", "gmtoffset", "zone")  # columns of time zones
 # columns of their own, of dates and of times of the day
 DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "hora")
 DEPTHS, VERTICAL = ("bit_depth", "hole_depth"), {"tvd", "tvdss", "vert", "vertical"}  # `Hole Depth (TVD)`, `Depth Bit (vert)`
@@ -32,7 +33,7 @@ class OfTheTrade(Wanted):
 
     def places(self, names):
         own = [place for place, name in enumerate(names) if name in OWN.values()]
-        return own + [place for half in halves(names) for place in half] + [place for places in named(names).values() for place in places]
+        return own + zones_in(names) + [place for half in halves(names) for place in half] + [place for places in named(names).values() for place in places]
 
 
 class ByMap(Wanted):
@@ -73,6 +74,11 @@ def halves(names):
     return [[place for place, name in enumerate(names) if word(bare(name)) in half] for half in (DATES, TIMES_OF_DAY)]
 
 
+def zones_in(names):
+    """Places of the columns that may hold time zones."""
+    return [place for place, name in enumerate(names) if word(bare(name)) in ZONES]
+
+
 def known_columns(table, remarks):
     """Column by signal, of those that have a name of the trade. Where a signal has several, one with numbers in a unit and the first of signals.NAMES is taken,
     which is reported."""
@@ -87,7 +93,7 @@ def known_columns(table, remarks):
         filled = [place for place in with_unit if any(is_number(row[place]) for row in table.rows)]
         if with_unit:
             found[signal] = Column([table.names[(filled or with_unit)[0]]])
-            passed = [table.names[place] for place in places if place != (filled or with_unit)[0]]
+            passed = [table.names[place] for place in places if table.names[place] != found[signal].names[0]]
             remarks += ["%s is taken from %s; passed over: %s" % (signal, found[signal].names[0], ", ".join(passed))] if passed else []
         else:
             remarks.append("%s: %s is left out: it has no unit; needed: a map, --columns" % (signal, table.names[places[0]]))
@@ -98,7 +104,7 @@ def known_columns(table, remarks):
 def unknown_names(table, by_signal):
     """A line on columns by names that are not known, where a signal has no column."""
     missing = [signal for signal in NAMES if signal not in by_signal and signal not in ("time", "hole_depth")]
-    known_places = {place for places in (*by_signal.values(), *halves(table.names)) for place in places}
+    known_places = {place for places in (*by_signal.values(), *halves(table.names), zones_in(table.names)) for place in places}
     unknown = [name for place, name in enumerate(table.names) if name and place not in known_places]
     return ["no column is known as %s; a map, --columns, may name it: %s" % (", ".join(missing), shown(unknown, MOST_SHOWN))] if missing and unknown else []
 
@@ -113,7 +119,7 @@ def time_column(table, places):
     if not whole and dates and times:
         both = "%s %s" % (first_cell(table, dates[0]), first_cell(table, times[0]))
         said = form_of_header(table, (dates[0], times[0]))
-        if said and seconds_of(both, said) or is_time_of_day(first_cell(table, times[0])) and (not in_unit or seconds_of(both)):
+        if said and seconds_of(both, said) or not in_unit and seconds_of(both) or is_time_of_day(first_cell(table, times[0])) and (not in_unit or seconds_of(both)):
             return Column([table.names[dates[0]], table.names[times[0]]], DATE)
     other = [place for place in dates if seconds_of(first_cell(table, place))]
     return next((Column([table.names[place]]) for place in whole + in_unit + other + places), None)

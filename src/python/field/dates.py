@@ -4,12 +4,23 @@ import re
 from datetime import datetime, timedelta, timezone
 
 CLOCK = r"(?P<hour>\d\d?):(?P<minute>\d\d)(?::(?P<second>\d\d)(?:[.,](?P<fraction>\d+))?)?"
-REST = r"[T ]+" + CLOCK + r"\s*(?P<half>[AP]M)?\s*(?P<zone>Z|UTC|GMT|[+-]\d\d:?\d\d)?$"
+OFFSET = r"[+-]\d\d?(?::?\d\d)?"
+ZONE = r"Z|(?:UTC|GMT)(?: ?" + OFFSET + ")?|" + OFFSET
+REST = r"[T ]+" + CLOCK + r"\s*(?P<half>[AP]M)?\s*(?P<zone>" + ZONE + ")?$"
+# in the name of a column or in its unit: `Time (UTC+2)`, `TIME_GMT`, `Time [+02:00]`
+ZONE_IN_NAME = re.compile(r"(?<![A-Za-z])((?:UTC|GMT)(?:\s*" + OFFSET + r")?)(?![A-Za-z\d])|[(\[<{]\s*(" + ZONE + r")\s*[)\]>}]")
+# names of zones: the same one stands for several offsets (CST: Chicago, Shanghai), and summer time comes and goes
+NAMES_OF_ZONES = ("ACDT ACST ADT AEDT AEST AKDT AKST ART AST AWST BRT BST CAT CDT CEST CET CST EAT EDT EEST EET EST GST HKT HST ICT IST JST KST MDT MSK MST NDT NST NZDT "
+                  "NZST PDT PKT PST SGT WAT WEST WET WIB")
+NAME_OF_ZONE = re.compile(r"(?<![A-Za-z])([Ll]ocal|LOCAL|%s)(?![A-Za-z])" % "|".join(NAMES_OF_ZONES.split()))
 # whose order of day and month needs no guess: year first, months by name, points (day first)
 UNMISTAKABLE = [re.compile(date + REST, re.IGNORECASE) for date in (
     r"(?P<year>\d{4})(?P<sign>[-/.])(?P<month>\d\d?)(?P=sign)(?P<day>\d\d?)",
     r"(?P<day>\d\d?)(?P<sign>[-/ ])(?P<month>jan|feb|mar|apr|may|jun|jul|aug|sep|oct|nov|dec)[a-z]*(?P=sign)(?P<year>\d{4})",
     r"(?P<day>\d\d?)\.(?P<month>\d\d?)\.(?P<year>\d{4})")]
+# of ISO 8601 without signs: 20240521T095950Z, 20240521 095950
+UNMISTAKABLE += [re.compile(r"(?P<year>(?:19|20)\d\d)(?P<month>\d\d)(?P<day>\d\d)[T ](?P<hour>\d\d)(?P<minute>\d\d)(?P<second>\d\d)(?:[.,](?P<fraction>\d+))?(?P<half>)"
+                            r"(?P<zone>" + ZONE + ")?$", re.IGNORECASE)]
 MONTHS = "jan feb mar apr may jun jul aug sep oct nov dec".split()
 OF_DAY = re.compile(CLOCK + r"\s*([AP]M)?$", re.IGNORECASE)
 TOUCHING = re.compile(r"%[a-zA-Z]%[a-zA-Z]")
@@ -20,6 +31,7 @@ GUESSED = [date + " " + clock for date, clock in itertools.product(
 GUESSED += ["%Y%m%dT%H%M%SZ", "%Y%m%dT%H%M%S", "%Y%m%d %H%M%S", "%y%m%d %H%M%S", "%Y%m%d%H%M%S", "%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p"]
 MOST_GUESSES = 3
 LONGEST = 80  # signs of a date
+MOST_OFFSET = 14 * 60  # of a time zone [min]
 
 
 FIELDS = {"yyyy": "%Y", "yy": "%y", "dd": "%d", "mmm": "%b", "mon": "%b", "hh": "%H", "ss": "%S", "t": "T"}  # as headers write them; mm is a month or a minute
@@ -78,10 +90,42 @@ def unmistakable(text):
 
 
 def zone_of(text):
-    if text.upper() in ("Z", "UTC", "GMT"):
-        return timezone.utc
-    minutes = 60 * int(text[1:3]) + int(text[-2:])
-    return timezone(timedelta(minutes=-minutes if text[0] == "-" else minutes))
+    """Of a text by ZONE. ValueError where there is no such zone."""
+    sign, digits = re.search(r"([+-]?)([\d:]*)$", text).groups()
+    digits = digits.replace(":", "")
+    hours, minutes = (digits[:-2], digits[-2:]) if len(digits) > 2 else (digits, "0")
+    offset = 60 * int(hours or "0") + int(minutes)
+    if offset > MOST_OFFSET:
+        raise ValueError("no time zone: " + text)
+    return timezone(timedelta(minutes=-offset if sign == "-" else offset))
+
+
+def offset_of(text):
+    """Of a text that is a time zone, ahead of UTC [s]; None where it is none, or has only a name."""
+    try:
+        return zone_of(text).utcoffset(None).total_seconds() if re.fullmatch(ZONE, text, re.IGNORECASE) else None
+    except ValueError:
+        return None
+
+
+def zone_said(names):
+    """(zone or None, its text) of what the names and units of columns say of it; a zone that has only a name is none, its text is that name. ("", None) without."""
+    for name in names:
+        found = ZONE_IN_NAME.search(name)
+        if found:
+            text = found[1] or found[2]
+            try:
+                return zone_of(text), text
+            except ValueError:
+                return None, text
+        if NAME_OF_ZONE.search(name):
+            return None, NAME_OF_ZONE.search(name)[1]
+    return None, ""
+
+
+def without_zone(name):
+    """The name of a column without a time zone in it."""
+    return ZONE_IN_NAME.sub("", name).strip(" _-/,") if ZONE_IN_NAME.search(name) else name
 
 
 def is_time_of_day(text):
@@ -89,7 +133,10 @@ def is_time_of_day(text):
 
 
 def forms_for(cells):
-    """What may be written of dates, for a message; the formats that read all of these cells are named."""
+    """What may be written of dates, for a message; the formats that read all of these cells are named, and a zone that has only a name."""
+    named = NAME_OF_ZONE.search(cells[0]) if cells else None
+    if named and seconds_of(NAME_OF_ZONE.sub("", cells[0])):
+        return "a time zone as UTC-06:00, for %s stands for several" % named[1]
     fitting = [form for form in GUESSED if all(seconds_of(cell, form) for cell in cells)] if cells else []
     example = ' or '.join('"%s"' % form for form in fitting[:MOST_GUESSES]) or '"%m/%d/%Y %I:%M:%S %p"'
     return ("ISO 8601 such as 2017-07-31T23:59:00Z, or a format in a map: {column: ..., unit: date, format: %s}, or date and time in two columns: "

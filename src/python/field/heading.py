@@ -11,6 +11,7 @@ MOST_NAMES = 3                      # lines over which the names of the columns 
 BLANK, WIDE = r"\s+", r"\s{2,}"     # delimiters of columns that are aligned
 CELL = re.compile(r"\S+(?: \S+)*")  # of aligned columns
 DATA = re.compile(r"[+-]?\d[\d.,:/+'eETZ -]*$|.*\d:\d\d")  # a number, a date or a time of the day
+COMMENT = re.compile(r"\s*#(?![,;\t|\"])")  # not of a column that numbers the rows
 QUOTED = re.compile(r"'(.+)'$")  # a name; a cell in such quotes is a text for csv
 NO_QUANTITY = "% - none unitless dimensionless degc degf ppm api gapi v ohm.m ohmm v/v count counts".split()  # of other columns in a line of units
 
@@ -42,7 +43,7 @@ class Heading(typing.NamedTuple):
 
 def heading_of(lines, delimiter, wanted):
     """The Heading of these lines, None where all are empty: the lines whose names `wanted` knows best, else the first that is neither empty nor a comment."""
-    filled = [k for k, line in enumerate(lines[:MOST_LINES]) if line.strip(" \t,;|\"") and not line.lstrip().startswith("#")][:MOST_TITLE]
+    filled = [k for k, line in enumerate(lines[:MOST_LINES]) if line.strip(" \t,;|\"") and not COMMENT.match(line)][:MOST_TITLE]
     if not filled:
         return None
     spans = [(filled[k], filled[k + count - 1]) for count in range(1, MOST_NAMES + 1) for k in range(len(filled) - count + 1)]
@@ -61,7 +62,7 @@ def names_over(lines, span, delimiter, wanted):
     first, last = span
     if first == last:
         return names_in(whole(lines, first), delimiter)
-    return joined_names([line for line in lines[first:last + 1] if line.strip(" \t,;|\"") and not line.lstrip().startswith("#")], delimiter_over(lines, span, delimiter), wanted)
+    return joined_names([line for line in lines[first:last + 1] if line.strip(" \t,;|\"") and not COMMENT.match(line)], delimiter_over(lines, span, delimiter), wanted)
 
 
 def delimiter_over(lines, span, delimiter):

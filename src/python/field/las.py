@@ -2,6 +2,7 @@
 import re
 
 from drill_rig_sim.field.cells import is_number
+from drill_rig_sim.field.column_finder import DATES
 from drill_rig_sim.field.dates import is_time_of_day
 from drill_rig_sim.field.signals import RANKS, word
 from drill_rig_sim.field.table import RecordError, Table, lines_of, shown
@@ -106,7 +107,7 @@ def index_of(file, names, units, times):
     """The curve in `times`, else the first curve where it is a time, else the first that is called so."""
     asked = [place for place, name in enumerate(names) if name.lower() in times]
     places = asked + [place for place, name in enumerate(names) if word(name) in RANKS["time"]]
-    if not asked and names and units[0] and is_unit(units[0], "time"):
+    if not asked and names and units[0] and is_unit(units[0], "time") and (word(names[0]) not in DATES or not places):
         return 0
     if not places:
         raise RecordError("%s: its index is %s [%s], and none of its curves is a time (%s); needed: a log by time" %

@@ -18,7 +18,7 @@ LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a 
 
 class Record:
     """Signals by name (signals.SIGNALS), each an array [SI] as long as `time`, which begins at 0 and increases; rows without a measurement are nan. `begin`: seconds
-    since 1970 UTC at time 0, None where the record has no dates. `remarks`: what its reader should know, a line each."""
+    since 1970 UTC at time 0, None where the record has no dates. `offset`: of the time zone by which dates without one are read [s]. `remarks`: what its reader should know, a line each."""
 
     def __init__(self, parts, name):
         """Of the Parts of one well, in any order."""
@@ -32,8 +32,9 @@ class Record:
         said += leave_out_empty(self.signals)
         time = self.signals["time"]
         if len(time) < 2:
-            raise RecordError("%s: needed: two rows or more with a time (has %d)" % (name, len(time)))
-        self.begin = float(time[0]) if parts[0].dated else None
+            rows = sum(len(part.signals["time"]) for part in parts)
+            raise RecordError("%s: needed: two rows or more with a time (has %d%s)" % (name, rows, ", all with the same" if rows > len(time) else ""))
+        self.begin, self.offset = float(time[0]) if parts[0].dated else None, parts[0].offset
         check_length(self, parts)
         self.time = self.signals["time"] = time - time[0]
         self.remarks += prefixed(name, said + remarks_of(self))

@@ -1,8 +1,8 @@
 """The cells of a Table as signals in SI: which column holds which signal, in which unit, which cells are no measurements."""
 import numpy
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
-from drill_rig_sim.field.column_finder import form_of_header, known_columns
-from drill_rig_sim.field.dates import forms_for, seconds_of
+from drill_rig_sim.field.column_finder import form_of_header, known_columns, zones_in
+from drill_rig_sim.field.dates import forms_for, offset_of, seconds_of, zone_said
 from drill_rig_sim.field.signals import SIGNALS
 from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.field.units import UnitError, factor_of, is_unit
@@ -17,11 +17,11 @@ MOST_ODD = 0.5  # share of the numbers out of a signal's range from which on the
 
 
 class Part:
-    """Of one table: `signals` in SI by name, `time` among them; `dated`: it is in seconds since 1970, else since any instant. `rows`: the table's row of each.
-    `remarks`: a line each."""
+    """Of one table: `signals` in SI by name, `time` among them; `dated`: it is in seconds since 1970, else since any instant. `offset`: of the time zone that the
+    header says [s], 0 without one. `rows`: the table's row of each. `remarks`: a line each."""
 
-    def __init__(self, table, signals, dated, rows, remarks):
-        self.table, self.signals, self.dated, self.rows, self.remarks = table, signals, dated, rows, remarks
+    def __init__(self, table, signals, dated, offset, rows, remarks):
+        self.table, self.signals, self.dated, self.offset, self.rows, self.remarks = table, signals, dated, offset, rows, remarks
 
     def place(self, k):
         return self.table.place(self.rows[k])
@@ -31,10 +31,12 @@ def part_of(table, columns=None):
     """A Part of a table; `columns`: a ColumnMap, None where the columns are known by their names."""
     remarks = list(table.remarks)
     wanted, nulls = (columns.columns, columns.nulls) if columns else (known_columns(table, remarks), ())
+    if columns and "time" not in wanted:
+        raise RecordError("%s: the map names no time; needed: time: {column: ..., unit: ...}" % table.file)
     if "time" not in wanted:
         raise RecordError("%s: no column is known as the time; columns: %s; needed: a map of them, --columns" % (table.file, table.header()))
     signals = {}
-    time, dated = times_of(table, wanted["time"], columns is not None, remarks)
+    time, dated, offset = times_of(table, wanted["time"], columns is not None, remarks)
     for signal, column in wanted.items():
         if signal == "time":
             continue
@@ -46,7 +48,7 @@ def part_of(table, columns=None):
         remarks.append("%d rows have no time and are left out (first: %s)" % ((~timed).sum(), table.place(int(numpy.flatnonzero(~timed)[0]))))
     rows = numpy.flatnonzero(timed & ~of_others(table, signals, remarks))
     signals = {"time": time[rows], **{signal: values[rows] for signal, values in signals.items()}}
-    return Part(table, signals, dated, rows, remarks)
+    return Part(table, signals, dated, offset, rows, remarks)
 
 
 def of_others(table, signals, remarks):
@@ -61,11 +63,13 @@ def of_others(table, signals, remarks):
 # --- time
 
 def times_of(table, column, mapped, remarks):
-    """(seconds by row, nan where there is none; whether they are dates)."""
+    """(seconds by row, nan where there is none; whether they are dates; the offset of the header's time zone [s])."""
     places = [table.column(name) for name in column.names]
     cells = [" ".join("" if is_null(row[place]) else row[place].strip() for place in places).strip() for row in table.rows]
     if is_date(table, places, column, cells):
-        return dates_of(table, cells, column, form_of_header(table, places)), True
+        time, zoned = dates_of(table, cells, column, form_of_header(table, places))
+        offsets = numpy.zeros(len(time)) if zoned else offsets_by_row(table, places, remarks)
+        return time - offsets, True, float(offsets[0]) if len(offsets) else 0.0
     unit = unit_of(table, places[0], column, "time")
     first = next((k for k, cell in enumerate(cells) if cell), None)
     if first is not None and not is_number(cells[first]) and not (unit and is_unit(unit, "time")):
@@ -75,7 +79,38 @@ def times_of(table, column, mapped, remarks):
         raise RecordError("%s: %s: the time has no unit and is no date (first: %s); needed: %s" %
                           (table.file, column.names[0], "no rows" if first is None else cells[first], needed))
     factor = factor_for(table, "time", column.names[0], unit)
-    return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit, remarks) * factor, False
+    return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit, remarks) * factor, False, 0.0
+
+
+NO_OFFSET = "%s: the time zone %s is not known by its offset: the dates are taken as UTC; needed where that matters: UTC-06:00"
+
+
+def offsets_by_row(table, places, remarks):
+    """Of the time zones of dates that have none themselves [s]: of a column of zones, else of the header; reported where they are not UTC."""
+    column = next(iter(zones_in(table.names)), None)
+    if column is None:
+        return numpy.full(len(table.rows), offset_said(table, places, remarks))
+    cells = [row[column].strip() for row in table.rows]
+    found = [0.0 if not cell else offset_of(cell) for cell in cells]
+    odd = next((cell for cell, offset in zip(cells, found) if offset is None), None)
+    if odd is not None:
+        remarks.append(NO_OFFSET % (table.names[column], odd))
+        return numpy.zeros(len(cells))
+    if any(found):
+        remarks.append("%s: the dates are taken by the time zones of %s" % (table.names[places[0]], table.names[column]))
+    return numpy.array(found, dtype=float)
+
+
+def offset_said(table, places, remarks):
+    """Of the time zone in the header [s]; reported."""
+    zone, text = zone_said([text for place in places for text in (table.names[place], table.units[place]) if text])
+    name = table.names[places[0]]
+    offset = zone.utcoffset(None).total_seconds() if zone else 0.0
+    if offset:
+        remarks.append("%s: its dates are taken by %s, as the header says" % (name, text))
+    elif text and not zone:
+        remarks.append(NO_OFFSET % (name, text))
+    return offset
 
 
 def is_null(cell):
@@ -94,7 +129,7 @@ def is_date(table, places, column, cells):
 
 
 def dates_of(table, cells, column, said):
-    """`said`: the format that the header writes, for dates that need one and have none in the map."""
+    """(seconds by row, whether they have a time zone). `said`: the format that the header writes, for dates that need one and have none in the map."""
     found, zones = numpy.full(len(cells), numpy.nan), [None, None]
     for k, cell in enumerate(cells):
         if not cell:
@@ -108,7 +143,7 @@ def dates_of(table, cells, column, said):
         if None not in zones:
             raise RecordError("%s: %s: %s %s a time zone, others of this column %s; needed: all or none" %
                               (table.place(k), column.names[0], cell, "has" if zoned else "has not", "have not" if zoned else "have"))
-    return found
+    return found, zones[True] is not None
 
 
 def no_date(table, k, column, cells):

@@ -5,6 +5,7 @@ import typing
 
 import numpy
 from drill_rig_sim.field.cells import GROUPED, are_groups, first_decimal_comma, first_of_both_signs, first_of_groups, has_point, is_blank, is_number, with_point
+from drill_rig_sim.field.dates import without_zone
 from drill_rig_sim.field.heading import Wanted, are_places, heading_of, holds_data, is_line_of_units, split
 from drill_rig_sim.field.signals import RANKS, SIGNALS, word
 from drill_rig_sim.field.units import is_unit, same_unit
@@ -148,7 +149,7 @@ def rows_of(file, lines, heading, count):
     first = heading.first if header else heading.last + 1
     try:
         for line, cells in split(lines[first:], heading.delimiter, count):
-            if any(cell.strip() for cell in cells) and not cells[0].lstrip().startswith("#"):
+            if any(cell.strip() for cell in cells) and (cells[0].strip() == "#" or not cells[0].lstrip().startswith("#")):
                 if not header:
                     yield first + line, cells
                 header = False
@@ -174,12 +175,12 @@ def fitted(cells, file, line, names):
 
 def unit_in(name):
     """Of a column called `Hook Load (klbs)`, `HKLD [kN]`, `Hook Load, kN`, `Hook Load kN` or `HKLD_kN`: klbs, kN; else None."""
-    return parts_of(name)[1]
+    return parts_of(without_zone(name))[1]
 
 
 def bare(name):
-    """A column's name without its unit and what else stands in brackets after it."""
-    return parts_of(name)[0]
+    """A column's name without its unit, a time zone and what else stands in brackets after it."""
+    return parts_of(without_zone(name))[0]
 
 
 def parts_of(name):

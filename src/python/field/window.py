@@ -8,7 +8,7 @@ from drill_rig_sim.field.record import RecordError
 
 
 def moment(text, record, option):
-    """Seconds in the record, of a number or an ISO date. RecordError naming the option."""
+    """Seconds in the record, of a number or an ISO date, without a time zone by that of the record's header. RecordError naming the option."""
     try:
         seconds = float(text)
         if math.isfinite(seconds):
@@ -20,7 +20,8 @@ def moment(text, record, option):
         raise RecordError("%s: '%s' is neither seconds in the record nor an ISO date such as 2017-07-31T23:59:00Z" % (option, text))
     if record.begin is None:
         raise RecordError("%s: %s has no dates; needed: seconds in the record" % (option, record.name))
-    return found[0] - record.begin
+    seconds, zoned = found
+    return seconds - record.begin - (0.0 if zoned else record.offset)
 
 
 def limits(record, begin, end, options=("--from", "--to")):

@@ -1,11 +1,13 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Pump and mud as a controller meets them: ramp, strokes, pressure that is late by the pipe's volume, peaks of the gel, losses, relief valve, ECD, the motor's
 pressure, a pump that trips. Against closed forms of test/scenes/hydraulics.yaml."""
 import math
+import os
+import unittest
 
-from drill_rig_sim.rig import Rig, series
-from rig_test import run, unittest
+from drill_rig_sim.sim import Simulator, series
 
+SCENE = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "scenes/hydraulics.yaml")
 STROKE, RAMP, MOST = 0.016, 0.002, 0.06              # of the pump [m3, m3/s2, m3/s]
 LENGTHS = {"motor": 8.0, "collar": 14 * 9.4}         # [m]
 LENGTHS["pipe"] = 1999.5 - 0.3 - sum(LENGTHS.values())  # in the hole; 20 m stand above it
@@ -24,8 +26,7 @@ def losses(flow):
 
 class Hydraulics(unittest.TestCase):
     def setUp(self):
-        self.rig = Rig("rig")
-        self.rig.reset()
+        self.rig = Simulator(SCENE)
 
     def run_at(self, flow, seconds):
         self.rig.pump(flow)
@@ -89,4 +90,4 @@ class Hydraulics(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    run(Hydraulics)
+    unittest.main()

@@ -1,12 +1,13 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The law drill_rig_sim.stands: five stands drilled, with the connections between them, by a noisy dead line."""
+import unittest
+
 import numpy
 from drill_rig_sim.control import drive
-from drill_rig_sim.rig import Rig, series
 from drill_rig_sim.score import score
 from drill_rig_sim.score_runs import run_of_states
+from drill_rig_sim.sim import Simulator, series
 from drill_rig_sim.stands import Stands
-from rig_test import run, unittest
 
 WEIGHT, STAND = 30e3, 28.5
 DRILLER = {"set_points": {"weight": WEIGHT}, "stiffness": 2e6, "rop": 0.08, "rpm": 100.0, "flow": 0.03, "to_depth": 460.0, "tag_speed": 0.02,
@@ -15,7 +16,7 @@ DRILLER = {"set_points": {"weight": WEIGHT}, "stiffness": 2e6, "rop": 0.08, "rpm
 
 class FiveStands(unittest.TestCase):
     def test_a_run(self):
-        rig, law, tasks = Rig("rig"), Stands(5, DRILLER), []
+        rig, law, tasks = Simulator("stands.yaml"), Stands(5, DRILLER), []
         begin = rig.state
         states = drive(rig, law, 6000.0, judge=lambda state: tasks.append((law.task, law.driller.phase, law.driller.lasted())))
         self.assertTrue(law.done)
@@ -39,4 +40,4 @@ class FiveStands(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    run(FiveStands)
+    unittest.main()

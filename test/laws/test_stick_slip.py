@@ -1,17 +1,16 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The law drill_rig_sim.stick_slip: sees by the torque that the bit of a 3 km string sticks and slips, and ends it by each of its remedies."""
+import unittest
+
 from drill_rig_sim.control import drive
-from drill_rig_sim.rig import RPM, Rig, series
+from drill_rig_sim.sim import RPM, Simulator, series
 from drill_rig_sim.stick_slip import StickSlip
-from rig_test import run, unittest
 
 
 class EndsStickSlip(unittest.TestCase):
     def ends_by(self, remedies, rpm=90.0):
-        rig = Rig("rig")
-        rig.reset()
         law = StickSlip(rpm, 0.03, remedies, torsion_period=5.0, stiffness=2.5e5)
-        states = drive(rig, law, 400.0)
+        states = drive(Simulator("stick_slip.yaml"), law, 400.0)
         time, speed = series(states, "t") - states[0].t, series(states, "bit.speed")
         before, after = speed[(time > 15.0) & (time < 30.0)], speed[time > time[-1] - 30.0]
         tried = [what for _, what in law.tried]
@@ -46,4 +45,4 @@ class EndsStickSlip(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    run(EndsStickSlip)
+    unittest.main()

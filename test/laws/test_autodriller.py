@@ -1,11 +1,12 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The law drill_rig_sim.autodriller against a rig whose hook load is noisy and late: weight kept into harder rock, loops that take over from each
 other without a bump, and a stalled motor got going again. Fed by readings, judged by the truth."""
+import unittest
+
 import numpy
 from drill_rig_sim.autodriller import Autodriller
 from drill_rig_sim.control import Ordered, drive
-from drill_rig_sim.rig import Rig, series
-from rig_test import run, unittest
+from drill_rig_sim.sim import Simulator, series
 
 WEIGHT = 60e3
 PRESSURE, TORQUE = 1.09e6, 1.32e3  # that this weight makes [Pa], [N m]
@@ -17,7 +18,7 @@ ORDERS = ((480.0, "pressure", PRESSURE), (480.0, "weight", 1.1 * WEIGHT),      #
 
 class AutodrillerLoops(unittest.TestCase):
     def test_a_run(self):
-        rig, phases = Rig("rig"), []
+        rig, phases = Simulator("autodriller.yaml"), []
         law = Ordered(Autodriller({"weight": WEIGHT, "pressure": 1.3 * PRESSURE, "torque": 1.5 * TORQUE}, stiffness=6e5, rop=0.012, rpm=60.0, flow=0.03,
                                   to_depth=1003.0, stall_pressure=1.8e6, pressure_per_weight=18.0, torque_per_weight=0.022), ORDERS)
         begin = rig.state.t
@@ -65,4 +66,4 @@ class AutodrillerLoops(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    run(AutodrillerLoops)
+    unittest.main()

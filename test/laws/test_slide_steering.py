@@ -1,28 +1,29 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The law drill_rig_sim.slide_steering: holds the toolface against the motor's torque in every slide, and follows its plan by slides and rotation."""
 import math
+import os
+import unittest
 
 import numpy
 from drill_rig_sim.control import drive
 from drill_rig_sim.law import Plan, turn_between
-from drill_rig_sim.rig import Rig, series
+from drill_rig_sim.sim import Simulator, series
 from drill_rig_sim.slide_steering import SlideSteering
 from drill_rig_sim.survey import read_survey
-from drill_rig_sim.topics import Telemetry
-from rig_test import PACKAGE_DIR, run, unittest
 
-PLAN = read_survey(PACKAGE_DIR + "/config/surveys/build_3_deg.csv")
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PLAN = read_survey(os.path.join(SOURCE, "config/surveys/build_3_deg.csv"))
 DRILLER = {"set_points": {"weight": 40e3}, "stiffness": 1e6, "rop": 0.03, "rpm": 60.0, "flow": 0.03, "to_depth": 414.0, "stall_pressure": 3.3e6}
 
 
 class SlideSteeringOfAPlan(unittest.TestCase):
     def test_a_run(self):
-        rig, telemetry, sliding, law = Rig("rig"), Telemetry("/rig/"), [], SlideSteering(PLAN, build_rate=5.5, twist=4e-5, driller=DRILLER)
+        rig, sliding, law = Simulator("slide_steering.yaml"), [], SlideSteering(PLAN, build_rate=5.5, twist=4e-5, driller=DRILLER)
 
         def judge(state):
             if law.sliding and state.bit.wob > 0.0 and abs(state.top_drive_speed) < 0.1:
                 sliding.append(abs(turn_between(state.bit.toolface, law.target)))
-        states = drive(rig, law, 3000.0, telemetry, judge)
+        states = drive(rig, law, 3000.0, rig, judge)
         self.assertTrue(law.done)
         errors = numpy.degrees(sliding)
         print("slides: %s" % ", ".join("%.1f to %.1f m at %.0f deg" % (begin, end, math.degrees(toolface)) for begin, end, toolface in law.slid))
@@ -46,4 +47,4 @@ class SlideSteeringOfAPlan(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    run(SlideSteeringOfAPlan, follows_clock=False)
+    unittest.main()

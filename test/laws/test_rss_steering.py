@@ -1,23 +1,25 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The law drill_rig_sim.rss_steering: builds 3 deg/30 m by downlinks within half a degree and a metre of its plan."""
+import os
+import unittest
+
 import numpy
 from drill_rig_sim.control import drive
 from drill_rig_sim.law import Plan, turn_between
-from drill_rig_sim.rig import Rig
 from drill_rig_sim.rss_steering import RssSteering
 from drill_rig_sim.score import score
 from drill_rig_sim.score_runs import run_of_states
+from drill_rig_sim.sim import Simulator
 from drill_rig_sim.survey import read_survey
-from drill_rig_sim.topics import Telemetry
-from rig_test import PACKAGE_DIR, run, unittest
 
-PLAN = read_survey(PACKAGE_DIR + "/config/surveys/build_3_deg.csv")
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PLAN = read_survey(os.path.join(SOURCE, "config/surveys/build_3_deg.csv"))
 DRILLER = {"set_points": {"weight": 40e3}, "stiffness": 1e6, "rop": 0.04, "rpm": 120.0, "flow": 0.03, "to_depth": 425.0}
 
 
 class RssSteeringOfAPlan(unittest.TestCase):
     def test_a_run(self):
-        rig, told = Rig("rig"), []
+        rig, told = Simulator("rss_steering.yaml"), []
         law = RssSteering(PLAN, tool_rate=4.1, bit_time=6.0, driller=DRILLER)
         begin = rig.state.truth.hole_depth
 
@@ -25,7 +27,7 @@ class RssSteeringOfAPlan(unittest.TestCase):
             heard = (state.truth.steering.toolface, state.truth.steering.ratio)
             if not told or told[-1] != heard:
                 told.append(heard)
-        states = drive(rig, law, 3000.0, Telemetry("/rig/"), judge)
+        states = drive(rig, law, 3000.0, rig, judge)
         self.assertTrue(law.done)
         self.assertEqual(len(law.told), len(told))  # each downlink was heard: the first of both says 0
         print("told: %s" % ", ".join("%.0f deg %.1f" % (numpy.degrees(toolface), ratio) for toolface, ratio in told))
@@ -42,4 +44,4 @@ class RssSteeringOfAPlan(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    run(RssSteeringOfAPlan, follows_clock=False)
+    unittest.main()
