@@ -132,7 +132,7 @@ void OperationsPlayer::begin(Simulator& simulator) noexcept
     if (o.kind == OperationKind::tag) begin_tag(simulator, zeroed);
     simulator.command(WinchSetpoint{lifts_ ? o.speed : -o.speed, false});
   }
-  const bool by_weight = o.kind == OperationKind::drill || o.kind == OperationKind::slide;
+  const bool by_weight = traits_of(o.kind).drills;
   if (by_weight && !now.tared && !simulator.tare()) simulator.fail("operations: the weight on bit has no zero, needed: tag before drill or slide");
   if (o.kind == OperationKind::steer) simulator.command(SteeringSetpoint{o.toolface, o.ratio});
   if (o.kind == OperationKind::slide || o.kind == OperationKind::oscillate)
@@ -157,28 +157,21 @@ void OperationsPlayer::follow(Simulator& simulator) noexcept
 {
   switch (operations_[next_].kind)
   {
-    case OperationKind::flow:
-    case OperationKind::rotate:
-      return follow_ramp(simulator);
-    case OperationKind::drill:
-      return follow_weight(simulator);
-    case OperationKind::slide:
-      follow_toolface(simulator);
-      return follow_weight(simulator);
-    case OperationKind::ream:
-      return follow_strokes(simulator);
-    case OperationKind::tag:
-      return follow_tag(simulator);
-    case OperationKind::pick_up:
-    case OperationKind::slack_off:
-    case OperationKind::oscillate:
-    case OperationKind::wait:
-    case OperationKind::steer:
-      return;
-    case OperationKind::connection:
-    case OperationKind::trip:
-      return follow_trip(simulator);
+#define OPERATION(name, moves, drills, by_crew, follow) \
+  case OperationKind::name:                             \
+    return follow(simulator);
+#include "drill_rig_sim/scene/operation_list.h"
   }
+}
+
+void OperationsPlayer::follow_nothing(Simulator& /*simulator*/) noexcept
+{
+}
+
+void OperationsPlayer::follow_slide(Simulator& simulator) noexcept
+{
+  follow_toolface(simulator);
+  follow_weight(simulator);
 }
 
 void OperationsPlayer::follow_ramp(Simulator& simulator) noexcept
@@ -287,11 +280,9 @@ void OperationsPlayer::follow_toolface(Simulator& simulator) noexcept
 
 void OperationsPlayer::end(Simulator& simulator) const noexcept
 {
-  const OperationKind kind = operations_[next_].kind;
-  const bool moved = kind == OperationKind::pick_up || kind == OperationKind::slack_off || kind == OperationKind::tag || kind == OperationKind::drill ||
-                     kind == OperationKind::slide || kind == OperationKind::ream || needs_crew(kind);
-  if (needs_crew(kind)) simulator.call_crew(false);
-  if (moved) simulator.command(WinchSetpoint{0.0, true});
+  const OperationTraits& traits = traits_of(operations_[next_].kind);
+  if (traits.by_crew) simulator.call_crew(false);
+  if (traits.moves) simulator.command(WinchSetpoint{0.0, true});
 }
 
 double OperationsPlayer::progress(const Simulator& simulator) const noexcept
@@ -322,7 +313,7 @@ double OperationsPlayer::progress_in_place(const Simulator& simulator) const noe
     const double height = now.block_height - began_block_, done = legs_ % 2 == 0 ? height : o.distance - height;
     return std::min((legs_ + std::clamp(done / o.distance, 0.0, 0.99)) / (2.0 * o.times), 1.0);
   }
-  const bool drills = o.kind == OperationKind::drill || o.kind == OperationKind::slide;
+  const bool drills = traits_of(o.kind).drills;
   const double from = drills ? began_hole_ : began_bit_, here = drills ? now.hole_depth : now.bit_depth - rise(now);
   if (o.kind == OperationKind::connection) return crew_came_ ? 1.0 : 0.0;
   if (o.kind == OperationKind::trip) return way_to_go(now) < arrived ? 1.0 : share(now.bit_depth, began_bit_, o.to_depth);

@@ -110,7 +110,9 @@ private:
   void begin(Simulator& simulator) noexcept;
   void begin_tag(Simulator& simulator, bool zeroed) noexcept;
   void follow(Simulator& simulator) noexcept;
+  void follow_nothing(Simulator& simulator) noexcept;
   void follow_ramp(Simulator& simulator) noexcept;
+  void follow_slide(Simulator& simulator) noexcept;
   void follow_weight(Simulator& simulator) noexcept;
   void follow_strokes(Simulator& simulator) noexcept;
   void follow_tag(Simulator& simulator) noexcept;
