@@ -10,7 +10,7 @@ import threading
 import time
 
 import rospy
-from drill_rig_sim.msg import Accuracy, RigState
+from drill_rig_sim.msg import Accuracy, RigTruth
 from drill_rig_sim.recorder import Recorder
 from drill_rig_sim.srv import SetSpeed
 from std_srvs.srv import Trigger
@@ -33,7 +33,7 @@ class Rig:
         self.mark()
         self.set_speed = rospy.ServiceProxy(namespace + "/set_speed", SetSpeed)
         self.tare = rospy.ServiceProxy(namespace + "/tare", Trigger)
-        rospy.Subscriber(namespace + "/truth/rig_state", RigState, self.take, queue_size=100)
+        rospy.Subscriber(namespace + "/truth/rig_state", RigTruth, self.take, queue_size=100)
         rospy.Subscriber(namespace + "/accuracy", Accuracy, self.take_errors, queue_size=1)
 
     def take(self, state):

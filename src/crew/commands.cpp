@@ -1,8 +1,10 @@
 #include "drill_rig_sim/crew/commands.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "drill_rig_sim/rig/drive_reference.h"
 
@@ -41,7 +43,7 @@ bool moves(const WinchSetpoint& c) noexcept
 bool turns(const TopDriveSetpoint& c) noexcept
 {
   if (c.brake) return false;
-  return c.mode == TopDriveMode::torque ? c.torque != 0.0 : turns_to_angle(c.mode) || c.speed != 0.0;
+  return goal_of(c.mode) == DriveGoal::torque ? c.torque != 0.0 : turns_to_angle(c.mode) || c.speed != 0.0;
 }
 
 const char* what_is_wrong(const WinchSetpoint& c) noexcept
@@ -49,19 +51,33 @@ const char* what_is_wrong(const WinchSetpoint& c) noexcept
   return std::isfinite(c.block_velocity) ? nullptr : "block_velocity: must be finite";
 }
 
+namespace
+{
+std::string in_capitals(std::string word)
+{
+  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return word;
+}
+
+const std::string allowed_modes = "mode: allowed are 0 (" + in_capitals(top_drive_modes[0].word) + ") to " +
+                                  std::to_string(top_drive_mode_count - 1) + " (" +
+                                  in_capitals(top_drive_modes[top_drive_mode_count - 1].word) + ")";
+}  // namespace
+
 const char* what_is_wrong(const TopDriveSetpoint& c) noexcept
 {
   static_assert(most_drive_angle == 1e8, "the texts have this number");
-  if (c.mode < TopDriveMode::speed || c.mode > TopDriveMode::oscillate) return "mode: allowed are 0 (SPEED) to 5 (OSCILLATE)";
+  if (!is_known(c.mode)) return allowed_modes.c_str();
+  const bool swings = goal_of(c.mode) == DriveGoal::swing;
   if (!std::isfinite(c.speed) || !std::isfinite(c.torque) || !std::isfinite(c.angle) || !std::isfinite(c.torque_limit))
     return "speed, torque, angle and torque_limit: must be finite";
   if (!std::isfinite(c.amplitude_right) || !std::isfinite(c.amplitude_left)) return "amplitude_right and amplitude_left: must be finite";
   if (c.amplitude_right < 0.0 || c.amplitude_left < 0.0) return "amplitude_right and amplitude_left: must not be negative";
-  if (c.mode == TopDriveMode::oscillate && c.amplitude_right + c.amplitude_left == 0.0)
+  if (swings && c.amplitude_right + c.amplitude_left == 0.0)
     return "amplitude_right and amplitude_left: one of them must be above 0 in OSCILLATE";
   if (turns_to_angle(c.mode) && std::abs(c.angle) > most_drive_angle)
     return "angle: must be between -1e8 and 1e8 rad in ANGLE and OSCILLATE: beyond, a double does not resolve it to 1e-8 rad";
-  if (c.mode == TopDriveMode::oscillate && std::max(c.amplitude_right, c.amplitude_left) > most_drive_angle)
+  if (swings && std::max(c.amplitude_right, c.amplitude_left) > most_drive_angle)
     return "amplitude_right and amplitude_left: must be at most 1e8 rad";
   if (c.torque_limit < 0.0) return "torque_limit: must not be negative; 0 means the rig's";
   return nullptr;

@@ -156,7 +156,7 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
     if (o.kind == OperationKind::tag) begin_tag(rig, zeroed);
     rig.command(WinchSetpoint{lifts_ ? o.speed : -o.speed, false});
   }
-  const bool by_weight = o.kind == OperationKind::drill || o.kind == OperationKind::slide;
+  const bool by_weight = traits_of(o.kind).drills;
   if (by_weight && !now.tared && !rig.tare()) rig.fail("operations: the weight on bit has no zero, needed: tag before drill or slide");
   if (o.kind == OperationKind::steer) rig.command(SteeringSetpoint{o.toolface, o.ratio});
   if (o.kind == OperationKind::slide || o.kind == OperationKind::oscillate)
@@ -181,28 +181,21 @@ void OperationsPlayer::follow(RigControls& rig) noexcept
 {
   switch (operations_[next_].kind)
   {
-    case OperationKind::flow:
-    case OperationKind::rotate:
-      return follow_ramp(rig);
-    case OperationKind::drill:
-      return follow_weight(rig);
-    case OperationKind::slide:
-      follow_toolface(rig);
-      return follow_weight(rig);
-    case OperationKind::ream:
-      return follow_strokes(rig);
-    case OperationKind::tag:
-      return follow_tag(rig);
-    case OperationKind::pick_up:
-    case OperationKind::slack_off:
-    case OperationKind::oscillate:
-    case OperationKind::wait:
-    case OperationKind::steer:
-      return;
-    case OperationKind::connection:
-    case OperationKind::trip:
-      return follow_trip(rig);
+#define OPERATION(name, moves, drills, by_crew, follow) \
+  case OperationKind::name:                             \
+    return follow(rig);
+#include "drill_rig_sim/scene/operation_list.h"
   }
+}
+
+void OperationsPlayer::follow_nothing(RigControls& /*rig*/) noexcept
+{
+}
+
+void OperationsPlayer::follow_slide(RigControls& rig) noexcept
+{
+  follow_toolface(rig);
+  follow_weight(rig);
 }
 
 void OperationsPlayer::follow_ramp(RigControls& rig) noexcept
@@ -314,11 +307,9 @@ void OperationsPlayer::follow_toolface(RigControls& rig) noexcept
 
 void OperationsPlayer::end(RigControls& rig) const noexcept
 {
-  const OperationKind kind = operations_[next_].kind;
-  const bool moved = kind == OperationKind::pick_up || kind == OperationKind::slack_off || kind == OperationKind::tag || kind == OperationKind::drill ||
-                     kind == OperationKind::slide || kind == OperationKind::ream || needs_crew(kind);
-  if (needs_crew(kind)) rig.call_crew(false);
-  if (moved) rig.command(WinchSetpoint{0.0, true});
+  const OperationTraits& traits = traits_of(operations_[next_].kind);
+  if (traits.by_crew) rig.call_crew(false);
+  if (traits.moves) rig.command(WinchSetpoint{0.0, true});
 }
 
 double OperationsPlayer::progress(const RigControls& rig) const noexcept
@@ -349,7 +340,7 @@ double OperationsPlayer::progress_in_place(const RigControls& rig) const noexcep
     const double height = now.block_height - began_block_, done = legs_ % 2 == 0 ? height : o.distance - height;
     return std::min((legs_ + std::clamp(done / o.distance, 0.0, 0.99)) / (2.0 * o.times), 1.0);
   }
-  const bool drills = o.kind == OperationKind::drill || o.kind == OperationKind::slide;
+  const bool drills = traits_of(o.kind).drills;
   const double from = drills ? began_hole_ : began_bit_, here = drills ? now.hole_depth : now.bit_depth - rise(now);
   if (o.kind == OperationKind::connection) return crew_came_ ? 1.0 : 0.0;
   if (o.kind == OperationKind::trip) return way_to_go(now) < arrived ? 1.0 : share(now.bit_depth, began_bit_, o.to_depth);

@@ -23,7 +23,7 @@ TopDriveMode mode_of(const ProgramStep& step, TopDriveMode before) noexcept
 {
   if (step.top_drive_mode >= 0) return static_cast<TopDriveMode>(step.top_drive_mode);
   if (is_set(step.amplitude_right) || is_set(step.amplitude_left)) return TopDriveMode::oscillate;
-  if (is_set(step.top_drive_angle)) return before == TopDriveMode::oscillate ? before : TopDriveMode::angle;
+  if (is_set(step.top_drive_angle)) return goal_of(before) == DriveGoal::swing ? before : TopDriveMode::angle;
   if (is_set(step.top_drive_torque)) return TopDriveMode::torque;
   return is_set(step.top_drive_speed) && !keeps_speed(before) ? TopDriveMode::speed : before;
 }

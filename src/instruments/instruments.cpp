@@ -9,6 +9,7 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double shortest_frame = 1e-3;  // a kilohertz [s]
+constexpr std::size_t stream_of_mwd = 6;  // of noise: another gauge must not change its readings
 }  // namespace
 
 double RateMeter::rate(double depth, double time) noexcept
@@ -35,13 +36,14 @@ Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_
   : place_(scene.instruments.hook_load.place), block_weight_(standard_gravity * scene.rig.hoisting.block_mass), hook_load_mean_(scene.rig.heave.wave_period()), zero_mean_(scene.rig.heave.wave_period())
 {
   const InstrumentsSpec& spec = scene.instruments;
-  std::uint64_t index = 0;
   const double interval = scene.numerics.step > 0.0 ? scene.numerics.step : shortest_frame;
-  const auto gauge = [&](const SensorSpec& s) { return Sensor(s, interval, NoiseSource::of(seed, index++)); };
-  const std::array<const SensorSpec*, gauge_count> specs = {&spec.hook_load,           &spec.hook_load, &spec.torque,
-                                                            &spec.stand_pipe_pressure, &spec.flow,      &spec.block_height};
-  for (std::size_t k = 0; k < specs.size(); ++k) gauges_[k] = gauge(*specs[k]);
-  mwd_ = Mwd(spec.mwd, spec.toolface, NoiseSource::of(seed, index++));
+  const std::array<const SensorSpec*, gauge_count> specs = {
+#define GAUGE(type, name, ...) &spec.name,
+#define GAUGE_LIKE(...) &spec.hook_load,
+#include "drill_rig_sim/scene/signal_list.h"
+  };
+  for (std::size_t k = 0; k < specs.size(); ++k) gauges_[k] = Sensor(*specs[k], interval, NoiseSource::of(seed, k < stream_of_mwd ? k : k + 1));
+  mwd_ = Mwd(spec.mwd, spec.toolface, NoiseSource::of(seed, stream_of_mwd));
   dynamics_ = DynamicsTool(spec.dynamics);
   tally_ = at_start.bit_depth + at_start.block_height;
   hole_depth_ = at_start.hole_depth;
@@ -58,7 +60,6 @@ void Instruments::read(const Truth& truth, const SensorView& view, Readings& rea
   work_out_weights(readings);
   if (view.in_slips) tally_ += readings.block_height;
   work_out_depths(readings);
-  readings.on_bottom = readings.motor_stalled = readings.over_stress = readings.over_torque = readings.buckled = false;
   mwd_.update(truth.time, truth.bit_flow, view, readings.mwd, readings.toolface);
   readings.inclination = mwd_.inclination();
   dynamics_.update(truth.time, truth.bit_flow, view.sub);
@@ -67,19 +68,13 @@ void Instruments::read(const Truth& truth, const SensorView& view, Readings& rea
 
 void Instruments::read_gauges(const Truth& truth, Readings& readings) noexcept
 {
-  const std::array<double, gauge_count> signals = {truth.hook_load,           truth.dead_line_hook_load, truth.torque,
-                                                   truth.stand_pipe_pressure, truth.flow,                truth.block_height};
-  std::array<double, gauge_count> shown;
   readings.lost_gauges = 0;
-  for (std::size_t k = 0; k < signals.size(); ++k) shown[k] = gauges_[k].read(signals[k], truth.time);
-  for (int k = 0; k < gauge_count; ++k) readings.lost_gauges |= source_of(static_cast<Gauge>(k)).is_lost() ? 1u << k : 0u;
-  const auto of = [&shown](Gauge gauge) { return shown[static_cast<std::size_t>(gauge)]; };
-  readings.dead_line_hook_load = of(Gauge::dead_line_hook_load);
-  readings.hook_load = place_ == HookLoadPlace::block ? of(Gauge::hook_load) : readings.dead_line_hook_load;
-  readings.torque = of(Gauge::torque);
-  readings.stand_pipe_pressure = of(Gauge::stand_pipe_pressure);
-  readings.flow = of(Gauge::flow);
-  readings.block_height = of(Gauge::block_height);
+  std::size_t k = 0;
+#define GAUGE(type, name, ...) readings.name = gauges_[k++].read(truth.name, truth.time);
+#define GAUGE_LIKE GAUGE
+#include "drill_rig_sim/scene/signal_list.h"
+  if (place_ == HookLoadPlace::dead_line) readings.hook_load = readings.dead_line_hook_load;
+  for (int g = 0; g < gauge_count; ++g) readings.lost_gauges |= source_of(static_cast<Gauge>(g)).is_lost() ? 1u << g : 0u;
 }
 
 void Instruments::work_out_weights(Readings& readings) const noexcept

@@ -4,8 +4,9 @@ Loops of weight, differential pressure and torque each ask for a feed, the rate 
 drill_rig_sim.control: readings in, commands out, no ROS.
 """
 from drill_rig_sim.law import RPM, Commands, Lag, Loop
+from drill_rig_sim.tables import GAUGES
 
-HOOK_LOAD = 1  # of RigState.lost_gauges
+HOOK_LOAD = 1 << GAUGES.index("hook_load")  # of RigState.lost_gauges
 
 
 class Autodriller:

@@ -33,14 +33,18 @@ bool take(Simulator& simulator, const std::optional<Setpoint>& command) noexcept
   return command.has_value();
 }
 
-Signals signals_of(const RigSignals& signals, const OperationStatus& operation)
+template <class Values>
+Signals<Values> signals_of(const Values& signals, const OperationStatus& operation)
 {
   return {signals, operation.number, operation.progress, operation.kind};
 }
 
 Bit bit_of(const Truth& t)
 {
-  return {{t.bit_position.x(), t.bit_position.y(), t.bit_position.z()}, t.wob, t.bit_torque, t.bit_speed, t.bit_inclination, t.bit_azimuth, t.bend_toolface};
+  Bit bit;
+#define BIT(name, field, dimension, value, ...) bit.field = value;
+#include "drill_rig_sim/scene/signal_list.h"
+  return bit;
 }
 
 template <class Reading>
@@ -52,17 +56,20 @@ std::optional<Reading> if_any(const Reading& reading)
 FaultKind kind_named(std::string name)
 {
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto* found = std::find(std::begin(fault_names), std::end(fault_names), name);
-  if (found == std::end(fault_names)) throw std::runtime_error("fault is " + name + "; allowed are those of InjectFault");
-  return static_cast<FaultKind>(found - fault_names);
+  for (int kind = 0; kind < fault_count; ++kind)
+    if (name == fault_traits[kind].word) return static_cast<FaultKind>(kind);
+  throw std::runtime_error("fault is " + name + "; allowed are those of InjectFault");
 }
 }  // namespace
 
-std::string Signals::current_operation() const
+template <class Values>
+std::string Signals<Values>::current_operation() const
 {
   if (signals.crew != CrewTask::none) return text_of(signals.crew);
   return operation_number > 0 ? word_of(operation_kind) : "";
 }
+template struct Signals<ShownSignals>;
+template struct Signals<TrueSignals>;
 
 InProcessRig::InProcessRig(const std::string& scene_file, double rate, std::uint64_t seed, bool play)
     : scene_(read_scene(scene_file)), off_bottom_(off_bottom(scene_)), rate_(rate), seed_(seed), play_(play)
@@ -127,7 +134,7 @@ void InProcessRig::advance(std::size_t frames, const std::function<void()>& may_
 Frame InProcessRig::last_frame() const
 {
   const OperationStatus operation = playing_ ? player_.operations().status() : OperationStatus();
-  return {signals_of(simulator_->readings(), operation), signals_of(simulator_->truth(), operation), bit_of(simulator_->truth())};
+  return {signals_of<ShownSignals>(simulator_->readings(), operation), signals_of<TrueSignals>(simulator_->truth(), operation), bit_of(simulator_->truth())};
 }
 
 std::vector<std::string> InProcessRig::remarks() const

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "drill_rig_sim/crew/player.h"
@@ -21,10 +22,33 @@
 /// A rig that the caller steps, without ROS; by the same steps as the node in lockstep. What is refused is std::runtime_error with one line, and nothing has changed.
 namespace drill_rig_sim
 {
-/// The signals by the names of RigState.msg; those that are constant in a process (header, run_state) or stamps are not there.
+/// Calls v for the fields of signals by the names of their message: set points are flat there, and the crew's task is a word, current_operation().
+/// What a rig cannot see of its steering is for the truth.
+template <class V, bool with_steering>
+struct ByMessage
+{
+  V& v;
+  template <class T>
+  void operator()(const char* name, T& field)
+  {
+    v(name, field);
+  }
+  void operator()(const char*, CrewTask&) {}
+  void operator()(const char*, Setpoints& s)
+  {
+    v("winch", s.winch);
+    v("top_drive", s.top_drive);
+    v("mud_pump", s.pump);
+    if constexpr (with_steering) v("steering", s.steering);
+    if constexpr (with_steering) v("magnetic_steering", s.magnetic_steering);
+  }
+};
+
+/// The signals by the names of RigState.msg or RigTruth.msg; those that are constant in a process (header, run_state) or stamps are not there.
+template <class Values>
 struct Signals
 {
-  RigSignals signals;
+  Values signals;
   int operation_number = 0;
   double operation_progress = 0.0;
   OperationKind operation_kind = OperationKind::wait;
@@ -34,34 +58,14 @@ struct Signals
   template <class V>
   void visit(V& v)
   {
-    ByMessage<V> by_message{v};
+    ByMessage<V, std::is_same_v<Values, TrueSignals>> by_message{v};
     signals.visit(by_message);
     v("operation_number", operation_number);
     v("operation_progress", operation_progress);
   }
-
-private:
-  /// Set points are flat in the message, and the crew's task is a word: current_operation().
-  template <class V>
-  struct ByMessage
-  {
-    V& v;
-    template <class T>
-    void operator()(const char* name, T& field)
-    {
-      v(name, field);
-    }
-    void operator()(const char*, CrewTask&) {}
-    void operator()(const char*, Setpoints& s)
-    {
-      v("winch", s.winch);
-      v("top_drive", s.top_drive);
-      v("mud_pump", s.pump);
-      v("steering", s.steering);
-      v("magnetic_steering", s.magnetic_steering);
-    }
-  };
 };
+using ShownFrame = Signals<ShownSignals>;
+using TrueFrame = Signals<TrueSignals>;
 
 /// A place in the frame of the rig floor [m].
 struct Place
@@ -106,14 +110,16 @@ public:
 /// What one frame tells.
 struct Frame
 {
-  Signals readings, truth;
+  ShownFrame readings;
+  TrueFrame truth;
   Bit bit;
 };
 
 /// Of many frames, a row each.
 struct Recording
 {
-  std::vector<Signals> readings, truth;
+  std::vector<ShownFrame> readings;
+  std::vector<TrueFrame> truth;
   std::vector<Bit> bit;
 };
 

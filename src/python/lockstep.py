@@ -3,10 +3,11 @@ import math
 import operator
 
 import numpy
+from drill_rig_sim.tables import SIGNALS, TOP_DRIVE_MODES
 
 RPM = 2.0 * math.pi / 60.0  # [rad/s]
-UNSENSED = ("on_bottom", "motor_stalled", "over_stress", "over_torque", "buckled")  # fields of RigState that are false in every reading
-MODES = {"SPEED": 0, "TORQUE": 1, "ANGLE": 2, "SOFT_TORQUE": 3, "Z_TORQUE": 4, "OSCILLATE": 5}  # of TopDriveCommand
+UNSENSED = tuple(row.name for row in SIGNALS if row.of == "truth")  # signals that RigState does not have
+MODES = {word.upper(): number for number, word in enumerate(TOP_DRIVE_MODES)}  # of TopDriveCommand
 
 
 class Refused(Exception):
@@ -26,7 +27,7 @@ class State:
     """What one frame tells. Its attributes are the readings, fields of RigState: what a controller may know. Beside them:
 
     t         stamp [s]
-    truth     the RigState as it is, and
+    truth     the RigTruth, and
     bit       the BitTruth, for judging a controller
     readings  the readings in one
 
@@ -38,10 +39,10 @@ class State:
         self.t, self.readings, self.truth, self.bit = t, readings, truth, bit
 
     def __getattr__(self, name):
-        if name in UNSENSED:
-            raise AttributeError("%s: no rig can sense it; ask for truth.%s" % (name, name))
         if name in State.__slots__:  # of a copy that is not filled yet
             raise AttributeError(name)
+        if not hasattr(self.readings, name) and hasattr(self.truth, name):
+            raise AttributeError("%s: no rig can sense it; ask for truth.%s" % (name, name))
         return getattr(self.readings, name)
 
 

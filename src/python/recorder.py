@@ -2,7 +2,7 @@
 import threading
 
 import rospy
-from drill_rig_sim.msg import BitTruth, RigState
+from drill_rig_sim.msg import BitTruth, RigTruth
 from drill_rig_sim.score_runs import BIT, STATE, field
 
 KEPT = 1000  # states whose bit has not arrived yet, or the other way round
@@ -16,7 +16,7 @@ class Recorder:
         self.period, self.last, self.waiting, self.latest, self.lock = period, None, {}, {}, threading.Lock()
         self.out = open(file, "w", encoding="utf-8")
         self.out.write(",".join(("time", *self.columns())) + "\n")
-        self.subscribers = [rospy.Subscriber(prefix + "truth/rig_state", RigState, self.take, callback_args="state", queue_size=100),
+        self.subscribers = [rospy.Subscriber(prefix + "truth/rig_state", RigTruth, self.take, callback_args="state", queue_size=100),
                             rospy.Subscriber(prefix + "truth/bit", BitTruth, self.take, callback_args="bit", queue_size=100)]
 
     @staticmethod

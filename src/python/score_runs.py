@@ -7,6 +7,7 @@ from drill_rig_sim.field.record import prefixed, read_table
 from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.lockstep import series
 from drill_rig_sim.refusal import Refusal
+from drill_rig_sim.tables import SIGNALS
 from drill_rig_sim.text_file import report
 
 FLAGS = ("winch_limited", "top_drive_limited", "stop_reached", "slack_line", "relief_valve_open", "over_stress", "over_torque", "buckled",
@@ -20,8 +21,8 @@ STATE = {"hole_depth": "hole_depth", "bit_depth": "bit_depth", "torque": "torque
 COMPANION = "companion_"  # begins the names of the companion's columns
 COMPANION_TOPICS = ("companion/truth/rig_state", "companion/truth/bit")
 TOPICS = ("truth/rig_state", "truth/bit", "rig_state", "downhole/mwd", "downhole/toolface", *COMPANION_TOPICS)
-BIT = {"wob": "wob", "bit_torque": "torque", "bit_speed": "speed", "inclination": "inclination", "azimuth": "azimuth", "toolface": "toolface",
-       "bit_east": "position.x", "bit_north": "position.y", "bit_up": "position.z"}
+BIT = {row.name: row.field for row in SIGNALS if row.of == "bit" and row.field}  # columns of a run and fields of BitTruth
+UNSENSED = tuple(row.name for row in SIGNALS if row.of == "truth")
 
 
 class RunError(Refusal):
@@ -110,12 +111,10 @@ def read_bag(file, namespace=None):
         companion = columns_of_companion(*(once(messages[topic]) for topic in COMPANION_TOPICS), columns["time"])
         return Run(columns, "truth", file, may_be_nan=() if messages["truth/bit"] else ("wob",), earlier=earlier, companion=companion)
     states = once(messages["rig_state"])
-    columns = columns_of_states(states)
+    columns = columns_of_states(states, {column: path for column, path in STATE.items() if path not in UNSENSED})
     columns["differential_pressure"] = numpy.where(numpy.isnan(columns["wob"]), numpy.nan, columns["differential_pressure"])
     if messages["downhole/toolface"]:
         columns["toolface"] = last_toolface(columns["time"], messages["downhole/toolface"])
-    for unsensed in ("motor_stalled", "over_stress", "over_torque", "buckled"):
-        del columns[unsensed]
     return Run(columns, "readings", file, [(m.md, m.inclination, m.azimuth) for m in messages["downhole/mwd"]], ZEROED, earlier)
 
 
@@ -170,9 +169,9 @@ def columns_of(messages, table):
     return columns
 
 
-def columns_of_states(states):
-    """Of RigState; surface WOB is nan until it has been zeroed."""
-    columns = columns_of(states, STATE)
+def columns_of_states(states, table=STATE):
+    """Of RigTruth or RigState; surface WOB is nan until it has been zeroed."""
+    columns = columns_of(states, table)
     columns["wob"] = numpy.where([m.tared for m in states], columns["wob"], numpy.nan)
     return columns
 
@@ -223,7 +222,7 @@ def run_of_record(record, name="record"):
 
 
 def run_by(time, truth, bit, name):
-    """By what gives a field of every RigState or BitTruth, named by its path."""
+    """By what gives a field of every RigTruth or BitTruth, named by its path."""
     columns = {column: truth(path) for column, path in STATE.items()}
     columns.update({column: bit(path) for column, path in BIT.items()})
     return Run({"time": time, **columns}, "truth", name)

@@ -45,8 +45,8 @@ def empty_block(scene, direction=0):
 
 
 class Record(typing.NamedTuple):
-    """Of many frames, a row each: fields of RigState and BitTruth by their names, those of a set point as "winch.brake". As drill score takes a run
-    (drill_rig_sim.score_runs.run_of_record). What no rig can sense is not among the readings."""
+    """Of many frames, a row each: fields of RigState, RigTruth and BitTruth by their names, those of a set point as "winch.brake". As drill score takes a run
+    (drill_rig_sim.score_runs.run_of_record)."""
     t: numpy.ndarray  # [s]
     readings: numpy.ndarray
     truth: numpy.ndarray
@@ -241,7 +241,7 @@ class Simulator(Lockstep):
 
 
 def record_of(readings, truth, bit):
-    return Record(numpy.round(truth["time"], 9), readings[[name for name in readings.dtype.names if name not in UNSENSED]], truth, bit)
+    return Record(numpy.round(truth["time"], 9), readings, truth, bit)
 
 
 def found(name, folder):

@@ -211,12 +211,19 @@ void bind_setpoints(py::module_& module)
   bind_fields(steering);
 }
 
-void bind_frames(py::module_& module)
+template <class T>
+void bind_signals(py::module_& module, const char* name)
 {
-  py::class_<Signals> signals(module, "Signals");
+  py::class_<T> signals(module, name);
   bind_fields(signals);
   bind_pickle(signals);
-  signals.def_property_readonly("current_operation", [](const Signals& s) { return s.current_operation(); });
+  signals.def_property_readonly("current_operation", [](const T& s) { return s.current_operation(); });
+}
+
+void bind_frames(py::module_& module)
+{
+  bind_signals<ShownFrame>(module, "Readings");
+  bind_signals<TrueFrame>(module, "Truth");
   py::class_<Place> place(module, "Place");
   bind_fields(place);
   py::class_<Bit> bit(module, "Bit");

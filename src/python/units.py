@@ -3,6 +3,8 @@ and CSV files stay in SI."""
 import math
 import typing
 
+from drill_rig_sim.tables import SIGNALS
+
 SYSTEMS = ("si", "oilfield")
 DEGREE = math.pi / 180.0
 # exact by definition, as in math/unit_table.h: [m], [m], [N], [kg]
@@ -35,12 +37,10 @@ SHOWN = {
     "number": (Unit("", 1.0, 2), Unit("", 1.0, 2)),
     "count": (Unit("", 1.0, 0), Unit("", 1.0, 0))}
 
-# of the columns of a run
+# of the columns of a run, and of the profile along the string
 QUANTITIES = {
-    "hook_load": "force", "wob": "force", "surface_wob": "force", "torque": "torque", "bit_torque": "torque", "surface_torque": "torque", "top_drive_speed": "rotation",
-    "bit_speed": "rotation", "rop": "penetration", "stand_pipe_pressure": "pressure", "differential_pressure": "pressure", "flow": "flow", "bit_depth": "length",
-    "hole_depth": "length", "block_height": "length", "block_velocity": "speed", "inclination": "angle", "azimuth": "angle", "toolface": "angle", "tension": "force",
-    "true_axial_force": "force", "contact_force": "force", "bending_moment": "torque"}
+    **{row.name: row.quantity for row in SIGNALS if row.type in ("float64", "") and row.quantity in SHOWN},
+    "surface_torque": "torque", "tension": "force", "true_axial_force": "force", "contact_force": "force", "bending_moment": "torque"}
 
 
 class Units:

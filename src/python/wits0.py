@@ -8,6 +8,8 @@ import threading
 import time
 from datetime import datetime, timezone
 
+from drill_rig_sim.tables import SIGNALS
+
 MOST_CLIENTS = 16        # at a time; more are turned away
 MOST_WAITING = 1 << 16   # for a client that does not read [B]; what is beyond is dropped, records whole
 READ_AT_ONCE = 4096      # of what clients send, which is ignored [B]
@@ -38,19 +40,18 @@ def decimal(value):
     return "%.3f" % value
 
 
-# record 01, general, by time: item, field of RigState, factor to the specification's metric unit, how it is written
-GENERAL = (
-    (8, "bit_depth", 1.0, decimal),                        # m
-    (10, "hole_depth", 1.0, decimal),                      # m
-    (12, "block_height", 1.0, decimal),                    # m
-    (13, "rop", 3600.0, decimal),                          # m/h
-    (14, "hook_load", 1.0 / KILO_DECANEWTON, decimal),     # kDN
-    (16, "surface_wob", 1.0 / KILO_DECANEWTON, decimal),   # kDN; none until it is tared
-    (18, "torque", 1e-3, decimal),                         # kN m
-    (20, "top_drive_speed", 30.0 / math.pi, whole),        # rpm, a whole number
-    (21, "stand_pipe_pressure", 1e-3, decimal),            # kPa
-    (23, "stroke_rate", 60.0, whole),                      # strokes a minute, a whole number
-    (30, "flow", 60000.0, decimal))                        # L/min
+# of record 01, general, by time: by quantity the factor to the specification's metric unit, and how it is written
+WRITTEN = {
+    "length": (1.0, decimal),                       # m
+    "penetration": (3600.0, decimal),               # m/h
+    "force": (1.0 / KILO_DECANEWTON, decimal),      # kDN
+    "torque": (1e-3, decimal),                      # kN m
+    "rotation": (30.0 / math.pi, whole),            # rpm, a whole number
+    "pressure": (1e-3, decimal),                    # kPa
+    "strokes": (60.0, whole),                       # strokes a minute, a whole number
+    "flow": (60000.0, decimal)}                     # L/min
+# item, field of RigState and the two, in the order of the items
+GENERAL = sorted((row.item, row.field, *WRITTEN[row.quantity]) for row in SIGNALS if row.item)
 
 
 def record(number, stamp, items, start=start_date_of(START_DATE)):

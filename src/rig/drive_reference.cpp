@@ -28,14 +28,15 @@ double speed_to_rest(double left, double acceleration) noexcept
 double target_speed(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start) noexcept
 {
   const double most = speed_to_angles(spec, command);
-  switch (command.mode)
+  switch (goal_of(command.mode))
   {
-    case TopDriveMode::torque: return 0.0;
-    case TopDriveMode::angle:
+    case DriveGoal::torque: return 0.0;
+    case DriveGoal::angle:
       return std::clamp(speed_to_rest(command.angle - start.angle, acceleration_to_angles(spec)), -most, most);
-    case TopDriveMode::oscillate: return swings_left(spec, command, start) ? -most : most;
-    default: return std::clamp(command.speed, -spec.max_speed, spec.max_speed);
+    case DriveGoal::swing: return swings_left(spec, command, start) ? -most : most;
+    case DriveGoal::speed: break;
   }
+  return std::clamp(command.speed, -spec.max_speed, spec.max_speed);
 }
 }  // namespace
 
@@ -59,13 +60,13 @@ SpeedReference speed_reference(const TopDriveSpec& spec, const TopDriveSetpoint&
 {
   const double target = target_speed(spec, command, start);
   const double acceleration = turns_to_angle(command.mode) ? acceleration_to_angles(spec) : spec.max_acceleration;
-  if (acceleration <= 0.0 || command.mode == TopDriveMode::torque) return {target, target, 0.0};
+  if (acceleration <= 0.0 || goal_of(command.mode) == DriveGoal::torque) return {target, target, 0.0};
   return {start.reference, target, std::abs(target - start.reference) / acceleration};
 }
 
 bool swings_left(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start) noexcept
 {
-  if (command.mode != TopDriveMode::oscillate) return start.swings_left;
+  if (goal_of(command.mode) != DriveGoal::swing) return start.swings_left;
   const double way = start.swings_left ? -1.0 : 1.0, speed = way * start.reference, most = speed_to_angles(spec, command);
   const double stop = speed > 0.0 ? 0.5 * speed * speed / acceleration_to_angles(spec) : 0.0;
   const double left_over = start.swings_left ? start.angle - (command.angle - command.amplitude_left) : command.angle + command.amplitude_right - start.angle;

@@ -80,18 +80,28 @@ struct Loop
   }
 };
 
-Loop loop_of(const TopDriveSpec& spec, TopDriveMode mode) noexcept
+Loop loop_of_speed(const TopDriveSpec& spec) noexcept { return {spec.proportional_gain, spec.integral_gain}; }
+
+Loop loop_of_angle(const TopDriveSpec& spec) noexcept
 {
   const double gain = spec.proportional_gain;
-  const auto impedance = [](const DriveImpedance& z) -> Loop { return {z.damping, z.stiffness, 1.0 / (1.0 - z.inertia_compensation)}; };
+  return {gain, std::max(spec.integral_gain, 0.25 * gain * gain / spec.inertia)};
+}
+
+Loop loop_of(const DriveImpedance& z) noexcept { return {z.damping, z.stiffness, 1.0 / (1.0 - z.inertia_compensation)}; }
+Loop loop_of_soft_torque(const TopDriveSpec& spec) noexcept { return loop_of(spec.soft_torque); }
+Loop loop_of_z_torque(const TopDriveSpec& spec) noexcept { return loop_of(spec.z_torque); }
+
+Loop loop_of(const TopDriveSpec& spec, TopDriveMode mode) noexcept
+{
   switch (mode)
   {
-    case TopDriveMode::soft_torque: return impedance(spec.soft_torque);
-    case TopDriveMode::z_torque: return impedance(spec.z_torque);
-    case TopDriveMode::angle:
-    case TopDriveMode::oscillate: return {gain, std::max(spec.integral_gain, 0.25 * gain * gain / spec.inertia)};
-    default: return {gain, spec.integral_gain};
+#define MODE(name, goal, brakes, loop, ...) \
+  case TopDriveMode::name:                  \
+    return loop(spec);
+#include "drill_rig_sim/rig/top_drive_mode_list.h"
   }
+  return loop_of_speed(spec);
 }
 
 /// The integral that a step begins with: another loop's is taken over so that the motor's torque goes on.
@@ -130,7 +140,7 @@ struct Motor
   {
   }
 
-  bool by_torque() const noexcept { return command.mode == TopDriveMode::torque; }
+  bool by_torque() const noexcept { return goal_of(command.mode) == DriveGoal::torque; }
   /// The law that holds torque mode below the largest speed.
   bool holds_speed(const Law& law) const noexcept { return by_torque() && law.speed_gain != 0.0; }
 
@@ -238,9 +248,10 @@ bool brake_is_on(const TopDriveSpec& spec, const TopDriveSetpoint& command, cons
 {
   if (spec.brake_torque <= 0.0) return false;
   const bool stands = start.braked || std::abs(start.speed) < standing_rotor;
-  const bool stopped = command.mode == TopDriveMode::speed && command.speed == 0.0;
-  const bool there = command.mode == TopDriveMode::angle && std::abs(command.angle - start.angle) < (start.braked ? 1.0 : 0.5) * angle_tolerance;
-  return command.brake || ((stopped || there) && stands);
+  const TopDriveModeTraits& mode = top_drive_modes[static_cast<int>(command.mode)];
+  const bool stopped = mode.goal == DriveGoal::speed && command.speed == 0.0;
+  const bool there = mode.goal == DriveGoal::angle && std::abs(command.angle - start.angle) < (start.braked ? 1.0 : 0.5) * angle_tolerance;
+  return command.brake || (mode.brakes && (stopped || there) && stands);
 }
 
 RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start, const RotorStage& stage,

@@ -1,7 +1,5 @@
 #include "drill_rig_sim/ros/conversions.h"
 
-#include <algorithm>
-
 #include "drill_rig_sim/math/rotation.h"
 
 namespace drill_rig_sim
@@ -99,14 +97,15 @@ SteeringSetpoint to_setpoint(const SteeringCommand& m)
 
 namespace
 {
-void copy_setpoints(const FrameRecord& frame, RigState& m)
+template <class Message>
+void copy_setpoints(const FrameRecord& frame, Message& m)
 {
   const Setpoints& s = frame.truth.setpoints;
   m.last_command = to_time(frame.commands.last);
-  m.winch.header.stamp = to_time(frame.commands.accepted[0]);
+  m.winch.header.stamp = to_time(frame.commands.of(CommandKind::winch));
   m.winch.block_velocity = s.winch.block_velocity;
   m.winch.brake = s.winch.brake;
-  m.top_drive.header.stamp = to_time(frame.commands.accepted[1]);
+  m.top_drive.header.stamp = to_time(frame.commands.of(CommandKind::top_drive));
   m.top_drive.mode = static_cast<std::uint8_t>(s.top_drive.mode);
   m.top_drive.speed = s.top_drive.speed;
   m.top_drive.torque = s.top_drive.torque;
@@ -115,9 +114,14 @@ void copy_setpoints(const FrameRecord& frame, RigState& m)
   m.top_drive.brake = s.top_drive.brake;
   m.top_drive.amplitude_right = s.top_drive.amplitude_right;
   m.top_drive.amplitude_left = s.top_drive.amplitude_left;
-  m.mud_pump.header.stamp = to_time(frame.commands.accepted[2]);
+  m.mud_pump.header.stamp = to_time(frame.commands.of(CommandKind::mud_pump));
   m.mud_pump.flow = s.pump.flow;
-  m.steering.header.stamp = to_time(frame.commands.accepted[3]);
+}
+
+void copy_steering(const FrameRecord& frame, RigTruth& m)
+{
+  const Setpoints& s = frame.truth.setpoints;
+  m.steering.header.stamp = to_time(frame.commands.of(CommandKind::steering));
   m.steering.toolface = s.steering.toolface;
   m.steering.ratio = s.steering.ratio;
   m.magnetic_steering = s.magnetic_steering;
@@ -128,71 +132,49 @@ std::uint8_t to_run_state(RunState state)
   switch (state)
   {
     case RunState::running:
-      return RigState::RUNNING;
+      return RigTruth::RUNNING;
     case RunState::paused:
-      return RigState::PAUSED;
+      return RigTruth::PAUSED;
     case RunState::waiting:
-      return RigState::WAITING;
+      return RigTruth::WAITING;
     case RunState::failed:
-      return RigState::FAILED;
+      return RigTruth::FAILED;
   }
-  return RigState::FAILED;
+  return RigTruth::FAILED;
 }
-}  // namespace
-
-RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const std::string& frame_id)
+/// What both messages have.
+template <class Message>
+Message to_message(const RigSignals& from, const FrameRecord& frame, const std::string& frame_id)
 {
-  RigState m;
+  Message m;
   m.header.stamp = to_time(frame.stamp);
   m.header.frame_id = frame_id;
   m.run_state = to_run_state(frame.run_state);
-  m.hook_load = from.hook_load;
-  m.dead_line_hook_load = from.dead_line_hook_load;
-  m.hook_load_string = from.hook_load_string;
-  m.block_height = from.block_height;
-  m.block_velocity = from.block_velocity;
-  m.floor_height = from.floor_height;
-  m.floor_velocity = from.floor_velocity;
-  m.top_drive_angle = from.top_drive_angle;
-  m.top_drive_speed = from.top_drive_speed;
-  m.torque = from.torque;
-  m.stand_pipe_pressure = from.stand_pipe_pressure;
-  m.differential_pressure = from.differential_pressure;
-  m.flow = from.flow;
-  m.stroke_rate = from.stroke_rate;
-  m.pump_strokes = from.pump_strokes;
-  m.ecd = from.ecd;
-  m.hole_depth = from.hole_depth;
-  m.bit_depth = from.bit_depth;
-  m.surface_wob = from.surface_wob;
-  m.tared = from.tared;
-  m.rop = from.rop;
-  m.on_bottom = from.on_bottom;
-  m.in_slips = from.in_slips;
-  m.stand_count = static_cast<std::uint32_t>(std::max(from.stand_count, 0));
+#define BOTH(type, name, ...) m.name = from.name;
+#include "drill_rig_sim/scene/signal_list.h"
   m.current_operation = text_of(from.crew);
-  m.brake_set = from.brake_set;
-  m.motor_stalled = from.motor_stalled;
-  m.winch_limited = from.winch_limited;
-  m.slack_line = from.slack_line;
-  m.stop_reached = from.stop_reached;
-  m.relief_valve_open = from.relief_valve_open;
-  m.over_stress = from.over_stress;
-  m.over_torque = from.over_torque;
-  m.buckled = from.buckled;
-  m.accuracy_warning = from.accuracy_warning;
-  m.top_drive_limited = from.top_drive_limited;
-  m.top_drive_brake_set = from.top_drive_brake_set;
-  m.command_clamped = from.command_clamped;
-  m.commands_timed_out = from.commands_timed_out;
   if (from.crew == CrewTask::none && frame.operation.number > 0) m.current_operation = word_of(frame.operation.kind);
   m.operation_number = static_cast<std::uint32_t>(frame.operation.number);
   m.operation_progress = frame.operation.progress;
-  m.over_pull = from.over_pull;
-  m.pump_tripped = from.pump_tripped;
-  m.drive_tripped = from.drive_tripped;
-  m.lost_gauges = from.lost_gauges;
   copy_setpoints(frame, m);
+  return m;
+}
+}  // namespace
+
+RigState to_rig_state(const ShownSignals& from, const FrameRecord& frame, const std::string& frame_id)
+{
+  RigState m = to_message<RigState>(from, frame, frame_id);
+#define READING(type, name, ...) m.name = from.name;
+#include "drill_rig_sim/scene/signal_list.h"
+  return m;
+}
+
+RigTruth to_rig_truth(const TrueSignals& from, const FrameRecord& frame, const std::string& frame_id)
+{
+  RigTruth m = to_message<RigTruth>(from, frame, frame_id);
+#define TRUTH(type, name, ...) m.name = from.name;
+#include "drill_rig_sim/scene/signal_list.h"
+  copy_steering(frame, m);
   return m;
 }
 

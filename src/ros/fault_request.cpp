@@ -11,7 +11,7 @@ Fault to_fault(const InjectFault::Request& request)
 std::string said_of(const Fault& fault, bool cleared)
 {
   if (fault.kind == FaultKind::stuck_pipe) return cleared ? "the pipe is free" : "the pipe is stuck at " + std::to_string(fault.depth) + " m";
-  const std::string name = fault_names[static_cast<int>(fault.kind)];
+  const std::string name = traits_of(fault.kind).word;
   const std::string of = is_of_gauge(fault.kind) ? std::string(" of ") + gauge_names[static_cast<int>(fault.gauge)] : "";
   return name + of + (cleared ? " has ended" : " has begun");
 }

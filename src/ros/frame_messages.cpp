@@ -76,13 +76,8 @@ BitTruth to_bit_truth(const FrameRecord& frame, const std::string& floor)
   const Truth& t = frame.truth;
   BitTruth m;
   m.header = to_header(frame.stamp, floor);
-  m.position = to_point(t.bit_position);
-  m.wob = t.wob;
-  m.torque = t.bit_torque;
-  m.speed = t.bit_speed;
-  m.inclination = t.bit_inclination;
-  m.azimuth = t.bit_azimuth;
-  m.toolface = t.bend_toolface;
+#define BIT(name, field, dimension, value, ...) m.field = value;
+#include "drill_rig_sim/scene/signal_list.h"
   return m;
 }
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "drill_rig_sim/RigDescription.h"
-#include "drill_rig_sim/RigState.h"
+#include "drill_rig_sim/RigTruth.h"
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/run_bag.h"
 
@@ -56,11 +56,12 @@ template <class Message>
 boost::shared_ptr<Message> read(const rosbag::MessageInstance& instance)
 {
   const boost::shared_ptr<Message> message = instance.instantiate<Message>();
-  if (!message) throw std::runtime_error("was recorded by another version: " + instance.getTopic() + " is of another kind");
+  if (!message) throw std::runtime_error("was recorded by another version: " + instance.getTopic() + " is " + instance.getDataType() +
+                             " of other fields; of 0.2: rosrun drill_rig_sim migrate_bag OLD.bag NEW.bag makes a bag that can be read");
   return message;
 }
 
-RecordedRun::Row row_of(const RigState& state)
+RecordedRun::Row row_of(const RigTruth& state)
 {
   RecordedRun::Row row;
   row.setpoints.winch = to_setpoint(state.winch);
@@ -91,7 +92,7 @@ Topics topics_of(const rosbag::Bag& bag, const std::string& prefix)
     if (message.getTopic() == description) topics.start = read<RigDescription>(message)->header.stamp;
     if (message.getTopic() == scene) topics.scene = read<std_msgs::String>(message)->data;
     if (message.getTopic() != state) continue;
-    const auto said = read<RigState>(message);
+    const auto said = read<RigTruth>(message);
     topics.rows[said->header.stamp] = row_of(*said);
   }
   if (topics.start) topics.rows.erase(topics.rows.begin(), topics.rows.lower_bound(*topics.start));

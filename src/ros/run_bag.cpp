@@ -77,7 +77,7 @@ struct RunBag::Writer
   /// Topics behind `prefix`.
   void write_truth(const std::string& prefix, const FrameRecord& from)
   {
-    write(prefix + "truth/rig_state", to_rig_state(from.truth, from, floor_name));
+    write(prefix + "truth/rig_state", to_rig_truth(from.truth, from, floor_name));
     write(prefix + "truth/bit", to_bit_truth(from, floor_name));
   }
 

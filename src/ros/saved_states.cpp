@@ -67,8 +67,9 @@ Saved read_saved(const std::string& file, const Saved& present)
   FileContent content{*present.state, *present.player, present.playing, present.commands};
   const Snapshot snapshot = read_snapshot(file, present.state->scene, fields_hash(content), present.start);
   if (!from_bytes(snapshot.bytes, content)) throw std::runtime_error(file + ": is damaged");
-  for (std::int64_t* stamp : {&content.commands.last, &content.commands.accepted[0], &content.commands.accepted[1], &content.commands.accepted[2], &content.commands.accepted[3]})
-    if (*stamp != 0) *stamp = present.stamp;
+  const auto set = [&present](std::int64_t& stamp) { stamp = stamp != 0 ? present.stamp : 0; };
+  set(content.commands.last);
+  for (std::int64_t& stamp : content.commands.accepted) set(stamp);
   return {std::make_shared<SimulatorState>(std::move(content.state)), content.player, content.playing, content.commands, snapshot.kernel, present.stamp, 0, present.start};
 }
 

@@ -353,7 +353,7 @@ std::string Services::step(const StepSimulation::Request& request, StepSimulatio
   {
     FrameRecord last = publishing_.last();
     answer.state = to_rig_state(last.readings, last, parameters_.floor());
-    answer.truth = to_rig_state(last.truth, last, parameters_.floor());
+    answer.truth = to_rig_truth(last.truth, last, parameters_.floor());
     answer.bit = to_bit_truth(last, parameters_.floor());
     return last;
   };

@@ -136,7 +136,7 @@ void SimulationLoop::take_commands() noexcept
 }
 
 template <class Setpoint>
-CommandResult SimulationLoop::accept(const Setpoint& c, std::size_t kind) noexcept
+CommandResult SimulationLoop::accept(const Setpoint& c, CommandKind kind) noexcept
 {
   const CommandResult result = rig_.simulator->command(c);
   if (result.outcome == CommandResult::Outcome::refused)
@@ -145,7 +145,7 @@ CommandResult SimulationLoop::accept(const Setpoint& c, std::size_t kind) noexce
     return result;
   }
   if (result.outcome == CommandResult::Outcome::clamped) rig_.last_clamp = result.reason;
-  rig_.commands.last = rig_.commands.accepted[kind] = time_.stamp();
+  rig_.commands.last = rig_.commands.of(kind) = time_.stamp();
   if (rig_.playing)
   {
     rig_.playing = false;  // a command takes over the rig
@@ -155,10 +155,10 @@ CommandResult SimulationLoop::accept(const Setpoint& c, std::size_t kind) noexce
   return result;
 }
 
-template CommandResult SimulationLoop::accept(const WinchSetpoint&, std::size_t) noexcept;
-template CommandResult SimulationLoop::accept(const TopDriveSetpoint&, std::size_t) noexcept;
-template CommandResult SimulationLoop::accept(const PumpSetpoint&, std::size_t) noexcept;
-template CommandResult SimulationLoop::accept(const SteeringSetpoint&, std::size_t) noexcept;
+template CommandResult SimulationLoop::accept(const WinchSetpoint&, CommandKind) noexcept;
+template CommandResult SimulationLoop::accept(const TopDriveSetpoint&, CommandKind) noexcept;
+template CommandResult SimulationLoop::accept(const PumpSetpoint&, CommandKind) noexcept;
+template CommandResult SimulationLoop::accept(const SteeringSetpoint&, CommandKind) noexcept;
 
 // A single command stands until the next one, and so does the last one of a stream where it stops what it moved: a driller's hand goes elsewhere.
 void SimulationLoop::watch_stream(const WinchSetpoint& c) noexcept

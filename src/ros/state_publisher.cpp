@@ -13,7 +13,7 @@ StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& paramete
       hook_load_(node, "hook_load", parameters.queue()),
       torque_(node, "torque", parameters.queue()),
       rig_state_(node, "rig_state", parameters.queue()),
-      true_rig_state_(node, "truth/rig_state", parameters.queue()),
+      rig_truth_(node, "truth/rig_state", parameters.queue()),
       joint_states_(node, "joint_states", parameters.queue()),
       bit_pose_(node, "bit/pose", parameters.queue()),
       bit_twist_(node, "bit/twist", parameters.queue()),
@@ -41,7 +41,7 @@ void StatePublisher::publish(const FrameOutput& s)
   if (s.state_due || s.state_again)
   {
     rig_state_.post([&] { return to_rig_state(s.frame.readings, s.frame, floor_); });
-    true_rig_state_.post([&] { return to_rig_state(s.frame.truth, s.frame, floor_); });
+    rig_truth_.post([&] { return to_rig_truth(s.frame.truth, s.frame, floor_); });
   }
   if (s.state_due)
   {

@@ -262,7 +262,7 @@ void DrillersConsole::show_news()
   const double time = news.state ? news.state->header.stamp.toSec() : 0.0;
   if (news.state && !stale) chart_->record(time, news.state->hole_depth, readings);
   const std::vector<std::string> remarks = hears(state_) ? remarks_of(news.diagnosis) : std::vector<std::string>();
-  events_->show_state(time, news.state && !stale ? news.state.get() : nullptr, remarks);
+  events_->show_state(time, stale ? nullptr : news.state.get(), stale ? nullptr : news.truth.get(), remarks);
   tabs_->setTabText(tabs_->indexOf(events_), events_->warnings() > 0 ? QStringLiteral("Events (%1)").arg(events_->warnings()) : QString("Events"));
   header_->show_warning(events_->gravest(), events_->gravest_level());
 }

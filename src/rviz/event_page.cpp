@@ -47,7 +47,7 @@ void EventPage::log(const QString& text, Level level)
   if (log_->count() > longest_log) delete log_->takeItem(longest_log);
 }
 
-std::vector<EventPage::Line> EventPage::lines_of(const RigState* state, const std::vector<std::string>& remarks) const
+std::vector<EventPage::Line> EventPage::lines_of(const RigState* state, const RigTruth* truth, const std::vector<std::string>& remarks) const
 {
   std::vector<Line> lines;
   lines.reserve(remarks.size());
@@ -57,7 +57,7 @@ std::vector<EventPage::Line> EventPage::lines_of(const RigState* state, const st
   for (std::size_t n = 0; n < failing_gauges().size(); ++n)
     if ((state->lost_gauges >> n & 1u) != 0)
       lines.push_back({QStringLiteral("drop-out: %1 repeats its last reading").arg(row_of(failing_gauges()[n]).label), Level::caution});
-  const Flags flags = flags_of(*state);
+  const Flags flags = flags_of(*state, truth);
   for (std::size_t n = 0; n < flag_count; ++n)
     if (flags[n]) lines.push_back({flag_rows()[n].text, flag_rows()[n].level});
   std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.level > b.level; });
@@ -85,15 +85,15 @@ void EventPage::log_operation(const RigState& state)
   operation_ = operation;
 }
 
-void EventPage::show_state(double time, const RigState* state, const std::vector<std::string>& remarks)
+void EventPage::show_state(double time, const RigState* state, const RigTruth* truth, const std::vector<std::string>& remarks)
 {
   time_ = time;
   if (state != nullptr)
   {
-    log_flags(flags_of(*state));
+    log_flags(flags_of(*state, truth));
     log_operation(*state);
   }
-  const std::vector<Line> lines = lines_of(state, remarks);
+  const std::vector<Line> lines = lines_of(state, truth, remarks);
   QString all;
   for (const Line& line : lines) all += line.text + "\n";
   if (all == shown_) return;

@@ -19,7 +19,7 @@ public:
   explicit EventPage(QWidget* parent);
 
   /// The rig's flags and remarks; what has changed goes to the log. `time`: simulated [s].
-  void show_state(double time, const RigState* state, const std::vector<std::string>& remarks);
+  void show_state(double time, const RigState* state, const RigTruth* truth, const std::vector<std::string>& remarks);
   /// A line of the log.
   void log(const QString& text, Level level);
   /// How many warnings there are now.
@@ -34,7 +34,7 @@ private:
     QString text;
     Level level;
   };
-  std::vector<Line> lines_of(const RigState* state, const std::vector<std::string>& remarks) const;
+  std::vector<Line> lines_of(const RigState* state, const RigTruth* truth, const std::vector<std::string>& remarks) const;
   void log_flags(const Flags& flags);
   void log_operation(const RigState& state);
 

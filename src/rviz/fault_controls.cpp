@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include "drill_rig_sim/InjectFault.h"
+#include "drill_rig_sim/scene/fault_spec.h"
 #include "look.h"
 
 namespace drill_rig_sim::console
@@ -19,7 +20,7 @@ FaultControls::FaultControls(RigLink& link, QWidget* parent)
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // no wider than the panel
     box->setMinimumContentsLength(6);
   }
-  for (const FaultRow& row : fault_rows()) fault_->addItem(row.name);
+  for (const FaultTraits& fault : fault_traits) fault_->addItem(fault.label);
   target_->setAccessibleName("fault gauge");
   for (const Quantity gauge : failing_gauges()) target_->addItem(row_of(gauge).label, row_of(gauge).key);
   depth_ = add_box("fault depth", Dimension::length, 0.0, 20000.0, 100.0);
@@ -55,31 +56,31 @@ void FaultControls::set_units(UnitSystem system)
 
 void FaultControls::follow_fault()
 {
-  const FaultRow& row = fault_rows()[static_cast<std::size_t>(fault_->currentIndex())];
-  depth_->setEnabled(row.has_depth);
-  magnitude_->setEnabled(row.magnitude != nullptr);
-  target_->setEnabled(row.has_target);
+  const FaultTraits& row = fault_traits[fault_->currentIndex()];
+  depth_->setEnabled(row.place != FaultPlace::nowhere);
+  magnitude_->setEnabled(row.magnitude.label != nullptr);
+  target_->setEnabled(row.target == FaultTarget::gauge);
   follow_target();
-  if (row.dimension != Dimension::count) magnitude_->set_si(row.usual);
+  if (row.magnitude.dimension != Dimension::count) magnitude_->set_si(row.magnitude.usual);
 }
 
 void FaultControls::follow_target()
 {
-  const FaultRow& row = fault_rows()[static_cast<std::size_t>(fault_->currentIndex())];
-  const bool of_gauge = row.dimension == Dimension::count;
-  magnitude_->set_dimension(of_gauge ? row_of(quantity_of(target_->currentData().toString().toStdString())).dimension : row.dimension);
-  tell(magnitude_label_, row.magnitude == nullptr ? "no magnitude" : QStringLiteral("Magnitude: %1").arg(row.magnitude));
+  const FaultTraits& row = fault_traits[fault_->currentIndex()];
+  const bool of_gauge = row.magnitude.dimension == Dimension::count;
+  magnitude_->set_dimension(of_gauge ? row_of(quantity_of(target_->currentData().toString().toStdString())).dimension : row.magnitude.dimension);
+  tell(magnitude_label_, row.magnitude.label == nullptr ? "no magnitude" : QStringLiteral("Magnitude: %1").arg(row.magnitude.label));
 }
 
 void FaultControls::inject(bool clear)
 {
-  const FaultRow& row = fault_rows()[static_cast<std::size_t>(fault_->currentIndex())];
+  const FaultTraits& row = fault_traits[fault_->currentIndex()];
   InjectFault service;
-  service.request.fault = row.code;
+  service.request.fault = static_cast<unsigned char>(fault_->currentIndex());
   service.request.clear = clear;
-  if (row.has_depth) service.request.depth = depth_->si();
-  if (row.magnitude != nullptr) service.request.magnitude = magnitude_->si();
-  if (row.has_target) service.request.target = target_->currentData().toString().toStdString();
+  if (row.place != FaultPlace::nowhere) service.request.depth = depth_->si();
+  if (row.magnitude.label != nullptr) service.request.magnitude = magnitude_->si();
+  if (row.target == FaultTarget::gauge) service.request.target = target_->currentData().toString().toStdString();
   link().call("inject_fault", service);
 }
 

@@ -1,32 +1,14 @@
 #include "message_values.h"
 
 #include <algorithm>
+#include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace drill_rig_sim::console
 {
 namespace
 {
-using Field = RigState::_hook_load_type RigState::*;
-using Mark = RigState::_brake_set_type RigState::*;
-
-constexpr std::pair<Quantity, Field> fields[] = {
-    {Quantity::hook_load, &RigState::hook_load},
-    {Quantity::torque, &RigState::torque},
-    {Quantity::top_drive_speed, &RigState::top_drive_speed},
-    {Quantity::rop, &RigState::rop},
-    {Quantity::stand_pipe_pressure, &RigState::stand_pipe_pressure},
-    {Quantity::flow, &RigState::flow},
-    {Quantity::bit_depth, &RigState::bit_depth},
-    {Quantity::hole_depth, &RigState::hole_depth},
-    {Quantity::block_height, &RigState::block_height},
-    {Quantity::dead_line_hook_load, &RigState::dead_line_hook_load},
-    {Quantity::block_velocity, &RigState::block_velocity},
-    {Quantity::top_drive_angle, &RigState::top_drive_angle},
-    {Quantity::stroke_rate, &RigState::stroke_rate},
-    {Quantity::ecd, &RigState::ecd},
-};
-
 // names in `accuracy`, and the gauges that show these outputs; none shows the bit's speed
 constexpr std::pair<const char*, Quantity> outputs[] = {
     {"hook_load", Quantity::hook_load},
@@ -36,36 +18,23 @@ constexpr std::pair<const char*, Quantity> outputs[] = {
     {"stand_pipe_pressure", Quantity::stand_pipe_pressure},
 };
 
-// in the order of Flag
-constexpr Mark marks[flag_count] = {
-    &RigState::accuracy_warning,
-    &RigState::over_pull,
-    &RigState::slack_line,
-    &RigState::over_stress,
-    &RigState::over_torque,
-    &RigState::buckled,
-    &RigState::motor_stalled,
-    &RigState::relief_valve_open,
-    &RigState::pump_tripped,
-    &RigState::drive_tripped,
-    &RigState::commands_timed_out,
-    &RigState::command_clamped,
-    &RigState::stop_reached,
-    &RigState::winch_limited,
-    &RigState::top_drive_limited,
-    &RigState::brake_set,
-    &RigState::top_drive_brake_set,
-    &RigState::in_slips,
-    &RigState::on_bottom,
-};
+void take(Values& values, const char* key, double value) { values.set(quantity_of(key), value); }
 
-void take_fields(Values& values, const RigState& state)
+/// The numbers that RigState and RigTruth have in common.
+template <class Message>
+void take_fields(Values& values, const Message& m)
 {
-  for (const auto& [quantity, field] : fields) values.set(quantity, state.*field);
-  if (state.tared)
-    values.set(Quantity::differential_pressure, state.differential_pressure);
-  else
-    values.lack(Quantity::differential_pressure, "not tared");
+#define BOTH(type, name, ...) \
+  if constexpr (std::is_same_v<type, double>) take(values, #name, m.name);
+#define ZEROED(type, name, ...) m.tared != 0 ? take(values, #name, m.name) : values.lack(Quantity::name, "not tared");
+#include "drill_rig_sim/scene/signal_list.h"
+}
+
+/// Raises the flag of this key, where the console has one.
+void take(Flags& flags, const char* key, bool up)
+{
+  for (const FlagRow& row : flag_rows())
+    if (std::strcmp(row.key, key) == 0) flags.set(static_cast<std::size_t>(row.flag), up);
 }
 
 void take_errors(Values& values, const Accuracy& accuracy)
@@ -116,15 +85,9 @@ Values readings_of(const News& news, double bit_diameter)
   take_fields(values, s);
   if (news.accuracy) take_errors(values, *news.accuracy);
   if (s.tared)
-  {
-    values.set(Quantity::surface_wob, s.surface_wob);
     take_energy(values, s.surface_wob, s.torque, s.top_drive_speed, s.rop, bit_diameter);
-  }
   else
-  {
-    values.lack(Quantity::surface_wob, "not tared");
     values.lack(Quantity::specific_energy, "not tared");
-  }
   for (std::size_t n = 0; n < failing_gauges().size(); ++n)
     if ((s.lost_gauges >> n & 1u) != 0) values.lost.set(index_of(failing_gauges()[n]));
   return values;
@@ -134,6 +97,7 @@ Values truth_of(const News& news, double bit_diameter)
 {
   Values values;
   if (news.truth) take_fields(values, *news.truth);
+  values.lack(Quantity::surface_wob, "no reading");  // the bit's is meant
   if (news.bit)
   {
     values.set(Quantity::surface_wob, news.bit->wob);
@@ -162,10 +126,14 @@ RigAbilities abilities_of(const RigLimits& m)
   return rig;
 }
 
-Flags flags_of(const RigState& state)
+Flags flags_of(const RigState& state, const RigTruth* truth)
 {
   Flags flags;
-  for (std::size_t n = 0; n < flag_count; ++n) flags[n] = (state.*marks[n]) != 0;
+#define BOTH(type, name, ...) \
+  if constexpr (std::is_same_v<type, bool>) take(flags, #name, state.name != 0);
+#define TRUTH(type, name, ...) \
+  if (truth != nullptr) take(flags, #name, truth->name != 0);
+#include "drill_rig_sim/scene/signal_list.h"
   return flags;
 }
 

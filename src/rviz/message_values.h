@@ -17,6 +17,7 @@
 #include "console/limits.h"
 #include "console/link_state.h"
 #include "console/quantities.h"
+#include "drill_rig_sim/RigTruth.h"
 
 namespace drill_rig_sim::console
 {
@@ -31,7 +32,8 @@ struct Diagnosis
 /// The latest of each topic; null before the first.
 struct News
 {
-  RigStateConstPtr state, truth;
+  RigStateConstPtr state;
+  RigTruthConstPtr truth;
   BitTruthConstPtr bit;
   RigLimitsConstPtr limits;
   AccuracyConstPtr accuracy;
@@ -47,7 +49,8 @@ Values readings_of(const News& news, double bit_diameter);
 /// The truth, as far as it is subscribed to.
 Values truth_of(const News& news, double bit_diameter);
 RigAbilities abilities_of(const RigLimits& limits);
-Flags flags_of(const RigState& state);
+/// `truth`: for what no rig can sense; null: those flags are down.
+Flags flags_of(const RigState& state, const RigTruth* truth);
 RunState run_state_of(const RigState& state);
 /// Why the simulation may be wrong, and what else it says of itself: lines, none where all is well.
 std::vector<std::string> remarks_of(const Diagnosis& diagnosis);

@@ -97,7 +97,7 @@ QStringList RigLink::known_namespaces()
   ros::master::V_TopicInfo topics;
   if (!ros::master::getTopics(topics)) return names;
   for (const auto& topic : topics)
-    if (topic.datatype == "drill_rig_sim/RigState" && ends_with(topic.name, "/" + state_topic) && !ends_with(topic.name, "/truth/" + state_topic))
+    if (topic.datatype == "drill_rig_sim/RigState" && ends_with(topic.name, "/" + state_topic))
       names << QString::fromStdString(topic.name.size() == state_topic.size() + 1 ? "/" : ros::names::parentNamespace(topic.name));
   names.sort();
   return names;
@@ -146,9 +146,9 @@ void RigLink::subscribe()
 
 void RigLink::subscribe_truth()
 {
-  const boost::function<void(const RigStateConstPtr&)> state = [this](const RigStateConstPtr& m) { news_.truth = m; };
+  const boost::function<void(const RigTruthConstPtr&)> state = [this](const RigTruthConstPtr& m) { news_.truth = m; };
   const boost::function<void(const BitTruthConstPtr&)> bit = [this](const BitTruthConstPtr& m) { news_.bit = m; };
-  of_truth_.push_back(node_->subscribe<RigState>("truth/rig_state", 1, state));
+  of_truth_.push_back(node_->subscribe<RigTruth>("truth/rig_state", 1, state));
   of_truth_.push_back(node_->subscribe<BitTruth>("truth/bit", 1, bit));
 }
 

@@ -15,6 +15,7 @@ SteeringControls::SteeringControls(RigLink& link, QWidget* parent)
   ratio_ = add_box("steering ratio", Dimension::share, 0.0, 1.0, 0.5);
   toolface_->setToolTip("Toolface: clockwise from the high side, looking downhole; near vertical from north");
   ratio_->setToolTip("Share of the tool's full steering");
+  in_force_->setToolTip("The last command from here; with the truth shown what the tool obeys, which no rig can see");
   QPushButton* apply_button = make_button("Apply", "steering apply", this);
   grid().addWidget(toolface_, 0, 0);
   grid().addWidget(ratio_, 0, 1);
@@ -30,14 +31,15 @@ void SteeringControls::apply()
   command.toolface = toolface_->si();
   command.ratio = ratio_->si();
   link().command(command);
+  sent_ = command;
 }
 
 void SteeringControls::show_news(const News& news)
 {
-  if (!news.state) return tell(in_force_, "-");
-  const SteeringCommand& s = news.state->steering;
+  if (!news.truth && !sent_) return tell(in_force_, "-");
+  const SteeringCommand& s = news.truth ? news.truth->steering : *sent_;
   tell(in_force_, shown_text(s.toolface, Dimension::angle, units()) + ", " + shown_text(s.ratio, Dimension::share, units()) +
-                      (news.state->magnetic_steering != 0 ? " N" : ""));
+                      (news.truth && news.truth->magnetic_steering != 0 ? " N" : ""));
 }
 
 }  // namespace drill_rig_sim::console

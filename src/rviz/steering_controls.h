@@ -1,6 +1,8 @@
 #ifndef DRILL_RIG_SIM_RVIZ_STEERING_CONTROLS_H
 #define DRILL_RIG_SIM_RVIZ_STEERING_CONTROLS_H
 
+#include <optional>
+
 #include "controls.h"
 
 namespace drill_rig_sim::console
@@ -18,6 +20,7 @@ private:
 
   UnitBox *toolface_, *ratio_;
   QLabel* in_force_;
+  std::optional<SteeringCommand> sent_;  // last, from here
 };
 
 }  // namespace drill_rig_sim::console

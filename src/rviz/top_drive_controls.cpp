@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "drill_rig_sim/rig/setpoints.h"
 #include "look.h"
 
 namespace drill_rig_sim::console
@@ -14,22 +15,19 @@ namespace
 {
 constexpr double turn = 6.283185307179586;  // [rad]
 
-// Which numbers a mode needs, in the order of the constants of TopDriveCommand.
-struct ModeRow
+// Which numbers a mode needs.
+struct Needs
 {
-  const char* name;
-  bool speed, torque, angle, amplitudes;
-};
-constexpr ModeRow modes[] = {
-    {"speed", true, false, false, false},       {"torque", false, true, false, false},  {"angle", true, false, true, false},
-    {"soft torque", true, false, false, false}, {"Z torque", true, false, false, false}, {"oscillate", true, false, true, true},
+  explicit Needs(int mode) : goal(goal_of(static_cast<TopDriveMode>(mode))) {}
+  DriveGoal goal;
+  bool speed = goal != DriveGoal::torque, torque = goal == DriveGoal::torque, angle = turns_to_angle(goal), amplitudes = goal == DriveGoal::swing;
 };
 
 QString text_of(const TopDriveCommand& c, UnitSystem system)
 {
-  if (c.mode >= sizeof modes / sizeof modes[0]) return QStringLiteral("mode %1").arg(c.mode);
-  const ModeRow& row = modes[c.mode];
-  QStringList parts{row.name};
+  if (c.mode >= top_drive_mode_count) return QStringLiteral("mode %1").arg(c.mode);
+  const Needs row(c.mode);
+  QStringList parts{top_drive_modes[c.mode].label};
   if (row.speed) parts << shown_text(c.speed, Dimension::rotation, system);
   if (row.torque) parts << shown_text(c.torque, Dimension::torque, system);
   if (row.angle) parts << shown_text(c.angle, Dimension::angle, system);
@@ -49,7 +47,7 @@ TopDriveControls::TopDriveControls(RigLink& link, QWidget* parent)
       in_force_(make_reading("top drive in force", this))
 {
   mode_->setAccessibleName("top drive mode");
-  for (const ModeRow& row : modes) mode_->addItem(row.name);
+  for (const TopDriveModeTraits& mode : top_drive_modes) mode_->addItem(mode.label);
   speed_ = add_box("top drive speed", Dimension::rotation, -1e3, 1e3, 0.0);
   torque_ = add_box("top drive torque", Dimension::torque, -1e6, 1e6, 0.0);
   angle_ = add_box("top drive angle", Dimension::angle, -1e6, 1e6, 0.0);
@@ -99,7 +97,7 @@ void TopDriveControls::place()
 
 void TopDriveControls::follow_mode()
 {
-  const ModeRow& row = modes[mode_->currentIndex()];
+  const Needs row(mode_->currentIndex());
   speed_->setEnabled(row.speed);
   torque_->setEnabled(row.torque);
   angle_->setEnabled(row.angle);
@@ -110,7 +108,7 @@ void TopDriveControls::follow_mode()
 
 void TopDriveControls::apply()
 {
-  const ModeRow& row = modes[mode_->currentIndex()];
+  const Needs row(mode_->currentIndex());
   TopDriveCommand command;
   command.mode = static_cast<unsigned char>(mode_->currentIndex());
   if (row.speed) command.speed = speed_->si();

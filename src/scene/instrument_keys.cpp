@@ -7,16 +7,7 @@ const std::vector<const char*> hook_load_place_words = {"block", "dead_line"};
 
 const char* unit_of(Gauge gauge) noexcept
 {
-  switch (gauge)
-  {
-    case Gauge::hook_load:
-    case Gauge::dead_line_hook_load: return "N";
-    case Gauge::torque: return "N m";
-    case Gauge::stand_pipe_pressure: return "Pa";
-    case Gauge::flow: return "m3/s";
-    case Gauge::block_height: return "m";
-  }
-  return "";
+  return si_name(gauge_dimensions[static_cast<int>(gauge)]);
 }
 
 namespace
@@ -79,11 +70,8 @@ const Table<DynamicsSpec> dynamics_keys = {"instruments.dynamics", "A tool in th
 }};
 
 const Table<InstrumentsSpec> surface_keys = {"instruments.surface", "Gauges of the rig.", {
-  {"hook_load",             "N",      Nested{},                            none,                 "load cell"},
-  {"torque",                "N m",    Nested{},                            none,                 "torque meter"},
-  {"stand_pipe_pressure",   "Pa",     Nested{},                            none,                 "pressure gauge"},
-  {"flow",                  "m3/s",   Nested{},                            none,                 "flow meter"},
-  {"block_height",          "m",      Nested{},                            none,                 "drawworks encoder; bit depth, hole depth and rate of penetration are worked out from it"},
+#define GAUGE(type, name, dimension, mnemonic, item, meaning, reading) {#name, unit_of(Gauge::name), Nested{}, none, reading},
+#include "drill_rig_sim/scene/signal_list.h"
 }};
 
 const Table<HookLoadSpec> hook_load_keys = {"instruments.surface.hook_load", "What `hook_load` of `rig_state` is read from.", joined<HookLoadSpec>({

@@ -25,7 +25,7 @@ public:
   void end()
   {
     const bool anywhere = !std::isnan(o_.to_depth) || !std::isnan(o_.distance) || !std::isnan(o_.time);
-    const bool drills = o_.kind == OperationKind::drill || o_.kind == OperationKind::slide;
+    const bool drills = traits_of(o_.kind).drills;
     if (drills && !anywhere) add("", "has no end, needed: to_depth, distance or time");
     if (o_.kind == OperationKind::pick_up && !anywhere && std::isnan(o_.overpull)) add("", "has no end, needed: to_depth, distance, time or overpull");
     if (o_.kind == OperationKind::slack_off && !anywhere && std::isnan(o_.weight)) add("", "has no end, needed: to_depth, distance, time or weight");
@@ -64,7 +64,7 @@ private:
   /// As long as nothing has made the hole deeper.
   void trip()
   {
-    const auto drills = [](const Operation& before) { return before.kind == OperationKind::drill || before.kind == OperationKind::slide; };
+    const auto drills = [](const Operation& before) { return traits_of(before.kind).drills; };
     const auto end = scene_.operations.begin() + static_cast<std::ptrdiff_t>(i_);
     if (scene_.program.empty() && std::none_of(scene_.operations.begin(), end, drills) && o_.to_depth > scene_.well.hole_depth + nothing)
       add("to_depth", metres(o_.to_depth) + " is below the hole's bottom, allowed: down to " + metres(scene_.well.hole_depth));

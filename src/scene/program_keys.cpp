@@ -4,23 +4,17 @@
 
 namespace drill_rig_sim
 {
-const std::vector<const char*> operation_words = {"flow", "rotate", "pick_up", "slack_off", "tag", "drill", "slide", "oscillate", "ream", "wait", "steer",
-                                                  "connection", "trip"};
+const std::vector<const char*> operation_words = {
+#define OPERATION(name, ...) #name,
+#include "drill_rig_sim/scene/operation_list.h"
+};
 
 std::string unit_of(FaultKind fault, Gauge gauge)
 {
-  switch (fault)
-  {
-    case FaultKind::sensor_bias:
-    case FaultKind::sensor_noise: return unit_of(gauge);
-    case FaultKind::sensor_drift: return unit_of(gauge) + std::string("/s");
-    case FaultKind::brake_slip:
-    case FaultKind::pack_off: return "N";
-    case FaultKind::washed_out_hole: return "m";
-    case FaultKind::washed_out_pipe: return "m2";
-    case FaultKind::differential_sticking: return "N/m";
-    default: return "";
-  }
+  const FaultMagnitude& magnitude = traits_of(fault).magnitude;
+  if (magnitude.dimension == Dimension::number) return "";
+  const bool of_gauge = magnitude.dimension == Dimension::count;
+  return std::string(of_gauge ? unit_of(gauge) : si_name(magnitude.dimension)) + (magnitude.per_second ? "/s" : "");
 }
 
 namespace
@@ -32,8 +26,15 @@ constexpr unsigned flow = kind(OperationKind::flow), rotate = kind(OperationKind
                    connection = kind(OperationKind::connection), trip = kind(OperationKind::trip);
 constexpr unsigned ramps = flow | rotate, rocks = slide | oscillate, drills = drill | slide, moves = pick_up | slack_off, crew = connection | trip;
 constexpr unsigned lasts = every_kind & ~(tag | ream | steer | crew);
-const std::vector<const char*> top_drive_mode_words = {"speed", "torque", "angle", "soft_torque", "z_torque", "oscillate"};
-const std::vector<const char*> fault_words(fault_names, fault_names + fault_count), gauge_words(gauge_names, gauge_names + gauge_count);
+const std::vector<const char*> top_drive_mode_words = {
+#define MODE(name, ...) #name,
+#include "drill_rig_sim/rig/top_drive_mode_list.h"
+};
+const std::vector<const char*> fault_words = {
+#define FAULT(name, ...) #name,
+#include "drill_rig_sim/scene/fault_list.h"
+};
+const std::vector<const char*> gauge_words(gauge_names, gauge_names + gauge_count);
 }  // namespace
 
 // clang-format off
@@ -91,11 +92,6 @@ const Table<Operation> operation_keys = {"operations[]", "Tasks of the driller, 
   {"overpull",              "N",      &Operation::overpull,                above(0.0, 5e6),      "end: hook load above that at the beginning", no_kind, pick_up, "none"},
 }};
 // clang-format on
-
-const char* word_of(OperationKind kind) noexcept
-{
-  return operation_words[static_cast<std::size_t>(kind)];
-}
 
 Operation default_operation(OperationKind kind) noexcept
 {

@@ -18,23 +18,35 @@ struct Amplitudes
   double right = 0.0, left = 0.0;
 };
 
+/// The modes with such a goal, "angle or oscillate".
+std::string modes_that(bool (*have)(DriveGoal))
+{
+  std::string words;
+  for (const TopDriveModeTraits& mode : top_drive_modes)
+    if (have(mode.goal)) words += (words.empty() ? "" : " or ") + std::string(mode.word);
+  return words;
+}
+
 // keys of different modes in one line
 void check_drive_modes(const ProgramStep& step, std::size_t i, Amplitudes& amplitudes, ProblemList& problems)
 {
   const bool turns = !std::isnan(step.top_drive_speed), twists = !std::isnan(step.top_drive_torque), aims = !std::isnan(step.top_drive_angle);
   const bool rocks = !std::isnan(step.amplitude_right) || !std::isnan(step.amplitude_left), named = step.top_drive_mode >= 0;
-  const auto mode = [&](TopDriveMode m) { return step.top_drive_mode == static_cast<int>(m); };
+  const DriveGoal goal = named ? goal_of(static_cast<TopDriveMode>(step.top_drive_mode)) : DriveGoal::speed;
   const auto problem = [&](const std::string& text) { problems.emplace_back(item_key("program", i), text); };
-  const auto not_in = [&](const char* key, const char* modes) { problem(std::string(key) + " is not of this top_drive_mode, allowed: with " + modes); };
+  const auto not_in = [&](const char* key, const std::string& modes) { problem(std::string(key) + " is not of this top_drive_mode, allowed: with " + modes); };
   if (turns && twists) problem("both top_drive_speed_rpm and top_drive_torque are given, allowed: one of them");
   if (twists && (aims || rocks)) problem("both top_drive_torque and an angle or an amplitude are given, allowed: one of them");
-  if (named && turns && mode(TopDriveMode::torque)) not_in("top_drive_speed_rpm", "any but torque");
-  if (named && twists && !mode(TopDriveMode::torque)) not_in("top_drive_torque", "torque");
-  if (named && aims && !mode(TopDriveMode::angle) && !mode(TopDriveMode::oscillate)) not_in("top_drive_angle_deg", "angle or oscillate");
-  if (named && rocks && !mode(TopDriveMode::oscillate)) not_in("an amplitude", "oscillate");
+  const auto by_torque = [](DriveGoal g) { return g == DriveGoal::torque; };
+  const auto to_angle = [](DriveGoal g) { return turns_to_angle(g); };
+  const auto swings = [](DriveGoal g) { return g == DriveGoal::swing; };
+  if (named && turns && by_torque(goal)) not_in("top_drive_speed_rpm", "any but " + modes_that(by_torque));
+  if (named && twists && !by_torque(goal)) not_in("top_drive_torque", modes_that(by_torque));
+  if (named && aims && !to_angle(goal)) not_in("top_drive_angle_deg", modes_that(to_angle));
+  if (named && rocks && !swings(goal)) not_in("an amplitude", modes_that(swings));
   if (!std::isnan(step.amplitude_right)) amplitudes.right = step.amplitude_right;
   if (!std::isnan(step.amplitude_left)) amplitudes.left = step.amplitude_left;
-  if ((rocks || mode(TopDriveMode::oscillate)) && amplitudes.right + amplitudes.left == 0.0)
+  if ((rocks || swings(goal)) && amplitudes.right + amplitudes.left == 0.0)
     problem("both amplitudes of oscillate are 0, needed: amplitude_right_deg or amplitude_left_deg above 0");
 }
 

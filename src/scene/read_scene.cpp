@@ -279,14 +279,14 @@ private:
   // of the magnitude of a program line's fault
   static std::string unit_of_fault(const YAML::Node& line)
   {
-    const auto place_of = [&](const char* key, const char* const* names, int count)
+    const auto word_of = [&](const char* key)
     {
-      const std::string word = line.IsMap() && line[key].IsDefined() && line[key].IsScalar() ? line[key].Scalar() : "";
-      return static_cast<int>(std::find(names, names + count, word) - names);
+      return line.IsMap() && line[key].IsDefined() && line[key].IsScalar() ? line[key].Scalar() : std::string();
     };
-    const int fault = place_of("fault", fault_names, fault_count), gauge = place_of("fault_target", gauge_names, gauge_count);
-    if (fault == fault_count) return "";
-    return unit_of(static_cast<FaultKind>(fault), gauge == gauge_count ? Gauge::hook_load : static_cast<Gauge>(gauge));
+    const auto* const fault = std::find_if(std::begin(fault_traits), std::end(fault_traits), [&](const FaultTraits& f) { return f.word == word_of("fault"); });
+    const auto* const gauge = std::find(std::begin(gauge_names), std::end(gauge_names), word_of("fault_target"));
+    if (fault == std::end(fault_traits)) return "";
+    return unit_of(static_cast<FaultKind>(fault - fault_traits), gauge == std::end(gauge_names) ? Gauge::hook_load : static_cast<Gauge>(gauge - gauge_names));
   }
 
   void read_operations(const Entries& top, std::vector<Operation>& operations)
@@ -368,11 +368,8 @@ private:
        [&](const YAML::Node& n, const std::string& p)
        {
          const Entries gauges = read_block(n, p, surface_keys, every_kind, instruments, problems_);
-         read_one(gauges, p, "hook_load", hook_load_keys, instruments.hook_load, unit_of(Gauge::hook_load));
-         read_one(gauges, p, "torque", sensor_keys, instruments.torque, unit_of(Gauge::torque));
-         read_one(gauges, p, "stand_pipe_pressure", sensor_keys, instruments.stand_pipe_pressure, unit_of(Gauge::stand_pipe_pressure));
-         read_one(gauges, p, "flow", sensor_keys, instruments.flow, unit_of(Gauge::flow));
-         read_one(gauges, p, "block_height", sensor_keys, instruments.block_height, unit_of(Gauge::block_height));
+#define GAUGE(type, name, ...) read_one(gauges, p, #name, keys_of(instruments.name), instruments.name, unit_of(Gauge::name));
+#include "drill_rig_sim/scene/signal_list.h"
        });
   }
 

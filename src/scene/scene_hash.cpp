@@ -68,9 +68,8 @@ private:
     add_keys(mwd_keys, instruments.mwd);
     add_keys(toolface_keys, instruments.toolface);
     add_keys(dynamics_keys, instruments.dynamics);
-    add_keys(hook_load_keys, instruments.hook_load);
-    for (const SensorSpec& sensor : {instruments.torque, instruments.stand_pipe_pressure, instruments.flow, instruments.block_height})
-      add_keys(sensor_keys, sensor);
+#define GAUGE(type, name, ...) add_keys(keys_of(instruments.name), instruments.name);
+#include "drill_rig_sim/scene/signal_list.h"
   }
 
   template <class Spec>

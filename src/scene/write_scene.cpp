@@ -185,11 +185,10 @@ std::string mud_of(const MudSpec& mud)
 std::string instruments_of(const InstrumentsSpec& instruments)
 {
   const InstrumentsSpec usual;
-  const std::string gauges = joined({block_of("hook_load", hook_load_keys, instruments.hook_load, usual.hook_load),
-                                     block_of("torque", sensor_keys, instruments.torque, usual.torque),
-                                     block_of("stand_pipe_pressure", sensor_keys, instruments.stand_pipe_pressure, usual.stand_pipe_pressure),
-                                     block_of("flow", sensor_keys, instruments.flow, usual.flow),
-                                     block_of("block_height", sensor_keys, instruments.block_height, usual.block_height)});
+  const std::string gauges = joined({
+#define GAUGE(type, name, ...) block_of(#name, keys_of(instruments.name), instruments.name, usual.name),
+#include "drill_rig_sim/scene/signal_list.h"
+  });
   return block("instruments", joined({block_of("mwd", mwd_keys, instruments.mwd), block_of("toolface", toolface_keys, instruments.toolface),
                                       block_of("dynamics", dynamics_keys, instruments.dynamics), block("surface", gauges)}));
 }

@@ -8,7 +8,8 @@
 
 namespace drill_rig_sim
 {
-const char* const no_pipe_there = "depth: allowed is where there is pipe in the hole, above 0 (the rotary table) and not below the bit";
+const char* const no_pipe_there =
+    "depth: allowed is where there is pipe in the hole, above 0 (the rotary table) and not below the bit";
 
 bool is_in_hole(double md, double bit_depth) noexcept
 {
@@ -30,106 +31,138 @@ void free_pipe(State& state) noexcept
 const char* what_is_wrong(const Model& model, double bit_depth, double hole_depth, const Fault& fault) noexcept
 {
   const bool by_reference = model.scene().numerics.integrator == IntegratorKind::ida;
-  const bool apart = is_of_gauge(fault.kind) || fault.kind == FaultKind::stuck_pipe || fault.kind == FaultKind::drive_trip ||
-                     fault.kind == FaultKind::pump_trip;
-  if (by_reference && !apart) return "fault: not available by integrator ida";
+  const FaultPlace place = traits_of(fault.kind).place;
+  if (by_reference && !traits_of(fault.kind).by_ida) return "fault: not available by integrator ida";
   if (needs_pipe(fault.kind) && !is_in_hole(fault.depth, bit_depth)) return no_pipe_there;
-  if (fault.kind == FaultKind::washed_out_hole && !(fault.depth > 0.0 && fault.depth <= hole_depth))
+  if (place == FaultPlace::in_hole && !(fault.depth > 0.0 && fault.depth <= hole_depth))
     return "depth: allowed is a place of the hole, above 0 (the rotary table) and not below its bottom";
-  if (fault.kind == FaultKind::friction_change && !(fault.depth >= 0.0 && fault.depth <= hole_depth))
+  if (place == FaultPlace::from_there_down && !(fault.depth >= 0.0 && fault.depth <= hole_depth))
     return "depth: allowed is 0 (all of the hole) to the hole's bottom";
   if (fault.kind == FaultKind::motor_stall && !model.motor()) return "fault: there is no mud motor in the string";
   return what_is_wrong_with_magnitude(fault);
 }
 
+namespace
+{
+/// A drag at a fault's place, from rest.
+DragState drag_of(const Fault& fault) noexcept
+{
+  DragState drag;
+  drag.amount = fault.magnitude;
+  drag.md = fault.depth;
+  return drag;
+}
+
+/// What a fault of the mechanics is made of.
+struct Beginning
+{
+  const Model& model;
+  double bit_depth;
+  const Fault& fault;
+  State& state;
+};
+
+/// What begins a fault of the mechanics, and what ends it.
+struct Deed
+{
+  FaultKind kind;
+  void (*begin)(const Beginning& b);
+  void (*end)(State& state);
+};
+
+constexpr Deed deeds[] = {
+    {FaultKind::stuck_pipe, [](const Beginning& b) { stick_pipe(b.model, b.bit_depth, b.fault.depth, b.state); }, free_pipe},
+    {FaultKind::brake_slip, [](const Beginning& b) { b.state.faults.brake_holds = b.fault.magnitude; },
+     [](State& s) { s.faults.brake_holds = FaultState().brake_holds; }},
+    {FaultKind::drive_trip, [](const Beginning& b) { b.state.faults.drive_tripped = true; },
+     [](State& s) { s.faults.drive_tripped = false; }},
+    {FaultKind::pump_trip, [](const Beginning& b) { b.state.faults.pump_tripped = true; },
+     [](State& s) { s.faults.pump_tripped = false; }},
+    {FaultKind::motor_stall, [](const Beginning& b) { b.state.faults.motor_locked = true; },
+     [](State& s) { s.faults.motor_locked = false; }},
+    {FaultKind::washed_out_hole,
+     [](const Beginning& b)
+     {
+       b.state.faults.washed_out_by = b.fault.magnitude;
+       b.state.faults.washed_out_at = b.fault.depth;
+     },
+     [](State& s) { s.faults.washed_out_by = s.faults.washed_out_at = 0.0; }},
+    {FaultKind::washed_out_pipe,
+     [](const Beginning& b)
+     {
+       b.state.faults.leak_area = b.fault.magnitude;
+       b.state.faults.leak_from_bit = b.bit_depth - b.fault.depth;
+     },
+     [](State& s) { s.faults.leak_area = s.faults.leak_from_bit = 0.0; }},
+    {FaultKind::differential_sticking, [](const Beginning& b) { b.state.faults.sticking = drag_of(b.fault); },
+     [](State& s) { s.faults.sticking = FaultState().sticking; }},
+    {FaultKind::pack_off, [](const Beginning& b) { b.state.faults.pack_off = drag_of(b.fault); },
+     [](State& s) { s.faults.pack_off = FaultState().pack_off; }},
+    {FaultKind::friction_change,
+     [](const Beginning& b)
+     {
+       b.state.faults.friction_factor = b.fault.magnitude;
+       b.state.faults.friction_from = b.fault.depth;
+     },
+     [](State& s)
+     {
+       s.faults.friction_factor = FaultState().friction_factor;
+       s.faults.friction_from = FaultState().friction_from;
+     }},
+    {FaultKind::formation_change, [](const Beginning& b) { b.state.faults.drillability_factor = b.fault.magnitude; },
+     [](State& s) { s.faults.drillability_factor = FaultState().drillability_factor; }}};
+
+/// The same of a gauge.
+struct GaugeDeed
+{
+  FaultKind kind;
+  void (*begin)(SensorFault& gauge, double magnitude);
+  void (*end)(SensorFault& gauge);
+};
+
+constexpr GaugeDeed gauge_deeds[] = {
+    {FaultKind::sensor_freeze, [](SensorFault& g, double) { g.frozen = true; }, [](SensorFault& g) { g.frozen = false; }},
+    {FaultKind::sensor_dropout, [](SensorFault& g, double) { g.dropped = true; }, [](SensorFault& g) { g.dropped = false; }},
+    {FaultKind::sensor_bias, [](SensorFault& g, double m) { g.bias = m; }, [](SensorFault& g) { g.bias = 0.0; }},
+    {FaultKind::sensor_noise, [](SensorFault& g, double m) { g.noise = m; }, [](SensorFault& g) { g.noise = 0.0; }},
+    {FaultKind::sensor_drift,
+     [](SensorFault& g, double m)
+     {
+       g.drift = m;
+       g.drifted = 0.0;
+     },
+     [](SensorFault& g) { g.drift = g.drifted = 0.0; }}};
+static_assert(sizeof deeds / sizeof deeds[0] + sizeof gauge_deeds / sizeof gauge_deeds[0] == fault_count,
+              "every fault begins and ends");
+
+/// Null: there is none of this kind.
+template <class Row, std::size_t N>
+const Row* row_of(const Row (&rows)[N], FaultKind kind) noexcept
+{
+  for (const Row& row : rows)
+    if (row.kind == kind) return &row;
+  return nullptr;
+}
+}  // namespace
+
 void begin(const Model& model, double bit_depth, const Fault& fault, State& state) noexcept
 {
-  FaultState& faults = state.faults;
-  switch (fault.kind)
-  {
-    case FaultKind::stuck_pipe: return stick_pipe(model, bit_depth, fault.depth, state);
-    case FaultKind::brake_slip: faults.brake_holds = fault.magnitude; return;
-    case FaultKind::drive_trip: faults.drive_tripped = true; return;
-    case FaultKind::pump_trip: faults.pump_tripped = true; return;
-    case FaultKind::motor_stall: faults.motor_locked = true; return;
-    case FaultKind::washed_out_hole:
-      faults.washed_out_by = fault.magnitude;
-      faults.washed_out_at = fault.depth;
-      return;
-    case FaultKind::washed_out_pipe:
-      faults.leak_area = fault.magnitude;
-      faults.leak_from_bit = bit_depth - fault.depth;
-      return;
-    case FaultKind::differential_sticking:
-      faults.sticking = DragState();
-      faults.sticking.amount = fault.magnitude;
-      faults.sticking.md = fault.depth;
-      return;
-    case FaultKind::pack_off:
-      faults.pack_off = DragState();
-      faults.pack_off.amount = fault.magnitude;
-      faults.pack_off.md = fault.depth;
-      return;
-    case FaultKind::friction_change:
-      faults.friction_factor = fault.magnitude;
-      faults.friction_from = fault.depth;
-      return;
-    case FaultKind::formation_change: faults.drillability_factor = fault.magnitude; return;
-    default: return;
-  }
+  if (const Deed* deed = row_of(deeds, fault.kind)) deed->begin({model, bit_depth, fault, state});
 }
 
 void end(FaultKind kind, State& state) noexcept
 {
-  const FaultState none;
-  FaultState& faults = state.faults;
-  switch (kind)
-  {
-    case FaultKind::stuck_pipe: return free_pipe(state);
-    case FaultKind::brake_slip: faults.brake_holds = none.brake_holds; return;
-    case FaultKind::drive_trip: faults.drive_tripped = false; return;
-    case FaultKind::pump_trip: faults.pump_tripped = false; return;
-    case FaultKind::motor_stall: faults.motor_locked = false; return;
-    case FaultKind::washed_out_hole: faults.washed_out_by = faults.washed_out_at = 0.0; return;
-    case FaultKind::washed_out_pipe: faults.leak_area = faults.leak_from_bit = 0.0; return;
-    case FaultKind::differential_sticking: faults.sticking = none.sticking; return;
-    case FaultKind::pack_off: faults.pack_off = none.pack_off; return;
-    case FaultKind::friction_change:
-      faults.friction_factor = none.friction_factor;
-      faults.friction_from = none.friction_from;
-      return;
-    case FaultKind::formation_change: faults.drillability_factor = none.drillability_factor; return;
-    default: return;
-  }
+  if (const Deed* deed = row_of(deeds, kind)) deed->end(state);
 }
 
 void begin(const Fault& fault, SensorFault& gauge) noexcept
 {
-  switch (fault.kind)
-  {
-    case FaultKind::sensor_freeze: gauge.frozen = true; return;
-    case FaultKind::sensor_dropout: gauge.dropped = true; return;
-    case FaultKind::sensor_bias: gauge.bias = fault.magnitude; return;
-    case FaultKind::sensor_noise: gauge.noise = fault.magnitude; return;
-    case FaultKind::sensor_drift:
-      gauge.drift = fault.magnitude;
-      gauge.drifted = 0.0;
-      return;
-    default: return;
-  }
+  if (const GaugeDeed* deed = row_of(gauge_deeds, fault.kind)) deed->begin(gauge, fault.magnitude);
 }
 
 void end(FaultKind kind, SensorFault& gauge) noexcept
 {
-  switch (kind)
-  {
-    case FaultKind::sensor_freeze: gauge.frozen = false; return;
-    case FaultKind::sensor_dropout: gauge.dropped = false; return;
-    case FaultKind::sensor_bias: gauge.bias = 0.0; return;
-    case FaultKind::sensor_noise: gauge.noise = 0.0; return;
-    case FaultKind::sensor_drift: gauge.drift = gauge.drifted = 0.0; return;
-    default: return;
-  }
+  if (const GaugeDeed* deed = row_of(gauge_deeds, kind)) deed->end(gauge);
 }
 
 }  // namespace drill_rig_sim

@@ -1,16 +1,18 @@
 #include "drill_output.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <iterator>
+#include <string>
 #include <system_error>
 #include <vector>
 
 #include "drill_command.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/companion.h"
+#include "drill_rig_sim/instruments/signal_rows.h"
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/wellbore.h"
 
@@ -26,12 +28,72 @@ void write_path_row(std::FILE* file, double md, const Eigen::Vector3d& p, const 
 constexpr const char* profile_columns =
     "md,from_bit,east,north,up,tension,true_axial_force,torque,bending_moment,contact_force,contact_side_deg\n";
 
-/// Of the truth, behind the time.
-constexpr const char* truth_columns[] = {
-    "hook_load", "torque", "block_height", "top_drive_speed", "wob", "bit_torque", "bit_speed", "bit_depth", "hole_depth",
-    "rop", "inclination", "azimuth", "toolface", "bit_east", "bit_north", "bit_up", "bit_inclination", "in_slips",
-    "motor_stalled", "winch_limited", "top_drive_limited", "stop_reached", "slack_line", "relief_valve_open", "over_stress",
-    "over_torque", "buckled", "accuracy_warning", "stand_pipe_pressure", "differential_pressure", "flow", "floor_height"};
+/// A column of a time series.
+template <class From>
+struct Column
+{
+  const char* name;
+  int digits;
+  double (*value)(const From&);
+};
+
+/// Depths and places are large numbers that change little.
+int digits_of(const SignalRow& row)
+{
+  if (row.dimension != Dimension::length) return 9;
+  if (row.of == SignalOf::bit) return 11;
+  const std::string name = row.name;
+  return name == "bit_depth" || name == "hole_depth" ? 10 : 9;
+}
+
+/// The signals of the list: `first` in that order, the others behind them.
+template <class From>
+std::vector<Column<From>> columns_of(const std::vector<std::string>& first, double (*SignalRow::*value)(const From&))
+{
+  std::vector<Column<From>> columns;
+  const auto add = [&](const SignalRow& row)
+  {
+    if (row.*value) columns.push_back({row.name, digits_of(row), row.*value});
+  };
+  for (const std::string& name : first)
+    for (const SignalRow& row : signal_rows())
+      if (name == row.name) add(row);
+  for (const SignalRow& row : signal_rows())
+    if (std::find(first.begin(), first.end(), row.name) == first.end()) add(row);
+  return columns;
+}
+
+/// Behind the time. The columns of version 0.2 keep their places: there are readers that count.
+const std::vector<Column<Truth>>& truth_columns()
+{
+  static const auto columns = columns_of<Truth>(
+      {"hook_load", "torque", "block_height", "top_drive_speed", "wob", "bit_torque", "bit_speed", "bit_depth", "hole_depth",
+       "rop", "inclination", "azimuth", "toolface", "bit_east", "bit_north", "bit_up", "bit_inclination", "in_slips",
+       "motor_stalled", "winch_limited", "top_drive_limited", "stop_reached", "slack_line", "relief_valve_open", "over_stress",
+       "over_torque", "buckled", "accuracy_warning", "stand_pipe_pressure", "differential_pressure", "flow", "floor_height"},
+      &SignalRow::in_truth);
+  return columns;
+}
+
+const std::vector<Column<Readings>>& reading_columns()
+{
+  static const auto columns = columns_of<Readings>({"hook_load", "torque", "stand_pipe_pressure", "flow", "block_height", "bit_depth", "hole_depth",
+                                                    "rop", "surface_wob", "differential_pressure"},
+                                                   &SignalRow::in_readings);
+  return columns;
+}
+
+template <class From>
+void write_cells(std::FILE* file, const std::vector<Column<From>>& columns, const From& from)
+{
+  for (const Column<From>& column : columns) write_cell(file, column.digits, column.value(from));
+}
+
+template <class From>
+void write_names(std::FILE* file, const char* prefix, const std::vector<Column<From>>& columns)
+{
+  for (const Column<From>& column : columns) std::fprintf(file, ",%s%s", prefix, column.name);
+}
 
 void write_profile_row(std::FILE* file, const StringProfile& p, std::size_t i)
 {
@@ -40,41 +102,14 @@ void write_profile_row(std::FILE* file, const StringProfile& p, std::size_t i)
                p.contact_side[i] / degree);
 }
 
-/// Up or not, in the order of the header.
-void write_flags(std::FILE* file, const RigSignals& m)
-{
-  for (const bool up : {m.in_slips, m.motor_stalled, m.winch_limited, m.top_drive_limited, m.stop_reached, m.slack_line, m.relief_valve_open,
-                        m.over_stress, m.over_torque, m.buckled, m.accuracy_warning})
-    std::fputs(up ? ",1" : ",0", file);
-}
-
-/// Cells of truth_columns.
-void write_truth(std::FILE* file, const Truth& m)
-{
-  std::fprintf(file, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.10g,%.10g,%.9g,%.9g,%.9g,%.9g,", m.hook_load, m.torque, m.block_height, m.top_drive_speed,
-               m.wob, m.bit_torque, m.bit_speed, m.bit_depth, m.hole_depth, m.rop, m.bit_inclination, m.bit_azimuth, m.bend_toolface);
-  std::fprintf(file, "%.11g,%.11g,%.11g,%.9g", m.bit_position.x(), m.bit_position.y(), m.bit_position.z(),
-               inclination_of(m.bit_orientation * Eigen::Vector3d::UnitX()));
-  write_flags(file, m);
-  std::fprintf(file, ",%.9g,%.9g,%.9g,%.9g", m.stand_pipe_pressure, m.differential_pressure, m.flow, m.floor_height);
-}
-
 /// Measured errors and the companion's truth.
 void write_errors(std::FILE* file, const Simulator& measured)
 {
   for (std::size_t i = 0; i < output_count; ++i) write_cell(file, 4, measured.measured_error(static_cast<Output>(i)));
   if (const Truth* companion = truth_of_companion(measured))
-    write_truth(file, *companion);
+    write_cells(file, truth_columns(), *companion);
   else
-    for (std::size_t i = 0; i < std::size(truth_columns); ++i) std::fputs(",", file);
-}
-
-void write_readings(std::FILE* file, const Readings& r)
-{
-  std::fprintf(file, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.10g,%.10g,%.9g", r.hook_load, r.torque, r.stand_pipe_pressure, r.flow, r.block_height, r.bit_depth,
-               r.hole_depth, r.rop);
-  write_cell(file, 9, r.zeroed(r.surface_wob));
-  write_cell(file, 9, r.zeroed(r.differential_pressure));
+    for (std::size_t i = 0; i < truth_columns().size(); ++i) std::fputs(",", file);
 }
 }  // namespace
 
@@ -133,16 +168,12 @@ void write_profile_series_rows(std::FILE* file, double time, const StringProfile
 void write_csv_header(std::FILE* file, bool with_readings, bool with_errors)
 {
   std::fputs("time", file);
-  for (const char* name : truth_columns) std::fprintf(file, ",%s", name);
-  if (with_readings)
-    std::fputs(
-        ",reading_hook_load,reading_torque,reading_stand_pipe_pressure,reading_flow,reading_block_height,reading_bit_depth,"
-        "reading_hole_depth,reading_rop,reading_surface_wob,reading_differential_pressure",
-        file);
+  write_names(file, "", truth_columns());
+  if (with_readings) write_names(file, "reading_", reading_columns());
   if (with_errors)
   {
     for (const OutputTraits& output : output_traits) std::fprintf(file, ",error_%s", output.name);
-    for (const char* name : truth_columns) std::fprintf(file, ",companion_%s", name);
+    write_names(file, "companion_", truth_columns());
   }
   std::fputs("\n", file);
 }
@@ -150,8 +181,8 @@ void write_csv_header(std::FILE* file, bool with_readings, bool with_errors)
 void write_csv_row(std::FILE* file, const Truth& m, const Readings* readings, const Simulator* measured)
 {
   std::fprintf(file, "%.9g", m.time);
-  write_truth(file, m);
-  if (readings) write_readings(file, *readings);
+  write_cells(file, truth_columns(), m);
+  if (readings) write_cells(file, reading_columns(), *readings);
   if (measured) write_errors(file, *measured);
   std::fputs("\n", file);
 }

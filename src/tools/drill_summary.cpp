@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "drill_rig_sim/hydraulics/mud_circuit.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
+#include "drill_rig_sim/instruments/signal_rows.h"
 
 namespace drill_rig_sim
 {
@@ -34,26 +36,26 @@ Json json_of(const Averages& a)
           {"azimuth_deg", a.azimuth() / degree}};
 }
 
+/// In the type of the message; null for NaN.
+Json json_of(const SignalRow& row, double value)
+{
+  const std::string type = row.type;
+  if (type == "bool") return value != 0.0;
+  if (type == "float64") return value;
+  return static_cast<std::int64_t>(value);
+}
+
 Json json_of(const Readings& r)
 {
-  // JSON writes null for NaN
-  const auto once_heard = [](std::uint64_t sequence, double value) { return sequence > 0 ? Json(value) : Json(); };
-  return {{"hook_load", r.hook_load},
-          {"dead_line_hook_load", r.dead_line_hook_load},
-          {"hook_load_string", r.hook_load_string},
-          {"torque", r.torque},
-          {"stand_pipe_pressure", r.stand_pipe_pressure},
-          {"differential_pressure", r.zeroed(r.differential_pressure)},
-          {"flow", r.flow},
-          {"block_height", r.block_height},
-          {"bit_depth", r.bit_depth},
-          {"hole_depth", r.hole_depth},
-          {"rop", r.rop},
-          {"surface_wob", r.zeroed(r.surface_wob)},
-          {"mwd_md", once_heard(r.mwd.sequence, r.mwd.md)},
-          {"mwd_inclination_deg", once_heard(r.mwd.sequence, r.mwd.inclination / degree)},
-          {"mwd_azimuth_deg", once_heard(r.mwd.sequence, r.mwd.azimuth / degree)},
-          {"toolface_deg", once_heard(r.toolface.sequence, r.toolface.toolface / degree)}};
+  Json json;
+  for (const SignalRow& row : signal_rows())
+    if (row.in_readings) json[row.name] = json_of(row, row.in_readings(r));
+  const auto once_received = [](std::uint64_t sequence, double value) { return sequence > 0 ? Json(value) : Json(); };
+  json["mwd_md"] = once_received(r.mwd.sequence, r.mwd.md);
+  json["mwd_inclination_deg"] = once_received(r.mwd.sequence, r.mwd.inclination / degree);
+  json["mwd_azimuth_deg"] = once_received(r.mwd.sequence, r.mwd.azimuth / degree);
+  json["toolface_deg"] = once_received(r.toolface.sequence, r.toolface.toolface / degree);
+  return json;
 }
 
 Json shares_of(const Profiler& costs)

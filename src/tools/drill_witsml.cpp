@@ -1,35 +1,56 @@
 #include "drill_witsml.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "drill_command.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/instruments/signal_rows.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-struct Curve
+/// Written = SI * per_si.
+struct WrittenUnit
 {
-  const char* mnemonic;
-  const char* unit;
-  const char* description;
-  double (*value)(const Readings&);
+  const char* name;
+  double per_si;
 };
 
-constexpr Curve curves[] = {
-    {"BITDEP", "m", "Bit depth, measured", [](const Readings& r) { return r.bit_depth; }},
-    {"DMEA", "m", "Hole depth, measured", [](const Readings& r) { return r.hole_depth; }},
-    {"BLOCKCOMP", "m", "Block position", [](const Readings& r) { return r.block_height; }},
-    {"HKLD", "kN", "Hook load", [](const Readings& r) { return 1e-3 * r.hook_load; }},
-    {"WOB", "kN", "Weight on bit, surface", [](const Readings& r) { return 1e-3 * r.zeroed(r.surface_wob); }},
-    {"TORQUE", "kN.m", "Torque, surface", [](const Readings& r) { return 1e-3 * r.torque; }},
-    {"SURF_RPM", "rpm", "Rotary speed, surface", [](const Readings& r) { return r.top_drive_speed / rpm; }},
-    {"ROP", "m/h", "Rate of penetration", [](const Readings& r) { return 3600.0 * r.rop; }},
-    {"FLOWIN", "L/min", "Flow into the string", [](const Readings& r) { return 6e4 * r.flow; }},
-    {"SPP", "kPa", "Stand-pipe pressure", [](const Readings& r) { return 1e-3 * r.stand_pipe_pressure; }},
-    {"DIFP", "kPa", "Differential pressure", [](const Readings& r) { return 1e-3 * r.zeroed(r.differential_pressure); }}};
+/// By the spelling of WITSML 1.4.1.1.
+WrittenUnit written_unit(Dimension dimension)
+{
+  switch (dimension)
+  {
+    case Dimension::force: return {"kN", 1e-3};
+    case Dimension::torque: return {"kN.m", 1e-3};
+    case Dimension::rotation: return {"rpm", 1.0 / rpm};
+    case Dimension::penetration: return {"m/h", 3600.0};
+    case Dimension::flow: return {"L/min", 6e4};
+    case Dimension::pressure: return {"kPa", 1e-3};
+    default: return {si_name(dimension), 1.0};
+  }
+}
+
+/// The signals with a mnemonic, by their items in WITS; those without one behind them.
+std::vector<SignalRow> make_curves()
+{
+  std::vector<SignalRow> curves;
+  for (const SignalRow& row : signal_rows())
+    if (*row.mnemonic) curves.push_back(row);
+  const auto place = [](const SignalRow& row) { return row.item > 0 ? row.item : std::numeric_limits<int>::max(); };
+  std::stable_sort(curves.begin(), curves.end(), [&](const SignalRow& a, const SignalRow& b) { return place(a) < place(b); });
+  return curves;
+}
+const std::vector<SignalRow>& curves()
+{
+  static const std::vector<SignalRow> made = make_curves();
+  return made;
+}
 
 void write_curve(std::FILE* file, const char* mnemonic, const char* unit, const char* description, const char* kind)
 {
@@ -43,9 +64,9 @@ void write_curve(std::FILE* file, const char* mnemonic, const char* unit, const 
 void write_lists(std::FILE* file)
 {
   std::fputs("      <mnemonicList>TIME", file);
-  for (const Curve& curve : curves) std::fprintf(file, ",%s", curve.mnemonic);
+  for (const SignalRow& curve : curves()) std::fprintf(file, ",%s", curve.mnemonic);
   std::fputs("</mnemonicList>\n      <unitList>s", file);
-  for (const Curve& curve : curves) std::fprintf(file, ",%s", curve.unit);
+  for (const SignalRow& curve : curves()) std::fprintf(file, ",%s", written_unit(curve.dimension).name);
   std::fputs("</unitList>\n", file);
 }
 }  // namespace
@@ -72,7 +93,8 @@ void WitsmlSeries::write_head(const std::string& well)
   std::fprintf(file, "%s</endDateTimeIndex>\n    <direction>increasing</direction>\n    <indexCurve>TIME</indexCurve>\n",
                date_at(start_, 0.0).c_str());
   write_curve(file, "TIME", "s", "Time", "date time");
-  for (const Curve& curve : curves) write_curve(file, curve.mnemonic, curve.unit, curve.description, "double");
+  for (const SignalRow& curve : curves())
+    write_curve(file, curve.mnemonic, written_unit(curve.dimension).name, curve.meaning, "double");
   std::fputs("    <logData>\n", file);
   write_lists(file);
 }
@@ -83,7 +105,8 @@ void WitsmlSeries::add(const Simulator& simulator, double frame)
   if (!file_ || !beat_.due(time, frame)) return;
   last_ = time;
   std::fprintf(file_.get(), "      <data>%s", date_at(start_, time).c_str());
-  for (const Curve& curve : curves) write_cell(file_.get(), 7, curve.value(simulator.readings()));
+  for (const SignalRow& curve : curves())
+    write_cell(file_.get(), 7, written_unit(curve.dimension).per_si * curve.in_readings(simulator.readings()));
   std::fputs("</data>\n", file_.get());
 }
 

@@ -135,12 +135,12 @@ private:
   void drive(Orders& orders)
   {
     TopDriveSetpoint c;
-    c.mode = static_cast<TopDriveMode>(orders.byte() % 7);
+    c.mode = static_cast<TopDriveMode>(orders.byte() % (top_drive_mode_count + 1));
     c.speed = orders.number(20.0);
     c.torque = orders.number(3e4);
     c.torque_limit = orders.number(3e4);
-    if (c.mode == TopDriveMode::angle || c.mode == TopDriveMode::oscillate) c.angle = orders.number(20.0);
-    if (c.mode == TopDriveMode::oscillate)
+    if (is_known(c.mode) && turns_to_angle(c.mode)) c.angle = orders.number(20.0);
+    if (is_known(c.mode) && goal_of(c.mode) == DriveGoal::swing)
     {
       c.amplitude_right = orders.number(10.0);
       c.amplitude_left = orders.number(10.0);

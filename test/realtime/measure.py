@@ -3,7 +3,7 @@ import time
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
-from drill_rig_sim.msg import RigState
+from drill_rig_sim.msg import RigTruth
 from drill_rig_sim.srv import StepSimulation
 from processes import Hog, Listener, Node, stolen, stop, wait_for
 from std_srvs.srv import Trigger
@@ -61,10 +61,10 @@ def numbers(message):
 def paused_state(node):
     """(stamp [ns], truth) of the rig, which stands from then on."""
     states = []
-    subscriber = rospy.Subscriber(node.namespace + '/truth/rig_state', RigState, states.append)
+    subscriber = rospy.Subscriber(node.namespace + '/truth/rig_state', RigTruth, states.append)
     wait_for(lambda: states, 'truth/rig_state')
     rospy.ServiceProxy(node.namespace + '/pause', Trigger)()
-    last = wait_for(lambda: [m for m in states if m.run_state == RigState.PAUSED], 'a paused state')[-1]
+    last = wait_for(lambda: [m for m in states if m.run_state == RigTruth.PAUSED], 'a paused state')[-1]
     subscriber.unregister()
     return last.header.stamp.to_nsec(), numbers(last)
 
@@ -80,7 +80,7 @@ def lockstep_state(args, stamp):
             part = min(frames - 1, 50000)
             step(frames=part)
             frames -= part
-        subscriber = rospy.Subscriber(node.namespace + '/truth/rig_state', RigState, states.append)
+        subscriber = rospy.Subscriber(node.namespace + '/truth/rig_state', RigTruth, states.append)
         wait_for(lambda: subscriber.get_num_connections() > 0, 'truth/rig_state')
         time.sleep(0.5)  # the publisher may take the connection up later
         step(frames=1)

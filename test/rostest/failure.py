@@ -2,7 +2,7 @@
 """A frame that cannot be solved, in lockstep: the step says so, rig_state says it once with the last good stamp, nothing goes on but a
 reset or a snapshot; and what run_state is before, meanwhile and after."""
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
-from drill_rig_sim.msg import RigState
+from drill_rig_sim.msg import RigState, RigTruth
 from rig_test import Rig, rospy, run, turn, unittest, winch
 from rosgraph_msgs.msg import Clock
 
@@ -38,7 +38,7 @@ class Failure(unittest.TestCase):
         self.assertEqual(state.header.stamp - rospy.Duration(0, 250000000), said[0].header.stamp)
 
     def test_the_failure_is_said_once_with_the_last_good_stamp(self):
-        topics = [self.rig.collect(name, RigState) for name in ("rig_state", "truth/rig_state")]
+        topics = [self.rig.collect(name, kind) for name, kind in (("rig_state", RigState), ("truth/rig_state", RigTruth))]
         clock, diagnostics = self.rig.collect("/clock", Clock), self.rig.collect("/diagnostics", DiagnosticArray)
         for topic in topics + [clock, diagnostics]:
             self.addCleanup(topic.subscriber.unregister)

@@ -5,7 +5,7 @@ import unittest
 
 import rospy
 import rostest
-from drill_rig_sim.msg import RigState
+from drill_rig_sim.msg import RigTruth
 from drill_rig_sim.srv import SetSpeed
 
 WEIGHT = 10e3  # what launch/autodriller.py asks for [N]
@@ -25,7 +25,7 @@ class HoldsWeightOnBit(unittest.TestCase):
                 done.set()
         rospy.wait_for_service('/rig/set_speed', 60)
         self.assertTrue(rospy.ServiceProxy('/rig/set_speed', SetSpeed)(3.0).success)
-        rospy.Subscriber('/rig/truth/rig_state', RigState, take, queue_size=None)
+        rospy.Subscriber('/rig/truth/rig_state', RigTruth, take, queue_size=None)
         self.assertTrue(done.wait(150), 'the bit did not drill for %g s' % (SETTLING + SECONDS))
 
         start = states[0].header.stamp.to_sec() + SETTLING

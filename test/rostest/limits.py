@@ -5,7 +5,7 @@ import os
 import tempfile
 
 from by_hand import scene
-from drill_rig_sim.msg import RigState, TopDriveCommand
+from drill_rig_sim.msg import RigState, RigTruth, TopDriveCommand
 from drill_rig_sim.srv import InjectFaultRequest
 from rig_test import Rig, numbers, rospy, run, turn, unittest, winch
 from sensor_msgs.msg import JointState
@@ -129,7 +129,7 @@ class Limits(unittest.TestCase):
         self.assertLess(state.torque, 2900.0, "the motor gives no more than holds the speed")
 
     def test_state_rate_is_every_fourth_frame_and_all_topics_keep_it(self):
-        topics = [self.rig.collect(name, kind) for name, kind in (("rig_state", RigState), ("truth/rig_state", RigState), ("joint_states", JointState))]
+        topics = [self.rig.collect(name, kind) for name, kind in (("rig_state", RigState), ("truth/rig_state", RigTruth), ("joint_states", JointState))]
         start = self.rig.advance(0).header.stamp  # reset_well has begun the rate anew
         self.rig.advance(16)
         for topic in topics:

@@ -5,7 +5,7 @@ import os
 import subprocess
 import tempfile
 
-from drill_rig_sim.msg import RigState
+from drill_rig_sim.msg import RigTruth
 from rig_test import PACKAGE_DIR, Rig, run, unittest, winch
 
 SCENE = os.path.join(PACKAGE_DIR, "test/scenes/operations.yaml")
@@ -29,7 +29,7 @@ class Operations(unittest.TestCase):
 
     def test_node_and_runner_agree_bit_for_bit(self):
         expected = by_the_runner()
-        truth = self.rig.collect("truth/rig_state", RigState)
+        truth = self.rig.collect("truth/rig_state", RigTruth)
         frames = round(expected["simulated_s"] / 0.01)
         last = truth.at(self.rig.advance(frames).header.stamp)
         for signal in SIGNALS:

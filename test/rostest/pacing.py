@@ -4,7 +4,7 @@ import math
 import subprocess
 import sys
 
-from drill_rig_sim.msg import DrillstringState, RigDescription, RigState
+from drill_rig_sim.msg import DrillstringState, RigDescription, RigState, RigTruth
 from nav_msgs.msg import Path
 from rig_test import PATIENCE, Rig, rospy, run, time, unittest
 from rosgraph_msgs.msg import Clock
@@ -67,7 +67,7 @@ class Pacing(unittest.TestCase):
         self.assertTrue(all(b - a <= 20000000 for a, b in zip(stamps, stamps[1:])))
 
     def test_pause_and_resume_are_said_once_with_the_last_stamp(self):
-        topics = [self.rig.collect(name, RigState) for name in ("rig_state", "truth/rig_state")]
+        topics = [self.rig.collect(name, kind) for name, kind in (("rig_state", RigState), ("truth/rig_state", RigTruth))]
         for topic in topics:
             topic.wait(5)
         self.assertTrue(self.rig.pause().success)

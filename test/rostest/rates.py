@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Topics come at their rates, counted by their stamps, and real time is kept."""
 from diagnostic_msgs.msg import DiagnosticArray
-from drill_rig_sim.msg import BitTruth, DrillstringState, MwdSurvey, MwdToolface, RigLimits, RigState
+from drill_rig_sim.msg import BitTruth, DrillstringState, MwdSurvey, MwdToolface, RigLimits, RigState, RigTruth
 from geometry_msgs.msg import PoseStamped, TwistStamped, WrenchStamped
 from nav_msgs.msg import Path
 from rig_test import Rig, rospy, run, time, unittest
@@ -20,7 +20,7 @@ class Rates(unittest.TestCase):
         rig = Rig()
         cls.topics = {name: rig.collect(name, kind) for name, kind in {
             "rig_state": RigState, "joint_states": JointState, "hook_load": Float64, "torque": Float64, "bit/pose": PoseStamped,
-            "bit/twist": TwistStamped, "bit/wrench": WrenchStamped, "truth/rig_state": RigState, "truth/bit": BitTruth,
+            "bit/twist": TwistStamped, "bit/wrench": WrenchStamped, "truth/rig_state": RigTruth, "truth/bit": BitTruth,
             "drillstring_state": DrillstringState, "markers": MarkerArray, "trajectory": Path, "rig_limits": RigLimits, "downhole/mwd": MwdSurvey, "downhole/toolface": MwdToolface,
             "/tf": TFMessage, "/tf_static": TFMessage, "/clock": Clock, "/diagnostics": DiagnosticArray}.items()}
         states = cls.topics["rig_state"]

@@ -153,8 +153,16 @@ class Rig:
     def state(self):
         return rospy.wait_for_message(self.topic("rig_state"), RigState, PATIENCE)
 
-    def advance(self, frames, winch=None, top_drive=None, mud_pump=None, steering=None):
-        """Lockstep: the state after so many frames."""
+    def advance(self, frames, **commands):
+        """Lockstep: the readings after so many frames."""
+        return self.answer(frames, **commands).state
+
+    def advance_truth(self, frames, **commands):
+        """The same, but the truth."""
+        return self.answer(frames, **commands).truth
+
+    def answer(self, frames, winch=None, top_drive=None, mud_pump=None, steering=None):
+        """Lockstep: the answer to so many frames."""
         request = StepSimulationRequest(frames=frames)
         request.winch = [] if winch is None else [winch]
         request.top_drive = [] if top_drive is None else [top_drive]
@@ -163,7 +171,7 @@ class Rig:
         answer = self.step(request)
         if not answer.success:
             raise AssertionError("step: " + answer.message)
-        return answer.state
+        return answer
 
 
 def winch(velocity, brake=False):

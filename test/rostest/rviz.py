@@ -5,7 +5,7 @@ becomes the front page's picture."""
 import os
 import shutil
 
-from drill_rig_sim.msg import RigState
+from drill_rig_sim.msg import RigTruth
 from rig_test import PACKAGE_DIR, PATIENCE, Rig, rospy, run, time, unittest, wait_until
 from rviz_window import FOLDER, Window
 from string_picture import all_seen, is_writing, measured
@@ -59,7 +59,7 @@ class Rviz(unittest.TestCase):
 
     @staticmethod
     def truth(rig):
-        return rospy.wait_for_message(rig.topic("truth/rig_state"), RigState, PATIENCE)
+        return rospy.wait_for_message(rig.topic("truth/rig_state"), RigTruth, PATIENCE)
 
     def wait_for_time(self, rig, simulated):
         wait_until(lambda: self.truth(rig).header.stamp.to_sec() >= simulated, "the rig is at %g s" % simulated, 4 * PATIENCE)

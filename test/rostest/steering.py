@@ -21,16 +21,16 @@ class Steering(unittest.TestCase):
         self.assertTrue(self.rig.reset_well("", 0.0).success)
 
     def seconds(self, time, **commands):
-        return self.rig.advance(round(100 * time), **commands)
+        return self.rig.advance_truth(round(100 * time), **commands)
 
     def test_a_command_is_obeyed(self):
-        state = self.rig.advance(1, steering=SteeringCommand(toolface=1.5, ratio=0.6))
+        state = self.rig.advance_truth(1, steering=SteeringCommand(toolface=1.5, ratio=0.6))
         self.assertEqual((1.5, 0.6), (state.steering.toolface, state.steering.ratio))
-        self.assertEqual(0.0, self.rig.advance(1).steering.header.stamp.to_sec() - state.steering.header.stamp.to_sec())
+        self.assertEqual(0.0, self.rig.advance_truth(1).steering.header.stamp.to_sec() - state.steering.header.stamp.to_sec())
         self.assertTrue(state.magnetic_steering, "the hole is vertical")
 
     def test_a_ratio_beyond_one_is_clamped(self):
-        state = self.rig.advance(1, steering=SteeringCommand(toolface=0.0, ratio=2.0))
+        state = self.rig.advance_truth(1, steering=SteeringCommand(toolface=0.0, ratio=2.0))
         self.assertTrue(state.command_clamped)
         self.assertEqual(1.0, state.steering.ratio)
 

@@ -4,7 +4,7 @@ friction: lengths, places, weights, bending, contact; surveys and toolface; the 
 import math
 
 from by_hand import GRAVITY, Well, add, angle_between, cross, distance, dot, length, quaternion, rotated, scene, xyz
-from drill_rig_sim.msg import DrillstringState, MwdSurvey, MwdToolface, RigState
+from drill_rig_sim.msg import DrillstringState, MwdSurvey, MwdToolface, RigTruth
 from geometry_msgs.msg import PoseStamped
 from rig_test import Rig, flow, rospy, run, turn, unittest, winch
 from tf2_msgs.msg import TFMessage
@@ -152,7 +152,7 @@ class StringValues(unittest.TestCase):
         self.assertLess(max(map(abs, at_rest.spin_speed)), 1e-3)
         for torque in at_rest.torque[2:]:  # nothing takes it up on the way: what holds the bend at its toolface
             self.assertAlmostEqual(at_rest.torque[-1], torque, delta=0.05)
-        truth = self.rig.collect("truth/rig_state", RigState)
+        truth = self.rig.collect("truth/rig_state", RigTruth)
         self.addCleanup(truth.subscriber.unregister)
         string = self.turning(top_drive=turn(3.0))
         state = truth.at(string.header.stamp)

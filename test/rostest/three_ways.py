@@ -5,7 +5,7 @@ import time
 
 from drill_rig_sim.autodriller import Autodriller
 from drill_rig_sim.control import Deaf, Readings, drive
-from drill_rig_sim.msg import BitTruth, RigState
+from drill_rig_sim.msg import BitTruth, RigState, RigTruth
 from drill_rig_sim.rig import COMMANDS, Rig
 from drill_rig_sim.sim import Simulator
 from drill_rig_sim.topics import Telemetry, messages_of
@@ -35,7 +35,7 @@ def plain(message, like):
 
 
 def everything(states):
-    return [plain(s.readings, RigState()) + plain(s.truth, RigState()) + plain(s.bit, BitTruth()) for s in states]
+    return [plain(s.readings, RigState()) + plain(s.truth, RigTruth()) + plain(s.bit, BitTruth()) for s in states]
 
 
 class ByTopics:

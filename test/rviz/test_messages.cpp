@@ -34,22 +34,25 @@ RigState tared()
 
 TEST(Messages, AFlagIsTheFieldOfItsKey)
 {
-#define EXPECT_FLAG(field)                                                  \
+#define EXPECT_FLAG_OF(field, owner)                                        \
   {                                                                         \
-    RigState s;                                                             \
-    s.field = true;                                                         \
+    RigState state;                                                         \
+    RigTruth truth;                                                         \
+    owner.field = true;                                                     \
     Flags expected;                                                         \
     expected.set(static_cast<std::size_t>(Flag::field));                    \
-    EXPECT_EQ(expected, flags_of(s)) << #field;                             \
+    EXPECT_EQ(expected, flags_of(state, &truth)) << #field;                 \
     EXPECT_STREQ(#field, flag_rows()[static_cast<std::size_t>(Flag::field)].key); \
   }
+#define EXPECT_FLAG(field) EXPECT_FLAG_OF(field, state)
+#define EXPECT_TRUE_FLAG(field) EXPECT_FLAG_OF(field, truth)
   EXPECT_FLAG(accuracy_warning)
   EXPECT_FLAG(over_pull)
   EXPECT_FLAG(slack_line)
-  EXPECT_FLAG(over_stress)
-  EXPECT_FLAG(over_torque)
-  EXPECT_FLAG(buckled)
-  EXPECT_FLAG(motor_stalled)
+  EXPECT_TRUE_FLAG(over_stress)
+  EXPECT_TRUE_FLAG(over_torque)
+  EXPECT_TRUE_FLAG(buckled)
+  EXPECT_TRUE_FLAG(motor_stalled)
   EXPECT_FLAG(relief_valve_open)
   EXPECT_FLAG(pump_tripped)
   EXPECT_FLAG(drive_tripped)
@@ -61,8 +64,11 @@ TEST(Messages, AFlagIsTheFieldOfItsKey)
   EXPECT_FLAG(brake_set)
   EXPECT_FLAG(top_drive_brake_set)
   EXPECT_FLAG(in_slips)
-  EXPECT_FLAG(on_bottom)
+  EXPECT_TRUE_FLAG(on_bottom)
 #undef EXPECT_FLAG
+#undef EXPECT_TRUE_FLAG
+#undef EXPECT_FLAG_OF
+  EXPECT_TRUE(flags_of(RigState(), nullptr).none());
 }
 
 TEST(Messages, Readings)
@@ -155,7 +161,11 @@ TEST(Messages, ErrorsOfTheOutputsThatHaveAGauge)
 TEST(Messages, TheTruthIsTheBits)
 {
   News news;
-  news.truth = boost::make_shared<RigState>(tared());
+  RigTruth truth;
+  truth.tared = true;
+  truth.hook_load = 300e3;
+  truth.rop = 0.005;
+  news.truth = boost::make_shared<RigTruth>(truth);
   BitTruth bit;
   bit.wob = 40e3;
   bit.torque = 3e3;

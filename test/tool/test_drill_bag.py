@@ -3,6 +3,7 @@
 an environment that finds drill_rig_sim."""
 import csv
 import math
+import operator
 import os
 import subprocess
 import sys
@@ -10,6 +11,7 @@ import unittest
 
 import rosbag
 import yaml
+from drill_rig_sim.tables import SIGNALS
 
 sys.dont_write_bytecode = True
 import test_drill  # noqa: E402 (leaves nothing behind)
@@ -20,12 +22,9 @@ PROGRAM = 'program=[{at: 0, flow: 0.02, top_drive_speed_rpm: 40, block_velocity:
 ALL_INSTRUMENTS = ('--every', '0.05', '--set', 'instruments.mwd.inclination_period=5', '--set', 'instruments.dynamics={period: 5, latency: 1}')
 NOT_MEASURED = {'drillstring_state', 'markers', 'rig_description', 'trajectory'}  # and what begins with a slash
 # of the time series: field of a message
-TRUTH = {name: name for name in ('hook_load', 'torque', 'block_height', 'top_drive_speed', 'bit_depth', 'hole_depth', 'rop', 'in_slips', 'motor_stalled',
-                                 'winch_limited', 'top_drive_limited', 'stop_reached', 'slack_line', 'relief_valve_open', 'over_stress', 'over_torque',
-                                 'buckled', 'accuracy_warning')}
-BIT = {'wob': 'wob', 'bit_torque': 'torque', 'bit_speed': 'speed', 'inclination': 'inclination', 'azimuth': 'azimuth', 'toolface': 'toolface'}
-READINGS = {'reading_' + name: name for name in ('hook_load', 'torque', 'stand_pipe_pressure', 'flow', 'block_height', 'bit_depth', 'hole_depth', 'rop',
-                                                'surface_wob', 'differential_pressure')}
+TRUTH = {row.name: row.field for row in SIGNALS if row.of in ('both', 'truth')}
+BIT = {row.name: row.field for row in SIGNALS if row.of == 'bit' and row.field}
+READINGS = {'reading_' + row.name: row.field for row in SIGNALS if row.of in ('both', 'reading')}
 
 
 class Bag(test_drill.Drill):
@@ -50,7 +49,7 @@ class Bag(test_drill.Drill):
         self.assertEqual(len(rows), len(messages))
         for row, (_, message) in zip(rows, messages):
             for column, field in table.items():
-                expected, found = row[column], float(getattr(message, field))
+                expected, found = row[column], float(operator.attrgetter(field)(message))
                 self.assertAlmostEqual(expected, found, delta=1e-8 * max(1e-3, abs(expected)), msg=column)
 
     def test_the_numbers_are_those_of_the_time_series(self):

@@ -20,7 +20,7 @@ from test_drill_bag import PROGRAM, SCENE  # noqa: E402
 
 ALONE, BESIDE = ('--set', 'numerics.companion=none'), ('--set', 'numerics.companion=finer')
 OUTPUTS = ['hook_load', 'torque', 'wob', 'rop', 'bit_speed', 'stand_pipe_pressure']
-TOPICS = {'/rig/companion/truth/rig_state': 'drill_rig_sim/RigState', '/rig/companion/truth/bit': 'drill_rig_sim/BitTruth'}
+TOPICS = {'/rig/companion/truth/rig_state': 'drill_rig_sim/RigTruth', '/rig/companion/truth/bit': 'drill_rig_sim/BitTruth'}
 
 
 class Errors(test_drill.Drill):

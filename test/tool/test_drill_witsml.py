@@ -2,6 +2,7 @@
 """`drill run --witsml`: a log of WITSML 1.4.1.1 that holds what the time series' readings hold; against the standard's schema where that and lxml are there.
 Usage: test_drill_witsml.py PATH_TO_DRILL"""
 import csv
+import math
 import os
 import sys
 import unittest
@@ -16,9 +17,9 @@ SCHEMA = os.path.join(os.path.dirname(test_drill.SOURCE), 'shared/data/witsml_14
 SPACE = '{http://www.witsml.org/schemas/1series}'
 # mnemonic: unit, column of the time series, factor
 CURVES = {'BITDEP': ('m', 'reading_bit_depth', 1.0), 'DMEA': ('m', 'reading_hole_depth', 1.0), 'BLOCKCOMP': ('m', 'reading_block_height', 1.0),
-          'HKLD': ('kN', 'reading_hook_load', 1e-3), 'WOB': ('kN', 'reading_surface_wob', 1e-3), 'TORQUE': ('kN.m', 'reading_torque', 1e-3),
-          'SURF_RPM': ('rpm', None, None), 'ROP': ('m/h', 'reading_rop', 3600.0), 'FLOWIN': ('L/min', 'reading_flow', 6e4),
-          'SPP': ('kPa', 'reading_stand_pipe_pressure', 1e-3), 'DIFP': ('kPa', 'reading_differential_pressure', 1e-3)}
+          'ROP': ('m/h', 'reading_rop', 3600.0), 'HKLD': ('kN', 'reading_hook_load', 1e-3), 'WOB': ('kN', 'reading_surface_wob', 1e-3), 'TORQUE': ('kN.m', 'reading_torque', 1e-3),
+          'SURF_RPM': ('rpm', 'reading_top_drive_speed', 30.0 / math.pi), 'SPP': ('kPa', 'reading_stand_pipe_pressure', 1e-3),
+          'FLOWIN': ('L/min', 'reading_flow', 6e4), 'DIFP': ('kPa', 'reading_differential_pressure', 1e-3)}
 
 
 ZEROED = ('reading_surface_wob', 'reading_differential_pressure')  # empty until they have been zeroed, which a program does not do

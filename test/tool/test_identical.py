@@ -40,6 +40,10 @@ class Distance(unittest.TestCase):
     def test_the_raw_path_counts(self):
         self.assertEqual(identical.farthest_apart(run_of(), run_of(raw='east\n0\n1.5\n')), (0.5 / 1.5, "raw path's east"))
 
+    def test_columns_of_one_program_only_are_left_out(self):
+        more = (['new', 'time', 'load'], [['7', '0', '1000'], ['8', '1', '1010']], *run_of()[2:])
+        self.assertEqual([tuple(run_of())] * 2, identical.with_common_columns([run_of(), more]))
+
     def test_equal_runs_are_not_apart(self):
         self.assertEqual(identical.farthest_apart(run_of(), run_of()), (0.0, ''))
 

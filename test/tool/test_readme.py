@@ -48,7 +48,7 @@ def content(source):
     if len(words) == 1 and '.' in os.path.basename(source):
         return FENCES[os.path.splitext(source)[1]] % read(source)
     output = output_of(*words)
-    return output.strip() + '\n' if source == 'drill reference' else '```\n%s\n```\n' % output.strip()
+    return output.strip() + '\n' if source.startswith('drill reference') else '```\n%s\n```\n' % output.strip()
 
 
 def write(names):

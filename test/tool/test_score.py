@@ -271,20 +271,20 @@ class Files(unittest.TestCase):
         """Messages of a node with the made-up run, a second apart. `zeroed_at`: when surface WOB was zeroed [s]. `runs`: so many messages of each of several."""
         import rosbag
         import rospy
-        from drill_rig_sim.msg import BitTruth, MwdSurvey, MwdToolface, RigState
+        from drill_rig_sim.msg import BitTruth, MwdSurvey, MwdToolface, RigState, RigTruth
         made = columns(every=1.0)
         file = self.file("run.bag")
         with rosbag.Bag(file, "w") as bag:
             for i, time in itertools.chain(*(enumerate(made["time"][:count]) for count in runs)):
                 row = {name: float(values[i]) for name, values in made.items()}
                 tared = bool(time - made["time"][0] >= zeroed_at)
-                state = RigState(surface_wob=row["wob"] if tared else 0.0, tared=tared)
-                for name in ("hole_depth", "bit_depth", "torque", "top_drive_speed"):
-                    setattr(state, name, row[name])
+                state, truth = (kind(surface_wob=row["wob"] if tared else 0.0, tared=tared) for kind in (RigState, RigTruth))
+                for message, name in itertools.product((state, truth), ("hole_depth", "bit_depth", "torque", "top_drive_speed")):
+                    setattr(message, name, row[name])
                 bit = BitTruth(wob=row["wob"], torque=row["bit_torque"], speed=row["bit_speed"], toolface=row["toolface"])
                 bit.position.z = row["bit_up"]
                 survey = MwdSurvey(md=900.0 + time, inclination=math.radians(0.1 * time))
-                for name, message in (("rig_state", state), ("truth/rig_state", state), ("truth/bit", bit), ("downhole/mwd", survey),
+                for name, message in (("rig_state", state), ("truth/rig_state", truth), ("truth/bit", bit), ("downhole/mwd", survey),
                                       ("downhole/toolface", MwdToolface(toolface=row["toolface"]))):
                     message.header.stamp = rospy.Time.from_sec(1.0 + time)
                     for prefix in topics:

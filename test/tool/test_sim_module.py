@@ -46,9 +46,9 @@ class InThisProcess(unittest.TestCase):
         self.assertEqual("[]", said.stdout.strip())
 
     def test_states_have_the_fields_of_the_messages(self):
-        from drill_rig_sim.msg import BitTruth, RigState, TopDriveCommand
+        from drill_rig_sim.msg import BitTruth, RigState, RigTruth, TopDriveCommand
         state = self.drilling()
-        for signals, kind in ((state.readings, RigState), (state.truth, RigState), (state.bit, BitTruth), (state.top_drive, TopDriveCommand)):
+        for signals, kind in ((state.readings, RigState), (state.truth, RigTruth), (state.bit, BitTruth), (state.top_drive, TopDriveCommand)):
             for name in fields_of(kind):
                 self.assertTrue(hasattr(signals, name), name)
         self.assertEqual({name: getattr(TopDriveCommand, name) for name in MODES}, MODES)
@@ -240,7 +240,7 @@ class InThisProcess(unittest.TestCase):
         self.assertTrue(self.rig.step().in_slips)
         rss = Simulator(STEERABLE)
         rss.steer(1.0, 0.5)
-        self.assertEqual((1.0, 0.5), (rss.step().steering.toolface, rss.state.steering.ratio))
+        self.assertEqual((1.0, 0.5), (rss.step().truth.steering.toolface, rss.state.truth.steering.ratio))
 
     def test_telemetry_is_the_same_until_another_comes(self):
         rig = Simulator(os.path.join(PACKAGE_DIR, "config/scenes/bohai.yaml"))

@@ -2,6 +2,7 @@
 #define DRILL_RIG_SIM_TEST_EXPECTED_KEYS_H
 
 #include <functional>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -46,11 +47,9 @@ inline std::vector<Expected> of_instruments()
   };
   using Get = std::function<const SensorSpec&(const Scene&)>;
   const std::pair<const char*, Get> gauges[] = {
-      {"hook_load", [](const Scene& s) -> const SensorSpec& { return s.instruments.hook_load; }},
-      {"torque", [](const Scene& s) -> const SensorSpec& { return s.instruments.torque; }},
-      {"stand_pipe_pressure", [](const Scene& s) -> const SensorSpec& { return s.instruments.stand_pipe_pressure; }},
-      {"flow", [](const Scene& s) -> const SensorSpec& { return s.instruments.flow; }},
-      {"block_height", [](const Scene& s) -> const SensorSpec& { return s.instruments.block_height; }}};
+#define GAUGE(type, name, ...) {#name, [](const Scene& s) -> const SensorSpec& { return s.instruments.name; }},
+#include "drill_rig_sim/scene/signal_list.h"
+  };
   const std::pair<const char*, double SensorSpec::*> keys[] = {{"noise", &SensorSpec::noise},
                                                                {"bias", &SensorSpec::bias},
                                                                {"delay", &SensorSpec::delay},
@@ -60,13 +59,13 @@ inline std::vector<Expected> of_instruments()
                                                                {"rate", &SensorSpec::rate},
                                                                {"dropout_interval", &SensorSpec::dropout_interval},
                                                                {"dropout_duration", &SensorSpec::dropout_duration}};
-  for (int g = 0; g < 5; ++g)
+  for (std::size_t g = 0; g < std::size(gauges); ++g)
     for (int k = 0; k < 9; ++k)
     {
       const Get get = gauges[g].second;
       const auto member = keys[k].second;
       const auto field = [get, member](const Scene& s) { return get(s).*member; };
-      const double value = (g + 1) + 0.1 * (k + 1);
+      const double value = static_cast<double>(g + 1) + 0.1 * (k + 1);
       all.push_back({g == 0 ? "instruments.surface.hook_load" : "instruments.surface.*", keys[k].first, field, value});
       all.push_back({"instruments.surface", gauges[g].first, field, value});
     }

@@ -102,7 +102,7 @@ TEST(TopDriveCommand, nonsenseIsRefusedWhole)
     return c;
   };
   const std::pair<const char*, TopDriveSetpoint> bad[] = {
-      {"mode", with([](auto& c) { c.mode = static_cast<TopDriveMode>(6); })},
+      {"mode", with([](auto& c) { c.mode = static_cast<TopDriveMode>(top_drive_mode_count); })},
       {"mode", with([](auto& c) { c.mode = static_cast<TopDriveMode>(255); })},
       {"angle", with([](auto& c) { c.angle = nan; })},
       {"angle", with([](auto& c) { c.angle = 1e12; })},

@@ -157,7 +157,7 @@ TEST(Commands, notNumbersAreRefusedAndChangeNothing)
     }
   }
   TopDriveSetpoint mode, negative;
-  mode.mode = static_cast<TopDriveMode>(6);
+  mode.mode = static_cast<TopDriveMode>(top_drive_mode_count);
   negative.torque_limit = -1.0;
   EXPECT_EQ(rig.command(mode).outcome, Outcome::refused);
   EXPECT_EQ(rig.command(negative).outcome, Outcome::refused);

@@ -23,7 +23,7 @@ TEST(Fault, whatMakesNoSenseIsRefused)
   const auto refused = [&](const Fault& fault, const char* says)
   {
     const char* wrong = rig.inject(fault);
-    ASSERT_TRUE(wrong) << fault_names[static_cast<int>(fault.kind)] << " at " << fault.depth << " by " << fault.magnitude;
+    ASSERT_TRUE(wrong) << traits_of(fault.kind).word << " at " << fault.depth << " by " << fault.magnitude;
     EXPECT_NE(std::string(wrong).find(says), std::string::npos) << wrong;
     EXPECT_EQ(std::string(wrong).find('\n'), std::string::npos);
   };
@@ -163,7 +163,7 @@ TEST(Fault, livesInASnapshot)
                                  at(FaultKind::formation_change, 0.0, 0.5), at(FaultKind::washed_out_hole, 100.0, 0.1), at(FaultKind::washed_out_pipe, 30.0, 1e-5),
                                  at(FaultKind::motor_stall, 0.0), at(FaultKind::pump_trip, 0.0), at(FaultKind::brake_slip, 0.0, 1e5),
                                  Fault{FaultKind::sensor_bias, 0.0, 5.0, Gauge::torque}, Fault{FaultKind::sensor_drift, 0.0, 5.0, Gauge::flow}})
-        EXPECT_FALSE(rig.inject(fault)) << fault_names[static_cast<int>(fault.kind)];
+        EXPECT_FALSE(rig.inject(fault)) << traits_of(fault.kind).word;
       play(rig, 1.0);
       const auto saved = rig.save();
       play(rig, 3.0);

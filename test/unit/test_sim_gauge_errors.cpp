@@ -306,12 +306,18 @@ TEST(Instruments, tellWhichGaugesAreLost)
       instruments.read(truth, SensorView(), readings);
       EXPECT_EQ(0u, readings.lost_gauges);
       instruments.fault_of(static_cast<Gauge>(g)).dropped = true;
-      for (double* signal : {&truth.hook_load, &truth.dead_line_hook_load, &truth.torque, &truth.stand_pipe_pressure, &truth.flow, &truth.block_height}) *signal += 1.0;
+#define GAUGE(type, name, ...) truth.name += 1.0;
+#define GAUGE_LIKE GAUGE
+#include "drill_rig_sim/scene/signal_list.h"
       truth.time += frame;
       instruments.read(truth, SensorView(), readings);
       const bool both = place == HookLoadPlace::dead_line && g < 2;
       EXPECT_EQ(both ? 3u : 1u << g, readings.lost_gauges) << gauge_names[g];
-      const double shown[] = {readings.hook_load, readings.dead_line_hook_load, readings.torque, readings.stand_pipe_pressure, readings.flow, readings.block_height};
+      const double shown[] = {
+#define GAUGE(type, name, ...) readings.name,
+#define GAUGE_LIKE GAUGE
+#include "drill_rig_sim/scene/signal_list.h"
+      };
       for (int k = 0; k < gauge_count; ++k) EXPECT_EQ(readings.lost_gauges >> k & 1u ? 0.0 : 1.0, shown[k]) << gauge_names[k];
     }
 }

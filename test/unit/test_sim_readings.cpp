@@ -197,8 +197,6 @@ TEST(Readings, depthsAreWorkedOutFromTheBlocksHeight)
           deepest = std::max(deepest, r.bit_depth);
           ASSERT_EQ(r.hole_depth, deepest);
           apart = apart || std::abs(r.bit_depth - 0.004 - rig.truth().bit_depth) > 1e-4;
-          ASSERT_FALSE(r.on_bottom);
-          ASSERT_FALSE(r.motor_stalled);
         });
   EXPECT_TRUE(rig.truth().on_bottom);
   EXPECT_TRUE(apart) << "the string shortens under weight; a block height cannot show it";

@@ -110,7 +110,6 @@ TEST(Fault, aStalledMotorStands)
   rigs.play_both(20.0);
   EXPECT_NEAR(rigs.faulty.truth().bit_speed, 0.0, 0.01);
   EXPECT_TRUE(rigs.faulty.truth().motor_stalled);
-  EXPECT_FALSE(rigs.faulty.readings().motor_stalled) << "no rig senses it";
   const double stall = 2.0 * pi * scene.string[1].motor->stall_torque / scene.string[1].motor->displacement_per_rev;
   EXPECT_NEAR(rigs.difference(&RigSignals::stand_pipe_pressure), stall, 0.05 * stall);
   rigs.faulty.clear(FaultKind::motor_stall, Gauge::hook_load);

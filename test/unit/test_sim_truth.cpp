@@ -51,7 +51,7 @@ double clockwise(const Vector3d& axis, const Vector3d& zero, const Vector3d& dir
 }
 
 /// The first moment at which a flag of the truth is up within `seconds`; infinity: never.
-double first_time(Simulator& rig, bool RigSignals::*flag, double seconds)
+double first_time(Simulator& rig, bool TrueSignals::*flag, double seconds)
 {
   for (int k = 0; k < std::lround(seconds / frame); ++k)
   {
@@ -269,7 +269,7 @@ TEST(Truth, driveAndMotorTellTheirLimits)
   drill_ahead(weak, 20.0 * rpm, 0.02, 0.012);
   play_for(weak, 0.5);
   EXPECT_FALSE(weak.truth().motor_stalled);
-  EXPECT_LT(first_time(weak, &RigSignals::motor_stalled, 10.0), 10.0);
+  EXPECT_LT(first_time(weak, &TrueSignals::motor_stalled, 10.0), 10.0);
   EXPECT_GE(weak.save()->forces.motor_torque, 200.0);
   play_for(weak, 0.5);
   EXPECT_NEAR(weak.truth().bit_speed, weak.save()->mechanics.nodes[0].rate.spin + weak.save()->mechanics.bit.motor_speed, 1e-9);

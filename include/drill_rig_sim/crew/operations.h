@@ -138,7 +138,9 @@ private:
   void begin(RigControls& rig) noexcept;
   void begin_tag(RigControls& rig, bool zeroed) noexcept;
   void follow(RigControls& rig) noexcept;
+  void follow_nothing(RigControls& rig) noexcept;
   void follow_ramp(RigControls& rig) noexcept;
+  void follow_slide(RigControls& rig) noexcept;
   void follow_weight(RigControls& rig) noexcept;
   void follow_strokes(RigControls& rig) noexcept;
   void follow_tag(RigControls& rig) noexcept;

@@ -118,55 +118,47 @@ struct DynamicsReading
   }
 };
 
-/// A rig's signals at one instant. Signs as in commands.h. Each field says what it is in truth; Readings says what instruments make of it.
+/// A rig's signals at one instant, in SI units and the signs of commands.h: the fields of truth and readings alike. The list of
+/// signals (scene/signal_list.h) gives their meaning.
 struct RigSignals
 {
   double time = 0.0;  ///< simulated [s]
-
-  double hook_load = 0.0;              ///< load of the lines on the block, block and top drive included [N]
-  double dead_line_hook_load = 0.0;    ///< what an ideal sensor at the dead line shows, sheave friction included [N]
-  double hook_load_string = 0.0;       ///< hook_load without block and top drive [N]
-  double block_height = 0.0;           ///< top-drive shaft above the rotary table [m]
-  double block_velocity = 0.0;         ///< + up [m/s]
-  double floor_height = 0.0;           ///< of the rotary table above its mean place, where `rig_floor` stays: heave [m]
-  double floor_velocity = 0.0;         ///< its rate, + up [m/s]
-  double top_drive_angle = 0.0;        ///< [rad], unbounded
-  double top_drive_speed = 0.0;        ///< [rad/s]
-  double torque = 0.0;                 ///< of the torque meter's spring, + drives the string clockwise [N m]
-  double stand_pipe_pressure = 0.0;    ///< [Pa]
-  double differential_pressure = 0.0;  ///< of the mud motor, zeroed by tare [Pa]
-  double flow = 0.0;                   ///< that the pump delivers [m3/s]
-  double stroke_rate = 0.0;            ///< of the pump [1/s]
-  double ecd = 0.0;                    ///< equivalent circulating density at the bit, ecd() [kg/m3]
-  double hole_depth = 0.0;             ///< [m MD]
-  double bit_depth = 0.0;              ///< of the bit's face [m MD]
-  double surface_wob = 0.0;            ///< tare - hook_load; 0 until tared, and in the slips [N]
-  double rop = 0.0;                    ///< rate of hole_depth over the last frame [m/s]
-  bool tared = false;
-  bool on_bottom = false;
-  bool in_slips = false;            ///< the slips are set
-  bool brake_set = false;
-  bool motor_stalled = false;
-  bool winch_limited = false;       ///< a limit of speed, acceleration, load or height holds the winch back
-  bool slack_line = false;          ///< the lines carry nothing
-  bool stop_reached = false;        ///< the block is at its lowest or highest place: the winch stands, or the block rests on the stop
-  bool relief_valve_open = false;   ///< by the pump: part of its flow goes back to the tanks
-  bool over_stress = false;         ///< pipe is stressed beyond its yield strength (sim/string_watch.h)
-  bool over_torque = false;         ///< beyond the make-up torque of its connections
-  bool buckled = false;             ///< compressed beyond its critical buckling load
-  bool accuracy_warning = false;    ///< the simulation may be wrong, the reason is in its diagnostics (sim/accuracy.h)
-  bool top_drive_brake_set = false;
-  bool top_drive_limited = false;   ///< torque, speed or power limit active
-  bool command_clamped = false;     ///< the last command was
-  bool commands_timed_out = false;
-  bool over_pull = false;           ///< trip_hook_load was reached: the brake is set until a winch command that does not raise
-  bool pump_tripped = false;        ///< by trip_pressure or a fault: no flow, after trip_pressure until a flow of 0 is commanded
-  bool drive_tripped = false;       ///< by a fault: the top drive coasts
-  unsigned lost_gauges = 0;  ///< in a drop-out, each 1 << Gauge
-  unsigned pump_strokes = 0;        ///< whole ones of the pump since the start
-  int stand_count = 0;              ///< whole stands of the last part's pipe in the string
+#define BOTH(type, name, ...) type name{};
+#include "drill_rig_sim/scene/signal_list.h"
   CrewTask crew = CrewTask::none;
   Setpoints setpoints;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("time", time);
+#define BOTH(type, name, ...) v(#name, name);
+#include "drill_rig_sim/scene/signal_list.h"
+    v("crew", crew);
+    v("setpoints", setpoints);
+  }
+};
+
+/// Those of the truth, with what no rig can sense.
+struct TrueSignals : RigSignals
+{
+#define TRUTH(type, name, ...) type name{};
+#include "drill_rig_sim/scene/signal_list.h"
+
+  template <class V>
+  void visit(V& v)
+  {
+    RigSignals::visit(v);
+#define TRUTH(type, name, ...) v(#name, name);
+#include "drill_rig_sim/scene/signal_list.h"
+  }
+};
+
+/// Those of the readings, with what instruments say of themselves.
+struct ShownSignals : RigSignals
+{
+#define READING(type, name, ...) type name{};
+#include "drill_rig_sim/scene/signal_list.h"
 
   /// surface_wob or differential_pressure for a file or a display: NaN, an empty cell there, until they have been zeroed.
   double zeroed(double value) const noexcept { return tared ? value : std::numeric_limits<double>::quiet_NaN(); }
@@ -174,56 +166,14 @@ struct RigSignals
   template <class V>
   void visit(V& v)
   {
-    v("time", time);
-    v("hook_load", hook_load);
-    v("dead_line_hook_load", dead_line_hook_load);
-    v("hook_load_string", hook_load_string);
-    v("block_height", block_height);
-    v("block_velocity", block_velocity);
-    v("floor_height", floor_height);
-    v("floor_velocity", floor_velocity);
-    v("top_drive_angle", top_drive_angle);
-    v("top_drive_speed", top_drive_speed);
-    v("torque", torque);
-    v("stand_pipe_pressure", stand_pipe_pressure);
-    v("differential_pressure", differential_pressure);
-    v("flow", flow);
-    v("stroke_rate", stroke_rate);
-    v("ecd", ecd);
-    v("hole_depth", hole_depth);
-    v("bit_depth", bit_depth);
-    v("surface_wob", surface_wob);
-    v("rop", rop);
-    v("tared", tared);
-    v("on_bottom", on_bottom);
-    v("in_slips", in_slips);
-    v("brake_set", brake_set);
-    v("motor_stalled", motor_stalled);
-    v("winch_limited", winch_limited);
-    v("slack_line", slack_line);
-    v("stop_reached", stop_reached);
-    v("relief_valve_open", relief_valve_open);
-    v("over_stress", over_stress);
-    v("over_torque", over_torque);
-    v("buckled", buckled);
-    v("accuracy_warning", accuracy_warning);
-    v("top_drive_brake_set", top_drive_brake_set);
-    v("top_drive_limited", top_drive_limited);
-    v("command_clamped", command_clamped);
-    v("commands_timed_out", commands_timed_out);
-    v("over_pull", over_pull);
-    v("pump_tripped", pump_tripped);
-    v("drive_tripped", drive_tripped);
-    v("lost_gauges", lost_gauges);
-    v("pump_strokes", pump_strokes);
-    v("stand_count", stand_count);
-    v("crew", crew);
-    v("setpoints", setpoints);
+    RigSignals::visit(v);
+#define READING(type, name, ...) v(#name, name);
+#include "drill_rig_sim/scene/signal_list.h"
   }
 };
 
 /// The rig as it is, and what happens at the bit, where no instrument looks. Positions in `rig_floor` (x east, y north, z up).
-struct Truth : RigSignals
+struct Truth : TrueSignals
 {
   Eigen::Vector3d bit_position = Eigen::Vector3d::Zero();  ///< centre of the bit's face [m]
   Eigen::Quaterniond bit_orientation = Eigen::Quaterniond::Identity();  ///< x along the bit's axis, downhole; turns with the bit (motor included)
@@ -242,7 +192,7 @@ struct Truth : RigSignals
   template <class V>
   void visit(V& v)
   {
-    RigSignals::visit(v);
+    TrueSignals::visit(v);
     v("bit_position", bit_position);
     v("bit_orientation", bit_orientation);
     v("bit_velocity", bit_velocity);
@@ -265,16 +215,8 @@ inline Outputs outputs_of(const Truth& m) noexcept
   return {m.hook_load, m.torque, m.wob, m.rop, m.bit_speed, m.stand_pipe_pressure};
 }
 
-/// What the driller sees.
-/// - hook_load, dead_line_hook_load, torque, stand_pipe_pressure, flow, block_height: gauges, each with its errors (sensor.h); hook_load is the
-///   gauge where the scene puts it. lost_gauges: those in a drop-out, which show their last reading.
-/// - block_velocity, top_drive_angle, top_drive_speed: by the drives' own encoders, exact. floor_height, floor_velocity: by a motion reference
-///   unit, exact. stroke_rate, pump_strokes: the pump's strokes are counted. ecd: as if a tool by the bit sent it at once.
-/// - worked out, as a rig does: bit_depth = tally - block_height (the tally is right at the start), hole_depth its largest so far, rop the
-///   rate of that over the last 10 s, hook_load_string = hook_load - weight of block and top drive, surface_wob = tare - hook_load,
-///   differential_pressure = stand_pipe_pressure - tare, 0 until tared. While the slips bear the string bit_depth is held.
-/// - on_bottom, motor_stalled, over_stress, over_torque, buckled: false, no rig can sense them. The other flags are the rig's own and true.
-struct Readings : RigSignals
+/// What the driller sees: each signal as the list says under `reading`. surface_wob, differential_pressure: 0 until tared.
+struct Readings : ShownSignals
 {
   double mean_surface_wob = 0.0;  ///< over a period of the waves where the rig heaves, else surface_wob: for operations [N]
   MwdReading mwd;
@@ -285,7 +227,7 @@ struct Readings : RigSignals
   template <class V>
   void visit(V& v)
   {
-    RigSignals::visit(v);
+    ShownSignals::visit(v);
     v("mean_surface_wob", mean_surface_wob);
     v("mwd", mwd);
     v("toolface", toolface);

@@ -42,7 +42,10 @@ enum class RunState
 struct CommandStamps
 {
   std::int64_t last = 0;
-  std::array<std::int64_t, 4> accepted{};  ///< the set points asked for last: winch, top drive, pump, steering
+  std::array<std::int64_t, command_kinds> accepted{};  ///< the set points asked for last, by CommandKind
+
+  std::int64_t& of(CommandKind kind) noexcept { return accepted[static_cast<std::size_t>(kind)]; }
+  std::int64_t of(CommandKind kind) const noexcept { return accepted[static_cast<std::size_t>(kind)]; }
 
   template <class V>
   void visit(V& v)

@@ -33,18 +33,6 @@ struct SpeedReference
   double acceleration(double time) const noexcept;
 };
 
-/// ANGLE and OSCILLATE.
-constexpr bool turns_to_angle(TopDriveMode mode) noexcept
-{
-  return mode == TopDriveMode::angle || mode == TopDriveMode::oscillate;
-}
-
-/// SPEED, SOFT_TORQUE and Z_TORQUE.
-constexpr bool keeps_speed(TopDriveMode mode) noexcept
-{
-  return mode != TopDriveMode::torque && !turns_to_angle(mode);
-}
-
 /// In a step from `start`; constantly 0 in TORQUE.
 SpeedReference speed_reference(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start) noexcept;
 

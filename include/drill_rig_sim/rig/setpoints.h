@@ -3,15 +3,55 @@
 
 namespace drill_rig_sim
 {
+/// What a mode of the top drive makes for.
+enum class DriveGoal
+{
+  speed,   ///< set point: speed
+  torque,  ///< torque
+  angle,   ///< angle; speed on the way
+  swing    ///< angle and amplitudes about it; speed on the way
+};
+
+/// The modes of the top drive, with the numbers of TopDriveCommand.msg.
 enum class TopDriveMode
 {
-  speed = 0,
-  torque = 1,
-  angle = 2,
-  soft_torque = 3,
-  z_torque = 4,
-  oscillate = 5
+#define MODE(name, ...) name,
+#include "drill_rig_sim/rig/top_drive_mode_list.h"
 };
+
+struct TopDriveModeTraits
+{
+  const char* word;   ///< of the scene file
+  const char* label;  ///< for displays
+  DriveGoal goal;
+  bool brakes;  ///< the brake sets itself once the drive is there
+  const char* meaning;
+};
+
+/// By TopDriveMode.
+constexpr TopDriveModeTraits top_drive_modes[] = {
+#define MODE(name, goal, brakes, loop, label, meaning) {#name, label, DriveGoal::goal, brakes, meaning},
+#include "drill_rig_sim/rig/top_drive_mode_list.h"
+};
+constexpr int top_drive_mode_count = sizeof top_drive_modes / sizeof top_drive_modes[0];
+
+constexpr bool is_known(TopDriveMode mode) noexcept { return static_cast<unsigned>(mode) < static_cast<unsigned>(top_drive_mode_count); }
+/// Of a known mode.
+constexpr DriveGoal goal_of(TopDriveMode mode) noexcept { return top_drive_modes[static_cast<int>(mode)].goal; }
+/// It turns the shaft to an angle or about one.
+constexpr bool turns_to_angle(DriveGoal goal) noexcept { return goal == DriveGoal::angle || goal == DriveGoal::swing; }
+constexpr bool turns_to_angle(TopDriveMode mode) noexcept { return turns_to_angle(goal_of(mode)); }
+constexpr bool keeps_speed(TopDriveMode mode) noexcept { return goal_of(mode) == DriveGoal::speed; }
+
+/// The kinds of commands, each with set points of its own.
+enum class CommandKind
+{
+  winch,
+  top_drive,
+  mud_pump,
+  steering
+};
+constexpr int command_kinds = 4;
 
 /// Set points, in the signs of the interface: block velocity + up, spin and torque + clockwise looking downhole.
 /// Called set points because the generated messages own the names WinchCommand, TopDriveCommand, RigState, RigLimits,

@@ -17,6 +17,7 @@
 #include "drill_rig_sim/MudPumpCommand.h"
 #include "drill_rig_sim/RigLimits.h"
 #include "drill_rig_sim/RigState.h"
+#include "drill_rig_sim/RigTruth.h"
 #include "drill_rig_sim/SteeringCommand.h"
 #include "drill_rig_sim/TopDriveCommand.h"
 #include "drill_rig_sim/WinchCommand.h"
@@ -42,8 +43,9 @@ TopDriveSetpoint to_setpoint(const TopDriveCommand& m);
 PumpSetpoint to_setpoint(const MudPumpCommand& m);
 SteeringSetpoint to_setpoint(const SteeringCommand& m);
 
-/// `from` is the frame's truth or its readings.
-RigState to_rig_state(const RigSignals& from, const FrameRecord& frame, const std::string& frame_id);
+/// The readings of a frame, and its truth.
+RigState to_rig_state(const ShownSignals& from, const FrameRecord& frame, const std::string& frame_id);
+RigTruth to_rig_truth(const TrueSignals& from, const FrameRecord& frame, const std::string& frame_id);
 RigLimits to_rig_limits(const RigSpec& rig, const std_msgs::Header& header);
 
 }  // namespace drill_rig_sim

@@ -114,10 +114,10 @@ public:
   void hand_over_again() noexcept;
   /// What came from topics up to now.
   void take_commands() noexcept;
-  CommandResult take(const WinchSetpoint& c) noexcept { return accept(c, 0); }
-  CommandResult take(const TopDriveSetpoint& c) noexcept { return accept(c, 1); }
-  CommandResult take(const PumpSetpoint& c) noexcept { return accept(c, 2); }
-  CommandResult take(const SteeringSetpoint& c) noexcept { return accept(c, 3); }
+  CommandResult take(const WinchSetpoint& c) noexcept { return accept(c, CommandKind::winch); }
+  CommandResult take(const TopDriveSetpoint& c) noexcept { return accept(c, CommandKind::top_drive); }
+  CommandResult take(const PumpSetpoint& c) noexcept { return accept(c, CommandKind::mud_pump); }
+  CommandResult take(const SteeringSetpoint& c) noexcept { return accept(c, CommandKind::steering); }
   RunState run_state() const noexcept;
 
   /// For between-frames callbacks: the step under way ends here. False: none is.
@@ -166,7 +166,7 @@ private:
     rig_.simulator->set_companion_pace(keeps_time ? CompanionPace::own_thread_unwaited : CompanionPace::own_thread);
   }
   template <class Setpoint>
-  CommandResult accept(const Setpoint& c, std::size_t kind) noexcept;
+  CommandResult accept(const Setpoint& c, CommandKind kind) noexcept;
   void set_timeout() noexcept;
   void watch_stream(const WinchSetpoint& c) noexcept;
   void watch_stream(const TopDriveSetpoint& c) noexcept;

@@ -15,6 +15,7 @@
 #include "drill_rig_sim/BitTruth.h"
 #include "drill_rig_sim/DrillstringState.h"
 #include "drill_rig_sim/RigState.h"
+#include "drill_rig_sim/RigTruth.h"
 #include "drill_rig_sim/realtime/frame_output.h"
 #include "drill_rig_sim/ros/frame_topic.h"
 #include "drill_rig_sim/ros/simulation_loop.h"
@@ -43,7 +44,8 @@ private:
   std::string floor_;  // frame_id
   TelemetryNews news_;
   FrameTopic<std_msgs::Float64> hook_load_, torque_;
-  FrameTopic<RigState> rig_state_, true_rig_state_;
+  FrameTopic<RigState> rig_state_;
+  FrameTopic<RigTruth> rig_truth_;
   FrameTopic<sensor_msgs::JointState> joint_states_;
   FrameTopic<geometry_msgs::PoseStamped> bit_pose_;
   FrameTopic<geometry_msgs::TwistStamped> bit_twist_;

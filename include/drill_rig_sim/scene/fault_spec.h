@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "drill_rig_sim/math/shown_units.h"
 #include "drill_rig_sim/scene/instruments_spec.h"
 
 namespace drill_rig_sim
@@ -10,28 +11,70 @@ namespace drill_rig_sim
 /// What can go wrong, with the numbers that InjectFault.srv gives them. sim/faults.h says what each does.
 enum class FaultKind
 {
-  stuck_pipe = 0,
-  sensor_freeze = 1,
-  sensor_bias = 2,
-  sensor_noise = 3,
-  brake_slip = 4,
-  drive_trip = 5,
-  motor_stall = 6,
-  washed_out_hole = 7,
-  pump_trip = 8,
-  sensor_dropout = 9,
-  sensor_drift = 10,
-  differential_sticking = 11,
-  pack_off = 12,
-  friction_change = 13,
-  formation_change = 14,
-  washed_out_pipe = 15
+#define FAULT(name, ...) name,
+#include "drill_rig_sim/scene/fault_list.h"
 };
-constexpr int fault_count = 16;
-constexpr const char* fault_names[fault_count] = {"stuck_pipe",     "sensor_freeze",   "sensor_bias",  "sensor_noise",
-                                                  "brake_slip",     "drive_trip",      "motor_stall",  "washed_out_hole",
-                                                  "pump_trip",      "sensor_dropout",  "sensor_drift", "differential_sticking",
-                                                  "pack_off",       "friction_change", "formation_change", "washed_out_pipe"};
+
+/// What a fault's `depth` means.
+enum class FaultPlace
+{
+  nowhere,
+  in_pipe,         ///< there must be pipe in the hole
+  in_hole,
+  from_there_down  ///< 0: all of the hole
+};
+
+enum class FaultTarget
+{
+  nothing,
+  gauge
+};
+
+/// A fault's `magnitude`.
+struct FaultMagnitude
+{
+  const char* label;     ///< for displays; null: it has none
+  Dimension dimension;   ///< count: that of the gauge
+  bool per_second;       ///< in units of the dimension per second
+  double least, most;    ///< allowed [SI]
+  bool without_least;    ///< `least` itself is not allowed
+  double usual;          ///< for displays to begin with [SI]
+  const char* refusal;   ///< one line that says what is allowed
+};
+
+constexpr FaultMagnitude no_magnitude{nullptr, Dimension::number, false, 0.0, 0.0, false, 0.0, nullptr};
+constexpr FaultMagnitude above_0(const char* label, Dimension dimension, double most, double usual, const char* refusal)
+{
+  return {label, dimension, false, 0.0, most, true, usual, refusal};
+}
+constexpr FaultMagnitude factor(double least, double most, double usual, const char* refusal)
+{
+  return {"factor", Dimension::number, false, least, most, false, usual, refusal};
+}
+/// Of a gauge, either way; 0 would be no fault.
+constexpr FaultMagnitude of_signal(const char* label, bool per_second = false)
+{
+  return {label, Dimension::count, per_second, -1e9, 1e9, false, 0.0,
+          "magnitude: allowed is anything but 0 up to 1e9 units of the signal either way (per second: drift)"};
+}
+
+struct FaultTraits
+{
+  const char* word;   ///< of the scene file
+  const char* label;  ///< for displays
+  FaultPlace place;
+  bool by_ida;  ///< the integrator `ida` has it
+  FaultTarget target;
+  FaultMagnitude magnitude;
+};
+
+/// By FaultKind.
+constexpr FaultTraits fault_traits[] = {
+#define FAULT(name, label, place, by_ida, target, magnitude) {#name, label, FaultPlace::place, by_ida, FaultTarget::target, magnitude},
+#include "drill_rig_sim/scene/fault_list.h"
+};
+constexpr int fault_count = sizeof fault_traits / sizeof fault_traits[0];
+constexpr const FaultTraits& traits_of(FaultKind kind) noexcept { return fault_traits[static_cast<int>(kind)]; }
 
 /// A fault as requested.
 struct Fault
@@ -43,9 +86,9 @@ struct Fault
 };
 
 /// Whether it is of a gauge; has a place where there must be pipe in the hole; has a magnitude.
-bool is_of_gauge(FaultKind kind) noexcept;
-bool needs_pipe(FaultKind kind) noexcept;
-bool has_magnitude(FaultKind kind) noexcept;
+constexpr bool is_of_gauge(FaultKind kind) noexcept { return traits_of(kind).target == FaultTarget::gauge; }
+constexpr bool needs_pipe(FaultKind kind) noexcept { return traits_of(kind).place == FaultPlace::in_pipe; }
+constexpr bool has_magnitude(FaultKind kind) noexcept { return traits_of(kind).magnitude.label != nullptr; }
 
 /// The fault of this kind, and of the gauge that `gauge` names if it is of one. Throws std::runtime_error with one line where there is no such gauge.
 Fault fault_of(FaultKind kind, const std::string& gauge, double depth, double magnitude);

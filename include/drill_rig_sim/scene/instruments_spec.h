@@ -3,20 +3,29 @@
 
 #include <limits>
 
+#include "drill_rig_sim/math/shown_units.h"
+
 namespace drill_rig_sim
 {
-/// The outputs of the rig's gauges.
+/// The outputs of the rig's gauges: those of the list of signals.
 enum class Gauge
 {
-  hook_load,
-  dead_line_hook_load,
-  torque,
-  stand_pipe_pressure,
-  flow,
-  block_height
+#define GAUGE(type, name, ...) name,
+#define GAUGE_LIKE GAUGE
+#include "drill_rig_sim/scene/signal_list.h"
 };
-constexpr int gauge_count = 6;
-constexpr const char* gauge_names[gauge_count] = {"hook_load", "dead_line_hook_load", "torque", "stand_pipe_pressure", "flow", "block_height"};
+constexpr const char* gauge_names[] = {
+#define GAUGE(type, name, ...) #name,
+#define GAUGE_LIKE GAUGE
+#include "drill_rig_sim/scene/signal_list.h"
+};
+constexpr int gauge_count = sizeof gauge_names / sizeof gauge_names[0];
+/// What each measures.
+constexpr Dimension gauge_dimensions[gauge_count] = {
+#define GAUGE(type, name, dimension, ...) Dimension::dimension,
+#define GAUGE_LIKE GAUGE
+#include "drill_rig_sim/scene/signal_list.h"
+};
 
 /// A gauge's errors (instruments/sensor.h).
 struct SensorSpec
@@ -76,16 +85,26 @@ struct DynamicsSpec
   double from_bit = of_mwd;  ///< so far above the bit's face [m]; NaN: the survey tool's sensor, at the bit where there is none
 };
 
+/// The errors of a gauge: hook_load has a place too.
+template <Gauge>
+struct SpecOfGauge
+{
+  using Type = SensorSpec;
+};
+template <>
+struct SpecOfGauge<Gauge::hook_load>
+{
+  using Type = HookLoadSpec;
+};
+
 struct InstrumentsSpec
 {
   MwdSpec mwd;
   ToolfaceSpec toolface;
   DynamicsSpec dynamics;
-  HookLoadSpec hook_load;          ///< [N]
-  SensorSpec torque;               ///< torque meter [N m]
-  SensorSpec stand_pipe_pressure;  ///< [Pa]
-  SensorSpec flow;                 ///< [m3/s]
-  SensorSpec block_height;         ///< [m]
+  // each gauge by its name
+#define GAUGE(type, name, ...) SpecOfGauge<Gauge::name>::Type name;
+#include "drill_rig_sim/scene/signal_list.h"
 };
 
 }  // namespace drill_rig_sim

@@ -9,20 +9,24 @@ namespace drill_rig_sim
 {
 enum class OperationKind
 {
-  flow,
-  rotate,
-  pick_up,
-  slack_off,
-  tag,
-  drill,
-  slide,
-  oscillate,
-  ream,
-  wait,
-  steer,
-  connection,
-  trip
+#define OPERATION(name, ...) name,
+#include "drill_rig_sim/scene/operation_list.h"
 };
+
+struct OperationTraits
+{
+  const char* word;  ///< of the scene file
+  bool moves;        ///< the block: the brake is set at its end
+  bool drills;       ///< its depth and distance are those of the hole
+  bool by_crew;      ///< the rig's crew (crew/crew.h) makes connections for it, whatever `connections` of the scene says
+};
+
+/// By OperationKind.
+constexpr OperationTraits operation_traits[] = {
+#define OPERATION(name, moves, drills, by_crew, ...) {#name, moves, drills, by_crew},
+#include "drill_rig_sim/scene/operation_list.h"
+};
+constexpr const OperationTraits& traits_of(OperationKind kind) noexcept { return operation_traits[static_cast<int>(kind)]; }
 
 /// One operation. NaN means that it does not end by this. It goes by the readings, as a driller does, and ends by whichever of its ends comes first.
 struct Operation
@@ -52,12 +56,8 @@ inline bool is_set(double value) noexcept
   return !std::isnan(value);
 }
 /// The word of the scene file.
-const char* word_of(OperationKind kind) noexcept;
-/// Whether the rig's crew (crew/crew.h) makes connections for it, whatever `connections` of the scene says.
-constexpr bool needs_crew(OperationKind kind) noexcept
-{
-  return kind == OperationKind::connection || kind == OperationKind::trip;
-}
+constexpr const char* word_of(OperationKind kind) noexcept { return traits_of(kind).word; }
+constexpr bool needs_crew(OperationKind kind) noexcept { return traits_of(kind).by_crew; }
 /// Of a kind, with what it is by default.
 Operation default_operation(OperationKind kind) noexcept;
 

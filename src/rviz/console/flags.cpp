@@ -28,34 +28,14 @@ const std::array<FlagRow, flag_count>& flag_rows()
   return rows;
 }
 
-const std::array<FaultRow, fault_count>& fault_rows()
+const std::array<Quantity, drill_rig_sim::gauge_count>& failing_gauges()
 {
-  constexpr Dimension of_gauge = Dimension::count, number = Dimension::number;
-  static const std::array<FaultRow, fault_count> rows = {{
-      {0, "stuck pipe", true, nullptr, number, 0.0, false},
-      {1, "sensor freeze", false, nullptr, number, 0.0, true},
-      {2, "sensor bias", false, "error", of_gauge, 0.0, true},
-      {3, "sensor noise", false, "deviation", of_gauge, 0.0, true},
-      {4, "brake slip", false, "holds", Dimension::force, 1e5, false},
-      {5, "drive trip", false, nullptr, number, 0.0, false},
-      {6, "motor stall", false, nullptr, number, 0.0, false},
-      {7, "washed-out hole", true, "wider by", Dimension::diameter, 0.05, false},
-      {8, "pump trip", false, nullptr, number, 0.0, false},
-      {9, "sensor drop-out", false, nullptr, number, 0.0, true},
-      {10, "sensor drift", false, "per second", of_gauge, 0.0, true},
-      {11, "differential sticking", true, "overpressure x length", Dimension::force_per_length, 1e6, false},
-      {12, "pack-off", true, "drag", Dimension::force, 5e4, false},
-      {13, "friction change", true, "factor", number, 1.5, false},
-      {14, "formation change", false, "factor", number, 0.5, false},
-      {15, "washed-out pipe", true, "hole", Dimension::area, 1e-4, false},
-  }};
-  return rows;
-}
-
-const std::array<Quantity, 6>& failing_gauges()
-{
-  static const std::array<Quantity, 6> gauges = {Quantity::hook_load,           Quantity::dead_line_hook_load, Quantity::torque,
-                                                 Quantity::stand_pipe_pressure, Quantity::flow,                Quantity::block_height};
+  static const std::array<Quantity, drill_rig_sim::gauge_count> gauges = []
+  {
+    std::array<Quantity, drill_rig_sim::gauge_count> found{};
+    for (std::size_t n = 0; n < found.size(); ++n) found[n] = quantity_of(gauge_names[n]);
+    return found;
+  }();
   return gauges;
 }
 

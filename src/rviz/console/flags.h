@@ -5,6 +5,7 @@
 #include <bitset>
 #include <cstddef>
 
+#include "drill_rig_sim/scene/instruments_spec.h"
 #include "limits.h"
 
 namespace drill_rig_sim::console
@@ -39,7 +40,7 @@ using Flags = std::bitset<flag_count>;
 struct FlagRow
 {
   Flag flag;
-  const char* key;   // field of RigState
+  const char* key;   // field of RigState or RigTruth
   const char* text;  // what it means to a driller
   Level level;       // normal: no warning, only what is the case
 };
@@ -47,23 +48,8 @@ struct FlagRow
 /// The one table of flags, in the order of Flag.
 const std::array<FlagRow, flag_count>& flag_rows();
 
-/// The faults that may be asked for, as inject_fault numbers and needs them.
-struct FaultRow
-{
-  unsigned char code;  // constant of InjectFault
-  const char* name;
-  bool has_depth;
-  const char* magnitude;  // what it is; nullptr: it has none
-  Dimension dimension;    // of the magnitude; count: of the gauge
-  double usual;           // magnitude to begin with [SI]
-  bool has_target;        // a gauge
-};
-constexpr std::size_t fault_count = 16;
-/// In the order of their codes.
-const std::array<FaultRow, fault_count>& fault_rows();
-
 /// The gauges that can fail: fields of RigState, in the order of the bits of lost_gauges.
-const std::array<Quantity, 6>& failing_gauges();
+const std::array<Quantity, drill_rig_sim::gauge_count>& failing_gauges();
 
 }  // namespace drill_rig_sim::console
 

@@ -1,38 +1,99 @@
 #include "quantities.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <deque>
 
 #include "drill_rig_sim/math/units.h"
 
 namespace drill_rig_sim::console
 {
-const std::array<QuantityRow, quantity_count>& quantities()
+namespace
 {
-  static const std::array<QuantityRow, quantity_count> rows = {{
-      {Quantity::hook_load, "hook_load", "Hook load", "rig_state/hook_load", Dimension::force, 1e5},
-      {Quantity::surface_wob, "surface_wob", "WOB", "rig_state/surface_wob", Dimension::force, 2e4},
-      {Quantity::torque, "torque", "Torque", "rig_state/torque", Dimension::torque, 5e3},
-      {Quantity::top_drive_speed, "top_drive_speed", "Top drive", "rig_state/top_drive_speed", Dimension::rotation, 10.0},
-      {Quantity::rop, "rop", "ROP", "rig_state/rop", Dimension::penetration, 20.0 / 3600.0},
-      {Quantity::stand_pipe_pressure, "stand_pipe_pressure", "Stand pipe", "rig_state/stand_pipe_pressure", Dimension::pressure, 1e7},
-      {Quantity::differential_pressure, "differential_pressure", "Diff. pressure", "rig_state/differential_pressure", Dimension::pressure, 2e6},
-      {Quantity::flow, "flow", "Flow", "rig_state/flow", Dimension::flow, 0.02},
-      {Quantity::bit_depth, "bit_depth", "Bit depth", "rig_state/bit_depth", Dimension::length, 100.0},
-      {Quantity::hole_depth, "hole_depth", "Hole depth", "rig_state/hole_depth", Dimension::length, 100.0},
-      {Quantity::block_height, "block_height", "Block height", "rig_state/block_height", Dimension::length, 30.0},
+Dimension dimension_of(std::string_view signal)
+{
+#define BOTH(type, name, dimension, ...) \
+  if (signal == #name) return Dimension::dimension;
+#include "drill_rig_sim/scene/signal_list.h"
+  return Dimension::number;
+}
+
+/// Lives as long as the process.
+const char* kept(const std::string& text)
+{
+  static std::deque<std::string> texts;
+  return texts.emplace_back(text).c_str();
+}
+
+QuantityRow of_signal(Quantity quantity, const char* name, const char* label, double usual)
+{
+  return {quantity, name, label, kept(std::string("rig_state/") + name), dimension_of(name), usual};
+}
+
+using Rows = std::array<QuantityRow, quantity_count>;
+
+/// Those with a name in the code.
+Rows named_rows()
+{
+#define ROW(name, label, usual) of_signal(Quantity::name, #name, label, usual)
+  return {{
+      ROW(hook_load, "Hook load", 1e5),
+      ROW(surface_wob, "WOB", 2e4),
+      ROW(torque, "Torque", 5e3),
+      ROW(top_drive_speed, "Top drive", 10.0),
+      ROW(rop, "ROP", 20.0 / 3600.0),
+      ROW(stand_pipe_pressure, "Stand pipe", 1e7),
+      ROW(differential_pressure, "Diff. pressure", 2e6),
+      ROW(flow, "Flow", 0.02),
+      ROW(bit_depth, "Bit depth", 100.0),
+      ROW(hole_depth, "Hole depth", 100.0),
+      ROW(block_height, "Block height", 30.0),
       {Quantity::inclination, "inclination", "Inclination", "downhole/mwd, downhole/inclination", Dimension::angle, 0.5 * pi},
       {Quantity::azimuth, "azimuth", "Azimuth", "downhole/mwd", Dimension::angle, 2.0 * pi},
       {Quantity::toolface, "toolface", "Toolface", "downhole/toolface", Dimension::angle, pi},
       {Quantity::stick_slip, "stick_slip", "Stick-slip", "downhole/dynamics", Dimension::number, 1.0},
       {Quantity::specific_energy, "specific_energy", "MSE", "rig_state and the bit's diameter", Dimension::specific_energy, 1e8},
-      {Quantity::dead_line_hook_load, "dead_line_hook_load", "Dead line", "rig_state/dead_line_hook_load", Dimension::force, 1e5},
-      {Quantity::block_velocity, "block_velocity", "Block speed", "rig_state/block_velocity", Dimension::speed, 0.01},
-      {Quantity::top_drive_angle, "top_drive_angle", "Drive angle", "rig_state/top_drive_angle", Dimension::angle, 2.0 * pi},
-      {Quantity::stroke_rate, "stroke_rate", "Strokes", "rig_state/stroke_rate", Dimension::strokes, 1.0},
-      {Quantity::ecd, "ecd", "ECD", "rig_state/ecd", Dimension::density, 1500.0},
+      ROW(dead_line_hook_load, "Dead line", 1e5),
+      ROW(block_velocity, "Block speed", 0.01),
+      ROW(top_drive_angle, "Drive angle", 2.0 * pi),
+      ROW(stroke_rate, "Strokes", 1.0),
+      ROW(ecd, "ECD", 1500.0),
   }};
+#undef ROW
+}
+
+/// Under its name, to the scale that others of its dimension have.
+QuantityRow other_row(Quantity quantity, const char* name, const Rows& rows)
+{
+  std::string label = name;
+  std::replace(label.begin(), label.end(), '_', ' ');
+  label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+  double usual = 1.0;
+  for (const QuantityRow& row : rows)
+    if (row.key != nullptr && row.dimension == dimension_of(name)) usual = row.usual;
+  return of_signal(quantity, name, kept(label), usual);
+}
+
+Rows all_rows()
+{
+  Rows rows = named_rows();
+  std::size_t n = index_of(Quantity::other);
+#define BOTH(type, name, ...)                                  \
+  if constexpr (std::is_same_v<type, double> && !is_named(#name)) \
+  {                                                            \
+    rows[n] = other_row(static_cast<Quantity>(n), #name, rows); \
+    ++n;                                                       \
+  }
+#include "drill_rig_sim/scene/signal_list.h"
+  return rows;
+}
+}  // namespace
+
+const std::array<QuantityRow, quantity_count>& quantities()
+{
+  static const Rows rows = all_rows();
   return rows;
 }
 

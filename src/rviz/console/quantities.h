@@ -6,11 +6,29 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
+#include <type_traits>
 
 #include "units.h"
 
 namespace drill_rig_sim::console
 {
+/// Numbers of the list of signals (scene/signal_list.h) that have a name in the code here.
+constexpr std::string_view named_quantities[] = {"hook_load", "surface_wob", "torque", "top_drive_speed", "rop", "stand_pipe_pressure",
+                                                 "differential_pressure", "flow", "bit_depth", "hole_depth", "block_height", "dead_line_hook_load",
+                                                 "block_velocity", "top_drive_angle", "stroke_rate", "ecd"};
+constexpr bool is_named(std::string_view name)
+{
+  for (const std::string_view named : named_quantities)
+    if (named == name) return true;
+  return false;
+}
+/// The others: the chart has them too, under their names.
+constexpr std::size_t other_quantities = 0
+#define BOTH(type, name, ...) +(std::is_same_v<type, double> && !is_named(#name) ? 1 : 0)
+#include "drill_rig_sim/scene/signal_list.h"
+    ;
+
 /// What gauges and chart show. Those before `dead_line_hook_load` have a gauge.
 enum class Quantity : std::size_t
 {
@@ -35,7 +53,8 @@ enum class Quantity : std::size_t
   top_drive_angle,
   stroke_rate,
   ecd,
-  count
+  other,  // the first of other_quantities
+  count = other + other_quantities
 };
 constexpr std::size_t quantity_count = static_cast<std::size_t>(Quantity::count);
 constexpr std::size_t gauge_count = static_cast<std::size_t>(Quantity::dead_line_hook_load);

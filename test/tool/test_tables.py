@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+"""What other languages need of the lists in include/drill_rig_sim stands in their files as `drill reference --of` prints it, and the constants of
+messages follow the lists.
+
+Usage: test_tables.py PATH_TO_DRILL [--write]; with --write, writes the files instead.
+"""
+import os
+import re
+import subprocess
+import sys
+import unittest
+
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+FILES = {"RigState.msg": "msg/RigState.msg", "RigTruth.msg": "msg/RigTruth.msg", "tables.py": "src/python/tables.py"}
+drill_program = None
+
+
+def printed(table):
+    return subprocess.run([drill_program, "reference", "--of", table], stdout=subprocess.PIPE, check=True, universal_newlines=True).stdout
+
+
+def read(path):
+    with open(os.path.join(SOURCE, path), encoding="utf-8") as file:
+        return file.read()
+
+
+def constants(path):
+    """Of the first group of constants in a message or service, by number."""
+    return re.findall(r"^uint8 (\w+)=(\d+)", read(path), re.MULTILINE)
+
+
+def rows(path, macro):
+    return re.findall(r"^%s\((\w+)," % macro, read(path), re.MULTILINE)
+
+
+class Tables(unittest.TestCase):
+    maxDiff = None
+
+    def test_files_are_what_is_printed(self):
+        for table, path in FILES.items():
+            self.assertEqual(printed(table), read(path), "%s: write it by test/tool/test_tables.py DRILL --write" % path)
+
+    def test_constants_follow_the_lists(self):
+        for path, header, macro in (("msg/TopDriveCommand.msg", "include/drill_rig_sim/rig/top_drive_mode_list.h", "MODE"),
+                                    ("srv/InjectFault.srv", "include/drill_rig_sim/scene/fault_list.h", "FAULT")):
+            words = rows(header, macro)
+            self.assertGreater(len(words), 5)
+            self.assertEqual([(word.upper(), str(number)) for number, word in enumerate(words)], constants(path), path)
+
+    def test_a_signal_that_no_rig_can_sense_is_in_the_truth_only(self):
+        state, truth = read("msg/RigState.msg"), read("msg/RigTruth.msg")
+        for name in ("on_bottom", "motor_stalled", "over_stress", "over_torque", "buckled", "steering"):
+            self.assertIsNone(re.search(r"^\w+ %s " % name, state, re.MULTILINE), name)
+            self.assertIsNotNone(re.search(r"^\w+ %s " % name, truth, re.MULTILINE), name)
+        self.assertNotIn("lost_gauges", truth)
+
+    def test_meanings_can_stand_in_xml(self):
+        """WITSML files hold them as they are."""
+        self.assertEqual([], [line for line in read("msg/RigState.msg").splitlines() if re.search("[<&]", line)])
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] in ([], ["--help"]):
+        print(__doc__)
+        sys.exit(0 if sys.argv[1:] else 2)
+    drill_program = os.path.abspath(sys.argv.pop(1))
+    if sys.argv[1:] == ["--write"]:
+        for name, file in FILES.items():
+            with open(os.path.join(SOURCE, file), "w", encoding="utf-8") as out:
+                out.write(printed(name))
+    else:
+        unittest.main()
