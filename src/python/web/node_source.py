@@ -1,0 +1,116 @@
+"""A live node as a source: its topics by rospy, taken as bytes. A node or a ROS master that ends and comes back is joined again."""
+import threading
+import time
+
+import rosgraph
+import rospy
+from drill_rig_sim.web.news import STATE, STATE_KIND, TOPICS, TRUTH, TRUTH_KIND, News
+
+EVERY = {"trajectory": 1.0, "drillstring_state": 0.5}  # these may come often: read so often at most [wall s]
+WATCH = 1.0     # between looks at the master [s]
+SILENT = 1.5    # without a message for so long, the node is not heard any more [s]
+
+
+class NodeSource:
+    """Topics of the process' ROS namespace. `on_state`: called with each message of rig_state, as bytes, in rospy's thread; None: nobody wants it.
+    `on_join`: called whenever a master has been joined."""
+    live = True
+
+    def __init__(self, name):
+        self.name, self.on_state, self.on_join = name, None, None
+        self._lock, self._states, self._truth, self._raw, self._read_at = threading.Lock(), [], [], {}, {}
+        self._master, self._subscribers, self._came, self._joined = None, [], None, False
+        self._problem, self.last = "", None  # last: the latest RigState
+        self._thread = threading.Thread(target=self._watch, daemon=True)
+
+    def start(self):
+        self._thread.start()
+
+    # --- joining
+
+    def _watch(self):
+        while True:
+            pid = master_pid()
+            if pid is not None and pid != self._master:
+                self._join()
+            self._master = pid
+            time.sleep(WATCH)
+
+    def _join(self):
+        if not self._joined:
+            rospy.init_node("drill_web", anonymous=True, disable_signals=True, disable_rostime=True)
+            self._joined = True
+        for subscriber in self._subscribers:
+            subscriber.unregister()
+        self._subscribers = [self._subscribe(STATE, self._take_state), self._subscribe(TRUTH, self._take_truth),
+                             *(self._subscribe(topic, self._take, topic) for topic in TOPICS)]
+        if self.on_join is not None:
+            self.on_join()
+
+    @staticmethod
+    def _subscribe(topic, take, *words):
+        return rospy.Subscriber(topic, rospy.AnyMsg, take, *words, queue_size=None if take.__name__ != "_take" else 1,
+                                buff_size=1 << 20, tcp_nodelay=True)
+
+    # --- in rospy's threads
+
+    def _take_state(self, message):
+        if not is_of(message, STATE_KIND):
+            self._problem = "the node is of another version: its rig_state has other members"
+            return
+        self._came, self._problem = time.monotonic(), ""
+        with self._lock:
+            self._states.append(message._buff)  # pylint: disable=protected-access
+        follow = self.on_state
+        if follow is not None:
+            follow(message._buff)  # pylint: disable=protected-access
+
+    def _take_truth(self, message):
+        if is_of(message, TRUTH_KIND):
+            with self._lock:
+                self._truth.append(message._buff)  # pylint: disable=protected-access
+
+    def _take(self, message, topic):
+        if is_of(message, TOPICS[topic][1]):
+            with self._lock:
+                self._raw[topic] = message._buff  # pylint: disable=protected-access
+
+    # --- for the feed
+
+    def poll(self):
+        now = time.monotonic()
+        with self._lock:
+            states, self._states, truth, self._truth = self._states, [], self._truth, []
+            due = [topic for topic in self._raw if now >= self._read_at.get(topic, 0.0)]
+            raw = {topic: self._raw.pop(topic) for topic in sorted(due, key=list(TOPICS).index)}
+        self._read_at.update({topic: now + EVERY.get(topic, 0.0) for topic in raw})
+        last = STATE_KIND().deserialize(states[-1]) if states else None
+        self.last = last or self.last
+        return News(states, truth, last, {TOPICS[topic][0]: TOPICS[topic][1]().deserialize(data) for topic, data in raw.items()})
+
+    def _is_connected(self):
+        """Whether a node is there: a paused one is silent too."""
+        return bool(self._subscribers) and any(one.socket is not None for one in self._subscribers[0].impl.connections)
+
+    def status(self):
+        """Whether messages come, and why they do not."""
+        silent = None if self._came is None else time.monotonic() - self._came
+        why = self._problem
+        if self._master is None:
+            why = "no ROS master at %s" % rosgraph.get_master_uri()
+        elif not why and not self._is_connected():
+            why = "no node publishes %s" % (rospy.resolve_name(STATE) if self._joined else STATE)
+        return {"silent": silent, "heard": silent is not None and silent < SILENT, "why": why}
+
+
+def is_of(message, kind):
+    """Whether an AnyMsg is of this version of a type."""
+    return message._connection_header["md5sum"] == kind._md5sum  # pylint: disable=protected-access
+
+
+def master_pid():
+    """Of the ROS master; None where there is none."""
+    try:
+        return rosgraph.Master("/drill_web").getPid()
+    except (OSError, rosgraph.MasterException):
+        return None
