@@ -57,7 +57,7 @@ def server_of(options, port, token):
     feed, hands = Feed(source, options.control, options.units), None
     if options.control:
         from drill_rig_sim.web.hands import Hands
-        hands = Hands(source)
+        hands = Hands(source, lambda: feed.scene)
     server = Server(feed, Orders(feed, hands), token, port)
     if source.live:
         source.start()

@@ -3,9 +3,12 @@
 import asyncio
 import io
 import math
+import time
+import types
 import unittest
 
 import numpy
+import rospy
 import skips
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.msg import DrillstringState, RigState
@@ -15,7 +18,8 @@ from drill_rig_sim.web.alarms import Alarms
 from drill_rig_sim.web.bins import Bins
 from drill_rig_sim.web.broomstick import points, scene_at
 from drill_rig_sim.web.feed import Feed
-from drill_rig_sim.web.law_box import LawBox, settings_of
+from drill_rig_sim.web.law_box import LawBox, law_of, settings_of, stall_pressure_of
+from drill_rig_sim.web.node_source import NodeSource
 from drill_rig_sim.web.orders import Orders, number_of
 from drill_rig_sim.web.packed import Packed
 from drill_rig_sim.web.run_log import RunLog
@@ -272,6 +276,45 @@ class Hands:
         return lambda *words: self.orders.append(name) or ""
 
 
+class Lag(unittest.TestCase):
+    """Readings that wait in a socket are late, and nobody may take them for the present."""
+
+    def source(self, state_at, *strings):
+        source = NodeSource("rig")
+        for kind, topic, stamp in [(DrillstringState, "drillstring_state", one) for one in strings]:
+            message = kind()
+            message.header.stamp = rospy.Time.from_sec(stamp)
+            source._take(self.any(message), topic)  # pylint: disable=protected-access
+        source._take_state(self.any(state(state_at)))  # pylint: disable=protected-access
+        return source
+
+    @staticmethod
+    def any(message):
+        return types.SimpleNamespace(_buff=packed(message), _connection_header={"md5sum": message._md5sum})  # pylint: disable=protected-access
+
+    def test_in_time(self):
+        self.assertEqual(self.source(5.0, 4.9, 5.0).lag(), 0.0)
+
+    def test_late(self):
+        source = self.source(5.0, 5.0, 6.0)
+        time.sleep(0.1)
+        self.assertGreater(source.lag(), 0.09)
+        source._take_state(self.any(state(6.1)))  # pylint: disable=protected-access
+        self.assertEqual(source.lag(), 0.0)
+
+    def test_another_run(self):
+        source = self.source(100.0, 99.9, 100.0)
+        source._take_state(self.any(state(0.1)))  # pylint: disable=protected-access
+        self.assertEqual(source.lag(), 0.0)
+
+    def test_another_version(self):
+        source = NodeSource("rig")
+        message = self.any(state(1.0))
+        message._connection_header["md5sum"] = "x"  # pylint: disable=protected-access
+        source._take_state(message)  # pylint: disable=protected-access
+        self.assertEqual(source.poll().states, [])
+
+
 class Order(unittest.TestCase):
     def answer(self, hands, **order):
         return asyncio.run(Orders(Feed(None, False, "si"), hands).take("page", order))
@@ -303,6 +346,14 @@ class Order(unittest.TestCase):
         with self.assertRaisesRegex(Refused, "does not run"):
             box.set(whole)
         self.assertFalse(box.status()["running"])
+
+    def test_a_law_knows_bit_and_motor_by_the_scene(self):
+        settings = {"weight": 6e4, "rop": 0.01, "rpm": 6.0, "flow": 0.03, "to_depth": 900.0, "stiffness": 6e5}
+        parts = [{"type": "bit", "diameter": 0.2}, {"type": "mud_motor", "stall_torque": 3e3, "displacement_per_rev": 0.01}]
+        self.assertAlmostEqual(stall_pressure_of(settings, parts), 0.95 * 2.0 * math.pi * 3e5)
+        self.assertEqual(stall_pressure_of({**settings, "pressure": 1e6}, parts), 1.5e6)
+        self.assertEqual(stall_pressure_of(settings, []), math.inf)
+        self.assertAlmostEqual(law_of(settings, parts).loops["torque"].gain, 1.0 / (6e5 * 0.02 * 5.0))
 
 
 if __name__ == "__main__":

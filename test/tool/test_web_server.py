@@ -65,7 +65,7 @@ class Running:
     def __init__(self, control=False):
         self.source = Source()
         self.streams = Mute()
-        self.hands = Hands(self.source, self.streams) if control else None
+        self.hands = Hands(self.source, lambda: [], self.streams) if control else None
         self.feed = Feed(self.source, control, "si")
 
     async def __aenter__(self):

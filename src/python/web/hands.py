@@ -19,10 +19,10 @@ SERVICES = {"pause": (Trigger, None), "resume": (Trigger, None), "tare": (Trigge
 
 
 class Hands:
-    """`source`: NodeSource. Refused where an order cannot be obeyed."""
+    """`source`: NodeSource. `scene`: gives the parts of the scene's string. Refused where an order cannot be obeyed."""
 
-    def __init__(self, source, streams=None):
-        self.source, self.law, self.streams = source, LawBox(source), streams or Streams()
+    def __init__(self, source, scene, streams=None):
+        self.source, self.law, self.streams = source, LawBox(source, scene), streams or Streams()
         self.holder, self.held_at, self.heard_at, self.notes, self.law_ran = None, 0.0, 0.0, [], False
         source.on_join = self.streams.join
 

@@ -50,6 +50,7 @@ def offsets(path, plan):
         share = ((point - starts) * steps).sum(axis=1) / lengths
         away = point - starts - numpy.clip(share, 0.0, 1.0)[:, None] * steps
         n = int(numpy.argmin((away**2).sum(axis=1)))
+        away = point - starts - share[:, None] * steps if n in (0, len(lengths) - 1) else away  # at the ends the plan goes on
         beyond = (n == len(lengths) - 1 and share[n] > 1.0 + 0.1 / math.sqrt(lengths[n])) or (n == 0 and share[0] < 0.0)
         found.append((math.nan,) * 3 if beyond else (float(numpy.linalg.norm(away[n])), *sides(away[n], steps[n])))
     return numpy.array(found, dtype=float).reshape(-1, 3)

@@ -4,7 +4,7 @@ import { send } from "./link.js";
 import { on, store } from "./store.js";
 import { clockText } from "./units.js";
 
-const MOST = 4;
+const MOST = 3;
 
 export function buildAlarms() {
   on("alarms", showAlarms);

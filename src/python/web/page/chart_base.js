@@ -127,7 +127,7 @@ export function curveOf(axis, style, more = {}) {
 export function axisOf(more = {}) {
   const { title, ticks, ...rest } = more;
   return { type: "linear", grid: { color: colour("grid"), borderColor: colour("line"), tickLength: 4 },
-    ticks: { color: colour("faint"), maxRotation: 0, font: { size: 11 }, ...ticks },
+    ticks: { color: colour("faint"), maxRotation: 0, font: { size: 11 }, format: { useGrouping: false }, ...ticks },
     title: { display: Boolean(title), text: title || "", color: colour("faint"), font: { size: 12 }, padding: 2 }, ...rest };
 }
 

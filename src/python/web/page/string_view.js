@@ -32,11 +32,18 @@ export function drawString() {
   if (!string || !panels) return;
   const depth = string.md.map((value) => shownValue("length", value)), points = (quantity,
     values) => pointsOf(values.map((value) => shownValue(quantity, value)), depth);
+  fitTension(panels.tension, string);
   fillCurves(panels.tension, ["tension", "yield", "critical"].map((name) => points("force", string[name])));
   fillCurves(panels.torque, ["torque", "make_up"].map((name) => points("torque", string[name])));
   fillCurves(panels.side, [points("force", string.side)]);
   const unknown = string.make_up.every((value) => value === null) ? " The scene does not give make-up torques." : "";
   byId("string_summary").textContent = `At ${clockText(string.t)}, the truth along the string.${unknown}`;
+}
+
+/// The scale ends at the weakest pipe's yield load: collars bear so much more that the curve would be a line.
+function fitTension(chart, string) {
+  const yields = string.yield.filter((value) => value !== null), largest = Math.max(...string.tension.filter((value) => value !== null));
+  chart.options.scales.x.max = yields.length ? shownValue("force", 1.1 * Math.max(Math.min(...yields), largest)) : undefined;
 }
 
 function fillCurves(chart, curves) {

@@ -13,8 +13,9 @@ export function buildWell() {
   const styles = () => [curveOf("x", 1, { borderWidth: 2.5 }), curveOf("x", 2),
     curveOf("x", 2, { showLine: false, pointRadius: 6, pointStyle: "rectRot" }),
     curveOf("x", 1, { showLine: false, pointRadius: 5, pointStyle: "triangle" })];
+  const inner = { includeBounds: false };
   const down = { reverse: true, title: `true vertical depth [${unit}]` };
-  panels = { plan: panelOf(box, "Plan view", axisOf({ title: `east [${unit}]` }), axisOf({ title: `north [${unit}]` }), styles()),
+  panels = { plan: panelOf(box, "Plan view", axisOf({ title: `east [${unit}]`, ticks: inner }), axisOf({ title: `north [${unit}]`, ticks: inner }), styles()),
     section: panelOf(box, "Section", axisOf({ title: `along section [${unit}]` }), axisOf(down), styles()),
     deviation: panelOf(box, "Deviation from plan", axisOf({ title: `[${unit}]` }), axisOf({ reverse: true, title: `measured depth [${unit}]` }),
       [curveOf("x", 1, { borderWidth: 2.5 }), curveOf("x", 2), curveOf("x", 3)]) };
