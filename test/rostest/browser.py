@@ -3,8 +3,8 @@ import base64
 import os
 import re
 import shutil
-import signal
 import subprocess
+import sys
 import time
 
 from rig_test import PATIENCE, wait_until
@@ -13,11 +13,10 @@ PROGRAMS = ("chromium", "chromedriver")
 
 
 class Bridge:
-    """`drill web` with the given words; `address`: as it has printed it."""
+    """What `drill web` starts, with the given words; `address`: as it has printed it."""
 
     def __init__(self, *words):
-        drill = os.path.join(os.path.dirname(shutil.which("rosrun") or ""), "rosrun")
-        self.process = subprocess.Popen([drill, "drill_rig_sim", "drill", "web", *words], stdout=subprocess.PIPE, text=True, start_new_session=True)
+        self.process = subprocess.Popen([sys.executable, "-m", "drill_rig_sim.web_command", *words], stdout=subprocess.PIPE, text=True)
         line = self.process.stdout.readline()
         found = re.search(r"http://127\.0\.0\.1:\d+/[\w-]+/", line)
         if found is None:
@@ -25,7 +24,7 @@ class Bridge:
         self.address = found.group()
 
     def close(self):
-        os.killpg(self.process.pid, signal.SIGTERM)
+        self.process.terminate()
         self.process.wait(PATIENCE)
         self.process.stdout.close()
 
