@@ -7,6 +7,8 @@ packages_build="g++ make cmake catkin ros-std-msgs ros-geometry-msgs libdiagnost
   librostest-dev pybind11-dev python3-dev"
 packages_run="python3-numpy python3-matplotlib python3-rospy python3-roslaunch python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-sensor-msgs
   python3-std-srvs python3-tf2-msgs python3-visualization-msgs python3-yaml"
+packages_web="python3-aiohttp libjs-chart.js python3-rosbag"
+packages_browser="chromium chromium-driver python3-selenium"
 packages_rviz="rviz librviz-dev libqwt-qt5-dev"
 packages_test="catkin-lint python3-rosbag python3-rostest xvfb xauth imagemagick python3-yaml valgrind"
 packages_campaign="python3-distributed python3-scipy python3-lxml openssl procps"

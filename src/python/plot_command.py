@@ -11,8 +11,14 @@ from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD, table
 from drill_rig_sim.score_plots import plt
 from drill_rig_sim.score_runs import RunError
 from drill_rig_sim.survey import SurveyError
+from drill_rig_sim.text_file import report
 from drill_rig_sim.units import SI, SYSTEMS, Units
+from drill_rig_sim.web.bag_source import BagSource
+from drill_rig_sim.web.chart_library import has_chart_library
+from drill_rig_sim.web.offline import page_of
+from drill_rig_sim.web.series_source import SeriesSource
 
+WEB_PAGE = "web.html"
 PAGE = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>%(name)s</title>
 <style>body{font-family:sans-serif;margin:1.5em;color:#222}img{max-width:100%%;height:auto;border:1px solid #ddd;margin:0 0 1.5em}pre{background:#f6f6f6;padding:1em;
@@ -50,6 +56,19 @@ def write(pictures, folder, run, scores, units=SI):
     return page
 
 
+def write_web_page(run, plan, namespace, folder, units):
+    """The page of drill web with the run inside, where Chart.js is installed."""
+    if not has_chart_library():
+        return
+    try:
+        source = BagSource(run.name, namespace) if run.name.endswith(".bag") else SeriesSource(run, plan)
+    except RunError as problem:
+        report(["%s is left out: %s" % (WEB_PAGE, problem)])
+        return
+    with open(os.path.join(folder, WEB_PAGE), "w", encoding="utf-8") as out:
+        out.write(page_of(source, units.system))
+
+
 def main(words):
     parser = argparse.ArgumentParser(prog="drill plot", description=__doc__)
     parser.add_argument("run")
@@ -64,6 +83,7 @@ def main(words):
         run = read_run(options.run, options.namespace)
         plan = read_survey(options.plan, options.columns or "", options.pass_over) if options.plan else None
         page = write(pictures_of(run, plan, options.string, units), folder, run, score(run, plan), units)
+        write_web_page(run, plan, options.namespace, folder, units)
     except (RunError, SurveyError, plot_well.StringError) as error:
         print("drill plot: %s" % error, file=sys.stderr)
         return BAD_INPUT

@@ -18,7 +18,7 @@ class CommandLine(test_drill.Drill):
             self.assertIn(part, line)
 
     def test_every_command_has_help(self):
-        for command in ('run', 'check', 'static', 'modes', 'survey', 'score', 'plot', 'replay', 'weights', 'calibrate', 'reference'):
+        for command in ('run', 'check', 'static', 'modes', 'survey', 'score', 'plot', 'replay', 'weights', 'calibrate', 'reference', 'web'):
             self.assertIn('drill ' + command, self.succeed(command, '--help').splitlines()[1])
         self.assertIn('--motion', self.succeed('static', '--help'))
         # whatever else is there

@@ -6,6 +6,7 @@ import os
 import re
 import tempfile
 import unittest
+import unittest.mock
 from contextlib import redirect_stderr, redirect_stdout
 
 import numpy
@@ -109,6 +110,15 @@ class Command(unittest.TestCase):
         with redirect_stdout(out), redirect_stderr(said):
             status = plot_command.main(list(words))
         return status, out.getvalue().strip(), said.getvalue().strip()
+
+    def test_the_page_of_drill_web_with_the_run_inside(self):
+        library = os.path.join(self.folder, "chart.js")
+        with open(library, "w") as out:
+            out.write("window.Chart = 1;")
+        with unittest.mock.patch.dict(os.environ, DRILL_RIG_SIM_CHART_JS=library):
+            self.assertEqual(0, self.plot(self.csv)[0])
+        with open(os.path.join(self.folder, "run_plots", "web.html")) as file:
+            self.assertIn("window.Chart = 1;", file.read())
 
     def test_pictures_and_a_page_that_holds_them_with_the_file_s_name_alone_as_titles(self):
         status, page, said = self.plot(self.csv)

@@ -1,0 +1,90 @@
+"""The broomstick chart: hook load over the depth of the bit, picked up, slacked off and rotating, for several frictions; worked out as `drill static`
+does, in a process of its own at low priority. Run as a module, it is that process: a scene's text by standard input, a JSON line for each point by
+standard output."""
+import asyncio
+import json
+import os
+import sys
+import tempfile
+
+import yaml
+
+FACTORS = (1.0, 0.5, 1.5)   # of the scene's friction, the scene's own first
+SHARES = (1.0, 0.85, 0.7, 0.55, 0.4, 0.25, 0.15)  # of the depth of the hole at which the bit stands
+OFF_BOTTOM = 1.0            # [m]
+MOST_FRICTION = 5.0         # that a scene may have
+
+
+def scene_at(scene, bit_depth, factor):
+    """A scene whose bit hangs at a depth, with other friction."""
+    well = dict(scene["well"])
+    if "sections" in well:
+        well["sections"] = [{**section, "friction": min(factor * section.get("friction", 0.0), MOST_FRICTION)} for section in well["sections"]]
+    start = {**scene.get("start", {}), "bit_depth": bit_depth, "weight_on_bit": 0.0, "torque_on_bit": 0.0}
+    return {**scene, "well": well, "start": start}
+
+
+def cases(depth):
+    """Factor, depth and motion of each point; what rotates has the same weight with any friction."""
+    return [(factor, share * (depth - OFF_BOTTOM), motion) for factor in FACTORS for share in SHARES
+            for motion in (("up", "down", "rotate") if factor == 1.0 else ("up", "down"))]
+
+
+def points(scene, depth):
+    """Dicts of factor, motion, depth [m] and load, as the gauge shows it [N]; load is None and `why` says it where there is no equilibrium."""
+    from drill_rig_sim.lockstep import Refused
+    from drill_rig_sim.sim import static
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "broomstick.yaml")
+        for factor, bit_depth, motion in cases(depth):
+            with open(file, "w", encoding="utf-8") as out:
+                yaml.safe_dump(scene_at(scene, bit_depth, factor), out)
+            point = {"factor": factor, "motion": motion, "depth": bit_depth}
+            try:
+                yield {**point, "load": static(file, motion)["hook_load_gauge"]}
+            except (Refused, ValueError) as refusal:
+                yield {**point, "load": None, "why": str(refusal).splitlines()[0]}
+
+
+def main():
+    os.nice(10)
+    order = json.load(sys.stdin)
+    for point in points(yaml.safe_load(order["scene"]), order["depth"]):
+        print(json.dumps(point), flush=True)
+
+
+class Broomstick:
+    """What a page is sent of it: `message`. One is worked out at a time."""
+
+    def __init__(self):
+        self.message, self.revision, self._task = {"type": "broomstick", "points": [], "done": False, "running": False, "problem": ""}, 0, None
+
+    def begin(self, scene, depth):
+        """`scene`: text of a scene. Why it cannot be, or ""."""
+        if self.message["running"]:
+            return "the broomstick is being worked out already"
+        self.message = {**self.message, "points": [], "done": False, "running": True, "problem": "", "count": len(cases(depth))}
+        self._task = asyncio.ensure_future(self._work(scene, depth))
+        return ""
+
+    async def _work(self, scene, depth):
+        child = await asyncio.create_subprocess_exec(sys.executable, "-m", "drill_rig_sim.web.broomstick", stdin=asyncio.subprocess.PIPE,
+                                                     stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE)
+        try:
+            child.stdin.write(json.dumps({"scene": scene, "depth": depth}).encode())
+            child.stdin.close()
+            async for line in child.stdout:
+                self.message["points"].append(json.loads(line))
+                self.revision += 1
+            errors = (await child.stderr.read()).decode().strip().splitlines()
+            if await child.wait() != 0:
+                self.message["problem"] = errors[-1] if errors else "ended with status %d" % child.returncode
+        finally:
+            if child.returncode is None:
+                child.kill()
+            self.message.update(running=False, done=not self.message["problem"])
+            self.revision += 1
+
+
+if __name__ == "__main__":
+    main()

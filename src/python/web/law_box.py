@@ -1,0 +1,131 @@
+"""The package's autodriller, started, followed and stopped by pages; it drives the rig by topics as a node of launch/autodriller.launch does."""
+import math
+import threading
+
+import rospy
+from drill_rig_sim.autodriller import Autodriller
+from drill_rig_sim.law import RPM
+from drill_rig_sim.lockstep import Refused
+from drill_rig_sim.topics import Follower
+from drill_rig_sim.web.news import STATE_KIND
+from drill_rig_sim.web.node_source import BEHIND, stamp_of
+from drill_rig_sim.web.orders import number_of
+from std_srvs.srv import Trigger
+
+# what a page sets, in SI: its bounds, and whether it may be left out
+BOUNDS = {"weight": (1e3, 1e6, False), "rop": (1e-4, 0.1, False), "pressure": (1e4, 5e7, True), "torque": (10.0, 2e5, True),
+    "rpm": (0.0, 40.0, False),
+          "flow": (0.0, 1.0, False), "to_depth": (0.0, 2e4, False), "stiffness": (1e4, 1e9, False)}
+LOOPS = ("weight", "pressure", "torque")
+TORQUE_PER_DIAMETER = 0.1    # of a newton on the bit [m/m], as in launch/autodriller.launch
+USUAL_BIT = 0.2159           # diameter where the scene is not known [m]
+PRESSURE_PER_WEIGHT = 18.0   # where the motor is not known [Pa/N]
+ANY = 1e12                   # a loop that is not wanted never leads
+
+
+class LawBox:
+    """`source`: NodeSource, which gives the states. `scene`: gives the parts of the scene's string, as dicts."""
+
+    def __init__(self, source, scene=lambda: []):
+        self.source, self.scene, self.follower, self.settings, self.problem = source, scene, None, {}, ""
+        self.news, self.data = threading.Condition(), None
+
+    @property
+    def running(self):
+        return self.follower is not None
+
+    def start(self, order):
+        """By the numbers of BOUNDS. Refused where one runs already or a number is wrong."""
+        if self.running:
+            raise Refused("the autodriller runs already")
+        self.settings = settings_of(order)
+        self.follower, self.problem, self.data = Follower(law_of(self.settings, self.scene())), "", None
+        self.source.on_state = self.take
+        threading.Thread(target=self.run, args=(self.follower,), daemon=True).start()
+
+    def set(self, order):
+        """Other set points while it runs."""
+        if not self.running:
+            raise Refused("the autodriller does not run")
+        self.settings = settings_of({**self.settings, **order})
+        law = self.follower.law
+        for name in LOOPS:
+            law.set_points[name] = self.settings.get(name, ANY)
+        law.stall_pressure = stall_pressure_of(self.settings, self.scene())
+        law.rop, law.to_depth, law.flow, law.rpm = (self.settings["rop"], self.settings["to_depth"], self.settings["flow"],
+            self.settings["rpm"] / RPM)
+
+    def stop(self):
+        with self.news:
+            self.follower, self.source.on_state = None, None
+            self.news.notify_all()
+
+    def take(self, data):
+        """With each message of rig_state, in rospy's thread."""
+        with self.news:
+            self.data = data
+            self.news.notify_all()
+
+    def run(self, follower):
+        """In a thread: the law goes by the latest state alone, and by none that is late; then its commands stop, and the node sets the brake."""
+        while self.follower is follower:
+            with self.news:
+                self.news.wait(0.5)
+                data, self.data = self.data, None
+            if data is None or self.source.lag() > BEHIND or not is_due(follower, stamp_of(data)):
+                continue
+            try:
+                before = follower.law.phase
+                follower.take(STATE_KIND().deserialize(data))
+                if before == "zeroing" and follower.law.phase == "tagging":
+                    rospy.ServiceProxy("tare", Trigger)()  # so that the rig's WOB has the zero that the law has
+            except Exception as error:  # pylint: disable=broad-except
+                self.problem = "the autodriller has failed: %s: %s" % (type(error).__name__, error)
+                self.stop()
+
+    def status(self):
+        """For the pages."""
+        follower = self.follower
+        if follower is None:
+            return {"running": False, "phase": "", "leads": "", "problem": self.problem, "settings": self.settings}
+        law = follower.law
+        if law.done:
+            self.problem = "the autodriller is done: the weight is drilled off"
+            self.stop()
+        return {"running": not law.done, "phase": law.phase.replace("_", " "), "leads": law.winner, "stalls": law.stalls, "problem": self.problem,
+                "settings": self.settings}
+
+
+def settings_of(order):
+    """The numbers of BOUNDS that an order has."""
+    missing = [name for name, (_, _, optional) in BOUNDS.items() if not optional and order.get(name) is None]
+    if missing:
+        raise Refused("needed: %s" % ", ".join(missing))
+    return {name: number_of(order, name, low, high) for name, (low, high, _) in BOUNDS.items() if order.get(name) is not None}
+
+
+def is_due(follower, stamp):
+    """Whether a law wants a state of this time: it is asked once a period, and of another run at once."""
+    return follower.last is None or not follower.last <= stamp < follower.last + follower.law.period - 1e-6
+
+
+def motor_of(parts):
+    """The mud motor of a scene's string; {} without one."""
+    return next((part for part in parts if part.get("type") == "mud_motor"), {})
+
+
+def stall_pressure_of(settings, parts):
+    """Differential pressure by which the law knows a stalled motor [Pa]: by the motor's data, and at most half more than is asked for."""
+    motor = motor_of(parts)
+    stall = 2.0 * math.pi * motor["stall_torque"] / motor["displacement_per_rev"] if "stall_torque" in motor else math.inf
+    return min(0.95 * stall, 1.5 * settings.get("pressure", math.inf))
+
+
+def law_of(settings, parts):
+    """The loops know what a newton on the bit adds to torque and pressure by the sizes of bit and motor."""
+    bit, motor = next((part for part in parts if part.get("type") == "bit"), {}), motor_of(parts)
+    torque = TORQUE_PER_DIAMETER * bit.get("diameter", USUAL_BIT)
+    pressure = 2.0 * math.pi * torque / motor["displacement_per_rev"] if motor else PRESSURE_PER_WEIGHT
+    return Autodriller({name: settings.get(name, ANY) for name in LOOPS}, settings["stiffness"], settings["rop"], settings["rpm"] / RPM,
+                       settings["flow"], settings["to_depth"], stall_pressure=stall_pressure_of(settings, parts), pressure_per_weight=pressure,
+                       torque_per_weight=torque)

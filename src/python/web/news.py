@@ -1,0 +1,25 @@
+"""What a source has for the feed since it was asked last."""
+import typing
+
+from drill_rig_sim.msg import DrillstringState, RigDescription, RigLimits, RigState
+from nav_msgs.msg import Path
+from std_msgs.msg import String
+
+
+class News(typing.NamedTuple):
+    """`states`, `truth`: messages of rig_state and truth/rig_state as bytes, none left out. `last`: the latest STATE_KIND, or None. `latest`: the
+    latest message by what it is: limits, description, scene, trajectory, string; or a path: drilled, planned. `rows`: states that are no messages, as
+    Packed.rows() gives them."""
+    states: list
+    truth: list
+    last: object
+    latest: dict
+    rows: object = None
+
+
+STATE, TRUTH = "rig_state", "truth/rig_state"
+STATE_KIND, TRUTH_KIND = RigState, RigState
+# by topic: what it is, its type; a string is shown with the strength of the parts described before it
+TOPICS = {"rig_limits": ("limits", RigLimits), "scene": ("scene", String), "rig_description": ("description", RigDescription),
+    "trajectory": ("trajectory", Path),
+          "drillstring_state": ("string", DrillstringState)}

@@ -1,0 +1,58 @@
+// The package's autodriller: set points that start it, that it follows, and a button that stops it; which loop leads.
+import { make, setText } from "./dom.js";
+import { inputBox } from "./input_box.js";
+import { send } from "./link.js";
+import { on, store } from "./store.js";
+
+// name in the order, label, quantity, and what the box holds at first (SI)
+const SET_POINTS = [["weight", "WOB", "force", 5e4], ["rop", "ROP, at most", "penetration", 0.01], ["pressure", "Diff. pressure", "pressure", null],
+  ["torque", "Torque over free", "torque", null], ["rpm", "Rotary speed", "rotation", 6.2832], ["flow", "Flow", "flow", 0.03], ["to_depth",
+    "To depth", "length", null]];
+const LEADS = { weight: "WOB", rop: "ROP", pressure: "differential pressure", torque: "torque" };
+const STEEL = 2.06e11;  // Young's modulus [Pa]
+
+export function buildLaw() {
+  const boxes = Object.fromEntries(SET_POINTS.map(([name, label, quantity]) => [name,
+    inputBox("law_" + name, label, quantity, () => applyLaw(boxes))]));
+  const start = make("button", { id: "start_law", class: "primary", text: "Start", onclick: () => applyLaw(boxes, "start_law") });
+  const change = make("button", { id: "set_law", text: "Apply", onclick: () => applyLaw(boxes) });
+  const stop = make("button", { id: "stop_law", text: "Stop", onclick: () => send({ type: "stop_law" }) }), status = make("p",
+    { id: "law_status", class: "faint", text: "stopped" });
+  on("law", (law) => showLaw(law, boxes, { start, change, stop, status }));
+  return make("div", { class: "box" }, make("h2", { text: "Autodriller" }), ...Object.values(boxes),
+    make("div", { class: "row" }, start, change, stop), status);
+}
+
+function showLaw(law, boxes, parts) {
+  for (const [name, , , first] of SET_POINTS) boxes[name].show(name in law.settings ? law.settings[name] : name === "to_depth" ? depthAhead() : law.settings.weight ? null : first);
+  parts.start.disabled = law.running;
+  parts.change.disabled = parts.stop.disabled = !law.running;
+  const leads = law.leads ? `, ${LEADS[law.leads]} leads` : "", stalls = law.stalls ? `, ${law.stalls} stalls` : "";
+  setText(parts.status, law.running ? law.phase + leads + stalls : law.problem || "stopped");
+}
+
+/// To where the block can go without a connection.
+function depthAhead() {
+  const values = store.state && store.state.values;
+  return values ? values.hole_depth[0] + Math.max(values.block_height[0] - (store.limits ? store.limits.block_lowest : 1) - 1, 0) : null;
+}
+
+function applyLaw(boxes, type = store.law && store.law.running ? "set_law" : "start_law") {
+  const order = { type, stiffness: stringStiffness() };
+  for (const [name, box] of Object.entries(boxes)) {
+    const value = box.value();
+    if (Number.isNaN(value)) return;
+    order[name] = value;
+  }
+  send(order);
+  for (const box of Object.values(boxes)) box.taken();
+}
+
+/// Of the string along its axis, by its parts [N/m]; drill pipe up to the surface is what is left of the depth.
+function stringStiffness() {
+  const parts = store.parts ? store.parts.parts : [], depth = store.state && store.state.values ? store.state.values.bit_depth[0] : 0;
+  const given = parts.reduce((sum, part) => sum + part.length, 0);
+  const yielding = parts.reduce((sum, part) => sum + (part.length || Math.max(depth - given,
+    1)) / (STEEL * 0.25 * Math.PI * (part.diameter ** 2 - part.bore ** 2)), 0);
+  return yielding > 0 ? 1 / yielding : 6e5;
+}

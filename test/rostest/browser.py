@@ -1,0 +1,101 @@
+"""Headless Chromium for the tests of the page of `drill web`, and the bridge itself as a process."""
+import base64
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+from rig_test import PATIENCE, wait_until
+
+PROGRAMS = ("chromium", "chromedriver")
+
+
+class Bridge:
+    """What `drill web` starts, with the given words; `address`: as it has printed it."""
+
+    def __init__(self, *words):
+        self.process = subprocess.Popen([sys.executable, "-m", "drill_rig_sim.web_command", *words], stdout=subprocess.PIPE, text=True)
+        line = self.process.stdout.readline()
+        found = re.search(r"http://127\.0\.0\.1:\d+/[\w-]+/", line)
+        if found is None:
+            raise AssertionError("drill web has printed %r" % line)
+        self.address = found.group()
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait(PATIENCE)
+        self.process.stdout.close()
+
+
+def chrome(width=1280, height=800, *more):
+    """A browser window."""
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    options = webdriver.ChromeOptions()
+    for word in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--force-device-scale-factor=1", *more):
+        options.add_argument(word)
+    options.binary_location = shutil.which("chromium")
+    browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+    resize(browser, width, height)
+    return browser
+
+
+def resize(browser, width, height, mobile=False):
+    """To a page of so many pixels."""
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile})
+
+
+def picture(browser, name):
+    """Saves what is seen, where DRILL_RIG_SIM_PICTURES names a folder."""
+    folder = os.environ.get("DRILL_RIG_SIM_PICTURES")
+    if folder:
+        time.sleep(0.6)
+        with open(os.path.join(folder, name + ".png"), "wb") as out:
+            out.write(base64.b64decode(browser.execute_cdp_cmd("Page.captureScreenshot", {"format": "png"})["data"]))
+
+
+def paper(browser):
+    """The page as it would be printed: a PDF's bytes."""
+    return base64.b64decode(browser.execute_cdp_cmd("Page.printToPDF", {"printBackground": True, "preferCSSPageSize": True})["data"])
+
+
+class Page:
+    """The page in a browser."""
+
+    def __init__(self, browser, address):
+        self.browser = browser
+        browser.get(address)
+
+    def one(self, selector):
+        return self.browser.find_element("css selector", selector)
+
+    def text(self, selector):
+        return self.browser.execute_script("const e = document.querySelector(arguments[0]); return e ? e.textContent : ''", selector)
+
+    def click(self, selector):
+        self.one(selector).click()
+
+    def figure(self, name):
+        """A large number; None where it is empty."""
+        text = self.text("#number_%s .figure" % name)
+        return float(text) if re.fullmatch(r"-?[\d.]+", text) else None
+
+    def wait_text(self, selector, pattern, patience=PATIENCE):
+        found = lambda: re.search(pattern, self.text(selector))  # noqa: E731
+        return wait_until(found, "%s in %s, which had %r" % (pattern, selector, self.text(selector)), patience)
+
+    def fill(self, selector, text):
+        script = "const [box, text] = arguments; box.value = text; box.dispatchEvent(new Event('input'));"
+        self.browser.execute_script(script, self.one(selector), text)
+
+    def errors(self):
+        """What the browser complains of."""
+        return [entry["message"] for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
+
+    def coloured(self, selector):
+        """How many pixels of a canvas are not empty."""
+        return self.browser.execute_script("""
+            const c = document.querySelector(arguments[0]), p = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
+            let n = 0; for (let i = 3; i < p.length; i += 4) n += p[i] > 0; return n;""", selector)

@@ -1,0 +1,164 @@
+#!/usr/bin/env python3
+"""The page of `drill web` in headless Chromium beside a node: numbers, units, control and its dead-man, autodriller, the node killed and back."""
+import os
+import signal
+
+from browser import PROGRAMS, Bridge, Page, chrome, paper, picture, resize
+from rig_test import Rig, needs, rospy, run, time, unittest, wait_until
+from rosgraph import Master
+from xmlrpc.client import ServerProxy
+
+KLBF = 4448.2216152605  # [N]
+
+
+class Web(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        try:
+            needs(cls("test_numbers"), *PROGRAMS)
+            import selenium  # noqa: F401  pylint: disable=unused-import
+            import aiohttp  # noqa: F401  pylint: disable=unused-import
+        except ImportError as missing:
+            raise unittest.SkipTest("%s is not installed: ./test/run --browser" % missing.name) from missing
+        cls.rig = Rig()
+        cls.bridge = Bridge("--control")
+        cls.browser = chrome()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        cls.bridge.close()
+
+    def setUp(self):
+        resize(self.browser, 1280, 800)
+        self.page = Page(self.browser, self.bridge.address)
+        self.page.wait_text("#link", "^running$")
+
+    def test_numbers(self):
+        state = self.rig.state()
+        wait_until(lambda: self.page.figure("hook_load") is not None, "a hook load")
+        self.assertAlmostEqual(self.page.figure("hook_load"), 1e-3 * state.hook_load, delta=15.0)
+        self.assertAlmostEqual(self.page.figure("bit_depth"), state.bit_depth, delta=0.02)
+        self.assertIn("set", self.page.text("#number_rpm"))
+        wait_until(lambda: self.page.coloured("#time_log .track:nth-child(3) canvas") > 1000, "curves of the time log")
+        self.assertEqual([], self.page.errors())
+
+    def test_every_sheet_is_drawn(self):
+        for name in ("time_log", "depth_log", "well", "string", "broomstick", "tally", "slides", "alarm_log"):
+            self.page.click("#tab_" + name)
+            self.assertTrue(self.page.one("#" + name).is_displayed(), name)
+        self.page.click("#tab_well")
+        wait_until(lambda: self.page.coloured("#well canvas") > 500, "the well")
+        self.page.click("#tab_string")
+        self.page.wait_text("#string_summary", "truth along the string")
+        self.page.click("#tab_broomstick")
+        self.page.click("#work_out")
+        self.page.wait_text("#broomstick_status", "Thick: friction of the scene", 120.0)
+        self.assertEqual([], self.page.errors())
+
+    def test_units(self):
+        wait_until(lambda: self.page.figure("hook_load") is not None, "a hook load")
+        self.page.click("#units")
+        self.page.wait_text("#number_hook_load .unit", "klbf")
+        wait_until(lambda: abs(self.page.figure("hook_load") * KLBF - self.rig.state().hook_load) < 15e3, "the hook load in klbf")
+        self.assertEqual("psi", self.page.text("#number_pressure .unit"))
+        self.page.click("#units")
+        self.page.wait_text("#number_hook_load .unit", "kN")
+
+    def test_the_block_moves_while_the_button_is_held(self):
+        from selenium.webdriver import ActionChains
+        before = self.rig.state().block_height
+        ActionChains(self.browser).click_and_hold(self.page.one("#raise")).perform()
+        wait_until(lambda: self.rig.state().block_height > before + 0.05, "the block goes up")
+        self.assertFalse(self.rig.state().brake_set)
+        ActionChains(self.browser).release().perform()
+        wait_until(lambda: self.rig.state().brake_set, "the brake")
+
+    def test_dead_man(self):
+        """A page that hangs while the button is held lets go."""
+        from selenium.webdriver import ActionChains
+        ActionChains(self.browser).click_and_hold(self.page.one("#lower")).perform()
+        wait_until(lambda: not self.rig.state().brake_set, "the block moves")
+        began = time.monotonic()
+        self.browser.set_script_timeout(30)
+        self.browser.execute_script("setTimeout(() => { const until = Date.now() + 4000; while (Date.now() < until); }, 0)")
+        wait_until(lambda: self.rig.state().brake_set, "the brake")
+        self.assertLess(time.monotonic() - began, 3.9)
+        ActionChains(self.browser).release().perform()
+
+    def test_set_points_follow_until_they_are_edited(self):
+        self.page.click("#set_rpm")
+        self.page.fill("#set_rpm", "45")
+        self.assertIn("edited", self.page.one("#set_rpm").get_attribute("class"))
+        self.assertNotAlmostEqual(self.rig.state().top_drive.speed, 4.71, delta=0.1)
+        self.page.one("#set_rpm").send_keys("\ue007")
+        wait_until(lambda: abs(self.rig.state().top_drive.speed - 4.712) < 0.01, "45 rpm in force")
+        self.page.wait_text("#number_rpm", "set 45.0")
+        self.page.fill("#set_rpm", "99")
+        self.page.one("#set_rpm").send_keys("\ue00c")
+        wait_until(lambda: self.page.one("#set_rpm").get_attribute("value") == "45.0", "Escape takes back")
+
+    def test_autodriller(self):
+        self.page.click("#speed_5")
+        for name, text in (("weight", "60"), ("rop", "40"), ("rpm", "60"), ("flow", "1800"), ("to_depth", "1010")):
+            self.page.fill("#set_law_" + name, text)
+        self.page.click("#start_law")
+        self.page.wait_text("#law_status", "spinning up")
+        wait_until(lambda: abs(self.rig.state().top_drive.speed - 6.283) < 0.01, "the law's rotary speed")
+        wait_until(lambda: abs(self.rig.state().mud_pump.flow - 0.03) < 1e-4, "the law's flow")
+        self.page.wait_text("#law_status", "drilling, .* leads", 150.0)
+        self.page.click("#tab_time_log")
+        picture(self.browser, "web_drilling")
+        self.page.fill("#set_law_rpm", "70")
+        self.page.click("#set_law")
+        wait_until(lambda: abs(self.rig.state().top_drive.speed - 7.33) < 0.01, "the law follows")
+        self.pictures()
+        self.page.click("#stop_law")
+        self.page.wait_text("#law_status", "stopped")
+        wait_until(lambda: self.rig.state().brake_set, "the brake")
+        self.page.click("#speed_1")
+
+    def pictures(self):
+        """While it drills: screens that a person has to look at."""
+        for width, height, theme in ((1280, 800, "dark"), (1920, 1080, "light"), (390, 844, "light")):
+            resize(self.browser, width, height, mobile=width < 500)
+            while self.page.text("#theme") != theme:
+                self.page.click("#theme")
+            for sheet in ("time_log", "depth_log", "well", "string"):
+                self.page.click("#tab_" + sheet)
+                picture(self.browser, "web_%s_%s_%d" % (sheet, theme, width))
+        resize(self.browser, 1280, 800)
+        pdf = paper(self.browser)
+        self.assertTrue(pdf.startswith(b"%PDF"))
+        if os.environ.get("DRILL_RIG_SIM_PICTURES"):
+            with open(os.path.join(os.environ["DRILL_RIG_SIM_PICTURES"], "web_print.pdf"), "wb") as out:
+                out.write(pdf)
+
+    def test_a_wrong_token_is_refused(self):
+        self.browser.get(self.bridge.address[:-3] + "/")
+        self.assertIn("no valid token", self.browser.find_element("css selector", "body").text)
+
+    def test_node_killed_and_back(self):
+        wait_until(lambda: self.rig.state().header.stamp.to_sec() > 2.0, "two seconds")
+        process = ServerProxy(Master(rospy.get_name()).lookupNode("/rig/rig_simulator")).getPid(rospy.get_name())[2]
+        os.kill(process, signal.SIGKILL)
+        self.page.wait_text("#link", "no data for|no node publishes /rig/rig_state")
+        self.assertIn("stale", self.browser.find_element("css selector", "body").get_attribute("class"))
+        picture(self.browser, "web_killed")
+        self.page.wait_text("#link", "^running$")
+        wait_until(lambda: self.page.figure("hook_load") is not None, "numbers again")
+
+    def test_twenty_times_real_time(self):
+        """What the bridge takes is printed, not judged: other tests run beside."""
+        self.page.click("#speed_20")
+        time.sleep(8.0)
+        speed = self.page.text("#clock")
+        print("bridge: %s; %s; redraws of the page a second: %d" % (self.page.text("#foot"), speed, self.browser.execute_async_script("""
+            const done = arguments[0], begin = performance.now(); let n = 0;
+            requestAnimationFrame(function count(now) { n++; now - begin < 1000 ? requestAnimationFrame(count) : done(n); });""")), flush=True)
+        self.page.click("#speed_1")
+        self.assertEqual([], self.page.errors())
+
+
+if __name__ == "__main__":
+    run(Web)
