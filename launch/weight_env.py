@@ -27,9 +27,9 @@ class WeightOnBit:
         return numpy.array([state.surface_wob, state.rop])
 
 
-def play():
+def play(scene="quick.yaml"):
     """Rewards of an episode."""
-    rig, speed, rewards, over = WeightOnBit(), 0.01, [], False
+    rig, speed, rewards, over = WeightOnBit(scene), 0.01, [], False
     (weight, _), _ = rig.reset()
     while not over:
         speed = min(max(speed + 5e-8 * (10e3 - weight), 0.0), 0.015)

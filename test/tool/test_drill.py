@@ -18,7 +18,8 @@ import skips  # noqa: E402 (leaves nothing behind)
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 QUICK = os.path.join(SOURCE, 'config/scenes/quick.yaml')
 BOHAI = os.path.join(SOURCE, 'config/scenes/bohai.yaml')
-NEAR_BOTTOM = ('--set', 'start.bit_depth=99.95', '--set', 'numerics.companion=none')  # of quick.yaml: tags after 10 s instead of 35
+ALONE = ('--set', 'numerics.companion=none')
+NEAR_BOTTOM = ('--set', 'start.bit_depth=99.95', *ALONE)  # of quick.yaml: tags after 10 s instead of 35
 COLUMNS = ('time,hook_load,torque,block_height,top_drive_speed,wob,bit_torque,bit_speed,bit_depth,hole_depth,rop,inclination,azimuth,'
            'toolface,bit_east,bit_north,bit_up,bit_inclination,in_slips,motor_stalled,winch_limited,top_drive_limited,stop_reached,slack_line,'
            'relief_valve_open,over_stress,over_torque,buckled,accuracy_warning,stand_pipe_pressure,differential_pressure,flow,floor_height,'
@@ -199,7 +200,7 @@ class Static(Drill):
         for line, expected in (('block_velocity: 0.1', rest + self.DRAG), ('block_velocity: -0.1', rest - self.DRAG),
                                ('top_drive_speed_rpm: 30', rest)):
             # the start's jerk rings on in a well without axial damping: the mean over many periods counts
-            self.succeed('run', self.INCLINED, '--set', 'program=[{at: 0, %s}]' % line, '--duration', '60', '--csv', self.file('d.csv'))
+            self.succeed('run', self.INCLINED, *ALONE, '--set', 'program=[{at: 0, %s}]' % line, '--duration', '60', '--csv', self.file('d.csv'))
             with open(self.file('d.csv')) as text:
                 rows = [row for row in csv.DictReader(text) if float(row['time']) > 30.0]
             rail = 0.03 * block * (line.startswith('block') and (1.0 if expected > rest else -1.0))
@@ -226,7 +227,7 @@ class Static(Drill):
 
 class Run(Drill):
     def test_series_and_summary(self):
-        self.succeed('run', QUICK, '--duration', '60', '--every', '0.5', '--csv', self.file('q.csv'), '--json', self.file('q.json'),
+        self.succeed('run', QUICK, *ALONE, '--duration', '60', '--every', '0.5', '--csv', self.file('q.csv'), '--json', self.file('q.json'),
                      '--path', self.file('path.csv'), '--raw-path', self.file('raw.csv'))
         with open(self.file('q.csv')) as text:
             rows = list(csv.reader(text))
@@ -264,7 +265,7 @@ class Run(Drill):
 
     def test_a_depth_that_is_never_reached_is_told(self):
         """The brake is set and the bit off bottom: nothing drills."""
-        result = drill('run', QUICK, '--set', 'program=[]', '--until-depth', '101', '--json', self.file('q.json'))
+        result = drill('run', QUICK, *ALONE, '--set', 'program=[]', '--until-depth', '101', '--json', self.file('q.json'))
         self.assertEqual(result.returncode, 3)
         self.assertIn('101 m, is not reached: the hole is 100.000 m deep and has not grown for 600 s', result.stderr)
         with open(self.file('q.json')) as text:
@@ -382,7 +383,7 @@ class Run(Drill):
             self.assertIn('/dev/full could not be written whole', done.stderr)
 
     def test_a_run_ends_a_minute_after_its_program(self):
-        self.succeed('run', QUICK, '--set', 'program=[{at: 0, brake: true}, {at: 2.5, brake: true}]', '--json', self.file('q.json'))
+        self.succeed('run', QUICK, *ALONE, '--set', 'program=[{at: 0, brake: true}, {at: 2.5, brake: true}]', '--json', self.file('q.json'))
         self.assertAlmostEqual(json.load(open(self.file('q.json')))['simulated_s'], 62.5, places=6)
 
 

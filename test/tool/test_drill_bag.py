@@ -19,7 +19,8 @@ import test_drill  # noqa: E402 (leaves nothing behind)
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SCENE = os.path.join(SOURCE, 'test/scenes/drilling_noisy.yaml')
 PROGRAM = 'program=[{at: 0, flow: 0.02, top_drive_speed_rpm: 40, block_velocity: -0.004}]'
-ALL_INSTRUMENTS = ('--every', '0.05', '--set', 'instruments.mwd.inclination_period=5', '--set', 'instruments.dynamics={period: 5, latency: 1}')
+ALONE = ('--set', 'numerics.companion=none')
+ALL_INSTRUMENTS = (*ALONE, '--every', '0.05', '--set', 'instruments.mwd.inclination_period=5', '--set', 'instruments.dynamics={period: 5, latency: 1}')
 NOT_MEASURED = {'drillstring_state', 'markers', 'rig_description', 'trajectory'}  # and what begins with a slash
 # of the time series: field of a message
 TRUTH = {row.name: row.field for row in SIGNALS if row.of in ('both', 'truth')}
@@ -53,7 +54,7 @@ class Bag(test_drill.Drill):
                 self.assertAlmostEqual(expected, found, delta=1e-8 * max(1e-3, abs(expected)), msg=column)
 
     def test_the_numbers_are_those_of_the_time_series(self):
-        messages, rows = self.run_scene()
+        messages, rows = self.run_scene(*ALONE)
         self.assertEqual(200, len(rows))
         self.compare(rows, messages['truth/rig_state'], TRUTH)
         self.compare(rows, messages['truth/bit'], BIT)
@@ -79,7 +80,7 @@ class Bag(test_drill.Drill):
         self.assertEqual([10000000], [stamp.to_nsec() for stamp, _ in messages['rig_limits']])
 
     def test_telemetry_arrives_late(self):
-        messages, _ = self.run_scene()
+        messages, _ = self.run_scene(*ALONE)
         for topic, latency, least in (('downhole/mwd', 2.0, 2), ('downhole/toolface', 1.0, 5)):
             self.assertGreaterEqual(len(messages[topic]), least, topic)
             for stamp, message in messages[topic]:
@@ -98,7 +99,7 @@ class Bag(test_drill.Drill):
         self.assertTrue(math.isnan(last.cost_share), 'it differs from machine to machine')
 
     def test_without_a_companion_no_error_is_measured(self):
-        messages, _ = self.run_scene('--set', 'numerics.companion=none')
+        messages, _ = self.run_scene(*ALONE)
         for _, message in messages['accuracy']:
             self.assertFalse(message.measured)
             self.assertEqual('numerics.companion is none', message.why_not_measured)

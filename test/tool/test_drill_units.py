@@ -64,7 +64,7 @@ class Units(test_drill.Drill):
         self.assertEqual(self.succeed('static', OILFIELD, '--units', 'si'), in_si)
 
     def test_run(self):
-        words = ('run', QUICK, '--duration', '20', '--set', 'start.bit_depth=327.9 ft')
+        words = ('run', QUICK, '--duration', '20', *test_drill.ALONE, '--set', 'start.bit_depth=327.9 ft')
         in_si, shown = self.succeed(*words, '--json', self.file('si.json')), self.succeed(*words, '--units', 'oilfield', '--json', self.file('oilfield.json'))
         found = [re.search(r', hole ([\d.]+) (m|ft)\n', text) for text in (in_si, shown)]
         self.assertEqual(['m', 'ft'], [one.group(2) for one in found])
@@ -80,7 +80,7 @@ class Units(test_drill.Drill):
 
     def test_commands_of_python_take_them(self):
         series = self.file('run.csv')
-        self.succeed('run', QUICK, '--duration', '20', '--csv', series, '--set', 'start.bit_depth=327.9 ft')
+        self.succeed('run', QUICK, '--duration', '20', '--csv', series, *test_drill.ALONE, '--set', 'start.bit_depth=327.9 ft')
         self.assertRegex(self.succeed('score', series, '--units', 'oilfield'), r'weight on bit, mean +[\d.]+ klbf')
         self.assertRegex(self.succeed('score', series), r'weight on bit, mean +[\d.]+ kN')
         for command in ('score', 'plot', 'replay'):

@@ -28,7 +28,8 @@ TAGS = ('operations=[{do: flow, flow: 0.02}, {do: rotate, speed_rpm: 90}, {do: t
 
 class Witsml(test_drill.Drill):
     def log(self, *words):
-        self.succeed('run', test_drill.QUICK, '--duration', '60', '--readings', '--csv', self.file('r.csv'), '--witsml', self.file('r.xml'), '--every', '0.5', *words)
+        self.succeed('run', test_drill.QUICK, *test_drill.ALONE, '--duration', '60', '--readings', '--csv', self.file('r.csv'), '--witsml', self.file('r.xml'),
+                     '--every', '0.5', *words)
         return xml.parse(self.file('r.xml')).getroot()
 
     def test_rows_are_the_readings_in_the_fields_units(self):

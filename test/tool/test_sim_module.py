@@ -27,13 +27,27 @@ sys.path.insert(0, os.path.join(PACKAGE_DIR, "launch"))
 OTHERWISE = ("header", "run_state", "last_command")  # fields of RigState that only a node has
 
 
+def alone(folder):
+    """quick.yaml without a companion, which takes most of the time."""
+    file = os.path.join(folder, "alone.yaml")
+    with open(QUICK, encoding="utf-8") as text, open(file, "w", encoding="utf-8") as out:
+        out.write(text.read() + "numerics: {companion: none}\n")
+    return file
+
+
 def fields_of(kind):
     return [name for name in kind.__slots__ if name not in OTHERWISE]
 
 
 class InThisProcess(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.scene = alone(folder.name)
+
     def setUp(self):
-        self.rig = Simulator(QUICK)
+        self.rig = Simulator(self.scene)
 
     def drilling(self):
         self.rig.rotate(rpm=90)
@@ -58,7 +72,7 @@ class InThisProcess(unittest.TestCase):
 
     def test_static_loads_are_what_the_gauge_shows_while_the_block_moves(self):
         """Off bottom, without rotation, at a speed that makes no waves; by gauges at both places."""
-        with open(QUICK, encoding="utf-8") as text:
+        with open(self.scene, encoding="utf-8") as text:
             scene = text.read()
         for place in ("block", "dead_line"):
             with tempfile.TemporaryDirectory() as folder:
@@ -121,7 +135,7 @@ class InThisProcess(unittest.TestCase):
             self.assertIn(name, run.truth.dtype.names)
 
     def test_a_long_record_is_one(self):
-        rig = Simulator(QUICK, rate=1000.0)
+        rig = Simulator(self.scene, rate=1000.0)
         run = rig.record(150.0, every=40000)
         self.assertEqual([40.0, 80.0, 120.0, 150.0], list(run.t))
 
@@ -255,7 +269,7 @@ class InThisProcess(unittest.TestCase):
 
     def test_the_environment_for_learners_learns_what_its_rule_can(self):
         from weight_env import play
-        rewards = play()
+        rewards = play(self.scene)
         self.assertGreater(min(rewards[-50:]), -0.05)
 
 
