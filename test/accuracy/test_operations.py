@@ -196,6 +196,10 @@ class Energy(unittest.TestCase):
         self.assertFalse(report.holds(verdicts(right=17, undecided=5), whole=True))
         self.assertFalse(report.holds(verdicts(right=99, silent=1), whole=True))
 
+    def test_the_right_ones_under_a_warning_are_counted(self):
+        told = [matrix.Verdict(FakeCell(), kind, note) for kind, note in (('right', ''), ('right', 'torque'), ('warned', 'torque'))]
+        self.assertEqual(report.summary_line(told), '3 cells: 2 right, 1 warned, 0 silent, 0 undecided; of the right ones under a warning: 1')
+
     def test_by_operation_the_farthest_of_the_decided_stands(self):
         told = []
         for kind, worst, operation in (('right', 0.5, 'rock'), ('warned', 1.5, 'rock'), ('undecided', 9.0, 'rock'), ('undecided', 2.0, 'stuck')):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Scenes drawn at random: by their seed alone, such as the runner takes; and how their trials are counted."""
+"""Scenes drawn at random: by their seed alone, such as the runner takes; and how their trials are counted. How the shipped examples are found and counted."""
 import os
 import subprocess
 import sys
@@ -10,6 +10,7 @@ import yaml
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import examples  # noqa: E402
 import random_scenes  # noqa: E402
 import random_trial  # noqa: E402
 
@@ -50,6 +51,29 @@ class Trials(unittest.TestCase):
         self.assertEqual(told[1], 'Simulated over processor time, geometric mean: 63.')
         self.assertEqual(told[2], 'Measured over true error, 2 windows: 5 % below 0.50, half below 1.00, 5 % above 1.00.')
         self.assertIn('| silent | 3.0 | torque | - | 100 |', trials[2].row())
+
+
+class Played(examples.Example):
+    """An example whose run is given."""
+
+    def __init__(self, warned):  # pylint: disable=super-init-not-called
+        self.name, self.seconds, self.coarse, self.measured, self.speed = 'quick', 200.0, 150.0, '', 40.0
+        self.warned = examples.collections.Counter(warned)
+
+
+class Examples(unittest.TestCase):
+    def test_are_all_that_are_shipped(self):
+        shipped = {name[:-len('.yaml')] for name in os.listdir(os.path.join(examples.SOURCE, 'config/scenes'))}
+        self.assertEqual(shipped, {*examples.PROGRAMS, *examples.CONTROLLERS})
+
+    def test_are_counted_by_the_words_of_their_warnings(self):
+        self.assertEqual(examples.reason('torque: measured error 2.5 % of its range over 3 s; over 30 s'), 'measured error of the torque')
+        self.assertEqual(examples.reason('guided pipe 310.5 m above the bit carries 1.2 times its critical buckling load; use numerics.level: beam3d'),
+                         'guided pipe N m above the bit carries N times its critical buckling load')
+        played = Played({'measured error of the torque': 15.0, 'slant': 5.0})
+        self.assertEqual(played.share(), 0.1)
+        self.assertEqual(played.row(), '| quick | 200 | 10.0 | measured error of the torque (15 s); slant (5 s) | yes | 40 |')
+        self.assertEqual(played.coarse_row(), '| quick | 200 | 75 | 40 |')
 
 
 if __name__ == '__main__':

@@ -111,7 +111,8 @@ def run(args, folder):
     counts = ', '.join('%d %s' % (sum(v.kind == kind for v in verdicts), kind) for kind in ('right', 'warned', 'silent', 'undecided'))
     lines = ['| scene | verdict | worst 3 s [%% of scale] | of | off by %g %% from [s] | warned from [s] |' % (100.0 * args.tolerance)]
     lines += ['| --- | --- | --- | --- | --- | --- |']
-    lines += [verdict.row() for verdict in verdicts] + ['', '%d scenes: %s.' % (len(verdicts), counts)]
+    under_a_warning = sum(v.kind == 'right' and v.warned_from is not None for v in verdicts)
+    lines += [verdict.row() for verdict in verdicts] + ['', '%d scenes: %s; of the right ones under a warning: %d.' % (len(verdicts), counts, under_a_warning)]
     print('\n'.join(lines))
     table = 'foreign.md' if args.tolerance == 0.02 else 'foreign_%g.md' % args.tolerance
     with open(os.path.join(args.out, table), 'w') as out:

@@ -115,7 +115,8 @@ def table_by_operation(verdicts):
 
 def summary_line(verdicts):
     told = counts(verdicts)
-    return '%d cells: %s' % (len(verdicts), ', '.join('%d %s' % (told[kind], kind) for kind in KINDS))
+    under_a_warning = sum(v.kind == 'right' and v.note != '' for v in verdicts)
+    return '%d cells: %s; of the right ones under a warning: %d' % (len(verdicts), ', '.join('%d %s' % (told[kind], kind) for kind in KINDS), under_a_warning)
 
 
 def variants_table(results):
