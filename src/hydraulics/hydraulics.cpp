@@ -19,10 +19,18 @@ double power(double x, double exponent) noexcept
   return exponent == 2.0 ? x * x : std::pow(x, exponent);
 }
 
+/// root() of losses by a law, which is neither concave nor convex.
+double root_of_law(double top, double by_flow, const HydraulicResistance& r, double guess) noexcept
+{
+  const auto excess = [&](double q) { return LossTable::Value{top - by_flow * q - r.pressure(q), -by_flow - r.slope(q)}; };
+  return falling_root(excess, guess > 0.0 ? guess : r.nominal_flow, kSmallest * r.nominal_flow);
+}
+
 /// Root > 0 of top - by_flow Q - r.pressure(Q), which falls with Q and is positive at 0. On either side of the motor's leakage it is
 /// concave, so Newton's iterates come down on the root from the first on that lies beyond it.
 double root(double top, double by_flow, const HydraulicResistance& r, double guess) noexcept
 {
+  if (r.law) return root_of_law(top, by_flow, r, guess);
   const auto excess = [&](double q) { return top - by_flow * q - r.pressure(q); };
   const bool leaks = r.motor > 0.0 && excess(mud_motor_leakage) < 0.0;  // the root lies below the leakage
   const double least = leaks || r.motor <= 0.0 ? 0.0 : mud_motor_leakage, most = leaks ? mud_motor_leakage : HUGE_VAL;
@@ -47,6 +55,37 @@ Outflow outflow_either_way(double capacity, double pressure, double inflow, doub
   return {sign * out.flow, sign * out.pressure};
 }
 
+/// The annulus with losses by a law: p + (step/capacity) (inflow - Q) = P(Q, displaced) + held, the last against the flow and as much as there is. Either way.
+Outflow annulus_by_law(const HydraulicCircuit& circuit, double pressure, double inflow, double displaced, double step, double held, double guess) noexcept
+{
+  const SectionLosses& law = circuit.law;
+  if (circuit.annulus.capacity <= 0.0) return {inflow, law.outer(inflow, displaced).loss};
+  const double by_flow = step / circuit.annulus.capacity, top = pressure + by_flow * inflow;
+  const double driving = top - law.outer(0.0, displaced).loss;
+  if (std::abs(driving) <= held || driving == 0.0) return {0.0, top};
+  const double sign = driving < 0.0 ? -1.0 : 1.0;
+  const auto excess = [&](double q)
+  {
+    const LossTable::Value loss = law.outer(sign * q, displaced);
+    return LossTable::Value{sign * (top - loss.loss) - by_flow * q - held, -by_flow - loss.slope};
+  };
+  const double flow = sign * falling_root(excess, sign * guess > 0.0 ? sign * guess : circuit.nominal_flow, kSmallest * circuit.nominal_flow);
+  return {flow, top - by_flow * flow};
+}
+
+/// What leaves the annulus at the flow line, and its pressure.
+Outflow advance_annulus(const HydraulicCircuit& circuit, const HydraulicState& state, double inflow, double displaced, double step, double held) noexcept
+{
+  if (!circuit.law.any())
+  {
+    const HydraulicResistance outer{0.0, circuit.annulus.loss, held, 0.0, circuit.nominal_flow, circuit.exponent};
+    return outflow_either_way(circuit.annulus.capacity, state.annulus_pressure, inflow + displaced, step, outer, state.return_flow);
+  }
+  Outflow out = annulus_by_law(circuit, state.annulus_pressure, inflow, displaced, step, held, state.return_flow - displaced);
+  out.flow += displaced;
+  return out;
+}
+
 /// Share of the gel's strength after a step in which mud moved past it at a rate [m3/s].
 double advance_gel(double gel, double flow, double step) noexcept
 {
@@ -57,12 +96,12 @@ double advance_gel(double gel, double flow, double step) noexcept
 
 double HydraulicResistance::pressure(double flow) const noexcept
 {
-  return back + gel + loss * power(flow / nominal_flow, exponent) + motor * std::min(1.0, flow / mud_motor_leakage);
+  return back + gel + (law ? law->inner(flow).loss : loss * power(flow / nominal_flow, exponent)) + motor * std::min(1.0, flow / mud_motor_leakage);
 }
 
 double HydraulicResistance::slope(double flow) const noexcept
 {
-  return exponent * loss * power(flow / nominal_flow, exponent) / flow + (flow < mud_motor_leakage ? motor / mud_motor_leakage : 0.0);
+  return (law ? law->inner(flow).slope : exponent * loss * power(flow / nominal_flow, exponent) / flow) + (flow < mud_motor_leakage ? motor / mud_motor_leakage : 0.0);
 }
 
 Outflow outflow(double capacity, double pressure, double inflow, double step, const HydraulicResistance& r, double guess) noexcept
@@ -72,6 +111,7 @@ Outflow outflow(double capacity, double pressure, double inflow, double step, co
   const double least = r.back + r.gel;
   if (top <= least || (inflow <= 0.0 && top - least < kRest)) return {0.0, top};
   const double flow = root(top, by_flow, r, guess);
+  if (r.law && flow < r.law->bore.creep()) return {0.0, top};  // its yield stress holds it
   return {flow, top - by_flow * flow};
 }
 
@@ -92,7 +132,8 @@ void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit
   state.pump_flow = advance_pump(spec, state.pump_flow, commanded, step);
   state.strokes += state.pump_flow * step / spec.stroke_volume;
   const double n = circuit.nominal_flow, m = circuit.exponent;
-  const HydraulicResistance inner{std::max(state.annulus_pressure, 0.0), circuit.bore.loss, state.bore_gel * circuit.bore.gel, motor_pressure, n, m};
+  const SectionLosses* law = circuit.law.any() ? &circuit.law : nullptr;
+  const HydraulicResistance inner{std::max(state.annulus_pressure, 0.0), circuit.bore.loss, state.bore_gel * circuit.bore.gel, motor_pressure, n, m, law};
   const double fill = std::min(state.pump_flow, ways.air / step);
   state.filled += fill * step;
   const double leak = std::min(ways.leak, state.pump_flow - fill + std::max(0.0, state.stand_pipe_pressure) * circuit.bore.capacity / step);
@@ -102,9 +143,8 @@ void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit
   if (state.relief_open) bore = {std::min(bore.flow, outflow_at(spec.relief_pressure, inner, bore.flow)), spec.relief_pressure};
 
   const double plug = bore.flow + leak > 0.0 ? ways.plug : 0.0;
-  const HydraulicResistance outer{0.0, circuit.annulus.loss, state.annulus_gel * circuit.annulus.gel + plug, 0.0, n, m};
-  const Outflow annulus =
-      outflow_either_way(circuit.annulus.capacity, state.annulus_pressure, bore.flow + leak + displaced, step, outer, state.return_flow);
+  const double held = state.annulus_gel * circuit.annulus.gel + plug;
+  const Outflow annulus = advance_annulus(circuit, state, bore.flow + leak, displaced, step, held);
   flow = bore.flow;
   state.stand_pipe_pressure = bore.pressure;
   state.annulus_pressure = annulus.pressure;

@@ -2,6 +2,7 @@
 #define DRILL_RIG_SIM_HYDRAULICS_HYDRAULICS_H
 
 #include "drill_rig_sim/hydraulics/mud_pump.h"
+#include "drill_rig_sim/hydraulics/section_losses.h"
 
 /// The mud's way from the pump through string, motor and bit, and up the annulus: two compressible volumes, the string's bore and the
 /// annulus, each at one pressure above the hydrostatic one, and the resistances behind them.
@@ -17,6 +18,11 @@
 /// closed both ways, as is usual (Lapeyrouse; Moore, Drilling Practices Manual, 1974, takes swab as the opposite of surge). Two volumes
 /// without the mud's inertia: the model of Kaasa, Stamnes, Aamo and Imsland, SPE Drilling & Completion 27 (2012) 127-138, whose annulus
 /// ends at a choke and ours in the open. Waves in the mud, seconds in long wells, are not in it.
+///
+/// With a rheology of the mud (rheology.h) the losses are those of its law by section (section_losses.h) instead:
+///   p_p - p_a = P_l(Q) + P_b(Q) + P_n(Q) + D(Q) + G_p,   p_a = sum of P(V) over the annulus's sections + G_a,
+/// P_l, P_b, P_n of surface lines, bore and nozzles, V the mud's speed with the string's own motion in it, each section by itself. Q_s is then what the
+/// string displaces, C_a dp_a/dt = Q - (Q_out - Q_s). G holds what the gel is stronger than the yield stress, which the law has already.
 ///
 /// Gel: mud that stands holds p = 4 tau L/d in a bore, 4 tau L/(D_h - D) in an annulus (gel L/(300 d) in psi, lb/100 ft2, ft, in: Lapeyrouse,
 /// Formulas and Calculations for Drilling, Production and Workover, 2nd ed., p. 79), tau the strength after ten minutes' rest. It grows
@@ -49,6 +55,7 @@ struct HydraulicCircuit
   HydraulicVolume bore, annulus;
   double nominal_flow = 0.06;  ///< Q_n > 0 [m3/s]
   double exponent = 2.0;       ///< m in [1, 2]
+  SectionLosses law;           ///< instead of losses and exponent, where the scene gives a rheology
 };
 
 struct HydraulicState
@@ -96,6 +103,7 @@ struct HydraulicResistance
   double motor = 0.0;   ///< >= 0, D above the motor's leakage [Pa]
   double nominal_flow = 0.06;
   double exponent = 2.0;
+  const SectionLosses* law = nullptr;  ///< instead of loss and exponent
 
   /// Pressure that a flow > 0 needs [Pa], and its derivative [Pa s/m3].
   double pressure(double flow) const noexcept;

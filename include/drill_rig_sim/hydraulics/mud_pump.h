@@ -2,6 +2,9 @@
 #define DRILL_RIG_SIM_HYDRAULICS_MUD_PUMP_H
 
 #include <algorithm>
+#include <vector>
+
+#include "drill_rig_sim/hydraulics/section_losses.h"
 
 namespace drill_rig_sim
 {
@@ -14,6 +17,7 @@ struct MudPumpSpec
   double trip_pressure = 0.0;         ///< at which the pump stops [Pa]; 0: none
   double pressure_coefficient = 4e9;  ///< losses from pump to flow line at max_flow / max_flow^2 [Pa s2/m6]
   double loss_exponent = 2.0;         ///< m of losses ~ Q^m [-]
+  std::vector<SurfaceLine> surface_lines;  ///< between pump and string, of a mud with a rheology
 };
 
 /// Flow that the pump delivers after a step h [s]: it goes to the command, clamped to 0 .. max_flow, at flow_ramp [m3/s].
