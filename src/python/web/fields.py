@@ -38,7 +38,7 @@ NUMBERS = (("hook_load", "block_height"), ("wob", ""), ("rop", ""), ("torque", "
 # of the depth log, over new hole
 DEPTH_TRACKS = (("rop", "ROP"), ("wob", "WOB"), ("torque", "Torque"), ("mse", "MSE, surface"), ("differential", "Diff. pressure"))
 
-# what a flag means to a driller, and its rank: red is latched until it is acknowledged. As src/rviz/model/flags.cpp
+# what a flag means to a driller, and its rank: red is latched until it is acknowledged. As src/rviz/console/flags.cpp
 FLAGS = {
     "over_pull": ("red", "Over-pull: brake set until a command that does not raise"),
     "slack_line": ("red", "Slack line: the lines carry nothing"),
