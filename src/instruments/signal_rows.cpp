@@ -29,8 +29,8 @@ constexpr const char* message_type<unsigned> = "uint32";
 #define TRUTH(type, name, dimension, meaning)                                                                        \
   {#name, SignalOf::truth, false, message_type<type>, #name, Dimension::dimension, #dimension, "", 0, meaning, "",              \
    [](const Truth& t) { return static_cast<double>(t.name); }, nullptr},
-#define READING(type, name, dimension, meaning, how) \
-  {#name, SignalOf::reading, false, message_type<type>, #name, Dimension::dimension, #dimension, "", 0, meaning, how, \
+#define READING(type, name, dimension, meaning, how)                                                                 \
+  {#name, SignalOf::reading, false, message_type<type>, #name, Dimension::dimension, #dimension, "", 0, meaning, how,           \
    nullptr, [](const Readings& r) { return static_cast<double>(r.name); }},
 #define BIT(name, field, dimension, value, meaning)                                                                  \
   {#name, SignalOf::bit, false, "float64", #field, Dimension::dimension, #dimension, "", 0, meaning, "", [](const Truth& t) -> double { return value; }, nullptr},

@@ -13,7 +13,7 @@ from drill_rig_sim import topics
 from drill_rig_sim.autodriller import HOOK_LOAD, Autodriller
 from drill_rig_sim.control import NewRuns, Ordered, asked, drive, pipe_work
 from drill_rig_sim.law import Commands, Lag, Loop, Plan, turn_between
-from drill_rig_sim.msg import BitTruth, MwdToolface, RigState
+from drill_rig_sim.msg import BitTruth, MwdToolface, RigState, RigTruth
 from drill_rig_sim.recorder import Recorder
 from drill_rig_sim.rig import Refused
 from drill_rig_sim.rss_steering import downlink
@@ -256,8 +256,8 @@ class ByTopics(unittest.TestCase):
         self.warnings.append(text)
 
     @staticmethod
-    def state(t, hole_depth=100.0):
-        state = RigState(hole_depth=hole_depth)
+    def state(t, hole_depth=100.0, kind=RigState):
+        state = kind(hole_depth=hole_depth)
         state.header.stamp = rospy.Time.from_sec(t)
         return state
 
@@ -305,7 +305,7 @@ class ByTopics(unittest.TestCase):
                 recorder.take(message, "bit")
 
             for t in (9.9, 9.95, 10.0, 0.0, 0.05, 0.1, 0.2):
-                recorder.take(self.state(t), "state")
+                recorder.take(self.state(t, kind=RigTruth), "state")
                 if t != 10.0:  # lost with the node
                     bit(t)
             recorder.close()

@@ -113,6 +113,6 @@ TEST(ConsoleScale, RoundedUp)
 TEST(ConsoleFlags, TablesAreInOrder)
 {
   for (std::size_t n = 0; n < flag_count; ++n) EXPECT_EQ(n, static_cast<std::size_t>(flag_rows()[n].flag));
-  for (std::size_t n = 0; n < failing_gauges().size(); ++n) EXPECT_STREQ(gauge_names[n], row_of(failing_gauges()[n]).key);
+  for (std::size_t n = 0; n < failing_gauges().size(); ++n) EXPECT_STREQ(drill_rig_sim::gauge_names[n], row_of(failing_gauges()[n]).key);
 }
 }  // namespace test_rviz_limits
