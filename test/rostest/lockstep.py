@@ -9,8 +9,8 @@ from rig_test import PATIENCE, Rig, flow, numbers, rospy, run, time, turn, unitt
 from rosgraph_msgs.msg import Clock
 
 CHUNK = 100
-CHUNKS = 60  # 6000 frames, in each half of which the path is corrected at least once
-MIDDLE = 30
+CHUNKS = 36  # 3600 frames, in each half of which the path is corrected at least once
+MIDDLE = 18
 
 
 class Lockstep(unittest.TestCase):
@@ -26,9 +26,9 @@ class Lockstep(unittest.TestCase):
         """The state after the next chunk of frames of a fixed schedule of commands, and the string's last profile."""
         commands = {}
         if number == 0:
-            commands = {"winch": winch(-0.004), "top_drive": turn(6.0), "mud_pump": flow(0.02)}
+            commands = {"winch": winch(-0.008), "top_drive": turn(6.0), "mud_pump": flow(0.02)}
         elif number % 10 == 0:
-            commands = {"winch": winch(-0.004 - 0.0001 * (number % 7)), "top_drive": turn(6.0 + 0.1 * (number % 3))}
+            commands = {"winch": winch(-0.008 - 0.0001 * (number % 7)), "top_drive": turn(6.0 + 0.1 * (number % 3))}
         state = self.rig.advance(CHUNK, **commands)
         strings = self.strings.wait_until(lambda m: m and m[-1].header.stamp >= state.header.stamp)
         return state, numbers(state) + numbers(strings[-1])
@@ -51,10 +51,10 @@ class Lockstep(unittest.TestCase):
         states = self.rig.collect("rig_state", RigState)
         self.addCleanup(states.subscriber.unregister)
         before = self.rig.advance(0).header.stamp
-        after = self.rig.advance(3000).header.stamp
+        after = self.rig.advance(1500).header.stamp
         states.wait_until(lambda m: m and m[-1].header.stamp >= after)
-        heard = [m.header.stamp.to_nsec() for m in states.after(before, 3000)]
-        self.assertEqual([before.to_nsec() + 10000000 * i for i in range(1, 3001)], heard)
+        heard = [m.header.stamp.to_nsec() for m in states.after(before, 1500)]
+        self.assertEqual([before.to_nsec() + 10000000 * i for i in range(1, 1501)], heard)
 
     def test_no_frames_change_nothing(self):
         before = self.rig.advance(0)
