@@ -5,20 +5,14 @@
 
 namespace drill_rig_sim
 {
-namespace
-{
-constexpr double seen = 0.1;  // share of an instrument's resolution below which no error matters
-}
-
-MeasuredError::MeasuredError(double tolerance, double error_over_difference) noexcept
-    : error_over_difference_(error_over_difference), resolved_share_(seen / tolerance)
+MeasuredError::MeasuredError(double error_over_difference) noexcept : error_over_difference_(error_over_difference)
 {
   for (std::size_t i = 0; i < output_count; ++i) differences_[i] = OutputDifference(static_cast<Output>(i));
 }
 
-void MeasuredError::add_run(const Outputs& run, double duration) noexcept
+void MeasuredError::add_run(const Outputs& run, double top_drive_speed, double duration) noexcept
 {
-  frames_[run_++ % capacity] = {run, {}, duration};
+  frames_[run_++ % capacity] = {run, {}, top_drive_speed, duration};
   waiting_ += duration;
 }
 
@@ -33,6 +27,7 @@ bool MeasuredError::compare() noexcept
   waiting_ = compared_ == run_ ? 0.0 : waiting_ - frame.duration;
   if (std::isnan(frame.companion.front())) return false;
   for (std::size_t i = 0; i < output_count; ++i) differences_[i].add(frame.companion[i], frame.run[i], frame.duration);
+  differences_[static_cast<std::size_t>(Output::bit_speed)].expect(frame.top_drive_speed);
   return true;
 }
 
@@ -43,7 +38,8 @@ double MeasuredError::absolute_error(Output output) const noexcept
 
 double MeasuredError::scale(Output output) const noexcept
 {
-  return std::max(differences_[static_cast<std::size_t>(output)].scale(), resolved_share_ * traits_of(output).resolved);
+  const double own = differences_[static_cast<std::size_t>(output)].scale();
+  return output == Output::wob ? std::max(own, weight_of_hook_load * differences_[static_cast<std::size_t>(Output::hook_load)].level()) : own;
 }
 
 double MeasuredError::error(Output output) const noexcept

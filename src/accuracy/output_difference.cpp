@@ -32,6 +32,12 @@ void OutputDifference::add(double value, double other, double duration) noexcept
   time_ += duration;
 }
 
+void OutputDifference::expect(double value) noexcept
+{
+  least_ = std::min(least_, value);
+  most_ = std::max(most_, value);
+}
+
 double OutputDifference::absolute() const noexcept
 {
   const double begun = std::min(1.0, time_ / difference_window);  // there was no difference before the start
@@ -49,7 +55,7 @@ StatisticDifferences OutputDifference::statistics() const noexcept
 double OutputDifference::scale() const noexcept
 {
   const double resolved = traits_of(output_).resolved;
-  return time_ > 0.0 ? std::max({most_ - least_, share_of_level * sum_ / time_, resolved}) : resolved;
+  return std::max({most_ - least_, share_of_level * level(), resolved});
 }
 
 }  // namespace drill_rig_sim

@@ -104,7 +104,7 @@ struct RunBag::Writer
   {
     if (!accuracy_cadence.due(frame.stamp)) return;
     frame.physics = simulator.statistics();
-    frame.accuracy = accuracy_of(simulator);
+    frame.accuracy = accuracy_with_statistics(simulator);
     Accuracy message = to_accuracy(frame, floor_name);
     // a bag is the same wherever it is made: what depends on the speed of the companion's thread is left out
     message.companion = frame.physics.companion.level;

@@ -203,7 +203,7 @@ void SimulationLoop::hand_over(Occasion occasion) noexcept
   note_due(*output, occasion);
   if (output->arrays_due() && !ring_.lend_arrays(*output, !may_be_lost)) leave_out_picture(*output, occasion.whole_picture);
   note_shown(*output);
-  fill_record(output->frame);
+  fill_record(output->frame, output->accuracy_due);
   fill_arrays(*output);
   announced_ = announced_ || occasion.new_stamp;
   ring_.hand_over();
@@ -251,7 +251,7 @@ void SimulationLoop::note_shown(const FrameOutput& s) noexcept
   tube_pending_ = (tube_pending_ || s.well_due) && !s.tube_due;
 }
 
-void SimulationLoop::fill_record(FrameRecord& record) const noexcept
+void SimulationLoop::fill_record(FrameRecord& record, bool accuracy_due) const noexcept
 {
   record.stamp = time_.stamp();
   record.run_state = run_state();
@@ -261,7 +261,7 @@ void SimulationLoop::fill_record(FrameRecord& record) const noexcept
   record.commands = rig_.commands;
   record.operation = rig_.playing ? rig_.player.operations().status() : OperationStatus();
   record.physics = rig_.simulator->statistics();
-  record.accuracy = accuracy_of(*rig_.simulator);
+  record.accuracy = accuracy_due ? accuracy_with_statistics(*rig_.simulator) : accuracy_of(*rig_.simulator);
   record.loop = statistics_;
   record.loop.overruns = time_.overruns();
   record.loop.dropped_seconds = time_.dropped_seconds();

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "drill_rig_sim/accuracy/measured_error.h"
 #include "drill_rig_sim/accuracy/refined.h"
 
 namespace drill_rig_sim
@@ -17,6 +18,13 @@ double checked(double times)
   return times;
 }
 
+/// The number of the finer model: of the run's own companion where that is as fine.
+int finer_of(Simulator& simulator, double times)
+{
+  const bool is_there = simulator.companions() > 0 && simulator.scene().numerics.companion == CompanionKind::finer && times == traits_of(CompanionKind::finer).refinement;
+  return is_there ? 0 : simulator.add_companion(refined(with_free_nodes(simulator.scene().numerics), times));
+}
+
 Outputs errors_of(const Simulator& simulator) noexcept
 {
   Outputs errors;
@@ -27,7 +35,7 @@ Outputs errors_of(const Simulator& simulator) noexcept
 
 FinerPair::FinerPair(Simulator& simulator, double times)
   : times_(checked(times)),
-    finer_(simulator.add_companion(refined(with_free_nodes(simulator.scene().numerics), times))),
+    finer_(finer_of(simulator, times)),
     finest_(simulator.add_companion(refined(with_free_nodes(simulator.scene().numerics), times * times))),
     findings_(simulator.scene().numerics.tolerance, simulator.scene().needs)
 {

@@ -79,7 +79,7 @@ Simulator::Simulator(const Scene& scene, std::uint64_t seed) : impl_(std::make_u
   const CompanionKind kind = impl_->scene.numerics.companion;
   impl_->statistics.not_measured = why_not_measured(scene.numerics);
   if (kind == CompanionKind::none) return;
-  impl_->state.measured = MeasuredError(impl_->scene.numerics.tolerance, traits_of(kind).error_over_difference);
+  impl_->state.measured = MeasuredError(traits_of(kind).error_over_difference);
   try
   {
     add_companion(refined(with_free_nodes(impl_->scene.numerics), traits_of(kind).refinement));

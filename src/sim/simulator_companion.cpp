@@ -141,7 +141,7 @@ void Simulator::Impl::collect() noexcept
 /// What the companion says of the frames that are due. The set points that a frame computes with must have been ordered before.
 void Simulator::Impl::judge(double duration) noexcept
 {
-  if (measures()) state.measured.add_run(judged(), duration);
+  if (measures()) state.measured.add_run(judged(), state.truth.top_drive_speed, duration);
   collect();
   compare_frames();
   statistics.error_is_measured = measures();

@@ -13,9 +13,9 @@ using namespace drill_rig_sim;
 namespace
 {
 /// A frame of 10 ms.
-void add(MeasuredError& measured, const Outputs& run, const Outputs& companion)
+void add(MeasuredError& measured, const Outputs& run, const Outputs& companion, double top_drive_speed = 0.0)
 {
-  measured.add_run(run, 0.01);
+  measured.add_run(run, top_drive_speed, 0.01);
   measured.add_companion(companion);
   while (measured.due()) ASSERT_TRUE(measured.compare());
 }
@@ -23,9 +23,9 @@ void add(MeasuredError& measured, const Outputs& run, const Outputs& companion)
 
 TEST(MeasuredError, isTheDifferenceOverTheRangeTimesItsFactor)
 {
-  MeasuredError measured(0.02);
+  MeasuredError measured;
   for (int k = 0; k < 2000; ++k) add(measured, {1e6 + 1e3, 5e3 * (k % 2)}, {1e6 + 50.0 * k, 5e3 * (k % 2)});
-  MeasuredError far(0.02, 1.2);
+  MeasuredError far(1.2);
   for (int k = 0; k < 2000; ++k) add(far, {1e6, 1e5}, {1e6, 1e5 - 300.0});
   EXPECT_NEAR(far.error(Output::torque), 1.2 * 300.0 / 1e4, 1e-5) << "over a tenth of its level";
   EXPECT_NEAR(far.absolute_error(Output::torque), 1.2 * 300.0, 1e-6);
@@ -69,17 +69,32 @@ TEST(WindowStatistics, areThoseOfTheLastHalfMinute)
   EXPECT_NEAR(window.period, 0.5, 0.01);
 }
 
-TEST(MeasuredError, ofWhatNobodyCanReadIsWithinTheTolerance)
+TEST(MeasuredError, isOverTheResolutionWhereAnOutputHardlyMoves)
 {
-  // 90 N of weight between two models of a bit that barely touches: a load cell resolves 1 kN
-  MeasuredError measured(0.02);
-  for (int k = 0; k < 400; ++k) add(measured, {0.0, 0.0, 90.0}, {});
-  EXPECT_LE(measured.error(Output::wob), 0.02);
+  MeasuredError measured;
+  for (int k = 0; k < 400; ++k) add(measured, {0.0, 0.0, 0.0, 0.0, 0.01}, {});
+  EXPECT_NEAR(measured.error(Output::bit_speed), 0.01 / 0.1, 1e-9);
+}
+
+// A light touch of bottom: 90 N of weight are apart.
+TEST(MeasuredError, ofTheWeightIsOverAShareOfTheHookLoad)
+{
+  MeasuredError measured;
+  for (int k = 0; k < 400; ++k) add(measured, {5e5, 0.0, 90.0}, {5e5});
+  EXPECT_NEAR(measured.error(Output::wob), 90.0 / (weight_of_hook_load * 5e5), 1e-6);
+}
+
+// The drive has begun to turn, the bit follows a second later.
+TEST(MeasuredError, ofTheBitSpeedIsOverThatOfTheTopDrive)
+{
+  MeasuredError measured;
+  for (int k = 0; k < 400; ++k) add(measured, {0.0, 0.0, 0.0, 0.0, 0.01}, {}, 10.0);
+  EXPECT_NEAR(measured.error(Output::bit_speed), 0.01 / 10.0, 1e-6);
 }
 
 TEST(MeasuredError, theLargestIsOfWhatIsNeeded)
 {
-  MeasuredError measured(0.02);
+  MeasuredError measured;
   for (int k = 0; k < 400; ++k) add(measured, {1e6, 1e4, 4e5}, {0.9e6, 0.99e4, 3e5});
   EXPECT_EQ(largest_of(measured.errors(), every_need).output, Output::wob);
   EXPECT_EQ(largest_of(measured.errors(), need_hook_load | need_torque).output, Output::hook_load);
@@ -94,7 +109,7 @@ TEST(MeasuredError, comparesTheSameFramesAtTheSameTimeHoweverLateTheCompanionIs)
   {
     const Outputs run = {1e6 + 50.0 * k, 1e3 * std::sin(0.1 * k)}, companion = {1e6 + 49.0 * k, 1e3 * std::sin(0.11 * k)};
     add(prompt, run, companion);
-    late.add_run(run, 0.01);
+    late.add_run(run, 0.0, 0.01);
     for (; late.due() && !late.ready(); ++waited) late.add_companion({1e6 + 49.0 * waited, 1e3 * std::sin(0.11 * waited)});
     while (late.due()) ASSERT_TRUE(late.compare());
     ASSERT_EQ(prompt.errors(), late.errors());
@@ -107,7 +122,7 @@ TEST(MeasuredError, aCompanionThatFailedMeasuresNothing)
   MeasuredError measured;
   Outputs failed{};
   failed.fill(std::nan(""));
-  for (int k = 0; k < 11; ++k) measured.add_run({1e6}, 0.01);
+  for (int k = 0; k < 11; ++k) measured.add_run({1e6}, 0.0, 0.01);
   ASSERT_TRUE(measured.due());
   ASSERT_FALSE(measured.ready());
   measured.add_companion(failed);
@@ -121,7 +136,7 @@ TEST(MeasuredError, takesNoMoreFramesThanItHasPlacesFor)
   for (std::uint64_t k = 0; k < MeasuredError::capacity; ++k)
   {
     ASSERT_FALSE(measured.due());
-    measured.add_run({1e6}, 1e-4);
+    measured.add_run({1e6}, 0.0, 1e-4);
   }
   EXPECT_TRUE(measured.is_full());
   EXPECT_TRUE(measured.due());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drill_rig_sim/accuracy/refined.h"
+#include "drill_rig_sim/sim/finer_pair.h"
 #include "in_slips.h"
 #include "sim_numbers.h"
 
@@ -208,6 +209,17 @@ TEST(Companion, isThereWhereTheProgramChoosesTheLevel)
   scene.numerics.companion = CompanionKind::none;
   EXPECT_EQ(Simulator(scene).companions(), 0);
   EXPECT_STREQ(Simulator(scene).statistics().not_measured, "numerics.companion is none");
+}
+
+TEST(Companion, isTheFinerModelThatARunIsVerifiedBy)
+{
+  Scene scene = drilling_scene();
+  scene.numerics.companion = CompanionKind::finer;
+  Simulator as_fine(scene), finer_still(scene);
+  const FinerPair pair(as_fine, 2.0), other(finer_still, 3.0);
+  EXPECT_EQ(as_fine.companions(), 2);
+  EXPECT_EQ(pair.finer(), 0);
+  EXPECT_EQ(finer_still.companions(), 3);
 }
 
 TEST(Companion, isBuiltBeforeTheFirstFrame)

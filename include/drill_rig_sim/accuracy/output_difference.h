@@ -38,11 +38,15 @@ public:
 
   /// Its values in the two over a frame of `duration` [s]; the second is the one whose range counts.
   void add(double value, double other, double duration) noexcept;
+  /// A value that the output is about to take: it counts in the range from now on. Call after add().
+  void expect(double value) noexcept;
   /// Root mean square of the difference over the last window, in the output's unit; before the start there was none.
   double absolute() const noexcept;
   StatisticDifferences statistics() const noexcept;
   /// What the output has ranged over so far, a tenth of its mean magnitude, or the resolution of an instrument, whichever is most; in its unit.
   double scale() const noexcept;
+  /// Mean magnitude of the second model's so far, in the output's unit.
+  double level() const noexcept { return time_ > 0.0 ? sum_ / time_ : 0.0; }
 
   template <class V>
   void visit(V& v)

@@ -175,7 +175,7 @@ private:
   void end_step(StepResult::End end) noexcept;
   void hand_over(Occasion occasion) noexcept;
   void note_due(FrameOutput& s, const Occasion& occasion) noexcept;
-  void fill_record(FrameRecord& record) const noexcept;
+  void fill_record(FrameRecord& record, bool accuracy_due) const noexcept;
   void leave_out_picture(FrameOutput& s, bool asked_for) noexcept;
   void note_shown(const FrameOutput& s) noexcept;
   void fill_arrays(FrameOutput& s) noexcept;
