@@ -82,7 +82,7 @@ class Page:
         text = self.text("#number_%s .figure" % name)
         return float(text) if re.fullmatch(r"-?[\d.]+", text) else None
 
-    def wait_text(self, selector, pattern, patience=PATIENCE):
+    def wait_text(self, selector, pattern, patience=3.0 * PATIENCE):
         found = lambda: re.search(pattern, self.text(selector))  # noqa: E731
         return wait_until(found, "%s in %s, which had %r" % (pattern, selector, self.text(selector)), patience)
 
