@@ -69,7 +69,7 @@ def launch_arguments():
 
 
 def laws_in_cpp(room):
-    parts = ['## %s\n\n```{doxygenfile} %s\n```\n' % (os.path.basename(path), os.path.relpath(path, os.path.join(PACKAGE, 'include')))
+    parts = ['## %s\n\n```{doxygenfile} %s\n:no-link:\n```\n' % (os.path.basename(path), os.path.relpath(path, os.path.join(PACKAGE, 'include')))
              for path in headers(room)]
     return page('Headers of %s' % room, 'Made from the headers in {repo}`include/drill_rig_sim/%s` by Doxygen.' % room, *parts)
 
