@@ -14,7 +14,7 @@ import subprocess
 PACKAGE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SEEN = ('build', 'config', 'launch', 'test')  # folders of the package that a page's commands see from where they run
 FENCE = re.compile(r'^```\{(file|command|picture|shell)\}[ \t]*(.*?)\n(.*?)^```$', re.DOTALL | re.MULTILINE)
-LONGEST = 120.0  # that a command may take [s]
+LONGEST = 300.0  # that a command may take [s]
 
 
 class Block:
@@ -54,9 +54,12 @@ class Workplace:
             out.write(content)
 
     def run(self, command, status=0):
-        """What a command prints, errors with it. Raises ValueError where it ends otherwise than with `status`."""
-        done = subprocess.run(['bash', '-c', command], cwd=self.folder, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              text=True, timeout=LONGEST, check=False)
+        """What a command prints, errors with it. Raises ValueError where it ends otherwise than with `status`, or not at all."""
+        try:
+            done = subprocess.run(['bash', '-c', command], cwd=self.folder, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  text=True, timeout=LONGEST, check=False)
+        except subprocess.TimeoutExpired as error:
+            raise ValueError('%s: took longer than %g s' % (command, LONGEST)) from error
         if done.returncode != status:
             raise ValueError('%s: exit status %d, expected %d: %s' % (command, done.returncode, status, done.stdout.strip()))
         return done.stdout

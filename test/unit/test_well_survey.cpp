@@ -278,8 +278,8 @@ TEST(HoleNodes, EachRuleForAHoleSaysWhereAndWhat)
   EXPECT_EQ("well.sections: the list is empty, needed: at least one section", problem_with([](WellSpec& w) { w.sections.clear(); }));
   EXPECT_EQ("well.sections[1].diameter: must be above 0 (got 0 m)", problem_with([](WellSpec& w) { w.sections[1].diameter = 0.0; }));
   EXPECT_EQ("well.sections[0].friction: must be 0 or more (got -0.1)", problem_with([](WellSpec& w) { w.sections[0].friction = -0.1; }));
-  EXPECT_EQ("well.sections[0].static_ratio: 0.9 is no ratio, allowed: 1 or more", problem_with([](WellSpec& w) { w.sections[0].static_ratio = 0.9; }));
-  EXPECT_EQ("well.sections[1].stribeck_speed: 0 m/s is no speed, allowed: above 0",
+  EXPECT_EQ("well.sections[0].static_ratio: must be 1 or more (got 0.9)", problem_with([](WellSpec& w) { w.sections[0].static_ratio = 0.9; }));
+  EXPECT_EQ("well.sections[1].stribeck_speed: must be above 0 (got 0 m/s)",
             problem_with([](WellSpec& w) { w.sections[1].stribeck_speed = 0.0; }));
   EXPECT_EQ("well.sections[1].to: the last section ends at 700 m, needed: down to hole_depth, 730 m",
             problem_with([](WellSpec& w) { w.sections[1].to = 700.0; }));
