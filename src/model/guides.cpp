@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/clear_runs.h"
 #include "drill_rig_sim/model/forces/inertia.h"
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
 #include "drill_rig_sim/model/stage.h"
@@ -266,12 +267,8 @@ void expand_motions(const Stage& stage, Workspace& work) noexcept
     for (std::size_t i = 0; i < stage.guides.size(); ++i) expand_one(i);
     return;
   }
-  for (const Runs::Run& run : stage.inner_nodes)
-    for (int i = run.first, first = i; i < run.last; first = ++i)
-    {
-      while (i < run.last && !work.motion_known[static_cast<std::size_t>(i)]) ++i;
-      if (i > first) stage.guided_kernel->expand_motions(stage, work, {first, i});
-    }
+  each_clear_run(stage.inner_nodes, [&](int i) { return work.motion_known[static_cast<std::size_t>(i)] != 0; },
+                 [&](Runs::Run run) { stage.guided_kernel->expand_motions(stage, work, run); });
   each_outside(stage.inner_nodes, static_cast<int>(stage.guides.size()), [&](int i) { expand_one(static_cast<std::size_t>(i)); });
 }
 

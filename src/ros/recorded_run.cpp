@@ -11,6 +11,7 @@
 
 #include "drill_rig_sim/RigDescription.h"
 #include "drill_rig_sim/RigTruth.h"
+#include "drill_rig_sim/math/ends_with.h"
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/run_bag.h"
 
@@ -20,11 +21,6 @@ namespace
 {
 const std::string of_state = "truth/rig_state";
 const std::string of_companion = "/companion/";  // ends what stands before the topics of a rig's companion, which is no rig of its own
-
-bool ends_with(const std::string& text, const std::string& end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), std::string::npos, end) == 0;
-}
 
 std::string without_slashes(const std::string& text)
 {

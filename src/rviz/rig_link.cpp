@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "drill_rig_sim/math/ends_with.h"
+
 namespace drill_rig_sim::console
 {
 namespace
@@ -33,11 +35,6 @@ double number_of(const std::string& text, double otherwise)
 }
 
 constexpr char list_states[] = "list_states";
-
-bool ends_with(const std::string& text, const std::string& end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 }  // namespace
 
 RigLink::RigLink(QObject* parent) : QObject(parent), state_heard_(Clock::now()), diagnostics_heard_(state_heard_), looked_(state_heard_)

@@ -6,6 +6,7 @@
 #include <regex>
 #include <sstream>
 
+#include "drill_rig_sim/math/ends_with.h"
 #include "drill_rig_sim/math/unit_table.h"
 #include "drill_rig_sim/well/problem.h"
 
@@ -19,11 +20,6 @@ struct KeyUnits
   const UnitFamily* family = nullptr;  // none: its own unit is the only one
   std::string suffix;
 };
-
-bool ends_with(const std::string& text, const std::string& end)
-{
-  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 
 // a gauge's drift is in units of its signal per second, or per square root of a second
 KeyUnits units_of(const std::string& key_unit)

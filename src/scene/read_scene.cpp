@@ -15,6 +15,7 @@
 #include "settings.h"
 #include "survey_entry.h"
 #include "text_file.h"
+#include "unlikely_values.h"
 #include "yaml_document.h"
 #include "yaml_reader.h"
 
@@ -65,6 +66,7 @@ public:
     project(scene);
     check(scene);
     problems_.raise();
+    for (const std::string& value : unlikely_values(scene, problems_.has("well.stations"))) scene.remarks.push_back(one_line(name_) + ": " + value);
     return scene;
   }
 

@@ -98,7 +98,7 @@ const Table<WellSpec> well_keys = {"well", "The hole before drilling starts. Giv
 const Table<SurveyFormat> survey_keys = {"well.survey", "A survey's file and how it is to be read, where its header does not define it. `--columns MAP.yaml` of `drill survey`, `score` and `plot` takes the same keys, but `file`.", {
   {"file",                  "",       Nested{},                            none,                 "the survey's file", survey_of_scene, survey_of_scene},
   {"columns",               "",       Nested{},                            none,                 "names and units of the columns"},
-  {"delimiter",             "",       &SurveyFormat::delimiter,            none,                 "between cells: `\",\"`, `\";\"`, tab or space; decimal commas are read where it is not a comma", no_kind, every_kind, "by the header"},
+  {"delimiter",             "",       &SurveyFormat::delimiter,            none,                 "between cells: `\",\"`, `\";\"`, bar, tab or space; decimal commas are read where it is not a comma, digits in groups where the decimal sign is sure (`1,234.5`, `1.234,5`, `1 234`)", no_kind, every_kind, "by the header"},
   {"pass_over",             "",       Flag<SurveyFormat>{&SurveyFormat::pass_over}, none,        "passes over stations without a value (empty or -999.25) and those that equal the one before; a vertical station needs no azimuth then", no_kind, every_kind, "false"},
 }};
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/well_checks.h"
+#include "survey_digits.h"
 #include "survey_header.h"
 
 namespace drill_rig_sim
@@ -26,7 +28,7 @@ struct Delimiter
   char character;
   const char* name;
 };
-constexpr std::array<Delimiter, 4> delimiters = {{{',', ","}, {';', ";"}, {'\t', "tab"}, {' ', "space"}}};
+constexpr std::array<Delimiter, 5> delimiters = {{{',', ","}, {';', ";"}, {'\t', "tab"}, {'|', "bar"}, {' ', "space"}}};
 
 std::string trimmed(const std::string& text)
 {
@@ -89,9 +91,11 @@ struct Line
   std::string text;
 };
 
+// a column that numbers the stations may be called #
 bool is_comment(const std::string& text)
 {
-  return text[0] == '#' || text[0] == '!' || text[0] == '%' || text.compare(0, 2, "//") == 0;
+  const bool is_name = text.size() > 1 && std::strchr(",;|\t\"", text[1]) != nullptr;
+  return (text[0] == '#' && !is_name) || text[0] == '!' || text[0] == '%' || text.compare(0, 2, "//") == 0;
 }
 
 // Lines that are neither empty nor comments; they end in LF, CR LF or CR.
@@ -340,7 +344,8 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   if (!no_unit.empty()) problems.add_at(table.line, survey.names[survey_md], no_unit);
   if (problems.empty()) take_rows(lines, table, survey, problems);
   if (!problems.empty()) return survey;
-  if (survey.decimal_commas) check_points(survey, problems);
+  take_groups(table.delimiter.character, survey, problems);
+  if (survey.decimal_commas && problems.empty()) check_points(survey, problems);
   if (survey.decimal_commas && problems.empty()) check_commas(survey, problems);
   add_remarks(table, survey);
   settle_angles(header, survey, problems, table.line);

@@ -14,7 +14,7 @@ void read_column(const YAML::Node& node, const std::string& path, bool is_angle,
 {
   read_block(node, path, survey_column_keys, every_kind, column, problems);
   const bool known = column.unit.empty() || (is_angle ? angle_unit(column.unit) : length_unit(column.unit));
-  if (!known) problems.add(join(path, "unit"), "is not known, allowed: " + survey_unit_names(is_angle));
+  if (!known) problems.add(join(path, "unit"), "\"" + shortened(column.unit) + "\" is not known, allowed: " + survey_unit_names(is_angle));
 }
 
 void read_columns(const YAML::Node& node, const std::string& path, SurveyFormat& format, Problems& problems)
@@ -42,8 +42,9 @@ std::map<std::string, YAML::Node> read_format(const YAML::Node& node, const std:
   std::string& delimiter = format.delimiter;
   if (delimiter == "\t") delimiter = "tab";
   if (delimiter == " ") delimiter = "space";
-  if (!delimiter.empty() && delimiter != "," && delimiter != ";" && delimiter != "tab" && delimiter != "space")
-    problems.add(join(path, "delimiter"), "is not known, allowed: \",\", \";\", tab or space");
+  if (delimiter == "|") delimiter = "bar";
+  if (!delimiter.empty() && delimiter != "," && delimiter != ";" && delimiter != "bar" && delimiter != "tab" && delimiter != "space")
+    problems.add(join(path, "delimiter"), "\"" + shortened(delimiter) + "\" is not known, allowed: \",\", \";\", bar, tab or space");
   return entries;
 }
 }  // namespace

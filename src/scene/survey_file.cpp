@@ -5,15 +5,17 @@
 #include "survey_stations.h"
 #include "survey_witsml.h"
 #include "text_file.h"
+#include "unlikely_values.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-bool is_xml(const std::string& text)
+// the first character that is no blank, NUL in an empty file
+char first_of(const std::string& text)
 {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && text[first] == '<';
+  return first == std::string::npos ? '\0' : text[first];
 }
 }  // namespace
 
@@ -21,10 +23,13 @@ SurveyTable read_survey_file(const std::string& file, const SurveyFormat& format
 {
   Problems problems(file);
   const TextFile whole = read_text_file(file, needed_survey);
-  const SurveyRows rows = is_xml(whole.text) ? read_survey_witsml(whole.text, format, problems) : read_survey_csv(whole.text, format, problems);
+  if (first_of(whole.text) == '~') problems.fail(1, "", std::string("begins as a LAS file, needed: ") + needed_survey);
+  const SurveyRows rows = first_of(whole.text) == '<' ? read_survey_witsml(whole.text, format, problems) : read_survey_csv(whole.text, format, problems);
   problems.raise();
   SurveyTable table = stations_of(rows, format.pass_over != 0.0, tie_in, problems);
   problems.raise();
+  const std::string sharp = sharp_turn(table.stations);
+  if (!sharp.empty()) table.remarks.push_back(sharp);
   for (std::string& remark : table.remarks) remark = one_line(file) + ": " + remark;
   if (!whole.remark.empty()) table.remarks.insert(table.remarks.begin(), whole.remark);
   return table;

@@ -152,7 +152,7 @@ Words without_north(const Words& words, std::string& north)
 // takes the names of the rotary table out, from which depths count anyway
 Words without_datum(const Words& words)
 {
-  const std::array<const char*, 8> data = {"rkb", "kb", "brt", "rt", "brkb", "bkb", "rte", "df"};
+  const std::array<const char*, 10> data = {"rkb", "kb", "brt", "rt", "brkb", "bkb", "rte", "df", "below", "from"};
   Words rest;
   std::copy_if(words.begin(), words.end(), std::back_inserter(rest),
                [&](const std::string& word) { return std::find(data.begin(), data.end(), word) == data.end(); });

@@ -24,27 +24,12 @@ std::string with_point(std::string cell)
   if (comma != std::string::npos && cell.find('.') == std::string::npos) cell[comma] = '.';
   return cell;
 }
-
-// 1,000.50 as 1000.50: with a decimal point behind them, commas at every third digit part thousands
-std::string without_thousands(const std::string& cell)
-{
-  const std::size_t point = cell.find('.');
-  if (point == std::string::npos || cell.find(',') == std::string::npos) return cell;
-  std::string digits;
-  for (std::size_t i = 0; i < cell.size(); ++i)
-  {
-    const bool in_place = i > 0 && i < point && (point - i) % 4 == 0;
-    if ((cell[i] == ',') != in_place) return cell;
-    if (!in_place) digits += cell[i];
-  }
-  return digits;
-}
 }  // namespace
 
 CellKind read_cell(const std::string& cell, bool decimal_commas, double& value)
 {
   if (is_empty_text(cell)) return CellKind::missing;
-  std::istringstream in(decimal_commas ? with_point(cell) : without_thousands(cell));
+  std::istringstream in(decimal_commas ? with_point(cell) : cell);
   in.imbue(std::locale::classic());
   if (!(in >> value) || in.peek() != std::istringstream::traits_type::eof()) return CellKind::wrong;
   return std::find(nulls.begin(), nulls.end(), value) != nulls.end() ? CellKind::missing : CellKind::number;

@@ -5,6 +5,7 @@
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/well_checks.h"
 #include "survey_angles.h"
+#include "survey_tvd.h"
 
 namespace drill_rig_sim
 {
@@ -47,12 +48,12 @@ public:
       if (!complete)
         without_value_.push_back(row.line);
       else
-        add({values[survey_md], values[survey_inclination], values[survey_azimuth]}, row.line);
+        add({values[survey_md], values[survey_inclination], values[survey_azimuth]}, row);
     }
   }
 
   std::vector<SurveyStation> stations;
-  std::vector<int> lines;  // of the stations
+  std::vector<const SurveyRow*> rows;  // of the stations
 
   void add_remarks(std::vector<std::string>& remarks) const
   {
@@ -91,11 +92,11 @@ private:
     return (kind == CellKind::wrong ? "must be a finite number" + got : "has no value" + got + "; " + how_to_pass_over) + "; " + survey_.taken;
   }
 
-  void add(const SurveyStation& station, int line)
+  void add(const SurveyStation& station, const SurveyRow& row)
   {
-    if (pass_over_ && !stations.empty() && are_equal(stations.back(), station)) return equal_.push_back(line);
+    if (pass_over_ && !stations.empty() && are_equal(stations.back(), station)) return equal_.push_back(row.line);
     stations.push_back(station);
-    lines.push_back(line);
+    rows.push_back(&row);
   }
 
   const SurveyRows& survey_;
@@ -120,13 +121,6 @@ std::optional<TieIn> tie_in_of(const SurveyRows& survey, const SurveyRow& row, b
   }
   return TieIn{place[0], place[1], place[2]};
 }
-
-const SurveyRow& row_on(const SurveyRows& survey, int line)
-{
-  std::size_t i = 0;
-  while (survey.rows[i].line != line) ++i;
-  return survey.rows[i];
-}
 }  // namespace
 
 SurveyTable stations_of(const SurveyRows& survey, bool pass_over, const std::optional<TieIn>& tie_in, Problems& problems)
@@ -137,15 +131,17 @@ SurveyTable stations_of(const SurveyRows& survey, bool pass_over, const std::opt
   reader.add_remarks(table.remarks);
   if (!problems.empty()) return table;
   if (!tie_in && !table.stations.empty())
-    table.tie_in = tie_in_of(survey, row_on(survey, reader.lines.front()), table.stations.front().md != 0.0, problems);
+    table.tie_in = tie_in_of(survey, *reader.rows.front(), table.stations.front().md != 0.0, problems);
   if (!problems.empty()) return table;
   const UnitName& unit = survey.rows.empty() ? *length_unit("m") : *survey.rows.front().units[survey_md];
   for (const SurveyProblem& p : survey_problems(table.stations, table.tie_in, {unit.name, unit.factor()}))
   {
     const bool equal = p.station > 0 && p.station < table.stations.size() && are_equal(table.stations[p.station - 1], table.stations[p.station]);
-    problems.add_at(p.station < reader.lines.size() ? reader.lines[p.station] : 1, "station " + std::to_string(p.station + 1),
+    problems.add_at(p.station < reader.rows.size() ? reader.rows[p.station]->line : 1, "station " + std::to_string(p.station + 1),
                     p.text + (equal ? std::string("; ") + how_to_pass_over : ""));
   }
+  const std::string differing = problems.empty() ? differing_tvd(survey, table.stations, reader.rows) : "";
+  if (!differing.empty()) table.remarks.push_back(differing);
   return table;
 }
 

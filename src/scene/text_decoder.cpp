@@ -99,6 +99,15 @@ bool begins_with(const std::string& bytes, const char* mark)
   return bytes.compare(0, std::char_traits<char>::length(mark), mark) == 0;
 }
 
+// what a file is by its first bytes, where that is no text; "" elsewhere
+std::string other_kind(const std::string& bytes)
+{
+  for (const auto& [mark, kind] : {std::pair<const char*, const char*>{"PK\x03\x04", "a spreadsheet (xlsx) or another zip file"}, {"\xd0\xcf\x11\xe0", "a spreadsheet (xls)"},
+                                   {"\x1f\x8b", "compressed (gzip)"}, {"%PDF", "a PDF file"}})
+    if (begins_with(bytes, mark)) return kind;
+  return "";
+}
+
 // the bytes' characters; NUL is one of them here
 DecodedText characters_of(std::string bytes)
 {
@@ -118,7 +127,9 @@ DecodedText characters_of(std::string bytes)
 
 DecodedText decode_text(std::string bytes)
 {
+  const std::string other = other_kind(bytes);
   DecodedText decoded = characters_of(std::move(bytes));
+  if (!other.empty()) decoded.wrong = "is " + other + ", needed: text, as of a spreadsheet saved as CSV";
   const std::size_t nul = decoded.text.find('\0');
   if (!decoded.wrong.empty() || nul == std::string::npos) return decoded;
   decoded.wrong = "holds a NUL byte, needed: text in UTF-8, in UTF-16 with a byte order mark, or in latin-1";

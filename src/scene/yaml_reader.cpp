@@ -113,6 +113,21 @@ std::string describe(const YAML::Node& node)
   return "nothing";
 }
 
+namespace
+{
+// of a key that a scene has: what stands elsewhere may be of any file and is not shown
+std::string as_given(const YAML::Node& node)
+{
+  return node.IsScalar() ? '"' + shortened(node.Scalar()) + '"' : describe(node);
+}
+
+// where a number is needed, which has no quotes
+std::string no_number(const YAML::Node& node)
+{
+  return as_given(node) + (node.IsScalar() && !plain_scalar(node) ? " in quotes" : "");
+}
+}  // namespace
+
 std::string to_text(const Range& range)
 {
   const std::string low = plain(range.low), high = plain(range.high);
@@ -148,7 +163,7 @@ bool read_number(const YAML::Node& node, const std::string& path, const Range& a
   if (!is_number(node, given))
   {
     const bool weird = plain_scalar(node) && is_infinite_or_nan(node.Scalar());
-    problems.add(path, (weird ? "is not a finite number" : describe(node) + " is not a number") + ", allowed: " + range_text(allowed, unit, input));
+    problems.add(path, (weird ? "is not a finite number" : no_number(node) + " is not a number") + ", allowed: " + range_text(allowed, unit, input));
     return false;
   }
   const std::string wrong_unit = find_input_unit(given, unit, input);
@@ -180,7 +195,7 @@ void read_whole(const YAML::Node& node, const std::string& path, const Range& al
   double read = 0.0;
   if (!plain_scalar(node) || !parse_decimal(node.Scalar(), read) || read != std::floor(read))
   {
-    problems.add(path, describe(node) + " is not a whole number, allowed: " + to_text(allowed));
+    problems.add(path, no_number(node) + " is not a whole number, allowed: " + to_text(allowed));
     return;
   }
   if (!inside(read, allowed))
@@ -200,7 +215,7 @@ bool read_word(const YAML::Node& node, const std::string& path, const std::vecto
     word = static_cast<int>(i);
     return true;
   }
-  problems.add(path, describe(node) + " is not known, allowed: " + to_text(words));
+  problems.add(path, as_given(node) + " is not known, allowed: " + to_text(words));
   return false;
 }
 
@@ -208,7 +223,7 @@ void read_word_set(const YAML::Node& node, const std::string& path, const std::v
 {
   if (!node.IsSequence() || node.size() == 0)
   {
-    problems.add(path, describe(node) + " is given, allowed: a list with some of " + to_text(words));
+    problems.add(path, as_given(node) + " is given, allowed: a list with some of " + to_text(words));
     return;
   }
   unsigned found = 0;
@@ -250,7 +265,7 @@ void read_count_or_fill(const YAML::Node& node, const std::string& path, const R
   double read = 0.0;
   if (!plain_scalar(node) || !parse_decimal(node.Scalar(), read))
   {
-    problems.add(path, "must be " + to_text(allowed) + ", or fill (got " + describe(node) + ")");
+    problems.add(path, "must be " + to_text(allowed) + ", or fill (got " + no_number(node) + ")");
     return;
   }
   read_whole(node, path, allowed, value, problems);

@@ -1,7 +1,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "drill_command.h"
 #include "drill_options.h"
@@ -19,14 +18,10 @@ struct CalibrateOptions
 
 void calibrate(const CalibrateOptions& options)
 {
-  std::vector<std::string> words;
-  add_word(words, "--apply", options.apply);
-  add_word(words, "--json", options.json);
-  add_word(words, "--plots", options.plots);
-  add_word(words, "--scheduler", options.scheduler);
-  if (options.workers) add_word(words, "--workers", std::to_string(static_cast<int>(*options.workers)));
-  words.insert(words.end(), {"--", options.fit});
-  become_python("calibrate_command", words);
+  const std::string workers = options.workers ? std::to_string(static_cast<int>(*options.workers)) : "";
+  become_python("calibrate_command", {},
+                {{"--apply", options.apply}, {"--json", options.json}, {"--plots", options.plots}, {"--scheduler", options.scheduler}, {"--workers", workers}},
+                {options.fit});
 }
 }  // namespace
 

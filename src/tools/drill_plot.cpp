@@ -21,13 +21,9 @@ struct PlotOptions
 void plot(const PlotOptions& options)
 {
   std::vector<std::string> words;
-  add_word(words, "--out", options.out);
   add_plan_words(words, options.plan, options.plan_file);
-  add_word(words, "--string", options.string);
-  add_word(words, "--namespace", options.name_space);
-  add_word(words, "--units", options.units);
-  words.insert(words.end(), {"--", options.run});
-  become_python("plot_command", words);
+  become_python("plot_command", words,
+                {{"--out", options.out}, {"--string", options.string}, {"--namespace", options.name_space}, {"--units", options.units}}, {options.run});
 }
 }  // namespace
 

@@ -1,6 +1,5 @@
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "drill_command.h"
 #include "drill_options.h"
@@ -20,14 +19,9 @@ struct ReplayOptions
 
 void replay(const ReplayOptions& options)
 {
-  std::vector<std::string> words = words_of(options.record);
-  add_word(words, "--start", options.start);
-  add_word(words, "--json", options.json);
-  add_word(words, "--csv", options.csv);
-  add_word(words, "--plots", options.plots);
-  add_word(words, "--units", options.units);
-  words.insert(words.end(), {"--", options.record.record, options.scene});
-  become_python("replay_command", words);
+  become_python("replay_command", words_of(options.record),
+                {{"--start", options.start}, {"--json", options.json}, {"--csv", options.csv}, {"--plots", options.plots}, {"--units", options.units}},
+                {options.record.record, options.scene});
 }
 }  // namespace
 

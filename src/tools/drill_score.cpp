@@ -1,6 +1,5 @@
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "drill_command.h"
 #include "drill_options.h"
@@ -20,13 +19,8 @@ struct ScoreCommand
 
 void judge(const ScoreCommand& options)
 {
-  std::vector<std::string> words = words_of(options.score);
-  add_word(words, "--namespace", options.name_space);
-  add_word(words, "--json", options.json);
-  add_word(words, "--plots", options.plots);
-  add_word(words, "--units", options.units);
-  words.insert(words.end(), {"--", options.run});
-  become_python("score_command", words);
+  become_python("score_command", words_of(options.score),
+                {{"--namespace", options.name_space}, {"--json", options.json}, {"--plots", options.plots}, {"--units", options.units}}, {options.run});
 }
 }  // namespace
 

@@ -22,12 +22,8 @@ struct WeightsOptions
 void weights(const WeightsOptions& options)
 {
   std::vector<std::string> words = words_of(options.record);
-  add_word(words, "--csv", options.csv);
-  add_word(words, "--json", options.json);
-  add_word(words, "--units", options.units);
   if (options.no_flow) words.emplace_back("--no-flow");
-  words.insert(words.end(), {"--", options.record.record});
-  become_python("weights_command", words);
+  become_python("weights_command", words, {{"--csv", options.csv}, {"--json", options.json}, {"--units", options.units}}, {options.record.record});
 }
 }  // namespace
 

@@ -177,7 +177,7 @@ TEST(SceneRead, WrongSettingsAreRefusedByName)
   EXPECT_EQ(message("numerics.step=1").rfind("setting: numerics.step: 1 is out of range", 0), 0u) << message("numerics.step=1");
   EXPECT_EQ(message("numerics.stepp=1").rfind("setting: numerics.stepp: unknown key", 0), 0u) << message("numerics.stepp=1");
   EXPECT_EQ(message("well.sections[7].friction=0").rfind("setting: well.sections[7].friction: there is no such", 0), 0u);
-  EXPECT_EQ(message("numerics.integrator=no_such").rfind("setting: numerics.integrator: text is not known, allowed: auto, bdf2", 0), 0u);
+  EXPECT_EQ(message("numerics.integrator=no_such").rfind("setting: numerics.integrator: \"no_such\" is not known, allowed: auto, bdf2", 0), 0u);
   EXPECT_EQ(message("numerics.kernel=scalar"), "accepted");
   const char* elsewhere = has_kernel(Kernel::neon) ? "sse4" : "neon";
   EXPECT_EQ(message((std::string("numerics.kernel=") + elsewhere).c_str()), std::string("setting: numerics.kernel: ") + elsewhere + " is not among what this machine and build have, allowed: " + kernels_here());
@@ -187,6 +187,51 @@ TEST(SceneRead, WrongSettingsAreRefusedByName)
   EXPECT_EQ(message("name.step=1").rfind("setting: name.step: goes through", 0), 0u);
   for (const char* nonsense : {"=", "..=1", "a[=1", "a[]=1", "well[0]=1", "name=[", "[0]=1", "string[0]..x=1"})
     EXPECT_NE(message(nonsense), "accepted") << nonsense;
+}
+
+// In range, and no rig has them: as of a number whose unit is missing.
+TEST(SceneRead, UnlikelyValuesAreReported)
+{
+  const auto remarks = [](const std::string& setting) { return parse_scene(smallest, "x", {setting}).remarks; };
+  EXPECT_TRUE(remarks("mud.density=1200").empty());
+  EXPECT_TRUE(remarks("mud.density=0").empty()) << "a hole in a vacuum";
+  ASSERT_EQ(1u, remarks("mud.density=9.5").size());
+  EXPECT_EQ("x: mud.density: 9.5 kg/m3 is that of a gas; is its unit missing? 9.5 ppg is 1138 kg/m3", remarks("mud.density=9.5").front());
+  EXPECT_NE(std::string::npos, remarks("mud.density=75").at(0).find("75 kg/m3 is that of foam"));
+  const PartSpec part = parse_scene(smallest, "x").string.back();
+  const double body = pi / 4.0 * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter) * part.density;
+  const std::string key = "string[" + std::to_string(parse_scene(smallest, "x").string.size() - 1) + "].linear_mass";
+  EXPECT_EQ(0u, remarks(key + "=" + std::to_string(2.1 * body)).at(0).rfind("x: " + key + ": ", 0));
+  for (const double share : {1.0, 1.9}) EXPECT_TRUE(remarks(key + "=" + std::to_string(share * body)).empty()) << share;
+  const std::string collar = "string=[{name: bit, type: bit, length: 0.3, mass: 50, diameter: 0.25}, {name: collar, type: collar, joints: 1, joint_length: 9.4, "
+                             "outer_diameter: 0.165, inner_diameter: 0.0714, linear_mass: 0.136}, {name: pipe, type: pipe, joints: fill, joint_length: 9.5, "
+                             "outer_diameter: 0.127, inner_diameter: 0.1086, linear_mass: 31.9}]";
+  ASSERT_EQ(1u, remarks(collar).size()) << "in tonnes a metre";
+  EXPECT_EQ(0u, remarks(collar).front().rfind("x: string[1].linear_mass: 0.136 kg/m is not that of its body, 136 kg/m", 0)) << remarks(collar).front();
+  ASSERT_EQ(1u, remarks("well.stations=[[0, 0, 0], [40, 0, 0], [50, 60, 0]]").size());
+  EXPECT_NE(std::string::npos, remarks("well.stations=[[0, 0, 0], [40, 0, 0], [50, 60, 0]]").front().find("well.stations: from 40.00 to 50.00 m the hole turns by 180 deg/30 m"));
+}
+
+// What was read is shown of a key that a scene has.
+TEST(SceneRead, AWrongWordIsShown)
+{
+  const auto message = [](const std::string& setting) -> std::string
+  {
+    try
+    {
+      parse_scene(smallest, "x", {setting});
+    }
+    catch (const SceneError& e)
+    {
+      return e.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ("setting: string[0].type: \"tricone\" is not known, allowed: bit, mud_motor, collar, stabilizer, mwd, pipe or rotary_steerable", message("string[0].type=tricone"));
+  EXPECT_EQ("setting: string[0].type: a list is not known, allowed: bit, mud_motor, collar, stabilizer, mwd, pipe or rotary_steerable", message("string[0].type=[bit]"));
+  EXPECT_EQ(0u, message("mud.density=1,2").rfind("setting: mud.density: \"1,2\" is not a number, allowed: 0 to 3000 kg/m3", 0)) << message("mud.density=1,2");
+  EXPECT_EQ(0u, message("mud.density='1200'").rfind("setting: mud.density: \"1200\" in quotes is not a number", 0)) << message("mud.density='1200'");
+  EXPECT_EQ(0u, message("string[1].joints=two").rfind("setting: string[1].joints: \"two\" is no count, allowed: ", 0)) << message("string[1].joints=two");
 }
 
 TEST(SurveyCsv, ColumnsMayStandInAnyOrderBesideOthers)

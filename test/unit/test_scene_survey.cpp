@@ -9,48 +9,16 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/survey_file.h"
+#include "survey_reading.h"
 #include "temporary_folder.h"
 
 namespace drill_rig_sim::test_scene_survey
 {
+using namespace survey_reading;
+
 namespace
 {
 constexpr double foot = 0.3048;
-
-SurveyTable read(const std::string& text, const SurveyFormat& format = {})
-{
-  const TemporaryFolder folder;
-  const std::string file = folder.file("survey.txt");
-  std::ofstream(file) << text;
-  return read_survey_file(file, format);
-}
-
-// the first problem without the file's name, "accepted" if there is none
-std::string refusal(const std::string& text, const SurveyFormat& format = {})
-{
-  try
-  {
-    read(text, format);
-    return "accepted";
-  }
-  catch (const SceneError& error)
-  {
-    EXPECT_EQ(1u, error.problems().size()) << error.what();
-    return error.problems().front().substr(error.problems().front().find("survey.txt") + 10);
-  }
-}
-
-bool holds(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
-void expect_station(const SurveyStation& station, double md, double inclination, double azimuth)
-{
-  EXPECT_NEAR(md, station.md, 1e-9);
-  EXPECT_NEAR(inclination * degree, station.inclination, 1e-12);
-  EXPECT_NEAR(azimuth * degree, station.azimuth, 1e-12);
-}
 
 struct Spelled
 {
@@ -367,8 +335,8 @@ TEST(SceneSurvey, AMapFile)
   EXPECT_EQ("m", format.tvd.unit);
   EXPECT_EQ("tab", format.delimiter);
   EXPECT_EQ(1.0, format.pass_over);
-  for (const auto& [text, problem] : {std::pair<const char*, const char*>{"file: x.csv", ":1: file: unknown key"}, {"columns: {md: {unit: fathom}}", ":1: columns.md.unit: is not known, allowed: m, mm, cm, km, ft, in, ftUS"},
-                                      {"delimiter: \"|\"", "delimiter: is not known, allowed: \",\", \";\", tab or space"}, {"columns: {inclination: {unit: ft}}", "allowed: rad, deg, rev, gon"}})
+  for (const auto& [text, problem] : {std::pair<const char*, const char*>{"file: x.csv", ":1: file: unknown key"}, {"columns: {md: {unit: fathom}}", ":1: columns.md.unit: \"fathom\" is not known, allowed: m, mm, cm, km, ft, in, ftUS"},
+                                      {"delimiter: \"!\"", "delimiter: \"!\" is not known, allowed: \",\", \";\", bar, tab or space"}, {"columns: {inclination: {unit: ft}}", "allowed: rad, deg, rev, gon"}})
   {
     std::ofstream(file) << text;
     try

@@ -46,6 +46,17 @@ TEST(SceneText, Utf16OfBothOrders)
   EXPECT_NE("", decode_text(utf16(std::u16string(1, 0xd800), false)).wrong) << "half a pair";
 }
 
+TEST(SceneText, FilesThatAreNoTextAreNamed)
+{
+  for (const auto& [mark, kind] : {std::pair<const char*, const char*>{"PK\x03\x04", "is a spreadsheet (xlsx) or another zip file, needed: text, as of a spreadsheet saved as CSV"},
+                                   {"\xd0\xcf\x11\xe0", "is a spreadsheet (xls)"}, {"\x1f\x8b\x08", "is compressed (gzip)"}, {"%PDF-1.7", "is a PDF file"}})
+  {
+    const DecodedText decoded = decode_text(std::string(mark) + std::string(20, '\0'));
+    EXPECT_EQ(0u, decoded.wrong.rfind(kind, 0)) << decoded.wrong;
+    EXPECT_EQ(0, decoded.wrong_line);
+  }
+}
+
 TEST(SceneText, OtherBytesAreLatin)
 {
   const DecodedText decoded = decode_text("51\xb0 \xf8 \x80\x81\n");

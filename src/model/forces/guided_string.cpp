@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/contact/surface_friction.h"
+#include "drill_rig_sim/model/clear_runs.h"
 #include "drill_rig_sim/model/forces/beams.h"
 #include "drill_rig_sim/model/forces/bit.h"
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
@@ -285,12 +286,7 @@ void add_guided_string(const StageContext& at, const ForceRows& to) noexcept
 template <class Batch, class Node>
 void each_inner_run(const StageContext& at, const Batch& batch, const Node& node)
 {
-  for (const Runs::Run& run : at.stage.inner_nodes)
-    for (int i = run.first, first = i; i < run.last; first = ++i)
-    {
-      while (i < run.last && !acted_on(at, i)) ++i;
-      if (i > first) batch({first, i});
-    }
+  each_clear_run(at.stage.inner_nodes, [&](int i) { return acted_on(at, i); }, batch);
   for (const Runs::Run& run : at.stage.inner_nodes)
     for (int i = run.first; i < run.last; ++i)
       if (acted_on(at, i)) node(i);

@@ -1,0 +1,68 @@
+#include "unlikely_values.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/well/directions.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double lightest_mud = 500.0;             // of a liquid [kg/m3]; lighter are gas and foam
+constexpr double ppg = 119.8264;                   // [kg/m3]
+constexpr double least_mass = 0.6, most_mass = 2.0;  // of a part, by the mass of its body: tool joints and blades add to it
+constexpr double sharpest = 30.0 * degree / 30.0;  // short-radius holes turn up to this [rad/m]
+
+template <class... Values>
+std::string line(const char* form, Values... values)
+{
+  char text[300];
+  std::snprintf(text, sizeof text, form, values...);
+  return text;
+}
+
+std::string unlikely_mud(double density)
+{
+  if (density <= 0.0 || density >= lightest_mud) return "";
+  if (density < 25.0) return line("mud.density: %g kg/m3 is that of a gas; is its unit missing? %g ppg is %.0f kg/m3", density, density, density * ppg);
+  return line("mud.density: %g kg/m3 is that of foam; is its unit missing? Muds have 800 to 2400 kg/m3", density);
+}
+
+std::string unlikely_mass(const PartSpec& part, std::size_t place)
+{
+  const double body = pi / 4.0 * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter) * part.density;
+  if (part.bit || !(body > 0.0) || (part.linear_mass >= least_mass * body && part.linear_mass <= most_mass * body)) return "";
+  return line("string[%zu].linear_mass: %g kg/m is not that of its body, %.3g kg/m by its diameters and density; is its unit right?", place, part.linear_mass, body);
+}
+}  // namespace
+
+std::vector<std::string> unlikely_values(const Scene& scene, bool stations)
+{
+  const std::string sharp = stations ? sharp_turn(scene.well.survey) : "";
+  std::vector<std::string> lines{unlikely_mud(scene.mud.density), sharp.empty() ? "" : "well.stations: " + sharp};
+  for (std::size_t i = 0; i < scene.string.size(); ++i) lines.push_back(unlikely_mass(scene.string[i], i));
+  std::vector<std::string> found;
+  for (const std::string& one : lines)
+    if (!one.empty()) found.push_back(one);
+  return found;
+}
+
+std::string sharp_turn(const std::vector<SurveyStation>& survey)
+{
+  double largest = sharpest;
+  std::string text;
+  for (std::size_t i = 1; i < survey.size(); ++i)
+  {
+    const SurveyStation &a = survey[i - 1], &b = survey[i];
+    const double cosine = tangent_from(a.inclination, a.azimuth).dot(tangent_from(b.inclination, b.azimuth));
+    const double turn = std::acos(std::fmin(1.0, std::fmax(-1.0, cosine))) / (b.md - a.md);
+    if (!(turn > largest)) continue;
+    largest = turn;
+    text = line("from %.2f to %.2f m the hole turns by %.0f deg/30 m, more sharply than holes are drilled; is one of the stations wrong?", a.md, b.md, turn * 30.0 / degree);
+  }
+  return text;
+}
+
+}  // namespace drill_rig_sim
