@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <utility>
 
 #include "drill_rig_sim/math/units.h"
 
@@ -13,6 +15,37 @@ namespace
 // Pa per psi, kg/m3 per lb/gal, m per ft, m3/s per gal/min
 constexpr double psi = 6894.757, pound_per_gallon = 119.8264, foot = 0.3048, inch = 0.0254, gallon_per_minute = 6.30902e-5;
 constexpr double narrowest = 1e-3;  // annulus and bore are never taken narrower [m]
+
+/// What the mud loses along a metre at the pump's largest flow: by the rheology, each section worked out once, or by the rules of thumb.
+class Gradients
+{
+public:
+  explicit Gradients(const MudWay& way) : way_(way)
+  {
+    if (way.rheology) curve_ = curve_of(*way.rheology, way.mud.viscosity);
+  }
+
+  double in_bore(double diameter) { return way_.rheology ? by_law(bore_of(diameter)) : bore_gradient(way_.mud.density, way_.pump.max_flow, diameter); }
+  double in_annulus(double hole, double diameter)
+  {
+    return way_.rheology ? by_law(annulus_of(hole, diameter)) : annulus_gradient(way_.mud.density, way_.pump.max_flow, hole, diameter);
+  }
+  Passage bore_of(double diameter) const { return {std::max(diameter, narrowest), 0.0, 0.0}; }
+  Passage annulus_of(double hole, double diameter) const { return {std::max(hole, diameter + narrowest), diameter, way_.rheology->eccentricity}; }
+  const Rheology& curve() const { return curve_; }
+
+private:
+  double by_law(const Passage& passage)
+  {
+    const auto found = known_.find({passage.outer, passage.inner});
+    if (found != known_.end()) return found->second;
+    return known_[{passage.outer, passage.inner}] = pressure_gradient(curve_, way_.mud.density, passage, way_.pump.max_flow / passage.area());
+  }
+
+  const MudWay& way_;
+  Rheology curve_;
+  std::map<std::pair<double, double>, double> known_;
+};
 
 /// An element's stretch of bore and annulus.
 struct Stretch
@@ -34,17 +67,22 @@ struct Stretch
   }
 };
 
-Stretch stretch_of(const MudWay& way, const Mesh& mesh, std::size_t e)
+double diameter_of(double area) noexcept
+{
+  return std::sqrt(4.0 / pi * area);
+}
+
+Stretch stretch_of(const MudWay& way, const Mesh& mesh, std::size_t e, Gradients& gradients)
 {
   const MeshElement& element = mesh.elements[e];
-  const double length = element.section.length, density = way.mud.density, flow = way.pump.max_flow;
+  const double length = element.section.length;
   Stretch out;
   if (element.bore_area > 0.0)
   {
-    const double bore = std::sqrt(4.0 / pi * element.bore_area);
+    const double bore = diameter_of(element.bore_area);
     out.bore_volume = element.bore_area * length;
     out.bore_gel = 4.0 * length / std::max(bore, narrowest);
-    out.bore_loss = bore_gradient(density, flow, bore) * length;
+    out.bore_loss = gradients.in_bore(bore) * length;
   }
   const double md = way.bit_depth - mesh.middle(e);
   const double hole = way.hole[section_at(way.hole, md)].diameter, gap = hole - element.outer_diameter;
@@ -54,8 +92,51 @@ Stretch stretch_of(const MudWay& way, const Mesh& mesh, std::size_t e)
   out.displaced = element.outer_area + clinging_constant(element.outer_diameter / hole) * annulus_area;
   out.annulus_volume = annulus_area * length;
   out.annulus_gel = 4.0 * length / std::max(gap, narrowest);
-  out.annulus_loss = annulus_gradient(density, flow, hole, element.outer_diameter) * length;
+  out.annulus_loss = gradients.in_annulus(hole, element.outer_diameter) * length;
   return out;
+}
+
+/// Lengths of alike passages: of the bore, and of the annulus.
+MudSections sections_of(const MudWay& way, const Mesh& mesh, const std::vector<Stretch>& stretches, const Gradients& gradients)
+{
+  MudSections out;
+  const auto add = [](std::vector<PassageLength>& list, const Passage& passage, double length)
+  {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const PassageLength& one)
+                                    { return one.passage.outer == passage.outer && one.passage.inner == passage.inner; });
+    if (found != list.end()) found->length += length;
+    else list.push_back({passage, length});
+  };
+  for (std::size_t e = 0; e < stretches.size(); ++e)
+  {
+    const MeshElement& element = mesh.elements[e];
+    if (stretches[e].bore_loss > 0.0) add(out.bore, gradients.bore_of(diameter_of(element.bore_area)), element.section.length);
+    if (stretches[e].hole > 0.0) add(out.annulus, gradients.annulus_of(stretches[e].hole, element.outer_diameter), element.section.length);
+  }
+  for (const SurfaceLine& line : way.pump.surface_lines) add(out.lines, {line.diameter, 0.0, 0.0}, line.length);
+  const std::optional<BitSpec>& bit = way.string.front().bit;
+  out.nozzle_area = bit ? bit->flow_area() : 0.0;
+  return out;
+}
+
+/// By the rheology.
+void lose_by_law(const MudWay& way, const Mesh& mesh, const std::vector<Stretch>& stretches, const Gradients& gradients, MudCircuit& out)
+{
+  const double flow = way.pump.max_flow;
+  SectionLosses& law = out.circuit.law;
+  law = section_losses(gradients.curve(), way.mud.density, sections_of(way, mesh, stretches, gradients), flow);
+  const double lines = law.lines_loss(flow), bore = law.bore.at(flow).loss, inner = law.inner(flow).loss;
+  out.losses = {lines, bore, inner - lines - bore, law.outer(flow, 0.0).loss};
+  out.circuit.bore.loss = inner;
+}
+
+/// What pressure_coefficient leaves of the rules of thumb, the bore's first to give way.
+void lose_by_coefficient(const MudPumpSpec& pump, const Stretch& all, MudCircuit& out)
+{
+  const double total = pump.pressure_coefficient * pump.max_flow * pump.max_flow;
+  const double annulus = std::min(all.annulus_loss, total), inner = total - annulus, bore = std::min(all.bore_loss, inner);
+  out.losses = {0.0, bore, inner - bore, annulus};
+  out.circuit.bore.loss = inner;
 }
 
 /// The mean of what displaces mud: so much, wherever it is, makes the moving string's losses; none where nothing is lost.
@@ -119,23 +200,25 @@ MudCircuit mud_circuit(const MudWay& way, const Mesh& mesh)
 {
   std::vector<Stretch> stretches;
   Stretch all;
+  Gradients gradients(way);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
   {
-    stretches.push_back(stretch_of(way, mesh, e));
+    stretches.push_back(stretch_of(way, mesh, e, gradients));
     all += stretches.back();
   }
-  const MudPumpSpec& pump = way.pump;
-  const double total = pump.pressure_coefficient * pump.max_flow * pump.max_flow;
-  const double annulus = std::min(all.annulus_loss, total), inner = total - annulus;
   MudCircuit out;
   out.tubular_loss = all.bore_loss + all.annulus_loss;
-  out.circuit.nominal_flow = pump.max_flow;
-  out.circuit.exponent = pump.loss_exponent;
-  out.circuit.bore = {all.bore_volume / way.mud.bulk_modulus, inner, all.bore_gel * way.mud.gel_strength};
-  out.circuit.annulus = {all.annulus_volume / way.mud.bulk_modulus, annulus, all.annulus_gel * way.mud.gel_strength};
-  out.bore_friction = inner > 0.0 ? std::min(1.0, all.bore_loss / inner) : 0.0;
+  out.circuit.nominal_flow = way.pump.max_flow;
+  out.circuit.exponent = way.pump.loss_exponent;
+  way.rheology ? lose_by_law(way, mesh, stretches, gradients, out) : lose_by_coefficient(way.pump, all, out);
+  const double inner = out.circuit.bore.loss;
+  // of a gel, what the law has as its yield stress is no more
+  const double gel = way.rheology ? std::max(0.0, way.mud.gel_strength - gradients.curve().yield_stress) : way.mud.gel_strength;
+  out.circuit.bore = {all.bore_volume / way.mud.bulk_modulus, inner, all.bore_gel * gel};
+  out.circuit.annulus = {all.annulus_volume / way.mud.bulk_modulus, out.losses.annulus, all.annulus_gel * gel};
+  out.bore_friction = inner > 0.0 ? out.losses.bore / inner : 0.0;
   share_losses(stretches, all, out);
-  out.displaced_area = displaced_area(stretches, out);
+  out.displaced_area = way.rheology ? out.circuit.law.displaced_area : displaced_area(stretches, out);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) add_forces(way, mesh.elements[e], stretches[e], out.annulus_here[e], out);
   return out;
 }
@@ -143,7 +226,7 @@ MudCircuit mud_circuit(const MudWay& way, const Mesh& mesh)
 std::string doubt_of_pressures(const MudCircuit& mud)
 {
   const double lost = mud.circuit.bore.loss + mud.circuit.annulus.loss;
-  if (lost <= 0.0 || mud.tubular_loss < lost) return {};
+  if (mud.circuit.law.any() || lost <= 0.0 || mud.tubular_loss < lost) return {};
   char text[240];
   const double flow = mud.circuit.nominal_flow;
   std::snprintf(text, sizeof text,
@@ -152,11 +235,24 @@ std::string doubt_of_pressures(const MudCircuit& mud)
   return text;
 }
 
+double annulus_share(const MudCircuit& mud, const Mesh& mesh, double from_bit) noexcept
+{
+  for (std::size_t e = 0; e < mud.annulus_here.size(); ++e)
+  {
+    const double lower = mesh.nodes[e].from_bit, upper = mesh.nodes[e + 1].from_bit;
+    if (from_bit > upper) continue;
+    const double inside = std::max(0.0, from_bit - lower) / (upper - lower);
+    return mud.annulus_above[e] + (0.5 - inside) * mud.annulus_here[e];
+  }
+  return 0.0;
+}
+
 MudPressures mud_pressures(const MudCircuit& mud, const HydraulicState& state, double flow) noexcept
 {
   const HydraulicCircuit& c = mud.circuit;
-  const double friction = flow > 0.0 ? mud.bore_friction * c.bore.loss * std::pow(flow / c.nominal_flow, c.exponent) : 0.0;
-  return {state.stand_pipe_pressure, friction, state.annulus_pressure};
+  if (flow <= 0.0) return {state.stand_pipe_pressure, 0.0, 0.0, state.annulus_pressure};
+  if (c.law.any()) return {state.stand_pipe_pressure, c.law.lines_loss(flow), c.law.bore.at(flow).loss, state.annulus_pressure};
+  return {state.stand_pipe_pressure, 0.0, mud.bore_friction * c.bore.loss * std::pow(flow / c.nominal_flow, c.exponent), state.annulus_pressure};
 }
 
 }  // namespace drill_rig_sim

@@ -11,7 +11,7 @@
 #include "drill_rig_sim/well/tie_in.h"
 #include "problems.h"
 #include "scene_keys.h"
-#include "read_fill.h"
+#include "read_hydraulics.h"
 #include "settings.h"
 #include "survey_entry.h"
 #include "text_file.h"
@@ -44,10 +44,7 @@ public:
     const Entries top = read_block(root, "", scene_keys, every_kind, scene, problems_);
     in(top, "", "well", [&](const YAML::Node& n, const std::string& p) { read_well(n, p, scene); });
     read_list(top, "", "formation", layer_keys, scene.formation);
-    in(top, "", "mud",
-       [&](const YAML::Node& n, const std::string& p)
-       { in(read_block(n, p, mud_keys, every_kind, scene.mud, problems_), p, "fill",
-            [&](const YAML::Node& levels, const std::string& place) { read_fill(levels, place, scene.mud.fill, problems_); }); });
+    in(top, "", "mud", [&](const YAML::Node& n, const std::string& p) { read_mud(n, p, scene, problems_); });
     read_string(top, scene.string);
     in(top, "", "rig", [&](const YAML::Node& n, const std::string& p) { read_rig(n, p, scene.rig); });
     read_one(top, "", "contact", contact_keys, scene.contact);
@@ -74,6 +71,7 @@ private:
   void check(const Scene& scene)
   {
     for (const Problem& problem : scene_problems(scene)) problems_.add_in_input_unit(problem.key, problem.text);
+    check_hydraulics(scene, problems_);
     if (problems_.has("trajectory.stage_two_length") && problems_.has("trajectory.stage_two_steps"))
       problems_.add("trajectory.stage_two_steps", "is given beside stage_two_length, allowed: one of them");
   }
@@ -254,6 +252,7 @@ private:
        });
     if (part.bit)
     {
+      in(entries, path, "nozzles", [&](const YAML::Node& n, const std::string& p) { read_nozzles(n, p, part.bit->nozzles, problems_); });
       read_one(entries, path, "bottom", bit_bottom_keys, part.bit->bottom);
       in(entries, path, "torque", [&](const YAML::Node& n, const std::string& p) { read_bit_torque(n, p, part.bit->torque); });
       if (entries.count("bottom") && part.bit->torque.model == BitTorqueModel::regenerative)
@@ -345,7 +344,7 @@ private:
     const Entries entries = read_block(node, path, rig_keys, every_kind, rig, problems_);
     read_one(entries, path, "hoisting", hoisting_keys, rig.hoisting);
     read_top_drive(entries, path, rig.top_drive);
-    read_one(entries, path, "mud_pump", mud_pump_keys, rig.mud_pump);
+    in(entries, path, "mud_pump", [&](const YAML::Node& n, const std::string& p) { read_mud_pump(n, p, rig.mud_pump, problems_); });
     read_one(entries, path, "heave", heave_keys, rig.heave);
   }
 

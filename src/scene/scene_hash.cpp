@@ -21,12 +21,15 @@ public:
     add_keys(mud_keys, scene.mud);
     for (const FillLevel& row : scene.mud.fill)
       for (const double value : {row.bit_depth, row.level}) add_number(value);
+    add_rheology(scene.rheology);
     for (const PartSpec& part : scene.string) add_part(part);
     add_keys(hoisting_keys, scene.rig.hoisting);
     add_keys(top_drive_keys, scene.rig.top_drive);
     add_keys(soft_torque_keys, scene.rig.top_drive.soft_torque);
     add_keys(z_torque_keys, scene.rig.top_drive.z_torque);
     add_keys(mud_pump_keys, scene.rig.mud_pump);
+    for (const SurfaceLine& line : scene.rig.mud_pump.surface_lines)
+      for (const double value : {line.length, line.diameter}) add_number(value);
     add_keys(heave_keys, scene.rig.heave);
     add_keys(contact_keys, scene.contact);
     add_keys(trajectory_keys, scene.trajectory);
@@ -46,12 +49,22 @@ private:
     for (const HoleSection& section : well.sections) add_keys(section_keys, section);
   }
 
+  void add_rheology(const std::optional<RheologySpec>& rheology)
+  {
+    add_number(rheology.has_value());
+    if (!rheology) return;
+    add_keys(rheology_keys, *rheology, kind(rheology->law));
+    for (const ViscometerReading& reading : rheology->readings)
+      for (const double value : {reading.speed, reading.dial}) add_number(value);
+  }
+
   void add_part(const PartSpec& part)
   {
     add_keys(part_keys, part, kind(part.type));
     add_number(part.contact.has_value());
     if (part.contact) add_keys(part_contact_keys, *part.contact);
     if (!part.bit) return;
+    for (const double diameter : part.bit->nozzles) add_number(diameter);
     add_keys(bit_bottom_keys, part.bit->bottom);
     add_keys(bit_torque_keys, part.bit->torque);
   }

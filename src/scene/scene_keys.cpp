@@ -6,6 +6,7 @@ const std::vector<const char*> part_type_words = {"bit", "mud_motor", "collar", 
 const std::vector<const char*> bit_torque_words = {"stribeck", "detournay", "regenerative"};
 const std::vector<const char*> stribeck_curve_words = {"gaussian", "exponential"};
 const std::vector<const char*> need_words = {"hook_load", "torque", "wob", "rop", "bit_speed", "pressure", "direction", "contact", "buckling"};
+const std::vector<const char*> rheology_words = {"newtonian", "bingham", "power_law", "herschel_bulkley"};
 const std::vector<const char*> level_words = {"rigid", "axial_torsional", "hybrid", "beam3d", "auto"};
 const std::vector<const char*> integrator_words = {"auto",   "bdf2",              "implicit_euler", "linearly_implicit_euler",
                                                    "trbdf2", "generalised_alpha", "explicit",       "arkode_dirk",
@@ -58,6 +59,7 @@ constexpr unsigned tube = every_kind & ~bit;
 constexpr unsigned jointed = pipe | kind(PartType::collar);
 constexpr unsigned stribeck = kind(BitTorqueModel::stribeck), regenerative = kind(BitTorqueModel::regenerative),
                    drag = kind(BitTorqueModel::detournay) | regenerative;
+constexpr unsigned bingham = kind(RheologyLaw::bingham), yields = kind(RheologyLaw::herschel_bulkley), thins = kind(RheologyLaw::power_law) | yields;
 constexpr Range turn = between(-360.0, 360.0);
 
 }  // namespace
@@ -144,7 +146,7 @@ const Table<FormationLayer> layer_keys = {"formation[]", "A layer of rock; the l
 
 const Table<MudSpec> mud_keys = {"mud", "The drilling fluid around and inside the string.", {
   {"density",               "kg/m3",  &MudSpec::density,                   between(0.0, 3000.0), "0: air, no buoyancy"},
-  {"viscosity",             "Pa s",   &MudSpec::viscosity,                 between(0.0, 1.0),    "dynamic viscosity (0.02 Pa s is 20 cP, an assumption; plastic viscosities of muds are 5 to 60 cP): it damps the string's waves, see the three keys below; 0: nothing does"},
+  {"viscosity",             "Pa s",   &MudSpec::viscosity,                 between(0.0, 1.0),    "dynamic viscosity (0.02 Pa s is 20 cP, an assumption; plastic viscosities of muds are 5 to 60 cP): it damps the string's waves, see the three keys below; 0: nothing does. With `rheology` of the Newtonian mud alone; of the others their plastic viscosity damps"},
   {"axial_damping",         "N s/m per m", &MudSpec::axial_damping,        between(0.0, 1e4),    "viscous drag along the string", no_kind, every_kind, "by the viscosity, for a wave of 1 Hz: 6.3 for 5 in pipe"},
   {"lateral_damping",       "N s/m per m", &MudSpec::lateral_damping,      between(0.0, 1e5),    "viscous drag across the string, the part that grows with its speed", no_kind, every_kind, "by the viscosity, for a wave of 1 Hz: 19 for 5 in pipe in an 8 1/2 in hole"},
   {"drag_coefficient",      "-",      &MudSpec::drag_coefficient,          between(0.0, 10.0),   "C_d of the drag across the string that grows with the square of its speed"},
@@ -152,7 +154,21 @@ const Table<MudSpec> mud_keys = {"mud", "The drilling fluid around and inside th
   {"bulk_modulus",          "Pa",     &MudSpec::bulk_modulus,              between(1e7, 1e11),   "of the mud in pipe and hole, which give way with it: pressure follows the pump by volume / bulk_modulus"},
   {"gel_strength",          "Pa",     &MudSpec::gel_strength,              between(0.0, 100.0),  "after ten minutes' rest, to be broken before mud flows; 1 lb/100 ft2 is 0.479 Pa, muds have 2 to 15 Pa"},
   {"added_mass",            "-",      &MudSpec::added_mass,                between(0.0, 5.0),    "factor on the mass of the mud that moves sideways with the string: in its bore, and around it as the hole confines it"},
+  {"rheology",              "",       Nested{},                            none,                 "the mud's flow curve: losses by section, ECD, surge and swab follow from it instead of from `rig.mud_pump.pressure_coefficient`; needs `nozzles` or `nozzle_area` of the bit", no_kind, every_kind, "none"},
   {"fill",                  "m",      Nested{},                            none,                 "level of the mud in a string that is run in on its float: so far it is empty, along it from the rotary table down. One number, or by the depth of the bit `[[bit_depth, level], ...]`, linear between and constant beyond; a level at the bit or deeper: the string is empty. The pump fills it before mud comes to the bit", no_kind, every_kind, "0, full"},
+}};
+
+const Table<RheologySpec> rheology_keys = {"mud.rheology", "The mud's flow curve: stress = yield stress + consistency rate^index. Give the numbers of its law, or `readings`.", {
+  {"law",                   "",       Choice<RheologySpec>{rheology_words, [](RheologySpec& r, int word) { r.law = static_cast<RheologyLaw>(word); },
+                                                           [](const RheologySpec& r) { return static_cast<int>(r.law); }},
+                                                                           none,                 "newtonian has `mud.viscosity`", must},
+  {"readings",              "rpm, deg", Nested{},                          none,                 "of a viscometer (rotor R1, bob B1, spring F1), rows [speed, dial], such as `[[600, 65], [300, 39]]`: at least 1 for newtonian, 2 for bingham and power_law, 3 for herschel_bulkley. 600, 300, 6 and 3 rpm of a Herschel-Bulkley mud as in API RP 13D, others by least squares", no_kind, every_kind, "none"},
+  {"plastic_viscosity",     "Pa s",   &RheologySpec::plastic_viscosity,    between(1e-4, 1.0),   "PV", no_kind, bingham, "of the readings"},
+  {"yield_point",           "Pa",     &RheologySpec::yield_point,          between(0.0, 200.0),  "YP; 1 lb/100 ft2 is 0.479 Pa", no_kind, bingham, "of the readings"},
+  {"yield_stress",          "Pa",     &RheologySpec::yield_stress,         between(0.0, 200.0),  "below which the mud does not flow", no_kind, yields, "of the readings"},
+  {"consistency",           "Pa s^n", &RheologySpec::consistency,          between(1e-4, 100.0), "K", no_kind, thins, "of the readings"},
+  {"index",                 "-",      &RheologySpec::index,                between(0.1, 1.0),    "n, 1: no shear thinning", no_kind, thins, "of the readings"},
+  {"eccentricity",          "-",      &RheologySpec::eccentricity,         between(0.0, 0.95),   "of the string in its hole, offset over clearance: it lowers the annulus's losses, at 0.95 to half"},
 }};
 
 const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the first is the bit. Masses are in air.", {
@@ -179,6 +195,8 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
   {"contact",               "",       Nested{},                            none,                 "its own law of wall contact instead of the scene's"},
   {"tool_joint_diameter",   "m",      Inside<PartSpec>{of_tool_joint},     between(0.01, 1.0),   "outer diameter at the joints' ends", no_kind, pipe, "outer_diameter"},
   {"blade_diameter",        "m",      Inside<PartSpec>{of_blades},         between(0.01, 1.0),   "outer diameter over the blades", stabilizer, stabilizer},
+  {"nozzles",               "1/32 in", Nested{},                           none,                 "diameters of its nozzles, such as `[12, 12, 12]`; with another unit that is written; with `mud.rheology`", no_kind, bit, "none"},
+  {"nozzle_area",           "m2",     Inside<PartSpec>{of_bit<&BitSpec::nozzle_area>}, between(1e-6, 0.1), "all of its flow area, instead of `nozzles`", no_kind, bit, "of the nozzles"},
   {"speed_lag",             "s",      Inside<PartSpec>{of_bit<&BitSpec::speed_lag>}, between(1e-3, 10.0),   "lag of the speed that drills behind the bit's: the rate of penetration is a law of means over turns", no_kind, bit},
   {"squeeze_film_damping",  "N s/m",  Inside<PartSpec>{of_film},           between(0.0, 1e8),    "of sideways motion, by the mud squeezed between wall and gauge, or blades (50000 by default)", no_kind, bit | stabilizer},
   {"sensor_offset",         "m",      Inside<PartSpec>{of_sensor},         between(0.0, 2000.0), "from the part's lower end up to the sensor", no_kind, mwd},
@@ -297,6 +315,7 @@ const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe."
   {"stroke_volume",         "m3",     &MudPumpSpec::stroke_volume,         between(1e-4, 0.1),   "that a stroke delivers; two triplexes side by side, 6 in liners and 12 in strokes, 95 % full"},
   {"relief_pressure",       "Pa",     &MudPumpSpec::relief_pressure,       between(1e5, 2e8),    "at which the relief valve by the pump opens; what the string does not take at it goes back to the tanks"},
   {"trip_pressure",         "Pa",     &MudPumpSpec::trip_pressure,         between(0.0, 2e8),    "where `stand_pipe_pressure` of `rig_state` reaches it the pump stops until a flow of 0 is commanded; 0: never"},
+  {"surface_lines",         "m",      Nested{},                            none,                 "pipes between pump and string, rows [length, diameter]: standpipe, hose, swivel or wash pipe, kelly; with `mud.rheology`", no_kind, every_kind, "none"},
   {"pressure_coefficient",  "Pa s2/m6", &MudPumpSpec::pressure_coefficient, between(0.0, 1e12),  "losses of string, bit and annulus at max_flow / max_flow^2"},
   {"loss_exponent",         "-",      &MudPumpSpec::loss_exponent,         between(1.0, 2.0),    "m: at other flows losses go with Q^m; 2 rough turbulence, 1.86 smooth, a record of the field 1.56"},
 }};

@@ -27,6 +27,7 @@ extern const std::vector<const char*> element_words;
 extern const std::vector<const char*> kernel_words;
 extern const std::vector<const char*> stribeck_curve_words;
 extern const std::vector<const char*> hook_load_place_words;
+extern const std::vector<const char*> rheology_words;
 extern const std::vector<const char*> operation_words;
 
 /// The unit of a gauge's signal.
@@ -45,6 +46,7 @@ extern const Table<TieIn> tie_in_keys;
 extern const Table<HoleSection> section_keys;
 extern const Table<FormationLayer> layer_keys;
 extern const Table<MudSpec> mud_keys;
+extern const Table<RheologySpec> rheology_keys;
 extern const Table<PartSpec> part_keys;
 extern const Table<ContactLaw> part_contact_keys;
 extern const Table<ContactLaw> bit_bottom_keys;

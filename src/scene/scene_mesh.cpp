@@ -233,7 +233,9 @@ Mesh build_mesh(const Scene& scene, double total_length)
   Mesh mesh = build_mesh(scene.string, scene.contact, scene.mud, element_lengths(scene), total_length);
   const auto hole_diameter = [&scene](double from_bit)
   { return scene.well.sections[section_at(scene.well.sections, scene.start.bit_depth - from_bit)].diameter; };
-  set_mud_damping(scene.mud, hole_diameter, mesh);
+  MudSpec mud = scene.mud;
+  if (scene.rheology) mud.viscosity = plastic_viscosity(curve_of(*scene.rheology, mud.viscosity));
+  set_mud_damping(mud, hole_diameter, mesh);
   if (scene.numerics.level != Level::rigid) return mesh;
   for (MeshElement& element : mesh.elements)
   {
@@ -245,7 +247,8 @@ Mesh build_mesh(const Scene& scene, double total_length)
 
 MudCircuit mud_circuit(const Scene& scene, const Mesh& mesh)
 {
-  return mud_circuit({scene.rig.mud_pump, scene.mud, scene.well.sections, scene.string, scene.start.bit_depth}, mesh);
+  const RheologySpec* rheology = scene.rheology ? &*scene.rheology : nullptr;
+  return mud_circuit({scene.rig.mud_pump, scene.mud, scene.well.sections, scene.string, scene.start.bit_depth, rheology}, mesh);
 }
 
 }  // namespace drill_rig_sim

@@ -71,6 +71,7 @@ std::string scene_reference()
   write(out, section_keys);
   write(out, layer_keys);
   write(out, mud_keys);
+  write(out, rheology_keys, rheology_words);
   PartSpec part;
   part.bit.emplace();
   part.motor.emplace();

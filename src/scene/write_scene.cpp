@@ -142,14 +142,31 @@ PartSpec default_part(const PartSpec& part)
   return out;
 }
 
+std::string nozzles_of(const BitSpec& bit)
+{
+  std::vector<std::string> diameters;
+  for (const double diameter : bit.nozzles) diameters.push_back(written(diameter) + " m");
+  return diameters.empty() ? "" : entry("nozzles", "[" + joined(diameters) + "]");
+}
+
 std::string part_of(const PartSpec& part)
 {
   const auto left_out = [&](const std::string& key) { return part.joints == 1 ? key == "joints" || key == "joint_length" : key == "length"; };
   std::vector<std::string> entries = {entries_of(part_keys, part, default_part(part), kind(part.type), left_out)};
   if (part.contact) entries.push_back(entry("contact", "{" + entries_of(part_contact_keys, *part.contact) + "}"));
+  if (part.bit) entries.push_back(nozzles_of(*part.bit));
   if (part.bit) entries.push_back(torque_of(part.bit->torque));
   if (part.bit) entries.push_back(block_of("bottom", bit_bottom_keys, part.bit->bottom, BitSpec().bottom));
   return "{" + joined(entries) + "}";
+}
+
+/// Rows of two numbers, empty without any.
+template <class Row>
+std::string rows_of(const char* key, const std::vector<Row>& list, double Row::*first, double Row::*second)
+{
+  std::vector<std::string> rows;
+  for (const Row& row : list) rows.push_back("[" + joined({written(row.*first), written(row.*second)}) + "]");
+  return rows.empty() ? "" : entry(key, "[" + joined(rows) + "]");
 }
 
 std::string well_of(const WellSpec& well)
@@ -166,20 +183,27 @@ std::string well_of(const WellSpec& well)
   return out + list_of("sections", well.sections, [](const HoleSection& s) { return "{" + entries_of(section_keys, s) + "}"; }, "  ");
 }
 
+std::string mud_of(const MudSpec& mud, const std::optional<RheologySpec>& rheology)
+{
+  const std::string fill = rows_of("fill", mud.fill, &FillLevel::bit_depth, &FillLevel::level);
+  if (!rheology) return block("mud", joined({entries_of(mud_keys, mud), fill}));
+  const std::string readings = rows_of("readings", rheology->readings, &ViscometerReading::speed, &ViscometerReading::dial);
+  const std::string curve = joined({entries_of(rheology_keys, *rheology, RheologySpec(), kind(rheology->law)), readings});
+  return block("mud", joined({entries_of(mud_keys, mud), fill, block("rheology", curve)}));
+}
+
+std::string pump_of(const MudPumpSpec& pump)
+{
+  return block("mud_pump", joined({entries_of(mud_pump_keys, pump), rows_of("surface_lines", pump.surface_lines, &SurfaceLine::length, &SurfaceLine::diameter)}));
+}
+
 std::string rig_of(const RigSpec& rig)
 {
   const TopDriveSpec usual;
   const std::string drive = joined({entries_of(top_drive_keys, rig.top_drive), block_of("soft_torque", soft_torque_keys, rig.top_drive.soft_torque, usual.soft_torque),
                                     block_of("z_torque", z_torque_keys, rig.top_drive.z_torque, usual.z_torque)});
-  return block("rig", joined({block_of("hoisting", hoisting_keys, rig.hoisting), block("top_drive", drive), block_of("mud_pump", mud_pump_keys, rig.mud_pump),
+  return block("rig", joined({block_of("hoisting", hoisting_keys, rig.hoisting), block("top_drive", drive), pump_of(rig.mud_pump),
                               block_of("heave", heave_keys, rig.heave)}));
-}
-
-std::string mud_of(const MudSpec& mud)
-{
-  std::vector<std::string> rows;
-  for (const FillLevel& row : mud.fill) rows.push_back("[" + joined({written(row.bit_depth), written(row.level)}) + "]");
-  return block("mud", joined({entries_of(mud_keys, mud), rows.empty() ? "" : entry("fill", "[" + joined(rows) + "]")}));
 }
 
 std::string instruments_of(const InstrumentsSpec& instruments)
@@ -210,7 +234,7 @@ std::string write_scene(const Scene& scene)
   }
   out += well_of(scene.well);
   out += list_of("formation", scene.formation, [](const FormationLayer& layer) { return "{" + entries_of(layer_keys, layer) + "}"; });
-  out += lines_of(mud_of(scene.mud));
+  out += lines_of(mud_of(scene.mud, scene.rheology));
   out += list_of("string", scene.string, part_of);
   out += lines_of(rig_of(scene.rig));
   out += lines_of(block_of("contact", contact_keys, scene.contact));

@@ -18,6 +18,7 @@
 #include "drill_rig_sim/sim/wall_loss.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_command.h"
+#include "drill_losses.h"
 #include "drill_options.h"
 #include "drill_scene.h"
 #include "drill_units.h"
@@ -74,15 +75,11 @@ void print_string(const Scene& scene, const Printed& printed)
 
 void print_mud(const Scene& scene, const Mesh& mesh, const Printed& printed)
 {
-  constexpr Printed::InSI cubic_metres{"%.1f", "m3"}, megapascal{"%.2f", "MPa", 1e-6};
   const MudCircuit mud = mud_circuit(scene, mesh);
-  const HydraulicVolume &bore = mud.circuit.bore, &annulus = mud.circuit.annulus;
-  const auto volume = [&](const HydraulicVolume& of) { return printed(of.capacity * scene.mud.bulk_modulus, Dimension::volume, cubic_metres); };
-  const auto loss = [&](double si) { return printed.number(si, Dimension::pressure, megapascal); };
-  std::printf("mud         %s, %s in the string, %s in the annulus; of %s %s lost at %s %s in the bore, %s in the annulus\n",
-              printed(scene.mud.density, Dimension::density, {"%g", "kg/m3"}).c_str(), volume(bore).c_str(), volume(annulus).c_str(), loss(bore.loss + annulus.loss).c_str(),
-              printed.unit(Dimension::pressure, megapascal), printed(mud.circuit.nominal_flow, Dimension::flow, {"%g", "m3/s"}).c_str(),
-              loss(mud.bore_friction * bore.loss).c_str(), loss(annulus.loss).c_str());
+  const auto volume = [&](const HydraulicVolume& of) { return printed(of.capacity * scene.mud.bulk_modulus, Dimension::volume, {"%.1f", "m3"}); };
+  std::printf("mud         %s, %s in the string, %s in the annulus\n", printed(scene.mud.density, Dimension::density, {"%g", "kg/m3"}).c_str(),
+              volume(mud.circuit.bore).c_str(), volume(mud.circuit.annulus).c_str());
+  print_losses(scene, mesh, mud, printed);
   const std::string doubt = doubt_of_pressures(mud);
   if (!doubt.empty()) std::printf("            %s\n", doubt.c_str());
 }

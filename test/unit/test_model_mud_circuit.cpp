@@ -126,6 +126,38 @@ TEST(MudCircuit, runningSpeedIsTheMeanOfThePipeInTheHole)
   EXPECT_NEAR(running_speed(mud, nodes), 0.3, 0.01) << "half, of a string stretched from above";
 }
 
+// With a rheology each section has the law's loss, and together they are what the circuit starts from.
+TEST(MudCircuit, rheologyGivesTheLossesBySection)
+{
+  Scene scene = long_pipe();
+  scene.rheology.emplace();
+  scene.rheology->plastic_viscosity = 0.02;
+  scene.rheology->yield_point = 6.0;
+  scene.string.front().bit->nozzle_area = 4e-4;
+  scene.rig.mud_pump.surface_lines = {{30.0, 0.09}};
+  const MudCircuit mud = circuit_of(scene);
+  const Rheology curve = {6.0, 0.02, 1.0};
+  const double flow = scene.rig.mud_pump.max_flow, density = scene.mud.density, hole = scene.well.sections.back().diameter;
+  const auto gradient = [&](const Passage& passage) { return pressure_gradient(curve, density, passage, flow / passage.area()); };
+  const double bore = (scene.start.bit_depth + scene.start.block_height) * gradient({pipe_inner, 0.0, 0.0}), annulus = 990.0 * gradient({hole, pipe_outer, 0.0});
+  EXPECT_NEAR(mud.losses.bore, bore, 0.002 * bore);
+  EXPECT_NEAR(mud.losses.annulus, annulus, 0.01 * annulus);
+  EXPECT_NEAR(mud.losses.lines, 30.0 * gradient({0.09, 0.0, 0.0}), 1.0);
+  EXPECT_NEAR(mud.losses.bit, nozzle_loss(density, flow, 4e-4), 1.0);
+  EXPECT_NEAR(mud.circuit.bore.loss, mud.losses.bore + mud.losses.lines + mud.losses.bit, 1e-3);
+  EXPECT_NEAR(mud.circuit.bore.gel, 0.0, 1e-12) << "a gel of 5 Pa adds nothing to a yield point of 6";
+  EXPECT_EQ(doubt_of_pressures(mud), "");
+  const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
+  EXPECT_NEAR(annulus_share(mud, mesh, 0.0), 1.0, 1e-9);
+  EXPECT_NEAR(annulus_share(mud, mesh, 495.0), 0.5, 0.01);
+  EXPECT_EQ(annulus_share(mud, mesh, 1005.0), 0.0) << "above the rotary table";
+  HydraulicState state;
+  state.stand_pipe_pressure = 3e7;
+  const MudPressures pressures = mud_pressures(mud, state, 0.5 * flow);
+  EXPECT_NEAR(pressures.in_bore(mud, mud.bore_above.size() - 1), 3e7 - pressures.lines, 1e5);
+  EXPECT_LT(pressures.friction, 0.4 * mud.losses.bore);
+}
+
 TEST(MudCircuit, aSceneWithoutLossesHasNone)
 {
   Scene scene = long_pipe();

@@ -259,4 +259,63 @@ TEST(MudPumped, referenceAgrees)
   EXPECT_NEAR(string_length(rig.truth()), string_length(reference.truth()), 5e-4);
   EXPECT_NEAR(rig.truth().stand_pipe_pressure, reference.truth().stand_pipe_pressure, 100.0) << "but for what the string displaces as it stretches";
 }
+namespace
+{
+const Rheology thick = {6.0, 0.025, 1.0};
+
+/// hanging() with a Bingham mud.
+Scene with_rheology(double hole_depth)
+{
+  Scene scene = hanging(hole_depth);
+  scene.rheology.emplace();
+  scene.rheology->plastic_viscosity = thick.consistency;
+  scene.rheology->yield_point = thick.yield_stress;
+  scene.string.front().bit->nozzle_area = 2e-4;
+  return scene;
+}
+
+double annulus_loss(const Scene& scene, double speed)
+{
+  return 295.0 * pressure_gradient(thick, scene.mud.density, {hole, pipe_outer, 0.0}, speed);
+}
+}  // namespace
+
+TEST(MudRheology, pumpedItHasTheLawsPressures)
+{
+  const Scene scene = with_rheology(300.0);
+  Simulator rig(scene);
+  rig.command(PumpSetpoint{0.03});
+  play(rig, 90.0);
+  const double around = 0.25 * pi * hole * hole - outer_area, annulus = annulus_loss(scene, 0.03 / around);
+  const double bore = (295.0 + scene.start.block_height) * pressure_gradient(thick, scene.mud.density, {pipe_inner, 0.0, 0.0}, 0.03 / bore_area);
+  const double all = annulus + bore + nozzle_loss(scene.mud.density, 0.03, 2e-4);
+  EXPECT_NEAR(rig.truth().stand_pipe_pressure, all, 0.005 * all);
+  EXPECT_NEAR(rig.truth().ecd - scene.mud.density, annulus / (standard_gravity * 295.0), 0.02 * annulus / (standard_gravity * 295.0));
+  EXPECT_NEAR(rig.truth().bit_flow, 0.03, 1e-5);
+}
+
+TEST(MudRheology, slowRunningSurgesByItsYieldPoint)
+{
+  for (const double up : {-0.1, 0.1})
+  {
+    const Scene scene = with_rheology(320.0);
+    Simulator rig(scene);
+    play(rig, 10.0);
+    rig.command(WinchSetpoint{up, false});
+    play(rig, 20.0);
+    const double around = 0.25 * pi * hole * hole - outer_area;
+    const double expected = (up < 0.0 ? 1.0 : -1.0) * annulus_loss(scene, 0.1 * (outer_area / around + clinging(pipe_outer / hole, 0.0)));
+    EXPECT_NEAR(rig.save()->mechanics.hydraulics.annulus_pressure, expected, 0.05 * std::abs(expected));
+  }
+}
+
+TEST(MudRheology, energyIsClosed)
+{
+  Simulator rig(with_rheology(300.0));
+  rig.balance_energy(true);
+  rig.command(PumpSetpoint{0.03});
+  play(rig, 10.0);
+  EXPECT_LT(rig.energy().closure(), 5e-3);
+  EXPECT_LT(std::abs(rig.energy().numerical_share()), 0.05);
+}
 }  // namespace test_sim_mud

@@ -2,11 +2,13 @@
 #define DRILL_RIG_SIM_SCENE_SCENE_H
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "drill_rig_sim/contact/contact_spec.h"
 #include "drill_rig_sim/hydraulics/mud_pump.h"
+#include "drill_rig_sim/hydraulics/rheology.h"
 #include "drill_rig_sim/rig/heave.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/rig/top_drive.h"
@@ -86,6 +88,7 @@ struct Scene
   WellSpec well;
   std::vector<FormationLayer> formation;
   MudSpec mud;
+  std::optional<RheologySpec> rheology;  ///< the file's mud.rheology; none: losses by pressure_coefficient
   std::vector<PartSpec> string;
   RigSpec rig;
   ContactSpec contact;

@@ -3,9 +3,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "drill_rig_sim/contact/bit_torque.h"
 #include "drill_rig_sim/contact/normal_law.h"
+#include "drill_rig_sim/math/units.h"
 
 namespace drill_rig_sim
 {
@@ -36,8 +38,18 @@ struct BitSpec
   double gauge_length = 0.0;
   double gauge_clearance = 2e-4;      ///< of the pads' upper end, all round, in hole that the bit has cut [m]
   double speed_lag = 0.4;             ///< of the speed that drills behind the bit's [s]
+  std::vector<double> nozzles;        ///< their diameters, of a mud with a rheology [m]
+  double nozzle_area = 0.0;           ///< all of it, instead of them [m2]
   BitTorqueSpec torque;
   ContactLaw bottom{1e9, 1.5, 1.0};  ///< bit against the hole's bottom
+
+  /// What the mud flows through [m2]; 0: not given.
+  double flow_area() const noexcept
+  {
+    double area = nozzle_area;
+    for (const double diameter : nozzles) area += 0.25 * pi * diameter * diameter;
+    return area;
+  }
 };
 
 /// What a mud motor has beside what every part has.
