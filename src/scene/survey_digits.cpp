@@ -46,13 +46,13 @@ void take_blanks(SurveyRows& survey)
       if (fits(cell, form)) cell = std::regex_replace(cell, blanks, "");
 }
 
-struct Place
+struct CellPlace
 {
   int line = 0;  // 0: there is none
   std::string cell;
 };
 
-Place first_sure(const SurveyRows& survey, const Style& style)
+CellPlace first_sure(const SurveyRows& survey, const Style& style)
 {
   for (const SurveyRow& row : survey.rows)
     for (const std::string& cell : row.cells)
@@ -61,9 +61,9 @@ Place first_sure(const SurveyRows& survey, const Style& style)
 }
 
 // whole lengths in groups, 1,234, beside numbers with decimal points; no angle has four digits
-Place first_whole(const SurveyRows& survey)
+CellPlace first_whole(const SurveyRows& survey)
 {
-  Place first;
+  CellPlace first;
   bool point = false;
   for (const SurveyRow& row : survey.rows)
     for (std::size_t i = 0; i < survey_quantities; ++i)
@@ -74,10 +74,10 @@ Place first_whole(const SurveyRows& survey)
       if (is_angle(i) || !fits(cell, decimal_points().any)) return {};
       if (first.line == 0) first = {row.line, cell};
     }
-  return point ? first : Place();
+  return point ? first : CellPlace();
 }
 
-void take_signs(const Style& style, const Place& first, SurveyRows& survey)
+void take_signs(const Style& style, const CellPlace& first, SurveyRows& survey)
 {
   for (SurveyRow& row : survey.rows)
     for (std::string& cell : row.cells)
@@ -89,11 +89,11 @@ void take_signs(const Style& style, const Place& first, SurveyRows& survey)
 void take_groups(char delimiter, SurveyRows& survey, Problems& problems)
 {
   take_blanks(survey);
-  Place point = first_sure(survey, decimal_points());
-  const Place comma = delimiter == ',' ? Place() : first_sure(survey, decimal_commas());
+  CellPlace point = first_sure(survey, decimal_points());
+  const CellPlace comma = delimiter == ',' ? CellPlace() : first_sure(survey, decimal_commas());
   if (point.line > 0 && comma.line > 0)
   {
-    const Place &first = point.line < comma.line ? point : comma, &second = point.line < comma.line ? comma : point;
+    const CellPlace &first = point.line < comma.line ? point : comma, &second = point.line < comma.line ? comma : point;
     return problems.add_at(second.line, "", second.cell + " has another decimal sign than " + first.cell + " (line " + std::to_string(first.line) + "), needed: one decimal sign in all numbers");
   }
   if (point.line == 0 && comma.line == 0) point = first_whole(survey);
