@@ -79,7 +79,7 @@ std::vector<UnitFamily> further_families()
 {
   return {
   {"a viscosity", {{"Pa.s", 1.0L}, {"mPa.s", 1e-3L}, {"cP", 1e-3L}}},
-  {"a consistency", {{"Pa.s^n", 1.0L}, {"mPa.s^n", 1e-3L, "eq.cp"}, {"lbf.s^n/100ft2", pound_force / (100.0L * foot * foot), "lb.s^n/100ft2"}}},
+  {"a consistency", {{"Pa.s^n", 1.0L}, {"mPa.s^n", 1e-3L, "eq.cp"}, {"lbf.s^n/100ft2", pound_force / (100.0L * foot * foot), "lb.sn/100ft2"}}},
   {"a speed", {
     {"m/s", 1.0L, "m/sec"}, {"m/min", 1.0L / minute, "mpm mtr/min"}, {"m/h", 1.0L / hour, "m/hr mph mtr/hr"},
     {"ft/s", foot, "fps ft/sec"}, {"ft/min", foot / minute, "fpm feet/min"}, {"ft/h", foot / hour, "ft/hr fph feet/hr feet/hour"},

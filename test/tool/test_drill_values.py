@@ -51,7 +51,7 @@ class Check(test_drill.Drill):
         words = ('--set', 'string=[%s, %s, %s]' % (bit, motor, pipe))
         self.assertRegex(self.succeed('check', QUICK, *words), r"wall +motor lies [0-9.]+ mm deep in it 2 m above the bit; on a wall as stiff")
         self.assertNotIn('deep in it', self.succeed('check', QUICK, *words, '--set', 'contact.stiffness=2e10'))
-        pads = words + ('--set', 'string[1].outer_diameter=0.1715', '--set', 'string[0].gauge_length=0.15')
+        pads = words + ('--set', 'string[1].outer_diameter=0.1715', '--set', 'string[1].linear_mass=95', '--set', 'string[0].gauge_length=0.15')
         self.assertIn('pads are wedged in the hole', self.succeed('check', QUICK, *pads))
         self.assertNotIn('wedged', self.succeed('check', QUICK, *pads, '--set', 'string[0].gauge_clearance=2e-3'))
 

@@ -102,7 +102,7 @@ class Arrows(unittest.TestCase):
                        'sunlinsol/sunlinsol_klu.h', 'sunmatrix/sunmatrix_sparse.h', 'sunnonlinsol/sunnonlinsol_newton.h'):
             line = '#include <%s>\n' % header
             self.assertEqual([], includes.faults(tree(solve__a=line, reference__a=line)))
-            self.one(tree(sim__a=line), 'src/sim/a.cpp:1: ', 'SUNDIALS is for solve/ and reference/ alone')
+            self.one(tree(sim__a=line), 'src/sim/a.cpp:1: ', 'SUNDIALS is for solve/ and reference/ and compared/ alone')
 
     def test_realtime_knows_what_a_frame_hands_out_alone(self):
         texts = tree()

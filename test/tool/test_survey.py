@@ -93,7 +93,7 @@ class OfTheTrade(Files):
         done = drill("survey", file, "--columns", self.file("map.yaml", "columns: {md: {unit: ft}, inclination: {unit: deg}, azimuth: {unit: deg}}\n"))
         self.assertEqual((0, ""), (done.returncode, done.stderr))
         self.assertEqual([152.4, 2.1, 45.3], [float(cell) for cell in done.stdout.splitlines()[-1].split()[:3]])
-        self.assertIn("map.yaml:1: columns.md.unit: is not known", self.refused("survey", file, "--columns", self.file("map.yaml", "columns: {md: {unit: fathom}}\n")))
+        self.assertIn('map.yaml:1: columns.md.unit: "fathom" is not known', self.refused("survey", file, "--columns", self.file("map.yaml", "columns: {md: {unit: fathom}}\n")))
         self.assertIn("--columns: needs a value", self.refused("survey", file, "--columns"))
 
     def test_passed_over(self):
@@ -137,7 +137,7 @@ class Plans(Files):
         expected = read_survey(self.file("plain.csv", TABLE)).positions
         numpy.testing.assert_allclose(expected, read_survey(self.plan, self.map, True).positions, atol=1e-9)
         for words, problem in (((self.plan,), "plan.csv:1: "), ((self.plan, self.map), "plan.csv:4: .*--pass-over"), ((self.plan, self.plan), "plan.csv:1: text is given, allowed: a block"),
-                               ((self.plan, self.file("none.yaml", "columns: {md: {unit: fathom}}\n")), "none.yaml:1: columns.md.unit: is not known")):
+                               ((self.plan, self.file("none.yaml", "columns: {md: {unit: fathom}}\n")), 'none.yaml:1: columns.md.unit: "fathom" is not known')):
             with self.assertRaisesRegex(SurveyError, problem):
                 read_survey(*words)
 

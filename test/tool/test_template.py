@@ -129,6 +129,9 @@ class Template(unittest.TestCase):
 if __name__ == '__main__':
     if len(sys.argv) < 2:
         sys.exit(__doc__)
+    if sys.argv[1] == '--help':
+        print(__doc__)
+        sys.exit(0)
     drill_program = os.path.abspath(sys.argv.pop(1))
     if sys.argv[1:] == ['--write']:
         text = '\n'.join(explained(read())) + '\n'

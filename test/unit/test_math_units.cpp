@@ -43,6 +43,7 @@ const std::vector<Figure> figures = {
     {"an energy per volume", "ksi", 6894757.293},
     {"a density", "g/cm3", 1000.0}, {"a density", "kg/L", 1000.0}, {"a density", "ppg", 119.8264273}, {"a density", "lbm/galUS", 119.8264273},
     {"a density", "lbm/ft3", 16.01846337}, {"a density", "lb/ft3", 16.01846337},
+    {"a consistency", "mPa.s^n", 0.001}, {"a consistency", "lbf.s^n/100ft2", 0.4788025898},
     {"a viscosity", "mPa.s", 0.001}, {"a viscosity", "cP", 0.001},
     {"a speed", "m/min", 0.01666666667}, {"a speed", "m/h", 2.777777778e-4}, {"a speed", "m/hr", 2.777777778e-4}, {"a speed", "ft/s", 0.3048}, {"a speed", "ft/min", 0.00508},
     {"a speed", "ft/h", 8.466666667e-5}, {"a speed", "ft/hr", 8.466666667e-5},

@@ -231,7 +231,7 @@ TEST(SceneRead, AWrongWordIsShown)
   EXPECT_EQ("setting: string[0].type: a list is not known, allowed: bit, mud_motor, collar, stabilizer, mwd, pipe or rotary_steerable", message("string[0].type=[bit]"));
   EXPECT_EQ(0u, message("mud.density=1,2").rfind("setting: mud.density: \"1,2\" is not a number, allowed: 0 to 3000 kg/m3", 0)) << message("mud.density=1,2");
   EXPECT_EQ(0u, message("mud.density='1200'").rfind("setting: mud.density: \"1200\" in quotes is not a number", 0)) << message("mud.density='1200'");
-  EXPECT_EQ(0u, message("string[1].joints=two").rfind("setting: string[1].joints: \"two\" is no count, allowed: ", 0)) << message("string[1].joints=two");
+  EXPECT_EQ("setting: string[1].joints: must be 1 to 10000, or fill (got \"two\")", message("string[1].joints=two"));
 }
 
 TEST(SurveyCsv, ColumnsMayStandInAnyOrderBesideOthers)

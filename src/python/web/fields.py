@@ -57,7 +57,8 @@ FLAGS = {
 # of these, what only the truth tells: no rig can sense it
 UNSENSED = ("over_stress", "over_torque", "buckled", "motor_stalled")
 ACCURACY = "accuracy_warning"  # stands apart: of the simulation, not of the rig
-SEEN = (*MEMBERS, *FLAGS, ACCURACY, "tared", "in_slips", "brake_set", "block_velocity", "stand_count", "run_state")
+SENSED = tuple(flag for flag in FLAGS if flag not in UNSENSED)
+SEEN = (*MEMBERS, *SENSED, ACCURACY, "tared", "in_slips", "brake_set", "block_velocity", "stand_count", "run_state")
 
 
 def columns_of(rows):

@@ -1,7 +1,7 @@
 """What a source has for the feed since it was asked last."""
 import typing
 
-from drill_rig_sim.msg import DrillstringState, RigDescription, RigLimits, RigState
+from drill_rig_sim.msg import DrillstringState, RigDescription, RigLimits, RigState, RigTruth
 from nav_msgs.msg import Path
 from std_msgs.msg import String
 
@@ -18,7 +18,7 @@ class News(typing.NamedTuple):
 
 
 STATE, TRUTH = "rig_state", "truth/rig_state"
-STATE_KIND, TRUTH_KIND = RigState, RigState
+STATE_KIND, TRUTH_KIND = RigState, RigTruth
 # by topic: what it is, its type; a string is shown with the strength of the parts described before it
 TOPICS = {"rig_limits": ("limits", RigLimits), "scene": ("scene", String), "rig_description": ("description", RigDescription),
     "trajectory": ("trajectory", Path),

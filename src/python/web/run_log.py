@@ -5,7 +5,7 @@ import numpy
 from drill_rig_sim.web.activity import Activity
 from drill_rig_sim.web.alarms import Alarms
 from drill_rig_sim.web.bins import Bins
-from drill_rig_sim.web.fields import ACCURACY, DEPTH_TRACKS, FLAGS, NAMES, SEEN, UNSENSED, columns_of
+from drill_rig_sim.web.fields import ACCURACY, DEPTH_TRACKS, NAMES, SEEN, SENSED, UNSENSED, columns_of
 from drill_rig_sim.web.news import STATE_KIND, TRUTH_KIND
 from drill_rig_sim.web.packed import Packed
 
@@ -45,9 +45,9 @@ class RunLog:
         columns = columns_of(rows)
         self.time.add(rows["stamp"], columns)
         self._take_depths(rows, columns)
-        self.alarms.take(rows["stamp"], rows, [flag for flag in FLAGS if flag not in UNSENSED])
+        self.alarms.take(rows["stamp"], rows, SENSED)
         self.activity.take(rows)
-        self.flags = [flag for flag in (*FLAGS, ACCURACY, "in_slips", "brake_set") if rows[flag][-1]]
+        self.flags = [flag for flag in (*SENSED, ACCURACY, "in_slips", "brake_set") if rows[flag][-1]]
         table = numpy.column_stack([columns[name] for name in NAMES])
         least, largest = numpy.fmin.reduce(table), numpy.fmax.reduce(table)
         if self.extremes is not None:
