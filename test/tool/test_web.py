@@ -352,6 +352,8 @@ class Order(unittest.TestCase):
         parts = [{"type": "bit", "diameter": 0.2}, {"type": "mud_motor", "stall_torque": 3e3, "displacement_per_rev": 0.01}]
         self.assertAlmostEqual(stall_pressure_of(settings, parts), 0.95 * 2.0 * math.pi * 3e5)
         self.assertEqual(stall_pressure_of({**settings, "pressure": 1e6}, parts), 1.5e6)
+        parts[1]["efficiency"] = 0.8
+        self.assertAlmostEqual(stall_pressure_of(settings, parts), 0.95 * 2.0 * math.pi * 3e5 / 0.8)
         self.assertEqual(stall_pressure_of(settings, []), math.inf)
         self.assertAlmostEqual(law_of(settings, parts).loops["torque"].gain, 1.0 / (6e5 * 0.02 * 5.0))
 

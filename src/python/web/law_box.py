@@ -114,10 +114,15 @@ def motor_of(parts):
     return next((part for part in parts if part.get("type") == "mud_motor"), {})
 
 
+def motor_pressure(motor, torque):
+    """As mud_motor.h: what a torque [N m] needs [Pa]."""
+    return 2.0 * math.pi * torque / (motor.get("efficiency", 1.0) * motor["displacement_per_rev"])
+
+
 def stall_pressure_of(settings, parts):
     """Differential pressure by which the law knows a stalled motor [Pa]: by the motor's data, and at most half more than is asked for."""
     motor = motor_of(parts)
-    stall = 2.0 * math.pi * motor["stall_torque"] / motor["displacement_per_rev"] if "stall_torque" in motor else math.inf
+    stall = motor_pressure(motor, motor["stall_torque"]) if "stall_torque" in motor else math.inf
     return min(0.95 * stall, 1.5 * settings.get("pressure", math.inf))
 
 
@@ -125,7 +130,7 @@ def law_of(settings, parts):
     """The loops know what a newton on the bit adds to torque and pressure by the sizes of bit and motor."""
     bit, motor = next((part for part in parts if part.get("type") == "bit"), {}), motor_of(parts)
     torque = TORQUE_PER_DIAMETER * bit.get("diameter", USUAL_BIT)
-    pressure = 2.0 * math.pi * torque / motor["displacement_per_rev"] if motor else PRESSURE_PER_WEIGHT
+    pressure = motor_pressure(motor, torque) if motor else PRESSURE_PER_WEIGHT
     return Autodriller({name: settings.get(name, ANY) for name in LOOPS}, settings["stiffness"], settings["rop"], settings["rpm"] / RPM,
                        settings["flow"], settings["to_depth"], stall_pressure=stall_pressure_of(settings, parts), pressure_per_weight=pressure,
                        torque_per_weight=torque)
