@@ -1,11 +1,11 @@
 #include "drill_rig_sim/crew/commands.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "drill_rig_sim/math/in_capitals.h"
 #include "drill_rig_sim/rig/drive_reference.h"
 
 namespace drill_rig_sim
@@ -53,12 +53,6 @@ const char* what_is_wrong(const WinchSetpoint& c) noexcept
 
 namespace
 {
-std::string in_capitals(std::string word)
-{
-  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return word;
-}
-
 const std::string allowed_modes = "mode: allowed are 0 (" + in_capitals(top_drive_modes[0].word) + ") to " +
                                   std::to_string(top_drive_mode_count - 1) + " (" +
                                   in_capitals(top_drive_modes[top_drive_mode_count - 1].word) + ")";

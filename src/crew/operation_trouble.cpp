@@ -28,7 +28,7 @@ double OperationTroubleWatch::over_weight(double wanted) noexcept
 OperationTroubleWatch::OperationTroubleWatch(const Scene& scene)
 {
   for (const PartSpec& part : scene.string)
-    if (part.motor) stall_pressure_ = mud_motor_pressure(mud_motor_leakage, part.motor->pressure_displacement(), part.motor->stall_torque);
+    if (part.motor) stall_pressure_ = mud_motor_stall_pressure(*part.motor);
 }
 
 void OperationTroubleWatch::begin(double time) noexcept
@@ -38,7 +38,7 @@ void OperationTroubleWatch::begin(double time) noexcept
 
 OperationTrouble OperationTroubleWatch::look(const Operation& operation, const Readings& now) noexcept
 {
-  const bool drills = operation.kind == OperationKind::drill || operation.kind == OperationKind::slide;
+  const bool drills = traits_of(operation.kind).drills;
   const bool stalls = drills && stall_pressure_ > 0.0 && now.tared && now.differential_pressure >= stall_share * stall_pressure_;
   if (!stalls) running_at_ = now.time;
   if (!drills || now.mean_surface_wob <= over_weight(operation.weight)) within_at_ = now.time;

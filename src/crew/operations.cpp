@@ -139,8 +139,6 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
   began_load_ = now.hook_load;
   feed_ = WeightFeed();
   watch_.begin(now.time);
-  pressure_.begin(now.stand_pipe_pressure);
-  pressure_at_ = now.time;
   legs_ = 0;
   settled_ = crew_came_ = false;
   const TopDriveSetpoint drive = rig.asked().top_drive;
@@ -172,6 +170,8 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
 void OperationsPlayer::begin_tag(RigControls& rig, bool zeroed) noexcept
 {
   const Readings& now = rig.readings();
+  pressure_.begin(now.stand_pipe_pressure);
+  pressure_at_ = now.time;
   lifts_ = zeroed && rig.scene().rig.heave.amplitude == 0.0 && now.hole_depth - now.bit_depth < tags_from;
   lift_to_ = now.block_height + tags_from - (now.hole_depth - now.bit_depth);
   if (!zeroed && !now.tared) rig.fail("operations: tag: the weight on bit has no zero, and none can be taken on bottom or in the slips, needed: pick_up first");

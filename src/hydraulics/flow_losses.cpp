@@ -139,8 +139,13 @@ double nozzle_loss(double density, double flow, double area) noexcept
 
 double clinging(double ratio, double turbulence) noexcept
 {
-  const double laminar = 0.25 + 0.275 * ratio, turbulent = 0.41 + 0.1 * ratio;
-  return laminar + turbulence * (turbulent - laminar);
+  const double laminar = 0.25 + 0.275 * ratio;
+  return laminar + turbulence * (clinging_constant(ratio) - laminar);
+}
+
+double clinging_constant(double ratio) noexcept
+{
+  return 0.41 + 0.1 * ratio;
 }
 
 double turbulence_at(double speed, double critical_speed) noexcept

@@ -177,11 +177,6 @@ void add_forces(const MudWay& way, const MeshElement& element, const Stretch& st
 }
 }  // namespace
 
-double clinging_constant(double diameter_ratio) noexcept
-{
-  return 0.41 + 0.1 * diameter_ratio;
-}
-
 double annulus_gradient(double density, double flow, double hole_diameter, double diameter) noexcept
 {
   const double gap = hole_diameter - diameter;

@@ -8,9 +8,6 @@
 
 namespace drill_rig_sim
 {
-const char* const no_pipe_there =
-    "depth: allowed is where there is pipe in the hole, above 0 (the rotary table) and not below the bit";
-
 bool is_in_hole(double md, double bit_depth) noexcept
 {
   return md > 0.0 && md <= bit_depth;

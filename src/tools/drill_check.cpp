@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "drill_rig_sim/crew/program.h"
@@ -193,28 +193,31 @@ bool print_wall_loss(const Scene& scene, const RigAtRest& rig, const Printed& pr
 /// What the run leaves out or gets too small, and would not be seen by its numbers; then the pages of the manual (src/manual) on it.
 void print_shortcomings(const Scene& scene, const Printed& printed)
 {
-  std::vector<const char*> pages;
+  std::vector<std::string> pages;
+  const auto see = [&pages](const char* page)
+  {
+    if (std::find(pages.begin(), pages.end(), page) == pages.end()) pages.emplace_back(page);
+  };
   if (scene.string.front().bit->torque.model == BitTorqueModel::regenerative)
   {
     std::printf("bit         regenerative: weight and torque are those of the cut; the face does not rub across the bottom\n");
-    pages.push_back("theory/bit.md");
+    see("theory/bit.md");
   }
   const RigAtRest rig = build_at_rest(scene);
   for (const AccuracyReport& doubt : {doubt_of_string(*rig.model, rig.state, rig.statics.forces), doubt_of_hole(rig.state), doubt_of_level(scene, rig.state)})
   {
     if (doubt.doubt == AccuracyDoubt::none) continue;
     std::printf("accuracy    %s\n", text_of(doubt).c_str());
-    pages.push_back("how_to/accuracy_warning.md");
+    see("how_to/accuracy_warning.md");
   }
   if (const std::optional<TightAssembly> tight = tight_assembly(*rig.model, rig.statics.forces))
   {
     std::printf("assembly    %s\n", text_of(*tight).c_str());
-    pages.push_back("theory/steering.md");
+    see("theory/steering.md");
   }
-  if (scene.string.front().bit->gauge_length > 0.0 && print_wedged_gauge(scene, rig, printed)) pages.push_back("theory/bit.md");
-  if (print_wall_loss(scene, rig, printed)) pages.push_back("theory/wall.md");
-  pages.erase(std::unique(pages.begin(), pages.end(), [](const char* a, const char* b) { return std::strcmp(a, b) == 0; }), pages.end());
-  for (const char* page : pages) std::printf("manual      src/manual/%s\n", page);
+  if (scene.string.front().bit->gauge_length > 0.0 && print_wedged_gauge(scene, rig, printed)) see("theory/bit.md");
+  if (print_wall_loss(scene, rig, printed)) see("theory/wall.md");
+  for (const std::string& page : pages) std::printf("manual      src/manual/%s\n", page.c_str());
 }
 
 /// What level auto has chosen, as keys that could be given instead.

@@ -31,8 +31,7 @@ void print_motor(const Scene& scene, const Printed& printed)
 {
   for (const PartSpec& part : scene.string)
     if (part.motor)
-      std::printf(", motor 0 to %s by its torque",
-                  loss_text(mud_motor_pressure(mud_motor_leakage, part.motor->pressure_displacement(), part.motor->stall_torque), printed).c_str());
+      std::printf(", motor 0 to %s by its torque", loss_text(mud_motor_stall_pressure(*part.motor), printed).c_str());
 }
 
 void print_density_at(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, double md, const char* place, const Printed& printed)

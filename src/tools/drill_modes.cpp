@@ -10,8 +10,8 @@
 #include "drill_eigenmodes.h"
 #include "drill_options.h"
 #include "drill_output.h"
-#include "drill_scene.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_scene.h"
 
 namespace drill_rig_sim
 {

@@ -1,24 +1,16 @@
 #include "drill_tables.h"
 
-#include <algorithm>
-#include <cctype>
-
+#include "drill_rig_sim/instruments/signal_rows.h"
+#include "drill_rig_sim/math/in_capitals.h"
 #include "drill_rig_sim/rig/setpoints.h"
 #include "drill_rig_sim/scene/fault_spec.h"
 #include "drill_rig_sim/scene/read_scene.h"
-#include "drill_rig_sim/instruments/signal_rows.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
 constexpr std::size_t comment_column = 34;
-
-std::string in_capitals(std::string word)
-{
-  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return word;
-}
 
 /// A line of a message.
 std::string line(std::string field, const std::string& comment)

@@ -50,6 +50,13 @@ Scene stalling_scene()
   scene.operations = {flow, rotate, default_operation(OperationKind::tag), drilling(60e3), pick_up};
   return scene;
 }
+
+RunEnd play_on(Simulator& rig, ScenePlayer& player)
+{
+  RunGoal goal;
+  goal.duration = 300.0;
+  return run(rig, player, goal, frame);
+}
 }  // namespace
 
 TEST(OperationTroubleWatch, aStallThatStandsForTwoSeconds)
@@ -94,9 +101,7 @@ TEST(OperationTrouble, aStalledMotorEndsTheOperationsWithTheBrakeSet)
 {
   Simulator rig(stalling_scene());
   ScenePlayer player(rig.scene());
-  RunGoal goal;
-  goal.duration = 300.0;
-  ASSERT_EQ(run(rig, player, goal, frame), RunEnd::trouble);
+  ASSERT_EQ(play_on(rig, player), RunEnd::trouble);
   const OperationStatus status = player.operations().status();
   EXPECT_EQ(status.trouble, OperationTrouble::motor_stalled);
   EXPECT_EQ(status.kind, OperationKind::drill);
@@ -112,9 +117,7 @@ TEST(OperationTrouble, survivesASnapshotAndARewind)
 {
   Simulator rig(stalling_scene());
   ScenePlayer player(rig.scene());
-  RunGoal goal;
-  goal.duration = 300.0;
-  ASSERT_EQ(run(rig, player, goal, frame), RunEnd::trouble);
+  ASSERT_EQ(play_on(rig, player), RunEnd::trouble);
   ScenePlayer copy = player;
   EXPECT_EQ(copy.operations().status().trouble, OperationTrouble::motor_stalled);
   copy.rewind();

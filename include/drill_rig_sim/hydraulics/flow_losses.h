@@ -87,6 +87,8 @@ double nozzle_loss(double density, double flow, double area) noexcept;
 /// @param ratio       D/D_h
 /// @param turbulence  from 0, laminar, to 1
 double clinging(double ratio, double turbulence) noexcept;
+/// K of turbulent flow.
+double clinging_constant(double ratio) noexcept;
 
 /// Share of turbulence for clinging() at a speed [m/s]: from 0 at the critical speed to 1 at twice that.
 double turbulence_at(double speed, double critical_speed) noexcept;

@@ -10,7 +10,6 @@
 #include "drill_rig_sim/string/mesh.h"
 #include "drill_rig_sim/well/well_spec.h"
 
-
 /// The hydraulic circuit of a string in its hole, and where along it the pressures drop.
 ///
 /// Volumes are those of bore and annulus at the start, as are diameters: thirty metres drilled change them by little. The scene's
@@ -76,8 +75,6 @@ struct MudCircuit
 /// Annular pressure gradient [Pa/m] of a flow [m3/s] of mud of a density [kg/m3] between a hole and a string of diameters [m]; 0 where the
 /// string fills the hole.
 double annulus_gradient(double density, double flow, double hole_diameter, double diameter) noexcept;
-/// K of mud that clings to a moving string, by D/D_h.
-double clinging_constant(double diameter_ratio) noexcept;
 /// The gradient in a bore [Pa/m].
 double bore_gradient(double density, double flow, double diameter) noexcept;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/string/part.h"
 
 /// Positive-displacement mud motor: the bit's speed relative to the housing.
 ///
@@ -63,10 +64,17 @@ inline double advance_mud_motor(double speed, const MudMotorSpeed& steady, doubl
   return speed + share * (steady.value - speed) / (1.0 - share * steady.slope * std::max(0.0, by_turn) * step);
 }
 
-/// Differential pressure dp = 2 pi T/V [Pa], V the displacement times the mechanical efficiency, in proportion below the leakage; zero for a torque that drives the bit on.
+/// Differential pressure dp = 2 pi T/V [Pa], V the displacement times the mechanical efficiency, in proportion below the leakage; zero for a torque
+/// that drives the bit on.
 inline double mud_motor_pressure(double flow, double displacement, double torque) noexcept
 {
   return std::clamp(flow / mud_motor_leakage, 0.0, 1.0) * 2.0 * pi * std::max(0.0, torque) / displacement;
+}
+
+/// dp of a motor that is pumped at its stall torque [Pa].
+inline double mud_motor_stall_pressure(const MotorSpec& motor) noexcept
+{
+  return mud_motor_pressure(mud_motor_leakage, motor.pressure_displacement(), motor.stall_torque);
 }
 
 /// The motor is pumped but its torque has reached T_stall.

@@ -32,7 +32,6 @@ void free_pipe(State& state) noexcept;
 
 /// Why a fault would be refused: one line, static storage; null: it would not. `bit_depth`, `hole_depth` [m MD].
 const char* what_is_wrong(const Model& model, double bit_depth, double hole_depth, const Fault& fault) noexcept;
-/// What a refusal says of a place without pipe.
 
 /// A fault of the mechanics begins, one that nothing is wrong with.
 void begin(const Model& model, double bit_depth, const Fault& fault, State& state) noexcept;

@@ -92,6 +92,7 @@ public:
   ~Simulator();
   Simulator(Simulator&&) noexcept;
   Simulator& operator=(Simulator&&) noexcept;
+
   CommandResult command(const WinchSetpoint& c) noexcept override;
   CommandResult command(const TopDriveSetpoint& c) noexcept override;
   CommandResult command(const PumpSetpoint& c) noexcept override;

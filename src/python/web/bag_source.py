@@ -1,31 +1,21 @@
 """A bag as a source: all of it at once."""
 from drill_rig_sim.score_runs import RunError, namespace_of
-from drill_rig_sim.web.news import STATE, STATE_KIND, TOPICS, TRUTH, TRUTH_KIND, News
+from drill_rig_sim.web.news import STATE, STATE_KIND, TOPICS, TRUTH, TRUTH_KIND, News, ReadSource
 
 
-class BagSource:
+class BagSource(ReadSource):
     """RunError where the file is no bag, or has no rig_state of this version."""
-    live = False
 
     def __init__(self, file, namespace=None):
         try:
             import rosbag  # needed for bags alone
         except ImportError:
             raise RunError("%s: bags need Debian's python3-rosbag" % file) from None
-        self.name = file
         try:
             with rosbag.Bag(file) as bag:
-                self._news = news_of(bag, file, namespace_of(bag, file, namespace))
+                super().__init__(file, news_of(bag, file, namespace_of(bag, file, namespace)))
         except (OSError, rosbag.ROSBagException) as error:
             raise RunError("%s: %s" % (file, str(error).splitlines()[0])) from None
-
-    def poll(self):
-        news, self._news = self._news, News([], [], None, {})
-        return news
-
-    @staticmethod
-    def status():
-        return {"silent": None, "heard": True, "why": ""}
 
 
 def news_of(bag, file, prefix):

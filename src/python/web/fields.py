@@ -2,6 +2,7 @@
 import typing
 
 import numpy
+from drill_rig_sim import lockstep
 
 
 class Field(typing.NamedTuple):
@@ -55,7 +56,7 @@ FLAGS = {
     "winch_limited": ("amber", "Winch held back by a limit"),
     "top_drive_limited": ("amber", "Top drive at a limit of torque, speed or power")}
 # of these, what only the truth tells: no rig can sense it
-UNSENSED = ("over_stress", "over_torque", "buckled", "motor_stalled")
+UNSENSED = tuple(flag for flag in FLAGS if flag in lockstep.UNSENSED)
 ACCURACY = "accuracy_warning"  # stands apart: of the simulation, not of the rig
 SENSED = tuple(flag for flag in FLAGS if flag not in UNSENSED)
 SEEN = (*MEMBERS, *SENSED, ACCURACY, "tared", "in_slips", "brake_set", "block_velocity", "stand_count", "run_state")

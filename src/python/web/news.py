@@ -17,6 +17,22 @@ class News(typing.NamedTuple):
     rows: object = None
 
 
+class ReadSource:
+    """A source that has been read: all of it at once. `name`: what the page calls it."""
+    live = False
+
+    def __init__(self, name, news):
+        self.name, self._news = name, news
+
+    def poll(self):
+        news, self._news = self._news, News([], [], None, {})
+        return news
+
+    @staticmethod
+    def status():
+        return {"silent": None, "heard": True, "why": ""}
+
+
 STATE, TRUTH = "rig_state", "truth/rig_state"
 STATE_KIND, TRUTH_KIND = RigState, RigTruth
 # by topic: what it is, its type; a string is shown with the strength of the parts described before it

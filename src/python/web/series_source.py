@@ -3,31 +3,22 @@ import numpy
 from drill_rig_sim.score import bottom_points, new_hole, on_bottom
 from drill_rig_sim.score_runs import STATE
 from drill_rig_sim.web.fields import SEEN
-from drill_rig_sim.web.news import STATE_KIND, News
+from drill_rig_sim.web.news import STATE_KIND, News, ReadSource
 from drill_rig_sim.web.packed import Packed
 
 UNKNOWN_STANDS = -1
 SPACING = 10.0  # of points of a planned path [m]
 
 
-class SeriesSource:
+class SeriesSource(ReadSource):
     """`run`: drill_rig_sim.score_runs.Run; `plan`: drill_rig_sim.survey.Survey or None."""
-    live = False
 
     def __init__(self, run, plan=None):
         path, begin = path_of_run(run)
         latest = {"drilled": (path, begin)}
         if plan is not None:
             latest["planned"] = path_of_survey(plan)
-        self.name, self._news = run.title, News([], [], None, latest, rows_of(run))
-
-    def poll(self):
-        news, self._news = self._news, News([], [], None, {})
-        return news
-
-    @staticmethod
-    def status():
-        return {"silent": None, "heard": True, "why": ""}
+        super().__init__(run.title, News([], [], None, latest, rows_of(run)))
 
 
 def rows_of(run):

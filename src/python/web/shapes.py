@@ -3,10 +3,11 @@ import math
 
 import numpy
 import yaml
+from drill_rig_sim.tables import TOP_DRIVE_MODES
 from drill_rig_sim.web.bins import numbers
 
 MOST_POINTS = 600  # of a path
-MODES = ("SPEED", "TORQUE", "ANGLE", "SOFT_TORQUE", "Z_TORQUE", "OSCILLATE")
+MODES = tuple(word.upper() for word in TOP_DRIVE_MODES)
 RUN_STATES = ("RUNNING", "PAUSED", "WAITING", "FAILED")
 
 
