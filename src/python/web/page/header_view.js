@@ -59,12 +59,12 @@ function showHeader(state) {
   setText(byId("clock"), state.t === undefined ? "" : clockText(state.t) + (state.speed === null || !store.hello.live ? "" : `  at ${state.speed.toFixed(1)}×`));
   setText(byId("operation"), state.operation ? `${state.operation} ${(100 * state.progress).toFixed(0)} %` : "");
   setText(byId("accuracy"), state.flags && state.flags.includes("accuracy_warning") ? "△ accuracy of the simulation is limited now" : "");
-  setText(byId("foot"), store.hello.live ? `${store.hello.control ? "with control" : "read-only"}; bridge ${state.cpu === null ? "–" : (100 * state.cpu).toFixed(0)} % of a core` : "a bag, its last values");
+  setText(byId("foot"), store.hello.live ? `${store.hello.control ? "with control" : "read-only"}; bridge ${state.cpu === null ? "–" : (100 * state.cpu).toFixed(0)} % of a core` : "a recorded run, its last values");
 }
 
 function showPill(state) {
   const { heard, why, silent } = state.status;
-  if (!store.hello.live) setPill("bag", "");
+  if (!store.hello.live) setPill("recorded", "");
   else if (heard && state.run_state !== undefined) setPill(RUN_STATES[state.run_state],
     state.run_state === 0 ? "good" : state.run_state === 3 ? "bad" : "");
   else if (state.run_state === 1 || state.run_state === 2) setPill(why || RUN_STATES[state.run_state], why ? "bad" : "");

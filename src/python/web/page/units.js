@@ -39,6 +39,7 @@ export function bigText(quantity, si) {
 /// Seconds as 1:02:03.
 export function clockText(seconds) {
   if (seconds === null || seconds === undefined) return "–";
+  if (seconds < 0) return "-" + clockText(-seconds);
   const whole = Math.floor(seconds + 1e-6), two = (n) => String(n).padStart(2, "0");
   return `${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}`;
 }
