@@ -73,6 +73,7 @@ TOP_DRIVE_MODES = (
     "soft_torque",
     "z_torque",
     "oscillate",
+    "droop",
 )
 GAUGES = (
     "hook_load",

@@ -82,6 +82,8 @@ struct Loop
 
 Loop loop_of_speed(const TopDriveSpec& spec) noexcept { return {spec.proportional_gain, spec.integral_gain}; }
 
+Loop loop_of_droop(const TopDriveSpec& spec) noexcept { return {spec.proportional_gain, 0.0}; }
+
 Loop loop_of_angle(const TopDriveSpec& spec) noexcept
 {
   const double gain = spec.proportional_gain;

@@ -293,6 +293,20 @@ TEST(DriveModes, ModesTakeOverWithoutABump)
   }
 }
 
+// w = w* - T/P
+TEST(DriveModes, DroopSlowsDownInProportionToTheTorque)
+{
+  const TopDriveSpec spec = smooth();
+  FreeRotor rotor(spec);
+  TopDriveSetpoint command = speed_command(5.0);
+  command.mode = TopDriveMode::droop;
+  for (const double load : {0.0, 2e3, 8e3})
+  {
+    for (int i = 0; i < 2000; ++i) rotor.step(command, 0.005, load);
+    EXPECT_NEAR(rotor.state().speed, 5.0 - load / spec.proportional_gain, 1e-6) << load;
+  }
+}
+
 // Nor does one amid the string's waves and against the gearbox's friction, which Z_TORQUE carries fifty times lighter than the others.
 TEST(DriveModes, ModesTakeOverAmidWaves)
 {

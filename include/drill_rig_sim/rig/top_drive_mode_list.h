@@ -29,5 +29,7 @@ MODE(z_torque, speed, false, loop_of_z_torque, "Z torque",
 MODE(oscillate, swing, false, loop_of_angle, "oscillate",
      "rocks from `angle` + `amplitude_right` to `angle` - `amplitude_left` at `speed`, and turns back where the torque limit has stopped "
      "it: friction falls in slide drilling. Refused with both amplitudes 0")
+MODE(droop, speed, false, loop_of_droop, "droop",
+     "keeps `speed` less torque / `proportional_gain`: the loop without its integral, so that the drive slows down under load")
 
 #undef MODE
