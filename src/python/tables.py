@@ -24,6 +24,7 @@ SIGNALS = (
     Signal("pump_strokes", "both", "uint32", "pump_strokes", "number", "", 0),
     Signal("ecd", "both", "float64", "ecd", "density", "", 0),
     Signal("block_height", "both", "float64", "block_height", "length", "BLOCKCOMP", 12),
+    Signal("encoder_bit_depth", "both", "float64", "encoder_bit_depth", "length", "", 0),
     Signal("block_velocity", "both", "float64", "block_velocity", "speed", "", 0),
     Signal("floor_height", "both", "float64", "floor_height", "length", "", 0),
     Signal("floor_velocity", "both", "float64", "floor_velocity", "speed", "", 0),
@@ -82,6 +83,7 @@ GAUGES = (
     "stand_pipe_pressure",
     "flow",
     "block_height",
+    "encoder_bit_depth",
 )
 FAULTS = (
     "stuck_pipe",

@@ -74,6 +74,7 @@ void Simulator::Impl::measure_bit() noexcept
   const Vector3d axis = x_axis(bit.orientation);
   m.hole_depth = hole_depth();
   m.bit_depth = bit_depth(*model, s);
+  if (!m.in_slips) m.encoder_bit_depth = state.string.length - m.block_height;
   m.on_bottom = shown_forces().wob > 0.0;
   m.bit_position = bit.position + model->mesh().bit_radius * axis;
   m.bit_orientation = bit.orientation * rotation_from_vector(Vector3d(std::remainder(s.bit.turned, 2.0 * pi), 0.0, 0.0));

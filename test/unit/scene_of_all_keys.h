@@ -50,6 +50,7 @@ instruments:
     stand_pipe_pressure: {noise: 3.1, bias: 3.2, delay: 3.3, filter_time: 3.4, resolution: 3.5, drift: 3.6, rate: 3.7, dropout_interval: 3.8, dropout_duration: 3.9}
     flow: {noise: 4.1, bias: 4.2, delay: 4.3, filter_time: 4.4, resolution: 4.5, drift: 4.6, rate: 4.7, dropout_interval: 4.8, dropout_duration: 4.9}
     block_height: {noise: 5.1, bias: 5.2, delay: 5.3, filter_time: 5.4, resolution: 5.5, drift: 5.6, rate: 5.7, dropout_interval: 5.8, dropout_duration: 5.9}
+    encoder_bit_depth: {noise: 6.1, bias: 6.2, delay: 6.3, filter_time: 6.4, resolution: 6.5, drift: 6.6, rate: 6.7, dropout_interval: 6.8, dropout_duration: 6.9}
 needs: [torque, rop]
 connections: off
 program:

@@ -60,6 +60,7 @@ const GaugeField gauges[] = {
     {"stand_pipe_pressure", [](InstrumentsSpec& s) -> SensorSpec& { return s.stand_pipe_pressure; }, &RigSignals::stand_pipe_pressure, 1e5},
     {"flow", [](InstrumentsSpec& s) -> SensorSpec& { return s.flow; }, &RigSignals::flow, 1e-3},
     {"block_height", [](InstrumentsSpec& s) -> SensorSpec& { return s.block_height; }, &RigSignals::block_height, 0.01},
+    {"encoder_bit_depth", [](InstrumentsSpec& s) -> SensorSpec& { return s.encoder_bit_depth; }, &RigSignals::encoder_bit_depth, 0.5},
 };
 }  // namespace
 
@@ -80,6 +81,24 @@ TEST(Readings, idealInstrumentsAtTheBlockShowTheTruthToTheLastBit)
           ASSERT_EQ(r.top_drive_speed, t.top_drive_speed);
         });
   EXPECT_GT(rig.truth().wob, 1e3) << "it drills";
+}
+
+// The encoder's depth goes as the block does, has errors of its own, and knows nothing of the string's stretch.
+TEST(Readings, theEncodersDepthIsTheStringsLengthBelowTheTable)
+{
+  Simulator rig(scene_with([](InstrumentsSpec& s) { s.encoder_bit_depth.bias = 0.3; }));
+  rig.frame(frame);
+  const Readings before = rig.readings();
+  EXPECT_EQ(before.encoder_bit_depth, rig.truth().encoder_bit_depth + 0.3);
+  EXPECT_EQ(before.bit_depth, ideal_scene().start.bit_depth) << "worked out from the block's height, without that error";
+  const double stretch = rig.truth().bit_depth - rig.truth().encoder_bit_depth;
+  EXPECT_GT(stretch, 1e-4);
+  EXPECT_LT(stretch, 0.1);
+  rig.command(WinchSetpoint{0.1, false});
+  for (int k = 0; k < 500; ++k) rig.frame(frame);
+  const double raised = rig.truth().block_height - before.block_height;
+  EXPECT_GT(raised, 0.3);
+  EXPECT_NEAR(before.encoder_bit_depth - rig.readings().encoder_bit_depth, raised, 1e-9);
 }
 
 // By default the hook load is the dead line's: after more than 1 cm of raising it carries the least of all lines.

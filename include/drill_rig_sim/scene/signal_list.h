@@ -75,6 +75,8 @@ BOTH(double, ecd, density, "", 0, "equivalent circulating density at the bit: mu
        "exact, as if a tool sent it at once")
 GAUGE(double, block_height, length, "BLOCKCOMP", 12, "top-drive shaft above the rotary table",
       "drawworks encoder; bit depth, hole depth and rate of penetration are worked out from it")
+GAUGE(double, encoder_bit_depth, length, "", 0, "measured depth of the bit by the length of its string, without the stretch",
+      "depth encoder; held while the slips bear the string")
 BOTH(double, block_velocity, speed, "", 0, "of the block, + up", "exact, by the drawworks' encoder")
 BOTH(double, floor_height, length, "", 0,
        "of the rotary table above its mean place, where the frame rig_floor stays: heave; 0 on the ground",
