@@ -12,9 +12,6 @@ from drill_rig_sim.law import Commands
 from drill_rig_sim.lockstep import UNSENSED, Refused
 
 
-SHALLOWER = 1e-3  # of the hole, from which on it is another one [m]
-
-
 class Readings:
     """Of one instant."""
 
@@ -29,20 +26,20 @@ class Readings:
 
 
 class NewRuns:
-    """Lets a law begin again where the rig does: time goes back, or the hole becomes shallower (the node was started again, the well reset, a snapshot
-    restored). The law must be a plain object that can be copied; `problem`: why this one cannot, or ""."""
+    """Lets a law begin again where the rig does: time goes back (the node was started again), or `epoch` of the state changes (the well was reset, a survey
+    loaded, a snapshot restored). The law must be a plain object that can be copied; `problem`: why this one cannot, or ""."""
 
     def __init__(self, law):
-        self._law, self._time, self._depth, self.problem = law, None, None, ""
+        self._law, self._time, self._epoch, self.problem = law, None, None, ""
         try:
             self._fresh = copy.deepcopy(vars(law))
         except Exception as error:  # pylint: disable=broad-except
             self._fresh, self.problem = None, "%s: %s" % (type(error).__name__, error)
 
-    def begins(self, now, hole_depth):
-        """Whether a new run begins with the state of this time and depth; the law is then as it was at first."""
-        is_new = self._time is not None and (now < self._time or hole_depth < self._depth - SHALLOWER)
-        self._time, self._depth = now, hole_depth
+    def begins(self, now, epoch):
+        """Whether a new run begins with the state of this time and epoch; the law is then as it was at first."""
+        is_new = self._time is not None and (now < self._time or epoch != self._epoch)
+        self._time, self._epoch = now, epoch
         if is_new and self._fresh is not None:
             vars(self._law).update(copy.deepcopy(self._fresh))  # at no time without an attribute: another thread may ask whether it is done
             for name in set(vars(self._law)) - set(self._fresh):
@@ -128,7 +125,7 @@ def driven(rig, law, timeout, telemetry=Deaf):
     for _ in range(int(timeout * rig.rate / every)):
         if law.done:
             break
-        if runs.begins(rig.state.t, rig.state.readings.hole_depth):
+        if runs.begins(rig.state.t, rig.state.readings.epoch):
             refused = ""
         telemetry.listen(rig.state.t, law.period)
         refused = hand_over(rig, asked(law, Readings(rig.state.t, rig.state.readings, telemetry, refused)))

@@ -34,9 +34,9 @@ bool take(Simulator& simulator, const std::optional<Setpoint>& command) noexcept
 }
 
 template <class Values>
-Signals<Values> signals_of(const Values& signals, const OperationStatus& operation)
+Signals<Values> signals_of(const Values& signals, std::uint32_t epoch, const OperationStatus& operation)
 {
-  return {signals, operation.number, operation.progress, operation.kind};
+  return {signals, epoch, operation.number, operation.progress, operation.kind};
 }
 
 Bit bit_of(const Truth& t)
@@ -81,6 +81,7 @@ void InProcessRig::build(const Scene& scene)
 {
   check_rate(rate_, scene);
   finer_.reset();
+  if (simulator_) ++epoch_;
   simulator_.emplace(scene, seed_);
   player_ = ScenePlayer(simulator_->scene());
   playing_ = play_;
@@ -134,7 +135,7 @@ void InProcessRig::advance(std::size_t frames, const std::function<void()>& may_
 Frame InProcessRig::last_frame() const
 {
   const OperationStatus operation = playing_ ? player_.operations().status() : OperationStatus();
-  return {signals_of<ShownSignals>(simulator_->readings(), operation), signals_of<TrueSignals>(simulator_->truth(), operation), bit_of(simulator_->truth())};
+  return {signals_of<ShownSignals>(simulator_->readings(), epoch_, operation), signals_of<TrueSignals>(simulator_->truth(), epoch_, operation), bit_of(simulator_->truth())};
 }
 
 std::vector<std::string> InProcessRig::remarks() const
@@ -287,6 +288,7 @@ void InProcessRig::restore(const SavedRig& saved)
   const Turn turn(*this);
   if (finer_) throw std::runtime_error("a run that is verified only goes forward");
   if (!simulator_->restore(*saved.state)) throw std::runtime_error("the snapshot is of another rig");
+  ++epoch_;
   player_ = saved.player;
   playing_ = saved.playing;
   failed_ = false;

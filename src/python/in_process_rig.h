@@ -49,6 +49,7 @@ template <class Values>
 struct Signals
 {
   Values signals;
+  std::uint32_t epoch = 0;
   int operation_number = 0;
   double operation_progress = 0.0;
   OperationKind operation_kind = OperationKind::wait;
@@ -60,6 +61,7 @@ struct Signals
   {
     ByMessage<V, std::is_same_v<Values, TrueSignals>> by_message{v};
     signals.visit(by_message);
+    v("epoch", epoch);
     v("operation_number", operation_number);
     v("operation_progress", operation_progress);
   }
@@ -216,6 +218,7 @@ private:
   Scene scene_;  // of the file, whatever has been loaded since
   double off_bottom_, rate_;
   std::uint64_t seed_;
+  std::uint32_t epoch_ = 0;  // of its frames
   bool play_, playing_ = false, failed_ = false;
   mutable std::atomic<bool> busy_{false};
   std::optional<Simulator> simulator_;

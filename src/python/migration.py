@@ -1,4 +1,5 @@
 """Bags of version 0.2, whose truth/rig_state was a RigState, for this version (migrate_bag)."""
+import math
 import os
 import sys
 
@@ -11,12 +12,15 @@ TRUTH = "truth/rig_state"
 USAGE = "usage: migrate_bag OLD.bag NEW.bag\nWrites NEW.bag: the messages of OLD.bag, which version 0.2 recorded, as this version has them."
 
 
+ADDED = {"epoch": 0, "encoder_bit_depth": math.nan}  # fields that version 0.2 did not have
+
+
 def copy_fields(old, new):
-    """Fills a message with those fields of another that it has too; a ValueError names one that the other does not have."""
+    """Fills a message with those fields of another that it has too, or that were added since; a ValueError names one that the other does not have."""
     for name in new.__slots__:
-        if not hasattr(old, name):
+        if not hasattr(old, name) and name not in ADDED:
             raise ValueError("has no %s" % name)
-        setattr(new, name, getattr(old, name))
+        setattr(new, name, getattr(old, name, ADDED.get(name)))
     return new
 
 

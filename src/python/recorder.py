@@ -10,12 +10,12 @@ KEPT = 1000  # states whose bit has not arrived yet, or the other way round
 
 class Recorder:
     """Rows of STATE and BIT in a file, one each `period` [simulated s]; a state is written once both its messages are there. An OSError where
-    the file cannot be opened. Time that goes back begins a new run, in the same file: drill score and drill plot take the last one."""
+    the file cannot be opened. Time that goes back or another epoch begins a new run, in the same file: drill score and drill plot take the last one."""
 
     def __init__(self, file, prefix="", period=0.1):
         self.period, self.last, self.waiting, self.latest, self.lock = period, None, {}, {}, threading.Lock()
         self.out = open(file, "w", encoding="utf-8")
-        self.out.write(",".join(("time", *self.columns())) + "\n")
+        self.out.write(",".join(("time", *self.columns(), "epoch")) + "\n")
         self.subscribers = [rospy.Subscriber(prefix + "truth/rig_state", RigTruth, self.take, callback_args="state", queue_size=100),
                             rospy.Subscriber(prefix + "truth/bit", BitTruth, self.take, callback_args="bit", queue_size=100)]
 
@@ -42,7 +42,7 @@ class Recorder:
             return
         self.last = now
         row = [field(bit, BIT[name]) if name in BIT else field(state, STATE[name]) for name in self.columns()]
-        self.out.write(",".join("%.9g" % value for value in (now, *row)) + "\n")
+        self.out.write(",".join("%.9g" % value for value in (now, *row, state.epoch)) + "\n")
 
     def close(self):
         for subscriber in self.subscribers:

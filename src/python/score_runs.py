@@ -77,21 +77,24 @@ def read_series(file):
         columns = {name: table.numbers(name, may_be_empty(name)) for name in table.names}
     except RecordError as error:
         raise RunError(str(error))
-    begin, earlier = last_run(columns.get("time", ()))
+    begin, earlier = last_run(columns.get("time", ()), columns.pop("epoch", None))
     columns = {name: values[begin:] for name, values in columns.items()}
     companion = {name[len(COMPANION):]: columns.pop(name) for name in tuple(columns) if name.startswith(COMPANION)}
     return Run(columns, "truth", file, earlier=earlier, companion=companion)
 
 
-def last_run(time):
-    """Where the last run of a series begins, and what is said of those before it, or "". Time that goes back by NEW_RUN or more begins a new run: the
-    rig's node was started again. By less it is an error of the series, which Run refuses."""
-    back = numpy.flatnonzero(numpy.diff(time) <= -NEW_RUN)
-    if not len(back):
+def last_run(time, epochs=None):
+    """Where the last run of a series begins, and what is said of those before it, or "". A new run begins where time goes back by NEW_RUN or more, for
+    the rig's node was started again (by less it is an error of the series, which Run refuses), and where the epoch of its states changes."""
+    begins = numpy.diff(time) <= -NEW_RUN
+    if epochs is not None:
+        begins |= numpy.diff(epochs) != 0
+    places = numpy.flatnonzero(begins)
+    if not len(places):
         return 0, ""
-    begin = back[-1] + 1
-    return begin, "%d earlier run%s of the file, to %.6g s: time goes back to %.6g s there, what follows is judged" % (
-        len(back), "s" if len(back) > 1 else "", time[begin - 1], time[begin])
+    begin = places[-1] + 1
+    why = "time goes back to %.6g s there" % time[begin] if time[begin] < time[begin - 1] else "the rig was reset or restored there"
+    return begin, "%d earlier run%s of the file, to %.6g s: %s, what follows is judged" % (len(places), "s" if len(places) > 1 else "", time[begin - 1], why)
 
 
 def read_bag(file, namespace=None):
@@ -122,7 +125,7 @@ def messages_of(bag, prefix):
     """Of the last run in a bag, by the topics without their prefix, and what is said of earlier ones, or ""."""
     places = {name: in_order(bag, prefix + name) for name in TOPICS}
     states = places["truth/rig_state"] or places["rig_state"]
-    begin, earlier = last_run(stamps([m for _, m in states]))
+    begin, earlier = last_run(stamps([m for _, m in states]), numpy.array([getattr(m, "epoch", 0) for _, m in states], dtype=int))
     return {name: [m for place, m in found if not begin or place >= states[begin][0]] for name, found in places.items()}, earlier
 
 

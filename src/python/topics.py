@@ -64,7 +64,7 @@ class Follower:
 
     def take(self, state):
         now = state.header.stamp.to_sec()
-        if self.runs.begins(now, state.hole_depth):
+        if self.runs.begins(now, state.epoch):
             self.begin_again(now)
         if self.law.done or (self.last is not None and now < self.last + self.law.period - 1e-6):
             return

@@ -150,6 +150,7 @@ Message to_message(const RigSignals& from, const FrameRecord& frame, const std::
   m.header.stamp = to_time(frame.stamp);
   m.header.frame_id = frame_id;
   m.run_state = to_run_state(frame.run_state);
+  m.epoch = frame.epoch;
 #define BOTH(type, name, ...) m.name = from.name;
 #include "drill_rig_sim/scene/signal_list.h"
   m.current_operation = text_of(from.crew);

@@ -39,10 +39,7 @@ SimulationLoop::SimulationLoop(const Parameters& parameters, std::unique_ptr<Sim
   reserve_memory();
 }
 
-SimulationLoop::~SimulationLoop()
-{
-  join();
-}
+SimulationLoop::~SimulationLoop() { join(); }
 
 void SimulationLoop::start()
 {
@@ -255,6 +252,7 @@ void SimulationLoop::fill_record(FrameRecord& record, bool accuracy_due) const n
 {
   record.stamp = time_.stamp();
   record.run_state = run_state();
+  record.epoch = epoch_;
   record.truth = rig_.simulator->truth();
   record.readings = rig_.simulator->readings();
   record.rig = rig_.simulator->scene().rig;
@@ -316,6 +314,7 @@ std::unique_ptr<Simulator> SimulationLoop::replace(std::unique_ptr<Simulator> si
 {
   std::unique_ptr<Simulator> old = std::move(rig_.simulator);
   rig_ = RunningRig(std::move(simulator), parameters_.play_program);
+  ++epoch_;
   mailbox_.clear();
   set_timeout();
   pace_companions();
@@ -334,6 +333,7 @@ void SimulationLoop::restart_cadences() noexcept
 void SimulationLoop::go_back(const SimulatorState& state, const ScenePlayer& player, bool playing, const CommandStamps& commands)
 {
   rig_.simulator->restore(state);
+  ++epoch_;
   rig_.player = player;
   rig_.playing = playing;
   rig_.failed = false;

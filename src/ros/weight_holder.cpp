@@ -6,6 +6,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace
 {
@@ -19,16 +20,14 @@ public:
       : weight_(parameter("weight", 10e3)),
         most_feed_(parameter("most_feed", 0.015)),
         gain_(parameter("gain", 5e-7)),
-        feed_(std::min(parameter("tag_speed", 0.01), most_feed_)),
+        tag_speed_(parameter("tag_speed", 0.01)),
         winch_(rig_.advertise<drill_rig_sim::WinchCommand>("winch/command", 1, true)),
         top_drive_(rig_.advertise<drill_rig_sim::TopDriveCommand>("top_drive/command", 1, true)),
         tare_(rig_.serviceClient<std_srvs::Trigger>("tare")),
         states_(rig_.subscribe("rig_state", 1, &WeightHolder::take, this, ros::TransportHints().tcpNoDelay()))
   {
-    drill_rig_sim::TopDriveCommand turn;
-    turn.mode = drill_rig_sim::TopDriveCommand::SPEED;
-    turn.speed = parameter("speed", 9.4);
-    top_drive_.publish(turn);
+    turn_.mode = drill_rig_sim::TopDriveCommand::SPEED;
+    turn_.speed = parameter("speed", 9.4);
   }
 
 private:
@@ -37,8 +36,7 @@ private:
   void take(const drill_rig_sim::RigState& state)
   {
     const ros::Time now = state.header.stamp;
-    if (now < last_) began_ = last_ = ros::Time();  // the rig began anew
-    if (began_.isZero()) began_ = last_ = now;
+    if (began_.isZero() || now < last_ || state.epoch != epoch_) begin(state);
     const double elapsed = (now - last_).toSec();
     last_ = now;
     if (!is_zeroed_ && (now - began_).toSec() > settling) is_zeroed_ = zero();
@@ -46,6 +44,16 @@ private:
     drill_rig_sim::WinchCommand down;
     down.block_velocity = -feed_;
     winch_.publish(down);
+  }
+
+  /// With the first state of a run: the node or the well was begun anew, or a snapshot restored, and the weight has another zero.
+  void begin(const drill_rig_sim::RigState& state)
+  {
+    began_ = last_ = state.header.stamp;
+    epoch_ = state.epoch;
+    feed_ = std::min(tag_speed_, most_feed_);
+    is_zeroed_ = false;
+    top_drive_.publish(turn_);
   }
 
   bool zero()
@@ -59,12 +67,15 @@ private:
   double weight_;     // wanted on bit [N]
   double most_feed_;  // [m/s]
   double gain_;       // [m/s per N s]
-  double feed_;       // of the block, downwards [m/s]
+  double tag_speed_;  // of the block until there is weight [m/s]
+  double feed_ = 0.0;  // of the block, downwards [m/s]
+  drill_rig_sim::TopDriveCommand turn_;
   ros::NodeHandle rig_;
   ros::Publisher winch_, top_drive_;
   ros::ServiceClient tare_;
   ros::Subscriber states_;
   ros::Time began_, last_;
+  std::uint32_t epoch_ = 0;  // of the last state
   bool is_zeroed_ = false;
 };
 }  // namespace

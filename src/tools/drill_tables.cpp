@@ -43,7 +43,8 @@ std::string gauges()
 
 std::string head_of_fields()
 {
-  return line("std_msgs/Header header", "stamp: end of the frame; frame_id: the rig floor") + line("uint8 run_state", "one of the constants above");
+  return line("std_msgs/Header header", "stamp: end of the frame; frame_id: the rig floor") + line("uint8 run_state", "one of the constants above") +
+         line("uint32 epoch", "grows by 1 where what follows does not go on from what was: reset_well, load_survey, restore_state");
 }
 
 /// Operations and set points.

@@ -25,11 +25,12 @@ class Reset(unittest.TestCase):
         first = strings.at(self.rig.advance(10).header.stamp)
         drilled = self.drill()
         self.assertGreater(drilled.hole_depth, start.hole_depth + 0.01)
-        for _ in range(2):
+        for resets in (1, 2):
             answer = self.rig.reset_well("", 0.0)
             self.assertTrue(answer.success, answer.message)
             after = self.rig.advance(0)
             self.assertEqual(numbers(start), numbers(after))
+            self.assertEqual(start.epoch + resets, after.epoch)
             self.assertGreater(after.header.stamp, drilled.header.stamp)
             self.assertTrue(after.brake_set)
             self.assertEqual(0, after.last_command.to_nsec())
@@ -44,7 +45,9 @@ class Reset(unittest.TestCase):
             self.assertFalse(answer.success)
             self.assertIn("is a snapshot of this scene with start.bit_depth 99.7 m; allowed is that of this rig, 80 m", answer.message)
             self.rig.must(self.rig.reset_well("", 99.7))
+            before = self.rig.advance(0).epoch
             self.rig.must(self.rig.restore_state("", file))
+            self.assertEqual(before + 1, self.rig.advance(0).epoch)
             self.rig.must(self.rig.load_survey(md=[0.0, 90.0], inclination=[0.0, 0.0], azimuth=[0.0, 0.0]))
             self.assertIn("another scene", self.rig.restore_state("", file).message)
 

@@ -161,21 +161,20 @@ class Counter:
 class StateAt:
     """A state of a rig in lockstep."""
 
-    def __init__(self, t, hole_depth=100.0):
-        self.t, self.readings = t, types.SimpleNamespace(hole_depth=hole_depth)
+    def __init__(self, t, epoch=0):
+        self.t, self.readings = t, types.SimpleNamespace(epoch=epoch)
 
 
 class Runs(unittest.TestCase):
-    def test_time_or_depth_that_goes_back_begins_a_run(self):
-        for states, begins in (((0.0, 100.0), (1.0, 100.0), (1.0, 100.5)), ""), (((5.0, 100.0), (0.1, 100.0), (0.2, 100.1)), "1"), \
-                (((5.0, 100.0), (5.1, 99.99), (5.2, 99.99)), "1"), (((5.0, 100.0), (5.1, 99.9995), (5.2, 99.999)), ""), \
-                (((5.0, 100.0), (3.0, 100.0), (1.0, 100.0)), "12"):
+    def test_time_that_goes_back_or_another_epoch_begins_a_run(self):
+        for states, begins in (((0.0, 0), (1.0, 0), (1.0, 0)), ""), (((5.0, 0), (0.1, 0), (0.2, 0)), "1"), (((5.0, 0), (5.1, 1), (5.2, 1)), "1"), \
+                (((5.0, 7), (0.1, 0), (0.2, 1)), "12"), (((5.0, 0), (3.0, 0), (1.0, 0)), "12"):
             law = Counter()
             runs = NewRuns(law)
             law.steps, law.seen[:] = 7, [1, 2]
-            for i, (now, depth) in enumerate(states):
+            for i, (now, epoch) in enumerate(states):
                 law.steps = 7
-                self.assertEqual(str(i) in begins, runs.begins(now, depth), (states, i))
+                self.assertEqual(str(i) in begins, runs.begins(now, epoch), (states, i))
                 self.assertEqual(0 if str(i) in begins else 7, law.steps)
             self.assertIs(law.seen, law.part.seen)
             self.assertEqual([] if begins else [1, 2], law.seen)
@@ -187,8 +186,8 @@ class Runs(unittest.TestCase):
         runs = NewRuns(law)
         law.step(types.SimpleNamespace(t=3.0, refused="", toolface=None))
         self.assertEqual((5.0, 1), (law.set_points["weight"], law.steps))
-        runs.begins(3.0, 1.0)
-        self.assertTrue(runs.begins(0.0, 1.0))
+        runs.begins(3.0, 0)
+        self.assertTrue(runs.begins(0.0, 0))
         self.assertEqual((1.0, 0), (law.set_points["weight"], law.steps))
         law.step(types.SimpleNamespace(t=0.0, refused="", toolface=None))
         self.assertEqual(5.0, law.set_points["weight"])
@@ -198,8 +197,8 @@ class Runs(unittest.TestCase):
         law.lock = threading.Lock()
         runs = NewRuns(law)
         law.steps = 7
-        runs.begins(3.0, 1.0)
-        self.assertTrue(runs.begins(0.0, 1.0))
+        runs.begins(3.0, 0)
+        self.assertTrue(runs.begins(0.0, 0))
         self.assertEqual(7, law.steps)
         self.assertIn("cannot pickle", runs.problem)
 
@@ -256,8 +255,8 @@ class ByTopics(unittest.TestCase):
         self.warnings.append(text)
 
     @staticmethod
-    def state(t, hole_depth=100.0, kind=RigState):
-        state = kind(hole_depth=hole_depth)
+    def state(t, epoch=0, kind=RigState):
+        state = kind(hole_depth=100.0, epoch=epoch)
         state.header.stamp = rospy.Time.from_sec(t)
         return state
 
@@ -291,8 +290,8 @@ class ByTopics(unittest.TestCase):
     def test_a_well_that_is_reset_begins_a_new_run(self):
         law = Counter()
         follower = topics.Follower(law)
-        for t, depth in ((5.0, 100.0), (5.1, 102.0), (5.11, 100.0), (5.12, 100.0), (5.21, 100.0)):
-            follower.take(self.state(t, depth))
+        for t, epoch in ((5.0, 0), (5.1, 0), (5.11, 1), (5.12, 1), (5.21, 1)):
+            follower.take(self.state(t, epoch))
         self.assertEqual([-0.01, -0.02, -0.01, -0.02], self.velocities())
 
     def test_the_recorder_goes_on_with_the_new_run(self):

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Bags of version 0.2: migrate_bag makes RigState and RigTruth of their RigState, rosbag's own rule a RigState; drill score reads them as they are."""
+import math
 import os
 import subprocess
 import sys
@@ -9,7 +10,7 @@ import unittest
 import genpy.dynamic
 import rosbag
 import rospy
-from drill_rig_sim.migration import migrate
+from drill_rig_sim.migration import ADDED, migrate
 from drill_rig_sim.msg import BitTruth, RigState, RigTruth
 from drill_rig_sim.refusal import Refusal
 from drill_rig_sim.score_runs import read_run
@@ -65,7 +66,9 @@ class Migration(unittest.TestCase):
     def expect(self, found, kind, base, number):
         self.assertEqual((kind._type, kind._md5sum), (found._type, found._md5sum))
         was = old_state(number, base)
-        for name in kind.__slots__:
+        self.assertEqual(0, found.epoch)
+        self.assertTrue(math.isnan(found.encoder_bit_depth))
+        for name in set(kind.__slots__) - set(ADDED):
             if name in ("header", "winch", "top_drive", "mud_pump", "steering"):
                 self.assertEqual(str(getattr(was, name)), str(getattr(found, name)), name)
             elif kind is RigTruth or name not in UNSENSED:
@@ -84,7 +87,7 @@ class Migration(unittest.TestCase):
         self.assertEqual([5e3] * 3, [m.wob for m in self.messages(self.new, "truth/bit")])
         again = self.new + ".bag"
         self.assertEqual(0, migrate(self.new, again), "what is new stays")
-        self.assertEqual(self.messages(self.new, "truth/rig_state"), self.messages(again, "truth/rig_state"))
+        self.assertEqual(*(str(self.messages(file, "truth/rig_state")) for file in (self.new, again)))
 
     def test_rosbags_rule_fixes_the_readings(self):
         migrator = MessageMigrator([RULE], False)

@@ -7,8 +7,9 @@ import subprocess
 import sys
 import unittest
 
+import numpy
 from drill_rig_sim import plot_well
-from drill_rig_sim.score_runs import NEEDED, RunError, read_run
+from drill_rig_sim.score_runs import NEEDED, RunError, last_run, read_run
 from in_folder import InFolder
 
 ROWS = [(0.1 * k, 100.0 + 0.001 * k, 100.0 + 0.001 * k, 10e3, 600.0, 9.5) for k in range(300)]
@@ -21,6 +22,11 @@ def series(sign=",", decimal="."):
 
 
 class RunFiles(InFolder):
+    def test_of_a_series_whose_rig_was_reset_the_last_run_is_judged(self):
+        time, epochs = numpy.arange(5.0), numpy.array([0, 0, 1, 2, 2])
+        self.assertEqual((3, "2 earlier runs of the file, to 2 s: the rig was reset or restored there, what follows is judged"), last_run(time, epochs))
+        self.assertEqual((0, ""), last_run(time, 0 * epochs))
+
     def test_what_is_read(self):
         for what, text, encoding in (("as it is", series(), "utf-8"), ("mark", series(), "utf-8-sig"), ("UTF-16", series(), "utf-16"), ("ends of lines", series().replace("\n", "\r\n"), "utf-8"),
                                      ("an empty line", series() + "\n", "utf-8"), ("a spreadsheet", series(";", ","), "utf-8"), ("tabs", series("\t"), "utf-8"), ("comment", "# °\n" + series(), "latin-1")):

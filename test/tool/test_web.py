@@ -102,11 +102,13 @@ class Logs(unittest.TestCase):
         bins.add([13.6], {"a": [9.0], "b": [1.0]})
         self.assertEqual({"width": 1.0, "from": 13, "new": False, "signals": {"a": [[5.0], [7.0], [9.0]], "b": [[1.0], [1.0], [1.0]]}}, bins.change())
 
-    def test_a_new_run_begins_where_time_goes_back(self):
-        log = log_of(state(5.0, hole_depth=100.0), state(6.0, hole_depth=100.0), state(0.5, hole_depth=100.0))
+    def test_a_new_run_begins_where_time_goes_back_or_the_epoch_changes(self):
+        log = log_of(state(5.0), state(6.0), state(0.5))
         self.assertEqual((log.run, log.time.first), (2, 2))
-        log.take([packed(state(0.6, hole_depth=50.0))])
+        log.take([packed(state(0.6, epoch=1))])
         self.assertEqual(log.run, 3)
+        log.take([packed(state(0.7, epoch=1)), packed(state(0.8, epoch=2))])
+        self.assertEqual(log.run, 4)
 
     def test_the_state_has_the_extremes_since_the_last_time(self):
         log = log_of(state(1.0, torque=1e3), state(1.01, torque=9e3), state(1.02, torque=2e3))

@@ -89,6 +89,7 @@ struct FrameRecord
 {
   std::int64_t stamp = 0;  ///< [ns]
   RunState run_state = RunState::running;
+  std::uint32_t epoch = 0;  ///< how often another rig, well or saved state has taken the place of the one before
   Truth truth;
   Readings readings;
   RigSpec rig;

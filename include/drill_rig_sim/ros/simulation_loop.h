@@ -201,6 +201,7 @@ private:
   std::uint32_t frames_to_go_ = 0;
   bool stepping_ = false;
   StepResult step_;
+  std::uint32_t epoch_ = 0;  // of FrameRecord
   RunState run_state_said_ = RunState::waiting;  // what rig_state said last
   bool announced_ = false;  // a stamped frame of this rig has been handed over
   std::thread thread_;

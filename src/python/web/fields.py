@@ -59,7 +59,7 @@ FLAGS = {
 UNSENSED = tuple(flag for flag in FLAGS if flag in lockstep.UNSENSED)
 ACCURACY = "accuracy_warning"  # stands apart: of the simulation, not of the rig
 SENSED = tuple(flag for flag in FLAGS if flag not in UNSENSED)
-SEEN = (*MEMBERS, *SENSED, ACCURACY, "tared", "in_slips", "brake_set", "block_velocity", "stand_count", "run_state")
+SEEN = (*MEMBERS, *SENSED, ACCURACY, "tared", "in_slips", "brake_set", "block_velocity", "stand_count", "run_state", "epoch")
 
 
 def columns_of(rows):

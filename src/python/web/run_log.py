@@ -10,12 +10,11 @@ from drill_rig_sim.web.news import STATE_KIND, TRUTH_KIND
 from drill_rig_sim.web.packed import Packed
 
 TIME_STEP, DEPTH_STEP = 0.25, 0.1   # of the logs at first [s], [m]
-SHALLOWER = 1e-3                    # of the hole, from which on it is another run [m]
 DRILLS = 5e-5                       # rate of penetration from which on MSE means something [m/s]
 
 
 class RunLog:
-    """`run`: number of the run; a new one begins where time goes back or the hole becomes shallower. `bit_diameter` [m], for MSE; None: not known."""
+    """`run`: number of the run; a new one begins where time goes back or `epoch` changes. `bit_diameter` [m], for MSE; None: not known."""
 
     def __init__(self):
         self.packed, self.packed_truth = Packed(STATE_KIND, SEEN), Packed(TRUTH_KIND, UNSENSED)
@@ -35,9 +34,9 @@ class RunLog:
 
     def take_rows(self, rows):
         """The same as Packed.rows() gives them."""
-        back = (numpy.diff(rows["stamp"]) < 0.0) | (numpy.diff(rows["hole_depth"]) < -SHALLOWER)
-        for part in numpy.split(rows, numpy.flatnonzero(back) + 1):
-            if self.last is not None and (part["stamp"][0] < self.last["stamp"] or part["hole_depth"][0] < self.last["hole_depth"] - SHALLOWER):
+        anew = (numpy.diff(rows["stamp"]) < 0.0) | (numpy.diff(rows["epoch"].astype(int)) != 0)
+        for part in numpy.split(rows, numpy.flatnonzero(anew) + 1):
+            if self.last is not None and (part["stamp"][0] < self.last["stamp"] or part["epoch"][0] != self.last["epoch"]):
                 self.begin()
             self._take_part(part)
 
