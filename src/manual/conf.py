@@ -22,7 +22,7 @@ html_css_files = ['manual.css']
 html_copy_source = False
 html_show_sphinx = False
 highlight_language = 'text'
-# the copy of libjs-mathjax that src/manual/run puts there: the manual reads without a network
+# the copy of libjs-mathjax that src/manual/run puts there afterwards: the manual reads without a network
 exclude_patterns = ['_static']
 mathjax_path = 'mathjax/MathJax.js?config=TeX-AMS_HTML'
 math_number_all = False

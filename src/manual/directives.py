@@ -4,7 +4,7 @@ import shutil
 
 from docutils import nodes
 from docutils.parsers.rst import Directive, directives
-from pages import PACKAGE, Workplace
+from pages import PACKAGE, workplace
 
 QUICK = 'MANUAL_QUICK' in os.environ  # no commands are run: their output and pictures are left out
 LANGUAGES = {'.py': 'python', '.yaml': 'yaml', '.cpp': 'cpp', '.launch': 'xml', '.test': 'xml', '.txt': 'text', '.csv': 'text'}
@@ -14,8 +14,7 @@ class OfPage(Directive):
     """A block whose commands run in the folder of its page."""
 
     def workplace(self):
-        env = self.state.document.settings.env
-        return Workplace(os.path.join(env.app.outdir, '..', 'work', env.docname.replace('/', '_')))
+        return workplace(self.state.document.settings.env.docname)
 
     def shown(self, text, language):
         literal = nodes.literal_block(text, text)

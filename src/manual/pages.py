@@ -38,6 +38,12 @@ def environment():
     return {**os.environ, 'PATH': programs + os.pathsep + os.environ['PATH'], 'COLUMNS': '80'}
 
 
+def workplace(page):
+    """The folder of a page while the manual is made. It lies outside of the package: its links back would make a loop, in which roslaunch and rosrun,
+    which look for programs below the package, would search without end."""
+    return Workplace(os.path.join(os.environ['MANUAL_WORK'], page.replace('/', '_')))
+
+
 class Workplace:
     """A folder in which a page's commands see the package as from its root, and which keeps what they write."""
 

@@ -10,7 +10,7 @@ import sys
 import xml.etree.ElementTree
 
 import python_api
-from pages import PACKAGE, Workplace
+from pages import PACKAGE, workplace
 
 PAGES = os.path.join(PACKAGE, 'src', 'manual')
 INCLUDE = re.compile(r'^<!-- include: (.+?) -->$', re.MULTILINE)
@@ -18,6 +18,9 @@ LINK = re.compile(r'\[([^\]]*)\]\([^)]*\)')
 # rooms of the headers that hold laws, and what is left out of them
 LAWS = ('well', 'contact', 'string', 'rig', 'hydraulics', 'model/forces', 'accuracy')
 NO_LAWS = ('lists.h', '_text.h')  # the latter are templates with macros, which Breathe cannot read
+# of a header: neither its namespace, which every other header declares too, nor its macros
+SECTIONS = ('briefdescription detaileddescription typedef enum var func innerclass public-type public-attrib public-static-attrib public-func '
+            'public-static-func')
 # programs whose --help is shown, from the package's root
 PROGRAMS = ('launch/demo', 'test/run', 'src/manual/run')
 
@@ -32,27 +35,27 @@ def read(*path):
         return file.read()
 
 
-def included(source, workplace):
+def included(source, place):
     """The text of an include; links lead out of the manual there, so their words alone are left."""
     if ' ' not in source and source.endswith('.md'):
         return LINK.sub(r'\1', read(source))
-    return '```text\n%s```\n' % workplace.run(source)
+    return '```text\n%s```\n' % place.run(source)
 
 
 def page(title, text, *parts):
     return '# %s\n\n%s\n\n%s' % (title, text, '\n'.join(parts))
 
 
-def scene_reference(workplace):
-    text = re.sub('^### ', '## ', workplace.run('drill reference'), flags=re.MULTILINE)
+def scene_reference(place):
+    text = re.sub('^### ', '## ', place.run('drill reference'), flags=re.MULTILINE)
     return page('Keys of a scene', 'Made from `drill reference`. {repo}`config/scenes/template.yaml` has every key in its place.', text)
 
 
-def commands(workplace):
-    names = re.findall(r'^  (\w+)  ', workplace.run('drill --help').split('Subcommands:')[1], re.MULTILINE)
+def commands(place):
+    names = re.findall(r'^  (\w+)  ', place.run('drill --help').split('Subcommands:')[1], re.MULTILINE)
     lines = ['drill --help'] + ['drill %s --help' % name for name in names] + [os.path.join(PACKAGE, name) + ' --help' for name in PROGRAMS]
     parts = ['## `%s`\n\n```text\n%s```\n' % (os.path.relpath(line.split(' --')[0], PACKAGE) if line.startswith('/') else line.rsplit(' ', 1)[0],
-                                            workplace.run(line)) for line in lines]
+                                            place.run(line)) for line in lines]
     return page('Commands', 'Made from what each command prints for `--help`.', *parts)
 
 
@@ -69,7 +72,8 @@ def launch_arguments():
 
 
 def laws_in_cpp(room):
-    parts = ['## %s\n\n```{doxygenfile} %s\n:no-link:\n```\n' % (os.path.basename(path), os.path.relpath(path, os.path.join(PACKAGE, 'include')))
+    parts = ['## %s\n\n```{doxygenfile} %s\n:no-link:\n:sections: %s\n```\n' % (
+        os.path.basename(path), os.path.relpath(path, os.path.join(PACKAGE, 'include')), SECTIONS)
              for path in headers(room)]
     return page('Headers of %s' % room, 'Made from the headers in {repo}`include/drill_rig_sim/%s` by Doxygen.' % room, *parts)
 
@@ -82,12 +86,12 @@ def write(folder, name, text):
 
 
 def prepare(folder):
-    workplace = Workplace(os.path.join(folder, '..', 'work', 'reference'))
+    place = workplace('reference')
     for path in glob.glob(os.path.join(PAGES, '**', '*.md'), recursive=True):
         name = os.path.relpath(path, PAGES)
         if name != 'README.md':
-            write(folder, name, INCLUDE.sub(lambda found: included(found.group(1), workplace), read(path)))
-    made = {'scene': scene_reference(workplace), 'commands': commands(workplace), 'messages': definitions('msg', 'Messages'),
+            write(folder, name, INCLUDE.sub(lambda found: included(found.group(1), place), read(path)))
+    made = {'scene': scene_reference(place), 'commands': commands(place), 'messages': definitions('msg', 'Messages'),
             'services': definitions('srv', 'Services'), 'launch': launch_arguments(), 'python': python_api.page()}
     made.update({'laws_' + room.replace('/', '_'): laws_in_cpp(room) for room in LAWS if headers(room)})
     for name, text in made.items():

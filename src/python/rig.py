@@ -9,6 +9,8 @@
 
 drill_rig_sim.sim has the same without a node.
 """
+import time
+
 import rosgraph
 import rospy
 from drill_rig_sim.lockstep import RPM, UNSENSED, Lockstep, Refused, State, TimedOut, series  # pylint: disable=unused-import
@@ -24,12 +26,24 @@ class Lost(Exception):
     """The node does not answer any more: it has ended, or the connection to it has. What the last call did is not known."""
 
 
+def wait_for_service(name, patience):
+    """Until a service is there, `patience` wall seconds at most. Without a node rospy gives up while there is no master: its warning needs a node's time."""
+    end = time.monotonic() + patience
+    while True:
+        try:
+            return rospy.wait_for_service(name, max(end - time.monotonic(), 0.1))
+        except rospy.ROSInitException as error:
+            if time.monotonic() > end:
+                raise rospy.ROSException("no ROS master at %s within %g s" % (rosgraph.get_master_uri(), patience)) from error
+            time.sleep(0.3)
+
+
 class Rig(Lockstep):
     """The rig of a namespace, in lockstep. `patience`: wall seconds to wait for it. A call during which its node ends, or after that, raises Lost."""
 
     def __init__(self, namespace="rig", patience=60.0):
         self._prefix = rospy.resolve_name(namespace)
-        rospy.wait_for_service(self._prefix + "/step", patience)
+        wait_for_service(self._prefix + "/step", patience)
         self._step = rospy.ServiceProxy(self._prefix + "/step", StepSimulation, persistent=True)
         self._request = StepSimulationRequest()
         self.rate = frames_per_second(self._prefix + "/step")

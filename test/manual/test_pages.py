@@ -71,6 +71,12 @@ class Pages(unittest.TestCase):
                 status, printed = typed(text, folder)
                 self.assertEqual(0, status, '%s\n%s' % (name, printed))
 
+    def test_no_link_leads_back_into_the_package(self):
+        """roslaunch and rosrun follow links below the package: with a loop they search without end."""
+        for folder, folders, _ in os.walk(os.path.join(SOURCE, 'build')):
+            for path in [os.path.join(folder, name) for name in folders]:
+                self.assertFalse(os.path.islink(path) and path.startswith(os.path.realpath(path) + os.sep), path)
+
 
 if __name__ == '__main__':
     wanted = sys.argv[1:]

@@ -120,5 +120,19 @@ class AgainstAStandIn(unittest.TestCase):
         self.assertEqual([1.004, 1.008], [round(x, 9) for x in rig.series([state, self.rig.step()], "bit.wob")])
 
 
+class BeforeTheMaster(unittest.TestCase):
+    """A test that is started together with the rig, and has no node."""
+
+    def test_it_waits_for_the_master(self):
+        answers = mock.Mock(side_effect=[rospy.ROSInitException("time is not initialized"), None])
+        with mock.patch("rospy.wait_for_service", answers):
+            rig.wait_for_service("/rig/step", 60.0)
+        self.assertEqual(2, answers.call_count)
+
+    def test_it_gives_up_in_time(self):
+        with mock.patch.dict("os.environ", ROS_MASTER_URI="http://localhost:9"), self.assertRaisesRegex(rospy.ROSException, "^no ROS master at http://localhost:9"):
+            rig.wait_for_service("/rig/step", 0.5)
+
+
 if __name__ == "__main__":
     unittest.main()

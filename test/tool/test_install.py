@@ -1,0 +1,67 @@
+#!/usr/bin/python3
+"""`cmake --install` into any folder leaves a rig that works from there, and writes nowhere else. Usage: test_install.py BUILD_FOLDER."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+build = ''
+
+
+def installed(folder, prefix, destdir=''):
+    """What `cmake --install` prints."""
+    with tempfile.TemporaryDirectory() as home:
+        return subprocess.run(['cmake', '--install', build, '--prefix', prefix], cwd=folder, env={**os.environ, 'DESTDIR': destdir, 'HOME': home},
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=True).stdout
+
+
+def in_shell(shell, lines, folder):
+    """What the lines print in a shell that has no ROS but Debian's."""
+    done = subprocess.run([shell, '-e', '-c', lines], cwd=folder, env={'PATH': '/usr/bin:/bin', 'TMPDIR': folder, 'HOME': folder, 'MPLCONFIGDIR': folder},
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    if done.returncode:
+        raise AssertionError(done.stdout)
+    return done.stdout
+
+
+class Install(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        holder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(holder.cleanup)
+        cls.folder = os.path.realpath(holder.name)
+        cls.prefix = os.path.join(cls.folder, 'a prefix')
+        cls.printed = installed(cls.folder, cls.prefix)
+
+    def test_all_is_below_the_prefix(self):
+        written = [line for line in self.printed.splitlines() if line.startswith(('-- Installing: ', '-- Up-to-date: '))]
+        self.assertGreater(len(written), 300)
+        self.assertEqual([], [line for line in written if self.prefix not in line])
+
+    def test_the_runner_needs_no_environment(self):
+        scene = os.path.join(self.prefix, 'share', 'drill_rig_sim', 'config', 'scenes', 'quick.yaml')
+        printed = in_shell('sh', "'%s/lib/drill_rig_sim/drill' check '%s'" % (self.prefix, scene), self.folder)
+        self.assertIn('quick: OK', printed)
+
+    def test_its_setup_files_show_it_to_ros(self):
+        for shell, setup in (('bash', 'setup.bash'), ('sh', 'setup.sh')):
+            printed = in_shell(shell, ". '%s/%s'; catkin_find --first-only --libexec drill_rig_sim; catkin_find --first-only drill_rig_sim launch/rig.launch"
+                               % (self.prefix, setup), self.folder)
+            self.assertEqual([self.prefix + '/lib/drill_rig_sim', self.prefix + '/share/drill_rig_sim/launch/rig.launch'], printed.splitlines())
+
+    def test_python_drives_a_rig(self):
+        lines = ". '%s/setup.bash'; /usr/bin/python3 -c 'from drill_rig_sim.sim import Simulator, __file__; print(__file__, Simulator(\"quick.yaml\").step(0.1).t)'"
+        self.assertEqual('%s/lib/python3/dist-packages/drill_rig_sim/sim.py 0.1' % self.prefix, in_shell('bash', lines % self.prefix, self.folder).strip())
+
+    def test_destdir(self):
+        stage = os.path.join(self.folder, 'stage')
+        installed(self.folder, '/opt/rig', stage)
+        self.assertTrue(os.path.isfile(stage + '/opt/rig/setup.bash'))
+        with open(stage + '/opt/rig/setup.sh', encoding='utf-8') as setup:
+            self.assertIn(': ${_CATKIN_SETUP_DIR:=/opt/rig}', setup.read())
+
+
+if __name__ == '__main__':
+    build = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
