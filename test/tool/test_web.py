@@ -63,7 +63,7 @@ class Messages(unittest.TestCase):
         for field in fields.FIELDS:
             self.assertIn(field.quantity, SHOWN)
             self.assertIn(field.track, ("", *dict(fields.TRACKS)))
-        for pair in fields.NUMBERS:
+        for *pair, _ in fields.NUMBERS:
             self.assertTrue(set(pair) <= {"", *fields.NAMES})
         self.assertEqual(8, len(fields.NUMBERS))
 
@@ -313,6 +313,18 @@ class Lag(unittest.TestCase):
         message._connection_header["md5sum"] = "x"  # pylint: disable=protected-access
         source._take_state(message)  # pylint: disable=protected-access
         self.assertEqual(source.poll().states, [])
+
+    def test_a_node_that_has_gone_is_heard_again_with_its_first_message_only(self):
+        """Another node may come before the last message is old: until it sends, what is shown is the old one's."""
+        source = NodeSource("rig")
+        source._master = 1  # pylint: disable=protected-access
+        for connected, came, heard, why in ((True, True, True, ""), (False, False, False, "no node publishes rig_state"),
+                                            (True, False, False, "waiting for the node's first data"), (True, True, True, "")):
+            source._is_connected = lambda connected=connected: connected  # pylint: disable=protected-access
+            if came:
+                source._take_state(self.any(state(1.0)))  # pylint: disable=protected-access
+            status = source.status()
+            self.assertEqual((status["heard"], status["why"]), (heard, why))
 
 
 class Order(unittest.TestCase):
