@@ -49,9 +49,8 @@ def resize(browser, width, height, mobile=False):
     browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile})
 
 
-def picture(browser, name):
-    """Saves what is seen, where DRILL_RIG_SIM_PICTURES names a folder."""
-    folder = os.environ.get("DRILL_RIG_SIM_PICTURES")
+def picture(browser, name, folder=os.environ.get("DRILL_RIG_SIM_PICTURES")):
+    """Saves what is seen, where there is a folder for it."""
     if folder:
         time.sleep(0.6)
         with open(os.path.join(folder, name + ".png"), "wb") as out:
@@ -136,6 +135,12 @@ class Page:
     def errors(self):
         """What the browser complains of since it was asked last."""
         return [entry["message"] for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
+
+    def cut(self, selector):
+        """Texts below it that their boxes do not show whole."""
+        return self.browser.execute_script("""
+            return [...document.querySelectorAll(arguments[0] + " *")].filter((e) => e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0)
+              .map((e) => e.textContent);""", selector)
 
     def coloured(self, selector):
         """How many pixels of a canvas are not empty."""

@@ -4,10 +4,12 @@ import collections
 import os
 import re
 import signal
+import tempfile
 
+import rosbag
 from browser import PROGRAMS, Bridge, Page, chrome, hung, paper, picture, resize
 from drill_rig_sim.msg import RigState
-from rig_test import Rig, needs, rospy, run, time, unittest, wait_until
+from rig_test import PACKAGE_DIR, Rig, needs, rospy, run, time, unittest, wait_until
 from rosgraph import Master
 from xmlrpc.client import ServerProxy
 
@@ -94,8 +96,11 @@ class Web(unittest.TestCase):
         self.page.wait_text("#number_hook_load .unit", "klbf")
         wait_until(lambda: abs(self.page.figure("hook_load") * KLBF - self.state().hook_load) < 15e3, "the hook load in klbf")
         self.assertEqual("psi", self.page.text("#number_pressure .unit"))
+        self.assertEqual([], self.page.cut("#numbers"))
+        picture(self.browser, "web_oilfield_1280")
         self.page.click("#units")
         self.page.wait_text("#number_hook_load .unit", "kN")
+        self.assertEqual([], self.page.cut("#numbers"))
 
     def mouse(self):
         from selenium.webdriver import ActionChains
@@ -167,6 +172,9 @@ class Web(unittest.TestCase):
                 self.page.click("#tab_" + sheet)
                 picture(self.browser, "web_%s_%s_%d" % (sheet, theme, width))
         resize(self.browser, 1280, 800)
+        self.page.click("#tab_time_log")
+        if os.environ.get("UPDATE_README") == "1":
+            picture(self.browser, "web", os.path.join(PACKAGE_DIR, "src", "tools", "pictures"))
         pdf = paper(self.browser)
         self.assertTrue(pdf.startswith(b"%PDF"))
         if os.environ.get("DRILL_RIG_SIM_PICTURES"):
@@ -195,6 +203,24 @@ class Web(unittest.TestCase):
         self.assertTrue(all("stale" in classes for _, classes, _ in seen[gone:back]), seen)
         self.assertNotIn("stale", seen[back][1])
         self.assertLess(seconds_of(seen[back][2]), before, "the old node's numbers are shown as the present")
+
+    def test_a_bag(self):
+        wait_until(lambda: len(self.states) > 100, "readings")
+        states = tuple(self.states)
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "run.bag")
+            with rosbag.Bag(file, "w") as bag:
+                for state in states:
+                    bag.write("/rig/rig_state", state, state.header.stamp)
+            bridge = Bridge(file)
+            try:
+                page = Page(self.browser, bridge.address)
+                page.wait_text("#link", "^recorded$")
+                self.assertAlmostEqual(page.figure("hook_load"), 1e-3 * states[-1].hook_load, delta=0.06)
+                self.assertFalse(page.one("#control").is_displayed())
+                self.assertEqual([], page.errors())
+            finally:
+                bridge.close()
 
     def test_twenty_times_real_time(self):
         """What the bridge takes is printed, not judged: other tests run beside."""

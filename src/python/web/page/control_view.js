@@ -7,7 +7,6 @@ import { on, store } from "./store.js";
 
 const REPEAT = 150;  // between orders while a button is held [ms]
 const ALIVE = 500;   // between signs of life [ms]
-const HUNG = 500;    // between two orders: the page has hung, and the bridge has set the brake [ms]
 const SPEEDS = [1, 2, 5, 10, 20];
 let held = null, press = 0;
 
@@ -45,12 +44,7 @@ function begin(button, velocity) {
   letGo();
   button.classList.add("held");
   press += 1;
-  let sentAt = performance.now();
-  const order = () => {
-    if (performance.now() - sentAt > HUNG) return letGo();
-    sentAt = performance.now();
-    send({ type: "hold", velocity: velocity(), press });
-  };
+  const order = () => send({ type: "hold", velocity: velocity(), press });
   held = { button, timer: setInterval(order, REPEAT) };
   order();
 }
