@@ -96,10 +96,14 @@ class Web(unittest.TestCase):
         self.page.wait_text("#number_hook_load .unit", "klbf")
         wait_until(lambda: abs(self.page.figure("hook_load") * KLBF - self.state().hook_load) < 15e3, "the hook load in klbf")
         self.assertEqual("psi", self.page.text("#number_pressure .unit"))
+        self.assertEqual("Block speed [ft/min]", self.page.text("label:has(#set_block_speed)"))
+        self.assertEqual("19.7", self.page.one("#set_block_speed").get_attribute("value"))  # 0.1 m/s
+        self.page.fill("#set_block_speed", "39.4")
         self.assertEqual([], self.page.cut("#numbers"))
         picture(self.browser, "web_oilfield_1280")
         self.page.click("#units")
         self.page.wait_text("#number_hook_load .unit", "kN")
+        self.assertEqual("0.200", self.page.one("#set_block_speed").get_attribute("value"))  # what was edited stays the same speed
         self.assertEqual([], self.page.cut("#numbers"))
 
     def mouse(self):

@@ -195,6 +195,11 @@ class Sheets(unittest.TestCase):
         self.assertAlmostEqual(rows[1]["rop"], 0.01, delta=1e-3)
         self.assertAlmostEqual(rows[1]["wob"], 4e4, delta=500.0)
 
+    def test_a_change_that_comes_in_small_pieces(self):
+        """As a node's readings come: none of the pieces is so long as a change has to last."""
+        log = self.run_of(*[(0.2, {"off": 5.0, "flow": 0.03})] * 100, *[(0.2, DRILLS)] * 100, *[(0.2, {**DRILLS, "rop": 0.0})] * 10, *[(0.2, DRILLS)] * 10)
+        self.assertEqual([(one["kind"], round(one["from"])) for one in log.activity.intervals], [("circulate", 0), ("rotary", 20)])
+
     def test_a_short_change_is_none(self):
         log = self.run_of((20, DRILLS), (2, {**DRILLS, "rop": 0.0}), (20, DRILLS))
         self.assertEqual([one["kind"] for one in log.activity.intervals], ["rotary"])

@@ -56,8 +56,8 @@ function showCard(name, second, label, state) {
   setText(parts.unit, unitOf(field.quantity).name);
   const limit = limitOf(name);
   showBar(parts, field, value, limit, setPointOf(name, state));
-  const extremes = extremesOf(name);
-  setText(parts.left, extremes && !second ? `${bigText(field.quantity, extremes[0])} … ${bigText(field.quantity, extremes[1])}` : secondText(second, label, state));
+  const extremes = extremesOf(name), ends = extremes && pulled ? [-extremes[1], -extremes[0]] : extremes;
+  setText(parts.left, ends && !second ? `${bigText(field.quantity, ends[0])} … ${bigText(field.quantity, ends[1])}` : secondText(second, label, state));
   setText(parts.right, limit ? "max " + shownText(field.quantity, limit, 0) : "");
 }
 
