@@ -229,7 +229,7 @@ class Web(unittest.TestCase):
     def test_twenty_times_real_time(self):
         """What the bridge takes is printed, not judged: other tests run beside."""
         self.page.click("#speed_20")
-        time.sleep(8.0)
+        time.sleep(5.0)
         speed = self.page.text("#clock")
         print("bridge: %s; %s; redraws of the page a second: %d" % (self.page.text("#foot"), speed, self.browser.execute_async_script("""
             const done = arguments[0], begin = performance.now(); let n = 0;
