@@ -1,8 +1,10 @@
 """Headless Chromium for the tests of the page of `drill web`, and the bridge itself as a process."""
 import base64
+import contextlib
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -47,13 +49,38 @@ def resize(browser, width, height, mobile=False):
     browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile})
 
 
-def picture(browser, name):
-    """Saves what is seen, where DRILL_RIG_SIM_PICTURES names a folder."""
-    folder = os.environ.get("DRILL_RIG_SIM_PICTURES")
+def picture(browser, name, folder=os.environ.get("DRILL_RIG_SIM_PICTURES")):
+    """Saves what is seen, where there is a folder for it."""
     if folder:
         time.sleep(0.6)
         with open(os.path.join(folder, name + ".png"), "wb") as out:
             out.write(base64.b64decode(browser.execute_cdp_cmd("Page.captureScreenshot", {"format": "png"})["data"]))
+
+
+def processes_below(pid):
+    """Numbers of all that a process has started, and what those have."""
+    children = subprocess.run(["pgrep", "-P", str(pid)], stdout=subprocess.PIPE, text=True, check=False).stdout.split()
+    return [int(child) for child in children] + [one for child in children for one in processes_below(child)]
+
+
+def draws_pages(pid):
+    with contextlib.suppress(OSError), open("/proc/%d/cmdline" % pid, "rb") as words:
+        return b"--type=renderer" in words.read()
+    return False
+
+
+@contextlib.contextmanager
+def hung(browser):
+    """Pages hang for as long as it lasts. The browser may not be asked for anything meanwhile: it would wait."""
+    renderers = [pid for pid in processes_below(browser.service.process.pid) if draws_pages(pid)]
+    assert renderers, "Chromium has no process that draws pages"
+    for pid in renderers:
+        os.kill(pid, signal.SIGSTOP)
+    try:
+        yield
+    finally:
+        for pid in renderers:
+            os.kill(pid, signal.SIGCONT)
 
 
 def paper(browser):
@@ -83,16 +110,37 @@ class Page:
         return float(text) if re.fullmatch(r"-?[\d.]+", text) else None
 
     def wait_text(self, selector, pattern, patience=3.0 * PATIENCE):
-        found = lambda: re.search(pattern, self.text(selector))  # noqa: E731
-        return wait_until(found, "%s in %s, which had %r" % (pattern, selector, self.text(selector)), patience)
+        """The match, once it is there."""
+        try:
+            return wait_until(lambda: re.search(pattern, self.text(selector)), "%s in %s" % (pattern, selector), patience)
+        except AssertionError as error:
+            raise AssertionError("%s, which has %r" % (error, self.text(selector))) from None
+
+    def remember(self, selector):
+        """From now on every text of an element is kept, with the classes of the whole page and its clock, however short it stands."""
+        self.browser.execute_script("""
+            const element = document.querySelector(arguments[0]), clock = document.querySelector("#clock"), seen = window.seen = [];
+            const watch = new MutationObserver(() => seen.push([element.textContent, document.body.className, clock.textContent]));
+            watch.observe(element, { childList: true, characterData: true, subtree: true });
+            watch.observe(document.body, { attributeFilter: ["class"] });""", selector)
+
+    def remembered(self):
+        """Rows of text, classes, clock."""
+        return self.browser.execute_script("return window.seen")
 
     def fill(self, selector, text):
         script = "const [box, text] = arguments; box.value = text; box.dispatchEvent(new Event('input'));"
         self.browser.execute_script(script, self.one(selector), text)
 
     def errors(self):
-        """What the browser complains of."""
+        """What the browser complains of since it was asked last."""
         return [entry["message"] for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
+
+    def cut(self, selector):
+        """Texts below it that their boxes do not show whole."""
+        return self.browser.execute_script("""
+            return [...document.querySelectorAll(arguments[0] + " *")].filter((e) => e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0)
+              .map((e) => e.textContent);""", selector)
 
     def coloured(self, selector):
         """How many pixels of a canvas are not empty."""

@@ -1,19 +1,39 @@
 #!/usr/bin/env python3
 """The page of `drill web` in headless Chromium beside a node: numbers, units, control and its dead-man, autodriller, the node killed and back."""
+import collections
 import os
+import re
 import signal
+import tempfile
 
-from browser import PROGRAMS, Bridge, Page, chrome, paper, picture, resize
-from rig_test import Rig, needs, rospy, run, time, unittest, wait_until
+import rosbag
+from browser import PROGRAMS, Bridge, Page, chrome, hung, paper, picture, resize
+from drill_rig_sim.msg import RigState
+from rig_test import PACKAGE_DIR, Rig, needs, rospy, run, time, unittest, wait_until
 from rosgraph import Master
 from xmlrpc.client import ServerProxy
 
+KEPT = 1000             # messages of rig_state
 KLBF = 4448.2216152605  # [N]
+BRAKE_AT_LAST = 3.0     # by the bridge's clock after a page's last order, on a loaded machine; test_web_server.py holds the bound itself [s]
+
+
+def lost(link):
+    """Whether the page's link says that the node is not there."""
+    return link.startswith(("no node publishes /rig/rig_state", "no data for", "waiting for the node"))
+
+
+def seconds_of(clock):
+    """Of the page's clock, as 0:01:02 at 1.0×."""
+    hours, minutes, seconds = re.match(r"(\d+):(\d+):(\d+)", clock).groups()
+    return 3600 * int(hours) + 60 * int(minutes) + int(seconds)
 
 
 class Web(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
+        if not os.environ.get("DRILL_RIG_SIM_BROWSER"):
+            raise unittest.SkipTest("the page in Chromium is tested by ./test/run --browser")
         try:
             needs(cls("test_numbers"), *PROGRAMS)
             import selenium  # noqa: F401  pylint: disable=unused-import
@@ -21,6 +41,8 @@ class Web(unittest.TestCase):
         except ImportError as missing:
             raise unittest.SkipTest("%s is not installed: ./test/run --browser" % missing.name) from missing
         cls.rig = Rig()
+        cls.states = collections.deque(maxlen=KEPT)
+        rospy.Subscriber("/rig/rig_state", RigState, cls.states.append, tcp_nodelay=True)
         cls.bridge = Bridge("--control")
         cls.browser = chrome()
 
@@ -33,9 +55,21 @@ class Web(unittest.TestCase):
         resize(self.browser, 1280, 800)
         self.page = Page(self.browser, self.bridge.address)
         self.page.wait_text("#link", "^running$")
+        self.page.errors()  # those of the test before count no more
+
+    def state(self):
+        """The latest."""
+        wait_until(lambda: self.states, "rig_state")
+        return self.states[-1]
+
+    def states_of_next(self, seconds):
+        """Those of so much simulated time from now on."""
+        begin = self.state().header.stamp
+        wait_until(lambda: (self.state().header.stamp - begin).to_sec() > seconds, "%g s" % seconds)
+        return [state for state in tuple(self.states) if state.header.stamp > begin]
 
     def test_numbers(self):
-        state = self.rig.state()
+        state = self.state()
         wait_until(lambda: self.page.figure("hook_load") is not None, "a hook load")
         self.assertAlmostEqual(self.page.figure("hook_load"), 1e-3 * state.hook_load, delta=15.0)
         self.assertAlmostEqual(self.page.figure("bit_depth"), state.bit_depth, delta=0.02)
@@ -60,39 +94,53 @@ class Web(unittest.TestCase):
         wait_until(lambda: self.page.figure("hook_load") is not None, "a hook load")
         self.page.click("#units")
         self.page.wait_text("#number_hook_load .unit", "klbf")
-        wait_until(lambda: abs(self.page.figure("hook_load") * KLBF - self.rig.state().hook_load) < 15e3, "the hook load in klbf")
+        wait_until(lambda: abs(self.page.figure("hook_load") * KLBF - self.state().hook_load) < 15e3, "the hook load in klbf")
         self.assertEqual("psi", self.page.text("#number_pressure .unit"))
+        self.assertEqual("Block speed [ft/min]", self.page.text("label:has(#set_block_speed)"))
+        self.assertEqual("19.7", self.page.one("#set_block_speed").get_attribute("value"))  # 0.1 m/s
+        self.page.fill("#set_block_speed", "39.4")
+        self.assertEqual([], self.page.cut("#numbers"))
+        picture(self.browser, "web_oilfield_1280")
         self.page.click("#units")
         self.page.wait_text("#number_hook_load .unit", "kN")
+        self.assertEqual("0.200", self.page.one("#set_block_speed").get_attribute("value"))  # what was edited stays the same speed
+        self.assertEqual([], self.page.cut("#numbers"))
+
+    def mouse(self):
+        from selenium.webdriver import ActionChains
+        return ActionChains(self.browser)
+
+    def hold(self, button, effect):
+        """Holds a button until it has its effect. On a loaded machine the dead-man may end a press before: then it is pressed again."""
+        def held():
+            if "held" not in self.page.one(button).get_attribute("class"):
+                self.mouse().release().click_and_hold(self.page.one(button)).perform()
+            return effect()
+        wait_until(held, "effect of " + button)
 
     def test_the_block_moves_while_the_button_is_held(self):
-        from selenium.webdriver import ActionChains
-        before = self.rig.state().block_height
-        ActionChains(self.browser).click_and_hold(self.page.one("#raise")).perform()
-        wait_until(lambda: self.rig.state().block_height > before + 0.05, "the block goes up")
-        self.assertFalse(self.rig.state().brake_set)
-        ActionChains(self.browser).release().perform()
-        wait_until(lambda: self.rig.state().brake_set, "the brake")
+        before = self.state().block_height
+        self.hold("#raise", lambda: self.state().block_height > before + 0.05)
+        self.mouse().release().perform()
+        wait_until(lambda: self.state().brake_set, "the brake")
 
     def test_dead_man(self):
-        """A page that hangs while the button is held lets go."""
-        from selenium.webdriver import ActionChains
-        ActionChains(self.browser).click_and_hold(self.page.one("#lower")).perform()
-        wait_until(lambda: not self.rig.state().brake_set, "the block moves")
-        began = time.monotonic()
-        self.browser.set_script_timeout(30)
-        self.browser.execute_script("setTimeout(() => { const until = Date.now() + 4000; while (Date.now() < until); }, 0)")
-        wait_until(lambda: self.rig.state().brake_set, "the brake")
-        self.assertLess(time.monotonic() - began, 3.9)
-        ActionChains(self.browser).release().perform()
+        """The brake is set while a page hangs with its button held, and stays when the page comes back. How long it takes is the bridge's word."""
+        self.hold("#raise", lambda: not self.state().brake_set)
+        with hung(self.browser):
+            wait_until(lambda: self.state().brake_set, "the brake")
+        said = self.page.wait_text("#answer", r"brake set ([\d.]+) s after the page's last order")
+        self.assertLess(float(said.group(1)), BRAKE_AT_LAST)
+        self.assertTrue(all(state.brake_set for state in self.states_of_next(1.0)), "the block moves again by a press that had ended")
+        self.mouse().release().perform()
 
     def test_set_points_follow_until_they_are_edited(self):
         self.page.click("#set_rpm")
         self.page.fill("#set_rpm", "45")
         self.assertIn("edited", self.page.one("#set_rpm").get_attribute("class"))
-        self.assertNotAlmostEqual(self.rig.state().top_drive.speed, 4.71, delta=0.1)
+        self.assertNotAlmostEqual(self.state().top_drive.speed, 4.71, delta=0.1)
         self.page.one("#set_rpm").send_keys("\ue007")
-        wait_until(lambda: abs(self.rig.state().top_drive.speed - 4.712) < 0.01, "45 rpm in force")
+        wait_until(lambda: abs(self.state().top_drive.speed - 4.712) < 0.01, "45 rpm in force")
         self.page.wait_text("#number_rpm", "set 45.0")
         self.page.fill("#set_rpm", "99")
         self.page.one("#set_rpm").send_keys("\ue00c")
@@ -104,18 +152,18 @@ class Web(unittest.TestCase):
             self.page.fill("#set_law_" + name, text)
         self.page.click("#start_law")
         self.page.wait_text("#law_status", "^(?!stopped)")
-        wait_until(lambda: abs(self.rig.state().top_drive.speed - 6.283) < 0.01, "the law's rotary speed")
-        wait_until(lambda: abs(self.rig.state().mud_pump.flow - 0.03) < 1e-4, "the law's flow")
+        wait_until(lambda: abs(self.state().top_drive.speed - 6.283) < 0.01, "the law's rotary speed")
+        wait_until(lambda: abs(self.state().mud_pump.flow - 0.03) < 1e-4, "the law's flow")
         self.page.wait_text("#law_status", "drilling, .* leads", 600.0)
         self.page.click("#tab_time_log")
         picture(self.browser, "web_drilling")
         self.page.fill("#set_law_rpm", "70")
         self.page.click("#set_law")
-        wait_until(lambda: abs(self.rig.state().top_drive.speed - 7.33) < 0.01, "the law follows")
+        wait_until(lambda: abs(self.state().top_drive.speed - 7.33) < 0.01, "the law follows")
         self.pictures()
         self.page.click("#stop_law")
         self.page.wait_text("#law_status", "stopped")
-        wait_until(lambda: self.rig.state().brake_set, "the brake")
+        wait_until(lambda: self.state().brake_set, "the brake")
         self.page.click("#speed_1")
 
     def pictures(self):
@@ -128,6 +176,9 @@ class Web(unittest.TestCase):
                 self.page.click("#tab_" + sheet)
                 picture(self.browser, "web_%s_%s_%d" % (sheet, theme, width))
         resize(self.browser, 1280, 800)
+        self.page.click("#tab_time_log")
+        if os.environ.get("UPDATE_README") == "1":
+            picture(self.browser, "web", os.path.join(PACKAGE_DIR, "src", "tools", "pictures"))
         pdf = paper(self.browser)
         self.assertTrue(pdf.startswith(b"%PDF"))
         if os.environ.get("DRILL_RIG_SIM_PICTURES"):
@@ -137,21 +188,48 @@ class Web(unittest.TestCase):
     def test_a_wrong_token_is_refused(self):
         self.browser.get(self.bridge.address[:-3] + "/")
         self.assertIn("no valid token", self.browser.find_element("css selector", "body").text)
+        self.assertEqual(["403"], [re.search(r"status of (\d+)", one).group(1) for one in self.page.errors()])
 
     def test_node_killed_and_back(self):
-        wait_until(lambda: self.rig.state().header.stamp.to_sec() > 2.0, "two seconds")
+        """What stands on the page after the node's end is never shown as the present, however soon another node comes."""
+        self.page.click("#speed_20")
+        wait_until(lambda: seconds_of(self.page.text("#clock")) > 60, "a minute: no new node is so old when it is seen first")
+        before = seconds_of(self.page.text("#clock"))
+        self.page.remember("#link")
         process = ServerProxy(Master(rospy.get_name()).lookupNode("/rig/rig_simulator")).getPid(rospy.get_name())[2]
         os.kill(process, signal.SIGKILL)
-        self.page.wait_text("#link", "no data for|no node publishes /rig/rig_state")
-        self.assertIn("stale", self.browser.find_element("css selector", "body").get_attribute("class"))
+        wait_until(lambda: any(lost(text) for text, _, _ in self.page.remembered()), "the page has noticed")
         picture(self.browser, "web_killed")
-        self.page.wait_text("#link", "^running$")
-        wait_until(lambda: self.page.figure("hook_load") is not None, "numbers again")
+        wait_until(lambda: self.page.remembered()[-1][0] == "running", "numbers again")
+        seen = self.page.remembered()
+        gone = next(n for n, (text, _, _) in enumerate(seen) if lost(text))
+        back = next(n for n in range(gone, len(seen)) if seen[n][0] == "running")
+        self.assertTrue(all("stale" in classes for _, classes, _ in seen[gone:back]), seen)
+        self.assertNotIn("stale", seen[back][1])
+        self.assertLess(seconds_of(seen[back][2]), before, "the old node's numbers are shown as the present")
+
+    def test_a_bag(self):
+        wait_until(lambda: len(self.states) > 100, "readings")
+        states = tuple(self.states)
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "run.bag")
+            with rosbag.Bag(file, "w") as bag:
+                for state in states:
+                    bag.write("/rig/rig_state", state, state.header.stamp)
+            bridge = Bridge(file)
+            try:
+                page = Page(self.browser, bridge.address)
+                page.wait_text("#link", "^recorded$")
+                self.assertAlmostEqual(page.figure("hook_load"), 1e-3 * states[-1].hook_load, delta=0.06)
+                self.assertFalse(page.one("#control").is_displayed())
+                self.assertEqual([], page.errors())
+            finally:
+                bridge.close()
 
     def test_twenty_times_real_time(self):
         """What the bridge takes is printed, not judged: other tests run beside."""
         self.page.click("#speed_20")
-        time.sleep(8.0)
+        time.sleep(5.0)
         speed = self.page.text("#clock")
         print("bridge: %s; %s; redraws of the page a second: %d" % (self.page.text("#foot"), speed, self.browser.execute_async_script("""
             const done = arguments[0], begin = performance.now(); let n = 0;

@@ -12,6 +12,11 @@ import unittest
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FILES = {"RigState.msg": "msg/RigState.msg", "RigTruth.msg": "msg/RigTruth.msg", "tables.py": "src/python/tables.py"}
+FLAGS_FILE = "src/python/web/flags.py"
+FLAGS_HEAD = '''"""What a flag means to a driller, and its rank: red is latched until it is acknowledged. Written by test/tool/test_tables.py from the table of
+src/rviz/console/flags.cpp."""
+FLAGS = {
+'''
 drill_program = None
 
 
@@ -24,9 +29,23 @@ def read(path):
         return file.read()
 
 
+def write(path, text):
+    with open(os.path.join(SOURCE, path), "w", encoding="utf-8") as out:
+        out.write(text)
+
+
 def constants(path):
     """Of the first group of constants in a message or service, by number."""
     return re.findall(r"^uint8 (\w+)=(\d+)", read(path), re.MULTILINE)
+
+
+def flags():
+    """Of the driller's console, as src/python/web/flags.py has them: what warns, without the accuracy of the simulation, which stands apart."""
+    table = re.findall(r'^ *\{Flag::\w+, "(\w+)", "([^"]+)", Level::(\w+)\},$', read("src/rviz/console/flags.cpp"), re.MULTILINE)
+    ranks = {"alarm": "red", "caution": "amber"}
+    lines = ['    "%s": ("%s", "%s"),\n' % (key, ranks[level], text[0].upper() + text[1:]) for key, text, level in table
+             if level in ranks and key != "accuracy_warning"]
+    return FLAGS_HEAD + "".join(lines) + "}\n"
 
 
 def rows(path, macro):
@@ -39,6 +58,10 @@ class Tables(unittest.TestCase):
     def test_files_are_what_is_printed(self):
         for table, path in FILES.items():
             self.assertEqual(printed(table), read(path), "%s: write it by test/tool/test_tables.py DRILL --write" % path)
+
+    def test_flags_of_the_page_are_those_of_the_console(self):
+        self.assertEqual(flags(), read(FLAGS_FILE), "%s: write it by test/tool/test_tables.py DRILL --write" % FLAGS_FILE)
+        self.assertEqual(14, flags().count('": ("'))
 
     def test_constants_follow_the_lists(self):
         for path, header, macro in (("msg/TopDriveCommand.msg", "include/drill_rig_sim/rig/top_drive_mode_list.h", "MODE"),
@@ -66,7 +89,7 @@ if __name__ == "__main__":
     drill_program = os.path.abspath(sys.argv.pop(1))
     if sys.argv[1:] == ["--write"]:
         for name, file in FILES.items():
-            with open(os.path.join(SOURCE, file), "w", encoding="utf-8") as out:
-                out.write(printed(name))
+            write(file, printed(name))
+        write(FLAGS_FILE, flags())
     else:
         unittest.main()

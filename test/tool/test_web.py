@@ -63,7 +63,7 @@ class Messages(unittest.TestCase):
         for field in fields.FIELDS:
             self.assertIn(field.quantity, SHOWN)
             self.assertIn(field.track, ("", *dict(fields.TRACKS)))
-        for pair in fields.NUMBERS:
+        for *pair, _ in fields.NUMBERS:
             self.assertTrue(set(pair) <= {"", *fields.NAMES})
         self.assertEqual(8, len(fields.NUMBERS))
 
@@ -119,10 +119,12 @@ class Logs(unittest.TestCase):
     def test_depth_log_holds_new_hole(self):
         log = RunLog()
         log.bit_diameter = 0.2
-        log.take([packed(state(t, hole_depth=100.0 + 0.05 * max(t - 5.0, 0.0), rop=0.05 * (t > 5.0), surface_wob=3e4)) for t in range(1, 11)])
-        self.assertEqual((round(log.depth.first * log.depth.width, 6), len(log.depth.low)), (100.0, 3))
+        log.take([packed(state(t, hole_depth=100.0 + 0.05 * max(t - 5.0, 0.0), rop=0.05 * (t > 5.0), surface_wob=3e4)) for t in range(1, 31)])
+        self.assertEqual((round(log.depth.first * log.depth.width, 6), len(log.depth.low)), (100.0, 13))
         area = 0.25 * math.pi * 0.2**2
-        self.assertAlmostEqual(log.depth.mean()[0, log.depth.names.index("mse")], 3e4 / area, places=3)
+        mse = log.depth.mean()[:, log.depth.names.index("mse")]
+        self.assertEqual(numpy.isfinite(mse).tolist(), [False] * 5 + [True] * 8)  # the reading of the rate is a mean over 10 s
+        self.assertAlmostEqual(mse[-1], 3e4 / area, places=3)
 
 
 class Alarm(unittest.TestCase):
@@ -196,6 +198,11 @@ class Sheets(unittest.TestCase):
         self.assertAlmostEqual(rows[1]["depth_to"] - rows[1]["depth_from"], 0.5, delta=0.01)
         self.assertAlmostEqual(rows[1]["rop"], 0.01, delta=1e-3)
         self.assertAlmostEqual(rows[1]["wob"], 4e4, delta=500.0)
+
+    def test_a_change_that_comes_in_small_pieces(self):
+        """As a node's readings come: none of the pieces is so long as a change has to last."""
+        log = self.run_of(*[(0.2, {"off": 5.0, "flow": 0.03})] * 100, *[(0.2, DRILLS)] * 100, *[(0.2, {**DRILLS, "rop": 0.0})] * 10, *[(0.2, DRILLS)] * 10)
+        self.assertEqual([(one["kind"], round(one["from"])) for one in log.activity.intervals], [("circulate", 0), ("rotary", 20)])
 
     def test_a_short_change_is_none(self):
         log = self.run_of((20, DRILLS), (2, {**DRILLS, "rop": 0.0}), (20, DRILLS))
@@ -315,6 +322,18 @@ class Lag(unittest.TestCase):
         message._connection_header["md5sum"] = "x"  # pylint: disable=protected-access
         source._take_state(message)  # pylint: disable=protected-access
         self.assertEqual(source.poll().states, [])
+
+    def test_a_node_that_has_gone_is_heard_again_with_its_first_message_only(self):
+        """Another node may come before the last message is old: until it sends, what is shown is the old one's."""
+        source = NodeSource("rig")
+        source._master = 1  # pylint: disable=protected-access
+        for connected, came, heard, why in ((True, True, True, ""), (False, False, False, "no node publishes rig_state"),
+                                            (True, False, False, "waiting for the node's first data"), (True, True, True, "")):
+            source._is_connected = lambda connected=connected: connected  # pylint: disable=protected-access
+            if came:
+                source._take_state(self.any(state(1.0)))  # pylint: disable=protected-access
+            status = source.status()
+            self.assertEqual((status["heard"], status["why"]), (heard, why))
 
 
 class Order(unittest.TestCase):

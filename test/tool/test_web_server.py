@@ -12,6 +12,7 @@ import unittest.mock
 
 import skips
 from drill_rig_sim.web.feed import Feed
+from drill_rig_sim.web import hands as hands_module
 from drill_rig_sim.web.hands import ALIVE, HELD, Hands
 from drill_rig_sim.web.news import News
 from drill_rig_sim.web.orders import Orders
@@ -141,6 +142,11 @@ class Doors(unittest.IsolatedAsyncioTestCase):
             self.assertEqual((await running.status(TOKEN + "/", Host="rebound.example.org"))[0], 403)
             self.assertEqual((await running.status(TOKEN + "/", Host="localhost:%d" % running.port))[0], 200)
 
+    async def test_an_icon_that_a_browser_asks_for_is_no_refusal(self):
+        async with Running() as running:
+            self.assertEqual((await running.status("favicon.ico"))[0], 204)
+            self.assertEqual((await running.status("favicon.ico", Host="rebound.example.org"))[0], 403)
+
 
 @unittest.skipIf(aiohttp is None, "python3-aiohttp is not installed")
 class Socket(unittest.IsolatedAsyncioTestCase):
@@ -181,7 +187,7 @@ class Socket(unittest.IsolatedAsyncioTestCase):
 @unittest.skipIf(aiohttp is None, "python3-aiohttp is not installed")
 class DeadMan(unittest.IsolatedAsyncioTestCase):
     async def held(self, running, socket):
-        await socket.send_str('{"type": "hold", "velocity": 0.2}')
+        await socket.send_str('{"type": "hold", "velocity": 0.2, "press": 1}')
         await messages_until(socket, "law")
         for _ in range(50):
             if running.streams.published:
@@ -199,7 +205,29 @@ class DeadMan(unittest.IsolatedAsyncioTestCase):
             self.assertFalse(self.brakes(running))
             await asyncio.sleep(HELD + 0.5)
             self.assertTrue(self.brakes(running))
-            self.assertIn("dead-man", (await messages_until(socket, "answer"))["answer"]["text"])
+            found = await messages_until(socket, "answer")
+            self.assertIn("dead-man", found["answer"]["text"])
+            self.assertIn("press_ended", found)
+
+    async def test_a_press_that_has_ended_moves_nothing(self):
+        """The page hangs, the bridge sets the brake, the page comes back and goes on as before: its button may be let go long since."""
+        async with Running(control=True) as running, running.connect() as socket:
+            await self.held(running, socket)
+            await asyncio.sleep(HELD + 0.3)
+            del running.streams.published[:]
+            await socket.send_str('{"type": "hold", "velocity": 0.2, "press": 1}')
+            await asyncio.sleep(0.3)
+            self.assertEqual({(name, message.brake) for name, message in running.streams.published}, {("winch", True)})
+            await socket.send_str('{"type": "hold", "velocity": 0.2, "press": 2}')
+            await asyncio.sleep(0.3)
+            self.assertEqual(running.streams.published[-1][1].block_velocity, 0.2)
+
+    async def test_a_failure_of_what_is_shown_leaves_the_dead_man(self):
+        async with Running(control=True) as running, running.connect() as socket:
+            running.source.poll = None
+            await self.held(running, socket)
+            await asyncio.sleep(HELD + 0.5)
+            self.assertTrue(self.brakes(running))
 
     async def test_a_closed_page_sets_the_brake(self):
         async with Running(control=True) as running:
@@ -236,12 +264,35 @@ class DeadMan(unittest.IsolatedAsyncioTestCase):
 
     async def test_wrong_orders(self):
         async with Running(control=True) as running, running.connect() as socket:
-            cases = (({"type": "hold", "velocity": "up"}, "velocity must be a number"), ({"type": "set", "flow": -1}, "flow must be a number from 0"),
+            cases = (({"type": "hold", "velocity": "up"}, "velocity must be a number"), ({"type": "hold", "velocity": 0.1}, "press must be a number"),
+                     ({"type": "set", "flow": -1}, "flow must be a number from 0"),
                      ({"type": "call", "service": "shutdown"}, "no such service: shutdown"), ({"type": "start_law"}, "needed: weight, rop"))
             for order, text in cases:
                 await socket.send_str(json.dumps(order))
                 self.assertIn(text, (await messages_until(socket, "answer"))["answer"]["text"])
             self.assertEqual(running.streams.published, [])
+
+
+@unittest.skipIf(aiohttp is None, "python3-aiohttp is not installed")
+class Bound(unittest.TestCase):
+    """How long the brake may take after a page's last order, by a clock of the test: no load of the machine counts."""
+    now = 0.0
+
+    def test_the_brake_is_set_with_the_first_period_beyond(self):
+        streams = Mute()
+        hands = Hands(Source(), lambda: [], streams)
+        with unittest.mock.patch.object(hands_module.time, "monotonic", lambda: self.now):
+            for order in range(5):
+                self.now = 0.15 * order
+                hands.hold("page", {"velocity": 0.2, "press": 1})
+            last, notes = self.now, []
+            while not notes:
+                self.assertFalse(any(message.brake for _, message in streams.published))
+                self.now += server.PERIOD
+                notes = [message["text"] for message in hands.tick() if message["type"] == "answer"]
+        self.assertTrue(streams.published[-1][1].brake)
+        self.assertLessEqual(self.now - last, HELD + server.PERIOD + 1e-9)
+        self.assertRegex(notes[0], "^dead-man: brake set %.2f s after the page's last order" % (self.now - last))
 
 
 @unittest.skipIf(aiohttp is None, "python3-aiohttp is not installed")

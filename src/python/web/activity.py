@@ -40,7 +40,7 @@ class Activity:
             self.intervals.append(interval(kind, row))
         elif NAMES[kind] == self.intervals[-1]["kind"]:
             self._next = None
-        else:
+        elif self._next is None or NAMES[kind] != self._next["kind"]:
             self._next = interval(kind, row)
 
     def _settle(self, row):

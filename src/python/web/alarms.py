@@ -1,6 +1,6 @@
 """Alarms of a run: a red one stays until it is acknowledged, however short it was."""
 import numpy
-from drill_rig_sim.web.fields import FLAGS
+from drill_rig_sim.web.flags import FLAGS
 
 AGAIN = 10.0  # one that comes back within this time is the same one [s]
 MOST = 300    # are kept

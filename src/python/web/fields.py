@@ -3,6 +3,7 @@ import typing
 
 import numpy
 from drill_rig_sim import lockstep
+from drill_rig_sim.web.flags import FLAGS
 
 
 class Field(typing.NamedTuple):
@@ -32,30 +33,14 @@ NAMES = tuple(field.name for field in FIELDS)
 MEMBERS = tuple(field.member for field in FIELDS)
 TRACKS = (("hoist", "Hoist"), ("bit", "Bit"), ("rotary", "Rotary"), ("mud", "Mud"))
 
-# the eight large numbers: what is shown, and small below it
-NUMBERS = (("hook_load", "block_height"), ("wob", ""), ("rop", ""), ("torque", ""), ("rpm", ""), ("pressure", "differential"), ("flow", ""),
-           ("bit_depth", "hole_depth"))
+# the eight large numbers: what is shown, and small below it, by a label so short that it stands there on the narrowest screen
+NUMBERS = (("hook_load", "block_height", "Block"), ("wob", "", ""), ("rop", "", ""), ("torque", "", ""), ("rpm", "", ""),
+           ("pressure", "differential", "Diff."), ("flow", "", ""), ("bit_depth", "hole_depth", "Hole"))
 
 # of the depth log, over new hole
 DEPTH_TRACKS = (("rop", "ROP"), ("wob", "WOB"), ("torque", "Torque"), ("mse", "MSE, surface"), ("differential", "Diff. pressure"))
 
-# what a flag means to a driller, and its rank: red is latched until it is acknowledged. As src/rviz/console/flags.cpp
-FLAGS = {
-    "over_pull": ("red", "Over-pull: brake set until a command that does not raise"),
-    "slack_line": ("red", "Slack line: the lines carry nothing"),
-    "over_stress": ("red", "Over-stress: pipe beyond its yield strength"),
-    "over_torque": ("red", "Over-torque: beyond a connection's make-up torque"),
-    "buckled": ("red", "Buckling: pipe compressed beyond its critical buckling load"),
-    "motor_stalled": ("red", "Mud motor stalled"),
-    "relief_valve_open": ("red", "Relief valve open: part of the flow goes back"),
-    "pump_tripped": ("red", "Pump tripped: no flow until a flow of 0 is commanded"),
-    "drive_tripped": ("red", "Top drive tripped: it coasts"),
-    "commands_timed_out": ("red", "Commands stopped: brake set, drive coasts"),
-    "command_clamped": ("amber", "Command clamped to a limit"),
-    "stop_reached": ("amber", "Block at its lowest or highest place"),
-    "winch_limited": ("amber", "Winch held back by a limit"),
-    "top_drive_limited": ("amber", "Top drive at a limit of torque, speed or power")}
-# of these, what only the truth tells: no rig can sense it
+# flags that only the truth tells: no rig can sense them
 UNSENSED = tuple(flag for flag in FLAGS if flag in lockstep.UNSENSED)
 ACCURACY = "accuracy_warning"  # stands apart: of the simulation, not of the rig
 SENSED = tuple(flag for flag in FLAGS if flag not in UNSENSED)

@@ -13,6 +13,8 @@ from drill_rig_sim.web.streams import Streams
 from std_srvs.srv import SetBool, Trigger
 
 HELD = 0.5   # without a repeated order for so long, the button counts as let go [wall s]
+NO_PRESS = -1
+MOST_PRESSES = 1e15
 ALIVE = 3.0  # without a word of any page for so long, set points are not repeated any more [wall s]
 SERVICES = {"pause": (Trigger, None), "resume": (Trigger, None), "tare": (Trigger, None), "set_slips": (SetBool, "data"),
             "set_speed": (SetSpeed, "speed"), "make_connection": (MakeConnection, "remove")}
@@ -24,19 +26,23 @@ class Hands:
     def __init__(self, source, scene, streams=None):
         self.source, self.law, self.streams = source, LawBox(source, scene), streams or Streams()
         self.holder, self.held_at, self.heard_at, self.notes, self.law_ran = None, 0.0, 0.0, [], False
+        self.press, self.tripped = NO_PRESS, None  # of the button that is held; page and press that the dead-man has ended
         source.on_join = self.streams.join
 
     # --- orders of a page
 
     def hold(self, page, order):
-        """Repeated while a button is held: the block's velocity, + up [m/s]."""
-        velocity = number_of(order, "velocity", -3.0, 3.0)
+        """Repeated while a button is held: the block's velocity, + up [m/s]. `press`: a number of its own for each press of a button; one that the
+        dead-man has ended stays ended, for the button may be let go long since."""
+        velocity, press = number_of(order, "velocity", -3.0, 3.0), number_of(order, "press", 0.0, MOST_PRESSES)
+        if (page, press) == self.tripped:
+            return self.alive()
         if self.law.running:
             raise Refused("the autodriller has the block: stop it first")
         if self.holder not in (None, page):
             raise Refused("another page holds the block")
         self.streams.keep("winch", WinchCommand(block_velocity=velocity))
-        self.holder, self.held_at = page, time.monotonic()
+        self.holder, self.press, self.held_at = page, press, time.monotonic()
         return self.alive()
 
     def release(self, page, *_):
@@ -102,15 +108,17 @@ class Hands:
 
     def tick(self):
         """With each period: messages for all pages."""
-        now, law = time.monotonic(), self.law.status()
+        now, law, ended = time.monotonic(), self.law.status(), []
         if self.law_ran and not law["running"]:
             self._take_over()
         if self.holder is not None and now > self.held_at + HELD:
+            self.tripped = (self.holder, self.press)
             self.release(self.holder)
-            self.notes.append("dead-man: the block was let go, the page has fallen silent")
+            ended = [{"type": "press_ended"}]
+            self.notes.append("dead-man: brake set %.2f s after the page's last order; press again to move the block" % (now - self.held_at))
         if self.streams.kept and now > self.heard_at + ALIVE:
             self.streams.drop("winch", "top_drive")
             self.notes.append("dead-man: no page is open, set points are not repeated any more")
         lost = self.streams.repeat(self.source.last)
         notes, self.notes = self.notes + ["another controller has taken over: %s" % name.replace("_", " ") for name in lost], []
-        return [{"type": "law", **law}, *({"type": "answer", "text": note} for note in notes)]
+        return [{"type": "law", **law}, *ended, *({"type": "answer", "text": note} for note in notes)]

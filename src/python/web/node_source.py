@@ -28,6 +28,7 @@ class NodeSource:
         self._seen = collections.deque(maxlen=600)  # wall time and stamp of each drillstring_state: a topic so slow that nothing waits in it
         self.newest = 0.0                           # stamp of the latest rig_state that was read [s]
         self._problem, self.last = "", None  # last: the latest RigState
+        self._lost = False                   # the node has gone since the latest rig_state
         self._thread = threading.Thread(target=self._watch, daemon=True)
 
     def start(self):
@@ -68,7 +69,7 @@ class NodeSource:
         if not is_of(message, STATE_KIND):
             self._problem = "the node is of another version: its rig_state has other members"
             return
-        self._came, self._problem = time.monotonic(), ""
+        self._came, self._problem, self._lost = time.monotonic(), "", False
         before, self.newest = self.newest, stamp_of(message._buff)  # pylint: disable=protected-access
         with self._lock:
             if self.newest < before:
@@ -122,10 +123,12 @@ class NodeSource:
             why = "no ROS master at %s" % rosgraph.get_master_uri()
         elif not why and not self._is_connected():
             why = "no node publishes %s" % (rospy.resolve_name(STATE) if self._joined else STATE)
+            self._lost = True
         lag = self.lag()
         if not why and lag > BEHIND:
             why = "bridge is %.0f s behind" % lag
-        return {"silent": silent, "heard": silent is not None and silent < SILENT and lag <= BEHIND, "why": why}
+        is_new = silent is not None and silent < SILENT and not self._lost
+        return {"silent": silent, "heard": is_new and lag <= BEHIND, "why": why or ("waiting for the node's first data" if self._lost else "")}
 
 
 def is_of(message, kind):

@@ -11,6 +11,7 @@ from drill_rig_sim.web.packed import Packed
 
 TIME_STEP, DEPTH_STEP = 0.25, 0.1   # of the logs at first [s], [m]
 DRILLS = 5e-5                       # rate of penetration from which on MSE means something [m/s]
+ROP_OVER = 10.0                     # over which the reading of the rate of penetration is a mean [s]
 
 
 class RunLog:
@@ -26,6 +27,7 @@ class RunLog:
         self.time, self.depth = Bins(NAMES, TIME_STEP), Bins([name for name, _ in DEPTH_TRACKS], DEPTH_STEP)
         self.alarms, self.activity = Alarms(), Activity()
         self.last, self.flags, self.truth_flags = None, [], []
+        self.idle_at = -math.inf  # when nothing was drilled last [s]
         self.extremes = None  # of each signal since take_state() was asked for last: least, largest
 
     def take(self, messages):
@@ -58,8 +60,16 @@ class RunLog:
         before = rows["hole_depth"][0] if self.last is None else self.last["hole_depth"]
         deeper = numpy.diff(rows["hole_depth"], prepend=before) > 0.0
         kept = {name: columns[name][deeper] for name, _ in DEPTH_TRACKS if name in columns}
+        columns = {**columns, "rop": numpy.where(self._drills_steadily(rows), columns["rop"], numpy.nan)}
         kept["mse"] = self.specific_energy({name: columns[name][deeper] for name in ("wob", "torque", "rpm", "rop")})
         self.depth.add(rows["hole_depth"][deeper], kept)
+
+    def _drills_steadily(self, rows):
+        """Whether the reading of the rate of penetration is that of drilling alone: at first it is too small, and MSE by it far too large."""
+        idle_at = numpy.maximum.accumulate(numpy.where(rows["rop"] > DRILLS, -math.inf, rows["stamp"]))
+        idle_at = numpy.maximum(idle_at, self.idle_at)
+        self.idle_at = idle_at[-1]
+        return rows["stamp"] - idle_at > ROP_OVER
 
     def specific_energy(self, columns):
         """By what the surface shows (Teale, 1965), without a motor's share [Pa]; nan where nothing is drilled."""

@@ -11,6 +11,7 @@ PERIOD = 0.1           # between messages to the pages [s]
 MOST_WAITING = 200     # messages for a page that does not read; then it is closed, and comes back by itself
 MOST_PAGES = 20
 LONGEST = 1 << 14      # message of a page [B]
+ICON = "/favicon.ico"  # browsers ask for it where the page of a refusal names none
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "page")
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
 POLICY = "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; connect-src 'self'"
@@ -60,6 +61,8 @@ class Server:
         """The host by which it was called keeps pages of other names out, that lead here by a changed name server."""
         if request.headers.get("Host", "") not in self.hosts:
             return refused("this server answers at 127.0.0.1 and localhost only")
+        if request.path == ICON:
+            return web.Response(status=204, headers=HEADERS)
         token = request.path.split("/")[1]
         if not hmac.compare_digest(token.encode("utf-8", "replace"), self.token.encode()):
             return refused("the address has no valid token: open the address that drill web has printed")
@@ -112,18 +115,18 @@ class Server:
     # --- time
 
     async def ticking(self, _):
-        task = asyncio.ensure_future(self.tick_for_ever())
+        tasks = [asyncio.ensure_future(self.every_period(take)) for take in (self.orders.tick, self.feed.take)]
         yield
-        task.cancel()
+        for task in tasks:
+            task.cancel()
 
-    async def tick_for_ever(self):
+    async def every_period(self, take):
+        """Sends what it gives to the pages. The dead-man has a task of its own: no failure of what is shown ends it."""
         while True:
-            messages = [*self.feed.take(), *self.orders.tick()]
-            if self.pages:
-                texts = [json.dumps(message) for message in messages]
-                for page in tuple(self.pages):
-                    for text in texts:
-                        page.send(text)
+            texts = [json.dumps(message) for message in take()]
+            for page in tuple(self.pages):
+                for text in texts:
+                    page.send(text)
             await asyncio.sleep(PERIOD)
 
     async def close(self, _):

@@ -10,7 +10,7 @@ const std::array<FlagRow, flag_count>& flag_rows()
       {Flag::slack_line, "slack_line", "slack line: the lines carry nothing", Level::alarm},
       {Flag::over_stress, "over_stress", "over-stress: pipe beyond its yield strength", Level::alarm},
       {Flag::over_torque, "over_torque", "over-torque: beyond a connection's make-up torque", Level::alarm},
-      {Flag::buckled, "buckled", "buckled: pipe compressed beyond its critical buckling load", Level::caution},
+      {Flag::buckled, "buckled", "buckling: pipe compressed beyond its critical buckling load", Level::alarm},
       {Flag::motor_stalled, "motor_stalled", "mud motor stalled", Level::alarm},
       {Flag::relief_valve_open, "relief_valve_open", "relief valve open: part of the flow goes back", Level::alarm},
       {Flag::pump_tripped, "pump_tripped", "pump tripped: no flow until a flow of 0 is commanded", Level::alarm},

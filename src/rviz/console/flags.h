@@ -45,7 +45,8 @@ struct FlagRow
   Level level;       // normal: no warning, only what is the case
 };
 
-/// The one table of flags, in the order of Flag.
+/// The one table of flags, in the order of Flag. The page of drill web has its texts and ranks from it: after a change write src/python/web/flags.py
+/// by test/tool/test_tables.py DRILL --write.
 const std::array<FlagRow, flag_count>& flag_rows();
 
 /// The gauges that can fail: fields of RigState, in the order of the bits of lost_gauges.

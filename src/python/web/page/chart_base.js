@@ -3,6 +3,9 @@ import { colour } from "./dom.js";
 
 const Chart = window.Chart;
 const charts = new Set();
+const MARK = 14;  // height of the mark of a cut value [px]
+/// Share of a scale beyond which a value counts as outside.
+export const SLACK = 0.02;
 
 const bands = {
   id: "bands",
@@ -49,21 +52,27 @@ function drawEnvelope(chart, dataset) {
   ctx.restore();
 }
 
-/// Where values leave the scale: an arrow with the value that is cut.
+/// Where values leave the scale by more than can be seen: an arrow with the value that is cut, one where several would stand over each other.
 function markCuts(chart, dataset) {
-  const x = chart.scales[dataset.xAxisID], { high, low } = dataset.envelope;
-  const over = (n) => high[n] !== null && high[n] > x.max * 1.0001, under = (n) => low[n] !== null && low[n] < x.min - 1e-4 * (x.max - x.min);
+  const x = chart.scales[dataset.xAxisID], { high, low } = dataset.envelope, slack = SLACK * (x.max - x.min);
+  const over = (n) => high[n] !== null && high[n] > x.max + slack, under = (n) => low[n] !== null && low[n] < x.min - slack;
   for (const [test, table, sign] of [[over, high, 1], [under, low, -1]]) {
-    let best = null;
-    for (let n = 0; n <= high.length; n++) {
-      if (n < high.length && test(n)) {
-        if (best === null || sign * table[n] > sign * table[best]) best = n;
-      } else if (best !== null) {
-        writeCut(chart, dataset, best, table[best], sign);
-        best = null;
-      }
-    }
+    for (const n of farthest(chart, dataset.envelope.keys, test, (one) => sign * table[one])) writeCut(chart, dataset, n, table[n], sign);
   }
+}
+
+/// Of what is cut, the rows with the largest value of each stretch; stretches whose marks would touch are one.
+function farthest(chart, keys, test, value) {
+  const found = [], pixel = (n) => chart.scales.y.getPixelForValue(keys[n]);
+  let last = null;
+  for (let n = 0; n < keys.length; n++) {
+    if (!test(n)) continue;
+    const near = last !== null && (n === last + 1 || pixel(n) - pixel(found[found.length - 1]) < MARK);
+    if (!near) found.push(n);
+    else if (value(n) > value(found[found.length - 1])) found[found.length - 1] = n;
+    last = n;
+  }
+  return found;
 }
 
 function writeCut(chart, dataset, n, value, sign) {

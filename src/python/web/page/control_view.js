@@ -8,7 +8,7 @@ import { on, store } from "./store.js";
 const REPEAT = 150;  // between orders while a button is held [ms]
 const ALIVE = 500;   // between signs of life [ms]
 const SPEEDS = [1, 2, 5, 10, 20];
-let held = null;
+let held = null, press = 0;
 
 export function buildControl() {
   const box = byId("control");
@@ -16,6 +16,7 @@ export function buildControl() {
   if (box.hidden || box.childElementCount) return;
   box.append(blockBox(), driveBox(), buildLaw(), rigBox());
   setInterval(() => send({ type: "alive" }), ALIVE);
+  on("press_ended", letGo);  // by the dead-man of the bridge
   for (const event of ["blur", "pagehide"]) window.addEventListener(event, letGo);
   document.addEventListener("visibilitychange", letGo);
 }
@@ -42,7 +43,8 @@ function blockBox() {
 function begin(button, velocity) {
   letGo();
   button.classList.add("held");
-  const order = () => send({ type: "hold", velocity: velocity() });
+  press += 1;
+  const order = () => send({ type: "hold", velocity: velocity(), press });
   held = { button, timer: setInterval(order, REPEAT) };
   order();
 }

@@ -44,7 +44,7 @@ function drawDepthTrack({ name, head, chart, first }, log, from, to) {
   const [low, high] = scaleOf("depth_" + name, quantity, usualScale(name), log.extremes(name, from, to)), length = unitOf("length");
   Object.assign(chart.options.scales.x, { min: low, max: high });
   Object.assign(chart.options.scales.y, { min: from * length.per_si, max: to * length.per_si });
-  if (first) chart.options.scales.y.title.text = `hole depth [${length.name}], ${shownText("length", to - from)} ${length.name} drilled`;
+  if (first) chart.options.scales.y.title.text = `hole depth [${length.name}], ${shownText("length", log.end - log.begin)} ${length.name} drilled`;
   chart.bands = slideBands().map((band) => ({ ...band, from: band.from * length.per_si, to: band.to * length.per_si }));
   const dataset = chart.data.datasets[0], keys = rows.keys.map((key) => key * length.per_si);
   dataset.envelope = { keys, low: inUnits(rows.low), high: inUnits(rows.high) };

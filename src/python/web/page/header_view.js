@@ -29,8 +29,9 @@ export function buildHeader() {
 export function linkChanged(open) {
   isOpen = open;
   cameAt = Date.now();
-  if (!open) setPill("bridge lost", "bad");
-  document.body.classList.toggle("stale", !open);
+  if (open) return;  // the first state from the bridge shows how things are
+  setPill("bridge lost", "bad");
+  document.body.classList.add("stale");
 }
 
 function watchBridge() {

@@ -33,7 +33,7 @@ function show(state) {
   document.body.classList.toggle("stale", !state.status.heard && store.hello.live);
   if (!state.values) return;
   remember(state);
-  for (const [name, second] of store.hello.numbers) showCard(name, second, state);
+  for (const [name, second, label] of store.hello.numbers) showCard(name, second, label, state);
 }
 
 function remember(state) {
@@ -48,7 +48,7 @@ function extremesOf(name) {
   return low.length ? [Math.min(...low), Math.max(...high)] : null;
 }
 
-function showCard(name, second, state) {
+function showCard(name, second, label, state) {
   const parts = cards[name], field = fieldOf(name), value = state.values[name][0];
   const pulled = name === "wob" && value !== null && value < OVER_PULL;
   setText(parts.label, pulled ? "Over-pull" : field.label);
@@ -56,15 +56,15 @@ function showCard(name, second, state) {
   setText(parts.unit, unitOf(field.quantity).name);
   const limit = limitOf(name);
   showBar(parts, field, value, limit, setPointOf(name, state));
-  const extremes = extremesOf(name);
-  setText(parts.left, extremes && !second ? `${bigText(field.quantity, extremes[0])} … ${bigText(field.quantity, extremes[1])}` : secondText(second, state));
+  const extremes = extremesOf(name), ends = extremes && pulled ? [-extremes[1], -extremes[0]] : extremes;
+  setText(parts.left, ends && !second ? `${bigText(field.quantity, ends[0])} … ${bigText(field.quantity, ends[1])}` : secondText(second, label, state));
   setText(parts.right, limit ? "max " + shownText(field.quantity, limit, 0) : "");
 }
 
-function secondText(second, state) {
+function secondText(second, label, state) {
   if (!second) return "";
   const field = fieldOf(second);
-  return `${field.label} ${bigText(field.quantity, state.values[second][0])} ${unitOf(field.quantity).name}`;
+  return `${label} ${bigText(field.quantity, state.values[second][0])} ${unitOf(field.quantity).name}`;
 }
 
 function showBar(parts, field, value, limit, set) {

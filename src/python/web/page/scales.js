@@ -1,5 +1,5 @@
 // The scale of each signal: it holds its ends while the run stays within them and grows by round steps; a person may fix them.
-import { roundUp } from "./chart_base.js";
+import { roundUp, SLACK } from "./chart_base.js";
 import { fieldOf, store } from "./store.js";
 import { shownValue, siValue, systemOfUnits } from "./units.js";
 
@@ -17,7 +17,7 @@ export function scaleOf(name, quantity, usual, extremes) {
   }
   const [low, high] = grown[name] || [0, roundUp(Math.abs(shownValue(quantity, usual[1])))];
   const least = extremes ? shownValue(quantity, extremes[0]) : 0, largest = extremes ? shownValue(quantity, extremes[1]) : 0;
-  const slack = 0.02 * high;
+  const slack = SLACK * high;
   grown[name] = [least < low - slack ? Math.max(-roundUp(-least), -0.5 * high) : low, largest > high ? roundUp(largest * 1.05) : high];
   return grown[name];
 }

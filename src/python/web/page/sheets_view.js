@@ -1,8 +1,9 @@
 // Sheets as tables: tally and connections, slides, the log of alarms.
 import { byId, fillTable, make } from "./dom.js";
 import { store } from "./store.js";
-import { clockText, shownText, unitOf } from "./units.js";
+import { clockText, shownText, systemOfUnits, unitOf } from "./units.js";
 
+const DIAMETER = { si: { name: "mm", per_si: 1e3, digits: 1 }, oilfield: { name: "in", per_si: 1 / 0.0254, digits: 3 } };
 const named = (text, quantity) => `${text} [${unitOf(quantity).name}]`;
 
 export function drawTally() {
@@ -10,7 +11,8 @@ export function drawTally() {
   const bars = make("div", { class: "bars" }), table = make("table", { id: "connections" }), tally = make("table", { id: "parts" });
   fillTable(table, ["connection", "time", named("depth", "length"), "in slips", "weight to weight", ""],
     connections.map((one) => connectionRow(one, connections)));
-  fillTable(tally, ["part, bit first", named("length", "length"), "outer [mm]", "inner [mm]", named("above bit", "length")], tallyRows(parts));
+  fillTable(tally, ["part, bit first", named("length", "length"), `outer [${DIAMETER[systemOfUnits()].name}]`,
+    `inner [${DIAMETER[systemOfUnits()].name}]`, named("above bit", "length")], tallyRows(parts));
   box.replaceChildren(make("div", { class: "scroll" }, make("h2", { text: connections.length ? "Connections" : "Connections: none yet" }), bars,
     connections.length ? table : "",
     make("h2", { text: `Tally: ${store.state && store.state.stand_count !== undefined ? store.state.stand_count + " stands of drill pipe" : ""}` }), tally));
@@ -26,11 +28,12 @@ function connectionRow(one, all) {
 }
 
 function tallyRows(parts) {
+  const { per_si, digits } = DIAMETER[systemOfUnits()];
   let above = 0;
   return parts.map((part) => {
     above = part.length > 0 ? above + part.length : null;
-    return [part.name, part.length > 0 ? shownText("length", part.length) : "to surface", (1e3 * part.diameter).toFixed(1),
-      (1e3 * part.bore).toFixed(1), shownText("length", above)];
+    return [part.name, part.length > 0 ? shownText("length", part.length) : "to surface", (per_si * part.diameter).toFixed(digits),
+      (per_si * part.bore).toFixed(digits), shownText("length", above)];
   });
 }
 

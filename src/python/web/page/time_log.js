@@ -40,7 +40,7 @@ function keys() {
 }
 
 function timeAxis(display) {
-  return axisOf({ reverse: true, display, min: 0, max: 1, ticks: { callback: clockText, maxTicksLimit: 12, autoSkip: true },
+  return axisOf({ reverse: true, display, min: 0, max: 1, ticks: { callback: (time) => (time < store.time.begin - 1 ? "" : clockText(time)), maxTicksLimit: 12, autoSkip: true },
     afterFit: display ? (axis) => { axis.width = Math.max(axis.width, 58); } : undefined });
 }
 
