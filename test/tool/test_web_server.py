@@ -207,7 +207,7 @@ class DeadMan(unittest.IsolatedAsyncioTestCase):
             self.assertTrue(self.brakes(running))
             found = await messages_until(socket, "answer")
             self.assertIn("dead-man", found["answer"]["text"])
-            self.assertIn("press_ended", found)
+            self.assertEqual(1, found["press_ended"]["press"])
 
     async def test_a_press_that_has_ended_moves_nothing(self):
         """The page hangs, the bridge sets the brake, the page comes back and goes on as before: its button may be let go long since."""

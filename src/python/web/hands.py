@@ -114,7 +114,7 @@ class Hands:
         if self.holder is not None and now > self.held_at + HELD:
             self.tripped = (self.holder, self.press)
             self.release(self.holder)
-            ended = [{"type": "press_ended"}]
+            ended = [{"type": "press_ended", "press": self.press}]
             self.notes.append("dead-man: brake set %.2f s after the page's last order; press again to move the block" % (now - self.held_at))
         if self.streams.kept and now > self.heard_at + ALIVE:
             self.streams.drop("winch", "top_drive")

@@ -16,7 +16,7 @@ export function buildControl() {
   if (box.hidden || box.childElementCount) return;
   box.append(blockBox(), driveBox(), buildLaw(), rigBox());
   setInterval(() => send({ type: "alive" }), ALIVE);
-  on("press_ended", letGo);  // by the dead-man of the bridge
+  on("press_ended", (ended) => ended.press === press && letGo());  // by the dead-man of the bridge; a later press is another one
   for (const event of ["blur", "pagehide"]) window.addEventListener(event, letGo);
   document.addEventListener("visibilitychange", letGo);
 }
