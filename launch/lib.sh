@@ -32,6 +32,7 @@ set_environment()
   fi
   export ROS_HOME=$1/ros_home ROS_LOG_DIR=$1/ros_home/log MPLCONFIGDIR=$1/matplotlib
   mkdir -p "$ROS_LOG_DIR" "$MPLCONFIGDIR"
+  export ROS_LANG_DISABLE=${ROS_LANG_DISABLE-geneus:genlisp:gennodejs}  # messages in C++ and Python only
 }
 
 missing_packages()

@@ -62,6 +62,8 @@
 #else
 #define DRILL_RIG_SIM_OF_NEON(scalar, table) scalar
 #endif
+#ifndef DRILL_RIG_SIM_TABLES
+#define DRILL_RIG_SIM_TABLES  // sources that are compiled together come here once each
 namespace drill_rig_sim
 {
 /// Of a table each, the asked kernel's.
@@ -78,6 +80,7 @@ const Table* table_of_kernel(Kernel kernel, const Table* scalar, const Table* ss
   }
 }
 }  // namespace drill_rig_sim
+#endif
 /// A pointer to the table of a kernel: to the scalar one as it is given, or to that of this name in Highway's namespaces. What is not built
 /// is scalar (has_kernel()).
 #define DRILL_RIG_SIM_TABLE(kernel, scalar, table)                                                                            \

@@ -17,6 +17,7 @@ if not all(map(importlib.util.find_spec, ("distributed", "scipy"))):
     sys.exit(77)
 from drill_rig_sim.campaign import engine
 from drill_rig_sim.campaign.results import Results
+from test_campaign_parts import drill_campaign
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SOURCE = os.path.dirname(os.path.dirname(HERE))
@@ -158,8 +159,8 @@ class Campaigns(unittest.TestCase):
         self.assertEqual(1, status, told)
         self.assertIn("%d runs, 0 to do" % RUNS, out)
         more = PLAN.replace("runs: %d" % RUNS, "runs: %d" % (RUNS + 1)).replace("latin_hypercube", "sobol")
-        self.run_to_its_end(self.plan(text=more), "--workers", "2")
-        status, out, _ = self.run_to_its_end(self.plan(text=more.replace("runs: 13", "runs: 15")), "--workers", "2")
+        self.run_to_its_end(self.plan(text=more), "--workers", "1")
+        status, out, _ = self.run_to_its_end(self.plan(text=more.replace("runs: 13", "runs: 15")), "--workers", "1")
         self.assertIn("15 runs, 2 to do", out)
         self.run_to_its_end(self.plan(), "--workers", "1")
         self.assertEqual(before, self.csv("plan.csv"))
@@ -174,7 +175,7 @@ class Campaigns(unittest.TestCase):
         client.communicate()
         there = self.rows_in("plan.sqlite")
         self.assertLess(there, RUNS)
-        status, out, told = self.run_to_its_end(self.plan(), "--workers", "2")
+        status, out, told = self.run_to_its_end(self.plan(), "--workers", "1")
         self.assertEqual(1, status, told)
         to_do = int(re.search(r"runs, (\d+) to do", out).group(1))
         self.assertEqual((RUNS, RUNS), (there + to_do, self.rows_in("plan.sqlite")))
@@ -242,7 +243,7 @@ class Campaigns(unittest.TestCase):
         _, told = client.communicate(timeout=PATIENCE)
         self.assertEqual(3, client.returncode, told)
         there = self.rows_in("plan.sqlite")
-        status, out, told = self.run_to_its_end(self.plan(), "--workers", "2")
+        status, out, told = self.run_to_its_end(self.plan(), "--workers", "1")
         self.assertEqual(1, status, told)
         self.assertIn("%d to do" % (RUNS - there), out)
         self.assertEqual(RUNS, self.rows_in("plan.sqlite"))
@@ -257,8 +258,8 @@ class Campaigns(unittest.TestCase):
     # --- other machines
 
     def test_other_machines_are_asked_for_tls(self):
-        for address, said in (("tcp://192.0.2.7:8786", "is another machine: needed: tls://"), ("http://localhost:1", "is no address"), ("tcp://localhost", "is no address")):
-            status, _, told = self.run_to_its_end(self.plan(), "--scheduler", address)
+        for k, (address, said) in enumerate((("tcp://192.0.2.7:8786", "is another machine: needed: tls://"), ("http://localhost:1", "is no address"), ("tcp://localhost", "is no address"))):
+            status, _, told = drill_campaign(self.plan(), "--scheduler", address, "--results", self.place("%d.sqlite" % k))
             self.assertEqual(3, status)
             self.assertIn(said, told)
 

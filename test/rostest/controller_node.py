@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""launch/autodriller.launch by topics: the law that test/rostest/autodriller_loops.py tries in lockstep keeps the weight as a node of its own too."""
+"""launch/autodriller.launch by topics: the law that test/laws/test_autodriller.py tries in lockstep keeps the weight as a node of its own too."""
 import threading
 import unittest
 
@@ -9,7 +9,7 @@ from drill_rig_sim.msg import BitTruth
 from drill_rig_sim.srv import SetSpeed
 
 WEIGHT = 60e3        # what the launch file asks for [N]
-SETTLING, SECONDS = 60.0, 30.0  # after the tag, then averaged [simulated s]
+SETTLING, SECONDS = 40.0, 30.0  # after the tag, then averaged [simulated s]
 
 
 class ControllerNode(unittest.TestCase):
@@ -25,7 +25,7 @@ class ControllerNode(unittest.TestCase):
             if tag and now > tag[0] + SETTLING + SECONDS:
                 done.set()
         rospy.wait_for_service("/rig/set_speed", 60)
-        self.assertTrue(rospy.ServiceProxy("/rig/set_speed", SetSpeed)(5.0).success)
+        self.assertTrue(rospy.ServiceProxy("/rig/set_speed", SetSpeed)(8.0).success)
         rospy.Subscriber("/rig/truth/bit", BitTruth, take, queue_size=None)
         self.assertTrue(done.wait(250), "the bit did not drill for %g s" % (SETTLING + SECONDS))
         self.assertAlmostEqual(1.0, sum(weights) / len(weights) / WEIGHT, delta=0.05)

@@ -32,12 +32,17 @@ class DrillstringDisplay(unittest.TestCase):
         self.rig = Rig()
         self.rig.must(self.rig.reset_well("bohai.yaml", 0.0))
 
-    def test_all_is_seen_at_1280x800(self):
-        window = Window(self, "display_1280", "rig.rviz", 1280, 800, VIEW)
+    def test_one_window_through_all(self):
+        """What is seen and heard at first, messages that cannot be drawn, a node that is killed and comes back, the end."""
+        window, hears = self.opened("display_1280", "rig.rviz")
         window.wait_until(measured, all_seen)
         window.view = LEGEND
         legend = window.wait_until(measured, lambda seen: seen["writing"] > 300)
         self.assertGreater(legend["string"], 2000)  # its bar
+        window.view = VIEW
+        wait_until(lambda: all(hears(topic) for topic in TOPICS), "rviz hears " + ", ".join(TOPICS))
+        self.refuses_bad_messages(window)
+        self.shows_a_node_that_comes_back(window)
         self.assertNotIn(window.close(), (134, 139), "rviz crashed before SIGTERM ended it")
 
     def test_all_is_seen_at_1920x1080(self):
@@ -49,12 +54,10 @@ class DrillstringDisplay(unittest.TestCase):
         window = Window(self, "display_1920", file, 1920, 1080, (20, 66, 1230, 1040))
         window.wait_until(measured, all_seen)
 
-    def test_node_that_comes_back_is_shown_again(self):
-        window = Window(self, "display_back", "rig.rviz", 1280, 800, VIEW)
-        window.wait_until(measured, all_seen)
+    def shows_a_node_that_comes_back(self, window):
         node = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode("/rig/rig_simulator"))
         os.kill(node.getPid(rospy.get_name())[2], signal.SIGKILL)
-        time.sleep(5)
+        time.sleep(2)
         self.assertTrue(window.runs())
         rig = Rig()  # roslaunch has started another
         wait_until(lambda: self.answers(rig), "the node is back")
@@ -69,9 +72,7 @@ class DrillstringDisplay(unittest.TestCase):
         except rospy.ServiceException:
             return False
 
-    def test_bad_messages_are_refused(self):
-        window = Window(self, "display_bad", "rig.rviz", 1280, 800, VIEW)
-        window.wait_until(measured, all_seen)
+    def refuses_bad_messages(self, window):
         good = rospy.wait_for_message("/rig/drillstring_state", DrillstringState, PATIENCE)
         short, infinite = copy.deepcopy(good), copy.deepcopy(good)
         short.torque = short.torque[1:]
@@ -108,11 +109,6 @@ class DrillstringDisplay(unittest.TestCase):
         time.sleep(3)
         for topic in TOPICS:
             self.assertFalse(hears(topic), topic)
-        window.end()
-
-    def test_hears_what_is_shown(self):
-        window, hears = self.opened("display_on", "rig.rviz")
-        wait_until(lambda: all(hears(topic) for topic in TOPICS), "rviz hears " + ", ".join(TOPICS))
         window.end()
 
 

@@ -25,7 +25,7 @@ class Node:
         program = roslib.packages.find_node("drill_rig_sim", "rig_simulator")[0]
         self.name = "/" + namespace + "/rig_simulator"
         self.output = tempfile.TemporaryFile("w+")
-        command = ["stdbuf", "-oL", program, "__ns:=" + namespace] + ["_" + s for s in ("scene:=quick.yaml",) + settings]
+        command = ["stdbuf", "-oL", program, "__ns:=" + namespace] + ["_" + s for s in ("scene:=quick.yaml", "settings:=numerics.companion=none") + settings]
         # stdbuf loads a library of its own ahead of all others, which an instrumented program refuses unless told
         environment = dict(os.environ, ASAN_OPTIONS=os.environ.get("ASAN_OPTIONS", "") + ":verify_asan_link_order=0")
         self.process = subprocess.Popen(command, stdout=self.output, stderr=subprocess.STDOUT, text=True, env=environment, **options)

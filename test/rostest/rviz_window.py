@@ -9,14 +9,14 @@ from rig_test import PACKAGE_DIR, PATIENCE, needs, time, wait_until
 # where ROS_HOME is build/ros_home; elsewhere it is the user's own choice
 FOLDER = os.path.dirname(os.environ.get("ROS_HOME", os.path.expanduser("~/.ros/x")))
 
-# inside xvfb-run: rviz, and a picture every other second; last its exit status
+# inside xvfb-run: rviz, and a picture a second; last its exit status
 SCRIPT = """
 rviz -d "$1" >"$2.log" 2>&1 &
 rviz=$!
 echo $rviz >"$2.pid"
 trap 'kill $rviz' TERM
 while kill -0 $rviz 2>/dev/null; do
-  sleep 2
+  sleep 1
   kill -0 $rviz 2>/dev/null || break
   import -window root "$2_new.png" && convert "$2_new.png" -depth 8 "ppm:$2_new.ppm" && mv "$2_new.png" "$2.png" && mv "$2_new.ppm" "$2.ppm"
 done
@@ -79,7 +79,7 @@ class Window:
         while self.server.poll() is None and time.monotonic() < deadline:
             if os.path.exists(self.files + ".pid") and not os.path.exists(self.files + ".status"):
                 self.kill()
-            time.sleep(0.5)
+            time.sleep(0.1)
         if self.server.poll() is None:
             subprocess.run(["pkill", "-TERM", "-P", str(self.server.pid)], check=False)
             self.server.wait(PATIENCE)
@@ -114,7 +114,7 @@ class Window:
         file, begun, seen = self.files + ".ppm", time.time(), {}
         deadline = time.monotonic() + patience
         while time.monotonic() < deadline:
-            time.sleep(1)
+            time.sleep(0.2)
             self.case.assertTrue(self.runs(), "rviz has ended: see " + self.files + ".log")
             if not os.path.exists(file) or os.path.getmtime(file) < begun:
                 continue

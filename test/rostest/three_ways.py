@@ -12,7 +12,7 @@ from drill_rig_sim.topics import Telemetry, messages_of
 from rig_test import PATIENCE, Rig as Client, publishers_know, run, unittest, wait_until
 
 SCENE = "autodriller.yaml"  # hook load noisy and late
-SECONDS = 90.0              # it spins up, zeroes its weight, tags and drills
+SECONDS = 70.0              # it spins up, zeroes its weight, tags and drills
 PERIOD = 10                 # frames
 OTHERWISE = ("header", "run_state", "last_command")  # stamps and node; a simulator in this process has none of them
 

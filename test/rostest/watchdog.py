@@ -9,7 +9,7 @@ from drill_rig_sim.msg import RigState, TopDriveCommand, WinchCommand
 from rig_test import PATIENCE, Rig, run, rospy, time, turn, unittest, wait_until, winch
 
 TIMEOUT = 5.0  # of rig.launch [simulated s]
-SPEED = 4.0    # simulated seconds per wall second
+SPEED = 8.0    # simulated seconds per wall second
 SENDER = """import sys, rospy
 from drill_rig_sim.msg import WinchCommand
 rospy.init_node(sys.argv[1])

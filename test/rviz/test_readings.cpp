@@ -68,8 +68,8 @@ TEST_F(Readings, EveryGaugeIsFilledWhileTheRigDrills)
   Console console("drilled", 900, 970);
   ASSERT_TRUE(console.is_in_state("RUNNING"));
   console.type("settings bit diameter", "215.9");
+  set_speed("drilled", 8.0);
   drill(console);
-  set_speed("drilled", 3.0);
   Listener<RigState> states("rig_state", "drilled");
   ASSERT_TRUE(wait_until([&] { return !states.all().empty() && states.all().back()->rop > 3e-3 && states.all().back()->surface_wob > 1e3; }));
   EXPECT_TRUE(wait_until([&] { return states.all().back()->hole_depth > 200.4; }));  // some samples against depth

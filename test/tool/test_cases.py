@@ -171,9 +171,9 @@ class Surveys(Case):
 
 class Statics(Case):
     def test_12_slack_off_of_pipe_that_buckles(self):
-        for friction, load in ((0.08, 122.0), (0.10, 102.7), (0.12, 82.2), (0.15, 49.3)):
-            said = self.good('12_slack_off_finds_no_equilibrium', 'static', 'ers.yaml', '--motion', 'down', '--set', 'well.sections[0].friction=%g' % friction).stdout
-            self.assertAlmostEqual(load, 1e-3 * float(re.search(r'of the string +(\S+) N', said).group(1)), delta=0.03 * load + 1.0)
+        """Other frictions: slackOffOfBuckledPipe in test_sim_static_report."""
+        said = self.good('12_slack_off_finds_no_equilibrium', 'static', 'ers.yaml', '--motion', 'down', '--set', 'well.sections[0].friction=0.1').stdout
+        self.assertAlmostEqual(102.7, 1e-3 * float(re.search(r'of the string +(\S+) N', said).group(1)), delta=4.0)
 
     def test_13_no_stick_slip_where_nothing_rubs(self):
         done = self.good('13_stick_slip_told_without_friction', 'run', 'react.yaml', '--duration', '70')
@@ -182,7 +182,7 @@ class Statics(Case):
     def test_13_the_reactive_twist_is_that_of_the_torque_on_bit(self):
         """At 70 s the bit is 0.2 m above bottom. Drilling, 236 N m twist 1.4 km of pipe with G J of 0.94 MN m2 by 20.6 deg, about which nothing damps the swing."""
         rows = self.file('react.csv')
-        self.good('13_stick_slip_told_without_friction', 'run', 'react.yaml', '--duration', '500', '--set', 'numerics.companion=none', '--csv', rows, '--every', '0.5')
+        self.good('13_stick_slip_told_without_friction', 'run', 'react.yaml', '--duration', '330', '--set', 'numerics.companion=none', '--csv', rows, '--every', '0.5')
         with open(rows, encoding='utf-8') as table:
             late = [row for row in csv.DictReader(table) if float(row['time']) > 150.0]
         toolface = [math.degrees(float(row['toolface'])) for row in late]

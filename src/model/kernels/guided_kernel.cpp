@@ -6,8 +6,10 @@
 #include "drill_rig_sim/math/number_columns.h"
 #include "drill_rig_sim/model/workspace.h"
 
+#ifndef DRILL_RIG_SIM_KERNELS_TOGETHER
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/kernels/guided_kernel.cpp"
+#endif
 #include "math/simd.h"
 #ifdef DRILL_RIG_SIM_HIGHWAY
 #include <hwy/contrib/math/math-inl.h>  // in every pass
@@ -15,7 +17,7 @@
 
 #if DRILL_RIG_SIM_WIDE
 HWY_BEFORE_NAMESPACE();
-namespace drill_rig_sim::HWY_NAMESPACE
+namespace drill_rig_sim::HWY_NAMESPACE::of_guided
 {
 namespace
 {
@@ -261,7 +263,7 @@ void expand_motions(const Stage& stage, Workspace& work, Runs::Run nodes) noexce
 }  // namespace
 
 constexpr GuidedKernel table = {move, find_tensions, add, reduce, expand, expand_motions};
-}  // namespace drill_rig_sim::HWY_NAMESPACE
+}  // namespace drill_rig_sim::HWY_NAMESPACE::of_guided
 HWY_AFTER_NAMESPACE();
 #endif
 
@@ -271,7 +273,7 @@ namespace drill_rig_sim
 const GuidedKernel* guided_kernel(Kernel kernel) noexcept
 {
   constexpr const GuidedKernel* none = nullptr;
-  return DRILL_RIG_SIM_TABLE(kernel, none, table);
+  return DRILL_RIG_SIM_TABLE(kernel, none, of_guided::table);
 }
 }  // namespace drill_rig_sim
 #endif

@@ -7,13 +7,15 @@
 #include "drill_rig_sim/math/number_columns.h"
 #include "drill_rig_sim/model/workspace.h"
 
+#ifndef DRILL_RIG_SIM_KERNELS_TOGETHER
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/kernels/guided_step_kernel.cpp"
+#endif
 #include "math/simd.h"
 
 #if DRILL_RIG_SIM_WIDE
 HWY_BEFORE_NAMESPACE();
-namespace drill_rig_sim::HWY_NAMESPACE
+namespace drill_rig_sim::HWY_NAMESPACE::of_guided_step
 {
 namespace
 {
@@ -268,7 +270,7 @@ void commit(const Stage& stage, const Workspace& work, double follows, Runs::Run
 }  // namespace
 
 constexpr GuidedStepKernel table = {find, commit};
-}  // namespace drill_rig_sim::HWY_NAMESPACE
+}  // namespace drill_rig_sim::HWY_NAMESPACE::of_guided_step
 HWY_AFTER_NAMESPACE();
 #endif
 
@@ -278,7 +280,7 @@ namespace drill_rig_sim
 const GuidedStepKernel* guided_step_kernel(Kernel kernel) noexcept
 {
   constexpr const GuidedStepKernel* none = nullptr;
-  return DRILL_RIG_SIM_TABLE(kernel, none, table);
+  return DRILL_RIG_SIM_TABLE(kernel, none, of_guided_step::table);
 }
 }  // namespace drill_rig_sim
 #endif

@@ -4,13 +4,15 @@
 
 #include "drill_rig_sim/math/number_columns.h"
 
+#ifndef DRILL_RIG_SIM_KERNELS_TOGETHER
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/kernels/history_kernel.cpp"
+#endif
 #include "math/simd.h"
 
 #if DRILL_RIG_SIM_WIDE
 HWY_BEFORE_NAMESPACE();
-namespace drill_rig_sim::HWY_NAMESPACE
+namespace drill_rig_sim::HWY_NAMESPACE::of_history
 {
 namespace
 {
@@ -116,7 +118,7 @@ void carry(int nodes, NumberRows<const double> moves, NumberRows<const double> r
 }  // namespace
 
 constexpr HistoryKernel table = {find_rates, split, carry};
-}  // namespace drill_rig_sim::HWY_NAMESPACE
+}  // namespace drill_rig_sim::HWY_NAMESPACE::of_history
 HWY_AFTER_NAMESPACE();
 #endif
 
@@ -126,7 +128,7 @@ namespace drill_rig_sim
 const HistoryKernel* history_kernel(Kernel kernel) noexcept
 {
   constexpr const HistoryKernel* none = nullptr;
-  return DRILL_RIG_SIM_TABLE(kernel, none, table);
+  return DRILL_RIG_SIM_TABLE(kernel, none, of_history::table);
 }
 }  // namespace drill_rig_sim
 #endif

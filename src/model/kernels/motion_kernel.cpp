@@ -4,13 +4,15 @@
 
 #include "drill_rig_sim/model/kernels/string_columns.h"
 
+#ifndef DRILL_RIG_SIM_KERNELS_TOGETHER
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/kernels/motion_kernel.cpp"
+#endif
 #include "math/simd.h"
 
 #if DRILL_RIG_SIM_WIDE
 HWY_BEFORE_NAMESPACE();
-namespace drill_rig_sim::HWY_NAMESPACE
+namespace drill_rig_sim::HWY_NAMESPACE::of_motion
 {
 namespace
 {
@@ -175,7 +177,7 @@ void move(const MoveTask& task) noexcept
 }  // namespace
 
 constexpr MotionKernel table = {move};
-}  // namespace drill_rig_sim::HWY_NAMESPACE
+}  // namespace drill_rig_sim::HWY_NAMESPACE::of_motion
 HWY_AFTER_NAMESPACE();
 #endif
 
@@ -185,7 +187,7 @@ namespace drill_rig_sim
 const MotionKernel* motion_kernel(Kernel kernel) noexcept
 {
   constexpr const MotionKernel* none = nullptr;
-  return DRILL_RIG_SIM_TABLE(kernel, none, table);
+  return DRILL_RIG_SIM_TABLE(kernel, none, of_motion::table);
 }
 }  // namespace drill_rig_sim
 #endif

@@ -5,13 +5,15 @@
 
 #include "drill_rig_sim/model/kernels/string_columns.h"
 
+#ifndef DRILL_RIG_SIM_KERNELS_TOGETHER
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/kernels/place_kernel.cpp"
+#endif
 #include "math/simd.h"
 
 #if DRILL_RIG_SIM_WIDE
 HWY_BEFORE_NAMESPACE();
-namespace drill_rig_sim::HWY_NAMESPACE
+namespace drill_rig_sim::HWY_NAMESPACE::of_place
 {
 namespace
 {
@@ -202,7 +204,7 @@ void find_middles(const MiddleTask& task) noexcept
 }  // namespace
 
 constexpr PlaceKernel table = {look, find, find_middles};
-}  // namespace drill_rig_sim::HWY_NAMESPACE
+}  // namespace drill_rig_sim::HWY_NAMESPACE::of_place
 HWY_AFTER_NAMESPACE();
 #endif
 
@@ -212,7 +214,7 @@ namespace drill_rig_sim
 const PlaceKernel* place_kernel(Kernel kernel) noexcept
 {
   constexpr const PlaceKernel* none = nullptr;
-  return DRILL_RIG_SIM_TABLE(kernel, none, table);
+  return DRILL_RIG_SIM_TABLE(kernel, none, of_place::table);
 }
 }  // namespace drill_rig_sim
 #endif

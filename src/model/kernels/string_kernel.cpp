@@ -3,8 +3,10 @@
 
 #include "drill_rig_sim/model/kernels/string_columns.h"
 
+#ifndef DRILL_RIG_SIM_KERNELS_TOGETHER
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/kernels/string_kernel.cpp"
+#endif
 #include "math/simd.h"
 #ifdef DRILL_RIG_SIM_HIGHWAY
 #include <hwy/contrib/math/math-inl.h>  // in every pass
@@ -12,7 +14,7 @@
 
 #if DRILL_RIG_SIM_WIDE
 HWY_BEFORE_NAMESPACE();
-namespace drill_rig_sim::HWY_NAMESPACE
+namespace drill_rig_sim::HWY_NAMESPACE::of_string
 {
 namespace
 {
@@ -245,7 +247,7 @@ StringEnergy stored(const StringTask& task) noexcept
 }  // namespace
 
 constexpr StringKernel table = {add, find_forces, sample, stored};
-}  // namespace drill_rig_sim::HWY_NAMESPACE
+}  // namespace drill_rig_sim::HWY_NAMESPACE::of_string
 HWY_AFTER_NAMESPACE();
 #endif
 
@@ -255,7 +257,7 @@ namespace drill_rig_sim
 const StringKernel* string_kernel(Kernel kernel) noexcept
 {
   constexpr const StringKernel* none = nullptr;
-  return DRILL_RIG_SIM_TABLE(kernel, none, table);
+  return DRILL_RIG_SIM_TABLE(kernel, none, of_string::table);
 }
 }  // namespace drill_rig_sim
 #endif

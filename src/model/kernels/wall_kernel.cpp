@@ -6,8 +6,10 @@
 #include "drill_rig_sim/contact/wall_contact.h"
 #include "drill_rig_sim/math/number_columns.h"
 
+#ifndef DRILL_RIG_SIM_KERNELS_TOGETHER
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/kernels/wall_kernel.cpp"
+#endif
 #include "math/simd.h"
 #ifdef DRILL_RIG_SIM_HIGHWAY
 #include <hwy/contrib/math/math-inl.h>  // in every pass
@@ -15,7 +17,7 @@
 
 #if DRILL_RIG_SIM_WIDE
 HWY_BEFORE_NAMESPACE();
-namespace drill_rig_sim::HWY_NAMESPACE
+namespace drill_rig_sim::HWY_NAMESPACE::of_wall
 {
 namespace
 {
@@ -129,7 +131,7 @@ void add(const WallTask& task) noexcept
 }  // namespace
 
 constexpr WallKernel table = {add};
-}  // namespace drill_rig_sim::HWY_NAMESPACE
+}  // namespace drill_rig_sim::HWY_NAMESPACE::of_wall
 HWY_AFTER_NAMESPACE();
 #endif
 
@@ -139,7 +141,7 @@ namespace drill_rig_sim
 const WallKernel* wall_kernel(Kernel kernel) noexcept
 {
   constexpr const WallKernel* none = nullptr;
-  return DRILL_RIG_SIM_TABLE(kernel, none, table);
+  return DRILL_RIG_SIM_TABLE(kernel, none, of_wall::table);
 }
 }  // namespace drill_rig_sim
 #endif
