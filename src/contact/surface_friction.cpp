@@ -1,5 +1,7 @@
 #include "drill_rig_sim/contact/surface_friction.h"
 
+#include "drill_rig_sim/contact/one_lane_friction.h"
+
 namespace drill_rig_sim
 {
 SurfaceFriction surface_friction(double normal_force, double kinetic, const SurfaceMotion& motion, const Eigen::Vector2d& bristle, const WallLaw& law,

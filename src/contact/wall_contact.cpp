@@ -2,6 +2,13 @@
 
 #include <Eigen/Geometry>
 
+#include "drill_rig_sim/contact/one_lane_friction.h"
+
+namespace drill_rig_sim::one_lane
+{
+#include "drill_rig_sim/contact/wall_text.h"
+}  // namespace drill_rig_sim::one_lane
+
 namespace drill_rig_sim
 {
 namespace

@@ -47,12 +47,6 @@ inline WallLaw wall_law(const ContactSpec& spec, const ContactLaw& law, double m
           2.0 * spec.tangential_damping * std::sqrt(spec.tangential_stiffness * mass), spec.stribeck_curve, friction_radius};
 }
 
-/// Friction and bristle of a law with this kinetic coefficient, for the laws' texts.
-inline one_lane::Rubbing rubbing_of(const WallLaw& law, double kinetic) noexcept
-{
-  return {kinetic, law.static_ratio, law.stribeck_speed, law.tangential_stiffness, law.tangential_damping, law.stribeck_curve == StribeckCurve::exponential};
-}
-
 }  // namespace drill_rig_sim
 
 #endif

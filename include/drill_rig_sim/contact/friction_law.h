@@ -1,13 +1,6 @@
 #ifndef DRILL_RIG_SIM_CONTACT_FRICTION_LAW_H
 #define DRILL_RIG_SIM_CONTACT_FRICTION_LAW_H
 
-#include "drill_rig_sim/math/one_lane.h"
-
-namespace drill_rig_sim::one_lane
-{
-#include "drill_rig_sim/contact/friction_text.h"
-}  // namespace drill_rig_sim::one_lane
-
 namespace drill_rig_sim
 {
 /// Friction coefficient at a slip speed, and its slope.
@@ -31,12 +24,8 @@ enum class StribeckCurve
 /// @param speed         slip speed v >= 0 [m/s]
 /// Source: Armstrong-Helouvry, Dupont, Canudas de Wit, A survey of models ... for the control of machines with friction,
 /// Automatica 30 (1994), 1083-1138, eq. (4) with exponent 2 and no viscous term; exponent 1 is Tustin's (1947), which it cites.
-inline FrictionCoefficient stribeck_friction(double kinetic, double static_ratio, double stribeck_speed, double speed,
-                                             StribeckCurve curve = StribeckCurve::gaussian) noexcept
-{
-  const one_lane::Stribeck mu = one_lane::stribeck(kinetic, static_ratio, stribeck_speed, speed, curve == StribeckCurve::exponential);
-  return {mu.value, mu.slope};
-}
+FrictionCoefficient stribeck_friction(double kinetic, double static_ratio, double stribeck_speed, double speed,
+                                      StribeckCurve curve = StribeckCurve::gaussian) noexcept;
 
 }  // namespace drill_rig_sim
 

@@ -61,15 +61,6 @@ struct WallForce
 
 /// Smooths the distance off centre near zero [m].
 constexpr double wall_contact_smoothing = 1e-7;
-}  // namespace drill_rig_sim
-
-namespace drill_rig_sim::one_lane
-{
-#include "drill_rig_sim/contact/wall_text.h"
-}  // namespace drill_rig_sim::one_lane
-
-namespace drill_rig_sim
-{
 
 /// Clearance left between section and wall, -delta [m]; <= 0 means contact. The cheap test before anything else.
 /// @param closest      hole at the section
