@@ -1,7 +1,6 @@
 // The program behind ./test/accuracy/run: runs groups of cases, all of them unless some are named.
 //   --fast         the short ones that need no data but their own
 //   --fast-data    the short ones that need ../shared/data
-//   --short        ahead of the groups' names: without the finest of several steps
 // Exit status: 0 all hold, 1 one does not, 2 wrong usage, 3 a group broke off, 77 all that were run hold, others were skipped.
 #include <algorithm>
 #include <cstdio>
@@ -17,7 +16,7 @@ namespace
 {
 int usage()
 {
-  std::fprintf(stderr, "usage: accuracy_cases [--list | --fast | --fast-data | [--short] GROUP...]\n");
+  std::fprintf(stderr, "usage: accuracy_cases [--list | --fast | --fast-data | GROUP...]\n");
   return 2;
 }
 
@@ -41,8 +40,7 @@ bool known(const std::string& name)
 
 int main(int argc, char** argv)
 {
-  const bool is_short = argc > 1 && std::string(argv[1]) == "--short";
-  const std::vector<std::string> words(argv + (is_short ? 2 : 1), argv + argc);
+  const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.size() == 1 && words.front() == "--list")
   {
     for (const CaseGroup& group : case_groups()) std::printf("%s\n", group.name);
@@ -50,7 +48,7 @@ int main(int argc, char** argv)
   }
   const bool option = words.size() == 1 && (words.front() == "--fast" || words.front() == "--fast-data");
   if (!option && !std::all_of(words.begin(), words.end(), known)) return usage();
-  Report report(is_short);
+  Report report;
   std::printf("case, ours, published, relative difference, bound, source\n");
   for (const CaseGroup& group : case_groups())
   {

@@ -23,15 +23,12 @@ struct CaseLine
 class Report
 {
 public:
-  /// `is_short`: without the finest of several steps.
-  explicit Report(bool is_short = false) : is_short_(is_short) {}
   /// Prints the line; a difference beyond the bound, or a figure that is not finite, makes the report fail.
   void add(const CaseLine& line);
   /// `published` is a band instead of a figure: holds if low <= ours <= high. The line shows the nearer limit, and the bound 0.
   void add_band(const std::string& name, double ours, double low, double high, const std::string& source);
   /// A case that could not be run (data absent): a line that says so; no failure, but the program's exit status tells.
   void skip(const std::string& name, const std::string& why);
-  bool is_short() const { return is_short_; }
   bool all_hold() const { return failed_ == 0; }
   int lines() const { return lines_; }
   int failed() const { return failed_; }
@@ -39,7 +36,6 @@ public:
 
 private:
   void print(const CaseLine& line, double difference, bool holds);
-  bool is_short_;
   int lines_ = 0;
   int failed_ = 0;
   int skipped_ = 0;
