@@ -20,7 +20,6 @@ namespace
 {
 constexpr double kDiameter = 0.2159, kRadius = 0.5 * kDiameter, kDepth = 150.0;  // [m]
 constexpr double kFirst = 4.0, kLast = 10.0;                                     // of the stretch that is compared [m drilled]
-constexpr double kFeed = 0.03;                                                   // of the block [m/s]
 constexpr double kRate = degree / 30.0;                                          // deg/30 m
 constexpr double kPiece = 0.1;                                                   // of the beam-column [m]
 
@@ -48,7 +47,7 @@ PartSpec flex_joint()
 Scene scene_of(const Slide& slide)
 {
   Scene scene = scene_in(build_and_hold(0.0, 0.5 * degree, slide.inclination, 0.0, kDepth), kDepth, kDepth - 0.01, 0.05);
-  scene.formation[0].drillability = 4.4e-8;  // 30 to 40 kN at this feed
+  scene.formation[0].drillability = 2.2e-8;  // 30 to 40 kN at 15 mm/s
   PartSpec motor = motor_part(slide.bend);
   motor.length = motor.joint_length = slide.motor;
   motor.motor->sleeve_diameter = slide.sleeve > 0.0 ? kDiameter : 0.0;
@@ -79,7 +78,7 @@ Drilled drill(const Scene& scene)
 {
   Simulator rig(scene);
   rig.command(PumpSetpoint{0.045});
-  rig.command(WinchSetpoint{-kFeed, false});
+  rig.command(WinchSetpoint{-0.015, false});
   double weights = 0.0;
   int frames = 0;
   while (rig.truth().hole_depth < kDepth + kLast + 0.3)
