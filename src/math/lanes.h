@@ -229,14 +229,6 @@ HWY_INLINE void store2(V a, V b, const Rows& to, int at)
   }
 }
 
-HWY_INLINE void store3(const V3& v, const Rows& to)
-{
-  store2(v.x, v.y, to, 0);
-  HWY_ALIGN double z[kLanes];
-  hn::Store(v.z, Tag(), z);
-  for (int k = 0; k < kLanes; ++k) to.row[k][2] = z[k];
-}
-
 struct V4
 {
   V a, b, c, d;
@@ -334,6 +326,34 @@ HWY_INLINE void store4(V a, V b, V c, V d, const Rows& to, int at)
   put<kAdd>(t, hn::InterleaveLower(t, c, d), to.row[0] + at + 2);
   put<kAdd>(t, hn::InterleaveUpper(t, a, b), to.row[1] + at);
   put<kAdd>(t, hn::InterleaveUpper(t, c, d), to.row[1] + at + 2);
+}
+#endif
+
+/// The first three: no more is written.
+#if HWY_TARGET == HWY_AVX3
+HWY_INLINE void store3(const V3& v, const Rows& to)
+{
+  const Tag4 t;
+  const auto three = hn::FirstN(t, 3);
+  const auto put_half = [&](Half x, Half y, Half z, int first)
+  {
+    Half spare = z;
+    transpose(x, y, z, spare);
+    hn::BlendedStore(x, three, t, to.row[first]);
+    hn::BlendedStore(y, three, t, to.row[first + 1]);
+    hn::BlendedStore(z, three, t, to.row[first + 2]);
+    hn::BlendedStore(spare, three, t, to.row[first + 3]);
+  };
+  put_half(hn::LowerHalf(t, v.x), hn::LowerHalf(t, v.y), hn::LowerHalf(t, v.z), 0);
+  put_half(hn::UpperHalf(t, v.x), hn::UpperHalf(t, v.y), hn::UpperHalf(t, v.z), 4);
+}
+#else
+HWY_INLINE void store3(const V3& v, const Rows& to)
+{
+  store2(v.x, v.y, to, 0);
+  HWY_ALIGN double z[kLanes];
+  hn::Store(v.z, Tag(), z);
+  for (int k = 0; k < kLanes; ++k) to.row[k][2] = z[k];
 }
 #endif
 

@@ -15,15 +15,10 @@ class Column
 public:
   static constexpr int room = 8;
 
-  /// All numbers are zero. `place`: which of several columns of the same length this is: they begin in different sets of the
-  /// cache.
-  void resize(std::size_t count, int place)
-  {
-    begin_ = static_cast<std::size_t>(1 + place % 61);
-    lines_.assign(begin_ + count / room + 2, Line());
-  }
-  double* data() noexcept { return lines_[begin_].number; }
-  const double* data() const noexcept { return lines_[begin_].number; }
+  /// All numbers are zero. An odd number of lines: columns of the same length begin in different sets of the cache.
+  void resize(std::size_t count) { lines_.assign((count / room + 3) | 1, Line()); }
+  double* data() noexcept { return lines_[1].number; }
+  const double* data() const noexcept { return lines_[1].number; }
   double& operator[](std::ptrdiff_t i) noexcept { return data()[i]; }
   double operator[](std::ptrdiff_t i) const noexcept { return data()[i]; }
 
@@ -32,7 +27,6 @@ private:
   {
     double number[room] = {};
   };
-  std::size_t begin_ = 0;
   std::vector<Line> lines_;
 };
 
@@ -65,7 +59,7 @@ public:
     ColumnSizes sizes(count);
     list.visit(sizes);
   }
-  void operator()(const char*, Column& column) { column.resize(count_, place_++); }
+  void operator()(const char*, Column& column) { column.resize(count_); }
   template <int N>
   void operator()(const char* name, Columns<N>& columns)
   {
@@ -76,7 +70,6 @@ private:
   explicit ColumnSizes(std::size_t count) : count_(count) {}
 
   std::size_t count_;
-  int place_ = 0;
 };
 
 }  // namespace drill_rig_sim

@@ -116,6 +116,12 @@ HWY_INLINE void put6(const V3& a, const V3& b, const Rows& to)
   }
 }
 
+HWY_INLINE void add_to(M3& to, const M3& more)
+{
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) to.m[i][j] = to.m[i][j] + more.m[i][j];
+}
+
 HWY_INLINE V with_sign(V v, bool minus)
 {
   return minus ? hn::Neg(v) : v;
@@ -182,7 +188,10 @@ HWY_INLINE void add_batch(const StringTask& task, int e, int count, double* spar
     find_tangent(beam, shape, task.stage.structural_damping, task.stage.dv_du, t);
     store_block<false>(t.force_d, t.force_1, t.lower_d, t.lower_1, true, false, true, block_rows(task.upper, e, count, spare));
     store_block<false>(t.force_d, t.force_2, t.upper_d, t.upper_2, true, true, false, block_rows(task.lower, e, count, spare));
-    store_block<false>(t.force_d + node.force_place, t.force_1, t.upper_d, t.upper_1 + node.moment_turn, false, true, true,
+    M3 upper_force = node.force_place;
+    add_to(upper_force, t.force_d);
+    add_to(t.upper_1, node.moment_turn);
+    store_block<false>(upper_force, t.force_1, t.upper_d, t.upper_1, false, true, true,
                        block_rows(task.diagonal, e + 1, count, spare));
     store_block<true>(t.force_d, t.force_2, t.lower_d, t.lower_2, false, false, false,
                       block_rows(task.diagonal, e, count, spare));
