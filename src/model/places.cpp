@@ -37,6 +37,7 @@ struct Search
   PlaceTask task;
   const std::vector<unsigned char>& singly;
   std::vector<int>& hints;  ///< segments at the start of their last searches
+  HoleColumns& hole;
 };
 
 /// Clear is who has not gone far since he was found clear; of the others those are searched in batches that are beside a smooth
@@ -61,11 +62,14 @@ void search(const Wellbore& well, const Search& who, Workspace& work, Find&& fin
   each_outside(who.guided, who.count, [&](int k)
   {
     const int hint = hint_of(k);
-    columns.segments[k] = nullptr;
+    columns.beside[k] = 0;
     if (columns.places[k] == Place::clear && who.hints[k] == hint) return;
     columns.places[k] = Place::search;
     who.hints[k] = hint;
-    if (!who.singly[k]) columns.segments[k] = well.smooth_segment(hint, point_of(k));
+    const HoleSegment* segment = who.singly[k] ? nullptr : well.smooth_segment(hint, point_of(k));
+    if (!segment) return;
+    who.hole.hold(static_cast<std::size_t>(k), segment);
+    columns.beside[k] = 1;
   });
   each_run(find);
   each_outside(who.guided, who.count, [&](int k)
@@ -82,9 +86,10 @@ void find_nodes(const Model& model, const State& start, const Stage& stage, Work
 {
   StringColumns& columns = work.columns;
   NodeColumns& nodes = columns.nodes;
-  const PlaceTask task{
-      0, 0, nodes.position, nodes.contact_radius, nodes.searched, nodes.room, columns.segments.data(), columns.places.data()};
-  search(start.well, {stage.guided_nodes, model.nodes(), task, columns.single_nodes, columns.node_hints}, work,
+  HoleColumns& hole = columns.node_holes;
+  const PlaceTask task{0,          0,    nodes.position,        nodes.contact_radius, nodes.searched,
+                       nodes.room, hole, columns.beside.data(), columns.places.data()};
+  search(start.well, {stage.guided_nodes, model.nodes(), task, columns.single_nodes, columns.node_hints, hole}, work,
          [&](const PlaceTask& all) { work.place->find_nodes(all, work.nodes.data()); },
          [&](int i) { return start.nodes[i].segment; },
          [&](int i) -> const Vector3d& { return work.nodes[i].position; },
@@ -103,9 +108,10 @@ void find_spans(const Model& model, const State& start, const Stage& stage, Work
   ElementColumns& elements = columns.elements;
   each_between(stage.guided_elements, model.elements(),
                [&](int first, int last) { work.place->find_middles(first, last, columns.nodes, elements); });
-  const PlaceTask task{
-      0, 0, elements.middle, elements.radius, elements.searched, elements.room, columns.segments.data(), columns.places.data()};
-  search(start.well, {stage.guided_elements, model.elements(), task, columns.single_elements, columns.element_hints}, work,
+  HoleColumns& hole = columns.element_holes;
+  const PlaceTask task{0,             0,    elements.middle,       elements.radius, elements.searched,
+                       elements.room, hole, columns.beside.data(), columns.places.data()};
+  search(start.well, {stage.guided_elements, model.elements(), task, columns.single_elements, columns.element_hints, hole}, work,
          [&](const PlaceTask& all) { work.place->find_spans(all, work.spans.data()); },
          [&](int e) { return start.spans[e].segment; },
          [&](int e) { return elements.middle[e]; },
@@ -125,6 +131,8 @@ void forget_other_hole(const Wellbore& well, StringColumns& columns) noexcept
   columns.hole = well.version();
   for (std::size_t i = 0; i < columns.node_hints.size(); ++i) columns.nodes.room[i] = 0.0;
   for (std::size_t e = 0; e < columns.element_hints.size(); ++e) columns.elements.room[e] = 0.0;
+  for (HoleColumns* hole : {&columns.node_holes, &columns.element_holes})
+    std::fill(hole->held.begin(), hole->held.end(), nullptr);
 }
 }  // namespace
 

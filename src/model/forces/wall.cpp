@@ -89,19 +89,21 @@ void enter(const StageContext& at, int i, int k, const ForceRows& to) noexcept
   StageResult& result = at.work.result;
   const double before = at.start.nodes[i].rest;
   result.rest[i] = before;
-  const WallLaw law = at.model.contact(i, node.closest, before);
   const double radius = radius_of(at, i);
-  at.work.columns.wall_places[k] = {&node,
-                                    &at.start.nodes[i].bristle,
-                                    law,
-                                    law.friction_radius > 0.0 ? law.friction_radius : radius,
-                                    radius,
-                                    to.force(i).data(),
-                                    to.with_tangent() ? to.slope(i).data() : nullptr,
-                                    &result.forces.wall[i],
-                                    &result.bristle[i],
-                                    &result.forces.contact[i],
-                                    &result.rest[i]};
+  StringColumns& columns = at.work.columns;
+  WallPlace& place = columns.wall_places[k];
+  place.node = &node;
+  place.bristle = &at.start.nodes[i].bristle;
+  place.law = &at.model.contact(i);
+  if (at.model.contact_varies()) place.law = &(columns.wall_laws[k] = at.model.contact(i, node.closest, before));
+  place.lever = place.law->friction_radius > 0.0 ? place.law->friction_radius : radius;
+  place.radius = radius;
+  place.residual = to.force(i).data();
+  place.diagonal = to.with_tangent() ? to.slope(i).data() : nullptr;
+  place.wall = &result.forces.wall[i];
+  place.bristle_after = &result.bristle[i];
+  place.normal_force = &result.forces.contact[i];
+  place.rest = &result.rest[i];
 }
 
 void leave_clear(StageResult& result, int i) noexcept

@@ -18,7 +18,6 @@ namespace
 #include "math/lanes.h"
 // behind it
 #include "drill_rig_sim/well/locate_text.h"
-#include "model/kernels/segment_lanes.h"
 
 constexpr int most_iterations = 4;  // one that takes more is searched singly
 constexpr double step_tolerance = 1e-7;
@@ -33,13 +32,12 @@ struct Hole
   HoleNumbers numbers;
 };
 
-HWY_INLINE Hole load_hole(const Segments& from)
+HWY_INLINE Hole load_hole(const HoleColumns& from, int i)
 {
-  return {load_curve(from),
-          load3(from, &HoleSegment::chord),
-          {load(from, &HoleSegment::md), load(from, &HoleSegment::length), load(from, &HoleSegment::radius),
-           load(from, &HoleSegment::radius_change), load(from, &HoleSegment::friction), load(from, &HoleSegment::friction_change),
-           load(from, &HoleSegment::section), load(from, &HoleSegment::section_change)}};
+  return {{load3(from.c0, i), load3(from.c1, i), load3(from.c2, i), load3(from.c3, i)},
+          load3(from.chord, i),
+          {load(from.md, i), load(from.length, i), load(from.radius, i), load(from.radius_change, i), load(from.friction, i),
+           load(from.friction_change, i), load(from.section, i), load(from.section_change, i)}};
 }
 
 /// Which of them end within their segment, near its axis. One that has arrived stays, however long its neighbours take: what is
@@ -126,18 +124,12 @@ void note_search(const PlaceTask& task, int i, const V3& point, V room, Mask mas
 }
 
 template <class Motion>
-void find_batch(const PlaceTask& task, int i, int count, const HoleSegment* any, Motion* motions)
+void find_batch(const PlaceTask& task, int i, int count, Motion* motions)
 {
-  Segments from;
   unsigned there = 0;
-  for (int k = 0; k < kLanes; ++k)
-  {
-    const HoleSegment* segment = k < count ? task.segments[i + k] : nullptr;
-    if (segment) there |= 1u << k;
-    from.of[k] = segment ? segment : any;
-  }
+  for (int k = 0; k < count; ++k) there |= static_cast<unsigned>(task.beside[i + k]) << k;
   if (there == 0) return;
-  const Hole g = load_hole(from);
+  const Hole g = load_hole(task.hole, i);
   const V3 point = load3(task.position, i);
   Foot foot;
   const unsigned found = bits_of(refine(g, point, foot)) & there;
@@ -166,10 +158,7 @@ void look(const PlaceTask& task) noexcept
 template <class Motion>
 void find(const PlaceTask& task, Motion* motions) noexcept
 {
-  const HoleSegment* any = nullptr;
-  for (int i = task.first; i < task.last && !any; ++i) any = task.segments[i];
-  if (!any) return;
-  for (int i = task.first; i < task.last; i += kLanes) find_batch(task, i, lanes_from(i, task.last), any, motions);
+  for (int i = task.first; i < task.last; i += kLanes) find_batch(task, i, lanes_from(i, task.last), motions);
 }
 
 void find_middles(int first, int last, const NodeColumns& nodes, ElementColumns& elements) noexcept

@@ -33,14 +33,40 @@ void take_element(const MeshElement& element, int e, ElementColumns& to) noexcep
 }
 }  // namespace
 
+void HoleColumns::take(std::size_t i, const HoleSegment* segment) noexcept
+{
+  held[i] = segment;
+  if (!segment) return;
+  const HoleSegment& from = *segment;
+  c0.set(i, from.c0);
+  c1.set(i, from.c1);
+  c2.set(i, from.c2);
+  c3.set(i, from.c3);
+  chord.set(i, from.chord);
+  md[i] = from.md;
+  length[i] = from.length;
+  radius[i] = from.radius;
+  radius_change[i] = from.radius_change;
+  friction[i] = from.friction;
+  friction_change[i] = from.friction_change;
+  section[i] = from.section;
+  section_change[i] = from.section_change;
+}
+
 StringColumns::StringColumns(const Model& model)
-    : segments(static_cast<std::size_t>(model.nodes() + Column::room)),
-      places(segments.size()),
-      wall_places(static_cast<std::size_t>(model.nodes()))
+    : beside(static_cast<std::size_t>(model.nodes())),
+      places(beside.size() + Column::room),
+      wall_places(static_cast<std::size_t>(model.nodes())),
+      wall_laws(wall_places.size())
 {
   const Mesh& mesh = model.mesh();
   ColumnSizes::resize(nodes, mesh.nodes.size());
   ColumnSizes::resize(elements, mesh.elements.size());
+  for (HoleColumns* hole : {&node_holes, &element_holes})
+  {
+    ColumnSizes::resize(*hole, mesh.nodes.size());
+    hole->held.resize(mesh.nodes.size());
+  }
   for (int i = 0; i < model.nodes(); ++i) take_node(model, i, nodes);
   for (int e = 0; e < model.elements(); ++e) take_element(mesh.elements[static_cast<std::size_t>(e)], e, elements);
   single_nodes.resize(mesh.nodes.size());

@@ -27,9 +27,9 @@ HWY_INLINE Contact load_contact(const WallPlace* places, int count, bool exponen
 {
   const auto number = [&](auto get) { return load1(rows_of(places, count, get)); };
   const auto vector = [&](auto get) { return load3(rows_of(places, count, get)); };
-  const auto of_law = [&](double WallLaw::*member) { return number([member](const WallPlace& p) { return &(p.law.*member); }); };
+  const auto of_law = [&](double WallLaw::*member) { return number([member](const WallPlace& p) { return &(p.law->*member); }); };
   const auto of_normal = [&](double ContactLaw::*member)
-  { return number([member](const WallPlace& p) { return &(p.law.law.*member); }); };
+  { return number([member](const WallPlace& p) { return &(p.law->law.*member); }); };
   const V6 moved = load6(rows_of(places, count, [](const WallPlace& p) { return p.node->increment.data(); }));
   const V6 rate = load6(rows_of(places, count, [](const WallPlace& p) { return p.node->rate.data(); }));
   Contact c;

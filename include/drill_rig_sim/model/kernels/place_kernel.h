@@ -1,6 +1,8 @@
 #ifndef DRILL_RIG_SIM_MODEL_KERNELS_PLACE_KERNEL_H
 #define DRILL_RIG_SIM_MODEL_KERNELS_PLACE_KERNEL_H
 
+#include <vector>
+
 #include "drill_rig_sim/math/columns.h"
 #include "drill_rig_sim/math/kernel.h"
 
@@ -22,6 +24,39 @@ enum class Place : unsigned char
   search  ///< nothing, the search must be done singly
 };
 
+/// The hole's segments (HoleSegment) beside nodes or elements, by column.
+struct HoleColumns
+{
+  Columns<3> c0, c1, c2, c3, chord;
+  Column md, length, radius, radius_change, friction, friction_change, section, section_change;
+  std::vector<const HoleSegment*> held;  ///< which segments these are; null: none
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("c0", c0);
+    v("c1", c1);
+    v("c2", c2);
+    v("c3", c3);
+    v("chord", chord);
+    v("md", md);
+    v("length", length);
+    v("radius", radius);
+    v("radius_change", radius_change);
+    v("friction", friction);
+    v("friction_change", friction_change);
+    v("section", section);
+    v("section_change", section_change);
+  }
+  void hold(std::size_t i, const HoleSegment* segment) noexcept
+  {
+    if (held[i] != segment) take(i, segment);
+  }
+
+private:
+  void take(std::size_t i, const HoleSegment* segment) noexcept;
+};
+
 /// Of nodes or elements, by column.
 struct PlaceTask
 {
@@ -30,9 +65,9 @@ struct PlaceTask
   const Column& radius;  ///< of the sections
   Columns<3>& searched;  ///< where they were at their last searches,
   Column& room;          ///< and how far they may go from there (string_columns.h)
-  /// Of each its segment; null: to be left as it is. Room for a batch behind the last.
-  const HoleSegment* const* segments;
-  Place* places;  ///< room for a batch behind the last
+  const HoleColumns& hole;
+  const unsigned char* beside;  ///< of each whether the hole is at hand; those where it is not are left as they are
+  Place* places;                ///< room for a batch behind the last
 };
 
 /// A kernel's.

@@ -100,13 +100,15 @@ struct StringColumns
   bool moved = false;  ///< hold the motion of the workspace's nodes
   // of the search in the hole: who is searched singly at any time; where the search starts, and what it finds
   std::vector<unsigned char> single_nodes, single_elements;
-  std::vector<const HoleSegment*> segments;
+  HoleColumns node_holes, element_holes;
+  std::vector<unsigned char> beside;  ///< of those that are searched, PlaceTask::beside
   std::vector<Place> places;
   // the hole and the first segments of the last searches
   std::uint64_t hole = 0;
   std::vector<int> node_hints, element_hints;
   // of nodes that touch the wall
   std::vector<WallPlace> wall_places;
+  std::vector<WallLaw> wall_laws;  ///< where they differ from the model's
 };
 
 }  // namespace drill_rig_sim

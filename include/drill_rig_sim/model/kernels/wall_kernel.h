@@ -15,7 +15,7 @@ struct WallPlace
 {
   const NodeMotion* node;
   const Eigen::Vector3d* bristle;  ///< at the start of the step
-  WallLaw law;
+  const WallLaw* law;
   double lever, radius;                   ///< of the friction, of the section [m]
   double* residual;                       ///< 6, from which force and moment are taken
   double* diagonal;                       ///< 36, from which their derivatives are taken; null: nobody wants them
