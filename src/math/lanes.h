@@ -1,5 +1,6 @@
-// Vectors of three with a number of several nodes or elements in each component, and their way from and to rows of memory. Included by a
-// source of batch kernels inside its namespace, once for each set of instructions (math/simd.h); no include guard, therefore.
+// Vectors of three with a number of several nodes or elements in each component, and their way from and to rows of memory.
+// Included by a source of batch kernels inside its namespace, once for each set of instructions (math/simd.h); no include guard,
+// therefore.
 
 namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<double>;
@@ -57,6 +58,11 @@ HWY_INLINE V larger(V a, V b)
   return hn::Max(a, b);
 }
 
+HWY_INLINE V smaller(V a, V b)
+{
+  return hn::Min(a, b);
+}
+
 HWY_INLINE V select(Mask mask, V yes, V no)
 {
   return hn::IfThenElse(mask, yes, no);
@@ -83,27 +89,144 @@ HWY_INLINE bool all_of(Mask mask)
 }
 
 #include "drill_rig_sim/math/vector_text.h"
+// behind it
+#include "drill_rig_sim/math/matrix_text.h"
 
-/// Rows of memory, a node's or an element's each.
+/// Rows of memory to write to, a node's or an element's each; those that are not used go to a spare one.
 struct Rows
 {
   double* row[kLanes];
 };
 
-/// `count` of them, `stride` bytes apart; the others are `spare`, which takes what is not used.
-HWY_INLINE Rows rows(double* first, std::ptrdiff_t stride, int count, double* spare)
+/// And to read from.
+struct ConstRows
+{
+  const double* row[kLanes];
+};
+
+/// `count` rows of `numbers` each, one behind the other; the others are `spare`, which takes what is not used.
+HWY_INLINE Rows rows(double* first, int numbers, int count, double* spare)
 {
   Rows out;
-  for (int k = 0; k < kLanes; ++k)
-    out.row[k] = k < count ? reinterpret_cast<double*>(reinterpret_cast<char*>(first) + k * stride) : spare;
+  for (int k = 0; k < kLanes; ++k) out.row[k] = k < count ? first + k * numbers : spare;
   return out;
 }
 
-/// The same to read from: the others are the last one.
-HWY_INLINE Rows rows(const double* first, std::ptrdiff_t stride, int count)
+/// The same to read from: those behind the last are the last one.
+HWY_INLINE ConstRows rows(const double* first, int numbers, int count)
 {
-  double* const from = const_cast<double*>(first);
-  return rows(from, stride, count, reinterpret_cast<double*>(reinterpret_cast<char*>(from) + (count - 1) * stride));
+  ConstRows out;
+  for (int k = 0; k < kLanes; ++k) out.row[k] = first + (k < count ? k : count - 1) * numbers;
+  return out;
+}
+
+/// Of `count` values in a row that part to which get(value) points.
+template <class T, class Get>
+HWY_INLINE ConstRows rows_of(const T* first, int count, Get get)
+{
+  ConstRows out;
+  for (int k = 0; k < kLanes; ++k) out.row[k] = get(first[k < count ? k : count - 1]);
+  return out;
+}
+
+template <class T, class Get>
+HWY_INLINE Rows rows_to(T* first, int count, double* spare, Get get)
+{
+  Rows out;
+  for (int k = 0; k < kLanes; ++k) out.row[k] = k < count ? get(first[k]) : spare;
+  return out;
+}
+
+// Registers of two numbers, of which each other consists.
+using Tag2 = hn::CappedTag<double, 2>;
+using Pair = hn::Vec<Tag2>;
+constexpr int kPairs = kLanes / 2;
+
+#if HWY_TARGET == HWY_AVX3
+HWY_INLINE V join(const Pair (&p)[kPairs])
+{
+  const hn::CappedTag<double, 4> half;
+  return hn::Combine(Tag(), hn::Combine(half, p[3], p[2]), hn::Combine(half, p[1], p[0]));
+}
+
+HWY_INLINE void part(V v, Pair (&p)[kPairs])
+{
+  const hn::CappedTag<double, 4> half;
+  const auto low = hn::LowerHalf(half, v), high = hn::UpperHalf(half, v);
+  p[0] = hn::LowerHalf(Tag2(), low);
+  p[1] = hn::UpperHalf(Tag2(), low);
+  p[2] = hn::LowerHalf(Tag2(), high);
+  p[3] = hn::UpperHalf(Tag2(), high);
+}
+#elif HWY_TARGET == HWY_AVX2
+HWY_INLINE V join(const Pair (&p)[kPairs])
+{
+  return hn::Combine(Tag(), p[1], p[0]);
+}
+
+HWY_INLINE void part(V v, Pair (&p)[kPairs])
+{
+  p[0] = hn::LowerHalf(Tag2(), v);
+  p[1] = hn::UpperHalf(Tag2(), v);
+}
+#else
+HWY_INLINE V join(const Pair (&p)[kPairs])
+{
+  return p[0];
+}
+
+HWY_INLINE void part(V v, Pair (&p)[kPairs])
+{
+  p[0] = v;
+}
+#endif
+
+HWY_INLINE Pair pair_of(const double* low, const double* high)
+{
+  return hn::InterleaveLower(Tag2(), hn::Set(Tag2(), *low), hn::Set(Tag2(), *high));
+}
+
+/// The first number of each row.
+HWY_INLINE V load1(const ConstRows& from)
+{
+  Pair x[kPairs];
+  for (int k = 0; k < kPairs; ++k) x[k] = pair_of(from.row[2 * k], from.row[2 * k + 1]);
+  return join(x);
+}
+
+/// The first three: no more is read.
+HWY_INLINE V3 load3(const ConstRows& from)
+{
+  Pair x[kPairs], y[kPairs], z[kPairs];
+  for (int k = 0; k < kPairs; ++k)
+  {
+    const double *low = from.row[2 * k], *high = from.row[2 * k + 1];
+    const Pair a = hn::LoadU(Tag2(), low), b = hn::LoadU(Tag2(), high);
+    x[k] = hn::InterleaveLower(Tag2(), a, b);
+    y[k] = hn::InterleaveUpper(Tag2(), a, b);
+    z[k] = pair_of(low + 2, high + 2);
+  }
+  return {join(x), join(y), join(z)};
+}
+
+HWY_INLINE void store1(V v, const Rows& to)
+{
+  HWY_ALIGN double numbers[kLanes];
+  hn::Store(v, Tag(), numbers);
+  for (int k = 0; k < kLanes; ++k) *to.row[k] = numbers[k];
+}
+
+/// From column `at` on.
+HWY_INLINE void store2(V a, V b, const Rows& to, int at)
+{
+  Pair x[kPairs], y[kPairs];
+  part(a, x);
+  part(b, y);
+  for (int k = 0; k < kPairs; ++k)
+  {
+    hn::StoreU(hn::InterleaveLower(Tag2(), x[k], y[k]), Tag2(), to.row[2 * k] + at);
+    hn::StoreU(hn::InterleaveUpper(Tag2(), x[k], y[k]), Tag2(), to.row[2 * k + 1] + at);
+  }
 }
 
 struct V4
@@ -138,11 +261,13 @@ HWY_INLINE void put(T tag, Q value, double* to)
 
 #if HWY_TARGET == HWY_AVX3
 /// Four columns of the rows, from column `at` on.
-HWY_INLINE V4 load4(const Rows& from, int at)
+HWY_INLINE V4 load4(const ConstRows& from, int at)
 {
   const Tag4 t;
-  Half a = hn::LoadU(t, from.row[0] + at), b = hn::LoadU(t, from.row[1] + at), c = hn::LoadU(t, from.row[2] + at), d = hn::LoadU(t, from.row[3] + at);
-  Half e = hn::LoadU(t, from.row[4] + at), f = hn::LoadU(t, from.row[5] + at), g = hn::LoadU(t, from.row[6] + at), h = hn::LoadU(t, from.row[7] + at);
+  Half a = hn::LoadU(t, from.row[0] + at), b = hn::LoadU(t, from.row[1] + at);
+  Half c = hn::LoadU(t, from.row[2] + at), d = hn::LoadU(t, from.row[3] + at);
+  Half e = hn::LoadU(t, from.row[4] + at), f = hn::LoadU(t, from.row[5] + at);
+  Half g = hn::LoadU(t, from.row[6] + at), h = hn::LoadU(t, from.row[7] + at);
   transpose(a, b, c, d);
   transpose(e, f, g, h);
   const Tag tag;
@@ -168,7 +293,7 @@ HWY_INLINE void store4(V a, V b, V c, V d, const Rows& to, int at)
 }
 #elif HWY_TARGET == HWY_AVX2
 /// Four columns of the rows, from column `at` on.
-HWY_INLINE V4 load4(const Rows& from, int at)
+HWY_INLINE V4 load4(const ConstRows& from, int at)
 {
   V a = load(from.row[0] + at), b = load(from.row[1] + at), c = load(from.row[2] + at), d = load(from.row[3] + at);
   transpose(a, b, c, d);
@@ -186,7 +311,7 @@ HWY_INLINE void store4(V a, V b, V c, V d, const Rows& to, int at)
 }
 #else
 /// Four columns of the rows, from column `at` on.
-HWY_INLINE V4 load4(const Rows& from, int at)
+HWY_INLINE V4 load4(const ConstRows& from, int at)
 {
   const Tag t;
   const V a = load(from.row[0] + at), b = load(from.row[1] + at), c = load(from.row[0] + at + 2), d = load(from.row[1] + at + 2);
@@ -204,49 +329,101 @@ HWY_INLINE void store4(V a, V b, V c, V d, const Rows& to, int at)
 }
 #endif
 
-/// Rows of six, contiguous: two of these take the middle columns twice.
-struct V6
+/// The first three: no more is written.
+#if HWY_TARGET == HWY_AVX3
+HWY_INLINE void store3(const V3& v, const Rows& to)
 {
-  V3 head, tail;
-};
+  const Tag4 t;
+  const auto three = hn::FirstN(t, 3);
+  const auto put_half = [&](Half x, Half y, Half z, int first)
+  {
+    Half spare = z;
+    transpose(x, y, z, spare);
+    hn::BlendedStore(x, three, t, to.row[first]);
+    hn::BlendedStore(y, three, t, to.row[first + 1]);
+    hn::BlendedStore(z, three, t, to.row[first + 2]);
+    hn::BlendedStore(spare, three, t, to.row[first + 3]);
+  };
+  put_half(hn::LowerHalf(t, v.x), hn::LowerHalf(t, v.y), hn::LowerHalf(t, v.z), 0);
+  put_half(hn::UpperHalf(t, v.x), hn::UpperHalf(t, v.y), hn::UpperHalf(t, v.z), 4);
+}
+#else
+HWY_INLINE void store3(const V3& v, const Rows& to)
+{
+  store2(v.x, v.y, to, 0);
+  HWY_ALIGN double z[kLanes];
+  hn::Store(v.z, Tag(), z);
+  for (int k = 0; k < kLanes; ++k) to.row[k][2] = z[k];
+}
+#endif
 
-HWY_INLINE V6 load6(const Rows& from)
+/// Rows of six: two of these take the middle columns twice.
+HWY_INLINE V6 load6(const ConstRows& from)
 {
   const V4 p = load4(from, 0), q = load4(from, 2);
   return {{p.a, p.b, p.c}, {p.d, q.c, q.d}};
 }
 
-/// From column `at` on.
-HWY_INLINE void store6(const V3& head, const V3& tail, const Rows& to, int at)
+HWY_INLINE void store6(const V6& v, const Rows& to)
 {
-  store4<false>(head.x, head.y, head.z, tail.x, to, at);
-  store4<false>(head.z, tail.x, tail.y, tail.z, to, at + 2);
+  store4<false>(v.head.x, v.head.y, v.head.z, v.tail.x, to, 0);
+  store2(v.tail.y, v.tail.z, to, 4);
 }
 
-HWY_INLINE V6 mul_add(V a, const V6& b, const V6& c)
+HWY_INLINE Quaternion load_quaternion(const ConstRows& from)
 {
-  return {mul_add(a, b.head, c.head), mul_add(a, b.tail, c.tail)};
+  const V4 q = load4(from, 0);
+  return {q.a, q.b, q.c, q.d};
 }
 
-// Of columns, those from `kind` on, the numbers of node or element i and what follows it.
-HWY_INLINE V3 load3(const NumberColumns& from, int kind, int i)
+// Of columns the numbers of node or element i and what follows it.
+HWY_INLINE V load(const Column& from, int i)
 {
-  return {load(from[kind] + i), load(from[kind + 1] + i), load(from[kind + 2] + i)};
+  return load(from.data() + i);
 }
 
-HWY_INLINE Quaternion load_quaternion(const NumberColumns& from, int kind, int i)
+HWY_INLINE V3 load3(const Columns<3>& from, int i)
 {
-  return {load(from[kind] + i), load(from[kind + 1] + i), load(from[kind + 2] + i), load(from[kind + 3] + i)};
+  return {load(from.part[0], i), load(from.part[1], i), load(from.part[2], i)};
 }
 
-HWY_INLINE void store(V v, NumberColumns& to, int kind, int i)
+HWY_INLINE V6 load6(const Columns<6>& from, int i)
 {
-  hn::StoreU(v, Tag(), to[kind] + i);
+  return {{load(from.part[0], i), load(from.part[1], i), load(from.part[2], i)},
+          {load(from.part[3], i), load(from.part[4], i), load(from.part[5], i)}};
 }
 
-HWY_INLINE void store(const V3& v, NumberColumns& to, int kind, int i)
+HWY_INLINE Quaternion load_quaternion(const Columns<4>& from, int i)
 {
-  store(v.x, to, kind, i);
-  store(v.y, to, kind + 1, i);
-  store(v.z, to, kind + 2, i);
+  return {load(from.part[0], i), load(from.part[1], i), load(from.part[2], i), load(from.part[3], i)};
+}
+
+HWY_INLINE void store(V v, Column& to, int i)
+{
+  hn::StoreU(v, Tag(), to.data() + i);
+}
+
+HWY_INLINE void store(const V3& v, Columns<3>& to, int i)
+{
+  store(v.x, to.part[0], i);
+  store(v.y, to.part[1], i);
+  store(v.z, to.part[2], i);
+}
+
+HWY_INLINE void store(const V6& v, Columns<6>& to, int i)
+{
+  store(v.head.x, to.part[0], i);
+  store(v.head.y, to.part[1], i);
+  store(v.head.z, to.part[2], i);
+  store(v.tail.x, to.part[3], i);
+  store(v.tail.y, to.part[4], i);
+  store(v.tail.z, to.part[5], i);
+}
+
+HWY_INLINE void store(const Quaternion& q, Columns<4>& to, int i)
+{
+  store(q.x, to.part[0], i);
+  store(q.y, to.part[1], i);
+  store(q.z, to.part[2], i);
+  store(q.w, to.part[3], i);
 }

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/contact/friction_law.h"
+
 namespace drill_rig_sim
 {
 /// Friction on a coordinate, at a moment of a step.
@@ -14,8 +16,8 @@ struct BristleForce
   double next = 0.0;      ///< deflection if the step ends here [m or rad]
 };
 
-/// Coulomb friction in one coordinate, carried by a damped bristle as at the wall (contact/wall_contact.h): what it holds does not creep,
-/// and does not ring. In a step from deflection z, after a move u at speed v,
+/// Coulomb friction in one coordinate, carried by a damped bristle as at the wall (contact/wall_contact.h): what it holds does
+/// not creep, and does not ring. In a step from deflection z, after a move u at speed v,
 ///   q = k (z + u) + c v,   force = -q while |q| <= most, else -most sign(q).
 /// Stuck, z moves along; slipping it goes to -force/k over the time c/k. Passive for any damping c >= 0.
 struct DampedBristle
@@ -31,7 +33,7 @@ struct DampedBristle
   double next(double move, double force, bool slips, double time) const noexcept
   {
     if (!slips) return deflection + move;
-    return deflection + (-force / stiffness - deflection) * time / (time + damping / stiffness);
+    return deflection + one_lane::follows_by(time, stiffness, damping) * (-force / stiffness - deflection);
   }
   BristleForce at(double move, double speed, double time) const noexcept
   {
