@@ -346,8 +346,8 @@ StepResult ArkodeStepper::attempt(State& state, double step, const Setpoints& se
   budget -= session_->iterations;
   if (!solved) return StepResult::not_converged;
   close_books(state, stage_, session_->increments());
-  remember_last_rate(work_, state);
-  remember(work_, &NodeMotion::acceleration, work_.result.drive_acceleration, state.memory.past[last_acceleration]);
+  remember_last_rate(stage_, work_, state);
+  remember(stage_, work_, accelerations, work_.result.drive_acceleration, state.memory.past[last_acceleration]);
   state.memory.last_step = step;
   commit(stage_, work_, state);
   advance_discrete(*model_, stage_, work_, state);

@@ -1,5 +1,5 @@
-// Linearly implicit Euler: implicit Euler with its forces linearised about the start of the step, which is one Newton iteration from
-// u = 0. Hairer and Wanner, Solving ODEs II, IV.9.
+// Linearly implicit Euler: implicit Euler with its forces linearised about the start of the step, which is one Newton iteration
+// from u = 0. Hairer and Wanner, Solving ODEs II, IV.9.
 #include <algorithm>
 
 #include "drill_rig_sim/solve/methods/method.h"
@@ -15,11 +15,18 @@ bool step_linearly_implicit_euler(StepContext& context) noexcept
   ++context.iterations;
   if (!context.newton.improve(context.at_stage(), context.u)) return false;
   update(context.model, context.state, context.stage, context.u, context.work);
-  expand_motions(context.stage, context.work);
   return true;
 }
 }  // namespace
 
-const Method linearly_implicit_euler = {IntegratorKind::linearly_implicit_euler, "linearly_implicit_euler", "linearly implicit Euler, first order, one solve without iteration", step_linearly_implicit_euler, nullptr, 0, false, nullptr, nullptr};
+const Method linearly_implicit_euler = {IntegratorKind::linearly_implicit_euler,
+                                        "linearly_implicit_euler",
+                                        "linearly implicit Euler, first order, one solve without iteration",
+                                        step_linearly_implicit_euler,
+                                        nullptr,
+                                        0,
+                                        false,
+                                        nullptr,
+                                        nullptr};
 
 }  // namespace drill_rig_sim

@@ -32,13 +32,7 @@ bool split_rates(const Stage& stage, const Workspace& work, State& state) noexce
 {
   if (!work.history || !work.columns.moved) return false;
   each_between(stage.guided_nodes, static_cast<int>(work.nodes.size()),
-               [&](int first, int last)
-               {
-                 const NodeMotion& node = work.nodes[static_cast<std::size_t>(first)];
-                 const double *moves = node.orientation.coeffs().data(), *rate = node.rate.data();
-                 work.history->split(last - first, {moves, sizeof(NodeMotion)}, static_cast<int>(rate - moves),
-                                     {state.nodes[static_cast<std::size_t>(first)].rate.velocity.data(), sizeof(NodeState)});
-               });
+               [&](int first, int last) { work.history->split_rates(work, {first, last}, state); });
   return true;
 }
 }  // namespace
@@ -59,7 +53,8 @@ void commit(const Stage& stage, const Workspace& work, State& state) noexcept
   });
   commit_guided(stage, work, state);
   each_outside(stage.guided_elements, static_cast<int>(work.spans.size()),
-               [&](int e) { state.spans[static_cast<std::size_t>(e)].segment = work.spans[static_cast<std::size_t>(e)].closest.segment; });
+               [&](int e)
+               { state.spans[static_cast<std::size_t>(e)].segment = work.spans[static_cast<std::size_t>(e)].closest.segment; });
 }
 
 void advance_static(const Workspace& work, State& state) noexcept
@@ -111,18 +106,21 @@ double leak_flow(const Model& model, const State& state) noexcept
   const MudPressures pressures = mud_pressures(model.mud(), state.hydraulics, state.flow);
   std::size_t e = 0;
   while (e + 1 < model.mesh().elements.size() && model.mesh().nodes[e + 1].from_bit < faults.leak_from_bit) ++e;
-  return orifice_flow(faults.leak_area, pressures.in_bore(model.mud(), e) - pressures.in_annulus(model.mud(), e), model.scene().mud.density);
+  return orifice_flow(faults.leak_area, pressures.in_bore(model.mud(), e) - pressures.in_annulus(model.mud(), e),
+                      model.scene().mud.density);
 }
 }  // namespace
 
 void advance_mud(const Model& model, double commanded, double step, State& state) noexcept
 {
   const MotorSpec* motor = model.motor();
-  const double over_motor = motor ? mud_motor_pressure(mud_motor_leakage, motor->pressure_displacement(), motor_load(model, state)) : 0.0;
+  const double over_motor =
+      motor ? mud_motor_pressure(mud_motor_leakage, motor->pressure_displacement(), motor_load(model, state)) : 0.0;
   const MudCircuit& mud = model.mud();
-  const double displaced = mud.displaced_area * running_speed(mud, state.nodes);
+  const double displaced = mud.displaced_area > 0.0 ? mud.displaced_area * running_speed(mud, state.nodes) : 0.0;
   const MudWays ways{plug_pressure(model, state), leak_flow(model, state), fill_bore(model, state)};
-  advance_hydraulics(model.scene().rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, state.flow, state.hydraulics, ways);
+  advance_hydraulics(model.scene().rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, state.flow,
+                     state.hydraulics, ways);
 }
 
 }  // namespace drill_rig_sim

@@ -31,16 +31,16 @@ void add_forces(const ForceList& forces, Force::Add Force::*use, const StageCont
 
 void move_guided(const Stage& stage, std::size_t i, const double* u, Workspace& work) noexcept
 {
-  const Guide& guide = stage.guides[i];
-  GuidedMotion& motion = work.guided[i];
-  const auto dot = [&guide](const double* v) { return guide.tangent.x() * v[0] + guide.tangent.y() * v[1] + guide.tangent.z() * v[2]; };
+  GuidedMotions& m = work.guided;
+  const Vector3d tangent = stage.guides.tangent[i];
+  const auto dot = [&tangent](const double* v) { return tangent.x() * v[0] + tangent.y() * v[1] + tangent.z() * v[2]; };
   const double *rate = stage.rate[i].data(), *acceleration = stage.acceleration[i].data();
-  motion.along = dot(u + 6 * i);
-  motion.about = dot(u + 6 * i + 3);
-  motion.along_rate = stage.dv_du * motion.along + dot(rate);
-  motion.about_rate = stage.dv_du * motion.about + dot(rate + 3);
-  motion.along_acceleration = stage.da_du * motion.along + dot(acceleration);
-  motion.about_acceleration = stage.da_du * motion.about + dot(acceleration + 3);
+  m.along[i] = dot(u + 6 * i);
+  m.about[i] = dot(u + 6 * i + 3);
+  m.along_rate[i] = stage.dv_du * m.along[i] + dot(rate);
+  m.about_rate[i] = stage.dv_du * m.about[i] + dot(rate + 3);
+  m.along_acceleration[i] = stage.da_du * m.along[i] + dot(acceleration);
+  m.about_acceleration[i] = stage.da_du * m.about[i] + dot(acceleration + 3);
 }
 
 void move_guided_nodes(const StageContext& at, const double* u) noexcept
@@ -49,7 +49,8 @@ void move_guided_nodes(const StageContext& at, const double* u) noexcept
   for (std::vector<unsigned char>* of_free : {&at.work.motion_known, &at.work.rows_open})
   {
     std::fill(of_free->begin(), of_free->end(), static_cast<unsigned char>(1));
-    for (const Runs::Run& run : stage.guided_nodes) std::fill(of_free->begin() + run.first, of_free->begin() + run.last, static_cast<unsigned char>(0));
+    for (const Runs::Run& run : stage.guided_nodes)
+      std::fill(of_free->begin() + run.first, of_free->begin() + run.last, static_cast<unsigned char>(0));
   }
   for (const Runs::Run& run : stage.guided_nodes)
   {
@@ -63,21 +64,10 @@ void move_guided_nodes(const StageContext& at, const double* u) noexcept
   each_outside(stage.inner_nodes, at.model.nodes(),
                [&](int k)
                {
-                 if (!stage.guides[static_cast<std::size_t>(k)].guided) return;
+                 if (!stage.guides.guided[static_cast<std::size_t>(k)]) return;
                  const NodeMotion& node = at.node(k);
                  if (at.work.columns.moved) at.work.columns.take(node, k);
                });
-}
-
-/// The free nodes from `first` to `last`, the latter not among them, by the batch kernel.
-void move_free_nodes(const State& start, const Stage& stage, const double* u, int first, int last, Workspace& work) noexcept
-{
-  const NodeState& before = start.nodes[static_cast<std::size_t>(first)];
-  NodeMotion& node = work.nodes[static_cast<std::size_t>(first)];
-  work.motion->move({first, last, u + 6 * first, stage.rate[static_cast<std::size_t>(first)].data(),
-                    stage.acceleration[static_cast<std::size_t>(first)].data(), stage.dv_du, stage.da_du, before.position.data(),
-                    before.orientation.coeffs().data(), sizeof(NodeState), node.orientation.coeffs().data(), sizeof(NodeMotion),
-                    &work.columns.nodes});
 }
 
 /// move_free() by the batch kernel, which leaves the columns of all nodes of the free string.
@@ -85,7 +75,7 @@ void move_batches(const State& start, const Stage& stage, const double* u, Works
 {
   const int nodes = static_cast<int>(work.nodes.size());
   work.columns.moved = true;
-  each_between(stage.guided_nodes, nodes, [&](int first, int last) { move_free_nodes(start, stage, u, first, last, work); });
+  each_between(stage.guided_nodes, nodes, [&](int first, int last) { work.motion->move(start, stage, u, {first, last}, work); });
 }
 
 /// Places and rates of the free nodes at u.
@@ -93,7 +83,7 @@ void move_free(const State& start, const Stage& stage, const double* u, Workspac
 {
   for (std::size_t i = 0; i < work.nodes.size(); ++i)
   {
-    if (stage.guides[i].guided) continue;
+    if (stage.guides.guided[i]) continue;
     NodeMotion& node = work.nodes[i];
     const NodeState& before = start.nodes[i];
     node.axis = stage.normal[i];
@@ -135,7 +125,6 @@ Workspace::Workspace(const Model& model)
   : nodes(model.mesh().nodes.size()),
     spans(model.mesh().elements.size()),
     guided(nodes.size()),
-    guided_forces(spans.size()),
     motion_known(nodes.size(), 1),
     rows_open(nodes.size(), 1),
     columns(model),
@@ -144,7 +133,6 @@ Workspace::Workspace(const Model& model)
     place(place_kernel(kernel_of(model))),
     wall(wall_kernel(kernel_of(model))),
     history(history_kernel(kernel_of(model))),
-    guided_columns(guided_column::count, model.nodes()),
     unused(6 * nodes.size(), 0.0)
 {
   result.bristle.assign(nodes.size(), Vector3d::Zero());
@@ -177,7 +165,8 @@ void evaluate_forces(const ForceList& forces, Force::Add Force::*use, const Stag
   ++work.work.residuals;
   if (tangent) ++work.work.tangents;
   // ForceRows and the guided string see to the rows of guided nodes
-  each_between(stage.guided_nodes, model.nodes(), [&](int first, int last) { std::fill(residual + 6 * first, residual + 6 * last, 0.0); });
+  each_between(stage.guided_nodes, model.nodes(),
+               [&](int first, int last) { std::fill(residual + 6 * first, residual + 6 * last, 0.0); });
   if (tangent)
   {
     each_outside(stage.guided_nodes, model.nodes(), [&](int i) { tangent->set_small(i, false); });
@@ -196,8 +185,8 @@ void evaluate_forces(const ForceList& forces, Force::Add Force::*use, const Stag
   add_forces(forces, use, at, {work, residual, tangent});
 }
 
-void evaluate_static(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, double* residual,
-                     BlockTridiagonal* tangent) noexcept
+void evaluate_static(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work,
+                     double* residual, BlockTridiagonal* tangent) noexcept
 {
   evaluate_forces(all_forces, &Force::add_static, {model, start, stage, work}, u, residual, tangent);
 }
@@ -210,11 +199,9 @@ void update(const Model& model, const State& start, const Stage& stage, const do
 void move_as_free(const StageContext& at, int k) noexcept
 {
   const std::size_t i = static_cast<std::size_t>(k);
-  const GuidedMotion& motion = at.work.guided[i];
   const NodeState& before = at.start.nodes[i];
   NodeMotion& node = at.work.nodes[i];
-  expand_motion(at.stage.guides[i], motion, node);
-  node.carried_spin = motion.about_rate;
+  expand_motion(at.stage, k, at.work);
   node.position = before.position + node.increment.head<3>();
   node.orientation = rotation_from_vector(node.tilt) * rotation_from_vector(node.spin * node.axis) * before.orientation;
   node.normal = x_axis(node.orientation);
@@ -224,32 +211,27 @@ void move_as_free(const StageContext& at, int k) noexcept
 namespace
 {
 /// Bent as the hole is.
-void find_guided_forces(const Model& model, const Stage& stage, int e, Workspace& work) noexcept
+void find_guided_forces(const Stage& stage, Runs::Run run, Workspace& work) noexcept
 {
-  const BeamSection& section = model.mesh().elements[e].section;
   RigForces& out = work.result.forces;
-  out.tension[e] = work.guided_forces[e].tension;
-  out.torque[e] = -work.guided_forces[e].torque;
-  out.span_contact[e] = 0.0;
-  out.span_wall[e].setZero();
-  out.bending_moment[e + 1] = section.bending * stage.guides[e + 1].turn.norm();
+  std::fill(out.span_contact.begin() + run.first, out.span_contact.begin() + run.last, 0.0);
+  std::fill(out.span_wall.begin() + run.first, out.span_wall.begin() + run.last, Vector3d::Zero());
+  if (stage.guided_kernel) return stage.guided_kernel->find_forces(stage, work, run);
+  for (int e = run.first; e < run.last; ++e)
+  {
+    out.tension[e] = work.guided.tension[e];
+    out.torque[e] = -work.guided.torque[e];
+    out.bending_moment[e + 1] = stage.guides.bending[e] * stage.guides.turn[e + 1].norm();
+  }
 }
 }  // namespace
 
 void find_string_forces(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
 {
   const StageContext at{model, start, stage, work};
-  const bool batched = moved_in_batches(at);
-  if (batched) find_free_forces(at);
-  for (int e = 0; e < model.elements(); ++e)
-  {
-    if (stage.guided_spans[e].guided)
-    {
-      find_guided_forces(model, stage, e, work);
-      continue;
-    }
-    if (!batched) find_beam_forces(at, e);
-  }
+  for (const Runs::Run& run : stage.guided_elements) find_guided_forces(stage, run, work);
+  if (moved_in_batches(at)) return find_free_forces(at);
+  each_outside(stage.guided_elements, model.elements(), [&](int e) { find_beam_forces(at, e); });
 }
 
 namespace
@@ -267,7 +249,8 @@ void add_sum(Sum sum, const StageContext& at, const ForceRows& to) noexcept
 }  // namespace
 
 void evaluate_motion(const Model& model, const State& start, const Stage& stage, const GivenMotion& motion, Workspace& work,
-                     double* string, double* contact, BlockTridiagonal* string_tangent, BlockTridiagonal* contact_tangent) noexcept
+                     double* string, double* contact, BlockTridiagonal* string_tangent,
+                     BlockTridiagonal* contact_tangent) noexcept
 {
   work.profiler.lap(Cost::other);
   ++work.work.residuals;
@@ -286,7 +269,8 @@ void evaluate_motion(const Model& model, const State& start, const Stage& stage,
   add_sum(Sum::contact, at, {work, contact, contact_tangent});
 }
 
-Vector6d evaluate_bit_motion(const Model& model, const State& start, const Stage& stage, const GivenNode& bit, Workspace& work) noexcept
+Vector6d evaluate_bit_motion(const Model& model, const State& start, const Stage& stage, const GivenNode& bit,
+                             Workspace& work) noexcept
 {
   Vector6d out = Vector6d::Zero();
   const StageContext at{model, start, stage, work};

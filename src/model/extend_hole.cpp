@@ -37,24 +37,25 @@ Vector3d rock_velocity(const Model& model, const State& state, const RigForces& 
   const FormationLayer rock = rock_under_bit(model, state);
   if (model.pilot().is_ahead(well.hole_depth()))
     return on_axis_rop(rock, drilling_speed, forces.wob) * model.pilot().direction(well.bottom_position(), well.hole_depth());
-  return let_by_body(model, state, rock_breaking_velocity(rock, forces.rock_force, drilling_speed, bit_axis, model.bit().side_cutting));
+  return let_by_body(model, state,
+                     rock_breaking_velocity(rock, forces.rock_force, drilling_speed, bit_axis, model.bit().side_cutting));
 }
 
 double refused_turn(const Model& model, const State& state, const RigForces& forces) noexcept
 {
   if (forces.wob <= 0.0 || is_guided(state) || model.pilot().is_ahead(state.well.hole_depth())) return 0.0;
-  const Vector3d way = rock_breaking_velocity(rock_under_bit(model, state), forces.rock_force, forces.bit_speed, x_axis(state.nodes[0].orientation),
-                                              model.bit().side_cutting);
+  const Vector3d way = rock_breaking_velocity(rock_under_bit(model, state), forces.rock_force, forces.bit_speed,
+                                              x_axis(state.nodes[0].orientation), model.bit().side_cutting);
   return refused_turn(state.well, model.turn_limit(), way);
 }
 
 namespace
 {
-/// `way` of the bottom in a step or a second; a guided bit goes straight on, whatever the rock: nothing of a string without bending would hold it
-/// back.
+/// `way` of the bottom in a step or a second; a guided bit goes straight on, whatever the rock: nothing of a string without
+/// bending would hold it back.
 Vector3d way_of_bit(const Stage& stage, const Wellbore& well, const Vector3d& way) noexcept
 {
-  if (!stage.guides.front().guided) return way;
+  if (!stage.guides.guided.front()) return way;
   const Vector3d& on = well.end_direction();
   return on * on.dot(way);
 }
@@ -80,9 +81,12 @@ void extend_hole(const Model& model, const Stage& stage, const StageResult& resu
   if (model.regenerative()) return extend_by_cut(model, stage, result, state);
   const RigForces& forces = result.forces;
   const Vector3d bit_axis = x_axis(state.nodes[0].orientation);
-  state.bit.rock_velocity = stage.bit.bottom_known ? Vector3d(stage.bit.bottom_increment / stage.time)
-                                                   : way_of_bit(stage, state.well, rock_velocity(model, state, forces, stage.bit.drilling_speed, bit_axis));
-  state.well.extend(stage.bit.bottom_known ? stage.bit.bottom_increment : Vector3d(stage.time * state.bit.rock_velocity), bit_axis);
+  state.bit.rock_velocity =
+      stage.bit.bottom_known
+          ? Vector3d(stage.bit.bottom_increment / stage.time)
+          : way_of_bit(stage, state.well, rock_velocity(model, state, forces, stage.bit.drilling_speed, bit_axis));
+  state.well.extend(stage.bit.bottom_known ? stage.bit.bottom_increment : Vector3d(stage.time * state.bit.rock_velocity),
+                    bit_axis);
 }
 
 }  // namespace drill_rig_sim

@@ -30,41 +30,32 @@ Vector3d across(const Vector3d& tangent, const Vector3d& v) noexcept
   return v - tangent * tangent.dot(v);
 }
 
-/// The part across a guide's hole of the direction to another's, `way` from it.
-Vector3d direction_across(const Guide& from, const Vector3d& way, double distance) noexcept
-{
-  return across(from.tangent, way / distance);
-}
-
-void find_guide(const Model& model, const State& state, const Stage& stage, std::size_t i, Guide& guide) noexcept
+void find_guide(const Model& model, const State& state, const Stage& stage, std::size_t i, GuideColumns& g) noexcept
 {
   const NodeState& node = state.nodes[i];
-  const MeshNode& mesh = model.mesh().nodes[i];
   const HoleWall hole = state.well.wall_at(node.md, node.segment);
-  guide.tangent = x_axis(node.orientation);
-  guide.centre = node.position - node.side;
-  guide.weight = guide.above = guide.below = guide.turn = Vector3d::Zero();
-  guide.friction = node.md > 0.0 ? hole.friction : 0.0;
-  guide.clearance = node.md > 0.0 ? std::max(0.0, hole.radius - mesh.bearing_radius) : 0.0;
-  guide.law = model.contact(static_cast<int>(i), hole.section, node.rest);
-  guide.held = guide.law.tangential_stiffness * node.bristle.y();
-  guide.mud_along = stage.immersed[i] * mesh.mud_along;
-  guide.mud_about = stage.immersed[i] * mesh.mud_about;
+  g.set_law(i, model.contact(static_cast<int>(i), hole.section, node.rest));
+  g.tangent.set(i, x_axis(node.orientation));
+  g.centre.set(i, node.position - node.side);
+  g.weight.set(i, 0.5 * (stage.load[i] + stage.load[i - 1]));
+  g.friction[i] = node.md > 0.0 ? hole.friction : 0.0;
+  g.clearance[i] = node.md > 0.0 ? std::max(0.0, hole.radius - g.bearing_radius[i]) : 0.0;
+  g.bristle.set(i, node.bristle.head<2>());
+  g.rest[i] = node.rest;
+  g.held[i] = g.stiffness[i] * node.bristle.y();
+  g.wet_along[i] = stage.immersed[i] * g.mud_along[i];
+  g.wet_about[i] = stage.immersed[i] * g.mud_about[i];
 }
 
-void find_span(const Model& model, const State& state, const Stage& stage, std::size_t e, Guide& lower, Guide& upper, GuidedSpan& span) noexcept
+void find_span(const State& state, const Stage& stage, std::size_t e, GuideColumns& g) noexcept
 {
-  const BeamSection& section = model.mesh().elements[e].section;
   const NodeState &below = state.nodes[e], &above = state.nodes[e + 1];
-  const Vector3d way = upper.centre - lower.centre;
+  const Vector3d way = g.centre[e + 1] - g.centre[e], tangent = g.tangent[e];
   const double chord = way.norm(), axis = below.md - above.md;
-  span.stretch = axis + (way + above.side - below.side).norm() - chord - section.length * (1.0 + stage.free_stretch[e]);
-  span.twist = state.spans[e].twist;
-  upper.turn = lower.turn = lower.tangent.cross(lower.tangent - upper.tangent) / axis;
-  lower.above = direction_across(lower, way, chord);
-  upper.below = direction_across(upper, -way, chord);
-  lower.weight += 0.5 * stage.load[e];
-  upper.weight += 0.5 * stage.load[e];
+  g.stretch[e] = axis + (way + above.side - below.side).norm() - chord - g.length[e] * (1.0 + stage.free_stretch[e]);
+  g.twist[e] = state.spans[e].twist;
+  g.direction.set(e, way / chord);
+  g.turn.set(e, tangent.cross(tangent - g.tangent[e + 1]) / axis);
 }
 
 /// Calls batch(kernel, run) for the runs of guided nodes if there is a batch kernel, else node(i) for each of them.
@@ -85,17 +76,18 @@ void each_guided(const Stage& stage, const Batch& batch, const Node& node)
 void find_run(const Model& model, const State& state, Stage& stage, Runs::Run run) noexcept
 {
   const std::size_t first = static_cast<std::size_t>(run.first), last = static_cast<std::size_t>(run.last);
-  for (std::size_t i = first; i < last; ++i) find_guide(model, state, stage, i, stage.guides[i]);
-  for (std::size_t e = first; e + 1 < last; ++e) find_span(model, state, stage, e, stage.guides[e], stage.guides[e + 1], stage.guided_spans[e]);
+  for (std::size_t i = first; i < last; ++i) find_guide(model, state, stage, i, stage.guides);
+  for (std::size_t e = first; e + 1 < last; ++e) find_span(state, stage, e, stage.guides);
+  close_run(stage, run);
 }
 
 void reduce(const Stage& stage, double* b) noexcept
 {
   each_guided(stage, [&](const GuidedKernel& by, Runs::Run run) { by.reduce(stage, run, b); }, [&](int i)
   {
-    const Guide& guide = stage.guides[static_cast<std::size_t>(i)];
+    const Vector3d tangent = stage.guides.tangent[i];
     double* at = b + 6 * i;
-    const double along = guide.tangent.dot(Eigen::Map<const Vector3d>(at)), about = guide.tangent.dot(Eigen::Map<const Vector3d>(at + 3));
+    const double along = tangent.dot(Eigen::Map<const Vector3d>(at)), about = tangent.dot(Eigen::Map<const Vector3d>(at + 3));
     at[0] = along;
     at[1] = about;
     at[2] = at[3] = at[4] = at[5] = 0.0;
@@ -106,24 +98,46 @@ void expand(const Stage& stage, double* b) noexcept
 {
   each_guided(stage, [&](const GuidedKernel& by, Runs::Run run) { by.expand(stage, run, b); }, [&](int i)
   {
-    const Guide& guide = stage.guides[static_cast<std::size_t>(i)];
+    const Vector3d tangent = stage.guides.tangent[i];
     double* at = b + 6 * i;
     const double along = at[0], about = at[1];
     Eigen::Map<Vector3d> place{at};
-    place = along * guide.tangent;
-    Eigen::Map<Vector3d>(at + 3) = along * guide.turn + about * guide.tangent;
+    place = along * tangent;
+    Eigen::Map<Vector3d>(at + 3) = along * stage.guides.turn[i] + about * tangent;
   });
 }
 
-/// The load turned by how far friction `around` the pipe [N] makes it climb: the wall's normal force N and F balance P on the side n = (N P + F t x P)/Q^2.
-Vector3d climbed(const Guide& guide, const Vector3d& push, double around) noexcept
+/// The load turned by how far friction `around` the pipe [N] makes it climb: the wall's normal force N and F balance P on the
+/// side n = (N P + F t x P)/Q^2.
+Vector3d climbed(const Vector3d& tangent, const Vector3d& push, double around) noexcept
 {
   const double square = push.squaredNorm();
   if (!(square > around * around)) return push;
-  return (std::sqrt(square - around * around) * push + around * guide.tangent.cross(push)) / std::sqrt(square);
+  return (std::sqrt(square - around * around) * push + around * tangent.cross(push)) / std::sqrt(square);
 }
 
 }  // namespace
+
+void GuideColumns::set_law(std::size_t i, const WallLaw& law) noexcept
+{
+  stribeck_speed[i] = law.stribeck_speed;
+  static_ratio[i] = law.static_ratio;
+  stiffness[i] = law.tangential_stiffness;
+  damping[i] = law.tangential_damping;
+}
+
+void close_run(Stage& stage, Runs::Run nodes) noexcept
+{
+  GuideColumns& g = stage.guides;
+  const int first = nodes.first, last = nodes.last - 1;
+  const Vector3d none = Vector3d::Zero();
+  const bool alone = first == last;
+  g.direction.set(first - 1, none);
+  g.direction.set(last, none);
+  g.weight.set(first, alone ? none : Vector3d(0.5 * stage.load[first]));
+  g.weight.set(last, alone ? none : Vector3d(0.5 * stage.load[last - 1]));
+  g.turn.set(last, alone ? none : g.turn[last - 1]);
+}
 
 /// Of the angles of a step n x t says it to their cube.
 Eigen::Quaterniond turned_to(const Vector3d& tangent, const Eigen::Quaterniond& q) noexcept
@@ -184,26 +198,26 @@ double guided_length(const State& state, std::size_t e) noexcept
 
 void prepare_guides(const Model& model, Stage& stage)
 {
-  for (std::size_t i = 0; i < stage.guides.size(); ++i)
+  for (std::size_t i = 0; i < model.mesh().nodes.size(); ++i)
   {
     const MeshNode& mesh = model.mesh().nodes[i];
     const RigidBody body = node_body(model, stage, static_cast<int>(i));
-    Guide& guide = stage.guides[i];
-    guide.mass = body.mass;
-    guide.spin_inertia = body.spin_inertia;
-    guide.lever = mesh.friction_radius > 0.0 ? mesh.friction_radius : mesh.bearing_radius;
-    guide.law = model.contact(static_cast<int>(i));
-    NumberColumns& columns = stage.guided_columns;
-    columns[guide_column::bearing_radius][i + 1] = mesh.bearing_radius;
-    columns[guide_column::mud_along][i + 1] = mesh.mud_along;
-    columns[guide_column::mud_about][i + 1] = mesh.mud_about;
+    GuideColumns& g = stage.guides;
+    g.mass[i] = body.mass;
+    g.spin_inertia[i] = body.spin_inertia;
+    g.lever[i] = mesh.friction_radius > 0.0 ? mesh.friction_radius : mesh.bearing_radius;
+    g.bearing_radius[i] = mesh.bearing_radius;
+    g.mud_along[i] = mesh.mud_along;
+    g.mud_about[i] = mesh.mud_about;
+    g.set_law(i, model.contact(static_cast<int>(i)));
   }
-  for (std::size_t e = 0; e < stage.guided_spans.size(); ++e)
+  for (std::size_t e = 0; e < model.mesh().elements.size(); ++e)
   {
     const BeamSection& section = model.mesh().elements[e].section;
-    stage.guided_spans[e].axial = section.axial / section.length;
-    stage.guided_spans[e].torsion = section.torsion;
-    stage.guided_columns[guide_column::length][e + 1] = section.length;
+    stage.guides.length[e] = section.length;
+    stage.guides.axial[e] = section.axial / section.length;
+    stage.guides.torsion[e] = section.torsion;
+    stage.guides.bending[e] = section.bending;
   }
 }
 
@@ -217,9 +231,8 @@ void find_guides(const Model& model, const State& state, Stage& stage) noexcept
   {
     const bool above = i + 1 < n && state.nodes[i + 1].guided;
     const int node = static_cast<int>(i);
-    Guide& guide = stage.guides[i];
-    guide.guided = here;
-    if (i + 1 < n) stage.guided_spans[i].guided = here && above;
+    stage.guides.guided[i] = here;
+    stage.free[node] = here ? 0.0 : 1.0;
     if (here)
     {
       stage.guided_nodes.add(node);
@@ -255,36 +268,52 @@ void solve_increment_again(const Stage& stage, const BlockTridiagonal& tangent, 
   expand(stage, b);
 }
 
+void expand_motion(const Stage& stage, int i, Workspace& work) noexcept
+{
+  const Vector3d tangent = stage.guides.tangent[i], turn = stage.guides.turn[i];
+  const GuidedMotions& m = work.guided;
+  NodeMotion& node = work.nodes[static_cast<std::size_t>(i)];
+  const auto to_six = [&](double along, double about, Vector6d& out) { out << along * tangent, along * turn + about * tangent; };
+  node.axis = tangent;
+  node.spin = m.about[i];
+  node.carried_spin = m.about_rate[i];
+  node.tilt = m.along[i] * turn;
+  node.normal = tangent + node.tilt.cross(tangent);
+  to_six(m.along[i], m.about[i], node.increment);
+  to_six(m.along_rate[i], m.about_rate[i], node.rate);
+  to_six(m.along_acceleration[i], m.about_acceleration[i], node.acceleration);
+}
+
 void expand_motions(const Stage& stage, Workspace& work) noexcept
 {
   if (!stage.any_guided) return;
   const auto expand_one = [&](std::size_t i)
   {
-    if (stage.guides[i].guided && !work.motion_known[i]) expand_motion(stage.guides[i], work.guided[i], work.nodes[i]);
+    if (stage.guides.guided[i] && !work.motion_known[i]) expand_motion(stage, static_cast<int>(i), work);
   };
   if (!stage.guided_kernel)
   {
-    for (std::size_t i = 0; i < stage.guides.size(); ++i) expand_one(i);
+    for (std::size_t i = 0; i < work.nodes.size(); ++i) expand_one(i);
     return;
   }
   each_clear_run(stage.inner_nodes, [&](int i) { return work.motion_known[static_cast<std::size_t>(i)] != 0; },
                  [&](Runs::Run run) { stage.guided_kernel->expand_motions(stage, work, run); });
-  each_outside(stage.inner_nodes, static_cast<int>(stage.guides.size()), [&](int i) { expand_one(static_cast<std::size_t>(i)); });
+  each_outside(stage.inner_nodes, static_cast<int>(work.nodes.size()), [&](int i) { expand_one(static_cast<std::size_t>(i)); });
 }
 
 namespace
 {
 void commit_node(const Stage& stage, const Workspace& work, double follows, std::size_t i, State& state) noexcept
 {
-  const Guide& guide = stage.guides[i];
+  const Guide guide = stage.guides[i];
   NodeState& node = state.nodes[i];
-  const GuidedMotion& motion = work.guided[i];
-  const Vector3d load = climbed(guide, motion.lean, motion.around);
+  const GuidedMotions& m = work.guided;
+  const Vector3d load = climbed(guide.tangent, m.lean[i], m.around[i]);
   node.side += follows * ((guide.clearance / (pressed + load.norm())) * load - node.side);
-  node.md += motion.along;
-  node.spin_angle += motion.about;
-  node.rate = {motion.along_rate * guide.tangent, motion.along_rate * guide.turn, motion.about_rate};
-  node.orientation = rotation_from_vector(motion.about * guide.tangent) * node.orientation;
+  node.md += m.along[i];
+  node.spin_angle += m.about[i];
+  node.rate = {m.along_rate[i] * guide.tangent, m.along_rate[i] * guide.turn, m.about_rate[i]};
+  node.orientation = rotation_from_vector(m.about[i] * guide.tangent) * node.orientation;
   place(state, node);
   for (HeldNode* held : {&state.stuck_point, &state.slips})
     if (static_cast<int>(i) == held->node) keep_beside(node, x_axis(node.orientation), *held);
@@ -297,7 +326,7 @@ void commit_guided(const Stage& stage, const Workspace& work, State& state) noex
   const double follows = stage.sides_stay ? 0.0 : stage.time > 0.0 ? -std::expm1(-stage.time / kSettles) : kAtOnce;
   const auto commit_one = [&](int i)
   {
-    if (stage.guides[static_cast<std::size_t>(i)].guided) commit_node(stage, work, follows, static_cast<std::size_t>(i), state);
+    if (stage.guides.guided[static_cast<std::size_t>(i)]) commit_node(stage, work, follows, static_cast<std::size_t>(i), state);
   };
   if (stage.guided_step_kernel)
   {
@@ -308,7 +337,7 @@ void commit_guided(const Stage& stage, const Workspace& work, State& state) noex
     for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i) commit_one(i);
   for (const Runs::Run& run : stage.guided_elements)
     for (std::size_t e = static_cast<std::size_t>(run.first); e < static_cast<std::size_t>(run.last); ++e)
-      state.spans[e].twist += work.guided[e].about - work.guided[e + 1].about;
+      state.spans[e].twist += work.guided.about[e] - work.guided.about[e + 1];
 }
 
 }  // namespace drill_rig_sim

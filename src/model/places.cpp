@@ -12,8 +12,8 @@ using Eigen::Vector3d;
 
 namespace
 {
-/// The middle of element e: from where the cubic had it at the start of the step, by the ends' increments. Its arms stay those of the
-/// start; what that leaves out of a tilt, half its square, points along the pipe.
+/// The middle of element e: from where the cubic had it at the start of the step, by the ends' increments. Its arms stay those of
+/// the start; what that leaves out of a tilt, half its square, points along the pipe.
 void move_span(const Model& model, const State& start, const Stage& stage, int e, Workspace& work) noexcept
 {
   const MeshElement& element = model.mesh().elements[e];
@@ -29,31 +29,27 @@ void move_span(const Model& model, const State& start, const Stage& stage, int e
     span.position += arm * (x_axis(leaning(start.nodes[e + 1].orientation, stage.lean)) - stage.normal[e + 1]);
 }
 
-const double* numbers_of(const HoleSegment* segment) noexcept
-{
-  static_assert(sizeof(HoleSegment) == 23 * sizeof(double), "numbers without a gap");
-  return segment ? segment->c0.data() : nullptr;
-}
-
 /// Whom a search by the batch kernel is about: nodes or elements outside `guided`.
 struct Search
 {
   const Runs& guided;
   int count;
-  PlaceTask task;  ///< but for first and last
+  PlaceTask task;
   const std::vector<unsigned char>& singly;
   std::vector<int>& hints;  ///< segments at the start of their last searches
+  HoleColumns& hole;
 };
 
-/// Clear is who has not gone far since he was found clear; of the others those are searched in batches that are beside a smooth segment, and what then
-/// is left, unless it is in the mast, by one(k). For the rest found(k, segment, touches). `hint_of(k)`: the segment at the start of the step;
-/// `point_of(k)`: where he is.
-template <class Hint, class Point, class One, class Found>
-void search(const Wellbore& well, const Search& who, Workspace& work, Hint&& hint_of, Point&& point_of, One&& one, Found&& found) noexcept
+/// Clear is who has not gone far since he was found clear; of the others those are searched in batches that are beside a smooth
+/// segment, and what then is left, unless it is in the mast, by one(k). For the rest found(k, segment, touches). `hint_of(k)`:
+/// the segment at the start of the step; `point_of(k)`: where he is.
+template <class Find, class Hint, class Point, class One, class Found>
+void search(const Wellbore& well, const Search& who, Workspace& work, Find&& find, Hint&& hint_of, Point&& point_of, One&& one,
+            Found&& found) noexcept
 {
   StringColumns& columns = work.columns;
   PlaceTask task = who.task;
-  const auto each_run = [&](void (*batch)(const PlaceTask&) noexcept)
+  const auto each_run = [&](const auto& batch)
   {
     each_between(who.guided, who.count, [&](int first, int last)
     {
@@ -66,30 +62,35 @@ void search(const Wellbore& well, const Search& who, Workspace& work, Hint&& hin
   each_outside(who.guided, who.count, [&](int k)
   {
     const int hint = hint_of(k);
-    columns.segments[k] = nullptr;
+    columns.beside[k] = 0;
     if (columns.places[k] == Place::clear && who.hints[k] == hint) return;
     columns.places[k] = Place::search;
     who.hints[k] = hint;
-    if (!who.singly[k]) columns.segments[k] = numbers_of(well.smooth_segment(hint, point_of(k)));
+    const HoleSegment* segment = who.singly[k] ? nullptr : well.smooth_segment(hint, point_of(k));
+    if (!segment) return;
+    who.hole.hold(static_cast<std::size_t>(k), segment);
+    columns.beside[k] = 1;
   });
-  each_run(work.place->find);
-  const double* radius = (*task.columns)[task.radius];
+  each_run(find);
   each_outside(who.guided, who.count, [&](int k)
   {
-    const bool in_mast = who.hints[k] == 0 && clear_in_mast(well, point_of(k), radius[k]);
+    const bool in_mast = who.hints[k] == 0 && clear_in_mast(well, point_of(k), task.radius[k]);
     if (columns.places[k] == Place::search && !in_mast) return one(k);
     found(k, who.hints[k], columns.places[k] == Place::touches);
   });
 }
 
-/// find_closest() of all free nodes by the batch kernel. One by one: gauge and blades, whose film of mud wants to know the hole even where they are
-/// clear of it, and what the kernel leaves.
+/// find_closest() of all free nodes by the batch kernel. One by one: gauge and blades, whose film of mud wants to know the hole
+/// even where they are clear of it, and what the kernel leaves.
 void find_nodes(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
 {
   StringColumns& columns = work.columns;
-  const PlaceTask task{0, 0, &columns.nodes, node_column::position, node_column::contact_radius, node_column::searched, node_column::room,
-                       columns.segments.data(), &work.nodes[0].closest, sizeof(NodeMotion), columns.places.data()};
-  search(start.well, {stage.guided_nodes, model.nodes(), task, columns.single_nodes, columns.node_hints}, work,
+  NodeColumns& nodes = columns.nodes;
+  HoleColumns& hole = columns.node_holes;
+  const PlaceTask task{0,          0,    nodes.position,        nodes.contact_radius, nodes.searched,
+                       nodes.room, hole, columns.beside.data(), columns.places.data()};
+  search(start.well, {stage.guided_nodes, model.nodes(), task, columns.single_nodes, columns.node_hints, hole}, work,
+         [&](const PlaceTask& all) { work.place->find_nodes(all, work.nodes.data()); },
          [&](int i) { return start.nodes[i].segment; },
          [&](int i) -> const Vector3d& { return work.nodes[i].position; },
          [&](int i) { find_closest(model, start, i, work.nodes[i]); },
@@ -104,13 +105,16 @@ void find_nodes(const Model& model, const State& start, const Stage& stage, Work
 void find_spans(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept
 {
   StringColumns& columns = work.columns;
-  const double *x = columns.elements[element_column::middle], *y = columns.elements[element_column::middle + 1], *z = columns.elements[element_column::middle + 2];
-  each_between(stage.guided_elements, model.elements(), [&](int first, int last) { work.place->find_middles({first, last, &columns.nodes, &columns.elements}); });
-  const PlaceTask task{0, 0, &columns.elements, element_column::middle, element_column::radius, element_column::searched, element_column::room,
-                       columns.segments.data(), &work.spans[0].closest, sizeof(SpanMotion), columns.places.data()};
-  search(start.well, {stage.guided_elements, model.elements(), task, columns.single_elements, columns.element_hints}, work,
+  ElementColumns& elements = columns.elements;
+  each_between(stage.guided_elements, model.elements(),
+               [&](int first, int last) { work.place->find_middles(first, last, columns.nodes, elements); });
+  HoleColumns& hole = columns.element_holes;
+  const PlaceTask task{0,             0,    elements.middle,       elements.radius, elements.searched,
+                       elements.room, hole, columns.beside.data(), columns.places.data()};
+  search(start.well, {stage.guided_elements, model.elements(), task, columns.single_elements, columns.element_hints, hole}, work,
+         [&](const PlaceTask& all) { work.place->find_spans(all, work.spans.data()); },
          [&](int e) { return start.spans[e].segment; },
-         [&](int e) { return Vector3d(x[e], y[e], z[e]); },
+         [&](int e) { return elements.middle[e]; },
          [&](int e) { find_span(model, start, stage, e, work); },
          [&](int e, int segment, bool touches)
          {
@@ -125,9 +129,10 @@ void forget_other_hole(const Wellbore& well, StringColumns& columns) noexcept
 {
   if (columns.hole == well.version()) return;
   columns.hole = well.version();
-  double *nodes = columns.nodes[node_column::room], *elements = columns.elements[element_column::room];
-  std::fill(nodes, nodes + columns.node_hints.size(), 0.0);
-  std::fill(elements, elements + columns.element_hints.size(), 0.0);
+  for (std::size_t i = 0; i < columns.node_hints.size(); ++i) columns.nodes.room[i] = 0.0;
+  for (std::size_t e = 0; e < columns.element_hints.size(); ++e) columns.elements.room[e] = 0.0;
+  for (HoleColumns* hole : {&columns.node_holes, &columns.element_holes})
+    std::fill(hole->held.begin(), hole->held.end(), nullptr);
 }
 }  // namespace
 

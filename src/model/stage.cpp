@@ -34,19 +34,19 @@ void take_pressures(const Model& model, const State& state, Stage& stage) noexce
   const MudCircuit& mud = model.mud();
   const MudPressures pressures = mud_pressures(mud, state.hydraulics, state.flow);
   const bool pumped = pressures.any();
-  for (std::size_t e = 0; e < stage.load.size(); ++e)
+  for (std::size_t e = 0; e < state.spans.size(); ++e)
   {
-    Vector3d& load = stage.load[e];
-    load.x() = load.y() = 0.0;
     stage.free_stretch[e] = state.spans[e].free_stretch;
     if (!pumped) continue;
-    stage.free_stretch[e] += mud.stretch_by_bore[e] * pressures.in_bore(mud, e) + mud.stretch_by_annulus[e] * pressures.in_annulus(mud, e);
+    stage.free_stretch[e] +=
+        mud.stretch_by_bore[e] * pressures.in_bore(mud, e) + mud.stretch_by_annulus[e] * pressures.in_annulus(mud, e);
     const double lift = mud.lift[e] * (pressures.annulus - stage.drags[0].pressure);
-    if (lift != 0.0) load += lift * up_along(state, e);
+    if (lift != 0.0) stage.load.set(e, stage.load[e] + lift * up_along(state, e));
   }
   if (stage.drags[0].pressure <= 0.0) return;
   const std::size_t packed = static_cast<std::size_t>(std::min(stage.drags[0].node, model.elements() - 1));
-  stage.load[packed] += stage.drags[0].pressure * model.mesh().elements[packed].outer_area * up_along(state, packed);
+  const double lift = stage.drags[0].pressure * model.mesh().elements[packed].outer_area;
+  stage.load.set(packed, stage.load[packed] + lift * up_along(state, packed));
 }
 
 /// What the state says of the step that starts from it.
@@ -57,10 +57,15 @@ void take_start(const Model& model, const State& state, Stage& stage) noexcept
   {
     stage.normal[i] = x_axis(state.nodes[i].orientation);
     stage.immersed[i] = state.nodes[i].position.z() < 0.0 ? 1.0 : 0.0;
-    stage.added_mass[i] = stage.immersed[i] > 0.0 && !state.nodes[i].guided ? mud_mass(model.mesh().nodes[i], state.nodes[i], state.well, bore_top) : 0.0;
+    stage.added_mass[i] = stage.immersed[i] > 0.0 && !state.nodes[i].guided
+                              ? mud_mass(model.mesh().nodes[i], state.nodes[i], state.well, bore_top)
+                              : 0.0;
   }
-  for (std::size_t e = 0; e < stage.load.size(); ++e)
-    stage.load[e].z() = -model.element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z(), bore_top);
+  for (std::size_t e = 0; e < state.spans.size(); ++e)
+  {
+    const double low = state.nodes[e].position.z(), high = state.nodes[e + 1].position.z();
+    stage.load.set(e, Vector3d(0.0, 0.0, -model.element_weight(static_cast<int>(e), low, high, bore_top)));
+  }
   find_drags(model, state, stage);
   take_pressures(model, state, stage);
   find_guides(model, state, stage);
@@ -71,19 +76,14 @@ Stage::Stage(const Model& model)
   : rate(model.mesh().nodes.size(), Vector6d::Zero()),
     acceleration(rate),
     normal(rate.size(), -Vector3d::UnitZ()),
-    immersed(rate.size(), 0.0),
-    added_mass(rate.size(), 0.0),
-    load(model.mesh().elements.size(), Vector3d::Zero()),
-    free_stretch(load.size(), 0.0),
     guides(rate.size()),
-    guided_spans(load.size()),
     guided_kernel(drill_rig_sim::guided_kernel(model.kernel())),
     guided_step_kernel(drill_rig_sim::guided_step_kernel(model.kernel())),
     guided_nodes(rate.size()),
-    guided_elements(load.size()),
-    guided_columns(guide_column::count, model.nodes() + 1),
+    guided_elements(model.mesh().elements.size()),
     inner_nodes(rate.size())
 {
+  ColumnSizes::resize(*this, rate.size());
   prepare_guides(model, *this);
 }
 

@@ -55,11 +55,10 @@ void put_faults_on_guides(const State& state, Stage& stage) noexcept
   for (const Runs::Run& run : stage.guided_nodes)
     for (int k = run.first; k < run.last; ++k)
     {
-      Guide& guide = stage.guides[static_cast<std::size_t>(k)];
       const double md = state.nodes[static_cast<std::size_t>(k)].md;
       if (md <= 0.0) continue;
-      guide.friction *= friction_factor(state.faults, md);
-      guide.clearance += wash_out(state.faults, md).radius;
+      stage.guides.friction[k] *= friction_factor(state.faults, md);
+      stage.guides.clearance[k] += wash_out(state.faults, md).radius;
     }
 }
 

@@ -36,8 +36,10 @@ StringWatch::StringWatch(const Model& model)
     const PartSpec& part = model.scene().string[static_cast<std::size_t>(mesh.elements[e].part)];
     const BeamSection& section = mesh.elements[e].section;
     const double bending = 2.0 * section.bending / (part.young_modulus * part.outer_diameter);  // I over the outer radius
-    strength_.push_back({section.axial / part.young_modulus, bending, 2.0 * bending, part.yield_strength, part.make_up_torque,
-                         mesh.middle(e), vertical_buckling_load(model, e)});
+    const double yield = part.yield_strength, area = section.axial / part.young_modulus;
+    strength_.push_back({1.0 / (area * yield), 1.0 / (bending * yield), std::sqrt(3.0) / (2.0 * bending * yield),
+                         part.make_up_torque > 0.0 ? 1.0 / part.make_up_torque : 0.0, mesh.middle(e),
+                         vertical_buckling_load(model, e)});
   }
 }
 
@@ -47,14 +49,17 @@ double buckling_share(const Model& model, const State& state, std::size_t e, dou
   const NodeState &lower = state.nodes[e], &upper = state.nodes[e + 1];
   if (tension >= 0.0 || upper.position.z() > 0.0) return 0.0;
   const double stiffness = element.section.bending;
-  const double weight = model.element_weight(static_cast<int>(e), lower.position.z(), upper.position.z(), state.hydraulics.bore_top) / element.section.length;
+  const double weight =
+      model.element_weight(static_cast<int>(e), lower.position.z(), upper.position.z(), state.hydraulics.bore_top) /
+      element.section.length;
   if (element.linear_mass <= 0.0) return 0.0;  // within the bit's own length
   const double clearance = state.well.radius_near(lower.position, lower.segment) - 0.5 * element.outer_diameter;
   if (clearance <= 0.0) return 0.0;
   const Vector3d way = upper.position - lower.position;
   const double length = way.norm();
   const Vector3d up = way / length;
-  const Vector3d bend = (state.well.tangent_near(lower.position, lower.segment) - state.well.tangent_near(upper.position, upper.segment)) / length;
+  const Vector3d bend =
+      (state.well.tangent_near(lower.position, lower.segment) - state.well.tangent_near(upper.position, upper.segment)) / length;
   const Vector3d pressed = weight * (up * up.z() - Vector3d::UnitZ()) + tension * bend;  // against the wall [N/m]
   const double lying = 2.0 * std::sqrt(stiffness * pressed.norm() / clearance);
   const double hanging_cubed = hanging * hanging * hanging * stiffness * weight * weight;
@@ -83,12 +88,15 @@ StringLoads StringWatch::look(const Model& model, const State& state, const RigF
   for (std::size_t e = 0; e < strength_.size(); ++e)
   {
     const Strength& s = strength_[e];
-    const double tension = forces.tension[e], torque = std::abs(forces.torque[e]);
-    const double axial = std::abs(tension) / s.area + std::max(forces.bending_moment[e], forces.bending_moment[e + 1]) / s.bending;
-    take(std::sqrt(axial * axial + 3.0 * std::pow(torque / s.torsion, 2)) / s.yield, s.from_bit, out.stress);
-    if (s.make_up > 0.0) take(torque / s.make_up, s.from_bit, out.torque);
-    if (tension < 0.0 && -tension > out.buckling.share * s.least_buckling) take(buckling_share(model, state, e, tension), s.from_bit, out.buckling);
+    const double tension = forces.tension[e], torque = std::abs(forces.torque[e]), shear = s.by_torque * torque;
+    const double axial =
+        s.by_tension * std::abs(tension) + s.by_moment * std::max(forces.bending_moment[e], forces.bending_moment[e + 1]);
+    take(axial * axial + shear * shear, s.from_bit, out.stress);
+    take(s.by_make_up * torque, s.from_bit, out.torque);
+    if (tension < 0.0 && -tension > out.buckling.share * s.least_buckling)
+      take(buckling_share(model, state, e, tension), s.from_bit, out.buckling);
   }
+  out.stress.share = std::sqrt(out.stress.share);
   return out;
 }
 

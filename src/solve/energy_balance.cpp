@@ -24,7 +24,11 @@ const std::vector<double>& force_of(const EnergySample& sample, NodeForce kind) 
 }  // namespace
 
 EnergyBalance::EnergyBalance(std::shared_ptr<const Model> model)
-  : model_(std::move(model)), stage_(*model_), work_(*model_), no_increment_(6 * model_->nodes(), 0.0), pressure_(model_->mesh().elements.size(), 0.0)
+    : model_(std::move(model)),
+      stage_(*model_),
+      work_(*model_),
+      no_increment_(6 * model_->nodes(), 0.0),
+      pressure_(model_->mesh().elements.size(), 0.0)
 {
   loads_before_.resize(pressure_.size());
   loads_ = loads_before_;
@@ -83,8 +87,8 @@ void EnergyBalance::begin_accounts() noexcept
   goes_on_ = false;
 }
 
-/// What the beams lost between the steps for another reason than the pump's pressure: guided pipe changes the side on which it lies, and kinds
-/// of nodes change. Their energy at the pressures of the step before tells it from what the pressure does.
+/// What the beams lost between the steps for another reason than the pump's pressure: guided pipe changes the side on which it
+/// lies, and kinds of nodes change. Their energy at the pressures of the step before tells it from what the pressure does.
 void EnergyBalance::find_reshaped(const State& state) noexcept
 {
   reshaped_ = 0.0;
@@ -94,7 +98,7 @@ void EnergyBalance::find_reshaped(const State& state) noexcept
   {
     const double more = pressure_[e] - by_pressure(e);
     stage_.free_stretch[e] += more;
-    stage_.guided_spans[e].stretch -= more * model_->mesh().elements[e].section.length;
+    stage_.guides.stretch[e] -= more * model_->mesh().elements[e].section.length;
   }
   reshaped_ = accounts_.last.beams - stored_energy(*model_, state, stage_, no_increment_.data(), work_).beams;
 }
@@ -103,7 +107,8 @@ void EnergyBalance::find_loads(const State& state) noexcept
 {
   for (std::size_t e = 0; e < loads_.size(); ++e)
   {
-    const double weight = model_->element_weight(static_cast<int>(e), state.nodes[e].position.z(), state.nodes[e + 1].position.z(), state.hydraulics.bore_top);
+    const double weight = model_->element_weight(static_cast<int>(e), state.nodes[e].position.z(),
+                                                 state.nodes[e + 1].position.z(), state.hydraulics.bore_top);
     loads_[e] = {weight, stage_.load[e] + weight * Eigen::Vector3d::UnitZ()};
   }
 }
@@ -159,7 +164,8 @@ void EnergyBalance::count_from_last_part() noexcept
 void EnergyBalance::book_jump() noexcept
 {
   const StoredEnergy &end = accounts_.last, &start = start_;
-  const double contact = end.wall + end.bottom - start.wall - start.bottom + reshaped_, stuck = end.stuck_point - start.stuck_point;
+  const double contact = end.wall + end.bottom - start.wall - start.bottom + reshaped_,
+               stuck = end.stuck_point - start.stuck_point;
   const double translation = end.kinetic - start.kinetic;
   const double stretched = end.beams - start.beams - reshaped_;  // by the pump's pressure, which changes between steps
   // between steps hole and mud motor move on, and with them the limits of friction: bristles beyond them slip
@@ -170,8 +176,8 @@ void EnergyBalance::book_jump() noexcept
   accounts_.stuck_point_released += stuck;
   accounts_.added_mass += translation;
   accounts_.pump -= stretched;
-  accounts_.of_rebasing +=
-      end.kinetic_all() + end.elastic_all() - start.kinetic_all() - start.elastic_all() - contact - stuck - translation - stretched - slip - bit_slip;
+  accounts_.of_rebasing += end.kinetic_all() + end.elastic_all() - start.kinetic_all() - start.elastic_all() - contact - stuck -
+                           translation - stretched - slip - bit_slip;
 }
 
 /// Mean force times mean rate times time.
@@ -230,9 +236,13 @@ void EnergyBalance::book_inputs() noexcept
   accounts_.drive += h * mean(before_.drive_torque, after_.drive_torque) * mean(before_.rotor_speed, after_.rotor_speed);
   const std::size_t lift = after_.rate.size() - 4;  // of the block, z of the last node
   const double floor_speed = mean(before_.floor_speed, after_.floor_speed);
-  const double block_speed = mean(before_.rate[lift], after_.rate[lift]) - floor_speed, winch_speed = mean(before_.winch_speed, after_.winch_speed);
-  const double damper = h * mean(before_.line_damping, after_.line_damping), resistance = h * mean(before_.block_resistance, after_.block_resistance);
-  accounts_.heave += (h * mean(before_.hook_force + before_.slips_force, after_.hook_force + after_.slips_force) + damper + resistance) * floor_speed;
+  const double block_speed = mean(before_.rate[lift], after_.rate[lift]) - floor_speed,
+               winch_speed = mean(before_.winch_speed, after_.winch_speed);
+  const double damper = h * mean(before_.line_damping, after_.line_damping),
+               resistance = h * mean(before_.block_resistance, after_.block_resistance);
+  accounts_.heave +=
+      (h * mean(before_.hook_force + before_.slips_force, after_.hook_force + after_.slips_force) + damper + resistance) *
+      floor_speed;
   accounts_.winch += damper * winch_speed;
   accounts_.block -= resistance * block_speed + damper * (block_speed - winch_speed) + after_.stored.block - start_.block;
   accounts_.gearbox -= h * mean(before_.gear_friction, after_.gear_friction) * mean(before_.rotor_speed, after_.rotor_speed) +
@@ -254,16 +264,19 @@ void EnergyBalance::book_dissipation() noexcept
   accounts_.wall_damping += work_in_time(NodeForce::wall_damping);
   accounts_.ledge += work_in_time(NodeForce::ledge);
   // the bit's gauge turns with the motor
-  accounts_.wall_friction += work_in_time(NodeForce::friction) + h * mean(before_.gauge_torque, after_.gauge_torque) * after_.motor_speed +
-                             start_.bristles - after_.stored.bristles;
+  accounts_.wall_friction += work_in_time(NodeForce::friction) +
+                             h * mean(before_.gauge_torque, after_.gauge_torque) * after_.motor_speed + start_.bristles -
+                             after_.stored.bristles;
 
   const Eigen::Map<const Eigen::Vector3d> v(before_.rate.data()), w(after_.rate.data());
   accounts_.bottom_damping += 0.25 * h * (before_.bottom_damping + after_.bottom_damping).dot(v + w) -
                               h * mean(before_.bottom_damped, after_.bottom_damped) * mean(before_.rock_speed, after_.rock_speed);
-  accounts_.rock_thrust += h * mean(before_.bottom_elastic + before_.bottom_damped, after_.bottom_elastic + after_.bottom_damped) *
+  accounts_.rock_thrust += h *
+                           mean(before_.bottom_elastic + before_.bottom_damped, after_.bottom_elastic + after_.bottom_damped) *
                            mean(before_.rock_speed, after_.rock_speed);
   // the motor's speed is constant within a step
-  const double bit_speed = mean(before_.bit_speed - before_.motor_speed, after_.bit_speed - after_.motor_speed) + after_.motor_speed;
+  const double bit_speed =
+      mean(before_.bit_speed - before_.motor_speed, after_.bit_speed - after_.motor_speed) + after_.motor_speed;
   accounts_.rock_torque +=
       h * mean(before_.bit_torque, after_.bit_torque) * bit_speed + start_.bit_bristle - after_.stored.bit_bristle;
 }
@@ -271,7 +284,8 @@ void EnergyBalance::book_dissipation() noexcept
 void EnergyBalance::book_numerical() noexcept
 {
   const StoredEnergy &start = start_, &end = after_.stored;
-  accounts_.of_inertia += work_along(NodeForce::inertia) + mean(before_.rotor_inertia, after_.rotor_inertia) * after_.rotor_increment -
+  accounts_.of_inertia += work_along(NodeForce::inertia) +
+                          mean(before_.rotor_inertia, after_.rotor_inertia) * after_.rotor_increment -
                           (end.kinetic_all() - start.kinetic_all());
   accounts_.of_beams += work_along(NodeForce::beams) + work_at_pivot(&ShaftSample::elastic) - (end.beams - start.beams);
   accounts_.of_residual -= work_along(NodeForce::unsolved);
@@ -280,7 +294,8 @@ void EnergyBalance::book_numerical() noexcept
   accounts_.of_contact += work_along(NodeForce::wall) - (end.wall - start.wall) +
                           0.5 * (before_.bottom + after_.bottom).dot(bit_increment) -
                           mean(before_.bottom_elastic, after_.bottom_elastic) * after_.rock_advance - (end.bottom - start.bottom);
-  accounts_.of_contact += work_along(NodeForce::stuck_point) + mean(before_.slips_force, after_.slips_force) * after_.floor_moved -
+  accounts_.of_contact += work_along(NodeForce::stuck_point) +
+                          mean(before_.slips_force, after_.slips_force) * after_.floor_moved -
                           (end.stuck_point - start.stuck_point);
 
   const double lift = after_.increment[after_.increment.size() - 4] - after_.floor_moved;  // of the block, z of the last node

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/string/wave_impedance.h"
 
@@ -45,7 +46,9 @@ double allowed_over(unsigned needs, unsigned those) noexcept
 }  // namespace
 
 StepControl::StepControl(const Model& model)
-  : tolerance_(model.scene().numerics.tolerance / std::pow(model.scene().numerics.refinement, steps_by_tolerance)), resolved_(std::max(1.0, seen / tolerance_)), life_(model)
+    : tolerance_(model.scene().numerics.tolerance / std::pow(model.scene().numerics.refinement, steps_by_tolerance)),
+      resolved_(std::max(1.0, seen / tolerance_)),
+      life_(model)
 {
   if (model.motor() && model.motor()->bend != 0.0) shaking_ = 3.0;
   if (model.motor()) flow_that_settles_ = settled_flow * model.mud().circuit.nominal_flow;
@@ -72,7 +75,8 @@ StepControl::StepControl(const Model& model)
 StepControl::Waves StepControl::allowed(const State& state) const noexcept
 {
   const WaveLives life = life_.now(state);
-  return {allowed_.along * share_of_tolerance(slowest_.along, life.along), allowed_.about * share_of_tolerance(slowest_.about, life.about)};
+  return {allowed_.along * share_of_tolerance(slowest_.along, life.along),
+          allowed_.about * share_of_tolerance(slowest_.about, life.about)};
 }
 
 /// Times the step [s].
@@ -82,10 +86,11 @@ StepControl::Waves StepControl::output_error(const State& start, const Workspace
   const RigForces& forces = work.result.forces;
   const double force = scale(memory.hook_load, forces.hook_load, resolved_ * least_force);
   const double torque = scale(memory.torque, forces.meter_torque, resolved_ * least_torque);
-  const double bit_speed = scale(memory.bit_speed, forces.bit_speed, resolved_ * least_speed), turning = std::max(bit_speed, turning_speed);
+  const double bit_speed = scale(memory.bit_speed, forces.bit_speed, resolved_ * least_speed),
+               turning = std::max(bit_speed, turning_speed);
   const auto parts_of = [&](std::size_t i)
   {
-    const Eigen::Vector3d& axis = work.nodes[i].axis;
+    const Eigen::Vector3d axis = x_axis(start.nodes[i].orientation);
     const Eigen::Map<const Vector6d> e(error + 6 * i);
     return std::pair<double, double>{std::abs(e.head<3>().dot(axis)), std::abs(e.tail<3>().dot(axis))};
   };
@@ -99,7 +104,8 @@ StepControl::Waves StepControl::output_error(const State& start, const Workspace
   }
   Waves out{peak_along * std::sqrt(squares.along), peak_about * std::sqrt(squares.about)};
   const auto [path, turn] = parts_of(0);
-  if (forces.wob > 0.0) out.along = std::max(out.along, along_[0] * path / scale(memory.wob, forces.wob, resolved_ * least_force));
+  if (forces.wob > 0.0)
+    out.along = std::max(out.along, along_[0] * path / scale(memory.wob, forces.wob, resolved_ * least_force));
   out.about = std::max(out.about, turn / bit_speed);
   return out;
 }
@@ -120,8 +126,10 @@ double StepControl::longest(const State& state) const noexcept
 {
   const double turning = std::abs(state.nodes[0].rate.spin), of_bit = std::abs(state.nodes[0].rate.spin + state.bit.motor_speed);
   double step = longest_step;
-  if (shaking_ * turning > 0.0) step = std::min(step, std::cbrt(4.0 * most_damping * tolerance_ / std::pow(shaking_ * turning, 4)));
-  if (flow_that_settles_ > 0.0 && std::abs(state.hydraulics.pump_flow - state.flow) > flow_that_settles_) step = std::min(step, with_the_flow * tolerance_);
+  if (shaking_ * turning > 0.0)
+    step = std::min(step, std::cbrt(4.0 * most_damping * tolerance_ / std::pow(shaking_ * turning, 4)));
+  if (flow_that_settles_ > 0.0 && std::abs(state.hydraulics.pump_flow - state.flow) > flow_that_settles_)
+    step = std::min(step, with_the_flow * tolerance_);
   if (blades_ * of_bit > 0.0) step = std::min(step, 2.0 * pi / (steps_a_blade * blades_ * of_bit));
   return std::max(step, shortest_step);
 }

@@ -62,7 +62,8 @@ bool Stepper::take_one_step(State& state, double step, const Setpoints& setpoint
 }
 
 /// Also says how long the next attempt should be. The mud goes by these steps too.
-StepResult Stepper::attempt_by_control(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept
+StepResult Stepper::attempt_by_control(State& state, double step, const Setpoints& setpoints, int& budget,
+                                       bool may_refine) noexcept
 {
   const double flow = state.flow;
   const HydraulicState hydraulics = state.hydraulics;
@@ -85,8 +86,8 @@ StepResult Stepper::attempt_by_control(State& state, double step, const Setpoint
   return outcome;
 }
 
-/// A step that fails is repeated shorter. The work is bounded: steps are no shorter than what is left of it allows, and when half of it is done errors
-/// are no reason to repeat any more.
+/// A step that fails is repeated shorter. The work is bounded: steps are no shorter than what is left of it allows, and when half
+/// of it is done errors are no reason to repeat any more.
 bool Stepper::advance_by_control(State& state, double duration, const Setpoints& setpoints) noexcept
 {
   if (state.step.wanted <= 0.0) state.step.wanted = first_step;
@@ -136,7 +137,7 @@ StepResult Stepper::attempt(State& state, double step, const Setpoints& setpoint
   else if (method_.refines && may_refine && error_estimate_ > largest_local_error)
     return StepResult::error_test_failed;
   close_books(state, stage_, u_.data());
-  remember_last_rate(work_, state);
+  remember_last_rate(stage_, work_, state);
   if (method_.remember) method_.remember(context, state.memory);
   state.memory.last_step = step;
   commit(stage_, work_, state);

@@ -2,7 +2,13 @@
 #include <cmath>
 #include <limits>
 
+#include "drill_rig_sim/math/one_lane.h"
 #include "drill_rig_sim/well/wellbore.h"
+
+namespace drill_rig_sim::one_lane
+{
+#include "drill_rig_sim/well/locate_text.h"
+}  // namespace drill_rig_sim::one_lane
 
 namespace drill_rig_sim
 {
@@ -15,12 +21,8 @@ constexpr double step_tolerance = 1e-7;
 // A first guess this far outside the segment is not worth refining.
 constexpr double far_outside = 0.1;
 
-// Where the point's cross section meets a segment's curve, extended beyond its ends.
-struct Foot
+struct Foot : one_lane::Foot
 {
-  double s;
-  Eigen::Vector3d centre, first, second;  // c, c', c'' by s
-  double decline;                         // -f'(s) = |c'|^2 - (r_D - c) . c''
   int iterations = 0;
 };
 
@@ -29,56 +31,41 @@ double first_guess(const HoleSegment& g, const Eigen::Vector3d& point) noexcept
   return (point - g.c0).dot(g.chord);
 }
 
-// Returns f(s) and fills the foot at s.
-double evaluate(const HoleSegment& g, const Eigen::Vector3d& point, Foot& foot) noexcept
-{
-  const double s = foot.s;
-  const Eigen::Vector3d cubic = s * g.c3;
-  foot.second = 2.0 * g.c2 + 6.0 * cubic;
-  foot.first = g.c1 + s * (2.0 * g.c2 + 3.0 * cubic);
-  foot.centre = g.c0 + s * (g.c1 + s * (g.c2 + cubic));
-  const Eigen::Vector3d offset = point - foot.centre;
-  const double speed2 = foot.first.squaredNorm();
-  // Beyond the centre of curvature f' changes sign; a tenth of |c'|^2 keeps the step bounded and downhill.
-  foot.decline = std::max(speed2 - offset.dot(foot.second), 0.1 * speed2);
-  return offset.dot(foot.first);
-}
-
 void refine(const HoleSegment& g, const Eigen::Vector3d& point, Foot& foot) noexcept
 {
+  const one_lane::Cubic cubic{one_lane::from(g.c0), one_lane::from(g.c1), one_lane::from(g.c2), one_lane::from(g.c3)};
+  const one_lane::V3 at = one_lane::from(point);
   double step = 0.0;
   do
   {
-    step = evaluate(g, point, foot) / foot.decline;
+    step = newton_step(cubic, at, foot);
     foot.s += step;
     ++foot.iterations;
   } while (std::abs(step) > step_tolerance && foot.iterations < most_iterations);
-  // the last step is so short that Taylor's first term takes the foot along
-  foot.centre += step * foot.first;
-  foot.first += step * foot.second;
+  take_along(step, foot);
 }
 
 // A foot this far away may belong to another part of the hole than the point.
 bool far_from_axis(const HoleSegment& g, const Eigen::Vector3d& point, const Foot& foot) noexcept
 {
-  return (point - foot.centre).squaredNorm() > 16.0 * g.radius * g.radius;
+  return (point - to_eigen(foot.centre)).squaredNorm() > 16.0 * g.radius * g.radius;
 }
 
 ClosestPoint closest(const HoleSegment& g, const Foot& foot, int segment) noexcept
 {
+  const one_lane::HoleNumbers hole{g.md,       g.length,          g.radius,  g.radius_change,
+                                   g.friction, g.friction_change, g.section, g.section_change};
+  const one_lane::Closest c = closest_of(hole, foot);
   ClosestPoint closest;
-  const double inverse_length = 1.0 / g.length;
-  closest.md = g.md + foot.s * g.length;
-  closest.centre = foot.centre;
-  closest.tangent = foot.first * (1.0 / foot.first.norm());
-  closest.centre_slope = foot.first * inverse_length;
-  closest.md_gradient = foot.first * (g.length / foot.decline);
-  // a foot beside its segment, as far from the hole or at a kink: the hole goes on as it ends, not to a radius below zero
-  const double share = std::clamp(foot.s, 0.0, 1.0);
-  closest.radius = g.radius + share * g.radius_change;
-  closest.radius_slope = share == foot.s ? g.radius_change * inverse_length : 0.0;
-  closest.friction = g.friction + share * g.friction_change;
-  closest.section = g.section + share * g.section_change;
+  closest.md = c.md;
+  closest.centre = to_eigen(foot.centre);
+  closest.tangent = to_eigen(c.tangent);
+  closest.centre_slope = to_eigen(c.slope);
+  closest.md_gradient = to_eigen(c.gradient);
+  closest.radius = c.radius;
+  closest.radius_slope = c.radius_slope;
+  closest.friction = c.friction;
+  closest.section = c.section;
   closest.segment = segment;
   closest.iterations = foot.iterations;
   return closest;

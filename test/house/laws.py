@@ -4,10 +4,15 @@ import re
 # law: (an expression of its formula, how many places are allowed, its text)
 LAWS = {
     'Stribeck curve': (r'\(static_ratio - ', 1, 'contact/friction_text.h'),
-    'sticking bristle of wall and pipe': (r'time / \(time \+ law\.damping / law\.stiffness\)', 1, 'contact/friction_text.h'),
+    'sticking bristle of wall and pipe': (r'time / \(time \+ damping / stiffness\)', 1, 'contact/friction_text.h'),
     'Hertz with Hunt-Crossley damping': (r'exponent \* slope \* factor', 1, 'contact/normal_text.h'),
     "tangent of the wall's contact": (r'mul_sub\(share, dot\(', 1, 'contact/wall_text.h'),
-    'bending stiffness under tension (corotational beam)': (r'= 4\.0 / 30\.0', 2, 'string/beam_element.h'),
+    'bending stiffness under tension (corotational beam)': (r'= 4\.0 / 30\.0', 1, 'string/beam_text.h'),
+    'inertia of a section': (r'body\.added_mass \* dot\(', 1, 'rig/rigid_body_text.h'),
+    "mud's drag across and along the string": (r'by_speed \* sideways\)', 1, 'string/mud_text.h'),
+    'closest point of the hole': (r'all\(0\.1\) \* speed2', 1, 'well/locate_text.h'),
+    'inertia of a guided node': (r'mass \* acceleration\.x', 1, 'model/forces/guided_text.h'),
+    'tension of a guided element': (r'axial \* \(\w+\.?stretch \+', 1, 'model/forces/guided_text.h'),
     'load on the wall of guided pipe': (r'mul_add\(smooth, smooth, dot\(push', 1, 'model/forces/guided_text.h'),
 }
 

@@ -110,7 +110,7 @@ inline double critical_load(const std::function<BeamChain(double load)>& loaded,
 }
 
 /// A straight column along x under an axial force, + compression; its length as unloaded 10, E I 1e6.
-struct Column
+struct StraightColumn
 {
   static constexpr double length = 10.0, bending = 1e6, axial = 1e13;
   std::array<bool, 6> foot, head;  ///< held; the head's axial motion is free

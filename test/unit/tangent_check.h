@@ -19,7 +19,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double tangent_step = 0.005;  // [s]
-constexpr double tangent_difference = 3e-7;  // [m, rad]: penetrations are some 1e-5 under the gauge, 1e-4 elsewhere, round-off of a place 1e-13
+constexpr double tangent_difference =
+    3e-7;  // [m, rad]: penetrations are some 1e-5 under the gauge, 1e-4 elsewhere, round-off of a place 1e-13
 
 /// A rig in a situation, and how many nodes touch the wall in it.
 struct Rig
@@ -34,7 +35,8 @@ struct Rig
   }
   void run(double seconds)
   {
-    for (int k = 0; k < std::lround(seconds / tangent_step); ++k) ASSERT_TRUE(stepper.advance(rest.state, tangent_step, setpoints));
+    for (int k = 0; k < std::lround(seconds / tangent_step); ++k)
+      ASSERT_TRUE(stepper.advance(rest.state, tangent_step, setpoints));
   }
   /// Of the elements' middles that touch.
   int spans()
@@ -79,7 +81,10 @@ struct Problem
   Stage stage;
   Workspace work;
 
-  Problem(const RigAtRest& rig, decltype(&evaluate) how) : model(*rig.model), start(rig.state), evaluator(how), stage(model), work(model) {}
+  Problem(const RigAtRest& rig, decltype(&evaluate) how)
+      : model(*rig.model), start(rig.state), evaluator(how), stage(model), work(model)
+  {
+  }
   void at(const VectorXd& u, VectorXd& residual, BlockTridiagonal* tangent)
   {
     evaluator(model, start, stage, u.data(), work, residual.data(), tangent);
@@ -99,9 +104,9 @@ inline std::vector<Coordinate> coordinates(const Problem& problem)
   std::vector<Coordinate> out;
   for (int i = 0; i < problem.model.nodes(); ++i)
   {
-    const Guide& guide = problem.stage.guides[i];
-    if (guide.guided)
+    if (problem.stage.guides.guided[static_cast<std::size_t>(i)])
     {
+      const Guide guide = problem.stage.guides[static_cast<std::size_t>(i)];
       Vector6d along, about;
       along << guide.tangent, guide.turn;
       about << Vector3d::Zero(), guide.tangent;

@@ -69,8 +69,8 @@ ForceList with_trial()
 }
 
 template <bool statics>
-void evaluate_tried(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, double* residual,
-                    BlockTridiagonal* tangent) noexcept
+void evaluate_tried(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work,
+                    double* residual, BlockTridiagonal* tangent) noexcept
 {
   evaluate_forces(with_trial(), statics ? &Force::add_static : &Force::add, {model, start, stage, work}, u, residual, tangent);
 }
@@ -103,7 +103,12 @@ protected:
   /// A node's springs, pulled to the side and turned, with everything at once.
   static Trial at_node(const State& state, int i)
   {
-    return {i, 2e4, 300.0, 50.0, state.nodes[static_cast<std::size_t>(i)].position + Vector3d(0.3, -0.2, 0.5), Vector6d::LinSpaced(100.0, 600.0)};
+    return {i,
+            2e4,
+            300.0,
+            50.0,
+            state.nodes[static_cast<std::size_t>(i)].position + Vector3d(0.3, -0.2, 0.5),
+            Vector6d::LinSpaced(100.0, 600.0)};
   }
 };
 
@@ -157,7 +162,8 @@ TEST_P(AnyForce, tangentOfStaticsAtEachNode)
   }
 }
 
-// Without friction what acts across the hole has no effect, and the residual changes by the force's share along and about it, there and nowhere else.
+// Without friction what acts across the hole has no effect, and the residual changes by the force's share along and about it,
+// there and nowhere else.
 TEST_P(AnyForce, residualAtEachNode)
 {
   Rig rig(scene_of(GetParam(), 0.0));
@@ -176,7 +182,8 @@ TEST_P(AnyForce, residualAtEachNode)
     const std::vector<Coordinate> all = coordinates(problem);
     const VectorXd change = by_coordinates(all, after - before);
     for (std::size_t k = 0; k < all.size(); ++k)
-      EXPECT_NEAR(all[k].node == i ? all[k].motion.dot(force) : 0.0, change[k], 1e-6 * force.norm()) << "node " << i << ", row " << k;
+      EXPECT_NEAR(all[k].node == i ? all[k].motion.dot(force) : 0.0, change[k], 1e-6 * force.norm())
+          << "node " << i << ", row " << k;
   }
 }
 
@@ -191,15 +198,16 @@ TEST_P(AnyForce, loadOnTheWallAtEachNode)
   VectorXd residual(u.size());
   for (int i = tried.model.mesh().gauge_nodes; i < tried_nodes(*rig.rest.model); ++i)
   {
-    const Guide& guide = tried.stage.guides[i];
-    const bool beside_free = guide.guided && (i == 0 || !tried.stage.guides[i - 1].guided || !tried.stage.guides[i + 1].guided);
-    if (!guide.guided || beside_free) continue;
+    const GuideColumns& guides = tried.stage.guides;
+    const Guide guide = guides[static_cast<std::size_t>(i)];
+    if (i == 0 || !guides.guided[i - 1] || !guides.guided[i] || !guides.guided[i + 1]) continue;
     trial = {i};
     trial.constant.head<3>() = 2e4 * guide.tangent.cross(Vector3d(0.6, 0.8, 0.1)).normalized();
     tried.at(u, residual, nullptr);
-    const double load = (tried.work.guided[i].lean - trial.constant.head<3>()).norm(), size = std::sqrt(load * load + 1.0) - 1.0;
+    const double load = (tried.work.guided.lean[i] - trial.constant.head<3>()).norm(), size = std::sqrt(load * load + 1.0) - 1.0;
     EXPECT_GT(load, 1.5e4);
-    EXPECT_NEAR(std::sqrt(size * size - guide.held * guide.held), tried.work.result.forces.contact[i], 1e-6 * load) << "node " << i;
+    EXPECT_NEAR(std::sqrt(size * size - guide.held * guide.held), tried.work.result.forces.contact[i], 1e-6 * load)
+        << "node " << i;
   }
 }
 
@@ -243,8 +251,10 @@ TEST_P(AnyForce, energyAtEachNode)
 
 INSTANTIATE_TEST_SUITE_P(Levels, AnyForce,
                          testing::Values(Case{Level::beam3d, 0.0, Kernel::scalar}, Case{Level::hybrid, 60.0, Kernel::scalar},
-                                         Case{Level::axial_torsional, 0.0, Kernel::scalar}, Case{Level::rigid, 0.0, Kernel::scalar},
-                                         Case{Level::beam3d, 0.0, Kernel::automatic}, Case{Level::hybrid, 60.0, Kernel::automatic},
-                                         Case{Level::axial_torsional, 0.0, Kernel::automatic}, Case{Level::rigid, 0.0, Kernel::automatic}));
+                                         Case{Level::axial_torsional, 0.0, Kernel::scalar},
+                                         Case{Level::rigid, 0.0, Kernel::scalar}, Case{Level::beam3d, 0.0, Kernel::automatic},
+                                         Case{Level::hybrid, 60.0, Kernel::automatic},
+                                         Case{Level::axial_torsional, 0.0, Kernel::automatic},
+                                         Case{Level::rigid, 0.0, Kernel::automatic}));
 
 }  // namespace test_model_any_force

@@ -1,4 +1,5 @@
-// What is shown along the string, by hand: forces of given elements, sides of given places, bending of a given arc, poses of parts.
+// What is shown along the string, by hand: forces of given elements, sides of given places, bending of a given arc, poses of
+// parts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,13 +70,15 @@ TEST(Profile, tensionIsTheWeightBelow)
     {
       EXPECT_NEAR(below, p.tension[i], 1.0) << i << " at " << element_length;
       const double lower = p.position[i].z();
-      if (i + 1 < p.tension.size()) below += rig.model->element_weight(static_cast<int>(i), lower, p.position[i + 1].z(), full_bore);
+      if (i + 1 < p.tension.size())
+        below += rig.model->element_weight(static_cast<int>(i), lower, p.position[i + 1].z(), full_bore);
     }
     EXPECT_NEAR(report.hook_load_string, p.tension.back(), 1.0);
   }
 }
 
-// A node shows the mean of the elements that meet there, tension less or more their weight between the middle and the end; the ends show theirs.
+// A node shows the mean of the elements that meet there, tension less or more their weight between the middle and the end; the
+// ends show theirs.
 TEST(Profile, forcesAreMeansOfTheElementsThatMeet)
 {
   RigAtRest rig = build_at_rest(slanted_string());
@@ -88,7 +91,8 @@ TEST(Profile, forcesAreMeansOfTheElementsThatMeet)
   const auto rise = [&](int e)  // half of an element's weight along it
   {
     const double lower = p.position[e].z(), upper = p.position[e + 1].z();
-    return 0.5 * rig.model->element_weight(e, lower, upper, full_bore) * (upper - lower) / rig.model->mesh().elements[e].section.length;
+    return 0.5 * rig.model->element_weight(e, lower, upper, full_bore) * (upper - lower) /
+           rig.model->mesh().elements[e].section.length;
   };
   EXPECT_GT(rise(0), 50.0);
   EXPECT_DOUBLE_EQ(p.tension.front(), 1000.0 - rise(0));
@@ -106,14 +110,16 @@ TEST(Profile, forcesAreMeansOfTheElementsThatMeet)
     EXPECT_EQ(p.contact_vector[i], Vector3d(i, -i, 0.5 * i));
     EXPECT_EQ(p.spin_speed[i], 0.1 * i);
     EXPECT_EQ(p.position[i], rig.state.nodes[i].position);
-    EXPECT_NEAR(p.md[i], down_hole.dot(p.position[i]), p.position[i].z() < 0.0 ? 1e-6 : 5.0) << "above the table the string hangs plumb";
+    EXPECT_NEAR(p.md[i], down_hole.dot(p.position[i]), p.position[i].z() < 0.0 ? 1e-6 : 5.0)
+        << "above the table the string hangs plumb";
   }
   EXPECT_NEAR(p.from_bit.front(), 0.5 * 0.2159, 1e-12);
-  EXPECT_NEAR(p.from_bit.back(), 120.0, 0.3) << "100 m of hole and 20 m of air, less what the way over the kink at the table saves";
+  EXPECT_NEAR(p.from_bit.back(), 120.0, 0.3)
+      << "100 m of hole and 20 m of air, less what the way over the kink at the table saves";
 }
 
-// The mud's pressure pushes on the steel's section: effective tension less rho g depth (A_o - A_i); none above the table. The node between
-// two sections shows that of the upper one.
+// The mud's pressure pushes on the steel's section: effective tension less rho g depth (A_o - A_i); none above the table. The
+// node between two sections shows that of the upper one.
 TEST(Profile, trueAxialForceLacksTheMudsPressure)
 {
   const Scene scene = slanted_string();
@@ -136,7 +142,8 @@ TEST(Profile, trueAxialForceLacksTheMudsPressure)
   EXPECT_LT(p.true_axial_force[0], 1000.0 - 0.9 * 1150.0 * standard_gravity * 94.0 * collar_area);
 }
 
-// Bending stress M D / (2 I) of the weaker of the elements that meet, and compression over what the pipe bears straight of the worse.
+// Bending stress M D / (2 I) of the weaker of the elements that meet, and compression over what the pipe bears straight of the
+// worse.
 TEST(Profile, stressAndBucklingAreThoseOfTheWorseElement)
 {
   RigAtRest rig = build_at_rest(slanted_string());
@@ -146,8 +153,10 @@ TEST(Profile, stressAndBucklingAreThoseOfTheWorseElement)
   rig.state.nodes[3].guided = true;
   StringProfile p;
   fill_profile(*rig.model, rig.state, forces, p);
-  const auto resistance = [](double outer, double inner) { return pi / 32.0 * (std::pow(outer, 4) - std::pow(inner, 4)) / outer; };
-  const auto share = [&](int e) { return e == 5 ? 0.0 : buckling_share(*rig.model, rig.state, static_cast<std::size_t>(e), -1000.0 * (e + 1)); };
+  const auto resistance = [](double outer, double inner)
+  { return pi / 32.0 * (std::pow(outer, 4) - std::pow(inner, 4)) / outer; };
+  const auto share = [&](int e)
+  { return e == 5 ? 0.0 : buckling_share(*rig.model, rig.state, static_cast<std::size_t>(e), -1000.0 * (e + 1)); };
   for (int i = 1; i + 1 < n; ++i)
   {
     const bool collar = p.from_bit[i] < 0.3 + 18.8 - 1e-6;
@@ -224,8 +233,8 @@ TEST(Profile, atRestTheWallCarriesTheWeightAcrossTheHole)
   EXPECT_NEAR(carried, weight, 0.03 * weight);
 }
 
-// Sections along a circle of 500 m: moment E I/R, at every node with an element below it; the twist of a helix by hand: G J times twist over
-// length. Second order in element over radius: 1e-4.
+// Sections along a circle of 500 m: moment E I/R, at every node with an element below it; the twist of a helix by hand: G J times
+// twist over length. Second order in element over radius: 1e-4.
 TEST(StringForces, ofAnArcAreThoseOfItsCurvature)
 {
   RigAtRest rig = build_at_rest(vertical_scene(400.0, 200.0));
@@ -238,13 +247,14 @@ TEST(StringForces, ofAnArcAreThoseOfItsCurvature)
     node.position = radius * Vector3d(1.0 - std::cos(angle), 0.0, -std::sin(angle));
     const Quaterniond plumb = shortest_turn(Vector3d::UnitX(), -Vector3d::UnitZ());
     const Vector3d tangent(std::sin(angle), 0.0, -std::cos(angle));
-    node.orientation = Quaterniond(Eigen::AngleAxisd(-twist * i, tangent)) * Quaterniond(Eigen::AngleAxisd(-angle, Vector3d::UnitY())) * plumb;
+    node.orientation =
+        Quaterniond(Eigen::AngleAxisd(-twist * i, tangent)) * Quaterniond(Eigen::AngleAxisd(-angle, Vector3d::UnitY())) * plumb;
   }
   Stage stage(*rig.model);
   Workspace work(*rig.model);
   begin_step(*rig.model, rig.state, 0.0, Setpoints(), stage);
   prepare_start(rig.state, stage);
-  for (Vector3d& load : stage.load) load.setZero();
+  for (std::size_t e = 0; e < stage.rate.size(); ++e) stage.load.set(e, Vector3d::Zero());
   const std::vector<double> u(6 * mesh.nodes.size(), 0.0);
   update(*rig.model, rig.state, stage, u.data(), work);
   find_string_forces(*rig.model, rig.state, stage, work);
@@ -253,11 +263,13 @@ TEST(StringForces, ofAnArcAreThoseOfItsCurvature)
   {
     const double torque = 206e9 / 2.6 * polar * twist / mesh.elements[e].section.length;
     EXPECT_NEAR(work.result.forces.bending_moment[e + 1], moment, 1e-3 * moment) << e;
-    EXPECT_NEAR(work.result.forces.torque[e], -torque, 2e-2 * torque) << "the lower end is ahead: the string above drives it back, " << e;
+    EXPECT_NEAR(work.result.forces.torque[e], -torque, 2e-2 * torque)
+        << "the lower end is ahead: the string above drives it back, " << e;
   }
 }
 
-// Parts of the assembly by name at their lower ends, joints of pipe by number, every third; x towards the bit, the bit as it has turned.
+// Parts of the assembly by name at their lower ends, joints of pipe by number, every third; x towards the bit, the bit as it has
+// turned.
 TEST(PartPoses, areAtTheLowerEndsOfTheParts)
 {
   Scene scene = motor_drilling_scene(10.0);

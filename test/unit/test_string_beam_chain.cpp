@@ -55,8 +55,8 @@ double p_delta_ratio(int count, double axial, bool tension)
 /// Euler load of the pinned column over pi^2 E I/L^2.
 double buckling_ratio(int count)
 {
-  const double euler = pi * pi * Column::bending / (Column::length * Column::length);
-  const Column column{Column::pinned, Column::sliding};
+  const double euler = pi * pi * StraightColumn::bending / (StraightColumn::length * StraightColumn::length);
+  const StraightColumn column{StraightColumn::pinned, StraightColumn::sliding};
   return critical_load([&](double force) { return column.loaded(find_beam(ElementKind::automatic), count, force); }, 0, 0.5 * euler, 2.0 * euler) / euler;
 }
 }  // namespace

@@ -1,5 +1,5 @@
-// Text of the Stribeck curve (friction_law.h) and of the sticking bristle (wall_contact.h, surface_friction.h) for numbers of type V (math/vector_text.h).
-// No include guard: it is another text for each V.
+// Text of the Stribeck curve (friction_law.h) and of the sticking bristle (wall_contact.h, surface_friction.h) for numbers of
+// type V (math/vector_text.h). No include guard: it is another text for each V.
 
 /// Friction coefficient at a slip speed, its slope by the speed, and that over the speed [-, s/m, s2/m2].
 struct Stribeck
@@ -11,7 +11,8 @@ struct Stribeck
 DRILL_LAW Stribeck stribeck(V kinetic, V static_ratio, V stribeck_speed, V speed, bool exponential)
 {
   const V zero = all(0.0), x = speed / stribeck_speed;
-  const V excess = kinetic * (static_ratio - all(1.0)) * exp_of(minus(exponential ? x : x * x)), per_speed = excess / stribeck_speed;
+  const V excess = kinetic * (static_ratio - all(1.0)) * exp_of(minus(exponential ? x : x * x)),
+          per_speed = excess / stribeck_speed;
   if (exponential) return {kinetic + excess, minus(per_speed), select_or_zero(speed > zero, minus(per_speed) / speed)};
   return {kinetic + excess, all(-2.0) * x * per_speed, all(-2.0) * per_speed / stribeck_speed};
 }
@@ -35,15 +36,22 @@ struct Rubbed
   Mask slipping;
 };
 
-/// Return mapping of the bristle: f = -q while |q| <= mu(|v|) F_n, else -mu F_n q/|q|, and the bristle goes to its own limit over c_b/k_b.
+/// How much of its way to its own limit a bristle that slips goes in a time [s], of stiffness k_b and damping c_b: over c_b/k_b.
+DRILL_LAW V follows_by(V time, V stiffness, V damping)
+{
+  return select(damping > all(0.0), time / (time + damping / stiffness), all(1.0));
+}
+
+/// Return mapping of the bristle: f = -q while |q| <= mu(|v|) F_n, else -mu F_n q/|q|, and the bristle goes to its own limit over
+/// c_b/k_b.
 /// @param trial      q = k_b z_t + c_b v_t
 /// @param stretched  z_t
 /// @param velocity   gives v_t; asked for only where kinetic friction alone does not hold q
 /// @param before     gives z at the start of the step; as velocity
 /// @param time       since then [s]
 template <class Vector, class Velocity, class Before>
-DRILL_LAW Rubbed<Vector> rubbed(const Rubbing& law, V normal_force, const Vector& trial, const Vector& stretched, const Velocity& velocity, const Before& before,
-                                V time)
+DRILL_LAW Rubbed<Vector> rubbed(const Rubbing& law, V normal_force, const Vector& trial, const Vector& stretched,
+                                const Velocity& velocity, const Before& before, V time)
 {
   const V zero = all(0.0), one = all(1.0);
   Rubbed<Vector> r{-trial, stretched, zero * trial, norm(trial), {zero, zero, zero}, zero > zero};
@@ -53,13 +61,14 @@ DRILL_LAW Rubbed<Vector> rubbed(const Rubbing& law, V normal_force, const Vector
   r.slipping = r.trial > limit;
   r.direction = choose(r.slipping, (one / r.trial) * trial, r.direction);
   r.force = choose(r.slipping, minus(limit) * r.direction, r.force);
-  const V follows = select(law.damping > zero, time / (time + law.damping / law.stiffness), one);
+  const V follows = follows_by(time, law.stiffness, law.damping);
   const Vector start = before();
   r.bristle = choose(r.slipping, mul_add(follows, (limit / law.stiffness) * r.direction - start, start), r.bristle);
   return r;
 }
 
-/// Slopes of rubbed() in two directions: of the force by the displacement (through the velocity too), row by row, and by the normal force.
+/// Slopes of rubbed() in two directions: of the force by the displacement (through the velocity too), row by row, and by the
+/// normal force.
 struct RubbedSlopes
 {
   V2 first_row, second_row, by_normal_force;  // [N/m, N/m, -]
@@ -73,7 +82,8 @@ DRILL_LAW RubbedSlopes slopes_of(const Rubbing& law, V normal_force, const Rubbe
   const V by_speed = r.mu.slope_over_speed * normal_force * dv_du;
   const V2& d = r.direction;
   const V off = across * d.x * d.y;
-  return {{neg_mul_add(by_speed * d.x, velocity.x, minus(across * neg_mul_add(d.x, d.x, one))), neg_mul_add(by_speed * d.x, velocity.y, off)},
-          {neg_mul_add(by_speed * d.y, velocity.x, off), neg_mul_add(by_speed * d.y, velocity.y, minus(across * neg_mul_add(d.y, d.y, one)))},
+  const V xx = minus(across * neg_mul_add(d.x, d.x, one)), yy = minus(across * neg_mul_add(d.y, d.y, one));
+  return {{neg_mul_add(by_speed * d.x, velocity.x, xx), neg_mul_add(by_speed * d.x, velocity.y, off)},
+          {neg_mul_add(by_speed * d.y, velocity.x, off), neg_mul_add(by_speed * d.y, velocity.y, yy)},
           minus(r.mu.value) * d};
 }

@@ -57,6 +57,11 @@ constexpr V larger(V a, V b) noexcept
   return a > b ? a : b;
 }
 
+constexpr V smaller(V a, V b) noexcept
+{
+  return a < b ? a : b;
+}
+
 constexpr V select(Mask mask, V yes, V no) noexcept
 {
   return mask ? yes : no;
@@ -84,6 +89,8 @@ constexpr bool all_of(Mask mask) noexcept
 
 #define DRILL_LAW inline
 #include "drill_rig_sim/math/vector_text.h"
+// behind it
+#include "drill_rig_sim/math/matrix_text.h"
 
 inline V3 from(const Eigen::Vector3d& v) noexcept
 {
@@ -103,6 +110,26 @@ inline V2 from(const Eigen::Vector2d& v) noexcept
 inline Eigen::Vector2d to_eigen(const V2& v) noexcept
 {
   return {v.x, v.y};
+}
+
+inline V6 from(const Eigen::Matrix<double, 6, 1>& v) noexcept
+{
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+}
+
+inline Eigen::Matrix<double, 6, 1> to_eigen(const V6& v) noexcept
+{
+  Eigen::Matrix<double, 6, 1> out;
+  out << v.head.x, v.head.y, v.head.z, v.tail.x, v.tail.y, v.tail.z;
+  return out;
+}
+
+inline Eigen::Matrix3d to_eigen(const M3& m) noexcept
+{
+  Eigen::Matrix3d out;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) out(i, j) = m.m[i][j];
+  return out;
 }
 }  // namespace drill_rig_sim::one_lane
 

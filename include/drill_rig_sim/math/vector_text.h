@@ -1,8 +1,9 @@
-// Vectors whose components are numbers of a type V, so that one text of a law serves a double and the lanes of a register: the sources of batch kernels
-// include it through math/lanes.h inside their namespace, one_lane.h for V = double. No include guard: it is another text for each V.
+// Vectors whose components are numbers of a type V, so that one text of a law serves a double and the lanes of a register: the
+// sources of batch kernels include it through math/lanes.h inside their namespace, one_lane.h for V = double. No include guard:
+// it is another text for each V.
 //
-// What a V has: + - * /, comparisons that give a Mask, all(double), and mul_add (a b + c), mul_sub (a b - c), neg_mul_add (c - a b), minus, sqrt_of, exp_of,
-// power_of, larger, select, select_or_zero, both, opposite, all_of.
+// What a V has: + - * /, comparisons that give a Mask, all(double), and mul_add (a b + c), mul_sub (a b - c), neg_mul_add (c - a
+// b), minus, sqrt_of, exp_of, power_of, larger, smaller, select, select_or_zero, both, opposite, all_of.
 
 struct V3
 {
@@ -128,4 +129,21 @@ DRILL_LAW V norm(const V3& v)
 DRILL_LAW V3 in_plane(const V3& n, const V3& v)
 {
   return mul_sub_from(dot(n, v), n, v);
+}
+
+/// Six numbers of a node: displacement and rotation, or force and moment.
+struct V6
+{
+  V3 head, tail;
+};
+
+DRILL_LAW V6 operator+(const V6& a, const V6& b)
+{
+  return {a.head + b.head, a.tail + b.tail};
+}
+
+/// a b + c
+DRILL_LAW V6 mul_add(V a, const V6& b, const V6& c)
+{
+  return {mul_add(a, b.head, c.head), mul_add(a, b.tail, c.tail)};
 }

@@ -6,19 +6,21 @@
 
 #include "drill_rig_sim/contact/contact_spec.h"
 #include "drill_rig_sim/math/block_tridiagonal.h"
+#include "drill_rig_sim/math/columns.h"
 #include "drill_rig_sim/well/wellbore.h"
 
 /// Guided nodes: model no more than a scene needs.
 ///
-/// A node is free, with six coordinates, or guided: it stays where the hole has it, with two, how far it has moved along the hole and
-/// turned about it since the start of the step, (s, phi). Its motion is that of a free node through a 6x2 matrix that holds for a step,
+/// A node is free, with six coordinates, or guided: it stays where the hole has it, with two, how far it has moved along the hole
+/// and turned about it since the start of the step, (s, phi). Its motion is that of a free node through a 6x2 matrix that holds
+/// for a step,
 ///   displacement = t s,   rotation = w s + t phi,   t the hole's tangent there, w = t x dt/dmd its turn per length,
-/// after which it is put back onto its hole. What the laws say in six coordinates counts by T^t r and T^t K T; T does not change within a step, so
-/// its derivative is none. (A step of 15 mm in a hole of 17 deg/30 m leaves its tangent by a micrometre.) The rest of r, across the hole, is what the
-/// wall must give: the load Q on it, which makes its friction (forces/guided_string.h).
+/// after which it is put back onto its hole. What the laws say in six coordinates counts by T^t r and T^t K T; T does not change
+/// within a step, so its derivative is none. (A step of 15 mm in a hole of 17 deg/30 m leaves its tangent by a micrometre.) The
+/// rest of r, across the hole, is what the wall must give: the load Q on it, which makes its friction (forces/guided_string.h).
 ///
-/// Vectors of increments and residuals keep six places per node in world axes, for guided nodes too: (t s, w s + t phi) and (t r_s, t r_phi).
-/// Only the linear solve knows that those are two unknowns.
+/// Vectors of increments and residuals keep six places per node in world axes, for guided nodes too: (t s, w s + t phi) and (t
+/// r_s, t r_phi). Only the linear solve knows that those are two unknowns.
 namespace drill_rig_sim
 {
 class Model;
@@ -26,23 +28,97 @@ struct State;
 struct Stage;
 struct Workspace;
 
-/// What holds of a node during a step if it is guided. Its numbers are a row for the batch kernel (kernels/guided_kernel.h), in this order.
+/// What holds during a step of a node that is guided.
 struct Guide
 {
-  bool guided = false;
-  Eigen::Vector3d tangent = -Eigen::Vector3d::UnitZ();  ///< t of the hole, down it
-  // of the hole at the neighbours above and below, where they are guided too: its direction, unit length, the part across the hole here [-]
-  Eigen::Vector3d above = Eigen::Vector3d::Zero(), below = Eigen::Vector3d::Zero();
-  Eigen::Vector3d weight = Eigen::Vector3d::Zero();  ///< of half of those elements, in mud [N]
-  double mass = 0.0, spin_inertia = 0.0;             ///< [kg, kg m2]
-  double mud_along = 0.0, mud_about = 0.0;           ///< drag of the mud [N s/m, N m s]
-  double friction = 0.0;                             ///< kinetic [-]
-  double lever = 0.0;                                ///< of that friction about the axis [m]
-  double clearance = 0.0;                            ///< between string and wall all around [m]
-  double held = 0.0;                                 ///< by friction around the pipe at the start of the step [N]
-  WallLaw law;
-  Eigen::Vector3d turn = Eigen::Vector3d::Zero();    ///< w [rad/m]
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the hole [m]
+  Eigen::Vector3d tangent;                                  ///< t of the hole, down it
+  Eigen::Vector3d turn;                                     ///< w [rad/m]
+  Eigen::Vector3d centre;                                   ///< of the hole [m]
+  Eigen::Vector3d weight;                                   ///< of half of the guided elements beside it, in mud [N]
+  double mass, spin_inertia;                                ///< [kg, kg m2]
+  double mud_along, mud_about;                              ///< drag of the mud [N s/m, N m s]
+  double friction;                                          ///< kinetic [-]
+  double lever;                                             ///< of that friction about the axis [m]
+  double clearance;                                         ///< between string and wall all around [m]
+  double held;                                              ///< by friction around the pipe at the start of the step [N]
+  double stribeck_speed, static_ratio, stiffness, damping;  ///< of the friction, as of WallLaw
+};
+
+/// And of the element between two guided nodes.
+struct GuidedSpan
+{
+  double axial, torsion;  ///< EA/L, GJ/L [N/m, N m/rad]
+  double stretch;         ///< at the start of the step, what pressure makes of it taken off [m]
+  double twist;           ///< at the start of the step, lower end relative to upper [rad]
+};
+
+/// Guides and guided spans by column; an element has the number of its lower node. Of free nodes only what the model says means
+/// anything.
+struct GuideColumns
+{
+  // of the model
+  Column mass, spin_inertia, lever, bearing_radius;
+  Column mud_along, mud_about;             ///< where it is immersed
+  Column length, axial, torsion, bending;  ///< of elements; bending: EI [N m2]
+  // of the step
+  Columns<3> tangent, turn, centre, weight;
+  Column wet_along, wet_about;  ///< Guide::mud_along, mud_about
+  Column friction, clearance, held, stribeck_speed, static_ratio, stiffness, damping;
+  Columns<3> direction;  ///< from the hole's centre at the element's lower end to that at its upper one, unit length; 0 beside
+                         ///< guided spans
+  Column stretch, twist;
+  Columns<2> bristle;                 ///< of the friction, along the hole and around it [m]
+  Column rest;                        ///< how long it has stuck [s]
+  std::vector<unsigned char> guided;  ///< per node
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("mass", mass);
+    v("spin_inertia", spin_inertia);
+    v("lever", lever);
+    v("bearing_radius", bearing_radius);
+    v("mud_along", mud_along);
+    v("mud_about", mud_about);
+    v("length", length);
+    v("axial", axial);
+    v("torsion", torsion);
+    v("bending", bending);
+    v("tangent", tangent);
+    v("turn", turn);
+    v("centre", centre);
+    v("weight", weight);
+    v("wet_along", wet_along);
+    v("wet_about", wet_about);
+    v("friction", friction);
+    v("clearance", clearance);
+    v("held", held);
+    v("stribeck_speed", stribeck_speed);
+    v("static_ratio", static_ratio);
+    v("stiffness", stiffness);
+    v("damping", damping);
+    v("direction", direction);
+    v("stretch", stretch);
+    v("twist", twist);
+    v("bristle", bristle);
+    v("rest", rest);
+  }
+  explicit GuideColumns(std::size_t nodes) : guided(nodes, 0) { ColumnSizes::resize(*this, nodes); }
+
+  Guide operator[](std::size_t i) const noexcept
+  {
+    const std::ptrdiff_t k = static_cast<std::ptrdiff_t>(i);
+    return {tangent[k],  turn[k],  centre[k],    weight[k], mass[k],           spin_inertia[k], wet_along[k], wet_about[k],
+            friction[k], lever[k], clearance[k], held[k],   stribeck_speed[k], static_ratio[k], stiffness[k], damping[k]};
+  }
+  /// Whether element e is between two guided nodes.
+  bool spans(std::size_t e) const noexcept { return guided[e] && guided[e + 1]; }
+  GuidedSpan span(std::size_t e) const noexcept
+  {
+    const std::ptrdiff_t k = static_cast<std::ptrdiff_t>(e);
+    return {axial[k], torsion[k], stretch[k], twist[k]};
+  }
+  void set_law(std::size_t i, const WallLaw& law) noexcept;
 };
 
 /// Runs of neighbouring nodes or elements, in ascending order; room for all there can be.
@@ -97,30 +173,34 @@ void each_outside(const Runs& runs, int count, Visit&& visit)
                });
 }
 
-/// The same of the element between two guided nodes.
-struct GuidedSpan
+/// How guided nodes move at a stage, what their walls do, and tension and torque of the elements above them, damping included; by
+/// column.
+struct GuidedMotions
 {
-  bool guided = false;
-  double axial = 0.0, torsion = 0.0;  ///< EA/L, GJ/L [N/m, N m/rad]
-  double stretch = 0.0;               ///< at the start of the step, what pressure makes of it taken off [m]
-  double twist = 0.0;                 ///< at the start of the step, lower end relative to upper [rad]
-};
+  Column along, about;                            ///< s, phi [m, rad]
+  Column along_rate, about_rate;                  ///< [m/s, rad/s]
+  Column along_acceleration, about_acceleration;  ///< [m/s2, rad/s2]
+  Columns<3> push;                                ///< load on the wall [N]
+  Columns<3> lean;                                ///< the same without what free neighbours give [N]
+  Column around;                                  ///< friction of the wall around the pipe [N]
+  Column tension, torque;                         ///< [N, N m]
 
-/// How a guided node moves at a stage, and what its wall does.
-struct GuidedMotion
-{
-  double along = 0.0, about = 0.0;                            ///< s, phi [m, rad]
-  double along_rate = 0.0, about_rate = 0.0;                  ///< [m/s, rad/s]
-  double along_acceleration = 0.0, about_acceleration = 0.0;  ///< [m/s2, rad/s2]
-  Eigen::Vector3d push = Eigen::Vector3d::Zero();             ///< load on the wall [N]
-  Eigen::Vector3d lean = Eigen::Vector3d::Zero();             ///< the same without what free neighbours give [N]
-  double around = 0.0;                                        ///< friction of the wall around the pipe [N]
-};
-
-/// Tension and torque of a guided element, damping included [N, N m].
-struct GuidedForce
-{
-  double tension = 0.0, torque = 0.0;
+  template <class V>
+  void visit(V& v)
+  {
+    v("along", along);
+    v("about", about);
+    v("along_rate", along_rate);
+    v("about_rate", about_rate);
+    v("along_acceleration", along_acceleration);
+    v("about_acceleration", about_acceleration);
+    v("push", push);
+    v("lean", lean);
+    v("around", around);
+    v("tension", tension);
+    v("torque", torque);
+  }
+  explicit GuidedMotions(std::size_t nodes) { ColumnSizes::resize(*this, nodes); }
 };
 
 /// Puts a guided node onto its hole where it is: md, side.
@@ -130,8 +210,8 @@ void settle_span(State& state, std::size_t e) noexcept;
 /// Both, of all guided nodes and the spans between them: after somebody has placed them in six coordinates.
 void settle_guided(State& state) noexcept;
 
-/// Length of the guided string between nodes e and e + 1 [m]: of the line in which it lies, that of the hole's axis and what the sides add or take. A
-/// string on the inside of a bend is shorter by clearance times angle.
+/// Length of the guided string between nodes e and e + 1 [m]: of the line in which it lies, that of the hole's axis and what the
+/// sides add or take. A string on the inside of a bend is shorter by clearance times angle.
 double guided_length(const State& state, std::size_t e) noexcept;
 
 /// What the scene alone says of all nodes and elements, once they are guided.
@@ -145,11 +225,13 @@ bool solve_increment(const Stage& stage, BlockTridiagonal& tangent, double* b) n
 /// The same with the factors of the last solve_increment().
 void solve_increment_again(const Stage& stage, const BlockTridiagonal& tangent, double* b) noexcept;
 
+/// The motion of a guided node as a free one's, into work.nodes: all but its place.
+void expand_motion(const Stage& stage, int i, Workspace& work) noexcept;
 /// The motions of the guided nodes in six coordinates, where evaluate() has left them out: increments, rates and accelerations.
 void expand_motions(const Stage& stage, Workspace& work) noexcept;
 
-/// Commits the guided nodes: along their hole, on the side of it that their load presses them to and that friction makes them climb to, which they
-/// change over half a second; in statics half of it at once.
+/// Commits the guided nodes: along their hole, on the side of it that their load presses them to and that friction makes them
+/// climb to, which they change over half a second; in statics half of it at once.
 void commit_guided(const Stage& stage, const Workspace& work, State& state) noexcept;
 
 }  // namespace drill_rig_sim

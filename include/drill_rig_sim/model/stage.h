@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drill_rig_sim/contact/wall_contact.h"
-#include "drill_rig_sim/math/number_columns.h"
+#include "drill_rig_sim/math/columns.h"
 #include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/model/model.h"
 #include "drill_rig_sim/model/state.h"
@@ -50,15 +50,25 @@ struct Pads
   WallLaw law;
 };
 
-/// One stage of a step of a method: which forces act, and how rates follow from the unknowns. A value; together with the step's start
-/// and the increments u it determines every force.
+/// One stage of a step of a method: which forces act, and how rates follow from the unknowns. A value; together with the step's
+/// start and the increments u it determines every force.
 ///
-/// Unknowns: six per node, u = (displacement, tilt + spin) since the start of the step; the rotation is exp(tilt) exp(spin n), n the
-/// section normal at the start: spin is a scalar however large, and the tilt of one step is small. Node by node,
+/// Unknowns: six per node, u = (displacement, tilt + spin) since the start of the step; the rotation is exp(tilt) exp(spin n), n
+/// the section normal at the start: spin is a scalar however large, and the tilt of one step is small. Node by node,
 ///   rate = dv_du u + rate_0,   acceleration = da_du u + acceleration_0.
 struct Stage
 {
   explicit Stage(const Model& model);
+  /// Its columns.
+  template <class V>
+  void visit(V& v)
+  {
+    v("free", free);
+    v("immersed", immersed);
+    v("added_mass", added_mass);
+    v("load", load);
+    v("free_stretch", free_stretch);
+  }
 
   // how the method ties rates to u
   double time = 0.0;   ///< from the start of the step, for the laws that advance their own state [s]
@@ -70,20 +80,20 @@ struct Stage
 
   // what holds during the whole step; begin_step() or begin_static() finds it
   std::vector<Eigen::Vector3d> normal;  ///< n, of the nodes
-  std::vector<double> immersed;         ///< 1 for a node below the rotary table, 0 above
-  std::vector<double> added_mass;       ///< of the mud that moves sideways with a node; of the bit none, its gauge squeezes a film [kg]
-  std::vector<Eigen::Vector3d> load;    ///< weight of the elements in mud, less what lifts them up the annulus [N]
-  std::vector<double> free_stretch;     ///< of the elements, by the pump's pressure (mud_circuit.h) [-]
-  bool sides_stay = false;              ///< guided pipe stays in the middle of its hole: a rigid string would be jerked by what going to its wall moves
+  Column free;                          ///< 1 of a free node, 0 of a guided one
+  Column immersed;                      ///< 1 for a node below the rotary table, 0 above
+  Column added_mass;  ///< of the mud that moves sideways with a node; of the bit none, its gauge squeezes a film [kg]
+  Columns<3> load;                      ///< weight of the elements in mud, less what lifts them up the annulus [N]
+  Column free_stretch;                  ///< of the elements, by the pump's pressure (mud_circuit.h) [-]
+  bool sides_stay =
+      false;  ///< guided pipe stays in the middle of its hole: a rigid string would be jerked by what going to its wall moves
   bool any_guided = false;              ///< whether there is anything in these:
-  std::vector<Guide> guides;             ///< of the nodes
-  std::vector<GuidedSpan> guided_spans;  ///< of the elements
+  GuideColumns guides;                   ///< of the nodes
   const GuidedKernel* guided_kernel;     ///< what works on them; null: one by one
   const GuidedStepKernel* guided_step_kernel;
   Runs guided_nodes, guided_elements;    ///< those that are guided
-  NumberColumns guided_columns;          ///< for that
   std::array<PlaceDrag, 2> drags;        ///< pack-off, differential sticking
-  Runs inner_nodes;                      ///< and of these nodes those on which the guided string's forces alone act, but for the bit's gauge
+  Runs inner_nodes;  ///< and of these nodes those on which only the guided string's forces act, but for the bit's gauge
   double structural_damping = 0.0;      ///< [s]
   Setpoints setpoints;
   Pads pads;                            ///< none in statics
@@ -91,7 +101,8 @@ struct Stage
 
   // where the laws with a course of their own are at `time`
   HoistState hoist;
-  Eigen::Vector3d lean = Eigen::Vector3d::Zero();  ///< of a shaft that points the bit (pointing.h), across the collar's section normal at the start [rad]
+  Eigen::Vector3d lean = Eigen::Vector3d::Zero();  ///< of a shaft that points the bit (pointing.h), across the collar's section
+                                                   ///< normal at the start [rad]
   BitDrive bit;
 };
 
@@ -101,9 +112,10 @@ void begin_step(const Model& model, const State& state, double step, const Setpo
 /// The stage is at `time` [s] after the start of the step: methods of several stages.
 void move_stage(const Model& model, const State& state, double time, Stage& stage) noexcept;
 
-/// Statics: no rates, full slip as `sliding` says. `coefficient` c [1/s] > 0 adds the inertia of a start from rest, M c^2 u: a step of
-/// pseudo-transient continuation.
-void begin_static(const Model& model, const State& state, const SlidingMotion& sliding, double coefficient, Stage& stage) noexcept;
+/// Statics: no rates, full slip as `sliding` says. `coefficient` c [1/s] > 0 adds the inertia of a start from rest, M c^2 u: a
+/// step of pseudo-transient continuation.
+void begin_static(const Model& model, const State& state, const SlidingMotion& sliding, double coefficient,
+                  Stage& stage) noexcept;
 
 }  // namespace drill_rig_sim
 

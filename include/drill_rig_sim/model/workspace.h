@@ -18,46 +18,30 @@
 #include "drill_rig_sim/model/model.h"
 #include "drill_rig_sim/model/profiler.h"
 #include "drill_rig_sim/model/rig_forces.h"
+#include "drill_rig_sim/model/stage.h"
 #include "drill_rig_sim/model/state.h"
 #include "drill_rig_sim/model/work.h"
 
 namespace drill_rig_sim
 {
-/// Where and how a node moves at a stage: numbers without a gap, in the order in which the motion kernel writes them.
-struct NodeMoves
+/// Where and how a node moves at a stage, and where it is in the hole.
+struct NodeMotion
 {
   Eigen::Quaterniond orientation;
   Eigen::Vector3d axis;  ///< section normal that rates and rotations are split by: at the start of the step
   Eigen::Vector3d position, normal;
   Eigen::Vector3d tilt;  ///< of the increment, across the axis [rad]
   double spin;           ///< and about it [rad]
-  double carried_spin;   ///< the part of the rate that stays about the normal when that tilts: the spin; 0 where rates are given [rad/s]
+  double carried_spin;   ///< the part of the rate that stays about the normal when that tilts: the spin; 0 where rates are given
+                         ///< [rad/s]
   Vector6d increment, rate, acceleration;
-};
-static_assert(sizeof(NodeMoves) == 36 * sizeof(double), "without a gap");
-
-/// And where it is in the hole.
-struct NodeMotion : NodeMoves
-{
   ClosestPoint closest;  ///< of hole or mast
   bool touches;          ///< the wall
 };
 
-/// A guided node's motion as a free one's: increment, rate, acceleration.
-inline void expand_motion(const Guide& guide, const GuidedMotion& motion, NodeMotion& node) noexcept
-{
-  const auto to_six = [&guide](double along, double about, Vector6d& out) { out << along * guide.tangent, along * guide.turn + about * guide.tangent; };
-  node.axis = guide.tangent;
-  node.spin = motion.about;
-  node.tilt = motion.along * guide.turn;
-  node.normal = guide.tangent + node.tilt.cross(guide.tangent);
-  to_six(motion.along, motion.about, node.increment);
-  to_six(motion.along_rate, motion.about_rate, node.rate);
-  to_six(motion.along_acceleration, motion.about_acceleration, node.acceleration);
-}
-
-/// The middle of an element at a stage, on its cubic between two nodes: r = (r_u + r_l)/2 + a_u + a_l, with the arms a_u = L/8 n_u and
-/// a_l = -L/8 n_l, n the section normals. Its motions are v = (v_u + v_l)/2 + w_u x a_u + w_l x a_l and w = (w_u + w_l)/2.
+/// The middle of an element at a stage, on its cubic between two nodes: r = (r_u + r_l)/2 + a_u + a_l, with the arms a_u = L/8
+/// n_u and a_l = -L/8 n_l, n the section normals. Its motions are v = (v_u + v_l)/2 + w_u x a_u + w_l x a_l and w = (w_u +
+/// w_l)/2.
 struct SpanMotion
 {
   Eigen::Vector3d position;
@@ -102,10 +86,10 @@ struct Workspace
 
   std::vector<NodeMotion> nodes;  ///< of guided nodes only where motion_known says so: forces read them by StageContext::node()
   std::vector<SpanMotion> spans;  ///< one per element
-  std::vector<GuidedMotion> guided;        ///< one per node
-  std::vector<GuidedForce> guided_forces;  ///< one per element
+  GuidedMotions guided;           ///< of the nodes
   std::vector<unsigned char> motion_known;  ///< per node: `nodes` holds its motion at this stage; of free nodes always
-  std::vector<unsigned char> rows_open;     ///< per node: forces can be added to its rows (ForceRows); of free nodes always, of guided ones where one was
+  std::vector<unsigned char>
+      rows_open;  ///< per node: forces can be added to its rows (ForceRows); of free nodes always, of guided ones where one was
   StringColumns columns;   ///< the same for the batch kernels
   // batch kernels of the free string; all null: one by one, for any kind of element
   const MotionKernel* motion;
@@ -113,7 +97,6 @@ struct Workspace
   const PlaceKernel* place;
   const WallKernel* wall;
   const HistoryKernel* history;
-  NumberColumns guided_columns;  ///< of guided nodes and elements, for the batch kernel
   StageResult result;
   std::vector<double> unused;  ///< 6 per node: a residual that nobody asks for
   Profiler profiler;           ///< where the time goes; evaluate() times its parts, its callers theirs

@@ -14,8 +14,8 @@ struct BristleForce
   double next = 0.0;      ///< deflection if the step ends here [m or rad]
 };
 
-/// Coulomb friction in one coordinate, carried by a damped bristle as at the wall (contact/wall_contact.h): what it holds does not creep,
-/// and does not ring. In a step from deflection z, after a move u at speed v,
+/// Coulomb friction in one coordinate, carried by a damped bristle as at the wall (contact/wall_contact.h): what it holds does
+/// not creep, and does not ring. In a step from deflection z, after a move u at speed v,
 ///   q = k (z + u) + c v,   force = -q while |q| <= most, else -most sign(q).
 /// Stuck, z moves along; slipping it goes to -force/k over the time c/k. Passive for any damping c >= 0.
 struct DampedBristle
@@ -28,11 +28,7 @@ struct DampedBristle
   /// q
   double trial(double move, double speed) const noexcept { return stiffness * (deflection + move) + damping * speed; }
   /// @param force  that acts at the end of the step, `time` after its start [s]
-  double next(double move, double force, bool slips, double time) const noexcept
-  {
-    if (!slips) return deflection + move;
-    return deflection + (-force / stiffness - deflection) * time / (time + damping / stiffness);
-  }
+  double next(double move, double force, bool slips, double time) const noexcept;
   BristleForce at(double move, double speed, double time) const noexcept
   {
     const double q = trial(move, speed);

@@ -4,6 +4,13 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "drill_rig_sim/math/one_lane.h"
+
+namespace drill_rig_sim::one_lane
+{
+#include "drill_rig_sim/rig/rigid_body_text.h"
+}  // namespace drill_rig_sim::one_lane
+
 /// A rigid body that is alike in all directions across its x axis: travelling block, stator, rotor, bit, and the cross-section
 /// that carries a string node's inertia. World axes throughout; symbols: n the body's x axis, w its angular velocity, v its
 /// centre's velocity.
@@ -31,19 +38,15 @@ struct BodyMotion
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();       ///< w, world axes [rad/s]
 };
 
-/// Force and moment, 6 numbers, that give a body of axis n and angular velocity w the acceleration (v', w'). `gyroscopic` [kg m2]: J_s - J_t
-/// where w' is the rate of w in world axes; J_s where it is the rate in axes that tilt with the body but do not spin, tilt' + spin' n,
-/// which lacks the term spin w x n of the other.
+/// Force and moment, 6 numbers, that give a body of axis n and angular velocity w the acceleration (v', w'). `gyroscopic` [kg
+/// m2]: J_s - J_t where w' is the rate of w in world axes; J_s where it is the rate in axes that tilt with the body but do not
+/// spin, tilt' + spin' n, which lacks the term spin w x n of the other.
 inline Eigen::Matrix<double, 6, 1> inertia_force(const RigidBody& body, const Eigen::Vector3d& n, const Eigen::Vector3d& w,
                                                  const Eigen::Matrix<double, 6, 1>& acceleration, double gyroscopic) noexcept
 {
-  const Eigen::Vector3d a = acceleration.head<3>(), alpha = acceleration.tail<3>();
-  const double spin = w.dot(n);
-  Eigen::Matrix<double, 6, 1> out;
-  out.head<3>() = (body.mass + body.added_mass) * a - (body.added_mass * n.dot(a)) * n;
-  out.tail<3>() =
-      body.tilt_inertia * alpha + ((body.spin_inertia - body.tilt_inertia) * alpha.dot(n)) * n + gyroscopic * spin * w.cross(n);
-  return out;
+  const one_lane::Body of{body.mass, body.added_mass, body.spin_inertia, body.tilt_inertia};
+  return one_lane::to_eigen(
+      one_lane::inertia_force(of, one_lane::from(n), one_lane::from(w), one_lane::from(acceleration), gyroscopic));
 }
 /// The same in world axes.
 inline Eigen::Matrix<double, 6, 1> inertia_force(const RigidBody& body, const BodyMotion& motion,

@@ -20,7 +20,8 @@ BeamPose pose_of(const StageContext& at, int e) noexcept
                 at.stage.free_stretch[static_cast<std::size_t>(e)]};
   if (element.bend != 0.0 || at.model.mesh().is_shaft(e))
   {
-    const Eigen::Quaterniond bent = element.bend != 0.0 ? upper.orientation * element.upper_end : shaft_end(at.model, at.stage, at.work).orientation;
+    const Eigen::Quaterniond bent =
+        element.bend != 0.0 ? upper.orientation * element.upper_end : shaft_end(at.model, at.stage, at.work).orientation;
     pose.upper_normal = x_axis(bent);
     pose.upper_orientation = bent;
     pose.twist = twist_between(bent, lower.orientation);
@@ -54,12 +55,13 @@ void take_collar(const StageContext& at, int e, BeamTangent& t) noexcept
 {
   const Vector3d& n = at.work.nodes[e + 1].normal;
   const Vector3d off = shaft_end(at.model, at.stage, at.work).off;
-  for (Eigen::Matrix3d* by_upper : {&t.force_upper, &t.upper_upper, &t.lower_upper}) *by_upper += (*by_upper * off) * n.transpose();
+  for (Eigen::Matrix3d* by_upper : {&t.force_upper, &t.upper_upper, &t.lower_upper})
+    *by_upper += (*by_upper * off) * n.transpose();
 }
 
 bool guided_element(const StageContext& at, int e) noexcept
 {
-  return at.stage.guided_spans[static_cast<std::size_t>(e)].guided;
+  return at.stage.guides.spans(static_cast<std::size_t>(e));
 }
 
 /// d = lower - upper. An element writes the blocks of its upper node and those between; only the first node's is there before.
@@ -140,8 +142,8 @@ void add_beams_at_guides(const StageContext& at, const ForceRows& to) noexcept
   }
 }
 
-/// The dead load's potential, end moments included: the mean place of a cubic element is (x1 + x2)/2 + L/12 (n1 - n2). The two other
-/// elements leave the end moments away, and then the normals in it.
+/// The dead load's potential, end moments included: the mean place of a cubic element is (x1 + x2)/2 + L/12 (n1 - n2). The two
+/// other elements leave the end moments away, and then the normals in it.
 double weight_potential(const StageContext& at, int e, const BeamPose& pose) noexcept
 {
   const double arm = at.model.beam().load_moments ? at.model.mesh().elements[e].section.length / 12.0 : 0.0;
@@ -180,7 +182,8 @@ Vector3d turn_of_shaft(const StageContext& at, const ShaftEnd& end, const NodeMo
 }
 }  // namespace
 
-const Force beams = {"beams", Cost::elements, Sum::string, add_beams, add_elements, add_beams_at_guides, store_beams, sample_beams};
+const Force beams = {"beams",      Cost::elements,      Sum::string, add_beams,
+                     add_elements, add_beams_at_guides, store_beams, sample_beams};
 
 void open_string(const StageContext& at, const ForceRows& to) noexcept
 {

@@ -79,7 +79,8 @@ void put_on_face(const StageContext& at, const TorqueLimit& limit, double speed,
   const Vector3d by_speed = face.by_speed + (per_torque * limit.speed_slope * std::copysign(1.0, speed)) * face.by_resistance;
   auto d = to.slope(0);
   d.topLeftCorner<3, 3>() += c * face.by_velocity;
-  d.topLeftCorner<3, 3>() += (per_torque * limit.force_slope * stiffness) * face.by_resistance * at.start.well.bottom_normal().transpose();
+  d.topLeftCorner<3, 3>() +=
+      (per_torque * limit.force_slope * stiffness) * face.by_resistance * at.start.well.bottom_normal().transpose();
   d.topRightCorner<3, 3>() += c * by_speed * at.node(0).axis.transpose();
 }
 
@@ -122,7 +123,7 @@ void put_on_bit(const StageContext& at, const RockLoad& rock, const ForceRows& t
   RigForces& forces = at.work.result.forces;
   forces.wob = rock.force;
   forces.bit_torque = rock.torque;
-  const bool guided = at.stage.guides[0].guided;  // its side force is not known
+  const bool guided = at.stage.guides.guided[0] != 0;  // its side force is not known
   forces.bit_force = (guided ? Vector3d(Vector3d::Zero()) : forces.wall[0]) - rock.force * down;
   for (int i = 1; i < at.model.mesh().gauge_nodes && !guided; ++i) forces.bit_force += forces.wall[i];
   forces.bit_moment -= rock.torque * n;  // the wall left the gauge's share
@@ -130,7 +131,8 @@ void put_on_bit(const StageContext& at, const RockLoad& rock, const ForceRows& t
   forces.rock_force = rock.force * down;
   if (guided || forces.contact[0] <= 0.0) return;
   const Vector3d outward = node.position - node.closest.centre;
-  const double offset = std::sqrt(outward.squaredNorm() + wall_contact_smoothing * wall_contact_smoothing);  // as the wall's law has it
+  const double offset =
+      std::sqrt(outward.squaredNorm() + wall_contact_smoothing * wall_contact_smoothing);  // as the wall's law has it
   forces.rock_force += (forces.contact[0] / offset) * outward;
 }
 
@@ -142,14 +144,15 @@ void advance_bit(const StageContext& at, const BitTorque& torque) noexcept
   end.twist = torque.twist;
   end.turned += at.stage.bit.motor_turn;
   // what was not drilled with stays in the mean: the turns that drill are those that were made
-  end.mean_speed -= std::expm1(-at.stage.time / at.model.bit().speed_lag) * (at.work.result.forces.bit_speed - at.stage.bit.drilling_speed);
+  end.mean_speed -=
+      std::expm1(-at.stage.time / at.model.bit().speed_lag) * (at.work.result.forces.bit_speed - at.stage.bit.drilling_speed);
   const MotorSpec* motor = at.model.motor();
   if (!motor) return;
   const double load = at.work.result.forces.motor_torque;
   const bool locked = at.start.faults.motor_locked;
-  const MudMotorSpeed steady =
-      locked ? MudMotorSpeed()
-             : mud_motor_steady_speed(at.start.flow, motor->displacement_per_rev, motor->stall_torque, motor->curve_exponent, load);
+  const MudMotorSpeed steady = locked ? MudMotorSpeed()
+                                      : mud_motor_steady_speed(at.start.flow, motor->displacement_per_rev, motor->stall_torque,
+                                                               motor->curve_exponent, load);
   end.motor_torque = load;
   end.motor_speed = advance_mud_motor(at.start.bit.motor_speed, steady, torque.spin_slope, at.stage.time);
   end.stalled = mud_motor_stalled(at.start.flow, motor->stall_torque, locked ? motor->stall_torque : load);
@@ -195,7 +198,8 @@ void add_cutting(const StageContext& at, const ForceRows& to) noexcept
   result.cut = place_over_ground(at);
   const GroundHeight ground = ground_ahead(at.start.ground, bit.torque.blades, result.cut.angle);
   const double sunk = at.node(0).increment.head<3>().dot(at.start.well.bottom_normal());
-  const CutWeight weight = cut_weight(bit_cut_law(bit.torque, rock), result.cut.height - ground.value, sunk, at.start.ground.flats);
+  const CutWeight weight =
+      cut_weight(bit_cut_law(bit.torque, rock), result.cut.height - ground.value, sunk, at.start.ground.flats);
   take_weight(weight, result.cut, result.bottom);
 
   // the torque's limit, its slopes beside it

@@ -6,8 +6,8 @@ namespace drill_rig_sim
 {
 namespace
 {
-/// Calls run() with the task on each stretch of elements whose ends are not both guided, and single(e) on a shaft that points the bit, which lies
-/// between two of them.
+/// Calls run() with the task on each stretch of elements whose ends are not both guided, and single(e) on a shaft that points the
+/// bit, which lies between two of them.
 template <class Run, class Single>
 void for_each_free_run(const StageContext& at, StringTask& task, const Run& run, const Single& single)
 {
@@ -18,7 +18,7 @@ void for_each_free_run(const StageContext& at, StringTask& task, const Run& run,
     task.last = last;
     run();
   };
-  each_between(at.stage.guided_elements, static_cast<int>(at.stage.guided_spans.size()),
+  each_between(at.stage.guided_elements, at.model.elements(),
                [&](int first, int last)
                {
                  if (shaft < first || shaft >= last) return run_on(first, last);
@@ -30,9 +30,8 @@ void for_each_free_run(const StageContext& at, StringTask& task, const Run& run,
 
 StringTask task_of(const StageContext& at, double* residual) noexcept
 {
-  StringColumns& columns = at.work.columns;
-  columns.take_stage(at.stage);
-  return {0, 0, &columns.nodes, &columns.elements, at.stage.structural_damping, at.stage.dv_du, at.stage.da_du, residual, nullptr, nullptr, nullptr};
+  const StringColumns& columns = at.work.columns;
+  return {0, 0, columns.nodes, columns.elements, at.stage, residual, nullptr, nullptr, nullptr};
 }
 
 }  // namespace
@@ -76,7 +75,8 @@ void sample_free_string(const StageContext& at, EnergySample& sample) noexcept
   double* elastic = at_node(sample, NodeForce::beams, 0).data();
   double* damping = at_node(sample, NodeForce::structural, 0).data();
   StringTask task = task_of(at, nullptr);
-  for_each_free_run(at, task, [&] { at.work.string->sample(task, elastic, damping); }, [&](int e) { sample_beam(at, e, sample); });
+  for_each_free_run(
+      at, task, [&] { at.work.string->sample(task, elastic, damping); }, [&](int e) { sample_beam(at, e, sample); });
 }
 
 }  // namespace drill_rig_sim

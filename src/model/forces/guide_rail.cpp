@@ -30,7 +30,7 @@ void hold(int top, int k, const ForceRows& to) noexcept
 
 void add_rail(const StageContext& at, const ForceRows& to) noexcept
 {
-  if (at.stage.guides.back().guided) return;
+  if (at.stage.guides.guided.back()) return;
   for (int k : held_by_rail) hold(at.model.top(), k, to);
 }
 
@@ -39,7 +39,7 @@ void add_hold(const StageContext& at, const ForceRows& to) noexcept
   const auto r = at_node(to.residual(), at.model.top());
   at.work.result.held_force = r[2];
   at.work.result.held_torque = -r[5];
-  if (at.stage.guides.back().guided) return hold_guided(at.model.top(), to);
+  if (at.stage.guides.guided.back()) return hold_guided(at.model.top(), to);
   for (int k = 0; k < 6; ++k) hold(at.model.top(), k, to);
 }
 }  // namespace

@@ -1,13 +1,11 @@
 #include "drill_rig_sim/model/forces/inertia.h"
 
-#include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/model/forces/free_string.h"
 #include "drill_rig_sim/model/forces/guide_rail.h"
 
 namespace drill_rig_sim
 {
 using Eigen::Map;
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 namespace
@@ -17,7 +15,7 @@ void add_inertia_of_nodes(const StageContext& at, const ForceRows& to) noexcept
   const double dv_du = at.stage.dv_du, da_du = at.stage.da_du;
   for (int i = 0; i < at.model.nodes(); ++i)
   {
-    if (at.stage.guides[i].guided) continue;
+    if (at.stage.guides.guided[static_cast<std::size_t>(i)]) continue;
     const RigidBody body = node_body(at.model, at.stage, i);
     const NodeMotion& node = at.work.nodes[i];
     const Vector3d& n = node.axis;
@@ -25,13 +23,13 @@ void add_inertia_of_nodes(const StageContext& at, const ForceRows& to) noexcept
     to.force(i) += inertia_force(body, n, w, node.acceleration, body.spin_inertia);
     if (!to.with_tangent()) continue;
 
+    const one_lane::Body b{body.mass, body.added_mass, body.spin_inertia, body.tilt_inertia};
+    const one_lane::AlongAndAcross slope = inertia_slope(b, da_du);
     auto d = to.slope(i);
-    const Matrix3d nn = n * n.transpose();
-    d.topLeftCorner<3, 3>() -= (da_du * body.added_mass) * nn;
-    d.topLeftCorner<3, 3>().diagonal().array() += da_du * (body.mass + body.added_mass);
-    d.bottomRightCorner<3, 3>() += (da_du * (body.spin_inertia - body.tilt_inertia)) * nn +
-                                   (dv_du * body.spin_inertia) * (w.cross(n) * n.transpose() - w.dot(n) * skew(n));
-    d.bottomRightCorner<3, 3>().diagonal().array() += da_du * body.tilt_inertia;
+    d.topLeftCorner<3, 3>() += slope.nn * n * n.transpose();
+    d.topLeftCorner<3, 3>().diagonal().array() += slope.one;
+    const double turned = dv_du * body.spin_inertia;
+    d.bottomRightCorner<3, 3>() += to_eigen(moment_slope(turning_slope(b, da_du), turned, one_lane::from(n), one_lane::from(w)));
   }
 }
 
@@ -44,7 +42,7 @@ void store_inertia(const StageContext& at, StoredEnergy& energy) noexcept
 {
   for (int i = 0; i < at.model.nodes(); ++i)
   {
-    if (at.stage.guides[i].guided) continue;
+    if (at.stage.guides.guided[static_cast<std::size_t>(i)]) continue;
     const RigidBody body = node_body(at.model, at.stage, i);
     const NodeMotion& node = at.work.nodes[i];
     energy.kinetic += kinetic_energy(body, node.axis, node.rate.head<3>());
@@ -56,7 +54,7 @@ void sample_inertia(const StageContext& at, EnergySample& sample) noexcept
 {
   for (int i = 0; i < at.model.nodes(); ++i)
   {
-    if (at.stage.guides[i].guided) continue;
+    if (at.stage.guides.guided[static_cast<std::size_t>(i)]) continue;
     const RigidBody body = node_body(at.model, at.stage, i);
     const NodeMotion& node = at.work.nodes[i];
     // the gyroscopic moment does no work
@@ -65,7 +63,8 @@ void sample_inertia(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force inertia = {"inertia", Cost::inertia, Sum::none, add_inertia, add_inertia_of_nodes, nullptr, store_inertia, sample_inertia};
+const Force inertia = {"inertia", Cost::inertia, Sum::none,     add_inertia, add_inertia_of_nodes,
+                       nullptr,   store_inertia, sample_inertia};
 
 RigidBody node_body(const Model& model, const Stage& stage, int i) noexcept
 {

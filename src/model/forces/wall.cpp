@@ -42,7 +42,8 @@ WallForce sliding_force(const StageContext& at, int i, Matrix6d* block) noexcept
 {
   const NodeMotion& node = at.work.nodes[i];
   Matrix6d unused;
-  return sliding_wall_contact(node.closest, radius_of(at, i), node.position, at.stage.sliding, at.model.contact(i), block ? *block : unused);
+  return sliding_wall_contact(node.closest, radius_of(at, i), node.position, at.stage.sliding, at.model.contact(i),
+                              block ? *block : unused);
 }
 
 /// Rock on bit about its centre.
@@ -81,24 +82,28 @@ void add_wall(const StageContext& at, const ForceRows& to) noexcept
   each_outside(at.stage.guided_nodes, at.model.top(), [&](int i) { add_at<force_at>(at, i, to); });
 }
 
-WallNumbers numbers_of(const WallLaw& law, double radius) noexcept
-{
-  return {law.law.stiffness, law.law.exponent, law.law.damping, law.stribeck_speed, law.static_ratio, law.tangential_stiffness,
-          law.tangential_damping, law.friction_radius > 0.0 ? law.friction_radius : radius, radius, {}};
-}
-
 /// For the batch kernel: node i, the k-th that touches.
 void enter(const StageContext& at, int i, int k, const ForceRows& to) noexcept
 {
   const NodeMotion& node = at.work.nodes[i];
   StageResult& result = at.work.result;
   const double before = at.start.nodes[i].rest;
-  WallNumbers& numbers = at.work.columns.wall_numbers[k];
-  numbers = numbers_of(at.model.contact(i, node.closest, before), radius_of(at, i));
   result.rest[i] = before;
-  at.work.columns.wall_places[k] = {node.orientation.coeffs().data(), &node.closest.md, at.start.nodes[i].bristle.data(), &numbers.stiffness,
-                                    to.force(i).data(), to.with_tangent() ? to.slope(i).data() : nullptr, result.forces.wall[i].data(),
-                                    result.bristle[i].data(), &result.forces.contact[i], &result.rest[i]};
+  const double radius = radius_of(at, i);
+  StringColumns& columns = at.work.columns;
+  WallPlace& place = columns.wall_places[k];
+  place.node = &node;
+  place.bristle = &at.start.nodes[i].bristle;
+  place.law = &at.model.contact(i);
+  if (at.model.contact_varies()) place.law = &(columns.wall_laws[k] = at.model.contact(i, node.closest, before));
+  place.lever = place.law->friction_radius > 0.0 ? place.law->friction_radius : radius;
+  place.radius = radius;
+  place.residual = to.force(i).data();
+  place.diagonal = to.with_tangent() ? to.slope(i).data() : nullptr;
+  place.wall = &result.forces.wall[i];
+  place.bristle_after = &result.bristle[i];
+  place.normal_force = &result.forces.contact[i];
+  place.rest = &result.rest[i];
 }
 
 void leave_clear(StageResult& result, int i) noexcept
@@ -141,7 +146,8 @@ void store_wall(const StageContext& at, StoredEnergy& energy) noexcept
   {
     const NodeMotion& node = at.work.nodes[i];
     energy.bristles += 0.5 * at.model.contact(i).tangential_stiffness * at.work.result.bristle[i].squaredNorm();
-    if (node.touches) energy.wall += elastic_energy(at.model.contact(i).law, -wall_gap(node.closest, node.position, radius_of(at, i)));
+    if (node.touches)
+      energy.wall += elastic_energy(at.model.contact(i).law, -wall_gap(node.closest, node.position, radius_of(at, i)));
   });
 }
 
@@ -171,7 +177,8 @@ void sample_wall(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force wall = {"wall", Cost::contact, Sum::contact, add_sticking, add_wall<sliding_force>, add_sticking, store_wall, sample_wall};
+const Force wall = {"wall",       Cost::contact, Sum::contact, add_sticking, add_wall<sliding_force>,
+                    add_sticking, store_wall,    sample_wall};
 
 void add_wall_at_bit(const StageContext& at, const ForceRows& to) noexcept
 {

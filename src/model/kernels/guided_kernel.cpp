@@ -1,9 +1,8 @@
-// The formulas are those of evaluate.cpp, guides.cpp, forces/guided_string.cpp and contact/surface_friction.cpp; symbols as there.
+// Guided nodes at a stage: what guided_string.cpp, evaluate.cpp and guides.cpp do node by node.
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
 
 #include <cstddef>
 
-#include "drill_rig_sim/math/number_columns.h"
 #include "drill_rig_sim/model/workspace.h"
 
 #ifndef DRILL_RIG_SIM_KERNELS_TOGETHER
@@ -30,27 +29,20 @@ namespace
 template <class Batch>
 void move_batch(const StageContext& at, const double* u, Batch b)
 {
-  using namespace guided_column;
   const Stage& stage = at.stage;
-  const V3 t = tangent_of(guides_of(stage, b));
-  const V6 step = load6(rows(u + 6 * b.i, 6 * sizeof(double), b.count));
-  const V6 rate = load6(rows(stage.rate[static_cast<std::size_t>(b.i)].data(), sizeof(Vector6d), b.count));
-  const V6 acceleration = load6(rows(stage.acceleration[static_cast<std::size_t>(b.i)].data(), sizeof(Vector6d), b.count));
+  GuidedMotions& to = at.work.guided;
+  const auto data = [](const Vector6d& six) { return six.data(); };
+  const V3 t = load3(stage.guides.tangent, b.i);
+  const V6 step = load6(rows(u + 6 * b.i, 6, b.count));
+  const V6 rate = load6(rows_of(stage.rate, b, data)), acceleration = load6(rows_of(stage.acceleration, b, data));
   const V dv = all(stage.dv_du), da = all(stage.da_du);
-  const V s = dot(t, step.head), phi = dot(t, step.tail);
-  const V s_rate = hn::MulAdd(dv, s, dot(t, rate.head)), phi_rate = hn::MulAdd(dv, phi, dot(t, rate.tail));
-  const V s_acceleration = hn::MulAdd(da, s, dot(t, acceleration.head)), phi_acceleration = hn::MulAdd(da, phi, dot(t, acceleration.tail));
-  NumberColumns& columns = at.work.guided_columns;
-  store(s, columns, along, b.i);
-  store(phi, columns, about, b.i);
-  store(s_rate, columns, along_rate, b.i);
-  store(phi_rate, columns, about_rate, b.i);
-  store(s_acceleration, columns, along_acceleration, b.i);
-  store(phi_acceleration, columns, about_acceleration, b.i);
-  double spare[6];
-  const Rows to = rows_to(at.work.guided, at.work.guided[0].along, b, spare);
-  store4<false>(s, phi, s_rate, phi_rate, to, 0);
-  store4<false>(s_rate, phi_rate, s_acceleration, phi_acceleration, to, 2);
+  const V along = dot(t, step.head), about = dot(t, step.tail);
+  store(along, to.along, b.i);
+  store(about, to.about, b.i);
+  store(mul_add(dv, along, dot(t, rate.head)), to.along_rate, b.i);
+  store(mul_add(dv, about, dot(t, rate.tail)), to.about_rate, b.i);
+  store(mul_add(da, along, dot(t, acceleration.head)), to.along_acceleration, b.i);
+  store(mul_add(da, about, dot(t, acceleration.tail)), to.about_acceleration, b.i);
 }
 
 void move(const StageContext& at, const double* u, Runs::Run nodes) noexcept
@@ -58,154 +50,122 @@ void move(const StageContext& at, const double* u, Runs::Run nodes) noexcept
   each_batch(nodes, [&](auto b) { move_batch(at, u, b); });
 }
 
-template <class Batch>
-void tension_batch(const StageContext& at, Batch b)
-{
-  using namespace guided_column;
-  NumberColumns& columns = at.work.guided_columns;
-  const V4 span = load4(rows_of(at.stage.guided_spans, at.stage.guided_spans[0].axial, b), 0);  // axial, torsion, stretch, twist
-  const V c = all(at.stage.structural_damping);
-  const auto difference = [&](int kind) { return load(columns[kind] + b.i) - load(columns[kind] + b.i + 1); };
-  const V force = span.a * hn::MulAdd(c, difference(along_rate), span.c + difference(along));
-  const V moment = span.b * hn::MulAdd(c, difference(about_rate), span.d + difference(about));
-  store(force, columns, tension, b.i);
-  store(moment, columns, torque, b.i);
-  const V damped = all(1.0 + at.stage.dv_du * at.stage.structural_damping);
-  store(damped * span.a, columns, axial, b.i);
-  store(damped * span.b, columns, torsion, b.i);
-  double spare[2];
-  store2(force, moment, rows_to(at.work.guided_forces, at.work.guided_forces[0].tension, b, spare));
-}
-
 void find_tensions(const StageContext& at, Runs::Run elements) noexcept
 {
-  each_batch(elements, [&](auto b) { tension_batch(at, b); });
+  const GuideColumns& guides = at.stage.guides;
+  GuidedMotions& motions = at.work.guided;
+  const V damping = all(at.stage.structural_damping);
+  each_batch(
+      elements,
+      [&](auto b)
+      {
+        const auto less_upper = [&](const Column& column) { return load(column, b.i) - load(column, b.i + 1); };
+        const GuidedElement element{load(guides.axial, b.i), load(guides.torsion, b.i), load(guides.stretch, b.i),
+                                    load(guides.twist, b.i)};
+        const V2 held = guided_elastic(element, {less_upper(motions.along), less_upper(motions.about)});
+        const V2 damped = guided_damping(element, damping, {less_upper(motions.along_rate), less_upper(motions.about_rate)});
+        store(held.x + damped.x, motions.tension, b.i);
+        store(held.y + damped.y, motions.torque, b.i);
+      });
 }
 
-/// A Guide's numbers that forces want, and what the node's friction was at the start of the step.
-struct Numbers
+/// A node as its two rows want it.
+struct Node
 {
-  V3 tangent, above, below, weight;
-  V mass, spin_inertia, mud_along, mud_about, friction, lever, held;
-  V stribeck_speed, static_ratio, stiffness, damping;  // of the friction
-  V bristle_along, bristle_around, rest;
+  V3 tangent, weight, above, below;  // above, below: directions of its elements
+  GuidedNode body;
+  Rubbing law;
+  V lever, held;
+  V2 tension_above, tension_below;  // and torque
 };
 
-template <class Batch>
-HWY_INLINE Numbers load_numbers(const StageContext& at, Batch b)
+HWY_INLINE Node load_node(const StageContext& at, int i)
 {
-  const Rows guide = guides_of(at.stage, b);
-  const V4 p = load4(guide, 0), q = load4(guide, 4), r = load4(guide, 8), m = load4(guide, mass_at), f = load4(guide, friction_at);
-  const V4 l = load4(guide, law_at), s = load4(rows_of(at.start.nodes, at.start.nodes[0].bristle.x(), b), 0);
-  return {{p.a, p.b, p.c}, {p.d, q.a, q.b}, {q.c, q.d, r.a}, {r.b, r.c, r.d}, m.a, m.b, m.c, m.d, f.a, f.b, f.d, l.a, l.b, l.c, l.d, s.a, s.b, s.d};
-}
-
-/// Load on the wall and normal force.
-struct Load : GuidedLoad
-{
-  V3 push;
-};
-
-HWY_INLINE Load load_of(const Numbers& n, V above, V below)
-{
-  const V3 sum = mul_add(above, n.above, mul_add(below, n.below, n.weight)), push = mul_sub_from(dot(n.tangent, sum), n.tangent, sum);
-  return {guided_load(push, n.friction, n.held), push};
-}
-
-/// At the rim, with its slopes by the rim's displacement, rows first, and by the load on the wall.
-struct Friction
-{
-  V2 force, bristle, first_row, second_row, by_load;
-  V rest;
-};
-
-HWY_INLINE Friction friction_of(const Numbers& n, const StageContext& at, const NumberColumns& columns, int i, const Load& on_wall)
-{
-  using namespace guided_column;
+  const GuideColumns& g = at.stage.guides;
+  const GuidedMotions& m = at.work.guided;
   const bool exponential = at.model.scene().contact.stribeck_curve == StribeckCurve::exponential;
-  const Rubbing law{n.friction, n.static_ratio, n.stribeck_speed, n.stiffness, n.damping, exponential};
-  const V2 before{n.bristle_along, n.bristle_around}, displacement{load(columns[along] + i), n.lever * load(columns[about] + i)};
-  const V2 velocity{load(columns[along_rate] + i), n.lever * load(columns[about_rate] + i)}, stretched = before + displacement;
-  const V zero = all(0.0), time = all(at.stage.time);
-  const Rubbed<V2> r = rubbed(law, on_wall.normal, mul_add(n.stiffness, stretched, n.damping * velocity), stretched, [&] { return velocity; },
-                              [&] { return before; }, time);
-  const RubbedSlopes by = slopes_of(law, on_wall.normal, r, velocity, all(at.stage.dv_du));
-  const V2 none{zero, zero};
-  const Mask there = both(on_wall.normal > zero, n.friction > zero);
-  return {choose(there, r.force, none),
-          choose(there, r.bristle, none),
-          choose(there, by.first_row, none),
-          choose(there, by.second_row, none),
-          choose(there, on_wall.normal_by_size * by.by_normal_force, none),
-          select_or_zero(both(there, opposite(r.slipping)), n.rest + time)};
+  return {load3(g.tangent, i),
+          load3(g.weight, i),
+          load3(g.direction, i),
+          load3(g.direction, i - 1),
+          {load(g.mass, i), load(g.spin_inertia, i), load(g.wet_along, i), load(g.wet_about, i)},
+          {load(g.friction, i), load(g.static_ratio, i), load(g.stribeck_speed, i), load(g.stiffness, i), load(g.damping, i),
+           exponential},
+          load(g.lever, i),
+          load(g.held, i),
+          {load(m.tension, i), load(m.torque, i)},
+          {load(m.tension, i - 1), load(m.torque, i - 1)}};
+}
+
+HWY_INLINE GuidedFriction friction_of(const StageContext& at, const Node& n, const GuidedLoad& on_wall, int i)
+{
+  const GuideColumns& g = at.stage.guides;
+  const GuidedMotions& m = at.work.guided;
+  return guided_friction(n.law, on_wall.normal, {load(g.bristle.part[0], i), load(g.bristle.part[1], i)},
+                         {load(m.along, i), n.lever * load(m.about, i)}, {load(m.along_rate, i), n.lever * load(m.about_rate, i)},
+                         all(at.stage.time));
 }
 
 template <class Batch>
-HWY_INLINE void write_residual(const StageContext& at, const Numbers& n, const Friction& f, Batch b, double* residual)
+HWY_INLINE void write_tangent(const StageContext& at, const Node& n, const GuidedLoad& on_wall, const GuidedFriction& f, Batch b,
+                              const GuidedRows& to)
 {
-  using namespace guided_column;
-  const NumberColumns& columns = at.work.guided_columns;
-  const auto of = [&](int kind) { return load(columns[kind] + b.i); };
-  const auto ends = [&](int kind) { return load(columns[kind] + b.i) - load(columns[kind] + b.i - 1); };
-  const V along_hole = hn::MulAdd(n.mass, of(along_acceleration), hn::MulAdd(n.mud_along, of(along_rate), ends(tension))) - dot(n.tangent, n.weight) - f.force.x;
-  const V about_hole = hn::NegMulAdd(n.lever, f.force.y, hn::MulAdd(n.spin_inertia, of(about_acceleration), hn::MulAdd(n.mud_about, of(about_rate), ends(torque))));
-  double spare[6];
-  store6(along_hole * n.tangent, about_hole * n.tangent, rows_to(residual, 6, b, spare), 0);
-}
-
-template <class Batch>
-HWY_INLINE void write_tangent(const StageContext& at, const Numbers& n, const Load& load_on_wall, const Friction& f, Batch b, const GuidedRows& to)
-{
-  using namespace guided_column;
-  const NumberColumns& columns = at.work.guided_columns;
-  const V dv = all(at.stage.dv_du), da = all(at.stage.da_du), zero = all(0.0);
-  const V2 by_load{hn::Neg(f.by_load.x), hn::Neg(n.lever * f.by_load.y)};
-  const V axial_above = load(columns[axial] + b.i), axial_below = load(columns[axial] + b.i - 1);
-  const V torsion_above = load(columns[torsion] + b.i), torsion_below = load(columns[torsion] + b.i - 1);
-  const V of_above = dot(load_on_wall.direction, n.above) * axial_above, of_below = dot(load_on_wall.direction, n.below) * axial_below;
-  const V2 above{of_above * by_load.x, of_above * by_load.y}, below{of_below * by_load.x, of_below * by_load.y};
+  const GuideColumns& g = at.stage.guides;
+  const V dv = all(at.stage.dv_du), da = all(at.stage.da_du), damped = all(1.0 + at.stage.dv_du * at.stage.structural_damping);
+  const auto stiffness = [&](int e) { return V2{damped * load(g.axial, e), damped * load(g.torsion, e)}; };
+  const GuidedSlopes slopes = guided_slopes(n.law, on_wall, f, dv);
+  const V2 by_load{minus(slopes.by_load.x), minus(n.lever * slopes.by_load.y)};
+  const GuidedBlocks k = guided_blocks(n.body, slopes, n.lever, stiffness(b.i), stiffness(b.i - 1),
+                                       dot(on_wall.direction, n.above), dot(on_wall.direction, n.below), by_load, dv, da);
   double spare[4];
-  store4<false>(hn::MulAdd(da, n.mass, dv * n.mud_along) - f.first_row.x + axial_above + axial_below + above.x - below.x, hn::Neg(n.lever * f.first_row.y),
-                above.y - below.y - n.lever * f.second_row.x,
-                hn::MulAdd(da, n.spin_inertia, dv * n.mud_about) - n.lever * n.lever * f.second_row.y + torsion_above + torsion_below,
-                rows_to(to.diagonal, 4, b, spare), 0);
-  store4<false>(hn::Neg(axial_above) - above.x, zero, hn::Neg(above.y), hn::Neg(torsion_above), rows_to(to.upper, 4, b, spare), 0);
-  store4<false>(below.x - axial_below, zero, below.y, hn::Neg(torsion_below), rows_to(to.lower - 4, 4, b, spare), 0);
+  const auto put = [&](const V2& first, const V2& second, double* blocks)
+  { store4<false>(first.x, first.y, second.x, second.y, rows(blocks + 4 * b.i, 4, b.count, spare), 0); };
+  put(k.own_first, k.own_second, to.diagonal);
+  put(k.upper_first, k.upper_second, to.upper);
+  put(k.lower_first, k.lower_second, to.lower - 4);
 }
 
-/// Rows of three are written with a number too many each, which the next row puts right; behind a run there is always a node that is evaluated later.
 template <class Batch>
-HWY_INLINE void write_results(const StageContext& at, const Numbers& n, const Load& load_on_wall, const Friction& f, Batch b)
+HWY_INLINE void write_results(const StageContext& at, const Node& n, const GuidedLoad& on_wall, const V3& push,
+                              const GuidedFriction& f, Batch b)
 {
   StageResult& result = at.work.result;
-  double spare[8];
-  const V zero = all(0.0);
-  store4<false>(f.bristle.x, f.bristle.y, zero, zero, rows_to(result.bristle, result.bristle[0].x(), b, spare), 0);
-  const V3 wall = f.force.x * n.tangent - load_on_wall.push;
-  store4<false>(wall.x, wall.y, wall.z, zero, rows_to(result.forces.wall, result.forces.wall[0].x(), b, spare), 0);
-  put_down(f.rest, result.rest.data(), b);
-  put_down(load_on_wall.normal, result.forces.contact.data(), b);
-  const V3& p = load_on_wall.push;
-  const Rows motion = rows_to(at.work.guided, at.work.guided[0].push.x(), b, spare);
-  store6(p, p, motion, 0);
-  store4<false>(p.x, p.y, p.z, f.force.y, motion, 3);
+  double spare[3];
+  const auto data = [](Eigen::Vector3d& v) { return v.data(); };
+  const Rubbed<V2>& r = f.rubbed;
+  store3({r.bristle.x, r.bristle.y, all(0.0)}, rows_to(result.bristle, b, spare, data));
+  store3(r.force.x * n.tangent - push, rows_to(result.forces.wall, b, spare, data));
+  put_down(select_or_zero(f.sticks, load(at.stage.guides.rest, b.i) + all(at.stage.time)), result.rest, b.i, b.count);
+  put_down(on_wall.normal, result.forces.contact, b.i, b.count);
+  store(push, at.work.guided.push, b.i);
+  store(push, at.work.guided.lean, b.i);
+  store(r.force.y, at.work.guided.around, b.i);
 }
 
-template <class Batch>
-void add_batch(const StageContext& at, Batch b, const GuidedRows& to)
+template <bool kTangent, class Batch>
+HWY_INLINE void add_batch(const StageContext& at, Batch b, const GuidedRows& to)
 {
-  const NumberColumns& columns = at.work.guided_columns;
-  const Numbers n = load_numbers(at, b);
-  const Load on_wall = load_of(n, load(columns[guided_column::tension] + b.i), load(columns[guided_column::tension] + b.i - 1));
-  const Friction f = friction_of(n, at, columns, b.i, on_wall);
-  write_residual(at, n, f, b, to.residual);
-  write_results(at, n, on_wall, f, b);
-  if (to.diagonal) write_tangent(at, n, on_wall, f, b, to);
+  const GuidedMotions& m = at.work.guided;
+  const Node n = load_node(at, b.i);
+  const V3 push = guided_push(n.tangent, n.tension_above.x, n.above, n.tension_below.x, n.below, n.weight);
+  const GuidedLoad on_wall = guided_load(push, n.law.kinetic, n.held);
+  const GuidedFriction f = friction_of(at, n, on_wall, b.i);
+  const V2 rate{load(m.along_rate, b.i), load(m.about_rate, b.i)};
+  const V2 acceleration{load(m.along_acceleration, b.i), load(m.about_acceleration, b.i)};
+  const V2 row =
+      guided_row(n.body, rate, acceleration, n.tension_above, n.tension_below, dot(n.tangent, n.weight), f.rubbed.force, n.lever);
+  double spare[6];
+  store6({row.x * n.tangent, row.y * n.tangent}, rows(to.residual + 6 * b.i, 6, b.count, spare));
+  write_results(at, n, on_wall, push, f, b);
+  if constexpr (kTangent) write_tangent(at, n, on_wall, f, b, to);
 }
 
 void add(const StageContext& at, Runs::Run nodes, const GuidedRows& to) noexcept
 {
-  each_batch(nodes, [&](auto b) { add_batch(at, b, to); });
+  if (to.diagonal)
+    each_batch(nodes, [&](auto b) { add_batch<true>(at, b, to); });
+  else
+    each_batch(nodes, [&](auto b) { add_batch<false>(at, b, to); });
 }
 
 void reduce(const Stage& stage, Runs::Run nodes, double* b) noexcept
@@ -214,12 +174,11 @@ void reduce(const Stage& stage, Runs::Run nodes, double* b) noexcept
   each_batch(nodes,
              [&](auto batch)
              {
-               const V3 t = tangent_of(guides_of(stage, batch));
-               const V6 r = load6(rows(b + 6 * batch.i, 6 * sizeof(double), batch.count));
+               const V3 t = load3(stage.guides.tangent, batch.i);
+               double* first = b + 6 * batch.i;
+               const V6 r = load6(rows(first, 6, batch.count));
                const V zero = all(0.0);
-               const Rows to = rows_to(b, 6, batch, spare);
-               store4<false>(dot(t, r.head), dot(t, r.tail), zero, zero, to, 0);
-               store4<false>(zero, zero, zero, zero, to, 2);
+               store6({{dot(t, r.head), dot(t, r.tail), zero}, {zero, zero, zero}}, rows(first, 6, batch.count, spare));
              });
 }
 
@@ -229,40 +188,56 @@ void expand(const Stage& stage, Runs::Run nodes, double* b) noexcept
   each_batch(nodes,
              [&](auto batch)
              {
-               const Rows guide = guides_of(stage, batch);
-               const V4 t = load4(guide, 0), w = load4(guide, turn_at), x = load4(rows(b + 6 * batch.i, 6 * sizeof(double), batch.count), 0);
-               const V3 tangent{t.a, t.b, t.c}, turn{w.a, w.b, w.c};
-               store6(x.a * tangent, mul_add(x.a, turn, x.b * tangent), rows_to(b, 6, batch, spare), 0);
+               const V3 t = load3(stage.guides.tangent, batch.i), turn = load3(stage.guides.turn, batch.i);
+               double* first = b + 6 * batch.i;
+               const V4 x = load4(rows(first, 6, batch.count), 0);
+               store6({x.a * t, mul_add(x.a, turn, x.b * t)}, rows(first, 6, batch.count, spare));
              });
 }
 
 template <class Batch>
 void expand_batch(const Stage& stage, Workspace& work, Batch b)
 {
-  const Rows guide = guides_of(stage, b);
-  const V4 p = load4(guide, 0), q = load4(guide, turn_at);
-  const V3 t{p.a, p.b, p.c}, w{q.a, q.b, q.c};
-  const Rows from = rows_of(work.guided, work.guided[0].along, b);
-  const V4 m = load4(from, 0), a = load4(from, 2);
-  double spare[36];
-  const Rows to = rows_to(work.nodes, work.nodes[0].axis.x(), b, spare);  // axis, position, normal, tilt, spin, carried_spin, increment, rate, acceleration
-  store4<false>(t.x, t.y, t.z, all(0.0), to, 0);  // the place is not looked at
-  const V3 tilt = m.a * w, normal = t + cross(tilt, t);
-  store6(normal, tilt, to, 6);
-  const auto six = [&](V along, V about, int column) { store6(along * t, mul_add(along, w, about * t), to, column); };
-  store2(m.b, m.d, rows_to(work.nodes, work.nodes[0].spin, b, spare));
-  six(m.a, m.b, 14);
-  six(m.c, m.d, 20);
-  six(a.c, a.d, 26);
+  const V3 t = load3(stage.guides.tangent, b.i), turn = load3(stage.guides.turn, b.i);
+  const GuidedMotions& m = work.guided;
+  double spare[6];
+  const auto to = [&](auto get) { return rows_to(work.nodes, b, spare, get); };
+  const auto six = [&](const Column& along, const Column& about)
+  {
+    const V s = load(along, b.i);
+    return V6{s * t, mul_add(s, turn, load(about, b.i) * t)};
+  };
+  const V3 tilt = load(m.along, b.i) * turn;
+  store3(t, to([](NodeMotion& node) { return node.axis.data(); }));
+  store3(tilt, to([](NodeMotion& node) { return node.tilt.data(); }));
+  store3(t + cross(tilt, t), to([](NodeMotion& node) { return node.normal.data(); }));
+  store1(load(m.about, b.i), to([](NodeMotion& node) { return &node.spin; }));
+  store1(load(m.about_rate, b.i), to([](NodeMotion& node) { return &node.carried_spin; }));
+  store6(six(m.along, m.about), to([](NodeMotion& node) { return node.increment.data(); }));
+  store6(six(m.along_rate, m.about_rate), to([](NodeMotion& node) { return node.rate.data(); }));
+  store6(six(m.along_acceleration, m.about_acceleration), to([](NodeMotion& node) { return node.acceleration.data(); }));
 }
 
 void expand_motions(const Stage& stage, Workspace& work, Runs::Run nodes) noexcept
 {
   each_batch(nodes, [&](auto b) { expand_batch(stage, work, b); });
 }
+/// Of elements bent as the hole is.
+void find_forces(const Stage& stage, Workspace& work, Runs::Run elements) noexcept
+{
+  const GuideColumns& g = stage.guides;
+  RigForces& out = work.result.forces;
+  each_batch(elements,
+             [&](auto b)
+             {
+               put_down(load(work.guided.tension, b.i), out.tension, b.i, b.count);
+               put_down(minus(load(work.guided.torque, b.i)), out.torque, b.i, b.count);
+               put_down(load(g.bending, b.i) * norm(load3(g.turn, b.i + 1)), out.bending_moment, b.i + 1, b.count);
+             });
+}
 }  // namespace
 
-constexpr GuidedKernel table = {move, find_tensions, add, reduce, expand, expand_motions};
+constexpr GuidedKernel table = {move, find_tensions, add, reduce, expand, expand_motions, find_forces};
 }  // namespace drill_rig_sim::HWY_NAMESPACE::of_guided
 HWY_AFTER_NAMESPACE();
 #endif

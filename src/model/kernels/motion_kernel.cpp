@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "drill_rig_sim/model/kernels/string_columns.h"
+#include "drill_rig_sim/model/stage.h"
+#include "drill_rig_sim/model/workspace.h"
 
 #ifndef DRILL_RIG_SIM_KERNELS_TOGETHER
 #undef HWY_TARGET_INCLUDE
@@ -81,7 +82,7 @@ HWY_INLINE Quaternion rotation_from_vector(const V3& r)
   return {h.sine * r.x, h.sine * r.y, h.sine * r.z, h.cosine};
 }
 
-/// NodeMoves of a batch, in its order.
+/// NodeMotion of a batch, but for the hole.
 struct Moves
 {
   Quaternion orientation;
@@ -90,88 +91,68 @@ struct Moves
   V6 increment, rate, acceleration;
 };
 
-HWY_INLINE void store(const Moves& m, const Rows& to)
+HWY_INLINE void store(const Moves& m, std::vector<NodeMotion>& nodes, int i, int count)
 {
+  double spare[6];
+  const auto to = [&](auto get) { return rows_to(nodes.data() + i, count, spare, get); };
   const Quaternion& q = m.orientation;
-  const V6 &u = m.increment, &r = m.rate, &a = m.acceleration;
-  store4<false>(q.x, q.y, q.z, q.w, to, 0);
-  store4<false>(m.axis.x, m.axis.y, m.axis.z, m.position.x, to, 4);
-  store4<false>(m.position.y, m.position.z, m.normal.x, m.normal.y, to, 8);
-  store4<false>(m.normal.z, m.tilt.x, m.tilt.y, m.tilt.z, to, 12);
-  store4<false>(m.spin, m.carried_spin, u.head.x, u.head.y, to, 16);
-  store4<false>(u.head.z, u.tail.x, u.tail.y, u.tail.z, to, 20);
-  store4<false>(r.head.x, r.head.y, r.head.z, r.tail.x, to, 24);
-  store4<false>(r.tail.y, r.tail.z, a.head.x, a.head.y, to, 28);
-  store4<false>(a.head.z, a.tail.x, a.tail.y, a.tail.z, to, 32);
+  store4<false>(q.x, q.y, q.z, q.w, to([](NodeMotion& node) { return node.orientation.coeffs().data(); }), 0);
+  store3(m.axis, to([](NodeMotion& node) { return node.axis.data(); }));
+  store3(m.position, to([](NodeMotion& node) { return node.position.data(); }));
+  store3(m.normal, to([](NodeMotion& node) { return node.normal.data(); }));
+  store3(m.tilt, to([](NodeMotion& node) { return node.tilt.data(); }));
+  store1(m.spin, to([](NodeMotion& node) { return &node.spin; }));
+  store1(m.carried_spin, to([](NodeMotion& node) { return &node.carried_spin; }));
+  store6(m.increment, to([](NodeMotion& node) { return node.increment.data(); }));
+  store6(m.rate, to([](NodeMotion& node) { return node.rate.data(); }));
+  store6(m.acceleration, to([](NodeMotion& node) { return node.acceleration.data(); }));
 }
 
-HWY_INLINE void store(const Moves& m, NumberColumns& to, int i)
+HWY_INLINE void store(const Moves& m, NodeColumns& to, int i)
 {
-  store(m.position, to, node_column::position, i);
-  store(m.normal, to, node_column::normal, i);
-  store(mul_add(m.carried_spin, m.normal - m.axis, m.rate.tail), to, node_column::turning, i);
-  store(m.rate.head, to, node_column::velocity, i);
-  store(m.rate.tail, to, node_column::rotating, i);
-  store(m.axis, to, node_column::axis, i);
-  store(m.acceleration.head, to, node_column::acceleration, i);
-  store(m.acceleration.tail, to, node_column::acceleration + 3, i);
-  store({m.orientation.x, m.orientation.y, m.orientation.z}, to, node_column::orientation, i);
-  store(m.orientation.w, to, node_column::orientation + 3, i);
-  store(m.carried_spin, to, node_column::carried_spin, i);
-  store(m.increment.head, to, node_column::increment, i);
-  store(m.increment.tail, to, node_column::increment + 3, i);
+  store(m.position, to.position, i);
+  store(m.normal, to.normal, i);
+  store(mul_add(m.carried_spin, m.normal - m.axis, m.rate.tail), to.turning, i);
+  store(m.axis, to.axis, i);
+  store(m.orientation, to.orientation, i);
+  store(m.carried_spin, to.carried_spin, i);
+  store(m.increment, to.increment, i);
+  store(m.rate, to.rate, i);
+  store(m.acceleration, to.acceleration, i);
 }
 
-/// Places and orientations at the start of the step.
-struct Before
+HWY_INLINE Moves moved(const State& start, const Stage& stage, const double* u, int i, int count)
 {
-  V3 position;
-  Quaternion orientation;
-};
-
-HWY_INLINE Before load_before(const MoveTask& task, int i, int count)
-{
-  const std::ptrdiff_t from = (i - task.first) * task.state_stride;
-  const auto at = [from](const double* first) { return reinterpret_cast<const double*>(reinterpret_cast<const char*>(first) + from); };
-  const V4 p = load4(rows(at(task.position), task.state_stride, count), 0);
-  const V4 q = load4(rows(at(task.orientation), task.state_stride, count), 0);
-  return {{p.a, p.b, p.c}, {q.a, q.b, q.c, q.d}};
-}
-
-HWY_INLINE V6 load_six(const double* first, int i, int count)
-{
-  return load6(rows(first + 6 * i, 6 * sizeof(double), count));
-}
-
-HWY_INLINE Moves moved(const MoveTask& task, int i, int count)
-{
-  const Before before = load_before(task, i, count);
+  const NodeState* before = start.nodes.data() + i;
+  const Quaternion orientation =
+      load_quaternion(rows_of(before, count, [](const NodeState& node) { return node.orientation.coeffs().data(); }));
+  const auto six = [&](const std::vector<Vector6d>& from)
+  { return load6(rows_of(from.data() + i, count, [](const Vector6d& v) { return v.data(); })); };
   Moves m;
-  m.axis = x_axis(before.orientation);
-  m.increment = load_six(task.u, i - task.first, count);
-  m.position = before.position + m.increment.head;
+  m.axis = x_axis(orientation);
+  m.increment = load6(rows(u + 6 * i, 6, count));
+  m.position = load3(rows_of(before, count, [](const NodeState& node) { return node.position.data(); })) + m.increment.head;
   m.spin = dot(m.increment.tail, m.axis);
   m.tilt = mul_sub_from(m.spin, m.axis, m.increment.tail);
   const HalfTurn spun = half_turn(all(0.25) * m.spin * m.spin);
   const V s = spun.sine * m.spin;
-  m.orientation = rotation_from_vector(m.tilt) * (Quaternion{s * m.axis.x, s * m.axis.y, s * m.axis.z, spun.cosine} * before.orientation);
+  m.orientation =
+      rotation_from_vector(m.tilt) * (Quaternion{s * m.axis.x, s * m.axis.y, s * m.axis.z, spun.cosine} * orientation);
   m.normal = x_axis(m.orientation);
-  m.rate = mul_add(all(task.dv_du), m.increment, load_six(task.rate, i - task.first, count));
+  m.rate = mul_add(all(stage.dv_du), m.increment, six(stage.rate));
   m.carried_spin = dot(m.rate.tail, m.axis);
-  m.acceleration = mul_add(all(task.da_du), m.increment, load_six(task.acceleration, i - task.first, count));
+  m.acceleration = mul_add(all(stage.da_du), m.increment, six(stage.acceleration));
   return m;
 }
 
-void move(const MoveTask& task) noexcept
+void move(const State& start, const Stage& stage, const double* u, Runs::Run nodes, Workspace& work) noexcept
 {
-  double spare[36];
-  for (int i = task.first; i < task.last; i += kLanes)
+  for (int i = nodes.first; i < nodes.last; i += kLanes)
   {
-    const int count = lanes_from(i, task.last);
-    const Moves m = moved(task, i, count);
-    char* to = reinterpret_cast<char*>(task.moves) + (i - task.first) * task.move_stride;
-    store(m, rows(reinterpret_cast<double*>(to), task.move_stride, count, spare));
-    store(m, *task.nodes, i);
+    const int count = lanes_from(i, nodes.last);
+    const Moves m = moved(start, stage, u, i, count);
+    store(m, work.nodes, i, count);
+    store(m, work.columns.nodes, i);
   }
 }
 }  // namespace

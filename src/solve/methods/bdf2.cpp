@@ -9,7 +9,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr int last_increment = 1;  // u_-
+constexpr int last_increment = 1;  // u_-; the kernel's second
 
 bool remembers(double ratio) noexcept
 {
@@ -40,23 +40,9 @@ void prepare_nodes(const State& state, const Coefficients& by, Stage& stage) noe
   {
     const Eigen::Vector3d& n = stage.normal[i];
     stage.rate[i] = -by.p * in_step_axes(increment.nodes[i], n);
-    stage.acceleration[i] = by.c * stage.rate[i] + by.p * in_step_axes(rate.nodes[i], n) - by.q * in_step_axes(state.nodes[i].rate, n);
+    stage.acceleration[i] =
+        by.c * stage.rate[i] + by.p * in_step_axes(rate.nodes[i], n) - by.q * in_step_axes(state.nodes[i].rate, n);
   }
-}
-
-/// The same by the batch kernel.
-void prepare_batches(const HistoryKernel& history, const State& state, const Coefficients& by, Stage& stage) noexcept
-{
-  const auto past = [&state](int k)
-  { return NumberRows<const double>{state.memory.past[static_cast<std::size_t>(k)].nodes[0].velocity.data(), sizeof(NodeRate)}; };
-  const NodeState& first = state.nodes[0];
-  history.find_rates({static_cast<int>(state.nodes.size()),
-                      {first.orientation.coeffs().data(), sizeof(NodeState)},
-                      {past(last_increment), past(last_rate), {first.rate.velocity.data(), sizeof(NodeState)}},
-                      {-by.p, 0.0, 0.0},
-                      {-by.c * by.p, by.p, -by.q},
-                      stage.rate[0].data(),
-                      stage.acceleration[0].data()});
 }
 
 void prepare(const State& state, double step, const HistoryKernel* history, Stage& stage) noexcept
@@ -71,11 +57,12 @@ void prepare(const State& state, double step, const HistoryKernel* history, Stag
   stage.dv_du = by.c;
   stage.da_du = by.c * by.c;
   if (history)
-    prepare_batches(*history, state, by, stage);
+    history->find_rates(state, {0.0, 0.0, -by.p}, {-by.q, by.p, -by.c * by.p}, stage);
   else
     prepare_nodes(state, by, stage);
   const double drive_rate = -by.p * state.memory.past[last_increment].rotor;
-  stage.drive = {step, by.c, by.c * by.c, drive_rate, by.c * drive_rate + by.p * state.memory.past[last_rate].rotor - by.q * state.drive.speed};
+  stage.drive = {step, by.c, by.c * by.c, drive_rate,
+                 by.c * drive_rate + by.p * state.memory.past[last_rate].rotor - by.q * state.drive.speed};
 }
 
 bool step_bdf2(StepContext& context) noexcept
@@ -86,12 +73,12 @@ bool step_bdf2(StepContext& context) noexcept
 
 void remember_increment(const StepContext& context, MethodMemory& memory) noexcept
 {
-  remember(context.work, &NodeMotion::increment, context.work.result.drive_increment, memory.past[last_increment]);
+  remember(context.stage, context.work, increments, context.work.result.drive_increment, memory.past[last_increment]);
 }
 
-/// BDF2 ends (1 + r)^2/(6 r (1 + 2 r)) h^3 y''' too far. The extrapolation h rate_n + r h/2 (rate_n - rate_-) falls short by 1/6 + 1/(4 r) of
-/// h^3 y''' of its own and, as the rates are BDF2's and late by h_-^2 y'''/3 (that for equal steps), by 1/(3 r^2) more.
-/// Without memory the step is implicit Euler's, which ends h^2 y''/2 too far, and the extrapolation falls short by as much.
+/// BDF2 ends (1 + r)^2/(6 r (1 + 2 r)) h^3 y''' too far. The extrapolation h rate_n + r h/2 (rate_n - rate_-) falls short by 1/6
+/// + 1/(4 r) of h^3 y''' of its own and, as the rates are BDF2's and late by h_-^2 y'''/3 (that for equal steps), by 1/(3 r^2)
+/// more. Without memory the step is implicit Euler's, which ends h^2 y''/2 too far, and the extrapolation falls short by as much.
 double share_of_distance(double r) noexcept
 {
   if (r <= 0.0) return 0.5;
@@ -101,8 +88,15 @@ double share_of_distance(double r) noexcept
 }
 }  // namespace
 
-const Method bdf2 = {IntegratorKind::bdf2, "bdf2", "BDF2, second order, L-stable, one solve a step, halved where the motion changes fast (default)", step_bdf2,
-                     remember_increment, 0, true, nullptr, share_of_distance};
+const Method bdf2 = {IntegratorKind::bdf2,
+                     "bdf2",
+                     "BDF2, second order, L-stable, one solve a step, halved where the motion changes fast (default)",
+                     step_bdf2,
+                     remember_increment,
+                     0,
+                     true,
+                     nullptr,
+                     share_of_distance};
 
 void prepare_bdf2(const State& state, double step, Stage& stage) noexcept
 {

@@ -1,5 +1,6 @@
-// Generalised alpha (Chung and Hulbert, J. Appl. Mech. 60, 1993) in the form of Arnold and Bruels (Multibody Syst. Dyn. 18, 2007): the
-// equations of motion hold at the ends of the steps, for the true acceleration; the rates follow from an averaged one, a:
+// Generalised alpha (Chung and Hulbert, J. Appl. Mech. 60, 1993) in the form of Arnold and Bruels (Multibody Syst. Dyn. 18,
+// 2007): the equations of motion hold at the ends of the steps, for the true acceleration; the rates follow from an averaged one,
+// a:
 //   (1 - am) a + am a_n = (1 - af) acceleration + af acceleration_n
 //   u = h rate_n + h^2 ((1/2 - b) a_n + b a),   rate = rate_n + h ((1 - g) a_n + g a)
 // am = (2 r - 1)/(r + 1), af = r/(r + 1), g = 1/2 + af - am, b = (g + 1/2)^2/4; r: spectral radius at infinite frequency.
@@ -57,8 +58,8 @@ bool step_generalised_alpha(StepContext& context) noexcept
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const Eigen::Vector3d& n = stage.normal[i];
-    constants<Vector6d>(h, in_step_axes(state.nodes[i].rate, n), in_step_axes(a.nodes[i], n), in_step_axes(acceleration.nodes[i], n),
-                        stage.rate[i], stage.acceleration[i]);
+    constants<Vector6d>(h, in_step_axes(state.nodes[i].rate, n), in_step_axes(a.nodes[i], n),
+                        in_step_axes(acceleration.nodes[i], n), stage.rate[i], stage.acceleration[i]);
   }
   stage.drive.dv_du = stage.dv_du;
   stage.drive.da_du = stage.da_du;
@@ -70,7 +71,8 @@ bool step_generalised_alpha(StepContext& context) noexcept
 void remember_accelerations(const StepContext& context, MethodMemory& memory) noexcept
 {
   const StageResult& result = context.work.result;
-  remember(context.work, &NodeMotion::acceleration, result.drive_acceleration, memory.past[last_acceleration]);
+  remember_acceleration(context, memory);
+  expand_motions(context.stage, context.work);
   PastQuantity& a = memory.past[averaged_acceleration];
   const PastQuantity& before = memory.past[last_rate];
   for (std::size_t i = 0; i < a.nodes.size(); ++i)
@@ -79,7 +81,14 @@ void remember_accelerations(const StepContext& context, MethodMemory& memory) no
 }
 }  // namespace
 
-const Method generalised_alpha = {IntegratorKind::generalised_alpha, "generalised_alpha", "generalised alpha, second order, spectral radius 1/2 at infinity", step_generalised_alpha,
-                                  remember_accelerations, 2, false, nullptr, nullptr};
+const Method generalised_alpha = {IntegratorKind::generalised_alpha,
+                                  "generalised_alpha",
+                                  "generalised alpha, second order, spectral radius 1/2 at infinity",
+                                  step_generalised_alpha,
+                                  remember_accelerations,
+                                  2,
+                                  false,
+                                  nullptr,
+                                  nullptr};
 
 }  // namespace drill_rig_sim

@@ -14,14 +14,12 @@ const HistoryKernel* history_of(const Workspace& work) noexcept
   return work.columns.moved ? work.history : nullptr;
 }
 
-NumberRows<const double> rows_of(const Workspace& work) noexcept
+/// Calls guided(run) for the runs of nodes whose motions are known in two coordinates alone, other(run) for what is between them.
+template <class Guided, class Other>
+void each_run(const Stage& stage, int nodes, const Guided& guided, const Other& other)
 {
-  return {work.nodes[0].orientation.coeffs().data(), sizeof(NodeMotion)};
-}
-
-NumberRows<double> rows_of(PastQuantity& past) noexcept
-{
-  return {past.nodes[0].velocity.data(), sizeof(NodeRate)};
+  for (const Runs::Run& run : stage.inner_nodes) guided(run);
+  each_between(stage.inner_nodes, nodes, [&](int first, int last) { other(Runs::Run{first, last}); });
 }
 }  // namespace
 
@@ -31,7 +29,6 @@ bool StepContext::solve() noexcept
   left.max_iterations = std::min(limits.max_iterations, budget - iterations);
   const NewtonOutcome outcome = newton.solve(at_stage(), u, left);
   iterations += outcome.iterations;
-  expand_motions(stage, work);
   return outcome.converged;
 }
 
@@ -52,15 +49,7 @@ void predict(const State& state, double time, double* u, const HistoryKernel* hi
   // rate + time/2 times the last acceleration
   const double bend = state.memory.last_step > 0.0 ? 0.5 * time / state.memory.last_step : 0.0;
   const std::vector<NodeRate>& before = state.memory.past[last_rate].nodes;
-  if (history)
-  {
-    const NodeState& first = state.nodes[0];
-    const NumberRows<const double> now{first.rate.velocity.data(), sizeof(NodeState)}, last{before[0].velocity.data(), sizeof(NodeRate)};
-    const double of_now = time * (1.0 + bend), of_last = -time * bend;
-    history->find_rates({static_cast<int>(state.nodes.size()), {first.orientation.coeffs().data(), sizeof(NodeState)}, {now, last, last},
-                         {of_now, of_last, 0.0}, {of_now, of_last, 0.0}, u, u});
-    return;
-  }
+  if (history) return history->extrapolate(state, time * (1.0 + bend), -time * bend, u);
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const NodeState& node = state.nodes[i];
@@ -72,15 +61,15 @@ void predict(const State& state, double time, double* u, const HistoryKernel* hi
   }
 }
 
-void remember_last_rate(const Workspace& work, State& state) noexcept
+void remember_last_rate(const Stage& stage, Workspace& work, State& state) noexcept
 {
   PastQuantity& past = state.memory.past[last_rate];
   past.rotor = state.drive.speed;
   if (const HistoryKernel* history = history_of(work))
-  {
-    history->carry(static_cast<int>(past.nodes.size()), rows_of(work), {state.nodes[0].rate.velocity.data(), sizeof(NodeState)}, rows_of(past));
-    return;
-  }
+    return each_run(stage, static_cast<int>(past.nodes.size()),
+                    [&](Runs::Run run) { history->carry_guided(stage, work, state, run, past.nodes); },
+                    [&](Runs::Run run) { history->carry(work, state, run, past.nodes); });
+  expand_motions(stage, work);
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const NodeRate& before = state.nodes[i].rate;
@@ -88,21 +77,23 @@ void remember_last_rate(const Workspace& work, State& state) noexcept
   }
 }
 
-void remember(const Workspace& work, Vector6d NodeMotion::*vector, double rotor, PastQuantity& past) noexcept
+void remember(const Stage& stage, Workspace& work, const NodeQuantity& quantity, double rotor, PastQuantity& past) noexcept
 {
   past.rotor = rotor;
   if (const HistoryKernel* history = history_of(work))
   {
-    const auto at = (work.nodes[0].*vector).data() - rows_of(work).first;
-    history->split(static_cast<int>(past.nodes.size()), rows_of(work), static_cast<int>(at), rows_of(past));
-    return;
+    const Column &along = work.guided.*quantity.along, &about = work.guided.*quantity.about;
+    return each_run(stage, static_cast<int>(past.nodes.size()),
+                    [&](Runs::Run run) { history->split_guided(stage, along, about, run, past.nodes); },
+                    [&](Runs::Run run) { history->split(work, quantity.vector, run, past.nodes); });
   }
-  for (std::size_t i = 0; i < work.nodes.size(); ++i) past.nodes[i] = split(work.nodes[i], work.nodes[i].*vector);
+  expand_motions(stage, work);
+  for (std::size_t i = 0; i < work.nodes.size(); ++i) past.nodes[i] = split(work.nodes[i], work.nodes[i].*quantity.vector);
 }
 
 void remember_acceleration(const StepContext& context, MethodMemory& memory) noexcept
 {
-  remember(context.work, &NodeMotion::acceleration, context.work.result.drive_acceleration, memory.past[last_acceleration]);
+  remember(context.stage, context.work, accelerations, context.work.result.drive_acceleration, memory.past[last_acceleration]);
 }
 
 }  // namespace drill_rig_sim

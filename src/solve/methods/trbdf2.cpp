@@ -1,5 +1,6 @@
-// TR-BDF2 (Bank et al. 1985; Hosea and Shampine, Appl. Numer. Math. 20, 1996): trapezoidal rule to t + g h, g = 2 - sqrt 2, then BDF2 from
-// t and t + g h to t + h. With u_1, u_2 the increments since t and the same c = 2/(g h) = (2 - g)/((1 - g) h) in both stages,
+// TR-BDF2 (Bank et al. 1985; Hosea and Shampine, Appl. Numer. Math. 20, 1996): trapezoidal rule to t + g h, g = 2 - sqrt 2, then
+// BDF2 from t and t + g h to t + h. With u_1, u_2 the increments since t and the same c = 2/(g h) = (2 - g)/((1 - g) h) in both
+// stages,
 //   rate_1 = c u_1 - rate_n,             acceleration_1 = c (rate_1 - rate_n) - acceleration_n
 //   rate_2 = c (u_2 - w u_1),            acceleration_2 = c (rate_2 - w rate_1 + (w - 1) rate_n),   w = 1/(g (2 - g)).
 // The embedded formula of third order on the same three rates differs from it by
@@ -76,6 +77,7 @@ double embedded_error(const StepContext& context) noexcept
 {
   static const double weight_n = (std::sqrt(2.0) - 1.0) / 3.0, weight_1 = -1.0 / 3.0, weight_2 = kFirst / 3.0;
   double most = 0.0;
+  expand_motions(context.stage, context.work);
   for (std::size_t i = 0; i < context.work.nodes.size(); ++i)
   {
     const Eigen::Vector3d rate_n = context.state.nodes[i].rate.velocity;
@@ -87,7 +89,14 @@ double embedded_error(const StepContext& context) noexcept
 }
 }  // namespace
 
-const Method trbdf2 = {IntegratorKind::trbdf2, "trbdf2", "TR-BDF2, second order, L-stable, two solves a step, halved where the motion changes fast", step_trbdf2, remember_acceleration, 1, true,
-                       embedded_error, nullptr};
+const Method trbdf2 = {IntegratorKind::trbdf2,
+                       "trbdf2",
+                       "TR-BDF2, second order, L-stable, two solves a step, halved where the motion changes fast",
+                       step_trbdf2,
+                       remember_acceleration,
+                       1,
+                       true,
+                       embedded_error,
+                       nullptr};
 
 }  // namespace drill_rig_sim

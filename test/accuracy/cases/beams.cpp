@@ -118,17 +118,17 @@ void refused_roll_case(Report& report, const BeamKind& kind, int count)
 
 void column_cases(Report& report, const BeamKind& kind, int count)
 {
-  const double euler = pi * pi * Column::bending / (Column::length * Column::length);
+  const double euler = pi * pi * StraightColumn::bending / (StraightColumn::length * StraightColumn::length);
   // clamped-pinned: tan x = x, x = 4.493409
   const struct
   {
     const char* name;
-    Column column;
+    StraightColumn column;
     double factor;
-  } cases[] = {{"pinned-pinned", {Column::pinned, Column::sliding}, 1.0},
-               {"clamped-free", {Column::clamped, Column::free}, 0.25},
-               {"clamped-pinned", {Column::clamped, Column::sliding}, std::pow(4.493409458 / pi, 2)},
-               {"clamped-clamped", {Column::clamped, Column::guided}, 4.0}};
+  } cases[] = {{"pinned-pinned", {StraightColumn::pinned, StraightColumn::sliding}, 1.0},
+               {"clamped-free", {StraightColumn::clamped, StraightColumn::free}, 0.25},
+               {"clamped-pinned", {StraightColumn::clamped, StraightColumn::sliding}, std::pow(4.493409458 / pi, 2)},
+               {"clamped-clamped", {StraightColumn::clamped, StraightColumn::guided}, 4.0}};
   for (const auto& c : cases)
   {
     const double force = critical_load([&](double f) { return c.column.loaded(kind, count, f); }, 0, 0.5 * c.factor * euler, 2.0 * c.factor * euler);

@@ -3,56 +3,20 @@
 
 #include "drill_rig_sim/model/stage_context.h"
 
-/// The inner loops over guided nodes, several at a time. They do what evaluate.cpp, guides.cpp and forces/guided_string.cpp do node by node, to
-/// rounding.
+/// The inner loops over guided nodes, several at a time. They do what evaluate.cpp, guides.cpp and forces/guided_string.cpp do
+/// node by node, to rounding.
 namespace drill_rig_sim
 {
-/// Workspace::guided_columns.
-namespace guided_column
-{
-enum : int
-{
-  along = 0,
-  about = 1,
-  along_rate = 2,
-  about_rate = 3,
-  along_acceleration = 4,
-  about_acceleration = 5,
-  // of the elements
-  tension = 6,
-  torque = 7,
-  axial = 8,    ///< stiffness, with what damping adds
-  torsion = 9,
-  count = 10
-};
-}  // namespace guided_column
-
-/// Stage::guided_columns: the number of node i, or of the element above it, is in place i + 1.
-namespace guide_column
-{
-enum : int
-{
-  tangent = 0,
-  centre = 3,
-  // of the elements
-  direction = 6,  ///< from its lower node's centre to its upper's, unit length; 0 where it is not guided
-  turn = 9,       ///< of the hole between them; at the end of a run that of the element below
-  half_load = 12,
-  // of the model
-  bearing_radius = 15,
-  mud_along = 16,  ///< drag, where it is immersed
-  mud_about = 17,
-  length = 18,     ///< of the elements
-  count = 19
-};
-}  // namespace guide_column
-
 constexpr double pressed = 50.0;  ///< a load that presses a guided node nearly to the wall [N]
 
 /// `q` by the smallest turn that points its x axis along `tangent`.
 Eigen::Quaterniond turned_to(const Eigen::Vector3d& tangent, const Eigen::Quaterniond& q) noexcept;
 
-/// Where forces go: 6 numbers of the residual a node, of node 0, and the small blocks of the tangent (BlockTridiagonal), null: nobody wants them.
+/// What the ends of a run of guided nodes lack: the elements beyond them are not guided.
+void close_run(Stage& stage, Runs::Run nodes) noexcept;
+
+/// Where forces go: 6 numbers of the residual a node, of node 0, and the small blocks of the tangent (BlockTridiagonal), null:
+/// not wanted.
 struct GuidedRows
 {
   double* residual;
@@ -71,9 +35,9 @@ struct GuidedStepKernel
 /// A kernel's, at a stage. Runs of Stage::guided_nodes, guided_elements or inner_nodes.
 struct GuidedKernel
 {
-  /// Motion of guided nodes at the increments u: into Workspace::guided and columns.
+  /// Motion of guided nodes at the increments u: into Workspace::guided.
   void (*move)(const StageContext& at, const double* u, Runs::Run nodes) noexcept;
-  /// Tension and torque of guided elements: into Workspace::guided_forces and columns.
+  /// Tension and torque of guided elements: into Workspace::guided.
   void (*find_tensions)(const StageContext& at, Runs::Run elements) noexcept;
   /// Forces at inner nodes: rows of residual and tangent, overwritten, and what Workspace has of them.
   void (*add)(const StageContext& at, Runs::Run inner_nodes, const GuidedRows& to) noexcept;
@@ -82,6 +46,8 @@ struct GuidedKernel
   void (*expand)(const Stage& stage, Runs::Run nodes, double* b) noexcept;
   /// expand_motion() of inner nodes.
   void (*expand_motions)(const Stage& stage, Workspace& work, Runs::Run nodes) noexcept;
+  /// find_string_forces() of guided elements.
+  void (*find_forces)(const Stage& stage, Workspace& work, Runs::Run elements) noexcept;
 };
 
 /// Null: there is none, and one by one is the way.

@@ -1,39 +1,43 @@
 #ifndef DRILL_RIG_SIM_MODEL_KERNELS_HISTORY_KERNEL_H
 #define DRILL_RIG_SIM_MODEL_KERNELS_HISTORY_KERNEL_H
 
-#include <cstddef>
+#include <vector>
 
 #include "drill_rig_sim/math/kernel.h"
+#include "drill_rig_sim/model/guides.h"
 
 /// What a step takes from those before it and leaves to the next, several nodes at a time.
 namespace drill_rig_sim
 {
-/// Rows of numbers: the first, and how many bytes lie between two.
-template <class Number>
-struct NumberRows
-{
-  Number* first;
-  std::ptrdiff_t stride;
-};
+struct NodeMotion;
+struct NodeRate;
 
-/// Stage::rate and acceleration as sums of three quantities of the past in the step's axes (in_step_axes()).
-struct RatesTask
+/// How much of the rates of the step's start, of the last rates and of what the method remembers second is in a sum, all in the
+/// step's axes (in_step_axes()).
+struct RateFactors
 {
-  int count;
-  NumberRows<const double> orientation;  ///< at the start of the step
-  NumberRows<const double> past[3];      ///< NodeRates
-  double in_rate[3], in_acceleration[3];  ///< their factors
-  double *rate, *acceleration;           ///< 6 a node, overwritten
+  double now, last, second;
 };
 
 /// By kernel.
 struct HistoryKernel
 {
-  void (*find_rates)(const RatesTask& task) noexcept;
-  /// split() of six numbers of NodeMoves from `at` on: NodeRates, overwritten.
-  void (*split)(int count, NumberRows<const double> moves, int at, NumberRows<double> out) noexcept;
-  /// NodeRates with their tilts carried() along: into `out`, which may be where they are.
-  void (*carry)(int count, NumberRows<const double> moves, NumberRows<const double> rates, NumberRows<double> out) noexcept;
+  /// Sums of the first two: 6 per node, overwritten.
+  void (*extrapolate)(const State& state, double of_now, double of_last, double* u) noexcept;
+  /// Stage::rate and acceleration.
+  void (*find_rates)(const State& state, const RateFactors& in_rate, const RateFactors& in_acceleration, Stage& stage) noexcept;
+  /// split() of increments, rates or accelerations of a run of nodes.
+  void (*split)(const Workspace& work, Eigen::Matrix<double, 6, 1> NodeMotion::*vector, Runs::Run nodes,
+                std::vector<NodeRate>& out) noexcept;
+  /// Of the rates, into the state.
+  void (*split_rates)(const Workspace& work, Runs::Run nodes, State& state) noexcept;
+  /// The state's rates with their tilts carried() along.
+  void (*carry)(const Workspace& work, const State& state, Runs::Run nodes, std::vector<NodeRate>& out) noexcept;
+  /// split() and carry() of a run of guided nodes, whose motions need not be known in six coordinates.
+  void (*split_guided)(const Stage& stage, const Column& along, const Column& about, Runs::Run nodes,
+                       std::vector<NodeRate>& out) noexcept;
+  void (*carry_guided)(const Stage& stage, const Workspace& work, const State& state, Runs::Run nodes,
+                       std::vector<NodeRate>& out) noexcept;
 };
 
 /// Null: there is none, and node by node is the way.

@@ -4,98 +4,111 @@
 #include <cstdint>
 #include <vector>
 
-#include "drill_rig_sim/math/number_columns.h"
+#include "drill_rig_sim/math/columns.h"
 #include "drill_rig_sim/model/kernels/place_kernel.h"
 #include "drill_rig_sim/model/kernels/wall_kernel.h"
 #include "drill_rig_sim/model/model.h"
-#include "drill_rig_sim/model/stage.h"
 
 namespace drill_rig_sim
 {
-struct NodeMoves;
+struct NodeMotion;
 
-/// NumberColumns of the nodes; what is a vector or a quaternion (x, y, z, w) has one for each number.
-namespace node_column
-{
-enum : int
+/// Of the nodes, by column.
+struct NodeColumns
 {
   // by the motion kernel
-  position = 0,
-  normal = 3,
-  turning = 6,    ///< angular velocity
-  velocity = 9,
-  rotating = 12,  ///< rotational part of the rate
-  axis = 15,
-  acceleration = 18,
-  orientation = 24,
-  carried_spin = 28,
-  increment = 29,
-  // of the stage
-  free = 35,       ///< 1, or 0 of a guided node, whose mass and mud are another's
-  immersed = 36,   ///< times free
-  added_mass = 37,  ///< times free
+  Columns<3> position, normal;
+  Columns<3> turning;  ///< angular velocity
+  Columns<3> axis;
+  Columns<4> orientation;  ///< x, y, z, w
+  Column carried_spin;
+  Columns<6> increment, rate, acceleration;
   // of the model
-  mass = 38,  ///< with that of the block
-  spin_inertia = 39,
-  tilt_inertia = 40,
-  mud_across = 41,  ///< where it is immersed
-  mud_along = 42,   ///< less that across
-  mud_torsional = 43,
-  mud_quadratic = 44,
-  contact_radius = 45,
+  Column mass;  ///< with that of the block
+  Column spin_inertia, tilt_inertia;
+  Column mud_across;  ///< where it is immersed
+  Column mud_along;   ///< less that across
+  Column mud_about, mud_quadratic;
+  Column contact_radius;
   // by the place kernel
-  searched = 46,  ///< where it was when the hole was searched last
-  room = 49,      ///< how far from there it may go and still be clear of the wall in the same segment, for sure; 0: not known
-  count = 50
+  Columns<3> searched;  ///< where it was when the hole was searched last
+  Column room;  ///< how far from there it may go and still be clear of the wall in the same segment, for sure; 0: not known
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("position", position);
+    v("normal", normal);
+    v("turning", turning);
+    v("axis", axis);
+    v("orientation", orientation);
+    v("carried_spin", carried_spin);
+    v("increment", increment);
+    v("rate", rate);
+    v("acceleration", acceleration);
+    v("mass", mass);
+    v("spin_inertia", spin_inertia);
+    v("tilt_inertia", tilt_inertia);
+    v("mud_across", mud_across);
+    v("mud_along", mud_along);
+    v("mud_about", mud_about);
+    v("mud_quadratic", mud_quadratic);
+    v("contact_radius", contact_radius);
+    v("searched", searched);
+    v("room", room);
+  }
 };
-}  // namespace node_column
 
 /// And of the elements.
-namespace element_column
+struct ElementColumns
 {
-enum : int
-{
-  // of the stage
-  load = 0,
-  free_stretch = 3,
   // of the model: BeamSection
-  length = 4,
-  axial = 5,
-  bending_near = 6,
-  bending_far = 7,
-  torsion = 8,
-  upper_end = 9,  ///< MeshElement's quaternion
-  radius = 13,    ///< of the body
+  Column length, axial, bending_near, bending_far, torsion;
+  Columns<4> upper_end;  ///< MeshElement's quaternion
+  Column radius;         ///< of the body
   // by the place kernel
-  middle = 14,
-  searched = 17,  ///< as of nodes
-  room = 20,
-  count = 21
+  Columns<3> middle;
+  Columns<3> searched;  ///< as of nodes
+  Column room;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("length", length);
+    v("axial", axial);
+    v("bending_near", bending_near);
+    v("bending_far", bending_far);
+    v("torsion", torsion);
+    v("upper_end", upper_end);
+    v("radius", radius);
+    v("middle", middle);
+    v("searched", searched);
+    v("room", room);
+  }
 };
-}  // namespace element_column
 
 /// What the batch kernels of the string work with.
 struct StringColumns
 {
   explicit StringColumns(const Model& model);
 
-  /// What the stage says now.
-  void take_stage(const Stage& stage) noexcept;
   /// The motion of one node.
-  void take(const NodeMoves& node, int i) noexcept;
+  void take(const NodeMotion& node, int i) noexcept;
 
-  NumberColumns nodes, elements;
+  NodeColumns nodes;
+  ElementColumns elements;
   bool moved = false;  ///< hold the motion of the workspace's nodes
   // of the search in the hole: who is searched singly at any time; where the search starts, and what it finds
   std::vector<unsigned char> single_nodes, single_elements;
-  std::vector<const double*> segments;
+  HoleColumns node_holes, element_holes;
+  std::vector<unsigned char> beside;  ///< of those that are searched, PlaceTask::beside
   std::vector<Place> places;
   // the hole and the first segments of the last searches
   std::uint64_t hole = 0;
   std::vector<int> node_hints, element_hints;
   // of nodes that touch the wall
   std::vector<WallPlace> wall_places;
-  std::vector<WallNumbers> wall_numbers;
+  std::vector<WallLaw> wall_laws;  ///< where they differ from the model's
 };
 
 }  // namespace drill_rig_sim

@@ -2,18 +2,22 @@
 #define DRILL_RIG_SIM_MODEL_KERNELS_STRING_KERNEL_H
 
 #include "drill_rig_sim/math/kernel.h"
-#include "drill_rig_sim/math/number_columns.h"
 
-/// The string's inner loops, several elements at a time: what the forces `beams` (the corotational element), `mud_drag` and `inertia` do
-/// one by one, to rounding.
+/// The string's inner loops, several elements at a time: what the forces `beams` (the corotational element), `mud_drag` and
+/// `inertia` do one by one, to rounding.
 namespace drill_rig_sim
 {
+struct ElementColumns;
+struct NodeColumns;
+struct Stage;
+
 /// Beams between free nodes (or a free one and a guided one), mud and inertia of these.
 struct StringTask
 {
   int first, last;  ///< elements from and to, the latter not among them
-  const NumberColumns *nodes, *elements;
-  double structural_damping, dv_du, da_du;
+  const NodeColumns& nodes;
+  const ElementColumns& elements;
+  const Stage& stage;
   double* residual;  ///< 6 a node, of node 0; of the nodes from `first` to `last` overwritten
   /// Tangent blocks of 36 numbers, of node 0 and of the element above it, overwritten as the residual; null: nobody wants them.
   double *diagonal, *upper, *lower;

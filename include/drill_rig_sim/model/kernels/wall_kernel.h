@@ -1,30 +1,27 @@
 #ifndef DRILL_RIG_SIM_MODEL_KERNELS_WALL_KERNEL_H
 #define DRILL_RIG_SIM_MODEL_KERNELS_WALL_KERNEL_H
 
+#include <Eigen/Core>
+
+#include "drill_rig_sim/contact/contact_spec.h"
 #include "drill_rig_sim/math/kernel.h"
 
 namespace drill_rig_sim
 {
-/// A node that touches the wall: where its numbers are, and where those of its contact go. Pointers to the first of several numbers in a row.
+struct NodeMotion;
+
+/// A node that touches the wall: how it moves, the law there, and where the numbers of its contact go.
 struct WallPlace
 {
-  const double* moves;    ///< NodeMoves
-  const double* closest;  ///< ClosestPoint
-  const double* bristle;  ///< at the start of the step, 3
-  const double* law;      ///< ContactLaw and the numbers of WallLaw behind it, as WallNumbers
-  double* residual;       ///< 6, from which force and moment are taken
-  double* diagonal;       ///< 36, from which their derivatives are taken; null: nobody wants them
-  double* wall;           ///< WallForce::force, 3, overwritten; and so on:
-  double* bristle_after;  ///< 3
-  double* normal_force;
-  double* rest;           ///< how long it has stuck: in before, out after
-};
-
-/// WallLaw as a row of numbers, and the section's radius.
-struct WallNumbers
-{
-  double stiffness, exponent, damping, stribeck_speed, static_ratio, tangential_stiffness, tangential_damping, lever, radius;
-  double spare[3];
+  const NodeMotion* node;
+  const Eigen::Vector3d* bristle;  ///< at the start of the step
+  const WallLaw* law;
+  double lever, radius;                   ///< of the friction, of the section [m]
+  double* residual;                       ///< 6, from which force and moment are taken
+  double* diagonal;                       ///< 36, from which their derivatives are taken; null: not wanted
+  Eigen::Vector3d *wall, *bristle_after;  ///< WallForce::force and bristle, overwritten
+  double* normal_force;                   ///< too
+  double* rest;                           ///< how long it has stuck: in before, out after
 };
 
 struct WallTask

@@ -25,7 +25,8 @@ struct StepContext
   StageContext at_stage() noexcept { return {model, state, stage, work}; }
   /// What the method remembers.
   const PastQuantity& past(int k) const noexcept { return state.memory.past[static_cast<std::size_t>(k)]; }
-  /// Newton's method on the stage as prepared, from u; the workspace is left at the solution. False: not converged.
+  /// Newton's method on the stage as prepared, from u; the workspace is left at the solution, of guided nodes in their two
+  /// coordinates (expand_motions()). False: not converged.
   bool solve() noexcept;
 };
 
@@ -44,11 +45,11 @@ struct Method
   int first_acceleration;
   /// A step with a local error above largest_local_error is repeated in halves.
   bool refines;
-  /// Local error of the nodes' places in the step just solved, the largest component [m]. Null: a sixth of what the solution is away from the
-  /// extrapolation, as it is for BDF2.
+  /// Local error of the nodes' places in the step just solved, the largest component [m]. Null: a sixth of what the solution is
+  /// away from the extrapolation, as it is for BDF2.
   double (*local_error)(const StepContext& context) noexcept;
-  /// Of what a step's solution is away from the extrapolation predict(), the share that is the step's local error; `ratio`: the step over the
-  /// one before, 0 where nothing is remembered. Null: steps of variable length are not available.
+  /// Of what a step's solution is away from the extrapolation predict(), the share that is the step's local error; `ratio`: the
+  /// step over the one before, 0 where nothing is remembered. Null: steps of variable length are not available.
   double (*share_of_distance)(double ratio) noexcept;
 };
 
@@ -59,12 +60,23 @@ constexpr int last_acceleration = 1;
 
 /// The stage at the start of the step itself: u = 0 has the state's rates, accelerations are zero, the rotor is held.
 void prepare_start(const State& state, Stage& stage) noexcept;
-/// Extrapolates the last steps to `time` after the start of this one [s]: the first guess of u (6 per node); by the batch kernel, if one is given.
+/// Extrapolates the last steps to `time` after the start of this one [s]: the first guess of u (6 per node); by the batch kernel,
+/// if one is given.
 void predict(const State& state, double time, double* u, const HistoryKernel* history = nullptr) noexcept;
 /// Keeps the rates and the rotor's speed of the step's start as the last ones, while `state` is still the start.
-void remember_last_rate(const Workspace& work, State& state) noexcept;
-/// Puts a quantity of the stage's nodes (`vector`: increment, rate or acceleration) into memory, in the axes of the coming normals.
-void remember(const Workspace& work, Vector6d NodeMotion::*vector, double rotor, PastQuantity& past) noexcept;
+void remember_last_rate(const Stage& stage, Workspace& work, State& state) noexcept;
+/// A quantity of the stage's nodes: increment, rate or acceleration; and of guided ones.
+struct NodeQuantity
+{
+  Vector6d NodeMotion::*vector;
+  Column GuidedMotions::*along;
+  Column GuidedMotions::*about;
+};
+constexpr NodeQuantity increments{&NodeMotion::increment, &GuidedMotions::along, &GuidedMotions::about};
+constexpr NodeQuantity accelerations{&NodeMotion::acceleration, &GuidedMotions::along_acceleration,
+                                     &GuidedMotions::about_acceleration};
+/// Puts it into memory, in the axes of the coming normals.
+void remember(const Stage& stage, Workspace& work, const NodeQuantity& quantity, double rotor, PastQuantity& past) noexcept;
 /// Keeps the accelerations of the stage as the last ones.
 void remember_acceleration(const StepContext& context, MethodMemory& memory) noexcept;
 
@@ -76,7 +88,8 @@ extern const Method implicit_euler;
 extern const Method linearly_implicit_euler;
 /// TR-BDF2: second order, one-step, L-stable, two solves a step.
 extern const Method trbdf2;
-/// Generalised alpha (Chung and Hulbert), forces in balance at the ends of steps (Arnold and Bruels): second order, one solve a step.
+/// Generalised alpha (Chung and Hulbert), forces in balance at the ends of steps (Arnold and Bruels): second order, one solve a
+/// step.
 extern const Method generalised_alpha;
 /// Central differences: second order, no solve, stable for short steps only (explicit_limit.h).
 extern const Method explicit_differences;

@@ -1,55 +1,7 @@
-// Corotational beams, several at a time: the formulas of string/beam_element.cpp, symbols as there. Included by a source of batch kernels inside
-// its namespace, behind math/lanes.h, once for each set of instructions; no include guard, therefore.
+// Text of the corotational beam (beam_element.h) for numbers of type V (math/vector_text.h); symbols as there. No include guard:
+// it is another text for each V.
 
-struct M3
-{
-  V m[3][3];
-};
-
-/// a b^T + c d^T
-HWY_INLINE M3 dyads(const V3& a, const V3& b, const V3& c, const V3& d)
-{
-  const auto row = [&](V p, V q, V* out)
-  {
-    out[0] = hn::MulAdd(p, b.x, q * d.x);
-    out[1] = hn::MulAdd(p, b.y, q * d.y);
-    out[2] = hn::MulAdd(p, b.z, q * d.z);
-  };
-  M3 out;
-  row(a.x, c.x, out.m[0]);
-  row(a.y, c.y, out.m[1]);
-  row(a.z, c.z, out.m[2]);
-  return out;
-}
-
-/// Adds a b^T.
-HWY_INLINE void add_dyad(const V3& a, const V3& b, M3& out)
-{
-  const auto row = [&](V p, V* to)
-  {
-    to[0] = hn::MulAdd(p, b.x, to[0]);
-    to[1] = hn::MulAdd(p, b.y, to[1]);
-    to[2] = hn::MulAdd(p, b.z, to[2]);
-  };
-  row(a.x, out.m[0]);
-  row(a.y, out.m[1]);
-  row(a.z, out.m[2]);
-}
-
-/// Adds skew(v) + `diagonal` 1.
-HWY_INLINE void add_skew(const V3& v, V diagonal, M3& out)
-{
-  out.m[0][0] = out.m[0][0] + diagonal;
-  out.m[1][1] = out.m[1][1] + diagonal;
-  out.m[2][2] = out.m[2][2] + diagonal;
-  out.m[1][0] = out.m[1][0] + v.z;
-  out.m[0][1] = out.m[0][1] - v.z;
-  out.m[0][2] = out.m[0][2] + v.y;
-  out.m[2][0] = out.m[2][0] - v.y;
-  out.m[2][1] = out.m[2][1] + v.x;
-  out.m[1][2] = out.m[1][2] - v.x;
-}
-
+// mean of w'^2/2 of the cubic with end tilts a1, a2: (near/2)(|a1|^2 + |a2|^2) + far a1.a2
 constexpr double kShorteningNear = 4.0 / 30.0;
 constexpr double kShorteningFar = -1.0 / 30.0;
 constexpr double kShortening = kShorteningNear + kShorteningFar;
@@ -65,76 +17,33 @@ struct Beam
   V3 velocity, turning_1, turning_2, spin_1, spin_2;
 };
 
-/// Lower end relative to the upper one.
-HWY_INLINE V twist_between(const Quaternion& from, const Quaternion& to)
-{
-  const V w = hn::MulAdd(from.w, to.w, hn::MulAdd(from.x, to.x, hn::MulAdd(from.y, to.y, from.z * to.z)));
-  const V x = hn::MulAdd(from.w, to.x, hn::NegMulAdd(from.x, to.w, hn::MulSub(from.z, to.y, from.y * to.z)));
-  const V t = x / w;  // a w below zero changes both their signs
-  if (hn::AllTrue(Tag(), hn::Abs(t) < all(0.1)))
-  {
-    const V s = t * t;
-    V sum = all(1.0 / 17.0);
-    for (const double odd : {15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0}) sum = hn::NegMulAdd(s, sum, all(1.0 / odd));
-    return all(2.0) * t * sum;
-  }
-  return all(2.0) * hn::Atan(Tag(), t);
-}
-
-HWY_INLINE Beam load_beam(const StringTask& task, int e)
-{
-  const NumberColumns &nodes = *task.nodes, &elements = *task.elements;
-  const auto of_element = [&](int kind) { return load(elements[kind] + e); };
-  Beam b;
-  b.length = of_element(element_column::length);
-  b.axial = of_element(element_column::axial);
-  b.near = of_element(element_column::bending_near);
-  b.far = of_element(element_column::bending_far);
-  b.torsion = of_element(element_column::torsion);
-  b.free_stretch = of_element(element_column::free_stretch);
-  b.load = load3(elements, element_column::load, e);
-  b.d = load3(nodes, node_column::position, e) - load3(nodes, node_column::position, e + 1);
-  b.n1 = load3(nodes, node_column::normal, e + 1);
-  b.n2 = load3(nodes, node_column::normal, e);
-  b.velocity = load3(nodes, node_column::velocity, e) - load3(nodes, node_column::velocity, e + 1);
-  b.turning_1 = load3(nodes, node_column::turning, e + 1);
-  b.turning_2 = load3(nodes, node_column::turning, e);
-  b.spin_1 = load(nodes[node_column::carried_spin] + e + 1) * b.n1;
-  b.spin_2 = load(nodes[node_column::carried_spin] + e) * b.n2;
-  Quaternion upper = load_quaternion(nodes, node_column::orientation, e + 1);
-  if (!hn::AllTrue(Tag(), of_element(element_column::upper_end + 3) == all(1.0)))  // there is a bend
-  {
-    upper = upper * load_quaternion(elements, element_column::upper_end, e);
-    b.n1 = x_axis(upper);
-  }
-  b.twist = twist_between(upper, load_quaternion(nodes, node_column::orientation, e));
-  return b;
-}
-
-/// Gradient of the stretch, of its rate or of the tension times the length.
+/// Gradient of the stretch, of its rate or of the tension times the length, with respect to d and the ends' spatial rotations.
 struct Gradient
 {
   V3 d, upper, lower;
 };
 
-/// What forces and tangent share: Shape and BendingDamping of beam_element.cpp.
+/// What forces and tangent share. Of what damps the bending (BeamDamping), with m_i = c (k11 w_i + k12 w_j), s = c (k11 + k12):
+///   M_i = P m_i - (s/l) e x v,   force (s/l) G,   G = e x (w_1 + w_2) + 2 P v/l.
 struct Shape
 {
-  V inverse_l, tilt, c12, inverse_12;
-  V3 e, sum_across, binormal, by_n1, by_n2;
-  V3 turn_1, turn_2, crossed;  // n1 x e, n2 x e, n1 x n2
+  V inverse_l, tilt, c12, inverse_12;  // tilt: c1 + c2; inverse_12: 1/(1 + c12)
+  V3 e, sum_across, binormal;          // chord's direction, n1 + n2 across it, d twist/d theta_2
+  V3 by_n1, by_n2;                     // d stretch/d n1, d n2
+  V3 turn_1, turn_2, crossed;          // n1 x e, n2 x e, n1 x n2
   Gradient stretch;
-  V tension, torque, chord, normals;
-  V3 g1, g2;
-  V near, far, by_l, e_m1, e_m2;  // c k11, c k12, s/l, e.m_1, e.m_2
-  V3 m_1, m_2, across, turned, sum, g;
+  V strain;                             // eps
+  V tension, torque, chord, normals;    // chord P = -dU/dc1 = -dU/dc2, normals Q = dU/dc12
+  V3 g1, g2;                            // dU/dn1, dU/dn2, load included
+  V near, far, by_l, e_m1, e_m2;        // c k11, c k12, s/l, e.m_1, e.m_2
+  V3 m_1, m_2, across, turned, sum, g;  // m_i, P v/l, e x v, w_1 + w_2, G
 };
 
-HWY_INLINE Shape shape_of(const Beam& b, double damping_time)
+DRILL_LAW Shape shape_of(const Beam& b, double damping_time)
 {
   const V one = all(1.0), time = all(damping_time), shortening = all(kShortening), shortening_far = all(kShorteningFar);
   Shape f;
-  const V l = hn::Sqrt(dot(b.d, b.d));
+  const V l = sqrt_of(dot(b.d, b.d));
   f.inverse_l = one / l;
   f.e = f.inverse_l * b.d;
   const V3 sum = b.n1 + b.n2;
@@ -153,11 +62,11 @@ HWY_INLINE Shape shape_of(const Beam& b, double damping_time)
   f.stretch.d = mul_sub_from(shortening * f.inverse_l, f.sum_across, inverse_length * f.e);
   f.stretch.upper = mul_sub_from(shortening, f.turn_1, far_crossed);
   f.stretch.lower = mul_sub_from(shortening, f.turn_2, -far_crossed);
-  const V stretch = hn::MulAdd(all(kShorteningNear), all(2.0) - f.tilt,
-                               hn::MulAdd(shortening_far, f.c12 - f.tilt + one, (l - b.length) * inverse_length));
+  f.strain = mul_add(all(kShorteningNear), all(2.0) - f.tilt,
+                     mul_add(shortening_far, f.c12 - f.tilt + one, (l - b.length) * inverse_length));
   const V stretching = dot(f.stretch.d, b.velocity) + dot(f.stretch.upper, b.turning_1) + dot(f.stretch.lower, b.turning_2);
-  f.tension = b.axial * hn::MulAdd(time, stretching, stretch - b.free_stretch);
-  f.torque = b.torsion * hn::MulAdd(time, dot(f.binormal, b.turning_2 - b.turning_1), b.twist);
+  f.tension = b.axial * mul_add(time, stretching, f.strain - b.free_stretch);
+  f.torque = b.torsion * mul_add(time, dot(f.binormal, b.turning_2 - b.turning_1), b.twist);
 
   f.near = time * b.near;
   f.far = time * b.far;
@@ -171,8 +80,8 @@ HWY_INLINE Shape shape_of(const Beam& b, double damping_time)
   f.sum = b.turning_1 + b.turning_2;
   f.g = mul_add(all(2.0), f.across, cross(f.e, f.sum));
 
-  f.chord = hn::MulAdd(f.tension * b.length, shortening, b.near + b.far);
-  f.normals = hn::MulAdd(f.tension * b.length, shortening_far, b.far);
+  f.chord = mul_add(f.tension * b.length, shortening, b.near + b.far);
+  f.normals = mul_add(f.tension * b.length, shortening_far, b.far);
   const V3 end_load = (all(1.0 / 12.0) * b.length) * b.load;
   f.g1 = mul_add(f.normals, b.n2, mul_sub_from(f.chord, f.e, -end_load));
   f.g2 = mul_add(f.normals, b.n1, mul_sub_from(f.chord, f.e, end_load));
@@ -184,7 +93,7 @@ struct Forces
   V3 force, moment_1, moment_2;
 };
 
-HWY_INLINE Forces forces_of(const Beam& b, const Shape& f)
+DRILL_LAW Forces forces_of(const Beam& b, const Shape& f)
 {
   Forces out;
   out.force = mul_add(f.tension, f.e, mul_sub_from(f.chord * f.inverse_l, f.sum_across, f.by_l * f.g));
@@ -193,7 +102,8 @@ HWY_INLINE Forces forces_of(const Beam& b, const Shape& f)
   return out;
 }
 
-HWY_INLINE Gradient tension_gradient(const Beam& b, const Shape& f, double damping_time, double dv_du)
+/// Of the tension times the length; h: of the stretch's rate with respect to places, the rates held.
+DRILL_LAW Gradient tension_gradient(const Beam& b, const Shape& f, double damping_time, double dv_du)
 {
   const V3& v = b.velocity;
   const V v_along = dot(f.e, v);
@@ -201,8 +111,8 @@ HWY_INLINE Gradient tension_gradient(const Beam& b, const Shape& f, double dampi
   const V3 turning_1 = cross(b.turning_1, b.n1), turning_2 = cross(b.turning_2, b.n2), turning = turning_1 + turning_2;
   const V s_l = all(kShortening) * f.inverse_l, s_ll = s_l * f.inverse_l;
   Gradient h;
-  h.d = mul_add(hn::MulAdd(s_ll, f.tilt, f.inverse_l / b.length), v_across,
-                mul_add(hn::MulAdd(s_ll, dot(v, f.sum_across), s_l * dot(f.e, turning)), f.e,
+  h.d = mul_add(mul_add(s_ll, f.tilt, f.inverse_l / b.length), v_across,
+                mul_add(mul_add(s_ll, dot(v, f.sum_across), s_l * dot(f.e, turning)), f.e,
                         mul_sub_from(s_l, turning, (s_ll * v_along) * f.sum_across)));
   const V3 away = s_l * v_across;
   h.upper = cross(b.n1, mul_add(all(kShorteningFar), turning_2, cross(f.by_n1, b.turning_1) - away));
@@ -213,40 +123,45 @@ HWY_INLINE Gradient tension_gradient(const Beam& b, const Shape& f, double dampi
           mul_add(by_place, g.lower, by_rate * (h.lower + cross(b.spin_2, g.lower)))};
 }
 
-/// Of the torque times the binormal: skew(w) + binormal r^T.
+/// The gradients of the torque times the binormal b are skew(w_i) + b r_i^T, since
+///   d b/d theta_i = -(skew(n_i) + b (n_i x n_j)^T)/(1 + c12).
 struct TwistGradient
 {
   V3 w_upper, w_lower, r_upper, r_lower;
 };
 
-HWY_INLINE TwistGradient twist_gradient(const Beam& b, const Shape& f, double damping_time, double dv_du)
+DRILL_LAW TwistGradient twist_gradient(const Beam& b, const Shape& f, double damping_time, double dv_du)
 {
   const V by_place = b.torsion * all(1.0 + damping_time * dv_du), by_rate = b.torsion * all(damping_time);
   const V3 turned = f.inverse_12 * f.crossed;
   const V3 turning = by_rate * (b.turning_2 - b.turning_1), scaled = f.inverse_12 * turning, damped = by_rate * f.binormal;
   const V3 common = mul_add(by_place, f.binormal, (f.torque + dot(f.binormal, turning)) * turned);
-  const V by_n = hn::Neg(f.torque * f.inverse_12);
+  const V by_n = minus(f.torque * f.inverse_12);
   return {by_n * b.n1, by_n * b.n2, cross(b.n1, scaled) - cross(b.spin_1, damped) - common,
           cross(b.n2, scaled) + cross(b.spin_2, damped) + common};
 }
 
-/// BeamTangent.
+/// BeamTangent. Each block: at constant tension and torque, then twist, then tension, the last two as dyads; in the same sums
+/// what damps the bending, with d w_i = dv_du d theta_i + d theta_i x spin_i and d v = dv_du d d.
 struct Tangent
 {
   M3 force_d, force_1, force_2, upper_d, upper_1, upper_2, lower_d, lower_1, lower_2;
 };
 
-HWY_INLINE void find_tangent(const Beam& b, const Shape& f, double damping_time, double dv_du, Tangent& t)
+DRILL_LAW void find_tangent(const Beam& b, const Shape& f, double damping_time, double dv_du, Tangent& t)
 {
   const V3 &n1 = b.n1, &n2 = b.n2, &e = f.e;
   const Gradient& g = f.stretch;
   const Gradient tension = tension_gradient(b, f, damping_time, dv_du);
   const TwistGradient twist = twist_gradient(b, f, damping_time, dv_du);
-  const V rate = all(dv_du), p_l = f.chord * f.inverse_l, p_ll = p_l * f.inverse_l, s_l = f.by_l, s_ll = all(2.0) * s_l * f.inverse_l;
-  const V across = hn::MulAdd(f.tension, f.inverse_l, hn::MulAdd(p_ll, f.tilt, s_ll * hn::NegMulAdd(f.inverse_l, dot(e, b.velocity), rate)));
+  const V rate = all(dv_du), p_l = f.chord * f.inverse_l, p_ll = p_l * f.inverse_l;
+  const V s_l = f.by_l, s_ll = all(2.0) * s_l * f.inverse_l;
+  const V damped = s_ll * neg_mul_add(f.inverse_l, dot(e, b.velocity), rate);
+  const V across = mul_add(f.tension, f.inverse_l, mul_add(p_ll, f.tilt, damped));
   const V3 turn_1 = p_l * f.turn_1, turn_2 = p_l * f.turn_2, tilted = (rate * s_l) * e;
-  const V3 by_chord = (s_l * f.inverse_l) * b.velocity - tilted, turned = s_ll * f.turned, chord_n1 = p_l * n1, chord_n2 = p_l * n2;
-  const V3 sideways = p_ll * f.sum_across, back = hn::Neg(s_l) * e;
+  const V3 by_chord = (s_l * f.inverse_l) * b.velocity - tilted, turned = s_ll * f.turned;
+  const V3 chord_n1 = p_l * n1, chord_n2 = p_l * n2;
+  const V3 sideways = p_ll * f.sum_across, back = minus(s_l) * e;
 
   t.force_d = dyads(e, sideways - mul_add(across, e, s_ll * f.across), mul_sub_from(s_ll, f.g, sideways), e);
   add_dyad(g.d, tension.d, t.force_d);
@@ -260,22 +175,22 @@ HWY_INLINE void find_tangent(const Beam& b, const Shape& f, double damping_time,
   const V along_1 = f.inverse_l * f.e_m1, along_2 = f.inverse_l * f.e_m2;
   t.upper_d = dyads(turn_1 + turned, e, g.upper, tension.d);
   add_dyad(e, mul_sub_from(f.inverse_l, f.m_1, (along_1 + along_1) * e), t.upper_d);
-  add_skew(by_chord - chord_n1, hn::Neg(along_1), t.upper_d);
+  add_skew(by_chord - chord_n1, minus(along_1), t.upper_d);
   t.lower_d = dyads(turn_2 + turned, e, g.lower, tension.d);
   add_dyad(e, mul_sub_from(f.inverse_l, f.m_2, (along_2 + along_2) * e), t.lower_d);
-  add_skew(by_chord - chord_n2, hn::Neg(along_2), t.lower_d);
+  add_skew(by_chord - chord_n2, minus(along_2), t.lower_d);
 
   const V3 row_1 = mul_sub_from(rate, e, cross(e, b.spin_1)), row_2 = mul_sub_from(rate, e, cross(e, b.spin_2));
-  const V near = f.near * rate, far = hn::MulAdd(f.far, rate, f.normals * f.c12);
+  const V near = f.near * rate, far = mul_add(f.far, rate, f.normals * f.c12);
   t.upper_1 = dyads(n1, f.g1, f.binormal, -twist.r_upper);
   add_dyad(g.upper, tension.upper, t.upper_1);
   add_dyad(e, f.near * row_1, t.upper_1);
   add_skew(-mul_add(f.near, b.spin_1, twist.w_upper), near - dot(f.g1, n1), t.upper_1);
-  t.upper_2 = dyads(n2, hn::Neg(f.normals) * n1, f.binormal, -twist.r_lower);
+  t.upper_2 = dyads(n2, minus(f.normals) * n1, f.binormal, -twist.r_lower);
   add_dyad(g.upper, tension.lower, t.upper_2);
   add_dyad(e, f.far * row_2, t.upper_2);
   add_skew(-mul_add(f.far, b.spin_2, twist.w_lower), far, t.upper_2);
-  t.lower_1 = dyads(n1, hn::Neg(f.normals) * n2, f.binormal, twist.r_upper);
+  t.lower_1 = dyads(n1, minus(f.normals) * n2, f.binormal, twist.r_upper);
   add_dyad(g.lower, tension.upper, t.lower_1);
   add_dyad(e, f.far * row_1, t.lower_1);
   add_skew(mul_sub_from(f.far, b.spin_1, twist.w_upper), far, t.lower_1);
@@ -283,4 +198,15 @@ HWY_INLINE void find_tangent(const Beam& b, const Shape& f, double damping_time,
   add_dyad(g.lower, tension.lower, t.lower_2);
   add_dyad(e, f.near * row_2, t.lower_2);
   add_skew(mul_sub_from(f.near, b.spin_2, twist.w_lower), near - dot(f.g2, n2), t.lower_2);
+}
+
+/// Energy U.
+DRILL_LAW V energy_of(const Beam& b)
+{
+  const V half = all(0.5), l = sqrt_of(dot(b.d, b.d));
+  const V3 chord = (all(1.0) / l) * b.d, upper = b.n1 - chord, lower = b.n2 - chord;  // a1, a2
+  const V squares = dot(upper, upper) + dot(lower, lower), mixed = dot(upper, lower);
+  const V shortening = all(0.5 * kShorteningNear) * squares + all(kShorteningFar) * mixed;
+  const V stretch = (l - b.length) / b.length + shortening - b.free_stretch;
+  return half * (b.axial * b.length * stretch * stretch + b.near * squares + b.torsion * b.twist * b.twist) + b.far * mixed;
 }
