@@ -187,6 +187,12 @@ public:
   double wave_impedance() const noexcept;
   /// Of the travelling block, hook and top drive [kg].
   double block_mass() const noexcept { return scene_.rig.hoisting.block_mass; }
+  /// Of the crown block above the rotary table [m].
+  double crown_height() const noexcept { return scene_.rig.hoisting.crown_height; }
+  /// Largest speed of the top drive [rad/s].
+  double max_rotation() const noexcept { return scene_.rig.top_drive.max_speed; }
+  /// Largest flow of the pump [m3/s].
+  double max_flow() const noexcept { return scene_.rig.mud_pump.max_flow; }
   /// Back to the start of a scene's file, or of the present scene where `file` is empty; the bit at `bit_depth` [m MD], 0: where the scene has it.
   void reset(const std::string& file, double bit_depth);
   void load_survey(const NewWell& well);

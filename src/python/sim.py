@@ -100,6 +100,16 @@ class Simulator(Lockstep):
         return self._rig.block_mass()
 
     @property
+    def crown_height(self):
+        """Of the crown block above the rotary table [m]."""
+        return self._rig.crown_height()
+
+    @property
+    def limits(self):
+        """By signal, the largest that the rig can do: top_drive_speed [rad/s] and flow [m3/s]."""
+        return {"top_drive_speed": self._rig.max_rotation(), "flow": self._rig.max_flow()}
+
+    @property
     def accuracy_warning(self):
         """Why the last frame's numbers may be wrong, in one line; "" without a reason."""
         return self._rig.accuracy_warning()

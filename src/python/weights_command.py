@@ -4,6 +4,7 @@ import argparse
 import csv
 import sys
 
+import numpy
 from drill_rig_sim.field.moves import OFF_BOTTOM, moves_of
 from drill_rig_sim.field.record import RecordError, read_record
 from drill_rig_sim.field.window import between, inside, limits, stretches
@@ -61,6 +62,12 @@ def remarks_on(record, moves, odd):
     return lines
 
 
+def not_measured(record):
+    """How many rows hold no measurement of what the moves are found by."""
+    missing = [(name, int(numpy.isnan(record.signals[name]).sum())) for name in ("hook_load", "block_height", "bit_depth", "top_drive_speed") if name in record]
+    return ["%d of %d rows hold no %s" % (count, len(record.time), name) for name, count in missing if count]
+
+
 def found_in(options):
     """(record, its moves, lines on what is no move) by the command line."""
     record = read_record([options.record, *options.more], options.columns)
@@ -85,7 +92,7 @@ def main(words):
     try:
         record, moves, odd = found_in(options)
         if not moves:
-            raise RecordError("%s: holds no steady pick-up, slack-off or rotating off bottom" % record.name)
+            raise RecordError("%s: holds no steady pick-up, slack-off or rotating off bottom%s" % (record.name, "".join("; " + line for line in not_measured(record) + odd)))
         for write, file in ((write_table, options.csv), (write_moves, options.json)):
             if file:
                 write(moves, file)

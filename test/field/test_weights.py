@@ -121,6 +121,58 @@ class Made(unittest.TestCase):
         steps = [(8, 0.1 + 0.237 * (k % 2), 0.0, 0.0, 9e5) for k in range(10)]  # a speed that changes all the time
         self.assertEqual(2, self.found(steps)[0])
 
+    def changed(self, parts, change, **more):
+        """(motions and loads, what was reported) of rows written by hand that `change` makes of them (a list of lists of cells)."""
+        file, table = self.written(parts, **more)
+        with open(file, encoding="utf-8") as text:
+            header, *rows = text.read().splitlines()
+        with open(file, "w", encoding="utf-8") as out:
+            out.write("\n".join([header, *map(",".join, change([row.split(",") for row in rows]))]) + "\n")
+        status, _, told = called(weights_command.main, file, "--json", table)
+        if status:
+            return status, told
+        with open(table, encoding="utf-8") as text:
+            return [(move["motion"], round(move["load"])) for move in json.load(text)], told
+
+    def test_a_hook_load_that_is_recorded_less_often_than_the_block(self):
+        def emptied(every, column):
+            return lambda rows: [[*row[:column], "" if bool(k % every) == (every != 30) else row[column], *row[column + 1:]] for k, row in enumerate(rows)]
+        parts = [self.STOP, self.UP, self.STOP, self.DOWN, self.STOP, self.TURN]
+        for every in (3, 9, 30):  # measured in every third, every ninth row; missing in every thirtieth
+            moves, told = self.changed(parts, emptied(every, 4))
+            self.assertEqual([("pick_up", 900000), ("slack_off", 700000), ("rotating_after_down", 800000)], moves, told)
+            self.assertIn("rows hold no measurement", told)
+        status, told = self.changed(parts, emptied(60, 4))
+        self.assertEqual((2, 1), (status, told.count("\n")), told)
+        self.assertIn("236 of 240 rows hold no hook_load", told)
+
+    def test_signals_in_rows_of_their_own(self):
+        def apart(rows):
+            return [[cell if place == 0 or place % 3 == k % 3 else "" for place, cell in enumerate(row)] for k, row in enumerate(rows)]
+        moves, told = self.changed([self.STOP, self.UP, self.STOP, self.DOWN, self.STOP, self.TURN], apart)
+        self.assertEqual([("pick_up", 900000), ("slack_off", 700000), ("rotating_after_down", 800000)], moves, told)
+
+    def test_the_last_way_of_the_block_in_a_gap(self):
+        """After a pick-up the block comes down in a gap; it comes back so far that the way is not clear."""
+        parts = [self.STOP, self.UP, self.STOP, self.DOWN, self.TURN]
+        moves, told = self.changed(parts, lambda rows: rows[:100] + rows[160:])
+        self.assertEqual(["pick_up", "rotating_after_down"], [move[0] for move in moves], told)
+        moves, told = self.changed(parts, lambda rows: rows[:100] + [[row[0], "%.9g" % (float(rows[99][1]) - 0.3), *row[2:5], "%.9g" % (float(rows[99][5]) + 0.3), row[6]]
+                                                                     for row in rows[160:]])
+        self.assertEqual(["pick_up"], [move[0] for move in moves], told)
+        self.assertIn("1 moves are left out: in a gap before them the block moved by an unknown way", told)
+
+    def test_the_last_row_of_a_move_is_at_rest(self):
+        """A row may hold where the block stops and the load that it then has."""
+        moves, told = self.found([self.STOP, self.UP, (20, 0.0, 0.0, 0.0, 8e5), self.DOWN, self.STOP])
+        self.assertEqual([("pick_up", 900000), ("slack_off", 700000)], moves, told)
+
+    def test_a_wrong_unit_of_the_block(self):
+        for factor in (3.28084, 0.3048):
+            status, told = self.changed([self.STOP, self.UP, self.STOP, self.DOWN], lambda rows, factor=factor: [[row[0], "%.9g" % (factor * float(row[1])), *row[2:]] for row in rows])
+            self.assertEqual((2, 1), (status, told.count("\n")), told)
+            self.assertIn("block_height changes by %.3g m for each metre of bit_depth" % factor, told)
+
     def test_flow_and_parts(self):
         parts = [self.STOP, self.UP, self.STOP, (60, -0.2, 0.0, 0.02, 7e5), self.STOP]
         moves, told = self.found(parts)
@@ -173,6 +225,11 @@ class Made(unittest.TestCase):
         moves, told = self.found([self.STOP, self.UP, self.STOP, self.DOWN], names=names + ",reading_bit_depth")
         self.assertEqual([("pick_up", 900000), ("slack_off", 700000)], moves)
         self.assertIn("has no hole_depth", told)
+        for header, said in (("HKLD (ton)", "HKLD (ton): unit ton is ambiguous; allowed: tonfUS"), ("HKLD (furlong)", "unit furlong is not known for a force"),
+                             ("HKLD", "HKLD is left out: it has no unit")):
+            status, told = self.found([self.STOP, self.UP], names="time (s),BPOS (m),RPM (rpm),FLOWIN (m3/s),%s,DBTM (m)" % header)
+            self.assertEqual((2, 1), (status, told.count("\n")), told)
+            self.assertIn(said, told)
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ from drill_rig_sim.field.course import Course, half_band, resolution
 from drill_rig_sim.field.follow import Follow
 from drill_rig_sim.field.pipe import Slip, check_directions, first_hung, pipe_events, standstills
 from drill_rig_sim.field.record import RecordError, read_record
-from drill_rig_sim.field.replay import check, check_start, play
+from drill_rig_sim.field.replay import beyond_limits, check, check_start, play, ratio_of_units
 from drill_rig_sim.field.window import between, moment, stretches
 from drill_rig_sim.sim import Simulator
 
@@ -359,10 +359,23 @@ class Replays(Folder):
         with open(names, encoding="utf-8") as text:
             self.assertAlmostEqual(0.01 * float(shown.group(1)), json.load(text)["hook_load"]["measured_error"], delta=0.002)
 
+    def test_what_looks_like_another_unit_is_reported(self):
+        columns = self.file("u.yaml", "time: {column: t, unit: s}\nblock_height: {column: b, unit: m}\nflow: {column: q, unit: m3/s}\ntop_drive_speed: {column: w, unit: rpm}\n")
+        record = read_record(self.file("u.csv", "t,b,q,w\n0,10,0.01,90\n1,10,0.08,270\n2,10,0.08,270\n"), columns)
+        flow, rotation = sorted(beyond_limits(record, Simulator(QUICK)))
+        self.assertIn("flow is up to 4800 L/min, beyond the 3600 L/min of the scene's rig in 2 rows (first: at 1.0 s); is the unit right?", flow)
+        self.assertIn("top_drive_speed is up to 270 rpm, beyond the 220 rpm", rotation)
+        load = numpy.linspace(2e5, 3e5, 20)
+        self.assertIn("of kgf to lbf; is the unit right?", ratio_of_units(2.2046 * load, load)[0])
+        for factor in (0.97, 1.02, 1.1, 1.5):
+            self.assertEqual([], ratio_of_units(factor * load, load))
+
     def test_what_cannot_be_played_is_told(self):
         columns = self.file("m.yaml", "time: {column: t, unit: s}\nblock_height: {column: b, unit: m}\nhook_load: {column: h, unit: N}\nbit_depth: {column: d, unit: m}\n")
         with self.assertRaisesRegex(RecordError, "begins with the bit at 30.*the scene at"):
             check_start(read_record(self.file("r.csv", "t,b,h,d\n0,10,1,30\n1,9,1,31\n"), columns), Simulator(QUICK))
+        with self.assertRaisesRegex(RecordError, "the block is at up to 65.60 m, the crown of the scene's mast at 46.00 m; is the unit of block_height right"):
+            check_start(read_record(self.file("r.csv", "t,b,h,d\n0,65.6,1,100\n1,65.5,1,100.1\n"), columns), Simulator(QUICK))
         with self.assertRaisesRegex(RecordError, "at 2.0 s the bit jumps by -27"):
             standstills(read_record(self.file("r.csv", "t,b,h,d\n0,10,1,100\n1,9,1,101\n2,12,1,74\n3,11,1,75\n"), columns))
         long = read_record(self.file("r.csv", "t,b,h,d\n0,10,1,30\n1,9,1,31\n172801,9,1,31\n172802,8,1,32\n"), columns)

@@ -1,8 +1,10 @@
 """Steady moves of a string off bottom in a record: pick-up, slack-off and rotating weights, and the empty block while the string is in the slips."""
+import re
+
 import numpy
-from drill_rig_sim.field.course import Course, half_band
-from drill_rig_sim.field.pipe import HANGS, check_directions, clock, standstills
-from drill_rig_sim.field.record import RecordError
+from drill_rig_sim.field.course import Course, half_band, resolution
+from drill_rig_sim.field.pipe import HANGS, check_directions, check_scale, clock, standstills
+from drill_rig_sim.field.record import RecordError, long_step
 
 MOVING = 0.02        # slowest block that counts as moving [m/s]
 TURNING = 2.0        # slowest rotation that frees a string of friction along the hole [rad/s]
@@ -18,6 +20,9 @@ EMPTY_SETTLES = 2.0  # the same of the empty block [s]
 CALM = 0.1           # share by which the load of the empty block may differ
 SHORTEST = 5.0       # of a move that is averaged [s]
 LEAST_ROWS = 4
+UNKNOWN = "rotating_unknown"  # after a gap that hides the last way of the block
+STILL_BLOCK = 0.02    # change of height through a gap in which the block stood [m]
+CLEAR = 0.5           # way of the block through a gap that shows how it came to where it is [m]
 FLOWS = 1e-3          # flow from which on the pump counts as running [m3/s]
 
 
@@ -30,7 +35,9 @@ class Move:
         self.from_time, self.to_time = clock(record, self.begin), clock(record, self.end)
         load = record.signals["hook_load"][rows]
         self.load, self.deviation = float(load.mean()), deviation(record.time[rows], load)
-        self.depth, self.rotation, self.flow, self.torque = (mean_of(record, signal, rows) for signal in ("bit_depth", "top_drive_speed", "flow", "torque"))
+        self.depth, self.rotation, self.flow = (mean_of(record, signal, rows) for signal in ("bit_depth", "top_drive_speed", "flow"))
+        torque = record.signals["torque"][rows[0]:rows[-1] + 1] if "torque" in record else numpy.zeros(0)
+        self.torque = float(numpy.nanmean(torque)) if numpy.isfinite(torque).any() else None
         self.speed = float(speeds[rows[0]:rows[-1]].mean())
 
 
@@ -46,9 +53,8 @@ class Move:
 
 
 def mean_of(record, signal, rows):
-    """None where there is none."""
-    values = record.signals[signal][rows] if signal in record else numpy.full(1, numpy.nan)
-    return float(numpy.nanmean(values)) if numpy.isfinite(values).any() else None
+    """None where there is none; on straight lines between rows that were measured."""
+    return float(record.at(signal, record.time[rows]).mean()) if signal in record else None
 
 
 def deviation(times, values):
@@ -61,15 +67,28 @@ def moves_of(record, passed=None):
     """All Moves of a record, in their order, and lines on those that cannot be. `passed`: rows that are left out. RecordError where the record lacks what tells them."""
     for signal in ("block_height", "bit_depth", "hook_load"):
         if signal not in record:
-            raise RecordError("%s: has no %s; needed: block_height, bit_depth and hook_load" % (record.name, signal))
+            raise RecordError("%s: has no %s; needed: block_height, bit_depth and hook_load%s" % (record.name, signal, why_missing(record, signal)))
     check_directions(record)
+    check_scale(record)
     height = record.at("block_height", record.time)
     speeds = numpy.diff(Course(record.time, height, half_band(height, height)).heights) / numpy.diff(record.time)
     stands = standstills(record)
-    good = numpy.isfinite(record.signals["hook_load"]) & ~(numpy.zeros(len(record.time), bool) if passed is None else passed)
     kinds = kinds_of(record, speeds, stands)
-    kinds[~(good[1:] & good[:-1])] = ""
-    return plausible(record, [move for begin, end in runs(kinds, speeds) for move in [steady_part(record, kinds[begin], speeds, begin, end)] if move is not None])
+    if passed is not None:
+        kinds[passed[1:] | passed[:-1]] = ""
+    found = [move for begin, end in runs(kinds, speeds) for move in [steady_part(record, kinds[begin], speeds, begin, end)] if move is not None]
+    known = [move for move in found if move.motion != UNKNOWN]
+    left_out = [move for move in found if move.motion == UNKNOWN]
+    lines = ["%s: %d moves are left out: in a gap before them the block moved by an unknown way (first: rotating at %.1f s)" %
+             (record.name, len(left_out), left_out[0].from_time)] if left_out else []
+    moves, odd = plausible(record, known)
+    return moves, lines + odd
+
+
+def why_missing(record, signal):
+    """What was noticed when its column was left out, for the end of a message."""
+    said = [line.partition(": ")[2] for line in record.remarks if re.search(r"\b%s\b.* left out: " % signal, line)]
+    return "; " + said[0] if said else ""
 
 
 def plausible(record, moves):
@@ -95,8 +114,8 @@ def kinds_of(record, speeds, stands):
     kinds[hung & (faster < STILL) & (speeds > MOVING)] = "pick_up"
     kinds[hung & (faster < STILL) & (speeds < -MOVING)] = "slack_off"
     turned = hung & (slower > TURNING) & (numpy.abs(speeds) < MOVING)
-    last = last_ways(speeds)
-    for way, name in ((1, "rotating_after_up"), (-1, "rotating_after_down")):
+    last = last_ways(record, speeds)
+    for way, name in ((1, "rotating_after_up"), (-1, "rotating_after_down"), (numpy.inf, UNKNOWN)):
         kinds[turned & (last == way)] = name
     for still in stands:
         kinds[still.begin:still.end] = ""
@@ -120,9 +139,14 @@ def without_spikes(values):
     return numpy.median(numpy.lib.stride_tricks.sliding_window_view(around, SPIKE), axis=1)
 
 
-def last_ways(speeds):
-    """Of each interval the sign of the last way of the block [-]; 0 before the first: friction of rail and sheaves stays in the gauge as that left it."""
+def last_ways(record, speeds):
+    """Of each interval the sign of the last way of the block [-]: friction of rail and sheaves stays in the gauge as that left it. 0 before the first; inf after a gap
+    through which the block moved, but not clearly one way."""
+    steps, height = numpy.diff(record.time), record.at("block_height", record.time)
+    changes = numpy.diff(height)
     moved = numpy.where(numpy.abs(speeds) > MOVING, numpy.sign(speeds), 0.0)
+    hidden = (steps > long_step(record.time)) & (numpy.abs(changes) > max(resolution(height), STILL_BLOCK))
+    moved[hidden] = numpy.where(numpy.abs(changes[hidden]) >= CLEAR, numpy.sign(changes[hidden]), numpy.inf)
     places = numpy.maximum.accumulate(numpy.where(moved != 0.0, numpy.arange(len(speeds)), -1))
     return numpy.where(places >= 0, moved[places], 0.0)
 
@@ -139,13 +163,17 @@ def steady_part(record, kind, speeds, begin, end):
     """A Move of the intervals begin to end - 1, without what comes before it is steady; None where too little is left."""
     rows = numpy.arange(begin, end + 1)
     rows = rows[settled(record, kind, speeds, rows)]
+    measured = numpy.isfinite(record.signals["hook_load"])
     if kind.startswith("rotating") and len(rows) > 1:
         rows = even(rows, numpy.abs(record.at("top_drive_speed", record.time[rows[1:]])))
     elif not kind.startswith("slips") and len(rows) > 1:
         rows = even(rows, speeds[rows[0]:rows[-1]])
+        rows = rows[rows < end]  # the load of the last row may be that of the block at rest
     elif len(rows):  # what accelerates the empty block is little, and none in the mean
+        rows = rows[measured[rows]]
         load = record.signals["hook_load"][rows]
         rows = rows[numpy.abs(load - numpy.median(load)) <= CALM * abs(numpy.median(load))]  # not where it takes up the string
+    rows = rows[measured[rows]]
     long_enough = len(rows) >= LEAST_ROWS and record.time[rows[-1]] - record.time[rows[0]] >= SHORTEST
     return Move(record, kind, rows, speeds) if long_enough else None
 

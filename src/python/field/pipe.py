@@ -6,6 +6,8 @@ AWAY = 0.5    # so much that bit and block together are off where they were: pip
 DRIFTS = 2.0 * AWAY  # below that bit and block creep and drift apart: no pipe is so short [m]
 STILL = 0.05  # by which the bit moves in the slips, or its gauge [m]
 FASTEST = 1.0  # mean speed of a block that goes away and comes back between two rows [m/s]
+SCALED = 0.2, 0.05  # way of the block over which its way and the bit's are compared: at least so much [m], and this share of all
+ALIKE, UNLIKE, LEAST_WAYS = 0.1, 2.0, 4  # share by which these ratios may differ, ratio from which on a unit is wrong, ways that show it
 HANGS = 0.5   # share of the usual hook load below which the string is taken to hang in the slips
 
 
@@ -82,6 +84,26 @@ def check_directions(record):
     if with_block > max(AWAY, 2.0 * against):
         raise RecordError("%s: bit_depth rises and falls with block_height, by %.2f m in all; needed: block_height upwards, bit_depth downwards" %
                           (record.name, with_block))
+
+
+def check_scale(record):
+    """RecordError where the block moves a constant multiple of the bit's way, by which the unit of one must be wrong."""
+    if "bit_depth" not in record or "block_height" not in record:
+        return
+    bit, block = (record.at(signal, record.time) for signal in ("bit_depth", "block_height"))
+    rows = [0]
+    least = max(SCALED[0], SCALED[1] * numpy.ptp(block))
+    for k, height in enumerate(block):
+        if abs(height - block[rows[-1]]) >= least:
+            rows.append(k)
+    ways, went = numpy.abs(numpy.diff(block[rows])), numpy.abs(numpy.diff(bit[rows]))
+    together = went > ALIKE**2 * ways
+    if together.sum() < LEAST_WAYS:
+        return
+    ratios = ways[together] / went[together]
+    usual = float(numpy.median(ratios))
+    if max(usual, 1.0 / usual) > UNLIKE and (numpy.abs(ratios - usual) <= ALIKE * usual).mean() > 1.0 - 2.0 * ALIKE:
+        raise RecordError("%s: block_height changes by %.3g m for each metre of bit_depth; needed: the same way of both; is the unit of both right?" % (record.name, usual))
 
 
 def slipped(record, bit, block, k):

@@ -4,15 +4,20 @@ import re
 import numpy
 from drill_rig_sim.control import driven
 from drill_rig_sim.field.follow import PATIENCE, Follow
-from drill_rig_sim.field.pipe import Slip, check_directions, clock, compared, pipe_events
+from drill_rig_sim.field.pipe import Slip, check_directions, check_scale, clock, compared, pipe_events
 from drill_rig_sim.field.record import COMPARED, RecordError
 from drill_rig_sim.field.window import inside
 from drill_rig_sim.law import RPM
+from drill_rig_sim.units import POUND, QUANTITIES, SI
 
+FORCES = {"N": 1.0, "lbf": POUND, "kgf": 9.80665}  # and their thousands, by which hook loads are mistaken
 LONGEST_GAP = 86400.0  # that can be simulated in a sensible time [s]
 APART = 1.0    # of the bit at the beginning, record and scene [m]
 RUN_UP = 30.0  # before the record, in which pump and top drive come to where it begins [s]
 RUNS = 0.1, 1e-3  # rotary speed [rad/s] and flow [m3/s] from which on they run
+ROUNDS = 0.02  # share by which a gauge may read beyond the rig's limit
+NEAR, MOSTLY, LEAST_ROWS = 0.05, 0.8, 5  # of a ratio of units: share by which loads may be off it, share of rows that are not, rows that show it
+RATIOS = {"of %s to %s" % (one, other): FORCES[one] / FORCES[other] for one in FORCES for other in FORCES if one != other}
 BEHIND = 0.05  # of the drum against the record's, from which on it is reported [m]
 
 
@@ -76,6 +81,7 @@ def check(record):
     if "block_height" not in record and "block_velocity" not in record:
         raise RecordError("%s: needs block_height or block_velocity" % record.name)
     check_directions(record)
+    check_scale(record)
     gap = int(numpy.diff(record.time).argmax())
     if record.time[gap + 1] - record.time[gap] > LONGEST_GAP:
         raise RecordError("%s: has a gap of %.6g days from %.1f s on; allowed: a day; needed: a part before or after it (drill replay --from, --to; from and to of a fit)" %
@@ -90,9 +96,36 @@ def check_start(record, rig):
     if "bit_depth" in record and abs(record.at("bit_depth", 0.0) - depth) > APART:
         raise RecordError("%s: begins with the bit at %.2f m, the scene at %.2f m; needed: within %g m, by --start record (start: record of a fit), start.bit_depth or the column's unit" %
                           (record.name, record.at("bit_depth", 0.0), depth, APART))
+    if "block_height" in record and numpy.nanmax(record.signals["block_height"]) > rig.crown_height:
+        raise RecordError("%s: the block is at up to %.2f m, the crown of the scene's mast at %.2f m; is the unit of block_height right?" %
+                          (record.name, numpy.nanmax(record.signals["block_height"]), rig.crown_height))
     if "block_height" in record and abs(record.at("block_height", 0.0) - height) > APART:
         return ["begins with the block at %.2f m, the scene at %.2f m: it is followed from there" % (record.at("block_height", 0.0), height)]
     return []
+
+
+def beyond_limits(record, rig):
+    """Lines on signals that are more than the scene's rig can do."""
+    lines = []
+    for signal, most in rig.limits.items():
+        rows = numpy.flatnonzero(numpy.abs(record.signals[signal]) > (1.0 + ROUNDS) * most) if signal in record else ()
+        if len(rows):
+            unit, per_si, _ = SI[QUANTITIES[signal]]
+            lines.append("%s is up to %.4g %s, beyond the %.4g %s of the scene's rig in %d rows (first: at %.1f s); is the unit right?" % (
+                signal, per_si * numpy.nanmax(numpy.abs(record.signals[signal])), unit, per_si * most, unit, len(rows), clock(record, rows[0])))
+    return lines
+
+
+def ratio_of_units(recorded, simulated):
+    """A line where a signal is nearly all the time the same multiple of what is simulated, and that is the ratio of two units; else none."""
+    known = numpy.isfinite(recorded) & (simulated != 0.0)
+    if known.sum() < LEAST_ROWS:
+        return []
+    ratios = recorded[known] / simulated[known]
+    usual = float(numpy.median(ratios))
+    steady = (numpy.abs(ratios - usual) <= NEAR * abs(usual)).mean() >= MOSTLY
+    pair = next((pair for pair, ratio in RATIOS.items() if abs(usual - ratio) <= NEAR * ratio), None)
+    return ["the recorded hook load is %.3g times the simulated one, as %s; is the unit right?" % (usual, pair)] if steady and pair else []
 
 
 def events_of(record, law):
@@ -121,7 +154,7 @@ def play(rig, record, left_out=()):
     check(record)
     remarks = check_start(record, rig)
     law = Follow(record, rig)
-    remarks += events_of(record, law) + run_up(rig, record)
+    remarks += events_of(record, law) + beyond_limits(record, rig) + run_up(rig, record)
     signals = [name for name in COMPARED if name in record]
     shown, warnings, errors = [[getattr(rig.state, name) for name in signals]], Warnings(), MeasuredErrors()
     for state in driven(rig, law, law.times[-1] + PATIENCE * len(law.connections)):
@@ -134,7 +167,9 @@ def play(rig, record, left_out=()):
         remarks.append("the scene's drawworks were up to %.2f m off the record's: they could not follow" % law.farthest)
     load = shown[there, signals.index("hook_load")] if "hook_load" in signals else None
     recorded = compared(record, signals, law.stands)
+    simulated = {name: numpy.interp(record.time, times, shown[there, k]) for k, name in enumerate(signals)}
+    remarks += ratio_of_units(recorded["hook_load"], simulated["hook_load"]) if "hook_load" in signals else []
     passed = inside(record.signals["time"], left_out)
-    return Replay(record.name, record.signals["time"], {name: numpy.interp(record.time, times, shown[there, k]) for k, name in enumerate(signals)},
+    return Replay(record.name, record.signals["time"], simulated,
                   {name: numpy.where(passed, numpy.nan, values) for name, values in recorded.items()},
                   record.remarks + ["%s: %s" % (record.name, line) for line in remarks + warnings.lines()], law.unresolved(record, times, load), errors)
