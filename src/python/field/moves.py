@@ -54,7 +54,7 @@ class Move:
 
 def mean_of(record, signal, rows):
     """None where there is none; on straight lines between rows that were measured."""
-    return float(record.at(signal, record.time[rows]).mean()) if signal in record else None
+    return float(record.at(signal, record.time[rows]).mean()) if signal in record and numpy.isfinite(record.signals[signal]).any() else None
 
 
 def deviation(times, values):
