@@ -54,7 +54,7 @@ class Move:
 
 def mean_of(record, signal, rows):
     """None where there is none; on straight lines between rows that were measured."""
-    return float(record.at(signal, record.time[rows]).mean()) if signal in record else None
+    return float(record.at(signal, record.time[rows]).mean()) if signal in record and numpy.isfinite(record.signals[signal]).any() else None
 
 
 def deviation(times, values):
@@ -144,7 +144,8 @@ def last_ways(record, speeds):
     through which the block moved, but not clearly one way."""
     steps, height = numpy.diff(record.time), record.at("block_height", record.time)
     changes = numpy.diff(height)
-    moved = numpy.where(numpy.abs(speeds) > MOVING, numpy.sign(speeds), 0.0)
+    seen = numpy.sign(changes) == numpy.sign(speeds)  # a smoothed course goes on beside a gap where the gauge stands
+    moved = numpy.where((numpy.abs(speeds) > MOVING) & seen, numpy.sign(speeds), 0.0)
     hidden = (steps > long_step(record.time)) & (numpy.abs(changes) > max(resolution(height), STILL_BLOCK))
     moved[hidden] = numpy.where(numpy.abs(changes[hidden]) >= CLEAR, numpy.sign(changes[hidden]), numpy.inf)
     places = numpy.maximum.accumulate(numpy.where(moved != 0.0, numpy.arange(len(speeds)), -1))
