@@ -26,6 +26,7 @@ void expect_numbers(const Message& m, double base)
   EXPECT_EQ(base + 10, m.differential_pressure);
   EXPECT_EQ(base + 11, m.flow);
   EXPECT_EQ(base + 16, m.ecd);
+  EXPECT_EQ(base + 21, m.encoder_bit_depth);
   EXPECT_EQ(base + 17, m.stroke_rate);
   EXPECT_EQ(base + 18, m.pump_strokes);
   EXPECT_EQ(base + 19, m.floor_height);
@@ -98,8 +99,8 @@ TEST(RigStateMessage, namesTheLostGauges)
 {
   const FrameRecord frame = numbered_record();
   EXPECT_EQ(RigState::HOOK_LOAD + RigState::TORQUE, to_rig_state(frame.readings, frame, floor_name).lost_gauges);
-  const std::uint32_t bits[gauge_count] = {RigState::HOOK_LOAD,           RigState::DEAD_LINE_HOOK_LOAD, RigState::TORQUE,
-                                           RigState::STAND_PIPE_PRESSURE, RigState::FLOW,                RigState::BLOCK_HEIGHT};
+  const std::uint32_t bits[gauge_count] = {RigState::HOOK_LOAD, RigState::DEAD_LINE_HOOK_LOAD, RigState::TORQUE, RigState::STAND_PIPE_PRESSURE,
+                                           RigState::FLOW,      RigState::BLOCK_HEIGHT,        RigState::ENCODER_BIT_DEPTH};
   for (int k = 0; k < gauge_count; ++k) EXPECT_EQ(1u << k, bits[k]) << gauge_names[k];
 }
 
