@@ -90,7 +90,7 @@ TEST(Readings, theEncodersDepthIsTheStringsLengthBelowTheTable)
   rig.frame(frame);
   const Readings before = rig.readings();
   EXPECT_EQ(before.encoder_bit_depth, rig.truth().encoder_bit_depth + 0.3);
-  EXPECT_NEAR(before.bit_depth, ideal_scene().start.bit_depth, 1e-9) << "worked out from the block's height, without that error";
+  EXPECT_NEAR(before.bit_depth, ideal_scene().start.bit_depth, 1e-6) << "worked out from the block's height, without that error";
   const double stretch = rig.truth().bit_depth - rig.truth().encoder_bit_depth;
   EXPECT_GT(stretch, 1e-4);
   EXPECT_LT(stretch, 0.1);
