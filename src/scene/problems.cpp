@@ -18,17 +18,48 @@ std::string joined(const std::vector<std::string>& lines)
   return text;
 }
 
+constexpr bool goes_on(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+// of UTF-8 the character that begins here, of two or three bytes; 0 where none does
+unsigned wide_character_at(const std::string& text, std::size_t at, std::size_t& bytes)
+{
+  const auto first = static_cast<unsigned char>(text[at]);
+  bytes = (first & 0xe0) == 0xc0 ? 2 : (first & 0xf0) == 0xe0 ? 3 : 0;
+  if (bytes == 0 || at + bytes > text.size()) return 0;
+  unsigned code = first & (bytes == 2 ? 0x1f : 0x0f);
+  for (std::size_t i = 1; i < bytes; ++i)
+  {
+    if (!goes_on(text[at + i])) return 0;
+    code = code << 6 | (static_cast<unsigned char>(text[at + i]) & 0x3f);
+  }
+  return code;
+}
+
+// Latin with its signs, Greek, Cyrillic, Chinese
+constexpr bool is_shown(unsigned code)
+{
+  return (code > 0xa0 && code < 0x250 && code != 0xad) || (code > 0x390 && code < 0x530 && code != 0x3a2) || (code >= 0x4e00 && code < 0xa000);
+}
+
 // what a broken file holds must not reach the one-line messages: control characters, line breaks, half of an UTF-8 sequence
 std::string printable(const std::string& text)
 {
   std::string out;
-  for (const char c : text) out += (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) ? '?' : c;
+  for (std::size_t at = 0, bytes = 0; at < text.size(); at += bytes)
+  {
+    const bool is_wide = is_shown(wide_character_at(text, at, bytes));
+    if (!is_wide) bytes = 1;
+    const auto c = static_cast<unsigned char>(text[at]);
+    out += is_wide || (c >= 0x20 && c < 0x7f) ? text.substr(at, bytes) : "?";
+  }
   return out;
 }
 
 std::string cut(const std::string& text, std::size_t longest)
 {
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+  if (text.size() <= longest) return text;
+  while (longest > 0 && goes_on(text[longest])) --longest;  // between two characters
+  return text.substr(0, longest) + "...";
 }
 }  // namespace
 

@@ -133,7 +133,7 @@ const Table<HoleSection> section_keys = {"well.sections[]", "A stretch of hole, 
 }};
 
 const Table<FormationLayer> layer_keys = {"formation[]", "A layer of rock; the last one goes on below its base. ROP = drillability (weight - threshold)^weight_exponent bit_speed^speed_exponent.", {
-  {"to_tvd",                "m",      &FormationLayer::to_tvd,             above(0.0, 1e6),      "true vertical depth of its base", must},
+  {"to_tvd",                "m",      &FormationLayer::to_tvd,             above(0.0, 1e6),      "true vertical depth of its base; the last layer goes on below", must},
   {"drillability",          "m/s; N; rad/s", &FormationLayer::drillability, above(0.0, 1.0),     "factor K of the rate of penetration", must},
   {"weight_exponent",       "-",      &FormationLayer::weight_exponent,    between(0.5, 3.0),    "exponent of the weight"},
   {"speed_exponent",        "-",      &FormationLayer::speed_exponent,     between(0.0, 2.0),    "exponent of the bit's speed"},

@@ -1,6 +1,7 @@
 #include "survey_header.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace drill_rig_sim
@@ -173,14 +174,24 @@ std::string quoted(const std::string& text)
   return "\"" + shortened(text) + "\"";
 }
 
-// the place of a map's column; what is wrong with it
+// "MD" of "MD (ft)"
+std::string before_brackets(const std::string& text)
+{
+  const std::string name = text.substr(0, text.find_first_of("([{"));
+  return name.substr(0, name.find_last_not_of(' ') + 1);
+}
+
+// the place of a map's column, whose name may leave out the unit in brackets; what is wrong with it
 std::string find_named(const std::string& column, const std::vector<HeaderCell>& cells, std::optional<std::size_t>& place)
 {
-  for (const bool any_case : {false, true})
+  const std::array<std::function<bool(const std::string&)>, 3> is_it = {[&](const std::string& text) { return text == column; },
+                                                                        [&](const std::string& text) { return lowered(text) == lowered(column); },
+                                                                        [&](const std::string& text) { return lowered(before_brackets(text)) == lowered(column); }};
+  for (const auto& is_named : is_it)
   {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < cells.size(); ++i)
-      if (cells[i].text == column || (any_case && lowered(cells[i].text) == lowered(column))) found.push_back(i);
+      if (is_named(cells[i].text)) found.push_back(i);
     if (found.size() > 1) return "stands more than once in the header, allowed: once";
     if (found.empty()) continue;
     place = found.front();
@@ -226,7 +237,8 @@ void find_column(std::size_t quantity, const SurveyColumn& asked, SurveyHeader& 
   }
   if (!place) return;
   const HeaderCell& cell = header.cells[*place];
-  const UnitName* said = cell.quantity && is_angle(*cell.quantity) == is_angle(quantity) ? cell.unit : nullptr;
+  // a name that only the map knows has its unit in brackets too
+  const UnitName* said = !cell.quantity ? unit_for(quantity, cell.unit_in_brackets) : is_angle(*cell.quantity) == is_angle(quantity) ? cell.unit : nullptr;
   header.unit[quantity] = asked.unit.empty() ? said : unit_for(quantity, asked.unit);
   if (!asked.unit.empty() && said && said != header.unit[quantity] && header.wrong.empty())
   {
@@ -268,6 +280,7 @@ HeaderCell header_cell(const std::string& text)
     else
       for (const std::string& word : name_words(with_degree_apart(bracket))) words.push_back(word);
   }
+  cell.unit_in_brackets = in_brackets;
   match_any(words, cell);
   if (!cell.quantity)
   {

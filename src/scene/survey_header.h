@@ -21,6 +21,7 @@ struct HeaderCell
   bool own = false;                     ///< one of this package's own names (md_m)
   bool weak = false;                    ///< "Depth": measured depth only where no other column is
   const UnitName* unit = nullptr;     ///< nullptr: it names none
+  std::string unit_in_brackets;         ///< as it is written, "" without one
   std::string north;                    ///< "true", "grid" or "magnetic" of an azimuth that says so
   std::optional<std::size_t> quantity_without_brackets;  ///< where what stands in brackets is no unit: MD (fathoms)
 };

@@ -1,17 +1,19 @@
 #include "survey_stations.h"
 
 #include <cmath>
+#include <cstdio>
 
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/well_checks.h"
 #include "survey_angles.h"
-#include "survey_tvd.h"
+#include "survey_positions.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
 constexpr std::size_t most_lines_listed = 10;
+constexpr double farthest_tie_in = 2e4;  // from the rotary table, as well.tie_in [m]
 constexpr double same_depth = 1e-6, same_direction = 1e-6;  // what rounding of equal stations may leave [m], [rad]
 
 using Values = std::array<double, needed_quantities>;
@@ -121,6 +123,15 @@ std::optional<TieIn> tie_in_of(const SurveyRows& survey, const SurveyRow& row, b
   }
   return TieIn{place[0], place[1], place[2]};
 }
+// the simulator counts from the rotary table, as `well.tie_in` does
+void leave_map(TieIn& tie_in, std::vector<std::string>& remarks)
+{
+  if (std::abs(tie_in.north) <= farthest_tie_in && std::abs(tie_in.east) <= farthest_tie_in) return;
+  char line[200];
+  std::snprintf(line, sizeof line, "north %.2f m and east %.2f m are taken for places on a map: places count from the first station", tie_in.north, tie_in.east);
+  remarks.push_back(line);
+  tie_in.north = tie_in.east = 0.0;
+}
 }  // namespace
 
 SurveyTable stations_of(const SurveyRows& survey, bool pass_over, const std::optional<TieIn>& tie_in, Problems& problems)
@@ -133,6 +144,7 @@ SurveyTable stations_of(const SurveyRows& survey, bool pass_over, const std::opt
   if (!tie_in && !table.stations.empty())
     table.tie_in = tie_in_of(survey, *reader.rows.front(), table.stations.front().md != 0.0, problems);
   if (!problems.empty()) return table;
+  if (!tie_in && table.tie_in) leave_map(*table.tie_in, table.remarks);
   const UnitName& unit = survey.rows.empty() ? *length_unit("m") : *survey.rows.front().units[survey_md];
   for (const SurveyProblem& p : survey_problems(table.stations, table.tie_in, {unit.name, unit.factor()}))
   {
@@ -140,8 +152,9 @@ SurveyTable stations_of(const SurveyRows& survey, bool pass_over, const std::opt
     problems.add_at(p.station < reader.rows.size() ? reader.rows[p.station]->line : 1, "station " + std::to_string(p.station + 1),
                     p.text + (equal ? std::string("; ") + how_to_pass_over : ""));
   }
-  const std::string differing = problems.empty() ? differing_tvd(survey, table.stations, reader.rows) : "";
-  if (!differing.empty()) table.remarks.push_back(differing);
+  if (!problems.empty()) return table;
+  for (const std::string& differing : {differing_tvd(survey, table.stations, reader.rows), differing_displacement(survey, table.stations, reader.rows)})
+    if (!differing.empty()) table.remarks.push_back(differing);
   return table;
 }
 

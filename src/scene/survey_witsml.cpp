@@ -84,7 +84,7 @@ SurveyRow row_of(const XMLElement& station, Problems& problems)
   return row;
 }
 
-// in order of their depth, whatever it is of the document
+// in order of their depth, whatever it is of the document; reported where the document goes up and down
 void sort_by_depth(SurveyRows& survey)
 {
   std::vector<std::pair<double, SurveyRow>> rows;
@@ -94,7 +94,12 @@ void sort_by_depth(SurveyRows& survey)
     if (read_cell(row.cells[survey_md], false, md) != CellKind::number) md = 0.0;
     rows.emplace_back(md * row.units[survey_md]->factor(), std::move(row));
   }
-  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  const auto is_less_deep = [](const auto& a, const auto& b) { return a.first < b.first; };
+  const auto out_of_order = std::is_sorted_until(rows.begin(), rows.end(), is_less_deep);
+  if (out_of_order != rows.end() && !std::is_sorted(rows.rbegin(), rows.rend(), is_less_deep))
+    survey.remarks.push_back("stations were put in order of their depth; the first that is less deep than the one before it: md " +
+                             out_of_order->second.cells[survey_md]);
+  std::stable_sort(rows.begin(), rows.end(), is_less_deep);
   for (std::size_t i = 0; i < rows.size(); ++i) survey.rows[i] = std::move(rows[i].second);
 }
 

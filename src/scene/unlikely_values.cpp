@@ -26,6 +26,7 @@ std::string line(const char* form, Values... values)
 std::string unlikely_mud(double density)
 {
   if (density <= 0.0 || density >= lightest_mud) return "";
+  if (density < 3.0) return line("mud.density: %g kg/m3 is that of a gas; is its unit missing? %g g/cm3 is %.0f kg/m3", density, density, density * 1e3);
   if (density < 25.0) return line("mud.density: %g kg/m3 is that of a gas; is its unit missing? %g ppg is %.0f kg/m3", density, density, density * ppg);
   return line("mud.density: %g kg/m3 is that of foam; is its unit missing? Muds have 800 to 2400 kg/m3", density);
 }

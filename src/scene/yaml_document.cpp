@@ -67,10 +67,29 @@ void refuse_hidden_units(const std::string& text, Problems& problems)
     if (hides_a_unit(line)) problems.fail(number, "YAML", hidden_unit);
 }
 
+// the line of the first tab where YAML allows blanks only, from 1; 0: there is none
+int line_with_tab(const std::string& text)
+{
+  std::istringstream in(text);
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number)
+    if (line.find('\t') < line.find_first_not_of(" \t") && line.find_first_not_of(" \t\r") != std::string::npos) return number;
+  return 0;
+}
+
 // a parser's message ends, after a colon, with what it found in the file
 std::string without_content(const std::string& message)
 {
   return message.substr(0, message.find(':'));
+}
+
+[[noreturn]] void refuse_what_is_no_yaml(const std::string& text, const YAML::Exception& e, Problems& problems)
+{
+  if (const int tab = line_with_tab(text)) problems.fail(tab, "YAML", "a tab begins the line, allowed: blanks");
+  std::string told = without_content(e.msg);
+  if (told == "end of map flow not found") told = "a { without its }, or a comma is missing";
+  if (told == "end of sequence flow not found") told = "a [ without its ], or a comma is missing";
+  problems.fail(e.mark.line + 1, "YAML", "cannot be parsed: " + told);
 }
 
 }  // namespace
@@ -104,7 +123,7 @@ Document load_document(const std::string& text, Problems& problems)
   }
   catch (const YAML::Exception& e)
   {
-    problems.fail(e.mark.line + 1, "YAML", "cannot be parsed: " + without_content(e.msg));
+    refuse_what_is_no_yaml(text, e, problems);
   }
 }
 

@@ -135,6 +135,7 @@ REFUSED = {
     "time of the day alone": (table(header=DATED, times=dates("%H:%M:%S")), 'format: "%H:%M:%S"}'),
     "two figures of a year, which may stand first": (table(header=DATED, times=dates("%y/%m/%d %H:%M:%S")), 'format: "%d/%m/%y %H:%M:%S" or "%y/%m/%d %H:%M:%S"}'),
     "time of the day, unit": (table(header=("Time (hh:mm:ss)", *DATED[1:]), times=dates("%H:%M:%S")), "r.csv:2: Time (hh:mm:ss): 09:59:50 is no date"),
+    "seconds since 1970": (table(header=DATED, times=["%d" % (1716285590 + row[0]) for row in ROWS]), "is no date (first: 1716285590, as s since 1970); needed: a map"),
     "days of a spreadsheet": (table(header=DATED, times=["%.8f" % (45413.5 + row[0] / 86400) for row in ROWS]), "the time has no unit and is no date (first: 45413.5"),
     "two units": (table().replace("(ft)\n", "(ft)\ns,kN,ft\n"), "r.csv:2: the unit of Hook Load (klbs) is kN here"),
     "13 PM": (table(header=DATED, times=["2024-05-01 13:00:%02d PM" % row[0] for row in ROWS]), "13:00:00 PM is no date"),
@@ -203,10 +204,19 @@ class Tables(Folder):
         days = table(header=("T", "H", "B"), times=["%.10f" % (45413.5 + row[0] / 86400) for row in ROWS])
         self.assertEqual([0, 5, 10, 15], [round(time, 3) for time in self.read(days, MAP.replace("unit: s", "unit: d")).time])
 
+    def test_a_map_adds_to_the_known_names(self):
+        days = [when.replace("-", "/") for when in dates("%d-%m-%Y %H:%M:%S")]
+        mixed = table(header=("When", *DATED[1:]), times=days)
+        self.right(self.read(mixed, 'time: {column: When, unit: date, format: "%d/%m/%Y %H:%M:%S"}\n'))
+        self.right(self.read(table(), "block_height: {column: Block Height (ft)}\n"))
+        self.right(self.read(table(), "null: -1\n"))
+        other = self.read(table(header=("Time (s)", "HKLD", "Block Height (ft)")), "torque: {column: HKLD, unit: kft.lbf}\n")
+        self.assertNotIn("hook_load", other.signals)
+
     def test_maps_that_are_refused(self):
         text = table(header=("T", "H", "B"))
         for columns, said in ((MAP.replace("time: ", "time:\t"), "map.yaml:1: is no YAML: found character tab, which YAML allows in texts only"),
-                              (MAP.replace("klbf}", "klbf"), "map.yaml:3: is no YAML: expected ',' or '}', but got ':'"), (MAP.split("\n", 1)[1], "r.csv: the map names no time; needed: time: {column: ...,"),
+                              (MAP.replace("klbf}", "klbf"), "map.yaml:3: is no YAML: expected ',' or '}', but got ':'"), (MAP.split("\n", 1)[1], "r.csv: no column is known as the time; columns: T, H, B; needed: a map of them, --columns"),
                               ("", "map.yaml: is empty"), ("- T\n", "map.yaml:1: needed: keys and values"), (MAP.replace("hook_load", "hookload"), "map.yaml:2: hookload: unknown key, allowed: time, "),
                               (MAP + "hook_load: {column: B, unit: kN}\n", "map.yaml:4: hook_load: stands there twice"), (MAP.replace("klbf", "psi"), "map.yaml:2: hook_load.unit: unit psi is not known for a force"),
                               (MAP.replace("unit: s", "unit: m"), "map.yaml:1: time.unit: unit m is not known for a time"), (MAP.replace("column: H", "column: HL"), "there is no column HL; columns: T, H, B")):

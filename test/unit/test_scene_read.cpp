@@ -196,6 +196,7 @@ TEST(SceneRead, UnlikelyValuesAreReported)
   EXPECT_TRUE(remarks("mud.density=1200").empty());
   EXPECT_TRUE(remarks("mud.density=0").empty()) << "a hole in a vacuum";
   ASSERT_EQ(1u, remarks("mud.density=9.5").size());
+  EXPECT_EQ("x: mud.density: 1.2 kg/m3 is that of a gas; is its unit missing? 1.2 g/cm3 is 1200 kg/m3", remarks("mud.density=1.2").front());
   EXPECT_EQ("x: mud.density: 9.5 kg/m3 is that of a gas; is its unit missing? 9.5 ppg is 1138 kg/m3", remarks("mud.density=9.5").front());
   EXPECT_NE(std::string::npos, remarks("mud.density=75").at(0).find("75 kg/m3 is that of foam"));
   const PartSpec part = parse_scene(smallest, "x").string.back();

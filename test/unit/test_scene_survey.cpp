@@ -115,6 +115,24 @@ TEST(SceneSurvey, AMapNamesColumns)
   EXPECT_TRUE(holds(refusal("Tiefe;Neigung;Azi Grid\n0;0;0\n", format), ":1: Depth: no such column in the header; it has Tiefe, Neigung, Azi Grid"));
 }
 
+TEST(SceneSurvey, AColumnOfAMapHasTheUnitOfItsBrackets)
+{
+  const std::string text = "Profondeur (ft);Inclinaison (rad);Azimut (deg)\n0;0;0\n1000;0,1;45\n";
+  SurveyFormat format;
+  format.md.column = "profondeur (ft)";
+  format.inclination.column = "Inclinaison (rad)";
+  expect_station(read(text, format).stations[1], 1000.0 * foot, 0.1 / degree, 45.0);
+  format.md.column = "Profondeur";
+  format.inclination.column = "inclinaison";
+  expect_station(read(text, format).stations[1], 1000.0 * foot, 0.1 / degree, 45.0);
+  format.md.unit = "m";
+  EXPECT_TRUE(holds(refusal(text, format), "Profondeur (ft): the header says ft and the map m"));
+  format.md.column = "Profondeur mesur\xc3\xa9" "e";
+  EXPECT_TRUE(holds(refusal(text, format), ":1: Profondeur mesur\xc3\xa9" "e: no such column")) << "letters are shown as they are";
+  format.md.column = "Profondeur \xc3\x28\x1b";
+  EXPECT_TRUE(holds(refusal(text, format), ":1: Profondeur ?(?: no such column")) << "what is no letter is not";
+}
+
 TEST(SceneSurvey, DepthAloneIsMeasuredDepth)
 {
   const SurveyTable table = read("Depth (m),Inc (deg),Azi (deg)\n0,0,0\n100,5,1\n");
@@ -234,7 +252,9 @@ TEST(SceneSurvey, WitsmlInAnyOrder)
   ASSERT_EQ(3u, table.stations.size());
   expect_station(table.stations[1], 1000.0 * foot, 3.0, 40.0);
   expect_station(table.stations[2], 600.0, 4.0, 50.0);
-  EXPECT_TRUE(table.remarks.empty());
+  ASSERT_EQ(1u, table.remarks.size());
+  EXPECT_TRUE(holds(table.remarks[0], "were put in order of their depth; the first that is less deep than the one before it: md 0"));
+  EXPECT_TRUE(read(trajectory(station("2000", "4", "50") + station("1000", "3", "40") + station("0", "0", "0"))).remarks.empty()) << "from the bottom up";
   const std::string grid = trajectory("<aziRef>grid north</aziRef>" + station("0", "0", "0") + station("1000", "3", "40"));
   EXPECT_TRUE(holds(read(grid).remarks.at(0), "from grid north"));
 }

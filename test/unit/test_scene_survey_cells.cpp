@@ -32,6 +32,24 @@ TEST(SceneSurvey, ItsOwnVerticalDepthsAreCompared)
   EXPECT_TRUE(holds(remarks("997.5")[0], "its vertical depth at 1000.00 m is 304.04 m, by minimum curvature 1012.71 m; is a unit or a column wrong?")) << remarks("997.5")[0];
 }
 
+TEST(SceneSurvey, ItsOwnPlacesAreCompared)
+{
+  const auto table = [](double north, double east, const char* first = "0,0")
+  {
+    return read("MD (m),Inc (deg),Azi (deg),TVD (m),NS (m),EW (m)\n0,0,0,0," + std::string(first) + "\n500,0,0,500,,\n1000,10,45,997.47," + std::to_string(north) + "," +
+                std::to_string(east) + "\n");
+  };
+  // 500 (1 - cos(10 deg))/(10 deg in rad) = 43.52 m to north-east
+  EXPECT_TRUE(table(30.78, 30.78).remarks.empty());
+  EXPECT_TRUE(table(31.5, 30.0).remarks.empty()) << "azimuths of a grid";
+  ASSERT_EQ(1u, table(43.5, 0.0).remarks.size());
+  EXPECT_TRUE(holds(table(43.5, 0.0).remarks[0], "its north and east at 1000.00 m are 43.50 and 0.00 m, by minimum curvature 30.7"));
+  const SurveyTable map = table(6543240.78, 456819.78, "6543210,456789");
+  ASSERT_EQ(1u, map.remarks.size()) << map.remarks.back();
+  EXPECT_TRUE(holds(map.remarks[0], "north 6543210.00 m and east 456789.00 m are taken for places on a map: places count from the first station"));
+  EXPECT_EQ(0.0, map.tie_in->north);
+}
+
 TEST(SceneSurvey, DigitsInGroups)
 {
   const std::string head = "MD (m);Inc (deg);Azi (deg)\n", above = "0;0;0\n500;1;40\n";

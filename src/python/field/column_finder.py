@@ -36,20 +36,20 @@ class OfTheTrade(Wanted):
         return own + zones_in(names) + [place for half in halves(names) for place in half] + [place for places in named(names).values() for place in places]
 
 
-class ByMap(Wanted):
-    """The names of a ColumnMap."""
+class ByMap(OfTheTrade):
+    """The names of a ColumnMap, and beside them those of the trade."""
 
     def __init__(self, columns):
         self.names = {name.strip().lower() for column in columns.columns.values() for name in column.names}
 
     def count(self, names):
-        return len(self.names) if self.names <= {name.lower() for name in names} else 0
+        return len(self.names) + super().count(names) if self.names <= {name.lower() for name in names} else 0
 
     def is_name(self, name):
-        return name.lower() in self.names
+        return name.lower() in self.names or super().is_name(name)
 
     def places(self, names):
-        return [place for place, name in enumerate(names) if self.is_name(name)]
+        return [place for place, name in enumerate(names) if name.lower() in self.names] + super().places(names)
 
 
 class AllOf(Wanted):
@@ -79,15 +79,24 @@ def zones_in(names):
     return [place for place, name in enumerate(names) if word(bare(name)) in ZONES]
 
 
-def known_columns(table, remarks):
+def columns_of(table, mapped, remarks):
+    """Column by signal: those of a map (`mapped`), and beside them those that have a name of the trade."""
+    taken = {name.strip().lower() for column in mapped.values() for name in column.names}
+    return {**known_columns(table, remarks, set(mapped), taken), **mapped}
+
+
+def known_columns(table, remarks, mapped, taken):
     """Column by signal, of those that have a name of the trade. Where a signal has several, one with numbers in a unit and the first of signals.NAMES is taken,
-    which is reported."""
+    which is reported. Left out are the signals and the columns of a map: `mapped` and `taken`."""
     if all(OWN[signal] in table.names for signal in ("time", "hook_load")):
-        return {signal: Column([name], si_unit(signal)) for signal, name in OWN.items() if name in table.names}
+        return {signal: Column([name], si_unit(signal)) for signal, name in OWN.items() if name in table.names and name not in taken}
     if TRUTH <= set(table.names):
+        if mapped:
+            return {}
         raise RecordError("%s: is a time series of drill run without what the gauges show; needed: drill run --csv --readings, or a map, --columns" % table.file)
-    by_signal = named(table.names)
-    found = {"time": time_column(table, by_signal.get("time", []))}
+    free = {signal: [place for place in places if table.names[place].lower() not in taken] for signal, places in named(table.names).items()}
+    by_signal = {signal: places for signal, places in free.items() if places and signal not in mapped}
+    found = {} if "time" in mapped else {"time": time_column(table, by_signal.get("time", []))}
     for signal, places in ((signal, places) for signal, places in by_signal.items() if signal != "time"):
         with_unit = [place for place in places if table.units[place]]
         filled = [place for place in with_unit if any(is_number(row[place]) for row in table.rows)]
@@ -97,15 +106,15 @@ def known_columns(table, remarks):
             remarks += ["%s is taken from %s; passed over: %s" % (signal, found[signal].names[0], ", ".join(passed))] if passed else []
         else:
             remarks.append("%s: %s is left out: it has no unit; needed: a map, --columns" % (signal, table.names[places[0]]))
-    remarks += unknown_names(table, by_signal)
+    remarks += unknown_names(table, by_signal, mapped, taken)
     return {signal: column for signal, column in found.items() if column is not None}
 
 
-def unknown_names(table, by_signal):
+def unknown_names(table, by_signal, mapped, taken):
     """A line on columns by names that are not known, where a signal has no column."""
-    missing = [signal for signal in NAMES if signal not in by_signal and signal not in ("time", "hole_depth")]
+    missing = [signal for signal in NAMES if signal not in by_signal and signal not in mapped and signal not in ("time", "hole_depth")]
     known_places = {place for places in (*by_signal.values(), *halves(table.names), zones_in(table.names)) for place in places}
-    unknown = [name for place, name in enumerate(table.names) if name and place not in known_places]
+    unknown = [name for place, name in enumerate(table.names) if name and place not in known_places and name.lower() not in taken]
     return ["no column is known as %s; a map, --columns, may name it: %s" % (", ".join(missing), shown(unknown, MOST_SHOWN))] if missing and unknown else []
 
 

@@ -1,7 +1,7 @@
 """The cells of a Table as signals in SI: which column holds which signal, in which unit, which cells are no measurements."""
 import numpy
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
-from drill_rig_sim.field.column_finder import form_of_header, known_columns, zones_in
+from drill_rig_sim.field.column_finder import columns_of, form_of_header, zones_in
 from drill_rig_sim.field.dates import forms_for, offset_of, seconds_of, zone_said
 from drill_rig_sim.field.signals import SIGNALS
 from drill_rig_sim.field.table import RecordError
@@ -28,19 +28,18 @@ class Part:
 
 
 def part_of(table, columns=None):
-    """A Part of a table; `columns`: a ColumnMap, None where the columns are known by their names."""
+    """A Part of a table; `columns`: a ColumnMap, None where all columns are known by their names."""
     remarks = list(table.remarks)
-    wanted, nulls = (columns.columns, columns.nulls) if columns else (known_columns(table, remarks), ())
-    if columns and "time" not in wanted:
-        raise RecordError("%s: the map names no time; needed: time: {column: ..., unit: ...}" % table.file)
+    mapped, nulls = (columns.columns, columns.nulls) if columns else ({}, ())
+    wanted = columns_of(table, mapped, remarks)
     if "time" not in wanted:
         raise RecordError("%s: no column is known as the time; columns: %s; needed: a map of them, --columns" % (table.file, table.header()))
     signals = {}
-    time, dated, offset = times_of(table, wanted["time"], columns is not None, remarks)
+    time, dated, offset = times_of(table, wanted["time"], "time" in mapped, remarks)
     for signal, column in wanted.items():
         if signal == "time":
             continue
-        values = values_of(table, signal, column, nulls, columns is not None, remarks)
+        values = values_of(table, signal, column, nulls, signal in mapped, remarks)
         if values is not None:
             signals[signal] = values
     timed = numpy.isfinite(time)
@@ -76,10 +75,17 @@ def times_of(table, column, mapped, remarks):
         raise no_date(table, first, column, cells)
     if unit is None:
         needed = "unit: in the map" if mapped else "a map, --columns, with its unit"
-        raise RecordError("%s: %s: the time has no unit and is no date (first: %s); needed: %s" %
-                          (table.file, column.names[0], "no rows" if first is None else cells[first], needed))
+        raise RecordError("%s: %s: the time has no unit and is no date (first: %s%s); needed: %s" %
+                          (table.file, column.names[0], "no rows" if first is None else cells[first], looks_like(cells, first), needed))
     factor = factor_for(table, "time", column.names[0], unit)
     return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit, remarks) * factor, False, 0.0
+
+
+def looks_like(cells, first):
+    """What a time without a unit may be, for a message: seconds or parts of them since 1970, where they are of the years 1990 to 2100."""
+    number = float(cells[first]) if first is not None else 0.0
+    unit = next((unit for unit, count in (("s", 1.0), ("ms", 1e3), ("us", 1e6)) if 6.3e8 <= number / count < 4.1e9), None)
+    return ", as %s since 1970" % unit if unit else ""
 
 
 NO_OFFSET = "%s: the time zone %s is not known by its offset: the dates are taken as UTC; needed where that matters: UTC-06:00"
