@@ -238,7 +238,7 @@ def alive(pid):
     try:
         with open("/proc/%d/stat" % pid, encoding="ascii") as stat:
             return " Z " not in stat.read()
-    except FileNotFoundError:
+    except (FileNotFoundError, ProcessLookupError):  # it ended before the file was opened, or read
         return False
 
 
