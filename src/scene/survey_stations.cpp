@@ -123,7 +123,7 @@ std::optional<TieIn> tie_in_of(const SurveyRows& survey, const SurveyRow& row, b
   }
   return TieIn{place[0], place[1], place[2]};
 }
-// the simulator counts from the rotary table, as `well.tie_in` does
+// the simulator counts from the rotary table, as `well.tie_in` does; of a first station below it the place is needed, and is checked
 void leave_map(TieIn& tie_in, std::vector<std::string>& remarks)
 {
   if (std::abs(tie_in.north) <= farthest_tie_in && std::abs(tie_in.east) <= farthest_tie_in) return;
@@ -144,7 +144,7 @@ SurveyTable stations_of(const SurveyRows& survey, bool pass_over, const std::opt
   if (!tie_in && !table.stations.empty())
     table.tie_in = tie_in_of(survey, *reader.rows.front(), table.stations.front().md != 0.0, problems);
   if (!problems.empty()) return table;
-  if (!tie_in && table.tie_in) leave_map(*table.tie_in, table.remarks);
+  if (!tie_in && table.tie_in && table.stations.front().md == 0.0) leave_map(*table.tie_in, table.remarks);
   const UnitName& unit = survey.rows.empty() ? *length_unit("m") : *survey.rows.front().units[survey_md];
   for (const SurveyProblem& p : survey_problems(table.stations, table.tie_in, {unit.name, unit.factor()}))
   {
