@@ -1,6 +1,9 @@
 #include "problems.h"
 
+#include <algorithm>
+
 #include "drill_rig_sim/scene/read_scene.h"
+#include "text_decoder.h"
 
 namespace drill_rig_sim
 {
@@ -20,24 +23,11 @@ std::string joined(const std::vector<std::string>& lines)
 
 constexpr bool goes_on(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-// of UTF-8 the character that begins here, of two or three bytes; 0 where none does
-unsigned wide_character_at(const std::string& text, std::size_t at, std::size_t& bytes)
+// letters and signs of Latin, Greek, Cyrillic, Chinese: a character of two or three bytes
+bool is_shown(const std::string& character)
 {
-  const auto first = static_cast<unsigned char>(text[at]);
-  bytes = (first & 0xe0) == 0xc0 ? 2 : (first & 0xf0) == 0xe0 ? 3 : 0;
-  if (bytes == 0 || at + bytes > text.size()) return 0;
-  unsigned code = first & (bytes == 2 ? 0x1f : 0x0f);
-  for (std::size_t i = 1; i < bytes; ++i)
-  {
-    if (!goes_on(text[at + i])) return 0;
-    code = code << 6 | (static_cast<unsigned char>(text[at + i]) & 0x3f);
-  }
-  return code;
-}
-
-// Latin with its signs, Greek, Cyrillic, Chinese
-constexpr bool is_shown(unsigned code)
-{
+  unsigned code = static_cast<unsigned char>(character.front()) & (character.size() == 2 ? 0x1fu : 0x0fu);
+  for (std::size_t i = 1; i < character.size(); ++i) code = code << 6 | (static_cast<unsigned char>(character[i]) & 0x3fu);
   return (code > 0xa0 && code < 0x250 && code != 0xad) || (code > 0x390 && code < 0x530 && code != 0x3a2) || (code >= 0x4e00 && code < 0xa000);
 }
 
@@ -45,12 +35,13 @@ constexpr bool is_shown(unsigned code)
 std::string printable(const std::string& text)
 {
   std::string out;
-  for (std::size_t at = 0, bytes = 0; at < text.size(); at += bytes)
+  for (std::size_t at = 0; at < text.size();)
   {
-    const bool is_wide = is_shown(wide_character_at(text, at, bytes));
-    if (!is_wide) bytes = 1;
-    const auto c = static_cast<unsigned char>(text[at]);
-    out += is_wide || (c >= 0x20 && c < 0x7f) ? text.substr(at, bytes) : "?";
+    const std::string character = text.substr(at, std::max<std::size_t>(1, utf8_length(text, at)));
+    const bool is_plain = character.size() == 1 && character[0] >= 0x20 && character[0] < 0x7f;
+    const bool is_letter = (character.size() == 2 || character.size() == 3) && is_shown(character);
+    out += is_plain || is_letter ? character : std::string(character.size(), '?');
+    at += character.size();
   }
   return out;
 }

@@ -34,21 +34,6 @@ void append_utf8(std::uint32_t point, std::string& text)
   for (int i = tails; i-- > 0;) tail(6 * i);
 }
 
-// bytes of the character that begins at `at`; 0 if none does. Overlong forms, surrogates and points beyond 10FFFF are none.
-std::size_t utf8_length(const std::string& bytes, std::size_t at)
-{
-  const unsigned char lead = byte_at(bytes, at);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-  if (lead < 0xc2 || lead > 0xf4 || at + length > bytes.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte_at(bytes, at + i) & 0xc0) != 0x80) return 0;
-  const unsigned char next = byte_at(bytes, at + 1);
-  const bool overlong = (lead == 0xe0 && next < 0xa0) || (lead == 0xf0 && next < 0x90);
-  const bool outside = (lead == 0xed && next > 0x9f) || (lead == 0xf4 && next > 0x8f);
-  return overlong || outside ? 0 : length;
-}
-
 bool is_utf8(const std::string& bytes)
 {
   std::size_t at = 0;
@@ -124,6 +109,20 @@ DecodedText characters_of(std::string bytes)
   return decoded;
 }
 }  // namespace
+
+std::size_t utf8_length(const std::string& bytes, std::size_t at)
+{
+  const unsigned char lead = byte_at(bytes, at);
+  if (lead < 0x80) return 1;
+  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc2 || lead > 0xf4 || at + length > bytes.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte_at(bytes, at + i) & 0xc0) != 0x80) return 0;
+  const unsigned char next = byte_at(bytes, at + 1);
+  const bool overlong = (lead == 0xe0 && next < 0xa0) || (lead == 0xf0 && next < 0x90);
+  const bool outside = (lead == 0xed && next > 0x9f) || (lead == 0xf4 && next > 0x8f);
+  return overlong || outside ? 0 : length;
+}
 
 DecodedText decode_text(std::string bytes)
 {

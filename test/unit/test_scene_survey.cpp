@@ -129,6 +129,8 @@ TEST(SceneSurvey, AColumnOfAMapHasTheUnitOfItsBrackets)
   EXPECT_TRUE(holds(refusal(text, format), "Profondeur (ft): the header says ft and the map m"));
   format.md.column = "Profondeur mesur\xc3\xa9" "e";
   EXPECT_TRUE(holds(refusal(text, format), ":1: Profondeur mesur\xc3\xa9" "e: no such column")) << "letters are shown as they are";
+  format.md.column = "Profondeur \xe0\x83\xa9";
+  EXPECT_TRUE(holds(refusal(text, format), ":1: Profondeur ???: no such column")) << "an overlong form";
   format.md.column = "Profondeur \xc3\x28\x1b";
   EXPECT_TRUE(holds(refusal(text, format), ":1: Profondeur ?(?: no such column")) << "what is no letter is not";
 }
