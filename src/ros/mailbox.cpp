@@ -30,6 +30,15 @@ void Mailbox::clear() noexcept
   top_drive_.read();
   pump_.read();
   steering_.read();
+  for (auto& stamp : come_) stamp = none;
+}
+
+bool Mailbox::answered(unsigned kinds, std::int64_t stamp) noexcept
+{
+  for (int k = 0; k < command_kinds; ++k)
+    if ((kinds >> k & 1u) != 0 && come_[static_cast<std::size_t>(k)] < stamp) return false;
+  for (auto& come : come_) come = none;
+  return true;
 }
 
 }  // namespace drill_rig_sim

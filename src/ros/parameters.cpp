@@ -3,8 +3,10 @@
 #include <ros/package.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -53,6 +55,22 @@ public:
       const std::size_t first = part.find_first_not_of(" \t\n");
       if (first == std::string::npos) continue;
       values.push_back(part.substr(first, part.find_last_not_of(" \t\n") + 1 - first));
+    }
+  }
+
+  /// Names of command_kind_names, with commas between them.
+  void command_kinds_of(const std::string& name, unsigned& kinds)
+  {
+    std::string all;
+    text(name, all);
+    std::istringstream parts(all);
+    for (std::string part; std::getline(parts, part, ',');)
+    {
+      const std::size_t first = part.find_first_not_of(' ');
+      const std::string kind = first == std::string::npos ? "" : part.substr(first, part.find_last_not_of(' ') + 1 - first);
+      const auto* found = std::find(std::begin(command_kind_names), std::end(command_kind_names), kind);
+      if (found == std::end(command_kind_names)) refuse(name, all, "of winch, top_drive, mud_pump and steering, with commas between them");
+      kinds |= 1u << (found - std::begin(command_kind_names));
     }
   }
 
@@ -184,6 +202,7 @@ Parameters read_parameters(const ros::NodeHandle& node)
   read.whole_number("seed", seed, 9e15);
   read.flag("play_program", p.play_program);
   read.choice("clock", p.clock, {"realtime", "lockstep", "free_run"});
+  read.command_kinds_of("step_on_commands", p.step_on_commands);
   read.flag("publish_clock", p.publish_clock);
   read.number("lateral_exaggeration", p.lateral_exaggeration, 1.0, 1e4, "a number from 1 to 10000");
   read.number("force_scale", p.force_scale, 0.0, 1e3, "a number >= 0 [m/N]");
@@ -192,6 +211,7 @@ Parameters read_parameters(const ros::NodeHandle& node)
   read.refuse_unknown();
 
   p.seed = static_cast<std::uint64_t>(seed);
+  if (p.step_on_commands != 0 && p.clock != ClockMode::lockstep) throw ParameterError("parameter ~step_on_commands is given; allowed is that with ~clock lockstep only");
   ros::param::get("/use_sim_time", p.use_sim_time);
   if (!p.publish_clock && p.clock != ClockMode::realtime)
     throw ParameterError(

@@ -359,6 +359,7 @@ std::string Services::step(const StepSimulation::Request& request, StepSimulatio
   };
   answer_last();  // what is refused changes nothing
   if (!loop_.time().in_lockstep()) throw Refusal("allowed only in lockstep (~clock)");
+  if (parameters_.step_on_commands != 0) throw Refusal("this node steps on commands (~step_on_commands)");
   require_no_step();
   if (request.frames > most_frames_of_step)
     throw Refusal("frames is " + std::to_string(request.frames) + "; allowed is 0 to " + std::to_string(most_frames_of_step));

@@ -69,6 +69,8 @@ class Parameters(unittest.TestCase):
         self.refused("clock:=sometimes", "sometimes", "realtime, lockstep, free_run")
         self.refused("color_by:=mood", "mood", "contact_force")
         self.refused("play_program:=perhaps", "perhaps", "true or false")
+        self.refused("step_on_commands:=brake", '"brake"', "winch, top_drive, mud_pump and steering")
+        self.refused("step_on_commands:=winch", "with ~clock lockstep only")
 
     def test_a_frame_prefix_that_tf2_takes(self):
         for wrong in ("/a", "a b/"):

@@ -52,6 +52,8 @@ enum class CommandKind
   steering
 };
 constexpr int command_kinds = 4;
+constexpr const char* command_kind_names[command_kinds] = {"winch", "top_drive", "mud_pump", "steering"};  ///< as their topics begin
+constexpr unsigned bit_of(CommandKind kind) { return 1u << static_cast<unsigned>(kind); }
 
 /// Set points, in the signs of the interface: block velocity + up, spin and torque + clockwise looking downhole.
 /// Called set points because the generated messages own the names WinchCommand, TopDriveCommand, RigState, RigLimits,

@@ -3,8 +3,10 @@
 
 #include <ros/ros.h>
 
+#include <array>
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "drill_rig_sim/MudPumpCommand.h"
@@ -12,6 +14,7 @@
 #include "drill_rig_sim/TopDriveCommand.h"
 #include "drill_rig_sim/WinchCommand.h"
 #include "drill_rig_sim/crew/commands.h"
+#include "drill_rig_sim/math/semaphore.h"
 #include "drill_rig_sim/realtime/triple_buffer.h"
 #include "drill_rig_sim/ros/command_senders.h"
 #include "drill_rig_sim/ros/conversions.h"
@@ -46,16 +49,23 @@ public:
   Mailbox() = default;
 
   /// From any one thread: a command has come.
-  void receive(const WinchCommand& m) noexcept { keep(to_setpoint(m), winch_); }
-  void receive(const TopDriveCommand& m) noexcept { keep(to_setpoint(m), top_drive_); }
-  void receive(const MudPumpCommand& m) noexcept { keep(to_setpoint(m), pump_); }
-  void receive(const SteeringCommand& m) noexcept { keep(to_setpoint(m), steering_); }
+  void receive(const WinchCommand& m) noexcept { keep(to_setpoint(m), winch_, CommandKind::winch, m.header.stamp); }
+  void receive(const TopDriveCommand& m) noexcept { keep(to_setpoint(m), top_drive_, CommandKind::top_drive, m.header.stamp); }
+  void receive(const MudPumpCommand& m) noexcept { keep(to_setpoint(m), pump_, CommandKind::mud_pump, m.header.stamp); }
+  void receive(const SteeringCommand& m) noexcept { keep(to_setpoint(m), steering_, CommandKind::steering, m.header.stamp); }
 
   /// For the simulation thread: the latest set point not taken yet, or null.
   const WinchSetpoint* winch() noexcept { return winch_.read(); }
   const TopDriveSetpoint* top_drive() noexcept { return top_drive_.read(); }
   const PumpSetpoint* pump() noexcept { return pump_.read(); }
   const SteeringSetpoint* steering() noexcept { return steering_.read(); }
+
+  /// For the simulation thread: whether a command of each of these kinds, a sum of bit_of(), has come since the last time that this was so,
+  /// stamped 0 or not before `stamp` [ns]: an older one answers an earlier state.
+  bool answered(unsigned kinds, std::int64_t stamp) noexcept;
+  /// What the simulation thread waits on; with `for_commands` each command that is kept posts it too.
+  Semaphore& bell() noexcept { return bell_; }
+  void ring_for_commands(bool for_commands) noexcept { rings_ = for_commands; }
 
   /// Forgets what has not been taken yet; on the reader's side.
   void clear() noexcept;
@@ -65,15 +75,17 @@ public:
 
 private:
   template <class Setpoint>
-  void keep(const Setpoint& c, TripleBuffer<Setpoint>& latest) noexcept
+  void keep(const Setpoint& c, TripleBuffer<Setpoint>& latest, CommandKind kind, const ros::Time& stamp) noexcept
   {
-    if (const char* wrong = what_is_wrong(c))
-      refusals_.count(wrong);
-    else
-      latest.write(c);
+    if (const char* wrong = what_is_wrong(c)) return refusals_.count(wrong);
+    latest.write(c);
+    come_[static_cast<std::size_t>(kind)] = stamp.isZero() ? unstamped : static_cast<std::int64_t>(stamp.toNSec());
+    if (rings_) bell_.post();
   }
   template <class Command>
   ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& topic);
+
+  static constexpr std::int64_t none = -1, unstamped = std::numeric_limits<std::int64_t>::max();
 
   TripleBuffer<WinchSetpoint> winch_;
   TripleBuffer<TopDriveSetpoint> top_drive_;
@@ -81,6 +93,9 @@ private:
   TripleBuffer<SteeringSetpoint> steering_;
   Refusals refusals_;
   CommandSenders senders_;
+  std::array<std::atomic<std::int64_t>, command_kinds> come_{none, none, none, none};  // stamps of what answered() has not taken
+  std::atomic<bool> rings_{false};
+  Semaphore bell_;
   ros::Subscriber subscribers_[4];
 };
 

@@ -52,6 +52,7 @@ struct Parameters
   std::uint64_t seed = 0;
   bool play_program = false;
   ClockMode clock = ClockMode::realtime;
+  unsigned step_on_commands = 0;  ///< lockstep: kinds of commands, a sum of bit_of(CommandKind), that make the rig go on to its next rig_state; 0: it goes on by the service
   bool publish_clock = true;
   bool use_sim_time = false;  ///< the global /use_sim_time
   double lateral_exaggeration = 50.0;
@@ -70,6 +71,8 @@ struct Parameters
   {
     return clock == ClockMode::lockstep ? most_frames_of_step : std::max(10u, static_cast<std::uint32_t>(std::ceil(rate)));
   }
+  /// Between two messages of rig_state.
+  std::uint32_t frames_of_state() const noexcept { return static_cast<std::uint32_t>(std::max(1.0, std::round(rate / state_rate))); }
   std::string floor() const { return frame_prefix + "rig_floor"; }  ///< frame of all that is measured
   std::int64_t frame_period() const noexcept { return std::llround(1e9 / rate); }  ///< simulated [ns]
 };

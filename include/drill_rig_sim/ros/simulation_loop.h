@@ -156,6 +156,8 @@ private:
   void run() noexcept;
   void run_between_frames() noexcept;
   void wait_or_work() noexcept;
+  void step_on_commands() noexcept;
+  void wait_while_time_stands() noexcept;
   void one_frame(std::int64_t now) noexcept;
   void publish_now(bool rebuilt) noexcept;
   void restart_cadences() noexcept;
@@ -196,7 +198,8 @@ private:
 
   std::atomic<bool> halted_{false}, quit_{false}, asked_{false};
   std::mutex callers_;
-  Semaphore wake_, entered_, left_, step_done_;
+  Semaphore& wake_;  // the mailbox's, which outlives this
+  Semaphore entered_, left_, step_done_;
   std::int64_t profile_stamp_ = -1;  ///< of the last drillstring_state [ns]
   std::uint32_t frames_to_go_ = 0;
   bool stepping_ = false;
