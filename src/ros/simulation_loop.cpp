@@ -1,7 +1,5 @@
 #include "drill_rig_sim/ros/simulation_loop.h"
 
-#include <cstdio>
-
 #include "drill_rig_sim/sim/run.h"
 
 namespace drill_rig_sim

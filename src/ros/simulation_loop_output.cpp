@@ -1,6 +1,8 @@
 // What the simulation thread hands to the publishers.
 #include "drill_rig_sim/ros/simulation_loop.h"
 
+#include <cstdio>
+
 namespace drill_rig_sim
 {
 namespace
