@@ -10,6 +10,7 @@
 #include "drill_rig_sim/ros/conversions.h"
 #include "drill_rig_sim/ros/frame_messages.h"
 #include "drill_rig_sim/ros/rig_description.h"
+#include "drill_rig_sim/ros/robot_description.h"
 #include "drill_rig_sim/ros/survey_request.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_hash.h"
@@ -77,7 +78,8 @@ void command_all(SimulationLoop& loop, const StepSimulation::Request& request)
 
 Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene scene, SimulationLoop& loop,
                    PublishingThread& publishing)
-    : parameters_(parameters),
+    : node_(node),
+      parameters_(parameters),
       scene_(std::move(scene)),
       off_bottom_(off_bottom(scene_)),
       running_(scene_),
@@ -161,6 +163,8 @@ void Services::describe(const Scene& scene, std::int64_t stamp) const
   std_msgs::String text;
   text.data = write_scene(played);
   scene_text_.publish(text);
+  // a master that has gone would be waited for
+  if (ros::master::check()) node_.setParam("robot_description", robot_description(scene, parameters_.frame_prefix));
 }
 
 std::string Services::reset_well(const ResetWell::Request& request)

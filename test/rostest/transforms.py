@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The frames make one connected tree, move as the signs say, and are never sent twice with one stamp."""
 import math
+import xml.etree.ElementTree as xml
 
 from rig_test import Rig, rospy, run, turn, unittest
 from tf2_msgs.msg import TFMessage
@@ -30,6 +31,11 @@ class Transforms(unittest.TestCase):
         for name in ("rig_floor", "traveling_block", "top_drive", "bit", "motor", "float_valve", "stabilizer", "mwd"):
             self.assertIn(name, self.parents)
         self.assertGreater(sum(name.startswith("pipe_") for name in self.parents), 5)
+
+    def test_each_link_of_robot_description_has_its_frame(self):
+        links = {link.get("name") for link in xml.fromstring(rospy.get_param(self.rig.topic("robot_description"))).iter("link")}
+        self.assertIn("mwd", links)
+        self.assertLessEqual(links, set(self.parents))
 
     def test_parts_hang_on_the_rig_floor(self):
         self.assertEqual({"rig_floor"}, {parent for child, parent in self.parents.items() if child != "rig_floor"})

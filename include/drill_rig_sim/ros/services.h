@@ -58,7 +58,7 @@ private:
   std::string step(const StepSimulation::Request& request, StepSimulation::Response& answer, Lock& lock);
 
   void rebuild(const Scene& scene);
-  /// Publishes what the rig of `scene` is made of, and the scene itself, its program only where that is played. `stamp`: of the rig's start [ns]
+  /// Publishes what the rig of `scene` is made of, and the scene itself, its program only where that is played; sets the parameter robot_description. `stamp`: of the rig's start [ns]
   void describe(const Scene& scene, std::int64_t stamp) const;
   /// Where `next` is another rig than the running one; what the answer says of it.
   std::string forget_states_of_another(const Scene& next);
@@ -68,6 +68,7 @@ private:
   template <class Service, class Action>
   void serve(ros::NodeHandle& node, const std::string& name, Action action);
 
+  ros::NodeHandle node_;
   const Parameters& parameters_;
   Scene scene_;        // what reset_well goes back to
   double off_bottom_;  // of the bit at the start of the scene file, whatever has been loaded since [m]
