@@ -1,12 +1,7 @@
 #include "drill_verified_scores.h"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -19,16 +14,9 @@ namespace
 {
 constexpr double every = 0.1;  // between rows, as of `drill run --csv` [s]
 const char* const series_names[] = {"run", "finer", "finest"};
-
-std::string new_folder()
-{
-  std::string name = (std::filesystem::temp_directory_path() / "drill_verify_XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw UsageError("--score: " + name + " cannot be made: " + std::strerror(errno));
-  return name;
-}
 }  // namespace
 
-VerifiedScores::VerifiedScores() : folder_(new_folder()), beat_(every)
+VerifiedScores::VerifiedScores() : folder_("--score"), beat_(every)
 {
   for (std::size_t i = 0; i < files_.size(); ++i)
   {
@@ -37,15 +25,9 @@ VerifiedScores::VerifiedScores() : folder_(new_folder()), beat_(every)
   }
 }
 
-VerifiedScores::~VerifiedScores()
-{
-  std::error_code unknown;  // what cannot be removed stays
-  std::filesystem::remove_all(folder_, unknown);
-}
-
 std::string VerifiedScores::file(std::size_t series) const
 {
-  return folder_ + "/" + series_names[series] + ".csv";
+  return folder_.path() + "/" + series_names[series] + ".csv";
 }
 
 void VerifiedScores::add(const Simulator& simulator, const FinerPair& pair, double frame)

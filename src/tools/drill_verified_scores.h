@@ -8,6 +8,7 @@
 #include "drill_rig_sim/sim/finer_pair.h"
 #include "drill_score_options.h"
 #include "drill_series.h"
+#include "drill_temporary_folder.h"
 
 namespace drill_rig_sim
 {
@@ -17,9 +18,6 @@ class VerifiedScores
 public:
   /// Throws UsageError with one line where there is no room for them.
   VerifiedScores();
-  ~VerifiedScores();
-  VerifiedScores(const VerifiedScores&) = delete;
-  VerifiedScores& operator=(const VerifiedScores&) = delete;
 
   /// Call after each frame of `frame` [s].
   void add(const Simulator& simulator, const FinerPair& pair, double frame);
@@ -29,7 +27,7 @@ public:
 private:
   std::string file(std::size_t series) const;
 
-  std::string folder_;
+  TemporaryFolder folder_;
   std::array<File, 3> files_;
   Beat beat_;
 };

@@ -8,7 +8,7 @@ import re
 import tokens
 
 # from the ground up: a room includes rooms before it alone
-ORDER = ('math', 'well', 'contact', 'string', 'rig', 'hydraulics', 'scene', 'model', 'solve', 'reference', 'compared', 'accuracy', 'instruments', 'crew', 'sim', 'realtime',
+ORDER = ('math', 'well', 'contact', 'string', 'rig', 'hydraulics', 'scene', 'model', 'solve', 'reference', 'compared', 'accuracy', 'instruments', 'crew', 'sim', 'realtime', 'fmi',
          'ros', 'rviz', 'tools', 'python')
 OF_ROS = ('ros', 'rviz')
 OF_SUNDIALS = ('solve', 'reference', 'compared')
