@@ -44,7 +44,7 @@ std::string gauges()
 std::string head_of_fields()
 {
   return line("std_msgs/Header header", "stamp: end of the frame; frame_id: the rig floor") + line("uint8 run_state", "one of the constants above") +
-         line("uint32 epoch", "grows by 1 where what follows does not go on from what was: reset_well, load_survey, restore_state");
+         line("uint32 epoch", "grows by 1 with reset_well, load_survey and restore_state: a new run begins");
 }
 
 /// Operations and set points.
@@ -73,7 +73,7 @@ std::string fields(SignalOf own)
 std::string rig_state_message()
 {
   return "# A rig's signals at one instant as the driller's instruments show them, on rig_state. `drill reference --of RigState.msg` prints this.\n"
-         "# \"Reading:\" says how a field is come by; a gauge adds the errors of the scene's key instruments.surface (noise, bias, delay, ...).\n" +
+         "# \"Reading:\" says how a reading is made; a gauge adds the errors of the scene's key instruments.surface (noise, bias, delay, ...).\n" +
          run_states() + gauges() + head_of_fields() + fields(SignalOf::reading) + tail_of_fields();
 }
 

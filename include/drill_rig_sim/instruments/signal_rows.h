@@ -30,7 +30,7 @@ struct SignalRow
   const char* mnemonic;  ///< in WITSML files; "": none
   int item;              ///< in record 01 of WITS level 0; 0: none
   const char* meaning;
-  const char* reading;  ///< how the readings come by it; "": they do not
+  const char* reading;  ///< how the reading is made; "": there is none
   double (*in_truth)(const Truth&);        ///< flags are 0 or 1; null: not of the truth
   double (*in_readings)(const Readings&);  ///< NaN until zeroed; null: not of the readings
 };

@@ -72,11 +72,11 @@ GAUGE(double, flow, flow, "FLOWIN", 30, "delivered by the pump", "flow meter")
 BOTH(double, stroke_rate, strokes, "", 23, "of the mud pump", "exact: strokes are counted")
 BOTH(unsigned, pump_strokes, number, "", 0, "whole strokes of the mud pump since the start", "exact")
 BOTH(double, ecd, density, "", 0, "equivalent circulating density at the bit: mud weight with the losses of the annulus",
-       "exact, as if a tool sent it at once")
+       "exact, without the delay of telemetry")
 GAUGE(double, block_height, length, "BLOCKCOMP", 12, "top-drive shaft above the rotary table",
       "drawworks encoder; bit depth, hole depth and rate of penetration are worked out from it")
 GAUGE(double, encoder_bit_depth, length, "", 0, "measured depth of the bit by the length of its string, without the stretch",
-      "depth encoder; held while the slips bear the string")
+      "depth encoder; held while the string is in the slips")
 BOTH(double, block_velocity, speed, "", 0, "of the block, + up", "exact, by the drawworks' encoder")
 BOTH(double, floor_height, length, "", 0,
        "of the rotary table above its mean place, where the frame rig_floor stays: heave; 0 on the ground",
@@ -87,7 +87,7 @@ BOTH(double, top_drive_angle, angle, "", 0, "of the top drive's shaft, clockwise
 BOTH(double, top_drive_speed, rotation, "SURF_RPM", 20, "of the top drive's shaft, clockwise looking downhole",
        "exact, by the drive's encoder")
 BOTH(double, bit_depth, length, "BITDEP", 8, "measured depth of the bit's face",
-       "tally of the pipe less block_height; right at the start; held while the slips bear the string")
+       "length of the string less block_height; correct at the start; held while the string is in the slips")
 BOTH(double, hole_depth, length, "DMEA", 10, "measured depth of the hole's bottom", "largest bit_depth so far")
 BOTH(double, rop, penetration, "ROP", 13, "rate of penetration: rate of hole_depth over the frame", "rate over the last 10 s")
 ZEROED(double, surface_wob, force, "WOB", 16, "surface weight on bit: tare less hook_load; 0 until tared, and in the slips",
@@ -104,7 +104,7 @@ BOTH(bool, slack_line, number, "", 0, "the lines carry nothing", "exact")
 BOTH(bool, stop_reached, number, "", 0,
        "the block is at its lowest or highest place: the winch stands there, or the block rests on the stop", "exact")
 BOTH(bool, relief_valve_open, number, "", 0, "of the pump: part of its flow goes back to the tanks", "exact")
-TRUTH(bool, over_stress, number, "pipe is stressed beyond its yield strength; the simulation goes on as if it were not")
+TRUTH(bool, over_stress, number, "pipe is stressed beyond its yield strength; yielding is not modelled")
 TRUTH(bool, over_torque, number, "pipe is twisted beyond the make-up torque of its connections")
 TRUTH(bool, buckled, number, "pipe is compressed beyond its buckling load in the hole")
 BOTH(bool, accuracy_warning, number, "", 0,
@@ -119,7 +119,8 @@ BOTH(bool, over_pull, number, "", 0, "trip_hook_load was reached: the brake is s
 BOTH(bool, pump_tripped, number, "", 0,
        "no flow, by trip_pressure until a flow of 0 is commanded, or by a fault until that ends", "exact")
 BOTH(bool, drive_tripped, number, "", 0, "the top drive coasts by a fault until that ends", "exact")
-READING(unsigned, lost_gauges, number, "sum of the constants above: gauges in a drop-out repeat their last reading", "exact")
+READING(unsigned, lost_gauges, number, "sum of the constants above of all gauges that have dropped out and repeat their last reading",
+        "exact")
 BIT(wob, wob, force, t.wob, "weight on bit: of the rock on its face, >= 0")
 BIT(bit_torque, torque, torque, t.bit_torque,
     "of the rock on the bit's face, >= 0 when it resists clockwise turning; the gauge's friction on the wall is not in it")
