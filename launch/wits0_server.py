@@ -21,7 +21,7 @@ def start_date():
     try:
         return wits0.start_date_of(text)
     except (TypeError, ValueError):
-        sys.exit("parameter ~start_date is %r; allowed is a date by UTC of 1970 to 2199, as 2024-05-17 or 2024-05-17T06:30:00Z" % (text,))
+        sys.exit("parameter ~start_date is %r; allowed is a UTC date from 1970 to 2199, such as 2024-05-17 or 2024-05-17T06:30:00Z" % (text,))
 
 
 class General:

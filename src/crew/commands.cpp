@@ -73,7 +73,7 @@ const char* what_is_wrong(const TopDriveSetpoint& c) noexcept
     return "angle: must be between -1e8 and 1e8 rad in ANGLE and OSCILLATE: beyond, a double does not resolve it to 1e-8 rad";
   if (swings && std::max(c.amplitude_right, c.amplitude_left) > most_drive_angle)
     return "amplitude_right and amplitude_left: must be at most 1e8 rad";
-  if (c.torque_limit < 0.0) return "torque_limit: must not be negative; 0 means the rig's";
+  if (c.torque_limit < 0.0) return "torque_limit: must not be negative; 0 means the rig's limit";
   return nullptr;
 }
 

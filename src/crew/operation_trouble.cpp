@@ -15,7 +15,7 @@ const char* text_of(OperationTrouble trouble) noexcept
     case OperationTrouble::motor_stalled:
       return "the mud motor has stalled";
     case OperationTrouble::over_weight:
-      return "the weight on bit is far above what was asked for";
+      return "the weight on bit is far above its set point";
   }
   return "";
 }

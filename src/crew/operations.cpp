@@ -155,7 +155,7 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
     rig.command(WinchSetpoint{lifts_ ? o.speed : -o.speed, false});
   }
   const bool by_weight = traits_of(o.kind).drills;
-  if (by_weight && !now.tared && !rig.tare()) rig.fail("operations: the weight on bit has no zero, needed: tag before drill or slide");
+  if (by_weight && !now.tared && !rig.tare()) rig.fail("operations: the weight on bit is not zeroed, needed: tag before drill or slide");
   if (o.kind == OperationKind::steer) rig.command(SteeringSetpoint{o.toolface, o.ratio});
   if (o.kind == OperationKind::slide || o.kind == OperationKind::oscillate)
   {
@@ -174,7 +174,7 @@ void OperationsPlayer::begin_tag(RigControls& rig, bool zeroed) noexcept
   pressure_at_ = now.time;
   lifts_ = zeroed && rig.scene().rig.heave.amplitude == 0.0 && now.hole_depth - now.bit_depth < tags_from;
   lift_to_ = now.block_height + tags_from - (now.hole_depth - now.bit_depth);
-  if (!zeroed && !now.tared) rig.fail("operations: tag: the weight on bit has no zero, and none can be taken on bottom or in the slips, needed: pick_up first");
+  if (!zeroed && !now.tared) rig.fail("operations: tag: the weight on bit cannot be zeroed on bottom or in the slips, needed: pick_up first");
 }
 
 void OperationsPlayer::follow(RigControls& rig) noexcept
@@ -278,7 +278,7 @@ void OperationsPlayer::follow_trip(RigControls& rig) noexcept
   if (has_begun && now.stop_reached && up == is_high)
     rig.fail(up ? "operations: the block is at its highest place, and there is no stand to take away" : "operations: the block is at its lowest place, and no stand can be added");
   if (has_begun && o.kind == OperationKind::connection && !crew_came_ && !up && left < arrived)
-    rig.fail("operations: connection: the bit comes to bottom before the block is where a stand is added, needed: drill that far");
+    rig.fail("operations: connection: the bit reaches bottom before the block is low enough to add a stand, needed: drill deeper first");
   const double speed = std::min(o.speed, std::sqrt(lost * lost + 2.0 * acceleration_ * left) - lost);
   rig.command(WinchSetpoint{up ? speed : -speed, false});
 }

@@ -98,7 +98,7 @@ void ProgramPlayer::begin(const ProgramStep& step, RigControls& rig) noexcept
   if (is_set(step.connection))
     if (const char* refused = rig.make_connection(static_cast<int>(std::abs(step.connection)), step.connection < 0.0)) rig.fail(refused);
   if (is_set(step.free_length) && !rig.set_free_length(step.free_length))
-    rig.fail("program: free_length would set guided pipe free, allowed: shorter ones than before");
+    rig.fail("program: free_length is longer than before, allowed: shorter than before");
   if (is_set(step.stuck_at) && !rig.stick_pipe(step.stuck_at))
     rig.fail("program: stuck_at is below the bit, allowed: where there is pipe in the hole");
   if (step.fault < 0) return;

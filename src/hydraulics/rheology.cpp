@@ -103,7 +103,7 @@ std::string pair_problem(RheologyLaw law, const ViscometerReading& slow, const V
 {
   if (fast.speed == slow.speed) return text_of("%g rpm is given twice, allowed: once", fast.speed, 0.0);
   if (fast.dial < slow.dial || (fast.dial == slow.dial && law != RheologyLaw::herschel_bulkley))
-    return text_of("the dial does not grow from %g to %g rpm, needed: a larger reading at a larger speed", slow.speed, fast.speed);
+    return text_of("the dial reading does not increase from %g to %g rpm, needed: a larger reading at a larger speed", slow.speed, fast.speed);
   return "";
 }
 }  // namespace
@@ -138,12 +138,12 @@ std::string readings_problem(RheologyLaw law, const std::vector<ViscometerReadin
   }
   const Rheology curve = fitted(law, readings);
   if (!(curve.consistency > 0.0 && curve.index >= least_flow_index && curve.index <= most_flow_index))
-    return text_of("they make an index n of %.3g, allowed: %g to 1, shear thinning", curve.index, least_flow_index);
+    return text_of("they give a flow index n of %.3g, allowed: %g to 1 (shear thinning)", curve.index, least_flow_index);
   if (needed != 2) return "";
   // least squares end at the limits of the law where readings grow faster than they allow
   const ViscometerReading &slow = sorted[sorted.size() - 2], &fast = sorted.back();
   if (fast.dial / slow.dial > (1.0 + 1e-6) * fast.speed / slow.speed)
-    return text_of("the dial grows faster than the speed from %g to %g rpm, needed: shear thinning", slow.speed, fast.speed);
+    return text_of("the dial reading grows faster than the speed from %g to %g rpm, needed: shear thinning", slow.speed, fast.speed);
   return "";
 }
 

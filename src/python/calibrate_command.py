@@ -39,7 +39,7 @@ def table(plan, found, left):
         factor, unit = UNITS[signal]
         lines.append("%-28s %14s %14s %14s" % ("%s [%s]" % (signal, unit), *("-" if number is None else "%.4g" % (factor * number) for number in (*numbers, plan.model.noise.get(signal)))))
     idle = found.without_effect
-    lines += ["%s: has no effect on these data where it starts: left there" % name for name in idle]
+    lines += ["%s: has no effect on these data at its start value: not changed" % name for name in idle]
     lines += ["%s: these data do not determine it" % p.name for p, width in zip(plan.parameters, found.half_widths) if not width < told_by(p) and p.name not in idle]
     lines += unexplained(plan, left)
     lost = int((~numpy.isfinite(found.predicted) & numpy.isfinite(plan.model.observed)).sum())
@@ -125,7 +125,7 @@ def apply_and_tell(options, plan, problem, fitted, why):
     """What an earlier fit predicts of the plan's data."""
     unknown = [str(signal) for signal in dict.fromkeys(plan.model.signals) if str(signal) not in fitted.scatter]
     if unknown:
-        raise PlanError("%s: %s: had no such data, allowed: %s" % (options.apply, ", ".join(unknown), ", ".join(fitted.scatter)))
+        raise PlanError("%s: %s: the fit had no such data, allowed: %s" % (options.apply, ", ".join(unknown), ", ".join(fitted.scatter)))
     problem.expect(1 + len(problem.moved))
     if not numpy.isfinite(problem.predict(fitted.values)).any():
         raise FitError("nothing can be predicted: %s" % why(problem.starts()))

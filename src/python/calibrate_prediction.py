@@ -39,7 +39,7 @@ def fixed(value, places):
 def remarks(prediction):
     """What its reader should know, a line each."""
     lost = int((~numpy.isfinite(prediction.predicted) & numpy.isfinite(prediction.observed)).sum())
-    return (["the band is unknown where it depends on what the fit's data do not determine: %s" % ", ".join(prediction.untold)] if prediction.untold else []) + (
+    return (["the band is unknown where it depends on values that the fit's data do not determine: %s" % ", ".join(prediction.untold)] if prediction.untold else []) + (
         ["%d numbers could not be predicted: no equilibrium, or a scene out of range" % lost] if lost else [])
 
 

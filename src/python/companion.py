@@ -13,7 +13,7 @@ def companion_run(run, left_out):
         return None
     ended = ~numpy.isfinite(numpy.stack(list(run.companion.values()))).all(axis=0)
     if ended.any():
-        left_out.append("companion: it ended before the run, no row from %.6g s on has it" % run["time"][ended.argmax()])
+        left_out.append("companion: it ended before the run, it is missing from %.6g s on" % run["time"][ended.argmax()])
         return None
     return Run({"time": run["time"], **run.companion}, run.source, run.name + ", its companion")
 

@@ -21,7 +21,7 @@ class Readings:
 
     def __getattr__(self, name):
         if name in UNSENSED:
-            raise AttributeError("%s: no rig can sense it" % name)
+            raise AttributeError("%s: is not a reading; only truth has it" % name)
         return getattr(self._state, name)
 
 
@@ -114,7 +114,7 @@ def frames_of(period, rate):
     """How many frames a law's period lasts."""
     frames = round(period * rate)
     if frames < 1 or abs(frames - period * rate) > 1e-6 * frames:
-        raise ValueError("the law's period of %g s is no whole number of frames of %g s" % (period, 1.0 / rate))
+        raise ValueError("the law's period of %g s is not a whole number of frames of %g s" % (period, 1.0 / rate))
     return frames
 
 

@@ -180,7 +180,7 @@ double InProcessRig::drum_height() const
 
 std::vector<double> InProcessRig::drum_heights(const std::vector<double>& heights, const std::vector<double>& hook_loads) const
 {
-  if (hook_loads.size() != heights.size()) throw std::runtime_error("heights and hook loads are not equally many");
+  if (hook_loads.size() != heights.size()) throw std::runtime_error("heights and hook loads must have the same length");
   return drill_rig_sim::drum_heights(scene_.rig.hoisting, scene_.instruments.hook_load.place == HookLoadPlace::dead_line, heights, hook_loads);
 }
 
@@ -215,7 +215,7 @@ void InProcessRig::record(std::size_t frames, std::size_t every, const std::func
 void InProcessRig::verify(double times)
 {
   const Turn turn(*this);
-  if (finer_) throw std::runtime_error("finer models go along already");
+  if (finer_) throw std::runtime_error("finer models are already running");
   finer_.emplace(*simulator_, times);
 }
 
@@ -286,7 +286,7 @@ SavedRig InProcessRig::save() const
 void InProcessRig::restore(const SavedRig& saved)
 {
   const Turn turn(*this);
-  if (finer_) throw std::runtime_error("a run that is verified only goes forward");
+  if (finer_) throw std::runtime_error("a verified run cannot be reset or restored");
   if (!simulator_->restore(*saved.state)) throw std::runtime_error("the snapshot is of another rig");
   ++epoch_;
   player_ = saved.player;

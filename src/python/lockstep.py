@@ -42,7 +42,7 @@ class State:
         if name in State.__slots__:  # of a copy that is not filled yet
             raise AttributeError(name)
         if not hasattr(self.readings, name) and hasattr(self.truth, name):
-            raise AttributeError("%s: no rig can sense it; ask for truth.%s" % (name, name))
+            raise AttributeError("%s: is not a reading; use truth.%s" % (name, name))
         return getattr(self.readings, name)
 
 
@@ -117,7 +117,7 @@ class Lockstep:
     def _frames_in(self, seconds):
         frames = seconds * self.rate
         if not (math.isfinite(frames) and frames >= 0.0 and abs(frames - round(frames)) < 1e-6 * max(1.0, frames)):
-            raise ValueError("%r s is no whole number of frames of %g s" % (seconds, 1.0 / self.rate))
+            raise ValueError("%r s is not a whole number of frames of %g s" % (seconds, 1.0 / self.rate))
         return round(frames)
 
     # --- what each rig does in its own way

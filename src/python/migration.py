@@ -39,7 +39,7 @@ def migrated(topic, kind, message):
 def migrate(old, new):
     """Writes the bag `new`, which must not be there yet; the number of messages that changed. A Refusal says why not, and leaves no file behind."""
     if os.path.exists(new):
-        raise Refusal("%s: is there already; needed: the name of a new file" % new)
+        raise Refusal("%s: already exists; needed: the name of a new file" % new)
     try:
         with rosbag.Bag(old) as source, rosbag.Bag(new, "w", options=source.options) as target:
             return sum(hand_on(entry, target) for entry in source.read_messages(raw=True, return_connection_header=True))

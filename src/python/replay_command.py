@@ -72,7 +72,7 @@ def replay_of(options):
     values, lines = start_keys(scene, record, options.start)
     replay = play(simulator_of(file, scene, survey, values), record, left_out)
     if not replay.table():
-        raise RecordError("%s: no row is left to compare; needed: less in --leave-out, or %s where the string hangs" % (record.name, ", ".join(COMPARED)))
+        raise RecordError("%s: no row is left to compare; needed: shorter stretches in --leave-out, or %s with the string on the hook" % (record.name, ", ".join(COMPARED)))
     replay.remarks += remarks + lines
     return replay
 

@@ -169,7 +169,7 @@ def stick_slip(run, bottom, left_out):
         return None
     indices = numpy.array([index for _, index in stick_slip_windows(run, bottom)])
     if not len(indices):
-        left_out.append("stick_slip: no 10 s wholly on bottom with a turning bit")
+        left_out.append("stick_slip: no window of 10 s on bottom with a turning bit")
         return None
     return {"windows": len(indices), "mean": float(indices.mean()), "largest": float(indices.max()), "share_at_1": float((indices >= 1.0).mean())}
 
@@ -193,7 +193,7 @@ def connections(run, bottom, left_out):
 def stalls(run, left_out):
     """Of the mud motor: how often, and how long in all."""
     if "motor_stalled" not in run:
-        left_out.append("stalls: motor_stalled is not in this run: no rig can sense it")
+        left_out.append("stalls: motor_stalled is not in this run: it is truth, not a reading")
         return None
     return times_of(run, run["motor_stalled"] > 0.0)
 
@@ -245,7 +245,7 @@ def path(run, drilled, plan, left_out):
     scores = {"dogleg_mean_deg_30m": None, "dogleg_largest_deg_30m": None, "tortuosity_deg_30m": None, "distance_mean_m": None,
               "distance_largest_m": None, "distance_end_m": None}
     if is_reset(run):
-        left_out.append("path: the hole became shallower, by a reset: this is no single hole")
+        left_out.append("path: the hole became shallower by a reset, so it is not one hole")
         return scores
     found = stations(run, drilled)
     if found is None:
@@ -277,7 +277,7 @@ def is_reset(run):
 def distances(run, drilled, plan, left_out):
     points = bottom_points(run, drilled)
     if points is None:
-        left_out.append("path: distance: where the bit is, is not in this run")
+        left_out.append("path: distance: the position of the bit is not in this run")
         return {}
     off = plan.distances(points)
     return {"distance_mean_m": float(off.mean()), "distance_largest_m": float(off.max()), "distance_end_m": float(off[-1])}

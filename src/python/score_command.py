@@ -101,7 +101,7 @@ def require_files_apart(args):
     for i, (option, file) in enumerate(files[3:], 3):
         for what, other in files[:i]:
             if file and other and os.path.realpath(file) == os.path.realpath(other) != "/dev/null":
-                raise RunError("%s: %s is the file of %s, needed: a file of its own" % (option, file, what))
+                raise RunError("%s: %s is the file of %s, needed: another file" % (option, file, what))
 
 
 def radians(angle):

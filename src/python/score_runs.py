@@ -94,7 +94,7 @@ def last_run(time, epochs=None):
         return 0, ""
     begin = places[-1] + 1
     why = "time goes back to %.6g s there" % time[begin] if time[begin] < time[begin - 1] else "the rig was reset or restored there"
-    return begin, "%d earlier run%s of the file, to %.6g s: %s, what follows is judged" % (len(places), "s" if len(places) > 1 else "", time[begin - 1], why)
+    return begin, "%d earlier run%s of the file, to %.6g s: %s; only the rows after it are scored" % (len(places), "s" if len(places) > 1 else "", time[begin - 1], why)
 
 
 def read_bag(file, namespace=None):
@@ -147,7 +147,7 @@ def namespace_of(bag, file, wanted):
     if not found:
         raise RunError("%s: has no rig_state%s" % (file, "" if wanted is None else " of the namespace " + wanted))
     if len(found) > 1:
-        raise RunError("%s: has several rigs, needed: --namespace, of %s" % (file, ", ".join(prefix.strip("/") or "/" for prefix in found)))
+        raise RunError("%s: has several rigs, needed: --namespace with one of %s" % (file, ", ".join(prefix.strip("/") or "/" for prefix in found)))
     return found[0]
 
 

@@ -30,7 +30,7 @@ def plain_utf8(file, longest):
     except UnicodeDecodeError:
         raise TextError("%s: is not UTF-8; other encodings are read by the Python module sim, which is not built (it needs pybind11-dev)" % file)
     if len(text) > longest or "\0" in text:
-        raise TextError("%s: is no text, or longer than %d bytes" % (file, longest))
+        raise TextError("%s: is not text, or longer than %d bytes" % (file, longest))
     return text
 
 

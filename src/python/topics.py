@@ -75,7 +75,7 @@ class Follower:
         self.refused = pipe_work(commands, lambda are_set: served(self.slips, are_set), lambda **fields: served(self.connection, **fields))
 
     def begin_again(self, now):
-        rospy.logwarn("the rig begins a new run at %.2f s: %s" % (now, "the law goes on, it cannot be copied (%s)" % self.runs.problem
+        rospy.logwarn("the rig begins a new run at %.2f s: %s" % (now, "the law continues, because it cannot be copied (%s)" % self.runs.problem
                                                                   if self.runs.problem else "the law begins again"))
         self.last, self.refused = None, ""
         self.telemetry.begin_again(now)

@@ -58,7 +58,7 @@ def remarks_on(record, moves, odd):
     if pumped:
         lines.append("%s: the pump ran in %d of %d moves; drill calibrate fits weights without flow: compare with --no-flow" % (record.name, len(pumped), len(moves)))
     if not any(move.empty for move in moves):
-        lines.append("%s: nowhere does the block move alone, with the string in the slips: the weight of the empty block is not found" % record.name)
+        lines.append("%s: the block never moves with the string in the slips: the weight of the empty block is not found" % record.name)
     return lines
 
 

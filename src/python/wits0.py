@@ -29,7 +29,7 @@ def start_date_of(text):
             continue
         if 1970 <= date.year < 2200 and date.strftime(form) == text:
             return date.replace(tzinfo=timezone.utc).timestamp()
-    raise ValueError("no date by UTC of 1970 to 2199, as 2024-05-17 or 2024-05-17T06:30:00Z: %r" % text)
+    raise ValueError("must be a UTC date from 1970 to 2199, such as 2024-05-17 or 2024-05-17T06:30:00Z (got %r)" % text)
 
 
 def whole(value):

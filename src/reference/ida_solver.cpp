@@ -198,7 +198,7 @@ IdaStatistics IdaSolver::Session::current() const
 IdaSolver::IdaSolver(DaeProblem& problem, const IdaOptions& options) : session_(std::make_unique<Session>(problem, options))
 {
   SUNContext context = nullptr;
-  if (SUNContext_Create(nullptr, &context) != 0) throw std::runtime_error("IDA: SUNDIALS gives no context");
+  if (SUNContext_Create(nullptr, &context) != 0) throw std::runtime_error("IDA: SUNDIALS could not create a context");
   session_->context.reset(context);
   const auto n = static_cast<sunindextype>(problem.size());
   session_->y.reset(N_VNew_Serial(n, context));

@@ -77,7 +77,7 @@ std::string needed_errors(const FrameRecord& frame)
   for (std::size_t i = 0; i < output_count; ++i)
     if (frame.accuracy.needs & output_traits[i].need)
       text += std::string(text.empty() ? "" : ", ") + output_traits[i].words + " " + in_percent(frame.physics.errors[i]);
-  return text.empty() ? "no output in `needs` has one" : text + " (allowed " + in_percent(frame.accuracy.tolerance) + ")";
+  return text.empty() ? "none for the outputs in `needs`" : text + " (allowed " + in_percent(frame.accuracy.tolerance) + ")";
 }
 }  // namespace
 
@@ -131,7 +131,7 @@ DiagnosticsReport::Status DiagnosticsReport::time_status(const FrameRecord& fram
 {
   Status s = status("time", word(frame.run_state));
   if (frame.loop.dropped_seconds > dropped_before_)
-    s.mergeSummary(DiagnosticStatus::WARN, std::string(word(frame.run_state)) + ", slower than asked");
+    s.mergeSummary(DiagnosticStatus::WARN, std::string(word(frame.run_state)) + ", slower than the requested speed");
   dropped_before_ = frame.loop.dropped_seconds;
   if (!clock_trouble.empty()) s.mergeSummary(DiagnosticStatus::WARN, clock_trouble);
   s.add("state", word(frame.run_state));
@@ -157,7 +157,7 @@ DiagnosticsReport::Status DiagnosticsReport::physics_status(const FrameRecord& f
   Status s = status("physics", "solved");
   const SimulatorStatistics& p = frame.physics;
   if (frame.run_state == RunState::failed)
-    s.mergeSummary(DiagnosticStatus::ERROR, std::string("time stands at the last good state: ") + frame.failure.data());
+    s.mergeSummary(DiagnosticStatus::ERROR, std::string("simulation stopped at the last good state: ") + frame.failure.data());
   const auto tell = [&s](bool beyond, const char* what, const std::string& key, const LoadShare& load)
   {
     if (beyond) s.mergeSummary(DiagnosticStatus::WARN, what);
@@ -209,7 +209,7 @@ DiagnosticsReport::Status DiagnosticsReport::command_status(const FrameRecord& f
   const std::uint64_t refused = refusals.number(), clamped = frame.physics.commands_clamped;
   if (clamped < clamped_before_) clamped_before_ = 0;  // another rig's count
   if (frame.truth.commands_timed_out)
-    s.mergeSummary(DiagnosticStatus::WARN, "the winch's or the drive's commands stopped: brake set, drive coasts until they come again");
+    s.mergeSummary(DiagnosticStatus::WARN, "no commands for winch or top drive: brake set, drive coasts until commands arrive");
   if (refused > refused_before_) s.mergeSummary(DiagnosticStatus::WARN, std::string("refused: ") + refusals.last());
   if (clamped > clamped_before_ || frame.truth.command_clamped)
     s.mergeSummary(DiagnosticStatus::WARN, std::string("beyond a limit: ") + frame.last_clamp);

@@ -78,7 +78,7 @@ public:
   {
     text("frame_prefix", value);
     if (!value.empty() && (value.front() == '/' || value.find_first_of(" \t\n") != std::string::npos))
-      refuse("frame_prefix", value, "text without white space that does not begin with /, which tf2 takes no frame for");
+      refuse("frame_prefix", value, "text without white space that does not begin with / (not valid in tf2)");
   }
 
   template <class Enum>
@@ -125,7 +125,7 @@ public:
       if (name.compare(0, own.size(), own) != 0 || known_.count(name.substr(own.size()))) continue;
       std::string allowed;
       for (const std::string& k : known_) allowed += (allowed.empty() ? "" : ", ") + k;
-      throw ParameterError("parameter ~" + name.substr(own.size()) + " is unknown; there are " + allowed);
+      throw ParameterError("parameter ~" + name.substr(own.size()) + " is unknown; allowed are " + allowed);
     }
   }
 
@@ -211,7 +211,7 @@ Parameters read_parameters(const ros::NodeHandle& node)
   read.refuse_unknown();
 
   p.seed = static_cast<std::uint64_t>(seed);
-  if (p.step_on_commands != 0 && p.clock != ClockMode::lockstep) throw ParameterError("parameter ~step_on_commands is given; allowed is that with ~clock lockstep only");
+  if (p.step_on_commands != 0 && p.clock != ClockMode::lockstep) throw ParameterError("parameter ~step_on_commands: allowed only with ~clock lockstep");
   ros::param::get("/use_sim_time", p.use_sim_time);
   if (!p.publish_clock && p.clock != ClockMode::realtime)
     throw ParameterError(

@@ -41,19 +41,19 @@ std::string prefix_of(const rosbag::Bag& bag, const std::string& asked)
     if (ends_with(prefix, of_companion)) continue;
     if (asked.empty() || without_slashes(prefix) == without_slashes(asked)) found.insert(prefix);
   }
-  if (found.empty()) throw std::runtime_error("has no " + of_state + (asked.empty() ? "" : " in the namespace " + asked) + ", by which a run is played again");
+  if (found.empty()) throw std::runtime_error("has no " + of_state + (asked.empty() ? "" : " in the namespace " + asked) + ", which is needed to replay a run");
   if (found.size() == 1) return *found.begin();
   std::string names;
   for (const std::string& prefix : found) names += (names.empty() ? "" : ", ") + without_slashes(prefix);
-  throw std::runtime_error("has several rigs, needed: --namespace, of " + names);
+  throw std::runtime_error("has several rigs, needed: --namespace with one of " + names);
 }
 
 template <class Message>
 boost::shared_ptr<Message> read(const rosbag::MessageInstance& instance)
 {
   const boost::shared_ptr<Message> message = instance.instantiate<Message>();
-  if (!message) throw std::runtime_error("was recorded by another version: " + instance.getTopic() + " is " + instance.getDataType() +
-                             " of other fields; of 0.2: rosrun drill_rig_sim migrate_bag OLD.bag NEW.bag makes a bag that can be read");
+  if (!message) throw std::runtime_error("was recorded by another version: " + instance.getDataType() + " of " + instance.getTopic() +
+                             " has other fields; convert a bag of 0.2 with rosrun drill_rig_sim migrate_bag OLD.bag NEW.bag");
   return message;
 }
 
@@ -92,7 +92,7 @@ Topics topics_of(const rosbag::Bag& bag, const std::string& prefix)
     topics.rows[said->header.stamp] = row_of(*said);
   }
   if (topics.start) topics.rows.erase(topics.rows.begin(), topics.rows.lower_bound(*topics.start));
-  if (topics.rows.size() < 2) throw std::runtime_error("has no two states of its last start, needed: a run recorded from the start of the rig on");
+  if (topics.rows.size() < 2) throw std::runtime_error("has fewer than two rig states after its last start, needed: a run recorded from the start of the rig");
   return topics;
 }
 
@@ -129,7 +129,7 @@ RecordedRun read_recorded_run(const std::string& file, const std::string& rig)
   }
   catch (const rosbag::BagException& error)
   {
-    throw std::runtime_error(file + ": is not a bag that can be read: " + error.what());
+    throw std::runtime_error(file + ": cannot be read as a bag: " + error.what());
   }
   catch (const std::runtime_error& error)
   {

@@ -69,7 +69,7 @@ void RigNode::say_what_runs()
   if (!doubt.empty()) ROS_WARN_STREAM("pressures: " << doubt);
   if (rig.tight) ROS_WARN_STREAM("assembly: " << text_of(*rig.tight));
   if (parameters_.publish_clock && !parameters_.use_sim_time)
-    ROS_WARN("stamps are simulated time from 0 on, and /use_sim_time is not set: other nodes go by wall time");
+    ROS_WARN("stamps are simulated time from 0, but /use_sim_time is not set: other nodes use wall time");
 }
 
 void RigNode::wait_for_shutdown()

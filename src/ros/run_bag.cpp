@@ -51,7 +51,7 @@ struct RunBag::Writer
     catch (const rosbag::BagException&)
     {
       static_cast<void>(bag.release());
-      throw std::runtime_error(file + " could not be written whole; is the disk full?");
+      throw std::runtime_error(file + " could not be written completely; is the disk full?");
     }
   }
 

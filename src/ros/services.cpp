@@ -194,14 +194,14 @@ std::string Services::load_survey(const LoadSurvey::Request& request)
 std::string Services::forget_states_of_another(const Scene& next)
 {
   if (saved_.count() == 0 || scene_hash(next) == scene_hash(running_)) return {};
-  std::string said = "; " + std::to_string(saved_.count()) + " states saved of the rig before are forgotten";
+  std::string said = "; " + std::to_string(saved_.count()) + " saved states of the previous rig were deleted";
   saved_.clear();
   return said;
 }
 
 void Services::require_pausable() const
 {
-  if (loop_.time().follows()) throw Refusal("the time belongs to the rig that publishes /clock");
+  if (loop_.time().follows()) throw Refusal("time is controlled by the rig that publishes /clock");
   if (loop_.time().in_lockstep()) throw Refusal("in lockstep time moves only by the service step");
 }
 
@@ -240,7 +240,7 @@ std::string Services::tare()
         ask_tare(*loop.rig().simulator);
         loop.hand_over_again();
       });
-  return "weight on bit and differential pressure read zero here";
+  return "weight on bit and differential pressure are zeroed";
 }
 
 std::string Services::set_speed(double speed)
@@ -248,9 +248,9 @@ std::string Services::set_speed(double speed)
   require_pausable();
   constexpr double slowest = 1e-6;  // a frame in hours: below, time stands
   if (!(speed == 0.0 || (speed >= slowest && std::isfinite(speed))))
-    throw Refusal("speed is " + written(speed) + "; allowed is 0 = as fast as it goes, or a number >= " + written(slowest));
+    throw Refusal("speed is " + written(speed) + "; allowed is 0 = as fast as possible, or a number >= " + written(slowest));
   if (!loop_.time().has_own_clock() && speed != 1.0)
-    throw Refusal("stamps are wall time (~publish_clock is false); allowed is 1");
+    throw Refusal("speed must be 1: stamps are wall time (~publish_clock is false)");
   loop_.between_frames([=](SimulationLoop& loop) { loop.set_speed(speed); });
   return speed == 0.0 ? "as fast as it goes" : std::to_string(speed) + " simulated seconds per wall second";
 }
@@ -296,7 +296,7 @@ std::string Services::restore_state(const RestoreState::Request& request)
       });
   std::string restored = "restored " + (request.file.empty() ? request.name : request.file);
   if (kernel == saved.kernel) return restored;
-  return restored + ", made by kernel " + name_of(saved.kernel) + ": what follows by " + name_of(kernel) + " differs from then in rounding";
+  return restored + ", saved with kernel " + name_of(saved.kernel) + ": results with kernel " + name_of(kernel) + " differ in rounding";
 }
 
 std::string Services::list_states(ListStates::Response& response)
@@ -347,8 +347,8 @@ std::string Services::make_connection(const MakeConnection::Request& request)
         ask_connection(*loop.rig().simulator, request.joints, request.remove);
         loop.hand_over_again();
       });
-  const std::string pipe = request.joints > 0 ? std::to_string(request.joints) + " joints" : "a stand's joints";
-  return pipe + (request.remove ? " less" : " more") + " are being made; current_operation says when it is over";
+  const std::string pipe = request.joints > 0 ? std::to_string(request.joints) + " joints" : "one stand";
+  return (request.remove ? "removing " : "adding ") + pipe + "; current_operation shows when it is finished";
 }
 
 std::string Services::step(const StepSimulation::Request& request, StepSimulation::Response& answer, Lock& lock)
@@ -368,7 +368,7 @@ std::string Services::step(const StepSimulation::Request& request, StepSimulatio
   if (request.frames > most_frames_of_step)
     throw Refusal("frames is " + std::to_string(request.frames) + "; allowed is 0 to " + std::to_string(most_frames_of_step));
   if (request.winch.size() > 1 || request.top_drive.size() > 1 || request.mud_pump.size() > 1 || request.steering.size() > 1)
-    throw Refusal("allowed is no or one command of a kind");
+    throw Refusal("allowed is at most one command of each kind");
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {

@@ -60,7 +60,7 @@ private:
   {
     std_srvs::Trigger request;
     if (tare_.call(request) && request.response.success) return true;
-    ROS_WARN_STREAM_THROTTLE(1.0, "no zero of the weight: " << request.response.message);
+    ROS_WARN_STREAM_THROTTLE(1.0, "the weight on bit could not be zeroed: " << request.response.message);
     return false;
   }
 

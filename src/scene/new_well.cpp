@@ -24,7 +24,7 @@ std::vector<SurveyStation> stations_of(const NewWell& well)
 {
   if (well.md.size() != well.inclination.size() || well.md.size() != well.azimuth.size())
     refuse("md, inclination and azimuth have ", well.md.size(), ", ", well.inclination.size(), " and ", well.azimuth.size(),
-           " entries; allowed is one of each per station");
+           " entries; needed: the same number of each");
   std::vector<SurveyStation> stations(well.md.size());
   for (std::size_t i = 0; i < stations.size(); ++i) stations[i] = {well.md[i], well.inclination[i], well.azimuth[i]};
   return stations;
@@ -65,7 +65,7 @@ double off_bottom(const Scene& scene)
 
 Scene with_well(const Scene& scene, double off_bottom, const NewWell& well)
 {
-  if (well.file.empty() == well.md.empty()) refuse("allowed is either a file or stations");
+  if (well.file.empty() == well.md.empty()) refuse("needed: either file, or md, inclination and azimuth");
   Scene next = scene;
   next.well.survey = whole_survey(well, next.remarks);
 

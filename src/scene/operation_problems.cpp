@@ -26,9 +26,9 @@ public:
   {
     const bool anywhere = !std::isnan(o_.to_depth) || !std::isnan(o_.distance) || !std::isnan(o_.time);
     const bool drills = traits_of(o_.kind).drills;
-    if (drills && !anywhere) add("", "has no end, needed: to_depth, distance or time");
-    if (o_.kind == OperationKind::pick_up && !anywhere && std::isnan(o_.overpull)) add("", "has no end, needed: to_depth, distance, time or overpull");
-    if (o_.kind == OperationKind::slack_off && !anywhere && std::isnan(o_.weight)) add("", "has no end, needed: to_depth, distance, time or weight");
+    if (drills && !anywhere) add("", "has no end condition, needed: to_depth, distance or time");
+    if (o_.kind == OperationKind::pick_up && !anywhere && std::isnan(o_.overpull)) add("", "has no end condition, needed: to_depth, distance, time or overpull");
+    if (o_.kind == OperationKind::slack_off && !anywhere && std::isnan(o_.weight)) add("", "has no end condition, needed: to_depth, distance, time or weight");
   }
 
   /// With the stand that hangs there at the start.
@@ -39,21 +39,21 @@ public:
     if (o_.kind == OperationKind::trip) return trip();
     if (scene_.connections == Connections::automatic || std::isnan(o_.to_depth)) return;
     if (o_.to_depth > deepest + nothing)
-      add("to_depth", metres(o_.to_depth) + " is beyond where the block reaches its lowest place, allowed: up to " + metres(deepest));
+      add("to_depth", metres(o_.to_depth) + " is deeper than the block can lower the bit, allowed: up to " + metres(deepest));
     if (o_.kind == OperationKind::pick_up && o_.to_depth < highest - nothing)
-      add("to_depth", metres(o_.to_depth) + " is above where the block reaches its highest place, allowed: from " + metres(highest) + " on");
+      add("to_depth", metres(o_.to_depth) + " is shallower than the block can raise the bit, allowed: from " + metres(highest) + " on");
   }
 
   void needs()
   {
     const auto tells = [](const PartSpec& part) { return part.type == PartType::mwd; };
     if (o_.kind == OperationKind::slide && std::none_of(scene_.string.begin(), scene_.string.end(), tells))
-      add("do", "slide is given, needed: a part of type mwd, whose toolface it goes by");
+      add("do", "slide needs a part of type mwd in `string`, which measures the toolface");
     const auto steers = [](const PartSpec& part) { return part.steerable.has_value(); };
     if (o_.kind == OperationKind::steer && std::none_of(scene_.string.begin(), scene_.string.end(), steers))
-      add("do", "steer is given, needed: a part of type rotary_steerable");
+      add("do", "steer needs a part of type rotary_steerable in `string`");
     if (o_.kind == OperationKind::oscillate && o_.amplitude_right + o_.amplitude_left == 0.0)
-      add("", "rocks by nothing, needed: amplitude_right_deg or amplitude_left_deg above 0");
+      add("", "both amplitudes are 0, needed: amplitude_right_deg or amplitude_left_deg above 0");
     const std::string lacking = needs_crew(o_.kind) ? what_the_crew_lacks(scene_) : "";
     if (!lacking.empty()) add("do", std::string(word_of(o_.kind)) + ": " + lacking);
     const bool angles = o_.kind == OperationKind::slide || o_.kind == OperationKind::oscillate;

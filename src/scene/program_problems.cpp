@@ -34,7 +34,7 @@ void check_drive_modes(const ProgramStep& step, std::size_t i, Amplitudes& ampli
   const bool rocks = !std::isnan(step.amplitude_right) || !std::isnan(step.amplitude_left), named = step.top_drive_mode >= 0;
   const DriveGoal goal = named ? goal_of(static_cast<TopDriveMode>(step.top_drive_mode)) : DriveGoal::speed;
   const auto problem = [&](const std::string& text) { problems.emplace_back(item_key("program", i), text); };
-  const auto not_in = [&](const char* key, const std::string& modes) { problem(std::string(key) + " is not of this top_drive_mode, allowed: with " + modes); };
+  const auto not_in = [&](const char* key, const std::string& modes) { problem(std::string(key) + " has no effect in this top_drive_mode, allowed: with " + modes); };
   if (turns && twists) problem("both top_drive_speed_rpm and top_drive_torque are given, allowed: one of them");
   if (twists && (aims || rocks)) problem("both top_drive_torque and an angle or an amplitude are given, allowed: one of them");
   const auto by_torque = [](DriveGoal g) { return g == DriveGoal::torque; };
@@ -56,7 +56,7 @@ void check_ramp_and_faults(const ProgramStep& step, std::size_t i, ProblemList& 
   const bool leads_somewhere =
       !std::isnan(step.block_velocity) || !std::isnan(step.top_drive_speed) || !std::isnan(step.top_drive_torque) || !std::isnan(step.flow);
   if (step.ramp > 0.0 && !leads_somewhere)
-    problems.emplace_back(item_key("program", i, "ramp"), "leads to no set point, needed: block_velocity, top_drive_speed_rpm, top_drive_torque or flow");
+    problems.emplace_back(item_key("program", i, "ramp"), "there is no set point to ramp to, needed: block_velocity, top_drive_speed_rpm, top_drive_torque or flow");
   if (step.ramp > 0.0 && step.top_drive_brake == 1.0 && (!std::isnan(step.top_drive_speed) || !std::isnan(step.top_drive_torque)))
     problems.emplace_back(item_key("program", i), "the top drive's brake is set and its set point ramps, allowed: one of them");
   if (step.free == 0.0) problems.emplace_back(item_key("program", i, "free"), "false is given, allowed: true");
@@ -71,7 +71,7 @@ void check_fault(const ProgramStep& step, std::size_t i, ProblemList& problems)
   const auto problem = [&](const char* key, const std::string& text) { problems.emplace_back(item_key("program", i, key), text); };
   const auto of_gauge = [](int kind) { return kind >= 0 && is_of_gauge(static_cast<FaultKind>(kind)); };
   if ((of_gauge(step.fault) || of_gauge(step.clear_fault)) != (step.fault_gauge >= 0))
-    problem("fault_target", step.fault_gauge < 0 ? "a gauge is needed with this fault" : "is given without a sensor's fault, allowed: with one");
+    problem("fault_target", step.fault_gauge < 0 ? "a gauge is needed with this fault" : "has no effect without a sensor fault, allowed: only with one");
   if (step.fault < 0) return;
   const Fault fault{static_cast<FaultKind>(step.fault), step.fault_depth, step.fault_magnitude};
   if (needs_pipe(fault.kind) && step.fault_depth <= 0.0) problem("fault_depth", "is needed with this fault, allowed: above 0 (the rotary table)");
@@ -124,12 +124,12 @@ ProblemList program_problems(const Scene& scene)
     }
     check_ramp_and_faults(step, i, problems);
     if ((!std::isnan(step.steering_toolface) || !std::isnan(step.steering_ratio)) && !steerable)
-      problems.emplace_back(item_key("program", i), "steers, needed: a part of type rotary_steerable");
+      problems.emplace_back(item_key("program", i), "steering needs a part of type rotary_steerable in `string`");
     check_fault(step, i, problems);
     if (!std::isnan(step.free_length) && (scene.numerics.level == Level::rigid || has_no_levels(scene.numerics.integrator)))
-      problems.emplace_back(item_key("program", i, "free_length"), "a rigid string, and this integrator, have but one level; allowed with the others");
+      problems.emplace_back(item_key("program", i, "free_length"), "cannot change with level rigid or with this integrator; leave it out");
     else if (step.free_length > free)
-      problems.emplace_back(item_key("program", i, "free_length"), metres(step.free_length) + " would set guided pipe free, allowed: up to " + metres(free));
+      problems.emplace_back(item_key("program", i, "free_length"), metres(step.free_length) + " is longer than before, allowed: up to " + metres(free));
     else if (const std::string cut = what_it_cuts(scene, step.free_length); !cut.empty())
       problems.emplace_back(item_key("program", i, "free_length"), cut);
     if (!std::isnan(step.free_length)) free = step.free_length;

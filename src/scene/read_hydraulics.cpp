@@ -64,7 +64,7 @@ void check_numbers(const YAML::Node& node, const std::string& path, RheologyLaw 
   {
     if (key.kinds == every_kind || !(key.kinds & kind(law))) continue;
     const bool given = node[key.name].IsDefined();
-    if (has_readings && given) problems.add(join(path, key.name), "is given beside readings, which say it, allowed: one of the two");
+    if (has_readings && given) problems.add(join(path, key.name), "is given together with readings, which define it, allowed: one of the two");
     if (!has_readings && !given) problems.add(join(path, key.name), std::string("is missing: ") + key.meaning + "; or give readings");
   }
 }
@@ -99,7 +99,7 @@ void refuse_without_rheology(const char* key, Problems& problems)
 
 void refuse_beside_rheology(const char* key, const char* instead, Problems& problems)
 {
-  if (problems.has(key)) problems.add(key, std::string("is given beside mud.rheology, ") + instead + ", allowed: one of the two");
+  if (problems.has(key)) problems.add(key, std::string("is given together with mud.rheology, ") + instead + ", allowed: one of the two");
 }
 
 /// Whether its viscosity is mud.viscosity.
@@ -143,19 +143,19 @@ void read_nozzles(const YAML::Node& node, const std::string& path, std::vector<d
 void check_hydraulics(const Scene& scene, Problems& problems)
 {
   if (problems.has("string[0].nozzles") && problems.has("string[0].nozzle_area"))
-    problems.add("string[0].nozzle_area", "is given beside nozzles, allowed: one of the two");
+    problems.add("string[0].nozzle_area", "is given together with nozzles, allowed: one of the two");
   if (!scene.rheology)
   {
     for (const char* key : {"string[0].nozzles", "string[0].nozzle_area", "rig.mud_pump.surface_lines"}) refuse_without_rheology(key, problems);
     return;
   }
-  for (const char* key : {"rig.mud_pump.pressure_coefficient", "rig.mud_pump.loss_exponent"}) refuse_beside_rheology(key, "whose law makes the losses", problems);
-  if (!is_by_viscosity(*scene.rheology)) refuse_beside_rheology("mud.viscosity", "which says it", problems);
+  for (const char* key : {"rig.mud_pump.pressure_coefficient", "rig.mud_pump.loss_exponent"}) refuse_beside_rheology(key, "which computes the losses", problems);
+  if (!is_by_viscosity(*scene.rheology)) refuse_beside_rheology("mud.viscosity", "which defines the viscosity", problems);
   if (is_by_viscosity(*scene.rheology) && scene.mud.viscosity <= 0.0)
-    problems.add("mud.viscosity", "0 is given with a newtonian mud.rheology, allowed: above 0");
+    problems.add("mud.viscosity", "0 is given together with a newtonian mud.rheology, allowed: above 0");
   if (scene.mud.density <= 0.0) problems.add("mud.density", "0 is given with a mud.rheology, allowed: above 0");
   if (!scene.string.empty() && scene.string[0].bit && scene.string[0].bit->flow_area() <= 0.0)
-    problems.add("string[0].nozzles", "is missing beside mud.rheology, needed: nozzles or nozzle_area of the bit");
+    problems.add("string[0].nozzles", "is missing; mud.rheology needs nozzles or nozzle_area of the bit");
 }
 
 }  // namespace drill_rig_sim

@@ -38,7 +38,7 @@ public:
     scene.file = name_;
     problems_.note("", line_of(root));
     if (has_aliases && !settings.empty())
-      problems_.fail(0, "--set", "the scene has YAML aliases, of which one value stands in several places; needed: values written out");
+      problems_.fail(0, "--set", "the scene uses YAML aliases, which --set cannot change; needed: values written out");
     apply_settings(root, settings, problems_);
     problems_.raise();
     const Entries top = read_block(root, "", scene_keys, every_kind, scene, problems_);
@@ -73,7 +73,7 @@ private:
     for (const Problem& problem : scene_problems(scene)) problems_.add_in_input_unit(problem.key, problem.text);
     check_hydraulics(scene, problems_);
     if (problems_.has("trajectory.stage_two_length") && problems_.has("trajectory.stage_two_steps"))
-      problems_.add("trajectory.stage_two_steps", "is given beside stage_two_length, allowed: one of them");
+      problems_.add("trajectory.stage_two_steps", "is given together with stage_two_length, allowed: one of them");
   }
 
   // calls read(node, path) if the entry is there
@@ -256,10 +256,10 @@ private:
       read_one(entries, path, "bottom", bit_bottom_keys, part.bit->bottom);
       in(entries, path, "torque", [&](const YAML::Node& n, const std::string& p) { read_bit_torque(n, p, part.bit->torque); });
       if (entries.count("bottom") && part.bit->torque.model == BitTorqueModel::regenerative)
-        problems_.add(join(path, "bottom"), "has no effect with the regenerative torque, whose weight is that of the cut, allowed: leave it out");
+        problems_.add(join(path, "bottom"), "has no effect with the regenerative torque model, which computes the weight on bit; leave it out");
     }
     if (part.stiffness.axial > 0.0 && entries.count("poisson_ratio"))
-      problems_.add(join(path, "poisson_ratio"), "is given beside the stiffnesses, which say it, allowed: one of the two");
+      problems_.add(join(path, "poisson_ratio"), "is given together with the stiffnesses, which define it, allowed: one of the two");
     finish_length(entries, path, part);
   }
 

@@ -15,7 +15,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr const char* not_a_name = "is no name, allowed: 1 to 64 letters, digits and _";
+constexpr const char* not_a_name = "is not a valid name, allowed: 1 to 64 letters, digits and _";
 
 void check_formation(const std::vector<FormationLayer>& layers, ProblemList& problems)
 {
@@ -24,7 +24,7 @@ void check_formation(const std::vector<FormationLayer>& layers, ProblemList& pro
   {
     if (layers[i].to_tvd > layers[i - 1].to_tvd) continue;
     problems.emplace_back(item_key("formation", i, "to_tvd"),
-                 metres(layers[i].to_tvd) + " does not exceed the " + metres(layers[i - 1].to_tvd) + " of the layer above it");
+                 metres(layers[i].to_tvd) + " is not below the layer above it, which ends at " + metres(layers[i - 1].to_tvd));
   }
 }
 
@@ -40,24 +40,24 @@ void check_drag_bit(const BitSpec& bit, const std::vector<FormationLayer>& layer
     const FormationLayer& rock = layers[i];
     const std::string layer = "formation[" + std::to_string(i) + "]";
     if (torque.wear_weight > rock.threshold)
-      problems.emplace_back("string[0].torque.wear_weight", plain(torque.wear_weight) + " N on flats, which break no rock, exceed the threshold of " +
+      problems.emplace_back("string[0].torque.wear_weight", plain(torque.wear_weight) + " N is more than the threshold of " +
                                                                 layer + ", allowed: up to " + plain(rock.threshold) + " N");
     if (torque.model == BitTorqueModel::regenerative && (rock.weight_exponent != 1.0 || rock.speed_exponent != 1.0))
     {
-      problems.emplace_back("string[0].torque.model", "regenerative cuts in proportion to weight and speed, the rate in " + layer + " is not, needed there: weight_exponent 1, speed_exponent 1");
+      problems.emplace_back("string[0].torque.model", "regenerative needs weight_exponent 1 and speed_exponent 1 in " + layer);
       continue;
     }
     if (torque.cutting_energy == 0.0) continue;
     if (rock.weight_exponent != 1.0 || rock.speed_exponent != 1.0)
     {
-      problems.emplace_back("string[0].torque.cutting_energy", "the rate in " + layer + " is not proportional to weight and speed, it has no one energy, needed: leave it out");
+      problems.emplace_back("string[0].torque.cutting_energy", "needs weight_exponent 1 and speed_exponent 1 in " + layer + ", or leave it out");
       continue;
     }
     const double zeta = implied_inclination(bit.diameter, rock.drillability, torque.cutting_energy);
     if (zeta >= least && zeta <= most) continue;
     const double own = torque.cutting_energy * zeta / cutter_inclination;
     problems.emplace_back("string[0].torque.cutting_energy", plain(torque.cutting_energy) + " J/m3 contradicts the drillability of " + layer +
-                                                                 ", which says some " + plain(own) + " J/m3, allowed: " + plain(torque.cutting_energy * zeta / most) +
+                                                                 ", which corresponds to about " + plain(own) + " J/m3, allowed: " + plain(torque.cutting_energy * zeta / most) +
                                                                  " to " + plain(torque.cutting_energy * zeta / least) + " J/m3; or leave it out");
   }
 }
@@ -73,8 +73,8 @@ void check_part_names(const std::vector<PartSpec>& parts, ProblemList& problems)
     const std::string path = item_key("string", i, "name");
     if (!is_name(name)) problems.emplace_back(path, not_a_name);
     else if (reserved.count(name) || name.rfind("pipe_", 0) == 0)
-      problems.emplace_back(path, "is taken by a frame of the rig, choose another");
-    else if (!seen.insert(name).second) problems.emplace_back(path, "names two parts, needed: unique names");
+      problems.emplace_back(path, "is the name of a frame of the rig, choose another name");
+    else if (!seen.insert(name).second) problems.emplace_back(path, "is the name of two parts, needed: unique names");
   }
 }
 
@@ -116,7 +116,7 @@ void check_reaming(const Scene& scene, ProblemList& problems)
   if (scene.well.pilot_depth == 0.0 || !scene.string[0].bit) return;
   const BitSpec& bit = *scene.string[0].bit;
   if (scene.well.pilot_diameter > most * bit.diameter)
-    problems.emplace_back("well.pilot_diameter", metres(scene.well.pilot_diameter) + " leaves the bit no ring to ream, allowed: up to " + metres(most * bit.diameter));
+    problems.emplace_back("well.pilot_diameter", metres(scene.well.pilot_diameter) + " is too wide to be reamed by this bit, allowed: up to " + metres(most * bit.diameter));
   if (bit.torque.model == BitTorqueModel::regenerative)
     problems.emplace_back("string[0].torque.model", "reaming with the regenerative law is not available yet, allowed: stribeck or detournay, or no well.pilot_depth");
 }
@@ -138,8 +138,8 @@ void check_diameters(const Scene& scene, ProblemList& problems)
     {
       problems.emplace_back(
           item_key("string", i, width.key),
-          metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section above " + metres(deepest) + ", where it may come, " + metres(narrowest) +
-              (part.type == PartType::bit ? "; a narrower hole that the bit reams: well.pilot_depth" : ""));
+          metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section above " + metres(deepest) + ": " + metres(narrowest) +
+              (part.type == PartType::bit ? "; if the bit reams a narrower hole, set well.pilot_depth" : ""));
     }
     else if (i > 0 && into_drilled && scene.string[0].bit && width.diameter > scene.string[0].bit->diameter)
     {
@@ -152,7 +152,7 @@ void check_diameters(const Scene& scene, ProblemList& problems)
     {
       problems.emplace_back(
           item_key("string", i, "inner_diameter"),
-          metres(part.inner_diameter) + " leaves no wall, allowed: below outer_diameter, " + metres(part.outer_diameter));
+          metres(part.inner_diameter) + " leaves no wall thickness, allowed: below outer_diameter, " + metres(part.outer_diameter));
     }
     if (part.pipe && part.pipe->tool_joint_diameter > 0.0 && part.pipe->tool_joint_diameter < part.outer_diameter)
     {
@@ -224,7 +224,7 @@ void check_start(const Scene& scene, ProblemList& problems)
                  plain(start.weight_on_bit) + " N with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth");
   const auto bent = [](const PartSpec& part) { return part.motor && part.motor->bend != 0.0; };
   if (start.toolface != 0.0 && std::none_of(scene.string.begin(), scene.string.end(), bent))
-    problems.emplace_back("start.toolface_deg", "there is no bend to turn there, allowed: 0, or a mud_motor with bend_deg");
+    problems.emplace_back("start.toolface_deg", "the string has no bend, allowed: 0, or a mud_motor with bend_deg");
   if (start.torque_on_bit > 0.0 && !on_bottom)
     problems.emplace_back("start.torque_on_bit",
                  plain(start.torque_on_bit) + " N m with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth");
@@ -284,7 +284,7 @@ ProblemList unavailable(const Scene& scene)
   if (numerics.companion == CompanionKind::coarser && fixed_step)
     problems.emplace_back("numerics.companion", "coarser needs variable steps (numerics.step: 0)");
   if (!has_kernel(numerics.kernel))
-    problems.emplace_back("numerics.kernel", std::string(name_of(numerics.kernel)) + " is not among what this machine and build have, allowed: " + kernels_here());
+    problems.emplace_back("numerics.kernel", std::string(name_of(numerics.kernel)) + " is not available on this machine or in this build, allowed: " + kernels_here());
   return problems;
 }
 
@@ -298,8 +298,8 @@ ProblemList scene_problems(const Scene& scene)
   check_formation(scene.formation, problems);
   if (!scene.string.empty() && scene.string[0].bit) check_drag_bit(*scene.string[0].bit, scene.formation, problems);
   check_part_names(scene.string, problems);
-  check_element_length("numerics.element_length", scene.numerics.element_length, "by the hole", problems);
-  check_element_length("numerics.pushed_element_length", scene.numerics.pushed_element_length, "as elsewhere", problems);
+  check_element_length("numerics.element_length", scene.numerics.element_length, "chosen from the hole", problems);
+  check_element_length("numerics.pushed_element_length", scene.numerics.pushed_element_length, "as element_length", problems);
   check_step(scene.numerics, problems);
   append(problems, string_problems(scene.string, scene.start.bit_depth + scene.start.block_height, element_lengths(scene)));
   check_reaming(scene, problems);

@@ -45,7 +45,7 @@ std::string descend(YAML::Node& node, const std::string& path)
     const std::size_t end = std::min(path.find('.', begin), path.size());
     Place place;
     if (!parse_place(path.substr(begin, end - begin), place))
-      return "is no key, allowed: as in numerics.step or well.sections[0].friction";
+      return "is not a key; examples: numerics.step, well.sections[0].friction";
     if (!node.IsMap() && !node.IsNull()) return "goes through a value, not a section";
     node.reset(node[place.key]);
     if (!node.IsDefined() && end < path.size()) node = YAML::Node(YAML::NodeType::Map);

@@ -251,7 +251,7 @@ void check_points(const SurveyRows& survey, Problems& problems)
   const auto [point_line, point] = find('.');
   if (comma_line == 0 || point_line == 0) return;
   problems.add_at(std::max(comma_line, point_line), "",
-                  "decimal commas and decimal points stand in one file (got " + shown_cell(comma) + " and " + shown_cell(point) + "), allowed: one of them");
+                  "the file mixes decimal commas and decimal points (got " + shown_cell(comma) + " and " + shown_cell(point) + "), allowed: one of them");
 }
 
 // Depths must not all look like thousands where nothing else shows that a comma is a decimal one.
@@ -268,7 +268,7 @@ void check_commas(const SurveyRows& survey, Problems& problems)
   }
   if (doubtful)
     problems.add_at(doubtful->line, survey.names[survey_md],
-                    "the comma may be a decimal one or part thousands (got " + shown_cell(doubtful->cells[survey_md]) + "), needed: a decimal point, and no sign between thousands");
+                    "the comma may be a decimal comma or a thousands separator (got " + shown_cell(doubtful->cells[survey_md]) + "), needed: decimal points and no thousands separators");
 }
 
 // A row of more cells than its header has decimal commas; delimiters alone at its end do no harm.
@@ -285,7 +285,7 @@ bool take_row(const Line& line, const CsvTable& table, SurveyRows& survey, Probl
   if (has_more_cells(cells, columns) || (table.delimiter.character == ' ' && cells.size() != columns))
   {
     const char* hint = table.delimiter.character == ',' ? ", with decimal points" : "";
-    problems.add_at(line.number, "", "has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(columns) + ", allowed: as many" + hint);
+    problems.add_at(line.number, "", "has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(columns) + ", allowed: the same number" + hint);
     return false;
   }
   SurveyRow row;

@@ -192,7 +192,7 @@ std::string find_named(const std::string& column, const std::vector<HeaderCell>&
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < cells.size(); ++i)
       if (is_named(cells[i].text)) found.push_back(i);
-    if (found.size() > 1) return "stands more than once in the header, allowed: once";
+    if (found.size() > 1) return "appears more than once in the header, allowed: once";
     if (found.empty()) continue;
     place = found.front();
     return "";
@@ -211,10 +211,10 @@ std::string find_usual(std::size_t quantity, const std::vector<HeaderCell>& cell
   place = found->front();
   if (found->size() == 1) return "";
   const auto named_as_first = [&](std::size_t i) { return cells[i].text == cells[found->front()].text; };
-  if (std::all_of(found->begin(), found->end(), named_as_first)) return "stands more than once in the header, allowed: once";
+  if (std::all_of(found->begin(), found->end(), named_as_first)) return "appears more than once in the header, allowed: once";
   std::string names;
   for (const std::size_t i : *found) names += (names.empty() ? "" : ", ") + quoted(cells[i].text);
-  return "may be " + names + "; needed: one column, or `columns: {" + quantity_keys[quantity] + ": {column: NAME}}` (" + how_to_map + ")";
+  return "several columns fit: " + names + "; needed: one column, or `columns: {" + quantity_keys[quantity] + ": {column: NAME}}` (" + how_to_map + ")";
 }
 
 const SurveyColumn& column_of(const SurveyFormat& format, std::size_t quantity)
@@ -242,7 +242,7 @@ void find_column(std::size_t quantity, const SurveyColumn& asked, SurveyHeader& 
   header.unit[quantity] = asked.unit.empty() ? said : unit_for(quantity, asked.unit);
   if (!asked.unit.empty() && said && said != header.unit[quantity] && header.wrong.empty())
   {
-    header.wrong = "the header says " + std::string(said->name) + " and the map " + shortened(asked.unit) + ", needed: the same unit";
+    header.wrong = "the unit is " + std::string(said->name) + " in the header and " + shortened(asked.unit) + " in the map, needed: the same unit";
     header.wrong_where = cell.text;
   }
 }
@@ -253,7 +253,7 @@ void find_unknown_unit(std::size_t quantity, SurveyHeader& header)
   const auto found = std::find_if(header.cells.begin(), header.cells.end(), [&](const HeaderCell& cell) { return cell.quantity_without_brackets == quantity; });
   if (found == header.cells.end()) return;
   header.wrong_where = found->text;
-  header.wrong = std::string("the brackets hold no unit that is known, allowed: ") + survey_unit_names(is_angle(quantity)) + ", or a map `columns` (" + how_to_map + ")";
+  header.wrong = std::string("the unit in brackets is not known, allowed: ") + survey_unit_names(is_angle(quantity)) + ", or a map `columns` (" + how_to_map + ")";
 }
 
 std::string missing_columns(const SurveyHeader& header)
@@ -340,7 +340,7 @@ std::string unit_problem(const SurveyHeader& header, std::size_t quantity)
   if (!header.place[quantity] || header.unit[quantity]) return "";
   const std::string key = quantity_keys[quantity];
   const std::string allowed = survey_unit_names(is_angle(quantity));
-  return "the header says no unit, needed: " + quoted(header.cells[*header.place[quantity]].text + (is_angle(quantity) ? " (deg)" : " (m)")) + " in the header, or `columns: {" +
+  return "the header gives no unit, needed: " + quoted(header.cells[*header.place[quantity]].text + (is_angle(quantity) ? " (deg)" : " (m)")) + " in the header, or `columns: {" +
          key + ": {unit: " + (is_angle(quantity) ? "deg" : "m") + "}}` with " + allowed + " (" + how_to_map + ")";
 }
 

@@ -70,7 +70,7 @@ std::string differing_displacement(const SurveyRows& survey, const std::vector<S
     worst = off;
     char line[300];
     std::snprintf(line, sizeof line,
-                  "its north and east at %.2f m are %.2f and %.2f m, by minimum curvature %.2f and %.2f m; is a column wrong, or do azimuths count from another north?",
+                  "its north and east at %.2f m are %.2f and %.2f m, by minimum curvature %.2f and %.2f m; is a column wrong, or do azimuths refer to another north?",
                   stations[i].md, said.y(), said.x(), right.y(), right.x());
     text = line;
   }

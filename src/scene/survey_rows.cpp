@@ -37,7 +37,7 @@ CellKind read_cell(const std::string& cell, bool decimal_commas, double& value)
 
 std::string north_remark(const std::string& north)
 {
-  return "azimuths are from " + north + " north and are taken as they stand: north of the well is " + north + " north";
+  return "azimuths refer to " + north + " north and are not converted: the well's north is " + north + " north";
 }
 
 std::string shown_cell(const std::string& cell)

@@ -28,7 +28,7 @@ constexpr std::array<const char*, survey_quantities> quantity_keys = {"md", "inc
 /// For messages: what a survey's file should have been, where a map of its columns is given, and what its nulls need.
 constexpr const char* needed_survey = "a survey: a table with the columns md_m, inclination_deg, azimuth_deg, or a WITSML trajectory";
 constexpr const char* how_to_map = "in a scene's well.survey, or --columns MAP.yaml";
-constexpr const char* how_to_pass_over = "pass_over: true in a scene's well.survey, or --pass-over, passes over it";
+constexpr const char* how_to_pass_over = "to skip it, use pass_over: true in a scene's well.survey, or --pass-over";
 
 constexpr bool is_angle(std::size_t quantity)
 {

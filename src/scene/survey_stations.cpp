@@ -60,8 +60,8 @@ public:
   void add_remarks(std::vector<std::string>& remarks) const
   {
     if (!without_azimuth_.empty()) remarks.push_back("vertical stations without an azimuth were given 0 deg: " + lines_listed(without_azimuth_));
-    if (!without_value_.empty()) remarks.push_back("stations without a value were passed over: " + lines_listed(without_value_));
-    if (!equal_.empty()) remarks.push_back("stations equal to the one before were passed over: " + lines_listed(equal_));
+    if (!without_value_.empty()) remarks.push_back("stations without a value were skipped: " + lines_listed(without_value_));
+    if (!equal_.empty()) remarks.push_back("stations equal to the one before were skipped: " + lines_listed(equal_));
   }
 
 private:
@@ -117,7 +117,7 @@ std::optional<TieIn> tie_in_of(const SurveyRows& survey, const SurveyRow& row, b
     const bool good = read_cell(row.cells[i], survey.decimal_commas, place[i - survey_north]) == CellKind::number;
     if (needed && !good) problems.add_at(row.line, survey.names[i], "must be a finite number (got " + shown_cell(row.cells[i]) + ")");
     if (needed && good && !row.units[i])
-      problems.add_at(row.line, survey.names[i], "the header says no unit of the tie-in, needed: " + survey_unit_names(false) + " (" + how_to_map + ")");
+      problems.add_at(row.line, survey.names[i], "the header gives no unit of the tie-in, needed: " + survey_unit_names(false) + " (" + how_to_map + ")");
     if (!good || !row.units[i]) return std::nullopt;
     place[i - survey_north] *= row.units[i]->factor();
   }
@@ -128,7 +128,7 @@ void leave_map(TieIn& tie_in, std::vector<std::string>& remarks)
 {
   if (std::abs(tie_in.north) <= farthest_tie_in && std::abs(tie_in.east) <= farthest_tie_in) return;
   char line[200];
-  std::snprintf(line, sizeof line, "north %.2f m and east %.2f m are taken for places on a map: places count from the first station", tie_in.north, tie_in.east);
+  std::snprintf(line, sizeof line, "north %.2f m and east %.2f m look like map coordinates: positions are relative to the first station", tie_in.north, tie_in.east);
   remarks.push_back(line);
   tie_in.north = tie_in.east = 0.0;
 }

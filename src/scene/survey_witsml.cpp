@@ -97,7 +97,7 @@ void sort_by_depth(SurveyRows& survey)
   const auto is_less_deep = [](const auto& a, const auto& b) { return a.first < b.first; };
   const auto out_of_order = std::is_sorted_until(rows.begin(), rows.end(), is_less_deep);
   if (out_of_order != rows.end() && !std::is_sorted(rows.rbegin(), rows.rend(), is_less_deep))
-    survey.remarks.push_back("stations were put in order of their depth; the first that is less deep than the one before it: md " +
+    survey.remarks.push_back("stations were sorted by depth; the first one out of order: md " +
                              out_of_order->second.cells[survey_md]);
   std::stable_sort(rows.begin(), rows.end(), is_less_deep);
   for (std::size_t i = 0; i < rows.size(); ++i) survey.rows[i] = std::move(rows[i].second);
@@ -138,13 +138,13 @@ SurveyRows read_survey_witsml(const std::string& text, const SurveyFormat& forma
 {
   SurveyRows survey;
   for (const SurveyColumn* column : {&format.md, &format.inclination, &format.azimuth, &format.north, &format.east, &format.tvd})
-    if (problems.empty() && !(column->column.empty() && column->unit.empty())) problems.add_at(0, "columns", "has no effect on a WITSML trajectory, which names its own; allowed: leave it out");
-  if (problems.empty() && !format.delimiter.empty()) problems.add_at(0, "delimiter", "has no effect on a WITSML trajectory; allowed: leave it out");
+    if (problems.empty() && !(column->column.empty() && column->unit.empty())) problems.add_at(0, "columns", "has no effect on a WITSML trajectory, which defines its own; leave it out");
+  if (problems.empty() && !format.delimiter.empty()) problems.add_at(0, "delimiter", "has no effect on a WITSML trajectory; leave it out");
   if (!problems.empty() || !is_within_bounds(text, problems)) return survey;
   tinyxml2::XMLDocument document;  // knows the five entities of XML only: a document cannot define others
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS || !document.RootElement())
   {
-    problems.add_at(document.ErrorLineNum(), "", "is no XML document, needed: a WITSML trajectory or a table");
+    problems.add_at(document.ErrorLineNum(), "", "is not an XML document, needed: a WITSML trajectory or a table");
     return survey;
   }
   const XMLElement* trajectory = trajectory_of(*document.RootElement(), problems);

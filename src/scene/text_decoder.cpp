@@ -100,7 +100,7 @@ DecodedText characters_of(std::string bytes)
   const bool little = begins_with(bytes, "\xff\xfe"), big = begins_with(bytes, "\xfe\xff");
   if (little || big)
   {
-    if (!utf8_of_utf16(bytes, big, decoded.text)) decoded.wrong = "begins as UTF-16 and is none";
+    if (!utf8_of_utf16(bytes, big, decoded.text)) decoded.wrong = "has a UTF-16 byte order mark but is not UTF-16";
     return decoded;
   }
   if (begins_with(bytes, "\xef\xbb\xbf")) bytes.erase(0, 3);
@@ -128,10 +128,10 @@ DecodedText decode_text(std::string bytes)
 {
   const std::string other = other_kind(bytes);
   DecodedText decoded = characters_of(std::move(bytes));
-  if (!other.empty()) decoded.wrong = "is " + other + ", needed: text, as of a spreadsheet saved as CSV";
+  if (!other.empty()) decoded.wrong = "is " + other + ", needed: a text file, for example a spreadsheet saved as CSV";
   const std::size_t nul = decoded.text.find('\0');
   if (!decoded.wrong.empty() || nul == std::string::npos) return decoded;
-  decoded.wrong = "holds a NUL byte, needed: text in UTF-8, in UTF-16 with a byte order mark, or in latin-1";
+  decoded.wrong = "contains a NUL byte, needed: text in UTF-8, in UTF-16 with a byte order mark, or in latin-1";
   decoded.wrong_line = 1 + static_cast<int>(std::count(decoded.text.begin(), decoded.text.begin() + static_cast<std::ptrdiff_t>(nul), '\n'));
   return decoded;
 }

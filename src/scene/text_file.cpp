@@ -36,7 +36,7 @@ std::string too_large(const char* needed, std::size_t longest)
 // why a file of this kind and size is not read; empty if it is
 std::string refusal(const struct stat& status, const char* needed, std::size_t longest)
 {
-  if (!S_ISREG(status.st_mode)) return std::string("is no regular file, needed: ") + needed;
+  if (!S_ISREG(status.st_mode)) return std::string("is not a regular file, needed: ") + needed;
   return static_cast<std::size_t>(status.st_size) > longest ? too_large(needed, longest) : "";
 }
 

@@ -50,8 +50,8 @@ private:
   void count(const YAML::Mark& mark, bool null)
   {
     only_null_ = nodes_ == 0 && null;
-    if (documents_ > 1) throw Refusal{mark, "a second YAML document begins, or text that is part of none; allowed: one document"};
-    if (++nodes_ > most_nodes) throw Refusal{mark, "more than 200000 values, this is no scene"};
+    if (documents_ > 1) throw Refusal{mark, "a second YAML document or stray text begins; allowed: one document"};
+    if (++nodes_ > most_nodes) throw Refusal{mark, "more than 200000 values: this is not a scene"};
   }
 
   long documents_ = 0;
@@ -85,10 +85,10 @@ std::string without_content(const std::string& message)
 
 [[noreturn]] void refuse_what_is_no_yaml(const std::string& text, const YAML::Exception& e, Problems& problems)
 {
-  if (const int tab = line_with_tab(text)) problems.fail(tab, "YAML", "a tab begins the line, allowed: blanks");
+  if (const int tab = line_with_tab(text)) problems.fail(tab, "YAML", "the line begins with a tab, allowed: spaces");
   std::string told = without_content(e.msg);
-  if (told == "end of map flow not found") told = "a { without its }, or a comma is missing";
-  if (told == "end of sequence flow not found") told = "a [ without its ], or a comma is missing";
+  if (told == "end of map flow not found") told = "a } or a comma is missing";
+  if (told == "end of sequence flow not found") told = "a ] or a comma is missing";
   problems.fail(e.mark.line + 1, "YAML", "cannot be parsed: " + told);
 }
 
@@ -104,7 +104,7 @@ bool hides_a_unit(const std::string& line)
 
 Document load_document(const std::string& text, Problems& problems)
 {
-  if (text.size() > longest_text) problems.fail(0, "YAML", "larger than 16 MiB, this is no scene");
+  if (text.size() > longest_text) problems.fail(0, "YAML", "larger than 16 MiB: this is not a scene");
   try
   {
     std::istringstream in(text);

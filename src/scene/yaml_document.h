@@ -20,7 +20,7 @@ Document load_document(const std::string& text, Problems& problems);
 
 /// Whether YAML takes the unit of a number for a comment, as in `19.5 #/ft`: it would be read as a number without a unit.
 bool hides_a_unit(const std::string& line);
-constexpr const char* hidden_unit = "#/ is a comment to YAML, not a unit; allowed: lb/";
+constexpr const char* hidden_unit = "YAML reads # as the start of a comment; write lb/ instead of #/";
 
 }  // namespace drill_rig_sim
 

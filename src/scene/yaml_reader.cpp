@@ -181,7 +181,7 @@ bool read_number(const YAML::Node& node, const std::string& path, const Range& a
   }
   if (too_near_zero(read))
   {
-    problems.add(path, shown + " is too near 0 to calculate with, allowed: " + range_text(allowed, unit, input) + ", in size at least " + plain(smallest) +
+    problems.add(path, shown + " is too close to 0, allowed: " + range_text(allowed, unit, input) + ", in size at least " + plain(smallest) +
                            (inside(0.0, allowed) ? " or 0" : ""));
     return false;
   }
@@ -231,7 +231,7 @@ void read_word_set(const YAML::Node& node, const std::string& path, const std::v
   {
     int word = 0;
     if (!read_word(node[i], item_key(path, i), words, word, problems)) return;
-    if (found & (1u << word)) problems.add(item_key(path, i), std::string(words[static_cast<std::size_t>(word)]) + " stands twice, allowed: once");
+    if (found & (1u << word)) problems.add(item_key(path, i), std::string(words[static_cast<std::size_t>(word)]) + " is listed twice, allowed: once");
     found |= 1u << word;
   }
   value = found;
@@ -284,7 +284,7 @@ std::map<std::string, YAML::Node> read_entries(const YAML::Node& node, const std
   {
     if (!item.first.IsScalar())
     {
-      problems.add_at(line_of(item.first), path, describe(item.first) + " as a key, allowed: " + to_text(known));
+      problems.add_at(line_of(item.first), path, describe(item.first) + " is not a key, allowed: " + to_text(known));
       continue;
     }
     const std::string key = item.first.Scalar();

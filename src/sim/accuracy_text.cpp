@@ -13,7 +13,7 @@ namespace
 template <class... Numbers>
 std::string text(const char* format, Numbers... numbers)
 {
-  char line[256];
+  char line[320];
   std::snprintf(line, sizeof line, format, numbers...);
   return line;
 }
@@ -44,7 +44,7 @@ std::string text_of(const AccuracyReport& r)
     case AccuracyDoubt::none: return "";
     case AccuracyDoubt::measured:
       return text("%s: measured error %.2g %% of its range over 3 s; over 30 s %.2g %% in the average, %.2g %% in the deviation, %.2g %% in the extremes;"
-                  " numerics.tolerance is %.2g %%. Use what is within it, or numerics.refinement: 2",
+                  " numerics.tolerance is %.2g %%. Use only what is within it, or set numerics.refinement: 2",
                   traits_of(r.output).words, 100.0 * r.measure, 100.0 * r.statistics.mean, 100.0 * r.statistics.deviation, 100.0 * r.statistics.extremes,
                   100.0 * r.allowed);
     case AccuracyDoubt::confined:
@@ -61,7 +61,7 @@ std::string text_of(const AccuracyReport& r)
                   1e3 * r.measure);
     case AccuracyDoubt::level:
       return "numerics.level does not represent " + words_of(static_cast<unsigned>(r.measure)) +
-             " (guided pipe has no bending, rigid pipe no waves); use hybrid or beam3d, or remove it from needs";
+             " (guided pipe has no bending, rigid pipe no waves); use hybrid or beam3d, or remove this from needs";
     case AccuracyDoubt::turn:
       return text("by the rock law the hole turns by %.0f deg/30 m, but the body behind the bit allows %.0f: direction and rate of penetration are uncertain;"
                   " use a smaller bend_deg, sleeve_diameter or side_cutting", 30.0 * r.measure / degree, 30.0 * r.allowed / degree);

@@ -25,10 +25,10 @@ Choice choose_level(const Scene& scene)
   constexpr unsigned bending = need_direction | need_contact | need_buckling, turning = need_torque | need_bit_speed;
   const double tolerance = scene.numerics.tolerance;
   if (turned_above(scene.well, scene.start.bit_depth) > many_turns)
-    return {Level::beam3d, "the hole turns by more than 3 rad in all: that multiplies what is wrong of friction"};
+    return {Level::beam3d, "the hole turns by more than 3 rad in total, which amplifies errors of friction"};
   const bool in_the_middle = hangs_in_the_middle(scene);
   if (tolerance >= wide_tolerance && !(scene.needs & bending) && in_the_middle)
-    return {Level::axial_torsional, "within " + percent(tolerance) + " nothing is needed of bending"};
+    return {Level::axial_torsional, "within " + percent(tolerance) + " bending is not needed"};
   if (tolerance >= wide_tolerance) return {Level::hybrid, "within " + percent(tolerance) + " bending is needed only near the bit"};
   if (in_the_middle)
     return {Level::hybrid, "the string hangs: above the bottom-hole assembly it does not bend"};
@@ -48,7 +48,7 @@ Choice choose(const Scene& scene)
   if (tolerance >= wide_tolerance && !by_hand) choice.guided_element_length = two_joints;
   if (choice.level != Level::beam3d || tolerance >= middle_tolerance || choice.pushed_element_length > 0.0) return choice;
   choice.pushed_element_length = tolerance < narrow_tolerance ? eighth_joint : quarter_joint;
-  if (pushed_length(scene) > 0.0) choice.reason += "; elements are short where friction pushes it";
+  if (pushed_length(scene) > 0.0) choice.reason += "; elements are short where friction pushes the pipe";
   return choice;
 }
 

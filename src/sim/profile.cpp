@@ -126,7 +126,7 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, doub
     return solve_static(*rig.model, rig.state, sliding);
   }
   std::ostringstream message;
-  message << "static: with this motion the weight on bit is " << outcome.forces.wob << " N, not the scene's " << wanted << " N";
+  message << "static: no equilibrium found with the scene's weight on bit for this motion: " << outcome.forces.wob << " N instead of " << wanted << " N";
   throw std::runtime_error(message.str());
 }
 
@@ -138,10 +138,10 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, doub
   message << "static: no equilibrium found for this motion with more than " << 100.0 * report.outcome.share << " % of the friction";
   const LoadShare& buckling = report.loads.buckling;
   if (buckling.share > 1.0)
-    message << "; with that the pipe " << buckling.from_bit << " m above the bit is compressed by " << buckling.share
-            << " times its critical buckling load: it buckles";
+    message << "; at that friction the pipe " << buckling.from_bit << " m above the bit carries " << buckling.share
+            << " times its critical buckling load";
   if (report.outcome.share > 0.0 && report.outcome.top_force < 0.0)
-    message << "; even with that the string must be pushed in with " << -report.outcome.top_force / 1e3 << " kN";
+    message << "; even then the string must be pushed in at the top with " << -report.outcome.top_force / 1e3 << " kN";
   const std::string doubt = text_of(report.accuracy);
   if (!doubt.empty()) message << "; " << doubt;
   throw std::runtime_error(message.str());

@@ -34,7 +34,7 @@ void check_rate(double rate, const Scene& scene)
 
 void ask_tare(Simulator& simulator)
 {
-  if (!simulator.tare()) throw std::runtime_error("the bit is on bottom or the string in the slips; allowed is off bottom, on the hook");
+  if (!simulator.tare()) throw std::runtime_error("the bit is on bottom or the string in the slips; needed: bit off bottom, string on the hook");
 }
 
 void ask_fault(Simulator& simulator, const Fault& fault, bool clear)

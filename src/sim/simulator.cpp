@@ -88,7 +88,7 @@ Simulator::Simulator(const Scene& scene, std::uint64_t seed) : impl_(std::make_u
   catch (const std::runtime_error&)
   {
     if (scene.numerics.companion == kind) throw;  // asked for by the scene
-    impl_->statistics.not_measured = "the start of the finer model was not found";
+    impl_->statistics.not_measured = "the finer model found no static equilibrium at the start";
   }
 }
 Simulator::~Simulator() = default;

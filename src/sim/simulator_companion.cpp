@@ -8,7 +8,7 @@ namespace drill_rig_sim
 {
 int Simulator::add_companion(const NumericsSpec& numerics)
 {
-  if (impl_->statistics.frames > 0) throw std::runtime_error("companion: frames were computed, allowed: before the first");
+  if (impl_->statistics.frames > 0) throw std::runtime_error("companion: must be set before the first frame");
   Scene scene = impl_->scene;
   scene.numerics = numerics;
   scene.numerics.companion = CompanionKind::none;
@@ -190,9 +190,9 @@ void Simulator::Impl::collect_all() noexcept
 void Simulator::Impl::restore_companions(const SimulatorState& saved, bool keep_time)
 {
   for (std::size_t i = 0; i < companions.size(); ++i)
-    if (i >= saved.companions.states.size() || !companions[i]->restore(saved.companions.states[i], keep_time)) companions[i]->failure = "it is not in the snapshot";
+    if (i >= saved.companions.states.size() || !companions[i]->restore(saved.companions.states[i], keep_time)) companions[i]->failure = "the companion is not in the snapshot";
   if (!measured_by_companion()) return;
-  if (saved.companion_ended) companions.front()->failure = "it had ended when the state was saved";
+  if (saved.companion_ended) companions.front()->failure = "the companion had ended when the state was saved";
   state.companion_ended = *companions.front()->failure;
   statistics.not_measured = companions.front()->failure;
 }

@@ -57,7 +57,7 @@ bool same_below(const Mesh& a, const Mesh& b, int i) noexcept
 
 const char* Simulator::locked(const WinchSetpoint& c) const noexcept
 {
-  return impl_->broken_out_by_hand() && moves(c) ? "the string is broken out: the crew runs the block until the connection is made" : nullptr;
+  return impl_->broken_out_by_hand() && moves(c) ? "the connection is broken out: the crew moves the block until it is made up" : nullptr;
 }
 
 const char* Simulator::locked(const TopDriveSetpoint& c) const noexcept
@@ -68,15 +68,15 @@ const char* Simulator::locked(const TopDriveSetpoint& c) const noexcept
 
 const char* Simulator::locked(const PumpSetpoint& c) const noexcept
 {
-  return impl_->broken_out_by_hand() && c.flow > 0.0 ? "the string is broken out: the pump is locked, allowed: 0" : nullptr;
+  return impl_->broken_out_by_hand() && c.flow > 0.0 ? "the connection is broken out: the pump is locked, allowed: 0" : nullptr;
 }
 
 const char* Simulator::Impl::pull_slips() noexcept
 {
   const State& now = shown();
-  if (now.slips.node < 0) return "slips: they are not set";
-  if (state.connection.under_way) return "slips: the string is broken out, the connection must be made first";
-  if (slips_load(now) > most_slips_load) return "slips: they bear the string, allowed: up to 5 kN, pick up first";
+  if (now.slips.node < 0) return "slips: the slips are not set";
+  if (state.connection.under_way) return "slips: the connection is broken out, it must be made up first";
+  if (slips_load(now) > most_slips_load) return "slips: the slips carry the string, allowed: up to 5 kN, pick up first";
   release_slips();
   lead([](Impl& companion) { companion.release_slips(); });
   return nullptr;
@@ -92,8 +92,8 @@ void Simulator::Impl::release_slips() noexcept
 const char* Simulator::Impl::set_slips(int joint) noexcept
 {
   const State& now = shown();
-  if (scene.numerics.integrator == IntegratorKind::ida) return "slips: the reference (ida) has none, allowed: the other integrators";
-  if (now.slips.node >= 0) return "slips: they are set already";
+  if (scene.numerics.integrator == IntegratorKind::ida) return "slips: not available with the reference (ida), allowed: the other integrators";
+  if (now.slips.node >= 0) return "slips: the slips are already set";
   if (joint < 0) return "slips: there is no joint of pipe below the shaft";
   const bool bounces = scene.rig.heave.amplitude == 0.0 && std::abs(block_velocity(now)) > standing_block;  // in waves it always does
   if (std::abs(now.hoist.winch_speed) > standing_winch || bounces)
@@ -132,17 +132,17 @@ const char* Simulator::Impl::make_connection(int joints, bool remove) noexcept
   const PartSpec& pipe = scene.string.back();
   const int count = joints > 0 ? joints : hoisting.stand_joints;
   if (now.slips.node < 0) return "connection: the slips are not set";
-  if (state.connection.under_way) return "connection: one is under way";
+  if (state.connection.under_way) return "connection: a connection is already under way";
   if (now.stuck_point.node > now.slips.node) return "connection: the pipe is stuck above the slips";
   if (state.commands.in_force().pump.flow > 0.0 || now.hydraulics.pump_flow > 0.0) return "connection: the pump runs, allowed: off";
   if (std::abs(now.drive.speed) > standing_rotor) return "connection: the top drive turns, allowed: at rest";
   if (std::abs(now.hoist.winch_speed) > standing_winch || moves(state.commands.in_force().winch)) return "connection: the block moves, allowed: at rest";
   if (rest_load() > most_rest_load) return "connection: the hook carries more than block and pipe above the slips, allowed: up to 10 kN more, slack off first";
-  if (shown_forces().hook_load < most_rest_load) return "connection: the block rests on the pipe, allowed: on its lines, pick up first";
-  if (remove && count >= joints_below_stump(model->mesh(), scene)) return "connection: the string does not have that many joints";
+  if (shown_forces().hook_load < most_rest_load) return "connection: the block rests on the pipe, allowed: only on its lines, pick up first";
+  if (remove && count >= joints_below_stump(model->mesh(), scene)) return "connection: the string does not have as many joints";
   const double length = (remove ? -1.0 : 1.0) * count * pipe.joint_length, height = block_height(now);
-  if (height + length > hoisting.highest_block_height) return "connection: the block has no room for that above, allowed: up to highest_block_height";
-  if (height + length < hoisting.lowest_block_height) return "connection: the block has no room for that below, allowed: down to lowest_block_height";
+  if (height + length > hoisting.highest_block_height) return "connection: the block would rise above highest_block_height";
+  if (height + length < hoisting.lowest_block_height) return "connection: the block would go below lowest_block_height";
   const char* refused = try_connection(length);
   if (!refused) lead([length](Impl& companion) { if (const char* why = companion.try_connection(length)) companion.failure = why; });
   return refused;
@@ -156,7 +156,7 @@ const char* Simulator::Impl::try_connection(double length) noexcept
   }
   catch (const std::exception&)
   {
-    return "connection: the integrator cannot go on with such a string";
+    return "connection: the solver cannot continue with the changed string";
   }
 }
 
@@ -173,7 +173,7 @@ const char* Simulator::Impl::begin_connection(double length)
   const std::shared_ptr<const Model> longer = model_of({state.string.length + length, state.truth.bit_depth});
   const int held = shown().slips.node;
   if (uppermost_joint(length < 0.0 ? longer->mesh() : model->mesh()) != held || !same_below(model->mesh(), longer->mesh(), held))
-    return "connection: the slips hold another joint than the one to be broken out, run the block there first";
+    return "connection: the slips hold another joint than the one to break out, move the block there first";
   settle();
   const State next = made_up(*longer, mechanics(), held, length, free_length_of(*longer));
   make_integrator(scene.numerics.integrator, longer, next);
@@ -278,7 +278,7 @@ void Simulator::Impl::tell_string_built() noexcept
 
 const char* Simulator::set_slips(bool set) noexcept
 {
-  if (impl_->state.crew.doing != CrewTask::none) return "slips: the crew makes a connection";
+  if (impl_->state.crew.doing != CrewTask::none) return "slips: the crew is making a connection";
   const char* refused = set ? impl_->set_slips(joint_at_table(*impl_->model, impl_->shown())) : impl_->pull_slips();
   impl_->tell_string_built();
   return refused;
@@ -286,7 +286,7 @@ const char* Simulator::set_slips(bool set) noexcept
 
 const char* Simulator::make_connection(int joints, bool remove) noexcept
 {
-  if (impl_->state.crew.doing != CrewTask::none) return "connection: the crew makes one";
+  if (impl_->state.crew.doing != CrewTask::none) return "connection: the crew is already making one";
   const char* refused = impl_->make_connection(joints, remove);
   impl_->tell_string_built();
   return refused;

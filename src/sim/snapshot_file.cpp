@@ -59,7 +59,7 @@ struct Head
   SceneStart there;
   std::memcpy(&there.scene, all.data() + 48, sizeof there.scene);
   std::memcpy(&there.bit_depth, all.data() + 56, sizeof there.bit_depth);
-  if (there.scene != here.scene || there.bit_depth == here.bit_depth) refuse(file, "is a snapshot of another scene; allowed is that of this rig");
+  if (there.scene != here.scene || there.bit_depth == here.bit_depth) refuse(file, "is a snapshot of another scene; allowed is a snapshot of this rig's scene");
   char text[160];
   std::snprintf(text, sizeof text, "is a snapshot of this scene with start.bit_depth %.10g m; allowed is that of this rig, %.10g m: reset_well with that bit_depth first",
                 there.bit_depth, here.bit_depth);
@@ -69,7 +69,7 @@ struct Head
 std::vector<unsigned char> whole_file(const std::string& file)
 {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) refuse(file, "is no regular file; allowed is a snapshot that save_state wrote");
+  if (!std::filesystem::is_regular_file(file, error)) refuse(file, "is not a regular file; allowed is a snapshot written by save_state");
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error || size > longest) refuse(file, "is longer than the 16 MiB that are allowed");
   std::vector<unsigned char> bytes(static_cast<std::size_t>(size));
@@ -90,7 +90,7 @@ void refuse_to_replace_another(const std::string& file)
     const bool is_ours = in.read(start, sizeof start) && std::memcmp(start, mark, sizeof mark) == 0;
     if (is_ours || std::filesystem::file_size(file, error) == 0) return;
   }
-  refuse(file, "is there and is no snapshot; allowed is a new file or an earlier snapshot");
+  refuse(file, "exists and is not a snapshot; allowed is a new file or an earlier snapshot");
 }
 }  // namespace
 
@@ -126,7 +126,7 @@ void write_snapshot(const std::string& file, std::uint64_t scene, const Snapshot
 Snapshot read_snapshot(const std::string& file, std::uint64_t scene, std::uint64_t fields, const SceneStart& start)
 {
   const std::vector<unsigned char> all = whole_file(file);
-  if (all.size() < Head::length || std::memcmp(all.data(), mark, sizeof mark) != 0) refuse(file, "is no snapshot");
+  if (all.size() < Head::length || std::memcmp(all.data(), mark, sizeof mark) != 0) refuse(file, "is not a snapshot");
   Snapshot snapshot{Kernel::scalar, std::vector<unsigned char>(all.begin() + Head::length, all.end()), fields, start};
   const std::vector<unsigned char>& bytes = snapshot.bytes;
   Head head;
@@ -138,8 +138,8 @@ Snapshot read_snapshot(const std::string& file, std::uint64_t scene, std::uint64
   const auto differs = [&](std::size_t from, std::size_t count) { return std::memcmp(all.data() + from, expected.data() + from, count) != 0; };
   if (differs(8, 4)) refuse(file, "is a snapshot of another format; allowed is format " + std::to_string(snapshot_format));
   if (differs(12, 8)) refuse_scene(file, all, start);
-  if (differs(20, 8)) refuse(file, "is a snapshot of another version, whose state has other fields; allowed is one of this version");
-  if (differs(28, 16)) refuse(file, "is damaged: its checksum does not fit");
+  if (differs(20, 8)) refuse(file, "is a snapshot of another version, whose state differs; allowed is one of this version");
+  if (differs(28, 16)) refuse(file, "is damaged: its checksum does not match");
   std::memcpy(&head.kernel, all.data() + 44, sizeof head.kernel);
   for (const Kernel kernel : all_kernels)
   {

@@ -166,8 +166,7 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, co
   if (rig.statics.converged) return;
   std::ostringstream message;
   if (work >= kMostWork)
-    message << "the static equilibrium is not found within the work allowed, " << kMostWork << " iterations times nodes; with longer elements "
-            << "(numerics.element_length) it may be";
+    message << "no static equilibrium found within the allowed work of " << kMostWork << " iterations times nodes; use a larger numerics.element_length";
   else
     message << "no static equilibrium found for the string at bit depth " << depth << " m (residual " << rig.statics.residual << " N after "
             << rig.statics.iterations << " iterations)";
@@ -185,7 +184,7 @@ void check_loads_of_bit(const StartSpec& start, const Model& model, const Wellbo
     message << "weight_on_bit: " << start.weight_on_bit << " N is more than string and block weigh, allowed: less than "
             << start.weight_on_bit + hook_load << " N";
   else if (start.torque_on_bit > most)
-    message << "torque_on_bit: " << start.torque_on_bit << " N m is more than the rock holds at this weight, allowed: up to " << most << " N m";
+    message << "torque_on_bit: " << start.torque_on_bit << " N m is more than the rock can resist at this weight, allowed: up to " << most << " N m";
   if (!message.str().empty()) fail(message.str());
 }
 
@@ -194,7 +193,7 @@ void check_hook_load(const HoistingSpec& hoisting, double hook_load)
 {
   if (hook_load < hoisting.max_hook_load) return;
   std::ostringstream message;
-  message << "string and block hang on the hook with " << hook_load << " N, rig.hoisting.max_hook_load must be more, it is " << hoisting.max_hook_load << " N";
+  message << "rig.hoisting.max_hook_load: must be above the load of string and block, " << hook_load << " N (got " << hoisting.max_hook_load << " N)";
   fail(message.str());
 }
 
@@ -290,9 +289,9 @@ void turn(double toolface, int round, const StartErrors& errors, Guess& guess) n
 [[noreturn]] void refuse(const StartErrors& errors, bool on_bottom)
 {
   std::ostringstream message;
-  message << "the equilibrium misses the wanted " << (on_bottom ? "weight_on_bit" : "bit_depth") << " by " << errors.length << " m of string, the toolface by "
+  message << "no static equilibrium found with the scene's " << (on_bottom ? "weight_on_bit" : "bit_depth") << " and toolface: off by " << errors.length << " m of string and "
           << errors.toolface / degree << " deg";
-  if (!errors.is_free()) message << ", with " << errors.holding_torque << " N m that hold the bend";
+  if (!errors.is_free()) message << ", with the bend held by " << errors.holding_torque << " N m";
   fail(message.str());
 }
 }  // namespace

@@ -31,12 +31,12 @@ void check_stiffness(const PartSpec& part, std::size_t i, ProblemList& problems)
   const double most = given.axial * part.outer_diameter * part.outer_diameter / 8.0;
   if (given.bending > most * (1.0 + round_off))
     problems.emplace_back(item_key("string", i, "bending_stiffness"),
-                          plain(given.bending) + " N m2 is more than axial_stiffness inside outer_diameter can give, allowed: up to " + plain(most) + " N m2");
+                          plain(given.bending) + " N m2 is more than possible with axial_stiffness and outer_diameter, allowed: up to " + plain(most) + " N m2");
   // J = 2 I of every circular section: EI/GJ = 1 + nu
   const double least = given.bending / (1.0 + largest_poisson_ratio);
   if (given.torsional > given.bending * (1.0 + round_off) || given.torsional < least * (1.0 - round_off))
     problems.emplace_back(item_key("string", i, "torsional_stiffness"),
-                          plain(given.torsional) + " N m2 does not go with bending_stiffness (their ratio is 1 + Poisson's), allowed: " + plain(least) +
+                          plain(given.torsional) + " N m2 does not match bending_stiffness (their ratio is 1 + Poisson's ratio), allowed: " + plain(least) +
                               " to " + plain(given.bending) + " N m2");
 }
 
@@ -45,7 +45,7 @@ void check_inertia(const PartSpec& part, std::size_t i, ProblemList& problems)
   const double radius = widest_radius(part), most = part.linear_mass * radius * radius;
   if (part.polar_inertia > most * (1.0 + round_off))
     problems.emplace_back(item_key("string", i, "polar_inertia"),
-                          plain(part.polar_inertia) + " kg m2/m is more than linear_mass can have, allowed: up to " + plain(most) + " kg m2/m");
+                          plain(part.polar_inertia) + " kg m2/m is more than possible with linear_mass and the diameters, allowed: up to " + plain(most) + " kg m2/m");
 }
 
 void check_lever(const PartSpec& part, std::size_t i, ProblemList& problems)

@@ -14,7 +14,7 @@ namespace
 void check_kinds(const std::vector<PartSpec>& parts, ProblemList& problems)
 {
   if (parts.front().type != PartType::bit)
-    problems.emplace_back("string[0].type", "the first part is no bit, needed: parts from the bit up");
+    problems.emplace_back("string[0].type", "the first part is not a bit, needed: parts from the bit up");
   if (parts.back().type == PartType::bit)
     problems.emplace_back("string", "there is nothing above the bit, needed: at least one pipe or collar");
   int motors = 0, surveyors = 0, steerers = 0;
@@ -28,7 +28,7 @@ void check_kinds(const std::vector<PartSpec>& parts, ProblemList& problems)
     if (type == PartType::mud_motor && motors == 2)
       problems.emplace_back(item_key("string", i, "type"), "a second mud motor, allowed: one");
     if (type == PartType::mud_motor && motors == 1 && i > 1)
-      problems.emplace_back(item_key("string", i, "type"), "a mud motor turns the bit alone, allowed: directly above the bit");
+      problems.emplace_back(item_key("string", i, "type"), "the mud motor is not next to the bit, allowed: directly above the bit");
     if (type == PartType::rotary_steerable && steerers == 2) problems.emplace_back(item_key("string", i, "type"), "a second rotary_steerable, allowed: one");
     if (type == PartType::mwd && surveyors == 2) problems.emplace_back(item_key("string", i, "type"), "a second mwd, allowed: one");
     if (parts[i].joints == 0 && i + 1 < parts.size())
@@ -41,7 +41,7 @@ void check_gauge(const PartSpec& part, const std::string& key, ProblemList& prob
   const double length = part.bit->gauge_length, most = part.length - 0.5 * part.bit->diameter;
   if (length == 0.0) return;
   if (length > most * (1.0 + 1e-9))
-    problems.emplace_back(key, metres(length) + " reaches beyond the bit, from the middle of its ball, half its diameter above its face; allowed: " +
+    problems.emplace_back(key, metres(length) + " ends above the bit (it begins half the bit's diameter above its face); allowed: " +
                                    (most >= least_element_length ? "up to " + metres(most) : "0, or a longer bit"));
   else if (length < least_element_length)
     problems.emplace_back(key, metres(length) + " is too short, allowed: 0, or " + metres(least_element_length) + " or more");
@@ -54,7 +54,7 @@ void check_mass(const PartSpec& part, const std::string& key, ProblemList& probl
   if (part.type != PartType::pipe || part.stiffness.axial > 0.0) return;
   const double tube = part.density * 0.25 * pi * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter);
   if (part.linear_mass < least * tube)
-    problems.emplace_back(key, plain(part.linear_mass) + " kg/m is less than a tube of its diameters weighs with density " + plain(part.density) +
+    problems.emplace_back(key, plain(part.linear_mass) + " kg/m is less than a tube of its diameters with density " + plain(part.density) +
                                    " kg/m3, " + plain(tube) + " kg/m, allowed: " + plain(least * tube) + " or more, or the material's own density");
 }
 
@@ -124,12 +124,12 @@ void check_length(const std::vector<PartSpec>& parts, double needed, ProblemList
     return;
   }
   if (length < 0.99 * needed)
-    problems.emplace_back("string", "the string is " + metres(length) + " long, needed: " + ending + "; or let the last part `fill`");
+    problems.emplace_back("string", "the string is " + metres(length) + " long, needed: " + ending + "; or give the last part `joints: fill`");
   else if (length - last.joint_length > needed)
     problems.emplace_back("string", "the string is " + metres(length) + " long, needed: " + ending);
   else
     problems.emplace_back(item_key("string", parts.size() - 1),
-                          "the last part has a length of its own, needed: `joints: fill`, for the string stretches by what it carries");
+                          "the last part has a fixed length, needed: `joints: fill`, because the string stretches under load");
 }
 
 /// The cuts of the whole string; none if they would be more than are allowed. `count`: how many they are [-].
@@ -158,7 +158,7 @@ void check_mesh(const std::vector<PartSpec>& parts, double length, const Element
   const std::vector<Cut> cuts = cuts_of(parts, length, longest, count);
   if (count > most_mesh_nodes)
   {
-    problems.emplace_back("numerics.element_length", metres(std::min(longest.lower, longest.upper)) + " makes some " + plain(count) + " nodes of this string, allowed: up to " +
+    problems.emplace_back("numerics.element_length", metres(std::min(longest.lower, longest.upper)) + " gives about " + plain(count) + " nodes, allowed: up to " +
                                                          std::to_string(most_mesh_nodes));
     return;
   }

@@ -165,7 +165,7 @@ bool print_wedged_gauge(const Scene& scene, const RigAtRest& rig, const Printed&
     friction += kinetic * mesh.nodes[i].contact_radius * rig.statics.forces.contact[i];
   }
   if (friction < much * motor->stall_torque) return false;
-  std::printf("gauge       its pads are wedged in the hole: %s on the wall, whose friction takes %s of the %s that stall the motor; use a larger gauge_clearance\n",
+  std::printf("gauge       the gauge pads are wedged in the hole with %s: their friction takes %s of the motor's stall torque, %s; use a larger gauge_clearance\n",
               printed(force, Dimension::force, tenth_kilonewton).c_str(), printed(friction, Dimension::torque, tenth_kilonewton_metre).c_str(),
               printed.number(motor->stall_torque, Dimension::torque, tenth_kilonewton_metre).c_str());
   return true;
@@ -177,16 +177,16 @@ bool print_wall_loss(const Scene& scene, const RigAtRest& rig, const Printed& pr
   const std::optional<WallLoss> loss = wall_loss(rig);
   if (!loss) return false;
   const char* part = scene.string[static_cast<std::size_t>(loss->part)].name.c_str();
-  std::printf("wall        %s lies %s deep in it %s above the bit; ", part, printed(loss->depth, Dimension::diameter, {"%.2g", "mm", 1e3}).c_str(),
+  std::printf("wall        %s is %s deep in the wall %s above the bit; ", part, printed(loss->depth, Dimension::diameter, {"%.2g", "mm", 1e3}).c_str(),
               printed(loss->from_bit, Dimension::length, {"%.3g", "m"}).c_str());
   const auto instead_of = [&](double right, double now)
   { return printed(right, Dimension::force, tenth_kilonewton) + ", not " + printed.number(now, Dimension::force, tenth_kilonewton); };
   if (loss->known)
-    std::printf("on a wall as stiff as under gauge and blades (%g N/m^e) the bit's side force would be %s, all contact forces %s", scene.contact.assembly_stiffness,
+    std::printf("with the wall stiffness of gauge and blades (%g N/m^e) the bit's side force would be %s, all contact forces %s", scene.contact.assembly_stiffness,
                 instead_of(loss->stiff_side_force, loss->side_force).c_str(), instead_of(loss->stiff_contact, loss->contact).c_str());
   else
-    std::printf("what its side forces lose by that is not known, a stiffer wall has no equilibrium");
-  std::printf("; use a stiffer contact of %s\n", part);
+    std::printf("the error of its side forces is not known, because a stiffer wall has no equilibrium");
+  std::printf("; use a stiffer `contact` for %s\n", part);
   return true;
 }
 

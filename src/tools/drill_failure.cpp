@@ -58,7 +58,7 @@ void report_standstill(const Simulator& simulator, const RunGoal& goal, const st
   const std::size_t i = operations_over(operations_began);
   if (i < operations.size())
   {
-    std::snprintf(text, sizeof text, ": operations[%zu], %s, has come no nearer to its end for %g s: its end is out of reach", i, word_of(operations[i].kind), goal.patience);
+    std::snprintf(text, sizeof text, ": operations[%zu], %s, has made no progress for %g s: its end cannot be reached", i, word_of(operations[i].kind), goal.patience);
     throw ComputationError(simulator.scene().file + text);
   }
   std::snprintf(text, sizeof text, ": the depth of --until-depth, %g m, is not reached: the hole is %.3f m deep and has not grown for %g s",

@@ -49,7 +49,7 @@ void print_verdict(const Verification& verification, double tolerance)
   switch (verification.verdict())
   {
     case Verification::Verdict::right:
-      std::printf("right: over any 3 s no output that is needed is off by more than %g %% of its range\n", 100.0 * tolerance);
+      std::printf("right: over any 3 s no output in needs is off by more than %g %% of its range\n", 100.0 * tolerance);
       break;
     case Verification::Verdict::warned:
       std::printf("wrong, and warned of: %s is off by more than %g %% from %.0f s on, a warning came at %.0f s\n", output_traits[i].name, 100.0 * tolerance,
@@ -59,7 +59,7 @@ void print_verdict(const Verification& verification, double tolerance)
       std::printf("wrong without a warning: %s is off by more than %g %% from %.0f s on\n", output_traits[i].name, 100.0 * tolerance, found.wrong_from);
       break;
     case Verification::Verdict::unknown:
-      std::printf("not known: the finer runs differ too much in %s for a verdict at %g %%; its instants are one sample of many, averages over minutes may be reliable\n",
+      std::printf("not known: the finer runs differ too much in %s for a verdict at %g %%; its momentary values are one sample, averages over minutes may be reliable\n",
                   output_traits[i].name, 100.0 * tolerance);
       break;
   }

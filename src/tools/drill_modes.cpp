@@ -122,7 +122,7 @@ void print_all(const ModesOptions& options)
   const std::vector<NamedFamily> asked = wanted(options.family);
   Scene scene = open_scene(options.scene, options.settings);
   scene.numerics.level = Level::beam3d;  // modes are of the beams
-  if (is_same_file(options.json, options.scene)) throw UsageError("--json: " + options.json + " is the scene, needed: a file of its own");
+  if (is_same_file(options.json, options.scene)) throw UsageError("--json: " + options.json + " is the scene file, needed: another file");
   File json = open_output("--json", options.json);
   try
   {

@@ -47,7 +47,7 @@ std::string problem_of_extra(const CLI::App& drill)
   }
   if (word.size() > 1 && word[0] == '-') return word.substr(0, word.find('=')) + ": unknown option";
   if (!drill.get_subcommands().empty()) return "'" + word + "' is one argument too many";
-  return "'" + word + "' is no command, allowed: " + join(drill.get_subcommands([](const CLI::App*) { return true; }));
+  return "'" + word + "' is not a command, allowed: " + join(drill.get_subcommands([](const CLI::App*) { return true; }));
 }
 // An option without its value, or a switch with one; `subject` is its name, with or without dashes.
 std::string problem_of_count(const CLI::App& app, const std::string& subject)
@@ -79,7 +79,7 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, std::optiona
 
 CLI::Option* add_settings(CLI::App& command, std::vector<std::string>& settings)
 {
-  return command.add_option("--set", settings, "any key of the scene, as well.sections[0].friction=0; may be repeated")
+  return command.add_option("--set", settings, "any key of the scene, such as well.sections[0].friction=0; may be repeated")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->allow_extra_args(false)  // a word each: the next one may be the scene

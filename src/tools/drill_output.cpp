@@ -135,7 +135,7 @@ void close_output(File file, const std::string& name)
   if (!file) return;
   const bool written = std::ferror(file.get()) == 0;
   if (std::fclose(file.release()) != 0 || !written)
-    throw ComputationError(name + " could not be written whole; is the disk full?");
+    throw ComputationError(name + " could not be written completely; is the disk full?");
 }
 
 void write_cell(std::FILE* file, int digits, double value)

@@ -27,7 +27,7 @@ std::string python_folder(const std::string& module)
   const fs::path folder = program.parent_path() / DRILL_RIG_SIM_PYTHON_FOLDER;
   const fs::path file = folder / "drill_rig_sim" / (module + ".py");
   if (!fs::exists(file, unreadable))
-    throw UsageError("there is no " + file.lexically_normal().string() + ", which does this; build or install the package whole");
+    throw UsageError(file.lexically_normal().string() + " is missing; build or install the complete package");
   return folder.lexically_normal().string();
 }
 }  // namespace

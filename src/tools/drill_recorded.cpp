@@ -42,7 +42,7 @@ RecordedPlayer::RecordedPlayer(std::string file, const RecordedRun& run, const S
 {
   const RecordedRun::Row& first = run.rows.front();
   if (first.commanded && first.time > frame_ + rounding)
-    throw UsageError(file_ + ": begins " + fixed(first.time, 2) + " s after the start of the rig, after the first command; needed: recorded from the start on");
+    throw UsageError(file_ + ": begins " + fixed(first.time, 2) + " s after the start of the rig, after the first command; needed: a bag recorded from the start");
 }
 
 void RecordedPlayer::command(Simulator& simulator, const Setpoints& setpoints)
@@ -61,8 +61,8 @@ void RecordedPlayer::require_recorded(const Truth& truth, const RecordedRun::Row
   const auto require = [&](const char* what, double found, double recorded, Output output, const char* unit)
   {
     if (std::abs(found - recorded) <= std::max(traits_of(output).resolved, tolerance * std::abs(recorded))) return;
-    throw UsageError(file_ + ": cannot be played again: at " + fixed(row.time, 2) + " s the " + what + " is " + fixed(1e-3 * found, 2) + " " + unit + ", recorded: " +
-                     fixed(1e-3 * recorded, 2) + "; a bag does not hold what services do (faults, slips, connections, snapshots), and another build may differ");
+    throw UsageError(file_ + ": cannot be replayed: at " + fixed(row.time, 2) + " s the " + what + " is " + fixed(1e-3 * found, 2) + " " + unit + ", recorded: " +
+                     fixed(1e-3 * recorded, 2) + "; services (faults, slips, connections, snapshots) are not in a bag, and another build may differ");
   };
   require("hook load", truth.hook_load, row.hook_load, Output::hook_load, "kN");
   require("torque", truth.torque, row.torque, Output::torque, "kN m");

@@ -38,7 +38,7 @@ std::string problem_of_seed(const std::string& seed)
 std::string problem_of_date(const std::string& date)
 {
   if (start_date_of(date)) return "";
-  return "'" + date + "' is not allowed, needed: a date by UTC of 1970 to 2199, as 2024-05-17 or 2024-05-17T06:30:00Z";
+  return "'" + date + "' is not allowed, needed: a UTC date from 1970 to 2199, such as 2024-05-17 or 2024-05-17T06:30:00Z";
 }
 
 void add_scene_options(CLI::App& command, RunOptions& options)
@@ -121,11 +121,11 @@ void require_files_apart(const RunOptions& options)
   for (const auto& one : files)
   {
     if (is_same_file(one.second, options.scene))
-      throw UsageError(std::string(one.first) + ": " + one.second + " is the scene, needed: a file of its own");
+      throw UsageError(std::string(one.first) + ": " + one.second + " is the scene file, needed: another file");
     for (const auto& other : files)
     {
       if (&other < &one && is_same_file(one.second, other.second))
-        throw UsageError(std::string(one.first) + ": " + one.second + " is the file of " + other.first + ", needed: a file of its own");
+        throw UsageError(std::string(one.first) + ": " + one.second + " is the file of " + other.first + ", needed: another file");
     }
   }
 }

@@ -78,7 +78,7 @@ std::string ChoiceSeries::why(const Simulator& simulator) const
   if (!begun_) return std::string("level ") + s.level + (simulator.choice().empty() ? ", as given" : ": " + simulator.choice());
   if (s.guided_nodes != guided_) return s.guided_nodes < guided_ ? "pipe was set free: its compression comes near to buckling" : "pipe is guided again: it is calm";
   if (s.accuracy.doubt != doubt_) return s.accuracy.doubt == AccuracyDoubt::none ? "no warning any more" : text_of(s.accuracy);
-  if (s.last_step > 0.0 && (s.last_step >= 2.0 * step_ || s.last_step <= 0.5 * step_)) return s.last_step > step_ ? "longer steps do" : "shorter steps are needed";
+  if (s.last_step > 0.0 && (s.last_step >= 2.0 * step_ || s.last_step <= 0.5 * step_)) return s.last_step > step_ ? "longer steps are accurate enough" : "shorter steps are needed";
   return "";
 }
 

@@ -38,9 +38,9 @@ void print_pushed(const StaticReport& report, const Printed& printed)
 {
   if (report.hook_load_string >= 0.0) return;
   const auto force = [&](double load) { return printed(load, Dimension::force, {"%.1f", "kN", 1e-3}); };
-  std::printf("pushed in        the string must be pushed with %s at the top, its own weight does not carry it down; ", force(-report.hook_load_string).c_str());
+  std::printf("pushed in        the string must be pushed with %s at the top: its own weight is not enough; ", force(-report.hook_load_string).c_str());
   const std::string block = force(report.hook_load - report.hook_load_string);
-  std::printf(report.hook_load < 0.0 ? "block and top drive weigh only %s\n" : "the weight of block and top drive (%s) does\n", block.c_str());
+  std::printf(report.hook_load < 0.0 ? "block and top drive weigh only %s\n" : "the weight of block and top drive, %s, is enough\n", block.c_str());
 }
 
 void print_report(const StaticReport& report, const Printed& printed)
@@ -73,7 +73,7 @@ SlidingMotion motion_of(const StaticOptions& options)
   const std::string& motion = options.motion;
   if (options.speed || options.rpm)
   {
-    if (motion != "none") throw UsageError("--motion: with --speed or --rpm it is given twice, needed: one of them");
+    if (motion != "none") throw UsageError("--motion: not allowed together with --speed or --rpm");
     return {-options.speed.value_or(0.0), options.rpm.value_or(0.0) * rpm};
   }
   if (motion == "none") return no_sliding;
@@ -87,7 +87,7 @@ void print_static(const StaticOptions& options)
 {
   const SlidingMotion motion = motion_of(options);
   const Scene scene = open_scene(options.scene, options.settings);
-  if (is_same_file(options.csv, options.scene)) throw UsageError("--csv: " + options.csv + " is the scene, needed: a file of its own");
+  if (is_same_file(options.csv, options.scene)) throw UsageError("--csv: " + options.csv + " is the scene file, needed: another file");
   File csv = open_output("--csv", options.csv);
   StaticReport report;
   try

@@ -50,7 +50,7 @@ std::string VerifiedScores::compare(const ScoreOptions& options, const std::stri
     close_output(std::move(files_[i]), file(i));
     words.push_back(file(i));
   }
-  if (run_python("verified_scores_command", words) != 0) throw ComputationError("the scores are not known");
+  if (run_python("verified_scores_command", words) != 0) throw ComputationError("the scores could not be computed");
   std::ifstream written(json);
   return {std::istreambuf_iterator<char>(written), {}};
 }

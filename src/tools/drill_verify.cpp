@@ -87,10 +87,10 @@ Played open_played(const VerifyOptions& options)
 {
   if (!is_bag(options.run.scene))
   {
-    if (!options.scene.empty() || !options.name_space.empty()) throw UsageError("--scene, --namespace: are of a bag (.bag)");
+    if (!options.scene.empty() || !options.name_space.empty()) throw UsageError("--scene, --namespace: allowed only with a bag (.bag)");
     return {open_scene(options.run.scene, settings_of(options.run)), std::nullopt};
   }
-  if (options.run.until_depth) throw UsageError("--until-depth: is not for a bag, allowed: --duration");
+  if (options.run.until_depth) throw UsageError("--until-depth: not allowed with a bag, allowed: --duration");
   RecordedRun recorded = open_bag(options);
   Scene scene = scene_of(recorded, options);
   return {std::move(scene), std::move(recorded)};

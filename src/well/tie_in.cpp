@@ -104,7 +104,7 @@ std::vector<SurveyStation> stations_of(const Hole& hole, const Vector3d& directi
 std::string tie_survey_in(const TieIn& tie_in, std::vector<SurveyStation>& survey)
 {
   const SurveyStation& first = survey.front();
-  if (first.md == 0.0) return "the first station is at 0, the rotary table; allowed: with a first station below it";
+  if (first.md == 0.0) return "the first station is at 0, the rotary table; allowed: only with a first station below it";
   if (first.md < least_station_spacing) return "the first md is " + metres(first.md) + ", allowed: " + metres(least_station_spacing) + " or more";
   if (!(tie_in.tvd > 0.0)) return "tvd " + metres(tie_in.tvd) + " is not below the rotary table, allowed: above 0";
   const Vector3d end = tie_in.position();
@@ -114,7 +114,7 @@ std::string tie_survey_in(const TieIn& tie_in, std::vector<SurveyStation>& surve
   const Vector3d direction = tangent_from(first.inclination, first.azimuth);
   const Hole hole = find_hole(end, direction, first.md);
   if (!is_smooth(hole) || std::abs(hole.length() - first.md) > tolerance)
-    return "no hole of " + metres(first.md) + " leaves the rotary table vertically and ends at the first station in its direction without turning by more than " +
+    return "no hole of " + metres(first.md) + " connects the rotary table (vertical) with the first station at a dogleg severity of up to " +
            plain(sharpest_tie_in) + " deg/30 m";
   const std::vector<SurveyStation> above = stations_of(hole, direction, first.md);
   survey.insert(survey.begin(), above.begin(), above.end());

@@ -40,11 +40,11 @@ std::string problem_of(const SurveyStation& s, const LengthUnit& unit)
 // of a sound station after a sound one; empty if they go together
 std::string problem_between(const SurveyStation& before, const SurveyStation& s, const LengthUnit& unit)
 {
-  if (s.md <= before.md) return "md " + length_in(unit, s.md) + " does not exceed the " + length_in(unit, before.md) + " before it";
+  if (s.md <= before.md) return "md " + length_in(unit, s.md) + " is not deeper than the station before it, " + length_in(unit, before.md);
   if (s.md - before.md < least_station_spacing * (1.0 - 1e-6))
-    return "md " + length_in(unit, s.md) + " is too near to the " + length_in(unit, before.md) + " before it, allowed: " + length_in(unit, least_station_spacing) +
+    return "md " + length_in(unit, s.md) + " is too close to the station before it, " + length_in(unit, before.md) + ", allowed: " + length_in(unit, least_station_spacing) +
            " or more between stations";
-  if (angle_between(before, s) > sharpest_turn) return "the direction turns round from the station before it, allowed: up to 179.9 deg";
+  if (angle_between(before, s) > sharpest_turn) return "the direction is opposite to that of the station before it, allowed: a turn of up to 179.9 deg";
   return "";
 }
 
@@ -73,7 +73,7 @@ std::string deeper_than_survey(double hole_depth, double last, Projection projec
 {
   const std::string text = metres(hole_depth) + " is deeper than the survey, allowed: up to its last station, " + metres(last);
   if (hole_depth > last + longest_projection) return text + (project == Projection::none ? "" : ", and with well.project " + metres(longest_projection) + " further");
-  return text + "; well.project: straight or curvature goes on from there, up to " + metres(longest_projection);
+  return text + "; well.project: straight or curvature extends it by up to " + metres(longest_projection);
 }
 }  // namespace
 
@@ -87,7 +87,7 @@ std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& sta
     return problems;
   }
   if (stand_upside_down(stations))
-    return {{1, "md " + length_in(unit, stations[1].md) + " does not exceed the " + length_in(unit, stations[0].md) + " before it: the stations stand from the bottom up, needed: from the top down"}};
+    return {{1, "md " + length_in(unit, stations[1].md) + " is not deeper than the station before it, " + length_in(unit, stations[0].md) + ": the stations are listed from the bottom up, needed: from the top down"}};
   bool before_is_good = false;
   for (std::size_t i = 0; i < stations.size(); ++i)
   {
@@ -95,7 +95,7 @@ std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& sta
     const std::string alone = problem_of(s, unit);
     std::string problem = alone;
     if (alone.empty() && i == 0 && s.md != 0.0 && !tie_in)
-      problem = "the first md is " + length_in(unit, s.md) + ", needed: 0, the rotary table, or its place: tie_in, in a CSV file north_m, east_m, tvd_m";
+      problem = "the first md is " + length_in(unit, s.md) + ", needed: 0 (the rotary table), or its position: tie_in, in a CSV file north_m, east_m, tvd_m";
     if (alone.empty() && before_is_good) problem = problem_between(stations[i - 1], s, unit);
     if (!problem.empty()) problems.push_back({i, problem});
     before_is_good = alone.empty();
@@ -124,7 +124,7 @@ ProblemList well_problems(const WellSpec& well)
       problems.emplace_back(item_key("well.sections", i, "stribeck_speed"), "must be above 0 (got " + plain(section.stribeck_speed) + " m/s)");
     if (!(section.to > above))
       problems.emplace_back(item_key("well.sections", i, "to"),
-                            metres(section.to) + " does not exceed the " + metres(above) + " where it begins");
+                            metres(section.to) + " is not below the begin of the section, " + metres(above));
     else if (section.to - above < least_section_length * (1.0 - 1e-6))
       problems.emplace_back(item_key("well.sections", i, "to"), "the section is " + metres(section.to - above) + " long, allowed: " +
                                                                     metres(least_section_length) + " or more");
@@ -139,7 +139,7 @@ ProblemList well_problems(const WellSpec& well)
                                                   metres(well.pilot_depth));
   if ((well.pilot_depth > 0.0) != (well.pilot_diameter > 0.0))
     problems.emplace_back(well.pilot_depth > 0.0 ? "well.pilot_depth" : "well.pilot_diameter",
-                          "pilot_depth and pilot_diameter say together what the bit reams, allowed: both, or neither");
+                          "pilot_depth and pilot_diameter belong together, allowed: both or neither");
   return problems;
 }
 

@@ -98,7 +98,7 @@ audit: 1.0
         rig.verify(1.5)
         rig.step(0.1)
         self.assertEqual([1.5, 2.25], list(rig.verified()["refined"]))
-        with self.assertRaisesRegex(Refused, "goes forward"):
+        with self.assertRaisesRegex(Refused, "cannot be reset or restored"):
             rig.restore("begin")
         rig.reset()
         rig.step(0.1)

@@ -106,7 +106,7 @@ class Campaigns(unittest.TestCase):
         if not os.path.exists(self.results):
             status, out, told = self.run_to_its_end(self.plan(), "--workers", "1", "--results", self.place("undisturbed.sqlite"))
             self.assertEqual(1, status, told)
-            self.assertIn("%d of %d runs are there" % (RUNS, RUNS), out)
+            self.assertIn("%d of %d runs are in the results" % (RUNS, RUNS), out)
             shutil.copy(self.place("undisturbed.sqlite"), self.results)
         shutil.copy(self.results, self.place("undisturbed.sqlite"))
         return self.csv("undisturbed.csv")
@@ -138,7 +138,7 @@ class Campaigns(unittest.TestCase):
                 file = self.place("%d.sqlite" % programs.index(program))
                 done = subprocess.run([sys.executable, program, self.plan(text=text), "--workers", "1", "--results", file], capture_output=True, text=True, cwd=self.folder,
                                       timeout=PATIENCE, check=False)
-                self.assertEqual((0, "%s: 2 runs, 2 to do\n2 of 2 runs are there: 2 good\n" % file), (done.returncode, done.stdout), done.stderr)
+                self.assertEqual((0, "%s: 2 runs, 2 to do\n2 of 2 runs are in the results: 2 good\n" % file), (done.returncode, done.stdout), done.stderr)
                 self.assertNotIn("Traceback", done.stderr)
 
     # --- the same results
@@ -147,7 +147,7 @@ class Campaigns(unittest.TestCase):
         for workers in (2, 4):
             status, out, told = self.run_to_its_end(self.plan(), "--workers", str(workers), "--results", self.place("%d.sqlite" % workers))
             self.assertEqual(1, status, told)
-            self.assertIn("%d of %d runs are there" % (RUNS, RUNS), out)
+            self.assertIn("%d of %d runs are in the results" % (RUNS, RUNS), out)
             self.assertEqual(self.undisturbed(), self.csv("%d.csv" % workers))
         for said in (",good,", ",controller,", ",refused,"):
             self.assertIn(said, self.undisturbed())
@@ -258,7 +258,7 @@ class Campaigns(unittest.TestCase):
     # --- other machines
 
     def test_other_machines_are_asked_for_tls(self):
-        for k, (address, said) in enumerate((("tcp://192.0.2.7:8786", "is another machine: needed: tls://"), ("http://localhost:1", "is no address"), ("tcp://localhost", "is no address"))):
+        for k, (address, said) in enumerate((("tcp://192.0.2.7:8786", "is another machine: needed: tls://"), ("http://localhost:1", "is not an address"), ("tcp://localhost", "is not an address"))):
             status, _, told = drill_campaign(self.plan(), "--scheduler", address, "--results", self.place("%d.sqlite" % k))
             self.assertEqual(3, status)
             self.assertIn(said, told)
@@ -280,7 +280,7 @@ class Campaigns(unittest.TestCase):
         self.assertIn("needed: certificates", told)
         status, out, told = self.run_to_its_end(self.plan(), "--slurm", "2", env=dict(os.environ, DASK_DISTRIBUTED__WORKER__DAEMON="False", **path, **tls))
         self.assertEqual(1, status, told)
-        self.assertIn("%d of %d runs are there" % (RUNS, RUNS), out)
+        self.assertIn("%d of %d runs are in the results" % (RUNS, RUNS), out)
         with open(self.place("scancel.job"), encoding="ascii") as job:
             self.assertEqual("4711", job.read().strip())
         with open(self.place("sbatch.command"), encoding="ascii") as script:

@@ -87,15 +87,15 @@ class Scenes(unittest.TestCase):
         self.assertEqual(1.0, found["a"])
 
     def test_what_is_no_place_is_told(self):
-        for key, said in (("list[2].v", r"no \[2\]"), ("list[z].v", r"no \[z\]"), ("a.b", "has no keys"), ("a[0]", "no list"), ("x..y", "is no key"),
-                          ("list", "block of lines"), ("m[0].n", "has no m")):
+        for key, said in (("list[2].v", r"no \[2\]"), ("list[z].v", r"no \[z\]"), ("a.b", "is not a section"), ("a[0]", "not a list"), ("x..y", "is not a key"),
+                          ("list", "is a section"), ("m[0].n", "has no m")):
             with self.assertRaisesRegex(SceneTextError, said, msg=key):
                 SceneText(self.TEXT, [key])
-        with self.assertRaisesRegex(SceneTextError, "the same place"):
+        with self.assertRaisesRegex(SceneTextError, "are the same key"):
             SceneText(self.TEXT, ["list[0].v", "list[x].v"])
-        with self.assertRaisesRegex(SceneTextError, "nothing can be multiplied"):
+        with self.assertRaisesRegex(SceneTextError, "it cannot be multiplied"):
             self.with_values({"block.q": Times(2.0)})
-        with self.assertRaisesRegex(SceneTextError, "is no number"):
+        with self.assertRaisesRegex(SceneTextError, "is not a number"):
             self.with_values({"list[x].name": Times(2.0)})
 
 
@@ -165,7 +165,7 @@ class Plans(Folder):
                 ("duration: 0.3", "duration: -1", 3, "is -1"), ("values: [30.0, 60.0]", "values: []", 6, "needed: a list"),
                 ("key: controller.rpm", "key: controller.rpm, keys: [a]", 6, "key or keys"), ("from: 0.1", "from: 0.5", 7, "factors[1].to: is 0.4, needed: a number above 0.5"),
                 ("from: 0.1,", "", 7, "needs values, or from and to"), ("friction, key", "rpm, key", 7, "there is one of this name"),
-                ("sections[*].friction", "sections[9].friction", 7, "the list has no [9]"), ("sections[*].friction\"", "sections[*].friction\", log: true, values: [1]", 7, "stands beside values"),
+                ("sections[*].friction", "sections[9].friction", 7, "the list has no [9]"), ("sections[*].friction\"", "sections[*].friction\", log: true, values: [1]", 7, "is given together with values"),
                 ("kind: grid", "kind: random", 8, "allowed: grid, list, latin_hypercube, sobol, saltelli"), ("grid, steps: 3", "sobol", 8, "sobol needs runs"),
                 ("steps: 3", "steps: 3, runs: 4", 8, "grid has steps"), ("steps: 3", "steps: 3.5", 8, "a whole number"),
                 ("laws.py:turned", "laws.py:no_such", 9, "laws.py has no no_such"), ("laws.py:Law", "other.py:Law", 4, "No such file"), ("duration: 0.3", "duration: 0.3\nduration: 0.4", 4, "twice"),
@@ -180,11 +180,11 @@ class Plans(Folder):
         friction = "\"well.sections[*].friction\""
         for old, new, line, said in (
                 ("controller.rpm", friction, 7, "sections[*].friction: the same place"), (friction, "controller.rpm", 7, "controller.rpm and controller.rpm: the same place"),
-                ("key: controller.rpm", "keys: [numerics.tolerance, numerics.tolerance]", 6, "the same place"), (friction, "seed, times: true", 7, "a seed needs values"),
+                ("key: controller.rpm", "keys: [numerics.tolerance, numerics.tolerance]", 6, "are the same key"), (friction, "seed, times: true", 7, "a seed needs values"),
                 ("key: controller.rpm", "keys: [numerics.new, numerics.new.more]", 6, "numerics.new and numerics.new.more: the same place"),
                 ("controller.rpm, values: [30.0, 60.0]", "seed, values: [1, 1.5]", 6, "factors[0].values[1]: is 1.5, needed: a whole number"), (friction, "seed", 7, "whole numbers"),
-                ("duration: 0.3", "duration: 0.3\nfrom: 0.3", 4, "from: is 0.3, needed: a number below the duration, 0.3"), ("duration: 0.3", "duration: 0.305", 3, "no whole number of frames"),
-                ("duration: 0.3", "duration: 0.3\nevery: 0.015", 4, "0.015 s, is no whole number of frames of 0.01 s"), ("duration: 0.3", "duration: 0.3\nseed: 1.5", 4, "a whole number"),
+                ("duration: 0.3", "duration: 0.3\nfrom: 0.3", 4, "from: is 0.3, needed: a number below the duration, 0.3"), ("duration: 0.3", "duration: 0.305", 3, "not a whole number of frames"),
+                ("duration: 0.3", "duration: 0.3\nevery: 0.015", 4, "0.015 s, is not a whole number of frames of 0.01 s"), ("duration: 0.3", "duration: 0.3\nseed: 1.5", 4, "a whole number"),
                 ("laws.py:Law", "laws.py:Nobody", 4, "laws.py has no Nobody"), ("laws.py:Law", "laws.py:time", 4, "is no class"),
                 ("controller.rpm", "controller.rmp", 6, "laws.py:Law has no parameter rmp, allowed: rpm, fault, slow"), ("{rpm: 60.0}", "{rmp: 60.0}", 4, "has no parameter rmp"),
                 ("key: controller.rpm", "key: controller.slow, times: true", 6, "gives no number for it"), ("controller.rpm", "controller.rpm.deep", 6, "the parameter rpm has no keys")):
@@ -199,7 +199,7 @@ class Plans(Folder):
 
     def test_what_is_no_law_is_refused_before_anything_runs(self):
         laws = {"NoPeriod": ("done = False", "has no period; a law needs period [s], done and step(readings)"), "NoDone": ("period = 0.1", "has no done"),
-                "NoStep": ("period, done, step = 0.1, False, 3", "has no step(readings)"), "Odd": ("period, done = 0.015, False", "no whole number of frames of 0.01 s"),
+                "NoStep": ("period, done, step = 0.1, False, 3", "has no step(readings)"), "Odd": ("period, done = 0.015, False", "not a whole number of frames of 0.01 s"),
                 "Worded": ("period, done = 'long', False", "its period is 'long', needed: a number"), "Broken": ("period, done, more = 0.1, False, 1", "law.py, line"),
                 "Greedy": ("period, done = 0.1, False", "needs the parameter weight")}
         with open(self.place("law.py"), "w", encoding="utf-8") as out:
@@ -280,8 +280,8 @@ class Runs(Folder):
                 self.assertRegex(reason, said)
 
     def test_an_output_that_cannot_be_told_has_its_own_status(self):
-        for asked, more, said in (("laws.py:broken", "", r"^turned: laws.py, line \d+: ZeroDivisionError: "), ("laws.py:wordy", "", "^turned: gives 'well', needed: a number"),
-                                  ("laws.py:turned", "from: 0.25\n", "ended by 0.3 s, before two rows that count, from 0.25 s on")):
+        for asked, more, said in (("laws.py:broken", "", r"^turned: laws.py, line \d+: ZeroDivisionError: "), ("laws.py:wordy", "", "^turned: returns 'well', needed: a number"),
+                                  ("laws.py:turned", "from: 0.25\n", "ended at 0.3 s, with fewer than two rows after `from`, 0.25 s")):
             plan = read_plan(self.plan(PLAN.replace("laws.py:turned", asked) + more))
             rig = played.simulator(plan.blueprint, plan.rows[0])
             runner = Runner(plan.blueprint)

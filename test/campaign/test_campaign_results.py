@@ -41,7 +41,7 @@ class File(test_campaign_parts.Folder):
         out = io.StringIO()
         with redirect_stdout(out):
             self.assertEqual(1, command.told(results, 4))
-        self.assertEqual("4 of 4 runs are there: 2 cpu, 1 good, 1 judge\ncpu, first run 2: why 3\njudge, first run 1: why 2\n", out.getvalue())
+        self.assertEqual("4 of 4 runs are in the results: 2 cpu, 1 good, 1 judge\ncpu, first run 2: why 3\njudge, first run 1: why 2\n", out.getvalue())
 
     def test_what_is_left_is_told_once_a_run_is_done(self):
         out = io.StringIO()
@@ -56,7 +56,7 @@ class File(test_campaign_parts.Folder):
         results = Results(self.place("r.sqlite"))
         self.addCleanup(results.close)
         results.describe(**self.about(["k1"]))
-        with self.assertRaisesRegex(ResultsError, "another campaign writes it"):
+        with self.assertRaisesRegex(ResultsError, "another campaign is writing it"):
             Results(self.place("r.sqlite"))
         results.add([self.ROW])
         self.assertEqual(1, len(list(Results(self.place("r.sqlite"), write=False).rows())))

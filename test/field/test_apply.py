@@ -78,7 +78,7 @@ class Applied(unittest.TestCase):
         status, out, told = calibrate(fit, "--apply", answer, "--json", self.path("late_applied.json"))
         self.assertEqual(0, status, told)
         self.assertIn("torque [kN m]: the band of 30 rows is unknown; off by", out)
-        self.assertIn("the band is unknown where it depends on what the fit's data do not determine: the scatter of torque", told)
+        self.assertIn("the band is unknown where it depends on values that the fit's data do not determine: the scatter of torque", told)
         with open(self.path("late_applied.json"), encoding="utf-8") as text:
             said = json.load(text)["summary"]
         self.assertEqual([None, True], [said["torque"]["within"], said["hook_load"]["within"] > 0.8])
@@ -108,7 +108,7 @@ class Applied(unittest.TestCase):
         status, out, told = calibrate(self.data(signals=["stand_pipe_pressure"], to=30.0), "--apply", self.path("untold.json"))
         self.assertEqual(0, status)
         self.assertIn("unknown", out)
-        self.assertEqual("drill calibrate: the band is unknown where it depends on what the fit's data do not determine: pressure\n", told)
+        self.assertEqual("drill calibrate: the band is unknown where it depends on values that the fit's data do not determine: pressure\n", told)
 
     def test_a_signal_that_the_fit_did_not_have_is_refused(self):
         with open(self.result, encoding="utf-8") as text:
@@ -124,7 +124,7 @@ class Applied(unittest.TestCase):
         for name, text in (("text.json", "{"), ("list.json", "[1]"), ("old.json", '{"parameters": [{"name": "a", "value": 1}], "covariance": [[1]], "rms": {}}')):
             with open(self.path(name), "w", encoding="utf-8") as out:
                 out.write(text)
-        for more, result, said in (({}, "no.json", "No such file"), ({}, "text.json", "text.json: is no JSON"), ({}, "list.json", "list.json: is not what"), ({}, "old.json", "KeyError: 'keys'"),
+        for more, result, said in (({}, "no.json", "No such file"), ({}, "text.json", "text.json: is not valid JSON"), ({}, "list.json", "list.json: is not what"), ({}, "old.json", "KeyError: 'keys'"),
                                    ({"scene": "bare.yaml"}, "fit.json", "bare.yaml: parameters of the fit: formation[0].drillability"),
                                    ({"to": 1.0, "from": 2.0}, "fit.json", "has 0 rows"), ({"leave_out": "0:1000"}, "fit.json", "leave no number to compare"),
                                    ({"from": "noon"}, "fit.json", "data.yaml:1: from: 'noon' is neither"), ({"leave_out": ["9:3"]}, "fit.json", "A before B"),

@@ -171,7 +171,7 @@ class Records(unittest.TestCase):
         file = os.path.join(self.folder, "idle.json")
         status, out, _ = calibrate(made_record.write_fit(self.folder, parameters=[made_record.FIT["parameters"][0], hidden]), "--json", file)
         self.assertEqual(0, status)
-        self.assertIn("deep rock: has no effect on these data where it starts: left there", out)
+        self.assertIn("deep rock: has no effect on these data at its start value: not changed", out)
         self.assertIn("2 points of the parameters were tried", out)
         self.assertNotIn("tare: these", out)
         found = self.strict(file)

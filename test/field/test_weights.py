@@ -191,7 +191,7 @@ class Made(unittest.TestCase):
         self.assertEqual("", told)
         moves, told = self.found([*parts, self.UP], held=())
         self.assertEqual(["pick_up", "slack_off", "pick_up"], [move[0] for move in moves])
-        self.assertIn("nowhere does the block move alone", told)
+        self.assertIn("the block never moves with the string in the slips", told)
         moves, told = self.found([self.STOP, self.UP, self.STOP, (30, -0.2, 0.0, 0.0, 9e5), self.STOP], held=(3,))
         self.assertEqual([("pick_up", 900000)], moves)
         self.assertIn("1 moves are left out, with the load of the string: the block moves, but the bit's depth stands (first: at 1", told)
@@ -212,7 +212,7 @@ class Made(unittest.TestCase):
     def test_a_wrong_sign_is_refused(self):
         parts = [self.STOP, self.UP, self.STOP, self.DOWN]
         for signs, depth, said in (((-1.0, 1.0), 1000.0, "bit_depth rises and falls with block_height, by 2"), ((1.0, -1.0), 60.0, "bit_depth is negative, -5"),
-                                   ((-1.0, -1.0), 60.0, "bit_depth is negative, -5"), ((1.0, -1.0), 1000.0, "values are no bit_depth that a rig can have")):
+                                   ((-1.0, -1.0), 60.0, "bit_depth is negative, -5"), ((1.0, -1.0), 1000.0, "values are out of the range of bit_depth on a rig")):
             status, told = self.found(parts, signs=signs, depth=depth)
             self.assertEqual((2, 1), (status, told.count("\n")), told)
             self.assertIn(said, told)

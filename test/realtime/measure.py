@@ -20,7 +20,7 @@ class Diagnostics:
     def take(self, message):
         values = {pair.key: pair.value for status in message.status for pair in status.values if status.name.startswith(self.name)}
         if values:
-            values['slow'] = any('slower than asked' in status.message for status in message.status)
+            values['slow'] = any('slower than the requested speed' in status.message for status in message.status)
             self.all.append(values)
 
     def next(self):

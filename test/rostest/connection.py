@@ -57,7 +57,7 @@ class Connection(unittest.TestCase):
         depth, height = state.bit_depth, state.block_height
         answer = self.rig.make_connection(MakeConnectionRequest(joints=1))
         self.assertTrue(answer.success, answer.message)
-        self.assertEqual("1 joints more are being made; current_operation says when it is over", answer.message)
+        self.assertEqual("adding 1 joints; current_operation shows when it is finished", answer.message)
         self.assertEqual("connecting", self.rig.advance(1).current_operation)
         state = self.rig.advance(2500)
         self.assertEqual("", state.current_operation)

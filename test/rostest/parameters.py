@@ -70,7 +70,7 @@ class Parameters(unittest.TestCase):
         self.refused("color_by:=mood", "mood", "contact_force")
         self.refused("play_program:=perhaps", "perhaps", "true or false")
         self.refused("step_on_commands:=brake", '"brake"', "winch, top_drive, mud_pump and steering")
-        self.refused("step_on_commands:=winch", "with ~clock lockstep only")
+        self.refused("step_on_commands:=winch", "only with ~clock lockstep")
 
     def test_a_frame_prefix_that_tf2_takes(self):
         for wrong in ("/a", "a b/"):

@@ -212,7 +212,7 @@ class Process(unittest.TestCase):
         node.process.send_signal(signal.SIGSTOP)
         time.sleep(1.0)
         node.process.send_signal(signal.SIGCONT)
-        told = self.time_values(diagnostics, node, lambda s: "slower than asked" in s.message)
+        told = self.time_values(diagnostics, node, lambda s: "slower than the requested speed" in s.message)
         self.assertGreaterEqual(float(told["dropped_seconds"]) - before, 1.0 - 0.1 - 0.02)  # a tenth of a second is caught up
         self.assertGreater(int(told["overruns"]), 0)
         self.ends_cleanly(node, signal.SIGTERM)

@@ -59,7 +59,7 @@ class VerifyBag(unittest.TestCase):
         self.record(lambda rig: rig.fault("STUCK_PIPE", depth=50.0))
         status, told = self.verify()
         self.assertEqual(2, status)
-        self.assertIn("cannot be played again: at ", told)
+        self.assertIn("cannot be replayed: at ", told)
 
 
 if __name__ == "__main__":

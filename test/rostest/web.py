@@ -129,7 +129,7 @@ class Web(unittest.TestCase):
         self.hold("#raise", lambda: not self.state().brake_set)
         with hung(self.browser):
             wait_until(lambda: self.state().brake_set, "the brake")
-        said = self.page.wait_text("#answer", r"brake set ([\d.]+) s after the page's last order")
+        said = self.page.wait_text("#answer", r"brake set ([\d.]+) s after the page's last command")
         self.assertLess(float(said.group(1)), BRAKE_AT_LAST)
         self.assertTrue(all(state.brake_set for state in self.states_of_next(1.0)), "the block moves again by a press that had ended")
         self.mouse().release().perform()

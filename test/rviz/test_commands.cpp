@@ -276,7 +276,7 @@ TEST(Connection, AStandByHand)
   constexpr double block_and_pipe = 9.80665 * (17500.0 + 10.0 * 31.9), gravity = 9.80665;  // of the scene; a joint at most lies above the slips
   ASSERT_GT(hanging, block_and_pipe + 50e3);
   ASSERT_TRUE(hold("winch lower", [&] { return last().hook_load < block_and_pipe + 4e3; })) << last().hook_load;
-  ASSERT_TRUE(console.asks("connection add", "make_connection: a stand's joints more are being made")) << console.get<QLabel>("answer")->text().toStdString();
+  ASSERT_TRUE(console.asks("connection add", "make_connection: adding one stand; current_operation shows when it is finished")) << console.get<QLabel>("answer")->text().toStdString();
   EXPECT_TRUE(wait_until([&] { return last().current_operation == "connecting"; }));
   ASSERT_TRUE(shows_pipe(QStringLiteral("in slips, %1 stands").arg(stands + 1)));
   ASSERT_TRUE(wait_until([&] { return last().current_operation.empty(); }));

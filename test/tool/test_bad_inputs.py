@@ -77,11 +77,11 @@ class BadInputs(unittest.TestCase):
         self.refused('yaml_hang_json_comma.yaml', ':1: YAML: a second YAML document')
 
     def test_yaml_hang_fuzz1(self):
-        self.refused('yaml_hang_fuzz1.yaml', ':1: holds a NUL byte')
+        self.refused('yaml_hang_fuzz1.yaml', ':1: contains a NUL byte')
         self.refused(self.scene('yaml_hang_fuzz1.yaml', '\0', ' '), ':1: YAML: a second YAML document')
 
     def test_yaml_hang_fuzz2(self):
-        self.refused('yaml_hang_fuzz2.yaml', ':1: holds a NUL byte')
+        self.refused('yaml_hang_fuzz2.yaml', ':1: contains a NUL byte')
         self.refused(self.scene('yaml_hang_fuzz2.yaml', '\0', ' '), ':1: YAML: a second YAML document')
 
     def test_values_of_yaml_are_counted(self):
@@ -90,26 +90,26 @@ class BadInputs(unittest.TestCase):
 
     # regular files up to 16 MiB only
     def test_survey_zero(self):
-        self.refused('survey_zero.yaml', ':5: well.survey: /dev/zero: is no regular file')
+        self.refused('survey_zero.yaml', ':5: well.survey: /dev/zero: is not a regular file')
 
     def test_survey_fifo(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         shutil.copy(os.path.join(INPUTS, 'survey_fifo.yaml'), folder.name)
         os.mkfifo(os.path.join(folder.name, 'fifo'))
-        self.refused('survey_fifo.yaml', ':5: well.survey: ', 'fifo: is no regular file', folder=folder.name)
-        self.refused('fifo', 'is no regular file', folder=folder.name)
-        self.refused('fifo', 'is no regular file', folder=folder.name, command='survey')
+        self.refused('survey_fifo.yaml', ':5: well.survey: ', 'fifo: is not a regular file', folder=folder.name)
+        self.refused('fifo', 'is not a regular file', folder=folder.name)
+        self.refused('fifo', 'is not a regular file', folder=folder.name, command='survey')
 
     def test_scenes_that_are_no_files(self):
-        self.refused('/dev/zero', 'is no regular file')
-        self.refused('/dev/zero', 'is no regular file', command='survey')
-        self.refused(INPUTS, 'is no regular file')
+        self.refused('/dev/zero', 'is not a regular file')
+        self.refused('/dev/zero', 'is not a regular file', command='survey')
+        self.refused(INPUTS, 'is not a regular file')
 
     def test_large_files(self):
         with tempfile.NamedTemporaryFile() as large:
             large.truncate(16 << 20)
-            self.assertNotIn('larger', self.refused(large.name, ':1: holds a NUL byte', command='survey'))
+            self.assertNotIn('larger', self.refused(large.name, ':1: contains a NUL byte', command='survey'))
             large.truncate((16 << 20) + 1)
             self.refused(large.name, 'is larger than 16 MiB')
             self.refused(large.name, 'is larger than 16 MiB', command='survey')
@@ -122,7 +122,7 @@ class BadInputs(unittest.TestCase):
             self.assertNotIn('secret', self.refused(secret.name, ':1: text is given, allowed: a block'))
 
     def test_trajectories_that_would_fill_the_memory(self):
-        for text, problem in (('<a>' * 5000000, 'more than 2000000 elements'), ('<a>' * 1900000, 'is no XML document'), ('<a/>' * 1900000, 'has no trajectory'),
+        for text, problem in (('<a>' * 5000000, 'more than 2000000 elements'), ('<a>' * 1900000, 'is not an XML document'), ('<a/>' * 1900000, 'has no trajectory'),
                               ('<t>' + '<a b="" c=""/>' * 600000 + '</t>', 'has no trajectory'), ('<!DOCTYPE t [<!ENTITY a "%s">]><t>&a;</t>' % ('x' * 9), 'has no trajectory')):
             with tempfile.NamedTemporaryFile('w', suffix='.xml') as document:
                 document.write(text)
@@ -153,7 +153,7 @@ class BadInputs(unittest.TestCase):
 
     # work is bounded
     def test_deep20k_el0_1(self):
-        self.refused('deep20k_el0.1.yaml', ':21: numerics.element_length: 0.1 m makes some 2', 'nodes of this string, allowed: up to 40000')
+        self.refused('deep20k_el0.1.yaml', ':21: numerics.element_length: 0.1 m makes some 2', 'nodes, allowed: up to 40000')
 
     def test_20_km_in_elements_of_a_metre_start(self):
         scene = self.scene('deep20k_el0.1.yaml', 'element_length: 0.1', 'element_length: 1.0')
@@ -171,13 +171,13 @@ class BadInputs(unittest.TestCase):
 
     # names and numbers that would reach the terminal
     def test_name_nl(self):
-        self.refused('name_nl.yaml', ':2: name: is no name, allowed: 1 to 64 letters, digits and _')
+        self.refused('name_nl.yaml', ':2: name: is not a valid name, allowed: 1 to 64 letters, digits and _')
 
     def test_md_tiny(self):
         done = drill('survey', os.path.join(INPUTS, 'md_tiny.csv'))
         message = self.clean(done.stderr)
         self.assertEqual(done.returncode, 2, message)
-        self.assertIn(':3: station 2: md 4.94066e-324 m is too near to the 0 m before it, allowed: 0.01 m or more', message)
+        self.assertIn(':3: station 2: md 4.94066e-324 m is too close to the station before it, 0 m, allowed: 0.01 m or more', message)
         self.assertNotIn(b'inf', done.stdout)
 
 

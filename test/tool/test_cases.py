@@ -137,7 +137,7 @@ class Records(Case):
     def test_23_units_dates_and_tables(self):
         scene, case = '../02_depth_log_taken_for_time/q.yaml', '23_units_and_tables'
         self.refused('SURF_RPM', case, 'replay', '01_rpm_c_per_s.xml', scene)
-        self.refused('data row 61: its time comes', case, 'replay', '17c_far_time.xml', scene)
+        self.refused('data row 61: its time is', case, 'replay', '17c_far_time.xml', scene)
         self.refused('25_date_only.csv:2: Time: 2020-11-02Z', case, 'replay', '25_date_only.csv', scene, '--columns', 'map.yaml')
 
 

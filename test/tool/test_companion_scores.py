@@ -65,7 +65,7 @@ class Scores(unittest.TestCase):
     def test_a_companion_that_has_ended_has_no_scores(self):
         scores = score(with_companion(more_weight, ends=34.55))
         self.assertIsNone(scores["companion"])
-        self.assertIn("companion: it ended before the run, no row from 34.6 s on has it", scores["left_out"])
+        self.assertIn("companion: it ended before the run, it is missing from 34.6 s on", scores["left_out"])
         self.assertNotIn("+-", "\n".join(table(scores)))
 
     def test_without_one_there_is_none(self):

@@ -69,7 +69,7 @@ class Usage(Drill):
 
     def test_wrong_usage_is_one_line_and_status_2(self):
         self.assertEqual(drill().returncode, 2)
-        self.assertIn('is no command', self.refuse('dig'))
+        self.assertIn('is not a command', self.refuse('dig'))
         self.assertIn('needs a SCENE', self.refuse('run'))
         self.assertIn('one argument too many', self.refuse('check', QUICK, BOHAI))
         self.assertIn('unknown option', self.refuse('run', QUICK, '--fast'))
@@ -380,7 +380,7 @@ class Run(Drill):
         for option in ('--csv', '--profile', '--json', '--path', '--raw-path'):
             done = drill('run', QUICK, '--duration', '0.1', option, '/dev/full')
             self.assertEqual(done.returncode, 3, option)
-            self.assertIn('/dev/full could not be written whole', done.stderr)
+            self.assertIn('/dev/full could not be written completely', done.stderr)
 
     def test_a_run_ends_a_minute_after_its_program(self):
         self.succeed('run', QUICK, *ALONE, '--set', 'program=[{at: 0, brake: true}, {at: 2.5, brake: true}]', '--json', self.file('q.json'))

@@ -109,7 +109,7 @@ class Bag(test_drill.Drill):
         done = subprocess.run([test_drill.drill_program, 'run', test_drill.QUICK, '--duration', '1', '--bag', '/dev/full'], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, universal_newlines=True, check=False)
         self.assertEqual(3, done.returncode)
-        self.assertEqual('drill run: /dev/full could not be written whole; is the disk full?\n', done.stderr)
+        self.assertEqual('drill run: /dev/full could not be written completely; is the disk full?\n', done.stderr)
 
     def test_the_same_twice(self):
         whole = []

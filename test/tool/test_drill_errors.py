@@ -109,7 +109,7 @@ class Errors(test_drill.Drill):
         self.assertEqual(80, numpy.isfinite(run.companion['hook_load']).sum())
         scores = score(run)
         self.assertIsNone(scores['companion'])
-        self.assertIn('companion: it ended before the run, no row from 8.1 s on has it', scores['left_out'])
+        self.assertIn('companion: it ended before the run, it is missing from 8.1 s on', scores['left_out'])
 
 
 if __name__ == '__main__':

@@ -43,7 +43,7 @@ class Verify(test_drill.Drill):
             self.assertIn(one['verdict'], ('right', 'warned', 'silent', 'unknown'))
 
     def test_what_is_refused(self):
-        for words, said in (((QUICK, '--wob', '1e4'), 'need --score'), ((QUICK, '--namespace', 'rig'), 'are of a bag'), ((QUICK, '--score', '--wob-band', '1'), '--wob-band: needs --wob'),
+        for words, said in (((QUICK, '--wob', '1e4'), 'need --score'), ((QUICK, '--namespace', 'rig'), 'allowed only with a bag'), ((QUICK, '--score', '--wob-band', '1'), '--wob-band: needs --wob'),
                             ((self.file('no.bag'),), 'no.bag'), ((QUICK, '--times', '1.1'), '--times')):
             self.assertIn(said, self.refuse('verify', *words))
 
@@ -112,8 +112,8 @@ class Verify(test_drill.Drill):
                 message.hook_load *= 1.1
             return message
 
-        for change, said in ((late, r'begins 5\.01 s after the start of the rig, after the first command; needed: recorded from the start on'),
-                             (stuck, r'cannot be played again: at 5\.01 s the hook load is [0-9.]+ kN, recorded: [0-9.]+; a bag does not hold what services do'),
+        for change, said in ((late, r'begins 5\.01 s after the start of the rig, after the first command; needed: a bag recorded from the start'),
+                             (stuck, r'cannot be replayed: at 5\.01 s the hook load is [0-9.]+ kN, recorded: [0-9.]+; services'),
                              (lambda topic, message: None if topic == 'scene' else message, r'holds no scene \(topic scene\), needed: --scene FILE'),
                              (lambda topic, message: None if topic == 'truth/rig_state' else message, r'has no truth/rig_state, by which')):
             self.assertRegex(self.refuse('verify', self.rewritten(change), '--times', '1.2'), r'^drill verify: \S+other\.bag: ' + said)

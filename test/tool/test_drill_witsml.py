@@ -61,7 +61,7 @@ class Witsml(test_drill.Drill):
             self.assertEqual((first, last), (data[0], data[-1]))
             self.assertEqual([first, last], [log.find(SPACE + name).text for name in ('startDateTimeIndex', 'endDateTimeIndex')])
         for bad in ('2023-02-29', '1969-12-31', '2200-01-01', '2024-05-17T06:30:00+02:00', '2024-05-17 06:30:00Z', '17.05.2024', '2024-05-17T24:00:00Z', '1e9'):
-            self.assertIn("--start-date: '%s' is not allowed, needed: a date by UTC of 1970 to 2199, as 2024-05-17" % bad,
+            self.assertIn("--start-date: '%s' is not allowed, needed: a UTC date from 1970 to 2199, such as 2024-05-17" % bad,
                           self.refuse('run', test_drill.QUICK, '--witsml', self.file('r.xml'), '--start-date', bad))
 
     def test_weight_and_pressure_are_empty_until_they_have_been_zeroed(self):

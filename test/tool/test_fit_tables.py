@@ -46,7 +46,7 @@ class Weights(Folder):
             _, found, remarks = self.weights(PLAIN.replace("104.25", cell), fit)
             self.assertTrue(numpy.isnan(found["pick_up"][1]))
             self.assertIn("t.csv: pick_up: 1 of 3 rows hold no measurement", "\n".join(remarks))
-        self.assertIn("1 cells of PU hold a text, no number (first: ", "\n".join(self.weights(PLAIN.replace("104.25", "stuck"))[2]))
+        self.assertIn("1 cells of PU hold text, not a number (first: ", "\n".join(self.weights(PLAIN.replace("104.25", "stuck"))[2]))
         self.assertIn("3 of 3 rows have a pick-up weight below the slack-off weight", "\n".join(self.weights(PLAIN.replace("PU,SO", "SO,PU"))[2]))
         self.assertEqual([], self.weights(PLAIN)[2])
 
@@ -72,8 +72,8 @@ class Weights(Folder):
                 (PLAIN.replace("SO", "S0"), FIT, "t.csv: there is no column SO; columns: MD, PU, S0"), (PLAIN.replace("SO", "PU"), FIT, "there are 2 columns PU"), ("MD,PU,SO\n", FIT, "t.csv: has no rows"),
                 (PLAIN, NO_UNITS, "MD has no unit in the file"), (PLAIN.replace("SO\n", "SO\nft,klbf,klbf\n"), FIT, "the map says m, the file ft"),
                 (PLAIN, FIT.replace("klbf}, s", "stone}, s"), "f.yaml:1: pick_up.unit: unit stone is not known for a force"), (PLAIN, FIT.replace("klbf}, s", "ton}, s"), "f.yaml:1: pick_up.unit: unit ton is ambiguous"),
-                (PLAIN.replace("900", "nan"), FIT, "t.csv:3: MD: nan is no depth of a well"), (PLAIN.replace("900", ""), FIT, "t.csv:3: MD: an empty cell is no depth"),
-                (PLAIN.replace("900", "-900"), FIT, "t.csv:3: MD: -900 is no depth"), (PLAIN.replace("104.25", '"104,25"'), FIT, "t.csv:3: PU: 104,25 is no number with a decimal point"),
+                (PLAIN.replace("900", "nan"), FIT, "t.csv:3: MD: nan is not a depth of a well"), (PLAIN.replace("900", ""), FIT, "t.csv:3: MD: an empty cell is not a depth"),
+                (PLAIN.replace("900", "-900"), FIT, "t.csv:3: MD: -900 is not a depth"), (PLAIN.replace("104.25", '"104,25"'), FIT, "t.csv:3: PU: 104,25 is not a number with a decimal point"),
                 (PLAIN.replace("104.25,", ""), FIT, "t.csv:3: has 2 cells, the header 3"), (PLAIN, "{file: t.csv, depth: {column: MD, unit: m}}", "needs depth and one or more of pick_up"),
                 (PLAIN, "{file: t.csv}", "f.yaml:1: needs depth and one or more of pick_up")):
             with self.assertRaises((PlanError, RecordError), msg=said) as caught:

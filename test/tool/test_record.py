@@ -43,23 +43,23 @@ class Tables(Folder):
     def test_columns_by_the_names_of_the_trade(self):
         self.right(self.read(table(header=("Time (s)", "Hook Load (klbs)", "Block Height (feet)"))))
         self.right(self.read(table(header=("TIME [sec]", "HKLA [KLB]", "BPOS [FT]"))))
-        self.right(self.read(table(header=("time", "HKLD", "BLOCKCOMP")).replace("BLOCKCOMP\n", "BLOCKCOMP\ns,klbf,ft\n")), ["line 2 was taken for the units"])
+        self.right(self.read(table(header=("time", "HKLD", "BLOCKCOMP")).replace("BLOCKCOMP\n", "BLOCKCOMP\ns,klbf,ft\n")), ["line 2 was read as the units"])
         self.right(self.read(table(header=("DateTime", "Hookload (klbf)", "block_position (ft)"), times=STAMPS)))
         date = table(header=("YYYY/MM/DD,HH:MM:SS", "Hook Load (klbs)", "Block Height (feet)"), times=["2024/05/01,10:00:%02d" % row[0] for row in ROWS])
         self.right(self.read(date))
         two = self.read(table(header=("Time (s)", "HKLA (klbf)", "HKLD (klbf)")))
         self.assertAlmostEqual(30.0 * KLBF, two.at("hook_load", 0.0))
-        self.assertIn("hook_load is taken from HKLD (klbf); passed over: HKLA (klbf)", "\n".join(two.remarks))
+        self.assertIn("hook_load is taken from HKLD (klbf); not used: HKLA (klbf)", "\n".join(two.remarks))
 
     def test_a_column_without_a_unit_is_left_out_or_refused(self):
         record = self.read(table(header=("Time (s)", "HKLD (klbf)", "BPOS")))
         self.assertNotIn("block_height", record)
         self.assertIn("block_height: BPOS is left out: it has no unit", "\n".join(record.remarks))
         self.refused("the time has no unit", table(header=("time", "HKLD (klbf)", "BPOS (ft)")))
-        self.refused(["no column is known as the time", "columns: a, b, c"], table(header=("a", "b", "c")))
+        self.refused(["no column is recognised as the time", "columns: a, b, c"], table(header=("a", "b", "c")))
 
     def test_ragged_rows(self):
-        """Kind 09: refused by line, with what the header was taken for."""
+        """Kind 09: refused by line, with the columns as read."""
         good = table()
         for bad, said in ((good.replace("5,201,29.5", "5,201"), "r.csv:3: has 2 cells, the header 3 (T, H, B)"),
                           (good.replace("5,201,29.5", "5,201,29,5"), "r.csv:3: has 4 cells"), (good.replace("15,203,28", "15"), "r.csv:5: has 1 cells"),
@@ -80,17 +80,17 @@ class Tables(Folder):
                                     ("T\n1\n2\n", "time: {column: T, unit: s, format: '%H'}\n", "must be date where there is a format")):
             self.refused(said, text, columns)
         self.assertRaisesRegex(RecordError, "/nowhere.csv: cannot be read", read_record, "/nowhere.csv")
-        self.assertRaisesRegex(RecordError, "is no regular file", read_record, self.folder)
+        self.assertRaisesRegex(RecordError, "is not a regular file", read_record, self.folder)
 
     def test_what_its_reader_should_know(self):
         columns = "time: {column: T, unit: s}\nhook_load: {column: H, unit: klbf}\nblock_height: {column: B, unit: m}\n"
         rows = ["%d,%s,10" % (k if k < 20 else k + 60, {3: "-999.25", 4: "off", 5: ""}.get(k, "100")) for k in range(40)]
         record = self.read("T,H,B\n" + "\n".join(rows) + "\n,100,10\n", columns)
         self.assertEqual(3, numpy.isnan(record.signals["hook_load"]).sum())
-        self.assertEqual(["1 cells of H hold a text, no number (first: %s:6: off)" % os.path.join(self.folder, "r.csv"),
+        self.assertEqual(["1 cells of H hold text, not a number (first: %s:6: off)" % os.path.join(self.folder, "r.csv"),
                           "1 rows have no time and are left out (first: %s:42)" % os.path.join(self.folder, "r.csv"), "hook_load: 3 of 40 rows hold no measurement",
-                          "a gap of 61 s from 19 s on", "has no flow: the pump is taken as off", "has no top_drive_speed: the string is taken as not turned",
-                          "has no bit_depth: the string is taken to move with the block at all times"], [line.split(": ", 1)[1] for line in record.remarks])
+                          "a gap of 61 s from 19 s on", "has no flow: the pump is assumed to be off", "has no top_drive_speed: the string is assumed not to rotate",
+                          "has no bit_depth: the string is assumed to move with the block at all times"], [line.split(": ", 1)[1] for line in record.remarks])
 
 
 class Values(Folder):
@@ -108,7 +108,7 @@ class Values(Folder):
         for cell in ("-8888", "1e9", "44684", "-100000", "1e300"):
             record = self.read(table().replace("201,29.5", cell + ",29.5"), MAP)
             self.assertTrue(math.isnan(record.signals["hook_load"][1]), cell)
-            self.assertIn("hook_load: 1 of 4 values cannot be and are no measurements (allowed: -112.404 to 4496.18 klbf; first: %s:3: H %g klbf)" %
+            self.assertIn("hook_load: 1 of 4 values are out of range and are treated as missing (allowed: -112.404 to 4496.18 klbf; first: %s:3: H %g klbf)" %
                           (os.path.join(self.folder, "r.csv"), float(cell)), "\n".join(record.remarks))
         for cell in ("nan", "inf", "-Infinity", "NaN", "#N/A", "1,5e"):
             if "," not in cell:
@@ -117,7 +117,7 @@ class Values(Folder):
     def test_a_unit_that_is_wrong(self):
         """Most values out of range: refused, for the unit must be wrong."""
         self.refused(["hook_load", "4 of 4 values", "is the unit right?"], table(), MAP.replace("klbf", "MN"))
-        with self.assertRaisesRegex(RecordError, "60 of 61 values are no top_drive_speed .* c/s"):
+        with self.assertRaisesRegex(RecordError, "60 of 61 values are out of the range of top_drive_speed .* c/s"):
             read_record(os.path.join(CASES, "23_units_and_tables/01_rpm_c_per_s.xml"))
 
     def test_one_row_in_a_published_file(self):
@@ -187,10 +187,10 @@ class Dates(Folder):
             self.dated([when.strftime("%H:%M:%S") for when in two], '{column: T, format: "%H:%M:%S"}')
 
     def test_what_is_no_date_is_shown(self):
-        for times, said in ((["07/31/2017 11:59:%02d PM" % row[0] for row in ROWS], "r.csv:2: T: 07/31/2017 11:59:00 PM is no date and time"),
-                            (["23:59:%02d" % row[0] for row in ROWS], "r.csv:2: T: 23:59:00 is no date and time"), (["2020-11-%02dZ" % (1 + row[0]) for row in ROWS], "2020-11-01Z"),
-                            (["2017-02-30T00:00:%02d" % row[0] for row in ROWS], "2017-02-30T00:00:00"), (STAMPS[:2] + ["2024-05-01T10:00:10"] + STAMPS[3:], "has not a time zone"),
-                            (["5" for _ in ROWS], "r.csv:2: T: 5 is no date")):
+        for times, said in ((["07/31/2017 11:59:%02d PM" % row[0] for row in ROWS], "r.csv:2: T: 07/31/2017 11:59:00 PM is not a date with a time"),
+                            (["23:59:%02d" % row[0] for row in ROWS], "r.csv:2: T: 23:59:00 is not a date with a time"), (["2020-11-%02dZ" % (1 + row[0]) for row in ROWS], "2020-11-01Z"),
+                            (["2017-02-30T00:00:%02d" % row[0] for row in ROWS], "2017-02-30T00:00:00"), (STAMPS[:2] + ["2024-05-01T10:00:10"] + STAMPS[3:], "has no time zone"),
+                            (["5" for _ in ROWS], "r.csv:2: T: 5 is not a date")):
             with self.assertRaises(RecordError) as caught:
                 self.dated(times, "{column: T, unit: date}")
             self.assertIn(said, str(caught.exception))
@@ -202,7 +202,7 @@ class Dates(Folder):
         self.assertEqual(121, len(read_record(os.path.join(CASES, "07_dates/pason.csv")).time))
 
     def test_a_time_that_no_record_has(self):
-        with self.assertRaisesRegex(RecordError, "data row 61: its time comes .* days after the row's before it"):
+        with self.assertRaisesRegex(RecordError, "data row 61: its time is .* days after the row before it"):
             read_record(os.path.join(CASES, "23_units_and_tables/17c_far_time.xml"))
         self.refused("days after", table().replace("15,203", "1e15,203"), MAP)
 
@@ -216,8 +216,8 @@ class Dates(Folder):
     def test_a_time_that_comes_twice(self):
         twice = table().replace("10,202.5,29", "5,201,29.5\n10,202.5,29")
         self.right(self.read(twice, MAP))
-        self.assertNotIn("time of the row before", "\n".join(self.read(twice, MAP).remarks))
-        self.right(self.read(twice.replace("5,201,29.5\n10", "5,207,29.5\n10"), MAP), ["1 rows have the time of the row before; of values that differ the first stands (first: "])
+        self.assertNotIn("time as the row before", "\n".join(self.read(twice, MAP).remarks))
+        self.right(self.read(twice.replace("5,201,29.5\n10", "5,207,29.5\n10"), MAP), ["1 rows have the same time as the row before; where values differ, the first is used (first: "])
         self.right(self.read(table().replace("5,201,29.5", "5,,29.5\n5,201,"), MAP))
 
 

@@ -68,7 +68,7 @@ class Witsml(Folder):
             self.right(self.xml(index_curve=curve, names="HKLD,TIME,BLOCKCOMP,GAS", units="klbf,s,ft,%", rows=rows))
         self.right(self.xml(index_curve="", names="HKLD,T1,BLOCKCOMP,GAS", units="klbf,s,ft,%", rows=rows, log="<logCurveInfo><mnemonic>T1</mnemonic><typeLogData>date time</typeLogData></logCurveInfo>"))
         other = "<logCurveInfo><mnemonic>HKLD</mnemonic><unit>%s</unit></logCurveInfo>"
-        self.right(self.xml(log=other % "kN"), ["HKLD: its unit is klbf in unitList, kN in logCurveInfo: unitList's is taken"])
+        self.right(self.xml(log=other % "kN"), ["HKLD: its unit is klbf in unitList, kN in logCurveInfo: unitList is used"])
         self.assertNotIn("logCurveInfo", "\n".join(self.xml(log=other % "1000 lbf").remarks))
         seconds = ["%g,%g,%g,0" % row for row in ROWS]
         self.right(self.xml(index="elapsed time", units=",klbf,ft,%", log='<startIndex uom="s">0</startIndex>', rows=seconds))
@@ -124,7 +124,7 @@ class Witsml(Folder):
         self.right(read_record([self.file("a.xml", one), csv]))
         self.refused("holds logs of 2 wellbores (v/b, w/b)", one.replace("</logs>", log(two.replace('uidWell="w"', 'uidWell="v"')) + "</logs>"), name="r.xml")
         depth = log(witsml(index="measured depth", index_curve="DEPT", names="DEPT,ROP", units="m,m/h", rows=["1,2", "2,3"]))
-        self.right(self.read(witsml().replace("</logs>", depth + "</logs>"), name="r.xml"), ["log 2 is passed over: its index is measured depth"])
+        self.right(self.read(witsml().replace("</logs>", depth + "</logs>"), name="r.xml"), ["log 2 is skipped: its index is measured depth"])
         with self.assertRaisesRegex(RecordError, "some of its tables have dates, others seconds"):
             read_record([self.file("a.xml", one), self.file("d.csv", "Time (s),BPOS (ft)\n0,1\n5,2\n")])
 
@@ -159,7 +159,7 @@ class Witsml(Folder):
         self.assertIn("hook_load is left out: HKLD: unit stone is not known for a force", "\n".join(record.remarks))
 
     def test_what_is_no_log(self):
-        for text, said in (("<logs>", "is no XML"), ("<logs/>", "holds no log"), (witsml(names="TIME,HKLD"), "mnemonicList has 2 names, unitList 4 units"),
+        for text, said in (("<logs>", "is not valid XML"), ("<logs/>", "holds no log"), (witsml(names="TIME,HKLD"), "mnemonicList has 2 names, unitList 4 units"),
                            (witsml().replace("<logs", '<!DOCTYPE x [<!ENTITY e SYSTEM "file:///etc/passwd">]><logs', 1), "document type definition")):
             self.refused(said, text, name="r.xml")
         bomb = '<!DOCTYPE x [<!ENTITY a "%s">%s]>' % ("A" * 100, "".join('<!ENTITY %s "%s">' % (chr(98 + k), ("&%s;" % chr(97 + k)) * 100) for k in range(8)))
@@ -232,8 +232,8 @@ class Channels(Folder):
 
     def test_what_is_refused(self):
         for said, sets in ((["its index is measured depth", "none of its channels is a time (DEPTH, HKLD, BPOS)"], channel_set(["[[1],[2,3]]"], index("measured depth", "m", name="DEPTH"))),
-                           (["data row 2 is not as needed", "1 indices and one of 2 values"], channel_set([self.DATED[0], '[["%s"],[1]]' % STAMPS[1]])),
-                           ("Data is no JSON", channel_set(["1,2"]).replace("[1,2]", "1,2")), ("is not as needed", channel_set(['{"a": 1}'])),
+                           (["data row 2 must be an array", "1 indices and one of 2 values"], channel_set([self.DATED[0], '[["%s"],[1]]' % STAMPS[1]])),
+                           ("Data is not valid JSON", channel_set(["1,2"]).replace("[1,2]", "1,2")), ("must be an array of", channel_set(['{"a": 1}'])),
                            ("its data are in another file, a.h5", channel_set([]).replace("<Data>[]</Data>", "<FileUri>a.h5</FileUri>")),
                            ("it holds no log of WITSML 1.3.1.1, 1.4.1.1 or 2.0 with data", "<ChannelSet>%s</ChannelSet>" % index()),
                            ("unit tonf is ambiguous", channel_set(self.DATED, channels=channel("HKLD", "tonf") + channel("BPOS", "tonf")))):
@@ -291,7 +291,7 @@ class Las(Folder):
         self.right(self.log("time: {column: TIME, unit: s}\nhook_load: {column: HL}\nblock_height: {column: BPOS}\n", curves="TIME.S : t\nHL.KLBF : h\nBPOS.FT : b\n"))
         for text, said in ((las(version="3.0"), "is LAS 3.0; allowed: 1.2 and 2.0"), (las().replace("~ASCII LOG DATA", "~OTHER"), "has no section ~A"),
                            (las(rows=["0 200 30", "5 201"]), "r.las:15: has 2 values, there are 3 curves"), (las(wrap="YES", rows=["0 200", "30", "5"]), "the last row has 1 values"),
-                           ("x\n" + las(), "r.las:1: stands before the first section")):
+                           ("x\n" + las(), "r.las:1: is before the first section")):
             self.refused(said, text, name="r.las")
 
 

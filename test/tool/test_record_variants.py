@@ -123,20 +123,20 @@ READ = {
 }
 REFUSED = {
     "two signs of decimals": (quoted("%.1f", ",", ".", "\t").replace('"201,000.0"', '"201.000,0"'), "r.csv:3: 201.000,0 has another decimal sign than 200,000.0 (line 2)"),
-    "a decimal comma among thousands": (quoted("%.1f", ",", ".", "\t").replace("29.5", "29,5"), "r.csv:3: Block Height (ft): 29,5 is no number with a decimal point"),
-    "digits in groups": (cell('"201,000"'), "r.csv:3: Hook Load (klbs): 201,000 is no number with a decimal point as others are"),
-    "decimal comma in one cell": (cell('"201,5"'), "r.csv:3: Hook Load (klbs): 201,5 is no number"),
+    "a decimal comma among thousands": (quoted("%.1f", ",", ".", "\t").replace("29.5", "29,5"), "r.csv:3: Block Height (ft): 29,5 is not a number with a decimal point"),
+    "digits in groups": (cell('"201,000"'), "r.csv:3: Hook Load (klbs): 201,000 is not a number with a decimal point like the others"),
+    "decimal comma in one cell": (cell('"201,5"'), "r.csv:3: Hook Load (klbs): 201,5 is not a number"),
     "commas that may be groups": (table("\t", POUNDS, load=1e3).replace("000\t", ",000\t").replace("202500", "202,500").replace("29.5", "29"),
                                   "r.csv:2: 200,000 may be a whole number or one with a decimal comma"),
     "day or month first": (table(header=DATED, times=[text.replace("21", "01") for text in dates("%d/%m/%Y %H:%M:%S")]), 'format: "%d/%m/%Y %H:%M:%S" or "%m/%d/%Y %H:%M:%S"'),
-    "month first": (table(header=DATED, times=dates("%m/%d/%Y %I:%M:%S %p")), 'r.csv:2: DateTime: 05/21/2024 09:59:50 AM is no date and time of the day; allowed: ISO 8601'),
+    "month first": (table(header=DATED, times=dates("%m/%d/%Y %I:%M:%S %p")), 'r.csv:2: DateTime: 05/21/2024 09:59:50 AM is not a date with a time of day; allowed: ISO 8601'),
     "month first, the format": (table(header=DATED, times=dates("%m/%d/%Y %I:%M:%S %p")), 'format: "%m/%d/%Y %I:%M:%S %p"}'),
-    "another order than the header says": (table(header=("Date (DD/MM/YYYY),Time (HH:MM:SS)", *DATED[1:]), times=dates("%m/%d/%Y,%H:%M:%S")), "05/21/2024 09:59:50 is no date"),
+    "another order than the header says": (table(header=("Date (DD/MM/YYYY),Time (HH:MM:SS)", *DATED[1:]), times=dates("%m/%d/%Y,%H:%M:%S")), "05/21/2024 09:59:50 is not a date"),
     "time of the day alone": (table(header=DATED, times=dates("%H:%M:%S")), 'format: "%H:%M:%S"}'),
     "two figures of a year, which may stand first": (table(header=DATED, times=dates("%y/%m/%d %H:%M:%S")), 'format: "%d/%m/%y %H:%M:%S" or "%y/%m/%d %H:%M:%S"}'),
-    "time of the day, unit": (table(header=("Time (hh:mm:ss)", *DATED[1:]), times=dates("%H:%M:%S")), "r.csv:2: Time (hh:mm:ss): 09:59:50 is no date"),
-    "seconds since 1970": (table(header=DATED, times=["%d" % (1716285590 + row[0]) for row in ROWS]), "is no date (first: 1716285590, as s since 1970); needed: a map"),
-    "days of a spreadsheet": (table(header=DATED, times=["%.8f" % (45413.5 + row[0] / 86400) for row in ROWS]), "the time has no unit and is no date (first: 45413.5"),
+    "time of the day, unit": (table(header=("Time (hh:mm:ss)", *DATED[1:]), times=dates("%H:%M:%S")), "r.csv:2: Time (hh:mm:ss): 09:59:50 is not a date"),
+    "seconds since 1970": (table(header=DATED, times=["%d" % (1716285590 + row[0]) for row in ROWS]), "is not a date (first: 1716285590, as s since 1970); needed: a map"),
+    "days of a spreadsheet": (table(header=DATED, times=["%.8f" % (45413.5 + row[0] / 86400) for row in ROWS]), "the time has no unit and is not a date (first: 45413.5"),
     "two units": (table().replace("(ft)\n", "(ft)\ns,kN,ft\n"), "r.csv:2: the unit of Hook Load (klbs) is kN here"),
     "13 PM": (table(header=DATED, times=["2024-05-01 13:00:%02d PM" % row[0] for row in ROWS]), "13:00:00 PM is no date"),
     "footer": (table() + "End of file\n", "r.csv:6: has 1 cells, the header 3"),
@@ -181,7 +181,7 @@ class Tables(Folder):
             record = self.read(table(header=("Time (%s)" % name, *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S")))
             self.right(record, ["the time zone %s is not known by its offset: the dates are taken as UTC; needed where that matters: UTC-06:00" % name])
             self.assertEqual(STARTED, record.begin)
-        self.refused("r.csv:2: DateTime: 2024-05-21 09:59:50 CST is no date and time of the day; allowed: a time zone as UTC-06:00, for CST stands for several",
+        self.refused("r.csv:2: DateTime: 2024-05-21 09:59:50 CST is not a date with a time of day; allowed: a time zone such as UTC-06:00, because CST is ambiguous",
                      table(header=DATED, times=dates("%Y-%m-%d %H:%M:%S CST")))
         self.refused("map.yaml:1: time.format: must have %z for a time zone such as +02:00", table(header=("T", "H", "B"), times=dates("%d/%m/%Y %H:%M:%S UTC")),
                      MAP.replace("unit: s", 'format: "%d/%m/%Y %H:%M:%S %Z"'))
@@ -215,10 +215,10 @@ class Tables(Folder):
 
     def test_maps_that_are_refused(self):
         text = table(header=("T", "H", "B"))
-        for columns, said in ((MAP.replace("time: ", "time:\t"), "map.yaml:1: is no YAML: found character tab, which YAML allows in texts only"),
-                              (MAP.replace("klbf}", "klbf"), "map.yaml:3: is no YAML: expected ',' or '}', but got ':'"), (MAP.split("\n", 1)[1], "r.csv: no column is known as the time; columns: T, H, B; needed: a map of them, --columns"),
+        for columns, said in ((MAP.replace("time: ", "time:\t"), "map.yaml:1: is not valid YAML: found character tab, which YAML allows in texts only"),
+                              (MAP.replace("klbf}", "klbf"), "map.yaml:3: is not valid YAML: expected ',' or '}', but got ':'"), (MAP.split("\n", 1)[1], "r.csv: no column is recognised as the time; columns: T, H, B; needed: a map, --columns"),
                               ("", "map.yaml: is empty"), ("- T\n", "map.yaml:1: needed: keys and values"), (MAP.replace("hook_load", "hookload"), "map.yaml:2: hookload: unknown key, allowed: time, "),
-                              (MAP + "hook_load: {column: B, unit: kN}\n", "map.yaml:4: hook_load: stands there twice"), (MAP.replace("klbf", "psi"), "map.yaml:2: hook_load.unit: unit psi is not known for a force"),
+                              (MAP + "hook_load: {column: B, unit: kN}\n", "map.yaml:4: hook_load: is given twice"), (MAP.replace("klbf", "psi"), "map.yaml:2: hook_load.unit: unit psi is not known for a force"),
                               (MAP.replace("unit: s", "unit: m"), "map.yaml:1: time.unit: unit m is not known for a time"), (MAP.replace("column: H", "column: HL"), "there is no column HL; columns: T, H, B")):
             self.refused(said, text, columns or "# nothing\n")
 
@@ -226,12 +226,12 @@ class Tables(Folder):
         for null in ("N/A", "NULL", "null", "#N/A", "n.a.", "---", "*****", "-", "?", "", "-999.25", "-9999.0", "#DIV/0!"):
             record = self.read(cell(null))
             self.assertEqual([1], [k for k, load in enumerate(record.signals["hook_load"]) if load != load], null)
-            self.assertNotIn("hold a text", "\n".join(record.remarks), null)
-        self.assertIn("1 cells of Hook Load (klbs) hold a text, no number (first: ", "\n".join(self.read(cell("stand 12")).remarks))
+            self.assertNotIn("hold text", "\n".join(record.remarks), null)
+        self.assertIn("1 cells of Hook Load (klbs) hold text, not a number (first: ", "\n".join(self.read(cell("stand 12")).remarks))
         for null in ("999.25", "9999", "9999.0", "-32768", "65535"):  # in range of a gauge in pounds
             record = self.read(table(header=POUNDS).replace("5,201,", "5,%s," % null))
             self.assertEqual([1], [k for k, load in enumerate(record.signals["hook_load"]) if load != load], null)
-            self.assertIn("Hook Load (lbs): 1 values such as %g are far from all others and are taken for null values (first: " % float(null), "\n".join(record.remarks))
+            self.assertIn("Hook Load (lbs): 1 values such as %g are far from all others and are treated as null values (first: " % float(null), "\n".join(record.remarks))
         low = self.read(table(header=POUNDS, load=1e3).replace("5,201000,", "5,9999,"))
         self.assertEqual([1], [k for k, load in enumerate(low.signals["hook_load"]) if load != load])
         kept = self.read(table(load=5.0).replace("5,1005,", "5,999.25,"))
@@ -243,7 +243,7 @@ class Tables(Folder):
     def test_zeros_of_a_gauge_that_is_lost_for_a_moment(self):
         lost = self.read(cell("0"))
         self.assertEqual([1], [k for k, load in enumerate(lost.signals["hook_load"]) if load != load])
-        self.assertIn("Hook Load (klbs): 1 zeros between values that are alike are taken for null values (first: ", "\n".join(lost.remarks))
+        self.assertIn("Hook Load (klbs): 1 zeros between similar values are treated as null values (first: ", "\n".join(lost.remarks))
         depths = self.read("Time (s),HKLD (klbf),Bit Depth (m)\n" + "".join("%d,200,%g\n" % (k, 0 if 3 <= k <= 5 else 1500 + 0.1 * k) for k in range(10)))
         self.assertEqual([3, 4, 5], [k for k, depth in enumerate(depths.signals["bit_depth"]) if depth != depth])
         for loads in ((200, 0, 0, 0, 0, 200), (0, 0, 200, 200, 0, 0), (200, 0, 100, 100, 0, 200), (2, 0, 2, 200, 200, 200)):  # in the slips, at an end, between others, small
@@ -292,15 +292,15 @@ class Tables(Folder):
 
     def test_names_that_are_not_known(self):
         text = "".join(line + more + "\n" for line, more in zip(table().splitlines(), [",Pump 1 (spm)"] + 4 * [",60"]))
-        self.assertIn("no column is known as top_drive_speed, flow, torque, stand_pipe_pressure, bit_depth; a map, --columns, may name it: Pump 1 (spm)", "\n".join(self.read(text).remarks))
-        self.assertNotIn("may name it", "\n".join(self.read(table()).remarks))
+        self.assertIn("no column is recognised as top_drive_speed, flow, torque, stand_pipe_pressure, bit_depth; a map, --columns, can name it: Pump 1 (spm)", "\n".join(self.read(text).remarks))
+        self.assertNotIn("can name it", "\n".join(self.read(table()).remarks))
 
     def test_channels_that_hold_nothing(self):
         """As of sensors that were recorded but not connected: as if they were not there, and reported."""
         for cell in ("", "-999.25", "N/A"):
             text = "".join(line + sign + "\n" for line, sign in zip(table().splitlines(), [",Flow In (gpm)"] + 4 * ["," + cell]))
             record = self.read(text)
-            self.right(record, ["flow is left out: it holds no number", "has no flow: the pump is taken as off"])
+            self.right(record, ["flow is left out: it holds no number", "has no flow: the pump is assumed to be off"])
             self.assertNotIn("flow", record)
 
     def test_long_stretches_without_a_measurement_of_what_is_played(self):

@@ -155,7 +155,7 @@ class Connections(Folder):
         block, bit = numpy.concatenate((numpy.full(10, 2.0), numpy.full(10, 40.0))), numpy.full(20, 299.7)
         # the time that a connection may take is played to its end, half an hour otherwise
         patient = [patch("drill_rig_sim.field.%s.PATIENCE" % module, 60.0) for module in ("follow", "replay")]
-        with patient[0], patient[1], self.assertRaisesRegex(RecordError, "at 9.0 s the scene's rig does not make the record's connection: connection: the block has no room"):
+        with patient[0], patient[1], self.assertRaisesRegex(RecordError, "at 9.0 s the scene's rig refuses the connection of the record: connection: the block would"):
             play(Simulator(STANDS), self.record(bit, block))
 
 
@@ -376,7 +376,7 @@ class Replays(Folder):
             check_start(read_record(self.file("r.csv", "t,b,h,d\n0,10,1,30\n1,9,1,31\n"), columns), Simulator(QUICK))
         with self.assertRaisesRegex(RecordError, "the block is at up to 65.60 m, the crown of the scene's mast at 46.00 m; is the unit of block_height right"):
             check_start(read_record(self.file("r.csv", "t,b,h,d\n0,65.6,1,100\n1,65.5,1,100.1\n"), columns), Simulator(QUICK))
-        with self.assertRaisesRegex(RecordError, "at 2.0 s the bit jumps by -27"):
+        with self.assertRaisesRegex(RecordError, "at 2.0 s bit_depth jumps by -27"):
             standstills(read_record(self.file("r.csv", "t,b,h,d\n0,10,1,100\n1,9,1,101\n2,12,1,74\n3,11,1,75\n"), columns))
         long = read_record(self.file("r.csv", "t,b,h,d\n0,10,1,30\n1,9,1,31\n172801,9,1,31\n172802,8,1,32\n"), columns)
         with self.assertRaisesRegex(RecordError, "has a gap of 2 days from 1.0 s on"):

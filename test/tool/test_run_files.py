@@ -24,7 +24,7 @@ def series(sign=",", decimal="."):
 class RunFiles(InFolder):
     def test_of_a_series_whose_rig_was_reset_the_last_run_is_judged(self):
         time, epochs = numpy.arange(5.0), numpy.array([0, 0, 1, 2, 2])
-        self.assertEqual((3, "2 earlier runs of the file, to 2 s: the rig was reset or restored there, what follows is judged"), last_run(time, epochs))
+        self.assertEqual((3, "2 earlier runs of the file, to 2 s: the rig was reset or restored there; only the rows after it are scored"), last_run(time, epochs))
         self.assertEqual((0, ""), last_run(time, 0 * epochs))
 
     def test_what_is_read(self):

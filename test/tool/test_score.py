@@ -66,7 +66,7 @@ class Scores(unittest.TestCase):
             made[name] = numpy.where(made["time"] > 55.05, made[name] - 0.3, made[name])
         scores = self.score(made)
         self.near(0.9 - RATE * 0.1, scores["drilling"]["drilled_m"])
-        self.assertIn("path: the hole became shallower, by a reset: this is no single hole", scores["left_out"])
+        self.assertIn("path: the hole became shallower by a reset, so it is not one hole", scores["left_out"])
 
     def test_weight_by_time(self):
         made = columns()
@@ -256,7 +256,7 @@ class Files(unittest.TestCase):
         run = read_run(self.changed(lambda rows: rows[:1] + rows[201:502] + rows[301:402] + rows[1:]))
         for name, values in columns().items():
             numpy.testing.assert_array_equal(values, run[name])
-        self.assertIn("2 earlier runs of the file, to 40 s: time goes back to 0 s there, what follows is judged", score(run)["left_out"])
+        self.assertIn("2 earlier runs of the file, to 40 s: time goes back to 0 s there; only the rows after it are scored", score(run)["left_out"])
         self.assertEqual("", read_run(self.series()).earlier)
         self.assertRaisesRegex(RunError, "whose time increases", read_run, self.changed(lambda rows: rows[:300] + rows[295:]))
 
@@ -264,7 +264,7 @@ class Files(unittest.TestCase):
         for topics in (("rig_state", "truth/rig_state", "truth/bit"), ("rig_state", "downhole/mwd", "downhole/toolface")):
             file = self.bag({"/rig/": topics}, runs=(60, 101))
             scores, alone = score(file, bit_diameter=0.2), score(self.bag({"/rig/": topics}), bit_diameter=0.2)
-            self.assertEqual("1 earlier run of the file, to 60 s: time goes back to 1 s there, what follows is judged", scores["left_out"].pop(0))
+            self.assertEqual("1 earlier run of the file, to 60 s: time goes back to 1 s there; only the rows after it are scored", scores["left_out"].pop(0))
             self.assertEqual(alone, scores)
 
     def bag(self, topics, zeroed_at=0.0, runs=(101,)):

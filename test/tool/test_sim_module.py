@@ -125,7 +125,7 @@ class InThisProcess(unittest.TestCase):
         rig = Simulator("autodriller.yaml")
         states = drive(rig, law, 60.0, telemetry=rig)
         self.assertAlmostEqual(59.9, score(run_of_states(states))["drilling"]["duration_s"], delta=1e-6)
-        with self.assertRaisesRegex(ValueError, "period of 0.1 s is no whole number of frames of 0.25 s"):
+        with self.assertRaisesRegex(ValueError, "period of 0.1 s is not a whole number of frames of 0.25 s"):
             drive(Simulator("autodriller.yaml", rate=4.0), law, 1.0)
 
     def test_what_no_rig_can_sense_is_not_among_recorded_readings(self):
@@ -227,7 +227,7 @@ class InThisProcess(unittest.TestCase):
                 "fault is nonsense": lambda: self.rig.fault("NONSENSE"), "0 .a stand. to 12": lambda: self.rig.connection(13),
                 "there is no state x": lambda: self.rig.restore("x"), "frames is 100001": lambda: self.rig.step(frames=100001),
                 "every is 0": lambda: self.rig.record(0.1, every=0), "nowhere.yaml": lambda: self.rig.reset("/nowhere.yaml"),
-                "one of each per station": lambda: self.rig.load_survey(md=[0.0, 1.0], inclination=[0.0], azimuth=[0.0]),
+                "the same number of each": lambda: self.rig.load_survey(md=[0.0, 1.0], inclination=[0.0], azimuth=[0.0]),
                 "bit_depth is": lambda: self.rig.reset(bit_depth=500.0), "block_velocity": lambda: (self.rig.winch(float("nan")), self.rig.step())}.items():
             with self.assertRaisesRegex(Refused, text):
                 call()

@@ -79,7 +79,7 @@ class Encodings(Files):
 
     def test_what_is_no_text_is_refused_by_all(self):
         file = self.file("nul.csv", "md_m\n\0")
-        self.assertIn("nul.csv:2: holds a NUL byte", self.refused("survey", file))
+        self.assertIn("nul.csv:2: contains a NUL byte", self.refused("survey", file))
         for error, read in ((TextError, read_text), (SurveyError, read_survey), (PlanError, plan_of), (ModelError, scene_and_survey)):
             for name in (file, self.folder, os.path.join(self.folder, "none.csv")):
                 with self.assertRaises(error):
@@ -89,7 +89,7 @@ class Encodings(Files):
 class OfTheTrade(Files):
     def test_a_map_of_columns(self):
         file = self.file("euro.csv", "MD;Inc;Azi\n0,0;0,0;0,0\n500,0;2,1;45,3\n")
-        self.assertIn("euro.csv:1: MD: the header says no unit", self.refused("survey", file))
+        self.assertIn("euro.csv:1: MD: the header gives no unit", self.refused("survey", file))
         done = drill("survey", file, "--columns", self.file("map.yaml", "columns: {md: {unit: ft}, inclination: {unit: deg}, azimuth: {unit: deg}}\n"))
         self.assertEqual((0, ""), (done.returncode, done.stderr))
         self.assertEqual([152.4, 2.1, 45.3], [float(cell) for cell in done.stdout.splitlines()[-1].split()[:3]])
@@ -103,7 +103,7 @@ class OfTheTrade(Files):
         self.assertEqual(0, done.returncode, done.stderr)
         self.assertEqual(4, len(done.stdout.splitlines()))
         self.assertEqual(3, len(done.stderr.splitlines()), done.stderr)
-        for text in ("given 0 deg: line 2", "without a value were passed over: line 3", "equal to the one before were passed over: line 5"):
+        for text in ("given 0 deg: line 2", "without a value were skipped: line 3", "equal to the one before were skipped: line 5"):
             self.assertIn(text, done.stderr)
 
     def test_a_block_in_a_scene(self):
@@ -147,7 +147,7 @@ class Plans(Files):
         words = ("--plan", self.plan, "--columns", self.map)
         done = drill("score", run, *words, "--pass-over")
         self.assertEqual((0, far.stdout), (done.returncode, done.stdout), done.stderr)
-        self.assertIn("equal to the one before were passed over: line 4", done.stderr)
+        self.assertIn("equal to the one before were skipped: line 4", done.stderr)
         self.assertIn("plan.csv:4: station 3: md 656.168 ft does not exceed", self.refused("score", run, *words))
         self.assertIn("plan.csv:4: station 3", self.refused("plot", run, *words, "--out", self.folder))
         for command in ("score", "plot"):

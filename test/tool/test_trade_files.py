@@ -60,14 +60,14 @@ RECORDS = {
 }
 OTHERS = {"top_drive_speed": 2.0 * math.pi, "stand_pipe_pressure": 1e7, "torque": 5000.0, "flow": 2.0 / 60.0}
 NOT_RECORDS = {
-    "month first": ("DATE,TIME,HKLD,BPOS\n,,klb,ft\n" + rows("%(t)s,%(h)s,%(b)s", "%m/%d/%Y,%H:%M:%S"), "05/21/2024 09:59:50 is no date and time of the day"),
-    "time of the day alone": ("Time,Hook Load (klbf),Block Height (ft)\n" + rows("%(t)s,%(h)s,%(b)s", "%H:%M:%S"), "09:59:50 is no date"),
-    "days of a spreadsheet": ("Time,Hook Load (klbf),Block Height (ft)\n" + rows("45433.4%(t)s,%(h)s,%(b)s"), "the time has no unit and is no date"),
+    "month first": ("DATE,TIME,HKLD,BPOS\n,,klb,ft\n" + rows("%(t)s,%(h)s,%(b)s", "%m/%d/%Y,%H:%M:%S"), "05/21/2024 09:59:50 is not a date with a time of day"),
+    "time of the day alone": ("Time,Hook Load (klbf),Block Height (ft)\n" + rows("%(t)s,%(h)s,%(b)s", "%H:%M:%S"), "09:59:50 is not a date"),
+    "days of a spreadsheet": ("Time,Hook Load (klbf),Block Height (ft)\n" + rows("45433.4%(t)s,%(h)s,%(b)s"), "the time has no unit and is not a date"),
     "the clock is set back": ("Time,Hook Load (klbf),Block Height (ft)\n" + rows("%(t)s,%(h)s,%(b)s", "%Y-%m-%d %H:%M:%S").replace("10:00:10", "09:00:10"), "the time goes back"),
     "pounds called klbf": (PLAIN + rows("%(t)s,%(h)s,%(b)s", load=1e3), "is the unit right?"),
     "a time that lost its zero": ("Date (YYYYMMDD),Time (HHMMSS),Hook Load (klbf),Block Height (ft)\n" + rows("%(t)s,%(h)s,%(b)s", "%Y%m%d,%H%M%S").replace(",09", ",9"), "unit HHMMSS is not known for a time"),
     "by depth": (LAS.replace("STRT.S", "STRT.M") % ("DEPT.M : d\nROP.M/HR : r\nHKLD.KLBF : h\n", rows("%(t)s 10 %(h)s")), "none of its curves is a time"),
-    "numbers of WITS": ("0105,0106,0108,0112,0114\n" + rows("%(t)s,%(d)s,%(b)s,%(h)s", "%y%m%d,%H%M%S"), "no column is known as the time"),
+    "numbers of WITS": ("0105,0106,0108,0112,0114\n" + rows("%(t)s,%(d)s,%(b)s,%(h)s", "%y%m%d,%H%M%S"), "no column is recognised as the time"),
 }
 
 STATIONS = ((0.0, 0.0, 0.0), (100.0, 0.0, 0.0), (200.0, 10.0, 45.0), (300.0, 20.5, 60.25))
@@ -103,7 +103,7 @@ SURVEYS = {
     "WITSML 2.0 in US survey feet": xml(STATION_2.replace('"m"', '"ft[US]"'), md=3937 / 1200, **VERSION_2),
 }
 NOT_SURVEYS = {
-    "no unit of depth": ("MD,Inc,Azi\n" + stations(), "the header says no unit"), "grads": ("MD (m),Inc (grad),Azi (grad)\n" + stations(), "allowed: rad, deg, rev, gon"),
+    "no unit of depth": ("MD,Inc,Azi\n" + stations(), "the header gives no unit"), "grads": ("MD (m),Inc (grad),Azi (grad)\n" + stations(), "allowed: rad, deg, rev, gon"),
     "from the bottom up": ("MD (m),Inc (deg),Azi (deg)\n300,0,0\n200,0,0\n0,0,0\n", "from the bottom up"), "negative depths": ("MD (m),Inc (deg),Azi (deg)\n" + stations(md=-1.0), "does not exceed"),
     "no unit of WITSML": (xml(STATION.replace(' uom="m"', "")), "md: has no unit (uom)"), "positions alone": ("TVD (m),N/S (m),E/W (m)\n0,0,0\n", "no such column in the header"),
 }

@@ -292,7 +292,7 @@ class Bound(unittest.TestCase):
                 notes = [message["text"] for message in hands.tick() if message["type"] == "answer"]
         self.assertTrue(streams.published[-1][1].brake)
         self.assertLessEqual(self.now - last, HELD + server.PERIOD + 1e-9)
-        self.assertRegex(notes[0], "^dead-man: brake set %.2f s after the page's last order" % (self.now - last))
+        self.assertRegex(notes[0], "^dead-man: brake set %.2f s after the page's last command" % (self.now - last))
 
 
 @unittest.skipIf(aiohttp is None, "python3-aiohttp is not installed")

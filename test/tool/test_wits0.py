@@ -30,7 +30,7 @@ class Records(unittest.TestCase):
             shown = wits0.general_record(state, wits0.start_date_of(text)).decode()
             self.assertIn("\n0105%s\r" % there, shown)
         for bad in ("2023-02-29", "1969-12-31", "2200-01-01", "2024-05-17T06:30:00+02:00", "2024-5-17", "", "17.05.2024"):
-            with self.assertRaisesRegex(ValueError, "no date by UTC of 1970 to 2199"):
+            with self.assertRaisesRegex(ValueError, "a UTC date from 1970 to 2199"):
                 wits0.start_date_of(bad)
 
     def test_stamps_of_wall_time_are_dates(self):

@@ -69,9 +69,9 @@ TEST(Rheology, readingsThatMakeNoSuchMudAreRefused)
   { EXPECT_NE(readings_problem(law, readings).find(words), std::string::npos) << readings_problem(law, readings); };
   refused(RheologyLaw::bingham, {{600.0, 60.0}}, "1 readings are too few for this law, needed: 2");
   refused(RheologyLaw::bingham, {{600.0, 60.0}, {600.0, 61.0}}, "600 rpm is given twice");
-  refused(RheologyLaw::bingham, {{600.0, 40.0}, {300.0, 60.0}}, "the dial does not grow from 300 to 600 rpm");
-  refused(RheologyLaw::bingham, {{600.0, 60.0}, {300.0, 29.0}}, "the dial grows faster than the speed");
-  refused(RheologyLaw::power_law, {{600.0, 60.0}, {300.0, 29.0}}, "the dial grows faster than the speed");
+  refused(RheologyLaw::bingham, {{600.0, 40.0}, {300.0, 60.0}}, "the dial reading does not increase from 300 to 600 rpm");
+  refused(RheologyLaw::bingham, {{600.0, 60.0}, {300.0, 29.0}}, "the dial reading grows faster than the speed");
+  refused(RheologyLaw::power_law, {{600.0, 60.0}, {300.0, 29.0}}, "the dial reading grows faster than the speed");
   refused(RheologyLaw::herschel_bulkley, {{600.0, 60.0}, {300.0, 20.0}, {6.0, 2.0}, {3.0, 1.0}}, "index n of 1.58, allowed: 0.1 to 1");
 }
 

@@ -152,7 +152,7 @@ TEST_F(Report, saysHowLargeTheMeasuredErrorsAre)
       {"error_bit_speed", 0.3}, {"error_stand_pipe_pressure", 5e-6}, {"error_window", 3.0}, {"tolerance", 0.02}, {"companion_cost_share", 1.0}};
   for (const auto& [key, value] : numbers) EXPECT_DOUBLE_EQ(value, number(array, key)) << key;
   frame_.accuracy.needs = need_direction;
-  EXPECT_EQ("measured errors, relative to the ranges: no output in `needs` has one", part(next(), "accuracy").message);
+  EXPECT_EQ("measured errors, relative to the ranges: none for the outputs in `needs`", part(next(), "accuracy").message);
 }
 
 TEST_F(Report, saysWhyNoErrorIsMeasured)
@@ -164,10 +164,10 @@ TEST_F(Report, saysWhyNoErrorIsMeasured)
   EXPECT_EQ(0u, values(array).count("error_torque"));
   EXPECT_EQ("", values(array).at("measured_errors"));
   EXPECT_EQ(0.0, number(array, "companion_cost_share"));
-  frame_.physics.not_measured = "it is not in the snapshot";
+  frame_.physics.not_measured = "the companion is not in the snapshot";
   array = next();
-  EXPECT_EQ("error not measured: it is not in the snapshot", part(array, "accuracy").message);
-  EXPECT_EQ("it is not in the snapshot", values(array).at("why_not_measured"));
+  EXPECT_EQ("error not measured: the companion is not in the snapshot", part(array, "accuracy").message);
+  EXPECT_EQ("the companion is not in the snapshot", values(array).at("why_not_measured"));
   EXPECT_EQ(all_well, levels(array));
 }
 
@@ -208,7 +208,7 @@ TEST_F(Report, aFailedFrameIsAnErrorAndSaysWhy)
   std::snprintf(frame_.failure.data(), frame_.failure.size(), "no solution at 3 s");
   const auto array = next();
   EXPECT_EQ((std::vector<int>{ok, error, ok, ok}), levels(array));
-  EXPECT_EQ("time stands at the last good state: no solution at 3 s", part(array, "physics").message);
+  EXPECT_EQ("simulation stopped at the last good state: no solution at 3 s", part(array, "physics").message);
   EXPECT_EQ("failed", part(array, "time").message);
 }
 
@@ -217,7 +217,7 @@ TEST_F(Report, backlogDroppedSinceTheLastReportIsAWarning)
   frame_.loop.dropped_seconds = 0.25;
   const auto array = next();
   EXPECT_EQ((std::vector<int>{warn, ok, ok, ok}), levels(array));
-  EXPECT_EQ("running, slower than asked", part(array, "time").message);
+  EXPECT_EQ("running, slower than the requested speed", part(array, "time").message);
   EXPECT_EQ(all_well, levels(next())) << "nothing since";
   frame_.loop.dropped_seconds = 0.26;
   EXPECT_EQ(warn, part(next(), "time").level);
@@ -266,7 +266,7 @@ TEST_F(Report, aStreamThatStoppedIsAWarning)
   frame_.truth.commands_timed_out = true;
   const auto array = next();
   EXPECT_EQ((std::vector<int>{ok, ok, ok, warn}), levels(array));
-  EXPECT_EQ("the winch's or the drive's commands stopped: brake set, drive coasts until they come again", part(array, "commands").message);
+  EXPECT_EQ("no commands for winch or top drive: brake set, drive coasts until commands arrive", part(array, "commands").message);
 }
 
 TEST_F(Report, twoSendersAreAWarning)

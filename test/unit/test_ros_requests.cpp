@@ -119,10 +119,10 @@ TEST(WithSurvey, sectionsReachTheNewBottom)
 
 TEST(WithSurvey, eitherAFileOrStations)
 {
-  EXPECT_EQ("allowed is either a file or stations", refusal_of({}));
+  EXPECT_EQ("needed: either file, or md, inclination and azimuth", refusal_of({}));
   LoadSurvey::Request both = stations(to_200);
   both.file = in_source("config/surveys/bohai.csv");
-  EXPECT_EQ("allowed is either a file or stations", refusal_of(both));
+  EXPECT_EQ("needed: either file, or md, inclination and azimuth", refusal_of(both));
   LoadSurvey::Request file;
   file.file = both.file;
   const Scene next = with_well(present(), 0.5, to_new_well(file));
@@ -135,7 +135,7 @@ TEST(WithSurvey, eitherAFileOrStations)
 TEST(WithSurvey, aFirstStationBelowTheTableIsTiedIn)
 {
   LoadSurvey::Request request = stations({{80.0, 0.0, 0.0}, {200.0, 0.0, 0.0}});
-  EXPECT_EQ("station 0: the first md is 80 m, needed: 0, the rotary table, or its place: tie_in, in a CSV file north_m, east_m, tvd_m",
+  EXPECT_EQ("station 0: the first md is 80 m, needed: 0 (the rotary table), or its position: tie_in, in a CSV file north_m, east_m, tvd_m",
             refusal_of(request));
   request.tie_in_tvd = 80.0;
   const Scene next = with_well(present(), 0.5, to_new_well(request));
@@ -146,7 +146,7 @@ TEST(WithSurvey, aFirstStationBelowTheTableIsTiedIn)
   EXPECT_EQ("tie_in: the first station is 85.44 m from the rotary table, allowed: up to its measured depth, 80 m", refusal_of(request));
   request = stations(to_200);
   request.tie_in_tvd = 1.0;
-  EXPECT_EQ("tie_in: the first station is at 0, the rotary table; allowed: with a first station below it", refusal_of(request));
+  EXPECT_EQ("tie_in: the first station is at 0, the rotary table; allowed: only with a first station below it", refusal_of(request));
 }
 
 TEST(WithSurvey, aFileMayHoldItsTieIn)
@@ -164,10 +164,10 @@ TEST(WithSurvey, listsHaveOneLength)
 {
   LoadSurvey::Request request = stations(to_200);
   request.inclination.pop_back();
-  EXPECT_EQ("md, inclination and azimuth have 3, 2 and 3 entries; allowed is one of each per station", refusal_of(request));
+  EXPECT_EQ("md, inclination and azimuth have 3, 2 and 3 entries; needed: the same number of each", refusal_of(request));
   request = stations(to_200);
   request.azimuth.push_back(0.0);
-  EXPECT_EQ("md, inclination and azimuth have 3, 3 and 4 entries; allowed is one of each per station", refusal_of(request));
+  EXPECT_EQ("md, inclination and azimuth have 3, 3 and 4 entries; needed: the same number of each", refusal_of(request));
 }
 
 TEST(WithSurvey, theFirstBadStationIsNamed)

@@ -180,7 +180,7 @@ TEST(SceneRead, WrongSettingsAreRefusedByName)
   EXPECT_EQ(message("numerics.integrator=no_such").rfind("setting: numerics.integrator: \"no_such\" is not known, allowed: auto, bdf2", 0), 0u);
   EXPECT_EQ(message("numerics.kernel=scalar"), "accepted");
   const char* elsewhere = has_kernel(Kernel::neon) ? "sse4" : "neon";
-  EXPECT_EQ(message((std::string("numerics.kernel=") + elsewhere).c_str()), std::string("setting: numerics.kernel: ") + elsewhere + " is not among what this machine and build have, allowed: " + kernels_here());
+  EXPECT_EQ(message((std::string("numerics.kernel=") + elsewhere).c_str()), std::string("setting: numerics.kernel: ") + elsewhere + " is not available on this machine or in this build, allowed: " + kernels_here());
   EXPECT_EQ(message("numerics.step").rfind("setting: numerics.step: has no value", 0), 0u);
   EXPECT_EQ(message("mud={densty: 1000}").rfind("setting: mud.densty: unknown key", 0), 0u) << message("mud={densty: 1000}");
   EXPECT_EQ(message("string=[{name: bit, type: bit, length: 0.3, mass: 40}]").rfind("setting: string[0].diameter: is missing", 0), 0u);
@@ -196,9 +196,9 @@ TEST(SceneRead, UnlikelyValuesAreReported)
   EXPECT_TRUE(remarks("mud.density=1200").empty());
   EXPECT_TRUE(remarks("mud.density=0").empty()) << "a hole in a vacuum";
   ASSERT_EQ(1u, remarks("mud.density=9.5").size());
-  EXPECT_EQ("x: mud.density: 1.2 kg/m3 is that of a gas; is its unit missing? 1.2 g/cm3 is 1200 kg/m3", remarks("mud.density=1.2").front());
-  EXPECT_EQ("x: mud.density: 9.5 kg/m3 is that of a gas; is its unit missing? 9.5 ppg is 1138 kg/m3", remarks("mud.density=9.5").front());
-  EXPECT_NE(std::string::npos, remarks("mud.density=75").at(0).find("75 kg/m3 is that of foam"));
+  EXPECT_EQ("x: mud.density: 1.2 kg/m3 is the density of a gas; is its unit missing? 1.2 g/cm3 is 1200 kg/m3", remarks("mud.density=1.2").front());
+  EXPECT_EQ("x: mud.density: 9.5 kg/m3 is the density of a gas; is its unit missing? 9.5 ppg is 1138 kg/m3", remarks("mud.density=9.5").front());
+  EXPECT_NE(std::string::npos, remarks("mud.density=75").at(0).find("75 kg/m3 is the density of foam"));
   const PartSpec part = parse_scene(smallest, "x").string.back();
   const double body = pi / 4.0 * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter) * part.density;
   const std::string key = "string[" + std::to_string(parse_scene(smallest, "x").string.size() - 1) + "].linear_mass";
@@ -208,7 +208,7 @@ TEST(SceneRead, UnlikelyValuesAreReported)
                              "outer_diameter: 0.165, inner_diameter: 0.0714, linear_mass: 0.136}, {name: pipe, type: pipe, joints: fill, joint_length: 9.5, "
                              "outer_diameter: 0.127, inner_diameter: 0.1086, linear_mass: 31.9}]";
   ASSERT_EQ(1u, remarks(collar).size()) << "in tonnes a metre";
-  EXPECT_EQ(0u, remarks(collar).front().rfind("x: string[1].linear_mass: 0.136 kg/m is not that of its body, 136 kg/m", 0)) << remarks(collar).front();
+  EXPECT_EQ(0u, remarks(collar).front().rfind("x: string[1].linear_mass: 0.136 kg/m does not match its diameters and density (136 kg/m)", 0)) << remarks(collar).front();
   ASSERT_EQ(1u, remarks("well.stations=[[0, 0, 0], [40, 0, 0], [50, 60, 0]]").size());
   EXPECT_NE(std::string::npos, remarks("well.stations=[[0, 0, 0], [40, 0, 0], [50, 60, 0]]").front().find("well.stations: from 40.00 to 50.00 m the hole turns by 180 deg/30 m"));
 }
@@ -311,7 +311,7 @@ TEST(SurveyCsv, ARowLongerThanItsHeaderIsRefused)
 
 TEST(SurveyCsv, AColumnStandsOnce)
 {
-  EXPECT_EQ(":1: md_m: stands more than once in the header, allowed: once",
+  EXPECT_EQ(":1: md_m: appears more than once in the header, allowed: once",
             survey_refusal("md_m,inclination_deg,azimuth_deg,md_m\n0,0,0,0\n30,1,297,31\n"));
 }
 

@@ -110,20 +110,20 @@ TEST(SceneRheology, refusals)
   EXPECT_EQ(refusal(rheology("law: bingham, plastic_viscosity: 0.02")), "r.yaml:4: mud.rheology.yield_point: is missing: YP; 1 lb/100 ft2 is 0.479 Pa; or give readings");
   EXPECT_EQ(refusal(rheology("plastic_viscosity: 0.02")), "r.yaml:4: mud.rheology.law: is missing, allowed: newtonian, bingham, power_law or herschel_bulkley");
   EXPECT_EQ(refusal(rheology("law: bingham, plastic_viscosity: 0.02, yield_point: 5, readings: [[600, 60], [300, 40]]")),
-            "r.yaml:4: mud.rheology.plastic_viscosity: is given beside readings, which say it, allowed: one of the two\n"
-            "r.yaml:4: mud.rheology.yield_point: is given beside readings, which say it, allowed: one of the two");
+            "r.yaml:4: mud.rheology.plastic_viscosity: is given together with readings, which define it, allowed: one of the two\n"
+            "r.yaml:4: mud.rheology.yield_point: is given together with readings, which define it, allowed: one of the two");
   EXPECT_NE(refusal(rheology("law: bingham, consistency: 0.4, index: 0.7")).find("unknown key"), std::string::npos);
   EXPECT_EQ(refusal(rheology("law: bingham, readings: [[600, 60]]")), "r.yaml:4: mud.rheology.readings: 1 readings are too few for this law, needed: 2");
   EXPECT_EQ(refusal(rheology("law: bingham, readings: 60")), "r.yaml:4: mud.rheology.readings: text is given, allowed: a list of rows [speed rpm, dial reading deg]");
   EXPECT_EQ(refusal(rheology("law: bingham, readings: [[600, 60], [300]]")), "r.yaml:4: mud.rheology.readings[1]: a list is given, allowed: [speed rpm, dial reading deg]");
   EXPECT_EQ(refusal(rheology("law: bingham, plastic_viscosity: 20, yield_point: 5")), "r.yaml:4: mud.rheology.plastic_viscosity: 20 is out of range, allowed: 0.0001 to 1 Pa s");
-  EXPECT_EQ(refusal(scene_text(", viscosity: 0.03, rheology: " + bingham)), "r.yaml:4: mud.viscosity: is given beside mud.rheology, which says it, allowed: one of the two");
-  EXPECT_EQ(refusal(scene_text(", rheology: " + bingham, "")), "r.yaml:6: string[0].nozzles: is missing beside mud.rheology, needed: nozzles or nozzle_area of the bit");
-  EXPECT_EQ(refusal(scene_text(", rheology: " + bingham, ", nozzles: [12], nozzle_area: 1.0e-4")), "r.yaml:6: string[0].nozzle_area: is given beside nozzles, allowed: one of the two");
+  EXPECT_EQ(refusal(scene_text(", viscosity: 0.03, rheology: " + bingham)), "r.yaml:4: mud.viscosity: is given together with mud.rheology, which defines the viscosity, allowed: one of the two");
+  EXPECT_EQ(refusal(scene_text(", rheology: " + bingham, "")), "r.yaml:6: string[0].nozzles: is missing; mud.rheology needs nozzles or nozzle_area of the bit");
+  EXPECT_EQ(refusal(scene_text(", rheology: " + bingham, ", nozzles: [12], nozzle_area: 1.0e-4")), "r.yaml:6: string[0].nozzle_area: is given together with nozzles, allowed: one of the two");
   EXPECT_EQ(refusal(scene_text(", rheology: " + bingham, ", nozzles: [0.375]")), "r.yaml:6: string[0].nozzles[0]: 0.375 is out of range, allowed: 4 to 64 1/32 in");
   EXPECT_EQ(refusal(scene_text(", rheology: " + bingham, ", nozzles: []")), "r.yaml:6: string[0].nozzles: an empty list is given, allowed: a list of diameters in 1/32 in, 4 to 64, or with a unit");
   EXPECT_EQ(refusal(scene_text(", rheology: " + bingham, ", nozzles: [12]", ", pressure_coefficient: 4.0e9")),
-            "r.yaml:9: rig.mud_pump.pressure_coefficient: is given beside mud.rheology, whose law makes the losses, allowed: one of the two");
+            "r.yaml:9: rig.mud_pump.pressure_coefficient: is given together with mud.rheology, which computes the losses, allowed: one of the two");
   EXPECT_EQ(refusal(scene_text("", ", nozzles: [12]")), "r.yaml:6: string[0].nozzles: has no effect without mud.rheology, allowed: leave it out, or give mud.rheology");
   EXPECT_EQ(refusal(scene_text("", "", ", surface_lines: [[20, 0.09]]")),
             "r.yaml:9: rig.mud_pump.surface_lines: has no effect without mud.rheology, allowed: leave it out, or give mud.rheology");

@@ -65,7 +65,7 @@ TEST(SceneSurvey, DepthsWithoutAUnitAreRefused)
 {
   const std::string euro = "MD;Inc;Azi\n0,0;0,0;0,0\n500,0;2,1;45,3\n";
   const std::string problem = refusal(euro);
-  EXPECT_EQ(0u, problem.rfind(":1: MD: the header says no unit", 0)) << problem;
+  EXPECT_EQ(0u, problem.rfind(":1: MD: the header gives no unit", 0)) << problem;
   EXPECT_TRUE(holds(problem, "columns: {md: {unit: m}}") && holds(problem, "or --columns MAP.yaml")) << problem;
   SurveyFormat format;
   format.md.unit = "ft";
@@ -77,7 +77,7 @@ TEST(SceneSurvey, DepthsWithoutAUnitAreRefused)
 
 TEST(SceneSurvey, AnglesThatMayBeRadiansAreRefused)
 {
-  EXPECT_TRUE(holds(refusal("MD (m),Inc,Azi\n0,0,0\n100,0.02,1.5\n"), ":1: Inc: the header says no unit"));
+  EXPECT_TRUE(holds(refusal("MD (m),Inc,Azi\n0,0,0\n100,0.02,1.5\n"), ":1: Inc: the header gives no unit"));
   EXPECT_EQ("accepted", refusal("MD (m),Inc,Azi\n0,0,0\n100,0,0\n")) << "no angle";
   EXPECT_EQ("accepted", refusal("MD (m),Inc (deg),Azi\n0,0,0\n100,0.02,1.5\n")) << "the other says it";
 }
@@ -88,8 +88,8 @@ TEST(SceneSurvey, WhatMayBeTwoThingsIsRefused)
   EXPECT_TRUE(holds(refusal("MD (m),Inc (deg),Azi True (deg),Azi Grid (deg)\n0,0,0,0\n"), "may be \"Azi True (deg)\", \"Azi Grid (deg)\""));
   SurveyFormat format;
   format.md.unit = "m";
-  EXPECT_TRUE(holds(refusal("MD (ft),Inc (deg),Azi (deg)\n0,0,0\n9,0,0\n", format), "MD (ft): the header says ft and the map m"));
-  EXPECT_TRUE(holds(refusal("MD (m),Inc (grad),Azi (deg)\n0,0,0\n"), ":1: Inc (grad): the brackets hold no unit that is known, allowed: rad, deg, rev, gon")) << "degrees in German, gons in English";
+  EXPECT_TRUE(holds(refusal("MD (ft),Inc (deg),Azi (deg)\n0,0,0\n9,0,0\n", format), "MD (ft): the unit is ft in the header and m in the map"));
+  EXPECT_TRUE(holds(refusal("MD (m),Inc (grad),Azi (deg)\n0,0,0\n"), ":1: Inc (grad): the unit in brackets is not known, allowed: rad, deg, rev, gon")) << "degrees in German, gons in English";
   // thousands or decimals
   EXPECT_TRUE(holds(refusal("MD (ft);Inc (deg);Azi (deg)\n0;0;0\n1,000;2;40\n2,000;3;41\n"), ":3: MD (ft): the comma may be"));
   EXPECT_TRUE(holds(refusal("MD (m);Inc (deg);Azi (deg)\n0;0;0\n1.000;2,5;40\n"), "decimal commas and decimal points"));
@@ -126,7 +126,7 @@ TEST(SceneSurvey, AColumnOfAMapHasTheUnitOfItsBrackets)
   format.inclination.column = "inclinaison";
   expect_station(read(text, format).stations[1], 1000.0 * foot, 0.1 / degree, 45.0);
   format.md.unit = "m";
-  EXPECT_TRUE(holds(refusal(text, format), "Profondeur (ft): the header says ft and the map m"));
+  EXPECT_TRUE(holds(refusal(text, format), "Profondeur (ft): the unit is ft in the header and m in the map"));
   format.md.column = "Profondeur mesur\xc3\xa9" "e";
   EXPECT_TRUE(holds(refusal(text, format), ":1: Profondeur mesur\xc3\xa9" "e: no such column")) << "letters are shown as they are";
   format.md.column = "Profondeur \xe0\x83\xa9";
@@ -150,7 +150,7 @@ TEST(SceneSurvey, TheTieInHasUnitsToo)
   EXPECT_NEAR(-3.0 * foot, table.tie_in->north, 1e-12);
   EXPECT_NEAR(2.0 * foot, table.tie_in->east, 1e-12);
   EXPECT_NEAR(99.0 * foot, table.tie_in->tvd, 1e-12);
-  EXPECT_TRUE(holds(refusal("MD (ft),Inc (deg),Azi (deg),N/S,E/W,TVD\n100,1,90,-3,2,99\n200,1,90,,,\n"), ":2: N/S: the header says no unit"));
+  EXPECT_TRUE(holds(refusal("MD (ft),Inc (deg),Azi (deg),N/S,E/W,TVD\n100,1,90,-3,2,99\n200,1,90,,,\n"), ":2: N/S: the header gives no unit"));
 }
 
 TEST(SceneSurvey, TheFirstBadCellIsShown)
@@ -160,7 +160,7 @@ TEST(SceneSurvey, TheFirstBadCellIsShown)
   EXPECT_TRUE(holds(refusal("md_m,inclination_deg,azimuth_deg\n0,0,0\n9,nan,0\n"), "(got \"nan\")"));
   EXPECT_TRUE(holds(refusal("md_m,inclination_deg,azimuth_deg\n0,0,0\n9,0,inf\n"), "(got \"inf\")"));
   EXPECT_TRUE(holds(refusal("md_m,inclination_deg,azimuth_deg\n0,0,0\n9,secret,0\n"), "(got text)"));
-  EXPECT_TRUE(holds(refusal("md_ft,inclination_deg,azimuth_deg\n0,0,0\n328,1,0\n300,1,0\n"), "md 300 ft does not exceed the 328 ft before it")) << "in the file's unit";
+  EXPECT_TRUE(holds(refusal("md_ft,inclination_deg,azimuth_deg\n0,0,0\n328,1,0\n300,1,0\n"), "md 300 ft is not deeper than the station before it, 328 ft")) << "in the file's unit";
 }
 
 struct Export
@@ -195,10 +195,10 @@ TEST(SceneSurvey, ExportsOfTheTrade)
       {"bearing in radians", "MD (m),Inc (rad),Azi (rad)\n0,0,0\n500,0.1,N45E\n", 0, 0, 0, 0, ":3: Azi (rad): must be a finite number"},
       {"61 minutes", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\xc2\xb0""61'\n", 0, 0, 0, 0, ":3: Azi (deg): must be a finite number"},
       {"degrees by blanks", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45 30 00\n", 0, 0, 0, 0, ":3: Azi (deg): must be a finite number"},
-      {"another unit", "MD (fathom),Inc (deg),Azi (deg)\n0,0,0\n0.5,10,45\n", 0, 0, 0, 0, ":1: MD (fathom): the brackets hold no unit that is known, allowed: m, mm, cm, km, ft, in, ftUS, or a map"},
-      {"names in two lines", "Measured Vertical\nDepth Inc Azi Depth\n(ft) (deg) (deg) (ft)\n0 0 0 0\n", 0, 0, 0, 0, ":2: measured depth: stands more than once in the header"},
-      {"from the bottom up", "MD (m),Inc (deg),Azi (deg)\n600,12,45\n500,10,45\n0,0,0\n", 0, 0, 0, 0, ":3: station 2: md 500 m does not exceed the 600 m before it: the stations stand from the bottom up"},
-      {"out of order", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\n400,8,45\n600,12,45\n", 0, 0, 0, 0, ":4: station 3: md 400 m does not exceed the 500 m before it"},
+      {"another unit", "MD (fathom),Inc (deg),Azi (deg)\n0,0,0\n0.5,10,45\n", 0, 0, 0, 0, ":1: MD (fathom): the unit in brackets is not known, allowed: m, mm, cm, km, ft, in, ftUS, or a map"},
+      {"names in two lines", "Measured Vertical\nDepth Inc Azi Depth\n(ft) (deg) (deg) (ft)\n0 0 0 0\n", 0, 0, 0, 0, ":2: measured depth: appears more than once in the header"},
+      {"from the bottom up", "MD (m),Inc (deg),Azi (deg)\n600,12,45\n500,10,45\n0,0,0\n", 0, 0, 0, 0, ":3: station 2: md 500 m is not deeper than the station before it, 600 m: the stations are listed from the bottom up"},
+      {"out of order", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\n400,8,45\n600,12,45\n", 0, 0, 0, 0, ":4: station 3: md 400 m is not deeper than the station before it, 500 m"},
       {"twice, and different", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\n500,10.2,45\n", 0, 0, 0, 0, ":4: station 3: md 500 m does not exceed"},
       {"above the table", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n100,0,0\n400,90,45\n1500,170,45\n", 0, 0, 0, 0, "above the rotary table"},
       {"a line below", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\nEnd of survey\n", 0, 0, 0, 0, ":4: MD (m): must be a finite number (got text)"},
@@ -228,11 +228,11 @@ TEST(SceneSurvey, PassedOverOnRequestOnly)
   const SurveyTable once = read(twice, format), upright = read(vertical, format), whole = read(nulls, format);
   ASSERT_EQ(3u, once.stations.size());
   expect_station(once.stations[2], 1030.0, 11.0, 41.0);
-  EXPECT_TRUE(holds(once.remarks.at(0), "equal to the one before were passed over: line 4"));
+  EXPECT_TRUE(holds(once.remarks.at(0), "equal to the one before were skipped: line 4"));
   ASSERT_EQ(3u, upright.stations.size());
   EXPECT_TRUE(holds(upright.remarks.at(0), "without an azimuth were given 0 deg: lines 2, 3"));
   ASSERT_EQ(2u, whole.stations.size());
-  EXPECT_TRUE(holds(whole.remarks.at(0), "without a value were passed over: lines 3, 5, 6"));
+  EXPECT_TRUE(holds(whole.remarks.at(0), "without a value were skipped: lines 3, 5, 6"));
   // what contradicts itself, or is no number, is refused all the same
   EXPECT_TRUE(holds(refusal(header + "0,0,0\n100,1,40\n100,2,40\n", format), "does not exceed"));
   for (const char* word : {"nan", "inf", "-nan"}) EXPECT_TRUE(holds(refusal(header + "0,0,0\n100," + word + ",40\n", format), "must be a finite number"));
@@ -255,7 +255,7 @@ TEST(SceneSurvey, WitsmlInAnyOrder)
   expect_station(table.stations[1], 1000.0 * foot, 3.0, 40.0);
   expect_station(table.stations[2], 600.0, 4.0, 50.0);
   ASSERT_EQ(1u, table.remarks.size());
-  EXPECT_TRUE(holds(table.remarks[0], "were put in order of their depth; the first that is less deep than the one before it: md 0"));
+  EXPECT_TRUE(holds(table.remarks[0], "were sorted by depth; the first one out of order: md 0"));
   EXPECT_TRUE(read(trajectory(station("2000", "4", "50") + station("1000", "3", "40") + station("0", "0", "0"))).remarks.empty()) << "from the bottom up";
   const std::string grid = trajectory("<aziRef>grid north</aziRef>" + station("0", "0", "0") + station("1000", "3", "40"));
   EXPECT_TRUE(holds(read(grid).remarks.at(0), "from grid north"));
@@ -305,9 +305,9 @@ TEST(SceneSurvey, TheLineAboveSaysWhichDepthItIs)
 
 TEST(SceneSurvey, WhatStandsInBracketsIsAUnit)
 {
-  EXPECT_TRUE(holds(refusal("MD (m) (ft),Inc (deg),Azi (deg)\n0,0,0\n9,0,0\n"), ":1: MD (m) (ft): the brackets hold no unit that is known"));
-  EXPECT_TRUE(holds(refusal("MD (m),Inc (deg) (rad),Azi (deg)\n0,0,0\n9,0,0\n"), ":1: Inc (deg) (rad): the brackets hold no unit that is known"));
-  EXPECT_TRUE(holds(refusal("MD (m),Inc (%),Azi (deg)\n0,0,0\n9,0,0\n"), ":1: Inc (%): the brackets hold no unit that is known"));
+  EXPECT_TRUE(holds(refusal("MD (m) (ft),Inc (deg),Azi (deg)\n0,0,0\n9,0,0\n"), ":1: MD (m) (ft): the unit in brackets is not known"));
+  EXPECT_TRUE(holds(refusal("MD (m),Inc (deg) (rad),Azi (deg)\n0,0,0\n9,0,0\n"), ":1: Inc (deg) (rad): the unit in brackets is not known"));
+  EXPECT_TRUE(holds(refusal("MD (m),Inc (%),Azi (deg)\n0,0,0\n9,0,0\n"), ":1: Inc (%): the unit in brackets is not known"));
   EXPECT_EQ("accepted", refusal("MD (m) (metres),Inc (deg),Azi (deg)\n0,0,0\n9,0,0\n"));
 }
 
@@ -316,7 +316,7 @@ TEST(SceneSurvey, WitsmlThatIsRefused)
   const std::string two = "<trajectorys><trajectory><name>plan</name></trajectory>\n<trajectory><name>as drilled</name></trajectory></trajectorys>";
   EXPECT_TRUE(holds(refusal(two), "2 trajectories (plan, as drilled), allowed: one")) << refusal(two);
   EXPECT_TRUE(holds(refusal("<logs><log/></logs>"), "has no trajectory"));
-  EXPECT_TRUE(holds(refusal("<trajectorys><trajectory>"), "is no XML document"));
+  EXPECT_TRUE(holds(refusal("<trajectorys><trajectory>"), "is not an XML document"));
   EXPECT_TRUE(holds(refusal(trajectory("")), "has no stations"));
   EXPECT_TRUE(holds(refusal(trajectory(station("0", "0", "0", "fathom"))), ":3: md: unit \"fathom\" is not known, allowed: m, mm, cm, km, ft, in, ftUS"));
   EXPECT_TRUE(holds(refusal(trajectory("<trajectoryStation><md>0</md></trajectoryStation>")), "md: has no unit"));

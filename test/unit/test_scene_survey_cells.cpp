@@ -18,7 +18,7 @@ TEST(SceneSurvey, ATurnThatNoHoleHasIsReported)
   const std::string head = "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,1,40\n";
   const SurveyTable table = read(head + "510,80,40\n540,81,40\n");
   ASSERT_EQ(1u, table.remarks.size());
-  EXPECT_TRUE(holds(table.remarks[0], "from 500.00 to 510.00 m the hole turns by 237 deg/30 m, more sharply than holes are drilled; is one of the stations wrong?")) << table.remarks[0];
+  EXPECT_TRUE(holds(table.remarks[0], "from 500.00 to 510.00 m the hole turns by 237 deg/30 m, more than drilled holes do; is one of the stations wrong?")) << table.remarks[0];
   EXPECT_TRUE(read(head + "530,30,40\n").remarks.empty()) << "29 deg/30 m: a short radius";
 }
 
@@ -46,7 +46,7 @@ TEST(SceneSurvey, ItsOwnPlacesAreCompared)
   EXPECT_TRUE(holds(table(43.5, 0.0).remarks[0], "its north and east at 1000.00 m are 43.50 and 0.00 m, by minimum curvature 30.7"));
   const SurveyTable map = table(6543240.78, 456819.78, "6543210,456789");
   ASSERT_EQ(1u, map.remarks.size()) << map.remarks.back();
-  EXPECT_TRUE(holds(map.remarks[0], "north 6543210.00 m and east 456789.00 m are taken for places on a map: places count from the first station"));
+  EXPECT_TRUE(holds(map.remarks[0], "north 6543210.00 m and east 456789.00 m look like map coordinates: positions are relative to the first station"));
   EXPECT_EQ(0.0, map.tie_in->north);
 }
 
@@ -72,7 +72,7 @@ TEST(SceneSurvey, DigitsInGroups)
   EXPECT_DOUBLE_EQ(1000.0, read("MD (m),Inc (deg),Azi (deg)\n0,0,0\n\"1,000\",2.5,40\n").stations[1].md);
   EXPECT_TRUE(holds(refusal(head + above + "1,234.5;2;40\n1.334,5;2;40\n"), ":5: 1.334,5 has another decimal sign than 1,234.5 (line 4), needed: one decimal sign in all numbers"));
   EXPECT_TRUE(holds(refusal(head + above + "1,234.5;2,5;40\n"), ":4: Inc (deg): must be a finite number (got \"2,5\")"));
-  EXPECT_TRUE(holds(refusal(head + above + "1.234,5;2.5;40\n"), "decimal commas and decimal points stand in one file"));
+  EXPECT_TRUE(holds(refusal(head + above + "1.234,5;2.5;40\n"), "the file mixes decimal commas and decimal points"));
   EXPECT_TRUE(holds(refusal(head + above + "1 23,5;2,5;40\n"), ":4: MD (m): must be a finite number (got \"1 23,5\")"));
 }
 }  // namespace drill_rig_sim::test_scene_survey_cells

@@ -48,7 +48,7 @@ TEST(SceneText, Utf16OfBothOrders)
 
 TEST(SceneText, FilesThatAreNoTextAreNamed)
 {
-  for (const auto& [mark, kind] : {std::pair<const char*, const char*>{"PK\x03\x04", "is a spreadsheet (xlsx) or another zip file, needed: text, as of a spreadsheet saved as CSV"},
+  for (const auto& [mark, kind] : {std::pair<const char*, const char*>{"PK\x03\x04", "is a spreadsheet (xlsx) or another zip file, needed: a text file, for example a spreadsheet saved as CSV"},
                                    {"\xd0\xcf\x11\xe0", "is a spreadsheet (xls)"}, {"\x1f\x8b\x08", "is compressed (gzip)"}, {"%PDF-1.7", "is a PDF file"}})
   {
     const DecodedText decoded = decode_text(std::string(mark) + std::string(20, '\0'));
@@ -103,7 +103,7 @@ TEST(SceneText, ASceneWithANulIsRefusedWithItsLine)
   }
   catch (const SceneError& error)
   {
-    EXPECT_EQ(0u, std::string(error.what()).rfind(file + ":2: holds a NUL byte", 0)) << error.what();
+    EXPECT_EQ(0u, std::string(error.what()).rfind(file + ":2: contains a NUL byte", 0)) << error.what();
     EXPECT_EQ(1u, error.problems().size());
   }
 }

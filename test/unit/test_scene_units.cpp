@@ -126,10 +126,10 @@ TEST(SceneUnits, AsDrillersWriteThem)
 // YAML reads `19.5 #/ft` as 19.5, in kg/m.
 TEST(SceneUnits, AUnitThatIsACommentIsRefused)
 {
-  EXPECT_EQ("setting: string[1].linear_mass: #/ is a comment to YAML, not a unit; allowed: lb/", refusal({"string[1].linear_mass=19.5 #/ft"}));
+  EXPECT_EQ("setting: string[1].linear_mass: YAML reads # as the start of a comment; write lb/ instead of #/", refusal({"string[1].linear_mass=19.5 #/ft"}));
   const std::string file = std::string(::testing::TempDir()) + "test_scene_units_comment.yaml";
   std::ofstream(file) << "name: x  # 19.5 #/ft is no comment here\nmud:\n  density: 9 #/gal\n";
-  EXPECT_NE(std::string::npos, refusal({}, file).find(":3: YAML: #/ is a comment to YAML, not a unit; allowed: lb/"));
+  EXPECT_NE(std::string::npos, refusal({}, file).find(":3: YAML: YAML reads # as the start of a comment; write lb/ instead of #/"));
 }
 
 TEST(SceneUnits, KeysInDegreesAndRpmTakeOtherUnits)
@@ -226,7 +226,7 @@ TEST(SceneUnits, ChecksBetweenKeysSpeakTheUnitOfTheInput)
   EXPECT_EQ("setting: start.weight_on_bit: 5 klbf with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth", refusal({"start.weight_on_bit=5 klbf"}));
   EXPECT_EQ("setting: program[0].flow: 2000 gpm is beyond the rig's limit, allowed: up to 951.019 gpm", refusal({"program=[{at: 0, flow: 2000 gpm}]"}));
   EXPECT_EQ("setting: program[0].fault_magnitude: allowed is above 0, up to 3.28084 ft", refusal({"program=[{at: 1, fault: washed_out_hole, fault_depth: 50, fault_magnitude: 5 ft}]"}));
-  EXPECT_EQ("setting: well.stations[2]: md 328.02 ft is too near to the 328 ft before it, allowed: 0.0328084 ft or more between stations",
+  EXPECT_EQ("setting: well.stations[2]: md 328.02 ft is too close to the station before it, 328 ft, allowed: 0.0328084 ft or more between stations",
             refusal({"well.stations=[[0 ft, 0 deg, 0 deg], [328 ft, 0 deg, 0 deg], [328.02 ft, 0 deg, 0 deg]]"}));
   EXPECT_EQ("setting: start.bit_depth: 400 m is below the hole's bottom, allowed: up to 100 m", refusal({"start.bit_depth=400"}));
 }

@@ -97,7 +97,7 @@ TEST(Accuracy, saysWhereWhatAndWhatHelps)
   EXPECT_EQ(text_of(AccuracyReport()), "");
   EXPECT_EQ(text_of({AccuracyDoubt::measured, 0.031, 0.0, 0.0, 0.02, Output::torque, {0.004, 0.005, 0.025, 0.0}}),
             "torque: measured error 3.1 % of its range over 3 s; over 30 s 0.4 % in the average, 0.5 % in the deviation, 2.5 % in the extremes; numerics.tolerance is 2 %."
-            " Use what is within it, or numerics.refinement: 2");
+            " Use only what is within it, or set numerics.refinement: 2");
   EXPECT_EQ(text_of({AccuracyDoubt::compression, 4.0, 812.0, 9.5}),
             "an element of 9.5 m, 812 m above the bit, carries 4.00 times the compression that it can represent; use numerics.element_length: 4.2 or less");
   EXPECT_EQ(text_of({AccuracyDoubt::twist, 2.0, 812.0, 9.5}),

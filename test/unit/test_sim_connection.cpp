@@ -186,26 +186,26 @@ TEST(Connection, isRefusedWithALine)
   play_on(rig, 10.0);
   EXPECT_STREQ(rig.make_connection(0, false), "connection: the hook carries more than block and pipe above the slips, allowed: up to 10 kN more, slack off first");
   bring_hook_to(rig, 5e3);
-  EXPECT_STREQ(rig.make_connection(0, false), "connection: the block rests on the pipe, allowed: on its lines, pick up first");
+  EXPECT_STREQ(rig.make_connection(0, false), "connection: the block rests on the pipe, allowed: only on its lines, pick up first");
   bring_hook_to(rig, block_weight(rig) + weight_above_slips(rig));
-  EXPECT_STREQ(rig.make_connection(4, false), "connection: the block has no room for that above, allowed: up to highest_block_height");
-  EXPECT_STREQ(rig.make_connection(1, true), "connection: the block has no room for that below, allowed: down to lowest_block_height");
-  EXPECT_STREQ(rig.make_connection(50, true), "connection: the string does not have that many joints");
+  EXPECT_STREQ(rig.make_connection(4, false), "connection: the block would rise above highest_block_height");
+  EXPECT_STREQ(rig.make_connection(1, true), "connection: the block would go below lowest_block_height");
+  EXPECT_STREQ(rig.make_connection(50, true), "connection: the string does not have as many joints");
   rig.command(WinchSetpoint{-0.001, false});
   EXPECT_STREQ(rig.make_connection(0, false), "connection: the block moves, allowed: at rest");
   rig.command(WinchSetpoint{0.0, true});
   play_on(rig, 1.0);
   ASSERT_EQ(rig.make_connection(0, false), nullptr);
-  EXPECT_STREQ(rig.make_connection(0, false), "connection: one is under way");
-  EXPECT_STREQ(rig.set_slips(false), "slips: the string is broken out, the connection must be made first");
-  EXPECT_STREQ(rig.command(PumpSetpoint{0.01}).reason, "the string is broken out: the pump is locked, allowed: 0");
-  EXPECT_STREQ(rig.command(WinchSetpoint{0.1, false}).reason, "the string is broken out: the crew runs the block until the connection is made");
+  EXPECT_STREQ(rig.make_connection(0, false), "connection: a connection is already under way");
+  EXPECT_STREQ(rig.set_slips(false), "slips: the connection is broken out, it must be made up first");
+  EXPECT_STREQ(rig.command(PumpSetpoint{0.01}).reason, "the connection is broken out: the pump is locked, allowed: 0");
+  EXPECT_STREQ(rig.command(WinchSetpoint{0.1, false}).reason, "the connection is broken out: the crew moves the block until it is made up");
 
   Scene scene = slips_scene(Level::axial_torsional);
   scene.start.block_height = 20.0;
   Simulator high(scene);
   lay_into_slips(high);
-  EXPECT_STREQ(high.make_connection(1, false), "connection: the slips hold another joint than the one to be broken out, run the block there first");
+  EXPECT_STREQ(high.make_connection(1, false), "connection: the slips hold another joint than the one to break out, move the block there first");
 }
 
 // Pipe that lies on its wall sticks the firmer the longer it rests: the connection counts, for the string goes on resting in the slips.

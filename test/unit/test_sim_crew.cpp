@@ -142,8 +142,8 @@ TEST(Crew, handsBackWhatIsAskedLast)
   Simulator rig(soft_rock(Level::rigid));
   turn_and_feed(rig, 0.05);
   play_until(rig, slips_frame, 1e3, [](const Truth& m) { return m.crew == CrewTask::connecting; });
-  EXPECT_STREQ(rig.set_slips(false), "slips: the crew makes a connection");
-  EXPECT_STREQ(rig.make_connection(1, false), "connection: the crew makes one");
+  EXPECT_STREQ(rig.set_slips(false), "slips: the crew is making a connection");
+  EXPECT_STREQ(rig.make_connection(1, false), "connection: the crew is already making one");
   EXPECT_EQ(rig.command(WinchSetpoint{-0.01, false}).outcome, CommandResult::Outcome::accepted);
   EXPECT_EQ(rig.command(PumpSetpoint{0.03}).outcome, CommandResult::Outcome::accepted);
   EXPECT_EQ(rig.truth().flow, 0.0);
@@ -299,7 +299,7 @@ TEST(Crew, operationsThatCannotBeAreTold)
   };
   const double none = Operation::unset;
   EXPECT_EQ(fails({operation(OperationKind::connection, none, none)}),
-            "operations: connection: the bit comes to bottom before the block is where a stand is added, needed: drill that far");
+            "operations: connection: the bit reaches bottom before the block is low enough to add a stand, needed: drill deeper first");
   EXPECT_EQ(fails({operation(OperationKind::trip, 206.0, none)}), "operations: trip goes below the bottom of the hole");
   EXPECT_EQ(fails({operation(OperationKind::trip, 2.0, none)}), "operations: the block is at its highest place, and there is no stand to take away");
   scene.operations = {operation(OperationKind::trip, 206.0, none)};

@@ -222,7 +222,7 @@ TEST(Operations, tagOnBottomNeedsAZero)
   FrameStatus status = FrameStatus::running;
   for (int k = 0; k < 10 && status == FrameStatus::running; ++k) status = play_frame(rig, &player, frame);
   ASSERT_EQ(status, FrameStatus::failed);
-  EXPECT_NE(std::string(rig.failure()).find("tag: the weight on bit has no zero"), std::string::npos) << rig.failure();
+  EXPECT_NE(std::string(rig.failure()).find("tag: the weight on bit cannot be zeroed"), std::string::npos) << rig.failure();
 }
 
 // By the dead line, whose sheaves take a tenth of the load when they turn back: rock that gets hard for a while leaves too much weight on the bit, which is drilled off.

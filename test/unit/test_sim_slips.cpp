@@ -101,7 +101,7 @@ TEST(Slips, closeTheEnergyBalance)
 TEST(Slips, refuseWhatWouldDropOrBreakTheString)
 {
   Simulator rig(slips_scene(Level::axial_torsional));
-  EXPECT_STREQ(rig.set_slips(false), "slips: they are not set");
+  EXPECT_STREQ(rig.set_slips(false), "slips: the slips are not set");
   rig.command(WinchSetpoint{0.1, false});
   play_on(rig, 1.0);
   EXPECT_STREQ(rig.set_slips(true), "slips: the block moves, allowed: at rest");
@@ -115,14 +115,14 @@ TEST(Slips, refuseWhatWouldDropOrBreakTheString)
   rig.command(TopDriveSetpoint());
   play_on(rig, 5.0);
   lay_into_slips(rig);
-  EXPECT_STREQ(rig.set_slips(true), "slips: they are set already");
-  EXPECT_STREQ(rig.set_slips(false), "slips: they bear the string, allowed: up to 5 kN, pick up first");
+  EXPECT_STREQ(rig.set_slips(true), "slips: the slips are already set");
+  EXPECT_STREQ(rig.set_slips(false), "slips: the slips carry the string, allowed: up to 5 kN, pick up first");
   EXPECT_TRUE(rig.truth().in_slips);
 
   Scene scene = slips_scene(Level::beam3d);
   scene.numerics.integrator = IntegratorKind::ida;
   Simulator reference(scene);
-  EXPECT_STREQ(reference.set_slips(true), "slips: the reference (ida) has none, allowed: the other integrators");
+  EXPECT_STREQ(reference.set_slips(true), "slips: not available with the reference (ida), allowed: the other integrators");
 }
 
 // A frame of variable steps that ends within a stride is where the slips are set.

@@ -302,7 +302,7 @@ TEST(SnapshotFile, anythingElseIsRefused)
   const std::string good = bytes_of(file);
   ASSERT_EQ(good.size(), 64u + value.size());
   const std::pair<std::size_t, const char*> damage[] = {
-      {0, "no snapshot"}, {8, "another format"}, {12, "another scene"}, {20, "other fields"}, {27, "other fields"},
+      {0, "not a snapshot"}, {8, "another format"}, {12, "another scene"}, {20, "state differs"}, {27, "state differs"},
       {28, "damaged"},    {36, "damaged"},       {45, "damaged"},       {64, "damaged"},       {good.size() - 1, "damaged"}};
   for (const auto& [place, words] : damage)
   {
@@ -314,15 +314,15 @@ TEST(SnapshotFile, anythingElseIsRefused)
   std::ofstream(file, std::ios::binary) << good.substr(0, good.size() - 1);
   EXPECT_NE(refused(5).find("damaged"), std::string::npos);
   std::ofstream(file, std::ios::binary) << "short";
-  EXPECT_NE(refused(5).find("no snapshot"), std::string::npos);
+  EXPECT_NE(refused(5).find("not a snapshot"), std::string::npos);
   EXPECT_THROW(write_snapshot(file, 5, whole), std::runtime_error) << "somebody else's";
-  EXPECT_NE(refused(5).find("no snapshot"), std::string::npos) << "and still there";
+  EXPECT_NE(refused(5).find("not a snapshot"), std::string::npos) << "and still there";
   std::ofstream(file, std::ios::binary | std::ios::trunc);
   write_snapshot(file, 5, whole);
   write_snapshot(file, 6, whole);
   EXPECT_EQ(read_snapshot(file, 6, 0).bytes, value) << "in place of an empty one and of an earlier one";
   std::remove(file.c_str());
-  EXPECT_NE(refused(5).find("no regular file"), std::string::npos);
+  EXPECT_NE(refused(5).find("not a regular file"), std::string::npos);
   ASSERT_EQ(0, mkfifo(file.c_str(), 0600));
   EXPECT_THROW(write_snapshot(file, 5, whole), std::runtime_error) << "a pipe that nobody writes to: refused, and not waited for";
   EXPECT_THROW(write_snapshot("/nowhere/at/all", 5, whole), std::runtime_error);

@@ -50,7 +50,7 @@ TEST(StringRules, KindsStandInTheirPlaces)
   EXPECT_EQ("string: there is nothing above the bit, needed: at least one pipe or collar", said_of({bit}));
   EXPECT_EQ("string[1].type: a second bit, allowed: one", said_of({bit, bit, fill}));
   EXPECT_EQ("string[2].type: a second mud motor, allowed: one", said_of({bit, motor, motor_bent_at(10.0), fill}));
-  EXPECT_EQ("string[2].type: a mud motor turns the bit alone, allowed: directly above the bit", said_of({bit, collars, motor_bent_at(22.0), fill}));
+  EXPECT_EQ("string[2].type: the mud motor is not next to the bit, allowed: directly above the bit", said_of({bit, collars, motor_bent_at(22.0), fill}));
   EXPECT_EQ("string[2].type: a second mwd, allowed: one", said_of({bit, mwd_part(), mwd_part(), fill}));
   EXPECT_EQ("string[1].joints: `fill` is not the string's last part, allowed: on the last part only", said_of({bit, fill, collars, fill}));
 }
@@ -137,8 +137,8 @@ TEST(StringRules, ThePartsBelowTheFillLeaveRoomForIt)
 TEST(StringRules, AStringOfFixedLengthIsRefusedForWhatItLacks)
 {
   const std::string from_bit = " from the bit to the top drive (bit_depth + block_height)";
-  const std::string own = "string[1]: the last part has a length of its own, needed: `joints: fill`, for the string stretches by what it carries";
-  EXPECT_EQ("string: the string is 19.1 m long, needed: 20 m" + from_bit + "; or let the last part `fill`", said_of({bit, collars}, 20.0));
+  const std::string own = "string[1]: the last part has a fixed length, needed: `joints: fill`, because the string stretches under load";
+  EXPECT_EQ("string: the string is 19.1 m long, needed: 20 m" + from_bit + "; or give the last part `joints: fill`", said_of({bit, collars}, 20.0));
   EXPECT_EQ("string: the string is 19.1 m long, needed: 9.6 m" + from_bit, said_of({bit, collars}, 9.6));
   for (const double length : {9.8, 19.1, 19.2}) EXPECT_EQ(own, said_of({bit, collars}, length)) << length;
 }
@@ -146,7 +146,7 @@ TEST(StringRules, AStringOfFixedLengthIsRefusedForWhatItLacks)
 // By hand: 300 m of pipe are 32 joints of 9.5 m, each in 1900 elements of 5 mm.
 TEST(StringRules, NodesAreCountedBeforeTheyAreMade)
 {
-  EXPECT_EQ("numerics.element_length: 0.005 m makes some 60801 nodes of this string, allowed: up to " + std::to_string(most_mesh_nodes),
+  EXPECT_EQ("numerics.element_length: 0.005 m gives about 60801 nodes, allowed: up to " + std::to_string(most_mesh_nodes),
             said_of({bit, fill}, 300.3, 0.005));
 }
 
@@ -176,12 +176,12 @@ TEST(StringRules, SectionsThatAreGivenOutrightCanBe)
   EXPECT_EQ("0 problems", with(1e9, 1.49e6, 1e6));
   EXPECT_EQ("string[1]: axial_stiffness, bending_stiffness and torsional_stiffness belong together, needed: all three or none", with(7e8, 1e6, 0.0));
   EXPECT_EQ("string[1]: axial_stiffness, bending_stiffness and torsional_stiffness belong together, needed: all three or none", with(0.0, 0.0, 1e6));
-  EXPECT_EQ("string[1].bending_stiffness: 2e+07 N m2 is more than axial_stiffness inside outer_diameter can give, allowed: up to " + plain(most) + " N m2",
+  EXPECT_EQ("string[1].bending_stiffness: 2e+07 N m2 is more than possible with axial_stiffness and outer_diameter, allowed: up to " + plain(most) + " N m2",
             with(7e8, 2e7, 1.5e7));
-  EXPECT_EQ("string[1].torsional_stiffness: 1.1e+06 N m2 does not go with bending_stiffness (their ratio is 1 + Poisson's), allowed: " +
+  EXPECT_EQ("string[1].torsional_stiffness: 1.1e+06 N m2 does not match bending_stiffness (their ratio is 1 + Poisson's ratio), allowed: " +
                 plain(1e6 / 1.49) + " to 1e+06 N m2",
             with(7e8, 1e6, 1.1e6));
-  EXPECT_EQ("string[1].torsional_stiffness: 600000 N m2 does not go with bending_stiffness (their ratio is 1 + Poisson's), allowed: " +
+  EXPECT_EQ("string[1].torsional_stiffness: 600000 N m2 does not match bending_stiffness (their ratio is 1 + Poisson's ratio), allowed: " +
                 plain(1e6 / 1.49) + " to 1e+06 N m2",
             with(7e8, 1e6, 6e5));
 }
@@ -194,7 +194,7 @@ TEST(StringRules, InertiaAndLeverFitThePart)
   part.friction_radius = radius;
   EXPECT_EQ("0 problems", said_of({bit, part}));
   part.polar_inertia = 10.0;
-  EXPECT_EQ("string[1].polar_inertia: 10 kg m2/m is more than linear_mass can have, allowed: up to " + plain(most) + " kg m2/m", said_of({bit, part}));
+  EXPECT_EQ("string[1].polar_inertia: 10 kg m2/m is more than possible with linear_mass and the diameters, allowed: up to " + plain(most) + " kg m2/m", said_of({bit, part}));
   part.polar_inertia = 0.0;
   part.friction_radius = 0.2;
   EXPECT_EQ("string[1].friction_radius: 0.2 m lies outside the part, allowed: up to half its widest diameter, " + metres(radius), said_of({bit, part}));

@@ -46,12 +46,12 @@ TEST(SurveyChecks, EachRuleSaysWhereAndWhat)
   EXPECT_EQ(Texts({"1: inclination 181 deg is out of range, allowed: 0 to 180 deg"}), said_of_second({10.0, 181.0 * degree, 0.0}));
   EXPECT_EQ(Texts({"1: azimuth 361 deg is out of range, allowed: -360 to 360 deg"}), said_of_second({10.0, 0.0, 361.0 * degree}));
   EXPECT_EQ(Texts({"1: azimuth -361 deg is out of range, allowed: -360 to 360 deg"}), said_of_second({10.0, 0.0, -361.0 * degree}));
-  EXPECT_EQ(Texts({"1: md 0 m does not exceed the 0 m before it"}), said_of_second({0.0, 0.0, 0.0}));
-  EXPECT_EQ(Texts({"1: md 0.005 m is too near to the 0 m before it, allowed: 0.01 m or more between stations"}),
+  EXPECT_EQ(Texts({"1: md 0 m is not deeper than the station before it, 0 m"}), said_of_second({0.0, 0.0, 0.0}));
+  EXPECT_EQ(Texts({"1: md 0.005 m is too close to the station before it, 0 m, allowed: 0.01 m or more between stations"}),
             said_of_second({0.005, 0.0, 0.0}));
-  EXPECT_EQ(Texts({"1: the direction turns round from the station before it, allowed: up to 179.9 deg"}),
+  EXPECT_EQ(Texts({"1: the direction is opposite to that of the station before it, allowed: a turn of up to 179.9 deg"}),
             said_of_second({10.0, 180.0 * degree, 0.0}));
-  EXPECT_EQ(Texts({"0: the first md is 1 m, needed: 0, the rotary table, or its place: tie_in, in a CSV file north_m, east_m, tvd_m"}), said_of({{1.0, 0.0, 0.0}, {10.0, 0.0, 0.0}}));
+  EXPECT_EQ(Texts({"0: the first md is 1 m, needed: 0 (the rotary table), or its position: tie_in, in a CSV file north_m, east_m, tvd_m"}), said_of({{1.0, 0.0, 0.0}, {10.0, 0.0, 0.0}}));
 }
 
 // Built up past the horizontal until it comes out of the ground; at 90 deg from the table it only leaves it.
@@ -81,7 +81,7 @@ TEST(SurveyChecks, LimitsAreAllowed)
 // A station is compared with the one before it only if that is sound; each bad one is named.
 TEST(SurveyChecks, EachBadStationIsNamedOnce)
 {
-  const Texts expected = {"1: a value is not a finite number", "3: md 4 m does not exceed the 5 m before it"};
+  const Texts expected = {"1: a value is not a finite number", "3: md 4 m is not deeper than the station before it, 5 m"};
   EXPECT_EQ(expected, said_of({{0.0, 0.0, 0.0}, {std::nan(""), 0.0, 0.0}, {5.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {6.0, 0.0, 0.0}}));
 }
 

@@ -272,7 +272,7 @@ TEST(HoleNodes, EachRuleForAHoleSaysWhereAndWhat)
     return problems.size() == 1 ? problems[0].key + ": " + problems[0].text : std::to_string(problems.size()) + " problems";
   };
   EXPECT_EQ("0 problems", problem_with([](WellSpec&) {}));
-  EXPECT_EQ("well.hole_depth: 731 m is deeper than the survey, allowed: up to its last station, 730 m; well.project: straight or curvature goes on from there, up to 30.5 m",
+  EXPECT_EQ("well.hole_depth: 731 m is deeper than the survey, allowed: up to its last station, 730 m; well.project: straight or curvature extends it by up to 30.5 m",
             problem_with([](WellSpec& w) { w.hole_depth = 731.0; }));
   EXPECT_EQ("well.hole_depth: must be above 0 (got 0 m)", problem_with([](WellSpec& w) { w.hole_depth = 0.0; }));
   EXPECT_EQ("well.sections: the list is empty, needed: at least one section", problem_with([](WellSpec& w) { w.sections.clear(); }));
@@ -283,7 +283,7 @@ TEST(HoleNodes, EachRuleForAHoleSaysWhereAndWhat)
             problem_with([](WellSpec& w) { w.sections[1].stribeck_speed = 0.0; }));
   EXPECT_EQ("well.sections[1].to: the last section ends at 700 m, needed: down to hole_depth, 730 m",
             problem_with([](WellSpec& w) { w.sections[1].to = 700.0; }));
-  EXPECT_EQ("well.sections[0].to: 0 m does not exceed the 0 m where it begins", problem_with([](WellSpec& w) { w.sections[0].to = 0.0; }));
+  EXPECT_EQ("well.sections[0].to: 0 m is not below the begin of the section, 0 m", problem_with([](WellSpec& w) { w.sections[0].to = 0.0; }));
 }
 
 TEST(HoleNodes, RefusesSectionsThatDoNotFit)

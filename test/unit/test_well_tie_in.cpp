@@ -90,14 +90,14 @@ TEST(TieIn, WhatCannotBeIsRefused)
   EXPECT_EQ("the first station is 111.803 m from the rotary table, allowed: up to its measured depth, 100 m",
             refusal({50.0, 0.0, 100.0}, {100.0, 0.0, 0.0}));
   const std::string sharp =
-      "no hole of 100 m leaves the rotary table vertically and ends at the first station in its direction without turning by more than 15 deg/30 m";
+      "no hole of 100 m connects the rotary table (vertical) with the first station at a dogleg severity of up to 15 deg/30 m";
   EXPECT_EQ(sharp, refusal({30.0, 0.0, 90.0}, {100.0, 0.0, 0.0})) << "27 deg away and back again in 100 m";
   EXPECT_EQ(sharp, refusal({0.0, 0.0, 100.0}, {100.0, 170.0 * degree, 0.0}));
   EXPECT_EQ(sharp, refusal({0.0, 0.0, 50.0}, {100.0, 0.0, 0.0})) << "50 m too long";
   EXPECT_EQ(sharp, refusal({50.0, 0.0, 86.602}, {100.0, 30.0 * degree, 0.0})) << "a slant hole from the surface begins at 0";
   EXPECT_EQ("tvd 0 m is not below the rotary table, allowed: above 0", refusal({0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}));
   EXPECT_EQ("the first md is 0.005 m, allowed: 0.01 m or more", refusal({0.0, 0.0, 0.005}, {0.005, 0.0, 0.0}));
-  EXPECT_EQ("the first station is at 0, the rotary table; allowed: with a first station below it", refusal({0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}));
+  EXPECT_EQ("the first station is at 0, the rotary table; allowed: only with a first station below it", refusal({0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}));
   const double nan = std::nan("");
   for (const TieIn& none : {TieIn{nan, 0.0, 100.0}, TieIn{0.0, nan, 100.0}, TieIn{0.0, 0.0, nan}}) EXPECT_NE("", refusal(none, {100.0, 0.0, 0.0}));
 }

@@ -53,7 +53,7 @@ public:
   /// Why the last advance() could not, one line.
   virtual const char* failure() const noexcept
   {
-    return "the step could not be solved even in parts of 1/32; reset the well or restore a state";
+    return "the step did not converge, even divided by 32; reset the well or restore a state";
   }
   /// Local error of the last step's positions, as the method estimates it [m]; 0 where it does not.
   double error_estimate() const noexcept { return error_estimate_; }

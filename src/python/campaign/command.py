@@ -29,8 +29,8 @@ def parser():
     top.add_argument("--results", metavar="FILE", help="default: the plan's name with .sqlite, in this folder")
     top.add_argument("--workers", type=int, default=0, metavar="N", help="processes on this machine; default: one a core")
     top.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster, tcp://HOST:PORT")
-    top.add_argument("--slurm", type=int, default=0, metavar="N", help="so many workers by sbatch")
-    top.add_argument("--again", action="store_true", help="do runs anew that did not end well")
+    top.add_argument("--slurm", type=int, default=0, metavar="N", help="workers started by sbatch")
+    top.add_argument("--again", action="store_true", help="repeat the runs that did not end well")
     top.add_argument("--check", action="store_true", help="read the plan, build the first run's rig and controller, say what there is to do, and end")
     return top
 
@@ -130,7 +130,7 @@ class Kept:
         except Locked as error:
             self.since = time.monotonic()
             if not self.said:
-                print("drill_campaign: %s: results wait" % error, file=sys.stderr)
+                print("drill_campaign: %s: results are written later" % error, file=sys.stderr)
             self.said = True
 
     def keep(self, **patience):
@@ -155,7 +155,7 @@ def do(blueprint, todo, identity, results, options, table=RUNS):
                 print("Dask's page: %s" % engine.page(client), flush=True)
             engine.work(client, blueprint, todo, identity, kept.take, verified=table == AUDITS)
     except (engine.EngineError, OSError, ResultsError) as error:
-        raise Said("%s; %d %s are done, the same command goes on" % (error, kept.number, table)) from error
+        raise Said("%s; %d %s are done, the same command continues" % (error, kept.number, table)) from error
 
 
 def told(results, number):
@@ -163,7 +163,7 @@ def told(results, number):
     for row in results.rows():
         counts[row["status"]] = counts.get(row["status"], 0) + 1
         first.setdefault(row["status"], row)
-    print("%d of %d runs are there: %s" % (sum(counts.values()), number, ", ".join("%d %s" % (n, status) for status, n in sorted(counts.items()))))
+    print("%d of %d runs are in the results: %s" % (sum(counts.values()), number, ", ".join("%d %s" % (n, status) for status, n in sorted(counts.items()))))
     for status in sorted(set(first) - {RUN_GOOD}):
         print("%s, first run %d: %s" % (status, first[status]["number"], first[status]["reason"]))
     verdicts = [row["status"] for row in results.audits()]
@@ -205,7 +205,7 @@ def main(words=None):
         print("drill_campaign: %s; campaigns need Debian's python3-distributed and python3-scipy" % error, file=sys.stderr)
         return BROKEN
     except (Said, KeyboardInterrupt) as error:
-        print("drill_campaign: %s" % (str(error) or "stopped: what was done stays, the same command goes on"), file=sys.stderr)
+        print("drill_campaign: %s" % (str(error) or "stopped: finished runs are kept, the same command continues"), file=sys.stderr)
         return BROKEN
 
 

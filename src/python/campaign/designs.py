@@ -44,7 +44,7 @@ def rows_of(factors, kind, runs=0, steps=0, seed=0):
     if kind == "list":
         columns = [factor.shared_out(steps) for factor in factors]
         if len({len(column) for column in columns}) > 1:
-            raise DesignError("a list needs as many values of each factor; there are %s" % ", ".join("%d of %s" % (len(c), f.name) for c, f in zip(columns, factors)))
+            raise DesignError("a list needs the same number of values for each factor; there are %s" % ", ".join("%d of %s" % (len(c), f.name) for c, f in zip(columns, factors)))
         return [list(row) for row in zip(*columns)]
     return [[factor.at(share) for factor, share in zip(factors, row)] for row in shares_of(len(factors), kind, runs, seed)]
 

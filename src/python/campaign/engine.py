@@ -84,7 +84,7 @@ def address_checked(address):
     """Beyond this machine TLS is asked for: a task is code."""
     parts = urllib.parse.urlsplit(address)
     if parts.scheme not in ("tcp", "tls") or not parts.hostname or not parts.port:
-        raise EngineError("%s: is no address, needed: tcp://HOST:PORT of this machine, or tls://HOST:PORT" % address)
+        raise EngineError("%s: is not an address, needed: tcp://HOST:PORT of this machine, or tls://HOST:PORT" % address)
     if parts.scheme == "tcp" and not is_here(parts.hostname):
         raise EngineError("%s: is another machine: needed: tls://HOST:PORT, with certificates by Dask's configuration (distributed.comm.tls)" % address)
     if parts.scheme == "tls" and security() is None:
@@ -115,7 +115,7 @@ def security():
 def on_slurm(number):
     """A scheduler here, and as many workers by sbatch, each of one core. They find it by a file in this folder, and end with it."""
     if not shutil.which("sbatch"):
-        raise EngineError("--slurm: there is no sbatch")
+        raise EngineError("--slurm: the command sbatch was not found")
     if security() is None:
         raise EngineError("--slurm: workers are on other machines: needed: certificates by Dask's configuration (distributed.comm.tls)")
     cluster = distributed.LocalCluster(n_workers=0, host="tls://0.0.0.0", security=security(), dashboard_address=PAGE, silence_logs=50)

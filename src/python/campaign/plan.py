@@ -64,7 +64,7 @@ def factors_of(entry):
         factors.append(range_of(item, name, parts))
         times = "times" in parts and parts["times"].yes()
         if times and (factors[-1].unit or any(split(value)[1] for value in factors[-1].values or ())):
-            parts["times"].fail("multiplies what stands there, needed: numbers without units")
+            parts["times"].fail("multiplies the scene's value, needed: numbers without units")
         keys.append((name, [key for key, _ in named], times))
         places += named
     return factors, keys, places
@@ -74,7 +74,7 @@ def range_of(item, name, parts):
     if "values" in parts:
         for other in ("from", "to", "log"):
             if other in parts:
-                parts[other].fail("stands beside values, allowed: values, or from and to")
+                parts[other].fail("is given together with values, allowed: values, or from and to")
         return Factor(name, values=[one.plain() for one in parts["values"].sequence()])
     for needed in ("from", "to"):
         if needed not in parts:

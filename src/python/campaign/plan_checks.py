@@ -43,7 +43,7 @@ def check_keys(places, scene, has_survey, has_controller):
             entry.fail("%s: the plan has no controller" % key)
         for other in others:
             if (key + ".").startswith(other + ".") or (other + ".").startswith(key + "."):
-                entry.fail("%s and %s: the same place" % (other, key))
+                entry.fail("%s and %s are the same key" % (other, key))
         others.append(key)
 
 
@@ -55,7 +55,7 @@ def check_times(entries, blueprint):
         frames = getattr(blueprint, name) * blueprint.rate
         if round(frames) < 1 or abs(frames - round(frames)) > 1e-6 * frames:
             where = entries.get(name) or entries.get("rate") or entries["scene"]
-            where.fail("%s, %g s, is no whole number of frames of %g s" % (name, getattr(blueprint, name), 1.0 / blueprint.rate))
+            where.fail("%s, %g s, is not a whole number of frames of %g s" % (name, getattr(blueprint, name), 1.0 / blueprint.rate))
 
 
 def check_parameters(entry, law, given, places, multiplied):

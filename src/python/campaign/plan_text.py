@@ -34,7 +34,7 @@ class Entry:
             if not isinstance(name, yaml.ScalarNode) or (allowed is not None and name.value not in allowed):
                 Entry(self.file, name, str(name.value)).fail("unknown key, allowed: %s" % ", ".join(allowed or ()))
             if name.value in found:
-                Entry(self.file, name, name.value).fail("stands there twice")
+                Entry(self.file, name, name.value).fail("is given twice")
             found[name.value] = entry
         for name in needed:
             if name not in found:
@@ -107,7 +107,7 @@ def no_yaml(file, error):
     """The line on an error of YAML, with its place."""
     mark, problem = getattr(error, "problem_mark", None), getattr(error, "problem", None)
     said = " ".join(str(problem or error).split()).replace("'\\t' that cannot start any token", "tab, which YAML allows in texts only")
-    return "%s%s: is no YAML: %s" % (file, ":%d" % (mark.line + 1) if mark else "", said)
+    return "%s%s: is not valid YAML: %s" % (file, ":%d" % (mark.line + 1) if mark else "", said)
 
 
 def plan_of(file):

@@ -32,7 +32,7 @@ class Played:
         t = record.t if states is None else series(states, "t")
         self.counted = t > blueprint.begin
         if not self.counted.sum() > 1:
-            raise Unjudged("the run ended by %g s, before two rows that count, from %g s on" % (t[-1] if len(t) else 0.0, blueprint.begin))
+            raise Unjudged("the run ended at %g s, with fewer than two rows after `from`, %g s" % (t[-1] if len(t) else 0.0, blueprint.begin))
         self.whole = run_of_record(record, blueprint.name) if states is None else run_of_states(states, blueprint.name)
         self.t = t[self.counted]
         self.run = type(self.whole)({name: values[self.counted] for name, values in self.whole.columns.items()}, self.whole.source, blueprint.name)
@@ -84,7 +84,7 @@ def number(value):
     try:
         value = None if value is None else float(value)
     except (TypeError, ValueError):
-        raise Unjudged("gives %.60r, needed: a number or None" % (value,)) from None
+        raise Unjudged("returns %.60r, needed: a number or None" % (value,)) from None
     return value if value is not None and math.isfinite(value) else None
 
 

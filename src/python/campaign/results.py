@@ -39,7 +39,7 @@ class Results:
         except sqlite3.Error as error:
             raise ResultsError("%s: %s" % (file, error))
         if version != SCHEMA:
-            raise ResultsError("%s: is no results' file of a campaign%s" % (file, " of version %d" % SCHEMA if version else ""))
+            raise ResultsError("%s: is not a results file of a campaign%s" % (file, " of version %d" % SCHEMA if version else ""))
         if write:
             self.take_lock()
             with self.asked(), self.data:
@@ -51,7 +51,7 @@ class Results:
             self.lock = open(self.file, "rb")  # pylint: disable=consider-using-with
             fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
-            raise ResultsError("%s: another campaign writes it" % self.file)
+            raise ResultsError("%s: another campaign is writing it" % self.file)
 
     @contextlib.contextmanager
     def asked(self, patience=None):

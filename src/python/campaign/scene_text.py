@@ -37,13 +37,13 @@ class SceneText:
         self.places.sort(key=lambda place: place[0])
         for before, after in zip(self.places, self.places[1:]):
             if before[1] > after[0] or before[:2] == after[:2]:
-                raise SceneTextError("%s and %s: the same place" % (leaves(before[2])[0], leaves(after[2])[0]))
+                raise SceneTextError("%s and %s are the same key" % (leaves(before[2])[0], leaves(after[2])[0]))
 
     def find(self, node, steps, key):
         """Notes where the path leads from a node: a value to be replaced, or keys to be put in."""
         if not steps:
             if not (isinstance(node, yaml.ScalarNode) or node.flow_style):
-                raise SceneTextError("%s: holds a block of lines; name the keys in it" % key)
+                raise SceneTextError("%s: is a section; name the keys in it" % key)
             self.places.append((node.start_mark.index, node.end_mark.index, key))
             return
         step, rest = steps[0], steps[1:]
@@ -52,7 +52,7 @@ class SceneText:
                 self.find(item, rest, key)
             return
         if not isinstance(node, yaml.MappingNode):
-            raise SceneTextError("%s: what stands before %s has no keys" % (key, step))
+            raise SceneTextError("%s: the part before %s is not a section" % (key, step))
         for name, value in node.value:
             if name.value == step:
                 self.find(value, rest, key)
@@ -63,9 +63,9 @@ class SceneText:
         for name in steps[:-1]:
             tree = tree.setdefault(name, {})
             if isinstance(tree, str):
-                raise SceneTextError("%s and %s: the same place" % (tree, key))
+                raise SceneTextError("%s and %s are the same key" % (tree, key))
         if steps[-1] in tree:
-            raise SceneTextError("%s and %s: the same place" % (leaves(tree[steps[-1]])[0], key))
+            raise SceneTextError("%s and %s are the same key" % (leaves(tree[steps[-1]])[0], key))
         tree[steps[-1]] = key
 
     def with_values(self, values):
@@ -100,7 +100,7 @@ class SceneText:
         try:
             return written(with_unit(float(value) * (float(self.text[begin:end]) if number is None else number), unit))
         except ValueError:
-            raise SceneTextError("%s: %s is no number, which could be multiplied" % (key, self.text[begin:end]))
+            raise SceneTextError("%s: %s is not a number, so it cannot be multiplied" % (key, self.text[begin:end]))
 
     def put_in(self, begin, tree, values):
         if self.text[begin - 1] == "{":
@@ -117,7 +117,7 @@ def survey_of_well(scene, scene_file):
         if isinstance(survey, dict):
             return "well.survey.file", survey.get("file")
     except (yaml.YAMLError, AttributeError) as error:
-        raise SceneTextError("%s: is no scene: %s" % (scene_file, " ".join(str(error).split())))
+        raise SceneTextError("%s: is not a scene: %s" % (scene_file, " ".join(str(error).split())))
     return "well.survey", survey
 
 
@@ -133,7 +133,7 @@ def steps_of(key):
     for part in key.split("."):
         match = STEP.match(part)
         if not match:
-            raise SceneTextError("%s: is no key, allowed is as in numerics.tolerance, formation[0].drillability, string[bit].diameter" % key)
+            raise SceneTextError("%s: is not a key; examples: numerics.tolerance, formation[0].drillability, string[bit].diameter" % key)
         steps += [match.group(1)] + ["[%s]" % index for index in re.findall(r"\[([^\]]+)\]", match.group(2))]
     return steps
 
@@ -141,7 +141,7 @@ def steps_of(key):
 def items(node, index, key):
     """Of a sequence: all by *, one by its number or its name."""
     if not isinstance(node, yaml.SequenceNode):
-        raise SceneTextError("%s: [%s] stands behind what is no list" % (key, index))
+        raise SceneTextError("%s: [%s] follows a value that is not a list" % (key, index))
     if index == "*":
         found = list(node.value)
     elif index.isdigit():
@@ -162,7 +162,7 @@ def leaves(what):
 def flow(what, values):
     if isinstance(what, str):
         if isinstance(values[what], Times):
-            raise SceneTextError("%s: the scene does not say it, so that nothing can be multiplied" % what)
+            raise SceneTextError("%s: the scene does not set it, so it cannot be multiplied" % what)
         return written(values[what])
     return "{%s}" % ", ".join("%s: %s" % (name, flow(inner, values)) for name, inner in what.items())
 

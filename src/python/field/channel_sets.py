@@ -73,11 +73,11 @@ def add_rows(file, block, indices, channels, rows, places):
     try:
         found = json.loads(block.text or "", parse_float=str, parse_int=str, parse_constant=str)
     except ValueError as error:
-        raise RecordError("%s:%d: Data is no JSON: %s; needed: arrays [[index, ...], [values, ...]]" % (file, block.sourceline, error))
+        raise RecordError("%s:%d: Data is not valid JSON: %s; needed: arrays [[index, ...], [values, ...]]" % (file, block.sourceline, error))
     for number, row in enumerate(found if isinstance(found, list) else [found], 1):
         cells = flat(row) if isinstance(row, list) else None
         if cells is None or len(cells) != indices + channels:
-            raise RecordError("%s:%s %d is not as needed: an array of %d indices and one of %d values" % (file, place, number, indices, channels))
+            raise RecordError("%s:%s %d must be an array of %d indices and one of %d values" % (file, place, number, indices, channels))
         rows.append(cells)
         places.append("%s %d" % (place, number))
 

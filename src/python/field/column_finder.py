@@ -93,7 +93,7 @@ def known_columns(table, remarks, mapped, taken):
     if TRUTH <= set(table.names):
         if mapped:
             return {}
-        raise RecordError("%s: is a time series of drill run without what the gauges show; needed: drill run --csv --readings, or a map, --columns" % table.file)
+        raise RecordError("%s: is a time series of drill run without readings; needed: drill run --csv --readings, or a map, --columns" % table.file)
     free = {signal: [place for place in places if table.names[place].lower() not in taken] for signal, places in named(table.names).items()}
     by_signal = {signal: places for signal, places in free.items() if places and signal not in mapped}
     found = {} if "time" in mapped else {"time": time_column(table, by_signal.get("time", []))}
@@ -103,7 +103,7 @@ def known_columns(table, remarks, mapped, taken):
         if with_unit:
             found[signal] = Column([table.names[(filled or with_unit)[0]]])
             passed = [table.names[place] for place in places if table.names[place] != found[signal].names[0]]
-            remarks += ["%s is taken from %s; passed over: %s" % (signal, found[signal].names[0], ", ".join(passed))] if passed else []
+            remarks += ["%s is taken from %s; not used: %s" % (signal, found[signal].names[0], ", ".join(passed))] if passed else []
         else:
             remarks.append("%s: %s is left out: it has no unit; needed: a map, --columns" % (signal, table.names[places[0]]))
     remarks += unknown_names(table, by_signal, mapped, taken)
@@ -115,7 +115,7 @@ def unknown_names(table, by_signal, mapped, taken):
     missing = [signal for signal in NAMES if signal not in by_signal and signal not in mapped and signal not in ("time", "hole_depth")]
     known_places = {place for places in (*by_signal.values(), *halves(table.names), zones_in(table.names)) for place in places}
     unknown = [name for place, name in enumerate(table.names) if name and place not in known_places and name.lower() not in taken]
-    return ["no column is known as %s; a map, --columns, may name it: %s" % (", ".join(missing), shown(unknown, MOST_SHOWN))] if missing and unknown else []
+    return ["no column is recognised as %s; a map, --columns, can name it: %s" % (", ".join(missing), shown(unknown, MOST_SHOWN))] if missing and unknown else []
 
 
 def time_column(table, places):

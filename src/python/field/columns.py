@@ -71,7 +71,7 @@ def column_of(signal, entry):
     if unit is not None:
         check_unit(signal, unit, parts["unit"])
     if form and "%Z" in form:
-        parts["format"].fail("must have %%z for a time zone such as +02:00: the names of %%Z stand for several (got %s)" % form)
+        parts["format"].fail("must have %%z for a time zone such as +02:00: names as of %%Z are ambiguous (got %s)" % form)
     if form or len(names) == 2:
         if unit is not None and factor_of("time", unit) is not None:
             parts["unit"].fail("must be date where there is a format or two columns (got %s)" % unit)

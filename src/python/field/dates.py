@@ -136,7 +136,7 @@ def forms_for(cells):
     """What may be written of dates, for a message; the formats that read all of these cells are named, and a zone that has only a name."""
     named = NAME_OF_ZONE.search(cells[0]) if cells else None
     if named and seconds_of(NAME_OF_ZONE.sub("", cells[0])):
-        return "a time zone as UTC-06:00, for %s stands for several" % named[1]
+        return "a time zone such as UTC-06:00, because %s is ambiguous" % named[1]
     fitting = [form for form in GUESSED if all(seconds_of(cell, form) for cell in cells)] if cells else []
     example = ' or '.join('"%s"' % form for form in fitting[:MOST_GUESSES]) or '"%m/%d/%Y %I:%M:%S %p"'
     return ("ISO 8601 such as 2017-07-31T23:59:00Z, or a format in a map: {column: ..., unit: date, format: %s}, or date and time in two columns: "

@@ -125,7 +125,7 @@ def fit(problem, level=0.95):
     rounds = ROUNDS if len(names) > 1 else 1  # one scatter moves no minimum
     problem.plan_points(rounds - 1, True)
     if not numpy.isfinite(problem.predict(x)[problem.rows]).any():
-        raise FitError("at the parameters' start nothing can be predicted")
+        raise FitError("nothing can be predicted at the parameters' start values")
     problem.leave_out_idle(x)
     problem.scatter = {name: max(float(numpy.nanstd(problem.observed[problem.rows & (problem.kinds == name)])), 1e-9) for name in names}
     for left in range(rounds, 0, -1):

@@ -127,7 +127,7 @@ def weights_of(entry, base):
     odd = numpy.flatnonzero(~numpy.isfinite(depths))
     if len(odd):
         cell = table.rows[odd[0]][table.column(columns["depth"].names[0])].strip()
-        raise RecordError("%s: %s: %s is no depth of a well" % (table.place(odd[0]), columns["depth"].names[0], cell or "an empty cell"))
+        raise RecordError("%s: %s: %s is not a depth of a well" % (table.place(odd[0]), columns["depth"].names[0], cell or "an empty cell"))
     return depths, found, prefixed(table.file, remarks + remarks_of(table, found))
 
 

@@ -31,7 +31,7 @@ def read_fitted(file):
     except TextError as error:
         raise PlanError(str(error))
     except (ValueError, RecursionError) as error:
-        raise PlanError("%s: is no JSON: %s" % (file, " ".join(str(error).split())))
+        raise PlanError("%s: is not valid JSON: %s" % (file, " ".join(str(error).split())))
     try:
         return fitted_of(tree)
     except (KeyError, TypeError, ValueError, AttributeError) as error:
@@ -60,5 +60,5 @@ def number(value, otherwise=None):
     if value is None and otherwise is not None:
         return otherwise
     if isinstance(value, bool) or not math.isfinite(float(value)):
-        raise ValueError("%s is no number" % value)
+        raise ValueError("%s is not a number" % value)
     return float(value)

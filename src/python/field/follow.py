@@ -100,7 +100,7 @@ class Follow:
             self.depth = readings.bit_depth + self.way[connection.leave] - self.way[connection.back]
         self.refused = readings.refused or self.refused
         if readings.t > self.began + PATIENCE:
-            raise RecordError("%s: at %.1f s the scene's rig does not make the record's connection: %s" % (self.name, self.times[self.k], self.refused))
+            raise RecordError("%s: at %.1f s the scene's rig refuses the connection of the record: %s" % (self.name, self.times[self.k], self.refused))
         if not self.work.done:
             commands = self.work.step(readings)
             commands.flow, commands.top_drive = 0.0, {"mode": "SPEED", "speed": 0.0}

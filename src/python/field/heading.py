@@ -52,8 +52,8 @@ def heading_of(lines, delimiter, wanted):
     best = known.index(max(known))  # the first: of fewer lines, then higher up
     first, last = spans[best]
     which = "line %d was" % (first + 1) if first == last else "lines %d to %d were" % (first + 1, last + 1)
-    title = ", what is before for a title" if first != filled[0] else ""
-    remarks = ["%s taken for the names of the columns%s" % (which, title)] if title or first != last else []
+    title = ", the lines before as a title" if first != filled[0] else ""
+    remarks = ["%s read as the names of the columns%s" % (which, title)] if title or first != last else []
     return Heading(first, last, delimiter_over(lines, (first, last), delimiter), names[best], known[best] > 0, remarks)
 
 

@@ -44,7 +44,7 @@ def sections_of(file, text):
             lines = found.setdefault(letter, [])
         elif line.strip() and not line.lstrip().startswith("#"):
             if lines is None:
-                raise RecordError("%s:%d: stands before the first section" % (file, number))
+                raise RecordError("%s:%d: is before the first section" % (file, number))
             lines.append((number, line))
     return found
 
@@ -70,7 +70,7 @@ def rows_of(file, lines, names, version):
         if wrapped and len(cells) < len(names):
             continue
         if len(cells) != len(names):
-            raise RecordError("%s:%d: has %d values, there are %d curves (%s); needed: as many" % (file, begun, len(cells), len(names), shown(names, 8)))
+            raise RecordError("%s:%d: has %d values, there are %d curves (%s); needed: one value for each curve" % (file, begun, len(cells), len(names), shown(names, 8)))
         rows.append(cells)
         places.append(str(begun))
         cells, begun = [], None

@@ -52,7 +52,7 @@ class RecordModel:
         keys["numerics.companion"] = "none"  # a fit compares many runs with one record: their own errors are not measured
         self.names = [name for name in COMPARED if name in record and (not signals or name in signals)]
         if not self.names:
-            raise ModelError("%s: holds no number of what is to be compared: %s" % (record.name, ", ".join(signals)))
+            raise ModelError("%s: has no numbers to compare in: %s" % (record.name, ", ".join(signals)))
         self.begin = [value for key, value in keys.items() if not any(key in p.keys for p in parameters)]
         self.blueprint = Blueprint(record.name, scene, survey, [(p.name, p.keys, p.times) for p in parameters if p.signal is None] +
                                    [(key, [key], False) for key in keys if not any(key in p.keys for p in parameters)])

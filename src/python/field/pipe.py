@@ -55,7 +55,7 @@ def pipe_events(record):
         begin, end = k - run(here[:k][::-1]), k + run(here[k:]) - 1
         slip = begin == k and slipped(record, bit, block, k)
         if begin == k and not slip and abs(bit[k] - bit[k - 1]) > AWAY:
-            raise RecordError("%s: at %.1f s the bit jumps by %.2f m; needed: bit_depth that stands while pipe is added or taken away" %
+            raise RecordError("%s: at %.1f s bit_depth jumps by %.2f m; needed: constant bit_depth while pipe is added or removed" %
                               (record.name, clock(record, k), bit[k] - bit[k - 1]))
         begin = min(begin, k - 1)
         inside = numpy.arange(begin, end + 1)
@@ -103,7 +103,7 @@ def check_scale(record):
     ratios = ways[together] / went[together]
     usual = float(numpy.median(ratios))
     if max(usual, 1.0 / usual) > UNLIKE and (numpy.abs(ratios - usual) <= ALIKE * usual).mean() > 1.0 - 2.0 * ALIKE:
-        raise RecordError("%s: block_height changes by %.3g m for each metre of bit_depth; needed: the same way of both; is the unit of both right?" % (record.name, usual))
+        raise RecordError("%s: block_height changes by %.3g m for each metre of bit_depth; needed: equal changes; are both units right?" % (record.name, usual))
 
 
 def slipped(record, bit, block, k):

@@ -87,7 +87,7 @@ def joined(parts):
     if differing is None:
         return {name: values[first] for name, values in columns.items()}, []
     part, row = origins[order[differing]]
-    lines = ["%d rows have the time of the row before; of values that differ the first stands (first: %s)" % (again.sum(), part.place(row))]
+    lines = ["%d rows have the same time as the row before; where values differ, the first is used (first: %s)" % (again.sum(), part.place(row))]
     return {name: values[first] for name, values in columns.items()}, lines
 
 
@@ -98,7 +98,7 @@ def check_length(record, parts):
         gap = int(numpy.diff(time).argmax())
         part = next(part for part in parts if time[gap + 1] in part.signals["time"])
         row = int(numpy.flatnonzero(part.signals["time"] == time[gap + 1])[0])
-        raise RecordError("%s: its time comes %.6g days after the row's before it; allowed: records of up to %g days" %
+        raise RecordError("%s: its time is %.6g days after the row before it; allowed: records of up to %g days" %
                           (part.place(row), (time[gap + 1] - time[gap]) / 86400.0, MOST_DAYS))
 
 
@@ -122,8 +122,8 @@ def remarks_of(record):
     if longest > long_step(record.time):
         lines.append("a gap of %.4g s from %.6g s on" % (longest, begin))
     return lines + ["has no %s: %s" % (signal, so) for signal, so in (
-        ("flow", "the pump is taken as off"), ("top_drive_speed", "the string is taken as not turned"),
-        ("bit_depth", "the string is taken to move with the block at all times")) if signal not in record]
+        ("flow", "the pump is assumed to be off"), ("top_drive_speed", "the string is assumed not to rotate"),
+        ("bit_depth", "the string is assumed to move with the block at all times")) if signal not in record]
 
 
 def bridged(time, good):

@@ -100,7 +100,7 @@ def check_start(record, rig):
         raise RecordError("%s: the block is at up to %.2f m, the crown of the scene's mast at %.2f m; is the unit of block_height right?" %
                           (record.name, numpy.nanmax(record.signals["block_height"]), rig.crown_height))
     if "block_height" in record and abs(record.at("block_height", 0.0) - height) > APART:
-        return ["begins with the block at %.2f m, the scene at %.2f m: it is followed from there" % (record.at("block_height", 0.0), height)]
+        return ["begins with the block at %.2f m, the scene at %.2f m: only changes of the block height are replayed" % (record.at("block_height", 0.0), height)]
     return []
 
 
@@ -164,7 +164,7 @@ def play(rig, record, left_out=()):
     there, shown = numpy.isfinite(law.clock), numpy.array(shown)
     times = numpy.asarray(law.clock)[there]
     if law.farthest > BEHIND:
-        remarks.append("the scene's drawworks were up to %.2f m off the record's: they could not follow" % law.farthest)
+        remarks.append("the scene's block was up to %.2f m off the record: its drawworks could not follow" % law.farthest)
     load = shown[there, signals.index("hook_load")] if "hook_load" in signals else None
     recorded = compared(record, signals, law.stands)
     simulated = {name: numpy.interp(record.time, times, shown[there, k]) for k, name in enumerate(signals)}

@@ -33,7 +33,7 @@ def part_of(table, columns=None):
     mapped, nulls = (columns.columns, columns.nulls) if columns else ({}, ())
     wanted = columns_of(table, mapped, remarks)
     if "time" not in wanted:
-        raise RecordError("%s: no column is known as the time; columns: %s; needed: a map of them, --columns" % (table.file, table.header()))
+        raise RecordError("%s: no column is recognised as the time; columns: %s; needed: a map, --columns" % (table.file, table.header()))
     signals = {}
     time, dated, offset = times_of(table, wanted["time"], "time" in mapped, remarks)
     for signal, column in wanted.items():
@@ -75,7 +75,7 @@ def times_of(table, column, mapped, remarks):
         raise no_date(table, first, column, cells)
     if unit is None:
         needed = "unit: in the map" if mapped else "a map, --columns, with its unit"
-        raise RecordError("%s: %s: the time has no unit and is no date (first: %s%s); needed: %s" %
+        raise RecordError("%s: %s: the time has no unit and is not a date (first: %s%s); needed: %s" %
                           (table.file, column.names[0], "no rows" if first is None else cells[first], looks_like(cells, first), needed))
     factor = factor_for(table, "time", column.names[0], unit)
     return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit, remarks) * factor, False, 0.0
@@ -147,15 +147,15 @@ def dates_of(table, cells, column, said):
         if zones[zoned] is None:
             zones[zoned] = k
         if None not in zones:
-            raise RecordError("%s: %s: %s %s a time zone, others of this column %s; needed: all or none" %
-                              (table.place(k), column.names[0], cell, "has" if zoned else "has not", "have not" if zoned else "have"))
+            raise RecordError("%s: %s: %s has %s time zone, others of this column have %s; needed: all or none" %
+                              (table.place(k), column.names[0], cell, "a" if zoned else "no", "none" if zoned else "one"))
     return found, zones[True] is not None
 
 
 def no_date(table, k, column, cells):
     """The error of a cell; formats that read others of the column as well are named."""
     some = [cell for cell in cells if cell]
-    return RecordError("%s: %s: %s is no date and time of the day%s; allowed: %s" %
+    return RecordError("%s: %s: %s is not a date with a time of day%s; allowed: %s" %
                        (table.place(k), " and ".join(column.names), cells[k], " by the format %s" % column.form if column.form else "",
                         forms_for(some[::1 + len(some) // MOST_GUESSED])))
 
@@ -211,14 +211,14 @@ def numbers_or_refuse(table, name, cells, nulls, needed, remarks):
     found = numpy.array([float(cell) if is_number(cell) else numpy.nan for cell in cells], dtype=float)
     texts = [k for k, cell in enumerate(cells) if not is_number(cell) and not is_blank(cell)]
     if texts and not numpy.isfinite(found).any():
-        raise RecordError("%s: %s: %s is not %s, and no other cell of this column is one; the header was taken for: %s" %
+        raise RecordError("%s: %s: %s is not %s, and no other cell of this column is one; columns as read: %s" %
                           (table.place(texts[0]), name, cells[texts[0]].strip(), needed, table.header()))
     foreign = next((k for k in texts if is_foreign_number(cells[k])), None)
     if foreign is not None:
-        raise RecordError("%s: %s: %s is no number with a decimal point as others are; needed: one decimal sign in all numbers (map: decimal: comma or point)" %
+        raise RecordError("%s: %s: %s is not a number with a decimal point like the others; needed: one decimal sign in all numbers (map: decimal: comma or point)" %
                           (table.place(foreign), name, cells[foreign].strip()))
     if texts:
-        remarks.append("%d cells of %s hold a text, no number (first: %s: %s)" % (len(texts), name, table.place(texts[0]), cells[texts[0]].strip()))
+        remarks.append("%d cells of %s hold text, not a number (first: %s: %s)" % (len(texts), name, table.place(texts[0]), cells[texts[0]].strip()))
     found[~numpy.isfinite(found)] = numpy.nan
     for null in set(nulls):
         found[close(found, null)] = numpy.nan
@@ -239,7 +239,7 @@ def leave_out_likely_nulls(table, name, raw, remarks):
     with numpy.errstate(invalid="ignore"):
         odd = numpy.flatnonzero(odd & ((sizes >= ALONE * others.max()) | (ALONE * sizes <= others.min())))
     if len(odd):
-        remarks.append("%s: %d values such as %g are far from all others and are taken for null values (first: %s)" % (name, len(odd), raw[odd[0]], table.place(odd[0])))
+        remarks.append("%s: %d values such as %g are far from all others and are treated as null values (first: %s)" % (name, len(odd), raw[odd[0]], table.place(odd[0])))
         raw[odd] = numpy.nan
 
 
@@ -255,7 +255,7 @@ def leave_out_drop_outs(table, name, raw, remarks):
     alike = (numpy.abs(raw[after] - raw[before]) <= ALIKE * sizes[:-1]) & (sizes[:-1] >= FAR * largest)
     odd = [k for place in numpy.flatnonzero((zeros > 0) & (zeros <= MOST_ZEROS) & alike) for k in known[(known > before[place]) & (known < after[place])]]
     if odd:
-        remarks.append("%s: %d zeros between values that are alike are taken for null values (first: %s)" % (name, len(odd), table.place(odd[0])))
+        remarks.append("%s: %d zeros between similar values are treated as null values (first: %s)" % (name, len(odd), table.place(odd[0])))
         raw[odd] = numpy.nan
 
 
@@ -271,8 +271,8 @@ def in_range(table, signal, name, unit, raw, factor, remarks):
     first = "%s: %s %.6g %s" % (table.place(odd[0]), name, raw[odd[0]], unit)
     numbers = int(numpy.isfinite(values).sum())
     if len(odd) > MOST_ODD * numbers:
-        raise RecordError("%s: %s: %d of %d values are no %s that a rig can have (allowed: %s; first: %s); is the unit right?" %
+        raise RecordError("%s: %s: %d of %d values are out of the range of %s on a rig (allowed: %s; first: %s); is the unit right?" %
                           (table.file, name, len(odd), numbers, signal, allowed, first))
-    remarks.append("%s: %d of %d values cannot be and are no measurements (allowed: %s; first: %s)" % (signal, len(odd), numbers, allowed, first))
+    remarks.append("%s: %d of %d values are out of range and are treated as missing (allowed: %s; first: %s)" % (signal, len(odd), numbers, allowed, first))
     values[odd] = numpy.nan
     return values

@@ -49,7 +49,7 @@ class Table:
         odd = numpy.flatnonzero(~numpy.isfinite(found))
         wrong = next((k for k in odd if not (may_be_empty and is_blank(cells[k]))), None)
         if wrong is not None:
-            raise RecordError("%s: %s: %s is no finite number" % (self.place(wrong), name, cells[wrong].strip() or "an empty cell"))
+            raise RecordError("%s: %s: %s is not a finite number" % (self.place(wrong), name, cells[wrong].strip() or "an empty cell"))
         return found
 
     def header(self):
@@ -81,12 +81,12 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
     keep = set(wanted.places(names))
     for line, cells in rows:
         if heading.known and not table and (are_places(cells) or not holds_data(cells) and not is_line_of_units(cells)):
-            remarks.append("line %d is passed over: it holds neither units nor measurements" % line)
+            remarks.append("line %d is skipped: it holds neither units nor measurements" % line)
             continue
         cells = fitted(cells, file, line, names)
         if not table and is_line_of_units(cells):
             units = [unit_of_both(file, line, *both) for both in zip(names, cells, units)]
-            remarks.append("line %d was taken for the units of the columns" % line)
+            remarks.append("line %d was read as the units of the columns" % line)
         else:
             table.append([cell if place in keep else "" for place, cell in enumerate(cells)])
             places.append(str(line))
@@ -168,7 +168,7 @@ def fitted(cells, file, line, names):
     if len(cells) > len(names) and not any(cell.strip() for cell in cells[len(names):]):
         return cells[:len(names)]
     if len(cells) != len(names):
-        raise RecordError("%s:%d: has %d cells, the header %d (%s); needed: as many, texts with a delimiter in quotes" %
+        raise RecordError("%s:%d: has %d cells, the header %d (%s); needed: the same number, and texts with a delimiter in quotes" %
                           (file, line, len(cells), len(names), shown(names, 8)))
     return cells
 

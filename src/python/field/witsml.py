@@ -32,7 +32,7 @@ def read_witsml(file, data, times=()):
             passed.append((number, reason))
     if not tables:
         raise RecordError("%s: %s" % (file, passed[0][1] if passed else "its logs hold no rows"))
-    tables[0].remarks += remarks + ["log %d is passed over: %s" % one for one in passed]
+    tables[0].remarks += remarks + ["log %d is skipped: %s" % one for one in passed]
     return tables
 
 
@@ -63,7 +63,7 @@ def parsed(file, data):
             text, remarks = text_of(file)
             root = etree.fromstring(DECLARATION.sub("", text.lstrip()).encode(), parser)
         except (etree.XMLSyntaxError, ValueError, RecordError):
-            raise RecordError("%s: is no XML: %s" % (file, " ".join(str(error).split())))
+            raise RecordError("%s: is not valid XML: %s" % (file, " ".join(str(error).split())))
     if root.getroottree().docinfo.doctype:
         raise RecordError("%s: has a document type definition; WITSML has none" % file)
     return root, remarks
@@ -151,8 +151,8 @@ def listed(file, block, infos, delimiter):
         return names, known, []
     units = [unit.strip() or None for unit in (block.findtext("{*}unitList") or "").split(delimiter)]
     if len(units) != len(names):
-        raise RecordError("%s: mnemonicList has %d names, unitList %d units; needed: as many" % (file, len(names), len(units)))
-    return names, units, ["%s: its unit is %s in unitList, %s in logCurveInfo: unitList's is taken" % (name, unit, other)
+        raise RecordError("%s: mnemonicList has %d names, unitList %d units; needed: one unit for each name" % (file, len(names), len(units)))
+    return names, units, ["%s: its unit is %s in unitList, %s in logCurveInfo: unitList is used" % (name, unit, other)
                           for name, unit, other in zip(names, units, known) if unit and other and not same_unit(unit, other)]
 
 
@@ -185,5 +185,5 @@ def fitted(file, row, place, names):
     if len(row) > len(names) and not any(cell.strip() for cell in row[len(names):]):
         row = row[:len(names)]
     if len(row) != len(names):
-        raise RecordError("%s:%s has %d values, there are %d curves (%s); needed: as many" % (file, place, len(row), len(names), shown(names, 8)))
+        raise RecordError("%s:%s has %d values, there are %d curves (%s); needed: one value for each curve" % (file, place, len(row), len(names), shown(names, 8)))
     return row

@@ -62,7 +62,7 @@ class Broomstick:
     def begin(self, scene, depth):
         """`scene`: text of a scene. Why it cannot be, or ""."""
         if self.message["running"]:
-            return "the broomstick is being worked out already"
+            return "the broomstick is already being computed"
         self.message = {**self.message, "points": [], "done": False, "running": True, "problem": "", "count": len(cases(depth))}
         self._task = asyncio.ensure_future(self._work(scene, depth))
         return ""

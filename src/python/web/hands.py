@@ -115,10 +115,10 @@ class Hands:
             self.tripped = (self.holder, self.press)
             self.release(self.holder)
             ended = [{"type": "press_ended", "press": self.press}]
-            self.notes.append("dead-man: brake set %.2f s after the page's last order; press again to move the block" % (now - self.held_at))
+            self.notes.append("dead-man: brake set %.2f s after the page's last command; press again to move the block" % (now - self.held_at))
         if self.streams.kept and now > self.heard_at + ALIVE:
             self.streams.drop("winch", "top_drive")
-            self.notes.append("dead-man: no page is open, set points are not repeated any more")
+            self.notes.append("dead-man: no page is open, set points are no longer repeated")
         lost = self.streams.repeat(self.source.last)
         notes, self.notes = self.notes + ["another controller has taken over: %s" % name.replace("_", " ") for name in lost], []
         return [{"type": "law", **law}, *ended, *({"type": "answer", "text": note} for note in notes)]

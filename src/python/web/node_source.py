@@ -42,7 +42,7 @@ class NodeSource:
             if pid is not None and pid != self._master:
                 self._join()
             elif self._joined and self.lag() > TOO_LATE:
-                rospy.logwarn("drill web was too slow: readings of some seconds are missing")
+                rospy.logwarn("drill web was too slow: readings of a few seconds are missing")
                 self._join()
             self._master = pid
             time.sleep(WATCH)
@@ -67,7 +67,7 @@ class NodeSource:
 
     def _take_state(self, message):
         if not is_of(message, STATE_KIND):
-            self._problem = "the node is of another version: its rig_state has other members"
+            self._problem = "the node is of another version: its rig_state has other fields"
             return
         self._came, self._problem, self._lost = time.monotonic(), "", False
         before, self.newest = self.newest, stamp_of(message._buff)  # pylint: disable=protected-access

@@ -23,7 +23,7 @@ class Orders:
         if self.hands is None:
             return "read-only: start drill web with --control"
         if kind not in self.moving:
-            return "no such order: %s" % kind[:40]
+            return "unknown command: %s" % kind[:40]
         try:
             answer = self.moving[kind](page, order)
             return await answer if asyncio.iscoroutine(answer) else answer
